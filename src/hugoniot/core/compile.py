@@ -1,0 +1,203 @@
+"""Binds the plain scalar laws to compiled sweeps: importing this module imports numba, so only kernel modules do.
+
+* Inside a kernel a call such as `pressure(rho, e, par)` is resolved by the class of `par`, at compile time, to that law's
+  own function and inlined. One kernel source therefore serves every law, each specialisation is compiled once and kept on
+  disk, and no closure or function pointer stands in the way of the vectoriser (`kernels/README.md`, items 3, 6, 7).
+* The cache folder is named after a hash of the package's sources: an edit anywhere in the package can never meet stale
+  machine code (numba itself only watches the file that holds the kernel).
+"""
+
+import hashlib
+import math
+import os
+import pathlib
+import re
+import sys
+import types as pytypes
+
+import numba as nb
+import numpy as np
+from numba import types
+from numba.extending import intrinsic, overload
+
+from hugoniot.core import ops
+from hugoniot.core.registry import Registry
+
+LAW = dict(fastmath=True, error_model="numpy", forceinline=True)
+EXACT_LAW = dict(fastmath=False, error_model="numpy", forceinline=True)
+SWEEP = dict(fastmath=True, error_model="numpy", cache=True, nogil=True)
+GUARD = dict(fastmath=False, error_model="numpy", cache=True, nogil=True)
+
+
+def source_hash() -> str:
+    """SHA-256 of every Python source of the package, shortened: the name of the compiled code's folder."""
+    root = pathlib.Path(__file__).resolve().parents[1]
+    digest = hashlib.sha256(f"{sys.version_info[:2]} {nb.__version__}".encode())
+    for room in ("core", "laws", "mesh", "theory", "solvers"):
+        for path in sorted((root / room).rglob("*.py")):
+            digest.update(path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def cache_root() -> pathlib.Path:
+    """Folder of the compiled code: HUGONIOT_CACHE, else the user's cache folder."""
+    if named := os.environ.get("HUGONIOT_CACHE"):
+        return pathlib.Path(named)
+    home = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
+    return pathlib.Path(home) / "hugoniot"
+
+
+def _use_cache_folder():
+    if os.environ.get("NUMBA_CACHE_DIR"):
+        return pathlib.Path(os.environ["NUMBA_CACHE_DIR"])
+    folder = cache_root() / source_hash()
+    nb.config.CACHE_DIR = str(folder)
+    return folder
+
+
+CACHE_FOLDER = _use_cache_folder()
+
+
+# -- operations that keep a sweep vectorised ---------------------------------------------------------------------
+def _select(operator):
+    @intrinsic
+    def select(typingctx, a, b):
+        def codegen(context, builder, signature, args):
+            chosen = builder.fcmp_ordered(operator, args[0], args[1], flags=("fast",))
+            return builder.select(chosen, args[0], args[1], flags=("fast",))
+        return types.float64(types.float64, types.float64), codegen
+    return select
+
+
+_select_min, _select_max = _select("<"), _select(">")
+
+
+@overload(ops.fmin, jit_options=LAW)
+def _(a, b):
+    return lambda a, b: _select_min(np.float64(a), np.float64(b))
+
+
+@overload(ops.fmax, jit_options=LAW)
+def _(a, b):
+    return lambda a, b: _select_max(np.float64(a), np.float64(b))
+
+
+@overload(ops.vsqrt, jit_options=LAW)
+def _(x):
+    return lambda x: math.sqrt(x)
+
+
+@overload(ops.vexp, jit_options=EXACT_LAW)
+def _(x):
+    def vexp(x):
+        x = ops.fmin(ops.fmax(x, -708.0), 709.0)
+        k = math.floor(x * 1.4426950408889634 + 0.5)
+        r = (x - k * 6.93147180369123816490e-01) - k * 1.90821492927058770002e-10
+        # Taylor polynomial of degree 13 in Horner form on |r| < log(2)/2: remainder below 1e-17
+        y = 1.0 + r * (1.0 + r * (1 / 2 + r * (1 / 6 + r * (1 / 24 + r * (1 / 120 + r * (1 / 720 + r * (
+            1 / 5040 + r * (1 / 40320 + r * (1 / 362880 + r * (1 / 3628800 + r * (1 / 39916800 + r * (
+                1 / 479001600 + r * (1 / 6227020800)))))))))))))
+        return y * np.int64((np.int64(k) + 1023) << 52).view(np.float64)
+    return vexp
+
+
+@overload(ops.vlog, jit_options=EXACT_LAW)
+def _(x):
+    def vlog(x):
+        bits = np.float64(x).view(np.int64)
+        mantissa = np.int64((bits & 0x000FFFFFFFFFFFFF) | 0x3FF0000000000000).view(np.float64)
+        exponent = np.float64((bits >> 52) - 1023)
+        large = mantissa > 1.4142135623730951
+        mantissa = 0.5 * mantissa if large else mantissa
+        exponent = exponent + 1.0 if large else exponent
+        f = mantissa - 1.0
+        s = f / (2.0 + f)
+        z = s * s
+        tail = z * (2 / 3 + z * (2 / 5 + z * (2 / 7 + z * (2 / 9 + z * (2 / 11 + z * (2 / 13 + z * (2 / 15 + z * (
+            2 / 17 + z * (2 / 19 + z * (2 / 21 + z * (2 / 23)))))))))))
+        # log(1+f) = f - s (f - tail): no cancellation near x = 1
+        return exponent * 6.93147180369123816490e-01 + (f - s * (f - tail) + exponent * 1.90821492927058770002e-10)
+    return vlog
+
+
+# -- laws --------------------------------------------------------------------------------------------------------
+_bound: set = set()
+
+
+def bind(function, **options):
+    """Let kernels call a plain scalar function, inlined, through its undecorated name."""
+    if function in _bound:
+        return function
+    _bound.add(function)
+    overload(function, jit_options=options or LAW, strict=False)(lambda *args: function)
+    return function
+
+
+def bind_module(module):
+    """Bind every plain function defined in a module (a law file and its helpers)."""
+    for value in list(vars(module).values()):
+        if isinstance(value, pytypes.FunctionType) and value.__module__ == module.__name__:
+            bind(value)
+
+
+def bind_dispatch(generic, family: Registry, name: str, position: int = -1):
+    """Resolve `generic(...)` inside kernels by the class of the parameter tuple at `position` among its arguments.
+
+    `generic` is the plain function of the same meaning that dispatches in Python; `name` is the contract name.
+    """
+    if generic in _bound:
+        return
+    _bound.add(generic)
+
+    def resolve(*args):
+        cls = getattr(args[position], "instance_class", None)
+        law = family.of_class(cls) if cls is not None else None
+        return None if law is None else law.functions.get(name)
+
+    overload(generic, jit_options=LAW, strict=False)(resolve)
+
+
+def bind_family(family: Registry, generics: dict):
+    """Bind all law files of a family and its generic functions (contract name -> plain dispatching function)."""
+    for law in family:
+        bind_module(law.module)
+    for name, generic in generics.items():
+        bind_dispatch(generic, family, name)
+
+
+# -- parameters from a table -------------------------------------------------------------------------------------
+@intrinsic
+def parameters(typingctx, proto, row):
+    """A parameter tuple of the class of `proto` with its float fields read in order from the 1-D array `row`.
+
+    Fields that are not floats (tables) are taken from `proto` itself. Lets one compiled sweep serve any number of
+    materials of one law: their numbers live in an array, only the law's class is part of the compiled type.
+    """
+    fields = list(proto.types)
+
+    def codegen(context, builder, signature, args):
+        proto_type, row_type = signature.args
+        array = context.make_array(row_type)(context, builder, args[1])
+        values, k = [], 0
+        for i, field in enumerate(proto_type.types):
+            if field == types.float64:
+                pointer = builder.gep(array.data, [context.get_constant(types.intp, k)])
+                values.append(builder.load(pointer))
+                k += 1
+            else:
+                values.append(builder.extract_value(args[0], i))
+        return context.make_tuple(builder, signature.return_type, values)
+
+    del fields
+    return proto(proto, row), codegen
+
+
+def float_row(par) -> list[float]:
+    """The float fields of a parameter tuple in order: one row of the table that `parameters` reads."""
+    return [float(v) for v in par if isinstance(v, (int, float))]
+
+
+def packed(dispatcher, signature=None) -> dict[str, int]:
+    """How many packed (AVX-512 or AVX2) divisions, square roots and fused products a kernel's machine code holds."""
+    text = dispatcher.inspect_asm(signature or dispatcher.signatures[0])
+    return {op: len(re.findall(rf"\sv{op}\w*pd[^\n]*[yz]mm", text)) for op in ("div", "sqrt", "fmadd", "fnmadd")}

@@ -1,0 +1,35 @@
+"""One row per field of a state: symbol, word, unit, place. Files, gauges, plot labels, decks and docs all use these names."""
+
+from typing import NamedTuple
+
+
+class Field(NamedTuple):
+    """place: "zone" or "node"; `unit` is the SI unit; `long_name` labels plots and files; `display` (unit, factor) for pictures."""
+
+    name: str
+    symbol: str
+    unit: str
+    place: str
+    long_name: str
+    display: tuple[str, float]
+
+
+_ROWS = (
+    Field("position", "r", "m", "node", "position", ("mm", 1e3)),
+    Field("velocity", "u", "m/s", "node", "particle velocity", ("m/s", 1.0)),
+    Field("density", "rho", "kg/m^3", "zone", "density", ("kg/m³", 1.0)),
+    Field("energy", "e", "J/kg", "zone", "specific internal energy", ("kJ/kg", 1e-3)),
+    Field("pressure", "p", "Pa", "zone", "pressure", ("GPa", 1e-9)),
+    Field("viscous_pressure", "q", "Pa", "zone", "artificial viscous pressure", ("GPa", 1e-9)),
+    Field("deviator_radial", "s1", "Pa", "zone", "longitudinal stress deviator (tension positive)", ("GPa", 1e-9)),
+    Field("deviator_hoop", "s2", "Pa", "zone", "hoop stress deviator (tension positive)", ("GPa", 1e-9)),
+    Field("stress", "sigma", "Pa", "zone", "longitudinal stress (compression positive)", ("GPa", 1e-9)),
+    Field("sound_speed", "c", "m/s", "zone", "longitudinal sound speed", ("m/s", 1.0)),
+    Field("temperature", "T", "K", "zone", "temperature", ("K", 1.0)),
+    Field("plastic_strain", "eps_p", "1", "zone", "equivalent plastic strain", ("", 1.0)),
+    Field("damage", "D", "1", "zone", "fracture damage", ("", 1.0)),
+    Field("burn_fraction", "lambda", "1", "zone", "burn fraction", ("", 1.0)),
+    Field("mass", "m", "kg", "zone", "zone mass (per m^2, per m and radian, or per steradian)", ("kg", 1.0)),
+)
+
+FIELDS = {row.name: row for row in _ROWS}

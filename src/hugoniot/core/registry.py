@@ -1,0 +1,128 @@
+"""Registries: one family of laws each, filled by one `add` line per law file.
+
+A registered law is found by its name (decks, `hugoniot list`) or by the class of its parameter tuple (kernels, theory):
+physics is chosen by the type of the parameters, so a parameter tuple is all a caller needs to carry.
+"""
+
+import difflib
+import importlib
+import math
+import pkgutil
+import sys
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from types import ModuleType
+from typing import Any
+
+
+class UnknownName(KeyError):
+    """A name that is not registered; the message offers the nearest one."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+@dataclass(frozen=True)
+class Law:
+    """One registered law.
+
+    parameters   the NamedTuple class of its named parameters (floats; units in `units`)
+    functions    the law's undecorated scalar functions by contract name
+    example      a parameter tuple that contract tests and docs use
+    units        parameter name -> SI unit as text ("kg/m^3", "1")
+    meaning      parameter name -> one phrase
+    box          contract variable -> (low, high): where the example is valid, in SI
+    references   where the equation stands, with its number
+    build        function from the deck's named values (SI) to the parameter tuple; default: the class itself
+    flags        facts a solver may ask for, such as "linear_in_energy"
+    """
+
+    family: str
+    name: str
+    parameters: type
+    functions: Mapping[str, Callable]
+    example: Any
+    units: Mapping[str, str]
+    meaning: Mapping[str, str]
+    box: Mapping[str, tuple[float, float]]
+    references: tuple[str, ...]
+    build: Callable
+    flags: frozenset[str] = frozenset()
+    defaults: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def module(self) -> ModuleType:
+        return sys.modules[self.parameters.__module__]
+
+    @property
+    def summary(self) -> str:
+        """First line of the law file's docstring."""
+        return (self.module.__doc__ or "").strip().splitlines()[0]
+
+
+class Registry:
+    """The laws of one family.
+
+    contract   names of functions every law must give
+    optional   names of functions a law may give
+    """
+
+    def __init__(self, family: str, contract: tuple[str, ...], optional: tuple[str, ...] = ()):
+        self.family, self.contract, self.optional = family, contract, optional
+        self._by_name: dict[str, Law] = {}
+        self._by_class: dict[type, Law] = {}
+
+    def add(self, name, parameters, *, functions, example, units, meaning, box, references, build=None, flags=(), defaults=None):
+        """Enrol a law; every argument is a field of `Law`. Refuses a duplicate name and a law that does not keep the contract."""
+        if name in self._by_name or parameters in self._by_class:
+            raise ValueError(f"{self.family}: '{name}' is registered already")
+        given = {f.__name__: f for f in functions} if not isinstance(functions, Mapping) else dict(functions)
+        missing = [f for f in self.contract if f not in given]
+        stray = [f for f in given if f not in self.contract + self.optional]
+        undocumented = [p for p in parameters._fields if p not in units or p not in meaning]
+        for problem, what in ((missing, "lacks"), (stray, "gives functions outside the contract:"), (undocumented, "lacks unit or meaning of")):
+            if problem:
+                raise ValueError(f"{self.family}: '{name}' {what} {', '.join(problem)}")
+        if not references:
+            raise ValueError(f"{self.family}: '{name}' names no source")
+        law = Law(self.family, name, parameters, given, example, dict(units), dict(meaning), dict(box), tuple(references),
+                  build or parameters, frozenset(flags), dict(defaults or {}))
+        self._by_name[name] = law
+        self._by_class[parameters] = law
+        return law
+
+    def get(self, name: str) -> Law:
+        """The law of that name; `UnknownName` offers the nearest."""
+        try:
+            return self._by_name[name]
+        except KeyError:
+            near = difflib.get_close_matches(name, self._by_name, n=1)
+            hint = f"; did you mean '{near[0]}'?" if near else f"; known: {', '.join(sorted(self._by_name))}"
+            raise UnknownName(f"unknown {self.family} law '{name}'{hint}") from None
+
+    def of(self, par) -> Law:
+        """The law whose parameters `par` is."""
+        return self.of_class(type(par))
+
+    def of_class(self, cls: type) -> Law:
+        return self._by_class[cls]
+
+    def names(self) -> list[str]:
+        return sorted(self._by_name)
+
+    def __iter__(self):
+        return iter(self._by_name.values())
+
+    def __len__(self) -> int:
+        return len(self._by_name)
+
+
+def finite(par) -> bool:
+    """Whether every number of a parameter tuple is finite."""
+    return all(math.isfinite(v) for v in par if isinstance(v, (int, float)))
+
+
+def enrol_folder(package: str, path) -> None:
+    """Import every module of a package folder, so that each law file enrols itself."""
+    for module in pkgutil.iter_modules(path):
+        importlib.import_module(f"{package}.{module.name}")

@@ -1,0 +1,84 @@
+"""What the user is told when something is wrong: in the deck, in the physics, or with files."""
+
+from dataclasses import dataclass, field
+
+
+class HugoniotError(Exception):
+    """Base of everything the package raises on purpose; `exit_code` is what the command line returns."""
+
+    exit_code = 1
+
+
+@dataclass
+class DeckProblem:
+    """One thing wrong with a deck: where, what, and the way out."""
+
+    file: str
+    line: int | None
+    key: str
+    message: str
+    hint: str = ""
+
+    def __str__(self) -> str:
+        place = f"{self.file}:{self.line}" if self.line else self.file
+        return f"{place}: {self.key}: {self.message}" + (f"; {self.hint}" if self.hint else "")
+
+
+class DeckError(HugoniotError):
+    """A deck, a material file or another input that cannot be used; carries every problem found."""
+
+    exit_code = 2
+
+    def __init__(self, problems: list[DeckProblem]):
+        self.problems = list(problems)
+        super().__init__("\n".join(str(p) for p in self.problems))
+
+    @classmethod
+    def single(cls, file, line, key, message, hint=""):
+        return cls([DeckProblem(str(file), line, key, message, hint)])
+
+
+@dataclass
+class UnphysicalState(HugoniotError):
+    """A state no material can be in, found in the cycle it arose.
+
+    zone, position (m) and time (s) say where and when; `cause` and `remedy` are sentences; `values` holds the fields there.
+    """
+
+    cause: str
+    remedy: str = ""
+    zone: int | None = None
+    region: str = ""
+    position: float | None = None
+    time: float | None = None
+    cycle: int | None = None
+    values: dict = field(default_factory=dict)
+    exit_code = 3
+
+    def __str__(self) -> str:
+        where = [] if self.zone is None else [f"zone {self.zone}" + (f" of region '{self.region}'" if self.region else "")]
+        if self.position is not None:
+            where.append(f"at {self.position:.6g} m")
+        if self.time is not None:
+            where.append(f"t = {self.time:.6g} s")
+        if self.cycle is not None:
+            where.append(f"cycle {self.cycle}")
+        return ", ".join(where) + (": " if where else "") + self.cause + (f" Remedy: {self.remedy}" if self.remedy else "")
+
+
+class OutOfRange(HugoniotError, ValueError):
+    """A law or a tool asked for a state outside what it is defined for; the message states the limit."""
+
+    exit_code = 3
+
+
+class NoSolution(HugoniotError, ArithmeticError):
+    """A search that has no answer, or did not find it; the message says in which interval it looked."""
+
+    exit_code = 3
+
+
+class FileTrouble(HugoniotError, OSError):
+    """A file or folder that cannot be read or written as asked; nothing that existed is lost."""
+
+    exit_code = 4

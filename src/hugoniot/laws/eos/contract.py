@@ -1,0 +1,99 @@
+"""What an equation of state owes its users, and everything that follows from it, derived once for all laws.
+
+A law gives, for one point (rho in kg/m3, e in J/kg) and its parameter tuple:
+
+    pressure(rho, e, par)                 p, Pa
+    pressure_derivatives(rho, e, par)     (dp/drho at constant e, dp/de at constant rho)
+
+and, where its theory has them in closed form,
+
+    temperature(rho, e, par)              T, K
+    entropy(rho, e, par)                  s, J/(kg K), up to a constant
+    energy(rho, p, par)                   e, J/kg (inverse of pressure at constant rho)
+    reference_state(par)                  (rho, e) of the material at rest: zero (or ambient) pressure
+    density_limits(par)                   (lowest, highest) density at which the law is defined
+
+The functions below dispatch on the class of `par`, in Python and, through `core.compile`, inside kernels.
+"""
+
+from hugoniot.core.ops import vsqrt
+from hugoniot.core.registry import Registry
+
+EOS = Registry(
+    "eos",
+    contract=("pressure", "pressure_derivatives", "reference_state", "density_limits"),
+    optional=("temperature", "entropy", "energy", "specific_heat"),
+)
+
+
+def pressure(rho, e, par):
+    """Pressure, Pa."""
+    return EOS.of(par).functions["pressure"](rho, e, par)
+
+
+def pressure_derivatives(rho, e, par):
+    """(dp/drho at constant e, Pa m3/kg; dp/de at constant rho, Pa kg/J)."""
+    return EOS.of(par).functions["pressure_derivatives"](rho, e, par)
+
+
+def temperature(rho, e, par):
+    """Temperature, K, for laws that have one."""
+    return EOS.of(par).functions["temperature"](rho, e, par)
+
+
+def entropy(rho, e, par):
+    """Specific entropy, J/(kg K), up to a constant, for laws that have one."""
+    return EOS.of(par).functions["entropy"](rho, e, par)
+
+
+def energy(rho, p, par):
+    """Specific internal energy at density and pressure, J/kg, for laws with a closed inverse."""
+    return EOS.of(par).functions["energy"](rho, p, par)
+
+
+def specific_heat(rho, e, par):
+    """Specific heat at constant volume, J/(kg K), for laws with a temperature."""
+    return EOS.of(par).functions["specific_heat"](rho, e, par)
+
+
+def reference_state(par):
+    """(rho, e) of the material at rest."""
+    return EOS.of(par).functions["reference_state"](par)
+
+
+def density_limits(par):
+    """(lowest, highest) density at which the law is defined, kg/m3."""
+    return EOS.of(par).functions["density_limits"](par)
+
+
+GENERICS = {
+    "pressure": pressure, "pressure_derivatives": pressure_derivatives, "temperature": temperature,
+    "entropy": entropy, "energy": energy, "specific_heat": specific_heat,
+}
+
+
+# -- derived once for all laws -----------------------------------------------------------------------------------
+def sound_speed_squared(rho, e, par):
+    """c^2 = dp/drho|_e + p dp/de|_rho / rho^2, m2/s2 (negative where the state is unstable)."""
+    p_rho, p_e = pressure_derivatives(rho, e, par)
+    return p_rho + pressure(rho, e, par) * p_e / (rho * rho)
+
+
+def sound_speed(rho, e, par):
+    """Bulk (hydrodynamic) sound speed, m/s."""
+    return vsqrt(sound_speed_squared(rho, e, par))
+
+
+def gruneisen(rho, e, par):
+    """Grüneisen parameter Gamma = (dp/de at constant rho) / rho."""
+    return pressure_derivatives(rho, e, par)[1] / rho
+
+
+def bulk_modulus(rho, e, par):
+    """Isentropic bulk modulus K_S = rho c^2, Pa."""
+    return rho * sound_speed_squared(rho, e, par)
+
+
+def adiabatic_exponent(rho, e, par):
+    """gamma = -(d ln p / d ln v) along the isentrope = rho c^2 / p."""
+    return bulk_modulus(rho, e, par) / pressure(rho, e, par)

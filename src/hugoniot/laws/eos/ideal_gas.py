@@ -1,0 +1,64 @@
+r"""Ideal gas with constant specific heats.
+
+$$p = (\gamma - 1)\,\rho e, \qquad T = e / c_v, \qquad s = c_v \ln\left(p\,\rho^{-\gamma}\right)$$
+
+Source: 003 (Starkenberg) A-7, polytropic gas; 001 eq. 4.4 with the corrected density (K-E4: rho, not rho0).
+"""
+
+from typing import NamedTuple
+
+from hugoniot.core.ops import vlog
+from hugoniot.laws.eos.contract import EOS
+
+
+class IdealGas(NamedTuple):
+    gamma: float
+    specific_heat: float = 717.5
+    rho0: float = 1.2
+
+
+def pressure(rho, e, par):
+    return (par.gamma - 1.0) * rho * e
+
+
+def pressure_derivatives(rho, e, par):
+    return (par.gamma - 1.0) * e, (par.gamma - 1.0) * rho
+
+
+def energy(rho, p, par):
+    return p / ((par.gamma - 1.0) * rho)
+
+
+def temperature(rho, e, par):
+    return e / par.specific_heat
+
+
+def specific_heat(rho, e, par):
+    return par.specific_heat
+
+
+def entropy(rho, e, par):
+    return par.specific_heat * (vlog(e) - (par.gamma - 1.0) * vlog(rho))
+
+
+def reference_state(par):
+    """A gas has no rest state of its own: standard temperature at its nominal density."""
+    return par.rho0, par.specific_heat * 298.15
+
+
+def density_limits(par):
+    return 0.0, float("inf")
+
+
+EOS.add(
+    "ideal_gas", IdealGas,
+    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits],
+    example=IdealGas(1.4),
+    units={"gamma": "1", "specific_heat": "J/kg/K", "rho0": "kg/m^3"},
+    meaning={"gamma": "ratio of specific heats", "specific_heat": "specific heat at constant volume",
+             "rho0": "density at rest when a region names none"},
+    defaults={"specific_heat": 717.5, "rho0": 1.2},
+    box={"rho": (1e-3, 100.0), "e": (1e3, 1e8)},
+    references=("Starkenberg, ARL-TR-2161, appendix A-7",),
+    flags=("linear_in_energy", "gas"),
+)

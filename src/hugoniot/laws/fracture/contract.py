@@ -1,0 +1,29 @@
+"""What a fracture law owes: how near a zone is to failure, how damage grows, and the tension it can carry.
+
+    failure(tension, p, v, damage, par)   ratio that reaches 1 at failure; tension = s1 - p, the longitudinal tensile stress
+                                          (Pa, positive in tension), p pressure (Pa), v = rho0/rho relative volume
+    damage_rate(tension, par)             d(damage)/dt, 1/s (0 for laws without memory)
+    tension_cap(par)                      largest tension a zone may carry while a void nearby relieves it, Pa (inf: none)
+"""
+
+from hugoniot.core.registry import Registry
+
+FRACTURE = Registry("fracture", contract=("failure", "damage_rate", "tension_cap"))
+
+
+def failure(tension, p, v, damage, par):
+    """Ratio that reaches 1 at failure."""
+    return FRACTURE.of(par).functions["failure"](tension, p, v, damage, par)
+
+
+def damage_rate(tension, par):
+    """Rate of damage, 1/s."""
+    return FRACTURE.of(par).functions["damage_rate"](tension, par)
+
+
+def tension_cap(par):
+    """Largest tension a zone may carry, Pa."""
+    return FRACTURE.of(par).functions["tension_cap"](par)
+
+
+GENERICS = {"failure": failure, "damage_rate": damage_rate, "tension_cap": tension_cap}

@@ -1,0 +1,47 @@
+"""A material: laws with their numbers, and where the numbers come from."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.fracture.contract import FRACTURE
+from hugoniot.laws.strength.contract import STRENGTH
+
+
+@dataclass(frozen=True)
+class Source:
+    """Provenance of one constant: `status` is verified, corrected, derived, recalled (unverified against print) or user."""
+
+    quantity: str
+    value: float | str
+    unit: str
+    source: str
+    via: str = ""
+    status: str = "user"
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Material:
+    """eos, strength, fracture, burn: parameter tuples of registered laws (`strength` and `fracture` may be None).
+
+    valid_up_to   highest particle velocity (m/s) the equation of state's data reach; None where no source states it
+    """
+
+    name: str
+    eos: Any
+    strength: Any = None
+    fracture: Any = None
+    burn: Any = None
+    valid_up_to: float | None = None
+    sources: tuple[Source, ...] = field(default=())
+    warnings: tuple[str, ...] = field(default=())
+
+    def laws(self) -> dict[str, str]:
+        """Family -> name of the law used."""
+        found = {"eos": EOS.of(self.eos).name}
+        if self.strength is not None:
+            found["strength"] = STRENGTH.of(self.strength).name
+        if self.fracture is not None:
+            found["fracture"] = FRACTURE.of(self.fracture).name
+        return found

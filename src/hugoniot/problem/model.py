@@ -1,0 +1,140 @@
+"""What is asked: a frozen, complete description of one simulation. SI everywhere, no files, no decks, no arrays of state.
+
+Made from a deck by `problem.deck`, or directly in Python. Saving it and running it again gives the same bits.
+"""
+
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Any
+
+from hugoniot.materials.material import Material
+
+GEOMETRIES = {"planar": 1, "cylindrical": 2, "spherical": 3}
+
+
+@dataclass(frozen=True)
+class Region:
+    """A contiguous piece of one material at t = 0, divided into zones.
+
+    start, end      m, start < end; equal to the neighbour's end where bodies touch, larger where a gap is left
+    zones           number of zones; the k-th is `ratio` times as wide as the one before
+    velocity        m/s; a number, or (u at start, u at end) for a linear profile
+    density, pressure, temperature, energy   any two fix the initial state (kg/m3, Pa, K, J/kg); none: the law's reference state;
+                    one alone goes with the reference density (pressure, temperature, energy) or zero pressure (density)
+    """
+
+    name: str
+    material: str
+    start: float
+    end: float
+    zones: int
+    ratio: float = 1.0
+    velocity: float | tuple[float, float] = 0.0
+    density: float | None = None
+    pressure: float | None = None
+    temperature: float | None = None
+    energy: float | None = None
+
+
+@dataclass(frozen=True)
+class Pulse:
+    """A quantity as a function of time, zero before `start`.
+
+    shape       "constant", "table", "exponential", "half_sine", "square", "ramp"
+    amplitude   SI value (unused by a table)
+    start       s
+    duration    s: decay time of the exponential, length of half sine and square, rise time of the ramp (which then stays)
+    times, values   of a table: s and SI, linear between, held constant outside
+    """
+
+    shape: str = "constant"
+    amplitude: float = 0.0
+    start: float = 0.0
+    duration: float = 0.0
+    times: tuple[float, ...] = ()
+    values: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True)
+class Boundary:
+    """kind: "free", "fixed", "velocity", "pressure" (with a pulse) or "transmitting"."""
+
+    kind: str = "free"
+    pulse: Pulse | None = None
+
+
+@dataclass(frozen=True)
+class Interface:
+    """How two neighbouring regions hold together.
+
+    kind: "bonded" (never opens but by fracture of a material), "separable" (opens under any tension),
+    "bond" (opens when the tensile stress exceeds `strength`, Pa).
+    """
+
+    left: str
+    right: str
+    kind: str = "separable"
+    strength: float = 0.0
+
+
+@dataclass(frozen=True)
+class Gauge:
+    """A Lagrangian gauge.
+
+    at   a position at t = 0 in m, or "free surface left", "free surface right", "<region>/<region>" for an interface,
+         or "<region>:left" and "<region>:right" for the end faces of a region
+    """
+
+    name: str
+    at: float | str
+
+
+@dataclass(frozen=True)
+class SolverOptions:
+    """kind names the solver; `options` are the solver's own, checked by it (lagrange1d: see solvers.lagrange1d.options).
+
+    viscosity   (law name, {parameter: value}) of the artificial viscosity; None: the default
+    """
+
+    kind: str = "lagrange1d"
+    integrator: str = "compatible"
+    courant: float | None = None
+    initial_step: float | None = None
+    largest_step: float | None = None
+    growth: float = 1.1
+    viscosity: Any = None
+    threads: int = 1
+    max_cycles: int | None = None
+    options: MappingProxyType = field(default_factory=lambda: MappingProxyType({}))
+
+
+@dataclass(frozen=True)
+class OutputOptions:
+    """snapshots: interval in s or explicit times; fields: names of core.fields to keep (empty: the default set)."""
+
+    snapshots: float | tuple[float, ...] | None = None
+    fields: tuple[str, ...] = ()
+    gauge_interval: float = 0.0
+    checkpoint_seconds: float = 30.0
+    checkpoint_cycles: int | None = None
+    report: bool = True
+
+
+@dataclass(frozen=True)
+class Problem:
+    title: str
+    geometry: str
+    stop_time: float
+    regions: tuple[Region, ...]
+    materials: dict[str, Material]
+    left: Boundary = Boundary()
+    right: Boundary = Boundary()
+    interfaces: tuple[Interface, ...] = ()
+    gauges: tuple[Gauge, ...] = ()
+    solver: SolverOptions = SolverOptions()
+    output: OutputOptions = OutputOptions()
+
+    @property
+    def dimension(self) -> int:
+        """d of the volume element r^(d-1) dr: 1 planar, 2 cylindrical, 3 spherical."""
+        return GEOMETRIES[self.geometry]
