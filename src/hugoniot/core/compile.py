@@ -173,28 +173,37 @@ def parameters(typingctx, proto, row):
     Fields that are not floats (tables) are taken from `proto` itself. Lets one compiled sweep serve any number of
     materials of one law: their numbers live in an array, only the law's class is part of the compiled type.
     """
-    fields = list(proto.types)
-
     def codegen(context, builder, signature, args):
-        proto_type, row_type = signature.args
-        array = context.make_array(row_type)(context, builder, args[1])
-        values, k = [], 0
-        for i, field in enumerate(proto_type.types):
-            if field == types.float64:
-                pointer = builder.gep(array.data, [context.get_constant(types.intp, k)])
-                values.append(builder.load(pointer))
-                k += 1
-            else:
-                values.append(builder.extract_value(args[0], i))
-        return context.make_tuple(builder, signature.return_type, values)
+        array = context.make_array(signature.args[1])(context, builder, args[1])
+        column = 0
 
-    del fields
+        def fill(kind, value):
+            nonlocal column
+            parts = []
+            for i, field in enumerate(kind.types):
+                inner = builder.extract_value(value, i)
+                if field == types.float64:
+                    pointer = builder.gep(array.data, [context.get_constant(types.intp, column)])
+                    parts.append(builder.load(pointer))
+                    column += 1
+                else:
+                    parts.append(fill(field, inner) if isinstance(field, types.BaseTuple) else inner)
+            return context.make_tuple(builder, kind, parts)
+
+        return fill(signature.return_type, args[0])
+
     return proto(proto, row), codegen
 
 
 def float_row(par) -> list[float]:
-    """The float fields of a parameter tuple in order: one row of the table that `parameters` reads."""
-    return [float(v) for v in par if isinstance(v, (int, float))]
+    """The float fields of a parameter tuple in order, nested laws included: one row of the table that `parameters` reads."""
+    row: list[float] = []
+    for value in par:
+        if isinstance(value, tuple):
+            row += float_row(value)
+        elif isinstance(value, (int, float)):
+            row.append(float(value))
+    return row
 
 
 def packed(dispatcher, signature=None) -> dict[str, int]:
