@@ -3,7 +3,7 @@
     failure(tension, p, v, damage, par)   ratio that reaches 1 at failure; tension = s1 - p, the longitudinal tensile stress
                                           (Pa, positive in tension), p pressure (Pa), v = rho0/rho relative volume
     damage_rate(tension, par)             d(damage)/dt, 1/s (0 for laws without memory)
-    tension_cap(par)                      largest tension a zone may carry while a void nearby relieves it, Pa (inf: none)
+    tension_cap(par)                      largest tension a zone may carry while a void nearby relieves it, Pa (core.ops.NO_LIMIT: none)
 """
 
 from hugoniot.core.registry import Registry

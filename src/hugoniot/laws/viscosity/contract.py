@@ -1,20 +1,20 @@
-"""What an artificial viscosity owes: the viscous pressure of a zone in compression.
+"""What an artificial viscosity owes: the viscous signal speed of a zone in compression.
 
-    viscous_pressure(rho, c, p, du, psi, par)    q >= 0, Pa
+    viscous_speed(rho, c, p, du, psi, par)    w >= 0, m/s: the viscous pressure is q = rho |du| w
 
-rho kg/m3; c the true longitudinal sound speed m/s; p Pa; du = u_right - u_left of the zone, m/s, negative here (the solver calls the
-law for compressing zones only and sets q = 0 elsewhere); psi in [0, 1] the smoothness of the velocity field (1: linear flow,
-0: a shock or an extremum), which laws flagged "limited" use and others ignore.
+rho kg/m3; c the true longitudinal sound speed m/s; p Pa; du = u_right - u_left of the zone, m/s, never positive here (the solver
+sets q = 0 in expansion); psi in [0, 1] the smoothness of the velocity field (1: linear flow, 0: a shock or an extremum), which
+laws flagged "limited" use and others ignore. The speed, not q, is the contract, because the time step needs it too.
 """
 
 from hugoniot.core.registry import Registry
 
-VISCOSITY = Registry("viscosity", contract=("viscous_pressure",))
+VISCOSITY = Registry("viscosity", contract=("viscous_speed",))
 
 
-def viscous_pressure(rho, c, p, du, psi, par):
-    """Viscous pressure, Pa."""
-    return VISCOSITY.of(par).functions["viscous_pressure"](rho, c, p, du, psi, par)
+def viscous_speed(rho, c, p, du, psi, par):
+    """Viscous signal speed w, m/s; q = rho |du| w."""
+    return VISCOSITY.of(par).functions["viscous_speed"](rho, c, p, du, psi, par)
 
 
-GENERICS = {"viscous_pressure": viscous_pressure}
+GENERICS = {"viscous_speed": viscous_speed}

@@ -1,0 +1,37 @@
+r"""No fracture: any tension is carried.
+
+$$\text{failure} = 0$$
+
+Source: the limit of infinite strength, Wilkins B.4 with P_S = -infinity.
+"""
+
+from typing import NamedTuple
+
+from hugoniot.laws.fracture.contract import FRACTURE
+
+
+class NoFracture(NamedTuple):
+    pass
+
+
+def failure(tension, p, v, damage, par):
+    return 0.0
+
+
+def damage_rate(tension, par):
+    return 0.0
+
+
+def tension_cap(par):
+    return float("inf")
+
+
+FRACTURE.add(
+    "none", NoFracture,
+    functions=[failure, damage_rate, tension_cap],
+    example=NoFracture(),
+    units={}, meaning={},
+    box={"tension": (-1e11, 1e11), "p": (-1e11, 1e11), "v": (0.1, 10.0), "damage": (0.0, 1.0)},
+    references=("Wilkins, B.4 (a) with an unreachable limit",),
+    flags=("never",),
+)

@@ -1,0 +1,63 @@
+r"""Cumulative damage: a high tension breaks at once, a lower one after a while.
+
+$$\int \left(\sigma_t - \sigma_0\right)^{\lambda}\,dt = K \quad\text{over the time spent at } \sigma_t > \sigma_0$$
+
+Written with K = sigma_r^lambda tau, so that every parameter has a unit of its own whatever the exponent: an overstress of
+`reference_stress` sigma_r held for `critical_time` tau breaks the material. The damage is the integral over K and reaches 1
+at failure:
+
+$$\dot D = \frac{1}{\tau}\left(\frac{\sigma_t - \sigma_0}{\sigma_r}\right)^{\lambda}$$
+
+Source: Tuler & Butcher, Int. J. Fracture Mech. 4 (1968) 431, equation 1.
+"""
+
+from typing import NamedTuple
+
+from hugoniot.core.ops import vpow
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.fracture.contract import FRACTURE
+
+
+class TulerButcher(NamedTuple):
+    threshold: float
+    exponent: float
+    reference_stress: float
+    critical_time: float
+
+
+def failure(tension, p, v, damage, par):
+    return damage
+
+
+def damage_rate(tension, par):
+    excess = (tension - par.threshold) / par.reference_stress
+    return vpow(excess, par.exponent) / par.critical_time if excess > 0.0 else 0.0
+
+
+def tension_cap(par):
+    """The criterion bounds an integral, not the tension itself."""
+    return float("inf")
+
+
+def build(**values):
+    """Parameters; reference stress, critical time and exponent are positive."""
+    par = TulerButcher(**values)
+    for name in ("exponent", "reference_stress", "critical_time"):
+        if not getattr(par, name) > 0.0:
+            raise OutOfRange(f"{name} = {getattr(par, name):g} must be positive")
+    return par
+
+
+FRACTURE.add(
+    "tuler_butcher", TulerButcher,
+    functions=[failure, damage_rate, tension_cap],
+    example=TulerButcher(0.5e9, 2.0, 1.0e9, 0.2e-6),
+    build=build,
+    units={"threshold": "Pa", "exponent": "1", "reference_stress": "Pa", "critical_time": "s"},
+    meaning={"threshold": "tension below which nothing is damaged", "exponent": "lambda, weight of the overstress",
+             "reference_stress": "overstress that breaks the material in the critical time",
+             "critical_time": "time to failure at the reference overstress"},
+    box={"tension": (-1e11, 1e10), "p": (-1e10, 1e11), "v": (0.3, 1.5), "damage": (0.0, 1.0)},
+    references=("Tuler & Butcher, Int. J. Fracture Mech. 4 (1968) 431, equation 1",),
+    flags=("cumulative",),
+)

@@ -1,0 +1,47 @@
+r"""Elastic-perfectly plastic with a constant Poisson ratio: the shear modulus follows the bulk modulus.
+
+$$G = \frac{3\,(1 - 2\nu)}{2\,(1 + \nu)}\,K, \qquad Y = Y_0$$
+
+K is the isentropic bulk modulus of the equation of state, so that the ratio of longitudinal to bulk sound speed stays
+fixed: $c_L^2 / c_b^2 = 3(1-\nu)/(1+\nu)$. With nu = 1/3 this is c^2 = 1.5 K/rho.
+
+Source: isotropic linear elasticity; Herrmann WL-TR-64-107, appendix C.1 (nu near 1/3).
+"""
+
+from typing import NamedTuple
+
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.strength.contract import STRENGTH
+
+
+class ConstantPoisson(NamedTuple):
+    poisson_ratio: float
+    yield_stress: float
+
+
+def shear_modulus(rho, p, temperature, bulk_modulus, par):
+    return 1.5 * (1.0 - 2.0 * par.poisson_ratio) / (1.0 + par.poisson_ratio) * bulk_modulus
+
+
+def flow_stress(rho, p, temperature, plastic_strain, strain_rate, par):
+    return par.yield_stress
+
+
+def build(poisson_ratio, yield_stress):
+    """Parameters; a Poisson ratio outside (-1, 1/2] is no isotropic solid."""
+    if not -1.0 < poisson_ratio <= 0.5:
+        raise OutOfRange(f"poisson_ratio = {poisson_ratio:g} is outside (-1, 0.5]; metals lie between 0.25 and 0.45")
+    return ConstantPoisson(poisson_ratio, yield_stress)
+
+
+STRENGTH.add(
+    "constant_poisson", ConstantPoisson,
+    functions=[shear_modulus, flow_stress],
+    example=ConstantPoisson(0.33, 0.3e9),
+    build=build,
+    units={"poisson_ratio": "1", "yield_stress": "Pa"},
+    meaning={"poisson_ratio": "Poisson ratio, constant", "yield_stress": "uniaxial stress at yield, constant"},
+    box={"rho": (2000.0, 5000.0), "p": (-5e9, 1e11), "temperature": (0.0, 1e4), "bulk_modulus": (1e9, 1e12),
+         "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},
+    references=("Herrmann, WL-TR-64-107, appendix C.1 with C.17 corrected (H-E5)",),
+)

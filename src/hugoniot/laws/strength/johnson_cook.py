@@ -1,0 +1,76 @@
+r"""Johnson-Cook: flow stress as a product of hardening, rate and thermal softening.
+
+$$Y = \left(A + B\,\varepsilon_p^{\,n}\right)\left(1 + C \ln\dot\varepsilon^*\right)\left(1 - T^{*m}\right), \qquad
+  \dot\varepsilon^* = \dot\varepsilon/\dot\varepsilon_0, \qquad T^* = \frac{T - T_{room}}{T_{melt} - T_{room}}$$
+
+The rate factor is 1 below the reference rate (the logarithm would soften the material without bound as the rate goes to
+zero, where the law was never fitted); the thermal factor is 1 below T_room and the flow stress 0 from T_melt on.
+The shear modulus is constant; it does not vanish in the melt, because the law says nothing about it.
+
+Source: Johnson & Cook, Proc. 7th Int. Symp. on Ballistics (1983) 541, equation 1; example: OFHC copper, table 1 there.
+"""
+
+from typing import NamedTuple
+
+from hugoniot.core.ops import vlog, vpow
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.strength.contract import STRENGTH
+
+
+class JohnsonCook(NamedTuple):
+    shear_modulus: float
+    yield_stress: float
+    hardening_coefficient: float
+    hardening_exponent: float
+    rate_coefficient: float
+    thermal_exponent: float
+    room_temperature: float
+    melt_temperature: float
+    reference_rate: float = 1.0
+
+
+def shear_modulus(rho, p, temperature, bulk_modulus, par):
+    return par.shear_modulus
+
+
+def flow_stress(rho, p, temperature, plastic_strain, strain_rate, par):
+    hardening = par.hardening_coefficient * vpow(plastic_strain, par.hardening_exponent) if plastic_strain > 0.0 else 0.0
+    rate = 1.0 + par.rate_coefficient * vlog(strain_rate / par.reference_rate) if strain_rate > par.reference_rate else 1.0
+    if temperature >= par.melt_temperature:
+        thermal = 0.0
+    elif temperature > par.room_temperature:
+        warm = (temperature - par.room_temperature) / (par.melt_temperature - par.room_temperature)
+        thermal = 1.0 - vpow(warm, par.thermal_exponent)
+    else:
+        thermal = 1.0
+    return (par.yield_stress + hardening) * rate * thermal
+
+
+def build(**values):
+    """Parameters; the melting temperature must lie above room temperature and the reference rate above zero."""
+    par = JohnsonCook(**values)
+    if par.melt_temperature <= par.room_temperature:
+        raise OutOfRange(f"melt_temperature = {par.melt_temperature:g} K must be above room_temperature = {par.room_temperature:g} K")
+    if par.reference_rate <= 0.0:
+        raise OutOfRange(f"reference_rate = {par.reference_rate:g} 1/s must be positive; Johnson and Cook use 1 /s")
+    return par
+
+
+STRENGTH.add(
+    "johnson_cook", JohnsonCook,
+    functions=[shear_modulus, flow_stress],
+    example=JohnsonCook(46e9, 90e6, 292e6, 0.31, 0.025, 1.09, 294.0, 1356.0),
+    build=build,
+    units={"shear_modulus": "Pa", "yield_stress": "Pa", "hardening_coefficient": "Pa", "hardening_exponent": "1", "rate_coefficient": "1",
+           "thermal_exponent": "1", "room_temperature": "K", "melt_temperature": "K", "reference_rate": "1/s"},
+    meaning={"shear_modulus": "shear modulus, constant", "yield_stress": "A, flow stress at first yield, room temperature and reference rate",
+             "hardening_coefficient": "B, coefficient of the hardening power law", "hardening_exponent": "n, exponent of the hardening power law",
+             "rate_coefficient": "C, coefficient of the logarithm of the strain rate", "thermal_exponent": "m, exponent of thermal softening",
+             "room_temperature": "temperature below which nothing softens", "melt_temperature": "temperature at which the flow stress vanishes",
+             "reference_rate": "strain rate of the fit, below which the rate has no effect"},
+    defaults={"reference_rate": 1.0},
+    box={"rho": (8000.0, 14000.0), "p": (-5e9, 1e11), "temperature": (0.0, 3000.0), "bulk_modulus": (1e9, 1e12),
+         "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},
+    references=("Johnson & Cook, Proc. 7th Int. Symp. on Ballistics (1983) 541, equation 1, table 1",),
+    flags=("needs_temperature", "needs_rate"),
+)

@@ -1,0 +1,44 @@
+r"""Elastic-plastic with linear isotropic hardening and an optional ceiling.
+
+$$G = G_0, \qquad Y = \min\left(Y_0 + H\,\varepsilon_p,\; Y_{\max}\right)$$
+
+eps_p is the accumulated equivalent plastic strain; H is the slope of stress against *plastic* strain (for a tangent modulus
+E_t of a tensile test with Young's modulus E: H = E E_t / (E - E_t)).
+
+Source: Hill, The Mathematical Theory of Plasticity (1950), chapter II; Taylor-anvil copper of verification problem B18.
+"""
+
+from typing import NamedTuple
+
+from hugoniot.core.ops import fmin
+from hugoniot.laws.strength.contract import STRENGTH
+
+
+class LinearHardening(NamedTuple):
+    shear_modulus: float
+    yield_stress: float
+    hardening_modulus: float
+    largest_stress: float = float("inf")
+
+
+def shear_modulus(rho, p, temperature, bulk_modulus, par):
+    return par.shear_modulus
+
+
+def flow_stress(rho, p, temperature, plastic_strain, strain_rate, par):
+    return fmin(par.yield_stress + par.hardening_modulus * plastic_strain, par.largest_stress)
+
+
+STRENGTH.add(
+    "linear_hardening", LinearHardening,
+    functions=[shear_modulus, flow_stress],
+    example=LinearHardening(43.3e9, 0.4e9, 0.1e9, 0.7e9),
+    units={"shear_modulus": "Pa", "yield_stress": "Pa", "hardening_modulus": "Pa", "largest_stress": "Pa"},
+    meaning={"shear_modulus": "shear modulus, constant", "yield_stress": "uniaxial stress at first yield",
+             "hardening_modulus": "slope of the flow stress against plastic strain",
+             "largest_stress": "ceiling of the flow stress"},
+    defaults={"largest_stress": float("inf")},
+    box={"rho": (5000.0, 15000.0), "p": (-5e9, 1e11), "temperature": (0.0, 1e4), "bulk_modulus": (1e9, 1e12),
+         "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},
+    references=("Hill, The Mathematical Theory of Plasticity (1950), chapter II",),
+)

@@ -1,0 +1,82 @@
+r"""Steinberg-Guinan: shear modulus and flow stress of metals at high rates, with pressure, temperature and melting.
+
+$$G = G_0\,\varphi, \qquad Y = \min\left\{Y_0\,[1 + \beta(\varepsilon_p + \varepsilon_i)]^n,\; Y_{\max}\right\}\varphi, \qquad
+  \varphi = 1 + A\,p\,\eta^{-1/3} - B\,(T - 300\,\mathrm{K})$$
+$$T_m = T_{m0}\,\exp\left[2a\left(1 - 1/\eta\right)\right]\eta^{2(\gamma_0 - a - 1/3)}, \qquad \eta = \rho/\rho_0$$
+
+A = G'_p/G0 and B = -G'_T/G0; the pressure derivative of Y is taken as Y'_p/Y0 = A, as in the published parameter table.
+Above the melting temperature Y = 0 and G = G0 `melt_shear_fraction`. The factor phi is bounded below by
+`melt_shear_fraction` for G and by 0 for Y, since far in tension or in heat the series would turn negative: that floor is a
+statement of the law (a material without stiffness), not a repair.
+
+Source: Steinberg, Cochran & Guinan, J. Appl. Phys. 51 (1980) 1498, equations 1 to 4 and 8; constants of the example: 6061-T6
+aluminium, table I there.
+"""
+
+from typing import NamedTuple
+
+from hugoniot.core.ops import fmax, fmin, vexp, vpow
+from hugoniot.laws.strength.contract import STRENGTH
+
+
+class SteinbergGuinan(NamedTuple):
+    rho0: float
+    shear_modulus: float
+    yield_stress: float
+    hardening_coefficient: float
+    hardening_exponent: float
+    largest_yield_stress: float
+    pressure_coefficient: float
+    temperature_coefficient: float
+    melt_temperature: float
+    melt_gruneisen: float
+    melt_a: float
+    initial_strain: float = 0.0
+    melt_shear_fraction: float = 0.0
+
+
+def melt_temperature(rho, par):
+    """Melting temperature at density rho, K."""
+    eta = rho / par.rho0
+    return (par.melt_temperature * vexp(2.0 * par.melt_a * (1.0 - 1.0 / eta))
+            * vpow(eta, 2.0 * (par.melt_gruneisen - par.melt_a - 1.0 / 3.0)))
+
+
+def softening(rho, p, temperature, par):
+    """The factor phi of pressure and temperature."""
+    return 1.0 + par.pressure_coefficient * p * vpow(rho / par.rho0, -1.0 / 3.0) - par.temperature_coefficient * (temperature - 300.0)
+
+
+def shear_modulus(rho, p, temperature, bulk_modulus, par):
+    solid = fmax(softening(rho, p, temperature, par), par.melt_shear_fraction)
+    return par.shear_modulus * (solid if temperature < melt_temperature(rho, par) else par.melt_shear_fraction)
+
+
+def flow_stress(rho, p, temperature, plastic_strain, strain_rate, par):
+    hardening = vpow(1.0 + par.hardening_coefficient * (plastic_strain + par.initial_strain), par.hardening_exponent)
+    hardened = fmin(par.yield_stress * hardening, par.largest_yield_stress)
+    solid = hardened * fmax(softening(rho, p, temperature, par), 0.0)
+    return solid if temperature < melt_temperature(rho, par) else 0.0
+
+
+STRENGTH.add(
+    "steinberg_guinan", SteinbergGuinan,
+    functions=[shear_modulus, flow_stress],
+    example=SteinbergGuinan(2703.0, 27.6e9, 0.29e9, 125.0, 0.10, 0.68e9, 6.52e-11, 6.16e-4, 1220.0, 1.97, 1.5),
+    units={"rho0": "kg/m^3", "shear_modulus": "Pa", "yield_stress": "Pa", "hardening_coefficient": "1", "hardening_exponent": "1",
+           "largest_yield_stress": "Pa", "pressure_coefficient": "1/Pa", "temperature_coefficient": "1/K", "melt_temperature": "K",
+           "melt_gruneisen": "1", "melt_a": "1", "initial_strain": "1", "melt_shear_fraction": "1"},
+    meaning={"rho0": "density at rest", "shear_modulus": "shear modulus at rest and 300 K", "yield_stress": "flow stress at rest and 300 K",
+             "hardening_coefficient": "beta of the hardening power law", "hardening_exponent": "n of the hardening power law",
+             "largest_yield_stress": "ceiling of the hardened flow stress at rest and 300 K",
+             "pressure_coefficient": "A, relative rise of the shear modulus with pressure",
+             "temperature_coefficient": "B, relative fall of the shear modulus with temperature",
+             "melt_temperature": "melting temperature at rho0", "melt_gruneisen": "Grueneisen parameter of the melting law",
+             "melt_a": "volume correction a of the melting law", "initial_strain": "equivalent plastic strain of the material as received",
+             "melt_shear_fraction": "part of the shear modulus that is left in the melt"},
+    defaults={"initial_strain": 0.0, "melt_shear_fraction": 0.0},
+    box={"rho": (2600.0, 4500.0), "p": (-2e9, 1e11), "temperature": (200.0, 5000.0), "bulk_modulus": (1e9, 1e12),
+         "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},
+    references=("Steinberg, Cochran & Guinan, J. Appl. Phys. 51 (1980) 1498, equations 1-4 and 8, table I",),
+    flags=("needs_temperature",),
+)

@@ -1,0 +1,33 @@
+r"""The quadratic viscosity of the KB codes.
+
+$$w = C\,\rho\,(\Delta V)^2 \quad\text{in compression}$$
+
+The printed form C rho |dV| (-dV) is negative in expansion, where it would take work out of the flow; like every law here it
+acts in compression only (K-E6). C is not squared. There is no linear term, so ripples behind a shock decay slowly.
+
+Source: KB codes, equation 1.8.
+"""
+
+from typing import NamedTuple
+
+from hugoniot.laws.viscosity.contract import VISCOSITY
+
+
+class KB(NamedTuple):
+    quadratic: float = 1.0
+
+
+def viscous_pressure(rho, c, p, du, psi, par):
+    return par.quadratic * rho * du * du
+
+
+VISCOSITY.add(
+    "kb", KB,
+    functions=[viscous_pressure],
+    example=KB(),
+    units={"quadratic": "1"},
+    meaning={"quadratic": "C, near unity, not squared"},
+    defaults={"quadratic": 1.0},
+    box={"rho": (1e-3, 2e4), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
+    references=("KB codes, equation 1.8",),
+)

@@ -1,0 +1,34 @@
+r"""Von Neumann-Richtmyer and Landshoff with the true sound speed.
+
+$$q = C_0^2\,\rho\,(\Delta u)^2 + C_L\,\rho\,c\,|\Delta u|$$
+
+With the true sound speed a CL of 1 is far too viscous (W-E4): the defaults are C0 = 1.4, CL = 0.3.
+
+Source: von Neumann & Richtmyer, J. Appl. Phys. 21 (1950) 232; Landshoff, LA-1930 (1955); Wilkins, appendix B.2 item 7.
+"""
+
+from typing import NamedTuple
+
+from hugoniot.laws.viscosity.contract import VISCOSITY
+
+
+class Landshoff(NamedTuple):
+    quadratic: float = 1.4
+    linear: float = 0.3
+
+
+def viscous_pressure(rho, c, p, du, psi, par):
+    speed = abs(du)
+    return rho * speed * (par.quadratic * par.quadratic * speed + par.linear * c)
+
+
+VISCOSITY.add(
+    "landshoff", Landshoff,
+    functions=[viscous_pressure],
+    example=Landshoff(),
+    units={"quadratic": "1", "linear": "1"},
+    meaning={"quadratic": "C0, which enters squared", "linear": "CL of the term with the sound speed"},
+    defaults={"quadratic": 1.4, "linear": 0.3},
+    box={"rho": (1e-3, 2e4), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
+    references=("von Neumann & Richtmyer, J. Appl. Phys. 21 (1950) 232", "Landshoff, LA-1930 (1955)"),
+)

@@ -1,0 +1,36 @@
+r"""Von Neumann-Richtmyer and Landshoff as printed by Wilkins: the linear term carries sqrt(P/rho), not the sound speed.
+
+$$q = C_0^2\,\rho\,(\Delta u)^2 + C_L\,\rho\,a\,|\Delta u|, \qquad a = \sqrt{P/\rho} \text{ for } P > 0, \text{ else } 0$$
+
+sqrt(P/rho) vanishes at rest and is imaginary in tension, hence the clip (W-E4). rho a is evaluated as sqrt(rho P). B.1 item 8
+prints the velocity gradient without the bars; B.2 item 7, used here, is right (W-E3). C0 enters squared.
+
+Source: Wilkins, appendix B.2 item 7, with C0 = 2, CL = 1.
+"""
+
+from typing import NamedTuple
+
+from hugoniot.core.ops import fmax, vsqrt
+from hugoniot.laws.viscosity.contract import VISCOSITY
+
+
+class Wilkins(NamedTuple):
+    quadratic: float = 2.0
+    linear: float = 1.0
+
+
+def viscous_pressure(rho, c, p, du, psi, par):
+    speed = abs(du)
+    return speed * (par.quadratic * par.quadratic * rho * speed + par.linear * vsqrt(rho * fmax(p, 0.0)))
+
+
+VISCOSITY.add(
+    "wilkins", Wilkins,
+    functions=[viscous_pressure],
+    example=Wilkins(),
+    units={"quadratic": "1", "linear": "1"},
+    meaning={"quadratic": "C0, which enters squared", "linear": "CL of the term with sqrt(P/rho)"},
+    defaults={"quadratic": 2.0, "linear": 1.0},
+    box={"rho": (1e-3, 2e4), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
+    references=("Wilkins, appendix B.2 item 7",),
+)
