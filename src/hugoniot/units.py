@@ -44,7 +44,8 @@ _PLAIN = {"1": ("1", _NONE), "%": ("0.01", _NONE), "rad": ("1", _NONE), "cm": ("
           "in": ("0.0254", _LENGTH), "inch": ("0.0254", _LENGTH), "ft": ("0.3048", _LENGTH), "mil": ("2.54e-5", _LENGTH),
           "min": ("60", _TIME), "cc": ("1e-6", _VOLUME), "l": ("1e-3", _VOLUME), "L": ("1e-3", _VOLUME),
           "atm": ("101325", _PRESSURE), "psi": ("6894.757293168361", _PRESSURE), "ksi": ("6894757.293168361", _PRESSURE),
-          "hPa": ("100", _PRESSURE), "kb": ("1e8", _PRESSURE), "erg": ("1e-7", _ENERGY), "cal": ("4.184", _ENERGY), "kcal": ("4184", _ENERGY),
+          "hPa": ("100", _PRESSURE), "kb": ("1e8", _PRESSURE), "erg": ("1e-7", _ENERGY), "cal": ("4.184", _ENERGY),
+          "kcal": ("4184", _ENERGY),
           "dyn": ("1e-5", _FORCE), "lb": ("0.45359237", _MASS)}
 _OFFSET = {"degC": Decimal("273.15"), "°C": Decimal("273.15"), "celsius": Decimal("273.15")}
 

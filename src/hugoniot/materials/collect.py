@@ -1,0 +1,72 @@
+"""Collects what is wrong with a deck or a material file, so that the user hears of everything at once."""
+
+import difflib
+from collections.abc import Callable, Iterable
+
+from hugoniot.errors import DeckProblem
+from hugoniot.units import UnitError, parse
+
+LineOf = Callable[[tuple], int | None]
+_NAMED = ("region", "gauge", "interface")
+
+
+def printable(text, limit: int = 60) -> str:
+    """A user's text as a message may show it: short, one line, control characters escaped."""
+    text = str(text)
+    text = text if len(text) <= limit else text[: limit - 3] + "..."
+    return "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in text)
+
+
+def nearest(name: str, known: Iterable[str], otherwise: str = "") -> str:
+    """The hint `did you mean '...'?`, or the whole (short) list where nothing is near."""
+    known = sorted(known)
+    near = difflib.get_close_matches(str(name)[:100], known, n=1)
+    if near:
+        return f"did you mean '{near[0]}'?"
+    return otherwise or (f"known: {', '.join(known)}" if known else "")
+
+
+class Collector:
+    """Adds a `DeckProblem` per finding; a path is the tuple of keys and array indices from the root of the file.
+
+    raw   the parsed file, from which array elements get the name shown in a message (`region.flyer.from`)
+    """
+
+    def __init__(self, problems: list[DeckProblem], file: str, line_of: LineOf, raw: dict | None = None):
+        self.problems, self.file, self.line_of, self.raw = problems, file, line_of, raw or {}
+
+    def add(self, path: tuple, message: str, hint: str = "") -> None:
+        problem = DeckProblem(self.file, self.line_of(path), self.key(path), message, hint)
+        if problem not in self.problems:
+            self.problems.append(problem)
+
+    def unknown(self, path: tuple, known: Iterable[str]) -> None:
+        """Report a key that nobody reads."""
+        self.add(path, "unknown key", nearest(path[-1], known))
+
+    def quantity(self, path: tuple, value, unit: str) -> float | None:
+        """The SI value of a quantity, or None after reporting why not."""
+        try:
+            return parse(value, unit)
+        except UnitError as error:
+            self.add(path, error.message, error.hint)
+            return None
+
+    def key(self, path: tuple) -> str:
+        """`region.flyer.from` for ("region", 0, "from"); elements without a name are counted from 1."""
+        words: list[str] = []
+        here = self.raw
+        for part in path:
+            try:
+                here = here[part]
+            except (KeyError, IndexError, TypeError):
+                here = None
+            if isinstance(part, int):
+                name = here.get("name") if isinstance(here, dict) and words and words[0] in _NAMED else None
+                if isinstance(name, str) and name.strip():
+                    words.append(printable(name, 40))
+                elif words:
+                    words[-1] += f"[{part + 1}]"
+            else:
+                words.append(printable(part, 40))
+        return ".".join(words) or "deck"
