@@ -157,6 +157,21 @@ def bind_dispatch(generic, family: Registry, name: str, position: int = -1):
     overload(generic, jit_options=LAW, strict=False)(resolve)
 
 
+def bind_choice(generic, choose):
+    """Resolve `generic(...)` inside kernels by the function `choose` returns for the argument classes (None where not a tuple).
+
+    For what depends on facts about several laws at once, such as a flag of one and a function of another.
+    """
+    if generic in _bound:
+        return
+    _bound.add(generic)
+
+    def resolve(*args):
+        return choose(*(getattr(arg, "instance_class", None) for arg in args))
+
+    overload(generic, jit_options=LAW, strict=False)(resolve)
+
+
 def bind_family(family: Registry, generics: dict):
     """Bind all law files of a family and its generic functions (contract name -> plain dispatching function)."""
     for law in family:

@@ -8,6 +8,8 @@ them inside kernels by forms the vectoriser keeps.
 
 import numpy as np
 
+NO_LIMIT = 1e300  # stands for "no limit" in compiled sweeps, whose fast-math may not meet an infinity
+
 
 def fmin(a, b):
     """The smaller of two numbers."""

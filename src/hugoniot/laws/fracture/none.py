@@ -7,6 +7,7 @@ Source: the limit of infinite strength, Wilkins B.4 with P_S = -infinity.
 
 from typing import NamedTuple
 
+from hugoniot.core.ops import NO_LIMIT
 from hugoniot.laws.fracture.contract import FRACTURE
 
 
@@ -23,7 +24,7 @@ def damage_rate(tension, par):
 
 
 def tension_cap(par):
-    return float("inf")
+    return NO_LIMIT
 
 
 FRACTURE.add(

@@ -13,7 +13,7 @@ Source: Tuler & Butcher, Int. J. Fracture Mech. 4 (1968) 431, equation 1.
 
 from typing import NamedTuple
 
-from hugoniot.core.ops import vpow
+from hugoniot.core.ops import NO_LIMIT, vpow
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.fracture.contract import FRACTURE
 
@@ -36,7 +36,7 @@ def damage_rate(tension, par):
 
 def tension_cap(par):
     """The criterion bounds an integral, not the tension itself."""
-    return float("inf")
+    return NO_LIMIT
 
 
 def build(**values):

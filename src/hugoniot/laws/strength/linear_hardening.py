@@ -10,7 +10,7 @@ Source: Hill, The Mathematical Theory of Plasticity (1950), chapter II; Taylor-a
 
 from typing import NamedTuple
 
-from hugoniot.core.ops import fmin
+from hugoniot.core.ops import NO_LIMIT, fmin
 from hugoniot.laws.strength.contract import STRENGTH
 
 
@@ -18,7 +18,7 @@ class LinearHardening(NamedTuple):
     shear_modulus: float
     yield_stress: float
     hardening_modulus: float
-    largest_stress: float = float("inf")
+    largest_stress: float = NO_LIMIT
 
 
 def shear_modulus(rho, p, temperature, bulk_modulus, par):
@@ -37,8 +37,9 @@ STRENGTH.add(
     meaning={"shear_modulus": "shear modulus, constant", "yield_stress": "uniaxial stress at first yield",
              "hardening_modulus": "slope of the flow stress against plastic strain",
              "largest_stress": "ceiling of the flow stress"},
-    defaults={"largest_stress": float("inf")},
+    defaults={"largest_stress": NO_LIMIT},
     box={"rho": (5000.0, 15000.0), "p": (-5e9, 1e11), "temperature": (0.0, 1e4), "bulk_modulus": (1e9, 1e12),
          "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},
     references=("Hill, The Mathematical Theory of Plasticity (1950), chapter II",),
+    flags=("hardens",),
 )

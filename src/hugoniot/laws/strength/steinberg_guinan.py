@@ -78,5 +78,5 @@ STRENGTH.add(
     box={"rho": (2600.0, 4500.0), "p": (-2e9, 1e11), "temperature": (200.0, 5000.0), "bulk_modulus": (1e9, 1e12),
          "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},
     references=("Steinberg, Cochran & Guinan, J. Appl. Phys. 51 (1980) 1498, equations 1-4 and 8, table I",),
-    flags=("needs_temperature",),
+    flags=("hardens", "needs_temperature",),
 )

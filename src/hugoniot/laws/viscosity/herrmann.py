@@ -19,14 +19,13 @@ class Herrmann(NamedTuple):
     linear: float = 0.3
 
 
-def viscous_pressure(rho, c, p, du, psi, par):
-    spread = par.quadratic * du
-    return rho * (spread * spread - par.linear * c * du)
+def viscous_speed(rho, c, p, du, psi, par):
+    return par.linear * c - par.quadratic * par.quadratic * du
 
 
 VISCOSITY.add(
     "herrmann", Herrmann,
-    functions=[viscous_pressure],
+    functions=[viscous_speed],
     example=Herrmann(),
     units={"quadratic": "1", "linear": "1"},
     meaning={"quadratic": "B1, which enters squared", "linear": "B2"},

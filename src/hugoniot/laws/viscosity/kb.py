@@ -17,13 +17,13 @@ class KB(NamedTuple):
     quadratic: float = 1.0
 
 
-def viscous_pressure(rho, c, p, du, psi, par):
-    return par.quadratic * rho * du * du
+def viscous_speed(rho, c, p, du, psi, par):
+    return -par.quadratic * du
 
 
 VISCOSITY.add(
     "kb", KB,
-    functions=[viscous_pressure],
+    functions=[viscous_speed],
     example=KB(),
     units={"quadratic": "1"},
     meaning={"quadratic": "C, near unity, not squared"},

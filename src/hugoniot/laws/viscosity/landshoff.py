@@ -17,14 +17,13 @@ class Landshoff(NamedTuple):
     linear: float = 0.3
 
 
-def viscous_pressure(rho, c, p, du, psi, par):
-    speed = abs(du)
-    return rho * speed * (par.quadratic * par.quadratic * speed + par.linear * c)
+def viscous_speed(rho, c, p, du, psi, par):
+    return par.linear * c - par.quadratic * par.quadratic * du
 
 
 VISCOSITY.add(
     "landshoff", Landshoff,
-    functions=[viscous_pressure],
+    functions=[viscous_speed],
     example=Landshoff(),
     units={"quadratic": "1", "linear": "1"},
     meaning={"quadratic": "C0, which enters squared", "linear": "CL of the term with the sound speed"},

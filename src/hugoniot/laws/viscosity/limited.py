@@ -20,15 +20,15 @@ class Limited(NamedTuple):
     linear: float = 1.0
 
 
-def viscous_pressure(rho, c, p, du, psi, par):
-    strong = par.quadratic * abs(du)
+def viscous_speed(rho, c, p, du, psi, par):
+    strong = par.quadratic * du
     weak = par.linear * c
-    return (1.0 - psi) * rho * abs(du) * (strong + vsqrt(strong * strong + weak * weak))
+    return (1.0 - psi) * (vsqrt(strong * strong + weak * weak) - strong)
 
 
 VISCOSITY.add(
     "limited", Limited,
-    functions=[viscous_pressure],
+    functions=[viscous_speed],
     example=Limited(),
     units={"quadratic": "1", "linear": "1"},
     meaning={"quadratic": "c2, (gamma + 1)/4 for an ideal gas", "linear": "c1, weight of the sound speed"},

@@ -2,7 +2,7 @@ r"""Von Neumann-Richtmyer and Landshoff as printed by Wilkins: the linear term c
 
 $$q = C_0^2\,\rho\,(\Delta u)^2 + C_L\,\rho\,a\,|\Delta u|, \qquad a = \sqrt{P/\rho} \text{ for } P > 0, \text{ else } 0$$
 
-sqrt(P/rho) vanishes at rest and is imaginary in tension, hence the clip (W-E4). rho a is evaluated as sqrt(rho P). B.1 item 8
+sqrt(P/rho) vanishes at rest and is imaginary in tension, hence the clip (W-E4). B.1 item 8
 prints the velocity gradient without the bars; B.2 item 7, used here, is right (W-E3). C0 enters squared.
 
 Source: Wilkins, appendix B.2 item 7, with C0 = 2, CL = 1.
@@ -19,14 +19,13 @@ class Wilkins(NamedTuple):
     linear: float = 1.0
 
 
-def viscous_pressure(rho, c, p, du, psi, par):
-    speed = abs(du)
-    return speed * (par.quadratic * par.quadratic * rho * speed + par.linear * vsqrt(rho * fmax(p, 0.0)))
+def viscous_speed(rho, c, p, du, psi, par):
+    return par.linear * vsqrt(fmax(p, 0.0) / rho) - par.quadratic * par.quadratic * du
 
 
 VISCOSITY.add(
     "wilkins", Wilkins,
-    functions=[viscous_pressure],
+    functions=[viscous_speed],
     example=Wilkins(),
     units={"quadratic": "1", "linear": "1"},
     meaning={"quadratic": "C0, which enters squared", "linear": "CL of the term with sqrt(P/rho)"},
