@@ -1,0 +1,243 @@
+"""Material tables (`[material.al.eos] law = "mie_gruneisen" ...`) to a `Material`; `materials.tables` goes the other way.
+
+Nothing here knows any law: names, units and defaults come from the registries, so a new law file is readable at once.
+Every problem is collected, none raised.
+"""
+
+import importlib
+import importlib.util
+import math
+from dataclasses import fields
+from typing import Any
+
+from hugoniot.core.registry import Law, Registry, UnknownName, finite
+from hugoniot.errors import DeckProblem, HugoniotError
+from hugoniot.laws.eos.contract import EOS, pressure, reference_state, sound_speed_squared
+from hugoniot.laws.fracture.contract import tension_cap
+from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
+from hugoniot.materials.collect import Collector, LineOf, nearest, printable
+from hugoniot.materials.material import Material, Source
+from hugoniot.materials.tables import accepted, families, law_table
+
+_FACTS = ("base", "sources", "valid_up_to", "warnings")
+
+
+def build_material(name: str, tables: dict, problems: list[DeckProblem], file: str, line_of: LineOf) -> Material | None:
+    """The material described by the tables of `[material.<name>]`; None after adding to `problems` what is wrong.
+
+    tables    parsed TOML: one table per family (`eos` is needed, `strength`, `fracture`, `burn` may be left out), and optionally
+              `base` (a name of the library that the tables override), `sources`, `valid_up_to` (m/s), `warnings`
+    file      what messages call the file
+    line_of   line of a key path such as ("material", "al", "eos", "rho0"), or None
+    """
+    collector = Collector(problems, file, line_of)
+    return read_material(name, tables, collector, ("material", name))
+
+
+def read_material(name: str, tables: Any, collector: Collector, path: tuple) -> Material | None:
+    """As `build_material`, for a caller that has its `Collector` and the path of the tables."""
+    before = len(collector.problems)
+    if not isinstance(tables, dict):
+        collector.add(path, "a material is a table", f"write [{collector.key(path)}.eos] and under it law = \"...\"")
+        return None
+    known = families()
+    for key in tables:
+        if key not in known and key not in _FACTS:
+            collector.unknown((*path, key), (*known, *_FACTS))
+    base = _base(tables, collector, path)
+    built = {}
+    for family, registry in known.items():
+        inherited = getattr(base, family) if base else None
+        built[family] = read_law(registry, tables[family], collector, (*path, family), inherited) if family in tables else inherited
+    if "eos" not in tables and "base" not in tables:
+        hint = f"add [{collector.key(path)}.eos] with law = \"...\" (hugoniot list eos), or base = \"...\""
+        collector.add(path, "no equation of state", hint)
+    valid, sources, warnings = _facts(tables, collector, path, base)
+    if len(collector.problems) > before:
+        return None
+    _check_sound(built, collector, path)
+    if len(collector.problems) > before:
+        return None
+    return Material(name, built["eos"], built["strength"], built["fracture"], built.get("burn"), valid, sources, warnings)
+
+
+def read_law(registry: Registry, table: Any, collector: Collector, path: tuple, inherited: Any = None) -> Any:
+    """The parameter tuple of the law a table names; None after reporting problems, or for the plain text "none".
+
+    inherited   parameters that a table without `law`, or with the same law, overrides one by one
+    """
+    if table == "none":
+        return None
+    if not isinstance(table, dict):
+        hint = f"write [{collector.key(path)}] and under it law = \"...\" (hugoniot list {registry.family})"
+        collector.add(path, f"the {registry.family} law is a table", hint)
+        return None
+    name = table.get("law")
+    if name is None and inherited is not None:
+        name = registry.of(inherited).name
+    if not isinstance(name, str):
+        message = "missing" if name is None else "a law is named by a text"
+        collector.add((*path, "law"), message, f"known: {', '.join(registry.names())}")
+        return None
+    try:
+        law = registry.get(name)
+    except UnknownName:
+        collector.add((*path, "law"), f"unknown {registry.family} law '{printable(name)}'", nearest(name, registry.names()))
+        return None
+    start = dict(law_table(registry, inherited)) if inherited is not None and registry.of(inherited) is law else {}
+    return _read_parameters(registry, law, start | table, collector, path)
+
+
+def _read_parameters(registry: Registry, law: Law, table: dict, collector: Collector, path: tuple) -> Any:
+    names, required = accepted(law)
+    direct = "parameters" in table and "parameters" not in names
+    if direct:  # the law's own fields, as a saved problem writes them when `build` derives them from other numbers
+        table, path = table["parameters"], (*path, "parameters")
+        if not isinstance(table, dict):
+            collector.add(path, "the parameters are a table")
+            return None
+        names = list(law.parameters._fields)
+        required = [n for n in names if n not in law.parameters._field_defaults]
+    before = len(collector.problems)
+    values = {} if direct else {k: v for k, v in law.defaults.items() if k in names}
+    for key, value in table.items():
+        if key in names:
+            values[key] = _read_value(registry, law, key, value, collector, (*path, key))
+        elif key != "law":
+            collector.unknown((*path, key), names)
+    for key in required:
+        if key not in table:
+            unit = law.units.get(key, "1")
+            meaning = law.meaning.get(key, "")
+            collector.add((*path, key), f"missing: {meaning or 'needed'}" + (f" ({unit})" if unit not in ("1", "text") else ""))
+    if len(collector.problems) > before:
+        return None
+    try:
+        par = law.parameters(**values) if direct else law.build(**values)
+    except (HugoniotError, ValueError, ArithmeticError, TypeError) as error:
+        collector.add(path, printable(str(error), 300))
+        return None
+    optional = {k for k, v in law.defaults.items() if isinstance(v, float) and math.isnan(v)}
+    if not optional and not finite(par):
+        collector.add(path, "the parameters are not all finite numbers")
+        return None
+    return par
+
+
+def _read_value(registry: Registry, law: Law, key: str, value: Any, collector: Collector, path: tuple) -> Any:
+    unit = law.units.get(key, "1")
+    if isinstance(value, dict):
+        return read_law(registry, value, collector, path)
+    if unit == "text":
+        if not isinstance(value, str):
+            collector.add(path, f"expected a text, got {value!r:.40}", law.meaning.get(key, ""))
+        return value
+    if isinstance(value, list):
+        return tuple(collector.quantity((*path, i), v, unit) for i, v in enumerate(value[:100_000]))
+    preset = law.defaults.get(key)
+    if isinstance(preset, bool):
+        if not isinstance(value, bool):
+            collector.add(path, "expected true or false")
+        return value
+    return collector.quantity(path, value, unit)
+
+
+def _base(tables: dict, collector: Collector, path: tuple) -> Material | None:
+    if "base" not in tables:
+        return None
+    return from_library(tables["base"], collector, (*path, "base"))
+
+
+def from_library(name: Any, collector: Collector, path: tuple, others: tuple[str, ...] = ()) -> Material | None:
+    """A material of the library by name; `others` are names the hint should offer too."""
+    if not isinstance(name, str):
+        collector.add(path, "a material is named by a text")
+        return None
+    if importlib.util.find_spec("hugoniot.materials.library") is None or not hasattr(_library(), "find"):
+        collector.add(path, f"unknown material '{printable(name)}'", nearest(name, others) or f"add [material.{printable(name)}.eos]")
+        return None
+    library = _library()
+    try:
+        return library.find(name)
+    except (KeyError, HugoniotError):
+        known = [*others, *(library.names() if hasattr(library, "names") else ())]
+        hint = nearest(name, known, f"add [material.{printable(name)}.eos] to the deck, or see hugoniot list materials")
+        collector.add(path, f"unknown material '{printable(name)}'", hint)
+        return None
+
+
+def _library():
+    return importlib.import_module("hugoniot.materials.library")
+
+
+def _facts(tables: dict, collector: Collector, path: tuple, base: Material | None):
+    valid = base.valid_up_to if base else None
+    if "valid_up_to" in tables:
+        valid = collector.quantity((*path, "valid_up_to"), tables["valid_up_to"], "m/s")
+    sources = base.sources if base else ()
+    if "sources" in tables:
+        rows = tables["sources"] if isinstance(tables["sources"], list) else [tables["sources"]]
+        sources = tuple(s for i, row in enumerate(rows) if (s := _source(row, collector, (*path, "sources", i))))
+    warnings = base.warnings if base else ()
+    if "warnings" in tables:
+        warnings = tuple(tables["warnings"]) if isinstance(tables["warnings"], list) else (tables["warnings"],)
+        if not all(isinstance(w, str) for w in warnings):
+            collector.add((*path, "warnings"), "warnings are texts")
+    return valid, sources, warnings
+
+
+def _source(row: Any, collector: Collector, path: tuple) -> Source | None:
+    if isinstance(row, str):
+        return Source("", "", "", row)
+    names = [f.name for f in fields(Source)]
+    if not isinstance(row, dict):
+        collector.add(path, "a source is a text or a table", f"keys: {', '.join(names)}")
+        return None
+    for key in row:
+        if key not in names:
+            collector.unknown((*path, key), names)
+        elif not isinstance(row[key], str) and key != "value":
+            collector.add((*path, key), "expected a text")
+    known = {"quantity": "", "value": "", "unit": "", "source": ""} | {k: v for k, v in row.items() if k in names}
+    return Source(**known)
+
+
+def _check_sound(built: dict, collector: Collector, path: tuple) -> None:
+    """At rest a material must have positive density, a real sound speed, and strengths that are not negative."""
+    par = built["eos"]
+    rho, e = reference_state(par)
+    if not (math.isfinite(rho) and rho > 0.0):
+        collector.add((*path, "eos"), f"the density at rest must be positive, got {rho:g} kg/m^3")
+        return
+    p, c2 = pressure(rho, e, par), sound_speed_squared(rho, e, par)
+    if not (math.isfinite(p) and math.isfinite(c2) and c2 > 0.0):
+        message = f"no sound at rest: at {rho:g} kg/m^3 the squared sound speed is {c2:g} m^2/s^2 and the pressure {p:g} Pa"
+        collector.add((*path, "eos"), message, "check the signs and units of the parameters")
+        return
+    if built["strength"] is not None:
+        law = STRENGTH.of(built["strength"])
+        if "needs_temperature" in law.flags and not has_temperature(par):
+            message = f"the strength law {law.name} needs temperatures, which the equation of state does not give"
+            collector.add((*path, "strength"), message, "give the equation of state its specific_heat")
+            return
+        warm = built_temperature(par)
+        for what, value in (("shear modulus", shear_modulus(rho, p, warm, rho * c2, built["strength"])),
+                            ("flow stress", flow_stress(rho, p, warm, 0.0, 0.0, built["strength"]))):
+            if not (math.isfinite(value) and value >= 0.0):
+                collector.add((*path, "strength"), f"the {what} at rest must not be negative, got {value:g} Pa")
+    if built["fracture"] is not None and not tension_cap(built["fracture"]) > 0.0:
+        collector.add((*path, "fracture"), f"the strength in tension must be positive, got {tension_cap(built['fracture']):g} Pa")
+
+
+def has_temperature(par: Any) -> bool:
+    """Whether an equation of state gives temperatures (it has the function and the specific heat for it)."""
+    return "temperature" in EOS.of(par).functions and math.isfinite(built_temperature(par))
+
+
+def built_temperature(par: Any) -> float:
+    """Temperature of an equation of state at rest, K; 298.15 where it has none."""
+    give = EOS.of(par).functions.get("temperature")
+    if give is None:
+        return 298.15
+    rho, e = reference_state(par)
+    return float(give(rho, e, par))

@@ -1,0 +1,77 @@
+"""Laws and materials as tables of SI numbers, the form decks and material files have; `materials.build` reads it back."""
+
+import importlib
+import importlib.util
+import inspect
+import math
+from dataclasses import asdict
+from typing import Any
+
+from hugoniot.core.registry import Law, Registry
+from hugoniot.errors import HugoniotError
+from hugoniot.laws import eos, fracture, strength  # noqa: F401  (importing a room enrols its laws)
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.fracture.contract import FRACTURE
+from hugoniot.laws.strength.contract import STRENGTH
+from hugoniot.materials.material import Material
+
+
+def families() -> dict[str, Registry]:
+    """The families a material is made of, in the order they are written; burn laws where the package has them."""
+    found = {"eos": EOS, "strength": STRENGTH, "fracture": FRACTURE}
+    if importlib.util.find_spec("hugoniot.laws.burn.contract"):
+        importlib.import_module("hugoniot.laws.burn")
+        found["burn"] = importlib.import_module("hugoniot.laws.burn.contract").BURN
+    return found
+
+
+def accepted(law: Law) -> tuple[list[str], list[str]]:
+    """(names a table may give, names it must give) of a law, from the signature that builds its parameters."""
+    signature = inspect.signature(law.build).parameters.values()
+    named = [p for p in signature if p.kind in (p.POSITIONAL_OR_KEYWORD, p.KEYWORD_ONLY)]
+    names, required = [p.name for p in named], [p.name for p in named if p.default is p.empty]
+    if any(p.kind is p.VAR_KEYWORD for p in signature):
+        preset = getattr(law.parameters, "_field_defaults", {})
+        names = list(dict.fromkeys([*names, *getattr(law.parameters, "_fields", ())]))
+        required = [n for n in names if n in required or (n not in preset and n in law.parameters._fields)]
+    return names, [n for n in required if n not in law.defaults]
+
+
+def law_table(registry: Registry, par: Any) -> dict:
+    """The table (`law` first, SI numbers) that reads back to exactly `par`; not-a-number optional values are left out."""
+    law = registry.of(par)
+    values = {name: value for name, value in par._asdict().items() if not (isinstance(value, float) and math.isnan(value))}
+    names, required = accepted(law)
+    written = {k: _plain(registry, v) for k, v in values.items()}
+    if set(values) <= set(names) and set(required) <= set(values):
+        try:
+            again = law.build(**({k: v for k, v in law.defaults.items() if k in names} | values))
+        except (HugoniotError, ValueError, ArithmeticError, TypeError):
+            again = None
+        if type(again) is type(par) and repr(again) == repr(par):
+            return {"law": law.name, **written}
+    return {"law": law.name, "parameters": written}
+
+
+def _plain(registry: Registry, value: Any) -> Any:
+    if isinstance(value, tuple) and hasattr(value, "_fields"):
+        return law_table(registry, value)
+    if isinstance(value, tuple):
+        return [float(v) for v in value]
+    return value if isinstance(value, (str, bool)) else float(value)
+
+
+def material_tables(material: Material) -> dict:
+    """The tables of `[material.<name>]` that read back to exactly this material."""
+    tables: dict[str, Any] = {}
+    if material.valid_up_to is not None:
+        tables["valid_up_to"] = float(material.valid_up_to)
+    if material.warnings:
+        tables["warnings"] = list(material.warnings)
+    if material.sources:
+        tables["sources"] = [asdict(source) for source in material.sources]
+    for family, registry in families().items():
+        par = getattr(material, family)
+        if par is not None:
+            tables[family] = law_table(registry, par)
+    return tables
