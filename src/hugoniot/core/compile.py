@@ -134,9 +134,11 @@ def bind(function, **options):
 
 
 def bind_module(module):
-    """Bind every plain function defined in a module (a law file and its helpers)."""
+    """Bind every plain function defined in a module, and those it imports from modules that declare `KERNEL_HELPERS = True`."""
     for value in list(vars(module).values()):
-        if isinstance(value, pytypes.FunctionType) and value.__module__ == module.__name__:
+        if not isinstance(value, pytypes.FunctionType):
+            continue
+        if value.__module__ == module.__name__ or getattr(sys.modules[value.__module__], "KERNEL_HELPERS", False):
             bind(value)
 
 

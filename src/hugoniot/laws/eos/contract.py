@@ -12,17 +12,23 @@ and, where its theory has them in closed form,
     energy(rho, p, par)                   e, J/kg (inverse of pressure at constant rho)
     reference_state(par)                  (rho, e) of the material at rest: zero (or ambient) pressure
     density_limits(par)                   (lowest, highest) density at which the law is defined
+    particle_velocity_limit(par)          largest particle velocity the law's Hugoniot fit can answer, m/s
+
+Kernels do not check states; `check_state` does, for callers at the surface.
 
 The functions below dispatch on the class of `par`, in Python and, through `core.compile`, inside kernels.
 """
 
+import math
+
 from hugoniot.core.ops import vsqrt
 from hugoniot.core.registry import Registry
+from hugoniot.errors import OutOfRange
 
 EOS = Registry(
     "eos",
     contract=("pressure", "pressure_derivatives", "reference_state", "density_limits"),
-    optional=("temperature", "entropy", "energy", "specific_heat"),
+    optional=("temperature", "entropy", "energy", "specific_heat", "particle_velocity_limit"),
 )
 
 
@@ -97,3 +103,47 @@ def bulk_modulus(rho, e, par):
 def adiabatic_exponent(rho, e, par):
     """gamma = -(d ln p / d ln v) along the isentrope = rho c^2 / p."""
     return bulk_modulus(rho, e, par) / pressure(rho, e, par)
+
+
+# -- at the surface: clear answers for what a law cannot do ----------------------------------------------------------
+def particle_velocity_limit(par) -> float:
+    """Largest particle velocity of a shock into the reference state that the law can answer, m/s; inf where there is none (J-E16)."""
+    function = EOS.of(par).functions.get("particle_velocity_limit")
+    return function(par) if function else math.inf
+
+
+def check_state(rho, e, par, c2_floor: float = 0.0) -> None:
+    """Raise `OutOfRange`, stating the limit, unless the law answers (rho, e) with finite pressure and c^2 > c2_floor (m2/s2)."""
+    name = EOS.of(par).name
+    low, high = density_limits(par)
+    if not (math.isfinite(rho) and math.isfinite(e)):
+        raise OutOfRange(f"{name}: the state rho = {rho} kg/m3, e = {e} J/kg is not a finite number")
+    if not low < rho < high:
+        if rho >= high:
+            raise OutOfRange(f"{name}: density {rho:.6g} kg/m3 is at or beyond the law's compression limit, {high:.6g} kg/m3; "
+                             "stay below it or choose a law without that pole")
+        raise OutOfRange(f"{name}: density {rho:.6g} kg/m3 is not above the lowest the law allows, {low:.6g} kg/m3")
+    p, c2 = pressure(rho, e, par), sound_speed_squared(rho, e, par)
+    if not (math.isfinite(p) and math.isfinite(c2)):
+        raise OutOfRange(f"{name}: no finite pressure at rho = {rho:.6g} kg/m3, e = {e:.6g} J/kg")
+    if not c2 > c2_floor:
+        raise OutOfRange(f"{name}: the state rho = {rho:.6g} kg/m3, e = {e:.6g} J/kg is unstable (c^2 = {c2:.4g} m2/s2, p = {p:.4g} Pa); "
+                         f"it lies too deep in tension or too cold for the law, whose rest density is {reference_state(par)[0]:.6g} kg/m3")
+
+
+def has_temperature(par) -> bool:
+    """Whether the law gives a temperature with these parameters (its theory has one and the specific heat is known)."""
+    law = EOS.of(par)
+    if "temperature" not in law.functions:
+        return False
+    rho, e = reference_state(par)
+    return math.isfinite(temperature(rho, e, par))
+
+
+def require_temperature(par) -> None:
+    """Raise `OutOfRange` where the law has no temperature, saying what is missing."""
+    law = EOS.of(par)
+    if "temperature" not in law.functions:
+        raise OutOfRange(f"{law.name}: this equation of state has no temperature; choose one that has, for instance mie_gruneisen")
+    if not has_temperature(par):
+        raise OutOfRange(f"{law.name}: a temperature needs the parameter specific_heat (J/kg/K), which is not given")

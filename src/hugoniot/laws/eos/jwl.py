@@ -1,0 +1,97 @@
+r"""JWL detonation products, constant Grüneisen parameter omega.
+
+$$p = A\left(1 - \frac{\omega}{R_1V}\right)e^{-R_1V} + B\left(1 - \frac{\omega}{R_2V}\right)e^{-R_2V} + \omega\rho e,
+  \qquad V = \rho_0/\rho$$
+$$c^2 = \omega(\omega+1)\left[e_1\left(\frac{(R_1V)^2}{\omega(\omega+1)} - 1\right)e^{-R_1V}
+      + e_2\left(\frac{(R_2V)^2}{\omega(\omega+1)} - 1\right)e^{-R_2V} + e\right],
+  \quad e_1 = \frac{A}{R_1\rho_0},\; e_2 = \frac{B}{R_2\rho_0}$$
+
+(the prefactor corrected: S-E10). The isentropes are $e_S = e_1e^{-R_1V} + e_2e^{-R_2V} + a\,V^{-\omega}$. Temperature:
+$T = (e - e_C)/c_v$ on the cold isentrope with $a$ = `cold_constant` (0 unless a temperature of the products is known, 003 A-4).
+
+Source: 003 (Starkenberg) A-9 after Lee and Hornig.
+"""
+
+import math
+from typing import NamedTuple
+
+from hugoniot.core.ops import vexp, vlog
+from hugoniot.laws.eos.contract import EOS
+
+
+class JWL(NamedTuple):
+    a: float
+    b: float
+    r1: float
+    r2: float
+    omega: float
+    rho0: float
+    e0: float = 0.0
+    specific_heat: float = math.nan
+    cold_constant: float = 0.0
+
+
+def pressure(rho, e, par):
+    v = par.rho0 / rho
+    first, second = par.a * vexp(-par.r1 * v), par.b * vexp(-par.r2 * v)
+    compression = par.omega / par.rho0 * rho
+    return first * (1.0 - compression / par.r1) + second * (1.0 - compression / par.r2) + par.omega * rho * e
+
+
+def pressure_derivatives(rho, e, par):
+    v = par.rho0 / rho
+    first, second = par.a * vexp(-par.r1 * v), par.b * vexp(-par.r2 * v)
+    w = par.omega / par.rho0
+    slope1 = (par.r1 * v - par.omega) * v / par.rho0 - w / par.r1
+    slope2 = (par.r2 * v - par.omega) * v / par.rho0 - w / par.r2
+    return first * slope1 + second * slope2 + par.omega * e, par.omega * rho
+
+
+def energy(rho, p, par):
+    return (p - pressure(rho, 0.0, par)) / (par.omega * rho)
+
+
+def cold_energy(rho, par):
+    """Energy on the isentrope of zero temperature, J/kg."""
+    v = par.rho0 / rho
+    thermal = par.cold_constant * vexp(-par.omega * vlog(v))
+    return (par.a / par.r1 * vexp(-par.r1 * v) + par.b / par.r2 * vexp(-par.r2 * v)) / par.rho0 + thermal
+
+
+def temperature(rho, e, par):
+    return (e - cold_energy(rho, par)) / par.specific_heat
+
+
+def specific_heat(rho, e, par):
+    return par.specific_heat
+
+
+def entropy(rho, e, par):
+    """Zero where T V**omega = 1 K."""
+    return par.specific_heat * (vlog(temperature(rho, e, par)) - par.omega * vlog(rho / par.rho0))
+
+
+def reference_state(par):
+    """The products at the density and energy of the explosive (constant-volume explosion)."""
+    return par.rho0, par.e0 / par.rho0
+
+
+def density_limits(par):
+    return 0.0, math.inf
+
+
+EOS.add(
+    "jwl", JWL,
+    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits],
+    example=JWL(371.2e9, 3.231e9, 4.15, 0.95, 0.3, 1630.0, 7.0e9, 613.5),
+    units={"a": "Pa", "b": "Pa", "r1": "1", "r2": "1", "omega": "1", "rho0": "kg/m^3", "e0": "J/m^3", "specific_heat": "J/kg/K",
+           "cold_constant": "J/kg"},
+    meaning={"a": "coefficient A", "b": "coefficient B", "r1": "exponent R1", "r2": "exponent R2", "omega": "Grüneisen parameter",
+             "rho0": "density of the unreacted explosive", "e0": "detonation energy per volume of unreacted explosive",
+             "specific_heat": "specific heat at constant volume per mass (for temperatures)",
+             "cold_constant": "coefficient of V**-omega in the energy at zero temperature"},
+    defaults={"e0": 0.0, "specific_heat": math.nan, "cold_constant": 0.0},
+    box={"rho": (20.0, 3000.0), "e": (2.5e6, 2e7)},
+    references=("Starkenberg, ARL-TR-2161, A-9 (corrected: S-E10, S-E11)", "Lee and Hornig 1969, as cited there"),
+    flags=("linear_in_energy", "gas", "reacted"),
+)

@@ -1,0 +1,169 @@
+r"""Mie-Grüneisen solid on a linear shock Hugoniot, rho Gamma constant.
+
+$$p = p_R(\eta) + \rho_0\Gamma_0\,[e - e_R(\eta)], \qquad \eta = 1 - \rho_0/\rho$$
+
+Compression ($\eta \ge 0$): the reference is the principal Hugoniot of $U_s = c_0 + s\,u_p$,
+
+$$p_R = \frac{\rho_0 c_0^2\,\eta}{(1 - s\eta)^2}, \qquad e_R = \frac{p_R\,\eta}{2\rho_0},$$
+
+so every state of the measured Hugoniot is met exactly for any $\Gamma_0$.  Tension ($\eta < 0$): the reference is an isentrope,
+
+$$e_R = \frac{c_0^2\eta^2}{2(1 - a\eta)}, \quad p_R = \rho_0 \frac{de_R}{d\eta}
+     = \rho_0 c_0^2\,\eta\,\frac{1 - a\eta/2}{(1 - a\eta)^2}, \quad \frac{dp_R}{d\eta} = \frac{\rho_0c_0^2}{(1 - a\eta)^3},
+     \quad a = \tfrac43 s.$$
+
+This value of a makes pressure, slope and curvature continue those of the Hugoniot (which shares them with its isentrope), the slope is
+positive at every expansion, so c^2 > 0 wherever e >= e_R, and the tension of the cold solid is bounded by 3 rho0 c0^2 / (8 s), about the
+ideal strength of a metal.
+
+Temperature (constant $c_v$, 003 A-4 with w = 1): $T = T_0 e^{\Gamma_0\eta} + (e - e_S)/c_v$ where $e_S$ is the isentrope through the
+reference state. In tension $e_S = e_R$; in compression it solves $e_S' - \Gamma_0 e_S = c_0^2\eta(1 - \Gamma_0\eta/2)/(1 - s\eta)^2$, whose
+exact solution holds the exponential integral (004 eq. 5.1.9; J-E8: not an error function). With $y = 1 - s\eta$, $\beta = \Gamma_0/s$:
+
+$$e_S = \frac{c_0^2}{s^2}\Big\{\left(1-\tfrac{\beta}{2}\right)\left(\tfrac1y - e^{\beta(1-y)}\right) 
+ + \tfrac12\left(1 - e^{\beta(1-y)}\right)
+ - \left(1 - 2\beta + \tfrac{\beta^2}{2}\right) e^{-\beta y}\,[\mathrm{Ei}(\beta) - \mathrm{Ei}(\beta y)]\Big\}.$$
+
+Source: 003 (Starkenberg) A-6.2 and A-11; 002 (Herrmann) C.5, C.6, C.12; 004 (Jordan) 5.1.4 to 5.1.10.
+For the other forms of Gamma and of the Hugoniot see mie_gruneisen_linear_gamma, mie_gruneisen_quadratic, mie_gruneisen_cubic.
+"""
+
+import math
+from typing import NamedTuple
+
+from hugoniot.core.ops import vexp, vlog
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.special import ei_difference, quadrature
+
+
+class MieGruneisen(NamedTuple):
+    rho0: float
+    c0: float
+    s: float
+    gamma0: float
+    specific_heat: float = math.nan
+    reference_temperature: float = 298.15
+
+
+def _strain(rho, par):
+    """(eta, 1/(1 - kappa eta)) from one division; kappa is s in compression and 4s/3 in tension."""
+    d = rho - par.rho0
+    b = rho - (par.s if d > 0.0 else (4.0 / 3.0) * par.s) * d
+    r = 1.0 / (rho * b)
+    return d * b * r, rho * rho * r
+
+
+def pressure(rho, e, par):
+    eta, inverse = _strain(rho, par)
+    g = par.gamma0
+    tension = 0.0 if eta > 0.0 else (2.0 / 3.0) * par.s
+    shape = 1.0 - 0.5 * g * eta - tension * eta * (1.0 - g * eta)
+    return par.rho0 * (par.c0 * par.c0 * (eta * inverse * inverse * shape) + g * e)
+
+
+def pressure_derivatives(rho, e, par):
+    eta, inverse = _strain(rho, par)
+    g, a = par.gamma0, (4.0 / 3.0) * par.s
+    compressed = 1.0 + (par.s - g) * eta
+    stretched = 1.0 - g * eta * (1.0 - 0.5 * a * eta) * (1.0 - a * eta)
+    slope = compressed if eta > 0.0 else stretched
+    v_ratio = 1.0 - eta
+    return par.c0 * par.c0 * (v_ratio * v_ratio) * (inverse * inverse * inverse * slope), par.rho0 * g
+
+
+def energy(rho, p, par):
+    return (p - pressure(rho, 0.0, par)) / (par.rho0 * par.gamma0)
+
+
+def reference_isentrope(rho, par):
+    """(e, T/T0) on the isentrope through the reference state."""
+    eta, inverse = _strain(rho, par)
+    if eta > 0.0:
+        e_s = _compressed_isentrope(eta, inverse, par)
+    else:
+        e_s = 0.5 * par.c0 * par.c0 * eta * eta * inverse
+    return e_s, vexp(par.gamma0 * eta)
+
+
+def _compressed_isentrope(eta, inverse, par):
+    g, s = par.gamma0, par.s
+    if g > 4.0 * s:
+        # nearly straight Hugoniot: the closed form would cancel, and the pole is far enough for quadrature
+        total = 0.0
+        for x, w in quadrature():
+            t = x * eta
+            z = 1.0 - s * t
+            total += w * t * (1.0 - 0.5 * g * t) / (z * z) * vexp(g * (eta - t))
+        return par.c0 * par.c0 * eta * total
+    beta = g / s
+    y = 1.0 - s * eta
+    decay = vexp(-beta * y)
+    growth = vexp(beta * s * eta)
+    bracket = ((1.0 - 0.5 * beta) * (inverse - growth) + 0.5 * (1.0 - growth)
+               - (1.0 - 2.0 * beta + 0.5 * beta * beta) * decay * (ei_difference(beta, y) - vlog(y)))
+    return par.c0 * par.c0 / (s * s) * bracket
+
+
+def temperature(rho, e, par):
+    e_s, ratio = reference_isentrope(rho, par)
+    return par.reference_temperature * ratio + (e - e_s) / par.specific_heat
+
+
+def specific_heat(rho, e, par):
+    return par.specific_heat
+
+
+def entropy(rho, e, par):
+    """Zero at the reference state."""
+    ratio = temperature(rho, e, par) / par.reference_temperature
+    return par.specific_heat * (vlog(ratio) - par.gamma0 * (1.0 - par.rho0 / rho))
+
+
+def reference_state(par):
+    return par.rho0, 0.0
+
+
+def density_limits(par):
+    """The Hugoniot is singular at eta = 1/s; with s <= 1 that lies beyond infinite density (J-E16)."""
+    return 0.0, par.rho0 * par.s / (par.s - 1.0) if par.s > 1.0 else math.inf
+
+
+def particle_velocity_limit(par):
+    """J-E16: with s < 1 the fitted Us falls to up at up = c0/(1 - s), infinite compression; no shock is faster."""
+    return par.c0 / (1.0 - par.s) if par.s < 1.0 else math.inf
+
+
+def build(rho0, c0, s, gamma0, gamma_form="rho_gamma_constant", gamma_slope=math.nan, specific_heat=math.nan, reference_temperature=298.15):
+    """Parameters from a deck; `gamma_form` other than "rho_gamma_constant" gives the law mie_gruneisen_linear_gamma."""
+    from hugoniot.laws.eos.mie_gruneisen_linear_gamma import MieGruneisenLinearGamma, gamma_slope_of
+
+    for name, value in (("rho0", rho0), ("c0", c0)):
+        if not value > 0.0:
+            raise OutOfRange(f"mie_gruneisen: {name} must be positive, got {value}")
+    if not (s >= 0.0 and gamma0 > 0.0):
+        raise OutOfRange(f"mie_gruneisen: needs s >= 0 and gamma0 > 0, got s = {s}, gamma0 = {gamma0}")
+    slope = gamma_slope_of(gamma_form, gamma0, gamma_slope)
+    if slope == 0.0:
+        return MieGruneisen(rho0, c0, s, gamma0, specific_heat, reference_temperature)
+    return MieGruneisenLinearGamma(rho0, c0, s, gamma0, slope, specific_heat, reference_temperature)
+
+
+EOS.add(
+    "mie_gruneisen", MieGruneisen,
+    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits,
+               particle_velocity_limit],
+    example=MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0),
+    build=build,
+    units={"rho0": "kg/m^3", "c0": "m/s", "s": "1", "gamma0": "1", "specific_heat": "J/kg/K", "reference_temperature": "K",
+           "gamma_form": "text", "gamma_slope": "1"},
+    meaning={"rho0": "density at rest", "c0": "shock velocity at vanishing particle velocity", "s": "slope dUs/dup",
+             "gamma0": "Grüneisen parameter at rest", "specific_heat": "specific heat at constant volume (for temperatures)",
+             "reference_temperature": "temperature at rest",
+             "gamma_form": "rho_gamma_constant | constant | linear",
+             "gamma_slope": "b of Gamma = (gamma0 + b mu)/(1 + mu), mu = rho/rho0 - 1 (gamma_form linear)"},
+    defaults={"specific_heat": math.nan, "reference_temperature": 298.15, "gamma_form": "rho_gamma_constant", "gamma_slope": math.nan},
+    box={"rho": (2100.0, 6500.0), "e": (0.0, 2e7)},
+    references=("Starkenberg, ARL-TR-2161, A-6.2, A-11", "Herrmann, WL-TR-64-107, C.5, C.6, C.12", "Jordan 2011, eq. 5.1.4 to 5.1.10"),
+    flags=("linear_in_energy",),
+)

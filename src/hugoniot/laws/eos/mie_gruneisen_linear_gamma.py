@@ -1,0 +1,155 @@
+r"""Mie-Grüneisen solid on a linear shock Hugoniot, Grüneisen parameter linear in compression.
+
+$$p = p_R(\eta) + \rho\Gamma\,[e - e_R(\eta)], \qquad \rho\Gamma = \rho_0(\Gamma_0 + b\mu), \quad
+  \Gamma = \frac{\Gamma_0 + b\mu}{1+\mu}, \quad \mu = \rho/\rho_0 - 1, \quad \eta = 1 - \rho_0/\rho$$
+
+with the reference curves of mie_gruneisen: the principal Hugoniot $\rho_0c_0^2\eta/(1-s\eta)^2$ in compression, an isentrope of bounded
+tension below rho0. b = 0 is rho Gamma constant, b = gamma0 is Gamma constant; 003's $\Gamma_o + \rho_{\Gamma o}v$ is b = $\Gamma_o$.
+
+Temperature (constant $c_v$): $T = T_0\varphi + (e - e_S)/c_v$ with $\varphi = e^{(\Gamma_0-b)\eta}(1-\eta)^{-b}$ and the isentrope energy
+
+$$e_S = \varphi \int_0^\eta \frac{c_0^2\,t\,(1 - \tfrac12 t\,[\Gamma_0 + b\,t/(1-t)])}{(1-st)^2\,\varphi(t)}\,dt,$$
+
+evaluated by 16 Gauss points in $\sigma = -\ln(1 - st)$, in which the integrand has no pole (error below 1e-12 of e up to 1 - s eta = 0.05).
+
+Source: Steinberg, Cochran and Guinan 1980 as quoted by 003 (Starkenberg) A-6; 003 A-11; 002 (Herrmann) C.12.
+"""
+
+import math
+from typing import NamedTuple
+
+from hugoniot.core.ops import vexp, vlog
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.special import quadrature
+
+
+class MieGruneisenLinearGamma(NamedTuple):
+    rho0: float
+    c0: float
+    s: float
+    gamma0: float
+    gamma_slope: float
+    specific_heat: float = math.nan
+    reference_temperature: float = 298.15
+
+
+def gamma_slope_of(form, gamma0, slope=math.nan):
+    """b of Gamma = (gamma0 + b mu)/(1 + mu) for a named form: rho_gamma_constant, constant, linear (then `slope`)."""
+    if form == "rho_gamma_constant":
+        return 0.0
+    if form == "constant":
+        return gamma0
+    if form == "linear":
+        if not math.isfinite(slope):
+            raise OutOfRange("mie_gruneisen: gamma_form 'linear' needs gamma_slope, the b of (gamma0 + b mu)/(1 + mu)")
+        return slope
+    raise OutOfRange(f"mie_gruneisen: unknown gamma_form '{form}'; known: rho_gamma_constant, constant, linear")
+
+
+def _strain(rho, par):
+    """(eta, 1/(1 - kappa eta), mu); kappa is s in compression and 4s/3 in tension."""
+    d = rho - par.rho0
+    b = rho - (par.s if d > 0.0 else (4.0 / 3.0) * par.s) * d
+    r = 1.0 / (rho * b)
+    return d * b * r, rho * rho * r, d / par.rho0
+
+
+def pressure(rho, e, par):
+    eta, inverse, mu = _strain(rho, par)
+    g = par.gamma0 + par.gamma_slope * mu
+    tension = 0.0 if eta > 0.0 else (2.0 / 3.0) * par.s
+    shape = 1.0 - 0.5 * g * eta - tension * eta * (1.0 - g * eta)
+    return par.rho0 * (par.c0 * par.c0 * (eta * inverse * inverse * shape) + g * e)
+
+
+def pressure_derivatives(rho, e, par):
+    eta, inverse, mu = _strain(rho, par)
+    a, b = (4.0 / 3.0) * par.s, par.gamma_slope
+    g = par.gamma0 + b * mu
+    compressed = 1.0 + (par.s - g) * eta
+    stretched = 1.0 - g * eta * (1.0 - 0.5 * a * eta) * (1.0 - a * eta)
+    slope = compressed if eta > 0.0 else stretched
+    v_ratio = 1.0 - eta
+    cc = par.c0 * par.c0
+    e_reference = 0.5 * cc * eta * eta * inverse * (inverse if eta > 0.0 else 1.0)
+    return cc * (v_ratio * v_ratio) * (inverse * inverse * inverse * slope) + b * (e - e_reference), par.rho0 * g
+
+
+def energy(rho, p, par):
+    return (p - pressure(rho, 0.0, par)) / (par.rho0 * par.gamma0 + par.gamma_slope * (rho - par.rho0))
+
+
+def _growth(t, par):
+    """ln(T/T0) on an isentrope, from rho0 to strain t."""
+    return (par.gamma0 - par.gamma_slope) * t - par.gamma_slope * vlog(1.0 - t)
+
+
+def reference_isentrope(rho, par):
+    """(e, T/T0) on the isentrope through the reference state."""
+    eta, inverse, mu = _strain(rho, par)
+    cc, s = par.c0 * par.c0, par.s
+    growth = _growth(eta, par)
+    e_s = 0.5 * cc * eta * eta * inverse
+    if eta > 0.0:
+        top = 1.0 / s if s > 1.0 else 1.0
+        far = -vlog(1.0 - eta / top)
+        total = 0.0
+        for x, w in quadrature():
+            z = vexp(-far * x)
+            t = top * (1.0 - z)
+            y = 1.0 - s * t
+            total += w * z * t * (1.0 - 0.5 * t * (par.gamma0 + par.gamma_slope * t / (1.0 - t))) / (y * y) * vexp(growth - _growth(t, par))
+        e_s = cc * top * far * total
+    return e_s, vexp(growth)
+
+
+def temperature(rho, e, par):
+    e_s, ratio = reference_isentrope(rho, par)
+    return par.reference_temperature * ratio + (e - e_s) / par.specific_heat
+
+
+def specific_heat(rho, e, par):
+    return par.specific_heat
+
+
+def entropy(rho, e, par):
+    """Zero at the reference state."""
+    ratio = temperature(rho, e, par) / par.reference_temperature
+    return par.specific_heat * (vlog(ratio) - _growth(1.0 - par.rho0 / rho, par))
+
+
+def reference_state(par):
+    return par.rho0, 0.0
+
+
+def density_limits(par):
+    """rho Gamma vanishes below mu = -gamma0/b when b > gamma0; the Hugoniot is singular at eta = 1/s (s > 1)."""
+    low = par.rho0 * (1.0 - par.gamma0 / par.gamma_slope) if par.gamma_slope > par.gamma0 else 0.0
+    high = par.rho0 * par.s / (par.s - 1.0) if par.s > 1.0 else math.inf
+    if par.gamma_slope < 0.0:
+        high = min(high, par.rho0 * (1.0 - par.gamma0 / par.gamma_slope))
+    return low, high
+
+
+def particle_velocity_limit(par):
+    """J-E16: with s < 1 the fitted Us falls to up at up = c0/(1 - s), infinite compression; no shock is faster."""
+    return par.c0 / (1.0 - par.s) if par.s < 1.0 else math.inf
+
+
+EOS.add(
+    "mie_gruneisen_linear_gamma", MieGruneisenLinearGamma,
+    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits,
+               particle_velocity_limit],
+    example=MieGruneisenLinearGamma(2785.0, 5328.0, 1.338, 2.0, 0.48, 863.0),
+    units={"rho0": "kg/m^3", "c0": "m/s", "s": "1", "gamma0": "1", "gamma_slope": "1", "specific_heat": "J/kg/K",
+           "reference_temperature": "K"},
+    meaning={"rho0": "density at rest", "c0": "shock velocity at vanishing particle velocity", "s": "slope dUs/dup",
+             "gamma0": "Grüneisen parameter at rest", "gamma_slope": "b of Gamma = (gamma0 + b mu)/(1 + mu), mu = rho/rho0 - 1",
+             "specific_heat": "specific heat at constant volume (for temperatures)", "reference_temperature": "temperature at rest"},
+    defaults={"specific_heat": math.nan, "reference_temperature": 298.15},
+    box={"rho": (2100.0, 6500.0), "e": (0.0, 2e7)},
+    references=("Steinberg, Cochran and Guinan, J. Appl. Phys. 51, 1498 (1980), as quoted in Starkenberg, ARL-TR-2161, A-6",
+                "Starkenberg, ARL-TR-2161, A-11"),
+    flags=("linear_in_energy",),
+)

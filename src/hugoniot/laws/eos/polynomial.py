@@ -1,0 +1,99 @@
+r"""Polynomial in compression, linear in energy (the form of the KO codes).
+
+$$p = a\,x + b\,x^2 + c\,x^3 + d\,\frac{\rho}{\rho_0}E, \qquad x = \rho/\rho_0 - 1, \quad E = \rho_0 e$$
+
+The A.1 form $P = a\mu + b\mu^2 + c(1+\mu)E$ is this law with its c set to 0 and d to the c of A.1. The Grüneisen parameter is the
+constant d.
+Temperature (constant $c_v$): $T = T_0\,(\rho/\rho_0)^d + (e - e_S)/c_v$ with the isentrope through the reference state, exact:
+
+$$e_S = \frac{X^d}{\rho_0}\sum_{n=0}^{3} c_n \frac{X^{n-1-d} - 1}{n-1-d}, \qquad X = \rho/\rho_0, \quad p(X, 0) = \sum_n c_nX^n$$
+
+(the logarithm where the exponent vanishes).
+
+Source: 000 (Wilkins) B.1 item 6 and A.1.
+"""
+
+import math
+from typing import NamedTuple
+
+from hugoniot.core.ops import vexp, vlog
+from hugoniot.laws.eos.contract import EOS
+
+
+class Polynomial(NamedTuple):
+    rho0: float
+    a: float
+    b: float
+    c: float
+    d: float
+    specific_heat: float = math.nan
+    reference_temperature: float = 298.15
+
+
+def pressure(rho, e, par):
+    x = rho / par.rho0 - 1.0
+    return x * (par.a + x * (par.b + x * par.c)) + par.d * rho * e
+
+
+def pressure_derivatives(rho, e, par):
+    x = rho / par.rho0 - 1.0
+    return (par.a + x * (2.0 * par.b + 3.0 * par.c * x)) / par.rho0 + par.d * e, par.d * rho
+
+
+def energy(rho, p, par):
+    return (p - pressure(rho, 0.0, par)) / (par.d * rho)
+
+
+def _power_integral(m, u):
+    """(exp(m u) - 1)/m, u where m vanishes."""
+    z = m * u
+    if z * z < 1e-4:
+        return u * (1.0 + z * (1 / 2 + z * (1 / 6 + z * (1 / 24 + z * (1 / 120 + z * (1 / 720 + z * (1 / 5040)))))))
+    return (vexp(z) - 1.0) / m
+
+
+def reference_isentrope(rho, par):
+    """(e, T/T0) on the isentrope through the reference state."""
+    u = vlog(rho / par.rho0)
+    a, b, c, d = par.a, par.b, par.c, par.d
+    total = ((b - a - c) * _power_integral(-1.0 - d, u) + (a - 2.0 * b + 3.0 * c) * _power_integral(-d, u)
+             + (b - 3.0 * c) * _power_integral(1.0 - d, u) + c * _power_integral(2.0 - d, u))
+    growth = vexp(d * u)
+    return growth * total / par.rho0, growth
+
+
+def temperature(rho, e, par):
+    e_s, ratio = reference_isentrope(rho, par)
+    return par.reference_temperature * ratio + (e - e_s) / par.specific_heat
+
+
+def specific_heat(rho, e, par):
+    return par.specific_heat
+
+
+def entropy(rho, e, par):
+    """Zero at the reference state."""
+    return par.specific_heat * (vlog(temperature(rho, e, par) / par.reference_temperature) - par.d * vlog(rho / par.rho0))
+
+
+def reference_state(par):
+    return par.rho0, 0.0
+
+
+def density_limits(par):
+    return 0.0, math.inf
+
+
+EOS.add(
+    "polynomial", Polynomial,
+    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits],
+    example=Polynomial(2700.0, 73e9, 172e9, 40e9, 1.6, 890.0),
+    units={"rho0": "kg/m^3", "a": "Pa", "b": "Pa", "c": "Pa", "d": "1", "specific_heat": "J/kg/K", "reference_temperature": "K"},
+    meaning={"rho0": "density at rest", "a": "linear coefficient (bulk modulus at rest)", "b": "quadratic coefficient",
+             "c": "cubic coefficient", "d": "energy coefficient (Grüneisen parameter)",
+             "specific_heat": "specific heat at constant volume (for temperatures)", "reference_temperature": "temperature at rest"},
+    defaults={"specific_heat": math.nan, "reference_temperature": 298.15},
+    box={"rho": (2400.0, 6000.0), "e": (0.0, 2e7)},
+    references=("Wilkins, B.1 item 6 and A.1",),
+    flags=("linear_in_energy",),
+)
