@@ -1,0 +1,21 @@
+"""Lets kernels call the mixture laws: one call for whoever compiles sweeps over burning zones."""
+
+
+def bind_mixtures() -> None:
+    """Bind every mixture law, the equations of state beneath them and the generic functions of both contracts.
+
+    The searches are bound without fast-math, because they compare residuals, and without forced inlining, because they are long; the
+    equations of state inside them are inlined as everywhere. Imports numba.
+    """
+    from hugoniot.core import compile as compiler
+    from hugoniot.laws.eos import contract as eos_contract
+    from hugoniot.laws.mixture import contract, equilibrium, isentrope, isolated
+
+    compiler.bind_family(eos_contract.EOS, eos_contract.GENERICS)
+    compiler.bind_module(eos_contract)
+    search = dict(fastmath=False, error_model="numpy")
+    for function in (isentrope.stride, isentrope.isentrope_energy, isolated.solve, isolated.equilibrate, equilibrium.share_energy,
+                     equilibrium.solve, equilibrium.equilibrate):
+        compiler.bind(function, **search)
+    compiler.bind_family(contract.MIXTURE, contract.GENERICS)
+    compiler.bind_module(contract)

@@ -1,0 +1,195 @@
+r"""Mechanical and thermal equilibrium: equal pressures and equal temperatures.
+
+$$v = (1-\lambda)v_r + \lambda v_p,\quad e = (1-\lambda)e_r + \lambda e_p,\quad p_r(v_r, e_r - Q) = p_p(v_p, e_p),\quad T_r(v_r, e_r - Q) = T_p(v_p, e_p)$$
+
+With $w = v_r - v_p$ and $z = e_r - e_p$ the saturation conditions hold identically. At given w the temperature difference rises with z
+(specific heats are positive), so z(w) is found in an inner bracket; along z(w) the pressure difference falls with w (isothermal
+compressibilities are positive), so w is found in an outer one. Both searches are Newton's method where it stays inside. Nothing is
+singular at the ends of burning.
+
+The slope of the temperature by volume follows from the pressure: $(\partial T/\partial v)_e = p/c_v - T p_e$, $(\partial T/\partial e)_v = 1/c_v$;
+so both laws must give a temperature and a specific heat that belong to their pressure.
+
+Source: 003 (Starkenberg ARL-TR-2161) section 4.2 and appendix B-1, B-2 (general determinant).
+"""
+
+from typing import NamedTuple
+
+from hugoniot.core.ops import fmax, fmin
+from hugoniot.laws.eos.contract import pressure, specific_heat, temperature
+from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.laws.mixture import contract
+from hugoniot.laws.mixture.contract import MIXTURE, Mixed, PhaseSlopes, Slopes, volume_slopes
+
+ITERATIONS = 100
+CLOSE = 1e-7
+
+
+class ThermalEquilibrium(NamedTuple):
+    reactants: NamedTuple
+    products: NamedTuple
+    detonation_energy: float
+    reactant_density_limit: float = 1e30
+    product_density_limit: float = 1e30
+
+
+def temperature_slopes(rho, e, par):
+    """(dT/dv at e, dT/de at v) of one phase."""
+    c_v = specific_heat(rho, e, par)
+    p_e = volume_slopes(rho, e, par)[1]
+    return pressure(rho, e, par) / c_v - temperature(rho, e, par) * p_e, 1.0 / c_v
+
+
+def share_energy(v_r, v_p, e, lam, z, par):
+    """z = e_r - e_p at which both phases have one temperature, at given volumes."""
+    low = high = z
+    bounded_below = bounded_above = False
+    for _ in range(ITERATIONS):
+        e_r, e_p = e + lam * z - par.detonation_energy, e - (1.0 - lam) * z
+        t_r, t_p = temperature(1.0 / v_r, e_r, par.reactants), temperature(1.0 / v_p, e_p, par.products)
+        excess = t_r - t_p
+        rise = lam / specific_heat(1.0 / v_r, e_r, par.reactants) + (1.0 - lam) / specific_heat(1.0 / v_p, e_p, par.products)
+        step = -excess / rise
+        if excess > 0.0:
+            high, bounded_above = z, True
+        else:
+            low, bounded_below = z, True
+        target = z + step
+        if bounded_above and bounded_below and not low <= target <= high:
+            target = 0.5 * (low + high)
+        small = abs(target - z) <= 1e-13 * (abs(z) + abs(e) + abs(par.detonation_energy))
+        z = target
+        if small:
+            break
+    return z
+
+
+def solve(rho, e, burn_fraction, before, par):
+    """`before` only gives the starting values."""
+    if burn_fraction <= 0.0:
+        return Mixed(pressure(rho, e - par.detonation_energy, par.reactants), rho, e, before.rho_p, before.e_p, 0.0)
+    if burn_fraction >= 1.0:
+        return Mixed(pressure(rho, e, par.products), before.rho_r, before.e_r, rho, e, 0.0)
+    return equilibrate(rho, e, burn_fraction, before, par)
+
+
+def equilibrate(rho, e, burn_fraction, before, par):
+    """The nested search of the module's docstring, for 0 <= lambda <= 1."""
+    v, lam, rest = 1.0 / rho, burn_fraction, 1.0 - burn_fraction
+    q = par.detonation_energy
+    known = before.rho_p > 0.0
+    w = 1.0 / before.rho_r - 1.0 / before.rho_p if known else 0.0
+    z = before.e_r - before.e_p if known else 0.0
+    low = -fmin((v - 1.0 / par.reactant_density_limit) / fmax(lam, 1e-12), 1e6 * v)
+    high = fmin((v - 1.0 / par.product_density_limit) / fmax(rest, 1e-12), 1e6 * v)
+    if w <= low or w >= high:
+        w = 0.0
+    status = contract.NOT_CONVERGED
+    p = v_r = v_p = e_r = e_p = 0.0
+    for _ in range(ITERATIONS):
+        v_r, v_p = v + lam * w, v - rest * w
+        z = share_energy(v_r, v_p, e, lam, z, par)
+        e_r, e_p = e + lam * z - q, e - rest * z
+        p = pressure(1.0 / v_r, e_r, par.reactants)
+        excess = p - pressure(1.0 / v_p, e_p, par.products)
+        r_v, r_e = volume_slopes(1.0 / v_r, e_r, par.reactants)
+        p_v, p_e = volume_slopes(1.0 / v_p, e_p, par.products)
+        t_rv, t_re = temperature_slopes(1.0 / v_r, e_r, par.reactants)
+        t_pv, t_pe = temperature_slopes(1.0 / v_p, e_p, par.products)
+        along = -(lam * t_rv + rest * t_pv) / (lam * t_re + rest * t_pe)
+        decline = -(lam * r_v + rest * p_v) - (lam * r_e + rest * p_e) * along
+        if excess > 0.0:
+            low = w
+        else:
+            high = w
+        step = excess / decline if decline > 0.0 else 0.5 * (low + high) - w
+        if decline > 0.0 and abs(step) <= 1e-14 * v:
+            status = contract.CONVERGED
+            break
+        reach = 0.33 * fmin(v_r / fmax(lam, 1e-12), v_p / fmax(rest, 1e-12))
+        target = w + fmax(-reach, fmin(reach, step))
+        if not low < target < high:
+            target = 0.5 * (low + high)
+        if abs(target - w) <= 1e-15 * v:
+            # the bracket is at round-off: a root if the last step was small, otherwise a jump between branches
+            status = contract.CONVERGED if decline > 0.0 and abs(step) <= CLOSE * v else contract.NO_BRACKET
+            break
+        w = target
+    return Mixed(p, 1.0 / v_r, e_r + q, 1.0 / v_p, e_p, status)
+
+
+def minors(lam, mixed, par):
+    """The rows a_3j and a_4j of appendix B-2 for thermal equilibrium."""
+    e_r = mixed.e_r - par.detonation_energy
+    r_v, r_e = volume_slopes(mixed.rho_r, e_r, par.reactants)
+    p_v, p_e = volume_slopes(mixed.rho_p, mixed.e_p, par.products)
+    t_rv, t_re = temperature_slopes(mixed.rho_r, e_r, par.reactants)
+    t_pv, t_pe = temperature_slopes(mixed.rho_p, mixed.e_p, par.products)
+    return (r_v, r_e, -p_v, -p_e), (t_rv, t_re, -t_pv, -t_pe)
+
+
+def phase_slopes(burn_fraction, mixed, par):
+    """Appendix B-2, general form: Cramer's rule on the differentiated mixture equations."""
+    lam, rest = burn_fraction, 1.0 - burn_fraction
+    a, b = minors(lam, mixed, par)
+    a34, a23 = a[2] * b[3] - a[3] * b[2], a[1] * b[2] - a[2] * b[1]
+    a41, a12 = a[3] * b[0] - a[0] * b[3], a[0] * b[1] - a[1] * b[0]
+    a13, a24 = a[0] * b[2] - a[2] * b[0], a[1] * b[3] - a[3] * b[1]
+    d = rest * (rest * a34 + lam * a23) + lam * (rest * a41 + lam * a12)
+    v_r_v, e_r_v = (rest * a34 + lam * a23) / d, -lam * a13 / d
+    v_p_v, e_p_v = (rest * a41 + lam * a12) / d, rest * a13 / d
+    v_r_e, e_r_e = lam * a24 / d, (rest * a34 + lam * a41) / d
+    v_p_e, e_p_e = -rest * a24 / d, (rest * a23 + lam * a12) / d
+    w, z = 1.0 / mixed.rho_r - 1.0 / mixed.rho_p, mixed.e_r - mixed.e_p
+    return PhaseSlopes(v_r_v, e_r_v, v_p_v, e_p_v, v_r_e, e_r_e, v_p_e, e_p_e,
+                       w * v_r_v + z * v_r_e, w * e_r_v + z * e_r_e, w * v_p_v + z * v_p_e, w * e_p_v + z * e_p_e)
+
+
+def slopes(rho, e, burn_fraction, mixed, par):
+    """By the chain rule through the reactant (the products at lambda = 1); where `solve` left a phase unknown, lambda's slope is 0."""
+    q = par.detonation_energy
+    if mixed.rho_p <= 0.0:
+        p_v, p_e = volume_slopes(rho, e - q, par.reactants)
+        return Slopes(p_v, p_e, 0.0)
+    s = phase_slopes(burn_fraction, mixed, par)
+    if burn_fraction >= 1.0:
+        p_v, p_e = volume_slopes(rho, e, par.products)
+    else:
+        r_v, r_e = volume_slopes(mixed.rho_r, mixed.e_r - q, par.reactants)
+        p_v, p_e = r_v * s.v_r_v + r_e * s.e_r_v, r_v * s.v_r_e + r_e * s.e_r_e
+    p_l = (1.0 / mixed.rho_r - 1.0 / mixed.rho_p) * p_v + (mixed.e_r - mixed.e_p) * p_e
+    return Slopes(p_v, p_e, p_l)
+
+
+def mixture_temperature(burn_fraction, mixed, par):
+    """The common temperature."""
+    if burn_fraction >= 1.0:
+        return temperature(mixed.rho_p, mixed.e_p, par.products)
+    return temperature(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants)
+
+
+def mixture_specific_heat(burn_fraction, mixed, par):
+    """C_v = 1 / (dT/de at v and lambda)."""
+    if burn_fraction >= 1.0:
+        return specific_heat(mixed.rho_p, mixed.e_p, par.products)
+    if mixed.rho_p <= 0.0:
+        return specific_heat(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants)
+    s = phase_slopes(burn_fraction, mixed, par)
+    t_v, t_e = temperature_slopes(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants)
+    return 1.0 / (t_v * s.v_r_e + t_e * s.e_r_e)
+
+
+MIXTURE.add(
+    "thermal_equilibrium", ThermalEquilibrium,
+    functions={"solve": solve, "equilibrate": equilibrate, "slopes": slopes, "phase_slopes": phase_slopes, "temperature": mixture_temperature,
+               "specific_heat": mixture_specific_heat},
+    example=ThermalEquilibrium(IdealGas(5.0, 1000.0, 1600.0), IdealGas(2.8, 1200.0, 1600.0), 5.0e6),
+    units={"reactants": "", "products": "", "detonation_energy": "J/kg", "reactant_density_limit": "kg/m^3",
+           "product_density_limit": "kg/m^3"},
+    meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
+             "detonation_energy": "chemical energy of the reactants relative to the products (minus the heat of detonation)",
+             "reactant_density_limit": "highest density of the reactants' law", "product_density_limit": "highest density of the products' law"},
+    box={"rho": (1200.0, 3000.0), "e": (6e6, 9e6), "burn_fraction": (0.0, 1.0)},
+    references=("Starkenberg, ARL-TR-2161, section 4.2 and appendix B",),
+    flags=("needs_temperature",),
+)

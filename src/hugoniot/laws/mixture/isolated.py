@@ -1,0 +1,177 @@
+r"""Mechanical equilibrium with thermal isolation: equal pressures, the reactant stays on its isentrope.
+
+$$v = (1-\lambda)v_r + \lambda v_p,\quad e = (1-\lambda)e_r + \lambda e_p,\quad p = p_r(v_r, e_r - Q) = p_p(v_p, e_p),\quad e_r - Q = e_{Sr}(v_r;\, v_k, e_k)$$
+
+With $w = v_r - v_p$ and $z = e_r - e_p$ the saturation conditions hold identically ($v_r = v + \lambda w$, $v_p = v - (1-\lambda)w$), the
+isentrope gives $\lambda z = e_{Sr} + Q - e$, and one equation is left, $F(w) = p_r - p_p = 0$, whose slope is $-I^2$ with
+$I^2 = \lambda i_r^2 + (1-\lambda) i_p^2 > 0$: F falls monotonically, so the root is unique, and nothing is singular as burning begins or ends.
+Newton's method runs inside a bracket that only shrinks; what leaves it is bisected.
+
+Source: 003 (Starkenberg ARL-TR-2161) sections 5.1 to 5.9 and appendix B-2 with corrections S-E2, S-E3, S-E13.
+"""
+
+from typing import NamedTuple
+
+from hugoniot.core.ops import fmax, fmin
+from hugoniot.laws.eos.contract import pressure, specific_heat, temperature
+from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.laws.mixture import contract
+from hugoniot.laws.mixture.contract import MIXTURE, Mixed, PhaseSlopes, Slopes, impedance_squared, volume_slopes
+from hugoniot.laws.mixture.isentrope import isentrope_energy
+
+ITERATIONS = 100
+# Below this burn fraction the products' energy (e - (1 - lambda) e_r) / lambda is lost to round-off; the reactant isentrope is then taken
+# through the mixture state itself and its expansion to second order in lambda, whose error is of order lambda^2, replaces the march.
+VANISHING = 1e-6
+CLOSE = 1e-8
+
+
+class ThermalIsolation(NamedTuple):
+    reactants: NamedTuple
+    products: NamedTuple
+    detonation_energy: float
+    reactant_density_limit: float = 1e30
+    product_density_limit: float = 1e30
+
+
+def solve(rho, e, burn_fraction, before, par):
+    """`before` must lie on the reactant's isentrope: the shocked state, or the reactant of the step before."""
+    if burn_fraction <= 0.0:
+        return Mixed(pressure(rho, e - par.detonation_energy, par.reactants), rho, e, before.rho_p, before.e_p, 0.0)
+    if burn_fraction >= 1.0:
+        return Mixed(pressure(rho, e, par.products), before.rho_r, before.e_r, rho, e, 0.0)
+    return equilibrate(rho, e, burn_fraction, before, par)
+
+
+def equilibrate(rho, e, burn_fraction, before, par):
+    """The bracketed Newton search of the module's docstring, for 0 <= lambda <= 1: at 0 it gives the nascent products, at 1 the last grain."""
+    v, lam, rest = 1.0 / rho, burn_fraction, 1.0 - burn_fraction
+    q = par.detonation_energy
+    vanishing = lam < VANISHING
+    v_r = v if vanishing else 1.0 / before.rho_r
+    e_r = e - q if vanishing else before.e_r - q
+    w = v_r - 1.0 / before.rho_p if before.rho_p > 0.0 else 0.0
+    low = -fmin((v - 1.0 / par.reactant_density_limit) / fmax(lam, 1e-12), 1e6 * v)
+    high = fmin((v - 1.0 / par.product_density_limit) / fmax(rest, 1e-12), 1e6 * v)
+    if w <= low or w >= high:
+        w = 0.0
+    status = contract.NOT_CONVERGED
+    p = v_p = e_p = 0.0
+    for _ in range(ITERATIONS):
+        v_next = v + lam * w
+        if vanishing:
+            p = pressure(1.0 / v, e - q, par.reactants)
+            i_r = impedance_squared(1.0 / v, e - q, par.reactants)
+            z = -w * (p - 0.5 * i_r * lam * w)
+            p = p - i_r * lam * w
+            e_r = e - q + lam * z
+        else:
+            e_r = isentrope_energy(v_r, e_r, v_next, par.reactants)
+            p = pressure(1.0 / v_next, e_r, par.reactants)
+            i_r = impedance_squared(1.0 / v_next, e_r, par.reactants)
+            z = (e_r + q - e) / lam
+        v_r = v_next
+        v_p = v - rest * w
+        e_p = e - rest * z
+        p_v, p_e = volume_slopes(1.0 / v_p, e_p, par.products)
+        excess = p - pressure(1.0 / v_p, e_p, par.products)
+        i_p = p * p_e - p_v
+        decline = lam * i_r + rest * i_p
+        if excess > 0.0:
+            low = w
+        else:
+            high = w
+        step = excess / decline if decline > 0.0 else 0.5 * (low + high) - w
+        if decline > 0.0 and abs(step) <= CLOSE * v:
+            # one last Newton step, linear in the unknown: what it leaves out is of order CLOSE squared
+            e_r = e_r - lam * step * (p - 0.5 * i_r * lam * step)
+            v_r = v_r + lam * step
+            v_p = v_p - rest * step
+            e_p = e_p + rest * step * p
+            p = p - i_r * lam * step
+            status = contract.CONVERGED if i_r > 0.0 and i_p > 0.0 else contract.UNSTABLE
+            break
+        # no step may change a phase's volume by more than a third
+        reach = 0.33 * fmin(v_r / fmax(lam, 1e-12), v_p / fmax(rest, 1e-12))
+        target = w + fmax(-reach, fmin(reach, step))
+        if not low < target < high:
+            target = 0.5 * (low + high)
+        if abs(target - w) <= 1e-15 * v:
+            status = contract.NO_BRACKET
+            break
+        w = target
+    return Mixed(p, 1.0 / v_r, e_r + q, 1.0 / v_p, e_p, status)
+
+
+def slopes(rho, e, burn_fraction, mixed, par):
+    r"""$p_v = (i_r^2/I^2)\,p_{p,v}$, $p_e = (i_r^2/I^2)\,p_{p,e}$ (003 section 5.3); $p_\lambda = (v_r-v_p)p_v + (e_r-e_p)p_e$ (B-2).
+
+    Before any burning the slopes are the reactant's own: the source's limit for vanishing lambda, in which all heat goes into the
+    products, is another number (its jump at lambda = 0 is real; the sound speed has none). Where `solve` left the products unknown
+    (lambda = 0) the slope by burn fraction is 0.
+    """
+    q = par.detonation_energy
+    i_r = impedance_squared(mixed.rho_r, mixed.e_r - q, par.reactants)
+    p_l = 0.0
+    p_v = p_e = 0.0
+    if mixed.rho_p > 0.0:
+        p_v, p_e = volume_slopes(mixed.rho_p, mixed.e_p, par.products)
+        share = i_r / (burn_fraction * i_r + (1.0 - burn_fraction) * (mixed.pressure * p_e - p_v))
+        p_v, p_e = share * p_v, share * p_e
+        p_l = (1.0 / mixed.rho_r - 1.0 / mixed.rho_p) * p_v + (mixed.e_r - mixed.e_p) * p_e
+    if burn_fraction <= 0.0:
+        p_v, p_e = volume_slopes(rho, e - q, par.reactants)
+    return Slopes(p_v, p_e, p_l)
+
+
+def phase_slopes(burn_fraction, mixed, par):
+    """Appendix B-2 with S-E13, for 0 < lambda <= 1; the products' slopes by v and e grow as 1/lambda when lambda vanishes."""
+    lam, p = burn_fraction, mixed.pressure
+    i_r = impedance_squared(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants)
+    p_v, p_e = volume_slopes(mixed.rho_p, mixed.e_p, par.products)
+    i_p = p * p_e - p_v
+    whole = lam * i_r + (1.0 - lam) * i_p
+    rest = (1.0 - lam) / (lam * whole)
+    share = i_r / whole
+    w, z = 1.0 / mixed.rho_r - 1.0 / mixed.rho_p, mixed.e_r - mixed.e_p
+    v_r_v, v_r_e = -p_v / whole, -p_e / whole
+    v_p_v, v_p_e = share + rest * p * p_e, rest * p_e
+    e_p_v, e_p_e = -rest * p * p_v, share - rest * p_v
+    v_r_l, v_p_l = w * v_r_v + z * v_r_e, w * v_p_v + z * v_p_e
+    e_p_l = w * e_p_v + z * e_p_e
+    return PhaseSlopes(v_r_v, -p * v_r_v, v_p_v, e_p_v, v_r_e, -p * v_r_e, v_p_e, e_p_e, v_r_l, -p * v_r_l, v_p_l, e_p_l)
+
+
+def mixture_temperature(burn_fraction, mixed, par):
+    """The products' temperature (003 section 5.6); the reactant's before any burning."""
+    if burn_fraction <= 0.0:
+        return temperature(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants)
+    return temperature(mixed.rho_p, mixed.e_p, par.products)
+
+
+def mixture_specific_heat(burn_fraction, mixed, par):
+    r"""$C_v = \lambda I^2 c_{vp} / [I^2 - (1-\lambda) c_{vp} T_p (\Gamma_p/v_p)^2]$ (003 section 5.6)."""
+    if burn_fraction <= 0.0:
+        return specific_heat(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants)
+    i_r = impedance_squared(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants)
+    p_v, p_e = volume_slopes(mixed.rho_p, mixed.e_p, par.products)
+    whole = burn_fraction * i_r + (1.0 - burn_fraction) * (mixed.pressure * p_e - p_v)
+    c_v = specific_heat(mixed.rho_p, mixed.e_p, par.products)
+    t_p = temperature(mixed.rho_p, mixed.e_p, par.products)
+    return burn_fraction * whole * c_v / (whole - (1.0 - burn_fraction) * c_v * t_p * p_e * p_e)
+
+
+MIXTURE.add(
+    "thermal_isolation", ThermalIsolation,
+    functions={"solve": solve, "equilibrate": equilibrate, "slopes": slopes, "phase_slopes": phase_slopes, "temperature": mixture_temperature,
+               "specific_heat": mixture_specific_heat},
+    example=ThermalIsolation(IdealGas(5.0, 1000.0, 1600.0), IdealGas(2.8, 1200.0, 1600.0), 5.0e6),
+    units={"reactants": "", "products": "", "detonation_energy": "J/kg", "reactant_density_limit": "kg/m^3",
+           "product_density_limit": "kg/m^3"},
+    meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
+             "detonation_energy": "chemical energy of the reactants relative to the products (minus the heat of detonation)",
+             "reactant_density_limit": "highest density of the reactants' law", "product_density_limit": "highest density of the products' law"},
+    box={"rho": (1200.0, 3000.0), "e": (6e6, 9e6), "burn_fraction": (0.0, 1.0)},
+    references=("Starkenberg, ARL-TR-2161, sections 5.1 to 5.9 and appendix B",),
+    flags=("follows_isentrope",),
+)

@@ -1,0 +1,95 @@
+r"""Pressures weighted by the burn fraction, both phases at the mixture's density and energy: the simple mixing of many codes.
+
+$$p = (1-\lambda)\,p_r(\rho, e - Q) + \lambda\,p_p(\rho, e)$$
+
+With equal phase densities the volume fraction equals the mass fraction, so this is volume-fraction mixing as well. Neither phase is in
+equilibrium with the other and the sum has no thermodynamic meaning; it is kept for comparison, and because with lambda of 0 or 1 only it
+is the threshold burn of the KB codes. `BurnedProducts` is the case without reactant pressure, p = lambda p_p (programmed burn).
+
+Source: 002 (Herrmann WL-TR-64-107) A.29; 001 (KB codes) section 4; compare 003 section 4.4.
+"""
+
+from typing import NamedTuple
+
+from hugoniot.laws.eos.contract import pressure, temperature
+from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.laws.mixture.contract import MIXTURE, Mixed, PhaseSlopes, Slopes, volume_slopes
+
+
+class WeightedPressures(NamedTuple):
+    reactants: NamedTuple
+    products: NamedTuple
+    detonation_energy: float
+
+
+class BurnedProducts(NamedTuple):
+    products: NamedTuple
+
+
+def solve(rho, e, burn_fraction, before, par):
+    """No search: both phases have the mixture's density and energy. Phases that carry no mass are not evaluated."""
+    p = 0.0
+    if burn_fraction < 1.0:
+        p = (1.0 - burn_fraction) * pressure(rho, e - par.detonation_energy, par.reactants)
+    if burn_fraction > 0.0:
+        p = p + burn_fraction * pressure(rho, e, par.products)
+    return Mixed(p, rho, e, rho, e, 0.0)
+
+
+def slopes(rho, e, burn_fraction, mixed, par):
+    """Weighted slopes; by burn fraction the difference of the pressures."""
+    lam = burn_fraction
+    r_v, r_e = volume_slopes(rho, e - par.detonation_energy, par.reactants)
+    p_v, p_e = volume_slopes(rho, e, par.products)
+    p_l = pressure(rho, e, par.products) - pressure(rho, e - par.detonation_energy, par.reactants)
+    return Slopes((1.0 - lam) * r_v + lam * p_v, (1.0 - lam) * r_e + lam * p_e, p_l)
+
+
+def phase_slopes(burn_fraction, mixed, par):
+    """Both phases share the mixture's volume and energy."""
+    return PhaseSlopes(1.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0)
+
+
+def weighted_temperature(burn_fraction, mixed, par):
+    """Mass-weighted temperature: a label for gauges, with no more meaning than the pressure."""
+    t_r = temperature(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants) if burn_fraction < 1.0 else 0.0
+    t_p = temperature(mixed.rho_p, mixed.e_p, par.products) if burn_fraction > 0.0 else 0.0
+    return (1.0 - burn_fraction) * t_r + burn_fraction * t_p
+
+
+def products_solve(rho, e, burn_fraction, before, par):
+    """p = lambda p_p (A.29): no pressure before the detonation arrives."""
+    p = burn_fraction * pressure(rho, e, par.products) if burn_fraction > 0.0 else 0.0
+    return Mixed(p, rho, e, rho, e, 0.0)
+
+
+def products_slopes(rho, e, burn_fraction, mixed, par):
+    p_v, p_e = volume_slopes(rho, e, par.products)
+    return Slopes(burn_fraction * p_v, burn_fraction * p_e, pressure(rho, e, par.products))
+
+
+def products_temperature(burn_fraction, mixed, par):
+    return temperature(mixed.rho_p, mixed.e_p, par.products)
+
+
+MIXTURE.add(
+    "weighted_pressures", WeightedPressures,
+    functions={"solve": solve, "equilibrate": solve, "slopes": slopes, "phase_slopes": phase_slopes, "temperature": weighted_temperature},
+    example=WeightedPressures(IdealGas(5.0, 1000.0, 1600.0), IdealGas(2.8, 1200.0, 1600.0), 5.0e6),
+    units={"reactants": "", "products": "", "detonation_energy": "J/kg"},
+    meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
+             "detonation_energy": "chemical energy of the reactants relative to the products (minus the heat of detonation)"},
+    box={"rho": (1200.0, 3000.0), "e": (6e6, 9e6), "burn_fraction": (0.0, 1.0)},
+    references=("Herrmann, WL-TR-64-107, A.29", "KB codes, section 4"),
+    flags=("no_equilibrium",),
+)
+
+MIXTURE.add(
+    "burned_products", BurnedProducts,
+    functions={"solve": products_solve, "equilibrate": products_solve, "slopes": products_slopes, "phase_slopes": phase_slopes, "temperature": products_temperature},
+    example=BurnedProducts(IdealGas(2.8, 1200.0, 1600.0)),
+    units={"products": ""}, meaning={"products": "equation of state of the products"},
+    box={"rho": (1200.0, 3000.0), "e": (1e6, 9e6), "burn_fraction": (0.0, 1.0)},
+    references=("Herrmann, WL-TR-64-107, A.29",),
+    flags=("no_equilibrium", "no_reactants"),
+)

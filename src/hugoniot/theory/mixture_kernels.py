@@ -1,0 +1,41 @@
+"""Compiled sweeps of the mixture tool; importing this module imports numba, so `theory.mixture` does it late."""
+
+import numba as nb
+
+from hugoniot.core.compile import GUARD
+from hugoniot.laws.mixture.binding import bind_mixtures
+from hugoniot.laws.mixture.contract import Mixed, equilibrate, slopes, solve
+
+bind_mixtures()
+
+
+@nb.njit(**GUARD)
+def equilibrate_rows(rho, e, burn_fraction, rho_reference, e_reference, par, out):
+    """Solve every state; `out` (9, n) receives p, rho_r, e_r, rho_p, e_p, status, p_v, p_e, p_lambda."""
+    for j in range(rho.shape[0]):
+        before = Mixed(0.0, rho_reference[j], e_reference[j], 0.0, 0.0, 0.0)
+        mixed = equilibrate(rho[j], e[j], burn_fraction[j], before, par)
+        slope = slopes(rho[j], e[j], burn_fraction[j], mixed, par)
+        out[0, j] = mixed.pressure
+        out[1, j] = mixed.rho_r
+        out[2, j] = mixed.e_r
+        out[3, j] = mixed.rho_p
+        out[4, j] = mixed.e_p
+        out[5, j] = mixed.status
+        out[6, j] = slope.by_volume
+        out[7, j] = slope.by_energy
+        out[8, j] = slope.by_burn_fraction
+
+
+@nb.njit(**GUARD)
+def solve_rows(rho, e, burn_fraction, phases, par):
+    """One step of a run: `phases` (6, n), p, rho_r, e_r, rho_p, e_p, status of the step before, is overwritten by the new state."""
+    for j in range(rho.shape[0]):
+        before = Mixed(phases[0, j], phases[1, j], phases[2, j], phases[3, j], phases[4, j], phases[5, j])
+        mixed = solve(rho[j], e[j], burn_fraction[j], before, par)
+        phases[0, j] = mixed.pressure
+        phases[1, j] = mixed.rho_r
+        phases[2, j] = mixed.e_r
+        phases[3, j] = mixed.rho_p
+        phases[4, j] = mixed.e_p
+        phases[5, j] = mixed.status
