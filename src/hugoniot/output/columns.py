@@ -1,0 +1,51 @@
+"""Unit and long name of every column a run folder can hold: the fields of core.fields and what is derived from them."""
+
+from hugoniot.core.fields import FIELDS
+
+_FACES = {
+    "position_left": ("m", "position of the zone's left face"),
+    "position_right": ("m", "position of the zone's right face"),
+    "velocity_left": ("m/s", "velocity of the zone's left face"),
+    "velocity_right": ("m/s", "velocity of the zone's right face"),
+    "tension": ("Pa", "longitudinal tension"),
+    "time": ("s", "time"),
+    "centre": ("m", "centre of the zone at t = 0 (Lagrangian coordinate)"),
+    "mass": ("kg", FIELDS["mass"].long_name),
+    "particle_velocity": ("m/s", "particle velocity"),
+    "strain_rate": ("1/s", "strain rate"),
+    "time_step": ("s", "time step"),
+}
+PER_AREA = {"planar": "/m^2", "cylindrical": "/m/rad", "spherical": "/sr"}
+
+
+def describe(name: str, geometry: str = "planar", given: dict | None = None) -> tuple[str, str]:
+    """(SI unit, long name) of a column.
+
+    `given` maps names to units or to (unit, long name) and wins; budgets are per unit area (planar), per metre and radian
+    (cylindrical) or per steradian (spherical), as the solver counts mass.
+    """
+    words = name.replace("_", " ")
+    if given and name in given:
+        entry = given[name]
+        return (entry, words) if isinstance(entry, str) else (entry[0], entry[1])
+    if name in _FACES:
+        return _FACES[name]
+    if name in FIELDS:
+        return FIELDS[name].unit, FIELDS[name].long_name
+    if name.startswith("time_of_"):
+        return "s", words
+    for prefix in ("peak_", "least_", "largest_", "smallest_", "max_", "min_", "maximum_", "minimum_"):
+        if name.startswith(prefix):
+            unit, inner = describe(name.removeprefix(prefix), geometry, given)
+            return unit, f"{prefix[:-1]} {inner}"
+    return _budget_unit(name, PER_AREA.get(geometry, "")), words
+
+
+def _budget_unit(name: str, per: str) -> str:
+    if name.endswith(("error", "fraction", "count")) or name in ("cycle", "segments"):
+        return "1"
+    for words, unit in ((("momentum", "impulse"), "kg m/s"), (("energy", "work", "heat", "dissipat"), "J"), (("mass",), "kg"),
+                        (("pressure", "stress"), "Pa"), (("velocity",), "m/s"), (("time",), "s")):
+        if any(word in name for word in words):
+            return unit + (per if unit in ("kg m/s", "J", "kg") else "")
+    return ""

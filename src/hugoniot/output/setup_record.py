@@ -1,0 +1,122 @@
+"""The set-up of a run as one JSON document: what was asked, every constant with its source, and the bibliography of what is used.
+
+Plots and reports read this document from the run folder; they never see the problem itself.
+"""
+
+import dataclasses
+from importlib import import_module
+from typing import Any
+
+from hugoniot.core.registry import Registry
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.fracture.contract import FRACTURE
+from hugoniot.laws.strength.contract import STRENGTH
+from hugoniot.laws.viscosity.contract import VISCOSITY
+
+_FAMILIES = {"eos": EOS, "strength": STRENGTH, "fracture": FRACTURE, "viscosity": VISCOSITY}
+
+INTEGRATORS = {
+    "compatible": ("Compatible (virtual-work) Lagrangian differences, predictor-corrector: E. J. Caramana, D. E. Burton, M. J. Shashkov, "
+                   "P. P. Whalen, J. Comput. Phys. 146 (1998) 227-262",),
+    "wilkins": ("Wilkins, appendix B (KO), eqs. B.2: leapfrog differences in one dimension, three symmetries, with voids (B.4)",),
+}
+
+
+def plain(value: Any) -> Any:
+    """Numbers, words, lists and dictionaries only: what JSON can hold."""
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        return {f.name: plain(getattr(value, f.name)) for f in dataclasses.fields(value)}
+    if hasattr(value, "_asdict"):
+        return {key: plain(inner) for key, inner in value._asdict().items()}
+    if hasattr(value, "items"):
+        return {str(key): plain(inner) for key, inner in value.items()}
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    if isinstance(value, (list, tuple, set, frozenset)):
+        return [plain(inner) for inner in value]
+    return value if value is None or isinstance(value, (bool, int, float, str)) else str(value)
+
+
+def _source_of(sources, family: str, name: str):
+    for source in sources:
+        if source.quantity in (f"{family}.{name}", name):
+            return source
+    return None
+
+
+def law_record(family: Registry, par, sources=()) -> dict:
+    """Name, first line, parameters (value, unit, meaning, source, status) and references of the law whose parameters `par` is."""
+    law = family.of(par)
+    constants, inner = [], []
+    for name, value in zip(par._fields, par):
+        if isinstance(value, tuple) and hasattr(value, "_fields"):
+            inner.append(law_record(family, value, sources))
+            continue
+        source = _source_of(sources, family.family, name)
+        constants.append({
+            "name": name, "value": plain(value), "unit": law.units.get(name, ""), "meaning": law.meaning.get(name, ""),
+            "source": (source.source + (f" (via {source.via})" if source.via else "")) if source else "",
+            "status": source.status if source else "", "note": source.note if source else "",
+        })
+    return {"family": family.family, "law": law.name, "summary": law.summary, "constants": constants, "inner": inner,
+            "references": list(law.references)}
+
+
+def material_record(material) -> dict:
+    """Laws with every constant and its source, the sources that name no parameter, and warnings."""
+    laws = []
+    for family in ("eos", "strength", "fracture"):
+        par = getattr(material, family)
+        if par is not None:
+            laws.append(law_record(_FAMILIES[family], par, material.sources))
+    if material.burn is not None:
+        laws.append(_burn_record(material.burn, material.sources))
+    named = {constant["name"] for law in laws for constant in law["constants"]}
+    others = [plain(source) for source in material.sources if source.quantity.rpartition(".")[2] not in named]
+    return {"name": material.name, "laws": laws, "other_sources": others, "warnings": list(material.warnings),
+            "valid_up_to": material.valid_up_to}
+
+
+def _burn_record(par, sources) -> dict:
+    return law_record(import_module("hugoniot.laws.burn.contract").BURN, par, sources)
+
+
+def _viscosity_record(problem, meta: dict) -> dict | None:
+    par = meta.get("viscosity")
+    if hasattr(par, "_fields"):
+        return law_record(VISCOSITY, par)
+    given = problem.solver.viscosity
+    if not given:
+        return None
+    law = VISCOSITY.get(given[0])
+    return law_record(VISCOSITY, law.build(**{**law.defaults, **dict(given[1])}))
+
+
+def _references(record: dict, meta: dict) -> list[str]:
+    found: list[str] = list(INTEGRATORS.get(record["solver"]["integrator"], ())) + list(meta.get("references", ()))
+    laws = [law for material in record["materials"].values() for law in material["laws"]]
+    laws += [record["viscosity"]] if record["viscosity"] else []
+    while laws:
+        law = laws.pop(0)
+        found += law["references"] + [c["source"] for c in law["constants"] if c["source"]]
+        laws += law["inner"]
+    for material in record["materials"].values():
+        found += [source["source"] for source in material["other_sources"] if source["source"]]
+    return list(dict.fromkeys(found))
+
+
+def setup_record(problem, meta: dict) -> dict:
+    """The whole document. `meta` may add `references` (list of text) and `viscosity` (parameter tuple in use)."""
+    record = {
+        "title": problem.title, "geometry": problem.geometry, "stop_time": problem.stop_time,
+        "solver": {**plain(problem.solver), "kind": meta.get("solver", problem.solver.kind)},
+        "version": meta.get("version", ""),
+        "regions": [plain(region) for region in problem.regions],
+        "boundaries": {"left": plain(problem.left), "right": plain(problem.right)},
+        "interfaces": [plain(interface) for interface in problem.interfaces],
+        "gauges": [plain(gauge) for gauge in problem.gauges],
+        "materials": {name: material_record(problem.materials[name]) for name in sorted({r.material for r in problem.regions})},
+        "viscosity": _viscosity_record(problem, meta),
+    }
+    record["references"] = _references(record, meta)
+    return record
