@@ -133,6 +133,9 @@ def bind(function, **options):
     return function
 
 
+bind(ops.vpow)
+
+
 def bind_module(module):
     """Bind every plain function defined in a module, and those it imports from modules that declare `KERNEL_HELPERS = True`."""
     for value in list(vars(module).values()):
