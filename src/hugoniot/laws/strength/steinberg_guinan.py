@@ -9,8 +9,8 @@ Above the melting temperature Y = 0 and G = G0 `melt_shear_fraction`. The factor
 `melt_shear_fraction` for G and by 0 for Y, since far in tension or in heat the series would turn negative: that floor is a
 statement of the law (a material without stiffness), not a repair.
 
-Source: Steinberg, Cochran & Guinan, J. Appl. Phys. 51 (1980) 1498, equations 1 to 4 and 8; constants of the example: 6061-T6
-aluminium, table I there.
+Source: Steinberg, Cochran & Guinan, J. Appl. Phys. 51 (1980) 1498; constants of the example: 6061-T6 aluminium of
+Steinberg, UCRL-MA-106439 (1996), recalled.
 """
 
 from typing import NamedTuple
@@ -77,6 +77,6 @@ STRENGTH.add(
     defaults={"initial_strain": 0.0, "melt_shear_fraction": 0.0},
     box={"rho": (2600.0, 4500.0), "p": (-2e9, 1e11), "temperature": (200.0, 5000.0), "bulk_modulus": (1e9, 1e12),
          "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},
-    references=("Steinberg, Cochran & Guinan, J. Appl. Phys. 51 (1980) 1498, equations 1-4 and 8, table I",),
+    references=("Steinberg, Cochran & Guinan, J. Appl. Phys. 51 (1980) 1498",),
     flags=("hardens", "needs_temperature",),
 )
