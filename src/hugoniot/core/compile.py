@@ -15,6 +15,7 @@ import re
 import sys
 import types as pytypes
 
+import llvmlite.binding as llvm
 import numba as nb
 import numpy as np
 from numba import types
@@ -27,6 +28,10 @@ LAW = dict(fastmath=True, error_model="numpy", forceinline=True)
 EXACT_LAW = dict(fastmath=False, error_model="numpy", forceinline=True)
 SWEEP = dict(fastmath=True, error_model="numpy", cache=True, nogil=True)
 GUARD = dict(fastmath=False, error_model="numpy", cache=True, nogil=True)
+
+# A sweep touches some twenty rows of the same tables; the vectoriser proves at run time that they do not overlap and by
+# default gives up, silently, when that takes more than 128 instructions.
+llvm.set_option("hugoniot", "--vectorize-memory-check-threshold=100000")
 
 
 def source_hash() -> str:
@@ -137,12 +142,17 @@ bind(ops.vpow)
 
 
 def bind_module(module):
-    """Bind every plain function defined in a module, and those it imports from modules that declare `KERNEL_HELPERS = True`."""
+    """Bind every plain function of a module, and the modules it imports functions from that declare `KERNEL_HELPERS = True`."""
+    helpers = set()
     for value in list(vars(module).values()):
         if not isinstance(value, pytypes.FunctionType):
             continue
-        if value.__module__ == module.__name__ or getattr(sys.modules[value.__module__], "KERNEL_HELPERS", False):
+        if value.__module__ == module.__name__:
             bind(value)
+        elif getattr(sys.modules[value.__module__], "KERNEL_HELPERS", False):
+            helpers.add(value.__module__)
+    for name in helpers:
+        bind_module(sys.modules[name])
 
 
 def bind_dispatch(generic, family: Registry, name: str, position: int = -1):
@@ -179,10 +189,10 @@ def bind_choice(generic, choose):
 
 def bind_family(family: Registry, generics: dict):
     """Bind all law files of a family and its generic functions (contract name -> plain dispatching function)."""
-    for law in family:
-        bind_module(law.module)
     for name, generic in generics.items():
         bind_dispatch(generic, family, name)
+    for law in family:
+        bind_module(law.module)
 
 
 # -- parameters from a table -------------------------------------------------------------------------------------

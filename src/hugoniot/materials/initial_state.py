@@ -1,0 +1,108 @@
+"""The (density, energy) at which a region starts, from whatever two of density, pressure, temperature and energy are given."""
+
+import math
+
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos.contract import EOS, density_limits, pressure, pressure_derivatives, reference_state, temperature
+
+_STEPS = 200
+
+
+def _bracketed(function, low, high, what):
+    """Root of a function that changes sign between low and high, by bisection safeguarded secant steps, to round-off."""
+    f_low, f_high = function(low), function(high)
+    if f_low == 0.0:
+        return low
+    if not (math.isfinite(f_low) and math.isfinite(f_high)) or f_low * f_high > 0.0:
+        raise OutOfRange(f"no state with {what}: the equation of state does not reach it")
+    for _ in range(_STEPS):
+        guess = high - f_high * (high - low) / (f_high - f_low)
+        inside = min(low, high) + 0.01 * abs(high - low) < guess < max(low, high) - 0.01 * abs(high - low)
+        x = guess if inside else 0.5 * (low + high)
+        f = function(x)
+        if f * f_low <= 0.0:
+            high, f_high = x, f
+        else:
+            low, f_low = x, f
+        if f == 0.0 or abs(high - low) <= 1e-16 * max(abs(low), abs(high)):
+            break
+    return high if abs(f_high) <= abs(f_low) else low
+
+
+def energy_at_pressure(rho, p, eos):
+    """e with pressure(rho, e) = p: the law's own inverse, else Newton (one step for laws linear in the energy)."""
+    law = EOS.of(eos)
+    if "energy" in law.functions:
+        return law.functions["energy"](rho, p, eos)
+    e = reference_state(eos)[1]
+    for _ in range(60):
+        _, slope = pressure_derivatives(rho, e, eos)
+        change = (p - pressure(rho, e, eos)) / slope
+        e += change
+        if abs(change) <= 1e-15 * (abs(e) + abs(change)):
+            return e
+    raise OutOfRange(f"no energy gives {p:g} Pa at {rho:g} kg/m3 in the law '{law.name}'")
+
+
+def energy_at_temperature(rho, t, eos):
+    """e with temperature(rho, e) = t."""
+    law = EOS.of(eos)
+    if "temperature" not in law.functions:
+        raise OutOfRange(f"the equation of state '{law.name}' has no temperature; give density, pressure or energy instead")
+    e = reference_state(eos)[1]
+    now = temperature(rho, e, eos)
+    if not math.isfinite(now):
+        raise OutOfRange(f"the equation of state '{law.name}' needs a specific_heat before a temperature can be set")
+    for _ in range(60):
+        step = 1e-6 * (abs(e) + 1e3)
+        slope = (temperature(rho, e + step, eos) - now) / step
+        change = (t - now) / slope
+        e += change
+        now = temperature(rho, e, eos)
+        if abs(now - t) <= 1e-13 * abs(t):
+            return e
+    raise OutOfRange(f"no energy gives {t:g} K at {rho:g} kg/m3 in the law '{law.name}'")
+
+
+def _density(function, eos, what):
+    """Density at which `function(rho)` vanishes, searched outward from the reference density."""
+    rho0 = reference_state(eos)[0]
+    low, high = density_limits(eos)
+    start, value = rho0, function(rho0)
+    if value == 0.0:
+        return rho0
+    for factor in (1.0 + 0.02 * k for k in range(1, 400)):
+        for rho in (rho0 * factor, rho0 / factor):
+            if low < rho < high and math.isfinite(found := function(rho)) and found * value <= 0.0:
+                return _bracketed(function, start, rho, what)
+    raise OutOfRange(f"no state with {what}: the equation of state does not reach it")
+
+
+def initial_state(eos, density=None, pressure_=None, temperature_=None, energy=None) -> tuple[float, float]:
+    """(rho, e) from at most two given quantities (SI); none: the law's reference state.
+
+    One alone goes with the reference density, and a density alone with zero pressure (with the reference temperature for a gas).
+    """
+    rho0, e0 = reference_state(eos)
+    given = sum(x is not None for x in (density, pressure_, temperature_, energy))
+    if given > 2:
+        raise OutOfRange("at most two of density, pressure, temperature and energy fix a state")
+    if given == 0:
+        return rho0, e0
+    if density is None and given == 1:
+        density = rho0
+    if density is not None:
+        if energy is not None:
+            return density, energy
+        if pressure_ is not None:
+            return density, energy_at_pressure(density, pressure_, eos)
+        if temperature_ is not None:
+            return density, energy_at_temperature(density, temperature_, eos)
+        return density, (e0 if "gas" in EOS.of(eos).flags else energy_at_pressure(density, 0.0, eos))
+    if energy is not None and pressure_ is not None:
+        return _density(lambda r: pressure(r, energy, eos) - pressure_, eos, f"{pressure_:g} Pa and {energy:g} J/kg"), energy
+    if energy is not None:
+        return _density(lambda r: temperature(r, energy, eos) - temperature_, eos, f"{temperature_:g} K and {energy:g} J/kg"), energy
+    rho = _density(lambda r: pressure(r, energy_at_temperature(r, temperature_, eos), eos) - pressure_, eos,
+                   f"{pressure_:g} Pa and {temperature_:g} K")
+    return rho, energy_at_temperature(rho, temperature_, eos)

@@ -1,0 +1,84 @@
+"""The topology of a run: bodies (segments), runs of one material, interfaces; splitting a body at a node and joining two.
+
+Rare events, done on whole arrays in Python; the sweeps in between only see clean runs. Momentum is kept exactly, and the
+kinetic energy lost in a join goes to the two zones as heat, so the energy budget stays closed (W-E6).
+"""
+
+import numpy as np
+
+from hugoniot.core.ops import NO_LIMIT
+from hugoniot.solvers.lagrange1d import layout as L
+
+
+def run_table(segments, region_ends, kind_of, row_of):
+    """Runs (first, last, segment, kind, material row): the pieces of every region in every segment."""
+    rows = []
+    for k, (first, last, _, _) in enumerate(segments):
+        for region, (a, b) in enumerate(region_ends):
+            lo, hi = max(first, a), min(last, b)
+            if lo < hi:
+                rows.append((lo, hi, k, kind_of[region], row_of[region]))
+    return np.array(rows, dtype=np.int64).reshape(-1, 5)
+
+
+def interface_table(segments, nodes):
+    """(node, zone on its left) of every inner node whose bond is limited."""
+    rows = []
+    for k, (first, last, _, _) in enumerate(segments):
+        inner = np.arange(first + k + 1, last + k)
+        weak = inner[nodes[L.BOND, first + k + 1:last + k] < NO_LIMIT]
+        rows += [(n, n - k - 1) for n in weak]
+    return np.array(rows, dtype=np.int64).reshape(-1, 2)
+
+
+def node_masses(zones, segments):
+    """Half of each neighbouring zone's mass."""
+    mass = zones[L.MASS]
+    parts = []
+    for first, last, _, _ in segments:
+        half = 0.5 * mass[first:last]
+        parts.append(np.concatenate((half, [0.0])) + np.concatenate(([0.0], half)))
+    return np.concatenate(parts)
+
+
+def set_node_masses(zones, nodes, segments):
+    nodes[L.NODE_MASS] = node_masses(zones, segments)
+    nodes[L.INVERSE_NODE_MASS] = 1.0 / nodes[L.NODE_MASS]
+
+
+def split(zones, nodes, gradient, segments, node):
+    """Open a void at an inner node: two free surfaces at one place with one velocity. Returns (nodes, gradient, segments)."""
+    k = next(k for k, (first, last, _, _) in enumerate(segments) if first + k < node < last + k)
+    first, last, left, right = segments[k]
+    zone = node - k
+    nodes = np.ascontiguousarray(np.insert(nodes, node + 1, nodes[:, node], axis=1))
+    ghost = zone + 2 * k + 1
+    gradient = np.insert(gradient, [ghost, ghost], 0.0)
+    segments = np.insert(segments, k + 1, (zone, last, L.FREE, right), axis=0)
+    segments[k] = (first, zone, left, L.FREE)
+    set_node_masses(zones, nodes, segments)
+    return nodes, gradient, segments
+
+
+def join(zones, nodes, gradient, segments, k):
+    """Close the gap between segments k and k+1. Returns (nodes, gradient, segments, heat in J per unit area or angle)."""
+    last = segments[k, L.SEG_LAST]
+    a, b = last + k, last + k + 1
+    ma, mb = nodes[L.NODE_MASS, a], nodes[L.NODE_MASS, b]
+    ua, ub = nodes[L.U, a], nodes[L.U, b]
+    share = mb / (ma + mb)
+    heat = 0.5 * ma * share * (ua - ub) ** 2
+    nodes[L.U, a] = ua + share * (ub - ua)
+    nodes[L.R, a] += share * (nodes[L.R, b] - nodes[L.R, a])
+    nodes[L.BOND, a] = 0.0
+    zones[L.E, last - 1:last + 1] += heat / (zones[L.MASS, last - 1] + zones[L.MASS, last])
+    zones[L.TAG, last - 1:last + 1] = 0.0
+    nodes = np.ascontiguousarray(np.delete(nodes, b, axis=1))
+    ghost = last + 2 * k + 1
+    gradient = np.delete(gradient, [ghost, ghost + 1])
+    first, _, left, _ = segments[k]
+    _, end, _, right = segments[k + 1]
+    segments = np.delete(segments, k + 1, axis=0)
+    segments[k] = (first, end, left, right)
+    set_node_masses(zones, nodes, segments)
+    return nodes, gradient, segments, heat

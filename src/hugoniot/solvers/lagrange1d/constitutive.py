@@ -1,0 +1,111 @@
+"""What one zone's material does in one step: the scalar pieces both integrators share.
+
+The deviators follow Wilkins B.2 items 5 and 6: elastic trial from the deviatoric strain increments, then radial return
+to the von Mises surface. In planar and spherical flow the two hoop directions are alike, so s1 = -2 s2 and the return is
+a clamp of s1 (Herrmann A.18, with the corrected result sgn 2Y/3); cylindrical flow needs the full second invariant.
+"""
+
+import sys
+
+from hugoniot.core.compile import bind_choice, bind_module
+from hugoniot.core.ops import fmax, fmin, vsqrt
+from hugoniot.laws.eos.contract import temperature
+from hugoniot.laws.strength.contract import STRENGTH, flow_stress
+from hugoniot.mesh.line import hoops
+
+TINY = 1e-300
+
+
+def strength_temperature(rho, e, eos, strength):
+    """Temperature for a strength law that asks for one; 0 for the others, at no cost."""
+    return temperature(rho, e, eos) if "needs_temperature" in STRENGTH.of(strength).flags else 0.0
+
+
+def no_temperature(rho, e, eos, strength):
+    return 0.0
+
+
+def law_temperature(rho, e, eos, strength):
+    return temperature(rho, e, eos)
+
+
+def hardens(strength):
+    """Whether the flow stress depends on the plastic strain."""
+    return "hardens" in STRENGTH.of(strength).flags
+
+
+def yes(par):
+    return True
+
+
+def no(par):
+    return False
+
+
+def strain_rate(radial, hoop, dilation, dt, geometry, strength):
+    """Equivalent deviatoric strain rate sqrt(2/3 e':e') for a law that asks for it; 0 for the others."""
+    return equivalent_rate(radial, hoop, dilation, dt, geometry, strength) if "needs_rate" in STRENGTH.of(strength).flags else 0.0
+
+
+def no_rate(radial, hoop, dilation, dt, geometry, strength):
+    return 0.0
+
+
+def equivalent_rate(radial, hoop, dilation, dt, geometry, strength):
+    third = dilation * (1.0 / 3.0)
+    e1 = radial - third
+    e2 = hoop - third
+    e3 = -(e1 + e2)
+    return vsqrt((2.0 / 3.0) * (e1 * e1 + e2 * e2 + e3 * e3)) / dt
+
+
+def von_mises(s1, s2, geometry):
+    """Equivalent stress sqrt(3/2 s:s)."""
+    if hoops(geometry) == 1.0:
+        return vsqrt(3.0 * (s1 * s1 + s1 * s2 + s2 * s2))
+    return 1.5 * fmax(s1, -s1)
+
+
+def radial_return(s1, s2, limit, geometry):
+    """Deviators brought back to the yield surface of flow stress `limit` (Wilkins B.2 item 6)."""
+    if hoops(geometry) == 1.0:
+        scale = fmin(1.0, limit / (vsqrt(3.0 * (s1 * s1 + s1 * s2 + s2 * s2)) + TINY))
+        return s1 * scale, s2 * scale
+    bound = (2.0 / 3.0) * limit
+    s1 = fmax(fmin(s1, bound), -bound)
+    return s1, -0.5 * s1
+
+
+def trial_deviators(s1, s2, radial, hoop, dilation, shear):
+    """Elastic deviators after the strain increments; `dilation` is dV/V."""
+    third = dilation * (1.0 / 3.0)
+    return s1 + 2.0 * shear * (radial - third), s2 + 2.0 * shear * (hoop - third)
+
+
+def yield_at(equivalent, shear, state, plastic_strain, strength):
+    """(stress on the yield surface or above the trial, plastic strain increment) of an elastic trial state.
+
+    `state` = (rho, p, temperature, rate). A hardening law is met implicitly: 3 G d = trial - Y(eps + d) by one secant
+    step, which is exact for linear hardening.
+    """
+    rho, p, heat, rate = state
+    limit = flow_stress(rho, p, heat, plastic_strain, rate, strength)
+    stiffness = 3.0 * shear + TINY
+    excess = fmax(equivalent - limit, 0.0)
+    increment = excess / stiffness
+    if hardens(strength):
+        further = flow_stress(rho, p, heat, plastic_strain + increment, rate, strength)
+        increment = increment * excess / (excess + (further - limit) + TINY)
+        limit = limit + excess - increment * stiffness
+    return limit, increment
+
+
+def bind():
+    """Let kernels call these functions; what a law does not need is decided when the kernel is compiled."""
+    def asks(flag, then, otherwise):
+        return lambda *classes: then if flag in STRENGTH.of_class(classes[-1]).flags else otherwise
+
+    bind_choice(strength_temperature, asks("needs_temperature", law_temperature, no_temperature))
+    bind_choice(strain_rate, asks("needs_rate", equivalent_rate, no_rate))
+    bind_choice(hardens, asks("hardens", yes, no))
+    bind_module(sys.modules[__name__])

@@ -1,0 +1,46 @@
+"""Where things stand in the solver's arrays: rows of the zone and node tables, slots of the control vectors, codes.
+
+Zones of all bodies lie side by side in one table; a body (segment) k holds zones z0..z1-1 and nodes z0+k..z1+k, so the
+number of a zone's left node is zone + segment. The velocity-gradient row has one ghost at each end of every segment:
+zone z of segment k stands at z + 2k + 1.
+"""
+
+# -- rows of the zone table -------------------------------------------------------------------------------------
+(MASS, INVERSE_MASS, RHO, E, P, Q, S1, S2, SIGMA, HOOP, C, PLASTIC_STRAIN, DAMAGE, SIGMA_HALF, HOOP_HALF, VISCOUS_SPEED,
+ PLASTIC_WORK, VISCOUS_WORK, PEAK_STRESS, PEAK_TENSION, PEAK_PRESSURE, FAILURE, TAG, OLD) = range(24)
+ZONE_ROWS = 24
+# SIGMA = p + q - s1, the longitudinal stress in compression; HOOP = (d-1) V (s2 - s1)/(r1 + r2), the force of the hoop
+# stress on each of the zone's nodes; the _HALF rows are their values in the middle of the step. TAG marks zones that a
+# nearby void is relieving; OLD is scratch of one sweep.
+
+# -- rows of the node table -------------------------------------------------------------------------------------
+R, U, R_HALF, U_MEAN, NODE_MASS, INVERSE_NODE_MASS, BOND = range(7)
+NODE_ROWS = 7
+# BOND: tensile stress an interface carries, Pa (inf inside a body); U is at the whole step (compatible) or half a step
+# behind (wilkins); U_MEAN the mean over the step.
+
+# -- columns of the segment table (integers) ----------------------------------------------------------------------
+SEG_FIRST, SEG_LAST, SEG_LEFT, SEG_RIGHT = range(4)          # zones first..last-1; boundary codes of the two ends
+FREE, FIXED, VELOCITY, PRESSURE, TRANSMITTING = range(5)
+
+# -- columns of the run table: a run is a stretch of zones of one material in one segment --------------------------
+RUN_FIRST, RUN_LAST, RUN_SEGMENT, RUN_KIND, RUN_MATERIAL = range(5)
+
+# -- control vector (floats) --------------------------------------------------------------------------------------
+(TIME, DT, DT_OLD, DT_NATURAL, EVENT_TIME, RATE, WORK_LEFT, WORK_RIGHT, IMPULSE_LEFT, IMPULSE_RIGHT, RADIAL_IMPULSE, COURANT,
+ GROWTH, DT_LARGEST, DT_SMALLEST, WORST_FAILURE, CAPPED, NEXT_GAUGE, GAUGE_INTERVAL, LIMIT_REFERENCE, START_DT, REFERENCE_LEFT,
+ REFERENCE_RIGHT, HEAT_FLUX) = range(24)
+CONTROL_FLOATS = 28   # the last four are the totals of one step: rate, failure, impulse, capped zones
+
+# -- control vector (integers) ------------------------------------------------------------------------------------
+CYCLE, GAUGE_ROWS, CULPRIT, ZONE_STEPS, CAP_COUNT, THREADS, FRACTURING = range(7)
+CONTROL_INTS = 7
+
+# -- why the march came back ---------------------------------------------------------------------------------------
+PAUSED, AT_EVENT, VOID_OPENS, VOID_CLOSES, BAD_STATE, BUFFER_FULL, STEP_COLLAPSED, INTERFACE_OPENS = range(8)
+
+# -- fields of a gauge row -----------------------------------------------------------------------------------------
+GAUGE_FIELDS = ("position", "velocity", "density", "energy", "pressure", "viscous_pressure", "deviator_radial", "deviator_hoop",
+                "stress", "plastic_strain", "damage")
+
+PULSES = {"constant": 0, "table": 1, "exponential": 2, "half_sine": 3, "square": 4, "ramp": 5}

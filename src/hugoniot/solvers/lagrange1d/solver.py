@@ -1,0 +1,264 @@
+"""The one-dimensional Lagrangian solver: owns the arrays, marches them, opens and closes voids, hands out states and budgets.
+
+Knows a problem's numbers and laws; never files, decks or plots. `march` takes steps until something happens and says what.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from hugoniot.core.ops import NO_LIMIT
+from hugoniot.errors import UnphysicalState
+from hugoniot.mesh.line import GEOMETRY
+from hugoniot.problem.model import Problem
+from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.assemble import DEFAULT_COURANT, assemble, boundary_pulse, group_laws
+from hugoniot.solvers.lagrange1d.bodies import interface_table, join, run_table, set_node_masses, split
+from hugoniot.solvers.lagrange1d.probes import probe_tables
+from hugoniot.solvers.lagrange1d.step import march
+from hugoniot.solvers.lagrange1d.watch import mark_patch, touching_gap
+from hugoniot.state import State
+
+NAME = "lagrange1d"
+ZONE_FIELDS = {"density": L.RHO, "energy": L.E, "pressure": L.P, "viscous_pressure": L.Q, "deviator_radial": L.S1,
+               "deviator_hoop": L.S2, "stress": L.SIGMA, "sound_speed": L.C, "plastic_strain": L.PLASTIC_STRAIN, "damage": L.DAMAGE}
+GAUGE_CAPACITY = 2048
+LARGEST_COLLAPSE = 1e-12     # smallest useful step as a fraction of the stop time
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something that happened between two steps: kind, place (m), and a sentence."""
+
+    kind: str
+    time: float
+    cycle: int
+    position: float
+    text: str
+
+
+class Lagrange1D:
+    """A run in progress."""
+
+    def __init__(self, problem: Problem):
+        self.problem = problem
+        self.geometry = GEOMETRY.get(problem.geometry).example
+        self.staggered = problem.solver.integrator == "wilkins"
+        self.laws = group_laws(problem)
+        self.zones, self.nodes, self.gradient, self.segments, self.region_ranges = assemble(problem)
+        set_node_masses(self.zones, self.nodes, self.segments)
+        self.boundaries = (boundary_pulse(problem.left), boundary_pulse(problem.right))
+        self.control = np.zeros(L.CONTROL_FLOATS)
+        self.counters = np.zeros(L.CONTROL_INTS, dtype=np.int64)
+        self.voids_opened = self.voids_closed = 0
+        self.region_of = np.repeat(np.arange(len(problem.regions)), [b - a for a, b in self.region_ranges])
+        self.initial_nodes = self._faces(L.R)
+        self._start()
+        self._retopologise()
+        self._new_buffer()
+        self.start_energy, self.start_mass, self.start_momentum = self.total_energy(), self.zones[L.MASS].sum(), self.momentum()
+
+    # -- setting up ------------------------------------------------------------------------------------------
+    def _start(self):
+        options, control = self.problem.solver, self.control
+        control[L.COURANT] = options.courant or DEFAULT_COURANT[options.integrator]
+        control[L.GROWTH] = options.growth
+        control[L.DT_LARGEST] = options.largest_step or NO_LIMIT
+        control[L.DT_SMALLEST] = LARGEST_COLLAPSE * self.problem.stop_time
+        control[L.GAUGE_INTERVAL] = self.problem.output.gauge_interval
+        control[L.REFERENCE_LEFT], control[L.REFERENCE_RIGHT] = self.zones[L.SIGMA, 0], self.zones[L.SIGMA, -1]
+        for side, node, sign in ((self.problem.left, 0, 1), (self.problem.right, -1, -1)):
+            if side.kind == "velocity":
+                self.nodes[L.U, node] = _pulse_at_zero(side.pulse)
+            if side.kind == "fixed":
+                self.nodes[L.U, node] = 0.0
+        control[L.RATE] = self._signal_rate(np.arange(self.zones.shape[1]))
+        first = options.initial_step or 0.1 * control[L.COURANT] / control[L.RATE]
+        control[L.DT_NATURAL] = first / control[L.GROWTH]
+        control[L.DT] = control[L.DT_OLD] = first if self.staggered else 0.0
+        left, right = self._faces(L.R)
+        ul, ur = self._faces(L.U)
+        self.gradient[self._gradient_index()] = (ur - ul) / (right - left)
+
+    def _signal_rate(self, zones):
+        """Largest (c + 2 w) / width, w the viscous speed of a jump as a shock sees it; guards the first step and every impact."""
+        left, right = self._faces(L.R)
+        ul, ur = self._faces(L.U)
+        jump = np.maximum(ul - ur, 0.0)[zones]
+        speed = self.zones[L.C, zones] + (16.0 if self.staggered else 4.0) * jump
+        rate = float(np.max(speed / (right - left)[zones]))
+        return rate if rate > 0.0 else 1e3 / self.problem.stop_time
+
+    def _new_buffer(self):
+        self.gauge_times = np.zeros(GAUGE_CAPACITY)
+        self.gauge_buffer = np.zeros((GAUGE_CAPACITY, len(self.problem.gauges), len(L.GAUGE_FIELDS)))
+        self.counters[L.GAUGE_ROWS] = 0
+
+    def _retopologise(self):
+        """Everything that depends on which zones are joined."""
+        self.runs = run_table(self.segments, self.region_ranges, self.laws.kind_of, self.laws.row_of)
+        self.interfaces = interface_table(self.segments, self.nodes)
+        self.gauges, self.weights = probe_tables(self)
+        self.segment_of = np.repeat(np.arange(len(self.segments)), self.segments[:, 1] - self.segments[:, 0])
+
+    def _left_nodes(self):
+        return np.concatenate([np.arange(a, b) + k for k, (a, b, _, _) in enumerate(self.segments)])
+
+    def _gradient_index(self):
+        return np.concatenate([np.arange(a, b) + 2 * k + 1 for k, (a, b, _, _) in enumerate(self.segments)])
+
+    def _faces(self, row):
+        """A node row at the left and right face of every zone."""
+        left = self._left_nodes()
+        return self.nodes[row, left], self.nodes[row, left + 1]
+
+    # -- marching --------------------------------------------------------------------------------------------
+    @property
+    def time(self) -> float:
+        return float(self.control[L.TIME])
+
+    @property
+    def cycle(self) -> int:
+        return int(self.counters[L.CYCLE])
+
+    def march(self, until: float, cycles: int) -> list[Event]:
+        """Step until the time `until` (hit exactly), `cycles` steps, a full gauge buffer or an event; the events that happened."""
+        self.control[L.EVENT_TIME] = until
+        code = march(cycles, self.staggered, self.zones, self.nodes, self.gradient, self.control, self.counters, self.segments,
+                     self.runs, self.laws.kinds, self.laws.tables, self.geometry, self.boundaries, self.interfaces, self.gauges,
+                     self.weights, self.gauge_times, self.gauge_buffer)
+        if code in (L.BAD_STATE, L.STEP_COLLAPSED):
+            raise self._unphysical(code)
+        if code == L.VOID_OPENS:
+            return [self._open(int(self.counters[L.CULPRIT]), "spall")]
+        if code == L.INTERFACE_OPENS:
+            return [self._open(int(self.interfaces[self.counters[L.CULPRIT], 0]), "interface")]
+        if code == L.VOID_CLOSES:
+            return self._close_gaps()
+        return []
+
+    def take_gauges(self):
+        """(times, {field: (n, ngauge)}) recorded since the last call."""
+        n = int(self.counters[L.GAUGE_ROWS])
+        times, block = self.gauge_times[:n].copy(), self.gauge_buffer[:n].copy()
+        self.counters[L.GAUGE_ROWS] = 0
+        return times, {name: block[:, :, i] for i, name in enumerate(L.GAUGE_FIELDS)}
+
+    def _open(self, node, cause):
+        k = next(k for k, (a, b, _, _) in enumerate(self.segments) if a + k < node < b + k)
+        zone = node - k
+        first, last = self.segments[k, :2]
+        place = float(self.nodes[L.R, node])
+        if cause == "spall":
+            mark_patch(self.zones, first, last, zone - 1)
+            mark_patch(self.zones, first, last, zone)
+            self.counters[L.FRACTURING] = 1
+        self.nodes, self.gradient, self.segments = split(self.zones, self.nodes, self.gradient, self.segments, node)
+        self.voids_opened += 1
+        self._retopologise()
+        left, right = (self.problem.regions[self.region_of[z]].name for z in (zone - 1, zone))
+        where = f"in '{left}'" if left == right else f"between '{left}' and '{right}'"
+        return Event("void_opened", self.time, self.cycle, place, f"void opened {where} at {place:.6g} m ({cause})")
+
+    def _close_gaps(self):
+        events = []
+        while (k := touching_gap(self.zones, self.nodes, self.segments)) >= 0:
+            last = int(self.segments[k, 1])
+            self.nodes, self.gradient, self.segments, heat = join(self.zones, self.nodes, self.gradient, self.segments, k)
+            self.voids_closed += 1
+            place = float(self.nodes[L.R, last + k])
+            left, right = (self.problem.regions[self.region_of[z]].name for z in (last - 1, last))
+            events.append(Event("void_closed", self.time, self.cycle, place,
+                                f"gap between '{left}' and '{right}' closed at {place:.6g} m, {heat:.4g} J of kinetic energy became heat"))
+            self._retopologise()
+            self.control[L.RATE] = max(self.control[L.RATE], self._signal_rate(np.array([last - 1, last])))
+        return events
+
+    def _unphysical(self, code):
+        culprit = int(self.counters[L.CULPRIT])
+        left, right = self._faces(L.R)
+        if code == L.STEP_COLLAPSED:
+            width = right - left
+            culprit = int(np.argmin(width / np.maximum(self.zones[L.C], 1e-30)))
+        values = {name: float(self.zones[row, culprit]) for name, row in ZONE_FIELDS.items()}
+        cause, remedy = _diagnose(code, values, float(left[culprit]), float(right[culprit]))
+        return UnphysicalState(cause, remedy, culprit, self.problem.regions[self.region_of[culprit]].name,
+                               0.5 * float(left[culprit] + right[culprit]), self.time, self.cycle, values)
+
+    # -- what observers see ----------------------------------------------------------------------------------
+    def state(self) -> State:
+        """Copies of all fields now."""
+        zones = {name: self.zones[row].copy() for name, row in ZONE_FIELDS.items()}
+        zones["mass"] = self.zones[L.MASS].copy()
+        left, right = self._faces(L.R)
+        ul, ur = self._faces(L.U)
+        return State(self.time, self.cycle, zones, left, right, ul, ur)
+
+    def total_energy(self) -> float:
+        """Kinetic and internal energy, J per m^2, per m and radian, or per steradian."""
+        kinetic = 0.5 * np.sum(self.nodes[L.NODE_MASS] * self.nodes[L.U] ** 2)
+        return float(kinetic + np.sum(self.zones[L.MASS] * self.zones[L.E]))
+
+    def momentum(self) -> float:
+        return float(np.sum(self.nodes[L.NODE_MASS] * self.nodes[L.U]))
+
+    def errors(self) -> dict[str, float]:
+        """Relative mass, momentum and energy errors against the boundary's impulse and work."""
+        control = self.control
+        work = control[L.WORK_LEFT] + control[L.WORK_RIGHT]
+        kinetic = 0.5 * float(np.sum(self.nodes[L.NODE_MASS] * self.nodes[L.U] ** 2))
+        internal = float(np.sum(self.zones[L.MASS] * np.abs(self.zones[L.E])))
+        scale = max(abs(self.start_energy), abs(work), kinetic + internal, 1e-300)
+        impulse = control[L.IMPULSE_LEFT] + control[L.IMPULSE_RIGHT] + control[L.RADIAL_IMPULSE]
+        size = float(np.sum(self.nodes[L.NODE_MASS] * np.abs(self.nodes[L.U])))
+        size = max(size, abs(self.start_momentum), abs(control[L.IMPULSE_LEFT]), abs(control[L.IMPULSE_RIGHT]), 1e-300)
+        return {
+            "mass_error": float(abs(self.zones[L.MASS].sum() / self.start_mass - 1.0)),
+            "momentum_error": abs(self.momentum() - self.start_momentum - impulse) / size,
+            "energy_error": abs(self.total_energy() - self.start_energy - work) / scale,
+        }
+
+    def peaks(self) -> dict[str, np.ndarray]:
+        """Peak fields of every zone so far: stress and pressure in compression, tension positive."""
+        return {"peak_stress": self.zones[L.PEAK_STRESS].copy(), "peak_tension": -self.zones[L.PEAK_TENSION],
+                "peak_pressure": self.zones[L.PEAK_PRESSURE].copy()}
+
+    # -- checkpoints -----------------------------------------------------------------------------------------
+    def payload(self) -> dict:
+        """Everything a bitwise restart needs."""
+        names = ("zones", "nodes", "gradient", "segments", "control", "counters")
+        return {**{name: getattr(self, name).copy() for name in names}, "voids_opened": self.voids_opened,
+                "voids_closed": self.voids_closed, "start_energy": self.start_energy, "start_momentum": self.start_momentum}
+
+    def restore(self, payload: dict) -> None:
+        """Continue from a payload of the same problem."""
+        for name in ("zones", "nodes", "gradient", "segments", "control", "counters"):
+            setattr(self, name, np.ascontiguousarray(payload[name]).copy())
+        for name in ("voids_opened", "voids_closed"):
+            setattr(self, name, int(payload[name]))
+        self.start_energy, self.start_momentum = float(payload["start_energy"]), float(payload["start_momentum"])
+        self._retopologise()
+        self.counters[L.GAUGE_ROWS] = 0
+
+
+def _pulse_at_zero(pulse):
+    if pulse.shape == "table":
+        return float(np.interp(0.0, pulse.times, pulse.values))
+    return pulse.amplitude if pulse.start <= 0.0 and pulse.shape in ("constant", "exponential", "square") else 0.0
+
+
+def _diagnose(code, values, left, right):
+    """(cause, remedy) of a bad state."""
+    if code == L.STEP_COLLAPSED:
+        return ("the time step collapsed below a 1e-12 part of the stop time.",
+                "use coarser or better graded zones there, or stop the run earlier.")
+    if not right > left:
+        return ("the zone turned inside out (its faces crossed).",
+                "lower [solver] courant, or give the artificial viscosity more strength.")
+    if not values["density"] > 0.0:
+        return ("density is not positive.", "lower [solver] courant.")
+    if values["pressure"] < 0.0:
+        return ("the sound speed became imaginary in tension: the material is stretched beyond what its law can carry.",
+                "give the material a fracture law ([material.x.fracture]).")
+    return ("the sound speed is not a number: the state left the range of its equation of state.",
+            "check the impact conditions against the law's compression limit, lower [solver] courant, or use another equation of state.")

@@ -1,0 +1,149 @@
+"""What is looked at after every step: soundness, failing zones, interfaces, gaps, gauges."""
+
+import math
+
+import numba as nb
+
+from hugoniot.core.compile import GUARD
+from hugoniot.solvers.lagrange1d.layout import *  # noqa: F403
+
+RELIEVED = 0.98       # a zone below this fraction of its failure limit is no longer part of a failing patch
+CHATTER = 1e-6        # tension, in units of rho c^2, below which a strengthless interface stays closed (Herrmann A.7)
+TOUCHING = 1e-6       # gap, in units of the neighbouring zones, that counts as closed
+
+
+@nb.njit(**GUARD)
+def unsound(zones, count):
+    """First zone whose density or sound speed is not a positive finite number, or -1; records the peaks on the way."""
+    rho, c, sigma, p = zones[RHO], zones[C], zones[SIGMA], zones[P]
+    most, least, highest = zones[PEAK_STRESS], zones[PEAK_TENSION], zones[PEAK_PRESSURE]
+    bad = 0
+    for j in range(count):
+        sound = (rho[j] > 0.0) & (c[j] > 0.0) & (c[j] < 1e12) & (sigma[j] < 1e30)
+        bad += 0 if sound else 1
+        most[j] = sigma[j] if sigma[j] > most[j] else most[j]
+        least[j] = sigma[j] if sigma[j] < least[j] else least[j]
+        highest[j] = p[j] if p[j] > highest[j] else highest[j]
+    if bad == 0:
+        return -1
+    for j in range(count):
+        if not (rho[j] > 0.0 and 0.0 < c[j] < 1e12 and sigma[j] < 1e30):
+            return j
+    return -1
+
+
+@nb.njit(**GUARD)
+def failing_node(zones, segments, control, counters):
+    """Node at which a void opens now, or -1; marks the zones the void will relieve.
+
+    A patch is a stretch of neighbouring zones at their failure limit. It opens at one node only, the one with the most
+    strained neighbours; the zones of an opened patch, and those that join it later, are marked and open no second void
+    until they have been relieved: one spall plane is one void.
+    """
+    worst_node, worst = -1, 0.0
+    marked = 0
+    for k in range(segments.shape[0]):
+        first, last = segments[k, SEG_FIRST], segments[k, SEG_LAST]
+        z = first
+        while z < last:
+            if zones[FAILURE, z] < RELIEVED:
+                zones[TAG, z] = 0.0
+                z += 1
+                continue
+            start, peak, at, tagged = z, 0.0, z, False
+            while z < last and zones[FAILURE, z] >= RELIEVED:
+                if zones[TAG, z] > 0.0:
+                    tagged = True
+                if zones[FAILURE, z] > peak:
+                    peak, at = zones[FAILURE, z], z
+                z += 1
+            if tagged:
+                for i in range(start, z):
+                    zones[TAG, i] = 1.0
+                marked += z - start
+            elif peak >= 1.0 and peak > worst and last - first > 1:
+                left = zones[FAILURE, at - 1] if at > first else -1.0
+                right = zones[FAILURE, at + 1] if at + 1 < last else -1.0
+                worst, worst_node = peak, (at if left > right else at + 1) + k
+                counters[CULPRIT] = k
+    counters[FRACTURING] = marked
+    return worst_node
+
+
+@nb.njit(**GUARD)
+def mark_patch(zones, first, last, at):
+    """Mark the failing patch around zone `at` as relieved by a void; its damage has become the void."""
+    z = at
+    while z >= first and zones[FAILURE, z] >= RELIEVED:
+        zones[TAG, z], zones[DAMAGE, z] = 1.0, 0.0
+        z -= 1
+    z = at + 1
+    while z < last and zones[FAILURE, z] >= RELIEVED:
+        zones[TAG, z], zones[DAMAGE, z] = 1.0, 0.0
+        z += 1
+
+
+@nb.njit(**GUARD)
+def parting_interface(zones, nodes, interfaces):
+    """Index of the first listed interface whose tension exceeds its bond, or -1; rows are (node, zone on the left)."""
+    for i in range(interfaces.shape[0]):
+        node, z = interfaces[i, 0], interfaces[i, 1]
+        ml, mr = zones[MASS, z], zones[MASS, z + 1]
+        left = zones[P, z] - zones[S1, z]
+        right = zones[P, z + 1] - zones[S1, z + 1]
+        traction = (left * mr + right * ml) / (ml + mr)
+        soft = min(zones[RHO, z] * zones[C, z] ** 2, zones[RHO, z + 1] * zones[C, z + 1] ** 2)
+        if -traction > nodes[BOND, node] + CHATTER * soft:
+            return i
+    return -1
+
+
+@nb.njit(**GUARD)
+def closing_time(gap, approach, acceleration, dt_old):
+    """Time in which a gap closes: A t^2 + (2 W + A dt_old) t + 2 R = 0 (Wilkins B.4 b), the smallest positive root, or 1e300.
+
+    gap R >= 0 (m), approach W = u_right - u_left (m/s, negative when closing), acceleration A relative, (a_right - a_left), with
+    the corrected sign of the hoop terms (W-E2). dt_old is the last step of a leapfrog, 0 for a one-step integrator.
+    """
+    b = 2.0 * approach + acceleration * dt_old
+    discriminant = b * b - 8.0 * acceleration * gap
+    if discriminant < 0.0:
+        return 1e300
+    root = math.sqrt(discriminant)
+    if b < 0.0:
+        return 4.0 * gap / (root - b)     # 2c/(-b + root): no cancellation, and -2R/B as A goes to 0
+    if acceleration < 0.0:
+        return (-b - root) / (2.0 * acceleration)
+    return 1e300
+
+
+@nb.njit(**GUARD)
+def touching_gap(zones, nodes, segments):
+    """First gap (between segments k and k+1) that is closed and closing, or -1."""
+    for k in range(segments.shape[0] - 1):
+        z = segments[k, SEG_LAST] - 1
+        left, right = z + 1 + k, z + 1 + k + 1
+        gap = nodes[R, right] - nodes[R, left]
+        width = min(nodes[R, left] - nodes[R, left - 1], nodes[R, right + 1] - nodes[R, right])
+        if gap <= TOUCHING * width and (nodes[U, right] < nodes[U, left] or gap < 0.0):
+            return k
+    return -1
+
+
+@nb.njit(**GUARD)
+def record(zones, nodes, table, weights, out):
+    """One gauge row: table (gauge; zone a, zone b, zone of the faces, left node of that zone), weights (of b; of the right face)."""
+    for i in range(table.shape[0]):
+        a, b, node = table[i, 0], table[i, 1], table[i, 3]
+        w, f = weights[i, 0], weights[i, 1]
+        out[i, 0] = (1.0 - f) * nodes[R, node] + f * nodes[R, node + 1]
+        out[i, 1] = (1.0 - f) * nodes[U, node] + f * nodes[U, node + 1]
+        out[i, 2] = (1.0 - w) * zones[RHO, a] + w * zones[RHO, b]
+        out[i, 3] = (1.0 - w) * zones[E, a] + w * zones[E, b]
+        out[i, 4] = (1.0 - w) * zones[P, a] + w * zones[P, b]
+        out[i, 5] = (1.0 - w) * zones[Q, a] + w * zones[Q, b]
+        out[i, 6] = (1.0 - w) * zones[S1, a] + w * zones[S1, b]
+        out[i, 7] = (1.0 - w) * zones[S2, a] + w * zones[S2, b]
+        out[i, 8] = (1.0 - w) * zones[SIGMA, a] + w * zones[SIGMA, b]
+        out[i, 9] = (1.0 - w) * zones[PLASTIC_STRAIN, a] + w * zones[PLASTIC_STRAIN, b]
+        out[i, 10] = (1.0 - w) * zones[DAMAGE, a] + w * zones[DAMAGE, b]

@@ -1,0 +1,179 @@
+"""Sweeps of the `wilkins` integrator: the leapfrog of Wilkins B.2, with its own energy equation.
+
+Corrections and readings: |dU/dr| in q (W-E3); stresses at j+-1/2 (W-E5); the pressure and energy solved together, exactly
+for laws linear in the energy (B.2 item 8, W-11) and by Newton otherwise; dZ included (J-E12); the Courant step with the
+elastic sound speed (W-E4).
+"""
+
+import numba as nb
+
+from hugoniot.core.compile import GUARD, SWEEP, bind_choice, parameters
+from hugoniot.core.ops import fmax, fmin, vsqrt
+from hugoniot.laws.eos.contract import EOS, pressure, pressure_derivatives
+from hugoniot.laws.fracture.contract import damage_rate, failure, tension_cap
+from hugoniot.laws.strength.contract import shear_modulus
+from hugoniot.laws.viscosity.contract import viscous_speed
+from hugoniot.mesh.line import hoops, volume
+from hugoniot.solvers.lagrange1d.constitutive import (
+    no,
+    radial_return,
+    strain_rate,
+    strength_temperature,
+    trial_deviators,
+    von_mises,
+    yes,
+    yield_at,
+)
+from hugoniot.solvers.lagrange1d.layout import *  # noqa: F403
+from hugoniot.solvers.lagrange1d.node_sweeps import outside_stress, pulse_value
+
+SMALL = 1e-30
+
+
+@nb.njit(**SWEEP)
+def leap(zones, nodes, first, last, segment, dt, dt_mean, geometry):
+    """Inner nodes: velocity to n+1/2 and position to n+1 (B.2 item 2)."""
+    a, b = first + segment, last + segment
+    r, u, im = nodes[R, a + 1:b], nodes[U, a + 1:b], nodes[INVERSE_NODE_MASS, a + 1:b]
+    sigma = zones[SIGMA, first:last]
+    if hoops(geometry) == 0.0:
+        for j in range(r.shape[0]):
+            new = u[j] + dt_mean * (sigma[j] - sigma[j + 1]) * im[j]
+            u[j] = new
+            r[j] += dt * new
+    else:
+        force, width = zones[HOOP, first:last], zones[OLD, first:last]
+        for j in range(r.shape[0]):
+            phi = 0.5 * (width[j] + width[j + 1])
+            beta = 0.5 * (force[j] + force[j + 1])
+            new = u[j] + dt_mean * ((sigma[j] - sigma[j + 1]) / phi + beta * hoops(geometry))
+            u[j] = new
+            r[j] += dt * new
+
+
+@nb.njit(**GUARD)
+def end_acceleration(zones, nodes, ends, left, outside, geometry):
+    """Acceleration of a segment's end under an outside stress (B.3)."""
+    node, zone, _ = ends
+    push = (outside - zones[SIGMA, zone]) if left else (zones[SIGMA, zone] - outside)
+    if hoops(geometry) == 0.0:
+        return push * nodes[INVERSE_NODE_MASS, node]
+    return push / (0.5 * zones[OLD, zone]) + zones[HOOP, zone] * hoops(geometry)
+
+
+@nb.njit(**GUARD)
+def leap_end(zones, nodes, control, ends, left, dt, dt_mean, boundary, geometry):
+    """One end of a segment: acceleration under the outside stress, or the prescribed velocity."""
+    node, zone, code = ends
+    pulse, table = boundary
+    sign = -1.0 if left else 1.0
+    u, time = nodes[U, node], control[TIME]
+    reference = control[REFERENCE_LEFT] if left else control[REFERENCE_RIGHT]
+    outside = outside_stress(code, time, reference, pulse, table)
+    if code == TRANSMITTING:
+        outside += sign * zones[RHO, zone] * zones[C, zone] * u
+    if code == FIXED:
+        new = 0.0
+    elif code == VELOCITY:
+        new = pulse_value(time + 0.5 * dt, pulse, table)
+    else:
+        new = u + dt_mean * end_acceleration(zones, nodes, ends, left, outside, geometry)
+    face = nodes[R, node] ** hoops(geometry)
+    nodes[U, node] = new
+    nodes[R, node] += dt * new
+    mass = nodes[NODE_MASS, node]
+    if code == FIXED or code == VELOCITY:
+        outer = mass * (new - u) / dt_mean - mass * end_acceleration(zones, nodes, ends, left, 0.0, geometry)
+    else:
+        outer = -sign * face * outside
+    work, impulse = (WORK_LEFT, IMPULSE_LEFT) if left else (WORK_RIGHT, IMPULSE_RIGHT)
+    control[work] += dt * outer * new
+    control[impulse] += dt_mean * outer
+
+
+def linear_in_energy(eos):
+    """Whether p = A(rho) + B(rho) e, so that one Newton step solves the energy equation exactly."""
+    return "linear_in_energy" in EOS.of(eos).flags
+
+
+bind_choice(linear_in_energy, lambda cls: yes if "linear_in_energy" in EOS.of_class(cls).flags else no)
+
+
+@nb.njit(**SWEEP)
+def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry):
+    """State of a run of zones at n+1; (largest rate, largest failure ratio, 0, capped zones)."""
+    eos = parameters(law[0], rows[0])
+    strength = parameters(law[1], rows[1])
+    fracture = parameters(law[2], rows[2])
+    viscosity = parameters(law[3], rows[3])
+    a, b = first + segment, last + segment
+    n = last - first
+    r, u = nodes[R, a:b + 1], nodes[U, a:b + 1]
+    mass, im = zones[MASS, first:last], zones[INVERSE_MASS, first:last]
+    rho_, e_, p_, c_ = zones[RHO, first:last], zones[E, first:last], zones[P, first:last], zones[C, first:last]
+    s1, s2, eps, hurt = zones[S1, first:last], zones[S2, first:last], zones[PLASTIC_STRAIN, first:last], zones[DAMAGE, first:last]
+    sigma, q_, torn = zones[SIGMA, first:last], zones[Q, first:last], zones[FAILURE, first:last]
+    force, width, old = zones[HOOP, first:last], zones[OLD, first:last], zones[SIGMA_HALF, first:last]
+    cap = tension_cap(fracture)
+    rho0 = rows[4][0]
+    fastest, worst, capped = 0.0, 0.0, 0.0
+    for j in range(n):
+        u1, u2, r1, r2 = u[j], u[j + 1], r[j], r[j + 1]
+        v_old = old[j]
+        v = volume(r1, r2, geometry) * im[j]
+        dv, v_half = v - v_old, 0.5 * (v + v_old)
+        rho, rho_half = 1.0 / v, 1.0 / v_half
+        du, dr = u2 - u1, r2 - r1
+        dilation = dv * rho_half
+        radial = dt * du / (dr - 0.5 * dt * du)
+        hoop = 0.0
+        if hoops(geometry) > 0.0:
+            hoop = dt * (u1 + u2) / (r1 + r2 - 0.5 * dt * (u1 + u2) + SMALL)
+        p_rho, p_e = pressure_derivatives(rho, e_[j], eos)
+        heat = strength_temperature(rho, e_[j], eos, strength)
+        shear = shear_modulus(rho, p_[j], heat, rho * p_rho + p_[j] * p_e * v, strength)
+        t1, t2 = trial_deviators(s1[j], s2[j], radial, hoop, dilation, shear)
+        pace = strain_rate(radial, hoop, dilation, dt, geometry, strength)
+        limit, flow = yield_at(von_mises(t1, t2, geometry), shear, (rho, p_[j], heat, pace), eps[j], strength)
+        t1, t2 = radial_return(t1, t2, limit, geometry)
+        work = v_half * 0.5 * ((t1 + s1[j]) * radial + hoops(geometry) * (t2 + s2[j]) * hoop)
+        squeeze = du if dv < 0.0 else 0.0
+        squeeze = fmin(squeeze, 0.0)
+        # the P of a = sqrt(P/rho) is the one at the start of the step: q stands at n+1/2
+        q = -rho_half * squeeze * viscous_speed(rho_half, c_[j], p_[j], squeeze, 0.0, viscosity)
+        target = e_[j] + work - 0.5 * (p_[j] + q + q_[j]) * dv
+        if linear_in_energy(eos):
+            energy = (target - 0.5 * pressure(rho, 0.0, eos) * dv) / (1.0 + 0.5 * p_e * dv)
+        else:
+            energy = target - 0.5 * p_[j] * dv
+            for _ in range(4):
+                _, slope = pressure_derivatives(rho, energy, eos)
+                miss = energy - target + 0.5 * pressure(rho, energy, eos) * dv
+                energy -= miss / (1.0 + 0.5 * slope * dv)
+        p = pressure(rho, energy, eos)
+        p_rho, p_e = pressure_derivatives(rho, energy, eos)
+        tension = t1 - p
+        hurt_now = hurt[j] + dt * damage_rate(tension, fracture)
+        ratio = failure(tension, p, rho0 * v, hurt_now, fracture)
+        capped += 1.0 if tension > cap else 0.0
+        p = fmax(p, t1 - cap)
+        c2 = p_rho + (p * p_e * v + (4.0 / 3.0) * shear) * v
+        b2 = 8.0 * (viscous_speed(rho, 0.0, 0.0, squeeze, 0.0, viscosity) - squeeze)
+        fastest = fmax(fastest, (c2 + b2 * b2) / (dr * dr))
+        worst = fmax(worst, ratio)
+        rho_[j] = rho
+        e_[j] = energy
+        p_[j] = p
+        c_[j] = vsqrt(c2)
+        s1[j] = t1
+        s2[j] = t2
+        q_[j] = q
+        old[j] = v
+        eps[j] += flow
+        hurt[j] = hurt_now
+        torn[j] = ratio
+        sigma[j] = p + q - t1
+        if hoops(geometry) > 0.0:
+            force[j] = (t1 - t2) * v / (0.5 * (r1 + r2) + SMALL)
+            width[j] = rho * dr
+    return vsqrt(fastest), worst, 0.0, capped

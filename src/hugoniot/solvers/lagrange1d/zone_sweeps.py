@@ -1,0 +1,152 @@
+"""Sweeps over a run of zones of one material for the compatible integrator (predictor and corrector).
+
+Forces are the transpose of the strain rates: with the volume rate A2 u2 - A1 u1 and the hoop rate (u1+u2)/(r1+r2), the power
+put into a zone is -sigma (A2 u2 - A1 u1) + H (u1 + u2), sigma = p + q - s1, H = (d-1) V (s2 - s1)/(r1 + r2), and the force
+on a node is minus its derivative by that node's velocity. Work and force use the same numbers, so the energy a zone gains is
+the kinetic energy its nodes lose, to round-off, in every geometry.
+"""
+
+import numba as nb
+
+from hugoniot.core.compile import SWEEP, parameters
+from hugoniot.core.ops import fmax, fmin, vsqrt
+from hugoniot.laws.eos.contract import pressure, pressure_derivatives
+from hugoniot.laws.fracture.contract import damage_rate, failure, tension_cap
+from hugoniot.laws.strength.contract import shear_modulus
+from hugoniot.laws.viscosity.contract import viscous_speed
+from hugoniot.mesh.line import area, hoops, volume
+from hugoniot.solvers.lagrange1d.constitutive import (
+    radial_return,
+    strain_rate,
+    strength_temperature,
+    trial_deviators,
+    von_mises,
+    yield_at,
+)
+from hugoniot.solvers.lagrange1d.layout import *  # noqa: F403
+
+SMALL = 1e-30
+
+
+@nb.njit(**SWEEP)
+def predict(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry):
+    """Stress in the middle of the step, from the state at its start and the predicted mean velocity."""
+    eos = parameters(law[0], rows[0])
+    strength = parameters(law[1], rows[1])
+    viscosity = parameters(law[3], rows[3])
+    a, b = first + segment, last + segment
+    n = last - first
+    r, rh, u = nodes[R, a:b + 1], nodes[R_HALF, a:b + 1], nodes[U_MEAN, a:b + 1]
+    g = gradient[first + 2 * segment:last + 2 * segment + 2]
+    mass, im = zones[MASS, first:last], zones[INVERSE_MASS, first:last]
+    e, c = zones[E, first:last], zones[C, first:last]
+    s1, s2, eps = zones[S1, first:last], zones[S2, first:last], zones[PLASTIC_STRAIN, first:last]
+    sigma, hoop_force = zones[SIGMA, first:last], zones[HOOP, first:last]
+    q_out, speed_out = zones[Q, first:last], zones[VISCOUS_SPEED, first:last]
+    sigma_half, hoop_half = zones[SIGMA_HALF, first:last], zones[HOOP_HALF, first:last]
+    half = 0.5 * dt
+    for j in range(n):
+        r1, r2, u1, u2 = rh[j], rh[j + 1], u[j], u[j + 1]
+        rate = area(r2, geometry) * u2 - area(r1, geometry) * u1
+        size = volume(r1, r2, geometry)
+        rho = mass[j] / size
+        energy = e[j] + half * im[j] * (hoop_force[j] * (u1 + u2) - sigma[j] * rate)
+        p = pressure(rho, energy, eos)
+        dilation = half * rate / size
+        hoop = 0.0
+        if hoops(geometry) > 0.0:
+            hoop = half * (u1 + u2) / (r1 + r2 + SMALL)
+        radial = dilation - hoops(geometry) * hoop
+        p_rho, p_e = pressure_derivatives(rho, energy, eos)
+        bulk = rho * p_rho + p * p_e / rho
+        heat = strength_temperature(rho, energy, eos, strength)
+        shear = shear_modulus(rho, p, heat, bulk, strength)
+        t1, t2 = trial_deviators(s1[j], s2[j], radial, hoop, dilation, shear)
+        pace = strain_rate(radial, hoop, dilation, half, geometry, strength)
+        limit, _ = yield_at(von_mises(t1, t2, geometry), shear, (rho, p, heat, pace), eps[j], strength)
+        t1, t2 = radial_return(t1, t2, limit, geometry)
+        du = u2 - u1
+        # smoothness of the velocity field (Caramana, Shashkov and Whalen 1998, J. Comput. Phys. 144, 70): ratios of the
+        # neighbours' gradients to this one; 1 in a linear field, 0 at a shock or an extremum
+        steep = -g[j + 1]
+        left, right = -g[j], -g[j + 2]
+        smooth = fmax(0.0, fmin(fmin(0.5 * (left + right), steep), 2.0 * fmin(left, right)))
+        psi = fmin(smooth / (fmax(steep, 0.0) + SMALL), 1.0)
+        speed = viscous_speed(rho, c[j], p, fmin(du, 0.0), psi, viscosity)
+        q = -rho * fmin(du, 0.0) * speed
+        q_out[j] = q
+        speed_out[j] = speed if du < 0.0 else 0.0
+        sigma_half[j] = p + q - t1
+        if hoops(geometry) > 0.0:
+            hoop_half[j] = hoops(geometry) * size * (t2 - t1) / (r1 + r2 + SMALL)
+
+
+@nb.njit(**SWEEP)
+def correct(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry):
+    """State at the end of the step; (largest signal rate 1/s, largest failure ratio, geometric impulse, capped zones)."""
+    eos = parameters(law[0], rows[0])
+    strength = parameters(law[1], rows[1])
+    fracture = parameters(law[2], rows[2])
+    a, b = first + segment, last + segment
+    n = last - first
+    r, rh, u, ue = nodes[R, a:b + 1], nodes[R_HALF, a:b + 1], nodes[U_MEAN, a:b + 1], nodes[U, a:b + 1]
+    g = gradient[first + 2 * segment + 1:last + 2 * segment + 1]
+    mass, im = zones[MASS, first:last], zones[INVERSE_MASS, first:last]
+    rho_, e_, p_, c_ = zones[RHO, first:last], zones[E, first:last], zones[P, first:last], zones[C, first:last]
+    s1, s2, eps, hurt = zones[S1, first:last], zones[S2, first:last], zones[PLASTIC_STRAIN, first:last], zones[DAMAGE, first:last]
+    sigma, hoop_force = zones[SIGMA, first:last], zones[HOOP, first:last]
+    q, speed, torn = zones[Q, first:last], zones[VISCOUS_SPEED, first:last], zones[FAILURE, first:last]
+    sigma_half, hoop_half = zones[SIGMA_HALF, first:last], zones[HOOP_HALF, first:last]
+    plastic, viscous = zones[PLASTIC_WORK, first:last], zones[VISCOUS_WORK, first:last]
+    cap = tension_cap(fracture)
+    rho0 = rows[4][0]
+    fastest, worst, radial_impulse, capped = 0.0, 0.0, 0.0, 0.0
+    for j in range(n):
+        u1, u2, r1, r2 = u[j], u[j + 1], rh[j], rh[j + 1]
+        rate = area(r2, geometry) * u2 - area(r1, geometry) * u1
+        size = volume(r1, r2, geometry)
+        energy = e_[j] + dt * im[j] * (hoop_half[j] * (u1 + u2) - sigma_half[j] * rate)
+        if hoops(geometry) > 0.0:
+            radial_impulse += sigma_half[j] * (area(r2, geometry) - area(r1, geometry)) - 2.0 * hoop_half[j]
+        dilation = dt * rate / size
+        hoop = 0.0
+        if hoops(geometry) > 0.0:
+            hoop = dt * (u1 + u2) / (r1 + r2 + SMALL)
+        radial = dilation - hoops(geometry) * hoop
+        end_size = volume(r[j], r[j + 1], geometry)
+        v = end_size * im[j]
+        rho = mass[j] / end_size
+        p = pressure(rho, energy, eos)
+        p_rho, p_e = pressure_derivatives(rho, energy, eos)
+        c2 = p_rho + p * p_e * v * v
+        heat = strength_temperature(rho, energy, eos, strength)
+        shear = shear_modulus(rho, p, heat, rho * c2, strength)
+        t1, t2 = trial_deviators(s1[j], s2[j], radial, hoop, dilation, shear)
+        pace = strain_rate(radial, hoop, dilation, dt, geometry, strength)
+        limit, flow = yield_at(von_mises(t1, t2, geometry), shear, (rho, p, heat, pace), eps[j], strength)
+        t1, t2 = radial_return(t1, t2, limit, geometry)
+        tension = t1 - p
+        hurt_now = hurt[j] + dt * damage_rate(tension, fracture)
+        ratio = failure(tension, p, rho0 * v, hurt_now, fracture)
+        capped += 1.0 if tension > cap else 0.0
+        p = fmax(p, t1 - cap)
+        c = vsqrt(c2 + (4.0 / 3.0) * shear * v)
+        inverse = 1.0 / (r[j + 1] - r[j])
+        g[j] = (ue[j + 1] - ue[j]) * inverse
+        fastest = fmax(fastest, (c + 2.0 * speed[j]) * inverse)
+        worst = fmax(worst, ratio)
+        rho_[j] = rho
+        e_[j] = energy
+        p_[j] = p
+        c_[j] = c
+        s1[j] = t1
+        s2[j] = t2
+        eps[j] += flow
+        hurt[j] = hurt_now
+        torn[j] = ratio
+        plastic[j] += limit * flow * v
+        viscous[j] -= dt * q[j] * rate * im[j]
+        sigma[j] = p + q[j] - t1
+        if hoops(geometry) > 0.0:
+            hoop_force[j] = hoops(geometry) * end_size * (t2 - t1) / (r[j] + r[j + 1] + SMALL)
+    return fastest, worst, radial_impulse, capped

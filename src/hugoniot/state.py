@@ -1,0 +1,26 @@
+"""A state as observers see it: named arrays at one instant, by the words of `core.fields`.
+
+A solver hands out a `State` of views or copies; whoever looks at it needs no solver and changes nothing.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class State:
+    """time (s), cycle, zone fields (nzone,) and the faces of each zone (nzone,): faces of neighbours differ across a void."""
+
+    time: float
+    cycle: int
+    zones: dict[str, np.ndarray]
+    position_left: np.ndarray
+    position_right: np.ndarray
+    velocity_left: np.ndarray
+    velocity_right: np.ndarray
+
+    def fields(self) -> dict[str, np.ndarray]:
+        """Every field by name, faces included, as one flat dictionary."""
+        faces = ("position_left", "position_right", "velocity_left", "velocity_right")
+        return {**self.zones, **{name: getattr(self, name) for name in faces}}
