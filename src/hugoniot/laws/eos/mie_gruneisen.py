@@ -34,7 +34,7 @@ from typing import NamedTuple
 from hugoniot.core.ops import vexp, vlog
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos.contract import EOS
-from hugoniot.laws.eos.special import ei_difference, quadrature
+from hugoniot.laws.eos.special import ei_difference
 
 
 class MieGruneisen(NamedTuple):
@@ -77,32 +77,19 @@ def energy(rho, p, par):
 
 
 def reference_isentrope(rho, par):
-    """(e, T/T0) on the isentrope through the reference state."""
+    """(e, T/T0) on the isentrope through the reference state; not a number where gamma0 > 8 s (see `build`)."""
     eta, inverse = _strain(rho, par)
+    beta = par.gamma0 / par.s
+    # exp(-beta y) = exp(-beta) exp(Gamma0 eta): one exponential serves the whole temperature
+    growth = vexp(par.gamma0 * eta) * (1.0 if beta <= 8.0 else math.nan)
     if eta > 0.0:
-        e_s = _compressed_isentrope(eta, inverse, par)
+        y = 1.0 - par.s * eta
+        bracket = ((1.0 - 0.5 * beta) * (inverse - growth) + 0.5 * (1.0 - growth)
+                   - (1.0 - 2.0 * beta + 0.5 * beta * beta) * vexp(-beta) * growth * (ei_difference(beta, y) - vlog(y)))
+        e_s = par.c0 * par.c0 / (par.s * par.s) * bracket
     else:
         e_s = 0.5 * par.c0 * par.c0 * eta * eta * inverse
-    return e_s, vexp(par.gamma0 * eta)
-
-
-def _compressed_isentrope(eta, inverse, par):
-    g, s = par.gamma0, par.s
-    if g > 4.0 * s:
-        # nearly straight Hugoniot: the closed form would cancel, and the pole is far enough for quadrature
-        total = 0.0
-        for x, w in quadrature():
-            t = x * eta
-            z = 1.0 - s * t
-            total += w * t * (1.0 - 0.5 * g * t) / (z * z) * vexp(g * (eta - t))
-        return par.c0 * par.c0 * eta * total
-    beta = g / s
-    y = 1.0 - s * eta
-    decay = vexp(-beta * y)
-    growth = vexp(beta * s * eta)
-    bracket = ((1.0 - 0.5 * beta) * (inverse - growth) + 0.5 * (1.0 - growth)
-               - (1.0 - 2.0 * beta + 0.5 * beta * beta) * decay * (ei_difference(beta, y) - vlog(y)))
-    return par.c0 * par.c0 / (s * s) * bracket
+    return e_s, growth
 
 
 def temperature(rho, e, par):
@@ -135,7 +122,11 @@ def particle_velocity_limit(par):
 
 
 def build(rho0, c0, s, gamma0, gamma_form="rho_gamma_constant", gamma_slope=math.nan, specific_heat=math.nan, reference_temperature=298.15):
-    """Parameters from a deck; `gamma_form` other than "rho_gamma_constant" gives the law mie_gruneisen_linear_gamma."""
+    """Parameters from a deck.
+
+    A `gamma_form` other than "rho_gamma_constant" gives the law mie_gruneisen_linear_gamma, and so does gamma0 > 8 s, a Hugoniot so
+    straight that the closed form of the temperature would cancel; pressures are the same in both.
+    """
     from hugoniot.laws.eos.mie_gruneisen_linear_gamma import MieGruneisenLinearGamma, gamma_slope_of
 
     for name, value in (("rho0", rho0), ("c0", c0)):
@@ -144,7 +135,7 @@ def build(rho0, c0, s, gamma0, gamma_form="rho_gamma_constant", gamma_slope=math
     if not (s >= 0.0 and gamma0 > 0.0):
         raise OutOfRange(f"mie_gruneisen: needs s >= 0 and gamma0 > 0, got s = {s}, gamma0 = {gamma0}")
     slope = gamma_slope_of(gamma_form, gamma0, gamma_slope)
-    if slope == 0.0:
+    if slope == 0.0 and gamma0 <= 8.0 * s:
         return MieGruneisen(rho0, c0, s, gamma0, specific_heat, reference_temperature)
     return MieGruneisenLinearGamma(rho0, c0, s, gamma0, slope, specific_heat, reference_temperature)
 

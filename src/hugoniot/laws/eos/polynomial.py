@@ -44,21 +44,23 @@ def energy(rho, p, par):
     return (p - pressure(rho, 0.0, par)) / (par.d * rho)
 
 
-def _power_integral(m, u):
-    """(exp(m u) - 1)/m, u where m vanishes."""
+def _power_integral(m, u, power):
+    """(X**m - 1)/m from u = ln X and power = X**m; u where m vanishes."""
     z = m * u
     if z * z < 1e-4:
         return u * (1.0 + z * (1 / 2 + z * (1 / 6 + z * (1 / 24 + z * (1 / 120 + z * (1 / 720 + z * (1 / 5040)))))))
-    return (vexp(z) - 1.0) / m
+    return (power - 1.0) / m
 
 
 def reference_isentrope(rho, par):
     """(e, T/T0) on the isentrope through the reference state."""
-    u = vlog(rho / par.rho0)
+    x = rho / par.rho0
+    u = vlog(x)
     a, b, c, d = par.a, par.b, par.c, par.d
-    total = ((b - a - c) * _power_integral(-1.0 - d, u) + (a - 2.0 * b + 3.0 * c) * _power_integral(-d, u)
-             + (b - 3.0 * c) * _power_integral(1.0 - d, u) + c * _power_integral(2.0 - d, u))
     growth = vexp(d * u)
+    shrink = 1.0 / growth
+    total = ((b - a - c) * _power_integral(-1.0 - d, u, shrink / x) + (a - 2.0 * b + 3.0 * c) * _power_integral(-d, u, shrink)
+             + (b - 3.0 * c) * _power_integral(1.0 - d, u, shrink * x) + c * _power_integral(2.0 - d, u, shrink * x * x))
     return growth * total / par.rho0, growth
 
 

@@ -1,0 +1,43 @@
+"""Compiled sweeps over arrays of states, one per quantity, for any registered equation of state. Importing this imports numba."""
+
+import numba as nb
+
+import hugoniot.laws.eos  # noqa: F401  (enrols every law)
+from hugoniot.core.compile import SWEEP, bind_family, bind_module
+from hugoniot.laws.eos import contract
+from hugoniot.laws.eos.contract import EOS, GENERICS, entropy, pressure, pressure_derivatives, sound_speed_squared, temperature
+
+bind_family(EOS, GENERICS)
+bind_module(contract)
+
+
+@nb.njit(**SWEEP)
+def pressure_sweep(rho, e, par, out):
+    for j in range(out.shape[0]):
+        out[j] = pressure(rho[j], e[j], par)
+
+
+@nb.njit(**SWEEP)
+def derivatives_sweep(rho, e, par, p_rho, p_e):
+    for j in range(p_rho.shape[0]):
+        a, b = pressure_derivatives(rho[j], e[j], par)
+        p_rho[j] = a
+        p_e[j] = b
+
+
+@nb.njit(**SWEEP)
+def sound_speed_squared_sweep(rho, e, par, out):
+    for j in range(out.shape[0]):
+        out[j] = sound_speed_squared(rho[j], e[j], par)
+
+
+@nb.njit(**SWEEP)
+def temperature_sweep(rho, e, par, out):
+    for j in range(out.shape[0]):
+        out[j] = temperature(rho[j], e[j], par)
+
+
+@nb.njit(**SWEEP)
+def entropy_sweep(rho, e, par, out):
+    for j in range(out.shape[0]):
+        out[j] = entropy(rho[j], e[j], par)
