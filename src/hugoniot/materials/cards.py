@@ -1,0 +1,133 @@
+"""A row of the library as the table of a law: which column is which parameter, and what has to be derived on the way.
+
+Every value keeps its provenance: a card is a dictionary parameter -> Source (or text), which `curated` hands to the deck's own
+reader `materials.build`, so that library, decks and users' files share one schema and one set of checks.
+"""
+
+from dataclasses import replace
+
+from hugoniot.materials.material import Source
+from hugoniot.materials.schema import Row
+
+ROOM_TEMPERATURE = 298.15  # K, at which the tables of specific heats and of unreacted explosives are taken
+Card = dict[str, Source | str]
+
+_LAW_OF_FORM = {"linear": "mie_gruneisen", "quadratic": "mie_gruneisen_quadratic", "steinberg_cubic": "mie_gruneisen_cubic"}
+
+
+def card(row: Row) -> Card:
+    """The law table of a row: `law` and its parameters; ValueError where no law of the package takes the row as it stands."""
+    makers = {"us_up": _us_up, "strength": _strength, "jwl": _jwl, "tillotson": _tillotson}
+    if row.table not in makers:
+        raise ValueError(f"row {row.id} of the table {row.table} is not the table of one law")
+    return makers[row.table](row)
+
+
+def _us_up(row: Row) -> Card:
+    form = row["form"]
+    if form not in _LAW_OF_FORM:
+        raise ValueError(f"row {row.id}: the package has no equation of state for a Hugoniot of the form '{form}'")
+    if "rho0" not in row:
+        raise ValueError(f"row {row.id} gives no density: it serves for comparison only")
+    found: Card = {"law": _LAW_OF_FORM[form]}
+    names = {"quadratic": ("quadratic",), "steinberg_cubic": ("s2", "s3")}.get(form, ())
+    for name in ("rho0", "c0", "s", *names):
+        found[name] = row.constant(name)
+    found["gamma0"] = row.constant("gamma0") if "gamma0" in row else estimated_gamma(row)
+    if form == "linear":
+        found |= _gamma_form(row)
+    if "heat_capacity" in row:
+        found["specific_heat"] = specific_heat(row, found)
+    return found
+
+
+def _gamma_form(row: Row) -> Card:
+    """How Gamma varies: the sources say rho Gamma constant, Gamma constant, or Steinberg's (gamma0 + b mu)/(1 + mu)."""
+    if row.get("gamma_slope"):
+        return {"gamma_form": "linear", "gamma_slope": row.constant("gamma_slope")}
+    if row.get("gamma_exponent") == 0.0:
+        return {"gamma_form": "constant"}
+    return {"gamma_form": "rho_gamma_constant"}
+
+
+def estimated_gamma(row: Row) -> Source:
+    """gamma0 = 2 s - 1 where the source gives none.
+
+    Follows from a Hugoniot linear in up and the Dugdale-MacDonald relation at zero pressure; the Hugoniot itself does not depend on it.
+    """
+    value = max(2.0 * row["s"] - 1.0, 0.1)
+    return Source("gamma0", value, "1", "estimated as 2 s - 1 (Dugdale and MacDonald), not measured", row.via, "derived",
+                  f"row {row.id} gives no Grüneisen parameter")
+
+
+def specific_heat(row: Row, found: Card) -> Source:
+    r"""The specific heat at constant volume; where the source tabulates c_p, $c_v = c_p/(1 + \Gamma_0^2 c_p T_0/c_0^2)$.
+
+    An identity of thermodynamics: c_p/c_v = 1 + alpha Gamma T with alpha = Gamma c_p / c0^2.
+    """
+    given = row.constant("heat_capacity", "specific_heat")
+    if row.get("heat_type") != "cp":
+        return given
+    gamma, c0 = found["gamma0"].value, found["c0"].value
+    value = given.value / (1.0 + gamma * gamma * given.value * ROOM_TEMPERATURE / (c0 * c0))
+    note = f"c_v from the tabulated c_p = {given.value:g} J/kg/K at {ROOM_TEMPERATURE} K; {given.note}"
+    return replace(given, value=value, status="derived", note=note)
+
+
+def _strength(row: Row) -> Card:
+    model = row["model"]
+    if model == "SG":
+        found: Card = {"law": "steinberg_guinan"}
+        for name in ("rho0", "shear_modulus", "yield_stress", "largest_yield_stress", "hardening_coefficient", "hardening_exponent",
+                     "pressure_coefficient", "temperature_coefficient", "melt_temperature", "melt_gruneisen", "melt_a", "initial_strain"):
+            if name in row:
+                found[name] = row.constant(name)
+        return found
+    if model == "JC":
+        return _johnson_cook(row)
+    if "yield_stress" in row and "shear_modulus" in row:
+        return {"law": "perfectly_plastic", "shear_modulus": row.constant("shear_modulus"), "yield_stress": row.constant("yield_stress")}
+    raise ValueError(f"row {row.id}: no strength law of the package takes a '{model}' card")
+
+
+def _johnson_cook(row: Row) -> Card:
+    found: Card = {"law": "johnson_cook"}
+    names = {"shear_modulus": "shear_modulus", "yield_stress": "johnson_cook_yield", "hardening_coefficient": "johnson_cook_hardening",
+             "hardening_exponent": "johnson_cook_exponent", "rate_coefficient": "johnson_cook_rate",
+             "thermal_exponent": "johnson_cook_thermal", "room_temperature": "room_temperature", "melt_temperature": "melt_temperature",
+             "reference_rate": "reference_rate"}
+    for parameter, column in names.items():
+        if column in row:
+            found[parameter] = row.constant(column, parameter)
+    if "room_temperature" not in found:
+        found["room_temperature"] = Source("room_temperature", ROOM_TEMPERATURE, "K", "room temperature", row.via, "derived",
+                                           f"row {row.id} states none; {ROOM_TEMPERATURE} K taken")
+    return found
+
+
+def _jwl(row: Row) -> Card:
+    found: Card = {"law": "jwl"}
+    for name in ("a", "b", "r1", "r2", "omega", "rho0"):
+        found[name] = row.constant(name)
+    heat = row.get("heat_capacity_volume")
+    if heat is not None:
+        found["specific_heat"] = replace(row.constant("heat_capacity_volume", "specific_heat"), value=heat / row["rho0"], unit="J/kg/K")
+    if row["role"] == "unreacted":
+        note = f"row {row.id}: thermal energy c_v T at {ROOM_TEMPERATURE} K, so that the pressure at rest is near zero"
+        found["e0"] = replace(row.constant("heat_capacity_volume", "e0"), value=heat * 298.0, unit="J/m^3", status="derived", note=note)
+    elif "e0" in row:
+        found["e0"] = row.constant("e0")
+    elif "e0_from_isentrope" in row:
+        note = f"row {row.id} gives the principal isentrope with C; E0 from CJ tangency on it"
+        found["e0"] = replace(row.constant("e0_from_isentrope", "e0"), status="derived", note=note)
+    else:
+        raise ValueError(f"row {row.id} gives no detonation energy E0")
+    return found
+
+
+def _tillotson(row: Row) -> Card:
+    names = {"rho0": "rho0", "a": "a", "b": "b", "bulk_a": "bulk_a", "bulk_b": "bulk_b", "alpha": "alpha", "beta": "beta", "e0": "e0",
+             "e_incipient": "e_incipient", "e_complete": "e_complete"}
+    return {"law": "tillotson", **{parameter: row.constant(column, parameter) for parameter, column in names.items()}}
+
+

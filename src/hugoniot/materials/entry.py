@@ -1,0 +1,223 @@
+"""One material of the library or of a user's file: choices, reasons, what is missing, and the `Material` built from them.
+
+A file `<name>.toml` holds, beside the tables of a deck (`[eos]`, `[strength]`, `[fracture]`, `[burn]`),
+
+    title, missing, notes             words for the reader; `missing` lists what no source in the library gives
+    valid_up_to                       highest particle velocity the data reach
+    [eos] row = "U007"                the constants of one row of the library; further keys of the table replace single ones
+    [eos] reason = "..."              why this choice (also under strength, fracture, burn, unreacted)
+    [eos] others = ["U058", ...]      rows of other sources, for comparison
+    [unreacted] row = "J049"          the unreacted explosive, as another equation of state
+    [detonation]                      velocity, pressure, gurney_velocity, ignition_growth (the row of a rate law)
+
+and a value anywhere may be a number in SI, a text with a unit, a cell of the library ("S088.spall_strength"), or a table
+{ value = "3.94 km/s", source = "...", via = "...", status = "...", note = "..." }.
+"""
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from hugoniot.core.registry import Registry
+from hugoniot.errors import DeckError, DeckProblem, FileTrouble
+from hugoniot.materials import cards, schema
+from hugoniot.materials.build import build_material, read_law
+from hugoniot.materials.collect import Collector
+from hugoniot.materials.material import Material, Source
+from hugoniot.materials.tables import families
+
+WORDS = ("title", "category", "aliases", "missing", "notes", "unreacted", "detonation")
+DETONATION = {"velocity": "m/s", "pressure": "Pa", "gurney_velocity": "m/s", "ignition_growth": "text"}
+_PROVENANCE = ("source", "via", "status", "note")
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A material with everything a reader wants to know about it.
+
+    reasons      family -> why this law and these constants
+    others       family -> ids of rows of other sources
+    unreacted    parameters of the equation of state of the unreacted explosive
+    detonation   name -> Source: measured velocity (m/s), CJ pressure (Pa), Gurney velocity (m/s), id of an ignition-and-growth row
+    curated      False for a material made of a single row, without a person's choice
+    """
+
+    name: str
+    title: str
+    category: str
+    material: Material
+    aliases: tuple[str, ...] = ()
+    reasons: Mapping[str, str] = field(default_factory=dict)
+    others: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    missing: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    unreacted: Any = None
+    detonation: Mapping[str, Source] = field(default_factory=dict)
+    file: str = ""
+    curated: bool = True
+
+    def rows(self) -> tuple[str, ...]:
+        """Ids of the rows the constants come from, in order of first use."""
+        found = (part for s in self.material.sources for part in s.note.replace(";", " ").split() if schema.is_row(part))
+        return tuple(dict.fromkeys(found))
+
+    def comparison_rows(self) -> tuple[str, ...]:
+        """Rows used and rows of other sources."""
+        return tuple(dict.fromkeys((*self.rows(), *(i for ids in self.others.values() for i in ids))))
+
+
+def read_file(path: Path) -> dict:
+    """The parsed TOML of a material file; FileTrouble or DeckError where it cannot be read."""
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise FileTrouble(f"cannot read the material file {path}: {error}") from error
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise DeckError.single(path, None, "TOML", str(error), "see `hugoniot material --help` for an example") from error
+
+
+def make_entry(name: str, tables: dict, file: str, line_of=None, **words) -> Entry:
+    """The entry described by the tables of one material; DeckError with every problem found."""
+    problems: list[DeckProblem] = []
+    entry = _Reader(name, file, problems, line_of or (lambda path: None)).read(tables, words)
+    if entry is None:
+        raise DeckError(problems)
+    return entry
+
+
+class _Reader:
+    """Resolves rows, cells and sourced values to plain tables, remembers the sources, and hands the tables to the deck's reader."""
+
+    def __init__(self, name: str, file: str, problems: list[DeckProblem], line_of):
+        self.name, self.file, self.problems, self.line_of = name, file, problems, line_of
+        self.collector = Collector(problems, file, line_of)
+        self.sources: list[Source] = []
+        self.reasons: dict[str, str] = {}
+        self.others: dict[str, tuple[str, ...]] = {}
+        self.marks: list[str] = []
+
+    def read(self, tables: dict, words: dict) -> Entry | None:
+        plain = {k: v for k, v in tables.items() if k not in WORDS}
+        known = families()
+        for family in known:
+            if isinstance(plain.get(family), dict):
+                plain[family] = self.law(family, dict(plain[family]))
+        valid = plain.get("valid_up_to")
+        if isinstance(valid, (str, dict)):
+            plain["valid_up_to"] = self.value("valid_up_to", valid, "m/s")
+        unreacted = self.unreacted(known["eos"], tables.get("unreacted"))
+        detonation = self.detonation(tables.get("detonation", {}))
+        material = build_material(self.name, plain, self.problems, self.file, self.line_of)
+        if material is None or self.problems:
+            return None
+        warnings = tuple(dict.fromkeys((*material.warnings, *self.marks)))
+        material = replace(material, sources=(*material.sources, *self.sources), warnings=warnings)
+        said = {k: tables.get(k, words.get(k, d)) for k, d in (("title", self.name), ("category", "user"), ("aliases", ()))}
+        return Entry(self.name, said["title"], said["category"], material, tuple(said["aliases"]), self.reasons, self.others,
+                     _lines(tables.get("missing", ())), _lines(tables.get("notes", ())), unreacted, detonation, self.file)
+
+    def law(self, family: str, table: dict) -> dict:
+        """The table of one law with every value plain: SI numbers, or texts with units that the deck's reader takes."""
+        path = ("material", self.name, family)
+        self.reasons[family] = str(table.pop("reason", ""))
+        self.others[family] = tuple(table.pop("others", ()))
+        for identity in self.others[family]:
+            if not schema.is_row(identity):
+                self.collector.add((*path, "others"), f"the library has no row '{identity}'")
+        card = self.card(path, table.pop("row")) if "row" in table else {}
+        merged = {**card, **table}
+        units = self.units(family, merged.get("law"))
+        plain = {}
+        for key, value in merged.items():
+            plain[key] = value if key == "law" else self.value(f"{family}.{key}", value, units.get(key, "1"))
+        return plain
+
+    def card(self, path: tuple, identity: Any) -> dict:
+        if not (isinstance(identity, str) and schema.is_row(identity)):
+            self.collector.add((*path, "row"), f"the library has no row '{identity}'", "hugoniot material search finds rows")
+            return {}
+        row = schema.row(identity)
+        try:
+            found = cards.card(row)
+        except ValueError as error:
+            self.collector.add((*path, "row"), str(error))
+            return {}
+        self.marks += row.marks
+        return found
+
+    def value(self, quantity: str, value: Any, unit: str) -> Any:
+        """Resolve one value, remembering its source under the name `quantity`."""
+        if isinstance(value, Source):
+            self.sources.append(replace(value, quantity=quantity))
+            return value.value
+        path = ("material", self.name, *quantity.split("."))
+        if isinstance(value, str):
+            try:
+                found = schema.cell(value)
+            except KeyError:
+                self.collector.add(path, f"the library has no cell '{value}'")
+                return value
+            if found is not None:
+                self.marks += schema.row(value.split(".")[0]).marks
+                return self.value(quantity, found, unit)
+        if isinstance(value, dict) and "value" in value:
+            return self.sourced(quantity, value, unit, path)
+        if isinstance(value, (str, int, float)) and not isinstance(value, bool):
+            number = self.collector.quantity(path, value, unit) if unit != "text" else value
+            if number is not None and unit != "text":
+                self.sources.append(Source(quantity, number, unit, "not stated", self.file, "user"))
+        return value
+
+    def sourced(self, quantity: str, table: dict, unit: str, path: tuple) -> Any:
+        for key in table:
+            if key not in ("value", *_PROVENANCE):
+                self.collector.unknown((*path, key), ("value", *_PROVENANCE))
+        number = table["value"] if unit == "text" else self.collector.quantity((*path, "value"), table["value"], unit)
+        said = {k: str(table.get(k, d)) for k, d in zip(_PROVENANCE, ("not stated", self.file, "user", ""), strict=True)}
+        if said["status"] not in (*schema.STATUSES, "user"):
+            self.collector.add((*path, "status"), f"unknown status '{said['status']}'", f"known: {', '.join((*schema.STATUSES, 'user'))}")
+        if said["status"] == "recalled":
+            self.marks.append(f"{quantity}: {schema.UNVERIFIED} ({said['source']})")
+        self.sources.append(Source(quantity, number, unit, said["source"], said["via"], said["status"], said["note"]))
+        return number
+
+    def units(self, family: str, law: Any) -> Mapping[str, str]:
+        registry = families()[family]
+        return registry.get(law).units if isinstance(law, str) and law in registry.names() else {}
+
+    def unreacted(self, registry: Registry, table: Any) -> Any:
+        if table is None:
+            return None
+        table = dict(table)
+        path = ("material", self.name, "unreacted")
+        self.reasons["unreacted"] = str(table.pop("reason", ""))
+        self.others["unreacted"] = tuple(table.pop("others", ()))
+        card = self.card(path, table.pop("row")) if "row" in table else {}
+        merged = {**card, **table}
+        units = self.units("eos", merged.get("law"))
+        plain = {k: v if k == "law" else self.value(f"unreacted.{k}", v, units.get(k, "1")) for k, v in merged.items()}
+        return read_law(registry, plain, self.collector, path)
+
+    def detonation(self, table: Mapping) -> dict[str, Source]:
+        found = {}
+        for key, value in table.items():
+            if key not in DETONATION:
+                self.collector.unknown(("material", self.name, "detonation", key), tuple(DETONATION))
+                continue
+            before = len(self.sources)
+            self.value(f"detonation.{key}", value, DETONATION[key])
+            if key == "ignition_growth":
+                row = schema.row(value)
+                self.marks += row.marks
+                found[key] = Source(f"detonation.{key}", value, "text", row.source, row.via, row.status, row.note)
+            elif len(self.sources) > before:
+                found[key] = self.sources[-1]
+        return found
+
+
+def _lines(value: Any) -> tuple[str, ...]:
+    return (value,) if isinstance(value, str) else tuple(value)

@@ -1,0 +1,147 @@
+"""The material and explosives library: `find(name)` gives a `Material`, `entry(name)` everything known about it.
+
+`index.csv` lists the curated materials with the names people type; `curated/<name>.toml` holds the choices and their reasons;
+`data/*.csv` holds every number with its source (see `materials.schema`). No file is read before it is needed.
+"""
+
+import csv
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+
+from hugoniot.core.registry import UnknownName
+from hugoniot.errors import DeckError, DeckProblem
+from hugoniot.materials import cards, schema
+from hugoniot.materials.entry import Entry, make_entry, read_file
+from hugoniot.materials.material import Material
+from hugoniot.materials.search import matches, nearest, spelling
+
+HERE = Path(__file__).parent
+
+
+class UnknownMaterial(DeckError, UnknownName):
+    """A name the library does not know; the message offers the nearest ones."""
+
+    __str__ = DeckError.__str__
+
+
+@dataclass(frozen=True)
+class Listing:
+    """One line of the list: a curated material, or all rows of one name that nobody has curated."""
+
+    name: str
+    category: str
+    title: str
+    aliases: tuple[str, ...]
+    rows: tuple[str, ...] = ()
+    curated: bool = True
+
+
+@cache
+def index() -> dict[str, Listing]:
+    """The curated materials by name."""
+    with open(HERE / "index.csv", newline="", encoding="utf-8") as file:
+        rows = csv.DictReader(file)
+        return {r["name"]: Listing(r["name"], r["category"], r["title"], tuple(a.strip() for a in r["aliases"].split(";") if a.strip()))
+                for r in rows}
+
+
+@cache
+def spellings() -> dict[str, str]:
+    """Every accepted spelling of the curated materials -> name."""
+    found: dict[str, str] = {}
+    for listing in index().values():
+        for text in (listing.name, listing.title, *listing.aliases):
+            taken = found.setdefault(spelling(text), listing.name)
+            if taken != listing.name:
+                raise ValueError(f"the name '{text}' stands for two materials of the library: {taken} and {listing.name}")
+    return found
+
+
+@cache
+def uncurated() -> dict[str, tuple[str, ...]]:
+    """Spelling -> ids of the equation-of-state rows under that name, for names that are not curated."""
+    found: dict[str, list[str]] = {}
+    for name in ("us_up", "jwl", "tillotson"):
+        for row in schema.table(name).values():
+            if spelling(row.material) not in spellings():
+                found.setdefault(spelling(row.material), []).append(row.id)
+    return {k: tuple(v) for k, v in found.items()}
+
+
+def names() -> list[str]:
+    """Names of the curated materials."""
+    return list(index())
+
+
+def find(name: str) -> Material:
+    """The material of that name, alias, or row id; `UnknownMaterial` with the nearest names."""
+    return entry(name).material
+
+
+def entry(name: str) -> Entry:
+    """As `find`, with title, reasons, what is missing, unreacted explosive and detonation data."""
+    known = spellings().get(spelling(name))
+    if known is not None:
+        return _curated(known)
+    if schema.is_row(name.strip().upper()):
+        return _of_row(name.strip().upper())
+    rows = uncurated().get(spelling(name), ())
+    if len(rows) == 1:
+        return _of_row(rows[0])
+    raise _unknown(name, rows)
+
+
+def find_all() -> list[Entry]:
+    """Every curated material."""
+    return [_curated(name) for name in index()]
+
+
+def search(text: str) -> list[Listing]:
+    """Curated materials and uncurated rows whose names, aliases, category or row ids hold every word of `text`."""
+    return [hit for hit in listings() if matches(text, (hit.name, hit.title, hit.category, *hit.aliases, *hit.rows))]
+
+
+def listings() -> Iterator[Listing]:
+    """Everything searchable: curated materials, then names found in the tables only."""
+    yield from index().values()
+    for rows in uncurated().values():
+        first = schema.row(rows[0])
+        yield Listing(first.material, str(first.get("category", "explosive" if first.table == "jwl" else "mineral/rock")), first.material, (),
+                      rows, curated=False)
+
+
+@cache
+def _curated(name: str) -> Entry:
+    path = HERE / "curated" / f"{name}.toml"
+    listing = index()[name]
+    return make_entry(name, read_file(path), path.name, title=listing.title, category=listing.category, aliases=listing.aliases)
+
+
+@cache
+def _of_row(identity: str) -> Entry:
+    row = schema.row(identity)
+    if row.table not in ("us_up", "jwl", "tillotson"):
+        raise DeckError.single("library", None, identity, f"a row of the table {row.table} is no material by itself")
+    try:
+        cards.card(row)
+    except ValueError as error:
+        raise DeckError.single("library", None, identity, str(error), "the row serves for comparison: hugoniot material show") from error
+    tables: dict = {"eos": {"row": identity}, "title": f"{row.material} (row {identity})"}
+    if "up_max" in row:
+        tables["valid_up_to"] = f"{identity}.up_max"
+    made = make_entry(identity, tables, f"row {identity}", category=str(row.get("category", "")))
+    warning = f"row {identity} of the library as it stands: not a curated material, no strength, no fracture"
+    return replace(made, material=replace(made.material, warnings=(warning, *made.material.warnings)), curated=False)
+
+
+def _unknown(name: str, rows: tuple[str, ...]) -> UnknownMaterial:
+    if rows:
+        hint = f"choose one of the sources by its row: {', '.join(f'{i} ({schema.row(i).source[:40]})' for i in rows)}"
+        message = f"'{name}' is not curated and {len(rows)} sources give it"
+    else:
+        near = nearest(name, {**spellings(), **{k: schema.row(v[0]).material for k, v in uncurated().items()}})
+        message = f"unknown material '{name[:60]}'"
+        hint = f"nearest: {', '.join(near)}" if near else "hugoniot material list shows the library"
+    return UnknownMaterial([DeckProblem("library", None, "material", message, hint)])

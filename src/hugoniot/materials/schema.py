@@ -1,0 +1,137 @@
+"""The library's data files: tables of rows, each row a set of constants with one provenance.
+
+A table is a CSV file with two heading lines, names and SI units (`text` for words). Every row has an `id`, unique in the whole
+library and starting with the letter of its table, and says where its numbers come from:
+
+    source    bibliographic origin as the public file states it
+    via       the public file the numbers were read in (repository@commit:path)
+    status    verified (read there, units converted) | corrected (a slip of that file was repaired, see note)
+              | derived (computed by the package) | recalled (from memory: unverified against print)
+    note      doubts and disagreements; a note with DOUBT or DISAGREES is shown wherever the row is used
+
+Nothing here imports more than the standard library: a material is shown in milliseconds.
+"""
+
+import csv
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from hugoniot.materials.material import Source
+
+DATA = Path(__file__).parent / "library" / "data"
+STATUSES = ("verified", "corrected", "derived", "recalled")
+UNVERIFIED = "unverified against print"
+TABLES = {
+    "U": "us_up", "S": "strength", "J": "jwl", "B": "jwlb", "G": "ignition_growth", "T": "tillotson", "P": "porous", "W": "ptw",
+    "V": "gurney", "A": "argon", "N": "gases",
+}
+_PROVENANCE = ("id", "material", "source", "via", "status", "note")
+_CELL = re.compile(r"([A-Z]\d{3})\.([a-z][a-z0-9_]*)")
+
+
+@dataclass(frozen=True)
+class Row:
+    """One row of a table: `values` holds numbers in SI and words (`form`, `model`, ...); empty cells are absent."""
+
+    table: str
+    id: str
+    material: str
+    values: Mapping[str, float | str]
+    units: Mapping[str, str]
+    source: str
+    via: str
+    status: str
+    note: str
+
+    def __getitem__(self, name: str) -> float | str:
+        return self.values[name]
+
+    def get(self, name: str, default=None):
+        return self.values.get(name, default)
+
+    def __contains__(self, name: str) -> bool:
+        return name in self.values
+
+    def constant(self, name: str, quantity: str = "") -> Source:
+        """One constant of the row with its provenance; `quantity` is its name in the material."""
+        return Source(quantity or name, self.values[name], self.units[name], self.source, self.via, self.status,
+                      "; ".join(t for t in (f"row {self.id}", self.note) if t))
+
+    def constants(self) -> Iterator[Source]:
+        """Every number of the row with its provenance."""
+        return (self.constant(name) for name, value in self.values.items() if not isinstance(value, str))
+
+    @property
+    def marks(self) -> tuple[str, ...]:
+        """What must be seen wherever the row is used: sentences, empty for a row without blemish."""
+        found = []
+        if self.status == "recalled":
+            found.append(f"{self.id} ({self.material}): {UNVERIFIED} ({self.source})")
+        doubt = re.search(r"\b(DOUBT|DISAGREES)\b.*", self.note)
+        if doubt:
+            found.append(f"{self.id} ({self.material}): {doubt.group(0)}")
+        return tuple(found)
+
+
+@cache
+def table(name: str) -> Mapping[str, Row]:
+    """Every row of a table by its id, in file order."""
+    return {row.id: row for row in _read(name)}
+
+
+def _read(name: str) -> Iterator[Row]:
+    with open(DATA / f"{name}.csv", newline="", encoding="utf-8") as file:
+        reader = csv.reader(file)
+        names, kinds = next(reader), next(reader)
+        units = {n: k for n, k in zip(names, kinds, strict=True) if n not in _PROVENANCE}
+        for cells in reader:
+            raw = dict(zip(names, cells, strict=True))
+            values = {n: _value(raw[n], units[n]) for n in units if raw[n] != ""}
+            if "unit" in raw:  # a table of single constants: each row has its own unit
+                units = {**units, "value": raw["unit"].replace("-", "1")}
+            yield Row(name, raw.get("id", ""), raw.get("material", ""), values, units, *(raw.get(k, "") for k in _PROVENANCE[2:]))
+
+
+def _value(text: str, unit: str) -> float | str:
+    """A number, unless the column holds words."""
+    return text if unit == "text" else float(text)
+
+
+def row(identity: str) -> Row:
+    """The row of that id; KeyError for an unknown one."""
+    return table(TABLES[identity[:1]])[identity]
+
+
+def is_row(text: str) -> bool:
+    """Whether a text is the id of a row of the library."""
+    return bool(re.fullmatch(r"[A-Z]\d{3}", text)) and text[0] in TABLES and text in table(TABLES[text[0]])
+
+
+def cell(reference: str) -> Source | None:
+    """The constant a text like "S088.spall_strength" refers to; None for other text, KeyError for a cell that is empty."""
+    match = _CELL.fullmatch(reference)
+    if match is None or match.group(1)[0] not in TABLES:
+        return None
+    return row(match.group(1)).constant(match.group(2))
+
+
+def all_rows() -> Iterator[Row]:
+    """Every row of every table with ids."""
+    for name in TABLES.values():
+        if (DATA / f"{name}.csv").exists():
+            yield from table(name).values()
+
+
+@cache
+def points() -> tuple[Row, ...]:
+    """The measured Us-up states (rows without id)."""
+    return tuple(_read("us_up_points"))
+
+
+@cache
+def crosschecks() -> tuple[Row, ...]:
+    """Comparisons between sources, as found when the tables were made."""
+    return tuple(_read("crosscheck"))

@@ -1,0 +1,35 @@
+"""Names as people type them: one spelling for comparison, nearest names, and a search over everything the library holds."""
+
+import difflib
+import re
+import unicodedata
+from collections.abc import Iterable, Mapping
+
+# words that carry no choice, so that "OFHC copper, annealed" is found by any order of its words
+_SAME = {"aluminium": "aluminum", "sulphur": "sulfur", "grey": "gray", "polythene": "polyethylene", "plexiglass": "plexiglas"}
+
+
+def spelling(name: str) -> str:
+    """A name reduced to what tells it from others: lower case letters and digits, one spelling of aluminium."""
+    text = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode().lower()
+    for ours, theirs in _SAME.items():
+        text = text.replace(ours, theirs)
+    return re.sub(r"[^a-z0-9]", "", text)
+
+
+def words(text: str) -> set[str]:
+    """The words and numbers of a text, each in one spelling."""
+    return {w for w in (spelling(p) for p in re.findall(r"[^\s,;()/]+", text)) if w}
+
+
+def nearest(name: str, known: Mapping[str, str], count: int = 5) -> list[str]:
+    """Names of the library most like `name`; `known` maps spelling -> name."""
+    near = difflib.get_close_matches(spelling(name), list(known), n=3 * count, cutoff=0.55)
+    inside = [s for s in known if len(spelling(name)) > 2 and spelling(name) in s]
+    return list(dict.fromkeys(known[s] for s in (*near[:1], *inside, *near)))[:count]
+
+
+def matches(query: str, texts: Iterable[str]) -> bool:
+    """Whether every word of the query is found in one of the texts."""
+    joined = " ".join(" ".join(sorted(words(t))) + " " + spelling(t) for t in texts)
+    return all(w in joined for w in words(query))
