@@ -1,0 +1,122 @@
+"""Boundary conditions of a deck: `left = "free"`, `{velocity = "10 m/s"}`, a table, or a named pulse."""
+
+from typing import Any
+
+from pydantic import Field
+
+from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.problem.model import Boundary, Pulse
+from hugoniot.problem.schema import Table, Time, quantity, validate
+from hugoniot.units import UnitError, parse
+
+PLAIN = ("free", "fixed", "transmitting")
+DRIVEN = {"velocity": "m/s", "pressure": "Pa"}
+SHAPES = ("exponential", "half_sine", "square", "ramp")
+LONGEST_TABLE = 100_000
+_FORMS = "write \"free\", \"fixed\", \"transmitting\", {velocity = ...} or {pressure = ...}"
+
+
+class PulseTable(Table):
+    """A named pulse."""
+
+    shape: str = Field(description="exponential | half_sine | square | ramp")
+    amplitude: Any = Field(description="peak value (exponential: value at its start; ramp: value it reaches and keeps)")
+    duration: quantity("s", above=0.0) = Field(  # type: ignore[valid-type]
+        description="decay time of the exponential, length of half sine and square, rise time of the ramp")
+    start: Time = Field(0.0, description="zero before this time")
+
+
+class HistoryTable(Table):
+    """A table of values over time: linear between, held outside."""
+
+    times: list[Any] = Field(description="increasing times")
+    values: list[Any] = Field(description="one value per time")
+
+
+def boundary_schema() -> dict:
+    """JSON Schema of a boundary."""
+    value = {"anyOf": [{"type": "number"}, {"type": "string"}, PulseTable.model_json_schema(), HistoryTable.model_json_schema()]}
+    driven = [{"type": "object", "properties": {key: value | {"unit": unit}}, "required": [key], "additionalProperties": False}
+              for key, unit in DRIVEN.items()]
+    return {"anyOf": [{"enum": list(PLAIN)}, *driven], "default": "free"}
+
+
+def read_boundary(value: Any, collector: Collector, path: tuple) -> Boundary | None:
+    """The boundary a deck describes; None after reporting what is wrong."""
+    if isinstance(value, str):
+        if value in PLAIN:
+            return Boundary(value)
+        hint = nearest(value, PLAIN, _FORMS)
+        collector.add(path, f"unknown boundary '{printable(value)}'", hint)
+        return None
+    if not isinstance(value, dict):
+        collector.add(path, "expected a text or a table", _FORMS)
+        return None
+    for key in value:
+        if key not in DRIVEN:
+            collector.unknown((*path, key), DRIVEN)
+    found = [key for key in DRIVEN if key in value]
+    if len(found) != 1:
+        hint = "write {velocity = \"100 m/s\"} or {pressure = \"1 GPa\"}"
+        collector.add(path, "a driven boundary has one of velocity and pressure", hint)
+        return None
+    pulse = _pulse(value[found[0]], DRIVEN[found[0]], collector, (*path, found[0]))
+    return None if pulse is None else Boundary(found[0], pulse)
+
+
+def _pulse(value: Any, unit: str, collector: Collector, path: tuple) -> Pulse | None:
+    if not isinstance(value, dict):
+        amplitude = _value(value, unit, collector, path)
+        return None if amplitude is None else Pulse("constant", amplitude)
+    if "shape" in value or not ("times" in value or "values" in value):
+        table = validate(PulseTable, value, collector, path)
+        if table is None:
+            return None
+        if table.shape not in SHAPES:
+            collector.add((*path, "shape"), f"unknown pulse shape '{printable(table.shape)}'", nearest(table.shape, SHAPES))
+            return None
+        amplitude = _value(table.amplitude, unit, collector, (*path, "amplitude"))
+        return None if amplitude is None else Pulse(table.shape, amplitude, table.start, table.duration)
+    table = validate(HistoryTable, value, collector, path)
+    return None if table is None else _history(table, unit, collector, path)
+
+
+def _history(table: HistoryTable, unit: str, collector: Collector, path: tuple) -> Pulse | None:
+    if len(table.times) != len(table.values) or not 2 <= len(table.times) <= LONGEST_TABLE:
+        message = f"a table needs as many times as values, 2 to {LONGEST_TABLE}"
+        collector.add(path, message, f"got {len(table.times)} times and {len(table.values)} values")
+        return None
+    times = [collector.quantity((*path, "times", i), t, "s") for i, t in enumerate(table.times)]
+    values = [_value(v, unit, collector, (*path, "values", i)) for i, v in enumerate(table.values)]
+    if None in times or None in values:
+        return None
+    for i, (before, after) in enumerate(zip(times, times[1:])):
+        if not after > before:  # type: ignore[operator]
+            collector.add((*path, "times", i + 1), f"times must increase, but {after:g} s follows {before:g} s")
+            return None
+    return Pulse("table", times=tuple(times), values=tuple(values))  # type: ignore[arg-type]
+
+
+def _value(value: Any, unit: str, collector: Collector, path: tuple) -> float | None:
+    limit = 299792458.0 if unit == "m/s" else 1e30
+    try:
+        number = parse(value, unit)
+    except UnitError as error:
+        collector.add(path, error.message, error.hint)
+        return None
+    if abs(number) > limit:
+        collector.add(path, f"unreasonably large: {number:g} {unit}", f"the limit is {limit:g} {unit}")
+        return None
+    return number
+
+
+def boundary_value(boundary: Boundary) -> Any:
+    """What a resolved deck writes for a boundary."""
+    pulse = boundary.pulse
+    if pulse is None:
+        return boundary.kind
+    if pulse.shape == "constant":
+        return {boundary.kind: pulse.amplitude}
+    if pulse.shape == "table":
+        return {boundary.kind: {"times": list(pulse.times), "values": list(pulse.values)}}
+    return {boundary.kind: {"shape": pulse.shape, "amplitude": pulse.amplitude, "start": pulse.start, "duration": pulse.duration}}

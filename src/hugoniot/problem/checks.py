@@ -1,0 +1,223 @@
+"""Checks of a deck that need more than one of its values: overlaps, grading, states, neighbours, places of gauges."""
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from hugoniot.errors import HugoniotError
+from hugoniot.laws.eos.contract import density_limits, reference_state, sound_speed_squared
+from hugoniot.materials.build import from_library
+from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.materials.initial_state import initial_state
+from hugoniot.materials.material import Material
+from hugoniot.problem.model import Gauge, Interface, Problem, Region
+from hugoniot.units import format_si
+
+MOST_ZONES = 10_000_000
+_STATE = ("density", "pressure", "temperature", "energy")
+_SAME = 1e-9  # of a zone: a gap below it is round-off of the user's arithmetic
+
+
+def read_regions(rows: Sequence, geometry: Any, own: dict[str, Material | None], collector: Collector,
+                 warnings: list[str]) -> tuple[tuple[Region, ...], dict[str, Material]]:
+    """Regions from left to right and the materials they use; rows that did not fit their model are None and were reported."""
+    found: list[tuple[Region, int]] = []
+    used: dict[str, Material] = {}
+    seen: dict[str, int] = {}
+    failed: set[str] = set()
+    for i, row in enumerate(rows):
+        if row is None:
+            continue
+        path = ("region", i)
+        _check_name(row.name, seen, i, collector, path)
+        if row.material not in used and row.material not in failed:
+            material = own[row.material] if row.material in own else from_library(row.material, collector, (*path, "material"), tuple(own))
+            used.update({row.material: material} if material is not None else {})
+            failed.update({row.material} if material is None else ())
+        before = len(collector.problems)
+        zones = _zones(row, collector, path)
+        if geometry in ("cylindrical", "spherical") and row.start < 0.0:
+            collector.add((*path, "from"), f"in {geometry} geometry positions are radii and must not be negative, got {row.start:g} m")
+        _check_state(row, used.get(row.material), collector, path)
+        if zones is not None and len(collector.problems) == before:
+            values = row.model_dump(exclude={"zone_size", "zones"})
+            found.append((Region(**values, zones=zones), i))
+    found.sort(key=lambda pair: pair[0].start)
+    return _without_overlap(found, collector, warnings), used
+
+
+def _check_name(name: str, seen: dict[str, int], i: int, collector: Collector, path: tuple) -> None:
+    if name in seen:
+        collector.add((*path, "name"), f"region {seen[name] + 1} is called '{printable(name)}' too", "names must differ")
+    seen.setdefault(name, i)
+    if name != name.strip() or not name.isprintable() or any(c in name for c in "/:"):
+        hint = "use printable characters, no '/' or ':', no blanks at the ends"
+        collector.add((*path, "name"), f"'{printable(name)}' cannot be a name", hint)
+
+
+def _zones(row: Any, collector: Collector, path: tuple) -> int | None:
+    """Number of zones, from `zones` or from the width of the first zone and the ratio."""
+    width = row.end - row.start
+    if not width > 0.0:
+        collector.add((*path, "to"), f"must be greater than from = {format_si(row.start, 'm')}, got {format_si(row.end, 'm')}")
+        return None
+    if (row.zones is None) == (row.zone_size is None):
+        collector.add((*path, "zones"), "give either zones or zone_size" + (", not both" if row.zones else ""), "such as zones = 200")
+        return None
+    zones, key = row.zones, "zones"
+    if zones is None:
+        key = "zone_size"
+        part = row.zone_size / width
+        grown = 1.0 + (row.ratio - 1.0) / part
+        if grown <= 0.0:
+            reach = format_si(row.zone_size / (1.0 - row.ratio), "m")
+            message = f"zones shrinking from {format_si(row.zone_size, 'm')} fill only {reach}"
+            collector.add((*path, "ratio"), message, "take a ratio nearer 1")
+            return None
+        number = 1.0 / part if row.ratio == 1.0 else math.log(grown) / math.log(row.ratio)
+        if not number < MOST_ZONES + 0.5:
+            collector.add((*path, key), f"{number:.3g} zones are too many", f"the limit is {MOST_ZONES}")
+            return None
+        zones = max(1, round(number))
+    spread = abs(math.log(row.ratio)) * (zones - 1)
+    if spread > math.log(1e8):
+        message = f"over {zones} zones the widths would differ by a factor of 1e{spread / math.log(10):.0f}"
+        collector.add((*path, "ratio"), message, "take a ratio nearer 1")
+        return None
+    if width / zones * math.exp(-spread) < 1e-13 * max(abs(row.start), abs(row.end)):
+        collector.add((*path, key), "zones too thin for double precision at this position", "take fewer zones, or move the origin nearer")
+        return None
+    return zones
+
+
+def _check_state(row: Any, material: Material | None, collector: Collector, path: tuple) -> None:
+    given = {key: value for key in _STATE if (value := getattr(row, key)) is not None}
+    if len(given) > 2:
+        collector.add((*path, list(given)[-1]), f"{', '.join(given)} over-determine the state", "give at most two of them")
+        return
+    if material is None or not given:
+        return
+    key = next(iter(given))
+    low, high = density_limits(material.eos)
+    if row.density is not None and not low <= row.density < high:
+        collector.add((*path, "density"), f"{row.density:g} kg/m^3 lies outside the equation of state",
+                      f"{material.name} is defined from {low:g} to {high:g} kg/m^3")
+        return
+    try:
+        rho, e = initial_state(material.eos, row.density, row.pressure, row.temperature, row.energy)
+        c2 = sound_speed_squared(rho, e, material.eos)
+    except (HugoniotError, ArithmeticError, ValueError) as error:
+        collector.add((*path, key), printable(str(error), 300))
+        return
+    if not (math.isfinite(rho) and rho > 0.0 and math.isfinite(e) and math.isfinite(c2) and c2 > 0.0):
+        collector.add((*path, key), f"no sound material: density {rho:g} kg/m^3, energy {e:g} J/kg, squared sound speed {c2:g} m^2/s^2",
+                      "change the initial state")
+
+
+def _without_overlap(found: list[tuple[Region, int]], collector: Collector, warnings: list[str]) -> tuple[Region, ...]:
+    """The regions, touching ends made equal bit for bit."""
+    regions: list[Region] = []
+    for region, i in found:
+        if regions:
+            left = regions[-1]
+            gap, width = region.start - left.end, min((r.end - r.start) / r.zones for r in (left, region))
+            if gap < -_SAME * width:
+                message = f"overlaps region '{left.name}', which reaches from {format_si(left.start, 'm')} to {format_si(left.end, 'm')}"
+                collector.add(("region", i, "from"), message, f"start it at {format_si(left.end, 'm', 15)} or beyond")
+            elif abs(gap) <= _SAME * width:
+                region = Region(**{**region.__dict__, "start": left.end})
+            elif gap < 1e-3 * width:
+                warnings.append(f"the gap of {format_si(gap, 'm')} between '{left.name}' and '{region.name}' is far thinner than a zone")
+        regions.append(region)
+    if sum(r.zones for r in regions) > MOST_ZONES:
+        collector.add(("region",), f"{sum(r.zones for r in regions)} zones in all are too many", f"the limit is {MOST_ZONES}")
+    return tuple(regions)
+
+
+def read_interfaces(rows: Sequence, regions: tuple[Region, ...], collector: Collector) -> tuple[Interface, ...]:
+    """Interfaces between neighbours, left one first."""
+    order = {region.name: k for k, region in enumerate(regions)}
+    found: dict[tuple[int, int], Interface] = {}
+    for i, row in enumerate(rows):
+        if row is None:
+            continue
+        path = ("interface", i)
+        if (row.kind == "bond") != (row.strength is not None):
+            hint = "kind = \"bond\" and strength belong together"
+            collector.add((*path, "strength"), "missing" if row.kind == "bond" else f"a {row.kind} interface has no strength", hint)
+        unknown = [(k, name) for k, name in enumerate(row.between) if name not in order]
+        for k, name in unknown:
+            collector.add((*path, "between", k), f"no region '{printable(name)}'", nearest(name, order))
+        if unknown:
+            continue
+        a, b = sorted(order[name] for name in row.between)
+        if b != a + 1:
+            collector.add((*path, "between"), f"'{row.between[0]}' and '{row.between[1]}' are not neighbours")
+        elif (a, b) in found:
+            collector.add((*path, "between"), f"'{row.between[0]}' and '{row.between[1]}' are described twice")
+        else:
+            found[a, b] = Interface(regions[a].name, regions[b].name, row.kind, row.strength or 0.0)
+    return tuple(found[key] for key in sorted(found))
+
+
+def read_gauges(rows: Sequence, regions: tuple[Region, ...], collector: Collector) -> tuple[Gauge, ...]:
+    """Gauges, each at a place that exists."""
+    found: dict[str, Gauge] = {}
+    for i, row in enumerate(rows):
+        if row is None:
+            continue
+        path = ("gauge", i)
+        if row.name in found:
+            collector.add((*path, "name"), f"another gauge is called '{printable(row.name)}' too", "names must differ")
+        elif row.name != row.name.strip() or not row.name.isprintable():
+            collector.add((*path, "name"), f"'{printable(row.name)}' cannot be a name", "use printable characters, no blanks at the ends")
+        if regions:
+            wrong = _wrong_place(row.at, regions)
+            if wrong:
+                collector.add((*path, "at"), *wrong)
+        found.setdefault(row.name, Gauge(row.name, row.at))
+    return tuple(found.values())
+
+
+def _wrong_place(at: float | str, regions: tuple[Region, ...]) -> tuple[str, str] | None:
+    """Message and hint where a gauge has no material to sit on."""
+    if isinstance(at, float):
+        if any(r.start <= at <= r.end for r in regions):
+            return None
+        spans = ", ".join(f"'{r.name}' {format_si(r.start, 'm')} to {format_si(r.end, 'm')}" for r in regions[:4])
+        return f"no material at {format_si(at, 'm')}", f"regions: {spans}" + (", ..." if len(regions) > 4 else "")
+    names = [r.name for r in regions]
+    places = ["free surface left", "free surface right"]
+    touching = [f"{a.name}/{b.name}" for a, b in zip(regions, regions[1:])]
+    if at in places or at in touching or at in [f"{n}:{side}" for n in names for side in ("left", "right")]:
+        return None
+    backwards = [f"{b.name}/{a.name}" for a, b in zip(regions, regions[1:])]
+    if at in backwards:
+        return f"unknown place '{printable(at)}'", f"name the left region first: '{touching[backwards.index(at)]}'"
+    known = places + touching + [f"{n}:{side}" for n in names[:20] for side in ("left", "right")]
+    return f"unknown place '{printable(at)}'", nearest(at, known, f"such as '4 mm', '{known[-1]}', 'free surface right'")
+
+
+def advice(problem: Problem) -> list[str]:
+    """What is allowed but seldom meant: jumps of the zone mass, speeds beyond the data of a material."""
+    told = []
+    for a, b in zip(problem.regions, problem.regions[1:]):
+        if a.end != b.start:
+            continue
+        masses = []
+        for region, last in ((a, True), (b, False)):
+            q, n = region.ratio, region.zones
+            first = (region.end - region.start) * ((1.0 - q) / (1.0 - q**n) if q != 1.0 else 1.0 / n)
+            rho = region.density or reference_state(problem.materials[region.material].eos)[0]
+            masses.append(rho * first * (q ** (n - 1) if last else 1.0))
+        jump = max(masses) / min(masses)
+        if jump > 4.0:
+            told.append(f"the zone mass jumps by a factor of {jump:.3g} between '{a.name}' and '{b.name}': expect a start-up error there")
+    for a, b in zip(problem.regions, problem.regions[1:]):
+        ua, ub = (r.velocity[k] if isinstance(r.velocity, tuple) else r.velocity for r, k in ((a, 1), (b, 0)))
+        for region in (a, b):
+            limit = problem.materials[region.material].valid_up_to
+            if limit is not None and abs(ua - ub) > 2.0 * limit:
+                told.append(f"'{a.name}' meets '{b.name}' at {abs(ua - ub):g} m/s, but the data of '{region.material}' "
+                            f"end at a particle velocity of {limit:g} m/s")
+    return told

@@ -1,0 +1,141 @@
+"""Reads a deck: TOML text to a frozen `Problem`, with every problem of the text reported at once by file, line, key and hint."""
+
+import copy
+import re
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from hugoniot import __version__
+from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.materials.build import read_material
+from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.problem import schema
+from hugoniot.problem.lines import line_finder
+from hugoniot.problem.write import to_toml
+
+LARGEST = 20_000_000  # characters: a deck with long tables, not a file given by mistake
+
+
+@dataclass(frozen=True)
+class Deck:
+    """A deck that was read: the problem, the same as text with every default written out (SI), and what seems odd about it.
+
+    text   what the user wrote; `name` what messages call it
+    """
+
+    problem: Any
+    resolved: str
+    warnings: tuple[str, ...]
+    text: str
+    name: str
+
+
+def read_deck(path: str | Path, overrides: dict[str, Any] | None = None) -> Deck:
+    """Read a deck file.
+
+    overrides   dotted key -> value that replaces the deck's, such as {"region.flyer.velocity": "800 m/s"}
+    Raises `DeckError` with every problem found, `FileTrouble` if the file cannot be read.
+    """
+    path = Path(path)
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        near = sorted(p.name for p in path.parent.glob("*.toml"))[:5] if path.parent.is_dir() else []
+        hint = f"; decks here: {', '.join(near)}" if near else "; hugoniot init writes one"
+        raise FileTrouble(f"cannot read {path}: {error.strerror or error}{hint}") from None
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        raise DeckError.single(path.name, line, "deck", "not a text in UTF-8", "a deck is a TOML file; hugoniot init writes one") from None
+    return read_deck_text(text, path.name, overrides)
+
+
+def read_deck_text(text: str, name: str = "deck", overrides: dict[str, Any] | None = None) -> Deck:
+    """Read a deck given as text; `name` is what messages call it. Raises `DeckError` with every problem found."""
+    raw = _parse(text, name)
+    collector = Collector([], name, line_finder(text), raw)
+    for key, value in (overrides or {}).items():
+        _override(raw, key, value, collector)
+    kind = _solver_kind(raw, collector)
+    module = schema.solver_module(kind)
+    model = schema.validate(module.Model, raw, collector)
+    materials = _materials(raw, collector)
+    problem, warnings = module.read(raw, model, materials, collector)
+    if collector.problems or problem is None:
+        problems = sorted(collector.problems, key=lambda p: (p.line or 0))
+        raise DeckError(problems)
+    if not problem.title:
+        problem = type(problem)(**{**problem.__dict__, "title": Path(name).stem})
+    return Deck(problem, write_deck(problem, kind), tuple(warnings), text, name)
+
+
+def write_deck(problem: Any, kind: str | None = None) -> str:
+    """The deck text of a problem: SI, every default written out; reading it gives an equal problem."""
+    kind = kind or problem.solver.kind
+    header = f"# Written by hugoniot {__version__}: every default is written out, every number is SI.\n"
+    return header + to_toml(schema.solver_module(kind).write(problem))
+
+
+def _parse(text: str, name: str) -> dict:
+    if len(text) > LARGEST:
+        raise DeckError.single(name, None, "deck", f"{len(text)} characters are too many for a deck", "was another file meant?")
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        match = re.search(r"\(at line (\d+), column (\d+)\)", str(error))
+        at_end = "at end of document" in str(error)
+        line = int(match[1]) if match else text.rstrip().count("\n") + 1 if at_end else None
+        message = printable(re.sub(r"\s*\(at [^)]*\)$", "", str(error)), 200)
+        wrong = text.splitlines()[line - 1] if line and line <= len(text.splitlines()) else ""
+        hint = "texts need quotes, tables are [name], keys are name = value"
+        hint = f"the line reads: {printable(wrong.strip(), 60)}" if wrong.strip() else hint
+        raise DeckError.single(name, line, "deck", f"not TOML: {message[:1].lower()}{message[1:]}", hint) from None
+    except RecursionError:
+        raise DeckError.single(name, None, "deck", "not a deck: arrays nested too deeply") from None
+    except ValueError as error:  # numbers with more digits than the language converts
+        raise DeckError.single(name, None, "deck", f"not a deck: {printable(str(error), 120)}") from None
+
+
+def _solver_kind(raw: dict, collector: Collector) -> str:
+    solver = raw.get("solver", {})
+    kind = solver.get("kind", "lagrange1d") if isinstance(solver, dict) else "lagrange1d"
+    known = schema.available_solvers()
+    if kind not in known:
+        shown = printable(kind) if isinstance(kind, str) else "not a text"
+        line = collector.line_of(("solver", "kind"))
+        raise DeckError.single(collector.file, line, "solver.kind", f"unknown solver '{shown}'", nearest(shown, known))
+    return kind
+
+
+def _materials(raw: dict, collector: Collector) -> dict:
+    tables = raw.get("material", {})
+    if not isinstance(tables, dict):
+        return {}
+    for name in tables:
+        if not name.strip() or not name.isprintable() or len(name) > 60:
+            collector.add(("material", name), f"'{printable(name)}' cannot be a name", "use up to 60 printable characters")
+    return {name: read_material(name, table, collector, ("material", name)) for name, table in tables.items()}
+
+
+def _override(raw: dict, key: str, value: Any, collector: Collector) -> None:
+    """Put a value under a dotted key; elements of [[region]] and the like are chosen by name. A table is merged, not replaced."""
+    *parents, last = key.split(".") if isinstance(key, str) else [""]
+    here: Any = raw
+    for part in parents:
+        if isinstance(here, list):
+            here = next((e for e in here if isinstance(e, dict) and e.get("name") == part), None)
+        elif isinstance(here, dict):
+            here = here.setdefault(part, {})
+        if here is None:
+            break
+    if not isinstance(here, dict):
+        hint = "write it like region.flyer.velocity"
+        raise DeckError.single(collector.file, None, printable(key), "no such place in the deck to override", hint)
+    if isinstance(value, dict) and isinstance(here.get(last), dict):
+        for inner, v in value.items():
+            _override(here[last], inner, v, collector)
+    else:
+        here[last] = copy.deepcopy(value)

@@ -1,0 +1,256 @@
+"""The deck of the solver `lagrange1d`: its shape, and the way from a deck that fits it to a `Problem` and back."""
+
+from dataclasses import fields
+from types import MappingProxyType
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field, WithJsonSchema
+
+from hugoniot.core.fields import FIELDS
+from hugoniot.laws.viscosity.contract import VISCOSITY
+from hugoniot.materials.build import read_law
+from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.materials.material import Material
+from hugoniot.materials.tables import law_table, material_tables
+from hugoniot.problem import checks
+from hugoniot.problem.boundaries import boundary_schema, boundary_value, read_boundary
+from hugoniot.problem.model import Boundary, OutputOptions, Problem, SolverOptions
+from hugoniot.problem.schema import Length, Pressure, Table, quantity, salvage, trouble
+from hugoniot.units import UnitError, parse
+
+Positive = quantity("s", above=0.0, limit=1e15)
+MOST_ZONES = 10_000_000
+MOST_SNAPSHOTS = 100_000
+
+
+def _velocity(value: Any) -> float | tuple[float, float]:
+    if isinstance(value, list) and len(value) != 2:
+        raise trouble(f"expected one velocity or two (at the start and the end of the region), got {len(value)}")
+    try:
+        numbers = [parse(v, "m/s") for v in (value if isinstance(value, list) else [value])]
+    except UnitError as error:
+        raise trouble(error.message, error.hint) from None
+    if max(map(abs, numbers)) > 299792458.0:
+        raise trouble(f"unreasonably large: {max(map(abs, numbers)):g} m/s is faster than light")
+    return numbers[0] if len(numbers) == 1 else (numbers[0], numbers[1])
+
+
+def _place(value: Any) -> float | str:
+    if isinstance(value, str) and not value.strip()[:1].isdigit() and value.strip()[:1] not in ("+", "-", "."):
+        return " ".join(value.split()) if len(value) < 200 else printable(value)
+    try:
+        return parse(value, "m")
+    except UnitError as error:
+        raise trouble(error.message, error.hint) from None
+
+
+def _times(value: Any) -> float | tuple[float, ...]:
+    if isinstance(value, list) and len(value) > MOST_SNAPSHOTS:
+        raise trouble(f"{len(value)} snapshots are too many", f"the limit is {MOST_SNAPSHOTS}")
+    try:
+        times = tuple(parse(v, "s") for v in (value if isinstance(value, list) else [value]))
+    except UnitError as error:
+        raise trouble(error.message, error.hint) from None
+    if not isinstance(value, list):
+        if not times[0] > 0.0:
+            raise trouble(f"the interval between snapshots must be greater than 0, got {printable(value)!r}")
+        return times[0]
+    if any(b <= a for a, b in zip(times, times[1:])):
+        raise trouble("the times of snapshots must increase")
+    return times
+
+
+_one_or_more = {"anyOf": [{"type": "number"}, {"type": "string"}, {"type": "array", "items": {"type": ["number", "string"]}}]}
+
+
+class RegionTable(Table):
+    """A contiguous piece of one material at t = 0, divided into zones."""
+
+    name: str = Field(min_length=1, max_length=60, description="what gauges, messages and plots call it")
+    material: str = Field(min_length=1, max_length=200, description="a table [material.NAME] of the deck, or a name of the library")
+    start: Length = Field(alias="from", description="position of the left end at t = 0")
+    end: Length = Field(alias="to", description="position of the right end at t = 0; a gap to the next region closes as bodies meet")
+    zones: int | None = Field(None, ge=1, le=MOST_ZONES, description="number of zones (this or zone_size)")
+    zone_size: quantity("m", above=0.0) | None = Field(None, description="width of the first zone (this or zones)")  # type: ignore[valid-type]
+    ratio: quantity("1", above=0.0, limit=10.0) = Field(1.0, description="width of each zone over the one before")  # type: ignore[valid-type]
+    velocity: Annotated[Any, BeforeValidator(_velocity), WithJsonSchema(_one_or_more | {"unit": "m/s"})] = Field(
+        0.0, description="initial velocity, or [at start, at end] for a linear profile")
+    density: quantity("kg/m^3", above=0.0) | None = Field(None, description="initial density")  # type: ignore[valid-type]
+    pressure: Pressure | None = Field(None, description="initial pressure")
+    temperature: quantity("K", above=0.0, limit=1e12) | None = Field(None, description="initial temperature")  # type: ignore[valid-type]
+    energy: quantity("J/kg") | None = Field(None, description="initial specific internal energy")  # type: ignore[valid-type]
+
+
+class InterfaceTable(Table):
+    """How two neighbouring regions hold together."""
+
+    between: list[str] = Field(min_length=2, max_length=2, description="the names of the two regions")
+    kind: Literal["bonded", "separable", "bond"] = Field(
+        "separable", description="bonded never opens, separable opens under any tension, bond opens beyond its strength")
+    strength: quantity("Pa", above=0.0) | None = Field(None, description="tension a bond carries")  # type: ignore[valid-type]
+
+
+class GaugeTable(Table):
+    """A Lagrangian gauge: it moves with the material."""
+
+    name: str = Field(min_length=1, max_length=60, description="column of gauges.csv and label of plots")
+    at: Annotated[Any, BeforeValidator(_place), WithJsonSchema({"type": ["number", "string"], "unit": "m"})] = Field(
+        description="position at t = 0, or \"free surface left|right\", \"REGION/REGION\", \"REGION:left|right\"")
+
+
+class BoundaryTables(Table):
+    """What happens at the two ends."""
+
+    left: Annotated[Any, WithJsonSchema(boundary_schema())] = Field("free", description="condition at the left end")
+    right: Annotated[Any, WithJsonSchema(boundary_schema())] = Field("free", description="condition at the right end")
+
+
+class SolverTable(Table):
+    """How it is solved."""
+
+    kind: Literal["lagrange1d"] = Field("lagrange1d", description="the solver")
+    integrator: Literal["compatible", "wilkins"] = Field(
+        "compatible", description="compatible closes the total energy to round-off; wilkins is the classical leapfrog")
+    courant: quantity("1", above=0.0, limit=1.0) | None = Field(None, description="Courant number (default: the integrator's)")  # type: ignore[valid-type]
+    growth: quantity("1", least=1.0, limit=10.0) = Field(1.1, description="largest growth of the time step per cycle")  # type: ignore[valid-type]
+    initial_step: Positive | None = Field(None, description="first time step (default: from the Courant condition)")
+    largest_step: Positive | None = Field(None, description="largest time step (default: none)")
+    threads: int = Field(1, ge=1, le=1024, description="threads; they change no bit of the result")
+    max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after so many cycles (default: none)")
+    viscosity: Any = Field(None, description="table [solver.viscosity] with law = ... and its parameters (default: the solver's)",
+                           json_schema_extra={"$ref": "#/$defs/viscosity_law"})
+    options: dict[str, bool | int | float | str] = Field(default_factory=dict, description="the solver's own options")
+
+
+class OutputTable(Table):
+    """What is kept."""
+
+    snapshots: Annotated[Any, BeforeValidator(_times), WithJsonSchema(_one_or_more | {"unit": "s"})] = Field(
+        None, description="interval between snapshots, or their times (default: a hundredth of stop_time)")
+    fields: list[str] = Field(default_factory=list, max_length=50, description="fields of a snapshot (default: the solver's set)")
+    gauge_interval: quantity("s", least=0.0) = Field(0.0, description="time between gauge samples; 0: every cycle")  # type: ignore[valid-type]
+    checkpoint_seconds: quantity("s", above=0.0) = Field(30.0, description="wall time between checkpoints")  # type: ignore[valid-type]
+    checkpoint_cycles: int | None = Field(None, ge=1, le=10**15, description="cycles between checkpoints (default: by time only)")
+    report: bool = Field(True, description="write report.html at the end")
+
+
+class Model(Table):
+    """A deck of the one-dimensional Lagrangian hydrocode."""
+
+    title: str = Field("", max_length=200, description="title of report and plots (default: the deck's file name)")
+    geometry: Literal["planar", "cylindrical", "spherical"] = Field("planar", description="symmetry")
+    stop_time: Positive = Field(description="time at which the run ends, such as \"2.5 us\"")
+    region: list[RegionTable] = Field(min_length=1, max_length=100_000, description="the bodies, [[region]]")
+    material: dict[str, Annotated[Any, WithJsonSchema({"$ref": "#/$defs/material"})]] = Field(
+        default_factory=dict, description="materials of this deck, [material.NAME.eos] and so on")
+    boundary: BoundaryTables = Field(default_factory=BoundaryTables, description="the two ends")
+    interface: list[InterfaceTable] = Field(default_factory=list, max_length=100_000, description="how neighbours hold together")
+    gauge: list[GaugeTable] = Field(default_factory=list, max_length=10_000, description="Lagrangian gauges")
+    solver: SolverTable = Field(default_factory=SolverTable, description="how it is solved")  # type: ignore[arg-type]
+    output: OutputTable = Field(default_factory=OutputTable, description="what is kept")  # type: ignore[arg-type]
+
+
+def read(raw: dict, model: Model | None, materials: dict[str, Material | None], collector: Collector) -> tuple[Problem | None, list[str]]:
+    """The problem, and warnings; the problem is None when anything was reported.
+
+    raw, model   the parsed deck, and the model of it (None if it did not fit: then whatever parts do fit are still checked)
+    materials    the deck's own materials, None for one that could not be built
+    """
+    warnings: list[str] = []
+    geometry = raw.get("geometry", "planar")
+    tables = {name: _parts(kind, raw.get(name)) for name, kind in
+              (("region", RegionTable), ("interface", InterfaceTable), ("gauge", GaugeTable))}
+    regions, used = checks.read_regions(tables["region"], geometry, materials, collector, warnings)
+    interfaces = checks.read_interfaces(tables["interface"], regions, collector)
+    gauges = checks.read_gauges(tables["gauge"], regions, collector)
+    left, right = _ends(raw, geometry, regions, collector)
+    solver = _solver(raw.get("solver", {}), collector)
+    output = _output(raw, collector)
+    for name in raw.get("material", {}) if isinstance(raw.get("material"), dict) else ():
+        if name not in used and regions:
+            warnings.append(f"material '{printable(name)}' of the deck is not used by any region")
+    if model is None or collector.problems or left is None or right is None or solver is None or output is None:
+        return None, warnings
+    problem = Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, solver, output)
+    return problem, warnings + checks.advice(problem)
+
+
+def _parts(kind: type[Table], rows: Any) -> list:
+    return [salvage(kind, row) for row in rows[:100_000]] if isinstance(rows, list) else []
+
+
+def _ends(raw: dict, geometry: Any, regions: tuple, collector: Collector) -> tuple[Boundary | None, Boundary | None]:
+    table = raw.get("boundary", {})
+    table = table if isinstance(table, dict) else {}
+    at_centre = geometry in ("cylindrical", "spherical") and regions and regions[0].start == 0.0
+    ends = [read_boundary(table.get(side, "fixed" if side == "left" and at_centre else "free"), collector, ("boundary", side))
+            for side in ("left", "right")]
+    if at_centre and ends[0] is not None and ends[0].pulse is not None:
+        collector.add(("boundary", "left"), f"nothing can be driven at the {'axis' if geometry == 'cylindrical' else 'origin'}, r = 0",
+                      "leave it out, or start the region at a radius")
+    return ends[0], ends[1]
+
+
+def _solver(table: Any, collector: Collector) -> SolverOptions | None:
+    viscosity = None
+    if isinstance(table, dict) and "viscosity" in table:
+        par = read_law(VISCOSITY, table["viscosity"], collector, ("solver", "viscosity"))
+        if par is not None:
+            values = law_table(VISCOSITY, par)
+            viscosity = (values.pop("law"), values)
+    model = salvage(SolverTable, table)
+    if model is None:
+        return None
+    options = model.model_dump()
+    return SolverOptions(**options | {"viscosity": viscosity, "options": MappingProxyType(options["options"])})
+
+
+def _output(raw: dict, collector: Collector) -> OutputOptions | None:
+    model = salvage(OutputTable, raw.get("output", {}))
+    if model is None:
+        return None
+    for i, name in enumerate(model.fields):
+        if name not in FIELDS:
+            collector.add(("output", "fields", i), f"unknown field '{printable(name)}'", nearest(name, FIELDS))
+    snapshots = model.snapshots
+    try:
+        stop = parse(raw.get("stop_time"), "s")
+    except UnitError:
+        return None
+    path = ("output", "snapshots")
+    if snapshots is None:
+        snapshots = stop / 100.0
+    elif isinstance(snapshots, float) and stop > snapshots * MOST_SNAPSHOTS:
+        collector.add(path, f"{stop / snapshots:.3g} snapshots up to stop_time are too many", f"the limit is {MOST_SNAPSHOTS}")
+    elif isinstance(snapshots, tuple) and snapshots and not (snapshots[0] >= 0.0 and snapshots[-1] <= stop):
+        collector.add(path, f"snapshots must lie between 0 and stop_time = {stop:g} s")
+    return OutputOptions(**model.model_dump() | {"snapshots": snapshots, "fields": tuple(model.fields)})
+
+
+def write(problem: Problem) -> dict:
+    """Tables of a deck, every default written out, that reads back to exactly this problem."""
+    deck: dict[str, Any] = {"title": problem.title, "geometry": problem.geometry, "stop_time": problem.stop_time}
+    names = {"start": "from", "end": "to"}
+    deck["region"] = [{names.get(k, k): list(v) if isinstance(v, tuple) else v for k, v in _known(r).items()} for r in problem.regions]
+    deck["material"] = {name: material_tables(m) for name, m in problem.materials.items()}
+    deck["boundary"] = {"left": boundary_value(problem.left), "right": boundary_value(problem.right)}
+    interfaces = [{"between": [i.left, i.right], "kind": i.kind} | ({"strength": i.strength} if i.kind == "bond" else {})
+                  for i in problem.interfaces]
+    gauges = [{"name": g.name, "at": g.at} for g in problem.gauges]
+    deck |= {key: rows for key, rows in (("interface", interfaces), ("gauge", gauges)) if rows}
+    solver = _known(problem.solver)
+    if problem.solver.viscosity is not None:
+        law, values = problem.solver.viscosity
+        solver["viscosity"] = {"law": law, **values}
+    solver["options"] = dict(problem.solver.options)
+    deck["solver"] = solver
+    output = _known(problem.output)
+    output["fields"] = list(problem.output.fields)
+    if isinstance(problem.output.snapshots, tuple):
+        output["snapshots"] = list(problem.output.snapshots)
+    deck["output"] = output
+    return deck
+
+
+def _known(part: Any) -> dict[str, Any]:
+    return {f.name: value for f in fields(part) if (value := getattr(part, f.name)) is not None}

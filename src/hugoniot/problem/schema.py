@@ -1,0 +1,204 @@
+"""What every deck model is made of: quantities, strict tables, errors in plain words, and the solvers a deck may ask for.
+
+A deck's shape is a pydantic model, from which the editor's JSON Schema and the deck reference come. Each solver has its own
+model, named in `SOLVERS`; a new solver plugs in with one line there.
+"""
+
+import importlib
+import importlib.util
+from collections.abc import Mapping
+from types import ModuleType
+from typing import Annotated, Any
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, ValidationError, WithJsonSchema
+from pydantic_core import PydanticCustomError
+
+from hugoniot.core.registry import Registry
+from hugoniot.laws import viscosity  # noqa: F401  (enrols the viscosity laws)
+from hugoniot.laws.viscosity.contract import VISCOSITY
+from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.materials.tables import accepted, families
+from hugoniot.units import UnitError, parse
+
+# solver kind -> module with `Model` (the deck's pydantic model), `read(raw, model, materials, collector)` -> (problem, warnings)
+# where `model` is None if the deck did not fit it, and `write(problem)` -> dict of the resolved deck's tables
+SOLVERS: dict[str, str] = {
+    "lagrange1d": "hugoniot.problem.lagrangian",
+    "shock_structure": "hugoniot.problem.shock_structure",
+}
+
+
+def solver_module(kind: str) -> ModuleType:
+    """The module that reads decks of a solver."""
+    return importlib.import_module(SOLVERS[kind])
+
+
+def available_solvers() -> list[str]:
+    """The solver kinds this installation can read decks of."""
+    return [kind for kind, path in SOLVERS.items() if importlib.util.find_spec(path)]
+
+
+class Table(BaseModel):
+    """A table of a deck: unknown keys and values of another type are errors."""
+
+    model_config = ConfigDict(extra="forbid", strict=True, populate_by_name=True, frozen=True)
+
+
+def quantity(unit: str, *, above: float | None = None, least: float | None = None, limit: float = 1e30):
+    """Type of a quantity in a model: number (SI) or text with unit; `above`, `least`: its bounds; `limit` of its magnitude."""
+
+    def read(value: Any) -> float:
+        try:
+            number = parse(value, unit)
+        except UnitError as error:
+            raise trouble(error.message, error.hint) from None
+        if above is not None and not number > above:
+            raise trouble(f"must be greater than {above:g}, got {printable(value)!r}")
+        if least is not None and not number >= least:
+            raise trouble(f"must not be less than {least:g}, got {printable(value)!r}")
+        if abs(number) > limit:
+            raise trouble(f"unreasonably large: {printable(value)!r} is {number:g} {unit}", f"the limit is {limit:g} {unit}")
+        return number
+
+    text = {"type": "string", "pattern": r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*\S.*$"}
+    return Annotated[float, BeforeValidator(read), WithJsonSchema({"anyOf": [{"type": "number"}, text], "unit": unit})]
+
+
+Length = quantity("m", limit=1e15)
+Time = quantity("s", limit=1e15)
+Speed = quantity("m/s", limit=299792458.0)
+Pressure = quantity("Pa")
+
+
+def trouble(message: str, hint: str = "") -> PydanticCustomError:
+    """The error a validator raises; the braces of a user's text must not be taken for a format."""
+    return PydanticCustomError("deck", "{message}", {"message": message, "hint": hint})
+
+
+def validate(model: type[BaseModel], raw: Any, collector: Collector, path: tuple = (), skip: tuple[str, ...] = ()) -> Any:
+    """The model made from a raw table, or None after reporting everything wrong with it."""
+    try:
+        return model.model_validate(raw)
+    except ValidationError as error:
+        for item in error.errors(include_url=False):
+            location = tuple(item["loc"])
+            if location[:1] not in [(s,) for s in skip]:
+                collector.add((*path, *location), *_in_words(item, model))
+        return None
+
+
+def salvage(model: type[BaseModel], raw: Any) -> Any:
+    """The model if the raw table fits it, else None, silently: for checks that go on in spite of errors reported already."""
+    try:
+        return model.model_validate(raw)
+    except ValidationError:
+        return None
+
+
+def _in_words(item: Mapping, model: type[BaseModel]) -> tuple[str, str]:
+    """Message and hint of one pydantic error."""
+    kind, location, context, given = item["type"], item["loc"], item.get("ctx", {}), item["input"]
+    shown = printable(given if isinstance(given, str) else _brief(given), 40)
+    if kind == "deck":
+        return context["message"], context["hint"]
+    if kind == "extra_forbidden":
+        return "unknown key", nearest(location[-1], keys_of(_model_at(model, location[:-1])))
+    if kind == "missing":
+        field = _field_at(model, location)
+        return "missing", (field.description or "") if field is not None else ""
+    if kind == "literal_error":
+        return f"expected {context['expected']}, got '{shown}'", nearest(shown, _literals(context["expected"]), " ")
+    words = {"int_type": "expected a whole number", "int_from_float": "expected a whole number", "string_type": "expected a text",
+             "bool_type": "expected true or false", "float_type": "expected a number", "list_type": "expected an array",
+             "dict_type": "expected a table", "model_type": "expected a table", "tuple_type": "expected an array"}
+    if kind in words:
+        name = location[-1] if location else ""
+        hint = f"write [[{name}]] above its keys" if kind == "list_type" and name in ("region", "gauge", "interface") else ""
+        return f"{words[kind]}, got {shown}", hint
+    bounds = {"greater_than": ("greater than", "gt"), "greater_than_equal": ("at least", "ge"), "less_than_equal": ("at most", "le"),
+              "less_than": ("less than", "lt")}
+    if kind in bounds:
+        word, key = bounds[kind]
+        return f"must be {word} {context[key]:,}, got {shown}".replace(",", " ", str(context[key]).count(",")), ""
+    return printable(item["msg"][:1].lower() + item["msg"][1:], 200), ""
+
+
+def _literals(expected: str) -> list[str]:
+    return [word.strip(" '") for word in expected.replace(" or ", ", ").split(",")]
+
+
+def _brief(value: Any) -> str:
+    kinds = {dict: "a table", list: "an array", bool: str(value).lower()}
+    return kinds.get(type(value), repr(value) if not isinstance(value, int) or abs(value) < 1e18 else "a number of many digits")
+
+
+def keys_of(model: type[BaseModel] | None) -> list[str]:
+    """The keys a table of that model may have, as a deck writes them."""
+    return [] if model is None else [field.alias or name for name, field in model.model_fields.items()]
+
+
+def _field_at(model: type[BaseModel], location: tuple):
+    owner = _model_at(model, location[:-1])
+    if owner is None:
+        return None
+    return next((f for n, f in owner.model_fields.items() if (f.alias or n) == location[-1]), None)
+
+
+def _model_at(model: type[BaseModel] | None, location: tuple) -> type[BaseModel] | None:
+    """The model of the table at a location of a deck."""
+    for part in location:
+        if isinstance(part, int) or model is None:
+            continue
+        field = next((f for n, f in model.model_fields.items() if (f.alias or n) == part), None)
+        model = None if field is None else _model_in(field.annotation)
+    return model
+
+
+def _model_in(annotation: Any) -> type[BaseModel] | None:
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return annotation
+    for inner in getattr(annotation, "__args__", ()):
+        if (found := _model_in(inner)) is not None:
+            return found
+    return None
+
+
+# -- for editors -------------------------------------------------------------------------------------------------
+def json_schema(kind: str = "lagrange1d") -> dict:
+    """JSON Schema of a solver's deck, with the parameters of every registered law."""
+    schema = solver_module(kind).Model.model_json_schema(by_alias=True)
+    schema["$schema"] = "https://json-schema.org/draft/2020-12/schema"
+    schema["title"] = f"hugoniot deck ({kind})"
+    definitions = schema.setdefault("$defs", {})
+    material: dict[str, Any] = {"type": "object", "additionalProperties": False, "properties": {
+        "base": {"type": "string", "description": "a material of the library that these tables override"},
+        "sources": {"type": "array", "description": "where the numbers come from"},
+        "warnings": {"type": "array", "items": {"type": "string"}},
+        "valid_up_to": {"anyOf": [{"type": "number"}, {"type": "string"}], "unit": "m/s",
+                        "description": "highest particle velocity of the data behind the equation of state"},
+    }}
+    for family, registry in families().items():
+        definitions[f"{family}_law"] = law_schema(registry)
+        material["properties"][family] = {"$ref": f"#/$defs/{family}_law"}
+    definitions["viscosity_law"] = law_schema(VISCOSITY)
+    definitions["material"] = material
+    return schema
+
+
+def law_schema(registry: Registry) -> dict:
+    """JSON Schema of one law table: one alternative per registered law."""
+    alternatives = []
+    for law in registry:
+        names, required = accepted(law)
+        properties: dict[str, Any] = {"law": {"const": law.name}}
+        for name in names:
+            unit = law.units.get(name, "1")
+            kind = {"type": "string"} if unit == "text" else {"type": ["number", "string", "array", "object"]}
+            default = law.defaults.get(name)
+            properties[name] = kind | {"description": law.meaning.get(name, ""), "unit": unit}
+            if default is not None and default == default:
+                properties[name]["default"] = default
+        alternatives.append({"type": "object", "title": law.name, "description": law.summary, "properties": properties,
+                             "required": ["law", *required]})
+    override = {"type": "object", "not": {"required": ["law"]}, "description": "overrides of the base material's law"}
+    return {"anyOf": [*alternatives, override, {"const": "none"}]}

@@ -1,0 +1,69 @@
+"""Writes tables as TOML. Floats are written by `repr`, so reading them back gives the same bits."""
+
+import json
+import math
+import re
+from typing import Any
+
+_BARE = re.compile(r"[A-Za-z0-9_-]+")
+
+
+def to_toml(tables: dict[str, Any]) -> str:
+    """TOML text of nested tables of texts, numbers, booleans, arrays; empty tables and arrays of tables are left out."""
+    return "\n".join(_table(tables, ())).strip() + "\n"
+
+
+def _table(table: dict[str, Any], path: tuple[str, ...]) -> list[str]:
+    lines = [f"{_key(k)} = {_value(v)}" for k, v in table.items() if not _has_header(v, len(path))]
+    for name, value in table.items():
+        if not _has_header(value, len(path)):
+            continue
+        here = (*path, name)
+        header = ".".join(_key(k) for k in here)
+        if isinstance(value, list):
+            for element in value:
+                lines += ["", f"[[{header}]]", *_table(element, here)]
+        else:
+            inner = _table(value, here)
+            if inner and inner[0] != "":
+                lines += ["", f"[{header}]"]
+            lines += inner
+    return lines
+
+
+def _has_header(value: Any, depth: int) -> bool:
+    """Whether a value gets a header of its own; small tables inside arrays and deep ones are written inline."""
+    if isinstance(value, dict):
+        return depth < 3 and not (depth >= 1 and any(isinstance(v, dict) for v in value.values()) and _inline_only(value))
+    return isinstance(value, list) and bool(value) and all(isinstance(v, dict) for v in value)
+
+
+def _inline_only(value: dict) -> bool:
+    """Driven boundaries read best on one line: {velocity = {...}}."""
+    return set(value) in ({"velocity"}, {"pressure"})
+
+
+def _key(name: str) -> str:
+    return name if _BARE.fullmatch(name) else _text(name)
+
+
+def _text(text: str) -> str:
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _value(value: Any) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return _text(value)
+    if isinstance(value, int):
+        return str(value)
+    if isinstance(value, float):
+        if not math.isfinite(value):
+            raise ValueError(f"{value} has no place in a deck")
+        return repr(value)
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_value(v) for v in value) + "]"
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{_key(k)} = {_value(v)}" for k, v in value.items()) + "}"
+    raise TypeError(f"a {type(value).__name__} has no place in a deck")
