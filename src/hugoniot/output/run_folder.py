@@ -51,9 +51,9 @@ class RunFolder:
             self.folder.mkdir(parents=True, exist_ok=True)
             standing = [name for name in (*PRODUCTS, "deck.toml", "checkpoint", "pieces") if (self.folder / name).exists()]
         if standing and not overwrite:
-            raise FileTrouble(f"{self.folder}: holds {standing[0]} already; give another folder with --out, or --overwrite to replace the run")
+            raise FileTrouble(f"{self.folder}: holds {standing[0]} already; choose another folder with --out, or --overwrite the run")
         if standing and "run.log" not in standing:
-            raise FileTrouble(f"{self.folder}: holds {standing[0]} but no run.log, so it is not a run folder; give another folder with --out")
+            raise FileTrouble(f"{self.folder}: holds {standing[0]} but no run.log, so it is no run folder; give another folder with --out")
         with explained(self.folder):
             self._series.remove()
             self._checkpoints.remove()
@@ -84,14 +84,16 @@ class RunFolder:
             "region": np.array(list(meta["region"]), dtype=object), "mass": np.array(meta["mass"], dtype=float),
             "centre": np.array(meta["centre"], dtype=float), "units": dict(meta.get("units", {})),
         }
-        self.log(f"{'resume' if self.resumed else 'start'}: {problem.title} (solver {meta.get('solver', '')}, version {meta.get('version', '')})")
+        word = "resume" if self.resumed else "start"
+        self.log(f"{word}: {problem.title} (solver {meta.get('solver', '')}, version {meta.get('version', '')})")
         for material in document["materials"].values():
             for warning in material["warnings"]:
                 self.log(f"warning: {material['name']}: {warning}")
 
     def snapshots(self, times, cycles, fields: dict[str, np.ndarray]) -> None:
         """Zone fields at some times: times, cycles (nt,), each field (nt, nzone), `position_left` and the like included."""
-        self._series.append("snapshots", {"time": np.atleast_1d(times), "cycle": np.atleast_1d(np.asarray(cycles, dtype=np.int64)), **fields})
+        cycles = np.atleast_1d(np.asarray(cycles, dtype=np.int64))
+        self._series.append("snapshots", {"time": np.atleast_1d(times), "cycle": cycles, **fields})
 
     def gauges(self, times, values: dict[str, np.ndarray]) -> None:
         """Gauge records: times (n,), each field (n, ngauge)."""
@@ -177,7 +179,7 @@ class RunFolder:
             self._series.remove()
 
     def post_mortem(self, error: UnphysicalState, payload: dict) -> pathlib.Path:
-        """Keep the state in which a run failed: post_mortem.h5 (read with `read_post_mortem`) and post_mortem.txt; gives the latter's path."""
+        """Keep the state in which a run failed: post_mortem.h5 (`run.read_post_mortem`) and post_mortem.txt; gives the latter's path."""
         values = "".join(f"  {name} = {value}\n" for name, value in error.values.items())
         text = f"{error}\n" + (f"\nFields there:\n{values}" if values else "")
         self.log(f"unphysical: {error}")

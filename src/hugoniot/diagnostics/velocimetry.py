@@ -1,0 +1,130 @@
+r"""The free-surface velocity as an interferometer sees it, and what is read from it: pull-back, spall strength, spall thickness.
+
+A velocity interferometer with delay $\tau$ sees the surface's displacement over the delay: the fringe count
+$F = 2\,[x(t) - x(t-\tau)] / \lambda$ gives the velocity averaged over $[t-\tau, t]$, assigned to $t - \tau/2$
+(L. M. Barker, R. E. Hollenbach, J. Appl. Phys. 43 (1972) 4669).
+
+The spall strength follows from the pull-back $\Delta u$ of the free-surface velocity. Acoustic:
+
+$$\sigma = \tfrac12\,\rho_0\,c_0\,\Delta u$$
+
+(S. A. Novikov, I. I. Divnov, A. G. Ivanov, Phys. Met. Metall. 21 (1966) 608), with c0 the bulk sound speed. In an elastic-plastic body
+the front of the spall pulse runs at the longitudinal speed $c_l$ and overtakes release at $c_b$, which lowers the observed pull-back:
+
+$$\sigma = \rho_0\,c_l\,\Delta u\,\frac{1}{1 + c_l/c_b}$$
+
+(V. I. Romanchenko, G. V. Stepanov, J. Appl. Mech. Tech. Phys. 21 (1980) 555). Both neglect the time dependence of the fracture.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class PullBack(NamedTuple):
+    """peak: velocity (m/s) and time (s) before the drop; minimum: the same at its bottom; rebound: the highest velocity after it."""
+
+    peak: float
+    peak_time: float
+    minimum: float
+    minimum_time: float
+    rebound: float
+    rebound_time: float
+
+    @property
+    def drop(self) -> float:
+        """Pull-back velocity, m/s."""
+        return self.peak - self.minimum
+
+
+def visar_velocity(time, velocity, delay: float):
+    """What a VISAR of delay `delay` (s) shows: (times at the middle of the delay, mean velocity over it).
+
+    time (n,) s, increasing; velocity (n,) m/s. The mean is the exact displacement of the piecewise linear record over the delay;
+    the surface is at rest before the record begins.
+    """
+    time, velocity = np.asarray(time, dtype=float), np.asarray(velocity, dtype=float)
+    if delay <= 0.0:
+        return time, velocity
+
+    def displacement(t):
+        k = np.clip(np.searchsorted(time, t, side="right") - 1, 0, len(time) - 2)
+        step = np.clip(t - time[k], 0.0, time[k + 1] - time[k])
+        slope = (velocity[k + 1] - velocity[k]) / (time[k + 1] - time[k])
+        return whole[k] + velocity[k] * step + 0.5 * slope * step**2
+
+    whole = np.append(0.0, np.cumsum(np.diff(time) * (velocity[1:] + velocity[:-1]) / 2))
+    return time - delay / 2, (displacement(time) - displacement(time - delay)) / delay
+
+
+def fringes(time, velocity, delay: float, wavelength: float = 532e-9):
+    """Fringe count of a VISAR, 2 delay u / wavelength, at the times of the record (n,); delay s, wavelength m."""
+    return 2.0 * delay / wavelength * visar_velocity(time, velocity, delay)[1]
+
+
+def turning_points(values, least: float) -> list[int]:
+    """Indices of successive maxima and minima whose swings exceed `least`, starting with the first maximum (zigzag filter)."""
+    points, rising, best = [], True, 0
+    for k, value in enumerate(np.asarray(values, dtype=float).tolist()):
+        swing = values[best] - value if rising else value - values[best]
+        if swing > least:
+            points.append(best)
+            rising, best = not rising, k
+        elif swing < 0:
+            best = k
+    return points
+
+
+def pull_back(time, velocity, least: float = 0.02) -> PullBack | None:
+    """The first pull-back: a drop from near the highest velocity so far, followed by a rebound; None if there is none.
+
+    least   smallest swing that counts, as a fraction of the highest velocity (numerical ringing stays below)
+    """
+    velocity = np.asarray(velocity, dtype=float)
+    top = float(np.max(velocity)) if len(velocity) else 0.0
+    if top <= 0.0:
+        return None
+    points = turning_points(velocity, least * top)
+    for n in range(0, len(points) - 1, 2):
+        high, low = points[n], points[n + 1]
+        drop = velocity[high] - velocity[low]
+        if velocity[high] < 0.8 * top or drop < 2 * least * top:
+            continue
+        # a flat top ends where the velocity last stood within a percent of it
+        near = np.flatnonzero(velocity[: low + 1] >= velocity[high] - 0.01 * drop)
+        last = points[n + 2] if n + 2 < len(points) else low + int(np.argmax(velocity[low:]))
+        return PullBack(float(velocity[high]), float(time[near[-1]]), float(velocity[low]), float(time[low]),
+                        float(velocity[last]), float(time[last]))
+    return None
+
+
+def ringing_period(time, velocity, after: float, least: float = 0.01) -> float:
+    """Mean time between successive maxima after time `after`, s: the spalled layer rings at 2 thickness / c_l. NaN without two maxima."""
+    time, velocity = np.asarray(time, dtype=float), np.asarray(velocity, dtype=float)
+    tail = time >= after
+    if tail.sum() < 3:
+        return float("nan")
+    t, u = time[tail], velocity[tail]
+    points = turning_points(u, least * float(np.max(np.abs(velocity))))
+    maxima = [0.5 * (t[k] + t[_last_near(u, k, least)]) for k in points[0::2]]
+    return float(np.mean(np.diff(maxima))) if len(maxima) >= 2 else float("nan")
+
+
+def _last_near(values, k: int, least: float) -> int:
+    """Last index of the flat top that begins at k."""
+    level = values[k] - least * abs(values[k])
+    while k + 1 < len(values) and values[k + 1] >= level:
+        k += 1
+    return k
+
+
+def spall_strength(drop: float, rho0: float, c_bulk: float, c_long: float | None = None) -> float:
+    """Spall strength (Pa) from the pull-back `drop` (m/s): acoustic with the bulk speed, Stepanov's when c_long (m/s) is given too."""
+    if c_long is None:
+        return 0.5 * rho0 * c_bulk * drop
+    return rho0 * c_long * drop / (1.0 + c_long / c_bulk)
+
+
+def spall_thickness(period: float, c_long: float) -> float:
+    """Thickness (m) of the spalled layer that rings with this period (s)."""
+    return 0.5 * c_long * period

@@ -1,0 +1,164 @@
+"""Two runs, or a run and measured data, side by side: norms of every quantity both have.
+
+Data come as a table of comma-separated columns whose first line names each with its unit, such as
+`time [us], velocity [m/s]`, or `time [us], mid-target stress [GPa]` where the run has several gauges.
+"""
+
+import csv
+import math
+import pathlib
+from dataclasses import dataclass
+
+import numpy as np
+
+from hugoniot.core.fields import FIELDS
+from hugoniot.diagnostics.norms import Difference, difference
+from hugoniot.errors import DeckError, DeckProblem
+from hugoniot.output.atomic import explained
+from hugoniot.output.run import Run, load
+from hugoniot.units import UnitError, convert
+
+
+_HEADS = "write heads like 'time [us], velocity [m/s]'"
+
+
+@dataclass(frozen=True)
+class Record:
+    """One quantity over time, SI. gauge "" where the data name none."""
+
+    gauge: str
+    field: str
+    unit: str
+    time: np.ndarray
+    values: np.ndarray
+
+
+@dataclass(frozen=True)
+class Pair:
+    """A record of `a` and its counterpart in `b`, with their difference b - a."""
+
+    a: Record
+    b: Record
+    norms: Difference
+
+    def row(self) -> dict:
+        """For tables and JSON."""
+        n = self.norms
+        shift = None if math.isnan(n.shift) else n.shift
+        return {"gauge": self.a.gauge, "field": self.a.field, "unit": self.a.unit, "l1": n.l1, "l2": n.l2, "linf": n.linf, "scale": n.scale,
+                "l1_relative": n.relative[0], "l2_relative": n.relative[1], "linf_relative": n.relative[2], "arrival_shift": shift,
+                "from": n.start, "to": n.end}
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """name_a, name_b; the pairs found; records that only one side has."""
+
+    name_a: str
+    name_b: str
+    pairs: tuple[Pair, ...]
+    unmatched: tuple[str, ...]
+
+    def rows(self) -> list[dict]:
+        return [pair.row() for pair in self.pairs]
+
+
+def _table_error(path, line, key, message, hint=""):
+    return DeckError([DeckProblem(str(path), line, key, message, hint)])
+
+
+def _head(path, text: str, column: int) -> tuple[str, str, float]:
+    """(name, SI unit, factor to SI) of a column head such as `free surface velocity [km/s]`."""
+    name, bracket, rest = text.strip().partition("[")
+    name, unit = name.strip(), rest.strip().rstrip("]").strip()
+    last = name.split()[-1] if name else ""
+    field = name if name in FIELDS else next((f for f in sorted(FIELDS, key=len, reverse=True) if name.endswith(f)), last)
+    si = "s" if column == 0 else FIELDS[field].unit if field in FIELDS else unit
+    if not bracket:
+        raise _table_error(path, 1, f"column {column + 1}", f"'{text.strip()}' names no unit", _HEADS)
+    try:
+        return name, si, convert(1.0, unit or "1", si or "1")
+    except UnitError as error:
+        raise _table_error(path, 1, f"column {column + 1}", error.message, error.hint or f"wanted is a unit of the kind of {si}") from error
+
+
+def read_table(path) -> list[Record]:
+    """The columns of a data file as records; the first column is the time. Raises `DeckError` (line and column), `FileTrouble`."""
+    path = pathlib.Path(path)
+    with explained(path, "no data can be read"):
+        text = path.read_text(encoding="utf-8-sig", errors="replace")
+    lines = [(n, row) for n, row in enumerate(csv.reader(text.splitlines()), 1) if row and not row[0].lstrip().startswith("#")]
+    if len(lines) < 2 or len(lines[0][1]) < 2:
+        raise _table_error(path, 1, "table", "needs a line of heads, a time column and at least one more", _HEADS)
+    heads = [_head(path, head, k) for k, head in enumerate(lines[0][1])]
+    rows = np.empty((len(lines) - 1, len(heads)))
+    for k, (n, row) in enumerate(lines[1:]):
+        if len(row) != len(heads):
+            raise _table_error(path, n, "row", f"{len(row)} values under {len(heads)} heads")
+        for c, cell in enumerate(row):
+            try:
+                rows[k, c] = float(cell) * heads[c][2]
+            except ValueError:
+                raise _table_error(path, n, heads[c][0], f"'{cell.strip()[:40]}' is not a number") from None
+    if not np.all(np.isfinite(rows)) or np.any(np.diff(rows[:, 0]) <= 0):
+        raise _table_error(path, None, heads[0][0], "the times must increase and every value be finite")
+    return [_record(name, unit, rows[:, 0], rows[:, c + 1]) for c, (name, unit, _) in enumerate(heads[1:])]
+
+
+def _record(name: str, unit: str, time, values) -> Record:
+    for field in sorted(FIELDS, key=len, reverse=True):
+        if name == field or name.endswith(" " + field):
+            return Record(name[: -len(field)].strip(), field, unit, time, values)
+    return Record("", name, unit, time, values)
+
+
+def run_records(run: Run) -> list[Record]:
+    """Every field of every gauge of a run."""
+    rows = run.arrays("gauges")
+    return [Record(name, field, run.unit("gauges", field), rows["time"], values[:, k])
+            for k, name in enumerate(run.gauge_names()) for field, values in rows.items() if values.ndim == 2]
+
+
+def _counterpart(record: Record, others: list[Record], free_surface: list[str]) -> Record | None:
+    same = [other for other in others if other.field == record.field]
+    exact = [other for other in same if other.gauge == record.gauge]
+    if exact or record.gauge:
+        return exact[0] if exact else None
+    # data that name no gauge: the only gauge, or the free surface, which is what is measured
+    if len(same) == 1:
+        return same[0]
+    return next((other for other in same if other.gauge in free_surface), same[0] if same else None)
+
+
+def free_surface_gauges(run: Run) -> list[str]:
+    """Names of the gauges that ride on a free surface, the right-hand one first."""
+    names = set(run.gauge_names())
+    at = {gauge["name"]: str(gauge["at"]) for gauge in run.setup["gauges"]}
+    found = [name for name, where in at.items() if where.startswith("free surface") and name in names]
+    found += [name for name in sorted(names) if name.startswith("free surface") and name not in found]
+    return sorted(found, key=lambda name: "left" in at.get(name, name))
+
+
+def compare(a, b) -> Comparison:
+    """Compare run `a` with run or data file `b` (paths or `Run`s).
+
+    Raises `FileTrouble` for what cannot be read and `DeckError` where nothing matches.
+    """
+    run = a if isinstance(a, Run) else load(a)
+    is_table = not isinstance(b, Run) and pathlib.Path(b).suffix.lower() in (".csv", ".txt", ".dat")
+    mine = run_records(run)
+    others = read_table(b) if is_table else run_records(b if isinstance(b, Run) else load(b))
+    surfaces = free_surface_gauges(run)
+    pairs, unmatched = [], []
+    for other in others:
+        own = _counterpart(other, mine, surfaces)
+        if own is None or own.time[-1] < other.time[0] or other.time[-1] < own.time[0]:
+            unmatched.append(f"{other.gauge} {other.field}".strip())
+            continue
+        pairs.append(Pair(own, other, difference(own.time, own.values, other.time, other.values)))
+    name_b = str(b.folder if isinstance(b, Run) else b)
+    if not pairs:
+        known = ", ".join(sorted({f"{r.gauge} {r.field}" for r in mine})[:8])
+        message = f"nothing in it matches a gauge of {run.folder} over a common time"
+        raise _table_error(name_b, None, "columns", message, f"that run has: {known}")
+    return Comparison(str(run.folder), name_b, tuple(pairs), tuple(unmatched))

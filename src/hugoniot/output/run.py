@@ -1,0 +1,164 @@
+"""A finished run, read from its folder: `hugoniot.load(folder)`.
+
+`gauges`, `snapshots`, `budget`, `peaks` and `events` are xarray Datasets with units; `arrays` gives the same as plain arrays
+(xarray takes half a second to import; reports and plots do without). Nothing is changed in the folder.
+"""
+
+import json
+import pathlib
+from functools import cached_property
+from importlib import import_module
+
+import numpy as np
+
+from hugoniot.errors import FileTrouble
+from hugoniot.output.atomic import explained
+from hugoniot.output.codec import decode, h5py
+
+GROUPS = ("snapshots", "gauges", "budget", "peaks", "events")
+
+
+def load(folder) -> "Run":
+    """The run in `folder`. Raises `FileTrouble` if there is none, or it is unfinished or damaged."""
+    return Run(folder)
+
+
+class Run:
+    """One run folder. `summary` and `setup` are dictionaries, `deck` is the resolved deck's text."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        if not self.folder.is_dir():
+            raise FileTrouble(f"{self.folder}: there is no such run folder")
+        if not (self.folder / "result.h5").is_file() or not (self.folder / "summary.json").is_file():
+            raise FileTrouble(f"{self.folder}: {_what_is_there(self.folder)}")
+        self._tables: dict[str, tuple[dict, dict, dict]] = {}
+
+    def __repr__(self):
+        return f"<Run '{self.summary['title']}' ({self.summary['status']}) in {self.folder}>"
+
+    @cached_property
+    def summary(self) -> dict:
+        """summary.json."""
+        path = self.folder / "summary.json"
+        with explained(path):
+            text = path.read_text()
+        try:
+            return json.loads(text)
+        except ValueError as error:
+            raise FileTrouble(f"{path}: not the summary of a run ({error})") from error
+
+    @cached_property
+    def _setup(self) -> tuple[dict, str]:
+        with self._open() as file:
+            group = file["setup"]
+            return json.loads(group["document"].asstr()[()]), group["deck"].asstr()[()]
+
+    @property
+    def setup(self) -> dict:
+        """What was asked: regions, boundaries, gauges, materials with every constant and its source, references."""
+        return self._setup[0]
+
+    @property
+    def deck(self) -> str:
+        return self._setup[1]
+
+    def _open(self):
+        path = self.folder / "result.h5"
+        try:
+            return h5py().File(path, "r")
+        except OSError as error:
+            raise FileTrouble(f"{path}: cannot be read as a result ({error})") from error
+
+    def _table(self, group: str) -> tuple[dict, dict, dict]:
+        if group not in self._tables:
+            values, attributes, dims = {}, {}, {}
+            with self._open() as file:
+                for name, data in file[group].items():
+                    text = h5py().check_string_dtype(data.dtype) is not None
+                    values[name] = np.array(data.asstr()[()], dtype=object) if text else data[()]
+                    attributes[name] = {k: data.attrs[k] for k in ("units", "long_name") if k in data.attrs}
+                    dims[name] = (name,) if data.is_scale else tuple(data.dims[k][0].name.rpartition("/")[2] for k in range(data.ndim))
+            self._tables[group] = values, attributes, dims
+        return self._tables[group]
+
+    def arrays(self, group: str) -> dict[str, np.ndarray]:
+        """Columns of `snapshots`, `gauges`, `budget`, `peaks` or `events` by name, in SI."""
+        return self._table(group)[0]
+
+    def unit(self, group: str, name: str) -> str:
+        return self._table(group)[1][name].get("units", "")
+
+    def dataset(self, group: str):
+        """One group as an xarray Dataset with `units` and `long_name`."""
+        xarray = import_module("xarray")
+        values, attributes, dims = self._table(group)
+        axes = {name for name, along in dims.items() if along == (name,)}
+        columns = {name: xarray.Variable(dims[name], values[name], attributes[name]) for name in values}
+        extra = {name for name in ("region", "centre", "mass") if name in values and "zone" in dims[name]}
+        extra |= {"cycle"} & set(values) if group == "snapshots" else set()
+        coords = {name: columns.pop(name) for name in sorted(axes | extra)}
+        attrs = {"title": self.summary["title"], "solver": self.summary["solver"], "version": self.summary["version"]}
+        return xarray.Dataset(columns, coords, attrs)
+
+    @cached_property
+    def gauges(self):
+        """Gauge records (time, gauge)."""
+        return self.dataset("gauges")
+
+    @cached_property
+    def snapshots(self):
+        """Zone fields (time, zone), with region, centre at t = 0 and mass of each zone."""
+        return self.dataset("snapshots")
+
+    @cached_property
+    def budget(self):
+        """Energy and momentum (time) or (time, region)."""
+        return self.dataset("budget")
+
+    @cached_property
+    def peaks(self):
+        """Extreme values each zone met (zone)."""
+        return self.dataset("peaks")
+
+    @cached_property
+    def events(self):
+        """What happened: time, cycle, kind, text, numbers (JSON)."""
+        return self.dataset("events")
+
+    def gauge_names(self) -> list[str]:
+        return [str(name) for name in self.arrays("gauges")["gauge"]]
+
+    def gauge(self, field: str, name: str | None = None) -> tuple[np.ndarray, np.ndarray]:
+        """(time (n,) s, value (n,) SI) of one field at one gauge; the first gauge if none is named."""
+        rows, names = self.arrays("gauges"), self.gauge_names()
+        name = names[0] if name is None and names else name
+        if name not in names:
+            raise KeyError(f"no gauge '{name}'; this run has: {', '.join(names) or 'none'}")
+        if field not in rows or rows[field].ndim != 2:
+            known = ", ".join(key for key, values in rows.items() if values.ndim == 2)
+            raise KeyError(f"no gauge field '{field}'; this run has: {known}")
+        return rows["time"], rows[field][:, names.index(name)]
+
+    @property
+    def plot(self):
+        """Pictures of this run: `run.plot.xt("pressure")` and friends give matplotlib axes."""
+        # looked up at call time: files know nothing of pictures, which stand a layer above
+        return import_module("hugoniot.plotting.accessor").RunPlots(self)
+
+
+def read_post_mortem(folder) -> dict:
+    """The state kept by a run that failed: what the solver handed to `RunFolder.post_mortem`."""
+    path = pathlib.Path(folder) / "post_mortem.h5"
+    with explained(path):
+        return decode(path.read_bytes())
+
+
+def _what_is_there(folder: pathlib.Path) -> str:
+    if (folder / "post_mortem.txt").is_file():
+        return "the run failed and left no result; see post_mortem.txt"
+    if (folder / "checkpoint").is_dir() or (folder / "pieces").is_dir():
+        return f"the run is unfinished; go on with `hugoniot resume {folder}`"
+    if (folder / "deck.toml").is_file():
+        return f"the run is unfinished and has no checkpoint yet; `hugoniot resume {folder}` starts it again"
+    return "this is not a run folder (no result.h5)"
