@@ -7,8 +7,8 @@ zone z of segment k stands at z + 2k + 1.
 
 # -- rows of the zone table -------------------------------------------------------------------------------------
 (MASS, INVERSE_MASS, RHO, E, P, Q, S1, S2, SIGMA, HOOP, C, PLASTIC_STRAIN, DAMAGE, SIGMA_HALF, HOOP_HALF, VISCOUS_SPEED,
- PLASTIC_WORK, VISCOUS_WORK, PEAK_STRESS, PEAK_TENSION, PEAK_PRESSURE, FAILURE, TAG, OLD) = range(24)
-ZONE_ROWS = 24
+ PLASTIC_WORK, VISCOUS_WORK, PEAK_STRESS, PEAK_TENSION, PEAK_PRESSURE, FAILURE, TAG, OLD, PEAK_DENSITY) = range(25)
+ZONE_ROWS = 25
 # SIGMA = p + q - s1, the longitudinal stress in compression; HOOP = (d-1) V (s2 - s1)/(r1 + r2), the force of the hoop
 # stress on each of the zone's nodes; the _HALF rows are their values in the middle of the step. TAG marks zones that a
 # nearby void is relieving; OLD is scratch of one sweep.

@@ -9,10 +9,11 @@ import numpy as np
 
 from hugoniot.core.ops import NO_LIMIT
 from hugoniot.errors import UnphysicalState
+from hugoniot.laws.eos.contract import reference_state
 from hugoniot.mesh.line import GEOMETRY
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.assemble import DEFAULT_COURANT, assemble, boundary_pulse, group_laws
+from hugoniot.solvers.lagrange1d.assemble import DEFAULT_COURANT, assemble, boundary_pulse, group_laws, viscosity_of
 from hugoniot.solvers.lagrange1d.bodies import interface_table, join, run_table, set_node_masses, split
 from hugoniot.solvers.lagrange1d.probes import probe_tables
 from hugoniot.solvers.lagrange1d.step import march
@@ -21,7 +22,8 @@ from hugoniot.state import State
 
 NAME = "lagrange1d"
 ZONE_FIELDS = {"density": L.RHO, "energy": L.E, "pressure": L.P, "viscous_pressure": L.Q, "deviator_radial": L.S1,
-               "deviator_hoop": L.S2, "stress": L.SIGMA, "sound_speed": L.C, "plastic_strain": L.PLASTIC_STRAIN, "damage": L.DAMAGE}
+               "deviator_hoop": L.S2, "stress": L.SIGMA, "sound_speed": L.C, "plastic_strain": L.PLASTIC_STRAIN, "damage": L.DAMAGE,
+               "plastic_work": L.PLASTIC_WORK, "viscous_work": L.VISCOUS_WORK}
 GAUGE_CAPACITY = 2048
 LARGEST_COLLAPSE = 1e-12     # smallest useful step as a fraction of the stop time
 
@@ -44,7 +46,7 @@ class Lagrange1D:
         self.problem = problem
         self.geometry = GEOMETRY.get(problem.geometry).example
         self.staggered = problem.solver.integrator == "wilkins"
-        self.laws = group_laws(problem)
+        self.laws, self.viscosity = group_laws(problem), viscosity_of(problem)
         self.zones, self.nodes, self.gradient, self.segments, self.region_ranges = assemble(problem)
         set_node_masses(self.zones, self.nodes, self.segments)
         self.boundaries = (boundary_pulse(problem.left), boundary_pulse(problem.right))
@@ -120,6 +122,26 @@ class Lagrange1D:
     @property
     def cycle(self) -> int:
         return int(self.counters[L.CYCLE])
+
+    @property
+    def step(self) -> float:
+        """The last time step, s."""
+        return float(self.control[L.DT])
+
+    @property
+    def zone_updates(self) -> int:
+        return int(self.counters[L.ZONE_STEPS])
+
+    @property
+    def capped(self) -> int:
+        """How often the tension of a failing zone was held at its spall strength."""
+        return int(self.counters[L.CAP_COUNT])
+
+    def limiting(self) -> tuple[int, str]:
+        """(zone, region name) with the shortest transit time."""
+        left, right = self._faces(L.R)
+        zone = int(np.argmin((right - left) / np.maximum(self.zones[L.C], 1e-30)))
+        return zone, self.problem.regions[self.region_of[zone]].name
 
     def march(self, until: float, cycles: int) -> list[Event]:
         """Step until the time `until` (hit exactly), `cycles` steps, a full gauge buffer or an event; the events that happened."""
@@ -218,10 +240,28 @@ class Lagrange1D:
             "energy_error": abs(self.total_energy() - self.start_energy - work) / scale,
         }
 
+    def exchanges(self) -> dict[str, float]:
+        """What passed the two ends so far: work (J) and impulse (kg m/s) of the boundaries, per unit area or angle."""
+        rows = {"work_left": L.WORK_LEFT, "work_right": L.WORK_RIGHT, "impulse_left": L.IMPULSE_LEFT, "impulse_right": L.IMPULSE_RIGHT}
+        return {name: float(self.control[row]) for name, row in rows.items()}
+
+    def largest_velocity_jump(self) -> dict[str, float]:
+        """Material -> largest particle velocity of a shock it saw, from its peak pressure on the Rayleigh line, m/s."""
+        found: dict[str, float] = {}
+        for k, region in enumerate(self.problem.regions):
+            first, last = self.region_ranges[k]
+            material = self.problem.materials[region.material]
+            rho0 = float(reference_state(material.eos)[0])
+            peak = int(first + np.argmax(self.zones[L.PEAK_PRESSURE, first:last]))
+            squeeze = 1.0 - rho0 / max(self.zones[L.PEAK_DENSITY, peak], rho0)
+            jump = float(np.sqrt(max(self.zones[L.PEAK_PRESSURE, peak], 0.0) * squeeze / rho0))
+            found[region.material] = max(found.get(region.material, 0.0), jump)
+        return found
+
     def peaks(self) -> dict[str, np.ndarray]:
         """Peak fields of every zone so far: stress and pressure in compression, tension positive."""
         return {"peak_stress": self.zones[L.PEAK_STRESS].copy(), "peak_tension": -self.zones[L.PEAK_TENSION],
-                "peak_pressure": self.zones[L.PEAK_PRESSURE].copy()}
+                "peak_pressure": self.zones[L.PEAK_PRESSURE].copy(), "peak_density": self.zones[L.PEAK_DENSITY].copy()}
 
     # -- checkpoints -----------------------------------------------------------------------------------------
     def payload(self) -> dict:

@@ -14,20 +14,21 @@ TOUCHING = 1e-6       # gap, in units of the neighbouring zones, that counts as 
 
 @nb.njit(**GUARD)
 def unsound(zones, count):
-    """First zone whose density or sound speed is not a positive finite number, or -1; records the peaks on the way."""
+    """First zone whose density is not positive or whose sound speed is no finite number, or -1; records the peaks on the way."""
     rho, c, sigma, p = zones[RHO], zones[C], zones[SIGMA], zones[P]
-    most, least, highest = zones[PEAK_STRESS], zones[PEAK_TENSION], zones[PEAK_PRESSURE]
+    most, least, highest, densest = zones[PEAK_STRESS], zones[PEAK_TENSION], zones[PEAK_PRESSURE], zones[PEAK_DENSITY]
     bad = 0
     for j in range(count):
-        sound = (rho[j] > 0.0) & (c[j] > 0.0) & (c[j] < 1e12) & (sigma[j] < 1e30)
+        sound = (rho[j] > 0.0) & (c[j] >= 0.0) & (c[j] < 1e12) & (sigma[j] < 1e30)
         bad += 0 if sound else 1
         most[j] = sigma[j] if sigma[j] > most[j] else most[j]
         least[j] = sigma[j] if sigma[j] < least[j] else least[j]
         highest[j] = p[j] if p[j] > highest[j] else highest[j]
+        densest[j] = rho[j] if rho[j] > densest[j] else densest[j]
     if bad == 0:
         return -1
     for j in range(count):
-        if not (rho[j] > 0.0 and 0.0 < c[j] < 1e12 and sigma[j] < 1e30):
+        if not (rho[j] > 0.0 and 0.0 <= c[j] < 1e12 and sigma[j] < 1e30):
             return j
     return -1
 

@@ -114,6 +114,7 @@ def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
     s1, s2, eps, hurt = zones[S1, first:last], zones[S2, first:last], zones[PLASTIC_STRAIN, first:last], zones[DAMAGE, first:last]
     sigma, q_, torn = zones[SIGMA, first:last], zones[Q, first:last], zones[FAILURE, first:last]
     force, width, old = zones[HOOP, first:last], zones[OLD, first:last], zones[SIGMA_HALF, first:last]
+    plastic, viscous = zones[PLASTIC_WORK, first:last], zones[VISCOUS_WORK, first:last]
     cap = tension_cap(fracture)
     rho0 = rows[4][0]
     fastest, worst, capped = 0.0, 0.0, 0.0
@@ -167,6 +168,8 @@ def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         c_[j] = vsqrt(c2)
         s1[j] = t1
         s2[j] = t2
+        plastic[j] += limit * flow * v_half
+        viscous[j] -= 0.5 * (q + q_[j]) * dv
         q_[j] = q
         old[j] = v
         eps[j] += flow

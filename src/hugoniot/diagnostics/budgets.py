@@ -1,0 +1,51 @@
+"""Energy and momentum of a state, by region, in the parts of Herrmann A.6.
+
+kinetic            A.35 with the nodes' own masses (half of each neighbour), so that the sum is the one the solver conserves
+internal           A.36
+elastic_deviator   s:s / (4 G rho), the energy of distortion that release gives back (A.44 less A.43)
+plastic_work       A.43, summed by the solver with the return to the yield surface
+viscous_work       A.39, work of the artificial viscosity
+elastic_volume     the rest of the internal energy: compression and what heat it holds (A.38)
+"""
+
+import numpy as np
+
+from hugoniot.laws.strength.contract import shear_modulus
+
+PARTS = ("kinetic_energy", "internal_energy", "elastic_volume_energy", "elastic_deviator_energy", "plastic_work", "viscous_work", "momentum")
+
+
+def distortion_energy(state, region_of, problem) -> np.ndarray:
+    """Elastic energy of distortion of every zone, J/kg; 0 for fluids."""
+    s1, s2 = state.zones["deviator_radial"], state.zones["deviator_hoop"]
+    squares = s1 * s1 + s2 * s2 + (s1 + s2) ** 2
+    energy = np.zeros_like(s1)
+    for k, region in enumerate(problem.regions):
+        material, here = problem.materials[region.material], region_of == k
+        if material.strength is None:
+            continue
+        rho, p, c = (state.zones[name][here] for name in ("density", "pressure", "sound_speed"))
+        modulus = np.array([shear_modulus(x, y, 298.15, x * z * z, material.strength) for x, y, z in zip(rho, p, c)])
+        energy[here] = squares[here] / np.maximum(4.0 * modulus * rho, 1e-300)
+    return energy
+
+
+class RegionBudget:
+    """Sums a state region by region; made once per run, since what is subtracted is the start."""
+
+    def __init__(self, problem, region_of: np.ndarray, first_state):
+        self.problem, self.region_of = problem, region_of
+        self.start = first_state.zones["energy"].copy()
+
+    def _sum(self, per_zone):
+        return np.bincount(self.region_of, weights=per_zone, minlength=len(self.problem.regions))
+
+    def __call__(self, state) -> dict[str, np.ndarray]:
+        """Every part, (nregion,) in J (momentum in kg m/s) per m^2, per m and radian, or per steradian."""
+        zones, mass = state.zones, state.zones["mass"]
+        left, right = state.velocity_left, state.velocity_right
+        distortion = distortion_energy(state, self.region_of, self.problem)
+        rest = zones["energy"] - self.start - distortion - zones["plastic_work"] - zones["viscous_work"]
+        parts = (0.25 * mass * (left**2 + right**2), mass * zones["energy"], mass * rest, mass * distortion,
+                 mass * zones["plastic_work"], mass * zones["viscous_work"], 0.5 * mass * (left + right))
+        return {name: self._sum(part) for name, part in zip(PARTS, parts)}

@@ -1,0 +1,195 @@
+"""The one place where the parts are put together: a deck or a Problem goes in, a run folder comes out."""
+
+import dataclasses
+import pathlib
+import re
+import time
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+import hugoniot
+from hugoniot.diagnostics.budgets import RegionBudget
+from hugoniot.errors import DeckError, FileTrouble, UnphysicalState
+from hugoniot.output.run_folder import RunFolder
+from hugoniot.problem.model import Problem
+from hugoniot.solvers.run import Outcome, Schedule, march_to_end, snapshot_times
+
+if TYPE_CHECKING:
+    from hugoniot.output.run import Run
+
+
+def make_solver(problem: Problem):
+    """The solver a problem asks for by name."""
+    if problem.solver.kind == "lagrange1d":
+        from hugoniot.solvers.lagrange1d.solver import Lagrange1D
+        return Lagrange1D(problem)
+    if problem.solver.kind == "shock_structure":
+        from hugoniot.solvers.shock_structure.solver import ShockStructure
+        return ShockStructure(problem)
+    raise DeckError.single("problem", None, "solver.kind", f"unknown solver '{problem.solver.kind}'", "known: lagrange1d, shock_structure")
+
+
+class _Recorder:
+    """Hands what the time loop sees to the run folder."""
+
+    def __init__(self, folder: RunFolder, problem: Problem, solver, progress):
+        self.folder, self.problem, self.solver, self.show = folder, problem, solver, progress
+        self.fields = set(problem.output.fields)
+        self.budget = RegionBudget(problem, solver.region_of, solver.state())
+
+    def gauges(self, times, values):
+        if len(times) and self.problem.gauges:
+            self.folder.gauges(times, values)
+
+    def snapshot(self, state):
+        fields = state.fields()
+        if self.fields:
+            faces = {"position_left", "position_right", "velocity_left", "velocity_right"}
+            fields = {name: value for name, value in fields.items() if name in self.fields | faces}
+        fields.pop("mass", None)
+        self.folder.snapshots([state.time], [state.cycle], {name: value[None, :] for name, value in fields.items()})
+        parts = {name: value[None, :] for name, value in self.budget(state).items()}
+        whole = {name: np.array([value]) for name, value in {**self.solver.errors(), **self.solver.exchanges()}.items()}
+        self.folder.budget([state.time], {**parts, **whole, "step": np.array([self.solver.step])})
+
+    def event(self, event):
+        self.folder.event(event.time, event.cycle, event.kind, event.text, position=event.position)
+
+    def progress(self, report):
+        if self.show is not None:
+            self.show.update(report)
+
+    def checkpoint(self, payload):
+        self.folder.checkpoint(payload)
+
+
+def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=None, overwrite: bool = False, report: bool = True,
+        **overrides) -> "Run":
+    """Run a deck (path) or a Problem and return the finished Run.
+
+    out         run folder; default: the deck's name (or the title) with `.run`, in the current folder
+    progress    object with update(solvers.run.Report), or None
+    overwrite   replace a run that stands in the folder
+    overrides   keys of the deck to change first: stop_time="3 us", solver={"courant": 0.3}, ...
+
+    Raises DeckError, UnphysicalState (a post-mortem is left in the folder) or FileTrouble.
+    """
+    begun = time.perf_counter()
+    problem, text, warnings, name = _read(deck_or_problem, deck_text, overrides)
+    solver = make_solver(problem)
+    folder = RunFolder(out or f"{name}.run", overwrite=overwrite)
+    folder.start(problem, text, _meta(problem, solver))
+    for warning in warnings:
+        folder.event(0.0, 0, "warning", warning)
+    return _drive(folder, problem, solver, progress, 0, begun, report)
+
+
+def resume(folder, progress=None, report: bool = True) -> "Run":
+    """Continue an interrupted or killed run from its newest sound checkpoint to the bits an uninterrupted run would give.
+
+    A finished run is returned as it is.
+    """
+    from hugoniot.output.run import load
+    from hugoniot.problem.deck import read_deck
+
+    begun = time.perf_counter()
+    place = RunFolder(folder, resume=True)
+    if place.finished:
+        return load(folder)
+    deck = read_deck(pathlib.Path(folder) / "deck.toml")
+    text = (pathlib.Path(folder) / "deck.toml").read_text(encoding="utf-8")
+    solver = make_solver(deck.problem)
+    place.start(deck.problem, text, _meta(deck.problem, solver))
+    payload = place.latest_checkpoint()
+    next_snapshot = 0
+    if payload is not None:
+        solver.restore(payload["solver"])
+        next_snapshot = int(payload["next_snapshot"])
+    return _drive(place, deck.problem, solver, progress, next_snapshot, begun, report)
+
+
+def _drive(folder: RunFolder, problem: Problem, solver, progress, next_snapshot: int, begun: float, report: bool) -> "Run":
+    from hugoniot.output.run import load
+
+    output = problem.output
+    schedule = Schedule(problem.stop_time, snapshot_times(problem.stop_time, output.snapshots), output.checkpoint_seconds,
+                        output.checkpoint_cycles, problem.solver.max_cycles)
+    recorder = _Recorder(folder, problem, solver, progress)
+    try:
+        outcome = march_to_end(solver, schedule, (recorder,), next_snapshot)
+    except UnphysicalState as error:
+        folder.post_mortem(error, {"solver": solver.payload(), "next_snapshot": -1})
+        raise
+    _note_extrapolation(folder, problem, solver)
+    folder.finish(_summary(problem, solver, outcome, begun), solver.peaks())
+    if report and output.report:
+        _write_report(folder)
+    return load(folder.folder)
+
+
+def _write_report(folder: RunFolder) -> None:
+    """The report is a face of a finished run: if it fails, the result stands and the log says why."""
+    from hugoniot.report import write_report
+    try:
+        write_report(folder.folder)
+    except (OSError, ValueError, KeyError) as error:
+        folder.log(f"warning: the report could not be written: {error}")
+
+
+def _summary(problem: Problem, solver, outcome: Outcome, begun: float) -> dict[str, Any]:
+    return {
+        "status": outcome.status, "cycles": solver.cycle, "zone_updates": solver.zone_updates, "time": solver.time,
+        "wall_seconds": time.perf_counter() - begun, "kernel_seconds": outcome.kernel_seconds, **solver.errors(),
+        "voids_opened": solver.voids_opened, "voids_closed": solver.voids_closed, "tension_cap_acted": solver.capped,
+    }
+
+
+def _note_extrapolation(folder: RunFolder, problem: Problem, solver) -> None:
+    """Warn once for each material driven beyond the particle velocities its equation of state was fitted to."""
+    highest = solver.largest_velocity_jump()
+    for name, speed in highest.items():
+        limit = problem.materials[name].valid_up_to
+        if limit is not None and speed > limit:
+            folder.event(solver.time, solver.cycle, "warning",
+                         f"material '{name}' was driven to a particle velocity of {speed:.4g} m/s; its data reach {limit:.4g} m/s")
+
+
+def _meta(problem: Problem, solver) -> dict[str, Any]:
+    left, right = solver.initial_nodes
+    return {
+        "solver": problem.solver.kind, "version": hugoniot.__version__, "viscosity": solver.viscosity,
+        "region": [problem.regions[k].name for k in solver.region_of], "mass": solver.state().zones["mass"],
+        "centre": 0.5 * (left + right), "left": left, "right": right, "gauges": [gauge.name for gauge in problem.gauges],
+    }
+
+
+def _read(deck_or_problem, deck_text, overrides) -> tuple[Problem, str, list[str], str]:
+    """(problem, resolved deck text, warnings, name for the folder)."""
+    from hugoniot.problem.deck import Deck, read_deck, write_deck
+
+    if isinstance(deck_or_problem, Problem):
+        problem = _replaced(deck_or_problem, overrides)
+        name = re.sub(r"[^a-z0-9]+", "-", problem.title.lower()).strip("-") or "run"
+        return problem, deck_text or write_deck(problem), [], name
+    if isinstance(deck_or_problem, Deck):
+        deck, name = deck_or_problem, re.sub(r"[^a-z0-9]+", "-", deck_or_problem.problem.title.lower()).strip("-") or "run"
+    else:
+        path = pathlib.Path(deck_or_problem)
+        if not path.exists():
+            raise FileTrouble(f"{path}: no such deck; `hugoniot init` writes one to start from")
+        deck, name = read_deck(path, overrides=overrides), path.stem
+    return deck.problem, deck.resolved, list(deck.warnings), name
+
+
+def _replaced(problem: Problem, overrides: Mapping[str, Any]) -> Problem:
+    """A Problem with some fields replaced; a mapping replaces fields of `solver` or `output`."""
+    changes: dict[str, Any] = {}
+    for key, value in overrides.items():
+        if key not in {f.name for f in dataclasses.fields(problem)}:
+            raise DeckError.single("run", None, key, "a Problem has no such field", "see hugoniot.Problem")
+        old = getattr(problem, key)
+        changes[key] = dataclasses.replace(old, **value) if isinstance(value, Mapping) and dataclasses.is_dataclass(old) else value
+    return dataclasses.replace(problem, **changes)
+

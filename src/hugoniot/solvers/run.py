@@ -1,0 +1,140 @@
+"""The only time loop: marches a solver from event to event and hands what happens to observers.
+
+Observers are objects with any of `gauges(times, values)`, `snapshot(state)`, `event(event)`, `progress(report)` and
+`checkpoint(payload)`; they look, and change nothing. What the loop decides from the wall clock (how long a burst of cycles
+lasts, when to checkpoint, when to report) never changes a result: bursts end on whole cycles and every step is chosen by
+the state alone.
+"""
+
+import math
+import time
+from dataclasses import dataclass, field
+
+BURST_SECONDS = 0.1
+FIRST_BURST = 64
+
+
+@dataclass(frozen=True)
+class Report:
+    """What a progress display shows: times in s, the zone that limits the step, energy error, seconds left."""
+
+    time: float
+    stop_time: float
+    cycle: int
+    step: float
+    limiting_zone: int
+    limiting_region: str
+    energy_error: float
+    eta_seconds: float
+
+
+@dataclass
+class Schedule:
+    """When to look: stop time, snapshot times (sorted, s), wall seconds and cycles between checkpoints, most cycles."""
+
+    stop_time: float
+    snapshots: list[float] = field(default_factory=list)
+    checkpoint_seconds: float = math.inf
+    checkpoint_cycles: int | None = None
+    max_cycles: int | None = None
+
+
+@dataclass
+class Outcome:
+    """status: "done" or "stopped at max_cycles"; kernel_seconds: time spent in the solver."""
+
+    status: str
+    kernel_seconds: float
+
+
+def snapshot_times(stop_time, wanted, default_count: int = 100) -> list[float]:
+    """Sorted snapshot times from an interval, explicit times or None (100 intervals); 0 and the stop time included."""
+    if wanted is None:
+        wanted = stop_time / default_count
+    if isinstance(wanted, (int, float)):
+        count = math.floor(stop_time / wanted * (1.0 + 1e-12))
+        times = [k * wanted for k in range(count + 1)]
+    else:
+        times = [t for t in wanted if t <= stop_time]
+    close = 1e-9 * stop_time
+    times = [t for t in times if close < t < stop_time - close]
+    return [0.0, *sorted(times), stop_time]
+
+
+class _Hands:
+    """Calls a hook on every observer that has it."""
+
+    def __init__(self, observers):
+        self.observers = observers
+
+    def __call__(self, hook, *args):
+        for observer in self.observers:
+            method = getattr(observer, hook, None)
+            if method is not None:
+                method(*args)
+
+
+def march_to_end(solver, schedule: Schedule, observers=(), next_snapshot: int = 0) -> Outcome:
+    """Run a solver to the stop time.
+
+    solver          has time, cycle, march(until, cycles) -> events, take_gauges(), state(), errors(), payload(), limiting()
+    next_snapshot   index of the first snapshot still to take (of a resumed run)
+
+    Raises `UnphysicalState` in the cycle it arises; KeyboardInterrupt goes through after a checkpoint.
+    """
+    tell = _Hands(observers)
+    times = schedule.snapshots
+    if next_snapshot == 0 and solver.time >= times[0]:
+        tell("snapshot", solver.state())
+        next_snapshot = 1
+    started = last_checkpoint = time.perf_counter()
+    start_time, last_cycle, kernel, burst, first = solver.time, solver.cycle, 0.0, FIRST_BURST, True
+    try:
+        while solver.time < schedule.stop_time:
+            cycles = _allowance(solver, schedule, burst, last_cycle)
+            if cycles <= 0:
+                return Outcome("stopped at max_cycles", kernel)
+            begun, cycle = time.perf_counter(), solver.cycle
+            events = solver.march(times[next_snapshot], cycles)
+            spent = time.perf_counter() - begun
+            kernel += spent
+            if not first and solver.cycle > cycle:   # the first burst may have compiled
+                burst = max(1, min(int((solver.cycle - cycle) * BURST_SECONDS / spent), 4 * burst))
+            first = False
+            tell("gauges", *solver.take_gauges())
+            for event in events:
+                tell("event", event)
+            if solver.time >= times[next_snapshot]:
+                tell("snapshot", solver.state())
+                next_snapshot += 1
+            now = time.perf_counter()
+            tell("progress", _report(solver, schedule, now - started, start_time))
+            if now - last_checkpoint > schedule.checkpoint_seconds or _due(solver, schedule, last_cycle):
+                tell("checkpoint", {"solver": solver.payload(), "next_snapshot": next_snapshot})
+                last_checkpoint, last_cycle = time.perf_counter(), solver.cycle
+    except KeyboardInterrupt:
+        tell("gauges", *solver.take_gauges())
+        tell("checkpoint", {"solver": solver.payload(), "next_snapshot": next_snapshot})
+        raise
+    return Outcome("done", kernel)
+
+
+def _allowance(solver, schedule, burst, last_cycle):
+    """Cycles the next burst may take."""
+    cycles = burst
+    if schedule.checkpoint_cycles:
+        cycles = min(cycles, max(1, last_cycle + schedule.checkpoint_cycles - solver.cycle))
+    if schedule.max_cycles is not None:
+        cycles = min(cycles, schedule.max_cycles - solver.cycle)
+    return cycles
+
+
+def _due(solver, schedule, last_cycle):
+    return bool(schedule.checkpoint_cycles) and solver.cycle - last_cycle >= schedule.checkpoint_cycles
+
+
+def _report(solver, schedule, elapsed, start_time):
+    done = (solver.time - start_time) / max(schedule.stop_time - start_time, 1e-300)
+    zone, region = solver.limiting()
+    eta = elapsed * (1.0 - done) / done if done > 0.0 else math.inf
+    return Report(solver.time, schedule.stop_time, solver.cycle, solver.step, zone, region, solver.errors()["energy_error"], eta)
