@@ -5,13 +5,12 @@ Every problem is collected, none raised.
 """
 
 import importlib
-import importlib.util
 import math
-from dataclasses import fields
+from dataclasses import fields, replace
 from typing import Any
 
 from hugoniot.core.registry import Law, Registry, UnknownName, finite
-from hugoniot.errors import DeckProblem, HugoniotError
+from hugoniot.errors import DeckError, DeckProblem, HugoniotError
 from hugoniot.laws.eos.contract import EOS, pressure, reference_state, sound_speed_squared
 from hugoniot.laws.fracture.contract import tension_cap
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
@@ -52,7 +51,7 @@ def read_material(name: str, tables: Any, collector: Collector, path: tuple) -> 
     if "eos" not in tables and "base" not in tables:
         hint = f"add [{collector.key(path)}.eos] with law = \"...\" (hugoniot list eos), or base = \"...\""
         collector.add(path, "no equation of state", hint)
-    valid, sources, warnings = _facts(tables, collector, path, base)
+    valid, sources, warnings = _facts(tables, collector, path, _without_replaced(base, tables))
     if len(collector.problems) > before:
         return None
     _check_sound(built, collector, path)
@@ -153,21 +152,26 @@ def from_library(name: Any, collector: Collector, path: tuple, others: tuple[str
     if not isinstance(name, str):
         collector.add(path, "a material is named by a text")
         return None
-    if importlib.util.find_spec("hugoniot.materials.library") is None or not hasattr(_library(), "find"):
-        collector.add(path, f"unknown material '{printable(name)}'", nearest(name, others) or f"add [material.{printable(name)}.eos]")
-        return None
-    library = _library()
+    library = importlib.import_module("hugoniot.materials.library")  # reads files made of tables, so it imports this module
     try:
-        return library.find(name)
-    except (KeyError, HugoniotError):
-        known = [*others, *(library.names() if hasattr(library, "names") else ())]
-        hint = nearest(name, known, f"add [material.{printable(name)}.eos] to the deck, or see hugoniot list materials")
-        collector.add(path, f"unknown material '{printable(name)}'", hint)
+        return library.find(name[:200])
+    except DeckError as error:
+        told = error.problems[0]
+        collector.add(path, printable(told.message, 200), nearest(name, others, printable(told.hint, 300)))
         return None
 
 
-def _library():
-    return importlib.import_module("hugoniot.materials.library")
+def _without_replaced(base: Material | None, tables: dict) -> Material | None:
+    """The base without the sources of numbers that the tables replace."""
+    if base is None:
+        return None
+
+    def stands(source: Source) -> bool:
+        family, _, name = source.quantity.partition(".")
+        table = tables.get(family)
+        return not (table == "none" or (isinstance(table, dict) and ("law" in table or name in table)))
+
+    return replace(base, sources=tuple(s for s in base.sources if stands(s)))
 
 
 def _facts(tables: dict, collector: Collector, path: tuple, base: Material | None):

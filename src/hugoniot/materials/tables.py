@@ -69,7 +69,8 @@ def material_tables(material: Material) -> dict:
     if material.warnings:
         tables["warnings"] = list(material.warnings)
     if material.sources:
-        tables["sources"] = [asdict(source) for source in material.sources]
+        known = {"quantity": "", "value": "", "unit": "", "source": "", "via": "", "status": "user", "note": ""}
+        tables["sources"] = [{k: v for k, v in asdict(source).items() if v != known.get(k)} for source in material.sources]
     for family, registry in families().items():
         par = getattr(material, family)
         if par is not None:

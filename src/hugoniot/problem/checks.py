@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 from hugoniot.errors import HugoniotError
@@ -32,7 +33,8 @@ def read_regions(rows: Sequence, geometry: Any, own: dict[str, Material | None],
         _check_name(row.name, seen, i, collector, path)
         if row.material not in used and row.material not in failed:
             material = own[row.material] if row.material in own else from_library(row.material, collector, (*path, "material"), tuple(own))
-            used.update({row.material: material} if material is not None else {})
+            if material is not None:
+                used[row.material] = replace(material, name=row.material)
             failed.update({row.material} if material is None else ())
         before = len(collector.problems)
         zones = _zones(row, collector, path)

@@ -35,6 +35,10 @@ def _has_header(value: Any, depth: int) -> bool:
     """Whether a value gets a header of its own; small tables inside arrays and deep ones are written inline."""
     if isinstance(value, dict):
         return depth < 3 and not (depth >= 1 and any(isinstance(v, dict) for v in value.values()) and _inline_only(value))
+    return depth == 0 and _of_tables(value)
+
+
+def _of_tables(value: Any) -> bool:
     return isinstance(value, list) and bool(value) and all(isinstance(v, dict) for v in value)
 
 
@@ -62,6 +66,8 @@ def _value(value: Any) -> str:
         if not math.isfinite(value):
             raise ValueError(f"{value} has no place in a deck")
         return repr(value)
+    if _of_tables(value):
+        return "[\n" + "".join(f"    {_value(v)},\n" for v in value) + "]"
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_value(v) for v in value) + "]"
     if isinstance(value, dict):
