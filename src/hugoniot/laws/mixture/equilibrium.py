@@ -1,14 +1,15 @@
 r"""Mechanical and thermal equilibrium: equal pressures and equal temperatures.
 
-$$v = (1-\lambda)v_r + \lambda v_p,\quad e = (1-\lambda)e_r + \lambda e_p,\quad p_r(v_r, e_r - Q) = p_p(v_p, e_p),\quad T_r(v_r, e_r - Q) = T_p(v_p, e_p)$$
+$$v = (1-\lambda)v_r + \lambda v_p,\quad e = (1-\lambda)e_r + \lambda e_p,$$
+$$p_r(v_r, e_r - Q) = p_p(v_p, e_p),\quad T_r(v_r, e_r - Q) = T_p(v_p, e_p)$$
 
 With $w = v_r - v_p$ and $z = e_r - e_p$ the saturation conditions hold identically. At given w the temperature difference rises with z
 (specific heats are positive), so z(w) is found in an inner bracket; along z(w) the pressure difference falls with w (isothermal
 compressibilities are positive), so w is found in an outer one. Both searches are Newton's method where it stays inside. Nothing is
 singular at the ends of burning.
 
-The slope of the temperature by volume follows from the pressure: $(\partial T/\partial v)_e = p/c_v - T p_e$, $(\partial T/\partial e)_v = 1/c_v$;
-so both laws must give a temperature and a specific heat that belong to their pressure.
+The slopes of the temperature follow from the pressure: $(\partial T/\partial v)_e = p/c_v - T p_e$ and $(\partial T/\partial e)_v =
+1/c_v$; so both laws must give a temperature and a specific heat that belong to their pressure.
 
 Source: 003 (Starkenberg ARL-TR-2161) section 4.2 and appendix B-1, B-2 (general determinant).
 """
@@ -23,6 +24,9 @@ from hugoniot.laws.mixture.contract import MIXTURE, Mixed, PhaseSlopes, Slopes, 
 
 ITERATIONS = 100
 CLOSE = 1e-7
+# A phase of less than this mass fraction is left out by `solve`: it changes the pressure by about 1e-8 of itself, and its energy is the
+# difference of nearly equal numbers (only reactants in tension would notice the bubbles).
+NASCENT = 1e-8
 
 
 class ThermalEquilibrium(NamedTuple):
@@ -66,9 +70,9 @@ def share_energy(v_r, v_p, e, lam, z, par):
 
 def solve(rho, e, burn_fraction, before, par):
     """`before` only gives the starting values."""
-    if burn_fraction <= 0.0:
+    if burn_fraction <= NASCENT:
         return Mixed(pressure(rho, e - par.detonation_energy, par.reactants), rho, e, before.rho_p, before.e_p, 0.0)
-    if burn_fraction >= 1.0:
+    if burn_fraction >= 1.0 - NASCENT:
         return Mixed(pressure(rho, e, par.products), before.rho_r, before.e_r, rho, e, 0.0)
     return equilibrate(rho, e, burn_fraction, before, par)
 
@@ -80,7 +84,7 @@ def equilibrate(rho, e, burn_fraction, before, par):
     known = before.rho_p > 0.0
     w = 1.0 / before.rho_r - 1.0 / before.rho_p if known else 0.0
     z = before.e_r - before.e_p if known else 0.0
-    low = -fmin((v - 1.0 / par.reactant_density_limit) / fmax(lam, 1e-12), 1e6 * v)
+    low = -(v - 1.0 / par.reactant_density_limit) / fmax(lam, 1e-12)
     high = fmin((v - 1.0 / par.product_density_limit) / fmax(rest, 1e-12), 1e6 * v)
     if w <= low or w >= high:
         w = 0.0
@@ -103,16 +107,18 @@ def equilibrate(rho, e, burn_fraction, before, par):
         else:
             high = w
         step = excess / decline if decline > 0.0 else 0.5 * (low + high) - w
-        if decline > 0.0 and abs(step) <= 1e-14 * v:
+        if decline > 0.0 and abs(step) <= 1e-14 * (v + abs(w)):
             status = contract.CONVERGED
             break
-        reach = 0.33 * fmin(v_r / fmax(lam, 1e-12), v_p / fmax(rest, 1e-12))
-        target = w + fmax(-reach, fmin(reach, step))
+        # no step may compress a phase by more than a third; products may expand fourfold
+        back = fmin(0.33 * v_r / fmax(lam, 1e-12), 3.0 * v_p / fmax(rest, 1e-12))
+        ahead = 0.33 * fmin(v_r / fmax(lam, 1e-12), v_p / fmax(rest, 1e-12))
+        target = w + fmax(-back, fmin(ahead, step))
         if not low < target < high:
             target = 0.5 * (low + high)
-        if abs(target - w) <= 1e-15 * v:
+        if abs(target - w) <= 1e-15 * (v + abs(w)):
             # the bracket is at round-off: a root if the last step was small, otherwise a jump between branches
-            status = contract.CONVERGED if decline > 0.0 and abs(step) <= CLOSE * v else contract.NO_BRACKET
+            status = contract.CONVERGED if decline > 0.0 and abs(step) <= CLOSE * (v + abs(w)) else contract.NO_BRACKET
             break
         w = target
     return Mixed(p, 1.0 / v_r, e_r + q, 1.0 / v_p, e_p, status)
@@ -181,14 +187,15 @@ def mixture_specific_heat(burn_fraction, mixed, par):
 
 MIXTURE.add(
     "thermal_equilibrium", ThermalEquilibrium,
-    functions={"solve": solve, "equilibrate": equilibrate, "slopes": slopes, "phase_slopes": phase_slopes, "temperature": mixture_temperature,
-               "specific_heat": mixture_specific_heat},
+    functions={"solve": solve, "equilibrate": equilibrate, "slopes": slopes, "phase_slopes": phase_slopes,
+               "temperature": mixture_temperature, "specific_heat": mixture_specific_heat},
     example=ThermalEquilibrium(IdealGas(5.0, 1000.0, 1600.0), IdealGas(2.8, 1200.0, 1600.0), 5.0e6),
     units={"reactants": "", "products": "", "detonation_energy": "J/kg", "reactant_density_limit": "kg/m^3",
            "product_density_limit": "kg/m^3"},
     meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
              "detonation_energy": "chemical energy of the reactants relative to the products (minus the heat of detonation)",
-             "reactant_density_limit": "highest density of the reactants' law", "product_density_limit": "highest density of the products' law"},
+             "reactant_density_limit": "highest density of the reactants' law",
+             "product_density_limit": "highest density of the products' law"},
     box={"rho": (1200.0, 3000.0), "e": (6e6, 9e6), "burn_fraction": (0.0, 1.0)},
     references=("Starkenberg, ARL-TR-2161, section 4.2 and appendix B",),
     flags=("needs_temperature",),

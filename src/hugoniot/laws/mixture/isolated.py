@@ -1,11 +1,12 @@
 r"""Mechanical equilibrium with thermal isolation: equal pressures, the reactant stays on its isentrope.
 
-$$v = (1-\lambda)v_r + \lambda v_p,\quad e = (1-\lambda)e_r + \lambda e_p,\quad p = p_r(v_r, e_r - Q) = p_p(v_p, e_p),\quad e_r - Q = e_{Sr}(v_r;\, v_k, e_k)$$
+$$v = (1-\lambda)v_r + \lambda v_p,\quad e = (1-\lambda)e_r + \lambda e_p,$$
+$$p = p_r(v_r, e_r - Q) = p_p(v_p, e_p),\quad e_r - Q = e_{Sr}(v_r;\, v_k, e_k)$$
 
 With $w = v_r - v_p$ and $z = e_r - e_p$ the saturation conditions hold identically ($v_r = v + \lambda w$, $v_p = v - (1-\lambda)w$), the
 isentrope gives $\lambda z = e_{Sr} + Q - e$, and one equation is left, $F(w) = p_r - p_p = 0$, whose slope is $-I^2$ with
-$I^2 = \lambda i_r^2 + (1-\lambda) i_p^2 > 0$: F falls monotonically, so the root is unique, and nothing is singular as burning begins or ends.
-Newton's method runs inside a bracket that only shrinks; what leaves it is bisected.
+$I^2 = \lambda i_r^2 + (1-\lambda) i_p^2 > 0$: F falls monotonically, so the root is unique, and nothing is singular as burning begins
+or ends. Newton's method runs inside a bracket that only shrinks; what leaves it is bisected.
 
 Source: 003 (Starkenberg ARL-TR-2161) sections 5.1 to 5.9 and appendix B-2 with corrections S-E2, S-E3, S-E13.
 """
@@ -20,9 +21,14 @@ from hugoniot.laws.mixture.contract import MIXTURE, Mixed, PhaseSlopes, Slopes, 
 from hugoniot.laws.mixture.isentrope import isentrope_energy
 
 ITERATIONS = 100
-# Below this burn fraction the products' energy (e - (1 - lambda) e_r) / lambda is lost to round-off; the reactant isentrope is then taken
-# through the mixture state itself and its expansion to second order in lambda, whose error is of order lambda^2, replaces the march.
+# Below VANISHING the products' energy (e - (1 - lambda) e_r) / lambda would multiply every difference between the reference isentrope and
+# the mixture's energy: the reactant's isentrope is then taken through the mixture state itself. While the reactant's volume differs from
+# the mixture's by less than NEAR, the expansion of that isentrope to second order replaces the march and its cancellation.
 VANISHING = 1e-6
+NEAR = 1e-6
+# A phase of less than this mass fraction is left out by `solve`: it changes the pressure by about 1e-8 of itself, and its energy is the
+# difference of nearly equal numbers (only reactants in tension would notice the bubbles).
+NASCENT = 1e-8
 CLOSE = 1e-8
 
 
@@ -36,22 +42,22 @@ class ThermalIsolation(NamedTuple):
 
 def solve(rho, e, burn_fraction, before, par):
     """`before` must lie on the reactant's isentrope: the shocked state, or the reactant of the step before."""
-    if burn_fraction <= 0.0:
+    if burn_fraction <= NASCENT:
         return Mixed(pressure(rho, e - par.detonation_energy, par.reactants), rho, e, before.rho_p, before.e_p, 0.0)
-    if burn_fraction >= 1.0:
+    if burn_fraction >= 1.0 - NASCENT:
         return Mixed(pressure(rho, e, par.products), before.rho_r, before.e_r, rho, e, 0.0)
     return equilibrate(rho, e, burn_fraction, before, par)
 
 
 def equilibrate(rho, e, burn_fraction, before, par):
-    """The bracketed Newton search of the module's docstring, for 0 <= lambda <= 1: at 0 it gives the nascent products, at 1 the last grain."""
+    """The bracketed Newton search of the module's docstring, for 0 <= lambda <= 1 (nascent products, last grain)."""
     v, lam, rest = 1.0 / rho, burn_fraction, 1.0 - burn_fraction
     q = par.detonation_energy
     vanishing = lam < VANISHING
     v_r = v if vanishing else 1.0 / before.rho_r
     e_r = e - q if vanishing else before.e_r - q
     w = v_r - 1.0 / before.rho_p if before.rho_p > 0.0 else 0.0
-    low = -fmin((v - 1.0 / par.reactant_density_limit) / fmax(lam, 1e-12), 1e6 * v)
+    low = -(v - 1.0 / par.reactant_density_limit) / fmax(lam, 1e-12)
     high = fmin((v - 1.0 / par.product_density_limit) / fmax(rest, 1e-12), 1e6 * v)
     if w <= low or w >= high:
         w = 0.0
@@ -59,18 +65,19 @@ def equilibrate(rho, e, burn_fraction, before, par):
     p = v_p = e_p = 0.0
     for _ in range(ITERATIONS):
         v_next = v + lam * w
-        if vanishing:
+        if vanishing and abs(lam * w) < NEAR * v:
             p = pressure(1.0 / v, e - q, par.reactants)
             i_r = impedance_squared(1.0 / v, e - q, par.reactants)
             z = -w * (p - 0.5 * i_r * lam * w)
             p = p - i_r * lam * w
             e_r = e - q + lam * z
+            v_r = v_next
         else:
             e_r = isentrope_energy(v_r, e_r, v_next, par.reactants)
             p = pressure(1.0 / v_next, e_r, par.reactants)
             i_r = impedance_squared(1.0 / v_next, e_r, par.reactants)
+            v_r = v_next
             z = (e_r + q - e) / lam
-        v_r = v_next
         v_p = v - rest * w
         e_p = e - rest * z
         p_v, p_e = volume_slopes(1.0 / v_p, e_p, par.products)
@@ -82,7 +89,7 @@ def equilibrate(rho, e, burn_fraction, before, par):
         else:
             high = w
         step = excess / decline if decline > 0.0 else 0.5 * (low + high) - w
-        if decline > 0.0 and abs(step) <= CLOSE * v:
+        if decline > 0.0 and abs(step) <= CLOSE * (v + abs(w)):
             # one last Newton step, linear in the unknown: what it leaves out is of order CLOSE squared
             e_r = e_r - lam * step * (p - 0.5 * i_r * lam * step)
             v_r = v_r + lam * step
@@ -91,12 +98,13 @@ def equilibrate(rho, e, burn_fraction, before, par):
             p = p - i_r * lam * step
             status = contract.CONVERGED if i_r > 0.0 and i_p > 0.0 else contract.UNSTABLE
             break
-        # no step may change a phase's volume by more than a third
-        reach = 0.33 * fmin(v_r / fmax(lam, 1e-12), v_p / fmax(rest, 1e-12))
-        target = w + fmax(-reach, fmin(reach, step))
+        # no step may compress a phase by more than a third; products may expand fourfold
+        back = fmin(0.33 * v_r / fmax(lam, 1e-12), 3.0 * v_p / fmax(rest, 1e-12))
+        ahead = 0.33 * fmin(v_r / fmax(lam, 1e-12), v_p / fmax(rest, 1e-12))
+        target = w + fmax(-back, fmin(ahead, step))
         if not low < target < high:
             target = 0.5 * (low + high)
-        if abs(target - w) <= 1e-15 * v:
+        if abs(target - w) <= 1e-15 * (v + abs(w)):
             status = contract.NO_BRACKET
             break
         w = target
@@ -163,14 +171,15 @@ def mixture_specific_heat(burn_fraction, mixed, par):
 
 MIXTURE.add(
     "thermal_isolation", ThermalIsolation,
-    functions={"solve": solve, "equilibrate": equilibrate, "slopes": slopes, "phase_slopes": phase_slopes, "temperature": mixture_temperature,
-               "specific_heat": mixture_specific_heat},
+    functions={"solve": solve, "equilibrate": equilibrate, "slopes": slopes, "phase_slopes": phase_slopes,
+               "temperature": mixture_temperature, "specific_heat": mixture_specific_heat},
     example=ThermalIsolation(IdealGas(5.0, 1000.0, 1600.0), IdealGas(2.8, 1200.0, 1600.0), 5.0e6),
     units={"reactants": "", "products": "", "detonation_energy": "J/kg", "reactant_density_limit": "kg/m^3",
            "product_density_limit": "kg/m^3"},
     meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
              "detonation_energy": "chemical energy of the reactants relative to the products (minus the heat of detonation)",
-             "reactant_density_limit": "highest density of the reactants' law", "product_density_limit": "highest density of the products' law"},
+             "reactant_density_limit": "highest density of the reactants' law",
+             "product_density_limit": "highest density of the products' law"},
     box={"rho": (1200.0, 3000.0), "e": (6e6, 9e6), "burn_fraction": (0.0, 1.0)},
     references=("Starkenberg, ARL-TR-2161, sections 5.1 to 5.9 and appendix B",),
     flags=("follows_isentrope",),

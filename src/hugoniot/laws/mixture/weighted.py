@@ -86,7 +86,8 @@ MIXTURE.add(
 
 MIXTURE.add(
     "burned_products", BurnedProducts,
-    functions={"solve": products_solve, "equilibrate": products_solve, "slopes": products_slopes, "phase_slopes": phase_slopes, "temperature": products_temperature},
+    functions={"solve": products_solve, "equilibrate": products_solve, "slopes": products_slopes, "phase_slopes": phase_slopes,
+               "temperature": products_temperature},
     example=BurnedProducts(IdealGas(2.8, 1200.0, 1600.0)),
     units={"products": ""}, meaning={"products": "equation of state of the products"},
     box={"rho": (1200.0, 3000.0), "e": (1e6, 9e6), "burn_fraction": (0.0, 1.0)},

@@ -1,0 +1,249 @@
+r"""Reacting mixtures of any two equations of state: states, slopes, limits, adiabats and frozen Hugoniots.
+
+Three closures (`laws/mixture`): "thermal_isolation" (equal pressures, the reactant on its isentrope), "thermal_equilibrium" (equal
+pressures and temperatures) and "weighted_pressures" (for comparison). Source: 003 (Starkenberg ARL-TR-2161) sections 3 to 5 and
+appendix B, with the corrections S-E1 to S-E3 and S-E13 of docs/theory/source_errors.md.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
+
+from hugoniot.errors import NoSolution, OutOfRange
+from hugoniot.laws.eos import contract as eos
+from hugoniot.laws.mixture import contract
+from hugoniot.laws.mixture.contract import MIXTURE, Mixed
+
+
+def detonation_energy(reactants, products) -> float:
+    """Q = -(heat of detonation), J/kg: energy of the products' law in the unburned state less the reactants' own (003 section 3).
+
+    Both laws answer with their reference state; a JWL's is E0/rho0 at its rho0.
+    """
+    return float(eos.reference_state(products)[1] - eos.reference_state(reactants)[1])
+
+
+def mixture(kind: str, reactants, products, energy: float | None = None):
+    """Parameter tuple of a mixture law of that name ("thermal_isolation", ...), with the density limits of both phases filled in.
+
+    energy   Q in J/kg; None: from the reference states of the two laws
+    """
+    law = MIXTURE.get(kind)
+    given: dict[str, Any] = {"reactants": reactants, "products": products,
+                             "detonation_energy": detonation_energy(reactants, products) if energy is None else float(energy),
+                             "reactant_density_limit": min(float(eos.density_limits(reactants)[1]), 1e30),
+                             "product_density_limit": min(float(eos.density_limits(products)[1]), 1e30)}
+    return law.parameters(**{name: given[name] for name in law.parameters._fields})
+
+
+@dataclass(frozen=True)
+class MixtureState:
+    """Solved states; every field an array of one shape, SI. Phase energies are on the mixture's scale (the reactant's includes Q).
+
+    pressure_by_volume, pressure_by_energy, pressure_by_burn_fraction   slopes of p(v, e, burn fraction)
+    status   0 where the search converged, see laws.mixture.contract
+    """
+
+    par: Any
+    density: np.ndarray
+    energy: np.ndarray
+    burn_fraction: np.ndarray
+    pressure: np.ndarray
+    reactant_density: np.ndarray
+    reactant_energy: np.ndarray
+    product_density: np.ndarray
+    product_energy: np.ndarray
+    status: np.ndarray
+    pressure_by_volume: np.ndarray
+    pressure_by_energy: np.ndarray
+    pressure_by_burn_fraction: np.ndarray
+
+    @property
+    def impedance_squared(self):
+        """i^2 = p p_e - p_v, (kg/m2/s)^2."""
+        return self.pressure * self.pressure_by_energy - self.pressure_by_volume
+
+    @property
+    def sound_speed(self):
+        """Frozen sound speed, m/s."""
+        return np.sqrt(self.impedance_squared) / self.density
+
+    @property
+    def gruneisen(self):
+        """Gamma = v p_e."""
+        return self.pressure_by_energy / self.density
+
+    @property
+    def adiabatic_exponent(self):
+        """gamma = i^2 v / p."""
+        return self.impedance_squared / (self.density * self.pressure)
+
+    @property
+    def volume_fraction(self):
+        """Volume fraction of the products, eta = lambda v_p / v."""
+        return self.burn_fraction * self.density / self.product_density
+
+    def mixed(self, index=()) -> Mixed:
+        """The scalar state at an index, as the laws of `laws/mixture` take it."""
+        return Mixed(*(float(a[index]) for a in (self.pressure, self.reactant_density, self.reactant_energy, self.product_density,
+                                                 self.product_energy, self.status)))
+
+    def _each(self, function) -> np.ndarray:
+        values = [function(float(self.burn_fraction[i]), self.mixed(i), self.par) for i in np.ndindex(self.density.shape)]
+        return np.array(values).reshape(self.density.shape + np.shape(values[0]))
+
+    @property
+    def temperature(self):
+        """K: the products' (isolation), the common one (equilibrium), the mean by mass (weighted pressures)."""
+        return self._each(contract.mixture_temperature)
+
+    @property
+    def specific_heat(self):
+        """C_v = de/dT at constant volume and burn fraction, J/(kg K)."""
+        return self._each(contract.mixture_specific_heat)
+
+    def phase_slopes(self) -> contract.PhaseSlopes:
+        """The twelve slopes of v_r, e_r, v_p, e_p by v, e and burn fraction, arrays of the state's shape (burn fraction > 0)."""
+        if np.any(self.burn_fraction <= 0.0):
+            raise OutOfRange("the products' slopes by volume and energy are infinite at burn fraction 0: ask for a positive one, or use "
+                             "vanishing_series")
+        return contract.PhaseSlopes(*np.moveaxis(self._each(contract.phase_slopes), -1, 0))
+
+
+def solve(density, energy, burn_fraction, par, reference=None) -> MixtureState:
+    """Both phases and the slopes of the pressure at every (density, energy, burn fraction), broadcast together.
+
+    reference   (density, energy) of a point of the reactant's isentrope, energy on the mixture's scale (with Q); needed by
+                "thermal_isolation" only: the state just behind the last shock (003 section 4.3)
+    Raises NoSolution with the first state that has none, OutOfRange for input outside 0..1 or not positive.
+    """
+    from hugoniot.theory.mixture_kernels import equilibrate_rows
+
+    if reference is None:
+        if "follows_isentrope" in MIXTURE.of(par).flags:
+            raise OutOfRange("thermal isolation needs the reactant's reference state: pass reference = (density, energy) behind the shock")
+        reference = (density, energy)
+    rho, e, lam, rho_k, e_k = (np.array(a, float) for a in np.broadcast_arrays(density, energy, burn_fraction, *reference))
+    if np.any(~(rho > 0.0)) or np.any(~(rho_k > 0.0)):
+        raise OutOfRange("densities of a mixture must be positive")
+    if np.any(~((lam >= 0.0) & (lam <= 1.0))):
+        raise OutOfRange(f"burn fractions lie in 0..1; got {float(np.min(lam)):.6g}..{float(np.max(lam)):.6g}")
+    out = np.empty((9, rho.size))
+    equilibrate_rows(rho.ravel(), e.ravel(), lam.ravel(), rho_k.ravel(), e_k.ravel(), par, out)
+    out[5][~np.all(np.isfinite(out), axis=0)] = contract.NOT_FINITE
+    bad = np.flatnonzero(out[5] != contract.CONVERGED)
+    if bad.size:
+        j = bad[0]
+        raise NoSolution(f"no mixture state at density {rho.flat[j]:.6g} kg/m^3, energy {e.flat[j]:.6g} J/kg, burn fraction "
+                         f"{lam.flat[j]:.6g}: {contract.MEANING[out[5, j]]} ({bad.size} of {rho.size} states)")
+    return MixtureState(par, rho, e, lam, *(row.reshape(rho.shape) for row in out))
+
+
+@dataclass(frozen=True)
+class VanishingSeries:
+    """Taylor coefficients in the burn fraction: x = x[0] + x[1] lambda + x[2] lambda^2; volumes m3/kg, energies J/kg (with Q)."""
+
+    v_r: tuple[float, float, float]
+    e_r: tuple[float, float, float]
+    v_p: tuple[float, float]
+    e_p: tuple[float, float]
+
+
+def vanishing_series(density: float, energy: float, par) -> VanishingSeries:
+    """Expansion about burn fraction 0 at constant volume and energy in thermal isolation (003 section 5.9, corrected: S-E3).
+
+    The reactant's isentrope passes through (density, energy - Q), as the limit demands. Raises NoSolution without nascent products.
+    """
+    state = solve(density, energy, 0.0, par, reference=(density, energy))
+    mixed = state.mixed()
+    v, v_p0, e_p0, p = 1.0 / density, 1.0 / mixed.rho_p, mixed.e_p, mixed.pressure
+    i_r = contract.impedance_squared(density, energy - par.detonation_energy, par.reactants)
+    p_v, p_e = contract.volume_slopes(mixed.rho_p, e_p0, par.products)
+    p0 = -i_r * (v - v_p0)
+    e0 = (v - v_p0) * (p + 0.5 * p0) + (energy - e_p0)
+    i_p = p * p_e - p_v
+    v_p1, e_p1 = (e0 * p_e - p0) / i_p, (p0 * p - e0 * p_v) / i_p
+    return VanishingSeries((v, v - v_p0, v - v_p0 - v_p1), (energy, energy - e_p0, energy - e_p0 - e_p1), (v_p0, v_p1), (e_p0, e_p1))
+
+
+def adiabat(start: MixtureState, volumes, burn_fraction: Callable[[float], float] | None = None) -> MixtureState:
+    """States along the mixture adiabat de + p dv = 0 from a single solved state (003 section 5.7).
+
+    volumes         specific volumes to visit, monotone, m3/kg
+    burn_fraction   burn fraction as a function of volume; None: frozen, and the adiabat is an isentrope
+    The reactant's isentrope runs through `start`. Raises NoSolution where no mixture state exists on the way.
+    """
+    par, mixed = start.par, start.mixed()
+    lam = burn_fraction or (lambda v: float(start.burn_fraction))
+    volumes = np.asarray(volumes, float)
+
+    def slope(v, e):
+        found = contract.equilibrate(1.0 / v, float(e[0]), lam(v), mixed, par)
+        if found.status != contract.CONVERGED:
+            raise NoSolution(f"the adiabat meets a volume of {v:.6g} m^3/kg at burn fraction {lam(v):.6g} where "
+                             f"{contract.MEANING[found.status]}")
+        return [-found.pressure]
+
+    way = solve_ivp(slope, (1.0 / float(start.density), float(volumes[-1])), [float(start.energy)], method="DOP853", rtol=1e-12,
+                    atol=1e-12 * (abs(float(start.energy)) + par.detonation_energy), t_eval=volumes)
+    if not way.success:
+        raise NoSolution(f"the adiabat could not be followed to {volumes[-1]:.6g} m^3/kg: {way.message}")
+    return solve(1.0 / volumes, way.y[0], [lam(v) for v in volumes], par, (mixed.rho_r, mixed.e_r))
+
+
+def hugoniot_volume(pressure: float, rho_u: float, e_u: float, p_u: float, par) -> float:
+    """Volume on the Hugoniot of one phase centred on (rho_u, e_u, p_u) at the given pressure >= p_u, m3/kg; NoSolution without one."""
+    v_u = 1.0 / rho_u
+    low = 1.0 / min(float(eos.density_limits(par)[1]), 20.0 * rho_u)
+
+    def miss(v):
+        return eos.pressure(1.0 / v, e_u + 0.5 * (pressure + p_u) * (v_u - v), par) - pressure
+
+    if miss(v_u) >= 0.0:
+        return v_u
+    # from rest towards the limit in small strides: the first crossing is the physical branch
+    inner = v_u
+    for _ in range(2000):
+        outer, inner = inner, inner + 0.02 * (low - inner)
+        if miss(inner) >= 0.0:
+            return brentq(miss, inner, outer, xtol=1e-15 * v_u, rtol=8.9e-16)
+    raise NoSolution(f"the Hugoniot from {rho_u:.6g} kg/m^3 does not reach {pressure:.6g} Pa below its "
+                     f"compression limit {1.0 / low:.6g} kg/m^3")
+
+
+@dataclass(frozen=True)
+class FrozenHugoniot:
+    """Shocked mixtures at given pressures, no reaction in the shock: arrays, SI; energies with Q."""
+
+    pressure: np.ndarray
+    density: np.ndarray
+    energy: np.ndarray
+    reactant_density: np.ndarray
+    reactant_energy: np.ndarray
+    product_density: np.ndarray
+    product_energy: np.ndarray
+    particle_velocity: np.ndarray
+    shock_velocity: np.ndarray
+
+
+def frozen_hugoniot(upstream: MixtureState, pressures) -> FrozenHugoniot:
+    """Each phase on its own Hugoniot from the upstream state to one pressure (003 section 5.8); velocities relative to upstream.
+
+    The reactant state found is the reference state of its isentrope downstream. Raises NoSolution beyond a compression limit.
+    """
+    par, u = upstream.par, upstream.mixed()
+    lam, q, v_u = float(upstream.burn_fraction), upstream.par.detonation_energy, 1.0 / float(upstream.density)
+    p = np.atleast_1d(np.asarray(pressures, float))
+    p_u = u.pressure
+    v_r = np.array([hugoniot_volume(x, u.rho_r, u.e_r - q, p_u, par.reactants) for x in p])
+    v_p = np.array([hugoniot_volume(x, u.rho_p, u.e_p, p_u, par.products) for x in p])
+    e_r, e_p = u.e_r + 0.5 * (p + p_u) * (1.0 / u.rho_r - v_r), u.e_p + 0.5 * (p + p_u) * (1.0 / u.rho_p - v_p)
+    v, e = (1.0 - lam) * v_r + lam * v_p, (1.0 - lam) * e_r + lam * e_p
+    jump = np.sqrt(np.maximum((p - p_u) * (v_u - v), 0.0))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        speed = np.where((v < v_u) & (p > p_u), v_u * np.sqrt((p - p_u) / (v_u - v)), float(upstream.sound_speed))
+    return FrozenHugoniot(p, 1.0 / v, e, 1.0 / v_r, e_r, 1.0 / v_p, e_p, jump, speed)
