@@ -34,6 +34,8 @@ from typing import NamedTuple
 from hugoniot.core.ops import vexp, vlog
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.mie_gruneisen_linear_gamma import MieGruneisenLinearGamma
+from hugoniot.laws.eos.reference_curves import gamma_slope_of
 from hugoniot.laws.eos.special import ei_difference
 
 
@@ -127,13 +129,13 @@ def build(rho0, c0, s, gamma0, gamma_form="rho_gamma_constant", gamma_slope=math
     A `gamma_form` other than "rho_gamma_constant" gives the law mie_gruneisen_linear_gamma, and so does gamma0 > 8 s, a Hugoniot so
     straight that the closed form of the temperature would cancel; pressures are the same in both.
     """
-    from hugoniot.laws.eos.mie_gruneisen_linear_gamma import MieGruneisenLinearGamma, gamma_slope_of
-
     for name, value in (("rho0", rho0), ("c0", c0)):
         if not value > 0.0:
             raise OutOfRange(f"mie_gruneisen: {name} must be positive, got {value}")
     if not (s >= 0.0 and gamma0 > 0.0):
         raise OutOfRange(f"mie_gruneisen: needs s >= 0 and gamma0 > 0, got s = {s}, gamma0 = {gamma0}")
+    if gamma_form == "rho_gamma_constant" and math.isfinite(gamma_slope) and gamma_slope != 0.0:
+        gamma_form = "linear"
     slope = gamma_slope_of(gamma_form, gamma0, gamma_slope)
     if slope == 0.0 and gamma0 <= 8.0 * s:
         return MieGruneisen(rho0, c0, s, gamma0, specific_heat, reference_temperature)

@@ -19,8 +19,8 @@ import math
 from typing import NamedTuple
 
 from hugoniot.core.ops import vexp, vlog
-from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.reference_curves import highest_density, log_heating, lowest_density
 from hugoniot.laws.eos.special import quadrature
 
 
@@ -32,19 +32,6 @@ class MieGruneisenLinearGamma(NamedTuple):
     gamma_slope: float
     specific_heat: float = math.nan
     reference_temperature: float = 298.15
-
-
-def gamma_slope_of(form, gamma0, slope=math.nan):
-    """b of Gamma = (gamma0 + b mu)/(1 + mu) for a named form: rho_gamma_constant, constant, linear (then `slope`)."""
-    if form == "rho_gamma_constant":
-        return 0.0
-    if form == "constant":
-        return gamma0
-    if form == "linear":
-        if not math.isfinite(slope):
-            raise OutOfRange("mie_gruneisen: gamma_form 'linear' needs gamma_slope, the b of (gamma0 + b mu)/(1 + mu)")
-        return slope
-    raise OutOfRange(f"mie_gruneisen: unknown gamma_form '{form}'; known: rho_gamma_constant, constant, linear")
 
 
 def _strain(rho, par):
@@ -80,16 +67,11 @@ def energy(rho, p, par):
     return (p - pressure(rho, 0.0, par)) / (par.rho0 * par.gamma0 + par.gamma_slope * (rho - par.rho0))
 
 
-def _growth(t, par):
-    """ln(T/T0) on an isentrope, from rho0 to strain t."""
-    return (par.gamma0 - par.gamma_slope) * t - par.gamma_slope * vlog(1.0 - t)
-
-
 def reference_isentrope(rho, par):
     """(e, T/T0) on the isentrope through the reference state."""
     eta, inverse, mu = _strain(rho, par)
     cc, s = par.c0 * par.c0, par.s
-    growth = _growth(eta, par)
+    growth = log_heating(eta, par.gamma0, par.gamma_slope)
     e_s = 0.5 * cc * eta * eta * inverse
     if eta > 0.0:
         top = 1.0 / s if s > 1.0 else 1.0
@@ -99,7 +81,8 @@ def reference_isentrope(rho, par):
             z = vexp(-far * x)
             t = top * (1.0 - z)
             y = 1.0 - s * t
-            total += w * z * t * (1.0 - 0.5 * t * (par.gamma0 + par.gamma_slope * t / (1.0 - t))) / (y * y) * vexp(growth - _growth(t, par))
+            cold = t * (1.0 - 0.5 * t * (par.gamma0 + par.gamma_slope * t / (1.0 - t))) / (y * y)
+            total += w * z * cold * vexp(growth - log_heating(t, par.gamma0, par.gamma_slope))
         e_s = cc * top * far * total
     return e_s, vexp(growth)
 
@@ -116,7 +99,7 @@ def specific_heat(rho, e, par):
 def entropy(rho, e, par):
     """Zero at the reference state."""
     ratio = temperature(rho, e, par) / par.reference_temperature
-    return par.specific_heat * (vlog(ratio) - _growth(1.0 - par.rho0 / rho, par))
+    return par.specific_heat * (vlog(ratio) - log_heating(1.0 - par.rho0 / rho, par.gamma0, par.gamma_slope))
 
 
 def reference_state(par):
@@ -125,11 +108,9 @@ def reference_state(par):
 
 def density_limits(par):
     """rho Gamma vanishes below mu = -gamma0/b when b > gamma0; the Hugoniot is singular at eta = 1/s (s > 1)."""
-    low = par.rho0 * (1.0 - par.gamma0 / par.gamma_slope) if par.gamma_slope > par.gamma0 else 0.0
-    high = par.rho0 * par.s / (par.s - 1.0) if par.s > 1.0 else math.inf
-    if par.gamma_slope < 0.0:
-        high = min(high, par.rho0 * (1.0 - par.gamma0 / par.gamma_slope))
-    return low, high
+    strain = 1.0 / par.s if par.s > 1.0 else 1.0
+    return (lowest_density(par.rho0, par.gamma0, par.gamma_slope),
+            highest_density(par.rho0, strain, par.gamma0, par.gamma_slope))
 
 
 def particle_velocity_limit(par):

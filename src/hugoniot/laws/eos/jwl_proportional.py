@@ -1,0 +1,93 @@
+r"""JWL alternative for solids: JWL reference isentrope with rho Gamma constant.
+
+$$p = A\left(1 - \frac{\Gamma_0}{R_1}\right)e^{-R_1V} + B\left(1 - \frac{\Gamma_0}{R_2}\right)e^{-R_2V} + \rho_0\Gamma_0e,
+  \qquad V = \rho_0/\rho$$
+
+Its isentropes are $e_S = h_S(V) + a\,e^{-\Gamma_0V}$ with $h_S = (A/R_1\,e^{-R_1V} + B/R_2\,e^{-R_2V})/\rho_0$; the rest
+state is (rho0, e) at zero pressure. Hugoniot (S-E12: the printed numerator counts e_u twice; with rho_Gamma the constant rho0 Gamma0, S-E14):
+$\Delta p_H = [p_\Gamma - p_u + \rho_\Gamma(e_u + p_u\Delta v)]/(1 - \tfrac12\rho_\Gamma\Delta v)$. Temperature (constant $c_v$):
+$T = T_0e^{\Gamma_0(1-V)} + (e - e_S)/c_v$ on the isentrope through the rest state.
+
+Source: 003 (Starkenberg) A-10.
+"""
+
+import math
+from typing import NamedTuple
+
+from hugoniot.core.ops import vexp, vlog
+from hugoniot.laws.eos.contract import EOS
+
+
+class JWLProportional(NamedTuple):
+    a: float
+    b: float
+    r1: float
+    r2: float
+    gamma0: float
+    rho0: float
+    specific_heat: float = math.nan
+    reference_temperature: float = 298.15
+
+
+def _cold(v, par):
+    return par.a * (1.0 - par.gamma0 / par.r1) * vexp(-par.r1 * v) + par.b * (1.0 - par.gamma0 / par.r2) * vexp(-par.r2 * v)
+
+
+def pressure(rho, e, par):
+    return _cold(par.rho0 / rho, par) + par.rho0 * par.gamma0 * e
+
+
+def pressure_derivatives(rho, e, par):
+    v = par.rho0 / rho
+    slope = par.a * (par.r1 - par.gamma0) * vexp(-par.r1 * v) + par.b * (par.r2 - par.gamma0) * vexp(-par.r2 * v)
+    return slope * v / rho, par.rho0 * par.gamma0
+
+
+def energy(rho, p, par):
+    return (p - _cold(par.rho0 / rho, par)) / (par.rho0 * par.gamma0)
+
+
+def _h(v, par):
+    return (par.a / par.r1 * vexp(-par.r1 * v) + par.b / par.r2 * vexp(-par.r2 * v)) / par.rho0
+
+
+def temperature(rho, e, par):
+    v = par.rho0 / rho
+    growth = vexp(par.gamma0 * (1.0 - v))
+    e_rest = -_cold(1.0, par) / (par.rho0 * par.gamma0)
+    e_s = _h(v, par) + (e_rest - _h(1.0, par)) * growth
+    return par.reference_temperature * growth + (e - e_s) / par.specific_heat
+
+
+def specific_heat(rho, e, par):
+    return par.specific_heat
+
+
+def entropy(rho, e, par):
+    """Zero at the rest state."""
+    ratio = temperature(rho, e, par) / par.reference_temperature
+    return par.specific_heat * (vlog(ratio) - par.gamma0 * (1.0 - par.rho0 / rho))
+
+
+def reference_state(par):
+    return par.rho0, -_cold(1.0, par) / (par.rho0 * par.gamma0)
+
+
+def density_limits(par):
+    return 0.0, math.inf
+
+
+EOS.add(
+    "jwl_proportional", JWLProportional,
+    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits],
+    example=JWLProportional(77810e9, -5.031e9, 11.3, 1.13, 0.8938, 1717.0, 1000.0),
+    units={"a": "Pa", "b": "Pa", "r1": "1", "r2": "1", "gamma0": "1", "rho0": "kg/m^3", "specific_heat": "J/kg/K",
+           "reference_temperature": "K"},
+    meaning={"a": "coefficient A", "b": "coefficient B (usually negative)", "r1": "exponent R1", "r2": "exponent R2",
+             "gamma0": "Grüneisen parameter at rest", "rho0": "density at rest",
+             "specific_heat": "specific heat at constant volume (for temperatures)", "reference_temperature": "temperature at rest"},
+    defaults={"specific_heat": math.nan, "reference_temperature": 298.15},
+    box={"rho": (1600.0, 4000.0), "e": (-1e5, 1e7)},
+    references=("Starkenberg, ARL-TR-2161, A-10 (corrected: S-E12, S-E14)",),
+    flags=("linear_in_energy",),
+)

@@ -1,0 +1,77 @@
+r"""Mie-Grüneisen solid on the exact cold curve of a linear Hugoniot (rho Gamma constant).
+
+$$p = P_c + \rho_0\Gamma_0(e - E_c), \quad P_c = \rho_0\frac{dE_c}{d\eta}, \quad \frac{dE_c}{d\eta} - \Gamma_0E_c
+  = S(\eta) = \frac{c_0^2\,\eta\,(1 - \Gamma_0\eta/2)}{(1 - s\eta)^2}, \quad E_c(0) = E_{00}$$
+
+The exact solution is an exponential integral, given in mie_gruneisen (J-E8: not an error function): $E_c = E_{00}e^{\Gamma_0\eta} + e_S$.
+Substituting it gives $p = \rho_0(S + \Gamma_0e)$, the Hugoniot-referenced law: with the exact cold curve the shock state is met for any
+Gamma0, and only the temperature, $T = (e - E_c)/c_v$, knows E00 (= $-c_vT_0$ when the rest state is at T0 and e = 0).
+Truncations of E_c at orders 3 to 6 are the law mie_gruneisen_cold_series.
+
+Source: 004 (Jordan) eq. 5.1.1 to 5.1.13, whose 5.1.10 is restored here.
+"""
+
+import math
+from typing import NamedTuple
+
+from hugoniot.core.ops import vlog
+from hugoniot.laws.eos import mie_gruneisen
+from hugoniot.laws.eos.contract import EOS
+
+
+class MieGruneisenCold(NamedTuple):
+    rho0: float
+    c0: float
+    s: float
+    gamma0: float
+    cold_energy: float = 0.0
+    specific_heat: float = math.nan
+
+
+def cold_energy(rho, par):
+    """E_c, J/kg."""
+    e_s, growth = mie_gruneisen.reference_isentrope(rho, par)
+    return par.cold_energy * growth + e_s
+
+
+def cold_pressure(rho, par):
+    """P_c = rho0 dE_c/deta, Pa."""
+    return mie_gruneisen.pressure(rho, cold_energy(rho, par), par)
+
+
+def temperature(rho, e, par):
+    return (e - cold_energy(rho, par)) / par.specific_heat
+
+
+def specific_heat(rho, e, par):
+    return par.specific_heat
+
+
+def entropy(rho, e, par):
+    """Zero where T = 1 K at rho0."""
+    return par.specific_heat * (vlog(temperature(rho, e, par)) - par.gamma0 * (1.0 - par.rho0 / rho))
+
+
+def cold_coefficients(c0, s, gamma0, e00, order):
+    """Coefficients e_0 ... e_order of the power series of E_c in eta: (n + 1) e_{n+1} = gamma0 e_n + S_n."""
+    e = [e00, gamma0 * e00]
+    for n in range(1, order):
+        source = c0 * c0 * (n * s ** (n - 1) - (0.5 * gamma0 * (n - 1) * s ** (n - 2) if n > 1 else 0.0))
+        e.append((gamma0 * e[n] + source) / (n + 1))
+    return e[:order + 1]
+
+
+EOS.add(
+    "mie_gruneisen_cold", MieGruneisenCold,
+    functions=[mie_gruneisen.pressure, mie_gruneisen.pressure_derivatives, mie_gruneisen.energy, temperature, specific_heat, entropy,
+               mie_gruneisen.reference_state, mie_gruneisen.density_limits, mie_gruneisen.particle_velocity_limit],
+    example=MieGruneisenCold(8930.0, 3940.0, 1.49, 1.99, -385.0 * 298.15, 385.0),
+    units={"rho0": "kg/m^3", "c0": "m/s", "s": "1", "gamma0": "1", "cold_energy": "J/kg", "specific_heat": "J/kg/K"},
+    meaning={"rho0": "density at rest", "c0": "shock velocity at vanishing particle velocity", "s": "slope dUs/dup",
+             "gamma0": "Grüneisen parameter at rest", "cold_energy": "energy at rho0 and 0 K (E00)",
+             "specific_heat": "specific heat at constant volume (for temperatures)"},
+    defaults={"cold_energy": 0.0, "specific_heat": math.nan},
+    box={"rho": (7000.0, 20000.0), "e": (0.0, 1e7)},
+    references=("Jordan 2011, eq. 5.1.1 to 5.1.10 (J-E8)", "Starkenberg, ARL-TR-2161, A-2"),
+    flags=("linear_in_energy",),
+)

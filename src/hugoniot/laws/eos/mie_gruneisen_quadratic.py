@@ -1,0 +1,154 @@
+r"""Mie-Grüneisen solid on a quadratic shock Hugoniot Us = c0 + s1 up + s2 up^2.
+
+With $u_p = \eta U_s$ the fit is a quadratic for $U_s$; its root that starts from c0 is
+
+$$U_s = \frac{2c_0}{1 - s_1\eta + \sqrt{(1 - s_1\eta)^2 - 4 s_2c_0\eta^2}},
+  \qquad p_H = \rho_0U_s^2\eta, \qquad e_H = \frac{p_H\eta}{2\rho_0},$$
+$$p = p_H + \rho\Gamma\,(e - e_H), \quad \rho\Gamma = \rho_0(\Gamma_0 + b\mu), \quad \mu = \rho/\rho_0 - 1, \quad \eta = 1 - \rho_0/\rho.$$
+
+Below rho0 the isentrope of bounded tension of mie_gruneisen takes over (pressure, slope and curvature continuous).
+For s2 > 0 the root ends at $u_p = \sqrt{c_0/s_2}$, the strain $1/(s_1 + 2\sqrt{c_0s_2})$; for s2 < 0 the fit is meaningless beyond its
+highest Us, $u_p = s_1/(2|s_2|)$, or where Us has fallen to up. Temperature as in mie_gruneisen_linear_gamma, by 16 Gauss points in eta
+(error below 1e-12 of e up to 70 % of the limiting strain).
+
+Source: 003 (Starkenberg) A-11 (any $U_H(u)$ that can be solved); Hugoniot form as in compilations of shock data (Marsh 1980).
+"""
+
+import math
+from typing import NamedTuple
+
+from hugoniot.core.ops import vexp, vlog, vsqrt
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos import reference_curves
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.reference_curves import (
+    gamma_slope_of,
+    highest_density,
+    isentrope_source,
+    log_heating,
+    lowest_density,
+    mie_gruneisen_derivatives,
+    mie_gruneisen_pressure,
+    shocked,
+    stretched,
+)
+from hugoniot.laws.eos.special import quadrature
+
+
+class MieGruneisenQuadratic(NamedTuple):
+    rho0: float
+    c0: float
+    s1: float
+    s2: float
+    gamma0: float
+    gamma_slope: float = 0.0
+    specific_heat: float = math.nan
+    reference_temperature: float = 298.15
+
+
+def _hugoniot(eta, par):
+    """(P, dP/deta) of the Hugoniot, P = p/rho0."""
+    a = 1.0 - par.s1 * eta
+    root = vsqrt(a * a - 4.0 * par.s2 * par.c0 * eta * eta)
+    u = 2.0 * par.c0 / (a + root)
+    root_eta = -(par.s1 * a + 4.0 * par.s2 * par.c0 * eta) / root
+    u_eta = u * (par.s1 - root_eta) / (a + root)
+    return u * u * eta, u * (u + 2.0 * eta * u_eta)
+
+
+def _curve(rho, par):
+    eta = 1.0 - par.rho0 / rho
+    if eta > 0.0:
+        p, p_eta = _hugoniot(eta, par)
+        return shocked(p, p_eta, eta)
+    return stretched(eta, par.c0, par.s1)
+
+
+def pressure(rho, e, par):
+    return mie_gruneisen_pressure(rho, e, _curve(rho, par), par.rho0, par.gamma0, par.gamma_slope)
+
+
+def pressure_derivatives(rho, e, par):
+    return mie_gruneisen_derivatives(rho, e, _curve(rho, par), par.rho0, par.gamma0, par.gamma_slope)
+
+
+def energy(rho, p, par):
+    return (p - pressure(rho, 0.0, par)) / (par.rho0 * par.gamma0 + par.gamma_slope * (rho - par.rho0))
+
+
+def reference_isentrope(rho, par):
+    """(e, T/T0) on the isentrope through the reference state."""
+    eta = 1.0 - par.rho0 / rho
+    growth = log_heating(eta, par.gamma0, par.gamma_slope)
+    if eta > 0.0:
+        total = 0.0
+        for x, w in quadrature():
+            t = x * eta
+            total += w * isentrope_source(t, _hugoniot(t, par)[0], par.gamma0, par.gamma_slope, growth)
+        return eta * total, vexp(growth)
+    return stretched(eta, par.c0, par.s1)[1], vexp(growth)
+
+
+def temperature(rho, e, par):
+    e_s, ratio = reference_isentrope(rho, par)
+    return par.reference_temperature * ratio + (e - e_s) / par.specific_heat
+
+
+def specific_heat(rho, e, par):
+    return par.specific_heat
+
+
+def entropy(rho, e, par):
+    """Zero at the reference state."""
+    ratio = temperature(rho, e, par) / par.reference_temperature
+    return par.specific_heat * (vlog(ratio) - log_heating(1.0 - par.rho0 / rho, par.gamma0, par.gamma_slope))
+
+
+def reference_state(par):
+    return par.rho0, 0.0
+
+
+def particle_velocity_limit(par):
+    """Where the root ends (s2 > 0), the fitted Us stops rising (s2 < 0) or Us has fallen to up (J-E16), whichever is first."""
+    c0, s1, s2 = par.c0, par.s1, par.s2
+    if s2 == 0.0:
+        return c0 / (1.0 - s1) if s1 < 1.0 else math.inf
+    limit = math.sqrt(c0 / s2) if s2 > 0.0 else s1 / (-2.0 * s2)
+    discriminant = (s1 - 1.0) ** 2 - 4.0 * s2 * c0
+    if discriminant >= 0.0:
+        q = -0.5 * ((s1 - 1.0) + math.copysign(math.sqrt(discriminant), s1 - 1.0))
+        limit = min([limit, *(u for u in (q / s2, c0 / q if q else 0.0) if u > 0.0)])
+    return limit
+
+
+def density_limits(par):
+    up = particle_velocity_limit(par)
+    strain = up / (par.c0 + par.s1 * up + par.s2 * up * up) if math.isfinite(up) else 1.0 / max(par.s1, 1.0)
+    return lowest_density(par.rho0, par.gamma0, par.gamma_slope), highest_density(par.rho0, strain, par.gamma0, par.gamma_slope)
+
+
+def build(rho0, c0, s1, s2, gamma0, gamma_form="rho_gamma_constant", gamma_slope=math.nan, specific_heat=math.nan,
+          reference_temperature=298.15):
+    """Parameters from a deck: the Grüneisen parameter by `gamma_form` as in mie_gruneisen."""
+    if not (rho0 > 0.0 and c0 > 0.0 and s1 >= 0.0 and gamma0 > 0.0):
+        raise OutOfRange(f"mie_gruneisen_quadratic: needs rho0, c0, gamma0 > 0 and s1 >= 0, got {rho0}, {c0}, {gamma0}, {s1}")
+    if gamma_form == "rho_gamma_constant" and math.isfinite(gamma_slope) and gamma_slope != 0.0:
+        gamma_form = "linear"
+    slope = gamma_slope_of(gamma_form, gamma0, gamma_slope)
+    return MieGruneisenQuadratic(rho0, c0, s1, s2, gamma0, slope, specific_heat, reference_temperature)
+
+
+EOS.add(
+    "mie_gruneisen_quadratic", MieGruneisenQuadratic,
+    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits,
+               particle_velocity_limit],
+    example=MieGruneisenQuadratic(7856.0, 3531.0, 1.914, -6.06e-5, 1.69, 0.0, 450.0),
+    build=build,
+    units={"rho0": "kg/m^3", "c0": "m/s", "s1": "1", "s2": "s/m", **reference_curves.GAMMA_UNITS},
+    meaning={"rho0": "density at rest", "c0": "shock velocity at vanishing particle velocity", "s1": "initial slope dUs/dup",
+             "s2": "quadratic coefficient", **reference_curves.GAMMA_MEANING},
+    defaults=reference_curves.GAMMA_DEFAULTS,
+    box={"rho": (6000.0, 12000.0), "e": (0.0, 2e7)},
+    references=("Starkenberg, ARL-TR-2161, A-11",),
+    flags=("linear_in_energy",),
+)
