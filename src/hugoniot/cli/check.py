@@ -1,0 +1,56 @@
+"""hugoniot check: reads a deck without running it."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from hugoniot.cli.show import JSON, SET, echo_json, echo_table, overrides_of
+from hugoniot.errors import DeckError
+from hugoniot.problem.deck import Deck, read_deck
+from hugoniot.units import format_si
+
+
+def command(
+    deck: Annotated[Path, typer.Argument(help="The deck, a TOML file.")],
+    setting: SET = None,
+    resolved: Annotated[bool, typer.Option("--resolved", help="Print the deck with every default written out, in SI.")] = False,
+    as_json: JSON = False,
+) -> None:
+    """Read a deck and tell everything that is wrong or odd, in one go.
+
+    Example: hugoniot check flyer.toml
+    """
+    try:
+        found = read_deck(deck, overrides_of(setting))
+    except DeckError as error:
+        if as_json:
+            echo_json({"ok": False, "problems": [vars(p) for p in error.problems]})
+            raise typer.Exit(error.exit_code) from None
+        raise
+    if as_json:
+        echo_json({"ok": True, "warnings": list(found.warnings), "resolved": found.resolved})
+    elif resolved:
+        typer.echo(found.resolved, nl=False)
+    else:
+        _tell(found)
+
+
+def _tell(deck: Deck) -> None:
+    problem = deck.problem
+    typer.echo(f"{problem.title}: {getattr(problem, 'geometry', problem.solver.kind)}, to {format_si(problem.stop_time, 's')}")
+    rows = []
+    for region in getattr(problem, "regions", ()):
+        laws = problem.materials[region.material].laws()
+        span = f"{format_si(region.start, 'm')} to {format_si(region.end, 'm')}"
+        rows.append((region.name, span, f"{region.zones} zones", _speed(region.velocity), region.material, ", ".join(laws.values())))
+    echo_table(["region", "extent", "", "velocity", "material", "laws"], rows)
+    for warning in deck.warnings:
+        typer.echo(f"warning: {warning}")
+    typer.echo("the deck is sound")
+
+
+def _speed(velocity) -> str:
+    if isinstance(velocity, tuple):
+        return " to ".join(format_si(v, "m/s") for v in velocity)
+    return format_si(velocity, "m/s")

@@ -1,0 +1,41 @@
+"""hugoniot compare: two runs, or a run and measured data, side by side."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from hugoniot.cli.show import JSON, echo_json, echo_table
+from hugoniot.units import format_si
+
+
+def command(
+    run: Annotated[Path, typer.Argument(help="A run folder.")],
+    other: Annotated[Path, typer.Argument(help="Another run folder, or a CSV file with heads like 'time [us], velocity [m/s]'.")],
+    plot: Annotated[Path | None, typer.Option("--plot", help="Picture to write, such as compare.png.")] = None,
+    as_json: JSON = False,
+) -> None:
+    """Print the differences between two runs, or a run and measured data, gauge by gauge, with norms and arrival shift.
+
+    Example: hugoniot compare flyer.run visar.csv --plot compare.png
+    """
+    from hugoniot.output.compare import compare
+
+    found = compare(run, other)
+    if as_json:
+        echo_json({"a": found.name_a, "b": found.name_b, "pairs": found.rows(), "unmatched": list(found.unmatched)})
+    else:
+        typer.echo(f"a = {found.name_a}, b = {found.name_b}")
+        rows = []
+        for r in found.rows():
+            shift = "" if r["arrival_shift"] is None else format_si(r["arrival_shift"], "s", 3)
+            norms = [f"{format_si(r[n], r['unit'], 4)} ({r[n + '_relative']:.2%})" for n in ("l1", "l2", "linf")]
+            rows.append((r["gauge"], r["field"], *norms, shift))
+        echo_table(["gauge", "field", "mean |b-a|", "rms", "largest", "arrival b-a"], rows)
+        if found.unmatched:
+            typer.echo(f"without a counterpart: {', '.join(found.unmatched)}")
+    if plot is not None:
+        from hugoniot.plotting import save_comparison
+
+        save_comparison(found, plot)
+        typer.echo(f"wrote {plot}", err=as_json)

@@ -1,0 +1,48 @@
+"""hugoniot info: what a run folder holds."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from hugoniot.cli.results import echo_results, gauge_rows, warnings_of
+from hugoniot.cli.show import JSON, echo_json, echo_table
+from hugoniot.units import format_si
+
+MOST_EVENTS = 40
+
+
+def command(
+    folder: Annotated[Path, typer.Argument(help="The run folder.")],
+    events: Annotated[bool, typer.Option("--events", help="List what happened: voids opened and closed, bodies joined.")] = False,
+    deck: Annotated[bool, typer.Option("--deck", help="Print the deck that ran, every default written out.")] = False,
+    as_json: JSON = False,
+) -> None:
+    """Tell what a run folder holds: status, errors, gauges, events.
+
+    Example: hugoniot info flyer.run --events
+    """
+    from hugoniot.output.run import load
+
+    run = load(folder)
+    if deck:
+        typer.echo(run.deck, nl=False)
+        return
+    happened = run.arrays("events")
+    rows = [{key: _plain(happened[key][k]) for key in ("time", "cycle", "kind", "text") if key in happened}
+            for k in range(len(happened.get("time", ())))]
+    if as_json:
+        told = {"summary": run.summary, "gauges": gauge_rows(run), "warnings": warnings_of(run), "events": rows}
+        echo_json({"folder": str(run.folder), **told})
+        return
+    echo_results(run)
+    if events:
+        typer.echo("")
+        shown = [(format_si(r["time"], "s"), r["cycle"], r["kind"], r["text"]) for r in rows[:MOST_EVENTS]]
+        echo_table(["time", "cycle", "event", ""], shown)
+        if len(rows) > MOST_EVENTS:
+            typer.echo(f"... and {len(rows) - MOST_EVENTS} more (--json lists all)")
+
+
+def _plain(value):
+    return value.item() if hasattr(value, "item") else value

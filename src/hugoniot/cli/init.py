@@ -1,0 +1,46 @@
+"""hugoniot init: writes a commented deck to start from."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from hugoniot.cli.show import echo_table
+from hugoniot.errors import FileTrouble
+from hugoniot.problem import catalogue
+
+
+def command(
+    problem: Annotated[str, typer.Argument(help="Name of the problem; without one the problems are listed.")] = "",
+    out: Annotated[Path | None, typer.Option("--out", "-o", help="File to write (default: PROBLEM.toml).")] = None,
+    overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace the file if it exists.")] = False,
+    schema: Annotated[bool, typer.Option("--schema", help="Write the JSON Schema of decks instead: deck.schema.json.")] = False,
+) -> None:
+    """Write a commented deck for a common problem.
+
+    Example: hugoniot init flyer && hugoniot run flyer.toml
+    """
+    if schema:
+        import json
+
+        from hugoniot.problem.schema import json_schema
+        _write(out or Path("deck.schema.json"), json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n", overwrite)
+        return
+    if not problem:
+        echo_table(["problem", "what it shows"], [(p.name, p.summary) for p in catalogue.problems()])
+        typer.echo("\nhugoniot init PROBLEM writes the deck.")
+        return
+    text = catalogue.deck_text(problem)
+    path = out or Path(f"{problem}.toml")
+    _write(path, text, overwrite)
+    typer.echo(f"next: hugoniot run {path}")
+
+
+def _write(path: Path, text: str, overwrite: bool) -> None:
+    if path.exists() and not overwrite:
+        raise FileTrouble(f"{path} exists already; choose another with --out, or --overwrite it")
+    try:
+        path.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise FileTrouble(f"cannot write {path}: {error.strerror or error}") from None
+    typer.echo(f"wrote {path}")

@@ -1,0 +1,161 @@
+"""The command `hugoniot`: which commands there are, and how every one of them ends.
+
+Only the module of the command that is called gets imported; the others are known by the one line of help kept here, so
+`hugoniot --help` answers at once. A command module holds either `command`, a function, or `app`, a typer application.
+
+Exit codes: 0 done, 1 a defect of the program, 2 deck or command line, 3 physics, 4 files, 130 interrupted.
+"""
+
+import functools
+import importlib
+import importlib.util
+import sys
+import traceback
+from collections.abc import Callable
+from typing import Annotated
+
+import typer
+
+from hugoniot.errors import HugoniotError
+
+# name -> (module, the line shown by `hugoniot --help`)
+COMMANDS: dict[str, tuple[str, str]] = {
+    "init": ("hugoniot.cli.init", "Write a commented deck for a common problem."),
+    "check": ("hugoniot.cli.check", "Read a deck and tell everything that is wrong or odd."),
+    "run": ("hugoniot.cli.run", "Run a deck and write its run folder."),
+    "resume": ("hugoniot.cli.resume", "Continue an interrupted run, bit for bit."),
+    "info": ("hugoniot.cli.info", "Tell what a run folder holds."),
+    "plot": ("hugoniot.cli.plot", "Draw a picture of a run."),
+    "compare": ("hugoniot.cli.compare", "Differences between two runs, or a run and measured data."),
+    "report": ("hugoniot.cli.report", "Write the report of a run again."),
+    "verify": ("hugoniot.cli.verify", "Run the built-in verification problems."),
+    "material": ("hugoniot.cli.material", "Search and show the materials library."),
+    "eos": ("hugoniot.cli.eos", "Hugoniots, isentropes and impedance matches without a mesh."),
+    "structure": ("hugoniot.cli.structure", "The inner structure of a shock."),
+    "list": ("hugoniot.cli.listing", "What a deck may name: laws, materials, fields, problems, solvers."),
+}
+
+
+def build_app(wanted: str | None) -> typer.Typer:
+    """The application with the module of one command loaded and the others present by name only."""
+    app = typer.Typer(
+        name="hugoniot", no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None,
+        help="A shock-physics workbench. First steps: hugoniot init flyer, then hugoniot run flyer.toml",
+        epilog="Each command has --help with an example.", context_settings={"help_option_names": ["-h", "--help"]})
+    app.callback()(_options)
+    for name, (module, line) in COMMANDS.items():
+        present = importlib.util.find_spec(module) is not None
+        if name == wanted and present:
+            _mount(app, name, importlib.import_module(module), line)
+        else:
+            app.command(name, help=line, hidden=not present)(_absent(name))
+    return app
+
+
+def _mount(app: typer.Typer, name: str, module, line: str) -> None:
+    if hasattr(module, "command"):
+        text = (module.command.__doc__ or line).strip()
+        app.command(name, help=text, short_help=line)(guarded(module.command))
+        return
+    sub: typer.Typer = module.app
+    for info in sub.registered_commands:
+        info.callback = guarded(info.callback)  # type: ignore[arg-type]
+    sub.info.rich_markup_mode = None  # type: ignore[attr-defined]
+    app.add_typer(sub, name=name, short_help=line)
+
+
+def _absent(name: str) -> Callable[[], None]:
+    def absent() -> None:
+        typer.echo(f"error: this installation lacks the command '{name}'", err=True)
+        raise typer.Exit(1)
+    return absent
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        from hugoniot import __version__
+        typer.echo(f"hugoniot {__version__}")
+        raise typer.Exit()
+
+
+VERSION = Annotated[bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")]
+
+
+def _options(version: VERSION = False) -> None:
+    pass
+
+
+def guarded(function: Callable) -> Callable:
+    """A command that ends with one clear message and the right exit code, whatever happens in it."""
+
+    @functools.wraps(function)
+    def call(*args, **kwargs):
+        try:
+            return function(*args, **kwargs)
+        except HugoniotError as error:
+            _tell(error)
+            raise typer.Exit(error.exit_code) from None
+        except KeyboardInterrupt:
+            typer.echo("interrupted", err=True)
+            raise typer.Exit(130) from None
+        except BrokenPipeError:
+            _silence_output()
+            raise typer.Exit(0) from None
+        except (typer.Exit, typer.Abort, SystemExit):
+            raise
+        except OSError as error:
+            typer.echo(f"error: {error.filename or 'file'}: {error.strerror or error}", err=True)
+            raise typer.Exit(4) from None
+        except Exception as error:
+            if type(error).__module__.startswith(("click", "typer")):  # a usage error: typer tells it itself
+                raise
+            typer.echo(f"error: unexpected {type(error).__name__}: {str(error)[:300]}\n{_keep_traceback()}", err=True)
+            raise typer.Exit(1) from None
+
+    return call
+
+
+def _tell(error: HugoniotError) -> None:
+    problems = getattr(error, "problems", None)
+    if problems is None:
+        typer.echo(f"error: {error}", err=True)
+        return
+    for problem in problems:
+        typer.echo(str(problem), err=True)
+    if len(problems) > 1:
+        typer.echo(f"{len(problems)} problems", err=True)
+
+
+def _keep_traceback() -> str:
+    """Where the traceback was written: it helps who mends the program, not who runs it."""
+    import tempfile
+
+    text = traceback.format_exc()
+    try:
+        with tempfile.NamedTemporaryFile("w", prefix="hugoniot-error-", suffix=".log", delete=False, encoding="utf-8") as file:
+            file.write(text)
+        return f"This is a defect of hugoniot; the details for a report are in {file.name}"
+    except OSError:
+        return text
+
+
+def _silence_output() -> None:
+    """Whoever read our output is gone: keep the interpreter from complaining about it at exit."""
+    import os
+
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def main(arguments: list[str] | None = None) -> None:
+    """Entry point of the command line; `arguments` default to those of the process."""
+    arguments = sys.argv[1:] if arguments is None else arguments
+    wanted = next((a for a in arguments if not a.startswith("-")), None)
+    try:
+        build_app(wanted)(args=arguments, prog_name="hugoniot")
+    except KeyboardInterrupt:
+        typer.echo("interrupted", err=True)
+        sys.exit(130)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,87 @@
+"""Progress of a run: a bar in a terminal, lines elsewhere. Both take what the time loop reports."""
+
+import math
+import sys
+import time
+
+import typer
+
+from hugoniot.units import format_si
+
+SECONDS_BETWEEN_LINES = 5.0
+
+
+def progress(quiet: bool = False):
+    """A display with `update(report)` and use as a context: a bar if standard error is a terminal, lines if not, or nothing."""
+    if quiet:
+        return Silent()
+    return Bar() if sys.stderr.isatty() else Lines()
+
+
+def duration(seconds: float) -> str:
+    """A wall time as people say it: "12 s", "3:05", "2:10:00"; "?" while unknown."""
+    if not math.isfinite(seconds):
+        return "?"
+    whole = round(seconds)
+    if whole < 60:
+        return f"{whole} s"
+    hours, rest = divmod(whole, 3600)
+    return f"{hours}:{rest // 60:02}:{rest % 60:02}" if hours else f"{rest // 60}:{rest % 60:02}"
+
+
+def words(report) -> str:
+    """One line: time, step, limiting zone, energy error."""
+    where = f"zone {report.limiting_zone}" + (f" of {report.limiting_region}" if report.limiting_region else "")
+    return (f"t = {format_si(report.time, 's', 4)}, cycle {report.cycle}, step {format_si(report.step, 's', 3)} set by {where}, "
+            f"energy error {report.energy_error:.1e}")
+
+
+class Silent:
+    """Shows nothing."""
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        return None
+
+    def update(self, report) -> None:
+        """Nothing to show."""
+
+
+class Lines(Silent):
+    """A line on standard error every few seconds, for logs."""
+
+    def __init__(self, interval: float = SECONDS_BETWEEN_LINES):
+        self.interval, self.last = interval, time.monotonic()
+
+    def update(self, report) -> None:
+        now = time.monotonic()
+        if now - self.last < self.interval:
+            return
+        self.last = now
+        share = report.time / report.stop_time
+        typer.echo(f"{share:4.0%}  {words(report)}, {duration(report.eta_seconds)} left", err=True)
+
+
+class Bar(Silent):
+    """A bar that redraws itself, on standard error."""
+
+    def __init__(self):
+        from rich.console import Console
+        from rich.progress import BarColumn, Progress, TextColumn
+
+        self.display = Progress(TextColumn("{task.percentage:>3.0f}%"), BarColumn(24), TextColumn("{task.description}"),
+                                console=Console(stderr=True), transient=True)
+        self.task = self.display.add_task("starting", total=1.0)
+
+    def __enter__(self):
+        self.display.start()
+        return self
+
+    def __exit__(self, *_):
+        self.display.stop()
+
+    def update(self, report) -> None:
+        self.display.update(self.task, completed=report.time / report.stop_time,
+                            description=f"{words(report)}, {duration(report.eta_seconds)} left")

@@ -1,0 +1,22 @@
+"""hugoniot report: writes the report of a run again."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from hugoniot.cli.show import JSON, echo_json
+
+
+def command(folder: Annotated[Path, typer.Argument(help="The run folder.")], as_json: JSON = False) -> None:
+    """Write report.html of a run again: one file, no network needed.
+
+    Example: hugoniot report flyer.run
+    """
+    from hugoniot.report import write_report
+
+    path = write_report(folder) or folder / "report.html"
+    if as_json:
+        echo_json({"report": str(path)})
+    else:
+        typer.echo(f"wrote {path}")

@@ -1,0 +1,57 @@
+"""The numbers that matter of a finished run, for the terminal."""
+
+import numpy as np
+import typer
+
+from hugoniot.cli.show import echo_table
+from hugoniot.output.run import Run
+from hugoniot.units import format_si
+
+
+def gauge_rows(run: Run) -> list[dict]:
+    """Per gauge, SI: first arrival (half of the peak velocity change), peak stress and when, peak velocity, last velocity."""
+    from hugoniot.diagnostics.arrival import first_crossing
+
+    rows = []
+    table = run.arrays("gauges") if run.gauge_names() else {}
+    for k, name in enumerate(run.gauge_names()):
+        time, velocity = table["time"], table["velocity"][:, k]
+        row: dict = {"gauge": name}
+        change = velocity - velocity[0]
+        peak = change[np.argmax(np.abs(change))]
+        row["arrival"] = first_crossing(time, velocity, velocity[0] + 0.5 * peak) if peak else float("nan")
+        if "stress" in table:
+            top = int(np.argmax(table["stress"][:, k]))
+            row |= {"peak_stress": float(table["stress"][top, k]), "lowest_stress": float(table["stress"][:, k].min())}
+        row |= {"peak_velocity": float(velocity[np.argmax(np.abs(velocity))]), "last_velocity": float(velocity[-1])}
+        rows.append(row)
+    return rows
+
+
+def echo_results(run: Run) -> None:
+    """Print the summary, the gauges and where the report is."""
+    s = run.summary
+    rate = s.get("zone_updates", 0) / s["kernel_seconds"] if s.get("kernel_seconds") else 0.0
+    typer.echo(f"{s['title']}: {s['status']} at {format_si(s['time'], 's')}, {s['cycles']} cycles in {s['wall_seconds']:.2f} s"
+               + (f" ({rate / 1e6:.0f} M zone updates/s)" if rate else ""))
+    errors = [f"{word} {s[key]:.1e}" for word, key in (("mass", "mass_error"), ("momentum", "momentum_error"), ("energy", "energy_error"))
+              if isinstance(s.get(key), (int, float))]
+    typer.echo(f"relative errors: {', '.join(errors)}; voids opened {s.get('voids_opened', 0)}, closed {s.get('voids_closed', 0)}")
+    rows = gauge_rows(run)
+    if rows:
+        typer.echo("")
+        units = {"arrival": "s", "peak_stress": "Pa", "lowest_stress": "Pa", "peak_velocity": "m/s", "last_velocity": "m/s"}
+        heads = [key for key in rows[0] if key != "gauge"]
+        echo_table(["gauge", *[h.replace("_", " ") for h in heads]],
+                   [[r["gauge"], *[format_si(r[h], units[h], 5) for h in heads]] for r in rows])
+    typer.echo("")
+    for warning in warnings_of(run):
+        typer.echo(f"warning: {warning}")
+    report = run.folder / "report.html"
+    typer.echo(f"results in {run.folder}" + (f", report: {report}" if report.is_file() else ""))
+
+
+def warnings_of(run: Run) -> list[str]:
+    """Texts of the warnings among a run's events."""
+    events = run.arrays("events")
+    return [str(text) for kind, text in zip(events.get("kind", ()), events.get("text", ())) if kind == "warning"]

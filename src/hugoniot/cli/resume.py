@@ -1,0 +1,33 @@
+"""hugoniot resume: goes on with an interrupted run."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from hugoniot.cli.progress import progress
+from hugoniot.cli.results import echo_results
+from hugoniot.cli.show import JSON, echo_json
+
+
+def command(
+    folder: Annotated[Path, typer.Argument(help="The run folder.")],
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress.")] = False,
+    as_json: JSON = False,
+) -> None:
+    """Continue an interrupted or killed run from its newest sound checkpoint, to the bits an uninterrupted run gives.
+
+    Example: hugoniot resume flyer.run
+    """
+    from hugoniot import simulate
+
+    try:
+        with progress(quiet or as_json) as display:
+            run = simulate.resume(folder, progress=display)
+    except KeyboardInterrupt:
+        typer.echo(f"interrupted; a checkpoint is kept, go on with: hugoniot resume {folder}", err=True)
+        raise typer.Exit(130) from None
+    if as_json:
+        echo_json({"folder": str(run.folder), **run.summary})
+    else:
+        echo_results(run)

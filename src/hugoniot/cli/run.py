@@ -1,0 +1,57 @@
+"""hugoniot run: a deck in, a run folder out."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from hugoniot.cli.progress import progress
+from hugoniot.cli.results import echo_results
+from hugoniot.cli.show import JSON, SET, echo_json, overrides_of
+from hugoniot.problem.deck import read_deck
+
+
+def command(
+    deck: Annotated[Path, typer.Argument(help="The deck, a TOML file.")],
+    out: Annotated[Path | None, typer.Option("--out", "-o", help="Run folder to write (default: the deck's name with .run, here).")] = None,
+    setting: SET = None,
+    threads: Annotated[int | None, typer.Option("--threads", "-t", min=1, help="Threads; they change no bit of the result.")] = None,
+    overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a run that stands in the folder.")] = False,
+    report: Annotated[bool, typer.Option("--report/--no-report", help="Write report.html at the end.")] = True,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress.")] = False,
+    as_json: JSON = False,
+) -> None:
+    """Run a deck and write its run folder: result.h5, gauges.csv, summary.json, report.html.
+
+    Example: hugoniot run flyer.toml --set region.flyer.velocity="800 m/s" --out faster.run
+
+    Interrupted with Ctrl-C it writes a checkpoint and ends with code 130; hugoniot resume goes on from there.
+    """
+    changes = overrides_of(setting)
+    if threads is not None:
+        changes["solver.threads"] = threads
+    found = read_deck(deck, changes)
+    for warning in found.warnings:
+        typer.echo(f"warning: {warning}", err=True)
+    folder = out or Path(f"{deck.stem}.run")
+    _announce_compilation()
+    from hugoniot import simulate
+
+    try:
+        with progress(quiet or as_json) as display:
+            run = simulate.run(found, folder, progress=display, overwrite=overwrite, report=report)
+    except KeyboardInterrupt:
+        typer.echo(f"interrupted; a checkpoint is kept, go on with: hugoniot resume {folder}", err=True)
+        raise typer.Exit(130) from None
+    if as_json:
+        echo_json({"folder": str(run.folder), **run.summary})
+    else:
+        echo_results(run)
+
+
+def _announce_compilation() -> None:
+    """The first run ever translates the kernels to machine code, which takes a while: say so."""
+    from hugoniot.core.compile import CACHE_FOLDER
+
+    if not any(CACHE_FOLDER.rglob("*.nbi")):
+        typer.echo("first run: compiling the kernels, once, for about 20 s", err=True)

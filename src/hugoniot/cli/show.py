@@ -1,0 +1,57 @@
+"""What the commands share: JSON, aligned tables, values with units, `--set` options."""
+
+import json
+import math
+import tomllib
+from collections.abc import Iterable, Sequence
+from typing import Annotated, Any
+
+import typer
+
+from hugoniot.errors import DeckError
+
+SET = Annotated[list[str] | None, typer.Option("--set", help="KEY=VALUE to change in the deck; give it as often as needed.")]
+JSON = Annotated[bool, typer.Option("--json", help="Print JSON for programs.")]
+
+
+def echo_json(value: Any) -> None:
+    """Print a value as JSON; numbers that are not finite become null."""
+    typer.echo(json.dumps(_finite(value), indent=2, ensure_ascii=False, allow_nan=False))
+
+
+def _finite(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {str(k): _finite(v) for k, v in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_finite(v) for v in value]
+    if hasattr(value, "tolist"):
+        return _finite(value.tolist())
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value
+
+
+def echo_table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
+    """Print an aligned table; the last column may be long, and wraps in a terminal."""
+    rows = [[str(cell) for cell in row] for row in rows]
+    widths = [max(len(row[k]) for row in [list(heads), *rows]) for k in range(len(heads))]
+    for row in ([list(heads)] if any(heads) else []) + rows:
+        typer.echo("  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip())
+
+
+def overrides_of(settings: Sequence[str] | None) -> dict[str, Any]:
+    """`KEY=VALUE` options as {key: value}: the value is read as TOML, and as text where it is not TOML."""
+    found: dict[str, Any] = {}
+    for setting in settings or ():
+        key, equals, value = setting.partition("=")
+        if not equals or not key.strip():
+            raise DeckError.single("--set", None, setting[:60], "expected KEY=VALUE", "such as --set region.flyer.velocity=\"800 m/s\"")
+        found[key.strip()] = _value(value.strip())
+    return found
+
+
+def _value(text: str) -> Any:
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except (tomllib.TOMLDecodeError, ValueError, RecursionError):
+        return text
