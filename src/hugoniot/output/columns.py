@@ -14,6 +14,7 @@ _FACES = {
     "particle_velocity": ("m/s", "particle velocity"),
     "strain_rate": ("1/s", "strain rate"),
     "time_step": ("s", "time step"),
+    "step": ("s", "time step"),
 }
 PER_AREA = {"planar": "/m^2", "cylindrical": "/m/rad", "spherical": "/sr"}
 

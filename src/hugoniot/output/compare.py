@@ -18,7 +18,6 @@ from hugoniot.output.atomic import explained
 from hugoniot.output.run import Run, load
 from hugoniot.units import UnitError, convert
 
-
 _HEADS = "write heads like 'time [us], velocity [m/s]'"
 
 

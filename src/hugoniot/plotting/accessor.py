@@ -1,0 +1,43 @@
+"""`run.plot`: the pictures of one run by name. Every method gives matplotlib axes; `ax=` draws into yours."""
+
+from hugoniot.plotting import records
+from hugoniot.plotting.setup import setup
+from hugoniot.plotting.xt import xt
+
+
+class RunPlots:
+    """Pictures of a `Run`; see the functions of the same names for their options."""
+
+    def __init__(self, run):
+        self._run = run
+
+    def xt(self, field: str = "stress", **options):
+        """Wave diagram: a zone field over position and time."""
+        return xt(self._run, field, **options)
+
+    def gauge(self, field: str = "stress", names=None, **options):
+        """A field at the gauges over time."""
+        return records.gauge(self._run, field, [names] if isinstance(names, str) else names, **options)
+
+    def free_surface(self, name: str | None = None, **options):
+        """Free-surface velocity with the pull-back marked; `delay` (s) shows it through a VISAR."""
+        return records.free_surface(self._run, name, **options)
+
+    def profile(self, field: str = "stress", time=None, **options):
+        """A zone field over position at one or more times (s)."""
+        return records.profile(self._run, field, time, **options)
+
+    def budget(self, **options):
+        """Parts of the energy over time."""
+        return records.budget(self._run, **options)
+
+    def errors(self, **options):
+        """Errors of mass, momentum and energy over time."""
+        return records.errors(self._run, **options)
+
+    def setup(self, **options):
+        """The set-up to scale."""
+        return setup(self._run, **options)
+
+
+PICTURES = ("xt", "gauge", "free_surface", "profile", "budget", "errors", "setup")

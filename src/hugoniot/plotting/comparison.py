@@ -1,0 +1,46 @@
+"""Two runs, or a run and data, over each other, and their difference below."""
+
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from hugoniot.plotting.style import COLOURS, INK, QUIET, field_scale, labelled, quiet_grid, styled, time_scale
+
+
+@styled
+def comparison(compared, most: int = 6):
+    """One column per pair of records, largest relative difference first: both lines above, difference below; gives the figure.
+
+    compared   output.compare.Comparison
+    most       how many pairs to draw
+    """
+    import numpy as np
+
+    pairs = sorted(compared.pairs, key=lambda pair: -pair.norms.relative[0])[:most]
+    columns = min(len(pairs), 3)
+    rows = -(-len(pairs) // columns)
+    figure = Figure(figsize=(3.6 * columns + 0.6, 3.8 * rows), layout="constrained")
+    FigureCanvasAgg(figure)
+    grid = figure.subplots(2 * rows, columns, squeeze=False, sharex=False, height_ratios=[3, 1] * rows)
+    for k, pair in enumerate(pairs):
+        above, below = grid[2 * (k // columns)][k % columns], grid[2 * (k // columns) + 1][k % columns]
+        unit, factor, words = field_scale(pair.a.field, pair.a.values)
+        unit_t, ft = time_scale(max(pair.a.time[-1], pair.b.time[-1]))
+        above.plot(pair.a.time * ft, pair.a.values * factor, color=COLOURS[0], label=compared.name_a)
+        above.plot(pair.b.time * ft, pair.b.values * factor, color=COLOURS[1], linestyle="--", label=compared.name_b)
+        above.set_title(pair.a.gauge, loc="left")
+        above.set_ylabel(labelled(words, unit))
+        inside = np.union1d(pair.a.time, pair.b.time)
+        inside = inside[(inside >= pair.norms.start) & (inside <= pair.norms.end)]
+        gap = np.interp(inside, pair.b.time, pair.b.values) - np.interp(inside, pair.a.time, pair.a.values)
+        below.axhline(0.0, color=QUIET, linewidth=0.6)
+        below.plot(inside * ft, gap * factor, color=INK, linewidth=1.0)
+        below.set_xlim(above.get_xlim())
+        below.set_xlabel(labelled("time", unit_t))
+        below.set_ylabel("difference")
+        quiet_grid(above)
+        quiet_grid(below)
+    grid[0][0].legend(frameon=False, fontsize=8, loc="best")
+    for k in range(len(pairs), rows * columns):
+        grid[2 * (k // columns)][k % columns].set_visible(False)
+        grid[2 * (k // columns) + 1][k % columns].set_visible(False)
+    return figure

@@ -1,0 +1,68 @@
+"""Pictures as SVG text for a page: drawn with fixed margins (no layout pass, a tenth of the time), in colours the page can change."""
+
+import io
+import re
+from collections.abc import Callable
+
+import matplotlib
+from matplotlib.backends.backend_svg import FigureCanvasSVG
+from matplotlib.figure import Figure
+
+from hugoniot.plotting import records
+from hugoniot.plotting.setup import setup
+from hugoniot.plotting.style import FAINT, INK, QUIET, RC
+from hugoniot.plotting.xt import xt
+
+_PAGE_COLOURS = ((INK, "currentColor"), (QUIET, "var(--quiet)"), (FAINT, "var(--faint)"))
+
+
+def svg(draw: Callable, name: str, width: float, height: float, *rects) -> str:
+    """The SVG text of a figure (inches) with axes at `rects` (left, bottom, width, height in inches); draw(*axes) fills it."""
+    with matplotlib.rc_context({**RC, "svg.hashsalt": name, "savefig.dpi": 130}):
+        figure = Figure(figsize=(width, height))
+        FigureCanvasSVG(figure)
+        figure.patch.set_visible(False)
+        axes = [figure.add_axes((x / width, y / height, w / width, h / height)) for x, y, w, h in rects]
+        for ax in axes:
+            ax.patch.set_visible(False)
+        draw(*axes)
+        out = io.StringIO()
+        figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
+    return _for_page(out.getvalue(), name)
+
+
+def _for_page(text: str, name: str) -> str:
+    text = text[text.index("<svg"):]
+    text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.S)
+    text = re.sub(r"<svg ", f'<svg role="img" aria-label="{name}" class="picture" ', text, count=1)
+    text = re.sub(r'(<svg[^>]*?) width="[^"]*pt" height="[^"]*pt"', r"\1", text, count=1)
+    # ids are counted per figure, so a page with several needs them told apart
+    text = re.sub(r'id="([\w.-]+)"', rf'id="{name}-\1"', text)
+    text = re.sub(r'url\(#([\w.-]+)\)', rf"url(#{name}-\1)", text)
+    text = re.sub(r'href="#([\w.-]+)"', rf'href="#{name}-\1"', text)
+    text = re.sub(r"font: ([\d.]+px) '[^;\"]*", r"font: \1 var(--face)", text)
+    for ink, page in _PAGE_COLOURS:
+        text = text.replace(ink, page)
+    return text
+
+
+def report_pictures(run) -> dict[str, str]:
+    """The pictures a report shows, by name, as SVG text; those for which the run has no data are left out."""
+    pictures = {"setup": svg(lambda ax: setup(run, ax=ax), "setup", 7.4, 2.0, (0.15, 0.5, 7.1, 1.45))}
+    shot = run.arrays("snapshots")
+    field = next((name for name in ("stress", "pressure", "density") if name in shot), None)
+    if field and len(shot["time"]) > 1:
+        pictures["wave"] = svg(lambda ax, bar: xt(run, field, ax=ax, colorbar=bar, size=(300, 560)), "wave", 7.4, 4.3,
+                               (0.6, 0.5, 5.75, 3.6), (6.5, 0.5, 0.14, 3.6))
+    rows = run.arrays("gauges")
+    for field in ("stress", "velocity"):
+        if field in rows and len(rows["time"]):
+            pictures[f"gauge_{field}"] = svg(lambda ax, f=field: records.gauge(run, f, ax=ax), f"gauge-{field}", 7.4, 2.6,
+                                             (0.7, 0.5, 5.4, 2.0))
+    time, velocity, _ = records.free_surface_record(run)
+    if len(time) and velocity.max() > 0.0:
+        pictures["free_surface"] = svg(lambda ax: records.free_surface(run, ax=ax), "free-surface", 7.4, 2.8, (0.7, 0.5, 6.5, 2.2))
+    if len(run.arrays("budget")["time"]):
+        pictures["budget"] = svg(lambda ax: records.budget(run, ax=ax), "budget", 7.4, 2.4, (0.7, 0.5, 5.4, 1.8))
+        pictures["errors"] = svg(lambda ax: records.errors(run, ax=ax), "errors", 7.4, 2.0, (0.7, 0.5, 6.5, 1.45))
+    return pictures

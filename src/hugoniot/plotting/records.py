@@ -1,0 +1,212 @@
+"""Records over time and profiles over position: gauges, free surface, profiles, budget, errors."""
+
+import numpy as np
+
+from hugoniot.diagnostics.velocimetry import pull_back, ringing_period, spall_strength, spall_thickness, visar_velocity
+from hugoniot.output.compare import free_surface_gauges
+from hugoniot.plotting.style import (
+    COLOURS,
+    INK,
+    QUIET,
+    field_scale,
+    label_lines,
+    labelled,
+    length_scale,
+    new_axes,
+    quiet_grid,
+    styled,
+    time_scale,
+)
+
+
+@styled
+def gauge(run, field: str = "stress", names=None, ax=None):
+    """One field at the gauges over time, each line with its gauge's name; gives the axes.
+
+    names   gauges to draw, default those at which the field ever changes (at most eight)
+    """
+    ax = ax if ax is not None else new_axes()
+    rows, known = run.arrays("gauges"), run.gauge_names()
+    run.gauge(field, names[0] if names else None)
+    moving = [k for k in range(len(known)) if np.ptp(rows[field][:, k]) > 0][: len(COLOURS)]
+    columns = [known.index(name) for name in names] if names else moving
+    values = rows[field][:, columns]
+    unit, factor, words = field_scale(field, values)
+    unit_t, ft = time_scale(rows["time"][-1] if len(rows["time"]) else 1.0)
+    for colour, column in zip(COLOURS, columns):
+        ax.plot(rows["time"] * ft, rows[field][:, column] * factor, color=colour)
+    _time_axis(ax, rows["time"], unit_t, ft)
+    ax.set_ylabel(labelled(words, unit))
+    quiet_grid(ax)
+    if columns:
+        label_lines(ax, [known[k] for k in columns], values[-1] * factor, COLOURS)
+    return ax
+
+
+def _time_axis(ax, time, unit, factor):
+    ax.set_xlabel(labelled("time", unit))
+    if len(time):
+        ax.set_xlim(time[0] * factor, time[-1] * factor)
+
+
+def free_surface_record(run, name: str | None = None) -> tuple[np.ndarray, np.ndarray, str]:
+    """(time s, velocity outwards m/s, what was measured) of a free surface: its gauge, else the outermost right face of the snapshots."""
+    found = free_surface_gauges(run)
+    name = name or (found[0] if found else None)
+    if name is not None:
+        time, velocity = run.gauge("velocity", name)
+        where = next((str(g["at"]) for g in run.setup["gauges"] if g["name"] == name), name)
+        return time, -velocity if where.endswith("left") else velocity, f"gauge '{name}'"
+    rows = run.arrays("snapshots")
+    return rows["time"], rows["velocity_right"][:, -1], "outermost right face, from the snapshots"
+
+
+def target_constants(run) -> dict[str, float]:
+    """rho0 (kg/m3), c_bulk and c_long (m/s) of the outermost region, as far as its material states them."""
+    material = run.setup["materials"][run.setup["regions"][-1]["material"]]
+    known = {c["name"]: c["value"] for law in reversed(material["laws"]) for c in law["constants"] if isinstance(c["value"], (int, float))}
+    rho0, c0, modulus = known.get("rho0"), known.get("c0"), known.get("shear_modulus")
+    result = {}
+    if rho0 and c0:
+        result = {"rho0": rho0, "c_bulk": c0, "c_long": float(np.sqrt(c0**2 + 4.0 * (modulus or 0.0) / (3.0 * rho0)))}
+    return result
+
+
+def spall_reading(run, name: str | None = None) -> dict[str, float]:
+    """What the free-surface record tells: pull-back (m/s), spall strength (Pa; acoustic, and Stepanov's), period (s), spall thickness (m).
+
+    Empty if there is no pull-back; strengths and thickness only where the material states rho0 and c0.
+    """
+    time, velocity, _ = free_surface_record(run, name)
+    found = pull_back(time, velocity)
+    if found is None:
+        return {}
+    result = {"peak_velocity": found.peak, "pull_back": found.drop, "minimum_time": found.minimum_time}
+    constants = target_constants(run)
+    period = ringing_period(time, velocity, found.minimum_time)
+    if constants:
+        result["spall_strength_acoustic"] = spall_strength(found.drop, constants["rho0"], constants["c_bulk"])
+        if constants["c_long"] > constants["c_bulk"]:
+            result["spall_strength_stepanov"] = spall_strength(found.drop, **constants)
+    if np.isfinite(period):
+        result["ringing_period"] = period
+        if constants:
+            result["spall_thickness"] = spall_thickness(period, constants["c_long"])
+    return result
+
+
+@styled
+def free_surface(run, name: str | None = None, delay: float = 0.0, ax=None):
+    """Free-surface velocity over time, with the pull-back marked; gives the axes.
+
+    name    gauge on a free surface; default the right-hand one
+    delay   s, of the VISAR through which it is seen; 0 shows the surface itself
+    """
+    ax = ax if ax is not None else new_axes()
+    time, velocity, _ = free_surface_record(run, name)
+    if not len(time):
+        raise KeyError("this run has recorded no free surface")
+    unit_t, ft = time_scale(time[-1])
+    unit, fu, _ = field_scale("velocity", velocity)
+    if delay > 0.0:
+        ax.plot(time * ft, velocity * fu, color=QUIET, linewidth=0.8)
+        time, velocity = visar_velocity(time, velocity, delay)
+    ax.plot(time * ft, velocity * fu, color=COLOURS[0])
+    _time_axis(ax, time, unit_t, ft)
+    ax.set_ylabel(labelled("free-surface velocity", unit))
+    quiet_grid(ax)
+    ax.margins(y=0.08)
+    found = pull_back(time, velocity)
+    if found is not None:
+        _mark_pull_back(ax, run, found, ft, fu, unit)
+    return ax
+
+
+def _mark_pull_back(ax, run, found, ft, fu, unit):
+    x = found.minimum_time * ft
+    ax.hlines([found.peak * fu, found.minimum * fu], found.peak_time * ft, x, color=INK, linewidth=0.6, linestyle=(0, (4, 3)))
+    arrow = {"arrowstyle": "<->", "color": INK, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
+    ax.annotate("", (x, found.minimum * fu), (x, found.peak * fu), arrowprops=arrow)
+    constants = target_constants(run)
+    text = f"pull-back {found.drop * fu:.4g} {unit}"
+    if constants:
+        text += f"\n½ρ₀c₀Δu = {spall_strength(found.drop, constants['rho0'], constants['c_bulk']) * 1e-9:.3g} GPa"
+    ax.annotate(text, (x, found.minimum * fu), xytext=(0, -8), textcoords="offset points", ha="center", va="top", fontsize=8.5)
+    low, high = ax.get_ylim()
+    inches = ax.get_figure().get_figheight() * ax.get_position().height
+    ax.set_ylim(min(low, found.minimum * fu - (high - low) * 0.45 / max(inches, 1e-6)), high)
+
+
+@styled
+def profile(run, field: str = "stress", time=None, ax=None):
+    """A zone field over position at one or more times (s; the nearest snapshots are taken; default the last); gives the axes."""
+    ax = ax if ax is not None else new_axes()
+    rows = run.arrays("snapshots")
+    if field not in rows or rows[field].ndim != 2:
+        raise KeyError(f"no snapshot field '{field}'; this run has: {', '.join(n for n, v in rows.items() if v.ndim == 2)}")
+    wanted = np.atleast_1d(rows["time"][-1] if time is None else time)
+    picked = [int(np.argmin(np.abs(rows["time"] - t))) for t in wanted]
+    left, right = rows["position_left"][picked], rows["position_right"][picked]
+    unit, factor, words = field_scale(field, rows[field][picked])
+    unit_x, fx = length_scale(float(right.max() - left.min()))
+    unit_t, ft = time_scale(rows["time"][-1])
+    least = 1e-6 * float(right.max() - left.min())
+    for n, k in enumerate(picked):
+        x, y = 0.5 * (left[n] + right[n]) * fx, rows[field][k] * factor
+        holes = np.flatnonzero(left[n][1:] - right[n][:-1] > least) + 1
+        ax.plot(np.insert(x, holes, np.nan), np.insert(y, holes, np.nan), color=COLOURS[n % len(COLOURS)],
+                label=f"{rows['time'][k] * ft:.4g} {unit_t}")
+    ax.set_xlabel(labelled("position" if run.setup["geometry"] == "planar" else "radius", unit_x))
+    ax.set_ylabel(labelled(words, unit))
+    quiet_grid(ax)
+    if len(picked) == 1:
+        ax.set_title(f"t = {rows['time'][picked[0]] * ft:.4g} {unit_t}", loc="left")
+    else:
+        ax.legend(frameon=False, fontsize=8.5)
+    return ax
+
+
+_PARTS = (("kinetic_energy", "kinetic"), ("internal_energy", "internal"), ("elastic_volume_energy", "elastic, volume"),
+          ("elastic_deviator_energy", "elastic, shear"), ("plastic_work", "plastic work"), ("viscous_work", "viscous work"),
+          ("boundary_work", "boundary work"))
+
+
+@styled
+def budget(run, ax=None):
+    """The parts of the energy over time, summed over regions, in Herrmann's partition (A.6); gives the axes."""
+    ax = ax if ax is not None else new_axes()
+    rows = run.arrays("budget")
+    lines = [(words, rows[name].sum(axis=1) if rows[name].ndim == 2 else rows[name]) for name, words in _PARTS if name in rows]
+    # internal energy counts from where it starts: only its change takes part in the exchange
+    lines = [(words, values - values[0] if words == "internal" and len(values) else values) for words, values in lines]
+    top = max((float(np.max(np.abs(values))) for _, values in lines if len(values)), default=0.0)
+    lines = [(words, values) for words, values in lines if len(values) and np.max(np.abs(values)) > 1e-4 * top]
+    prefix, factor = next(((p, f) for p, f in (("GJ", 1e-9), ("MJ", 1e-6), ("kJ", 1e-3)) if top * f >= 1.0), ("J", 1.0))
+    unit_t, ft = time_scale(rows["time"][-1] if len(rows["time"]) else 1.0)
+    for colour, (_, values) in zip(COLOURS, lines):
+        ax.plot(rows["time"] * ft, values * factor, color=colour)
+    _time_axis(ax, rows["time"], unit_t, ft)
+    per = {"planar": "m²", "cylindrical": "(m rad)", "spherical": "sr"}[run.setup["geometry"]]
+    ax.set_ylabel(f"energy ({prefix}/{per})")
+    quiet_grid(ax)
+    label_lines(ax, [words for words, _ in lines], [values[-1] * factor for _, values in lines], COLOURS)
+    return ax
+
+
+@styled
+def errors(run, ax=None):
+    """Largest relative errors of mass, momentum and energy so far, over time, on a logarithmic scale; gives the axes."""
+    ax = ax if ax is not None else new_axes()
+    rows = run.arrays("budget")
+    unit_t, ft = time_scale(rows["time"][-1] if len(rows["time"]) else 1.0)
+    names = [name for name in ("mass_error", "momentum_error", "energy_error") if name in rows and len(rows[name])]
+    lines = [(name.removesuffix("_error"), np.maximum(np.maximum.accumulate(np.abs(rows[name])), 1e-17)) for name in names]
+    for colour, (_, values) in zip(COLOURS, lines):
+        ax.semilogy(rows["time"] * ft, values, color=colour)
+    _time_axis(ax, rows["time"], unit_t, ft)
+    ax.set_ylabel("largest relative error so far")
+    ax.set_ylim(1e-17, max([1e-11, *(3.0 * float(v.max()) for _, v in lines)]))
+    quiet_grid(ax)
+    for n, (name, _) in enumerate(lines):
+        ax.text(0.99, 0.95 - 0.09 * n, name, color=COLOURS[n], ha="right", va="top", transform=ax.transAxes, fontsize=8.5)
+    return ax

@@ -1,0 +1,122 @@
+"""How pictures look: colours that colour-blind readers tell apart (Okabe and Ito), labels on the lines, units in words people use."""
+
+import sys
+from collections.abc import Callable
+from functools import wraps
+
+import matplotlib
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.figure import Figure
+
+from hugoniot.core.fields import FIELDS
+from hugoniot.output.columns import describe
+
+INK, QUIET, FAINT = "#222222", "#767676", "#d9d9d9"
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7a6a00", "#000000")
+
+RC = {
+    "font.size": 9.0, "axes.titlesize": 10.0, "axes.labelsize": 9.0, "xtick.labelsize": 8.5, "ytick.labelsize": 8.5,
+    "axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": INK, "axes.labelcolor": INK, "text.color": INK,
+    "xtick.color": INK, "ytick.color": INK, "axes.linewidth": 0.8, "xtick.major.width": 0.8, "ytick.major.width": 0.8,
+    "lines.linewidth": 1.3, "lines.solid_capstyle": "round", "path.simplify": True, "path.simplify_threshold": 0.2,
+    "agg.path.chunksize": 20000, "axes.prop_cycle": matplotlib.cycler(color=COLOURS), "svg.fonttype": "none", "svg.hashsalt": "hugoniot",
+    "axes.formatter.useoffset": False, "axes.formatter.limits": (-4, 5), "savefig.dpi": 200, "figure.dpi": 110,
+}
+
+# zero stress is grey, never white: white is where there is no material
+STRESS = LinearSegmentedColormap.from_list("stress", [
+    (0.0, "#08306b"), (0.25, "#2171b5"), (0.42, "#9ecae1"), (0.5, "#e3e1dc"), (0.58, "#fdd49e"), (0.72, "#fc8d59"),
+    (0.87, "#d7301f"), (1.0, "#67000d"),
+])
+_TIMES = (("s", 1.0), ("ms", 1e3), ("µs", 1e6), ("ns", 1e9), ("ps", 1e12))
+_LENGTHS = (("m", 1.0), ("mm", 1e3), ("µm", 1e6), ("nm", 1e9))
+
+
+def styled(function: Callable) -> Callable:
+    """Run a drawing function under the house style without touching the user's own settings."""
+    @wraps(function)
+    def inside(*args, **kwargs):
+        with matplotlib.rc_context(RC):
+            return function(*args, **kwargs)
+    return inside
+
+
+def new_axes(width: float = 6.4, height: float = 3.6):
+    """Axes of a new figure (inches): one that pyplot manages if the caller uses pyplot, else a free one that can be saved."""
+    pyplot = sys.modules.get("matplotlib.pyplot")
+    if pyplot is not None:
+        return pyplot.figure(figsize=(width, height), layout="constrained").add_subplot()
+    figure = Figure(figsize=(width, height), layout="constrained")
+    FigureCanvasAgg(figure)
+    return figure.add_subplot()
+
+
+def scale_of(span: float, units) -> tuple[str, float]:
+    """The unit in which a span (SI) reads as a number of at least about one."""
+    for name, factor in units:
+        if span * factor >= 0.9:
+            return name, factor
+    return units[-1]
+
+
+def time_scale(span: float) -> tuple[str, float]:
+    """(unit, factor) for times up to `span` seconds; microseconds are preferred where they fit, as is the habit of the field."""
+    return ("µs", 1e6) if 2e-7 <= span < 2e-3 else scale_of(span, _TIMES)
+
+
+def length_scale(span: float) -> tuple[str, float]:
+    """(unit, factor) for lengths up to `span` metres."""
+    return ("mm", 1e3) if 2e-4 <= span < 2.0 else scale_of(span, _LENGTHS)
+
+
+def field_scale(field: str, values=None, geometry: str = "planar") -> tuple[str, float, str]:
+    """(unit, factor, long name) in which a field is drawn; large and small values (SI, optional) choose a fitting prefix."""
+    unit, words = describe(field, geometry)
+    shown, factor = FIELDS[field].display if field in FIELDS else (unit if unit != "1" else "", 1.0)
+    top = float(np.nanmax(np.abs(values))) if values is not None and np.size(values) and np.isfinite(values).any() else 0.0
+    if unit == "Pa" and top > 0:
+        shown, factor = next(((u, f) for u, f in (("GPa", 1e-9), ("MPa", 1e-6), ("kPa", 1e-3)) if top * f >= 0.1), ("Pa", 1.0))
+    elif unit == "m" and top > 0:
+        shown, factor = length_scale(top)
+    elif unit == "m/s" and top >= 5000.0:
+        shown, factor = "km/s", 1e-3
+    return shown, factor, words.partition(" (")[0]
+
+
+def labelled(words: str, unit: str) -> str:
+    """An axis label: `particle velocity (m/s)`."""
+    return f"{words} ({unit})" if unit else words
+
+
+def spread(values, least: float) -> np.ndarray:
+    """Move label heights apart by at least `least`, keeping their order and, as far as can be, their places."""
+    values = np.asarray(values, dtype=float)
+    order = np.argsort(values, kind="stable")
+    placed = values[order].copy()
+    for _ in range(50):
+        gap = np.diff(placed)
+        short = np.maximum(least - gap, 0.0)
+        if not (short > 1e-9 * least).any():
+            break
+        placed[:-1] -= 0.5 * short
+        placed[1:] += 0.5 * short
+    result = np.empty_like(values)
+    result[order] = placed
+    return result
+
+
+def label_lines(ax, texts, heights, colours, x: float = 1.01, size: float = 8.5) -> None:
+    """Names of lines at the right edge of the axes, in the lines' colours, at the heights (data) where the lines end."""
+    low, high = ax.get_ylim()
+    inches = ax.get_figure().get_figheight() * ax.get_position().height
+    least = (high - low) * (size * 1.15 / 72.0) / max(inches, 1e-6)
+    for text, height, colour in zip(texts, np.clip(spread(heights, least), low, high), colours):
+        ax.text(x, height, text, color=colour, fontsize=size, va="center", ha="left", transform=ax.get_yaxis_transform(), clip_on=False)
+
+
+def quiet_grid(ax) -> None:
+    """Faint horizontal lines behind the data."""
+    ax.grid(axis="y", color=FAINT, linewidth=0.5)
+    ax.set_axisbelow(True)

@@ -1,0 +1,96 @@
+"""The wave diagram: a field over position and time, with interfaces, free surfaces and voids where the material has them."""
+
+import numpy as np
+from matplotlib.collections import LineCollection
+
+from hugoniot.diagnostics.wave_diagram import gaps, interfaces, raster
+from hugoniot.plotting.style import INK, STRESS, field_scale, labelled, length_scale, new_axes, styled, time_scale
+
+
+@styled
+def xt(run, field: str = "stress", ax=None, window=None, limits=None, size=(360, 640), colorbar=True):
+    """Draw a zone field of the snapshots over position (across) and time (upwards); gives the axes.
+
+    window     (lowest, highest) position in m
+    limits     (lowest, highest) value of the colour scale in SI; default from the data
+    colorbar   True, or axes to draw it in, or False
+    """
+    rows = run.arrays("snapshots")
+    if field not in rows or rows[field].ndim != 2:
+        known = ", ".join(name for name, values in rows.items() if values.ndim == 2)
+        raise KeyError(f"no snapshot field '{field}'; this run has: {known}")
+    time, left, right, values = rows["time"], rows["position_left"], rows["position_right"], rows[field]
+    ax = ax if ax is not None else new_axes(6.4, 4.4)
+    low, high = window or (float(left.min()), float(right.max()))
+    unit_t, ft = time_scale(time[-1])
+    unit_x, fx = length_scale(high - low)
+    unit, factor, words = field_scale(field, values)
+    picture = raster(time, left, right, values * factor, size, (low, high))
+    colours, (bottom, top) = _colours(field, picture.values, None if limits is None else (limits[0] * factor, limits[1] * factor))
+    image = ax.imshow(picture.values, extent=(low * fx, high * fx, time[0] * ft, time[-1] * ft), origin="lower", aspect="auto",
+                      cmap=colours, vmin=bottom, vmax=top, interpolation="nearest", rasterized=True)
+    _draw_edges(ax, rows, time * ft, left * fx, right * fx)
+    _draw_gauges(ax, run, fx, ft)
+    ax.set_xlim(low * fx, high * fx)
+    ax.set_ylim(time[0] * ft, time[-1] * ft)
+    ax.set_xlabel(labelled("position" if run.setup["geometry"] == "planar" else "radius", unit_x))
+    ax.set_ylabel(labelled("time", unit_t))
+    if colorbar is not False:
+        where = {"cax": colorbar} if colorbar is not True else {"ax": ax, "pad": 0.02}
+        bar = ax.get_figure().colorbar(image, **where)
+        bar.set_label(labelled(words, unit))
+        bar.outline.set_visible(False)
+    return ax
+
+
+def _colours(field, values, limits):
+    """Colour map and limits: two-sided about zero where a stress goes into tension, else from low to high."""
+    good = values[np.isfinite(values)]
+    low, high = limits or ((float(np.quantile(good, 0.0005)), float(np.quantile(good, 0.9995))) if good.size else (0.0, 1.0))
+    if field in ("stress", "pressure"):
+        # zero keeps its grey: each side is stretched to its own extreme, the weaker at least a fifth of the stronger
+        top = max(high, 0.2 * -min(low, 0.0), 1e-300)
+        bottom = max(-low, 0.2 * top)
+        return _stretched(bottom, top), (-bottom, top)
+    return "viridis", (low, high if high > low else low + 1.0)
+
+
+def _stretched(bottom: float, top: float):
+    """The stress colours with zero at its place between -bottom and top."""
+    from matplotlib.colors import ListedColormap
+
+    zero = bottom / (bottom + top)
+    place = np.linspace(0.0, 1.0, 512)
+    where = np.where(place < zero, 0.5 * place / zero, 0.5 + 0.5 * (place - zero) / (1.0 - zero))
+    return ListedColormap(STRESS(where), name="stress")
+
+
+def _draw_edges(ax, rows, time, left, right) -> None:
+    """Outer surfaces, interfaces and both faces of every gap, as thin lines."""
+    least = 1e-6 * float(right.max() - left.min())
+    edges = [left[:, 0], right[:, -1]] + [right[:, k] for k in interfaces(rows["region"])]
+    for k in gaps(left, right, least):
+        is_open = left[:, k + 1] - right[:, k] > least
+        edges += [np.where(is_open, right[:, k], np.nan), np.where(is_open, left[:, k + 1], np.nan)]
+    ax.add_collection(LineCollection([np.column_stack([edge, time]) for edge in edges], colors=INK, linewidths=0.7))
+    region, top = rows["region"], time[-1]
+    cuts = [0, *(k + 1 for k in interfaces(region)), len(region)]
+    width, taken = ax.get_figure().get_figwidth() * 72 * ax.get_position().width, -1e9
+    span = float(right.max() - left.min())
+    for first, last in zip(cuts[:-1], cuts[1:]):
+        name, middle = region[first], 0.5 * (left[-1, first] + right[-1, last - 1])
+        half = 0.5 * len(str(name)) * 4.8 * span / width
+        if middle - half > taken:
+            ax.annotate(str(name), (middle, top), xytext=(0, 3), textcoords="offset points", ha="center", va="bottom", fontsize=8,
+                        annotation_clip=False)
+            taken = middle + half
+
+
+def _draw_gauges(ax, run, fx, ft, most: int = 6) -> None:
+    """Where the gauges go, as dotted lines with their names at the bottom."""
+    rows = run.arrays("gauges")
+    if "position" not in rows or not len(rows["time"]):
+        return
+    names, every = run.gauge_names(), max(len(rows["time"]) // 200, 1)
+    paths = [np.column_stack([rows["position"][::every, k] * fx, rows["time"][::every] * ft]) for k in range(min(len(names), most))]
+    ax.add_collection(LineCollection(paths, colors=INK, linewidths=0.7, linestyles=(0, (1, 2))))

@@ -1,0 +1,99 @@
+"""Puts report.html together: key numbers, pictures, tables, deck. Reads only the run folder."""
+
+import pathlib
+
+import numpy as np
+
+from hugoniot.output.atomic import write_whole
+from hugoniot.output.run import Run, load
+from hugoniot.plotting.inline import report_pictures
+from hugoniot.plotting.records import free_surface_record, spall_reading
+from hugoniot.report import sections
+from hugoniot.report.sections import number, text
+
+
+_SPALL = (("pull_back", "pull-back", "m/s"), ("spall_strength_acoustic", "spall strength, ½ρ₀c₀Δu", "Pa"),
+          ("spall_strength_stepanov", "spall strength, elastic-plastic", "Pa"), ("spall_thickness", "spalled layer", "m"))
+
+
+def key_numbers(run: Run) -> list[tuple[str, str]]:
+    """(name, HTML text) of the numbers a reader looks for first."""
+    summary = run.summary
+    rows = [("simulated time", number(summary["time"], "s")), ("zones", str(len(run.arrays("peaks")["zone"]))),
+            ("cycles", f"{summary['cycles']:,}".replace(",", "\u202f")), ("wall time", f"{summary['wall_seconds']:.2f} s")]
+    peaks = run.arrays("peaks")
+    for name in ("stress", "peak_stress", "pressure", "peak_pressure"):
+        if name in peaks and len(peaks[name]):
+            rows.append((f"highest {name.removeprefix('peak_')}", number(float(np.max(peaks[name])), "Pa")))
+            break
+    tension = next((np.abs(peaks[n]) for n in ("tension", "peak_tension", "least_stress") if n in peaks), None)
+    if tension is not None and len(tension) and np.max(tension) > 0:
+        rows.append(("highest tension", number(float(np.max(tension)), "Pa")))
+    time, velocity, _ = free_surface_record(run)
+    if len(time):
+        rows.append(("free-surface velocity, highest", number(float(np.max(velocity)), "m/s")))
+    spall = spall_reading(run)
+    for key, name, unit in _SPALL:
+        if key in spall:
+            rows.append((name, number(float(f"{spall[key]:.4g}"), unit)))
+    if summary["voids_opened"] or summary["voids_closed"]:
+        rows.append(("voids opened / closed", f"{summary['voids_opened']} / {summary['voids_closed']}"))
+    rows += [(f"{name} error", f"{summary[f'{name}_error']:.1e}") for name in ("mass", "momentum", "energy")]
+    return rows
+
+
+_CAPTIONS = {
+    "setup": "Regions at t = 0 to scale; triangles are gauges.",
+    "wave": "Longitudinal stress over position and time: compression red, tension blue, no material blank. "
+            "Between snapshots the field is interpolated along the material; dotted lines are gauges.",
+    "gauge_stress": "Longitudinal stress at the gauges, positive in compression.",
+    "gauge_velocity": "Particle velocity at the gauges.",
+    "free_surface": "Free-surface velocity. The spall strength is the acoustic estimate from the pull-back (Novikov 1966); "
+                    "the elastic-plastic one (Romanchenko and Stepanov 1980) is among the key numbers.",
+    "budget": "Parts of the energy, all regions together; internal energy counts from its start.",
+    "errors": "Largest relative error of mass, momentum and total energy so far.",
+}
+
+
+def _figure(pictures: dict, name: str) -> str:
+    return f"<figure>{pictures[name]}<figcaption>{text(_CAPTIONS[name])}</figcaption></figure>" if name in pictures else ""
+
+
+def _section(title: str, *parts: str) -> str:
+    body = "".join(parts)
+    return f"<section><h2>{text(title)}</h2>{body}</section>" if body else ""
+
+
+def page(run: Run) -> str:
+    """The whole page as HTML text."""
+    setup, summary, pictures = run.setup, run.summary, report_pictures(run)
+    css = (pathlib.Path(__file__).parent / "page.css").read_text(encoding="utf-8")
+    cautions = "".join(f'<p class="warning">{text(words)}</p>' for words in sections.warnings(run))
+    title = text(setup["title"])
+    deck = f"<pre>{text(run.deck)}</pre><p class=quiet>SHA-256 {text(summary['deck_sha256'])}</p>"
+    intro = (f"{text(setup['geometry'])}, solver {text(setup['solver']['kind'])} ({text(setup['solver']['integrator'])}), "
+             f"hugoniot {text(setup['version'])}; status: {text(summary['status'])}")
+    return "".join([
+        f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
+        f"<title>{title}</title><style>{css}</style></head><body><main>",
+        f"<h1>{title}</h1><p class=quiet>{intro}</p>", cautions, sections.cards(key_numbers(run)),
+        _section("Set-up", _figure(pictures, "setup")),
+        _section("Wave diagram", _figure(pictures, "wave")),
+        _section("Gauges", _figure(pictures, "gauge_stress"), _figure(pictures, "gauge_velocity")),
+        _section("Free surface", _figure(pictures, "free_surface")),
+        _section("Energy and momentum", _figure(pictures, "budget"), _figure(pictures, "errors")),
+        _section("What happened", sections.events(run)),
+        _section("Materials", sections.materials(setup)),
+        _section("Numerics", sections.numerics(setup)),
+        _section("Sources of what was used", sections.bibliography(setup)),
+        _section("Deck, every default written out", deck),
+        "</main></body></html>\n",
+    ])
+
+
+def write_report(folder) -> pathlib.Path:
+    """Write report.html into the folder of a finished run; gives its path. Raises `FileTrouble`."""
+    run = load(folder)
+    path = run.folder / "report.html"
+    write_whole(path, page(run), durable=False)
+    return path

@@ -1,0 +1,120 @@
+"""The parts of the report page that are words and tables. Everything from the run folder is escaped."""
+
+import json
+import math
+from html import escape
+
+from hugoniot.units import format_si
+
+_UNIT_SIGNS = (("^2", "²"), ("^3", "³"), ("^-1", "⁻¹"), ("^-3", "⁻³"))
+_STATUS = {"verified": "checked against the source", "corrected": "corrected from the print", "derived": "derived",
+           "recalled": "recalled, not checked against print", "user": "from the deck"}
+MOST_EVENTS = 200
+
+
+def text(value) -> str:
+    """Any value as safe HTML text."""
+    return escape(str(value))
+
+
+def number(value, unit: str = "") -> str:
+    """A number with its unit for people; words and tables of numbers come out as they are."""
+    if value is None:
+        return "–"
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return text(value if not isinstance(value, list) else f"table of {len(value)}")
+    shown = f"{value}" if not math.isfinite(value) or isinstance(value, int) and unit in ("", "1") else format_si(value, unit)
+    for sign, printed in _UNIT_SIGNS:
+        shown = shown.replace(sign, printed)
+    return text(shown)
+
+
+def cards(rows) -> str:
+    """Key numbers as a list of (name, HTML text)."""
+    return '<dl class="numbers">' + "".join(f"<div><dt>{text(name)}</dt><dd>{value}</dd></div>" for name, value in rows) + "</dl>"
+
+
+def table(heads, rows) -> str:
+    """A table; `rows` hold HTML text."""
+    head = "".join(f"<th>{text(h)}</th>" for h in heads)
+    body = "".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows)
+    return f'<div class="wide"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>'
+
+
+def _mark(status: str) -> str:
+    return f'<span class="mark {text(status)}">{text(_STATUS.get(status, status))}</span>' if status else ""
+
+
+def _source(constant: dict) -> str:
+    return text(constant["source"]) + (f" ({text(constant['note'])})" if constant["note"] else "")
+
+
+def _laws(laws: list[dict], depth: int = 0) -> str:
+    parts = []
+    for law in laws:
+        rows = [(text(c["name"]), number(c["value"], c["unit"]), text(c["meaning"]), _source(c), _mark(c["status"])) for c in law["constants"]]
+        family = law["family"].replace("eos", "equation of state").replace("viscosity", "artificial viscosity")
+        parts.append(f"<h3>{text(family)}: {text(law['law'])}</h3><p class=quiet>{text(law['summary'])}</p>")
+        parts.append(table(("constant", "value", "meaning", "source", ""), rows) if rows else "")
+        parts.append(_laws(law["inner"], depth + 1) if depth < 4 else "")
+    return "".join(parts)
+
+
+def materials(setup: dict) -> str:
+    """Every material with its laws, constants, sources and warnings, and the viscosity."""
+    parts = []
+    for name, material in setup["materials"].items():
+        limit = f" Its data reach a particle velocity of {number(material['valid_up_to'], 'm/s')}." if material["valid_up_to"] else ""
+        where = ", ".join(text(r["name"]) for r in setup["regions"] if r["material"] == name)
+        parts.append(f"<h3>{text(name)}</h3><p class=quiet>In {where}.{limit}</p>")
+        parts += [f'<p class="warning">{text(warning)}</p>' for warning in material["warnings"]]
+        parts.append(_laws(material["laws"]))
+        if material["other_sources"]:
+            rows = [(text(s["quantity"]), number(s["value"], s["unit"]), _source(s), _mark(s["status"])) for s in material["other_sources"]]
+            parts.append(table(("also stated", "value", "source", ""), rows))
+    return "".join(parts)
+
+
+def numerics(setup: dict) -> str:
+    """Integrator, step control and artificial viscosity."""
+    solver = setup["solver"]
+    known = {"kind": "solver", "integrator": "integrator", "courant": "Courant number", "growth": "growth of the step",
+             "initial_step": "first step", "largest_step": "largest step", "threads": "threads", "max_cycles": "most cycles"}
+    given = [(key, label) for key, label in known.items() if solver.get(key) is not None]
+    rows = [(label, number(solver[key], "s" if key.endswith("step") else "")) for key, label in given]
+    rows += [(text(key.replace("_", " ")), number(value)) for key, value in (solver.get("options") or {}).items()]
+    parts = [table(("setting", "value"), rows)]
+    if setup["viscosity"]:
+        parts.append(_laws([setup["viscosity"]]))
+    return "".join(parts)
+
+
+def warnings(run) -> list[str]:
+    """Everything the reader must know before trusting the numbers."""
+    rows = run.arrays("events")
+    found = [str(words) for kind, words in zip(rows["kind"], rows["text"]) if kind == "warning"]
+    found += [f"{name}: {words}" for name, material in run.setup["materials"].items() for words in material["warnings"]]
+    found += list(run.summary.get("checkpoint_warnings", ()))
+    if run.summary["status"] != "done":
+        found.insert(0, f"The run did not reach its end: {run.summary['status']}")
+    return list(dict.fromkeys(found))
+
+
+def events(run) -> str:
+    """What happened, in order (the first two hundred)."""
+    rows = run.arrays("events")
+    if not len(rows["time"]):
+        return "<p class=quiet>None.</p>"
+    lines = []
+    for time, cycle, kind, words, numbers in list(zip(*(rows[k] for k in ("time", "cycle", "kind", "text", "numbers"))))[:MOST_EVENTS]:
+        extra = json.loads(numbers)
+        place = number(extra["position"], "m") if isinstance(extra.get("position"), float) and math.isfinite(extra["position"]) else ""
+        lines.append((number(float(time), "s"), text(cycle), text(str(kind).replace("_", " ")), place, text(words)))
+    left = len(rows["time"]) - len(lines)
+    more = f"<p class=quiet>and {left} more in result.h5</p>" if left else ""
+    return table(("time", "cycle", "what", "where", ""), lines) + more
+
+
+def bibliography(setup: dict) -> str:
+    """The sources of the laws, constants and methods this run used."""
+    return "<ol>" + "".join(f"<li>{text(reference)}</li>" for reference in setup["references"]) + "</ol>"
