@@ -1,0 +1,297 @@
+r"""Hugoniot curves of any law from any state: principal, second shock, distended material, with heat of reaction.
+
+The search for one state stands in `theory.jump` with its equations; here it is run over numbers or arrays, directly for a few
+states and compiled (`theory.kernels`) for many, and every search that fails becomes an error that states the limit.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from hugoniot.errors import NoSolution, OutOfRange
+from hugoniot.laws.eos import contract
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.theory import jump
+from hugoniot.theory.states import States, density_at, density_range, law_of
+
+COMPILE_ABOVE = 200  # states: below, plain Python answers before a compiler would be loaded
+_MODES = {"pressure": jump.BY_PRESSURE, "particle_velocity": jump.BY_PARTICLE_VELOCITY,
+          "shock_velocity": jump.BY_SHOCK_VELOCITY, "density": jump.BY_DENSITY}
+
+
+@dataclass(frozen=True)
+class Initial:
+    """The state ahead of a shock.
+
+    density    kg/m3; below the density of the solid for distended material (its pores are empty, its energy is the solid's)
+    pressure, energy, velocity   Pa, J/kg, m/s
+    heat       energy released in the shock, J/kg (a detonation; 0: inert)
+    """
+
+    density: float
+    pressure: float
+    energy: float
+    velocity: float = 0.0
+    heat: float = 0.0
+
+    @classmethod
+    def at_rest(cls, material, density: float | None = None, heat: float = 0.0, velocity: float = 0.0) -> "Initial":
+        """The law's reference state; a `density` below the reference density makes it distended material.
+
+        The pressure is the law's at its reference state: zero for a solid, ambient for a gas.
+        """
+        par = law_of(material)
+        rho0, e0 = (float(v) for v in contract.reference_state(par))
+        p0 = float(contract.pressure(rho0, e0, par))
+        if abs(p0) < 1e-12 * rho0 * abs(contract.sound_speed_squared(rho0, e0, par)):
+            p0 = 0.0
+        if density is not None and not 0.0 < density:
+            raise OutOfRange(f"an initial density of {density:.6g} kg/m3 is no state: give a positive one")
+        return cls(rho0 if density is None else float(density), p0, e0, velocity, heat)
+
+    @classmethod
+    def of(cls, states: States, index=None) -> "Initial":
+        """A computed state as the upstream state of a following shock."""
+        s = states if index is None else states[index]
+        return cls(float(s.density), float(s.pressure), float(s.specific_internal_energy), float(s.particle_velocity))
+
+
+def shock(material, initial: Initial | None = None, *, direction: int = 1, guess: float | None = None, **given) -> States:
+    """States behind a shock that runs into `initial` (default: the law's reference state).
+
+    given       exactly one of pressure (Pa), particle_velocity (m/s), shock_velocity (m/s), density (kg/m3): a number or an
+                array; velocities are in the frame of the laboratory
+    direction   +1: the shock runs towards +x, -1: towards -x
+    guess       first v0 - v to try, m3/kg; tells the strong from the weak branch of a detonation given its velocity
+    Returns `States` of the shape of the input. Raises `OutOfRange` with the limit, or `NoSolution`.
+    Source: 001 (KB codes) eqs 2.7 to 2.13 with K-E1 corrected; 003 A-5.
+    """
+    par = law_of(material)
+    ahead = initial or Initial.at_rest(par)
+    name, value = _one(given)
+    mode, targets = _targets(name, value, ahead, direction)
+    x, p, e = _solve(mode, targets, ahead, par, guess, name)
+    shape = np.shape(value)
+    rise = np.maximum(p - ahead.pressure, 0.0)
+    up = np.sqrt(rise * np.maximum(x, 0.0))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        us = np.where(x > 0.0, np.sqrt(rise / x), 0.0) / ahead.density
+    if mode == jump.BY_PARTICLE_VELOCITY:
+        up = targets
+    still = (p == ahead.pressure) | (x <= 0.0)
+    if still.any() and not distended(par, ahead):
+        us = np.where(still, _sound_speed_ahead(par, ahead), us)
+    fields = (1.0 / (1.0 / ahead.density - x), p, e, ahead.velocity + direction * up, ahead.velocity + direction * us)
+    return States(par, *(f.reshape(shape) if shape else float(f[0]) for f in fields))
+
+
+def curve(material, initial: Initial | None = None, *, points: int = 101, up_to: float | None = None, direction: int = 1) -> States:
+    """The Hugoniot from `initial` as `points` states evenly spaced in particle velocity, from rest to `up_to` m/s.
+
+    Default of `up_to`: the material's `valid_up_to`, else the upstream sound speed or 90 % of what the law reaches.
+    """
+    par = law_of(material)
+    ahead = initial or Initial.at_rest(par)
+    if up_to is None:
+        up_to = getattr(material, "valid_up_to", None) or min(_sound_speed_ahead(par, ahead), 0.9 * limit(par, ahead).particle_velocity)
+    jumps = np.linspace(1e-3 * up_to if ahead.heat else 0.0, up_to, points)
+    return shock(par, ahead, direction=direction, particle_velocity=ahead.velocity + direction * jumps)
+
+
+def rayleigh_line(initial: Initial, shock_velocity: float, points: int = 2, particle_velocity: float | None = None):
+    """(particle velocity, pressure) along the Rayleigh line p = p0 + rho0 (Us - u0)(u - u0), from the upstream state.
+
+    particle_velocity   where the line ends (default: at u = Us). Source: 001 eq. 2.8.
+    """
+    end = shock_velocity if particle_velocity is None else particle_velocity
+    u = np.linspace(initial.velocity, end, points)
+    return u, initial.pressure + initial.density * (shock_velocity - initial.velocity) * (u - initial.velocity)
+
+
+def limit(material, initial: Initial | None = None) -> States:
+    """The end of the Hugoniot: the state of highest density that the law allows a single shock to reach.
+
+    A density limit of the law (the pole of a linear shock-particle velocity fit), or where 1 - (dp/de)(v0 - v)/2 vanishes
+    (Segletes' stability limit, 003 A-5). Pressure or particle velocity are infinite there, or finite for a fit with s < 1 (J-E16).
+    """
+    par = law_of(material)
+    ahead = initial or Initial.at_rest(par)
+    v0, least, most = _interval(par, ahead)
+
+    def reached(x):
+        status, p = jump.pressure_at(x, 1.0 / (v0 - x), ahead.pressure, ahead.energy + ahead.heat, ahead.pressure, par)
+        return (status == jump.FOUND and p >= ahead.pressure and math.isfinite(p)), p
+
+    with np.errstate(all="ignore"):
+        low = least + 1e-3 * (most - least)
+        high = most
+        if reached(low)[0]:
+            if reached(near := least + (1.0 - 1e-9) * (most - least))[0]:
+                low = near
+            for _ in range(60):
+                x = 0.5 * (low + high)
+                low, high = (x, high) if reached(x)[0] else (low, x)
+        _, p = reached(low)
+        _, before = reached(low - 1e-4 * (low - least))
+    finite = math.isfinite(p) and p < 1.05 * before + 1e-3
+    up = math.sqrt(max(p - ahead.pressure, 0.0) * low) if finite else math.inf
+    speed = math.sqrt(max(p - ahead.pressure, 0.0) / low) / ahead.density if finite else math.inf
+    gap = v0 - low
+    density = math.inf if gap < 1e-7 * v0 else 1.0 / gap
+    energy = ahead.energy + ahead.heat + 0.5 * (p + ahead.pressure) * low if finite else math.inf
+    return States(par, density, p if finite else math.inf, energy, up, speed)
+
+
+def residual(material, initial: Initial, states: States):
+    """The largest relative misfit of the three jump conditions and of the law itself, state by state.
+
+    Mass, momentum and energy in the frame of the shock, each divided by the largest of its terms; the law's pressure by the
+    bulk modulus where that is larger (one unit of round-off in density is that much pressure).
+    """
+    par = law_of(material)
+    stiffness = abs(contract.bulk_modulus(*contract.reference_state(par), par))
+    rho, p, e = (np.asarray(v, float) for v in (states.density, states.pressure, states.specific_internal_energy))
+    u, us = np.asarray(states.particle_velocity, float) - initial.velocity, np.asarray(states.shock_velocity, float) - initial.velocity
+    flux = initial.density * us
+    mass = (rho * (us - u) - flux) / np.maximum(flux, 1e-300)
+    momentum = (p - initial.pressure - flux * u) / np.maximum(np.maximum(np.abs(p), initial.density * us**2), 1e-300)
+    work = 0.5 * (p + initial.pressure) * (1.0 / initial.density - 1.0 / rho)
+    gain = e - initial.energy - initial.heat
+    energy = (gain - work) / np.maximum(np.maximum(np.abs(gain), us**2), 1e-300)
+    given = np.array([contract.pressure(r, k, par) for r, k in zip(rho.ravel().tolist(), e.ravel().tolist())]).reshape(rho.shape)
+    law = (given - p) / np.maximum(np.abs(p), stiffness)
+    worst = np.max(np.abs([mass, momentum, energy, law]), axis=0)
+    return worst if worst.ndim else float(worst)
+
+
+def entropy_rise(material, initial: Initial, density: float) -> float:
+    r"""Entropy gained in the shock to `density`, J/(kg K), for any law with a temperature: integral of T ds along the Hugoniot.
+
+    $$T\,ds = \tfrac12\left[(v_0 - v)\,dp - (p - p_0)\,dx\right], \qquad x = v_0 - v,$$
+    with dp/dx from the differentiated jump condition; Gauss-Legendre quadrature, 40 points. Inert shocks from a state of the law.
+    """
+    par = law_of(material)
+    if "temperature" not in EOS.of(par).functions:
+        raise OutOfRange(f"law '{EOS.of(par).name}' has no temperature, so no entropy follows: give it a specific heat")
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    end = 1.0 / initial.density - 1.0 / density
+    x = 0.5 * end * (nodes + 1.0)
+    states = shock(par, initial, density=1.0 / (1.0 / initial.density - x))
+    total = 0.0
+    for xi, w, rho, p, e in zip(x, weights, states.density, states.pressure, states.specific_internal_energy):
+        p_rho, p_e = contract.pressure_derivatives(rho, e, par)
+        slope = (rho * rho * p_rho + 0.5 * p_e * (p + initial.pressure)) / (1.0 - 0.5 * p_e * xi)
+        total += w * 0.5 * (slope * xi - (p - initial.pressure)) / contract.temperature(rho, e, par)
+    return 0.5 * end * float(total)
+
+
+# -- inside ------------------------------------------------------------------------------------------------------
+def _one(given: dict):
+    if len(given) != 1 or next(iter(given)) not in _MODES:
+        raise OutOfRange(f"a Hugoniot state is named by exactly one of {', '.join(_MODES)}; got {', '.join(given) or 'none'}")
+    return next(iter(given.items()))
+
+
+def _targets(name, value, ahead: Initial, direction: int):
+    values = np.atleast_1d(np.asarray(value, float)).ravel()
+    mode = _MODES[name]
+    if not np.isfinite(values).all():
+        raise OutOfRange(f"{name} must be finite")
+    if mode in (jump.BY_PARTICLE_VELOCITY, jump.BY_SHOCK_VELOCITY):
+        values = direction * (values - ahead.velocity)
+        if (values < 0.0).any():
+            raise OutOfRange(f"a {name.replace('_', ' ')} of {values.min():.6g} m/s relative to the material ahead, along the shock, "
+                             "would expand it: a Hugoniot holds in compression only, use an isentrope for release")
+    if mode == jump.BY_PRESSURE and (values < ahead.pressure).any():
+        raise OutOfRange(f"a pressure of {values.min():.6g} Pa is below the {ahead.pressure:.6g} Pa ahead of the shock: "
+                         "a Hugoniot holds in compression only, use an isentrope for release")
+    return mode, values * ahead.density if mode == jump.BY_SHOCK_VELOCITY else values
+
+
+def _interval(par, ahead: Initial):
+    """(v0, least, most): the specific volume ahead and the range of v0 - v that compression and the law allow."""
+    v0 = 1.0 / ahead.density
+    low, high = density_range(par)
+    if ahead.density >= high:
+        raise OutOfRange(f"the initial density {ahead.density:.6g} kg/m3 is beyond the law's highest, {high:.6g} kg/m3")
+    # the search never steps on the law's own pole, nor on infinite density
+    return v0, max(0.0, v0 - 1.0 / low), min((v0 - 1.0 / high) * (1.0 - 1e-12), v0 * (1.0 - 1e-9))
+
+
+def _sound_speed_ahead(par, ahead: Initial) -> float:
+    low, high = density_range(par)
+    square = contract.sound_speed_squared(ahead.density, ahead.energy, par) if low <= ahead.density <= high else math.nan
+    if not square > 0.0:
+        square = contract.sound_speed_squared(*contract.reference_state(par), par)
+    return math.sqrt(square) if square > 0.0 else 1.0
+
+
+def _solve(mode, targets, ahead: Initial, par, guess, name):
+    v0, least, most = _interval(par, ahead)
+    floor = _crushed(par, ahead, v0)
+    c0 = _sound_speed_ahead(par, ahead)
+    e0 = ahead.energy + ahead.heat
+    x, p, e = np.zeros_like(targets), np.full_like(targets, ahead.pressure), np.full_like(targets, e0)
+    still = _still(mode, targets, ahead) & (ahead.heat == 0.0 and floor == 0.0)
+    if targets.size > COMPILE_ABOVE:
+        from hugoniot.theory import kernels
+
+        status = np.zeros(targets.size, np.int64)
+        kernels.shock_curve(mode, targets, still, v0, ahead.pressure, e0, c0, floor, least, most, par, x, p, e, status)
+    else:
+        status = np.zeros(targets.size, int)
+        with np.errstate(all="ignore"):
+            for i, target in enumerate(targets.tolist()):
+                if not still[i]:
+                    first = max(jump.first_guess(mode, target, v0, ahead.pressure, c0), floor) if guess is None else guess
+                    try:
+                        status[i], x[i], p[i], e[i] = jump.shocked(mode, target, first, least, most, v0, ahead.pressure, e0, par)
+                    except ArithmeticError:  # a pole of the law: compiled code meets an infinity there
+                        status[i] = jump.BEYOND_LIMIT
+    bad = np.flatnonzero(status != jump.FOUND)
+    if bad.size:
+        _refuse(int(status[bad[0]]), mode, name, float(targets[bad[0]]), ahead, par)
+    return x, p, e
+
+
+def _still(mode, targets, ahead: Initial):
+    """Where the asked state is the upstream state itself: a shock of no strength."""
+    rest = {jump.BY_PRESSURE: ahead.pressure, jump.BY_PARTICLE_VELOCITY: 0.0, jump.BY_DENSITY: ahead.density}.get(mode, math.nan)
+    return targets == rest
+
+
+def distended(par, ahead: Initial) -> bool:
+    """Whether the initial state is no state of the law: its pores are empty, its pressure and energy are the solid's."""
+    low, high = density_range(par)
+    if not low < ahead.density < high:
+        return True
+    rho0, e0 = contract.reference_state(par)
+    scale = abs(rho0 * contract.sound_speed_squared(rho0, e0, par)) + abs(ahead.pressure)
+    return ahead.heat == 0.0 and abs(contract.pressure(ahead.density, ahead.energy, par) - ahead.pressure) > 1e-6 * scale
+
+
+def _crushed(par, ahead: Initial, v0: float) -> float:
+    """v0 - v of distended material once its pores are closed, at the pressure and energy ahead: where its Hugoniot starts."""
+    return max(0.0, v0 - 1.0 / density_at(par, ahead.pressure, ahead.energy)) if distended(par, ahead) else 0.0
+
+
+def _refuse(status, mode, name, target, ahead: Initial, par):
+    """Turn a status of the search into an error that states the limit."""
+    law = EOS.of(par).name
+    shown = target / ahead.density if mode == jump.BY_SHOCK_VELOCITY else target
+    asked = f"{name.replace('_', ' ')} {shown:.6g} {({'density': 'kg/m3', 'pressure': 'Pa'}).get(name, 'm/s')}"
+    if status == jump.NOT_COMPRESSIVE and mode == jump.BY_SHOCK_VELOCITY:
+        raise OutOfRange(f"{asked} is not above the sound speed {_sound_speed_ahead(par, ahead):.6g} m/s ahead of the shock (law '{law}'), "
+                         "or below the Chapman-Jouguet velocity if heat is released")
+    if status == jump.NOT_COMPRESSIVE:
+        raise OutOfRange(f"{asked} is no compression of the state ahead ({ahead.density:.6g} kg/m3, {ahead.pressure:.6g} Pa; law '{law}')")
+    if status == jump.BEYOND_LIMIT:
+        end = limit(par, ahead)
+        reach = f"density {end.density:.6g} kg/m3"
+        if math.isfinite(end.particle_velocity):
+            reach += f", pressure {end.pressure:.6g} Pa, particle velocity {end.particle_velocity:.6g} m/s, shock velocity {end.shock_velocity:.6g} m/s"
+        raise OutOfRange(f"{asked} is beyond the compression limit of law '{law}' from {ahead.density:.6g} kg/m3: the Hugoniot ends at {reach}")
+    raise NoSolution(f"the search for {asked} on the Hugoniot of law '{law}' from {ahead.density:.6g} kg/m3 did not settle: "
+                     "the law is not smooth there; ask for a neighbouring state")

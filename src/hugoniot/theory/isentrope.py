@@ -1,0 +1,224 @@
+r"""Isentropes of any law through any state: release to a pressure, a density or a velocity, and to vacuum.
+
+The integrator and its equations stand in `theory.expansion`. A wave that moves towards +x (`direction` +1) obeys
+$du = dp/(\rho c) = c\,d\ln\rho$ while the pressure behind it falls; towards -x the sign turns.
+"""
+
+import math
+
+import numpy as np
+
+from hugoniot.errors import NoSolution, OutOfRange
+from hugoniot.laws.eos import contract
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.theory import expansion
+from hugoniot.theory.states import States, density_at, density_range, energy_at, evaluate, law_of
+
+COMPILE_ABOVE = 200
+
+
+def isentrope(material, start: States | None = None, *, direction: int = 1, **given) -> States:
+    """States on the isentrope through one state.
+
+    start       a single state (default: the law's reference state at rest)
+    given       exactly one of density (kg/m3), pressure (Pa), particle_velocity (m/s): a number or an array
+    direction   +1: the change runs into the material as a wave towards +x, so that release lowers the particle velocity;
+                -1: towards -x (release at a free surface on the right: velocity rises)
+    Raises `OutOfRange` where the isentrope ends (tension it cannot bear, a limit of the law), with the state it ends in.
+    """
+    par = law_of(material)
+    start = start or reference(par)
+    if len(given) != 1 or next(iter(given)) not in ("density", "pressure", "particle_velocity"):
+        raise OutOfRange(f"a state on an isentrope is named by exactly one of density, pressure, particle_velocity; got {', '.join(given) or 'none'}")
+    name, value = next(iter(given.items()))
+    targets = np.atleast_1d(np.asarray(value, float)).ravel()
+    if not np.isfinite(targets).all():
+        raise OutOfRange(f"{name} must be finite")
+    y0, e0 = math.log(start.density), float(start.specific_internal_energy)
+    with np.errstate(all="ignore"):
+        if name == "density":
+            y, e, u = _by_density(targets, y0, e0, par)
+        else:
+            wanted = direction * (targets - start.particle_velocity) if name == "particle_velocity" else targets
+            y, e, u = _by_search(name, wanted, y0, e0, par)
+    rho = np.exp(y) if name != "density" else targets
+    p = targets if name == "pressure" else evaluate(contract.pressure, rho, e, par)
+    fields = (rho, p, e, start.particle_velocity + direction * u)
+    shape = np.shape(value)
+    return States(par, *(f.reshape(shape) if shape else float(f[0]) for f in fields))
+
+
+def reference(material, velocity: float = 0.0) -> States:
+    """The law's reference state as a single state."""
+    par = law_of(material)
+    rho, e = (float(v) for v in contract.reference_state(par))
+    return States(par, rho, float(contract.pressure(rho, e, par)), e, velocity)
+
+
+def state(material, velocity: float = 0.0, **given) -> States:
+    """A single state from any two of density (kg/m3), pressure (Pa), energy (J/kg), temperature (K); one: the reference density,
+    or zero pressure if that one is the density; none: the reference state.
+    """
+    par = law_of(material)
+    if stray := set(given) - {"density", "pressure", "energy", "temperature"}:
+        raise OutOfRange(f"a state is given by density, pressure, energy or temperature, not by {', '.join(sorted(stray))}")
+    if len(given) > 2:
+        raise OutOfRange(f"two values fix a state, {len(given)} were given: {', '.join(given)}")
+    rho0, e0 = (float(v) for v in contract.reference_state(par))
+    rho = given.get("density", None if len(given) == 2 else rho0)
+    if "temperature" in given:
+        return _at_temperature(par, velocity, rho, given)
+    if rho is None:
+        rho = density_at(par, given["pressure"], given["energy"])
+    if not density_range(par)[0] <= rho < density_range(par)[1]:
+        raise OutOfRange(f"density {rho:.6g} kg/m3 is outside the law's range {density_range(par)} kg/m3")
+    if "energy" in given:
+        e = float(given["energy"])
+    elif "pressure" in given or "density" in given:
+        e = energy_at(par, rho, given.get("pressure", 0.0))
+    else:
+        e = e0
+    return States(par, float(rho), float(contract.pressure(rho, e, par)), e, velocity)
+
+
+def _at_temperature(par, velocity, rho, given) -> States:
+    """A state by temperature: the energy by Newton with the specific heat; with a pressure the density by secants around it."""
+    if "temperature" not in EOS.of(par).functions:
+        raise OutOfRange(f"law '{EOS.of(par).name}' has no temperature: give energy instead, or a law with a specific heat")
+    if "energy" in given:
+        raise NoSolution("temperature and energy together are solved for no law here: give density or pressure with one of them")
+
+    def energy(density):
+        e = float(contract.reference_state(par)[1])
+        for _ in range(100):
+            t = contract.temperature(density, e, par)
+            d = 1e-6 * max(abs(e), 1e3)
+            step = (given["temperature"] - t) / ((contract.temperature(density, e + d, par) - t) / d)
+            e += step
+            if abs(step) < 1e-13 * max(abs(e), 1.0):
+                return e
+        raise NoSolution(f"no energy gives {given['temperature']:.6g} K at {density:.6g} kg/m3 (law '{EOS.of(par).name}')")
+
+    if rho is None:
+        rho, last = float(contract.reference_state(par)[0]), math.inf
+        for _ in range(100):
+            new = density_at(par, given["pressure"], energy(rho), near=rho)
+            if abs(new - rho) <= 1e-14 * rho or (abs(new - rho) >= last and last < 1e-10 * rho):
+                break
+            rho, last = new, abs(new - rho)
+    e = energy(rho)
+    return States(par, float(rho), float(contract.pressure(rho, e, par)), e, velocity)
+
+
+def release(material, start: States, to: float = 0.0, *, direction: int = -1, points: int = 1) -> States:
+    """The release isentrope from `start` down to the pressure `to`, Pa: its end, or `points` states evenly spaced in pressure.
+
+    direction -1 (default): the release runs back towards -x, as from a free surface or a softer neighbour on the right.
+    """
+    if to > start.pressure:
+        raise OutOfRange(f"release to {to:.6g} Pa starts above it, at {start.pressure:.6g} Pa")
+    if points == 1:
+        return isentrope(material, start, pressure=to, direction=direction)
+    return isentrope(material, start, pressure=np.linspace(start.pressure, to, points), direction=direction)
+
+
+def escape(material, start: States) -> float:
+    r"""Velocity gained by expansion into vacuum, m/s: $\int_0^\rho c\,d\ln\rho$, for a law that becomes a gas when thin.
+
+    Integrated until $p = \Gamma\rho e$ holds to 1e-13, then the tail 2c/Gamma of an ideal gas (gamma - 1 = Gamma) is added.
+    Raises `OutOfRange` for a law that keeps a cohesive (zero-pressure) density: it spalls instead.
+    """
+    par = law_of(material)
+    y, e, u = math.log(start.density), float(start.specific_internal_energy), 0.0
+    lowest = math.log(density_range(par)[0])
+    with np.errstate(all="ignore"):
+        for _ in range(600):
+            rho = math.exp(y)
+            p = contract.pressure(rho, e, par)
+            gamma = contract.gruneisen(rho, e, par)
+            if p > 0.0 and gamma > 0.0 and abs(p - gamma * rho * e) <= 1e-13 * p:
+                return float(2.0 * math.sqrt((gamma + 1.0) * p / rho) / gamma - u)
+            if p <= 0.0 or y - 0.5 <= lowest:
+                break
+            status, y, e, u = expansion.advance(y, e, u, y - 0.5, par)
+            if status != expansion.REACHED:
+                break
+    raise OutOfRange(f"law '{EOS.of(par).name}' does not expand to a gas: its isentrope ends at {math.exp(y):.6g} kg/m3, "
+                     f"{p:.6g} Pa; release it to a pressure instead")
+
+
+def residual(states: States) -> float:
+    r"""Largest misfit of de + p dv = 0 between neighbouring states, relative to the energy exchanged.
+
+    The work between two states is found anew, by Gauss-Legendre quadrature of p/rho in ln(rho) on the isentrope, 12 nodes per 0.3, so that the integrator is not its own judge.
+    """
+    nodes, weights = np.polynomial.legendre.leggauss(12)
+    kink = math.log(contract.reference_state(states.par)[0])  # where a law may change its branch
+    worst = 0.0
+    for i in range(len(states) - 1):
+        a, b = states[i], states[i + 1]
+        y1, y2 = math.log(a.density), math.log(b.density)
+        ends = list(np.linspace(y1, y2, 2 + int(abs(y2 - y1) / 0.3)))
+        if min(y1, y2) < kink < max(y1, y2):
+            ends = sorted([*ends, kink], reverse=y2 < y1)
+        work = 0.0
+        for start, end in zip(ends, ends[1:]):
+            rho = np.exp(0.5 * (start + end) + 0.5 * (end - start) * nodes)
+            work += 0.5 * (end - start) * np.sum(weights * isentrope(states.par, a, density=rho).pressure / rho)
+        gain = b.specific_internal_energy - a.specific_internal_energy
+        worst = max(worst, abs(gain - work) / max(abs(work), abs(gain), 1e-300))
+    return worst
+
+
+# -- inside ------------------------------------------------------------------------------------------------------
+def _by_density(targets, y0, e0, par):
+    low, high = density_range(par)
+    if (targets <= low).any() or (targets >= high).any():
+        raise OutOfRange(f"a density of {targets.min():.6g} to {targets.max():.6g} kg/m3 leaves the range of law '{EOS.of(par).name}', "
+                         f"{low:.6g} to {high:.6g} kg/m3")
+    order = np.argsort(targets)
+    logs = np.log(targets)
+    e, u = np.empty_like(targets), np.empty_like(targets)
+    # outwards from the start on either side, each state from its neighbour
+    for side in (order[logs[order] >= y0], order[logs[order] < y0][::-1]):
+        if side.size > COMPILE_ABOVE:
+            from hugoniot.theory import kernels
+
+            found_e, found_u = np.empty(side.size), np.empty(side.size)
+            reached = kernels.isentrope_curve(logs[side], y0, e0, 0.0, par, found_e, found_u)
+            if reached < side.size:
+                _end(y0 if reached == 0 else logs[side[reached - 1]], e0 if reached == 0 else found_e[reached - 1], par)
+            e[side], u[side] = found_e, found_u
+            continue
+        y, e_here, u_here = y0, e0, 0.0
+        for i in side:
+            status, y, e_here, u_here = expansion.advance(y, e_here, u_here, float(logs[i]), par)
+            if status != expansion.REACHED:
+                _end(y, e_here, par)
+            e[i], u[i] = e_here, u_here
+    return logs, e, u
+
+
+def _by_search(name, targets, y0, e0, par):
+    low, high = density_range(par)
+    lowest, highest = math.log(low), math.log(high) if math.isfinite(high) else 700.0
+    find = expansion.to_pressure if name == "pressure" else expansion.to_velocity
+    y, e, u = np.empty_like(targets), np.empty_like(targets), np.empty_like(targets)
+    first = contract.pressure(math.exp(y0), e0, par) if name == "pressure" else 0.0
+    order = np.argsort(targets)
+    for side in (order[targets[order] >= first], order[targets[order] < first][::-1]):
+        here = (y0, e0, 0.0)
+        for i in side:
+            status, *here = find(*here, float(targets[i]), lowest, highest, par)
+            if status != expansion.REACHED:
+                _end(here[0], here[1], par, f"{name.replace('_', ' ')} {targets[i]:.6g} {'Pa' if name == 'pressure' else 'm/s'} is not reached: ")
+            y[i], e[i], u[i] = here
+    return y, e, u
+
+
+def _end(y, e, par, what=""):
+    rho = math.exp(y)
+    p = contract.pressure(rho, e, par)
+    square = contract.sound_speed_squared(rho, e, par)
+    why = "the law bears no stronger tension" if p < 0.0 or not square > 0.0 else "the law is not defined beyond"
+    raise OutOfRange(f"{what}the isentrope of law '{EOS.of(par).name}' ends at {rho:.6g} kg/m3, {p:.6g} Pa, {e:.6g} J/kg: {why}")

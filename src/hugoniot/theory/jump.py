@@ -1,0 +1,172 @@
+r"""One state behind a shock, for any law: the scalar search that every curve of the package uses.
+
+With $x = v_0 - v$ (specific volume lost), mass, momentum and energy across a shock that releases the heat $q$ read
+
+$$p - p_0 = m^2 x, \qquad m = \rho_0 (U_s - u_0), \qquad (u - u_0)^2 = (p - p_0)\,x, \qquad
+  e - e_0 = q + \tfrac12 (p + p_0)\,x .$$
+
+Whatever is given (pressure, particle velocity, shock velocity), pressure and energy are closed functions of $x$ alone and
+the law closes the problem: $g(x) = p_{law}(1/(v_0 - x), e(x)) - p(x) = 0$. In $x$ the root is single where the law is stable,
+also for distended material, whose density may fall along the curve. Given the density, $x$ is known and $p$ is sought.
+Newton's method keeps inside a bracket and halves it where it would leave.
+
+The functions are plain scalar code, so that `theory.kernels` compiles this same source for arrays. They return a status and
+never raise; `theory.hugoniot` turns a status into an error that states the limit.
+
+Source: 001 (KB codes) eqs 2.7 to 2.13 with the energy sign corrected (K-E1), 4.3 for the heat; 003 (Starkenberg) A-5.
+"""
+
+import math
+
+from hugoniot.laws.eos.contract import pressure, pressure_derivatives
+
+BY_PRESSURE, BY_PARTICLE_VELOCITY, BY_SHOCK_VELOCITY, BY_DENSITY = 0, 1, 2, 3
+FOUND, NOT_COMPRESSIVE, BELOW_SOUND_SPEED, BEYOND_LIMIT, NOT_CONVERGED = 0, 1, 2, 3, 4
+_TRIES = 200
+_EPSILON = 4.5e-16
+
+
+def line(mode, target, x, p0, e0):
+    """(p, e, dp/dx, de/dx) that the conservation laws demand at x = v0 - v; `e0` includes the heat of reaction.
+
+    target   pressure (Pa), particle velocity jump (m/s) or mass flux rho0 Us (kg/m2/s), as `mode` says
+    """
+    if mode == BY_PRESSURE:
+        mean = 0.5 * (target + p0)
+        return target, e0 + mean * x, 0.0, mean
+    if mode == BY_PARTICLE_VELOCITY:
+        square = target * target
+        return p0 + square / x, e0 + 0.5 * square + p0 * x, -square / (x * x), p0
+    slope = target * target
+    return p0 + slope * x, e0 + (p0 + 0.5 * slope * x) * x, slope, p0 + slope * x
+
+
+def misfit(mode, target, x, v0, p0, e0, par):
+    """(g, dg/dx): by how much the law's pressure exceeds the line's at x, Pa, and its slope."""
+    p, e, p_x, e_x = line(mode, target, x, p0, e0)
+    rho = 1.0 / (v0 - x)
+    p_rho, p_e = pressure_derivatives(rho, e, par)
+    return pressure(rho, e, par) - p, rho * rho * p_rho + p_e * e_x - p_x
+
+
+def bracket(mode, target, guess, least, most, v0, p0, e0, par):
+    """(status, low, high) with g(low) < 0 <= g(high), searched outwards from `guess` inside (least, most)."""
+    x = guess if guess > least else least + 1e-3 * (most - least)
+    x = x if x < most else 0.5 * (least + most)
+    g, _ = misfit(mode, target, x, v0, p0, e0, par)
+    low, high = least, most
+    for _ in range(_TRIES):
+        if g < 0.0:
+            low = x
+            if most - x <= 1e-13 * most:
+                return BEYOND_LIMIT, low, high
+            x = min(1.5 * x - 0.5 * least, 0.5 * (x + most))
+            g, _ = misfit(mode, target, x, v0, p0, e0, par)
+            if not g < 0.0:
+                return (FOUND if math.isfinite(g) else BEYOND_LIMIT), low, x
+        elif g >= 0.0:
+            high = x
+            if x - least <= 1e-13 * v0:
+                return NOT_COMPRESSIVE, low, high
+            x = least + 0.4 * (x - least)
+            g, _ = misfit(mode, target, x, v0, p0, e0, par)
+            if g < 0.0:
+                return FOUND, x, high
+        else:
+            return BEYOND_LIMIT, low, high
+    return NOT_CONVERGED, low, high
+
+
+def polish(mode, target, low, high, v0, p0, e0, par):
+    """(status, x): the root inside a bracket, by Newton's method that halves the bracket where it would leave it."""
+    x = 0.5 * (low + high)
+    previous = high - low
+    for _ in range(_TRIES):
+        g, slope = misfit(mode, target, x, v0, p0, e0, par)
+        if g == 0.0:
+            return FOUND, x
+        if g < 0.0:
+            low = x
+        else:
+            high = x
+        step = -g / slope if slope > 0.0 else high - low
+        if not (low < x + step < high) or abs(step) > 0.6 * previous:
+            step = 0.5 * (low + high) - x
+        previous = abs(step)
+        x += step
+        if previous <= _EPSILON * abs(x) or high - low <= _EPSILON * high:
+            return FOUND, x
+    # round-off of a stiff law can keep the last step above the threshold: accept what no further step can better
+    return (FOUND if previous <= 1e-12 * abs(x) else NOT_CONVERGED), x
+
+
+def pressure_at(x, rho, p0, e0, guess, par):
+    """(status, p) on the Hugoniot at a given density: Newton in p, exact in one step for a law linear in energy."""
+    p = guess
+    for _ in range(60):
+        e = e0 + 0.5 * (p + p0) * x
+        h = pressure(rho, e, par) - p
+        slope = 0.5 * pressure_derivatives(rho, e, par)[1] * x - 1.0
+        if slope >= 0.0 or not math.isfinite(h):
+            return _pressure_by_bracket(x, rho, p0, e0, par)
+        step = -h / slope
+        p += step
+        if abs(step) <= _EPSILON * abs(p):
+            return FOUND, p
+    return (FOUND, p) if abs(step) <= 1e-12 * abs(p) else _pressure_by_bracket(x, rho, p0, e0, par)
+
+
+def _pressure_by_bracket(x, rho, p0, e0, par):
+    """(status, p) by doubling and halving, for laws whose slope misleads Newton's method (tables, phase changes)."""
+    high = max(abs(p0), 1.0)
+    for _ in range(_TRIES):
+        if pressure(rho, e0 + 0.5 * (high + p0) * x, par) - high < 0.0:
+            break
+        high *= 2.0
+        if high > 1e20:
+            return BEYOND_LIMIT, high
+    low = p0
+    if not pressure(rho, e0 + p0 * x, par) - p0 >= 0.0:
+        return NOT_COMPRESSIVE, p0
+    for _ in range(_TRIES):
+        p = 0.5 * (low + high)
+        if pressure(rho, e0 + 0.5 * (p + p0) * x, par) - p < 0.0:
+            high = p
+        else:
+            low = p
+        if high - low <= _EPSILON * high:
+            break
+    return FOUND, 0.5 * (low + high)
+
+
+def shocked(mode, target, guess, least, most, v0, p0, e0, par):
+    """(status, x, p, e) behind a shock from (v0, p0, e0).
+
+    target        as in `line`; for BY_DENSITY the density
+    guess         first x to try; (least, most) the interval of x in which the law is defined
+    """
+    if mode == BY_DENSITY:
+        x = v0 - 1.0 / target
+        if x < least or x >= most:
+            return (NOT_COMPRESSIVE if x < least else BEYOND_LIMIT), x, p0, e0
+        status, p = pressure_at(x, target, p0, e0, pressure(target, e0 + p0 * x, par), par)
+        if status == FOUND and p < p0:
+            status = BEYOND_LIMIT
+        return status, x, p, e0 + 0.5 * (p + p0) * x
+    status, low, high = bracket(mode, target, guess, least, most, v0, p0, e0, par)
+    if status != FOUND:
+        return status, low, p0, e0
+    status, x = polish(mode, target, low, high, v0, p0, e0, par)
+    p, e, _, _ = line(mode, target, x, p0, e0)
+    return status, x, p, e
+
+
+def first_guess(mode, target, v0, p0, c0):
+    """x to begin with: a linear shock-particle velocity line of slope 1.4 through the sound speed c0."""
+    if mode == BY_PRESSURE:
+        rise = max(target - p0, 0.0)
+        return v0 * rise / (c0 * c0 / v0 + 2.0 * rise)
+    if mode == BY_PARTICLE_VELOCITY:
+        return v0 * target / (c0 + 1.4 * target)
+    speed = target * v0
+    return v0 * max(speed - c0, 1e-6 * speed) / (1.4 * speed)

@@ -1,0 +1,165 @@
+"""States of a material as the tools of this room give and take them: arrays or single numbers under the field's words."""
+
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from hugoniot.errors import NoSolution, OutOfRange
+from hugoniot.laws.eos import contract
+from hugoniot.laws.eos.contract import EOS
+
+UNITS = {"density": "kg/m^3", "pressure": "Pa", "specific_internal_energy": "J/kg", "particle_velocity": "m/s", "shock_velocity": "m/s",
+         "temperature": "K", "sound_speed": "m/s", "entropy": "J/kg/K", "gruneisen": "1", "adiabatic_exponent": "1",
+         "detonation_velocity": "m/s", "reaction": "1", "time": "s", "position": "m"}
+
+
+def law_of(material) -> Any:
+    """The parameter tuple of a material's equation of state; a parameter tuple passes through."""
+    return getattr(material, "eos", material)
+
+
+def has(par, function: str) -> bool:
+    """Whether the law gives an optional function of the contract ("temperature", "entropy", "energy", "specific_heat")."""
+    return function in EOS.of(par).functions
+
+
+def evaluate(function, rho, e, par):
+    """A scalar function (rho, e, par) of the contract over numbers or arrays; numbers in, number out."""
+    if np.ndim(rho) == 0 and np.ndim(e) == 0:
+        return float(function(float(rho), float(e), par))
+    rho, e = np.broadcast_arrays(np.asarray(rho, float), np.asarray(e, float))
+    flat = [float(function(r, k, par)) for r, k in zip(rho.ravel().tolist(), e.ravel().tolist())]
+    return np.array(flat).reshape(rho.shape)
+
+
+@dataclass(frozen=True)
+class States:
+    """Points of one material along a curve: density kg/m3, pressure Pa, specific internal energy J/kg, particle velocity m/s.
+
+    Every field is a number, or an array of one shape. `shock_velocity` (m/s) is None where no shock made the state.
+    What follows from the law (temperature, sound speed, ...) is computed when asked; None where the law has no such thing.
+    """
+
+    par: Any
+    density: Any
+    pressure: Any
+    specific_internal_energy: Any
+    particle_velocity: Any
+    shock_velocity: Any = None
+    extra: dict = field(default_factory=dict)
+
+    def _derived(self, name):
+        if not has(self.par, name):
+            return None
+        return evaluate(getattr(contract, name), self.density, self.specific_internal_energy, self.par)
+
+    @property
+    def temperature(self):
+        """K, or None where the law has no temperature."""
+        return self._derived("temperature")
+
+    @property
+    def entropy(self):
+        """J/(kg K) up to the law's constant, or None where the law has no closed entropy."""
+        return self._derived("entropy")
+
+    @property
+    def sound_speed(self):
+        """Bulk sound speed, m/s; NaN where the state is unstable (c^2 < 0)."""
+        def speed(rho, e, par):
+            square = contract.sound_speed_squared(rho, e, par)
+            return math.sqrt(square) if square >= 0.0 else math.nan
+        return evaluate(speed, self.density, self.specific_internal_energy, self.par)
+
+    @property
+    def gruneisen(self):
+        """Grüneisen parameter."""
+        return evaluate(contract.gruneisen, self.density, self.specific_internal_energy, self.par)
+
+    @property
+    def adiabatic_exponent(self):
+        """rho c^2 / p."""
+        square = np.square(self.sound_speed)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            value = np.asarray(self.density) * square / np.asarray(self.pressure)
+        return value if value.ndim else float(value)
+
+    def table(self, *more: str) -> dict:
+        """Field word -> value (numbers or arrays, SI): the columns of a CSV file and the keys of JSON output."""
+        names = ["pressure", "density", "particle_velocity", "shock_velocity", "specific_internal_energy", "temperature", "sound_speed"]
+        found = {name: getattr(self, name) for name in [*names, *more]}
+        return {**found, **self.extra}
+
+    def __len__(self) -> int:
+        return int(np.size(self.density))
+
+    def __getitem__(self, index) -> "States":
+        def part(value):
+            return None if value is None else (value[index] if np.ndim(value[index]) else float(value[index]))
+        return States(self.par, part(self.density), part(self.pressure), part(self.specific_internal_energy),
+                      part(self.particle_velocity), part(self.shock_velocity), {k: part(v) for k, v in self.extra.items()})
+
+
+def density_range(par) -> tuple[float, float]:
+    """(lowest, highest) density at which the law is defined, kg/m3; zero is replaced by the smallest normal number."""
+    low, high = contract.density_limits(par)
+    return max(float(low), 1e-300), float(high)
+
+
+def energy_at(par, density: float, pressure: float) -> float:
+    """Specific internal energy, J/kg, at a density and a pressure: closed where the law has it, else Newton in a bracket."""
+    if has(par, "energy"):
+        return float(contract.energy(density, pressure, par))
+    e = float(contract.reference_state(par)[1])
+    for _ in range(100):
+        p_e = contract.pressure_derivatives(density, e, par)[1]
+        miss = pressure - contract.pressure(density, e, par)
+        if not (p_e > 0.0 and math.isfinite(miss)):
+            break
+        step = miss / p_e
+        e += step
+        if abs(step) <= 4e-16 * abs(e) or miss == 0.0:
+            return float(e)
+    if math.isfinite(miss) and abs(miss) <= 1e-9 * max(abs(pressure), 1.0):
+        return float(e)
+    return _energy_between(par, density, pressure)
+
+
+def _energy_between(par, density, pressure):
+    """Bisection for the energy, in an interval doubled about the reference energy until the pressure is enclosed."""
+    centre = float(contract.reference_state(par)[1])
+    width = max(abs(centre), 1e3)
+    while width < 1e13:
+        low, high = centre - width, centre + width
+        if contract.pressure(density, low, par) <= pressure <= contract.pressure(density, high, par):
+            for _ in range(120):
+                e = 0.5 * (low + high)
+                low, high = (e, high) if contract.pressure(density, e, par) < pressure else (low, e)
+            return 0.5 * (low + high)
+        width *= 2.0
+    raise NoSolution(f"no energy within {width:.3g} J/kg of the reference gives {pressure:.6g} Pa at {density:.6g} kg/m3 "
+                     f"for law '{EOS.of(par).name}': give a pressure the law reaches at that density")
+
+
+def density_at(par, pressure: float, energy: float, near: float | None = None) -> float:
+    """Density, kg/m3, at a pressure and an energy: Newton from `near` (default: the reference density), kept in the law's range."""
+    low, high = density_range(par)
+    rho = float(contract.reference_state(par)[0]) if near is None else near
+    for _ in range(200):
+        miss = pressure - contract.pressure(rho, energy, par)
+        slope = contract.pressure_derivatives(rho, energy, par)[0]
+        if not (slope > 0.0 and math.isfinite(miss)):
+            break
+        step = miss / slope
+        new = rho + step
+        if not low < new < high:
+            new = 0.5 * (rho + (low if new <= low else high)) if math.isfinite(high) else 0.5 * (rho + low)
+        if abs(new - rho) <= 4e-16 * rho:
+            return float(new)
+        rho = new
+    if math.isfinite(miss) and abs(miss) <= 1e-12 * max(abs(slope) * rho, abs(pressure)):
+        return float(rho)
+    raise OutOfRange(f"law '{EOS.of(par).name}' reaches no stable density with {pressure:.6g} Pa at {energy:.6g} J/kg "
+                     f"between {low:.6g} and {high:.6g} kg/m3")
