@@ -3,8 +3,9 @@ r"""JWL alternative for solids: JWL reference isentrope with rho Gamma constant.
 $$p = A\left(1 - \frac{\Gamma_0}{R_1}\right)e^{-R_1V} + B\left(1 - \frac{\Gamma_0}{R_2}\right)e^{-R_2V} + \rho_0\Gamma_0e,
   \qquad V = \rho_0/\rho$$
 
-Its isentropes are $e_S = h_S(V) + a\,e^{-\Gamma_0V}$ with $h_S = (A/R_1\,e^{-R_1V} + B/R_2\,e^{-R_2V})/\rho_0$; the rest
-state is (rho0, e) at zero pressure. Hugoniot (S-E12: the printed numerator counts e_u twice; with rho_Gamma the constant rho0 Gamma0, S-E14):
+Its isentropes are $e_S = h_S(V) + a\,e^{-\Gamma_0V}$ with $h_S = (A/R_1\,e^{-R_1V} + B/R_2\,e^{-R_2V})/\rho_0$;
+the rest state is (rho0, e) at zero pressure. Hugoniot
+(S-E12: the printed numerator counts e_u twice; with rho_Gamma the constant rho0 Gamma0, S-E14):
 $\Delta p_H = [p_\Gamma - p_u + \rho_\Gamma(e_u + p_u\Delta v)]/(1 - \tfrac12\rho_\Gamma\Delta v)$. Temperature (constant $c_v$):
 $T = T_0e^{\Gamma_0(1-V)} + (e - e_S)/c_v$ on the isentrope through the rest state.
 

@@ -1,9 +1,11 @@
 r"""Mie-Grüneisen solid on a cold curve truncated at order 3 to 6 (rho Gamma constant).
 
-$$p = P_c + \rho_0\Gamma_0(e - E_c), \qquad E_c = \sum_{n=0}^{N} e_n\eta^n, \; P_c = \rho_0\frac{dE_c}{d\eta}, \; N = 3 \ldots 6$$
+$$p = P_c + \rho_0\Gamma_0(e - E_c), \qquad E_c = \sum_{n=0}^{N} e_n\eta^n,
+  \; P_c = \rho_0\frac{dE_c}{d\eta}, \quad N = 3 \ldots 6$$
 $$(n+1)\,e_{n+1} = \Gamma_0e_n + S_n, \qquad S_n = c_0^2\left[n s^{n-1} - \tfrac{\Gamma_0}{2}(n-1)s^{n-2}\right]$$
 
-so $e_2 = (c_0^2 + \Gamma_0^2E_{00})/2$, $e_3 = (4sc_0^2 + \Gamma_0^3E_{00})/6$. The truncation is what the source used: its error grows with
+so $e_2 = (c_0^2 + \Gamma_0^2E_{00})/2$, $e_3 = (4sc_0^2 + \Gamma_0^3E_{00})/6$.
+The truncation is what the source used: its error grows with
 strain (copper, order 3: 21 % of E_c at eta = 0.3); mie_gruneisen_cold has none. The series is used as it stands in tension.
 
 Source: 004 (Jordan) eq. 5.1.11 to 5.1.13 (deleted from the source, recovered).

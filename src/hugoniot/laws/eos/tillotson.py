@@ -1,0 +1,106 @@
+r"""Tillotson equation of state: metals and rocks from rest to vapour.
+
+With $X = \rho/\rho_0$, $\mu = X - 1$, $\omega = e/(E_0X^2) + 1$:
+
+$$p_1 = \left(a + \frac{b}{\omega}\right)\rho e + A\mu + B\mu^2 \qquad (X \ge 1 \text{ or } e \le E_{iv})$$
+$$p_3 = a\rho e + \left[\frac{b\rho e}{\omega} + A\mu\,e^{-\beta(1/X - 1)}\right]e^{-\alpha(1/X - 1)^2} \qquad (X < 1,\ e \ge E_{cv})$$
+
+and for X < 1 between the two energies $p = [(e - E_{iv})p_3 + (E_{cv} - e)p_1]/(E_{cv} - E_{iv})$, continuous on every border.
+The law has no temperature and is not linear in energy.
+
+Source: Tillotson, General Atomic GA-3216 (1962); the interpolation as in Melosh, Impact Cratering (1989), App. II.
+"""
+
+import math
+from typing import NamedTuple
+
+from hugoniot.core.ops import vexp
+from hugoniot.laws.eos.contract import EOS
+
+
+class Tillotson(NamedTuple):
+    rho0: float
+    a: float
+    b: float
+    bulk_a: float
+    bulk_b: float
+    alpha: float
+    beta: float
+    e0: float
+    e_incipient: float
+    e_complete: float
+
+
+def _condensed(rho, e, par):
+    """(p, dp/drho, dp/de) of the compressed or cold branch."""
+    x = rho / par.rho0
+    mu = x - 1.0
+    q = par.b / (e / (par.e0 * x * x) + 1.0)
+    # b/omega: d(b/omega)/de = -(b/omega)(1 - 1/omega)/e and by rho +2 (b/omega)(1 - 1/omega)/rho
+    soft = q * (1.0 - q / par.b)
+    return ((par.a + q) * rho * e + mu * (par.bulk_a + par.bulk_b * mu),
+            (par.a + q + 2.0 * soft) * e + (par.bulk_a + 2.0 * par.bulk_b * mu) / par.rho0,
+            (par.a + q - soft) * rho)
+
+
+def _vapour(rho, e, par):
+    """(p, dp/drho, dp/de) of the hot expanded branch."""
+    x = rho / par.rho0
+    stretch = 1.0 / x - 1.0
+    q = par.b / (e / (par.e0 * x * x) + 1.0)
+    soft = q * (1.0 - q / par.b)
+    cold = par.bulk_a * (x - 1.0) * vexp(-par.beta * stretch)
+    decay = vexp(-par.alpha * stretch * stretch)
+    # d(stretch)/drho = -1/(x rho)
+    gain = 2.0 * par.alpha * stretch / (x * rho)
+    cold_slope = cold * par.beta / (x * rho) + par.bulk_a / par.rho0 * vexp(-par.beta * stretch)
+    return (par.a * rho * e + (q * rho * e + cold) * decay,
+            par.a * e + ((q + 2.0 * soft) * e + cold_slope + gain * (q * rho * e + cold)) * decay,
+            (par.a + (q - soft) * decay) * rho)
+
+
+def _share(e, par):
+    """Weight of the vapour branch in expansion."""
+    w = (e - par.e_incipient) / (par.e_complete - par.e_incipient)
+    return 0.0 if w < 0.0 else (1.0 if w > 1.0 else w)
+
+
+def pressure(rho, e, par):
+    p1 = _condensed(rho, e, par)[0]
+    if rho >= par.rho0 or e <= par.e_incipient:
+        return p1
+    w = _share(e, par)
+    return p1 + w * (_vapour(rho, e, par)[0] - p1)
+
+
+def pressure_derivatives(rho, e, par):
+    p1, r1, e1 = _condensed(rho, e, par)
+    if rho >= par.rho0 or e <= par.e_incipient:
+        return r1, e1
+    p3, r3, e3 = _vapour(rho, e, par)
+    w = _share(e, par)
+    jump = (p3 - p1) / (par.e_complete - par.e_incipient) if e < par.e_complete else 0.0
+    return r1 + w * (r3 - r1), e1 + w * (e3 - e1) + jump
+
+
+def reference_state(par):
+    return par.rho0, 0.0
+
+
+def density_limits(par):
+    return 0.0, math.inf
+
+
+EOS.add(
+    "tillotson", Tillotson,
+    functions=[pressure, pressure_derivatives, reference_state, density_limits],
+    example=Tillotson(2700.0, 0.5, 1.63, 75.2e9, 65e9, 5.0, 5.0, 5e6, 3e6, 13.9e6),
+    units={"rho0": "kg/m^3", "a": "1", "b": "1", "bulk_a": "Pa", "bulk_b": "Pa", "alpha": "1", "beta": "1", "e0": "J/kg",
+           "e_incipient": "J/kg", "e_complete": "J/kg"},
+    meaning={"rho0": "density at rest", "a": "a, Grüneisen parameter of the hot gas", "b": "b, a + b is the Grüneisen parameter at rest",
+             "bulk_a": "A, bulk modulus at rest", "bulk_b": "B, quadratic coefficient", "alpha": "decay of the condensed terms in vapour",
+             "beta": "decay of the cold term in vapour", "e0": "E0, energy scale of b", "e_incipient": "energy of incipient vaporisation",
+             "e_complete": "energy of complete vaporisation"},
+    box={"rho": (2400.0, 7000.0), "e": (0.0, 5e7)},
+    references=("Tillotson, General Atomic GA-3216 (1962)", "Melosh, Impact Cratering (1989), App. II"),
+)
