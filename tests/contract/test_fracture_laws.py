@@ -21,7 +21,7 @@ def test_compression_never_breaks_and_more_tension_never_heals(law):
         assert contract.damage_rate(-tension, par) == 0.0
         assert contract.failure(1.1 * tension, -1.1 * tension, v, 0.3, par) >= contract.failure(tension, -tension, v, 0.3, par)
         assert contract.damage_rate(1.1 * tension, par) >= contract.damage_rate(tension, par)
-        assert contract.tension_cap(par) > 0.0
+        assert contract.tension_cap(0.0, par) > 0.0
 
 
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: law.name)
@@ -35,11 +35,11 @@ def test_compiled_equals_python(law):
 
     @numba.njit(error_model="numpy")
     def all_three(tension, p, v, damage, par):
-        return fail(tension, p, v, damage, par), rate(tension, par), cap(par)
+        return fail(tension, p, v, damage, par), rate(tension, par), cap(0.01, par)
 
     for tension in (-2e9, 0.0, 0.4e9, 0.9e9, 3e9):
         point = tension, -0.9 * tension, 1.02, 0.4
-        expected = fail(*point, law.example), rate(tension, law.example), cap(law.example)
+        expected = fail(*point, law.example), rate(tension, law.example), cap(0.01, law.example)
         assert all_three(*point, law.example) == pytest.approx(expected, rel=1e-13)
 
 
@@ -47,7 +47,9 @@ def test_spall_stress_fails_at_its_strength():
     par = FRACTURE.get("spall_stress").build(strength=1.2e9)
     assert contract.failure(1.2e9, 0.0, 1.0, 0.0, par) == 1.0
     assert contract.failure(1.19e9, 0.0, 1.0, 0.0, par) < 1.0
-    assert contract.tension_cap(par) == 1.2e9
+    assert contract.tension_cap(0.0, par) == 1.2e9
+    assert contract.tension_cap(0.05, par) == pytest.approx(0.6e9)
+    assert contract.tension_cap(0.2, par) == 0.0
     with pytest.raises(OutOfRange, match="positive"):
         FRACTURE.get("spall_stress").build(strength=-1.0)
 

@@ -229,7 +229,7 @@ def _check_sound(built: dict, collector: Collector, path: tuple) -> None:
                             ("flow stress", flow_stress(rho, p, warm, 0.0, 0.0, built["strength"]))):
             if not (math.isfinite(value) and value >= 0.0):
                 collector.add((*path, "strength"), f"the {what} at rest must not be negative, got {value:g} Pa")
-    if built["fracture"] is not None and not tension_cap(built["fracture"]) > 0.0:
+    if built["fracture"] is not None and not tension_cap(0.0, built["fracture"]) > 0.0:
         collector.add((*path, "fracture"), f"the strength in tension must be positive, got {tension_cap(built['fracture']):g} Pa")
 
 

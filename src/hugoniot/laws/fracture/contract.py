@@ -3,7 +3,8 @@
     failure(tension, p, v, damage, par)   ratio that reaches 1 at failure; tension = s1 - p, the longitudinal tensile stress
                                           (Pa, positive in tension), p pressure (Pa), v = rho0/rho relative volume
     damage_rate(tension, par)             d(damage)/dt, 1/s (0 for laws without memory)
-    tension_cap(par)                      largest tension a zone may carry while a void nearby relieves it, Pa (core.ops.NO_LIMIT: none)
+    tension_cap(void_fraction, par)       largest tension a zone may carry, Pa, given the volume fraction of voids grown in it
+                                          (core.ops.NO_LIMIT: none; only laws flagged "voids" are asked by the solver)
 """
 
 from hugoniot.core.registry import Registry
@@ -21,9 +22,9 @@ def damage_rate(tension, par):
     return FRACTURE.of(par).functions["damage_rate"](tension, par)
 
 
-def tension_cap(par):
+def tension_cap(void_fraction, par):
     """Largest tension a zone may carry, Pa."""
-    return FRACTURE.of(par).functions["tension_cap"](par)
+    return FRACTURE.of(par).functions["tension_cap"](void_fraction, par)
 
 
 GENERICS = {"failure": failure, "damage_rate": damage_rate, "tension_cap": tension_cap}

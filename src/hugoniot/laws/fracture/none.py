@@ -23,7 +23,7 @@ def damage_rate(tension, par):
     return 0.0
 
 
-def tension_cap(par):
+def tension_cap(void_fraction, par):
     return NO_LIMIT
 
 

@@ -10,6 +10,7 @@ Source: Wilkins B.4 (a), opening of a void.
 from typing import NamedTuple
 
 from hugoniot.core.ops import fmin
+from hugoniot.core.ops import NO_LIMIT
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.fracture.contract import FRACTURE
 
@@ -27,8 +28,9 @@ def damage_rate(tension, par):
     return 0.0
 
 
-def tension_cap(par):
-    return -par.pressure_limit
+def tension_cap(void_fraction, par):
+    """The volume gate lets the tension go on beyond the pressure limit."""
+    return NO_LIMIT
 
 
 def build(pressure_limit, volume_limit=1.0):

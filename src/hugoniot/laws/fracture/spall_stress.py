@@ -1,20 +1,27 @@
-r"""Spall at a critical normal stress.
+r"""Spall at a critical normal stress, with the growth of voids around the plane that parts.
 
-$$\text{failure} = \frac{\sigma_t}{\sigma_{spall}}, \qquad \sigma_t = s_1 - p$$
+$$\text{failure} = \frac{\sigma_t}{\sigma_{spall}}, \qquad \sigma_t = s_1 - p, \qquad
+  \sigma_t \le \sigma_{spall}\left(1 - \phi/\phi_c\right)$$
 
-sigma_t is the longitudinal tensile stress (viscous pressure excluded). The material parts the moment it reaches the strength.
+sigma_t is the longitudinal tensile stress (viscous pressure excluded). Where it first reaches the strength the material parts: one
+plane, one void. Until the release from that void arrives, the zones around would go on into tensions the material cannot carry;
+there voids grow instead (volume fraction phi), at the strength, which falls to nothing when they coalesce at phi_c. They close
+again at zero pressure. A zone with voids in it opens no second plane.
 
-Source: Herrmann WL-TR-64-107, section VI (spall at a critical tensile stress); Wilkins B.4 (a) names such criteria.
+Source: Herrmann WL-TR-64-107, section VI (spall at a critical tensile stress); Wilkins B.4 (a) names such criteria. The growth of
+voids at the strength, and its linear fall with their fraction, close the model here; neither source prints a rule for it.
 """
 
 from typing import NamedTuple
 
+from hugoniot.core.ops import fmax
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.fracture.contract import FRACTURE
 
 
 class SpallStress(NamedTuple):
     strength: float
+    coalescence: float = 0.1
 
 
 def failure(tension, p, v, damage, par):
@@ -25,15 +32,17 @@ def damage_rate(tension, par):
     return 0.0
 
 
-def tension_cap(par):
-    return par.strength
+def tension_cap(void_fraction, par):
+    return par.strength * fmax(1.0 - void_fraction / par.coalescence, 0.0)
 
 
-def build(strength):
-    """Parameters; strength is a positive tension."""
+def build(strength, coalescence=0.1):
+    """Parameters; strength is a positive tension, coalescence a volume fraction between 0 and 1."""
     if not strength > 0.0:
         raise OutOfRange(f"strength = {strength:g} Pa must be positive (tension); leave [fracture] out for a material that never spalls")
-    return SpallStress(strength)
+    if not 0.0 < coalescence < 1.0:
+        raise OutOfRange(f"coalescence = {coalescence:g} must lie between 0 and 1 (it is a volume fraction of voids)")
+    return SpallStress(strength, coalescence)
 
 
 FRACTURE.add(
@@ -41,8 +50,11 @@ FRACTURE.add(
     functions=[failure, damage_rate, tension_cap],
     example=SpallStress(1.0e9),
     build=build,
-    units={"strength": "Pa"},
-    meaning={"strength": "longitudinal tension at which the material parts"},
+    units={"strength": "Pa", "coalescence": "1"},
+    meaning={"strength": "longitudinal tension at which the material parts",
+             "coalescence": "void fraction at which a zone has lost its strength"},
+    defaults={"coalescence": 0.1},
     box={"tension": (-1e11, 1e10), "p": (-1e10, 1e11), "v": (0.3, 1.5), "damage": (0.0, 1.0)},
     references=("Herrmann, WL-TR-64-107, section VI", "Wilkins, B.4 (a)"),
+    flags=("voids",),
 )

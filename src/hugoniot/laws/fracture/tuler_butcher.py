@@ -34,7 +34,7 @@ def damage_rate(tension, par):
     return vpow(excess, par.exponent) / par.critical_time if excess > 0.0 else 0.0
 
 
-def tension_cap(par):
+def tension_cap(void_fraction, par):
     """The criterion bounds an integral, not the tension itself."""
     return NO_LIMIT
 

@@ -10,6 +10,7 @@ import sys
 from hugoniot.core.compile import bind_choice, bind_module
 from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.laws.eos.contract import temperature
+from hugoniot.laws.fracture.contract import FRACTURE, tension_cap
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress
 from hugoniot.mesh.line import hoops
 
@@ -32,6 +33,22 @@ def law_temperature(rho, e, eos, strength):
 def hardens(strength):
     """Whether the flow stress depends on the plastic strain."""
     return "hardens" in STRENGTH.of(strength).flags
+
+
+def grows_voids(fracture):
+    """Whether a failing zone grows voids at a tension its law caps."""
+    return "voids" in FRACTURE.of(fracture).flags
+
+
+def void_change(p, tension, stiffness, voids, density, fracture):
+    """(change of the void volume per mass, change of the pressure): voids grow at the capped tension and close at zero pressure.
+
+    stiffness = rho^2 c_b^2 of the solid, -dp/dv: the changes are consistent to first order, and the next step's equation of
+    state, which sees the solid's own volume, takes up the rest.
+    """
+    excess = fmax(tension - tension_cap(voids * density, fracture), 0.0)
+    closing = fmin(voids * stiffness, fmax(p, 0.0))
+    return (excess - closing) / stiffness, excess - closing
 
 
 def yes(par):
@@ -108,4 +125,5 @@ def bind():
     bind_choice(strength_temperature, asks("needs_temperature", law_temperature, no_temperature))
     bind_choice(strain_rate, asks("needs_rate", equivalent_rate, no_rate))
     bind_choice(hardens, asks("hardens", yes, no))
+    bind_choice(grows_voids, lambda cls: yes if "voids" in FRACTURE.of_class(cls).flags else no)
     bind_module(sys.modules[__name__])

@@ -7,11 +7,11 @@ zone z of segment k stands at z + 2k + 1.
 
 # -- rows of the zone table -------------------------------------------------------------------------------------
 (MASS, INVERSE_MASS, RHO, E, P, Q, S1, S2, SIGMA, HOOP, C, PLASTIC_STRAIN, DAMAGE, SIGMA_HALF, HOOP_HALF, VISCOUS_SPEED,
- PLASTIC_WORK, VISCOUS_WORK, PEAK_STRESS, PEAK_TENSION, PEAK_PRESSURE, FAILURE, TAG, OLD, PEAK_DENSITY) = range(25)
-ZONE_ROWS = 25
+ PLASTIC_WORK, VISCOUS_WORK, PEAK_STRESS, PEAK_TENSION, PEAK_PRESSURE, FAILURE, TAG, OLD, PEAK_DENSITY, VOIDS) = range(26)
+ZONE_ROWS = 26
 # SIGMA = p + q - s1, the longitudinal stress in compression; HOOP = (d-1) V (s2 - s1)/(r1 + r2), the force of the hoop
 # stress on each of the zone's nodes; the _HALF rows are their values in the middle of the step. TAG marks zones that a
-# nearby void is relieving; OLD is scratch of one sweep.
+# nearby void is relieving; VOIDS is the volume of voids grown in a zone per its mass (m3/kg); OLD is scratch of one sweep.
 
 # -- rows of the node table -------------------------------------------------------------------------------------
 R, U, R_HALF, U_MEAN, NODE_MASS, INVERSE_NODE_MASS, BOND = range(7)

@@ -7,7 +7,8 @@ import numba as nb
 from hugoniot.core.compile import GUARD
 from hugoniot.solvers.lagrange1d.layout import *  # noqa: F403
 
-RELIEVED = 0.98       # a zone below this fraction of its failure limit is no longer part of a failing patch
+RELIEVED = 0.02       # a zone below this fraction of its failure limit is out of the tension that opened a void
+VOIDED = 1e-3         # void fraction from which a zone belongs to an older spall plane and opens none of its own
 CHATTER = 1e-6        # tension, in units of rho c^2, below which a strengthless interface stays closed (Herrmann A.7)
 TOUCHING = 1e-6       # gap, in units of the neighbouring zones, that counts as closed
 
@@ -37,9 +38,10 @@ def unsound(zones, count):
 def failing_node(zones, segments, control, counters):
     """Node at which a void opens now, or -1; marks the zones the void will relieve.
 
-    A patch is a stretch of neighbouring zones at their failure limit. It opens at one node only, the one with the most
-    strained neighbours; the zones of an opened patch, and those that join it later, are marked and open no second void
-    until they have been relieved: one spall plane is one void.
+    A patch is a stretch of neighbouring zones in tension. When one of them reaches its limit the patch opens at one node, the
+    one with the most strained neighbours; its zones, and those that join it later, are marked: they hold at the cap of their
+    law, and open no second void, until the release from the void has reached them; nor does a zone in which voids have grown.
+    One spall plane is one void, and a later pulse is free to open another elsewhere (multiple spall of a decaying pulse).
     """
     worst_node, worst = -1, 0.0
     marked = 0
@@ -62,7 +64,7 @@ def failing_node(zones, segments, control, counters):
                 for i in range(start, z):
                     zones[TAG, i] = 1.0
                 marked += z - start
-            elif peak >= 1.0 and peak > worst and last - first > 1:
+            elif peak >= 1.0 and peak > worst and last - first > 1 and zones[VOIDS, at] * zones[RHO, at] < VOIDED:
                 left = zones[FAILURE, at - 1] if at > first else -1.0
                 right = zones[FAILURE, at + 1] if at + 1 < last else -1.0
                 worst, worst_node = peak, (at if left > right else at + 1) + k

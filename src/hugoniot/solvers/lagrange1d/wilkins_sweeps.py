@@ -10,16 +10,18 @@ import numba as nb
 from hugoniot.core.compile import GUARD, SWEEP, bind_choice, parameters
 from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.laws.eos.contract import EOS, pressure, pressure_derivatives
-from hugoniot.laws.fracture.contract import damage_rate, failure, tension_cap
+from hugoniot.laws.fracture.contract import damage_rate, failure
 from hugoniot.laws.strength.contract import shear_modulus
 from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.mesh.line import hoops, volume
 from hugoniot.solvers.lagrange1d.constitutive import (
+    grows_voids,
     no,
     radial_return,
     strain_rate,
     strength_temperature,
     trial_deviators,
+    void_change,
     von_mises,
     yes,
     yield_at,
@@ -115,7 +117,7 @@ def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
     sigma, q_, torn = zones[SIGMA, first:last], zones[Q, first:last], zones[FAILURE, first:last]
     force, width, old = zones[HOOP, first:last], zones[OLD, first:last], zones[SIGMA_HALF, first:last]
     plastic, viscous = zones[PLASTIC_WORK, first:last], zones[VISCOUS_WORK, first:last]
-    cap = tension_cap(fracture)
+    voids = zones[VOIDS, first:last]
     rho0 = rows[4][0]
     fastest, worst, capped = 0.0, 0.0, 0.0
     for j in range(n):
@@ -124,6 +126,8 @@ def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         v = volume(r1, r2, geometry) * im[j]
         dv, v_half = v - v_old, 0.5 * (v + v_old)
         rho, rho_half = 1.0 / v, 1.0 / v_half
+        if grows_voids(fracture):
+            rho = 1.0 / (v - voids[j])
         du, dr = u2 - u1, r2 - r1
         dilation = dv * rho_half
         radial = dt * du / (dr - 0.5 * dt * du)
@@ -156,13 +160,19 @@ def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         tension = t1 - p
         hurt_now = hurt[j] + dt * damage_rate(tension, fracture)
         ratio = failure(tension, p, rho0 * v, hurt_now, fracture)
-        capped += 1.0 if tension > cap else 0.0
-        p = fmax(p, t1 - cap)
-        c2 = p_rho + (p * p_e * v + (4.0 / 3.0) * shear) * v
+        bulk2 = p_rho + p * p_e * v * v
+        if grows_voids(fracture):
+            bulk2 = p_rho + p * p_e / (rho * rho)
+            grown, relief = void_change(p, tension, rho * rho * bulk2, voids[j], rho, fracture)
+            voids[j] += grown
+            p += relief
+            energy -= 0.5 * relief * dv
+            capped += 1.0 if relief > 0.0 else 0.0
+        c2 = bulk2 + (4.0 / 3.0) * shear * v
         b2 = 8.0 * (viscous_speed(rho, 0.0, 0.0, squeeze, 0.0, viscosity) - squeeze)
         fastest = fmax(fastest, (c2 + b2 * b2) / (dr * dr))
         worst = fmax(worst, ratio)
-        rho_[j] = rho
+        rho_[j] = 1.0 / v
         e_[j] = energy
         p_[j] = p
         c_[j] = vsqrt(c2)

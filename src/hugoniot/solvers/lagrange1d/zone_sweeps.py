@@ -11,15 +11,17 @@ import numba as nb
 from hugoniot.core.compile import SWEEP, parameters
 from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.laws.eos.contract import pressure, pressure_derivatives
-from hugoniot.laws.fracture.contract import damage_rate, failure, tension_cap
+from hugoniot.laws.fracture.contract import damage_rate, failure
 from hugoniot.laws.strength.contract import shear_modulus
 from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.mesh.line import area, hoops, volume
 from hugoniot.solvers.lagrange1d.constitutive import (
+    grows_voids,
     radial_return,
     strain_rate,
     strength_temperature,
     trial_deviators,
+    void_change,
     von_mises,
     yield_at,
 )
@@ -33,6 +35,7 @@ def predict(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
     """Stress in the middle of the step, from the state at its start and the predicted mean velocity."""
     eos = parameters(law[0], rows[0])
     strength = parameters(law[1], rows[1])
+    fracture = parameters(law[2], rows[2])
     viscosity = parameters(law[3], rows[3])
     a, b = first + segment, last + segment
     n = last - first
@@ -44,12 +47,15 @@ def predict(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
     sigma, hoop_force = zones[SIGMA, first:last], zones[HOOP, first:last]
     q_out, speed_out = zones[Q, first:last], zones[VISCOUS_SPEED, first:last]
     sigma_half, hoop_half = zones[SIGMA_HALF, first:last], zones[HOOP_HALF, first:last]
+    voids = zones[VOIDS, first:last]
     half = 0.5 * dt
     for j in range(n):
         r1, r2, u1, u2 = rh[j], rh[j + 1], u[j], u[j + 1]
         rate = area(r2, geometry) * u2 - area(r1, geometry) * u1
         size = volume(r1, r2, geometry)
         rho = mass[j] / size
+        if grows_voids(fracture):
+            rho = mass[j] / (size - mass[j] * voids[j])
         energy = e[j] + half * im[j] * (hoop_force[j] * (u1 + u2) - sigma[j] * rate)
         p = pressure(rho, energy, eos)
         dilation = half * rate / size
@@ -65,6 +71,8 @@ def predict(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         pace = strain_rate(radial, hoop, dilation, half, geometry, strength)
         limit, _ = yield_at(von_mises(t1, t2, geometry), shear, (rho, p, heat, pace), eps[j], strength)
         t1, t2 = radial_return(t1, t2, limit, geometry)
+        if grows_voids(fracture):
+            p += void_change(p, t1 - p, rho * bulk, voids[j], rho, fracture)[1]
         du = u2 - u1
         # smoothness of the velocity field (Caramana, Shashkov and Whalen 1998, J. Comput. Phys. 144, 70): ratios of the
         # neighbours' gradients to this one; 1 in a linear field, 0 at a shock or an extremum
@@ -98,7 +106,7 @@ def correct(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
     q, speed, torn = zones[Q, first:last], zones[VISCOUS_SPEED, first:last], zones[FAILURE, first:last]
     sigma_half, hoop_half = zones[SIGMA_HALF, first:last], zones[HOOP_HALF, first:last]
     plastic, viscous = zones[PLASTIC_WORK, first:last], zones[VISCOUS_WORK, first:last]
-    cap = tension_cap(fracture)
+    voids = zones[VOIDS, first:last]
     rho0 = rows[4][0]
     fastest, worst, radial_impulse, capped = 0.0, 0.0, 0.0, 0.0
     for j in range(n):
@@ -116,9 +124,11 @@ def correct(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         end_size = volume(r[j], r[j + 1], geometry)
         v = end_size * im[j]
         rho = mass[j] / end_size
+        if grows_voids(fracture):
+            rho = mass[j] / (end_size - mass[j] * voids[j])
         p = pressure(rho, energy, eos)
         p_rho, p_e = pressure_derivatives(rho, energy, eos)
-        c2 = p_rho + p * p_e * v * v
+        c2 = p_rho + p * p_e / (rho * rho)
         heat = strength_temperature(rho, energy, eos, strength)
         shear = shear_modulus(rho, p, heat, rho * c2, strength)
         t1, t2 = trial_deviators(s1[j], s2[j], radial, hoop, dilation, shear)
@@ -128,14 +138,17 @@ def correct(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         tension = t1 - p
         hurt_now = hurt[j] + dt * damage_rate(tension, fracture)
         ratio = failure(tension, p, rho0 * v, hurt_now, fracture)
-        capped += 1.0 if tension > cap else 0.0
-        p = fmax(p, t1 - cap)
-        c = vsqrt(c2 + (4.0 / 3.0) * shear * v)
+        if grows_voids(fracture):
+            grown, relief = void_change(p, tension, rho * rho * c2, voids[j], rho, fracture)
+            voids[j] += grown
+            p += relief
+            capped += 1.0 if relief > 0.0 else 0.0
+        c = vsqrt(c2 + (4.0 / 3.0) * shear / rho)
         inverse = 1.0 / (r[j + 1] - r[j])
         g[j] = (ue[j + 1] - ue[j]) * inverse
         fastest = fmax(fastest, (c + 2.0 * speed[j]) * inverse)
         worst = fmax(worst, ratio)
-        rho_[j] = rho
+        rho_[j] = 1.0 / v
         e_[j] = energy
         p_[j] = p
         c_[j] = c
