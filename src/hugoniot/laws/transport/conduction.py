@@ -1,0 +1,73 @@
+r"""Heat conduction: none, by Prandtl number, constant, or a power of temperature.
+
+$$k = 0, \qquad k = \mu c_p/\mathrm{Pr}, \qquad k = k_0, \qquad k = k_0\,(T/T_0)^{\omega}$$
+
+The isobaric specific heat is that of the equation of state itself, $c_p = c_v c^2/(c^2 - \Gamma^2 c_v T)$, so that a Prandtl number
+means the same for a gas and for a liquid. Source: 004 (Jordan) section 6.3 (Pr = 2/3 for argon) and tables 7.1.1, 7.2.1.
+"""
+
+from typing import NamedTuple
+
+from hugoniot.core.ops import vpow
+from hugoniot.laws.transport.contract import CONDUCTION
+
+_BOX = {"rho": (1e-3, 1e4), "T": (50.0, 1e5)}
+
+
+class NoConduction(NamedTuple):
+    pass
+
+
+class PrandtlConduction(NamedTuple):
+    prandtl: float
+
+
+class ConstantConduction(NamedTuple):
+    conductivity: float
+
+
+class PowerLawConduction(NamedTuple):
+    conductivity: float
+    exponent: float
+    reference_temperature: float
+
+
+def no_conductivity(rho, T, mu, cp, par):
+    return 0.0
+
+
+def prandtl_conductivity(rho, T, mu, cp, par):
+    return mu * cp / par.prandtl
+
+
+def constant_conductivity(rho, T, mu, cp, par):
+    return par.conductivity
+
+
+def power_law_conductivity(rho, T, mu, cp, par):
+    return par.conductivity * vpow(T / par.reference_temperature, par.exponent)
+
+
+CONDUCTION.add(
+    "none", NoConduction, functions={"conductivity": no_conductivity}, example=NoConduction(), units={}, meaning={}, box=_BOX,
+    references=("Jordan 2011, section 7.1: conduction in water is small beside the shear stress",),
+)
+CONDUCTION.add(
+    "prandtl", PrandtlConduction, functions={"conductivity": prandtl_conductivity}, example=PrandtlConduction(2.0 / 3.0),
+    units={"prandtl": "1"}, meaning={"prandtl": "Prandtl number mu c_p / k"}, box=_BOX,
+    references=("Jordan 2011, section 6.3 and tables 7.1.1, 7.2.1",),
+)
+CONDUCTION.add(
+    "constant", ConstantConduction, functions={"conductivity": constant_conductivity}, example=ConstantConduction(0.0177),
+    units={"conductivity": "W/m/K"}, meaning={"conductivity": "heat conductivity"}, box=_BOX,
+    references=("Fourier's law; Bird, Stewart and Lightfoot, Transport Phenomena (1960), eq. 8.1-6",),
+)
+CONDUCTION.add(
+    "power_law", PowerLawConduction, functions={"conductivity": power_law_conductivity},
+    example=PowerLawConduction(0.0177, 0.81, 300.0),
+    units={"conductivity": "W/m/K", "exponent": "1", "reference_temperature": "K"},
+    meaning={"conductivity": "heat conductivity at the reference temperature", "exponent": "power of the temperature",
+             "reference_temperature": "temperature of the given conductivity"},
+    defaults={"exponent": 0.81, "reference_temperature": 300.0}, box=_BOX,
+    references=("Jordan 2011, section 6.2, power law model", "Bird, Molecular Gas Dynamics (1994), section 4.3"),
+)

@@ -1,0 +1,31 @@
+r"""Maxwell molecules: repulsion with the inverse fifth power of distance makes the viscosity proportional to temperature.
+
+$$\mu = \mu_0\,T/T_0$$
+
+The other meaning of "Maxwell" in kinetic theory (004 section 6.2 names Maxwell without saying which; A5, J-E4).
+Source: Chapman and Cowling, The Mathematical Theory of Non-uniform Gases, section 12.32.
+"""
+
+from typing import NamedTuple
+
+from hugoniot.laws.transport.contract import TRANSPORT
+
+
+class MaxwellMoleculesViscosity(NamedTuple):
+    shear_viscosity: float
+    reference_temperature: float
+
+
+def viscosity(rho, T, par):
+    return par.shear_viscosity * T / par.reference_temperature
+
+
+TRANSPORT.add(
+    "maxwell_molecules", MaxwellMoleculesViscosity, functions=[viscosity], example=MaxwellMoleculesViscosity(2.27e-5, 300.0),
+    units={"shear_viscosity": "Pa s", "reference_temperature": "K"},
+    meaning={"shear_viscosity": "shear viscosity at the reference temperature",
+             "reference_temperature": "temperature of the given viscosity"},
+    box={"rho": (1e-3, 1e2), "T": (50.0, 1e5)},
+    references=("Chapman and Cowling, The Mathematical Theory of Non-uniform Gases (1970), section 12.32",),
+    flags=("needs_temperature",),
+)

@@ -1,0 +1,34 @@
+r"""Shear viscosity as a power of temperature.
+
+$$\mu = \mu_0\,(T/T_0)^{\omega}$$
+
+Argon: $\omega = 0.81$ (004 section 6.2; also the value of Bird's VHS model). This law makes both the "power law" and the "Maxwell"
+rows of 004's table 6.2.1.1: the same profile in two mean-free-path units (A5, J-E4; see mean_free_path).
+"""
+
+from typing import NamedTuple
+
+from hugoniot.core.ops import vpow
+from hugoniot.laws.transport.contract import TRANSPORT
+
+
+class PowerLawViscosity(NamedTuple):
+    shear_viscosity: float
+    exponent: float
+    reference_temperature: float
+
+
+def viscosity(rho, T, par):
+    return par.shear_viscosity * vpow(T / par.reference_temperature, par.exponent)
+
+
+TRANSPORT.add(
+    "power_law", PowerLawViscosity, functions=[viscosity], example=PowerLawViscosity(2.27e-5, 0.81, 300.0),
+    units={"shear_viscosity": "Pa s", "exponent": "1", "reference_temperature": "K"},
+    meaning={"shear_viscosity": "shear viscosity at the reference temperature", "exponent": "power of the temperature",
+             "reference_temperature": "temperature of the given viscosity"},
+    defaults={"exponent": 0.81, "reference_temperature": 300.0},
+    box={"rho": (1e-3, 1e2), "T": (50.0, 1e5)},
+    references=("Jordan 2011, section 6.2, power law model", "Bird, Molecular Gas Dynamics (1994), section 4.3"),
+    flags=("needs_temperature",),
+)
