@@ -9,15 +9,22 @@ from dataclasses import replace
 from hugoniot.materials.material import Source
 from hugoniot.materials.schema import Row
 
-ROOM_TEMPERATURE = 298.15  # K, at which the tables of specific heats and of unreacted explosives are taken
+ROOM_TEMPERATURE = 298.15  # K, of the tables of specific heats
+REST_TEMPERATURE = 298.0  # K, at which sets of unreacted explosives are calibrated to zero pressure
+UNIVERSAL_GAS_CONSTANT = 8.31446261815324  # J/(mol K), exact in the SI of 2019
 Card = dict[str, Source | str]
 
 _LAW_OF_FORM = {"linear": "mie_gruneisen", "quadratic": "mie_gruneisen_quadratic", "steinberg_cubic": "mie_gruneisen_cubic"}
+_PARAMETERS = {
+    "linear": {"rho0": "rho0", "c0": "c0", "s": "s"},
+    "quadratic": {"rho0": "rho0", "c0": "c0", "s1": "s", "s2": "quadratic"},
+    "steinberg_cubic": {"rho0": "rho0", "c0": "c0", "s1": "s", "s2": "s2", "s3": "s3"},
+}
 
 
 def card(row: Row) -> Card:
     """The law table of a row: `law` and its parameters; ValueError where no law of the package takes the row as it stands."""
-    makers = {"us_up": _us_up, "strength": _strength, "jwl": _jwl, "tillotson": _tillotson}
+    makers = {"us_up": _us_up, "strength": _strength, "jwl": _jwl, "tillotson": _tillotson, "gases": _gas, "ignition_growth": _reactant}
     if row.table not in makers:
         raise ValueError(f"row {row.id} of the table {row.table} is not the table of one law")
     return makers[row.table](row)
@@ -30,12 +37,10 @@ def _us_up(row: Row) -> Card:
     if "rho0" not in row:
         raise ValueError(f"row {row.id} gives no density: it serves for comparison only")
     found: Card = {"law": _LAW_OF_FORM[form]}
-    names = {"quadratic": ("quadratic",), "steinberg_cubic": ("s2", "s3")}.get(form, ())
-    for name in ("rho0", "c0", "s", *names):
-        found[name] = row.constant(name)
+    for name, column in _PARAMETERS[form].items():
+        found[name] = row.constant(column, name)
     found["gamma0"] = row.constant("gamma0") if "gamma0" in row else estimated_gamma(row)
-    if form == "linear":
-        found |= _gamma_form(row)
+    found |= _gamma_form(row)
     if "heat_capacity" in row:
         found["specific_heat"] = specific_heat(row, found)
     return found
@@ -66,7 +71,7 @@ def specific_heat(row: Row, found: Card) -> Source:
     An identity of thermodynamics: c_p/c_v = 1 + alpha Gamma T with alpha = Gamma c_p / c0^2.
     """
     given = row.constant("heat_capacity", "specific_heat")
-    if row.get("heat_type") != "cp":
+    if row.table == "us_up" and row.get("heat_type") != "cp":
         return given
     gamma, c0 = found["gamma0"].value, found["c0"].value
     value = given.value / (1.0 + gamma * gamma * given.value * ROOM_TEMPERATURE / (c0 * c0))
@@ -113,8 +118,7 @@ def _jwl(row: Row) -> Card:
     if heat is not None:
         found["specific_heat"] = replace(row.constant("heat_capacity_volume", "specific_heat"), value=heat / row["rho0"], unit="J/kg/K")
     if row["role"] == "unreacted":
-        note = f"row {row.id}: thermal energy c_v T at {ROOM_TEMPERATURE} K, so that the pressure at rest is near zero"
-        found["e0"] = replace(row.constant("heat_capacity_volume", "e0"), value=heat * 298.0, unit="J/m^3", status="derived", note=note)
+        found["e0"] = _thermal_energy(row, row.constant("heat_capacity_volume"))
     elif "e0" in row:
         found["e0"] = row.constant("e0")
     elif "e0_from_isentrope" in row:
@@ -123,6 +127,34 @@ def _jwl(row: Row) -> Card:
     else:
         raise ValueError(f"row {row.id} gives no detonation energy E0")
     return found
+
+
+def _reactant(row: Row) -> Card:
+    """The unreacted explosive of an ignition-and-growth set."""
+    if "unreacted_a" not in row:
+        raise ValueError(f"row {row.id} gives no unreacted equation of state")
+    found: Card = {"law": "jwl", "rho0": row.constant("rho0")}
+    for name in ("a", "b", "r1", "r2", "omega"):
+        found[name] = row.constant(f"unreacted_{name}", name)
+    heat = row.constant("unreacted_heat_capacity", "specific_heat")
+    found["specific_heat"] = replace(heat, value=heat.value / row["rho0"], unit="J/kg/K")
+    found["e0"] = _thermal_energy(row, heat)
+    return found
+
+
+def _thermal_energy(row: Row, heat: Source) -> Source:
+    note = f"row {row.id}: thermal energy c_v T at {REST_TEMPERATURE:g} K, so that the pressure at rest is near zero"
+    return replace(heat, quantity="e0", value=heat.value * REST_TEMPERATURE, unit="J/m^3", status="derived", note=note)
+
+
+def _gas(row: Row) -> Card:
+    """Ideal gas: R = R_u/M, c_v = R/(gamma - 1), density at the stated pressure and the temperature the law has at rest."""
+    gas_constant = row["gas_constant"] if "gas_constant" in row else UNIVERSAL_GAS_CONSTANT / row["molar_mass"]
+    derived = replace(row.constant("molar_mass"), status="derived", note=f"row {row.id}: from its molar mass or gas constant, at {row['pressure']:g} Pa and {ROOM_TEMPERATURE} K")
+    heat, rho0 = gas_constant / (row["gamma"] - 1.0), row["pressure"] / (gas_constant * ROOM_TEMPERATURE)
+    return {"law": "ideal_gas", "gamma": row.constant("gamma"),
+            "specific_heat": replace(derived, quantity="specific_heat", value=heat, unit="J/kg/K"),
+            "rho0": replace(derived, quantity="rho0", value=rho0, unit="kg/m^3")}
 
 
 def _tillotson(row: Row) -> Card:

@@ -41,6 +41,7 @@ class Entry:
     others       family -> ids of rows of other sources
     unreacted    parameters of the equation of state of the unreacted explosive
     detonation   name -> Source: measured velocity (m/s), CJ pressure (Pa), Gurney velocity (m/s), id of an ignition-and-growth row
+    rows         ids of the rows the constants come from, in order of first use
     curated      False for a material made of a single row, without a person's choice
     """
 
@@ -54,18 +55,13 @@ class Entry:
     missing: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     unreacted: Any = None
-    detonation: Mapping[str, Source] = field(default_factory=dict)
+    rows: tuple[str, ...] = ()
     file: str = ""
     curated: bool = True
 
-    def rows(self) -> tuple[str, ...]:
-        """Ids of the rows the constants come from, in order of first use."""
-        found = (part for s in self.material.sources for part in s.note.replace(";", " ").split() if schema.is_row(part))
-        return tuple(dict.fromkeys(found))
-
     def comparison_rows(self) -> tuple[str, ...]:
         """Rows used and rows of other sources."""
-        return tuple(dict.fromkeys((*self.rows(), *(i for ids in self.others.values() for i in ids))))
+        return tuple(dict.fromkeys((*self.rows, *(i for ids in self.others.values() for i in ids))))
 
 
 def read_file(path: Path) -> dict:
@@ -99,6 +95,7 @@ class _Reader:
         self.reasons: dict[str, str] = {}
         self.others: dict[str, tuple[str, ...]] = {}
         self.marks: list[str] = []
+        self.rows: list[str] = []
 
     def read(self, tables: dict, words: dict) -> Entry | None:
         plain = {k: v for k, v in tables.items() if k not in WORDS}
@@ -118,7 +115,8 @@ class _Reader:
         material = replace(material, sources=(*material.sources, *self.sources), warnings=warnings)
         said = {k: tables.get(k, words.get(k, d)) for k, d in (("title", self.name), ("category", "user"), ("aliases", ()))}
         return Entry(self.name, said["title"], said["category"], material, tuple(said["aliases"]), self.reasons, self.others,
-                     _lines(tables.get("missing", ())), _lines(tables.get("notes", ())), unreacted, detonation, self.file)
+                     _lines(tables.get("missing", ())), _lines(tables.get("notes", ())), unreacted, detonation,
+                     tuple(dict.fromkeys(self.rows)), self.file)
 
     def law(self, family: str, table: dict) -> dict:
         """The table of one law with every value plain: SI numbers, or texts with units that the deck's reader takes."""
@@ -129,12 +127,18 @@ class _Reader:
             if not schema.is_row(identity):
                 self.collector.add((*path, "others"), f"the library has no row '{identity}'")
         card = self.card(path, table.pop("row")) if "row" in table else {}
-        merged = {**card, **table}
+        return self.plain(family, "eos" if family == "unreacted" else family, {**card, **table})
+
+    def plain(self, place: str, family: str, merged: dict) -> dict:
+        """Every value of a law table resolved; `place` names the table in the list of sources."""
         units = self.units(family, merged.get("law"))
-        plain = {}
-        for key, value in merged.items():
-            plain[key] = value if key == "law" else self.value(f"{family}.{key}", value, units.get(key, "1"))
-        return plain
+        heat = merged.get("specific_heat")
+        if isinstance(heat, str) and heat.endswith(".heat_capacity") and schema.is_row(heat.split(".")[0]):
+            row = schema.row(heat.split(".")[0])
+            self.use(row)
+            numbers = {k: schema.cell(v) if isinstance(v, str) else v for k, v in merged.items() if k in ("gamma0", "c0")}
+            merged["specific_heat"] = cards.specific_heat(row, numbers)
+        return {k: v if k == "law" else self.value(f"{place}.{k}", v, units.get(k, "1")) for k, v in merged.items()}
 
     def card(self, path: tuple, identity: Any) -> dict:
         if not (isinstance(identity, str) and schema.is_row(identity)):
@@ -146,8 +150,13 @@ class _Reader:
         except ValueError as error:
             self.collector.add((*path, "row"), str(error))
             return {}
-        self.marks += row.marks
+        self.use(row)
         return found
+
+    def use(self, row: schema.Row) -> None:
+        """Remember that constants of a row are used, and what must be seen wherever it is."""
+        self.rows.append(row.id)
+        self.marks += row.marks
 
     def value(self, quantity: str, value: Any, unit: str) -> Any:
         """Resolve one value, remembering its source under the name `quantity`."""
@@ -162,7 +171,7 @@ class _Reader:
                 self.collector.add(path, f"the library has no cell '{value}'")
                 return value
             if found is not None:
-                self.marks += schema.row(value.split(".")[0]).marks
+                self.use(schema.row(value.split(".")[0]))
                 return self.value(quantity, found, unit)
         if isinstance(value, dict) and "value" in value:
             return self.sourced(quantity, value, unit, path)
@@ -192,15 +201,8 @@ class _Reader:
     def unreacted(self, registry: Registry, table: Any) -> Any:
         if table is None:
             return None
-        table = dict(table)
-        path = ("material", self.name, "unreacted")
-        self.reasons["unreacted"] = str(table.pop("reason", ""))
-        self.others["unreacted"] = tuple(table.pop("others", ()))
-        card = self.card(path, table.pop("row")) if "row" in table else {}
-        merged = {**card, **table}
-        units = self.units("eos", merged.get("law"))
-        plain = {k: v if k == "law" else self.value(f"unreacted.{k}", v, units.get(k, "1")) for k, v in merged.items()}
-        return read_law(registry, plain, self.collector, path)
+        plain = self.law("unreacted", dict(table))
+        return read_law(registry, plain, self.collector, ("material", self.name, "unreacted"))
 
     def detonation(self, table: Mapping) -> dict[str, Source]:
         found = {}
@@ -212,7 +214,7 @@ class _Reader:
             self.value(f"detonation.{key}", value, DETONATION[key])
             if key == "ignition_growth":
                 row = schema.row(value)
-                self.marks += row.marks
+                self.use(row)
                 found[key] = Source(f"detonation.{key}", value, "text", row.source, row.via, row.status, row.note)
             elif len(self.sources) > before:
                 found[key] = self.sources[-1]

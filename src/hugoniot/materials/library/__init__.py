@@ -108,8 +108,8 @@ def listings() -> Iterator[Listing]:
     yield from index().values()
     for rows in uncurated().values():
         first = schema.row(rows[0])
-        yield Listing(first.material, str(first.get("category", "explosive" if first.table == "jwl" else "mineral/rock")), first.material, (),
-                      rows, curated=False)
+        kind = str(first.get("category", "explosive" if first.table == "jwl" else "mineral/rock"))
+        yield Listing(first.material, kind, first.material, (), rows, curated=False)
 
 
 @cache
