@@ -1,0 +1,10 @@
+r"""The structure of a steady shock: viscosity and heat conduction resolve the jump that ideal theory leaves.
+
+`steady(...)` gives the profile of a shock in any equation of state with any transport law; `analytic` the closed solutions;
+`jordan` the cases of source 004. Derivation and results: docs/theory/shock_structure.md.
+"""
+
+from hugoniot.theory.structure.ends import Ends, find_ends
+from hugoniot.theory.structure.profile import Profile, steady
+
+__all__ = ["Ends", "Profile", "find_ends", "steady"]

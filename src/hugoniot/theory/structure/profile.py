@@ -1,0 +1,179 @@
+r"""The steady profile: every field through the shock, its thicknesses, and where its entropy comes from.
+
+Thickness by the steepest gradient of a field f: $\delta_f = |f_2 - f_1| / \max|df/dx|$ (004 eq. 6.2.5 with f = density); widths between
+10 % and 90 % of the jump. The entropy gained follows from the corrected integral (J-E2: 004 eq. 2.4.1.20 lacks $1/(\rho u)$)
+
+$$\Delta s = \frac1m\int\left[\frac{\tau\,u_x}{T} + \frac{(kT_x)_x}{T}\right]dx
+ = \frac1m\int\left[\frac{(\frac43\mu+\zeta)\,u_x^2}{T} + \frac{k\,T_x^2}{T^2}\right]dx,$$
+
+whose two parts are production by viscosity and by conduction; the sum equals the jump of the law's entropy for any transport law.
+"""
+
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from scipy.optimize import brentq, minimize_scalar
+
+from hugoniot.laws.transport.mean_free_path import mean_free_path
+from hugoniot.theory.structure.ends import Ends, find_ends
+from hugoniot.theory.structure.equations import Equations
+
+FIELDS = ("density", "velocity", "pressure", "energy", "temperature", "viscous_stress", "heat_flux", "viscosity", "conductivity")
+_PER_STEP = 8  # points per step of the integration at which gradients are looked at
+
+
+@dataclass(frozen=True)
+class Profile:
+    """A steady shock in its own frame; gas flows towards +x; x = 0 where the density is midway between its ends.
+
+    ends, transport    the two end states and the transport tuple
+    entropy_viscous, entropy_conductive   production through the whole shock, J/(kg K); NaN where the law has no temperature
+    x                  m, points of the adaptive integration, upstream first
+    """
+
+    ends: Ends
+    transport: Any
+    x: np.ndarray
+    entropy_viscous: float
+    entropy_conductive: float
+    steps: int
+    _equations: Equations = field(repr=False)
+    _solution: Any = field(repr=False)
+    _shift: float = field(repr=False)
+    _rates: tuple[float, float] = field(repr=False)
+    _curve: Any = field(repr=False, default=None)
+
+    # -- fields ------------------------------------------------------------------------------------------------------
+    def _wh(self, x):
+        """Scaled (w, h) at positions x, m; exponential tails beyond the integration."""
+        xi = np.atleast_1d(np.asarray(x, float)) / self._equations.length + self._shift
+        first, last, jump = self._solution.t[-1], self._solution.t[0], self._equations.jump
+        y, h = self._solution.sol(np.clip(xi, first, last))[:2]
+        for mask, edge, rate, end in ((xi < first, first, self._rates[1], 0.0), (xi > last, last, self._rates[0], 1.0)):
+            decay = np.exp(rate * (xi[mask] - edge))
+            y[mask], h[mask] = end + (y[mask] - end) * decay, h[mask] * decay
+        if self._curve is not None:
+            h = np.array([self._curve(a) for a in y.tolist()])
+        return 1.0 - jump * y, jump**2 * h if self._equations.conducting else np.zeros_like(h)
+
+    def _points(self, x) -> list[dict]:
+        with np.errstate(all="ignore"):
+            return [self._equations.state(w, h) for w, h in zip(*(a.tolist() for a in self._wh(x)))]
+
+    def at(self, x) -> dict[str, np.ndarray]:
+        """Field word -> values at positions x (m), SI: `FIELDS`, `sound_speed` left to the law. Heat flux q = -k dT/dx, towards +x."""
+        found = self._points(x)
+        table = {name: np.array([s[name] for s in found], float) for name in FIELDS if name != "heat_flux"}
+        table["heat_flux"] = -self._equations.m * self._equations.c1**2 * np.array([s["h"] for s in found], float)
+        return table
+
+    def gradient(self, name: str, x):
+        """dx-derivative of "density", "velocity", "pressure", "energy" or "temperature" at positions x, SI."""
+        return np.array([self._slopes(s)[name] for s in self._points(x)])
+
+    def _slopes(self, s: dict) -> dict:
+        eq = self._equations
+        v_x, rho = s["v_x"], s["density"]
+        e_x = s["h_x"] - (self.ends.upstream.pressure + eq.m**2 * (eq.v1 - s["w"] * eq.v1)) * v_x
+        p_rho, p_e = eq._derivatives(rho, s["energy"], eq.par)
+        T_x = eq.m * s["h"] * eq.c1**2 / s["conductivity"] if eq.conducting else math.nan
+        if not eq.conducting and s["temperature"] == s["temperature"] and eq._heat:
+            cv, T, p = eq._heat(rho, s["energy"], eq.par), s["temperature"], s["pressure"]
+            T_x = (p / cv - T * p_e) * v_x + e_x / cv
+        return {"density": -rho * rho * v_x, "velocity": eq.m * v_x, "energy": e_x, "temperature": T_x,
+                "pressure": -p_rho * rho * rho * v_x + p_e * e_x}
+
+    # -- terms of the balances, as 004 figures 6.4.1 to 6.7.3 plot them ---------------------------------------------------
+    def balance_terms(self, x) -> dict[str, np.ndarray]:
+        """The right-hand sides of the momentum (N/m3) and energy (W/m3) equations at positions x; each set sums to zero.
+
+        momentum_*: d tau/dx, -d(j u)/dx, -dp/dx (004 eq. 6.4.1); energy_*: d(tau u)/dx, -d(j H)/dx, -dq/dx (eq. 6.5.1), with H the total
+        enthalpy e + p/rho + u^2/2.
+        """
+        m = self._equations.m
+        rows = []
+        for s in self._points(x):
+            d = self._slopes(s)
+            stress_x = d["pressure"] + m * d["velocity"]
+            u, u_x, p, v = s["velocity"], d["velocity"], s["pressure"], 1.0 / s["density"]
+            enthalpy_x = d["energy"] + d["pressure"] * v + p * s["v_x"] + u * u_x
+            rows.append((stress_x, -m * u_x, -d["pressure"], stress_x * u + s["viscous_stress"] * u_x, -m * enthalpy_x, m * s["h_x"]))
+        names = ("momentum_shear", "momentum_flux", "momentum_pressure", "energy_shear", "energy_enthalpy", "energy_conduction")
+        return dict(zip(names, np.array(rows).T))
+
+    # -- measures -------------------------------------------------------------------------------------------------------
+    def thickness(self, name: str = "density") -> float:
+        """|jump| / steepest gradient of a field, m."""
+        if f"steepest_{name}" not in self.__dict__:
+            self.__dict__[f"steepest_{name}"] = self._steepest(name)
+        one, two = getattr(self.ends.upstream, name), getattr(self.ends.downstream, name)
+        return abs(two - one) / self.__dict__[f"steepest_{name}"]
+
+    def _steepest(self, name) -> float:
+        slopes = abs(self.gradient(name, self.x))
+        i = int(np.nanargmax(slopes))
+        low, high = self.x[max(i - 1, 0)], self.x[min(i + 1, len(self.x) - 1)]
+        best = minimize_scalar(lambda x: -abs(self.gradient(name, x)[0]), bounds=(low, high), method="bounded",
+                               options={"xatol": 1e-6 * (high - low)})
+        return max(-float(best.fun), float(slopes[i]))
+
+    def width(self, name: str = "density", low: float = 0.1, high: float = 0.9) -> float:
+        """Distance between `low` and `high` parts of a field's jump, m."""
+        one, two = getattr(self.ends.upstream, name), getattr(self.ends.downstream, name)
+        values = (self.at(self.x)[name] - one) / (two - one)
+        places = []
+        for level in (low, high):
+            i = int(np.flatnonzero(values >= level)[0])
+            places.append(brentq(lambda x, level=level: (self.at(x)[name][0] - one) / (two - one) - level, self.x[i - 1], self.x[i],
+                                 xtol=1e-12 * self._equations.length))
+        return places[1] - places[0]
+
+    def extent(self, part: float = 1e-3) -> tuple[float, float]:
+        """(x upstream, x downstream), m, beyond which the density is within `part` of the jump of its ends."""
+        rho1, rho2 = self.ends.upstream.density, self.ends.downstream.density
+        y = (self.at(self.x)["density"] - rho1) / (rho2 - rho1)
+        return float(np.interp(part, y, self.x)), float(np.interp(1.0 - part, y, self.x))
+
+    @property
+    def entropy_produced(self) -> float:
+        """Sum of both productions, J/(kg K)."""
+        return self.entropy_viscous + self.entropy_conductive
+
+    def entropy_literal(self) -> float:
+        """004 eq. 2.4.1.20 as printed, without 1/(rho u), in units of 004's scaled variables (J-E2); the wrong one."""
+        fine = np.linspace(*self.extent(1e-8), 4001)
+        terms, s = self.balance_terms(fine), self.at(fine)
+        with np.errstate(all="ignore"):
+            production = (s["viscous_stress"] * self.gradient("velocity", fine) + terms["energy_conduction"]) / s["temperature"]
+        return float(np.trapezoid(production, fine)) / (self.ends.upstream.density * self.ends.upstream.sound_speed)
+
+    def mean_free_path(self, definition: str, exponent: float = 0.81) -> float:
+        """Mean free path ahead, m, in a named definition (laws.transport.mean_free_path)."""
+        one = self.ends.upstream
+        mu = self._points(np.array([self.x[0]]))[0]["viscosity"]
+        return mean_free_path(definition, mu, one.density, one.pressure, exponent)
+
+
+def steady(material, transport, upstream=None, *, rtol: float = 1e-11, **shock) -> Profile:
+    """The steady structure of a shock.
+
+    material    a material, or the parameter tuple of an equation of state
+    transport   a `laws.transport.contract.Transport` (see `make` there)
+    upstream    `theory.hugoniot.Initial`, the state ahead (default: the law's reference state)
+    shock       mach, or one of shock_velocity, particle_velocity, pressure, density (see `ends.find_ends`)
+    rtol        relative tolerance of the integration; measures are good to about ten times that
+    Raises `OutOfRange` and `NoSolution` that say what the law, the transport law or the shock lacks.
+    """
+    ends = find_ends(material, upstream, **shock)
+    equations = Equations(ends, transport)
+    found, curve, rate, ahead = equations.integrate(rtol)
+    middle = (1.0 - 2.0 / (1.0 + ends.downstream.density / ends.upstream.density)) / equations.jump
+    shift = brentq(lambda xi: found.sol(xi)[0] - middle, found.t[-1], found.t[0], xtol=1e-13 * abs(found.t[-1]), rtol=1e-14)
+    nodes = found.t[::-1]
+    xi = np.unique(np.concatenate([nodes[:-1] + np.diff(nodes) * i / _PER_STEP for i in range(_PER_STEP)] + [nodes[-1:]]))
+    thermal = ends.upstream.temperature == ends.upstream.temperature
+    viscous, conductive = (-found.y[2:, -1] * equations.entropy_scale) if thermal else (math.nan, math.nan)
+    return Profile(ends, transport, (xi - shift) * equations.length, float(viscous), float(conductive), len(nodes) - 1,
+                   equations, found, float(shift), (float(rate), float(ahead)), curve)
