@@ -13,12 +13,15 @@ class Raster(NamedTuple):
     position: np.ndarray
 
 
-def raster(time, left, right, field, size=(360, 640), window=None) -> Raster:
+def raster(time, left, right, field, size=(360, 640), window=None, follow: bool = True) -> Raster:
     """Resample a zone field.
 
     time (nt,) s; left, right (nt, nzone) m faces of the zones; field (nt, nzone); size (times, positions);
-    window (lowest, highest) position in m, default all that the material ever occupies.
-    Between two records faces and values are linear in time along each zone (the material carries them).
+    window (lowest, highest) position in m, default all that the material ever occupies;
+    follow   carry waves between two records along the direction in which they match best, so that a shock is a line and not
+             a staircase; False: linear in time in each zone
+
+    At the times of the records the field is the recorded one. Between them faces are linear in time.
     """
     time, left, right, field = (np.asarray(x, dtype=float) for x in (time, left, right, field))
     low, high = window if window else (float(np.min(left)), float(np.max(right)))
@@ -26,18 +29,47 @@ def raster(time, left, right, field, size=(360, 640), window=None) -> Raster:
     x = low + (high - low) * (np.arange(size[1]) + 0.5) / size[1]
     image = np.full(size, np.nan)
     after = np.clip(np.searchsorted(time, times, side="right"), 1, max(len(time) - 1, 1))
+    spread, current = float(np.ptp(field)), -1
     for row, (t, k) in enumerate(zip(times, after)):
-        if len(time) == 1:
-            k, weight = 0, 0.0
-        else:
-            weight = (t - time[k - 1]) / (time[k] - time[k - 1])
+        k, weight = (k, (t - time[k - 1]) / (time[k] - time[k - 1])) if len(time) > 1 else (0, 0.0)
+        if k != current:
+            first, last = _bodies(left[k], right[k])
+            shift = _best_shifts(field[k - 1], field[k], first, last, spread) if follow and k else np.zeros(field.shape[1], dtype=int)
+            current = k
         face_left = (1 - weight) * left[k - 1] + weight * left[k]
         face_right = (1 - weight) * right[k - 1] + weight * right[k]
-        values = (1 - weight) * field[k - 1] + weight * field[k]
-        zone = np.clip(np.searchsorted(face_left, x, side="right") - 1, 0, len(values) - 1)
+        zone = np.clip(np.searchsorted(face_left, x, side="right") - 1, 0, field.shape[1] - 1)
         inside = (x >= face_left[zone]) & (x <= face_right[zone])
-        image[row] = np.where(inside, values[zone], np.nan)
+        way, start, end = 2 * shift[zone], first[zone], last[zone]
+        before = np.clip(zone - np.rint(way * weight).astype(int), start, end)
+        behind = np.clip(zone + np.rint(way * (1 - weight)).astype(int), start, end)
+        values = (1 - weight) * field[k - 1][before] + weight * field[k][behind]
+        image[row] = np.where(inside, values, np.nan)
     return Raster(image, times, x)
+
+
+def _bodies(left, right) -> tuple[np.ndarray, np.ndarray]:
+    """First and last zone of the body that each zone belongs to, (nzone,) each, from the faces at one time."""
+    least = 1e-6 * (right[-1] - left[0])
+    starts = np.flatnonzero(np.append(True, left[1:] - right[:-1] > least))
+    ends = np.append(starts[1:] - 1, len(left) - 1)
+    lengths = ends - starts + 1
+    return np.repeat(starts, lengths), np.repeat(ends, lengths)
+
+
+def _best_shifts(a, b, first, last, spread: float, window: int = 7) -> np.ndarray:
+    """Half the number of zones by which the field around each zone moved from record `a` to record `b` (nzone,).
+
+    The shift m for which a[z - m] and b[z + m] agree best over a window; small shifts win where many agree.
+    """
+    count = len(a)
+    most = min(40, count // 6)
+    moves = np.arange(-most, most + 1)[:, None]
+    zone = np.arange(count)[None, :]
+    misfit = np.abs(a[np.clip(zone - moves, first, last)] - b[np.clip(zone + moves, first, last)])
+    sums = np.cumsum(np.pad(misfit, ((0, 0), (window // 2 + 1, window // 2)), mode="edge"), axis=1)
+    cost = (sums[:, window:] - sums[:, :-window]) / window + 2e-3 * spread * np.abs(moves) / max(most, 1)
+    return moves[np.argmin(cost, axis=0), 0]
 
 
 def gaps(left, right, least: float) -> list[int]:

@@ -27,6 +27,10 @@ class RunPlots:
         """A zone field over position at one or more times (s)."""
         return records.profile(self._run, field, time, **options)
 
+    def peaks(self, field: str = "stress", **options):
+        """The extreme value of a field that each zone met, over its place at t = 0."""
+        return records.peaks(self._run, field, **options)
+
     def budget(self, **options):
         """Parts of the energy over time."""
         return records.budget(self._run, **options)
@@ -40,4 +44,4 @@ class RunPlots:
         return setup(self._run, **options)
 
 
-PICTURES = ("xt", "gauge", "free_surface", "profile", "budget", "errors", "setup")
+PICTURES = ("xt", "gauge", "free_surface", "profile", "peaks", "budget", "errors", "setup")

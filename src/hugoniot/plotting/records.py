@@ -3,6 +3,8 @@
 import numpy as np
 
 from hugoniot.diagnostics.velocimetry import pull_back, ringing_period, spall_strength, spall_thickness, visar_velocity
+from hugoniot.diagnostics.wave_diagram import interfaces
+from hugoniot.errors import DeckError
 from hugoniot.output.compare import free_surface_gauges
 from hugoniot.plotting.style import (
     COLOURS,
@@ -16,6 +18,7 @@ from hugoniot.plotting.style import (
     quiet_grid,
     styled,
     time_scale,
+    zone_field,
 )
 
 
@@ -27,7 +30,10 @@ def gauge(run, field: str = "stress", names=None, ax=None):
     """
     ax = ax if ax is not None else new_axes()
     rows, known = run.arrays("gauges"), run.gauge_names()
-    run.gauge(field, names[0] if names else None)
+    zone_field(run, "gauges", field)
+    for name in names or ():
+        if name not in known:
+            raise DeckError.single(run.folder, None, "gauge", f"no gauge '{name}'", f"this run has: {', '.join(known)}")
     moving = [k for k in range(len(known)) if np.ptp(rows[field][:, k]) > 0][: len(COLOURS)]
     columns = [known.index(name) for name in names] if names else moving
     values = rows[field][:, columns]
@@ -105,7 +111,7 @@ def free_surface(run, name: str | None = None, delay: float = 0.0, ax=None):
     ax = ax if ax is not None else new_axes()
     time, velocity, _ = free_surface_record(run, name)
     if not len(time):
-        raise KeyError("this run has recorded no free surface")
+        raise DeckError.single(run.folder, None, "gauge", "this run has recorded no free surface", "add a gauge at 'free surface right'")
     unit_t, ft = time_scale(time[-1])
     unit, fu, _ = field_scale("velocity", velocity)
     if delay > 0.0:
@@ -141,9 +147,7 @@ def _mark_pull_back(ax, run, found, ft, fu, unit):
 def profile(run, field: str = "stress", time=None, ax=None):
     """A zone field over position at one or more times (s; the nearest snapshots are taken; default the last); gives the axes."""
     ax = ax if ax is not None else new_axes()
-    rows = run.arrays("snapshots")
-    if field not in rows or rows[field].ndim != 2:
-        raise KeyError(f"no snapshot field '{field}'; this run has: {', '.join(n for n, v in rows.items() if v.ndim == 2)}")
+    rows, _ = run.arrays("snapshots"), zone_field(run, "snapshots", field)
     wanted = np.atleast_1d(rows["time"][-1] if time is None else time)
     picked = [int(np.argmin(np.abs(rows["time"] - t))) for t in wanted]
     left, right = rows["position_left"][picked], rows["position_right"][picked]
@@ -166,9 +170,28 @@ def profile(run, field: str = "stress", time=None, ax=None):
     return ax
 
 
+@styled
+def peaks(run, field: str = "stress", ax=None):
+    """The extreme value of a field that each zone met, over its place at t = 0: the attenuation curve; gives the axes."""
+    ax = ax if ax is not None else new_axes()
+    rows, values = run.arrays("peaks"), zone_field(run, "peaks", field)
+    unit, factor, words = field_scale(field, values)
+    unit_x, fx = length_scale(float(np.ptp(rows["centre"])))
+    cuts = [0, *(k + 1 for k in interfaces(rows["region"])), len(values)]
+    for k, (first, last) in enumerate(zip(cuts[:-1], cuts[1:])):
+        ax.plot(rows["centre"][first:last] * fx, values[first:last] * factor, color=COLOURS[k % len(COLOURS)])
+        ax.text(rows["centre"][first:last].mean() * fx, 1.01, rows["region"][first], color=COLOURS[k % len(COLOURS)], ha="center",
+                va="bottom", fontsize=8.5, transform=ax.get_xaxis_transform())
+    ax.set_xlabel(labelled("position at t = 0" if run.setup["geometry"] == "planar" else "radius at t = 0", unit_x))
+    ax.set_ylabel(labelled(f"peak {words}", unit))
+    quiet_grid(ax)
+    return ax
+
+
 _PARTS = (("kinetic_energy", "kinetic"), ("internal_energy", "internal"), ("elastic_volume_energy", "elastic, volume"),
           ("elastic_deviator_energy", "elastic, shear"), ("plastic_work", "plastic work"), ("viscous_work", "viscous work"),
           ("boundary_work", "boundary work"))
+_WHOLE = ("kinetic", "internal", "boundary work")
 
 
 @styled
@@ -183,8 +206,9 @@ def budget(run, ax=None):
     lines = [(words, values) for words, values in lines if len(values) and np.max(np.abs(values)) > 1e-4 * top]
     prefix, factor = next(((p, f) for p, f in (("GJ", 1e-9), ("MJ", 1e-6), ("kJ", 1e-3)) if top * f >= 1.0), ("J", 1.0))
     unit_t, ft = time_scale(rows["time"][-1] if len(rows["time"]) else 1.0)
-    for colour, (_, values) in zip(COLOURS, lines):
-        ax.plot(rows["time"] * ft, values * factor, color=colour)
+    # the last parts make up the internal energy: dashed, so that nothing seems to be counted twice
+    for colour, (words, values) in zip(COLOURS, lines):
+        ax.plot(rows["time"] * ft, values * factor, color=colour, linestyle="-" if words in _WHOLE else (0, (4, 2)))
     _time_axis(ax, rows["time"], unit_t, ft)
     per = {"planar": "m²", "cylindrical": "(m rad)", "spherical": "sr"}[run.setup["geometry"]]
     ax.set_ylabel(f"energy ({prefix}/{per})")
@@ -201,8 +225,9 @@ def errors(run, ax=None):
     unit_t, ft = time_scale(rows["time"][-1] if len(rows["time"]) else 1.0)
     names = [name for name in ("mass_error", "momentum_error", "energy_error") if name in rows and len(rows[name])]
     lines = [(name.removesuffix("_error"), np.maximum(np.maximum.accumulate(np.abs(rows[name])), 1e-17)) for name in names]
+    ax.set_yscale("log", subs=[])
     for colour, (_, values) in zip(COLOURS, lines):
-        ax.semilogy(rows["time"] * ft, values, color=colour)
+        ax.plot(rows["time"] * ft, values, color=colour)
     _time_axis(ax, rows["time"], unit_t, ft)
     ax.set_ylabel("largest relative error so far")
     ax.set_ylim(1e-17, max([1e-11, *(3.0 * float(v.max()) for _, v in lines)]))

@@ -1,5 +1,6 @@
 """How pictures look: colours that colour-blind readers tell apart (Okabe and Ito), labels on the lines, units in words people use."""
 
+import difflib
 import sys
 from collections.abc import Callable
 from functools import wraps
@@ -11,6 +12,7 @@ from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 
 from hugoniot.core.fields import FIELDS
+from hugoniot.errors import DeckError
 from hugoniot.output.columns import describe
 
 INK, QUIET, FAINT = "#222222", "#767676", "#d9d9d9"
@@ -83,6 +85,17 @@ def field_scale(field: str, values=None, geometry: str = "planar") -> tuple[str,
     elif unit == "m/s" and top >= 5000.0:
         shown, factor = "km/s", 1e-3
     return shown, factor, words.partition(" (")[0]
+
+
+def zone_field(run, group: str, field: str):
+    """A two-dimensional column of `snapshots` or `gauges`, or a column of `peaks`; `DeckError` names those there are."""
+    rows = run.arrays(group)
+    known = [name for name, values in rows.items() if values.dtype.kind == "f" and values.ndim == (1 if group == "peaks" else 2)]
+    if field not in known:
+        near = difflib.get_close_matches(field, known, n=1)
+        hint = f"did you mean '{near[0]}'?" if near else f"it has: {', '.join(known) or 'none'}"
+        raise DeckError.single(run.folder, None, "field", f"the {group} of this run hold no '{field}'", hint)
+    return rows[field]
 
 
 def labelled(words: str, unit: str) -> str:

@@ -4,22 +4,21 @@ import numpy as np
 from matplotlib.collections import LineCollection
 
 from hugoniot.diagnostics.wave_diagram import gaps, interfaces, raster
-from hugoniot.plotting.style import INK, STRESS, field_scale, labelled, length_scale, new_axes, styled, time_scale
+from hugoniot.plotting.style import INK, STRESS, field_scale, labelled, length_scale, new_axes, styled, time_scale, zone_field
 
 
 @styled
 def xt(run, field: str = "stress", ax=None, window=None, limits=None, size=(360, 640), colorbar=True):
     """Draw a zone field of the snapshots over position (across) and time (upwards); gives the axes.
 
+    Between snapshots waves are carried along the direction in which the two records match best (diagnostics.wave_diagram).
+
     window     (lowest, highest) position in m
     limits     (lowest, highest) value of the colour scale in SI; default from the data
     colorbar   True, or axes to draw it in, or False
     """
-    rows = run.arrays("snapshots")
-    if field not in rows or rows[field].ndim != 2:
-        known = ", ".join(name for name, values in rows.items() if values.ndim == 2)
-        raise KeyError(f"no snapshot field '{field}'; this run has: {known}")
-    time, left, right, values = rows["time"], rows["position_left"], rows["position_right"], rows[field]
+    rows, values = run.arrays("snapshots"), zone_field(run, "snapshots", field)
+    time, left, right = rows["time"], rows["position_left"], rows["position_right"]
     ax = ax if ax is not None else new_axes(6.4, 4.4)
     low, high = window or (float(left.min()), float(right.max()))
     unit_t, ft = time_scale(time[-1])

@@ -11,7 +11,6 @@ from hugoniot.plotting.records import free_surface_record, spall_reading
 from hugoniot.report import sections
 from hugoniot.report.sections import number, text
 
-
 _SPALL = (("pull_back", "pull-back", "m/s"), ("spall_strength_acoustic", "spall strength, ½ρ₀c₀Δu", "Pa"),
           ("spall_strength_stepanov", "spall strength, elastic-plastic", "Pa"), ("spall_thickness", "spalled layer", "m"))
 
@@ -45,12 +44,14 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
 _CAPTIONS = {
     "setup": "Regions at t = 0 to scale; triangles are gauges.",
     "wave": "Longitudinal stress over position and time: compression red, tension blue, no material blank. "
-            "Between snapshots the field is interpolated along the material; dotted lines are gauges.",
+            "Dotted lines are gauges. At the snapshots the field is as computed; between them waves are carried along "
+            "the direction in which neighbouring snapshots match best.",
     "gauge_stress": "Longitudinal stress at the gauges, positive in compression.",
     "gauge_velocity": "Particle velocity at the gauges.",
     "free_surface": "Free-surface velocity. The spall strength is the acoustic estimate from the pull-back (Novikov 1966); "
                     "the elastic-plastic one (Romanchenko and Stepanov 1980) is among the key numbers.",
-    "budget": "Parts of the energy, all regions together; internal energy counts from its start.",
+    "budget": "Parts of the energy, all regions together, in Herrmann's partition (A.6). Internal energy counts from its start; "
+              "dashed are the parts it is made of.",
     "errors": "Largest relative error of mass, momentum and total energy so far.",
 }
 

@@ -52,7 +52,8 @@ def _source(constant: dict) -> str:
 def _laws(laws: list[dict], depth: int = 0) -> str:
     parts = []
     for law in laws:
-        rows = [(text(c["name"]), number(c["value"], c["unit"]), text(c["meaning"]), _source(c), _mark(c["status"])) for c in law["constants"]]
+        rows = [(text(c["name"]), number(c["value"], c["unit"]), text(c["meaning"]), _source(c), _mark(c["status"]))
+                for c in law["constants"]]
         family = law["family"].replace("eos", "equation of state").replace("viscosity", "artificial viscosity")
         parts.append(f"<h3>{text(family)}: {text(law['law'])}</h3><p class=quiet>{text(law['summary'])}</p>")
         parts.append(table(("constant", "value", "meaning", "source", ""), rows) if rows else "")
