@@ -1,0 +1,54 @@
+r"""Smooth planar flow of a gamma = 3 gas: each Riemann invariant obeys Burgers' equation on its own.
+
+For gamma = 3, $p = \tfrac13 K\rho^3$ gives $c = \sqrt K\,\rho$, and $w_\pm = u \pm c$ satisfy
+
+$$\partial_t w + w\,\partial_x w = 0 \quad\Longrightarrow\quad w_\pm(x,t) = w_\pm^0(x - w_\pm t)$$
+
+until the first characteristics cross at $t_b = -1/\min w_\pm^{0\prime}$. The problem here: gas at rest between walls at 0 and L with
+$\rho_0(x) = \bar\rho\,[1 + A\cos(k\pi x/L)]$ and uniform entropy. Mirror images at the walls keep u = 0 there.
+
+Source: Courant & Friedrichs, Supersonic Flow and Shock Waves (1948), section 40 (gamma = 3); derived here.
+"""
+
+import numpy as np
+
+from hugoniot.errors import OutOfRange
+from hugoniot.theory.exact.solution import Solution
+
+
+def _carried(x, time, sign, level, amplitude, wave_number):
+    """Solve w = sign c0(x - w t) by Newton's iteration with the steepest characteristics still apart."""
+    w = sign * level * (1.0 + amplitude * np.cos(wave_number * x))
+    for _ in range(60):
+        phase = wave_number * (x - w * time)
+        residual = w - sign * level * (1.0 + amplitude * np.cos(phase))
+        slope = 1.0 - sign * level * amplitude * np.sin(phase) * wave_number * time
+        step = residual / slope
+        w = w - step
+        if np.max(np.abs(step), initial=0.0) < 1e-15 * level:
+            break
+    return w
+
+
+def double_burgers(density: float = 1.0, pressure: float = 1.0 / 3.0, amplitude: float = 0.1, length: float = 1.0,
+                   half_waves: int = 2) -> Solution:
+    """Standing wave of a gamma = 3 gas between walls at 0 and `length`, at rest at time 0, uniform entropy.
+
+    density and pressure of the mean; amplitude A of the density, |A| < 1; half_waves = k. Fields: density, velocity, pressure,
+    energy, sound_speed. `numbers`: breaking_time, mean_sound_speed. Holds up to 0.98 of the breaking time.
+    """
+    if not (0.0 < abs(amplitude) < 1.0 and density > 0.0 and pressure > 0.0 and length > 0.0 and half_waves >= 1):
+        raise OutOfRange("the standing wave needs 0 < |amplitude| < 1 and positive density, pressure, length and half_waves")
+    level = float(np.sqrt(3.0 * pressure / density))
+    k = half_waves * np.pi / length
+    breaking = 1.0 / (level * abs(amplitude) * k)
+
+    def profile(x, time):
+        right, left = (_carried(x, time, sign, level, amplitude, k) for sign in (1.0, -1.0))
+        c = 0.5 * (right - left)
+        rho = density * c / level
+        p = pressure * (rho / density) ** 3
+        return {"density": rho, "velocity": 0.5 * (right + left), "pressure": p, "energy": p / (2.0 * rho), "sound_speed": c}
+
+    numbers = {"breaking_time": breaking, "mean_sound_speed": level}
+    return Solution("gamma = 3 standing wave", "planar", profile, numbers=numbers, times=(0.0, 0.98 * breaking))

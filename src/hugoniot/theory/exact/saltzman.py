@@ -1,0 +1,81 @@
+r"""A piston that drives a cold ideal gas against a wall: the shock runs to and fro, each time into the state the last one left.
+
+Every passage is a shock into a known state (rho, p) that changes the velocity by the piston speed U: with
+$A = \tfrac{\gamma+1}{4} U$ the speed of the shock relative to the gas ahead is $w = A + \sqrt{A^2 + c^2}$, and
+
+$$p' = p + \rho w U, \qquad \rho' = \rho\,\frac{w}{w - U}, \qquad e' = e + \tfrac12 (p + p')\left(\tfrac1\rho - \tfrac1{\rho'}\right)$$
+
+gamma = 5/3, U = 1: densities 4, 10, 20; the front meets the wall at t = 0.75, the piston at 0.9 and the wall again at 0.95.
+
+Source: Dukowicz & Meltz, J. Comput. Phys. 99 (1992) 115 (Saltzman's skewed-mesh piston); Rankine-Hugoniot relations.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from hugoniot.errors import OutOfRange
+from hugoniot.theory.exact.solution import Solution
+
+
+class Passage(NamedTuple):
+    """One run of the shock: when and where it starts, its lab speed, when it ends, and the state behind it."""
+
+    start: float
+    position: float
+    speed: float
+    end: float
+    density: float
+    pressure: float
+    energy: float
+    velocity: float
+
+
+def passages(gamma: float, piston: float, length: float, density: float, count: int) -> list[Passage]:
+    """The first `count` runs of the shock between the piston (from x = 0) and the wall at x = length."""
+    rho, p, e, u, time, x, found = density, 0.0, 0.0, 0.0, 0.0, 0.0, []
+    for k in range(count):
+        towards_wall = k % 2 == 0
+        sign = 1.0 if towards_wall else -1.0
+        half = 0.25 * (gamma + 1.0) * piston
+        w = half + float(np.sqrt(half * half + gamma * p / rho))
+        behind = rho * w / (w - piston)
+        p_behind = p + rho * w * piston
+        e_behind = e + 0.5 * (p + p_behind) * (1.0 / rho - 1.0 / behind)
+        lab = u + sign * w
+        end = time + (length - x) / lab if towards_wall else time + (x - piston * time) / (piston - lab)
+        u_behind = piston if towards_wall else 0.0
+        found.append(Passage(time, x, lab, end, behind, p_behind, e_behind, u_behind))
+        rho, p, e, u, x, time = behind, p_behind, e_behind, u_behind, x + lab * (end - time), end
+    return found
+
+
+def saltzman(gamma: float = 5.0 / 3.0, piston: float = 1.0, length: float = 1.0, density: float = 1.0, reflections: int = 6) -> Solution:
+    """Piston at speed `piston` from x = 0 into cold gas of `density` up to a wall at `length`.
+
+    Fields: density, velocity, pressure, energy, sound_speed; NaN where the piston has been. Holds until the shock ends its run
+    number `reflections` + 1. `numbers`: wall_time, piston_time, second_wall_time and the densities behind.
+    """
+    if gamma <= 1.0 or piston <= 0.0 or length <= 0.0 or density <= 0.0 or reflections < 2:
+        raise OutOfRange("the piston problem needs gamma > 1, positive piston speed, length and density, and at least 2 reflections")
+    runs = passages(gamma, piston, length, density, reflections + 1)
+    cold = Passage(0.0, 0.0, 0.0, 0.0, density, 0.0, 0.0, 0.0)
+
+    def now(time):
+        index = next(k for k, run in enumerate(runs) if time <= run.end)
+        return index, runs[index].position + runs[index].speed * (time - runs[index].start)
+
+    def profile(x, time):
+        index, front = now(time)
+        behind, ahead = runs[index], runs[index - 1] if index else cold
+        shocked = x < front if index % 2 == 0 else x > front
+        gas = (x >= piston * time) & (x <= length)
+        fields = {name: np.where(gas, np.where(shocked, getattr(behind, name), getattr(ahead, name)), np.nan)
+                  for name in ("density", "velocity", "pressure", "energy")}
+        fields["sound_speed"] = np.sqrt(gamma * fields["pressure"] / fields["density"])
+        return fields
+
+    numbers = {"wall_time": runs[0].end, "piston_time": runs[1].end, "second_wall_time": runs[2].end,
+               "density_1": runs[0].density, "density_2": runs[1].density, "density_3": runs[2].density,
+               "pressure_1": runs[0].pressure, "pressure_2": runs[1].pressure, "pressure_3": runs[2].pressure}
+    return Solution("Saltzman piston", "planar", profile, lambda time: (now(time)[1],), numbers, (0.0, runs[-1].end))

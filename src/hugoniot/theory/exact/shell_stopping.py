@@ -1,0 +1,91 @@
+r"""A shell of incompressible, rigid-perfectly plastic material that flies inwards and stops when its kinetic energy is spent.
+
+Incompressible flow $u = -C(t)/r^{d-1}$ (d = 2, plane strain; d = 3) between radii a(t) and b(t). Kinetic energy and plastic power are
+
+$$d=2:\; T = \pi\rho\,C^2\ln\frac ba,\quad \dot W = \frac{4\pi}{\sqrt3}\,Y\,C\ln\frac ba; \qquad
+  d=3:\; T = 2\pi\rho\,C^2\left(\frac1a-\frac1b\right),\quad \dot W = 8\pi\,Y\,C\ln\frac ba$$
+
+and $C\,dt = -a^{d-1}da$, so that the work down to a radius is a quadrature in a, C(a) follows from T(a) = T_0 - W(a), the stopping
+radius from T = 0 and the history from $t = \int a^{d-1}da/C$.
+
+Source: Verney, Evaluation of the plastic limit of metals under explosive shells (1968); Howell & Ball, J. Comput. Phys. 175 (2002)
+128; integrals derived here.
+"""
+
+import numpy as np
+from scipy.integrate import quad
+from scipy.optimize import brentq
+
+from hugoniot.errors import NoSolution, OutOfRange
+from hugoniot.theory.exact.solution import Solution
+
+
+def _measure(a, volume, d):
+    """(outer radius, integral of u^2 r^(d-1) dr for C = 1) at inner radius a; `volume` = b^d - a^d."""
+    b = (a**d + volume) ** (1.0 / d)
+    return b, np.log(b / a) if d == 2 else 1.0 / a - 1.0 / b
+
+
+def _resistance(a, volume, density, yield_stress, d):
+    """Plastic work per unit of a^(d-1) da over half the density and the surface factor: the same unit as C^2 times the measure."""
+    b = (a**d + volume) ** (1.0 / d)
+    factor = 4.0 / np.sqrt(3.0) if d == 2 else 4.0
+    return factor * yield_stress / density * np.log(b / a) * a ** (d - 1)
+
+
+def shell_stopping(geometry: str = "spherical", density: float = 1845.0, yield_stress: float = 330e6, inner: float = 0.08,
+                   outer: float = 0.10, speed: float = 675.036) -> Solution:
+    """Shell between radii inner and outer (m), inner surface moving inwards at `speed` (m/s), u ~ 1/r^(d-1).
+
+    Fields at radii inside the shell: density, velocity; NaN elsewhere. `numbers`: stop_radius, stop_outer_radius, stop_time, and
+    kinetic_energy (J per metre of cylinder; J of the whole sphere). Raises NoSolution for a shell that reaches the axis.
+    """
+    if geometry not in ("cylindrical", "spherical") or not 0.0 < inner < outer or min(density, yield_stress, speed) <= 0.0:
+        raise OutOfRange("a stopping shell is cylindrical or spherical, with 0 < inner < outer and positive density, yield stress, speed")
+    d = 2 if geometry == "cylindrical" else 3
+    volume = outer**d - inner**d
+    start = (speed * inner ** (d - 1)) ** 2 * _measure(inner, volume, d)[1]
+
+    def work(a):
+        return quad(_resistance, a, inner, args=(volume, density, yield_stress, d), epsabs=0.0, epsrel=1e-13)[0]
+
+    floor = 1e-6 * inner
+    if work(floor) < start:
+        raise NoSolution(f"the shell reaches r = {floor:.2g} m before its kinetic energy is spent; lower the speed of {speed:g} m/s")
+    stop = brentq(lambda a: work(a) - start, floor, inner, xtol=1e-15, rtol=1e-14)
+
+    def strength(a):
+        return np.sqrt(max(start - work(a), 0.0) / _measure(a, volume, d)[1])
+
+    def elapsed(a):
+        # a = stop + y^2 takes the square-root singularity out of 1/C at the end of the motion
+        return quad(lambda y: 2.0 * y * (stop + y * y) ** (d - 1) / strength(stop + y * y),
+                    np.sqrt(a - stop), np.sqrt(inner - stop), epsabs=0.0, epsrel=1e-9, limit=200)[0]
+
+    stop_time = elapsed(stop * (1.0 + 1e-14))
+
+    def radius(time):
+        return inner if time <= 0.0 else stop if time >= stop_time else brentq(lambda a: elapsed(a) - time, stop * (1 + 1e-13), inner)
+
+    def profile(r, time):
+        a = radius(time)
+        b = _measure(a, volume, d)[0]
+        inside = (r >= a * (1 - 1e-12)) & (r <= b * (1 + 1e-12))
+        c = strength(a) if time < stop_time else 0.0
+        with np.errstate(divide="ignore"):
+            return {"density": np.where(inside, density, np.nan), "velocity": np.where(inside, -c / r ** (d - 1), np.nan)}
+
+    numbers = {"stop_radius": stop, "stop_outer_radius": float(_measure(stop, volume, d)[0]), "stop_time": stop_time,
+               "kinetic_energy": (np.pi if d == 2 else 2.0 * np.pi) * density * float(start)}
+    return Solution(f"stopping shell, {geometry}", geometry, profile,
+                    lambda time: (radius(time), float(_measure(radius(time), volume, d)[0])), numbers)
+
+
+def howell_ball() -> Solution:
+    """Cylindrical beryllium shell that stops at 5 cm (Howell & Ball; B17)."""
+    return shell_stopping("cylindrical", speed=417.1)
+
+
+def verney() -> Solution:
+    """Spherical beryllium shell that stops at 3 cm (Verney; B17)."""
+    return shell_stopping("spherical", speed=675.036)
