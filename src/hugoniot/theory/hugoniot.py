@@ -6,7 +6,6 @@ states and compiled (`theory.kernels`) for many, and every search that fails bec
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -47,7 +46,7 @@ class Initial:
         p0 = float(contract.pressure(rho0, e0, par))
         if abs(p0) < 1e-12 * rho0 * abs(contract.sound_speed_squared(rho0, e0, par)):
             p0 = 0.0
-        if density is not None and not 0.0 < density:
+        if density is not None and not density > 0.0:
             raise OutOfRange(f"an initial density of {density:.6g} kg/m3 is no state: give a positive one")
         return cls(rho0 if density is None else float(density), p0, e0, velocity, heat)
 
@@ -269,7 +268,7 @@ def distended(par, ahead: Initial) -> bool:
         return True
     rho0, e0 = contract.reference_state(par)
     scale = abs(rho0 * contract.sound_speed_squared(rho0, e0, par)) + abs(ahead.pressure)
-    return ahead.heat == 0.0 and abs(contract.pressure(ahead.density, ahead.energy, par) - ahead.pressure) > 1e-6 * scale
+    return ahead.heat == 0.0 and contract.pressure(ahead.density, ahead.energy, par) < ahead.pressure - 1e-6 * scale
 
 
 def _crushed(par, ahead: Initial, v0: float) -> float:
@@ -291,7 +290,9 @@ def _refuse(status, mode, name, target, ahead: Initial, par):
         end = limit(par, ahead)
         reach = f"density {end.density:.6g} kg/m3"
         if math.isfinite(end.particle_velocity):
-            reach += f", pressure {end.pressure:.6g} Pa, particle velocity {end.particle_velocity:.6g} m/s, shock velocity {end.shock_velocity:.6g} m/s"
-        raise OutOfRange(f"{asked} is beyond the compression limit of law '{law}' from {ahead.density:.6g} kg/m3: the Hugoniot ends at {reach}")
+            reach += (f", pressure {end.pressure:.6g} Pa, particle velocity {end.particle_velocity:.6g} m/s, "
+                      f"shock velocity {end.shock_velocity:.6g} m/s")
+        raise OutOfRange(f"{asked} is beyond the compression limit of law '{law}' from {ahead.density:.6g} kg/m3: "
+                         f"the Hugoniot ends at {reach}")
     raise NoSolution(f"the search for {asked} on the Hugoniot of law '{law}' from {ahead.density:.6g} kg/m3 did not settle: "
                      "the law is not smooth there; ask for a neighbouring state")

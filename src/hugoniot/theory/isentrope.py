@@ -8,9 +8,10 @@ import math
 
 import numpy as np
 
-from hugoniot.errors import NoSolution, OutOfRange
+from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
+from hugoniot.materials.initial_state import initial_state
 from hugoniot.theory import expansion
 from hugoniot.theory.states import States, density_at, density_range, energy_at, evaluate, law_of
 
@@ -29,7 +30,8 @@ def isentrope(material, start: States | None = None, *, direction: int = 1, **gi
     par = law_of(material)
     start = start or reference(par)
     if len(given) != 1 or next(iter(given)) not in ("density", "pressure", "particle_velocity"):
-        raise OutOfRange(f"a state on an isentrope is named by exactly one of density, pressure, particle_velocity; got {', '.join(given) or 'none'}")
+        raise OutOfRange("a state on an isentrope is named by exactly one of density, pressure, particle_velocity; "
+                         f"got {', '.join(given) or 'none'}")
     name, value = next(iter(given.items()))
     targets = np.atleast_1d(np.asarray(value, float)).ravel()
     if not np.isfinite(targets).all():
@@ -67,7 +69,9 @@ def state(material, velocity: float = 0.0, **given) -> States:
     rho0, e0 = (float(v) for v in contract.reference_state(par))
     rho = given.get("density", None if len(given) == 2 else rho0)
     if "temperature" in given:
-        return _at_temperature(par, velocity, rho, given)
+        found = initial_state(par, given.get("density"), given.get("pressure"), given["temperature"], given.get("energy"))
+        rho, e = (float(v) for v in found)
+        return States(par, rho, float(contract.pressure(rho, e, par)), e, velocity)
     if rho is None:
         rho = density_at(par, given["pressure"], given["energy"])
     if not density_range(par)[0] <= rho < density_range(par)[1]:
@@ -78,35 +82,6 @@ def state(material, velocity: float = 0.0, **given) -> States:
         e = energy_at(par, rho, given.get("pressure", 0.0))
     else:
         e = e0
-    return States(par, float(rho), float(contract.pressure(rho, e, par)), e, velocity)
-
-
-def _at_temperature(par, velocity, rho, given) -> States:
-    """A state by temperature: the energy by Newton with the specific heat; with a pressure the density by secants around it."""
-    if "temperature" not in EOS.of(par).functions:
-        raise OutOfRange(f"law '{EOS.of(par).name}' has no temperature: give energy instead, or a law with a specific heat")
-    if "energy" in given:
-        raise NoSolution("temperature and energy together are solved for no law here: give density or pressure with one of them")
-
-    def energy(density):
-        e = float(contract.reference_state(par)[1])
-        for _ in range(100):
-            t = contract.temperature(density, e, par)
-            d = 1e-6 * max(abs(e), 1e3)
-            step = (given["temperature"] - t) / ((contract.temperature(density, e + d, par) - t) / d)
-            e += step
-            if abs(step) < 1e-13 * max(abs(e), 1.0):
-                return e
-        raise NoSolution(f"no energy gives {given['temperature']:.6g} K at {density:.6g} kg/m3 (law '{EOS.of(par).name}')")
-
-    if rho is None:
-        rho, last = float(contract.reference_state(par)[0]), math.inf
-        for _ in range(100):
-            new = density_at(par, given["pressure"], energy(rho), near=rho)
-            if abs(new - rho) <= 1e-14 * rho or (abs(new - rho) >= last and last < 1e-10 * rho):
-                break
-            rho, last = new, abs(new - rho)
-    e = energy(rho)
     return States(par, float(rho), float(contract.pressure(rho, e, par)), e, velocity)
 
 
@@ -150,7 +125,8 @@ def escape(material, start: States) -> float:
 def residual(states: States) -> float:
     r"""Largest misfit of de + p dv = 0 between neighbouring states, relative to the energy exchanged.
 
-    The work between two states is found anew, by Gauss-Legendre quadrature of p/rho in ln(rho) on the isentrope, 12 nodes per 0.3, so that the integrator is not its own judge.
+    The work between two states is found anew, by Gauss-Legendre quadrature of p/rho in ln(rho) on the isentrope,
+    12 nodes per 0.3, so that the integrator is not its own judge.
     """
     nodes, weights = np.polynomial.legendre.leggauss(12)
     kink = math.log(contract.reference_state(states.par)[0])  # where a law may change its branch
@@ -211,7 +187,8 @@ def _by_search(name, targets, y0, e0, par):
         for i in side:
             status, *here = find(*here, float(targets[i]), lowest, highest, par)
             if status != expansion.REACHED:
-                _end(here[0], here[1], par, f"{name.replace('_', ' ')} {targets[i]:.6g} {'Pa' if name == 'pressure' else 'm/s'} is not reached: ")
+                unit = "Pa" if name == "pressure" else "m/s"
+                _end(here[0], here[1], par, f"{name.replace('_', ' ')} {targets[i]:.6g} {unit} is not reached: ")
             y[i], e[i], u[i] = here
     return y, e, u
 

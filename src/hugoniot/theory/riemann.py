@@ -171,7 +171,8 @@ def _separated(left: _Side, right: _Side) -> Riemann | None:
     for side, (surface, u) in zip((left, right), surfaces):
         d = side.direction
         tail = u if surface.density == 0.0 else u + d * surface.sound_speed
-        waves.append(Wave("fan" if side.state.pressure > 0.0 else "none", side.state, surface, side.state.particle_velocity + d * side.c, tail, d))
+        kind = "fan" if side.state.pressure > 0.0 else "none"
+        waves.append(Wave(kind, side.state, surface, side.state.particle_velocity + d * side.c, tail, d))
     return Riemann(*waves, pressure=0.0, velocity=math.nan, vacuum=True)
 
 
@@ -207,7 +208,8 @@ def _meet(left: _Side, right: _Side, bonded: bool) -> float:
         p = new
     if abs(g) <= 1e-9 * (left.c + right.c):
         return p
-    raise NoSolution(f"the wave curves of '{EOS.of(left.par).name}' and '{EOS.of(right.par).name}' did not meet between {low:.6g} and {high:.6g} Pa")
+    raise NoSolution(f"the wave curves of '{EOS.of(left.par).name}' and '{EOS.of(right.par).name}' did not meet "
+                     f"between {low:.6g} and {high:.6g} Pa")
 
 
 def _fill(rows, names, xi, mine, wave: Wave):

@@ -1,0 +1,166 @@
+r"""Chapman-Jouguet state of any law, by tangency of the Rayleigh line; detonation Hugoniot and overdriven states.
+
+The products leave the front at their own sound speed: with $x = v_0 - v$ on the detonation Hugoniot,
+
+$$F(x) = \rho^2 c^2\,x - (p - p_0) = 0, \qquad D = v_0\sqrt{(p - p_0)/x},$$
+
+the point of least detonation velocity. F is negative near constant volume and changes sign once; the search scans for the change,
+then closes in. No gamma-law formula enters. Chemical energy stands either in the energy of the upstream state (JWL: e0/rho0) or in
+`Initial.heat`. Source: 001 (KB codes) section 4 with K-E4 corrected; 003 A-5.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from hugoniot.errors import NoSolution, OutOfRange
+from hugoniot.laws.eos import contract
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.theory import jump
+from hugoniot.theory.hugoniot import Initial, _interval, shock
+from hugoniot.theory.states import States, law_of
+
+
+@dataclass(frozen=True)
+class Detonation:
+    """The CJ point: `state` (its shock_velocity is the detonation velocity), upstream state, and the residual of the tangency."""
+
+    state: States
+    initial: Initial
+    tangency: float
+
+    @property
+    def detonation_velocity(self) -> float:
+        """m/s, relative to the explosive ahead."""
+        return self.state.shock_velocity - self.initial.velocity
+
+    @property
+    def adiabatic_exponent(self) -> float:
+        """gamma = rho c^2 / p of the products at the CJ point."""
+        return self.state.adiabatic_exponent
+
+    def table(self) -> dict:
+        """The state under the field's words, with detonation_velocity and adiabatic_exponent."""
+        return {**self.state.table(), "detonation_velocity": self.detonation_velocity, "adiabatic_exponent": self.adiabatic_exponent}
+
+
+def explosive(material, density: float | None = None, heat: float = 0.0) -> Initial:
+    """The unreacted explosive ahead of a detonation: the law's reference density and energy at zero pressure.
+
+    For products (JWL) the reference energy is the detonation energy; `heat` (J/kg) adds to it for laws without one (a gas).
+    """
+    par = law_of(material)
+    rho0, e0 = (float(v) for v in contract.reference_state(par))
+    gas_at_rest = "reacted" not in EOS.of(par).flags
+    p0 = float(contract.pressure(rho0, e0, par)) if gas_at_rest else 0.0
+    return Initial(density or rho0, p0, e0, heat=heat)
+
+
+def cj(material, initial: Initial | None = None) -> Detonation:
+    """The Chapman-Jouguet detonation of products that obey the material's law.
+
+    initial   the explosive ahead, with its heat (default: `explosive(material)`)
+    Raises `OutOfRange` if no detonation is possible (no energy is released), `NoSolution` if the tangency is not met to 1e-10.
+    """
+    par = law_of(material)
+    ahead = initial or explosive(par)
+    v0, least, most = _interval(par, ahead)
+    with np.errstate(all="ignore"):
+        x = _tangency(par, ahead, v0, max(least, 1e-4 * v0), most)
+        _, p, _ = _slack(x, par, ahead, v0)
+    e = ahead.energy + ahead.heat + 0.5 * (p + ahead.pressure) * x
+    rho = 1.0 / (v0 - x)
+    u, d = math.sqrt((p - ahead.pressure) * x), v0 * math.sqrt((p - ahead.pressure) / x)
+    state = States(par, rho, p, e, ahead.velocity + u, ahead.velocity + d)
+    tangency = abs(rho * rho * contract.sound_speed_squared(rho, e, par) * x / (p - ahead.pressure) - 1.0)
+    if not tangency < 1e-10:
+        raise NoSolution(f"the tangency of the Rayleigh line is met to {tangency:.2g} only (law '{EOS.of(par).name}'): "
+                         "the law is not smooth near its CJ point")
+    return Detonation(state, ahead, tangency)
+
+
+def overdriven(material, initial: Initial | None = None, *, branch: str = "strong", **given) -> States:
+    """States on the detonation Hugoniot from one of pressure, particle_velocity, density or shock_velocity (the front's).
+
+    branch   for a given front velocity above the CJ velocity: "strong" (overdriven) or "weak" (supersonic products)
+    """
+    par = law_of(material)
+    ahead = initial or explosive(par)
+    if "shock_velocity" not in given:
+        return shock(par, ahead, **given)
+    point = cj(par, ahead)
+    speed = np.asarray(given["shock_velocity"], float) - ahead.velocity
+    if (speed < point.detonation_velocity * (1.0 - 1e-12)).any():
+        raise OutOfRange(f"a front of {speed.min():.6g} m/s is slower than the Chapman-Jouguet velocity "
+                         f"{point.detonation_velocity:.6g} m/s: no steady detonation")
+    x_cj = 1.0 / ahead.density - 1.0 / point.state.density
+    v0, least, most = _interval(par, ahead)
+    found = []
+    for target in np.atleast_1d(speed).ravel() * ahead.density:
+        if target <= point.detonation_velocity * ahead.density * (1.0 + 1e-12):
+            found.append(x_cj)
+            continue
+        e0 = ahead.energy + ahead.heat
+        low, high = x_cj, x_cj
+        if branch == "strong":
+            status, low, high = jump.bracket(jump.BY_SHOCK_VELOCITY, target, x_cj, least, most, v0, ahead.pressure, e0, par)
+            status, x = jump.polish(jump.BY_SHOCK_VELOCITY, target, low, high, v0, ahead.pressure, e0, par)
+        else:
+            x = _weak(target, x_cj, v0, ahead.pressure, e0, par)
+        found.append(x)
+    x = np.reshape(found, np.shape(speed)) if np.ndim(speed) else found[0]
+    return shock(par, ahead, density=1.0 / (v0 - x))
+
+
+def _weak(flux, x_cj, v0, p0, e0, par):
+    """x on the weak branch, between constant volume and the CJ point: the misfit falls through zero there."""
+    low, high = 1e-12 * v0, x_cj
+    for _ in range(200):
+        x = 0.5 * (low + high)
+        g, _ = jump.misfit(jump.BY_SHOCK_VELOCITY, flux, x, v0, p0, e0, par)
+        low, high = (x, high) if g > 0.0 else (low, x)
+        if high - low < 1e-16 * v0:
+            break
+    return 0.5 * (low + high)
+
+
+def _slack(x, par, ahead: Initial, v0):
+    """(F, p, ok) on the detonation Hugoniot at x."""
+    rho = 1.0 / (v0 - x)
+    e0 = ahead.energy + ahead.heat
+    status, p = jump.pressure_at(x, rho, ahead.pressure, e0, contract.pressure(rho, e0 + ahead.pressure * x, par), par)
+    e = e0 + 0.5 * (p + ahead.pressure) * x
+    return rho * rho * contract.sound_speed_squared(rho, e, par) * x - (p - ahead.pressure), p, status == jump.FOUND and p > ahead.pressure
+
+
+def _tangency(par, ahead, v0, least, most):
+    """x of the CJ point: scan for the change of sign, then secants kept in the bracket (Illinois)."""
+    low, f_low, high = None, 0.0, None
+    for x in least + (most - least) * np.linspace(0.0, 1.0, 121)[1:-1] ** 1.5:
+        f, _, ok = _slack(float(x), par, ahead, v0)
+        if not (ok and math.isfinite(f)):
+            if low is None:
+                continue
+            break
+        if f < 0.0:
+            low, f_low = float(x), f
+        elif low is not None:
+            high, f_high = float(x), f
+            break
+    if low is None or high is None:
+        raise OutOfRange(f"law '{EOS.of(par).name}' has no Chapman-Jouguet point ahead of {ahead.density:.6g} kg/m3: the upstream energy "
+                         f"{ahead.energy:.6g} J/kg with heat {ahead.heat:.6g} J/kg releases nothing; give the heat of reaction")
+    side = 0
+    for _ in range(200):
+        x = (low * f_high - high * f_low) / (f_high - f_low)
+        if not low < x < high:
+            x = 0.5 * (low + high)
+        f, _, _ = _slack(x, par, ahead, v0)
+        if f == 0.0 or high - low <= 4e-16 * high:
+            break
+        if f < 0.0:
+            low, f_low, f_high, side = x, f, (0.5 * f_high if side < 0 else f_high), -1
+        else:
+            high, f_high, f_low, side = x, f, (0.5 * f_low if side > 0 else f_low), 1
+    return x

@@ -1,0 +1,230 @@
+r"""Fits: shock against particle velocity with error bars, JWL from a CJ state and an expansion curve, the repaired Gamma.
+
+**Us-up.** Least squares of $U_s = \sum_k a_k u_p^k$, linear or quadratic, with the standard deviation of the points about the curve
+and the highest measured $u_p$, beyond which the fit extrapolates (001, KB codes, section 3), and the covariance of the coefficients.
+
+**JWL.** On the isentrope through the CJ point, with V = v/v0,
+$p = A e^{-R_1V} + B e^{-R_2V} + C V^{-1-\omega}$. For any $R_1, R_2, \omega$ the CJ pressure, the tangency $-dp/dV = p/(1-V)$ and the energy
+$E(V_{CJ}) = E_0 + p(1-V)/2$ are three linear equations for A, B, C, so every trial closes on the CJ state exactly; the
+exponents alone are fitted to the expansion curve, in $\ln p$. Source: Lee, Hornig and Kury, UCRL-50422, for the form.
+
+**Gamma that meets the jump** (004 eq. 7.1.31, lost in the scan and recovered): see `adjusted_gamma`.
+"""
+
+import csv
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from hugoniot.errors import DeckError, NoSolution, OutOfRange
+from hugoniot.laws.eos.jwl import JWL
+from hugoniot.units import UnitError, parse
+
+
+@dataclass(frozen=True)
+class UsUpFit:
+    """coefficients   a_k in SI, constant first; covariance of them; deviation: of the points about the curve, m/s (n - m degrees of
+    freedom); least, highest: range of the measured up, m/s; points: (up, us) that were fitted.
+    """
+
+    coefficients: tuple[float, ...]
+    covariance: np.ndarray
+    deviation: float
+    least: float
+    highest: float
+    points: np.ndarray
+
+    @property
+    def deviations(self) -> tuple[float, ...]:
+        """One standard deviation of each coefficient."""
+        return tuple(float(v) for v in np.sqrt(np.diag(self.covariance)))
+
+    def __call__(self, up):
+        """Us at particle velocities, m/s."""
+        return np.polynomial.polynomial.polyval(up, self.coefficients)
+
+    def band(self, up):
+        """One standard deviation of the fitted curve at particle velocities, m/s."""
+        x = np.vander(np.atleast_1d(np.asarray(up, float)), len(self.coefficients), increasing=True)
+        sigma = np.sqrt(np.maximum(np.einsum("ij,jk,ik->i", x, self.covariance, x), 0.0))
+        return sigma if np.ndim(up) else float(sigma[0])
+
+    def table(self) -> dict:
+        """SI numbers by name, for JSON."""
+        names = ("c0", "s", "s2")[: len(self.coefficients)]
+        return {**dict(zip(names, self.coefficients)), **{f"{n}_deviation": d for n, d in zip(names, self.deviations)},
+                "standard_deviation": self.deviation, "least_particle_velocity": self.least, "highest_particle_velocity": self.highest,
+                "points": len(self.points), "covariance": self.covariance.tolist()}
+
+
+def us_up(up, us, degree: int = 1) -> UsUpFit:
+    """Fit Us(up): arrays in m/s, degree 1 (linear) or 2 (quadratic). Raises `OutOfRange` for too few or unusable points."""
+    up, us = np.asarray(up, float).ravel(), np.asarray(us, float).ravel()
+    if degree not in (1, 2):
+        raise OutOfRange(f"a Us-up fit is linear (1) or quadratic (2), not of degree {degree}")
+    if up.size != us.size or not (np.isfinite(up).all() and np.isfinite(us).all()):
+        raise OutOfRange("the points need one finite particle velocity and shock velocity each")
+    if np.unique(up).size < degree + 2:
+        raise OutOfRange(f"a fit of degree {degree} with a standard deviation needs {degree + 2} different particle velocities, "
+                         f"there are {np.unique(up).size}")
+    scale = np.max(np.abs(up))
+    design = np.vander(up / scale, degree + 1, increasing=True)
+    scaled, _, _, _ = np.linalg.lstsq(design, us, rcond=None)
+    left = us - design @ scaled
+    variance = float(left @ left) / (up.size - degree - 1)
+    powers = scale ** -np.arange(degree + 1.0)
+    covariance = variance * np.linalg.inv(design.T @ design) * np.outer(powers, powers)
+    return UsUpFit(tuple((scaled * powers).tolist()), covariance, float(np.sqrt(variance)), float(up.min()), float(up.max()),
+                   np.column_stack([up, us]))
+
+
+_COLUMNS = {"particle_velocity": ("particle_velocity", "particlevelocity", "up"),
+            "shock_velocity": ("shock_velocity", "shockvelocity", "us")}
+_UNIT = re.compile(r"^(.*?)[\s_]*(?:[\(\[](.+)[\)\]]|(km_s|m_s|km/s|m/s|mm/us))?$")
+
+
+def read_points(path) -> tuple[np.ndarray, np.ndarray]:
+    """(up, us) in m/s from a CSV file with a header naming the columns particle_velocity (or up) and shock_velocity (or us).
+
+    A unit may follow in brackets, `up (km/s)`, or as `up_km_s`; without one the numbers are m/s. Lines that begin with # are skipped.
+    Raises `DeckError` with the line and the way out.
+    """
+    path = Path(path)
+    try:
+        lines = path.read_text(encoding="utf-8-sig").splitlines()
+    except (OSError, UnicodeDecodeError) as error:
+        raise DeckError.single(path, None, "points", f"cannot be read ({getattr(error, 'strerror', None) or 'not UTF-8 text'})",
+                               "give a CSV file of particle and shock velocities") from None
+    numbered = [(n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith("#")]
+    if not numbered:
+        raise DeckError.single(path, None, "points", "the file is empty", "the first line names the columns, such as up (km/s), us (km/s)")
+    head_line, head = numbered[0][0], next(csv.reader([numbered[0][1]]))
+    where = {name: _column(path, head_line, head, name) for name in _COLUMNS}
+    rows = []
+    for n, line in numbered[1:]:
+        cells = next(csv.reader([line]))
+        rows.append([_number(path, n, name, cells, *where[name]) for name in _COLUMNS])
+    if not rows:
+        raise DeckError.single(path, head_line, "points", "there are no points below the header")
+    up, us = np.array(rows).T
+    return up, us
+
+
+def _column(path, line, head, name):
+    """(index, factor to m/s) of a column."""
+    for i, text in enumerate(head):
+        match = _UNIT.match(text.strip().lower())
+        word, unit = match.group(1).strip(), match.group(2) or (match.group(3) or "m/s").replace("_", "/")
+        if word.replace(" ", "_") in _COLUMNS[name]:
+            try:
+                return i, parse(f"1 {unit}", "m/s")
+            except UnitError as error:
+                raise DeckError.single(path, line, name, error.message, error.hint) from None
+    raise DeckError.single(path, line, name, f"no column of that name among {', '.join(head)[:200]}",
+                           f"name one '{_COLUMNS[name][-1]} (km/s)'")
+
+
+def _number(path, line, name, cells, index, factor):
+    if index >= len(cells):
+        raise DeckError.single(path, line, name, f"the line has {len(cells)} cells, the column is number {index + 1}", "fill the gap")
+    try:
+        value = float(cells[index]) * factor
+    except ValueError:
+        value = np.nan
+    if not np.isfinite(value) or value < 0.0:
+        raise DeckError.single(path, line, name, f"'{cells[index].strip()[:40]}' is no velocity", "give a number that is not negative")
+    return value
+
+
+# -- JWL ---------------------------------------------------------------------------------------------------------
+@dataclass(frozen=True)
+class JwlFit:
+    """par: the fitted law; c: coefficient of its principal isentrope, Pa; deviation: root mean square of ln(p) about the curve."""
+
+    par: JWL
+    c: float
+    deviation: float
+    count: int
+
+
+def jwl_coefficients(rho0, velocity, pressure, energy, r1, r2, omega) -> tuple[float, float, float]:
+    """(A, B, C), Pa, that close on a CJ state for given exponents.
+
+    rho0 kg/m3, detonation velocity m/s, CJ pressure Pa, energy E0 J/m3 (per volume of explosive).
+    """
+    v = 1.0 - pressure / (rho0 * velocity**2)
+    e1, e2 = np.exp(-r1 * v), np.exp(-r2 * v)
+    matrix = np.array([[e1, e2, v ** (-1.0 - omega)],
+                       [r1 * e1, r2 * e2, (1.0 + omega) * v ** (-2.0 - omega)],
+                       [e1 / r1, e2 / r2, v**-omega / omega]])
+    sides = np.array([pressure, rho0 * velocity**2, energy + 0.5 * pressure * (1.0 - v)])
+    a, b, c = np.linalg.solve(matrix, sides)
+    return float(a), float(b), float(c)
+
+
+def fit_jwl(rho0: float, velocity: float, pressure: float, energy: float, volumes, pressures, *, omega: float | None = None,
+            start=(4.5, 1.2, 0.35)) -> JwlFit:
+    """JWL from a CJ state and points of the expansion isentrope below it.
+
+    rho0, velocity, pressure, energy   as in `jwl_coefficients`
+    volumes, pressures   relative volumes V = v/v0 above the CJ volume, pressures in Pa, both falling along the isentrope
+    omega   fixed, or None to fit it too. Raises `NoSolution` if no exponents with positive A and C describe the points.
+    """
+    from scipy.optimize import least_squares
+
+    volumes, target = np.asarray(volumes, float), np.log(np.asarray(pressures, float))
+    free = 2 if omega is not None else 3
+    if volumes.size < free + 1:
+        raise OutOfRange(f"fitting {free} exponents needs at least {free + 1} points of the expansion, there are {volumes.size}")
+
+    def parts(x):
+        r1, r2 = np.exp(x[0]) + np.exp(x[1]), np.exp(x[1])
+        w = omega if omega is not None else np.exp(x[2])
+        return (r1, r2, w, *jwl_coefficients(rho0, velocity, pressure, energy, r1, r2, w))
+
+    def misfit(x):
+        r1, r2, w, a, b, c = parts(x)
+        p = a * np.exp(-r1 * volumes) + b * np.exp(-r2 * volumes) + c * volumes ** (-1.0 - w)
+        return np.where(p > 0.0, np.log(np.maximum(p, 1e-300)) - target, 50.0)
+
+    best = None
+    for factor in (1.0, 0.9, 1.15):
+        x0 = np.log([start[0] * factor - start[1], start[1], *([] if omega is not None else [start[2]])])
+        found = least_squares(misfit, x0, xtol=1e-15, ftol=1e-15, gtol=1e-15, x_scale=0.1, max_nfev=2000)
+        best = found if best is None or found.cost < best.cost else best
+    r1, r2, w, a, b, c = parts(best.x)
+    deviation = float(np.sqrt(np.mean(best.fun**2)))
+    if not (a > 0.0 and c > 0.0 and deviation < 1.0):
+        raise NoSolution(f"no JWL isentrope through this CJ state follows the points (best: A = {a:.4g} Pa, C = {c:.4g} Pa, "
+                         f"{deviation:.3g} rms in ln p): check units and that the energy fits the CJ state")
+    return JwlFit(JWL(a, b, float(r1), float(r2), float(w), rho0, energy), c, deviation, volumes.size)
+
+
+# -- the Gamma that makes a truncated law meet the jump ----------------------------------------------------------
+def adjusted_gamma(rho0: float, c0: float, s: float, up: float, gamma: float, *, pressure: float = 101325.0) -> float:
+    r"""Grüneisen parameter with which the truncated cubic law of 004 passes through a shock state.
+
+    $$g = \frac{P_s - \rho_0c_0^2(x + 2sx^2 + 3s^2x^3)}{\rho_se_s - \rho_0c_0^2(x^2/2 + sx^3)}, \qquad x = u_p/U_s, \quad
+      P_s = \rho_0U_su_p + P_0, \quad e_s = \frac{P_0}{g_{lit}\rho_0} + \frac{(P_s + P_0)x}{2\rho_0}$$
+
+    rho0 kg/m3, c0 and up m/s, `gamma` the value of the literature, `pressure` P0 ahead, Pa. Source: 004 eq. 7.1.31, recovered.
+    A law whose reference curve is the exact Hugoniot meets its shock states for any Gamma and needs no adjustment.
+    """
+    us = c0 + s * up
+    x = up / us
+    if not 0.0 < x < 1.0:
+        raise OutOfRange(f"a particle velocity of {up:.6g} m/s in a shock of {us:.6g} m/s is no compression "
+                         "(fits with s < 1 end at c0/(1 - s))")
+    behind = rho0 * us * up + pressure
+    energy = pressure / (gamma * rho0) + 0.5 * (behind + pressure) * x / rho0
+    density = rho0 / (1.0 - x)
+    modulus = rho0 * c0 * c0
+    return (behind - modulus * (x + 2.0 * s * x**2 + 3.0 * s**2 * x**3)) / (density * energy - modulus * (0.5 * x**2 + s * x**3))
+
+
+def truncated_pressure(rho0: float, c0: float, s: float, gamma: float, density: float, energy: float) -> float:
+    """Pressure of 004's truncated law: the cubic of the cold curve with Gamma rho e, Pa."""
+    x = 1.0 - rho0 / density
+    return rho0 * c0 * c0 * (x + (2.0 * s - 0.5 * gamma) * x**2 + s * (3.0 * s - gamma) * x**3) + gamma * density * energy

@@ -1,0 +1,96 @@
+r"""Impedance matching: what a flyer does to a stack of layers, interface by interface, with reshock and release.
+
+At an interface the shock arriving from the left meets a layer at rest; pressure and velocity continue across, so the state is
+where the right-going Hugoniot of the layer ahead meets the reflected curve of the layer behind: a reshock if the layer ahead
+is stiffer, a release isentrope if it is softer. Both are the exact curves of the laws (`theory.riemann`), not the mirror image of
+the principal Hugoniot. Source: 001 (KB codes) section 2; Meyers, Dynamic Behavior of Materials, ch. 7, for the method.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from hugoniot.errors import OutOfRange
+from hugoniot.theory.isentrope import reference, release
+from hugoniot.theory.riemann import Riemann, riemann
+from hugoniot.theory.states import States, law_of
+
+
+@dataclass(frozen=True)
+class Match:
+    """One meeting of a wave with an interface.
+
+    interface     number of the interface (0: flyer and first target)
+    left, right   states on its two sides afterwards; a state made by a shock has its shock_velocity
+    wave_left, wave_right   "shock", "fan" or "none": the waves that leave
+    """
+
+    interface: int
+    left: States
+    right: States
+    wave_left: str
+    wave_right: str
+    separated: bool
+
+    @property
+    def pressure(self) -> float:
+        """Pa."""
+        return self.right.pressure
+
+    @property
+    def particle_velocity(self) -> float:
+        """m/s."""
+        return self.right.particle_velocity
+
+
+def match(layers: Sequence, velocity: float, *, initial: Sequence[States] | None = None) -> list[Match]:
+    """The states at every interface of a stack in the order in which the first shock reaches them.
+
+    layers     flyer first, then the targets: materials or parameter tuples, at least two
+    velocity   of the flyer towards the targets, m/s
+    initial    states before the impact (default: each at its reference state, the flyer at `velocity`)
+    Raises `OutOfRange` if nothing is struck or a law cannot follow.
+    """
+    if len(layers) < 2:
+        raise OutOfRange("an impact needs a flyer and at least one target")
+    start = list(initial) if initial else [reference(layers[0], velocity), *(reference(layer) for layer in layers[1:])]
+    if start[0].particle_velocity <= start[1].particle_velocity:
+        raise OutOfRange(f"a flyer of {start[0].particle_velocity:.6g} m/s does not strike a target of "
+                         f"{start[1].particle_velocity:.6g} m/s: give a positive impact velocity")
+    arriving, met = start[0], []
+    for k in range(len(layers) - 1):
+        met.append(_meet(k, layers[k], arriving, layers[k + 1], start[k + 1]))
+        arriving = met[-1].right
+    return met
+
+
+def ring_up(layers: Sequence, velocity: float, *, layer: int = 1, bounces: int = 10) -> list[Match]:
+    """The states of one layer as the wave runs to and fro between its neighbours, which count as thick.
+
+    layer     number of the layer in the stack (its neighbours exist on both sides)
+    bounces   how many meetings after the first passage of the stack's shock to the far side of the layer
+    The list begins with the first passage; each further entry is the meeting at the layer's far or near interface in turn.
+    """
+    if not 1 <= layer <= len(layers) - 2:
+        raise OutOfRange(f"layer {layer} has no neighbour on both sides in a stack of {len(layers)}: give 1 to {len(layers) - 2}")
+    met = match(layers[: layer + 2], velocity)
+    near, far = met[layer - 1], met[layer]
+    outer_left, inner, outer_right = near.left, far.left, far.right
+    for k in range(bounces):
+        if k % 2 == 0:
+            meeting = _meet(layer - 1, layers[layer - 1], outer_left, layers[layer], inner)
+            outer_left, inner = meeting.left, meeting.right
+        else:
+            meeting = _meet(layer, layers[layer], inner, layers[layer + 1], outer_right)
+            inner, outer_right = meeting.left, meeting.right
+        met.append(meeting)
+    return met
+
+
+def free_surface(material, state: States, *, to: float = 0.0) -> States:
+    """The state behind a free surface that a shock reaches: released isentropically to the pressure `to` (Pa)."""
+    return release(law_of(material), state, to, direction=-1)
+
+
+def _meet(k, left, left_state, right, right_state) -> Match:
+    found: Riemann = riemann(left, left_state, right, right_state)
+    return Match(k, found.left.behind, found.right.behind, found.left.kind, found.right.kind, found.vacuum)

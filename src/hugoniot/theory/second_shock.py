@@ -1,0 +1,89 @@
+r"""How far a second shock strays from the principal Hugoniot: appendix A of Wilkins, equations A.1 to A.4.
+
+For $P = a\mu + b\mu^2 + c(1+\mu)E$ with E per original volume, $\mu = \rho/\rho_0 - 1$, the principal Hugoniot (A.1), its cubic
+(A.2), the Hugoniot from a point $\mu_1$ on it (A.3) and that one expanded (A.4). (A.4) as printed is damaged (W-E1: it shows a
+fraction, and b + ac/2 inside the bracket, 17 to 21 % high); the corrected form is
+
+$$P = \Big[a\mu + (b + \tfrac{ac}2)\mu^2 + \tfrac c2(b + \tfrac{ac}2)\mu^3\Big]
+  - \frac c2\mu\Big[a\frac\delta V + (b + ac)\mu\frac\delta V - \frac c2 a\frac{\delta^2}{V^2}\Big]
+  + \frac c2\mu P_1\Big[1 + \frac c2\Big(\mu - \frac\delta V\Big)\Big], \qquad \delta = 1 - V_1 .$$
+
+What is left between the two Hugoniots is of third order, not higher as the source says: see `leading_difference`.
+Pressures and a, b are in any one unit of pressure; arrays or numbers.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from hugoniot.errors import OutOfRange
+
+
+class Quadratic(NamedTuple):
+    """a, b (pressure) and c of Wilkins' equation of state of appendix A."""
+
+    a: float
+    b: float
+    c: float
+
+
+def principal(mu, law: Quadratic):
+    """(A.1): the principal Hugoniot, from E = P(1 - V)/2. Raises `OutOfRange` at or beyond mu = 2/c, where it is infinite."""
+    mu = _checked(mu, 2.0 / law.c, "principal Hugoniot")
+    return (law.a * mu + law.b * mu**2) / (1.0 - 0.5 * law.c * mu)
+
+
+def principal_series(mu, law: Quadratic):
+    """(A.2): the cubic that Wilkins gives for mu < 0.25."""
+    mu = np.asarray(mu, float)
+    k = law.b + 0.5 * law.a * law.c
+    return (law.a * mu + k * mu**2 + 0.5 * law.c * k * mu**3)[()]
+
+
+def second(mu, mu1: float, law: Quadratic):
+    """(A.3): the Hugoniot from the state mu1 of the principal one, for mu >= mu1."""
+    mu = np.asarray(mu, float)
+    if (mu < mu1).any():
+        raise OutOfRange(f"a second shock from mu1 = {mu1} compresses further: give mu >= {mu1}")
+    expansion = mu - _shift(mu, mu1)
+    if (0.5 * law.c * expansion >= 1.0).any():
+        raise OutOfRange(f"mu = {np.max(mu):.6g} is beyond the compression limit of the second shock, c (mu - delta/V) = 2")
+    p1 = principal(mu1, law)
+    return ((law.a * mu + law.b * mu**2 + 0.5 * law.c * p1 * mu) / (1.0 - 0.5 * law.c * expansion))[()]
+
+
+def second_series(mu, mu1: float, law: Quadratic):
+    """(A.4) corrected (W-E1), with P1 from (A.2) as Wilkins takes it."""
+    mu = np.asarray(mu, float)
+    a, b, c = law
+    shift, p1 = _shift(mu, mu1), principal_series(mu1, law)
+    bracket = a * shift + (b + a * c) * mu * shift - 0.5 * c * a * shift**2
+    return (principal_series(mu, law) - 0.5 * c * mu * bracket + 0.5 * c * mu * p1 * (1.0 + 0.5 * c * (mu - shift)))[()]
+
+
+def second_series_as_printed(mu, mu1: float, law: Quadratic):
+    """(A.4) with b + ac/2 in the bracket, the fraction read as a difference and P1 unshifted: kept to show that the print fails."""
+    mu = np.asarray(mu, float)
+    a, b, c = law
+    shift = _shift(mu, mu1)
+    bracket = a * shift + (b + 0.5 * a * c) * mu * shift - 0.5 * c * a * shift**2
+    return (principal_series(mu, law) / (1.0 - 0.5 * c * bracket) + 0.5 * c * mu * principal_series(mu1, law))[()]
+
+
+def leading_difference(mu, mu1: float, law: Quadratic):
+    """-(c/2)(a + b + ac/2) mu mu1 (mu - mu1): the leading, third-order term of second minus principal Hugoniot (W-4)."""
+    mu = np.asarray(mu, float)
+    a, b, c = law
+    return (-0.5 * c * (a + b + 0.5 * a * c) * mu * mu1 * (mu - mu1))[()]
+
+
+def _shift(mu, mu1):
+    """delta/V = (1 - V1)(1 + mu)."""
+    return (mu1 / (1.0 + mu1)) * (1.0 + mu)
+
+
+def _checked(mu, limit, what):
+    mu = np.asarray(mu, float)
+    if (mu >= limit).any():
+        raise OutOfRange(f"mu = {np.max(mu):.6g} is beyond the compression limit of the {what}, mu = {limit:.6g}")
+    return mu[()]

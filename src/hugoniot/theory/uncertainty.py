@@ -1,0 +1,113 @@
+r"""Error bars of any answer from the errors of what went in.
+
+Linear: $\sigma_y^2 = J C J^T$ with the Jacobian by central differences over half a standard deviation, so that the answer of
+a curved function is still the mean slope where the parameter lives. Monte Carlo: normal samples of the same covariance, with the
+16th, 50th and 84th percentiles, for answers that are not nearly linear.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from hugoniot.errors import HugoniotError, OutOfRange
+from hugoniot.theory.states import law_of
+
+
+@dataclass(frozen=True)
+class Spread:
+    """value: the answer at the nominal parameters; sigma: one standard deviation; low, high: 16 % and 84 % percentiles.
+
+    `shares` (linear only) is the part of the variance that each parameter alone brings.
+    """
+
+    value: float
+    sigma: float
+    low: float
+    high: float
+    shares: dict[str, float]
+
+
+def vary(material, **values: float):
+    """The parameter tuple of a material's law with some named parameters replaced.
+
+    Raises `OutOfRange` for a parameter the law does not have, naming those it has.
+    """
+    par = law_of(material)
+    if stray := set(values) - set(par._fields):
+        raise OutOfRange(f"the law has no parameter {', '.join(sorted(stray))}; it has {', '.join(par._fields)}")
+    return par._replace(**{k: float(v) for k, v in values.items()})
+
+
+def propagate(function: Callable[..., Mapping[str, float]], values: Mapping[str, float], sigmas: Mapping[str, float], *,
+              correlation: Mapping[tuple[str, str], float] | None = None, samples: int = 0, seed: int = 0) -> dict[str, Spread]:
+    """Error bars of every number that `function(**values)` returns.
+
+    values        nominal parameters, name -> SI value
+    sigmas        standard deviations of those that are uncertain
+    correlation   (name, name) -> coefficient, -1 to 1; others are independent
+    samples       0: linear propagation; above: Monte Carlo with so many samples from the given seed
+    Raises `OutOfRange` for unknown names, a negative sigma or an impossible set of correlations.
+    """
+    names = [n for n, s in sigmas.items() if s != 0.0]
+    if stray := set(sigmas) - set(values):
+        raise OutOfRange(f"no such parameter: {', '.join(sorted(stray))}; there are {', '.join(values)}")
+    covariance = _covariance(names, sigmas, correlation or {})
+    centre = {k: float(v) for k, v in function(**values).items()}
+    if not names:
+        return {k: Spread(v, 0.0, v, v, {}) for k, v in centre.items()}
+    if samples:
+        return _monte_carlo(function, values, names, covariance, centre, samples, seed)
+    jacobian = {k: np.zeros(len(names)) for k in centre}
+    for i, name in enumerate(names):
+        h = 0.5 * sigmas[name]
+        up, down = (function(**{**values, name: values[name] + d}) for d in (h, -h))
+        for k in centre:
+            jacobian[k][i] = (float(up[k]) - float(down[k])) / (2.0 * h)
+    result = {}
+    for k, value in centre.items():
+        variance = float(jacobian[k] @ covariance @ jacobian[k])
+        sigma = float(np.sqrt(max(variance, 0.0)))
+        alone = (jacobian[k] * np.sqrt(np.diag(covariance))) ** 2
+        shares = {n: float(a / variance) if variance else 0.0 for n, a in zip(names, alone)}
+        result[k] = Spread(value, sigma, value - sigma, value + sigma, shares)
+    return result
+
+
+def _covariance(names, sigmas, correlation):
+    if any(not (np.isfinite(sigmas[n]) and sigmas[n] > 0.0) for n in names):
+        raise OutOfRange("a standard deviation must be finite and not negative")
+    matrix = np.diag([float(sigmas[n]) ** 2 for n in names])
+    for (a, b), value in correlation.items():
+        if a in names and b in names:
+            i, j = names.index(a), names.index(b)
+            matrix[i, j] = matrix[j, i] = value * sigmas[a] * sigmas[b]
+    scale = np.sqrt(np.diag(matrix))
+    if names and np.linalg.eigvalsh(matrix / np.outer(scale, scale)).min() < -1e-12:
+        raise OutOfRange("these correlations contradict each other: the covariance is not positive")
+    return matrix
+
+
+def _monte_carlo(function, values, names, covariance, centre, samples, seed):
+    scale = np.sqrt(np.diag(covariance))
+    normalised = covariance / np.outer(scale, scale)
+    weights, vectors = np.linalg.eigh(normalised)
+    draw = np.random.default_rng(seed).standard_normal((samples, len(names)))
+    draw = scale * (draw @ (vectors * np.sqrt(np.maximum(weights, 0.0))).T)
+    rows: dict[str, list[float]] = {k: [] for k in centre}
+    refused = 0
+    for shift in draw:
+        try:
+            answer = function(**{**values, **{n: values[n] + float(s) for n, s in zip(names, shift)}})
+        except HugoniotError:
+            refused += 1
+            continue
+        for k in rows:
+            rows[k].append(float(answer[k]))
+    if refused > 0.01 * samples:
+        raise OutOfRange(f"{refused} of {samples} samples fall outside what the laws can do: the errors reach beyond their limits")
+    spreads = {}
+    for k, found in rows.items():
+        low, high = np.percentile(found, [15.865525393145708, 84.1344746068543])
+        spreads[k] = Spread(centre[k], float(np.std(found, ddof=1)), float(low), float(high), {})
+    return spreads
