@@ -4,6 +4,7 @@ Every value keeps its provenance: a card is a dictionary parameter -> Source (or
 reader `materials.build`, so that library, decks and users' files share one schema and one set of checks.
 """
 
+import math
 from dataclasses import replace
 
 from hugoniot.materials.material import Source
@@ -118,7 +119,7 @@ def _jwl(row: Row) -> Card:
     if heat is not None:
         found["specific_heat"] = replace(row.constant("heat_capacity_volume", "specific_heat"), value=heat / row["rho0"], unit="J/kg/K")
     if row["role"] == "unreacted":
-        found["e0"] = _thermal_energy(row, row.constant("heat_capacity_volume"))
+        found["e0"] = _energy_at_rest(row, found, row.constant("heat_capacity_volume"))
     elif "e0" in row:
         found["e0"] = row.constant("e0")
     elif "e0_from_isentrope" in row:
@@ -138,19 +139,22 @@ def _reactant(row: Row) -> Card:
         found[name] = row.constant(f"unreacted_{name}", name)
     heat = row.constant("unreacted_heat_capacity", "specific_heat")
     found["specific_heat"] = replace(heat, value=heat.value / row["rho0"], unit="J/kg/K")
-    found["e0"] = _thermal_energy(row, heat)
+    found["e0"] = _energy_at_rest(row, found, heat)
     return found
 
 
-def _thermal_energy(row: Row, heat: Source) -> Source:
-    note = f"row {row.id}: thermal energy c_v T at {REST_TEMPERATURE:g} K, so that the pressure at rest is near zero"
-    return replace(heat, quantity="e0", value=heat.value * REST_TEMPERATURE, unit="J/m^3", status="derived", note=note)
+def _energy_at_rest(row: Row, found: Card, heat: Source) -> Source:
+    """E0 = A/R1 exp(-R1) + B/R2 exp(-R2) + c_v T0: the calibrations use p(V, T) = A exp(-R1 V) + B exp(-R2 V) + omega c_v T/V."""
+    cold = sum(found[n].value / found[r].value * math.exp(-found[r].value) for n, r in (("a", "r1"), ("b", "r2")))
+    note = f"row {row.id}: energy at V = 1 and {REST_TEMPERATURE:g} K, so that the pressure at rest is the calibration's"
+    return replace(heat, quantity="e0", value=cold + heat.value * REST_TEMPERATURE, unit="J/m^3", status="derived", note=note)
 
 
 def _gas(row: Row) -> Card:
     """Ideal gas: R = R_u/M, c_v = R/(gamma - 1), density at the stated pressure and the temperature the law has at rest."""
     gas_constant = row["gas_constant"] if "gas_constant" in row else UNIVERSAL_GAS_CONSTANT / row["molar_mass"]
-    derived = replace(row.constant("molar_mass"), status="derived", note=f"row {row.id}: from its molar mass or gas constant, at {row['pressure']:g} Pa and {ROOM_TEMPERATURE} K")
+    note = f"row {row.id}: from its molar mass or gas constant, at {row['pressure']:g} Pa and {ROOM_TEMPERATURE} K"
+    derived = replace(row.constant("molar_mass"), status="derived", note=note)
     heat, rho0 = gas_constant / (row["gamma"] - 1.0), row["pressure"] / (gas_constant * ROOM_TEMPERATURE)
     return {"law": "ideal_gas", "gamma": row.constant("gamma"),
             "specific_heat": replace(derived, quantity="specific_heat", value=heat, unit="J/kg/K"),

@@ -23,6 +23,7 @@ from typing import Any
 from hugoniot.core.registry import Registry
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
 from hugoniot.materials import cards, schema
+from hugoniot.materials.marks import marks
 from hugoniot.materials.build import build_material, read_law
 from hugoniot.materials.collect import Collector
 from hugoniot.materials.material import Material, Source
@@ -55,6 +56,7 @@ class Entry:
     missing: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     unreacted: Any = None
+    detonation: Mapping[str, Source] = field(default_factory=dict)
     rows: tuple[str, ...] = ()
     file: str = ""
     curated: bool = True
@@ -156,7 +158,7 @@ class _Reader:
     def use(self, row: schema.Row) -> None:
         """Remember that constants of a row are used, and what must be seen wherever it is."""
         self.rows.append(row.id)
-        self.marks += row.marks
+        self.marks += marks(row)
 
     def value(self, quantity: str, value: Any, unit: str) -> Any:
         """Resolve one value, remembering its source under the name `quantity`."""

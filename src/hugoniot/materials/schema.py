@@ -67,12 +67,12 @@ class Row:
     @property
     def marks(self) -> tuple[str, ...]:
         """What must be seen wherever the row is used: sentences, empty for a row without blemish."""
-        found = []
+        found, name = [], self.material or self.get("quantity", "")
         if self.status == "recalled":
-            found.append(f"{self.id} ({self.material}): {UNVERIFIED} ({self.source})")
+            found.append(f"{self.id} ({name}): {UNVERIFIED} ({self.source})")
         doubt = re.search(r"\b(DOUBT|DISAGREES)\b.*", self.note)
         if doubt:
-            found.append(f"{self.id} ({self.material}): {doubt.group(0)}")
+            found.append(f"{self.id} ({name}): {doubt.group(0)}")
         return tuple(found)
 
 

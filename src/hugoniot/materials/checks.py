@@ -1,0 +1,288 @@
+"""The rules every row and every material keeps, those of the library and a user's own alike.
+
+A `Finding` says what was looked at, what came out and against which limit. `fail` is a broken rule: wrong units, a misprint, a missing
+source. `mark` is a misfit the data themselves have: it is shown wherever the row is used (see `marks`), never hidden.
+"""
+
+import math
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+from hugoniot.errors import HugoniotError, NoSolution
+from hugoniot.laws.eos.contract import EOS, pressure, reference_state, sound_speed_squared
+from hugoniot.materials import cards, fits, schema
+from hugoniot.materials.derived import chapman_jouguet, energy_of_tangency, material_hugoniot, shock_velocity
+from hugoniot.materials.entry import Entry, make_entry
+from hugoniot.materials.marks import ENERGY_LIMIT, PRESSURE_LIMIT, REST_LIMIT, VELOCITY_LIMIT, closure, marks, unreacted_pressure
+from hugoniot.materials.schema import Row
+
+MODULI_LIMIT = 0.10  # bulk modulus rho0 c0^2 against the elastic one
+POINT_LIMIT = 0.02  # rho0 Us up of a measured state against the pressure its source reports
+RECORDED_LIMIT = 2e-3  # CJ velocity computed when the tables were made; the pressure may differ twice as much
+
+# column -> (lowest, highest) plausible value: a slip of a unit is a factor of ten or a thousand
+RANGES: dict[str, tuple[float, float]] = {
+    "rho0": (80.0, 23000.0), "rho_solid": (80.0, 23000.0), "c0": (140.0, 12000.0), "s": (0.25, 8.0), "gamma0": (0.05, 4.0),
+    "heat_capacity": (90.0, 4500.0), "shear_modulus": (3e8, 3e11), "yield_stress": (1e6, 1.2e10), "largest_yield_stress": (1e6, 1.2e10),
+    "pressure_coefficient": (0.0, 2e-10), "temperature_coefficient": (0.0, 5e-3), "melt_temperature": (250.0, 5000.0),
+    "johnson_cook_yield": (1e7, 2e9), "johnson_cook_hardening": (1e7, 6e10), "johnson_cook_exponent": (0.05, 1.5),
+    "johnson_cook_rate": (0.0, 0.2), "johnson_cook_thermal": (0.3, 2.0), "bulk_modulus": (1e9, 5e11), "spall_strength": (1e6, 1e10),
+    "elastic_limit": (1e7, 2e10), "a": (-1e16, 1e16), "r1": (3.0, 60.0), "r2": (0.1, 10.0), "omega": (0.1, 1.5),
+    "detonation_velocity": (2000.0, 10000.0), "cj_pressure": (1e9, 5e10), "e_incipient": (1e5, 2e7), "e_complete": (1e6, 3e7),
+    "bulk_a": (1e9, 5e11), "bulk_b": (-1e11, 5e11), "gurney_velocity": (1500.0, 3300.0), "growth1": (0.0, 1e-4), "up_max": (200.0, 50000.0),
+    "detonation.velocity": (2000.0, 10000.0), "detonation.pressure": (1e9, 5e10),
+}
+
+
+class Finding(NamedTuple):
+    """where: row or material; check; verdict ok, mark or fail; value and limit (nan where words say more); text."""
+
+    where: str
+    check: str
+    verdict: str
+    value: float = math.nan
+    limit: float = math.nan
+    text: str = ""
+
+
+def check_all() -> list[Finding]:
+    """Every rule on every row, every measured state and every curated material of the library."""
+    from hugoniot.materials import library
+
+    found = [f for row in schema.all_rows() for f in check_row(row)]
+    found += [f for k, point in enumerate(schema.points()) for f in check_point(k, point)]
+    found += [f for identity in fits.RECORDED for f in check_fit(identity)]
+    for entry in library.find_all():
+        found += check_entry(entry)
+    return found
+
+
+def _judge(where: str, check: str, misfit: float, limit: float, text: str = "", otherwise: str = "fail") -> Finding:
+    return Finding(where, check, "ok" if abs(misfit) <= limit else otherwise, misfit, limit, text)
+
+
+# -- rows --------------------------------------------------------------------------------------------------------
+def check_row(row: Row) -> Iterator[Finding]:
+    """Provenance, ranges, and the rules of the row's table; the row's own doubts come as marks."""
+    ok = bool(row.source and row.via) and row.status in schema.STATUSES and (row.status == "recalled") == row.via.startswith("recalled")
+    yield Finding(row.id, "provenance", "ok" if ok else "fail", text=f"{row.status}; {row.source}; {row.via}")
+    for name, value in row.values.items():
+        if name in RANGES and not isinstance(value, str):
+            yield from _in_range(row.id, name, value, bool(row.marks))
+    for mark in row.marks:
+        yield Finding(row.id, "own doubt", "mark", text=mark)
+    rules = {"us_up": _us_up, "strength": _strength, "jwl": _jwl, "jwlb": _jwlb, "ignition_growth": _ignition_growth,
+             "tillotson": _tillotson, "porous": _porous, "gases": _gas}
+    if row.table in rules:
+        yield from rules[row.table](row)
+
+
+def _in_range(where: str, name: str, value: float, doubted: bool = False) -> Iterator[Finding]:
+    low, high = RANGES[name]
+    if name == "a" or value == 0.0 and low > 0.0 and name in ("yield_stress",):
+        return
+    inside = low <= value <= high
+    text = "" if inside else f"{name} = {value:g} is outside {low:g} to {high:g}"
+    yield Finding(where, f"range of {name}", "ok" if inside else ("mark" if doubted else "fail"), value, math.nan, text)
+
+
+def _us_up(row: Row) -> Iterator[Finding]:
+    top = row.get("up_max") or 2000.0
+    low = row.get("up_min") or 0.0
+    speeds = []
+    for k in range(1, 21):
+        up = low + (top - low) * k / 20.0
+        try:
+            speeds.append((up, shock_velocity(row, up)))
+        except NoSolution as error:
+            yield Finding(row.id, "branch", "mark", up, math.nan, str(error))
+            break
+    slowest = min((us / up for up, us in speeds), default=math.inf)
+    yield Finding(row.id, "shock faster than particle", "ok" if slowest > 1.0 else "fail", slowest, 1.0)
+    products = [up * us for up, us in speeds]
+    rising = all(b > a for a, b in zip(products, products[1:]))
+    yield Finding(row.id, "pressure rises with up", "ok" if rising else "fail")
+    try:
+        law = cards.card(row)
+    except ValueError as error:
+        yield Finding(row.id, "law", "mark", text=str(error))
+        return
+    entry = make_entry(row.id, {"eos": {"row": row.id}}, f"row {row.id}")
+    yield from _at_rest(row.id, entry.material.eos)
+    worst = max((_rankine_hugoniot(entry.material.eos, law["rho0"].value, up, us) for up, us in speeds), default=0.0)
+    yield _judge(row.id, "Rankine-Hugoniot", worst, 1e-9, "pressure of the law on the row's own Hugoniot against rho0 Us up")
+
+
+def _rankine_hugoniot(par: Any, rho0: float, up: float, us: float) -> float:
+    p = float(pressure(rho0 / (1.0 - up / us), 0.5 * up * up, par))
+    return abs(p / (rho0 * us * up) - 1.0)
+
+
+def _at_rest(where: str, par: Any) -> Iterator[Finding]:
+    rho, e = reference_state(par)
+    modulus = float(rho * sound_speed_squared(rho, e, par))
+    p = float(pressure(rho, e, par))
+    yield _judge(where, "zero pressure at rest", p / modulus, 1e-12, f"{p:g} Pa at {rho:g} kg/m^3")
+
+
+def _strength(row: Row) -> Iterator[Finding]:
+    if "largest_yield_stress" in row:
+        ratio = row["yield_stress"] / row["largest_yield_stress"]
+        yield Finding(row.id, "Y0 not above Ymax", "ok" if ratio <= 1.0 else "fail", ratio, 1.0)
+    if row["model"] == "SG" and "pressure_coefficient" in row:
+        hardening = row["pressure_coefficient"] * row["shear_modulus"]
+        verdict = "ok" if hardening <= 3.5 else "mark"
+        yield Finding(row.id, "dG/dp", verdict, hardening, 3.5, "" if verdict == "ok" else "dG/dp is unusually large")
+    if "bulk_modulus" in row and "shear_modulus" in row:
+        k, g = row["bulk_modulus"], row["shear_modulus"]
+        poisson = (3.0 * k - 2.0 * g) / (2.0 * (3.0 * k + g))
+        inside = 0.0 < poisson < 0.5
+        yield Finding(row.id, "Poisson's ratio", "ok" if inside else "mark", poisson, 0.5, "" if inside else f"nu = {poisson:.3f}")
+
+
+def _jwl(row: Row) -> Iterator[Finding]:
+    if row["role"] == "unreacted":
+        p = unreacted_pressure(row.id)
+        yield _judge(row.id, "unreacted JWL at rest", p, REST_LIMIT, f"{p / 1e6:.2f} MPa at V = 1, 298 K", "mark")
+        return
+    state = closure(row.id)
+    if state is None:
+        yield Finding(row.id, "CJ closure", "mark", text="no energy E0: cannot be closed, not usable as products")
+        return
+    for name, misfit, limit in (("D", state.velocity_misfit, VELOCITY_LIMIT), ("p", state.pressure_misfit, PRESSURE_LIMIT)):
+        if math.isnan(misfit):
+            yield Finding(row.id, f"CJ closure of {name}", "mark", text=f"the row states no {name} to close on")
+        else:
+            yield _judge(row.id, f"CJ closure of {name}", misfit, limit, f"{100 * misfit:+.2f} %", "mark")
+    for name, mine, limit in (("recorded_d", state.velocity, RECORDED_LIMIT), ("recorded_p", state.pressure, 2 * RECORDED_LIMIT)):
+        if name in row:
+            yield _judge(row.id, f"CJ state as {name}", mine / row[name] - 1.0, limit)
+    if "e0_from_isentrope" in row:
+        energy = energy_of_tangency([(row["a"], row["r1"]), (row["b"], row["r2"])], row["c"], row["omega"], row["rho0"])[0]
+        yield _judge(row.id, "E0 from tangency", energy / row["e0_from_isentrope"] - 1.0, 1e-3)
+
+
+def _jwlb(row: Row) -> Iterator[Finding]:
+    terms = [(row[f"a{i}"], row[f"r{i}"]) for i in range(1, 5)]
+    energy, velocity, p = energy_of_tangency(terms, row["c"], row["omega"], row["rho0"])
+    misfit = energy / row["e0"] - 1.0
+    text = f"E0 from tangency {100 * misfit:+.2f} % of the stated; D {velocity:.0f} m/s, p {p / 1e9:.1f} GPa"
+    yield _judge(row.id, "E0 from tangency", misfit, ENERGY_LIMIT, text, "mark")
+
+
+def _ignition_growth(row: Row) -> Iterator[Finding]:
+    if "unreacted_a" in row:
+        p = unreacted_pressure(row.id)
+        yield _judge(row.id, "unreacted JWL at rest", p, REST_LIMIT, f"{p / 1e6:.2f} MPa at V = 1, 298 K", "mark")
+    positive = all(row.get(n, 0.0) >= 0.0 for n in ("ignition_rate", "growth1", "growth2"))
+    yield Finding(row.id, "rates not negative", "ok" if positive else "fail")
+
+
+def _tillotson(row: Row) -> Iterator[Finding]:
+    ordered = row["e_complete"] > row["e_incipient"]
+    yield Finding(row.id, "vaporisation energies in order", "ok" if ordered else "fail", row["e_complete"] / row["e_incipient"], 1.0)
+    speed = math.sqrt(row["bulk_a"] / row["rho0"])
+    inside = 1000.0 < speed < 10000.0
+    yield Finding(row.id, "sqrt(A/rho0)", "ok" if inside else "mark", speed, math.nan)
+    if "tillotson" in EOS.names():
+        yield from _at_rest(row.id, make_entry(row.id, {"eos": {"row": row.id}}, f"row {row.id}").material.eos)
+
+
+def _porous(row: Row) -> Iterator[Finding]:
+    yield Finding(row.id, "distension above 1", "ok" if row["alpha0"] > 1.0 else "fail", row["alpha0"], 1.0)
+
+
+def _gas(row: Row) -> Iterator[Finding]:
+    par = make_entry(row.id, {"eos": {"row": row.id}}, f"row {row.id}").material.eos
+    p = float(pressure(*reference_state(par), par))
+    yield _judge(row.id, "pressure at rest", p / row["pressure"] - 1.0, 1e-12, f"{p:g} Pa")
+
+
+# -- measured states and fits ------------------------------------------------------------------------------------
+def check_point(k: int, point: Row) -> Iterator[Finding]:
+    """A measured state: shock faster than particle, and the pressure its source reports."""
+    where = f"us_up_points, state {k + 1} ({point.material})"
+    ok = bool(point.source and point.via) and point.status in schema.STATUSES
+    yield Finding(where, "provenance", "ok" if ok else "fail", text=f"{point.status}; {point.source}; {point.via}")
+    up, us = point["up"], point["us"]
+    yield Finding(where, "shock faster than particle", "ok" if us > up else "fail", us, up)
+    if point.get("pressure"):
+        yield _judge(where, "pressure = rho0 Us up", point["rho0"] * us * up / point["pressure"] - 1.0, POINT_LIMIT, otherwise="mark")
+
+
+def check_fit(identity: str) -> Iterator[Finding]:
+    """A recorded fit against the same fit recomputed from the measured states, to the digits recorded."""
+    row, mine = schema.row(identity), fits.recorded(identity)
+    recorded = [row["c0"], row["s"], row.get("quadratic"), row["c0_deviation"], row["s_deviation"]]
+    again = [*mine.coefficients[:2], mine.coefficients[2] if len(mine.coefficients) > 2 else None, *mine.deviations[:2]]
+    worst = max(abs(a / r - 1.0) for a, r in zip(again, recorded, strict=True) if r is not None)
+    yield _judge(identity, "fit recomputed", worst, 2e-5, f"{mine.count} states, residual {mine.residual:.0f} m/s")
+
+
+# -- materials ---------------------------------------------------------------------------------------------------
+def check_entry(entry: Entry) -> Iterator[Finding]:
+    """The rules for a whole material, from the library or from a user's file."""
+    name, material = entry.name, entry.material
+    law = EOS.of(material.eos)
+    for source in material.sources:
+        stated = source.source not in ("", "not stated")
+        if not stated or entry.curated and source.status == "user" and entry.category != "user":
+            yield Finding(name, "source", "mark" if entry.category == "user" else "fail", text=f"{source.quantity}: no source stated")
+        column = source.quantity if source.quantity in RANGES else source.quantity.split(".")[-1]
+        if column == "rho0" and "gas" in law.flags and "reacted" not in law.flags:
+            continue
+        if column in RANGES and isinstance(source.value, (int, float)) and not source.quantity.startswith("detonation."):
+            yield from _in_range(name, column, source.value, True)
+    for warning in material.warnings:
+        yield Finding(name, "warning", "mark", text=warning)
+    try:
+        if "reacted" in law.flags:
+            yield from _detonation(entry)
+        elif "gas" not in law.flags:
+            yield from _at_rest(name, material.eos)
+            yield from _hugoniot(entry)
+            yield from _moduli(entry)
+    except HugoniotError as error:
+        yield Finding(name, "physics", "fail", text=str(error))
+
+
+def _hugoniot(entry: Entry) -> Iterator[Finding]:
+    top = entry.material.valid_up_to or 2000.0
+    speeds = [(top * k / 8.0, material_hugoniot(entry.material, top * k / 8.0)) for k in range(1, 9)]
+    slowest = min(us / up for up, us in speeds)
+    yield Finding(entry.name, "shock faster than particle", "ok" if slowest > 1.0 else "fail", slowest, 1.0)
+    for row in (schema.row(i) for i in entry.rows[:1] if i.startswith("U")):
+        low = row.get("up_min") or 0.0
+        worst = max((abs(us / shock_velocity(row, up) - 1.0) for up, us in speeds if up >= low), default=0.0)
+        yield _judge(entry.name, f"Hugoniot of {row.id} recovered", worst, 1e-9)
+
+
+def _moduli(entry: Entry) -> Iterator[Finding]:
+    rho, e = reference_state(entry.material.eos)
+    bulk = float(rho * sound_speed_squared(rho, e, entry.material.eos))
+    rows = dict.fromkeys((*entry.rows, *(i for ids in entry.others.values() for i in ids)))
+    for row in (schema.row(i) for i in rows if i.startswith("S")):
+        if "bulk_modulus" in row:
+            misfit = bulk / row["bulk_modulus"] - 1.0
+            text = f"rho0 c0^2 = {bulk / 1e9:.1f} GPa, elastic K = {row['bulk_modulus'] / 1e9:.1f} GPa"
+            yield _judge(entry.name, f"c0 against moduli of {row.id}", misfit, MODULI_LIMIT, text, "mark")
+
+
+def _detonation(entry: Entry) -> Iterator[Finding]:
+    state = chapman_jouguet(entry.material.eos)
+    for key, mine, limit in (("velocity", state.velocity, VELOCITY_LIMIT), ("pressure", state.pressure, PRESSURE_LIMIT)):
+        if key in entry.detonation:
+            misfit = mine / float(entry.detonation[key].value) - 1.0
+            yield _judge(entry.name, f"CJ {key} against the stated", misfit, limit, f"{100 * misfit:+.2f} %", "mark")
+    if entry.unreacted is not None:
+        rho, e = reference_state(entry.unreacted)
+        p = float(pressure(rho, e, entry.unreacted))
+        yield _judge(entry.name, "unreacted at rest", p, REST_LIMIT, f"{p / 1e6:.2f} MPa", "mark")
+
+
+def tally(findings: list[Finding]) -> dict[str, int]:
+    """Number of findings by verdict."""
+    return {verdict: sum(f.verdict == verdict for f in findings) for verdict in ("ok", "mark", "fail")}
+
+
+__all__ = ["Finding", "check_all", "check_entry", "check_fit", "check_point", "check_row", "marks", "tally"]
