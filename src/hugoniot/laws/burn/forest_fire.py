@@ -1,0 +1,131 @@
+r"""Forest-fire rates: the logarithm of the rate as a polynomial of the pressure, or as a table.
+
+$$\dot\lambda = (1-\lambda)\,\frac{1}{t_0}\exp\left(\sum_{i=0}^{14} a_i\,(p/p_0)^i\right), \quad p_{min} < p; \qquad
+\dot\lambda = (1-\lambda)\,r(p) \text{ with } \ln r \text{ linear in } \ln p \text{ between the entries of a table}$$
+
+Below the lowest pressure nothing burns; above the highest one (`p_max`, or the table's last) the rate stays at its value there, because
+a polynomial of degree 14 means nothing outside its fit. Exact at constant pressure.
+
+Source: C. L. Mader, Numerical Modeling of Detonation (1979), chapter 4, with p0 = 1 Mbar and t0 = 1 microsecond.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from hugoniot.core.ops import fmin, vexp, vlog
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.burn.contract import BURN, no_schedule
+from hugoniot.laws.burn.depletion import deplete
+
+TERMS = 15
+
+
+class ForestFire(NamedTuple):
+    coefficients: tuple[float, ...]
+    p_min: float
+    p_max: float
+    pressure_scale: float = 1.0e11
+    time_scale: float = 1.0e-6
+
+
+class RateTable(NamedTuple):
+    log_pressure: tuple[float, ...]
+    log_rate: tuple[float, ...]
+
+
+def polynomial_speed(p, par):
+    if p <= par.p_min:
+        return 0.0
+    x = fmin(p, par.p_max) / par.pressure_scale
+    exponent = 0.0
+    for i in range(TERMS):
+        exponent = exponent * x + par.coefficients[TERMS - 1 - i]
+    return vexp(exponent) / par.time_scale
+
+
+def polynomial_rate(burn_fraction, rho, p, temperature, par):
+    return polynomial_speed(p, par) * (1.0 - burn_fraction)
+
+
+def polynomial_advance(burn_fraction, dt, rho, p, temperature, par):
+    return deplete(burn_fraction, dt * polynomial_speed(p, par), 1.0)
+
+
+def table_speed(p, par):
+    if p <= 0.0:
+        return 0.0
+    x = vlog(p)
+    last = len(par.log_pressure) - 1
+    if x < par.log_pressure[0]:
+        return 0.0
+    if x >= par.log_pressure[last]:
+        return vexp(par.log_rate[last])
+    low, high = 0, last
+    while high - low > 1:
+        middle = (low + high) // 2
+        if x >= par.log_pressure[middle]:
+            low = middle
+        else:
+            high = middle
+    share = (x - par.log_pressure[low]) / (par.log_pressure[high] - par.log_pressure[low])
+    return vexp(par.log_rate[low] + share * (par.log_rate[high] - par.log_rate[low]))
+
+
+def table_rate(burn_fraction, rho, p, temperature, par):
+    return table_speed(p, par) * (1.0 - burn_fraction)
+
+
+def table_advance(burn_fraction, dt, rho, p, temperature, par):
+    return deplete(burn_fraction, dt * table_speed(p, par), 1.0)
+
+
+def forest_fire(coefficients, p_min, p_max, pressure_scale=1.0e11, time_scale=1.0e-6) -> ForestFire:
+    """Parameters from up to 15 coefficients, lowest power first; OutOfRange for more of them or an empty pressure range."""
+    values = tuple(float(a) for a in coefficients)
+    if not 0 < len(values) <= TERMS:
+        raise OutOfRange(f"a forest-fire polynomial has 1 to {TERMS} coefficients; got {len(values)}")
+    if not 0.0 <= p_min < p_max:
+        raise OutOfRange(f"a forest-fire fit needs 0 <= p_min < p_max; got {p_min:.6g} and {p_max:.6g} Pa")
+    return ForestFire(values + (0.0,) * (TERMS - len(values)), float(p_min), float(p_max), float(pressure_scale), float(time_scale))
+
+
+def rate_table(pressures, rates) -> RateTable:
+    """Parameters from pressures (Pa, rising, positive) and rates (1/s, positive); OutOfRange with the first entry that is not so."""
+    p, r = np.asarray(pressures, float), np.asarray(rates, float)
+    if p.ndim != 1 or p.shape != r.shape or p.size < 2:
+        raise OutOfRange(f"a rate table needs two columns of equal length, at least 2 rows; got {p.shape} and {r.shape}")
+    for k in range(p.size):
+        if not (p[k] > 0.0 and r[k] > 0.0 and (k == 0 or p[k] > p[k - 1])):
+            raise OutOfRange(f"rate table, row {k + 1}: pressures must be positive and rise, rates positive; got {p[k]:.6g} Pa and "
+                             f"{r[k]:.6g} 1/s")
+    return RateTable(tuple(np.log(p).tolist()), tuple(np.log(r).tolist()))
+
+
+BURN.add(
+    "forest_fire", ForestFire,
+    functions={"rate": polynomial_rate, "advance": polynomial_advance, "scheduled": no_schedule},
+    # log-rate of a made-up quadratic fit between 3 and 35 GPa: 0.02 per microsecond to 130 per microsecond
+    example=forest_fire((-5.5, 48.0, -52.0), 3.0e9, 35.0e9),
+    units={"coefficients": "1", "p_min": "Pa", "p_max": "Pa", "pressure_scale": "Pa", "time_scale": "s"},
+    meaning={"coefficients": "a_0 to a_14 of the log-rate polynomial", "p_min": "pressure below which nothing burns",
+             "p_max": "pressure above which the rate stays constant (CJ pressure)", "pressure_scale": "unit of pressure in the polynomial",
+             "time_scale": "unit of time in the polynomial"},
+    build=forest_fire,
+    defaults={"pressure_scale": 1.0e11, "time_scale": 1.0e-6},
+    box={"p": (0.0, 60.0e9)},
+    references=("Mader, Numerical Modeling of Detonation, 1979, chapter 4",),
+    flags=("pressure_driven",),
+)
+
+BURN.add(
+    "rate_table", RateTable,
+    functions={"rate": table_rate, "advance": table_advance, "scheduled": no_schedule},
+    example=rate_table((2.0e9, 5.0e9, 1.0e10, 2.0e10, 4.0e10), (2.0e3, 8.0e4, 1.2e6, 1.5e7, 1.0e8)),
+    units={"log_pressure": "ln Pa", "log_rate": "ln 1/s"},
+    meaning={"log_pressure": "logarithms of the pressures of the table", "log_rate": "logarithms of the rates of the table"},
+    build=rate_table,
+    box={"p": (0.0, 60.0e9)},
+    references=("Mader, Numerical Modeling of Detonation, 1979, chapter 4",),
+    flags=("pressure_driven",),
+)

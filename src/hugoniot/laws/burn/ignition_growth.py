@@ -1,0 +1,155 @@
+r"""Ignition and growth: three terms, each acting between limits of the burn fraction.
+
+$$\dot\lambda = \underbrace{I(1-\lambda)^b\left(\tfrac{\rho}{\rho_0} - 1 - a\right)^x}_{\lambda < \lambda_{ig}}
+ + \underbrace{G_1(1-\lambda)^c\lambda^d p^y}_{\lambda < \lambda_{G1}}
+ + \underbrace{G_2(1-\lambda)^e\lambda^g p^z}_{\lambda \ge \lambda_{G2}}$$
+
+The ignition term is 0 below the compression 1 + a, the growth terms are 0 in tension and at lambda = 0. `advance` integrates at constant
+density and pressure by the third-order pair of Bogacki and Shampine (Appl. Math. Letters 2 (1989) 321), by the midpoint rule where little
+burns, and stops exactly at the limits. Of the last LAST of the explosive the rate is taken as one power of 1 - lambda, fitted to two
+points, whose depletion is closed: so burning ends exactly at 1 where the equation does (powers below 1).
+
+Source: E. L. Lee and C. M. Tarver, Physics of Fluids 23 (1980) 2362; C. M. Tarver, J. O. Hallquist, L. M. Erickson, 8th Symposium
+(International) on Detonation, 1985 (three terms).
+"""
+
+from typing import NamedTuple
+
+from hugoniot.core.ops import fmax, fmin, vlog, vpow
+from hugoniot.laws.burn.contract import BURN, no_schedule
+from hugoniot.laws.burn.depletion import deplete, power
+
+TOLERANCE = 3e-6     # of a sub-step, relative to the burn fraction
+SMALL = 2e-3         # relative growth up to which the midpoint rule does
+SUBSTEPS = 1000
+LAST = 0.01
+QUARTER = 0.25
+LOG2 = 0.6931471805599453
+
+
+class IgnitionGrowth(NamedTuple):
+    rho0: float
+    i: float
+    b: float
+    a: float
+    x: float
+    g1: float
+    c: float
+    d: float
+    y: float
+    g2: float = 0.0
+    e: float = 1.0
+    g: float = 1.0
+    z: float = 1.0
+    ignition_limit: float = 1.0
+    growth_limit: float = 1.0
+    completion_limit: float = 0.0
+
+
+def strengths(rho, p, par):
+    """What the three terms owe to the state: I (rho/rho0 - 1 - a)^x, G1 p^y, G2 p^z, 1/s."""
+    excess = rho / par.rho0 - 1.0 - par.a
+    ignition = par.i * power(excess, par.x) if excess > 0.0 else 0.0
+    growth = par.g1 * power(p, par.y) if p > 0.0 else 0.0
+    completion = par.g2 * power(p, par.z) if p > 0.0 and par.g2 > 0.0 else 0.0
+    return ignition, growth, completion
+
+
+def burning(lam, ignition, growth, completion, par):
+    """Rate at burn fraction lam for given strengths, 1/s."""
+    left = 1.0 - lam
+    total = 0.0
+    if left > 0.0:
+        if lam < par.ignition_limit and ignition > 0.0:
+            total += ignition * power(left, par.b)
+        if lam < par.growth_limit and growth > 0.0:
+            total += growth * power(left, par.c) * power(lam, par.d)
+        if lam >= par.completion_limit and completion > 0.0:
+            total += completion * power(left, par.e) * power(lam, par.g)
+    return total
+
+
+def next_limit(lam, par):
+    """The lowest limit above lam, or 1."""
+    limit = 1.0
+    if lam < par.ignition_limit:
+        limit = fmin(limit, par.ignition_limit)
+    if lam < par.growth_limit:
+        limit = fmin(limit, par.growth_limit)
+    if lam < par.completion_limit:
+        limit = fmin(limit, par.completion_limit)
+    return limit
+
+
+def rate(burn_fraction, rho, p, temperature, par):
+    ignition, growth, completion = strengths(rho, p, par)
+    return burning(burn_fraction, ignition, growth, completion, par)
+
+
+def advance(burn_fraction, dt, rho, p, temperature, par):
+    ignition, growth, completion = strengths(rho, p, par)
+    lam, left = burn_fraction, dt
+    if ignition + growth + completion <= 0.0 or lam >= 1.0:
+        return lam
+    trial = dt
+    for _ in range(SUBSTEPS):
+        limit = next_limit(lam, par)
+        k1 = burning(lam, ignition, growth, completion, par)
+        if k1 <= 0.0:
+            return lam
+        if limit >= 1.0 and 1.0 - lam < LAST:
+            half = burning(0.5 + 0.5 * lam, ignition, growth, completion, par)
+            if half <= 0.0:
+                return lam
+            order = vlog(k1 / half) / LOG2
+            return deplete(lam, left * k1 / vpow(1.0 - lam, order), order)
+        # stages beyond a limit would mix two sets of terms: they stay below it
+        below = limit * (1.0 - 1e-15)
+        # no step beyond a quarter of what has burned or is left: the error estimate alone is blind where it changes sign
+        h = fmin(fmin(left, trial), QUARTER * fmin(1.0 - lam, fmax(lam, SMALL)) / k1)
+        k2 = burning(fmin(below, lam + 0.5 * h * k1), ignition, growth, completion, par)
+        if h * k1 <= SMALL * lam:
+            mean, error = k2, 0.0
+        else:
+            k3 = burning(fmin(below, lam + 0.75 * h * k2), ignition, growth, completion, par)
+            mean = (2.0 * k1 + 3.0 * k2 + 4.0 * k3) / 9.0
+            k4 = burning(fmin(below, lam + h * mean), ignition, growth, completion, par)
+            error = h * abs(-5.0 * k1 + 6.0 * k2 + 8.0 * k3 - 9.0 * k4) / 72.0 / (TOLERANCE * (lam + h * mean))
+        if error > 1.0:
+            # the error grows as the cube of the step
+            trial = h * fmax(0.1, 0.9 / vpow(error, 1.0 / 3.0))
+            continue
+        trial = 3.0 * h if error < 0.02 else h * 0.9 / vpow(error, 1.0 / 3.0)
+        if lam + h * mean >= limit:
+            left = left - (limit - lam) / mean
+            lam = limit
+        else:
+            left = left - h
+            lam = lam + h * mean
+        if left <= 1e-14 * dt or lam >= 1.0:
+            return lam
+    # out of sub-steps (the rate grows without bound within dt): what is left of the step is burned at the last rate
+    return fmin(1.0, lam + left * burning(lam, ignition, growth, completion, par))
+
+
+_MEANING = {
+    "rho0": "density of the unreacted explosive", "i": "ignition constant I", "b": "power of 1 - lambda, ignition",
+    "a": "compression rho/rho0 - 1 below which nothing ignites", "x": "power of the excess compression, ignition",
+    "g1": "growth constant G1", "c": "power of 1 - lambda, growth", "d": "power of lambda, growth", "y": "power of pressure, growth",
+    "g2": "completion constant G2", "e": "power of 1 - lambda, completion", "g": "power of lambda, completion",
+    "z": "power of pressure, completion", "ignition_limit": "burn fraction at which ignition ends",
+    "growth_limit": "burn fraction at which growth ends", "completion_limit": "burn fraction at which completion begins",
+}
+_UNITS = dict.fromkeys(_MEANING, "1") | {"rho0": "kg/m^3", "i": "1/s", "g1": "1/(Pa^y s)", "g2": "1/(Pa^z s)"}
+
+BURN.add(
+    "ignition_growth", IgnitionGrowth,
+    functions={"rate": rate, "advance": advance, "scheduled": no_schedule},
+    # LX-17, A. K. Kapila et al., Combustion Theory and Modelling 11 (2007) 781
+    example=IgnitionGrowth(1905.0, 4.0e12, 0.667, 0.22, 7.0, 4.5e-24, 0.667, 1.0, 3.0, 3.0e-4, 0.667, 0.667, 1.0, 0.02, 0.8, 0.8),
+    units=_UNITS, meaning=_MEANING,
+    defaults={"g2": 0.0, "e": 1.0, "g": 1.0, "z": 1.0, "ignition_limit": 1.0, "growth_limit": 1.0, "completion_limit": 0.0},
+    box={"rho": (1700.0, 3000.0), "p": (0.0, 60.0e9)},
+    references=("Lee and Tarver, Physics of Fluids 23 (1980) 2362", "Tarver, Hallquist and Erickson, 8th Symposium on Detonation, 1985"),
+    flags=("pressure_driven", "compression_driven", "subcycled"),
+)

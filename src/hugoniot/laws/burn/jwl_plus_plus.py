@@ -1,0 +1,37 @@
+r"""JWL++: one pressure-driven term with first-order depletion.
+
+$$\dot\lambda = G\,p^b\,(1-\lambda), \qquad p \text{ with the artificial viscosity added}$$
+
+Exact at constant pressure: the unburned fraction decays exponentially. The model mixes pressures by burn fraction (`WeightedPressures`).
+
+Source: P. C. Souers, S. Anderson, J. Mercer, E. McGuire, P. Vitello, Propellants, Explosives, Pyrotechnics 25 (2000) 54.
+"""
+
+from typing import NamedTuple
+
+from hugoniot.laws.burn.contract import BURN, no_schedule
+from hugoniot.laws.burn.depletion import deplete, power
+
+
+class JWLPlusPlus(NamedTuple):
+    g: float
+    b: float
+
+
+def rate(burn_fraction, rho, p, temperature, par):
+    return par.g * power(p, par.b) * (1.0 - burn_fraction)
+
+
+def advance(burn_fraction, dt, rho, p, temperature, par):
+    return deplete(burn_fraction, dt * par.g * power(p, par.b), 1.0)
+
+
+BURN.add(
+    "jwl_plus_plus", JWLPlusPlus,
+    functions={"rate": rate, "advance": advance, "scheduled": no_schedule},
+    example=JWLPlusPlus(3.5083e-7, 1.3),
+    units={"g": "1/(Pa^b s)", "b": "1"}, meaning={"g": "rate constant G", "b": "power b of the pressure"},
+    box={"p": (0.0, 60.0e9)},
+    references=("Souers et al., Propellants, Explosives, Pyrotechnics 25 (2000) 54",),
+    flags=("pressure_driven", "includes_viscosity"),
+)

@@ -1,0 +1,90 @@
+"""Every registered burn law: bounds, fixed points, monotony, composition of steps, and the rate as the slope of the advance."""
+
+import numpy as np
+import pytest
+
+import hugoniot.laws.burn  # noqa: F401  (enrols the laws)
+from hugoniot.laws.burn import contract
+from hugoniot.laws.burn.contract import BURN
+
+RATED = [law for law in BURN if not law.flags & {"programmed", "instantaneous"} and law.name != "beta"]
+FRACTIONS = (0.0, 1e-9, 1e-3, 0.02, 0.3, 0.8, 0.97, 1.0 - 1e-9, 1.0)
+
+
+def states(law, count=30):
+    """Random states of the law's box, as (rho, p, temperature)."""
+    rng = np.random.default_rng(7)
+    box = {"rho": (1500.0, 3000.0), "p": (1e9, 5e10), "temperature": (500.0, 5000.0)} | dict(law.box)
+    return [tuple(float(rng.uniform(*box[k])) for k in ("rho", "p", "temperature")) for _ in range(count)]
+
+
+@pytest.mark.parametrize("law", list(BURN), ids=lambda law: law.name)
+def test_fraction_stays_in_bounds_and_never_falls(law):
+    """Also for steps far too long: the end is 1, not beyond."""
+    par = law.example
+    for rho, p, temperature in states(law):
+        for lam in FRACTIONS:
+            for dt in (0.0, 1e-12, 1e-9, 1e-6, 1.0):
+                new = contract.advance(lam, dt, rho, p, temperature, par)
+                assert lam <= new <= 1.0
+                time = dt + 2e-6
+                planned = contract.scheduled(lam, time, 1e-6, 1e-4, rho, par)
+                assert lam <= planned <= 1.0
+
+
+@pytest.mark.parametrize("law", list(BURN), ids=lambda law: law.name)
+def test_nothing_burns_without_cause(law):
+    """No pressure, no compression, no heat, no lighting: the fraction stays as it is; and burned stays burned, at rate 0."""
+    par = law.example
+    rho = getattr(par, "rho0", 1700.0)
+    for lam in FRACTIONS:
+        for p in (0.0, -1e9):
+            assert contract.advance(lam, 1e-3, rho, p, 0.0, par) == lam
+            assert contract.rate(lam, rho, p, 0.0, par) == 0.0
+        assert contract.scheduled(lam, 1.0, 2.0, 1e-4, rho, par) == lam
+    for rho, p, temperature in states(law, 10):
+        assert contract.rate(1.0, rho, p, temperature, par) == 0.0
+        assert contract.advance(1.0, 1e-6, rho, p, temperature, par) == 1.0
+
+
+@pytest.mark.parametrize("law", RATED, ids=lambda law: law.name)
+def test_rate_is_the_slope_of_the_advance(law):
+    par = law.example
+    checked = 0
+    for rho, p, temperature in states(law):
+        for lam in (1e-3, 0.1, 0.5, 0.9):
+            speed = contract.rate(lam, rho, p, temperature, par)
+            if speed == 0.0:
+                continue
+            h = 1e-5 * lam / speed
+            two, one = (contract.advance(lam, k * h, rho, p, temperature, par) - lam for k in (2, 1))
+            assert (4.0 * one - two) / (2.0 * h) == pytest.approx(speed, rel=1e-6)
+            checked += 1
+    assert checked > 20
+
+
+@pytest.mark.parametrize("law", RATED, ids=lambda law: law.name)
+def test_two_half_steps_are_one_step(law):
+    """Closed laws to round-off; sub-cycled ones to their tolerance."""
+    par = law.example
+    tolerance = 3e-5 if "subcycled" in law.flags else 1e-12
+    burned = 0
+    for rho, p, temperature in states(law):
+        for lam in (0.0, 0.01, 0.4, 0.9):
+            speed = contract.rate(max(lam, 0.3), rho, p, temperature, par)
+            if speed == 0.0:
+                continue
+            dt = 0.4 / speed
+            whole = contract.advance(lam, dt, rho, p, temperature, par)
+            halves = contract.advance(contract.advance(lam, 0.5 * dt, rho, p, temperature, par), 0.5 * dt, rho, p, temperature, par)
+            assert whole == pytest.approx(halves, abs=tolerance)
+            burned += whole > lam
+    assert burned > 20
+
+
+@pytest.mark.parametrize("law", list(BURN), ids=lambda law: law.name)
+def test_parameters_are_described(law):
+    assert law.summary and law.references
+    assert all(law.units[k] and law.meaning[k] for k in law.example._fields)
+    if law.build is law.parameters:
+        assert law.build(**law.example._asdict()) == law.example
