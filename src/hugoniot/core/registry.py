@@ -107,6 +107,10 @@ class Registry:
     def of_class(self, cls: type) -> Law:
         return self._by_class[cls]
 
+    def knows(self, par) -> bool:
+        """Whether `par` is the parameter tuple of a law of this family."""
+        return type(par) in self._by_class
+
     def names(self) -> list[str]:
         return sorted(self._by_name)
 

@@ -74,7 +74,7 @@ def density_limits(par):
 
 GENERICS = {
     "pressure": pressure, "pressure_derivatives": pressure_derivatives, "temperature": temperature,
-    "entropy": entropy, "energy": energy, "specific_heat": specific_heat,
+    "entropy": entropy, "energy": energy, "specific_heat": specific_heat, "reference_state": reference_state,
 }
 
 
@@ -131,10 +131,14 @@ def check_state(rho, e, par, c2_floor: float = 0.0) -> None:
                          f"it lies too deep in tension or too cold for the law, whose rest density is {reference_state(par)[0]:.6g} kg/m3")
 
 
+def gives(par, name: str) -> bool:
+    """Whether the law, and every law inside it, has the named function of the contract."""
+    return name in EOS.of(par).functions and all(gives(inner, name) for inner in par if EOS.knows(inner))
+
+
 def has_temperature(par) -> bool:
     """Whether the law gives a temperature with these parameters (its theory has one and the specific heat is known)."""
-    law = EOS.of(par)
-    if "temperature" not in law.functions:
+    if not gives(par, "temperature"):
         return False
     rho, e = reference_state(par)
     return math.isfinite(temperature(rho, e, par))
@@ -143,7 +147,8 @@ def has_temperature(par) -> bool:
 def require_temperature(par) -> None:
     """Raise `OutOfRange` where the law has no temperature, saying what is missing."""
     law = EOS.of(par)
-    if "temperature" not in law.functions:
+    if not gives(par, "temperature"):
         raise OutOfRange(f"{law.name}: this equation of state has no temperature; choose one that has, for instance mie_gruneisen")
     if not has_temperature(par):
-        raise OutOfRange(f"{law.name}: a temperature needs the parameter specific_heat (J/kg/K), which is not given")
+        raise OutOfRange(f"{law.name}: a temperature needs the specific heat (specific_heat, J/kg/K; a gas about a known state also its "
+                         "reference_temperature), which is not given")

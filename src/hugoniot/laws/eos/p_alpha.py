@@ -1,0 +1,140 @@
+r"""P-alpha porosity: any solid's law with pores that close as a function of pressure.
+
+$$p = \frac{1}{\alpha}\,p_{\text{solid}}(\alpha\rho, e), \qquad
+  \alpha(p) = 1 + (\alpha_0 - 1)\left(\frac{p_s - p}{p_s - p_e}\right)^2 \quad (p_e < p < p_s)$$
+
+alpha = 1 above the compaction pressure p_s and alpha_0 below the elastic limit p_e (also in tension). The factor 1/alpha is Carroll and
+Holt's: with it the work on the porous material at fixed alpha is the work on its solid. The implicit equation is solved for the
+solid's density by Newton steps kept in a bracket.
+
+The law knows the state only, not the largest pressure reached: pores that close reopen on the same curve. It is exact for Hugoniots
+and other monotone loading; release of crushed material needs a history variable. The temperature is that of the solid.
+
+Source: Herrmann, J. Appl. Phys. 40, 2490 (1969); Carroll and Holt, J. Appl. Phys. 43, 759 (1972).
+"""
+
+from typing import Any, NamedTuple
+
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.contract import density_limits as base_density_limits
+from hugoniot.laws.eos.contract import pressure as base_pressure
+from hugoniot.laws.eos.contract import pressure_derivatives as base_derivatives
+from hugoniot.laws.eos.contract import reference_state as base_reference_state
+from hugoniot.laws.eos.contract import specific_heat as base_specific_heat
+from hugoniot.laws.eos.contract import temperature as base_temperature
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+
+
+class PAlpha(NamedTuple):
+    base: Any
+    alpha0: float
+    elastic_pressure: float
+    compaction_pressure: float
+
+
+def _alpha(p, par):
+    """(alpha, dalpha/dp) at pressure p."""
+    if p >= par.compaction_pressure:
+        return 1.0, 0.0
+    if p <= par.elastic_pressure:
+        return par.alpha0, 0.0
+    width = par.compaction_pressure - par.elastic_pressure
+    y = (par.compaction_pressure - p) / width
+    return 1.0 + (par.alpha0 - 1.0) * y * y, -2.0 * (par.alpha0 - 1.0) * y / width
+
+
+def _residual(solid, rho, e, par):
+    """(rho_s - rho alpha(p), its slope by rho_s)."""
+    p = base_pressure(solid, e, par.base)
+    alpha, slope = _alpha(p * rho / solid, par)
+    p_solid = (base_derivatives(solid, e, par.base)[0] - p / solid) * rho / solid
+    return solid - rho * alpha, 1.0 - rho * slope * p_solid
+
+
+def _solid_density(rho, e, par):
+    """alpha rho: the density of the solid inside the pores."""
+    high = par.alpha0 * rho
+    if base_pressure(high, e, par.base) / par.alpha0 <= par.elastic_pressure:
+        return high
+    if base_pressure(rho, e, par.base) >= par.compaction_pressure:
+        return rho
+    low, solid, steps = rho, high, 0
+    last = high - low
+    while steps < 100:
+        f, slope = _residual(solid, rho, e, par)
+        if f > 0.0:
+            high = solid
+        else:
+            low = solid
+        new = solid - f / slope
+        step = new - solid if new > solid else solid - new
+        small = step < 1e-12 * solid
+        # a Newton step must halve the last one, else bisect: no cycles
+        good = step < 0.5 * last
+        last = step if good else 0.5 * (high - low)
+        solid = new if good or small else 0.5 * (low + high)
+        steps = 100 if small or high - low < 1e-15 * high else steps + 1
+    # two free Newton steps: the second gives a dual number its exact slopes
+    f, slope = _residual(solid, rho, e, par)
+    solid = solid - f / slope
+    f, slope = _residual(solid, rho, e, par)
+    return solid - f / slope
+
+
+def pressure(rho, e, par):
+    solid = _solid_density(rho, e, par)
+    return base_pressure(solid, e, par.base) * rho / solid
+
+
+def pressure_derivatives(rho, e, par):
+    solid = _solid_density(rho, e, par)
+    p = base_pressure(solid, e, par.base)
+    p_rho, p_e = base_derivatives(solid, e, par.base)
+    alpha, slope = _alpha(p * rho / solid, par)
+    ratio = rho / solid
+    p_solid = (p_rho - p / solid) * ratio
+    bend = 1.0 - rho * slope * p_solid
+    solid_rho = (alpha + rho * slope * p / solid) / bend
+    solid_e = rho * slope * p_e * ratio / bend
+    return p / solid + p_solid * solid_rho, p_e * ratio + p_solid * solid_e
+
+
+def temperature(rho, e, par):
+    return base_temperature(_solid_density(rho, e, par), e, par.base)
+
+
+def specific_heat(rho, e, par):
+    return base_specific_heat(_solid_density(rho, e, par), e, par.base)
+
+
+def reference_state(par):
+    rho, e = base_reference_state(par.base)
+    return rho / par.alpha0, e
+
+
+def density_limits(par):
+    low, high = base_density_limits(par.base)
+    return low / par.alpha0, high
+
+
+def build(base, alpha0, elastic_pressure, compaction_pressure):
+    """Parameters from a deck."""
+    if not alpha0 > 1.0:
+        raise OutOfRange(f"p_alpha: alpha0, the solid's density over the porous one, must exceed 1, got {alpha0}")
+    if not 0.0 <= elastic_pressure < compaction_pressure:
+        raise OutOfRange(f"p_alpha: needs 0 <= elastic_pressure < compaction_pressure, got {elastic_pressure} and {compaction_pressure} Pa")
+    return PAlpha(base, alpha0, elastic_pressure, compaction_pressure)
+
+
+EOS.add(
+    "p_alpha", PAlpha,
+    functions=[pressure, pressure_derivatives, temperature, specific_heat, reference_state, density_limits],
+    example=PAlpha(MieGruneisen(2700.0, 5350.0, 1.34, 2.0, 863.0), 1.275, 0.08e9, 0.7e9),
+    build=build,
+    units={"base": "law", "alpha0": "1", "elastic_pressure": "Pa", "compaction_pressure": "Pa"},
+    meaning={"base": "law of the solid", "alpha0": "solid density over porous density at rest",
+             "elastic_pressure": "pressure at which pores begin to close", "compaction_pressure": "pressure at which they have closed"},
+    box={"rho": (2000.0, 4500.0), "e": (0.0, 5e6)},
+    references=("Herrmann, J. Appl. Phys. 40, 2490 (1969)", "Carroll and Holt, J. Appl. Phys. 43, 759 (1972)"),
+)

@@ -1,0 +1,147 @@
+r"""P-lambda porosity: a mixture of uncompacted and fully compacted material at one pressure.
+
+$$\frac1\rho = \lambda\,v_s(p, e) + (1 - \lambda)\,v_i(p), \qquad \lambda = 1 - e^{-(p/Y)^n}, \qquad v_i = \frac{1}{\rho_{00}(1 + p/K)}$$
+
+lambda is the compacted share of the mass, v_s the volume of the solid by its own law, v_i that of the porous matrix, elastic with the bulk
+modulus K; Y is the crush strength, n its sharpness. In tension (rho < rho00) nothing is compacted and $p = K(1 - \rho_{00}/\rho)$.
+The equation is solved for the solid's density by Newton steps kept in a bracket. As with p_alpha, the state alone decides: exact for
+Hugoniots and monotone loading, reversible on release. Shares of energy between the two parts are not modelled; the temperature is that
+of the solid at the mixture's energy.
+
+Source: Grady, Winfree, Kerley, Wilson and Kuhns, J. Phys. IV France 10, Pr9-15 (2000); Grady and Winfree 2001.
+"""
+
+from typing import Any, NamedTuple
+
+from hugoniot.core.ops import vexp, vpow
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.contract import density_limits as base_density_limits
+from hugoniot.laws.eos.contract import pressure as base_pressure
+from hugoniot.laws.eos.contract import pressure_derivatives as base_derivatives
+from hugoniot.laws.eos.contract import reference_state as base_reference_state
+from hugoniot.laws.eos.contract import specific_heat as base_specific_heat
+from hugoniot.laws.eos.contract import temperature as base_temperature
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+
+
+class PLambda(NamedTuple):
+    base: Any
+    rho_porous: float
+    matrix_modulus: float
+    crush_strength: float
+    exponent: float = 1.0
+
+
+def _mixture(p, solid, par):
+    """(volume, its slope by p at fixed rho_s, lambda)."""
+    if p <= 0.0:
+        return (1.0 - p / par.matrix_modulus) / par.rho_porous, -1.0 / (par.matrix_modulus * par.rho_porous), 0.0
+    z = vpow(p / par.crush_strength, par.exponent)
+    left = vexp(-z)
+    soft = 1.0 + p / par.matrix_modulus
+    v_i = 1.0 / (par.rho_porous * soft)
+    v_s = 1.0 / solid
+    slope = left * (par.exponent * z / p * (v_s - v_i) - v_i / (par.matrix_modulus * soft))
+    return v_s + left * (v_i - v_s), slope, 1.0 - left
+
+
+def _residual(solid, rho, e, par):
+    """(mixture volume - 1/rho, its slope by rho_s)."""
+    p = base_pressure(solid, e, par.base)
+    v, slope, share = _mixture(p, solid, par)
+    return v - 1.0 / rho, slope * base_derivatives(solid, e, par.base)[0] - share / (solid * solid)
+
+
+def _solid_density(rho, e, par):
+    """Density of the compacted part (rho > rho_porous)."""
+    low, high, tries = rho, rho, 0
+    while _residual(low, rho, e, par)[0] < 0.0 and tries < 60:
+        low = 0.9 * low
+        tries += 1
+    while _residual(high, rho, e, par)[0] > 0.0 and tries < 120:
+        high = 1.1 * high
+        tries += 1
+    solid, steps = 0.5 * (low + high), 0
+    last = high - low
+    while steps < 100:
+        f, slope = _residual(solid, rho, e, par)
+        if f > 0.0:
+            low = solid
+        else:
+            high = solid
+        new = solid - f / slope
+        step = new - solid if new > solid else solid - new
+        small = step < 1e-12 * solid
+        # a Newton step must halve the last one, else bisect: no cycles
+        good = step < 0.5 * last
+        last = step if good else 0.5 * (high - low)
+        solid = new if good or small else 0.5 * (low + high)
+        steps = 100 if small or high - low < 1e-15 * high else steps + 1
+    # two free Newton steps: the second gives a dual number its exact slopes
+    f, slope = _residual(solid, rho, e, par)
+    solid = solid - f / slope
+    f, slope = _residual(solid, rho, e, par)
+    return solid - f / slope
+
+
+def pressure(rho, e, par):
+    if rho <= par.rho_porous:
+        return par.matrix_modulus * (1.0 - par.rho_porous / rho)
+    return base_pressure(_solid_density(rho, e, par), e, par.base)
+
+
+def pressure_derivatives(rho, e, par):
+    if rho <= par.rho_porous:
+        return par.matrix_modulus * par.rho_porous / (rho * rho), 0.0
+    solid = _solid_density(rho, e, par)
+    p = base_pressure(solid, e, par.base)
+    p_rho, p_e = base_derivatives(solid, e, par.base)
+    _, slope, share = _mixture(p, solid, par)
+    bend = slope * p_rho - share / (solid * solid)
+    return -p_rho / (rho * rho * bend), -p_e * share / (solid * solid * bend)
+
+
+def _inner_density(rho, e, par):
+    return base_reference_state(par.base)[0] if rho <= par.rho_porous else _solid_density(rho, e, par)
+
+
+def temperature(rho, e, par):
+    return base_temperature(_inner_density(rho, e, par), e, par.base)
+
+
+def specific_heat(rho, e, par):
+    return base_specific_heat(_inner_density(rho, e, par), e, par.base)
+
+
+def reference_state(par):
+    return par.rho_porous, base_reference_state(par.base)[1]
+
+
+def density_limits(par):
+    return 0.0, base_density_limits(par.base)[1]
+
+
+def build(base, rho_porous, matrix_modulus, crush_strength, exponent=1.0):
+    """Parameters from a deck."""
+    solid = base_reference_state(base)[0]
+    if not 0.0 < rho_porous < solid:
+        raise OutOfRange(f"p_lambda: rho_porous must lie between 0 and the solid's {solid:.6g} kg/m3, got {rho_porous}")
+    if not (matrix_modulus > 0.0 and crush_strength > 0.0 and exponent >= 1.0):
+        raise OutOfRange("p_lambda: needs matrix_modulus > 0, crush_strength > 0 and exponent >= 1")
+    return PLambda(base, rho_porous, matrix_modulus, crush_strength, exponent)
+
+
+EOS.add(
+    "p_lambda", PLambda,
+    functions=[pressure, pressure_derivatives, temperature, specific_heat, reference_state, density_limits],
+    example=PLambda(MieGruneisen(2700.0, 5350.0, 1.34, 2.0, 863.0), 2100.0, 25e9, 0.4e9, 1.2),
+    build=build,
+    units={"base": "law", "rho_porous": "kg/m^3", "matrix_modulus": "Pa", "crush_strength": "Pa", "exponent": "1"},
+    meaning={"base": "law of the solid", "rho_porous": "density of the porous material at rest",
+             "matrix_modulus": "bulk modulus of the uncompacted material", "crush_strength": "pressure scale of compaction",
+             "exponent": "sharpness of compaction (1 or more)"},
+    defaults={"exponent": 1.0},
+    box={"rho": (2000.0, 4500.0), "e": (0.0, 5e6)},
+    references=("Grady, Winfree, Kerley, Wilson and Kuhns, J. Phys. IV France 10, Pr9-15 (2000)",),
+)

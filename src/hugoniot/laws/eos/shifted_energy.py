@@ -1,0 +1,70 @@
+r"""Shifted origin of energy: any law with its zero of energy moved.
+
+$$p(\rho, e) = p_{\text{base}}(\rho, e + \Delta e)$$
+
+so that laws of one problem (an explosive and its products, two phases) count energy from one origin.
+
+Source: 003 (Starkenberg) A-1 (the energy of an equation of state is defined up to a constant).
+"""
+
+from typing import Any, NamedTuple
+
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.contract import density_limits as base_density_limits
+from hugoniot.laws.eos.contract import energy as base_energy
+from hugoniot.laws.eos.contract import entropy as base_entropy
+from hugoniot.laws.eos.contract import pressure as base_pressure
+from hugoniot.laws.eos.contract import pressure_derivatives as base_derivatives
+from hugoniot.laws.eos.contract import reference_state as base_reference_state
+from hugoniot.laws.eos.contract import specific_heat as base_specific_heat
+from hugoniot.laws.eos.contract import temperature as base_temperature
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+
+
+class ShiftedEnergy(NamedTuple):
+    base: Any
+    shift: float
+
+
+def pressure(rho, e, par):
+    return base_pressure(rho, e + par.shift, par.base)
+
+
+def pressure_derivatives(rho, e, par):
+    return base_derivatives(rho, e + par.shift, par.base)
+
+
+def energy(rho, p, par):
+    return base_energy(rho, p, par.base) - par.shift
+
+
+def temperature(rho, e, par):
+    return base_temperature(rho, e + par.shift, par.base)
+
+
+def specific_heat(rho, e, par):
+    return base_specific_heat(rho, e + par.shift, par.base)
+
+
+def entropy(rho, e, par):
+    return base_entropy(rho, e + par.shift, par.base)
+
+
+def reference_state(par):
+    rho, e = base_reference_state(par.base)
+    return rho, e - par.shift
+
+
+def density_limits(par):
+    return base_density_limits(par.base)
+
+
+EOS.add(
+    "shifted_energy", ShiftedEnergy,
+    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits],
+    example=ShiftedEnergy(MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), -4e6),
+    units={"base": "law", "shift": "J/kg"},
+    meaning={"base": "the law whose origin is moved", "shift": "added to the energy before the base law sees it"},
+    box={"rho": (2300.0, 6500.0), "e": (4e6, 2e7)},
+    references=("Starkenberg, ARL-TR-2161, A-1",),
+)

@@ -1,0 +1,89 @@
+r"""Snow-plough porosity: pores close at a crush pressure, then the solid's law holds.
+
+$$p = \max\left[p_{\text{solid}}(\rho, e),\; p_c\,\frac{\rho - \rho_{00}}{\rho_s - \rho_{00}}\right]$$
+
+rho00 is the density of the porous material, rho_s that of its solid at rest, p_c the pressure that has closed the pores (the pure
+snow-plough is its limit 0, in which sound does not travel). On the second branch the pressure does not depend on energy. Shock states are
+those of the solid's Hugoniot for the larger initial volume; unloading of the crushed material follows the same curve, so that the
+law is for shocks, not for release through the pores. The temperature is that of the solid, where it is compacted.
+
+Source: Zel'dovich and Raizer, Physics of Shock Waves, XI.3; Thouvenin 1966 as reviewed by Herrmann, J. Appl. Phys. 40, 2490 (1969).
+"""
+
+from typing import Any, NamedTuple
+
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.contract import density_limits as base_density_limits
+from hugoniot.laws.eos.contract import pressure as base_pressure
+from hugoniot.laws.eos.contract import pressure_derivatives as base_derivatives
+from hugoniot.laws.eos.contract import reference_state as base_reference_state
+from hugoniot.laws.eos.contract import specific_heat as base_specific_heat
+from hugoniot.laws.eos.contract import temperature as base_temperature
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+
+
+class SnowPlough(NamedTuple):
+    """rho_solid, the rest density of the base law, is filled by `build`."""
+
+    base: Any
+    rho_porous: float
+    crush_pressure: float
+    rho_solid: float
+
+
+def pressure(rho, e, par):
+    p = base_pressure(rho, e, par.base)
+    crush = par.crush_pressure * (rho - par.rho_porous) / (par.rho_solid - par.rho_porous)
+    return p if p > crush else crush
+
+
+def pressure_derivatives(rho, e, par):
+    p = base_pressure(rho, e, par.base)
+    p_rho, p_e = base_derivatives(rho, e, par.base)
+    slope = par.crush_pressure / (par.rho_solid - par.rho_porous)
+    return (p_rho, p_e) if p > slope * (rho - par.rho_porous) else (slope, 0.0)
+
+
+def _solid(rho, par):
+    """Density at which the solid inside the pores is evaluated: at rest until the pores are closed."""
+    return rho if rho > par.rho_solid else par.rho_solid
+
+
+def temperature(rho, e, par):
+    return base_temperature(_solid(rho, par), e, par.base)
+
+
+def specific_heat(rho, e, par):
+    return base_specific_heat(_solid(rho, par), e, par.base)
+
+
+def reference_state(par):
+    return par.rho_porous, base_reference_state(par.base)[1]
+
+
+def density_limits(par):
+    return base_density_limits(par.base)
+
+
+def build(base, rho_porous, crush_pressure):
+    """Parameters from a deck."""
+    solid = base_reference_state(base)[0]
+    if not 0.0 < rho_porous < solid:
+        raise OutOfRange(f"snow_plough: rho_porous must lie between 0 and the solid's {solid:.6g} kg/m3, got {rho_porous}")
+    if not crush_pressure > 0.0:
+        raise OutOfRange(f"snow_plough: crush_pressure must be positive (a soft one lets pores close freely), got {crush_pressure}")
+    return SnowPlough(base, rho_porous, crush_pressure, solid)
+
+
+EOS.add(
+    "snow_plough", SnowPlough,
+    functions=[pressure, pressure_derivatives, temperature, specific_heat, reference_state, density_limits],
+    example=build(MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), 1700.0, 0.2e9),
+    build=build,
+    units={"base": "law", "rho_porous": "kg/m^3", "crush_pressure": "Pa", "rho_solid": "kg/m^3"},
+    meaning={"base": "law of the solid", "rho_porous": "density of the porous material at rest",
+             "crush_pressure": "pressure at which the pores have closed", "rho_solid": "rest density of the solid (filled by build)"},
+    box={"rho": (1650.0, 6000.0), "e": (0.0, 1e7)},
+    references=("Zel'dovich and Raizer, Physics of Shock Waves, XI.3", "Herrmann, J. Appl. Phys. 40, 2490 (1969)"),
+)

@@ -1,0 +1,63 @@
+r"""Tension cut-off: any law that bears no more than a given tension.
+
+$$p(\rho, e) = \max\left[p_{\text{base}}(\rho, e),\; -p_{\text{cut}}\right]$$
+
+Where the cut acts both derivatives are 0 (and so is the sound speed if p_cut = 0): the stretched material is a spray of constant
+pressure. It recovers by recompression to the density at which the cut began. The base law's temperature is kept.
+
+Source: 000 (Wilkins) B.2 (pressure limit of materials that spall); a minimum-pressure model as in every hydrocode.
+"""
+
+from typing import Any, NamedTuple
+
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.contract import density_limits as base_density_limits
+from hugoniot.laws.eos.contract import pressure as base_pressure
+from hugoniot.laws.eos.contract import pressure_derivatives as base_derivatives
+from hugoniot.laws.eos.contract import reference_state as base_reference_state
+from hugoniot.laws.eos.contract import specific_heat as base_specific_heat
+from hugoniot.laws.eos.contract import temperature as base_temperature
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+
+
+class TensionCutoff(NamedTuple):
+    base: Any
+    tension: float
+
+
+def pressure(rho, e, par):
+    p = base_pressure(rho, e, par.base)
+    return p if p > -par.tension else -par.tension + 0.0 * p
+
+
+def pressure_derivatives(rho, e, par):
+    p = base_pressure(rho, e, par.base)
+    p_rho, p_e = base_derivatives(rho, e, par.base)
+    return (p_rho, p_e) if p > -par.tension else (0.0, 0.0)
+
+
+def temperature(rho, e, par):
+    return base_temperature(rho, e, par.base)
+
+
+def specific_heat(rho, e, par):
+    return base_specific_heat(rho, e, par.base)
+
+
+def reference_state(par):
+    return base_reference_state(par.base)
+
+
+def density_limits(par):
+    return base_density_limits(par.base)
+
+
+EOS.add(
+    "tension_cutoff", TensionCutoff,
+    functions=[pressure, pressure_derivatives, temperature, specific_heat, reference_state, density_limits],
+    example=TensionCutoff(MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), 1e9),
+    units={"base": "law", "tension": "Pa"},
+    meaning={"base": "the law that is cut", "tension": "largest tension it bears (positive)"},
+    box={"rho": (2760.0, 6500.0), "e": (0.0, 2e7)},
+    references=("Wilkins, B.2",),
+)
