@@ -40,7 +40,9 @@ def _for_page(text: str, name: str) -> str:
     text = re.sub(r'id="([\w.-]+)"', rf'id="{name}-\1"', text)
     text = re.sub(r'url\(#([\w.-]+)\)', rf"url(#{name}-\1)", text)
     text = re.sub(r'href="#([\w.-]+)"', rf'href="#{name}-\1"', text)
-    text = re.sub(r"font: ([\d.]+px) '[^;\"]*", r"font: \1 var(--face)", text)
+    # the page's own typeface, in whichever way this matplotlib writes fonts
+    text = re.sub(r"font-family: [^;\"]*(; )?", "", text)
+    text = re.sub(r"font: ([\d.]+px) '[^;\"]*", r"font-size: \1", text)
     for ink, page in _PAGE_COLOURS:
         text = text.replace(ink, page)
     return text

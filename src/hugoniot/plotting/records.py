@@ -52,7 +52,8 @@ def gauge(run, field: str = "stress", names=None, ax=None):
 def _time_axis(ax, time, unit, factor):
     ax.set_xlabel(labelled("time", unit))
     if len(time):
-        ax.set_xlim(time[0] * factor, time[-1] * factor)
+        start = 0.0 if 0.0 < time[0] < 0.02 * time[-1] else time[0]
+        ax.set_xlim(start * factor, time[-1] * factor)
 
 
 def free_surface_record(run, name: str | None = None) -> tuple[np.ndarray, np.ndarray, str]:
@@ -64,7 +65,7 @@ def free_surface_record(run, name: str | None = None) -> tuple[np.ndarray, np.nd
         where = next((str(g["at"]) for g in run.setup["gauges"] if g["name"] == name), name)
         return time, -velocity if where.endswith("left") else velocity, f"gauge '{name}'"
     rows = run.arrays("snapshots")
-    return rows["time"], rows["velocity_right"][:, -1], "outermost right face, from the snapshots"
+    return rows["time"], rows["velocity_right"][:, -1], "the snapshots only; a gauge at 'free surface right' would be finer"
 
 
 def target_constants(run) -> dict[str, float]:
@@ -226,10 +227,11 @@ def errors(run, ax=None):
     names = [name for name in ("mass_error", "momentum_error", "energy_error") if name in rows and len(rows[name])]
     lines = [(name.removesuffix("_error"), np.maximum(np.maximum.accumulate(np.abs(rows[name])), 1e-17)) for name in names]
     ax.set_yscale("log", subs=[])
+    ax.yaxis.set_major_formatter(lambda value, _: f"{value:.0e}".replace("e-0", "e-"))
     for colour, (_, values) in zip(COLOURS, lines):
         ax.plot(rows["time"] * ft, values, color=colour)
     _time_axis(ax, rows["time"], unit_t, ft)
-    ax.set_ylabel("largest relative error so far")
+    ax.set_ylabel("relative error")
     ax.set_ylim(1e-17, max([1e-11, *(3.0 * float(v.max()) for _, v in lines)]))
     quiet_grid(ax)
     for n, (name, _) in enumerate(lines):

@@ -103,8 +103,8 @@ def labelled(words: str, unit: str) -> str:
     return f"{words} ({unit})" if unit else words
 
 
-def spread(values, least: float) -> np.ndarray:
-    """Move label heights apart by at least `least`, keeping their order and, as far as can be, their places."""
+def spread(values, least: float, low: float = -np.inf, high: float = np.inf) -> np.ndarray:
+    """Move label heights apart by at least `least` within [low, high], keeping their order and, as far as can be, their places."""
     values = np.asarray(values, dtype=float)
     order = np.argsort(values, kind="stable")
     placed = values[order].copy()
@@ -115,6 +115,10 @@ def spread(values, least: float) -> np.ndarray:
             break
         placed[:-1] -= 0.5 * short
         placed[1:] += 0.5 * short
+    for k in range(len(placed)):
+        placed[k] = max(placed[k], low + k * least, placed[k - 1] + least if k else low)
+    for k in reversed(range(len(placed))):
+        placed[k] = min(placed[k], high - (len(placed) - 1 - k) * least)
     result = np.empty_like(values)
     result[order] = placed
     return result
@@ -125,7 +129,7 @@ def label_lines(ax, texts, heights, colours, x: float = 1.01, size: float = 8.5)
     low, high = ax.get_ylim()
     inches = ax.get_figure().get_figheight() * ax.get_position().height
     least = (high - low) * (size * 1.15 / 72.0) / max(inches, 1e-6)
-    for text, height, colour in zip(texts, np.clip(spread(heights, least), low, high), colours):
+    for text, height, colour in zip(texts, spread(heights, least, low, high), colours):
         ax.text(x, height, text, color=colour, fontsize=size, va="center", ha="left", transform=ax.get_yaxis_transform(), clip_on=False)
 
 

@@ -56,8 +56,10 @@ _CAPTIONS = {
 }
 
 
-def _figure(pictures: dict, name: str) -> str:
-    return f"<figure>{pictures[name]}<figcaption>{text(_CAPTIONS[name])}</figcaption></figure>" if name in pictures else ""
+def _figure(pictures: dict, name: str, more: str = "") -> str:
+    if name not in pictures:
+        return ""
+    return f"<figure>{pictures[name]}<figcaption>{text(_CAPTIONS[name] + more)}</figcaption></figure>"
 
 
 def _section(title: str, *parts: str) -> str:
@@ -81,7 +83,7 @@ def page(run: Run) -> str:
         _section("Set-up", _figure(pictures, "setup")),
         _section("Wave diagram", _figure(pictures, "wave")),
         _section("Gauges", _figure(pictures, "gauge_stress"), _figure(pictures, "gauge_velocity")),
-        _section("Free surface", _figure(pictures, "free_surface")),
+        _section("Free surface", _figure(pictures, "free_surface", f" Recorded by: {free_surface_record(run)[2]}.")),
         _section("Energy and momentum", _figure(pictures, "budget"), _figure(pictures, "errors")),
         _section("What happened", sections.events(run)),
         _section("Materials", sections.materials(setup)),
