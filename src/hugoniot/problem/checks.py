@@ -213,7 +213,7 @@ def advice(problem: Problem) -> list[str]:
             rho = region.density or reference_state(problem.materials[region.material].eos)[0]
             masses.append(rho * first * (q ** (n - 1) if last else 1.0))
         jump = max(masses) / min(masses)
-        if jump > 4.0:
+        if jump > 10.0:
             told.append(f"the zone mass jumps by a factor of {jump:.3g} between '{a.name}' and '{b.name}': expect a start-up error there")
     for a, b in zip(problem.regions, problem.regions[1:]):
         ua, ub = (r.velocity[k] if isinstance(r.velocity, tuple) else r.velocity for r, k in ((a, 1), (b, 0)))

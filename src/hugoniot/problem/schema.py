@@ -119,8 +119,12 @@ def _in_words(item: Mapping, model: type[BaseModel]) -> tuple[str, str]:
               "less_than": ("less than", "lt")}
     if kind in bounds:
         word, key = bounds[kind]
-        return f"must be {word} {context[key]:,}, got {shown}".replace(",", " ", str(context[key]).count(",")), ""
+        return f"must be {word} {_grouped(context[key])}, got {shown}", ""
     return printable(item["msg"][:1].lower() + item["msg"][1:], 200), ""
+
+
+def _grouped(number: float) -> str:
+    return f"{number:,}".replace(",", " ")
 
 
 def _literals(expected: str) -> list[str]:

@@ -1,0 +1,135 @@
+"""What the commands of `hugoniot eos` are given: materials by name or file, states as "pressure = 10 GPa", error bars."""
+
+import tomllib
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from hugoniot.errors import DeckError, DeckProblem
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.materials.material import Material
+from hugoniot.units import UnitError, parse
+
+UNITS = {"pressure": "Pa", "density": "kg/m^3", "particle_velocity": "m/s", "shock_velocity": "m/s", "velocity": "m/s", "temperature": "K",
+         "energy": "J/kg"}
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A material and, from the library, its unreacted explosive, its title and the names under which points are kept."""
+
+    material: Material
+    title: str = ""
+    unreacted: Any = None
+    names: tuple[str, ...] = ()
+
+    @property
+    def reacted(self) -> bool:
+        return "reacted" in EOS.of(self.material.eos).flags
+
+
+def find_material(text: str) -> Subject:
+    """A material of the library by name, alias or row, or of a TOML file: `steel.toml`, or `deck.toml:flyer_metal` for one of several."""
+    path, _, inside = text.rpartition(":") if ".toml:" in text else (text, "", "")
+    if path.endswith(".toml"):
+        return Subject(_from_file(Path(path), inside))
+    from hugoniot.materials.library import entry
+
+    found = entry(text)
+    return Subject(found.material, found.title, found.unreacted, (found.material.name, found.title, *found.aliases))
+
+
+def find_inert(text: str) -> Subject:
+    """As `find_material`, for a question about shocks: an explosive stands for its unreacted self."""
+    subject = find_material(text)
+    if not subject.reacted:
+        return subject
+    if subject.unreacted is None:
+        raise DeckError.single("command line", None, text, "the library gives detonation products only, no unreacted explosive",
+                               "hugoniot eos cj answers for the products; name a material with an inert equation of state")
+    return replace(subject, material=replace(subject.material, eos=subject.unreacted, name=f"{subject.material.name} (unreacted)"))
+
+
+def _from_file(path: Path, inside: str) -> Material:
+    from hugoniot.materials.build import build_material
+    from hugoniot.problem.lines import line_finder
+
+    try:
+        text = path.read_text(encoding="utf-8")
+        tables = tomllib.loads(text)
+    except (OSError, UnicodeDecodeError) as error:
+        raise DeckError.single(path, None, "material", f"cannot be read ({getattr(error, 'strerror', None) or 'not UTF-8 text'})",
+                               "give a name of the library (hugoniot material list) or a TOML file") from None
+    except tomllib.TOMLDecodeError as error:
+        raise DeckError.single(path, None, "TOML", str(error)) from None
+    several = tables.get("material")
+    if isinstance(several, dict):
+        name = inside or (next(iter(several)) if len(several) == 1 else "")
+        if name not in several:
+            raise DeckError.single(path, None, "material", f"holds {', '.join(several)}", f"name one, such as {path}:{next(iter(several), 'copper')}")
+        tables, offset = several[name], 0
+    else:
+        name, offset = path.stem, 2
+    finder = line_finder(text)
+    problems: list[DeckProblem] = []
+    material = build_material(name, tables, problems, str(path), lambda key: finder(tuple(key)[offset:]))
+    if material is None:
+        raise DeckError(problems)
+    return material
+
+
+def quantity(text: str, unit: str, where: str) -> float:
+    """The SI value of an option such as "1 km/s"; `DeckError` naming the option."""
+    try:
+        return parse(_number_or_text(text), unit)
+    except UnitError as error:
+        raise DeckError.single("command line", None, where, error.message, error.hint) from None
+
+
+def one_state(text: str, where: str = "--at") -> dict[str, float]:
+    """{"pressure": 1e10} from "pressure = 10 GPa"; one of pressure, density, particle_velocity, shock_velocity."""
+    found = several_states(text, where, ("pressure", "density", "particle_velocity", "shock_velocity"))
+    if len(found) != 1:
+        raise DeckError.single("command line", None, where, f"names {len(found)} values", 'give one, such as "pressure = 10 GPa"')
+    return found
+
+
+def several_states(text: str, where: str, known=("density", "pressure", "energy", "temperature", "velocity")) -> dict[str, float]:
+    """{"density": 1000.0, "velocity": 0.0} from "density = 1 g/cm^3, velocity = 0"."""
+    found: dict[str, float] = {}
+    for part in text.split(","):
+        name, equals, value = (piece.strip() for piece in part.partition("="))
+        name = name.replace(" ", "_").replace("-", "_")
+        if not equals or name not in known:
+            near = _near(name, known)
+            raise DeckError.single("command line", None, where, f"'{part.strip()[:60]}' does not name a state", f'{near}write "{known[0]} = {_EXAMPLE[known[0]]}"')
+        found[name] = quantity(value, UNITS[name], f"{where} {name}")
+    return found
+
+
+def error_bars(texts: list[str] | None) -> dict[str, float]:
+    """{"copper.c0": 20.0} from options such as "copper.c0 = 20 m/s" or "velocity = 5 m/s": standard deviations, units as given."""
+    found = {}
+    for text in texts or ():
+        name, equals, value = (piece.strip() for piece in text.partition("="))
+        if not equals:
+            raise DeckError.single("command line", None, "--error", f"'{text[:60]}' is no error bar", 'write "velocity = 5 m/s" or "copper.c0 = 20 m/s"')
+        found[name] = value
+    return found
+
+
+_EXAMPLE = {"pressure": "10 GPa", "density": "2700 kg/m^3"}
+
+
+def _near(name, known):
+    import difflib
+
+    near = difflib.get_close_matches(name, known, n=1)
+    return f"did you mean '{near[0]}'? " if near else ""
+
+
+def _number_or_text(text: str):
+    try:
+        return float(text)
+    except ValueError:
+        return text
