@@ -1,0 +1,236 @@
+r"""The sweeps of the viscous flow solver: one loop each, any equation of state and transport law by the class of its parameters.
+
+Conservative finite volumes of one width h for $U = (\rho, \rho u, \rho e + \tfrac12\rho u^2)$,
+
+$$\partial_t U + \partial_x F = 0,\qquad F = (\rho u,\ \rho u^2 + p - \tau,\ (E + p - \tau)u + q),\qquad
+  \tau = (\tfrac43\mu + \zeta)\,u_x,\quad q = -kT_x .$$
+
+Inviscid part: fifth-order WENO-Z values at both sides of a face (Borges et al., J. Comput. Phys. 227 (2008) 3191) with the local
+Lax-Friedrichs flux; where the profile is resolved the two sides agree to fifth order and no artificial dissipation is left.
+Viscous part: fourth-order gradients of the conserved averages, turned into those of u and T by the chain rule; the slope of T along
+(rho, e) is a central difference of the law's own temperature.
+"""
+
+import numba as nb
+from numba.extending import overload
+
+from hugoniot.core.compile import GUARD, LAW, bind_family, bind_module
+from hugoniot.core.ops import fmax, vsqrt
+from hugoniot.laws.eos import contract as eos_contract
+from hugoniot.laws.eos.contract import EOS, pressure, pressure_derivatives
+from hugoniot.laws.transport import contract as transport_contract
+from hugoniot.laws.transport.contract import CONDUCTION, TRANSPORT, conductivity, isobaric_heat, longitudinal_viscosity, viscosity
+from hugoniot.solvers.shock_structure.layout import ADVECTIVE, CULPRIT, DIFFUSIVE, FALLBACKS, GHOSTS, LIMITING, RHO, WALL, E, J
+
+bind_family(EOS, eos_contract.GENERICS)
+bind_family(TRANSPORT, transport_contract.GENERICS)
+bind_family(CONDUCTION, transport_contract.CONDUCTION_GENERICS)
+bind_module(eos_contract)
+bind_module(transport_contract)
+
+_TINY = 1e-40
+_PROBE = 1e-4   # relative step of the temperature's slope: its error is the square
+
+
+def _law_has(name):
+    def decorate(function):
+        def resolve(rho, e, par):
+            law = EOS.of_class(par.instance_class)
+            return law.functions.get(name) or function
+        overload(function, jit_options=LAW, strict=False)(resolve)
+        return function
+    return decorate
+
+
+@_law_has("temperature")
+def temperature_if_any(rho, e, par):
+    """The law's temperature, K; 0 where it has none."""
+    return 0.0
+
+
+@_law_has("specific_heat")
+def specific_heat_if_any(rho, e, par):
+    """The law's specific heat, J/(kg K); 1 where it has none."""
+    return 1.0
+
+
+@nb.njit(**GUARD)
+def weno(a, b, c, d, e):
+    """Fifth-order value at the right face of the cell with average c, from the averages of five cells in a row (WENO-Z)."""
+    smooth0 = 13.0 / 12.0 * (a - 2.0 * b + c) ** 2 + 0.25 * (a - 4.0 * b + 3.0 * c) ** 2
+    smooth1 = 13.0 / 12.0 * (b - 2.0 * c + d) ** 2 + 0.25 * (b - d) ** 2
+    smooth2 = 13.0 / 12.0 * (c - 2.0 * d + e) ** 2 + 0.25 * (3.0 * c - 4.0 * d + e) ** 2
+    scale = 1e-12 * (c * c) + _TINY   # below it, differences are round-off and the weights are the linear ones
+    spread = (smooth0 - smooth2) ** 2
+    w0 = 0.1 * (1.0 + spread / (smooth0 + scale) ** 2)
+    w1 = 0.6 * (1.0 + spread / (smooth1 + scale) ** 2)
+    w2 = 0.3 * (1.0 + spread / (smooth2 + scale) ** 2)
+    value = w0 * (2.0 * a - 7.0 * b + 11.0 * c) + w1 * (5.0 * c - b + 2.0 * d) + w2 * (2.0 * c + 5.0 * d - e)
+    return value / (6.0 * (w0 + w1 + w2))
+
+
+@nb.njit(**GUARD)
+def signal(rho, j, E_total, eos):
+    """(u, p, c) of a conserved state; c is negative where the state is none."""
+    if not rho > 0.0:
+        return 0.0, 0.0, -1.0
+    u = j / rho
+    e = E_total / rho - 0.5 * u * u
+    p = pressure(rho, e, eos)
+    p_rho, p_e = pressure_derivatives(rho, e, eos)
+    c2 = p_rho + p * p_e / (rho * rho)
+    if not (c2 > 0.0 and c2 < 1e30):
+        return u, p, -1.0
+    return u, p, vsqrt(c2)
+
+
+@nb.njit(**GUARD)
+def fill_ghosts(U, kinds, ends, eos):
+    """Cells beyond the ends. A wall mirrors; a transmitting end lets outgoing waves pass and takes incoming ones from `ends` (2, 3).
+
+    The three characteristic amplitudes are those of the deviation from the end state, so that it is also the far field held.
+    """
+    last = U.shape[1] - GHOSTS - 1
+    for side in range(2):
+        edge, inward, normal = (GHOSTS, 1, -1.0) if side == 0 else (last, -1, 1.0)
+        if kinds[side] == WALL:
+            for g in range(GHOSTS):
+                U[RHO, edge - inward * (g + 1)] = U[RHO, edge + inward * g]
+                U[J, edge - inward * (g + 1)] = -U[J, edge + inward * g]
+                U[E, edge - inward * (g + 1)] = U[E, edge + inward * g]
+            continue
+        u0, p0, c0 = signal(ends[side, 0], ends[side, 1], ends[side, 2], eos)
+        rho0 = ends[side, 0]
+        u, p, c = signal(U[RHO, edge], U[J, edge], U[E, edge], eos)
+        impedance = rho0 * c0
+        d_rho, d_u, d_p = U[RHO, edge] - rho0, normal * (u - u0), p - p0
+        speed = normal * u0
+        outward = d_p + impedance * d_u if speed + c0 > 0.0 else 0.0
+        inward_wave = d_p - impedance * d_u if speed - c0 > 0.0 else 0.0
+        entropy = d_rho - d_p / (c0 * c0) if speed > 0.0 else 0.0
+        g_p = 0.5 * (outward + inward_wave)
+        g_u = 0.5 * (outward - inward_wave) / impedance
+        rho = rho0 + entropy + g_p / (c0 * c0)
+        v = u0 + normal * g_u
+        e0 = ends[side, 2] / rho0 - 0.5 * u0 * u0
+        p_rho, p_e = pressure_derivatives(rho0, e0, eos)
+        e = e0 + (g_p - p_rho * (rho - rho0)) / p_e
+        for g in range(GHOSTS):
+            ghost = edge - inward * (g + 1)
+            U[RHO, ghost], U[J, ghost], U[E, ghost] = rho, rho * v, rho * (e + 0.5 * v * v)
+
+
+@nb.njit(**GUARD)
+def heat_flow(rho, e, rho_x, e_x, mu, eos, transport, conducting):
+    """(heat flux q, thermal diffusivity k/(rho c_v)) at a state with gradients; zero where the fluid does not conduct."""
+    if not conducting:
+        return 0.0, 0.0
+    T = temperature_if_any(rho, e, eos)
+    p = pressure(rho, e, eos)
+    p_rho, p_e = pressure_derivatives(rho, e, eos)
+    c2 = p_rho + p * p_e / (rho * rho)
+    cv = specific_heat_if_any(rho, e, eos)
+    k = conductivity(rho, T, mu, isobaric_heat(rho, T, c2, p_e, cv), transport.conduction)
+    size = abs(rho_x) / rho + abs(e_x) / c2
+    if size == 0.0:
+        return 0.0, k / (rho * cv)
+    step = _PROBE / size
+    warmer = temperature_if_any(rho + step * rho_x, e + step * e_x, eos)
+    colder = temperature_if_any(rho - step * rho_x, e - step * e_x, eos)
+    return -k * (warmer - colder) / (2.0 * step), k / (rho * cv)
+
+
+@nb.njit(**GUARD)
+def flux_sweep(U, F, h, rough, control, counters, eos, transport, conducting):
+    """F (3, n+1) at every face; the largest signal speed and diffusivity go to `control`. True if every state was one.
+
+    rough   first-order values and two-point gradients everywhere: for the first moments of an unresolved jump
+    """
+    n = F.shape[1] - 1
+    fastest, widest, sound = 0.0, 0.0, True
+    for i in range(n + 1):
+        r = i + GHOSTS          # cell to the right of face i
+        l1, l2, l3, r2, r3 = r - 1, r - 2, r - 3, r + 1, r + 2
+        rl = weno(U[RHO, l3], U[RHO, l2], U[RHO, l1], U[RHO, r], U[RHO, r2])
+        jl = weno(U[J, l3], U[J, l2], U[J, l1], U[J, r], U[J, r2])
+        el = weno(U[E, l3], U[E, l2], U[E, l1], U[E, r], U[E, r2])
+        rr = weno(U[RHO, r3], U[RHO, r2], U[RHO, r], U[RHO, l1], U[RHO, l2])
+        jr = weno(U[J, r3], U[J, r2], U[J, r], U[J, l1], U[J, l2])
+        er = weno(U[E, r3], U[E, r2], U[E, r], U[E, l1], U[E, l2])
+        ul, pl, cl = signal(rl, jl, el, eos)
+        ur, pr, cr = signal(rr, jr, er, eos)
+        if rough or cl < 0.0 or cr < 0.0:  # an overshoot is no state: first order there
+            rl, jl, el, rr, jr, er = U[RHO, l1], U[J, l1], U[E, l1], U[RHO, r], U[J, r], U[E, r]
+            ul, pl, cl = signal(rl, jl, el, eos)
+            ur, pr, cr = signal(rr, jr, er, eos)
+            counters[FALLBACKS] += 0 if rough else 1
+            if sound and (cl < 0.0 or cr < 0.0):
+                sound = False
+                counters[CULPRIT] = max(i - 1, 0) if cl < 0.0 else min(i, n - 1)
+        speed = fmax(abs(ul) + cl, abs(ur) + cr)
+        rho, u = 0.5 * (rl + rr), 0.5 * (jl + jr) / (0.5 * (rl + rr))
+        total = 0.5 * (el + er) / rho
+        e = total - 0.5 * u * u
+        wide = 0.0 if rough else 1.0 / (12.0 * h)
+        near = 1.0 / h + 3.0 * wide
+        rho_x = near * (U[RHO, r] - U[RHO, l1]) - wide * (U[RHO, r2] - U[RHO, l2])
+        j_x = near * (U[J, r] - U[J, l1]) - wide * (U[J, r2] - U[J, l2])
+        E_x = near * (U[E, r] - U[E, l1]) - wide * (U[E, r2] - U[E, l2])
+        u_x = (j_x - u * rho_x) / rho
+        e_x = (E_x - total * rho_x) / rho - u * u_x
+        mu = viscosity(rho, temperature_if_any(rho, e, eos), transport.shear)
+        mu_l = longitudinal_viscosity(mu, transport)
+        q, spread = heat_flow(rho, e, rho_x, e_x, mu, eos, transport, conducting)
+        tau = mu_l * u_x
+        F[RHO, i] = 0.5 * (jl + jr) - 0.5 * speed * (rr - rl)
+        F[J, i] = 0.5 * (jl * ul + pl + jr * ur + pr) - 0.5 * speed * (jr - jl) - tau
+        F[E, i] = 0.5 * ((el + pl) * ul + (er + pr) * ur) - 0.5 * speed * (er - el) - tau * u + q
+        if speed > fastest:
+            fastest = speed
+            counters[LIMITING] = min(i, n - 1)
+        widest = fmax(widest, fmax(mu_l / rho, spread))
+    control[ADVECTIVE], control[DIFFUSIVE] = fastest, widest
+    return sound
+
+
+@nb.njit(**GUARD)
+def stage(U, V, F, ratio):
+    """V = U advanced by the fluxes F over ratio = dt/h; ghosts untouched."""
+    n = F.shape[1] - 1
+    for k in range(3):
+        for i in range(n):
+            V[k, i + GHOSTS] = U[k, i + GHOSTS] + ratio * (F[k, i] - F[k, i + 1])
+
+
+@nb.njit(**GUARD)
+def all_sound(U, counters, eos):
+    """Whether every cell is a state of the law."""
+    for i in range(GHOSTS, U.shape[1] - GHOSTS):
+        if signal(U[RHO, i], U[J, i], U[E, i], eos)[2] < 0.0:
+            counters[CULPRIT] = i - GHOSTS
+            return False
+    return True
+
+
+@nb.njit(**GUARD)
+def update(U, rest, F, ratio):
+    """The same in place, with what rounding drops kept in `rest` (3, n) so that totals stay exact over any number of steps."""
+    n = F.shape[1] - 1
+    for k in range(3):
+        for i in range(n):
+            change = ratio * (F[k, i] - F[k, i + 1]) + rest[k, i]
+            new = U[k, i + GHOSTS] + change
+            rest[k, i] = change - (new - U[k, i + GHOSTS])
+            U[k, i + GHOSTS] = new
+
+
+@nb.njit(**GUARD)
+def account(passed, rest, F, dt):
+    """Add what passed the two ends, (2, 3), with compensation."""
+    for side in range(2):
+        face = 0 if side == 0 else F.shape[1] - 1
+        for k in range(3):
+            change = dt * F[k, face] + rest[side, k]
+            new = passed[side, k] + change
+            rest[side, k] = change - (new - passed[side, k])
+            passed[side, k] = new

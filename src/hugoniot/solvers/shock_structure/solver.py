@@ -1,0 +1,272 @@
+"""The viscous flow solver: owns the arrays, marches them, hands out states, budgets and checkpoints.
+
+Knows a problem's numbers and laws; never files, decks or plots. The grid stands still (Eulerian cells of one width).
+"""
+
+import math
+
+import numpy as np
+
+from hugoniot.errors import NoSolution, OutOfRange, UnphysicalState
+from hugoniot.laws.eos import contract as eos_laws
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.transport import contract as transport_laws
+from hugoniot.laws.transport.contract import TRANSPORT
+from hugoniot.materials.initial_state import initial_state
+from hugoniot.problem.model import Problem
+from hugoniot.solvers.shock_structure import layout as L
+from hugoniot.solvers.shock_structure.measure import thickness
+from hugoniot.state import State
+
+NAME = "shock_structure"
+COURANT = 0.9
+NO_LIMIT = 1e300
+FEWEST_CELLS = 8
+
+
+class ShockStructure:
+    """A run in progress.
+
+    problem   planar, regions of one material that touch and have cells of one width; `solver.options["transport"]` a `Transport`
+    start     (cells (3, n) of density, momentum, total energy; ends (2, 3) of the far fields), or None: from the regions' states
+    """
+
+    viscosity = None     # artificial viscosity: none
+    voids_opened = voids_closed = 0
+
+    def __init__(self, problem: Problem, start=None):
+        self.problem = problem
+        self.eos, self.transport = _eos(problem), _transport(problem)
+        self.faces, self.region_of = _grid(problem)
+        self.h = float(self.faces[-1] - self.faces[0]) / len(self.region_of)
+        cells, ends = start if start is not None else _from_regions(problem, self.eos, self.region_of)
+        n = len(self.region_of)
+        self.U = np.zeros((3, n + 2 * L.GHOSTS))
+        self.U[:, L.GHOSTS:-L.GHOSTS] = cells
+        self.ends = np.ascontiguousarray(ends, dtype=float)
+        self.kinds = np.array([_end_kind(problem.left, "left"), _end_kind(problem.right, "right")], dtype=np.int64)
+        self.rest, self.passed, self.passed_rest = np.zeros((3, n)), np.zeros((2, 3)), np.zeros((2, 3))
+        self.control, self.counters = np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64)
+        self.control[L.COURANT] = problem.solver.courant or COURANT
+        self.control[L.DT_LARGEST] = problem.solver.largest_step or NO_LIMIT
+        self.start_totals = self.totals()
+        self._peaks = self._fields()
+        self._work = [np.zeros_like(self.U), np.zeros((3, n + 1)), np.zeros((3, n + 1))]
+
+    @property
+    def cells(self) -> np.ndarray:
+        """Conserved averages (3, n): density kg/m3, momentum density kg/(m2 s), total energy density J/m3."""
+        return self.U[:, L.GHOSTS:-L.GHOSTS]
+
+    # -- marching --------------------------------------------------------------------------------------------
+    @property
+    def time(self) -> float:
+        return float(self.control[L.TIME])
+
+    @property
+    def cycle(self) -> int:
+        return int(self.counters[L.CYCLE])
+
+    @property
+    def step(self) -> float:
+        """The last time step, s."""
+        return float(self.control[L.DT])
+
+    @property
+    def zone_updates(self) -> int:
+        return self.cycle * len(self.region_of)
+
+    @property
+    def capped(self) -> int:
+        """How often a face fell back to first order because a reconstructed state was none."""
+        return int(self.counters[L.FALLBACKS])
+
+    @property
+    def initial_nodes(self):
+        return self.faces[:-1], self.faces[1:]
+
+    def limiting(self) -> tuple[int, str]:
+        """(cell, region name) with the largest signal speed."""
+        zone = int(self.counters[L.LIMITING])
+        return zone, self.problem.regions[self.region_of[zone]].name
+
+    def march(self, until: float, cycles: int) -> list:
+        """Step until the time `until` (hit exactly) or `cycles` steps; no events. Raises `UnphysicalState`."""
+        from hugoniot.solvers.shock_structure.step import march
+
+        self.control[L.EVENT_TIME] = until
+        code = march(cycles, self.U, *self._work, self.rest, self.passed, self.passed_rest, self.h, self.control, self.counters,
+                     self.kinds, self.ends, self.eos, self.transport, transport_laws.conducts(self.transport))
+        if code == L.BAD_STATE:
+            raise self._unphysical()
+        for name, value in self._fields().items():
+            np.maximum(self._peaks[name], value, out=self._peaks[name])
+        return []
+
+    def advance(self, cycles: int, until: float = NO_LIMIT) -> None:
+        """`march` for callers without a time loop."""
+        self.march(until, cycles)
+
+    def take_gauges(self):
+        """No Lagrangian gauges in a fixed grid."""
+        return np.empty(0), {}
+
+    def _unphysical(self):
+        zone = int(self.counters[L.CULPRIT])
+        rho, j, total = (float(v) for v in self.cells[:, zone])
+        values = {"density": rho, "velocity": j / rho if rho else math.nan, "total_energy": total}
+        return UnphysicalState(
+            f"density {rho:.4g} kg/m3 and total energy {total:.4g} J/m3 are no state of law '{EOS.of(self.eos).name}'",
+            "refine the cells (at least four in a shock's thickness), lower solver.courant, or start from the steady profile",
+            zone, self.problem.regions[self.region_of[zone]].name, 0.5 * float(self.faces[zone] + self.faces[zone + 1]), self.time,
+            self.cycle, values)
+
+    # -- what observers see ----------------------------------------------------------------------------------
+    def _primitive(self):
+        rho, j, total = self.cells
+        return rho, j / rho, total / rho - 0.5 * (j / rho) ** 2
+
+    def _fields(self) -> dict[str, np.ndarray]:
+        rho, _, e = self._primitive()
+        pairs = list(zip(rho.tolist(), e.tolist()))
+        p = np.array([eos_laws.pressure(a, b, self.eos) for a, b in pairs])
+        return {"pressure": p, "density": rho.copy()}
+
+    def state(self) -> State:
+        """Copies of all fields now; `viscous_pressure` is -tau of the physical viscosity, `stress` = p - tau."""
+        rho, u, e = self._primitive()
+        pairs = list(zip(rho.tolist(), e.tolist()))
+        p = np.array([eos_laws.pressure(a, b, self.eos) for a, b in pairs])
+        with np.errstate(invalid="ignore"):
+            c = np.sqrt(np.array([eos_laws.sound_speed_squared(a, b, self.eos) for a, b in pairs]))
+        thermal = eos_laws.has_temperature(self.eos)
+        T = np.array([eos_laws.temperature(a, b, self.eos) for a, b in pairs]) if thermal else np.full_like(rho, math.nan)
+        viscosity = TRANSPORT.of(self.transport.shear).functions["viscosity"]
+        mu = np.array([transport_laws.longitudinal_viscosity(viscosity(a, t, self.transport.shear), self.transport)
+                       for a, t in zip(rho.tolist(), T.tolist())])
+        q = -mu * np.gradient(u, self.h)
+        zones = {"density": rho.copy(), "energy": e, "pressure": p, "viscous_pressure": q, "stress": p + q, "sound_speed": c}
+        if thermal:
+            zones["temperature"] = T
+        nothing = np.zeros_like(rho)
+        zones |= {"plastic_work": nothing, "viscous_work": nothing.copy(), "mass": rho * self.h}
+        left = np.concatenate([[u[0]], 0.5 * (u[1:] + u[:-1])])
+        right = np.concatenate([0.5 * (u[1:] + u[:-1]), [u[-1]]])
+        return State(self.time, self.cycle, zones, self.faces[:-1].copy(), self.faces[1:].copy(), left, right)
+
+    snapshot = state
+
+    def totals(self) -> np.ndarray:
+        """Mass, momentum, total energy of the domain per m^2, what rounding set aside included."""
+        return np.array([math.fsum(row) for row in np.hstack([self.cells, self.rest])]) * self.h
+
+    def budget(self) -> dict[str, float]:
+        """Mass, momentum, energy now and what passed the ends, SI per m^2."""
+        names = ("mass", "momentum", "energy")
+        now, net = self.totals(), self.passed[0] - self.passed[1]
+        return {**dict(zip(names, now.tolist())), **{f"{name}_through_ends": float(v) for name, v in zip(names, net)}}
+
+    def errors(self) -> dict[str, float]:
+        """Relative mass, momentum and energy errors against what passed the ends."""
+        missing = self.totals() - self.start_totals - (self.passed[0] - self.passed[1])
+        size = np.abs(self.cells).sum(axis=1) * self.h
+        size = np.maximum(size, np.abs(self.passed).max(axis=0))
+        return {f"{name}_error": float(abs(m) / max(s, 1e-300)) for name, m, s in zip(("mass", "momentum", "energy"), missing, size)}
+
+    def exchanges(self) -> dict[str, float]:
+        """Energy (J/m2) and momentum (kg/(m s)) that entered through the two ends."""
+        left, right = self.passed
+        return {"work_left": float(left[2]), "work_right": float(-right[2]),
+                "impulse_left": float(left[1]), "impulse_right": float(-right[1])}
+
+    def largest_velocity_jump(self) -> dict[str, float]:
+        """Material -> spread of its velocities now, m/s."""
+        u = self._primitive()[1]
+        return {self.problem.regions[0].material: float(u.max() - u.min())}
+
+    def peaks(self) -> dict[str, np.ndarray]:
+        """Largest pressure and density of every cell at the ends of bursts."""
+        return {f"peak_{name}": value.copy() for name, value in self._peaks.items()}
+
+    def thickness(self) -> tuple[float, float]:
+        """(density thickness, position), m, of the shock between the two far fields; `NoSolution` where they are equal."""
+        low, high = self.ends[:, 0]
+        if low == high:
+            raise NoSolution("the two ends have the same density: there is no shock between them to measure")
+        return thickness(self.faces, self.cells[0], low, high)
+
+    # -- checkpoints -----------------------------------------------------------------------------------------
+    _KEPT = ("U", "rest", "passed", "passed_rest", "control", "counters", "start_totals", "ends")
+
+    def payload(self) -> dict:
+        """Everything a bitwise restart needs."""
+        return {**{name: getattr(self, name).copy() for name in self._KEPT}, **{f"peak_{k}": v.copy() for k, v in self._peaks.items()}}
+
+    def restore(self, payload: dict) -> None:
+        """Continue from a payload of the same problem."""
+        for name in self._KEPT:
+            setattr(self, name, np.ascontiguousarray(payload[name]).copy())
+        self._peaks = {name: np.array(payload[f"peak_{name}"]) for name in self._peaks}
+
+
+def _eos(problem: Problem):
+    names = {region.material for region in problem.regions}
+    if len(names) != 1:
+        raise OutOfRange(f"the solver {NAME} flows one material through a fixed grid, not {len(names)}: use lagrange1d for several")
+    if problem.geometry != "planar":
+        raise OutOfRange(f"the solver {NAME} is planar; geometry '{problem.geometry}' needs lagrange1d")
+    return problem.materials[names.pop()].eos
+
+
+def _transport(problem: Problem):
+    transport = problem.solver.options.get("transport")
+    if transport is None:
+        raise OutOfRange(f"the solver {NAME} needs a transport law: give [solver.transport] with viscosity = {{law = ...}}")
+    if isinstance(transport, transport_laws.Transport):
+        made = transport
+    else:
+        made = transport_laws.make(transport["viscosity"], transport.get("conduction"), transport.get("bulk_ratio", 0.0),
+                                   transport.get("bulk_viscosity", 0.0))
+    if transport_laws.needs_temperature(made):
+        eos_laws.require_temperature(_eos(problem))
+    return made
+
+
+def _grid(problem: Problem):
+    """(faces (n+1,) m, region of each cell); cells of one width."""
+    regions = problem.regions
+    widths = [(region.end - region.start) / region.zones for region in regions]
+    for a, b in zip(regions, regions[1:]):
+        if a.end != b.start:
+            raise OutOfRange(f"the solver {NAME} needs regions that touch; there is a gap between '{a.name}' and '{b.name}'")
+    for region, width in zip(regions, widths):
+        if region.ratio != 1.0 or abs(width / widths[0] - 1.0) > 1e-9:
+            raise OutOfRange(f"the solver {NAME} needs cells of one width; region '{region.name}' has {width:.6g} m, the first "
+                             f"{widths[0]:.6g} m (ratio {region.ratio:g}): set its zones accordingly")
+    count = sum(region.zones for region in regions)
+    if count < FEWEST_CELLS:
+        raise OutOfRange(f"the solver {NAME} needs at least {FEWEST_CELLS} cells; there are {count}")
+    return np.linspace(regions[0].start, regions[-1].end, count + 1), np.repeat(np.arange(len(regions)), [r.zones for r in regions])
+
+
+def conserved(rho, u, e) -> np.ndarray:
+    """(density, momentum, total energy) from density, velocity, specific internal energy."""
+    return np.array([rho, rho * u, rho * (e + 0.5 * u * u)])
+
+
+def _from_regions(problem: Problem, eos, region_of):
+    rows = []
+    for region in problem.regions:
+        rho, e = initial_state(eos, region.density, region.pressure, region.temperature, region.energy)
+        first, last = region.velocity if isinstance(region.velocity, tuple) else (region.velocity, region.velocity)
+        u = first + (last - first) * (np.arange(region.zones) + 0.5) / region.zones
+        rows.append(conserved(np.full(region.zones, rho), u, np.full(region.zones, e)))
+    cells = np.hstack(rows)
+    return cells, np.array([cells[:, 0], cells[:, -1]])
+
+
+def _end_kind(boundary, side: str) -> int:
+    if boundary.kind not in L.END_KINDS:
+        raise OutOfRange(f"boundary.{side} = '{boundary.kind}' has no meaning in a fixed grid; the solver {NAME} knows "
+                         f"{' and '.join(L.END_KINDS)}")
+    return L.END_KINDS[boundary.kind]

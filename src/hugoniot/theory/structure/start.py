@@ -1,0 +1,77 @@
+"""Where a transient run of a shock starts: from the exact jump as a step, or from the cell averages of the steady profile."""
+
+import numpy as np
+
+from hugoniot.errors import DeckError
+from hugoniot.laws.eos.contract import pressure
+from hugoniot.laws.transport import contract as transport_laws
+from hugoniot.materials.initial_state import initial_state
+from hugoniot.problem.model import Problem
+from hugoniot.theory.hugoniot import Initial
+from hugoniot.theory.structure.profile import Profile, steady
+
+EDGE = 1e-3           # part of the jump that the profile may still lack at the ends of a domain
+_POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(4)
+
+
+def profile_of(problem: Problem) -> Profile:
+    """The steady profile of the shock that `solver.options["shock"]` asks for, ahead of it the first region's state."""
+    shock, transport = problem.solver.options["shock"], problem.solver.options["transport"]
+    region = problem.regions[0]
+    eos = problem.materials[region.material].eos
+    rho, e = initial_state(eos, region.density, region.pressure, region.temperature, region.energy)
+    given = {name: shock[name] for name in ("mach", "shock_velocity", "particle_velocity", "pressure") if shock.get(name) is not None}
+    made = transport_laws.make(transport["viscosity"], transport.get("conduction"), transport.get("bulk_ratio", 0.0),
+                               transport.get("bulk_viscosity", 0.0))
+    return steady(eos, made, Initial(rho, float(pressure(rho, e, eos)), e), **given)
+
+
+def shock_start(problem: Problem):
+    """(cells (3, n), ends (2, 3)) of conserved quantities for the solver, or None where the problem names no shock.
+
+    options["shock"]: mach or one of shock_velocity, particle_velocity, pressure; at (m): where the shock stands at t = 0;
+    start "step" | "steady"; frame "standing" | "moving" (the gas ahead, on the left, keeps its region's velocity and the shock runs left).
+    Raises `DeckError` where the domain cannot hold the profile, saying what is needed.
+    """
+    shock = problem.solver.options.get("shock")
+    if not shock:
+        return None
+    profile = profile_of(problem)
+    one, two = profile.ends.upstream, profile.ends.downstream
+    velocity = problem.regions[0].velocity
+    boost = 0.0
+    if shock.get("frame", "standing") == "moving":
+        boost = (velocity if isinstance(velocity, (int, float)) else velocity[0]) - one.velocity
+    left, right = problem.regions[0].start, problem.regions[-1].end
+    at = shock.get("at", 0.5 * (left + right))
+    _require_room(problem, profile, left, right, at, boost)
+    count = sum(region.zones for region in problem.regions)
+    faces = np.linspace(left, right, count + 1)
+    ends = np.array([_conserved(s.density, s.velocity + boost, s.energy) for s in (one, two)])
+    if shock.get("start", "step") == "step":
+        part = np.clip((at - faces[:-1]) / np.diff(faces), 0.0, 1.0)   # of each cell that lies ahead
+        return ends[0][:, None] * part + ends[1][:, None] * (1.0 - part), ends
+    centres, half = 0.5 * (faces[1:] + faces[:-1]), 0.5 * (faces[1] - faces[0])
+    cells = np.zeros((3, count))
+    for point, weight in zip(_POINTS, _WEIGHTS):
+        s = profile.at(centres + half * point - at)
+        cells += 0.5 * weight * _conserved(s["density"], s["velocity"] + boost, s["energy"])
+    return cells, ends
+
+
+def _conserved(rho, u, e):
+    return np.array([rho, rho * u, rho * (e + 0.5 * u * u)])
+
+
+def _require_room(problem, profile: Profile, left, right, at, boost):
+    """The profile, and in the moving frame its path, must lie inside the domain."""
+    ahead, behind = profile.extent(EDGE)
+    path = boost * problem.stop_time   # the shock stands in its own frame
+    first, last = at + ahead + min(path, 0.0), at + behind + max(path, 0.0)
+    if left <= first and last <= right:
+        return
+    name = problem.regions[0].name
+    run = f" and runs {abs(path):.4g} m until stop_time" if path else ""
+    raise DeckError.single("deck", None, f"region.{name}", f"the domain from {left:.4g} m to {right:.4g} m is too short: the shock "
+                           f"at {at:.4g} m needs {-ahead:.4g} m ahead of it and {behind:.4g} m behind{run}",
+                           f"let the region reach from {first:.4g} m or less to {last:.4g} m or more, at least {last - first:.4g} m")
