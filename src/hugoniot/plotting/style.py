@@ -23,7 +23,8 @@ RC = {
     "axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": INK, "axes.labelcolor": INK, "text.color": INK,
     "xtick.color": INK, "ytick.color": INK, "axes.linewidth": 0.8, "xtick.major.width": 0.8, "ytick.major.width": 0.8,
     "lines.linewidth": 1.3, "lines.solid_capstyle": "round", "path.simplify": True, "path.simplify_threshold": 0.2,
-    "agg.path.chunksize": 20000, "axes.prop_cycle": matplotlib.cycler(color=COLOURS), "svg.fonttype": "none", "svg.hashsalt": "hugoniot",
+    "agg.path.chunksize": 20000, "axes.prop_cycle": matplotlib.cycler(color=COLOURS), "svg.fonttype": "none",
+    "svg.hashsalt": "hugoniot", "text.parse_math": False,  # names come from decks: a dollar sign is a dollar sign
     "axes.formatter.useoffset": False, "axes.formatter.limits": (-4, 5), "savefig.dpi": 200, "figure.dpi": 110,
 }
 

@@ -169,7 +169,7 @@ def test_a_damaged_result_is_a_file_trouble(whole, tmp_path):
         load(tmp_path).arrays("gauges")
     (tmp_path / "summary.json").write_text("{")
     with pytest.raises(FileTrouble, match="not the summary"):
-        load(tmp_path).summary
+        assert load(tmp_path).summary
 
 
 # -- a disk that fills up -----------------------------------------------------------------------------------------------

@@ -1,0 +1,79 @@
+"""Pictures of materials: Hugoniots of several materials, or of every source of one, with the measured states."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from hugoniot.materials.curves import Comparison, Curve
+
+
+
+def compare_figure(chosen: Comparison, path: Path | None = None) -> Any:
+    """Us-up and P-up side by side, and for the sources of one material their difference from the default; saved where `path` says.
+
+    A line is full where the source states that its data reach, thin and dashed outside. Returns the matplotlib figure.
+    """
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    default = chosen.curves[0] if chosen.curves and chosen.curves[0].default and sum(c.default for c in chosen.curves) == 1 else None
+    panels = 3 if default is not None and len(chosen.curves) > 1 else 2
+    figure, axes = plt.subplots(1, panels, figsize=(5.2 * panels, 5.0 + 0.16 * (len(chosen.curves) + len(chosen.states))))
+    colours = plt.get_cmap("tab10").colors
+    for k, states in enumerate(chosen.states):
+        style = {"linestyle": "none", "marker": "os^D"[k % 4], "markersize": 3.2, "color": "0.55", "markeredgewidth": 0.0, "alpha": 0.75}
+        axes[0].plot(states.up / 1e3, states.us / 1e3, label=states.label, **style)
+        axes[1].plot(states.up / 1e3, states.p / 1e9, **style)
+        if panels == 3:
+            inside = (states.up >= default.up[0]) & (states.up <= default.up[-1])
+            base = np.interp(states.up[inside], default.up, default.us)
+            axes[2].plot(states.up[inside] / 1e3, 100.0 * (states.us[inside] / base - 1.0), **style)
+    for k, curve in enumerate(chosen.curves):
+        colour = "black" if curve.default and panels == 3 else colours[(k - (panels == 3)) % 10]
+        _draw(axes[0], curve, curve.us / 1e3, colour, label=curve.label)
+        _draw(axes[1], curve, curve.p / 1e9, colour)
+        if panels == 3:
+            base = np.interp(curve.up, default.up, default.us)
+            _draw(axes[2], curve, np.where(curve.up <= default.up[-1], 100.0 * (curve.us / base - 1.0), np.nan), colour)
+    _finish(figure, axes, chosen, panels)
+    if path is not None:
+        figure.savefig(path, dpi=150)
+        plt.close(figure)
+    return figure
+
+
+def _draw(axis: Any, curve: Curve, values: np.ndarray, colour: Any, label: str | None = None) -> None:
+    inside = np.where(curve.reliable, values, np.nan)
+    width = 2.2 if curve.default else 1.4
+    axis.plot(curve.up / 1e3, values, color=colour, linewidth=0.6 * width, linestyle=(0, (4, 3)), alpha=0.8)
+    axis.plot(curve.up / 1e3, inside, color=colour, linewidth=width, label=label)
+
+
+def _finish(figure: Any, axes: Any, chosen: Comparison, panels: int) -> None:
+    for axis, name in zip(axes, ("shock velocity (km/s)", "pressure (GPa)", "Us, difference from the default (%)")):
+        axis.set_xlabel("particle velocity (km/s)")
+        axis.set_ylabel(name)
+        axis.grid(True, color="0.9", linewidth=0.6)
+        axis.set_axisbelow(True)
+        axis.set_xlim(left=0.0)
+    axes[1].set_ylim(bottom=0.0)
+    if panels == 3:
+        axes[2].set_ylim(*_difference_limits(chosen))
+    entries = len(chosen.curves) + len(chosen.states)
+    rows = (entries + panels - 1) // panels
+    handles, labels = axes[0].get_legend_handles_labels()
+    figure.suptitle(chosen.title)
+    bottom = (0.26 * rows + 0.25) / figure.get_figheight()
+    figure.tight_layout(rect=(0.0, bottom, 1.0, 0.98))
+    figure.legend(handles, labels, loc="lower center", ncols=panels, fontsize=8, frameon=False)
+
+
+def _difference_limits(chosen: Comparison) -> tuple[float, float]:
+    """Limits that show the lines, whatever the scatter of single states."""
+    default = chosen.curves[0]
+    spread = [100.0 * (c.us / np.interp(c.up, default.up, default.us) - 1.0) for c in chosen.curves[1:]]
+    widest = max((float(np.max(np.abs(s[len(s) // 8:]))) for s in spread), default=2.0)
+    return -1.3 * max(widest, 2.0), 1.3 * max(widest, 2.0)

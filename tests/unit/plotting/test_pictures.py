@@ -1,0 +1,124 @@
+"""Pictures show what the folder holds: the drawn numbers are read back from the axes."""
+
+import pathlib
+import sys
+
+import numpy as np
+import pytest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "output"))
+
+import acoustic_flyer
+
+from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.output.compare import compare
+from hugoniot.output.run import load
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("pictures") / "run"
+    acoustic_flyer.run(folder)
+    return load(folder)
+
+
+def test_every_picture_is_drawn_and_saved(run, tmp_path):
+    from hugoniot.plotting.accessor import PICTURES
+
+    for name in PICTURES:
+        ax = getattr(run.plot, name)()
+        ax.figure.savefig(tmp_path / f"{name}.png", dpi=50)
+        assert (tmp_path / f"{name}.png").stat().st_size > 2000
+        assert ax.get_xlabel() and "(" in ax.get_xlabel(), name
+
+
+def test_gauge_lines_are_the_record_in_the_axis_units(run):
+    ax = run.plot.gauge("stress", "middle")
+    x, y = ax.lines[0].get_data()
+    time, stress = run.gauge("stress", "middle")
+    assert np.array_equal(x, time * 1e6) and np.allclose(y, stress * 1e-9, rtol=1e-15)
+    assert "µs" in ax.get_xlabel() and "GPa" in ax.get_ylabel() and [t.get_text() for t in ax.texts] == ["middle"]
+
+
+def test_the_pull_back_is_written_on_the_free_surface(run):
+    ax = run.plot.free_surface()
+    assert any("pull-back 70 m/s" in text.get_text() for text in ax.texts)
+    x, y = ax.lines[0].get_data()
+    assert np.allclose(y, run.gauge("velocity", "free surface")[1])
+    seen = run.plot.free_surface(delay=2e-8).lines[1].get_ydata()
+    assert seen.max() < y.max() and seen.max() > 0.9 * y.max()
+
+
+def test_the_wave_diagram_keeps_voids_white_and_zero_grey(run):
+    ax = run.plot.xt("stress")
+    image = ax.images[0]
+    values = np.where(np.ma.getmaskarray(image.get_array()), np.nan, image.get_array().data)
+    x = np.linspace(*image.get_extent()[:2], values.shape[1])
+    assert np.isnan(values[-1]).sum() > 20
+    assert abs(np.isnan(values[0]).sum() - (x > 1.8).sum()) <= 2  # at first all is whole up to 1.8 mm, and nothing beyond
+    colours = image.get_cmap()(image.norm(np.array([0.0])))[0]
+    assert np.allclose(colours[:3], np.array([0xE3, 0xE1, 0xDC]) / 255, atol=0.02)
+    low, high = image.get_clim()
+    assert high == pytest.approx(1.4, rel=0.03) and low < 0
+
+
+def test_profiles_break_at_voids(run):
+    y = run.plot.profile("stress").lines[0].get_ydata()
+    assert np.isnan(y).sum() == 2
+    assert len(run.plot.profile("density", time=[2e-7, 5e-7]).lines) == 2
+
+
+def test_peaks_over_lagrangian_position(run):
+    lines = run.plot.peaks("stress").lines
+    assert len(lines) == 2 and np.concatenate([line.get_ydata() for line in lines]).max() == pytest.approx(1.404, rel=1e-12)
+
+
+def test_the_setup_is_to_scale(run):
+    boxes = [patch.get_bbox() for patch in run.plot.setup().patches if hasattr(patch, "get_bbox")]
+    assert {round(box.width, 9) for box in boxes} == {0.6, 1.2}
+
+
+def test_unknown_fields_and_gauges_are_answered_with_what_there_is(run):
+    for call in (lambda: run.plot.xt("presure"), lambda: run.plot.profile("presure")):
+        with pytest.raises(DeckError, match="hold no 'presure'; did you mean 'pressure'"):
+            call()
+    with pytest.raises(DeckError, match="no gauge 'nowhere'; this run has: middle, free surface"):
+        run.plot.gauge("stress", "nowhere")
+
+
+def test_drawing_leaves_the_users_settings_alone(run):
+    import matplotlib
+
+    before = dict(matplotlib.rcParams)
+    run.plot.xt()
+    run.plot.budget()
+    assert dict(matplotlib.rcParams) == before
+
+
+def test_pyplot_is_not_imported_for_a_picture(run):
+    import subprocess
+
+    code = f"import sys; from hugoniot.output.run import load; load({str(run.folder)!r}).plot.xt(); assert 'matplotlib.pyplot' not in sys.modules; assert 'xarray' not in sys.modules"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True).returncode == 0
+
+
+def test_labels_are_spread_within_their_bounds():
+    from hugoniot.plotting.style import spread
+
+    placed = spread([0.0, 0.01, 0.02, 1.0], 0.1, 0.0, 1.0)
+    assert np.all(np.diff(placed) >= 0.1 - 1e-12) and placed.min() >= 0 and placed.max() <= 1
+    assert np.allclose(spread([0.0, 0.5], 0.1), [0.0, 0.5])
+
+
+def test_comparison_is_drawn_with_its_difference(run, tmp_path):
+    from hugoniot.plotting import save_comparison
+    from hugoniot.plotting.comparison import comparison
+
+    time, velocity = run.gauge("velocity", "free surface")
+    (tmp_path / "d.csv").write_text("time [us],velocity [m/s]\n" + "\n".join(f"{t * 1e6!r},{u + 5!r}" for t, u in zip(time.tolist(), velocity.tolist())))
+    found = compare(run, tmp_path / "d.csv")
+    below = comparison(found).axes[1]
+    assert np.allclose(below.lines[1].get_ydata(), 5.0, atol=1e-9)
+    assert save_comparison(found, tmp_path / "c.png").stat().st_size > 5000
+    with pytest.raises(FileTrouble):
+        save_comparison(found, tmp_path / "none" / "c.png")

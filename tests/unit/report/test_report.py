@@ -1,0 +1,137 @@
+"""The report: one file, no network, everything a reader needs, and nothing from a deck that could act in a browser."""
+
+import json
+import pathlib
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+from dataclasses import replace
+from html.parser import HTMLParser
+
+import pytest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "output"))
+
+import acoustic_flyer
+
+from hugoniot.errors import FileTrouble
+from hugoniot.report import write_report
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("report") / "run"
+    acoustic_flyer.run(folder)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def page(folder):
+    path = write_report(folder)
+    assert path == folder / "report.html"
+    return path.read_text(encoding="utf-8")
+
+
+class Checker(HTMLParser):
+    """Counts open and closed elements and notes what would be fetched."""
+
+    void = {"meta", "link", "br", "img"}
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.fetched, self.headings = [], [], []
+
+    def handle_starttag(self, tag, attrs):
+        if tag not in self.void:
+            self.open.append(tag)
+        self.fetched += [value for key, value in attrs if key in ("src", "href", "xlink:href") and not value.startswith(("data:", "#"))]
+
+    def handle_startendtag(self, tag, attrs):
+        self.handle_starttag(tag, attrs)
+        if tag not in self.void:
+            self.open.pop()
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        if self.open and self.open[-1] == "h2":
+            self.headings.append(data)
+
+
+def test_one_file_without_network_below_two_megabytes(page):
+    checker = Checker()
+    checker.feed(page)
+    assert not checker.open and not checker.fetched
+    assert "<script" not in page and "@import" not in page and "url(http" not in page
+    assert len(page.encode()) < 2_000_000
+
+
+def test_every_part_is_there(page):
+    checker = Checker()
+    checker.feed(page)
+    assert checker.headings == ["Set-up", "Wave diagram", "Gauges", "Free surface", "Energy and momentum", "What happened", "Materials",
+                                "Numerics", "Sources of what was used", "Deck, every default written out"]
+
+
+def test_numbers_and_sources_are_told(page):
+    for words in ("Acoustic flyer", "pull-back", "70 m/s", "1.404 GPa", "spall plane at", "A table of the tests", "recalled, not checked against print",
+                  "a stand-in material", "Starkenberg", "d&#x27;Alembert 1747", "J. Comput. Phys. 146", "prefers-color-scheme: dark", "@media print"):
+        assert words in page, words
+
+
+def test_pictures_are_sound_svg_with_ids_of_their_own(page):
+    pictures = re.findall(r"<svg .*?</svg>", page, flags=re.S)
+    assert len(pictures) == 7
+    ids = []
+    for picture in pictures:
+        root = ElementTree.fromstring(picture)
+        mine = {element.get("id") for element in root.iter() if element.get("id")}
+        used = set(re.findall(r"url\(#([^)]+)\)|href=\"#([^\"]+)\"", picture))
+        assert {a or b for a, b in used} <= mine
+        ids += mine
+    assert len(ids) == len(set(ids))
+
+
+def test_the_same_run_gives_the_same_page(folder, page):
+    assert write_report(folder).read_text(encoding="utf-8") == page
+
+
+def test_a_hostile_deck_cannot_act(tmp_path, monkeypatch):
+    evil = "<script>alert(1)</script>"
+    real = acoustic_flyer.problem
+
+    def problem(*args):
+        plain = real(*args)
+        regions = tuple(replace(region, name=evil + str(k)) for k, region in enumerate(plain.regions))
+        gauges = tuple(replace(gauge, name=f"{gauge.name}\"'><img src=x>") for gauge in plain.gauges)
+        return replace(plain, title=evil, regions=regions, gauges=gauges)
+
+    monkeypatch.setattr(acoustic_flyer, "problem", problem)
+    monkeypatch.setattr(acoustic_flyer, "DECK", f'title = "{evil}"')
+    acoustic_flyer.run(tmp_path / "run", flyer=20, target=40, cycles=160)
+    page = write_report(tmp_path / "run").read_text()
+    assert "<script" not in page and "<img" not in page and "&lt;script&gt;" in page
+
+
+def test_text_that_matplotlib_reads_as_formulas_is_kept(tmp_path, monkeypatch):
+    """A dollar sign in a name is a dollar sign, not the start of a formula that may not parse."""
+    real = acoustic_flyer.problem
+    monkeypatch.setattr(acoustic_flyer, "problem", lambda *args: replace(real(*args), regions=tuple(
+        replace(region, name=f"$\\frac{k}$") for k, region in enumerate(real(*args).regions))))
+    acoustic_flyer.run(tmp_path / "run", flyer=20, target=40, cycles=160)
+    assert "$\\frac0$" in write_report(tmp_path / "run").read_text()
+
+
+def test_an_unfinished_status_comes_first(folder, tmp_path):
+    import shutil
+
+    shutil.copytree(folder, tmp_path / "run")
+    summary = json.loads((tmp_path / "run" / "summary.json").read_text())
+    (tmp_path / "run" / "summary.json").write_text(json.dumps({**summary, "status": "stopped at max_cycles"}))
+    assert "The run did not reach its end: stopped at max_cycles" in write_report(tmp_path / "run").read_text()
+
+
+def test_no_run_no_report(tmp_path):
+    with pytest.raises(FileTrouble):
+        write_report(tmp_path)
