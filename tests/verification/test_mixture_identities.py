@@ -137,6 +137,27 @@ def test_slopes_equal_complex_steps_of_the_entropy_form(pair):
 
 
 @pytest.mark.parametrize("pair", PAIRS)
+def test_printed_product_energy_slopes_are_wrong(pair):
+    """S-E13: the three slopes of e_p as printed in appendix B miss the differences that the corrected ones meet to 1e-9."""
+    par, v, e, lam, reference = states(pair, "thermal_isolation", 6, seed=9)
+    s = tool.solve(1.0 / v, e, lam, par, reference)
+    good = s.phase_slopes()
+    for j in range(len(v)):
+        i_r = contract.impedance_squared(s.reactant_density[j], s.reactant_energy[j] - Q, par.reactants)
+        p_v, p_e = contract.volume_slopes(s.product_density[j], s.product_energy[j], par.products)
+        p, f = s.pressure[j], lam[j]
+        whole = f * i_r + (1 - f) * (p * p_e - p_v)
+        w, z = 1 / s.reactant_density[j] - 1 / s.product_density[j], s.reactant_energy[j] - s.product_energy[j]
+        printed = (-(1 - f) * p * p_e / (f * whole), -(1 - f) * p_e / (f * whole),
+                   (-w * (1 - f) * p * p_v - z * ((1 - f) * p_v + f * i_r)) / (f * whole))
+        corrected = (-(1 - f) * p * p_v / (f * whole), -(1 - f) * p_v / (f * whole) + i_r / whole,
+                     (-w * (1 - f) * p * p_v - z * ((1 - f) * p_v - f * i_r)) / (f * whole))
+        for got, right, wrong in zip((good.e_p_v[j], good.e_p_e[j], good.e_p_l[j]), corrected, printed):
+            assert got == pytest.approx(right, rel=1e-11)
+            assert abs(wrong / right - 1.0) > 1e-2
+
+
+@pytest.mark.parametrize("pair", PAIRS)
 def test_sound_speed_gruneisen_and_exponent_saturate(pair):
     """003 sections 5.4 and 5.5: 1/i^2, (v/c)^2 and v/gamma are sums over the phases; Gamma = gamma/gamma_p Gamma_p."""
     par, v, e, lam, reference = states(pair, "thermal_isolation", 50)
@@ -308,6 +329,19 @@ def test_no_search_fails_where_a_state_exists(pair, kind):
             z = equilibrium.share_energy(v + f * w, v - rest * w, e[j], f, 0.0, par)
             p_r = eos.pressure(1.0 / (v + f * w), e[j] + f * z - Q, par.reactants)
             assert p_r > eos.pressure(1.0 / (v - rest * w), e[j] - rest * z, par.products)
+
+
+def test_heat_shared_by_both_phases_does_not_all_go_to_the_products():
+    """A weak viscous shock in a zone of burn fraction 1e-3: 10 kJ/kg must not raise the nascent gas by 10 MJ/kg."""
+    par = tool.mixture("thermal_isolation", *PAIRS["jwl, jwl"], Q)
+    rho, e_th = shocked(par.reactants)
+    quiet = contract.solve(rho, e_th + Q, 1e-3, contract.at_rest(rho, e_th + Q), par)
+    heat = 1.0e4
+    left_behind = contract.solve(rho, e_th + Q + heat, 1e-3, quiet, par)
+    shared = contract.solve(rho, e_th + Q + heat, 1e-3, contract.heated(quiet, heat), par)
+    assert abs(shared.e_p - quiet.e_p) < 3.0 * heat
+    assert left_behind.e_p - quiet.e_p > 100.0 * heat
+    assert shared.pressure == pytest.approx(eos.pressure(rho, e_th + heat, par.reactants), rel=2e-3)
 
 
 @pytest.mark.parametrize("pair", PAIRS)

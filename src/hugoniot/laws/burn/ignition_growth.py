@@ -15,12 +15,13 @@ Source: E. L. Lee and C. M. Tarver, Physics of Fluids 23 (1980) 2362; C. M. Tarv
 
 from typing import NamedTuple
 
-from hugoniot.core.ops import fmax, fmin, vlog, vpow
+from hugoniot.core.ops import fmax, fmin, vexp, vlog, vpow
 from hugoniot.laws.burn.contract import BURN, no_schedule
 from hugoniot.laws.burn.depletion import deplete, power
 
 TOLERANCE = 3e-6     # of a sub-step, relative to the burn fraction
-SMALL = 2e-3         # relative growth up to which the midpoint rule does
+SMALL = 0.03         # change, relative to what has burned and to what is left, up to which the midpoint rule does
+FLOOR = 0.05         # burn fraction below which the size of a sub-step is left to the error estimate
 SUBSTEPS = 1000
 LAST = 0.01
 QUARTER = 0.25
@@ -58,14 +59,18 @@ def strengths(rho, p, par):
 def burning(lam, ignition, growth, completion, par):
     """Rate at burn fraction lam for given strengths, 1/s."""
     left = 1.0 - lam
+    if left <= 0.0:
+        return 0.0
+    # the logarithms are shared by the powers: half the cost of five calls of vpow; at lam = 0 only a zeroth power is not zero
+    log_left = vlog(left)
+    log_burned = vlog(lam) if lam > 0.0 else 0.0
     total = 0.0
-    if left > 0.0:
-        if lam < par.ignition_limit and ignition > 0.0:
-            total += ignition * power(left, par.b)
-        if lam < par.growth_limit and growth > 0.0:
-            total += growth * power(left, par.c) * power(lam, par.d)
-        if lam >= par.completion_limit and completion > 0.0:
-            total += completion * power(left, par.e) * power(lam, par.g)
+    if lam < par.ignition_limit and ignition > 0.0:
+        total += ignition * vexp(par.b * log_left)
+    if lam < par.growth_limit and growth > 0.0 and (lam > 0.0 or par.d == 0.0):
+        total += growth * vexp(par.c * log_left + par.d * log_burned)
+    if lam >= par.completion_limit and completion > 0.0 and (lam > 0.0 or par.g == 0.0):
+        total += completion * vexp(par.e * log_left + par.g * log_burned)
     return total
 
 
@@ -106,9 +111,9 @@ def advance(burn_fraction, dt, rho, p, temperature, par):
         # stages beyond a limit would mix two sets of terms: they stay below it
         below = limit * (1.0 - 1e-15)
         # no step beyond a quarter of what has burned or is left: the error estimate alone is blind where it changes sign
-        h = fmin(fmin(left, trial), QUARTER * fmin(1.0 - lam, fmax(lam, SMALL)) / k1)
+        h = fmin(fmin(left, trial), QUARTER * fmin(1.0 - lam, fmax(lam, FLOOR)) / k1)
         k2 = burning(fmin(below, lam + 0.5 * h * k1), ignition, growth, completion, par)
-        if h * k1 <= SMALL * lam:
+        if h * k1 <= SMALL * fmin(lam, 1.0 - lam):
             mean, error = k2, 0.0
         else:
             k3 = burning(fmin(below, lam + 0.75 * h * k2), ignition, growth, completion, par)

@@ -79,6 +79,15 @@ def at_rest(rho, e):
     return Mixed(0.0, rho, e, 0.0, 0.0, 0.0)
 
 
+def heated(before, heat):
+    """`before` after heat (J/kg of mixture: viscous work, plastic work, conduction) that both phases take in equal shares per mass.
+
+    In thermal isolation the reactant's isentrope would otherwise stay behind, and the products, which take what is left, would receive
+    all of it: heat/lambda per mass, without bound as burning begins.
+    """
+    return Mixed(before.pressure, before.rho_r, before.e_r + heat, before.rho_p, before.e_p + heat, before.status)
+
+
 def solve(rho, e, burn_fraction, before, par):
     """Phases in equilibrium, as `Mixed`; `status` tells whether the search ended well."""
     return MIXTURE.of(par).functions["solve"](rho, e, burn_fraction, before, par)
