@@ -118,7 +118,7 @@ class SolverTable(Table):
     threads: int = Field(1, ge=1, le=1024, description="threads; they change no bit of the result")
     max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after so many cycles (default: none)")
     viscosity: Any = Field(None, description="table [solver.viscosity] with law = ... and its parameters (default: the solver's)",
-                           json_schema_extra={"$ref": "#/$defs/viscosity_law"})
+                           json_schema_extra={"x-definition": "viscosity_law"})
     options: dict[str, bool | int | float | str] = Field(default_factory=dict, description="the solver's own options")
 
 
@@ -141,7 +141,7 @@ class Model(Table):
     geometry: Literal["planar", "cylindrical", "spherical"] = Field("planar", description="symmetry")
     stop_time: Positive = Field(description="time at which the run ends, such as \"2.5 us\"")
     region: list[RegionTable] = Field(min_length=1, max_length=100_000, description="the bodies, [[region]]")
-    material: dict[str, Annotated[Any, WithJsonSchema({"$ref": "#/$defs/material"})]] = Field(
+    material: dict[str, Annotated[Any, WithJsonSchema({"x-definition": "material"})]] = Field(
         default_factory=dict, description="materials of this deck, [material.NAME.eos] and so on")
     boundary: BoundaryTables = Field(default_factory=BoundaryTables, description="the two ends")
     interface: list[InterfaceTable] = Field(default_factory=list, max_length=100_000, description="how neighbours hold together")

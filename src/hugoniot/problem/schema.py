@@ -186,7 +186,15 @@ def json_schema(kind: str = "lagrange1d") -> dict:
         material["properties"][family] = {"$ref": f"#/$defs/{family}_law"}
     definitions["viscosity_law"] = law_schema(VISCOSITY)
     definitions["material"] = material
-    return schema
+    return _linked(schema)
+
+
+def _linked(value: Any) -> Any:
+    """Marks of the models (`x-definition`) turned into references to definitions that pydantic does not know."""
+    if isinstance(value, dict):
+        linked = {key: _linked(inner) for key, inner in value.items() if key != "x-definition"}
+        return linked | ({"$ref": f"#/$defs/{value['x-definition']}"} if "x-definition" in value else {})
+    return [_linked(inner) for inner in value] if isinstance(value, list) else value
 
 
 def law_schema(registry: Registry) -> dict:

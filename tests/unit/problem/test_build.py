@@ -1,0 +1,77 @@
+"""Materials from tables, for every registered law, and back."""
+
+import pytest
+
+from hugoniot.errors import DeckProblem
+from hugoniot.laws import viscosity  # noqa: F401  (enrols the laws)
+from hugoniot.laws.viscosity.contract import VISCOSITY
+from hugoniot.materials.build import build_material, read_law
+from hugoniot.materials.collect import Collector
+from hugoniot.materials.tables import accepted, families, law_table, material_tables
+
+LAWS = [(family, law.name) for family, registry in {**families(), "viscosity": VISCOSITY}.items() for law in registry]
+
+
+def registry_of(family):
+    return {**families(), "viscosity": VISCOSITY}[family]
+
+
+@pytest.mark.parametrize("family, name", LAWS)
+def test_the_example_of_every_law_survives_its_table(family, name):
+    registry = registry_of(family)
+    law = registry.get(name)
+    problems: list[DeckProblem] = []
+    again = read_law(registry, law_table(registry, law.example), Collector(problems, "f", lambda path: None), (family,))
+    assert not problems
+    assert type(again) is type(law.example) and repr(again) == repr(law.example)
+
+
+@pytest.mark.parametrize("family, name", LAWS)
+def test_every_law_tells_each_missing_parameter(family, name):
+    registry = registry_of(family)
+    required = accepted(registry.get(name))[1]
+    problems: list[DeckProblem] = []
+    read_law(registry, {"law": name}, Collector(problems, "f", lambda path: None), (family,))
+    assert [p.key for p in problems] == [f"{family}.{parameter}" for parameter in required]
+
+
+def build(tables):
+    problems: list[DeckProblem] = []
+    return build_material("x", tables, problems, "file.toml", lambda path: len(path)), problems
+
+
+EOS = {"law": "mie_gruneisen", "rho0": "2.7 g/cc", "c0": "5.2 km/s", "s": 1.5, "gamma0": 2.0}
+
+
+def test_sources_and_range_are_kept():
+    material, problems = build({"eos": EOS, "valid_up_to": "2 km/s", "sources": [
+        "a report", {"quantity": "eos.c0", "value": 5200.0, "unit": "m/s", "source": "a paper", "status": "verified"}]})
+    assert not problems and material is not None
+    assert material.valid_up_to == 2000.0
+    assert [s.source for s in material.sources] == ["a report", "a paper"]
+    again, problems = build(material_tables(material))
+    assert again == material and not problems
+
+
+def test_derived_parameters_are_saved_as_they_are():
+    material, _ = build({"eos": EOS | {"gamma_form": "constant"}})
+    assert material is not None and type(material.eos).__name__ == "MieGruneisenLinearGamma"
+    assert build(material_tables(material))[0] == material
+
+
+@pytest.mark.parametrize("tables, part", [
+    ({}, "no equation of state"), ({"eos": 3}, "is a table"), ({"eos": {}}, "missing"), ({"eos": EOS | {"c0": "5 km"}}, "expected a velocity"),
+    ({"eos": EOS | {"c0": -5.0}}, "must be positive"), ({"eos": EOS, "strenght": {}}, "did you mean 'strength'?"),
+    ({"eos": EOS, "fracture": {"law": "spall_stress", "strength": "-1 GPa"}}, "positive"),
+    ({"eos": EOS, "strength": {"law": "perfectly_plastic", "shear_modulus": -1.0, "yield_stress": 1.0}}, "must not be negative"),
+    ({"eos": EOS, "strength": {"law": "johnson_cook", "shear_modulus": 46e9, "yield_stress": 9e7, "hardening_coefficient": 2.9e8,
+                               "hardening_exponent": 0.31, "rate_coefficient": 0.025, "thermal_exponent": 1.09, "room_temperature": 294.0,
+                               "melt_temperature": 1356.0}}, "needs temperatures"),
+    ({"eos": EOS, "valid_up_to": "2 km"}, "expected a velocity"), ({"eos": EOS, "sources": [3]}, "a source is a text or a table"),
+    ({"base": "coper"}, "copper"), ({"eos": {"law": "ideal_gas", "gamma": 0.5}}, "no sound at rest"),
+])
+def test_what_is_wrong_is_collected_with_a_way_out(tables, part):
+    material, problems = build(tables)
+    assert material is None
+    assert any(part in f"{p.message}; {p.hint}" for p in problems), problems
+    assert all(p.file == "file.toml" and p.line for p in problems)
