@@ -23,9 +23,9 @@ from typing import Any
 from hugoniot.core.registry import Registry
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
 from hugoniot.materials import cards, schema
-from hugoniot.materials.marks import marks
 from hugoniot.materials.build import build_material, read_law
 from hugoniot.materials.collect import Collector
+from hugoniot.materials.marks import marks
 from hugoniot.materials.material import Material, Source
 from hugoniot.materials.tables import families
 

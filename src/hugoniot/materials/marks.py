@@ -8,7 +8,8 @@ from hugoniot.errors import NoSolution
 from hugoniot.laws.eos.contract import pressure, reference_state
 from hugoniot.laws.eos.jwl import JWL
 from hugoniot.materials.derived import chapman_jouguet, energy_of_tangency
-from hugoniot.materials.schema import Row, row as row_of
+from hugoniot.materials.schema import Row
+from hugoniot.materials.schema import row as row_of
 
 VELOCITY_LIMIT = 0.005  # relative misfit of the CJ velocity a JWL set may have without a mark
 PRESSURE_LIMIT = 0.02  # and of the CJ pressure
@@ -28,6 +29,15 @@ class Closure(NamedTuple):
     def closes(self) -> bool:
         """Whether nothing stated is missed by more than the limits."""
         return not (abs(self.velocity_misfit) > VELOCITY_LIMIT or abs(self.pressure_misfit) > PRESSURE_LIMIT)
+
+    def misfit(self) -> str:
+        """The misfits in words."""
+        parts = []
+        if not math.isnan(self.velocity_misfit):
+            parts.append(f"D from the constants is {self.velocity:.0f} m/s, {100 * self.velocity_misfit:+.1f} % from the stated")
+        if not math.isnan(self.pressure_misfit):
+            parts.append(f"p is {self.pressure / 1e9:.1f} GPa, {100 * self.pressure_misfit:+.1f} %")
+        return "; ".join(parts)
 
 
 @cache
@@ -72,9 +82,7 @@ def marks(row: Row) -> tuple[str, ...]:
         except NoSolution as error:
             return (*found, f"{name}: {error}")
         if state is not None and not state.closes:
-            parts = [f"D is {state.velocity:.0f} m/s, {100 * state.velocity_misfit:+.1f} % of the stated" if not math.isnan(state.velocity_misfit) else "",
-                     f"p {state.pressure / 1e9:.1f} GPa, {100 * state.pressure_misfit:+.1f} %" if not math.isnan(state.pressure_misfit) else ""]
-            found.append(f"{name}: DOES NOT CLOSE: from the constants {', '.join(p for p in parts if p)}")
+            found.append(f"{name}: DOES NOT CLOSE: {state.misfit()}")
     if (row.table == "jwl" and row["role"] == "unreacted") or (row.table == "ignition_growth" and "unreacted_a" in row):
         p = unreacted_pressure(row.id)
         if abs(p) > REST_LIMIT:

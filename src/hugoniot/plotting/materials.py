@@ -8,7 +8,6 @@ import numpy as np
 from hugoniot.materials.curves import Comparison, Curve
 
 
-
 def compare_figure(chosen: Comparison, path: Path | None = None) -> Any:
     """Us-up and P-up side by side, and for the sources of one material their difference from the default; saved where `path` says.
 
@@ -21,24 +20,27 @@ def compare_figure(chosen: Comparison, path: Path | None = None) -> Any:
 
     default = chosen.curves[0] if chosen.curves and chosen.curves[0].default and sum(c.default for c in chosen.curves) == 1 else None
     panels = 3 if default is not None and len(chosen.curves) > 1 else 2
-    figure, axes = plt.subplots(1, panels, figsize=(5.2 * panels, 5.0 + 0.16 * (len(chosen.curves) + len(chosen.states))))
-    colours = plt.get_cmap("tab10").colors
+    entries = len(chosen.curves) + len(chosen.states)
+    legend = 0.24 * ((entries + panels - 1) // panels) + 0.45
+    figure, axes = plt.subplots(1, panels, figsize=(5.2 * panels, 4.6 + legend))
+    colours = _colours(chosen, panels == 3)
     for k, states in enumerate(chosen.states):
-        style = {"linestyle": "none", "marker": "os^D"[k % 4], "markersize": 3.2, "color": "0.55", "markeredgewidth": 0.0, "alpha": 0.75}
+        style = {"linestyle": "none", "marker": "os^D"[k % 4], "markersize": 3.4, "markeredgewidth": 0.0, "alpha": 0.6,
+                 "color": "0.5" if panels == 3 else colours.get(states.material, "0.5")}
         axes[0].plot(states.up / 1e3, states.us / 1e3, label=states.label, **style)
         axes[1].plot(states.up / 1e3, states.p / 1e9, **style)
         if panels == 3:
             inside = (states.up >= default.up[0]) & (states.up <= default.up[-1])
             base = np.interp(states.up[inside], default.up, default.us)
             axes[2].plot(states.up[inside] / 1e3, 100.0 * (states.us[inside] / base - 1.0), **style)
-    for k, curve in enumerate(chosen.curves):
-        colour = "black" if curve.default and panels == 3 else colours[(k - (panels == 3)) % 10]
+    for curve in chosen.curves:
+        colour = colours[curve.material or curve.label]
         _draw(axes[0], curve, curve.us / 1e3, colour, label=curve.label)
         _draw(axes[1], curve, curve.p / 1e9, colour)
         if panels == 3:
             base = np.interp(curve.up, default.up, default.us)
             _draw(axes[2], curve, np.where(curve.up <= default.up[-1], 100.0 * (curve.us / base - 1.0), np.nan), colour)
-    _finish(figure, axes, chosen, panels)
+    _finish(figure, axes, chosen, panels, legend)
     if path is not None:
         figure.savefig(path, dpi=150)
         plt.close(figure)
@@ -52,28 +54,46 @@ def _draw(axis: Any, curve: Curve, values: np.ndarray, colour: Any, label: str |
     axis.plot(curve.up / 1e3, inside, color=colour, linewidth=width, label=label)
 
 
-def _finish(figure: Any, axes: Any, chosen: Comparison, panels: int) -> None:
+def _colours(chosen: Comparison, sources: bool) -> dict:
+    """Colour of each curve by material or label: black for the default among sources, no colour twice up to twenty curves."""
+    from matplotlib import colormaps
+
+    palette = colormaps["tab10"].colors if len(chosen.curves) <= 10 else colormaps["tab20"].colors
+    found, k = {}, 0
+    for curve in chosen.curves:
+        if sources and curve.default:
+            found[curve.material or curve.label] = "black"
+        else:
+            found[curve.material or curve.label] = palette[k % len(palette)]
+            k += 1
+    return found
+
+
+def _finish(figure: Any, axes: Any, chosen: Comparison, panels: int, legend: float) -> None:
+    top = max((float(c.up[-1]) for c in chosen.curves), default=1e3) * 1.03 / 1e3
     for axis, name in zip(axes, ("shock velocity (km/s)", "pressure (GPa)", "Us, difference from the default (%)")):
         axis.set_xlabel("particle velocity (km/s)")
         axis.set_ylabel(name)
         axis.grid(True, color="0.9", linewidth=0.6)
         axis.set_axisbelow(True)
-        axis.set_xlim(left=0.0)
+        axis.set_xlim(0.0, top)
     axes[1].set_ylim(bottom=0.0)
     if panels == 3:
         axes[2].set_ylim(*_difference_limits(chosen))
-    entries = len(chosen.curves) + len(chosen.states)
-    rows = (entries + panels - 1) // panels
     handles, labels = axes[0].get_legend_handles_labels()
     figure.suptitle(chosen.title)
-    bottom = (0.26 * rows + 0.25) / figure.get_figheight()
-    figure.tight_layout(rect=(0.0, bottom, 1.0, 0.98))
-    figure.legend(handles, labels, loc="lower center", ncols=panels, fontsize=8, frameon=False)
+    share = legend / figure.get_figheight()
+    figure.tight_layout(rect=(0.0, share, 1.0, 0.99))
+    figure.legend(handles, labels, loc="lower center", ncols=panels, fontsize=8, frameon=False,
+                  bbox_to_anchor=(0.5, 0.17 / figure.get_figheight()))
+    figure.text(0.5, 0.05 / figure.get_figheight(), "full line: within the range the source states, or none stated; dashed: outside it",
+                ha="center", va="bottom", fontsize=7.5, color="0.35")
 
 
 def _difference_limits(chosen: Comparison) -> tuple[float, float]:
-    """Limits that show the lines, whatever the scatter of single states."""
+    """Limits that show the lines above the lowest eighth of the range, whatever the scatter of single states."""
     default = chosen.curves[0]
-    spread = [100.0 * (c.us / np.interp(c.up, default.up, default.us) - 1.0) for c in chosen.curves[1:]]
-    widest = max((float(np.max(np.abs(s[len(s) // 8:]))) for s in spread), default=2.0)
-    return -1.3 * max(widest, 2.0), 1.3 * max(widest, 2.0)
+    spread = [100.0 * (c.us / np.interp(c.up, default.up, default.us) - 1.0)[len(c.up) // 8:] for c in chosen.curves[1:]]
+    low, high = min(float(s.min()) for s in spread), max(float(s.max()) for s in spread)
+    room = 0.15 * max(high - low, 2.0)
+    return min(low - room, -2.0), max(high + room, 2.0)

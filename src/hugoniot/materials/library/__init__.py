@@ -5,7 +5,7 @@
 """
 
 import csv
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -80,8 +80,11 @@ def find(name: str) -> Material:
     return entry(name).material
 
 
-def entry(name: str) -> Entry:
-    """As `find`, with title, reasons, what is missing, unreacted explosive and detonation data."""
+def entry(name: str, also: Mapping[str, str] | None = None) -> Entry:
+    """As `find`, with title, reasons, what is missing, unreacted explosive and detonation data.
+
+    also   further names the message for an unknown one may offer: spelling -> name
+    """
     known = spellings().get(spelling(name))
     if known is not None:
         return _curated(known)
@@ -90,7 +93,7 @@ def entry(name: str) -> Entry:
     rows = uncurated().get(spelling(name), ())
     if len(rows) == 1:
         return _of_row(rows[0])
-    raise _unknown(name, rows)
+    raise _unknown(name, rows, also or {})
 
 
 def find_all() -> list[Entry]:
@@ -136,12 +139,12 @@ def _of_row(identity: str) -> Entry:
     return replace(made, material=replace(made.material, warnings=(warning, *made.material.warnings)), curated=False)
 
 
-def _unknown(name: str, rows: tuple[str, ...]) -> UnknownMaterial:
+def _unknown(name: str, rows: tuple[str, ...], also: Mapping[str, str]) -> UnknownMaterial:
     if rows:
         hint = f"choose one of the sources by its row: {', '.join(f'{i} ({schema.row(i).source[:40]})' for i in rows)}"
         message = f"'{name}' is not curated and {len(rows)} sources give it"
     else:
-        near = nearest(name, {**spellings(), **{k: schema.row(v[0]).material for k, v in uncurated().items()}})
+        near = nearest(name, {**also, **spellings(), **{k: schema.row(v[0]).material for k, v in uncurated().items()}})
         message = f"unknown material '{name[:60]}'"
         hint = f"nearest: {', '.join(near)}" if near else "hugoniot material list shows the library"
     return UnknownMaterial([DeckProblem("library", None, "material", message, hint)])

@@ -1,0 +1,243 @@
+"""hugoniot material: list, show, search, compare and check the materials library and users' own materials."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from hugoniot.cli.show import JSON, echo_json, echo_table
+from hugoniot.errors import DeckError
+
+app = typer.Typer(no_args_is_help=True, help="Search and show the materials library, every number with its source.",
+                  epilog="Example: hugoniot material show copper", context_settings={"help_option_names": ["-h", "--help"]})
+MATERIALS = Annotated[list[Path] | None, typer.Option("--materials", "-m", help="A file or folder of your own materials; repeatable.")]
+SHOWN = {"Pa": (1e9, "GPa"), "J/m^3": (1e9, "GJ/m^3"), "1/Pa": (1e-9, "1/GPa")}
+
+
+@app.command("list")
+def list_materials(
+    category: Annotated[str, typer.Argument(help="Only this category, such as metal, polymer, rock, gas, explosive.")] = "",
+    everything: Annotated[bool, typer.Option("--all", help="Also the rows of the tables that nobody has curated.")] = False,
+    summary: Annotated[bool, typer.Option("--summary", help="Only counts: materials, rows, rows unverified against print.")] = False,
+    materials: MATERIALS = None,
+    as_json: JSON = False,
+) -> None:
+    """List the materials of the library.
+
+    Example: hugoniot material list explosive
+    """
+    from hugoniot.materials import library
+
+    if summary:
+        _summary(as_json)
+        return
+    rows = [hit for hit in library.listings() if everything or hit.curated]
+    shown = [_listing(hit) for hit in rows] + [_user_listing(e) for e in _users(materials).values()]
+    if category:
+        kinds = sorted({r["category"] for r in shown})
+        shown = [r for r in shown if category.lower() in r["category"].lower()]
+        if not shown:
+            message = f"no material of category '{category[:40]}'"
+            raise DeckError.single("material list", None, "category", message, f"known: {', '.join(kinds)}")
+    _echo_listings(shown, as_json)
+
+
+@app.command()
+def search(
+    text: Annotated[str, typer.Argument(help="Words of a name, an alias, a category, or the id of a row.")],
+    as_json: JSON = False,
+) -> None:
+    """Search curated materials and every row of the tables.
+
+    Example: hugoniot material search "stainless 304"
+    """
+    from hugoniot.materials import library
+
+    hits = [_listing(hit) for hit in library.search(text)]
+    if not hits and not as_json:
+        try:
+            library.entry(text)
+        except DeckError as error:
+            typer.echo(str(error.problems[0].hint or "nothing found"))
+        raise typer.Exit(2)
+    _echo_listings(hits, as_json)
+
+
+@app.command()
+def show(
+    name: Annotated[str, typer.Argument(help="A name, an alias (Cu, al6061, plexiglas) or the id of a row (U007).")],
+    materials: MATERIALS = None,
+    as_json: JSON = False,
+) -> None:
+    """Show a material: constants with units and sources, warnings, what is missing, derived quantities.
+
+    Example: hugoniot material show copper
+    """
+    from hugoniot.materials.describe import described
+
+    about = described(_entry(name, materials))
+    if as_json:
+        echo_json(about)
+    else:
+        _echo_material(about)
+
+
+@app.command()
+def compare(
+    names: Annotated[list[str], typer.Argument(help="Two or more materials, or one to compare its sources.")],
+    output: Annotated[Path, typer.Option("--output", "-o", help="Picture to write (.png, .pdf, .svg).")] = Path("compare.png"),
+    up_max: Annotated[str, typer.Option("--up", help="Highest particle velocity, such as \"3 km/s\".")] = "",
+    materials: MATERIALS = None,
+    as_json: JSON = False,
+) -> None:
+    """Overlay Hugoniots in P-up and Us-up: several materials, or all sources of one, with measured states.
+
+    Example: hugoniot material compare iron -o iron.png
+    """
+    from hugoniot import units
+    from hugoniot.materials.curves import comparison
+    from hugoniot.plotting.materials import compare_figure
+
+    limit = units.parse(up_max, "m/s") if up_max else None
+    chosen = comparison([_entry(name, materials) for name in names], limit)
+    if as_json:
+        echo_json(chosen.table())
+    else:
+        compare_figure(chosen, output)
+        rows = [(c.label, f"{c.sample_us:.0f} m/s at {c.sample_up:.0f} m/s", c.source) for c in chosen.curves]
+        echo_table(["curve", "Us at up", "source"], rows)
+        for note in chosen.notes:
+            typer.echo(note)
+        typer.echo(f"wrote {output}")
+
+
+@app.command()
+def check(
+    files: Annotated[list[Path] | None, typer.Argument(help="Files or folders of your own materials.")] = None,
+    everything: Annotated[bool, typer.Option("--all", help="Every row, measured state and material of the library.")] = False,
+    verbose: Annotated[bool, typer.Option("--verbose", "-v", help="Every mark, not only misfits found by computing.")] = False,
+    as_json: JSON = False,
+) -> None:
+    """Check material files, or the whole library, by the same rules.
+
+    Example: hugoniot material check my_materials.toml
+    """
+    from hugoniot.materials import checks
+    from hugoniot.materials.users import user_materials
+
+    if not files and not everything:
+        raise DeckError.single("material check", None, "files", "nothing to check", "give files of materials, or --all")
+    found = checks.check_all() if everything else []
+    for entry in user_materials(files or ()).values():
+        found += checks.check_entry(entry)
+    counts = checks.tally(found)
+    if as_json:
+        echo_json({"counts": counts, "findings": [f._asdict() for f in found if f.verdict != "ok" or not everything]})
+    else:
+        _echo_findings(found, counts, verbose or not everything)
+    if counts["fail"]:
+        raise typer.Exit(2)
+
+
+# -- output ------------------------------------------------------------------------------------------------------
+def _users(places: list[Path] | None) -> dict:
+    if not places:
+        return {}
+    from hugoniot.materials.users import user_materials
+    return user_materials(places)
+
+
+def _entry(name: str, places: list[Path] | None):
+    if places:
+        from hugoniot.materials.users import find, user_materials
+        return find(name, user_materials(places))
+    from hugoniot.materials import library
+    return library.entry(name)
+
+
+def _listing(hit) -> dict:
+    return {"name": hit.name, "category": hit.category, "title": hit.title, "aliases": list(hit.aliases), "rows": list(hit.rows),
+            "curated": hit.curated}
+
+
+def _user_listing(entry) -> dict:
+    return {"name": entry.name, "category": "user", "title": entry.title, "aliases": [], "rows": list(entry.rows), "curated": True}
+
+
+def _echo_listings(rows: list[dict], as_json: bool) -> None:
+    if as_json:
+        echo_json(rows)
+        return
+    cells = [(r["name"], r["category"], r["title"] if r["curated"] else "not curated", ", ".join(r["aliases"] or r["rows"])) for r in rows]
+    echo_table(["name", "category", "title", "also"], cells)
+
+
+def _summary(as_json: bool) -> None:
+    from hugoniot.materials.describe import summary
+
+    counts = summary()
+    if as_json:
+        echo_json(counts)
+        return
+    rows = [(key.replace("_", " "), str(value)) for key, value in counts.items() if not isinstance(value, dict)]
+    echo_table(["count", ""], rows)
+    typer.echo("")
+    echo_table(["table", "rows", "unverified against print", "doubted"],
+               [(name, str(t["rows"]), str(t["unverified"]), str(t["doubted"])) for name, t in counts["tables"].items()])
+
+
+def _echo_material(about: dict) -> None:
+    typer.echo(f"{about['title']}  [{about['name']}, {about['category']}]")
+    if about["aliases"]:
+        typer.echo(f"also: {', '.join(about['aliases'])}")
+    for warning in about["warnings"]:
+        typer.secho(f"WARNING {warning}", fg="yellow")
+    typer.echo("")
+    sources: dict[tuple, int] = {}
+    rows = []
+    for constant in about["constants"]:
+        reference = ""
+        if constant["status"] != "default":
+            reference = f"[{sources.setdefault((constant['source'], constant['via']), len(sources) + 1)}]"
+        rows.append((constant["quantity"], *_shown(constant["value"], constant["unit"]), reference, constant["mark"]))
+    echo_table(["constant", "value", "unit", "source", "mark"], rows)
+    if about["derived"]:
+        typer.echo("")
+        cells = [(k, *_shown(q["value"], q["unit"]), q["meaning"]) for k, q in about["derived"].items()]
+        echo_table(["derived", "value", "unit", "how"], cells)
+    if about["fits"]:
+        typer.echo("\nmeasured states, fitted by the package:")
+        for line in about["fits"]:
+            typer.echo(f"  {line}")
+    choices = [f"{family}: {reason}" for family, reason in about["reasons"].items()]
+    for head, lines in (("choices", choices), ("missing", about["missing"]), ("notes", about["notes"])):
+        if lines:
+            typer.echo(f"\n{head}:")
+            for line in lines:
+                typer.echo(f"  {line}")
+    if about["others"]:
+        typer.echo("\nother sources: " + "; ".join(f"{o['row']} ({o['family']}) {o['summary']}" for o in about["others"]))
+    typer.echo("\nsources:")
+    for (source, via), number in sources.items():
+        place = "read in " if "@" in via or via.startswith("public copy") else ""
+        typer.echo(f"  [{number}] {source}" + (f"\n      {place}{via}" if via else ""))
+    limit = about["valid_up_to"]
+    typer.echo(f"\nrange: {'not stated by the source' if limit is None else f'particle velocity up to {limit:g} m/s'}")
+
+
+def _shown(value, unit: str) -> tuple[str, str]:
+    """A number and its unit as engineers write them."""
+    if isinstance(value, str):
+        return value, "" if unit == "text" else unit
+    scale, name = SHOWN.get(unit, (1.0, unit))
+    return f"{value / scale:.6g}", "" if name == "1" else name
+
+
+def _echo_findings(found: list, counts: dict, every: bool) -> None:
+    quiet = () if every else ("own doubt", "warning", "law")
+    lines = [f for f in found if f.verdict == "fail"]
+    lines += [f for f in found if f.verdict == "mark" and f.check not in quiet and (every or "states no" not in f.text)]
+    echo_table(["verdict", "where", "check", "finding"], [(f.verdict, f.where, f.check, f.text or f"{f.value:.4g}") for f in lines])
+    typer.echo(f"{counts['ok']} checks passed, {counts['mark']} marks, {counts['fail']} failures")
+
+

@@ -1,0 +1,178 @@
+"""Curves for comparing Hugoniots: materials with each other, or the sources of one material, with the measured states."""
+
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+
+import numpy as np
+
+from hugoniot.errors import DeckError, NoSolution, OutOfRange
+from hugoniot.laws.eos.contract import EOS, reference_state
+from hugoniot.materials import fits, schema
+from hugoniot.materials.derived import material_hugoniot, shock_velocity
+from hugoniot.materials.entry import Entry
+from hugoniot.materials.schema import Row
+
+SAMPLES = 121
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A principal Hugoniot: up, us in m/s, p in Pa (p0 neglected); `reliable` tells where up is within the stated range."""
+
+    label: str
+    up: np.ndarray
+    us: np.ndarray
+    p: np.ndarray
+    reliable: np.ndarray
+    source: str
+    status: str
+    default: bool = False
+    material: str = ""
+    sample_up: float = math.nan
+    sample_us: float = math.nan
+
+
+@dataclass(frozen=True)
+class States:
+    """Measured states of one material."""
+
+    label: str
+    up: np.ndarray
+    us: np.ndarray
+    p: np.ndarray
+    material: str = ""
+
+
+@dataclass(frozen=True)
+class Comparison:
+    title: str
+    curves: tuple[Curve, ...]
+    states: tuple[States, ...]
+    notes: tuple[str, ...] = field(default=())
+
+    def table(self) -> dict:
+        """Plain data for programs."""
+        curves = [{"label": c.label, "source": c.source, "status": c.status, "up": c.up, "us": c.us, "p": c.p} for c in self.curves]
+        return {"title": self.title, "curves": curves, "notes": list(self.notes),
+                "states": [{"label": s.label, "up": s.up, "us": s.us, "p": s.p} for s in self.states]}
+
+
+# names in the points table that belong to a curated material
+MEASURED = {
+    "copper": ("Copper",), "iron": ("Iron",), "water": ("Water",), "fused_silica": ("Fused silica",), "forsterite": ("Forsterite Mg2SiO4",),
+    "graphite": ("Graphite, pressed (rho 2.13)",), "olivine": ("Olivine (San Carlos)",),
+    "basalt": ("Basalt (rho 2672)", "Basalt, Vacaville (rho 2860)"),
+}
+
+
+def comparison(entries: Sequence[Entry], up_max: float | None = None) -> Comparison:
+    """One material: its default and every other source. Several: their defaults. Measured states in both cases."""
+    if not entries:
+        raise DeckError.single("material compare", None, "names", "nothing to compare", "give a material, or several")
+    for entry in entries:
+        if "reacted" in EOS.of(entry.material.eos).flags and entry.unreacted is None:
+            raise DeckError.single("material compare", None, entry.name, "detonation products have no principal Hugoniot from rest",
+                                   "compare materials with an unreacted equation of state")
+    top = up_max or _top(entries, [s for entry in entries for s in measured(entry.name)])
+    states = tuple(s for entry in entries for s in measured(entry.name, 1.03 * top))
+    if len(entries) == 1:
+        curves, notes = _sources(entries[0], top)
+        title = f"{entries[0].title}: sources"
+    else:
+        made = [(entry, _material_curve(entry, top)) for entry in entries]
+        curves = [c for _, c in made if c]
+        notes = [f"{e.name}: no Hugoniot in this range" for e, c in made if c is None]
+        title = ", ".join(e.title for e in entries)
+    return Comparison(title, tuple(curves), states, tuple(notes))
+
+
+def measured(name: str, up_max: float | None = None) -> list[States]:
+    """Measured states of a curated material; porous ones are left out, they lie on other Hugoniots."""
+    found = []
+    for material in MEASURED.get(name, ()):
+        rows = [p for p in schema.points() if p.material == material and p["up"] > 0.0 and p.get("porosity", 1.0) < 1.01
+                and (up_max is None or p["up"] <= up_max)]
+        if rows:
+            up, us, rho = (np.array([p[k] for p in rows]) for k in ("up", "us", "rho0"))
+            found.append(States(f"{material}, {len(rows)} states", up, us, rho * us * up, name))
+    return found
+
+
+def _top(entries: Sequence[Entry], states: Sequence[States]) -> float:
+    """A range that holds most measured states, or the stated ranges, or 3 km/s."""
+    if states:
+        return float(max(np.quantile(s.up, 0.95) for s in states)) * 1.1
+    stated = [e.material.valid_up_to for e in entries if e.material.valid_up_to]
+    return max(stated, default=3000.0)
+
+
+def _sources(entry: Entry, top: float) -> tuple[list[Curve], list[str]]:
+    curves, notes = [], []
+    rows = [schema.row(i) for i in entry.comparison_rows() if i.startswith("U")]
+    own = _material_curve(entry, top)
+    if own is not None:
+        curves.append(own)
+    used = entry.rows[0] if entry.rows else ""
+    for row in rows:
+        if row.id == used or "rho0" not in row and row.id not in fits.RECORDED:
+            continue
+        curve = _row_curve(row, top)
+        if curve is None:
+            notes.append(f"{row.id}: no Hugoniot in this range")
+        else:
+            curves.append(curve)
+    return curves, notes
+
+
+def _row_curve(row: Row, top: float) -> Curve | None:
+    def speed(up: float) -> float:
+        return shock_velocity(row, up)
+
+    mark = " (unverified)" if row.status == "recalled" else " (doubt)" if row.marks else ""
+    return _curve(f"{row.id} {short_source(row)}{mark}", speed, row["rho0"], top, row.source, row.status, False,
+                  row.get("up_min") or 0.0, row.get("up_max") or math.inf)
+
+
+def short_source(row: Row) -> str:
+    """A source in a few words: the first author or name, or what was fitted."""
+    if row.id in fits.RECORDED:
+        selection, degree = fits.RECORDED[row.id]
+        return f"{'line' if degree == 1 else 'quadratic'} through {selection.words or 'measured states'}"
+    first = row.source.split(",")[0].split(":")[0]
+    year = re.search(r"\b(19|20)\d\d\b", row.source)
+    return first[:34] + (f" {year.group(0)}" if year and year.group(0) not in first else "")
+
+
+def _material_curve(entry: Entry, top: float) -> Curve | None:
+    material = entry.material
+    if "reacted" in EOS.of(material.eos).flags:
+        material = replace(material, eos=entry.unreacted)
+    first = schema.row(entry.rows[0]) if entry.rows else None
+    low = (first.get("up_min") or 0.0) if first is not None and first.table == "us_up" else 0.0
+    high = material.valid_up_to or math.inf
+    rho0 = float(reference_state(material.eos)[0])
+    label = f"{entry.title} ({entry.rows[0]}, default)" if entry.curated and entry.rows else entry.title
+    source = first.source if first is not None else entry.file
+    speed = partial(material_hugoniot, material)
+    return _curve(label, speed, rho0, top, source, first.status if first else "user", True, low, high, entry.name)
+
+
+def _curve(label, speed, rho0, top, source, status, default, low, high, material="") -> Curve | None:
+    ups, speeds = [], []
+    for up in np.linspace(0.0, top, SAMPLES)[1:]:
+        try:
+            us = float(speed(float(up)))
+        except (NoSolution, OutOfRange):
+            break
+        if not math.isfinite(us) or us <= up:
+            break
+        ups.append(float(up))
+        speeds.append(us)
+    if len(ups) < 2:
+        return None
+    up, us = np.array(ups), np.array(speeds)
+    middle = len(ups) // 2
+    return Curve(label, up, us, rho0 * us * up, (up >= low) & (up <= high), source, status, default, material, ups[middle], speeds[middle])

@@ -1,0 +1,59 @@
+"""Every constant a run used, with its source and mark, as plain rows for reports and tables."""
+
+from hugoniot.core.registry import Registry
+from hugoniot.materials.material import Material, Source
+from hugoniot.materials.schema import UNVERIFIED
+from hugoniot.materials.tables import families, law_table
+
+MARKS = {"recalled": UNVERIFIED, "user": "user's own", "corrected": "a slip of the file corrected", "derived": "derived by the package",
+         "default": "default of the law"}
+
+
+def mark(status: str, note: str = "") -> str:
+    """The word a surface shows beside a constant: empty for a verified one without doubt."""
+    doubt = "doubt" if "DOUBT" in note else "sources disagree" if "DISAGREES" in note else ""
+    return ", ".join(m for m in (MARKS.get(status, ""), doubt) if m)
+
+
+def material_record(material: Material) -> list[dict]:
+    """One dictionary per constant: material, quantity, value (SI), unit, source, via, status, mark, note.
+
+    Complete and true to the run: a number that differs from what its stated source gives (a deck replaced it) is the user's own, and
+    numbers nobody stated are either a default of their law or "not stated".
+    """
+    stated = {s.quantity: s for s in material.sources}
+    rows = []
+    for family, registry in families().items():
+        par = getattr(material, family)
+        if par is None:
+            continue
+        law = registry.of(par)
+        for name, value in _numbers(law_table(registry, par)):
+            source = stated.pop(f"{family}.{name}", None)
+            rows.append(_row(material.name, _source_of(f"{family}.{name}", name, value, source, law, registry)))
+    return rows + [_row(material.name, source) for source in stated.values()]
+
+
+def _source_of(quantity: str, name: str, value: float, source: Source | None, law, registry: Registry) -> Source:
+    unit = law.units.get(name, "1")
+    if source is None:
+        preset = law.defaults.get(name, getattr(law.parameters, "_field_defaults", {}).get(name))
+        if preset == value:
+            return Source(quantity, value, unit, f"default of the law {law.name}", status="default")
+        return Source(quantity, value, unit, "not stated")
+    if isinstance(source.value, (int, float)) and abs(value - source.value) > 1e-9 * abs(source.value):
+        return Source(quantity, value, unit, "not stated", note=f"replaces {source.value:g} of {source.source}")
+    return source
+
+
+def _row(name: str, s: Source) -> dict:
+    return {"material": name, "quantity": s.quantity, "value": s.value, "unit": s.unit, "source": s.source, "via": s.via,
+            "status": s.status, "mark": mark(s.status, s.note), "note": s.note}
+
+
+def _numbers(table: dict, prefix: str = ""):
+    for key, value in table.items():
+        if isinstance(value, dict):
+            yield from _numbers(value, prefix if key == "parameters" else f"{prefix}{key}.")
+        elif isinstance(value, (int, float)) and not isinstance(value, bool):
+            yield f"{prefix}{key}", float(value)

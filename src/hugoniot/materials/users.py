@@ -1,0 +1,117 @@
+"""Users' own materials: TOML files beside the deck or in a folder, in the library's schema, shadowing nothing silently.
+
+A file holds either one material, named as the file (`my_alloy.toml` with `[eos]`, `[strength]`, ...), or tables `[material.NAME.eos]`
+as a deck does. A name that another file or the library already has is an error: a deck must mean one thing.
+"""
+
+import re
+from collections.abc import Iterable
+from pathlib import Path
+
+from hugoniot.errors import DeckError, DeckProblem, FileTrouble
+from hugoniot.materials import library
+from hugoniot.materials.entry import Entry, make_entry, read_file
+from hugoniot.materials.search import spelling
+
+_FAMILIES = ("eos", "strength", "fracture", "burn", "base", "unreacted")
+
+
+def read_materials(path: str | Path) -> dict[str, Entry]:
+    """The materials of one file, by name; DeckError with every problem of the file."""
+    path = Path(path)
+    tables = read_file(path)
+    if "material" in tables:
+        named = tables["material"]
+    elif any(family in tables for family in _FAMILIES):
+        named = {path.stem: tables}
+    else:
+        raise DeckError.single(path, None, "material", "the file describes no material",
+                               "write [material.NAME.eos], or [eos] for one material")
+    if not isinstance(named, dict) or not all(isinstance(t, dict) for t in named.values()):
+        raise DeckError.single(path, None, "material", "materials are tables", "write [material.NAME.eos]")
+    text, problems, found = path.read_text(encoding="utf-8"), [], {}
+    for name, table in named.items():
+        try:
+            found[name] = make_entry(name, table, str(path), _line_finder(text, "material" in tables))
+        except DeckError as error:
+            problems += error.problems
+    if problems:
+        raise DeckError(problems)
+    return found
+
+
+def user_materials(places: Iterable[str | Path], beside: Iterable[str] = ()) -> dict[str, Entry]:
+    """The materials of files and folders, by name.
+
+    places   files, or folders whose *.toml files that describe materials are read
+    beside   names the deck itself defines: a clash with them is an error too
+    Raises DeckError for every clash, with the library (any spelling or alias) or between files; FileTrouble for a place that is not there.
+    """
+    taken = {spelling(name): "the deck" for name in beside}
+    problems: list[DeckProblem] = []
+    found: dict[str, Entry] = {}
+    for file in _files(places):
+        for name, entry in read_materials(file).items():
+            other = taken.get(spelling(name)) or _in_library(name)
+            if other:
+                problems.append(DeckProblem(str(file), None, f"material.{name}", f"the name is taken by {other}",
+                                            f"call it otherwise, for example '{name}_mine'"))
+            taken[spelling(name)] = str(file)
+            found[name] = entry
+    if problems:
+        raise DeckError(problems)
+    return found
+
+
+def find(name: str, users: dict[str, Entry]) -> Entry:
+    """A user's material, or the library's; `library.UnknownMaterial` with the nearest names of both."""
+    mine = {spelling(n): n for n in users}
+    if spelling(name) in mine:
+        return users[mine[spelling(name)]]
+    return library.entry(name, also=mine)
+
+
+def _in_library(name: str) -> str:
+    known = library.spellings().get(spelling(name))
+    return f"the library's {known}" if known else ""
+
+
+def _files(places: Iterable[str | Path]) -> list[Path]:
+    files: list[Path] = []
+    for place in map(Path, places):
+        if place.is_dir():
+            files += [f for f in sorted(place.glob("*.toml")) if _describes_materials(f)]
+        elif place.is_file():
+            files.append(place)
+        else:
+            raise FileTrouble(f"no file or folder of materials at {place}")
+    return list(dict.fromkeys(files))
+
+
+def _describes_materials(path: Path) -> bool:
+    """Whether a file of a folder is a material file: decks, which have regions, lie in the same folders."""
+    tables = read_file(path)
+    return not {"region", "geometry", "stop_time"} & set(tables) and ("material" in tables or any(f in tables for f in _FAMILIES))
+
+
+def _line_finder(text: str, several: bool):
+    """Line of a key path in a TOML text, by its headings; None where the text writes it another way."""
+    lines: dict[tuple[str, ...], int] = {}
+    heading: tuple[str, ...] = ()
+    for number, line in enumerate(text.splitlines(), 1):
+        if match := re.fullmatch(r"\s*\[+([^\[\]]+)\]+\s*(#.*)?", line):
+            heading = tuple(part.strip().strip("\"'") for part in match.group(1).split("."))
+            lines.setdefault(heading, number)
+        elif match := re.match(r"\s*([A-Za-z0-9_\"'-]+)\s*=", line):
+            lines.setdefault((*heading, match.group(1).strip("\"'")), number)
+
+    def line_of(path: tuple) -> int | None:
+        key = tuple(str(part) for part in path)
+        key = key if several else key[2:]
+        while key:
+            if key in lines:
+                return lines[key]
+            key = key[:-1]
+        return None
+
+    return line_of
