@@ -27,7 +27,8 @@ def make_solver(problem: Problem):
         return Lagrange1D(problem)
     if problem.solver.kind == "shock_structure":
         from hugoniot.solvers.shock_structure.solver import ShockStructure
-        return ShockStructure(problem)
+        from hugoniot.theory.structure.start import shock_start
+        return ShockStructure(problem, shock_start(problem))
     raise DeckError.single("problem", None, "solver.kind", f"unknown solver '{problem.solver.kind}'", "known: lagrange1d, shock_structure")
 
 
