@@ -1,0 +1,179 @@
+"""The deck of the solver `shock_structure`: viscous flow of one material through a fixed grid, with or without a shock placed in it."""
+
+from types import MappingProxyType
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, WithJsonSchema
+
+from hugoniot.errors import OutOfRange
+from hugoniot.laws import transport as _transport  # noqa: F401  (enrols the transport laws)
+from hugoniot.laws.eos.contract import has_temperature
+from hugoniot.laws.transport.contract import CONDUCTION, TRANSPORT, make, needs_temperature
+from hugoniot.materials.build import read_law
+from hugoniot.materials.collect import Collector, printable
+from hugoniot.materials.material import Material
+from hugoniot.materials.tables import law_table, material_tables
+from hugoniot.problem import checks
+from hugoniot.problem.lagrangian import OutputTable, Positive, RegionTable, _known, _output, _parts
+from hugoniot.problem.model import Boundary, Problem, SolverOptions
+from hugoniot.problem.schema import Length, Table, quantity, salvage
+
+_LAW = {"type": "object", "required": ["law"]}
+
+
+class TransportTable(Table):
+    """Viscosity and heat conduction of the material."""
+
+    viscosity: Annotated[Any, WithJsonSchema(_LAW)] = Field(description="table {law = ...} of shear viscosity (hugoniot list transport)")
+    conduction: Annotated[Any, WithJsonSchema(_LAW)] = Field(None, description="table {law = ...} of heat conduction, or none (default)")
+    bulk_ratio: quantity("1", least=0.0) = Field(0.0, description="bulk over shear viscosity")  # type: ignore[valid-type]
+    bulk_viscosity: quantity("Pa s", least=0.0) = Field(0.0, description="bulk viscosity added to that")  # type: ignore[valid-type]
+
+
+class ShockTable(Table):
+    """A shock put into the domain at t = 0; the gas ahead, on the left, has the state of the first region."""
+
+    mach: quantity("1", above=1.0, limit=1e6) | None = Field(None, description="Mach number (this or another measure)")  # type: ignore[valid-type]
+    shock_velocity: quantity("m/s", above=0.0) | None = Field(None, description="speed into the material ahead")  # type: ignore[valid-type]
+    particle_velocity: quantity("m/s", above=0.0) | None = Field(None, description="velocity jump")  # type: ignore[valid-type]
+    pressure: quantity("Pa", above=0.0) | None = Field(None, description="pressure behind")  # type: ignore[valid-type]
+    at: Length | None = Field(None, description="where it stands at t = 0 (default: the middle)")
+    start: Literal["step", "steady"] = Field("step", description="start as a step, or from the steady profile")
+    frame: Literal["standing", "moving"] = Field(
+        "standing", description="standing: the frame of the shock; moving: the gas ahead has its region's velocity and the shock runs left")
+
+
+class SolverTable(Table):
+    """How it is solved."""
+
+    kind: Literal["shock_structure"] = Field(description="the solver")
+    courant: quantity("1", above=0.0, limit=1.0) | None = Field(None, description="Courant number (default 0.9)")  # type: ignore[valid-type]
+    largest_step: Positive | None = Field(None, description="largest time step (default: none)")
+    max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after so many cycles (default: none)")
+    transport: TransportTable = Field(description="[solver.transport]: viscosity and conduction")
+    shock: ShockTable | None = Field(None, description="[solver.shock]: a shock at t = 0 (default: the regions' own states)")
+
+
+class EndTables(Table):
+    """What happens at the two ends."""
+
+    left: Literal["transmitting", "fixed"] = Field("transmitting", description="transmitting lets waves pass, fixed is a wall")
+    right: Literal["transmitting", "fixed"] = Field("transmitting", description="transmitting lets waves pass, fixed is a wall")
+
+
+class Model(Table):
+    """A deck of the viscous flow solver."""
+
+    title: str = Field("", max_length=200, description="title of report and plots (default: the deck's file name)")
+    geometry: Literal["planar"] = Field("planar", description="symmetry")
+    stop_time: Positive = Field(description="time at which the run ends, such as \"100 ns\"")
+    region: list[RegionTable] = Field(min_length=1, max_length=1000, description="pieces of one material, [[region]], cells of one width")
+    material: dict[str, Annotated[Any, WithJsonSchema({"$ref": "#/$defs/material"})]] = Field(
+        default_factory=dict, description="the material of this deck, [material.NAME.eos]")
+    boundary: EndTables = Field(default_factory=EndTables, description="the two ends")  # type: ignore[arg-type]
+    solver: SolverTable = Field(description="how it is solved")
+    output: OutputTable = Field(default_factory=OutputTable, description="what is kept")  # type: ignore[arg-type]
+
+
+def read(raw: dict, model: Model | None, materials: dict[str, Material | None], collector: Collector) -> tuple[Problem | None, list[str]]:
+    """The problem, and warnings; the problem is None when anything was reported (see `problem.lagrangian.read`)."""
+    warnings: list[str] = []
+    regions, used = checks.read_regions(_parts(RegionTable, raw.get("region")), "planar", materials, collector, warnings)
+    _check_grid(regions, used, collector)
+    table = raw.get("solver")
+    table = table if isinstance(table, dict) else {}
+    transport = _read_transport(table.get("transport"), used, collector)
+    shock = _read_shock(table.get("shock"), regions, collector)
+    output = _output(raw, collector)
+    if model is None or collector.problems or transport is None or output is None:
+        return None, warnings
+    options: dict[str, Any] = {"transport": transport}
+    if shock is not None:
+        options["shock"] = shock
+    solver = SolverOptions("shock_structure", courant=model.solver.courant, largest_step=model.solver.largest_step,
+                           max_cycles=model.solver.max_cycles, options=MappingProxyType(options))
+    left, right = Boundary(model.boundary.left), Boundary(model.boundary.right)
+    return Problem(model.title, "planar", model.stop_time, regions, used, left, right, solver=solver, output=output), warnings
+
+
+def _check_grid(regions, used, collector: Collector) -> None:
+    if len(used) > 1:
+        collector.add(("region", 1, "material"), f"this solver flows one material through a fixed grid, not {len(used)}",
+                      "use solver kind lagrange1d for several")
+    for k, (a, b) in enumerate(zip(regions, regions[1:])):
+        if a.end != b.start:
+            collector.add(("region", k + 1, "from"), f"a gap after '{printable(a.name)}'", "the regions of this solver must touch")
+    for k, region in enumerate(regions):
+        width, first = (region.end - region.start) / region.zones, (regions[0].end - regions[0].start) / regions[0].zones
+        if region.ratio != 1.0 or abs(width / first - 1.0) > 1e-9:
+            collector.add(("region", k, "zones"), f"cells of {width:.6g} m beside {first:.6g} m", "this solver needs cells of one width")
+
+
+def _read_transport(raw: Any, used: dict[str, Material], collector: Collector) -> dict | None:
+    """{"viscosity": {law, parameters}, "conduction": ..., "bulk_ratio", "bulk_viscosity"} in SI, or None after reporting."""
+    path = ("solver", "transport")
+    if not isinstance(raw, dict) or "viscosity" not in raw:
+        return None   # the model has told it
+    shear = read_law(TRANSPORT, raw["viscosity"], collector, (*path, "viscosity"))
+    given = raw.get("conduction", "none")
+    conduction = CONDUCTION.get("none").example if given == "none" else read_law(CONDUCTION, given, collector, (*path, "conduction"))
+    table = salvage(TransportTable, raw)
+    if shear is None or conduction is None or table is None:
+        return None
+    try:
+        made = make(shear, conduction, table.bulk_ratio, table.bulk_viscosity)
+    except OutOfRange as error:
+        collector.add(path, str(error))
+        return None
+    for material in used.values():
+        if needs_temperature(made) and not has_temperature(material.eos):
+            collector.add(path, f"needs a temperature, which the equation of state of '{printable(material.name)}' does not give",
+                          "give it a specific_heat, or a constant viscosity without conduction")
+    return {"viscosity": law_table(TRANSPORT, shear), "conduction": law_table(CONDUCTION, conduction),
+            "bulk_ratio": table.bulk_ratio, "bulk_viscosity": table.bulk_viscosity}
+
+
+def _read_shock(raw: Any, regions, collector: Collector) -> dict | None:
+    table = salvage(ShockTable, raw) if isinstance(raw, dict) else None
+    if table is None:
+        return None
+    measures = [name for name in ("mach", "shock_velocity", "particle_velocity", "pressure") if getattr(table, name) is not None]
+    if len(measures) != 1:
+        collector.add(("solver", "shock"), "a shock has one measure of strength" + (f", not {' and '.join(measures)}" if measures else ""),
+                      "give mach, shock_velocity, particle_velocity or pressure")
+        return None
+    shock = {name: value for name, value in table.model_dump().items() if value is not None}
+    if regions:
+        left, right = regions[0].start, regions[-1].end
+        shock.setdefault("at", 0.5 * (left + right))
+        if not left < shock["at"] < right:
+            collector.add(("solver", "shock", "at"), f"{shock['at']:g} m lies outside the domain from {left:g} m to {right:g} m")
+    return shock
+
+
+def write(problem: Problem) -> dict:
+    """Tables of a deck, every default written out, that reads back to exactly this problem."""
+    names = {"start": "from", "end": "to"}
+    deck: dict[str, Any] = {"title": problem.title, "geometry": "planar", "stop_time": problem.stop_time}
+    deck["region"] = [{names.get(k, k): list(v) if isinstance(v, tuple) else v for k, v in _known(r).items()} for r in problem.regions]
+    deck["material"] = {name: material_tables(m) for name, m in problem.materials.items()}
+    deck["boundary"] = {"left": problem.left.kind, "right": problem.right.kind}
+    options = problem.solver.options
+    wanted = ("kind", "courant", "largest_step", "max_cycles")
+    deck["solver"] = {k: v for k in wanted if (v := getattr(problem.solver, k)) is not None}
+    deck["solver"]["transport"] = _plain(options["transport"])
+    if options.get("shock"):
+        deck["solver"]["shock"] = dict(options["shock"])
+    output = _known(problem.output)
+    output["fields"] = list(problem.output.fields)
+    if isinstance(problem.output.snapshots, tuple):
+        output["snapshots"] = list(problem.output.snapshots)
+    deck["output"] = output
+    return deck
+
+
+def _plain(transport) -> dict:
+    if not isinstance(transport, dict):   # a Transport tuple given in Python
+        return {"viscosity": law_table(TRANSPORT, transport.shear), "conduction": law_table(CONDUCTION, transport.conduction),
+                "bulk_ratio": transport.bulk_ratio, "bulk_viscosity": transport.bulk_viscosity}
+    return {name: dict(value) if isinstance(value, dict) else value for name, value in transport.items()}
