@@ -9,6 +9,8 @@ import math
 from dataclasses import fields, replace
 from typing import Any
 
+import numpy as np
+
 from hugoniot.core.registry import Law, Registry, UnknownName, finite
 from hugoniot.errors import DeckError, DeckProblem, HugoniotError
 from hugoniot.laws.eos.contract import EOS, pressure, reference_state, sound_speed_squared
@@ -18,6 +20,7 @@ from hugoniot.materials.collect import Collector, LineOf, nearest, printable
 from hugoniot.materials.material import Material, Source
 from hugoniot.materials.tables import accepted, families, law_table
 
+LONGEST_ARRAY = 1_000_000
 _FACTS = ("base", "sources", "valid_up_to", "warnings")
 
 
@@ -112,7 +115,7 @@ def _read_parameters(registry: Registry, law: Law, table: dict, collector: Colle
     if len(collector.problems) > before:
         return None
     try:
-        par = law.parameters(**values) if direct else law.build(**values)
+        par = law.parameters(**_as_arrays(law, values)) if direct else law.build(**values)
     except (HugoniotError, ValueError, ArithmeticError, TypeError) as error:
         collector.add(path, printable(str(error), 300))
         return None
@@ -121,6 +124,11 @@ def _read_parameters(registry: Registry, law: Law, table: dict, collector: Colle
         collector.add(path, "the parameters are not all finite numbers")
         return None
     return par
+
+
+def _as_arrays(law: Law, values: dict) -> dict:
+    """Values of fields that are arrays in the law's example, as arrays."""
+    return {k: np.array(v, dtype=float) if isinstance(getattr(law.example, k), np.ndarray) else v for k, v in values.items()}
 
 
 def _read_value(registry: Registry, law: Law, key: str, value: Any, collector: Collector, path: tuple) -> Any:
@@ -132,13 +140,29 @@ def _read_value(registry: Registry, law: Law, key: str, value: Any, collector: C
             collector.add(path, f"expected a text, got {value!r:.40}", law.meaning.get(key, ""))
         return value
     if isinstance(value, list):
-        return tuple(collector.quantity((*path, i), v, unit) for i, v in enumerate(value[:100_000]))
+        return _read_array(value, unit, collector, path)
     preset = law.defaults.get(key)
     if isinstance(preset, bool):
         if not isinstance(value, bool):
             collector.add(path, "expected true or false")
         return value
     return collector.quantity(path, value, unit)
+
+
+def _read_array(value: list, unit: str, collector: Collector, path: tuple, deepest: int = 2) -> tuple:
+    """Rows of quantities; problems of the first few elements are told, not of a million."""
+    if len(value) > LONGEST_ARRAY:
+        collector.add(path, f"{len(value)} values are too many", f"the limit is {LONGEST_ARRAY}")
+        return ()
+    found = []
+    for i, element in enumerate(value):
+        if isinstance(element, list) and deepest > 1:
+            found.append(_read_array(element, unit, collector, (*path, i), deepest - 1))
+        else:
+            found.append(collector.quantity((*path, i), element, unit))
+        if found[-1] is None:
+            break
+    return tuple(found)
 
 
 def _base(tables: dict, collector: Collector, path: tuple) -> Material | None:

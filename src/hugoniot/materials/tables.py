@@ -7,6 +7,8 @@ import math
 from dataclasses import asdict
 from typing import Any
 
+import numpy as np
+
 from hugoniot.core.registry import Law, Registry
 from hugoniot.errors import HugoniotError
 from hugoniot.laws import eos, fracture, strength  # noqa: F401  (importing a room enrols its laws)
@@ -48,14 +50,22 @@ def law_table(registry: Registry, par: Any) -> dict:
             again = law.build(**({k: v for k, v in law.defaults.items() if k in names} | values))
         except (HugoniotError, ValueError, ArithmeticError, TypeError):
             again = None
-        if type(again) is type(par) and repr(again) == repr(par):
+        if again is not None and same_parameters(again, par):
             return {"law": law.name, **written}
     return {"law": law.name, "parameters": written}
+
+
+def same_parameters(a: Any, b: Any) -> bool:
+    """Whether two parameter tuples are of one law and equal bit for bit; not-a-number equals itself, arrays compare by element."""
+    return type(a) is type(b) and all(
+        same_parameters(x, y) if isinstance(x, tuple) else np.array_equal(x, y, equal_nan=not isinstance(x, str)) for x, y in zip(a, b))
 
 
 def _plain(registry: Registry, value: Any) -> Any:
     if isinstance(value, tuple) and hasattr(value, "_fields"):
         return law_table(registry, value)
+    if isinstance(value, np.ndarray):
+        return value.tolist()
     if isinstance(value, tuple):
         return [float(v) for v in value]
     return value if isinstance(value, (str, bool)) else float(value)
