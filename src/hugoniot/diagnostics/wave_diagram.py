@@ -63,13 +63,15 @@ def _best_shifts(a, b, first, last, spread: float, window: int = 7) -> np.ndarra
     The shift m for which a[z - m] and b[z + m] agree best over a window; small shifts win where many agree.
     """
     count = len(a)
-    most = min(40, count // 6)
-    moves = np.arange(-most, most + 1)[:, None]
-    zone = np.arange(count)[None, :]
+    step = -(-count // 1200)  # a picture needs no more places than it has points across
+    most = min(40, count // (6 * step))
+    moves = step * np.arange(-most, most + 1)[:, None]
+    zone = np.arange(0, count, step)[None, :]
+    first, last = first[::step], last[::step]
     misfit = np.abs(a[np.clip(zone - moves, first, last)] - b[np.clip(zone + moves, first, last)])
     sums = np.cumsum(np.pad(misfit, ((0, 0), (window // 2 + 1, window // 2)), mode="edge"), axis=1)
-    cost = (sums[:, window:] - sums[:, :-window]) / window + 2e-3 * spread * np.abs(moves) / max(most, 1)
-    return moves[np.argmin(cost, axis=0), 0]
+    cost = (sums[:, window:] - sums[:, :-window]) / window + 2e-3 * spread * np.abs(moves) / max(step * most, 1)
+    return np.repeat(moves[np.argmin(cost, axis=0), 0], step)[:count]
 
 
 def gaps(left, right, least: float) -> list[int]:

@@ -16,11 +16,15 @@ _FACES = {
     "time_step": ("s", "time step"),
     "step": ("s", "time step"),
 }
+_PER_MASS = {
+    "plastic_work": ("J/kg", "plastic work done per unit mass"),
+    "viscous_work": ("J/kg", "work of the artificial viscosity per unit mass"),
+}
 PER_AREA = {"planar": "/m^2", "cylindrical": "/m/rad", "spherical": "/sr"}
 
 
-def describe(name: str, geometry: str = "planar", given: dict | None = None) -> tuple[str, str]:
-    """(SI unit, long name) of a column.
+def describe(name: str, geometry: str = "", given: dict | None = None) -> tuple[str, str]:
+    """(SI unit, long name) of a column of zones or gauges, or, with a geometry, of a budget.
 
     `given` maps names to units or to (unit, long name) and wins; budgets are per unit area (planar), per metre and radian
     (cylindrical) or per steradian (spherical), as the solver counts mass.
@@ -29,6 +33,8 @@ def describe(name: str, geometry: str = "planar", given: dict | None = None) -> 
     if given and name in given:
         entry = given[name]
         return (entry, words) if isinstance(entry, str) else (entry[0], entry[1])
+    if not geometry and name in _PER_MASS:
+        return _PER_MASS[name]
     if name in _FACES:
         return _FACES[name]
     if name in FIELDS:

@@ -51,7 +51,7 @@ def _write_tables(file, tables: dict, peaks: dict, setup: dict):
     zone_count = len(setup["region"])
 
     def writer(name):
-        return _Writer(file.create_group(name), geometry, given)
+        return _Writer(file.create_group(name), geometry if name == "budget" else "", given)
 
     w = writer("snapshots")
     rows = dict(tables["snapshots"])
@@ -112,14 +112,14 @@ def result_bytes(tables: dict, events: list[dict], peaks: dict, setup: dict) -> 
         return image_bytes(file)
 
 
-def gauges_text(rows: dict, gauges: list[str], geometry: str, given: dict) -> str:
+def gauges_text(rows: dict, gauges: list[str], given: dict) -> str:
     """gauges.csv: the time and every field of every gauge, one column each, headed `<gauge> <field> [unit]`; ten digits."""
     rows = dict(rows)
     time = rows.pop("time", np.empty(0))
     heads, columns = ["time [s]"], [time]
     for k, gauge in enumerate(gauges):
         for name, values in rows.items():
-            unit = describe(name, geometry, given)[0]
+            unit = describe(name, "", given)[0]
             heads.append(f"{gauge} {name} [{unit or '1'}]".replace(",", ";"))
             columns.append(values[:, k])
     line = ",".join(["%.10g"] * len(columns))

@@ -165,8 +165,8 @@ class RunFolder:
         """
         tables, events = self._series.collect()
         setup = self._setup
-        units, geometry = setup["units"], setup["document"]["geometry"]
-        write_whole(self.folder / "gauges.csv", gauges_text(tables["gauges"], setup["gauges"], geometry, units), durable=False)
+        table = gauges_text(tables["gauges"], setup["gauges"], setup["units"])
+        write_whole(self.folder / "gauges.csv", table, durable=False)
         write_whole(self.folder / "result.h5", result_bytes(tables, events, dict(peaks or {}), setup))
         summary = {"title": setup["document"]["title"], "solver": setup["document"]["solver"]["kind"], "status": "done",
                    "version": setup["document"]["version"], "deck_sha256": setup["deck_sha256"], **plain(summary)}

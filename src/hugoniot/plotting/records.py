@@ -175,7 +175,9 @@ def profile(run, field: str = "stress", time=None, ax=None):
 def peaks(run, field: str = "stress", ax=None):
     """The extreme value of a field that each zone met, over its place at t = 0: the attenuation curve; gives the axes."""
     ax = ax if ax is not None else new_axes()
-    rows, values = run.arrays("peaks"), zone_field(run, "peaks", field)
+    rows = run.arrays("peaks")
+    field = f"peak_{field}" if f"peak_{field}" in rows else field
+    values = zone_field(run, "peaks", field)
     unit, factor, words = field_scale(field, values)
     unit_x, fx = length_scale(float(np.ptp(rows["centre"])))
     cuts = [0, *(k + 1 for k in interfaces(rows["region"])), len(values)]
@@ -184,7 +186,7 @@ def peaks(run, field: str = "stress", ax=None):
         ax.text(rows["centre"][first:last].mean() * fx, 1.01, rows["region"][first], color=COLOURS[k % len(COLOURS)], ha="center",
                 va="bottom", fontsize=8.5, transform=ax.get_xaxis_transform())
     ax.set_xlabel(labelled("position at t = 0" if run.setup["geometry"] == "planar" else "radius at t = 0", unit_x))
-    ax.set_ylabel(labelled(f"peak {words}", unit))
+    ax.set_ylabel(labelled(words if words.startswith("peak") else f"peak {words}", unit))
     quiet_grid(ax)
     return ax
 
@@ -201,6 +203,9 @@ def budget(run, ax=None):
     ax = ax if ax is not None else new_axes()
     rows = run.arrays("budget")
     lines = [(words, rows[name].sum(axis=1) if rows[name].ndim == 2 else rows[name]) for name, words in _PARTS if name in rows]
+    ends = [rows[name] for name in ("work_left", "work_right") if name in rows]
+    if ends and "boundary_work" not in rows:
+        lines.append(("boundary work", np.sum(ends, axis=0)))
     # internal energy counts from where it starts: only its change takes part in the exchange
     lines = [(words, values - values[0] if words == "internal" and len(values) else values) for words, values in lines]
     top = max((float(np.max(np.abs(values))) for _, values in lines if len(values)), default=0.0)

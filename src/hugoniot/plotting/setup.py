@@ -23,7 +23,7 @@ def setup(run, ax=None):
     _draw_gauges(ax, run, regions, f)
     margin = 0.04 * (high - low) * f
     ax.set_xlim((low if planar else min(low, 0.0)) * f - margin, high * f + margin)
-    ax.set_ylim(-0.85, 1.75)
+    ax.set_ylim(-0.9, 1.75)
     ax.spines["left"].set_visible(False)
     ax.set_yticks([])
     ax.set_xlabel(labelled("position at t = 0" if planar else "radius at t = 0", unit))
@@ -102,7 +102,7 @@ def _draw_gauges(ax, run, regions, f):
     places = [(gauge["name"], gauge_place(run, gauge, regions)) for gauge in run.setup["gauges"]]
     places = sorted(((name, x * f) for name, x in places if x is not None), key=lambda item: item[1])
     for k, (name, x) in enumerate(places):
-        drop = -0.36 - 0.24 * (k % 2)
+        drop = -0.46 - 0.22 * (k % 2)
         ax.plot([x, x], [drop + 0.1, 0.0], color=INK, linewidth=0.7, linestyle=(0, (1, 2)))
         ax.plot([x], [0.0], marker="^", color=INK, markersize=4, clip_on=False)
         ax.text(x, drop + 0.06, name, ha="center", va="top", fontsize=7.5)

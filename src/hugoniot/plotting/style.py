@@ -74,9 +74,9 @@ def length_scale(span: float) -> tuple[str, float]:
     return ("mm", 1e3) if 2e-4 <= span < 2.0 else scale_of(span, _LENGTHS)
 
 
-def field_scale(field: str, values=None, geometry: str = "planar") -> tuple[str, float, str]:
+def field_scale(field: str, values=None) -> tuple[str, float, str]:
     """(unit, factor, long name) in which a field is drawn; large and small values (SI, optional) choose a fitting prefix."""
-    unit, words = describe(field, geometry)
+    unit, words = describe(field)
     shown, factor = FIELDS[field].display if field in FIELDS else (unit if unit != "1" else "", 1.0)
     top = float(np.nanmax(np.abs(values))) if values is not None and np.size(values) and np.isfinite(values).any() else 0.0
     if unit == "Pa" and top > 0:
