@@ -66,7 +66,8 @@ def _from_file(path: Path, inside: str) -> Material:
     if isinstance(several, dict):
         name = inside or (next(iter(several)) if len(several) == 1 else "")
         if name not in several:
-            raise DeckError.single(path, None, "material", f"holds {', '.join(several)}", f"name one, such as {path}:{next(iter(several), 'copper')}")
+            raise DeckError.single(path, None, "material", f"holds {', '.join(several)}",
+                                   f"name one, such as {path}:{next(iter(several), 'copper')}")
         tables, offset = several[name], 0
     else:
         name, offset = path.stem, 2
@@ -102,18 +103,20 @@ def several_states(text: str, where: str, known=("density", "pressure", "energy"
         name = name.replace(" ", "_").replace("-", "_")
         if not equals or name not in known:
             near = _near(name, known)
-            raise DeckError.single("command line", None, where, f"'{part.strip()[:60]}' does not name a state", f'{near}write "{known[0]} = {_EXAMPLE[known[0]]}"')
+            raise DeckError.single("command line", None, where, f"'{part.strip()[:60]}' does not name a state",
+                                   f'{near}write "{known[0]} = {_EXAMPLE[known[0]]}"')
         found[name] = quantity(value, UNITS[name], f"{where} {name}")
     return found
 
 
-def error_bars(texts: list[str] | None) -> dict[str, float]:
-    """{"copper.c0": 20.0} from options such as "copper.c0 = 20 m/s" or "velocity = 5 m/s": standard deviations, units as given."""
-    found = {}
+def error_bars(texts: list[str] | None) -> dict[str, str]:
+    """{"copper.c0": "20 m/s"} from options such as "copper.c0 = 20 m/s" or "velocity = 5 m/s"; the caller knows the units."""
+    found: dict[str, str] = {}
     for text in texts or ():
         name, equals, value = (piece.strip() for piece in text.partition("="))
         if not equals:
-            raise DeckError.single("command line", None, "--error", f"'{text[:60]}' is no error bar", 'write "velocity = 5 m/s" or "copper.c0 = 20 m/s"')
+            raise DeckError.single("command line", None, "--error", f"'{text[:60]}' is no error bar",
+                                   'write "velocity = 5 m/s" or "copper.c0 = 20 m/s"')
         found[name] = value
     return found
 

@@ -4,8 +4,8 @@ r"""Fits: shock against particle velocity with error bars, JWL from a CJ state a
 and the highest measured $u_p$, beyond which the fit extrapolates (001, KB codes, section 3), and the covariance of the coefficients.
 
 **JWL.** On the isentrope through the CJ point, with V = v/v0,
-$p = A e^{-R_1V} + B e^{-R_2V} + C V^{-1-\omega}$. For any $R_1, R_2, \omega$ the CJ pressure, the tangency $-dp/dV = p/(1-V)$ and the energy
-$E(V_{CJ}) = E_0 + p(1-V)/2$ are three linear equations for A, B, C, so every trial closes on the CJ state exactly; the
+$p = A e^{-R_1V} + B e^{-R_2V} + C V^{-1-\omega}$. For any $R_1, R_2, \omega$ the CJ pressure, the tangency $-dp/dV = p/(1-V)$ and
+the energy $E(V_{CJ}) = E_0 + p(1-V)/2$ are three linear equations for A, B, C, so every trial closes on the CJ state exactly; the
 exponents alone are fitted to the expansion curve, in $\ln p$. Source: Lee, Hornig and Kury, UCRL-50422, for the form.
 
 **Gamma that meets the jump** (004 eq. 7.1.31, lost in the scan and recovered): see `adjusted_gamma`.

@@ -1,0 +1,307 @@
+"""hugoniot eos: what a material does in shocks, releases and detonations, without a mesh."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from hugoniot.cli.eos_input import Subject, find_inert, find_material, one_state, quantity, several_states
+from hugoniot.cli.eos_output import cell, deliver, echo_states, row_of, words
+from hugoniot.cli.show import JSON, echo_json, echo_table
+from hugoniot.errors import DeckError
+from hugoniot.theory.states import States
+
+app = typer.Typer(no_args_is_help=True, help=(
+    "Hugoniots, isentropes, impedance matches and detonations without a mesh.\n\n"
+    "MATERIAL is a name of the library (hugoniot material list) or a TOML file with the tables of a deck's [material.x].\n\n"
+    "Example: hugoniot eos match copper aluminum --velocity \"1 km/s\""))
+
+MATERIAL = Annotated[str, typer.Argument(metavar="MATERIAL", help="A name of the library or a TOML file.")]
+MATERIALS = Annotated[list[str], typer.Argument(metavar="MATERIAL...", help="Names of the library or TOML files.")]
+AT = Annotated[str | None, typer.Option("--at", help='A state on the Hugoniot: "pressure = 10 GPa", "particle_velocity = 500 m/s", '
+                                                     '"shock_velocity = 6 km/s" or "density = 3 g/cm^3".')]
+CSV = Annotated[Path | None, typer.Option("--csv", help="Write SI numbers to this file.")]
+PLOT = Annotated[Path | None, typer.Option("--plot", help="Draw the picture into this file (.png, .pdf, .svg).")]
+POINTS = Annotated[int, typer.Option("--points", min=2, max=100000, help="States along the curve.")]
+
+
+@app.command()
+def show(material: MATERIAL, at: AT = None, as_json: JSON = False) -> None:
+    """The law, its parameters, its state at rest and, with --at, on the Hugoniot.
+
+    Example: hugoniot eos show copper --at "pressure = 10 GPa"
+    """
+    from hugoniot.laws.eos.contract import EOS
+    from hugoniot.theory.isentrope import reference
+
+    subject = find_material(material)
+    par = subject.material.eos
+    law = EOS.of(par)
+    state = _shocked(find_inert(material), at) if at else reference(par)
+    if as_json:
+        echo_json({"material": subject.material.name, "law": law.name, "parameters": _parameters(par, law),
+                   "references": list(law.references), **row_of(state.table("gruneisen", "entropy"))})
+        return
+    typer.echo(f"{subject.title or subject.material.name}: {law.name} - {law.summary}")
+    rows = [(f"  {n}", cell("", v), law.units.get(n, ""), law.meaning.get(n, "")) for n, v in _parameters(par, law).items()]
+    echo_table(["", "", "", ""], rows)
+    typer.echo(f"Source of the law: {'; '.join(law.references)}")
+    typer.echo(f"\n{'On the Hugoniot at ' + at if at else 'At rest'}:")
+    echo_states(state, "gruneisen")
+    _warn(subject)
+
+
+@app.command()
+def hugoniot(
+    materials: MATERIALS, at: AT = None, points: POINTS = 101,
+    up_to: Annotated[str | None, typer.Option("--up-to", help='Last particle velocity, "3 km/s".')] = None,
+    density: Annotated[str | None, typer.Option("--density", help='Initial density of distended (porous) material, "5 g/cm^3".')] = None,
+    after: Annotated[str | None, typer.Option("--after", help="A first shock, as in --at; then the curve of a second.")] = None,
+    kind: Annotated[str, typer.Option("--axes", help="Picture: p-up, us-up, p-v or t-p.")] = "p-up",
+    as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
+) -> None:
+    """The Hugoniot, or one state of it: from rest, from a lower density, or from a first shock.
+
+    Example: hugoniot eos hugoniot copper aluminum --plot hugoniots.png
+    """
+    from hugoniot.theory.hugoniot import Initial, curve, shock
+
+    subjects = [find_inert(m) for m in materials]
+    found: list[tuple[Subject, Initial, States]] = []
+    for subject in subjects:
+        ahead = Initial.at_rest(subject.material, density=quantity(density, "kg/m^3", "--density") if density else None)
+        if after:
+            ahead = Initial.of(shock(subject.material, ahead, **one_state(after, "--after")))
+        if at:
+            states = shock(subject.material, ahead, **one_state(at))
+        else:
+            end = quantity(up_to, "m/s", "--up-to") if up_to else None
+            states = curve(subject.material, ahead, points=points, up_to=end)
+        found.append((subject, ahead, states))
+    if plot:
+        from hugoniot.plotting.eos import hugoniots, save
+
+        curves = [(s.material.name, a, curve(s.material, a, up_to=_span(st, a)) if at else st) for s, a, st in found]
+        save(hugoniots(curves, kind, points=[_points_of(s) for s in subjects], mark=[st for _, _, st in found] if at else None), plot)
+    if not deliver([(s.material.name, st.table("entropy")) for s, _, st in found], as_json=as_json, as_csv=as_csv):
+        return
+    for subject, _, states in found:
+        typer.echo(f"{subject.title or subject.material.name}")
+        echo_states(states)
+        _warn(subject, states)
+
+
+@app.command()
+def isentrope(
+    materials: MATERIALS, at: AT = None, points: POINTS = 51,
+    to: Annotated[str | None, typer.Option("--to", help='Pressure at the end, default 0 ("10 GPa" without --at).')] = None,
+    as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
+) -> None:
+    """The isentrope through a state of the Hugoniot (--at) down to zero pressure, or from rest up to a pressure.
+
+    For detonation products the start is the CJ state unless --at says otherwise. Particle velocities are those behind a release
+    that runs back into the material, as below a free surface.
+
+    Example: hugoniot eos isentrope copper --at "pressure = 50 GPa" --plot release.png
+    """
+    from hugoniot.theory import hugoniot as curves
+    from hugoniot.theory.isentrope import isentrope as trace
+    from hugoniot.theory.isentrope import reference
+
+    paths = []
+    for name in materials:
+        subject = find_material(name)
+        start = _start(subject, name, at)
+        default = ("1 bar" if subject.reacted else "0 Pa") if start.pressure > reference(subject.material).pressure else "10 GPa"
+        end = quantity(to or default, "Pa", "--to")
+        import numpy as np
+
+        span = np.geomspace(start.pressure, end, points) if subject.reacted and end > 0.0 else np.linspace(start.pressure, end, points)
+        states = trace(subject.material, start, pressure=span, direction=-1)
+        paths.append((subject, start, states))
+    if plot:
+        from hugoniot.plotting.eos import releases, save
+
+        drawn = [(s.material.name, None if s.reacted else curves.curve(s.material, up_to=1.15 * max(st.particle_velocity, 1.0)), states)
+                 for s, st, states in paths]
+        save(releases(drawn), plot)
+    if not deliver([(s.material.name, st.table("entropy")) for s, _, st in paths], as_json=as_json, as_csv=as_csv):
+        return
+    for subject, start, states in paths:
+        typer.echo(f"{subject.title or subject.material.name}: isentrope from {cell('pressure', start.pressure)}")
+        echo_states(states)
+        _warn(subject, states)
+
+
+@app.command()
+def match(
+    materials: Annotated[list[str], typer.Argument(metavar="FLYER TARGET...", help="Flyer first, then the layers it meets.")],
+    velocity: Annotated[str, typer.Option("--velocity", help='Velocity of the flyer, "1 km/s".')],
+    error: Annotated[list[str] | None, typer.Option("--error", help='One standard deviation of an input: "velocity = 5 m/s" or '
+                                                                    '"copper.c0 = 20 m/s"; as often as needed.')] = None,
+    samples: Annotated[int, typer.Option("--samples", min=0, max=1000000, help="Monte Carlo samples instead of linear error bars.")] = 0,
+    ring_up: Annotated[int, typer.Option("--ring-up", min=0, max=1000, help="Further meetings while the first layer rings up.")] = 0,
+    as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
+) -> None:
+    """Pressures and velocities at every interface of an impact, in the order in which the waves arrive.
+
+    Example: hugoniot eos match copper aluminum --velocity "1 km/s" --error "velocity = 5 m/s"
+    """
+    from hugoniot.cli import eos_match
+
+    if len(materials) < 2:
+        raise DeckError.single("command line", None, "match", "an impact needs a flyer and at least one target", "name two or more")
+    if ring_up and len(materials) < 3:
+        raise DeckError.single("command line", None, "--ring-up", "a layer rings between two neighbours", "name three materials or more")
+    speed = quantity(velocity, "m/s", "--velocity")
+    eos_match.report([find_inert(m) for m in materials], speed, error, samples, ring_up, as_json, as_csv, plot)
+
+
+@app.command()
+def riemann(
+    left: Annotated[str, typer.Argument(metavar="LEFT", help="Material on the left.")],
+    right: Annotated[str, typer.Argument(metavar="RIGHT", help="Material on the right.")],
+    left_state: Annotated[str, typer.Option("--left", help='"pressure = 1 GPa, velocity = 100 m/s"; default at rest.')] = "",
+    right_state: Annotated[str, typer.Option("--right", help="As --left.")] = "",
+    bonded: Annotated[bool, typer.Option("--bonded", help="The contact bears tension.")] = False,
+    as_json: JSON = False,
+) -> None:
+    """The exact Riemann problem of two materials: waves, contact or vacuum.
+
+    Example: hugoniot eos riemann copper water --left "velocity = 500 m/s"
+    """
+    from hugoniot.theory.isentrope import state
+    from hugoniot.theory.riemann import riemann as solve
+
+    subjects = [find_material(left), find_material(right)]
+    given = [several_states(text, option) if text else {} for text, option in ((left_state, "--left"), (right_state, "--right"))]
+    states = [state(s.material, g.pop("velocity", 0.0), **g) for s, g in zip(subjects, given)]
+    found = solve(subjects[0].material, states[0], subjects[1].material, states[1], bonded=bonded)
+    waves = {side: {"wave": w.kind, "head": w.head, "tail": w.tail, **row_of(w.behind.table())}
+             for side, w in (("left", found.left), ("right", found.right)) if w.behind.density > 0.0}
+    if as_json:
+        echo_json({"pressure": found.pressure, "particle_velocity": found.velocity, "vacuum": found.vacuum, **waves,
+                   "edges": [{"what": what, "velocity": v} for what, v in found.jumps]})
+        return
+    contact = f"contact: {cell('pressure', found.pressure)}, {cell('particle_velocity', found.velocity)}"
+    typer.echo("a gap opens between the two" if found.vacuum else contact)
+    echo_table(["edge", "velocity"], [(what, f"{v:.6g} m/s") for what, v in found.jumps])
+    for side, wave in (("left", found.left), ("right", found.right)):
+        if wave.behind.density > 0.0:
+            typer.echo(f"\n{side}, behind the {wave.kind if wave.kind != 'none' else 'undisturbed edge'}:")
+            echo_states(wave.behind)
+
+
+@app.command()
+def cj(
+    materials: MATERIALS,
+    density: Annotated[str | None, typer.Option("--density", help='Density of the unreacted explosive, "1.77 g/cm^3".')] = None,
+    heat: Annotated[str | None, typer.Option("--heat", help='Heat of reaction for a law that holds none, "6.27 MJ/kg".')] = None,
+    as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
+) -> None:
+    """The Chapman-Jouguet state, by tangency of the Rayleigh line for whatever law the products have.
+
+    Example: hugoniot eos cj comp_b tnt --json
+    """
+    from dataclasses import replace
+
+    from hugoniot.theory.chapman_jouguet import cj as tangency
+    from hugoniot.theory.chapman_jouguet import explosive
+
+    subjects = [find_material(m) for m in materials]
+    found = []
+    for subject in subjects:
+        ahead = explosive(subject.material, quantity(density, "kg/m^3", "--density") if density else None,
+                          quantity(heat, "J/kg", "--heat") if heat else 0.0)
+        if heat:  # a condensed explosive: the energy of the law's gas at rest is no part of it
+            ahead = replace(ahead, pressure=0.0, energy=ahead.energy if subject.reacted else 0.0)
+        found.append(tangency(subject.material, ahead))
+    if plot:
+        from hugoniot.plotting.eos import detonations, save
+
+        save(detonations([(s.material.name, d) for s, d in zip(subjects, found)]), plot)
+    if not deliver([(s.material.name, d.table()) for s, d in zip(subjects, found)], as_json=as_json, as_csv=as_csv):
+        return
+    for subject, point in zip(subjects, found):
+        typer.echo(f"{subject.title or subject.material.name}: CJ state")
+        echo_table(["", ""], [(words(k), cell(k, v)) for k, v in row_of(point.table()).items()
+                              if v is not None and k != "shock_velocity"])
+        _warn(subject)
+
+
+@app.command()
+def fit(
+    points: Annotated[str, typer.Argument(metavar="POINTS", help="A CSV file with columns up and us, or a material of the library.")],
+    quadratic: Annotated[bool, typer.Option("--quadratic", help="Fit Us = c0 + s up + s2 up^2.")] = False,
+    least: Annotated[str | None, typer.Option("--from", help="Ignore points of lower particle velocity.")] = None,
+    highest: Annotated[str | None, typer.Option("--to", help="Ignore points of higher particle velocity.")] = None,
+    as_json: JSON = False, plot: PLOT = None,
+) -> None:
+    """Fit shock velocity against particle velocity, with standard deviations and the range of the points.
+
+    Example: hugoniot eos fit shots.csv --quadratic --plot fit.png
+    """
+    from hugoniot.cli import eos_fit
+
+    eos_fit.report(points, 2 if quadratic else 1, quantity(least, "m/s", "--from") if least else 0.0,
+                   quantity(highest, "m/s", "--to") if highest else float("inf"), as_json, plot)
+
+
+@app.command()
+def table(
+    material: MATERIAL,
+    densities: Annotated[str, typer.Option("--densities", help='Range, "8 g/cm^3, 14 g/cm^3"; default 0.9 to 1.5 of rest.')] = "",
+    temperatures: Annotated[str, typer.Option("--temperatures", help='Range of temperature, "300 K, 3000 K".')] = "300 K, 3000 K",
+    points: Annotated[int, typer.Option("--points", min=2, max=1000, help="Values of each.")] = 21,
+    as_json: JSON = False, as_csv: CSV = None,
+) -> None:
+    """Tabulate p and e over density and temperature, for codes that read tables.
+
+    Example: hugoniot eos table copper --points 50 --csv copper.csv
+    """
+    from hugoniot.cli import eos_table
+
+    eos_table.report(find_material(material), densities, temperatures, points, as_json, as_csv)
+
+
+# -- shared ------------------------------------------------------------------------------------------------------
+def _parameters(par, law) -> dict:
+    return {name: value for name, value in zip(par._fields, par) if isinstance(value, (int, float)) and value == value}
+
+
+def _shocked(subject: Subject, at: str) -> States:
+    from hugoniot.theory.hugoniot import shock
+
+    return shock(subject.material, **one_state(at))
+
+
+def _start(subject: Subject, name: str, at: str | None) -> States:
+    """Where an isentrope begins: a state of the Hugoniot, the CJ state of products, or rest."""
+    from hugoniot.theory.isentrope import reference
+
+    if subject.reacted:
+        from hugoniot.theory.chapman_jouguet import cj as tangency
+        from hugoniot.theory.chapman_jouguet import overdriven
+
+        return overdriven(subject.material, **one_state(at)) if at else tangency(subject.material).state
+    return _shocked(subject, at) if at else reference(subject.material)
+
+
+def _span(state: States, ahead) -> float:
+    return 1.3 * max(float(state.particle_velocity) - ahead.velocity, 1.0)
+
+
+def _points_of(subject: Subject):
+    from hugoniot.cli.eos_fit import library_points
+
+    return library_points(subject.names)
+
+
+def _warn(subject: Subject, states: States | None = None) -> None:
+    import numpy as np
+
+    limit = subject.material.valid_up_to
+    if states is not None and states.shock_velocity is not None and limit and np.max(states.particle_velocity) > limit * (1.0 + 1e-9):
+        typer.echo(f"note: the data behind this law reach {limit:.6g} m/s particle velocity; beyond it extrapolates", err=True)
+    for warning in subject.material.warnings:
+        typer.echo(f"note: {warning}", err=True)

@@ -1,0 +1,95 @@
+"""The report of `hugoniot eos match`: states at the interfaces with their error bars."""
+
+import typer
+
+from hugoniot.cli.eos_input import Subject, error_bars, quantity
+from hugoniot.cli.eos_output import cell, row_of, write_csv
+from hugoniot.cli.show import echo_json, echo_table
+from hugoniot.errors import DeckError
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.theory.impedance import Match, match
+from hugoniot.theory.impedance import ring_up as ringing
+
+ANSWERS = ("pressure", "particle_velocity", "shock_velocity", "density", "specific_internal_energy")
+
+
+def report(subjects: list[Subject], velocity, error, samples, ring_up, as_json, as_csv, plot) -> None:
+    """Solve, then print, write and draw what is asked."""
+    layers = [s.material for s in subjects]
+    names = [m.name for m in layers]
+    met = ringing(layers, velocity, bounces=ring_up) if ring_up else match(layers, velocity)
+    spreads = _spreads(layers, velocity, error, samples) if error else None
+    rows = [_row(m, names, spreads[i] if spreads and i < len(spreads) else None) for i, m in enumerate(met)]
+    if plot:
+        from hugoniot.plotting.eos import impedance_match, save
+
+        save(impedance_match(layers, velocity, met), plot)
+    if as_csv:
+        keys = ("pressure", "particle_velocity", "shock_velocity", "density", "specific_internal_energy", "temperature", "sound_speed")
+        write_csv(as_csv, [("", {k: [r[k] if r[k] is not None else float("nan") for r in rows] for k in keys})])
+    if as_json:
+        echo_json({"flyer": names[0], "targets": names[1:], "velocity": velocity, "states": rows})
+        return
+    typer.echo(f"{names[0]} at {velocity:.6g} m/s onto {', '.join(names[1:])}; states on the right of each interface, in order of time")
+    heads = ["interface", "pressure, GPa", "particle velocity, m/s", "shock velocity, m/s", "density, kg/m3", "goes back", "goes on"]
+    echo_table(heads, [[r["interface"], *(_with_error(k, r) for k in ANSWERS[:4]), r["reflected"], r["transmitted"]] for r in rows])
+    for i, subject in enumerate(subjects):
+        limit, reached = subject.material.valid_up_to, _first_jump(i, velocity, met)
+        if limit and reached > limit:
+            typer.echo(f"note: the data of {subject.material.name} reach {limit:.6g} m/s particle velocity, the shock {reached:.6g} m/s: "
+                       "extrapolated", err=True)
+
+
+def _first_jump(layer: int, velocity: float, met: list[Match]) -> float:
+    """The particle velocity jump of the first shock in a layer, m/s."""
+    return velocity - met[0].left.particle_velocity if layer == 0 else met[layer - 1].right.particle_velocity
+
+
+def _row(m: Match, names: list[str], spread) -> dict:
+    """One interface: the state on its right under the field's words, the other side under `left`."""
+    row = {"interface": f"{names[m.interface]}/{names[m.interface + 1]}", **row_of(m.right.table()), "separated": m.separated,
+           "reflected": _word(m.wave_left), "transmitted": _word(m.wave_right),
+           "left": {"material": names[m.interface], **row_of(m.left.table())}}
+    if spread:
+        row["uncertainty"] = {k: {"sigma": s.sigma, "low": s.low, "high": s.high, "shares": s.shares} for k, s in spread.items()}
+    return row
+
+
+def _word(kind: str) -> str:
+    return {"fan": "release", "none": "-"}.get(kind, kind)
+
+
+def _with_error(key: str, row: dict) -> str:
+    text = cell(key, row[key], unit=False)
+    if "uncertainty" in row and key in row["uncertainty"]:
+        text += f" +- {cell(key, row['uncertainty'][key]['sigma'], unit=False)}"
+    return text
+
+
+def _spreads(layers, velocity, error, samples):
+    """Per interface, the error bars of the answers: parameters are named MATERIAL.parameter, or parameter of all layers of a name."""
+    from hugoniot.theory.uncertainty import propagate, vary
+
+    values: dict[str, float] = {"velocity": velocity}
+    sigmas: dict[str, float] = {}
+    for key, text in error_bars(error).items():
+        layer, dot, parameter = key.rpartition(".")
+        if key == "velocity":
+            sigmas[key] = quantity(text, "m/s", "--error velocity")
+            continue
+        owners = [m for m in layers if m.name == layer]
+        if not dot or not owners or parameter not in owners[0].eos._fields:
+            known = ", ".join(f"{m.name}.{f}" for m in dict.fromkeys(layers) for f in m.eos._fields)
+            raise DeckError.single("command line", None, "--error", f"'{key[:60]}' is no input of this match",
+                                   f"there are velocity, {known}")
+        values[key] = float(getattr(owners[0].eos, parameter))
+        sigmas[key] = quantity(text, EOS.of(owners[0].eos).units.get(parameter, "1"), f"--error {key}")
+
+    def answers(**given):
+        own = [{k.rpartition(".")[2]: v for k, v in given.items() if k.rpartition(".")[0] == m.name} for m in layers]
+        laws = [vary(m, **changed) for m, changed in zip(layers, own)]
+        found = match(laws, given["velocity"])
+        return {f"{i}.{k}": getattr(m.right, k) for i, m in enumerate(found) for k in ANSWERS if getattr(m.right, k) is not None}
+
+    flat = propagate(answers, values, sigmas, samples=samples)
+    return [{k.partition(".")[2]: s for k, s in flat.items() if k.startswith(f"{i}.")} for i in range(len(layers) - 1)]

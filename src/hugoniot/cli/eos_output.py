@@ -1,0 +1,94 @@
+"""What the commands of `hugoniot eos` print and write: tables for people, SI numbers as JSON and CSV, pictures."""
+
+import csv
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import typer
+
+from hugoniot.cli.show import echo_json, echo_table
+from hugoniot.errors import FileTrouble
+from hugoniot.theory.states import UNITS, States
+
+# field word -> (unit for people, factor, format)
+SHOWN = {"pressure": ("GPa", 1e-9, "10.5g"), "density": ("kg/m3", 1.0, "9.2f"), "particle_velocity": ("m/s", 1.0, "9.2f"),
+         "shock_velocity": ("m/s", 1.0, "9.2f"), "specific_internal_energy": ("kJ/kg", 1e-3, "10.5g"), "temperature": ("K", 1.0, "8.1f"),
+         "sound_speed": ("m/s", 1.0, "9.2f"), "entropy": ("J/kg/K", 1.0, "9.3f"), "adiabatic_exponent": ("", 1.0, "8.4f"),
+         "gruneisen": ("", 1.0, "8.4f"), "detonation_velocity": ("m/s", 1.0, "9.2f")}
+WORDS = {"specific_internal_energy": "internal energy"}
+
+
+def words(name: str) -> str:
+    """A field word for people."""
+    return WORDS.get(name, name.replace("_", " "))
+
+
+def row_of(table: dict) -> dict[str, Any]:
+    """Values ready for JSON: numbers, lists of numbers, None where a law has no such field (or gives no number)."""
+    return {k: plain(v) for k, v in table.items()}
+
+
+def plain(value):
+    """A number or array as JSON holds it; None for NaN throughout."""
+    if value is None:
+        return None
+    if np.ndim(value):
+        values = [plain(v) for v in np.asarray(value).tolist()]
+        return None if values and all(v is None for v in values) else values
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value
+
+
+def echo_states(states: States, *more: str) -> None:
+    """Print one state as lines, many as a table of about 25 rows."""
+    table = row_of(states.table(*more))
+    if np.ndim(states.density) == 0:
+        echo_table(["", ""], [(words(k), cell(k, v)) for k, v in table.items() if v is not None])
+        return
+    count = len(states)
+    chosen = sorted({int(round(i)) for i in np.linspace(0, count - 1, min(count, 25))})
+    columns = [k for k, v in table.items() if v is not None]
+    heads = [f"{words(k)}{', ' + SHOWN[k][0] if k in SHOWN and SHOWN[k][0] else ''}" for k in columns]
+    echo_table(heads, [[cell(k, table[k][i], unit=False) for k in columns] for i in chosen])
+    if count > len(chosen):
+        typer.echo(f"{len(chosen)} of {count} states shown; --csv and --json give all")
+
+
+def cell(name: str, value, unit: bool = True) -> str:
+    """A value in the unit people use."""
+    if value is None:
+        return "-"
+    shown, factor, form = SHOWN.get(name, (UNITS.get(name, ""), 1.0, ".6g"))
+    return (f"{value * factor:{form}}".strip() + (f" {shown}" if unit else "")).strip()
+
+
+def write_csv(path: Path, tables: Sequence[tuple[str, dict]]) -> None:
+    """SI numbers with the units in the header, `pressure (Pa)`; a column `material` if there are several tables."""
+    several = len(tables) > 1
+    names = list(dict.fromkeys(k for _, table in tables for k, v in table.items() if plain(v) is not None))
+    try:
+        with open(path, "w", newline="", encoding="utf-8") as file:
+            out = csv.writer(file)
+            out.writerow([*(["material"] if several else []), *[f"{n} ({UNITS[n]})" if UNITS.get(n, "1") != "1" else n for n in names]])
+            for title, table in tables:
+                columns = [np.atleast_1d(np.asarray(table[n], float)) if table.get(n) is not None else None for n in names]
+                count = max(c.size for c in columns if c is not None)
+                for i in range(count):
+                    cells = ["" if c is None or not math.isfinite(c[i]) else repr(float(c[i])) for c in columns]
+                    out.writerow([*([title] if several else []), *cells])
+    except OSError as error:
+        raise FileTrouble(f"cannot write {path}: {error.strerror or error}") from None
+
+
+def deliver(tables: Sequence[tuple[str, dict]], *, as_json: bool, as_csv: Path | None, head: dict | None = None) -> bool:
+    """Write the CSV file and print JSON where asked; tells whether the table for people is still wanted."""
+    if as_csv:
+        write_csv(as_csv, tables)
+    if as_json:
+        rows = [{"material": title, **row_of(table)} for title, table in tables]
+        echo_json({**(head or {}), **(rows[0] if len(rows) == 1 else {"materials": rows})})
+    return not as_json

@@ -1,0 +1,44 @@
+"""The report of `hugoniot eos table`: p(rho, T) and e(rho, T) of any law with a temperature."""
+
+import numpy as np
+import typer
+
+from hugoniot.cli.eos_input import Subject, quantity
+from hugoniot.cli.eos_output import write_csv
+from hugoniot.cli.show import echo_json, echo_table
+from hugoniot.errors import DeckError
+from hugoniot.laws.eos.contract import reference_state
+from hugoniot.theory.isentrope import state
+
+
+def report(subject: Subject, densities: str, temperatures: str, points: int, as_json: bool, as_csv) -> None:
+    """Solve for the energy at every density and temperature; print a corner of it, or write all."""
+    rho0 = reference_state(subject.material.eos)[0]
+    low, high = _range(densities, "kg/m^3", "--densities") if densities else (0.9 * rho0, 1.5 * rho0)
+    rho, t = np.linspace(low, high, points), np.linspace(*_range(temperatures, "K", "--temperatures"), points)
+    found = [[state(subject.material, density=float(r), temperature=float(k)) for k in t] for r in rho]
+    p = np.array([[s.pressure for s in row] for row in found])
+    e = np.array([[s.specific_internal_energy for s in row] for row in found])
+    if as_csv:
+        grid_rho, grid_t = np.meshgrid(rho, t, indexing="ij")
+        write_csv(as_csv, [("", {"density": grid_rho.ravel(), "temperature": grid_t.ravel(), "pressure": p.ravel(),
+                                 "specific_internal_energy": e.ravel()})])
+    if as_json:
+        echo_json({"material": subject.material.name, "density": rho, "temperature": t, "pressure": p, "specific_internal_energy": e})
+        return
+    typer.echo(f"{subject.title or subject.material.name}: pressure in GPa at density (down) and temperature (across)")
+    chosen = np.unique(np.linspace(0, points - 1, min(points, 7)).round().astype(int))
+    rows = [[f"{rho[i]:.1f}", *[f"{p[i, j] * 1e-9:.4g}" for j in chosen]] for i in chosen]
+    echo_table(["kg/m3", *[f"{t[j]:.6g} K" for j in chosen]], rows)
+    if as_csv is None:
+        typer.echo(f"{points} x {points} values; --csv FILE writes them all, with energies")
+
+
+def _range(text: str, unit: str, option: str) -> tuple[float, float]:
+    parts = text.split(",")
+    if len(parts) != 2:
+        raise DeckError.single("command line", None, option, f"'{text[:60]}' is no range", 'write two values, such as "300 K, 3000 K"')
+    low, high = (quantity(p.strip(), unit, option) for p in parts)
+    if not 0.0 < low < high:
+        raise DeckError.single("command line", None, option, f"'{text[:60]}' does not rise", "write the lower value first")
+    return low, high

@@ -1,0 +1,273 @@
+"""Pictures of equations of state: P-up with Rayleigh lines, Us-up with the measured points, P-V, T-P, release paths, matches."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.plotting.style import COLOURS, INK, QUIET, label_lines, new_axes, quiet_grid, styled
+from hugoniot.theory.hugoniot import Initial, curve
+from hugoniot.theory.impedance import Match
+from hugoniot.theory.isentrope import isentrope
+from hugoniot.theory.states import States, law_of
+
+KINDS = {"p-up": ("particle velocity (km/s)", "pressure (GPa)"), "us-up": ("particle velocity (km/s)", "shock velocity (km/s)"),
+         "p-v": ("specific volume (cm³/g)", "pressure (GPa)"), "t-p": ("pressure (GPa)", "temperature (K)")}
+
+
+def save(axes, path) -> None:
+    """Write the picture; `FileTrouble` if it cannot be written, `DeckError` for an unknown kind of file."""
+    path = Path(path)
+    figure = axes.get_figure()
+    known = figure.canvas.get_supported_filetypes()
+    if path.suffix.lstrip(".").lower() not in known:
+        raise DeckError.single("command line", None, "--plot", f"'{path.name}' is no kind of picture", "end the name in .png, .pdf or .svg")
+    try:
+        figure.savefig(path, bbox_inches="tight")
+    except OSError as error:
+        raise FileTrouble(f"cannot write {path}: {error.strerror or error}") from None
+
+
+@styled
+def hugoniots(curves: Sequence[tuple[str, Initial, States]], kind: str = "p-up", *, points: Sequence | None = None,
+              mark: Sequence[States] | None = None, ax=None):
+    """Hugoniots of several materials in one picture; gives the axes.
+
+    curves   (name, upstream state, states) of each
+    kind     "p-up" (with the Rayleigh line to the end or the marked state), "us-up" (with points), "p-v" or "t-p"
+    points   per curve the measured (up, us) in m/s, or None
+    mark     per curve one state to point out
+    """
+    if kind not in KINDS:
+        raise DeckError.single("command line", None, "--axes", f"unknown picture '{kind}'", f"there are {', '.join(KINDS)}")
+    ax = ax if ax is not None else new_axes(5.4, 3.8)
+    if kind == "t-p" and all(np.isnan(_temperature(states)).all() for _, _, states in curves):
+        raise DeckError.single("command line", None, "--axes", "none of these laws has a temperature",
+                               "give a specific heat in the material's tables")
+    heights = []
+    for i, (_, ahead, states) in enumerate(curves):
+        colour = COLOURS[i % len(COLOURS)]
+        if kind == "us-up" and points is not None and points[i] is not None:
+            up, us = np.asarray(points[i]).T * 1e-3
+            inside = up <= 1.02 * np.max(states.particle_velocity) * 1e-3
+            ax.plot(up[inside], us[inside], "o", ms=3.2, mfc="none", mec=colour, mew=0.6, alpha=0.65, zorder=1)
+        x, y = _columns(kind, states)
+        ax.plot(x, y, color=colour, zorder=3)
+        marked = mark[i] if mark is not None else None
+        if kind == "p-up":
+            _rayleigh(ax, ahead, marked if marked is not None else states[len(states) - 1], colour)
+        elif kind == "p-v":
+            _chord(ax, ahead, marked if marked is not None else states[len(states) - 1], colour)
+        if marked is not None:
+            mx, my = _columns(kind, marked)
+            ax.plot(mx, my, "o", color=colour, ms=5, zorder=5)
+        heights.append(y)
+    _finish(ax, kind)
+    if kind == "p-up" and mark is not None:
+        for i, (state, (name, _, _)) in enumerate(zip(mark[::-1], curves[::-1])):
+            text = f"{state.pressure * 1e-9:.4g} GPa, {state.particle_velocity:.4g} m/s, Us = {state.shock_velocity * 1e-3:.4g} km/s"
+            ax.annotate(f"{name}: {text}", (0.99, 0.03 + 0.055 * i), xycoords="axes fraction", ha="right", fontsize=8,
+                        color=COLOURS[(len(curves) - 1 - i) % len(COLOURS)])
+    if kind == "p-v":
+        _name_at_top(ax, [name for name, _, _ in curves], [_columns(kind, s) for _, _, s in curves])
+    else:
+        label_lines_at_ends(ax, [name for name, _, _ in curves], [_columns(kind, s) for _, _, s in curves])
+    if kind == "us-up":
+        ax.set_ylim(bottom=0.9 * min(np.nanmin(h[np.isfinite(h)]) for h in heights))
+    return ax
+
+
+@styled
+def releases(paths: Sequence[tuple[str, States | None, States]], ax=None):
+    """Release isentropes against particle velocity, with the Hugoniot each left (faint); gives the axes.
+
+    paths   (name, Hugoniot or None, states along the release)
+    """
+    ax = ax if ax is not None else new_axes(5.4, 3.8)
+    columns = []
+    for i, (_, shocked, states) in enumerate(paths):
+        colour = COLOURS[i % len(COLOURS)]
+        x, y = _columns("p-up", states)
+        if shocked is not None:
+            hx, hy = _columns("p-up", shocked)
+            below = hy <= 1.0001 * np.max(y)
+            ax.plot(hx[below], hy[below], color=colour, lw=0.9, alpha=0.5)
+        ax.plot(x, y, color=colour)
+        ax.plot(x[0], y[0], "o", color=colour, ms=4.5)
+        columns.append((x, y))
+    _finish(ax, "p-up")
+    for i, ((name, shocked, _), (x, y)) in enumerate(zip(paths, columns)):
+        middle = len(x) // 3
+        ax.annotate(f"{name} release", (x[middle], y[middle]), xytext=(7, 4), textcoords="offset points",
+                    color=COLOURS[i % len(COLOURS)], fontsize=8.5)
+        if shocked is not None and i == 0:
+            hx, hy = _columns("p-up", shocked)
+            k = int(np.searchsorted(hy, 0.45 * np.max(y)))
+            ax.annotate("Hugoniot", (hx[k], hy[k]), xytext=(-8, 2), textcoords="offset points", color=QUIET, fontsize=8, ha="right")
+    return ax
+
+
+@styled
+def impedance_match(layers: Sequence, velocity: float, met: Sequence[Match], ax=None):
+    """The construction of an impact in the P-up plane: target Hugoniots, the flyer's curve, reshock or release, and the states."""
+    ax = ax if ax is not None else new_axes(5.4, 3.8)
+    names = [getattr(layer, "name", f"layer {i}") for i, layer in enumerate(layers)]
+    top = 1.25 * max(m.pressure for m in met[: len(layers) - 1])
+    for k, m in enumerate(met[: len(layers) - 1]):
+        par = law_of(layers[k + 1])
+        colour = COLOURS[(k + 1) % len(COLOURS)]
+        reach = curve(par, up_to=max(1.3 * m.particle_velocity, 0.05 * velocity))
+        inside = reach.pressure <= top
+        ax.plot(reach.particle_velocity[inside] * 1e-3, reach.pressure[inside] * 1e-9, color=colour)
+        last = np.flatnonzero(inside)[-1]
+        ax.annotate(f"{names[k + 1]}", (reach.particle_velocity[last] * 1e-3, reach.pressure[last] * 1e-9), xytext=(3, 3),
+                    textcoords="offset points", color=colour, fontsize=8.5)
+        arriving = _flyer_side(layers, velocity, met, k)
+        u, p = _reflected(law_of(layers[k]), arriving, m)
+        ax.plot(u * 1e-3, p * 1e-9, color=COLOURS[k % len(COLOURS)], ls=(0, (4, 2)), lw=1.1)
+        if k == 0:
+            ax.annotate(f"{names[0]} at {velocity:.5g} m/s", (u[0] * 1e-3, p[0] * 1e-9), xytext=(0, 6), textcoords="offset points",
+                        color=COLOURS[0], fontsize=8.5, ha="right")
+        ax.plot(m.particle_velocity * 1e-3, m.pressure * 1e-9, "o", color=INK, ms=4.5, zorder=5)
+        ax.annotate(f"{m.pressure * 1e-9:.3g} GPa, {m.particle_velocity:.4g} m/s", (m.particle_velocity * 1e-3, m.pressure * 1e-9),
+                    xytext=(8, -3 if k == 0 else 3), textcoords="offset points", fontsize=8, color=INK, va="top" if k == 0 else "bottom")
+    _finish(ax, "p-up")
+    ax.set_ylim(0.0, top * 1e-9)
+    return ax
+
+
+@styled
+def detonations(points: Sequence, ax=None):
+    """Detonation Hugoniot, Rayleigh line and CJ point of explosives in the P-V plane; gives the axes."""
+    ax = ax if ax is not None else new_axes(5.4, 3.8)
+    for i, (name, found) in enumerate(points):
+        colour = COLOURS[i % len(COLOURS)]
+        ahead, state = found.initial, found.state
+        v0 = 1.0 / ahead.density
+        x = np.linspace(0.05, 1.25, 80) * (v0 - 1.0 / state.density)
+        from hugoniot.theory.hugoniot import shock
+
+        hugoniot = shock(state.par, ahead, density=1.0 / (v0 - x))
+        fall = isentrope(state.par, state, density=1.0 / np.linspace(1.0 / state.density, 1.35 * v0, 40), direction=-1)
+        ax.plot(1e3 / hugoniot.density, hugoniot.pressure * 1e-9, color=colour)
+        ax.plot(1e3 / fall.density, fall.pressure * 1e-9, color=colour, ls=(0, (4, 2)), lw=1.0)
+        ax.plot([v0 * 1e3, 1e3 / state.density], [ahead.pressure * 1e-9, state.pressure * 1e-9], color=colour, lw=0.8)
+        ax.plot(1e3 / state.density, state.pressure * 1e-9, "o", color=colour, ms=4.5)
+        text = f"{name}: D = {found.detonation_velocity * 1e-3:.4g} km/s"
+        ax.annotate(text, (1e3 / state.density, state.pressure * 1e-9), xytext=(-8, -2),
+                    textcoords="offset points", color=colour, fontsize=8.5, ha="right", va="top")
+    ax.annotate("solid: detonation Hugoniot, Rayleigh line\ndashed: isentrope of the products", (0.99, 0.97), xycoords="axes fraction",
+                ha="right", va="top", fontsize=8, color=QUIET)
+    _finish(ax, "p-v")
+    left, right = ax.get_xlim()
+    ax.set_xlim(left - 0.3 * (right - left), right)
+    return ax
+
+
+@styled
+def us_up_fit(fits: Sequence, ax=None):
+    """Measured points with the fitted line and its one-sigma band; beyond the last point the line is dashed; gives the axes."""
+    ax = ax if ax is not None else new_axes(5.4, 3.8)
+    for i, (name, found) in enumerate(fits):
+        colour = COLOURS[i % len(COLOURS)]
+        up, us = found.points.T * 1e-3
+        ax.plot(up, us, "o", ms=3.4, mfc="none", mec=colour, mew=0.7, alpha=0.7)
+        x = np.linspace(0.0, 1.15 * found.highest, 200)
+        inside = x <= found.highest
+        y, band = found(x), found.band(x)
+        ax.plot(x[inside] * 1e-3, y[inside] * 1e-3, color=colour)
+        ax.plot(x[~inside] * 1e-3, y[~inside] * 1e-3, color=colour, ls=(0, (4, 2)))
+        ax.fill_between(x * 1e-3, (y - band) * 1e-3, (y + band) * 1e-3, color=colour, alpha=0.18, lw=0)
+        terms = [f"{found.coefficients[0] * 1e-3:.3f}", f"{found.coefficients[1]:.3f} up"]
+        if len(found.coefficients) == 3:
+            terms.append(f"{found.coefficients[2] * 1e3:.3g} up²")
+        text = " + ".join(terms).replace("+ -", "- ")
+        ax.annotate(f"{name}: Us = {text} km/s\nstandard deviation {found.deviation:.0f} m/s, {len(up)} points", (0.03, 0.97 - 0.13 * i),
+                    xycoords="axes fraction", va="top", color=colour, fontsize=8.5)
+    _finish(ax, "us-up")
+    ax.set_ylim(bottom=None)
+    return ax
+
+
+def label_lines_at_ends(ax, names, columns) -> None:
+    """Each name beside the right end of its line, in its colour."""
+    right = max(np.nanmax(x) for x, _ in columns)
+    at_edge = [i for i, (x, _) in enumerate(columns) if np.nanmax(x) > 0.97 * right]
+    if len(at_edge) == len(columns):
+        ax.set_xlim(right=right)
+        label_lines(ax, names, [y[np.isfinite(y)][-1] for _, y in columns], [COLOURS[i % len(COLOURS)] for i in range(len(names))])
+        return
+    ends = [(x[k], y[k]) for x, y in columns for k in np.flatnonzero(np.isfinite(y))[-1:]]
+    size = np.array([ax.get_xlim()[1] - ax.get_xlim()[0], ax.get_ylim()[1] - ax.get_ylim()[0]])
+    placed: list[np.ndarray] = []
+    for i in np.argsort([end[1] for end in ends]):
+        place, lift = np.array(ends[i]) / size, 0.0
+        while any(abs(place[0] - other[0]) < 0.15 and abs(place[1] + lift - other[1]) < 0.05 for other in placed):
+            lift += 0.01
+        placed.append(place + [0.0, lift])
+        ax.annotate(names[i], ends[i], xytext=(4, lift * 72.0 * 3.0), textcoords="offset points", color=COLOURS[i % len(COLOURS)],
+                    fontsize=8.5, va="center")
+
+
+def _name_at_top(ax, names, columns):
+    for i, (name, (x, y)) in enumerate(zip(names, columns)):
+        ax.annotate(name, (x[-1], y[-1]), xytext=(4, 2), textcoords="offset points", color=COLOURS[i % len(COLOURS)], fontsize=8.5)
+
+
+def _temperature(states: States):
+    found = states.temperature
+    return np.full(np.shape(states.density), np.nan) if found is None else np.asarray(found, float)
+
+
+def _columns(kind: str, states: States):
+    """(x, y) in the units of the picture."""
+    if kind == "p-up":
+        pair = np.asarray(states.particle_velocity) * 1e-3, np.asarray(states.pressure) * 1e-9
+    elif kind == "us-up":
+        pair = np.asarray(states.particle_velocity) * 1e-3, np.asarray(states.shock_velocity) * 1e-3
+    elif kind == "p-v":
+        pair = 1e3 / np.asarray(states.density), np.asarray(states.pressure) * 1e-9
+    else:
+        pair = np.asarray(states.pressure) * 1e-9, _temperature(states)
+    return tuple(np.atleast_1d(v) for v in pair)
+
+
+def _rayleigh(ax, ahead: Initial, state: States, colour):
+    """The line from the upstream state to the shocked one: its slope is rho0 Us."""
+    ax.plot([ahead.velocity * 1e-3, state.particle_velocity * 1e-3], [ahead.pressure * 1e-9, state.pressure * 1e-9], color=colour, lw=0.7,
+            ls=(0, (4, 3)), alpha=0.8)
+
+
+def _chord(ax, ahead: Initial, state: States, colour):
+    ax.plot([1e3 / ahead.density, 1e3 / state.density], [ahead.pressure * 1e-9, state.pressure * 1e-9], color=colour, lw=0.7,
+            ls=(0, (4, 3)), alpha=0.8)
+
+
+def _flyer_side(layers, velocity, met, k) -> States:
+    from hugoniot.theory.isentrope import reference
+
+    return reference(layers[0], velocity) if k == 0 else met[k - 1].right
+
+
+def _reflected(par, arriving: States, m: Match, count: int = 40):
+    """(u, p) along the curve of the layer behind, from its arriving state to the match."""
+    if m.pressure >= arriving.pressure:
+        from hugoniot.theory.hugoniot import shock
+
+        path = shock(par, Initial.of(arriving), pressure=np.linspace(arriving.pressure, m.pressure, count), direction=-1)
+    else:
+        path = isentrope(par, arriving, pressure=np.linspace(arriving.pressure, m.pressure, count), direction=-1)
+    return path.particle_velocity, path.pressure
+
+
+def _finish(ax, kind):
+    ax.set_xlabel(KINDS[kind][0])
+    ax.set_ylabel(KINDS[kind][1])
+    if kind == "p-up":
+        ax.set_ylim(bottom=0.0)
+        ax.set_xlim(left=min(0.0, ax.get_xlim()[0]) if ax.get_xlim()[0] < -1e-3 else 0.0)
+    quiet_grid(ax)
+
+
+__all__ = ["detonations", "hugoniots", "impedance_match", "releases", "save", "us_up_fit"]
