@@ -17,7 +17,9 @@ from hugoniot.problem.model import Boundary, Problem
 from hugoniot.solvers.lagrange1d import layout as L
 
 DEFAULT_VISCOSITY = {"compatible": ("limited", {}), "wilkins": ("wilkins", {})}
+DEFAULT_HEAT_FLUX = {"compatible": 0.5, "wilkins": 0.0}
 DEFAULT_COURANT = {"compatible": 0.5, "wilkins": 2.0 / 3.0}
+ROUND_OFF = 1e-9     # c^2 below minus this fraction of the largest speed squared is imaginary, not noise
 CODES = {"free": L.FREE, "fixed": L.FIXED, "velocity": L.VELOCITY, "pressure": L.PRESSURE, "transmitting": L.TRANSMITTING}
 
 
@@ -41,6 +43,7 @@ def viscosity_of(problem: Problem):
 def group_laws(problem: Problem) -> Laws:
     """One kind for each combination of law classes; parameters with tables (arrays) make a kind of their own."""
     viscosity = viscosity_of(problem)
+    noise = ROUND_OFF * _speed_scale(problem) ** 2
     kinds, rows, kind_of, row_of, keys = [], [], [], [], []
     for region in problem.regions:
         material = problem.materials[region.material]
@@ -53,13 +56,24 @@ def group_laws(problem: Problem) -> Laws:
             kinds.append(laws)
             rows.append([])
         kind = keys.index(key)
-        entry = tuple(tuple(float_row(law)) for law in laws) + ((float(reference_state(material.eos)[0]),),)
+        entry = tuple(tuple(float_row(law)) for law in laws) + ((float(reference_state(material.eos)[0]), noise),)
         if entry not in rows[kind]:
             rows[kind].append(entry)
         kind_of.append(kind)
         row_of.append(rows[kind].index(entry))
     tables = tuple(tuple(np.array([entry[i] or (0.0,) for entry in group]) for i in range(5)) for group in rows)
     return Laws(tuple(kinds), tables, kind_of, row_of)
+
+
+def _speed_scale(problem: Problem) -> float:
+    """Largest speed of a problem at its start, sound, body or boundary, m/s."""
+    speeds = [start_region(problem, region)[3] for region in problem.regions]
+    for region in problem.regions:
+        speeds += [abs(u) for u in (region.velocity if isinstance(region.velocity, tuple) else (region.velocity,))]
+    for boundary in (problem.left, problem.right):
+        if boundary.kind == "velocity":
+            speeds += [abs(boundary.pulse.amplitude), *(abs(u) for u in boundary.pulse.values)]
+    return max(speeds)
 
 
 def longitudinal_speed(material, rho, e):

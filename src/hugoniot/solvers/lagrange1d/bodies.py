@@ -21,6 +21,21 @@ def run_table(segments, region_ends, kind_of, row_of):
     return np.array(rows, dtype=np.int64).reshape(-1, 5)
 
 
+PIECE = 1024     # zones; a multiple of any vector length, so that pieces change no bit of a sweep
+
+
+def pieces_of(runs, segments):
+    """(runs in pieces, node spans, whole runs) for the sweeps: the shares of work of a team of threads.
+
+    A span of zones (first, last) holds the inner nodes first+1 .. last-1; it overlaps the next by one zone, so that every inner
+    node of a segment is in one span.
+    """
+    cut = [(lo, min(lo + PIECE, last), *rest) for first, last, *rest in runs.tolist() for lo in range(first, last, PIECE)]
+    spans = [(lo, min(lo + PIECE + 1, last), k) for k, (first, last, _, _) in enumerate(segments.tolist())
+             for lo in range(first, max(last - 1, first + 1), PIECE)]
+    return np.array(cut, dtype=np.int64), np.array(spans, dtype=np.int64), runs
+
+
 def interface_table(segments, nodes):
     """(node, zone on its left) of every inner node whose bond is limited."""
     rows = []

@@ -51,6 +51,11 @@ def void_change(p, tension, stiffness, voids, density, fracture):
     return (excess - closing) / stiffness, excess - closing
 
 
+def wave_speed(c2, noise):
+    """sqrt(c2); -1, which the watch refuses, for an imaginary speed; 0 for what is zero but for round-off (a cold gas)."""
+    return vsqrt(fmax(c2, 0.0)) if c2 > -noise else -1.0
+
+
 def yes(par):
     return True
 

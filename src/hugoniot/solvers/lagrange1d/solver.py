@@ -3,20 +3,23 @@
 Knows a problem's numbers and laws; never files, decks or plots. `march` takes steps until something happens and says what.
 """
 
+import os
+import threading
 from dataclasses import dataclass
 
 import numpy as np
 
+from hugoniot.core import team
 from hugoniot.core.ops import NO_LIMIT
 from hugoniot.errors import UnphysicalState
 from hugoniot.laws.eos.contract import reference_state
 from hugoniot.mesh.line import GEOMETRY
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.assemble import DEFAULT_COURANT, assemble, boundary_pulse, group_laws, viscosity_of
-from hugoniot.solvers.lagrange1d.bodies import interface_table, join, run_table, set_node_masses, split
+from hugoniot.solvers.lagrange1d.assemble import DEFAULT_COURANT, DEFAULT_HEAT_FLUX, assemble, boundary_pulse, group_laws, viscosity_of
+from hugoniot.solvers.lagrange1d.bodies import interface_table, join, pieces_of, run_table, set_node_masses, split
 from hugoniot.solvers.lagrange1d.probes import probe_tables
-from hugoniot.solvers.lagrange1d.step import march
+from hugoniot.solvers.lagrange1d.step import march, serve
 from hugoniot.solvers.lagrange1d.watch import mark_patch, touching_gap
 from hugoniot.state import State
 
@@ -25,6 +28,7 @@ ZONE_FIELDS = {"density": L.RHO, "energy": L.E, "pressure": L.P, "viscous_pressu
                "deviator_hoop": L.S2, "stress": L.SIGMA, "sound_speed": L.C, "plastic_strain": L.PLASTIC_STRAIN, "damage": L.DAMAGE,
                "plastic_work": L.PLASTIC_WORK, "viscous_work": L.VISCOUS_WORK}
 GAUGE_CAPACITY = 2048
+WORTH_SHARING = 10_000
 LARGEST_COLLAPSE = 1e-12     # smallest useful step as a fraction of the stop time
 
 
@@ -46,6 +50,7 @@ class Lagrange1D:
         self.problem = problem
         self.geometry = GEOMETRY.get(problem.geometry).example
         self.staggered = problem.solver.integrator == "wilkins"
+        self.team = self._team()
         self.laws, self.viscosity = group_laws(problem), viscosity_of(problem)
         self.zones, self.nodes, self.gradient, self.segments, self.region_ranges = assemble(problem)
         set_node_masses(self.zones, self.nodes, self.segments)
@@ -63,6 +68,7 @@ class Lagrange1D:
     # -- setting up ------------------------------------------------------------------------------------------
     def _start(self):
         options, control = self.problem.solver, self.control
+        control[L.HEAT_FLUX] = dict(options.options).get("heat_flux", DEFAULT_HEAT_FLUX[options.integrator])
         control[L.COURANT] = options.courant or DEFAULT_COURANT[options.integrator]
         control[L.GROWTH] = options.growth
         control[L.DT_LARGEST] = options.largest_step or NO_LIMIT
@@ -82,6 +88,14 @@ class Lagrange1D:
         ul, ur = self._faces(L.U)
         self.gradient[self._gradient_index()] = (ur - ul) / (right - left)
 
+    def _team(self):
+        """The threads that share the work: alone below 10 000 zones, where sharing costs more than it gives."""
+        zones = sum(region.zones for region in self.problem.regions)
+        threads = min(self.problem.solver.threads, os.cpu_count() or 1)
+        if threads < 2 or zones < WORTH_SHARING or not team.possible():
+            return team.Alone()
+        return team.Together(threads, team.board(threads))
+
     def _signal_rate(self, zones):
         """Largest (c + 2 w) / width, w the viscous speed of a jump as a shock sees it; guards the first step and every impact."""
         left, right = self._faces(L.R)
@@ -98,7 +112,9 @@ class Lagrange1D:
 
     def _retopologise(self):
         """Everything that depends on which zones are joined."""
-        self.runs = run_table(self.segments, self.region_ranges, self.laws.kind_of, self.laws.row_of)
+        runs = run_table(self.segments, self.region_ranges, self.laws.kind_of, self.laws.row_of)
+        self.pieces = pieces_of(runs, self.segments)
+        self.found, self.steps = np.zeros((len(self.pieces[0]), 4)), np.zeros(2)
         self.interfaces = interface_table(self.segments, self.nodes)
         self.gauges, self.weights = probe_tables(self)
         self.segment_of = np.repeat(np.arange(len(self.segments)), self.segments[:, 1] - self.segments[:, 0])
@@ -146,9 +162,17 @@ class Lagrange1D:
     def march(self, until: float, cycles: int) -> list[Event]:
         """Step until the time `until` (hit exactly), `cycles` steps, a full gauge buffer or an event; the events that happened."""
         self.control[L.EVENT_TIME] = until
-        code = march(cycles, self.staggered, self.zones, self.nodes, self.gradient, self.control, self.counters, self.segments,
-                     self.runs, self.laws.kinds, self.laws.tables, self.geometry, self.boundaries, self.interfaces, self.gauges,
-                     self.weights, self.gauge_times, self.gauge_buffer)
+        sweep_arguments = (self.pieces, self.found, self.steps, self.laws.kinds, self.laws.tables, self.geometry)
+        members = self._assemble_team(sweep_arguments)
+        try:
+            code = march(cycles, self.staggered, self.zones, self.nodes, self.gradient, self.control, self.counters, self.segments,
+                         *sweep_arguments, self.boundaries, self.team, self.interfaces, self.gauges, self.weights, self.gauge_times,
+                         self.gauge_buffer)
+        finally:
+            if members:
+                team.call(self.team.board, team.DISMISSED)
+                for member in members:
+                    member.join()
         if code in (L.BAD_STATE, L.STEP_COLLAPSED):
             raise self._unphysical(code)
         if code == L.VOID_OPENS:
@@ -158,6 +182,17 @@ class Lagrange1D:
         if code == L.VOID_CLOSES:
             return self._close_gaps()
         return []
+
+    def _assemble_team(self, sweep_arguments):
+        """The other threads of this march, waiting at the board; none for a run of one thread."""
+        if isinstance(self.team, team.Alone):
+            return []
+        phase = int(self.team.board[0])
+        arguments = (phase, self.zones, self.nodes, self.gradient, *sweep_arguments, self.team)
+        members = [threading.Thread(target=serve, args=(k, *arguments), daemon=True) for k in range(1, self.team.threads)]
+        for member in members:
+            member.start()
+        return members
 
     def take_gauges(self):
         """(times, {field: (n, ngauge)}) recorded since the last call."""

@@ -18,7 +18,8 @@ import numba as nb
 from numba.extending import overload
 
 from hugoniot.core import compile as binding
-from hugoniot.core.compile import GUARD, SWEEP
+from hugoniot.core.compile import GUARD
+from hugoniot.core.team import DISMISSED, Alone, await_call, call, gather_team, sign
 from hugoniot.laws.eos import contract as eos_contract
 from hugoniot.laws.fracture import contract as fracture_contract
 from hugoniot.laws.strength import contract as strength_contract
@@ -29,7 +30,9 @@ from hugoniot.solvers.lagrange1d.layout import *  # noqa: F403
 from hugoniot.solvers.lagrange1d.node_sweeps import accelerate, end_node, move, outside_stress
 from hugoniot.solvers.lagrange1d.watch import closing_time, failing_node, parting_interface, record, touching_gap, unsound
 from hugoniot.solvers.lagrange1d.wilkins_sweeps import advance, end_acceleration, leap, leap_end
-from hugoniot.solvers.lagrange1d.zone_sweeps import correct, predict
+from hugoniot.solvers.lagrange1d.zone_sweeps import conduct, correct, predict
+
+ACCELERATE, PREDICT, MOVE, CORRECT, LEAP, ADVANCE = range(6)
 
 
 def bind_laws():
@@ -45,65 +48,109 @@ bind_laws()
 
 
 # -- runs of zones, law by law -----------------------------------------------------------------------------------
-def predict_runs(zones, nodes, gradient, runs, dt, kinds, tables, geometry, kind=0):
-    """Step 4 over every run; recursion over the tuple of kinds is unrolled at compile time."""
+def predict_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
+    """Step 4 over one share of the pieces; recursion over the tuple of kinds is unrolled at compile time."""
     raise NotImplementedError("compiled only")
 
 
-def correct_runs(zones, nodes, gradient, runs, dt, kinds, tables, geometry, totals, kind=0):
-    """Step 6 over every run; `totals` gathers (rate, failure, impulse, capped)."""
+def correct_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
+    """Step 6 over one share; a row of `found` takes a piece's (rate, failure, impulse, capped zones)."""
     raise NotImplementedError("compiled only")
 
 
-def advance_runs(zones, nodes, gradient, runs, dt, kinds, tables, geometry, totals, kind=0):
-    """Step 3 of `wilkins` over every run."""
+def advance_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
+    """Step 3 of `wilkins` over one share."""
     raise NotImplementedError("compiled only")
 
 
-@nb.njit(**GUARD)
-def gather(totals, found):
-    totals[0] = max(totals[0], found[0])
-    totals[1] = max(totals[1], found[1])
-    totals[2] += found[2]
-    totals[3] += found[3]
+def _over_runs(sweep, again):
+    """The overload of a function over runs: every piece of the first kind that is in this share, then the other kinds."""
+    def nothing(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
+        return None
 
-
-@overload(predict_runs)
-def _(zones, nodes, gradient, runs, dt, kinds, tables, geometry, kind=0):
-    if len(kinds) == 0:
-        return lambda zones, nodes, gradient, runs, dt, kinds, tables, geometry, kind=0: None
-
-    def impl(zones, nodes, gradient, runs, dt, kinds, tables, geometry, kind=0):
+    def impl(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
         law, table = kinds[0], tables[0]
-        for i in range(runs.shape[0]):
+        for i in range(share, runs.shape[0], of):
             if runs[i, RUN_KIND] == kind:
                 m = runs[i, RUN_MATERIAL]
                 rows = (table[0][m], table[1][m], table[2][m], table[3][m], table[4][m])
-                predict(zones, nodes, gradient, runs[i, RUN_FIRST], runs[i, RUN_LAST], runs[i, RUN_SEGMENT], dt, law, rows, geometry)
-        predict_runs(zones, nodes, gradient, runs, dt, kinds[1:], tables[1:], geometry, kind + 1)
-    return impl
+                sweep(zones, nodes, gradient, runs[i, RUN_FIRST], runs[i, RUN_LAST], runs[i, RUN_SEGMENT], dt, law, rows, geometry,
+                      found[i])
+        again(zones, nodes, gradient, runs, found, dt, kinds[1:], tables[1:], geometry, share, of, kind + 1)
+
+    def choose(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
+        return nothing if len(kinds) == 0 else impl
+
+    overload(again)(choose)
 
 
-def _gathering(sweep, again):
-    def resolve(zones, nodes, gradient, runs, dt, kinds, tables, geometry, totals, kind=0):
-        if len(kinds) == 0:
-            return lambda zones, nodes, gradient, runs, dt, kinds, tables, geometry, totals, kind=0: None
-
-        def impl(zones, nodes, gradient, runs, dt, kinds, tables, geometry, totals, kind=0):
-            law, table = kinds[0], tables[0]
-            for i in range(runs.shape[0]):
-                if runs[i, RUN_KIND] == kind:
-                    m = runs[i, RUN_MATERIAL]
-                    rows = (table[0][m], table[1][m], table[2][m], table[3][m], table[4][m])
-                    gather(totals, sweep(zones, nodes, gradient, runs[i, RUN_FIRST], runs[i, RUN_LAST], runs[i, RUN_SEGMENT], dt,
-                                         law, rows, geometry))
-            again(zones, nodes, gradient, runs, dt, kinds[1:], tables[1:], geometry, totals, kind + 1)
-        return impl
-    return resolve
+_over_runs(predict, predict_runs)
+_over_runs(correct, correct_runs)
+_over_runs(advance, advance_runs)
 
 
-overload(correct_runs)(_gathering(correct, correct_runs))
-overload(advance_runs)(_gathering(advance, advance_runs))
+# -- sharing the sweeps ------------------------------------------------------------------------------------------
+@nb.njit(**GUARD)
+def do_share(command, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, share, of):
+    """One command over one share of the pieces; `pieces` = (runs in pieces, node spans, whole runs), `dts` = (dt, mean dt)."""
+    runs, spans, _ = pieces
+    dt, dt_mean = dts[0], dts[1]
+    if command == PREDICT:
+        predict_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of)
+    elif command == CORRECT:
+        correct_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of)
+    elif command == ADVANCE:
+        advance_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of)
+    else:
+        for i in range(share, spans.shape[0], of):
+            if command == ACCELERATE:
+                accelerate(zones, nodes, spans[i, 0], spans[i, 1], spans[i, 2], dt, geometry)
+            elif command == MOVE:
+                move(zones, nodes, spans[i, 0], spans[i, 1], spans[i, 2], dt, geometry)
+            else:
+                leap(zones, nodes, spans[i, 0], spans[i, 1], spans[i, 2], dt, dt_mean, geometry)
+
+
+def everyone(command, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
+    """One command over all pieces, shared out if there is a team."""
+    raise NotImplementedError("compiled only")
+
+
+@overload(everyone)
+def _(command, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
+    def alone(command, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
+        do_share(command, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, 0, 1)
+
+    def together(command, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
+        call(team.board, command)
+        do_share(command, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, 0, team.threads)
+        gather_team(team.board, team.threads)
+
+    return alone if team.instance_class is Alone else together
+
+
+@nb.njit(**GUARD)
+def serve(member, phase, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
+    """What every other thread of a team does during a march: the leader's commands on its own share, until dismissed."""
+    while True:
+        phase = await_call(team.board, phase)
+        command = team.board[1]
+        if command != DISMISSED:
+            do_share(command, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, member, team.threads)
+        sign(team.board, member, phase)
+        if command == DISMISSED:
+            return
+
+
+@nb.njit(**GUARD)
+def gather(found, totals):
+    """Totals of one step over the pieces, in their order."""
+    totals[:] = 0.0
+    for i in range(found.shape[0]):
+        totals[0] = max(totals[0], found[i, 0])
+        totals[1] = max(totals[1], found[i, 1])
+        totals[2] += found[i, 2]
+        totals[3] += found[i, 3]
 
 
 # -- pieces of the step ------------------------------------------------------------------------------------------
@@ -154,36 +201,36 @@ def choose_step(zones, nodes, control, segments, staggered, geometry):
     return dt
 
 
-@nb.njit(**SWEEP)
-def step_compatible(zones, nodes, gradient, control, segments, runs, kinds, tables, geometry, boundaries, totals, dt):
+@nb.njit(**GUARD)
+def step_compatible(zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team):
     """Steps 2 to 6 of the compatible integrator."""
-    count = segments.shape[0]
+    dt, whole = dts[0], pieces[2]
     for stage in range(2):
         corrector = stage == 1
         if corrector:
             ghosts(gradient, segments)
-            predict_runs(zones, nodes, gradient, runs, dt, kinds, tables, geometry)
-        for k in range(count):
+            everyone(PREDICT, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
+        everyone(MOVE if corrector else ACCELERATE, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
+        for k in range(segments.shape[0]):
             first, last = segments[k, SEG_FIRST], segments[k, SEG_LAST]
-            if corrector:
-                move(zones, nodes, first, last, k, dt, geometry)
-            else:
-                accelerate(zones, nodes, first, last, k, dt, geometry)
             end_node(zones, nodes, control, (first + k, first, segments[k, SEG_LEFT]), True, corrector, dt, boundaries[0], geometry)
             end_node(zones, nodes, control, (last + k, last - 1, segments[k, SEG_RIGHT]), False, corrector, dt, boundaries[1], geometry)
-    correct_runs(zones, nodes, gradient, runs, dt, kinds, tables, geometry, totals)
+    everyone(CORRECT, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
+    if control[HEAT_FLUX] > 0.0:
+        for i in range(whole.shape[0]):
+            conduct(zones, nodes, whole[i, RUN_FIRST], whole[i, RUN_LAST], whole[i, RUN_SEGMENT], dt, control[HEAT_FLUX], geometry)
 
 
-@nb.njit(**SWEEP)
-def step_wilkins(zones, nodes, gradient, control, segments, runs, kinds, tables, geometry, boundaries, totals, dt):
+@nb.njit(**GUARD)
+def step_wilkins(zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team):
     """Steps 2 and 3 of the leapfrog."""
-    dt_mean = 0.5 * (dt + control[DT_OLD])
+    dt, dt_mean = dts[0], dts[1]
+    everyone(LEAP, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
     for k in range(segments.shape[0]):
         first, last = segments[k, SEG_FIRST], segments[k, SEG_LAST]
         leap_end(zones, nodes, control, (first + k, first, segments[k, SEG_LEFT]), True, dt, dt_mean, boundaries[0], geometry)
-        leap(zones, nodes, first, last, k, dt, dt_mean, geometry)
         leap_end(zones, nodes, control, (last + k, last - 1, segments[k, SEG_RIGHT]), False, dt, dt_mean, boundaries[1], geometry)
-    advance_runs(zones, nodes, gradient, runs, dt, kinds, tables, geometry, totals)
+    everyone(ADVANCE, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
 
 
 @nb.njit(**GUARD)
@@ -211,8 +258,8 @@ def watch(zones, nodes, control, counters, segments, interfaces, zone_count):
 
 
 @nb.njit(**GUARD)
-def march(cycles, staggered, zones, nodes, gradient, control, counters, segments, runs, kinds, tables, geometry, boundaries,
-          interfaces, gauges, weights, gauge_times, gauge_buffer):
+def march(cycles, staggered, zones, nodes, gradient, control, counters, segments, pieces, found, dts, kinds, tables, geometry, boundaries,
+          team, interfaces, gauges, weights, gauge_times, gauge_buffer):
     """Take up to `cycles` steps; returns the code of `layout` that says why it came back."""
     zone_count = zones.shape[1]
     totals = control[CONTROL_FLOATS - 4:]
@@ -222,11 +269,12 @@ def march(cycles, staggered, zones, nodes, gradient, control, counters, segments
         dt = choose_step(zones, nodes, control, segments, staggered, geometry)
         if not control[DT_NATURAL] > control[DT_SMALLEST]:
             return STEP_COLLAPSED
-        totals[:] = 0.0
+        dts[0], dts[1] = dt, 0.5 * (dt + control[DT_OLD])
         if staggered:
-            step_wilkins(zones, nodes, gradient, control, segments, runs, kinds, tables, geometry, boundaries, totals, dt)
+            step_wilkins(zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team)
         else:
-            step_compatible(zones, nodes, gradient, control, segments, runs, kinds, tables, geometry, boundaries, totals, dt)
+            step_compatible(zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team)
+        gather(found, totals)
         at_event = dt >= control[EVENT_TIME] - control[TIME]
         control[TIME] = control[EVENT_TIME] if at_event else control[TIME] + dt
         counters[CYCLE] += 1

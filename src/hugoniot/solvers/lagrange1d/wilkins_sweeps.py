@@ -23,6 +23,7 @@ from hugoniot.solvers.lagrange1d.constitutive import (
     trial_deviators,
     void_change,
     von_mises,
+    wave_speed,
     yes,
     yield_at,
 )
@@ -102,8 +103,8 @@ bind_choice(linear_in_energy, lambda cls: yes if "linear_in_energy" in EOS.of_cl
 
 
 @nb.njit(**SWEEP)
-def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry):
-    """State of a run of zones at n+1; (largest rate, largest failure ratio, 0, capped zones)."""
+def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
+    """State of a run of zones at n+1; `found` takes the largest signal rate (1/s), failure ratio, 0, capped zones."""
     eos = parameters(law[0], rows[0])
     strength = parameters(law[1], rows[1])
     fracture = parameters(law[2], rows[2])
@@ -118,7 +119,7 @@ def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
     force, width, old = zones[HOOP, first:last], zones[OLD, first:last], zones[SIGMA_HALF, first:last]
     plastic, viscous = zones[PLASTIC_WORK, first:last], zones[VISCOUS_WORK, first:last]
     voids = zones[VOIDS, first:last]
-    rho0 = rows[4][0]
+    rho0, noise = rows[4][0], rows[4][1]
     fastest, worst, capped = 0.0, 0.0, 0.0
     for j in range(n):
         u1, u2, r1, r2 = u[j], u[j + 1], r[j], r[j + 1]
@@ -170,12 +171,12 @@ def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
             capped += 1.0 if relief > 0.0 else 0.0
         c2 = bulk2 + (4.0 / 3.0) * shear * v
         b2 = 8.0 * (viscous_speed(rho, 0.0, 0.0, squeeze, 0.0, viscosity) - squeeze)
-        fastest = fmax(fastest, (c2 + b2 * b2) / (dr * dr))
+        fastest = fmax(fastest, (fmax(c2, 0.0) + b2 * b2) / (dr * dr))
         worst = fmax(worst, ratio)
         rho_[j] = 1.0 / v
         e_[j] = energy
         p_[j] = p
-        c_[j] = vsqrt(c2)
+        c_[j] = wave_speed(c2, noise)
         s1[j] = t1
         s2[j] = t2
         plastic[j] += limit * flow * v_half
@@ -189,4 +190,4 @@ def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         if hoops(geometry) > 0.0:
             force[j] = (t1 - t2) * v / (0.5 * (r1 + r2) + SMALL)
             width[j] = rho * dr
-    return vsqrt(fastest), worst, 0.0, capped
+    found[0], found[1], found[2], found[3] = vsqrt(fastest), worst, 0.0, capped
