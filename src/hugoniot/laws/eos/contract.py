@@ -13,6 +13,7 @@ and, where its theory has them in closed form,
     reference_state(par)                  (rho, e) of the material at rest: zero (or ambient) pressure
     density_limits(par)                   (lowest, highest) density at which the law is defined
     particle_velocity_limit(par)          largest particle velocity the law's Hugoniot fit can answer, m/s
+    energy_limits(rho, par)               (lowest, highest) energy at a density at which the law is defined (tables)
 
 Kernels do not check states; `check_state` does, for callers at the surface.
 
@@ -28,7 +29,7 @@ from hugoniot.errors import OutOfRange
 EOS = Registry(
     "eos",
     contract=("pressure", "pressure_derivatives", "reference_state", "density_limits"),
-    optional=("temperature", "entropy", "energy", "specific_heat", "particle_velocity_limit"),
+    optional=("temperature", "entropy", "energy", "specific_heat", "particle_velocity_limit", "energy_limits"),
 )
 
 
@@ -123,6 +124,10 @@ def check_state(rho, e, par, c2_floor: float = 0.0) -> None:
             raise OutOfRange(f"{name}: density {rho:.6g} kg/m3 is at or beyond the law's compression limit, {high:.6g} kg/m3; "
                              "stay below it or choose a law without that pole")
         raise OutOfRange(f"{name}: density {rho:.6g} kg/m3 is not above the lowest the law allows, {low:.6g} kg/m3")
+    if "energy_limits" in EOS.of(par).functions:
+        cold, hot = EOS.of(par).functions["energy_limits"](rho, par)
+        if not cold <= e <= hot:
+            raise OutOfRange(f"{name}: energy {e:.6g} J/kg is outside {cold:.6g} to {hot:.6g}, all that is known at {rho:.6g} kg/m3")
     p, c2 = pressure(rho, e, par), sound_speed_squared(rho, e, par)
     if not (math.isfinite(p) and math.isfinite(c2)):
         raise OutOfRange(f"{name}: no finite pressure at rho = {rho:.6g} kg/m3, e = {e:.6g} J/kg")

@@ -1,0 +1,221 @@
+r"""Tabulated equation of state p(rho, T), e(rho, T), bilinear, with inverse interpolation T(rho, e).
+
+In the cell of (rho, T) both tables are bilinear; the temperature of (rho, e) is found by bisection along the row blended at rho and is
+exact. With $e_T = \partial e/\partial T$ and so on,
+
+$$\frac{\partial p}{\partial e}\Big|_\rho = \frac{p_T}{e_T}, \; \frac{\partial p}{\partial\rho}\Big|_e = p_\rho - e_\rho\frac{p_T}{e_T}.$$
+
+`build` refuses a table with a hole, an unordered grid, an energy that does not rise with temperature (c_v > 0 everywhere follows) or, where
+the pressure is not negative, a corner of a cell with c^2 <= 0. `from_law` tabulates any law that has a temperature. Outside the grid
+the nearest cell is continued; `check_state` refuses such states.
+
+Source: 001 (KB codes), section 3 (tables in density and temperature); Lyon and Johnson, LA-UR-92-3407 (SESAME 301).
+"""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from hugoniot.core.tables import bilinear, bracket, bracket_blend
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos import contract
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+
+
+class Table(NamedTuple):
+    """density (n,), temperatures (m,), pressure_table and energy_table (n, m); the rest state (filled by `build`)."""
+
+    density: Any
+    temperatures: Any
+    pressure_table: Any
+    energy_table: Any
+    rho0: float
+    e0: float
+
+
+def _locate(rho, e, par):
+    """(i, j, f, g): the cell of (rho, e) and the fractions in it."""
+    i = bracket(par.density, rho)
+    f = (rho - par.density[i]) / (par.density[i + 1] - par.density[i])
+    j = bracket_blend(par.energy_table, i, f, e)
+    low = par.energy_table[i, j] + f * (par.energy_table[i + 1, j] - par.energy_table[i, j])
+    high = par.energy_table[i, j + 1] + f * (par.energy_table[i + 1, j + 1] - par.energy_table[i, j + 1])
+    return i, j, f, (e - low) / (high - low)
+
+
+def pressure(rho, e, par):
+    i, j, f, g = _locate(rho, e, par)
+    return bilinear(par.pressure_table, i, j, f, g)[0]
+
+
+def pressure_derivatives(rho, e, par):
+    i, j, f, g = _locate(rho, e, par)
+    _, p_f, p_g = bilinear(par.pressure_table, i, j, f, g)
+    _, e_f, e_g = bilinear(par.energy_table, i, j, f, g)
+    p_e = p_g / e_g
+    return (p_f - e_f * p_e) / (par.density[i + 1] - par.density[i]), p_e
+
+
+def temperature(rho, e, par):
+    _, j, _, g = _locate(rho, e, par)
+    return par.temperatures[j] + g * (par.temperatures[j + 1] - par.temperatures[j])
+
+
+def specific_heat(rho, e, par):
+    i, j, f, g = _locate(rho, e, par)
+    return bilinear(par.energy_table, i, j, f, g)[2] / (par.temperatures[j + 1] - par.temperatures[j])
+
+
+def reference_state(par):
+    return par.rho0, par.e0
+
+
+def density_limits(par):
+    return float(par.density[0]), float(par.density[-1])
+
+
+def energy_limits(rho, par):
+    """(lowest, highest) energy tabulated at a density."""
+    i = bracket(par.density, rho)
+    f = (rho - par.density[i]) / (par.density[i + 1] - par.density[i])
+    row = par.energy_table[i] + f * (par.energy_table[i + 1] - par.energy_table[i])
+    return float(row[0]), float(row[-1])
+
+
+def state_at(rho, temperature, par):
+    """(p, e) at a density and temperature of the table."""
+    i, j = bracket(par.density, rho), bracket(par.temperatures, temperature)
+    f = (rho - par.density[i]) / (par.density[i + 1] - par.density[i])
+    g = (temperature - par.temperatures[j]) / (par.temperatures[j + 1] - par.temperatures[j])
+    return bilinear(par.pressure_table, i, j, f, g)[0], bilinear(par.energy_table, i, j, f, g)[0]
+
+
+def build(density, temperatures, pressure_table, energy_table, rho0=math.nan, reference_temperature=298.15):
+    """A checked table.
+
+    density (n,) kg/m3 and temperatures (m,) K increasing; pressure_table (n, m) Pa and energy_table (n, m) J/kg, or flat lists of
+    n m numbers, temperature running fastest. The rest state is (rho0, reference_temperature); without rho0, the highest density at
+    which the isotherm crosses zero pressure. Raises OutOfRange with the place and the way out.
+    """
+    rho = _grid("density", density)
+    t = _grid("temperature", temperatures)
+    p, e = _filled("pressure", pressure_table, rho, t), _filled("energy", energy_table, rho, t)
+    _check_energy(e, rho, t)
+    table = Table(rho, t, p, e, math.nan, math.nan)
+    _check_sound_speed(table)
+    if not math.isfinite(rho0):
+        rho0 = _rest_density(table, reference_temperature)
+    if not rho[0] <= rho0 <= rho[-1]:
+        raise OutOfRange(f"table: the rest density {rho0:.6g} kg/m3 is outside the grid ({rho[0]:.6g} to {rho[-1]:.6g})")
+    return table._replace(rho0=float(rho0), e0=float(state_at(rho0, reference_temperature, table)[1]))
+
+
+def _grid(name, values):
+    grid = np.ascontiguousarray(values, dtype=np.float64)
+    if grid.ndim != 1 or grid.size < 2:
+        raise OutOfRange(f"table: the {name} grid needs at least two values")
+    bad = np.flatnonzero(~np.isfinite(grid))
+    if bad.size:
+        raise OutOfRange(f"table: {name} value {bad[0] + 1} is not a number")
+    bad = np.flatnonzero(np.diff(grid) <= 0.0)
+    if bad.size:
+        raise OutOfRange(f"table: the {name} grid must increase, but value {bad[0] + 2} ({grid[bad[0] + 1]:.6g}) does not exceed "
+                         f"value {bad[0] + 1} ({grid[bad[0]]:.6g})")
+    return grid
+
+
+def _filled(name, values, rho, t):
+    table = np.ascontiguousarray(values, dtype=np.float64)
+    if table.size != rho.size * t.size:
+        raise OutOfRange(f"table: {name} has {table.size} values, but {rho.size} densities x {t.size} temperatures "
+                         f"need {rho.size * t.size}")
+    table = table.reshape(rho.size, t.size)
+    holes = np.argwhere(~np.isfinite(table))
+    if holes.size:
+        i, j = holes[0]
+        raise OutOfRange(f"table: a hole in {name} at density {rho[i]:.6g} kg/m3, temperature {t[j]:.6g} K "
+                         f"({len(holes)} in all); fill it or cut the grid there")
+    return table
+
+
+def _check_energy(e, rho, t):
+    bad = np.argwhere(np.diff(e, axis=1) <= 0.0)
+    if bad.size:
+        i, j = bad[0]
+        raise OutOfRange(f"table: the energy must rise with temperature, but at density {rho[i]:.6g} kg/m3 it does not between "
+                         f"{t[j]:.6g} and {t[j + 1]:.6g} K ({len(bad)} such places); cut the grid there or correct the table")
+
+
+def _check_sound_speed(table):
+    """c^2 at the four corners of every cell, by that cell's own slopes."""
+    rho, p, e = table.density, table.pressure_table, table.energy_table
+    d_rho = np.diff(rho)[:, None]
+    for f in (0, 1):
+        for g in (0, 1):
+            p_rho, e_rho = np.diff(p, axis=0)[:, g:p.shape[1] - 1 + g] / d_rho, np.diff(e, axis=0)[:, g:p.shape[1] - 1 + g] / d_rho
+            p_e = np.diff(p, axis=1)[f:len(rho) - 1 + f] / np.diff(e, axis=1)[f:len(rho) - 1 + f]
+            corner = p[f:len(rho) - 1 + f, g:p.shape[1] - 1 + g]
+            at = rho[f:len(rho) - 1 + f, None]
+            c2 = p_rho - e_rho * p_e + corner * p_e / (at * at)
+            bad = np.argwhere((c2 <= 0.0) & (corner >= 0.0))
+            if bad.size:
+                i, j = bad[0] + (f, g)
+                raise OutOfRange(f"table: c^2 <= 0 at density {rho[i]:.6g} kg/m3, temperature {table.temperatures[j]:.6g} K "
+                                 f"({len(bad)} such corners); smooth the table or cut the grid there")
+
+
+def _rest_density(table, temperature):
+    p = np.array([state_at(r, temperature, table)[0] for r in table.density])
+    up = np.flatnonzero((p[:-1] < 0.0) & (p[1:] >= 0.0))
+    if not up.size:
+        raise OutOfRange(f"table: no density has zero pressure at {temperature:.6g} K; give rho0, the density at rest")
+    i = up[-1]
+    return table.density[i] - p[i] * (table.density[i + 1] - table.density[i]) / (p[i + 1] - p[i])
+
+
+def from_law(par, density, temperatures, rho0=math.nan, reference_temperature=298.15):
+    """The table of any law that has a temperature, on the grids `density` (kg/m3) and `temperatures` (K)."""
+    contract.require_temperature(par)
+    rho, t = _grid("density", density), _grid("temperature", temperatures)
+    e = np.array([[_energy_at(r, x, par) for x in t] for r in rho])
+    p = np.array([[contract.pressure(r, u, par) for u in row] for r, row in zip(rho, e)])
+    if not math.isfinite(rho0):
+        rho0 = contract.reference_state(par)[0]
+    return build(rho, t, p, e, rho0, reference_temperature)
+
+
+def _energy_at(rho, temperature, par):
+    """Energy at which the law has the temperature, by Newton's method (one step for a constant specific heat)."""
+    e = contract.reference_state(par)[1]
+    for _ in range(60):
+        gap = temperature - contract.temperature(rho, e, par)
+        e += gap * contract.specific_heat(rho, e, par)
+        if abs(gap) <= 1e-13 * temperature:
+            return e
+    if abs(gap) <= 1e-9 * temperature:
+        return e
+    raise OutOfRange(f"{EOS.of(par).name}: no energy gives {temperature:.6g} K at density {rho:.6g} kg/m3")
+
+
+def _example():
+    solid = MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0)
+    return from_law(solid, (2500.0, 2785.0, 3200.0, 3700.0, 4300.0), (100.0, 300.0, 5000.0, 40000.0))
+
+
+EOS.add(
+    "table", Table,
+    functions=[pressure, pressure_derivatives, temperature, specific_heat, reference_state, density_limits, energy_limits],
+    example=_example(),
+    build=build,
+    units={"density": "kg/m^3", "temperatures": "K", "pressure_table": "Pa", "energy_table": "J/kg", "rho0": "kg/m^3", "e0": "J/kg",
+           "reference_temperature": "K"},
+    meaning={"density": "densities of the grid", "temperatures": "temperatures of the grid",
+             "pressure_table": "pressures, row by density", "energy_table": "specific internal energies, row by density",
+             "rho0": "density at rest (default: zero pressure at the reference temperature)", "e0": "energy at rest (filled by build)",
+             "reference_temperature": "temperature at rest"},
+    defaults={"rho0": math.nan, "reference_temperature": 298.15},
+    box={"rho": (2600.0, 4200.0), "e": (5e6, 2e7)},
+    references=("KB codes, section 3", "Lyon and Johnson, LA-UR-92-3407 (1992)"),
+)

@@ -1,0 +1,147 @@
+"""Tabulated equations of state from text files: CSV, and SESAME-format ASCII (table 301).
+
+    load(path)        the law `table` from a .csv or a SESAME file, by its content
+    read_csv(text)    four columns named density, temperature, pressure, energy (SI), one row per grid point in any order
+    read_301(text)    the 301 table of a SESAME-format ASCII file (g/cm3, K, GPa, MJ/kg; other units by arguments)
+
+Both styles of SESAME text are read: the records of the ASCII exchange format (` 0 3720 301 ...`) and the Sandia style of ANEOS
+(` RECORD TYPE = 301 NWDS = ...`). Every trouble is one DeckError with the file, the line or place, and the way out.
+Source: Lyon and Johnson, LA-UR-92-3407 (1992), table 301: NR, NT, densities, temperatures, then p, e (and A) with density fastest.
+"""
+
+import csv
+import io
+import math
+import pathlib
+import re
+
+import numpy as np
+
+from hugoniot.errors import DeckError, FileTrouble, OutOfRange
+from hugoniot.laws.eos.table import Table, build
+
+COLUMNS = ("density", "temperature", "pressure", "energy")
+_EXCHANGE = re.compile(r"^\s*[012]\s+(\d+)\s+(\d{3})\s+(\d+)\s+[A-Za-z]")
+_SANDIA = re.compile(r"^\s*RECORD\s+TYPE\s*=\s*(\d{3})\s+NWDS\s*=\s*(\d+)")
+_NUMBER = re.compile(r"[+-]?(?:\d+\.\d*|\.\d+)(?:[EeDd][+-]?\d+|[+-]\d+)?|[+-]?(?:nan|inf)(?:inity)?\b", re.IGNORECASE)
+_LARGEST = 64 * 1024 * 1024
+
+
+def load(path, rho0: float = math.nan, reference_temperature: float = 298.15) -> Table:
+    """The law `table` of a file: CSV where the first line names columns, else SESAME-format ASCII.
+
+    rho0 (kg/m3) and reference_temperature (K) fix the rest state; without rho0 it is where the isotherm has zero pressure.
+    """
+    path = pathlib.Path(path)
+    try:
+        if path.stat().st_size > _LARGEST:
+            raise DeckError.single(path, None, "table", f"the file is larger than {_LARGEST >> 20} MB", "thin the table out")
+        text = path.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise DeckError.single(path, None, "table", "not a text file", "give a CSV or a SESAME-format ASCII file") from None
+    except OSError as error:
+        raise FileTrouble(f"{path}: {error.strerror or error}") from None
+    first = next((line for line in text.splitlines() if line.strip() and not line.startswith("#")), "")
+    if "," in first and not _EXCHANGE.match(first):
+        return read_csv(text, str(path), rho0, reference_temperature)
+    return read_301(text, str(path), rho0=rho0, reference_temperature=reference_temperature)
+
+
+def read_csv(text: str, name: str = "table.csv", rho0: float = math.nan, reference_temperature: float = 298.15) -> Table:
+    """The law `table` of rows density (kg/m3), temperature (K), pressure (Pa), energy (J/kg); lines starting with # are skipped."""
+    lines = [(n, line) for n, line in enumerate(text.splitlines(), 1) if line.strip() and not line.lstrip().startswith("#")]
+    if not lines:
+        raise DeckError.single(name, None, "table", "the file has no rows", f"first line: {','.join(COLUMNS)}")
+    header = [h.strip().lower() for h in next(csv.reader([lines[0][1]]))]
+    wrong = [c for c in COLUMNS if header.count(c) != 1]
+    if wrong:
+        raise DeckError.single(name, lines[0][0], "header", f"needs exactly one column '{wrong[0]}', found {', '.join(header)}",
+                               f"the first line is {','.join(COLUMNS)} (kg/m3, K, Pa, J/kg)")
+    place = [header.index(c) for c in COLUMNS]
+    points: dict[tuple[float, float], tuple[float, float]] = {}
+    for line_number, line in lines[1:]:
+        row = next(csv.reader(io.StringIO(line)))
+        try:
+            rho, t, p, e = (float(row[k]) for k in place)
+        except (ValueError, IndexError):
+            raise DeckError.single(name, line_number, "row", f"expected {len(header)} numbers, got '{line.strip()[:60]}'") from None
+        if (rho, t) in points:
+            raise DeckError.single(name, line_number, "row", f"density {rho:.6g}, temperature {t:.6g} is given twice", "remove one")
+        points[rho, t] = p, e
+    return _assemble(points, name, rho0, reference_temperature)
+
+
+def _assemble(points, name, rho0, reference_temperature) -> Table:
+    rho, t = sorted({key[0] for key in points}), sorted({key[1] for key in points})
+    if len(rho) * len(t) > 100 * max(len(points), 1):
+        raise DeckError.single(name, None, "table", f"{len(points)} points do not form a grid of densities and temperatures",
+                               "give every density at every temperature")
+    p, e = np.full((len(rho), len(t)), math.nan), np.full((len(rho), len(t)), math.nan)
+    rows, columns = {r: i for i, r in enumerate(rho)}, {x: j for j, x in enumerate(t)}
+    for (r, x), (p_value, e_value) in points.items():
+        p[rows[r], columns[x]], e[rows[r], columns[x]] = p_value, e_value
+    return _build(name, rho, t, p, e, rho0, reference_temperature)
+
+
+def _build(name, rho, t, p, e, rho0, reference_temperature) -> Table:
+    try:
+        return build(rho, t, p, e, rho0, reference_temperature)
+    except OutOfRange as trouble:
+        raise DeckError.single(name, None, "table", str(trouble).removeprefix("table: ")) from None
+
+
+def read_301(text: str, name: str = "sesame.txt", *, rho0: float = math.nan, reference_temperature: float = 298.15,
+             material: int | None = None, density_range=(0.0, math.inf), temperature_range=(0.0, math.inf),
+             units=(1e3, 1.0, 1e9, 1e6)) -> Table:
+    """The law `table` of the first 301 table (of `material`, where the file holds several).
+
+    units: SI value of the file's density, temperature, pressure and energy unit. density_range (kg/m3) and temperature_range (K) cut the
+    grid, which a table with a vapour dome or a tension region needs (c^2 > 0 is required where p >= 0); density 0 is always dropped.
+    """
+    words, line_number = _record(text, name, material)
+    if len(words) < 2 or words[0] != int(words[0]) or words[1] != int(words[1]) or min(words[:2]) < 2:
+        raise DeckError.single(name, line_number, "301", "the table does not begin with its numbers of densities and temperatures")
+    n, m = int(words[0]), int(words[1])
+    needed = 2 + n + m + 2 * n * m
+    if len(words) < needed:
+        raise DeckError.single(name, line_number, "301", f"{n} densities x {m} temperatures need {needed} words, it has {len(words)}",
+                               "the file is cut short or holds no energies")
+    rho, t = np.array(words[2:2 + n]) * units[0], np.array(words[2 + n:2 + n + m]) * units[1]
+    p = np.array(words[2 + n + m:2 + n + m + n * m]).reshape(m, n).T * units[2]
+    e = np.array(words[2 + n + m + n * m:needed]).reshape(m, n).T * units[3]
+    rows = np.flatnonzero((rho > 0.0) & (rho >= density_range[0]) & (rho <= density_range[1]))
+    columns = np.flatnonzero((t >= temperature_range[0]) & (t <= temperature_range[1]))
+    if rows.size < 2 or columns.size < 2:
+        raise DeckError.single(name, line_number, "301", "fewer than two densities or temperatures are left in the range asked for")
+    keep = np.ix_(rows, columns)
+    return _build(name, rho[rows], t[columns], p[keep], e[keep], rho0, reference_temperature)
+
+
+def _record(text: str, name: str, material: int | None):
+    """(words of the 301 record, its line number)."""
+    found, start = None, None
+    for line_number, line in enumerate(text.splitlines(), 1):
+        exchange, sandia = _EXCHANGE.match(line), _SANDIA.match(line)
+        if exchange or sandia:
+            if found is not None:
+                break
+            wanted = exchange and material is not None and int(exchange.group(1)) != material
+            if (exchange.group(2) if exchange else sandia.group(1)) == "301" and not wanted:
+                found, start = [], line_number
+        elif found is not None:
+            if line.lstrip().startswith(("INDEX", "RECORD")):
+                break
+            # words may touch ("1.0E+00-2.0E+00"); a trailing word of ones marks the record and has no decimal point
+            found += [_word(w) for w in _NUMBER.findall(line)]
+    if found is None:
+        which = "" if material is None else f" of material {material}"
+        raise DeckError.single(name, None, "301", f"no 301 table{which} in this file",
+                               "give a SESAME-format ASCII file or a CSV with a header")
+    return found, start
+
+
+def _word(word: str) -> float:
+    word = word.replace("D", "E").replace("d", "E")
+    if re.fullmatch(r"[+-]?[\d.]+[+-]\d+", word):
+        word = re.sub(r"(?<=[\d.])([+-]\d+)$", r"E\1", word)
+    return float(word)

@@ -1,0 +1,103 @@
+"""Equations of state in kernels: the same numbers as in Python, and packed arithmetic where it pays."""
+
+import warnings
+
+import numpy as np
+import pytest
+
+import hugoniot.laws.eos  # noqa: F401
+from hugoniot.errors import OutOfRange
+from hugoniot.laws import arrays
+from hugoniot.laws.eos import contract
+from hugoniot.laws.eos.contract import EOS, gives
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+
+LAWS = sorted(EOS, key=lambda law: law.name)
+COUNT = arrays.SMALL + 44
+
+
+def sample(law, count=COUNT):
+    rng = np.random.default_rng(3)
+    return rng.uniform(*law.box["rho"], count), rng.uniform(*law.box["e"], count)
+
+
+@pytest.mark.parametrize("law", LAWS, ids=lambda law: law.name)
+def test_compiled_sweep_agrees_with_python(law):
+    rho, e = sample(law)
+    par = law.example
+    p = arrays.pressure_array(rho, e, par)
+    p_rho, p_e = arrays.derivatives_array(rho, e, par)
+    expected = np.array([law.functions["pressure"](r, u, par) for r, u in zip(rho.tolist(), e.tolist())])
+    slopes = np.array([law.functions["pressure_derivatives"](r, u, par) for r, u in zip(rho.tolist(), e.tolist())])
+    stiffness = np.abs(slopes[:, 0]) * rho
+    assert np.max(np.abs(p - expected) / (np.abs(expected) + 1e-2 * stiffness)) < 1e-12
+    np.testing.assert_allclose(p_rho, slopes[:, 0], rtol=1e-10, atol=1e-11 * np.abs(slopes[:, 0]).max())
+    np.testing.assert_allclose(p_e, slopes[:, 1], rtol=1e-10, atol=1e-13 * np.abs(slopes[:, 1]).max())
+
+
+@pytest.mark.parametrize("law", [law for law in LAWS if gives(law.example, "temperature")], ids=lambda law: law.name)
+def test_compiled_temperature_agrees_with_python(law):
+    rho, e = sample(law)
+    with np.errstate(invalid="ignore"), warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)
+        expected = np.array([law.functions["temperature"](r, u, law.example) for r, u in zip(rho.tolist(), e.tolist())], dtype=float)
+    warm = expected > 10.0
+    assert warm.sum() > 50
+    found = arrays.temperature_array(rho, e, law.example)
+    np.testing.assert_allclose(found[warm], expected[warm], rtol=1e-11, atol=1e-8)
+
+
+@pytest.mark.parametrize("name", ["mie_gruneisen", "jwl"])
+def test_sweeps_are_packed(name):
+    """A lost vectorisation costs 4 to 9 times and nobody sees it: the machine code must divide eight (four) numbers at a time."""
+    from hugoniot.core.compile import packed
+    from hugoniot.laws import array_kernels
+
+    law = EOS.get(name)
+    rho, e = sample(law)
+    arrays.pressure_array(rho, e, law.example)
+    arrays.derivatives_array(rho, e, law.example)
+    for kernel in (array_kernels.pressure_sweep, array_kernels.derivatives_sweep):
+        fresh = type(kernel)(kernel.py_func, targetoptions=dict(kernel.targetoptions))
+        outs = 1 if kernel is array_kernels.pressure_sweep else 2
+        fresh(rho, e, arrays.float_parameters(law.example), *(np.empty_like(rho) for _ in range(outs)))
+        counted = packed(fresh)
+        assert counted["div"] >= 1
+        assert counted["fmadd"] + counted["fnmadd"] >= 2
+
+
+def test_broadcasting_and_scalars():
+    par = EOS.get("mie_gruneisen").example
+    grid = arrays.pressure_array(np.linspace(2800.0, 3500.0, 40)[:, None], np.linspace(0.0, 1e6, 10), par)
+    assert grid.shape == (40, 10)
+    assert grid[3, 4] == pytest.approx(contract.pressure(np.linspace(2800.0, 3500.0, 40)[3], np.linspace(0.0, 1e6, 10)[4], par), rel=1e-13)
+    assert arrays.pressure_array(3000.0, 1e5, par) == pytest.approx(contract.pressure(3000.0, 1e5, par), rel=1e-14)
+
+
+def test_few_states_and_many_agree():
+    law = EOS.get("davis_products")
+    rho, e = sample(law)
+    few = arrays.evaluate(law.example, rho[:20], e[:20], *arrays.QUANTITIES)
+    many = arrays.evaluate(law.example, rho, e, *arrays.QUANTITIES)
+    for name in arrays.QUANTITIES:
+        np.testing.assert_allclose(np.array(few[name]), np.array(many[name])[..., :20], rtol=1e-11)
+
+
+def test_unstable_states_give_nan_sound_speed_not_a_crash():
+    par = EOS.get("tillotson").example
+    assert np.isnan(arrays.sound_speed_array(1000.0, 0.0, par))
+
+
+def test_quantities_a_law_lacks_are_refused():
+    with pytest.raises(OutOfRange, match="has no temperature"):
+        arrays.temperature_array(2700.0, 0.0, EOS.get("tillotson").example)
+    with pytest.raises(OutOfRange, match="unknown quantity 'presure'"):
+        arrays.evaluate(EOS.get("jwl").example, 1000.0, 5e6, "presure")
+    with pytest.raises(OutOfRange, match="gives no entropy"):
+        arrays.entropy_array(2700.0, 0.0, EOS.get("p_alpha").example)
+
+
+def test_integer_parameters_do_not_change_the_answer():
+    whole = MieGruneisen(2785, 5328, 1, 2, 863)
+    rho = np.linspace(2800.0, 3000.0, COUNT)
+    np.testing.assert_array_equal(arrays.pressure_array(rho, 1e5, whole), arrays.pressure_array(rho, 1e5, arrays.float_parameters(whole)))
