@@ -174,6 +174,6 @@ def steady(material, transport, upstream=None, *, rtol: float = 1e-11, **shock) 
     nodes = found.t[::-1]
     xi = np.unique(np.concatenate([nodes[:-1] + np.diff(nodes) * i / _PER_STEP for i in range(_PER_STEP)] + [nodes[-1:]]))
     thermal = ends.upstream.temperature == ends.upstream.temperature
-    viscous, conductive = (-found.y[2:, -1] * equations.entropy_scale) if thermal else (math.nan, math.nan)
+    viscous, conductive = (0.0 - found.y[2:, -1] * equations.entropy_scale) if thermal else (math.nan, math.nan)
     return Profile(ends, transport, (xi - shift) * equations.length, float(viscous), float(conductive), len(nodes) - 1,
                    equations, found, float(shift), (float(rate), float(ahead)), curve)

@@ -11,19 +11,26 @@ from hugoniot.theory.hugoniot import Initial
 from hugoniot.theory.structure.profile import Profile, steady
 
 EDGE = 1e-3           # part of the jump that the profile may still lack at the ends of a domain
+MEASURES = ("mach", "shock_velocity", "particle_velocity", "pressure")
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(4)
 
 
-def profile_of(problem: Problem) -> Profile:
-    """The steady profile of the shock that `solver.options["shock"]` asks for, ahead of it the first region's state."""
-    shock, transport = problem.solver.options["shock"], problem.solver.options["transport"]
-    region = problem.regions[0]
+def setting(problem: Problem):
+    """(equation of state, transport tuple, `Initial` ahead) of a shock-structure problem; ahead is the first region's state."""
+    transport, region = problem.solver.options["transport"], problem.regions[0]
     eos = problem.materials[region.material].eos
     rho, e = initial_state(eos, region.density, region.pressure, region.temperature, region.energy)
-    given = {name: shock[name] for name in ("mach", "shock_velocity", "particle_velocity", "pressure") if shock.get(name) is not None}
-    made = transport_laws.make(transport["viscosity"], transport.get("conduction"), transport.get("bulk_ratio", 0.0),
-                               transport.get("bulk_viscosity", 0.0))
-    return steady(eos, made, Initial(rho, float(pressure(rho, e, eos)), e), **given)
+    if not isinstance(transport, transport_laws.Transport):
+        transport = transport_laws.make(transport["viscosity"], transport.get("conduction"), transport.get("bulk_ratio", 0.0),
+                                        transport.get("bulk_viscosity", 0.0))
+    return eos, transport, Initial(rho, float(pressure(rho, e, eos)), e)
+
+
+def profile_of(problem: Problem) -> Profile:
+    """The steady profile of the shock that `solver.options["shock"]` asks for."""
+    shock = problem.solver.options["shock"]
+    eos, transport, ahead = setting(problem)
+    return steady(eos, transport, ahead, **{name: shock[name] for name in MEASURES if shock.get(name) is not None})
 
 
 def shock_start(problem: Problem):

@@ -1,0 +1,289 @@
+"""hugoniot structure: the inside of a steady shock, resolved by viscosity and heat conduction."""
+
+import csv
+import tomllib
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from hugoniot.cli.show import JSON, echo_json, echo_table
+from hugoniot.errors import DeckError, FileTrouble
+
+app = typer.Typer(no_args_is_help=True, help=(
+    "Thickness, profile and entropy of a shock resolved by viscosity and heat conduction, without time steps.\n\n"
+    "WHAT is a deck with solver kind \"shock_structure\", a case of Jordan 2011 (argon-jordan, water_387, water_858, silica_100, "
+    "silica_250, silica_770), or a material of the library with --viscosity.\n\n"
+    "Example: hugoniot structure profile argon-jordan --mach 9 --plot mach9.png"))
+
+WHAT = Annotated[str, typer.Argument(metavar="WHAT", help="A deck, a case of Jordan 2011, or a material of the library.")]
+VISCOSITY = Annotated[str | None, typer.Option(
+    "--viscosity", help='Shear viscosity "22.7 uPa s", the name of a law for argon-jordan, or a table {law = "power_law", ...}.')]
+CONDUCTION = Annotated[str | None, typer.Option("--conduction", help='Heat conductivity "0.02 W/m/K", or a table {law = ...}.')]
+PRANDTL = Annotated[float | None, typer.Option("--prandtl", help="Prandtl number, instead of --conduction.")]
+BULK = Annotated[float, typer.Option("--bulk-ratio", help="Bulk over shear viscosity.")]
+DENSITY = Annotated[str | None, typer.Option("--density", help='Density ahead, "1.62 kg/m^3".')]
+TEMPERATURE = Annotated[str | None, typer.Option("--temperature", help='Temperature ahead, "300 K".')]
+PRESSURE = Annotated[str | None, typer.Option("--pressure", help='Pressure ahead, "1 bar".')]
+UNIT = Annotated[str, typer.Option("--mean-free-path", help="Unit of reciprocal thickness: bsl, chapman_enskog, viscous, vhs.")]
+CSV = Annotated[Path | None, typer.Option("--csv", help="Write SI numbers to this file.")]
+PLOT = Annotated[Path | None, typer.Option("--plot", help="Draw the picture into this file (.png, .pdf, .svg).")]
+
+
+@app.command()
+def profile(
+    what: WHAT, mach: Annotated[float | None, typer.Option("--mach", help="Mach number of the shock.")] = None,
+    particle_velocity: Annotated[str | None, typer.Option("--particle-velocity", help='Velocity jump, "858 m/s".')] = None,
+    shock_velocity: Annotated[str | None, typer.Option("--shock-velocity", help='Speed of the shock, "3 km/s".')] = None,
+    viscosity: VISCOSITY = None, conduction: CONDUCTION = None, prandtl: PRANDTL = None, bulk_ratio: BULK = 0.0,
+    density: DENSITY = None, temperature: TEMPERATURE = None, pressure: PRESSURE = None,
+    points: Annotated[int, typer.Option("--points", min=2, max=100000, help="Points of --csv and of the profile in --json.")] = 201,
+    as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
+) -> None:
+    """One shock: thickness, widths, entropy and its production, end states.
+
+    Example: hugoniot structure profile water_858 --json
+    """
+    subject = _subject(what, viscosity, conduction, prandtl, bulk_ratio, (density, temperature, pressure))
+    strength = {"mach": mach, "particle_velocity": _number(particle_velocity, "m/s", "--particle-velocity"),
+                "shock_velocity": _number(shock_velocity, "m/s", "--shock-velocity")}
+    strength = {name: value for name, value in strength.items() if value is not None} or subject["shock"]
+    if len(strength) != 1:
+        raise DeckError.single("command line", None, "--mach", "a shock has one measure of strength",
+                               "give --mach, --particle-velocity or --shock-velocity")
+    from hugoniot.theory.structure import steady
+    from hugoniot.theory.structure.sweep import measures
+
+    found = steady(subject["eos"], subject["transport"], subject["ahead"], **strength)
+    numbers = measures(found) | _paths(found)
+    if plot:
+        from hugoniot.plotting.eos import save
+        from hugoniot.plotting.structure import profile_picture
+        save(profile_picture(found, f"{what}, Mach {found.ends.mach:.4g}"), plot)
+    if as_csv or as_json:
+        import numpy as np
+        x = np.linspace(*found.extent(1e-4), points)
+        table = {"x": x, **found.at(x)}
+        if as_csv:
+            _write_csv(as_csv, table)
+        if as_json:
+            echo_json({"what": what, **numbers, "profile": table})
+            return
+    _tell(numbers, found)
+
+
+@app.command()
+def sweep(
+    what: WHAT, start: Annotated[float, typer.Option("--from", help="First Mach number.")] = 1.1,
+    end: Annotated[float, typer.Option("--to", help="Last Mach number.")] = 11.0,
+    points: Annotated[int, typer.Option("--points", min=2, max=1000, help="Mach numbers.")] = 41,
+    viscosity: VISCOSITY = None, conduction: CONDUCTION = None, prandtl: PRANDTL = None, bulk_ratio: BULK = 0.0,
+    density: DENSITY = None, temperature: TEMPERATURE = None, pressure: PRESSURE = None, unit: UNIT = "chapman_enskog",
+    as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
+) -> None:
+    """Reciprocal thickness over Mach number, in mean free paths for a gas and in 1/nm for anything else.
+
+    Example: hugoniot structure sweep argon-jordan --plot thickness.png
+    """
+    import numpy as np
+
+    from hugoniot.theory.structure.sweep import measures
+    from hugoniot.theory.structure.sweep import sweep as run
+
+    laws = [viscosity] if viscosity or what != "argon-jordan" else ["constant", "power_law", "sutherland"]
+    machs = np.geomspace(start, end, points) if start > 0.0 else np.linspace(start, end, points)
+    curves, rows = [], []
+    for law in laws:
+        subject = _subject(what, law, conduction, prandtl, bulk_ratio, (density, temperature, pressure))
+        profiles = run(subject["eos"], subject["transport"], machs, subject["ahead"])
+        gas = profiles[0].ends.upstream.pressure > 1e-3 * profiles[0].ends.upstream.density * profiles[0].ends.upstream.sound_speed**2
+        lengths = [p.mean_free_path(unit) if gas else 1e-9 for p in profiles]
+        values = [length / p.thickness() for length, p in zip(lengths, profiles)]
+        curves.append((law or what, machs, values))
+        rows += [{"viscosity": law or "", "reciprocal_thickness": v, **measures(p)} for p, v in zip(profiles, values)]
+    label = f"mean free path ({unit}) / thickness" if gas else "1 / thickness (1/nm)"
+    if plot:
+        from hugoniot.plotting.eos import save
+        from hugoniot.plotting.structure import thickness_picture
+        save(thickness_picture(curves, label), plot)
+    if as_csv:
+        _write_csv(as_csv, {key: [row[key] for row in rows] for key in rows[0]})
+    if as_json:
+        echo_json(rows)
+        return
+    typer.echo(label)
+    echo_table(["Mach", *(name for name, _, _ in curves)],
+               [(f"{m:.4g}", *(f"{values[i]:.5g}" for _, _, values in curves)) for i, m in enumerate(machs)])
+
+
+@app.command()
+def jordan(as_json: JSON = False) -> None:
+    """The tables of Jordan 2011 for argon, water and silica: what is printed beside what the equations give.
+
+    Example: hugoniot structure jordan
+    """
+    from hugoniot.theory.structure.sweep import argon_rows, condensed_rows
+
+    argon, condensed = argon_rows(), condensed_rows()
+    if as_json:
+        echo_json({"argon": argon, "condensed": condensed})
+        return
+    echo_table(["table", "block", "Mach", "quantity", "printed", "here"],
+               [(r["table"], r["block"], f"{r['mach']:g}", r["quantity"], "-" if r["printed"] is None else f"{r['printed']:g}",
+                 f"{r['ours']:.4f}") for r in argon])
+    typer.echo("\nThickness in nm; the printed values are the source's grid (see docs/theory/shock_structure.md)")
+    echo_table(["case", "Mach", "printed", "its spacing", "bent Grüneisen", "literature's"],
+               [(r["block"], f"{r['mach']:.4g}", f"{r['printed']:g}", f"{r['spacing']:.4g}", f"{r['ours_bent']:.4g}", f"{r['ours']:.4g}")
+                for r in condensed])
+
+
+# -- input -----------------------------------------------------------------------------------------------------------
+def _subject(what: str, viscosity, conduction, prandtl, bulk_ratio, state) -> dict:
+    """{"eos", "transport", "ahead", "shock"} of a deck, a case or a material."""
+    from hugoniot.theory.structure import jordan as cases
+
+    if what == "argon-jordan":
+        law, ahead = cases.argon()
+        transport = cases.argon_transport(_law_name(viscosity) or "power_law", cases.ARGON_PRANDTL if prandtl is None else prandtl)
+        found = {"eos": law, "ahead": ahead, "shock": {}, "transport": transport}
+        return found if not any(state) else found | {"ahead": _ahead(law, *state)}
+    if what in cases.CONDENSED:
+        case = cases.CONDENSED[what]
+        law = case.eos(case.literature)
+        transport = _transport(viscosity, conduction, prandtl, bulk_ratio) if viscosity else case.transport()
+        return {"eos": law, "ahead": None, "shock": {"particle_velocity": case.particle_velocity}, "transport": transport}
+    if what.endswith(".toml") and viscosity is None:
+        return _deck(what, state)
+    from hugoniot.cli.eos_input import find_inert
+
+    if viscosity is None:
+        raise DeckError.single("command line", None, "--viscosity", f"the library has no viscosity for '{what}'",
+                               'give one, such as --viscosity "1 mPa s"')
+    law = find_inert(what).material.eos
+    return {"eos": law, "ahead": _ahead(law, *state), "shock": {}, "transport": _transport(viscosity, conduction, prandtl, bulk_ratio)}
+
+
+def _law_name(viscosity: str | None) -> str | None:
+    known = ("constant", "power_law", "sutherland", "hard_sphere", "maxwell_molecules")
+    if viscosity is not None and viscosity not in known:
+        raise DeckError.single("command line", None, "--viscosity", f"argon-jordan knows {', '.join(known)}, not '{viscosity[:40]}'",
+                               "for another argon write a deck (examples/argon-mach9.toml)")
+    return viscosity
+
+
+def _deck(path: str, state) -> dict:
+    from hugoniot.problem.deck import read_deck
+    from hugoniot.theory.structure.start import MEASURES, setting
+
+    problem = read_deck(path).problem
+    if problem.solver.kind != "shock_structure":
+        raise DeckError.single(path, None, "solver.kind", f"'{problem.solver.kind}' has no viscosity of its own",
+                               'give a deck with kind = "shock_structure" (examples/argon-mach9.toml), or --viscosity')
+    eos, transport, ahead = setting(problem)
+    shock = problem.solver.options.get("shock") or {}
+    return {"eos": eos, "transport": transport, "ahead": _ahead(eos, *state) if any(state) else ahead,
+            "shock": {name: shock[name] for name in MEASURES if shock.get(name) is not None}}
+
+
+def _ahead(law, density, temperature, pressure):
+    from hugoniot.laws.eos import contract
+    from hugoniot.materials.initial_state import initial_state
+    from hugoniot.theory.hugoniot import Initial
+
+    if not (density or temperature or pressure):
+        return None
+    rho, e = initial_state(law, _number(density, "kg/m^3", "--density"), _number(pressure, "Pa", "--pressure"),
+                           _number(temperature, "K", "--temperature"))
+    return Initial(rho, float(contract.pressure(rho, e, law)), e)
+
+
+def _transport(viscosity, conduction, prandtl, bulk_ratio):
+    from hugoniot.laws.transport.contract import CONDUCTION as conductions
+    from hugoniot.laws.transport.contract import TRANSPORT, make
+
+    shear = _law_table(viscosity, "--viscosity", "Pa s", "shear_viscosity", TRANSPORT)
+    if prandtl is not None:
+        if conduction is not None:
+            raise DeckError.single("command line", None, "--prandtl", "heat conduction is given twice",
+                                   "leave --prandtl or --conduction out")
+        return make(shear, {"law": "prandtl", "prandtl": prandtl}, bulk_ratio)
+    return make(shear, conduction and _law_table(conduction, "--conduction", "W/m/K", "conductivity", conductions), bulk_ratio)
+
+
+def _law_table(text: str, option: str, unit: str, parameter: str, registry):
+    """{"law": ..., parameter: SI} from a quantity (law "constant") or an inline table with units."""
+    if not text.lstrip().startswith("{"):
+        return {"law": "constant", parameter: _number(text, unit, option)}
+    try:
+        table = tomllib.loads(f"value = {text}")["value"]
+    except tomllib.TOMLDecodeError as error:
+        raise DeckError.single("command line", None, option, f"not a table: {error}",
+                               '{law = "power_law", shear_viscosity = ...}') from None
+    from hugoniot.materials.build import read_law
+    from hugoniot.materials.collect import Collector
+
+    problems: list = []
+    par = read_law(registry, table, Collector(problems, "command line", lambda key: None), (option,))
+    if par is None:
+        raise DeckError(problems)
+    return par
+
+
+def _number(text: str | None, unit: str, option: str) -> float | None:
+    if text is None:
+        return None
+    from hugoniot.units import UnitError, parse
+    try:
+        return parse(text, unit) if not _plain(text) else float(text)
+    except UnitError as error:
+        raise DeckError.single("command line", None, option, error.message, error.hint) from None
+
+
+def _plain(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+# -- output ----------------------------------------------------------------------------------------------------------
+def _paths(found) -> dict:
+    from hugoniot.errors import OutOfRange
+    from hugoniot.laws.transport.mean_free_path import MEAN_FREE_PATHS
+    try:
+        return {f"mean_free_path_{name}": found.mean_free_path(name) for name in MEAN_FREE_PATHS}
+    except OutOfRange:
+        return {}
+
+
+def _tell(numbers: dict, found) -> None:
+    one, two = found.ends.upstream, found.ends.downstream
+    typer.echo(f"Mach {found.ends.mach:.6g}, shock velocity {found.ends.shock_velocity:.6g} m/s, "
+               f"particle velocity {found.ends.particle_velocity:.6g} m/s")
+    echo_table(["", "ahead", "behind", ""], [
+        ("  density", f"{one.density:.6g}", f"{two.density:.6g}", "kg/m^3"),
+        ("  pressure", f"{one.pressure:.6g}", f"{two.pressure:.6g}", "Pa"),
+        ("  temperature", f"{one.temperature:.6g}", f"{two.temperature:.6g}", "K"),
+        ("  velocity", f"{one.velocity:.6g}", f"{two.velocity:.6g}", "m/s")])
+    rows = [("density thickness", "density_thickness"), ("velocity thickness", "velocity_thickness"),
+            ("density width 10-90 %", "density_width_10_90"), ("velocity width 10-90 %", "velocity_width_10_90")]
+    typer.echo("")
+    echo_table(["", "nm", *(name.removeprefix("mean_free_path_") for name in numbers if name.startswith("mean_free_path_"))],
+               [(f"  {word}", f"{numbers[key] * 1e9:.6g}",
+                 *(f"{numbers[key] / value:.5g}" for name, value in numbers.items() if name.startswith("mean_free_path_")))
+                for word, key in rows])
+    if found.entropy_viscous == found.entropy_viscous:
+        typer.echo(f"\nentropy gained {numbers['entropy_viscous'] + numbers['entropy_conductive']:.6g} J/(kg K): "
+                   f"viscosity {numbers['entropy_viscous']:.6g}, conduction {numbers['entropy_conductive']:.6g}"
+                   f" (jump of the law's entropy: {numbers['entropy_jump']:.6g})")
+
+
+def _write_csv(path: Path, table: dict) -> None:
+    try:
+        with open(path, "w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file)
+            writer.writerow(table)
+            writer.writerows(zip(*table.values()))
+    except OSError as error:
+        raise FileTrouble(f"cannot write {path}: {error.strerror or error}") from None
