@@ -30,7 +30,8 @@ def build_copper_piston(zones: int) -> Problem:
 
 
 def build_udaykumar_piston(zones: int) -> Problem:
-    return build_piston("Aluminium piston, 100 m/s", MieGruneisen(2790.0, 5330.0, 1.34, 2.0), PerfectlyPlastic(28.6e9, 0.26e9), 100.0, 0.05, 5e-6, zones)
+    eos = MieGruneisen(2790.0, 5330.0, 1.34, 2.0)
+    return build_piston("Aluminium piston, 100 m/s", eos, PerfectlyPlastic(28.6e9, 0.26e9), 100.0, 0.05, 5e-6, zones)
 
 
 def build_shell(geometry: str, speed: float, stop: float, zones: int) -> Problem:

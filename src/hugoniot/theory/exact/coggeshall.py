@@ -16,7 +16,9 @@ from hugoniot.theory.exact.solution import Solution
 
 
 def coggeshall(gamma: float = 5.0 / 3.0, axisymmetric: bool = True, density: float = 1.0) -> Solution:
-    """Coggeshall's compression; positions are an array of (r, z) pairs in its last axis.
+    """Coggeshall's adiabatic compression in two dimensions (B9).
+
+    Positions are an array of (r, z) pairs in its last axis.
 
     Fields: density, velocity (last axis r, z), energy, pressure, sound_speed. Holds for time < 1; 1 < gamma < 1 + 2/n.
     """

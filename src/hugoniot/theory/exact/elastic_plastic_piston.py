@@ -9,8 +9,9 @@ $$\rho_Y = \rho_0 e^{Y/2G}\ (\text{hypoelastic}), \qquad \rho_Y = \rho_0/(1 - Y/
 
 Both waves are shocks: across each, with $\sigma = p + \tfrac23 Y$ and the state a ahead (rest: rho0, 0, 0, 0),
 
-$$(u-u_a)^2 = (\sigma-\sigma_a)\left(\tfrac1{\rho_a}-\tfrac1\rho\right), \quad e-e_a = \tfrac12(\sigma+\sigma_a)\left(\tfrac1{\rho_a}-\tfrac1\rho\right)$$
-$$U = u_a + \frac{\sigma-\sigma_a}{\rho_a(u-u_a)}$$
+$$(u-u_a)^2 = (\sigma-\sigma_a)\left(\tfrac1{\rho_a}-\tfrac1\rho\right), \qquad
+  e-e_a = \tfrac12(\sigma+\sigma_a)\left(\tfrac1{\rho_a}-\tfrac1\rho\right), \qquad
+  U = u_a + \frac{\sigma-\sigma_a}{\rho_a(u-u_a)}$$
 
 A piston slower than the yield velocity drives one elastic shock; one so fast that the plastic shock would outrun the precursor
 drives a single shock from rest.
@@ -106,7 +107,7 @@ def waves(solid: Solid, piston: float, strain: str = "hypo") -> list[State]:
 
 
 def elastic_plastic_piston(solid: Solid, piston: float, strain: str = "hypo") -> Solution:
-    """Piston at speed `piston` (m/s) from x = 0 into the solid at rest in x > 0.
+    """Piston at speed `piston` (m/s) from x = 0 into an elastic-plastic solid at rest in x > 0: precursor and plastic shock.
 
     Fields: density, velocity, pressure, energy, stress (compression positive), deviator_radial; NaN where the piston has been.
     `numbers`: wave_count, elastic_* and plastic_* density, velocity, pressure, energy, stress, wave_speed (equal with one wave).

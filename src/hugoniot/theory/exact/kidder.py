@@ -19,7 +19,9 @@ from hugoniot.theory.exact.solution import Solution
 
 def kidder(geometry: str = "cylindrical", inner: float = 0.9, outer: float = 1.0, inner_pressure: float = 0.1,
            outer_pressure: float = 10.0, outer_density: float = 0.01) -> Solution:
-    """Kidder's shell; gamma = 1 + 2/d follows from the geometry (planar 3, cylindrical 2, spherical 5/3).
+    """Kidder's isentropic shell (B8).
+
+    gamma = 1 + 2/d follows from the geometry (planar 3, cylindrical 2, spherical 5/3).
 
     Fields: density, velocity, pressure, energy, sound_speed; NaN outside the shell. `numbers`: gamma, tau, inner_density,
     entropy_constant. Radii at time t are those at time 0 times h = sqrt(1 - (t/tau)^2); the solution holds for t < tau.

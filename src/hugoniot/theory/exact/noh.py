@@ -19,7 +19,7 @@ DIMENSION = {"planar": 1, "cylindrical": 2, "spherical": 3}
 
 
 def noh(geometry: str = "spherical", gamma: float = 5.0 / 3.0, density: float = 1.0, speed: float = 1.0) -> Solution:
-    """Noh's problem: uniform cold inflow against a wall, axis or centre at r = 0.
+    """Noh's implosion: uniform cold inflow against a wall, axis or centre at r = 0 (B5).
 
     geometry planar, cylindrical or spherical; gamma > 1; density of the inflow at time 0; speed > 0 inwards.
     Fields: density, velocity, pressure, energy, sound_speed at positions r > 0. `numbers`: plateau values and shock_speed.

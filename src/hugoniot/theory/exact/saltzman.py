@@ -51,7 +51,7 @@ def passages(gamma: float, piston: float, length: float, density: float, count: 
 
 
 def saltzman(gamma: float = 5.0 / 3.0, piston: float = 1.0, length: float = 1.0, density: float = 1.0, reflections: int = 6) -> Solution:
-    """Piston at speed `piston` from x = 0 into cold gas of `density` up to a wall at `length`.
+    """Piston at speed `piston` from x = 0 into cold gas up to a wall at `length`, with every reflection (B10).
 
     Fields: density, velocity, pressure, energy, sound_speed; NaN where the piston has been. Holds until the shock ends its run
     number `reflections` + 1. `numbers`: wall_time, piston_time, second_wall_time and the densities behind.

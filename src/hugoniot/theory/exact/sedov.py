@@ -128,7 +128,9 @@ class Profile:
 
 
 def sedov(geometry: str = "spherical", gamma: float = 1.4, energy: float = 0.851072, density: float = 1.0) -> Solution:
-    """Point explosion of `energy` (planar: per area on one side; cylindrical: per length; spherical: total) in cold gas of `density`.
+    """Point explosion in cold gas (B6).
+
+    energy: planar per area on one side, cylindrical per length, spherical total; density of the gas at rest.
 
     Fields: density, velocity, pressure, energy, sound_speed; ahead of the shock and in an empty core energy is 0. At r = 0 of the
     usual case density is 0, pressure finite and energy infinite. `numbers`: alpha, shock_coefficient (R at t = 1), peak_density.

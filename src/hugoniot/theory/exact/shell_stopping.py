@@ -35,7 +35,9 @@ def _resistance(a, volume, density, yield_stress, d):
 
 def shell_stopping(geometry: str = "spherical", density: float = 1845.0, yield_stress: float = 330e6, inner: float = 0.08,
                    outer: float = 0.10, speed: float = 675.036) -> Solution:
-    """Shell between radii inner and outer (m), inner surface moving inwards at `speed` (m/s), u ~ 1/r^(d-1).
+    """Rigid-plastic shell that stops (B17).
+
+    Between radii inner and outer (m), inner surface moving inwards at `speed` (m/s), u ~ 1/r^(d-1).
 
     Fields at radii inside the shell: density, velocity; NaN elsewhere. `numbers`: stop_radius, stop_outer_radius, stop_time, and
     kinetic_energy (J per metre of cylinder; J of the whole sphere). Raises NoSolution for a shell that reaches the axis.

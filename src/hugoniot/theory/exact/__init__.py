@@ -1,0 +1,44 @@
+"""Exact solutions: callables of positions and time, apart from every solver, each with its derivation and source.
+
+`SOLUTIONS[name](**parameters)` gives a `Solution`; the first line of its docstring says what it is (`describe`). Problems with
+parameters of their own (Sod, LeBlanc, ...) are entries like the general solutions they are made of. Two entries give data instead:
+`woodward_colella` (reference numbers) and `kenamond` (functions that give burn times).
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+from hugoniot.theory.exact.coggeshall import coggeshall
+from hugoniot.theory.exact.double_burgers import double_burgers
+from hugoniot.theory.exact.ehep import ehep
+from hugoniot.theory.exact.elastic_plastic_piston import aluminium_piston, copper_piston, elastic_plastic_piston, udaykumar_piston
+from hugoniot.theory.exact.fickett_rivard import fickett_rivard
+from hugoniot.theory.exact.kenamond import kenamond
+from hugoniot.theory.exact.kidder import kidder
+from hugoniot.theory.exact.mader import mader
+from hugoniot.theory.exact.noh import noh
+from hugoniot.theory.exact.plate_push import plate_push
+from hugoniot.theory.exact.riemann_ideal import collision, leblanc, riemann_ideal, sod, two_rarefactions, water_gas
+from hugoniot.theory.exact.saltzman import saltzman
+from hugoniot.theory.exact.sedov import sedov
+from hugoniot.theory.exact.shell_stopping import howell_ball, shell_stopping, verney
+from hugoniot.theory.exact.simple_wave import centred_rarefaction, piston_pulse
+from hugoniot.theory.exact.solution import Solution
+from hugoniot.theory.exact.woodward_colella import woodward_colella
+
+SOLUTIONS: dict[str, Callable[..., Any]] = {
+    function.__name__: function
+    for function in (
+        aluminium_piston, centred_rarefaction, coggeshall, collision, copper_piston, double_burgers, ehep, elastic_plastic_piston,
+        fickett_rivard, howell_ball, kenamond, kidder, leblanc, mader, noh, piston_pulse, plate_push, riemann_ideal, saltzman, sedov,
+        shell_stopping, sod, two_rarefactions, udaykumar_piston, verney, water_gas, woodward_colella,
+    )
+}
+
+
+def describe(name: str) -> str:
+    """One line on the solution of that name."""
+    return (SOLUTIONS[name].__doc__ or "").strip().splitlines()[0]
+
+
+__all__ = ["SOLUTIONS", "Solution", "describe"]

@@ -1,0 +1,73 @@
+r"""Plates driven by explosives: the end-on plate of a gamma = 3 explosive, exactly, and Gurney's formulas.
+
+**End-on plate.** A slab of length L is lit at its free end x = 0; the plate (mass per area M, C = rho0 L) stands at x = L. For
+gamma = 3 both characteristics are straight: behind the front $u + c = x/t$, $p = \tfrac{16}{27}\rho_0 c^3/D$. At the plate, with
+y = x/t, $c = y - \dot x = -t\dot y$, and $M\ddot x = p$ becomes $d(ct)/dt = -\kappa (ct)^3/t^2$, $\kappa = 16\rho_0/(27 D M)$:
+
+$$ct = \left(a - 2\kappa/t\right)^{-1/2},\quad a = L^{-2} + 2\kappa D/L; \qquad
+  \frac xt = D - \frac1\kappa\left[\sqrt{a - 2\kappa/t} - \frac1L\right]$$
+$$\frac{v_\infty}{D} = 1 - \frac{27M}{16C}\left(\sqrt{1 + \frac{32C}{27M}} - 1\right)$$
+
+**Gurney.** A linear velocity profile and uniform energy release E: $v/\sqrt{2E} = (\mu + k)^{-1/2}$, mu = M/C, with k = 1/3 (symmetric
+sandwich, M both plates), 1/2 (cylinder), 3/5 (sphere); open sandwich $\left[\mu + \tfrac{1 + (1+2\mu)^3}{6(1+\mu)}\right]^{-1/2}$.
+
+Source: Aziz, Hurwitz & Sternberg, Phys. Fluids 4 (1961) 380; Gurney, BRL Report 405 (1943); both re-derived.
+"""
+
+import numpy as np
+
+from hugoniot.errors import OutOfRange
+from hugoniot.theory.exact.solution import Solution
+
+
+def terminal_velocity(mass_ratio: float, detonation_velocity: float) -> float:
+    """Final speed of an end-on plate, m/s; mass_ratio = M/C."""
+    k = 27.0 * mass_ratio / 16.0
+    return detonation_velocity * (1.0 - k * (np.sqrt(1.0 + 2.0 / k) - 1.0))
+
+
+def plate_push(mass_ratio: float = 1.0, detonation_velocity: float = 8000.0, density: float = 1600.0, length: float = 0.1) -> Solution:
+    """End-on plate (B22): M/C = mass_ratio, driven end-on by a slab of gamma = 3 explosive lit at x = 0, into vacuum at both ends.
+
+    Positions are ignored but for their shape: the fields `position` and `velocity` are the plate's at the time asked for; `pressure`
+    is that on the plate. `numbers`: terminal_velocity, arrival_time. Before arrival the plate rests at `length`.
+    """
+    if min(mass_ratio, detonation_velocity, density, length) <= 0.0:
+        raise OutOfRange("the driven plate needs positive mass ratio, detonation velocity, density and length")
+    d, mass = detonation_velocity, mass_ratio * density * length
+    kappa = 16.0 * density / (27.0 * d * mass)
+    a = 1.0 / length**2 + 2.0 * kappa * d / length
+
+    def state(time):
+        if time <= length / d:
+            return length, 0.0, 0.0
+        root = np.sqrt(a - 2.0 * kappa / time)
+        ratio = d - (root - 1.0 / length) / kappa
+        sound = 1.0 / (root * time)
+        return ratio * time, ratio - sound, 16.0 / 27.0 * density * sound**3 / d
+
+    def profile(x, time):
+        return {name: np.full_like(x, value) for name, value in zip(("position", "velocity", "pressure"), state(time))}
+
+    numbers = {"terminal_velocity": float(terminal_velocity(mass_ratio, d)), "arrival_time": length / d}
+    return Solution("end-on plate", "planar", profile, lambda time: (float(state(time)[0]),), numbers)
+
+
+GURNEY_CONSTANT = {"symmetric": 1.0 / 3.0, "cylinder": 0.5, "sphere": 0.6}
+
+
+def gurney(configuration: str, mass_ratio: float, gurney_velocity: float) -> float:
+    """Gurney's metal velocity, m/s.
+
+    configuration "open" (sandwich with one plate), "symmetric", "cylinder" or "sphere"; mass_ratio = M/C, where M counts both
+    plates of the symmetric sandwich; gurney_velocity = sqrt(2E), m/s.
+    """
+    if mass_ratio <= 0.0:
+        raise OutOfRange(f"mass_ratio = {mass_ratio:g} must be positive")
+    if configuration == "open":
+        energy = mass_ratio + (1.0 + (1.0 + 2.0 * mass_ratio) ** 3) / (6.0 * (1.0 + mass_ratio))
+    elif configuration in GURNEY_CONSTANT:
+        energy = mass_ratio + GURNEY_CONSTANT[configuration]
+    else:
+        raise OutOfRange(f"configuration = {configuration!r} is none of open, {', '.join(GURNEY_CONSTANT)}")
+    return gurney_velocity / float(np.sqrt(energy))

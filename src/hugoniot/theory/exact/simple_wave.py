@@ -1,0 +1,93 @@
+r"""Simple waves of an ideal gas: a piston's withdrawal at constant speed, and a smooth push that steepens towards a shock.
+
+In a wave that runs into gas at rest (density rho0, sound speed c0) along +x the invariant $u - 2c/(\gamma-1)$ is uniform, so
+
+$$c = c_0 + \tfrac12(\gamma-1)\,u, \qquad \rho = \rho_0 (c/c_0)^{2/(\gamma-1)}, \qquad p = p_0 (c/c_0)^{2\gamma/(\gamma-1)}$$
+
+and u is carried along straight characteristics that leave the piston path X(s), X' = U(s), at time s:
+
+$$x = X(s) + \left[c_0 + \tfrac12(\gamma+1)\,U(s)\right](t - s)$$
+
+They first cross at the least $t = s + [c_0 + \tfrac12(\gamma-1)U] / [\tfrac12(\gamma+1)U']$ over s with U' > 0. A piston
+withdrawn faster than $2c_0/(\gamma-1)$ leaves a vacuum behind.
+
+Source: Courant & Friedrichs, Supersonic Flow and Shock Waves (1948), sections 40 to 48.
+"""
+
+import numpy as np
+
+from hugoniot.errors import OutOfRange
+from hugoniot.theory.exact.solution import Solution
+
+
+def _gas(u, gamma, density, pressure):
+    """Fields of the simple wave at particle velocity u; below the escape speed the gas is gone."""
+    c0 = np.sqrt(gamma * pressure / density)
+    ratio = np.maximum(1.0 + 0.5 * (gamma - 1.0) * u / c0, 0.0)
+    rho = density * ratio ** (2.0 / (gamma - 1.0))
+    return {"density": rho, "velocity": u, "pressure": pressure * ratio ** (2.0 * gamma / (gamma - 1.0)),
+            "energy": (c0 * ratio) ** 2 / (gamma * (gamma - 1.0)), "sound_speed": c0 * ratio}
+
+
+def _check(gamma, density, pressure, speed):
+    if gamma <= 1.0 or density <= 0.0 or pressure <= 0.0 or speed <= 0.0:
+        raise OutOfRange("a simple wave needs gamma > 1 and positive density, pressure and speed, "
+                         f"got {gamma:g}, {density:g}, {pressure:g}, {speed:g}")
+
+
+def centred_rarefaction(gamma: float = 1.4, density: float = 1.0, pressure: float = 1.0, speed: float = 1.0) -> Solution:
+    """Centred rarefaction: gas at rest in x > 0, a piston withdrawn from x = 0 at `speed` > 0 (towards -x).
+
+    Fields: density, velocity, pressure, energy, sound_speed; NaN where the piston keeps gas out, 0 (velocity: that of the gas
+    front) in a vacuum. `numbers`: head, tail (speeds), escape_speed.
+    """
+    _check(gamma, density, pressure, speed)
+    c0 = float(np.sqrt(gamma * pressure / density))
+    escape = 2.0 * c0 / (gamma - 1.0)
+    slowest = -min(speed, escape)
+    tail = c0 + 0.5 * (gamma + 1.0) * slowest
+
+    def profile(x, time):
+        with np.errstate(divide="ignore", invalid="ignore"):
+            y = np.clip(x / time if time > 0.0 else np.where(x > 0.0, np.inf, -np.inf), -1e30, 1e30)
+        u = np.clip(2.0 / (gamma + 1.0) * (y - c0), slowest, 0.0)
+        fields = _gas(u, gamma, density, pressure)
+        if speed > escape:
+            for name in ("density", "pressure", "energy", "sound_speed"):
+                fields[name] = np.where(y < slowest, 0.0, fields[name])
+        return {name: np.where(x < -speed * time, np.nan, value) for name, value in fields.items()}
+
+    return Solution("centred rarefaction", "planar", profile, numbers={"head": c0, "tail": tail, "escape_speed": escape})
+
+
+def piston_pulse(gamma: float = 1.4, density: float = 1.0, pressure: float = 1.0, speed: float = 0.1, duration: float = 1.0) -> Solution:
+    """Smooth simple wave: gas at rest in x > 0, a piston with U(s) = speed sin^2(pi s / duration), then at rest.
+
+    Fields as for the centred rarefaction; NaN where the piston is. `numbers`: breaking_time, until which the solution holds,
+    and final_position of the piston.
+    """
+    _check(gamma, density, pressure, speed)
+    c0 = float(np.sqrt(gamma * pressure / density))
+
+    def velocity(s):
+        return np.where((s > 0.0) & (s < duration), speed * np.sin(np.pi * s / duration) ** 2, 0.0)
+
+    def position(s):
+        within = np.clip(s, 0.0, duration)
+        return 0.5 * speed * (within - duration / (2.0 * np.pi) * np.sin(2.0 * np.pi * within / duration))
+
+    s = np.linspace(0.0, 0.5 * duration, 200001)[1:-1]
+    slope = speed * np.pi / duration * np.sin(2.0 * np.pi * s / duration)
+    breaking = float(np.min(s + (c0 + 0.5 * (gamma - 1.0) * velocity(s)) / (0.5 * (gamma + 1.0) * slope)))
+
+    def profile(x, time):
+        low, high = np.full_like(x, -1e3 * (duration + time) - np.max(np.abs(x), initial=0.0) / c0), np.full_like(x, time)
+        for _ in range(110):
+            middle = 0.5 * (low + high)
+            beyond = position(middle) + (c0 + 0.5 * (gamma + 1.0) * velocity(middle)) * (time - middle) > x
+            low, high = np.where(beyond, middle, low), np.where(beyond, high, middle)
+        fields = _gas(velocity(0.5 * (low + high)), gamma, density, pressure)
+        return {name: np.where(x < position(time), np.nan, value) for name, value in fields.items()}
+
+    numbers = {"breaking_time": breaking, "final_position": float(position(duration))}
+    return Solution("piston pulse", "planar", profile, numbers=numbers, times=(0.0, breaking))
