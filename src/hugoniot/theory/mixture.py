@@ -16,28 +16,11 @@ from scipy.optimize import brentq
 from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.laws.eos import contract as eos
 from hugoniot.laws.mixture import contract
+from hugoniot.laws.mixture.build import detonation_energy, mixture
 from hugoniot.laws.mixture.contract import MIXTURE, Mixed
 
-
-def detonation_energy(reactants, products) -> float:
-    """Q = -(heat of detonation), J/kg: energy of the products' law in the unburned state less the reactants' own (003 section 3).
-
-    Both laws answer with their reference state; a JWL's is E0/rho0 at its rho0.
-    """
-    return float(eos.reference_state(products)[1] - eos.reference_state(reactants)[1])
-
-
-def mixture(kind: str, reactants, products, energy: float | None = None):
-    """Parameter tuple of a mixture law of that name ("thermal_isolation", ...), with the density limits of both phases filled in.
-
-    energy   Q in J/kg; None: from the reference states of the two laws
-    """
-    law = MIXTURE.get(kind)
-    given: dict[str, Any] = {"reactants": reactants, "products": products,
-                             "detonation_energy": detonation_energy(reactants, products) if energy is None else float(energy),
-                             "reactant_density_limit": min(float(eos.density_limits(reactants)[1]), 1e30),
-                             "product_density_limit": min(float(eos.density_limits(products)[1]), 1e30)}
-    return law.parameters(**{name: given[name] for name in law.parameters._fields})
+__all__ = ["FrozenHugoniot", "MixtureState", "VanishingSeries", "adiabat", "detonation_energy", "frozen_hugoniot", "hugoniot_volume",
+           "mixture", "solve", "vanishing_series"]
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,11 @@ $$p = p_r(v_r, e_r - Q) = p_p(v_p, e_p),\quad e_r - Q = e_{Sr}(v_r;\, v_k, e_k)$
 With $w = v_r - v_p$ and $z = e_r - e_p$ the saturation conditions hold identically ($v_r = v + \lambda w$, $v_p = v - (1-\lambda)w$), the
 isentrope gives $\lambda z = e_{Sr} + Q - e$, and one equation is left, $F(w) = p_r - p_p = 0$, whose slope is $-I^2$ with
 $I^2 = \lambda i_r^2 + (1-\lambda) i_p^2 > 0$: F falls monotonically, so the root is unique, and nothing is singular as burning begins
-or ends. Newton's method runs inside a bracket that only shrinks; what leaves it is bisected.
+or ends. The products' energy is the difference (e - (1 - lambda) e_r)/lambda: below `nascent_limit` any error of the mixture's energy
+would be multiplied beyond sense, so the reactant's isentrope is then taken through the mixture state itself (the limit of 003 section
+5.9). For energies exact to round-off 1e-6 is right; a solver, whose step leaves an error of 1e-4 in a shock, needs about 1e-3.
+
+Newton's method runs inside a bracket that only shrinks; what leaves it is bisected.
 
 Source: 003 (Starkenberg ARL-TR-2161) sections 5.1 to 5.9 and appendix B-2 with corrections S-E2, S-E3, S-E13.
 """
@@ -21,10 +25,8 @@ from hugoniot.laws.mixture.contract import MIXTURE, Mixed, PhaseSlopes, Slopes, 
 from hugoniot.laws.mixture.isentrope import isentrope_energy
 
 ITERATIONS = 100
-# Below VANISHING the products' energy (e - (1 - lambda) e_r) / lambda would multiply every difference between the reference isentrope and
-# the mixture's energy: the reactant's isentrope is then taken through the mixture state itself. While the reactant's volume differs from
-# the mixture's by less than NEAR, the expansion of that isentrope to second order replaces the march and its cancellation.
-VANISHING = 1e-6
+# While the reactant's volume differs from the mixture's by less than NEAR, the expansion of its isentrope to second order replaces the
+# march and its cancellation.
 NEAR = 1e-6
 # A phase of less than this mass fraction is left out by `solve`: it changes the pressure by about 1e-8 of itself, and its energy is the
 # difference of nearly equal numbers (only reactants in tension would notice the bubbles).
@@ -38,6 +40,7 @@ class ThermalIsolation(NamedTuple):
     detonation_energy: float
     reactant_density_limit: float = 1e30
     product_density_limit: float = 1e30
+    nascent_limit: float = 1e-6
 
 
 def solve(rho, e, burn_fraction, before, par):
@@ -53,7 +56,7 @@ def equilibrate(rho, e, burn_fraction, before, par):
     """The bracketed Newton search of the module's docstring, for 0 <= lambda <= 1 (nascent products, last grain)."""
     v, lam, rest = 1.0 / rho, burn_fraction, 1.0 - burn_fraction
     q = par.detonation_energy
-    vanishing = lam < VANISHING
+    vanishing = lam < par.nascent_limit
     v_r = v if vanishing else 1.0 / before.rho_r
     e_r = e - q if vanishing else before.e_r - q
     w = v_r - 1.0 / before.rho_p if before.rho_p > 0.0 else 0.0
@@ -175,11 +178,12 @@ MIXTURE.add(
                "temperature": mixture_temperature, "specific_heat": mixture_specific_heat},
     example=ThermalIsolation(IdealGas(5.0, 1000.0, 1600.0), IdealGas(2.8, 1200.0, 1600.0), 5.0e6),
     units={"reactants": "", "products": "", "detonation_energy": "J/kg", "reactant_density_limit": "kg/m^3",
-           "product_density_limit": "kg/m^3"},
+           "product_density_limit": "kg/m^3", "nascent_limit": "1"},
     meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
              "detonation_energy": "chemical energy of the reactants relative to the products (minus the heat of detonation)",
              "reactant_density_limit": "highest density of the reactants' law",
-             "product_density_limit": "highest density of the products' law"},
+             "product_density_limit": "highest density of the products' law",
+             "nascent_limit": "burn fraction below which the reactant's isentrope runs through the mixture state"},
     box={"rho": (1200.0, 3000.0), "e": (6e6, 9e6), "burn_fraction": (0.0, 1.0)},
     references=("Starkenberg, ARL-TR-2161, sections 5.1 to 5.9 and appendix B",),
     flags=("follows_isentrope",),
