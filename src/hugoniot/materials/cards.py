@@ -43,7 +43,7 @@ def _us_up(row: Row) -> Card:
     found["gamma0"] = row.constant("gamma0") if "gamma0" in row else estimated_gamma(row)
     found |= _gamma_form(row)
     if "heat_capacity" in row:
-        found["specific_heat"] = specific_heat(row, found)
+        found["specific_heat"] = specific_heat(row, found["gamma0"].value, found["c0"].value)
     return found
 
 
@@ -66,7 +66,7 @@ def estimated_gamma(row: Row) -> Source:
                   f"row {row.id} gives no Grüneisen parameter")
 
 
-def specific_heat(row: Row, found: Card) -> Source:
+def specific_heat(row: Row, gamma0: float, c0: float) -> Source:
     r"""The specific heat at constant volume; where the source tabulates c_p, $c_v = c_p/(1 + \Gamma_0^2 c_p T_0/c_0^2)$.
 
     An identity of thermodynamics: c_p/c_v = 1 + alpha Gamma T with alpha = Gamma c_p / c0^2.
@@ -74,8 +74,7 @@ def specific_heat(row: Row, found: Card) -> Source:
     given = row.constant("heat_capacity", "specific_heat")
     if row.table == "us_up" and row.get("heat_type") != "cp":
         return given
-    gamma, c0 = found["gamma0"].value, found["c0"].value
-    value = given.value / (1.0 + gamma * gamma * given.value * ROOM_TEMPERATURE / (c0 * c0))
+    value = given.value / (1.0 + gamma0 * gamma0 * given.value * ROOM_TEMPERATURE / (c0 * c0))
     note = f"c_v from the tabulated c_p = {given.value:g} J/kg/K at {ROOM_TEMPERATURE} K; {given.note}"
     return replace(given, value=value, status="derived", note=note)
 

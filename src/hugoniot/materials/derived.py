@@ -161,19 +161,17 @@ def _implicit_cubic(c0: float, s1: float, s2: float, s3: float, up: float) -> fl
 
 
 def material_hugoniot(material: Material, up: float) -> float:
-    """Us of the principal Hugoniot of a solid, liquid or gas from its equation of state, m/s: bisection in density for up^2 = p dv."""
+    """Us of the principal Hugoniot from a material's equation of state, m/s.
+
+    The jump conditions give p - p0 = up^2/dv and e = e0 + up^2/2 + p0 dv at any density; bisection finds the one on the equation of state.
+    """
     par = material.eos
     rho0, e0 = reference_state(par)
     p0 = pressure(rho0, e0, par)
 
     def excess(rho: float) -> float:
         dv = 1.0 / rho0 - 1.0 / rho
-        p_e = pressure_derivatives(rho, e0, par)[1]
-        below = 1.0 - 0.5 * p_e * dv
-        if below <= 0.0:
-            return math.inf
-        p = (pressure(rho, e0, par) + 0.5 * p_e * p0 * dv) / below
-        return (p - p0) * dv - up * up
+        return (pressure(rho, e0 + 0.5 * up * up + p0 * dv, par) - p0) * dv - up * up
 
     highest = EOS.of(par).functions["density_limits"](par)[1]
     low, high = rho0, rho0
@@ -187,7 +185,7 @@ def material_hugoniot(material: Material, up: float) -> float:
     for _ in range(100):
         middle = 0.5 * (low + high)
         low, high = (low, middle) if excess(middle) > 0.0 else (middle, high)
-    return up / (1.0 - rho0 / high)
+    return float(up / (1.0 - rho0 / high))
 
 
 # -- isentropes of products given by A, B, C or by JWLB ----------------------------------------------------------

@@ -98,9 +98,11 @@ class _Reader:
         self.others: dict[str, tuple[str, ...]] = {}
         self.marks: list[str] = []
         self.rows: list[str] = []
+        self.base: Material | None = None
 
     def read(self, tables: dict, words: dict) -> Entry | None:
         plain = {k: v for k, v in tables.items() if k not in WORDS}
+        self.base = _base(tables.get("base"))
         known = families()
         for family in known:
             if isinstance(plain.get(family), dict):
@@ -114,7 +116,9 @@ class _Reader:
         if material is None or self.problems:
             return None
         warnings = tuple(dict.fromkeys((*material.warnings, *self.marks)))
-        material = replace(material, sources=(*material.sources, *self.sources), warnings=warnings)
+        replaced = {source.quantity for source in self.sources}
+        inherited = (source for source in material.sources if source.quantity not in replaced)
+        material = replace(material, sources=(*inherited, *self.sources), warnings=warnings)
         said = {k: tables.get(k, words.get(k, d)) for k, d in (("title", self.name), ("category", "user"), ("aliases", ()))}
         return Entry(self.name, said["title"], said["category"], material, tuple(said["aliases"]), self.reasons, self.others,
                      _lines(tables.get("missing", ())), _lines(tables.get("notes", ())), unreacted, detonation,
@@ -135,12 +139,17 @@ class _Reader:
         """Every value of a law table resolved; `place` names the table in the list of sources."""
         units = self.units(family, merged.get("law"))
         heat = merged.get("specific_heat")
-        if isinstance(heat, str) and heat.endswith(".heat_capacity") and schema.is_row(heat.split(".")[0]):
-            row = schema.row(heat.split(".")[0])
+        tabulated = heat if isinstance(heat, str) and heat.endswith(".heat_capacity") and schema.is_row(heat.split(".")[0]) else None
+        if tabulated:
+            del merged["specific_heat"]
+        found = {k: v if k == "law" else self.value(f"{place}.{k}", v, units.get(k, "1")) for k, v in merged.items()}
+        if tabulated:
+            row = schema.row(tabulated.split(".")[0])
             self.use(row)
-            numbers = {k: schema.cell(v) if isinstance(v, str) else v for k, v in merged.items() if k in ("gamma0", "c0")}
-            merged["specific_heat"] = cards.specific_heat(row, numbers)
-        return {k: v if k == "law" else self.value(f"{place}.{k}", v, units.get(k, "1")) for k, v in merged.items()}
+            scales = [s.value for n in ("gamma0", "c0") for s in self.sources if s.quantity == f"{place}.{n}"]
+            heat = cards.specific_heat(row, *scales) if len(scales) == 2 and None not in scales else row.constant("heat_capacity")
+            found["specific_heat"] = self.value(f"{place}.specific_heat", heat, "J/kg/K")
+        return found
 
     def card(self, path: tuple, identity: Any) -> dict:
         if not (isinstance(identity, str) and schema.is_row(identity)):
@@ -198,6 +207,8 @@ class _Reader:
 
     def units(self, family: str, law: Any) -> Mapping[str, str]:
         registry = families()[family]
+        if law is None and self.base is not None and getattr(self.base, family) is not None:
+            return registry.of(getattr(self.base, family)).units
         return registry.get(law).units if isinstance(law, str) and law in registry.names() else {}
 
     def unreacted(self, registry: Registry, table: Any) -> Any:
@@ -221,6 +232,16 @@ class _Reader:
             elif len(self.sources) > before:
                 found[key] = self.sources[-1]
         return found
+
+
+def _base(name: Any) -> Material | None:
+    """The library's material that tables override; None where there is none (the deck's reader says so)."""
+    from hugoniot.materials import library  # reads its materials with this module
+
+    try:
+        return library.find(name) if isinstance(name, str) else None
+    except DeckError:
+        return None
 
 
 def _lines(value: Any) -> tuple[str, ...]:

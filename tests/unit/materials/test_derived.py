@@ -1,0 +1,104 @@
+"""Numbers that follow from constants, each against a formula of its own."""
+
+import math
+
+import numpy as np
+import pytest
+
+from hugoniot.errors import NoSolution
+from hugoniot.laws.eos.contract import pressure
+from hugoniot.laws.eos.jwl import JWL
+from hugoniot.materials import derived, library, schema
+
+
+def test_elastic_limit_by_poissons_ratio():
+    """HEL = Y (1 - nu)/(1 - 2 nu) and c_L from nu, E: other forms of the same elasticity."""
+    found = derived.derived_quantities(library.find("al6061"))
+    nu, g, y = (found[k].value for k in ("poisson_ratio", "shear_modulus", "yield_stress"))
+    young = 2.0 * g * (1.0 + nu)
+    assert found["hugoniot_elastic_limit"].value == pytest.approx(y * (1.0 - nu) / (1.0 - 2.0 * nu), rel=1e-12)
+    speed = math.sqrt(young * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu)) / 2703.0)
+    assert found["longitudinal_sound_speed"].value == pytest.approx(speed, rel=1e-12)
+    assert found["bulk_modulus"].value == pytest.approx(young / (3.0 * (1.0 - 2.0 * nu)), rel=1e-12)
+
+
+@pytest.mark.parametrize("name", ["copper", "iron", "lead", "pmma", "water", "granite", "helium"])
+@pytest.mark.parametrize("up", [50.0, 600.0, 1800.0])
+def test_hugoniot_satisfies_the_jump_conditions(name, up):
+    """Us from the solver puts p = p0 + rho0 Us up and e = e0 + (p + p0) dv/2 on the equation of state."""
+    par = library.find(name).eos
+    rho0, e0 = derived.reference_state(par)
+    p0 = pressure(rho0, e0, par)
+    us = derived.material_hugoniot(library.find(name), up)
+    rho, p = rho0 * us / (us - up), p0 + rho0 * us * up
+    assert pressure(rho, e0 + 0.5 * (p + p0) * (1.0 / rho0 - 1.0 / rho), par) == pytest.approx(p, rel=1e-10)
+
+
+def test_ideal_gas_hugoniot_has_a_closed_form():
+    par = library.find("argon").eos
+    rho0, e0 = derived.reference_state(par)
+    c = math.sqrt(par.gamma * pressure(rho0, e0, par) / rho0)
+    up = 900.0
+    half = 0.25 * (par.gamma + 1.0) * up
+    assert derived.material_hugoniot(library.find("argon"), up) == pytest.approx(half + math.sqrt(half * half + c * c), rel=1e-12)
+
+
+@pytest.mark.parametrize("identity", [i for i, r in schema.table("us_up").items() if r["form"] == "steinberg_cubic"])
+def test_implicit_cubic_is_solved(identity):
+    row = schema.row(identity)
+    for up in (10.0, 300.0, 1000.0):
+        us = derived.shock_velocity(row, up)
+        x = up / us
+        assert us == pytest.approx(row["c0"] + (row["s"] + row["s2"] * x + row["s3"] * x * x) * up, rel=1e-10)
+        assert us > up
+
+
+def test_forms_of_hugoniots():
+    quadratic, exponential = schema.row("U208"), schema.row("U160")
+    assert derived.shock_velocity(quadratic, 2500.0) == pytest.approx(3530.73 + 1.91402 * 2500.0 - 6.0553e-05 * 2500.0 ** 2)
+    assert derived.shock_velocity(exponential, 8000.0) == pytest.approx(6278.0 + 1.193 * 8e3 - 2.505 * 8e3 * math.exp(-2.9608), rel=1e-5)
+
+
+def test_cubic_branch_ends_with_a_sentence():
+    with pytest.raises(NoSolution, match="branch ends"):
+        derived.shock_velocity(schema.row("U043"), 60000.0)
+
+
+def test_cj_of_a_gamma_law_has_a_closed_form():
+    """A JWL set without exponentials is a gamma law: D^2 = 2 (gamma^2 - 1) e0, p = rho0 D^2/(gamma + 1)."""
+    gamma, rho0, e0 = 2.77, 1714.0, 4.7847e6
+    state = derived.chapman_jouguet(JWL(0.0, 0.0, 4.0, 1.0, gamma - 1.0, rho0, rho0 * e0))
+    d = math.sqrt(2.0 * (gamma ** 2 - 1.0) * e0)
+    assert state.velocity == pytest.approx(d, rel=1e-12)
+    assert state.pressure == pytest.approx(rho0 * d * d / (gamma + 1.0), rel=1e-9)
+    assert state.exponent == pytest.approx(gamma, rel=1e-9)
+
+
+def test_energy_of_tangency_inverts_the_closure():
+    """E0 found from the isentrope through the CJ state of a set must be the set's own E0."""
+    row = schema.row("J002")
+    par = JWL(row["a"], row["b"], row["r1"], row["r2"], row["omega"], row["rho0"], row["e0"])
+    state = derived.chapman_jouguet(par)
+    v = row["rho0"] / state.density
+    cold = row["a"] * math.exp(-row["r1"] * v) + row["b"] * math.exp(-row["r2"] * v)
+    c = (state.pressure - cold) * v ** (1.0 + row["omega"])
+    energy, velocity, p = derived.energy_of_tangency([(row["a"], row["r1"]), (row["b"], row["r2"])], c, row["omega"], row["rho0"])
+    assert energy == pytest.approx(row["e0"], rel=1e-9)
+    assert (velocity, p) == (pytest.approx(state.velocity, rel=1e-9), pytest.approx(state.pressure, rel=1e-9))
+
+
+def test_unreacted_explosives_rest_as_calibrated():
+    """The energy given to an unreacted JWL puts it at the calibration's own pressure and temperature."""
+    from hugoniot.laws.eos.contract import reference_state, temperature
+    for name in ("tnt", "lx_17", "c4", "pbx_9404"):
+        par = library.entry(name).unreacted
+        rho, e = reference_state(par)
+        assert temperature(rho, e, par) == pytest.approx(298.0, rel=1e-12)
+        assert abs(pressure(rho, e, par)) < 5e6
+        assert 1000.0 < derived.derived_quantities(library.find(name), par)["unreacted_sound_speed"].value < 4500.0
+
+
+def test_numbers_are_plain():
+    for entry in library.find_all():
+        for quantity in derived.derived_quantities(entry.material, entry.unreacted).values():
+            assert type(quantity.value) is float and np.isfinite(quantity.value)

@@ -1,0 +1,57 @@
+"""Least squares with standard deviations against numpy's own covariance and against known answers."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from hugoniot.materials import fits, schema
+
+
+def _states(up, us):
+    base = schema.points()[5]
+    return [replace(base, values={**base.values, "up": float(a), "us": float(b), "rho0": 8930.0}) for a, b in zip(up, us)]
+
+
+@pytest.mark.parametrize("degree", [1, 2])
+def test_coefficients_and_deviations_agree_with_polyfit(degree):
+    states = fits.Selection("Copper").states()
+    mine = fits.fit(states, degree)
+    up, us = np.array([p["up"] for p in states]), np.array([p["us"] for p in states])
+    theirs, covariance = np.polyfit(up, us, degree, cov=True)
+    assert mine.coefficients == pytest.approx(theirs[::-1], rel=1e-8)
+    assert mine.deviations == pytest.approx(np.sqrt(np.diag(covariance))[::-1], rel=1e-6)
+    middle = float(np.mean(up))
+    if degree == 1:
+        design = np.array([middle, 1.0])
+        assert mine.deviation(middle) == pytest.approx(float(np.sqrt(design @ covariance @ design)), rel=1e-6)
+
+
+def test_exact_line_is_recovered_without_spread():
+    up = np.linspace(100.0, 2000.0, 12)
+    mine = fits.fit(_states(up, 3940.0 + 1.489 * up), 1)
+    assert mine.coefficients == pytest.approx((3940.0, 1.489), rel=1e-12)
+    assert mine.residual < 1e-8
+
+
+def test_deviations_cover_the_truth():
+    """Of fits to noisy lines about 68 % must hold the true intercept within one standard deviation."""
+    noise = np.random.default_rng(7)
+    up = np.linspace(200.0, 2900.0, 30)
+    inside = 0
+    for _ in range(400):
+        mine = fits.fit(_states(up, 3940.0 + 1.489 * up + noise.normal(0.0, 60.0, up.size)), 1)
+        inside += abs(mine.coefficients[0] - 3940.0) < mine.deviations[0]
+    assert 0.61 < inside / 400 < 0.75
+
+
+def test_too_few_states_are_refused():
+    with pytest.raises(ValueError, match="at least 4"):
+        fits.fit(_states([1.0, 2.0, 3.0], [1.0, 2.0, 3.0]), 2)
+
+
+def test_selections_leave_out_what_their_words_say():
+    iron = fits.RECORDED["U206"][0].states()
+    assert all(p["up"] >= 1540.0 and p["porosity"] < 1.01 and "Marsh" in p.source for p in iron)
+    assert set(fits.fits_of("Water")) == {"U204", "U205", "U210"}
+    assert len(fits.measured_materials()) == 9

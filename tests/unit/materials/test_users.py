@@ -1,0 +1,124 @@
+"""Users' own materials: the library's schema, units anywhere, nothing shadowed silently, every error with its place."""
+
+import pytest
+
+from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.materials import checks, library, users
+from hugoniot.materials.record import material_record
+
+ALLOY = """
+title = "My alloy"
+valid_up_to = "2.5 km/s"
+missing = ["spall"]
+[eos]
+law = "mie_gruneisen"
+reason = "measured here"
+others = ["U003"]
+rho0 = { value = "2.71 g/cm^3", source = "our laboratory, 2024", status = "verified" }
+c0 = "5.3 km/s"
+s = 1.36
+gamma0 = "U003.gamma0"
+specific_heat = "U003.heat_capacity"
+[strength]
+row = "S003"
+yield_stress = "310 MPa"
+"""
+
+
+@pytest.fixture
+def alloy(tmp_path):
+    path = tmp_path / "my_alloy.toml"
+    path.write_text(ALLOY)
+    return path
+
+
+def test_a_file_in_the_librarys_schema(alloy):
+    entry = users.user_materials([alloy])["my_alloy"]
+    assert entry.title == "My alloy" and entry.reasons["eos"] == "measured here" and entry.others["eos"] == ("U003",)
+    par = entry.material.eos
+    assert (par.rho0, par.c0, par.s, par.gamma0) == (2710.0, 5300.0, 1.36, 1.97)
+    assert par.specific_heat == pytest.approx(885.0 / (1.0 + 1.97 ** 2 * 885.0 * 298.15 / 5300.0 ** 2), rel=1e-12)
+    assert entry.material.strength.yield_stress == 310e6 and entry.material.strength.shear_modulus == 27.6e9
+    assert entry.material.valid_up_to == 2500.0
+    said = {r["quantity"]: r for r in material_record(entry.material)}
+    assert said["eos.rho0"]["source"] == "our laboratory, 2024"
+    assert said["eos.c0"]["status"] == "user" and said["eos.c0"]["mark"] == "user's own"
+    assert said["strength.shear_modulus"]["source"].startswith("Steinberg")
+    findings = list(checks.check_entry(entry))
+    assert not [f for f in findings if f.verdict == "fail"]
+    assert any(f.check == "source" and "eos.c0" in f.text for f in findings)
+
+
+def test_tables_as_in_a_deck_and_overriding_a_library_material(tmp_path):
+    path = tmp_path / "several.toml"
+    path.write_text('[material.stiff_copper]\nbase = "copper"\n[material.stiff_copper.eos]\nc0 = "4 km/s"\n'
+                    '[material.gas.eos]\nlaw = "ideal_gas"\ngamma = 1.3\n')
+    found = users.user_materials([tmp_path])
+    assert set(found) == {"stiff_copper", "gas"}
+    assert found["stiff_copper"].material.eos.c0 == 4000.0
+    row = next(r for r in material_record(found["stiff_copper"].material) if r["quantity"] == "eos.c0")
+    assert row["value"] == 4000.0 and "Steinberg" not in row["source"]
+
+
+@pytest.mark.parametrize("name", ["copper", "Cu", "aluminium_6061"])
+def test_a_name_of_the_library_is_refused(tmp_path, name):
+    (tmp_path / "mine.toml").write_text(f'[material."{name}".eos]\nlaw = "ideal_gas"\ngamma = 1.4\n')
+    with pytest.raises(DeckError, match="taken by the library"):
+        users.user_materials([tmp_path])
+
+
+def test_the_same_name_in_two_files_or_in_the_deck_is_refused(tmp_path):
+    for file in ("a.toml", "b.toml"):
+        (tmp_path / file).write_text('[material.mine.eos]\nlaw = "ideal_gas"\ngamma = 1.4\n')
+    with pytest.raises(DeckError, match=r"b\.toml.*taken by .*a\.toml"):
+        users.user_materials([tmp_path])
+    with pytest.raises(DeckError, match="taken by the deck"):
+        users.user_materials([tmp_path / "a.toml"], beside=["Mine"])
+
+
+def test_decks_in_the_folder_are_left_alone(tmp_path, alloy):
+    (tmp_path / "deck.toml").write_text('geometry = "planar"\n[material.al.eos]\nlaw = "nonsense"\n')
+    assert set(users.user_materials([tmp_path])) == {"my_alloy"}
+
+
+def test_errors_name_file_line_and_key(tmp_path):
+    path = tmp_path / "bad.toml"
+    path.write_text('[eos]\nlaw = "mie_gruneisen"\nrho0 = "2700 kg/m^2"\nc0 = "5 km/s"\ns = 1.4\n[strength]\nrow = "S999"\n')
+    with pytest.raises(DeckError) as caught:
+        users.read_materials(path)
+    text = str(caught.value)
+    assert f"{path}:3" in text and "rho0" in text and f"{path}:7" in text and "S999" in text and "gamma0" in text
+
+
+@pytest.mark.parametrize("text, words", [
+    ("title = 'nothing'\n", "describes no material"), ("material = 3\n", "materials are tables"), ("[eos\n", "TOML"),
+    ('[eos]\nlaw = "ideal_gas"\ngamma = {value = 1.4, surce = "x"}\n', "surce"),
+    ('[eos]\nlaw = "ideal_gas"\ngamma = {value = 1.4, status = "sure"}\n', "unknown status"),
+    ('[eos]\nrow = "U160"\n', "exponential|ulh"), ('[eos]\nrow = "U184"\n', "no density"),
+    ('[eos]\nrow = "U007"\ngamma0 = "U116.gamma0"\n', "no cell"),
+    ('[eos]\nrow = "U007"\n[detonation]\nspeed = 3\n', "speed")])
+def test_what_is_wrong_is_said(tmp_path, text, words):
+    path = tmp_path / "mine.toml"
+    path.write_text(text)
+    with pytest.raises(DeckError, match=words):
+        users.read_materials(path)
+
+
+def test_a_recalled_value_carries_its_mark(tmp_path):
+    path = tmp_path / "mine.toml"
+    path.write_text('[eos]\nlaw = "ideal_gas"\ngamma = {value = 1.31, source = "from memory", status = "recalled"}\n')
+    (entry,) = users.read_materials(path).values()
+    assert any("unverified against print" in w for w in entry.material.warnings)
+
+
+def test_finding_among_both(alloy):
+    own = users.user_materials([alloy])
+    assert users.find("My Alloy", own).name == "my_alloy"
+    assert users.find("Cu", own).name == "copper"
+    with pytest.raises(library.UnknownMaterial, match="my_alloy"):
+        users.find("my_aloy", own)
+
+
+def test_a_place_that_is_not_there(tmp_path):
+    with pytest.raises(FileTrouble, match="no file or folder"):
+        users.user_materials([tmp_path / "nowhere"])
