@@ -1,12 +1,12 @@
 """Boundary conditions of a deck: `left = "free"`, `{velocity = "10 m/s"}`, a table, or a named pulse."""
 
-from typing import Any
+from typing import Annotated, Any
 
 from pydantic import Field
 
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.problem.model import Boundary, Pulse
-from hugoniot.problem.schema import Table, Time, quantity, validate
+from hugoniot.problem.schema import Quantity, Table, Time, validate
 from hugoniot.units import UnitError, parse
 
 PLAIN = ("free", "fixed", "transmitting")
@@ -21,7 +21,7 @@ class PulseTable(Table):
 
     shape: str = Field(description="exponential | half_sine | square | ramp")
     amplitude: Any = Field(description="peak value (exponential: value at its start; ramp: value it reaches and keeps)")
-    duration: quantity("s", above=0.0) = Field(  # type: ignore[valid-type]
+    duration: Annotated[float, Quantity("s", above=0.0)] = Field(
         description="decay time of the exponential, length of half sine and square, rise time of the ramp")
     start: Time = Field(0.0, description="zero before this time")
 

@@ -15,10 +15,10 @@ from hugoniot.materials.tables import law_table, material_tables
 from hugoniot.problem import checks
 from hugoniot.problem.boundaries import boundary_schema, boundary_value, read_boundary
 from hugoniot.problem.model import Boundary, OutputOptions, Problem, SolverOptions
-from hugoniot.problem.schema import Length, Pressure, Table, quantity, salvage, trouble
+from hugoniot.problem.schema import Length, Pressure, Quantity, Table, salvage, trouble
 from hugoniot.units import UnitError, parse
 
-Positive = quantity("s", above=0.0, limit=1e15)
+Positive = Annotated[float, Quantity("s", above=0.0, limit=1e15)]
 MOST_ZONES = 10_000_000
 MOST_SNAPSHOTS = 100_000
 
@@ -71,14 +71,14 @@ class RegionTable(Table):
     start: Length = Field(alias="from", description="position of the left end at t = 0")
     end: Length = Field(alias="to", description="position of the right end at t = 0; a gap to the next region closes as bodies meet")
     zones: int | None = Field(None, ge=1, le=MOST_ZONES, description="number of zones (this or zone_size)")
-    zone_size: quantity("m", above=0.0) | None = Field(None, description="width of the first zone (this or zones)")  # type: ignore[valid-type]
-    ratio: quantity("1", above=0.0, limit=10.0) = Field(1.0, description="width of each zone over the one before")  # type: ignore[valid-type]
+    zone_size: Annotated[float, Quantity("m", above=0.0)] | None = Field(None, description="width of the first zone (this or zones)")
+    ratio: Annotated[float, Quantity("1", above=0.0, limit=10.0)] = Field(1.0, description="width of each zone over the one before")
     velocity: Annotated[Any, BeforeValidator(_velocity), WithJsonSchema(_one_or_more | {"unit": "m/s"})] = Field(
         0.0, description="initial velocity, or [at start, at end] for a linear profile")
-    density: quantity("kg/m^3", above=0.0) | None = Field(None, description="initial density")  # type: ignore[valid-type]
+    density: Annotated[float, Quantity("kg/m^3", above=0.0)] | None = Field(None, description="initial density")
     pressure: Pressure | None = Field(None, description="initial pressure")
-    temperature: quantity("K", above=0.0, limit=1e12) | None = Field(None, description="initial temperature")  # type: ignore[valid-type]
-    energy: quantity("J/kg") | None = Field(None, description="initial specific internal energy")  # type: ignore[valid-type]
+    temperature: Annotated[float, Quantity("K", above=0.0, limit=1e12)] | None = Field(None, description="initial temperature")
+    energy: Annotated[float, Quantity("J/kg")] | None = Field(None, description="initial specific internal energy")
 
 
 class InterfaceTable(Table):
@@ -87,7 +87,7 @@ class InterfaceTable(Table):
     between: list[str] = Field(min_length=2, max_length=2, description="the names of the two regions")
     kind: Literal["bonded", "separable", "bond"] = Field(
         "separable", description="bonded never opens, separable opens under any tension, bond opens beyond its strength")
-    strength: quantity("Pa", above=0.0) | None = Field(None, description="tension a bond carries")  # type: ignore[valid-type]
+    strength: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(None, description="tension a bond carries")
 
 
 class GaugeTable(Table):
@@ -111,8 +111,9 @@ class SolverTable(Table):
     kind: Literal["lagrange1d"] = Field("lagrange1d", description="the solver")
     integrator: Literal["compatible", "wilkins"] = Field(
         "compatible", description="compatible closes the total energy to round-off; wilkins is the classical leapfrog")
-    courant: quantity("1", above=0.0, limit=1.0) | None = Field(None, description="Courant number (default: the integrator's)")  # type: ignore[valid-type]
-    growth: quantity("1", least=1.0, limit=10.0) = Field(1.1, description="largest growth of the time step per cycle")  # type: ignore[valid-type]
+    courant: Annotated[float, Quantity("1", above=0.0, limit=1.0)] | None = Field(
+        None, description="Courant number (default: the integrator's)")
+    growth: Annotated[float, Quantity("1", least=1.0, limit=10.0)] = Field(1.1, description="largest growth of the time step per cycle")
     initial_step: Positive | None = Field(None, description="first time step (default: from the Courant condition)")
     largest_step: Positive | None = Field(None, description="largest time step (default: none)")
     threads: int = Field(1, ge=1, le=1024, description="threads; they change no bit of the result")
@@ -128,8 +129,8 @@ class OutputTable(Table):
     snapshots: Annotated[Any, BeforeValidator(_times), WithJsonSchema(_one_or_more | {"unit": "s"})] = Field(
         None, description="interval between snapshots, or their times (default: a hundredth of stop_time)")
     fields: list[str] = Field(default_factory=list, max_length=50, description="fields of a snapshot (default: the solver's set)")
-    gauge_interval: quantity("s", least=0.0) = Field(0.0, description="time between gauge samples; 0: every cycle")  # type: ignore[valid-type]
-    checkpoint_seconds: quantity("s", above=0.0) = Field(30.0, description="wall time between checkpoints")  # type: ignore[valid-type]
+    gauge_interval: Annotated[float, Quantity("s", least=0.0)] = Field(0.0, description="time between gauge samples; 0: every cycle")
+    checkpoint_seconds: Annotated[float, Quantity("s", above=0.0)] = Field(30.0, description="wall time between checkpoints")
     checkpoint_cycles: int | None = Field(None, ge=1, le=10**15, description="cycles between checkpoints (default: by time only)")
     report: bool = Field(True, description="write report.html at the end")
 
@@ -143,7 +144,7 @@ class Model(Table):
     region: list[RegionTable] = Field(min_length=1, max_length=100_000, description="the bodies, [[region]]")
     material: dict[str, Annotated[Any, WithJsonSchema({"x-definition": "material"})]] = Field(
         default_factory=dict, description="materials of this deck, [material.NAME.eos] and so on")
-    boundary: BoundaryTables = Field(default_factory=BoundaryTables, description="the two ends")
+    boundary: BoundaryTables = Field(default_factory=lambda: BoundaryTables(), description="the two ends")
     interface: list[InterfaceTable] = Field(default_factory=list, max_length=100_000, description="how neighbours hold together")
     gauge: list[GaugeTable] = Field(default_factory=list, max_length=10_000, description="Lagrangian gauges")
     solver: SolverTable = Field(default_factory=SolverTable, description="how it is solved")  # type: ignore[arg-type]

@@ -7,11 +7,12 @@ model, named in `SOLVERS`; a new solver plugs in with one line there.
 import importlib
 import importlib.util
 from collections.abc import Mapping
+from dataclasses import dataclass
 from types import ModuleType
 from typing import Annotated, Any
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, ValidationError, WithJsonSchema
-from pydantic_core import PydanticCustomError
+from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic_core import PydanticCustomError, core_schema
 
 from hugoniot.core.registry import Registry
 from hugoniot.laws import viscosity  # noqa: F401  (enrols the viscosity laws)
@@ -44,30 +45,48 @@ class Table(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True, populate_by_name=True, frozen=True)
 
 
-def quantity(unit: str, *, above: float | None = None, least: float | None = None, limit: float = 1e30):
-    """Type of a quantity in a model: number (SI) or text with unit; `above`, `least`: its bounds; `limit` of its magnitude."""
+@dataclass(frozen=True)
+class Quantity:
+    """Mark of a number in a model, `Annotated[float, Quantity("m")]`: a number (SI) or text with unit.
 
-    def read(value: Any) -> float:
+    above, least   bounds of the value; `limit` of its magnitude
+    """
+
+    unit: str
+    above: float | None = None
+    least: float | None = None
+    limit: float = 1e30
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> core_schema.CoreSchema:
+        return core_schema.no_info_plain_validator_function(self.read)
+
+    def __get_pydantic_json_schema__(self, source: Any, handler: Any) -> dict:
+        text = {"type": "string", "pattern": r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*\S.*$"}
+        return {"anyOf": [{"type": "number"}, text], "unit": self.unit}
+
+    def read(self, value: Any) -> float:
+        """The SI value, or the error pydantic collects."""
         try:
-            number = parse(value, unit)
+            number = parse(value, self.unit)
         except UnitError as error:
             raise trouble(error.message, error.hint) from None
-        if above is not None and not number > above:
-            raise trouble(f"must be greater than {above:g}, got {printable(value)!r}")
-        if least is not None and not number >= least:
-            raise trouble(f"must not be less than {least:g}, got {printable(value)!r}")
-        if abs(number) > limit:
-            raise trouble(f"unreasonably large: {printable(value)!r} is {number:g} {unit}", f"the limit is {limit:g} {unit}")
+        if self.above is not None and not number > self.above:
+            raise trouble(f"must be greater than {self.above:g}, got {printable(value)!r}")
+        if self.least is not None and not number >= self.least:
+            raise trouble(f"must not be less than {self.least:g}, got {printable(value)!r}")
+        if abs(number) > self.limit:
+            raise trouble(f"unreasonably large: {printable(value)!r} is {number:g} {self.unit}", f"the limit is {self.limit:g} {self.unit}")
         return number
 
-    text = {"type": "string", "pattern": r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*\S.*$"}
-    return Annotated[float, BeforeValidator(read), WithJsonSchema({"anyOf": [{"type": "number"}, text], "unit": unit})]
+
+def quantity(unit: str, **bounds: float) -> Any:
+    """The type `Annotated[float, Quantity(unit, ...)]`, for models made while running."""
+    return Annotated[float, Quantity(unit, **bounds)]
 
 
-Length = quantity("m", limit=1e15)
-Time = quantity("s", limit=1e15)
-Speed = quantity("m/s", limit=299792458.0)
-Pressure = quantity("Pa")
+Length = Annotated[float, Quantity("m", limit=1e15)]
+Time = Annotated[float, Quantity("s", limit=1e15)]
+Pressure = Annotated[float, Quantity("Pa")]
 
 
 def trouble(message: str, hint: str = "") -> PydanticCustomError:
