@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 LONGEST = 120  # characters of a quantity worth reading
 _QUANTITY = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,4})?)\s*(.*)", re.ASCII)
+_SLIP = 0.75  # a name this like a known unit is taken for a slip of the pen, and pint is not asked
 _TOKEN = re.compile(r"\s*(?:([A-Za-zµμ°%Ω]+\d*)|(\*\*|[/*·^()])|(-?\d+))")
 
 
@@ -45,7 +46,7 @@ _PLAIN = {"1": ("1", _NONE), "%": ("0.01", _NONE), "rad": ("1", _NONE), "cm": ("
           "min": ("60", _TIME), "cc": ("1e-6", _VOLUME), "l": ("1e-3", _VOLUME), "L": ("1e-3", _VOLUME),
           "atm": ("101325", _PRESSURE), "psi": ("6894.757293168361", _PRESSURE), "ksi": ("6894757.293168361", _PRESSURE),
           "hPa": ("100", _PRESSURE), "kb": ("1e8", _PRESSURE), "erg": ("1e-7", _ENERGY), "cal": ("4.184", _ENERGY),
-          "kcal": ("4184", _ENERGY),
+          "kcal": ("4184", _ENERGY), "torr": ("133.32236842105263", _PRESSURE), "h": ("3600", _TIME), "hour": ("3600", _TIME),
           "dyn": ("1e-5", _FORCE), "lb": ("0.45359237", _MASS)}
 _OFFSET = {"degC": Decimal("273.15"), "°C": Decimal("273.15"), "celsius": Decimal("273.15")}
 
@@ -55,7 +56,11 @@ def _table() -> dict[str, Unit]:
     for name, (factor, powers) in _PREFIXED.items():
         for prefix, scale in _PREFIXES.items():
             table.setdefault(prefix + name, Unit(Decimal(factor) * Decimal(scale), powers))
-    return table
+    for word, name in (("meter", "m"), ("metre", "m"), ("gram", "g"), ("second", "s"), ("kelvin", "K"), ("pascal", "Pa"), ("joule", "J"),
+                       ("newton", "N"), ("watt", "W"), ("micron", "um"), ("dyne", "dyn"), ("minute", "min"), ("hour", "h")):
+        table.setdefault(word, table[name])
+        table.setdefault(word + "s", table[name])
+    return table | {"feet": table["ft"], "inches": table["in"]}
 
 
 _UNITS = _table()
@@ -227,7 +232,7 @@ def _from_pint(name: str) -> Unit:
     near = _nearest(name)
     if len(name) > 30:
         raise UnitError(f"unknown unit '{_shown(name, quote=False)}'")
-    if near.lower() != name.lower():
+    if near.lower() != name.lower() and difflib.SequenceMatcher(None, near, name).ratio() < _SLIP:
         try:
             import pint
         except ImportError:

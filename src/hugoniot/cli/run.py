@@ -6,7 +6,6 @@ from typing import Annotated
 import typer
 
 from hugoniot.cli.progress import progress
-from hugoniot.cli.results import echo_results
 from hugoniot.cli.show import JSON, SET, echo_json, overrides_of
 from hugoniot.problem.deck import read_deck
 
@@ -45,8 +44,10 @@ def command(
         raise typer.Exit(130) from None
     if as_json:
         echo_json({"folder": str(run.folder), **run.summary})
-    else:
-        echo_results(run)
+        return
+    from hugoniot.cli.results import echo_results
+
+    echo_results(run)
 
 
 def _announce_compilation() -> None:

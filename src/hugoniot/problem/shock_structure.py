@@ -16,7 +16,7 @@ from hugoniot.materials.tables import law_table, material_tables
 from hugoniot.problem import checks
 from hugoniot.problem.lagrangian import OutputTable, Positive, RegionTable, _known, _output, _parts
 from hugoniot.problem.model import Boundary, Problem, SolverOptions
-from hugoniot.problem.schema import Length, Table, quantity, salvage
+from hugoniot.problem.schema import Length, Quantity, Table, salvage
 
 _LAW = {"type": "object", "required": ["law"]}
 
@@ -26,17 +26,17 @@ class TransportTable(Table):
 
     viscosity: Annotated[Any, WithJsonSchema(_LAW)] = Field(description="table {law = ...} of shear viscosity (hugoniot list transport)")
     conduction: Annotated[Any, WithJsonSchema(_LAW)] = Field(None, description="table {law = ...} of heat conduction, or none (default)")
-    bulk_ratio: quantity("1", least=0.0) = Field(0.0, description="bulk over shear viscosity")  # type: ignore[valid-type]
-    bulk_viscosity: quantity("Pa s", least=0.0) = Field(0.0, description="bulk viscosity added to that")  # type: ignore[valid-type]
+    bulk_ratio: Annotated[float, Quantity("1", least=0.0)] = Field(0.0, description="bulk over shear viscosity")
+    bulk_viscosity: Annotated[float, Quantity("Pa s", least=0.0)] = Field(0.0, description="bulk viscosity added to that")
 
 
 class ShockTable(Table):
     """A shock put into the domain at t = 0; the gas ahead, on the left, has the state of the first region."""
 
-    mach: quantity("1", above=1.0, limit=1e6) | None = Field(None, description="Mach number (this or another measure)")  # type: ignore[valid-type]
-    shock_velocity: quantity("m/s", above=0.0) | None = Field(None, description="speed into the material ahead")  # type: ignore[valid-type]
-    particle_velocity: quantity("m/s", above=0.0) | None = Field(None, description="velocity jump")  # type: ignore[valid-type]
-    pressure: quantity("Pa", above=0.0) | None = Field(None, description="pressure behind")  # type: ignore[valid-type]
+    mach: Annotated[float, Quantity("1", above=1.0, limit=1e6)] | None = Field(None, description="Mach number (this or another measure)")
+    shock_velocity: Annotated[float, Quantity("m/s", above=0.0)] | None = Field(None, description="speed into the material ahead")
+    particle_velocity: Annotated[float, Quantity("m/s", above=0.0)] | None = Field(None, description="velocity jump")
+    pressure: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(None, description="pressure behind")
     at: Length | None = Field(None, description="where it stands at t = 0 (default: the middle)")
     start: Literal["step", "steady"] = Field("step", description="start as a step, or from the steady profile")
     frame: Literal["standing", "moving"] = Field(
@@ -47,7 +47,7 @@ class SolverTable(Table):
     """How it is solved."""
 
     kind: Literal["shock_structure"] = Field(description="the solver")
-    courant: quantity("1", above=0.0, limit=1.0) | None = Field(None, description="Courant number (default 0.9)")  # type: ignore[valid-type]
+    courant: Annotated[float, Quantity("1", above=0.0, limit=1.0)] | None = Field(None, description="Courant number (default 0.9)")
     largest_step: Positive | None = Field(None, description="largest time step (default: none)")
     max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after so many cycles (default: none)")
     transport: TransportTable = Field(description="[solver.transport]: viscosity and conduction")
@@ -68,7 +68,7 @@ class Model(Table):
     geometry: Literal["planar"] = Field("planar", description="symmetry")
     stop_time: Positive = Field(description="time at which the run ends, such as \"100 ns\"")
     region: list[RegionTable] = Field(min_length=1, max_length=1000, description="pieces of one material, [[region]], cells of one width")
-    material: dict[str, Annotated[Any, WithJsonSchema({"$ref": "#/$defs/material"})]] = Field(
+    material: dict[str, Annotated[Any, WithJsonSchema({"x-definition": "material"})]] = Field(
         default_factory=dict, description="the material of this deck, [material.NAME.eos]")
     boundary: EndTables = Field(default_factory=EndTables, description="the two ends")  # type: ignore[arg-type]
     solver: SolverTable = Field(description="how it is solved")
