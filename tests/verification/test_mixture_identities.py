@@ -374,3 +374,14 @@ def test_refusals_name_the_state_and_the_cause():
         tool.solve(-1.0, e_k + Q, 0.2, par, (rho_k, e_k + Q))
     with pytest.raises(OutOfRange, match="vanishing_series"):
         tool.solve(rho_k, e_k + Q, 0.0, par, (rho_k, e_k + Q)).phase_slopes()
+    cold = PRODUCTS._replace(specific_heat=float("nan"))
+    with pytest.raises(OutOfRange, match="products.*specific_heat"):
+        tool.mixture("thermal_equilibrium", UNREACTED, cold)
+    isolated = tool.solve(rho_k, e_k + Q, 0.3, tool.mixture("thermal_isolation", PAIRS["mie-grueneisen, jwl"][0], cold, Q), (rho_k, e_k + Q))
+    assert isolated.pressure > 0.0
+    with pytest.raises(OutOfRange, match="temperature"):
+        _ = isolated.temperature
+    with pytest.raises(OutOfRange, match="reactants"):
+        tool.mixture("weighted_pressures", None, PRODUCTS)
+    with pytest.raises(OutOfRange, match="no specific heat"):
+        _ = tool.solve(rho_k, e_k + Q, 0.3, tool.mixture("weighted_pressures", UNREACTED, PRODUCTS)).specific_heat

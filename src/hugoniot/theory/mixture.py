@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.laws.eos import contract as eos
 from hugoniot.laws.mixture import contract
-from hugoniot.laws.mixture.build import detonation_energy, mixture
+from hugoniot.laws.mixture.build import detonation_energy, mixture, require_temperature
 from hugoniot.laws.mixture.contract import MIXTURE, Mixed
 
 __all__ = ["FrozenHugoniot", "MixtureState", "VanishingSeries", "adiabat", "detonation_energy", "frozen_hugoniot", "hugoniot_volume",
@@ -79,14 +79,23 @@ class MixtureState:
         values = [function(float(self.burn_fraction[i]), self.mixed(i), self.par) for i in np.ndindex(self.density.shape)]
         return np.array(values).reshape(self.density.shape + np.shape(values[0]))
 
+    def _require_temperature(self) -> None:
+        for role in ("reactants", "products"):
+            if hasattr(self.par, role):
+                require_temperature("the mixture's temperature", role, getattr(self.par, role))
+
     @property
     def temperature(self):
-        """K: the products' (isolation), the common one (equilibrium), the mean by mass (weighted pressures)."""
+        """K: the products' (isolation), the common one (equilibrium), the mean by mass (weighted pressures); OutOfRange without one."""
+        self._require_temperature()
         return self._each(contract.mixture_temperature)
 
     @property
     def specific_heat(self):
-        """C_v = de/dT at constant volume and burn fraction, J/(kg K)."""
+        """C_v = de/dT at constant volume and burn fraction, J/(kg K); OutOfRange where closure or laws have none."""
+        if "specific_heat" not in MIXTURE.of(self.par).functions:
+            raise OutOfRange(f"mixtures of kind '{MIXTURE.of(self.par).name}' have no specific heat: take an equilibrium closure")
+        self._require_temperature()
         return self._each(contract.mixture_specific_heat)
 
     def phase_slopes(self) -> contract.PhaseSlopes:
