@@ -70,7 +70,7 @@ def _best_shifts(a, b, first, last, spread: float, window: int = 7) -> np.ndarra
     first, last = first[::step], last[::step]
     misfit = np.abs(a[np.clip(zone - moves, first, last)] - b[np.clip(zone + moves, first, last)])
     sums = np.cumsum(np.pad(misfit, ((0, 0), (window // 2 + 1, window // 2)), mode="edge"), axis=1)
-    cost = (sums[:, window:] - sums[:, :-window]) / window + 2e-3 * spread * np.abs(moves) / max(step * most, 1)
+    cost = (sums[:, window:] - sums[:, :-window]) / window + 2e-2 * spread * np.abs(moves) / max(step * most, 1)
     return np.repeat(moves[np.argmin(cost, axis=0), 0], step)[:count]
 
 

@@ -68,6 +68,12 @@ def free_surface_record(run, name: str | None = None) -> tuple[np.ndarray, np.nd
     return rows["time"], rows["velocity_right"][:, -1], "the snapshots only; a gauge at 'free surface right' would be finer"
 
 
+def has_spalled(run) -> bool:
+    """Whether a void opened inside a material: a dip of the velocity in a run that broke nothing is a reverberation, not a pull-back."""
+    rows = run.arrays("events")
+    return any(kind == "void_opened" and "(interface)" not in words for kind, words in zip(rows["kind"], rows["text"]))
+
+
 def target_constants(run) -> dict[str, float]:
     """rho0 (kg/m3), c_bulk and c_long (m/s) of the outermost region, as far as its material states them."""
     material = run.setup["materials"][run.setup["regions"][-1]["material"]]
@@ -82,10 +88,10 @@ def target_constants(run) -> dict[str, float]:
 def spall_reading(run, name: str | None = None) -> dict[str, float]:
     """What the free-surface record tells: pull-back (m/s), spall strength (Pa; acoustic, and Stepanov's), period (s), spall thickness (m).
 
-    Empty if there is no pull-back; strengths and thickness only where the material states rho0 and c0.
+    Empty if nothing broke or there is no pull-back; strengths and thickness only where the material states rho0 and c0.
     """
     time, velocity, _ = free_surface_record(run, name)
-    found = pull_back(time, velocity)
+    found = pull_back(time, velocity) if has_spalled(run) else None
     if found is None:
         return {}
     result = {"peak_velocity": found.peak, "pull_back": found.drop, "minimum_time": found.minimum_time}
@@ -104,7 +110,7 @@ def spall_reading(run, name: str | None = None) -> dict[str, float]:
 
 @styled
 def free_surface(run, name: str | None = None, delay: float = 0.0, ax=None):
-    """Free-surface velocity over time, with the pull-back marked; gives the axes.
+    """Free-surface velocity over time, with the pull-back marked where something spalled; gives the axes.
 
     name    gauge on a free surface; default the right-hand one
     delay   s, of the VISAR through which it is seen; 0 shows the surface itself
@@ -123,7 +129,7 @@ def free_surface(run, name: str | None = None, delay: float = 0.0, ax=None):
     ax.set_ylabel(labelled("free-surface velocity", unit))
     quiet_grid(ax)
     ax.margins(y=0.08)
-    found = pull_back(time, velocity)
+    found = pull_back(time, velocity) if has_spalled(run) else None
     if found is not None:
         _mark_pull_back(ax, run, found, ft, fu, unit)
     return ax

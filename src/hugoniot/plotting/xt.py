@@ -23,11 +23,11 @@ def xt(run, field: str = "stress", ax=None, window=None, limits=None, size=(360,
     low, high = window or (float(left.min()), float(right.max()))
     unit_t, ft = time_scale(time[-1])
     unit_x, fx = length_scale(high - low)
-    unit, factor, words = field_scale(field, values)
-    picture = raster(time, left, right, values * factor, size, (low, high))
-    colours, (bottom, top) = _colours(field, picture.values, None if limits is None else (limits[0] * factor, limits[1] * factor))
-    image = ax.imshow(picture.values, extent=(low * fx, high * fx, time[0] * ft, time[-1] * ft), origin="lower", aspect="auto",
-                      cmap=colours, vmin=bottom, vmax=top, interpolation="nearest", rasterized=True)
+    picture = raster(time, left, right, values, size, (low, high))
+    colours, ends = _colours(field, picture.values, limits)
+    unit, factor, words = field_scale(field, np.array(ends))
+    image = ax.imshow(picture.values * factor, extent=(low * fx, high * fx, time[0] * ft, time[-1] * ft), origin="lower", aspect="auto",
+                      cmap=colours, vmin=ends[0] * factor, vmax=ends[1] * factor, interpolation="nearest", rasterized=True)
     _draw_edges(ax, rows, time * ft, left * fx, right * fx)
     _draw_gauges(ax, run, fx, ft)
     ax.set_xlim(low * fx, high * fx)
@@ -47,9 +47,10 @@ def _colours(field, values, limits):
     good = values[np.isfinite(values)]
     low, high = limits or ((float(np.quantile(good, 0.0005)), float(np.quantile(good, 0.9995))) if good.size else (0.0, 1.0))
     if field in ("stress", "pressure"):
-        # zero keeps its grey: each side is stretched to its own extreme, the weaker at least a fifth of the stronger
+        # zero keeps its grey: each side is stretched to its own extreme, the weaker at least a fifth of the stronger;
+        # without tension worth showing there is one side only
         top = max(high, 0.2 * -min(low, 0.0), 1e-300)
-        bottom = max(-low, 0.2 * top)
+        bottom = max(-low, 0.2 * top) if low < -0.02 * top else 0.0
         return _stretched(bottom, top), (-bottom, top)
     return "viridis", (low, high if high > low else low + 1.0)
 
@@ -60,7 +61,7 @@ def _stretched(bottom: float, top: float):
 
     zero = bottom / (bottom + top)
     place = np.linspace(0.0, 1.0, 512)
-    where = np.where(place < zero, 0.5 * place / zero, 0.5 + 0.5 * (place - zero) / (1.0 - zero))
+    where = np.where(place < zero, 0.5 * place / max(zero, 1e-12), 0.5 + 0.5 * (place - zero) / (1.0 - zero))
     return ListedColormap(STRESS(where), name="stress")
 
 
