@@ -23,8 +23,13 @@ _PARAMETERS = {
 }
 
 
-def card(row: Row) -> Card:
-    """The law table of a row: `law` and its parameters; ValueError where no law of the package takes the row as it stands."""
+def card(row: Row, family: str = "") -> Card:
+    """The law table of a row: `law` and its parameters; ValueError where no law of the package takes the row as it stands.
+
+    family   "burn" asks an ignition-and-growth row for its rate; else such a row gives its unreacted explosive
+    """
+    if row.table == "ignition_growth" and family == "burn":
+        return _rate(row)
     makers = {"us_up": _us_up, "strength": _strength, "jwl": _jwl, "tillotson": _tillotson, "gases": _gas, "ignition_growth": _reactant}
     if row.table not in makers:
         raise ValueError(f"row {row.id} of the table {row.table} is not the table of one law")
@@ -140,6 +145,16 @@ def _reactant(row: Row) -> Card:
     found["specific_heat"] = replace(heat, value=heat.value / row["rho0"], unit="J/kg/K")
     found["e0"] = _energy_at_rest(row, found, heat)
     return found
+
+
+def _rate(row: Row) -> Card:
+    if "unreacted_a" not in row and "x" not in row:
+        return {"law": "jwl_plus_plus", "g": row.constant("growth1", "g"), "b": row.constant("y", "b")}
+    names = {"rho0": "rho0", "i": "ignition_rate", "b": "b", "a": "a", "x": "x", "g1": "growth1", "c": "c", "d": "d", "y": "y",
+             "g2": "growth2", "e": "e", "g": "g", "z": "z", "ignition_limit": "ignition_limit", "growth_limit": "growth1_limit",
+             "completion_limit": "growth2_limit"}
+    given = {parameter: row.constant(column, parameter) for parameter, column in names.items() if column in row}
+    return {"law": "ignition_growth", **given}
 
 
 def _energy_at_rest(row: Row, found: Card, heat: Source) -> Source:

@@ -22,7 +22,7 @@ RECORDED_LIMIT = 2e-3  # CJ velocity computed when the tables were made; the pre
 
 # column -> (lowest, highest) plausible value: a slip of a unit is a factor of ten or a thousand
 RANGES: dict[str, tuple[float, float]] = {
-    "rho0": (80.0, 23000.0), "rho_solid": (80.0, 23000.0), "c0": (140.0, 12000.0), "s": (0.25, 8.0), "gamma0": (0.05, 4.0),
+    "rho0": (20.0, 23000.0), "rho_solid": (80.0, 23000.0), "c0": (140.0, 12000.0), "s": (0.25, 8.0), "gamma0": (0.05, 4.0),
     "heat_capacity": (90.0, 4500.0), "shear_modulus": (3e8, 3e11), "yield_stress": (1e6, 1.2e10), "largest_yield_stress": (1e6, 1.2e10),
     "pressure_coefficient": (0.0, 2e-10), "temperature_coefficient": (0.0, 5e-3), "melt_temperature": (250.0, 5000.0),
     "johnson_cook_yield": (1e7, 2e9), "johnson_cook_hardening": (1e7, 6e10), "johnson_cook_exponent": (0.05, 1.5),
@@ -232,7 +232,7 @@ def check_entry(entry: Entry) -> Iterator[Finding]:
         if column == "rho0" and "gas" in law.flags and "reacted" not in law.flags:
             continue
         if column in RANGES and isinstance(source.value, (int, float)) and not source.quantity.startswith("detonation."):
-            yield from _in_range(name, column, source.value, True)
+            yield from _in_range(name, column, source.value, "DOUBT" in source.note)
     for warning in material.warnings:
         yield Finding(name, "warning", "mark", text=warning)
     try:

@@ -8,7 +8,7 @@ A file `<name>.toml` holds, beside the tables of a deck (`[eos]`, `[strength]`, 
     [eos] reason = "..."              why this choice (also under strength, fracture, burn, unreacted)
     [eos] others = ["U058", ...]      rows of other sources, for comparison
     [unreacted] row = "J049"          the unreacted explosive, as another equation of state
-    [detonation]                      velocity, pressure, gurney_velocity, ignition_growth (the row of a rate law)
+    [detonation]                      velocity, pressure, gurney_velocity, ignition_growth = "G001" (the row of a rate law)
 
 and a value anywhere may be a number in SI, a text with a unit, a cell of the library ("S088.spall_strength"), or a table
 { value = "3.94 km/s", source = "...", via = "...", status = "...", note = "..." }.
@@ -41,6 +41,7 @@ class Entry:
     reasons      family -> why this law and these constants
     others       family -> ids of rows of other sources
     unreacted    parameters of the equation of state of the unreacted explosive
+    rate         parameters of a rate law for reactive flow (ignition and growth), with `unreacted` and the products in material.eos
     detonation   name -> Source: measured velocity (m/s), CJ pressure (Pa), Gurney velocity (m/s), id of an ignition-and-growth row
     rows         ids of the rows the constants come from, in order of first use
     curated      False for a material made of a single row, without a person's choice
@@ -56,6 +57,7 @@ class Entry:
     missing: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     unreacted: Any = None
+    rate: Any = None
     detonation: Mapping[str, Source] = field(default_factory=dict)
     rows: tuple[str, ...] = ()
     file: str = ""
@@ -112,6 +114,10 @@ class _Reader:
             plain["valid_up_to"] = self.value("valid_up_to", valid, "m/s")
         unreacted = self.unreacted(known["eos"], tables.get("unreacted"))
         detonation = self.detonation(tables.get("detonation", {}))
+        rate = None
+        if "ignition_growth" in detonation and "burn" in known:
+            rate = read_law(known["burn"], self.law("rate", {"row": detonation["ignition_growth"].value}), self.collector,
+                            ("material", self.name, "detonation"))
         material = build_material(self.name, plain, self.problems, self.file, self.line_of)
         if material is None or self.problems:
             return None
@@ -121,19 +127,21 @@ class _Reader:
         material = replace(material, sources=(*inherited, *self.sources), warnings=warnings)
         said = {k: tables.get(k, words.get(k, d)) for k, d in (("title", self.name), ("category", "user"), ("aliases", ()))}
         return Entry(self.name, said["title"], said["category"], material, tuple(said["aliases"]), self.reasons, self.others,
-                     _lines(tables.get("missing", ())), _lines(tables.get("notes", ())), unreacted, detonation,
+                     _lines(tables.get("missing", ())), _lines(tables.get("notes", ())), unreacted, rate, detonation,
                      tuple(dict.fromkeys(self.rows)), self.file)
 
     def law(self, family: str, table: dict) -> dict:
         """The table of one law with every value plain: SI numbers, or texts with units that the deck's reader takes."""
         path = ("material", self.name, family)
-        self.reasons[family] = str(table.pop("reason", ""))
-        self.others[family] = tuple(table.pop("others", ()))
-        for identity in self.others[family]:
+        if family != "rate":
+            self.reasons[family] = str(table.pop("reason", ""))
+            self.others[family] = tuple(table.pop("others", ()))
+        for identity in self.others.get(family, ()):
             if not schema.is_row(identity):
                 self.collector.add((*path, "others"), f"the library has no row '{identity}'")
-        card = self.card(path, table.pop("row")) if "row" in table else {}
-        return self.plain(family, "eos" if family == "unreacted" else family, {**card, **table})
+        kind = {"unreacted": "eos", "rate": "burn"}.get(family, family)
+        card = self.card(path, table.pop("row"), kind) if "row" in table else {}
+        return self.plain(family, kind, {**card, **table})
 
     def plain(self, place: str, family: str, merged: dict) -> dict:
         """Every value of a law table resolved; `place` names the table in the list of sources."""
@@ -151,13 +159,13 @@ class _Reader:
             found["specific_heat"] = self.value(f"{place}.specific_heat", heat, "J/kg/K")
         return found
 
-    def card(self, path: tuple, identity: Any) -> dict:
+    def card(self, path: tuple, identity: Any, family: str) -> dict:
         if not (isinstance(identity, str) and schema.is_row(identity)):
             self.collector.add((*path, "row"), f"the library has no row '{identity}'", "hugoniot material search finds rows")
             return {}
         row = schema.row(identity)
         try:
-            found = cards.card(row)
+            found = cards.card(row, family)
         except ValueError as error:
             self.collector.add((*path, "row"), str(error))
             return {}
@@ -224,12 +232,16 @@ class _Reader:
                 self.collector.unknown(("material", self.name, "detonation", key), tuple(DETONATION))
                 continue
             before = len(self.sources)
-            self.value(f"detonation.{key}", value, DETONATION[key])
-            if key == "ignition_growth":
+            if key != "ignition_growth":
+                self.value(f"detonation.{key}", value, DETONATION[key])
+            else:
+                if not schema.is_row(value) or value[0] != "G":
+                    self.collector.add(("material", self.name, "detonation", key), f"the library has no ignition-and-growth row '{value}'")
+                    continue
                 row = schema.row(value)
                 self.use(row)
                 found[key] = Source(f"detonation.{key}", value, "text", row.source, row.via, row.status, row.note)
-            elif len(self.sources) > before:
+            if len(self.sources) > before:
                 found[key] = self.sources[-1]
         return found
 

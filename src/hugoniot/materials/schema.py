@@ -57,7 +57,8 @@ class Row:
 
     def constant(self, name: str, quantity: str = "") -> Source:
         """One constant of the row with its provenance; `quantity` is its name in the material."""
-        return Source(quantity or name, self.values[name], self.units[name], self.source, self.via, self.status,
+        status = "derived" if name.startswith("recorded_") and self.status != "recalled" else self.status
+        return Source(quantity or name, self.values[name], self.units[name], self.source, self.via, status,
                       "; ".join(t for t in (f"row {self.id}", self.note) if t))
 
     def constants(self) -> Iterator[Source]:

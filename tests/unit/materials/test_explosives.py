@@ -1,0 +1,50 @@
+"""What an explosive of the library brings: products, programmed burn, unreacted explosive, rates."""
+
+import pytest
+
+from hugoniot.laws.burn.contract import BURN
+from hugoniot.laws.burn.ignition_growth import IgnitionGrowth
+from hugoniot.laws.burn.jwl_plus_plus import JWLPlusPlus
+from hugoniot.laws.eos.contract import EOS, pressure, reference_state
+from hugoniot.materials import library, users
+
+EXPLOSIVES = [n for n, listing in library.index().items() if listing.category == "explosive"]
+
+
+@pytest.mark.parametrize("name", EXPLOSIVES)
+def test_products_and_schedule(name):
+    entry = library.entry(name)
+    assert "reacted" in EOS.of(entry.material.eos).flags and BURN.of(entry.material.burn).name == "programmed"
+    assert entry.material.strength is None  # products carry none
+    stated = entry.detonation.get("velocity")
+    if stated is not None:
+        assert entry.material.burn.detonation_velocity == stated.value
+    if entry.rate is not None:
+        assert entry.unreacted is not None, "a rate without its reactant is of no use"
+
+
+def test_lx17_is_the_published_calibration():
+    """Kapila et al. 2007, units of the paper: I 4e6/us, G1 4500/(Mbar^3 us), G2 30/(Mbar us)."""
+    rate = library.entry("LX-17").rate
+    assert isinstance(rate, IgnitionGrowth)
+    assert rate.g1 == pytest.approx(4500.0 * 1e6 / 1e11 ** 3, rel=1e-12) and rate.g2 == pytest.approx(30.0 * 1e6 / 1e11, rel=1e-12)
+    assert (rate.i, rate.a, rate.x, rate.y, rate.z, rate.ignition_limit) == (4e12, 0.22, 7.0, 3.0, 1.0, 0.02)
+
+
+def test_rows_as_burn_laws_in_a_users_file(tmp_path):
+    path = tmp_path / "mine.toml"
+    path.write_text('[eos]\nrow = "J016"\n[burn]\nrow = "G009"\n')
+    (entry,) = users.read_materials(path).values()
+    assert isinstance(entry.material.burn, JWLPlusPlus) and entry.material.burn.b == 1.3
+
+
+def test_reactant_and_products_share_one_scale_of_energy():
+    """Q from the two reference states: the energy of the unburned mixture is the products' E0."""
+    from hugoniot.laws.mixture.build import detonation_energy
+    for name in ("LX-17", "PBX-9502", "C-4", "Comp B"):
+        entry = library.entry(name)
+        q = detonation_energy(entry.unreacted, entry.material.eos)
+        rho, e = reference_state(entry.unreacted)
+        assert 3e6 < q < 8e6
+        assert e + q == pytest.approx(entry.material.eos.e0 / entry.material.eos.rho0, rel=1e-12)
+        assert pressure(rho, e, entry.unreacted) < 5e6

@@ -1,0 +1,132 @@
+"""`hugoniot material`: list, show, search, compare, check, for people and for programs."""
+
+import json
+
+import numpy as np
+import pytest
+
+from hugoniot.cli import main as front
+from hugoniot.materials import curves, library, schema
+from hugoniot.materials.search import matches, nearest, spelling
+
+
+def call(capsys, *arguments):
+    """(exit code, output, errors) of `hugoniot material ...`."""
+    with pytest.raises(SystemExit) as ended:
+        front.main(["material", *map(str, arguments)])
+    out, err = capsys.readouterr()
+    return ended.value.code or 0, out, err
+
+
+def test_list(capsys):
+    code, out, _ = call(capsys, "list")
+    assert code == 0 and all(name in out for name in library.names())
+    metals = json.loads(call(capsys, "list", "metal", "--json")[1])
+    assert {m["category"] for m in metals} == {"metal"} and "copper" in {m["name"] for m in metals}
+    everything = json.loads(call(capsys, "list", "--all", "--json")[1])
+    assert len(everything) >= 180
+    code, _, err = call(capsys, "list", "cheese")
+    assert code == 2 and "cheese" in err and "explosive" in err
+
+
+def test_summary_counts_what_is_unverified(capsys):
+    code, out, _ = call(capsys, "list", "--summary")
+    assert code == 0 and "rows unverified against print" in out
+    counts = json.loads(call(capsys, "list", "--summary", "--json")[1])
+    assert counts["rows_unverified_against_print"] == sum(t["unverified"] for t in counts["tables"].values()) == 36
+    assert counts["rows"] == sum(t["rows"] for t in counts["tables"].values())
+
+
+@pytest.mark.parametrize("name, words", [
+    ("copper", ["3940", "bulk_sound_speed", "hugoniot_elastic_limit", "Steinberg", "read in irisvogon", "up to 2946 m/s", "3900(11)"]),
+    ("pentolite", ["WARNING", "unverified against print", "cj_velocity", "25.5"]),
+    ("rdx", ["WARNING", "DOUBT"]), ("petn", ["NOT AT REST", "unreacted.a"]), ("iron", ["lost its last term", "U208", "3531(164)"]),
+    ("U160", []), ("uranium", ["s = 2.20"])])
+def test_show(capsys, name, words):
+    code, out, err = call(capsys, "show", name)
+    if name == "U160":
+        assert code == 2 and "ulh" in err
+        return
+    assert code == 0 and all(word in out for word in words), out
+
+
+def test_every_material_can_be_shown(capsys):
+    for name in library.names():
+        code, out, _ = call(capsys, "show", name, "--json")
+        about = json.loads(out)
+        assert code == 0 and about["constants"] and (about["derived"] or about["category"] == "gas")
+        call(capsys, "show", name)
+
+
+def test_show_an_unknown_name(capsys):
+    code, _, err = call(capsys, "show", "coper")
+    assert code == 2 and "copper" in err and "Traceback" not in err
+
+
+def test_search(capsys):
+    assert "steel_304" in call(capsys, "search", "stainless 304")[1]
+    found = json.loads(call(capsys, "search", "rhenium", "--json")[1]) + json.loads(call(capsys, "search", "Re", "--json")[1])
+    assert any("U071" in hit["rows"] for hit in found)
+    code, out, _ = call(capsys, "search", "xyzzy")
+    assert code == 2 and out.strip()
+
+
+def test_compare_writes_a_picture_and_data(capsys, tmp_path):
+    picture = tmp_path / "iron.png"
+    code, out, _ = call(capsys, "compare", "iron", "-o", picture, "--up", "4 km/s")
+    assert code == 0 and "U215" in out and picture.read_bytes()[:4] == b"\x89PNG" and picture.stat().st_size > 20_000
+    data = json.loads(call(capsys, "compare", "cu", "al6061", "--up", "2 km/s", "--json")[1])
+    assert len(data["curves"]) == 2 and data["states"]
+    copper = data["curves"][0]
+    assert np.interp(1000.0, copper["up"], copper["us"]) == pytest.approx(3940.0 + 1489.0, rel=1e-6)
+    assert np.interp(1000.0, copper["up"], copper["p"]) == pytest.approx(8930.0 * 5429.0 * 1e3, rel=1e-3)
+    assert max(data["states"][0]["up"]) <= 2060.0
+    assert call(capsys, "compare", "rdx", "-o", picture)[0] == 2
+
+
+def test_check_a_users_file(capsys, tmp_path):
+    path = tmp_path / "mine.toml"
+    path.write_text('[eos]\nlaw = "mie_gruneisen"\nrho0 = {value = 2700, source = "lab"}\nc0 = {value = "5.2 m/s", source = "lab"}\n'
+                    's = {value = 1.4, source = "lab"}\ngamma0 = {value = 2.0, source = "lab"}\n')
+    code, out, _ = call(capsys, "check", path)
+    assert code == 2 and "c0 = 5.2 is outside" in out
+    path.write_text(path.read_text().replace("5.2 m/s", "5.2 km/s"))
+    code, out, _ = call(capsys, "check", path)
+    assert code == 0 and "outside" not in out and "0 failures" in out
+    assert call(capsys, "check")[0] == 2
+
+
+def test_check_all(capsys):
+    code, out, _ = call(capsys, "check", "--all", "--json")
+    found = json.loads(out)
+    assert code == 0 and found["counts"]["fail"] == 0 and found["counts"]["ok"] > 7000
+    code, out, _ = call(capsys, "check", "--all")
+    assert code == 0 and "J010" in out and "-1.26 %" in out
+
+
+# -- names and curves --------------------------------------------------------------------------------------------
+def test_spelling():
+    assert spelling("Aluminium 6061-T6") == spelling("aluminum_6061 t6") == "aluminum6061t6"
+    assert spelling("Grüneisen") == "gruneisen"
+    assert matches("304 stainless", ["Stainless steel 304"]) and not matches("305 stainless", ["Stainless steel 304"])
+    assert nearest("tungstn", {"tungsten": "tungsten", "tin": "tin"})[0] == "tungsten"
+
+
+def test_sources_of_a_material_include_the_doubted_ones():
+    found = curves.comparison([library.entry("water")], 5000.0)
+    labels = " ".join(c.label for c in found.curves)
+    assert all(i in labels for i in ("U205", "U110", "U178", "U179", "U154", "U204", "U210"))
+    assert [c.default for c in found.curves].count(True) == 1
+    water = found.curves[0]
+    assert not water.reliable[0] and water.reliable[60] and not water.reliable[-1]  # 0.9 to 4.942 km/s are measured
+
+
+def test_measured_states_of_iron_are_solid_ones():
+    (iron,) = curves.measured("iron")
+    rows = [p for p in schema.points() if p.material == "Iron"]
+    assert 300 < len(iron.up) < len(rows)
+
+
+def test_an_unreacted_explosive_is_compared_with_solids():
+    found = curves.comparison([library.entry("lx_17"), library.entry("pmma")], 1000.0)
+    assert len(found.curves) == 2 and found.curves[0].us[0] > 2000.0
