@@ -154,7 +154,7 @@ def residual(material, initial: Initial, states: States):
     rho, p, e = (np.asarray(v, float) for v in (states.density, states.pressure, states.specific_internal_energy))
     u, us = np.asarray(states.particle_velocity, float) - initial.velocity, np.asarray(states.shock_velocity, float) - initial.velocity
     flux = initial.density * us
-    mass = (rho * (us - u) - flux) / np.maximum(flux, 1e-300)
+    mass = (rho * (us - u) - flux) / np.maximum(np.abs(flux), 1e-300)
     momentum = (p - initial.pressure - flux * u) / np.maximum(np.maximum(np.abs(p), initial.density * us**2), 1e-300)
     work = 0.5 * (p + initial.pressure) * (1.0 / initial.density - 1.0 / rho)
     gain = e - initial.energy - initial.heat

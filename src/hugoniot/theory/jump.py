@@ -67,7 +67,7 @@ def bracket(mode, target, guess, least, most, v0, p0, e0, par):
         elif g >= 0.0:
             high = x
             if x - least <= 1e-13 * v0:
-                return NOT_COMPRESSIVE, low, high
+                return dip(mode, target, least, most, v0, p0, e0, par)
             x = least + 0.4 * (x - least)
             g, _ = misfit(mode, target, x, v0, p0, e0, par)
             if g < 0.0:
@@ -75,6 +75,19 @@ def bracket(mode, target, guess, least, most, v0, p0, e0, par):
         else:
             return BEYOND_LIMIT, low, high
     return NOT_CONVERGED, low, high
+
+
+def dip(mode, target, least, most, v0, p0, e0, par):
+    """(status, low, high) by a scan for g < 0: where g is positive at small x also (reaction, elastic limit of a porous solid)."""
+    low = -1.0
+    for k in range(1, 200):
+        x = least + (most - least) * (k / 200.0) ** 3
+        g, _ = misfit(mode, target, x, v0, p0, e0, par)
+        if g < 0.0:
+            low = x
+        elif low >= 0.0 and g >= 0.0:
+            return FOUND, low, x
+    return NOT_COMPRESSIVE, least, most
 
 
 def polish(mode, target, low, high, v0, p0, e0, par):
@@ -101,19 +114,29 @@ def polish(mode, target, low, high, v0, p0, e0, par):
 
 
 def pressure_at(x, rho, p0, e0, guess, par):
-    """(status, p) on the Hugoniot at a given density: Newton in p, exact in one step for a law linear in energy."""
+    """(status, p) on the Hugoniot at a given density: Newton in p, exact in one step for a law linear in energy.
+
+    A slope above zero lies beyond the compression limit, except for strongly distended material that heat keeps below the density
+    of the solid, where the law without that heat would be in tension.
+    """
     p = guess
     for _ in range(60):
         e = e0 + 0.5 * (p + p0) * x
         h = pressure(rho, e, par) - p
         slope = 0.5 * pressure_derivatives(rho, e, par)[1] * x - 1.0
-        if slope >= 0.0 or not math.isfinite(h):
+        if not (math.isfinite(h) and (slope < 0.0 or (slope > 0.0 and anomalous(x, rho, p0, e0, par)))):
             return _pressure_by_bracket(x, rho, p0, e0, par)
         step = -h / slope
         p += step
         if abs(step) <= _EPSILON * abs(p):
             return FOUND, p
     return (FOUND, p) if abs(step) <= 1e-12 * abs(p) else _pressure_by_bracket(x, rho, p0, e0, par)
+
+
+def anomalous(x, rho, p0, e0, par):
+    """Whether heat alone holds distended material at `rho`: the law without that heat is in tension, here and at the initial density."""
+    cold = pressure(rho, e0, par)
+    return cold < p0 and pressure(1.0 / (x + 1.0 / rho), e0, par) < p0 - 1e-6 * abs(cold)
 
 
 def _pressure_by_bracket(x, rho, p0, e0, par):
