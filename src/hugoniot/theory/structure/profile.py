@@ -21,7 +21,7 @@ from hugoniot.theory.structure.ends import Ends, find_ends
 from hugoniot.theory.structure.equations import Equations
 
 FIELDS = ("density", "velocity", "pressure", "energy", "temperature", "viscous_stress", "heat_flux", "viscosity", "conductivity")
-_PER_STEP = 8  # points per step of the integration at which gradients are looked at
+_PER_STEP = 4  # points per step of the integration at which gradients are looked at
 
 
 @dataclass(frozen=True)
@@ -156,7 +156,7 @@ class Profile:
         return mean_free_path(definition, mu, one.density, one.pressure, exponent)
 
 
-def steady(material, transport, upstream=None, *, rtol: float = 1e-11, **shock) -> Profile:
+def steady(material, transport, upstream=None, *, rtol: float = 1e-10, **shock) -> Profile:
     """The steady structure of a shock.
 
     material    a material, or the parameter tuple of an equation of state
