@@ -189,10 +189,11 @@ def fit_jwl(rho0: float, velocity: float, pressure: float, energy: float, volume
         p = a * np.exp(-r1 * volumes) + b * np.exp(-r2 * volumes) + c * volumes ** (-1.0 - w)
         return np.where(p > 0.0, np.log(np.maximum(p, 1e-300)) - target, 50.0)
 
-    best = None
+    bounds, best = np.log([[0.05, 0.05, 0.02], [20.0, 8.0, 2.0]]), None  # of R1 - R2, R2, omega
     for factor in (1.0, 0.9, 1.15):
         x0 = np.log([start[0] * factor - start[1], start[1], *([] if omega is not None else [start[2]])])
-        found = least_squares(misfit, x0, xtol=1e-15, ftol=1e-15, gtol=1e-15, x_scale=0.1, max_nfev=2000)
+        found = least_squares(misfit, x0, bounds=(bounds[0, : len(x0)], bounds[1, : len(x0)]), xtol=1e-15, ftol=1e-15, gtol=1e-15,
+                              x_scale=0.1, max_nfev=500)
         best = found if best is None or found.cost < best.cost else best
     r1, r2, w, a, b, c = parts(best.x)
     deviation = float(np.sqrt(np.mean(best.fun**2)))

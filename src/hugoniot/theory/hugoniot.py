@@ -284,6 +284,8 @@ def _refuse(status, mode, name, target, ahead: Initial, par):
     if status == jump.NOT_COMPRESSIVE and mode == jump.BY_SHOCK_VELOCITY:
         raise OutOfRange(f"{asked} is not above the sound speed {_sound_speed_ahead(par, ahead):.6g} m/s ahead of the shock (law '{law}'), "
                          "or below the Chapman-Jouguet velocity if heat is released")
+    if mode == jump.BY_DENSITY and target > ahead.density and not distended(par, ahead):
+        status = jump.BEYOND_LIMIT
     if status == jump.NOT_COMPRESSIVE:
         raise OutOfRange(f"{asked} is no compression of the state ahead ({ahead.density:.6g} kg/m3, {ahead.pressure:.6g} Pa; law '{law}')")
     if status == jump.BEYOND_LIMIT:

@@ -1,0 +1,101 @@
+"""`hugoniot eos`: the words of its JSON, its files and pictures, and what it says to bad input."""
+
+import csv
+import json
+
+import pytest
+from typer.testing import CliRunner
+
+from hugoniot.cli.main import build_app
+
+WORDS = {"pressure", "density", "particle_velocity", "shock_velocity", "specific_internal_energy", "temperature", "sound_speed"}
+
+
+def eos(*arguments):
+    return CliRunner().invoke(build_app("eos"), ["eos", *arguments])
+
+
+def answer(*arguments):
+    result = eos(*arguments, "--json")
+    assert result.exit_code == 0, result.output
+    return json.loads(result.stdout)
+
+
+def test_hugoniot_state():
+    found = answer("hugoniot", "copper", "--at", "pressure = 10 GPa")
+    assert set(found) >= WORDS and found["pressure"] == 1e10
+    assert found["shock_velocity"] == pytest.approx(3940.0 + 1.489 * found["particle_velocity"], rel=1e-10)
+    many = answer("hugoniot", "copper", "aluminum", "--points", "5", "--up-to", "1 km/s")
+    assert [len(m["pressure"]) for m in many["materials"]] == [5, 5]
+    second = answer("hugoniot", "copper", "--after", "pressure = 10 GPa", "--at", "pressure = 20 GPa")
+    direct = answer("hugoniot", "copper", "--at", "pressure = 20 GPa")
+    assert second["temperature"] < direct["temperature"]
+
+
+def test_match_gives_one_state_per_interface_in_time_order():
+    found = answer("match", "copper", "pmma", "copper", "--velocity", "555 m/s", "--error", "velocity = 5 m/s")
+    assert [s["interface"] for s in found["states"]] == ["copper/pmma", "pmma/copper"]
+    assert all(set(s) >= WORDS for s in found["states"])
+    assert found["states"][1]["pressure"] > found["states"][0]["pressure"]
+    assert found["states"][0]["uncertainty"]["pressure"]["sigma"] > 0.0
+    assert "GPa" in eos("match", "copper", "aluminum", "--velocity", "1 km/s").stdout
+
+
+def test_cj_words():
+    found = answer("cj", "comp_b")
+    assert set(found) >= WORDS | {"detonation_velocity", "adiabatic_exponent"}
+    assert (found["detonation_velocity"], found["pressure"]) == pytest.approx((7980.0, 29.5e9), rel=1e-3)
+
+
+def test_gas_of_the_source_from_a_file(tmp_path):
+    path = tmp_path / "gas.toml"
+    path.write_text('[eos]\nlaw = "ideal_gas"\ngamma = 3.0\n', encoding="utf-8")
+    found = answer("cj", str(path), "--density", "1.77 g/cm^3", "--heat", "6.27 MJ/kg")
+    assert (found["detonation_velocity"], found["pressure"]) == pytest.approx((10015.987, 44.3916e9), rel=1e-6)
+
+
+def test_other_commands_answer(tmp_path):
+    shown = answer("show", "copper", "--at", "particle_velocity = 500 m/s")
+    assert shown["law"] and shown["particle_velocity"] == 500.0 and shown["gruneisen"] > 0
+    path = answer("isentrope", "copper", "--at", "pressure = 50 GPa", "--points", "6")
+    assert path["pressure"][0] == 5e10 and path["pressure"][-1] == 0.0 and path["shock_velocity"] is None
+    waves = answer("riemann", "copper", "water", "--left", "velocity = 500 m/s")
+    assert waves["left"]["wave"] == waves["right"]["wave"] == "shock" and waves["pressure"] > 0
+    fitted = answer("fit", "copper")
+    assert fitted["points"] == 141 and fitted["s"] == pytest.approx(1.517, abs=1e-3)
+    grid = answer("table", "copper", "--points", "3")
+    assert len(grid["pressure"]) == 3 == len(grid["pressure"][0])
+    out = tmp_path / "curve.csv"
+    assert eos("hugoniot", "copper", "--points", "4", "--csv", str(out)).exit_code == 0
+    rows = list(csv.reader(out.open()))
+    assert rows[0][0] == "pressure (Pa)" and len(rows) == 5
+
+
+@pytest.mark.parametrize("arguments", [
+    ("hugoniot", "copper", "aluminum", "--at", "pressure = 20 GPa"), ("hugoniot", "copper", "--axes", "us-up"), ("isentrope", "copper", "--at", "pressure = 30 GPa"),
+    ("match", "copper", "pmma", "--velocity", "500 m/s"), ("cj", "tnt"), ("fit", "copper")])
+def test_pictures(tmp_path, arguments):
+    out = tmp_path / "picture.png"
+    result = eos(*arguments, "--plot", str(out))
+    assert result.exit_code == 0, result.output
+    assert out.stat().st_size > 10_000 and out.read_bytes()[1:4] == b"PNG"
+
+
+@pytest.mark.parametrize(("arguments", "code", "words"), [
+    (("match", "coper", "aluminum", "--velocity", "1 km/s"), 2, "copper"), (("hugoniot", "copper", "--at", "presure = 10 GPa"), 2, "did you mean 'pressure'"),
+    (("hugoniot", "copper", "--at", "pressure = 10 km"), 2, "--at pressure"), (("hugoniot", "copper", "--at", "density = 40 g/cm^3"), 3, "ends at density"),
+    (("match", "copper", "--velocity", "1 km/s"), 2, "at least one target"), (("match", "copper", "pmma", "--velocity", "-1 km/s"), 3, "does not strike"),
+    (("cj", "copper"), 3, "no Chapman-Jouguet point"), (("hugoniot", "missing.toml"), 2, "missing.toml"),
+    (("match", "copper", "pmma", "--velocity", "1 km/s", "--error", "pmma.c9 = 1"), 2, "no input of this match"),
+    (("fit", "missing.csv"), 2, "cannot be read"), (("hugoniot", "copper", "--plot", "x.doc"), 2, "no kind of picture")])
+def test_bad_input_is_answered_with_the_way_out(arguments, code, words):
+    result = eos(*arguments)
+    assert result.exit_code == code, result.output
+    assert words in result.output and "Traceback" not in result.output
+
+
+def test_a_file_with_a_mistake_is_told_with_its_line(tmp_path):
+    path = tmp_path / "bad.toml"
+    path.write_text('[eos]\nlaw = "mie_gruneisen"\nrho0 = "8930 kg/m^3"\nc0 = "3940 m"\ns = 1.5\ngamma0 = 2.0\n', encoding="utf-8")
+    result = eos("hugoniot", str(path))
+    assert result.exit_code == 2 and "bad.toml:4" in result.output and "c0" in result.output
