@@ -6,6 +6,7 @@ import sys
 import time
 
 import pytest
+
 from hugoniot.cli.main import main
 from hugoniot.errors import DeckError
 from hugoniot.problem.deck import read_deck, read_deck_text

@@ -1,32 +1,60 @@
 """hugoniot plot: pictures of a run."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
 from hugoniot.errors import DeckError
-from hugoniot.materials.collect import nearest
+from hugoniot.materials.collect import nearest, printable
+from hugoniot.units import UnitError, parse
+
+WITH_FIELD = ("xt", "gauge", "profile", "peaks")
+SUFFIXES = (".png", ".pdf", ".svg")
 
 
 def command(
     folder: Annotated[Path, typer.Argument(help="The run folder.")],
-    kind: Annotated[str, typer.Argument(help="Kind of picture: xt, gauge, profile, free_surface, budget, peaks, ...")] = "xt",
-    field: Annotated[str, typer.Argument(help="Field of an xt, gauge or profile picture, such as pressure.")] = "",
-    out: Annotated[Path | None, typer.Option("--out", "-o", help="Picture to write: .png, .pdf or .svg.")] = None,
+    kind: Annotated[str, typer.Argument(help="Picture: xt, gauge, free_surface, profile, peaks, budget, errors or setup.")] = "xt",
+    field: Annotated[str, typer.Argument(help="Field of an xt, gauge, profile or peaks picture, such as pressure.")] = "",
+    gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge of a gauge or free_surface picture.")] = None,
+    time: Annotated[str | None, typer.Option("--time", help="Time of a profile, such as \"1.2 us\" (default: the last).")] = None,
+    delay: Annotated[str | None, typer.Option("--delay", help="Show the free surface through a VISAR of this delay.")] = None,
+    out: Annotated[Path | None, typer.Option("--out", "-o", help="File: .png, .pdf or .svg (default: in the run folder).")] = None,
 ) -> None:
     """Draw a picture of a run.
 
     Example: hugoniot plot flyer.run xt pressure --out wave.png
     """
+    from hugoniot.output.atomic import explained
     from hugoniot.output.run import load
+    from hugoniot.plotting.accessor import PICTURES
 
-    pictures = load(folder).plot
-    kinds = [name for name in dir(pictures) if not name.startswith("_") and callable(getattr(pictures, name))]
-    if kind not in kinds:
-        raise DeckError.single("plot", None, "kind", f"unknown kind of picture '{kind[:40]}'", nearest(kind, kinds))
-    axes = getattr(pictures, kind)(*([field] if field else []))
+    if kind not in PICTURES:
+        raise DeckError.single("plot", None, "kind", f"unknown picture '{printable(kind)}'", nearest(kind, PICTURES))
     path = out or folder / f"{'-'.join(word for word in (kind, field) if word)}.png"
-    figure = getattr(axes if not hasattr(axes, "__len__") else axes[0], "figure", axes)
-    figure.savefig(path, dpi=150)
+    if path.suffix not in SUFFIXES:
+        raise DeckError.single("plot", None, "--out", f"cannot draw '{printable(path.name)}'", f"end its name with {', '.join(SUFFIXES)}")
+    options = _options(kind, field, gauge, time, delay)
+    axes = getattr(load(folder).plot, kind)(**options)
+    with explained(path, "no picture is written"):
+        axes.figure.savefig(path)
     typer.echo(f"wrote {path}")
+
+
+def _options(kind: str, field: str, gauge: str | None, time: str | None, delay: str | None) -> dict[str, Any]:
+    """The options of one picture; an option that it does not have is an error."""
+    wanted: list[tuple[str, Any, tuple[str, ...], str]] = [
+        ("field", field, WITH_FIELD, "field"), ("--gauge", gauge, ("gauge", "free_surface"), "names" if kind == "gauge" else "name"),
+        ("--time", time, ("profile",), "time"), ("--delay", delay, ("free_surface",), "delay")]
+    options: dict[str, Any] = {}
+    for shown, value, kinds, name in wanted:
+        if not value:
+            continue
+        if kind not in kinds:
+            raise DeckError.single("plot", None, shown, f"a {kind} picture takes none", f"it goes with {', '.join(kinds)}")
+        try:
+            options[name] = parse(value, "s") if name in ("time", "delay") else value
+        except UnitError as error:
+            raise DeckError.single("plot", None, shown, error.message, error.hint) from None
+    return options

@@ -37,7 +37,12 @@ def words(report) -> str:
 
 
 class Silent:
-    """Shows nothing."""
+    """Shows nothing; the others are made of it.
+
+    What is left is reckoned from the first report on, because the time before it may have gone into compiling kernels.
+    """
+
+    first: tuple[float, float] | None = None
 
     def __enter__(self):
         return self
@@ -48,6 +53,15 @@ class Silent:
     def update(self, report) -> None:
         """Nothing to show."""
 
+    def left(self, report) -> float:
+        """Wall seconds to the end of the run; infinite while unknown."""
+        now = time.monotonic()
+        if self.first is None:
+            self.first = now, report.time
+        began, start = self.first
+        done = report.time - start
+        return (now - began) * (report.stop_time - report.time) / done if done > 0.0 else math.inf
+
 
 class Lines(Silent):
     """A line on standard error every few seconds, for logs."""
@@ -56,12 +70,12 @@ class Lines(Silent):
         self.interval, self.last = interval, time.monotonic()
 
     def update(self, report) -> None:
-        now = time.monotonic()
+        now, left = time.monotonic(), self.left(report)
         if now - self.last < self.interval:
             return
         self.last = now
         share = report.time / report.stop_time
-        typer.echo(f"{share:4.0%}  {words(report)}, {duration(report.eta_seconds)} left", err=True)
+        typer.echo(f"{share:4.0%}  {words(report)}, {duration(left)} left", err=True)
 
 
 class Bar(Silent):
@@ -84,4 +98,4 @@ class Bar(Silent):
 
     def update(self, report) -> None:
         self.display.update(self.task, completed=report.time / report.stop_time,
-                            description=f"{words(report)}, {duration(report.eta_seconds)} left")
+                            description=f"{words(report)}, {duration(self.left(report))} left")

@@ -1,5 +1,7 @@
 """The numbers that matter of a finished run, for the terminal."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import typer
 
@@ -28,8 +30,8 @@ def gauge_rows(run: Run) -> list[dict]:
     return rows
 
 
-def echo_results(run: Run) -> None:
-    """Print the summary, the gauges and where the report is."""
+def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
+    """Print the summary, the gauges and where the report is; warnings in `shown` have been printed already."""
     s = run.summary
     rate = s.get("zone_updates", 0) / s["kernel_seconds"] if s.get("kernel_seconds") else 0.0
     typer.echo(f"{s['title']}: {s['status']} at {format_si(s['time'], 's')}, {s['cycles']} cycles in {s['wall_seconds']:.2f} s"
@@ -44,11 +46,29 @@ def echo_results(run: Run) -> None:
         heads = [key for key in rows[0] if key != "gauge"]
         echo_table(["gauge", *[h.replace("_", " ") for h in heads]],
                    [[r["gauge"], *[format_si(r[h], units[h], 5) for h in heads]] for r in rows])
+    _echo_spall(run)
     typer.echo("")
     for warning in warnings_of(run):
-        typer.echo(f"warning: {warning}")
+        if warning not in shown:
+            typer.echo(f"warning: {warning}")
     report = run.folder / "report.html"
     typer.echo(f"results in {run.folder}" + (f", report: {report}" if report.is_file() else ""))
+
+
+def _echo_spall(run: Run) -> None:
+    """What the free surface tells of a spall, if there was one."""
+    from hugoniot.output.compare import free_surface_gauges
+
+    if not run.summary.get("voids_opened") or not free_surface_gauges(run):
+        return
+    from hugoniot.plotting.records import spall_reading
+
+    reading = spall_reading(run)
+    if reading:
+        words = [("pull-back", "pull_back", "m/s"), ("spall strength", "spall_strength_acoustic", "Pa"),
+                 ("elastic-plastic", "spall_strength_stepanov", "Pa"), ("spalled layer", "spall_thickness", "m")]
+        told = [f"{word} {format_si(reading[key], unit, 4)}" for word, key, unit in words if key in reading]
+        typer.echo(f"free surface: peak {format_si(reading['peak_velocity'], 'm/s', 5)}, {', '.join(told)}")
 
 
 def warnings_of(run: Run) -> list[str]:

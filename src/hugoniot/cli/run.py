@@ -47,7 +47,7 @@ def command(
         return
     from hugoniot.cli.results import echo_results
 
-    echo_results(run)
+    echo_results(run, found.warnings)
 
 
 def _announce_compilation() -> None:

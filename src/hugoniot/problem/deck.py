@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from hugoniot import __version__
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.materials.build import read_material
 from hugoniot.materials.collect import Collector, nearest, printable
@@ -75,8 +74,7 @@ def read_deck_text(text: str, name: str = "deck", overrides: dict[str, Any] | No
 def write_deck(problem: Any, kind: str | None = None) -> str:
     """The deck text of a problem: SI, every default written out; reading it gives an equal problem."""
     kind = kind or problem.solver.kind
-    header = f"# Written by hugoniot {__version__}: every default is written out, every number is SI.\n"
-    return header + to_toml(schema.solver_module(kind).write(problem))
+    return "# Written by hugoniot: every default is written out, every number is SI.\n" + to_toml(schema.solver_module(kind).write(problem))
 
 
 def _parse(text: str, name: str) -> dict:

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 from hugoniot.cli import main as front
-from hugoniot.cli.progress import Lines, duration, words
+from hugoniot.cli.progress import Lines, Silent, duration, words
 from hugoniot.cli.show import overrides_of
 from hugoniot.errors import DeckError, FileTrouble, UnphysicalState
 
@@ -141,14 +141,26 @@ def test_a_setting_without_a_value_is_refused():
 
 
 REPORT = SimpleNamespace(time=1e-6, stop_time=4e-6, cycle=500, step=2e-9, limiting_zone=7, limiting_region="flyer", energy_error=3e-16,
-                         eta_seconds=75.0)
+                         eta_seconds=0.0)
+
+
+def later(report, **changes):
+    return SimpleNamespace(**{**vars(report), **changes})
+
+
+def test_what_is_left_is_reckoned_from_the_first_report_on(monkeypatch):
+    wall = iter([100.0, 103.0])  # whatever came before the first report was compilation
+    monkeypatch.setattr("hugoniot.cli.progress.time.monotonic", lambda: next(wall))
+    display = Silent()
+    assert display.left(REPORT) == float("inf")
+    assert display.left(later(REPORT, time=2e-6)) == pytest.approx(6.0)  # 1 us took 3 s, 2 us are left
 
 
 def test_progress_without_a_terminal_is_a_line_now_and_then(capsys):
     lines = Lines(interval=0.0)
     lines.update(REPORT)
     told = capsys.readouterr().err
-    for part in ("25%", "1 us", "cycle 500", "zone 7 of flyer", "3.0e-16", "1:15 left"):
+    for part in ("25%", "1 us", "cycle 500", "zone 7 of flyer", "3.0e-16", "? left"):
         assert part in told
     slow = Lines(interval=1000.0)
     slow.update(REPORT)
@@ -160,7 +172,7 @@ def test_the_bar_shows_time_step_zone_error_and_what_is_left():
     bar = Bar()
     bar.update(REPORT)
     task = bar.display.tasks[0]
-    assert task.percentage == 25.0 and words(REPORT) in task.description and "1:15 left" in task.description
+    assert task.percentage == 25.0 and words(REPORT) in task.description and "? left" in task.description
 
 
 @pytest.mark.parametrize("seconds, text", [(0.4, "0 s"), (59.0, "59 s"), (61.0, "1:01"), (3723.0, "1:02:03"), (float("inf"), "?")])

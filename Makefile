@@ -1,0 +1,63 @@
+# make demo    set everything up and run the spalling flyer plate
+# make test    linter, layer contracts, type checker, tests
+# make verify  the long tests and the built-in verification problems
+# make docs    the documentation, in docs/_build/html
+# make clean   remove what these made
+
+VENV := .venv
+BIN := $(VENV)/bin
+PYTHON ?= $(shell for p in python3.13 python3.12 python3.11 python3.14 python3 python; do \
+	$$p -c 'import sys; sys.exit(not (3, 11) <= sys.version_info[:2] < (3, 15))' >/dev/null 2>&1 && echo $$p && break; done)
+WORKERS ?= 2
+RUNS := runs
+
+.PHONY: help demo lint test verify docs reference examples clean
+.DEFAULT_GOAL := help
+
+help:
+	@sed -n 's/^# //p' Makefile | head -5
+
+# one stamp for each set of requirements, older than pyproject.toml when it must be installed again
+$(BIN)/python:
+	@test -n "$(PYTHON)" || { echo "Python 3.11 to 3.14 is needed; name it with: make PYTHON=/path/to/python3"; exit 1; }
+	$(PYTHON) -m venv $(VENV) || { echo "could not make $(VENV); on Debian and Ubuntu install python3-venv"; rm -rf $(VENV); exit 1; }
+
+$(VENV)/.installed: pyproject.toml | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --editable .
+	@touch $@
+
+$(VENV)/.installed-test: pyproject.toml | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --editable '.[test]'
+	@touch $@ $(VENV)/.installed
+
+$(VENV)/.installed-docs: pyproject.toml | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --editable '.[docs]'
+	@touch $@ $(VENV)/.installed
+
+demo: $(VENV)/.installed
+	$(BIN)/hugoniot run examples/flyer.toml --out $(RUNS)/flyer.run --overwrite
+
+lint: $(VENV)/.installed-test
+	$(BIN)/ruff check .
+	$(BIN)/lint-imports
+	$(BIN)/pyright --pythonpath $(BIN)/python --level error
+
+test: lint
+	$(BIN)/python -m pytest -n $(WORKERS) -m "not slow"
+
+verify: $(VENV)/.installed-test
+	$(BIN)/python -m pytest -n $(WORKERS) -m slow
+	$(BIN)/hugoniot verify
+
+reference: $(VENV)/.installed
+	$(BIN)/python docs/generate_deck_reference.py
+
+docs: $(VENV)/.installed-docs reference
+	$(BIN)/python -m sphinx -b html docs docs/_build/html
+
+# the decks of `hugoniot init` are the examples: one source, two places
+examples:
+	cp src/hugoniot/problem/templates/*.toml examples/
+
+clean:
+	rm -rf $(VENV) $(RUNS) docs/_build build dist
