@@ -12,7 +12,9 @@ Characteristics of a gamma = 3 gas are straight. Slab 0 < x < L, piston speed U 
 
 where s is the time at which the characteristic through (x, t) left the piston: $x = Us + [2U - w_-(s)](t - s)$ with
 $w_-(s) = (Us - L)/(s - t*)$, which gives
-$s = [x t^* + t(L - 2Ut^*)]/[x + L - U(t + t^*)]$. The gas front runs on at D. $c = (w_+ - w_-)/2$, $\rho = 16\rho_0c/(9D)$, $p = \rho c^2/3$.
+$s = [x t^* + t(L - 2Ut^*)]/[x + L - U(t + t^*)]$. The gas front runs on at D.
+
+$c = (w_+ - w_-)/2$, $\rho = 16\rho_0c/(9D)$, $p = \rho c^2/3$.
 
 Source: the problem "escape of HE products" of ExactPack (Dykema and others, UCRL-ID-147096); solution re-derived.
 """

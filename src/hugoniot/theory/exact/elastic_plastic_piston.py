@@ -25,7 +25,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import brentq
 
-from hugoniot.errors import OutOfRange
+from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.theory.exact.solution import Solution
 
 
@@ -80,6 +80,8 @@ def shock_to(rho: float, ahead: State, solid: Solid, strain: str) -> State:
     rho_gamma = pressure(rho, 1.0, solid) - cold
     p = (cold + rho_gamma * (ahead.energy + volume * (s + ahead.stress))) / (1.0 - rho_gamma * volume)
     stress = p + s
+    if not (1.0 - rho_gamma * volume > 0.0 and stress > ahead.stress and solid.s * (1.0 - solid.rho0 / rho) < 1.0):
+        return State(rho, float("nan"), p, float("nan"), stress, float("nan"))  # beyond the end of the Hugoniot
     jump = float(np.sqrt((stress - ahead.stress) * 2.0 * volume))
     return State(rho, ahead.velocity + jump, p, ahead.energy + volume * (stress + ahead.stress), stress,
                  ahead.velocity + (stress - ahead.stress) / (ahead.density * jump))
@@ -87,10 +89,16 @@ def shock_to(rho: float, ahead: State, solid: Solid, strain: str) -> State:
 
 def shock_at(velocity: float, ahead: State, solid: Solid, strain: str) -> State:
     """The shock from `ahead` to a particle velocity."""
-    limit = 1.0 / (1.0 - 0.999999 / solid.s) if solid.s > 1.0 else 20.0
-    top = solid.rho0 * limit * (1.0 - 1e-9)
-    rho = brentq(lambda r: shock_to(r, ahead, solid, strain).velocity - velocity, ahead.density * (1.0 + 1e-13), top,
-                 xtol=1e-12 * solid.rho0, rtol=1e-15)
+    low = high = ahead.density * (1.0 + 1e-13)
+    growth = 1e-4
+    while (reached := shock_to(high, ahead, solid, strain).velocity) < velocity:
+        low, high, growth = high, high * (1.0 + growth), 1.4 * growth
+        while not np.isfinite(shock_to(high, ahead, solid, strain).velocity) and growth > 1e-12:
+            growth *= 0.5
+            high = low * (1.0 + growth)
+        if growth <= 1e-12:
+            raise NoSolution(f"no shock reaches {velocity:g} m/s: the Hugoniot ends at {reached:g} m/s, {low:g} kg/m3")
+    rho = brentq(lambda r: shock_to(r, ahead, solid, strain).velocity - velocity, low, high, xtol=1e-13 * solid.rho0, rtol=1e-15)
     return shock_to(rho, ahead, solid, strain)
 
 

@@ -62,8 +62,8 @@ def star(left: Side, right: Side) -> tuple[float, float, float]:
     def balance(p):
         return velocity_change(p, left) + velocity_change(p, right) + right.velocity - left.velocity
 
-    lowest = -min(left.p_infinity, right.p_infinity)
-    if balance(lowest) >= 0.0:
+    lowest = 0.0 - min(left.p_infinity, right.p_infinity)
+    if balance(lowest) >= 0.0:  # even full release leaves them apart
         if lowest < 0.0:
             raise OutOfRange("the two liquids are pulled apart beyond their stiffness pressure; there is no Riemann solution")
         return lowest, left.velocity - velocity_change(lowest, left), right.velocity + velocity_change(lowest, right)
@@ -83,7 +83,7 @@ def wave(side: Side, pressure: float, velocity: float, sign: float) -> Wave:
         speed = side.velocity + sign * c * np.sqrt((g + 1.0) / (2.0 * g) * ratio + (g - 1.0) / (2.0 * g))
         return Wave("shock", side.density * (ratio + mu) / (mu * ratio + 1.0), speed, speed)
     density = side.density * (stiff / before) ** (1.0 / g)
-    sound = np.sqrt(g * stiff / density) if density > 0.0 else 0.0
+    sound = float(np.sqrt(g * stiff / density)) if density > 0.0 else 0.0
     return Wave("rarefaction", density, side.velocity + sign * c, velocity + sign * sound)
 
 

@@ -32,7 +32,7 @@ from hugoniot.theory.exact.noh import DIMENSION
 from hugoniot.theory.exact.solution import Solution
 
 SURFACE = {1: 1.0, 2: 2.0 * np.pi, 3: 4.0 * np.pi}
-_DEEPEST = 400.0  # e-foldings of the interior coordinate that are ever resolved: xi far below 1e-20 for gamma up to 7
+_FOLDS = 60.0  # e-foldings of xi resolved towards the origin, fewer for gamma near 1, where they would underflow
 
 
 class Profile:
@@ -50,6 +50,7 @@ class Profile:
         mixed = gamma * (d + 2.0) - self.slope
         b, k = d + 2.0, self.slope
         self._exponents = (-2.0 / b, (gamma - 1.0) / mixed, -(gamma + 1.0 - 2.0 * k / b + k * (gamma - 1.0) / mixed) / k)
+        self.deepest = _FOLDS if self.case == "vacuum" else min(_FOLDS / self._exponents[1], 600.0)
         self._reference = 0.0 if self.case == "power" else self._log_xi(self.shock, gamma * self.shock - 1.0)
         self._spline = self._quadrature() if abs(gamma - 2.0) < 1e-3 else None
 
@@ -84,7 +85,7 @@ class Profile:
         return np.exp(log_xi), v, np.exp(log_g), np.exp(log_g + log_z)
 
     def _quadrature(self):
-        s = np.linspace(0.0, _DEEPEST, 40001)
+        s = np.linspace(0.0, self.deepest, 40001)
         v, w, rest = self.coordinates(s)
         dlnxi = (self.gamma + 1.0 - 2.0 / v + (self.gamma - 1.0) / w) / ((self.d + 2.0) - self.slope * v)
         return make_interp_spline(s, -(1.0 + self.d * v * dlnxi) / rest * w / self.gamma, k=5).antiderivative()
@@ -92,7 +93,7 @@ class Profile:
     def invert(self, xi):
         """s at which log_xi equals log(xi), by bisection on the monotone function."""
         target = np.log(xi)
-        low, high = np.zeros_like(target), np.full_like(target, _DEEPEST)
+        low, high = np.zeros_like(target), np.full_like(target, self.deepest)
         for _ in range(70):
             middle = 0.5 * (low + high)
             outside = self.log_xi(middle) > target
@@ -122,8 +123,11 @@ class Profile:
                 step = slope * (w / g if self.case == "standard" else -rest)
                 xi, v, density, stiffness = self.at(s)
                 return (0.5 * density * v * v + stiffness / (g * (g - 1.0))) * xi ** (d + 2) * step
-            edges = np.array([0.0, 0.5, 2.0, 5.0, 10.0, 20.0, 40.0, 80.0])
+            edges = np.concatenate(([0.0, 0.5, 2.0], np.geomspace(5.0, self.deepest, 8)))
             total = sum(quad(integrand, a, b, epsabs=0.0, epsrel=1e-12, limit=200)[0] for a, b in zip(edges[:-1], edges[1:]))
+            if self.case == "standard":  # the core inside has the uniform pressure of the centre
+                xi, _, _, stiffness = self.at(self.deepest)
+                total += stiffness * xi ** (d + 2) / (g * (g - 1.0) * d)
         return SURFACE[d] * (2.0 / (d + 2.0)) ** 2 * float(total)
 
 
@@ -149,7 +153,7 @@ def sedov(geometry: str = "spherical", gamma: float = 1.4, energy: float = 0.851
         xi = r / shock
         inside = (xi < 1.0) & (r > 0.0)
         if profile_of.case == "vacuum":
-            inside &= np.log(np.maximum(xi, 1e-300)) > profile_of.log_xi(_DEEPEST)
+            inside &= np.log(np.maximum(xi, 1e-300)) > profile_of.log_xi(profile_of.deepest)
         scale = np.where(inside, delta * r / time, 0.0)
         v, g, gz = profile_of.fields(np.where(inside, xi, 0.5))
         rho = density * np.where(inside, g, np.where(xi < 1.0, 0.0, 1.0))
