@@ -24,6 +24,7 @@ COLUMNS = ("density", "temperature", "pressure", "energy")
 _EXCHANGE = re.compile(r"^\s*[012]\s+(\d+)\s+(\d{3})\s+(\d+)\s+[A-Za-z]")
 _SANDIA = re.compile(r"^\s*RECORD\s+TYPE\s*=\s*(\d{3})\s+NWDS\s*=\s*(\d+)")
 _NUMBER = re.compile(r"[+-]?(?:\d+\.\d*|\.\d+)(?:[EeDd][+-]?\d+|[+-]\d+)?|[+-]?(?:nan|inf)(?:inity)?\b", re.IGNORECASE)
+_FLAGS = re.compile(r"^(.*[EeDd][+-]\d\d)[01]{5}\s*$")
 _LARGEST = 64 * 1024 * 1024
 
 
@@ -131,8 +132,9 @@ def _record(text: str, name: str, material: int | None):
         elif found is not None:
             if line.lstrip().startswith(("INDEX", "RECORD")):
                 break
-            # words may touch ("1.0E+00-2.0E+00"); a trailing word of ones marks the record and has no decimal point
-            found += [_word(w) for w in _NUMBER.findall(line)]
+            # words may touch ("1.0E+00-2.0E+00"), and so may the five flags of ones and zeros that end a line of the exchange format
+            flagged = _FLAGS.match(line)
+            found += [_word(w) for w in _NUMBER.findall(flagged.group(1) if flagged else line)]
     if found is None:
         which = "" if material is None else f" of material {material}"
         raise DeckError.single(name, None, "301", f"no 301 table{which} in this file",

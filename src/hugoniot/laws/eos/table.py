@@ -187,15 +187,23 @@ def from_law(par, density, temperatures, rho0=math.nan, reference_temperature=29
 
 
 def _energy_at(rho, temperature, par):
-    """Energy at which the law has the temperature, by Newton's method (one step for a constant specific heat)."""
-    e = contract.reference_state(par)[1]
-    for _ in range(60):
-        gap = temperature - contract.temperature(rho, e, par)
-        e += gap * contract.specific_heat(rho, e, par)
-        if abs(gap) <= 1e-13 * temperature:
-            return e
-    if abs(gap) <= 1e-9 * temperature:
-        return e
+    """Energy at which the law has the temperature, by Newton's method (one step for a constant specific heat).
+
+    A trial colder than 0 K, where laws have no specific heat, halves the step that led there (or lifts the start).
+    """
+    good, e, step, found = math.nan, contract.reference_state(par)[1], 1e5, math.nan
+    with np.errstate(invalid="ignore"):
+        for _ in range(200):
+            found = contract.temperature(rho, e, par)
+            if found > 0.0:
+                good, step = e, (temperature - found) * contract.specific_heat(rho, e, par)
+                if abs(temperature - found) <= 1e-12 * temperature:
+                    return e + step
+            elif math.isfinite(good):
+                step *= 0.5
+            else:
+                step *= 2.0
+            e = (good if math.isfinite(good) else e) + step
     raise OutOfRange(f"{EOS.of(par).name}: no energy gives {temperature:.6g} K at density {rho:.6g} kg/m3")
 
 

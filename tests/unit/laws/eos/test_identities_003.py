@@ -1,0 +1,139 @@
+"""Source 003, appendix A, laws A-7 to A-10 in the corrected forms (S-E6 to S-E14), and published CJ states (A6)."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
+
+from hugoniot.laws.eos.contract import (
+    adiabatic_exponent,
+    energy,
+    entropy,
+    pressure,
+    pressure_derivatives,
+    reference_state,
+    sound_speed_squared,
+    temperature,
+)
+from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.laws.eos.jwl import JWL
+from hugoniot.laws.eos.jwl_proportional import JWLProportional
+from hugoniot.laws.eos.stiffened_gas import StiffenedGas
+
+AIR = IdealGas(1.4)
+WATER = StiffenedGas(4.4, 6e8, 1000.0, 1400.0)
+COMP_B = JWL(524.23e9, 7.678e9, 4.2, 1.1, 0.34, 1717.0, 8.5e9, 1000.0)
+SOLID = JWLProportional(77810e9, -5.031e9, 11.3, 1.13, 0.8938, 1717.0, 1000.0)
+
+
+def hugoniot_pressure(v, p_u, v_u, e_u, par):
+    """p on the Hugoniot from (p_u, v_u, e_u) for a law linear in energy: the jump condition solved with no formula of the source."""
+    a, b = pressure(1 / v, 0.0, par), pressure_derivatives(1 / v, 0.0, par)[1]
+    return (a + b * (e_u + 0.5 * p_u * (v_u - v))) / (1.0 - 0.5 * b * (v_u - v))
+
+
+def test_ideal_gas_a7():
+    v_u, p_u = 1 / 1.2, 101325.0
+    e_u = energy(1 / v_u, p_u, AIR)
+    for v in (0.9 * v_u, 0.4 * v_u, 0.2 * v_u):
+        formula = ((1.4 + 1) * v_u - 0.4 * v) / (2.4 * v - 0.4 * v_u) * p_u
+        assert hugoniot_pressure(v, p_u, v_u, e_u, AIR) == pytest.approx(formula, rel=1e-13)
+    assert adiabatic_exponent(3.0, 5e5, AIR) == pytest.approx(1.4, rel=1e-14)
+    assert temperature(1.2, e_u, AIR) == pytest.approx(p_u * v_u / (0.4 * 717.5), rel=1e-14)
+
+
+def test_stiffened_gas_a8_corrected():
+    """S-E6: exponent gamma(gamma - 1)(P v + e)/[gamma(P v + e) - e]; S-E7: denominator (g + 1) v - (g - 1) v_u; p_inf = -P (S-E8)."""
+    g, p_inf = 4.4, -6e8
+    rho, e = 1300.0, 1.2e6
+    v = 1 / rho
+    corrected = g * (g - 1) * (p_inf * v + e) / (g * (p_inf * v + e) - e)
+    printed = g * (g - 1) * (p_inf * v + e) / (g * (p_inf * v + e) + e)
+    assert adiabatic_exponent(rho, e, WATER) == pytest.approx(corrected, rel=1e-13)
+    assert abs(printed / corrected - 1) > 0.3
+    v_u, p_u = 1e-3, 1e5
+    e_u = energy(1000.0, p_u, WATER)
+    for v in (0.95e-3, 0.8e-3):
+        formula = (((g + 1) * v_u - (g - 1) * v) * p_u - 2 * g * p_inf * (v_u - v)) / ((g + 1) * v - (g - 1) * v_u)
+        assert hugoniot_pressure(v, p_u, v_u, e_u, WATER) == pytest.approx(formula, rel=1e-13)
+    # S-E9: e_o = R T_o - p_inf v_o with R = c_v of A-4 (w = 1)
+    assert temperature(1000.0, 1400.0 * 300.0 + 6e8 * 1e-3, WATER) == pytest.approx(300.0, rel=1e-14)
+
+
+@pytest.mark.parametrize("par, low, high", [(AIR, 0.5, 3.0), (WATER, 800.0, 1500.0), (COMP_B, 300.0, 2400.0), (SOLID, 1717.0, 3000.0)],
+                         ids=["ideal_gas", "stiffened_gas", "jwl", "jwl_proportional"])
+def test_isentropes_by_integration_keep_the_entropy(par, low, high):
+    e0 = reference_state(par)[1] + (2e6 if par is COMP_B else 3e5)
+    path = solve_ivp(lambda rho, e: pressure(rho, e[0], par) / rho**2, (low, high), [e0], rtol=1e-12, atol=1e-6, method="DOP853")
+    start, end = (entropy(float(path.t[k]), float(path.y[0, k]), par) for k in (0, -1))
+    assert end == pytest.approx(start, abs=1e-9 * par.specific_heat)
+
+
+def test_jwl_sound_speed_a9_s_e10():
+    """Comp B at 2000 kg/m3, 5 MJ/kg: c^2 = 2.7745e7; the printed prefactor 1/(w(w + 1)) gives 1.337e8."""
+    w, v = COMP_B.omega, 1717.0 / 2000.0
+    e1, e2 = COMP_B.a / COMP_B.r1 / 1717.0, COMP_B.b / COMP_B.r2 / 1717.0
+    x1, x2 = COMP_B.r1 * v, COMP_B.r2 * v
+    bracket = e1 * (x1**2 / (w * (w + 1)) - 1) * math.exp(-x1) + e2 * (x2**2 / (w * (w + 1)) - 1) * math.exp(-x2) + 5e6
+    c2 = sound_speed_squared(2000.0, 5e6, COMP_B)
+    assert c2 == pytest.approx(w * (w + 1) * bracket, rel=1e-13)
+    assert c2 == pytest.approx(2.7745e7, rel=2e-5)
+    assert bracket / (w * (w + 1)) == pytest.approx(1.337e8, rel=1e-3)
+
+
+def test_jwl_hugoniot_a9_s_e11():
+    v_u, p_u, e_u = 1 / 1717.0, 1e9, 8.5e9 / 1717.0
+    for v in (0.9 * v_u, 0.7 * v_u):
+        dv = v_u - v
+        formula = (2 * (pressure(1 / v, 0.0, COMP_B) + 0.34 / v * e_u) * v + 0.34 * dv * p_u) / (2 * v - 0.34 * dv)
+        assert hugoniot_pressure(v, p_u, v_u, e_u, COMP_B) == pytest.approx(formula, rel=1e-13)
+
+
+@pytest.mark.parametrize("a, b, r1, r2, omega, rho0, e0, d, p", [
+    (524.2e9, 7.678e9, 4.2, 1.1, 0.34, 1717.0, 8.5e9, 7980.0, 29.500e9), (852.4e9, 18.02e9, 4.6, 1.3, 0.38, 1840.0, 10.2e9, 8800.1, 37.001e9),
+    (371.2e9, 3.231e9, 4.15, 0.95, 0.3, 1630.0, 7.0e9, 6929.4, 21.000e9), (446e9, 1.339e9, 3.85, 1.03, 0.46, 1900.0, 6.9e9, 7589.6, 29.894e9),
+    (617e9, 16.926e9, 4.4, 1.2, 0.25, 1770.0, 10.1e9, 8300.8, 33.509e9)], ids=["comp_b", "pbx_9404", "tnt", "lx_17", "petn"])
+def test_jwl_sets_close_on_their_cj_state(a, b, r1, r2, omega, rho0, e0, d, p):
+    """A6: tangency of Rayleigh line and Hugoniot, m^2 = rho^2 c^2 on the Hugoniot of the products."""
+    par = JWL(a, b, r1, r2, omega, rho0, e0)
+    v0, e_rest = 1 / rho0, e0 / rho0
+
+    def gap(v):
+        p_h = hugoniot_pressure(v, 0.0, v0, e_rest, par)
+        return sound_speed_squared(1 / v, e_rest + 0.5 * p_h * (v0 - v), par) / v**2 - p_h / (v0 - v)
+
+    v = brentq(gap, 0.6 * v0, 0.9 * v0, xtol=1e-18, rtol=1e-15)
+    p_cj = hugoniot_pressure(v, 0.0, v0, e_rest, par)
+    assert p_cj == pytest.approx(p, rel=2e-4)
+    assert v0 * math.sqrt(p_cj / (v0 - v)) == pytest.approx(d, rel=2e-5)
+
+
+def test_jwl_proportional_a10_corrected():
+    """i^2 of A-10.3; Hugoniot with the energy counted once (S-E12), e.g. from a compressed and heated state."""
+    par, v = SOLID, 1 / 2300.0
+    r_g, n1, n2 = 1717.0 * 0.8938, 11.3 * 1717.0, 1.13 * 1717.0
+    e1, e2, e = 77810e9 / n1, -5.031e9 / n2, 2e6
+    i2 = e1 * (n1 - r_g) * (n1 + r_g) * math.exp(-n1 * v) + e2 * (n2 - r_g) * (n2 + r_g) * math.exp(-n2 * v) + r_g**2 * e
+    assert sound_speed_squared(1 / v, e, par) == pytest.approx(v * v * i2, rel=1e-13)
+    v_u, e_u = 1 / 1800.0, 4e5
+    p_u = pressure(1 / v_u, e_u, par)
+    p_g = e1 * (n1 - r_g) * math.exp(-n1 * v) + e2 * (n2 - r_g) * math.exp(-n2 * v)
+    jump = (p_g - p_u + r_g * (e_u + p_u * (v_u - v))) / (1 - 0.5 * r_g * (v_u - v))
+    p_h = p_u + jump
+    assert p_h == pytest.approx(hugoniot_pressure(v, p_u, v_u, e_u, par), rel=1e-13)
+    assert pressure(1 / v, e_u + 0.5 * (p_u + p_h) * (v_u - v), par) == pytest.approx(p_h, rel=1e-12)
+
+
+def test_jwl_cold_constant_shifts_the_zero_isentrope():
+    par = COMP_B._replace(cold_constant=3e5)
+    for rho in (400.0, 1717.0):
+        v = 1717.0 / rho
+        e_c = (COMP_B.a / 4.2 * math.exp(-4.2 * v) + COMP_B.b / 1.1 * math.exp(-1.1 * v)) / 1717.0 + 3e5 * v**-0.34
+        assert temperature(rho, e_c, par) == pytest.approx(0.0, abs=1e-9)
+        # the zero isentrope is an isentrope: de/drho = p/rho^2
+        h = 1e-5 * rho
+        de = np.diff([(COMP_B.a / 4.2 * math.exp(-4.2 * 1717 / r) + COMP_B.b / 1.1 * math.exp(-1.1 * 1717 / r)) / 1717
+                      + 3e5 * (1717 / r) ** -0.34 for r in (rho - h, rho + h)])[0] / (2 * h)
+        assert de == pytest.approx(pressure(rho, e_c, par) / rho**2, rel=1e-8)
