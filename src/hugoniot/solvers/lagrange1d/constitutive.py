@@ -117,7 +117,7 @@ def yield_at(equivalent, shear, state, plastic_strain, strength):
     increment = excess / stiffness
     if hardens(strength):
         further = flow_stress(rho, p, heat, plastic_strain + increment, rate, strength)
-        increment = increment * excess / (excess + (further - limit) + TINY)
+        increment = increment * excess / fmax(excess + (further - limit), TINY)  # a sum with TINY may be reordered and lose it
         limit = limit + excess - increment * stiffness
     return limit, increment
 
