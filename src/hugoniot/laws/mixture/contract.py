@@ -14,8 +14,9 @@ laws keep their form.
     specific_heat(burn_fraction, mixed, par)             C_v = de/dT at constant v and burn fraction, J/(kg K)
 
 `before` is the `Mixed` of the step before: the reactant isentrope runs through it (thermal isolation) and the search starts there.
-A product density of zero in `before` means that no product state is known yet. Slopes are by specific volume v = 1/rho, as in the
-source. The functions below dispatch on the class of `par`, in Python and, through `core.compile`, inside kernels.
+A density of zero means that the phase is not known: products before burning begins, reactants after it has ended. Slopes are by
+specific volume v = 1/rho, as in the source. The functions below dispatch on the class of `par`, in Python and, through
+`core.compile`, inside kernels.
 """
 
 from typing import NamedTuple

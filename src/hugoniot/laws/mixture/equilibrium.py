@@ -73,7 +73,7 @@ def solve(rho, e, burn_fraction, before, par):
     if burn_fraction <= NASCENT:
         return Mixed(pressure(rho, e - par.detonation_energy, par.reactants), rho, e, before.rho_p, before.e_p, 0.0)
     if burn_fraction >= 1.0 - NASCENT:
-        return Mixed(pressure(rho, e, par.products), before.rho_r, before.e_r, rho, e, 0.0)
+        return Mixed(pressure(rho, e, par.products), 0.0, before.e_r, rho, e, 0.0)
     return equilibrate(rho, e, burn_fraction, before, par)
 
 
@@ -154,6 +154,9 @@ def phase_slopes(burn_fraction, mixed, par):
 def slopes(rho, e, burn_fraction, mixed, par):
     """By the chain rule through the reactant (the products at lambda = 1); where `solve` left a phase unknown, lambda's slope is 0."""
     q = par.detonation_energy
+    if mixed.rho_r <= 0.0:
+        p_v, p_e = volume_slopes(rho, e, par.products)
+        return Slopes(p_v, p_e, 0.0)
     if mixed.rho_p <= 0.0:
         p_v, p_e = volume_slopes(rho, e - q, par.reactants)
         return Slopes(p_v, p_e, 0.0)
@@ -169,14 +172,14 @@ def slopes(rho, e, burn_fraction, mixed, par):
 
 def mixture_temperature(burn_fraction, mixed, par):
     """The common temperature."""
-    if burn_fraction >= 1.0:
+    if mixed.rho_r <= 0.0 or burn_fraction >= 1.0:
         return temperature(mixed.rho_p, mixed.e_p, par.products)
     return temperature(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants)
 
 
 def mixture_specific_heat(burn_fraction, mixed, par):
     """C_v = 1 / (dT/de at v and lambda)."""
-    if burn_fraction >= 1.0:
+    if mixed.rho_r <= 0.0 or burn_fraction >= 1.0:
         return specific_heat(mixed.rho_p, mixed.e_p, par.products)
     if mixed.rho_p <= 0.0:
         return specific_heat(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants)

@@ -48,8 +48,21 @@ def solve(rho, e, burn_fraction, before, par):
     if burn_fraction <= NASCENT:
         return Mixed(pressure(rho, e - par.detonation_energy, par.reactants), rho, e, before.rho_p, before.e_p, 0.0)
     if burn_fraction >= 1.0 - NASCENT:
-        return Mixed(pressure(rho, e, par.products), before.rho_r, before.e_r, rho, e, 0.0)
+        return Mixed(pressure(rho, e, par.products), 0.0, before.e_r, rho, e, 0.0)
     return equilibrate(rho, e, burn_fraction, before, par)
+
+
+def reactant(v, e, lam, w, v_r, e_r, vanishing, par):
+    """(p, i^2, thermal energy, z) of the reactant at v + lambda w, on the isentrope through (v_r, e_r), or through (v, e - Q)."""
+    q = par.detonation_energy
+    if vanishing and abs(lam * w) < NEAR * v:
+        p = pressure(1.0 / v, e - q, par.reactants)
+        i_r = impedance_squared(1.0 / v, e - q, par.reactants)
+        z = -w * (p - 0.5 * i_r * lam * w)
+        return p - i_r * lam * w, i_r, e - q + lam * z, z
+    there = 1.0 / (v + lam * w)
+    e_r = isentrope_energy(v_r, e_r, v + lam * w, par.reactants)
+    return pressure(there, e_r, par.reactants), impedance_squared(there, e_r, par.reactants), e_r, (e_r + q - e) / lam
 
 
 def equilibrate(rho, e, burn_fraction, before, par):
@@ -67,20 +80,8 @@ def equilibrate(rho, e, burn_fraction, before, par):
     status = contract.NOT_CONVERGED
     p = v_p = e_p = 0.0
     for _ in range(ITERATIONS):
-        v_next = v + lam * w
-        if vanishing and abs(lam * w) < NEAR * v:
-            p = pressure(1.0 / v, e - q, par.reactants)
-            i_r = impedance_squared(1.0 / v, e - q, par.reactants)
-            z = -w * (p - 0.5 * i_r * lam * w)
-            p = p - i_r * lam * w
-            e_r = e - q + lam * z
-            v_r = v_next
-        else:
-            e_r = isentrope_energy(v_r, e_r, v_next, par.reactants)
-            p = pressure(1.0 / v_next, e_r, par.reactants)
-            i_r = impedance_squared(1.0 / v_next, e_r, par.reactants)
-            v_r = v_next
-            z = (e_r + q - e) / lam
+        p, i_r, e_r, z = reactant(v, e, lam, w, v_r, e_r, vanishing, par)
+        v_r = v + lam * w
         v_p = v - rest * w
         e_p = e - rest * z
         p_v, p_e = volume_slopes(1.0 / v_p, e_p, par.products)
@@ -118,18 +119,21 @@ def slopes(rho, e, burn_fraction, mixed, par):
     r"""$p_v = (i_r^2/I^2)\,p_{p,v}$, $p_e = (i_r^2/I^2)\,p_{p,e}$ (003 section 5.3); $p_\lambda = (v_r-v_p)p_v + (e_r-e_p)p_e$ (B-2).
 
     Before any burning the slopes are the reactant's own: the source's limit for vanishing lambda, in which all heat goes into the
-    products, is another number (its jump at lambda = 0 is real; the sound speed has none). Where `solve` left the products unknown
-    (lambda = 0) the slope by burn fraction is 0.
+    products, is another number (its jump at lambda = 0 is real; the sound speed has none). Where `solve` left a phase unknown the slope
+    by burn fraction is 0.
     """
     q = par.detonation_energy
+    if mixed.rho_r <= 0.0:
+        p_v, p_e = volume_slopes(rho, e, par.products)
+        return Slopes(p_v, p_e, 0.0)
+    if mixed.rho_p <= 0.0:
+        p_v, p_e = volume_slopes(rho, e - q, par.reactants)
+        return Slopes(p_v, p_e, 0.0)
     i_r = impedance_squared(mixed.rho_r, mixed.e_r - q, par.reactants)
-    p_l = 0.0
-    p_v = p_e = 0.0
-    if mixed.rho_p > 0.0:
-        p_v, p_e = volume_slopes(mixed.rho_p, mixed.e_p, par.products)
-        share = i_r / (burn_fraction * i_r + (1.0 - burn_fraction) * (mixed.pressure * p_e - p_v))
-        p_v, p_e = share * p_v, share * p_e
-        p_l = (1.0 / mixed.rho_r - 1.0 / mixed.rho_p) * p_v + (mixed.e_r - mixed.e_p) * p_e
+    p_v, p_e = volume_slopes(mixed.rho_p, mixed.e_p, par.products)
+    share = i_r / (burn_fraction * i_r + (1.0 - burn_fraction) * (mixed.pressure * p_e - p_v))
+    p_v, p_e = share * p_v, share * p_e
+    p_l = (1.0 / mixed.rho_r - 1.0 / mixed.rho_p) * p_v + (mixed.e_r - mixed.e_p) * p_e
     if burn_fraction <= 0.0:
         p_v, p_e = volume_slopes(rho, e - q, par.reactants)
     return Slopes(p_v, p_e, p_l)
@@ -155,14 +159,14 @@ def phase_slopes(burn_fraction, mixed, par):
 
 def mixture_temperature(burn_fraction, mixed, par):
     """The products' temperature (003 section 5.6); the reactant's before any burning."""
-    if burn_fraction <= 0.0:
+    if burn_fraction <= 0.0 or mixed.rho_p <= 0.0:
         return temperature(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants)
     return temperature(mixed.rho_p, mixed.e_p, par.products)
 
 
 def mixture_specific_heat(burn_fraction, mixed, par):
     r"""$C_v = \lambda I^2 c_{vp} / [I^2 - (1-\lambda) c_{vp} T_p (\Gamma_p/v_p)^2]$ (003 section 5.6)."""
-    if burn_fraction <= 0.0:
+    if burn_fraction <= 0.0 or mixed.rho_p <= 0.0:
         return specific_heat(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants)
     i_r = impedance_squared(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants)
     p_v, p_e = volume_slopes(mixed.rho_p, mixed.e_p, par.products)

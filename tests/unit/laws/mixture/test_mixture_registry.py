@@ -65,3 +65,17 @@ def test_a_first_guess_far_off_ends_in_the_same_state():
 def test_unknown_law_offers_the_nearest():
     with pytest.raises(UnknownName, match="thermal_isolation"):
         MIXTURE.get("thermal_isolatio")
+
+
+@pytest.mark.parametrize("law", [law for law in MIXTURE if "no_reactants" not in law.flags], ids=lambda law: law.name)
+@pytest.mark.parametrize("lam, side", ((0.0, 0), (1e-15, 0), (9e-9, 0), (1.0 - 9e-9, 1), (1.0 - 1e-15, 1), (1.0, 1)))
+def test_sound_speed_and_temperature_where_one_phase_is_left_out(law, lam, side):
+    """`solve` does not search within 1e-8 of either end: slopes and temperature must then be the remaining phase's, whatever `before` held."""
+    par, (rho, e) = law.example, STATE
+    stale = contract.at_rest(1.3 * rho, 1.5 * e)
+    mixed = contract.solve(rho, e, lam, stale, par)
+    phase, energy = (par.products, e) if side else (par.reactants, e - par.detonation_energy)
+    assert mixed.pressure == pytest.approx(eos.pressure(rho, energy, phase), rel=1e-7)
+    slope = contract.slopes(rho, e, lam, mixed, par)
+    assert contract.sound_speed_squared(rho, mixed.pressure, slope) == pytest.approx(eos.sound_speed_squared(rho, energy, phase), rel=1e-7)
+    assert contract.mixture_temperature(lam, mixed, par) == pytest.approx(eos.temperature(rho, energy, phase), rel=1e-7)
