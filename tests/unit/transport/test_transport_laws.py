@@ -1,0 +1,102 @@
+"""Transport laws against formulas written out again, and the way they are put together."""
+
+import math
+
+import numpy as np
+import pytest
+
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos.contract import pressure, pressure_derivatives, sound_speed_squared
+from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.laws.transport import contract as t
+from hugoniot.laws.transport.mean_free_path import MEAN_FREE_PATHS, mean_free_path
+from hugoniot.theory.structure import jordan
+
+R, RHO, T = 208.1, 1.62, 300.0
+
+
+def test_hard_sphere_is_the_sphere_formula_of_kinetic_theory():
+    mass, d = 6.6335e-26, 3.66e-10
+    par = t.make({"law": "hard_sphere", "molecular_mass": mass, "diameter": d}).shear
+    cbar = math.sqrt(8.0 * 1.380649e-23 * T / (math.pi * mass))
+    path = 1.0 / (math.sqrt(2.0) * math.pi * d**2 * (RHO / mass))
+    assert t.viscosity(RHO, T, par) == pytest.approx(RHO * cbar * path / 3.0, rel=1e-12)  # BSL 1.4-8: mu = n m cbar lambda / 3
+
+
+def test_temperature_exponents():
+    for law, exponent in (("constant", 0.0), ("power_law", 0.81), ("maxwell_molecules", 1.0), ("hard_sphere", 0.5)):
+        par = jordan.argon_transport(law).shear
+        assert t.viscosity(RHO, T, par) == pytest.approx(2.27e-5, rel=1e-12)
+        slope = math.log(t.viscosity(RHO, 3.0 * T, par) / t.viscosity(RHO, T, par)) / math.log(3.0)
+        assert slope == pytest.approx(exponent, abs=1e-12)
+
+
+def test_sutherland_runs_between_three_halves_and_one_half():
+    par = jordan.argon_transport("sutherland").shear
+    def slope(x):
+        return (math.log(t.viscosity(RHO, 1.001 * x, par)) - math.log(t.viscosity(RHO, x, par))) / math.log(1.001)
+    for temperature in (10.0, 300.0, 1e5):
+        middle = temperature * math.sqrt(1.001)
+        assert slope(temperature) == pytest.approx(1.5 - middle / (middle + 144.4), abs=1e-6)
+
+
+def test_mean_free_paths_differ_by_their_known_ratios():
+    mu, p = 2.27e-5, RHO * R * T
+    found = {name: mean_free_path(name, mu, RHO, p, 0.5) for name in MEAN_FREE_PATHS}
+    assert found["bsl"] / found["chapman_enskog"] == pytest.approx(1.4726, abs=5e-5)   # A5
+    assert found["bsl"] / found["viscous"] == pytest.approx(1.5, rel=1e-14)
+    assert found["viscous"] == pytest.approx(mu / p * math.sqrt(math.pi * R * T / 2.0), rel=1e-14)
+    assert found["vhs"] == pytest.approx(found["chapman_enskog"], rel=1e-14)            # omega = 1/2 is the hard sphere
+
+
+def test_mean_free_path_refuses_a_liquid_and_offers_the_nearest_name():
+    with pytest.raises(OutOfRange, match="needs a gas"):
+        mean_free_path("bsl", 1e-3, 1000.0, 0.0)
+    with pytest.raises(OutOfRange, match="did you mean 'chapman_enskog'"):
+        mean_free_path("chapman_enskogg", 1e-5, 1.0, 1e5)
+
+
+def test_isobaric_heat_of_an_ideal_gas_is_gamma_cv():
+    par = IdealGas(5.0 / 3.0, 312.15, RHO)
+    e = 312.15 * T
+    p_e = pressure_derivatives(RHO, e, par)[1]
+    assert t.isobaric_heat(RHO, T, sound_speed_squared(RHO, e, par), p_e, 312.15) == pytest.approx(312.15 * 5.0 / 3.0, rel=1e-13)
+
+
+def test_isobaric_heat_is_the_enthalpy_slope_at_constant_pressure():
+    from hugoniot.laws.eos.contract import specific_heat, temperature
+    par = MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0)
+    rho, e = 3100.0, 9e5
+    p0, T0 = pressure(rho, e, par), temperature(rho, e, par)
+    d = 1e-4
+    states = []
+    for r in (rho * (1.0 - d), rho * (1.0 + d)):
+        energy = e + (p0 - pressure(r, e, par)) / (2785.0 * 2.0)
+        states.append((energy + p0 / r, temperature(r, energy, par)))
+    slope = (states[1][0] - states[0][0]) / (states[1][1] - states[0][1])
+    p_e = pressure_derivatives(rho, e, par)[1]
+    found = t.isobaric_heat(rho, T0, sound_speed_squared(rho, e, par), p_e, specific_heat(rho, e, par))
+    assert found == pytest.approx(slope, rel=1e-6)
+
+
+@pytest.mark.parametrize("given, words", [
+    (({"law": "constant", "shear_viscosity": 0.0}, None), "shear_viscosity must be a positive number"),
+    (({"law": "constant", "shear_viscosity": 1e-5}, {"law": "prandtl", "prandtl": 0.0}), "prandtl must be a positive number"),
+    (({"law": "constant", "shear_viscosity": 1e-5}, {"law": "prandtl", "prandtl": math.nan}), "prandtl must be a positive number"),
+    (({"law": "power_law", "viscosity": 1.0}, None), "does not know viscosity"),
+    (({"law": "sutherland", "shear_viscosity": 1.0}, None), "needs reference_temperature"),
+])
+def test_bad_transport_is_refused_with_the_way_out(given, words):
+    with pytest.raises(OutOfRange, match=words):
+        t.make(*given)
+
+
+def test_negative_bulk_viscosity_is_refused():
+    with pytest.raises(OutOfRange, match="bulk viscosity must not be negative"):
+        t.make({"law": "constant", "shear_viscosity": 1.0}, bulk_ratio=-1.0)
+
+
+def test_longitudinal_viscosity_adds_bulk():
+    made = t.make({"law": "constant", "shear_viscosity": 3.0}, bulk_ratio=2.0, bulk_viscosity=0.5)
+    assert np.isclose(t.longitudinal_viscosity(3.0, made), 4.0 + 6.0 + 0.5, rtol=1e-15)
