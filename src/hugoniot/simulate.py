@@ -84,7 +84,7 @@ def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=Non
     folder.start(problem, text, _meta(problem, solver))
     for warning in warnings:
         folder.event(0.0, 0, "warning", warning)
-    return _drive(folder, problem, solver, progress, 0, begun, report)
+    return _drive(_Recorder(folder, problem, solver, progress), 0, begun, report)
 
 
 def resume(folder, progress=None, report: bool = True) -> "Run":
@@ -103,21 +103,25 @@ def resume(folder, progress=None, report: bool = True) -> "Run":
     text = (pathlib.Path(folder) / "deck.toml").read_text(encoding="utf-8")
     solver = make_solver(deck.problem)
     place.start(deck.problem, text, _meta(deck.problem, solver))
+    recorder = _Recorder(place, deck.problem, solver, progress)   # before the state is restored: budgets count from the start
     payload = place.latest_checkpoint()
     next_snapshot = 0
-    if payload is not None:
+    if payload is None:
+        for warning in deck.warnings:
+            place.event(0.0, 0, "warning", warning)
+    else:
         solver.restore(payload["solver"])
         next_snapshot = int(payload["next_snapshot"])
-    return _drive(place, deck.problem, solver, progress, next_snapshot, begun, report)
+    return _drive(recorder, next_snapshot, begun, report)
 
 
-def _drive(folder: RunFolder, problem: Problem, solver, progress, next_snapshot: int, begun: float, report: bool) -> "Run":
+def _drive(recorder: _Recorder, next_snapshot: int, begun: float, report: bool) -> "Run":
     from hugoniot.output.run import load
 
+    folder, problem, solver = recorder.folder, recorder.problem, recorder.solver
     output = problem.output
     schedule = Schedule(problem.stop_time, snapshot_times(problem.stop_time, output.snapshots), output.checkpoint_seconds,
                         output.checkpoint_cycles, problem.solver.max_cycles)
-    recorder = _Recorder(folder, problem, solver, progress)
     try:
         outcome = march_to_end(solver, schedule, (recorder,), next_snapshot)
     except UnphysicalState as error:
