@@ -11,21 +11,25 @@ from hugoniot.solvers.lagrange1d import layout as L
 
 
 def run_table(segments, region_ends, kind_of, row_of):
-    """Runs (first, last, segment, kind, material row): the pieces of every region in every segment."""
-    rows = []
-    for k, (first, last, _, _) in enumerate(segments):
+    """Runs (first, last, segment, kind, material row): the pieces of every region in every segment, like neighbours merged."""
+    rows: list[list[int]] = []
+    for k, (first, last, _, _) in enumerate(segments.tolist()):
         for region, (a, b) in enumerate(region_ends):
-            lo, hi = max(first, a), min(last, b)
-            if lo < hi:
-                rows.append((lo, hi, k, kind_of[region], row_of[region]))
+            lo, hi, same = max(first, a), min(last, b), [k, kind_of[region], row_of[region]]
+            if lo >= hi:
+                continue
+            if rows and rows[-1][1] == lo and rows[-1][2:] == same:
+                rows[-1][1] = hi
+            else:
+                rows.append([lo, hi, *same])
     return np.array(rows, dtype=np.int64).reshape(-1, 5)
 
 
 PIECE = 1024     # zones; a multiple of any vector length, so that pieces change no bit of a sweep
 
 
-def pieces_of(runs, segments):
-    """(runs in pieces, node spans, whole runs) for the sweeps: the shares of work of a team of threads.
+def pieces_of(runs, segments, region_ends):
+    """(runs in pieces, node spans, regions) for the sweeps: the shares of work of a team of threads.
 
     A span of zones (first, last) holds the inner nodes first+1 .. last-1; it overlaps the next by one zone, so that every inner
     node of a segment is in one span.
@@ -33,7 +37,9 @@ def pieces_of(runs, segments):
     cut = [(lo, min(lo + PIECE, last), *rest) for first, last, *rest in runs.tolist() for lo in range(first, last, PIECE)]
     spans = [(lo, min(lo + PIECE + 1, last), k) for k, (first, last, _, _) in enumerate(segments.tolist())
              for lo in range(first, max(last - 1, first + 1), PIECE)]
-    return np.array(cut, dtype=np.int64), np.array(spans, dtype=np.int64), runs
+    regions = [(max(first, a), min(last, b), k) for k, (first, last, _, _) in enumerate(segments.tolist())
+               for a, b in region_ends if max(first, a) < min(last, b)]
+    return tuple(np.array(table, dtype=np.int64) for table in (cut, spans, regions))
 
 
 def interface_table(segments, nodes):

@@ -6,7 +6,7 @@ import numba as nb
 
 from hugoniot.core.compile import GUARD, SWEEP
 from hugoniot.mesh.line import area
-from hugoniot.solvers.lagrange1d.layout import *  # noqa: F403
+from hugoniot.solvers.lagrange1d import layout as L
 
 
 @nb.njit(**GUARD)
@@ -39,9 +39,9 @@ def accelerate(zones, nodes, first, last, segment, dt, geometry):
     """Predictor, inner nodes: velocity from the stresses at the start of the step, mean velocity, position at mid-step."""
     a = first + segment
     b = last + segment
-    r, u, rh, um = nodes[R, a + 1:b], nodes[U, a + 1:b], nodes[R_HALF, a + 1:b], nodes[U_MEAN, a + 1:b]
-    im = nodes[INVERSE_NODE_MASS, a + 1:b]
-    sigma, hoop = zones[SIGMA, first:last], zones[HOOP, first:last]
+    r, u, rh, um = nodes[L.R, a + 1:b], nodes[L.U, a + 1:b], nodes[L.R_HALF, a + 1:b], nodes[L.U_MEAN, a + 1:b]
+    im = nodes[L.INVERSE_NODE_MASS, a + 1:b]
+    sigma, hoop = zones[L.SIGMA, first:last], zones[L.HOOP, first:last]
     for j in range(r.shape[0]):
         force = area(r[j], geometry) * (sigma[j] - sigma[j + 1]) - hoop[j] - hoop[j + 1]
         mean = u[j] + 0.5 * dt * force * im[j]
@@ -54,9 +54,9 @@ def move(zones, nodes, first, last, segment, dt, geometry):
     """Corrector, inner nodes: velocity and position at the end of the step from the stresses in its middle."""
     a = first + segment
     b = last + segment
-    r, u, rh, um = nodes[R, a + 1:b], nodes[U, a + 1:b], nodes[R_HALF, a + 1:b], nodes[U_MEAN, a + 1:b]
-    im = nodes[INVERSE_NODE_MASS, a + 1:b]
-    sigma, hoop = zones[SIGMA_HALF, first:last], zones[HOOP_HALF, first:last]
+    r, u, rh, um = nodes[L.R, a + 1:b], nodes[L.U, a + 1:b], nodes[L.R_HALF, a + 1:b], nodes[L.U_MEAN, a + 1:b]
+    im = nodes[L.INVERSE_NODE_MASS, a + 1:b]
+    sigma, hoop = zones[L.SIGMA_HALF, first:last], zones[L.HOOP_HALF, first:last]
     for j in range(r.shape[0]):
         force = area(rh[j], geometry) * (sigma[j] - sigma[j + 1]) - hoop[j] - hoop[j + 1]
         new = u[j] + dt * force * im[j]
@@ -69,9 +69,9 @@ def move(zones, nodes, first, last, segment, dt, geometry):
 @nb.njit(**GUARD)
 def outside_stress(code, time, reference, pulse, table):
     """Stress a boundary applies, before what a transmitting one adds with the velocity."""
-    if code == PRESSURE:
+    if code == L.PRESSURE:
         return pulse_value(time, pulse, table)
-    return reference if code == TRANSMITTING else 0.0
+    return reference if code == L.TRANSMITTING else 0.0
 
 
 @nb.njit(**GUARD)
@@ -84,32 +84,32 @@ def end_node(zones, nodes, control, ends, left, corrector, dt, boundary, geometr
     node, zone, code = ends
     pulse, table = boundary
     dimension = geometry.dimension
-    u, r, half = nodes[U, node], nodes[R, node], nodes[R_HALF, node]
+    u, r, half = nodes[L.U, node], nodes[L.R, node], nodes[L.R_HALF, node]
     place = half if corrector else r
     face = area(place, geometry)
-    sigma = zones[SIGMA_HALF, zone] if corrector else zones[SIGMA, zone]
-    hoop = (zones[HOOP_HALF, zone] if corrector else zones[HOOP, zone]) if dimension > 1.0 else 0.0
+    sigma = zones[L.SIGMA_HALF, zone] if corrector else zones[L.SIGMA, zone]
+    hoop = (zones[L.HOOP_HALF, zone] if corrector else zones[L.HOOP, zone]) if dimension > 1.0 else 0.0
     sign = -1.0 if left else 1.0
     inner = sign * face * sigma - hoop
-    time = control[TIME]
-    inverse = nodes[INVERSE_NODE_MASS, node]
-    if code == FIXED or code == VELOCITY:
-        new = 0.0 if code == FIXED else pulse_value(time + dt, pulse, table)
+    time = control[L.TIME]
+    inverse = nodes[L.INVERSE_NODE_MASS, node]
+    if code == L.FIXED or code == L.VELOCITY:
+        new = 0.0 if code == L.FIXED else pulse_value(time + dt, pulse, table)
         outer = (new - u) / (dt * inverse) - inner
     else:
-        reference = control[REFERENCE_LEFT] if left else control[REFERENCE_RIGHT]
+        reference = control[L.REFERENCE_LEFT] if left else control[L.REFERENCE_RIGHT]
         push = -sign * face * outside_stress(code, time + 0.5 * dt, reference, pulse, table)
-        impedance = face * zones[RHO, zone] * zones[C, zone] if code == TRANSMITTING else 0.0
+        impedance = face * zones[L.RHO, zone] * zones[L.C, zone] if code == L.TRANSMITTING else 0.0
         weight = 0.5 * dt * inverse * impedance
         new = (u * (1.0 - weight) + dt * inverse * (inner + push)) / (1.0 + weight)
         outer = push - impedance * 0.5 * (u + new)
     mean = 0.5 * (u + new)
-    nodes[U_MEAN, node] = mean
+    nodes[L.U_MEAN, node] = mean
     if corrector:
-        nodes[U, node] = new
-        nodes[R, node] = r + dt * mean
-        work, impulse = (WORK_LEFT, IMPULSE_LEFT) if left else (WORK_RIGHT, IMPULSE_RIGHT)
+        nodes[L.U, node] = new
+        nodes[L.R, node] = r + dt * mean
+        work, impulse = (L.WORK_LEFT, L.IMPULSE_LEFT) if left else (L.WORK_RIGHT, L.IMPULSE_RIGHT)
         control[work] += dt * outer * mean
         control[impulse] += dt * outer
     else:
-        nodes[R_HALF, node] = r + 0.5 * dt * mean
+        nodes[L.R_HALF, node] = r + 0.5 * dt * mean

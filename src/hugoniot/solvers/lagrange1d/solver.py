@@ -19,7 +19,7 @@ from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.assemble import DEFAULT_COURANT, DEFAULT_HEAT_FLUX, assemble, boundary_pulse, group_laws, viscosity_of
 from hugoniot.solvers.lagrange1d.bodies import interface_table, join, pieces_of, run_table, set_node_masses, split
 from hugoniot.solvers.lagrange1d.probes import probe_tables
-from hugoniot.solvers.lagrange1d.step import march, serve
+from hugoniot.solvers.lagrange1d.step import SCHEMES, march, serve
 from hugoniot.solvers.lagrange1d.watch import mark_patch, touching_gap
 from hugoniot.state import State
 
@@ -49,7 +49,8 @@ class Lagrange1D:
     def __init__(self, problem: Problem):
         self.problem = problem
         self.geometry = GEOMETRY.get(problem.geometry).example
-        self.staggered = problem.solver.integrator == "wilkins"
+        self.scheme = SCHEMES[problem.solver.integrator]
+        self.staggered = self.scheme.staggered
         self.team = self._team()
         self.laws, self.viscosity = group_laws(problem), viscosity_of(problem)
         self.zones, self.nodes, self.gradient, self.segments, self.region_ranges = assemble(problem)
@@ -75,7 +76,7 @@ class Lagrange1D:
         control[L.DT_SMALLEST] = LARGEST_COLLAPSE * self.problem.stop_time
         control[L.GAUGE_INTERVAL] = self.problem.output.gauge_interval
         control[L.REFERENCE_LEFT], control[L.REFERENCE_RIGHT] = self.zones[L.SIGMA, 0], self.zones[L.SIGMA, -1]
-        for side, node, sign in ((self.problem.left, 0, 1), (self.problem.right, -1, -1)):
+        for side, node, _sign in ((self.problem.left, 0, 1), (self.problem.right, -1, -1)):
             if side.kind == "velocity":
                 self.nodes[L.U, node] = _pulse_at_zero(side.pulse)
             if side.kind == "fixed":
@@ -113,7 +114,7 @@ class Lagrange1D:
     def _retopologise(self):
         """Everything that depends on which zones are joined."""
         runs = run_table(self.segments, self.region_ranges, self.laws.kind_of, self.laws.row_of)
-        self.pieces = pieces_of(runs, self.segments)
+        self.pieces = pieces_of(runs, self.segments, self.region_ranges)
         self.found, self.steps = np.zeros((len(self.pieces[0]), 4)), np.zeros(2)
         self.interfaces = interface_table(self.segments, self.nodes)
         self.gauges, self.weights = probe_tables(self)
@@ -165,7 +166,7 @@ class Lagrange1D:
         sweep_arguments = (self.pieces, self.found, self.steps, self.laws.kinds, self.laws.tables, self.geometry)
         members = self._assemble_team(sweep_arguments)
         try:
-            code = march(cycles, self.staggered, self.zones, self.nodes, self.gradient, self.control, self.counters, self.segments,
+            code = march(cycles, self.scheme, self.zones, self.nodes, self.gradient, self.control, self.counters, self.segments,
                          *sweep_arguments, self.boundaries, self.team, self.interfaces, self.gauges, self.weights, self.gauge_times,
                          self.gauge_buffer)
         finally:
@@ -188,7 +189,7 @@ class Lagrange1D:
         if isinstance(self.team, team.Alone):
             return []
         phase = int(self.team.board[0])
-        arguments = (phase, self.zones, self.nodes, self.gradient, *sweep_arguments, self.team)
+        arguments = (phase, self.scheme, self.zones, self.nodes, self.gradient, *sweep_arguments, self.team)
         members = [threading.Thread(target=serve, args=(k, *arguments), daemon=True) for k in range(1, self.team.threads)]
         for member in members:
             member.start()

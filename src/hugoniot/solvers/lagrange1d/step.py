@@ -14,6 +14,8 @@ state is bad; the codes are in `layout`. Which laws a run of zones follows is pa
 of (eos, strength, fracture, viscosity) parameter tuples, `tables` their numbers, a row for each material of that kind.
 """
 
+from typing import NamedTuple
+
 import numba as nb
 from numba.extending import overload
 
@@ -25,14 +27,30 @@ from hugoniot.laws.fracture import contract as fracture_contract
 from hugoniot.laws.strength import contract as strength_contract
 from hugoniot.laws.viscosity import contract as viscosity_contract
 from hugoniot.mesh import line
-from hugoniot.solvers.lagrange1d import constitutive, wilkins_sweeps
-from hugoniot.solvers.lagrange1d.layout import *  # noqa: F403
-from hugoniot.solvers.lagrange1d.node_sweeps import accelerate, end_node, move, outside_stress
+from hugoniot.solvers.lagrange1d import constitutive
+from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.node_sweeps import accelerate, end_node, move
 from hugoniot.solvers.lagrange1d.watch import closing_time, failing_node, parting_interface, record, touching_gap, unsound
 from hugoniot.solvers.lagrange1d.wilkins_sweeps import advance, end_acceleration, leap, leap_end
 from hugoniot.solvers.lagrange1d.zone_sweeps import conduct, correct, predict
 
-ACCELERATE, PREDICT, MOVE, CORRECT, LEAP, ADVANCE = range(6)
+ACCELERATE, PREDICT, MOVE, CORRECT = range(4)
+LEAP, ADVANCE = range(2)
+
+
+class Compatible(NamedTuple):
+    """The default integrator; its class, part of the compiled type, chooses the steps that are compiled."""
+
+    staggered: bool = False
+
+
+class Leapfrog(NamedTuple):
+    """Wilkins' integrator."""
+
+    staggered: bool = True
+
+
+SCHEMES = {"compatible": Compatible(), "wilkins": Leapfrog()}
 
 
 def bind_laws():
@@ -71,10 +89,10 @@ def _over_runs(sweep, again):
     def impl(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
         law, table = kinds[0], tables[0]
         for i in range(share, runs.shape[0], of):
-            if runs[i, RUN_KIND] == kind:
-                m = runs[i, RUN_MATERIAL]
+            if runs[i, L.RUN_KIND] == kind:
+                m = runs[i, L.RUN_MATERIAL]
                 rows = (table[0][m], table[1][m], table[2][m], table[3][m], table[4][m])
-                sweep(zones, nodes, gradient, runs[i, RUN_FIRST], runs[i, RUN_LAST], runs[i, RUN_SEGMENT], dt, law, rows, geometry,
+                sweep(zones, nodes, gradient, runs[i, L.RUN_FIRST], runs[i, L.RUN_LAST], runs[i, L.RUN_SEGMENT], dt, law, rows, geometry,
                       found[i])
         again(zones, nodes, gradient, runs, found, dt, kinds[1:], tables[1:], geometry, share, of, kind + 1)
 
@@ -90,53 +108,64 @@ _over_runs(advance, advance_runs)
 
 
 # -- sharing the sweeps ------------------------------------------------------------------------------------------
-@nb.njit(**GUARD)
-def do_share(command, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, share, of):
-    """One command over one share of the pieces; `pieces` = (runs in pieces, node spans, whole runs), `dts` = (dt, mean dt)."""
-    runs, spans, _ = pieces
-    dt, dt_mean = dts[0], dts[1]
-    if command == PREDICT:
-        predict_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of)
-    elif command == CORRECT:
-        correct_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of)
-    elif command == ADVANCE:
-        advance_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of)
-    else:
-        for i in range(share, spans.shape[0], of):
-            if command == ACCELERATE:
-                accelerate(zones, nodes, spans[i, 0], spans[i, 1], spans[i, 2], dt, geometry)
-            elif command == MOVE:
-                move(zones, nodes, spans[i, 0], spans[i, 1], spans[i, 2], dt, geometry)
-            else:
-                leap(zones, nodes, spans[i, 0], spans[i, 1], spans[i, 2], dt, dt_mean, geometry)
+def do_share(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, share, of):
+    """One command over one share of the pieces; `pieces` = (runs in pieces, node spans, regions), `dts` = (dt, mean dt)."""
+    raise NotImplementedError("compiled only")
 
 
-def everyone(command, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
+@overload(do_share)
+def _(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, share, of):
+    def compatible(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, share, of):
+        runs, spans, _ = pieces
+        dt = dts[0]
+        if command == PREDICT:
+            predict_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of)
+        elif command == CORRECT:
+            correct_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of)
+        else:
+            for i in range(share, spans.shape[0], of):
+                if command == ACCELERATE:
+                    accelerate(zones, nodes, spans[i, 0], spans[i, 1], spans[i, 2], dt, geometry)
+                else:
+                    move(zones, nodes, spans[i, 0], spans[i, 1], spans[i, 2], dt, geometry)
+
+    def leapfrog(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, share, of):
+        runs, spans, _ = pieces
+        if command == ADVANCE:
+            advance_runs(zones, nodes, gradient, runs, found, dts[0], kinds, tables, geometry, share, of)
+        else:
+            for i in range(share, spans.shape[0], of):
+                leap(zones, nodes, spans[i, 0], spans[i, 1], spans[i, 2], dts[0], dts[1], geometry)
+
+    return leapfrog if scheme.instance_class is Leapfrog else compatible
+
+
+def everyone(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
     """One command over all pieces, shared out if there is a team."""
     raise NotImplementedError("compiled only")
 
 
 @overload(everyone)
-def _(command, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
-    def alone(command, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
-        do_share(command, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, 0, 1)
+def _(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
+    def alone(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
+        do_share(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, 0, 1)
 
-    def together(command, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
+    def together(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
         call(team.board, command)
-        do_share(command, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, 0, team.threads)
+        do_share(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, 0, team.threads)
         gather_team(team.board, team.threads)
 
     return alone if team.instance_class is Alone else together
 
 
 @nb.njit(**GUARD)
-def serve(member, phase, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
+def serve(member, phase, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
     """What every other thread of a team does during a march: the leader's commands on its own share, until dismissed."""
     while True:
         phase = await_call(team.board, phase)
         command = team.board[1]
         if command != DISMISSED:
-            do_share(command, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, member, team.threads)
+            do_share(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, member, team.threads)
         sign(team.board, member, phase)
         if command == DISMISSED:
             return
@@ -158,8 +187,8 @@ def gather(found, totals):
 def ghosts(gradient, segments):
     """Step 3: beyond an end the field goes on as inside, so that a wall or a free surface is no extremum."""
     for k in range(segments.shape[0]):
-        left = segments[k, SEG_FIRST] + 2 * k
-        right = segments[k, SEG_LAST] + 2 * k + 1
+        left = segments[k, L.SEG_FIRST] + 2 * k
+        right = segments[k, L.SEG_LAST] + 2 * k + 1
         gradient[left] = gradient[left + 1]
         gradient[right] = gradient[right - 1]
 
@@ -169,15 +198,15 @@ def gap_step(zones, nodes, segments, dt_old, staggered, geometry):
     """Shortest time in which a gap closes, from the accelerations of its two free surfaces."""
     shortest = 1e300
     for k in range(segments.shape[0] - 1):
-        zl, zr = segments[k, SEG_LAST] - 1, segments[k + 1, SEG_FIRST]
+        zl, zr = segments[k, L.SEG_LAST] - 1, segments[k + 1, L.SEG_FIRST]
         left, right = zl + 1 + k, zr + k + 1
         if staggered:
-            al = end_acceleration(zones, nodes, (left, zl, FREE), False, 0.0, geometry)
-            ar = end_acceleration(zones, nodes, (right, zr, FREE), True, 0.0, geometry)
+            al = end_acceleration(zones, nodes, (left, zl, L.FREE), False, 0.0, geometry)
+            ar = end_acceleration(zones, nodes, (right, zr, L.FREE), True, 0.0, geometry)
         else:
-            al = (line.area(nodes[R, left], geometry) * zones[SIGMA, zl] - zones[HOOP, zl]) * nodes[INVERSE_NODE_MASS, left]
-            ar = (-line.area(nodes[R, right], geometry) * zones[SIGMA, zr] - zones[HOOP, zr]) * nodes[INVERSE_NODE_MASS, right]
-        gap, approach = nodes[R, right] - nodes[R, left], nodes[U, right] - nodes[U, left]
+            al = (line.area(nodes[L.R, left], geometry) * zones[L.SIGMA, zl] - zones[L.HOOP, zl]) * nodes[L.INVERSE_NODE_MASS, left]
+            ar = (-line.area(nodes[L.R, right], geometry) * zones[L.SIGMA, zr] - zones[L.HOOP, zr]) * nodes[L.INVERSE_NODE_MASS, right]
+        gap, approach = nodes[L.R, right] - nodes[L.R, left], nodes[L.U, right] - nodes[L.U, left]
         shortest = min(shortest, closing_time(max(gap, 0.0), approach, ar - al, dt_old if staggered else 0.0))
     return shortest
 
@@ -185,52 +214,60 @@ def gap_step(zones, nodes, segments, dt_old, staggered, geometry):
 @nb.njit(**GUARD)
 def choose_step(zones, nodes, control, segments, staggered, geometry):
     """Step 1: Courant, growth, a closing gap (landed on), an event time (hit exactly, approached in two halves)."""
-    dt = min(control[COURANT] / control[RATE], control[GROWTH] * control[DT_NATURAL], control[DT_LARGEST])
-    control[DT_NATURAL] = dt
+    dt = min(control[L.COURANT] / control[L.RATE], control[L.GROWTH] * control[L.DT_NATURAL], control[L.DT_LARGEST])
+    control[L.DT_NATURAL] = dt
     if segments.shape[0] > 1:
-        closing = gap_step(zones, nodes, segments, control[DT], staggered, geometry)
+        closing = gap_step(zones, nodes, segments, control[L.DT], staggered, geometry)
         if closing <= 1.2 * dt:
             dt = max(closing, 1e-9 * dt)
-    remaining = control[EVENT_TIME] - control[TIME]
+    remaining = control[L.EVENT_TIME] - control[L.TIME]
     if remaining <= dt * (1.0 + 1e-9):
         dt = remaining
     elif remaining < 2.0 * dt:
         dt = min(dt, 0.5 * remaining)
-    control[DT_OLD] = control[DT]
-    control[DT] = dt
+    control[L.DT_OLD] = control[L.DT]
+    control[L.DT] = dt
     return dt
 
 
-@nb.njit(**GUARD)
-def step_compatible(zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team):
+def take_step(scheme, zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team):
+    """Steps 2 to 6 of the scheme."""
+    raise NotImplementedError("compiled only")
+
+
+def step_compatible(scheme, zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team):
     """Steps 2 to 6 of the compatible integrator."""
-    dt, whole = dts[0], pieces[2]
+    dt, regions = dts[0], pieces[2]
     for stage in range(2):
         corrector = stage == 1
         if corrector:
             ghosts(gradient, segments)
-            everyone(PREDICT, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
-        everyone(MOVE if corrector else ACCELERATE, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
+            everyone(PREDICT, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
+        everyone(MOVE if corrector else ACCELERATE, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
         for k in range(segments.shape[0]):
-            first, last = segments[k, SEG_FIRST], segments[k, SEG_LAST]
-            end_node(zones, nodes, control, (first + k, first, segments[k, SEG_LEFT]), True, corrector, dt, boundaries[0], geometry)
-            end_node(zones, nodes, control, (last + k, last - 1, segments[k, SEG_RIGHT]), False, corrector, dt, boundaries[1], geometry)
-    everyone(CORRECT, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
-    if control[HEAT_FLUX] > 0.0:
-        for i in range(whole.shape[0]):
-            conduct(zones, nodes, whole[i, RUN_FIRST], whole[i, RUN_LAST], whole[i, RUN_SEGMENT], dt, control[HEAT_FLUX], geometry)
+            first, last = segments[k, L.SEG_FIRST], segments[k, L.SEG_LAST]
+            end_node(zones, nodes, control, (first + k, first, segments[k, L.SEG_LEFT]), True, corrector, dt, boundaries[0], geometry)
+            end_node(zones, nodes, control, (last + k, last - 1, segments[k, L.SEG_RIGHT]), False, corrector, dt, boundaries[1], geometry)
+    everyone(CORRECT, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
+    if control[L.HEAT_FLUX] > 0.0:
+        for i in range(regions.shape[0]):
+            conduct(zones, nodes, regions[i, 0], regions[i, 1], regions[i, 2], dt, control[L.HEAT_FLUX], geometry)
 
 
-@nb.njit(**GUARD)
-def step_wilkins(zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team):
+def step_wilkins(scheme, zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team):
     """Steps 2 and 3 of the leapfrog."""
     dt, dt_mean = dts[0], dts[1]
-    everyone(LEAP, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
+    everyone(LEAP, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
     for k in range(segments.shape[0]):
-        first, last = segments[k, SEG_FIRST], segments[k, SEG_LAST]
-        leap_end(zones, nodes, control, (first + k, first, segments[k, SEG_LEFT]), True, dt, dt_mean, boundaries[0], geometry)
-        leap_end(zones, nodes, control, (last + k, last - 1, segments[k, SEG_RIGHT]), False, dt, dt_mean, boundaries[1], geometry)
-    everyone(ADVANCE, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
+        first, last = segments[k, L.SEG_FIRST], segments[k, L.SEG_LAST]
+        leap_end(zones, nodes, control, (first + k, first, segments[k, L.SEG_LEFT]), True, dt, dt_mean, boundaries[0], geometry)
+        leap_end(zones, nodes, control, (last + k, last - 1, segments[k, L.SEG_RIGHT]), False, dt, dt_mean, boundaries[1], geometry)
+    everyone(ADVANCE, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
+
+
+@overload(take_step)
+def _(scheme, zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team):
+    return step_wilkins if scheme.instance_class is Leapfrog else step_compatible
 
 
 @nb.njit(**GUARD)
@@ -238,60 +275,57 @@ def watch(zones, nodes, control, counters, segments, interfaces, zone_count):
     """Step 7: why the march must stop here, or PAUSED."""
     bad = unsound(zones, zone_count)
     if bad >= 0:
-        counters[CULPRIT] = bad
-        return BAD_STATE
+        counters[L.CULPRIT] = bad
+        return L.BAD_STATE
     if segments.shape[0] > 1:
         gap = touching_gap(zones, nodes, segments)
         if gap >= 0:
-            counters[CULPRIT] = gap
-            return VOID_CLOSES
-    if control[WORST_FAILURE] >= 1.0 or counters[FRACTURING] > 0:
+            counters[L.CULPRIT] = gap
+            return L.VOID_CLOSES
+    if control[L.WORST_FAILURE] >= 1.0 or counters[L.FRACTURING] > 0:
         node = failing_node(zones, segments, control, counters)
         if node >= 0:
-            counters[CULPRIT] = node
-            return VOID_OPENS
+            counters[L.CULPRIT] = node
+            return L.VOID_OPENS
     parting = parting_interface(zones, nodes, interfaces)
     if parting >= 0:
-        counters[CULPRIT] = parting
-        return INTERFACE_OPENS
-    return PAUSED
+        counters[L.CULPRIT] = parting
+        return L.INTERFACE_OPENS
+    return L.PAUSED
 
 
 @nb.njit(**GUARD)
-def march(cycles, staggered, zones, nodes, gradient, control, counters, segments, pieces, found, dts, kinds, tables, geometry, boundaries,
+def march(cycles, scheme, zones, nodes, gradient, control, counters, segments, pieces, found, dts, kinds, tables, geometry, boundaries,
           team, interfaces, gauges, weights, gauge_times, gauge_buffer):
     """Take up to `cycles` steps; returns the code of `layout` that says why it came back."""
     zone_count = zones.shape[1]
-    totals = control[CONTROL_FLOATS - 4:]
+    totals = control[L.CONTROL_FLOATS - 4:]
     for _ in range(cycles):
-        if gauges.shape[0] > 0 and counters[GAUGE_ROWS] >= gauge_times.shape[0]:
-            return BUFFER_FULL
-        dt = choose_step(zones, nodes, control, segments, staggered, geometry)
-        if not control[DT_NATURAL] > control[DT_SMALLEST]:
-            return STEP_COLLAPSED
-        dts[0], dts[1] = dt, 0.5 * (dt + control[DT_OLD])
-        if staggered:
-            step_wilkins(zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team)
-        else:
-            step_compatible(zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team)
+        if gauges.shape[0] > 0 and counters[L.GAUGE_ROWS] >= gauge_times.shape[0]:
+            return L.BUFFER_FULL
+        dt = choose_step(zones, nodes, control, segments, scheme.staggered, geometry)
+        if not control[L.DT_NATURAL] > control[L.DT_SMALLEST]:
+            return L.STEP_COLLAPSED
+        dts[0], dts[1] = dt, 0.5 * (dt + control[L.DT_OLD])
+        take_step(scheme, zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team)
         gather(found, totals)
-        at_event = dt >= control[EVENT_TIME] - control[TIME]
-        control[TIME] = control[EVENT_TIME] if at_event else control[TIME] + dt
-        counters[CYCLE] += 1
-        counters[ZONE_STEPS] += zone_count
-        control[RATE], control[WORST_FAILURE] = totals[0], totals[1]
-        control[RADIAL_IMPULSE] += dt * totals[2]
-        counters[CAP_COUNT] += int(totals[3])
+        at_event = dt >= control[L.EVENT_TIME] - control[L.TIME]
+        control[L.TIME] = control[L.EVENT_TIME] if at_event else control[L.TIME] + dt
+        counters[L.CYCLE] += 1
+        counters[L.ZONE_STEPS] += zone_count
+        control[L.RATE], control[L.WORST_FAILURE] = totals[0], totals[1]
+        control[L.RADIAL_IMPULSE] += dt * totals[2]
+        counters[L.CAP_COUNT] += int(totals[3])
         code = watch(zones, nodes, control, counters, segments, interfaces, zone_count)
-        if gauges.shape[0] > 0 and (control[TIME] >= control[NEXT_GAUGE] or at_event):
-            row = counters[GAUGE_ROWS]
-            gauge_times[row] = control[TIME]
+        if gauges.shape[0] > 0 and (control[L.TIME] >= control[L.NEXT_GAUGE] or at_event):
+            row = counters[L.GAUGE_ROWS]
+            gauge_times[row] = control[L.TIME]
             record(zones, nodes, gauges, weights, gauge_buffer[row])
-            counters[GAUGE_ROWS] = row + 1
-            while control[NEXT_GAUGE] <= control[TIME] and control[GAUGE_INTERVAL] > 0.0:
-                control[NEXT_GAUGE] += control[GAUGE_INTERVAL]
-        if code != PAUSED:
+            counters[L.GAUGE_ROWS] = row + 1
+            while control[L.NEXT_GAUGE] <= control[L.TIME] and control[L.GAUGE_INTERVAL] > 0.0:
+                control[L.NEXT_GAUGE] += control[L.GAUGE_INTERVAL]
+        if code != L.PAUSED:
             return code
         if at_event:
-            return AT_EVENT
-    return PAUSED
+            return L.AT_EVENT
+    return L.PAUSED

@@ -5,19 +5,19 @@ import math
 import numba as nb
 
 from hugoniot.core.compile import GUARD
-from hugoniot.solvers.lagrange1d.layout import *  # noqa: F403
+from hugoniot.solvers.lagrange1d import layout as L
 
 RELIEVED = 0.02       # a zone below this fraction of its failure limit is out of the tension that opened a void
 VOIDED = 1e-3         # void fraction from which a zone belongs to an older spall plane and opens none of its own
-CHATTER = 1e-6        # tension, in units of rho c^2, below which a strengthless interface stays closed (Herrmann A.7)
+CHATTER = 1e-4        # tension, in units of rho c^2, a strengthless interface bears: the noise a release leaves (Herrmann A.7)
 TOUCHING = 1e-6       # gap, in units of the neighbouring zones, that counts as closed
 
 
 @nb.njit(**GUARD)
 def unsound(zones, count):
     """First zone whose density is not positive or whose sound speed is no finite number, or -1; records the peaks on the way."""
-    rho, c, sigma, p = zones[RHO], zones[C], zones[SIGMA], zones[P]
-    most, least, highest, densest = zones[PEAK_STRESS], zones[PEAK_TENSION], zones[PEAK_PRESSURE], zones[PEAK_DENSITY]
+    rho, c, sigma, p = zones[L.RHO], zones[L.C], zones[L.SIGMA], zones[L.P]
+    most, least, highest, densest = zones[L.PEAK_STRESS], zones[L.PEAK_TENSION], zones[L.PEAK_PRESSURE], zones[L.PEAK_DENSITY]
     bad = 0
     for j in range(count):
         sound = (rho[j] > 0.0) & (c[j] >= 0.0) & (c[j] < 1e12) & (sigma[j] < 1e30)
@@ -46,30 +46,30 @@ def failing_node(zones, segments, control, counters):
     worst_node, worst = -1, 0.0
     marked = 0
     for k in range(segments.shape[0]):
-        first, last = segments[k, SEG_FIRST], segments[k, SEG_LAST]
+        first, last = segments[k, L.SEG_FIRST], segments[k, L.SEG_LAST]
         z = first
         while z < last:
-            if zones[FAILURE, z] < RELIEVED:
-                zones[TAG, z] = 0.0
+            if zones[L.FAILURE, z] < RELIEVED:
+                zones[L.TAG, z] = 0.0
                 z += 1
                 continue
             start, peak, at, tagged = z, 0.0, z, False
-            while z < last and zones[FAILURE, z] >= RELIEVED:
-                if zones[TAG, z] > 0.0:
+            while z < last and zones[L.FAILURE, z] >= RELIEVED:
+                if zones[L.TAG, z] > 0.0:
                     tagged = True
-                if zones[FAILURE, z] > peak:
-                    peak, at = zones[FAILURE, z], z
+                if zones[L.FAILURE, z] > peak:
+                    peak, at = zones[L.FAILURE, z], z
                 z += 1
             if tagged:
                 for i in range(start, z):
-                    zones[TAG, i] = 1.0
+                    zones[L.TAG, i] = 1.0
                 marked += z - start
-            elif peak >= 1.0 and peak > worst and last - first > 1 and zones[VOIDS, at] * zones[RHO, at] < VOIDED:
-                left = zones[FAILURE, at - 1] if at > first else -1.0
-                right = zones[FAILURE, at + 1] if at + 1 < last else -1.0
+            elif peak >= 1.0 and peak > worst and last - first > 1 and zones[L.VOIDS, at] * zones[L.RHO, at] < VOIDED:
+                left = zones[L.FAILURE, at - 1] if at > first else -1.0
+                right = zones[L.FAILURE, at + 1] if at + 1 < last else -1.0
                 worst, worst_node = peak, (at if left > right else at + 1) + k
-                counters[CULPRIT] = k
-    counters[FRACTURING] = marked
+                counters[L.CULPRIT] = k
+    counters[L.FRACTURING] = marked
     return worst_node
 
 
@@ -77,12 +77,12 @@ def failing_node(zones, segments, control, counters):
 def mark_patch(zones, first, last, at):
     """Mark the failing patch around zone `at` as relieved by a void; its damage has become the void."""
     z = at
-    while z >= first and zones[FAILURE, z] >= RELIEVED:
-        zones[TAG, z], zones[DAMAGE, z] = 1.0, 0.0
+    while z >= first and zones[L.FAILURE, z] >= RELIEVED:
+        zones[L.TAG, z], zones[L.DAMAGE, z] = 1.0, 0.0
         z -= 1
     z = at + 1
-    while z < last and zones[FAILURE, z] >= RELIEVED:
-        zones[TAG, z], zones[DAMAGE, z] = 1.0, 0.0
+    while z < last and zones[L.FAILURE, z] >= RELIEVED:
+        zones[L.TAG, z], zones[L.DAMAGE, z] = 1.0, 0.0
         z += 1
 
 
@@ -91,12 +91,12 @@ def parting_interface(zones, nodes, interfaces):
     """Index of the first listed interface whose tension exceeds its bond, or -1; rows are (node, zone on the left)."""
     for i in range(interfaces.shape[0]):
         node, z = interfaces[i, 0], interfaces[i, 1]
-        ml, mr = zones[MASS, z], zones[MASS, z + 1]
-        left = zones[P, z] - zones[S1, z]
-        right = zones[P, z + 1] - zones[S1, z + 1]
+        ml, mr = zones[L.MASS, z], zones[L.MASS, z + 1]
+        left = zones[L.P, z] - zones[L.S1, z]
+        right = zones[L.P, z + 1] - zones[L.S1, z + 1]
         traction = (left * mr + right * ml) / (ml + mr)
-        soft = min(zones[RHO, z] * zones[C, z] ** 2, zones[RHO, z + 1] * zones[C, z + 1] ** 2)
-        if -traction > nodes[BOND, node] + CHATTER * soft:
+        soft = min(zones[L.RHO, z] * zones[L.C, z] ** 2, zones[L.RHO, z + 1] * zones[L.C, z + 1] ** 2)
+        if -traction > nodes[L.BOND, node] + CHATTER * soft:
             return i
     return -1
 
@@ -124,11 +124,11 @@ def closing_time(gap, approach, acceleration, dt_old):
 def touching_gap(zones, nodes, segments):
     """First gap (between segments k and k+1) that is closed and closing, or -1."""
     for k in range(segments.shape[0] - 1):
-        z = segments[k, SEG_LAST] - 1
+        z = segments[k, L.SEG_LAST] - 1
         left, right = z + 1 + k, z + 1 + k + 1
-        gap = nodes[R, right] - nodes[R, left]
-        width = min(nodes[R, left] - nodes[R, left - 1], nodes[R, right + 1] - nodes[R, right])
-        if gap <= TOUCHING * width and (nodes[U, right] < nodes[U, left] or gap < 0.0):
+        gap = nodes[L.R, right] - nodes[L.R, left]
+        width = min(nodes[L.R, left] - nodes[L.R, left - 1], nodes[L.R, right + 1] - nodes[L.R, right])
+        if gap <= TOUCHING * width and (nodes[L.U, right] < nodes[L.U, left] or gap < 0.0):
             return k
     return -1
 
@@ -139,14 +139,14 @@ def record(zones, nodes, table, weights, out):
     for i in range(table.shape[0]):
         a, b, node = table[i, 0], table[i, 1], table[i, 3]
         w, f = weights[i, 0], weights[i, 1]
-        out[i, 0] = (1.0 - f) * nodes[R, node] + f * nodes[R, node + 1]
-        out[i, 1] = (1.0 - f) * nodes[U, node] + f * nodes[U, node + 1]
-        out[i, 2] = (1.0 - w) * zones[RHO, a] + w * zones[RHO, b]
-        out[i, 3] = (1.0 - w) * zones[E, a] + w * zones[E, b]
-        out[i, 4] = (1.0 - w) * zones[P, a] + w * zones[P, b]
-        out[i, 5] = (1.0 - w) * zones[Q, a] + w * zones[Q, b]
-        out[i, 6] = (1.0 - w) * zones[S1, a] + w * zones[S1, b]
-        out[i, 7] = (1.0 - w) * zones[S2, a] + w * zones[S2, b]
-        out[i, 8] = (1.0 - w) * zones[SIGMA, a] + w * zones[SIGMA, b]
-        out[i, 9] = (1.0 - w) * zones[PLASTIC_STRAIN, a] + w * zones[PLASTIC_STRAIN, b]
-        out[i, 10] = (1.0 - w) * zones[DAMAGE, a] + w * zones[DAMAGE, b]
+        out[i, 0] = (1.0 - f) * nodes[L.R, node] + f * nodes[L.R, node + 1]
+        out[i, 1] = (1.0 - f) * nodes[L.U, node] + f * nodes[L.U, node + 1]
+        out[i, 2] = (1.0 - w) * zones[L.RHO, a] + w * zones[L.RHO, b]
+        out[i, 3] = (1.0 - w) * zones[L.E, a] + w * zones[L.E, b]
+        out[i, 4] = (1.0 - w) * zones[L.P, a] + w * zones[L.P, b]
+        out[i, 5] = (1.0 - w) * zones[L.Q, a] + w * zones[L.Q, b]
+        out[i, 6] = (1.0 - w) * zones[L.S1, a] + w * zones[L.S1, b]
+        out[i, 7] = (1.0 - w) * zones[L.S2, a] + w * zones[L.S2, b]
+        out[i, 8] = (1.0 - w) * zones[L.SIGMA, a] + w * zones[L.SIGMA, b]
+        out[i, 9] = (1.0 - w) * zones[L.PLASTIC_STRAIN, a] + w * zones[L.PLASTIC_STRAIN, b]
+        out[i, 10] = (1.0 - w) * zones[L.DAMAGE, a] + w * zones[L.DAMAGE, b]

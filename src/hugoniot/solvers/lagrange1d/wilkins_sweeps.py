@@ -14,6 +14,7 @@ from hugoniot.laws.fracture.contract import damage_rate, failure
 from hugoniot.laws.strength.contract import shear_modulus
 from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.mesh.line import hoops, volume
+from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.constitutive import (
     grows_voids,
     no,
@@ -27,7 +28,6 @@ from hugoniot.solvers.lagrange1d.constitutive import (
     yes,
     yield_at,
 )
-from hugoniot.solvers.lagrange1d.layout import *  # noqa: F403
 from hugoniot.solvers.lagrange1d.node_sweeps import outside_stress, pulse_value
 
 SMALL = 1e-30
@@ -37,15 +37,15 @@ SMALL = 1e-30
 def leap(zones, nodes, first, last, segment, dt, dt_mean, geometry):
     """Inner nodes: velocity to n+1/2 and position to n+1 (B.2 item 2)."""
     a, b = first + segment, last + segment
-    r, u, im = nodes[R, a + 1:b], nodes[U, a + 1:b], nodes[INVERSE_NODE_MASS, a + 1:b]
-    sigma = zones[SIGMA, first:last]
+    r, u, im = nodes[L.R, a + 1:b], nodes[L.U, a + 1:b], nodes[L.INVERSE_NODE_MASS, a + 1:b]
+    sigma = zones[L.SIGMA, first:last]
     if hoops(geometry) == 0.0:
         for j in range(r.shape[0]):
             new = u[j] + dt_mean * (sigma[j] - sigma[j + 1]) * im[j]
             u[j] = new
             r[j] += dt * new
     else:
-        force, width = zones[HOOP, first:last], zones[OLD, first:last]
+        force, width = zones[L.HOOP, first:last], zones[L.OLD, first:last]
         for j in range(r.shape[0]):
             phi = 0.5 * (width[j] + width[j + 1])
             beta = 0.5 * (force[j] + force[j + 1])
@@ -58,10 +58,10 @@ def leap(zones, nodes, first, last, segment, dt, dt_mean, geometry):
 def end_acceleration(zones, nodes, ends, left, outside, geometry):
     """Acceleration of a segment's end under an outside stress (B.3)."""
     node, zone, _ = ends
-    push = (outside - zones[SIGMA, zone]) if left else (zones[SIGMA, zone] - outside)
+    push = (outside - zones[L.SIGMA, zone]) if left else (zones[L.SIGMA, zone] - outside)
     if hoops(geometry) == 0.0:
-        return push * nodes[INVERSE_NODE_MASS, node]
-    return push / (0.5 * zones[OLD, zone]) + zones[HOOP, zone] * hoops(geometry)
+        return push * nodes[L.INVERSE_NODE_MASS, node]
+    return push / (0.5 * zones[L.OLD, zone]) + zones[L.HOOP, zone] * hoops(geometry)
 
 
 @nb.njit(**GUARD)
@@ -70,26 +70,26 @@ def leap_end(zones, nodes, control, ends, left, dt, dt_mean, boundary, geometry)
     node, zone, code = ends
     pulse, table = boundary
     sign = -1.0 if left else 1.0
-    u, time = nodes[U, node], control[TIME]
-    reference = control[REFERENCE_LEFT] if left else control[REFERENCE_RIGHT]
+    u, time = nodes[L.U, node], control[L.TIME]
+    reference = control[L.REFERENCE_LEFT] if left else control[L.REFERENCE_RIGHT]
     outside = outside_stress(code, time, reference, pulse, table)
-    if code == TRANSMITTING:
-        outside += sign * zones[RHO, zone] * zones[C, zone] * u
-    if code == FIXED:
+    if code == L.TRANSMITTING:
+        outside += sign * zones[L.RHO, zone] * zones[L.C, zone] * u
+    if code == L.FIXED:
         new = 0.0
-    elif code == VELOCITY:
+    elif code == L.VELOCITY:
         new = pulse_value(time + 0.5 * dt, pulse, table)
     else:
         new = u + dt_mean * end_acceleration(zones, nodes, ends, left, outside, geometry)
-    face = nodes[R, node] ** hoops(geometry)
-    nodes[U, node] = new
-    nodes[R, node] += dt * new
-    mass = nodes[NODE_MASS, node]
-    if code == FIXED or code == VELOCITY:
+    face = nodes[L.R, node] ** hoops(geometry)
+    nodes[L.U, node] = new
+    nodes[L.R, node] += dt * new
+    mass = nodes[L.NODE_MASS, node]
+    if code == L.FIXED or code == L.VELOCITY:
         outer = mass * (new - u) / dt_mean - mass * end_acceleration(zones, nodes, ends, left, 0.0, geometry)
     else:
         outer = -sign * face * outside
-    work, impulse = (WORK_LEFT, IMPULSE_LEFT) if left else (WORK_RIGHT, IMPULSE_RIGHT)
+    work, impulse = (L.WORK_LEFT, L.IMPULSE_LEFT) if left else (L.WORK_RIGHT, L.IMPULSE_RIGHT)
     control[work] += dt * outer * new
     control[impulse] += dt_mean * outer
 
@@ -111,14 +111,14 @@ def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
     viscosity = parameters(law[3], rows[3])
     a, b = first + segment, last + segment
     n = last - first
-    r, u = nodes[R, a:b + 1], nodes[U, a:b + 1]
-    mass, im = zones[MASS, first:last], zones[INVERSE_MASS, first:last]
-    rho_, e_, p_, c_ = zones[RHO, first:last], zones[E, first:last], zones[P, first:last], zones[C, first:last]
-    s1, s2, eps, hurt = zones[S1, first:last], zones[S2, first:last], zones[PLASTIC_STRAIN, first:last], zones[DAMAGE, first:last]
-    sigma, q_, torn = zones[SIGMA, first:last], zones[Q, first:last], zones[FAILURE, first:last]
-    force, width, old = zones[HOOP, first:last], zones[OLD, first:last], zones[SIGMA_HALF, first:last]
-    plastic, viscous = zones[PLASTIC_WORK, first:last], zones[VISCOUS_WORK, first:last]
-    voids = zones[VOIDS, first:last]
+    r, u = nodes[L.R, a:b + 1], nodes[L.U, a:b + 1]
+    im = zones[L.INVERSE_MASS, first:last]
+    rho_, e_, p_, c_ = zones[L.RHO, first:last], zones[L.E, first:last], zones[L.P, first:last], zones[L.C, first:last]
+    s1, s2, eps, hurt = zones[L.S1, first:last], zones[L.S2, first:last], zones[L.PLASTIC_STRAIN, first:last], zones[L.DAMAGE, first:last]
+    sigma, q_, torn = zones[L.SIGMA, first:last], zones[L.Q, first:last], zones[L.FAILURE, first:last]
+    force, width, old = zones[L.HOOP, first:last], zones[L.OLD, first:last], zones[L.SIGMA_HALF, first:last]
+    plastic, viscous = zones[L.PLASTIC_WORK, first:last], zones[L.VISCOUS_WORK, first:last]
+    voids = zones[L.VOIDS, first:last]
     rho0, noise = rows[4][0], rows[4][1]
     fastest, worst, capped = 0.0, 0.0, 0.0
     for j in range(n):

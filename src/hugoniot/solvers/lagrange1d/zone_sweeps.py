@@ -15,6 +15,7 @@ from hugoniot.laws.fracture.contract import damage_rate, failure
 from hugoniot.laws.strength.contract import shear_modulus
 from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.mesh.line import area, hoops, volume
+from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.constitutive import (
     grows_voids,
     radial_return,
@@ -26,7 +27,6 @@ from hugoniot.solvers.lagrange1d.constitutive import (
     wave_speed,
     yield_at,
 )
-from hugoniot.solvers.lagrange1d.layout import *  # noqa: F403
 
 SMALL = 1e-30
 
@@ -40,15 +40,15 @@ def predict(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
     viscosity = parameters(law[3], rows[3])
     a, b = first + segment, last + segment
     n = last - first
-    r, rh, u = nodes[R, a:b + 1], nodes[R_HALF, a:b + 1], nodes[U_MEAN, a:b + 1]
+    rh, u = nodes[L.R_HALF, a:b + 1], nodes[L.U_MEAN, a:b + 1]
     g = gradient[first + 2 * segment:last + 2 * segment + 2]
-    mass, im = zones[MASS, first:last], zones[INVERSE_MASS, first:last]
-    e, c = zones[E, first:last], zones[C, first:last]
-    s1, s2, eps = zones[S1, first:last], zones[S2, first:last], zones[PLASTIC_STRAIN, first:last]
-    sigma, hoop_force = zones[SIGMA, first:last], zones[HOOP, first:last]
-    q_out, speed_out = zones[Q, first:last], zones[VISCOUS_SPEED, first:last]
-    sigma_half, hoop_half = zones[SIGMA_HALF, first:last], zones[HOOP_HALF, first:last]
-    voids = zones[VOIDS, first:last]
+    mass, im = zones[L.MASS, first:last], zones[L.INVERSE_MASS, first:last]
+    e, c = zones[L.E, first:last], zones[L.C, first:last]
+    s1, s2, eps = zones[L.S1, first:last], zones[L.S2, first:last], zones[L.PLASTIC_STRAIN, first:last]
+    sigma, hoop_force = zones[L.SIGMA, first:last], zones[L.HOOP, first:last]
+    q_out, speed_out = zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last]
+    sigma_half, hoop_half = zones[L.SIGMA_HALF, first:last], zones[L.HOOP_HALF, first:last]
+    voids = zones[L.VOIDS, first:last]
     half = 0.5 * dt
     for j in range(n):
         r1, r2, u1, u2 = rh[j], rh[j + 1], u[j], u[j + 1]
@@ -98,16 +98,16 @@ def correct(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
     fracture = parameters(law[2], rows[2])
     a, b = first + segment, last + segment
     n = last - first
-    r, rh, u, ue = nodes[R, a:b + 1], nodes[R_HALF, a:b + 1], nodes[U_MEAN, a:b + 1], nodes[U, a:b + 1]
+    r, rh, u, ue = nodes[L.R, a:b + 1], nodes[L.R_HALF, a:b + 1], nodes[L.U_MEAN, a:b + 1], nodes[L.U, a:b + 1]
     g = gradient[first + 2 * segment + 1:last + 2 * segment + 1]
-    mass, im = zones[MASS, first:last], zones[INVERSE_MASS, first:last]
-    rho_, e_, p_, c_ = zones[RHO, first:last], zones[E, first:last], zones[P, first:last], zones[C, first:last]
-    s1, s2, eps, hurt = zones[S1, first:last], zones[S2, first:last], zones[PLASTIC_STRAIN, first:last], zones[DAMAGE, first:last]
-    sigma, hoop_force = zones[SIGMA, first:last], zones[HOOP, first:last]
-    q, speed, torn = zones[Q, first:last], zones[VISCOUS_SPEED, first:last], zones[FAILURE, first:last]
-    sigma_half, hoop_half = zones[SIGMA_HALF, first:last], zones[HOOP_HALF, first:last]
-    plastic, viscous = zones[PLASTIC_WORK, first:last], zones[VISCOUS_WORK, first:last]
-    voids = zones[VOIDS, first:last]
+    mass, im = zones[L.MASS, first:last], zones[L.INVERSE_MASS, first:last]
+    rho_, e_, p_, c_ = zones[L.RHO, first:last], zones[L.E, first:last], zones[L.P, first:last], zones[L.C, first:last]
+    s1, s2, eps, hurt = zones[L.S1, first:last], zones[L.S2, first:last], zones[L.PLASTIC_STRAIN, first:last], zones[L.DAMAGE, first:last]
+    sigma, hoop_force = zones[L.SIGMA, first:last], zones[L.HOOP, first:last]
+    q, speed, torn = zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last], zones[L.FAILURE, first:last]
+    sigma_half, hoop_half = zones[L.SIGMA_HALF, first:last], zones[L.HOOP_HALF, first:last]
+    plastic, viscous = zones[L.PLASTIC_WORK, first:last], zones[L.VISCOUS_WORK, first:last]
+    voids = zones[L.VOIDS, first:last]
     rho0, noise = rows[4][0], rows[4][1]
     fastest, worst, radial_impulse, capped = 0.0, 0.0, 0.0, 0.0
     for j in range(n):
@@ -175,9 +175,9 @@ def conduct(zones, nodes, first, last, segment, dt, coefficient, geometry):
     """
     a = first + segment
     n = last - first
-    u, r = nodes[U_MEAN, a:a + n + 1], nodes[R_HALF, a:a + n + 1]
-    rho, e, q, im = zones[RHO, first:last], zones[E, first:last], zones[Q, first:last], zones[INVERSE_MASS, first:last]
-    flux = zones[OLD, first:last]
+    u, r = nodes[L.U_MEAN, a:a + n + 1], nodes[L.R_HALF, a:a + n + 1]
+    rho, e, q, im = zones[L.RHO, first:last], zones[L.E, first:last], zones[L.Q, first:last], zones[L.INVERSE_MASS, first:last]
+    flux = zones[L.OLD, first:last]
     for j in range(n - 1):
         left = u[j] - u[j + 1] if q[j] > 0.0 else 0.0
         right = u[j + 1] - u[j + 2] if q[j + 1] > 0.0 else 0.0

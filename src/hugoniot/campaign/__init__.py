@@ -1,0 +1,1 @@
+"""Many runs: verification of the built-in standard problems."""

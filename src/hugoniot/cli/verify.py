@@ -1,0 +1,60 @@
+"""`hugoniot verify`: the standard problems against their exact answers and bars."""
+
+import json
+from dataclasses import asdict
+
+import typer
+
+
+def verify(
+    problems: list[str] = typer.Argument(None, help="names of standard problems; none: all of them"),
+    zones: list[int] = typer.Option(None, "--zones", "-n", help="grids to run instead of the table's; may be repeated"),
+    integrator: str = typer.Option("compatible", help="compatible or wilkins"),
+    as_json: bool = typer.Option(False, "--json", help="print JSON instead of tables"),
+) -> None:
+    """Run the built-in standard problems and print error, bars and observed order.
+
+    Example: hugoniot verify sod noh_planar
+    """
+    from hugoniot.campaign.verify import verify_problem
+    from hugoniot.problem.standard import STANDARD
+
+    results = []
+    for name in problems or list(STANDARD):
+        found = verify_problem(name, zones or None, integrator)
+        results.append(found)
+        if not as_json:
+            _show(found)
+    if as_json:
+        rows = [{"problem": r.problem.name, "orders": r.orders, "seconds": r.seconds, "energy_error": r.energy_error,
+                 "momentum_error": r.momentum_error, "measures": [asdict(j) for j in r.judged]} for r in results]
+        typer.echo(json.dumps(rows, indent=2))
+    else:
+        _total(results)
+
+
+def _mark(value, beaten):
+    return "" if value is None else f"{value:.3g} " + ("[green]beaten[/green]" if beaten else "[yellow]not yet[/yellow]")
+
+
+def _show(found) -> None:
+    from rich.console import Console
+    from rich.table import Table
+
+    orders = ", ".join(f"{key} {slope:.2f}" for key, slope in found.orders.items())
+    table = Table(title=f"{found.problem.name}: {found.problem.description}", title_justify="left",
+                  caption=f"order: {orders or 'one grid'}; energy closed to {found.energy_error:.1e}, momentum to "
+                          f"{found.momentum_error:.1e}; {found.seconds:.1f} s", caption_justify="left")
+    for head in ("measure", "zones", "value", "bar KO", "bar G2", "goal"):
+        table.add_column(head, justify="left" if head == "measure" else "right")
+    for j in found.judged:
+        table.add_row(j.measure, str(j.zones), f"{j.value:.4g}", *(_mark(bar, j.beats(bar)) for bar in (j.ko, j.g2, j.goal)))
+    Console().print(table)
+
+
+def _total(results) -> None:
+    counts = {}
+    for name in ("ko", "g2", "goal"):
+        marks = [j.beats(getattr(j, name)) for r in results for j in r.judged if getattr(j, name) is not None]
+        counts[name] = f"{sum(marks)} of {len(marks)}"
+    typer.echo(f"bars beaten: KO {counts['ko']}, second-order Godunov {counts['g2']}, goals {counts['goal']}")
