@@ -16,6 +16,7 @@ Source: E. L. Lee and C. M. Tarver, Physics of Fluids 23 (1980) 2362; C. M. Tarv
 from typing import NamedTuple
 
 from hugoniot.core.ops import fmax, fmin, vexp, vlog, vpow
+from hugoniot.errors import OutOfRange
 from hugoniot.laws.burn.contract import BURN, no_schedule
 from hugoniot.laws.burn.depletion import deplete, power
 
@@ -137,6 +138,19 @@ def advance(burn_fraction, dt, rho, p, temperature, par):
     return fmin(1.0, lam + left * burning(lam, ignition, growth, completion, par))
 
 
+def ignition_growth(rho0, i, b, a, x, g1, c, d, y, **others) -> IgnitionGrowth:
+    """Parameters; OutOfRange for negative constants or powers, or limits outside 0..1 (a negative a ignites in tension)."""
+    par = IgnitionGrowth(rho0, i, b, a, x, g1, c, d, y, **others)
+    for name, value in par._asdict().items():
+        if name != "a" and not value >= 0.0:
+            raise OutOfRange(f"ignition and growth: {name} must not be negative; got {value:.6g}")
+        if name.endswith("_limit") and value > 1.0:
+            raise OutOfRange(f"ignition and growth: {name} is a burn fraction, 0..1; got {value:.6g}")
+    if not par.rho0 > 0.0:
+        raise OutOfRange("ignition and growth: rho0 must be positive")
+    return par
+
+
 _MEANING = {
     "rho0": "density of the unreacted explosive", "i": "ignition constant I", "b": "power of 1 - lambda, ignition",
     "a": "compression rho/rho0 - 1 below which nothing ignites", "x": "power of the excess compression, ignition",
@@ -152,7 +166,7 @@ BURN.add(
     functions={"rate": rate, "advance": advance, "scheduled": no_schedule},
     # LX-17, A. K. Kapila et al., Combustion Theory and Modelling 11 (2007) 781
     example=IgnitionGrowth(1905.0, 4.0e12, 0.667, 0.22, 7.0, 4.5e-24, 0.667, 1.0, 3.0, 3.0e-4, 0.667, 0.667, 1.0, 0.02, 0.8, 0.8),
-    units=_UNITS, meaning=_MEANING,
+    units=_UNITS, meaning=_MEANING, build=ignition_growth,
     defaults={"g2": 0.0, "e": 1.0, "g": 1.0, "z": 1.0, "ignition_limit": 1.0, "growth_limit": 1.0, "completion_limit": 0.0},
     box={"rho": (1700.0, 3000.0), "p": (0.0, 60.0e9)},
     references=("Lee and Tarver, Physics of Fluids 23 (1980) 2362", "Tarver, Hallquist and Erickson, 8th Symposium on Detonation, 1985"),

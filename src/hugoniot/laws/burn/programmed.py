@@ -11,6 +11,7 @@ face nearer to the detonation point (A.27; `lighting.py`). The pressure is F tim
 from typing import NamedTuple
 
 from hugoniot.core.ops import fmax, fmin
+from hugoniot.errors import OutOfRange
 from hugoniot.laws.burn.contract import BURN, no_advance, no_rate
 
 
@@ -51,17 +52,41 @@ def programmed_beta(burn_fraction, time, lighting_time, zone_size, rho, par):
     return fmax(burn_fraction, fmax(by_time(time, lighting_time, zone_size, par), by_compression(rho, par)))
 
 
+def checked(par):
+    """The parameters as they are; OutOfRange for a front that does not run or a CJ state that is not compressed."""
+    fields = par._asdict()
+    for name in ("detonation_velocity", "spread_zones", "rho0"):
+        if name in fields and not fields[name] > 0.0:
+            raise OutOfRange(f"programmed burn: {name} must be positive; got {fields[name]:.6g}")
+    if "rho_cj" in fields and not par.rho_cj > par.rho0:
+        raise OutOfRange(f"programmed burn: rho_cj must exceed rho0; got {par.rho_cj:.6g} and {par.rho0:.6g} kg/m^3")
+    return par
+
+
+def build_programmed(detonation_velocity, spread_zones=2.5):
+    return checked(Programmed(detonation_velocity, spread_zones))
+
+
+def build_beta(rho0, rho_cj):
+    return checked(Beta(rho0, rho_cj))
+
+
+def build_programmed_beta(detonation_velocity, rho0, rho_cj, spread_zones=2.5):
+    return checked(ProgrammedBeta(detonation_velocity, rho0, rho_cj, spread_zones))
+
+
 _UNITS = {"detonation_velocity": "m/s", "spread_zones": "1", "rho0": "kg/m^3", "rho_cj": "kg/m^3"}
 _MEANING = {"detonation_velocity": "speed of the programmed front", "spread_zones": "zones over which a front burns (B_s)",
             "rho0": "density of the unburned explosive", "rho_cj": "density of the Chapman-Jouguet state"}
 _SOURCE = ("Herrmann, WL-TR-64-107, A.27 to A.30",)
 _BOX = {"rho": (1000.0, 3000.0)}
 
-for _name, _class, _function, _example, _flags in (
-    ("programmed", Programmed, programmed, Programmed(7991.0), ("programmed",)),
-    ("beta", Beta, beta, Beta(1714.0, 2332.8), ("compression_driven",)),
-    ("programmed_beta", ProgrammedBeta, programmed_beta, ProgrammedBeta(7991.0, 1714.0, 2332.8), ("programmed", "compression_driven")),
+for _name, _build, _function, _example, _flags in (
+    ("programmed", build_programmed, programmed, Programmed(7991.0), ("programmed",)),
+    ("beta", build_beta, beta, Beta(1714.0, 2332.8), ("compression_driven",)),
+    ("programmed_beta", build_programmed_beta, programmed_beta, ProgrammedBeta(7991.0, 1714.0, 2332.8),
+     ("programmed", "compression_driven")),
 ):
-    BURN.add(_name, _class, functions={"rate": no_rate, "advance": no_advance, "scheduled": _function}, example=_example, units=_UNITS,
-             meaning=_MEANING, box=_BOX, references=_SOURCE, flags=_flags,
+    BURN.add(_name, type(_example), functions={"rate": no_rate, "advance": no_advance, "scheduled": _function}, example=_example,
+             units=_UNITS, meaning=_MEANING, box=_BOX, references=_SOURCE, flags=_flags, build=_build,
              defaults={"spread_zones": 2.5} if "programmed" in _flags else {})

@@ -169,6 +169,18 @@ def test_lighting_times_from_lines_in_the_plane():
     assert lighting.distance_to_segment([[3.0, 4.0]], (0.0, 0.0), (0.0, 0.0))[0] == 5.0
 
 
+@pytest.mark.parametrize("name, change, word", (
+    ("programmed", {"detonation_velocity": 0.0}, "detonation_velocity"), ("programmed", {"spread_zones": -1.0}, "spread_zones"),
+    ("beta", {"rho_cj": 1700.0}, "rho_cj"), ("programmed_beta", {"rho0": float("nan")}, "rho0"),
+    ("ignition_growth", {"g1": -1.0}, "g1"), ("ignition_growth", {"growth_limit": 1.2}, "growth_limit"),
+    ("ignition_growth", {"rho0": 0.0}, "rho0")))
+def test_impossible_constants_are_refused_by_name(name, change, word):
+    law = BURN.get(name)
+    assert law.build(**law.example._asdict()) == law.example
+    with pytest.raises(OutOfRange, match=word):
+        law.build(**(law.example._asdict() | change))
+
+
 def test_names_cover_the_models_of_the_sources():
     assert {"threshold", "programmed", "beta", "programmed_beta", "ignition_growth", "jwl_plus_plus", "forest_fire", "pressure_power",
             "arrhenius"} <= set(BURN.names())
