@@ -66,6 +66,29 @@ def test_sweeps_are_packed(name):
         assert counted["fmadd"] + counted["fnmadd"] >= 2
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("name, sweep, states_per_second", [("mie_gruneisen", "pressure_sweep", 2e8), ("jwl", "pressure_sweep", 5e7),
+                                                            ("table", "temperature_sweep", 1e7)])
+def test_speed_per_core(name, sweep, states_per_second):
+    """The best of many sweeps over 20 000 states; the table has 200 x 200 points."""
+    import time
+
+    from hugoniot.laws import array_kernels
+    from hugoniot.laws.eos import table
+
+    law = EOS.get(name)
+    par = law.example
+    if name == "table":
+        par = table.from_law(EOS.get("mie_gruneisen").example, np.linspace(2500.0, 6000.0, 200), np.geomspace(150.0, 40000.0, 200))
+    rho, e = sample(law, 20_000)
+    out, best = np.empty_like(rho), np.inf
+    for _ in range(300):
+        start = time.perf_counter()
+        getattr(array_kernels, sweep)(rho, e, arrays.float_parameters(par), out)
+        best = min(best, time.perf_counter() - start)
+    assert rho.size / best > states_per_second
+
+
 def test_broadcasting_and_scalars():
     par = EOS.get("mie_gruneisen").example
     grid = arrays.pressure_array(np.linspace(2800.0, 3500.0, 40)[:, None], np.linspace(0.0, 1e6, 10), par)

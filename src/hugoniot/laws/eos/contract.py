@@ -132,8 +132,23 @@ def check_state(rho, e, par, c2_floor: float = 0.0) -> None:
     if not (math.isfinite(p) and math.isfinite(c2)):
         raise OutOfRange(f"{name}: no finite pressure at rho = {rho:.6g} kg/m3, e = {e:.6g} J/kg")
     if not c2 > c2_floor:
-        raise OutOfRange(f"{name}: the state rho = {rho:.6g} kg/m3, e = {e:.6g} J/kg is unstable (c^2 = {c2:.4g} m2/s2, p = {p:.4g} Pa); "
-                         f"it lies too deep in tension or too cold for the law, whose rest density is {reference_state(par)[0]:.6g} kg/m3")
+        raise OutOfRange(f"{name}: the state rho = {rho:.6g} kg/m3, e = {e:.6g} J/kg is unstable (c^2 = {c2:.4g} m2/s2, p = {p:.4g} Pa)"
+                         + _stability_edge(rho, e, par, c2_floor))
+
+
+def _stability_edge(rho, e, par, c2_floor) -> str:
+    """Where the law becomes stable at this energy, between an unstable density and the one at rest, as the end of a message."""
+    unstable, stable = rho, reference_state(par)[0]
+    if not sound_speed_squared(stable, e, par) > c2_floor:
+        return f"; so is its rest density {stable:.6g} kg/m3 at this energy"
+    for _ in range(60):
+        middle = 0.5 * (unstable + stable)
+        if sound_speed_squared(middle, e, par) > c2_floor:
+            stable = middle
+        else:
+            unstable = middle
+    side = "above" if rho < stable else "below"
+    return f"; at this energy the law is stable only {side} {stable:.6g} kg/m3, where p = {pressure(stable, e, par):.4g} Pa"
 
 
 def gives(par, name: str) -> bool:

@@ -10,7 +10,8 @@ Temperature (constant $c_v$): $T = T_0\varphi + (e - e_S)/c_v$ with $\varphi = e
 
 $$e_S = \varphi \int_0^\eta \frac{c_0^2\,t\,(1 - \tfrac12 t\,[\Gamma_0 + b\,t/(1-t)])}{(1-st)^2\,\varphi(t)}\,dt,$$
 
-evaluated by 16 Gauss points in $\sigma = -\ln(1 - st)$, in which the integrand has no pole (error below 1e-12 of e up to 1 - s eta = 0.05).
+evaluated by 10 Gauss points in $\sigma = -\ln(1 - st)$, in which the integrand has no pole: the error is below 1e-13 of e up to 80 % of
+the limiting strain 1/s and 1e-9 at 95 %.
 
 Source: Steinberg, Cochran and Guinan 1980 as quoted by 003 (Starkenberg) A-6; 003 A-11; 002 (Herrmann) C.12.
 """
@@ -21,7 +22,6 @@ from typing import NamedTuple
 from hugoniot.core.ops import vexp, vlog
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.reference_curves import highest_density, log_heating, lowest_density
-from hugoniot.laws.eos.special import quadrature
 
 
 class MieGruneisenLinearGamma(NamedTuple):
@@ -67,6 +67,15 @@ def energy(rho, p, par):
     return (p - pressure(rho, 0.0, par)) / (par.rho0 * par.gamma0 + par.gamma_slope * (rho - par.rho0))
 
 
+def _node(x, weight, far, top, growth, par):
+    """One Gauss point of the isentrope energy at sigma = x far, weight and dt/dsigma included."""
+    z = vexp(-far * x)
+    t = top * (1.0 - z)
+    y = 1.0 - par.s * t
+    cold = t * (1.0 - 0.5 * t * (par.gamma0 + par.gamma_slope * t / (1.0 - t))) / (y * y)
+    return weight * z * cold * vexp(growth - log_heating(t, par.gamma0, par.gamma_slope))
+
+
 def reference_isentrope(rho, par):
     """(e, T/T0) on the isentrope through the reference state."""
     eta, inverse, mu = _strain(rho, par)
@@ -76,13 +85,17 @@ def reference_isentrope(rho, par):
     if eta > 0.0:
         top = 1.0 / s if s > 1.0 else 1.0
         far = -vlog(1.0 - eta / top)
-        total = 0.0
-        for x, w in quadrature():
-            z = vexp(-far * x)
-            t = top * (1.0 - z)
-            y = 1.0 - s * t
-            cold = t * (1.0 - 0.5 * t * (par.gamma0 + par.gamma_slope * t / (1.0 - t))) / (y * y)
-            total += w * z * cold * vexp(growth - log_heating(t, par.gamma0, par.gamma_slope))
+        # ten calls and no loop: an inner loop would stop the vectoriser
+        total = (_node(0.013046735741414128, 0.03333567215434407, far, top, growth, par)
+                 + _node(0.06746831665550773, 0.0747256745752902, far, top, growth, par)
+                 + _node(0.16029521585048778, 0.109543181257991, far, top, growth, par)
+                 + _node(0.2833023029353764, 0.13463335965499826, far, top, growth, par)
+                 + _node(0.4255628305091844, 0.1477621123573764, far, top, growth, par)
+                 + _node(0.5744371694908156, 0.1477621123573764, far, top, growth, par)
+                 + _node(0.7166976970646236, 0.13463335965499826, far, top, growth, par)
+                 + _node(0.8397047841495122, 0.109543181257991, far, top, growth, par)
+                 + _node(0.9325316833444923, 0.0747256745752902, far, top, growth, par)
+                 + _node(0.9869532642585859, 0.03333567215434407, far, top, growth, par))
         e_s = cc * top * far * total
     return e_s, vexp(growth)
 

@@ -67,8 +67,6 @@ def mie_gruneisen_derivatives(rho, e, curve, rho0, gamma0, slope):
 
 def log_heating(eta, gamma0, slope):
     """ln(T/T0) along an isentrope from rho0 to eta: (gamma0 - b) eta - b ln(1 - eta)."""
-    if slope == 0.0:
-        return gamma0 * eta
     return (gamma0 - slope) * eta - slope * vlog(1.0 - eta)
 
 

@@ -20,6 +20,7 @@ from hugoniot.laws.eos.contract import (
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.jwl import JWL
 from hugoniot.laws.eos.jwl_proportional import JWLProportional
+from hugoniot.laws.eos.mie_gruneisen_linear_gamma import MieGruneisenLinearGamma
 from hugoniot.laws.eos.stiffened_gas import StiffenedGas
 
 AIR = IdealGas(1.4)
@@ -124,6 +125,35 @@ def test_jwl_proportional_a10_corrected():
     p_h = p_u + jump
     assert p_h == pytest.approx(hugoniot_pressure(v, p_u, v_u, e_u, par), rel=1e-13)
     assert pressure(1 / v, e_u + 0.5 * (p_u + p_h) * (v_u - v), par) == pytest.approx(p_h, rel=1e-12)
+
+
+@pytest.mark.parametrize("slope", [0.0, 0.48, 2.0])
+def test_hugoniot_from_any_upstream_state_a11_5(slope):
+    """Second shocks and preheated starts: the printed form against the jump condition, for every form of Gamma of A-6."""
+    par, v_a = MieGruneisenLinearGamma(2785.0, 5328.0, 1.338, 2.0, slope), 1 / 2785.0
+    v_u, e_u = 1 / 3000.0, 6e5
+    p_u = pressure(1 / v_u, e_u, par)
+    for v in (1 / 3300.0, 1 / 4000.0):
+        rho_g = pressure_derivatives(1 / v, 0.0, par)[1]
+        eta = 1 - 2785.0 * v
+        p_a = 2785.0 * 5328.0**2 * eta / (1 - 1.338 * eta) ** 2
+        f_a, f_u = 1 - 0.5 * rho_g * (v_a - v), 1 - 0.5 * rho_g * (v_u - v)
+        formula = (f_a * p_a + (1 - f_u) * p_u + rho_g * e_u) / f_u
+        assert hugoniot_pressure(v, p_u, v_u, e_u, par) == pytest.approx(formula, rel=1e-12)
+
+
+@pytest.mark.parametrize("slope", [0.0, 0.48, 2.0])
+def test_acoustic_impedance_with_linear_gamma_a6(slope):
+    """i^2 from p_Gamma and the Gamma of A-6, Gamma_o = b and rho_Gamma_o = rho0 (gamma0 - b)."""
+    par, v, e = MieGruneisenLinearGamma(2785.0, 5328.0, 1.338, 2.0, slope), 1 / 3500.0, 4e6
+    g_o, r_o, h = slope, 2785.0 * (2.0 - slope), 1e-5 * v
+    p_slope = (pressure(1 / (v + h), 0.0, par) - pressure(1 / (v - h), 0.0, par)) / (2 * h)
+    i2 = (r_o + g_o / v) * pressure(1 / v, 0.0, par) - p_slope + (r_o**2 + 2 * g_o * r_o / v + g_o * (g_o + 1) / v**2) * e
+    assert sound_speed_squared(1 / v, e, par) == pytest.approx(v * v * i2, rel=1e-8)
+    # A-4 with w = 1: entropy by the integrating factor f_S = (v/v0)^Gamma_o exp[rho_Gamma_o (v - v0)]
+    full = par._replace(specific_heat=863.0)
+    f_s = (v * 2785.0) ** g_o * math.exp(r_o * (v - 1 / 2785.0))
+    assert entropy(1 / v, e, full) == pytest.approx(863.0 * math.log(temperature(1 / v, e, full) * f_s / 298.15), rel=1e-10)
 
 
 def test_jwl_cold_constant_shifts_the_zero_isentrope():
