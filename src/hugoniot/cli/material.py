@@ -187,6 +187,8 @@ def _summary(as_json: bool) -> None:
 
 
 def _echo_material(about: dict) -> None:
+    from hugoniot.materials.describe import where_read
+
     typer.echo(f"{about['title']}  [{about['name']}, {about['category']}]")
     if about["aliases"]:
         typer.echo(f"also: {', '.join(about['aliases'])}")
@@ -219,8 +221,7 @@ def _echo_material(about: dict) -> None:
         typer.echo("\nother sources: " + "; ".join(f"{o['row']} ({o['family']}) {o['summary']}" for o in about["others"]))
     typer.echo("\nsources:")
     for (source, via), number in sources.items():
-        place = "read in " if "@" in via or via.startswith("public copy") else ""
-        typer.echo(f"  [{number}] {source}" + (f"\n      {place}{via}" if via else ""))
+        typer.echo(f"  [{number}] {source}" + (f"\n      {where_read(via)}" if via else ""))
     limit = about["valid_up_to"]
     typer.echo(f"\nrange: {'not stated by the source' if limit is None else f'particle velocity up to {limit:g} m/s'}")
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from hugoniot.errors import DeckError, NoSolution, OutOfRange
 from hugoniot.laws.eos.contract import EOS, reference_state
-from hugoniot.materials import fits, schema
+from hugoniot.materials import fits, library, schema
 from hugoniot.materials.derived import material_hugoniot, shock_velocity
 from hugoniot.materials.entry import Entry
 from hugoniot.materials.schema import Row
@@ -111,7 +111,7 @@ def _top(entries: Sequence[Entry], states: Sequence[States]) -> float:
 
 def _sources(entry: Entry, top: float) -> tuple[list[Curve], list[str]]:
     curves, notes = [], []
-    rows = [schema.row(i) for i in entry.comparison_rows() if i.startswith("U")]
+    rows = [schema.row(i) for i in entry.comparison_rows() if i[0] in "UT"]
     own = _material_curve(entry, top)
     if own is not None:
         curves.append(own)
@@ -128,9 +128,7 @@ def _sources(entry: Entry, top: float) -> tuple[list[Curve], list[str]]:
 
 
 def _row_curve(row: Row, top: float) -> Curve | None:
-    def speed(up: float) -> float:
-        return shock_velocity(row, up)
-
+    speed = partial(shock_velocity, row) if row.table == "us_up" else partial(material_hugoniot, library.find(row.id))
     mark = " (unverified)" if row.status == "recalled" else " (doubt)" if row.marks else ""
     return _curve(f"{row.id} {short_source(row)}{mark}", speed, row["rho0"], top, row.source, row.status, False,
                   row.get("up_min") or 0.0, row.get("up_max") or math.inf)
@@ -141,9 +139,12 @@ def short_source(row: Row) -> str:
     if row.id in fits.RECORDED:
         selection, degree = fits.RECORDED[row.id]
         return f"{'line' if degree == 1 else 'quadratic'} through {selection.words or 'measured states'}"
+    if row.table == "tillotson":
+        return f"Tillotson, {row.material}"
     first = row.source.split(",")[0].split(":")[0]
     year = re.search(r"\b(19|20)\d\d\b", row.source)
-    return first[:34] + (f" {year.group(0)}" if year and year.group(0) not in first else "")
+    first = first.replace(" Community Wiki fits", " Wiki")
+    return first[:40] + (f" {year.group(0)}" if year and year.group(0) not in first else "")
 
 
 def _material_curve(entry: Entry, top: float) -> Curve | None:

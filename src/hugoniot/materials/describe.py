@@ -50,6 +50,11 @@ def hugoniot_text(row: Row) -> str:
     return text
 
 
+def where_read(via: str) -> str:
+    """Where a number was read, as a phrase: a public file, or how the package made it."""
+    return f"read in {via}" if "@" in via or via.startswith("public copy") else via
+
+
 def fit_lines(entry: Entry) -> list[str]:
     """Recomputed fits of the measured states among the rows of a material, with standard deviations and range."""
     rows = [i for i in entry.comparison_rows() if i.startswith("U") and schema.row(i).status == "derived"]

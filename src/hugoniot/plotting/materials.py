@@ -24,11 +24,12 @@ def compare_figure(chosen: Comparison, path: Path | None = None) -> Any:
     legend = 0.24 * ((entries + panels - 1) // panels) + 0.45
     figure, axes = plt.subplots(1, panels, figsize=(5.2 * panels, 4.6 + legend))
     colours = _colours(chosen, panels == 3)
+    unit, scale = ("GPa", 1e9) if max(float(c.p[-1]) for c in chosen.curves) > 2e8 else ("MPa", 1e6)
     for k, states in enumerate(chosen.states):
         style = {"linestyle": "none", "marker": "os^D"[k % 4], "markersize": 3.4, "markeredgewidth": 0.0, "alpha": 0.6,
                  "color": "0.5" if panels == 3 else colours.get(states.material, "0.5")}
         axes[0].plot(states.up / 1e3, states.us / 1e3, label=states.label, **style)
-        axes[1].plot(states.up / 1e3, states.p / 1e9, **style)
+        axes[1].plot(states.up / 1e3, states.p / scale, **style)
         if panels == 3:
             inside = (states.up >= default.up[0]) & (states.up <= default.up[-1])
             base = np.interp(states.up[inside], default.up, default.us)
@@ -36,11 +37,11 @@ def compare_figure(chosen: Comparison, path: Path | None = None) -> Any:
     for curve in chosen.curves:
         colour = colours[curve.material or curve.label]
         _draw(axes[0], curve, curve.us / 1e3, colour, label=curve.label)
-        _draw(axes[1], curve, curve.p / 1e9, colour)
+        _draw(axes[1], curve, curve.p / scale, colour)
         if panels == 3:
             base = np.interp(curve.up, default.up, default.us)
             _draw(axes[2], curve, np.where(curve.up <= default.up[-1], 100.0 * (curve.us / base - 1.0), np.nan), colour)
-    _finish(figure, axes, chosen, panels, legend)
+    _finish(figure, axes, chosen, unit, legend)
     if path is not None:
         figure.savefig(path, dpi=150)
         plt.close(figure)
@@ -69,9 +70,10 @@ def _colours(chosen: Comparison, sources: bool) -> dict:
     return found
 
 
-def _finish(figure: Any, axes: Any, chosen: Comparison, panels: int, legend: float) -> None:
+def _finish(figure: Any, axes: Any, chosen: Comparison, unit: str, legend: float) -> None:
+    panels = len(axes)
     top = max((float(c.up[-1]) for c in chosen.curves), default=1e3) * 1.03 / 1e3
-    for axis, name in zip(axes, ("shock velocity (km/s)", "pressure (GPa)", "Us, difference from the default (%)")):
+    for axis, name in zip(axes, ("shock velocity (km/s)", f"pressure ({unit})", "Us, difference from the default (%)")):
         axis.set_xlabel("particle velocity (km/s)")
         axis.set_ylabel(name)
         axis.grid(True, color="0.9", linewidth=0.6)
