@@ -26,7 +26,7 @@ def residuals(solution, x, time, step=1e-4, fields=("density", "velocity", "pres
     momentum = rho * (by_t[1] + u * by_x[1]) + by_x[2]
     energy = rho * (by_t[3] + u * by_x[3]) + p * divergence
     speed, heat = np.max(np.abs(u)) + np.max(np.sqrt(np.abs(p / rho))), np.max(np.abs(here[3]))
-    floors = np.max(rho) / time * np.array([1.0, speed, heat + speed**2])
+    floors = np.max(rho) / abs(time) * np.array([1.0, speed, heat + speed**2])
     terms = ((by_t[0], u * by_x[0], rho * divergence), (rho * by_t[1], rho * u * by_x[1], by_x[2]), (rho * by_t[3], rho * u * by_x[3], p * divergence))
     scales = [max(np.max(np.abs(t)) for t in row) + floor for row, floor in zip(terms, floors)]
     return max(float(np.max(np.abs(r)) / s) for r, s in zip((mass, momentum, energy), scales))

@@ -13,6 +13,7 @@ from hugoniot.theory.exact.double_burgers import double_burgers
 from hugoniot.theory.exact.ehep import ehep
 from hugoniot.theory.exact.elastic_plastic_piston import aluminium_piston, copper_piston, elastic_plastic_piston, udaykumar_piston
 from hugoniot.theory.exact.fickett_rivard import fickett_rivard
+from hugoniot.theory.exact.guderley import guderley
 from hugoniot.theory.exact.kenamond import kenamond
 from hugoniot.theory.exact.kidder import kidder
 from hugoniot.theory.exact.mader import mader
@@ -30,8 +31,8 @@ SOLUTIONS: dict[str, Callable[..., Any]] = {
     function.__name__: function
     for function in (
         aluminium_piston, centred_rarefaction, coggeshall, collision, copper_piston, double_burgers, ehep, elastic_plastic_piston,
-        fickett_rivard, howell_ball, kenamond, kidder, leblanc, mader, noh, piston_pulse, plate_push, riemann_ideal, saltzman, sedov,
-        shell_stopping, sod, two_rarefactions, udaykumar_piston, verney, water_gas, woodward_colella,
+        fickett_rivard, guderley, howell_ball, kenamond, kidder, leblanc, mader, noh, piston_pulse, plate_push, riemann_ideal, saltzman,
+        sedov, shell_stopping, sod, two_rarefactions, udaykumar_piston, verney, water_gas, woodward_colella,
     )
 }
 
