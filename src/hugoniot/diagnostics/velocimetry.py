@@ -13,7 +13,12 @@ the front of the spall pulse runs at the longitudinal speed $c_l$ and overtakes 
 
 $$\sigma = \rho_0\,c_l\,\Delta u\,\frac{1}{1 + c_l/c_b}$$
 
-(V. I. Romanchenko, G. V. Stepanov, J. Appl. Mech. Tech. Phys. 21 (1980) 555). Both neglect the time dependence of the fracture.
+(V. I. Romanchenko, G. V. Stepanov, J. Appl. Mech. Tech. Phys. 21 (1980) 555). Over the way h from the spall plane to the surface the
+elastic front also erodes a short tension pulse; G. I. Kanel, J. Appl. Mech. Tech. Phys. 42 (2001) 358, adds to the pull-back
+
+$$\delta = \left(\frac{h}{c_b} - \frac{h}{c_l}\right)\frac{|\dot u_1|\,\dot u_2}{|\dot u_1| + \dot u_2}$$
+
+with the slopes of the record before and after its minimum. (Bulk and longitudinal speeds at rest; all neglect the rate of fracture.)
 """
 
 from typing import NamedTuple
@@ -123,6 +128,29 @@ def spall_strength(drop: float, rho0: float, c_bulk: float, c_long: float | None
     if c_long is None:
         return 0.5 * rho0 * c_bulk * drop
     return rho0 * c_long * drop / (1.0 + c_long / c_bulk)
+
+
+def kanel_correction(time, velocity, found: PullBack, thickness: float, c_bulk: float, c_long: float) -> float:
+    """What the elastic front took from the pull-back on its way through `thickness` (m), m/s; 0 where the body has no strength.
+
+    time (n,) s and velocity (n,) m/s of the record in which `found` was found. The slopes are those between 20 and 80 percent of
+    the drop and of the rebound.
+    """
+    time, velocity = np.asarray(time, dtype=float), np.asarray(velocity, dtype=float)
+    slopes = []
+    for start, end in ((found.minimum_time, found.peak_time), (found.minimum_time, found.rebound_time)):
+        height = (found.peak if end < start else found.rebound) - found.minimum
+        inside = (time >= min(start, end)) & (time <= max(start, end))
+        t, u = (time[inside], velocity[inside]) if end > start else (time[inside][::-1], velocity[inside][::-1])
+        # the times at which the record last stood at 20 and first at 80 percent, going away from the minimum
+        high = int(np.argmax(u >= found.minimum + 0.8 * height))
+        low = int(np.flatnonzero(u[: high + 1] <= found.minimum + 0.2 * height)[-1])
+        slopes.append(abs(u[high] - u[low]) / abs(t[high] - t[low]) if high > low else np.inf)
+    down, up = slopes
+    if not np.isfinite(down) and not np.isfinite(up):
+        return 0.0
+    mean = up if not np.isfinite(down) else down if not np.isfinite(up) else down * up / (down + up)
+    return float((thickness / c_bulk - thickness / c_long) * mean)
 
 
 def spall_thickness(period: float, c_long: float) -> float:

@@ -56,7 +56,7 @@ def law_record(family: Registry, par, sources=()) -> dict:
         constants.append({
             "name": name, "value": plain(value), "unit": law.units.get(name, ""), "meaning": law.meaning.get(name, ""),
             "source": (source.source + (f" (via {source.via})" if source.via else "")) if source else "",
-            "status": source.status if source else "", "note": source.note if source else "",
+            "status": source.status if source else "user", "note": source.note if source else "",
         })
     return {"family": family.family, "law": law.name, "summary": law.summary, "constants": constants, "inner": inner,
             "references": list(law.references)}

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from hugoniot.diagnostics.velocimetry import pull_back, ringing_period, spall_strength, spall_thickness, visar_velocity
+from hugoniot.diagnostics.velocimetry import kanel_correction, pull_back, ringing_period, spall_strength, spall_thickness, visar_velocity
 from hugoniot.diagnostics.wave_diagram import interfaces
 from hugoniot.errors import DeckError
 from hugoniot.output.compare import free_surface_gauges
@@ -86,25 +86,31 @@ def target_constants(run) -> dict[str, float]:
 
 
 def spall_reading(run, name: str | None = None) -> dict[str, float]:
-    """What the free-surface record tells: pull-back (m/s), spall strength (Pa; acoustic, and Stepanov's), period (s), spall thickness (m).
+    """What the free-surface record tells: pull-back (m/s), spall strength (Pa: acoustic, Stepanov's, Kanel's), spall thickness (m).
 
     Empty if nothing broke or there is no pull-back; strengths and thickness only where the material states rho0 and c0.
     """
     time, velocity, _ = free_surface_record(run, name)
     found = pull_back(time, velocity) if has_spalled(run) else None
-    if found is None:
-        return {}
+    return _reading(time, velocity, found, target_constants(run)) if found else {}
+
+
+def _reading(time, velocity, found, constants) -> dict[str, float]:
     result = {"peak_velocity": found.peak, "pull_back": found.drop, "minimum_time": found.minimum_time}
-    constants = target_constants(run)
     period = ringing_period(time, velocity, found.minimum_time)
-    if constants:
-        result["spall_strength_acoustic"] = spall_strength(found.drop, constants["rho0"], constants["c_bulk"])
-        if constants["c_long"] > constants["c_bulk"]:
-            result["spall_strength_stepanov"] = spall_strength(found.drop, **constants)
     if np.isfinite(period):
         result["ringing_period"] = period
-        if constants:
-            result["spall_thickness"] = spall_thickness(period, constants["c_long"])
+    if not constants:
+        return result
+    rho0, c_bulk, c_long = constants["rho0"], constants["c_bulk"], constants["c_long"]
+    result["spall_strength_acoustic"] = spall_strength(found.drop, rho0, c_bulk)
+    if c_long > c_bulk:
+        result["spall_strength_stepanov"] = spall_strength(found.drop, rho0, c_bulk, c_long)
+    if np.isfinite(period):
+        thickness = result["spall_thickness"] = spall_thickness(period, c_long)
+        if c_long > c_bulk:
+            lost = kanel_correction(time, velocity, found, thickness, c_bulk, c_long)
+            result["spall_strength_kanel"] = spall_strength(found.drop + lost, rho0, c_bulk)
     return result
 
 
@@ -131,23 +137,24 @@ def free_surface(run, name: str | None = None, delay: float = 0.0, ax=None):
     ax.margins(y=0.08)
     found = pull_back(time, velocity) if has_spalled(run) else None
     if found is not None:
-        _mark_pull_back(ax, run, found, ft, fu, unit)
+        _mark_pull_back(ax, found, _reading(time, velocity, found, target_constants(run)), ft, fu, unit)
     return ax
 
 
-def _mark_pull_back(ax, run, found, ft, fu, unit):
+def _mark_pull_back(ax, found, reading, ft, fu, unit):
     x = found.minimum_time * ft
     ax.hlines([found.peak * fu, found.minimum * fu], found.peak_time * ft, x, color=INK, linewidth=0.6, linestyle=(0, (4, 3)))
     arrow = {"arrowstyle": "<->", "color": INK, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
     ax.annotate("", (x, found.minimum * fu), (x, found.peak * fu), arrowprops=arrow)
-    constants = target_constants(run)
     text = f"pull-back {found.drop * fu:.4g} {unit}"
-    if constants:
-        text += f"\n½ρ₀c₀Δu = {spall_strength(found.drop, constants['rho0'], constants['c_bulk']) * 1e-9:.3g} GPa"
+    if "spall_strength_acoustic" in reading:
+        text += f"\n½ρ₀c₀Δu = {reading['spall_strength_acoustic'] * 1e-9:.3g} GPa"
+    if "spall_strength_kanel" in reading:
+        text += f"\nKanel: {reading['spall_strength_kanel'] * 1e-9:.3g} GPa"
     ax.annotate(text, (x, found.minimum * fu), xytext=(0, -8), textcoords="offset points", ha="center", va="top", fontsize=8.5)
     low, high = ax.get_ylim()
     inches = ax.get_figure().get_figheight() * ax.get_position().height
-    ax.set_ylim(min(low, found.minimum * fu - (high - low) * 0.45 / max(inches, 1e-6)), high)
+    ax.set_ylim(min(low, found.minimum * fu - (high - low) * 0.6 / max(inches, 1e-6)), high)
 
 
 @styled

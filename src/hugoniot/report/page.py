@@ -12,7 +12,7 @@ from hugoniot.report import sections
 from hugoniot.report.sections import number, text
 
 _SPALL = (("pull_back", "pull-back", "m/s"), ("spall_strength_acoustic", "spall strength, ½ρ₀c₀Δu", "Pa"),
-          ("spall_strength_stepanov", "spall strength, elastic-plastic", "Pa"), ("spall_thickness", "spalled layer", "m"))
+          ("spall_strength_kanel", "the same with Kanel's correction", "Pa"), ("spall_thickness", "spalled layer", "m"))
 
 
 def key_numbers(run: Run) -> list[tuple[str, str]]:
@@ -37,7 +37,9 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
             rows.append((name, number(float(f"{spall[key]:.4g}"), unit)))
     if summary["voids_opened"] or summary["voids_closed"]:
         rows.append(("voids opened / closed", f"{summary['voids_opened']} / {summary['voids_closed']}"))
-    rows += [(f"{name} error", f"{summary[f'{name}_error']:.1e}") for name in ("mass", "momentum", "energy")]
+    for name in ("mass", "momentum", "energy"):
+        error = summary[f"{name}_error"]
+        rows.append((f"{name} error", f"{error:.1e}" if error else "0"))
     return rows
 
 
@@ -48,8 +50,8 @@ _CAPTIONS = {
             "the direction in which neighbouring snapshots match best.",
     "gauge_stress": "Longitudinal stress at the gauges, positive in compression.",
     "gauge_velocity": "Particle velocity at the gauges.",
-    "free_surface": "Free-surface velocity. The spall strength is the acoustic estimate from the pull-back (Novikov 1966); "
-                    "the elastic-plastic one (Romanchenko and Stepanov 1980) is among the key numbers.",
+    "free_surface": "Free-surface velocity. Where something spalled, the strength is read from the pull-back as an experimenter reads it: "
+                    "acoustic (Novikov 1966), and with Kanel's (2001) correction for what the elastic front took on its way.",
     "budget": "Parts of the energy, all regions together, in Herrmann's partition (A.6). Internal energy counts from its start; "
               "dashed are the parts it is made of.",
     "errors": "Largest relative error of mass, momentum and total energy so far.",

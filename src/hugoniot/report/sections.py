@@ -6,9 +6,9 @@ from html import escape
 
 from hugoniot.units import format_si
 
-_UNIT_SIGNS = (("^2", "²"), ("^3", "³"), ("^-1", "⁻¹"), ("^-3", "⁻³"))
+_UNIT_SIGNS = ((" us", " µs"), (" um", " µm"), ("^2", "²"), ("^3", "³"), ("^-1", "⁻¹"), ("^-3", "⁻³"))
 _STATUS = {"verified": "checked against the source", "corrected": "corrected from the print", "derived": "derived",
-           "recalled": "recalled, not checked against print", "user": "from the deck"}
+           "recalled": "recalled, not checked against print", "user": "from the deck, or a default"}
 MOST_EVENTS = 200
 
 
@@ -23,6 +23,8 @@ def number(value, unit: str = "") -> str:
         return "–"
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         return text(value if not isinstance(value, list) else f"table of {len(value)}")
+    if math.isnan(value):
+        return "not given"
     shown = f"{value}" if not math.isfinite(value) or isinstance(value, int) and unit in ("", "1") else format_si(value, unit)
     for sign, printed in _UNIT_SIGNS:
         shown = shown.replace(sign, printed)

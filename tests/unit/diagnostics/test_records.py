@@ -15,7 +15,9 @@ from acoustic_flyer import IMPACT, RHO, STRENGTH, AcousticFlyer, C
 from hugoniot.diagnostics.arrival import arrival_times, first_crossing, front_speed, steepest_times
 from hugoniot.diagnostics.norms import arrival_shift, difference
 from hugoniot.diagnostics.velocimetry import (
+    PullBack,
     fringes,
+    kanel_correction,
     pull_back,
     ringing_period,
     spall_strength,
@@ -160,3 +162,19 @@ def test_a_precursor_and_a_flat_top_do_not_mislead():
 def test_stepanov_tends_to_the_acoustic_reading_without_strength():
     assert spall_strength(100, 2700, 5200, 5200) == pytest.approx(spall_strength(100, 2700, 5200), rel=1e-15)
     assert spall_strength(100, 2700, 5200, 6300) > spall_strength(100, 2700, 5200)
+
+
+def test_kanels_correction_is_the_delay_times_the_harmonic_slope():
+    """A fall of 40 m/s in 20 ns and a rise of 30 m/s in 10 ns behind 2 mm: slopes 2e9 and 3e9, delay h/c_b - h/c_l."""
+    time = np.linspace(0, 200e-9, 2001)
+    velocity = np.interp(time, [0, 100e-9, 120e-9, 130e-9, 200e-9], [100.0, 100, 60, 90, 90])
+    found = pull_back(time, velocity)
+    expected = (2e-3 / 5200 - 2e-3 / 6250) * (2e9 * 3e9 / 5e9)
+    assert kanel_correction(time, velocity, found, 2e-3, 5200, 6250) == pytest.approx(expected, rel=0.02)
+    assert kanel_correction(time, velocity, found, 2e-3, 5200, 5200) == 0.0
+
+
+def test_a_fall_within_one_record_leaves_the_other_slope():
+    time, velocity = np.array([0, 1, 2, 3, 4.0]), np.array([0.0, 100, 100, 50, 90])
+    found = PullBack(100, 2, 50, 3, 90, 4)
+    assert np.isfinite(kanel_correction(time, velocity, found, 1.0, 1.0, 2.0))
