@@ -57,9 +57,17 @@ class ShockStructure:
         self.control, self.counters = np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64)
         self.control[L.COURANT] = problem.solver.courant or COURANT
         self.control[L.DT_LARGEST] = problem.solver.largest_step or NO_LIMIT
+        self._require_states()
         self.start_totals = self.totals()
         self._peaks = self._fields()
         self._work = [np.zeros_like(self.U), np.zeros((3, n + 1)), np.zeros((3, n + 1))]
+
+    def _require_states(self):
+        rho, _, e = self._primitive()
+        for zone, (a, b) in enumerate(zip(rho.tolist(), e.tolist())):
+            if not (a > 0.0 and eos_laws.sound_speed_squared(a, b, self.eos) > 0.0):
+                self.counters[L.CULPRIT] = zone
+                raise self._unphysical()
 
     @property
     def cells(self) -> np.ndarray:
