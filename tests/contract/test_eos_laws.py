@@ -15,7 +15,7 @@ from hugoniot.laws.eos.shifted_energy import ShiftedEnergy
 from hugoniot.laws.eos.tillotson import Tillotson
 
 LAWS = sorted(EOS, key=lambda law: law.name)
-EXPECTED = {"ideal_gas", "stiffened_gas", "jwl", "jwl_proportional", "mie_gruneisen", "mie_gruneisen_linear_gamma", "mie_gruneisen_quadratic",
+EXPECTED = {"ideal_gas", "stiffened_gas", "jwl", "jwl_proportional", "jwl_unreacted", "mie_gruneisen", "mie_gruneisen_linear_gamma", "mie_gruneisen_quadratic",
             "mie_gruneisen_cubic", "polynomial", "herrmann_series", "mie_gruneisen_cold", "mie_gruneisen_cold_series", "nonideal_gas",
             "tillotson", "murnaghan", "tait", "vinet", "birch_murnaghan", "davis_reactants", "davis_products", "p_alpha", "p_lambda",
             "snow_plough", "shifted_energy", "tension_cutoff", "table"}

@@ -20,6 +20,7 @@ from hugoniot.laws.eos.contract import (
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.jwl import JWL
 from hugoniot.laws.eos.jwl_proportional import JWLProportional
+from hugoniot.laws.eos.jwl_unreacted import JWLUnreacted
 from hugoniot.laws.eos.mie_gruneisen_linear_gamma import MieGruneisenLinearGamma
 from hugoniot.laws.eos.stiffened_gas import StiffenedGas
 
@@ -154,6 +155,18 @@ def test_acoustic_impedance_with_linear_gamma_a6(slope):
     full = par._replace(specific_heat=863.0)
     f_s = (v * 2785.0) ** g_o * math.exp(r_o * (v - 1 / 2785.0))
     assert entropy(1 / v, e, full) == pytest.approx(863.0 * math.log(temperature(1 / v, e, full) * f_s / 298.15), rel=1e-10)
+
+
+def test_unreacted_jwl_rests_at_zero_pressure():
+    """LX-17 of Lee and Tarver's set: the same pressures as the law jwl; the set closes on 298 K (A e^-R1 + B e^-R2 + w rho0 c_v T = 0)."""
+    par = JWLUnreacted(77810e9, -5.031e9, 11.3, 1.13, 0.8938, 1905.0, 1305.5)
+    products = JWL(*par[:6])
+    assert pressure(2300.0, 1e6, par) == pressure(2300.0, 1e6, products)
+    rho, e = reference_state(par)
+    assert pressure(rho, e, par) == pytest.approx(0.0, abs=1e-4)
+    assert temperature(rho, e, par) == pytest.approx(298.15, rel=1e-12)
+    closing = (par.a * math.exp(-11.3) + par.b * math.exp(-1.13)) / (0.8938 * 1905.0 * 1305.5)
+    assert -closing == pytest.approx(298.0, abs=0.1)
 
 
 def test_jwl_cold_constant_shifts_the_zero_isentrope():

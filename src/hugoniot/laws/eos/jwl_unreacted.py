@@ -1,0 +1,80 @@
+r"""JWL form fitted to an unreacted explosive, at rest under zero pressure.
+
+$$p = A\left(1 - \frac{\omega}{R_1V}\right)e^{-R_1V} + B\left(1 - \frac{\omega}{R_2V}\right)e^{-R_2V} + \omega\rho e,
+  \qquad V = \rho_0/\rho$$
+
+The pressure is that of the law jwl. The rest state is rho0 at the energy of zero pressure, which published sets (made so that
+$A e^{-R_1} + B e^{-R_2} + \omega\rho_0c_vT_0 \approx 0$) meet within some 10 MPa. Temperature (constant $c_v$):
+$T = T_0V^{-\omega} + (e - e_S)/c_v$ on the isentrope through the rest state, $e_S = h_S(V) + [e_0 - h_S(1)]V^{-\omega}$,
+$h_S = (A/R_1\,e^{-R_1V} + B/R_2\,e^{-R_2V})/\rho_0$.
+
+Source: 003 (Starkenberg) A-9 and A-10.1 (Lee and Tarver 1980 for reactants).
+"""
+
+import math
+from typing import NamedTuple
+
+from hugoniot.core.ops import vexp, vlog
+from hugoniot.laws.eos import jwl
+from hugoniot.laws.eos.contract import EOS
+
+
+class JWLUnreacted(NamedTuple):
+    a: float
+    b: float
+    r1: float
+    r2: float
+    omega: float
+    rho0: float
+    specific_heat: float = math.nan
+    reference_temperature: float = 298.15
+
+
+def _h(v, par):
+    return (par.a / par.r1 * vexp(-par.r1 * v) + par.b / par.r2 * vexp(-par.r2 * v)) / par.rho0
+
+
+def _rest_energy(par):
+    first, second = par.a * vexp(-par.r1), par.b * vexp(-par.r2)
+    return -(first * (1.0 - par.omega / par.r1) + second * (1.0 - par.omega / par.r2)) / (par.omega * par.rho0)
+
+
+def temperature(rho, e, par):
+    v = par.rho0 / rho
+    growth = vexp(-par.omega * vlog(v))
+    e_s = _h(v, par) + (_rest_energy(par) - _h(1.0, par)) * growth
+    return par.reference_temperature * growth + (e - e_s) / par.specific_heat
+
+
+def specific_heat(rho, e, par):
+    return par.specific_heat
+
+
+def entropy(rho, e, par):
+    """Zero at the rest state."""
+    return par.specific_heat * (vlog(temperature(rho, e, par) / par.reference_temperature) - par.omega * vlog(rho / par.rho0))
+
+
+def reference_state(par):
+    return par.rho0, _rest_energy(par)
+
+
+def density_limits(par):
+    return 0.0, math.inf
+
+
+EOS.add(
+    "jwl_unreacted", JWLUnreacted,
+    functions=[jwl.pressure, jwl.pressure_derivatives, jwl.energy, temperature, specific_heat, entropy, reference_state, density_limits],
+    example=JWLUnreacted(77810e9, -5.031e9, 11.3, 1.13, 0.8938, 1905.0, 1305.5),
+    units={"a": "Pa", "b": "Pa", "r1": "1", "r2": "1", "omega": "1", "rho0": "kg/m^3", "specific_heat": "J/kg/K",
+           "reference_temperature": "K"},
+    meaning={"a": "coefficient A", "b": "coefficient B (usually negative)", "r1": "exponent R1", "r2": "exponent R2",
+             "omega": "Grüneisen parameter", "rho0": "density at rest",
+             "specific_heat": "specific heat at constant volume per mass (for temperatures)",
+             "reference_temperature": "temperature at rest"},
+    defaults={"specific_heat": math.nan, "reference_temperature": 298.15},
+    box={"rho": (1850.0, 4000.0), "e": (-3e5, 1e7)},
+    references=("Starkenberg, ARL-TR-2161, A-9, A-10.1", "Lee and Tarver, Phys. Fluids 23, 2362 (1980), as cited there"),
+    flags=("linear_in_energy",),
+)
