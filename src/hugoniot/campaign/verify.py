@@ -122,6 +122,8 @@ def judge(measure: Measure, view: _View) -> float:
             return float(np.sum((gap * view.width)[sound]) / np.sum(view.width[sound]) / measure.scale)
         case "mean":
             return float(abs(np.sum((f * view.width)[inside]) / np.sum(view.width[inside]) / target - 1.0))
+        case "value":
+            return float(abs(np.interp(0.5 * sum(measure.window), view.centre, f) / target - 1.0))
         case "first":
             return float(f[0] / target)
         case "maximum":

@@ -18,6 +18,7 @@ class Measure(NamedTuple):
              "self_l1"   "l1" against a run of the same solver on `exact` zones, for problems without an exact answer
              "points"    largest |f / f_reference - 1| over the reference positions that come with the solution
              "front"     |position of the discontinuity - exact|, divided by `scale`; `at` is the index in `jumps(t)`
+             "value"     |field interpolated at the window's middle / exact - 1|
              "mean"      |mean of the field over the window / exact - 1|
              "first"     field in the zone nearest the wall, axis or centre, divided by exact
              "maximum"   largest value of the field
