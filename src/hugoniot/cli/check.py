@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from hugoniot.cli.show import JSON, SET, echo_json, echo_table, overrides_of
+from hugoniot.cli.show import JSON, MATERIALS, SET, echo_json, echo_table, overrides_of
 from hugoniot.errors import DeckError
 from hugoniot.problem.deck import Deck, read_deck
 from hugoniot.units import format_si
@@ -14,6 +14,7 @@ from hugoniot.units import format_si
 def command(
     deck: Annotated[Path, typer.Argument(help="The deck, a TOML file.")],
     setting: SET = None,
+    materials: MATERIALS = None,
     resolved: Annotated[bool, typer.Option("--resolved", help="Print the deck with every default written out, in SI.")] = False,
     as_json: JSON = False,
 ) -> None:
@@ -22,7 +23,7 @@ def command(
     Example: hugoniot check flyer.toml
     """
     try:
-        found = read_deck(deck, overrides_of(setting))
+        found = read_deck(deck, overrides_of(setting), materials or ())
     except DeckError as error:
         if as_json:
             echo_json({"ok": False, "problems": [vars(p) for p in error.problems]})

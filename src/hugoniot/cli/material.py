@@ -5,12 +5,11 @@ from typing import Annotated
 
 import typer
 
-from hugoniot.cli.show import JSON, echo_json, echo_table
+from hugoniot.cli.show import JSON, MATERIALS, echo_json, echo_table
 from hugoniot.errors import DeckError
 
 app = typer.Typer(no_args_is_help=True, help="Search and show the materials library, every number with its source.",
                   epilog="Example: hugoniot material show copper", context_settings={"help_option_names": ["-h", "--help"]})
-MATERIALS = Annotated[list[Path] | None, typer.Option("--materials", "-m", help="A file or folder of your own materials; repeatable.")]
 SHOWN = {"Pa": (1e9, "GPa"), "J/m^3": (1e9, "GJ/m^3"), "1/Pa": (1e-9, "1/GPa")}
 
 

@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from hugoniot.cli.progress import progress
-from hugoniot.cli.show import JSON, SET, echo_json, overrides_of
+from hugoniot.cli.show import JSON, MATERIALS, SET, echo_json, overrides_of
 from hugoniot.problem.deck import read_deck
 
 
@@ -14,6 +14,7 @@ def command(
     deck: Annotated[Path, typer.Argument(help="The deck, a TOML file.")],
     out: Annotated[Path | None, typer.Option("--out", "-o", help="Run folder to write (default: the deck's name with .run, here).")] = None,
     setting: SET = None,
+    materials: MATERIALS = None,
     threads: Annotated[int | None, typer.Option("--threads", "-t", min=1, help="Threads; they change no bit of the result.")] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a run that stands in the folder.")] = False,
     report: Annotated[bool, typer.Option("--report/--no-report", help="Write report.html at the end.")] = True,
@@ -29,7 +30,7 @@ def command(
     changes = overrides_of(setting)
     if threads is not None:
         changes["solver.threads"] = threads
-    found = read_deck(deck, changes)
+    found = read_deck(deck, changes, materials or ())
     for warning in found.warnings:
         typer.echo(f"warning: {warning}", err=True)
     folder = out or Path(f"{deck.stem}.run")

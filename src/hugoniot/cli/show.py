@@ -4,6 +4,7 @@ import json
 import math
 import tomllib
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 from typing import Annotated, Any
 
 import typer
@@ -11,6 +12,7 @@ import typer
 from hugoniot.errors import DeckError
 
 SET = Annotated[list[str] | None, typer.Option("--set", help="KEY=VALUE to change in the deck; give it as often as needed.")]
+MATERIALS = Annotated[list[Path] | None, typer.Option("--materials", "-m", help="A file or folder of your own materials; repeatable.")]
 JSON = Annotated[bool, typer.Option("--json", help="Print JSON for programs.")]
 
 

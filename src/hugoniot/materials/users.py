@@ -11,6 +11,7 @@ from pathlib import Path
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
 from hugoniot.materials import library
 from hugoniot.materials.entry import Entry, make_entry, read_file
+from hugoniot.materials.material import Material
 from hugoniot.materials.search import spelling
 
 _FAMILIES = ("eos", "strength", "fracture", "burn", "base", "unreacted")
@@ -69,6 +70,39 @@ def find(name: str, users: dict[str, Entry]) -> Entry:
     if spelling(name) in mine:
         return users[mine[spelling(name)]]
     return library.entry(name, also=mine)
+
+
+def for_deck(wanted: Iterable[str], defined: Iterable[str], places: Iterable[str | Path] = (),
+             beside: Path | None = None) -> dict[str, Material]:
+    """The users' own materials a deck asks for, under the names it uses.
+
+    wanted    names the deck's regions use
+    defined   names the deck has tables for
+    places    files and folders given by an option: every material in them must be free of clashes, used or not
+    beside    folder of the deck: `NAME.toml` there is read when the deck asks for NAME
+    """
+    defined = list(defined)
+    own = user_materials(places, defined)
+    found: dict[str, Material] = {}
+    for name in wanted:
+        if name in defined:
+            continue
+        match = next((n for n in own if spelling(n) == spelling(name)), None)
+        if match is not None:
+            found[name] = own[match].material
+        elif (file := _file_beside(beside, name)) is not None:
+            near = user_materials([file], [*defined, *own])
+            if name in near:
+                found[name] = near[name].material
+    return found
+
+
+def _file_beside(folder: Path | None, name: str) -> Path | None:
+    """`NAME.toml` in the folder, if it is there and describes materials; a name is never a path."""
+    if folder is None or Path(name).name != name or not name.isprintable():
+        return None
+    file = folder / f"{name}.toml"
+    return file if file.is_file() and _describes_materials(file) else None
 
 
 def _in_library(name: str) -> str:

@@ -3,6 +3,7 @@
 import copy
 import re
 import tomllib
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ from typing import Any
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.materials.build import read_material
 from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.materials.users import for_deck
 from hugoniot.problem import schema
 from hugoniot.problem.lines import line_finder
 from hugoniot.problem.write import to_toml
@@ -31,10 +33,11 @@ class Deck:
     name: str
 
 
-def read_deck(path: str | Path, overrides: dict[str, Any] | None = None) -> Deck:
+def read_deck(path: str | Path, overrides: dict[str, Any] | None = None, materials: Sequence[str | Path] = ()) -> Deck:
     """Read a deck file.
 
     overrides   dotted key -> value that replaces the deck's, such as {"region.flyer.velocity": "800 m/s"}
+    materials   files and folders of users' own materials; NAME.toml beside the deck is found without
     Raises `DeckError` with every problem found, `FileTrouble` if the file cannot be read.
     """
     path = Path(path)
@@ -49,11 +52,15 @@ def read_deck(path: str | Path, overrides: dict[str, Any] | None = None) -> Deck
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
         raise DeckError.single(path.name, line, "deck", "not a text in UTF-8", "a deck is a TOML file; hugoniot init writes one") from None
-    return read_deck_text(text, path.name, overrides)
+    return read_deck_text(text, path.name, overrides, materials, path.parent)
 
 
-def read_deck_text(text: str, name: str = "deck", overrides: dict[str, Any] | None = None) -> Deck:
-    """Read a deck given as text; `name` is what messages call it. Raises `DeckError` with every problem found."""
+def read_deck_text(text: str, name: str = "deck", overrides: dict[str, Any] | None = None, places: Sequence[str | Path] = (),
+                   beside: Path | None = None) -> Deck:
+    """Read a deck given as text; `name` is what messages call it. Raises `DeckError` with every problem found.
+
+    places, beside   where users' own materials are looked for: files and folders, and the deck's own folder
+    """
     raw = _parse(text, name)
     collector = Collector([], name, line_finder(text), raw)
     for key, value in (overrides or {}).items():
@@ -61,7 +68,7 @@ def read_deck_text(text: str, name: str = "deck", overrides: dict[str, Any] | No
     kind = _solver_kind(raw, collector)
     module = schema.solver_module(kind)
     model = schema.validate(module.Model, raw, collector)
-    materials = _materials(raw, collector)
+    materials = {**_materials(raw, collector), **_own_materials(raw, places, beside)}
     problem, warnings = module.read(raw, model, materials, collector)
     if collector.problems or problem is None:
         problems = sorted(collector.problems, key=lambda p: (p.line or 0))
@@ -116,6 +123,13 @@ def _materials(raw: dict, collector: Collector) -> dict:
         if not name.strip() or not name.isprintable() or len(name) > 60:
             collector.add(("material", name), f"'{printable(name)}' cannot be a name", "use up to 60 printable characters")
     return {name: read_material(name, table, collector, ("material", name)) for name, table in tables.items()}
+
+
+def _own_materials(raw: dict, places: Sequence[str | Path], beside: Path | None) -> dict:
+    """Materials from users' own files that the deck's regions ask for."""
+    rows, tables = raw.get("region", ()), raw.get("material", {})
+    names = [r["material"] for r in rows if isinstance(r, dict) and isinstance(r.get("material"), str)] if isinstance(rows, list) else []
+    return for_deck(dict.fromkeys(names), tables if isinstance(tables, dict) else (), places, beside)
 
 
 def _override(raw: dict, key: str, value: Any, collector: Collector) -> None:
