@@ -1,0 +1,159 @@
+"""Decks of the solver `shock_structure` and the command `hugoniot structure`."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import hugoniot
+from hugoniot import simulate
+from hugoniot.cli import main as front
+from hugoniot.errors import DeckError
+from hugoniot.problem.deck import read_deck, read_deck_text
+from hugoniot.theory.structure.start import profile_of
+
+EXAMPLE = Path(__file__).parents[3] / "examples" / "argon-mach9.toml"
+SMALL = {"solver.shock.mach": 2.0, "region.gas.zones": 60, "stop_time": "1 ns", "output.snapshots": "0.25 ns", "output.report": False}
+
+
+def call(capsys, *arguments):
+    with pytest.raises(SystemExit) as ended:
+        front.main(list(arguments))
+    out, err = capsys.readouterr()
+    return ended.value.code or 0, out, err
+
+
+def told(text):
+    with pytest.raises(DeckError) as error:
+        read_deck_text(text, "deck.toml")
+    return str(error.value)
+
+
+# -- decks -------------------------------------------------------------------------------------------------------------
+def test_resolved_deck_reads_back_to_the_same_problem():
+    deck = read_deck(EXAMPLE)
+    again = read_deck_text(deck.resolved, EXAMPLE.name)
+    assert again.problem == deck.problem and again.resolved == deck.resolved
+    assert profile_of(deck.problem).ends.mach == pytest.approx(9.0, rel=1e-14)
+
+
+def test_every_fault_of_a_deck_is_told_at_once():
+    text = EXAMPLE.read_text()
+    for old, new in (("mach = 9.0", "mach = 1.0"), ("prandtl = 0.6666666666666667", "prandtl = 0.0"), ('kind = "shock_structure"', 'kind = "shock_structure"\nthreads = 2')):
+        assert old in text
+        text = text.replace(old, new)
+    message = told(text)
+    for words in ("solver.shock.mach: must be greater than 1", "prandtl must be a positive number", "solver.threads: unknown key"):
+        assert words in message
+
+
+@pytest.mark.parametrize("old, new, words", [
+    ('at = "0 um"', 'at = "5 um"', "lies outside the domain"),
+    ("mach = 9.0", 'mach = 9.0\nparticle_velocity = "1 km/s"', "one measure of strength, not mach and particle_velocity"),
+    ('law = "power_law", shear', 'law = "powerlaw", shear', "did you mean 'power_law'"),
+    ("zones = 150", "zones = 150\nratio = 1.02", "this solver needs cells of one width"),
+    ('specific_heat = "312.15 J/kg/K"', "specific_heat = nan", "temperature|specific_heat"),
+    ('start = "step"', 'start = "jump"', "expected 'step' or 'steady'"),
+])
+def test_one_fault(old, new, words):
+    text = EXAMPLE.read_text()
+    assert old in text
+    import re
+    assert re.search(words, told(text.replace(old, new)))
+
+
+def test_domain_too_short_is_an_error_of_the_deck(tmp_path):
+    with pytest.raises(DeckError, match="too short.*at least .* m"):
+        hugoniot.run(EXAMPLE, out=tmp_path / "run", **{"region.gas.to": "0.1 um"})
+
+
+# -- run folders -----------------------------------------------------------------------------------------------------------
+def test_run_folder_budget_and_profile(tmp_path):
+    run = hugoniot.run(EXAMPLE, out=tmp_path / "run", **SMALL)
+    summary = json.loads((tmp_path / "run" / "summary.json").read_text())
+    assert summary["solver"] == "shock_structure" and summary["status"] == "done" and summary["time"] == 1e-9
+    assert max(summary[f"{name}_error"] for name in ("mass", "momentum", "energy")) < 1e-12
+    last = run.snapshots.isel(time=-1)
+    profile = profile_of(read_deck(EXAMPLE, overrides=SMALL).problem)
+    assert float(last["density"][0]) == pytest.approx(profile.ends.upstream.density, rel=1e-6)
+    assert float(last["pressure"][-1]) == pytest.approx(profile.ends.downstream.pressure, rel=0.05)
+    assert "deviator_radial" not in run.snapshots
+
+
+class _Stopper:
+    """Interrupts a run after so many reports."""
+
+    def __init__(self, count):
+        self.left = count
+
+    def update(self, report):
+        self.left -= 1
+        if self.left == 0:
+            raise KeyboardInterrupt
+
+
+def test_resume_is_bitwise(tmp_path):
+    whole = hugoniot.run(EXAMPLE, out=tmp_path / "whole", **SMALL)
+    with pytest.raises(KeyboardInterrupt):
+        hugoniot.run(EXAMPLE, out=tmp_path / "cut", progress=_Stopper(2), **SMALL)
+    cut = simulate.resume(tmp_path / "cut")
+    for name in ("density", "velocity_left", "energy", "stress"):
+        assert np.array_equal(whole.snapshots[name].values, cut.snapshots[name].values), name
+    assert np.array_equal(whole.budget["energy_error"].values, cut.budget["energy_error"].values)
+    a, b = (json.loads((tmp_path / name / "summary.json").read_text()) for name in ("whole", "cut"))
+    assert a["cycles"] == b["cycles"]
+
+
+# -- the command -------------------------------------------------------------------------------------------------------------
+def test_profile_as_json(capsys):
+    code, out, _ = call(capsys, "structure", "profile", "argon-jordan", "--mach", "9", "--json", "--points", "11")
+    found = json.loads(out)
+    assert code == 0 and found["density_thickness"] / found["mean_free_path_chapman_enskog"] == pytest.approx(3.1624, abs=6e-5)
+    assert found["entropy_viscous"] + found["entropy_conductive"] == pytest.approx(738.31, rel=1e-4)
+    assert len(found["profile"]["density"]) == 11
+
+
+def test_profile_of_a_deck_is_that_of_its_case(capsys):
+    _, deck, _ = call(capsys, "structure", "profile", str(EXAMPLE), "--json")
+    _, case, _ = call(capsys, "structure", "profile", "argon-jordan", "--mach", "9", "--json")
+    deck, case = json.loads(deck), json.loads(case)
+    assert deck["density_thickness"] == pytest.approx(case["density_thickness"], rel=1e-9)
+
+
+def test_profile_of_a_library_material_with_csv_and_picture(capsys, tmp_path):
+    code, out, _ = call(capsys, "structure", "profile", "copper", "--viscosity", "5 Pa s", "--particle-velocity", "500 m/s",
+                        "--csv", str(tmp_path / "p.csv"), "--plot", str(tmp_path / "p.png"))
+    assert code == 0 and "density thickness" in out
+    table = np.genfromtxt(tmp_path / "p.csv", delimiter=",", names=True)
+    assert np.all(np.diff(table["density"]) > 0.0) and (tmp_path / "p.png").stat().st_size > 10000
+
+
+def test_sweep_finds_the_thinnest(capsys, tmp_path):
+    code, out, _ = call(capsys, "structure", "sweep", "argon-jordan", "--viscosity", "power_law", "--from", "3.8", "--to", "4.3", "--points", "11",
+                        "--json", "--plot", str(tmp_path / "s.png"))
+    rows = json.loads(out)
+    best = max(rows, key=lambda row: row["reciprocal_thickness"])
+    assert code == 0 and best["mach"] == pytest.approx(4.03, abs=0.05)
+    assert 1.0 / best["reciprocal_thickness"] == pytest.approx(2.4964, abs=2e-4)
+    assert (tmp_path / "s.png").stat().st_size > 5000
+
+
+def test_tables_of_jordan(capsys):
+    code, out, _ = call(capsys, "structure", "jordan")
+    assert code == 0 and "6.2.1.1" in out and "water_387" in out and "3.1624" in out
+
+
+@pytest.mark.parametrize("arguments, words, code", [
+    (("argon-jordan", "--mach", "1"), "Mach 1 makes no shock", 3),
+    (("argon-jordan", "--mach", "2", "--prandtl", "0"), "prandtl must be a positive number", 3),
+    (("argon-jordan", "--mach", "2", "--viscosity", "honey"), "argon-jordan knows constant", 2),
+    (("argon-jordan",), "give --mach", 2),
+    (("copper", "--mach", "1.2"), "--viscosity", 2),
+    (("copper", "--mach", "1.2", "--viscosity", "5 mm"), "viscosity", 2),
+    (("copper", "--mach", "1.2", "--viscosity", '{law = "constan", shear_viscosity = 1.0}'), "did you mean 'constant'", 2),
+    (("silica_770", "--particle-velocity", "1800 m/s"), "", 3),
+])
+def test_bad_input(capsys, arguments, words, code):
+    found, out, err = call(capsys, "structure", "profile", *arguments)
+    assert found == code and words in err and "Traceback" not in err
