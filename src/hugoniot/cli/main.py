@@ -1,7 +1,7 @@
 """The command `hugoniot`: which commands there are, and how every one of them ends.
 
 Only the module of the command that is called gets imported; the others are known by the one line of help kept here, so
-`hugoniot --help` answers at once. A command module holds either `command`, a function, or `app`, a typer application.
+`hugoniot --help` answers at once. A command module holds `app`, a typer application, or a function `command` (or of its own name).
 
 Exit codes: 0 done, 1 a defect of the program, 2 deck or command line, 3 physics, 4 files, 130 interrupted.
 """
@@ -53,9 +53,9 @@ def build_app(wanted: str | None) -> typer.Typer:
 
 
 def _mount(app: typer.Typer, name: str, module, line: str) -> None:
-    if hasattr(module, "command"):
-        text = (module.command.__doc__ or line).strip()
-        app.command(name, help=text, short_help=line)(guarded(module.command))
+    if not hasattr(module, "app"):
+        function = getattr(module, "command", None) or getattr(module, name)
+        app.command(name, help=(function.__doc__ or line).strip(), short_help=line)(guarded(function))
         return
     sub: typer.Typer = module.app
     for info in sub.registered_commands:
@@ -109,7 +109,7 @@ def guarded(function: Callable) -> Callable:
         except Exception as error:
             if type(error).__module__.startswith(("click", "typer")):  # a usage error: typer tells it itself
                 raise
-            typer.echo(f"error: unexpected {type(error).__name__}: {str(error)[:300]}\n{_keep_traceback()}", err=True)
+            _tell_defect(error)
             raise typer.Exit(1) from None
 
     return call
@@ -124,6 +124,10 @@ def _tell(error: HugoniotError) -> None:
         typer.echo(str(problem), err=True)
     if len(problems) > 1:
         typer.echo(f"{len(problems)} problems", err=True)
+
+
+def _tell_defect(error: Exception) -> None:
+    typer.echo(f"error: unexpected {type(error).__name__}: {str(error)[:300]}\n{_keep_traceback()}", err=True)
 
 
 def _keep_traceback() -> str:
@@ -151,7 +155,12 @@ def main(arguments: list[str] | None = None) -> None:
     arguments = sys.argv[1:] if arguments is None else arguments
     wanted = next((a for a in arguments if not a.startswith("-")), None)
     try:
-        build_app(wanted)(args=arguments, prog_name="hugoniot")
+        app = build_app(wanted)
+    except Exception as error:  # a command whose module cannot even be imported
+        _tell_defect(error)
+        sys.exit(1)
+    try:
+        app(args=arguments, prog_name="hugoniot")
     except KeyboardInterrupt:
         typer.echo("interrupted", err=True)
         sys.exit(130)

@@ -87,7 +87,7 @@ class Bar(Silent):
 
         self.display = Progress(TextColumn("{task.percentage:>3.0f}%"), BarColumn(24), TextColumn("{task.description}"),
                                 console=Console(stderr=True), transient=True)
-        self.task = self.display.add_task("starting", total=1.0)
+        self.task = self.display.add_task("starting; laws not run before are compiled first", total=1.0)
 
     def __enter__(self):
         self.display.start()

@@ -33,9 +33,8 @@ def gauge_rows(run: Run) -> list[dict]:
 def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
     """Print the summary, the gauges and where the report is; warnings in `shown` have been printed already."""
     s = run.summary
-    rate = s.get("zone_updates", 0) / s["kernel_seconds"] if s.get("kernel_seconds") else 0.0
-    typer.echo(f"{s['title']}: {s['status']} at {format_si(s['time'], 's')}, {s['cycles']} cycles in {s['wall_seconds']:.2f} s"
-               + (f" ({rate / 1e6:.0f} M zone updates/s)" if rate else ""))
+    typer.echo(f"{s['title']}: {s['status']} at {format_si(s['time'], 's')}, {s['cycles']} cycles, "
+               f"{s.get('zone_updates', 0):.3g} zone updates in {s['wall_seconds']:.2f} s")
     errors = [f"{word} {s[key]:.1e}" for word, key in (("mass", "mass_error"), ("momentum", "momentum_error"), ("energy", "energy_error"))
               if isinstance(s.get(key), (int, float))]
     typer.echo(f"relative errors: {', '.join(errors)}; voids opened {s.get('voids_opened', 0)}, closed {s.get('voids_closed', 0)}")
