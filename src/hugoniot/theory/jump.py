@@ -177,6 +177,10 @@ def shocked(mode, target, guess, least, most, v0, p0, e0, par):
             status = BEYOND_LIMIT
         return status, x, p, e0 + 0.5 * (p + p0) * x
     status, low, high = bracket(mode, target, guess, least, most, v0, p0, e0, par)
+    if status == NOT_COMPRESSIVE and mode != BY_SHOCK_VELOCITY and least == 0.0 and 0.0 < guess < 1e-10 * v0:
+        # weaker than the round-off of the law's pressure: an acoustic wave, which is where the guess starts from
+        p, e, _, _ = line(mode, target, guess, p0, e0)
+        return FOUND, guess, p, e
     if status != FOUND:
         return status, low, p0, e0
     status, x = polish(mode, target, low, high, v0, p0, e0, par)

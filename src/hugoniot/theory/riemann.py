@@ -115,9 +115,11 @@ class _Side:
                              f"unstable under law '{EOS.of(par).name}': c^2 = {square:.4g} m2/s2")
         self.c = math.sqrt(square)
         self._fan = state
+        # below this rise a shock and an isentrope agree to round-off (third order), and the isentrope is the better conditioned
+        self.weak = 1e-6 * state.density * square
 
     def behind(self, p: float) -> States:
-        if p > self.state.pressure:
+        if p > self.state.pressure + self.weak:
             return shock(self.par, self.ahead, pressure=p, direction=self.direction)
         if p == self.state.pressure:
             return self.state
@@ -128,7 +130,7 @@ class _Side:
     def slope(self, p: float, behind: States) -> float:
         """|du/dp| on the curve at p."""
         rho, e = behind.density, behind.specific_internal_energy
-        if p <= self.state.pressure:
+        if p <= self.state.pressure + self.weak:
             return 1.0 / (rho * math.sqrt(contract.sound_speed_squared(rho, e, self.par)))
         rise, x = p - self.state.pressure, 1.0 / self.state.density - 1.0 / rho
         p_rho, p_e = contract.pressure_derivatives(rho, e, self.par)
@@ -144,13 +146,19 @@ class _Side:
             edge = state.particle_velocity + d * self.c
             return Wave("none", state, state, edge, edge, d)
         if p > state.pressure:
-            return Wave("shock", state, behind, behind.shock_velocity, behind.shock_velocity, d)
+            speed = behind.shock_velocity
+            if speed is None:
+                speed = state.particle_velocity + d * self.c
+            return Wave("shock", state, behind, speed, speed, d)
         return Wave("fan", state, behind, state.particle_velocity + d * self.c, behind.particle_velocity + d * behind.sound_speed, d)
 
-    def cavity(self) -> tuple[States, float] | None:
-        """State and velocity of a surface into nothing: zero pressure, or full expansion for a gas; None if already below."""
+    def cavity(self) -> tuple[States, float]:
+        """State and velocity of a surface into nothing: zero pressure (by a shock if in tension), or full expansion for a gas."""
         if self.state.pressure < 0.0:
-            return None
+            surface = self.behind(0.0)
+            return surface, surface.particle_velocity
+        if self.state.pressure == 0.0 and "gas" not in EOS.of(self.par).flags:
+            return self.state, self.state.particle_velocity
         try:
             speed = release_path.escape(self.par, self.state)
         except OutOfRange:
@@ -162,17 +170,20 @@ class _Side:
 
 def _separated(left: _Side, right: _Side) -> Riemann | None:
     """The solution with a vacuum in the middle, if the two surfaces run apart."""
-    if right.state.particle_velocity <= left.state.particle_velocity:
+    if right.state.particle_velocity <= left.state.particle_velocity and min(left.state.pressure, right.state.pressure) >= 0.0:
         return None
     surfaces = left.cavity(), right.cavity()
-    if None in surfaces or surfaces[0][1] >= surfaces[1][1]:
+    if surfaces[0][1] >= surfaces[1][1]:
         return None
     waves = []
     for side, (surface, u) in zip((left, right), surfaces):
         d = side.direction
         tail = u if surface.density == 0.0 else u + d * surface.sound_speed
-        kind = "fan" if side.state.pressure > 0.0 else "none"
-        waves.append(Wave(kind, side.state, surface, side.state.particle_velocity + d * side.c, tail, d))
+        head = side.state.particle_velocity + d * side.c
+        if side.state.pressure < 0.0:
+            waves.append(side.wave(0.0))
+        else:
+            waves.append(Wave("fan" if side.state.pressure > 0.0 else "none", side.state, surface, head, tail, d))
     return Riemann(*waves, pressure=0.0, velocity=math.nan, vacuum=True)
 
 
