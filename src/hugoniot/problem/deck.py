@@ -75,7 +75,8 @@ def read_deck_text(text: str, name: str = "deck", overrides: dict[str, Any] | No
         raise DeckError(problems)
     if not problem.title:
         problem = type(problem)(**{**problem.__dict__, "title": Path(name).stem})
-    return Deck(problem, write_deck(problem, kind), tuple(warnings), text, name)
+    marked = [f"material '{n}': {w}" for n, m in getattr(problem, "materials", {}).items() for w in getattr(m, "warnings", ())]
+    return Deck(problem, write_deck(problem, kind), (*warnings, *marked), text, name)
 
 
 def write_deck(problem: Any, kind: str | None = None) -> str:

@@ -70,3 +70,8 @@ def test_a_name_is_never_a_path(folder, name):
     (folder / "deck.toml").write_text(DECK.format(name))
     with pytest.raises(DeckError, match="unknown material"):
         read_deck(folder / "deck.toml")
+
+
+def test_unverified_constants_are_told_before_a_run(folder):
+    (folder / "deck.toml").write_text(DECK.format("octol"))
+    assert any("octol" in w and "unverified against print" in w for w in read_deck(folder / "deck.toml").warnings)
