@@ -11,6 +11,9 @@ from hugoniot.laws import arrays
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS, gives
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.laws.eos.p_alpha import PAlpha
+from hugoniot.laws.eos.shifted_energy import ShiftedEnergy
+from hugoniot.laws.eos.tension_cutoff import TensionCutoff
 
 LAWS = sorted(EOS, key=lambda law: law.name)
 COUNT = arrays.SMALL + 44
@@ -64,6 +67,43 @@ def test_sweeps_are_packed(name):
         counted = packed(fresh)
         assert counted["div"] >= 1
         assert counted["fmadd"] + counted["fnmadd"] >= 2
+
+
+def test_pressure_and_slopes_of_mie_gruneisen_share_one_division():
+    """The hot path of every hydrocode run: p, dp/drho and dp/de together cost one packed division."""
+    import re
+
+    import numba as nb
+
+    from hugoniot.laws import array_kernels  # noqa: F401  (binds the laws)
+    from hugoniot.laws.eos.contract import pressure, pressure_derivatives
+
+    @nb.njit(fastmath=True, error_model="numpy")
+    def all_three(rho, e, par, p, p_rho, p_e):
+        for j in range(p.shape[0]):
+            r, u = rho[j], e[j]
+            value = pressure(r, u, par)
+            by_rho, by_e = pressure_derivatives(r, u, par)
+            p[j], p_rho[j], p_e[j] = value, by_rho, by_e
+
+    rho, e = sample(EOS.get("mie_gruneisen"))
+    all_three(rho, e, EOS.get("mie_gruneisen").example, *(np.empty_like(rho) for _ in range(3)))
+    assert len(re.findall(r"\svdivpd", all_three.inspect_asm(all_three.signatures[0]))) == 1
+
+
+def test_three_laws_deep_compile():
+    deep = PAlpha(TensionCutoff(ShiftedEnergy(MieGruneisen(2700.0, 5350.0, 1.34, 2.0, 863.0), 1e5), 2e9), 1.275, 0.08e9, 0.7e9)
+    rho = np.linspace(2100.0, 3500.0, COUNT)
+    expected = np.array([contract.pressure(r, 0.0, deep) for r in rho.tolist()])
+    np.testing.assert_allclose(arrays.pressure_array(rho, 0.0, deep), expected, rtol=1e-11)
+
+
+@pytest.mark.parametrize("name", ["mie_gruneisen", "davis_products"])
+def test_energy_array_inverts_pressure_array(name):
+    law = EOS.get(name)
+    for count in (COUNT, 10):
+        rho, e = sample(law, count)
+        np.testing.assert_allclose(arrays.energy_array(rho, arrays.pressure_array(rho, e, law.example), law.example), e, rtol=1e-10, atol=1e-4)
 
 
 @pytest.mark.slow

@@ -5,6 +5,7 @@
     sound_speed_array(rho, e, par)     m/s; NaN where the state is unstable
     temperature_array(rho, e, par)     K
     entropy_array(rho, e, par)         J/(kg K)
+    energy_array(rho, p, par)          J/kg
     evaluate(par, rho, e, *names)      dictionary of any of QUANTITIES
 
 `rho` (kg/m3) and `e` (J/kg) broadcast; results have the broadcast shape. States are not checked (laws.eos.contract.check_state does that
@@ -35,7 +36,7 @@ def _states(rho, e):
 
 def _sweep(name, rho, e, par):
     """One quantity of one value per state by the sweep `<name>_sweep`, or by Python for a few states."""
-    if name not in ("pressure", "sound_speed_squared") and name not in EOS.of(par).functions:
+    if name not in ("pressure", "sound_speed_squared") and not contract.gives(par, name):
         raise OutOfRange(f"{EOS.of(par).name}: this equation of state gives no {name.replace('_', ' ')}")
     rho, e, shape = _states(rho, e)
     out = np.empty(rho.size)
@@ -93,6 +94,11 @@ def entropy_array(rho, e, par):
     """Specific entropy, J/(kg K), up to a constant; OutOfRange where the law has none."""
     contract.require_temperature(par)
     return _sweep("entropy", rho, e, par)
+
+
+def energy_array(rho, p, par):
+    """Specific internal energy at densities and pressures, J/kg; OutOfRange where the law has no closed inverse."""
+    return _sweep("energy", rho, p, par)
 
 
 def evaluate(par, rho, e, *names):
