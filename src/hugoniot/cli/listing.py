@@ -13,6 +13,8 @@ KINDS = {
     "strength": "strength laws, [material.NAME.strength] law = ...",
     "fracture": "fracture laws, [material.NAME.fracture] law = ...",
     "viscosity": "artificial viscosities, [solver.viscosity] law = ...",
+    "transport": "physical shear viscosities, [solver.transport] viscosity = {law = ...}",
+    "conduction": "heat conductivities, [solver.transport] conduction = {law = ...}",
     "materials": "materials of the library, material = ...",
     "fields": "fields of snapshots, gauges and plots",
     "problems": "decks that hugoniot init writes",
@@ -48,10 +50,12 @@ def command(
 
 
 def _families() -> dict:
+    from hugoniot.laws import transport  # noqa: F401  (enrols the transport and conduction laws)
+    from hugoniot.laws.transport.contract import CONDUCTION, TRANSPORT
     from hugoniot.laws.viscosity.contract import VISCOSITY
     from hugoniot.materials.tables import families
     from hugoniot.problem import schema  # noqa: F401  (enrols the viscosity laws)
-    return {**families(), "viscosity": VISCOSITY}
+    return {**families(), "viscosity": VISCOSITY, "transport": TRANSPORT, "conduction": CONDUCTION}
 
 
 def _laws(kind: str, name: str, as_json: bool) -> None:
