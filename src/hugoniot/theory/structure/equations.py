@@ -16,6 +16,7 @@ Without conduction h = 0 and one equation is left.
 """
 
 import math
+from typing import Any
 
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -44,8 +45,8 @@ class Equations:
         self.ends, self.transport, self.par = ends, transport, ends.eos
         law = EOS.of(self.par)
         self._pressure, self._derivatives = law.functions["pressure"], law.functions["pressure_derivatives"]
-        self._temperature = law.functions["temperature"] if has_temperature(self.par) else None
-        self._heat = law.functions.get("specific_heat")
+        self._temperature: Any = law.functions["temperature"] if has_temperature(self.par) else None
+        self._heat: Any = law.functions.get("specific_heat")
         self.conducting = transport_contract.conducts(transport)
         if transport_contract.needs_temperature(transport):
             require_temperature(self.par)
@@ -170,15 +171,17 @@ class Equations:
         arrived.terminal = True
         span = 3.0 * (math.log(1.0 / _START) / -rate + math.log(1.0 / _STOP) / ahead[0]) + 100.0
         rtol = max(rtol, _ROUND_OFF / self.jump**2, 0.0 if self._consistent else _DIFFERENCE)
-        rates, curve = self.rates, None
+        rates: Any = self.rates
+        curve = None
         with np.errstate(all="ignore"):
             if ahead[-1] / ahead[0] > STIFF:
                 curve = slow_manifold(self.rates, 10.0 * rtol)
                 start[1] = curve(start[0])
 
-                def rates(xi, y):
+                def along(xi, y):
                     slope = self.rates(xi, (y[0], curve(y[0])))
                     return slope[0], 0.0, slope[2], slope[3]
+                rates = along
             found = solve_ivp(rates, (0.0, -span), start, method="DOP853", rtol=rtol, atol=1e-2 * rtol, events=arrived, dense_output=True)
         if found.status != 1:
             raise NoSolution(f"the structure did not reach the state ahead within {span * self.length:.3g} m ({found.message}); "
