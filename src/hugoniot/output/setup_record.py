@@ -93,7 +93,9 @@ def _viscosity_record(problem, meta: dict) -> dict | None:
 
 
 def _references(record: dict, meta: dict) -> list[str]:
-    found: list[str] = list(INTEGRATORS.get(record["solver"]["integrator"], ())) + list(meta.get("references", ()))
+    hydrocode = record["solver"]["kind"] == "lagrange1d"
+    found: list[str] = list(INTEGRATORS.get(record["solver"]["integrator"], ())) if hydrocode else []
+    found += meta.get("references", ())
     laws = [law for material in record["materials"].values() for law in material["laws"]]
     laws += [record["viscosity"]] if record["viscosity"] else []
     while laws:

@@ -5,17 +5,21 @@ from matplotlib.figure import Figure
 
 from hugoniot.plotting.style import COLOURS, INK, QUIET, field_scale, labelled, quiet_grid, styled, time_scale
 
+_FIRST = ("velocity", "stress")
+
 
 @styled
 def comparison(compared, most: int = 6):
-    """One column per pair of records, largest relative difference first: both lines above, difference below; gives the figure.
+    """One column per pair of records: both lines above, difference below; gives the figure.
+
+    Velocity and stress come first, then the other fields, those that differ most at the front.
 
     compared   output.compare.Comparison
     most       how many pairs to draw
     """
     import numpy as np
 
-    pairs = sorted(compared.pairs, key=lambda pair: -pair.norms.relative[0])[:most]
+    pairs = sorted(compared.pairs, key=lambda pair: (pair.a.field not in _FIRST, -pair.norms.relative[0]))[:most]
     columns = min(len(pairs), 3)
     rows = -(-len(pairs) // columns)
     figure = Figure(figsize=(3.6 * columns + 0.6, 3.8 * rows), layout="constrained")

@@ -51,13 +51,16 @@ def gauge(run, field: str = "stress", names=None, ax=None):
 
 def _time_axis(ax, time, unit, factor):
     ax.set_xlabel(labelled("time", unit))
-    if len(time):
+    if len(time) > 1:
         start = 0.0 if 0.0 < time[0] < 0.02 * time[-1] else time[0]
         ax.set_xlim(start * factor, time[-1] * factor)
 
 
 def free_surface_record(run, name: str | None = None) -> tuple[np.ndarray, np.ndarray, str]:
-    """(time s, velocity outwards m/s, what was measured) of a free surface: its gauge, else the outermost right face of the snapshots."""
+    """(time s, velocity outwards m/s, what was measured) of a free surface: its gauge, else the right face of the snapshots.
+
+    Empty where the right end is not free and no gauge rides on a free surface.
+    """
     found = free_surface_gauges(run)
     name = name or (found[0] if found else None)
     if name is not None:
@@ -65,6 +68,8 @@ def free_surface_record(run, name: str | None = None) -> tuple[np.ndarray, np.nd
         where = next((str(g["at"]) for g in run.setup["gauges"] if g["name"] == name), name)
         return time, -velocity if where.endswith("left") else velocity, f"gauge '{name}'"
     rows = run.arrays("snapshots")
+    if run.setup["boundaries"]["right"]["kind"] != "free" or "velocity_right" not in rows:
+        return np.empty(0), np.empty(0), "nothing"
     return rows["time"], rows["velocity_right"][:, -1], "the snapshots only; a gauge at 'free surface right' would be finer"
 
 

@@ -76,7 +76,8 @@ def page(run: Run) -> str:
     cautions = "".join(f'<p class="warning">{text(words)}</p>' for words in sections.warnings(run))
     title = text(setup["title"])
     deck = f"<pre>{text(run.deck)}</pre><p class=quiet>SHA-256 {text(summary['deck_sha256'])}</p>"
-    intro = (f"{text(setup['geometry'])}, solver {text(setup['solver']['kind'])} ({text(setup['solver']['integrator'])}), "
+    solver = setup["solver"]["kind"] + (f" ({setup['solver']['integrator']})" if setup["solver"]["kind"] == "lagrange1d" else "")
+    intro = (f"{text(setup['geometry'])}, solver {text(solver)}, "
              f"hugoniot {text(setup['version'])}; status: {text(summary['status'])}")
     return "".join([
         f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'

@@ -78,14 +78,25 @@ def materials(setup: dict) -> str:
     return "".join(parts)
 
 
+def _flat(options: dict, before: str = ""):
+    """(words, value) of nested options."""
+    for key, value in options.items():
+        name = f"{before}{key.replace('_', ' ')}"
+        if isinstance(value, dict):
+            yield from _flat(value, f"{name}, ")
+        else:
+            yield name, value
+
+
 def numerics(setup: dict) -> str:
     """Integrator, step control and artificial viscosity."""
     solver = setup["solver"]
     known = {"kind": "solver", "integrator": "integrator", "courant": "Courant number", "growth": "growth of the step",
              "initial_step": "first step", "largest_step": "largest step", "threads": "threads", "max_cycles": "most cycles"}
+    known = known if solver["kind"] == "lagrange1d" else {"kind": "solver"}
     given = [(key, label) for key, label in known.items() if solver.get(key) is not None]
     rows = [(label, number(solver[key], "s" if key.endswith("step") else "")) for key, label in given]
-    rows += [(text(key.replace("_", " ")), number(value)) for key, value in (solver.get("options") or {}).items()]
+    rows += [(text(key), number(value)) for key, value in _flat(solver.get("options") or {})]
     parts = [table(("setting", "value"), rows)]
     if setup["viscosity"]:
         parts.append(_laws([setup["viscosity"]]))

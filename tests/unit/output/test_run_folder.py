@@ -113,6 +113,14 @@ def test_setup_names_every_constant_with_its_source(whole):
     assert "d'Alembert 1747" in load(whole).setup["references"] and law["references"][0] in load(whole).setup["references"]
 
 
+def test_the_method_is_cited_only_where_it_was_used():
+    from hugoniot.output.setup_record import setup_record
+
+    flyer = acoustic_flyer.AcousticFlyer(20, 40)
+    assert "J. Comput. Phys. 146" in setup_record(flyer.problem, {**flyer.meta(), "solver": "lagrange1d"})["references"][0]
+    assert not any("J. Comput. Phys. 146" in reference for reference in setup_record(flyer.problem, flyer.meta())["references"])
+
+
 # -- refusals ---------------------------------------------------------------------------------------------------------
 def test_a_run_is_not_overwritten_unasked(whole, tmp_path):
     before = (whole / "result.h5").read_bytes()
