@@ -81,9 +81,9 @@ def energy(rho, p, par):
 def reference_isentrope(rho, par):
     """(e, T/T0) on the isentrope through the reference state; not a number where gamma0 > 8 s (see `build`)."""
     eta, inverse = _strain(rho, par)
-    beta = par.gamma0 / par.s
+    beta = par.gamma0 / par.s if par.gamma0 <= 8.0 * par.s else math.nan
     # exp(-beta y) = exp(-beta) exp(Gamma0 eta): one exponential serves the whole temperature
-    growth = vexp(par.gamma0 * eta) * (1.0 if beta <= 8.0 else math.nan)
+    growth = vexp(par.gamma0 * eta) + 0.0 * beta
     if eta > 0.0:
         y = 1.0 - par.s * eta
         bracket = ((1.0 - 0.5 * beta) * (inverse - growth) + 0.5 * (1.0 - growth)

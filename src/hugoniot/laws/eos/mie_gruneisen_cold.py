@@ -15,6 +15,7 @@ import math
 from typing import NamedTuple
 
 from hugoniot.core.ops import vlog
+from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos import mie_gruneisen
 from hugoniot.laws.eos.contract import EOS
 
@@ -61,11 +62,20 @@ def cold_coefficients(c0, s, gamma0, e00, order):
     return e[:order + 1]
 
 
+def build(rho0, c0, s, gamma0, cold_energy=0.0, specific_heat=math.nan):
+    """Parameters from a deck."""
+    if gamma0 > 8.0 * s:
+        raise OutOfRange(f"mie_gruneisen_cold: the closed form of the cold curve cancels for gamma0 > 8 s (gamma0 = {gamma0}, s = {s}); "
+                         "use mie_gruneisen, which has the same pressures")
+    return MieGruneisenCold(rho0, c0, s, gamma0, cold_energy, specific_heat)
+
+
 EOS.add(
     "mie_gruneisen_cold", MieGruneisenCold,
     functions=[mie_gruneisen.pressure, mie_gruneisen.pressure_derivatives, mie_gruneisen.energy, temperature, specific_heat, entropy,
                mie_gruneisen.reference_state, mie_gruneisen.density_limits, mie_gruneisen.particle_velocity_limit],
     example=MieGruneisenCold(8930.0, 3940.0, 1.49, 1.99, -385.0 * 298.15, 385.0),
+    build=build,
     units={"rho0": "kg/m^3", "c0": "m/s", "s": "1", "gamma0": "1", "cold_energy": "J/kg", "specific_heat": "J/kg/K"},
     meaning={"rho0": "density at rest", "c0": "shock velocity at vanishing particle velocity", "s": "slope dUs/dup",
              "gamma0": "Grüneisen parameter at rest", "cold_energy": "energy at rho0 and 0 K (E00)",

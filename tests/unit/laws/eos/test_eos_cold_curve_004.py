@@ -8,8 +8,8 @@ from scipy.integrate import quad
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos import mie_gruneisen_cold as exact
 from hugoniot.laws.eos import mie_gruneisen_cold_series as series
-from hugoniot.laws.eos.contract import pressure, temperature
-from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.laws.eos.contract import has_temperature, pressure, temperature
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen, build
 
 COPPER = exact.MieGruneisenCold(8930.0, 3940.0, 1.49, 1.99)
 SILICA = exact.MieGruneisenCold(100.0, 121.0, 0.9736, 0.3)
@@ -78,6 +78,15 @@ def test_temperature_is_zero_on_the_cold_curve_and_t0_at_rest():
     for x in (-0.2, 0.05, 0.3):
         rho = at(x, par)
         assert temperature(rho, exact.cold_energy(rho, par), par) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_nearly_straight_hugoniots_are_sent_to_the_law_that_can():
+    with pytest.raises(OutOfRange, match="use mie_gruneisen"):
+        exact.build(8930.0, 3940.0, 0.2, 1.99)
+    straight = build(8930.0, 3940.0, 0.0, 1.99, specific_heat=385.0)
+    assert has_temperature(straight)
+    assert not has_temperature(MieGruneisen(8930.0, 3940.0, 0.0, 1.99, 385.0))
+    assert pressure(9500.0, 1e5, straight) == pytest.approx(pressure(9500.0, 1e5, MieGruneisen(8930.0, 3940.0, 0.0, 1.99)), rel=1e-14)
 
 
 @pytest.mark.parametrize("order", [2, 7, 3.5])
