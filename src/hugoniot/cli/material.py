@@ -72,9 +72,16 @@ def show(
 
     Example: hugoniot material show copper
     """
-    from hugoniot.materials.describe import described
+    from hugoniot.materials import schema
+    from hugoniot.materials.describe import described, described_row
 
-    about = described(_entry(name, materials))
+    identity = name.strip().upper()
+    try:
+        about = described(_entry(name, materials))
+    except DeckError:
+        if not schema.is_row(identity):
+            raise
+        about = described_row(identity)
     if as_json:
         echo_json(about)
     else:

@@ -4,7 +4,7 @@ from hugoniot.materials import library, schema
 from hugoniot.materials.derived import derived_quantities
 from hugoniot.materials.entry import Entry
 from hugoniot.materials.marks import marks
-from hugoniot.materials.record import material_record
+from hugoniot.materials.record import mark, material_record
 from hugoniot.materials.schema import Row
 
 
@@ -20,6 +20,20 @@ def described(entry: Entry) -> dict:
         "others": [{"family": family, "row": i, "summary": row_summary(schema.row(i)), "source": schema.row(i).source,
                     "marks": list(marks(schema.row(i)))} for family, ids in entry.others.items() for i in ids],
         "fits": fit_lines(entry),
+    }
+
+
+def described_row(identity: str) -> dict:
+    """A row of any table in the same form, for rows that are no material by themselves or have no law in the package."""
+    row = schema.row(identity)
+    words = [f"{name}: {value}" for name, value in row.values.items() if isinstance(value, str)]
+    constants = [{"material": identity, "quantity": s.quantity, "value": s.value, "unit": s.unit, "source": s.source, "via": s.via,
+                  "status": s.status, "mark": mark(s.status, s.note), "note": s.note} for s in row.constants()]
+    return {
+        "name": identity, "title": f"{row.material or row.get('quantity', '')} (row {identity} of {row.table})",
+        "category": str(row.get("category", row.table)), "aliases": [], "curated": False, "laws": {}, "valid_up_to": row.get("up_max"),
+        "warnings": list(marks(row)), "constants": constants, "derived": {}, "reasons": {}, "missing": [],
+        "notes": [*words, *([row.note] if row.note else [])], "others": [], "fits": [],
     }
 
 
