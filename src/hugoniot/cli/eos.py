@@ -141,6 +141,9 @@ def match(
                                                                     '"copper.c0 = 20 m/s"; as often as needed.')] = None,
     samples: Annotated[int, typer.Option("--samples", min=0, max=1000000, help="Monte Carlo samples instead of linear error bars.")] = 0,
     ring_up: Annotated[int, typer.Option("--ring-up", min=0, max=1000, help="Further meetings while the first layer rings up.")] = 0,
+    thickness: Annotated[list[str] | None, typer.Option("--thickness", help="Of each layer, flyer first: follows all "
+                                                                            "waves to --until; --plot draws them.")] = None,
+    until: Annotated[str, typer.Option("--until", help='Last time of the wave diagram, "2 us".')] = "1 us",
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
     """Pressures and velocities at every interface of an impact, in the order in which the waves arrive.
@@ -154,6 +157,13 @@ def match(
     if ring_up and len(materials) < 3:
         raise DeckError.single("command line", None, "--ring-up", "a layer rings between two neighbours", "name three materials or more")
     speed = quantity(velocity, "m/s", "--velocity")
+    if thickness:
+        if len(thickness) != len(materials):
+            raise DeckError.single("command line", None, "--thickness", f"{len(thickness)} thicknesses for {len(materials)} layers",
+                                   "give one of each")
+        sizes = [quantity(t, "m", "--thickness") for t in thickness]
+        eos_match.waves([find_inert(m) for m in materials], speed, sizes, quantity(until, "s", "--until"), as_json, as_csv, plot)
+        return
     eos_match.report([find_inert(m) for m in materials], speed, error, samples, ring_up, as_json, as_csv, plot)
 
 

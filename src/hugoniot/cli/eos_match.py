@@ -40,6 +40,39 @@ def report(subjects: list[Subject], velocity, error, samples, ring_up, as_json, 
                        "extrapolated", err=True)
 
 
+def waves(subjects: list[Subject], velocity, thicknesses, until, as_json, as_csv, plot) -> None:
+    """Follow all waves in time and space; print what meets at interfaces and free surfaces."""
+    from hugoniot.theory.waves import wave_diagram
+
+    layers = [s.material for s in subjects]
+    names = [m.name for m in layers]
+    found = wave_diagram(layers, thicknesses, velocity, until, fan=4, smallest=0.01, most_events=3000)
+    if plot:
+        from hugoniot.plotting.eos import save, waves_in_time
+
+        save(waves_in_time(found, names), plot)
+    rows = [_event(e, names) for e in found.events if e.layers[0] != e.layers[1]]
+    if as_csv:
+        keys = ("time", "position", "pressure", "particle_velocity")
+        write_csv(as_csv, [("", {k: [r[k] for r in rows] for k in keys})])
+    if as_json:
+        echo_json({"flyer": names[0], "targets": names[1:], "velocity": velocity, "until": found.time, "states": rows,
+                   "paths": [dict(zip(("kind", "start_time", "start", "end_time", "end"), p)) for p in found.paths]})
+        return
+    typer.echo(f"{names[0]} at {velocity:.6g} m/s; what happens at interfaces and free surfaces until {found.time * 1e6:.6g} us")
+    echo_table(["time, us", "position, mm", "where", "pressure, GPa", "velocity, m/s"],
+               [[f"{r['time'] * 1e6:.4f}", f"{r['position'] * 1e3:.4f}", r["interface"], cell("pressure", r["pressure"], unit=False),
+                 cell("particle_velocity", r["particle_velocity"], unit=False)] for r in rows])
+
+
+def _event(event, names: list[str]) -> dict:
+    """A meeting at an interface or a surface as a row: the state of the material there afterwards."""
+    sides = [names[k] if k >= 0 else "free surface" for k in event.layers]
+    state = event.right or event.left
+    return {"time": event.time, "position": event.position, "interface": "/".join(sides), "met": list(event.met),
+            "pressure": state.pressure if state else None, "particle_velocity": state.particle_velocity if state else None}
+
+
 def _first_jump(layer: int, velocity: float, met: list[Match]) -> float:
     """The particle velocity jump of the first shock in a layer, m/s."""
     return velocity - met[0].left.particle_velocity if layer == 0 else met[layer - 1].right.particle_velocity

@@ -138,6 +138,26 @@ def impedance_match(layers: Sequence, velocity: float, met: Sequence[Match], ax=
 
 
 @styled
+def waves_in_time(diagram, names: Sequence[str], ax=None):
+    """The x-t diagram of an impact: shocks solid, fans thin, interfaces and free surfaces grey; gives the axes."""
+    ax = ax if ax is not None else new_axes(5.4, 4.2)
+    looks = {"shock": (COLOURS[1], 1.3, 3), "fan": (COLOURS[0], 0.6, 2), "interface": (INK, 0.9, 4), "surface": (INK, 0.9, 4),
+             "contact": (QUIET, 0.4, 1)}
+    for kind, t1, x1, t2, x2 in diagram.paths:
+        colour, width, order = looks[kind]
+        ax.plot([x1 * 1e3, x2 * 1e3], [t1 * 1e6, t2 * 1e6], color=colour, lw=width, zorder=order)
+    edges = sorted({x1 for kind, t1, x1, _, _ in diagram.paths if t1 == 0.0 and kind in ("surface", "interface")} | {0.0})
+    for name, low, high in zip(names, edges, edges[1:]):
+        ax.text(0.5 * (low + high) * 1e3, -0.012 * diagram.time * 1e6, name, ha="center", va="top", fontsize=8.5, color=INK)
+    for kind, label, place in (("shock", "shocks", 0.0), ("fan", "release fans", 0.16)):
+        ax.text(place, 1.02, label, transform=ax.transAxes, color=looks[kind][0], fontsize=8.5)
+    ax.set_ylim(-0.07 * diagram.time * 1e6, diagram.time * 1e6)
+    ax.set_xlabel("position (mm)")
+    ax.set_ylabel("time (µs)")
+    return ax
+
+
+@styled
 def detonations(points: Sequence, ax=None):
     """Detonation Hugoniot, Rayleigh line and CJ point of explosives in the P-V plane; gives the axes."""
     ax = ax if ax is not None else new_axes(5.4, 3.8)
@@ -270,4 +290,4 @@ def _finish(ax, kind):
     quiet_grid(ax)
 
 
-__all__ = ["detonations", "hugoniots", "impedance_match", "releases", "save", "us_up_fit"]
+__all__ = ["detonations", "hugoniots", "impedance_match", "releases", "save", "us_up_fit", "waves_in_time"]

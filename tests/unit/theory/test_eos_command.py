@@ -41,6 +41,13 @@ def test_match_gives_one_state_per_interface_in_time_order():
     assert "GPa" in eos("match", "copper", "aluminum", "--velocity", "1 km/s").stdout
 
 
+def test_waves_in_time():
+    found = answer("match", "copper", "copper", "--velocity", "500 m/s", "--thickness", "1 mm", "--thickness", "3 mm", "--until", "0.3 us")
+    first, rear = found["states"][:2]
+    assert first["time"] == 0.0 and first["particle_velocity"] == pytest.approx(250.0)
+    assert rear["interface"] == "free surface/copper" and rear["time"] == pytest.approx(1e-3 / (3940.0 + 1.489 * 250.0), rel=1e-9)
+
+
 def test_cj_words():
     found = answer("cj", "comp_b")
     assert set(found) >= WORDS | {"detonation_velocity", "adiabatic_exponent"}
@@ -73,7 +80,8 @@ def test_other_commands_answer(tmp_path):
 
 @pytest.mark.parametrize("arguments", [
     ("hugoniot", "copper", "aluminum", "--at", "pressure = 20 GPa"), ("hugoniot", "copper", "--axes", "us-up"), ("isentrope", "copper", "--at", "pressure = 30 GPa"),
-    ("match", "copper", "pmma", "--velocity", "500 m/s"), ("cj", "tnt"), ("fit", "copper")])
+    ("match", "copper", "pmma", "--velocity", "500 m/s"), ("cj", "tnt"), ("fit", "copper"),
+    ("match", "copper", "pmma", "--velocity", "500 m/s", "--thickness", "1 mm", "--thickness", "3 mm", "--until", "0.6 us")])
 def test_pictures(tmp_path, arguments):
     out = tmp_path / "picture.png"
     result = eos(*arguments, "--plot", str(out))
@@ -87,6 +95,7 @@ def test_pictures(tmp_path, arguments):
     (("match", "copper", "--velocity", "1 km/s"), 2, "at least one target"), (("match", "copper", "pmma", "--velocity", "-1 km/s"), 3, "does not strike"),
     (("cj", "copper"), 3, "no Chapman-Jouguet point"), (("hugoniot", "missing.toml"), 2, "missing.toml"),
     (("match", "copper", "pmma", "--velocity", "1 km/s", "--error", "pmma.c9 = 1"), 2, "no input of this match"),
+    (("match", "copper", "pmma", "--velocity", "1 km/s", "--thickness", "1 mm"), 2, "1 thicknesses for 2 layers"),
     (("fit", "missing.csv"), 2, "cannot be read"), (("hugoniot", "copper", "--plot", "x.doc"), 2, "no kind of picture")])
 def test_bad_input_is_answered_with_the_way_out(arguments, code, words):
     result = eos(*arguments)
