@@ -29,7 +29,7 @@ from hugoniot.theory.structure.ends import Ends
 from hugoniot.theory.structure.slow_manifold import slow_manifold
 
 STIFF = 40.0  # ratio of the upstream rates above which the trajectory is found as a curve, not along x
-_START, _STOP = 1e-6, 1e-9  # distance from the ends, as a part of the jump
+_START, _STOP = 1e-7, 1e-9  # distance from the ends, as a part of the jump
 _DIFFERENCE = 1e-8  # where a difference quotient stands in for an identity
 _ROUND_OFF = 1e-14  # of a pressure on the Rayleigh line, which the excess of a weak shock makes visible
 
