@@ -51,6 +51,7 @@ verify: $(VENV)/.installed-test
 
 reference: $(VENV)/.installed
 	$(BIN)/python docs/generate_deck_reference.py
+	$(BIN)/python docs/materials/generate.py
 
 docs: $(VENV)/.installed-docs reference
 	$(BIN)/python -m sphinx -b html docs docs/_build/html

@@ -110,7 +110,7 @@ def compare(
         echo_json(chosen.table())
     else:
         compare_figure(chosen, output)
-        rows = [(c.label, f"{c.sample_us:.0f} m/s at {c.sample_up:.0f} m/s", c.source) for c in chosen.curves]
+        rows = [(c.label, "{1:.0f} m/s at {0:.0f} m/s".format(*c.middle), c.source) for c in chosen.curves]
         echo_table(["curve", "Us at up", "source"], rows)
         for note in chosen.notes:
             typer.echo(note)

@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 
@@ -31,8 +31,12 @@ class Curve:
     status: str
     default: bool = False
     material: str = ""
-    sample_up: float = math.nan
-    sample_us: float = math.nan
+
+    @property
+    def middle(self) -> tuple[float, float]:
+        """(up, us) half way along the curve, m/s."""
+        k = len(self.up) // 2
+        return float(self.up[k]), float(self.us[k])
 
 
 @dataclass(frozen=True)
@@ -130,8 +134,11 @@ def _sources(entry: Entry, top: float) -> tuple[list[Curve], list[str]]:
 def _row_curve(row: Row, top: float) -> Curve | None:
     speed = partial(shock_velocity, row) if row.table == "us_up" else partial(material_hugoniot, library.find(row.id))
     mark = " (unverified)" if row.status == "recalled" else " (doubt)" if row.marks else ""
-    return _curve(f"{row.id} {short_source(row)}{mark}", speed, row["rho0"], top, row.source, row.status, False,
-                  row.get("up_min") or 0.0, row.get("up_max") or math.inf)
+    up, us = _sample(speed, top)
+    if len(up) < 2:
+        return None
+    reliable = (up >= (row.get("up_min") or 0.0)) & (up <= (row.get("up_max") or math.inf))
+    return Curve(f"{row.id} {short_source(row)}{mark}", up, us, row["rho0"] * us * up, reliable, row.source, row.status)
 
 
 def short_source(row: Row) -> str:
@@ -157,11 +164,15 @@ def _material_curve(entry: Entry, top: float) -> Curve | None:
     rho0 = float(reference_state(material.eos)[0])
     label = f"{entry.title} ({entry.rows[0]}, default)" if entry.curated and entry.rows else entry.title
     source = first.source if first is not None else entry.file
-    speed = partial(material_hugoniot, material)
-    return _curve(label, speed, rho0, top, source, first.status if first else "user", True, low, high, entry.name)
+    up, us = _sample(partial(material_hugoniot, material), top)
+    if len(up) < 2:
+        return None
+    status = first.status if first else "user"
+    return Curve(label, up, us, rho0 * us * up, (up >= low) & (up <= high), source, status, True, entry.name)
 
 
-def _curve(label, speed, rho0, top, source, status, default, low, high, material="") -> Curve | None:
+def _sample(speed: Callable[[float], float], top: float) -> tuple[np.ndarray, np.ndarray]:
+    """(up, us) at even steps to `top`, or to where the Hugoniot ends."""
     ups, speeds = [], []
     for up in np.linspace(0.0, top, SAMPLES)[1:]:
         try:
@@ -172,8 +183,4 @@ def _curve(label, speed, rho0, top, source, status, default, low, high, material
             break
         ups.append(float(up))
         speeds.append(us)
-    if len(ups) < 2:
-        return None
-    up, us = np.array(ups), np.array(speeds)
-    middle = len(ups) // 2
-    return Curve(label, up, us, rho0 * us * up, (up >= low) & (up <= high), source, status, default, material, ups[middle], speeds[middle])
+    return np.array(ups), np.array(speeds)

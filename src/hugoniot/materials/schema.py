@@ -18,6 +18,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from hugoniot.materials.material import Source
 
@@ -39,17 +40,17 @@ class Row:
     table: str
     id: str
     material: str
-    values: Mapping[str, float | str]
+    values: Mapping[str, Any]
     units: Mapping[str, str]
     source: str
     via: str
     status: str
     note: str
 
-    def __getitem__(self, name: str) -> float | str:
+    def __getitem__(self, name: str) -> Any:
         return self.values[name]
 
-    def get(self, name: str, default=None):
+    def get(self, name: str, default: Any = None) -> Any:
         return self.values.get(name, default)
 
     def __contains__(self, name: str) -> bool:

@@ -23,7 +23,8 @@ HERE = Path(__file__).parent
 class UnknownMaterial(DeckError, UnknownName):
     """A name the library does not know; the message offers the nearest ones."""
 
-    __str__ = DeckError.__str__
+    def __str__(self) -> str:
+        return DeckError.__str__(self)
 
 
 @dataclass(frozen=True)
