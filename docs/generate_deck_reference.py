@@ -86,6 +86,9 @@ def solver_section(kind: str) -> str:
         found = target(entry, schema)
         if found and name != "material":
             text += [f"### {HEADS.get(name, f'[{name}]')}\n", found.get("description", "") + "\n", keys(found)]
+            for inner, part in found.get("properties", {}).items():
+                if (deeper := target(part, schema)) and "properties" in deeper:
+                    text += [f"#### [{name}.{inner}]\n", deeper.get("description", "") + "\n", keys(deeper)]
     return "\n".join(text)
 
 

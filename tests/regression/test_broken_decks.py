@@ -131,6 +131,7 @@ BROKEN: dict[str, tuple[str, list[tuple[int | None, str, str]]]] = {
     "unknown solver": (change(("[solver]\n", '[solver]\nkind = "lagrange7d"\n')), [(43, "solver.kind", "unknown solver 'lagrange7d'")]),
     "unknown integrator": (change(('"compatible"', '"compatable"')), [(43, "solver.integrator", "did you mean 'compatible'?")]),
     "unknown viscosity": (change(then="[solver.viscosity]\nlaw = \"limitd\"\n"), [(48, "solver.viscosity.law", "did you mean 'limited'?")]),
+    "unknown option": (change(then="[solver.options]\nheatflux = 0.1\n"), [(48, "solver.options.heatflux", "did you mean 'heat_flux'?")]),
     "courant beyond one": (change(("[solver]\n", "[solver]\ncourant = 3\n")), [(43, "solver.courant", "limit is 1")]),
     "unknown field": (change(then="fields = [\"presure\"]\n"), [(47, "output.fields", "did you mean 'pressure'?")]),
     "too many snapshots": (change(('"0.05 us"', '"1 fs"')), [(46, "output.snapshots", "too many")]),

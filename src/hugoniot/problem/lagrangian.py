@@ -105,6 +105,13 @@ class BoundaryTables(Table):
     right: Annotated[Any, WithJsonSchema(boundary_schema())] = Field("free", description="condition at the right end")
 
 
+class OptionsTable(Table):
+    """Options of this solver alone."""
+
+    heat_flux: Annotated[float, Quantity("1", least=0.0)] | None = Field(
+        None, description="coefficient of the artificial heat flux (default: the integrator's)")
+
+
 class SolverTable(Table):
     """How it is solved."""
 
@@ -120,7 +127,7 @@ class SolverTable(Table):
     max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after so many cycles (default: none)")
     viscosity: Any = Field(None, description="table [solver.viscosity] with law = ... and its parameters (default: the solver's)",
                            json_schema_extra={"x-definition": "viscosity_law"})
-    options: dict[str, bool | int | float | str] = Field(default_factory=dict, description="the solver's own options")
+    options: OptionsTable = Field(default_factory=lambda: OptionsTable(heat_flux=None), description="the solver's own options")
 
 
 class OutputTable(Table):
@@ -202,8 +209,8 @@ def _solver(table: Any, collector: Collector) -> SolverOptions | None:
     model = salvage(SolverTable, table)
     if model is None:
         return None
-    options = model.model_dump()
-    return SolverOptions(**options | {"viscosity": viscosity, "options": MappingProxyType(options["options"])})
+    own = {name: value for name, value in model.options.model_dump().items() if value is not None}
+    return SolverOptions(**model.model_dump() | {"viscosity": viscosity, "options": MappingProxyType(own)})
 
 
 def _output(raw: dict, collector: Collector) -> OutputOptions | None:
