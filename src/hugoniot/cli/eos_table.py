@@ -1,12 +1,13 @@
 """The report of `hugoniot eos table`: p(rho, T) and e(rho, T) of any law with a temperature."""
 
+import csv
+
 import numpy as np
 import typer
 
 from hugoniot.cli.eos_input import Subject, quantity
-from hugoniot.cli.eos_output import write_csv
 from hugoniot.cli.show import echo_json, echo_table
-from hugoniot.errors import DeckError
+from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.laws.eos.contract import reference_state
 from hugoniot.theory.isentrope import state
 
@@ -20,9 +21,7 @@ def report(subject: Subject, densities: str, temperatures: str, points: int, as_
     p = np.array([[s.pressure for s in row] for row in found])
     e = np.array([[s.specific_internal_energy for s in row] for row in found])
     if as_csv:
-        grid_rho, grid_t = np.meshgrid(rho, t, indexing="ij")
-        write_csv(as_csv, [("", {"density": grid_rho.ravel(), "temperature": grid_t.ravel(), "pressure": p.ravel(),
-                                 "specific_internal_energy": e.ravel()})])
+        _write(as_csv, rho, t, p, e)
     if as_json:
         echo_json({"material": subject.material.name, "density": rho, "temperature": t, "pressure": p, "specific_internal_energy": e})
         return
@@ -32,6 +31,17 @@ def report(subject: Subject, densities: str, temperatures: str, points: int, as_
     echo_table(["kg/m3", *[f"{t[j]:.6g} K" for j in chosen]], rows)
     if as_csv is None:
         typer.echo(f"{points} x {points} values; --csv FILE writes them all, with energies")
+
+
+def _write(path, rho, t, p, e) -> None:
+    """The file that the law `table` reads: density, temperature, pressure, energy in SI, one row per point."""
+    try:
+        with open(path, "w", newline="", encoding="utf-8") as file:
+            out = csv.writer(file)
+            out.writerow(["density", "temperature", "pressure", "energy"])
+            out.writerows([repr(float(v)) for v in (rho[i], t[j], p[i, j], e[i, j])] for i in range(rho.size) for j in range(t.size))
+    except OSError as error:
+        raise FileTrouble(f"cannot write {path}: {error.strerror or error}") from None
 
 
 def _range(text: str, unit: str, option: str) -> tuple[float, float]:

@@ -41,6 +41,18 @@ def test_match_gives_one_state_per_interface_in_time_order():
     assert "GPa" in eos("match", "copper", "aluminum", "--velocity", "1 km/s").stdout
 
 
+def test_table_is_read_back_by_the_law_of_tables(tmp_path):
+    from hugoniot.laws.eos import contract
+    from hugoniot.materials.library import find
+    from hugoniot.materials.tables_io import load
+
+    out = tmp_path / "copper.csv"
+    assert eos("table", "copper", "--points", "60", "--densities", "8.8 g/cm^3, 12 g/cm^3", "--csv", str(out)).exit_code == 0
+    table, law = load(out, rho0=8930.0), find("copper").eos
+    rho, e = 10100.0, 3.0e5
+    assert contract.pressure(rho, e, table) == pytest.approx(contract.pressure(rho, e, law), rel=2e-3)
+
+
 def test_waves_in_time():
     found = answer("match", "copper", "copper", "--velocity", "500 m/s", "--thickness", "1 mm", "--thickness", "3 mm", "--until", "0.3 us")
     first, rear = found["states"][:2]
