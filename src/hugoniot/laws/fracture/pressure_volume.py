@@ -9,8 +9,7 @@ Source: Wilkins B.4 (a), opening of a void.
 
 from typing import NamedTuple
 
-from hugoniot.core.ops import fmin
-from hugoniot.core.ops import NO_LIMIT
+from hugoniot.core.ops import NO_LIMIT, fmin
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.fracture.contract import FRACTURE
 
