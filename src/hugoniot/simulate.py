@@ -148,6 +148,7 @@ def _summary(problem: Problem, solver, outcome: Outcome, begun: float) -> dict[s
         "status": outcome.status, "cycles": solver.cycle, "zone_updates": solver.zone_updates, "time": solver.time,
         "wall_seconds": time.perf_counter() - begun, "kernel_seconds": outcome.kernel_seconds, **solver.errors(),
         "voids_opened": solver.voids_opened, "voids_closed": solver.voids_closed, "tension_cap_acted": solver.capped,
+        **getattr(solver, "results", dict)(),
     }
 
 

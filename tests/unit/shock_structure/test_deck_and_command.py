@@ -74,11 +74,21 @@ def test_run_folder_budget_and_profile(tmp_path):
     summary = json.loads((tmp_path / "run" / "summary.json").read_text())
     assert summary["solver"] == "shock_structure" and summary["status"] == "done" and summary["time"] == 1e-9
     assert max(summary[f"{name}_error"] for name in ("mass", "momentum", "energy")) < 1e-12
+    assert summary["density_thickness"] == pytest.approx(summary["cells_per_thickness"] * 3e-6 / 60, rel=1e-12)
     last = run.snapshots.isel(time=-1)
     profile = profile_of(read_deck(EXAMPLE, overrides=SMALL).problem)
     assert float(last["density"][0]) == pytest.approx(profile.ends.upstream.density, rel=1e-6)
     assert float(last["pressure"][-1]) == pytest.approx(profile.ends.downstream.pressure, rel=0.05)
     assert "deviator_radial" not in run.snapshots
+
+
+def test_example_settles_to_the_steady_thickness(tmp_path):
+    hugoniot.run(EXAMPLE, out=tmp_path / "run", **{"output.report": False})
+    summary = json.loads((tmp_path / "run" / "summary.json").read_text())
+    steady = profile_of(read_deck(EXAMPLE).problem).thickness()
+    assert summary["cells_per_thickness"] > 10.0
+    assert summary["density_thickness"] == pytest.approx(steady, rel=1e-3)
+    assert max(summary[f"{name}_error"] for name in ("mass", "momentum", "energy")) < 1e-12
 
 
 class _Stopper:

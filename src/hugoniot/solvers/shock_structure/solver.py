@@ -211,6 +211,14 @@ class ShockStructure:
             raise NoSolution("the two ends have the same density: there is no shock between them to measure")
         return thickness(self.faces, self.cells[0], low, high)
 
+    def results(self) -> dict[str, float]:
+        """What a run's summary tells beside the budgets: where there is a shock between the far fields, its thickness and place, m."""
+        found = {"low_order_faces": float(self.fallbacks)}
+        if self.ends[0, 0] != self.ends[1, 0]:
+            length, place = self.thickness()
+            found |= {"density_thickness": length, "shock_position": place, "cells_per_thickness": length / self.h}
+        return found
+
     # -- checkpoints -----------------------------------------------------------------------------------------
     _KEPT = ("U", "rest", "passed", "passed_rest", "control", "counters", "start_totals", "ends")
 
