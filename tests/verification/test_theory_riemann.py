@@ -119,6 +119,18 @@ def test_vacuum_between_gases_is_the_escape_velocity():
     assert found(0.0)["density"] == 0.0 and found(0.0)["side"] == 0
 
 
+def test_solid_receding_from_a_gas_and_a_feeble_impact():
+    """The gas follows as behind a piston: p = p0 (1 - (gamma - 1) U / (2 c0))^(2 gamma/(gamma - 1)) to the copper's compliance."""
+    air = reference(AIR)
+    found = riemann(CU, reference(CU, -500.0), AIR, air)
+    expected = air.pressure * (1 - 0.2 * 500.0 / air.sound_speed) ** 7
+    assert not found.vacuum and found.pressure == pytest.approx(expected, rel=1e-5)
+    feeble = riemann(CU, reference(CU, 1e-3), AL, reference(AL))
+    z1, z2 = 8930.0 * 3940.0, 2785.0 * 5328.0
+    assert feeble.pressure == pytest.approx(1e-3 * z1 * z2 / (z1 + z2), rel=1e-6)
+    assert feeble.right.behind.shock_velocity == pytest.approx(5328.0, rel=1e-6)
+
+
 def test_bodies_part_unless_bonded():
     apart = riemann(CU, reference(CU, -100.0), AL, reference(AL))
     assert apart.vacuum and apart.left.behind.particle_velocity == -100.0

@@ -46,7 +46,8 @@ def show(material: MATERIAL, at: AT = None, as_json: JSON = False) -> None:
     rows = [(f"  {n}", cell("", v), law.units.get(n, ""), law.meaning.get(n, "")) for n, v in _parameters(par, law).items()]
     echo_table(["", "", "", ""], rows)
     typer.echo(f"Source of the law: {'; '.join(law.references)}")
-    typer.echo(f"\n{'On the Hugoniot at ' + at if at else 'At rest'}:")
+    rest = "Products at the density and energy of the explosive" if subject.reacted else "At rest"
+    typer.echo(f"\n{'On the Hugoniot at ' + at if at else rest}:")
     echo_states(state, "gruneisen")
     _warn(subject)
 

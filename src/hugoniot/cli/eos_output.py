@@ -12,6 +12,7 @@ import typer
 from hugoniot.cli.show import echo_json, echo_table
 from hugoniot.errors import FileTrouble
 from hugoniot.theory.states import UNITS, States
+from hugoniot.units import format_si
 
 # field word -> (unit for people, factor, format)
 SHOWN = {"pressure": ("GPa", 1e-9, "10.5g"), "density": ("kg/m3", 1.0, "9.2f"), "particle_velocity": ("m/s", 1.0, "9.2f"),
@@ -62,6 +63,8 @@ def cell(name: str, value, unit: bool = True) -> str:
     """A value in the unit people use."""
     if value is None:
         return "-"
+    if unit and name in ("pressure", "specific_internal_energy"):
+        return format_si(float(value), UNITS[name], 5)
     shown, factor, form = SHOWN.get(name, (UNITS.get(name, ""), 1.0, ".6g"))
     return (f"{value * factor:{form}}".strip() + (f" {shown}" if unit else "")).strip()
 

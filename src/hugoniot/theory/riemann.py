@@ -8,7 +8,7 @@ inside a bracket. Source: 003 (Starkenberg) sec. 6 for the host method; Courant 
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -125,6 +125,8 @@ class _Side:
             return self.state
         # continue from the last state found on the same isentrope
         self._fan = release_path.isentrope(self.par, self._fan, pressure=p, direction=self.direction)
+        if p > self.state.pressure:
+            return replace(self._fan, shock_velocity=self.state.particle_velocity + self.direction * self.c)
         return self._fan
 
     def slope(self, p: float, behind: States) -> float:
@@ -146,10 +148,7 @@ class _Side:
             edge = state.particle_velocity + d * self.c
             return Wave("none", state, state, edge, edge, d)
         if p > state.pressure:
-            speed = behind.shock_velocity
-            if speed is None:
-                speed = state.particle_velocity + d * self.c
-            return Wave("shock", state, behind, speed, speed, d)
+            return Wave("shock", state, behind, behind.shock_velocity, behind.shock_velocity, d)
         return Wave("fan", state, behind, state.particle_velocity + d * self.c, behind.particle_velocity + d * behind.sound_speed, d)
 
     def cavity(self) -> tuple[States, float]:
@@ -199,7 +198,8 @@ def _meet(left: _Side, right: _Side, bonded: bool) -> float:
     floor = -math.inf if bonded else 0.0
     lowest_given = min(left.state.pressure, right.state.pressure)
     if p <= floor:
-        p = 0.5 * (floor + lowest_given) if lowest_given > floor else lowest_given
+        highest = max(left.state.pressure, right.state.pressure, 1e-9 * (za * left.c + zb * right.c))
+        p = 0.5 * (floor + (lowest_given if lowest_given > floor else highest)) if math.isfinite(floor) else lowest_given
     low, high = floor, math.inf
     for _ in range(200):
         g, slope = gap(p)
