@@ -101,10 +101,13 @@ class _Reader:
         self.marks: list[str] = []
         self.rows: list[str] = []
         self.base: Material | None = None
+        self.listed: set[str] = set()
 
     def read(self, tables: dict, words: dict) -> Entry | None:
         plain = {k: v for k, v in tables.items() if k not in WORDS}
         self.base = _base(tables.get("base"))
+        listed = tables.get("sources", ())
+        self.listed = {s["quantity"] for s in listed if isinstance(s, dict) and "quantity" in s} if isinstance(listed, list) else set()
         known = families()
         for family in known:
             if isinstance(plain.get(family), dict):
@@ -112,6 +115,7 @@ class _Reader:
         valid = plain.get("valid_up_to")
         if isinstance(valid, (str, dict)):
             plain["valid_up_to"] = self.value("valid_up_to", valid, "m/s")
+        self.check_words(tables)
         unreacted = self.unreacted(known["eos"], tables.get("unreacted"))
         detonation = self.detonation(tables.get("detonation", {}))
         rate = None
@@ -124,18 +128,35 @@ class _Reader:
         warnings = tuple(dict.fromkeys((*material.warnings, *self.marks)))
         replaced = {source.quantity for source in self.sources}
         inherited = (source for source in material.sources if source.quantity not in replaced)
-        material = replace(material, sources=(*inherited, *self.sources), warnings=warnings)
+        material = replace(material, sources=(*inherited, *self.sources), warnings=warnings, unreacted=unreacted or material.unreacted)
         said = {k: tables.get(k, words.get(k, d)) for k, d in (("title", self.name), ("category", "user"), ("aliases", ()))}
-        return Entry(self.name, said["title"], said["category"], material, tuple(said["aliases"]), self.reasons, self.others,
+        return Entry(self.name, said["title"], said["category"], material, _lines(said["aliases"]), self.reasons, self.others,
                      _lines(tables.get("missing", ())), _lines(tables.get("notes", ())), unreacted, rate, detonation,
                      tuple(dict.fromkeys(self.rows)), self.file)
+
+    def check_words(self, tables: dict) -> None:
+        """The keys for readers hold texts, or lists of texts."""
+        path = ("material", self.name)
+        for key in ("title", "category"):
+            if not isinstance(tables.get(key, ""), str):
+                self.collector.add((*path, key), "expected a text")
+        for key in ("aliases", "missing", "notes"):
+            if not _texts(tables.get(key, ())):
+                self.collector.add((*path, key), "expected a text or a list of texts")
+        for key in ("unreacted", "detonation"):
+            if not isinstance(tables.get(key, {}), dict):
+                self.collector.add((*path, key), "expected a table", f"write [{key}]")
 
     def law(self, family: str, table: dict) -> dict:
         """The table of one law with every value plain: SI numbers, or texts with units that the deck's reader takes."""
         path = ("material", self.name, family)
         if family != "rate":
             self.reasons[family] = str(table.pop("reason", ""))
-            self.others[family] = tuple(table.pop("others", ()))
+            others = table.pop("others", ())
+            if not _texts(others):
+                self.collector.add((*path, "others"), "expected a list of rows, such as [\"U002\"]")
+                others = ()
+            self.others[family] = _lines(others)
         for identity in self.others.get(family, ()):
             if not schema.is_row(identity):
                 self.collector.add((*path, "others"), f"the library has no row '{identity}'")
@@ -151,7 +172,9 @@ class _Reader:
         if tabulated:
             del merged["specific_heat"]
         found = {k: v if k == "law" else self.value(f"{place}.{k}", v, units.get(k, "1")) for k, v in merged.items()}
-        if tabulated:
+        if tabulated and "heat_capacity" not in schema.row(tabulated.split(".")[0]):
+            self.collector.add(("material", self.name, *place.split("."), "specific_heat"), f"the library has no cell '{tabulated}'")
+        elif tabulated:
             row = schema.row(tabulated.split(".")[0])
             self.use(row)
             scales = [s.value for n in ("gamma0", "c0") for s in self.sources if s.quantity == f"{place}.{n}"]
@@ -189,6 +212,9 @@ class _Reader:
             except KeyError:
                 self.collector.add(path, f"the library has no cell '{value}'")
                 return value
+            if found is not None and found.unit != unit:
+                self.collector.add(path, f"the cell '{value}' is in {found.unit}, not in {unit}")
+                return value
             if found is not None:
                 self.use(schema.row(value.split(".")[0]))
                 return self.value(quantity, found, unit)
@@ -196,7 +222,7 @@ class _Reader:
             return self.sourced(quantity, value, unit, path)
         if isinstance(value, (str, int, float)) and not isinstance(value, bool):
             number = self.collector.quantity(path, value, unit) if unit != "text" else value
-            if number is not None and unit != "text":
+            if number is not None and unit != "text" and quantity not in self.listed:
                 self.sources.append(Source(quantity, number, unit, "not stated", self.file, "user"))
         return value
 
@@ -220,19 +246,22 @@ class _Reader:
         return registry.get(law).units if isinstance(law, str) and law in registry.names() else {}
 
     def unreacted(self, registry: Registry, table: Any) -> Any:
-        if table is None:
+        if not isinstance(table, dict):
             return None
         plain = self.law("unreacted", dict(table))
         return read_law(registry, plain, self.collector, ("material", self.name, "unreacted"))
 
     def detonation(self, table: Mapping) -> dict[str, Source]:
-        found = {}
-        for key, value in table.items():
+        found: dict[str, Source] = {}
+        for key, value in table.items() if isinstance(table, dict) else ():
             if key not in DETONATION:
                 self.collector.unknown(("material", self.name, "detonation", key), tuple(DETONATION))
                 continue
             before = len(self.sources)
             if key != "ignition_growth":
+                if isinstance(value, bool) or not isinstance(value, (int, float, str, dict)):
+                    self.collector.quantity(("material", self.name, "detonation", key), value, DETONATION[key])
+                    continue
                 self.value(f"detonation.{key}", value, DETONATION[key])
             else:
                 if not schema.is_row(value) or value[0] != "G":
@@ -256,5 +285,11 @@ def _base(name: Any) -> Material | None:
         return None
 
 
+def _texts(value: Any) -> bool:
+    """Whether a value is a text or a list of texts."""
+    return isinstance(value, str) or isinstance(value, (list, tuple)) and all(isinstance(v, str) for v in value)
+
+
 def _lines(value: Any) -> tuple[str, ...]:
-    return (value,) if isinstance(value, str) else tuple(value)
+    """A text or a list of texts as texts; anything else was reported."""
+    return (value,) if isinstance(value, str) else tuple(value) if _texts(value) else ()

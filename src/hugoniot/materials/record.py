@@ -36,10 +36,10 @@ def material_record(material: Material) -> list[dict]:
 
 def _source_of(quantity: str, name: str, value: float, source: Source | None, law, registry: Registry) -> Source:
     unit = law.units.get(name, "1")
-    if source is None:
+    if source is None or source.source == "not stated":
         if value in (law.defaults.get(name), getattr(law.parameters, "_field_defaults", {}).get(name)):
             return Source(quantity, value, unit, f"default of the law {law.name}", status="default")
-        return Source(quantity, value, unit, "not stated")
+        return source or Source(quantity, value, unit, "not stated")
     if isinstance(source.value, (int, float)) and abs(value - source.value) > 1e-9 * abs(source.value):
         return Source(quantity, value, unit, "not stated", note=f"replaces {source.value:g} of {source.source}")
     return source

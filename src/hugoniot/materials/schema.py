@@ -107,9 +107,10 @@ def row(identity: str) -> Row:
     return table(TABLES[identity[:1]])[identity]
 
 
-def is_row(text: str) -> bool:
+def is_row(text: Any) -> bool:
     """Whether a text is the id of a row of the library."""
-    return bool(re.fullmatch(r"[A-Z]\d{3}", text)) and text[0] in TABLES and text in table(TABLES[text[0]])
+    known = isinstance(text, str) and re.fullmatch(r"[A-Z]\d{3}", text) and text[0] in TABLES
+    return bool(known) and text in table(TABLES[text[0]])
 
 
 def cell(reference: str) -> Source | None:

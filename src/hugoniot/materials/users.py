@@ -28,7 +28,7 @@ def read_materials(path: str | Path) -> dict[str, Entry]:
     else:
         raise DeckError.single(path, None, "material", "the file describes no material",
                                "write [material.NAME.eos], or [eos] for one material")
-    if not isinstance(named, dict) or not all(isinstance(t, dict) for t in named.values()):
+    if not isinstance(named, dict) or not named or not all(isinstance(t, dict) for t in named.values()):
         raise DeckError.single(path, None, "material", "materials are tables", "write [material.NAME.eos]")
     text, problems, found = path.read_text(encoding="utf-8"), [], {}
     for name, table in named.items():

@@ -122,3 +122,30 @@ def test_finding_among_both(alloy):
 def test_a_place_that_is_not_there(tmp_path):
     with pytest.raises(FileTrouble, match="no file or folder"):
         users.user_materials([tmp_path / "nowhere"])
+
+
+def test_tables_a_saved_problem_holds_read_back_with_their_sources(tmp_path):
+    from hugoniot.materials.tables import material_tables
+    from hugoniot.problem.write import to_toml
+    path = tmp_path / "saved.toml"
+    path.write_text(to_toml({"material": {"mine": material_tables(library.find("copper"))}}))
+    (entry,) = users.read_materials(path).values()
+    mine, theirs = material_record(entry.material), material_record(library.find("copper"))
+    assert entry.material.eos == library.find("copper").eos
+    assert {(r["quantity"], r["source"]) for r in mine} == {(r["quantity"], r["source"]) for r in theirs}
+
+
+@pytest.mark.parametrize("text", [
+    "missing = 3", "aliases = 5", "category = 1", "notes = {a = 1}", "unreacted = 'x'", "detonation = 3", "valid_up_to = [1]", "base = 3",
+    "[eos]\nothers = [3]", "[eos]\nothers = 3", "[eos]\nrow = 5", "[eos]\nc0 = {value = []}", "[eos]\nc0 = []", "[eos]\nc0 = true",
+    "[eos]\nc0 = 'S007.yield_stress'", "[eos]\nspecific_heat = 'U116.heat_capacity'", "[eos]\nspecific_heat = 'U999.heat_capacity'",
+    "[eos]\nlaw = []", "[detonation]\nvelocity = true", "[detonation]\nignition_growth = 3", "[detonation]\nignition_growth = 'U001'",
+    "[strength]\nrow = 'U007'", "[burn]\nrow = 'U007'", "[unreacted]\nlaw = 'x'"])
+def test_nothing_in_a_file_breaks_the_reader(tmp_path, text):
+    """Whatever stands in a file is used or named as a problem, never a crash."""
+    path = tmp_path / "mine.toml"
+    head = "" if text.startswith("[eos]") else '[eos]\nrow = "U007"\n'
+    body = text.replace("[eos]\n", '[eos]\nrow = "U007"\n') if "row" not in text else text
+    path.write_text(body + "\n" + head if not text.startswith("[") else head + body + "\n")
+    with pytest.raises(DeckError, match="material.mine"):
+        users.read_materials(path)
