@@ -102,10 +102,17 @@ def test_jwl_is_recovered_from_its_expansion():
 
 
 @pytest.mark.parametrize(("rho0", "c0", "s", "up", "gamma", "printed"), [
-    (1000.0, 1450.0, 1.99, 387.5, 0.15, 2.8381831), (1000.0, 1450.0, 1.99, 858.0, 0.15, 2.9543413), (100.0, 121.0, 0.9736, 934.0, 0.3, 0.1918117)])
+    (1000.0, 1450.0, 1.99, 387.5, 0.15, 2.8381831), (1000.0, 1450.0, 1.99, 858.0, 0.15, 2.9543413), (100.0, 121.0, 0.9736, 934.0, 0.3, 0.1918117),
+    (250.0, 97.0, 1.2509, 770.0, 0.3, 0.7240199), (770.0, 1070.9, 0.4045, 704.0, 0.3, 0.1016222)])
 def test_gamma_of_the_source(rho0, c0, s, up, gamma, printed):
-    """verification.md A5; the silica row only with the up of the other row (J-E10)."""
+    """verification.md A5; the silica rows of 100 and 770 kg/m3 only with each other's up (J-E10)."""
     assert adjusted_gamma(rho0, c0, s, up, gamma) == pytest.approx(printed, rel=0.01)
+
+
+def test_swapped_velocities_of_the_silica_table():
+    """J-E10: with the up column as printed both rows are missed by more than a tenth."""
+    assert abs(adjusted_gamma(100.0, 121.0, 0.9736, 704.0, 0.3) / 0.1918117 - 1) > 0.1
+    assert abs(adjusted_gamma(770.0, 1070.9, 0.4045, 934.0, 0.3) / 0.1016222 - 1) > 0.1
 
 
 def test_water_gammas_recovered():
