@@ -15,6 +15,7 @@ from hugoniot.laws.eos.jwl import JWL
 from hugoniot.materials import checks, derived, fits, library, marks, schema
 from hugoniot.materials.describe import described, summary
 from hugoniot.materials.record import material_record
+from hugoniot.problem.deck import read_deck_text
 
 ISSUE = """aluminium 1100, aluminum 2024, al6061, 7075-T6, copper, iron, ss304, 4340, tungsten, tantalum, titanium, Ti-6Al-4V, beryllium,
 magnesium, lead, tin, uranium, gold, silver, nickel, zinc, molybdenum, water, PMMA, polycarbonate, polyethylene, epoxy, Teflon, LiF,
@@ -154,6 +155,15 @@ def test_a_curated_material_tells_everything(name):
         for mark in marks.marks(schema.row(identity)):
             assert mark in material.warnings
     assert described(entry)["constants"] == record
+
+
+def test_every_material_survives_a_deck():
+    """A deck that names a material, written out and read again, has the same material: laws, numbers, sources, warnings."""
+    deck = 'geometry = "planar"\nstop_time = "1 us"\n[[region]]\nname = "a"\nmaterial = "{0}"\nfrom = "0 mm"\nto = "1 mm"\nzones = 10\n'
+    for name in library.names():
+        first = read_deck_text(deck.format(name))
+        again = read_deck_text(first.resolved)
+        assert repr(again.problem.materials[name]) == repr(first.problem.materials[name]), name
 
 
 def test_reference_states_have_no_pressure():

@@ -26,10 +26,10 @@ _PARAMETERS = {
 def card(row: Row, family: str = "") -> Card:
     """The law table of a row: `law` and its parameters; ValueError where no law of the package takes the row as it stands.
 
-    family   "burn" asks an ignition-and-growth row for its rate; else such a row gives its unreacted explosive
+    family   what an ignition-and-growth row is asked for: "burn" its rate, "eos" its products, else its unreacted explosive
     """
-    if row.table == "ignition_growth" and family == "burn":
-        return _rate(row)
+    if row.table == "ignition_growth" and family in ("burn", "eos"):
+        return _rate(row) if family == "burn" else _products_of_set(row)
     makers = {"us_up": _us_up, "strength": _strength, "jwl": _jwl, "tillotson": _tillotson, "gases": _gas, "ignition_growth": _reactant}
     if row.table not in makers:
         raise ValueError(f"row {row.id} of the table {row.table} is not the table of one law")
@@ -144,6 +144,19 @@ def _reactant(row: Row) -> Card:
     heat = row.constant("unreacted_heat_capacity", "specific_heat")
     found["specific_heat"] = replace(heat, value=heat.value / row["rho0"], unit="J/kg/K")
     found["e0"] = _energy_at_rest(row, found, heat)
+    return found
+
+
+def _products_of_set(row: Row) -> Card:
+    """The products an ignition-and-growth set was calibrated with."""
+    if "products_a" not in row or "e0" not in row:
+        raise ValueError(f"row {row.id} gives no products with their energy")
+    found: Card = {"law": "jwl", "rho0": row.constant("rho0"), "e0": row.constant("e0")}
+    for name in ("a", "b", "r1", "r2", "omega"):
+        found[name] = row.constant(f"products_{name}", name)
+    if "products_heat_capacity" in row:
+        heat = row.constant("products_heat_capacity", "specific_heat")
+        found["specific_heat"] = replace(heat, value=heat.value / row["rho0"], unit="J/kg/K")
     return found
 
 

@@ -131,7 +131,7 @@ class _Reader:
         material = replace(material, sources=(*inherited, *self.sources), warnings=warnings, unreacted=unreacted or material.unreacted)
         said = {k: tables.get(k, words.get(k, d)) for k, d in (("title", self.name), ("category", "user"), ("aliases", ()))}
         return Entry(self.name, said["title"], said["category"], material, _lines(said["aliases"]), self.reasons, self.others,
-                     _lines(tables.get("missing", ())), _lines(tables.get("notes", ())), unreacted, rate, detonation,
+                     _lines(tables.get("missing", ())), _lines(tables.get("notes", ())), material.unreacted, rate, detonation,
                      tuple(dict.fromkeys(self.rows)), self.file)
 
     def check_words(self, tables: dict) -> None:
@@ -161,7 +161,7 @@ class _Reader:
             if not schema.is_row(identity):
                 self.collector.add((*path, "others"), f"the library has no row '{identity}'")
         kind = {"unreacted": "eos", "rate": "burn"}.get(family, family)
-        card = self.card(path, table.pop("row"), kind) if "row" in table else {}
+        card = self.card(path, table.pop("row"), "burn" if family == "rate" else family) if "row" in table else {}
         return self.plain(family, kind, {**card, **table})
 
     def plain(self, place: str, family: str, merged: dict) -> dict:

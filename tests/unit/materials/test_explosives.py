@@ -48,3 +48,19 @@ def test_reactant_and_products_share_one_scale_of_energy():
         assert 3e6 < q < 8e6
         assert e + q == pytest.approx(entry.material.eos.e0 / entry.material.eos.rho0, rel=1e-12)
         assert pressure(rho, e, entry.unreacted) < 5e6
+
+
+@pytest.mark.parametrize("name", ["LX-17", "PBX-9502", "PBX-9501", "C-4", "Comp B", "LX-14"])
+def test_a_reactive_explosive_is_one_calibration(name):
+    from hugoniot.materials.burning import reactive
+    from hugoniot.materials.derived import chapman_jouguet
+    entry = library.entry(f"{name} reactive")
+    assert isinstance(entry.material.burn, IgnitionGrowth) and entry.material.unreacted is not None
+    assert {entry.material.eos.rho0, entry.material.unreacted.rho0, entry.material.burn.rho0} == {entry.material.burn.rho0}
+    assert reactive(entry.material).mixture.detonation_energy > 3e6
+    assert chapman_jouguet(entry.material.eos).velocity == pytest.approx(library.find(name).burn.detonation_velocity, rel=0.025)
+
+
+def test_an_explosive_without_rates_says_so():
+    with pytest.raises(library.UnknownMaterial, match=r"no rate constants for 'tnt'.*lx_17"):
+        library.find("TNT reactive")

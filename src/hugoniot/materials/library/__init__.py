@@ -91,6 +91,9 @@ def entry(name: str, also: Mapping[str, str] | None = None) -> Entry:
         return _curated(known)
     if schema.is_row(name.strip().upper()):
         return _of_row(name.strip().upper())
+    explosive = spellings().get(spelling(name).removesuffix("reactive"))
+    if explosive is not None:
+        return _reactive(explosive)
     rows = uncurated().get(spelling(name), ())
     if len(rows) == 1:
         return _of_row(rows[0])
@@ -121,6 +124,21 @@ def _curated(name: str) -> Entry:
     path = HERE / "curated" / f"{name}.toml"
     listing = index()[name]
     return make_entry(name, read_file(path), path.name, title=listing.title, category=listing.category, aliases=listing.aliases)
+
+
+@cache
+def _reactive(name: str) -> Entry:
+    """An explosive with the ignition-and-growth set of the library: reactant, products and rate of one calibration."""
+    plain = _curated(name)
+    row = plain.detonation.get("ignition_growth")
+    if row is None:
+        known = [n for n, listing in index().items() if listing.category == "explosive" and "ignition_growth" in _curated(n).detonation]
+        hint = f"sets are there for {', '.join(known)}"
+        raise UnknownMaterial([DeckProblem("library", None, "material", f"the library has no rate constants for '{name}'", hint)])
+    reason = f"the set {row.value} as calibrated: reactant, products and rate belong together"
+    tables = {**{family: {"row": row.value, "reason": reason} for family in ("eos", "unreacted", "burn")},
+              "title": f"{plain.title}, reactive", "missing": list(plain.missing), "aliases": []}
+    return replace(make_entry(f"{name}_reactive", tables, f"row {row.value}", category=plain.category), detonation=plain.detonation)
 
 
 @cache
