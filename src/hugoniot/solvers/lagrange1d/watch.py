@@ -65,9 +65,9 @@ def failing_node(zones, segments, control, counters):
                     zones[L.TAG, i] = 1.0
                 marked += z - start
             elif peak >= 1.0 and peak > worst and last - first > 1 and zones[L.VOIDS, at] * zones[L.RHO, at] < VOIDED:
-                left = zones[L.FAILURE, at - 1] if at > first else -1.0
-                right = zones[L.FAILURE, at + 1] if at + 1 < last else -1.0
-                worst, worst_node = peak, (at if left > right else at + 1) + k
+                # an end of the body is no place to part, however hard its other side is compressed
+                leftward = at + 1 == last or (at > first and zones[L.FAILURE, at - 1] > zones[L.FAILURE, at + 1])
+                worst, worst_node = peak, (at if leftward else at + 1) + k
                 counters[L.CULPRIT] = k
     counters[L.FRACTURING] = marked
     return worst_node
