@@ -13,7 +13,8 @@ import hugoniot
 from hugoniot.diagnostics.budgets import RegionBudget
 from hugoniot.errors import DeckError, FileTrouble, UnphysicalState
 from hugoniot.output.run_folder import RunFolder
-from hugoniot.problem.model import Problem
+from hugoniot.problem.defaults import completed
+from hugoniot.problem.model import Gauge, Problem
 from hugoniot.solvers.run import Outcome, Schedule, march_to_end, snapshot_times
 
 if TYPE_CHECKING:
@@ -30,6 +31,20 @@ def make_solver(problem: Problem):
         from hugoniot.theory.structure.start import shock_start
         return ShockStructure(problem, shock_start(problem))
     raise DeckError.single("problem", None, "solver.kind", f"unknown solver '{problem.solver.kind}'", "known: lagrange1d, shock_structure")
+
+
+def with_surface_gauges(problem: Problem) -> Problem:
+    """The problem with a gauge on every free end that has none: what a velocity interferometer would look at.
+
+    Only plates (planar bodies of the Lagrangian solver) have such an end on both sides; a shell has its outer one.
+    """
+    if problem.solver.kind != "lagrange1d":
+        return problem
+    named = {gauge.at for gauge in problem.gauges} | {gauge.name for gauge in problem.gauges}
+    ends = [("left", problem.left, problem.geometry == "planar"), ("right", problem.right, True)]
+    missing = [f"free surface {side}" for side, boundary, seen in ends if seen and boundary.kind == "free"]
+    added = tuple(Gauge(name, name) for name in missing if name not in named)
+    return dataclasses.replace(problem, gauges=problem.gauges + added)
 
 
 class _Recorder:
@@ -79,6 +94,7 @@ def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=Non
     """
     begun = time.perf_counter()
     problem, text, warnings, name = _read(deck_or_problem, deck_text, overrides)
+    problem = with_surface_gauges(problem)
     solver = make_solver(problem)
     folder = RunFolder(out or f"{name}.run", overwrite=overwrite)
     folder.start(problem, text, _meta(problem, solver))
@@ -101,9 +117,10 @@ def resume(folder, progress=None, report: bool = True) -> "Run":
         return load(folder)
     deck = read_deck(pathlib.Path(folder) / "deck.toml")
     text = (pathlib.Path(folder) / "deck.toml").read_text(encoding="utf-8")
-    solver = make_solver(deck.problem)
-    place.start(deck.problem, text, _meta(deck.problem, solver))
-    recorder = _Recorder(place, deck.problem, solver, progress)   # before the state is restored: budgets count from the start
+    problem = with_surface_gauges(deck.problem)
+    solver = make_solver(problem)
+    place.start(problem, text, _meta(problem, solver))
+    recorder = _Recorder(place, problem, solver, progress)   # before the state is restored: budgets count from the start
     payload = place.latest_checkpoint()
     next_snapshot = 0
     if payload is None:
@@ -147,7 +164,8 @@ def _summary(problem: Problem, solver, outcome: Outcome, begun: float) -> dict[s
     return {
         "status": outcome.status, "cycles": solver.cycle, "zone_updates": solver.zone_updates, "time": solver.time,
         "wall_seconds": time.perf_counter() - begun, "kernel_seconds": outcome.kernel_seconds, **solver.errors(),
-        "voids_opened": solver.voids_opened, "voids_closed": solver.voids_closed, "tension_cap_acted": solver.capped,
+        "voids_opened": solver.voids_opened, "voids_closed": solver.voids_closed,
+        "interfaces_parted": getattr(solver, "interfaces_parted", 0), "tension_cap_acted": solver.capped,
         **getattr(solver, "results", dict)(),
     }
 
@@ -176,7 +194,7 @@ def _read(deck_or_problem, deck_text, overrides) -> tuple[Problem, str, list[str
     from hugoniot.problem.deck import Deck, read_deck, write_deck
 
     if isinstance(deck_or_problem, Problem):
-        problem = _replaced(deck_or_problem, overrides)
+        problem = completed(_replaced(deck_or_problem, overrides))
         name = re.sub(r"[^a-z0-9]+", "-", problem.title.lower()).strip("-") or "run"
         return problem, deck_text or write_deck(problem), [], name
     if isinstance(deck_or_problem, Deck):

@@ -37,7 +37,8 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
                f"{s.get('zone_updates', 0):.3g} zone updates in {s['wall_seconds']:.2f} s")
     errors = [f"{word} {s[key]:.1e}" for word, key in (("mass", "mass_error"), ("momentum", "momentum_error"), ("energy", "energy_error"))
               if isinstance(s.get(key), (int, float))]
-    typer.echo(f"relative errors: {', '.join(errors)}; voids opened {s.get('voids_opened', 0)}, closed {s.get('voids_closed', 0)}")
+    typer.echo(f"relative errors: {', '.join(errors)}; voids opened {s.get('voids_opened', 0)}, "
+               f"closed {s.get('voids_closed', 0)}, interfaces parted {s.get('interfaces_parted', 0)}")
     rows = gauge_rows(run)
     if rows:
         typer.echo("")
@@ -65,7 +66,7 @@ def _echo_spall(run: Run) -> None:
     reading = spall_reading(run)
     if reading:
         words = [("pull-back", "pull_back", "m/s"), ("spall strength", "spall_strength_acoustic", "Pa"),
-                 ("elastic-plastic", "spall_strength_stepanov", "Pa"), ("spalled layer", "spall_thickness", "m")]
+                 ("with Kanel's correction", "spall_strength_kanel", "Pa"), ("spalled layer", "spall_thickness", "m")]
         told = [f"{word} {format_si(reading[key], unit, 4)}" for word, key, unit in words if key in reading]
         typer.echo(f"free surface: peak {format_si(reading['peak_velocity'], 'm/s', 5)}, {', '.join(told)}")
 

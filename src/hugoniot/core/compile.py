@@ -57,7 +57,7 @@ def _use_cache_folder():
     if os.environ.get("NUMBA_CACHE_DIR"):
         return pathlib.Path(os.environ["NUMBA_CACHE_DIR"])
     folder = cache_root() / source_hash()
-    nb.config.CACHE_DIR = str(folder)
+    nb.core.config.CACHE_DIR = str(folder)
     return folder
 
 

@@ -14,6 +14,7 @@ from hugoniot.materials.material import Material
 from hugoniot.materials.tables import law_table, material_tables
 from hugoniot.problem import checks
 from hugoniot.problem.boundaries import boundary_schema, boundary_value, read_boundary
+from hugoniot.problem.defaults import complete
 from hugoniot.problem.model import Boundary, OutputOptions, Problem, SolverOptions
 from hugoniot.problem.schema import Length, Pressure, Quantity, Table, salvage, trouble
 from hugoniot.units import UnitError, parse
@@ -210,7 +211,7 @@ def _solver(table: Any, collector: Collector) -> SolverOptions | None:
     if model is None:
         return None
     own = {name: value for name, value in model.options.model_dump().items() if value is not None}
-    return SolverOptions(**model.model_dump() | {"viscosity": viscosity, "options": MappingProxyType(own)})
+    return complete(SolverOptions(**model.model_dump() | {"viscosity": viscosity, "options": MappingProxyType(own)}))
 
 
 def _output(raw: dict, collector: Collector) -> OutputOptions | None:
