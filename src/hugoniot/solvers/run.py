@@ -3,10 +3,13 @@
 Observers are objects with any of `gauges(times, values)`, `snapshot(state)`, `event(event)`, `progress(report)` and
 `checkpoint(payload)`; they look, and change nothing. What the loop decides from the wall clock (how long a burst of cycles
 lasts, when to checkpoint, when to report) never changes a result: bursts end on whole cycles and every step is chosen by
-the state alone.
+the state alone. An interrupt (Ctrl-C) waits for the end of a burst and of what it caused, so that the checkpoint it leaves
+holds neither half a snapshot nor a void that was noticed but not opened.
 """
 
 import math
+import signal
+import threading
 import time
 from dataclasses import dataclass, field
 
@@ -61,6 +64,27 @@ def snapshot_times(stop_time, wanted, default_count: int = 100) -> list[float]:
     return [0.0, *sorted(times), stop_time]
 
 
+class _Interrupts:
+    """Notes the first Ctrl-C (`asked`) instead of raising wherever the loop happens to be; a second one raises at once."""
+
+    def __init__(self):
+        self.asked, self.before = False, None
+
+    def __enter__(self):
+        if threading.current_thread() is threading.main_thread() and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+            self.before = signal.signal(signal.SIGINT, self._note)
+        return self
+
+    def __exit__(self, *_):
+        if self.before is not None:
+            signal.signal(signal.SIGINT, self.before)
+
+    def _note(self, number, frame):
+        if self.asked:
+            raise KeyboardInterrupt
+        self.asked = True
+
+
 class _Hands:
     """Calls a hook on every observer that has it."""
 
@@ -80,17 +104,20 @@ def march_to_end(solver, schedule: Schedule, observers=(), next_snapshot: int = 
     solver          has time, cycle, march(until, cycles) -> events, take_gauges(), state(), errors(), payload(), limiting()
     next_snapshot   index of the first snapshot still to take (of a resumed run)
 
-    Raises `UnphysicalState` in the cycle it arises; KeyboardInterrupt goes through after a checkpoint.
+    Raises `UnphysicalState` in the cycle it arises, and KeyboardInterrupt after a checkpoint.
     """
     tell = _Hands(observers)
     times = schedule.snapshots
-    if next_snapshot == 0 and solver.time >= times[0]:
-        tell("snapshot", solver.state())
-        next_snapshot = 1
     started = last_checkpoint = time.perf_counter()
     start_time, last_cycle, kernel, burst, first = solver.time, solver.cycle, 0.0, FIRST_BURST, True
-    try:
+    with _Interrupts() as interrupts:
+        if next_snapshot == 0 and solver.time >= times[0]:
+            tell("snapshot", solver.state())
+            next_snapshot = 1
         while solver.time < schedule.stop_time:
+            if interrupts.asked:
+                tell("checkpoint", {"solver": solver.payload(), "next_snapshot": next_snapshot})
+                raise KeyboardInterrupt
             cycles = _allowance(solver, schedule, burst, last_cycle)
             if cycles <= 0:
                 return Outcome("stopped at max_cycles", kernel)
@@ -112,10 +139,6 @@ def march_to_end(solver, schedule: Schedule, observers=(), next_snapshot: int = 
             if now - last_checkpoint > schedule.checkpoint_seconds or _due(solver, schedule, last_cycle):
                 tell("checkpoint", {"solver": solver.payload(), "next_snapshot": next_snapshot})
                 last_checkpoint, last_cycle = time.perf_counter(), solver.cycle
-    except KeyboardInterrupt:
-        tell("gauges", *solver.take_gauges())
-        tell("checkpoint", {"solver": solver.payload(), "next_snapshot": next_snapshot})
-        raise
     return Outcome("done", kernel)
 
 
