@@ -13,8 +13,10 @@ import numpy as np
 
 from hugoniot.core.registry import Law, Registry, UnknownName, finite
 from hugoniot.errors import DeckError, DeckProblem, HugoniotError
+from hugoniot.laws import mixture as _mixtures  # noqa: F401  (enrols the closures)
 from hugoniot.laws.eos.contract import EOS, pressure, reference_state, sound_speed_squared
 from hugoniot.laws.fracture.contract import tension_cap
+from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
 from hugoniot.materials.collect import Collector, LineOf, nearest, printable
 from hugoniot.materials.material import Material, Source
@@ -22,6 +24,7 @@ from hugoniot.materials.tables import accepted, families, law_table
 
 LONGEST_ARRAY = 1_000_000
 _FACTS = ("base", "sources", "valid_up_to", "warnings")
+_EXPLOSIVE = ("unreacted", "mixture", "detonation_energy")
 
 
 def build_material(name: str, tables: dict, problems: list[DeckProblem], file: str, line_of: LineOf) -> Material | None:
@@ -44,8 +47,8 @@ def read_material(name: str, tables: Any, collector: Collector, path: tuple) -> 
         return None
     known = families()
     for key in tables:
-        if key not in known and key not in _FACTS:
-            collector.unknown((*path, key), (*known, *_FACTS))
+        if key not in known and key not in _FACTS + _EXPLOSIVE:
+            collector.unknown((*path, key), (*known, *_FACTS, *_EXPLOSIVE))
     base = _base(tables, collector, path)
     built = {}
     for family, registry in known.items():
@@ -55,12 +58,31 @@ def read_material(name: str, tables: Any, collector: Collector, path: tuple) -> 
         hint = f"add [{collector.key(path)}.eos] with law = \"...\" (hugoniot list eos), or base = \"...\""
         collector.add(path, "no equation of state", hint)
     valid, sources, warnings = _facts(tables, collector, path, _without_replaced(base, tables))
+    unreacted, mixture, heat = _explosive(tables, collector, path, base)
     if len(collector.problems) > before:
         return None
     _check_sound(built, collector, path)
     if len(collector.problems) > before:
         return None
-    return Material(name, built["eos"], built["strength"], built["fracture"], built.get("burn"), valid, sources, warnings)
+    return Material(name, built["eos"], built["strength"], built["fracture"], built.get("burn"), valid, sources, warnings, unreacted,
+                    mixture, heat)
+
+
+def _explosive(tables: dict, collector: Collector, path: tuple, base: Material | None) -> tuple[Any, str | None, float | None]:
+    """(unreacted equation of state, name of the closure, chemical energy in J/kg) of an explosive; None for what is not given."""
+    unreacted, mixture, heat = (base.unreacted, base.mixture, base.detonation_energy) if base else (None, None, None)
+    if "unreacted" in tables:
+        unreacted = read_law(EOS, tables["unreacted"], collector, (*path, "unreacted"), unreacted)
+    if "mixture" in tables:
+        mixture = tables["mixture"]
+        if not isinstance(mixture, str) or mixture not in MIXTURE.names():
+            shown = printable(mixture) if isinstance(mixture, str) else "not a text"
+            collector.add((*path, "mixture"), f"unknown mixture '{shown}'", nearest(shown, MIXTURE.names()))
+    if "detonation_energy" in tables:
+        heat = collector.quantity((*path, "detonation_energy"), tables["detonation_energy"], "J/kg")
+        if heat is not None and not heat > 0.0:
+            collector.add((*path, "detonation_energy"), f"must be greater than 0, got {heat:g} J/kg", "it is the heat of burning")
+    return unreacted, mixture, heat
 
 
 def read_law(registry: Registry, table: Any, collector: Collector, path: tuple, inherited: Any = None) -> Any:

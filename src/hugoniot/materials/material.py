@@ -23,9 +23,12 @@ class Source:
 
 @dataclass(frozen=True)
 class Material:
-    """eos, strength, fracture, burn: parameter tuples of registered laws (`strength` and `fracture` may be None).
+    """eos, strength, fracture, burn: parameter tuples of registered laws (all but `eos` may be None).
 
     valid_up_to   highest particle velocity (m/s) the equation of state's data reach; None where no source states it
+    unreacted     of an explosive, whose `eos` are the products: equation of state before it burns (None: not known)
+    mixture       name of the closure that joins both while it burns (None: the burn law's usual one, `materials.burning`)
+    detonation_energy   chemical energy, J/kg (None: from the reference states of the two laws)
     """
 
     name: str
@@ -36,6 +39,9 @@ class Material:
     valid_up_to: float | None = None
     sources: tuple[Source, ...] = field(default=())
     warnings: tuple[str, ...] = field(default=())
+    unreacted: Any = None
+    mixture: str | None = None
+    detonation_energy: float | None = None
 
     def laws(self) -> dict[str, str]:
         """Family -> name of the law used."""

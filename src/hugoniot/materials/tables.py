@@ -85,4 +85,7 @@ def material_tables(material: Material) -> dict:
         par = getattr(material, family)
         if par is not None:
             tables[family] = law_table(registry, par)
-    return tables
+    if material.unreacted is not None:
+        tables["unreacted"] = law_table(EOS, material.unreacted)
+    given = {"mixture": material.mixture, "detonation_energy": material.detonation_energy}
+    return {key: value for key, value in given.items() if value is not None} | tables

@@ -90,6 +90,14 @@ class Gauge:
 
 
 @dataclass(frozen=True)
+class Lighting:
+    """A detonator of programmed burns: position (m, at t = 0, inside the explosive or on its end) and time (s)."""
+
+    position: float
+    time: float = 0.0
+
+
+@dataclass(frozen=True)
 class SolverOptions:
     """kind names the solver; `options` are the solver's own, checked by it (lagrange1d: see solvers.lagrange1d.options).
 
@@ -133,6 +141,7 @@ class Problem:
     gauges: tuple[Gauge, ...] = ()
     solver: SolverOptions = SolverOptions()
     output: OutputOptions = OutputOptions()
+    lighting: tuple[Lighting, ...] = ()
 
     @property
     def dimension(self) -> int:
