@@ -11,14 +11,13 @@ from hugoniot.laws.eos.contract import density_limits, pressure, reference_state
 from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.laws.strength.contract import STRENGTH, shear_modulus
 from hugoniot.laws.viscosity.contract import VISCOSITY
+from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.mesh.line import GEOMETRY, graded_nodes, volume
 from hugoniot.problem.model import Boundary, Problem
 from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d import reactive
 
-DEFAULT_VISCOSITY = {"compatible": ("limited", {}), "wilkins": ("wilkins", {})}
-DEFAULT_HEAT_FLUX = {"compatible": 0.5, "wilkins": 0.0}
-DEFAULT_COURANT = {"compatible": 0.5, "wilkins": 2.0 / 3.0}
 ROUND_OFF = 1e-9     # c^2 below minus this fraction of the largest speed squared is imaginary, not noise
 CODES = {"free": L.FREE, "fixed": L.FIXED, "velocity": L.VELOCITY, "pressure": L.PRESSURE, "transmitting": L.TRANSMITTING}
 
@@ -34,8 +33,8 @@ class Laws:
 
 
 def viscosity_of(problem: Problem):
-    """Parameter tuple of the artificial viscosity: the deck's, or the integrator's default."""
-    name, values = problem.solver.viscosity or DEFAULT_VISCOSITY[problem.solver.integrator]
+    """Parameter tuple of the artificial viscosity."""
+    name, values = problem.solver.viscosity
     law = VISCOSITY.get(name)
     return law.build(**{**law.defaults, **dict(values)})
 
@@ -47,22 +46,32 @@ def group_laws(problem: Problem) -> Laws:
     kinds, rows, kind_of, row_of, keys = [], [], [], [], []
     for region in problem.regions:
         material = problem.materials[region.material]
-        laws = (material.eos, material.strength or STRENGTH.get("none").example, material.fracture or FRACTURE.get("none").example,
+        eos = material.eos if material.burn is None else burning.reactive(material)
+        laws = (eos, material.strength or STRENGTH.get("none").example, material.fracture or FRACTURE.get("none").example,
                 viscosity)
-        arrays = any(isinstance(v, np.ndarray) for law in laws for v in law)
-        key = (tuple(type(law) for law in laws), region.material if arrays else None)
+        key = (_shape(laws), region.material if _holds_arrays(laws) else None)
         if key not in keys:
             keys.append(key)
             kinds.append(laws)
             rows.append([])
         kind = keys.index(key)
-        entry = tuple(tuple(float_row(law)) for law in laws) + ((float(reference_state(material.eos)[0]), noise),)
+        extra = () if material.burn is None else reactive.extra_row(problem, region, problem.solver.courant)
+        entry = tuple(tuple(float_row(law)) for law in laws) + ((float(reference_state(material.eos)[0]), noise, *extra),)
         if entry not in rows[kind]:
             rows[kind].append(entry)
         kind_of.append(kind)
         row_of.append(rows[kind].index(entry))
     tables = tuple(tuple(np.array([entry[i] or (0.0,) for entry in group]) for i in range(5)) for group in rows)
     return Laws(tuple(kinds), tables, kind_of, row_of)
+
+
+def _shape(law):
+    """Classes of a parameter tuple and of the laws inside it, whatever their numbers: what a sweep is compiled for."""
+    return (type(law), *(_shape(v) for v in law)) if isinstance(law, tuple) else type(law)
+
+
+def _holds_arrays(law) -> bool:
+    return any(_holds_arrays(v) if isinstance(v, tuple) else isinstance(v, np.ndarray) for v in law)
 
 
 def _speed_scale(problem: Problem) -> float:
@@ -89,6 +98,9 @@ def longitudinal_speed(material, rho, e):
 def start_region(problem, region):
     """(node positions, rho, e, longitudinal sound speed) of a region at t = 0."""
     material = problem.materials[region.material]
+    if material.burn is not None:
+        rho, e, _, c = reactive.start_region(material, region)
+        return graded_nodes(region.start, region.end, region.zones, region.ratio), rho, e, c
     rho, e = initial_state(material.eos, region.density, region.pressure, region.temperature, region.energy)
     low, high = density_limits(material.eos)
     if not low < rho < high:
@@ -112,6 +124,7 @@ def interface_bond(problem, left, right):
 def assemble(problem: Problem):
     """(zones, nodes, gradient, segments, region zone ranges, initial heat of impact per node) of a problem at t = 0."""
     geometry = GEOMETRY.get(problem.geometry).example
+    reactive.check(problem)
     starts = [start_region(problem, region) for region in problem.regions]
     counts = [region.zones for region in problem.regions]
     total = sum(counts)
@@ -119,7 +132,8 @@ def assemble(problem: Problem):
     ranges = [(int(end - count), int(end)) for end, count in zip(ends, counts)]
     breaks = [i for i in range(1, len(counts)) if not touching(problem.regions[i - 1], problem.regions[i])]
     bodies = np.split(np.arange(len(counts)), breaks)
-    zones = np.zeros((L.ZONE_ROWS, total))
+    burning_run = any(reactive.burns(problem, region) for region in problem.regions)
+    zones = np.zeros((L.BURNING_ROWS if burning_run else L.ZONE_ROWS, total))
     node_parts, segments = [], []
     for body in bodies:
         r, u, weight, bond = [], [], [], []
@@ -128,7 +142,9 @@ def assemble(problem: Problem):
             a, b = ranges[i]
             mass = rho * np.array([volume(x, y, geometry) for x, y in zip(place[:-1], place[1:])])
             zones[L.MASS, a:b], zones[L.RHO, a:b], zones[L.E, a:b], zones[L.C, a:b] = mass, rho, e, c
-            zones[L.P, a:b] = zones[L.SIGMA, a:b] = pressure(rho, e, problem.materials[region.material].eos)
+            material = problem.materials[region.material]
+            p = pressure(rho, e, material.eos) if material.burn is None else reactive.start_region(material, region)[2]
+            zones[L.P, a:b] = zones[L.SIGMA, a:b] = p
             zones[L.SIGMA_HALF, a:b] = 1.0 / rho if problem.solver.integrator == "wilkins" else 0.0
             zones[L.OLD, a:b] = rho * np.diff(place)
             speed = region.velocity if isinstance(region.velocity, tuple) else (region.velocity, region.velocity)
@@ -145,6 +161,8 @@ def assemble(problem: Problem):
     if problem.dimension > 1 and nodes[L.R, 0] == 0.0:
         segments[0, L.SEG_LEFT], nodes[L.U, 0] = L.FIXED, 0.0
     zones[L.INVERSE_MASS] = 1.0 / zones[L.MASS]
+    if burning_run:
+        reactive.prepare(problem, zones, [start[0] for start in starts], ranges)
     gradient = np.zeros(total + 2 * len(segments))
     return zones, nodes, gradient, segments, ranges
 

@@ -39,7 +39,8 @@ def pieces_of(runs, segments, region_ends):
              for lo in range(first, max(last - 1, first + 1), PIECE)]
     regions = [(max(first, a), min(last, b), k) for k, (first, last, _, _) in enumerate(segments.tolist())
                for a, b in region_ends if max(first, a) < min(last, b)]
-    return tuple(np.array(table, dtype=np.int64) for table in (cut, spans, regions))
+    widths = (5, 3, 3)
+    return tuple(np.array(table, dtype=np.int64).reshape(-1, n) for table, n in zip((cut, spans, regions), widths))
 
 
 def interface_table(segments, nodes):

@@ -13,6 +13,13 @@ ZONE_ROWS = 26
 # stress on each of the zone's nodes; the _HALF rows are their values in the middle of the step. TAG marks zones that a
 # nearby void is relieving; VOIDS is the volume of voids grown in a zone per its mass (m3/kg); OLD is scratch of one sweep.
 
+# -- further rows of the zone table of a run in which something burns (solvers.lagrange1d.reactive) ------------------------
+(BURN_FRACTION, LIT_SINCE, ZONE_SIZE, RHO_R, E_R, RHO_P, E_P, MIX_STATUS, RESOLUTION) = range(26, 35)
+BURNING_ROWS = 35
+# LIT_SINCE: time since the programmed front reached the zone, s (negative before); ZONE_SIZE its width at t = 0; RHO_R to E_P the
+# phases of the step before (energies with the chemical one); MIX_STATUS why a mixture was not found, 0 if it was; RESOLUTION the
+# fewest zones that held the length in which the zone burned.
+
 # -- rows of the node table -------------------------------------------------------------------------------------
 R, U, R_HALF, U_MEAN, NODE_MASS, INVERSE_NODE_MASS, BOND = range(7)
 NODE_ROWS = 7

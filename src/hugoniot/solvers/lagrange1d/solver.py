@@ -14,9 +14,11 @@ from hugoniot.core.ops import NO_LIMIT
 from hugoniot.errors import UnphysicalState
 from hugoniot.laws.eos.contract import reference_state
 from hugoniot.mesh.line import GEOMETRY
+from hugoniot.problem.defaults import completed
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.assemble import DEFAULT_COURANT, DEFAULT_HEAT_FLUX, assemble, boundary_pulse, group_laws, viscosity_of
+from hugoniot.solvers.lagrange1d import reactive
+from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_pulse, group_laws, viscosity_of
 from hugoniot.solvers.lagrange1d.bodies import interface_table, join, pieces_of, run_table, set_node_masses, split
 from hugoniot.solvers.lagrange1d.probes import probe_tables
 from hugoniot.solvers.lagrange1d.step import SCHEMES, march, serve
@@ -47,18 +49,19 @@ class Lagrange1D:
     """A run in progress."""
 
     def __init__(self, problem: Problem):
-        self.problem = problem
+        self.problem = problem = completed(problem)
         self.geometry = GEOMETRY.get(problem.geometry).example
         self.scheme = SCHEMES[problem.solver.integrator]
         self.staggered = self.scheme.staggered
         self.team = self._team()
         self.laws, self.viscosity = group_laws(problem), viscosity_of(problem)
         self.zones, self.nodes, self.gradient, self.segments, self.region_ranges = assemble(problem)
+        self.burning = self.zones.shape[0] == L.BURNING_ROWS
         set_node_masses(self.zones, self.nodes, self.segments)
         self.boundaries = (boundary_pulse(problem.left), boundary_pulse(problem.right))
         self.control = np.zeros(L.CONTROL_FLOATS)
         self.counters = np.zeros(L.CONTROL_INTS, dtype=np.int64)
-        self.voids_opened = self.voids_closed = 0
+        self.voids_opened = self.voids_closed = self.interfaces_parted = 0
         self.region_of = np.repeat(np.arange(len(problem.regions)), [b - a for a, b in self.region_ranges])
         self.initial_nodes = self._faces(L.R)
         self._start()
@@ -69,8 +72,8 @@ class Lagrange1D:
     # -- setting up ------------------------------------------------------------------------------------------
     def _start(self):
         options, control = self.problem.solver, self.control
-        control[L.HEAT_FLUX] = dict(options.options).get("heat_flux", DEFAULT_HEAT_FLUX[options.integrator])
-        control[L.COURANT] = options.courant or DEFAULT_COURANT[options.integrator]
+        control[L.HEAT_FLUX] = options.options["heat_flux"]
+        control[L.COURANT] = options.courant
         control[L.GROWTH] = options.growth
         control[L.DT_LARGEST] = options.largest_step or NO_LIMIT
         control[L.DT_SMALLEST] = LARGEST_COLLAPSE * self.problem.stop_time
@@ -102,7 +105,8 @@ class Lagrange1D:
         left, right = self._faces(L.R)
         ul, ur = self._faces(L.U)
         jump = np.maximum(ul - ur, 0.0)[zones]
-        speed = self.zones[L.C, zones] + (16.0 if self.staggered else 4.0) * jump
+        fronts = np.array([reactive.front_speed(self.problem, region) for region in self.problem.regions])
+        speed = np.maximum(self.zones[L.C, zones], fronts[self.region_of[zones]]) + (16.0 if self.staggered else 4.0) * jump
         rate = float(np.max(speed / (right - left)[zones]))
         return rate if rate > 0.0 else 1e3 / self.problem.stop_time
 
@@ -114,7 +118,8 @@ class Lagrange1D:
     def _retopologise(self):
         """Everything that depends on which zones are joined."""
         runs = run_table(self.segments, self.region_ranges, self.laws.kind_of, self.laws.row_of)
-        self.pieces = pieces_of(runs, self.segments, self.region_ranges)
+        inert = [ends for region, ends in zip(self.problem.regions, self.region_ranges) if not reactive.burns(self.problem, region)]
+        self.pieces = pieces_of(runs, self.segments, inert)   # the heat flux leaves burning regions alone: it knows no phases
         self.found, self.steps = np.zeros((len(self.pieces[0]), 4)), np.zeros(2)
         self.interfaces = interface_table(self.segments, self.nodes)
         self.gauges, self.weights = probe_tables(self)
@@ -212,11 +217,15 @@ class Lagrange1D:
             mark_patch(self.zones, first, last, zone)
             self.counters[L.FRACTURING] = 1
         self.nodes, self.gradient, self.segments = split(self.zones, self.nodes, self.gradient, self.segments, node)
-        self.voids_opened += 1
+        if cause == "spall":
+            self.voids_opened += 1
+        else:
+            self.interfaces_parted += 1
         self._retopologise()
         left, right = (self.problem.regions[self.region_of[z]].name for z in (zone - 1, zone))
         where = f"in '{left}'" if left == right else f"between '{left}' and '{right}'"
-        return Event("void_opened", self.time, self.cycle, place, f"void opened {where} at {place:.6g} m ({cause})")
+        kind, text = ("void_opened", "void opened") if cause == "spall" else ("interface_parted", "bodies parted")
+        return Event(kind, self.time, self.cycle, place, f"{text} {where} at {place:.6g} m")
 
     def _close_gaps(self):
         events = []
@@ -239,6 +248,9 @@ class Lagrange1D:
             width = right - left
             culprit = int(np.argmin(width / np.maximum(self.zones[L.C], 1e-30)))
         values = {name: float(self.zones[row, culprit]) for name, row in ZONE_FIELDS.items()}
+        if self.burning:
+            values |= {"burn_fraction": float(self.zones[L.BURN_FRACTION, culprit]),
+                       "mixture_status": float(self.zones[L.MIX_STATUS, culprit])}
         cause, remedy = _diagnose(code, values, float(left[culprit]), float(right[culprit]))
         return UnphysicalState(cause, remedy, culprit, self.problem.regions[self.region_of[culprit]].name,
                                0.5 * float(left[culprit] + right[culprit]), self.time, self.cycle, values)
@@ -248,6 +260,8 @@ class Lagrange1D:
         """Copies of all fields now."""
         zones = {name: self.zones[row].copy() for name, row in ZONE_FIELDS.items()}
         zones["mass"] = self.zones[L.MASS].copy()
+        if self.burning:
+            zones["burn_fraction"] = self.zones[L.BURN_FRACTION].copy()
         left, right = self._faces(L.R)
         ul, ur = self._faces(L.U)
         return State(self.time, self.cycle, zones, left, right, ul, ur)
@@ -279,7 +293,12 @@ class Lagrange1D:
     def exchanges(self) -> dict[str, float]:
         """What passed the two ends so far: work (J) and impulse (kg m/s) of the boundaries, per unit area or angle."""
         rows = {"work_left": L.WORK_LEFT, "work_right": L.WORK_RIGHT, "impulse_left": L.IMPULSE_LEFT, "impulse_right": L.IMPULSE_RIGHT}
-        return {name: float(self.control[row]) for name, row in rows.items()}
+        found = {name: float(self.control[row]) for name, row in rows.items()}
+        return found | {"released_heat": reactive.released_heat(self.problem, self.zones, self.region_ranges)} if self.burning else found
+
+    def unresolved(self) -> list[str]:
+        """Sentences about rates of burning that the mesh did not resolve."""
+        return reactive.unresolved(self.problem, self.zones, self.region_ranges) if self.burning else []
 
     def largest_velocity_jump(self) -> dict[str, float]:
         """Material -> largest particle velocity of a shock it saw, from its peak pressure on the Rayleigh line, m/s."""
@@ -303,14 +322,14 @@ class Lagrange1D:
     def payload(self) -> dict:
         """Everything a bitwise restart needs."""
         names = ("zones", "nodes", "gradient", "segments", "control", "counters")
-        return {**{name: getattr(self, name).copy() for name in names}, "voids_opened": self.voids_opened,
-                "voids_closed": self.voids_closed, "start_energy": self.start_energy, "start_momentum": self.start_momentum}
+        numbers = ("voids_opened", "voids_closed", "interfaces_parted", "start_energy", "start_momentum")
+        return {name: getattr(self, name).copy() for name in names} | {name: getattr(self, name) for name in numbers}
 
     def restore(self, payload: dict) -> None:
         """Continue from a payload of the same problem."""
         for name in ("zones", "nodes", "gradient", "segments", "control", "counters"):
             setattr(self, name, np.ascontiguousarray(payload[name]).copy())
-        for name in ("voids_opened", "voids_closed"):
+        for name in ("voids_opened", "voids_closed", "interfaces_parted"):
             setattr(self, name, int(payload[name]))
         self.start_energy, self.start_momentum = float(payload["start_energy"]), float(payload["start_momentum"])
         self._retopologise()
@@ -328,6 +347,10 @@ def _diagnose(code, values, left, right):
     if code == L.STEP_COLLAPSED:
         return ("the time step collapsed below a 1e-12 part of the stop time.",
                 "use coarser or better graded zones there, or stop the run earlier.")
+    if values.get("mixture_status", 0.0) != 0.0:
+        return ("reactants and products have no common pressure there: the search for the state of the mixture failed at a burn fraction "
+                f"of {values['burn_fraction']:.6g}.",
+                "lower [solver] courant, take finer zones, or another mixture of the material.")
     if not right > left:
         return ("the zone turned inside out (its faces crossed).",
                 "lower [solver] courant, or give the artificial viscosity more strength.")

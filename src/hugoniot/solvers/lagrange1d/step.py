@@ -14,6 +14,7 @@ state is bad; the codes are in `layout`. Which laws a run of zones follows is pa
 of (eos, strength, fracture, viscosity) parameter tuples, `tables` their numbers, a row for each material of that kind.
 """
 
+import importlib
 from typing import NamedTuple
 
 import numba as nb
@@ -22,6 +23,7 @@ from numba.extending import overload
 from hugoniot.core import compile as binding
 from hugoniot.core.compile import GUARD
 from hugoniot.core.team import DISMISSED, Alone, await_call, call, gather_team, sign
+from hugoniot.laws.burn.contract import Reactive
 from hugoniot.laws.eos import contract as eos_contract
 from hugoniot.laws.fracture import contract as fracture_contract
 from hugoniot.laws.strength import contract as strength_contract
@@ -81,30 +83,39 @@ def advance_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometr
     raise NotImplementedError("compiled only")
 
 
-def _over_runs(sweep, again):
-    """The overload of a function over runs: every piece of the first kind that is in this share, then the other kinds."""
+def _over_runs(inert_sweep, burning_sweep, again):
+    """The overload of a function over runs: every piece of the first kind that is in this share, then the other kinds.
+
+    burning_sweep   name in `reactive_sweeps` of the sweep for kinds whose first law is a `Reactive`, which is imported when one comes
+    """
     def nothing(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
         return None
 
-    def impl(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
-        law, table = kinds[0], tables[0]
-        for i in range(share, runs.shape[0], of):
-            if runs[i, L.RUN_KIND] == kind:
-                m = runs[i, L.RUN_MATERIAL]
-                rows = (table[0][m], table[1][m], table[2][m], table[3][m], table[4][m])
-                sweep(zones, nodes, gradient, runs[i, L.RUN_FIRST], runs[i, L.RUN_LAST], runs[i, L.RUN_SEGMENT], dt, law, rows, geometry,
-                      found[i])
-        again(zones, nodes, gradient, runs, found, dt, kinds[1:], tables[1:], geometry, share, of, kind + 1)
+    def over(sweep):
+        def impl(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
+            law, table = kinds[0], tables[0]
+            for i in range(share, runs.shape[0], of):
+                if runs[i, L.RUN_KIND] == kind:
+                    m = runs[i, L.RUN_MATERIAL]
+                    rows = (table[0][m], table[1][m], table[2][m], table[3][m], table[4][m])
+                    sweep(zones, nodes, gradient, runs[i, L.RUN_FIRST], runs[i, L.RUN_LAST], runs[i, L.RUN_SEGMENT], dt, law, rows,
+                          geometry, found[i])
+            again(zones, nodes, gradient, runs, found, dt, kinds[1:], tables[1:], geometry, share, of, kind + 1)
+        return impl
 
     def choose(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
-        return nothing if len(kinds) == 0 else impl
+        if len(kinds) == 0:
+            return nothing
+        if kinds[0][0].instance_class is not Reactive:
+            return over(inert_sweep)
+        return over(getattr(importlib.import_module("hugoniot.solvers.lagrange1d.reactive_sweeps"), burning_sweep))
 
     overload(again)(choose)
 
 
-_over_runs(predict, predict_runs)
-_over_runs(correct, correct_runs)
-_over_runs(advance, advance_runs)
+_over_runs(predict, "predict_burning", predict_runs)
+_over_runs(correct, "correct_burning", correct_runs)
+_over_runs(advance, None, advance_runs)
 
 
 # -- sharing the sweeps ------------------------------------------------------------------------------------------

@@ -1,0 +1,120 @@
+"""Setting up burning regions: the solver's laws for them, lighting times, the state before burning, and what is told about it.
+
+A burning zone owns the rows of the zone table behind the inert ones (`layout`): burn fraction, time since its lighting, size at
+t = 0, and the two phases of the step before. Runs without an explosive have no such rows.
+"""
+
+import numpy as np
+
+from hugoniot.errors import OutOfRange
+from hugoniot.laws import burn as _burn  # noqa: F401  (enrols the burn laws)
+from hugoniot.laws.burn.contract import BURN
+from hugoniot.laws.burn.lighting import lighting_times
+from hugoniot.laws.eos.contract import pressure, sound_speed_squared
+from hugoniot.materials import burning
+from hugoniot.problem.model import Problem
+from hugoniot.solvers.lagrange1d import layout as L
+
+STEP_SHARE = 0.1     # of the shortest burning time a step may be
+ZONES_NEEDED = 10.0  # in a reaction length, below which a rate is not resolved
+
+
+def burns(problem: Problem, region) -> bool:
+    """Whether a region's material has a burn law."""
+    return problem.materials[region.material].burn is not None
+
+
+def check(problem: Problem) -> None:
+    """Refuse what burning cannot be combined with, and burn laws that lack their data; OutOfRange says what to change."""
+    explosive = [region for region in problem.regions if burns(problem, region)]
+    if explosive and problem.solver.integrator != "compatible":
+        raise OutOfRange(f"region '{explosive[0].name}' burns, which the integrator '{problem.solver.integrator}' cannot: take "
+                         "integrator = \"compatible\"")
+    for region in explosive:
+        burning.reactive(problem.materials[region.material])
+    for k, point in enumerate(problem.lighting):
+        if not any(r.start <= point.position <= r.end for r in explosive if front_speed(problem, r) > 0.0):
+            raise OutOfRange(f"lighting point {k + 1} at {point.position:.6g} m lies in no explosive with programmed burn: move it inside")
+
+
+def front_speed(problem: Problem, region) -> float:
+    """Speed of the programmed front in a region, m/s; 0 where nothing is programmed."""
+    rate = problem.materials[region.material].burn
+    return float(rate.detonation_velocity) if rate is not None and "programmed" in BURN.of(rate).flags else 0.0
+
+
+def extra_row(problem: Problem, region, courant: float) -> tuple[float, float]:
+    """What a burning run's sweep knows besides its laws: signal rate per rate of burning, speed of a programmed front (m/s)."""
+    return courant / STEP_SHARE, front_speed(problem, region)
+
+
+def start_region(material, region):
+    """(rho, e with the chemical energy, p, sound speed) of an unburned region."""
+    rho, e = burning.start_state(material, region.density, region.pressure, region.temperature, region.energy)
+    if not burning.has_reactants(material):
+        return rho, e, 0.0, 0.0
+    thermal = e - burning.heat_of(material)
+    c2 = sound_speed_squared(rho, thermal, material.unreacted)
+    if not c2 >= 0.0:
+        raise OutOfRange(f"the unreacted explosive of region '{region.name}' has an imaginary sound speed at {rho:g} kg/m3")
+    return rho, e, float(pressure(rho, thermal, material.unreacted)), float(np.sqrt(c2))
+
+
+def prepare(problem: Problem, zones, places, ranges) -> None:
+    """Fill the rows of burning zones: unburned, with the clock of their lighting. `places` are node positions by region."""
+    for region, place, (a, b) in zip(problem.regions, places, ranges):
+        if burns(problem, region):
+            zones[L.RHO_R, a:b], zones[L.E_R, a:b] = zones[L.RHO, a:b], zones[L.E, a:b]
+            zones[L.ZONE_SIZE, a:b] = np.diff(place)
+            zones[L.RESOLUTION, a:b] = 1e300
+    for body in _programmed_bodies(problem):
+        _light(problem, zones, places, ranges, body)
+
+
+def _programmed_bodies(problem: Problem) -> list[list[int]]:
+    """Stretches of touching regions with programmed burn: a front runs through all of one."""
+    bodies: list[list[int]] = []
+    for k, region in enumerate(problem.regions):
+        if front_speed(problem, region) <= 0.0:
+            continue
+        if bodies and bodies[-1][-1] == k - 1 and problem.regions[k - 1].end == region.start:
+            bodies[-1].append(k)
+        else:
+            bodies.append([k])
+    return bodies
+
+
+def _light(problem: Problem, zones, places, ranges, body: list[int]) -> None:
+    """Lighting times of one body: distances count as times, since each explosive has its own front speed."""
+    first, last = problem.regions[body[0]], problem.regions[body[-1]]
+    points = [p for p in problem.lighting if first.start <= p.position <= last.end]
+    if not points:
+        names = ", ".join(f"'{problem.regions[k].name}'" for k in body)
+        raise OutOfRange(f"programmed burn of {names} needs a lighting point: give a [[lighting]] with at = a position between "
+                         f"{first.start:.6g} and {last.end:.6g} m, or burn = \"none\" for products from the start")
+    ends = [first.start] + [problem.regions[k].end for k in body]
+    clock = np.concatenate(([0.0], np.cumsum([(e - s) / front_speed(problem, problem.regions[k])
+                                              for s, e, k in zip(ends[:-1], ends[1:], body)])))
+    faces = np.interp(np.concatenate([places[body[0]], *(places[k][1:] for k in body[1:])]), ends, clock)
+    times = lighting_times(faces, [(float(np.interp(p.position, ends, clock)), p.time) for p in points], 1.0)
+    zones[L.LIT_SINCE, ranges[body[0]][0]:ranges[body[-1]][1]] = -times
+
+
+def released_heat(problem: Problem, zones, ranges) -> float:
+    """Chemical energy set free so far, J per m^2, per m and radian, or per steradian."""
+    return float(sum(burning.heat_of(problem.materials[region.material]) * np.sum(zones[L.MASS, a:b] * zones[L.BURN_FRACTION, a:b])
+                     for region, (a, b) in zip(problem.regions, ranges) if burns(problem, region)))
+
+
+def unresolved(problem: Problem, zones, ranges) -> list[str]:
+    """A sentence for every region whose rate was faster than its zones resolve."""
+    told = []
+    for region, (a, b) in zip(problem.regions, ranges):
+        if not burns(problem, region):
+            continue
+        held = zones[L.RESOLUTION, a:b]
+        held = held[held < 1e299]
+        if held.size and np.median(held) < ZONES_NEEDED:
+            told.append(f"region '{region.name}' burned within {np.median(held):.3g} zones (median over its zones): its rate is not "
+                        f"resolved; {ZONES_NEEDED:g} zones are needed, so take zones {ZONES_NEEDED / np.median(held):.2g} times smaller")
+    return told

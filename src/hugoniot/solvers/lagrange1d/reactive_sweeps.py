@@ -1,0 +1,166 @@
+"""Sweeps over a run of burning zones for the compatible integrator: the mixture stands where inert zones have an equation of state.
+
+The same steps as `zone_sweeps`, without strength: burn fraction and mixture are found in the predictor with the pressure of the step
+before, in the corrector with the one of the middle of the step, both from the state at the start of the step. Each phase first takes
+its share of the step's viscous heat. A search that fails leaves its status and a sound speed of -1, which the watch refuses.
+
+Source: 003 (Starkenberg ARL-TR-2161) sections 3 to 5; 002 (Herrmann WL-TR-64-107) A.27 to A.30; `docs/theory/mixtures.md`.
+"""
+
+import sys
+
+import numba as nb
+
+from hugoniot.core import compile as binding
+from hugoniot.core.compile import SWEEP, parameters
+from hugoniot.core.ops import fmax, fmin
+from hugoniot.laws.burn import contract as burn_contract
+from hugoniot.laws.burn import depletion
+from hugoniot.laws.burn.contract import BURN, advance, rate, scheduled
+from hugoniot.laws.mixture import contract as mixture_contract
+from hugoniot.laws.mixture.binding import bind_mixtures
+from hugoniot.laws.mixture.contract import Mixed, heated, mixture_temperature, slopes, solve, sound_speed_squared
+from hugoniot.laws.viscosity.contract import viscous_speed
+from hugoniot.mesh.line import area, volume
+from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.constitutive import wave_speed
+
+SMALL = 1e-30
+BURNING = 0.99       # burn fraction up to which the time step follows the rate
+IGNITED = 0.05       # burn fraction from which the resolution of the rate is watched
+
+
+def burn_temperature(lam, mixed, mixture, rate):
+    """Temperature for a burn law that asks for one; 0 for the others, at no cost."""
+    return mixture_temperature(lam, mixed, mixture) if "temperature_driven" in BURN.of(rate).flags else 0.0
+
+
+def no_temperature(lam, mixed, mixture, rate):
+    return 0.0
+
+
+def its_temperature(lam, mixed, mixture, rate):
+    return mixture_temperature(lam, mixed, mixture)
+
+
+def driving_pressure(p, q, rate):
+    """The pressure a burn law is meant to see: with the artificial viscosity where its authors count it."""
+    return p + q if "includes_viscosity" in BURN.of(rate).flags else p
+
+
+def with_viscosity(p, q, rate):
+    return p + q
+
+
+def without_viscosity(p, q, rate):
+    return p
+
+
+def _bind():
+    def asks(flag, then, otherwise):
+        return lambda *classes: then if flag in BURN.of_class(classes[-1]).flags else otherwise
+
+    bind_mixtures()
+    binding.bind_family(BURN, burn_contract.GENERICS)
+    for module in (depletion, burn_contract, mixture_contract):
+        binding.bind_module(module)
+    binding.bind_choice(burn_temperature, asks("temperature_driven", its_temperature, no_temperature))
+    binding.bind_choice(driving_pressure, asks("includes_viscosity", with_viscosity, without_viscosity))
+    binding.bind_module(sys.modules[__name__])
+
+
+_bind()
+
+
+@nb.njit(**SWEEP)
+def predict_burning(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
+    """Stress in the middle of the step, from the state at its start and the predicted mean velocity."""
+    par = parameters(law[0], rows[0])
+    viscosity = parameters(law[3], rows[3])
+    a, b = first + segment, last + segment
+    rh, u = nodes[L.R_HALF, a:b + 1], nodes[L.U_MEAN, a:b + 1]
+    g = gradient[first + 2 * segment:last + 2 * segment + 2]
+    mass, im = zones[L.MASS, first:last], zones[L.INVERSE_MASS, first:last]
+    rho_, e, c, p_ = zones[L.RHO, first:last], zones[L.E, first:last], zones[L.C, first:last], zones[L.P, first:last]
+    sigma, sigma_half = zones[L.SIGMA, first:last], zones[L.SIGMA_HALF, first:last]
+    q_, speed_out, status = zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last], zones[L.MIX_STATUS, first:last]
+    burned, since, width = zones[L.BURN_FRACTION, first:last], zones[L.LIT_SINCE, first:last], zones[L.ZONE_SIZE, first:last]
+    rho_r, e_r, rho_p, e_p = zones[L.RHO_R, first:last], zones[L.E_R, first:last], zones[L.RHO_P, first:last], zones[L.E_P, first:last]
+    half = 0.5 * dt
+    for j in range(last - first):
+        r1, r2, u1, u2 = rh[j], rh[j + 1], u[j], u[j + 1]
+        change = half * im[j] * (area(r2, geometry) * u2 - area(r1, geometry) * u1)
+        rho = mass[j] / volume(r1, r2, geometry)
+        energy = e[j] - sigma[j] * change
+        before = Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0)
+        heat = burn_temperature(burned[j], before, par.mixture, par.rate)
+        lam = scheduled(burned[j], since[j] + half, 0.0, width[j], rho_[j], par.rate)
+        lam = advance(lam, half, rho_[j], driving_pressure(p_[j], q_[j], par.rate), heat, par.rate)
+        mixed = solve(rho, energy, lam, heated(before, -q_[j] * change), par.mixture)
+        p = mixed.pressure
+        du = u2 - u1
+        steep = -g[j + 1]
+        left, right = -g[j], -g[j + 2]
+        smooth = fmax(0.0, fmin(fmin(0.5 * (left + right), steep), 2.0 * fmin(left, right)))
+        psi = fmin(smooth / (fmax(steep, 0.0) + SMALL), 1.0)
+        speed = viscous_speed(rho, c[j], p, fmin(du, 0.0), psi, viscosity)
+        q = -rho * fmin(du, 0.0) * speed
+        status[j] = mixed.status
+        q_[j] = q
+        speed_out[j] = speed if du < 0.0 else 0.0
+        sigma_half[j] = p + q
+
+
+@nb.njit(**SWEEP)
+def correct_burning(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
+    """State at the end of the step; `found` takes the largest signal rate (1/s, that of burning included) and the geometric impulse."""
+    par = parameters(law[0], rows[0])
+    a, b = first + segment, last + segment
+    r, rh, u, ue = nodes[L.R, a:b + 1], nodes[L.R_HALF, a:b + 1], nodes[L.U_MEAN, a:b + 1], nodes[L.U, a:b + 1]
+    g = gradient[first + 2 * segment + 1:last + 2 * segment + 1]
+    mass, im = zones[L.MASS, first:last], zones[L.INVERSE_MASS, first:last]
+    rho_, e_, p_, c_ = zones[L.RHO, first:last], zones[L.E, first:last], zones[L.P, first:last], zones[L.C, first:last]
+    sigma, sigma_half = zones[L.SIGMA, first:last], zones[L.SIGMA_HALF, first:last]
+    q, speed, viscous = zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last], zones[L.VISCOUS_WORK, first:last]
+    burned, since, width = zones[L.BURN_FRACTION, first:last], zones[L.LIT_SINCE, first:last], zones[L.ZONE_SIZE, first:last]
+    rho_r, e_r, rho_p, e_p = zones[L.RHO_R, first:last], zones[L.E_R, first:last], zones[L.RHO_P, first:last], zones[L.E_P, first:last]
+    status, resolved = zones[L.MIX_STATUS, first:last], zones[L.RESOLUTION, first:last]
+    noise, per_rate, front = rows[4][1], rows[4][2], rows[4][3]
+    fastest, radial_impulse = 0.0, 0.0
+    for j in range(last - first):
+        u1, u2, r1, r2 = u[j], u[j + 1], rh[j], rh[j + 1]
+        rate_of_volume = area(r2, geometry) * u2 - area(r1, geometry) * u1
+        change = dt * im[j] * rate_of_volume
+        energy = e_[j] - sigma_half[j] * change
+        radial_impulse += sigma_half[j] * (area(r2, geometry) - area(r1, geometry))
+        rho_half = mass[j] / volume(r1, r2, geometry)
+        v = volume(r[j], r[j + 1], geometry) * im[j]
+        rho = 1.0 / v
+        before = Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0)
+        heat = burn_temperature(burned[j], before, par.mixture, par.rate)
+        since[j] += dt
+        lam = scheduled(burned[j], since[j], 0.0, width[j], rho_half, par.rate)
+        lam = advance(lam, dt, rho_half, driving_pressure(sigma_half[j] - q[j], q[j], par.rate), heat, par.rate)
+        mixed = solve(rho, energy, lam, heated(before, -q[j] * change), par.mixture)
+        p = mixed.pressure
+        c2 = sound_speed_squared(rho, p, slopes(rho, energy, lam, mixed, par.mixture))
+        fault = status[j] + mixed.status
+        c = wave_speed(c2, noise + 1.0) if fault == 0.0 else -1.0   # what has not begun to burn may have no sound at all
+        inverse = 1.0 / (r[j + 1] - r[j])
+        g[j] = (ue[j + 1] - ue[j]) * inverse
+        fastest = fmax(fastest, (fmax(c, front) + 2.0 * speed[j]) * inverse)
+        if lam < BURNING:
+            pace = rate(lam, rho, driving_pressure(p, q[j], par.rate), burn_temperature(lam, mixed, par.mixture, par.rate), par.rate)
+            fastest = fmax(fastest, per_rate * pace)
+            if lam > IGNITED and pace > 0.0:
+                resolved[j] = fmin(resolved[j], c * inverse / pace)
+        status[j] = fault
+        burned[j] = lam
+        rho_r[j], e_r[j], rho_p[j], e_p[j] = mixed.rho_r, mixed.e_r, mixed.rho_p, mixed.e_p
+        rho_[j] = rho
+        e_[j] = energy
+        p_[j] = p
+        c_[j] = c
+        viscous[j] -= q[j] * change
+        sigma[j] = p + q[j]
+    found[0], found[1], found[2], found[3] = fastest, 0.0, radial_impulse, 0.0
