@@ -6,7 +6,7 @@ $$\text{failure} = \frac{\sigma_t}{\sigma_{spall}}, \qquad \sigma_t = s_1 - p, \
 sigma_t is the longitudinal tensile stress (viscous pressure excluded). Where it first reaches the strength the material parts: one
 plane, one void. Until the release from that void arrives, the zones around would go on into tensions the material cannot carry;
 there voids grow instead (volume fraction phi), at the strength, which falls to nothing when they coalesce at phi_c. They close
-again at zero pressure. A zone with voids in it opens no second plane.
+again at zero longitudinal stress. A zone with voids in it opens no second plane.
 
 Source: Herrmann WL-TR-64-107, section VI (spall at a critical tensile stress); Wilkins B.4 (a) names such criteria. The growth of
 voids at the strength, and its linear fall with their fraction, close the model here; neither source prints a rule for it.

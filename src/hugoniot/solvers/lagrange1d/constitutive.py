@@ -40,15 +40,20 @@ def grows_voids(fracture):
     return "voids" in FRACTURE.of(fracture).flags
 
 
-def void_change(p, tension, stiffness, voids, density, fracture):
-    """(change of the void volume per mass, change of the pressure): voids grow at the capped tension and close at zero pressure.
+def void_change(tension, stiffness, voids, density, fracture):
+    """(change of the void volume per mass, change of the pressure): voids grow at the capped tension and close at zero stress.
 
     stiffness = rho^2 c_b^2 of the solid, -dp/dv: the changes are consistent to first order, and the next step's equation of
     state, which sees the solid's own volume, takes up the rest.
     """
     excess = fmax(tension - tension_cap(voids * density, fracture), 0.0)
-    closing = fmin(voids * stiffness, fmax(p, 0.0))
+    closing = fmin(voids * stiffness, fmax(-tension, 0.0))
     return (excess - closing) / stiffness, excess - closing
+
+
+def flow_beside_voids(flow, grown, density):
+    """Plastic strain increment of the solid when part of the stretch, grown * density, was the opening of voids."""
+    return fmax(flow - (2.0 / 3.0) * fmax(grown, 0.0) * density, 0.0)
 
 
 def wave_speed(c2, noise):

@@ -16,6 +16,7 @@ from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.mesh.line import hoops, volume
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.constitutive import (
+    flow_beside_voids,
     grows_voids,
     no,
     radial_return,
@@ -164,8 +165,9 @@ def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         bulk2 = p_rho + p * p_e * v * v
         if grows_voids(fracture):
             bulk2 = p_rho + p * p_e / (rho * rho)
-            grown, relief = void_change(p, tension, rho * rho * bulk2, voids[j], rho, fracture)
+            grown, relief = void_change(tension, rho * rho * bulk2, voids[j], rho, fracture)
             voids[j] += grown
+            flow = flow_beside_voids(flow, grown, rho)
             p += relief
             energy -= 0.5 * relief * dv
             capped += 1.0 if relief > 0.0 else 0.0

@@ -17,6 +17,7 @@ from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.mesh.line import area, hoops, volume
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.constitutive import (
+    flow_beside_voids,
     grows_voids,
     radial_return,
     strain_rate,
@@ -73,7 +74,7 @@ def predict(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         limit, _ = yield_at(von_mises(t1, t2, geometry), shear, (rho, p, heat, pace), eps[j], strength)
         t1, t2 = radial_return(t1, t2, limit, geometry)
         if grows_voids(fracture):
-            p += void_change(p, t1 - p, rho * bulk, voids[j], rho, fracture)[1]
+            p += void_change(t1 - p, rho * bulk, voids[j], rho, fracture)[1]
         du = u2 - u1
         # smoothness of the velocity field (Caramana, Shashkov and Whalen 1998, J. Comput. Phys. 144, 70): ratios of the
         # neighbours' gradients to this one; 1 in a linear field, 0 at a shock or an extremum
@@ -140,8 +141,9 @@ def correct(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         hurt_now = hurt[j] + dt * damage_rate(tension, fracture)
         ratio = failure(tension, p, rho0 * v, hurt_now, fracture)
         if grows_voids(fracture):
-            grown, relief = void_change(p, tension, rho * rho * c2, voids[j], rho, fracture)
+            grown, relief = void_change(tension, rho * rho * c2, voids[j], rho, fracture)
             voids[j] += grown
+            flow = flow_beside_voids(flow, grown, rho)
             p += relief
             capped += 1.0 if relief > 0.0 else 0.0
         c = wave_speed(c2 + (4.0 / 3.0) * shear / rho, noise)
