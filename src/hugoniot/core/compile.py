@@ -27,7 +27,11 @@ from hugoniot.core.registry import Registry
 LAW = dict(fastmath=True, error_model="numpy", forceinline=True)
 # fused multiply-add only (it rounds once where two roundings stood): exp and log keep their error and gain a factor 1.6
 EXACT_LAW = dict(fastmath={"contract"}, error_model="numpy", forceinline=True)
-SWEEP = dict(fastmath=True, error_model="numpy", cache=True, nogil=True)
+# A sweep is inlined wherever it is called, and so are the functions on its way up: the whole march is one piece of machine code.
+# Otherwise the process that compiles runs another translation of a sweep than the ones that load the march from disk (each
+# was optimised in its own surroundings), and with fast-math the two differ in the last bits.
+SWEEP = dict(fastmath=True, error_model="numpy", cache=True, nogil=True, forceinline=True)
+INLINE = dict(error_model="numpy", forceinline=True)
 GUARD = dict(fastmath=False, error_model="numpy", cache=True, nogil=True)
 
 # A sweep touches some twenty rows of the same tables; the vectoriser proves at run time that they do not overlap and by

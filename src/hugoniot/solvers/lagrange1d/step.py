@@ -21,7 +21,7 @@ import numba as nb
 from numba.extending import overload
 
 from hugoniot.core import compile as binding
-from hugoniot.core.compile import GUARD
+from hugoniot.core.compile import GUARD, INLINE
 from hugoniot.core.team import DISMISSED, Alone, await_call, call, gather_team, sign
 from hugoniot.laws.burn.contract import Reactive
 from hugoniot.laws.eos import contract as eos_contract
@@ -110,7 +110,7 @@ def _over_runs(inert_sweep, burning_sweep, again):
             return over(inert_sweep)
         return over(getattr(importlib.import_module("hugoniot.solvers.lagrange1d.reactive_sweeps"), burning_sweep))
 
-    overload(again)(choose)
+    overload(again, jit_options=INLINE)(choose)
 
 
 _over_runs(predict, "predict_burning", predict_runs)
@@ -124,7 +124,7 @@ def do_share(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds,
     raise NotImplementedError("compiled only")
 
 
-@overload(do_share)
+@overload(do_share, jit_options=INLINE)
 def _(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, share, of):
     def compatible(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, share, of):
         runs, spans, _ = pieces
@@ -156,7 +156,7 @@ def everyone(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds,
     raise NotImplementedError("compiled only")
 
 
-@overload(everyone)
+@overload(everyone, jit_options=INLINE)
 def _(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
     def alone(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
         do_share(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, 0, 1)
@@ -276,7 +276,7 @@ def step_wilkins(scheme, zones, nodes, gradient, control, segments, pieces, foun
     everyone(ADVANCE, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
 
 
-@overload(take_step)
+@overload(take_step, jit_options=INLINE)
 def _(scheme, zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team):
     return step_wilkins if scheme.instance_class is Leapfrog else step_compatible
 
