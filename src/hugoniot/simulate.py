@@ -145,6 +145,8 @@ def _drive(recorder: _Recorder, next_snapshot: int, begun: float, report: bool) 
         folder.post_mortem(error, {"solver": solver.payload(), "next_snapshot": -1})
         raise
     _note_extrapolation(folder, problem, solver)
+    for text in getattr(solver, "unresolved", list)():
+        folder.event(solver.time, solver.cycle, "warning", text)
     folder.finish(_summary(problem, solver, outcome, begun), solver.peaks())
     if report and output.report:
         _write_report(folder)

@@ -7,6 +7,7 @@ from typing import Any
 
 from hugoniot.errors import HugoniotError
 from hugoniot.laws.eos.contract import density_limits, reference_state, sound_speed_squared
+from hugoniot.materials import burning
 from hugoniot.materials.build import from_library
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.materials.initial_state import initial_state
@@ -100,6 +101,12 @@ def _check_state(row: Any, material: Material | None, collector: Collector, path
     if material is None or not given:
         return
     key = next(iter(given))
+    if material.burn is not None:
+        try:
+            burning.start_state(material, row.density, row.pressure, row.temperature, row.energy)
+        except (HugoniotError, ArithmeticError, ValueError) as error:
+            collector.add((*path, key), printable(str(error), 300))
+        return
     low, high = density_limits(material.eos)
     if row.density is not None and not low <= row.density < high:
         collector.add((*path, "density"), f"{row.density:g} kg/m^3 lies outside the equation of state",

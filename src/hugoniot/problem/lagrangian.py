@@ -12,11 +12,11 @@ from hugoniot.materials.build import read_law
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.materials.material import Material
 from hugoniot.materials.tables import law_table, material_tables
-from hugoniot.problem import checks
+from hugoniot.problem import checks, explosives
 from hugoniot.problem.boundaries import boundary_schema, boundary_value, read_boundary
 from hugoniot.problem.defaults import complete
-from hugoniot.problem.model import Boundary, OutputOptions, Problem, SolverOptions
-from hugoniot.problem.schema import Length, Pressure, Quantity, Table, salvage, trouble
+from hugoniot.problem.model import Boundary, Lighting, OutputOptions, Problem, SolverOptions
+from hugoniot.problem.schema import Length, Pressure, Quantity, Table, Time, salvage, trouble
 from hugoniot.units import UnitError, parse
 
 Positive = Annotated[float, Quantity("s", above=0.0, limit=1e15)]
@@ -99,6 +99,13 @@ class GaugeTable(Table):
         description="position at t = 0, or \"free surface left|right\", \"REGION/REGION\", \"REGION:left|right\"")
 
 
+class LightingTable(Table):
+    """A detonator: where and when programmed burns start."""
+
+    at: Length = Field(description="position at t = 0, inside the explosive or on its end (a radius in curved geometry)")
+    time: Time = Field(0.0, description="when it fires")
+
+
 class BoundaryTables(Table):
     """What happens at the two ends."""
 
@@ -155,6 +162,7 @@ class Model(Table):
     boundary: BoundaryTables = Field(default_factory=lambda: BoundaryTables(), description="the two ends")
     interface: list[InterfaceTable] = Field(default_factory=list, max_length=100_000, description="how neighbours hold together")
     gauge: list[GaugeTable] = Field(default_factory=list, max_length=10_000, description="Lagrangian gauges")
+    lighting: list[LightingTable] = Field(default_factory=list, max_length=10_000, description="where programmed burns start")
     solver: SolverTable = Field(default_factory=SolverTable, description="how it is solved")  # type: ignore[arg-type]
     output: OutputTable = Field(default_factory=OutputTable, description="what is kept")  # type: ignore[arg-type]
 
@@ -180,8 +188,13 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
             warnings.append(f"material '{printable(name)}' of the deck is not used by any region")
     if model is None or collector.problems or left is None or right is None or solver is None or output is None:
         return None, warnings
-    problem = Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, solver, output)
-    return problem, warnings + checks.advice(problem)
+    lighting = tuple(Lighting(row.at, row.time) for row in model.lighting)
+    problem = Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, solver, output, lighting)
+    for defect in explosives.defects(problem):
+        collector.add(*defect)
+    if collector.problems:
+        return None, warnings
+    return problem, warnings + checks.advice(problem) + explosives.advice(problem)
 
 
 def _parts(kind: type[Table], rows: Any) -> list:
@@ -246,7 +259,8 @@ def write(problem: Problem) -> dict:
     interfaces = [{"between": [i.left, i.right], "kind": i.kind} | ({"strength": i.strength} if i.kind == "bond" else {})
                   for i in problem.interfaces]
     gauges = [{"name": g.name, "at": g.at} for g in problem.gauges]
-    deck |= {key: rows for key, rows in (("interface", interfaces), ("gauge", gauges)) if rows}
+    lighting = [{"at": point.position, "time": point.time} for point in problem.lighting]
+    deck |= {key: rows for key, rows in (("interface", interfaces), ("gauge", gauges), ("lighting", lighting)) if rows}
     solver = _known(problem.solver)
     if problem.solver.viscosity is not None:
         law, values = problem.solver.viscosity

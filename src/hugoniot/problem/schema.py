@@ -15,7 +15,8 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 from pydantic_core import PydanticCustomError, core_schema
 
 from hugoniot.core.registry import Registry
-from hugoniot.laws import viscosity  # noqa: F401  (enrols the viscosity laws)
+from hugoniot.laws import mixture, viscosity  # noqa: F401  (enrols the laws)
+from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.materials.tables import accepted, families
@@ -203,6 +204,10 @@ def json_schema(kind: str = "lagrange1d") -> dict:
     for family, registry in families().items():
         definitions[f"{family}_law"] = law_schema(registry)
         material["properties"][family] = {"$ref": f"#/$defs/{family}_law"}
+    heat = {"anyOf": [{"type": "number"}, {"type": "string"}], "unit": "J/kg", "description": "chemical energy an explosive releases"}
+    material["properties"] |= {
+        "unreacted": {"$ref": "#/$defs/eos_law", "description": "an explosive before it burns; eos are its products"},
+        "mixture": {"enum": MIXTURE.names(), "description": "closure that joins both while it burns"}, "detonation_energy": heat}
     definitions["viscosity_law"] = law_schema(VISCOSITY)
     definitions["material"] = material
     return _linked(schema)

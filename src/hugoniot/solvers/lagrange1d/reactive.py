@@ -7,11 +7,10 @@ t = 0, and the two phases of the step before. Runs without an explosive have no 
 import numpy as np
 
 from hugoniot.errors import OutOfRange
-from hugoniot.laws import burn as _burn  # noqa: F401  (enrols the burn laws)
-from hugoniot.laws.burn.contract import BURN
 from hugoniot.laws.burn.lighting import lighting_times
 from hugoniot.laws.eos.contract import pressure, sound_speed_squared
 from hugoniot.materials import burning
+from hugoniot.problem.explosives import burns, defects, front_speed, programmed_bodies
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.lagrange1d import layout as L
 
@@ -19,28 +18,10 @@ STEP_SHARE = 0.1     # of the shortest burning time a step may be
 ZONES_NEEDED = 10.0  # in a reaction length, below which a rate is not resolved
 
 
-def burns(problem: Problem, region) -> bool:
-    """Whether a region's material has a burn law."""
-    return problem.materials[region.material].burn is not None
-
-
 def check(problem: Problem) -> None:
     """Refuse what burning cannot be combined with, and burn laws that lack their data; OutOfRange says what to change."""
-    explosive = [region for region in problem.regions if burns(problem, region)]
-    if explosive and problem.solver.integrator != "compatible":
-        raise OutOfRange(f"region '{explosive[0].name}' burns, which the integrator '{problem.solver.integrator}' cannot: take "
-                         "integrator = \"compatible\"")
-    for region in explosive:
-        burning.reactive(problem.materials[region.material])
-    for k, point in enumerate(problem.lighting):
-        if not any(r.start <= point.position <= r.end for r in explosive if front_speed(problem, r) > 0.0):
-            raise OutOfRange(f"lighting point {k + 1} at {point.position:.6g} m lies in no explosive with programmed burn: move it inside")
-
-
-def front_speed(problem: Problem, region) -> float:
-    """Speed of the programmed front in a region, m/s; 0 where nothing is programmed."""
-    rate = problem.materials[region.material].burn
-    return float(rate.detonation_velocity) if rate is not None and "programmed" in BURN.of(rate).flags else 0.0
+    for _, message, hint in defects(problem):
+        raise OutOfRange(f"{message}; {hint}" if hint else message)
 
 
 def extra_row(problem: Problem, region, courant: float) -> tuple[float, float]:
@@ -67,31 +48,14 @@ def prepare(problem: Problem, zones, places, ranges) -> None:
             zones[L.RHO_R, a:b], zones[L.E_R, a:b] = zones[L.RHO, a:b], zones[L.E, a:b]
             zones[L.ZONE_SIZE, a:b] = np.diff(place)
             zones[L.RESOLUTION, a:b] = 1e300
-    for body in _programmed_bodies(problem):
+    for body in programmed_bodies(problem):
         _light(problem, zones, places, ranges, body)
-
-
-def _programmed_bodies(problem: Problem) -> list[list[int]]:
-    """Stretches of touching regions with programmed burn: a front runs through all of one."""
-    bodies: list[list[int]] = []
-    for k, region in enumerate(problem.regions):
-        if front_speed(problem, region) <= 0.0:
-            continue
-        if bodies and bodies[-1][-1] == k - 1 and problem.regions[k - 1].end == region.start:
-            bodies[-1].append(k)
-        else:
-            bodies.append([k])
-    return bodies
 
 
 def _light(problem: Problem, zones, places, ranges, body: list[int]) -> None:
     """Lighting times of one body: distances count as times, since each explosive has its own front speed."""
     first, last = problem.regions[body[0]], problem.regions[body[-1]]
     points = [p for p in problem.lighting if first.start <= p.position <= last.end]
-    if not points:
-        names = ", ".join(f"'{problem.regions[k].name}'" for k in body)
-        raise OutOfRange(f"programmed burn of {names} needs a lighting point: give a [[lighting]] with at = a position between "
-                         f"{first.start:.6g} and {last.end:.6g} m, or burn = \"none\" for products from the start")
     ends = [first.start] + [problem.regions[k].end for k in body]
     clock = np.concatenate(([0.0], np.cumsum([(e - s) / front_speed(problem, problem.regions[k])
                                               for s, e, k in zip(ends[:-1], ends[1:], body)])))
