@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from hugoniot.campaign.guderley import GUDERLEY, arrival_error, exponent_error, shock_radius
 from hugoniot.errors import DeckError
 from hugoniot.problem.standard import STANDARD, Bar, Measure, StandardProblem
 from hugoniot.simulate import make_solver
@@ -18,6 +19,7 @@ from hugoniot.solvers.run import Schedule, march_to_end, snapshot_times
 from hugoniot.theory.exact import SOLUTIONS
 
 SNAPSHOTS = 50
+PROBLEMS = {**STANDARD, GUDERLEY.name: GUDERLEY}
 
 
 @dataclass(frozen=True)
@@ -58,10 +60,12 @@ class _Watcher:
     def __init__(self):
         self.least: dict[str, float] = {}
         self.innermost = np.inf
+        self.shock_history: list[tuple[float, float]] = []
 
     def snapshot(self, state):
         for name, values in state.zones.items():
             self.least[name] = min(self.least.get(name, np.inf), float(values.min()))
+        self.shock_history.append((state.time, shock_radius(state)))
         self.innermost = min(self.innermost, float(state.position_left[0]))
 
 
@@ -138,6 +142,10 @@ def judge(measure: Measure, view: _View) -> float:
             return float(abs(place / target - 1.0))
         case "smallest":
             return float(abs(view.watcher.innermost / target - 1.0))
+        case "exponent":
+            return exponent_error(view.watcher.shock_history, view.exact)
+        case "arrival":
+            return arrival_error(view.state, view.exact)
         case "points":
             points, values = reference_points()
             return float(np.max(np.abs(np.interp(points, view.centre, view.field(measure.field)) / values - 1.0)))
@@ -166,9 +174,9 @@ def _self_l1(measure: Measure, solver, fine) -> float:
 
 def verify_problem(name: str, zones: Iterable[int] | None = None, integrator: str = "compatible", **solver_options) -> Verified:
     """Run a standard problem on its grids (or those given) and judge it. Raises DeckError for an unknown name."""
-    if name not in STANDARD:
-        raise DeckError.single("verify", None, "problem", f"unknown problem '{name}'", f"known: {', '.join(STANDARD)}")
-    problem = STANDARD[name]
+    if name not in PROBLEMS:
+        raise DeckError.single("verify", None, "problem", f"unknown problem '{name}'", f"known: {', '.join(PROBLEMS)}")
+    problem = PROBLEMS[name]
     exact = SOLUTIONS[problem.solution](**problem.arguments) if problem.solution else None
     begun, judged, energy, momentum = time.perf_counter(), [], 0.0, 0.0
     grids = tuple(zones or problem.zones)

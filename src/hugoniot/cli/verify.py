@@ -2,25 +2,25 @@
 
 import json
 from dataclasses import asdict
+from typing import Annotated
 
 import typer
 
 
 def verify(
-    problems: list[str] = typer.Argument(None, help="names of standard problems; none: all of them"),
-    zones: list[int] = typer.Option(None, "--zones", "-n", help="grids to run instead of the table's; may be repeated"),
-    integrator: str = typer.Option("compatible", help="compatible or wilkins"),
-    as_json: bool = typer.Option(False, "--json", help="print JSON instead of tables"),
+    problems: Annotated[list[str] | None, typer.Argument(help="names of standard problems; none: all of them")] = None,
+    zones: Annotated[list[int] | None, typer.Option("--zones", "-n", help="grids to run instead of the table's; may be repeated")] = None,
+    integrator: Annotated[str, typer.Option(help="compatible or wilkins")] = "compatible",
+    as_json: Annotated[bool, typer.Option("--json", help="print JSON instead of tables")] = False,
 ) -> None:
     """Run the built-in standard problems and print error, bars and observed order.
 
     Example: hugoniot verify sod noh_planar
     """
-    from hugoniot.campaign.verify import verify_problem
-    from hugoniot.problem.standard import STANDARD
+    from hugoniot.campaign.verify import PROBLEMS, verify_problem
 
     results = []
-    for name in problems or list(STANDARD):
+    for name in problems or list(PROBLEMS):
         found = verify_problem(name, zones or None, integrator)
         results.append(found)
         if not as_json:

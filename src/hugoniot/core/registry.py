@@ -80,7 +80,8 @@ class Registry:
         missing = [f for f in self.contract if f not in given]
         stray = [f for f in given if f not in self.contract + self.optional]
         undocumented = [p for p in parameters._fields if p not in units or p not in meaning]
-        for problem, what in ((missing, "lacks"), (stray, "gives functions outside the contract:"), (undocumented, "lacks unit or meaning of")):
+        complaints = ((missing, "lacks"), (stray, "gives functions outside the contract:"), (undocumented, "lacks unit or meaning of"))
+        for problem, what in complaints:
             if problem:
                 raise ValueError(f"{self.family}: '{name}' {what} {', '.join(problem)}")
         if not references:

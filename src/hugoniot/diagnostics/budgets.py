@@ -12,7 +12,8 @@ import numpy as np
 
 from hugoniot.laws.strength.contract import shear_modulus
 
-PARTS = ("kinetic_energy", "internal_energy", "elastic_volume_energy", "elastic_deviator_energy", "plastic_work", "viscous_work", "momentum")
+PARTS = ("kinetic_energy", "internal_energy", "elastic_volume_energy", "elastic_deviator_energy", "plastic_work", "viscous_work",
+         "momentum")
 
 
 def distortion_energy(state, region_of, problem) -> np.ndarray:
