@@ -189,7 +189,8 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     if model is None or collector.problems or left is None or right is None or solver is None or output is None:
         return None, warnings
     lighting = tuple(Lighting(row.at, row.time) for row in model.lighting)
-    problem = Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, solver, output, lighting)
+    problem = Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, solver, output,
+                      lighting)
     for defect in explosives.defects(problem):
         collector.add(*defect)
     if collector.problems:

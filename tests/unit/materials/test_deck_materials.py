@@ -73,5 +73,5 @@ def test_a_name_is_never_a_path(folder, name):
 
 
 def test_unverified_constants_are_told_before_a_run(folder):
-    (folder / "deck.toml").write_text(DECK.format("octol"))
+    (folder / "deck.toml").write_text("lighting = [{at = 0.0}]\n" + DECK.format("octol"))
     assert any("octol" in w and "unverified against print" in w for w in read_deck(folder / "deck.toml").warnings)

@@ -56,6 +56,19 @@ def without_viscosity(p, q, rate):
     return p
 
 
+def at_once(rate):
+    """Whether a zone burns at once: decided by the pressure at the start of a step, so that both its halves agree (KB codes)."""
+    return "instantaneous" in BURN.of(rate).flags
+
+
+def yes(rate):
+    return True
+
+
+def no(rate):
+    return False
+
+
 def _bind():
     def asks(flag, then, otherwise):
         return lambda *classes: then if flag in BURN.of_class(classes[-1]).flags else otherwise
@@ -66,6 +79,7 @@ def _bind():
         binding.bind_module(module)
     binding.bind_choice(burn_temperature, asks("temperature_driven", its_temperature, no_temperature))
     binding.bind_choice(driving_pressure, asks("includes_viscosity", with_viscosity, without_viscosity))
+    binding.bind_choice(at_once, asks("instantaneous", yes, no))
     binding.bind_module(sys.modules[__name__])
 
 
@@ -140,7 +154,8 @@ def correct_burning(zones, nodes, gradient, first, last, segment, dt, law, rows,
         heat = burn_temperature(burned[j], before, par.mixture, par.rate)
         since[j] += dt
         lam = scheduled(burned[j], since[j], 0.0, width[j], rho_half, par.rate)
-        lam = advance(lam, dt, rho_half, driving_pressure(sigma_half[j] - q[j], q[j], par.rate), heat, par.rate)
+        drive = driving_pressure(p_[j] if at_once(par.rate) else sigma_half[j] - q[j], q[j], par.rate)
+        lam = advance(lam, dt, rho_half, drive, heat, par.rate)
         mixed = solve(rho, energy, lam, heated(before, -q[j] * change), par.mixture)
         p = mixed.pressure
         c2 = sound_speed_squared(rho, p, slopes(rho, energy, lam, mixed, par.mixture))
