@@ -4,6 +4,8 @@ Rare events, done on whole arrays in Python; the sweeps in between only see clea
 kinetic energy lost in a join goes to the two zones as heat, so the energy budget stays closed (W-E6).
 """
 
+import dataclasses
+
 import numpy as np
 
 from hugoniot.core.ops import NO_LIMIT
@@ -23,6 +25,23 @@ def run_table(segments, region_ends, kind_of, row_of):
             else:
                 rows.append([lo, hi, *same])
     return np.array(rows, dtype=np.int64).reshape(-1, 5)
+
+
+def alike_ranges(regions, ranges):
+    """Zone ranges of neighbouring regions that start alike (material, state, velocity), merged: to cut a region changes nothing.
+
+    Regions that start in different states keep their border, a contact that the artificial heat flux is not to smear.
+    """
+    merged: list[tuple[int, int]] = []
+    before = None
+    for region, (first, end) in zip(regions, ranges):
+        start = dataclasses.replace(region, name="", start=0.0, end=0.0, zones=0, ratio=1.0)
+        if merged and start == before and merged[-1][1] == first:
+            merged[-1] = (merged[-1][0], end)
+        else:
+            merged.append((first, end))
+        before = start
+    return merged
 
 
 PIECE = 1024     # zones; a multiple of any vector length, so that pieces change no bit of a sweep

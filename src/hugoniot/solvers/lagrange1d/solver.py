@@ -19,7 +19,7 @@ from hugoniot.problem.model import Problem
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_pulse, group_laws, viscosity_of
-from hugoniot.solvers.lagrange1d.bodies import interface_table, join, pieces_of, run_table, set_node_masses, split
+from hugoniot.solvers.lagrange1d.bodies import alike_ranges, interface_table, join, pieces_of, run_table, set_node_masses, split
 from hugoniot.solvers.lagrange1d.probes import probe_tables
 from hugoniot.solvers.lagrange1d.step import SCHEMES, march, serve
 from hugoniot.solvers.lagrange1d.watch import mark_patch, touching_gap
@@ -118,8 +118,9 @@ class Lagrange1D:
     def _retopologise(self):
         """Everything that depends on which zones are joined."""
         runs = run_table(self.segments, self.region_ranges, self.laws.kind_of, self.laws.row_of)
-        inert = [ends for region, ends in zip(self.problem.regions, self.region_ranges) if not reactive.burns(self.problem, region)]
-        self.pieces = pieces_of(runs, self.segments, inert)   # the heat flux leaves burning regions alone: it knows no phases
+        inert = [pair for pair in zip(self.problem.regions, self.region_ranges) if not reactive.burns(self.problem, pair[0])]
+        # the heat flux leaves burning regions alone: it knows no phases
+        self.pieces = pieces_of(runs, self.segments, alike_ranges(*zip(*inert)) if inert else [])
         self.found, self.steps = np.zeros((len(self.pieces[0]), 4)), np.zeros(2)
         self.interfaces = interface_table(self.segments, self.nodes)
         self.gauges, self.weights = probe_tables(self)
@@ -167,6 +168,8 @@ class Lagrange1D:
 
     def march(self, until: float, cycles: int) -> list[Event]:
         """Step until the time `until` (hit exactly), `cycles` steps, a full gauge buffer or an event; the events that happened."""
+        if until <= self.time:
+            return []
         self.control[L.EVENT_TIME] = until
         sweep_arguments = (self.pieces, self.found, self.steps, self.laws.kinds, self.laws.tables, self.geometry)
         members = self._assemble_team(sweep_arguments)
@@ -252,8 +255,11 @@ class Lagrange1D:
             values |= {"burn_fraction": float(self.zones[L.BURN_FRACTION, culprit]),
                        "mixture_status": float(self.zones[L.MIX_STATUS, culprit])}
         cause, remedy = _diagnose(code, values, float(left[culprit]), float(right[culprit]))
-        return UnphysicalState(cause, remedy, culprit, self.problem.regions[self.region_of[culprit]].name,
-                               0.5 * float(left[culprit] + right[culprit]), self.time, self.cycle, values)
+        centres = 0.5 * (left + right)
+        near = np.flatnonzero(np.isfinite(centres))     # a zone that is nowhere is reported where its nearest sound neighbour is
+        place = float(centres[near[np.argmin(np.abs(near - culprit))]]) if near.size else float("nan")
+        region = self.problem.regions[self.region_of[culprit]].name
+        return UnphysicalState(cause, remedy, culprit, region, place, self.time, self.cycle, values)
 
     # -- what observers see ----------------------------------------------------------------------------------
     def state(self) -> State:
@@ -351,6 +357,9 @@ def _diagnose(code, values, left, right):
         return ("reactants and products have no common pressure there: the search for the state of the mixture failed at a burn fraction "
                 f"of {values['burn_fraction']:.6g}.",
                 "lower [solver] courant, take finer zones, or another mixture of the material.")
+    if np.isnan(left + right):
+        return ("a field is not a number: the state left the range of a law, or a boundary gave no number.",
+                "check the initial state, the boundaries and the impact conditions against the laws' limits, or lower [solver] courant.")
     if not right > left:
         return ("the zone turned inside out (its faces crossed).",
                 "lower [solver] courant, or give the artificial viscosity more strength.")
