@@ -1,0 +1,95 @@
+"""Detonations read from snapshots: where the front is, how fast it runs, where a shock turned into one, and the Pop plot of many runs.
+
+Arrays are those of `run.arrays("snapshots")` or of a list of states: times (n,), zone fields (n, nzone), face positions (n, nzone).
+"""
+
+import numpy as np
+
+from hugoniot.errors import OutOfRange
+
+
+def front_path(field, left, right, level: float = 0.5, toward: str = "right") -> np.ndarray:
+    """Position (n,) at which a field falls through `level` ahead of a front; not-a-number where it does not in the row.
+
+    field         burn_fraction (n, nzone), or pressure for the shock ahead of a growing reaction
+    left, right   face positions (n, nzone), m
+    level         of the field: 0.5 of a burn fraction; for a pressure a value (Pa) well below the shock's
+    toward        which way the front runs: "right" or "left"
+
+    Linear between zone centres.
+    """
+    if toward not in ("right", "left"):
+        raise OutOfRange(f"a front runs toward \"right\" or \"left\", not {toward!r}")
+    step = 1 if toward == "right" else -1
+    values, centre = np.asarray(field, float)[:, ::step], 0.5 * (np.asarray(left, float) + np.asarray(right, float))[:, ::step]
+    path = np.full(len(values), np.nan)
+    for i, row in enumerate(values):
+        above = np.flatnonzero(row >= level)
+        if above.size == 0 or above[-1] + 1 >= row.size:
+            continue
+        k = above[-1]
+        share = (row[k] - level) / (row[k] - row[k + 1])
+        path[i] = centre[i, k] + share * (centre[i, k + 1] - centre[i, k])
+    return path
+
+
+def front_speed(times, path, start: float = -np.inf, end: float = np.inf) -> float:
+    """Speed (m/s) of a front from a straight line through its path between two positions; OutOfRange below three points."""
+    times, path = np.asarray(times, float), np.asarray(path, float)
+    use = np.isfinite(path) & (path >= start) & (path <= end)
+    if use.sum() < 3:
+        raise OutOfRange(f"{int(use.sum())} points of the front lie between {start:.6g} and {end:.6g} m: take more snapshots")
+    return float(abs(np.polyfit(times[use], path[use], 1)[0]))
+
+
+def run_to_detonation(times, path, detonation_velocity: float) -> tuple[float, float]:
+    """(run distance m, time s) at which a shock turned into a detonation, from the start of its path.
+
+    It is where the front's speed passes half-way from that of the entering shock (the mean of the first three intervals) to the
+    detonation velocity for the last time. Raises OutOfRange when that does not happen within the path.
+    """
+    times, path = np.asarray(times, float), np.asarray(path, float)
+    known = np.isfinite(path)
+    times, path = times[known], path[known]
+    if times.size < 8:
+        raise OutOfRange(f"{times.size} points of the front are too few for a run distance: take more snapshots")
+    speed = np.diff(path) / np.diff(times)
+    where, when = 0.5 * (path[1:] + path[:-1]), 0.5 * (times[1:] + times[:-1])
+    halfway = 0.5 * (np.mean(speed[:3]) + detonation_velocity)
+    slow = np.flatnonzero(speed < halfway)
+    if slow.size == 0 or slow[-1] + 1 >= speed.size:
+        raise OutOfRange(f"the front did not pass from below to above {halfway:.5g} m/s on its way: no run distance in this run")
+    k = slow[-1]
+    share = (halfway - speed[k]) / (speed[k + 1] - speed[k])
+    return float(where[k] + share * (where[k + 1] - where[k]) - path[0]), float(when[k] + share * (when[k + 1] - when[k]) - times[0])
+
+
+def pop_plot(pressures, distances) -> tuple[float, float]:
+    """(a, b) of log10(p/GPa) = a + b log10(x/mm) by least squares, from input pressures (Pa) and run distances (m)."""
+    p, x = np.asarray(pressures, float), np.asarray(distances, float)
+    if p.size < 2 or p.shape != x.shape or not (np.all(p > 0.0) and np.all(x > 0.0)):
+        raise OutOfRange("a Pop plot needs at least two pairs of a pressure and a run distance, all positive")
+    b, a = np.polyfit(np.log10(x * 1e3), np.log10(p * 1e-9), 1)
+    return float(a), float(b)
+
+
+def reaction_profile(state, front: float, toward: str = "right", fields=("pressure", "density", "burn_fraction")) -> dict[str, np.ndarray]:
+    """Fields of a state against the distance behind a front (m, growing away from it), as {"behind": ..., field: ...}."""
+    centre = 0.5 * (state.position_left + state.position_right)
+    behind = (front - centre) if toward == "right" else (centre - front)
+    order = np.argsort(behind)
+    order = order[behind[order] >= 0.0]
+    return {"behind": behind[order], **{name: state.zones[name][order] for name in fields}}
+
+
+def body_motion(state, region_of, region: int) -> dict[str, float]:
+    """Mass (kg), momentum (kg m/s), kinetic energy (J) and mean velocity (m/s) of one region, per unit area or angle.
+
+    For plates and walls driven by explosives; velocity = momentum / mass is what Gurney's formulas give.
+    """
+    here = np.asarray(region_of) == region
+    mass = state.zones["mass"][here]
+    u = 0.5 * (state.velocity_left[here] + state.velocity_right[here])
+    total, momentum = float(mass.sum()), float(np.sum(mass * u))
+    kinetic = 0.25 * float(np.sum(mass * (state.velocity_left[here] ** 2 + state.velocity_right[here] ** 2)))
+    return {"mass": total, "momentum": momentum, "kinetic_energy": kinetic, "velocity": momentum / total}

@@ -1,0 +1,162 @@
+"""What a burning problem is made of: closures, heat, start states, lighting, refusals; and the diagnostics of fronts."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from hugoniot.diagnostics import detonation
+from hugoniot.errors import DeckError, OutOfRange
+from hugoniot.laws.burn.programmed import Programmed
+from hugoniot.laws.burn.threshold import Threshold
+from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
+from hugoniot.materials import burning, library
+from hugoniot.materials.material import Material
+from hugoniot.problem.deck import read_deck_text
+from hugoniot.problem.explosives import defects, programmed_bodies
+from hugoniot.problem.model import Lighting, Problem, Region
+from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d import reactive
+
+GAS = IdealGas(3.0, 1000.0, 1600.0)
+SLOW, FAST = (Material(name, GAS, burn=Programmed(speed), detonation_energy=4e6) for name, speed in (("slow", 4000.0), ("fast", 8000.0)))
+
+
+def two_explosives(*lighting) -> Problem:
+    regions = (Region("a", "slow", 0.0, 0.04, 4), Region("b", "fast", 0.04, 0.08, 4))
+    return Problem("two", "planar", 1e-5, regions, {"slow": SLOW, "fast": FAST}, lighting=tuple(Lighting(*p) for p in lighting))
+
+
+def test_closures_of_the_burn_laws():
+    comp_b = library.find("comp_b")
+    assert burning.closure(comp_b) == "burned_products" and burning.resting(comp_b) is comp_b.eos
+    assert burning.heat_of(comp_b) == comp_b.eos.e0 / comp_b.eos.rho0
+    lx17 = library.find("LX-17 reactive")
+    assert burning.closure(lx17) == "thermal_isolation" and burning.resting(lx17) is lx17.unreacted
+    rho, e = burning.start_state(lx17)
+    assert (rho, e) == pytest.approx((1905.0, lx17.eos.e0 / lx17.eos.rho0), rel=1e-12)
+    kb = Material("kb", GAS, burn=Threshold(2e10), unreacted=MieGruneisen(1770.0, 3080.0, 2.01, 1.0), detonation_energy=6.27e6)
+    assert burning.closure(kb) == "weighted_pressures"
+
+
+@pytest.mark.parametrize(("change", "words"), [
+    ({"strength": PerfectlyPlastic(1e9, 1e8)}, "strength"),
+    ({"detonation_energy": None}, "no chemical energy"),
+    ({"burn": Threshold(1e10)}, "unreacted"),
+    ({"burn": Threshold(1e10), "mixture": "burned_products"}, "choose another mixture"),
+    ({"burn": Threshold(1e10), "unreacted": GAS, "mixture": "thermal_isolation", "detonation_energy": -1.0}, "would release"),
+])
+def test_explosives_without_what_they_need_are_refused(change, words):
+    with pytest.raises(OutOfRange, match=words):
+        burning.reactive(dataclasses.replace(FAST, **change))
+
+
+def test_a_front_runs_through_touching_explosives_each_at_its_speed():
+    problem = two_explosives((0.02, 1e-6))
+    assert programmed_bodies(problem) == [[0, 1]]
+    zones = np.zeros((L.BURNING_ROWS, 8))
+    places = [np.linspace(0.0, 0.04, 5), np.linspace(0.04, 0.08, 5)]
+    reactive.prepare(problem, zones, places, [(0, 4), (4, 8)])
+    expected = 1e-6 + np.array([0.01 / 4000, 0, 0, 0.01 / 4000, 0.02 / 4000] + [0.02 / 4000 + k * 0.01 / 8000 for k in (1, 2, 3)])
+    assert -zones[L.LIT_SINCE] == pytest.approx(expected, rel=1e-12)
+    assert zones[L.ZONE_SIZE] == pytest.approx(0.01)
+
+
+@pytest.mark.parametrize(("problem", "words"), [
+    (two_explosives(), "needs a lighting point"),
+    (two_explosives((0.02, 0.0), (0.09, 0.0)), "no explosive with programmed burn at 90 mm"),
+    (dataclasses.replace(two_explosives((0.0,)), solver=dataclasses.replace(two_explosives().solver, integrator="wilkins")), "wilkins"),
+])
+def test_defects_of_a_problem(problem, words):
+    assert any(words in f"{message} {hint}" for _, message, hint in defects(problem))
+    with pytest.raises(OutOfRange, match=words):
+        reactive.check(problem)
+
+
+DECK = """stop_time = "1 us"
+{top}
+[[region]]
+name = "charge"
+material = "comp_b"
+from = "0 cm"
+to = "1 cm"
+zones = 10
+{region}
+"""
+
+
+def test_a_deck_keeps_lighting_and_explosive():
+    lit = 'lighting = [{at = "2 mm", time = "0.1 us"}, {at = "1 cm"}]'
+    first = read_deck_text(DECK.format(top=lit, region=""))
+    assert first.problem.lighting == (Lighting(2e-3, 1e-7), Lighting(1e-2, 0.0))
+    assert read_deck_text(first.resolved).problem == first.problem
+    mixed = ('[material.x]\nbase = "LX-17 reactive"\nmixture = "thermal_equilibrium"\ndetonation_energy = "4 MJ/kg"\n'
+             '[material.x.unreacted]\nspecific_heat = 1200.0\n')
+    deck = read_deck_text(DECK.format(top="", region=mixed).replace("comp_b", "x"))
+    assert deck.problem.materials["x"].mixture == "thermal_equilibrium" and deck.problem.materials["x"].detonation_energy == 4e6
+    assert deck.problem.materials["x"].unreacted.specific_heat == 1200.0
+    assert read_deck_text(deck.resolved).problem == deck.problem
+
+
+@pytest.mark.parametrize(("top", "region", "words"), [
+    ("", "", "needs a lighting point"),
+    ('lighting = [{at = "2 cm"}]', "", "lighting[1].at: no explosive with programmed burn at 20 mm"),
+    ('lighting = [{at = "2 s"}]', "", "lighting[1].at"),
+    ('lighting = [{at = 0.0}]', 'pressure = "1 GPa"', "region.charge.pressure"),
+    ('lighting = [{at = 0.0}]', '[solver]\nintegrator = "wilkins"', "solver.integrator"),
+    ('lighting = [{at = 0.0}]', '[material.comp_b]\nbase = "comp_b"\nmixture = "thermal_isolaton"', "thermal_isolation"),
+    ('lighting = [{at = 0.0}]', '[material.comp_b]\nbase = "comp_b"\ndetonation_energy = -1.0', "greater than 0"),
+    ('', '[material.comp_b]\nbase = "copper"\n[material.comp_b.burn]\nlaw = "threshold"\ninitiation_pressure = "20 GPa"', "strength"),
+])
+def test_bad_decks_say_where_and_what(top, region, words):
+    with pytest.raises(DeckError) as caught:
+        read_deck_text(DECK.format(top=top, region=region))
+    assert words in str(caught.value)
+
+
+def test_a_front_slower_than_its_products_is_told():
+    slow = '[material.comp_b]\nbase = "comp_b"\n[material.comp_b.burn]\ndetonation_velocity = "7 km/s"'
+    warnings = read_deck_text(DECK.format(top="lighting = [{at = 0.0}]", region=slow)).warnings
+    assert any("programmed front runs at 7000" in text and "7979" in text for text in warnings)
+
+
+# -- diagnostics ---------------------------------------------------------------------------------------------------
+def travelling(speeds, n=200):
+    """(times, field, left, right): a ramp two zones wide whose middle moves at the speeds given for each of 30 intervals."""
+    left, right = np.arange(n) * 1e-3, np.arange(1, n + 1) * 1e-3
+    times = np.arange(31) * 1e-7
+    where = 0.01 + np.concatenate(([0.0], np.cumsum(np.asarray(speeds) * 1e-7)))
+    centre = 0.5 * (left + right)
+    field = np.clip(0.5 + (where[:, None] - centre) / 2e-3, 0.0, 1.0)
+    return times, field, np.tile(left, (31, 1)), np.tile(right, (31, 1)), where
+
+
+def test_front_path_and_speed_in_both_directions():
+    times, field, left, right, where = travelling([5000.0] * 30)
+    path = detonation.front_path(field, left, right)
+    assert path == pytest.approx(where, abs=1e-9)
+    assert detonation.front_speed(times, path) == pytest.approx(5000.0, rel=1e-6)
+    mirrored = detonation.front_path(field[:, ::-1], -right[:, ::-1], -left[:, ::-1], toward="left")
+    assert mirrored == pytest.approx(-where, abs=1e-9)
+    assert np.isnan(detonation.front_path(np.zeros((1, 5)), left[:1, :5], right[:1, :5])).all()
+    with pytest.raises(OutOfRange, match="more snapshots"):
+        detonation.front_speed(times, path, start=1.0)
+
+
+def test_run_distance_of_a_shock_that_turns_at_a_known_place():
+    speeds = [3000.0] * 12 + [8000.0] * 18
+    times, field, left, right, where = travelling(speeds)
+    distance, time = detonation.run_to_detonation(times, detonation.front_path(field, left, right), 8000.0)
+    assert distance == pytest.approx(where[12] - where[0], abs=3e-4) and time == pytest.approx(1.2e-6, abs=5e-8)
+    with pytest.raises(OutOfRange, match="no run distance"):
+        detonation.run_to_detonation(times, where[0] + 3000.0 * times, 8000.0)
+
+
+def test_pop_plot_returns_the_line_it_was_made_from():
+    x = np.array([2e-3, 5e-3, 1e-2])
+    p = 10.0 ** (1.11 - 0.66 * np.log10(x * 1e3)) * 1e9
+    assert detonation.pop_plot(p, x) == pytest.approx((1.11, -0.66), rel=1e-9)
+    with pytest.raises(OutOfRange):
+        detonation.pop_plot([1e9], [1e-3])
