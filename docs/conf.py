@@ -1,0 +1,49 @@
+"""Builds the documentation: pages in Markdown, the gallery from examples/plot_*.py, reference pages from schema, registries and library."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).parent
+GENERATORS = ("generate_deck_reference.py", "generate_laws.py", "materials/generate.py")
+
+project = "hugoniot"
+author = "The hugoniot developers"
+copyright = "the hugoniot developers"
+extensions = ["myst_nb", "sphinx_gallery.gen_gallery", "sphinx.ext.mathjax"]
+myst_enable_extensions = ["dollarmath", "colon_fence"]
+myst_heading_anchors = 3
+nb_execution_mode = "off"
+exclude_patterns = ["_build", "**/generate*.py", "generate*.py", "verification_numbers.md", "auto_examples/*.ipynb",
+                    "auto_examples/*.py", "auto_examples/*.zip", "auto_examples/*.json", "**/sg_execution_times.rst"]
+html_theme = "alabaster"
+html_title = "hugoniot"
+html_theme_options = {"description": "a shock-physics workbench", "page_width": "1080px", "sidebar_width": "230px",
+                      "fixed_sidebar": True, "show_powered_by": False, "body_max_width": "none"}
+html_static_path = ["_static"]
+html_css_files = ["house.css"]
+html_show_sourcelink = False
+
+sphinx_gallery_conf = {
+    "examples_dirs": str(HERE.parent / "examples"),
+    "gallery_dirs": "auto_examples",
+    "filename_pattern": r"plot_",
+    "copyfile_regex": r".*\.toml",
+    "within_subsection_order": "FileNameSortKey",
+    "download_all_examples": False,
+    "show_signature": False,
+    "abort_on_example_error": True,
+    "write_computation_times": False,
+    "min_reported_time": 1e9,
+    "image_scrapers": ("matplotlib",),
+}
+
+
+def generate(app) -> None:
+    """Write the pages that are made from the package, each generator in a process of its own, before the sources are read."""
+    for name in GENERATORS:
+        subprocess.run([sys.executable, str(HERE / name)], check=True, stdout=subprocess.DEVNULL)
+
+
+def setup(app):
+    app.connect("builder-inited", generate, priority=100)

@@ -1,0 +1,66 @@
+"""Writes docs/verification_numbers.md from the output of `hugoniot verify --json`: python docs/generate_verification.py verify.json
+
+The page is kept in the repository, unlike other generated pages: the run takes minutes, and the numbers are a record.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+from hugoniot.campaign.verify import PROBLEMS
+
+TARGET = Path(__file__).parent / "verification_numbers.md"
+WORDS = {"density_l1": "L1 of density", "energy_l1": "L1 of energy", "velocity_l1": "L1 of velocity",
+         "density_self_l1": "L1 of density, to 3200 zones",
+         "plateau_density": "mean density of the plateau, relative error", "wall_density": "density at the wall / exact",
+         "shock_position": "position of the shock, error", "peak_density": "peak density", "outer_radius": "outer radius, relative error",
+         "plateau_pressure": "plateau pressure, relative error", "plateau_velocity": "plateau velocity, relative error",
+         "elastic_limit": "elastic limit, relative error", "plastic_stress": "stress behind, relative error",
+         "stop_radius": "radius at stop, relative error", "energy_minimum": "least energy", 
+         "reference_density": "density at reference points, largest relative difference",
+         "exponent": "exponent of the converging shock, relative error", "arrival": "arrival of the reflected shock, relative error"}
+
+
+def bar(value, beaten: bool | None) -> str:
+    return "" if value is None else f"{value:.3g} " + ("✓" if beaten else "✗")
+
+
+def beats(row: dict, key: str) -> bool | None:
+    if row[key] is None:
+        return None
+    return row["value"] <= row[key] if row["sense"] == "below" else row["value"] >= row[key]
+
+
+def section(found: dict) -> list[str]:
+    """Heading and table of one problem."""
+    problem = PROBLEMS[found["problem"]]
+    closed = f"Energy closed to {found['energy_error']:.0e}, momentum to {found['momentum_error']:.0e}."
+    lines = [f"### {problem.name}", "", f"{problem.description}. {closed}", ""]
+    lines += ["| measure | zones | value | KO | G2 | goal | order |", "|---|---|---|---|---|---|---|"]
+    last = None
+    for row in sorted(found["measures"], key=lambda m: [x.key for x in problem.measure].index(m["measure"])):
+        order = found["orders"].get(row["measure"])
+        shown = f"{order:.2f}" if order is not None and row["measure"] != last and row["sense"] == "below" else ""
+        words = WORDS.get(row["measure"], row["measure"].replace("_", " ")) if row["measure"] != last else ""
+        marks = " | ".join(bar(row[key], beats(row, key)) for key in ("ko", "g2", "goal"))
+        lines.append(f"| {words} | {row['zones']} | {row['value']:.4g} | {marks} | {shown} |")
+        last = row["measure"]
+    return [*lines, ""]
+
+
+def main(path: str) -> None:
+    found = json.loads(Path(path).read_text())
+    rows = [row for problem in found for row in problem["measures"]]
+    lines = []
+    for key, words in (("ko", "KO"), ("g2", "second-order Godunov"), ("goal", "goals")):
+        marks = [beats(row, key) for row in rows if row[key] is not None]
+        lines.append(f"{sum(marks)} of {len(marks)} {words}")
+    seconds = sum(p["seconds"] for p in found)
+    text = ["**Bars beaten: " + ", ".join(lines) + f"** ({seconds:.0f} s for all problems on one core, compiling included).", ""]
+    for problem in found:
+        text += section(problem)
+    TARGET.write_text("\n".join(text), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
