@@ -1,0 +1,39 @@
+"""
+Spalling flyer plate
+====================
+
+A 2 mm plate of aluminium hits one of 4 mm at 700 m/s. The two releases meet inside the target and pull it apart:
+tension (blue) stops at the spall strength, a void opens, and the free surface that a VISAR watches pulls back and
+rings.
+"""
+
+import tempfile
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+
+import hugoniot
+from hugoniot.plotting.style import RC
+
+plt.rcParams.update(RC)
+deck = Path(__file__).parent / "flyer.toml"
+run = hugoniot.run(deck, Path(tempfile.mkdtemp()) / "flyer.run", report=False)
+
+# %%
+# The wave diagram. Shocks and the elastic waves ahead of them run up and outwards from the impact; white is the opened void.
+run.plot.xt("stress")
+
+# %%
+# The free-surface velocity: the elastic step at 76 m/s, the plateau near the impact velocity, the pull-back.
+ax = run.plot.free_surface()
+ax.annotate("elastic step", (0.66, 76), xytext=(0.3, 180), arrowprops={"arrowstyle": "-", "lw": 0.7}, fontsize=8.5)
+
+# %%
+# What a spall experiment would conclude, beside the strength that was put in (1.0 GPa) and the largest tension any zone met.
+from hugoniot.plotting.records import spall_reading  # noqa: E402
+
+reading = spall_reading(run)
+print(f"pull-back {reading['pull_back']:.1f} m/s")
+print(f"spall strength, acoustic {reading['spall_strength_acoustic'] / 1e9:.3f} GPa, Kanel {reading['spall_strength_kanel'] / 1e9:.3f} GPa")
+print(f"largest tension {run.arrays('peaks')['peak_tension'].max() / 1e9:.3f} GPa, voids {run.summary['voids_opened']}")
+plt.show()

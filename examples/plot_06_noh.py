@@ -1,0 +1,39 @@
+"""
+Noh's problem in three geometries
+=================================
+
+Cold gas runs into a wall, an axis or a centre at unit speed; a shock of infinite strength stands out of it. Behind it
+the density is 4, 16 or 64 times the initial one. The dip at the centre is wall heating, which every code with a smeared
+shock shows; the artificial heat flux of the default makes it small in planar flow.
+"""
+
+import tempfile
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import hugoniot
+from hugoniot.plotting.style import COLOURS, INK, RC
+from hugoniot.theory.exact.noh import noh
+
+plt.rcParams.update(RC)
+here, runs = Path(__file__).parent, Path(tempfile.mkdtemp())
+fig, axes = plt.subplots(1, 3, figsize=(7.2, 2.9), layout="constrained", sharex=True)
+for ax, geometry, colour in zip(axes, ("planar", "cylindrical", "spherical"), COLOURS):
+    wall = {"left": "fixed", "right": "free"}
+    run = hugoniot.run(here / "noh.toml", runs / f"{geometry}.run", report=False, geometry=geometry, boundary=wall)
+    rows = run.arrays("snapshots")
+    r = 0.5 * (rows["position_left"][-1] + rows["position_right"][-1])
+    rho = rows["density"][-1]
+    x = np.linspace(1e-4, 0.4, 1000)
+    ax.plot(x, noh(geometry)(x, 0.6)["density"], color=INK, lw=0.8)
+    ax.plot(r, rho, ".", ms=3, color=colour)
+    inside = (r > 0.08) & (r < 0.15)
+    plateau = np.average(rho[inside], weights=(rows["position_right"] - rows["position_left"])[-1][inside])
+    ax.set_title(f"{geometry}\nplateau {plateau:.2f}", loc="left", color=colour)
+    ax.set(xlim=(0, 0.4), ylim=(0, None))
+    ax.set_xlabel("radius (m)" if geometry != "planar" else "distance from the wall (m)")
+axes[0].set_ylabel("density (kg/m³)")
+axes[0].annotate("exact", (0.1, 4.0), xytext=(0.04, 2.6), fontsize=8.5, arrowprops={"arrowstyle": "-", "lw": 0.6})
+plt.show()

@@ -1,0 +1,47 @@
+"""
+Sedov's blast wave against the exact solution
+=============================================
+
+0.851072 J released at a point of a cold gas (gamma 1.4, 1 kg/m³): after one second the shock stands at 1 m. The self-
+similar solution is integrated to round-off; the simulation starts from a hot ball of 1 cm.
+"""
+
+import tempfile
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import hugoniot
+from hugoniot.plotting.style import COLOURS, INK, RC
+from hugoniot.theory.exact.sedov import sedov
+
+plt.rcParams.update(RC)
+run = hugoniot.run(Path(__file__).parent / "sedov.toml", Path(tempfile.mkdtemp()) / "sedov.run", report=False)
+exact, rows = sedov(), run.arrays("snapshots")
+centre = 0.5 * (rows["position_left"] + rows["position_right"])
+
+fig, (one, two) = plt.subplots(1, 2, figsize=(7.2, 3.2), layout="constrained")
+x = np.linspace(1e-3, 1.15, 3000)
+for k, wanted in enumerate((0.2, 0.5, 1.0)):
+    n = int(np.argmin(np.abs(rows["time"] - wanted)))
+    one.plot(x, exact(x, wanted)["density"], color=INK, lw=0.7)
+    one.plot(centre[n], rows["density"][n], ".", ms=2.5, color=COLOURS[k])
+    one.text(exact.jumps(wanted)[0], 6.15, f"{wanted:g} s", color=COLOURS[k], ha="center", fontsize=8.5)
+one.set(xlabel="radius (m)", ylabel="density (kg/m³)", xlim=(0, 1.15), ylim=(0, 6.7))
+
+# %%
+# The radius of the shock grows as t to the power 2/5.
+time = rows["time"][2:]
+front = [c[np.flatnonzero(r > 2.0)[-1]] for r, c in zip(rows["density"][2:], centre[2:])]
+two.loglog(time, [exact.jumps(t)[0] for t in time], color=INK, lw=0.8)
+two.loglog(time, front, "o", ms=3, mfc="none", color=COLOURS[0])
+two.text(0.2, 0.75, "exact: R = t^(2/5)", fontsize=8.5, ha="center")
+two.text(0.35, 0.52, "simulation", color=COLOURS[0], fontsize=8.5)
+two.set(xlabel="time (s)", ylabel="radius of the shock (m)")
+two.minorticks_off()
+two.set_xticks([0.1, 0.2, 0.5, 1], ["0.1", "0.2", "0.5", "1"])
+two.set_yticks([0.4, 0.6, 0.8, 1], ["0.4", "0.6", "0.8", "1"])
+top = int(np.argmax(rows["density"][-1]))
+print(f"peak density {rows['density'][-1][top]:.3f} kg/m³ (exact 6) at r = {rows['position_right'][-1][top]:.4f} m (exact 1)")
+plt.show()

@@ -1,0 +1,43 @@
+"""
+Release isentropes of detonation products
+=========================================
+
+The products of an explosive leave the CJ point on an isentrope. Its JWL form has three parts that matter one after
+another: two exponentials while the products push a plate, the ideal-gas tail once they have expanded tenfold.
+"""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from hugoniot.materials.library import find
+from hugoniot.plotting.style import COLOURS, INK, QUIET, RC
+from hugoniot.theory.chapman_jouguet import cj
+from hugoniot.theory.isentrope import isentrope
+
+plt.rcParams.update(RC)
+fig, ax = plt.subplots(figsize=(6.4, 4.2), layout="constrained")
+volumes = np.geomspace(0.7, 20.0, 200)
+for k, name in enumerate(("pbx_9404", "comp_b", "tnt")):
+    explosive = find(name)
+    par, point = explosive.eos, cj(explosive)
+    v_cj = par.rho0 / point.state.density
+    relative = volumes[volumes > v_cj]
+    path = isentrope(par, point.state, density=par.rho0 / relative)
+    ax.loglog(relative, path.pressure / 1e9, color=COLOURS[k])
+    ax.plot(v_cj, point.state.pressure / 1e9, "o", color=COLOURS[k], ms=5)
+    title = explosive.name.replace("_", " ").upper()
+    label = f"{title}: D = {point.detonation_velocity / 1e3:.3f} km/s, {point.state.pressure / 1e9:.1f} GPa"
+    ax.text(0.98, 0.95 - 0.06 * k, label, color=COLOURS[k], transform=ax.transAxes, ha="right", fontsize=8.5)
+    if k == 0:
+        first, second = par.a * np.exp(-par.r1 * relative), par.b * np.exp(-par.r2 * relative)
+        tail = path.pressure - first - second
+        for part, text, where in ((first, "A exp(-R₁V)", 2.15), (second, "B exp(-R₂V)", 4.6), (tail, "C / V^(1+ω)", 0.75)):
+            ax.plot(relative, part / 1e9, color=QUIET, lw=0.8, ls=(0, (4, 3)))
+            height = np.interp(where, relative, part) / 1e9 * (0.45 if where < 1 else 1.0)
+            ax.text(where, height, f" {text}", fontsize=8, color=QUIET, va="center")
+ax.set(xlabel="relative volume V = ρ₀/ρ", ylabel="pressure (GPa)", xlim=(0.65, 20), ylim=(0.02, 60))
+ax.set_xticks([1, 2, 5, 10, 20], ["1", "2", "5", "10", "20"])
+ax.set_yticks([0.1, 1, 10], ["0.1", "1", "10"])
+ax.minorticks_off()
+ax.text(0.68, 0.024, "dots: CJ points\ndashed: parts of\nPBX 9404", fontsize=8.5, color=INK)
+plt.show()

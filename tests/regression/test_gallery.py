@@ -1,0 +1,70 @@
+"""Every script of the gallery is short, runs, draws, and prints the numbers it promises."""
+
+import re
+import runpy
+import warnings
+from pathlib import Path
+
+import pytest
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+SCRIPTS = sorted(path.name for path in EXAMPLES.glob("plot_*.py"))
+HEAVY = ["plot_06_noh.py"]     # compiles for two geometries that no other test of this folder needs
+# what a script prints, by a pattern with one number, and where that number must lie
+PROMISED = {
+    "plot_01_spalling_flyer.py": [(r"largest tension ([\d.]+) GPa", 0.99, 1.05), (r"voids (\d+)", 1, 1), (r"Kanel ([\d.]+) GPa", 0.8, 1.05)],
+    "plot_02_gap_closing.py": [(r"energy error (\S+),", 0.0, 1e-12), (r"momentum (\S+)", 0.0, 1e-12)],
+    "plot_03_sandwich.py": [(r"first +([\d.]+) GPa", 1.979, 1.999), (r"first +\S+ GPa ([\d.]+) m/s", 497.3, 502.3),
+                            (r"reshock +([\d.]+) GPa", 4.177, 4.219), (r"end +([\d.]+) GPa", 10.73, 10.85)],
+    "plot_04_precursor.py": [(r"elastic limit ([\d.]+)", 0.6327, 0.6391), (r"behind +([\d.]+)", 6.629, 6.643)],
+    "plot_07_sedov.py": [(r"peak density ([\d.]+)", 5.5, 6.05), (r"at r = ([\d.]+)", 0.997, 1.003)],
+    "plot_08_shell.py": [(r"inner radius ([\d.]+) cm", 4.95, 5.05)],
+    "plot_11_aluminum_hugoniot.py": [(r"fit at 30 km/s: ([\d.]+)", 3830, 3832)],
+    "plot_12_second_shock.py": [(r"0.15: second shock ([\d.]+)", 16.6001, 16.6003), (r"0.20: second shock ([\d.]+)", 24.8563, 24.8565),
+                                (r"0.25: second shock ([\d.]+)", 34.7519, 34.7521)],
+    "plot_13_match_with_error_bars.py": [(r"pressure: ([\d.]+)", 12.06, 12.08), (r"particle_velocity: ([\d.]+)", 692.70, 692.74)],
+    "plot_15_mixture_adiabat.py": [(r"rule: (\S+) of Q", 0.0, 1e-4)],
+    "plot_16_cold_curve_orders.py": [(r"copper: order 3, strain 0.3: (\S+) %", -21.3, -21.0), (r"copper: order 6, strain 0.3: (\S+) %", -1.6, -1.4),
+                                     (r"silica powder, 100 kg/m³: order 3, strain 0.3: (\S+) %", -11.5, -11.0)],
+}
+
+
+def draw(name, capsys):
+    """Run a script without a screen; its output and the number of its figures."""
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    plt.close("all")
+    with matplotlib.rc_context(), warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "FigureCanvasAgg is non-interactive")
+        runpy.run_path(str(EXAMPLES / name), run_name="__main__")
+    figures = [plt.figure(number) for number in plt.get_fignums()]
+    assert figures and all(figure.axes for figure in figures)
+    for figure in figures:
+        figure.canvas.draw()
+    plt.close("all")
+    return capsys.readouterr().out
+
+
+def check(name, printed):
+    for pattern, low, high in PROMISED.get(name, []):
+        found = re.search(pattern, printed)
+        assert found, f"{name} prints no {pattern}"
+        assert low <= float(found[1]) <= high, f"{name}: {found[0]}"
+
+
+@pytest.mark.parametrize("name", SCRIPTS)
+def test_a_script_is_short_and_says_what_it_shows(name):
+    text = (EXAMPLES / name).read_text()
+    assert len(text.splitlines()) < 80
+    assert re.match(r'"""\n.+\n=+\n\n\S', text)
+
+
+@pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.slow) if name in HEAVY else name for name in SCRIPTS])
+def test_a_script_runs_draws_and_keeps_its_promises(name, capsys):
+    check(name, draw(name, capsys))
+
+
+def test_the_promises_are_of_scripts():
+    assert set(PROMISED) <= set(SCRIPTS)
