@@ -53,12 +53,12 @@ reference: $(VENV)/.installed
 	$(BIN)/python docs/generate_deck_reference.py
 	$(BIN)/python docs/materials/generate.py
 
-docs: $(VENV)/.installed-docs reference
-	$(BIN)/python -m sphinx -b html docs docs/_build/html
+docs: $(VENV)/.installed-docs
+	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build/html
 
 # the decks of `hugoniot init` are the examples: one source, two places
 examples:
 	cp src/hugoniot/problem/templates/*.toml examples/
 
 clean:
-	rm -rf $(VENV) $(RUNS) docs/_build build dist
+	rm -rf $(VENV) $(RUNS) docs/_build docs/auto_examples docs/generated build dist

@@ -16,8 +16,7 @@ import hugoniot
 from hugoniot.plotting.style import RC
 
 plt.rcParams.update(RC)
-deck = Path(__file__).parent / "flyer.toml"
-run = hugoniot.run(deck, Path(tempfile.mkdtemp()) / "flyer.run", report=False)
+run = hugoniot.run("flyer.toml", Path(tempfile.mkdtemp()) / "flyer.run", report=False)
 
 # %%
 # The wave diagram. Shocks and the elastic waves ahead of them run up and outwards from the impact; white is the opened void.

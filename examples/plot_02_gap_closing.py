@@ -17,7 +17,7 @@ import hugoniot
 from hugoniot.plotting.style import COLOURS, FAINT, RC
 
 plt.rcParams.update(RC)
-run = hugoniot.run(Path(__file__).parent / "gap.toml", Path(tempfile.mkdtemp()) / "gap.run", report=False)
+run = hugoniot.run("gap.toml", Path(tempfile.mkdtemp()) / "gap.run", report=False)
 
 # %%
 # Where the waves and the plates go.

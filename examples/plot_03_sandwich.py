@@ -18,7 +18,7 @@ from hugoniot.plotting.style import COLOURS, QUIET, RC
 from hugoniot.theory.impedance import match, ring_up
 
 plt.rcParams.update(RC)
-run = hugoniot.run(Path(__file__).parent / "sandwich.toml", Path(tempfile.mkdtemp()) / "sandwich.run", report=False)
+run = hugoniot.run("sandwich.toml", Path(tempfile.mkdtemp()) / "sandwich.run", report=False)
 
 # %%
 # The exact steps, from the same constants: first passage, reshock at the back, then to and fro.

@@ -17,7 +17,7 @@ from hugoniot.plotting.style import COLOURS, INK, RC
 from hugoniot.theory.exact.elastic_plastic_piston import aluminium_piston
 
 plt.rcParams.update(RC)
-run = hugoniot.run(Path(__file__).parent / "precursor.toml", Path(tempfile.mkdtemp()) / "precursor.run", report=False)
+run = hugoniot.run("precursor.toml", Path(tempfile.mkdtemp()) / "precursor.run", report=False)
 exact = aluminium_piston()
 numbers = exact.numbers
 

@@ -17,7 +17,7 @@ from hugoniot.plotting.style import COLOURS, INK, RC
 from hugoniot.theory.exact.riemann_ideal import sod
 
 plt.rcParams.update(RC)
-run = hugoniot.run(Path(__file__).parent / "sod.toml", Path(tempfile.mkdtemp()) / "sod.run", report=False)
+run = hugoniot.run("sod.toml", Path(tempfile.mkdtemp()) / "sod.run", report=False)
 exact = sod()
 rows = run.arrays("snapshots")
 left, right = rows["position_left"][-1], rows["position_right"][-1]

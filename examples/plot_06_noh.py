@@ -18,11 +18,11 @@ from hugoniot.plotting.style import COLOURS, INK, RC
 from hugoniot.theory.exact.noh import noh
 
 plt.rcParams.update(RC)
-here, runs = Path(__file__).parent, Path(tempfile.mkdtemp())
+runs = Path(tempfile.mkdtemp())
 fig, axes = plt.subplots(1, 3, figsize=(7.2, 2.9), layout="constrained", sharex=True)
 for ax, geometry, colour in zip(axes, ("planar", "cylindrical", "spherical"), COLOURS):
     wall = {"left": "fixed", "right": "free"}
-    run = hugoniot.run(here / "noh.toml", runs / f"{geometry}.run", report=False, geometry=geometry, boundary=wall)
+    run = hugoniot.run("noh.toml", runs / f"{geometry}.run", report=False, geometry=geometry, boundary=wall)
     rows = run.arrays("snapshots")
     r = 0.5 * (rows["position_left"][-1] + rows["position_right"][-1])
     rho = rows["density"][-1]

@@ -17,7 +17,7 @@ from hugoniot.plotting.style import COLOURS, INK, RC
 from hugoniot.theory.exact.sedov import sedov
 
 plt.rcParams.update(RC)
-run = hugoniot.run(Path(__file__).parent / "sedov.toml", Path(tempfile.mkdtemp()) / "sedov.run", report=False)
+run = hugoniot.run("sedov.toml", Path(tempfile.mkdtemp()) / "sedov.run", report=False)
 exact, rows = sedov(), run.arrays("snapshots")
 centre = 0.5 * (rows["position_left"] + rows["position_right"])
 

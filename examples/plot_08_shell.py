@@ -17,7 +17,7 @@ from hugoniot.plotting.style import COLOURS, INK, RC
 from hugoniot.theory.exact.shell_stopping import howell_ball
 
 plt.rcParams.update(RC)
-run = hugoniot.run(Path(__file__).parent / "shell.toml", Path(tempfile.mkdtemp()) / "shell.run", report=False)
+run = hugoniot.run("shell.toml", Path(tempfile.mkdtemp()) / "shell.run", report=False)
 exact = howell_ball()
 
 fig, ax = plt.subplots(figsize=(6.4, 3.4), layout="constrained")

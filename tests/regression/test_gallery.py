@@ -29,13 +29,14 @@ PROMISED = {
 }
 
 
-def draw(name, capsys):
-    """Run a script without a screen; its output and the number of its figures."""
+def draw(name, capsys, monkeypatch):
+    """Run a script in its folder without a screen; its output."""
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
     plt.close("all")
+    monkeypatch.chdir(EXAMPLES)
     with matplotlib.rc_context(), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "FigureCanvasAgg is non-interactive")
         runpy.run_path(str(EXAMPLES / name), run_name="__main__")
@@ -62,8 +63,8 @@ def test_a_script_is_short_and_says_what_it_shows(name):
 
 
 @pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.slow) if name in HEAVY else name for name in SCRIPTS])
-def test_a_script_runs_draws_and_keeps_its_promises(name, capsys):
-    check(name, draw(name, capsys))
+def test_a_script_runs_draws_and_keeps_its_promises(name, capsys, monkeypatch):
+    check(name, draw(name, capsys, monkeypatch))
 
 
 def test_the_promises_are_of_scripts():
