@@ -1,0 +1,63 @@
+"""The machine code of every sweep holds packed arithmetic: a silent loss of vectorisation costs a factor of 4 to 9.
+
+Each sweep is compiled here by itself, uncached (code from the disk cache cannot be inspected), for the laws most runs use.
+"""
+
+import platform
+
+import lagrange_builders as build
+import numba as nb
+import numpy as np
+import pytest
+
+from hugoniot.core.compile import SWEEP, packed
+from hugoniot.simulate import make_solver
+from hugoniot.solvers.lagrange1d import node_sweeps, wilkins_sweeps, zone_sweeps
+
+pytestmark = pytest.mark.skipif(platform.machine() not in ("x86_64", "AMD64"), reason="counts x86 instructions")
+OPTIONS = {**SWEEP, "cache": False}
+
+
+@pytest.fixture(scope="module")
+def solver():
+    return make_solver(build.flyer((8, 8)))
+
+
+def counts(sweep, solver, *rest):
+    """Packed instructions of a sweep compiled for the arguments at hand."""
+    kernel = nb.njit(**OPTIONS)(sweep.py_func)
+    values = (solver.zones, solver.nodes, *rest)
+    kernel.compile(tuple(nb.typeof(value) for value in values))
+    return packed(kernel)
+
+
+def zone_arguments(solver):
+    law, table = solver.laws.kinds[0], solver.laws.tables[0]
+    rows = tuple(part[0] for part in table)
+    return solver.gradient, 0, 16, 0, 1e-9, law, rows, solver.geometry, np.zeros(4)
+
+
+@pytest.mark.parametrize("sweep, divisions, fused", [(zone_sweeps.predict, 3, 10), (zone_sweeps.correct, 4, 15), (wilkins_sweeps.advance, 4, 15)],
+                         ids=["predict", "correct", "advance"])
+def test_the_zone_sweeps_are_packed(solver, sweep, divisions, fused):
+    found = counts(sweep, solver, *zone_arguments(solver))
+    assert found["div"] >= divisions and found["fmadd"] + found["fnmadd"] >= fused, found
+
+
+@pytest.mark.parametrize("sweep, rest", [
+    (node_sweeps.accelerate, (0, 16, 0, 1e-9)), (node_sweeps.move, (0, 16, 0, 1e-9)), (wilkins_sweeps.leap, (0, 16, 0, 1e-9, 1e-9)),
+    (zone_sweeps.conduct, (0, 16, 0, 1e-9, 0.5))], ids=["accelerate", "move", "leap", "conduct"])
+def test_the_node_sweeps_are_packed(solver, sweep, rest):
+    found = counts(sweep, solver, *rest, solver.geometry)
+    assert found["fmadd"] + found["fnmadd"] >= 2, found
+
+
+def test_a_scalar_loop_is_found_out():
+    """The count itself can fail: a recurrence cannot be packed."""
+    def recurrence(x):
+        for j in range(1, x.shape[0]):
+            x[j] = 1.0 / (x[j] + x[j - 1] * x[j - 1])
+
+    kernel = nb.njit(**OPTIONS)(recurrence)
+    kernel.compile((nb.float64[::1],))
+    assert packed(kernel)["div"] == 0

@@ -1,0 +1,262 @@
+"""A run that is killed, interrupted or paused goes on to the bits of one that was not."""
+
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import lagrange_builders as build
+import numpy as np
+import pytest
+
+from hugoniot import simulate
+from hugoniot.output.run_folder import RunFolder
+from hugoniot.simulate import make_solver
+from hugoniot.solvers.run import Schedule, march_to_end, snapshot_times
+
+DECK = """title = "spalling flyer"
+geometry = "planar"
+stop_time = "2.2 us"
+[[region]]
+name = "flyer"
+material = "al"
+from = "0 mm"
+to = "2 mm"
+zones = {flyer}
+velocity = "700 m/s"
+[[region]]
+name = "target"
+material = "al"
+from = "2.01 mm"
+to = "6.01 mm"
+zones = {target}
+[material.al.eos]
+law = "mie_gruneisen"
+rho0 = "2700 kg/m^3"
+c0 = "5200 m/s"
+s = 1.5
+gamma0 = 2.0
+[material.al.strength]
+law = "perfectly_plastic"
+shear_modulus = "24.8 GPa"
+yield_stress = "0.30 GPa"
+[material.al.fracture]
+law = "spall_stress"
+strength = "1.0 GPa"
+[[gauge]]
+name = "middle"
+at = "4 mm"
+[[gauge]]
+name = "surface"
+at = "free surface right"
+[solver]
+integrator = "{integrator}"
+[output]
+snapshots = "0.1 us"
+report = false
+checkpoint_cycles = {every}
+"""
+FILES = ("result.h5", "gauges.csv", "deck.toml")
+TIMINGS = {"wall_seconds", "kernel_seconds"}
+
+
+def deck(folder, flyer=100, target=200, integrator="compatible", every=37):
+    path = folder / f"flyer_{flyer}_{integrator}_{every}.toml"
+    path.write_text(DECK.format(flyer=flyer, target=target, integrator=integrator, every=every))
+    return path
+
+
+@pytest.fixture(scope="module")
+def place(tmp_path_factory):
+    return tmp_path_factory.mktemp("resume")
+
+
+@pytest.fixture(scope="module")
+def whole(place):
+    """Function from a deck to the folder of its run that nothing disturbed."""
+    done = {}
+
+    def run(path):
+        if path not in done:
+            done[path] = place / f"{path.stem}.whole"
+            simulate.run(path, done[path])
+        return done[path]
+
+    return run
+
+
+def same_bytes(one, other):
+    for name in FILES:
+        assert (one / name).read_bytes() == (other / name).read_bytes(), name
+    a, b = (json.loads((folder / "summary.json").read_text()) for folder in (one, other))
+    for key in set(a) | set(b):
+        if key not in TIMINGS and "warning" not in key and "resum" not in key:
+            assert a[key] == b[key], key
+
+
+def start(path, folder, how="run"):
+    words = ["run", str(path), "--out", str(folder)] if how == "run" else ["resume", str(folder)]
+    environment = {**os.environ, "PYTHONUNBUFFERED": "1"}
+    return subprocess.Popen([sys.executable, "-m", "hugoniot.cli.main", *words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                            env=environment)
+
+
+def wait_for_checkpoint(process, folder, seconds=120.0):
+    """True when a checkpoint stands in the folder, False when the run was done before."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        if list((folder / "checkpoint").glob("*.json")):
+            return True
+        if process.poll() is not None:
+            return False
+        time.sleep(0.002)
+    raise AssertionError("no checkpoint came")
+
+
+def finish(path, folder, kills, chance, longest):
+    """Run and resume with a kill -9 at random moments until the run is done; how many kills hit."""
+    hits, how = 0, "run"
+    for _ in range(kills):
+        process = start(path, folder, how)
+        if wait_for_checkpoint(process, folder):
+            time.sleep(chance.uniform(0.0, longest))
+        process.send_signal(signal.SIGKILL)
+        code = process.wait(timeout=60)
+        hits += code == -signal.SIGKILL
+        how = "resume"
+        if (folder / "summary.json").is_file():
+            break
+    if not (folder / "summary.json").is_file():
+        process = start(path, folder, "resume")
+        assert process.wait(timeout=300) == 0, process.stdout.read()[-2000:]
+    return hits
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="kill -9 is a Unix matter")
+def test_killed_three_times_the_flyer_ends_in_the_same_bytes(place, whole):
+    path = deck(place)
+    reference = whole(path)
+    hits = finish(path, place / "killed.run", 3, random.Random(4), 0.4)
+    assert hits >= 2
+    same_bytes(reference, place / "killed.run")
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="kill -9 is a Unix matter")
+@pytest.mark.parametrize("integrator", ["compatible", "wilkins"])
+def test_fifty_kills_at_random_moments(place, whole, integrator):
+    path = deck(place, flyer=150, target=300, integrator=integrator, every=11)
+    reference, chance, hits, round_ = whole(path), random.Random(9), 0, 0
+    while hits < 50:
+        folder = place / f"fifty_{integrator}_{round_}.run"
+        hits += finish(path, folder, 10, chance, 1.0)
+        same_bytes(reference, folder)
+        round_ += 1
+
+
+@pytest.mark.parametrize("integrator", ["compatible", "wilkins"])
+@pytest.mark.parametrize("after", [1, 5, 9])
+def test_every_checkpoint_continues_bitwise(integrator, after):
+    """March to a checkpoint, restore it in a fresh solver, go on: every array, counter and total is the same."""
+    problem = build.flyer((40, 80), stop=2.2e-6, gap=2e-5, integrator=integrator)
+    watcher = build.Watcher()
+    first, _ = build.run(problem, watcher, checkpoint_cycles=61)
+    payload = watcher.payloads[min(after, len(watcher.payloads) - 1)]
+    assert first.voids_opened >= 1 and first.voids_closed >= 1
+    second = make_solver(problem)
+    second.restore(payload["solver"])
+    schedule = Schedule(problem.stop_time, snapshot_times(problem.stop_time, None, 10))
+    march_to_end(second, schedule, (), payload["next_snapshot"])
+    a, b = first.payload(), second.payload()
+    for name, values in a.items():
+        if name == "counters":
+            continue
+        assert np.array_equal(values, b[name]), name
+    assert first.errors() == second.errors() and first.cycle == second.cycle
+
+
+class Interrupt:
+    """An observer that sends the process a SIGINT at a chosen moment of the loop."""
+
+    def __init__(self, hook, cycle):
+        self.hook, self.cycle, self.done = hook, cycle, False
+
+    def __getattr__(self, name):
+        if name != self.hook:
+            raise AttributeError(name)
+
+        def call(*args):
+            if not self.done and self.solver.cycle >= self.cycle:
+                self.done = True
+                signal.raise_signal(signal.SIGINT)
+
+        return call
+
+
+@pytest.mark.parametrize("hook", ["gauges", "event", "snapshot", "progress", "checkpoint"])
+def test_interrupted_anywhere_in_the_loop_nothing_is_lost_or_seen_twice(hook):
+    """Ctrl-C between any two lines: what observers saw before and after, put together, is the undisturbed run."""
+    problem = build.flyer((40, 80), stop=2.2e-6, gap=2e-5)
+    whole = build.Watcher(keep_snapshots=True)
+    reference, _ = build.run(problem, whole, checkpoint_cycles=61)
+    parts = build.Watcher(keep_snapshots=True)
+    breaker = Interrupt(hook, 200)
+    breaker.solver = solver = make_solver(problem)
+    schedule = Schedule(problem.stop_time, snapshot_times(problem.stop_time, None, 10), checkpoint_cycles=61)
+    with pytest.raises(KeyboardInterrupt):
+        march_to_end(solver, schedule, (breaker, parts))
+    assert breaker.done and solver.time < problem.stop_time
+    payload = parts.payloads[-1]
+    resumed = make_solver(problem)
+    resumed.restore(payload["solver"])
+    march_to_end(resumed, schedule, (parts,), payload["next_snapshot"])
+    assert [s.time for s in parts.states] == [s.time for s in whole.states]
+    assert [(e.kind, e.cycle) for e in parts.events] == [(e.kind, e.cycle) for e in whole.events]
+    assert np.array_equal(np.concatenate(parts.times), np.concatenate(whole.times))
+    assert np.array_equal(resumed.zones, reference.zones) and resumed.cycle == reference.cycle
+
+
+def test_an_interrupt_while_the_solver_marches_waits_for_the_burst():
+    """The signal comes from outside, in the middle of compiled code: no event and no snapshot of that burst is lost."""
+    problem = build.flyer((600, 1200), stop=2.2e-6, gap=2e-5)
+    reference, whole = build.run(problem, build.Watcher(keep_snapshots=True))
+    parts = build.Watcher(keep_snapshots=True)
+    solver = make_solver(problem)
+    schedule = Schedule(problem.stop_time, snapshot_times(problem.stop_time, None, 10))
+    next_snapshot, interrupted = 0, 0
+    for _ in range(40):
+        timer = threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        try:
+            march_to_end(solver, schedule, (parts,), next_snapshot)
+            timer.cancel()
+            break
+        except KeyboardInterrupt:
+            interrupted += 1
+            payload = parts.payloads[-1]
+            solver, next_snapshot = make_solver(problem), payload["next_snapshot"]
+            solver.restore(payload["solver"])
+    assert interrupted >= 3
+    assert [s.time for s in parts.states] == [s.time for s in whole.states]
+    assert [(e.kind, e.cycle) for e in parts.events] == [(e.kind, e.cycle) for e in whole.events]
+    assert np.array_equal(solver.zones, reference.zones) and solver.cycle == reference.cycle
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals are a Unix matter")
+def test_control_c_leaves_a_checkpoint_and_exit_code_130(place, whole):
+    path = deck(place)
+    folder = place / "interrupted.run"
+    process = start(path, folder)
+    assert wait_for_checkpoint(process, folder)
+    process.send_signal(signal.SIGINT)
+    output = process.communicate(timeout=60)[0].decode()
+    assert process.returncode == 130, output
+    assert "resume" in output
+    assert list((folder / "checkpoint").glob("*.json")) and not (folder / "summary.json").exists()
+    assert RunFolder(folder, resume=True).latest_checkpoint() is not None
+    simulate.resume(folder)
+    same_bytes(whole(path), folder)
