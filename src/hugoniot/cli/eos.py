@@ -265,14 +265,17 @@ def table(
     temperatures: Annotated[str, typer.Option("--temperatures", help='Range of temperature, "300 K, 3000 K".')] = "300 K, 3000 K",
     points: Annotated[int, typer.Option("--points", min=2, max=1000, help="Values of each.")] = 21,
     as_json: JSON = False, as_csv: CSV = None,
+    hdf5: Annotated[Path | None, typer.Option("--hdf5", help="Write the grid to this HDF5 file.")] = None,
 ) -> None:
     """Tabulate p and e over density and temperature, for codes that read tables.
+
+    A deck reads the file back: [material.x.eos] law = "table", file = "copper.csv".
 
     Example: hugoniot eos table copper --points 50 --csv copper.csv
     """
     from hugoniot.cli import eos_table
 
-    eos_table.report(find_material(material), densities, temperatures, points, as_json, as_csv)
+    eos_table.report(find_material(material), densities, temperatures, points, as_json, as_csv, hdf5)
 
 
 # -- shared ------------------------------------------------------------------------------------------------------

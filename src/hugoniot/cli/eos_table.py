@@ -8,11 +8,12 @@ import typer
 from hugoniot.cli.eos_input import Subject, quantity
 from hugoniot.cli.show import echo_json, echo_table
 from hugoniot.errors import DeckError, FileTrouble
-from hugoniot.laws.eos.contract import reference_state
+from hugoniot.laws.eos.contract import EOS, reference_state
 from hugoniot.theory.isentrope import state
 
 
-def report(subject: Subject, densities: str, temperatures: str, points: int, as_json: bool, as_csv) -> None:
+def report(subject: Subject, densities: str, temperatures: str, points: int, as_json: bool, as_csv,
+           as_hdf5=None) -> None:
     """Solve for the energy at every density and temperature; print a corner of it, or write all."""
     rho0 = reference_state(subject.material.eos)[0]
     low, high = _range(densities, "kg/m^3", "--densities") if densities else (0.9 * rho0, 1.5 * rho0)
@@ -22,6 +23,10 @@ def report(subject: Subject, densities: str, temperatures: str, points: int, as_
     e = np.array([[s.specific_internal_energy for s in row] for row in found])
     if as_csv:
         _write(as_csv, rho, t, p, e)
+    if as_hdf5:
+        from hugoniot.output.table_file import write_table
+
+        write_table(as_hdf5, rho, t, p, e, f"{subject.material.name}, law {EOS.of(subject.material.eos).name}")
     if as_json:
         echo_json({"material": subject.material.name, "density": rho, "temperature": t, "pressure": p, "specific_internal_energy": e})
         return
@@ -29,8 +34,8 @@ def report(subject: Subject, densities: str, temperatures: str, points: int, as_
     chosen = np.unique(np.linspace(0, points - 1, min(points, 7)).round().astype(int))
     rows = [[f"{rho[i]:.1f}", *[f"{p[i, j] * 1e-9:.4g}" for j in chosen]] for i in chosen]
     echo_table(["kg/m3", *[f"{t[j]:.6g} K" for j in chosen]], rows)
-    if as_csv is None:
-        typer.echo(f"{points} x {points} values; --csv FILE writes them all, with energies")
+    if as_csv is None and as_hdf5 is None:
+        typer.echo(f"{points} x {points} values; --csv FILE or --hdf5 FILE writes them all, with energies, as the law 'table' reads them")
 
 
 def _write(path, rho, t, p, e) -> None:

@@ -18,6 +18,7 @@ from hugoniot.laws.eos.contract import EOS, pressure, reference_state, sound_spe
 from hugoniot.laws.fracture.contract import tension_cap
 from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
+from hugoniot.materials import table_law
 from hugoniot.materials.collect import Collector, LineOf, nearest, printable
 from hugoniot.materials.material import Material, Source
 from hugoniot.materials.tables import accepted, families, law_table
@@ -108,6 +109,8 @@ def read_law(registry: Registry, table: Any, collector: Collector, path: tuple, 
     except UnknownName:
         collector.add((*path, "law"), f"unknown {registry.family} law '{printable(name)}'", nearest(name, registry.names()))
         return None
+    if registry is EOS and name == table_law.LAW and "file" in table:
+        return table_law.read_table_law(table, collector, path)
     start = dict(law_table(registry, inherited)) if inherited is not None and registry.of(inherited) is law else {}
     return _read_parameters(registry, law, start | table, collector, path)
 

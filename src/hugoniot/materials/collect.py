@@ -2,6 +2,7 @@
 
 import difflib
 from collections.abc import Callable, Iterable
+from pathlib import Path
 
 from hugoniot.errors import DeckProblem
 from hugoniot.units import UnitError, parse
@@ -29,11 +30,13 @@ def nearest(name: str, known: Iterable[str], otherwise: str = "") -> str:
 class Collector:
     """Adds a `DeckProblem` per finding; a path is the tuple of keys and array indices from the root of the file.
 
-    raw   the parsed file, from which array elements get the name shown in a message (`region.flyer.from`)
+    raw      the parsed file, from which array elements get the name shown in a message (`region.flyer.from`)
+    folder   where data files that this one names are looked for; by default the folder of `file`
     """
 
-    def __init__(self, problems: list[DeckProblem], file: str, line_of: LineOf, raw: dict | None = None):
+    def __init__(self, problems: list[DeckProblem], file: str, line_of: LineOf, raw: dict | None = None, folder: Path | None = None):
         self.problems, self.file, self.line_of, self.raw = problems, file, line_of, raw or {}
+        self.folder = Path(file).parent if folder is None else folder
 
     def add(self, path: tuple, message: str, hint: str = "") -> None:
         problem = DeckProblem(self.file, self.line_of(path), self.key(path), message, hint)

@@ -22,7 +22,7 @@ from typing import Any
 
 from hugoniot.core.registry import Registry
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
-from hugoniot.materials import cards, schema
+from hugoniot.materials import cards, schema, table_law
 from hugoniot.materials.build import build_material, read_law
 from hugoniot.materials.collect import Collector
 from hugoniot.materials.marks import marks
@@ -243,7 +243,8 @@ class _Reader:
         registry = families()[family]
         if law is None and self.base is not None and getattr(self.base, family) is not None:
             return registry.of(getattr(self.base, family)).units
-        return registry.get(law).units if isinstance(law, str) and law in registry.names() else {}
+        units = registry.get(law).units if isinstance(law, str) and law in registry.names() else {}
+        return {**table_law.UNITS, **units} if law == table_law.LAW else units
 
     def unreacted(self, registry: Registry, table: Any) -> Any:
         if not isinstance(table, dict):

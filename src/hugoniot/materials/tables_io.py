@@ -1,6 +1,6 @@
-"""Tabulated equations of state from text files: CSV, and SESAME-format ASCII (table 301).
+"""Tabulated equations of state from files: CSV, HDF5, and SESAME-format ASCII (table 301).
 
-    load(path)        the law `table` from a .csv or a SESAME file, by its content
+    load(path)        the law `table` of a file, by its suffix and content
     read_csv(text)    four columns named density, temperature, pressure, energy (SI), one row per grid point in any order
     read_301(text)    the 301 table of a SESAME-format ASCII file (g/cm3, K, GPa, MJ/kg; other units by arguments)
 
@@ -10,10 +10,12 @@ Source: Lyon and Johnson, LA-UR-92-3407 (1992), table 301: NR, NT, densities, te
 """
 
 import csv
+import importlib
 import io
 import math
 import pathlib
 import re
+from typing import NamedTuple
 
 import numpy as np
 
@@ -21,35 +23,60 @@ from hugoniot.errors import DeckError, FileTrouble, OutOfRange
 from hugoniot.laws.eos.table import Table, build
 
 COLUMNS = ("density", "temperature", "pressure", "energy")
+# Readers of formats that are no text, by suffix: modules with `read_table(path) -> (density, temperature, pressure, energy)`. They are
+# named, not imported: HDF5 belongs to the room `output`, which lies above this one, and its library is slow to load. The name is resolved
+# when such a file is read, so nothing here depends on that room before a user asks for it.
+BINARY_READERS = {".h5": "hugoniot.output.table_file", ".hdf5": "hugoniot.output.table_file"}
 _EXCHANGE = re.compile(r"^\s*[012]\s+(\d+)\s+(\d{3})\s+(\d+)\s+[A-Za-z]")
 _SANDIA = re.compile(r"^\s*RECORD\s+TYPE\s*=\s*(\d{3})\s+NWDS\s*=\s*(\d+)")
 _NUMBER = re.compile(r"[+-]?(?:\d+\.\d*|\.\d+)(?:[EeDd][+-]?\d+|[+-]\d+)?|[+-]?(?:nan|inf)(?:inity)?\b", re.IGNORECASE)
 _FLAGS = re.compile(r"^(.*[EeDd][+-]\d\d)[01]{5}\s*$")
 _LARGEST = 64 * 1024 * 1024
+_FILL = "a table gives every density at every temperature: fill the hole or leave that density out"
 
 
-def load(path, rho0: float = math.nan, reference_temperature: float = 298.15) -> Table:
-    """The law `table` of a file: CSV where the first line names columns, else SESAME-format ASCII.
+class Window(NamedTuple):
+    """What of a file is wanted: its rest state, the ranges kept (kg/m3, K), the number of the material where the file holds several."""
+
+    rho0: float = math.nan
+    reference_temperature: float = 298.15
+    density_range: tuple[float, float] = (0.0, math.inf)
+    temperature_range: tuple[float, float] = (0.0, math.inf)
+    material: int | None = None
+
+
+def load(path, rho0: float = math.nan, reference_temperature: float = 298.15, density_range=(0.0, math.inf),
+         temperature_range=(0.0, math.inf), material: int | None = None) -> Table:
+    """The law `table` of a file: HDF5 by its suffix, CSV where the first line names columns, else SESAME-format ASCII.
 
     rho0 (kg/m3) and reference_temperature (K) fix the rest state; without rho0 it is where the isotherm has zero pressure.
+    density_range (kg/m3) and temperature_range (K) cut the grid; `material` is the number of a SESAME material.
     """
-    path = pathlib.Path(path)
+    path, window = pathlib.Path(path), Window(rho0, reference_temperature, density_range, temperature_range, material)
     try:
         if path.stat().st_size > _LARGEST:
             raise DeckError.single(path, None, "table", f"the file is larger than {_LARGEST >> 20} MB", "thin the table out")
+        if path.suffix.lower() in BINARY_READERS:
+            grid = importlib.import_module(BINARY_READERS[path.suffix.lower()]).read_table(path)
+            return _build(str(path), *grid, window)
         text = path.read_text(encoding="utf-8")
     except UnicodeDecodeError:
-        raise DeckError.single(path, None, "table", "not a text file", "give a CSV or a SESAME-format ASCII file") from None
+        raise DeckError.single(path, None, "table", "not a text file", "give a CSV, an .h5 or a SESAME-format ASCII file") from None
     except OSError as error:
         raise FileTrouble(f"{path}: {error.strerror or error}") from None
     first = next((line for line in text.splitlines() if line.strip() and not line.startswith("#")), "")
     if "," in first and not _EXCHANGE.match(first):
-        return read_csv(text, str(path), rho0, reference_temperature)
-    return read_301(text, str(path), rho0=rho0, reference_temperature=reference_temperature)
+        return _csv(text, str(path), window)
+    return read_301(text, str(path), rho0=rho0, reference_temperature=reference_temperature, material=material,
+                    density_range=density_range, temperature_range=temperature_range)
 
 
 def read_csv(text: str, name: str = "table.csv", rho0: float = math.nan, reference_temperature: float = 298.15) -> Table:
     """The law `table` of rows density (kg/m3), temperature (K), pressure (Pa), energy (J/kg); lines starting with # are skipped."""
+    return _csv(text, name, Window(rho0, reference_temperature))
+
+
+def _csv(text: str, name: str, window: Window) -> Table:
     lines = [(n, line) for n, line in enumerate(text.splitlines(), 1) if line.strip() and not line.lstrip().startswith("#")]
     if not lines:
         raise DeckError.single(name, None, "table", "the file has no rows", f"first line: {','.join(COLUMNS)}")
@@ -60,35 +87,65 @@ def read_csv(text: str, name: str = "table.csv", rho0: float = math.nan, referen
                                f"the first line is {','.join(COLUMNS)} (kg/m3, K, Pa, J/kg)")
     place = [header.index(c) for c in COLUMNS]
     points: dict[tuple[float, float], tuple[float, float]] = {}
+    origin: dict[tuple[float, float], int] = {}
     for line_number, line in lines[1:]:
-        row = next(csv.reader(io.StringIO(line)))
-        try:
-            rho, t, p, e = (float(row[k]) for k in place)
-        except (ValueError, IndexError):
-            raise DeckError.single(name, line_number, "row", f"expected {len(header)} numbers, got '{line.strip()[:60]}'") from None
+        rho, t, p, e = _row(line, place, len(header), name, line_number)
         if (rho, t) in points:
-            raise DeckError.single(name, line_number, "row", f"density {rho:.6g}, temperature {t:.6g} is given twice", "remove one")
-        points[rho, t] = p, e
-    return _assemble(points, name, rho0, reference_temperature)
+            raise DeckError.single(name, line_number, "row", f"density {rho:.6g}, temperature {t:.6g} is given twice, first on line "
+                                   f"{origin[rho, t]}", "remove one")
+        points[rho, t], origin[rho, t] = (p, e), line_number
+    return _assemble(points, origin, name, window)
 
 
-def _assemble(points, name, rho0, reference_temperature) -> Table:
+def _row(line: str, place: list[int], count: int, name: str, line_number: int) -> list[float]:
+    """The four numbers of a row."""
+    cells = [cell.strip() for cell in next(csv.reader(io.StringIO(line)))]
+    if len(cells) != count:
+        raise DeckError.single(name, line_number, "row", f"{len(cells)} values, but the header names {count} columns",
+                               "give one value per column, with a point as decimal sign")
+    found = []
+    for column, k in zip(COLUMNS, place):
+        try:
+            found.append(float(cells[k]))
+        except ValueError:
+            shown = f"'{cells[k][:40]}' is no number" if cells[k] else "a hole: no value"
+            raise DeckError.single(name, line_number, column, shown, "write a number in SI" if cells[k] else _FILL) from None
+    if not (0.0 < found[0] < math.inf and 0.0 <= found[1] < math.inf):
+        raise DeckError.single(name, line_number, "row", f"density {found[0]:.6g} kg/m3, temperature {found[1]:.6g} K is no state",
+                               "densities are positive, temperatures not negative")
+    return found
+
+
+def _assemble(points, origin, name, window: Window) -> Table:
     rho, t = sorted({key[0] for key in points}), sorted({key[1] for key in points})
     if len(rho) * len(t) > 100 * max(len(points), 1):
         raise DeckError.single(name, None, "table", f"{len(points)} points do not form a grid of densities and temperatures",
                                "give every density at every temperature")
-    p, e = np.full((len(rho), len(t)), math.nan), np.full((len(rho), len(t)), math.nan)
-    rows, columns = {r: i for i, r in enumerate(rho)}, {x: j for j, x in enumerate(t)}
-    for (r, x), (p_value, e_value) in points.items():
-        p[rows[r], columns[x]], e[rows[r], columns[x]] = p_value, e_value
-    return _build(name, rho, t, p, e, rho0, reference_temperature)
+    for r in rho:
+        for x in t:
+            if (r, x) not in points:
+                before = max((origin[key] for key in origin if key[0] == r), default=None)
+                raise DeckError.single(name, before, "table", f"a hole: no row gives density {r:.6g} kg/m3 at temperature {x:.6g} K "
+                                       f"({len(rho) * len(t) - len(points)} missing in all)", _FILL)
+    p, e = (np.array([[points[r, x][k] for x in t] for r in rho]) for k in (0, 1))
+    return _build(name, np.array(rho), np.array(t), p, e, window, origin)
 
 
-def _build(name, rho, t, p, e, rho0, reference_temperature) -> Table:
+def _build(name, rho, t, p, e, window: Window, lines=None) -> Table:
+    """The law of a grid; `lines` maps (density, temperature) or None to the line of a message."""
+    rows = np.flatnonzero((rho > 0.0) & (rho >= window.density_range[0]) & (rho <= window.density_range[1]))
+    columns = np.flatnonzero((t >= window.temperature_range[0]) & (t <= window.temperature_range[1]))
+    lines = lines or {}
+    if rows.size < 2 or columns.size < 2:
+        raise DeckError.single(name, lines.get(None), "table", f"{rows.size} densities and {columns.size} temperatures are left in the "
+                               "range asked for, two of each are needed", "widen the range or extend the table")
+    keep = np.ix_(rows, columns)
     try:
-        return build(rho, t, p, e, rho0, reference_temperature)
+        return build(rho[rows], t[columns], p[keep], e[keep], window.rho0, window.reference_temperature)
     except OutOfRange as trouble:
-        raise DeckError.single(name, None, "table", str(trouble).removeprefix("table: ")) from None
+        place = getattr(trouble, "place", None)
+        where = lines.get((rho[rows][place[0]], t[columns][place[1]])) if place else None
+        raise DeckError.single(name, where or lines.get(None), "table", str(trouble).removeprefix("table: ")) from None
 
 
 def read_301(text: str, name: str = "sesame.txt", *, rho0: float = math.nan, reference_temperature: float = 298.15,
@@ -110,12 +167,8 @@ def read_301(text: str, name: str = "sesame.txt", *, rho0: float = math.nan, ref
     rho, t = np.array(words[2:2 + n]) * units[0], np.array(words[2 + n:2 + n + m]) * units[1]
     p = np.array(words[2 + n + m:2 + n + m + n * m]).reshape(m, n).T * units[2]
     e = np.array(words[2 + n + m + n * m:needed]).reshape(m, n).T * units[3]
-    rows = np.flatnonzero((rho > 0.0) & (rho >= density_range[0]) & (rho <= density_range[1]))
-    columns = np.flatnonzero((t >= temperature_range[0]) & (t <= temperature_range[1]))
-    if rows.size < 2 or columns.size < 2:
-        raise DeckError.single(name, line_number, "301", "fewer than two densities or temperatures are left in the range asked for")
-    keep = np.ix_(rows, columns)
-    return _build(name, rho[rows], t[columns], p[keep], e[keep], rho0, reference_temperature)
+    window = Window(rho0, reference_temperature, density_range, temperature_range)
+    return _build(name, rho, t, p, e, window, {None: line_number})
 
 
 def _record(text: str, name: str, material: int | None):

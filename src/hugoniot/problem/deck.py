@@ -62,7 +62,7 @@ def read_deck_text(text: str, name: str = "deck", overrides: dict[str, Any] | No
     places, beside   where users' own materials are looked for: files and folders, and the deck's own folder
     """
     raw = _parse(text, name)
-    collector = Collector([], name, line_finder(text), raw)
+    collector = Collector([], name, line_finder(text), raw, beside)
     for key, value in (overrides or {}).items():
         _override(raw, key, value, collector)
     kind = _solver_kind(raw, collector)

@@ -18,6 +18,7 @@ from hugoniot.core.registry import Registry
 from hugoniot.laws import mixture, viscosity  # noqa: F401  (enrols the laws)
 from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.laws.viscosity.contract import VISCOSITY
+from hugoniot.materials import table_law
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.materials.tables import accepted, families
 from hugoniot.units import UnitError, parse
@@ -236,5 +237,7 @@ def law_schema(registry: Registry) -> dict:
                 properties[name]["default"] = default
         alternatives.append({"type": "object", "title": law.name, "description": law.summary, "properties": properties,
                              "required": ["law", *required]})
+    if registry.family == "eos":
+        alternatives.append(table_law.editor_schema())
     override = {"type": "object", "not": {"required": ["law"]}, "description": "overrides of the base material's law"}
     return {"anyOf": [*alternatives, override, {"const": "none"}]}

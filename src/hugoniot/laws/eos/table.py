@@ -7,7 +7,8 @@ $$\frac{\partial p}{\partial e}\Big|_\rho = \frac{p_T}{e_T}, \; \frac{\partial p
 
 `build` refuses a table with a hole, an unordered grid, an energy that does not rise with temperature (c_v > 0 everywhere follows) or, where
 the pressure is not negative, a corner of a cell with c^2 <= 0. `from_law` tabulates any law that has a temperature. Outside the grid
-the nearest cell is continued; `check_state` refuses such states.
+the nearest cell is continued; `check_state` refuses such states. The law has no entropy: bilinear p and e obey the identity
+$e_v = T p_T - p$ only as far as the table resolves them, so no function s has ds = (de + p dv)/T exactly.
 
 Source: 001 (KB codes), section 3 (tables in density and temperature); Lyon and Johnson, LA-UR-92-3407 (SESAME 301).
 """
@@ -22,6 +23,14 @@ from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+
+
+class UnsoundTable(OutOfRange):
+    """A table that `build` refuses; `place` = (row of the density, column of the temperature) where it is one point."""
+
+    def __init__(self, message: str, place: tuple[int, int] | None = None):
+        super().__init__(message)
+        self.place = place
 
 
 class Table(NamedTuple):
@@ -135,8 +144,8 @@ def _filled(name, values, rho, t):
     holes = np.argwhere(~np.isfinite(table))
     if holes.size:
         i, j = holes[0]
-        raise OutOfRange(f"table: a hole in {name} at density {rho[i]:.6g} kg/m3, temperature {t[j]:.6g} K "
-                         f"({len(holes)} in all); fill it or cut the grid there")
+        raise UnsoundTable(f"table: a hole in {name} at density {rho[i]:.6g} kg/m3, temperature {t[j]:.6g} K "
+                           f"({len(holes)} in all); fill it or cut the grid there", (i, j))
     return table
 
 
@@ -144,8 +153,8 @@ def _check_energy(e, rho, t):
     bad = np.argwhere(np.diff(e, axis=1) <= 0.0)
     if bad.size:
         i, j = bad[0]
-        raise OutOfRange(f"table: the energy must rise with temperature, but at density {rho[i]:.6g} kg/m3 it does not between "
-                         f"{t[j]:.6g} and {t[j + 1]:.6g} K ({len(bad)} such places); cut the grid there or correct the table")
+        raise UnsoundTable(f"table: the energy must rise with temperature, but at density {rho[i]:.6g} kg/m3 it does not between "
+                           f"{t[j]:.6g} and {t[j + 1]:.6g} K ({len(bad)} such places); cut the grid there or correct the table", (i, j + 1))
 
 
 def _check_sound_speed(table):
@@ -162,8 +171,8 @@ def _check_sound_speed(table):
             bad = np.argwhere((c2 <= 0.0) & (corner >= 0.0))
             if bad.size:
                 i, j = bad[0] + (f, g)
-                raise OutOfRange(f"table: c^2 <= 0 at density {rho[i]:.6g} kg/m3, temperature {table.temperatures[j]:.6g} K "
-                                 f"({len(bad)} such corners); smooth the table or cut the grid there")
+                raise UnsoundTable(f"table: c^2 <= 0 at density {rho[i]:.6g} kg/m3, temperature {table.temperatures[j]:.6g} K "
+                                   f"({len(bad)} such corners); smooth the table or cut the grid there", (i, j))
 
 
 def _rest_density(table, temperature):

@@ -1,0 +1,83 @@
+"""The law `table` of a deck or a material file that names a data file instead of listing the values.
+
+    [material.copper.eos]
+    law = "table"
+    file = "copper.csv"                          # or .h5, or SESAME-format ASCII; relative to the file that names it
+    rho0 = "8930 kg/m^3"                         # optional: density at rest, else where the isotherm has zero pressure
+    reference_temperature = "298.15 K"           # optional
+    density_range = ["8 g/cm^3", "14 g/cm^3"]    # optional: the part of the table to use
+    temperature_range = ["300 K", "3000 K"]      # optional
+    number = 3720                                # optional: the material of a SESAME file that holds several
+
+A problem that is saved holds the values themselves, so that it runs again without the data file.
+"""
+
+from pathlib import Path
+from typing import Any
+
+from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.materials import tables_io
+from hugoniot.materials.collect import Collector, printable
+
+LAW = "table"
+UNITS = {"file": "text", "rho0": "kg/m^3", "reference_temperature": "K", "density_range": "kg/m^3", "temperature_range": "K", "number": "1"}
+MEANING = {"file": "the table: .csv, .h5 or SESAME-format ASCII, relative to this file", "rho0": "density at rest",
+           "reference_temperature": "temperature at rest", "density_range": "lowest and highest density to use",
+           "temperature_range": "lowest and highest temperature to use", "number": "material number in a SESAME file"}
+_KINDS = {"file": "string", "number": "integer", "density_range": "array", "temperature_range": "array"}
+_SUFFIXES = (".csv", ".h5", ".hdf5", ".ses", ".301", ".txt")
+
+
+def read_table_law(table: dict, collector: Collector, path: tuple) -> Any:
+    """The parameters of a law table with the key `file`; None after reporting to the collector what is wrong."""
+    before, given = len(collector.problems), {}
+    for key, value in table.items():
+        if key in ("law", "file"):
+            continue
+        if key not in UNITS:
+            collector.unknown((*path, key), UNITS)
+        elif key == "number":
+            given["material"] = value
+            if isinstance(value, bool) or not isinstance(value, int):
+                collector.add((*path, key), "expected a whole number", MEANING[key])
+        elif key.endswith("_range"):
+            given[key] = _range(value, UNITS[key], collector, (*path, key))
+        else:
+            given[key] = collector.quantity((*path, key), value, UNITS[key])
+    file = table["file"]
+    if not isinstance(file, str) or not file.strip() or not file.isprintable():
+        collector.add((*path, "file"), "expected the name of a file", MEANING["file"])
+    if len(collector.problems) > before:
+        return None
+    try:
+        return tables_io.load(collector.folder / file, **given)
+    except DeckError as error:
+        collector.problems += [p for p in error.problems if p not in collector.problems]
+    except FileTrouble:
+        sought = collector.folder / file
+        collector.add((*path, "file"), f"no table can be read at '{printable(sought, 200)}'", _others(sought))
+    return None
+
+
+def editor_schema() -> dict:
+    """JSON Schema of such a table, for editors."""
+    properties = {key: {"description": text, "unit": UNITS[key], "type": _KINDS.get(key, ["number", "string"])}
+                  for key, text in MEANING.items()}
+    return {"type": "object", "title": "table in a file", "properties": {"law": {"const": LAW}, **properties}, "required": ["law", "file"]}
+
+
+def _range(value: Any, unit: str, collector: Collector, path: tuple) -> tuple[float, float] | None:
+    if not isinstance(value, list) or len(value) != 2:
+        collector.add(path, "expected two values", "write the lowest and the highest, such as [\"8 g/cm^3\", \"14 g/cm^3\"]")
+        return None
+    low, high = (collector.quantity((*path, i), v, unit) for i, v in enumerate(value))
+    if low is not None and high is not None and not low < high:
+        collector.add(path, "does not rise", "write the lower value first")
+    return None if low is None or high is None else (low, high)
+
+
+def _others(path: Path) -> str:
+    """The tables that lie where one was sought."""
+    folder = path.parent
+    found = sorted(f.name for f in folder.iterdir() if f.suffix.lower() in _SUFFIXES)[:5] if folder.is_dir() else []
+    return f"tables there: {', '.join(printable(f) for f in found)}" if found else "the name is relative to the file that holds it"

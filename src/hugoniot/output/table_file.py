@@ -1,0 +1,72 @@
+"""Tabulated equations of state as HDF5 files, which the law `table` reads and `hugoniot eos table --hdf5` writes.
+
+Four datasets at the root, each with its `unit` and `long_name`:
+
+    density (n,) kg/m^3    temperature (m,) K    pressure (n, m) Pa    energy (n, m) J/kg
+
+`materials.tables_io` finds `read_table` by the name of this module, because HDF5 is read and written in this room only.
+"""
+
+import os
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from hugoniot.errors import DeckError, FileTrouble
+
+UNITS = {"density": "kg/m^3", "temperature": "K", "pressure": "Pa", "energy": "J/kg"}
+_LONG = {"density": "densities of the grid", "temperature": "temperatures of the grid", "pressure": "pressure, row by density",
+         "energy": "specific internal energy, row by density"}
+_SPELLINGS = {"kg/m^3": ("kg/m3", "kg m-3", "kg/m**3"), "J/kg": ("J kg-1",)}
+
+
+def write_table(path, density, temperature, pressure, energy, about: str = "") -> None:
+    """Write a grid: density (n,) and temperature (m,) increasing, pressure and energy (n, m), SI; `about` names what is tabulated.
+
+    The file appears whole or not at all. Raises FileTrouble if it cannot be written.
+    """
+    path = Path(path)
+    unfinished = path.with_name(path.name + ".part")
+    try:
+        with h5py.File(unfinished, "w") as file:
+            file.attrs["format"] = "hugoniot equation-of-state table, version 1"
+            file.attrs["about"] = about
+            for (name, unit), values in zip(UNITS.items(), (density, temperature, pressure, energy), strict=True):
+                file[name] = np.asarray(values, dtype=np.float64)
+                file[name].attrs["unit"] = unit
+                file[name].attrs["long_name"] = _LONG[name]
+        os.replace(unfinished, path)
+    except OSError as error:
+        unfinished.unlink(missing_ok=True)
+        raise FileTrouble(f"cannot write {path}: {error.strerror or error}") from None
+
+
+def read_table(path) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """(density (n,), temperature (m,), pressure (n, m), energy (n, m)) in SI of an HDF5 file.
+
+    DeckError for a file that is no HDF5, lacks a dataset, or gives one with a wrong shape or unit; the law judges the values.
+    """
+    try:
+        with h5py.File(path, "r") as file:
+            grid = [_dataset(file, name, path) for name in UNITS]
+    except OSError:
+        raise DeckError.single(path, None, "table", "not an HDF5 file", "hugoniot eos table --hdf5 writes one") from None
+    n, m = grid[0].size, grid[1].size
+    for name, values, shape in zip(UNITS, grid, ((n,), (m,), (n, m), (n, m))):
+        if values.shape != shape:
+            raise DeckError.single(path, None, name, f"has the shape {values.shape}, but {n} densities and {m} temperatures need {shape}",
+                                   "rows are densities, columns temperatures")
+    return grid[0], grid[1], grid[2], grid[3]
+
+
+def _dataset(file, name: str, path) -> np.ndarray:
+    found = file.get(name)
+    if not isinstance(found, h5py.Dataset) or found.dtype.kind not in "fiu":
+        raise DeckError.single(path, None, name, f"the file has no dataset of numbers '{name}', it has {', '.join(file) or 'none'}",
+                               f"it needs {', '.join(UNITS)}")
+    unit = found.attrs.get("unit", UNITS[name])
+    unit = unit.decode("utf-8", "replace") if isinstance(unit, bytes) else str(unit)
+    if unit not in (UNITS[name], *_SPELLINGS.get(UNITS[name], ())):
+        raise DeckError.single(path, None, name, f"is in '{unit[:40]}'", f"write it in {UNITS[name]}")
+    return np.asarray(found[()], dtype=np.float64)

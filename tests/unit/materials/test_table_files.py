@@ -1,0 +1,185 @@
+"""Tables of decks and material files that stand in files of their own: CSV, HDF5, SESAME-format ASCII, and what is said to bad ones."""
+
+import json
+
+import h5py
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from hugoniot.cli.main import build_app
+from hugoniot.errors import DeckError
+from hugoniot.laws.eos.contract import pressure, reference_state, temperature
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.laws.eos.table import Table, from_law
+from hugoniot.materials.library import find
+from hugoniot.materials.tables_io import load
+from hugoniot.materials.users import read_materials
+from hugoniot.output.table_file import read_table, write_table
+from hugoniot.problem.deck import read_deck, read_deck_text
+
+SOLID = MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0)
+DECK = """
+title = "tables"
+geometry = "planar"
+stop_time = "1 us"
+[[region]]
+name = "plate"
+material = "al"
+from = "0 mm"
+to = "1 mm"
+zones = 10
+velocity = "100 m/s"
+[material.al.eos]
+law = "table"
+file = "{}"
+rho0 = "2785 kg/m^3"
+density_range = ["2.6 g/cm^3", "4.0 g/cm^3"]
+"""
+
+
+@pytest.fixture(scope="module")
+def solid():
+    return from_law(SOLID, np.linspace(2500.0, 4200.0, 12), np.linspace(200.0, 4000.0, 9), rho0=2785.0)
+
+
+def csv_rows(made):
+    return [[rho, t, made.pressure_table[i, j], made.energy_table[i, j]]
+            for i, rho in enumerate(made.density.tolist()) for j, t in enumerate(made.temperatures.tolist())]
+
+
+def write_csv(path, rows, header="density,temperature,pressure,energy"):
+    path.write_text("\n".join([header, *(",".join(str(v) for v in row) for row in rows)]) + "\n", encoding="utf-8")
+
+
+def write_301(path, made):
+    """The ASCII exchange format, density fastest, in g/cm3, K, GPa and MJ/kg."""
+    n, m = made.pressure_table.shape
+    words = [n, m, *(made.density / 1e3), *made.temperatures, *(made.pressure_table.T.ravel() / 1e9), *(made.energy_table.T.ravel() / 1e6)]
+    lines = [f" 0  3720   301  {len(words)}  r 82993"] + ["".join(f"{float(w):22.14E}" for w in words[k:k + 5]) for k in range(0, len(words), 5)]
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def write_file(folder, kind, made):
+    path = folder / f"al.{kind}"
+    if kind == "csv":
+        write_csv(path, csv_rows(made))
+    elif kind == "h5":
+        write_table(path, *made[:2], made.pressure_table, made.energy_table, "aluminium")
+    else:
+        write_301(path, made)
+    return path
+
+
+@pytest.mark.parametrize("kind", ["csv", "h5", "ses"])
+def test_a_deck_reads_a_table_beside_it(tmp_path, solid, kind):
+    write_file(tmp_path, kind, solid)
+    (tmp_path / "deck.toml").write_text(DECK.format(f"al.{kind}"), encoding="utf-8")
+    deck = read_deck(tmp_path / "deck.toml")
+    law = deck.problem.materials["al"].eos
+    assert isinstance(law, Table) and law.density[0] > 2600.0 and law.density[-1] < 4000.0
+    rho, e = 3100.0, 7.0e5
+    assert pressure(rho, e, law) == pytest.approx(pressure(rho, e, solid), rel=1e-11)
+    assert reference_state(law) == pytest.approx(reference_state(solid), rel=1e-11)
+    again = read_deck_text(deck.resolved, "resolved").problem.materials["al"].eos
+    assert all(np.array_equal(a, b) for a, b in zip(law, again)), "a saved problem must hold the table itself"
+
+
+@pytest.mark.parametrize("kind", ["csv", "h5", "301"])
+def test_a_material_file_reads_a_table_beside_it(tmp_path, solid, kind):
+    write_file(tmp_path, kind, solid)
+    (tmp_path / "mine.toml").write_text(f'[eos]\nlaw = "table"\nfile = "al.{kind}"\nrho0 = "2.785 g/cm^3"\n', encoding="utf-8")
+    law = read_materials(tmp_path / "mine.toml")["mine"].material.eos
+    assert temperature(3100.0, 7.0e5, law) == pytest.approx(temperature(3100.0, 7.0e5, solid), rel=1e-11)
+    found = CliRunner().invoke(build_app("eos"), ["eos", "hugoniot", str(tmp_path / "mine.toml"), "--at", "pressure = 10 GPa", "--json"])
+    assert found.exit_code == 0, found.output
+    u = json.loads(found.stdout)["particle_velocity"]
+    assert 2785.0 * (5328.0 + 1.338 * u) * u == pytest.approx(1e10, rel=0.01), "the jump of the tabulated law, to the table's coarseness"
+
+
+@pytest.mark.parametrize("option", ["csv", "hdf5"])
+def test_what_the_table_command_writes_a_deck_runs_on(tmp_path, option):
+    out = tmp_path / f"copper.{'h5' if option == 'hdf5' else 'csv'}"
+    done = CliRunner().invoke(build_app("eos"), ["eos", "table", "copper", "--points", "40", "--temperatures", "200 K, 3000 K", f"--{option}", str(out)])
+    assert done.exit_code == 0, done.output
+    (tmp_path / "deck.toml").write_text(DECK.format(out.name).replace("2785", "8930").replace("2.6", "8").replace("4.0", "14"), encoding="utf-8")
+    law = read_deck(tmp_path / "deck.toml").problem.materials["al"].eos
+    assert pressure(10100.0, 3.0e5, law) == pytest.approx(pressure(10100.0, 3.0e5, find("copper").eos), rel=3e-3)
+
+
+def broken_rows(solid, what):
+    """(rows, line of the trouble) of a CSV with one thing wrong; nine temperatures per density, the header is line 1."""
+    rows = csv_rows(solid)
+    if what == "gap":
+        del rows[13]
+        return rows, 18
+    if what == "empty":
+        rows[13][2] = ""
+    elif what == "nan":
+        rows[13][3] = "nan"
+    elif what == "falls":
+        rows[13][3] = rows[12][3] - 1.0
+    elif what == "pressure":
+        rows[13][2] = 9e12
+        return rows, 15
+    elif what == "word":
+        rows[13][2] = "1,2"
+    elif what == "twice":
+        rows[13][:2] = rows[12][:2]
+    elif what == "negative":
+        rows[13][0] = -2785.0
+    return rows, 15
+
+
+@pytest.mark.parametrize("what, message", [
+    ("gap", "a hole: no row gives density"), ("empty", "pressure: a hole: no value; a table gives every density"), ("nan", "a hole in energy at density"),
+    ("falls", "energy must rise with temperature"), ("pressure", r"c^2 <= 0"), ("word", "5 values, but the header names 4 columns"),
+    ("twice", "is given twice, first on line 14"), ("negative", "is no state; densities are positive")])
+def test_a_bad_row_is_told_with_its_line(tmp_path, solid, what, message):
+    rows, line = broken_rows(solid, what)
+    write_csv(tmp_path / "al.csv", rows)
+    (tmp_path / "deck.toml").write_text(DECK.format("al.csv"), encoding="utf-8")
+    with pytest.raises(DeckError) as told:
+        read_deck(tmp_path / "deck.toml")
+    (problem,) = told.value.problems
+    assert message in str(problem) and problem.file == str(tmp_path / "al.csv")
+    assert problem.line == line
+
+
+def test_wrong_columns_are_told_with_the_right_ones(tmp_path, solid):
+    write_csv(tmp_path / "al.csv", csv_rows(solid), "density,temperature,pressure,enthalpy")
+    with pytest.raises(DeckError, match=r"al.csv:1: header: needs exactly one column 'energy', found .*enthalpy; the first line is density"):
+        load(tmp_path / "al.csv")
+
+
+def test_hdf5_files_keep_their_units_and_shapes(tmp_path, solid):
+    path = write_file(tmp_path, "h5", solid)
+    assert all(np.array_equal(a, b) for a, b in zip(read_table(path), solid))
+    with h5py.File(path) as file:
+        assert {k: v.attrs["unit"] for k, v in file.items()} == {"density": "kg/m^3", "temperature": "K", "pressure": "Pa", "energy": "J/kg"}
+    for change, message in ((lambda f: f["pressure"].attrs.modify("unit", "GPa"), "pressure: is in 'GPa'; write it in Pa"),
+                            (lambda f: f.__delitem__("energy"), "no dataset of numbers 'energy'"),
+                            (lambda f: (f.__delitem__("energy"), f.create_dataset("energy", data=np.ones((3, 4)))), "12 densities and 9 temp"),
+                            (lambda f: f["energy"].__setitem__((4, 2), np.nan), "a hole in energy at density")):
+        path = write_file(tmp_path, "h5", solid)
+        with h5py.File(path, "a") as file:
+            change(file)
+        with pytest.raises(DeckError) as told:
+            load(path)
+        assert message in str(told.value) and str(path) in str(told.value)
+    (tmp_path / "no.h5").write_text("density", encoding="utf-8")
+    with pytest.raises(DeckError, match="not an HDF5 file"):
+        load(tmp_path / "no.h5")
+
+
+@pytest.mark.parametrize("change, message", [
+    (('file = "al.csv"', 'file = "cu.csv"'), "deck.toml:14: material.al.eos.file: no table can be read at"), (('file = "al.csv"', "file = 3"), "expected the name of a file"),
+    (('density_range = ["2.6 g/cm^3", "4.0 g/cm^3"]', 'density_range = ["4 g/cm^3", "2 g/cm^3"]'), "deck.toml:16: material.al.eos.density_range: does not rise"),
+    (('["2.6 g/cm^3", "4.0 g/cm^3"]', '["9 g/cm^3", "14 g/cm^3"]'), "0 densities and 9 temperatures are left"),
+    (("rho0", "rho_0"), "did you mean 'rho0'?"), (('"2785 kg/m^3"', '"2785 K"'), "eos.rho0")])
+def test_bad_keys_are_told_with_their_line(tmp_path, solid, change, message):
+    write_file(tmp_path, "csv", solid)
+    (tmp_path / "deck.toml").write_text(DECK.format("al.csv").replace(*change), encoding="utf-8")
+    with pytest.raises(DeckError) as told:
+        read_deck(tmp_path / "deck.toml")
+    assert message in str(told.value)
