@@ -46,7 +46,8 @@ def build(geometry: str, gamma: float, zones: int) -> Problem:
     regions = profiled("gas", faces, velocity=np.where(moving, at_faces["velocity"], 0.0),
                        density=np.where(inside, at_centres["density"], 1.0), pressure=np.where(inside, at_centres["pressure"], 0.0))
     drive = Boundary("velocity", Pulse("table", times=tuple(map(float, times)), values=tuple(map(float, velocity))))
-    return simple(f"Guderley implosion, {geometry}", STOP - START, regions, {"gas": gas(gamma)}, Boundary("fixed"), drive, geometry=geometry)
+    return simple(f"Guderley implosion, {geometry}", STOP - START, regions, {"gas": gas(gamma)}, Boundary("fixed"), drive,
+                  geometry=geometry)
 
 
 def shock_radius(state) -> float:
@@ -84,4 +85,5 @@ GUDERLEY = StandardProblem(
     "guderley", "Guderley's implosion: exponent of the converging shock, arrival of the returning one (B7)",
     lambda zones: build("spherical", 1.4, zones),
     (Measure("exponent", "exponent", "density"), Measure("arrival", "arrival", "pressure")),
-    (Bar("exponent", 1200, goal=5e-3), Bar("arrival", 1200, goal=1e-2)), "guderley", frozen(geometry="spherical", gamma=1.4), zones=(300, 600, 1200))
+    (Bar("exponent", 1200, goal=5e-3), Bar("arrival", 1200, goal=1e-2)), "guderley",
+    frozen(geometry="spherical", gamma=1.4), zones=(300, 600, 1200))
