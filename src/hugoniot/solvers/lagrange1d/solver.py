@@ -360,6 +360,10 @@ def _diagnose(code, values, left, right):
     if np.isnan(left + right):
         return ("a field is not a number: the state left the range of a law, or a boundary gave no number.",
                 "check the initial state, the boundaries and the impact conditions against the laws' limits, or lower [solver] courant.")
+    if 0.0 < values.get("burn_fraction", 0.0) < 1.0:
+        return (f"a zone that is burning (burn fraction {values['burn_fraction']:.3g}) was crushed: the explosive behind it drives a "
+                "faster front than the burn law allows, as in converging geometry.",
+                "take the burn law programmed_beta, which lets compression burn a zone ahead of its schedule, or a rate law.")
     if not right > left:
         return ("the zone turned inside out (its faces crossed).",
                 "lower [solver] courant, or give the artificial viscosity more strength.")
