@@ -1,0 +1,68 @@
+"""Every command, file and program of the tutorial works as it stands on the page, in its order, and gives the numbers shown."""
+
+import os
+import re
+import shlex
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
+import pytest
+
+PAGE = Path(__file__).parents[2] / "docs" / "tutorial.md"
+NUMBER = re.compile(r"-?\d+\.\d+")
+
+
+def blocks():
+    """(kind, text) of the page's code in order: "python" or "plain", indentation removed."""
+    found, here, fenced = [], [], False
+    for line in [*PAGE.read_text(encoding="utf-8").splitlines(), "end"]:
+        if line.startswith("```"):
+            if fenced:
+                found.append(("python", "\n".join(here)))
+            fenced, here = not fenced, []
+        elif fenced or line.startswith("    ") or (here and not line):
+            here.append(line)
+        elif here:
+            found.append(("plain", textwrap.dedent("\n".join(here)).strip()))
+            here = []
+    return found
+
+
+def run(arguments, folder):
+    environment = {**os.environ, "COLUMNS": "200", "TERM": "dumb", "MPLBACKEND": "Agg"}
+    done = subprocess.run(arguments, cwd=folder, env=environment, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, f"{arguments}: {done.stderr[-2000:]}"
+    return done.stdout
+
+
+def test_the_page_is_understood():
+    kinds = [kind for kind, _ in blocks()]
+    assert kinds.count("python") == 3 and kinds.count("plain") >= 12
+    assert sum(text.count("hugoniot ") for kind, text in blocks() if kind == "plain") >= 15
+
+
+@pytest.mark.slow
+def test_the_first_hour(tmp_path):
+    printed, shown = "", ""
+    for kind, text in blocks():
+        if kind == "python":
+            printed += run([sys.executable, "-c", text], tmp_path)
+        elif text.startswith("hugoniot "):
+            for line in text.splitlines():
+                command = [sys.executable, "-m", "hugoniot.cli.main", *shlex.split(line)[1:]]
+                printed += run(command, tmp_path)
+        elif text.startswith("time [us]"):
+            (tmp_path / "visar.csv").write_text(text + "\n")
+        elif text.startswith("title ="):
+            (tmp_path / "other.toml").write_text(text + "\n")
+        elif text.startswith("[[gauge]]"):
+            with (tmp_path / "flyer.toml").open("a") as deck:
+                deck.write("\n" + text + "\n")
+        elif "gauge              arrival" in text or text.startswith("time        cycle"):
+            shown += text
+    wall = set(NUMBER.findall(re.search(r"updates in [\d.]+ s", shown)[0]))
+    assert set(NUMBER.findall(shown)) - wall <= set(NUMBER.findall(printed))
+    for number in ("692.38", "492.2", "592.2", "1.749", "459.78", "1.6388", "454.21", "5513079878"):
+        assert number in printed, number
