@@ -189,3 +189,15 @@ def test_an_interface_holds_what_its_bond_carries(kind, strength, opens):
     if opens:
         assert "between 'left' and 'right'" in opened[0].text
         assert len(opened) == 1
+
+
+@pytest.mark.parametrize("energy", [0.05, 1e-4])
+def test_a_cavity_closes_on_the_origin_and_stays_closed(energy):
+    """An imploding shell of gas: no node passes the origin, the motion that ends there is heat, and the budget stays closed."""
+    region = Region("shell", "gas", 0.3, 1.0, 100, velocity=-1.0, density=1.0, energy=energy)
+    base = build.gas_tube(geometry="spherical", left=build.FREE, right=build.FREE, stop=1.0, largest_step=1e-3)
+    solver, watcher = build.run(dataclasses.replace(base, regions=(region,), interfaces=()))
+    assert [event.kind for event in watcher.events] == ["void_closed"] and "cavity" in watcher.events[0].text
+    assert watcher.events[0].time <= 0.3 * (1.0 + 1e-6)
+    assert solver.state().position_left[0] == 0.0 and np.all(np.diff(solver.state().position_left) > 0.0)
+    assert solver.errors()["energy_error"] <= 1e-12 and solver.errors()["momentum_error"] <= 1e-12

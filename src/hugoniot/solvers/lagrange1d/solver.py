@@ -22,7 +22,7 @@ from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_pulse, group
 from hugoniot.solvers.lagrange1d.bodies import alike_ranges, interface_table, join, pieces_of, run_table, set_node_masses, split
 from hugoniot.solvers.lagrange1d.probes import probe_tables
 from hugoniot.solvers.lagrange1d.step import SCHEMES, march, serve
-from hugoniot.solvers.lagrange1d.watch import mark_patch, touching_gap
+from hugoniot.solvers.lagrange1d.watch import cavity_closed, mark_patch, touching_gap
 from hugoniot.state import State
 
 NAME = "lagrange1d"
@@ -231,7 +231,7 @@ class Lagrange1D:
         return Event(kind, self.time, self.cycle, place, f"{text} {where} at {place:.6g} m")
 
     def _close_gaps(self):
-        events = []
+        events = self._close_cavity() if self.problem.dimension > 1 and cavity_closed(self.nodes, self.segments) else []
         while (k := touching_gap(self.zones, self.nodes, self.segments)) >= 0:
             last = int(self.segments[k, 1])
             self.nodes, self.gradient, self.segments, heat = join(self.zones, self.nodes, self.gradient, self.segments, k)
@@ -243,6 +243,18 @@ class Lagrange1D:
             self._retopologise()
             self.control[L.RATE] = max(self.control[L.RATE], self._signal_rate(np.array([last - 1, last])))
         return events
+
+    def _close_cavity(self):
+        """The inner surface stops on the axis or the origin; its motion becomes heat, its momentum the impulse of the other side."""
+        speed, mass = float(self.nodes[L.U, 0]), float(self.nodes[L.NODE_MASS, 0])
+        heat = 0.5 * mass * speed**2
+        self.nodes[L.U, 0] = self.nodes[L.R, 0] = 0.0
+        self.zones[L.E, 0] += heat / self.zones[L.MASS, 0]
+        self.control[L.IMPULSE_LEFT] -= mass * speed
+        self.segments[0, L.SEG_LEFT] = L.FIXED
+        self.control[L.RATE] = max(self.control[L.RATE], self._signal_rate(np.array([0])))
+        self.voids_closed += 1
+        return [Event("void_closed", self.time, self.cycle, 0.0, f"the cavity closed, {heat:.4g} J of kinetic energy became heat")]
 
     def _unphysical(self, code):
         culprit = int(self.counters[L.CULPRIT])

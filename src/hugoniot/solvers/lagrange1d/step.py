@@ -32,7 +32,7 @@ from hugoniot.mesh import line
 from hugoniot.solvers.lagrange1d import constitutive
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.node_sweeps import accelerate, end_node, move
-from hugoniot.solvers.lagrange1d.watch import closing_time, failing_node, parting_interface, record, touching_gap, unsound
+from hugoniot.solvers.lagrange1d.watch import cavity_closed, closing_time, failing_node, parting_interface, record, touching_gap, unsound
 from hugoniot.solvers.lagrange1d.wilkins_sweeps import advance, end_acceleration, leap, leap_end
 from hugoniot.solvers.lagrange1d.zone_sweeps import conduct, correct, predict
 
@@ -231,6 +231,10 @@ def choose_step(zones, nodes, control, segments, staggered, geometry):
         closing = gap_step(zones, nodes, segments, control[L.DT], staggered, geometry)
         if closing <= 1.2 * dt:
             dt = max(closing, 1e-9 * dt)
+    if line.hoops(geometry) > 0.0 and segments[0, L.SEG_LEFT] != L.FIXED and nodes[L.U, 0] < 0.0:
+        collapse = -nodes[L.R, 0] / nodes[L.U, 0]     # of a cavity on the axis or the origin
+        if collapse <= 1.2 * dt:
+            dt = max(collapse, 1e-9 * dt)
     remaining = control[L.EVENT_TIME] - control[L.TIME]
     if remaining <= dt * (1.0 + 1e-9):
         dt = remaining
@@ -328,6 +332,8 @@ def march(cycles, scheme, zones, nodes, gradient, control, counters, segments, p
         control[L.RADIAL_IMPULSE] += dt * totals[2]
         counters[L.CAP_COUNT] += int(totals[3])
         code = watch(zones, nodes, control, counters, segments, interfaces, zone_count)
+        if line.hoops(geometry) > 0.0 and code != L.BAD_STATE and cavity_closed(nodes, segments):
+            code = L.VOID_CLOSES
         if gauges.shape[0] > 0 and (control[L.TIME] >= control[L.NEXT_GAUGE] or at_event):
             row = counters[L.GAUGE_ROWS]
             gauge_times[row] = control[L.TIME]

@@ -134,6 +134,13 @@ def touching_gap(zones, nodes, segments):
 
 
 @nb.njit(**GUARD)
+def cavity_closed(nodes, segments):
+    """Whether the inner surface of a curved problem has reached the axis or the origin, where it stays."""
+    inner = nodes[L.R, 0]
+    return segments[0, L.SEG_LEFT] != L.FIXED and inner <= TOUCHING * (nodes[L.R, 1] - inner)
+
+
+@nb.njit(**GUARD)
 def record(zones, nodes, table, weights, out):
     """One gauge row: table (gauge; zone a, zone b, zone of the faces, left node of that zone), weights (of b; of the right face)."""
     for i in range(table.shape[0]):
