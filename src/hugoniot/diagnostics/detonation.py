@@ -46,14 +46,14 @@ def run_to_detonation(times, path, detonation_velocity: float) -> tuple[float, f
     """(run distance m, time s) at which a shock turned into a detonation, from the start of its path.
 
     It is where the front's speed passes half-way from that of the entering shock (the mean of the first three intervals) to the
-    detonation velocity for the last time. Raises OutOfRange when that does not happen within the path.
+    detonation velocity for the last time. Set what the path does after the front has left the charge to not-a-number. Raises OutOfRange when that does not happen within the path.
     """
     times, path = np.asarray(times, float), np.asarray(path, float)
     known = np.isfinite(path)
     times, path = times[known], path[known]
     if times.size < 8:
         raise OutOfRange(f"{times.size} points of the front are too few for a run distance: take more snapshots")
-    speed = np.diff(path) / np.diff(times)
+    speed = np.abs(np.diff(path) / np.diff(times))
     where, when = 0.5 * (path[1:] + path[:-1]), 0.5 * (times[1:] + times[:-1])
     halfway = 0.5 * (np.mean(speed[:3]) + detonation_velocity)
     slow = np.flatnonzero(speed < halfway)
@@ -61,7 +61,7 @@ def run_to_detonation(times, path, detonation_velocity: float) -> tuple[float, f
         raise OutOfRange(f"the front did not pass from below to above {halfway:.5g} m/s on its way: no run distance in this run")
     k = slow[-1]
     share = (halfway - speed[k]) / (speed[k + 1] - speed[k])
-    return float(where[k] + share * (where[k + 1] - where[k]) - path[0]), float(when[k] + share * (when[k + 1] - when[k]) - times[0])
+    return float(abs(where[k] + share * (where[k + 1] - where[k]) - path[0])), float(when[k] + share * (when[k + 1] - when[k]) - times[0])
 
 
 def pop_plot(pressures, distances) -> tuple[float, float]:
