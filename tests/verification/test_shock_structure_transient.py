@@ -64,7 +64,7 @@ def test_step_settles_into_the_steady_profile_with_at_least_second_order():
         given, profile = argon_problem(1.55, cells)
         solver = run(given)
         errors.append(abs(solver.thickness()[0] / profile.thickness() - 1.0))
-    assert errors[1] < 3e-3 and errors[2] < 3e-4
+    assert errors[0] < 1e-2 and errors[1] < 3e-4 and errors[2] < 1e-5
     slopes = np.log2(np.array(errors[:-1]) / np.array(errors[1:]))
     assert np.all(slopes > 2.0)
 
@@ -127,7 +127,7 @@ def test_water_and_dense_silica_resolved(name):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name, cells, width, times, tolerance", [("silica_100", 8, 20, 6.0, 1e-2), ("silica_250", 16, 20, 6.0, 3e-3)])
+@pytest.mark.parametrize("name, cells, width, times, tolerance", [("silica_100", 10, 20, 8.0, 3e-3), ("silica_250", 10, 20, 6.0, 3e-3)])
 def test_light_silica_resolved(name, cells, width, times, tolerance):
     """Strong shocks with a long foot: the thin step behind it needs its cells."""
     case = jordan.CONDENSED[name]

@@ -8,7 +8,7 @@ $$U^{(1)} = U^n + \Delta t\,L(U^n),\quad U^{(2)} = U^n + \tfrac14\Delta t\,[L(U^
 so that mass, momentum and energy telescope to the two ends. The step, with a the largest signal speed and D the largest diffusivity:
 
 1. fill the cells beyond the ends; fluxes of the state; largest signal speed and diffusivity
-2. time step: courant / (a/h + D/(0.42 h^2)), cut to hit the event time exactly
+2. time step: courant / (a/h + D/(0.41 h^2)), cut to hit the event time exactly
 3. first stage, its fluxes
 4. second stage, its fluxes
 5. total flux; the new state is looked at before it is taken
@@ -25,7 +25,7 @@ from hugoniot.core.compile import GUARD
 from hugoniot.solvers.shock_structure import layout as L
 from hugoniot.solvers.shock_structure.kernels import account, all_sound, fill_ghosts, flux_sweep, stage, update
 
-DIFFUSION_LIMIT = 0.42   # of D dt/h^2: below the third-order Runge-Kutta limit 2.51/(16/3) of the fourth-order gradient
+DIFFUSION_LIMIT = 0.41   # of D dt/h^2: below the third-order Runge-Kutta limit 2.51/(272/45) of the sixth-order gradient
 
 
 @nb.njit(**GUARD)
