@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from hugoniot.cli.eos_input import Subject, find_inert, find_material, one_state, quantity, several_states
-from hugoniot.cli.eos_output import cell, deliver, echo_states, row_of, words
+from hugoniot.cli.eos_output import cell, deliver, echo_notes, echo_states, notes, row_of, words
 from hugoniot.cli.show import JSON, echo_json, echo_table
 from hugoniot.errors import DeckError
 from hugoniot.theory.states import States
@@ -38,9 +38,10 @@ def show(material: MATERIAL, at: AT = None, as_json: JSON = False) -> None:
     par = subject.material.eos
     law = EOS.of(par)
     state = _shocked(find_inert(material), at) if at else reference(par)
+    told = notes(subject, state.particle_velocity)
     if as_json:
         echo_json({"material": subject.material.name, "law": law.name, "parameters": _parameters(par, law),
-                   "references": list(law.references), **row_of(state.table("gruneisen", "entropy"))})
+                   "references": list(law.references), **row_of(state.table("gruneisen", "entropy")), "warnings": told})
         return
     typer.echo(f"{subject.title or subject.material.name}: {law.name} - {law.summary}")
     rows = [(f"  {n}", cell("", v), law.units.get(n, ""), law.meaning.get(n, "")) for n, v in _parameters(par, law).items()]
@@ -49,7 +50,7 @@ def show(material: MATERIAL, at: AT = None, as_json: JSON = False) -> None:
     rest = "Products at the density and energy of the explosive" if subject.reacted else "At rest"
     typer.echo(f"\n{'On the Hugoniot at ' + at if at else rest}:")
     echo_states(state, "gruneisen")
-    _warn(subject)
+    echo_notes(told)
 
 
 @app.command()
@@ -84,12 +85,13 @@ def hugoniot(
 
         curves = [(s.material.name, a, curve(s.material, a, up_to=_span(st, a)) if at else st) for s, a, st in found]
         save(hugoniots(curves, kind, points=[_points_of(s) for s in subjects], mark=[st for _, _, st in found] if at else None), plot)
-    if not deliver([(s.material.name, st.table("entropy")) for s, _, st in found], as_json=as_json, as_csv=as_csv):
+    told = [notes(s, _strongest(st)) for s, _, st in found]
+    if not deliver([(s.material.name, st.table("entropy")) for s, _, st in found], as_json=as_json, as_csv=as_csv, told=told):
         return
-    for subject, _, states in found:
+    for (subject, _, states), said in zip(found, told):
         typer.echo(f"{subject.title or subject.material.name}")
         echo_states(states)
-        _warn(subject, states)
+        echo_notes(said)
 
 
 @app.command()
@@ -126,12 +128,13 @@ def isentrope(
         drawn = [(s.material.name, None if s.reacted else curves.curve(s.material, up_to=1.15 * max(st.particle_velocity, 1.0)), states)
                  for s, st, states in paths]
         save(releases(drawn), plot)
-    if not deliver([(s.material.name, st.table("entropy")) for s, _, st in paths], as_json=as_json, as_csv=as_csv):
+    told = [notes(s, 0.0 if s.reacted else st.particle_velocity) for s, st, _ in paths]
+    if not deliver([(s.material.name, st.table("entropy")) for s, _, st in paths], as_json=as_json, as_csv=as_csv, told=told):
         return
-    for subject, start, states in paths:
+    for (subject, start, states), said in zip(paths, told):
         typer.echo(f"{subject.title or subject.material.name}: isentrope from {cell('pressure', start.pressure)}")
         echo_states(states)
-        _warn(subject, states)
+        echo_notes(said)
 
 
 @app.command()
@@ -188,11 +191,13 @@ def riemann(
     given = [several_states(text, option) if text else {} for text, option in ((left_state, "--left"), (right_state, "--right"))]
     states = [state(s.material, g.pop("velocity", 0.0), **g) for s, g in zip(subjects, given)]
     found = solve(subjects[0].material, states[0], subjects[1].material, states[1], bonded=bonded)
+    jumps = [abs(found.velocity - s.particle_velocity) if w.kind == "shock" else 0.0 for s, w in zip(states, (found.left, found.right))]
+    told = list(dict.fromkeys(text for s, jump in zip(subjects, jumps) for text in notes(s, jump)))
     waves = {side: {"wave": w.kind, "head": w.head, "tail": w.tail, **row_of(w.behind.table())}
              for side, w in (("left", found.left), ("right", found.right)) if w.behind.density > 0.0}
     if as_json:
         echo_json({"pressure": found.pressure, "particle_velocity": found.velocity, "vacuum": found.vacuum, **waves,
-                   "edges": [{"what": what, "velocity": v} for what, v in found.jumps]})
+                   "edges": [{"what": what, "velocity": v} for what, v in found.jumps], "warnings": told})
         return
     contact = f"contact: {cell('pressure', found.pressure)}, {cell('particle_velocity', found.velocity)}"
     typer.echo("a gap opens between the two" if found.vacuum else contact)
@@ -201,6 +206,7 @@ def riemann(
         if wave.behind.density > 0.0:
             typer.echo(f"\n{side}, behind the {wave.kind if wave.kind != 'none' else 'undisturbed edge'}:")
             echo_states(wave.behind)
+    echo_notes(told)
 
 
 @app.command()
@@ -231,13 +237,14 @@ def cj(
         from hugoniot.plotting.eos import detonations, save
 
         save(detonations([(s.material.name, d) for s, d in zip(subjects, found)]), plot)
-    if not deliver([(s.material.name, d.table()) for s, d in zip(subjects, found)], as_json=as_json, as_csv=as_csv):
+    if not deliver([(s.material.name, d.table()) for s, d in zip(subjects, found)], as_json=as_json, as_csv=as_csv,
+                   told=[notes(s) for s in subjects]):
         return
     for subject, point in zip(subjects, found):
         typer.echo(f"{subject.title or subject.material.name}: CJ state")
         echo_table(["", ""], [(words(k), cell(k, v)) for k, v in row_of(point.table()).items()
                               if v is not None and k != "shock_velocity"])
-        _warn(subject)
+        echo_notes(notes(subject))
 
 
 @app.command()
@@ -305,17 +312,12 @@ def _span(state: States, ahead) -> float:
     return 1.3 * max(float(state.particle_velocity) - ahead.velocity, 1.0)
 
 
+def _strongest(states: States) -> float:
+    """The largest particle velocity of states, m/s."""
+    return max(states.particle_velocity.tolist()) if hasattr(states.particle_velocity, "tolist") else states.particle_velocity
+
+
 def _points_of(subject: Subject):
     from hugoniot.cli.eos_fit import library_points
 
     return library_points(subject.names)
-
-
-def _warn(subject: Subject, states: States | None = None) -> None:
-    import numpy as np
-
-    limit = subject.material.valid_up_to
-    if states is not None and states.shock_velocity is not None and limit and np.max(states.particle_velocity) > limit * (1.0 + 1e-9):
-        typer.echo(f"note: the data behind this law reach {limit:.6g} m/s particle velocity; beyond it extrapolates", err=True)
-    for warning in subject.material.warnings:
-        typer.echo(f"note: {warning}", err=True)

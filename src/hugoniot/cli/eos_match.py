@@ -3,7 +3,7 @@
 import typer
 
 from hugoniot.cli.eos_input import Subject, error_bars, quantity
-from hugoniot.cli.eos_output import cell, row_of, write_csv
+from hugoniot.cli.eos_output import cell, echo_notes, notes, row_of, write_csv
 from hugoniot.cli.show import echo_json, echo_table
 from hugoniot.errors import DeckError
 from hugoniot.laws.eos.contract import EOS
@@ -20,6 +20,7 @@ def report(subjects: list[Subject], velocity, error, samples, ring_up, as_json, 
     met = ringing(layers, velocity, bounces=ring_up) if ring_up else match(layers, velocity)
     spreads = _spreads(layers, velocity, error, samples) if error else None
     rows = [_row(m, names, spreads[i] if spreads and i < len(spreads) else None) for i, m in enumerate(met)]
+    told = _told(subjects, velocity, met)
     if plot:
         from hugoniot.plotting.eos import impedance_match, save
 
@@ -28,16 +29,12 @@ def report(subjects: list[Subject], velocity, error, samples, ring_up, as_json, 
         keys = ("pressure", "particle_velocity", "shock_velocity", "density", "specific_internal_energy", "temperature", "sound_speed")
         write_csv(as_csv, [("", {k: [r[k] if r[k] is not None else float("nan") for r in rows] for k in keys})])
     if as_json:
-        echo_json({"flyer": names[0], "targets": names[1:], "velocity": velocity, "states": rows})
+        echo_json({"flyer": names[0], "targets": names[1:], "velocity": velocity, "states": rows, "warnings": told})
         return
     typer.echo(f"{names[0]} at {velocity:.6g} m/s onto {', '.join(names[1:])}; states on the right of each interface, in order of time")
     heads = ["interface", "pressure, GPa", "particle velocity, m/s", "shock velocity, m/s", "density, kg/m3", "goes back", "goes on"]
     echo_table(heads, [[r["interface"], *(_with_error(k, r) for k in ANSWERS[:4]), r["reflected"], r["transmitted"]] for r in rows])
-    for i, subject in enumerate(subjects):
-        limit, reached = subject.material.valid_up_to, _first_jump(i, velocity, met)
-        if limit and reached > limit:
-            typer.echo(f"note: the data of {subject.material.name} reach {limit:.6g} m/s particle velocity, the shock {reached:.6g} m/s: "
-                       "extrapolated", err=True)
+    echo_notes(told)
 
 
 def waves(subjects: list[Subject], velocity, thicknesses, until, as_json, as_csv, plot) -> None:
@@ -52,17 +49,19 @@ def waves(subjects: list[Subject], velocity, thicknesses, until, as_json, as_csv
 
         save(waves_in_time(found, names), plot)
     rows = [_event(e, names) for e in found.events if e.layers[0] != e.layers[1]]
+    told = _told(subjects, velocity, match(layers, velocity))
     if as_csv:
         keys = ("time", "position", "pressure", "particle_velocity")
         write_csv(as_csv, [("", {k: [r[k] for r in rows] for k in keys})])
     if as_json:
         echo_json({"flyer": names[0], "targets": names[1:], "velocity": velocity, "until": found.time, "states": rows,
-                   "paths": [dict(zip(("kind", "start_time", "start", "end_time", "end"), p)) for p in found.paths]})
+                   "paths": [dict(zip(("kind", "start_time", "start", "end_time", "end"), p)) for p in found.paths], "warnings": told})
         return
     typer.echo(f"{names[0]} at {velocity:.6g} m/s; what happens at interfaces and free surfaces until {found.time * 1e6:.6g} us")
     echo_table(["time, us", "position, mm", "where", "pressure, GPa", "velocity, m/s"],
                [[f"{r['time'] * 1e6:.4f}", f"{r['position'] * 1e3:.4f}", r["interface"], cell("pressure", r["pressure"], unit=False),
                  cell("particle_velocity", r["particle_velocity"], unit=False)] for r in rows])
+    echo_notes(told)
 
 
 def _event(event, names: list[str]) -> dict:
@@ -71,6 +70,11 @@ def _event(event, names: list[str]) -> dict:
     state = event.right or event.left
     return {"time": event.time, "position": event.position, "interface": "/".join(sides), "met": list(event.met),
             "pressure": state.pressure if state else None, "particle_velocity": state.particle_velocity if state else None}
+
+
+def _told(subjects: list[Subject], velocity: float, met: list[Match]) -> list[str]:
+    """The notes about every layer, each once."""
+    return list(dict.fromkeys(text for i, s in enumerate(subjects) for text in notes(s, _first_jump(i, velocity, met))))
 
 
 def _first_jump(layer: int, velocity: float, met: list[Match]) -> float:

@@ -69,6 +69,20 @@ def cell(name: str, value, unit: bool = True) -> str:
     return (f"{value * factor:{form}}".strip() + (f" {shown}" if unit else "")).strip()
 
 
+def notes(subject, jump: float = 0.0) -> list[str]:
+    """What must be said with an answer about a material: the extrapolation of a shock of that particle velocity jump (m/s), its marks."""
+    limit, found = subject.material.valid_up_to, []
+    if limit and jump > limit * (1.0 + 1e-9):
+        found.append(f"the data of {subject.material.name} reach {limit:.6g} m/s particle velocity, the shock {jump:.6g} m/s: extrapolated")
+    return [*found, *subject.material.warnings]
+
+
+def echo_notes(found: Sequence[str]) -> None:
+    """Each note once, on the error stream."""
+    for text in dict.fromkeys(found):
+        typer.echo(f"note: {text}", err=True)
+
+
 def write_csv(path: Path, tables: Sequence[tuple[str, dict]]) -> None:
     """SI numbers with the units in the header, `pressure (Pa)`; a column `material` if there are several tables."""
     several = len(tables) > 1
@@ -87,11 +101,16 @@ def write_csv(path: Path, tables: Sequence[tuple[str, dict]]) -> None:
         raise FileTrouble(f"cannot write {path}: {error.strerror or error}") from None
 
 
-def deliver(tables: Sequence[tuple[str, dict]], *, as_json: bool, as_csv: Path | None, head: dict | None = None) -> bool:
-    """Write the CSV file and print JSON where asked; tells whether the table for people is still wanted."""
+def deliver(tables: Sequence[tuple[str, dict]], *, as_json: bool, as_csv: Path | None,
+            told: Sequence[Sequence[str]] = ()) -> bool:
+    """Write the CSV file and print JSON where asked, with the notes `told` about each table as its `warnings`.
+
+    Tells whether the table for people is still wanted.
+    """
     if as_csv:
         write_csv(as_csv, tables)
     if as_json:
-        rows = [{"material": title, **row_of(table)} for title, table in tables]
-        echo_json({**(head or {}), **(rows[0] if len(rows) == 1 else {"materials": rows})})
+        rows = [{"material": title, **row_of(table), "warnings": list(said)}
+                for (title, table), said in zip(tables, told or [()] * len(tables), strict=True)]
+        echo_json(rows[0] if len(rows) == 1 else {"materials": rows})
     return not as_json

@@ -14,13 +14,13 @@ import numpy as np
 from hugoniot.core.registry import Law, Registry, UnknownName, finite
 from hugoniot.errors import DeckError, DeckProblem, HugoniotError
 from hugoniot.laws import mixture as _mixtures  # noqa: F401  (enrols the closures)
-from hugoniot.laws.eos.contract import EOS, pressure, reference_state, sound_speed_squared
+from hugoniot.laws.eos.contract import EOS, flagged, pressure, reference_state, sound_speed_squared
 from hugoniot.laws.fracture.contract import tension_cap
 from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
 from hugoniot.materials import table_law
 from hugoniot.materials.collect import Collector, LineOf, nearest, printable
-from hugoniot.materials.material import Material, Source
+from hugoniot.materials.material import PORES_REOPEN, Material, Source
 from hugoniot.materials.tables import accepted, families, law_table
 
 LONGEST_ARRAY = 1_000_000
@@ -65,6 +65,8 @@ def read_material(name: str, tables: Any, collector: Collector, path: tuple) -> 
     _check_sound(built, collector, path)
     if len(collector.problems) > before:
         return None
+    if flagged(built["eos"], "pores_reopen"):
+        warnings = tuple(dict.fromkeys((*warnings, PORES_REOPEN)))
     return Material(name, built["eos"], built["strength"], built["fracture"], built.get("burn"), valid, sources, warnings, unreacted,
                     mixture, heat)
 

@@ -21,6 +21,10 @@ class Source:
     note: str = ""
 
 
+PORES_REOPEN = ("the porous law keeps no memory of crushing: on release its pores reopen along the curve on which they closed; "
+                "trust the shocks, not the release behind them")
+
+
 @dataclass(frozen=True)
 class Material:
     """eos, strength, fracture, burn: parameter tuples of registered laws (all but `eos` may be None).

@@ -183,3 +183,17 @@ def test_bad_keys_are_told_with_their_line(tmp_path, solid, change, message):
     with pytest.raises(DeckError) as told:
         read_deck(tmp_path / "deck.toml")
     assert message in str(told.value)
+
+
+@pytest.mark.parametrize("law, more", [
+    ("p_alpha", "alpha0 = 1.3\nelastic_pressure = 1e8\ncompaction_pressure = 1e9"), ("snow_plough", "rho_porous = 2100.0\ncrush_pressure = 1e8"),
+    ("p_lambda", "rho_porous = 2100.0\nmatrix_modulus = 25e9\ncrush_strength = 4e8")])
+def test_porous_laws_of_a_deck_say_that_pores_reopen(law, more):
+    base = "rho0 = 2785.0\nc0 = 5328.0\ns = 1.338\ngamma0 = 2.0\n"
+    text = DECK.split("[material")[0] + (f'[material.al.eos]\nlaw = "{law}"\n{more}\n[material.al.eos.base]\nlaw = "mie_gruneisen"\n{base}'
+                                         '[material.al.strength]\nlaw = "perfectly_plastic"\nshear_modulus = 2e10\nyield_stress = 3e8\n')
+    deck = read_deck_text(text)
+    assert [("pores reopen" in w) for w in deck.warnings].count(True) == 1
+    assert [("pores reopen" in w) for w in read_deck_text(deck.resolved).warnings].count(True) == 1
+    solid = read_deck_text(DECK.split("[material")[0] + f'[material.al.eos]\nlaw = "mie_gruneisen"\n{base}')
+    assert not any("pores" in w for w in solid.warnings)

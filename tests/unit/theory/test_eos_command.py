@@ -120,3 +120,23 @@ def test_a_file_with_a_mistake_is_told_with_its_line(tmp_path):
     path.write_text('[eos]\nlaw = "mie_gruneisen"\nrho0 = "8930 kg/m^3"\nc0 = "3940 m"\ns = 1.5\ngamma0 = 2.0\n', encoding="utf-8")
     result = eos("hugoniot", str(path))
     assert result.exit_code == 2 and "bad.toml:4" in result.output and "c0" in result.output
+
+
+def test_an_extrapolation_is_told_once_with_both_numbers():
+    from hugoniot.materials.library import find
+
+    limit = find("copper").valid_up_to
+    beyond = f"the data of copper reach {limit:.6g} m/s particle velocity, the shock {limit + 500.0:.6g} m/s: extrapolated"
+    ask = {"hugoniot": ("hugoniot", "copper", "--up-to", f"{limit + 500} m/s"),
+           "state": ("hugoniot", "copper", "--at", f"particle_velocity = {limit + 500} m/s"),
+           "isentrope": ("isentrope", "copper", "--at", f"particle_velocity = {limit + 500} m/s"),
+           "show": ("show", "copper", "--at", f"particle_velocity = {limit + 500} m/s"),
+           "match": ("match", "copper", "copper", "--velocity", f"{2 * limit + 1000} m/s"),
+           "riemann": ("riemann", "copper", "copper", "--left", f"velocity = {2 * limit + 1000} m/s")}
+    for name, arguments in ask.items():
+        assert answer(*arguments)["warnings"].count(beyond) == 1, name
+        result = eos(*arguments)
+        assert result.stderr.count(beyond) == 1 and beyond not in result.stdout, name
+    assert not any("extrapolated" in w for w in answer("match", "copper", "copper", "--velocity", "1 km/s")["warnings"])
+    both = answer("hugoniot", "copper", "aluminum", "--up-to", f"{limit + 500} m/s")
+    assert [any("extrapolated" in w for w in m["warnings"]) for m in both["materials"]][0]

@@ -156,6 +156,11 @@ def gives(par, name: str) -> bool:
     return name in EOS.of(par).functions and all(gives(inner, name) for inner in par if EOS.knows(inner))
 
 
+def flagged(par, flag: str) -> bool:
+    """Whether the law, or a law inside it, is registered with a flag."""
+    return flag in EOS.of(par).flags or any(flagged(inner, flag) for inner in par if EOS.knows(inner))
+
+
 def has_temperature(par) -> bool:
     """Whether the law gives a temperature with these parameters (its theory has one and the specific heat is known)."""
     if not gives(par, "temperature"):

@@ -8,7 +8,9 @@ Holt's: with it the work on the porous material at fixed alpha is the work on it
 solid's density by Newton steps kept in a bracket.
 
 The law knows the state only, not the largest pressure reached: pores that close reopen on the same curve. It is exact for Hugoniots
-and other monotone loading; release of crushed material needs a history variable. The temperature is that of the solid.
+and other monotone loading; release of crushed material needs a history variable (a material of a deck that uses the law is told so).
+The temperature is that of the solid. There is no entropy: with v = alpha v_s the solid gains $T\,ds = -p_s v_s\,d\alpha/\alpha$ along
+de + p dv = 0, the heat of crushing, so that entropy is no function of the state of the porous material.
 
 Source: Herrmann, J. Appl. Phys. 40, 2490 (1969); Carroll and Holt, J. Appl. Phys. 43, 759 (1972).
 """
@@ -136,5 +138,6 @@ EOS.add(
     meaning={"base": "law of the solid", "alpha0": "solid density over porous density at rest",
              "elastic_pressure": "pressure at which pores begin to close", "compaction_pressure": "pressure at which they have closed"},
     box={"rho": (2000.0, 4500.0), "e": (0.0, 5e6)},
+    flags=("pores_reopen",),
     references=("Herrmann, J. Appl. Phys. 40, 2490 (1969)", "Carroll and Holt, J. Appl. Phys. 43, 759 (1972)"),
 )

@@ -5,7 +5,8 @@ $$p = \max\left[p_{\text{solid}}(\rho, e),\; p_c\,\frac{\rho - \rho_{00}}{\rho_s
 rho00 is the density of the porous material, rho_s that of its solid at rest, p_c the pressure that has closed the pores (the pure
 snow-plough is its limit 0, in which sound does not travel). On the second branch the pressure does not depend on energy. Shock states are
 those of the solid's Hugoniot for the larger initial volume; unloading of the crushed material follows the same curve, so that the
-law is for shocks, not for release through the pores. The temperature is that of the solid, where it is compacted.
+law is for shocks, not for release through the pores (a material of a deck that uses it is told so). The temperature is that of the
+solid, where it is compacted; there is no entropy, for crushing at a pressure that no heat changes dissipates.
 
 Source: Zel'dovich and Raizer, Physics of Shock Waves, XI.3; Thouvenin 1966 as reviewed by Herrmann, J. Appl. Phys. 40, 2490 (1969).
 """
@@ -85,5 +86,6 @@ EOS.add(
     meaning={"base": "law of the solid", "rho_porous": "density of the porous material at rest",
              "crush_pressure": "pressure at which the pores have closed", "rho_solid": "rest density of the solid (filled by build)"},
     box={"rho": (1650.0, 6000.0), "e": (0.0, 1e7)},
+    flags=("pores_reopen",),
     references=("Zel'dovich and Raizer, Physics of Shock Waves, XI.3", "Herrmann, J. Appl. Phys. 40, 2490 (1969)"),
 )

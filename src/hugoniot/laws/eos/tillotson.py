@@ -6,7 +6,7 @@ $$p_1 = \left(a + \frac{b}{\omega}\right)\rho e + A\mu + B\mu^2 \qquad (X \ge 1 
 $$p_3 = a\rho e + \left[\frac{b\rho e}{\omega} + A\mu\,e^{-\beta(1/X - 1)}\right]e^{-\alpha(1/X - 1)^2} \qquad (X < 1,\ e \ge E_{cv})$$
 
 and for X < 1 between the two energies $p = [(e - E_{iv})p_3 + (E_{cv} - e)p_1]/(E_{cv} - E_{iv})$, continuous on every border.
-The law has no temperature and is not linear in energy.
+The theory gives the pressure only: no temperature, hence no entropy. The law is not linear in energy.
 
 Source: Tillotson, General Atomic GA-3216 (1962); the interpolation as in Melosh, Impact Cratering (1989), App. II.
 """
