@@ -67,6 +67,7 @@ def test_lit_in_the_middle_it_burns_both_ways_alike():
     assert (toward_left + seen.path())[1:] == pytest.approx(0.04, abs=1e-9)
 
 
+@pytest.mark.slow
 def test_h5_pentolite_reaches_the_cj_state_of_the_report():
     """H-5: 290.3 kb and 2.333 g/cm3 at 7.991 km/s; E0 = 4.7847 MJ/kg, which the report leaves out, follows from them."""
     material = Material("pentolite", PENTOLITE, burn=Programmed(PENTOLITE_SPEED), detonation_energy=PENTOLITE_HEAT)

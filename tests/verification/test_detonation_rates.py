@@ -40,6 +40,7 @@ def profile_error(state):
     return np.abs(state.zones["pressure"] - exact)[inside].sum() / exact[inside].sum()
 
 
+@pytest.mark.slow
 def test_b24_reaction_zone_and_von_neumann_spike():
     """p(x) to 1 % at 50 zones per zone length; the spike to 1 % at 80 of them, which is 20 per half-reaction length; first order."""
     half = 0.2512 * ZONE
@@ -54,6 +55,7 @@ def test_b24_reaction_zone_and_von_neumann_spike():
     assert front_speed(seen.times, seen.path("pressure", 3e10), 2 * ZONE) == pytest.approx(SPEED, rel=5e-3)
 
 
+@pytest.mark.slow
 def test_a_rate_too_fast_for_the_mesh_is_told():
     solver, _ = run(supported_zone(4))
     assert len(solver.unresolved()) == 1 and "times smaller" in solver.unresolved()[0]

@@ -46,7 +46,8 @@ def run_to_detonation(times, path, detonation_velocity: float) -> tuple[float, f
     """(run distance m, time s) at which a shock turned into a detonation, from the start of its path.
 
     It is where the front's speed passes half-way from that of the entering shock (the mean of the first three intervals) to the
-    detonation velocity for the last time. Set what the path does after the front has left the charge to not-a-number. Raises OutOfRange when that does not happen within the path.
+    detonation velocity for the last time. Set what the path does after the front has left the charge to not-a-number.
+    Raises OutOfRange when that does not happen within the path.
     """
     times, path = np.asarray(times, float), np.asarray(path, float)
     known = np.isfinite(path)
