@@ -65,10 +65,11 @@ def hugoniots(curves: Sequence[tuple[str, Initial, States]], kind: str = "p-up",
         heights.append(y)
     _finish(ax, kind)
     if kind == "p-up" and mark is not None:
-        for i, (state, (name, _, _)) in enumerate(zip(mark[::-1], curves[::-1])):
+        # every curve rises from the lower left to the upper right and is hollow: the corner above it is free
+        for i, (state, (name, _, _)) in enumerate(zip(mark, curves)):
             text = f"{state.pressure * 1e-9:.4g} GPa, {state.particle_velocity:.4g} m/s, Us = {state.shock_velocity * 1e-3:.4g} km/s"
-            ax.annotate(f"{name}: {text}", (0.99, 0.03 + 0.055 * i), xycoords="axes fraction", ha="right", fontsize=8,
-                        color=COLOURS[(len(curves) - 1 - i) % len(COLOURS)])
+            ax.annotate(f"{name}: {text}", (0.02, 0.97 - 0.055 * i), xycoords="axes fraction", va="top", fontsize=8,
+                        color=COLOURS[i % len(COLOURS)])
     if kind == "p-v":
         _name_at_top(ax, [name for name, _, _ in curves], [_columns(kind, s) for _, _, s in curves])
     else:
