@@ -237,6 +237,16 @@ def test_every_registered_equation_of_state_has_a_structure(law):
         assert took < 4.0, "a profile must take about a second, also on a busy machine"
 
 
+def test_a_strong_conducting_shock_in_a_porous_solid_is_followed_to_its_end():
+    """Mach 20 in p_alpha with conduction: hundreds of viscous lengths ahead of it are warm; production equals what its state gains."""
+    par = EOS.get("p_alpha").example
+    profile = steady(par, make({"law": "constant", "shear_viscosity": 1e-3}, {"law": "prandtl", "prandtl": 1.0}), mach=20.0)
+    m, mu = profile.ends.mass_flux, 4e-3 / 3.0
+    low, _ = profile.extent(1e-3)
+    assert low < -200.0 * mu / m
+    assert profile.at(np.array([profile.x[0]]))["temperature"][0] == pytest.approx(profile.ends.upstream.temperature, rel=1e-3)
+
+
 def test_the_law_meets_its_own_jump_for_any_gruneisen_parameter():
     for case in jordan.CONDENSED.values():
         for gamma0 in (0.05, 0.3, 1.0, case.bent):

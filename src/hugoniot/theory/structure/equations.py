@@ -169,7 +169,7 @@ class Equations:
         def arrived(_, y):
             return y[0] - _STOP
         arrived.terminal = True
-        span = 3.0 * (math.log(1.0 / _START) / -rate + math.log(1.0 / _STOP) / ahead[0]) + 100.0
+        span = 10.0 * (math.log(1.0 / _START) / -rate + math.log(1.0 / _STOP) / ahead[0]) + 300.0
         rtol = max(rtol, _ROUND_OFF / self.jump**2, 0.0 if self._consistent else _DIFFERENCE)
         rates: Any = self.rates
         curve = None
