@@ -71,15 +71,13 @@ def _solid_density(rho, e, par):
             low = solid
         new = solid - f / slope
         step = new - solid if new > solid else solid - new
-        small = step < 1e-12 * solid
+        small = step < 1e-8 * solid  # then the new density has 14 digits
         # a Newton step must halve the last one, else bisect: no cycles
         good = step < 0.5 * last
         last = step if good else 0.5 * (high - low)
         solid = new if good or small else 0.5 * (low + high)
         steps = 100 if small or high - low < 1e-15 * high else steps + 1
-    # two free Newton steps: the second gives a dual number its exact slopes
-    f, slope = _residual(solid, rho, e, par)
-    solid = solid - f / slope
+    # a free Newton step gives a dual number its exact slopes
     f, slope = _residual(solid, rho, e, par)
     return solid - f / slope
 
