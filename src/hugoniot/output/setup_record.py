@@ -71,6 +71,10 @@ def material_record(material) -> dict:
             laws.append(law_record(_FAMILIES[family], par, material.sources))
     if material.burn is not None:
         laws.append(_burn_record(material.burn, material.sources))
+        if material.unreacted is not None:
+            own = tuple(dataclasses.replace(source, quantity="eos." + source.quantity.removeprefix("unreacted."))
+                        for source in material.sources if source.quantity.startswith("unreacted."))
+            laws.append({**law_record(EOS, material.unreacted, own), "family": "unreacted"})
     named = {constant["name"] for law in laws for constant in law["constants"]}
     others = [plain(source) for source in material.sources if source.quantity.rpartition(".")[2] not in named]
     return {"name": material.name, "laws": laws, "other_sources": others, "warnings": list(material.warnings),

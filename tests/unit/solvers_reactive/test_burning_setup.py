@@ -160,3 +160,14 @@ def test_pop_plot_returns_the_line_it_was_made_from():
     assert detonation.pop_plot(p, x) == pytest.approx((1.11, -0.66), rel=1e-9)
     with pytest.raises(OutOfRange):
         detonation.pop_plot([1e9], [1e-3])
+
+
+def test_the_set_up_record_names_the_unreacted_explosive_with_its_own_sources():
+    from hugoniot.output.setup_record import material_record
+
+    material = library.find("LX-17 reactive")
+    laws = {law["family"]: law for law in material_record(material)["laws"]}
+    assert set(laws) == {"eos", "burn", "unreacted"}
+    first = {family: next(c for c in laws[family]["constants"] if c["name"] == "a") for family in ("eos", "unreacted")}
+    assert first["unreacted"]["value"] == material.unreacted.a and first["eos"]["value"] == material.eos.a
+    assert first["unreacted"]["source"]
