@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from hugoniot.cli.eos_input import Subject, find_inert, find_material, one_state, quantity, several_states
-from hugoniot.cli.eos_output import cell, deliver, echo_notes, echo_states, notes, row_of, words
+from hugoniot.cli.eos_output import cell, deliver, echo_notes, echo_states, notes, row_of, words, write_csv
 from hugoniot.cli.show import JSON, echo_json, echo_table
 from hugoniot.errors import DeckError
 from hugoniot.theory.states import States
@@ -26,7 +26,7 @@ POINTS = Annotated[int, typer.Option("--points", min=2, max=100000, help="States
 
 
 @app.command()
-def show(material: MATERIAL, at: AT = None, as_json: JSON = False) -> None:
+def show(material: MATERIAL, at: AT = None, as_json: JSON = False, as_csv: CSV = None) -> None:
     """The law, its parameters, its state at rest and, with --at, on the Hugoniot.
 
     Example: hugoniot eos show copper --at "pressure = 10 GPa"
@@ -39,6 +39,8 @@ def show(material: MATERIAL, at: AT = None, as_json: JSON = False) -> None:
     law = EOS.of(par)
     state = _shocked(find_inert(material), at) if at else reference(par)
     told = notes(subject, state.particle_velocity)
+    if as_csv:
+        write_csv(as_csv, [("", state.table("gruneisen", "entropy"))])
     if as_json:
         echo_json({"material": subject.material.name, "law": law.name, "parameters": _parameters(par, law),
                    "references": list(law.references), **row_of(state.table("gruneisen", "entropy")), "warnings": told})
@@ -178,7 +180,7 @@ def riemann(
     left_state: Annotated[str, typer.Option("--left", help='"pressure = 1 GPa, velocity = 100 m/s"; default at rest.')] = "",
     right_state: Annotated[str, typer.Option("--right", help="As --left.")] = "",
     bonded: Annotated[bool, typer.Option("--bonded", help="The contact bears tension.")] = False,
-    as_json: JSON = False,
+    as_json: JSON = False, as_csv: CSV = None,
 ) -> None:
     """The exact Riemann problem of two materials: waves, contact or vacuum.
 
@@ -195,6 +197,9 @@ def riemann(
     told = list(dict.fromkeys(text for s, jump in zip(subjects, jumps) for text in notes(s, jump)))
     waves = {side: {"wave": w.kind, "head": w.head, "tail": w.tail, **row_of(w.behind.table())}
              for side, w in (("left", found.left), ("right", found.right)) if w.behind.density > 0.0}
+    if as_csv:
+        write_csv(as_csv, [(s.material.name, w.behind.table()) for s, w in zip(subjects, (found.left, found.right))
+                           if w.behind.density > 0.0])
     if as_json:
         echo_json({"pressure": found.pressure, "particle_velocity": found.velocity, "vacuum": found.vacuum, **waves,
                    "edges": [{"what": what, "velocity": v} for what, v in found.jumps], "warnings": told})

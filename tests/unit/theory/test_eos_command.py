@@ -140,3 +140,12 @@ def test_an_extrapolation_is_told_once_with_both_numbers():
     assert not any("extrapolated" in w for w in answer("match", "copper", "copper", "--velocity", "1 km/s")["warnings"])
     both = answer("hugoniot", "copper", "aluminum", "--up-to", f"{limit + 500} m/s")
     assert [any("extrapolated" in w for w in m["warnings"]) for m in both["materials"]][0]
+
+
+def test_states_as_csv(tmp_path):
+    out = tmp_path / "states.csv"
+    for arguments, rows in ((("show", "copper", "--at", "pressure = 10 GPa"), 1), (("riemann", "copper", "water", "--left", "velocity = 500 m/s"), 2)):
+        assert eos(*arguments, "--csv", str(out)).exit_code == 0
+        found = list(csv.DictReader(out.open()))
+        assert len(found) == rows and all(float(row["pressure (Pa)"]) > 1e9 for row in found)
+    assert found[0]["pressure (Pa)"] == found[1]["pressure (Pa)"] and [r["material"] for r in found] == ["copper", "water"]

@@ -5,6 +5,8 @@ $$\frac1\rho = \lambda\,v_s(p, e) + (1 - \lambda)\,v_i(p), \qquad \lambda = 1 - 
 lambda is the compacted share of the mass, v_s the volume of the solid by its own law, v_i that of the porous matrix, elastic with the bulk
 modulus K; Y is the crush strength, n its sharpness. In tension (rho < rho00) nothing is compacted and $p = K(1 - \rho_{00}/\rho)$.
 The equation is solved for the solid's density by Newton steps kept in a bracket, in a form straight enough for four or five of them.
+Heated below the density of its solid so much that the solid alone would fill more than the volume, the material can satisfy the
+equation twice; the search starts at the compacted root and keeps to it.
 
 As with p_alpha, the state alone decides: exact for Hugoniots and monotone loading, reversible on release (a material of a deck that
 uses the law is told so). Shares of energy between the two parts are not modelled; the temperature is that of the solid at the mixture's
