@@ -5,7 +5,7 @@ import re
 import unicodedata
 from collections.abc import Iterable, Mapping
 
-# words that carry no choice, so that "OFHC copper, annealed" is found by any order of its words
+# one spelling of words that people write in several
 _SAME = {"aluminium": "aluminum", "sulphur": "sulfur", "grey": "gray", "polythene": "polyethylene", "plexiglass": "plexiglas"}
 
 
@@ -15,6 +15,14 @@ def spelling(name: str) -> str:
     for ours, theirs in _SAME.items():
         text = text.replace(ours, theirs)
     return re.sub(r"[^a-z0-9]", "", text)
+
+
+def parts(name: str) -> tuple[str, ...]:
+    """The runs of letters and of digits of a name, in one spelling and any order: "304 stainless" has those of "stainless 304"."""
+    text = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode().lower()
+    for ours, theirs in _SAME.items():
+        text = text.replace(ours, theirs)
+    return tuple(sorted("aluminum" if run in ("al", "alu") else run for run in re.findall(r"[a-z]+|[0-9]+", text)))
 
 
 def words(text: str) -> set[str]:

@@ -106,7 +106,7 @@ def _file_beside(folder: Path | None, name: str) -> Path | None:
 
 
 def _in_library(name: str) -> str:
-    known = library.spellings().get(spelling(name))
+    known = library.curated_name(name)
     return f"the library's {known}" if known else ""
 
 

@@ -109,6 +109,18 @@ def test_spelling():
     assert nearest("tungstn", {"tungsten": "tungsten", "tin": "tin"})[0] == "tungsten"
 
 
+@pytest.mark.parametrize("typed, name", [("304 stainless", "steel_304"), ("al2024-t4", "aluminum_2024"), ("T6 7075 aluminium", "aluminum_7075"),
+                                         ("half hard OFHC copper", "copper"), ("70/30 brass", "brass")])
+def test_parts_of_a_name_in_any_order(typed, name):
+    assert library.entry(typed).name == name
+
+
+def test_a_name_of_the_tables_stays_that_row():
+    assert library.entry("Steel 347").name != "steel_304"
+    with pytest.raises(library.UnknownMaterial, match="nearest.*steel_304"):
+        library.entry("steel")
+
+
 def test_sources_of_a_material_include_the_doubted_ones():
     found = curves.comparison([library.entry("water")], 5000.0)
     labels = " ".join(c.label for c in found.curves)

@@ -15,7 +15,7 @@ from hugoniot.errors import DeckError, DeckProblem
 from hugoniot.materials import cards, schema
 from hugoniot.materials.entry import Entry, make_entry, read_file
 from hugoniot.materials.material import Material
-from hugoniot.materials.search import matches, nearest, spelling
+from hugoniot.materials.search import matches, nearest, parts, spelling
 
 HERE = Path(__file__).parent
 
@@ -61,6 +61,25 @@ def spellings() -> dict[str, str]:
 
 
 @cache
+def _by_parts() -> dict[tuple[str, ...], str | None]:
+    """The parts of every accepted name, in any order -> name; None where two materials share them."""
+    found: dict[tuple[str, ...], str | None] = {}
+    for listing in index().values():
+        for text in (listing.name, listing.title, *listing.aliases):
+            key = parts(text)
+            found[key] = listing.name if found.get(key, listing.name) == listing.name else None
+    return found
+
+
+def curated_name(name: str) -> str | None:
+    """The curated material a name stands for: by its spelling, or by its parts in another order where nothing else has that name."""
+    known = spellings().get(spelling(name))
+    if known is not None or spelling(name) in uncurated() or schema.is_row(name.strip().upper()):
+        return known
+    return _by_parts().get(parts(name))
+
+
+@cache
 def uncurated() -> dict[str, tuple[str, ...]]:
     """Spelling -> ids of the equation-of-state rows under that name, for names that are not curated."""
     found: dict[str, list[str]] = {}
@@ -86,7 +105,7 @@ def entry(name: str, also: Mapping[str, str] | None = None) -> Entry:
 
     also   further names the message for an unknown one may offer: spelling -> name
     """
-    known = spellings().get(spelling(name))
+    known = curated_name(name)
     if known is not None:
         return _curated(known)
     if schema.is_row(name.strip().upper()):
