@@ -109,7 +109,8 @@ def predict_burning(zones, nodes, gradient, first, last, segment, dt, law, rows,
         before = Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0)
         heat = burn_temperature(burned[j], before, par.mixture, par.rate)
         lam = scheduled(burned[j], since[j] + half, 0.0, width[j], rho_[j], par.rate)
-        lam = advance(lam, half, rho_[j], driving_pressure(p_[j], q_[j], par.rate), heat, par.rate)
+        if lam < 1.0:
+            lam = advance(lam, half, rho_[j], driving_pressure(p_[j], q_[j], par.rate), heat, par.rate)
         mixed = solve(rho, energy, lam, heated(before, -q_[j] * change), par.mixture)
         p = mixed.pressure
         du = u2 - u1
@@ -155,7 +156,8 @@ def correct_burning(zones, nodes, gradient, first, last, segment, dt, law, rows,
         since[j] += dt
         lam = scheduled(burned[j], since[j], 0.0, width[j], rho_half, par.rate)
         drive = driving_pressure(p_[j] if at_once(par.rate) else sigma_half[j] - q[j], q[j], par.rate)
-        lam = advance(lam, dt, rho_half, drive, heat, par.rate)
+        if lam < 1.0:
+            lam = advance(lam, dt, rho_half, drive, heat, par.rate)
         mixed = solve(rho, energy, lam, heated(before, -q[j] * change), par.mixture)
         p = mixed.pressure
         c2 = sound_speed_squared(rho, p, slopes(rho, energy, lam, mixed, par.mixture))
