@@ -230,14 +230,12 @@ class _Reader:
         for key in table:
             if key not in ("value", *_PROVENANCE):
                 self.collector.unknown((*path, key), ("value", *_PROVENANCE))
-        number = table["value"] if unit == "text" else self.collector.quantity(path, table["value"], unit)
+        number = table["value"] if unit == "text" else self.collector.quantity((*path, "value"), table["value"], unit)
         said = {k: str(table.get(k, d)) for k, d in zip(_PROVENANCE, ("not stated", self.file, "user", ""), strict=True)}
         if said["status"] not in (*schema.STATUSES, "user"):
             self.collector.add((*path, "status"), f"unknown status '{said['status']}'", f"known: {', '.join((*schema.STATUSES, 'user'))}")
         if said["status"] == "recalled":
             self.marks.append(f"{quantity}: {schema.UNVERIFIED} ({said['source']})")
-        if number is None:
-            return table["value"]   # reported; what reads it next says the same at the same place, once
         self.sources.append(Source(quantity, number, unit, said["source"], said["via"], said["status"], said["note"]))
         return number
 

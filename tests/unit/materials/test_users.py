@@ -149,12 +149,3 @@ def test_nothing_in_a_file_breaks_the_reader(tmp_path, text):
     path.write_text(body + "\n" + head if not text.startswith("[") else head + body + "\n")
     with pytest.raises(DeckError, match="material.mine"):
         users.read_materials(path)
-
-
-def test_a_wrong_unit_is_told_once_at_its_place(tmp_path):
-    path = tmp_path / "bad.toml"
-    path.write_text(ALLOY.replace('c0 = "5.3 km/s"', 'c0 = { value = "5330 kg", source = "lot 7" }'))
-    with pytest.raises(DeckError) as told:
-        users.read_materials(path)
-    assert len(told.value.problems) == 1
-    assert "material.bad.eos.c0" in str(told.value) and "expected a velocity, got a mass" in str(told.value)

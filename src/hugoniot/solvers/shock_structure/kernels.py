@@ -21,7 +21,7 @@ Viscous part: sixth-order gradients of the conserved averages, turned into those
 import numba as nb
 from numba.extending import overload
 
-from hugoniot.core.compile import GUARD, LAW, bind_family, bind_module
+from hugoniot.core.compile import INLINE, LAW, bind_family, bind_module
 from hugoniot.core.ops import fmax, vsqrt
 from hugoniot.laws.eos import contract as eos_contract
 from hugoniot.laws.eos.contract import EOS, pressure, pressure_derivatives
@@ -62,7 +62,7 @@ def specific_heat_if_any(rho, e, par):
     return 1.0
 
 
-@nb.njit(**GUARD)
+@nb.njit(**INLINE)
 def weno(a, b, c, d, e):
     """Fifth-order value at the right face of the cell with average c, from the averages of five cells in a row (WENO-Z)."""
     smooth0 = 13.0 / 12.0 * (a - 2.0 * b + c) ** 2 + 0.25 * (a - 4.0 * b + 3.0 * c) ** 2
@@ -77,13 +77,13 @@ def weno(a, b, c, d, e):
     return value / (6.0 * (w0 + w1 + w2))
 
 
-@nb.njit(**GUARD)
+@nb.njit(**INLINE)
 def upwind(a, b, c, d, e):
     """The same with the linear weights."""
     return (2.0 * a - 13.0 * b + 47.0 * c + 27.0 * d - 3.0 * e) / 60.0
 
 
-@nb.njit(**GUARD)
+@nb.njit(**INLINE)
 def slope(row, r, rough, h):
     """Gradient of a row of averages at the face left of cell r: sixth order, or of its two neighbours."""
     near = row[r] - row[r - 1]
@@ -92,7 +92,7 @@ def slope(row, r, rough, h):
     return (245.0 * near - 25.0 * (row[r + 1] - row[r - 2]) + 2.0 * (row[r + 2] - row[r - 3])) / (180.0 * h)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**INLINE)
 def sides(row, r, part):
     """Values left and right of the face left of cell r: linear, with `part` of the way to the nonlinear ones."""
     l3, l2, l1, r1, r2, r3 = row[r - 3], row[r - 2], row[r - 1], row[r], row[r + 1], row[r + 2]
@@ -103,7 +103,7 @@ def sides(row, r, part):
     return left, right
 
 
-@nb.njit(**GUARD)
+@nb.njit(**INLINE)
 def artificial_speed(U, r, h, eos, transport):
     """Speed a of the artificial dissipation at the face left of cell r, over the signal speed there: LEAST resolved, 1 not."""
     rho = 0.5 * (U[RHO, r - 1] + U[RHO, r])
@@ -115,7 +115,7 @@ def artificial_speed(U, r, h, eos, transport):
     return fmax(LEAST, 1.0 - 2.0 * nu / (h * (abs(u) + c)))
 
 
-@nb.njit(**GUARD)
+@nb.njit(**INLINE)
 def signal(rho, j, E_total, eos):
     """(u, p, c) of a conserved state; c is negative where the state is none."""
     if not rho > 0.0:
@@ -130,7 +130,7 @@ def signal(rho, j, E_total, eos):
     return u, p, vsqrt(c2)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**INLINE)
 def fill_ghosts(U, kinds, ends, eos):
     """Cells beyond the ends. A wall mirrors; a transmitting end lets outgoing waves pass and takes incoming ones from `ends` (2, 3).
 
@@ -166,7 +166,7 @@ def fill_ghosts(U, kinds, ends, eos):
             U[RHO, ghost], U[J, ghost], U[E, ghost] = rho, rho * v, rho * (e + 0.5 * v * v)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**INLINE)
 def heat_flow(rho, e, rho_x, e_x, mu, eos, transport, conducting):
     """(heat flux q, thermal diffusivity k/(rho c_v)) at a state with gradients; zero where the fluid does not conduct."""
     if not conducting:
@@ -186,7 +186,7 @@ def heat_flow(rho, e, rho_x, e_x, mu, eos, transport, conducting):
     return -k * (warmer - colder) / (2.0 * step), k / (rho * cv)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**INLINE)
 def flux_sweep(U, F, h, rough, control, counters, eos, transport, conducting):
     """F (3, n+1) at every face; the largest signal speed and diffusivity go to `control`. True if every state was one.
 
@@ -240,7 +240,7 @@ def flux_sweep(U, F, h, rough, control, counters, eos, transport, conducting):
     return sound
 
 
-@nb.njit(**GUARD)
+@nb.njit(**INLINE)
 def stage(U, V, F, ratio):
     """V = U advanced by the fluxes F over ratio = dt/h; ghosts untouched."""
     n = F.shape[1] - 1
@@ -249,17 +249,40 @@ def stage(U, V, F, ratio):
             V[k, i + GHOSTS] = U[k, i + GHOSTS] + ratio * (F[k, i] - F[k, i + 1])
 
 
-@nb.njit(**GUARD)
-def all_sound(U, counters, eos):
-    """Whether every cell is a state of the law."""
+@nb.njit(**INLINE)
+def gather(F0, F1, k):
+    """The fluxes of stage k of three into the sum that the next stage, and at last the step, is made with."""
+    for j in range(3):
+        for i in range(F0.shape[1]):
+            if k == 0:
+                F0[j, i] = F1[j, i]
+            elif k == 1:
+                F0[j, i] += F1[j, i]
+            else:
+                F0[j, i] = (F0[j, i] + 4.0 * F1[j, i]) / 6.0
+
+
+@nb.njit(**INLINE)
+def all_sound(U, scratch, counters, eos):
+    """Whether every cell is a state of the law; pressures into the first row of `scratch`."""
     for i in range(GHOSTS, U.shape[1] - GHOSTS):
-        if signal(U[RHO, i], U[J, i], U[E, i], eos)[2] < 0.0:
+        _, p, c = signal(U[RHO, i], U[J, i], U[E, i], eos)
+        if c < 0.0:
             counters[CULPRIT] = i - GHOSTS
             return False
+        scratch[0, i - GHOSTS] = p
     return True
 
 
-@nb.njit(**GUARD)
+@nb.njit(**INLINE)
+def keep_peaks(peaks, U, scratch):
+    """Largest pressure and density of every cell after a step, (2, n)."""
+    for i in range(peaks.shape[1]):
+        peaks[0, i] = fmax(peaks[0, i], scratch[0, i])
+        peaks[1, i] = fmax(peaks[1, i], U[RHO, i + GHOSTS])
+
+
+@nb.njit(**INLINE)
 def update(U, rest, F, ratio):
     """The same in place, with what rounding drops kept in `rest` (3, n) so that totals stay exact over any number of steps."""
     n = F.shape[1] - 1
@@ -271,7 +294,7 @@ def update(U, rest, F, ratio):
             U[k, i + GHOSTS] = new
 
 
-@nb.njit(**GUARD)
+@nb.njit(**INLINE)
 def account(passed, rest, F, dt):
     """Add what passed the two ends, (2, 3), with compensation."""
     for side in range(2):

@@ -59,7 +59,7 @@ class ShockStructure:
         self.control[L.DT_LARGEST] = problem.solver.largest_step or NO_LIMIT
         self._require_states()
         self.start_totals = self.totals()
-        self._peaks = self._fields()
+        self._peaks = np.array(list(self._fields().values()))
         self._work = [np.zeros_like(self.U), np.zeros((3, n + 1)), np.zeros((3, n + 1))]
 
     def _require_states(self):
@@ -111,12 +111,10 @@ class ShockStructure:
         from hugoniot.solvers.shock_structure.step import march
 
         self.control[L.EVENT_TIME] = until
-        code = march(cycles, self.U, *self._work, self.rest, self.passed, self.passed_rest, self.h, self.control, self.counters,
-                     self.kinds, self.ends, self.eos, self.transport, transport_laws.conducts(self.transport))
+        code = march(cycles, self.U, *self._work, self.rest, self._peaks, self.passed, self.passed_rest, self.h, self.control,
+                     self.counters, self.kinds, self.ends, self.eos, self.transport, transport_laws.conducts(self.transport))
         if code == L.BAD_STATE:
             raise self._unphysical()
-        for name, value in self._fields().items():
-            np.maximum(self._peaks[name], value, out=self._peaks[name])
         return []
 
     def advance(self, cycles: int, until: float = NO_LIMIT) -> None:
@@ -201,8 +199,8 @@ class ShockStructure:
         return {self.problem.regions[0].material: float(u.max() - u.min())}
 
     def peaks(self) -> dict[str, np.ndarray]:
-        """Largest pressure and density of every cell at the ends of bursts."""
-        return {f"peak_{name}": value.copy() for name, value in self._peaks.items()}
+        """Largest pressure and density of every cell after any step."""
+        return {f"peak_{name}": value.copy() for name, value in zip(("pressure", "density"), self._peaks)}
 
     def thickness(self) -> tuple[float, float]:
         """(density thickness, position), m, of the shock between the two far fields; `NoSolution` where they are equal."""
@@ -224,13 +222,13 @@ class ShockStructure:
 
     def payload(self) -> dict:
         """Everything a bitwise restart needs."""
-        return {**{name: getattr(self, name).copy() for name in self._KEPT}, **{f"peak_{k}": v.copy() for k, v in self._peaks.items()}}
+        return {**{name: getattr(self, name).copy() for name in self._KEPT}, **self.peaks()}
 
     def restore(self, payload: dict) -> None:
         """Continue from a payload of the same problem."""
         for name in self._KEPT:
             setattr(self, name, np.ascontiguousarray(payload[name]).copy())
-        self._peaks = {name: np.array(payload[f"peak_{name}"]) for name in self._peaks}
+        self._peaks = np.array([payload["peak_pressure"], payload["peak_density"]])
 
 
 def _eos(problem: Problem):

@@ -21,47 +21,38 @@ state before the step in place.
 
 import numba as nb
 
-from hugoniot.core.compile import GUARD
+from hugoniot.core.compile import GUARD, INLINE
 from hugoniot.solvers.shock_structure import layout as L
-from hugoniot.solvers.shock_structure.kernels import account, all_sound, fill_ghosts, flux_sweep, stage, update
+from hugoniot.solvers.shock_structure.kernels import account, all_sound, fill_ghosts, flux_sweep, gather, keep_peaks, stage, update
 
 DIFFUSION_LIMIT = 0.41   # of D dt/h^2: below the third-order Runge-Kutta limit 2.51/(272/45) of the sixth-order gradient
 
 
-@nb.njit(**GUARD)
+@nb.njit(**INLINE)
 def fluxes_of_step(U, V, F0, F1, h, rough, shorter, control, counters, kinds, ends, eos, transport, conducting):
     """Items 1 to 5: the step's mean fluxes in F0 and its length (negative: no sound step), and whether it ends at the event time."""
-    fill_ghosts(U, kinds, ends, eos)
-    if not flux_sweep(U, F0, h, rough, control, counters, eos, transport, conducting):
-        return -1.0, False
-    rate = control[L.ADVECTIVE] / h + control[L.DIFFUSIVE] / (DIFFUSION_LIMIT * h * h)
-    dt = min(control[L.COURANT] / rate, control[L.DT_LARGEST]) * shorter
-    left = control[L.EVENT_TIME] - control[L.TIME]
-    last = dt >= left * (1.0 - 1e-12)
-    if last:
-        dt = left
-    elif dt > 0.5 * left:
-        dt = 0.5 * left   # two even steps rather than a whole and a sliver
-    stage(U, V, F0, dt / h)
-    fill_ghosts(V, kinds, ends, eos)
-    if not flux_sweep(V, F1, h, rough, control, counters, eos, transport, conducting):
-        return -1.0, False
+    dt, last = 0.0, False
     for k in range(3):
-        for i in range(F0.shape[1]):
-            F0[k, i] += F1[k, i]
-    stage(U, V, F0, 0.25 * dt / h)
-    fill_ghosts(V, kinds, ends, eos)
-    if not flux_sweep(V, F1, h, rough, control, counters, eos, transport, conducting):
-        return -1.0, False
-    for k in range(3):
-        for i in range(F0.shape[1]):
-            F0[k, i] = (F0[k, i] + 4.0 * F1[k, i]) / 6.0
-    stage(U, V, F0, dt / h)
-    return (dt, last) if all_sound(V, counters, eos) else (-1.0, False)
+        W = U if k == 0 else V
+        fill_ghosts(W, kinds, ends, eos)
+        if not flux_sweep(W, F1, h, rough, control, counters, eos, transport, conducting):
+            return -1.0, False
+        if k == 0:
+            rate = control[L.ADVECTIVE] / h + control[L.DIFFUSIVE] / (DIFFUSION_LIMIT * h * h)
+            dt = min(control[L.COURANT] / rate, control[L.DT_LARGEST]) * shorter
+            left = control[L.EVENT_TIME] - control[L.TIME]
+            last = dt >= left * (1.0 - 1e-12)
+            if last:
+                dt = left
+            elif dt > 0.5 * left:
+                dt = 0.5 * left   # two even steps rather than a whole and a sliver
+        gather(F0, F1, k)
+        stage(U, V, F0, (0.25 if k == 1 else 1.0) * dt / h)
+    return (dt, last) if all_sound(V, F1, counters, eos) else (-1.0, False)
 
 
 @nb.njit(**GUARD)
-def march(cycles, U, V, F0, F1, rest, passed, passed_rest, h, control, counters, kinds, ends, eos, transport, conducting):
+def march(cycles, U, V, F0, F1, rest, peaks, passed, passed_rest, h, control, counters, kinds, ends, eos, transport, conducting):
     """Take up to `cycles` steps, or until the event time; L.RUNNING or L.BAD_STATE (state of the last sound step kept)."""
     for _ in range(cycles):
         if control[L.TIME] >= control[L.EVENT_TIME]:
@@ -78,6 +69,7 @@ def march(cycles, U, V, F0, F1, rest, passed, passed_rest, h, control, counters,
             return L.BAD_STATE
         counters[L.ROUGH] -= counters[L.ROUGH] > 0
         update(U, rest, F0, dt / h)
+        keep_peaks(peaks, U, F1)
         account(passed, passed_rest, F0, dt)
         control[L.TIME] = control[L.EVENT_TIME] if last else control[L.TIME] + dt
         control[L.DT] = dt
