@@ -11,6 +11,7 @@ import numpy as np
 
 import hugoniot
 from hugoniot.diagnostics.budgets import RegionBudget
+from hugoniot.diagnostics.temperature import gauge_temperature, laws_with_temperature, zone_temperature
 from hugoniot.errors import DeckError, FileTrouble, UnphysicalState
 from hugoniot.output.run_folder import RunFolder
 from hugoniot.problem.defaults import completed
@@ -50,17 +51,25 @@ def with_surface_gauges(problem: Problem) -> Problem:
 class _Recorder:
     """Hands what the time loop sees to the run folder."""
 
-    def __init__(self, folder: RunFolder, problem: Problem, solver, progress):
+    def __init__(self, folder: RunFolder, problem: Problem, solver, progress, warned=()):
         self.folder, self.problem, self.solver, self.show = folder, problem, solver, progress
         self.fields = set(problem.output.fields)
         self.budget = RegionBudget(problem, solver.region_of, solver.state())
+        self.warned = warned
+        self.laws = laws_with_temperature(problem) if problem.solver.kind == "lagrange1d" else []
+        self.hot = any(law is not None for law in self.laws)
 
     def gauges(self, times, values):
         if len(times) and self.problem.gauges:
+            if self.hot:
+                laws = [self.laws[self.solver.region_of[zone]] for zone in self.solver.gauges[:, 0]]
+                values = {**values, "temperature": gauge_temperature(values, laws)}
             self.folder.gauges(times, values)
 
     def snapshot(self, state):
         fields = state.fields()
+        if self.hot:
+            fields["temperature"] = zone_temperature(state, self.solver.region_of, self.laws)
         if self.fields:
             faces = {"position_left", "position_right", "velocity_left", "velocity_right"}
             fields = {name: value for name, value in fields.items() if name in self.fields | faces}
@@ -100,7 +109,7 @@ def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=Non
     folder.start(problem, text, _meta(problem, solver))
     for warning in warnings:
         folder.event(0.0, 0, "warning", warning)
-    return _drive(_Recorder(folder, problem, solver, progress), 0, begun, report)
+    return _drive(_Recorder(folder, problem, solver, progress, warnings), 0, begun, report)
 
 
 def resume(folder, progress=None, report: bool = True) -> "Run":
@@ -120,7 +129,7 @@ def resume(folder, progress=None, report: bool = True) -> "Run":
     problem = with_surface_gauges(deck.problem)
     solver = make_solver(problem)
     place.start(problem, text, _meta(problem, solver))
-    recorder = _Recorder(place, problem, solver, progress)   # before the state is restored: budgets count from the start
+    recorder = _Recorder(place, problem, solver, progress, deck.warnings)   # before the state is restored: budgets count from the start
     payload = place.latest_checkpoint()
     next_snapshot = 0
     if payload is None:
@@ -144,7 +153,7 @@ def _drive(recorder: _Recorder, next_snapshot: int, begun: float, report: bool) 
     except UnphysicalState as error:
         folder.post_mortem(error, {"solver": solver.payload(), "next_snapshot": -1})
         raise
-    _note_extrapolation(folder, problem, solver)
+    _note_extrapolation(folder, problem, solver, recorder.warned)
     for text in getattr(solver, "unresolved", list)():
         folder.event(solver.time, solver.cycle, "warning", text)
     folder.finish(_summary(problem, solver, outcome, begun), solver.peaks())
@@ -172,12 +181,13 @@ def _summary(problem: Problem, solver, outcome: Outcome, begun: float) -> dict[s
     }
 
 
-def _note_extrapolation(folder: RunFolder, problem: Problem, solver) -> None:
+def _note_extrapolation(folder: RunFolder, problem: Problem, solver, warned) -> None:
     """Warn once for each material driven beyond the particle velocities its equation of state was fitted to."""
     highest = solver.largest_velocity_jump()
     for name, speed in highest.items():
         limit = problem.materials[name].valid_up_to
-        if limit is not None and speed > limit:
+        foretold = any(f"data of '{name}'" in text for text in warned)
+        if limit is not None and speed > limit and not foretold:
             folder.event(solver.time, solver.cycle, "warning",
                          f"material '{name}' was driven to a particle velocity of {speed:.4g} m/s; its data reach {limit:.4g} m/s")
 

@@ -27,7 +27,8 @@ def distortion_energy(state, region_of, problem) -> np.ndarray:
             continue
         rho, p, c = (state.zones[name][here] for name in ("density", "pressure", "sound_speed"))
         modulus = np.array([shear_modulus(x, y, 298.15, x * z * z, material.strength) for x, y, z in zip(rho, p, c)])
-        energy[here] = squares[here] / np.maximum(4.0 * modulus * rho, 1e-300)
+        solid = modulus > 1e-9 * rho * c * c     # a melt holds no energy of distortion
+        energy[here] = np.where(solid, squares[here] / (4.0 * np.where(solid, modulus, 1.0) * rho), 0.0)
     return energy
 
 

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.mesh.line import GEOMETRY
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d import layout as L
@@ -97,3 +98,14 @@ def test_the_leapfrog_energy_solves_p_equal_a_plus_b_e_with_the_trapezoid(leapfr
     assert np.max(np.abs(energy - z[L.E])[squeezed]) <= 1e-14 * scale
     dropped = np.max(np.abs(energy - work - z[L.E])[squeezed])
     assert dropped > 1e-7 * scale
+
+
+@pytest.mark.parametrize("law", ["perfectly_plastic", "steinberg_guinan"])
+def test_a_melt_loses_its_stress_without_plastic_strain(law):
+    """Shear modulus and flow stress gone in one step: what stress there was is dropped, and nothing overflows."""
+    strength = STRENGTH.get(law).example
+    melt = strength._replace(yield_stress=0.0)
+    limit, flow = yield_at(4e8, 0.0, (3000.0, 1e10, 1e5, 0.0), 0.1, melt)
+    assert limit == 0.0 and flow == 0.0
+    limit, flow = yield_at(4e8, 30e9, (3000.0, 0.0, 300.0, 0.0), 0.0, STRENGTH.get("perfectly_plastic").build(30e9, 3e8))
+    assert limit == 3e8 and flow == pytest.approx(1e8 / 90e9, rel=1e-14)

@@ -113,17 +113,18 @@ def yield_at(equivalent, shear, state, plastic_strain, strength):
     """(stress on the yield surface or above the trial, plastic strain increment) of an elastic trial state.
 
     `state` = (rho, p, temperature, rate). A hardening law is met implicitly: 3 G d = trial - Y(eps + d) by one secant
-    step, which is exact for linear hardening.
+    step, which is exact for linear hardening. Where the excess would take a strain of more than 1, the modulus itself has gone
+    (a melt): the stress is lost without plastic strain.
     """
     rho, p, heat, rate = state
     limit = flow_stress(rho, p, heat, plastic_strain, rate, strength)
-    stiffness = 3.0 * shear + TINY
+    stiffness = 3.0 * shear
     excess = fmax(equivalent - limit, 0.0)
-    increment = excess / stiffness
+    increment = excess / fmax(stiffness, TINY) if stiffness > excess else 0.0
     if hardens(strength):
         further = flow_stress(rho, p, heat, plastic_strain + increment, rate, strength)
         increment = increment * excess / fmax(excess + (further - limit), TINY)  # a sum with TINY may be reordered and lose it
-        limit = limit + excess - increment * stiffness
+        limit = limit + excess - increment * stiffness if stiffness > excess else limit
     return limit, increment
 
 

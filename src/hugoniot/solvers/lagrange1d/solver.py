@@ -267,7 +267,8 @@ class Lagrange1D:
             values |= {"burn_fraction": float(self.zones[L.BURN_FRACTION, culprit]),
                        "mixture_status": float(self.zones[L.MIX_STATUS, culprit])}
         cause, remedy = _diagnose(code, values, float(left[culprit]), float(right[culprit]))
-        centres = 0.5 * (left + right)
+        with np.errstate(invalid="ignore"):
+            centres = 0.5 * (left + right)
         near = np.flatnonzero(np.isfinite(centres))     # a zone that is nowhere is reported where its nearest sound neighbour is
         place = float(centres[near[np.argmin(np.abs(near - culprit))]]) if near.size else float("nan")
         region = self.problem.regions[self.region_of[culprit]].name
