@@ -90,6 +90,8 @@ BROKEN: dict[str, tuple[str, list[tuple[int | None, str, str]]]] = {
     "zero zone size": (change(("zones = 400", 'zone_size = "0 um"')), [(18, "region.target.zone_size", "greater than 0")]),
     "negative density": (change(('"2700 kg/m^3"', '"-2700 kg/m^3"')), [(20, "material.al.eos", "rho0 must be positive")]),
     "missing material": (change(('material = "al"', 'material = "all"')), [(7, "region.flyer.material", "did you mean 'al'?")]),
+    "two faults in one region": (change(('material = "al"', 'material = "all"'), ("zones = 200", "zones = 0")),
+                                 [(7, "region.flyer.material", "did you mean 'al'?"), (10, "region.flyer.zones", "at least 1")]),
     "no such library material": (change(('material = "al"', 'material = "unobtainium"')), [(7, "region.flyer.material", "unknown material")]),
     "unknown law": (change(("mie_gruneisen", "mie_grunisen")), [(21, "material.al.eos.law", "did you mean 'mie_gruneisen'?")]),
     "missing parameter": (change(('c0 = "5200 m/s"\n', "")), [(20, "material.al.eos.c0", "missing")]),

@@ -20,17 +20,24 @@ _STATE = ("density", "pressure", "temperature", "energy")
 _SAME = 1e-9  # of a zone: a gap below it is round-off of the user's arithmetic
 
 
-def read_regions(rows: Sequence, geometry: Any, own: dict[str, Material | None], collector: Collector,
+def read_regions(rows: Sequence, raw: Any, geometry: Any, own: dict[str, Material | None], collector: Collector,
                  warnings: list[str]) -> tuple[tuple[Region, ...], dict[str, Material]]:
-    """Regions from left to right and the materials they use; rows that did not fit their model are None and were reported."""
+    """Regions from left to right and the materials they use.
+
+    Rows that did not fit their model are None and were reported; their materials are still looked up in the `raw` tables, so
+    that a deck's mistakes are told at once.
+    """
     found: list[tuple[Region, int]] = []
     used: dict[str, Material] = {}
     seen: dict[str, int] = {}
     failed: set[str] = set()
     for i, row in enumerate(rows):
-        if row is None:
-            continue
         path = ("region", i)
+        if row is None:
+            name = raw[i].get("material") if isinstance(raw[i], dict) else None
+            if isinstance(name, str) and name not in own and name not in used and name not in failed:
+                failed.update({name} if from_library(name, collector, (*path, "material"), tuple(own)) is None else ())
+            continue
         _check_name(row.name, seen, i, collector, path)
         if row.material not in used and row.material not in failed:
             material = own[row.material] if row.material in own else from_library(row.material, collector, (*path, "material"), tuple(own))

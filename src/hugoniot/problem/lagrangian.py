@@ -177,7 +177,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     geometry = raw.get("geometry", "planar")
     tables = {name: _parts(kind, raw.get(name)) for name, kind in
               (("region", RegionTable), ("interface", InterfaceTable), ("gauge", GaugeTable))}
-    regions, used = checks.read_regions(tables["region"], geometry, materials, collector, warnings)
+    regions, used = checks.read_regions(tables["region"], raw.get("region"), geometry, materials, collector, warnings)
     interfaces = checks.read_interfaces(tables["interface"], regions, collector)
     gauges = checks.read_gauges(tables["gauge"], regions, collector)
     left, right = _ends(raw, geometry, regions, collector)

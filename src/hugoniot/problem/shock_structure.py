@@ -78,7 +78,7 @@ class Model(Table):
 def read(raw: dict, model: Model | None, materials: dict[str, Material | None], collector: Collector) -> tuple[Problem | None, list[str]]:
     """The problem, and warnings; the problem is None when anything was reported (see `problem.lagrangian.read`)."""
     warnings: list[str] = []
-    regions, used = checks.read_regions(_parts(RegionTable, raw.get("region")), "planar", materials, collector, warnings)
+    regions, used = checks.read_regions(_parts(RegionTable, raw.get("region")), raw.get("region"), "planar", materials, collector, warnings)
     _check_grid(regions, used, collector)
     table = raw.get("solver")
     table = table if isinstance(table, dict) else {}
