@@ -79,7 +79,7 @@ class Lagrange1D:
         control[L.DT_SMALLEST] = LARGEST_COLLAPSE * self.problem.stop_time
         control[L.GAUGE_INTERVAL] = self.problem.output.gauge_interval
         control[L.REFERENCE_LEFT], control[L.REFERENCE_RIGHT] = self.zones[L.SIGMA, 0], self.zones[L.SIGMA, -1]
-        for side, node, _sign in ((self.problem.left, 0, 1), (self.problem.right, -1, -1)):
+        for side, node in ((self.problem.left, 0), (self.problem.right, -1)):
             if side.kind == "velocity":
                 self.nodes[L.U, node] = _pulse_at_zero(side.pulse)
             if side.kind == "fixed":
