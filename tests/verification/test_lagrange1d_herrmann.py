@@ -72,16 +72,12 @@ def test_the_elastic_release_wave(eos, strength, amplitude):
     top = plateau(times, stress, 0.25e-6, 0.35e-6)
     yielded = np.flatnonzero((times > 0.35e-6) & (s1 >= 2.0 * 0.276e9 / 3.0 * (1.0 - 1e-9)))     # reverse yield: the elastic wave has passed
     fall = top - stress[yielded[0]]
-    assert fall == pytest.approx(amplitude, rel=0.1)      # K and G fall during the release itself, which the estimate leaves out
-
-
-# the sheet's C_L is 2 % below the elastic speed of the shocked state by the printed G and the literal k, and the onset divides by C_L - U_s
-OFF = pytest.mark.xfail(strict=True, reason="literal k: 4.75 and 5.45 in the run, 4.82 and 5.72 by the formula, 5.05 and 5.88 on the sheet")
+    assert fall == pytest.approx(amplitude, rel=0.02)      # K and G fall during the release itself, which the estimate leaves out
 
 
 @pytest.mark.parametrize("eos, speed, strength, ratio", [
-    (LITERAL, 1900.0, FLUID, 11.65), (RMW, 1900.0, FLUID, 11.30), pytest.param(LITERAL, 1900.0, PRINTED, 5.05, marks=OFF), (RMW, 1900.0, PRINTED, 5.28),
-    (LITERAL, 1200.0, FLUID, 17.6), (RMW, 1200.0, FLUID, 15.4), pytest.param(LITERAL, 1200.0, PRINTED, 5.88, marks=OFF), (RMW, 1200.0, PRINTED, 6.00)])
+    (LITERAL, 1900.0, FLUID, 11.65), (RMW, 1900.0, FLUID, 11.30), (LITERAL, 1900.0, PRINTED, 5.05), (RMW, 1900.0, PRINTED, 5.28),
+    (LITERAL, 1200.0, FLUID, 17.6), (RMW, 1200.0, FLUID, 15.4), (LITERAL, 1200.0, PRINTED, 5.88), (RMW, 1200.0, PRINTED, 6.00)])
 def test_the_onset_of_attenuation(eos, speed, strength, ratio):
     """H-4: depth over driver thickness where the release from the driver's back overtakes the shock, from the run's peak stresses; 5 %."""
     shocks = {(LITERAL, 1900.0): (6368.0, 950.0), (RMW, 1900.0): (6652.0, 950.0), (LITERAL, 1200.0): (5917.0, 600.0), (RMW, 1200.0): (6149.0, 600.0)}
@@ -99,7 +95,8 @@ def test_the_onset_of_attenuation(eos, speed, strength, ratio):
     rho = 2780.0 / (1.0 - particle / shock)
     p = 2780.0 * shock * particle
     p_rho, p_e = pressure_derivatives(rho, 0.5 * particle**2, eos)
-    shear = strength.g0 * (1.0 + (rho / 2780.0 - 1.0) * (strength.g1 + (rho / 2780.0 - 1.0) * strength.g2))
+    eta = 1.0 - 2780.0 / rho
+    shear = strength.g0 * (1.0 + eta * (strength.g1 + eta * strength.g2))
     release = rho / 2780.0 * math.sqrt(p_rho + p * p_e / rho**2 + 4.0 * shear / (3.0 * rho))
-    assert (release + shock) / (release - shock) == pytest.approx(ratio, rel=0.05)
+    assert (release + shock) / (release - shock) == pytest.approx(ratio, rel=3e-3)
     assert onset == pytest.approx(ratio, rel=0.05)

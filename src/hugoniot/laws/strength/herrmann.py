@@ -1,9 +1,10 @@
 r"""Elastic-perfectly plastic with a shear modulus that is a power series in the compression.
 
-$$G = g_0\,\left(1 + g_1 x + g_2 x^2 + g_3 x^3\right), \qquad x = \rho/\rho_0 - 1, \qquad Y = Y_0$$
+$$G = g_0\,\left(1 + g_1 x + g_2 x^2 + g_3 x^3\right), \qquad x = 1 - \rho_0/\rho, \qquad Y = Y_0$$
 
-Source: Herrmann WL-TR-64-107, equations A.17 ff. and B.28 (his compression eta is x here). The report's aluminium has
-g0 = 286 kb, g1 = 5.86, g2 = 8.44, g3 = 0, Y = 2.76 kb, rho0 = 2.78 g/cm3 (section VI; 2.73 kb in one place, H-E10).
+Source: Herrmann WL-TR-64-107, equations A.17 ff. and B.28; his compression eta, (rho - rho0)/rho by the definition under C.4 and by
+the factor (1 - eta) in the derivatives under A.14, is x here. The report's aluminium has g0 = 286 kb, g1 = 5.86, g2 = 8.44, g3 = 0,
+Y = 2.76 kb, rho0 = 2.78 g/cm3 (section VI; 2.73 kb in one place, H-E10).
 """
 
 from typing import NamedTuple
@@ -21,7 +22,7 @@ class Herrmann(NamedTuple):
 
 
 def shear_modulus(rho, p, temperature, bulk_modulus, par):
-    x = rho / par.rho0 - 1.0
+    x = 1.0 - par.rho0 / rho
     return par.g0 * (1.0 + x * (par.g1 + x * (par.g2 + x * par.g3)))
 
 
