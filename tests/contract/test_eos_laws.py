@@ -46,6 +46,14 @@ def test_derivatives_against_dual_numbers_and_stability(law):
     assert least > 0.0
 
 
+@pytest.mark.parametrize("law", LAWS, ids=lambda law: law.name)
+def test_pressure_and_slopes_at_once_are_the_same_numbers(law):
+    for rho, e in states(law, 300):
+        p, p_rho, p_e = contract.pressure_and_derivatives(rho, e, law.example)
+        assert p == pytest.approx(contract.pressure(rho, e, law.example), rel=1e-14)
+        assert (p_rho, p_e) == tuple(contract.pressure_derivatives(rho, e, law.example))
+
+
 @pytest.mark.parametrize("law", [law for law in LAWS if gives(law.example, "energy")], ids=lambda law: law.name)
 def test_energy_inverts_pressure(law):
     for rho, e in states(law, 500):

@@ -25,9 +25,22 @@ def upstream(par):
 def test_rankine_hugoniot_residual(name):
     par = EOS.get(name).example
     ahead, c = upstream(par)
-    states = shock(par, ahead, particle_velocity=np.array([0.01, 0.1, 0.3, 0.6]) * c)
+    states = shock(par, ahead, particle_velocity=np.geomspace(0.01, 0.6, 25) * c)
     assert residual(par, ahead, states).max() < 1e-12
     assert (np.diff(states.pressure) > 0.0).all()
+
+
+@pytest.mark.parametrize("name", LAWS)
+@pytest.mark.parametrize("direction", [1, -1])
+def test_rankine_hugoniot_residual_of_second_shocks_into_moving_material(name, direction):
+    par = EOS.get(name).example
+    ahead, c = upstream(par)
+    first = shock(par, ahead, particle_velocity=0.2 * c)
+    moving = Initial(first.density, first.pressure, first.specific_internal_energy, velocity=-333.0)
+    reach = min(0.4 * c, 0.9 * limit(par, moving).particle_velocity)
+    states = shock(par, moving, direction=direction, particle_velocity=-333.0 + direction * np.geomspace(0.02, 1.0, 12) * reach)
+    assert residual(par, moving, states).max() < 1e-12
+    assert (np.diff(states.pressure) > 0.0).all() and states.pressure[0] > first.pressure
 
 
 @pytest.mark.parametrize("name", [n for n in LAWS if n not in KINKED])

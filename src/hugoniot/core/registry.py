@@ -65,10 +65,12 @@ class Registry:
 
     contract   names of functions every law must give
     optional   names of functions a law may give
+    derived    functions every law has, made from its others unless it gives its own
     """
 
-    def __init__(self, family: str, contract: tuple[str, ...], optional: tuple[str, ...] = ()):
-        self.family, self.contract, self.optional = family, contract, optional
+    def __init__(self, family: str, contract: tuple[str, ...], optional: tuple[str, ...] = (),
+                 derived: Mapping[str, Callable] | None = None):
+        self.family, self.contract, self.optional, self.derived = family, contract, optional, dict(derived or {})
         self._by_name: dict[str, Law] = {}
         self._by_class: dict[type, Law] = {}
 
@@ -78,7 +80,7 @@ class Registry:
             raise ValueError(f"{self.family}: '{name}' is registered already")
         given = {f.__name__: f for f in functions} if not isinstance(functions, Mapping) else dict(functions)
         missing = [f for f in self.contract if f not in given]
-        stray = [f for f in given if f not in self.contract + self.optional]
+        stray = [f for f in given if f not in (*self.contract, *self.optional, *self.derived)]
         undocumented = [p for p in parameters._fields if p not in units or p not in meaning]
         complaints = ((missing, "lacks"), (stray, "gives functions outside the contract:"), (undocumented, "lacks unit or meaning of"))
         for problem, what in complaints:
@@ -86,8 +88,8 @@ class Registry:
                 raise ValueError(f"{self.family}: '{name}' {what} {', '.join(problem)}")
         if not references:
             raise ValueError(f"{self.family}: '{name}' names no source")
-        law = Law(self.family, name, parameters, given, example, dict(units), dict(meaning), dict(box), tuple(references),
-                  build or parameters, frozenset(flags), dict(defaults or {}))
+        law = Law(self.family, name, parameters, {**self.derived, **given}, example, dict(units), dict(meaning), dict(box),
+                  tuple(references), build or parameters, frozenset(flags), dict(defaults or {}))
         self._by_name[name] = law
         self._by_class[parameters] = law
         return law

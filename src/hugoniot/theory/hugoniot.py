@@ -94,7 +94,7 @@ def curve(material, initial: Initial | None = None, *, points: int = 101, up_to:
     par = law_of(material)
     ahead = initial or Initial.at_rest(par)
     if up_to is None:
-        up_to = getattr(material, "valid_up_to", None) or min(_sound_speed_ahead(par, ahead), 0.9 * limit(par, ahead).particle_velocity)
+        up_to = getattr(material, "valid_up_to", None) or _reach(par, ahead)
     jumps = np.linspace(1e-3 * up_to if ahead.heat else 0.0, up_to, points)
     return shock(par, ahead, direction=direction, particle_velocity=ahead.velocity + direction * jumps)
 
@@ -113,7 +113,8 @@ def limit(material, initial: Initial | None = None) -> States:
     """The end of the Hugoniot: the state of highest density that the law allows a single shock to reach.
 
     A density limit of the law (the pole of a linear shock-particle velocity fit), or where 1 - (dp/de)(v0 - v)/2 vanishes
-    (Segletes' stability limit, 003 A-5). Pressure or particle velocity are infinite there, or finite for a fit with s < 1 (J-E16).
+    (Segletes' stability limit, 003 A-5): there the Hugoniot stands upright, as any pressure meets the law and the jump conditions.
+    Pressure or particle velocity are infinite at the end, or finite for a fit with s < 1 (J-E16) and at the edge of a table.
     """
     par = law_of(material)
     ahead = initial or Initial.at_rest(par)
@@ -134,7 +135,7 @@ def limit(material, initial: Initial | None = None) -> States:
                 low, high = (x, high) if reached(x)[0] else (low, x)
         _, p = reached(low)
         _, before = reached(low - 1e-4 * (low - least))
-    finite = math.isfinite(p) and p < 1.05 * before + 1e-3
+    finite = math.isfinite(p) and p < 1.05 * before + 1e-3 and not _upright(low, v0, ahead, before, par)
     up = math.sqrt(max(p - ahead.pressure, 0.0) * low) if finite else math.inf
     speed = math.sqrt(max(p - ahead.pressure, 0.0) / low) / ahead.density if finite else math.inf
     gap = v0 - low
@@ -253,6 +254,27 @@ def _solve(mode, targets, ahead: Initial, par, guess, name):
     if bad.size:
         _refuse(int(status[bad[0]]), mode, name, float(targets[bad[0]]), ahead, par)
     return x, p, e
+
+
+def _upright(x, v0, ahead: Initial, p, par) -> bool:
+    """Whether x, next to which the pressure is p, is Segletes' limit, 1 - (dp/de) x/2 = 0."""
+    e = ahead.energy + ahead.heat + 0.5 * (p + ahead.pressure) * x
+    return abs(1.0 - 0.5 * contract.pressure_derivatives(1.0 / (v0 - x), e, par)[1] * x) < 1e-6
+
+
+def _reach(par, ahead: Initial) -> float:
+    """The upstream sound speed, m/s, or 90 % of the particle velocity at which the Hugoniot ends if that is less."""
+    speed = _sound_speed_ahead(par, ahead)
+    v0, least, most = _interval(par, ahead)
+    target = speed / 0.9
+    guess = max(jump.first_guess(jump.BY_PARTICLE_VELOCITY, target, v0, ahead.pressure, speed), _crushed(par, ahead, v0))
+    with np.errstate(all="ignore"):
+        try:
+            status, *_ = jump.shocked(jump.BY_PARTICLE_VELOCITY, target, guess, least, most, v0, ahead.pressure,
+                                      ahead.energy + ahead.heat, par)
+        except ArithmeticError:  # a pole of the law
+            status = jump.BEYOND_LIMIT
+    return speed if status == jump.FOUND else min(speed, 0.9 * limit(par, ahead).particle_velocity)
 
 
 def _still(mode, targets, ahead: Initial):

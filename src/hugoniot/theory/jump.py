@@ -18,12 +18,13 @@ Source: 001 (KB codes) eqs 2.7 to 2.13 with the energy sign corrected (K-E1), 4.
 
 import math
 
-from hugoniot.laws.eos.contract import pressure, pressure_derivatives
+from hugoniot.laws.eos.contract import pressure, pressure_and_derivatives, pressure_derivatives
 
 BY_PRESSURE, BY_PARTICLE_VELOCITY, BY_SHOCK_VELOCITY, BY_DENSITY = 0, 1, 2, 3
 FOUND, NOT_COMPRESSIVE, BELOW_SOUND_SPEED, BEYOND_LIMIT, NOT_CONVERGED = 0, 1, 2, 3, 4
 _TRIES = 200
 _EPSILON = 4.5e-16
+_CLOSE = 1e-10  # a Newton step of this relative size leaves an error of its square: at round-off, halving brackets would only lose the root
 
 
 def line(mode, target, x, p0, e0):
@@ -45,8 +46,17 @@ def misfit(mode, target, x, v0, p0, e0, par):
     """(g, dg/dx): by how much the law's pressure exceeds the line's at x, Pa, and its slope."""
     p, e, p_x, e_x = line(mode, target, x, p0, e0)
     rho = 1.0 / (v0 - x)
-    p_rho, p_e = pressure_derivatives(rho, e, par)
-    return pressure(rho, e, par) - p, rho * rho * p_rho + p_e * e_x - p_x
+    found, p_rho, p_e = pressure_and_derivatives(rho, e, par)
+    return found - p, rho * rho * p_rho + p_e * e_x - p_x
+
+
+def beyond_stability(mode, target, x, v0, p0, e0, par):
+    """Whether x lies beyond Segletes' limit (003 A-5), 1 - (dp/de) x/2 = 0, at which the Hugoniot stands upright and ends.
+
+    Past it the misfit has changed its sign once more without meeting a root.
+    """
+    _, e, _, _ = line(mode, target, x, p0, e0)
+    return 0.5 * pressure_derivatives(1.0 / (v0 - x), e, par)[1] * x >= 1.0
 
 
 def bracket(mode, target, guess, least, most, v0, p0, e0, par):
@@ -62,6 +72,9 @@ def bracket(mode, target, guess, least, most, v0, p0, e0, par):
                 return BEYOND_LIMIT, low, high
             x = min(1.5 * x - 0.5 * least, 0.5 * (x + most))
             g, _ = misfit(mode, target, x, v0, p0, e0, par)
+            if g < 0.0 and beyond_stability(mode, target, x, v0, p0, e0, par) and not beyond_stability(mode, target, low, v0, p0, e0, par):
+                most, x, g = x, low, -1.0  # the root was leapt over: nearer
+                continue
             if not g < 0.0:
                 return (FOUND if math.isfinite(g) else BEYOND_LIMIT), low, x
         elif g >= 0.0:
@@ -103,6 +116,8 @@ def polish(mode, target, low, high, v0, p0, e0, par):
         else:
             high = x
         step = -g / slope if slope > 0.0 else high - low
+        if abs(step) <= _CLOSE * abs(x):
+            return FOUND, x + step
         if not (low < x + step < high) or abs(step) > 0.6 * previous:
             step = 0.5 * (low + high) - x
         previous = abs(step)

@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 
 from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.eos.mie_gruneisen_cold import MieGruneisenCold
+from hugoniot.laws.eos.mie_gruneisen_linear_gamma import MieGruneisenLinearGamma
 from hugoniot.theory import hugoniot as h
 from hugoniot.theory.hugoniot import Initial, curve, entropy_rise, limit, rayleigh_line, residual, shock
 
@@ -142,6 +144,29 @@ def test_segletes_limit():
     """Gamma0 > 2 s: the Hugoniot factor 1 - Gamma0 eta/2 vanishes before the pole, at eta = 2/Gamma0 (003 A-5)."""
     law = MieGruneisen(8930.0, 3940.0, 1.0, 3.0)
     assert limit(law).density == pytest.approx(3 * 8930.0, rel=1e-6)
+
+
+@pytest.mark.parametrize("count", [150, pytest.param(600, marks=pytest.mark.slow)])
+def test_no_hole_below_the_limit_of_a_solid_whose_gamma_rises(count):
+    """Past Segletes' limit the misfit changes its sign again: a search that leaps over both must turn back, plain and compiled."""
+    law = MieGruneisenLinearGamma(2703.0, 5240.0, 1.4, 1.97, 0.48)
+    up = np.linspace(100.0, 62e3, count)
+    found = shock(law, particle_velocity=up)
+    assert found.shock_velocity == pytest.approx(5240.0 + 1.4 * up, rel=1e-9)
+    assert residual(law, Initial.at_rest(law), found).max() < 1e-12
+
+
+def test_a_hugoniot_of_finite_pressure_ends_upright_at_segletes_limit():
+    """Steinberg's lead: 1 - eta (Gamma0 + b mu)/2 = 0 at finite pressure on its fit; there any higher pressure meets law and jump."""
+    law = EOS.get("mie_gruneisen_cubic").example
+    mu = (2.0 - law.gamma0 + math.sqrt((2.0 - law.gamma0) ** 2 + 8.0 * law.gamma_slope)) / (2.0 * law.gamma_slope)  # eta (Gamma0 + b mu) = 2
+    end = limit(law)
+    assert end.density == pytest.approx(law.rho0 * (1.0 + mu), rel=1e-9)
+    assert end.particle_velocity == math.inf and end.pressure == math.inf
+    beyond = shock(law, particle_velocity=40e3)
+    assert beyond.density == pytest.approx(end.density, rel=1e-9)
+    assert residual(law, Initial.at_rest(law), beyond) < 1e-12
+    assert curve(law, points=5).particle_velocity[-1] == pytest.approx(law.c0)
 
 
 @pytest.mark.parametrize(("c0", "s", "end"), [(121.0, 0.9736, 4583.33), (1070.0, 0.4045, 1796.81)])

@@ -14,6 +14,7 @@ and, where its theory has them in closed form,
     density_limits(par)                   (lowest, highest) density at which the law is defined
     particle_velocity_limit(par)          largest particle velocity the law's Hugoniot fit can answer, m/s
     energy_limits(rho, par)               (lowest, highest) energy at a density at which the law is defined (tables)
+    pressure_and_derivatives(rho, e, par) (p, dp/drho, dp/de) at once, for laws that search; all others have it from the first two
 
 Kernels do not check states; `check_state` does, for callers at the surface.
 
@@ -26,10 +27,18 @@ from hugoniot.core.ops import vsqrt
 from hugoniot.core.registry import Registry
 from hugoniot.errors import OutOfRange
 
+
+def both_apart(rho, e, par):
+    """(p, dp/drho at e, dp/de at rho) from the two functions every law gives."""
+    p_rho, p_e = pressure_derivatives(rho, e, par)
+    return pressure(rho, e, par), p_rho, p_e
+
+
 EOS = Registry(
     "eos",
     contract=("pressure", "pressure_derivatives", "reference_state", "density_limits"),
     optional=("temperature", "entropy", "energy", "specific_heat", "particle_velocity_limit", "energy_limits"),
+    derived={"pressure_and_derivatives": both_apart},
 )
 
 
@@ -41,6 +50,11 @@ def pressure(rho, e, par):
 def pressure_derivatives(rho, e, par):
     """(dp/drho at constant e, Pa m3/kg; dp/de at constant rho, Pa kg/J)."""
     return EOS.of(par).functions["pressure_derivatives"](rho, e, par)
+
+
+def pressure_and_derivatives(rho, e, par):
+    """(p, dp/drho at constant e, dp/de at constant rho): one search where a law has to search for its pressure."""
+    return EOS.of(par).functions["pressure_and_derivatives"](rho, e, par)
 
 
 def temperature(rho, e, par):
@@ -74,7 +88,8 @@ def density_limits(par):
 
 
 GENERICS = {
-    "pressure": pressure, "pressure_derivatives": pressure_derivatives, "temperature": temperature,
+    "pressure": pressure, "pressure_derivatives": pressure_derivatives, "pressure_and_derivatives": pressure_and_derivatives,
+    "temperature": temperature,
     "entropy": entropy, "energy": energy, "specific_heat": specific_heat, "reference_state": reference_state,
 }
 
@@ -82,8 +97,8 @@ GENERICS = {
 # -- derived once for all laws -----------------------------------------------------------------------------------
 def sound_speed_squared(rho, e, par):
     """c^2 = dp/drho|_e + p dp/de|_rho / rho^2, m2/s2 (negative where the state is unstable)."""
-    p_rho, p_e = pressure_derivatives(rho, e, par)
-    return p_rho + pressure(rho, e, par) * p_e / (rho * rho)
+    p, p_rho, p_e = pressure_and_derivatives(rho, e, par)
+    return p_rho + p * p_e / (rho * rho)
 
 
 def sound_speed(rho, e, par):

@@ -87,7 +87,8 @@ def pressure(rho, e, par):
     return base_pressure(solid, e, par.base) * rho / solid
 
 
-def pressure_derivatives(rho, e, par):
+def pressure_and_derivatives(rho, e, par):
+    """One search serves the pressure and its slopes."""
     solid = _solid_density(rho, e, par)
     p = base_pressure(solid, e, par.base)
     p_rho, p_e = base_derivatives(solid, e, par.base)
@@ -97,7 +98,12 @@ def pressure_derivatives(rho, e, par):
     bend = 1.0 - rho * slope * p_solid
     solid_rho = (alpha + rho * slope * p / solid) / bend
     solid_e = rho * slope * p_e * ratio / bend
-    return p / solid + p_solid * solid_rho, p_e * ratio + p_solid * solid_e
+    return p * ratio, p / solid + p_solid * solid_rho, p_e * ratio + p_solid * solid_e
+
+
+def pressure_derivatives(rho, e, par):
+    _, p_rho, p_e = pressure_and_derivatives(rho, e, par)
+    return p_rho, p_e
 
 
 def temperature(rho, e, par):
@@ -129,7 +135,7 @@ def build(base, alpha0, elastic_pressure, compaction_pressure):
 
 EOS.add(
     "p_alpha", PAlpha,
-    functions=[pressure, pressure_derivatives, temperature, specific_heat, reference_state, density_limits],
+    functions=[pressure, pressure_derivatives, pressure_and_derivatives, temperature, specific_heat, reference_state, density_limits],
     example=PAlpha(MieGruneisen(2700.0, 5350.0, 1.34, 2.0, 863.0), 1.275, 0.08e9, 0.7e9),
     build=build,
     units={"base": "law", "alpha0": "1", "elastic_pressure": "Pa", "compaction_pressure": "Pa"},

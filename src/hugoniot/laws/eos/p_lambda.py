@@ -113,15 +113,21 @@ def pressure(rho, e, par):
     return base_pressure(_solid_density(rho, e, par), e, par.base)
 
 
-def pressure_derivatives(rho, e, par):
+def pressure_and_derivatives(rho, e, par):
+    """One search serves the pressure and its slopes."""
     if rho <= par.rho_porous:
-        return par.matrix_modulus * par.rho_porous / (rho * rho), 0.0
+        return par.matrix_modulus * (1.0 - par.rho_porous / rho), par.matrix_modulus * par.rho_porous / (rho * rho), 0.0
     solid = _solid_density(rho, e, par)
     p = base_pressure(solid, e, par.base)
     p_rho, p_e = base_derivatives(solid, e, par.base)
     _, slope, share = _mixture(p, solid, par)
     bend = slope * p_rho - share / (solid * solid)
-    return -p_rho / (rho * rho * bend), -p_e * share / (solid * solid * bend)
+    return p, -p_rho / (rho * rho * bend), -p_e * share / (solid * solid * bend)
+
+
+def pressure_derivatives(rho, e, par):
+    _, p_rho, p_e = pressure_and_derivatives(rho, e, par)
+    return p_rho, p_e
 
 
 def _inner_density(rho, e, par):
@@ -156,7 +162,7 @@ def build(base, rho_porous, matrix_modulus, crush_strength, exponent=1.0):
 
 EOS.add(
     "p_lambda", PLambda,
-    functions=[pressure, pressure_derivatives, temperature, specific_heat, reference_state, density_limits],
+    functions=[pressure, pressure_derivatives, pressure_and_derivatives, temperature, specific_heat, reference_state, density_limits],
     example=PLambda(MieGruneisen(2700.0, 5350.0, 1.34, 2.0, 863.0), 2100.0, 25e9, 0.4e9, 1.2),
     build=build,
     units={"base": "law", "rho_porous": "kg/m^3", "matrix_modulus": "Pa", "crush_strength": "Pa", "exponent": "1"},
