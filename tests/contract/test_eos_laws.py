@@ -80,6 +80,20 @@ def test_temperature_and_entropy_obey_the_first_law(law):
     assert checked > 100
 
 
+@pytest.mark.parametrize("law", [law for law in LAWS if gives(law.example, "reference_isentrope")], ids=lambda law: law.name)
+def test_the_reference_isentrope_is_one_and_energies_beside_it_grow_as_the_law_says(law):
+    """de_S/drho = p(rho, e_S)/rho^2 and d ln phi/drho = p_e/rho^2: any e_S + constant phi is then an isentrope of a law linear in e."""
+    par = law.example
+    assert "linear_in_energy" in law.flags
+    for rho, _ in states(law, 500):
+        energy, growth = law.functions["reference_isentrope"](Dual(rho, 1.0, 0.0), par)
+        p = law.functions["pressure"](rho, float(value(energy)), par)
+        p_e = law.functions["pressure_derivatives"](rho, float(value(energy)), par)[1]
+        scale = abs(law.functions["pressure"](rho, 1e6, par)) / rho**2     # pressures may cancel to almost nothing
+        assert slopes(energy)[0] == pytest.approx(p / rho**2, rel=1e-10, abs=1e-12 * scale)
+        assert slopes(growth)[0] == pytest.approx(p_e / rho**2, rel=1e-10)
+
+
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: law.name)
 def test_reference_state_is_at_rest(law):
     rho, e = law.functions["reference_state"](law.example)

@@ -15,6 +15,8 @@ and, where its theory has them in closed form,
     particle_velocity_limit(par)          largest particle velocity the law's Hugoniot fit can answer, m/s
     energy_limits(rho, par)               (lowest, highest) energy at a density at which the law is defined (tables)
     pressure_and_derivatives(rho, e, par) (p, dp/drho, dp/de) at once, for laws that search; all others have it from the first two
+    reference_isentrope(rho, par)         (e_S, ln phi): one isentrope, and the growth phi of energies beside it, of laws that are linear in
+                                          the energy: all isentropes are e_S + constant phi, with d ln phi / d ln rho = Gamma
 
 Kernels do not check states; `check_state` does, for callers at the surface.
 
@@ -37,7 +39,8 @@ def both_apart(rho, e, par):
 EOS = Registry(
     "eos",
     contract=("pressure", "pressure_derivatives", "reference_state", "density_limits"),
-    optional=("temperature", "entropy", "energy", "specific_heat", "particle_velocity_limit", "energy_limits"),
+    optional=("temperature", "entropy", "energy", "specific_heat", "particle_velocity_limit", "energy_limits",
+              "reference_isentrope"),
     derived={"pressure_and_derivatives": both_apart},
 )
 
@@ -87,10 +90,16 @@ def density_limits(par):
     return EOS.of(par).functions["density_limits"](par)
 
 
+def reference_isentrope(rho, par):
+    """(e_S, J/kg; ln phi) of laws whose isentropes are known in closed form."""
+    return EOS.of(par).functions["reference_isentrope"](rho, par)
+
+
 GENERICS = {
     "pressure": pressure, "pressure_derivatives": pressure_derivatives, "pressure_and_derivatives": pressure_and_derivatives,
     "temperature": temperature,
     "entropy": entropy, "energy": energy, "specific_heat": specific_heat, "reference_state": reference_state,
+    "reference_isentrope": reference_isentrope,
 }
 
 

@@ -84,6 +84,11 @@ def entropy(rho, e, par):
     return par.specific_heat * (vlog(temperature(rho, e, par)) - _log_heating(u, log_d, par))
 
 
+def reference_isentrope(rho, par):
+    u, log_d, _ = _shape(rho, par)
+    return _energy_isentrope(u, log_d, par), _log_heating(u, log_d, par)
+
+
 def reference_state(par):
     """The products at the density and energy of the explosive (constant-volume explosion)."""
     return par.rho0, par.e0
@@ -95,7 +100,8 @@ def density_limits(par):
 
 EOS.add(
     "davis_products", DavisProducts,
-    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits],
+    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits,
+               reference_isentrope],
     example=DavisProducts(0.798311, 0.58, 1.35, 2.66182, 0.75419e-3, 3.2e9, 1890.0, 4.115e6, 1072.0),
     units={"a": "1", "b": "1", "k": "1", "n": "1", "vc": "m^3/kg", "pc": "Pa", "rho0": "kg/m^3", "e0": "J/kg", "specific_heat": "J/kg/K"},
     meaning={"a": "strength of the transition", "b": "share of the transition left out of Gamma", "k": "adiabatic exponent at large volume",

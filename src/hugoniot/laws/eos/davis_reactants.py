@@ -74,9 +74,20 @@ def energy(rho, p, par):
     return par.e0 + e_s + (p - par.rho0 * p_s) / (rho * (par.gamma0 + _z(y, par) * y))
 
 
-def _temperature_isentrope(y, par):
+def _log_heating(y, par):
+    """ln(T_s/T_0)."""
     z = _z(y, par)
-    return par.reference_temperature * vexp(-(par.gamma0 + z) * vlog(1.0 - y) - z * y)
+    return -(par.gamma0 + z) * vlog(1.0 - y) - z * y
+
+
+def reference_isentrope(rho, par):
+    """The principal isentrope."""
+    y = 1.0 - par.rho0 / rho
+    return par.e0 + _isentrope(y, par)[1], _log_heating(y, par)
+
+
+def _temperature_isentrope(y, par):
+    return par.reference_temperature * vexp(_log_heating(y, par))
 
 
 def temperature(rho, e, par):
@@ -113,7 +124,8 @@ def density_limits(par):
 
 EOS.add(
     "davis_reactants", DavisReactants,
-    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits],
+    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits,
+               reference_isentrope],
     example=DavisReactants(1890.0, 1800.0, 4.6, 0.34, 0.56, 0.0, 0.4265, 4.115e6, 1074.0, 297.0),
     units={"rho0": "kg/m^3", "a": "m/s", "b": "1", "c": "1", "gamma0": "1", "z": "1", "alpha": "1", "e0": "J/kg",
            "specific_heat": "J/kg/K", "reference_temperature": "K"},

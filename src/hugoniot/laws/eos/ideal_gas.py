@@ -41,6 +41,11 @@ def entropy(rho, e, par):
     return par.specific_heat * (vlog(e) - (par.gamma - 1.0) * vlog(rho))
 
 
+def reference_isentrope(rho, par):
+    """The state without energy; energies grow as rho^(gamma - 1)."""
+    return 0.0, (par.gamma - 1.0) * vlog(rho)
+
+
 def reference_state(par):
     """A gas has no rest state of its own: standard temperature at its nominal density."""
     return par.rho0, par.specific_heat * 298.15
@@ -52,7 +57,8 @@ def density_limits(par):
 
 EOS.add(
     "ideal_gas", IdealGas,
-    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits],
+    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits,
+               reference_isentrope],
     example=IdealGas(1.4),
     units={"gamma": "1", "specific_heat": "J/kg/K", "rho0": "kg/m^3"},
     meaning={"gamma": "ratio of specific heats", "specific_heat": "specific heat at constant volume",

@@ -51,11 +51,16 @@ def energy(rho, p, par):
     return (p - pressure(rho, 0.0, par)) / (par.omega * rho)
 
 
+def reference_isentrope(rho, par):
+    """The exponential terms alone (003 A-9.2); energies beside them grow as V^-omega."""
+    v = par.rho0 / rho
+    return (par.a / par.r1 * vexp(-par.r1 * v) + par.b / par.r2 * vexp(-par.r2 * v)) / par.rho0, -par.omega * vlog(v)
+
+
 def cold_energy(rho, par):
     """Energy on the isentrope of zero temperature, J/kg."""
-    v = par.rho0 / rho
-    thermal = par.cold_constant * vexp(-par.omega * vlog(v))
-    return (par.a / par.r1 * vexp(-par.r1 * v) + par.b / par.r2 * vexp(-par.r2 * v)) / par.rho0 + thermal
+    energy_s, growth = reference_isentrope(rho, par)
+    return energy_s + par.cold_constant * vexp(growth)
 
 
 def temperature(rho, e, par):
@@ -82,7 +87,8 @@ def density_limits(par):
 
 EOS.add(
     "jwl", JWL,
-    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits],
+    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits,
+               reference_isentrope],
     example=JWL(371.2e9, 3.231e9, 4.15, 0.95, 0.3, 1630.0, 7.0e9, 613.5),
     units={"a": "Pa", "b": "Pa", "r1": "1", "r2": "1", "omega": "1", "rho0": "kg/m^3", "e0": "J/m^3", "specific_heat": "J/kg/K",
            "cold_constant": "J/kg"},

@@ -30,19 +30,15 @@ class JWLUnreacted(NamedTuple):
     reference_temperature: float = 298.15
 
 
-def _h(v, par):
-    return (par.a / par.r1 * vexp(-par.r1 * v) + par.b / par.r2 * vexp(-par.r2 * v)) / par.rho0
-
-
 def _rest_energy(par):
     first, second = par.a * vexp(-par.r1), par.b * vexp(-par.r2)
     return -(first * (1.0 - par.omega / par.r1) + second * (1.0 - par.omega / par.r2)) / (par.omega * par.rho0)
 
 
 def temperature(rho, e, par):
-    v = par.rho0 / rho
-    growth = vexp(-par.omega * vlog(v))
-    e_s = _h(v, par) + (_rest_energy(par) - _h(1.0, par)) * growth
+    energy_s, logarithm = jwl.reference_isentrope(rho, par)
+    growth = vexp(logarithm)
+    e_s = energy_s + (_rest_energy(par) - jwl.reference_isentrope(par.rho0, par)[0]) * growth
     return par.reference_temperature * growth + (e - e_s) / par.specific_heat
 
 
@@ -65,7 +61,8 @@ def density_limits(par):
 
 EOS.add(
     "jwl_unreacted", JWLUnreacted,
-    functions=[jwl.pressure, jwl.pressure_derivatives, jwl.energy, temperature, specific_heat, entropy, reference_state, density_limits],
+    functions=[jwl.pressure, jwl.pressure_derivatives, jwl.energy, temperature, specific_heat, entropy, reference_state, density_limits,
+               jwl.reference_isentrope],
     example=JWLUnreacted(77810e9, -5.031e9, 11.3, 1.13, 0.8938, 1905.0, 1305.5),
     units={"a": "Pa", "b": "Pa", "r1": "1", "r2": "1", "omega": "1", "rho0": "kg/m^3", "specific_heat": "J/kg/K",
            "reference_temperature": "K"},

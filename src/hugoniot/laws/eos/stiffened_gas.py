@@ -48,6 +48,11 @@ def entropy(rho, e, par):
     return par.specific_heat * (vlog((e - par.p_infinity / rho) / thermal) - (par.gamma - 1.0) * vlog(rho / par.rho0))
 
 
+def reference_isentrope(rho, par):
+    """The one at zero temperature (003 A-8: de = P dv at p = -P)."""
+    return par.p_infinity / rho, (par.gamma - 1.0) * vlog(rho / par.rho0)
+
+
 def reference_state(par):
     """Zero pressure at the nominal density."""
     return par.rho0, par.gamma * par.p_infinity / ((par.gamma - 1.0) * par.rho0)
@@ -59,7 +64,8 @@ def density_limits(par):
 
 EOS.add(
     "stiffened_gas", StiffenedGas,
-    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits],
+    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits,
+               reference_isentrope],
     example=StiffenedGas(4.4, 6e8, 1000.0, 1400.0),
     units={"gamma": "1", "p_infinity": "Pa", "rho0": "kg/m^3", "specific_heat": "J/kg/K"},
     meaning={"gamma": "exponent", "p_infinity": "internal pressure P (positive)", "rho0": "density at rest, zero pressure",

@@ -1,6 +1,21 @@
 """Lets kernels call the mixture laws: one call for whoever compiles sweeps over burning zones."""
 
 
+from hugoniot.laws.mixture.isentrope import marched_energy
+
+
+def _yes(par):
+    return True
+
+
+def _no(par):
+    return False
+
+
+def _by_march(v0, e0, v1, par):
+    return marched_energy(v0, e0, v1, par)
+
+
 def bind_mixtures() -> None:
     """Bind every mixture law, the equations of state beneath them and the generic functions of both contracts.
 
@@ -14,8 +29,14 @@ def bind_mixtures() -> None:
     compiler.bind_family(eos_contract.EOS, eos_contract.GENERICS)
     compiler.bind_module(eos_contract)
     search = dict(fastmath=False, error_model="numpy")
-    for function in (isentrope.stride, isentrope.isentrope_energy, isolated.solve, isolated.equilibrate, equilibrium.share_energy,
+    for function in (isentrope.stride, isentrope.marched_energy, isolated.solve, isolated.equilibrate, equilibrium.share_energy,
                      equilibrium.solve, equilibrium.equilibrate):
         compiler.bind(function, **search)
+
+    def knows(*classes):
+        return "reference_isentrope" in eos_contract.EOS.of_class(classes[-1]).functions
+
+    compiler.bind_choice(isentrope.knows_isentropes, lambda *classes: _yes if knows(*classes) else _no)
+    compiler.bind_choice(isentrope.isentrope_energy, lambda *classes: isentrope.closed_energy if knows(*classes) else _by_march)
     compiler.bind_family(contract.MIXTURE, contract.GENERICS)
     compiler.bind_module(contract)

@@ -17,12 +17,12 @@ Source: 003 (Starkenberg ARL-TR-2161) sections 5.1 to 5.9 and appendix B-2 with 
 
 from typing import NamedTuple
 
-from hugoniot.core.ops import fmax, fmin
+from hugoniot.core.ops import NO_LIMIT, fmax, fmin
 from hugoniot.laws.eos.contract import pressure, specific_heat, temperature
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.mixture import contract
 from hugoniot.laws.mixture.contract import MIXTURE, Mixed, PhaseSlopes, Slopes, impedance_squared, volume_slopes
-from hugoniot.laws.mixture.isentrope import isentrope_energy
+from hugoniot.laws.mixture.isentrope import isentrope_energy, knows_isentropes
 
 ITERATIONS = 100
 # While the reactant's volume differs from the mixture's by less than NEAR, the expansion of its isentrope to second order replaces the
@@ -31,7 +31,8 @@ NEAR = 1e-6
 # A phase of less than this mass fraction is left out by `solve`: it changes the pressure by about 1e-8 of itself, and its energy is the
 # difference of nearly equal numbers (only reactants in tension would notice the bubbles).
 NASCENT = 1e-8
-CLOSE = 1e-8
+CLOSE = 1e-8         # step from which the search ends, relative
+CLOSE_PAIR = 4e-9    # product of two steps from which it ends
 
 
 class ThermalIsolation(NamedTuple):
@@ -52,8 +53,8 @@ def solve(rho, e, burn_fraction, before, par):
     return equilibrate(rho, e, burn_fraction, before, par)
 
 
-def reactant(v, e, lam, w, v_r, e_r, vanishing, par):
-    """(p, i^2, thermal energy, z) of the reactant at v + lambda w, on the isentrope through (v_r, e_r), or through (v, e - Q)."""
+def reactant(v, e, lam, w, v_k, e_k, vanishing, par):
+    """(p, i^2, thermal energy, z) of the reactant at v + lambda w, on the isentrope through (v_k, e_k), or through (v, e - Q)."""
     q = par.detonation_energy
     if vanishing and abs(lam * w) < NEAR * v:
         p = pressure(1.0 / v, e - q, par.reactants)
@@ -61,8 +62,17 @@ def reactant(v, e, lam, w, v_r, e_r, vanishing, par):
         z = -w * (p - 0.5 * i_r * lam * w)
         return p - i_r * lam * w, i_r, e - q + lam * z, z
     there = 1.0 / (v + lam * w)
-    e_r = isentrope_energy(v_r, e_r, v + lam * w, par.reactants)
+    e_r = isentrope_energy(v_k, e_k, v + lam * w, par.reactants)
     return pressure(there, e_r, par.reactants), impedance_squared(there, e_r, par.reactants), e_r, (e_r + q - e) / lam
+
+
+def inverse_cubic(excess, decline, moved, excess_0, decline_0):
+    """Way from a trial w to the root of F: w as a cubic of F through this trial and the one before, `moved` behind, and both slopes."""
+    between = excess_0 - excess
+    chord = -moved / between
+    bend = (chord + 1.0 / decline) / between
+    twist = ((-1.0 / decline_0 - chord) / between - bend) / between
+    return excess / decline + excess * excess * (bend - excess_0 * twist)
 
 
 def equilibrate(rho, e, burn_fraction, before, par):
@@ -70,8 +80,8 @@ def equilibrate(rho, e, burn_fraction, before, par):
     v, lam, rest = 1.0 / rho, burn_fraction, 1.0 - burn_fraction
     q = par.detonation_energy
     vanishing = lam < par.nascent_limit
-    v_r = v if vanishing else 1.0 / before.rho_r
-    e_r = e - q if vanishing else before.e_r - q
+    v_r = v_k = v if vanishing else 1.0 / before.rho_r
+    e_r = e_k = e - q if vanishing else before.e_r - q
     w = v_r - 1.0 / before.rho_p if before.rho_p > 0.0 else 0.0
     low = -(v - 1.0 / par.reactant_density_limit) / fmax(lam, 1e-12)
     high = fmin((v - 1.0 / par.product_density_limit) / fmax(rest, 1e-12), 1e6 * v)
@@ -79,9 +89,12 @@ def equilibrate(rho, e, burn_fraction, before, par):
         w = 0.0
     status = contract.NOT_CONVERGED
     p = v_p = e_p = 0.0
+    w_0, excess_0, decline_0, i_r0, step_0 = w, 0.0, 1.0, 0.0, NO_LIMIT     # of the trial before
     for _ in range(ITERATIONS):
-        p, i_r, e_r, z = reactant(v, e, lam, w, v_r, e_r, vanishing, par)
+        p, i_r, e_r, z = reactant(v, e, lam, w, v_k, e_k, vanishing, par)
         v_r = v + lam * w
+        if not knows_isentropes(par.reactants):   # a march is the shorter the nearer it starts
+            v_k, e_k = v_r, e_r
         v_p = v - rest * w
         e_p = e - rest * z
         p_v, p_e = volume_slopes(1.0 / v_p, e_p, par.products)
@@ -93,13 +106,19 @@ def equilibrate(rho, e, burn_fraction, before, par):
         else:
             high = w
         step = excess / decline if decline > 0.0 else 0.5 * (low + high) - w
-        if decline > 0.0 and abs(step) <= CLOSE * (v + abs(w)):
-            # one last Newton step, linear in the unknown: what it leaves out is of order CLOSE squared
+        scale = v + abs(w)
+        if decline > 0.0 and (abs(step) <= CLOSE * scale or abs(step * step_0) <= CLOSE_PAIR * scale * scale):
+            # The last step: Newton's when it is short, else along the cubic through both trials and their slopes. What is left is of
+            # the order of CLOSE squared, CLOSE_PAIR squared.
+            curvature = 0.0
+            if abs(step) > CLOSE * scale:
+                step = inverse_cubic(excess, decline, w - w_0, excess_0, decline_0)
+                curvature = (i_r - i_r0) / (w - w_0)
             e_r = e_r - lam * step * (p - 0.5 * i_r * lam * step)
             v_r = v_r + lam * step
             v_p = v_p - rest * step
-            e_p = e_p + rest * step * p
-            p = p - i_r * lam * step
+            e_p = e_p + rest * step * (p - 0.5 * lam * i_r * step)
+            p = p - lam * step * (i_r + 0.5 * curvature * step)
             status = contract.CONVERGED if i_r > 0.0 and i_p > 0.0 else contract.UNSTABLE
             break
         # no step may compress a phase by more than a third; products may expand fourfold
@@ -111,6 +130,7 @@ def equilibrate(rho, e, burn_fraction, before, par):
         if abs(target - w) <= 1e-15 * (v + abs(w)):
             status = contract.NO_BRACKET
             break
+        w_0, excess_0, decline_0, i_r0, step_0 = w, excess, decline, i_r, step if decline > 0.0 else NO_LIMIT
         w = target
     return Mixed(p, 1.0 / v_r, e_r + q, 1.0 / v_p, e_p, status)
 
