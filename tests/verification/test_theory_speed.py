@@ -9,8 +9,10 @@ import pytest
 
 import hugoniot.laws.eos  # noqa: F401  (enrols the laws)
 from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.jwl import JWL
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
-from hugoniot.theory.hugoniot import curve
+from hugoniot.theory.hugoniot import curve, shock
+from hugoniot.theory.mixture import mixture, solve
 
 COPPER = MieGruneisen(8930.0, 3940.0, 1.489, 1.99, 390.0)
 
@@ -37,6 +39,24 @@ def test_a_thousand_points_of_every_law(name):
         curve(par, points=1000)
         walls.append(time.perf_counter() - start)
     assert min(walls) < 0.010
+
+
+@pytest.mark.slow
+def test_two_million_cold_mixtures_a_second():
+    """Two JWL phases in thermal isolation, each state from the shocked reactant alone; processor time of this thread."""
+    products = JWL(1.36177e12, 7.199e10, 6.2, 2.2, 0.5, 1895.0, 6.9e9, 1.0e6 / 1895.0)
+    unreacted = JWL(7.781e13, -5.031e9, 11.3, 1.13, 0.8938, 1895.0, 0.0, 2.487e6 / 1895.0)
+    par = mixture("thermal_isolation", unreacted, products)
+    ahead = shock(unreacted, pressure=30e9)
+    q, count, rng = par.detonation_energy, 20_000, np.random.default_rng(3)
+    burnt, rho = rng.uniform(0.05, 0.95, count), ahead.density * rng.uniform(0.9, 1.0, count)
+    e = ahead.specific_internal_energy + q * rng.uniform(0.95, 1.05, count)
+    walls = []
+    for _ in range(40):
+        start = time.thread_time()
+        solve(rho, e, burnt, par, (ahead.density, ahead.specific_internal_energy + q))
+        walls.append(time.thread_time() - start)
+    assert count / min(walls) > 2e6
 
 
 def test_match_loads_neither_compiler_nor_scipy():

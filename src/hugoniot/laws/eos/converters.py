@@ -15,11 +15,12 @@ from hugoniot.laws.eos.herrmann_series import HerrmannSeries
 
 
 class HugoniotSeries(NamedTuple):
-    """k0' (Pa), k1', k2' of C.4."""
+    """k0' (Pa), k1', k2' of C.4, and k3', which the fits below leave at 0 (C.7: not to be retained)."""
 
     k0: float
     k1: float
     k2: float
+    k3: float = 0.0
 
 
 def from_linear(rho0: float, c0: float, s: float) -> HugoniotSeries:
@@ -52,15 +53,15 @@ def series(rho0, hugoniot: HugoniotSeries, gamma0, gammas=(0.0, 0.0, 0.0), speci
     """The law herrmann_series of a Hugoniot and a Grüneisen series (C.15, C.16).
 
     rho0 kg/m3; gamma0 and `gammas` = (gamma1, gamma2, gamma3) of C.13. h_n = 1 + gamma1 + ... + gamma_n is the series of
-    Gamma/(1 - eta), k_n = k_n' - (gamma0/2)(sum of h_i k_j', i + j = n - 1); k_3' is taken as 0, as C.16 needs no more.
+    Gamma/(1 - eta), k_n = k_n' - (gamma0/2)(sum of h_i k_j', i + j = n - 1).
     """
-    _, k1, k2 = hugoniot
+    _, k1, k2, k3 = hugoniot
     h1 = 1.0 + gammas[0]
     h2 = h1 + gammas[1]
     h3 = h2 + gammas[2]
     half = 0.5 * gamma0
-    return HerrmannSeries(rho0, hugoniot.k0, k1 - half, k2 - half * (h1 + k1), -half * (h2 + h1 * k1 + k2), rho0 * gamma0, h1, h2, h3,
-                          specific_heat, reference_temperature)
+    return HerrmannSeries(rho0, hugoniot.k0, k1 - half, k2 - half * (h1 + k1), k3 - half * (h2 + h1 * k1 + k2), rho0 * gamma0, h1, h2,
+                          h3, specific_heat, reference_temperature)
 
 
 def wilkins_cubic(rho0, c0, s, gamma0, specific_heat=math.nan, reference_temperature=298.15):
