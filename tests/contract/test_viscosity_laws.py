@@ -77,3 +77,8 @@ def test_kuropatenko_is_the_exact_pressure_jump_of_an_ideal_gas_shock(gamma):
     mu = (gamma - 1) / (gamma + 1)
     velocity = (behind - p) * math.sqrt((1 - mu) / (rho * (behind + mu * p)))
     assert velocity == pytest.approx(-du, rel=1e-12)
+
+
+def test_only_the_printed_form_of_the_kb_codes_acts_in_expansion():
+    assert [law.name for law in LAWS if "two_sided" in law.flags] == ["kb_two_sided"]
+    assert q(2700.0, 5300.0, 1e9, 210.0, 0.0, VISCOSITY.get("kb_two_sided").example) == pytest.approx(2700.0 * 210.0**2, rel=1e-14)

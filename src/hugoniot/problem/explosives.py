@@ -40,9 +40,12 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
     """(place in the deck, message, way out) of everything wrong with the explosives of a problem."""
     found: list[tuple[tuple, str, str]] = []
     explosive = [region for region in problem.regions if burns(problem, region)]
-    if explosive and problem.solver.integrator != "compatible":
-        found.append((("solver", "integrator"), f"region '{explosive[0].name}' burns, which the integrator '{problem.solver.integrator}' "
-                      "cannot", "take integrator = \"compatible\""))
+    gradual = [region for region in explosive if "instantaneous" not in BURN.of(problem.materials[region.material].burn).flags]
+    if gradual and problem.solver.integrator != "compatible":
+        law = BURN.of(problem.materials[gradual[0].material].burn).name
+        found.append((("solver", "integrator"), f"region '{gradual[0].name}' burns by the law '{law}', which the integrator "
+                      f"'{problem.solver.integrator}' cannot: it burns a zone at once, by the law threshold",
+                      "take integrator = \"compatible\""))
     for name in dict.fromkeys(region.material for region in explosive):
         try:
             burning.reactive(problem.materials[name])

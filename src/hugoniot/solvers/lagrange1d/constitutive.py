@@ -12,6 +12,7 @@ from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.laws.eos.contract import temperature
 from hugoniot.laws.fracture.contract import FRACTURE, tension_cap
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress
+from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.mesh.line import hoops
 
 TINY = 1e-300
@@ -54,6 +55,19 @@ def void_change(tension, stiffness, voids, density, fracture):
 def flow_beside_voids(flow, grown, density):
     """Plastic strain increment of the solid when part of the stretch, grown * density, was the opening of voids."""
     return fmax(flow - (2.0 / 3.0) * fmax(grown, 0.0) * density, 0.0)
+
+
+def resisted(du, growth, viscosity):
+    """The velocity jump an artificial viscosity resists: 0 unless the zone narrows and shrinks (`growth` < 0), but for two-sided laws."""
+    return both_ways(du, growth, viscosity) if "two_sided" in VISCOSITY.of(viscosity).flags else in_compression(du, growth, viscosity)
+
+
+def in_compression(du, growth, viscosity):
+    return fmin(du if growth < 0.0 else 0.0, 0.0)
+
+
+def both_ways(du, growth, viscosity):
+    return du
 
 
 def wave_speed(c2, noise):
@@ -136,5 +150,6 @@ def bind():
     bind_choice(strength_temperature, asks("needs_temperature", law_temperature, no_temperature))
     bind_choice(strain_rate, asks("needs_rate", equivalent_rate, no_rate))
     bind_choice(hardens, asks("hardens", yes, no))
+    bind_choice(resisted, lambda *classes: both_ways if "two_sided" in VISCOSITY.of_class(classes[-1]).flags else in_compression)
     bind_choice(grows_voids, lambda cls: yes if "voids" in FRACTURE.of_class(cls).flags else no)
     bind_module(sys.modules[__name__])

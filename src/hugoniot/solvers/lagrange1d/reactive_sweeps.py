@@ -23,7 +23,7 @@ from hugoniot.laws.mixture.contract import Mixed, heated, mixture_temperature, s
 from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.mesh.line import area, volume
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.constitutive import wave_speed
+from hugoniot.solvers.lagrange1d.constitutive import resisted, wave_speed
 
 SMALL = 1e-30
 BURNING = 0.99       # burn fraction up to which the time step follows the rate
@@ -118,11 +118,12 @@ def predict_burning(zones, nodes, gradient, first, last, segment, dt, law, rows,
         left, right = -g[j], -g[j + 2]
         smooth = fmax(0.0, fmin(fmin(0.5 * (left + right), steep), 2.0 * fmin(left, right)))
         psi = fmin(smooth / (fmax(steep, 0.0) + SMALL), 1.0)
-        speed = viscous_speed(rho, c[j], p, fmin(du, 0.0), psi, viscosity)
-        q = -rho * fmin(du, 0.0) * speed
+        squeeze = resisted(du, du, viscosity)
+        speed = viscous_speed(rho, c[j], p, squeeze, psi, viscosity)
+        q = -rho * squeeze * speed
         status[j] = mixed.status
         q_[j] = q
-        speed_out[j] = speed if du < 0.0 else 0.0
+        speed_out[j] = speed if squeeze != 0.0 else 0.0
         sigma_half[j] = p + q
 
 

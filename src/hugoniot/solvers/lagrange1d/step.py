@@ -83,10 +83,10 @@ def advance_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometr
     raise NotImplementedError("compiled only")
 
 
-def _over_runs(inert_sweep, burning_sweep, again):
+def _over_runs(inert_sweep, burning_module, burning_sweep, again):
     """The overload of a function over runs: every piece of the first kind that is in this share, then the other kinds.
 
-    burning_sweep   name in `reactive_sweeps` of the sweep for kinds whose first law is a `Reactive`, which is imported when one comes
+    burning_sweep   name in `burning_module`, which is imported when a kind comes whose first law is a `Reactive`
     """
     def nothing(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
         return None
@@ -108,14 +108,14 @@ def _over_runs(inert_sweep, burning_sweep, again):
             return nothing
         if kinds[0][0].instance_class is not Reactive:
             return over(inert_sweep)
-        return over(getattr(importlib.import_module("hugoniot.solvers.lagrange1d.reactive_sweeps"), burning_sweep))
+        return over(getattr(importlib.import_module("hugoniot.solvers.lagrange1d." + burning_module), burning_sweep))
 
     overload(again, jit_options=INLINE)(choose)
 
 
-_over_runs(predict, "predict_burning", predict_runs)
-_over_runs(correct, "correct_burning", correct_runs)
-_over_runs(advance, None, advance_runs)
+_over_runs(predict, "reactive_sweeps", "predict_burning", predict_runs)
+_over_runs(correct, "reactive_sweeps", "correct_burning", correct_runs)
+_over_runs(advance, "reactive_leapfrog", "advance_burning", advance_runs)
 
 
 # -- sharing the sweeps ------------------------------------------------------------------------------------------

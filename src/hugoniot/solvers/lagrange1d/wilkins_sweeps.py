@@ -8,7 +8,7 @@ elastic sound speed (W-E4).
 import numba as nb
 
 from hugoniot.core.compile import GUARD, SWEEP, bind_choice, parameters
-from hugoniot.core.ops import fmax, fmin, vsqrt
+from hugoniot.core.ops import fmax, vsqrt
 from hugoniot.laws.eos.contract import EOS, pressure, pressure_derivatives
 from hugoniot.laws.fracture.contract import damage_rate, failure
 from hugoniot.laws.strength.contract import shear_modulus
@@ -20,6 +20,7 @@ from hugoniot.solvers.lagrange1d.constitutive import (
     grows_voids,
     no,
     radial_return,
+    resisted,
     strain_rate,
     strength_temperature,
     trial_deviators,
@@ -144,8 +145,7 @@ def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         limit, flow = yield_at(von_mises(t1, t2, geometry), shear, (rho, p_[j], heat, pace), eps[j], strength)
         t1, t2 = radial_return(t1, t2, limit, geometry)
         work = v_half * 0.5 * ((t1 + s1[j]) * radial + hoops(geometry) * (t2 + s2[j]) * hoop)
-        squeeze = du if dv < 0.0 else 0.0
-        squeeze = fmin(squeeze, 0.0)
+        squeeze = resisted(du, dv, viscosity)
         # the P of a = sqrt(P/rho) is the one at the start of the step: q stands at n+1/2
         q = -rho_half * squeeze * viscous_speed(rho_half, c_[j], p_[j], squeeze, 0.0, viscosity)
         target = e_[j] + work - 0.5 * (p_[j] + q + q_[j]) * dv
@@ -172,7 +172,7 @@ def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
             energy -= 0.5 * relief * dv
             capped += 1.0 if relief > 0.0 else 0.0
         c2 = bulk2 + (4.0 / 3.0) * shear * v
-        b2 = 8.0 * (viscous_speed(rho, 0.0, 0.0, squeeze, 0.0, viscosity) - squeeze)
+        b2 = 8.0 * (viscous_speed(rho, 0.0, 0.0, squeeze, 0.0, viscosity) + fmax(squeeze, -squeeze))
         fastest = fmax(fastest, (fmax(c2, 0.0) + b2 * b2) / (dr * dr))
         worst = fmax(worst, ratio)
         rho_[j] = 1.0 / v

@@ -20,6 +20,7 @@ from hugoniot.solvers.lagrange1d.constitutive import (
     flow_beside_voids,
     grows_voids,
     radial_return,
+    resisted,
     strain_rate,
     strength_temperature,
     trial_deviators,
@@ -82,10 +83,11 @@ def predict(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         left, right = -g[j], -g[j + 2]
         smooth = fmax(0.0, fmin(fmin(0.5 * (left + right), steep), 2.0 * fmin(left, right)))
         psi = fmin(smooth / (fmax(steep, 0.0) + SMALL), 1.0)
-        speed = viscous_speed(rho, c[j], p, fmin(du, 0.0), psi, viscosity)
-        q = -rho * fmin(du, 0.0) * speed
+        squeeze = resisted(du, du, viscosity)
+        speed = viscous_speed(rho, c[j], p, squeeze, psi, viscosity)
+        q = -rho * squeeze * speed
         q_out[j] = q
-        speed_out[j] = speed if du < 0.0 else 0.0
+        speed_out[j] = speed if squeeze != 0.0 else 0.0
         sigma_half[j] = p + q - t1
         if hoops(geometry) > 0.0:
             hoop_half[j] = hoops(geometry) * size * (t2 - t1) / (r1 + r2 + SMALL)

@@ -1,0 +1,68 @@
+r"""The shock equation of state of the KB codes: the pressure of the shock that would have given a zone its energy.
+
+$$p = \rho_0\,U_s\,u_p, \qquad u_p = \sqrt{2e}, \qquad U_s = c_0 + s\,u_p$$
+
+The density does not enter (K-E10): on the principal Hugoniot the pressure is right, off it nothing is. There is no tension and no elastic
+release, and a zone at e = 0 stays there under its own pressure, because p = 0 does no work: only the artificial viscosity heats it.
+Kept to reproduce what those codes compute of explosives before they burn; take `mie_gruneisen` for anything else.
+
+With $\partial p/\partial\rho = 0$ the speed of sound is that of $p\,p_e/\rho^2$: $c = \tfrac{\rho_0}{\rho}\sqrt{(c_0+su_p)(c_0+2su_p)}$,
+$c_0$ at rest. The slope $p_e = \rho_0(c_0/u_p + 2s)$ is infinite at rest, so $u_p$ is at least REST, which leaves 3e-3 Pa in a metal.
+
+Source: 001 (KB codes) equations 3.1, 3.6 and 3.7.
+"""
+
+from typing import NamedTuple
+
+from hugoniot.core.ops import fmax, vsqrt
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos.contract import EOS
+
+REST = 1e-9     # m/s
+
+
+class ShockEnergy(NamedTuple):
+    rho0: float
+    c0: float
+    s: float
+
+
+def _particle_velocity(e):
+    return vsqrt(2.0 * fmax(e, 0.0) + REST * REST)
+
+
+def pressure(rho, e, par):
+    """Energies below that of rest have no pressure."""
+    u = _particle_velocity(e)
+    return par.rho0 * (par.c0 + par.s * u) * u
+
+
+def pressure_derivatives(rho, e, par):
+    return 0.0 * rho, par.rho0 * (par.c0 / _particle_velocity(e) + 2.0 * par.s)
+
+
+def reference_state(par):
+    return par.rho0, 0.0
+
+
+def density_limits(par):
+    return 0.0, float("inf")
+
+
+def build(rho0, c0, s):
+    """Parameters from a deck; OutOfRange unless rho0 and c0 are positive and s is not negative."""
+    if not (rho0 > 0.0 and c0 > 0.0 and s >= 0.0):
+        raise OutOfRange(f"shock_energy: needs rho0 > 0, c0 > 0 and s >= 0, got {rho0:g}, {c0:g}, {s:g}")
+    return ShockEnergy(rho0, c0, s)
+
+
+EOS.add(
+    "shock_energy", ShockEnergy,
+    functions=[pressure, pressure_derivatives, reference_state, density_limits],
+    example=ShockEnergy(1770.0, 3080.0, 2.01),
+    build=build,
+    units={"rho0": "kg/m^3", "c0": "m/s", "s": "1"},
+    meaning={"rho0": "density at rest", "c0": "shock velocity at vanishing particle velocity", "s": "slope dUs/dup"},
+    box={"rho": (1200.0, 3500.0), "e": (1e2, 1e7)},
+    references=("KB codes, equations 3.1, 3.6, 3.7",),
+)
