@@ -22,6 +22,8 @@ from hugoniot.laws.mixture.contract import MIXTURE, Mixed
 __all__ = ["FrozenHugoniot", "MixtureState", "VanishingSeries", "adiabat", "detonation_energy", "frozen_hugoniot", "hugoniot_volume",
            "mixture", "solve", "vanishing_series"]
 
+COMPILE_ABOVE = 200  # states
+
 
 @dataclass(frozen=True)
 class MixtureState:
@@ -111,10 +113,9 @@ def solve(density, energy, burn_fraction, par, reference=None) -> MixtureState:
 
     reference   (density, energy) of a point of the reactant's isentrope, energy on the mixture's scale (with Q); needed by
                 "thermal_isolation" only: the state just behind the last shock (003 section 4.3)
-    Raises NoSolution with the first state that has none, OutOfRange for input outside 0..1 or not positive.
+    Few states are solved as they are, many compiled. Raises NoSolution with the first state that has none, OutOfRange for input outside
+    0..1 or not positive.
     """
-    from hugoniot.theory.mixture_kernels import equilibrate_rows
-
     if reference is None:
         if "follows_isentrope" in MIXTURE.of(par).flags:
             raise OutOfRange("thermal isolation needs the reactant's reference state: pass reference = (density, energy) behind the shock")
@@ -125,7 +126,13 @@ def solve(density, energy, burn_fraction, par, reference=None) -> MixtureState:
     if np.any(~((lam >= 0.0) & (lam <= 1.0))):
         raise OutOfRange(f"burn fractions lie in 0..1; got {float(np.min(lam)):.6g}..{float(np.max(lam)):.6g}")
     out = np.empty((9, rho.size))
-    equilibrate_rows(rho.ravel(), e.ravel(), lam.ravel(), rho_k.ravel(), e_k.ravel(), par, out)
+    rows = (rho.ravel(), e.ravel(), lam.ravel(), rho_k.ravel(), e_k.ravel())
+    if rho.size > COMPILE_ABOVE:
+        from hugoniot.theory.mixture_kernels import equilibrate_rows
+
+        equilibrate_rows(*rows, par, out)
+    else:
+        _solve_plainly(rows, par, out)
     out[5][~np.all(np.isfinite(out), axis=0)] = contract.NOT_FINITE
     bad = np.flatnonzero(out[5] != contract.CONVERGED)
     if bad.size:
@@ -133,6 +140,14 @@ def solve(density, energy, burn_fraction, par, reference=None) -> MixtureState:
         raise NoSolution(f"no mixture state at density {rho.flat[j]:.6g} kg/m^3, energy {e.flat[j]:.6g} J/kg, burn fraction "
                          f"{lam.flat[j]:.6g}: {contract.MEANING[out[5, j]]} ({bad.size} of {rho.size} states)")
     return MixtureState(par, rho, e, lam, *(row.reshape(rho.shape) for row in out))
+
+
+def _solve_plainly(rows, par, out) -> None:
+    """What `mixture_kernels.equilibrate_rows` does, without a compiler: for a few states it is faster than loading one."""
+    for j, (r, k, fraction, r_before, k_before) in enumerate(zip(*(row.tolist() for row in rows))):
+        found = contract.equilibrate(r, k, fraction, Mixed(0.0, r_before, k_before, 0.0, 0.0, 0.0), par)
+        out[:6, j] = found
+        out[6:, j] = contract.slopes(r, k, fraction, found, par)
 
 
 @dataclass(frozen=True)

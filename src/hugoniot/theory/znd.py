@@ -1,151 +1,185 @@
-r"""Structure of a steady detonation (Zeldovich, von Neumann, Doering) for any law and any rate.
+r"""Structure of a steady detonation (Zeldovich, von Neumann, Doering) for any law, any mixture and any rate.
 
-Every state lies on the Rayleigh line of mass flux $m = \rho_0 D$ and differs only in the fraction $\lambda$ reacted, which
-releases $\lambda Q$ into the same law. With $x = v_0 - v$, $p = p_0 + m^2 x$ and the law's inverse $e(\rho, p)$,
+The states along the zone follow from the Rayleigh line by reacted fraction (`theory.reaction_zone`); what is left is where they lie.
+In the frame of the front $dX/d\lambda = w/r$, $w = m v$, for a rate $r = d\lambda/dt$. Distances follow by Gauss-Legendre quadrature
+between the states; no ordinary differential equation is stepped, so stiffness costs nothing. The integrand is
+taken over $s = -\ln(1-\lambda)$, and near $\lambda = 0$ over $\lambda^{1/9}$: rates that begin as a power of $\lambda$ below 1 and end
+as one of $1-\lambda$ are then smooth.
 
-$$\lambda(x)\,Q = e(\rho, p) - e_0 - p_0 x - \tfrac12 m^2 x^2,$$
-
-falls from the von Neumann spike to the end of reaction, and in the frame of the front $dX/d\lambda = w/r$, $w = m v$, for a rate
-$r = d\lambda/dt$. Distances follow by Gauss-Legendre quadrature between the states; no ordinary differential equation is stepped,
-so stiffness costs nothing. Source: 003 section 6; Fickett and Davis, Detonation.
+Source: 003 (Starkenberg ARL-TR-2161) section 6; Fickett and Davis, Detonation.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from hugoniot.errors import NoSolution, OutOfRange
+from hugoniot.laws.burn.contract import BURN
+from hugoniot.laws.burn.contract import rate as burn_rate
+from hugoniot.laws.mixture import contract
 from hugoniot.theory.chapman_jouguet import cj
-from hugoniot.theory.hugoniot import Initial, shock
-from hugoniot.theory.states import States, energy_at, law_of
+from hugoniot.theory.hugoniot import Initial
+from hugoniot.theory.mixture import MixtureState
+from hugoniot.theory.reaction_zone import OfMixture, OneLaw, Point, is_mixture
+from hugoniot.theory.states import States, law_of
 
 Rate = Callable[[float, float, float, float], float]
+STARTING = (1e-4, 1e-3, 1e-2, 0.1)  # panels towards fraction 0, where a rate may begin as a power of it
+PANEL = 0.35
 
 
 @dataclass(frozen=True)
 class Structure:
-    """`states` (fields along the zone; extra: reaction, position behind the front in m, time since the shock in s), velocities in m/s."""
+    """`states` along the zone (`States` of one law, `MixtureState` of a mixture), velocities in m/s.
 
-    states: States
+    reaction, position, time   fraction reacted, distance behind the front (m), time since the shock (s)
+    rates, temperature         d(fraction)/dt in 1/s; K or None
+    """
+
+    states: Any
     velocity: float
     chapman_jouguet_velocity: float
     von_neumann: States
     half_reaction_length: float
     half_reaction_time: float
+    reaction: np.ndarray
+    position: np.ndarray
+    time: np.ndarray
+    particle_velocity: np.ndarray
+    rates: np.ndarray
+    temperature: np.ndarray | None
 
     @property
     def overdrive(self) -> float:
         """f = (D / D_CJ)^2."""
         return (self.velocity / self.chapman_jouguet_velocity) ** 2
 
+    def table(self) -> dict:
+        """Field word -> array: the columns of a CSV file and the keys of JSON output."""
+        mixed = isinstance(self.states, MixtureState)
+        energy = self.states.energy if mixed else self.states.specific_internal_energy
+        found = {"position": self.position, "time": self.time, "reaction": self.reaction, "reaction_rate": self.rates,
+                 "pressure": self.states.pressure, "density": self.states.density, "particle_velocity": self.particle_velocity,
+                 "specific_internal_energy": energy, "temperature": self.temperature, "sound_speed": self.states.sound_speed}
+        if mixed:
+            # what drives the flow, p_lambda r / (rho c^2), 1/s
+            driven = self.states.pressure_by_burn_fraction * self.rates * self.states.density / self.states.impedance_squared
+            found |= {"reactant_density": self.states.reactant_density, "product_density": self.states.product_density,
+                      "thermicity": driven}
+        return found
 
-def znd(material, initial: Initial, rate: Rate, *, overdrive: float = 1.0, velocity: float | None = None, points: int = 100,
+
+def znd(material, initial: Initial, rate: Rate | Any, *, overdrive: float = 1.0, velocity: float | None = None, points: int = 100,
         complete: float = 1.0 - 1e-6) -> Structure:
     """The steady reaction zone behind a front.
 
-    initial     the state ahead; its `heat` is Q, released in proportion to the reaction
-    rate        function (density, energy, pressure, fraction) -> d(fraction)/dt, 1/s, positive below fraction 1
+    material    an equation of state that releases `initial.heat`, or the parameters of a mixture (`theory.mixture.mixture`)
+    initial     the state ahead; of a mixture that of its reactants, with their thermal energy and no heat
+    rate        parameters of a burn law, or a function (density, energy, pressure, fraction) -> d(fraction)/dt, 1/s, positive
+                below fraction 1
     overdrive   f = (D/D_CJ)^2 >= 1, unless `velocity` (m/s) is given
     complete    fraction at which the profile ends: a first-order rate never finishes
-    Raises `OutOfRange` for a velocity below the CJ one or a rate that stops inside the zone.
+    Raises `OutOfRange` for a velocity below the CJ one, a zone that chokes, or a rate that never begins; `NoSolution` for one that
+    stops inside the zone.
     """
-    par = law_of(material)
-    if not initial.heat > 0.0:
+    par, mixed = law_of(material), is_mixture(material)
+    if not mixed and not initial.heat > 0.0:
         raise OutOfRange("a reaction zone needs heat of reaction: give an Initial with heat > 0")
-    least = cj(par, initial)
+    if not (points >= 3 and 0.0 < complete < 1.0 and overdrive > 0.0):
+        raise OutOfRange("a reaction zone needs at least 3 points, 0 < complete < 1 and a positive overdrive")
+    burned = replace(initial, energy=initial.energy + par.detonation_energy, heat=0.0) if mixed else initial
+    least = cj(par.products if mixed else par, burned)
     d = velocity if velocity is not None else math.sqrt(overdrive) * least.detonation_velocity
     if d < least.detonation_velocity * (1.0 - 1e-12):
         raise OutOfRange(f"a front of {d:.6g} m/s is slower than the Chapman-Jouguet velocity {least.detonation_velocity:.6g} m/s")
-    spike = shock(par, replace(initial, heat=0.0), shock_velocity=initial.velocity + d)
-    zone = _Zone(par, initial, d, spike, 1.0 / initial.density - 1.0 / least.state.density)
+    x_cj = 1.0 / initial.density - 1.0 / least.state.density
+    zone = OfMixture(par, initial, d) if mixed else OneLaw(par, initial, d, x_cj)
+    times = _Times(zone, _rate_function(rate, zone), _limits(rate))
     # nodes crowd towards complete reaction, where a first-order rate dwells
     fractions = 1.0 - np.geomspace(1.0, 1.0 - complete, points)
-    length, time = np.zeros(points), np.zeros(points)
-    for i in range(1, points):
-        dx, dt = zone.between(fractions[i - 1], fractions[i], rate)
-        length[i], time[i] = length[i - 1] + dx, time[i - 1] + dt
-    half = zone.between(0.0, 0.5, rate)
-    rows = np.array([zone.state(f) for f in fractions])
-    u = initial.velocity + d - d * initial.density / rows[:, 0]
-    states = States(par, rows[:, 0], rows[:, 1], rows[:, 2], u, np.full(points, initial.velocity + d),
-                    {"reaction": fractions, "position": length, "time": time})
-    return Structure(states, d, least.detonation_velocity, spike, *half)
+    steps = np.array([times.between(a, b) for a, b in zip(fractions, fractions[1:])])
+    length, time = (np.concatenate([[0.0], np.cumsum(steps[:, k])]) for k in (0, 1))
+    rows = [zone.at(float(f)) for f in fractions]
+    rho = np.array([row.density for row in rows])
+    rates = np.array([times.rate(row) for row in rows])
+    temperature = np.array([zone.temperature(row) for row in rows])
+    u = initial.velocity + d - d * initial.density / rho
+    states = _mixture_states(par, rows) if mixed else States(
+        par, rho, np.array([r.pressure for r in rows]), np.array([r.energy for r in rows]), u, np.full(points, initial.velocity + d),
+        {"reaction": fractions, "position": length, "time": time})
+    return Structure(states, d, least.detonation_velocity, zone.spike, *times.between(0.0, 0.5), fractions, length, time, u, rates,
+                     temperature if np.isfinite(temperature).all() else None)
 
 
-class _Zone:
-    """States of one reaction zone by reacted fraction."""
+def _mixture_states(par, rows: Sequence[Point]) -> MixtureState:
+    slopes = [contract.slopes(r.density, r.energy, r.fraction, r.mixed, par) for r in rows]
+    first = [np.array([getattr(r, name) for r in rows]) for name in ("density", "energy", "fraction")]
+    phases = np.array([r.mixed for r in rows], float).T
+    return MixtureState(par, *first, *phases, *np.array(slopes, float).T)
 
-    def __init__(self, par, initial: Initial, velocity: float, spike: States, x_cj: float):
-        self.par, self.initial, self.v0 = par, initial, 1.0 / initial.density
-        self.flux2 = (initial.density * velocity) ** 2
-        self.flux = initial.density * velocity
-        self.spike_x = self.v0 - 1.0 / spike.density
-        # the strong branch ends where the fraction is largest: at or before the CJ volume
-        self.end_x = self._end(x_cj)
 
-    def fraction(self, x: float) -> float:
-        ahead = self.initial
-        p = ahead.pressure + self.flux2 * x
-        e = energy_at(self.par, 1.0 / (self.v0 - x), p)
-        return (e - ahead.energy - ahead.pressure * x - 0.5 * self.flux2 * x * x) / ahead.heat
+def _rate_function(rate, zone) -> Callable[[Point], float]:
+    """The rate at a point, 1/s, of a function or of a burn law."""
+    if not BURN.knows(rate):
+        return lambda point: rate(point.density, point.energy, point.pressure, point.fraction)
+    law = BURN.of(rate)
+    if {"programmed", "instantaneous"} & law.flags:
+        raise OutOfRange(f"the burn law '{law.name}' burns by a schedule or at once and has no rate, so its zone has no structure: "
+                         "give a rate, such as ignition_growth, arrhenius or pressure_power")
+    warm = "temperature_driven" in law.flags
+    if warm and not math.isfinite(zone.temperature(zone.at(0.0))):
+        raise OutOfRange(f"the burn law '{law.name}' needs a temperature, which the equation of state does not give: state its "
+                         "specific_heat")
+    return lambda point: float(burn_rate(point.fraction, point.density, point.pressure, zone.temperature(point) if warm else 0.0, rate))
 
-    def _end(self, x_cj: float) -> float:
-        low, high = x_cj, self.spike_x
-        if self.fraction(low) <= 1.0:
-            return low
-        for _ in range(200):
-            x = 0.5 * (low + high)
-            low, high = (x, high) if self.fraction(x) > 1.0 else (low, x)
-            if high - low <= 1e-16 * high:
-                break
-        return 0.5 * (low + high)
 
-    def at(self, fraction: float) -> float:
-        """x of the strong branch at a fraction: bisection and secants in [end, spike], where the fraction falls with x."""
-        low, high = self.end_x, self.spike_x
-        f_low, f_high = self.fraction(low) - fraction, -fraction
-        if f_low <= 0.0:
-            return low
-        for i in range(200):
-            x = (low * f_high - high * f_low) / (f_high - f_low) if i % 3 else 0.5 * (low + high)
-            if not low < x < high:
-                x = 0.5 * (low + high)
-            f = self.fraction(x) - fraction
-            if f > 0.0:
-                low, f_low = x, f
-            else:
-                high, f_high = x, f
-            if f == 0.0 or high - low <= 1e-15 * high:
-                break
-        return x
+def _limits(rate) -> tuple[float, ...]:
+    """Fractions at which a burn law switches terms on or off."""
+    found = [v for name, v in zip(rate._fields, rate) if name.endswith("_limit")] if BURN.knows(rate) else []
+    return tuple(sorted({float(v) for v in found if 0.0 < v < 1.0}))
 
-    def state(self, fraction: float):
-        x = self.at(fraction) if fraction > 0.0 else self.spike_x
-        p = self.initial.pressure + self.flux2 * x
-        rho = 1.0 / (self.v0 - x)
-        return rho, p, energy_at(self.par, rho, p)
 
-    def between(self, start: float, end: float, rate: Rate):
-        """(length, time) from one fraction to another: Gauss-Legendre in -ln(1 - fraction), 16 points on panels of at most 0.35."""
-        s1, s2 = -math.log1p(-start), -math.log1p(-end)
-        panels = max(1, math.ceil((s2 - s1) / 0.35))
+class _Times:
+    """Lengths and times between reacted fractions of one zone."""
+
+    def __init__(self, zone, rate: Callable[[Point], float], limits: Sequence[float]):
+        self.zone, self.rate, self.breaks = zone, rate, sorted({*STARTING, *limits})
+        small = [rate(zone.at(f)) for f in (1e-9, 1e-6)]
+        if small[0] <= 0.0 or (small[1] > 0.0 and math.log(small[1] / small[0]) > 0.98 * math.log(1e3)):
+            raise OutOfRange("the rate vanishes where nothing has burned yet, so that burning never begins in a steady zone: give the law "
+                             "an ignition term, or a power of the burned fraction below 1")
+
+    def between(self, start: float, end: float) -> tuple[float, float]:
+        """(length, time) from one fraction to another, panel by panel."""
+        edges = [start, *(b for b in self.breaks if start < b < end), end]
+        total = np.zeros(2)
+        for a, b in zip(edges, edges[1:]):
+            if a == 0.0:
+                total += self._panel(lambda y, top=b: (top * y**9, 9.0 * top * y**8), 0.0, 1.0)
+                continue
+            s1, s2 = -math.log1p(-a), -math.log1p(-b)
+            inner = np.linspace(s1, s2, max(1, math.ceil((s2 - s1) / PANEL)) + 1).tolist()
+            for low, high in zip(inner, inner[1:]):
+                total += self._panel(lambda s: (-math.expm1(-s), math.exp(-s)), low, high)
+        return float(total[0]), float(total[1])
+
+    def _panel(self, fraction, low: float, high: float) -> np.ndarray:
+        """Sixteen points of Gauss and Legendre of w/r and 1/r over a variable that `fraction` maps to (fraction, its slope)."""
         length = time = 0.0
-        for k in range(panels):
-            a, b = s1 + (s2 - s1) * k / panels, s1 + (s2 - s1) * (k + 1) / panels
-            for node, weight in zip(_NODES, _WEIGHTS):
-                s = 0.5 * (a + b) + 0.5 * (b - a) * node
-                left = math.exp(-s)
-                rho, p, e = self.state(1.0 - left)
-                r = rate(rho, e, p, 1.0 - left)
-                if not r > 0.0:
-                    raise NoSolution(f"the rate is {r:.4g} 1/s at fraction {1.0 - left:.4g}, {p:.4g} Pa: "
-                                     "the reaction stops inside the zone")
-                step = 0.5 * (b - a) * weight * left / r
-                time += step
-                length += step * self.flux / rho
-        return length, time
+        for node, weight in zip(_NODES, _WEIGHTS):
+            f, slope = fraction(0.5 * (low + high) + 0.5 * (high - low) * node)
+            point = self.zone.at(f)
+            r = self.rate(point)
+            if not r > 0.0:
+                raise NoSolution(f"the rate is {r:.4g} 1/s at fraction {f:.4g}, {point.pressure:.4g} Pa: the reaction stops inside "
+                                 "the zone")
+            step = 0.5 * (high - low) * weight * slope / r
+            time += step
+            length += step * self.zone.flux / point.density
+        return np.array([length, time])
 
 
 _NODES, _WEIGHTS = (list(map(float, part)) for part in np.polynomial.legendre.leggauss(16))
