@@ -5,8 +5,10 @@ from typing import Annotated
 
 import typer
 
+from hugoniot.cli.eos_detonation import cj, mixture, znd
 from hugoniot.cli.eos_input import Subject, find_inert, find_material, one_state, quantity, several_states
-from hugoniot.cli.eos_output import cell, deliver, echo_notes, echo_states, notes, row_of, words, write_csv
+from hugoniot.cli.eos_options import AT, CSV, MATERIAL, MATERIALS, PLOT, POINTS
+from hugoniot.cli.eos_output import cell, deliver, echo_notes, echo_states, notes, row_of, write_csv
 from hugoniot.cli.show import JSON, echo_json, echo_table
 from hugoniot.errors import DeckError
 from hugoniot.theory.states import States
@@ -15,14 +17,6 @@ app = typer.Typer(no_args_is_help=True, help=(
     "Hugoniots, isentropes, impedance matches and detonations without a mesh.\n\n"
     "MATERIAL is a name of the library (hugoniot material list) or a TOML file with the tables of a deck's [material.x].\n\n"
     "Example: hugoniot eos match copper aluminum --velocity \"1 km/s\""))
-
-MATERIAL = Annotated[str, typer.Argument(metavar="MATERIAL", help="A name of the library or a TOML file.")]
-MATERIALS = Annotated[list[str], typer.Argument(metavar="MATERIAL...", help="Names of the library or TOML files.")]
-AT = Annotated[str | None, typer.Option("--at", help='A state on the Hugoniot: "pressure = 10 GPa", "particle_velocity = 500 m/s", '
-                                                     '"shock_velocity = 6 km/s" or "density = 3 g/cm^3".')]
-CSV = Annotated[Path | None, typer.Option("--csv", help="Write SI numbers to this file.")]
-PLOT = Annotated[Path | None, typer.Option("--plot", help="Draw the picture into this file (.png, .pdf, .svg).")]
-POINTS = Annotated[int, typer.Option("--points", min=2, max=100000, help="States along the curve.")]
 
 
 @app.command()
@@ -214,42 +208,9 @@ def riemann(
     echo_notes(told)
 
 
-@app.command()
-def cj(
-    materials: MATERIALS,
-    density: Annotated[str | None, typer.Option("--density", help='Density of the unreacted explosive, "1.77 g/cm^3".')] = None,
-    heat: Annotated[str | None, typer.Option("--heat", help='Heat of reaction for a law that holds none, "6.27 MJ/kg".')] = None,
-    as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
-) -> None:
-    """The Chapman-Jouguet state, by tangency of the Rayleigh line for whatever law the products have.
-
-    Example: hugoniot eos cj comp_b tnt --json
-    """
-    from dataclasses import replace
-
-    from hugoniot.theory.chapman_jouguet import cj as tangency
-    from hugoniot.theory.chapman_jouguet import explosive
-
-    subjects = [find_material(m) for m in materials]
-    found = []
-    for subject in subjects:
-        ahead = explosive(subject.material, quantity(density, "kg/m^3", "--density") if density else None,
-                          quantity(heat, "J/kg", "--heat") if heat else 0.0)
-        if heat:  # a condensed explosive: the energy of the law's gas at rest is no part of it
-            ahead = replace(ahead, pressure=0.0, energy=ahead.energy if subject.reacted else 0.0)
-        found.append(tangency(subject.material, ahead))
-    if plot:
-        from hugoniot.plotting.eos import detonations, save
-
-        save(detonations([(s.material.name, d) for s, d in zip(subjects, found)]), plot)
-    if not deliver([(s.material.name, d.table()) for s, d in zip(subjects, found)], as_json=as_json, as_csv=as_csv,
-                   told=[notes(s) for s in subjects]):
-        return
-    for subject, point in zip(subjects, found):
-        typer.echo(f"{subject.title or subject.material.name}: CJ state")
-        echo_table(["", ""], [(words(k), cell(k, v)) for k, v in row_of(point.table()).items()
-                              if v is not None and k != "shock_velocity"])
-        echo_notes(notes(subject))
+app.command()(cj)
+app.command()(znd)
+app.command()(mixture)
 
 
 @app.command()

@@ -32,7 +32,8 @@ def find_material(text: str) -> Subject:
     """A material of the library by name, alias or row, or of a TOML file: `steel.toml`, or `deck.toml:flyer_metal` for one of several."""
     path, _, inside = text.rpartition(":") if ".toml:" in text else (text, "", "")
     if path.endswith(".toml"):
-        return Subject(_from_file(Path(path), inside))
+        made = _from_file(Path(path), inside)
+        return Subject(made, unreacted=made.unreacted)
     from hugoniot.materials.library import entry
 
     found = entry(text)
@@ -48,6 +49,50 @@ def find_inert(text: str) -> Subject:
         raise DeckError.single("command line", None, text, "the library gives detonation products only, no unreacted explosive",
                                "hugoniot eos cj answers for the products; name a material with an inert equation of state")
     return replace(subject, material=replace(subject.material, eos=subject.unreacted, name=f"{subject.material.name} (unreacted)"))
+
+
+def find_reactive(text: str, rate: str | None = None) -> tuple[Subject, list[str]]:
+    """An explosive with a rate, and what must be said about it.
+
+    A `rate` given on the command line goes before the material's burn law; where the library burns an explosive by schedule, its
+    calibration with a rate (the material "LX-17 reactive") is taken.
+    """
+    from hugoniot.laws.burn.contract import BURN
+
+    subject = find_material(text)
+    if rate:
+        return replace(subject, material=replace(subject.material, burn=read_rate(rate))), []
+    burn = subject.material.burn
+    if burn is not None and not {"programmed", "instantaneous"} & BURN.of(burn).flags:
+        return subject, []
+    try:
+        return find_material(f"{text} reactive"), [f"'{text} reactive' is taken: products, unreacted explosive and rate of one calibration"]
+    except DeckError as error:
+        what = "burns by a schedule" if burn is not None else "has no burn law"
+        hint = error.problems[0].hint if "rate constants" in error.problems[0].message else ""
+        raise DeckError.single("command line", None, text, f"{what}, and the library holds no rate for it",
+                               f"{hint + '; ' if hint else ''}give --rate, or a TOML file with [burn]") from None
+
+
+def read_rate(text: str) -> Any:
+    """Parameters of a burn law from "pressure_power: rate_constant = 2e6 1/s, pressure_exponent = 0"."""
+    from hugoniot.laws.burn.contract import BURN
+    from hugoniot.materials.build import read_law
+    from hugoniot.materials.collect import Collector
+
+    name, _, rest = text.partition(":")
+    table: dict[str, Any] = {"law": name.strip()}
+    for part in filter(str.strip, rest.split(",")):
+        key, equals, value = (piece.strip() for piece in part.partition("="))
+        if not equals:
+            raise DeckError.single("command line", None, "--rate", f"'{part.strip()[:60]}' gives no parameter",
+                                   'write "LAW: name = value, name = value"')
+        table[key] = _number_or_text(value)
+    problems: list[DeckProblem] = []
+    found = read_law(BURN, table, Collector(problems, "command line", lambda path: None), ("--rate",))
+    if found is None:
+        raise DeckError(problems)
+    return found
 
 
 def _from_file(path: Path, inside: str) -> Material:

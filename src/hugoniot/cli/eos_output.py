@@ -18,7 +18,14 @@ from hugoniot.units import format_si
 SHOWN = {"pressure": ("GPa", 1e-9, "10.5g"), "density": ("kg/m3", 1.0, "9.2f"), "particle_velocity": ("m/s", 1.0, "9.2f"),
          "shock_velocity": ("m/s", 1.0, "9.2f"), "specific_internal_energy": ("kJ/kg", 1e-3, "10.5g"), "temperature": ("K", 1.0, "8.1f"),
          "sound_speed": ("m/s", 1.0, "9.2f"), "entropy": ("J/kg/K", 1.0, "9.3f"), "adiabatic_exponent": ("", 1.0, "8.4f"),
-         "gruneisen": ("", 1.0, "8.4f"), "detonation_velocity": ("m/s", 1.0, "9.2f")}
+         "gruneisen": ("", 1.0, "8.4f"), "detonation_velocity": ("m/s", 1.0, "9.2f"), "chapman_jouguet_velocity": ("m/s", 1.0, "9.2f"),
+         "burn_fraction": ("", 1.0, "8.5f"), "reaction": ("", 1.0, "9.6f"), "volume_fraction": ("", 1.0, "8.5f"),
+         "overdrive": ("", 1.0, "8.5g"),
+         "position": ("um", 1e6, "10.5g"), "time": ("ns", 1e9, "10.5g"), "reaction_rate": ("1/us", 1e-6, "10.5g"),
+         "thermicity": ("1/us", 1e-6, "10.5g"), "specific_heat": ("J/kg/K", 1.0, "9.2f"), "reactant_density": ("kg/m3", 1.0, "9.2f"),
+         "product_density": ("kg/m3", 1.0, "9.2f"), "reactant_energy": ("kJ/kg", 1e-3, "10.5g"), "product_energy": ("kJ/kg", 1e-3, "10.5g"),
+         "half_reaction_length": ("um", 1e6, "10.5g"), "reaction_zone_length": ("um", 1e6, "10.5g"),
+         "half_reaction_time": ("ns", 1e9, "10.5g")}
 WORDS = {"specific_internal_energy": "internal energy"}
 
 
@@ -46,11 +53,16 @@ def plain(value):
 
 def echo_states(states: States, *more: str) -> None:
     """Print one state as lines, many as a table of about 25 rows."""
-    table = row_of(states.table(*more))
-    if np.ndim(states.density) == 0:
+    echo_columns(states.table(*more))
+
+
+def echo_columns(given: dict) -> None:
+    """Print fields by word: numbers as lines, arrays as a table of about 25 rows."""
+    table = row_of(given)
+    if np.ndim(next(v for v in given.values() if v is not None)) == 0:
         echo_table(["", ""], [(words(k), cell(k, v)) for k, v in table.items() if v is not None])
         return
-    count = len(states)
+    count = max(len(v) for v in table.values() if v is not None)
     chosen = sorted({int(round(i)) for i in np.linspace(0, count - 1, min(count, 25))})
     columns = [k for k, v in table.items() if v is not None]
     heads = [f"{words(k)}{', ' + SHOWN[k][0] if k in SHOWN and SHOWN[k][0] else ''}" for k in columns]
@@ -102,15 +114,17 @@ def write_csv(path: Path, tables: Sequence[tuple[str, dict]]) -> None:
 
 
 def deliver(tables: Sequence[tuple[str, dict]], *, as_json: bool, as_csv: Path | None,
-            told: Sequence[Sequence[str]] = ()) -> bool:
+            told: Sequence[Sequence[str]] = (), more: Sequence[dict] = ()) -> bool:
     """Write the CSV file and print JSON where asked, with the notes `told` about each table as its `warnings`.
+
+    more   further facts of each table for JSON.
 
     Tells whether the table for people is still wanted.
     """
     if as_csv:
         write_csv(as_csv, tables)
     if as_json:
-        rows = [{"material": title, **row_of(table), "warnings": list(said)}
-                for (title, table), said in zip(tables, told or [()] * len(tables), strict=True)]
+        rows = [{"material": title, **facts, **row_of(table), "warnings": list(said)}
+                for (title, table), said, facts in zip(tables, told or [()] * len(tables), more or [{}] * len(tables), strict=True)]
         echo_json(rows[0] if len(rows) == 1 else {"materials": rows})
     return not as_json

@@ -31,6 +31,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "verify": ("hugoniot.cli.verify", "Run the built-in verification problems."),
     "material": ("hugoniot.cli.material", "Search and show the materials library."),
     "eos": ("hugoniot.cli.eos", "Hugoniots, isentropes and impedance matches without a mesh."),
+    "exact": ("hugoniot.cli.exact", "Exact solutions: Riemann, Noh, Sedov, Guderley, detonations and more."),
     "structure": ("hugoniot.cli.structure", "The inner structure of a shock."),
     "list": ("hugoniot.cli.listing", "What a deck may name: laws, materials, fields, problems, solvers."),
 }

@@ -48,12 +48,17 @@ def styled(function: Callable) -> Callable:
 
 def new_axes(width: float = 6.4, height: float = 3.6):
     """Axes of a new figure (inches): one that pyplot manages if the caller uses pyplot, else a free one that can be saved."""
+    return new_panels(1, 1, width, height)[0, 0]
+
+
+def new_panels(rows: int, columns: int, width: float, height: float) -> np.ndarray:
+    """As `new_axes`, a grid of them: array (rows, columns)."""
     pyplot = sys.modules.get("matplotlib.pyplot")
-    if pyplot is not None:
-        return pyplot.figure(figsize=(width, height), layout="constrained").add_subplot()
-    figure = Figure(figsize=(width, height), layout="constrained")
-    FigureCanvasAgg(figure)
-    return figure.add_subplot()
+    figure = Figure(figsize=(width, height), layout="constrained") if pyplot is None else pyplot.figure(figsize=(width, height),
+                                                                                                      layout="constrained")
+    if pyplot is None:
+        FigureCanvasAgg(figure)
+    return figure.subplots(rows, columns, squeeze=False)
 
 
 def scale_of(span: float, units) -> tuple[str, float]:

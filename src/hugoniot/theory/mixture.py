@@ -100,6 +100,19 @@ class MixtureState:
         self._require_temperature()
         return self._each(contract.mixture_specific_heat)
 
+    def table(self) -> dict:
+        """Field word -> array: the columns of a CSV file and the keys of JSON output; None for what closure or laws lack."""
+        found: dict[str, Any] = {"burn_fraction": self.burn_fraction, "pressure": self.pressure, "density": self.density,
+                                 "specific_internal_energy": self.energy}
+        for name in ("temperature", "sound_speed", "gruneisen", "adiabatic_exponent", "specific_heat", "volume_fraction"):
+            try:
+                found[name] = getattr(self, name)
+            except OutOfRange:
+                found[name] = None
+        names = ("reactant_density", "reactant_energy", "product_density", "product_energy", "pressure_by_volume", "pressure_by_energy",
+                 "pressure_by_burn_fraction")
+        return {**found, **{name: getattr(self, name) for name in names}}
+
     def phase_slopes(self) -> contract.PhaseSlopes:
         """The twelve slopes of v_r, e_r, v_p, e_p by v, e and burn fraction, arrays of the state's shape (burn fraction > 0)."""
         if np.any(self.burn_fraction <= 0.0):
@@ -235,6 +248,12 @@ class FrozenHugoniot:
     product_energy: np.ndarray
     particle_velocity: np.ndarray
     shock_velocity: np.ndarray
+
+    def table(self) -> dict:
+        """Field word -> array, as of the other tools."""
+        names = ("pressure", "density", "particle_velocity", "shock_velocity")
+        phases = ("reactant_density", "reactant_energy", "product_density", "product_energy")
+        return {**{n: getattr(self, n) for n in names}, "specific_internal_energy": self.energy, **{n: getattr(self, n) for n in phases}}
 
 
 def frozen_hugoniot(upstream: MixtureState, pressures) -> FrozenHugoniot:

@@ -12,7 +12,10 @@ from hugoniot.laws.eos.contract import EOS
 
 UNITS = {"density": "kg/m^3", "pressure": "Pa", "specific_internal_energy": "J/kg", "particle_velocity": "m/s", "shock_velocity": "m/s",
          "temperature": "K", "sound_speed": "m/s", "entropy": "J/kg/K", "gruneisen": "1", "adiabatic_exponent": "1",
-         "detonation_velocity": "m/s", "reaction": "1", "time": "s", "position": "m"}
+         "detonation_velocity": "m/s", "reaction": "1", "time": "s", "position": "m", "reaction_rate": "1/s", "thermicity": "1/s",
+         "burn_fraction": "1", "volume_fraction": "1", "specific_heat": "J/kg/K", "reactant_density": "kg/m^3", "product_density": "kg/m^3",
+         "reactant_energy": "J/kg", "product_energy": "J/kg", "pressure_by_volume": "Pa kg/m^3", "pressure_by_energy": "Pa kg/J",
+         "pressure_by_burn_fraction": "Pa"}
 
 
 def law_of(material) -> Any:

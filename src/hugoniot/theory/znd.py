@@ -98,8 +98,7 @@ def znd(material, initial: Initial, rate: Rate | Any, *, overdrive: float = 1.0,
     x_cj = 1.0 / initial.density - 1.0 / least.state.density
     zone = OfMixture(par, initial, d) if mixed else OneLaw(par, initial, d, x_cj)
     times = _Times(zone, _rate_function(rate, zone), _limits(rate))
-    # nodes crowd towards complete reaction, where a first-order rate dwells
-    fractions = 1.0 - np.geomspace(1.0, 1.0 - complete, points)
+    fractions = _stations(points, complete)
     steps = np.array([times.between(a, b) for a, b in zip(fractions, fractions[1:])])
     length, time = (np.concatenate([[0.0], np.cumsum(steps[:, k])]) for k in (0, 1))
     rows = [zone.at(float(f)) for f in fractions]
@@ -114,10 +113,19 @@ def znd(material, initial: Initial, rate: Rate | Any, *, overdrive: float = 1.0,
                      temperature if np.isfinite(temperature).all() else None)
 
 
+def _stations(points: int, complete: float) -> np.ndarray:
+    """Fractions from 0 to `complete` that crowd at both ends: a rate may begin slowly, and one of first order dwells at the end."""
+    early = points // 3
+    turn = 0.2 * complete
+    late = 1.0 - np.geomspace(1.0 - turn, 1.0 - complete, points - early)
+    return np.concatenate([turn * np.linspace(0.0, 1.0, early + 1)[:-1] ** 3, late])
+
+
 def _mixture_states(par, rows: Sequence[Point]) -> MixtureState:
     slopes = [contract.slopes(r.density, r.energy, r.fraction, r.mixed, par) for r in rows]
     first = [np.array([getattr(r, name) for r in rows]) for name in ("density", "energy", "fraction")]
-    phases = np.array([r.mixed for r in rows], float).T
+    # the pressure of the Rayleigh line, which the mixture's search meets to round-off
+    phases = np.array([r.mixed._replace(pressure=r.pressure) for r in rows], float).T
     return MixtureState(par, *first, *phases, *np.array(slopes, float).T)
 
 

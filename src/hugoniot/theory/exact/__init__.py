@@ -27,6 +27,17 @@ from hugoniot.theory.exact.simple_wave import centred_rarefaction, piston_pulse
 from hugoniot.theory.exact.solution import Solution
 from hugoniot.theory.exact.woodward_colella import woodward_colella
 
+# SI unit of a parameter by its name; what is not listed is a plain number or a word
+PARAMETER_UNITS = {
+    **dict.fromkeys(("density", "outer_density", "rho0"), "kg/m^3"),
+    **dict.fromkeys(("pressure", "inner_pressure", "outer_pressure", "p_infinity", "yield_stress", "shear_modulus"), "Pa"),
+    **dict.fromkeys(("speed", "velocity", "piston", "detonation_velocity", "inner_velocity", "outer_velocity", "c0"), "m/s"),
+    **dict.fromkeys(("length", "inner", "outer", "x0", "radius", "detonators", "detonator"), "m"),
+    "duration": "s", "times": "s", "rate": "1/s",
+}
+# unit of the energy of a point explosion: per area of a plane, per length of an axis
+_EXPLOSION = {"planar": "J/m^2", "cylindrical": "J/m", "spherical": "J"}
+
 SOLUTIONS: dict[str, Callable[..., Any]] = {
     function.__name__: function
     for function in (
@@ -42,4 +53,11 @@ def describe(name: str) -> str:
     return (SOLUTIONS[name].__doc__ or "").strip().splitlines()[0]
 
 
-__all__ = ["SOLUTIONS", "Solution", "describe"]
+def parameter_unit(parameter: str, geometry: str = "spherical") -> str:
+    """SI unit of a parameter, "1" for a plain number; `geometry` matters for the energy of an explosion."""
+    if parameter == "energy":
+        return _EXPLOSION.get(geometry, "J")
+    return PARAMETER_UNITS.get(parameter, "1")
+
+
+__all__ = ["SOLUTIONS", "Solution", "describe", "parameter_unit"]

@@ -1,0 +1,91 @@
+"""hugoniot eos cj, znd, mixture: explosives without a mesh."""
+
+from typing import Annotated
+
+import typer
+
+from hugoniot.cli.eos_input import find_material
+from hugoniot.cli.eos_options import AHEAD, CSV, DENSITY, EXPLOSIVE, HEAT, MATERIALS, PLOT, RATE
+from hugoniot.cli.eos_output import cell, deliver, echo_notes, notes, row_of, words
+from hugoniot.cli.show import JSON, echo_table
+
+CLOSURE = "How reactants and products share the zone: thermal_isolation, thermal_equilibrium or weighted_pressures"
+
+
+def cj(
+    materials: MATERIALS, density: DENSITY = None, heat: HEAT = None, ahead: AHEAD = "", as_json: JSON = False, as_csv: CSV = None,
+    plot: PLOT = None,
+) -> None:
+    """The Chapman-Jouguet state, by tangency of the Rayleigh line for whatever law the products have.
+
+    Example: hugoniot eos cj comp_b tnt --json
+    """
+    from hugoniot.cli.eos_burning import initial
+    from hugoniot.theory.chapman_jouguet import cj as tangency
+
+    subjects = [find_material(m) for m in materials]
+    found = [tangency(s.material, initial(s, density, heat, ahead)) for s in subjects]
+    if plot:
+        from hugoniot.plotting.eos import detonations, save
+
+        save(detonations([(s.material.name, d) for s, d in zip(subjects, found)]), plot)
+    if not deliver([(s.material.name, d.table()) for s, d in zip(subjects, found)], as_json=as_json, as_csv=as_csv,
+                   told=[notes(s) for s in subjects]):
+        return
+    for subject, point in zip(subjects, found):
+        typer.echo(f"{subject.title or subject.material.name}: CJ state")
+        echo_table(["", ""], [(words(k), cell(k, v)) for k, v in row_of(point.table()).items()
+                              if v is not None and k != "shock_velocity"])
+        echo_notes(notes(subject))
+
+
+def znd(
+    explosives: MATERIALS, closure: Annotated[str | None, typer.Option("--closure", help=CLOSURE + "; default: the material's.")] = None,
+    rate: RATE = None, heat: HEAT = None, density: DENSITY = None, ahead: AHEAD = "",
+    overdrive: Annotated[float, typer.Option("--overdrive", min=1.0, help="f = (D/D_CJ)^2.")] = 1.0,
+    velocity: Annotated[str | None, typer.Option("--velocity", help='Velocity of the front instead, "9 km/s".')] = None,
+    complete: Annotated[float, typer.Option("--complete", help="Burn fraction at which the profile ends.")] = 1.0 - 1e-6,
+    points: Annotated[int, typer.Option("--points", min=3, max=10000, help="States along the zone.")] = 100,
+    as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
+) -> None:
+    """The steady reaction zone of a detonation: von Neumann spike, profile, half-reaction length and time.
+
+    An explosive of the library burns by its calibrated rate, reactants and products mixed by --closure. With --heat one law releases
+    that heat as the reaction goes on (a gas, or the simple models of textbooks).
+
+    Example: hugoniot eos znd lx_17 --plot zone.png
+    """
+    from hugoniot.cli import eos_burning
+
+    eos_burning.zones(explosives, eos_burning.Zone(closure, rate, heat, density, ahead, overdrive, velocity, complete, points),
+                      as_json, as_csv, plot)
+
+
+def mixture(
+    explosive: EXPLOSIVE,
+    at: Annotated[str, typer.Option("--at", help='State of the mixture, "density = 2.4 g/cm^3, energy = 3 MJ/kg"; energies count from the '
+                                                 "unreacted explosive at rest, the chemical one is added.")] = "",
+    shocked: Annotated[str, typer.Option("--shocked", help='A shock through the reactants first, "pressure = 20 GPa": gives their '
+                                                           "isentrope and, without --at, the state.")] = "",
+    fractions: Annotated[str, typer.Option("--burn-fraction", help="Burn fractions, with commas.")] = "0, 0.25, 0.5, 0.75, 1",
+    closure: Annotated[list[str] | None, typer.Option("--closure", help=CLOSURE + "; default: both equilibria.")] = None,
+    adiabat: Annotated[str | None, typer.Option("--adiabat", help='Follow the adiabat from the first burn fraction to this density, '
+                                                                  '"1 g/cm^3".')] = None,
+    burn_to: Annotated[float | None, typer.Option("--burn-to", min=0.0, max=1.0, help="Burn fraction at the end of the adiabat, reached in "
+                                                                                    "proportion to the volume; default: frozen.")] = None,
+    frozen: Annotated[str | None, typer.Option("--hugoniot", help='Shocks without reaction, up to "40 GPa".')] = None,
+    series: Annotated[bool, typer.Option("--series", help="The expansion for vanishing burn fraction instead.")] = False,
+    heat: Annotated[str | None, typer.Option("--heat", help='Chemical energy, "5 MJ/kg"; default: from the laws.')] = None,
+    points: Annotated[int, typer.Option("--points", min=2, max=10000, help="States along an adiabat or Hugoniot.")] = 41,
+    as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
+) -> None:
+    """Reactants and products in one zone: pressure, slopes, sound speed, Gamma, adiabatic exponent, temperature, specific heat.
+
+    Mechanical equilibrium with thermal isolation (the reactants stay on their isentrope) and with thermal equilibrium.
+
+    Example: hugoniot eos mixture lx_17 --shocked "pressure = 20 GPa" --adiabat "1 g/cm^3" --burn-to 1
+    """
+    from hugoniot.cli import eos_mixture
+
+    asked = eos_mixture.Question(at, shocked, fractions, closure or [], adiabat, burn_to, frozen, series, heat, points)
+    eos_mixture.report(explosive, asked, as_json, as_csv, plot)

@@ -1,0 +1,40 @@
+"""hugoniot exact: the exact solutions, their numbers, fields and jumps."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from hugoniot.cli.show import JSON, echo_json, echo_table
+
+
+def command(
+    name: Annotated[str, typer.Argument(metavar="[SOLUTION]", help="One of the list that the command prints without it.")] = "",
+    settings: Annotated[list[str] | None, typer.Argument(metavar="[PARAMETER=VALUE]...", help='As gamma=1.4, "speed=2 km/s".')] = None,
+    times: Annotated[list[str] | None, typer.Option("--time", help='Time of the fields, "2 us"; as often as wanted.')] = None,
+    at: Annotated[str, typer.Option("--at", help='Positions, "1 mm, 2 mm"; pairs or triples with semicolons, "0, 4 m; 3 m, 2 m".')] = "",
+    start: Annotated[str | None, typer.Option("--from", help="First position; default 0.")] = None,
+    end: Annotated[str | None, typer.Option("--to", help="Last position; default: somewhat beyond the outermost front.")] = None,
+    points: Annotated[int, typer.Option("--points", min=2, max=1000000, help="Positions; jumps get two of their own.")] = 201,
+    as_json: JSON = False,
+    as_csv: Annotated[Path | None, typer.Option("--csv", help="Write fields in SI numbers to this file.")] = None,
+    plot: Annotated[Path | None, typer.Option("--plot", help="Draw the fields into this file (.png, .pdf, .svg).")] = None,
+) -> None:
+    """Exact solutions with their parameters, characteristic numbers, fields at positions and times, and jumps.
+
+    Without a name: the list. With a name: parameters and numbers. With --time: fields. Units are SI unless written; a problem stated in
+    another consistent set of units may be given in plain numbers.
+
+    Example: hugoniot exact sedov gamma=1.4 "energy=1 MJ" "density=1.2 kg/m^3" --time "1 ms" --plot blast.png
+    """
+    from hugoniot.cli import exact_report
+
+    if not name:
+        rows = exact_report.listing()
+        if as_json:
+            echo_json(rows)
+        else:
+            echo_table(["solution", "what", "source"], [(r["solution"], r["what"], r["source"].partition(";")[0]) for r in rows])
+        return
+    asked = exact_report.Grid(times or [], at, start, end, points)
+    exact_report.report(name, settings or [], asked, as_json, as_csv, plot)

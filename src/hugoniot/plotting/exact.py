@@ -1,0 +1,110 @@
+"""Pictures of exact solutions: fields against position at several times, a plate's history, a map of burn times."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from hugoniot.plotting.style import (
+    COLOURS,
+    INK,
+    QUIET,
+    field_scale,
+    labelled,
+    length_scale,
+    new_axes,
+    new_panels,
+    quiet_grid,
+    styled,
+    time_scale,
+)
+from hugoniot.theory.exact import Solution
+from hugoniot.units import format_si
+
+# field word -> name of `core.fields`
+FIELD = {"density": "density", "particle_velocity": "velocity", "pressure": "pressure", "specific_internal_energy": "energy",
+         "stress": "stress", "burn_fraction": "burn_fraction", "deviator_radial": "deviator_radial", "sound_speed": "sound_speed",
+         "radial_velocity": "velocity", "axial_velocity": "velocity"}
+
+
+@styled
+def fields(solution: Solution, states: Sequence[dict]):
+    """Up to four fields in panels, one line per time, labelled by it; gives the first axes."""
+    keys = [k for k in FIELD if k in states[0] and k != "deviator_radial"]
+    if {"stress", "burn_fraction"} & set(keys):  # they tell more than the energy
+        keys.remove("specific_internal_energy")
+    keys = keys[:4]
+    along = "position" if "position" in states[0] else "axial_position"
+    rows, columns = (1, len(keys)) if len(keys) <= 2 else (2, 2)
+    axes = new_panels(rows, columns, 3.7 * columns, 2.5 * rows + 0.3)
+    reach = max(float(np.max(np.abs(s[along]))) for s in states)
+    unit, factor = ("m", 1.0) if reach >= 0.3 else length_scale(reach)
+    times = [format_si(s["time"], "s", 4) for s in states]
+    for ax, key in zip(axes.flat, keys):
+        values = np.concatenate([s[key] for s in states])
+        shown, scale, words = field_scale(FIELD[key], values)
+        if shown == "kJ/kg" and np.nanmax(np.abs(values)) < 100.0:
+            shown, scale = "J/kg", 1.0
+        for i, state in enumerate(states):
+            y = state[key] * scale
+            ax.plot(state[along] * factor, y, color=COLOURS[i % len(COLOURS)])
+        where = {"planar": "position", "axisymmetric": "axial position"}.get(solution.geometry, "radius")
+        ax.set(xlabel=f"{where} ({unit})", ylabel=labelled({"radial_velocity": "radial velocity", "axial_velocity": "axial velocity"}.get(
+            key, words), shown))
+        ax.margins(x=0.0)
+        finite = np.abs(values[np.isfinite(values)]) * scale
+        if finite.size and finite.max() > 30.0 * np.percentile(finite, 95.0) > 0.0:  # infinite at a centre
+            ax.set_ylim(0.0, 1.5 * np.percentile(finite, 95.0))
+        quiet_grid(ax)
+    for ax in axes.flat[len(keys):]:
+        ax.remove()
+    place = {"xycoords": "axes fraction", "ha": "right", "va": "bottom", "fontsize": 8.5}
+    if len(times) <= 4:
+        for i, text in enumerate(times):
+            axes[0, 0].annotate(f"t = {text}", (1.0 - 0.26 * (len(times) - 1 - i), 1.03), color=COLOURS[i % len(COLOURS)], **place)
+    else:
+        axes[0, 0].annotate(f"t = {times[0]} to {times[-1]}, {len(times)} times", (1.0, 1.03), color=QUIET, **place)
+    axes[0, -1].annotate(solution.title if len(keys) > 1 else "", (1.0, 1.03), color=INK, **place)
+    return axes[0, 0]
+
+
+@styled
+def history(solution: Solution, state: dict):
+    """Velocity and pressure of a driven plate against time, with its terminal velocity; gives the first axes."""
+    axes = new_panels(1, 2, 7.4, 2.9)
+    unit, factor = time_scale(float(np.max(state["time"])))
+    for ax, key in zip(axes.flat, ("particle_velocity", "pressure")):
+        shown, scale, words = field_scale(FIELD[key], state[key])
+        ax.plot(state["time"] * factor, state[key] * scale, color=COLOURS[0])
+        ax.set(xlabel=f"time ({unit})", ylabel=labelled(words, shown))
+        ax.margins(x=0.0)
+        quiet_grid(ax)
+        if key == "particle_velocity":
+            last = solution.numbers["terminal_velocity"] * scale
+            ax.axhline(last, color=QUIET, lw=0.8, ls=(0, (4, 2)))
+            ax.annotate(f"terminal velocity {last:.4g} {shown}", (0.98, last), xycoords=("axes fraction", "data"), xytext=(0, -3),
+                        textcoords="offset points", ha="right", va="top", fontsize=8, color=QUIET)
+    return axes[0, 0]
+
+
+@styled
+def burn_times(points, times, given: dict):
+    """Contours of burn time over the plane, with detonators and the ball; gives the axes. Points must fill a square grid."""
+    ax = new_axes(4.8, 4.2)
+    x, y = (np.unique(points[:, k]) for k in (0, 1))
+    if x.size * y.size != len(times):
+        ax.scatter(points[:, 0], points[:, 1], c=times, s=18)
+    else:
+        unit, factor = time_scale(float(np.nanmax(times)))
+        drawn = ax.contour(x, y, np.asarray(times).reshape(y.size, x.size) * factor, levels=14, colors=[COLOURS[0]], linewidths=0.8)
+        ax.clabel(drawn, fontsize=7.5, fmt=lambda v: f"{v:g}")
+        ax.set_title(f"burn time ({unit})", loc="left", fontsize=9)
+    for place in np.atleast_2d(np.asarray(given.get("detonators", given.get("detonator")), float)):
+        ax.plot(place[0], place[1], "*", color=COLOURS[1], ms=9)
+    if "radius" in given:
+        angle = np.linspace(0.0, 2.0 * np.pi, 200)
+        ax.plot(given["radius"] * np.cos(angle), given["radius"] * np.sin(angle), color=QUIET, lw=0.9)
+    ax.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
+    return ax
+
+
+

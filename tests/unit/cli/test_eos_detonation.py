@@ -1,0 +1,103 @@
+"""`hugoniot eos cj`, `znd` and `mixture`: their words, numbers, files, pictures, and what they say to bad input."""
+
+import csv
+import json
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from hugoniot.cli.main import build_app
+
+GAS = '[eos]\nlaw = "ideal_gas"\ngamma = 1.2\nspecific_heat = 5.0\n[burn]\nlaw = "arrhenius"\nfrequency = 231.16\nactivation_temperature = 50\n'
+LX17 = ("lx_17", "--shocked", "pressure = 20 GPa")
+
+
+def eos(*arguments):
+    return CliRunner().invoke(build_app("eos"), ["eos", *arguments])
+
+
+def answer(*arguments):
+    result = eos(*arguments, "--json")
+    assert result.exit_code == 0, result.output
+    return json.loads(result.stdout)
+
+
+def test_one_step_detonation_of_the_textbooks(tmp_path):
+    """B23: gamma = 1.2, Q = E = 50, f = 1.6; the rate constant makes the half-reaction length one."""
+    path = tmp_path / "gas.toml"
+    path.write_text(GAS, encoding="utf-8")
+    ask = (str(path), "--heat", "50 J/kg", "--ahead", "density = 1 kg/m^3, pressure = 1 Pa")
+    found = answer("znd", *ask, "--overdrive", "1.6")
+    assert found["detonation_velocity"] == pytest.approx(8.61337980, abs=1e-8) and found["chapman_jouguet_velocity"] == pytest.approx(6.80947463, abs=1e-8)
+    assert found["von_neumann"]["pressure"] == pytest.approx(67.354829, abs=1e-6)
+    assert found["half_reaction_length"] == pytest.approx(1.0, abs=3e-5) and found["closure"] is None
+    assert answer("cj", *ask)["detonation_velocity"] == pytest.approx(6.80947463, abs=1e-8)
+    other = answer("znd", *ask, "--overdrive", "1.6", "--rate", "arrhenius: frequency = 462.32 1/s, activation_temperature = 50 K")
+    assert other["half_reaction_length"] == pytest.approx(0.5 * found["half_reaction_length"], rel=1e-9)
+
+
+def test_zone_of_an_explosive_of_the_library(tmp_path):
+    out = tmp_path / "zone.csv"
+    found = answer("znd", "lx_17", "--points", "20", "--csv", str(out))
+    assert {"pressure", "density", "particle_velocity", "specific_internal_energy", "temperature", "sound_speed", "position", "time"} <= set(found)
+    assert found["closure"] == "thermal_isolation" and any("lx_17 reactive" in w for w in found["warnings"])
+    assert found["position"][0] == 0.0 and np.all(np.diff(found["position"]) > 0.0) and found["pressure"][0] == pytest.approx(found["von_neumann"]["pressure"])
+    assert found["reaction_zone_length"] == found["position"][-1] > 5.0 * found["half_reaction_length"] > 0.0
+    assert len(list(csv.reader(out.open()))) == 21
+    both = answer("znd", "lx_17", "c4", "--points", "9", "--closure", "weighted_pressures")
+    assert [m["closure"] for m in both["materials"]] == ["weighted_pressures"] * 2
+
+
+def test_states_of_a_mixture_in_both_closures():
+    isolation, equilibrium = answer("mixture", *LX17, "--burn-fraction", "0, 0.5, 1")["materials"]
+    assert (isolation["closure"], equilibrium["closure"]) == ("thermal_isolation", "thermal_equilibrium")
+    keys = {"pressure", "density", "specific_internal_energy", "temperature", "sound_speed", "gruneisen", "adiabatic_exponent", "specific_heat",
+            "burn_fraction", "pressure_by_volume", "pressure_by_energy", "pressure_by_burn_fraction", "product_density"}
+    assert keys <= set(isolation) and isolation["burn_fraction"] == [0.0, 0.5, 1.0]
+    assert isolation["pressure"][0] == pytest.approx(20e9, rel=1e-9) == pytest.approx(equilibrium["pressure"][0], rel=1e-9)
+    assert isolation["pressure"][2] == pytest.approx(equilibrium["pressure"][2], rel=1e-9)
+    # a state by density and thermal energy is the same one
+    rho, e = isolation["density"][0], isolation["specific_internal_energy"][0] - isolation["detonation_energy"]
+    again = answer("mixture", *LX17, "--at", f"density = {rho!r}, energy = {e!r}", "--burn-fraction", "0.5", "--closure", "thermal_isolation")
+    assert again["pressure"] == [pytest.approx(isolation["pressure"][1], rel=1e-12)]
+
+
+def test_adiabats_hugoniots_and_series_of_a_mixture():
+    way = answer("mixture", *LX17, "--adiabat", "1.2 g/cm^3", "--burn-to", "1", "--closure", "thermal_isolation", "--points", "161")
+    v, p, e = 1.0 / np.array(way["density"]), np.array(way["pressure"]), np.array(way["specific_internal_energy"])
+    assert way["burn_fraction"][0] == 0.0 and way["burn_fraction"][-1] == pytest.approx(1.0)
+    assert np.diff(e) == pytest.approx(-0.5 * (p[1:] + p[:-1]) * np.diff(v), rel=5e-3)
+    shocks = answer("mixture", "lx_17", "--at", "density = 1.9 g/cm^3, energy = 0.5 MJ/kg", "--burn-fraction", "0.3", "--hugoniot", "40 GPa", "--points", "5")
+    for one in shocks["materials"]:
+        p, u, d = (np.array(one[k]) for k in ("pressure", "particle_velocity", "shock_velocity"))
+        assert p[1:] - p[0] == pytest.approx(1900.0 * u[1:] * d[1:], rel=1e-11)
+    series = answer("mixture", *LX17, "--series")
+    state = answer("mixture", *LX17, "--burn-fraction", "1e-4", "--closure", "thermal_isolation")
+    assert 1.0 / state["reactant_density"][0] == pytest.approx(series["reactant_volume"][0] + 1e-4 * series["reactant_volume"][1], rel=1e-7)
+
+
+@pytest.mark.parametrize("arguments", [("znd", "comp_b", "lx_17"), ("mixture", *LX17), ("mixture", *LX17, "--burn-fraction", "0.5", "--adiabat", "1.2 g/cm^3"),
+                                       ("mixture", *LX17, "--burn-fraction", "0.4", "--hugoniot", "60 GPa")])
+def test_pictures(tmp_path, arguments):
+    out = tmp_path / "picture.png"
+    result = eos(*arguments, "--plot", str(out))
+    assert result.exit_code == 0, result.output
+    assert out.read_bytes()[1:4] == b"PNG" and out.stat().st_size > 10_000
+
+
+@pytest.mark.parametrize(("arguments", "code", "words"), [
+    (("znd", "tnt"), 2, "give --rate"), (("znd", "copper"), 2, "no rate"), (("znd", "lx17x"), 2, "nearest"), (("znd", "lx_17", "--closure", "thermal_isolaton"), 2, "did you mean"),
+    (("znd", "lx_17", "--velocity", "7 km/s"), 3, "slower than the Chapman-Jouguet"), (("znd", "lx_17", "--velocity", "7 km"), 2, "expected a velocity"),
+    (("znd", "lx_17", "--rate", "arhenius: frequency = 1"), 2, "did you mean 'arrhenius'"), (("znd", "lx_17", "--rate", "arrhenius: frequency"), 2, "gives no parameter"),
+    (("znd", "lx_17", "--rate", "arrhenius: frequency = 1e6 1/s"), 2, "activation_temperature: missing"),
+    (("znd", "lx_17", "--complete", "1"), 3, "0 < complete < 1"), (("znd", "lx_17", "--heat", "1 MJ/kg", "--closure", "thermal_isolation"), 2, "leave one"),
+    (("znd", "copper", "--heat", "1 MJ/kg"), 2, "has no burn law"), (("mixture", "lx_17"), 2, "no state is given"), (("mixture", "copper", "--shocked", "pressure = 1 GPa"), 2, "unreacted"),
+    (("mixture", *LX17, "--burn-fraction", "1.5"), 2, "no fraction"), (("mixture", *LX17, "--at", "density = 2 g/cm^3"), 2, "a density and an energy"),
+    (("mixture", *LX17, "--closure", "burned_products"), 3, "no reactants"), (("mixture", *LX17, "--series", "--hugoniot", "9 GPa"), 2, "three questions"),
+    (("mixture", *LX17, "--hugoniot", "9 GPa"), 2, "give a higher pressure"), (("mixture", "lx_17", "--shocked", "pressure = -20 GPa"), 3, "pressure"),
+    (("mixture", "lx_17", "--at", "density = 90 g/cm^3, energy = 3 MJ/kg"), 3, "mixture"), (("cj", "comp_b", "--ahead", "density = 1 kg"), 2, "--ahead density")])
+def test_bad_input_is_answered_with_the_way_out(arguments, code, words):
+    result = eos(*arguments)
+    assert result.exit_code == code, result.output
+    assert words in result.output and "Traceback" not in result.output and "defect" not in result.output
