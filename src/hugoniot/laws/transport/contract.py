@@ -48,10 +48,16 @@ def longitudinal_viscosity(mu, transport):
     return (4.0 / 3.0 + transport.bulk_ratio) * mu + transport.bulk_viscosity
 
 
-def isobaric_heat(rho, T, c2, p_e, cv):
-    """c_p = c_v c^2 / (c^2 - Gamma^2 c_v T), J/(kg K), with Gamma = p_e / rho: exact for any equation of state with a temperature."""
-    gamma = p_e / rho
-    return cv * c2 / (c2 - gamma * gamma * cv * T)
+def isobaric_heat(rho, c2, p_rho, p_e, T_v, T_e):
+    r"""c_p, J/(kg K), from a law's own pressure and temperature, whether or not they follow from one potential.
+
+    $$c_p = \left(\frac{\partial h}{\partial T}\right)_p = \frac{\rho^2 c^2}{\rho^2 p_\rho\,T_e + p_e\,T_v}, \qquad
+      T_v = \left(\frac{\partial T}{\partial v}\right)_e, \quad T_e = \left(\frac{\partial T}{\partial e}\right)_v,$$
+
+    with c2 the squared sound speed. Where $T_e = 1/c_v$ and $T_v = p T_e - T p_e$, as in every law with an entropy, it is the textbook's
+    $c_v c^2/(c^2 - \Gamma^2 c_v T)$ (Landau and Lifshitz, Statistical Physics, section 16); porous and tabulated laws need the longer form.
+    """
+    return rho * rho * c2 / (rho * rho * p_rho * T_e + p_e * T_v)
 
 
 # -- at the surface ----------------------------------------------------------------------------------------------

@@ -56,12 +56,6 @@ def temperature_if_any(rho, e, par):
     return 0.0
 
 
-@_law_has("specific_heat")
-def specific_heat_if_any(rho, e, par):
-    """The law's specific heat, J/(kg K); 1 where it has none."""
-    return 1.0
-
-
 @nb.njit(**INLINE)
 def weno(a, b, c, d, e):
     """Fifth-order value at the right face of the cell with average c, from the averages of five cells in a row (WENO-Z)."""
@@ -160,7 +154,8 @@ def fill_ghosts(U, kinds, ends, eos):
         v = u0 + normal * g_u
         e0 = ends[side, 2] / rho0 - 0.5 * u0 * u0
         p_rho, p_e = pressure_derivatives(rho0, e0, eos)
-        e = e0 + (g_p - p_rho * (rho - rho0)) / p_e
+        # pores that close at a pressure no heat changes leave the energy to the work done on them
+        e = e0 + ((g_p - p_rho * (rho - rho0)) / p_e if p_e != 0.0 else p0 * (rho - rho0) / (rho0 * rho0))
         for g in range(GHOSTS):
             ghost = edge - inward * (g + 1)
             U[RHO, ghost], U[J, ghost], U[E, ghost] = rho, rho * v, rho * (e + 0.5 * v * v)
@@ -168,22 +163,24 @@ def fill_ghosts(U, kinds, ends, eos):
 
 @nb.njit(**INLINE)
 def heat_flow(rho, e, rho_x, e_x, mu, eos, transport, conducting):
-    """(heat flux q, thermal diffusivity k/(rho c_v)) at a state with gradients; zero where the fluid does not conduct."""
+    """(heat flux q, thermal diffusivity k (dT/de) / rho) at a state with gradients; zero where the fluid does not conduct."""
     if not conducting:
         return 0.0, 0.0
     T = temperature_if_any(rho, e, eos)
     p = pressure(rho, e, eos)
     p_rho, p_e = pressure_derivatives(rho, e, eos)
     c2 = p_rho + p * p_e / (rho * rho)
-    cv = specific_heat_if_any(rho, e, eos)
-    k = conductivity(rho, T, mu, isobaric_heat(rho, T, c2, p_e, cv), transport.conduction)
+    wider, closer, more = rho / (1.0 + _PROBE), rho / (1.0 - _PROBE), _PROBE * c2
+    T_v = (temperature_if_any(wider, e, eos) - temperature_if_any(closer, e, eos)) * rho / (2.0 * _PROBE)
+    T_e = (temperature_if_any(rho, e + more, eos) - temperature_if_any(rho, e - more, eos)) / (2.0 * more)
+    k = conductivity(rho, T, mu, isobaric_heat(rho, c2, p_rho, p_e, T_v, T_e), transport.conduction)
     size = abs(rho_x) / rho + abs(e_x) / c2
     if size == 0.0:
-        return 0.0, k / (rho * cv)
+        return 0.0, k * T_e / rho
     step = _PROBE / size
     warmer = temperature_if_any(rho + step * rho_x, e + step * e_x, eos)
     colder = temperature_if_any(rho - step * rho_x, e - step * e_x, eos)
-    return -k * (warmer - colder) / (2.0 * step), k / (rho * cv)
+    return -k * (warmer - colder) / (2.0 * step), k * T_e / rho
 
 
 @nb.njit(**INLINE)
@@ -228,10 +225,13 @@ def flux_sweep(U, F, h, rough, control, counters, eos, transport, conducting):
         F[E, i] = 0.5 * ((el + pl) * ul + (er + pr) * ur) - 0.5 * damp * (er - el) - tau * u + q
         if abs(u) > damp:       # entropy waves have no viscosity of their own
             p_rho, p_e = pressure_derivatives(rho, e, eos)
-            amount = 0.5 * (abs(u) - damp) * (rr - rl - (pr - pl) / (0.5 * (cl * cl + cr * cr)))
-            F[RHO, i] -= amount
-            F[J, i] -= amount * u
-            F[E, i] -= amount * (total - rho * p_rho / p_e)
+            if p_e != 0.0:
+                amount = 0.5 * (abs(u) - damp) * (rr - rl - (pr - pl) / (0.5 * (cl * cl + cr * cr)))
+                F[RHO, i] -= amount
+                F[J, i] -= amount * u
+                F[E, i] -= amount * (total - rho * p_rho / p_e)
+            else:               # at constant pressure the density is, and the energy alone jumps
+                F[E, i] -= 0.5 * (abs(u) - damp) * rho * (er / rr - 0.5 * ur * ur - el / rl + 0.5 * ul * ul)
         if speed > fastest:
             fastest = speed
             counters[LIMITING] = min(i, n - 1)

@@ -207,7 +207,7 @@ class ShockStructure:
         low, high = self.ends[:, 0]
         if low == high:
             raise NoSolution("the two ends have the same density: there is no shock between them to measure")
-        return thickness(self.faces, self.cells[0], low, high)
+        return thickness(self.faces, self.cells[0], low, high, self._primitive()[1])
 
     def results(self) -> dict[str, float]:
         """What a run's summary tells beside the budgets: where there is a shock between the far fields, its thickness and place, m."""

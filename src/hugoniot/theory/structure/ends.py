@@ -12,6 +12,8 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
+from scipy.optimize import brentq
+
 from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
@@ -95,15 +97,22 @@ def find_ends(material, upstream: hugoniot.Initial | None = None, *, mach: float
         if not (math.isfinite(mach) and mach > 1.0):
             raise OutOfRange(f"Mach {mach:g} makes no shock: its speed must exceed the sound speed ahead, {c1:.6g} m/s; give mach above 1")
         given = {"shock_velocity": mach * c1}
-    behind = hugoniot.shock(par, ahead, **given)
+    if len(given) != 1:
+        raise OutOfRange("a shock has one measure of strength: mach, shock_velocity, particle_velocity, pressure or density; got "
+                         + (", ".join(given) or "none"))
+    name = EOS.of(par).name
+    try:
+        behind = hugoniot.shock(par, ahead, **given)
+    except (OutOfRange, NoSolution) as error:
+        raise type(error)(f"law '{name}' has no such shock: {error}") from None
     speed, rho2 = float(behind.shock_velocity), float(behind.density)
     if not (speed > c1 and rho2 > ahead.density and math.isfinite(speed)):
-        raise OutOfRange(f"law '{EOS.of(par).name}' has no compressive shock there: a shock must be faster than sound ahead "
+        raise OutOfRange(f"law '{name}' has no such shock: a compressive shock must be faster than sound ahead "
                          f"({c1:.6g} m/s), this one has {speed:.6g} m/s; ask for a stronger one")
     m = ahead.density * speed
     one = _end(par, ahead.density, ahead.energy, m)
     trial = Ends(par, one, one, m)
-    v2 = _polished(trial, 1.0 / rho2)
+    v2 = _polished(trial, _nearest(trial, 1.0 / rho2) if "shock_velocity" in given else 1.0 / rho2)
     ends = Ends(par, one, _end(par, 1.0 / v2, trial.rayleigh_energy(v2), m), m)
     _require_one_wave(ends)
     return ends
@@ -113,9 +122,21 @@ def _end(par, rho, e, m) -> End:
     c2 = float(contract.sound_speed_squared(rho, e, par))
     T = float(contract.temperature(rho, e, par)) if contract.has_temperature(par) else math.nan
     if not c2 > 0.0:
-        raise OutOfRange(f"law '{EOS.of(par).name}' is unstable (c^2 = {c2:.4g} m2/s2) at rho = {rho:.6g} kg/m3, e = {e:.6g} J/kg; "
-                         "choose a weaker shock or another law")
+        raise OutOfRange(f"law '{EOS.of(par).name}' has no such shock: it is unstable (c^2 = {c2:.4g} m2/s2) at rho = {rho:.6g} kg/m3, "
+                         f"e = {e:.6g} J/kg; choose a weaker shock or another law")
     return End(float(rho), float(e), float(contract.pressure(rho, e, par)), m / rho, T, math.sqrt(c2))
+
+
+def _nearest(ends: Ends, v2: float) -> float:
+    """Of several states that one shock velocity reaches on a Hugoniot that bends back, the first: no split lies before it."""
+    v1 = 1.0 / ends.upstream.density
+    previous = v1
+    for i in range(1, _SAMPLES):
+        v = v1 + (v2 - v1) * i / _SAMPLES
+        if ends.excess(v) > 0.0:
+            return brentq(ends.excess, v, previous, xtol=1e-15 * v1, rtol=1e-14) if i > 1 else v2
+        previous = v
+    return v2
 
 
 def _polished(ends: Ends, v: float) -> float:
@@ -139,8 +160,9 @@ def _require_one_wave(ends: Ends) -> None:
     for i in range(1, _SAMPLES):
         v = v2 + (v1 - v2) * i / _SAMPLES
         if not ends.excess(v) < 0.0:
-            raise NoSolution(f"law '{name}' has no single steady shock between {ends.upstream.density:.6g} and "
+            raise NoSolution(f"law '{name}' has no such shock: no single steady one between {ends.upstream.density:.6g} and "
                              f"{ends.downstream.density:.6g} kg/m3: the Rayleigh line crosses its Hugoniot at {1.0 / v:.6g} kg/m3, "
                              "so the wave splits; ask for a shock below or above that density")
     if not ends.downstream.velocity < ends.downstream.sound_speed:
-        raise NoSolution(f"law '{name}': the flow behind this shock is not subsonic, so it cannot be steady; ask for another strength")
+        raise NoSolution(f"law '{name}' has no such shock: the flow behind it is not subsonic, so it cannot be steady; ask for another "
+                         "strength")

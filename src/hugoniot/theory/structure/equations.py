@@ -30,6 +30,8 @@ from hugoniot.theory.structure.slow_manifold import slow_manifold
 
 STIFF = 40.0  # ratio of the upstream rates above which the trajectory is found as a curve, not along x
 _START, _STOP = 1e-7, 1e-9  # distance from the ends, as a part of the jump
+_ALONG = (0.003, 0.01, 0.03, 0.1, 0.3, 0.5, 0.9)  # of the way from one end to the other
+_LEAST_RATIO = 1e-4  # of c_v / c_p that a stable state has
 _DIFFERENCE = 1e-8  # where a difference quotient stands in for an identity
 _ROUND_OFF = 1e-14  # of a pressure on the Rayleigh line, which the excess of a weak shock makes visible
 
@@ -52,8 +54,6 @@ class Equations:
             require_temperature(self.par)
         if self.conducting and self._heat is None:
             raise OutOfRange(f"{law.name}: heat conduction needs a specific heat, which this law does not give; choose conduction 'none'")
-        for end in (ends.upstream, ends.downstream) if self.conducting else ():
-            self._require_thermal_stability(end)
         self._viscosity = TRANSPORT.of(transport.shear).functions["viscosity"]
         self._conductivity = CONDUCTION.of(transport.conduction).functions["conductivity"]
         one = ends.upstream
@@ -65,31 +65,45 @@ class Equations:
             raise OutOfRange(f"transport law '{TRANSPORT.of(transport.shear).name}' gives no viscosity ahead of the shock")
         self.length = self.mu1 / self.m
         self.w2 = one.density / ends.downstream.density
-        self._consistent = not self.conducting or self._is_consistent()
+        self._consistent = self._temperature is None or self._heat is None or self._is_consistent()
+        for end in (ends.upstream, ends.downstream) if self.conducting else ():
+            self._require_thermal_stability(end)
         self.jump = 1.0 - self.w2
         self.entropy_scale = self.jump**3 * (self.c1**2 / one.temperature if one.temperature == one.temperature else 1.0)
 
-    def _temperature_slope(self, v, e):
-        """dT/dv at constant e by central differences, K kg/m3."""
-        d = 3e-5 * v
-        return (self._temperature(1.0 / (v + d), e, self.par) - self._temperature(1.0 / (v - d), e, self.par)) / (2.0 * d)
+    def temperature_slopes(self, rho, e, p, T, p_e):
+        """(dT/dv at constant e, dT/de at constant v), K kg/m3 and K kg/J: p/c_v - T p_e and 1/c_v, or differences where these fail."""
+        if not self._consistent:
+            return self._temperature_differences(1.0 / rho, e)
+        T_e = 1.0 / self._heat(rho, e, self.par)
+        return p * T_e - T * p_e, T_e
+
+    def _temperature_differences(self, v, e):
+        """The same by central differences."""
+        d, b = 3e-5 * v, 3e-5 * self.c1**2
+        return ((self._temperature(1.0 / (v + d), e, self.par) - self._temperature(1.0 / (v - d), e, self.par)) / (2.0 * d),
+                (self._temperature(1.0 / v, e + b, self.par) - self._temperature(1.0 / v, e - b, self.par)) / (2.0 * b))
 
     def _is_consistent(self) -> bool:
-        """Whether the law keeps (dT/dv)_e = p T_e - T p_e, half way along the Rayleigh line (a porous or tabulated law may not)."""
-        v = 0.5 * (self.v1 + 1.0 / self.ends.downstream.density)
-        e, rho = self.ends.rayleigh_energy(v), 1.0 / v
-        p, T, p_e = self._pressure(rho, e, self.par), self._temperature(rho, e, self.par), self._derivatives(rho, e, self.par)[1]
-        cv = self._heat(rho, e, self.par)
-        miss = p / cv - T * p_e - self._temperature_slope(v, e)
-        return abs(miss) <= 1e-6 * (abs(p / cv) + abs(T * p_e))
+        """Whether the law keeps T_v = p T_e - T p_e and T_e = 1/c_v all along the Rayleigh line (porous and tabulated laws do not)."""
+        v2 = 1.0 / self.ends.downstream.density
+        for part in _ALONG:
+            v = self.v1 + part * (v2 - self.v1)
+            e, rho = self.ends.rayleigh_energy(v), 1.0 / v
+            p, T, p_e = self._pressure(rho, e, self.par), self._temperature(rho, e, self.par), self._derivatives(rho, e, self.par)[1]
+            cv = self._heat(rho, e, self.par)
+            T_v, T_e = self._temperature_differences(v, e)
+            if abs(p / cv - T * p_e - T_v) > 1e-6 * (abs(p / cv) + abs(T * p_e)) or abs(T_e * cv - 1.0) > 1e-6:
+                return False
+        return True
 
     def _require_thermal_stability(self, end):
         p_e = self._derivatives(end.density, end.energy, self.par)[1]
         heat = (p_e / end.density) ** 2 * self._heat(end.density, end.energy, self.par) * end.temperature
-        if not end.sound_speed**2 > heat > -math.inf:
-            raise OutOfRange(f"law '{EOS.of(self.par).name}' cannot conduct heat at rho = {end.density:.6g} kg/m3: Gamma^2 c_v T = "
-                             f"{heat:.4g} m2/s2 exceeds c^2 = {end.sound_speed**2:.4g} m2/s2, so that its c_p is negative; use a smaller "
-                             "Grüneisen parameter or specific heat, or conduction 'none'")
+        if self._consistent and not end.sound_speed**2 > heat > -math.inf:
+            raise OutOfRange(f"law '{EOS.of(self.par).name}' has no such shock with heat conduction: at rho = {end.density:.6g} kg/m3 its "
+                             f"Gamma^2 c_v T = {heat:.4g} m2/s2 exceeds c^2 = {end.sound_speed**2:.4g} m2/s2, so that its c_p is negative; "
+                             "use a smaller Grüneisen parameter or specific heat, or conduction 'none'")
 
     def _viscosities(self, rho, T):
         mu = self._viscosity(rho, T, self.transport.shear)
@@ -109,15 +123,14 @@ class Equations:
         tension = self.scale * (p / self.scale + w - self.pi0)
         v_x = tension / (mu_l * m)
         found = {"w": w, "h": h, "density": rho, "energy": e, "pressure": p, "temperature": T, "velocity": m * v, "viscosity": mu,
-                 "longitudinal_viscosity": mu_l, "viscous_stress": tension, "v_x": v_x, "conductivity": 0.0, "h_x": 0.0}
+                 "longitudinal_viscosity": mu_l, "viscous_stress": tension, "v_x": v_x, "conductivity": 0.0, "h_x": 0.0, "heat_ratio": 1.0}
         if self.conducting:
             p_rho, p_e = self._derivatives(rho, e, par)
-            cv = self._heat(rho, e, par)
-            cp = transport_contract.isobaric_heat(rho, T, p_rho + p * p_e / (rho * rho), p_e, cv)
+            T_v, T_e = self.temperature_slopes(rho, e, p, T, p_e)
+            cp = transport_contract.isobaric_heat(rho, p_rho + p * p_e / (rho * rho), p_rho, p_e, T_v, T_e)
             k = self._conductivity(rho, T, mu, cp, self.transport.conduction)
-            found["conductivity"] = k
-            T_v = p / cv - T * p_e if self._consistent else self._temperature_slope(v, e)
-            found["h_x"] = m * cv / k * h * self.c1**2 + (p - tension - cv * T_v) * v_x
+            found["conductivity"], found["heat_ratio"] = k, 1.0 / (T_e * cp)
+            found["h_x"] = m / (k * T_e) * h * self.c1**2 + (p - tension - T_v / T_e) * v_x
         return found
 
     def rates(self, _, y):
@@ -168,22 +181,42 @@ class Equations:
 
         def arrived(_, y):
             return y[0] - _STOP
-        arrived.terminal = True
+
+        def unstable(_, y):  # c_p beyond all bounds or negative: the isothermal stiffness has vanished, or the pressure leaps
+            return self.state(1.0 - self.jump * y[0], self.jump**2 * y[1])["heat_ratio"] - _LEAST_RATIO
+        arrived.terminal = unstable.terminal = True
         span = 10.0 * (math.log(1.0 / _START) / -rate + math.log(1.0 / _STOP) / ahead[0]) + 300.0
-        rtol = max(rtol, _ROUND_OFF / self.jump**2, 0.0 if self._consistent else _DIFFERENCE)
+        rtol = max(rtol, _ROUND_OFF / self.jump**2, _DIFFERENCE if self.conducting and not self._consistent else 0.0)
         rates: Any = self.rates
         curve = None
         with np.errstate(all="ignore"):
             if ahead[-1] / ahead[0] > STIFF:
-                curve = slow_manifold(self.rates, 10.0 * rtol)
+                curve = self._curve(10.0 * rtol)
+            if curve is not None:
                 start[1] = curve(start[0])
 
-                def along(xi, y):
+                def along(xi, y, curve=curve):
                     slope = self.rates(xi, (y[0], curve(y[0])))
                     return slope[0], 0.0, slope[2], slope[3]
                 rates = along
-            found = solve_ivp(rates, (0.0, -span), start, method="DOP853", rtol=rtol, atol=1e-2 * rtol, events=arrived, dense_output=True)
+            events = [arrived, unstable] if self.conducting and curve is None else [arrived]
+            found = solve_ivp(rates, (0.0, -span), start, method="DOP853", rtol=rtol, atol=1e-2 * rtol, events=events, dense_output=True)
+        if len(found.t_events[-1]) and events[-1] is unstable:
+            raise self._lost(found.y[:, -1])
         if found.status != 1:
             raise NoSolution(f"the structure did not reach the state ahead within {span * self.length:.3g} m ({found.message}); "
                              "the law or the transport law may not be smooth between the two states")
         return found, curve, rate, ahead[0]
+
+    def _curve(self, tolerance: float):
+        """The slow manifold, or None where the law has kinks that no polynomial follows (pores that close): x is the way then."""
+        try:
+            return slow_manifold(self.rates, tolerance)
+        except NoSolution:
+            return None
+
+    def _lost(self, y) -> NoSolution:
+        s = self.state(1.0 - self.jump * y[0], self.jump**2 * y[1])
+        return NoSolution(f"law '{EOS.of(self.par).name}' has no such shock with this heat conduction: the heat that runs ahead of it "
+                          f"warms the material at rho = {s['density']:.6g} kg/m3 to {s['temperature']:.4g} K, where the law has no "
+                          "single stable state (its c_p is not positive); ask for a weaker shock, less conduction, or conduction 'none'")

@@ -80,8 +80,8 @@ class Profile:
         p_rho, p_e = eq._derivatives(rho, s["energy"], eq.par)
         T_x = eq.m * s["h"] * eq.c1**2 / s["conductivity"] if eq.conducting else math.nan
         if not eq.conducting and s["temperature"] == s["temperature"] and eq._heat:
-            cv, T, p = eq._heat(rho, s["energy"], eq.par), s["temperature"], s["pressure"]
-            T_x = (p / cv - T * p_e) * v_x + e_x / cv
+            T_v, T_e = eq.temperature_slopes(rho, s["energy"], s["pressure"], s["temperature"], p_e)
+            T_x = T_v * v_x + T_e * e_x
         return {"density": -rho * rho * v_x, "velocity": eq.m * v_x, "energy": e_x, "temperature": T_x,
                 "pressure": -p_rho * rho * rho * v_x + p_e * e_x}
 

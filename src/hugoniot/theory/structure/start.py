@@ -1,18 +1,50 @@
-"""Where a transient run of a shock starts: from the exact jump as a step, or from the cell averages of the steady profile."""
+"""Where a transient run of a shock starts: from the exact jump as a step, or from the cell averages of the steady profile.
+
+`resolved` lays out the whole problem for a shock: cells, domain and time counted in its own thickness.
+"""
+
+import math
+from types import MappingProxyType
 
 import numpy as np
 
 from hugoniot.errors import DeckError
-from hugoniot.laws.eos.contract import pressure
+from hugoniot.laws.eos.contract import EOS, pressure
 from hugoniot.laws.transport import contract as transport_laws
 from hugoniot.materials.initial_state import initial_state
-from hugoniot.problem.model import Problem
+from hugoniot.materials.material import Material
+from hugoniot.problem.model import Boundary, Problem, Region, SolverOptions
 from hugoniot.theory.hugoniot import Initial
+from hugoniot.theory.states import law_of
 from hugoniot.theory.structure.profile import Profile, steady
 
 EDGE = 1e-3           # part of the jump that the profile may still lack at the ends of a domain
 MEASURES = ("mach", "shock_velocity", "particle_velocity", "pressure")
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(4)
+
+
+def resolved(material, transport, upstream=None, *, cells: int = 10, room=(12.0, 12.0), times: float = 20.0, frame: str = "standing",
+             start: str = "step", **strength) -> tuple[Problem, Profile]:
+    """(problem of the solver `shock_structure`, its steady profile) with `cells` in the density thickness of the shock.
+
+    material, transport, upstream, strength   as in `steady`
+    room     thicknesses ahead of the shock and behind it; in the moving frame the path is added ahead
+    times    how often the gas behind flows through a thickness until the run stops
+    """
+    eos = law_of(material)
+    profile = steady(eos, transport, upstream, **strength)
+    one, length = profile.ends.upstream, profile.thickness()
+    size = length / cells
+    stop = times * length / profile.ends.downstream.velocity
+    before, after = round(room[0] * cells), round(room[1] * cells)
+    if frame == "moving":
+        before += math.ceil(one.velocity * stop / size)
+    region = Region("fluid", "fluid", -before * size, after * size, before + after, density=one.density, energy=one.energy)
+    options = {"transport": transport, "shock": {**strength, "at": 0.0, "start": start, "frame": frame}}
+    end = Boundary("transmitting")
+    solver = SolverOptions("shock_structure", options=MappingProxyType(options))
+    title = f"{EOS.of(eos).name}, Mach {profile.ends.mach:.4g}"
+    return Problem(title, "planar", stop, (region,), {"fluid": Material("fluid", eos)}, end, end, solver=solver), profile
 
 
 def setting(problem: Problem):

@@ -1,0 +1,170 @@
+"""Writes docs/theory/shock_structure_numbers.md: every law's shocks, orders of the transient, the source's grid, speed.
+
+    python docs/generate_shock_structure.py            # all, some minutes on one core
+
+The page is kept in the repository, unlike other generated pages: it is a record. Times are processor time of one core.
+"""
+
+import contextlib
+import math
+import time
+from pathlib import Path
+
+from hugoniot.errors import HugoniotError
+from hugoniot.laws import eos as _laws  # noqa: F401  (enrols the equations of state)
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.transport.contract import make
+from hugoniot.solvers.shock_structure.measure import thickness_by_differences
+from hugoniot.solvers.shock_structure.solver import ShockStructure
+from hugoniot.theory.structure import jordan, steady
+from hugoniot.theory.structure.start import resolved, shock_start
+
+TARGET = Path(__file__).parent / "theory" / "shock_structure_numbers.md"
+MACHS = (1.01, 1.1, 2.0, 5.0, 20.0)
+CONDUCTIONS = {"without": None, "with": {"law": "prandtl", "prandtl": 1.0}}
+WATER_SPACINGS = (15.5e-9, 7.75e-9, 3.875e-9, 1.9375e-9, 0.96875e-9, 0.484375e-9, 0.2421875e-9)
+
+
+def table(heads, rows) -> list[str]:
+    return ["| " + " | ".join(heads) + " |", "|" + "---|" * len(heads), *("| " + " | ".join(row) + " |" for row in rows), ""]
+
+
+# -- every law ---------------------------------------------------------------------------------------------------------
+def shock_of(law, conduction, mach) -> tuple[str, float]:
+    """(thickness over 4/3 mu/(rho1 u1), or the reason why there is none; processor time, s)."""
+    begun = time.process_time()
+    try:
+        profile = steady(law.example, make({"law": "constant", "shear_viscosity": 1e-3}, CONDUCTIONS[conduction]), mach=mach)
+        shown = f"{profile.thickness() * profile.ends.mass_flux / (4e-3 / 3.0):.4g}"
+    except HugoniotError as error:
+        shown = str(error)
+    return shown, time.process_time() - begun
+
+
+def matrix() -> list[str]:
+    rows, notes, times, found = [], [], [], 0
+    for law in EOS:
+        for conduction in CONDUCTIONS:
+            row = []
+            for mach in MACHS:
+                shown, took = shock_of(law, conduction, mach)
+                times.append(took)
+                if shown[0].isdigit():
+                    row.append(shown)
+                    found += 1
+                else:
+                    if shown not in notes:
+                        notes.append(shown)
+                    row.append(f"({notes.index(shown) + 1})")
+            rows.append([f"`{law.name}`", conduction, *row])
+    count = len(rows) * len(MACHS)
+    text = [f"Density thickness over 4/3 μ / (ρ₁u₁) with constant viscosity, without conduction and with Prandtl number 1, from the "
+            f"reference state of each law's example: {found} of {count} have a shock; the others are refused, with these words:", ""]
+    text += [f"{i + 1}. {words}" for i, words in enumerate(notes)]
+    return [*text, "", f"Longest: {max(times):.2f} s; all {count}: {sum(times):.0f} s.", "",
+            *table(("law", "conduction", *(f"Mach {m:g}" for m in MACHS)), rows)]
+
+
+# -- orders ------------------------------------------------------------------------------------------------------------
+def cases():
+    """name -> keywords of `resolved`."""
+    law, ahead = jordan.argon()
+    for mach in jordan.ARGON_MACHS:
+        yield f"argon, Mach {mach:g}", dict(material=law, transport=jordan.argon_transport(), upstream=ahead, mach=mach)
+    for case in jordan.CONDENSED.values():
+        layout = {"silica_100": dict(room=(20.0, 3.0), times=8.0), "silica_250": dict(room=(20.0, 3.0), times=6.0),
+                  "silica_770": dict(times=60.0)}.get(case.name, {})
+        yield (f"{case.name.replace('_', ' ')}, {case.particle_velocity:g} m/s",
+               dict(material=case.eos(), transport=case.transport(), particle_velocity=case.particle_velocity, **layout))
+
+
+def errors(keywords, frame, counts=(5, 10, 20)) -> list[float]:
+    """Relative errors of the thickness, from a step."""
+    found = []
+    for count in counts:
+        problem, profile = resolved(**keywords, cells=count, frame=frame)
+        solver = ShockStructure(problem, shock_start(problem))
+        solver.march(problem.stop_time, 10**9)
+        found.append(abs(solver.thickness()[0] / profile.thickness() - 1.0))
+    return found
+
+
+def orders() -> list[str]:
+    rows = []
+    for name, keywords in cases():
+        for frame in ("standing", "moving"):
+            found = errors(keywords, frame)
+            rows.append([name, frame, *(f"{100.0 * e:.2g}" for e in found), *(f"{math.log2(a / b):.1f}" for a, b in zip(found, found[1:]))])
+    return ["Error of the density thickness against the steady wave, %, from a step, at 5, 10, 20 cells in the thickness, and the orders "
+            "between:", "",
+            *table(("case", "frame", "5", "10", "20", "order", "order"), rows)]
+
+
+# -- the source's grid -------------------------------------------------------------------------------------------------------
+def on_spacing(case, spacing, gamma0=None) -> tuple[float, float]:
+    """(thickness by 004 eq. 6.2.5 on 600 cells of a spacing, steady thickness), m."""
+    keywords = dict(material=case.eos(gamma0), transport=case.transport(), particle_velocity=case.particle_velocity)
+    true = steady(**keywords).thickness()
+    many = 300.0 * spacing / true
+    problem, profile = resolved(**keywords, cells=true / spacing, room=(many, many), times=max(many, 20.0))
+    solver = ShockStructure(problem, shock_start(problem))
+    solver.march(problem.stop_time, 10**9)
+    return thickness_by_differences(solver.h, solver.cells[0], *solver.ends[:, 0]), profile.thickness()
+
+
+def spacings() -> list[str]:
+    rows = []
+    for name in ("water_387", "water_858"):
+        case = jordan.CONDENSED[name]
+        row, true = [], 0.0
+        for spacing in WATER_SPACINGS:
+            shown, true = on_spacing(case, spacing)
+            row.append(f"{shown * 1e9:.4g}" + (f" (004's grid; it prints {case.printed[0] * 1e9:.0f})" if spacing == case.spacing else ""))
+        rows.append([name.replace("_", " "), *row, f"{true * 1e9:.4g}"])
+    return ["Thickness, nm, by 004 eq. 6.2.5 on 600 cells of the spacing in the head of the column:", "",
+            *table(("", *(f"{s * 1e9:.3g} nm" for s in WATER_SPACINGS), "steady"), rows)]
+
+
+# -- speed -----------------------------------------------------------------------------------------------------------------
+@contextlib.contextmanager
+def timed(rows, words):
+    begun = time.process_time()
+    yield
+    rows.append([words, f"{time.process_time() - begun:.2f}"])
+
+
+def speed() -> list[str]:
+    law, ahead = jordan.argon()
+    rows: list = []
+    steady(law, jordan.argon_transport(), ahead, mach=2.0).thickness()
+    for mach in (1.01, 9.0):
+        with timed(rows, f"steady, argon, Mach {mach:g}"):
+            steady(law, jordan.argon_transport(), ahead, mach=mach).thickness()
+    with timed(rows, "steady, the nine argon cases of table 6.2.1.1"):
+        for viscosity, unit in jordan.ARGON_BLOCKS.values():
+            for mach in jordan.ARGON_MACHS:
+                profile = steady(law, jordan.argon_transport(viscosity), ahead, mach=mach)
+                profile.thickness() / profile.mean_free_path(unit)
+    problem, profile = resolved(law, jordan.argon_transport(), ahead, mach=9.0)
+    ShockStructure(problem, shock_start(problem)).march(1e-300, 1)   # compile
+    solver = ShockStructure(problem, shock_start(problem))
+    with timed(rows, ""):
+        solver.march(problem.stop_time, 10**9)
+    error = abs(solver.thickness()[0] / profile.thickness() - 1.0)
+    rows[-1][0] = (f"transient, argon, Mach 9 from a step, 10 cells in the thickness: {len(solver.region_of)} cells, {solver.cycle} steps, "
+                   f"{solver.zone_updates / 1e6:.2g} million cell updates; {100 * error:.2g} % from the steady thickness")
+    share = 5e7 * 19200 / solver.zone_updates
+    return [*table(("", "s of one core"), rows),
+            f"004 took 5e7 steps on 19 200 cells, 9.6e11 cell updates, per case: {share:.0f} times as many."]
+
+
+def main() -> None:
+    parts = {"Every law of the bench": matrix, "Order of the transient": orders, "Water on the source's grid": spacings, "Speed": speed}
+    text = []
+    for title, part in parts.items():
+        text += [f"### {title}", "", *part()]
+    TARGET.write_text("\n".join(text).rstrip() + "\n")
+
+
+if __name__ == "__main__":
+    main()
