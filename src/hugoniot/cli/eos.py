@@ -7,8 +7,9 @@ import typer
 
 from hugoniot.cli.eos_detonation import cj, mixture, znd
 from hugoniot.cli.eos_input import Subject, find_inert, find_material, one_state, quantity, several_states
-from hugoniot.cli.eos_options import AT, CSV, MATERIAL, MATERIALS, PLOT, POINTS
+from hugoniot.cli.eos_options import AT, CSV, HEAT, MATERIAL, MATERIALS, PLOT, POINTS
 from hugoniot.cli.eos_output import cell, deliver, echo_notes, echo_states, notes, row_of, write_csv
+from hugoniot.cli.eos_second_shock import second_shock
 from hugoniot.cli.show import JSON, echo_json, echo_table
 from hugoniot.errors import DeckError
 from hugoniot.theory.states import States
@@ -20,7 +21,7 @@ app = typer.Typer(no_args_is_help=True, help=(
 
 
 @app.command()
-def show(material: MATERIAL, at: AT = None, as_json: JSON = False, as_csv: CSV = None) -> None:
+def show(material: MATERIAL, at: AT = None, as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None) -> None:
     """The law, its parameters, its state at rest and, with --at, on the Hugoniot.
 
     Example: hugoniot eos show copper --at "pressure = 10 GPa"
@@ -33,6 +34,8 @@ def show(material: MATERIAL, at: AT = None, as_json: JSON = False, as_csv: CSV =
     law = EOS.of(par)
     state = _shocked(find_inert(material), at) if at else reference(par)
     told = notes(subject, state.particle_velocity)
+    if plot:
+        _portrait(material, subject, state if at else None, plot)
     if as_csv:
         write_csv(as_csv, [("", state.table("gruneisen", "entropy"))])
     if as_json:
@@ -53,41 +56,21 @@ def show(material: MATERIAL, at: AT = None, as_json: JSON = False, as_csv: CSV =
 def hugoniot(
     materials: MATERIALS, at: AT = None, points: POINTS = 101,
     up_to: Annotated[str | None, typer.Option("--up-to", help='Last particle velocity, "3 km/s".')] = None,
-    density: Annotated[str | None, typer.Option("--density", help='Initial density of distended (porous) material, "5 g/cm^3".')] = None,
+    density: Annotated[str | None, typer.Option("--density", help='Initial density: porous material, "5 g/cm^3".')] = None,
     after: Annotated[str | None, typer.Option("--after", help="A first shock, as in --at; then the curve of a second.")] = None,
+    reaction: Annotated[bool, typer.Option("--reaction", help="With complete reaction: the detonation Hugoniot of the products.")] = False,
+    heat: HEAT = None,
     kind: Annotated[str, typer.Option("--axes", help="Picture: p-up, us-up, p-v or t-p.")] = "p-up",
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """The Hugoniot, or one state of it: from rest, from a lower density, or from a first shock.
+    """The Hugoniot, or one state of it: from rest, from a lower density (porous), from a first shock, or with reaction.
 
     Example: hugoniot eos hugoniot copper aluminum --plot hugoniots.png
     """
-    from hugoniot.theory.hugoniot import Initial, curve, shock
+    from hugoniot.cli import eos_hugoniot
 
-    subjects = [find_inert(m) for m in materials]
-    found: list[tuple[Subject, Initial, States]] = []
-    for subject in subjects:
-        ahead = Initial.at_rest(subject.material, density=quantity(density, "kg/m^3", "--density") if density else None)
-        if after:
-            ahead = Initial.of(shock(subject.material, ahead, **one_state(after, "--after")))
-        if at:
-            states = shock(subject.material, ahead, **one_state(at))
-        else:
-            end = quantity(up_to, "m/s", "--up-to") if up_to else None
-            states = curve(subject.material, ahead, points=points, up_to=end)
-        found.append((subject, ahead, states))
-    if plot:
-        from hugoniot.plotting.eos import hugoniots, save
-
-        curves = [(s.material.name, a, curve(s.material, a, up_to=_span(st, a)) if at else st) for s, a, st in found]
-        save(hugoniots(curves, kind, points=[_points_of(s) for s in subjects], mark=[st for _, _, st in found] if at else None), plot)
-    told = [notes(s, _strongest(st)) for s, _, st in found]
-    if not deliver([(s.material.name, st.table("entropy")) for s, _, st in found], as_json=as_json, as_csv=as_csv, told=told):
-        return
-    for (subject, _, states), said in zip(found, told):
-        typer.echo(f"{subject.title or subject.material.name}")
-        echo_states(states)
-        echo_notes(said)
+    asked = eos_hugoniot.Question(at, points, up_to, density, after, reaction, heat)
+    eos_hugoniot.report([eos_hugoniot.solve(name, asked) for name in materials], at is not None, kind, as_json, as_csv, plot)
 
 
 @app.command()
@@ -174,7 +157,7 @@ def riemann(
     left_state: Annotated[str, typer.Option("--left", help='"pressure = 1 GPa, velocity = 100 m/s"; default at rest.')] = "",
     right_state: Annotated[str, typer.Option("--right", help="As --left.")] = "",
     bonded: Annotated[bool, typer.Option("--bonded", help="The contact bears tension.")] = False,
-    as_json: JSON = False, as_csv: CSV = None,
+    as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
     """The exact Riemann problem of two materials: waves, contact or vacuum.
 
@@ -187,6 +170,11 @@ def riemann(
     given = [several_states(text, option) if text else {} for text, option in ((left_state, "--left"), (right_state, "--right"))]
     states = [state(s.material, g.pop("velocity", 0.0), **g) for s, g in zip(subjects, given)]
     found = solve(subjects[0].material, states[0], subjects[1].material, states[1], bonded=bonded)
+    if plot:
+        from hugoniot.plotting.eos import save
+        from hugoniot.plotting.waves import riemann_waves
+
+        save(riemann_waves((subjects[0].material.name, subjects[1].material.name), found, (states[0], states[1])), plot)
     jumps = [abs(found.velocity - s.particle_velocity) if w.kind == "shock" else 0.0 for s, w in zip(states, (found.left, found.right))]
     told = list(dict.fromkeys(text for s, jump in zip(subjects, jumps) for text in notes(s, jump)))
     waves = {side: {"wave": w.kind, "head": w.head, "tail": w.tail, **row_of(w.behind.table())}
@@ -211,6 +199,7 @@ def riemann(
 app.command()(cj)
 app.command()(znd)
 app.command()(mixture)
+app.command("second-shock")(second_shock)
 
 
 @app.command()
@@ -219,7 +208,7 @@ def fit(
     quadratic: Annotated[bool, typer.Option("--quadratic", help="Fit Us = c0 + s up + s2 up^2.")] = False,
     least: Annotated[str | None, typer.Option("--from", help="Ignore points of lower particle velocity.")] = None,
     highest: Annotated[str | None, typer.Option("--to", help="Ignore points of higher particle velocity.")] = None,
-    as_json: JSON = False, plot: PLOT = None,
+    as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
     """Fit shock velocity against particle velocity, with standard deviations and the range of the points.
 
@@ -228,7 +217,7 @@ def fit(
     from hugoniot.cli import eos_fit
 
     eos_fit.report(points, 2 if quadratic else 1, quantity(least, "m/s", "--from") if least else 0.0,
-                   quantity(highest, "m/s", "--to") if highest else float("inf"), as_json, plot)
+                   quantity(highest, "m/s", "--to") if highest else float("inf"), as_json, as_csv, plot)
 
 
 @app.command()
@@ -238,7 +227,7 @@ def table(
     temperatures: Annotated[str, typer.Option("--temperatures", help='Range of temperature, "300 K, 3000 K".')] = "300 K, 3000 K",
     points: Annotated[int, typer.Option("--points", min=2, max=1000, help="Values of each.")] = 21,
     as_json: JSON = False, as_csv: CSV = None,
-    hdf5: Annotated[Path | None, typer.Option("--hdf5", help="Write the grid to this HDF5 file.")] = None,
+    hdf5: Annotated[Path | None, typer.Option("--hdf5", help="Write the grid to this HDF5 file.")] = None, plot: PLOT = None,
 ) -> None:
     """Tabulate p and e over density and temperature, for codes that read tables.
 
@@ -248,7 +237,7 @@ def table(
     """
     from hugoniot.cli import eos_table
 
-    eos_table.report(find_material(material), densities, temperatures, points, as_json, as_csv, hdf5)
+    eos_table.report(find_material(material), densities, temperatures, points, as_json, as_csv, hdf5, plot)
 
 
 # -- shared ------------------------------------------------------------------------------------------------------
@@ -262,6 +251,22 @@ def _shocked(subject: Subject, at: str) -> States:
     return shock(subject.material, **one_state(at))
 
 
+def _portrait(name: str, subject: Subject, state: States | None, path) -> None:
+    """The picture of `show`: the planes of the field, or the detonation of products that have no unreacted explosive."""
+    from hugoniot.cli.eos_fit import library_points
+    from hugoniot.plotting.eos import detonations, save
+
+    if subject.reacted and (state is None or subject.unreacted is None):
+        from hugoniot.theory.chapman_jouguet import cj as tangency
+
+        save(detonations([(subject.material.name, tangency(subject.material))]), path)
+        return
+    from hugoniot.plotting.waves import portrait
+
+    inert = find_inert(name)
+    save(portrait(inert.material.name, inert.material, state, library_points(inert.names)), path)
+
+
 def _start(subject: Subject, name: str, at: str | None) -> States:
     """Where an isentrope begins: a state of the Hugoniot, the CJ state of products, or rest."""
     from hugoniot.theory.isentrope import reference
@@ -272,18 +277,3 @@ def _start(subject: Subject, name: str, at: str | None) -> States:
 
         return overdriven(subject.material, **one_state(at)) if at else tangency(subject.material).state
     return _shocked(subject, at) if at else reference(subject.material)
-
-
-def _span(state: States, ahead) -> float:
-    return 1.3 * max(float(state.particle_velocity) - ahead.velocity, 1.0)
-
-
-def _strongest(states: States) -> float:
-    """The largest particle velocity of states, m/s."""
-    return max(states.particle_velocity.tolist()) if hasattr(states.particle_velocity, "tolist") else states.particle_velocity
-
-
-def _points_of(subject: Subject):
-    from hugoniot.cli.eos_fit import library_points
-
-    return library_points(subject.names)

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import typer
 
+from hugoniot.cli.eos_output import write_csv
 from hugoniot.cli.show import echo_json, echo_table
 from hugoniot.errors import DeckError
 from hugoniot.theory.fits import read_points, us_up
@@ -24,7 +25,7 @@ def library_points(names: Sequence[str]) -> np.ndarray | None:
     return np.array(found, float) if found else None
 
 
-def report(name: str, degree: int, least: float, highest: float, as_json: bool, plot) -> None:
+def report(name: str, degree: int, least: float, highest: float, as_json: bool, as_csv, plot) -> None:
     """Fit the points of a file or of the library; print, and draw where asked."""
     up, us = _points(name)
     kept = (up >= least) & (up <= highest)
@@ -33,6 +34,9 @@ def report(name: str, degree: int, least: float, highest: float, as_json: bool, 
         from hugoniot.plotting.eos import save, us_up_fit
 
         save(us_up_fit([(Path(name).stem, fitted)]), plot)
+    if as_csv:
+        write_csv(as_csv, [("", {"particle_velocity": up[kept], "shock_velocity": us[kept], "fitted_shock_velocity": fitted(up[kept]),
+                                 "deviation": us[kept] - fitted(up[kept])})])
     if as_json:
         echo_json({"source": name, "degree": degree, **fitted.table()})
         return

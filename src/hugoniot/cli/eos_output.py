@@ -26,6 +26,8 @@ SHOWN = {"pressure": ("GPa", 1e-9, "10.5g"), "density": ("kg/m3", 1.0, "9.2f"), 
          "product_density": ("kg/m3", 1.0, "9.2f"), "reactant_energy": ("kJ/kg", 1e-3, "10.5g"), "product_energy": ("kJ/kg", 1e-3, "10.5g"),
          "half_reaction_length": ("um", 1e6, "10.5g"), "reaction_zone_length": ("um", 1e6, "10.5g"),
          "half_reaction_time": ("ns", 1e9, "10.5g")}
+SHOWN |= dict.fromkeys(("principal_pressure", "principal_series", "second_pressure", "second_series", "difference", "leading_difference",
+                        "stress"), ("GPa", 1e-9, "10.6g"))
 WORDS = {"specific_internal_energy": "internal energy"}
 
 
@@ -75,7 +77,7 @@ def cell(name: str, value, unit: bool = True) -> str:
     """A value in the unit people use."""
     if value is None:
         return "-"
-    if unit and name in ("pressure", "specific_internal_energy"):
+    if unit and UNITS.get(name) in ("Pa", "J/kg"):
         return format_si(float(value), UNITS[name], 5)
     shown, factor, form = SHOWN.get(name, (UNITS.get(name, ""), 1.0, ".6g"))
     return (f"{value * factor:{form}}".strip() + (f" {shown}" if unit else "")).strip()

@@ -13,7 +13,7 @@ from hugoniot.theory.isentrope import state
 
 
 def report(subject: Subject, densities: str, temperatures: str, points: int, as_json: bool, as_csv,
-           as_hdf5=None) -> None:
+           as_hdf5=None, plot=None) -> None:
     """Solve for the energy at every density and temperature; print a corner of it, or write all."""
     rho0 = reference_state(subject.material.eos)[0]
     low, high = _range(densities, "kg/m^3", "--densities") if densities else (0.9 * rho0, 1.5 * rho0)
@@ -27,6 +27,11 @@ def report(subject: Subject, densities: str, temperatures: str, points: int, as_
         from hugoniot.output.table_file import write_table
 
         write_table(as_hdf5, rho, t, p, e, f"{subject.material.name}, law {EOS.of(subject.material.eos).name}")
+    if plot:
+        from hugoniot.plotting.eos import save
+        from hugoniot.plotting.waves import isotherms
+
+        save(isotherms(subject.material.name, rho, t, p), plot)
     if as_json:
         echo_json({"material": subject.material.name, "density": rho, "temperature": t, "pressure": p, "specific_internal_energy": e})
         return

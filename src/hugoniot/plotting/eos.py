@@ -52,7 +52,7 @@ def hugoniots(curves: Sequence[tuple[str, Initial, States]], kind: str = "p-up",
             up, us = np.asarray(points[i]).T * 1e-3
             inside = up <= 1.02 * np.max(states.particle_velocity) * 1e-3
             ax.plot(up[inside], us[inside], "o", ms=3.2, mfc="none", mec=colour, mew=0.6, alpha=0.65, zorder=1)
-        x, y = _columns(kind, states)
+        x, y = columns_of(kind, states)
         ax.plot(x, y, color=colour, zorder=3)
         marked = mark[i] if mark is not None else None
         if kind == "p-up":
@@ -60,20 +60,20 @@ def hugoniots(curves: Sequence[tuple[str, Initial, States]], kind: str = "p-up",
         elif kind == "p-v":
             _chord(ax, ahead, marked if marked is not None else states[len(states) - 1], colour)
         if marked is not None:
-            mx, my = _columns(kind, marked)
+            mx, my = columns_of(kind, marked)
             ax.plot(mx, my, "o", color=colour, ms=5, zorder=5)
         heights.append(y)
-    _finish(ax, kind)
+    finish(ax, kind)
     if kind == "p-up" and mark is not None:
-        # every curve rises from the lower left to the upper right and is hollow: the corner above it is free
+        # every curve rises from the lower left to the upper right and is hollow: the corner below it is free
         for i, (state, (name, _, _)) in enumerate(zip(mark, curves)):
             text = f"{state.pressure * 1e-9:.4g} GPa, {state.particle_velocity:.4g} m/s, Us = {state.shock_velocity * 1e-3:.4g} km/s"
-            ax.annotate(f"{name}: {text}", (0.02, 0.97 - 0.055 * i), xycoords="axes fraction", va="top", fontsize=8,
-                        color=COLOURS[i % len(COLOURS)])
+            ax.annotate(f"{name}: {text}", (0.99, 0.03 + 0.055 * (len(curves) - 1 - i)), xycoords="axes fraction", ha="right", fontsize=8,
+                        color=COLOURS[i % len(COLOURS)], bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8})
     if kind == "p-v":
-        _name_at_top(ax, [name for name, _, _ in curves], [_columns(kind, s) for _, _, s in curves])
+        _name_at_top(ax, [name for name, _, _ in curves], [columns_of(kind, s) for _, _, s in curves])
     else:
-        label_lines_at_ends(ax, [name for name, _, _ in curves], [_columns(kind, s) for _, _, s in curves])
+        label_lines_at_ends(ax, [name for name, _, _ in curves], [columns_of(kind, s) for _, _, s in curves])
     if kind == "us-up":
         ax.set_ylim(bottom=0.9 * min(np.nanmin(h[np.isfinite(h)]) for h in heights))
     return ax
@@ -89,21 +89,21 @@ def releases(paths: Sequence[tuple[str, States | None, States]], ax=None):
     columns = []
     for i, (_, shocked, states) in enumerate(paths):
         colour = COLOURS[i % len(COLOURS)]
-        x, y = _columns("p-up", states)
+        x, y = columns_of("p-up", states)
         if shocked is not None:
-            hx, hy = _columns("p-up", shocked)
+            hx, hy = columns_of("p-up", shocked)
             below = hy <= 1.0001 * np.max(y)
             ax.plot(hx[below], hy[below], color=colour, lw=0.9, alpha=0.5)
         ax.plot(x, y, color=colour)
         ax.plot(x[0], y[0], "o", color=colour, ms=4.5)
         columns.append((x, y))
-    _finish(ax, "p-up")
+    finish(ax, "p-up")
     for i, ((name, shocked, _), (x, y)) in enumerate(zip(paths, columns)):
         middle = len(x) // 3
         ax.annotate(f"{name} release", (x[middle], y[middle]), xytext=(7, 4), textcoords="offset points",
                     color=COLOURS[i % len(COLOURS)], fontsize=8.5)
         if shocked is not None and i == 0:
-            hx, hy = _columns("p-up", shocked)
+            hx, hy = columns_of("p-up", shocked)
             k = int(np.searchsorted(hy, 0.45 * np.max(y)))
             ax.annotate("Hugoniot", (hx[k], hy[k]), xytext=(-8, 2), textcoords="offset points", color=QUIET, fontsize=8, ha="right")
     return ax
@@ -128,12 +128,12 @@ def impedance_match(layers: Sequence, velocity: float, met: Sequence[Match], ax=
         u, p = _reflected(law_of(layers[k]), arriving, m)
         ax.plot(u * 1e-3, p * 1e-9, color=COLOURS[k % len(COLOURS)], ls=(0, (4, 2)), lw=1.1)
         if k == 0:
-            ax.annotate(f"{names[0]} at {velocity:.5g} m/s", (u[0] * 1e-3, p[0] * 1e-9), xytext=(0, 6), textcoords="offset points",
+            ax.annotate(f"{names[0]} at {velocity:.5g} m/s", (u[0] * 1e-3, p[0] * 1e-9), xytext=(-8, 7), textcoords="offset points",
                         color=COLOURS[0], fontsize=8.5, ha="right")
         ax.plot(m.particle_velocity * 1e-3, m.pressure * 1e-9, "o", color=INK, ms=4.5, zorder=5)
         ax.annotate(f"{m.pressure * 1e-9:.3g} GPa, {m.particle_velocity:.4g} m/s", (m.particle_velocity * 1e-3, m.pressure * 1e-9),
                     xytext=(8, -3 if k == 0 else 3), textcoords="offset points", fontsize=8, color=INK, va="top" if k == 0 else "bottom")
-    _finish(ax, "p-up")
+    finish(ax, "p-up")
     ax.set_ylim(0.0, top * 1e-9)
     return ax
 
@@ -180,7 +180,7 @@ def detonations(points: Sequence, ax=None):
                     textcoords="offset points", color=colour, fontsize=8.5, ha="right", va="top")
     ax.annotate("solid: detonation Hugoniot, Rayleigh line\ndashed: isentrope of the products", (0.99, 0.97), xycoords="axes fraction",
                 ha="right", va="top", fontsize=8, color=QUIET)
-    _finish(ax, "p-v")
+    finish(ax, "p-v")
     left, right = ax.get_xlim()
     ax.set_xlim(left - 0.3 * (right - left), right)
     return ax
@@ -206,7 +206,7 @@ def us_up_fit(fits: Sequence, ax=None):
         text = " + ".join(terms).replace("+ -", "- ")
         ax.annotate(f"{name}: Us = {text} km/s\nstandard deviation {found.deviation:.0f} m/s, {len(up)} points", (0.03, 0.97 - 0.13 * i),
                     xycoords="axes fraction", va="top", color=colour, fontsize=8.5)
-    _finish(ax, "us-up")
+    finish(ax, "us-up")
     ax.set_ylim(bottom=None)
     return ax
 
@@ -241,7 +241,7 @@ def _temperature(states: States):
     return np.full(np.shape(states.density), np.nan) if found is None else np.asarray(found, float)
 
 
-def _columns(kind: str, states: States):
+def columns_of(kind: str, states: States):
     """(x, y) in the units of the picture."""
     if kind == "p-up":
         pair = np.asarray(states.particle_velocity) * 1e-3, np.asarray(states.pressure) * 1e-9
@@ -282,7 +282,8 @@ def _reflected(par, arriving: States, m: Match, count: int = 40):
     return path.particle_velocity, path.pressure
 
 
-def _finish(ax, kind):
+def finish(ax, kind: str) -> None:
+    """Labels, origin and grid of one of the planes of the field."""
     ax.set_xlabel(KINDS[kind][0])
     ax.set_ylabel(KINDS[kind][1])
     if kind == "p-up":
@@ -291,4 +292,4 @@ def _finish(ax, kind):
     quiet_grid(ax)
 
 
-__all__ = ["detonations", "hugoniots", "impedance_match", "releases", "save", "us_up_fit", "waves_in_time"]
+__all__ = ["columns_of", "detonations", "finish", "hugoniots", "impedance_match", "releases", "save", "us_up_fit", "waves_in_time"]

@@ -17,6 +17,9 @@ from typing import NamedTuple
 import numpy as np
 
 from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos import contract
+from hugoniot.theory.hugoniot import Initial, shock
+from hugoniot.theory.states import law_of
 
 
 class Quadratic(NamedTuple):
@@ -25,6 +28,24 @@ class Quadratic(NamedTuple):
     a: float
     b: float
     c: float
+
+
+def of_material(material) -> tuple[Quadratic, float]:
+    """(a, b, c of the quadratic law that a material follows near rest, Pa; density at rest, kg/m3).
+
+    a is rho c^2 and c Gamma at rest; b + ac/2 is half the curvature of the principal Hugoniot in mu, by extrapolation from three weak
+    shocks. For a linear Us-up law of slope s and constant Gamma this is b = a (2s - 1 - c/2).
+    """
+    ahead = Initial.at_rest(material)
+    par = law_of(material)
+    a = float(contract.bulk_modulus(ahead.density, ahead.energy, par))
+    c = float(contract.gruneisen(ahead.density, ahead.energy, par))
+    steps = np.array([1e-3, 2e-3, 4e-3])
+    rise = np.array([shock(material, ahead, density=ahead.density * (1.0 + m)).pressure for m in steps.tolist()]) - ahead.pressure
+    near = (rise / steps - a) / steps
+    # P/mu = a + k mu + ...: two steps of Richardson's extrapolation of k to mu = 0
+    once = 2.0 * near[:2] - near[1:]
+    return Quadratic(a, float((4.0 * once[0] - once[1]) / 3.0 - 0.5 * a * c), c), ahead.density
 
 
 def principal(mu, law: Quadratic):

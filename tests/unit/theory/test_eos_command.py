@@ -93,7 +93,10 @@ def test_other_commands_answer(tmp_path):
 @pytest.mark.parametrize("arguments", [
     ("hugoniot", "copper", "aluminum", "--at", "pressure = 20 GPa"), ("hugoniot", "copper", "--axes", "us-up"), ("isentrope", "copper", "--at", "pressure = 30 GPa"),
     ("match", "copper", "pmma", "--velocity", "500 m/s"), ("cj", "tnt"), ("fit", "copper"),
-    ("match", "copper", "pmma", "--velocity", "500 m/s", "--thickness", "1 mm", "--thickness", "3 mm", "--until", "0.6 us")])
+    ("match", "copper", "pmma", "--velocity", "500 m/s", "--thickness", "1 mm", "--thickness", "3 mm", "--until", "0.6 us"),
+    ("show", "copper", "--at", "pressure = 60 GPa"), ("show", "tnt"), ("riemann", "copper", "water", "--left", "velocity = 500 m/s"),
+    ("riemann", "air", "air", "--left", "velocity = -3 km/s"), ("table", "copper", "--points", "5"), ("second-shock", "copper"),
+    ("hugoniot", "comp_b", "tnt", "--reaction", "--axes", "p-v")])
 def test_pictures(tmp_path, arguments):
     out = tmp_path / "picture.png"
     result = eos(*arguments, "--plot", str(out))
@@ -149,3 +152,45 @@ def test_states_as_csv(tmp_path):
         found = list(csv.DictReader(out.open()))
         assert len(found) == rows and all(float(row["pressure (Pa)"]) > 1e9 for row in found)
     assert found[0]["pressure (Pa)"] == found[1]["pressure (Pa)"] and [r["material"] for r in found] == ["copper", "water"]
+
+
+def test_second_shock_has_the_numbers_of_the_source():
+    """W-3 and W-4: a = 0.73, b = 1.72, c = 1.60 Mbar, first shock to mu = 0.10."""
+    found = answer("second-shock", "--mu", "0.15, 0.2, 0.25")
+    assert found["second_pressure"] == pytest.approx([0.166002e11, 0.248564e11, 0.347520e11], rel=3e-6)
+    assert found["difference"] == pytest.approx([-0.002407e11, -0.007150e11, -0.014980e11], rel=3e-4)
+    assert (found["a"], found["c"], found["first_compression"]) == (0.73e11, 1.6, 0.1)
+    # a material: the quadratic law of a linear Us-up fit, b = a (2 s - 1 - c/2)
+    copper = answer("second-shock", "copper", "--mu", "0.001", "--first", "0.0005")
+    assert copper["a"] == pytest.approx(8930.0 * 3940.0**2, rel=1e-12) and copper["c"] == pytest.approx(2.02, rel=1e-12)
+    assert copper["b"] == pytest.approx(copper["a"] * (2.0 * 1.489 - 1.0 - 1.01), rel=1e-5)
+    direct = answer("hugoniot", "copper", "--at", f"density = {copper['density'][0]!r}")
+    assert copper["principal_pressure"][0] == pytest.approx(direct["pressure"], rel=1e-5)
+
+
+def test_hugoniot_with_reaction_touches_its_rayleigh_line_at_cj(tmp_path):
+    point = answer("cj", "comp_b")
+    found = answer("hugoniot", "comp_b", "--reaction", "--points", "41")
+    assert found["chapman_jouguet"]["pressure"] == pytest.approx(point["pressure"], rel=1e-12)
+    # the front is slowest at the CJ point, and mass and momentum hold along the curve
+    least = min(found["shock_velocity"])
+    assert point["detonation_velocity"] <= least < 1.001 * point["detonation_velocity"]
+    for p, u, d, rho in zip(*(found[k] for k in ("pressure", "particle_velocity", "shock_velocity", "density"))):
+        assert p == pytest.approx(1717.0 * u * d, rel=1e-10) and rho == pytest.approx(1717.0 * d / (d - u), rel=1e-10)
+    strong = answer("hugoniot", "comp_b", "--reaction", "--at", "shock_velocity = 8.5 km/s")
+    assert strong["shock_velocity"] == pytest.approx(8500.0, rel=1e-10) and strong["pressure"] > point["pressure"]
+    path = tmp_path / "gas.toml"
+    path.write_text('[eos]\nlaw = "ideal_gas"\ngamma = 3.0\n', encoding="utf-8")
+    gas = answer("hugoniot", str(path), "--heat", "6.27 MJ/kg", "--density", "1.77 g/cm^3", "--points", "5")
+    assert gas["chapman_jouguet"]["pressure"] == pytest.approx(44.3916e9, rel=1e-6)
+    porous = answer("hugoniot", "copper", "--density", "5 g/cm^3", "--at", "pressure = 20 GPa")
+    assert porous["temperature"] > answer("hugoniot", "copper", "--at", "pressure = 20 GPa")["temperature"]
+
+
+def test_fitted_points_as_csv(tmp_path):
+    out = tmp_path / "fit.csv"
+    assert eos("fit", "copper", "--csv", str(out)).exit_code == 0
+    rows = list(csv.DictReader(out.open()))
+    assert len(rows) == 141
+    for row in rows[:5]:
+        assert float(row["deviation (m/s)"]) == pytest.approx(float(row["shock_velocity (m/s)"]) - float(row["fitted_shock_velocity (m/s)"]))

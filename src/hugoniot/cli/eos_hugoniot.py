@@ -1,0 +1,100 @@
+"""The report of `hugoniot eos hugoniot`: principal, porous, second-shock and detonation Hugoniots."""
+
+from typing import NamedTuple
+
+import typer
+
+from hugoniot.cli.eos_burning import initial
+from hugoniot.cli.eos_fit import library_points
+from hugoniot.cli.eos_input import Subject, find_inert, find_material, one_state, quantity
+from hugoniot.cli.eos_output import cell, deliver, echo_notes, echo_states, notes, row_of
+from hugoniot.errors import DeckError
+from hugoniot.theory.hugoniot import Initial, curve, shock
+from hugoniot.theory.states import States
+
+
+class Question(NamedTuple):
+    """What was asked, as typed."""
+
+    at: str | None
+    points: int
+    up_to: str | None
+    density: str | None
+    after: str | None
+    reaction: bool
+    heat: str | None
+
+
+class Answer(NamedTuple):
+    """One material: the state ahead, the states asked for, the curve to draw, and the CJ point of a detonation Hugoniot."""
+
+    subject: Subject
+    ahead: Initial
+    states: States
+    curve: States
+    cj: States | None = None
+
+
+def solve(name: str, asked: Question) -> Answer:
+    """The states of one material; DeckError for questions that exclude each other."""
+    if asked.reaction or asked.heat:
+        return _with_reaction(name, asked)
+    subject = find_inert(name)
+    ahead = Initial.at_rest(subject.material, density=quantity(asked.density, "kg/m^3", "--density") if asked.density else None)
+    if asked.after:
+        ahead = Initial.of(shock(subject.material, ahead, **one_state(asked.after, "--after")))
+    end = quantity(asked.up_to, "m/s", "--up-to") if asked.up_to else None
+    if not asked.at:
+        states = curve(subject.material, ahead, points=asked.points, up_to=end)
+        return Answer(subject, ahead, states, states)
+    states = shock(subject.material, ahead, **one_state(asked.at))
+    reach = end or 1.3 * max(float(states.particle_velocity) - ahead.velocity, 1.0)
+    return Answer(subject, ahead, states, curve(subject.material, ahead, up_to=reach))
+
+
+def _with_reaction(name: str, asked: Question) -> Answer:
+    from hugoniot.theory.chapman_jouguet import cj, detonation_hugoniot, overdriven
+
+    if asked.after:
+        raise DeckError.single("command line", None, "--after", "a detonation Hugoniot starts from the unreacted explosive",
+                               "leave it away")
+    subject = find_material(name)
+    ahead = initial(subject, asked.density, asked.heat, "")
+    point = cj(subject.material, ahead).state
+    end = quantity(asked.up_to, "m/s", "--up-to") if asked.up_to else None
+    whole = detonation_hugoniot(subject.material, ahead, points=asked.points, up_to=end)
+    return Answer(subject, ahead, overdriven(subject.material, ahead, **one_state(asked.at)) if asked.at else whole, whole, point)
+
+
+def report(found: list[Answer], single: bool, kind: str, as_json, as_csv, plot) -> None:
+    """Print, write and draw what was solved; `single` if one state of each curve was asked."""
+    if plot:
+        from hugoniot.plotting.eos import hugoniots, save
+
+        marks = [f.states if single else f.cj for f in found]
+        save(hugoniots([(f.subject.material.name, f.ahead, f.curve) for f in found], kind, points=[_points(f) for f in found],
+                       mark=marks if single or all(m is not None for m in marks) else None), plot)
+    # a detonation obeys its products' own range, not that of the shocks of the unreacted explosive
+    told = [notes(f.subject, 0.0 if f.cj else _strongest(f.states)) for f in found]
+    more = [{"chapman_jouguet": row_of(f.cj.table())} if f.cj else {} for f in found]
+    tables = [(f.subject.material.name, f.states.table("entropy")) for f in found]
+    if not deliver(tables, as_json=as_json, as_csv=as_csv, told=told, more=more):
+        return
+    for f, said in zip(found, told):
+        typer.echo(f.subject.title or f.subject.material.name)
+        if f.cj:
+            point = [cell(k, getattr(f.cj, k)) for k in ("pressure", "particle_velocity", "shock_velocity")]
+            typer.echo(f"with complete reaction; CJ point at {point[0]}, {point[1]}, front {point[2]}")
+        echo_states(f.states)
+        echo_notes(said)
+
+
+def _points(f: Answer):
+    """Measured (up, us) of the library, which belong to shocks from rest into full density."""
+    whole = not f.cj and f.ahead == Initial.at_rest(f.subject.material)
+    return library_points(f.subject.names) if whole else None
+
+
+def _strongest(states: States) -> float:
+    """The largest particle velocity of states, m/s."""
+    return max(states.particle_velocity.tolist()) if hasattr(states.particle_velocity, "tolist") else states.particle_velocity
