@@ -88,3 +88,18 @@ def test_parameters_are_described(law):
     assert all(law.units[k] and law.meaning[k] for k in law.example._fields)
     if law.build is law.parameters:
         assert law.build(**law.example._asdict()) == law.example
+
+
+def test_an_explosive_at_rest_costs_no_sub_steps(monkeypatch):
+    """Composition B (no threshold of compression, lambda^0.222): round-off in the density of a zone at rest is no ignition to be resolved."""
+    from hugoniot.laws.burn import ignition_growth as law
+
+    par = BURN.get("ignition_growth").build(1717.0, 4e12, 0.667, 0.0, 7.0, 8.5e-14, 0.667, 0.222, 2.0, g2=6.6e-25, e=1.0, g=0.333, z=3.0,
+                                             ignition_limit=0.022, growth_limit=0.6)
+    calls = []
+    plain = law.burning
+    monkeypatch.setattr(law, "burning", lambda *state: calls.append(1) or plain(*state))
+    for rho, p in ((1717.0 * (1.0 + 1e-15), 1e-3), (1717.0 * (1.0 + 1e-9), 1e2), (1720.0, 3e7)):
+        calls.clear()
+        assert law.advance(0.0, 1e-9, rho, p, 0.0, par) < 1e-6
+        assert len(calls) <= 16, (rho, len(calls))

@@ -21,6 +21,7 @@ from hugoniot.laws.burn.contract import BURN, no_schedule
 from hugoniot.laws.burn.depletion import deplete, power
 
 TOLERANCE = 3e-6     # of a sub-step, relative to the burn fraction
+LEAST = 1e-4         # burn fraction below which it is absolute: a power of lambda below 1 has no slope at 0, and noise at rest no meaning
 SMALL = 0.03         # change, relative to what has burned and to what is left, up to which the Taylor series does
 TINY = 1e-300
 FLOOR = 0.05         # burn fraction below which the size of a sub-step is left to the error estimate
@@ -129,7 +130,7 @@ def advance(burn_fraction, dt, rho, p, temperature, par):
         k3 = burning(fmin(below, lam + 0.75 * h * k2), ignition, growth, completion, par)[0]
         mean = (2.0 * k1 + 3.0 * k2 + 4.0 * k3) / 9.0
         k4 = burning(fmin(below, lam + h * mean), ignition, growth, completion, par)[0]
-        error = h * abs(-5.0 * k1 + 6.0 * k2 + 8.0 * k3 - 9.0 * k4) / 72.0 / (TOLERANCE * (lam + h * mean))
+        error = h * abs(-5.0 * k1 + 6.0 * k2 + 8.0 * k3 - 9.0 * k4) / 72.0 / (TOLERANCE * fmax(lam + h * mean, LEAST))
         if error > 1.0:
             # the error grows as the cube of the step
             trial = h * fmax(0.1, 0.9 / vpow(error, 1.0 / 3.0))

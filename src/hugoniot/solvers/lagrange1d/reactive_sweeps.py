@@ -24,6 +24,7 @@ from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.mesh.line import area, volume
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.constitutive import resisted, wave_speed
+from hugoniot.solvers.lagrange1d.reactive import STEP_SHARE
 
 SMALL = 1e-30
 BURNING = 0.99       # burn fraction up to which the time step follows the rate
@@ -168,7 +169,9 @@ def correct_burning(zones, nodes, gradient, first, last, segment, dt, law, rows,
         g[j] = (ue[j + 1] - ue[j]) * inverse
         fastest = fmax(fastest, (fmax(c, front) + 2.0 * speed[j]) * inverse)
         if lam < BURNING:
-            pace = rate(lam, rho, driving_pressure(p, q[j], par.rate), burn_temperature(lam, mixed, par.mixture, par.rate), par.rate)
+            # a term that ends at a small burn fraction (ignition) is looked past: it cannot burn more than the share of a step
+            drive, heat = driving_pressure(p, q[j], par.rate), burn_temperature(lam, mixed, par.mixture, par.rate)
+            pace = rate(fmax(lam, STEP_SHARE), rho, drive, heat, par.rate)
             fastest = fmax(fastest, per_rate * pace)
             if lam > IGNITED and pace > 0.0:
                 resolved[j] = fmin(resolved[j], c * inverse / pace)
