@@ -61,15 +61,16 @@ class _Recorder:
 
     def gauges(self, times, values):
         if len(times) and self.problem.gauges:
+            share, phases = values.pop("share", None), values.pop("phases", None)
             if self.hot:
                 laws = [self.laws[self.solver.region_of[zone]] for zone in self.solver.gauges[:, 0]]
-                values = {**values, "temperature": gauge_temperature(values, laws)}
+                values = {**values, "temperature": gauge_temperature({**values, "share": share, "phases": phases}, laws)}
             self.folder.gauges(times, values)
 
     def snapshot(self, state):
         fields = state.fields()
         if self.hot:
-            fields["temperature"] = zone_temperature(state, self.solver.region_of, self.laws)
+            fields["temperature"] = zone_temperature(state, self.solver.region_of, self.laws, self.solver.phases())
         if self.fields:
             faces = {"position_left", "position_right", "velocity_left", "velocity_right"}
             fields = {name: value for name, value in fields.items() if name in self.fields | faces}

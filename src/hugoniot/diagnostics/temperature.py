@@ -1,35 +1,71 @@
 """Temperatures of a run, from density and energy by each material's own law; the solver carries none.
 
-A material has a temperature if its equation of state gives one with the constants it was given (a specific heat, as a rule) and
-does not burn: a burning mixture has two phases, each with its own. Where there is none the value is nan.
+A material has a temperature if its equation of state gives one with the constants it was given (a specific heat, as a rule). A burning
+material has that of its mixture (docs/theory/mixtures.md): the products' in thermal isolation, the common one in equilibrium, the mean
+by mass where pressures are weighted; both laws must give one. Products that have not formed yet have none. Where there is none the value
+is nan.
 """
 
 import numpy as np
 
-from hugoniot.laws.arrays import temperature_array
+from hugoniot.laws.arrays import SMALL, float_parameters, temperature_array
 from hugoniot.laws.eos.contract import has_temperature
+from hugoniot.laws.mixture.contract import MIXTURE, Mixed, mixture_temperature
+from hugoniot.materials import burning
 
 
 def laws_with_temperature(problem) -> list:
-    """The equation of state of each region's material, None where it gives no temperature."""
-    materials = [problem.materials[region.material] for region in problem.regions]
-    return [m.eos if m.burn is None and has_temperature(m.eos) else None for m in materials]
+    """The equation of state of each region's material, or the mixture law of what burns; None where it gives no temperature."""
+    return [_law(problem.materials[region.material]) for region in problem.regions]
 
 
-def zone_temperature(state, region_of: np.ndarray, laws: list) -> np.ndarray:
-    """Temperature of every zone, K, (nzone,)."""
+def _law(material):
+    if material.burn is None:
+        return material.eos if has_temperature(material.eos) else None
+    phases = (material.unreacted, material.eos) if burning.has_reactants(material) else (material.eos,)
+    return burning.reactive(material).mixture if all(has_temperature(par) for par in phases) else None
+
+
+def zone_temperature(state, region_of: np.ndarray, laws: list, phases: np.ndarray | None = None) -> np.ndarray:
+    """Temperature of every zone, K, (nzone,); `phases` (5, nzone) are the solver's of a run in which something burns."""
     found = np.full(region_of.shape, np.nan)
     for k, law in enumerate(laws):
-        if law is not None:
-            here = region_of == k
+        here = region_of == k
+        if _is_mixture(law):
+            found[here] = mixed_temperature(phases[:, here].T, law)
+        elif law is not None:
             found[here] = temperature_array(state.zones["density"][here], state.zones["energy"][here], law)
     return found
 
 
 def gauge_temperature(values: dict, gauge_laws: list) -> np.ndarray:
-    """Temperature at every gauge, K, (n, ngauge), from its records of density and energy."""
+    """Temperature at every gauge, K, (n, ngauge), from its records of density and energy, or of the phases of its two zones."""
     found = np.full(values["density"].shape, np.nan)
     for k, law in enumerate(gauge_laws):
-        if law is not None:
+        if _is_mixture(law):
+            share = values["share"][:, k]
+            first, second = (mixed_temperature(values["phases"][:, k, side], law) for side in (0, 1))
+            found[:, k] = np.where(share > 0.0, (1.0 - share) * first + share * second, first)
+        elif law is not None:
             found[:, k] = temperature_array(values["density"][:, k], values["energy"][:, k], law)
     return found
+
+
+def mixed_temperature(phases: np.ndarray, par) -> np.ndarray:
+    """Temperature, K, (n,), of mixtures given as (n, 5): burn fraction, rho_r, e_r, rho_p, e_p (energies with the chemical one)."""
+    phases, par = np.ascontiguousarray(phases, dtype=float), float_parameters(par)
+    out = np.empty(len(phases))
+    if len(phases) <= SMALL:
+        for j, row in enumerate(phases.tolist()):
+            out[j] = mixture_temperature(row[0], Mixed(0.0, *row[1:], 0.0), par)
+    else:
+        from hugoniot.theory.mixture_kernels import temperature_rows
+
+        temperature_rows(phases, par, out)
+    if "no_reactants" in MIXTURE.of(par).flags:
+        out[phases[:, 0] <= 0.0] = np.nan
+    return out
+
+
+def _is_mixture(law) -> bool:
+    return law is not None and MIXTURE.knows(law)

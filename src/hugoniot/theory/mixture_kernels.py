@@ -4,7 +4,7 @@ import numba as nb
 
 from hugoniot.core.compile import GUARD
 from hugoniot.laws.mixture.binding import bind_mixtures
-from hugoniot.laws.mixture.contract import Mixed, equilibrate, slopes, solve
+from hugoniot.laws.mixture.contract import Mixed, equilibrate, mixture_temperature, slopes, solve
 
 bind_mixtures()
 
@@ -39,3 +39,11 @@ def solve_rows(rho, e, burn_fraction, phases, par):
         phases[3, j] = mixed.rho_p
         phases[4, j] = mixed.e_p
         phases[5, j] = mixed.status
+
+
+@nb.njit(**GUARD)
+def temperature_rows(phases, par, out):
+    """Temperature, K, of states given as `phases` (n, 5): burn fraction, rho_r, e_r, rho_p, e_p."""
+    for j in range(out.shape[0]):
+        mixed = Mixed(0.0, phases[j, 1], phases[j, 2], phases[j, 3], phases[j, 4], 0.0)
+        out[j] = mixture_temperature(phases[j, 0], mixed, par)

@@ -49,5 +49,10 @@ PAUSED, AT_EVENT, VOID_OPENS, VOID_CLOSES, BAD_STATE, BUFFER_FULL, STEP_COLLAPSE
 # -- fields of a gauge row -----------------------------------------------------------------------------------------
 GAUGE_FIELDS = ("position", "velocity", "density", "energy", "pressure", "viscous_pressure", "deviator_radial", "deviator_hoop",
                 "stress", "plastic_strain", "damage")
+# further columns of a run in which something burns: the burn fraction at the gauge, the share of the second of the two zones it lies
+# between, and what a mixture's temperature is found from, for the first zone and for the second
+PHASE_ROWS = (BURN_FRACTION, RHO_R, E_R, RHO_P, E_P)
+GAUGE_BURN, GAUGE_SHARE, GAUGE_PHASES = range(len(GAUGE_FIELDS), len(GAUGE_FIELDS) + 3)
+BURNING_GAUGE_COLUMNS = GAUGE_PHASES + 2 * len(PHASE_ROWS)
 
 PULSES = {"constant": 0, "table": 1, "exponential": 2, "half_sine": 3, "square": 4, "ramp": 5}

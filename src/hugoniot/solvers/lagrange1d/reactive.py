@@ -64,6 +64,15 @@ def _light(problem: Problem, zones, places, ranges, body: list[int]) -> None:
     zones[L.LIT_SINCE, ranges[body[0]][0]:ranges[body[-1]][1]] = -times
 
 
+def gauge_columns(block) -> dict[str, np.ndarray]:
+    """Further columns of gauge records `block` (n, ngauge, columns): burn_fraction and, for temperatures, what the two zones hold.
+
+    `share` (n, ngauge) is that of the second of the two zones a gauge lies between, `phases` (n, ngauge, 2, 5) are those of both.
+    """
+    phases = block[:, :, L.GAUGE_PHASES:].reshape(*block.shape[:2], 2, len(L.PHASE_ROWS))
+    return {"burn_fraction": block[:, :, L.GAUGE_BURN], "share": block[:, :, L.GAUGE_SHARE], "phases": phases}
+
+
 def released_heat(problem: Problem, zones, ranges) -> float:
     """Chemical energy set free so far, J per m^2, per m and radian, or per steradian."""
     return float(sum(burning.heat_of(problem.materials[region.material]) * np.sum(zones[L.MASS, a:b] * zones[L.BURN_FRACTION, a:b])

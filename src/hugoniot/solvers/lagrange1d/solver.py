@@ -112,7 +112,8 @@ class Lagrange1D:
 
     def _new_buffer(self):
         self.gauge_times = np.zeros(GAUGE_CAPACITY)
-        self.gauge_buffer = np.zeros((GAUGE_CAPACITY, len(self.problem.gauges), len(L.GAUGE_FIELDS)))
+        columns = L.BURNING_GAUGE_COLUMNS if self.burning else len(L.GAUGE_FIELDS)
+        self.gauge_buffer = np.zeros((GAUGE_CAPACITY, len(self.problem.gauges), columns))
         self.counters[L.GAUGE_ROWS] = 0
 
     def _retopologise(self):
@@ -204,11 +205,12 @@ class Lagrange1D:
         return members
 
     def take_gauges(self):
-        """(times, {field: (n, ngauge)}) recorded since the last call."""
+        """(times, {field: (n, ngauge)}) recorded since the last call; with what `reactive.gauge_columns` adds where something burns."""
         n = int(self.counters[L.GAUGE_ROWS])
         times, block = self.gauge_times[:n].copy(), self.gauge_buffer[:n].copy()
         self.counters[L.GAUGE_ROWS] = 0
-        return times, {name: block[:, :, i] for i, name in enumerate(L.GAUGE_FIELDS)}
+        found = {name: block[:, :, i] for i, name in enumerate(L.GAUGE_FIELDS)}
+        return times, found | reactive.gauge_columns(block) if self.burning else found
 
     def _open(self, node, cause):
         k = next(k for k, (a, b, _, _) in enumerate(self.segments) if a + k < node < b + k)
@@ -264,8 +266,8 @@ class Lagrange1D:
             culprit = int(np.argmin(width / np.maximum(self.zones[L.C], 1e-30)))
         values = {name: float(self.zones[row, culprit]) for name, row in ZONE_FIELDS.items()}
         if self.burning:
-            values |= {"burn_fraction": float(self.zones[L.BURN_FRACTION, culprit]),
-                       "mixture_status": float(self.zones[L.MIX_STATUS, culprit])}
+            rows = {"burn_fraction": L.BURN_FRACTION, "mixture_status": L.MIX_STATUS}
+            values |= {name: float(self.zones[row, culprit]) for name, row in rows.items()}
         cause, remedy = _diagnose(code, values, float(left[culprit]), float(right[culprit]))
         with np.errstate(invalid="ignore"):
             centres = 0.5 * (left + right)
@@ -284,6 +286,10 @@ class Lagrange1D:
         left, right = self._faces(L.R)
         ul, ur = self._faces(L.U)
         return State(self.time, self.cycle, zones, left, right, ul, ur)
+
+    def phases(self) -> np.ndarray | None:
+        """Burn fraction, density and energy of the reactants and of the products, (5, nzone); None where nothing burns."""
+        return self.zones[list(L.PHASE_ROWS)] if self.burning else None
 
     def total_energy(self) -> float:
         """Kinetic and internal energy, J per m^2, per m and radian, or per steradian."""
