@@ -128,7 +128,7 @@ def test_counts():
     assert counts["curated_materials"] >= 50
     assert counts["searchable_materials"] >= 180
     recalled = sum(r.status == "recalled" for r in schema.all_rows())
-    assert counts["rows_unverified_against_print"] == recalled == 36
+    assert counts["rows_unverified_against_print"] == recalled == 42
     assert counts["measured_states"] == 993
 
 

@@ -3,6 +3,8 @@
 Arrays are those of `run.arrays("snapshots")` or of a list of states: times (n,), zone fields (n, nzone), face positions (n, nzone).
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from hugoniot.errors import OutOfRange
@@ -42,11 +44,11 @@ def front_speed(times, path, start: float = -np.inf, end: float = np.inf) -> flo
     return float(abs(np.polyfit(times[use], path[use], 1)[0]))
 
 
-def run_to_detonation(times, path, detonation_velocity: float) -> tuple[float, float]:
+def run_to_detonation(times, path, detonation_velocity: float, shock_velocity: float | None = None) -> tuple[float, float]:
     """(run distance m, time s) at which a shock turned into a detonation, from the start of its path.
 
-    It is where the front's speed passes half-way from that of the entering shock (the mean of the first three intervals) to the
-    detonation velocity for the last time. Set what the path does after the front has left the charge to not-a-number.
+    It is where the front's speed passes half-way from that of the entering shock (`shock_velocity`, or the mean of the first three
+    intervals) to the detonation velocity for the last time. Set what the path does after the front has left the charge to not-a-number.
     Raises OutOfRange when that does not happen within the path.
     """
     times, path = np.asarray(times, float), np.asarray(path, float)
@@ -56,7 +58,7 @@ def run_to_detonation(times, path, detonation_velocity: float) -> tuple[float, f
         raise OutOfRange(f"{times.size} points of the front are too few for a run distance: take more snapshots")
     speed = np.abs(np.diff(path) / np.diff(times))
     where, when = 0.5 * (path[1:] + path[:-1]), 0.5 * (times[1:] + times[:-1])
-    halfway = 0.5 * (np.mean(speed[:3]) + detonation_velocity)
+    halfway = 0.5 * ((np.mean(speed[:3]) if shock_velocity is None else shock_velocity) + detonation_velocity)
     slow = np.flatnonzero(speed < halfway)
     if slow.size == 0 or slow[-1] + 1 >= speed.size:
         raise OutOfRange(f"the front did not pass from below to above {halfway:.5g} m/s on its way: no run distance in this run")
@@ -65,13 +67,32 @@ def run_to_detonation(times, path, detonation_velocity: float) -> tuple[float, f
     return float(abs(where[k] + share * (where[k + 1] - where[k]) - path[0])), float(when[k] + share * (when[k + 1] - when[k]) - times[0])
 
 
-def pop_plot(pressures, distances) -> tuple[float, float]:
-    """(a, b) of log10(p/GPa) = a + b log10(x/mm) by least squares, from input pressures (Pa) and run distances (m)."""
+class PopLine(NamedTuple):
+    """log10(p/GPa) = a + b log10(x/mm) and standard deviations: of the points in log10 p, of a, of b (nan where two points fix it)."""
+
+    a: float
+    b: float
+    deviation: float
+    a_deviation: float
+    b_deviation: float
+
+    def distance(self, pressure):
+        """Run distance (m) at an input pressure (Pa)."""
+        return 1e-3 * 10.0 ** ((np.log10(np.asarray(pressure) * 1e-9) - self.a) / self.b)
+
+
+def pop_line(pressures, distances) -> PopLine:
+    """The line through input pressures (Pa) and run distances (m), by least squares in log10 p, with standard deviations."""
     p, x = np.asarray(pressures, float), np.asarray(distances, float)
     if p.size < 2 or p.shape != x.shape or not (np.all(p > 0.0) and np.all(x > 0.0)):
         raise OutOfRange("a Pop plot needs at least two pairs of a pressure and a run distance, all positive")
-    b, a = np.polyfit(np.log10(x * 1e3), np.log10(p * 1e-9), 1)
-    return float(a), float(b)
+    u, v = np.log10(x * 1e3), np.log10(p * 1e-9)
+    b, a = (float(c) for c in np.polyfit(u, v, 1))
+    if p.size == 2:
+        return PopLine(a, b, np.nan, np.nan, np.nan)
+    deviation = float(np.sqrt(np.sum((v - a - b * u) ** 2) / (p.size - 2)))
+    spread = float(np.sum((u - u.mean()) ** 2))
+    return PopLine(a, b, deviation, deviation * float(np.sqrt(1.0 / p.size + u.mean() ** 2 / spread)), deviation / float(np.sqrt(spread)))
 
 
 def reaction_profile(state, front: float, toward: str = "right", fields=("pressure", "density", "burn_fraction")) -> dict[str, np.ndarray]:

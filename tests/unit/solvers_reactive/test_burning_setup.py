@@ -154,12 +154,31 @@ def test_run_distance_of_a_shock_that_turns_at_a_known_place():
         detonation.run_to_detonation(times, where[0] + 3000.0 * times, 8000.0)
 
 
-def test_pop_plot_returns_the_line_it_was_made_from():
+def test_run_distance_with_the_entering_shock_given():
+    times, field, left, right, where = travelling([3000.0] * 12 + [8000.0] * 18)
+    path = detonation.front_path(field, left, right)
+    assert detonation.run_to_detonation(times, path, 8000.0, 3000.0) == pytest.approx(detonation.run_to_detonation(times, path, 8000.0), rel=1e-2)
+    with pytest.raises(OutOfRange, match="no run distance"):
+        detonation.run_to_detonation(times, path, 14000.0, 3000.0)
+
+
+def test_pop_line_returns_the_line_it_was_made_from():
     x = np.array([2e-3, 5e-3, 1e-2])
     p = 10.0 ** (1.11 - 0.66 * np.log10(x * 1e3)) * 1e9
-    assert detonation.pop_plot(p, x) == pytest.approx((1.11, -0.66), rel=1e-9)
+    line = detonation.pop_line(p, x)
+    assert (line.a, line.b) == pytest.approx((1.11, -0.66), rel=1e-9) and line.deviation < 1e-9
+    assert line.distance(p) == pytest.approx(x, rel=1e-9)
+    assert np.isnan(detonation.pop_line(p[:2], x[:2]).deviation)
     with pytest.raises(OutOfRange):
-        detonation.pop_plot([1e9], [1e-3])
+        detonation.pop_line([1e9], [1e-3])
+
+
+def test_deviations_of_a_pop_line_are_those_of_many_noisy_ones():
+    """Standard deviations of a and b as the scatter of 4000 lines through the same points with noise of 0.03 in log10 p."""
+    noise, u = np.random.default_rng(5), np.linspace(0.0, 1.2, 8)
+    lines = [detonation.pop_line(1e9 * 10.0 ** (1.1 - 0.6 * u + noise.normal(0.0, 0.03, 8)), 1e-3 * 10.0**u) for _ in range(4000)]
+    for name, told in (("a", "a_deviation"), ("b", "b_deviation")):
+        assert np.std([getattr(k, name) for k in lines]) == pytest.approx(np.sqrt(np.mean([getattr(k, told) ** 2 for k in lines])), rel=0.04)
 
 
 def test_the_set_up_record_names_the_unreacted_explosive_with_its_own_sources():

@@ -163,6 +163,8 @@ def _reactive(name: str) -> Entry:
 @cache
 def _of_row(identity: str) -> Entry:
     row = schema.row(identity)
+    if row.table == "ignition_growth":
+        return _of_set(row)
     if row.table not in ("us_up", "jwl", "tillotson"):
         raise DeckError.single("library", None, identity, f"a row of the table {row.table} is no material by itself")
     try:
@@ -175,6 +177,28 @@ def _of_row(identity: str) -> Entry:
     made = make_entry(identity, tables, f"row {identity}", category=str(row.get("category", "")))
     warning = f"row {identity} of the library as it stands: not a curated material, no strength, no fracture"
     return replace(made, material=replace(made.material, warnings=(warning, *made.material.warnings)), curated=False)
+
+
+def _of_set(row: schema.Row) -> Entry:
+    """An ignition-and-growth set as it stands: reactant, products and rate."""
+    reason = f"the set {row.id} as calibrated: reactant, products and rate belong together"
+    tables: dict = {**{family: {"row": row.id, "reason": reason} for family in ("eos", "unreacted", "burn")},
+                    "title": f"{row.material} (set {row.id})"}
+    try:
+        made = make_entry(row.id, tables, f"row {row.id}", category="explosive")
+    except DeckError as error:
+        raise DeckError.single("library", None, row.id, f"the set {row.id} ({row.material}) does not make a material: "
+                               f"{error.problems[0].message}", "hugoniot material show names what it holds") from error
+    return replace(made, curated=False)
+
+
+def pop_lines(name: str) -> tuple[schema.Row, ...]:
+    """Measured Pop plots of an explosive: rows with log10(p/GPa) = a + b log10(x/mm); empty where the library has none."""
+    if schema.is_row(name.strip().upper()):
+        name = schema.row(name.strip().upper()).material
+    texts = (name, name.split(" (")[0], *name.split(" (")[0].split("/"))
+    known = {curated_name(part) or curated_name(spelling(part).removesuffix("reactive")) for part in texts} - {None}
+    return tuple(row for row in schema.table("pop_plot").values() if row["explosive"] in known)
 
 
 def _unknown(name: str, rows: tuple[str, ...], also: Mapping[str, str]) -> UnknownMaterial:

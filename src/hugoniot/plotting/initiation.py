@@ -1,0 +1,38 @@
+"""Pictures of shock initiation: the Pop plot."""
+
+import numpy as np
+
+from hugoniot.plotting.style import COLOURS, FAINT, INK, QUIET, new_axes, styled
+
+
+@styled
+def pop_picture(found, lines=(), ax=None):
+    """Run distance over input pressure, both logarithmic; `found` a campaign PopPlot, `lines` measured rows. Gives the axes."""
+    ax = ax if ax is not None else new_axes(5.4, 4.0)
+    turned = [p for p in found.points if np.isfinite(p.distance)]
+    pressure, distance = (np.array([getattr(p, name) for p in turned]) * scale for name, scale in (("pressure", 1e-9), ("distance", 1e3)))
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    if found.line:
+        ends = np.array([pressure.min(), pressure.max()])
+        ax.plot(ends, found.line.distance(ends * 1e9) * 1e3, color=COLOURS[0])
+    ax.plot(pressure, distance, "o", color=COLOURS[0], markersize=5)
+    if turned:
+        ax.annotate("runs", (pressure[-1], distance[-1]), (7, 3), textcoords="offset points", color=COLOURS[0])
+    for k, row in enumerate(lines):
+        ends = np.array([row["pressure_low"], row["pressure_high"]]) * 1e-9
+        x = 10.0 ** ((np.log10(ends) - row["a"]) / row["b"])
+        ax.plot(ends, x, "--", color=COLOURS[k + 1])
+        ax.annotate(f"measured, {row['rho0']:g} kg/m³ ({row.id})", (ends[0], x[0]), (4, -10 - 11 * k), textcoords="offset points",
+                    color=COLOURS[k + 1], fontsize=8)
+    ax.set_xlabel("input pressure (GPa)", color=INK)
+    ax.set_ylabel("run distance to detonation (mm)", color=INK)
+    ax.grid(which="both", color=FAINT, linewidth=0.4)
+    ax.set_axisbelow(True)
+    for axis in (ax.xaxis, ax.yaxis):
+        axis.set_major_formatter("{x:g}")
+        axis.set_minor_formatter(lambda value, _: f"{value:g}" if f"{value:.0e}"[0] in "25" else "")
+    slope = f", slope {found.line.b:.3f}" if found.line else ""
+    ax.set_title(f"{found.material}{slope}", loc="left", color=INK)
+    ax.text(1.0, 1.01, f"zones {found.zone_size * 1e6:g} µm", transform=ax.transAxes, ha="right", color=QUIET, fontsize=8)
+    return ax
