@@ -15,6 +15,7 @@ and, where its theory has them in closed form,
     particle_velocity_limit(par)          largest particle velocity the law's Hugoniot fit can answer, m/s
     energy_limits(rho, par)               (lowest, highest) energy at a density at which the law is defined (tables)
     pressure_and_derivatives(rho, e, par) (p, dp/drho, dp/de) at once, for laws that search; all others have it from the first two
+    reference_curve(rho, par), hugoniot_curve(eta, par)   what laws built on a curve give to reference_curves, which holds the rest
     reference_isentrope(rho, par)         (e_S, ln phi): one isentrope, and the growth phi of energies beside it, of laws that are linear in
                                           the energy: all isentropes are e_S + constant phi, with d ln phi / d ln rho = Gamma
 
@@ -40,7 +41,7 @@ EOS = Registry(
     "eos",
     contract=("pressure", "pressure_derivatives", "reference_state", "density_limits"),
     optional=("temperature", "entropy", "energy", "specific_heat", "particle_velocity_limit", "energy_limits",
-              "reference_isentrope"),
+              "reference_isentrope", "reference_curve", "hugoniot_curve"),
     derived={"pressure_and_derivatives": both_apart},
 )
 
@@ -95,11 +96,21 @@ def reference_isentrope(rho, par):
     return EOS.of(par).functions["reference_isentrope"](rho, par)
 
 
+def reference_curve(rho, par):
+    """(P, E, dP/deta, dE/deta) of a law's reference curve, P = p/rho0 (reference_curves)."""
+    return EOS.of(par).functions["reference_curve"](rho, par)
+
+
+def hugoniot_curve(eta, par):
+    """(P, dP/deta) of a law's Hugoniot in compression, P = p/rho0 (reference_curves)."""
+    return EOS.of(par).functions["hugoniot_curve"](eta, par)
+
+
 GENERICS = {
     "pressure": pressure, "pressure_derivatives": pressure_derivatives, "pressure_and_derivatives": pressure_and_derivatives,
     "temperature": temperature,
     "entropy": entropy, "energy": energy, "specific_heat": specific_heat, "reference_state": reference_state,
-    "reference_isentrope": reference_isentrope,
+    "reference_isentrope": reference_isentrope, "reference_curve": reference_curve, "hugoniot_curve": hugoniot_curve,
 }
 
 

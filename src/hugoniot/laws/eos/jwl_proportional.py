@@ -48,15 +48,17 @@ def energy(rho, p, par):
     return (p - _cold(par.rho0 / rho, par)) / (par.rho0 * par.gamma0)
 
 
-def _h(v, par):
-    return (par.a / par.r1 * vexp(-par.r1 * v) + par.b / par.r2 * vexp(-par.r2 * v)) / par.rho0
+def reference_isentrope(rho, par):
+    """The exponential terms alone; energies beside them grow as exp(Gamma0 (1 - V))."""
+    v = par.rho0 / rho
+    return (par.a / par.r1 * vexp(-par.r1 * v) + par.b / par.r2 * vexp(-par.r2 * v)) / par.rho0, par.gamma0 * (1.0 - v)
 
 
 def temperature(rho, e, par):
-    v = par.rho0 / rho
-    growth = vexp(par.gamma0 * (1.0 - v))
+    h, logarithm = reference_isentrope(rho, par)
+    growth = vexp(logarithm)
     e_rest = -_cold(1.0, par) / (par.rho0 * par.gamma0)
-    e_s = _h(v, par) + (e_rest - _h(1.0, par)) * growth
+    e_s = h + (e_rest - reference_isentrope(par.rho0, par)[0]) * growth
     return par.reference_temperature * growth + (e - e_s) / par.specific_heat
 
 
@@ -80,7 +82,8 @@ def density_limits(par):
 
 EOS.add(
     "jwl_proportional", JWLProportional,
-    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits],
+    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits,
+               reference_isentrope],
     example=JWLProportional(77810e9, -5.031e9, 11.3, 1.13, 0.8938, 1717.0, 1000.0),
     units={"a": "Pa", "b": "Pa", "r1": "1", "r2": "1", "gamma0": "1", "rho0": "kg/m^3", "specific_heat": "J/kg/K",
            "reference_temperature": "K"},

@@ -15,22 +15,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hugoniot.core.ops import vexp, vlog
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos import reference_curves
 from hugoniot.laws.eos.contract import EOS
-from hugoniot.laws.eos.reference_curves import (
-    gamma_slope_of,
-    highest_density,
-    isentrope_source,
-    log_heating,
-    lowest_density,
-    mie_gruneisen_derivatives,
-    mie_gruneisen_pressure,
-    shocked,
-    stretched,
-)
-from hugoniot.laws.eos.special import quadrature
+from hugoniot.laws.eos.reference_curves import highest_density, lowest_density, with_gamma_form
 
 
 class MieGruneisenCubic(NamedTuple):
@@ -45,63 +33,11 @@ class MieGruneisenCubic(NamedTuple):
     reference_temperature: float = 298.15
 
 
-def _hugoniot(eta, par):
+def hugoniot_curve(eta, par):
     """(P, dP/deta) of the Hugoniot, P = p/rho0."""
     r = 1.0 / (1.0 - eta * (par.s1 + eta * (par.s2 + eta * par.s3)))
     u = par.c0 * r
     return u * u * eta, u * u * (1.0 + 2.0 * eta * r * (par.s1 + eta * (2.0 * par.s2 + 3.0 * par.s3 * eta)))
-
-
-def _curve(rho, par):
-    eta = 1.0 - par.rho0 / rho
-    if eta > 0.0:
-        p, p_eta = _hugoniot(eta, par)
-        return shocked(p, p_eta, eta)
-    return stretched(eta, par.c0, par.s1)
-
-
-def pressure(rho, e, par):
-    return mie_gruneisen_pressure(rho, e, _curve(rho, par), par.rho0, par.gamma0, par.gamma_slope)
-
-
-def pressure_derivatives(rho, e, par):
-    return mie_gruneisen_derivatives(rho, e, _curve(rho, par), par.rho0, par.gamma0, par.gamma_slope)
-
-
-def energy(rho, p, par):
-    return (p - pressure(rho, 0.0, par)) / (par.rho0 * par.gamma0 + par.gamma_slope * (rho - par.rho0))
-
-
-def reference_isentrope(rho, par):
-    """(e, T/T0) on the isentrope through the reference state."""
-    eta = 1.0 - par.rho0 / rho
-    growth = log_heating(eta, par.gamma0, par.gamma_slope)
-    if eta > 0.0:
-        total = 0.0
-        for x, w in quadrature():
-            t = x * eta
-            total += w * isentrope_source(t, _hugoniot(t, par)[0], par.gamma0, par.gamma_slope, growth)
-        return eta * total, vexp(growth)
-    return stretched(eta, par.c0, par.s1)[1], vexp(growth)
-
-
-def temperature(rho, e, par):
-    e_s, ratio = reference_isentrope(rho, par)
-    return par.reference_temperature * ratio + (e - e_s) / par.specific_heat
-
-
-def specific_heat(rho, e, par):
-    return par.specific_heat
-
-
-def entropy(rho, e, par):
-    """Zero at the reference state."""
-    ratio = temperature(rho, e, par) / par.reference_temperature
-    return par.specific_heat * (vlog(ratio) - log_heating(1.0 - par.rho0 / rho, par.gamma0, par.gamma_slope))
-
-
-def reference_state(par):
-    return par.rho0, 0.0
 
 
 def _strain_limit(par):
@@ -122,21 +58,17 @@ def particle_velocity_limit(par):
     return par.c0 / rest if _strain_limit(par) == 1.0 and rest > 0.0 else math.inf
 
 
-def build(rho0, c0, s1, s2, s3, gamma0, gamma_form="rho_gamma_constant", gamma_slope=math.nan, specific_heat=math.nan,
-          reference_temperature=298.15):
+def build(rho0, c0, s1, gamma0, gamma_form="rho_gamma_constant", gamma_slope=math.nan, **given):
     """Parameters from a deck: the Grüneisen parameter by `gamma_form` as in mie_gruneisen."""
     if not (rho0 > 0.0 and c0 > 0.0 and s1 >= 0.0 and gamma0 > 0.0):
         raise OutOfRange(f"mie_gruneisen_cubic: needs rho0, c0, gamma0 > 0 and s1 >= 0, got {rho0}, {c0}, {gamma0}, {s1}")
-    if gamma_form == "rho_gamma_constant" and math.isfinite(gamma_slope) and gamma_slope != 0.0:
-        gamma_form = "linear"
-    slope = gamma_slope_of(gamma_form, gamma0, gamma_slope)
-    return MieGruneisenCubic(rho0, c0, s1, s2, s3, gamma0, slope, specific_heat, reference_temperature)
+    return with_gamma_form(MieGruneisenCubic)(gamma_form, gamma_slope, rho0=rho0, c0=c0, s1=s1, gamma0=gamma0, **given)
 
 
 EOS.add(
     "mie_gruneisen_cubic", MieGruneisenCubic,
-    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits,
-               particle_velocity_limit],
+    functions={**reference_curves.ON_HUGONIOT, "hugoniot_curve": hugoniot_curve, "density_limits": density_limits,
+               "particle_velocity_limit": particle_velocity_limit},
     example=MieGruneisenCubic(11340.0, 2006.0, 1.429, 0.8506, -1.64, 2.77, 0.54, 130.0),
     build=build,
     units={"rho0": "kg/m^3", "c0": "m/s", "s1": "1", "s2": "1", "s3": "1", **reference_curves.GAMMA_UNITS},

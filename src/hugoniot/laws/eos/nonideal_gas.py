@@ -11,7 +11,7 @@ Source: 002 (Herrmann) C.19 to C.23 (in the pentolite example "p_i = 2.77" is be
 import math
 from typing import NamedTuple
 
-from hugoniot.core.ops import vlog, vpow
+from hugoniot.core.ops import vexp, vlog, vpow
 from hugoniot.laws.eos.contract import EOS
 
 
@@ -40,10 +40,15 @@ def energy(rho, p, par):
     return (p - pressure(rho, 0.0, par)) / (par.gamma * rho)
 
 
-def temperature(rho, e, par):
+def reference_isentrope(rho, par):
+    """The measured one; energies beside it grow as rho^Gamma."""
     x = rho / par.rho1
-    e_i = par.p1 / par.rho1 * vpow(x, par.beta - 1.0) / (par.beta - 1.0)
-    return par.reference_temperature * vpow(x, par.gamma) + (e - e_i) / par.specific_heat
+    return par.p1 / par.rho1 * vpow(x, par.beta - 1.0) / (par.beta - 1.0), par.gamma * vlog(x)
+
+
+def temperature(rho, e, par):
+    e_i, growth = reference_isentrope(rho, par)
+    return par.reference_temperature * vexp(growth) + (e - e_i) / par.specific_heat
 
 
 def specific_heat(rho, e, par):
@@ -66,7 +71,8 @@ def density_limits(par):
 
 EOS.add(
     "nonideal_gas", NonidealGas,
-    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits],
+    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits,
+               reference_isentrope],
     example=NonidealGas(2333.0, 29.0289e9, 2.9, 0.9, 1714.0, 8.2e9, 1300.0, 3500.0),
     units={"rho1": "kg/m^3", "p1": "Pa", "beta": "1", "gamma": "1", "rho0": "kg/m^3", "e0": "J/m^3", "specific_heat": "J/kg/K",
            "reference_temperature": "K"},

@@ -4,8 +4,8 @@ $$p = p_c(\rho) + \rho\Gamma\,(e - e_c(\rho)), \qquad \rho\Gamma = \rho_0(\Gamma
 $$p_c = 3K_0\frac{1 - X}{X^2}e^{\zeta(1-X)}, \quad e_c = \frac{9K_0}{\rho_0\zeta^2}\left\{1 + [\zeta(1-X) - 1]e^{\zeta(1-X)}\right\},
   \quad X = (\rho_0/\rho)^{1/3}, \; \zeta = \tfrac32(K_0' - 1)$$
 
-The curve is taken as the isentrope through the rest state (e = 0, T0), so $T = T_0\varphi + (e - e_c)/c_v$,
-$\ln\varphi = (\Gamma_0 - b)\eta - b\ln(1-\eta)$, $\eta = 1 - \rho_0/\rho$. b = 0: rho Gamma constant; b = gamma0: Gamma constant.
+The curve is taken as the isentrope through the rest state (e = 0, T0); reference_curves holds the rest of the law.
+b = 0: rho Gamma constant; b = gamma0: Gamma constant.
 
 Source: Vinet, Ferrante, Rose and Smith 1987.
 """
@@ -16,14 +16,7 @@ from typing import NamedTuple
 from hugoniot.core.ops import vexp, vlog
 from hugoniot.laws.eos import reference_curves
 from hugoniot.laws.eos.contract import EOS
-from hugoniot.laws.eos.reference_curves import (
-    gamma_slope_of,
-    highest_density,
-    log_heating,
-    lowest_density,
-    mie_gruneisen_derivatives,
-    mie_gruneisen_pressure,
-)
+from hugoniot.laws.eos.reference_curves import with_gamma_form
 
 
 class Vinet(NamedTuple):
@@ -36,7 +29,7 @@ class Vinet(NamedTuple):
     reference_temperature: float = 298.15
 
 
-def _curve(rho, par):
+def reference_curve(rho, par):
     """(P, E, dP/deta, dE/deta) of the cold curve, P = p/rho0."""
     x = vexp(vlog(par.rho0 / rho) / 3.0)
     zeta = 1.5 * (par.bulk_modulus_slope - 1.0)
@@ -49,61 +42,11 @@ def _curve(rho, par):
     return p, e, k * growth * (2.0 - x + zeta * x * y) / (x * x * x * x * x), p
 
 
-
-def pressure(rho, e, par):
-    return mie_gruneisen_pressure(rho, e, _curve(rho, par), par.rho0, par.gamma0, par.gamma_slope)
-
-
-def pressure_derivatives(rho, e, par):
-    return mie_gruneisen_derivatives(rho, e, _curve(rho, par), par.rho0, par.gamma0, par.gamma_slope)
-
-
-def energy(rho, p, par):
-    return (p - pressure(rho, 0.0, par)) / (par.rho0 * par.gamma0 + par.gamma_slope * (rho - par.rho0))
-
-
-def reference_isentrope(rho, par):
-    """(e, T/T0) on the isentrope through the rest state."""
-    return _curve(rho, par)[1], vexp(log_heating(1.0 - par.rho0 / rho, par.gamma0, par.gamma_slope))
-
-
-def temperature(rho, e, par):
-    e_s, ratio = reference_isentrope(rho, par)
-    return par.reference_temperature * ratio + (e - e_s) / par.specific_heat
-
-
-def specific_heat(rho, e, par):
-    return par.specific_heat
-
-
-def entropy(rho, e, par):
-    """Zero at the rest state."""
-    ratio = temperature(rho, e, par) / par.reference_temperature
-    return par.specific_heat * (vlog(ratio) - log_heating(1.0 - par.rho0 / rho, par.gamma0, par.gamma_slope))
-
-
-def reference_state(par):
-    return par.rho0, 0.0
-
-
-def density_limits(par):
-    return lowest_density(par.rho0, par.gamma0, par.gamma_slope), highest_density(par.rho0, 1.0, par.gamma0, par.gamma_slope)
-
-
-def build(rho0, bulk_modulus, bulk_modulus_slope, gamma0, gamma_form="rho_gamma_constant", gamma_slope=math.nan, specific_heat=math.nan,
-          reference_temperature=298.15):
-    """Parameters from a deck: the Grüneisen parameter by `gamma_form` as in mie_gruneisen."""
-    if gamma_form == "rho_gamma_constant" and math.isfinite(gamma_slope) and gamma_slope != 0.0:
-        gamma_form = "linear"
-    slope = gamma_slope_of(gamma_form, gamma0, gamma_slope)
-    return Vinet(rho0, bulk_modulus, bulk_modulus_slope, gamma0, slope, specific_heat, reference_temperature)
-
-
 EOS.add(
     "vinet", Vinet,
-    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits],
+    functions={**reference_curves.ON_ISENTROPE, "reference_curve": reference_curve},
     example=Vinet(8930.0, 137e9, 5.48, 1.99, 0.0, 385.0),
-    build=build,
+    build=with_gamma_form(Vinet),
     units={"rho0": "kg/m^3", "bulk_modulus": "Pa", "bulk_modulus_slope": "1", **reference_curves.GAMMA_UNITS},
     meaning={"rho0": "density at rest",
              "bulk_modulus": "bulk modulus at rest", "bulk_modulus_slope": "its pressure derivative at rest (not 1)",
