@@ -54,15 +54,17 @@ def strengths(lam, rho, p, par):
     """What the terms still to act owe to the state: I (rho/rho0 - 1 - a)^x, G1 p^y, G2 p^z, 1/s."""
     excess = rho / par.rho0 - 1.0 - par.a
     ignition = par.i * power(excess, par.x) if lam < par.ignition_limit and excess > 0.0 else 0.0
-    growth = par.g1 * power(p, par.y) if lam < par.growth_limit and p > 0.0 else 0.0
-    completion = par.g2 * power(p, par.z) if p > 0.0 and par.g2 > 0.0 else 0.0
+    # what has not ignited cannot grow, unless a growth term starts from nothing
+    alive = p > 0.0 and (lam > 0.0 or ignition > 0.0 or par.d == 0.0 or par.g == 0.0)
+    growth = par.g1 * power(p, par.y) if alive and lam < par.growth_limit else 0.0
+    completion = par.g2 * power(p, par.z) if alive and par.g2 > 0.0 else 0.0
     return ignition, growth, completion
 
 
 def burning(lam, ignition, growth, completion, par):
     """(rate at burn fraction lam for given strengths, 1/s; its slope by lam)."""
     left = 1.0 - lam
-    if left <= 0.0:
+    if left <= 0.0 or ignition + growth + completion <= 0.0:
         return 0.0, 0.0
     # the logarithms are shared by the powers: half the cost of five calls of vpow; at lam = 0 only a zeroth power is not zero
     log_left = vlog(left)

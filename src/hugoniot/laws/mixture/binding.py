@@ -29,7 +29,7 @@ def bind_mixtures() -> None:
     compiler.bind_family(eos_contract.EOS, eos_contract.GENERICS)
     compiler.bind_module(eos_contract)
     search = dict(fastmath=False, error_model="numpy")
-    for function in (isentrope.stride, isentrope.marched_energy, isolated.solve, isolated.equilibrate, equilibrium.share_energy,
+    for function in (isentrope.stride, isentrope.marched_energy, isolated.equilibrate, equilibrium.share_energy,
                      equilibrium.solve, equilibrium.equilibrate):
         compiler.bind(function, **search)
 
