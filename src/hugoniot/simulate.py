@@ -178,8 +178,21 @@ def _summary(problem: Problem, solver, outcome: Outcome, begun: float) -> dict[s
         "wall_seconds": time.perf_counter() - begun, "kernel_seconds": outcome.kernel_seconds, **solver.errors(),
         "voids_opened": solver.voids_opened, "voids_closed": solver.voids_closed,
         "interfaces_parted": getattr(solver, "interfaces_parted", 0), "tension_cap_acted": solver.capped,
-        **getattr(solver, "results", dict)(),
+        **getattr(solver, "results", dict)(), **_steady_numbers(problem),
     }
+
+
+def _steady_numbers(problem: Problem) -> dict[str, float]:
+    """What the steady wave of a shock-structure run has, beside which the run's own thickness is told."""
+    if not problem.solver.options.get("shock"):
+        return {}
+    from hugoniot.theory.structure.start import profile_of
+    from hugoniot.theory.structure.sweep import measures
+
+    found = measures(profile_of(problem))
+    sizes = [name for name in found if "thickness" in name or "width" in name]
+    others = ["mach", "shock_velocity", "particle_velocity", *(name for name in found if name.startswith("entropy"))]
+    return {f"steady_{name}": found[name] for name in sizes} | {name: found[name] for name in others}
 
 
 def _note_extrapolation(folder: RunFolder, problem: Problem, solver, warned) -> None:
@@ -197,6 +210,7 @@ def _meta(problem: Problem, solver) -> dict[str, Any]:
     left, right = solver.initial_nodes
     return {
         "solver": problem.solver.kind, "version": hugoniot.__version__, "viscosity": solver.viscosity,
+        "transport": getattr(solver, "transport", None),
         "region": [problem.regions[k].name for k in solver.region_of], "mass": solver.state().zones["mass"],
         "centre": 0.5 * (left + right), "left": left, "right": right, "gauges": [gauge.name for gauge in problem.gauges],
     }

@@ -37,8 +37,12 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
                f"{s.get('zone_updates', 0):.3g} zone updates in {s['wall_seconds']:.2f} s")
     errors = [f"{word} {s[key]:.1e}" for word, key in (("mass", "mass_error"), ("momentum", "momentum_error"), ("energy", "energy_error"))
               if isinstance(s.get(key), (int, float))]
-    typer.echo(f"relative errors: {', '.join(errors)}; voids opened {s.get('voids_opened', 0)}, "
-               f"closed {s.get('voids_closed', 0)}, interfaces parted {s.get('interfaces_parted', 0)}")
+    if s.get("solver") == "shock_structure":
+        typer.echo(f"relative errors: {', '.join(errors)}")
+        _echo_structure(run)
+    else:
+        typer.echo(f"relative errors: {', '.join(errors)}; voids opened {s.get('voids_opened', 0)}, "
+                   f"closed {s.get('voids_closed', 0)}, interfaces parted {s.get('interfaces_parted', 0)}")
     rows = gauge_rows(run)
     if rows:
         typer.echo("")
@@ -53,6 +57,35 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
             typer.echo(f"warning: {warning}")
     report = run.folder / "report.html"
     typer.echo(f"results in {run.folder}" + (f", report: {report}" if report.is_file() else ""))
+
+
+def _echo_structure(run: Run) -> None:
+    """Thickness with its definition beside the steady wave's, entropy, transport laws and sources of a run that resolves a shock."""
+    s = run.summary
+    if "density_thickness" in s:
+        typer.echo(f"density thickness |rho2 - rho1| / max|drho/dx|: {format_si(s['density_thickness'], 'm', 5)}, "
+                   f"{s['cells_per_thickness']:.4g} cells")
+    if "steady_density_thickness" in s:
+        steady = s["steady_density_thickness"]
+        away = 100.0 * (s["density_thickness"] / steady - 1.0)
+        typer.echo(f"steady wave, Mach {s['mach']:.5g}: {format_si(steady, 'm', 5)} (the run {away:+.2g} %), "
+                   f"by velocity |u2 - u1| / max|du/dx| {format_si(s['steady_velocity_thickness'], 'm', 5)}, "
+                   f"10 to 90 % of density {format_si(s['steady_density_width_10_90'], 'm', 5)}")
+        made = s["entropy_viscous"] + s["entropy_conductive"]
+        if made == made:
+            typer.echo(f"entropy gained {made:.6g} J/(kg K): viscosity {s['entropy_viscous']:.6g}, "
+                       f"conduction {s['entropy_conductive']:.6g}")
+    if run.setup.get("transport"):
+        echo_transport(run.setup["transport"])
+    typer.echo("sources: " + "; ".join(run.setup["references"]))
+
+
+def echo_transport(record: dict) -> None:
+    """The laws of `transport_record` with their constants and units."""
+    for word, law in zip(("shear viscosity", "heat conduction"), record["laws"]):
+        constants = ", ".join(f"{c['name']} {format_si(c['value'], c['unit'])}" for c in law["constants"])
+        typer.echo(f"{word}: {law['law']}" + (f" ({constants})" if constants else ""))
+    typer.echo(f"bulk viscosity: {record['bulk_ratio']:g} of the shear viscosity + {format_si(record['bulk_viscosity'], 'Pa s')}")
 
 
 def _echo_spall(run: Run) -> None:

@@ -26,6 +26,7 @@ DENSITY = Annotated[str | None, typer.Option("--density", help='Density ahead, "
 TEMPERATURE = Annotated[str | None, typer.Option("--temperature", help='Temperature ahead, "300 K".')]
 PRESSURE = Annotated[str | None, typer.Option("--pressure", help='Pressure ahead, "1 bar".')]
 UNIT = Annotated[str, typer.Option("--mean-free-path", help="Unit of reciprocal thickness: bsl, chapman_enskog, viscous, vhs.")]
+BENT = Annotated[bool, typer.Option("--bent", help="Water, silica of Jordan 2011: the Grüneisen parameter it bends to meet the jump.")]
 CSV = Annotated[Path | None, typer.Option("--csv", help="Write SI numbers to this file.")]
 PLOT = Annotated[Path | None, typer.Option("--plot", help="Draw the picture into this file (.png, .pdf, .svg).")]
 
@@ -36,7 +37,7 @@ def profile(
     particle_velocity: Annotated[str | None, typer.Option("--particle-velocity", help='Velocity jump, "858 m/s".')] = None,
     shock_velocity: Annotated[str | None, typer.Option("--shock-velocity", help='Speed of the shock, "3 km/s".')] = None,
     viscosity: VISCOSITY = None, conduction: CONDUCTION = None, prandtl: PRANDTL = None, bulk_ratio: BULK = 0.0,
-    density: DENSITY = None, temperature: TEMPERATURE = None, pressure: PRESSURE = None,
+    density: DENSITY = None, temperature: TEMPERATURE = None, pressure: PRESSURE = None, bent: BENT = False,
     points: Annotated[int, typer.Option("--points", min=2, max=100000, help="Points of --csv and of the profile in --json.")] = 201,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
@@ -44,7 +45,7 @@ def profile(
 
     Example: hugoniot structure profile water_858 --json
     """
-    subject = _subject(what, viscosity, conduction, prandtl, bulk_ratio, (density, temperature, pressure))
+    subject = _subject(what, viscosity, conduction, prandtl, bulk_ratio, (density, temperature, pressure), bent)
     strength = {"mach": mach, "particle_velocity": _number(particle_velocity, "m/s", "--particle-velocity"),
                 "shock_velocity": _number(shock_velocity, "m/s", "--shock-velocity")}
     strength = {name: value for name, value in strength.items() if value is not None} or subject["shock"]
@@ -69,7 +70,7 @@ def profile(
         if as_json:
             echo_json({"what": what, **numbers, "profile": table})
             return
-    _tell(numbers, found)
+    _tell(numbers, found, subject["transport"])
 
 
 @app.command()
@@ -138,10 +139,13 @@ def jordan(as_json: JSON = False) -> None:
 
 
 # -- input -----------------------------------------------------------------------------------------------------------
-def _subject(what: str, viscosity, conduction, prandtl, bulk_ratio, state) -> dict:
+def _subject(what: str, viscosity, conduction, prandtl, bulk_ratio, state, bent: bool = False) -> dict:
     """{"eos", "transport", "ahead", "shock"} of a deck, a case or a material."""
     from hugoniot.theory.structure import jordan as cases
 
+    if bent and what not in cases.CONDENSED:
+        raise DeckError.single("command line", None, "--bent", f"'{what}' has no bent Grüneisen parameter",
+                               f"it belongs to the cases {', '.join(cases.CONDENSED)}")
     if what == "argon-jordan":
         law, ahead = cases.argon()
         transport = cases.argon_transport(_law_name(viscosity) or "power_law", cases.ARGON_PRANDTL if prandtl is None else prandtl)
@@ -149,7 +153,7 @@ def _subject(what: str, viscosity, conduction, prandtl, bulk_ratio, state) -> di
         return found if not any(state) else found | {"ahead": _ahead(law, *state)}
     if what in cases.CONDENSED:
         case = cases.CONDENSED[what]
-        law = case.eos(case.literature)
+        law = case.eos(case.bent if bent else case.literature)
         transport = _transport(viscosity, conduction, prandtl, bulk_ratio) if viscosity else case.transport()
         return {"eos": law, "ahead": None, "shock": {"particle_velocity": case.particle_velocity}, "transport": transport}
     if what.endswith(".toml") and viscosity is None:
@@ -257,7 +261,12 @@ def _paths(found) -> dict:
         return {}
 
 
-def _tell(numbers: dict, found) -> None:
+def _tell(numbers: dict, found, transport) -> None:
+    from hugoniot.cli.results import echo_transport
+    from hugoniot.laws.eos.contract import EOS
+    from hugoniot.laws.transport.mean_free_path import MEAN_FREE_PATHS
+    from hugoniot.output.setup_record import transport_record
+
     one, two = found.ends.upstream, found.ends.downstream
     typer.echo(f"Mach {found.ends.mach:.6g}, shock velocity {found.ends.shock_velocity:.6g} m/s, "
                f"particle velocity {found.ends.particle_velocity:.6g} m/s")
@@ -277,6 +286,15 @@ def _tell(numbers: dict, found) -> None:
         typer.echo(f"\nentropy gained {numbers['entropy_viscous'] + numbers['entropy_conductive']:.6g} J/(kg K): "
                    f"viscosity {numbers['entropy_viscous']:.6g}, conduction {numbers['entropy_conductive']:.6g}"
                    f" (jump of the law's entropy: {numbers['entropy_jump']:.6g})")
+    typer.echo("\nthickness: jump over steepest gradient, |rho2 - rho1| / max|drho/dx| and |u2 - u1| / max|du/dx|; "
+               "widths: 10 to 90 % of the jump")
+    for name, words in MEAN_FREE_PATHS.items():
+        if f"mean_free_path_{name}" in numbers:
+            typer.echo(f"{name}: mean free path ahead, {words}: {numbers[f'mean_free_path_{name}'] * 1e9:.6g} nm")
+    record, law = transport_record(transport), EOS.of(found.ends.eos)
+    typer.echo(f"equation of state: {law.name}")
+    echo_transport(record)
+    typer.echo("sources: " + "; ".join(dict.fromkeys((*law.references, *(r for one in record["laws"] for r in one["references"])))))
 
 
 def _write_csv(path: Path, table: dict) -> None:

@@ -11,6 +11,7 @@ from hugoniot.core.registry import Registry
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.laws.strength.contract import STRENGTH
+from hugoniot.laws.transport.contract import CONDUCTION, TRANSPORT
 from hugoniot.laws.viscosity.contract import VISCOSITY
 
 _FAMILIES = {"eos": EOS, "strength": STRENGTH, "fracture": FRACTURE, "viscosity": VISCOSITY}
@@ -20,6 +21,13 @@ INTEGRATORS = {
                    "P. P. Whalen, J. Comput. Phys. 146 (1998) 227-262",),
     "wilkins": ("Wilkins, appendix B (KO), eqs. B.2: leapfrog differences in one dimension, three symmetries, with voids (B.4)",),
 }
+
+VISCOUS_FLOW = (
+    "Navier-Stokes flow resolved without artificial viscosity: Jordan 2011, chapters 2 and 6",
+    "Faces: fifth-order WENO-Z, R. Borges, M. Carmona, B. Costa, W. S. Don, J. Comput. Phys. 227 (2008) 3191-3211",
+    "Time: third-order Runge-Kutta, C.-W. Shu, S. Osher, J. Comput. Phys. 77 (1988) 439-471",
+    "Dissipation that gives way to physical viscosity: D. B. Spalding, Int. J. Numer. Meth. Eng. 4 (1972) 551-559",
+)
 
 
 def plain(value: Any) -> Any:
@@ -85,6 +93,12 @@ def _burn_record(par, sources) -> dict:
     return law_record(import_module("hugoniot.laws.burn.contract").BURN, par, sources)
 
 
+def transport_record(transport) -> dict:
+    """{"laws": shear viscosity and conduction, "bulk_ratio", "bulk_viscosity" (Pa s)} of a `Transport` tuple."""
+    return {"laws": [law_record(TRANSPORT, transport.shear), law_record(CONDUCTION, transport.conduction)],
+            "bulk_ratio": transport.bulk_ratio, "bulk_viscosity": transport.bulk_viscosity}
+
+
 def _viscosity_record(problem, meta: dict) -> dict | None:
     par = meta.get("viscosity")
     if hasattr(par, "_fields"):
@@ -102,6 +116,9 @@ def _references(record: dict, meta: dict) -> list[str]:
     found += meta.get("references", ())
     laws = [law for material in record["materials"].values() for law in material["laws"]]
     laws += [record["viscosity"]] if record["viscosity"] else []
+    if record["transport"]:
+        found += VISCOUS_FLOW
+        laws += record["transport"]["laws"]
     while laws:
         law = laws.pop(0)
         found += law["references"] + [c["source"] for c in law["constants"] if c["source"]]
@@ -123,6 +140,7 @@ def setup_record(problem, meta: dict) -> dict:
         "gauges": [plain(gauge) for gauge in problem.gauges],
         "materials": {name: material_record(problem.materials[name]) for name in sorted({r.material for r in problem.regions})},
         "viscosity": _viscosity_record(problem, meta),
+        "transport": transport_record(meta["transport"]) if meta.get("transport") else None,
     }
     record["references"] = _references(record, meta)
     return record

@@ -48,6 +48,23 @@ def _for_page(text: str, name: str) -> str:
     return text
 
 
+def _structure_pictures(run) -> dict[str, str]:
+    """The cells of a shock-structure run upon its steady wave, and that wave's balances and entropy."""
+    from hugoniot.plotting.structure import draw_cells, draw_profile
+    from hugoniot.problem.deck import read_deck_text
+    from hugoniot.theory.structure.start import profile_of
+
+    profile = profile_of(read_deck_text(run.deck, "deck.toml").problem)
+    shot = run.arrays("snapshots")
+    last = {name: shot[name][-1] for name in ("density", "pressure", "temperature") if name in shot}
+    centres = 0.5 * (shot["position_left"][-1] + shot["position_right"][-1])
+    panels = [(0.7 + 3.75 * column, 0.5 + 2.3 * row, 2.9, 1.95) for row in (2, 1, 0) for column in (0, 1)]
+    found = {"structure_terms": svg(lambda *axes: draw_profile(axes, profile), "structure-terms", 7.5, 7.2, *panels)}
+    if "density" in last:
+        found["structure"] = svg(lambda ax: draw_cells(ax, profile, centres, last), "structure", 7.4, 3.0, (0.7, 0.5, 6.5, 2.4))
+    return found
+
+
 def report_pictures(run) -> dict[str, str]:
     """The pictures a report shows, by name, as SVG text; those for which the run has no data are left out."""
     pictures = {"setup": svg(lambda ax: setup(run, ax=ax), "setup", 7.4, 2.0, (0.15, 0.5, 7.1, 1.45))}
@@ -56,6 +73,8 @@ def report_pictures(run) -> dict[str, str]:
     if field and len(shot["time"]) > 1:
         pictures["wave"] = svg(lambda ax, bar: xt(run, field, ax=ax, colorbar=bar, size=(300, 560)), "wave", 7.4, 4.3,
                                (0.6, 0.5, 5.75, 3.6), (6.5, 0.5, 0.14, 3.6))
+    if "steady_density_thickness" in run.summary:
+        pictures |= _structure_pictures(run)
     rows = run.arrays("gauges")
     for field in ("stress", "velocity"):
         if field in rows and len(rows["time"]):

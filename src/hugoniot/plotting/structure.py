@@ -1,56 +1,106 @@
-"""Pictures of a shock's structure: its profile with the terms of the balances, and reciprocal thickness over Mach number."""
+"""Pictures of a shock's structure: its profile with the terms of the balances, a run's cells upon it, thickness over Mach number."""
 
 from collections.abc import Sequence
 
 import numpy as np
 
-from hugoniot.plotting.style import COLOURS, INK, QUIET, new_axes, quiet_grid, scale_of, styled
+from hugoniot.plotting.style import COLOURS, INK, QUIET, new_axes, new_panels, quiet_grid, scale_of, styled
 from hugoniot.theory.structure.profile import Profile
 
 _LENGTHS = (("m", 1.0), ("mm", 1e3), ("µm", 1e6), ("nm", 1e9))
-_BALANCES = {"momentum": ("momentum_shear", "momentum_flux", "momentum_pressure"),
-             "energy": ("energy_shear", "energy_enthalpy", "energy_conduction")}
-_WORDS = {"momentum_shear": "dτ/dx", "momentum_flux": "−d(ju)/dx", "momentum_pressure": "−dp/dx",
-          "energy_shear": "d(τu)/dx", "energy_enthalpy": "−d(jH)/dx", "energy_conduction": "−dq/dx"}
+_JUMPS = ("density", "velocity", "pressure", "temperature", "energy")
+_TERMS = {"momentum": {"momentum_shear": "dτ/dx", "momentum_flux": "−d(ju)/dx", "momentum_pressure": "−dp/dx"},
+          "energy": {"energy_shear": "d(τu)/dx", "energy_enthalpy": "−d(jH)/dx", "energy_conduction": "−dq/dx"}}
 
 
 @styled
 def profile_picture(profile: Profile, title: str = ""):
-    """Four panels: normalised density, velocity, pressure, temperature; stress and heat flux; momentum and energy terms (004 figs 6.4-6.7).
+    """Six panels of a steady shock, see `draw_profile`; gives the axes of the first panel."""
+    axes = new_panels(3, 2, 9.2, 7.6)
+    draw_profile(axes.ravel(), profile)
+    unit, factor = scale_of(profile.thickness(), _LENGTHS)
+    axes[0, 0].set_title(title or f"Mach {profile.ends.mach:.4g}, density thickness {profile.thickness() * factor:.4g} {unit}", loc="left")
+    return axes[0, 0]
 
-    Gives the axes of the first panel. Terms are made dimensionless with the state ahead and the density thickness.
+
+def draw_profile(axes, profile: Profile) -> None:
+    """Fill six axes: fields as parts of their jumps; stress and heat flux; the terms of momentum and of energy (004 figs 6.4 to 6.7);
+    entropy and its production by viscosity and conduction.
+
+    Terms are made dimensionless with the state ahead and the density thickness, the entropy with what the shock makes.
     """
-    figure = new_axes(8.6, 5.4).get_figure()
-    figure.clear()
-    axes = figure.subplots(2, 2, sharex=True)
     delta = profile.thickness()
     low, high = profile.extent(2e-4)
     x = np.linspace(1.1 * low, 1.1 * high, 500)
     unit, factor = scale_of(high - low, _LENGTHS)
-    one, two = profile.ends.upstream, profile.ends.downstream
-    fields = profile.at(x)
-    shown = [name for name in ("density", "velocity", "pressure", "temperature") if np.isfinite(fields[name]).all()]
-    for name in shown:
-        a, b = getattr(one, name), getattr(two, name)
-        axes[0, 0].plot(x * factor, (fields[name] - a) / (b - a), label=name)
-    axes[0, 0].set_ylabel("part of the jump")
+    one, fields, terms = profile.ends.upstream, profile.at(x), profile.balance_terms(x)
     pressure, power = one.density * one.sound_speed**2, one.density * one.sound_speed**3
-    axes[0, 1].plot(x * factor, -fields["viscous_stress"] / pressure, label="−τ / ρ₁c₁²")
-    if profile._equations.conducting:
-        axes[0, 1].plot(x * factor, -fields["heat_flux"] / power, label="−q / ρ₁c₁³")
-    axes[0, 1].set_ylabel("stress and heat flux")
-    terms = profile.balance_terms(x)
-    for ax, (name, scale) in zip(axes[1], (("momentum", pressure), ("energy", power))):
-        for key in _BALANCES[name]:
-            if np.abs(terms[key]).max() > 0.0:
-                ax.plot(x * factor, terms[key] * delta / scale, label=_WORDS[key])
-        ax.set_ylabel(f"{name} terms × δ")
-        ax.set_xlabel(f"x ({unit})")
-    for ax in axes.flat:
+    jumps = {name: part for name in _JUMPS if np.isfinite(part := _part(profile, fields, name)).all()}
+    if "temperature" in jumps and np.allclose(jumps["temperature"], jumps["energy"], atol=1e-3):   # one line, not a hidden one
+        jumps["temperature, energy"] = jumps.pop("temperature")
+        del jumps["energy"]
+    panels = [("part of the jump", jumps),
+              ("stress and heat flux", {"−τ / ρ₁c₁²": -fields["viscous_stress"] / pressure, "−q / ρ₁c₁³": -fields["heat_flux"] / power})]
+    panels += [(f"{name} terms × δ", {word: terms[key] * delta / scale for key, word in words.items()})
+               for (name, words), scale in zip(_TERMS.items(), (pressure, power))]
+    panels += _entropy_panels(profile, fields, delta)
+    for ax, (ylabel, curves) in zip(axes, panels):
+        curves = {word: values for word, values in curves.items() if np.abs(values).max() > 0.0}
+        for k, (word, values) in enumerate(curves.items()):
+            ax.plot(x * factor, values, color=COLOURS[k], label=word)
+        ax.set_ylabel(ylabel)
         quiet_grid(ax)
-        ax.legend(frameon=False, fontsize=8)
-    axes[0, 0].set_title(title or f"Mach {profile.ends.mach:.4g}, density thickness {delta * factor:.4g} {unit}", loc="left")
-    return axes[0, 0]
+        if list(curves) != ["entropy"]:
+            ax.legend(frameon=False, fontsize=8)
+    for ax in axes[:len(panels)][-2:]:
+        ax.set_xlabel(f"x ({unit})")
+    for ax in axes[len(panels):]:
+        ax.set_visible(False)
+
+
+def _part(profile: Profile, fields, name):
+    a, b = getattr(profile.ends.upstream, name), getattr(profile.ends.downstream, name)
+    return (fields[name] - a) / (b - a)
+
+
+def _entropy_panels(profile: Profile, fields, delta) -> list:
+    """(label, curves) of the production, whose area over x/δ is one, and of the entropy itself; none where the law has no temperature."""
+    made = profile.entropy_produced
+    if not made > 0.0:
+        return []
+    unit = profile.ends.mass_flux * made / delta
+    viscous, conductive = profile.entropy_viscous / made, profile.entropy_conductive / made
+    curves = {f"by viscosity, {100 * viscous:.0f} %": fields["entropy_production_viscous"] / unit,
+              f"by conduction, {100 * conductive:.0f} %": fields["entropy_production_conductive"] / unit}
+    panels: list = [("entropy production × δ / mΔs", curves)]
+    if np.isfinite(fields["entropy"]).all():
+        panels.append(("(s − s₁) / Δs", {"entropy": fields["entropy"] / made}))
+    return panels
+
+
+def draw_cells(ax, profile: Profile, centres, fields) -> None:
+    """The cells of a run (`fields` of `centres`, m, in the order of the steady wave) upon the steady wave, as parts of the jumps.
+
+    Both stand where their density is half way.
+    """
+    one, two = profile.ends.upstream, profile.ends.downstream
+    half = 0.5 * (one.density + two.density)
+    i = max(int(np.argmax(fields["density"] >= half)), 1)
+    middle = float(np.interp(half, fields["density"][i - 1:i + 1], centres[i - 1:i + 1]))
+    low, high = profile.extent(2e-4)
+    x = np.linspace(1.3 * low, 1.3 * high, 500)
+    unit, factor = scale_of(high - low, _LENGTHS)
+    smooth, cells = profile.at(x), centres - middle
+    inside = (cells > x[0]) & (cells < x[-1])
+    names = [name for name in ("density", "pressure", "temperature") if name in fields and np.isfinite(smooth[name]).all()]
+    for name, colour in zip(names, COLOURS):
+        a, b = getattr(one, name), getattr(two, name)
+        ax.plot(x * factor, (smooth[name] - a) / (b - a), color=colour, linewidth=1.0, label=name)
+        ax.plot(cells[inside] * factor, (fields[name][inside] - a) / (b - a), "o", color=colour, markersize=3.0, linestyle="none")
+    ax.set_xlabel(f"x ({unit})", color=INK)
+    ax.set_ylabel("part of the jump", color=INK)
+    quiet_grid(ax)
+    ax.legend(frameon=False, fontsize=8, labelcolor=QUIET)
 
 
 @styled

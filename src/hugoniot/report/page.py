@@ -46,6 +46,9 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
 
 
 _CAPTIONS = {
+    "structure": "The last snapshot, a dot for each cell, upon the steady wave of the same law, lines.",
+    "structure_terms": "The steady wave: fields as parts of their jumps; viscous stress and heat flux; the terms that balance in momentum "
+                       "and in energy, times the density thickness δ; entropy production, whose area over x/δ is one, and entropy.",
     "setup": "Regions at t = 0 to scale; triangles are gauges.",
     "wave": "Longitudinal stress over position and time: compression red, tension blue, no material blank. "
             "Dotted lines are gauges. At the snapshots the field is as computed; between them waves are carried along "
@@ -86,6 +89,7 @@ def page(run: Run) -> str:
         f"<title>{title}</title><style>{css}</style></head><body><main>",
         f"<h1>{title}</h1><p class=quiet>{intro}</p>", cautions, sections.cards(key_numbers(run)),
         _section("Set-up", _figure(pictures, "setup")),
+        _section("Shock structure", sections.structure(summary), _figure(pictures, "structure"), _figure(pictures, "structure_terms")),
         _section("Wave diagram", _figure(pictures, "wave")),
         _section("Gauges", _figure(pictures, "gauge_stress"), _figure(pictures, "gauge_velocity")),
         _section("Free surface", _figure(pictures, "free_surface", f" Recorded by: {free_surface_record(run)[2]}.")),

@@ -9,7 +9,10 @@ from hugoniot.units import format_si
 _UNIT_SIGNS = ((" us", " µs"), (" um", " µm"), ("^2", "²"), ("^3", "³"), ("^-1", "⁻¹"), ("^-3", "⁻³"))
 _STATUS = {"verified": "checked against the source", "corrected": "corrected from the print", "derived": "derived",
            "recalled": "recalled, not checked against print", "user": "from the deck, or a default"}
+_FAMILIES = {"eos": "equation of state", "viscosity": "artificial viscosity", "transport": "shear viscosity",
+             "conduction": "heat conduction"}
 MOST_EVENTS = 200
+_SHOCK_UNITS = {"shock, shock velocity": "m/s", "shock, particle velocity": "m/s", "shock, pressure": "Pa", "shock, at": "m"}
 
 
 def text(value) -> str:
@@ -56,7 +59,7 @@ def _laws(laws: list[dict], depth: int = 0) -> str:
     for law in laws:
         rows = [(text(c["name"]), number(c["value"], c["unit"]), text(c["meaning"]), _source(c), _mark(c["status"]))
                 for c in law["constants"]]
-        family = law["family"].replace("eos", "equation of state").replace("viscosity", "artificial viscosity")
+        family = _FAMILIES.get(law["family"], law["family"])
         parts.append(f"<h3>{text(family)}: {text(law['law'])}</h3><p class=quiet>{text(law['summary'])}</p>")
         parts.append(table(("constant", "value", "meaning", "source", ""), rows) if rows else "")
         parts.append(_laws(law["inner"], depth + 1) if depth < 4 else "")
@@ -88,6 +91,37 @@ def _flat(options: dict, before: str = ""):
             yield name, value
 
 
+_THICKNESSES = (
+    ("density thickness of this run", "density_thickness", "m", "|ρ₂ − ρ₁| / max|dρ/dx|, from the cells"),
+    ("cells in it", "cells_per_thickness", "", "density thickness over cell width"),
+    ("density thickness, steady", "steady_density_thickness", "m", "|ρ₂ − ρ₁| / max|dρ/dx|"),
+    ("velocity thickness, steady", "steady_velocity_thickness", "m", "|u₂ − u₁| / max|du/dx|"),
+    ("density width, steady", "steady_density_width_10_90", "m", "from 10 % to 90 % of the jump of density"),
+    ("velocity width, steady", "steady_velocity_width_10_90", "m", "from 10 % to 90 % of the jump of velocity"),
+    ("Mach number", "mach", "", "shock velocity over sound speed ahead"),
+    ("shock velocity", "shock_velocity", "m/s", "into the material ahead"),
+    ("particle velocity", "particle_velocity", "m/s", "jump of velocity"),
+    ("entropy gained", "entropy_jump", "J/kg/K", "jump of the law's entropy, the same for every viscosity and conduction"),
+    ("made by viscosity", "entropy_viscous", "J/kg/K", "∫ (4/3 μ + ζ) (du/dx)² / T dx / ρu"),
+    ("made by conduction", "entropy_conductive", "J/kg/K", "∫ k (dT/dx)² / T² dx / ρu"),
+)
+
+
+def structure(summary: dict) -> str:
+    """Thicknesses with their definitions, and the entropy, of a run that resolves a shock; nothing for others."""
+    if "density_thickness" not in summary:
+        return ""
+    rows = [(text(name), number(float(f"{summary[key]:.6g}"), unit), text(how)) for name, key, unit, how in _THICKNESSES
+            if isinstance(summary.get(key), (int, float)) and not math.isnan(summary[key])]
+    return table(("measure", "value", "definition"), rows)
+
+
+def _transport(record: dict) -> str:
+    bulk = number(record["bulk_viscosity"], "Pa s")
+    words = f"Bulk viscosity ζ = {number(record['bulk_ratio'])} μ + {bulk}; stress τ = (4/3 μ + ζ) du/dx, heat flux q = −k dT/dx."
+    return _laws(record["laws"]) + f"<p class=quiet>{words}</p>"
+
+
 def numerics(setup: dict) -> str:
     """Integrator, step control and artificial viscosity."""
     solver = setup["solver"]
@@ -96,8 +130,11 @@ def numerics(setup: dict) -> str:
     known = known if solver["kind"] == "lagrange1d" else {"kind": "solver"}
     given = [(key, label) for key, label in known.items() if solver.get(key) is not None]
     rows = [(label, number(solver[key], "s" if key.endswith("step") else "")) for key, label in given]
-    rows += [(text(key), number(value)) for key, value in _flat(solver.get("options") or {})]
+    options = {key: value for key, value in (solver.get("options") or {}).items() if key != "transport" or not setup.get("transport")}
+    rows += [(text(key), number(value, _SHOCK_UNITS.get(key, ""))) for key, value in _flat(options)]
     parts = [table(("setting", "value"), rows)]
+    if setup.get("transport"):
+        parts.append(_transport(setup["transport"]))
     if setup["viscosity"]:
         parts.append(_laws([setup["viscosity"]]))
     return "".join(parts)

@@ -91,6 +91,32 @@ def test_example_settles_to_the_steady_thickness(tmp_path):
     assert max(summary[f"{name}_error"] for name in ("mass", "momentum", "energy")) < 1e-12
 
 
+def test_report_and_terminal_tell_the_thickness_its_definition_laws_and_sources(tmp_path, capsys):
+    from hugoniot.cli.results import echo_results
+    run = hugoniot.run(EXAMPLE, out=tmp_path / "run", **{**SMALL, "output.report": True})
+    profile = profile_of(read_deck(EXAMPLE, overrides=SMALL).problem)
+    assert run.summary["steady_density_thickness"] == pytest.approx(profile.thickness(), rel=1e-12)
+    assert run.summary["entropy_viscous"] + run.summary["entropy_conductive"] == pytest.approx(run.summary["entropy_jump"], rel=1e-8)
+    page = (tmp_path / "run" / "report.html").read_text()
+    words = ("|ρ₂ − ρ₁| / max|dρ/dx|", f"{profile.thickness() * 1e6:.6g} µm".rstrip("0"), "shear viscosity: power_law", "2.27e-05 Pa s",
+             "heat conduction: prandtl", "Prandtl number mu c_p / k", "Jordan 2011, chapters 2 and 6", "WENO-Z", "made by conduction")
+    assert [word for word in words if word not in page] == []
+    assert page.count('class="picture"') >= 5
+    echo_results(run)
+    out = capsys.readouterr().out
+    words = ("density thickness |rho2 - rho1| / max|drho/dx|", "steady wave, Mach 2:", "10 to 90 % of density", "entropy gained",
+             "shear viscosity: power_law (shear_viscosity 2.27e-05 Pa s, exponent 0.81, reference_temperature 300 K)", "heat conduction: prandtl",
+             "bulk viscosity", "sources: ", "Jordan 2011")
+    assert [word for word in words if word not in out] == [] and "voids" not in out
+
+
+def test_a_shock_of_too_few_cells_is_told(tmp_path):
+    run = hugoniot.run(EXAMPLE, out=tmp_path / "run", **{**SMALL, "solver.shock.mach": 9.0, "region.gas.zones": 40})
+    assert run.summary["cells_per_thickness"] < 8.0
+    told = [str(text) for kind, text in zip(run.arrays("events")["kind"], run.arrays("events")["text"]) if kind == "warning"]
+    assert any("the thickness is the grid's" in text for text in told)
+
+
 class _Stopper:
     """Interrupts a run after so many reports."""
 
@@ -137,6 +163,32 @@ def test_profile_of_a_library_material_with_csv_and_picture(capsys, tmp_path):
     assert code == 0 and "density thickness" in out
     table = np.genfromtxt(tmp_path / "p.csv", delimiter=",", names=True)
     assert np.all(np.diff(table["density"]) > 0.0) and (tmp_path / "p.png").stat().st_size > 10000
+
+
+def test_fields_of_a_profile_hold_entropy_and_its_production(capsys):
+    _, out, _ = call(capsys, "structure", "profile", "argon-jordan", "--mach", "3.38", "--json", "--points", "4001")
+    found = json.loads(out)
+    fields = {name: np.array(values) for name, values in found["profile"].items()}
+    flux = fields["density"][0] * fields["velocity"][0]
+    for kind in ("viscous", "conductive"):
+        assert np.trapezoid(fields[f"entropy_production_{kind}"], fields["x"]) / flux == pytest.approx(found[f"entropy_{kind}"], rel=1e-4)
+    assert fields["entropy"][-1] == pytest.approx(found["entropy_jump"], rel=1e-3)
+    assert fields["entropy"].max() > 1.05 * found["entropy_jump"]   # conduction carries it ahead: more inside than behind
+
+
+def test_bent_gruneisen_parameter_is_an_option(capsys):
+    for name, nm in (("water_387", 3.574), ("water_858", 1.646)):
+        _, out, _ = call(capsys, "structure", "profile", name, "--bent", "--json", "--points", "2")
+        assert json.loads(out)["density_thickness"] * 1e9 == pytest.approx(nm, abs=5e-4)
+    code, _, err = call(capsys, "structure", "profile", "argon-jordan", "--mach", "2", "--bent")
+    assert code == 2 and "no bent Gr" in err
+
+
+def test_profile_tells_definitions_laws_and_sources(capsys):
+    _, out, _ = call(capsys, "structure", "profile", "argon-jordan", "--mach", "9")
+    for words in ("|rho2 - rho1| / max|drho/dx|", "bsl: mean free path ahead, 3 mu / (rho cbar)", "equation of state: ideal_gas",
+                  "shear viscosity: power_law (shear_viscosity 2.27e-05 Pa s", "heat conduction: prandtl (prandtl 0.666667)", "sources: "):
+        assert words in out
 
 
 def test_sweep_finds_the_thinnest(capsys, tmp_path):

@@ -217,6 +217,14 @@ class ShockStructure:
             found |= {"density_thickness": length, "shock_position": place, "cells_per_thickness": length / self.h}
         return found
 
+    def unresolved(self) -> list[str]:
+        """Warnings, after the run: a shock thinner than eight cells has the thickness of its grid."""
+        found = self.results()
+        if not (self.problem.solver.options.get("shock") and found.get("cells_per_thickness", math.inf) < FEWEST_CELLS):
+            return []
+        return [f"the shock has {found['cells_per_thickness']:.2g} cells in its thickness: below {FEWEST_CELLS} the thickness is the "
+                f"grid's rather than the shock's; take cells of at most 1/{FEWEST_CELLS} of the steady one (hugoniot structure profile)"]
+
     # -- checkpoints -----------------------------------------------------------------------------------------
     _KEPT = ("U", "rest", "passed", "passed_rest", "control", "counters", "start_totals", "ends")
 

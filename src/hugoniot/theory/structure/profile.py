@@ -16,11 +16,13 @@ from typing import Any
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
+from hugoniot.laws.eos import contract as eos_laws
 from hugoniot.laws.transport.mean_free_path import mean_free_path
 from hugoniot.theory.structure.ends import Ends, find_ends
 from hugoniot.theory.structure.equations import Equations
 
-FIELDS = ("density", "velocity", "pressure", "energy", "temperature", "viscous_stress", "heat_flux", "viscosity", "conductivity")
+FIELDS = ("density", "velocity", "pressure", "energy", "temperature", "viscous_stress", "heat_flux", "viscosity", "conductivity",
+          "entropy", "entropy_production_viscous", "entropy_production_conductive")
 _PER_STEP = 4  # points per step of the integration at which gradients are looked at
 
 
@@ -63,11 +65,27 @@ class Profile:
             return [self._equations.state(w, h) for w, h in zip(*(a.tolist() for a in self._wh(x)))]
 
     def at(self, x) -> dict[str, np.ndarray]:
-        """Field word -> values at positions x (m), SI: `FIELDS`, `sound_speed` left to the law. Heat flux q = -k dT/dx, towards +x."""
-        found = self._points(x)
-        table = {name: np.array([s[name] for s in found], float) for name in FIELDS if name != "heat_flux"}
-        table["heat_flux"] = -self._equations.m * self._equations.c1**2 * np.array([s["h"] for s in found], float)
-        return table
+        """Field word -> values at positions x (m), SI: `FIELDS`, `sound_speed` left to the law. Heat flux q = -k dT/dx, towards +x.
+
+        entropy counts from the state ahead (NaN where the law has none); its production by viscosity and conduction is W/(K m3).
+        """
+        found, eq = self._points(x), self._equations
+        table = {name: np.array([s[name] for s in found], float) for name in FIELDS[:6] + ("viscosity", "conductivity")}
+        table["heat_flux"] = -eq.m * eq.c1**2 * np.array([s["h"] for s in found], float)
+        T, u_x = table["temperature"], eq.m * np.array([s["v_x"] for s in found], float)
+        table["entropy"] = self._entropy(table["density"], table["energy"])
+        table["entropy_production_viscous"] = table["viscous_stress"] * u_x / T
+        k = np.where(table["conductivity"] > 0.0, table["conductivity"], math.inf)   # none conducts none
+        table["entropy_production_conductive"] = table["heat_flux"] ** 2 / (k * T * T)
+        return {name: table[name] for name in FIELDS}
+
+    def _entropy(self, density, energy):
+        """The law's entropy above that ahead, J/(kg K)."""
+        if not math.isfinite(self.ends.entropy_jump):
+            return np.full_like(density, math.nan)
+        one = self.ends.upstream
+        start = eos_laws.entropy(one.density, one.energy, self.ends.eos)
+        return np.array([eos_laws.entropy(rho, e, self.ends.eos) - start for rho, e in zip(density.tolist(), energy.tolist())], float)
 
     def gradient(self, name: str, x):
         """dx-derivative of "density", "velocity", "pressure", "energy" or "temperature" at positions x, SI."""
