@@ -28,6 +28,7 @@ _ROWS = (
     Field("temperature", "T", "K", "zone", "temperature", ("K", 1.0)),
     Field("plastic_strain", "eps_p", "1", "zone", "equivalent plastic strain", ("", 1.0)),
     Field("damage", "D", "1", "zone", "fracture damage", ("", 1.0)),
+    Field("compaction", "k", "1", "zone", "compaction of the pores (0 as at rest, 1 closed)", ("", 1.0)),
     Field("burn_fraction", "lambda", "1", "zone", "burn fraction", ("", 1.0)),
     Field("plastic_work", "w_p", "J/kg", "zone", "plastic work", ("kJ/kg", 1e-3)),
     Field("viscous_work", "w_q", "J/kg", "zone", "work of the artificial viscosity", ("kJ/kg", 1e-3)),

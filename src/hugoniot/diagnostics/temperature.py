@@ -34,7 +34,7 @@ def zone_temperature(state, region_of: np.ndarray, laws: list, phases: np.ndarra
         if _is_mixture(law):
             found[here] = mixed_temperature(phases[:, here].T, law)
         elif law is not None:
-            found[here] = temperature_array(state.zones["density"][here], state.zones["energy"][here], law)
+            found[here] = _temperature({name: values[here] for name, values in state.zones.items()}, law)
     return found
 
 
@@ -47,8 +47,13 @@ def gauge_temperature(values: dict, gauge_laws: list) -> np.ndarray:
             first, second = (mixed_temperature(values["phases"][:, k, side], law) for side in (0, 1))
             found[:, k] = np.where(share > 0.0, (1.0 - share) * first + share * second, first)
         elif law is not None:
-            found[:, k] = temperature_array(values["density"][:, k], values["energy"][:, k], law)
+            found[:, k] = _temperature({name: values[name][:, k] for name in ("density", "energy", "compaction") if name in values}, law)
     return found
+
+
+def _temperature(values: dict, law) -> np.ndarray:
+    """Temperature of records of density and energy, and of the compaction where the law remembers it, K."""
+    return temperature_array(values["density"], values["energy"], law, values.get("compaction", 0.0))
 
 
 def mixed_temperature(phases: np.ndarray, par) -> np.ndarray:

@@ -5,7 +5,17 @@ import numba as nb
 import hugoniot.laws.eos  # noqa: F401  (enrols every law)
 from hugoniot.core.compile import SWEEP, bind_family, bind_module
 from hugoniot.laws.eos import contract
-from hugoniot.laws.eos.contract import EOS, GENERICS, energy, entropy, pressure, pressure_derivatives, sound_speed_squared, temperature
+from hugoniot.laws.eos.contract import (
+    EOS,
+    GENERICS,
+    energy,
+    entropy,
+    pressure,
+    pressure_derivatives,
+    remembered,
+    sound_speed_squared,
+    temperature,
+)
 
 bind_family(EOS, GENERICS)
 bind_module(contract)
@@ -35,6 +45,12 @@ def sound_speed_squared_sweep(rho, e, par, out):
 def temperature_sweep(rho, e, par, out):
     for j in range(out.shape[0]):
         out[j] = temperature(rho[j], e[j], par)
+
+
+@nb.njit(**SWEEP)
+def remembered_temperature_sweep(rho, e, compaction, par, out):
+    for j in range(out.shape[0]):
+        out[j] = temperature(rho[j], e[j], remembered(compaction[j], par))
 
 
 @nb.njit(**SWEEP)

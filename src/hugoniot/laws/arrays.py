@@ -3,7 +3,7 @@
     pressure_array(rho, e, par)        Pa
     derivatives_array(rho, e, par)     (dp/drho at constant e, dp/de at constant rho)
     sound_speed_array(rho, e, par)     m/s; NaN where the state is unstable
-    temperature_array(rho, e, par)     K
+    temperature_array(rho, e, par)     K, after a history of compaction if one is given
     entropy_array(rho, e, par)         J/(kg K)
     energy_array(rho, p, par)          J/kg
     evaluate(par, rho, e, *names)      dictionary of any of QUANTITIES
@@ -84,10 +84,17 @@ def sound_speed_array(rho, e, par):
         return np.sqrt(sound_speed_squared_array(rho, e, par))
 
 
-def temperature_array(rho, e, par):
-    """Temperature, K; OutOfRange where the law has none."""
+def temperature_array(rho, e, par, compaction=0.0):
+    """Temperature, K; OutOfRange where the law has none. `compaction`, of the shape of the states, is the history of a law with memory."""
     contract.require_temperature(par)
-    return _sweep("temperature", rho, e, par)
+    if "remembers" not in EOS.of(par).flags or not np.any(compaction):
+        return _sweep("temperature", rho, e, par)
+    from hugoniot.laws import array_kernels
+
+    rho, e, shape = _states(rho, e)
+    out = np.empty(rho.size)
+    array_kernels.remembered_temperature_sweep(rho, e, np.ascontiguousarray(compaction, float).ravel(), float_parameters(par), out)
+    return out.reshape(shape)[()]
 
 
 def entropy_array(rho, e, par):

@@ -65,10 +65,24 @@ def read_material(name: str, tables: Any, collector: Collector, path: tuple) -> 
     _check_sound(built, collector, path)
     if len(collector.problems) > before:
         return None
-    if flagged(built["eos"], "pores_reopen"):
+    _check_memory(built["eos"], built.get("burn") is not None, collector, path)
+    if len(collector.problems) > before:
+        return None
+    if unreacted is not None and flagged(unreacted, "remembers"):
         warnings = tuple(dict.fromkeys((*warnings, PORES_REOPEN)))
     return Material(name, built["eos"], built["strength"], built["fracture"], built.get("burn"), valid, sources, warnings, unreacted,
                     mixture, heat)
+
+
+def _check_memory(eos: Any, burns: bool, collector: Collector, path: tuple) -> None:
+    """A law keeps its history as the outermost one only, where what would wrap it can stand inside; products of burning have no pores."""
+    outer = EOS.of(eos)
+    if burns and "remembers" in outer.flags:
+        collector.add((*path, "eos"), f"the products of an explosive cannot follow '{outer.name}'",
+                      "give the law of its gases here and the porous law under [unreacted]")
+    if any(flagged(inner, "remembers") for inner in eos if EOS.knows(inner)):
+        collector.add((*path, "eos"), f"'{outer.name}' around a porous law would lose the history of its pores",
+                      f"make the porous law the outer one and '{outer.name}' the law of its solid (its base)")
 
 
 def _explosive(tables: dict, collector: Collector, path: tuple, base: Material | None) -> tuple[Any, str | None, float | None]:

@@ -21,8 +21,8 @@ class Source:
     note: str = ""
 
 
-PORES_REOPEN = ("the porous law keeps no memory of crushing: on release its pores reopen along the curve on which they closed; "
-                "trust the shocks, not the release behind them")
+PORES_REOPEN = ("the porous law of the unreacted explosive keeps no memory of crushing: on release before it burns, its pores reopen along "
+                "the curve on which they closed; trust the shocks that start the burning, not the release behind them")
 
 
 @dataclass(frozen=True)

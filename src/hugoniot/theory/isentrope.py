@@ -89,7 +89,12 @@ def release(material, start: States, to: float = 0.0, *, direction: int = -1, po
     """The release isentrope from `start` down to the pressure `to`, Pa: its end, or `points` states evenly spaced in pressure.
 
     direction -1 (default): the release runs back towards -x, as from a free surface or a softer neighbour on the right.
+    A law with a memory (crushed pores) releases elastically, as compacted as the loading to `start` left it.
     """
+    if "remembers" in EOS.of(law_of(material)).flags:
+        par = law_of(material)
+        done = contract.compacted(0.0, start.density, start.specific_internal_energy, start.pressure, par)
+        material = contract.unloading(contract.remembered(done, par))
     if to > start.pressure:
         raise OutOfRange(f"release to {to:.6g} Pa starts above it, at {start.pressure:.6g} Pa")
     if points == 1:

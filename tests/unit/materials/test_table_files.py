@@ -188,12 +188,25 @@ def test_bad_keys_are_told_with_their_line(tmp_path, solid, change, message):
 @pytest.mark.parametrize("law, more", [
     ("p_alpha", "alpha0 = 1.3\nelastic_pressure = 1e8\ncompaction_pressure = 1e9"), ("snow_plough", "rho_porous = 2100.0\ncrush_pressure = 1e8"),
     ("p_lambda", "rho_porous = 2100.0\nmatrix_modulus = 25e9\ncrush_strength = 4e8")])
-def test_porous_laws_of_a_deck_say_that_pores_reopen(law, more):
+def test_porous_laws_of_a_deck_warn_only_where_the_history_is_not_kept(law, more):
     base = "rho0 = 2785.0\nc0 = 5328.0\ns = 1.338\ngamma0 = 2.0\n"
     text = DECK.split("[material")[0] + (f'[material.al.eos]\nlaw = "{law}"\n{more}\n[material.al.eos.base]\nlaw = "mie_gruneisen"\n{base}'
                                          '[material.al.strength]\nlaw = "perfectly_plastic"\nshear_modulus = 2e10\nyield_stress = 3e8\n')
-    deck = read_deck_text(text)
+    assert not any("pores" in w for w in read_deck_text(text).warnings)
+    solid = f'law = "mie_gruneisen"\n{base}'
+    deck = read_deck_text(text.split("[material")[0] + (
+        '[material.al]\ndetonation_energy = 5e6\n[material.al.eos]\nlaw = "ideal_gas"\ngamma = 3.0\nrho0 = 2000.0\n'
+        f'[material.al.unreacted]\nlaw = "{law}"\n{more}\n[material.al.unreacted.base]\n{solid}'
+        '[material.al.burn]\nlaw = "threshold"\ninitiation_pressure = 1e10\n'))
     assert [("pores reopen" in w) for w in deck.warnings].count(True) == 1
     assert [("pores reopen" in w) for w in read_deck_text(deck.resolved).warnings].count(True) == 1
-    solid = read_deck_text(DECK.split("[material")[0] + f'[material.al.eos]\nlaw = "mie_gruneisen"\n{base}')
-    assert not any("pores" in w for w in solid.warnings)
+
+
+def test_a_law_around_a_porous_one_is_refused_and_so_are_porous_products():
+    solid = 'law = "mie_gruneisen"\nrho0 = 2785.0\nc0 = 5328.0\ns = 1.338\ngamma0 = 2.0\n'
+    porous = 'law = "snow_plough"\nrho_porous = 2100.0\ncrush_pressure = 1e8\n'
+    head = DECK.split("[material")[0]
+    with pytest.raises(DeckError, match="'tension_cutoff' around a porous law would lose the history"):
+        read_deck_text(f'{head}[material.al.eos]\nlaw = "tension_cutoff"\ntension = 1e9\n[material.al.eos.base]\n{porous}[material.al.eos.base.base]\n{solid}')
+    with pytest.raises(DeckError, match="products of an explosive cannot follow 'snow_plough'"):
+        read_deck_text(f'{head}[material.al.eos]\n{porous}[material.al.eos.base]\n{solid}[material.al.burn]\nlaw = "threshold"\ninitiation_pressure = 1e10\n')

@@ -19,6 +19,13 @@ and, where its theory has them in closed form,
     reference_isentrope(rho, par)         (e_S, ln phi): one isentrope, and the growth phi of energies beside it, of laws that are linear in
                                           the energy: all isentropes are e_S + constant phi, with d ln phi / d ln rho = Gamma
 
+A law with a memory (pores that stay crushed) has one history variable, the compaction: 0 before anything has happened, 1 once all that
+can happen has, never falling. It is flagged "remembers" and gives three functions more; without them it answers for its first loading:
+
+    remembered(compaction, par)           parameters, of the same class, of the law after that history
+    unloading(par)                        parameters of its elastic branch: the same history, and no further compaction
+    compacted(compaction, rho, e, p, par) the compaction after the state (rho, e, p) has been met
+
 Kernels do not check states; `check_state` does, for callers at the surface.
 
 The functions below dispatch on the class of `par`, in Python and, through `core.compile`, inside kernels.
@@ -37,12 +44,27 @@ def both_apart(rho, e, par):
     return pressure(rho, e, par), p_rho, p_e
 
 
+def forgets(compaction, par):
+    """Laws without memory are after any history what they were."""
+    return par
+
+
+def always_elastic(par):
+    """Laws without memory unload as they load."""
+    return par
+
+
+def nothing_compacts(compaction, rho, e, p, par):
+    """Laws without memory have nothing to count."""
+    return compaction
+
+
 EOS = Registry(
     "eos",
     contract=("pressure", "pressure_derivatives", "reference_state", "density_limits"),
     optional=("temperature", "entropy", "energy", "specific_heat", "particle_velocity_limit", "energy_limits",
               "reference_isentrope", "reference_curve", "hugoniot_curve"),
-    derived={"pressure_and_derivatives": both_apart},
+    derived={"pressure_and_derivatives": both_apart, "remembered": forgets, "unloading": always_elastic, "compacted": nothing_compacts},
 )
 
 
@@ -106,11 +128,28 @@ def hugoniot_curve(eta, par):
     return EOS.of(par).functions["hugoniot_curve"](eta, par)
 
 
+# -- laws with a memory ------------------------------------------------------------------------------------------
+def remembered(compaction, par):
+    """Parameters of the law after a history of that compaction; the same ones for laws without memory."""
+    return EOS.of(par).functions["remembered"](compaction, par)
+
+
+def unloading(par):
+    """Parameters of the elastic branch of a remembered law, on which nothing is compacted further."""
+    return EOS.of(par).functions["unloading"](par)
+
+
+def compacted(compaction, rho, e, p, par):
+    """The compaction (0 to 1, never falling) after the state (rho, e, p); `par` are the parameters of the first loading."""
+    return EOS.of(par).functions["compacted"](compaction, rho, e, p, par)
+
+
 GENERICS = {
     "pressure": pressure, "pressure_derivatives": pressure_derivatives, "pressure_and_derivatives": pressure_and_derivatives,
     "temperature": temperature,
     "entropy": entropy, "energy": energy, "specific_heat": specific_heat, "reference_state": reference_state,
     "reference_isentrope": reference_isentrope, "reference_curve": reference_curve, "hugoniot_curve": hugoniot_curve,
+    "remembered": remembered, "unloading": unloading, "compacted": compacted,
 }
 
 

@@ -7,8 +7,11 @@ alpha = 1 above the compaction pressure p_s and alpha_0 below the elastic limit 
 Holt's: with it the work on the porous material at fixed alpha is the work on its solid. The implicit equation is solved for the
 solid's density by Newton steps kept in a bracket.
 
-The law knows the state only, not the largest pressure reached: pores that close reopen on the same curve. It is exact for Hugoniots
-and other monotone loading; release of crushed material needs a history variable (a material of a deck that uses the law is told so).
+Crushing is irreversible: below the largest pressure reached alpha keeps the value reached there, so that the material unloads and
+reloads elastically with the work and the sound speed of its solid, to the density rho_s/alpha where the pressure is gone. The history
+variable is the compaction $k = (\alpha_0 - \alpha)/(\alpha_0 - 1) = 1 - y^2$, y the bracket above; crushed material is the same law
+with $\alpha_0 - 1$ smaller by 1 - k and p_e raised to $p_s - (p_s - p_e)\sqrt{1 - k}$.
+
 The temperature is that of the solid. There is no entropy: with v = alpha v_s the solid gains $T\,ds = -p_s v_s\,d\alpha/\alpha$ along
 de + p dv = 0, the heat of crushing, so that entropy is no function of the state of the porous material.
 
@@ -17,6 +20,7 @@ Source: Herrmann, J. Appl. Phys. 40, 2490 (1969); Carroll and Holt, J. Appl. Phy
 
 from typing import Any, NamedTuple
 
+from hugoniot.core.ops import NO_LIMIT, fmax, vsqrt
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.contract import density_limits as base_density_limits
@@ -114,6 +118,25 @@ def specific_heat(rho, e, par):
     return base_specific_heat(_solid_density(rho, e, par), e, par.base)
 
 
+def remembered(compaction, par):
+    left = 1.0 - compaction
+    limit = par.compaction_pressure - (par.compaction_pressure - par.elastic_pressure) * vsqrt(left)
+    return PAlpha(par.base, 1.0 + (par.alpha0 - 1.0) * left, limit, par.compaction_pressure)
+
+
+def unloading(par):
+    return PAlpha(par.base, par.alpha0, NO_LIMIT, NO_LIMIT)
+
+
+def compacted(compaction, rho, e, p, par):
+    if p <= par.elastic_pressure:
+        return compaction
+    if p >= par.compaction_pressure:
+        return 1.0
+    y = (par.compaction_pressure - p) / (par.compaction_pressure - par.elastic_pressure)
+    return fmax(compaction, 1.0 - y * y)
+
+
 def reference_state(par):
     rho, e = base_reference_state(par.base)
     return rho / par.alpha0, e
@@ -135,13 +158,14 @@ def build(base, alpha0, elastic_pressure, compaction_pressure):
 
 EOS.add(
     "p_alpha", PAlpha,
-    functions=[pressure, pressure_derivatives, pressure_and_derivatives, temperature, specific_heat, reference_state, density_limits],
+    functions=[pressure, pressure_derivatives, pressure_and_derivatives, temperature, specific_heat, reference_state, density_limits,
+               remembered, unloading, compacted],
     example=PAlpha(MieGruneisen(2700.0, 5350.0, 1.34, 2.0, 863.0), 1.275, 0.08e9, 0.7e9),
     build=build,
     units={"base": "law", "alpha0": "1", "elastic_pressure": "Pa", "compaction_pressure": "Pa"},
     meaning={"base": "law of the solid", "alpha0": "solid density over porous density at rest",
              "elastic_pressure": "pressure at which pores begin to close", "compaction_pressure": "pressure at which they have closed"},
     box={"rho": (2000.0, 4500.0), "e": (0.0, 5e6)},
-    flags=("pores_reopen",),
+    flags=("remembers",),
     references=("Herrmann, J. Appl. Phys. 40, 2490 (1969)", "Carroll and Holt, J. Appl. Phys. 43, 759 (1972)"),
 )

@@ -8,8 +8,8 @@ The equation is solved for the solid's density by Newton steps kept in a bracket
 Heated below the density of its solid so much that the solid alone would fill more than the volume, the material can satisfy the
 equation twice; the search starts at the compacted root and keeps to it.
 
-As with p_alpha, the state alone decides: exact for Hugoniots and monotone loading, reversible on release (a material of a deck that
-uses the law is told so). Shares of energy between the two parts are not modelled; the temperature is that of the solid at the mixture's
+Compaction is irreversible: below the largest pressure reached lambda, the history variable, keeps its value, and the mixture unloads
+and reloads elastically. Shares of energy between the two parts are not modelled; the temperature is that of the solid at the mixture's
 energy. There is no entropy: compaction dissipates, which a law of the state alone cannot count.
 
 Source: Grady, Winfree, Kerley, Wilson and Kuhns, J. Phys. IV France 10, Pr9-15 (2000); Grady and Winfree 2001.
@@ -17,7 +17,7 @@ Source: Grady, Winfree, Kerley, Wilson and Kuhns, J. Phys. IV France 10, Pr9-15 
 
 from typing import Any, NamedTuple
 
-from hugoniot.core.ops import fmin, vexp, vlog, vpow
+from hugoniot.core.ops import NO_LIMIT, fmax, fmin, vexp, vlog, vpow
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.contract import density_limits as base_density_limits
@@ -30,11 +30,14 @@ from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 
 
 class PLambda(NamedTuple):
+    """compaction is the share lambda that the history has left (0 in a deck)."""
+
     base: Any
     rho_porous: float
     matrix_modulus: float
     crush_strength: float
     exponent: float = 1.0
+    compaction: float = 0.0
 
 
 def _mixture(p, solid, par):
@@ -107,16 +110,66 @@ def _solid_density(rho, e, par):
     return solid - f / slope
 
 
+def _yield_pressure(par):
+    """Pressure from which the share that is left is compacted further, Pa."""
+    if par.compaction >= 1.0:
+        return NO_LIMIT
+    return par.crush_strength * vpow(-vlog(1.0 - par.compaction), 1.0 / par.exponent) if par.compaction > 0.0 else 0.0
+
+
+def _matrix(p, par):
+    """(volume of the uncompacted matrix, its slope by p)."""
+    if p <= 0.0:
+        return (1.0 - p / par.matrix_modulus) / par.rho_porous, -1.0 / (par.matrix_modulus * par.rho_porous)
+    soft = 1.0 + p / par.matrix_modulus
+    return 1.0 / (par.rho_porous * soft), -1.0 / (par.rho_porous * par.matrix_modulus * soft * soft)
+
+
+def _elastic_density(rho, e, par):
+    """Density of the compacted part while the compaction stays; its Newton steps go uphill or downhill only, hence no bracket."""
+    solid, share, steps = rho, par.compaction, 0
+    while steps < 50:
+        p_rho = base_derivatives(solid, e, par.base)[0]
+        v_i, slope = _matrix(base_pressure(solid, e, par.base), par)
+        f = share / solid + (1.0 - share) * v_i - 1.0 / rho
+        step = f / (share / (solid * solid) - (1.0 - share) * slope * p_rho)
+        step = fmin(fmax(step, -0.2 * solid), 0.2 * solid)
+        steps = 50 if fmax(step, -step) < 1e-14 * solid else steps + 1
+        solid += step
+    return solid
+
+
+def _elastic(rho, e, par):
+    """(pressure, slopes by density and by energy) while the compaction stays."""
+    share = par.compaction
+    if share <= 0.0:
+        ratio = par.rho_porous / rho
+        if ratio >= 1.0:
+            return par.matrix_modulus * (1.0 - ratio), par.matrix_modulus * ratio / rho, 0.0
+        return par.matrix_modulus * (1.0 / ratio - 1.0), par.matrix_modulus / par.rho_porous, 0.0
+    solid = _elastic_density(rho, e, par)
+    p = base_pressure(solid, e, par.base)
+    p_rho, p_e = base_derivatives(solid, e, par.base)
+    slope = (1.0 - share) * _matrix(p, par)[1]
+    bend = share / (solid * solid) - slope * p_rho
+    return p, p_rho / (rho * rho * bend), p_e * (share / (solid * solid)) / bend
+
+
+def _holds(p, rho, par):
+    """Whether a state whose elastic pressure is p crushes nothing."""
+    return p <= _yield_pressure(par) if par.compaction > 0.0 else rho <= par.rho_porous or par.crush_strength >= NO_LIMIT
+
+
 def pressure(rho, e, par):
-    if rho <= par.rho_porous:
-        return par.matrix_modulus * (1.0 - par.rho_porous / rho)
-    return base_pressure(_solid_density(rho, e, par), e, par.base)
+    p, _, _ = _elastic(rho, e, par)
+    return p if _holds(p, rho, par) else base_pressure(_solid_density(rho, e, par), e, par.base)
 
 
 def pressure_and_derivatives(rho, e, par):
     """One search serves the pressure and its slopes."""
-    if rho <= par.rho_porous:
-        return par.matrix_modulus * (1.0 - par.rho_porous / rho), par.matrix_modulus * par.rho_porous / (rho * rho), 0.0
+    p, p_rho, p_e = _elastic(rho, e, par)
+    if _holds(p, rho, par):
+        return p, p_rho, p_e
     solid = _solid_density(rho, e, par)
     p = base_pressure(solid, e, par.base)
     p_rho, p_e = base_derivatives(solid, e, par.base)
@@ -131,7 +184,10 @@ def pressure_derivatives(rho, e, par):
 
 
 def _inner_density(rho, e, par):
-    return base_reference_state(par.base)[0] if rho <= par.rho_porous else _solid_density(rho, e, par)
+    p, _, _ = _elastic(rho, e, par)
+    if not _holds(p, rho, par):
+        return _solid_density(rho, e, par)
+    return _elastic_density(rho, e, par) if par.compaction > 0.0 else base_reference_state(par.base)[0]
 
 
 def temperature(rho, e, par):
@@ -142,8 +198,21 @@ def specific_heat(rho, e, par):
     return base_specific_heat(_inner_density(rho, e, par), e, par.base)
 
 
+def remembered(compaction, par):
+    return PLambda(par.base, par.rho_porous, par.matrix_modulus, par.crush_strength, par.exponent, compaction)
+
+
+def unloading(par):
+    return PLambda(par.base, par.rho_porous, par.matrix_modulus, NO_LIMIT, par.exponent, par.compaction)
+
+
+def compacted(compaction, rho, e, p, par):
+    return fmax(compaction, 1.0 - vexp(-vpow(p / par.crush_strength, par.exponent))) if p > 0.0 else compaction
+
+
 def reference_state(par):
-    return par.rho_porous, base_reference_state(par.base)[1]
+    rho, e = base_reference_state(par.base)
+    return 1.0 / (par.compaction / rho + (1.0 - par.compaction) / par.rho_porous), e
 
 
 def density_limits(par):
@@ -162,15 +231,17 @@ def build(base, rho_porous, matrix_modulus, crush_strength, exponent=1.0):
 
 EOS.add(
     "p_lambda", PLambda,
-    functions=[pressure, pressure_derivatives, pressure_and_derivatives, temperature, specific_heat, reference_state, density_limits],
+    functions=[pressure, pressure_derivatives, pressure_and_derivatives, temperature, specific_heat, reference_state, density_limits,
+               remembered, unloading, compacted],
     example=PLambda(MieGruneisen(2700.0, 5350.0, 1.34, 2.0, 863.0), 2100.0, 25e9, 0.4e9, 1.2),
     build=build,
-    units={"base": "law", "rho_porous": "kg/m^3", "matrix_modulus": "Pa", "crush_strength": "Pa", "exponent": "1"},
+    units={"base": "law", "rho_porous": "kg/m^3", "matrix_modulus": "Pa", "crush_strength": "Pa", "exponent": "1",
+           "compaction": "1"},
     meaning={"base": "law of the solid", "rho_porous": "density of the porous material at rest",
              "matrix_modulus": "bulk modulus of the uncompacted material", "crush_strength": "pressure scale of compaction",
-             "exponent": "sharpness of compaction (1 or more)"},
+             "exponent": "sharpness of compaction (1 or more)", "compaction": "share compacted before (filled by a run)"},
     defaults={"exponent": 1.0},
     box={"rho": (2000.0, 4500.0), "e": (0.0, 5e6)},
-    flags=("pores_reopen",),
+    flags=("remembers",),
     references=("Grady, Winfree, Kerley, Wilson and Kuhns, J. Phys. IV France 10, Pr9-15 (2000)",),
 )

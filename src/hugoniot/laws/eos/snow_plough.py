@@ -1,54 +1,72 @@
 r"""Snow-plough porosity: pores close at a crush pressure, then the solid's law holds.
 
-$$p = \max\left[p_{\text{solid}}(\rho, e),\; p_c\,\frac{\rho - \rho_{00}}{\rho_s - \rho_{00}}\right]$$
+$$p = \max\left[p_{\text{solid}}(\rho, e),\;
+  \min\left(p_c\,\frac{\rho - \rho_{00}}{\rho_s - \rho_{00}},\; c_s^2(\rho - \rho_r)\right)\right]$$
 
 rho00 is the density of the porous material, rho_s that of its solid at rest, p_c the pressure that has closed the pores (the pure
-snow-plough is its limit 0, in which sound does not travel). On the second branch the pressure does not depend on energy. Shock states are
-those of the solid's Hugoniot for the larger initial volume; unloading of the crushed material follows the same curve, so that the
-law is for shocks, not for release through the pores (a material of a deck that uses it is told so). The temperature is that of the
-solid, where it is compacted; there is no entropy, for crushing at a pressure that no heat changes dissipates.
+snow-plough is its limit 0, in which sound does not travel). On the ramp the pressure does not depend on energy. Shock states are
+those of the solid's Hugoniot for the larger initial volume. Crushing is irreversible: from the ramp the material unloads with the sound
+speed c_s of its solid to the density rho_r (rho00 before any crushing; so it bears tension) and reloads on the same line; once the
+solid's pressure has exceeded the ramp the pores are closed and the solid's law holds for good. The history variable is the compaction
+$(\rho_r - \rho_{00})/(\rho_s - \rho_{00})$, 1 when closed. The temperature is that of the solid, where it is compacted; there is no
+entropy, for crushing at a pressure that no heat changes dissipates.
 
 Source: Zel'dovich and Raizer, Physics of Shock Waves, XI.3; Thouvenin 1966 as reviewed by Herrmann, J. Appl. Phys. 40, 2490 (1969).
 """
 
 from typing import Any, NamedTuple
 
+from hugoniot.core.ops import NO_LIMIT, fmax
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.contract import density_limits as base_density_limits
 from hugoniot.laws.eos.contract import pressure as base_pressure
 from hugoniot.laws.eos.contract import pressure_derivatives as base_derivatives
 from hugoniot.laws.eos.contract import reference_state as base_reference_state
+from hugoniot.laws.eos.contract import sound_speed_squared as base_sound_speed_squared
 from hugoniot.laws.eos.contract import specific_heat as base_specific_heat
 from hugoniot.laws.eos.contract import temperature as base_temperature
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 
 
 class SnowPlough(NamedTuple):
-    """rho_solid, the rest density of the base law, is filled by `build`."""
+    """rho_solid and stiffness (c^2), of the base law at rest, and rho_rest, the density without pressure, are filled by `build`."""
 
     base: Any
     rho_porous: float
     crush_pressure: float
     rho_solid: float
+    stiffness: float
+    rho_rest: float
+
+
+def _ramp(rho, par):
+    """(pressure, slope) while the pores close or have closed in part, Pa and m2/s2."""
+    slope = par.crush_pressure / (par.rho_solid - par.rho_porous)
+    ramp, elastic = slope * (rho - par.rho_porous), par.stiffness * (rho - par.rho_rest)
+    return (elastic, par.stiffness) if elastic < ramp or rho <= par.rho_porous else (ramp, slope)
+
+
+def _closed(par):
+    return par.rho_rest >= par.rho_solid
 
 
 def pressure(rho, e, par):
     p = base_pressure(rho, e, par.base)
-    crush = par.crush_pressure * (rho - par.rho_porous) / (par.rho_solid - par.rho_porous)
-    return p if p > crush else crush
+    crush = _ramp(rho, par)[0]
+    return p if _closed(par) or p > crush else crush
 
 
 def pressure_derivatives(rho, e, par):
     p = base_pressure(rho, e, par.base)
     p_rho, p_e = base_derivatives(rho, e, par.base)
-    slope = par.crush_pressure / (par.rho_solid - par.rho_porous)
-    return (p_rho, p_e) if p > slope * (rho - par.rho_porous) else (slope, 0.0)
+    crush, slope = _ramp(rho, par)
+    return (p_rho, p_e) if _closed(par) or p > crush else (slope, 0.0)
 
 
 def _solid(rho, par):
     """Density at which the solid inside the pores is evaluated: at rest until the pores are closed."""
-    return rho if rho > par.rho_solid else par.rho_solid
+    return rho if _closed(par) or rho > par.rho_solid else par.rho_solid
 
 
 def temperature(rho, e, par):
@@ -59,8 +77,24 @@ def specific_heat(rho, e, par):
     return base_specific_heat(_solid(rho, par), e, par.base)
 
 
+def remembered(compaction, par):
+    rest = par.rho_solid if compaction >= 1.0 else par.rho_porous + compaction * (par.rho_solid - par.rho_porous)
+    return SnowPlough(par.base, par.rho_porous, par.crush_pressure, par.rho_solid, par.stiffness, rest)
+
+
+def unloading(par):
+    return SnowPlough(par.base, par.rho_porous, NO_LIMIT, par.rho_solid, par.stiffness, par.rho_rest)
+
+
+def compacted(compaction, rho, e, p, par):
+    ramp = par.crush_pressure * (rho - par.rho_porous) / (par.rho_solid - par.rho_porous)
+    if ramp > 0.0 and base_pressure(rho, e, par.base) > ramp:
+        return 1.0
+    return fmax(compaction, (rho - ramp / par.stiffness - par.rho_porous) / (par.rho_solid - par.rho_porous))
+
+
 def reference_state(par):
-    return par.rho_porous, base_reference_state(par.base)[1]
+    return par.rho_rest, base_reference_state(par.base)[1]
 
 
 def density_limits(par):
@@ -74,18 +108,26 @@ def build(base, rho_porous, crush_pressure):
         raise OutOfRange(f"snow_plough: rho_porous must lie between 0 and the solid's {solid:.6g} kg/m3, got {rho_porous}")
     if not crush_pressure > 0.0:
         raise OutOfRange(f"snow_plough: crush_pressure must be positive (a soft one lets pores close freely), got {crush_pressure}")
-    return SnowPlough(base, rho_porous, crush_pressure, solid)
+    stiffness = float(base_sound_speed_squared(*base_reference_state(base), base))
+    if not crush_pressure < 0.5 * stiffness * (solid - rho_porous):
+        raise OutOfRange(f"snow_plough: crush_pressure {crush_pressure:.4g} Pa makes the pores stiffer than the solid; stay well below "
+                         f"{0.5 * stiffness * (solid - rho_porous):.4g} Pa")
+    return SnowPlough(base, rho_porous, crush_pressure, solid, stiffness, rho_porous)
 
 
 EOS.add(
     "snow_plough", SnowPlough,
-    functions=[pressure, pressure_derivatives, temperature, specific_heat, reference_state, density_limits],
+    functions=[pressure, pressure_derivatives, temperature, specific_heat, reference_state, density_limits, remembered, unloading,
+               compacted],
     example=build(MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), 1700.0, 0.2e9),
     build=build,
-    units={"base": "law", "rho_porous": "kg/m^3", "crush_pressure": "Pa", "rho_solid": "kg/m^3"},
+    units={"base": "law", "rho_porous": "kg/m^3", "crush_pressure": "Pa", "rho_solid": "kg/m^3",
+           "stiffness": "m^2/s^2", "rho_rest": "kg/m^3"},
     meaning={"base": "law of the solid", "rho_porous": "density of the porous material at rest",
-             "crush_pressure": "pressure at which the pores have closed", "rho_solid": "rest density of the solid (filled by build)"},
+             "crush_pressure": "pressure at which the pores have closed", "rho_solid": "rest density of the solid (filled by build)",
+             "stiffness": "square of the solid's sound speed at rest (filled by build)",
+             "rho_rest": "density without pressure after the history (filled by build)"},
     box={"rho": (1650.0, 6000.0), "e": (0.0, 1e7)},
-    flags=("pores_reopen",),
+    flags=("remembers",),
     references=("Zel'dovich and Raizer, Physics of Shock Waves, XI.3", "Herrmann, J. Appl. Phys. 40, 2490 (1969)"),
 )

@@ -7,7 +7,7 @@ import numpy as np
 from hugoniot.core.compile import float_row
 from hugoniot.core.ops import NO_LIMIT
 from hugoniot.errors import OutOfRange
-from hugoniot.laws.eos.contract import density_limits, pressure, reference_state, sound_speed_squared
+from hugoniot.laws.eos.contract import compacted, density_limits, pressure, reference_state, remembered, sound_speed_squared, unloading
 from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.laws.strength.contract import STRENGTH, shear_modulus
 from hugoniot.laws.viscosity.contract import VISCOSITY
@@ -86,13 +86,19 @@ def _speed_scale(problem: Problem) -> float:
 
 
 def longitudinal_speed(material, rho, e):
-    """Sound speed with the shear modulus, m/s; an imaginary one is refused with the state named."""
-    c2 = sound_speed_squared(rho, e, material.eos)
+    """Elastic sound speed with the shear modulus, m/s; an imaginary one is refused with the state named."""
+    eos = unloading(remembered(start_compaction(material.eos, rho, e), material.eos))
+    c2 = sound_speed_squared(rho, e, eos)
     if material.strength is not None:
         c2 += 4.0 / 3.0 * shear_modulus(rho, pressure(rho, e, material.eos), 298.15, rho * c2, material.strength) / rho
     if not c2 >= 0.0:
         raise OutOfRange(f"material '{material.name}' has an imaginary sound speed at {rho:g} kg/m3, {e:g} J/kg")
     return float(np.sqrt(c2))
+
+
+def start_compaction(eos, rho, e) -> float:
+    """The history variable of material that was loaded to its initial state; 0 for laws without memory."""
+    return float(compacted(0.0, rho, e, pressure(rho, e, eos), eos))
 
 
 def start_region(problem, region):
@@ -145,6 +151,7 @@ def assemble(problem: Problem):
             material = problem.materials[region.material]
             p = pressure(rho, e, material.eos) if material.burn is None else reactive.start_region(material, region)[2]
             zones[L.P, a:b] = zones[L.SIGMA, a:b] = p
+            zones[L.COMPACTION, a:b] = start_compaction(material.eos, rho, e) if material.burn is None else 0.0
             zones[L.SIGMA_HALF, a:b] = 1.0 / rho if problem.solver.integrator == "wilkins" else 0.0
             zones[L.OLD, a:b] = rho * np.diff(place)
             speed = region.velocity if isinstance(region.velocity, tuple) else (region.velocity, region.velocity)

@@ -9,7 +9,7 @@ import sys
 
 from hugoniot.core.compile import bind_choice, bind_module
 from hugoniot.core.ops import fmax, fmin, vsqrt
-from hugoniot.laws.eos.contract import temperature
+from hugoniot.laws.eos.contract import EOS, reference_state, remembered, temperature
 from hugoniot.laws.fracture.contract import FRACTURE, tension_cap
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress
 from hugoniot.laws.viscosity.contract import VISCOSITY
@@ -29,6 +29,16 @@ def no_temperature(rho, e, eos, strength):
 
 def law_temperature(rho, e, eos, strength):
     return temperature(rho, e, eos)
+
+
+def remembers(eos):
+    """Whether the equation of state has a history variable."""
+    return "remembers" in EOS.of(eos).flags
+
+
+def strain_base(rho0, compaction, eos):
+    """Density from which the volume strain of a fracture law counts, kg/m3: that of the material at rest, as compacted as it is."""
+    return reference_state(remembered(compaction, eos))[0] if remembers(eos) else rho0
 
 
 def hardens(strength):
@@ -149,6 +159,7 @@ def bind():
 
     bind_choice(strength_temperature, asks("needs_temperature", law_temperature, no_temperature))
     bind_choice(strain_rate, asks("needs_rate", equivalent_rate, no_rate))
+    bind_choice(remembers, lambda cls: yes if "remembers" in EOS.of_class(cls).flags else no)
     bind_choice(hardens, asks("hardens", yes, no))
     bind_choice(resisted, lambda *classes: both_ways if "two_sided" in VISCOSITY.of_class(classes[-1]).flags else in_compression)
     bind_choice(grows_voids, lambda cls: yes if "voids" in FRACTURE.of_class(cls).flags else no)

@@ -7,15 +7,17 @@ zone z of segment k stands at z + 2k + 1.
 
 # -- rows of the zone table -------------------------------------------------------------------------------------
 (MASS, INVERSE_MASS, RHO, E, P, Q, S1, S2, SIGMA, HOOP, C, PLASTIC_STRAIN, DAMAGE, SIGMA_HALF, HOOP_HALF, VISCOUS_SPEED,
- PLASTIC_WORK, VISCOUS_WORK, PEAK_STRESS, PEAK_TENSION, PEAK_PRESSURE, FAILURE, TAG, OLD, PEAK_DENSITY, VOIDS) = range(26)
-ZONE_ROWS = 26
+ PLASTIC_WORK, VISCOUS_WORK, PEAK_STRESS, PEAK_TENSION, PEAK_PRESSURE, FAILURE, TAG, OLD, PEAK_DENSITY, VOIDS,
+ COMPACTION) = range(27)
+ZONE_ROWS = 27
 # SIGMA = p + q - s1, the longitudinal stress in compression; HOOP = (d-1) V (s2 - s1)/(r1 + r2), the force of the hoop
 # stress on each of the zone's nodes; the _HALF rows are their values in the middle of the step. TAG marks zones that a
-# nearby void is relieving; VOIDS is the volume of voids grown in a zone per its mass (m3/kg); OLD is scratch of one sweep.
+# nearby void is relieving; VOIDS is the volume of voids grown in a zone per its mass (m3/kg); OLD is scratch of one sweep; COMPACTION is
+# the history variable of an equation of state that remembers (0 for the others).
 
 # -- further rows of the zone table of a run in which something burns (solvers.lagrange1d.reactive) ------------------------
-(BURN_FRACTION, LIT_SINCE, ZONE_SIZE, RHO_R, E_R, RHO_P, E_P, MIX_STATUS, RESOLUTION) = range(26, 35)
-BURNING_ROWS = 35
+(BURN_FRACTION, LIT_SINCE, ZONE_SIZE, RHO_R, E_R, RHO_P, E_P, MIX_STATUS, RESOLUTION) = range(27, 36)
+BURNING_ROWS = 36
 # LIT_SINCE: time since the programmed front reached the zone, s (negative before); ZONE_SIZE its width at t = 0; RHO_R to E_P the
 # phases of the step before (energies with the chemical one); MIX_STATUS why a mixture was not found, 0 if it was; RESOLUTION the
 # fewest zones that held the length in which the zone burned.
@@ -49,10 +51,11 @@ PAUSED, AT_EVENT, VOID_OPENS, VOID_CLOSES, BAD_STATE, BUFFER_FULL, STEP_COLLAPSE
 # -- fields of a gauge row -----------------------------------------------------------------------------------------
 GAUGE_FIELDS = ("position", "velocity", "density", "energy", "pressure", "viscous_pressure", "deviator_radial", "deviator_hoop",
                 "stress", "plastic_strain", "damage")
+GAUGE_COMPACTION = len(GAUGE_FIELDS)
 # further columns of a run in which something burns: the burn fraction at the gauge, the share of the second of the two zones it lies
 # between, and what a mixture's temperature is found from, for the first zone and for the second
 PHASE_ROWS = (BURN_FRACTION, RHO_R, E_R, RHO_P, E_P)
-GAUGE_BURN, GAUGE_SHARE, GAUGE_PHASES = range(len(GAUGE_FIELDS), len(GAUGE_FIELDS) + 3)
+GAUGE_BURN, GAUGE_SHARE, GAUGE_PHASES = range(GAUGE_COMPACTION + 1, GAUGE_COMPACTION + 4)
 BURNING_GAUGE_COLUMNS = GAUGE_PHASES + 2 * len(PHASE_ROWS)
 
 PULSES = {"constant": 0, "table": 1, "exponential": 2, "half_sine": 3, "square": 4, "ramp": 5}

@@ -20,6 +20,7 @@ from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_pulse, group_laws, viscosity_of
 from hugoniot.solvers.lagrange1d.bodies import alike_ranges, interface_table, join, pieces_of, run_table, set_node_masses, split
+from hugoniot.solvers.lagrange1d.constitutive import remembers
 from hugoniot.solvers.lagrange1d.probes import probe_tables
 from hugoniot.solvers.lagrange1d.step import SCHEMES, march, serve
 from hugoniot.solvers.lagrange1d.watch import cavity_closed, mark_patch, touching_gap
@@ -57,6 +58,8 @@ class Lagrange1D:
         self.laws, self.viscosity = group_laws(problem), viscosity_of(problem)
         self.zones, self.nodes, self.gradient, self.segments, self.region_ranges = assemble(problem)
         self.burning = self.zones.shape[0] == L.BURNING_ROWS
+        remembering = any(remembers(problem.materials[region.material].eos) for region in problem.regions)
+        self.zone_fields = ZONE_FIELDS | ({"compaction": L.COMPACTION} if remembering else {})
         set_node_masses(self.zones, self.nodes, self.segments)
         self.boundaries = (boundary_pulse(problem.left), boundary_pulse(problem.right))
         self.control = np.zeros(L.CONTROL_FLOATS)
@@ -112,7 +115,7 @@ class Lagrange1D:
 
     def _new_buffer(self):
         self.gauge_times = np.zeros(GAUGE_CAPACITY)
-        columns = L.BURNING_GAUGE_COLUMNS if self.burning else len(L.GAUGE_FIELDS)
+        columns = L.BURNING_GAUGE_COLUMNS if self.burning else L.GAUGE_COMPACTION + 1
         self.gauge_buffer = np.zeros((GAUGE_CAPACITY, len(self.problem.gauges), columns))
         self.counters[L.GAUGE_ROWS] = 0
 
@@ -210,6 +213,8 @@ class Lagrange1D:
         times, block = self.gauge_times[:n].copy(), self.gauge_buffer[:n].copy()
         self.counters[L.GAUGE_ROWS] = 0
         found = {name: block[:, :, i] for i, name in enumerate(L.GAUGE_FIELDS)}
+        if "compaction" in self.zone_fields:
+            found["compaction"] = block[:, :, L.GAUGE_COMPACTION]
         return times, found | reactive.gauge_columns(block) if self.burning else found
 
     def _open(self, node, cause):
@@ -264,7 +269,7 @@ class Lagrange1D:
         if code == L.STEP_COLLAPSED:
             width = right - left
             culprit = int(np.argmin(width / np.maximum(self.zones[L.C], 1e-30)))
-        values = {name: float(self.zones[row, culprit]) for name, row in ZONE_FIELDS.items()}
+        values = {name: float(self.zones[row, culprit]) for name, row in self.zone_fields.items()}
         if self.burning:
             rows = {"burn_fraction": L.BURN_FRACTION, "mixture_status": L.MIX_STATUS}
             values |= {name: float(self.zones[row, culprit]) for name, row in rows.items()}
@@ -279,7 +284,7 @@ class Lagrange1D:
     # -- what observers see ----------------------------------------------------------------------------------
     def state(self) -> State:
         """Copies of all fields now."""
-        zones = {name: self.zones[row].copy() for name, row in ZONE_FIELDS.items()}
+        zones = {name: self.zones[row].copy() for name, row in self.zone_fields.items()}
         zones["mass"] = self.zones[L.MASS].copy()
         if self.burning:
             zones["burn_fraction"] = self.zones[L.BURN_FRACTION].copy()

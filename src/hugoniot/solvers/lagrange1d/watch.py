@@ -157,6 +157,7 @@ def record(zones, nodes, table, weights, out):
         out[i, 8] = (1.0 - w) * zones[L.SIGMA, a] + w * zones[L.SIGMA, b]
         out[i, 9] = (1.0 - w) * zones[L.PLASTIC_STRAIN, a] + w * zones[L.PLASTIC_STRAIN, b]
         out[i, 10] = (1.0 - w) * zones[L.DAMAGE, a] + w * zones[L.DAMAGE, b]
+        out[i, L.GAUGE_COMPACTION] = (1.0 - w) * zones[L.COMPACTION, a] + w * zones[L.COMPACTION, b]
         if out.shape[1] > L.GAUGE_BURN:
             out[i, L.GAUGE_BURN] = (1.0 - w) * zones[L.BURN_FRACTION, a] + w * zones[L.BURN_FRACTION, b]
             out[i, L.GAUGE_SHARE] = w

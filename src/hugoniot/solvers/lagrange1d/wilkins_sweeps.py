@@ -9,7 +9,7 @@ import numba as nb
 
 from hugoniot.core.compile import GUARD, SWEEP, bind_choice, parameters
 from hugoniot.core.ops import fmax, vsqrt
-from hugoniot.laws.eos.contract import EOS, pressure, pressure_derivatives
+from hugoniot.laws.eos.contract import EOS, compacted, pressure, pressure_derivatives, remembered, unloading
 from hugoniot.laws.fracture.contract import damage_rate, failure
 from hugoniot.laws.strength.contract import shear_modulus
 from hugoniot.laws.viscosity.contract import viscous_speed
@@ -20,7 +20,9 @@ from hugoniot.solvers.lagrange1d.constitutive import (
     grows_voids,
     no,
     radial_return,
+    remembers,
     resisted,
+    strain_base,
     strain_rate,
     strength_temperature,
     trial_deviators,
@@ -120,7 +122,7 @@ def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
     sigma, q_, torn = zones[L.SIGMA, first:last], zones[L.Q, first:last], zones[L.FAILURE, first:last]
     force, width, old = zones[L.HOOP, first:last], zones[L.OLD, first:last], zones[L.SIGMA_HALF, first:last]
     plastic, viscous = zones[L.PLASTIC_WORK, first:last], zones[L.VISCOUS_WORK, first:last]
-    voids = zones[L.VOIDS, first:last]
+    voids, pores = zones[L.VOIDS, first:last], zones[L.COMPACTION, first:last]
     rho0, noise = rows[4][0], rows[4][1]
     fastest, worst, capped = 0.0, 0.0, 0.0
     for j in range(n):
@@ -137,8 +139,9 @@ def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         hoop = 0.0
         if hoops(geometry) > 0.0:
             hoop = dt * (u1 + u2) / (r1 + r2 - 0.5 * dt * (u1 + u2) + SMALL)
-        p_rho, p_e = pressure_derivatives(rho, e_[j], eos)
-        heat = strength_temperature(rho, e_[j], eos, strength)
+        crushed = remembered(pores[j], eos)
+        p_rho, p_e = pressure_derivatives(rho, e_[j], unloading(crushed))
+        heat = strength_temperature(rho, e_[j], crushed, strength)
         shear = shear_modulus(rho, p_[j], heat, rho * p_rho + p_[j] * p_e * v, strength)
         t1, t2 = trial_deviators(s1[j], s2[j], radial, hoop, dilation, shear)
         pace = strain_rate(radial, hoop, dilation, dt, geometry, strength)
@@ -150,18 +153,20 @@ def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         q = -rho_half * squeeze * viscous_speed(rho_half, c_[j], p_[j], squeeze, 0.0, viscosity)
         target = e_[j] + work - 0.5 * (p_[j] + q + q_[j]) * dv
         if linear_in_energy(eos):
-            energy = (target - 0.5 * pressure(rho, 0.0, eos) * dv) / (1.0 + 0.5 * p_e * dv)
+            energy = (target - 0.5 * pressure(rho, 0.0, crushed) * dv) / (1.0 + 0.5 * p_e * dv)
         else:
             energy = target - 0.5 * p_[j] * dv
             for _ in range(4):
-                _, slope = pressure_derivatives(rho, energy, eos)
-                miss = energy - target + 0.5 * pressure(rho, energy, eos) * dv
+                _, slope = pressure_derivatives(rho, energy, crushed)
+                miss = energy - target + 0.5 * pressure(rho, energy, crushed) * dv
                 energy -= miss / (1.0 + 0.5 * slope * dv)
-        p = pressure(rho, energy, eos)
-        p_rho, p_e = pressure_derivatives(rho, energy, eos)
+        p = pressure(rho, energy, crushed)
+        if remembers(eos):
+            pores[j] = compacted(pores[j], rho, energy, p, eos)
+        p_rho, p_e = pressure_derivatives(rho, energy, unloading(remembered(pores[j], eos)))
         tension = t1 - p
         hurt_now = hurt[j] + dt * damage_rate(tension, fracture)
-        ratio = failure(tension, p, rho0 * v, hurt_now, fracture)
+        ratio = failure(tension, p, strain_base(rho0, pores[j], eos) * v, hurt_now, fracture)
         bulk2 = p_rho + p * p_e * v * v
         if grows_voids(fracture):
             bulk2 = p_rho + p * p_e / (rho * rho)

@@ -10,7 +10,7 @@ import numba as nb
 
 from hugoniot.core.compile import SWEEP, parameters
 from hugoniot.core.ops import fmax, fmin
-from hugoniot.laws.eos.contract import pressure, pressure_derivatives
+from hugoniot.laws.eos.contract import compacted, pressure, pressure_derivatives, remembered, unloading
 from hugoniot.laws.fracture.contract import damage_rate, failure
 from hugoniot.laws.strength.contract import shear_modulus
 from hugoniot.laws.viscosity.contract import viscous_speed
@@ -20,7 +20,9 @@ from hugoniot.solvers.lagrange1d.constitutive import (
     flow_beside_voids,
     grows_voids,
     radial_return,
+    remembers,
     resisted,
+    strain_base,
     strain_rate,
     strength_temperature,
     trial_deviators,
@@ -50,7 +52,7 @@ def predict(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
     sigma, hoop_force = zones[L.SIGMA, first:last], zones[L.HOOP, first:last]
     q_out, speed_out = zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last]
     sigma_half, hoop_half = zones[L.SIGMA_HALF, first:last], zones[L.HOOP_HALF, first:last]
-    voids = zones[L.VOIDS, first:last]
+    voids, pores = zones[L.VOIDS, first:last], zones[L.COMPACTION, first:last]
     half = 0.5 * dt
     for j in range(n):
         r1, r2, u1, u2 = rh[j], rh[j + 1], u[j], u[j + 1]
@@ -60,15 +62,16 @@ def predict(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         if grows_voids(fracture):
             rho = mass[j] / (size - mass[j] * voids[j])
         energy = e[j] + half * im[j] * (hoop_force[j] * (u1 + u2) - sigma[j] * rate)
-        p = pressure(rho, energy, eos)
+        crushed = remembered(pores[j], eos)
+        p = pressure(rho, energy, crushed)
         dilation = half * rate / size
         hoop = 0.0
         if hoops(geometry) > 0.0:
             hoop = half * (u1 + u2) / (r1 + r2 + SMALL)
         radial = dilation - hoops(geometry) * hoop
-        p_rho, p_e = pressure_derivatives(rho, energy, eos)
+        p_rho, p_e = pressure_derivatives(rho, energy, unloading(crushed))
         bulk = rho * p_rho + p * p_e / rho
-        heat = strength_temperature(rho, energy, eos, strength)
+        heat = strength_temperature(rho, energy, crushed, strength)
         shear = shear_modulus(rho, p, heat, bulk, strength)
         t1, t2 = trial_deviators(s1[j], s2[j], radial, hoop, dilation, shear)
         pace = strain_rate(radial, hoop, dilation, half, geometry, strength)
@@ -110,7 +113,7 @@ def correct(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
     q, speed, torn = zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last], zones[L.FAILURE, first:last]
     sigma_half, hoop_half = zones[L.SIGMA_HALF, first:last], zones[L.HOOP_HALF, first:last]
     plastic, viscous = zones[L.PLASTIC_WORK, first:last], zones[L.VISCOUS_WORK, first:last]
-    voids = zones[L.VOIDS, first:last]
+    voids, pores = zones[L.VOIDS, first:last], zones[L.COMPACTION, first:last]
     rho0, noise = rows[4][0], rows[4][1]
     fastest, worst, radial_impulse, capped = 0.0, 0.0, 0.0, 0.0
     for j in range(n):
@@ -130,10 +133,14 @@ def correct(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         rho = mass[j] / end_size
         if grows_voids(fracture):
             rho = mass[j] / (end_size - mass[j] * voids[j])
-        p = pressure(rho, energy, eos)
-        p_rho, p_e = pressure_derivatives(rho, energy, eos)
+        crushed = remembered(pores[j], eos)
+        p = pressure(rho, energy, crushed)
+        if remembers(eos):
+            pores[j] = compacted(pores[j], rho, energy, p, eos)
+        # sound is elastic: a release outruns the wave that crushes
+        p_rho, p_e = pressure_derivatives(rho, energy, unloading(remembered(pores[j], eos)))
         c2 = p_rho + p * p_e / (rho * rho)
-        heat = strength_temperature(rho, energy, eos, strength)
+        heat = strength_temperature(rho, energy, crushed, strength)
         shear = shear_modulus(rho, p, heat, rho * c2, strength)
         t1, t2 = trial_deviators(s1[j], s2[j], radial, hoop, dilation, shear)
         pace = strain_rate(radial, hoop, dilation, dt, geometry, strength)
@@ -141,7 +148,7 @@ def correct(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         t1, t2 = radial_return(t1, t2, limit, geometry)
         tension = t1 - p
         hurt_now = hurt[j] + dt * damage_rate(tension, fracture)
-        ratio = failure(tension, p, rho0 * v, hurt_now, fracture)
+        ratio = failure(tension, p, strain_base(rho0, pores[j], eos) * v, hurt_now, fracture)
         if grows_voids(fracture):
             grown, relief = void_change(tension, rho * rho * c2, voids[j], rho, fracture)
             voids[j] += grown
