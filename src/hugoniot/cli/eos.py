@@ -220,6 +220,39 @@ def fit(
                    quantity(highest, "m/s", "--to") if highest else float("inf"), as_json, as_csv, plot)
 
 
+@app.command("fit-jwl")
+def fit_jwl(
+    curve: Annotated[str, typer.Argument(metavar="CURVE", help="A CSV file of the expansion: columns volume (V = v/v0) and pressure.")],
+    density: Annotated[str, typer.Option("--density", help='Of the explosive, "1.717 g/cm^3".')],
+    velocity: Annotated[str, typer.Option("--velocity", help='Detonation velocity, "7.98 km/s".')],
+    pressure: Annotated[str, typer.Option("--pressure", help='CJ pressure, "29.5 GPa".')],
+    energy: Annotated[str, typer.Option("--energy", help='E0 per volume of explosive, "8.5 GJ/m^3" or "85 kbar".')],
+    omega: Annotated[float | None, typer.Option("--omega", help="Keep this omega instead of fitting it.")] = None,
+    as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
+) -> None:
+    """JWL constants from a CJ state, which is kept exactly, and points of the expansion below it.
+
+    Example: hugoniot eos fit-jwl cylinder.csv --density "1.717 g/cm^3" --velocity "7.98 km/s" --pressure "29.5 GPa" --energy "8.5 GPa"
+    """
+    from hugoniot.cli import eos_fit
+
+    eos_fit.jwl(curve, density, velocity, pressure, energy, omega, as_json, as_csv, plot)
+
+
+@app.command("fit-gamma")
+def fit_gamma(
+    material: MATERIAL, at: Annotated[str, typer.Option("--at", help='The shock state to meet, "particle_velocity = 500 m/s".')],
+    ambient: Annotated[str, typer.Option("--ambient", help="Pressure ahead of the shock.")] = "1 atm", as_json: JSON = False,
+) -> None:
+    """The Grüneisen parameter with which a truncated (third-order) law passes through a shock state.
+
+    Example: hugoniot eos fit-gamma copper --at "particle_velocity = 500 m/s"
+    """
+    from hugoniot.cli import eos_fit
+
+    eos_fit.gamma(find_inert(material), at, quantity(ambient, "Pa", "--ambient"), as_json)
+
+
 @app.command()
 def table(
     material: MATERIAL,

@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import typer
 
-from hugoniot.cli.eos_output import write_csv
+from hugoniot.cli.eos_output import echo_columns, echo_notes, notes, write_csv
 from hugoniot.cli.show import echo_json, echo_table
 from hugoniot.errors import DeckError
-from hugoniot.theory.fits import read_points, us_up
+from hugoniot.theory.fits import adjusted_gamma, fit_jwl, read_expansion, read_points, truncated_pressure, us_up
 
 WORDS = (("c0", "m/s"), ("s", ""), ("s2", "s/m"))
 
@@ -44,8 +44,73 @@ def report(name: str, degree: int, least: float, highest: float, as_json: bool, 
     echo_table(["", "value", "standard deviation", ""], [
         (word, f"{value:.6g}", f"{sigma:.3g}", unit)
         for (word, unit), value, sigma in zip(WORDS, fitted.coefficients, fitted.deviations)])
+    if fitted.highest < 100.0:
+        echo_notes([f"all particle velocities are below {fitted.highest:.3g} m/s: if they are in km/s, name the columns up (km/s), "
+                    "us (km/s)"])
     typer.echo(f"standard deviation of the points about the curve: {fitted.deviation:.4g} m/s; "
                f"beyond {fitted.highest:.6g} m/s it extrapolates")
+
+
+def jwl(path: str, density: str, velocity: str, pressure: str, energy: str, omega: float | None, as_json: bool, as_csv, plot) -> None:
+    """JWL of products from a CJ state and a file of the expansion below it."""
+    from hugoniot.cli.eos_input import quantity
+
+    rho0, d = quantity(density, "kg/m^3", "--density"), quantity(velocity, "m/s", "--velocity")
+    p_cj, e0 = quantity(pressure, "Pa", "--pressure"), quantity(energy, "J/m^3", "--energy")
+    cj_volume = 1.0 - p_cj / (rho0 * d * d)
+    if not cj_volume > 0.0:
+        raise DeckError.single("command line", None, "--pressure", f"{p_cj * 1e-9:.4g} GPa is more than rho0 D^2 = "
+                               f"{rho0 * d * d * 1e-9:.4g} GPa", "a CJ pressure is about a quarter of it")
+    volumes, pressures = read_expansion(path)
+    below = volumes > cj_volume
+    if not (pressures[below] > 0.0).all():
+        raise DeckError.single(path, None, "pressure", "a pressure of zero has no logarithm to fit", "leave that point out")
+    found = fit_jwl(rho0, d, p_cj, e0, volumes[below], pressures[below], omega=omega)
+    par = found.par
+    fitted = par.a * np.exp(-par.r1 * volumes) + par.b * np.exp(-par.r2 * volumes) + found.c * volumes ** (-1.0 - par.omega)
+    if as_csv:
+        write_csv(as_csv, [("", {"relative_volume": volumes, "pressure": pressures, "fitted_pressure": fitted})])
+    if plot:
+        from hugoniot.plotting.eos import save
+        from hugoniot.plotting.waves import expansion_fit
+
+        save(expansion_fit(Path(path).stem, volumes, pressures, (cj_volume, p_cj), par, found.c), plot)
+    values = {n: float(getattr(par, n)) for n in ("a", "b", "r1", "r2", "omega", "rho0", "e0")} | {"c": found.c}
+    if as_json:
+        echo_json({"source": path, "law": "jwl", **values, "standard_deviation": found.deviation, "points": found.count})
+        return
+    units = {"a": "Pa", "b": "Pa", "c": "Pa", "rho0": "kg/m3", "e0": "J/m3"}
+    echo_table(["", "", ""], [(n, f"{v:.7g}", units.get(n, "")) for n, v in values.items()])
+    typer.echo(f"{found.count} points beyond the CJ volume {cj_volume:.4f}; standard deviation of ln(p): {found.deviation:.3g}; "
+               "the CJ state is kept exactly")
+
+
+def gamma(subject, at: str, ambient: float, as_json: bool) -> None:
+    """The Gamma that makes the truncated cubic law of a linear Us-up material pass through a shock state."""
+    from hugoniot.cli.eos_input import one_state
+    from hugoniot.theory.hugoniot import shock
+
+    par = subject.material.eos
+    if not all(hasattr(par, n) for n in ("rho0", "c0", "s", "gamma0")):
+        raise DeckError.single("command line", None, subject.material.name, "the adjustment is made for a linear Us-up law",
+                               "name a material with rho0, c0, s and gamma0 (hugoniot eos show tells)")
+    state = shock(subject.material, **one_state(at))
+    up = float(state.particle_velocity)
+    adjusted = adjusted_gamma(par.rho0, par.c0, par.s, up, par.gamma0, pressure=ambient)
+    us = par.c0 + par.s * up
+    density = par.rho0 * us / (us - up)
+    behind = par.rho0 * us * up + ambient
+    energy = ambient / (par.gamma0 * par.rho0) + 0.5 * (behind + ambient) * up / (us * par.rho0)
+    table = {"gruneisen": par.gamma0, "adjusted_gruneisen": adjusted, "particle_velocity": up, "shock_velocity": us, "pressure": behind,
+             "density": density, "specific_internal_energy": energy,
+             "truncated_pressure": truncated_pressure(par.rho0, par.c0, par.s, par.gamma0, density, energy),
+             "adjusted_pressure": truncated_pressure(par.rho0, par.c0, par.s, adjusted, density, energy)}
+    if as_json:
+        echo_json({"material": subject.material.name, **table, "warnings": notes(subject, up)})
+        return
+    typer.echo(f"{subject.title or subject.material.name}: Gamma with which the law truncated at third order meets the shock state")
+    echo_columns(table)
+    echo_notes(notes(subject, up))
 
 
 def _points(name: str):

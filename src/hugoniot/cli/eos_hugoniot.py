@@ -8,7 +8,7 @@ from hugoniot.cli.eos_burning import initial
 from hugoniot.cli.eos_fit import library_points
 from hugoniot.cli.eos_input import Subject, find_inert, find_material, one_state, quantity
 from hugoniot.cli.eos_output import cell, deliver, echo_notes, echo_states, notes, row_of
-from hugoniot.errors import DeckError
+from hugoniot.errors import DeckError, OutOfRange
 from hugoniot.theory.hugoniot import Initial, curve, shock
 from hugoniot.theory.states import States
 
@@ -26,12 +26,11 @@ class Question(NamedTuple):
 
 
 class Answer(NamedTuple):
-    """One material: the state ahead, the states asked for, the curve to draw, and the CJ point of a detonation Hugoniot."""
+    """One material: the state ahead, the states asked for, and the CJ point of a detonation Hugoniot."""
 
     subject: Subject
     ahead: Initial
     states: States
-    curve: States
     cj: States | None = None
 
 
@@ -45,11 +44,8 @@ def solve(name: str, asked: Question) -> Answer:
         ahead = Initial.of(shock(subject.material, ahead, **one_state(asked.after, "--after")))
     end = quantity(asked.up_to, "m/s", "--up-to") if asked.up_to else None
     if not asked.at:
-        states = curve(subject.material, ahead, points=asked.points, up_to=end)
-        return Answer(subject, ahead, states, states)
-    states = shock(subject.material, ahead, **one_state(asked.at))
-    reach = end or 1.3 * max(float(states.particle_velocity) - ahead.velocity, 1.0)
-    return Answer(subject, ahead, states, curve(subject.material, ahead, up_to=reach))
+        return Answer(subject, ahead, curve(subject.material, ahead, points=asked.points, up_to=end))
+    return Answer(subject, ahead, shock(subject.material, ahead, **one_state(asked.at)))
 
 
 def _with_reaction(name: str, asked: Question) -> Answer:
@@ -62,8 +58,24 @@ def _with_reaction(name: str, asked: Question) -> Answer:
     ahead = initial(subject, asked.density, asked.heat, "")
     point = cj(subject.material, ahead).state
     end = quantity(asked.up_to, "m/s", "--up-to") if asked.up_to else None
-    whole = detonation_hugoniot(subject.material, ahead, points=asked.points, up_to=end)
-    return Answer(subject, ahead, overdriven(subject.material, ahead, **one_state(asked.at)) if asked.at else whole, whole, point)
+    if asked.at:
+        return Answer(subject, ahead, overdriven(subject.material, ahead, **one_state(asked.at)), point)
+    return Answer(subject, ahead, detonation_hugoniot(subject.material, ahead, points=asked.points, up_to=end), point)
+
+
+def _drawn(found: Answer, single: bool) -> States:
+    """The curve of the picture: the states, or the Hugoniot through the single one and somewhat beyond, as far as the law goes."""
+    from hugoniot.theory.chapman_jouguet import detonation_hugoniot
+
+    if not single:
+        return found.states
+    if found.cj:
+        return detonation_hugoniot(found.subject.material, found.ahead)
+    up = max(float(found.states.particle_velocity) - found.ahead.velocity, 1.0)
+    try:
+        return curve(found.subject.material, found.ahead, up_to=1.3 * up)
+    except OutOfRange:
+        return curve(found.subject.material, found.ahead, up_to=up)
 
 
 def report(found: list[Answer], single: bool, kind: str, as_json, as_csv, plot) -> None:
@@ -72,7 +84,7 @@ def report(found: list[Answer], single: bool, kind: str, as_json, as_csv, plot) 
         from hugoniot.plotting.eos import hugoniots, save
 
         marks = [f.states if single else f.cj for f in found]
-        save(hugoniots([(f.subject.material.name, f.ahead, f.curve) for f in found], kind, points=[_points(f) for f in found],
+        save(hugoniots([(f.subject.material.name, f.ahead, _drawn(f, single)) for f in found], kind, points=[_points(f) for f in found],
                        mark=marks if single or all(m is not None for m in marks) else None), plot)
     # a detonation obeys its products' own range, not that of the shocks of the unreacted explosive
     told = [notes(f.subject, 0.0 if f.cj else _strongest(f.states)) for f in found]

@@ -34,6 +34,9 @@ def find_material(text: str) -> Subject:
     if path.endswith(".toml"):
         made = _from_file(Path(path), inside)
         return Subject(made, unreacted=made.unreacted)
+    if Path(text).suffix.lower() in (".csv", ".h5", ".hdf5", ".ses", ".301") and Path(text).exists():
+        raise DeckError.single("command line", None, text, "is a table, not a material",
+                               f'write a TOML file with [eos], law = "table", file = "{Path(text).name}", and name that')
     from hugoniot.materials.library import entry
 
     found = entry(text)

@@ -27,7 +27,9 @@ def report(subjects: list[Subject], velocity, error, samples, ring_up, as_json, 
         save(impedance_match(layers, velocity, met), plot)
     if as_csv:
         keys = ("pressure", "particle_velocity", "shock_velocity", "density", "specific_internal_energy", "temperature", "sound_speed")
-        write_csv(as_csv, [("", {k: [r[k] if r[k] is not None else float("nan") for r in rows] for k in keys})])
+        bars = {f"{k}_sigma": [r.get("uncertainty", {}).get(k, {}).get("sigma", float("nan")) for r in rows] for k in ANSWERS}
+        values = {k: [r[k] if r[k] is not None else float("nan") for r in rows] for k in keys}
+        write_csv(as_csv, [("", values | (bars if spreads else {}))])
     if as_json:
         echo_json({"flyer": names[0], "targets": names[1:], "velocity": velocity, "states": rows, "warnings": told})
         return

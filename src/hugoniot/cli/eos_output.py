@@ -20,14 +20,14 @@ SHOWN = {"pressure": ("GPa", 1e-9, "10.5g"), "density": ("kg/m3", 1.0, "9.2f"), 
          "sound_speed": ("m/s", 1.0, "9.2f"), "entropy": ("J/kg/K", 1.0, "9.3f"), "adiabatic_exponent": ("", 1.0, "8.4f"),
          "gruneisen": ("", 1.0, "8.4f"), "detonation_velocity": ("m/s", 1.0, "9.2f"), "chapman_jouguet_velocity": ("m/s", 1.0, "9.2f"),
          "burn_fraction": ("", 1.0, "8.5f"), "reaction": ("", 1.0, "9.6f"), "volume_fraction": ("", 1.0, "8.5f"),
-         "overdrive": ("", 1.0, "8.5g"),
+         "overdrive": ("", 1.0, "8.5g"), "adjusted_gruneisen": ("", 1.0, "8.4f"),
          "position": ("um", 1e6, "10.5g"), "time": ("ns", 1e9, "10.5g"), "reaction_rate": ("1/us", 1e-6, "10.5g"),
          "thermicity": ("1/us", 1e-6, "10.5g"), "specific_heat": ("J/kg/K", 1.0, "9.2f"), "reactant_density": ("kg/m3", 1.0, "9.2f"),
          "product_density": ("kg/m3", 1.0, "9.2f"), "reactant_energy": ("kJ/kg", 1e-3, "10.5g"), "product_energy": ("kJ/kg", 1e-3, "10.5g"),
          "half_reaction_length": ("um", 1e6, "10.5g"), "reaction_zone_length": ("um", 1e6, "10.5g"),
          "half_reaction_time": ("ns", 1e9, "10.5g")}
 SHOWN |= dict.fromkeys(("principal_pressure", "principal_series", "second_pressure", "second_series", "difference", "leading_difference",
-                        "stress"), ("GPa", 1e-9, "10.6g"))
+                        "stress", "truncated_pressure", "adjusted_pressure"), ("GPa", 1e-9, "10.6g"))
 WORDS = {"specific_internal_energy": "internal energy"}
 
 
@@ -104,7 +104,9 @@ def write_csv(path: Path, tables: Sequence[tuple[str, dict]]) -> None:
     try:
         with open(path, "w", newline="", encoding="utf-8") as file:
             out = csv.writer(file)
-            out.writerow([*(["material"] if several else []), *[f"{n} ({UNITS[n]})" if UNITS.get(n, "1") != "1" else n for n in names]])
+            units = [UNITS.get(n.removesuffix("_sigma"), "1") for n in names]
+            heads = [n if unit == "1" else f"{n} ({unit})" for n, unit in zip(names, units)]
+            out.writerow([*(["material"] if several else []), *heads])
             for title, table in tables:
                 columns = [np.atleast_1d(np.asarray(table[n], float)) if table.get(n) is not None else None for n in names]
                 count = max(c.size for c in columns if c is not None)

@@ -7,9 +7,10 @@ import typer
 
 from hugoniot.cli.eos_input import Subject, quantity
 from hugoniot.cli.show import echo_json, echo_table
-from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.errors import DeckError, FileTrouble, OutOfRange
 from hugoniot.laws.eos.contract import EOS, reference_state
 from hugoniot.theory.isentrope import state
+from hugoniot.theory.states import density_range
 
 
 def report(subject: Subject, densities: str, temperatures: str, points: int, as_json: bool, as_csv,
@@ -17,6 +18,10 @@ def report(subject: Subject, densities: str, temperatures: str, points: int, as_
     """Solve for the energy at every density and temperature; print a corner of it, or write all."""
     rho0 = reference_state(subject.material.eos)[0]
     low, high = _range(densities, "kg/m^3", "--densities") if densities else (0.9 * rho0, 1.5 * rho0)
+    least, most = density_range(subject.material.eos)
+    if not least <= low < high < most:
+        raise OutOfRange(f"the law '{EOS.of(subject.material.eos).name}' holds for densities from {max(least, 1e-6):.6g} to {most:.6g} "
+                         f"kg/m3: --densities asks for {low:.6g} to {high:.6g}")
     rho, t = np.linspace(low, high, points), np.linspace(*_range(temperatures, "K", "--temperatures"), points)
     found = [[state(subject.material, density=float(r), temperature=float(k)) for k in t] for r in rho]
     p = np.array([[s.pressure for s in row] for row in found])

@@ -15,6 +15,9 @@ KINDS = {
     "viscosity": "artificial viscosities, [solver.viscosity] law = ...",
     "transport": "physical shear viscosities, [solver.transport] viscosity = {law = ...}",
     "conduction": "heat conductivities, [solver.transport] conduction = {law = ...}",
+    "burn": "burn laws of explosives, [material.NAME.burn] law = ...",
+    "mixture": "closures of reactants and products, [material.NAME] mixture = ...",
+    "exact": "exact solutions, hugoniot exact NAME",
     "materials": "materials of the library, material = ...",
     "fields": "fields of snapshots, gauges and plots",
     "problems": "decks that hugoniot init writes",
@@ -50,12 +53,13 @@ def command(
 
 
 def _families() -> dict:
-    from hugoniot.laws import transport  # noqa: F401  (enrols the transport and conduction laws)
+    from hugoniot.laws import mixture, transport  # noqa: F401  (enrols the closures, transport and conduction laws)
+    from hugoniot.laws.mixture.contract import MIXTURE
     from hugoniot.laws.transport.contract import CONDUCTION, TRANSPORT
     from hugoniot.laws.viscosity.contract import VISCOSITY
     from hugoniot.materials.tables import families
     from hugoniot.problem import schema  # noqa: F401  (enrols the viscosity laws)
-    return {**families(), "viscosity": VISCOSITY, "transport": TRANSPORT, "conduction": CONDUCTION}
+    return {**families(), "mixture": MIXTURE, "viscosity": VISCOSITY, "transport": TRANSPORT, "conduction": CONDUCTION}
 
 
 def _laws(kind: str, name: str, as_json: bool) -> None:
@@ -111,4 +115,9 @@ def _solvers() -> list[dict]:
     return [{"solver": kind, "what": (solver_module(kind).Model.__doc__ or "").strip().splitlines()[0]} for kind in available_solvers()]
 
 
-_ROWS = {"materials": _materials, "fields": _fields, "problems": _problems, "solvers": _solvers}
+def _exact() -> list[dict]:
+    from hugoniot.cli.exact_report import listing
+    return listing()
+
+
+_ROWS = {"exact": _exact, "materials": _materials, "fields": _fields, "problems": _problems, "solvers": _solvers}

@@ -140,3 +140,31 @@ def isotherms(name: str, rho, temperature, pressure):
     ax.set_title(f"{name}: isotherms", loc="left", fontsize=9)
     quiet_grid(ax)
     return ax
+
+
+@styled
+def expansion_fit(name: str, volumes, pressures, cj: tuple[float, float], par, c: float):
+    """Points of an expansion, the fitted JWL isentrope and its three terms, in logarithms; gives the axes.
+
+    volumes V = v/v0, pressures Pa; cj   (V, p) of the CJ point; c   coefficient of the isentrope's last term, Pa
+    """
+    ax = new_axes(5.4, 3.8)
+    v = np.geomspace(min(cj[0], float(np.min(volumes))), 1.15 * float(np.max(volumes)), 300)
+    terms = (("A term", par.a * np.exp(-par.r1 * v)), ("B term", par.b * np.exp(-par.r2 * v)), ("C term", c * v ** (-1.0 - par.omega)))
+    total = sum(values for _, values in terms)
+    for text, values in terms:
+        shown = values > 0.3 * float(np.min(pressures))
+        if shown.any():
+            ax.plot(v[shown], values[shown] * 1e-9, color=QUIET, lw=0.8, ls=DASHED)
+            ax.annotate(text, (v[shown][-1], values[shown][-1] * 1e-9), xytext=(3, 3), textcoords="offset points", color=QUIET, fontsize=8)
+    ax.plot(v, total * 1e-9, color=COLOURS[0])
+    ax.plot(volumes, np.asarray(pressures) * 1e-9, "o", mfc="none", mec=COLOURS[1], ms=4)
+    ax.plot(cj[0], cj[1] * 1e-9, "o", color=COLOURS[0], ms=5)
+    ax.annotate("CJ", (cj[0], cj[1] * 1e-9), xytext=(7, 0), textcoords="offset points", color=COLOURS[0], fontsize=8.5, va="center")
+    ax.annotate("points", (0.97, 0.97), xycoords="axes fraction", ha="right", va="top", color=COLOURS[1], fontsize=8.5)
+    ax.annotate(f"JWL isentrope: R1 = {par.r1:.4g}, R2 = {par.r2:.4g}, omega = {par.omega:.4g}", (0.97, 0.90), xycoords="axes fraction",
+                ha="right", va="top", color=COLOURS[0], fontsize=8.5)
+    ax.set(xscale="log", yscale="log", xlabel="relative volume V = v/v0", ylabel="pressure (GPa)")
+    ax.set_title(name, loc="left", fontsize=9)
+    quiet_grid(ax)
+    return ax

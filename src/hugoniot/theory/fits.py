@@ -80,9 +80,11 @@ def us_up(up, us, degree: int = 1) -> UsUpFit:
                    np.column_stack([up, us]))
 
 
-_COLUMNS = {"particle_velocity": ("particle_velocity", "particlevelocity", "up"),
-            "shock_velocity": ("shock_velocity", "shockvelocity", "us")}
-_UNIT = re.compile(r"^(.*?)[\s_]*(?:[\(\[](.+)[\)\]]|(km_s|m_s|km/s|m/s|mm/us))?$")
+# column -> (SI unit, how a header may spell it; the last one is what a message proposes)
+_US_UP = {"particle_velocity": ("m/s", ("particle_velocity", "particlevelocity", "up")),
+          "shock_velocity": ("m/s", ("shock_velocity", "shockvelocity", "us"))}
+_EXPANSION = {"volume": ("1", ("relative_volume", "v/v0", "v", "volume")), "pressure": ("Pa", ("p", "pressure"))}
+_UNIT = re.compile(r"^(.*?)[\s_]*(?:[\(\[](.+)[\)\]]|(km_s|m_s|km/s|m/s|mm/us|GPa|MPa|kbar|Mbar))?$", re.IGNORECASE)
 
 
 def read_points(path) -> tuple[np.ndarray, np.ndarray]:
@@ -91,42 +93,71 @@ def read_points(path) -> tuple[np.ndarray, np.ndarray]:
     A unit may follow in brackets, `up (km/s)`, or as `up_km_s`; without one the numbers are m/s. Lines that begin with # are skipped.
     Raises `DeckError` with the line and the way out.
     """
+    return read_columns(path, _US_UP, "particle and shock velocities")
+
+
+def read_expansion(path) -> tuple[np.ndarray, np.ndarray]:
+    """(V = v/v0, pressure in Pa) of an expansion isentrope from a CSV file with columns volume and pressure, as `read_points`."""
+    return read_columns(path, _EXPANSION, "relative volumes and pressures")
+
+
+def read_columns(path, columns: dict, what: str) -> tuple[np.ndarray, ...]:
+    """The named columns of a CSV file in SI, in the order of `columns`; `DeckError` with line and way out."""
     path = Path(path)
+    example = ", ".join(f"{words[-1]} ({_SAMPLE[unit]})" if unit != "1" else words[-1] for unit, words in columns.values())
     try:
         lines = path.read_text(encoding="utf-8-sig").splitlines()
     except (OSError, UnicodeDecodeError) as error:
         raise DeckError.single(path, None, "points", f"cannot be read ({getattr(error, 'strerror', None) or 'not UTF-8 text'})",
-                               "give a CSV file of particle and shock velocities") from None
+                               f"give a CSV file of {what}") from None
     numbered = [(n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith("#")]
     if not numbered:
-        raise DeckError.single(path, None, "points", "the file is empty", "the first line names the columns, such as up (km/s), us (km/s)")
+        raise DeckError.single(path, None, "points", "the file is empty", f"the first line names the columns, such as {example}")
     head_line, head = numbered[0][0], next(csv.reader([numbered[0][1]]))
-    where = {name: _column(path, head_line, head, name) for name in _COLUMNS}
+    where = {name: _column(path, head_line, head, name, *columns[name]) for name in columns}
     rows = []
     for n, line in numbered[1:]:
         cells = next(csv.reader([line]))
-        rows.append([_number(path, n, name, cells, *where[name]) for name in _COLUMNS])
+        rows.append([_number(path, n, name, cells, *where[name]) for name in columns])
     if not rows:
-        raise DeckError.single(path, head_line, "points", "there are no points below the header")
-    up, us = np.array(rows).T
-    return up, us
+        raise DeckError.single(path, head_line, "points", "there are no points below the header", f"give {what}, one point per line")
+    return tuple(np.array(rows).T)
 
 
-def _column(path, line, head, name):
-    """(index, factor to m/s) of a column."""
+_SAMPLE = {"m/s": "km/s", "Pa": "GPa"}
+_KIND = {"m/s": "velocity", "Pa": "pressure", "1": "relative volume"}
+
+
+def _column(path, line, head, name, unit, words):
+    """(index, factor to SI, unit) of a column."""
     for i, text in enumerate(head):
-        match = _UNIT.match(text.strip().lower())
-        word, unit = match.group(1).strip(), match.group(2) or (match.group(3) or "m/s").replace("_", "/")
-        if word.replace(" ", "_") in _COLUMNS[name]:
+        match = _UNIT.match(text.strip())
+        written = match.group(2) or (match.group(3) or unit).replace("_", "/")
+        if match.group(1).strip().lower().replace(" ", "_") in words:
             try:
-                return i, parse(f"1 {unit}", "m/s")
+                return i, _factor(written, unit), unit
             except UnitError as error:
                 raise DeckError.single(path, line, name, error.message, error.hint) from None
-    raise DeckError.single(path, line, name, f"no column of that name among {', '.join(head)[:200]}",
-                           f"name one '{_COLUMNS[name][-1]} (km/s)'")
+    sample = f"'{words[-1]} ({_SAMPLE[unit]})'" if unit in _SAMPLE else f"'{words[-1]}'"
+    raise DeckError.single(path, line, name, f"no column of that name among {', '.join(head)[:200]}", f"name one {sample}")
 
 
-def _number(path, line, name, cells, index, factor):
+def _factor(written: str, unit: str) -> float:
+    """SI value of one unit as a header writes it, capitals or not."""
+    if written == "1":
+        return 1.0
+    try:
+        return parse(f"1 {written}", unit)
+    except UnitError:
+        if written.lower() == written:
+            raise
+    try:
+        return parse(f"1 {written.lower()}", unit)
+    except UnitError:
+        return parse(f"1 {written}", unit)  # the message about what was written
+
+
+def _number(path, line, name, cells, index, factor, unit):
     if index >= len(cells):
         raise DeckError.single(path, line, name, f"the line has {len(cells)} cells, the column is number {index + 1}", "fill the gap")
     try:
@@ -134,7 +165,7 @@ def _number(path, line, name, cells, index, factor):
     except ValueError:
         value = np.nan
     if not np.isfinite(value) or value < 0.0:
-        raise DeckError.single(path, line, name, f"'{cells[index].strip()[:40]}' is no velocity", "give a number that is not negative")
+        raise DeckError.single(path, line, name, f"'{cells[index].strip()[:40]}' is no {_KIND[unit]}", "give a number that is not negative")
     return value
 
 

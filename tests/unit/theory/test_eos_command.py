@@ -111,6 +111,10 @@ def test_pictures(tmp_path, arguments):
     (("cj", "copper"), 3, "no Chapman-Jouguet point"), (("hugoniot", "missing.toml"), 2, "missing.toml"),
     (("match", "copper", "pmma", "--velocity", "1 km/s", "--error", "pmma.c9 = 1"), 2, "no input of this match"),
     (("match", "copper", "pmma", "--velocity", "1 km/s", "--thickness", "1 mm"), 2, "1 thicknesses for 2 layers"),
+    (("cj", "comp_b", "--density", "-1 g/cm^3"), 3, "give a positive density"), (("table", "copper", "--densities", "8 g/cm^3, 90 g/cm^3"), 3, "holds for densities"),
+    (("hugoniot", "comp_b", "--reaction", "--after", "pressure = 1 GPa"), 2, "leave it away"), (("second-shock", "--first", "-0.1"), 2, "must be positive"),
+    (("second-shock", "--mu", "1.5"), 3, "compression limit"), (("fit-gamma", "water_like", "--at", "pressure = 1 GPa"), 2, "unknown material"),
+    (("fit-gamma", "tnt", "--at", "pressure = 1 GPa"), 2, "unreacted"), (("match", "copper", "pmma", "--velocity", "1 kms"), 2, "did you mean"),
     (("fit", "missing.csv"), 2, "cannot be read"), (("hugoniot", "copper", "--plot", "x.doc"), 2, "no kind of picture")])
 def test_bad_input_is_answered_with_the_way_out(arguments, code, words):
     result = eos(*arguments)
@@ -194,3 +198,45 @@ def test_fitted_points_as_csv(tmp_path):
     assert len(rows) == 141
     for row in rows[:5]:
         assert float(row["deviation (m/s)"]) == pytest.approx(float(row["shock_velocity (m/s)"]) - float(row["fitted_shock_velocity (m/s)"]))
+
+
+def test_fits_of_jwl_and_of_gamma(tmp_path):
+    import numpy as np
+
+    volumes = np.geomspace(0.8, 7.0, 15)
+    pressures = 524.229e9 * np.exp(-4.2 * volumes) + 7.678e9 * np.exp(-1.1 * volumes) + 1.082e9 * volumes**-1.34
+    path = tmp_path / "cylinder.csv"
+    path.write_text("V,pressure (GPa)\n" + "\n".join(f"{v},{p * 1e-9}" for v, p in zip(volumes, pressures)), encoding="utf-8")
+    cj = ("--density", "1.717 g/cm^3", "--velocity", "7.98 km/s", "--pressure", "29.5 GPa", "--energy", "8.5 GJ/m^3")
+    out = tmp_path / "fit.png"
+    found = answer("fit-jwl", str(path), *cj, "--plot", str(out))
+    assert (found["r1"], found["r2"], found["omega"]) == pytest.approx((4.2, 1.1, 0.34), rel=1e-3) and found["standard_deviation"] < 1e-4
+    assert out.read_bytes()[1:4] == b"PNG"
+    assert "more than rho0 D^2" in eos("fit-jwl", str(path), *cj[:-3], "200 GPa", *cj[-2:]).output
+    path.write_text("volume,stress\n1,2\n", encoding="utf-8")
+    result = eos("fit-jwl", str(path), *cj)
+    assert result.exit_code == 2 and "cylinder.csv:1" in result.output and "pressure (GPa)" in result.output
+    # Cu at 500 m/s: the adjusted law meets the jump, the truncated one does not
+    gamma = answer("fit-gamma", "copper", "--at", "particle_velocity = 500 m/s")
+    assert gamma["adjusted_pressure"] == pytest.approx(gamma["pressure"], rel=1e-12) != pytest.approx(gamma["truncated_pressure"], rel=1e-3)
+
+
+def test_a_data_file_with_a_wrong_column_or_unit(tmp_path):
+    path = tmp_path / "shots.csv"
+    for text, place, words in (("speed,us\n1,2\n", "shots.csv:1", "up (km/s)"), ("up (GPa),us (km/s)\n1,4\n", "shots.csv:1", "expected a velocity"),
+                               ("up,us\n100,4000\n200,abc\n", "shots.csv:3", "'abc' is no velocity"), ("up,us\n100\n", "shots.csv:2", "1 cells"), ("", "shots.csv", "empty")):
+        path.write_text(text, encoding="utf-8")
+        result = eos("fit", str(path))
+        assert result.exit_code == 2 and place in result.output and words in result.output and len(result.output.splitlines()) == 1
+    path.write_text("up,us\n0.1,4.0\n0.2,4.1\n0.5,4.7\n0.9,5.3\n", encoding="utf-8")
+    assert "if they are in km/s" in eos("fit", str(path)).stderr
+    path.write_text("up (KM/S), Us [km/s]\n0.1,4.0\n0.2,4.1\n0.5,4.7\n0.9,5.3\n", encoding="utf-8")
+    assert answer("fit", str(path))["highest_particle_velocity"] == pytest.approx(900.0)
+    assert "write a TOML file" in eos("show", str(path)).output
+
+
+def test_error_bars_of_a_match_in_its_csv(tmp_path):
+    out = tmp_path / "match.csv"
+    found = answer("match", "copper", "pmma", "--velocity", "555 m/s", "--error", "velocity = 5 m/s", "--csv", str(out))
+    row = next(csv.DictReader(out.open()))
+    assert float(row["pressure_sigma (Pa)"]) == found["states"][0]["uncertainty"]["pressure"]["sigma"]
