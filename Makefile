@@ -6,8 +6,9 @@
 
 VENV := .venv
 BIN := $(VENV)/bin
+SUITABLE := -c 'import sys; sys.exit(not (3, 11) <= sys.version_info[:2] < (3, 15))' >/dev/null 2>&1
 PYTHON ?= $(shell for p in python3.13 python3.12 python3.11 python3.14 python3 python; do \
-	$$p -c 'import sys; sys.exit(not (3, 11) <= sys.version_info[:2] < (3, 15))' >/dev/null 2>&1 && echo $$p && break; done)
+	$$p $(SUITABLE) && echo $$p && break; done)
 WORKERS ?= 2
 RUNS := runs
 
@@ -19,7 +20,7 @@ help:
 
 # one stamp for each set of requirements, older than pyproject.toml when it must be installed again
 $(BIN)/python:
-	@test -n "$(PYTHON)" || { echo "Python 3.11 to 3.14 is needed; name it with: make PYTHON=/path/to/python3"; exit 1; }
+	@test -n "$(PYTHON)" && $(PYTHON) $(SUITABLE) || { echo "Python 3.11 to 3.14 is needed; name it with: make PYTHON=/path/to/python3"; exit 1; }
 	$(PYTHON) -m venv $(VENV) || { echo "could not make $(VENV); on Debian and Ubuntu install python3-venv"; rm -rf $(VENV); exit 1; }
 
 $(VENV)/.installed: pyproject.toml | $(BIN)/python
