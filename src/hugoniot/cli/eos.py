@@ -60,6 +60,7 @@ def hugoniot(
     after: Annotated[str | None, typer.Option("--after", help="A first shock, as in --at; then the curve of a second.")] = None,
     reaction: Annotated[bool, typer.Option("--reaction", help="With complete reaction: the detonation Hugoniot of the products.")] = False,
     heat: HEAT = None,
+    data: Annotated[list[str] | None, typer.Option("--data", help="CSV file of measured up, us for the picture, one per material.")] = None,
     kind: Annotated[str, typer.Option("--axes", help="Picture: p-up, us-up, p-v or t-p.")] = "p-up",
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
@@ -69,8 +70,8 @@ def hugoniot(
     """
     from hugoniot.cli import eos_hugoniot
 
-    asked = eos_hugoniot.Question(at, points, up_to, density, after, reaction, heat)
-    eos_hugoniot.report([eos_hugoniot.solve(name, asked) for name in materials], at is not None, kind, as_json, as_csv, plot)
+    asked = eos_hugoniot.Question(at, points, up_to, density, after, reaction, heat, data or [])
+    eos_hugoniot.report(eos_hugoniot.solve_all(materials, asked), at is not None, kind, as_json, as_csv, plot)
 
 
 @app.command()

@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+import numpy as np
 import typer
 
 from hugoniot.cli.eos_burning import initial
@@ -9,6 +10,7 @@ from hugoniot.cli.eos_fit import library_points
 from hugoniot.cli.eos_input import Subject, find_inert, find_material, one_state, quantity
 from hugoniot.cli.eos_output import cell, deliver, echo_notes, echo_states, notes, row_of
 from hugoniot.errors import DeckError, OutOfRange
+from hugoniot.theory.fits import read_points
 from hugoniot.theory.hugoniot import Initial, curve, shock
 from hugoniot.theory.states import States
 
@@ -23,15 +25,25 @@ class Question(NamedTuple):
     after: str | None
     reaction: bool
     heat: str | None
+    data: list[str]
 
 
 class Answer(NamedTuple):
-    """One material: the state ahead, the states asked for, and the CJ point of a detonation Hugoniot."""
+    """One material: the state ahead, the states asked for, the CJ point of a detonation Hugoniot, measured points."""
 
     subject: Subject
     ahead: Initial
     states: States
     cj: States | None = None
+    data: np.ndarray | None = None
+
+
+def solve_all(names: list[str], asked: Question) -> list[Answer]:
+    """Every material, with the measured points given for it."""
+    if len(asked.data) > len(names):
+        raise DeckError.single("command line", None, "--data", f"{len(asked.data)} files for {len(names)} materials", "give one of each")
+    measured = [np.column_stack(read_points(file)) for file in asked.data]
+    return [solve(name, asked)._replace(data=measured[i] if i < len(measured) else None) for i, name in enumerate(names)]
 
 
 def solve(name: str, asked: Question) -> Answer:
@@ -84,7 +96,8 @@ def report(found: list[Answer], single: bool, kind: str, as_json, as_csv, plot) 
         from hugoniot.plotting.eos import hugoniots, save
 
         marks = [f.states if single else f.cj for f in found]
-        save(hugoniots([(f.subject.material.name, f.ahead, _drawn(f, single)) for f in found], kind, points=[_points(f) for f in found],
+        curves = [(f.subject.material.name, f.ahead, _drawn(f, single)) for f in found]
+        save(hugoniots(curves, kind, points=[_points(f, kind) for f in found],
                        mark=marks if single or all(m is not None for m in marks) else None), plot)
     # a detonation obeys its products' own range, not that of the shocks of the unreacted explosive
     told = [notes(f.subject, 0.0 if f.cj else _strongest(f.states)) for f in found]
@@ -101,8 +114,10 @@ def report(found: list[Answer], single: bool, kind: str, as_json, as_csv, plot) 
         echo_notes(said)
 
 
-def _points(f: Answer):
-    """Measured (up, us) of the library, which belong to shocks from rest into full density."""
+def _points(f: Answer, kind: str):
+    """Measured (up, us): the user's, or in the Us-up plane the library's, which belong to shocks from rest into full density."""
+    if f.data is not None or kind != "us-up":
+        return f.data
     whole = not f.cj and f.ahead == Initial.at_rest(f.subject.material)
     return library_points(f.subject.names) if whole else None
 

@@ -35,8 +35,8 @@ def hugoniots(curves: Sequence[tuple[str, Initial, States]], kind: str = "p-up",
     """Hugoniots of several materials in one picture; gives the axes.
 
     curves   (name, upstream state, states) of each
-    kind     "p-up" (with the Rayleigh line to the end or the marked state), "us-up" (with points), "p-v" or "t-p"
-    points   per curve the measured (up, us) in m/s, or None
+    kind     "p-up" (with the Rayleigh line to the end or the marked state), "us-up", "p-v" or "t-p"
+    points   per curve the measured (up, us) in m/s, or None; drawn in the planes of "us-up" and "p-up"
     mark     per curve one state to point out
     """
     if kind not in KINDS:
@@ -48,12 +48,18 @@ def hugoniots(curves: Sequence[tuple[str, Initial, States]], kind: str = "p-up",
     heights = []
     for i, (_, ahead, states) in enumerate(curves):
         colour = COLOURS[i % len(COLOURS)]
-        if kind == "us-up" and points is not None and points[i] is not None:
+        if kind in ("us-up", "p-up") and points is not None and points[i] is not None:
             up, us = np.asarray(points[i]).T * 1e-3
             inside = up <= 1.02 * np.max(states.particle_velocity) * 1e-3
-            ax.plot(up[inside], us[inside], "o", ms=3.2, mfc="none", mec=colour, mew=0.6, alpha=0.65, zorder=1)
+            # of the points' own shocks: p = rho0 Us up, in GPa
+            height = us if kind == "us-up" else ahead.pressure * 1e-9 + 1e-3 * ahead.density * us * up
+            ax.plot(up[inside], height[inside], "o", ms=3.2, mfc="none", mec=colour, mew=0.6, alpha=0.65, zorder=1)
         x, y = columns_of(kind, states)
         ax.plot(x, y, color=colour, zorder=3)
+        if kind == "p-up" and ahead.velocity > 0.0:  # a second shock: the principal Hugoniot beside it
+            first = curve(states.par, up_to=float(np.max(states.particle_velocity)))
+            ax.plot(*columns_of(kind, first), color=colour, lw=0.8, alpha=0.5)
+            ax.annotate("thin: principal Hugoniot", (0.02, 0.97), xycoords="axes fraction", va="top", fontsize=8, color=QUIET)
         marked = mark[i] if mark is not None else None
         if kind == "p-up":
             _rayleigh(ax, ahead, marked if marked is not None else states[len(states) - 1], colour)
@@ -99,7 +105,7 @@ def releases(paths: Sequence[tuple[str, States | None, States]], ax=None):
         columns.append((x, y))
     finish(ax, "p-up")
     for i, ((name, shocked, _), (x, y)) in enumerate(zip(paths, columns)):
-        middle = len(x) // 3
+        middle = int(np.argmin(np.abs(y - 0.45 * np.max(y))))
         ax.annotate(f"{name} release", (x[middle], y[middle]), xytext=(7, 4), textcoords="offset points",
                     color=COLOURS[i % len(COLOURS)], fontsize=8.5)
         if shocked is not None and i == 0:
@@ -114,7 +120,7 @@ def impedance_match(layers: Sequence, velocity: float, met: Sequence[Match], ax=
     """The construction of an impact in the P-up plane: target Hugoniots, the flyer's curve, reshock or release, and the states."""
     ax = ax if ax is not None else new_axes(5.4, 3.8)
     names = [getattr(layer, "name", f"layer {i}") for i, layer in enumerate(layers)]
-    top = 1.25 * max(m.pressure for m in met[: len(layers) - 1])
+    top = 1.25 * max(m.pressure for m in met)
     for k, m in enumerate(met[: len(layers) - 1]):
         par = law_of(layers[k + 1])
         colour = COLOURS[(k + 1) % len(COLOURS)]
@@ -133,6 +139,10 @@ def impedance_match(layers: Sequence, velocity: float, met: Sequence[Match], ax=
         ax.plot(m.particle_velocity * 1e-3, m.pressure * 1e-9, "o", color=INK, ms=4.5, zorder=5)
         ax.annotate(f"{m.pressure * 1e-9:.3g} GPa, {m.particle_velocity:.4g} m/s", (m.particle_velocity * 1e-3, m.pressure * 1e-9),
                     xytext=(8, -3 if k == 0 else 3), textcoords="offset points", fontsize=8, color=INK, va="top" if k == 0 else "bottom")
+    rung = [(m.particle_velocity * 1e-3, m.pressure * 1e-9) for m in met[len(layers) - 2:]]
+    if len(rung) > 1:  # the first layer rings up between its neighbours
+        ax.plot(*zip(*rung), color=QUIET, lw=0.8, marker="o", ms=3.2, zorder=4)
+        ax.annotate(f"{rung[-1][1]:.4g} GPa", rung[-1], xytext=(-6, 4), textcoords="offset points", fontsize=8, color=QUIET, ha="right")
     finish(ax, "p-up")
     ax.set_ylim(0.0, top * 1e-9)
     return ax

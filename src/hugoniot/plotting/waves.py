@@ -164,7 +164,11 @@ def expansion_fit(name: str, volumes, pressures, cj: tuple[float, float], par, c
     ax.annotate("points", (0.97, 0.97), xycoords="axes fraction", ha="right", va="top", color=COLOURS[1], fontsize=8.5)
     ax.annotate(f"JWL isentrope: R1 = {par.r1:.4g}, R2 = {par.r2:.4g}, omega = {par.omega:.4g}", (0.97, 0.90), xycoords="axes fraction",
                 ha="right", va="top", color=COLOURS[0], fontsize=8.5)
-    ax.set(xscale="log", yscale="log", xlabel="relative volume V = v/v0", ylabel="pressure (GPa)")
+    ax.set(xscale="log", yscale="log")
+    ticks = [t for t in (0.5, 1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 20.0, 50.0, 100.0) if v[0] <= t <= v[-1]]
+    ax.set_xticks(ticks, [f"{t:g}" for t in ticks])
+    ax.set_xticks([], minor=True)
+    ax.set(xlabel="relative volume V = v/v0", ylabel="pressure (GPa)")
     ax.set_title(name, loc="left", fontsize=9)
     quiet_grid(ax)
     return ax
