@@ -79,6 +79,7 @@ def shock(material, initial: Initial | None = None, *, direction: int = 1, guess
         us = np.where(x > 0.0, np.sqrt(rise / x), 0.0) / ahead.density
     if mode == jump.BY_PARTICLE_VELOCITY:
         up = targets
+    _check_fit(par, ahead, up)
     still = (p == ahead.pressure) | (x <= 0.0)
     if still.any() and not distended(par, ahead):
         us = np.where(still, _sound_speed_ahead(par, ahead), us)
@@ -136,6 +137,8 @@ def limit(material, initial: Initial | None = None) -> States:
         _, p = reached(low)
         _, before = reached(low - 1e-4 * (low - least))
     finite = math.isfinite(p) and p < 1.05 * before + 1e-3 and not _upright(low, v0, ahead, before, par)
+    if not finite and math.isfinite(fastest := _fastest(par, ahead)):
+        finite, p = True, ahead.pressure + fastest * fastest / low
     up = math.sqrt(max(p - ahead.pressure, 0.0) * low) if finite else math.inf
     speed = math.sqrt(max(p - ahead.pressure, 0.0) / low) / ahead.density if finite else math.inf
     gap = v0 - low
@@ -192,6 +195,19 @@ def _one(given: dict):
     if len(given) != 1 or next(iter(given)) not in _MODES:
         raise OutOfRange(f"a Hugoniot state is named by exactly one of {', '.join(_MODES)}; got {', '.join(given) or 'none'}")
     return next(iter(given.items()))
+
+
+def _fastest(par, ahead: Initial) -> float:
+    """The particle velocity, m/s, at which the fit of the principal Hugoniot ends (J-E16); inf from other states."""
+    rho0, e0 = contract.reference_state(par)
+    return contract.particle_velocity_limit(par) if ahead.heat == 0.0 and (ahead.density, ahead.energy) == (rho0, e0) else math.inf
+
+
+def _check_fit(par, ahead: Initial, up) -> None:
+    fastest = _fastest(par, ahead)
+    if np.max(up) > fastest * (1.0 + 1e-9):
+        raise OutOfRange(f"particle velocity {np.max(up):.6g} m/s is beyond the fit of law '{EOS.of(par).name}': the Hugoniot ends at "
+                         f"particle velocity {fastest:.6g} m/s, where the fitted shock velocity rises no longer or meets it")
 
 
 def _targets(name, value, ahead: Initial, direction: int):

@@ -116,16 +116,25 @@ def polish(mode, target, low, high, v0, p0, e0, par):
         else:
             high = x
         step = -g / slope if slope > 0.0 else high - low
-        if abs(step) <= _CLOSE * abs(x):
+        if slope > 0.0 and abs(step) <= _CLOSE * abs(x):
             return FOUND, x + step
         if not (low < x + step < high) or abs(step) > 0.6 * previous:
             step = 0.5 * (low + high) - x
         previous = abs(step)
         x += step
         if previous <= _EPSILON * abs(x) or high - low <= _EPSILON * high:
-            return FOUND, x
+            return (FOUND if _is_root(mode, target, x, v0, p0, e0, par) else NOT_CONVERGED), x
     # round-off of a stiff law can keep the last step above the threshold: accept what no further step can better
     return (FOUND if previous <= 1e-12 * abs(x) else NOT_CONVERGED), x
+
+
+def _is_root(mode, target, x, v0, p0, e0, par):
+    """Whether the misfit vanishes on both sides of x: a bracket also closes in on a jump of the law, where nothing is solved."""
+    for side in (-1e-12, 1e-12):
+        g, slope = misfit(mode, target, x + side * x, v0, p0, e0, par)
+        if abs(g) > abs(slope) * (1e-6 * x + 1e-12 * v0):
+            return False
+    return True
 
 
 def pressure_at(x, rho, p0, e0, guess, par):

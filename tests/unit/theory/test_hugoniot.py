@@ -5,12 +5,17 @@ import math
 import numpy as np
 import pytest
 
-from hugoniot.errors import OutOfRange
+from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.eos.mie_gruneisen_cold import MieGruneisenCold
+from hugoniot.laws.eos.mie_gruneisen_cubic import MieGruneisenCubic
 from hugoniot.laws.eos.mie_gruneisen_linear_gamma import MieGruneisenLinearGamma
+from hugoniot.laws.eos.mie_gruneisen_quadratic import MieGruneisenQuadratic
+from hugoniot.laws.eos.p_lambda import PLambda
+from hugoniot.laws.eos.shifted_energy import ShiftedEnergy
+from hugoniot.laws.eos.tension_cutoff import TensionCutoff
 from hugoniot.theory import hugoniot as h
 from hugoniot.theory.hugoniot import Initial, curve, entropy_rise, limit, rayleigh_line, residual, shock
 
@@ -162,8 +167,9 @@ def test_a_hugoniot_of_finite_pressure_ends_upright_at_segletes_limit():
     mu = (2.0 - law.gamma0 + math.sqrt((2.0 - law.gamma0) ** 2 + 8.0 * law.gamma_slope)) / (2.0 * law.gamma_slope)  # eta (Gamma0 + b mu) = 2
     end = limit(law)
     assert end.density == pytest.approx(law.rho0 * (1.0 + mu), rel=1e-9)
-    assert end.particle_velocity == math.inf and end.pressure == math.inf
-    beyond = shock(law, particle_velocity=40e3)
+    fastest = law.c0 / (1.0 - law.s1 - law.s2 - law.s3)  # where the fit ends, J-E16
+    assert end.particle_velocity == pytest.approx(fastest) and end.pressure == pytest.approx(fastest * end.shock_velocity * law.rho0)
+    beyond = shock(law, particle_velocity=0.999 * fastest)
     assert beyond.density == pytest.approx(end.density, rel=1e-9)
     assert residual(law, Initial.at_rest(law), beyond) < 1e-12
     assert curve(law, points=5).particle_velocity[-1] == pytest.approx(law.c0)
@@ -178,6 +184,35 @@ def test_fits_with_s_below_one_end_where_us_meets_up(c0, s, end):
     assert shock(law, particle_velocity=0.99 * end).shock_velocity == pytest.approx(c0 + s * 0.99 * end, rel=1e-9)
     with pytest.raises(OutOfRange, match=f"particle velocity {end:.6g}"[:22]):
         shock(law, particle_velocity=1.01 * end)
+
+
+FROTH = MieGruneisen(250.0, 1070.0, 0.4045, 0.3, 800.0)  # s < 1
+
+
+@pytest.mark.parametrize("law", [
+    FROTH, MieGruneisenLinearGamma(250.0, 1070.0, 0.4045, 0.3, 0.1), MieGruneisenLinearGamma(250.0, 1070.0, 0.4045, 0.3, 0.3),
+    MieGruneisenCubic(250.0, 1070.0, 0.4045, 0.0, 0.0, 0.3, 0.1), MieGruneisenQuadratic(250.0, 1070.0, 0.4045, 0.0, 0.3, 0.1),
+    MieGruneisenCold(250.0, 1070.0, 0.4045, 0.3), ShiftedEnergy(FROTH, 1e5), TensionCutoff(FROTH, 1e8)], ids=lambda law: EOS.of(law).name)
+def test_every_law_with_s_below_one_is_guarded_j_e16(law):
+    """No shock beyond c/(1 - s) = 1796.8 m/s, whether infinite density or Segletes' limit comes first."""
+    fastest = 1070.0 / (1 - 0.4045)
+    up = np.linspace(1.0, 0.999 * fastest, 40)
+    found = shock(law, particle_velocity=up)
+    assert (found.shock_velocity > up).all()
+    assert residual(law, Initial.at_rest(law), found).max() < 1e-12
+    assert limit(law).particle_velocity == pytest.approx(fastest, rel=1e-6)
+    assert np.isfinite(limit(law).pressure)
+    for given in ({"particle_velocity": 1.01 * fastest}, {"particle_velocity": 40e3}, {"pressure": 2e10}):
+        with pytest.raises(OutOfRange, match=r"particle velocity 1796\.8"):
+            shock(law, **given)
+
+
+def test_a_jump_of_the_law_is_no_solution():
+    """P-lambda of a solid too soft for its pores has two roots; its pressure jumps, and no shock meets the jump conditions there."""
+    law = PLambda(FROTH, 200.0, 1e7, 1e7, 1.0)
+    with pytest.raises(NoSolution, match="not smooth"):
+        shock(law, particle_velocity=100.0)
+    assert residual(law, Initial.at_rest(law), shock(law, particle_velocity=1000.0)) < 1e-12
 
 
 @pytest.mark.parametrize(("given", "words"), [

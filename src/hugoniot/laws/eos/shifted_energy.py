@@ -13,6 +13,7 @@ from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.contract import density_limits as base_density_limits
 from hugoniot.laws.eos.contract import energy as base_energy
 from hugoniot.laws.eos.contract import entropy as base_entropy
+from hugoniot.laws.eos.contract import particle_velocity_limit as base_velocity_limit
 from hugoniot.laws.eos.contract import pressure as base_pressure
 from hugoniot.laws.eos.contract import pressure_derivatives as base_derivatives
 from hugoniot.laws.eos.contract import reference_state as base_reference_state
@@ -59,9 +60,14 @@ def density_limits(par):
     return base_density_limits(par.base)
 
 
+def particle_velocity_limit(par):
+    return base_velocity_limit(par.base)
+
+
 EOS.add(
     "shifted_energy", ShiftedEnergy,
-    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits],
+    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits,
+               particle_velocity_limit],
     example=ShiftedEnergy(MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), -4e6),
     units={"base": "law", "shift": "J/kg"},
     meaning={"base": "the law whose origin is moved", "shift": "added to the energy before the base law sees it"},

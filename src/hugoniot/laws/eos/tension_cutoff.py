@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.contract import density_limits as base_density_limits
+from hugoniot.laws.eos.contract import particle_velocity_limit as base_velocity_limit
 from hugoniot.laws.eos.contract import pressure as base_pressure
 from hugoniot.laws.eos.contract import pressure_derivatives as base_derivatives
 from hugoniot.laws.eos.contract import reference_state as base_reference_state
@@ -53,9 +54,14 @@ def density_limits(par):
     return base_density_limits(par.base)
 
 
+def particle_velocity_limit(par):
+    return base_velocity_limit(par.base)
+
+
 EOS.add(
     "tension_cutoff", TensionCutoff,
-    functions=[pressure, pressure_derivatives, temperature, specific_heat, reference_state, density_limits],
+    functions=[pressure, pressure_derivatives, temperature, specific_heat, reference_state, density_limits,
+               particle_velocity_limit],
     example=TensionCutoff(MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), 1e9),
     units={"base": "law", "tension": "Pa"},
     meaning={"base": "the law that is cut", "tension": "largest tension it bears (positive)"},
