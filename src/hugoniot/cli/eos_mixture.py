@@ -7,7 +7,7 @@ import typer
 
 from hugoniot.cli.eos_burning import closure_of, mixture_of
 from hugoniot.cli.eos_input import Subject, find_material, one_state, quantity, several_states
-from hugoniot.cli.eos_output import cell, deliver, echo_columns, echo_notes, notes, plain
+from hugoniot.cli.eos_output import cell, deliver, echo_columns, echo_notes, notes, plain, write_csv
 from hugoniot.cli.show import echo_json, echo_table
 from hugoniot.errors import DeckError, HugoniotError, NoSolution, OutOfRange
 from hugoniot.theory import mixture as tool
@@ -50,20 +50,23 @@ def report(name: str, asked: Question, as_json, as_csv, plot) -> None:
     fractions = [_fraction(part) for part in asked.fractions.split(",")]
     kinds = [closure_of(kind) for kind in asked.closures] or ["thermal_isolation"] * asked.series or list(EQUILIBRIA)
     told = notes(subject)
-    cases, answers = [], []
+    cases, answers, failed = [], [], []
     for kind in kinds:
         try:
             case = _case(subject, kind, asked)
             answer = None if asked.series else _answer(case, fractions, asked)
         except (NoSolution, OutOfRange) as error:
-            if asked.closures or (kind == kinds[-1] and not cases):
+            if asked.closures:
                 raise
             told.append(f"{kind}: {error}")
+            failed.append(error)
             continue
         cases.append(case)
         answers.append(answer)
+    if not cases:
+        raise failed[0]
     if asked.series:
-        _series(subject, cases[0], as_json)
+        _series(subject, cases[0], as_json, as_csv, plot)
         return
     if plot:
         _draw(subject, cases, answers, asked, plot)
@@ -129,10 +132,16 @@ def _answer(case: Case, fractions: list[float], asked: Question):
     return tool.adiabat(start, way, None if last == first else lambda v: min(1.0, max(0.0, first + (last - first) * (v - v0) / (v1 - v0))))
 
 
-def _series(subject: Subject, case: Case, as_json) -> None:
+def _series(subject: Subject, case: Case, as_json, as_csv, plot) -> None:
     """The expansion about burn fraction 0, volumes and energies of both phases."""
+    if plot or case.kind != "thermal_isolation":
+        raise DeckError.single("command line", None, "--series", "is a table of coefficients in thermal isolation",
+                               "leave --plot and other closures away")
     found = tool.vanishing_series(*case.state, case.par)
     rows = {"reactant_volume": found.v_r, "reactant_energy": found.e_r, "product_volume": found.v_p, "product_energy": found.e_p}
+    if as_csv:
+        columns = {k: [*values, *[float("nan")] * (3 - len(values))] for k, values in rows.items()}
+        write_csv(as_csv, [("", {"power": [0.0, 1.0, 2.0], **columns})])
     if as_json:
         echo_json({"material": subject.material.name, "closure": case.kind, "density": case.state[0],
                    "specific_internal_energy": case.state[1], **{k: [plain(float(v)) for v in values] for k, values in rows.items()},

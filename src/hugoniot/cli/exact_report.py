@@ -51,12 +51,14 @@ def report(name: str, settings: list[str], grid: Grid, as_json, as_csv, plot) ->
     if name == "kenamond":
         _burn_times(settings, grid, as_json, as_csv, plot)
         return
-    if not settings and needed(SOLUTIONS[name]):
+    if not settings and not (grid.times or as_csv or plot) and needed(SOLUTIONS[name]):
         _introduce(name, as_json)
         return
     made, given = parameters_of(SOLUTIONS[name], settings)
     solution = made()
     if not isinstance(solution, Solution):
+        if grid.times or as_csv or plot:
+            raise DeckError.single("command line", None, name, "is a set of reference numbers and has no fields", "ask for --json")
         _data(name, solution, as_json)
         return
     times = [quantity(t, "s", "--time") for t in grid.times]
@@ -191,6 +193,8 @@ def _data(name: str, reference, as_json) -> None:
 
 def _burn_times(settings: list[str], grid: Grid, as_json, as_csv, plot) -> None:
     """Burn times of Kenamond's problems: the number of the problem is one of the parameters."""
+    if grid.times:
+        raise DeckError.single("command line", None, "--time", "burn times are times themselves", "leave --time away")
     problems = kenamond()
     rest = [s for s in settings if not s.replace(" ", "").startswith("problem=")]
     chosen = next((s.partition("=")[2].strip() for s in settings if s.replace(" ", "").startswith("problem=")), "1")

@@ -16,6 +16,7 @@ UNITS = {"density": "kg/m^3", "pressure": "Pa", "specific_internal_energy": "J/k
          "burn_fraction": "1", "volume_fraction": "1", "specific_heat": "J/kg/K", "reactant_density": "kg/m^3", "product_density": "kg/m^3",
          "reactant_energy": "J/kg", "product_energy": "J/kg", "pressure_by_volume": "Pa kg/m^3", "pressure_by_energy": "Pa kg/J",
          "pressure_by_burn_fraction": "Pa", "compression": "1", "fitted_shock_velocity": "m/s", "deviation": "m/s", "burn_time": "s",
+         **dict.fromkeys(("reactant_volume", "product_volume"), "m^3/kg"),
          **dict.fromkeys(("fitted_pressure", "truncated_pressure", "adjusted_pressure"), "Pa"), "adjusted_gruneisen": "1",
          **dict.fromkeys(("principal_pressure", "principal_series", "second_pressure", "second_series", "difference"), "Pa"),
          **dict.fromkeys(("leading_difference", "stress", "deviator_radial"), "Pa"),

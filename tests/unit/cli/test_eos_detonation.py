@@ -63,7 +63,7 @@ def test_states_of_a_mixture_in_both_closures():
     assert again["pressure"] == [pytest.approx(isolation["pressure"][1], rel=1e-12)]
 
 
-def test_adiabats_hugoniots_and_series_of_a_mixture():
+def test_adiabats_hugoniots_and_series_of_a_mixture(tmp_path):
     way = answer("mixture", *LX17, "--adiabat", "1.2 g/cm^3", "--burn-to", "1", "--closure", "thermal_isolation", "--points", "161")
     v, p, e = 1.0 / np.array(way["density"]), np.array(way["pressure"]), np.array(way["specific_internal_energy"])
     assert way["burn_fraction"][0] == 0.0 and way["burn_fraction"][-1] == pytest.approx(1.0)
@@ -72,7 +72,9 @@ def test_adiabats_hugoniots_and_series_of_a_mixture():
     for one in shocks["materials"]:
         p, u, d = (np.array(one[k]) for k in ("pressure", "particle_velocity", "shock_velocity"))
         assert p[1:] - p[0] == pytest.approx(1900.0 * u[1:] * d[1:], rel=1e-11)
-    series = answer("mixture", *LX17, "--series")
+    out = tmp_path / "series.csv"
+    series = answer("mixture", *LX17, "--series", "--csv", str(out))
+    assert len(list(csv.reader(out.open()))) == 4
     state = answer("mixture", *LX17, "--burn-fraction", "1e-4", "--closure", "thermal_isolation")
     assert 1.0 / state["reactant_density"][0] == pytest.approx(series["reactant_volume"][0] + 1e-4 * series["reactant_volume"][1], rel=1e-7)
 
@@ -94,6 +96,7 @@ def test_pictures(tmp_path, arguments):
     (("znd", "lx_17", "--complete", "1"), 3, "0 < complete < 1"), (("znd", "lx_17", "--heat", "1 MJ/kg", "--closure", "thermal_isolation"), 2, "leave one"),
     (("znd", "copper", "--heat", "1 MJ/kg"), 2, "has no burn law"), (("mixture", "lx_17"), 2, "no state is given"), (("mixture", "copper", "--shocked", "pressure = 1 GPa"), 2, "unreacted"),
     (("mixture", *LX17, "--burn-fraction", "1.5"), 2, "no fraction"), (("mixture", *LX17, "--at", "density = 2 g/cm^3"), 2, "a density and an energy"),
+    (("mixture", *LX17, "--series", "--plot", "x.png"), 2, "table of coefficients"),
     (("mixture", *LX17, "--closure", "burned_products"), 3, "no reactants"), (("mixture", *LX17, "--series", "--hugoniot", "9 GPa"), 2, "three questions"),
     (("mixture", *LX17, "--hugoniot", "9 GPa"), 2, "give a higher pressure"), (("mixture", "lx_17", "--shocked", "pressure = -20 GPa"), 3, "pressure"),
     (("mixture", "lx_17", "--at", "density = 90 g/cm^3, energy = 3 MJ/kg"), 3, "mixture"), (("cj", "comp_b", "--ahead", "density = 1 kg"), 2, "--ahead density")])
@@ -101,3 +104,17 @@ def test_bad_input_is_answered_with_the_way_out(arguments, code, words):
     result = eos(*arguments)
     assert result.exit_code == code, result.output
     assert words in result.output and "Traceback" not in result.output and "defect" not in result.output
+
+
+def test_a_closure_without_an_answer_is_a_note_and_none_at_all_an_error(tmp_path):
+    """A solid without specific heat has no thermal equilibrium; isolation answers, and where it cannot its own reason is told."""
+    path = tmp_path / "he.toml"
+    path.write_text('[eos]\nlaw = "jwl"\na = "609.77 GPa"\nb = "12.95 GPa"\nr1 = 4.5\nr2 = 1.4\nomega = 0.25\nrho0 = 1601.0\ne0 = "9 GJ/m^3"\n'
+                    '[unreacted]\nlaw = "mie_gruneisen"\nrho0 = 1601.0\nc0 = "2.3 km/s"\ns = 1.9\ngamma0 = 1.0\n', encoding="utf-8")
+    found = answer("mixture", str(path), "--shocked", "pressure = 10 GPa")
+    assert found["closure"] == "thermal_isolation" and any("thermal_equilibrium needs the temperature" in w for w in found["warnings"])
+    result = eos("mixture", str(path), "--shocked", "pressure = 10 GPa", "--adiabat", "0.01 g/cm^3", "--burn-to", "1")
+    assert result.exit_code == 3 and "the adiabat" in result.output
+    detonation = answer("cj", str(path))
+    zone = answer("znd", str(path), "--rate", "pressure_power: rate_constant = 1e6 1/s, pressure_exponent = 1.5, depletion_exponent = 0.5", "--points", "9")
+    assert zone["detonation_velocity"] == pytest.approx(detonation["detonation_velocity"], rel=1e-9)
