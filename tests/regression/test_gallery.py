@@ -26,6 +26,8 @@ PROMISED = {
     "plot_15_mixture_adiabat.py": [(r"rule: (\S+) of Q", 0.0, 1e-4)],
     "plot_16_cold_curve_orders.py": [(r"copper: order 3, strain 0.3: (\S+) %", -21.3, -21.0), (r"copper: order 6, strain 0.3: (\S+) %", -1.6, -1.4),
                                      (r"silica powder, 100 kg/m³: order 3, strain 0.3: (\S+) %", -11.5, -11.0)],
+    "plot_17_open_sandwich.py": [(r"M/C 0.2 +(\d+) m/s", 3062, 3384), (r"M/C 1 +(\d+) m/s", 1423, 1573), (r"M/C 5 +(\d+) m/s", 401, 443)],
+    "plot_18_overdriven.py": [(r"front +(\d+) m/s", 8458, 8508), (r"pressure ([\d.]+) GPa", 50.25, 50.75)],
 }
 
 

@@ -39,6 +39,10 @@ class Watcher:
     def field(self, name):
         return np.array([state.zones[name] for state in self.states])
 
+    def velocity(self, side):
+        """Velocity of the outermost face on a side."""
+        return np.array([state.velocity_left[0] if side == "left" else state.velocity_right[-1] for state in self.states])
+
     def path(self, name="burn_fraction", level=0.5, toward="right"):
         left, right = (np.array([getattr(state, f"position_{side}") for state in self.states]) for side in ("left", "right"))
         return detonation.front_path(self.field(name), left, right, level, toward)

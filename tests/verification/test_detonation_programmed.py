@@ -179,9 +179,10 @@ def test_b21_gurney(configuration, geometry, ratio):
 
 # -- pentolite sphere in aluminium ---------------------------------------------------------------------------------
 SERIES = {"literal": (1.014, 2.36, 5.13), "RMW": (2.184, 1.793, -0.72)}
+SPALL = {"literal": 1.10e9, "RMW": 1.02e9}     # what puts the outermost spall where the report has it, 7.55 cm (H-9)
 
 
-def sphere(series="literal", yield_stress=0.276e9, zone=1e-3, stop=2e-5, spall=1.0e9) -> Problem:
+def sphere(series="literal", yield_stress=0.276e9, zone=1e-3, stop=2e-5, spall=1.1e9) -> Problem:
     """H-6: aluminium from 1.7 to 9.0 cm around pentolite lit at the centre."""
     k1, k2, k3 = SERIES[series]
     eos = EOS.get("herrmann_series").build(rho0=2780.0, k0=76.4e9, k1=k1, k2=k2, k3=k3, h0=5473.0, h1=1.0, h2=1.0, h3=1.0)
@@ -200,34 +201,42 @@ def cavity(state, problem):
 @pytest.mark.slow
 @pytest.mark.parametrize("series", ["literal", "RMW"])
 def test_h6_h7_cavity_of_the_pentolite_sphere(series):
-    """2.68 +- 0.08 cm at 20 us with 1 and 0.5 mm zones, converged within 1 %; charge 35.273 g, 168.77 kJ."""
+    """2.68 +- 0.08 cm at 20 us with 1 and 0.5 mm zones, converged within 1 %; charge 35.273 g, 168.77 kJ, burned in 2.127 us; the shock
+    (half of the surface's velocity, behind the elastic precursor) is outside after 15 us within 5 %."""
     radii = []
     for zone in (1e-3, 5e-4):
         problem = sphere(series, zone=zone)
-        solver, seen = run(problem, 40)
+        solver, seen = run(problem, 160)
         radii.append(cavity(seen.states[-1], problem))
         assert seen.energy_error < 1e-12
         inside = solver.region_of == 0
         assert 4.0 * np.pi * solver.zones[0, inside].sum() == pytest.approx(35.273e-3, rel=1e-3)
         assert 4.0 * np.pi * solver.exchanges()["released_heat"] == pytest.approx(168.77e3, rel=2e-3)
-        moved = [s.time for s in seen.states if s.velocity_right[-1] > 1.0]
-        assert 1.2e-5 < moved[0] < 1.6e-5
+        surface = seen.velocity("right")
+        assert seen.times[np.argmax(surface > 0.5 * surface.max())] == pytest.approx(15e-6, rel=0.05)
+        lit = np.array([s.zones["burn_fraction"][inside].min() for s in seen.states])
+        assert seen.times[np.argmax(lit > 0.5)] == pytest.approx(0.017 / PENTOLITE_SPEED, abs=seen.times[1])
     assert radii == pytest.approx([0.0268, 0.0268], abs=8e-4)
     assert radii[0] == pytest.approx(radii[1], rel=0.01)
 
 
 @pytest.mark.slow
-def test_h8_h9_growth_and_spall():
-    """The cavity goes on growing; without strength it is larger, and the outermost spall lies farther out."""
-    problem, fluid = sphere(stop=1e-4), sphere(yield_stress=0.0)
+@pytest.mark.parametrize("zone", [1e-3, 5e-4])
+@pytest.mark.parametrize("series", ["literal", "RMW"])
+def test_h8_h9_growth_and_spall(series, zone):
+    """The cavity goes on growing; without strength it is larger, and the outermost spall lies farther out.
+
+    The spall stress the report does not give: 11 kb (literal) or 10.2 kb (RMW) puts it at 7.55 +- 0.2 cm on both meshes, and then that of
+    Y = 0 at 8.55 +- 0.1 cm, which was not asked of it.
+    """
+    problem, fluid = (sphere(series, strength, zone, stop, SPALL[series]) for strength, stop in ((0.276e9, 1e-4), (0.0, 2e-5)))
     _, seen = run(problem, 50)
     _, weak = run(fluid, 20)
     at_20 = next(s for s in seen.states if s.time >= 2e-5 - 1e-12)
     assert cavity(seen.states[-1], problem) > cavity(at_20, problem)
     assert cavity(weak.states[-1], fluid) > cavity(at_20, problem) + 5e-4
     outermost = [max((e.position for e in w.events if e.kind == "void_opened"), default=0.0) for w in (seen, weak)]
-    assert outermost[1] > outermost[0] > 0.0
-    assert outermost[1] == pytest.approx(0.0855, abs=1.5e-3)
+    assert outermost == [pytest.approx(0.0755, abs=2e-3), pytest.approx(0.0855, abs=1e-3)]
 
 
 def test_library_explosives_can_be_burned():

@@ -115,3 +115,21 @@ def body_motion(state, region_of, region: int) -> dict[str, float]:
     total, momentum = float(mass.sum()), float(np.sum(mass * u))
     kinetic = 0.25 * float(np.sum(mass * (state.velocity_left[here] ** 2 + state.velocity_right[here] ** 2)))
     return {"mass": total, "momentum": momentum, "kinetic_energy": kinetic, "velocity": momentum / total}
+
+
+def body_history(budget, snapshots, region: str) -> dict[str, np.ndarray]:
+    """Motion of one region over a run: time (s), mass, momentum, kinetic_energy, velocity and energy_velocity (m/s), all (n,).
+
+    budget, snapshots   `run.arrays("budget")` and `run.arrays("snapshots")`; mass, momentum (kg m/s) and energy (J) are per unit area or
+                        angle. velocity = momentum / mass, what Gurney's formulas mean by that of a plate; energy_velocity =
+                        sqrt(2 kinetic_energy / mass), what they mean by that of a wall (a little more while the wall rings)
+    OutOfRange for a region that the run does not have.
+    """
+    names = [str(name) for name in budget["region"]]
+    if region not in names:
+        raise OutOfRange(f"no region '{region}'; this run has: {', '.join(names)}")
+    k, time = names.index(region), np.asarray(budget["time"], float)
+    mass = float(np.sum(snapshots["mass"][np.asarray(snapshots["region"]) == region]))
+    momentum, kinetic = budget["momentum"][:, k], budget["kinetic_energy"][:, k]
+    return {"time": time, "mass": np.full_like(time, mass), "momentum": momentum, "kinetic_energy": kinetic, "velocity": momentum / mass,
+            "energy_velocity": np.sqrt(2.0 * kinetic / mass)}

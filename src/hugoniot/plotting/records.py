@@ -211,7 +211,7 @@ def peaks(run, field: str = "stress", ax=None):
 
 _PARTS = (("kinetic_energy", "kinetic"), ("internal_energy", "internal"), ("elastic_volume_energy", "elastic, volume"),
           ("elastic_deviator_energy", "elastic, shear"), ("plastic_work", "plastic work"), ("viscous_work", "viscous work"),
-          ("boundary_work", "boundary work"))
+          ("boundary_work", "boundary work"), ("released_heat", "heat released"))
 _WHOLE = ("kinetic", "internal", "boundary work")
 
 
