@@ -58,7 +58,7 @@ def test_gurney(tmp_path):
     assert velocity == pytest.approx(1532.0, rel=2e-3) and far == pytest.approx(85e-6, abs=1e-6)
     assert plate["mass"] == pytest.approx(gas["mass"], rel=1e-4)
     assert plate["momentum"] + gas["momentum"] == pytest.approx(0.0, abs=1e-9 * plate["momentum"][-1])
-    assert plate["energy_velocity"][-1] == pytest.approx(plate["velocity"][-1], rel=1e-3)
+    assert 1.0 <= plate["energy_velocity"][-1] / plate["velocity"][-1] < 1.003     # a plate that rings has more
     with pytest.raises(OutOfRange, match="charge, plate"):
         body_history(budget, snapshots, "wall")
 
