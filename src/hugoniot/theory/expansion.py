@@ -14,7 +14,7 @@ Plain scalar code: `theory.kernels` compiles this same source. A status is retur
 import math
 
 from hugoniot.core.ops import vexp
-from hugoniot.laws.eos.contract import pressure, pressure_derivatives
+from hugoniot.laws.eos.contract import pressure, pressure_and_derivatives
 
 REACHED, UNSTABLE, TOO_SHORT = 0, 1, 2
 _COLUMNS = 9
@@ -27,8 +27,7 @@ _TENSION_RANGE = 3.0  # no material bears tension at a twentieth of its density:
 def rates(y, e, par):
     """(de/dy, du/dy = c) at density exp(y); c is NaN where c^2 <= 0."""
     rho = vexp(y)
-    p = pressure(rho, e, par)
-    p_rho, p_e = pressure_derivatives(rho, e, par)
+    p, p_rho, p_e = pressure_and_derivatives(rho, e, par)
     square = p_rho + p * p_e / (rho * rho)
     return p / rho, (math.sqrt(square) if square > 0.0 else math.nan)
 
@@ -42,6 +41,7 @@ def leap(y, e, u, h, par):
     # what round-off of the pressure (of a stiff law: of c^2) allows
     floor_e = 1e-15 * abs(e) + 1e-15 * first_u * first_u * abs(h)
     floor_u = 1e-15 * abs(u) + 1e-14 * first_u * abs(h)
+    last_digit = 2.2e-16 * abs(y)  # of y: where the rates bend hard, short steps see it
     best_e, best_u, miss = e, u, math.inf
     for k in range(_COLUMNS):
         n = 2 * (k + 1)
@@ -66,8 +66,8 @@ def leap(y, e, u, h, par):
             best_u += (best_u - old_u) / ratio
         row_e[k], row_u[k] = best_e, best_u
         if k > 0:
-            miss = max(abs(best_e - row_e[k - 1]) / (floor_e + 1e-14 * abs(best_e - e)),
-                       abs(best_u - row_u[k - 1]) / (floor_u + 1e-14 * abs(best_u - u)))
+            miss = max(abs(best_e - row_e[k - 1]) / (floor_e + 1e-14 * abs(best_e - e) + last_digit * abs(fe - first_e)),
+                       abs(best_u - row_u[k - 1]) / (floor_u + 1e-14 * abs(best_u - u) + last_digit * abs(fu - first_u)))
             if miss <= 1.0:
                 return True, best_e, best_u
     return miss <= 30.0, best_e, best_u

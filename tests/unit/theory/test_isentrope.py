@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos.contract import EOS, pressure
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.jwl import JWL
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
@@ -101,6 +102,20 @@ def test_integrator_crosses_a_kink_of_the_law():
     found = isentrope(COPPER, isentrope(COPPER, start, density=9300.0), density=8600.0)
     eta = 1 - 8930.0 / 8600.0
     assert found.specific_internal_energy == pytest.approx(0.5 * 3940.0**2 * eta**2 / (1 - 4 / 3 * 1.489 * eta), rel=1e-10)
+
+
+def test_an_isentrope_leaves_a_point_where_the_law_is_not_smooth():
+    """P-lambda crushes as p^1.2 from rest on: slopes there are finite but no power series holds. First law by Gauss in the root of the way."""
+    par = EOS.get("p_lambda").example
+    y0, y1 = math.log(2100.0), math.log(2160.0)
+    status, y, e, _ = expansion.advance(y0, 0.0, 0.0, y1, par)
+    assert (status, y) == (expansion.REACHED, y1)
+    nodes, weights = np.polynomial.legendre.leggauss(24)
+    work, here, energy, speed = 0.0, y0, 0.0, 0.0
+    for x, w in zip(0.5 * (nodes + 1.0), 0.5 * weights):
+        _, here, energy, speed = expansion.advance(here, energy, speed, y0 + (y1 - y0) * x**4, par)
+        work += w * 4.0 * x**3 * (y1 - y0) * pressure(math.exp(here), energy, par) / math.exp(here)
+    assert e == pytest.approx(work, rel=1e-10)
 
 
 def test_extrapolation_reaches_round_off():
