@@ -9,13 +9,14 @@ import numpy as np
 import typer
 
 from hugoniot.cli.eos_input import quantity
-from hugoniot.cli.eos_output import echo_columns, plain, row_of, write_csv
+from hugoniot.cli.eos_output import plain, row_of, words, write_csv
 from hugoniot.cli.exact_input import listed, needed, parameters_of, points_of
 from hugoniot.cli.show import echo_json, echo_table
 from hugoniot.errors import DeckError, OutOfRange
 from hugoniot.materials.collect import nearest
 from hugoniot.theory.exact import SOLUTIONS, Solution, describe
 from hugoniot.theory.exact.kenamond import kenamond
+from hugoniot.theory.states import UNITS
 from hugoniot.units import format_si
 
 WORDS = {"velocity": "particle_velocity", "energy": "specific_internal_energy"}
@@ -100,15 +101,27 @@ def _tell(name: str, solution: Solution, given: dict, states: list[dict]) -> Non
             echo_table(["parameter", "value", "unit"],
                        [(k, f"{v:.8g}" if isinstance(v, float) else v, listed(k, given)) for k, v in given.items()])
             typer.echo("")
-    echo_table(["number", "value"], [(k, f"{v:.10g}") for k, v in solution.numbers.items()])
+    if solution.numbers:
+        echo_table(["number", "value"], [(k, f"{v:.10g}") for k, v in solution.numbers.items()])
     if not states:
-        typer.echo(f"\nholds for times {solution.times[0]:.6g} to {solution.times[1]:.6g}; --time gives the fields\n"
+        first = 0.0 if solution.times[0] == 1e-300 else solution.times[0]
+        typer.echo(f"\nholds for times {first:.6g} to {solution.times[1]:.6g}; --time gives the fields\n"
                    f"source: {_source(SOLUTIONS[name])}")
     for state in states:
         if "jumps" in state:
             where = ", ".join(format_si(x, "m", 8) for x in state["jumps"]) or "none"
             typer.echo(f"\nat {format_si(state['time'], 's')}; jumps at: {where}")
-        echo_columns({k: v for k, v in state.items() if k != "jumps" and np.ndim(v) == 1})
+        _echo_fields({k: v for k, v in state.items() if k != "jumps" and np.ndim(v) == 1})
+
+
+def _echo_fields(columns: dict) -> None:
+    """About 25 rows in SI: a solution has no scale of its own, so that no other unit would suit all."""
+    count = len(next(iter(columns.values())))
+    chosen = sorted({int(round(i)) for i in np.linspace(0, count - 1, min(count, 25))})
+    heads = [words(k) + (f", {UNITS[k]}" if UNITS.get(k, "1") != "1" else "") for k in columns]
+    echo_table(heads, [["-" if np.isnan(v[i]) else f"{v[i]:.7g}" for v in columns.values()] for i in chosen])
+    if count > len(chosen):
+        typer.echo(f"{len(chosen)} of {count} positions shown; --csv and --json give all")
 
 
 def _states(name: str, solution: Solution, times: list[float], given: dict, grid: Grid) -> list[dict]:
@@ -123,6 +136,8 @@ def _state(name: str, solution: Solution, time: float, low: float, high: float, 
     jumps = solution.jumps(time)
     if grid.at:
         places = points_of(grid.at, "--at", 2 if name == "coggeshall" else 1)
+        if solution.geometry in ("cylindrical", "spherical") and not (places > 0.0).all():
+            raise DeckError.single("command line", None, "--at", f"{float(places.min()):g} m is no radius", "give positive ones")
     else:
         line = np.linspace(low, high, grid.points)
         gap = 1e-9 * max(high - low, 1e-300)
@@ -229,6 +244,6 @@ def _burn_times(settings: list[str], grid: Grid, as_json, as_csv, plot) -> None:
     if as_json:
         echo_json({"solution": "kenamond", "problem": chosen, "parameters": given, "source": _source(kenamond), "states": [row_of(table)]})
         return
-    typer.echo(f"Kenamond's problem {chosen}: {describe('kenamond')}")
+    typer.echo(f"Kenamond's problem {chosen}: {inspect.cleandoc(function.__doc__ or '').splitlines()[0]}")
     if not plot:
-        echo_columns(table)
+        _echo_fields(table)

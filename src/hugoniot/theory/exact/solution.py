@@ -32,7 +32,8 @@ class Solution:
 
     def _checked(self, time: float) -> float:
         if not self.times[0] <= time <= self.times[1]:
-            raise OutOfRange(f"{self.title}: time {time:g} is outside [{self.times[0]:g}, {self.times[1]:g}], where the solution holds")
+            start = "above 0" if self.times[0] == 1e-300 else f"from {self.times[0]:g}"
+            raise OutOfRange(f"{self.title}: time {time:g} is outside those for which the solution holds, {start} to {self.times[1]:g}")
         return float(time)
 
     def __call__(self, positions, time: float) -> dict[str, np.ndarray]:
