@@ -1,10 +1,13 @@
 """Exact Riemann problems: verification.md B1, B2, B3, B13, B20, and the jump relations across every wave."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
+import hugoniot.laws.eos  # noqa: F401  (enrols the laws)
+from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.eos.stiffened_gas import StiffenedGas
@@ -138,3 +141,23 @@ def test_bodies_part_unless_bonded():
     assert not held.vacuum and held.pressure < 0.0
     z1, z2 = 8930.0 * 3940.0, 2785.0 * 5328.0
     assert held.pressure == pytest.approx(-100.0 * z1 * z2 / (z1 + z2), rel=0.05)  # acoustic estimate
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_any_two_laws_meet(seed):
+    """Pairs drawn from the registry, thrown together or apart at 10 m/s to 8 km/s: one pressure and one velocity, or a gap under none."""
+    rng = np.random.default_rng(seed)
+    laws = [law for law in EOS if law.name != "table"]  # whose example ends at 100 GPa, as it says
+    for _ in range(25):
+        left, right = (law.example for law in rng.choice(laws, 2))
+        speed = rng.choice([10.0, 100.0, 500.0, 2e3, 8e3]) * rng.choice([-1.0, 1.0])
+        found = riemann(left, replace(reference(left), particle_velocity=speed), right, reference(right))
+        p, q = found.left.behind.pressure, found.right.behind.pressure
+        u, w = found.left.behind.particle_velocity, found.right.behind.particle_velocity
+        if found.vacuum:
+            assert u <= w and max(abs(p), abs(q)) < 1e-3 * abs(speed) ** 2
+        else:
+            assert p == pytest.approx(q, rel=1e-10, abs=1e-3) and u == pytest.approx(w, rel=1e-8, abs=1e-8 * abs(speed))
+        for wave in (found.left, found.right):
+            if wave.kind == "shock":
+                assert residual(wave.ahead.par, Initial.of(wave.ahead), replace(wave.behind, shock_velocity=wave.head)) < 1e-12

@@ -7,8 +7,9 @@ import pytest
 
 from hugoniot.core.tables import bilinear, bracket, bracket_blend
 from hugoniot.errors import DeckError, FileTrouble, OutOfRange
-from hugoniot.laws.eos import table
+from hugoniot.laws.eos import contract, table
 from hugoniot.laws.eos.contract import (
+    EOS,
     check_state,
     energy,
     pressure,
@@ -219,3 +220,22 @@ def test_files_that_are_not_tables(tmp_path):
         tables_io.load(tmp_path / "missing.csv")
     with pytest.raises(DeckError, match="no 301 table of material 99"):
         tables_io.read_301("nothing here", material=99)
+
+
+@pytest.mark.parametrize("law", [law for law in EOS if contract.has_temperature(law.example)], ids=lambda law: law.name)
+def test_a_table_of_any_law_inverts_exactly(law):
+    """T(rho, e) of p(rho, T), e(rho, T), over the law's own box; c^2 > 0 is checked by `build`."""
+    low, high = law.box["rho"]
+    low = 2300.0 if law.name == "p_lambda" else low  # hot and half crushed, its interpolated c^2 is negative, which is refused
+    rho = np.linspace(low, high, 15) if high < 20.0 * low else np.geomspace(low, high, 15)
+    made = table.from_law(law.example, rho, np.geomspace(200.0, 2e4, 15), rho0=rho[3])
+    rng = np.random.default_rng(4)
+    for r, t in zip(rng.uniform(rho[0], rho[-1], 60), rng.uniform(250.0, 1.9e4, 60)):
+        p, e = table.state_at(r, t, made)
+        assert contract.temperature(r, e, made) == pytest.approx(t, rel=1e-12)
+        assert contract.pressure(r, e, made) == pytest.approx(p, rel=1e-12, abs=1e-3)
+    for r in rho[[0, 7]]:
+        t = 200.0 * 100.0 ** (5.0 / 14.0)
+        p, e = table.state_at(r, t, made)
+        assert contract.temperature(r, e, law.example) == pytest.approx(t, rel=1e-9)
+        assert contract.pressure(r, e, law.example) == pytest.approx(p, rel=1e-9, abs=1.0)
