@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from hugoniot.cli.show import JSON, MATERIALS, SET, echo_json, echo_table, overrides_of
-from hugoniot.errors import DeckError
+from hugoniot.errors import DeckError, NoSolution, OutOfRange
 from hugoniot.problem.deck import Deck, read_deck
 from hugoniot.units import format_si
 
@@ -24,6 +24,7 @@ def command(
     """
     try:
         found = read_deck(deck, overrides_of(setting), materials or ())
+        _require_shock(found.problem, str(deck))
     except DeckError as error:
         if as_json:
             echo_json({"ok": False, "problems": [vars(p) for p in error.problems]})
@@ -35,6 +36,18 @@ def command(
         typer.echo(found.resolved, nl=False)
     else:
         _tell(found)
+
+
+def _require_shock(problem, name: str) -> None:
+    """Raise `DeckError` where the shock that a deck asks to resolve does not exist in its law, or does not fit into its domain."""
+    if problem.solver.kind != "shock_structure":
+        return
+    from hugoniot.theory.structure.start import shock_start
+
+    try:
+        shock_start(problem)
+    except (OutOfRange, NoSolution) as error:
+        raise DeckError.single(name, None, "solver.shock", str(error)) from None
 
 
 def _tell(deck: Deck) -> None:

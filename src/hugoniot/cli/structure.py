@@ -160,10 +160,10 @@ def _subject(what: str, viscosity, conduction, prandtl, bulk_ratio, state, bent:
         return _deck(what, state)
     from hugoniot.cli.eos_input import find_inert
 
+    law = find_inert(what).material.eos
     if viscosity is None:
         raise DeckError.single("command line", None, "--viscosity", f"the library has no viscosity for '{what}'",
                                'give one, such as --viscosity "1 mPa s"')
-    law = find_inert(what).material.eos
     return {"eos": law, "ahead": _ahead(law, *state), "shock": {}, "transport": _transport(viscosity, conduction, prandtl, bulk_ratio)}
 
 

@@ -68,6 +68,20 @@ def test_domain_too_short_is_an_error_of_the_deck(tmp_path):
         hugoniot.run(EXAMPLE, out=tmp_path / "run", **{"region.gas.to": "0.1 um"})
 
 
+@pytest.mark.parametrize("old, new, words", [
+    ('to = "1.2 um"', 'to = "0.1 um"', "too short.*at least 6.018e-07 m"),
+    ('frame = "standing"', 'frame = "moving"', "runs 1.742e-05 m until stop_time"),
+    ("mach = 9.0", 'pressure = "1 Pa"', "law 'ideal_gas' has no such shock: a pressure of 1 Pa is below the 101137 Pa"),
+])
+def test_check_finds_a_shock_that_cannot_be(capsys, tmp_path, old, new, words):
+    import re
+    text = EXAMPLE.read_text()
+    assert old in text
+    (tmp_path / "deck.toml").write_text(text.replace(old, new))
+    code, out, err = call(capsys, "check", str(tmp_path / "deck.toml"))
+    assert code == 2 and re.search(words, err) and "sound" not in out
+
+
 # -- run folders -----------------------------------------------------------------------------------------------------------
 def test_run_folder_budget_and_profile(tmp_path):
     run = hugoniot.run(EXAMPLE, out=tmp_path / "run", **SMALL)
@@ -211,10 +225,15 @@ def test_tables_of_jordan(capsys):
     (("argon-jordan", "--mach", "2", "--prandtl", "0"), "prandtl must be a positive number", 3),
     (("argon-jordan", "--mach", "2", "--viscosity", "honey"), "argon-jordan knows constant", 2),
     (("argon-jordan",), "give --mach", 2),
+    (("argon-jordan", "--mach", "-2"), "Mach -2 makes no shock", 3),
+    (("argon-jordan", "--mach", "nan"), "Mach nan makes no shock", 3),
+    (("coppper", "--mach", "1.2"), "copper", 2),
+    (("water_858", "--particle-velocity", "0 m/s"), "has no such shock", 3),
+    (("water_858", "--bent", "--viscosity", "1 mPa s", "--prandtl", "7"), "has no such shock with heat conduction", 3),
     (("copper", "--mach", "1.2"), "--viscosity", 2),
     (("copper", "--mach", "1.2", "--viscosity", "5 mm"), "viscosity", 2),
     (("copper", "--mach", "1.2", "--viscosity", '{law = "constan", shear_viscosity = 1.0}'), "did you mean 'constant'", 2),
-    (("silica_770", "--particle-velocity", "1800 m/s"), "", 3),
+    (("silica_770", "--particle-velocity", "1800 m/s"), "law 'mie_gruneisen' has no such shock", 3),
 ])
 def test_bad_input(capsys, arguments, words, code):
     found, out, err = call(capsys, "structure", "profile", *arguments)
