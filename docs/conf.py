@@ -14,7 +14,8 @@ extensions = ["myst_nb", "sphinx_gallery.gen_gallery", "sphinx.ext.mathjax"]
 myst_enable_extensions = ["dollarmath", "colon_fence"]
 myst_heading_anchors = 3
 nb_execution_mode = "off"
-exclude_patterns = ["_build", "**/generate*.py", "generate*.py", "verification_numbers.md", "auto_examples/*.ipynb",
+exclude_patterns = ["_build", "**/generate*.py", "generate*.py", "verification_numbers.md", "theory/shock_structure_numbers.md",
+                    "auto_examples/*.ipynb",
                     "auto_examples/*.py", "auto_examples/*.zip", "auto_examples/*.json", "**/sg_execution_times.rst"]
 html_theme = "alabaster"
 html_title = "hugoniot"

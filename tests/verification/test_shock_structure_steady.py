@@ -247,7 +247,6 @@ NO_SHOCK = {
     ("table", True): ((2.0, 5.0, 20.0), "has no such shock.*the Hugoniot ends at density 4300"),
     ("tait", False): ((20.0,), "has no such shock.*compression limit"),
     ("tait", True): ((20.0,), "has no such shock.*compression limit"),
-    ("tillotson", True): ((1.01, 1.1, 2.0, 5.0, 20.0), "no temperature"),
 }
 
 
@@ -255,6 +254,8 @@ def check_shock_of(name, conducting, mach):
     par = EOS.get(name).example
     fluid = make({"law": "constant", "shear_viscosity": 1e-3}, {"law": "prandtl", "prandtl": 1.0} if conducting else None)
     refused, words = NO_SHOCK.get((name, conducting), ((), ""))
+    if conducting and not has_temperature(par):
+        refused, words = (mach,), "no temperature"
     if mach in refused:
         with pytest.raises((OutOfRange, NoSolution), match=words):
             steady(par, fluid, mach=mach)
@@ -267,7 +268,7 @@ def check_shock_of(name, conducting, mach):
     density = profile.at(np.linspace(low, high, 41))["density"]
     assert np.all(np.diff(density) > 0.0)
     scale = profile.ends.downstream.density - profile.ends.upstream.density
-    assert density[[0, -1]] == pytest.approx([profile.ends.upstream.density, profile.ends.downstream.density], abs=1e-5 * scale)
+    assert density[[0, -1]] == pytest.approx([profile.ends.upstream.density, profile.ends.downstream.density], abs=1e-4 * scale)
     if math.isfinite(profile.ends.entropy_jump):
         assert profile.entropy_produced == pytest.approx(profile.ends.entropy_jump, rel=2e-8)
 
@@ -385,12 +386,21 @@ def test_width_of_the_middle_and_tails():
     assert far == pytest.approx([profile.ends.upstream.density, profile.ends.downstream.density], rel=1e-12)
 
 
+@pytest.mark.parametrize("law", ["constant", "power_law", "sutherland", "hard_sphere", "maxwell_molecules"])
+def test_no_more_than_three_hundred_nodes(law):
+    """B30; 004 had 19 200 cells."""
+    for mach in (*MACHS, 20.0):
+        assert argon(mach, law).steps <= 300
+
+
 def test_nine_profiles_take_less_than_five_seconds():
-    begun = time.perf_counter()
+    begun = time.process_time()
     for law in ("constant", "power_law", "hard_sphere"):
         for mach in MACHS:
+            one = time.process_time()
             argon(mach, law).thickness()
-    assert time.perf_counter() - begun < 5.0
+            assert time.process_time() - one < 1.0
+    assert time.process_time() - begun < 5.0
 
 
 # -- bad input -------------------------------------------------------------------------------------------------------------
