@@ -241,7 +241,8 @@ def test_every_registered_equation_of_state_has_a_structure(law):
 NO_SHOCK = {
     ("mie_gruneisen_quadratic", False): ((20.0,), "has no such shock.*compression limit"),
     ("mie_gruneisen_quadratic", True): ((20.0,), "has no such shock.*compression limit"),
-    ("mie_gruneisen_cubic", True): ((5.0,), "has no such shock with heat conduction.*c_p is negative"),
+    ("mie_gruneisen_cubic", False): ((5.0, 20.0), "has no such shock.*beyond the fit"),
+    ("mie_gruneisen_cubic", True): ((5.0, 20.0), "has no such shock.*beyond the fit"),
     ("p_lambda", True): ((20.0,), "has no such shock with this heat conduction.*no single stable state"),
     ("table", False): ((2.0, 5.0, 20.0), "has no such shock.*the Hugoniot ends at density 4300"),
     ("table", True): ((2.0, 5.0, 20.0), "has no such shock.*the Hugoniot ends at density 4300"),
@@ -287,17 +288,6 @@ def test_from_mach_1_01_to_20_with_and_without_conduction(law):
     for conducting in (False, True):
         for mach in (1.01, 1.1, 2.0, 5.0, 20.0):
             check_shock_of(law.name, conducting, mach)
-
-
-def test_a_hugoniot_that_bends_back_is_met_at_its_nearest_state():
-    """One shock velocity, three densities: only the first can be reached without splitting."""
-    par = EOS.get("mie_gruneisen_cubic").example
-    ends = find_ends(par, mach=5.0)
-    v1, v2 = 1.0 / ends.upstream.density, 1.0 / ends.downstream.density
-    assert all(ends.excess(v1 + (v2 - v1) * part) < 0.0 for part in np.linspace(0.01, 0.99, 99))
-    assert abs(ends.excess(v2)) < 1e-12 * ends.downstream.pressure
-    assert ends.downstream.velocity < ends.downstream.sound_speed
-    assert ends.excess(0.5 * v2) < 0.0 < ends.excess(1.0 / 27300.0)   # beyond it the line crosses the Hugoniot twice more
 
 
 def test_heat_that_runs_ahead_of_a_porous_shock_keeps_the_flux_of_energy():

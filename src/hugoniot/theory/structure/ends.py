@@ -12,8 +12,6 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from scipy.optimize import brentq
-
 from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
@@ -112,7 +110,7 @@ def find_ends(material, upstream: hugoniot.Initial | None = None, *, mach: float
     m = ahead.density * speed
     one = _end(par, ahead.density, ahead.energy, m)
     trial = Ends(par, one, one, m)
-    v2 = _polished(trial, _nearest(trial, 1.0 / rho2) if "shock_velocity" in given else 1.0 / rho2)
+    v2 = _polished(trial, 1.0 / rho2)
     ends = Ends(par, one, _end(par, 1.0 / v2, trial.rayleigh_energy(v2), m), m)
     _require_one_wave(ends)
     return ends
@@ -125,18 +123,6 @@ def _end(par, rho, e, m) -> End:
         raise OutOfRange(f"law '{EOS.of(par).name}' has no such shock: it is unstable (c^2 = {c2:.4g} m2/s2) at rho = {rho:.6g} kg/m3, "
                          f"e = {e:.6g} J/kg; choose a weaker shock or another law")
     return End(float(rho), float(e), float(contract.pressure(rho, e, par)), m / rho, T, math.sqrt(c2))
-
-
-def _nearest(ends: Ends, v2: float) -> float:
-    """Of several states that one shock velocity reaches on a Hugoniot that bends back, the first: no split lies before it."""
-    v1 = 1.0 / ends.upstream.density
-    previous = v1
-    for i in range(1, _SAMPLES):
-        v = v1 + (v2 - v1) * i / _SAMPLES
-        if ends.excess(v) > 0.0:
-            return brentq(ends.excess, v, previous, xtol=1e-15 * v1, rtol=1e-14) if i > 1 else v2
-        previous = v
-    return v2
 
 
 def _polished(ends: Ends, v: float) -> float:
