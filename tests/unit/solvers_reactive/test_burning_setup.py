@@ -119,7 +119,10 @@ def test_bad_decks_say_where_and_what(top, region, words):
 def test_a_front_slower_than_its_products_is_told():
     slow = '[material.comp_b]\nbase = "comp_b"\n[material.comp_b.burn]\ndetonation_velocity = "7 km/s"'
     warnings = read_deck_text(DECK.format(top="lighting = [{at = 0.0}]", region=slow)).warnings
-    assert any("programmed front runs at 7000" in text and "7979" in text for text in warnings)
+    assert any("programmed front runs at 7000" in text and "7979" in text and "crushed" in text for text in warnings)
+    fast = read_deck_text(DECK.format(top="lighting = [{at = 0.0}]", region="").replace("comp_b", "pbx_9502")).warnings
+    assert any("7607.8" in text and "4.8 % low" in text for text in fast)
+    assert read_deck_text(DECK.format(top="lighting = [{at = 0.0}]", region="")).warnings == ()
 
 
 # -- diagnostics ---------------------------------------------------------------------------------------------------
