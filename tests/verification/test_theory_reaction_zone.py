@@ -15,6 +15,7 @@ from hugoniot.laws.eos import contract as eos
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.materials.library import entry
 from hugoniot.theory import mixture as mixtures
+from hugoniot.theory.characteristics import reaction_source
 from hugoniot.theory.exact import SOLUTIONS
 from hugoniot.theory.hugoniot import Initial, shock
 from hugoniot.theory.mixture import mixture
@@ -134,6 +135,8 @@ def test_zone_of_a_mixture_obeys_the_conservation_laws_and_ends_at_cj(closure):
     assert s.pressure + s.density * w**2 == pytest.approx(np.full(40, ahead.pressure + flux * found.velocity), rel=1e-12)
     enthalpy = s.energy + s.pressure / s.density + 0.5 * w**2
     assert enthalpy == pytest.approx(np.full(40, enthalpy[0]), rel=1e-12)
+    # what drives the flow by the phases' volumes and energies is p_lambda by the laws' slopes, in every closure
+    assert reaction_source(s, found.rates) == pytest.approx(s.pressure_by_burn_fraction * found.rates, rel=1e-8)
     # subsonic behind the shock, sonic where the burning ends: u + c - D vanishes as the root of what is left
     mach = w / s.sound_speed
     assert (mach[:-1] < 1.0).all() and mach[-1] == pytest.approx(1.0, abs=2e-3)

@@ -5,7 +5,8 @@ $$\frac{dp}{dt} \pm \rho c\,\frac{du}{dt} = \left[(\rho c^2 - \Gamma p)(v_p - v_
 $$\frac{de}{dt} + p\,\frac{dv}{dt} = 0, \qquad \frac{d\lambda}{dt} = \dot\lambda \quad\text{on}\quad \frac{dx}{dt} = u .$$
 
 The lower sign of rho c belongs to the lower characteristic (S-E4: the source prints a plus for both). c is the frozen sound speed. The
-bracket times rho is p_lambda at constant volume and energy, whatever the closure, because v and e are sums over the phases. The last
+bracket times rho is p_lambda at constant volume and energy for every closure in which both phases have the pressure of the mixture, because
+v and e are sums over the phases; where pressures are weighted instead, p_lambda itself is taken. The last
 term (geometry: d = 1 planar, 2 cylindrical, 3 spherical) is added to the source.
 
 Source: 003 (Starkenberg ARL-TR-2161) section 6.
@@ -13,11 +14,14 @@ Source: 003 (Starkenberg ARL-TR-2161) section 6.
 
 import numpy as np
 
+from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.theory.mixture import MixtureState
 
 
 def reaction_source(state: MixtureState, rate):
     """Right-hand side due to burning at `rate` = d(burn fraction)/dt in 1/s: Pa/s, array of the state's shape."""
+    if "no_equilibrium" in MIXTURE.of(state.par).flags:
+        return state.pressure_by_burn_fraction * np.asarray(rate, float)
     rho, gamma = state.density, state.gruneisen
     rho_c2 = state.impedance_squared / rho
     dv = 1.0 / state.product_density - 1.0 / state.reactant_density

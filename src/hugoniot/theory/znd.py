@@ -21,6 +21,7 @@ from hugoniot.laws.burn.contract import BURN
 from hugoniot.laws.burn.contract import rate as burn_rate
 from hugoniot.laws.mixture import contract
 from hugoniot.theory.chapman_jouguet import cj
+from hugoniot.theory.characteristics import thermicity
 from hugoniot.theory.hugoniot import Initial
 from hugoniot.theory.mixture import MixtureState
 from hugoniot.theory.reaction_zone import OfMixture, OneLaw, Point, is_mixture
@@ -65,10 +66,8 @@ class Structure:
                  "pressure": self.states.pressure, "density": self.states.density, "particle_velocity": self.particle_velocity,
                  "specific_internal_energy": energy, "temperature": self.temperature, "sound_speed": self.states.sound_speed}
         if mixed:
-            # what drives the flow, p_lambda r / (rho c^2), 1/s
-            driven = self.states.pressure_by_burn_fraction * self.rates * self.states.density / self.states.impedance_squared
             found |= {"reactant_density": self.states.reactant_density, "product_density": self.states.product_density,
-                      "thermicity": driven}
+                      "thermicity": thermicity(self.states, self.rates)}
         return found
 
 
