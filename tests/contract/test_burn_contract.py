@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import hugoniot.laws.burn  # noqa: F401  (enrols the laws)
+from hugoniot.errors import OutOfRange
 from hugoniot.laws.burn import contract
 from hugoniot.laws.burn.contract import BURN
 
@@ -103,3 +104,11 @@ def test_an_explosive_at_rest_costs_no_sub_steps(monkeypatch):
         calls.clear()
         assert law.advance(0.0, 1e-9, rho, p, 0.0, par) < 1e-6
         assert len(calls) <= 16, (rho, len(calls))
+
+@pytest.mark.parametrize(("name", "values", "words"), [
+    ("pressure_power", (-1e6, 1.0, 1.0), "rate_constant"), ("pressure_power", (1e6, 1.0, -1.0), "depletion_exponent"),
+    ("arrhenius", (1e12, -2e4), "activation_temperature"), ("jwl_plus_plus", (-1e-7, 1.3), "g must"), ("threshold", (-1e9,), "initiation"),
+    ("arrhenius", (float("nan"), 2e4), "frequency")])
+def test_rates_that_would_run_backwards_are_refused(name, values, words):
+    with pytest.raises(OutOfRange, match=words):
+        BURN.get(name).build(*values)

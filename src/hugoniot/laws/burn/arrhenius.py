@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from hugoniot.core.ops import vexp
 from hugoniot.laws.burn.contract import BURN, no_schedule
-from hugoniot.laws.burn.depletion import deplete, power
+from hugoniot.laws.burn.depletion import deplete, power, without_negatives
 
 
 class Arrhenius(NamedTuple):
@@ -33,6 +33,11 @@ def advance(burn_fraction, dt, rho, p, temperature, par):
     return deplete(burn_fraction, dt * speed(temperature, par), par.depletion_exponent)
 
 
+def build(*values, **named) -> Arrhenius:
+    """Parameters; OutOfRange for a negative one."""
+    return without_negatives("Arrhenius", Arrhenius(*values, **named))
+
+
 BURN.add(
     "arrhenius", Arrhenius,
     functions={"rate": rate, "advance": advance, "scheduled": no_schedule},
@@ -44,4 +49,5 @@ BURN.add(
     box={"temperature": (300.0, 5000.0)},
     references=("Fickett and Davis, Detonation, 1979, chapter 2", "Mader, Numerical Modeling of Detonation, 1979"),
     flags=("temperature_driven",),
+    build=build,
 )

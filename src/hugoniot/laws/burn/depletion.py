@@ -7,6 +7,7 @@ For m < 1 burning ends after the time $(1-\lambda_0)^{1-m}/((1-m)k)$, exactly at
 """
 
 from hugoniot.core.ops import vexp, vpow
+from hugoniot.errors import OutOfRange
 
 
 def power(x, y):
@@ -31,3 +32,11 @@ def deplete(burn_fraction, amount, exponent):
     if base <= 0.0:
         return 1.0
     return 1.0 - left * vpow(base, 1.0 / (1.0 - exponent))
+
+
+def without_negatives(name, par):
+    """The parameters as they are; OutOfRange for a negative or missing one, with which burning would run backwards or without end."""
+    for key, value in par._asdict().items():
+        if not value >= 0.0:
+            raise OutOfRange(f"{name}: {key} must not be negative; got {value:.6g}")
+    return par

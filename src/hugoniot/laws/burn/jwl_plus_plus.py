@@ -10,7 +10,7 @@ Source: P. C. Souers, S. Anderson, J. Mercer, E. McGuire, P. Vitello, Propellant
 from typing import NamedTuple
 
 from hugoniot.laws.burn.contract import BURN, no_schedule
-from hugoniot.laws.burn.depletion import deplete, power
+from hugoniot.laws.burn.depletion import deplete, power, without_negatives
 
 
 class JWLPlusPlus(NamedTuple):
@@ -26,6 +26,11 @@ def advance(burn_fraction, dt, rho, p, temperature, par):
     return deplete(burn_fraction, dt * par.g * power(p, par.b), 1.0)
 
 
+def build(*values, **named) -> JWLPlusPlus:
+    """Parameters; OutOfRange for a negative one."""
+    return without_negatives("JWL++", JWLPlusPlus(*values, **named))
+
+
 BURN.add(
     "jwl_plus_plus", JWLPlusPlus,
     functions={"rate": rate, "advance": advance, "scheduled": no_schedule},
@@ -34,4 +39,5 @@ BURN.add(
     box={"p": (0.0, 60.0e9)},
     references=("Souers et al., Propellants, Explosives, Pyrotechnics 25 (2000) 54",),
     flags=("pressure_driven", "includes_viscosity"),
+    build=build,
 )

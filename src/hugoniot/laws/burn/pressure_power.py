@@ -10,7 +10,7 @@ Source: 003 (Starkenberg ARL-TR-2161) section 3 takes any rate of state; Fickett
 from typing import NamedTuple
 
 from hugoniot.laws.burn.contract import BURN, no_schedule
-from hugoniot.laws.burn.depletion import deplete, power
+from hugoniot.laws.burn.depletion import deplete, power, without_negatives
 
 
 class PressurePower(NamedTuple):
@@ -34,6 +34,11 @@ def advance(burn_fraction, dt, rho, p, temperature, par):
     return deplete(burn_fraction, dt * speed(p, par), par.depletion_exponent)
 
 
+def build(*values, **named) -> PressurePower:
+    """Parameters; OutOfRange for a negative one."""
+    return without_negatives("pressure power", PressurePower(*values, **named))
+
+
 BURN.add(
     "pressure_power", PressurePower,
     functions={"rate": rate, "advance": advance, "scheduled": no_schedule},
@@ -48,4 +53,5 @@ BURN.add(
     box={"p": (0.0, 60.0e9)},
     references=("Fickett and Davis, Detonation, 1979, chapter 2", "Starkenberg, ARL-TR-2161, section 3"),
     flags=("pressure_driven",),
+    build=build,
 )

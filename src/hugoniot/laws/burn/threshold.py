@@ -17,6 +17,7 @@ Source: 001 (KB codes) section 4; K-E4, K-E11.
 from typing import NamedTuple
 
 from hugoniot.laws.burn.contract import BURN, no_rate, no_schedule
+from hugoniot.laws.burn.depletion import without_negatives
 
 
 class Threshold(NamedTuple):
@@ -27,6 +28,11 @@ def advance(burn_fraction, dt, rho, p, temperature, par):
     return 1.0 if p > par.initiation_pressure else burn_fraction
 
 
+def build(*values, **named) -> Threshold:
+    """Parameters; OutOfRange for a negative one."""
+    return without_negatives("threshold burn", Threshold(*values, **named))
+
+
 BURN.add(
     "threshold", Threshold,
     functions={"rate": no_rate, "advance": advance, "scheduled": no_schedule},
@@ -35,4 +41,5 @@ BURN.add(
     box={"p": (0.0, 60.0e9)},
     references=("KB codes, section 4",),
     flags=("pressure_driven", "instantaneous"),
+    build=build,
 )
