@@ -82,6 +82,15 @@ def test_sandwich(ran):
     assert stress[time > 2.8e-6].mean() == pytest.approx(10.79e9, rel=2e-2)
 
 
+def test_silica_powder(ran):
+    run = ran("silica-powder")
+    assert plateau(run, "pressure", "in the powder", 2.5e-6, 4e-6) == pytest.approx(20.28e6, rel=1e-2)
+    assert plateau(run, "velocity", "in the powder", 2.5e-6, 4e-6) == pytest.approx(398.4, rel=2e-3)
+    passed = [time[np.argmax(stress > 10e6)] for time, stress in (run.gauge("stress", name) for name in ("in the powder", "late in the powder"))]
+    assert 1e-3 / (passed[1] - passed[0]) == pytest.approx(508.9, rel=1e-2)
+    assert run.gauge("stress", "back of powder")[1].max() > 0.6e9
+
+
 def test_precursor(ran):
     run = ran("precursor")
     between = plateau(run, "stress", "6 mm", 0.945e-6, 0.99e-6)

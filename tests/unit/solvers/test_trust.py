@@ -12,7 +12,7 @@ from hugoniot.output.run import read_post_mortem
 from hugoniot.problem.model import Boundary, Interface, Pulse, Region
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.solver import _diagnose
+from hugoniot.solvers.lagrange1d.post_mortem import diagnose
 
 
 def stopped(solver, cycles=100_000, stop=1.0):
@@ -55,7 +55,7 @@ def test_a_node_that_flies_through_its_neighbours_is_found_in_the_same_cycle():
     (L.STEP_COLLAPSED, {}, 0.9, "step collapsed", "zones")])
 def test_each_cause_has_its_words_and_its_remedy(code, change, left, cause, remedy):
     values = {"density": 2700.0, "pressure": 1e9, **change}
-    found = _diagnose(code, values, left, 1.0)
+    found = diagnose(code, values, left, 1.0)
     assert cause in found[0] and remedy in found[1]
 
 

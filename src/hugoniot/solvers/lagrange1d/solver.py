@@ -21,6 +21,7 @@ from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_pulse, group_laws, viscosity_of
 from hugoniot.solvers.lagrange1d.bodies import alike_ranges, interface_table, join, pieces_of, run_table, set_node_masses, split
 from hugoniot.solvers.lagrange1d.constitutive import remembers
+from hugoniot.solvers.lagrange1d.post_mortem import crushed_zone, diagnose
 from hugoniot.solvers.lagrange1d.probes import probe_tables
 from hugoniot.solvers.lagrange1d.step import SCHEMES, march, serve
 from hugoniot.solvers.lagrange1d.watch import cavity_closed, mark_patch, touching_gap
@@ -269,11 +270,13 @@ class Lagrange1D:
         if code == L.STEP_COLLAPSED:
             width = right - left
             culprit = int(np.argmin(width / np.maximum(self.zones[L.C], 1e-30)))
+        crushed = crushed_zone(self.problem, self.zones, self.region_of, culprit)
+        culprit = crushed[0] if crushed else culprit
         values = {name: float(self.zones[row, culprit]) for name, row in self.zone_fields.items()}
         if self.burning:
             rows = {"burn_fraction": L.BURN_FRACTION, "mixture_status": L.MIX_STATUS}
             values |= {name: float(self.zones[row, culprit]) for name, row in rows.items()}
-        cause, remedy = _diagnose(code, values, float(left[culprit]), float(right[culprit]))
+        cause, remedy = crushed[1:] if crushed else diagnose(code, values, float(left[culprit]), float(right[culprit]))
         with np.errstate(invalid="ignore"):
             centres = 0.5 * (left + right)
         near = np.flatnonzero(np.isfinite(centres))     # a zone that is nowhere is reported where its nearest sound neighbour is
@@ -370,31 +373,3 @@ def _pulse_at_zero(pulse):
     if pulse.shape == "table":
         return float(np.interp(0.0, pulse.times, pulse.values))
     return pulse.amplitude if pulse.start <= 0.0 and pulse.shape in ("constant", "exponential", "square") else 0.0
-
-
-def _diagnose(code, values, left, right):
-    """(cause, remedy) of a bad state."""
-    if code == L.STEP_COLLAPSED:
-        return ("the time step collapsed below a 1e-12 part of the stop time.",
-                "use coarser or better graded zones there, or stop the run earlier.")
-    if values.get("mixture_status", 0.0) != 0.0:
-        return ("reactants and products have no common pressure there: the search for the state of the mixture failed at a burn fraction "
-                f"of {values['burn_fraction']:.6g}.",
-                "lower [solver] courant, take finer zones, or another mixture of the material.")
-    if np.isnan(left + right):
-        return ("a field is not a number: the state left the range of a law, or a boundary gave no number.",
-                "check the initial state, the boundaries and the impact conditions against the laws' limits, or lower [solver] courant.")
-    if 0.0 < values.get("burn_fraction", 0.0) < 1.0:
-        return (f"a zone that is burning (burn fraction {values['burn_fraction']:.3g}) was crushed: the explosive behind it drives a "
-                "faster front than the burn law allows, as in converging geometry.",
-                "take the burn law programmed_beta, which lets compression burn a zone ahead of its schedule, or a rate law.")
-    if not right > left:
-        return ("the zone turned inside out (its faces crossed).",
-                "lower [solver] courant, or give the artificial viscosity more strength.")
-    if not values["density"] > 0.0:
-        return ("density is not positive.", "lower [solver] courant.")
-    if values["pressure"] < 0.0:
-        return ("the sound speed became imaginary in tension: the material is stretched beyond what its law can carry.",
-                "give the material a fracture law ([material.x.fracture]).")
-    return ("the sound speed is not a number: the state left the range of its equation of state.",
-            "check the impact conditions against the law's compression limit, lower [solver] courant, or use another equation of state.")

@@ -1,0 +1,61 @@
+"""Why a run cannot go on: the cause of a bad state and the way out, told from the state that is left."""
+
+import numpy as np
+
+from hugoniot.laws.eos.contract import density_limits, pressure, reference_state
+from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.units import format_si
+
+NEAR = 8              # zones around a bad one in which its cause is looked for
+DENSE = 1e9           # times the density of rest: compressed to nothing
+
+
+def crushed_zone(problem, zones, region_of, culprit: int) -> tuple[int, str, str] | None:
+    """(zone, cause, remedy) where a zone beside the bad one was pressed harder than its law bears at any density, or None.
+
+    Laws with a compression limit stiffen without bound before it. Others, such as a truncated cold curve or the Hugoniot of a powder with
+    a slope below 1, have a finite pressure at no volume at all: pressed harder, a zone collapses (004 section 5.1; J-E16).
+    """
+    near = range(max(0, culprit - NEAR), min(zones.shape[1], culprit + NEAR + 1))
+    pressed = max(float(zones[L.PEAK_STRESS, j]) for j in near)
+    energy = max((float(zones[L.E, j]) for j in near if np.isfinite(zones[L.E, j])), default=0.0)
+    for j in sorted(near, key=lambda j: abs(j - culprit)):
+        region = problem.regions[region_of[j]]
+        material = problem.materials[region.material]
+        if material.burn is not None or np.isfinite(density_limits(material.eos)[1]):
+            continue
+        bears = float(pressure(DENSE * float(reference_state(material.eos)[0]), energy, material.eos))
+        if 0.0 < bears < pressed:
+            cause = (f"the zone was compressed to nothing: its equation of state bears at most {format_si(bears, 'Pa')}, however dense the "
+                     f"material becomes, and the stress there reached {format_si(pressed, 'Pa')}.")
+            return (j, cause, "use an equation of state that stiffens without bound: the exact cold curve (mie_gruneisen_cold) instead of "
+                    "a series, or p_alpha or snow_plough over the law of its solid; or a slower impact.")
+    return None
+
+
+def diagnose(code, values, left, right) -> tuple[str, str]:
+    """(cause, remedy) of a bad state."""
+    if code == L.STEP_COLLAPSED:
+        return ("the time step collapsed below a 1e-12 part of the stop time.",
+                "use coarser or better graded zones there, or stop the run earlier.")
+    if values.get("mixture_status", 0.0) != 0.0:
+        return ("reactants and products have no common pressure there: the search for the state of the mixture failed at a burn fraction "
+                f"of {values['burn_fraction']:.6g}.",
+                "lower [solver] courant, take finer zones, or another mixture of the material.")
+    if np.isnan(left + right):
+        return ("a field is not a number: the state left the range of a law, or a boundary gave no number.",
+                "check the initial state, the boundaries and the impact conditions against the laws' limits, or lower [solver] courant.")
+    if 0.0 < values.get("burn_fraction", 0.0) < 1.0:
+        return (f"a zone that is burning (burn fraction {values['burn_fraction']:.3g}) was crushed: the explosive behind it drives a "
+                "faster front than the burn law allows, as in converging geometry.",
+                "take the burn law programmed_beta, which lets compression burn a zone ahead of its schedule, or a rate law.")
+    if not right > left:
+        return ("the zone turned inside out (its faces crossed).",
+                "lower [solver] courant, or give the artificial viscosity more strength.")
+    if not values["density"] > 0.0:
+        return ("density is not positive.", "lower [solver] courant.")
+    if values["pressure"] < 0.0:
+        return ("the sound speed became imaginary in tension: the material is stretched beyond what its law can carry.",
+                "give the material a fracture law ([material.x.fracture]).")
+    return ("the sound speed is not a number: the state left the range of its equation of state.",
+            "check the impact conditions against the law's compression limit, lower [solver] courant, or use another equation of state.")
