@@ -35,15 +35,15 @@ def reaction_zones(zones: Sequence[tuple[str, object, object, Initial]]):
         axes[0, 0].plot(0.0, spike, "o", color=colour, ms=4)
         half = zone.half_reaction_length * factor
         axes[1, 0].plot(half, 0.5, "o", color=colour, ms=4)
-        axes[1, 0].annotate(f"{half:.3g} {unit}", (half, 0.5), xytext=(6, -3 - 11 * i), textcoords="offset points", color=colour,
-                            fontsize=8, va="top")
+        axes[1, 0].annotate(f"half burned after {half:.3g} {unit}", (0.98, 0.05 + 0.085 * (len(zones) - 1 - i)),
+                            xycoords="axes fraction", ha="right", fontsize=8, color=colour)
         axes[0, 0].annotate(f"{name}: D = {zone.velocity * 1e-3:.4g} km/s, spike {spike:.3g} GPa", (0.98, 0.97 - 0.085 * i),
                             xycoords="axes fraction", ha="right", va="top", fontsize=8, color=colour)
         _plane(axes[0, 1], zone, par, ahead, colour, notes=i == 0)
     for ax, label in ((axes[0, 0], "pressure (GPa)"), (axes[1, 0], "burn fraction"), (axes[1, 1], "temperature (K)")):
         ax.set(xlabel=f"distance behind the front ({unit})", ylabel=label, xlim=(-0.03 * last * factor, last * factor))
         quiet_grid(ax)
-    axes[0, 0].set_ylim(0.0, 1.25 * max(zone.von_neumann.pressure for _, zone, _, _ in zones) * 1e-9)
+    axes[0, 0].set_ylim(0.0, (1.13 + 0.12 * len(zones)) * max(zone.von_neumann.pressure for _, zone, _, _ in zones) * 1e-9)
     if not axes[1, 1].lines:
         axes[1, 1].annotate("no temperature: the laws give no specific heat", (0.5, 0.5), xycoords="axes fraction", ha="center",
                             color=QUIET, fontsize=8)

@@ -32,9 +32,9 @@ def fields(solution: Solution, states: Sequence[dict]):
     keys = [k for k in FIELD if k in states[0] and k != "deviator_radial"]
     if {"stress", "burn_fraction"} & set(keys):  # they tell more than the energy
         keys.remove("specific_internal_energy")
-    keys = keys[:4]
+    keys = [k for k in keys[:4] if not _runs_away(np.concatenate([s[k] for s in states]))]
     along = "position" if "position" in states[0] else "axial_position"
-    rows, columns = (1, len(keys)) if len(keys) <= 2 else (2, 2)
+    rows, columns = (1, len(keys)) if len(keys) <= 3 else (2, 2)
     axes = new_panels(rows, columns, 3.7 * columns, 2.5 * rows + 0.3)
     reach = max(float(np.max(np.abs(s[along]))) for s in states)
     unit, factor = ("m", 1.0) if reach >= 0.3 else length_scale(reach)
@@ -51,9 +51,6 @@ def fields(solution: Solution, states: Sequence[dict]):
         ax.set(xlabel=f"{where} ({unit})", ylabel=labelled({"radial_velocity": "radial velocity", "axial_velocity": "axial velocity"}.get(
             key, words), shown))
         ax.margins(x=0.0)
-        finite = np.abs(values[np.isfinite(values)]) * scale
-        if finite.size and finite.max() > 30.0 * np.percentile(finite, 95.0) > 0.0:  # infinite at a centre
-            ax.set_ylim(0.0, 1.5 * np.percentile(finite, 95.0))
         quiet_grid(ax)
     for ax in axes.flat[len(keys):]:
         ax.remove()
@@ -65,6 +62,12 @@ def fields(solution: Solution, states: Sequence[dict]):
         axes[0, 0].annotate(f"t = {times[0]} to {times[-1]}, {len(times)} times", (1.0, 1.03), color=QUIET, **place)
     axes[0, -1].annotate(solution.title if len(keys) > 1 else "", (1.0, 1.03), color=INK, **place)
     return axes[0, 0]
+
+
+def _runs_away(values) -> bool:
+    """Whether a field is infinite at a centre, so that nothing else of it could be seen."""
+    finite = np.abs(values[np.isfinite(values)])
+    return bool(finite.size) and float(finite.max()) > 1e4 * float(np.percentile(finite, 95.0)) > 0.0
 
 
 @styled
