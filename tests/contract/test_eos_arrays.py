@@ -110,7 +110,7 @@ def test_energy_array_inverts_pressure_array(name):
 @pytest.mark.parametrize("name, sweep, states_per_second", [("mie_gruneisen", "pressure_sweep", 2e8), ("jwl", "pressure_sweep", 5e7),
                                                             ("table", "temperature_sweep", 1e7)])
 def test_speed_per_core(name, sweep, states_per_second):
-    """The best of many sweeps over 20 000 states; the table has 200 x 200 points."""
+    """The best of many sweeps over 20 000 states, in processor time; the table has 200 x 200 points."""
     import time
 
     from hugoniot.laws import array_kernels
@@ -123,9 +123,9 @@ def test_speed_per_core(name, sweep, states_per_second):
     rho, e = sample(law, 20_000)
     out, best = np.empty_like(rho), np.inf
     for _ in range(300):
-        start = time.perf_counter()
+        start = time.thread_time()
         getattr(array_kernels, sweep)(rho, e, arrays.float_parameters(par), out)
-        best = min(best, time.perf_counter() - start)
+        best = min(best, time.thread_time() - start)
     assert rho.size / best > states_per_second
 
 

@@ -55,6 +55,19 @@ def test_a6_jwl_sets_close_on_their_cj_states(numbers, velocity, pressure):
     assert found.tangency < 1e-10
 
 
+@pytest.mark.parametrize("name", [law.name for law in contract.EOS if "reacted" in law.flags or law.name in ("ideal_gas", "stiffened_gas")])
+def test_tangency_off_the_defaults(name):
+    """Loose and dense charges, other constants, heat released besides, explosive that moves."""
+    law, rng = contract.EOS.get(name), np.random.default_rng(3)
+    for _ in range(15):
+        par = type(law.example)(*(v * rng.uniform(0.9, 1.1) for v in law.example))
+        heat = rng.choice([1e6, 4e6] if "reacted" not in law.flags else [0.0, 1e6, 4e6])
+        ahead = Initial(par.rho0 * rng.uniform(0.6, 1.1), 0.0, contract.reference_state(par)[1], velocity=rng.uniform(-500.0, 500.0), heat=heat)
+        found = cj(par, ahead)
+        assert found.tangency < 1e-10
+        assert residual(par, ahead, found.state) < 1e-12
+
+
 def test_b25_tangency_for_every_law_of_products():
     checked = 0
     for law in contract.EOS:
