@@ -15,6 +15,7 @@ from hugoniot.laws.eos import contract as eos
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.materials.library import entry
 from hugoniot.theory import mixture as mixtures
+from hugoniot.theory.chapman_jouguet import cj
 from hugoniot.theory.characteristics import reaction_source
 from hugoniot.theory.exact import SOLUTIONS
 from hugoniot.theory.hugoniot import Initial, shock
@@ -176,3 +177,26 @@ def test_many_states_are_those_of_few():
     few = mixtures.solve(*reference, fractions[::20], par, reference=reference)
     for name in ("pressure", "product_density", "reactant_energy", "sound_speed", "pressure_by_burn_fraction"):
         assert getattr(many, name)[::20] == pytest.approx(getattr(few, name), rel=1e-10), name
+
+
+def test_a_zone_that_chokes_is_told_from_the_slowest_velocity_that_does_not():
+    """Two gases of one specific heat in thermal equilibrium are a gas of gamma(lambda): where gamma falls, the slowest steady front is the
+    fastest of the Chapman-Jouguet velocities of all partly burned gases, beyond that of the burned one."""
+    before, after, q = IdealGas(1.67, 1000.0, 1.2), IdealGas(1.3, 1000.0, 1.2), 1e6
+    par = mixture("thermal_equilibrium", before, after, q)
+    ahead = Initial(1.2, 1e5, 1e5 / (0.67 * 1.2))
+
+    def partly_burned(fraction):
+        gamma = 1.0 + (1.0 - fraction) * 0.67 + fraction * 0.3
+        return cj(IdealGas(gamma, 1000.0, 1.2), Initial(1.2, 1e5, ahead.energy + fraction * par.detonation_energy)).detonation_velocity
+
+    slowest = max(partly_burned(f) for f in np.linspace(0.5, 1.0, 201).tolist())
+    assert slowest > 1.01 * partly_burned(1.0)
+    rate = PressurePower(1e6, 0.0, 0.5)
+    with pytest.raises(OutOfRange, match="becomes sonic at burn fraction 0[.]"):
+        znd(par, ahead, rate)
+    with pytest.raises(OutOfRange, match="becomes sonic"):
+        znd(par, ahead, rate, velocity=slowest * (1.0 - 1e-4), points=60)
+    found = znd(par, ahead, rate, velocity=slowest * (1.0 + 1e-4), points=60)
+    # beyond the fraction that is nearly sonic the reaction takes energy back and the flow is subsonic again
+    assert found.table()["thermicity"][-5] < 0.0 and ((found.velocity - found.particle_velocity) < found.states.sound_speed).all()
