@@ -28,6 +28,7 @@ PROMISED = {
                                      (r"silica powder, 100 kg/m³: order 3, strain 0.3: (\S+) %", -11.5, -11.0)],
     "plot_17_open_sandwich.py": [(r"M/C 0.2 +(\d+) m/s", 3062, 3384), (r"M/C 1 +(\d+) m/s", 1423, 1573), (r"M/C 5 +(\d+) m/s", 401, 443)],
     "plot_18_overdriven.py": [(r"front +(\d+) m/s", 8458, 8508), (r"pressure ([\d.]+) GPa", 50.25, 50.75)],
+    "plot_19_porous_loop.py": [(r"unloading: (\d+) m/s", 5200, 5500), (r"compaction ([\d.]+)", 0.684, 0.692), (r"curve ([\d.]+)", 0.684, 0.692)],
 }
 
 
