@@ -24,6 +24,7 @@ from hugoniot.laws.mixture.contract import MIXTURE, Mixed, PhaseSlopes, Slopes, 
 
 ITERATIONS = 100
 CLOSE = 1e-7
+CLOSE_STEP = 1e-8     # step from which the search ends, relative
 # A phase of less than this mass fraction is left out by `solve`: it changes the pressure by about 1e-8 of itself, and its energy is the
 # difference of nearly equal numbers (only reactants in tension would notice the bubbles).
 NASCENT = 1e-8
@@ -107,7 +108,11 @@ def equilibrate(rho, e, burn_fraction, before, par):
         else:
             high = w
         step = excess / decline if decline > 0.0 else 0.5 * (low + high) - w
-        if decline > 0.0 and abs(step) <= 1e-14 * (v + abs(w)):
+        if decline > 0.0 and abs(step) <= CLOSE_STEP * (v + abs(w)):
+            # one last Newton step along equal temperatures: what it leaves out is of order CLOSE_STEP squared
+            p = p + lam * step * (r_v + r_e * along)
+            v_r, v_p = v_r + lam * step, v_p - rest * step
+            e_r, e_p = e_r + lam * step * along, e_p - rest * step * along
             status = contract.CONVERGED
             break
         # no step may compress a phase by more than a third; products may expand fourfold
