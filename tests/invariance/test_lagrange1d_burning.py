@@ -4,6 +4,7 @@ import dataclasses
 
 import pytest
 
+from hugoniot.laws.burn.arrhenius import Arrhenius
 from hugoniot.laws.burn.contract import BURN
 from hugoniot.laws.burn.programmed import Beta, Programmed, ProgrammedBeta
 from hugoniot.laws.burn.threshold import Threshold
@@ -14,7 +15,7 @@ from hugoniot.simulate import make_solver
 
 LX17 = library.find("LX-17 reactive")
 OWN = {"programmed": Programmed(7680.0), "beta": Beta(1905.0, 2500.0), "programmed_beta": ProgrammedBeta(7680.0, 1905.0, 2500.0),
-       "threshold": Threshold(8e9)}
+       "threshold": Threshold(8e9), "arrhenius": Arrhenius(1e8, 3000.0)}
 CLOSURES = ("thermal_isolation", "thermal_equilibrium", "weighted_pressures")
 GEOMETRIES = ("planar", "cylindrical", "spherical")
 # each law in each geometry, the closures taking turns, and what burns by schedule also without reactants

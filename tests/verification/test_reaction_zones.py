@@ -12,8 +12,9 @@ from hugoniot.laws.burn.ignition_growth import IgnitionGrowth
 from hugoniot.laws.burn.jwl_plus_plus import JWLPlusPlus
 from hugoniot.laws.burn.pressure_power import PressurePower
 from hugoniot.laws.eos.ideal_gas import IdealGas
-from hugoniot.materials import burning
+from hugoniot.materials import burning, library
 from hugoniot.materials.material import Material
+from hugoniot.theory.chapman_jouguet import cj
 from hugoniot.theory.hugoniot import Initial
 from hugoniot.theory.znd import znd
 
@@ -90,3 +91,17 @@ def test_b23_stable_overdriven_detonation():
     assert np.mean(highest) == pytest.approx(1.0, abs=0.0105) and seen.energy_error < 1e-12
     path = seen.path("pressure", 20.0)
     assert np.polyfit(seen.times[8:], path[8:], 1)[0] == pytest.approx(exact.velocity, rel=5e-3)
+
+
+@pytest.mark.slow
+def test_jwl_plus_plus_runs_at_the_cj_velocity_in_a_charge_without_sides():
+    """The LX-17 pair with the rate of JWL++ and its weighted pressures: the size-free detonation velocity, within 1 %, is that of the products."""
+    material = dataclasses.replace(library.find("LX-17 reactive"), name="x", burn=JWLPlusPlus(4e7 / 3e10**1.3, 1.3))
+    assert burning.closure(material) == "weighted_pressures"
+    point = cj(material.eos)
+    end = 0.015
+    _, seen = run(driven(material, end, 1500, float(point.state.particle_velocity), 0.93 * end / point.detonation_velocity), 60)
+    path = seen.path("pressure", 0.4 * float(point.state.pressure))
+    found = np.polyfit(seen.times[36:], path[36:], 1)[0]
+    assert found == pytest.approx(point.detonation_velocity, rel=0.01) and seen.energy_error < 1e-12
+    assert np.median(seen.states[-1].zones["pressure"][:60]) == pytest.approx(float(point.state.pressure), rel=0.01)

@@ -58,8 +58,8 @@ def errors(problem, behind):
 
 @pytest.mark.slow
 def test_behind_a_shock_that_does_not_burn_the_detector_and_the_rolling_reference_find_the_exact_isentrope():
-    """Zones of 80, 40 and 20 um: both within 0.5 % of the energy rise, and the detector says that it found the state behind the shock."""
-    for per_mm in (12.5, 25, 50):
+    """Zones of 40 and 20 um: both within 0.5 % of the energy rise, and the detector says that it found the state behind the shock."""
+    for per_mm in (25, 50):
         how, frozen, rolling, fraction = errors(*slow_burn(per_mm))
         assert (how == AFTER_SHOCK).all() and 0.0 < fraction.min() < fraction.max() < 2e-3
         assert np.abs(frozen).max() < 5e-3 and np.abs(rolling).max() < 5e-3

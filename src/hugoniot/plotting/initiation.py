@@ -23,8 +23,8 @@ def pop_picture(found, lines=(), ax=None):
         ends = np.array([row["pressure_low"], row["pressure_high"]]) * 1e-9
         x = 10.0 ** ((np.log10(ends) - row["a"]) / row["b"])
         ax.plot(ends, x, "--", color=COLOURS[k + 1])
-        ax.annotate(f"measured, {row['rho0']:g} kg/m³ ({row.id})", (ends[0], x[0]), (4, -10 - 11 * k), textcoords="offset points",
-                    color=COLOURS[k + 1], fontsize=8)
+        ax.annotate(f"measured, {row['rho0']:g} kg/m³ ({row.id})", (ends[1], x[1]), (-8, 11 * k), textcoords="offset points",
+                    color=COLOURS[k + 1], fontsize=8, ha="right", va="center")
     ax.set_xlabel("input pressure (GPa)", color=INK)
     ax.set_ylabel("run distance to detonation (mm)", color=INK)
     ax.grid(which="both", color=FAINT, linewidth=0.4)
@@ -32,6 +32,7 @@ def pop_picture(found, lines=(), ax=None):
     for axis in (ax.xaxis, ax.yaxis):
         axis.set_major_formatter("{x:g}")
         axis.set_minor_formatter(lambda value, _: f"{value:g}" if f"{value:.0e}"[0] in "25" else "")
+    ax.tick_params(which="both", length=3.0)
     slope = f", slope {found.line.b:.3f}" if found.line else ""
     ax.set_title(f"{found.material}{slope}", loc="left", color=INK)
     ax.text(1.0, 1.01, f"zones {found.zone_size * 1e6:g} µm", transform=ax.transAxes, ha="right", color=QUIET, fontsize=8)
