@@ -195,3 +195,10 @@ def test_a_mixture_without_a_state_stops_the_run_and_says_so():
     """A gas at zero energy carries no pressure on its own isentrope: isolation has no answer there, and the run must not go on."""
     with pytest.raises(UnphysicalState, match="no common pressure"):
         run(supported_zone(100, "thermal_isolation"))
+
+
+def test_an_explosive_torn_before_it_burned_is_told_with_a_way_out():
+    """A shock too weak to burn LX-17 leaves through the free surface: its JWL has no sound speed there."""
+    weak = dataclasses.replace(library.find("LX-17 reactive"), name="lx_17")
+    with pytest.raises(UnphysicalState, match="stretched to .* law, jwl.*, is fitted to compression.* unreacted law that expands"):
+        run(driven(weak, 5e-3, 100, 1500.0, 1.5e-6))

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from hugoniot.laws.eos.contract import density_limits, pressure, reference_state
+from hugoniot.laws.eos.contract import EOS, density_limits, pressure, reference_state
+from hugoniot.materials import burning
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.units import format_si
 
@@ -31,6 +32,24 @@ def crushed_zone(problem, zones, region_of, culprit: int) -> tuple[int, str, str
             return (j, cause, "use an equation of state that stiffens without bound: the exact cold curve (mie_gruneisen_cold) instead of "
                     "a series, or p_alpha or snow_plough over the law of its solid; or a slower impact.")
     return None
+
+
+def torn_reactants(problem, zones, region_of, culprit: int) -> tuple[str, str] | None:
+    """(cause, remedy) where a burning zone's unreacted explosive is stretched beyond what its law can carry, or None.
+
+    The laws of ignition-and-growth sets are fitted to compression: expanded and hot, their negative term makes sound imaginary.
+    """
+    material = problem.materials[problem.regions[region_of[culprit]].material]
+    if material.burn is None or not burning.has_reactants(material) or not zones[L.BURN_FRACTION, culprit] < 1.0:
+        return None
+    rho = float(zones[L.RHO_R, culprit])
+    if not 0.0 < rho < float(reference_state(material.unreacted)[0]):
+        return None
+    law = EOS.of(material.unreacted).name
+    return (f"the explosive that has not burned (burn fraction {zones[L.BURN_FRACTION, culprit]:.3g}) is stretched to {rho:.4g} kg/m3, where the "
+            f"mixture has no sound speed: its law, {law}, is fitted to compression.",
+            "stop the run before the release comes in, hold the free surface with an inert tamper, or give the material an unreacted law that "
+            "expands ([material.x.unreacted] law = \"mie_gruneisen\").")
 
 
 def diagnose(code, values, left, right) -> tuple[str, str]:
