@@ -47,8 +47,8 @@ def torn_reactants(problem, zones, region_of, culprit: int) -> tuple[str, str] |
         return None
     law = EOS.of(material.unreacted).name
     burned = zones[L.BURN_FRACTION, culprit]
-    return (f"the explosive that has not burned (burn fraction {burned:.3g}) is stretched to {rho:.4g} kg/m3, where the mixture has no sound "
-            f"speed: its law, {law}, is fitted to compression.",
+    return (f"the explosive that has not burned (burn fraction {burned:.3g}) is stretched to {rho:.4g} kg/m3, where the mixture has no "
+            f"sound speed: its law, {law}, is fitted to compression.",
             "stop the run before the release comes in, hold the free surface with an inert tamper, or give the material an unreacted law "
             "that expands ([material.x.unreacted] law = \"mie_gruneisen\").")
 
