@@ -213,3 +213,4 @@ def test_missing_specific_heat_is_one_clear_message():
     with pytest.raises(OutOfRange, match="shifted_energy: this equation of state has no temperature"):
         require_temperature(ShiftedEnergy(EOS.get("tillotson").example, 0.0))
     assert has_temperature(cold._replace(specific_heat=863.0))
+    assert not has_temperature(EOS.get("ideal_gas").example._replace(specific_heat=0.0))

@@ -7,6 +7,7 @@ import typer
 
 from hugoniot.cli.show import JSON, MATERIALS, SET, echo_json, echo_table, overrides_of
 from hugoniot.errors import DeckError, NoSolution, OutOfRange
+from hugoniot.materials import burning
 from hugoniot.problem.deck import Deck, read_deck
 from hugoniot.units import format_si
 
@@ -55,13 +56,23 @@ def _tell(deck: Deck) -> None:
     typer.echo(f"{problem.title}: {getattr(problem, 'geometry', problem.solver.kind)}, to {format_si(problem.stop_time, 's')}")
     rows = []
     for region in getattr(problem, "regions", ()):
-        laws = problem.materials[region.material].laws()
         span = f"{format_si(region.start, 'm')} to {format_si(region.end, 'm')}"
-        rows.append((region.name, span, f"{region.zones} zones", _speed(region.velocity), region.material, ", ".join(laws.values())))
+        rows.append((region.name, span, f"{region.zones} zones", _speed(region.velocity), region.material,
+                     _laws(problem.materials[region.material])))
     echo_table(["region", "extent", "", "velocity", "material", "laws"], rows)
     for warning in deck.warnings:
         typer.echo(f"warning: {warning}")
     typer.echo("the deck is sound")
+
+
+def _laws(material) -> str:
+    """The laws of a material in a run; of a burning one what each is to it: equation of state before and after, closure, rate."""
+    laws = material.laws()
+    if material.burn is None:
+        laws.pop("unreacted", None)
+        return ", ".join(laws.values())
+    before = f"{laws['unreacted']} burning to " if burning.has_reactants(material) else ""
+    return f"{before}{laws['eos']}, {burning.closure(material)}, {laws['burn']}"
 
 
 def _speed(velocity) -> str:

@@ -187,7 +187,10 @@ def _read_value(registry: Registry, law: Law, key: str, value: Any, collector: C
         if not isinstance(value, bool):
             collector.add(path, "expected true or false")
         return value
-    return collector.quantity(path, value, unit)
+    number = collector.quantity(path, value, unit)
+    if key == "specific_heat" and number is not None and not number > 0.0:
+        collector.add(path, f"a specific heat must be positive, got {number:g} J/kg/K", "leave it out where it is not known")
+    return number
 
 
 def _read_array(value: list, unit: str, collector: Collector, path: tuple, deepest: int = 2) -> tuple:

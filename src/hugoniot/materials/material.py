@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Any
 
+from hugoniot.laws.burn.contract import BURN
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.laws.strength.contract import STRENGTH
@@ -48,10 +49,14 @@ class Material:
     detonation_energy: float | None = None
 
     def laws(self) -> dict[str, str]:
-        """Family -> name of the law used."""
+        """Family -> name of the law used; of an explosive "eos" are the products, "unreacted" is the law before burning."""
         found = {"eos": EOS.of(self.eos).name}
         if self.strength is not None:
             found["strength"] = STRENGTH.of(self.strength).name
         if self.fracture is not None:
             found["fracture"] = FRACTURE.of(self.fracture).name
+        if self.burn is not None:
+            found["burn"] = BURN.of(self.burn).name
+        if self.unreacted is not None:
+            found["unreacted"] = EOS.of(self.unreacted).name
         return found

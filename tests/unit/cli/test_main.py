@@ -95,6 +95,15 @@ def test_init_writes_a_deck_that_check_accepts(capsys, monkeypatch, tmp_path):
     assert code == 2 and "did you mean 'flyer'?" in err
 
 
+@pytest.mark.parametrize(("name", "laws"), [
+    ("initiation", "jwl burning to jwl, thermal_isolation, ignition_growth"), ("detonation", "jwl, burned_products, programmed")])
+def test_check_names_every_law_a_burning_region_runs_with(capsys, monkeypatch, tmp_path, name, laws):
+    monkeypatch.chdir(tmp_path)
+    call(capsys, "init", name)
+    code, out, _ = call(capsys, "check", f"{name}.toml")
+    assert code == 0 and laws in out
+
+
 def test_check_tells_programs_what_is_wrong(capsys, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     call(capsys, "init", "flyer")

@@ -236,11 +236,16 @@ def flagged(par, flag: str) -> bool:
 
 
 def has_temperature(par) -> bool:
-    """Whether the law gives a temperature with these parameters (its theory has one and the specific heat is known)."""
-    if not gives(par, "temperature"):
+    """Whether the law gives a temperature with these parameters (its theory has one and the specific heat is known, and is not 0)."""
+    if not gives(par, "temperature") or _holds_no_heat(par):
         return False
     rho, e = reference_state(par)
     return math.isfinite(temperature(rho, e, par))
+
+
+def _holds_no_heat(par) -> bool:
+    """Whether a specific heat of 0 is stated, in the law or in one inside it."""
+    return getattr(par, "specific_heat", 1.0) == 0.0 or any(_holds_no_heat(inner) for inner in par if EOS.knows(inner))
 
 
 def require_temperature(par) -> None:
@@ -250,4 +255,4 @@ def require_temperature(par) -> None:
         raise OutOfRange(f"{law.name}: this equation of state has no temperature; choose one that has, for instance mie_gruneisen")
     if not has_temperature(par):
         raise OutOfRange(f"{law.name}: a temperature needs the specific heat (specific_heat, J/kg/K; a gas about a known state also its "
-                         "reference_temperature), which is not given")
+                         "reference_temperature), which is not given, or is 0")
