@@ -328,11 +328,12 @@ def _refuse(status, mode, name, target, ahead: Initial, par):
         raise OutOfRange(f"{asked} is no compression of the state ahead ({ahead.density:.6g} kg/m3, {ahead.pressure:.6g} Pa; law '{law}')")
     if status == jump.BEYOND_LIMIT:
         end = limit(par, ahead)
-        reach = f"density {end.density:.6g} kg/m3"
+        reach = (f"density {end.density:.6g} kg/m3" if math.isfinite(end.density) else
+                 "no volume left, where the shock runs no faster than the material behind it")
         if math.isfinite(end.particle_velocity):
             reach += (f", pressure {end.pressure:.6g} Pa, particle velocity {end.particle_velocity:.6g} m/s, "
                       f"shock velocity {end.shock_velocity:.6g} m/s")
         raise OutOfRange(f"{asked} is beyond the compression limit of law '{law}' from {ahead.density:.6g} kg/m3: "
-                         f"the Hugoniot ends at {reach}")
+                         f"the Hugoniot ends at {reach}; ask for a weaker shock")
     raise NoSolution(f"the search for {asked} on the Hugoniot of law '{law}' from {ahead.density:.6g} kg/m3 did not settle: "
                      "the law is not smooth there; ask for a neighbouring state")
