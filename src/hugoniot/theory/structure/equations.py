@@ -28,7 +28,7 @@ from hugoniot.laws.transport.contract import CONDUCTION, TRANSPORT
 from hugoniot.theory.structure.ends import Ends
 from hugoniot.theory.structure.slow_manifold import slow_manifold
 
-STIFF = 40.0  # ratio of the upstream rates above which the trajectory is found as a curve, not along x
+STIFF = 8.0  # ratio of the upstream rates above which the trajectory is found as a curve, not along x
 _START, _STOP = 1e-7, 1e-9  # distance from the ends, as a part of the jump
 _ALONG = (0.003, 0.01, 0.03, 0.1, 0.3, 0.5, 0.9)  # of the way from one end to the other
 _LEAST_RATIO = 1e-4  # of c_v / c_p that a stable state has

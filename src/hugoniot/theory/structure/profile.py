@@ -23,7 +23,8 @@ from hugoniot.theory.structure.equations import Equations
 
 FIELDS = ("density", "velocity", "pressure", "energy", "temperature", "viscous_stress", "heat_flux", "viscosity", "conductivity",
           "entropy", "entropy_production_viscous", "entropy_production_conductive")
-_PER_STEP = 4  # points per step of the integration at which gradients are looked at
+_DECAYS = 24    # e-folding lengths that the tails are followed beyond the integration
+_PER_STEP = 4   # points per step of the integration at which gradients are looked at
 
 
 @dataclass(frozen=True)
@@ -139,20 +140,27 @@ class Profile:
 
     def width(self, name: str = "density", low: float = 0.1, high: float = 0.9) -> float:
         """Distance between `low` and `high` parts of a field's jump, m."""
-        one, two = getattr(self.ends.upstream, name), getattr(self.ends.downstream, name)
-        values = (self.at(self.x)[name] - one) / (two - one)
-        places = []
-        for level in (low, high):
-            i = int(np.flatnonzero(values >= level)[0])
-            places.append(brentq(lambda x, level=level: (self.at(x)[name][0] - one) / (two - one) - level, self.x[i - 1], self.x[i],
-                                 xtol=1e-12 * self._equations.length))
-        return places[1] - places[0]
+        start, end = self._places(name, low, high)
+        return end - start
 
     def extent(self, part: float = 1e-3) -> tuple[float, float]:
-        """(x upstream, x downstream), m, beyond which the density is within `part` of the jump of its ends."""
-        rho1, rho2 = self.ends.upstream.density, self.ends.downstream.density
-        y = (self.at(self.x)["density"] - rho1) / (rho2 - rho1)
-        return float(np.interp(part, y, self.x)), float(np.interp(1.0 - part, y, self.x))
+        """(x upstream, x downstream), m, beyond which the density is within `part` (1e-12 or more) of the jump of its ends."""
+        return self._places("density", part, 1.0 - part)
+
+    def _places(self, name: str, *levels: float) -> tuple[float, ...]:
+        """Where a field has first gained these parts of its jump, m; in the tails beyond the integration too."""
+        one, two = getattr(self.ends.upstream, name), getattr(self.ends.downstream, name)
+        decays = np.arange(1.0, _DECAYS) * self._equations.length
+        x = np.concatenate([self.x[0] - decays[::-1] / self._rates[1], self.x, self.x[-1] - decays / self._rates[0]])
+
+        def gained(x):
+            return (self.at(x)[name] - one) / (two - one)
+        values = gained(x)
+        places = []
+        for level in levels:
+            i = int(np.flatnonzero(values >= level)[0])
+            places.append(brentq(lambda x, level=level: gained(x)[0] - level, x[i - 1], x[i], xtol=1e-12 * self._equations.length))
+        return tuple(places)
 
     @property
     def entropy_produced(self) -> float:
