@@ -7,6 +7,7 @@ import numpy as np
 from hugoniot.core.compile import float_row
 from hugoniot.core.ops import NO_LIMIT
 from hugoniot.errors import OutOfRange
+from hugoniot.laws.arrays import float_parameters
 from hugoniot.laws.eos.contract import compacted, density_limits, pressure, reference_state, remembered, sound_speed_squared, unloading
 from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.laws.strength.contract import STRENGTH, shear_modulus
@@ -47,8 +48,9 @@ def group_laws(problem: Problem) -> Laws:
     for region in problem.regions:
         material = problem.materials[region.material]
         eos = material.eos if material.burn is None else burning.reactive(material)
-        laws = (eos, material.strength or STRENGTH.get("none").example, material.fracture or FRACTURE.get("none").example,
-                viscosity)
+        # sweeps read floats from a table and all else from the first of a kind: an integer would shift the columns behind it
+        laws = tuple(float_parameters(law) for law in (
+            eos, material.strength or STRENGTH.get("none").example, material.fracture or FRACTURE.get("none").example, viscosity))
         key = (_shape(laws), region.material if _holds_arrays(laws) else None)
         if key not in keys:
             keys.append(key)
