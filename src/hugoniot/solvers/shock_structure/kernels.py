@@ -36,6 +36,7 @@ bind_module(eos_contract)
 bind_module(transport_contract)
 
 _TINY = 1e-40
+FAINT = 0.1     # Grüneisen parameter below which an entropy wave is measured by its energy
 LEAST = 0.1     # of the signal speed: parts odd and even cells, which a central pressure does not see
 _PROBE = 1e-4   # relative step of the temperature's slope: its error is the square
 
@@ -225,13 +226,20 @@ def flux_sweep(U, F, h, rough, control, counters, eos, transport, conducting):
         F[E, i] = 0.5 * ((el + pl) * ul + (er + pr) * ur) - 0.5 * damp * (er - el) - tau * u + q
         if abs(u) > damp:       # entropy waves have no viscosity of their own
             p_rho, p_e = pressure_derivatives(rho, e, eos)
-            if p_e != 0.0:
-                amount = 0.5 * (abs(u) - damp) * (rr - rl - (pr - pl) / (0.5 * (cl * cl + cr * cr)))
-                F[RHO, i] -= amount
-                F[J, i] -= amount * u
-                F[E, i] -= amount * (total - rho * p_rho / p_e)
-            else:               # at constant pressure the density is, and the energy alone jumps
-                F[E, i] -= 0.5 * (abs(u) - damp) * rho * (er / rr - 0.5 * ur * ur - el / rl + 0.5 * ul * ul)
+            square, p = 0.5 * (cl * cl + cr * cr), 0.5 * (pl + pr)
+            sound = (pr - pl) / square if p_e > 0.0 else 0.0   # the part of the jump of density that is sound; open pores have none
+            if p_e < FAINT * rho:   # by their energy: where pores close p_e is next to nothing, and must not be divided by
+                jump = er / rr - 0.5 * ur * ur - el / rl + 0.5 * ul * ul - p / (rho * rho) * sound
+                amount = -0.5 * (abs(u) - damp) * jump
+                heat = -amount * rho
+                amount *= p_e / p_rho if p_rho > 0.0 else 0.0   # open pores have neither slope
+                heat += amount * total
+            else:                             # by their density
+                amount = 0.5 * (abs(u) - damp) * (rr - rl - sound)
+                heat = amount * (total - rho * p_rho / p_e)
+            F[RHO, i] -= amount
+            F[J, i] -= amount * u
+            F[E, i] -= heat
         if speed > fastest:
             fastest = speed
             counters[LIMITING] = min(i, n - 1)
