@@ -227,15 +227,15 @@ def flux_sweep(U, F, h, rough, control, counters, eos, transport, conducting):
         if abs(u) > damp:       # entropy waves have no viscosity of their own
             p_rho, p_e = pressure_derivatives(rho, e, eos)
             square, p = 0.5 * (cl * cl + cr * cr), 0.5 * (pl + pr)
-            sound = (pr - pl) / square if p_e > 0.0 else 0.0   # the part of the jump of density that is sound; open pores have none
+            acoustic = (pr - pl) / square if p_e > 0.0 else 0.0    # part of the jump of density that is sound; open pores have none
             if p_e < FAINT * rho:   # by their energy: where pores close p_e is next to nothing, and must not be divided by
-                jump = er / rr - 0.5 * ur * ur - el / rl + 0.5 * ul * ul - p / (rho * rho) * sound
+                jump = er / rr - 0.5 * ur * ur - el / rl + 0.5 * ul * ul - p / (rho * rho) * acoustic
                 amount = -0.5 * (abs(u) - damp) * jump
                 heat = -amount * rho
                 amount *= p_e / p_rho if p_rho > 0.0 else 0.0   # open pores have neither slope
                 heat += amount * total
             else:                             # by their density
-                amount = 0.5 * (abs(u) - damp) * (rr - rl - sound)
+                amount = 0.5 * (abs(u) - damp) * (rr - rl - acoustic)
                 heat = amount * (total - rho * p_rho / p_e)
             F[RHO, i] -= amount
             F[J, i] -= amount * u
