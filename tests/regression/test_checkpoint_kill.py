@@ -59,17 +59,19 @@ def kill_after(process, delay):
 @pytest.mark.skipif(sys.platform == "win32", reason="kill -9 is a Unix matter")
 def test_killed_again_and_again_the_run_ends_in_the_same_bytes(whole, tmp_path):
     chance = random.Random(20)
-    folder, kills = tmp_path / "run", 0
+    folder, kills, ended = tmp_path / "run", 0, False
     assert kill_after(start(folder, "new"), 0.05), "the first run was not killed"
     for _ in range(8):
-        if not kill_after(start(folder, "resume"), chance.uniform(0.0, 0.12)):
+        if ended := not kill_after(start(folder, "resume"), chance.uniform(0.0, 0.12)):
             break
         kills += 1
     assert kills >= 2
     if not (folder / "summary.json").is_file():
         assert start(folder, "resume").wait(timeout=60) == 0
+        ended = True
     assert same_bytes(whole, folder)
-    assert not (folder / "pieces").exists() and not (folder / "checkpoint").exists()
+    if ended:       # a kill may also meet a run that has written its summary and is tidying up
+        assert not (folder / "pieces").exists() and not (folder / "checkpoint").exists()
 
 
 class Stop(Exception):
