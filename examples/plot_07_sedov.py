@@ -21,6 +21,8 @@ run = hugoniot.run("sedov.toml", Path(tempfile.mkdtemp()) / "sedov.run", report=
 exact, rows = sedov(), run.arrays("snapshots")
 centre = 0.5 * (rows["position_left"] + rows["position_right"])
 
+# %%
+# Left the density at three times (dots) on the exact one; right the radius of the shock, which grows as t to the power 2/5.
 fig, (one, two) = plt.subplots(1, 2, figsize=(7.2, 3.2), layout="constrained")
 x = np.linspace(1e-3, 1.15, 3000)
 for k, wanted in enumerate((0.2, 0.5, 1.0)):
@@ -29,9 +31,6 @@ for k, wanted in enumerate((0.2, 0.5, 1.0)):
     one.plot(centre[n], rows["density"][n], ".", ms=2.5, color=COLOURS[k])
     one.text(exact.jumps(wanted)[0], 6.15, f"{wanted:g} s", color=COLOURS[k], ha="center", fontsize=8.5)
 one.set(xlabel="radius (m)", ylabel="density (kg/m³)", xlim=(0, 1.15), ylim=(0, 6.7))
-
-# %%
-# The radius of the shock grows as t to the power 2/5.
 time = rows["time"][2:]
 front = [c[np.flatnonzero(r > 2.0)[-1]] for r, c in zip(rows["density"][2:], centre[2:])]
 two.loglog(time, [exact.jumps(t)[0] for t in time], color=INK, lw=0.8)

@@ -22,6 +22,9 @@ reach = curve(law, up_to=30e3, points=601)
 up, p = reach.particle_velocity / 1e3, reach.pressure / 1e9
 known = up <= limit
 
+# %%
+# Left the range of the table, right that of the data. The slope of a Rayleigh line is the shock impedance, density times
+# shock velocity.
 fig, (ax, near) = plt.subplots(1, 2, figsize=(7.4, 3.6), layout="constrained", width_ratios=(1.2, 1))
 ax.plot(up[known], p[known], color=COLOURS[0])
 ax.plot(up[~known], p[~known], color=COLOURS[0], ls=(0, (4, 2)))
@@ -34,8 +37,6 @@ ax.text(11.5, 1480, "Rayleigh line", fontsize=8.5, ha="right")
 ax.text(22, 3000, f"extrapolated fit\nUs = {reach.shock_velocity[-1] / 1e3:.2f} km/s", color=COLOURS[0], fontsize=8.5, ha="right")
 ax.set(xlabel="particle velocity (km/s)", ylabel="pressure (GPa)", xlim=(0, 32), ylim=(0, 4100))
 
-# %%
-# The range of the data. The slope of a Rayleigh line is the shock impedance, density times shock velocity.
 near.plot(up[known], p[known], color=COLOURS[0])
 for velocity in (1000.0, 2000.0, 3000.0):
     state = shock(law, particle_velocity=velocity)

@@ -32,7 +32,8 @@ drawn = propagate(impact, VALUES, SIGMAS, correlation=ANTI, samples=400, seed=1)
 careless = propagate(impact, VALUES, SIGMAS)
 
 # %%
-# The construction in the P-up plane: the target's Hugoniot and the flyer's curve, running back from the impact velocity.
+# Left the construction in the P-up plane: the target's Hugoniot and the flyer's curve, running back from the impact velocity. Right
+# what the error is made of: the standard deviation that each input would give alone.
 fig, (ax, bars) = plt.subplots(1, 2, figsize=(7.4, 3.5), layout="constrained", width_ratios=(1.25, 1))
 layers = [MieGruneisen(8930.0, 3940.0, 1.489, 1.99), MieGruneisen(2785.0, 5328.0, 1.338, 2.0)]
 impedance_match(layers, 1000.0, match(layers, 1000.0), ax=ax)
@@ -45,8 +46,6 @@ ax.set_xlim(0, 1.08)
 found = linear["pressure"], linear["particle_velocity"]
 ax.errorbar(found[1].value / 1e3, found[0].value, xerr=found[1].sigma / 1e3, yerr=found[0].sigma, color=INK, lw=1.2, capsize=2.5, zorder=6)
 
-# %%
-# What the error is made of: the share of each input in the variance of the pressure, were it alone.
 names = {"velocity": "impact velocity", "c_al": "c₀ aluminium", "s_al": "s aluminium", "c_cu": "c₀ copper", "s_cu": "s copper"}
 shares = [linear["pressure"].shares[name] ** 0.5 * linear["pressure"].sigma for name in names]
 y = np.arange(len(names))

@@ -65,6 +65,18 @@ def test_a_script_is_short_and_says_what_it_shows(name):
     assert re.match(r'"""\n.+\n=+\n\n\S', text)
 
 
+@pytest.mark.parametrize("name", SCRIPTS)
+def test_a_figure_is_finished_in_the_block_that_begins_it(name):
+    """The documentation takes the picture at the end of each block: a panel drawn in a later one would stay empty there."""
+    axes: set[str] = set()
+    for block in re.split(r"^# %%", (EXAMPLES / name).read_text(), flags=re.MULTILINE):
+        code = "\n".join(line for line in block.splitlines() if not line.startswith("#"))
+        bound = {word for left in re.findall(r"^([\w, ()]+?) = ", code, flags=re.MULTILINE) for word in re.findall(r"\w+", left)}
+        late = [axis for axis in axes - bound if re.search(rf"\b{axis}\b", code)]
+        assert not late, f"{name} draws on {', '.join(late)} after the picture was taken"
+        axes |= {word for left in re.findall(r"^(.+?) = .*\bsubplots\(", code, flags=re.MULTILINE) for word in re.findall(r"\w+", left)}
+
+
 @pytest.mark.parametrize("name", [pytest.param(name, marks=pytest.mark.slow) if name in HEAVY else name for name in SCRIPTS])
 def test_a_script_runs_draws_and_keeps_its_promises(name, capsys, monkeypatch):
     check(name, draw(name, capsys, monkeypatch))
