@@ -39,15 +39,16 @@ def show(material: MATERIAL, at: AT = None, as_json: JSON = False, as_csv: CSV =
     if as_csv:
         write_csv(as_csv, [("", state.table("gruneisen", "entropy"))])
     if as_json:
-        echo_json({"material": subject.material.name, "law": law.name, "parameters": _parameters(par, law),
-                   "references": list(law.references), **row_of(state.table("gruneisen", "entropy")), "warnings": told})
+        echo_json({"material": subject.material.name, "law": law.name, "parameters": _parameters(par),
+                   "references": list(law.references), **({"unreacted": True} if subject.reacted and at else {}),
+                   **row_of(state.table("gruneisen", "entropy")), "warnings": told})
         return
     typer.echo(f"{subject.title or subject.material.name}: {law.name} - {law.summary}")
-    rows = [(f"  {n}", cell("", v), law.units.get(n, ""), law.meaning.get(n, "")) for n, v in _parameters(par, law).items()]
-    echo_table(["", "", "", ""], rows)
+    echo_table(["", "", "", ""], _parameter_rows(par))
     typer.echo(f"Source of the law: {'; '.join(law.references)}")
     rest = "Products at the density and energy of the explosive" if subject.reacted else "At rest"
-    typer.echo(f"\n{'On the Hugoniot at ' + at if at else rest}:")
+    on = f"On the Hugoniot{' of the unreacted explosive' if subject.reacted else ''} at {at}"
+    typer.echo(f"\n{on if at else rest}:")
     echo_states(state, "gruneisen")
     echo_notes(told)
 
@@ -77,10 +78,11 @@ def hugoniot(
 @app.command()
 def isentrope(
     materials: MATERIALS, at: AT = None, points: POINTS = 51,
-    to: Annotated[str | None, typer.Option("--to", help='Pressure at the end, default 0 ("10 GPa" without --at).')] = None,
+    to: Annotated[str | None, typer.Option("--to", help='Pressure at the end; default that at rest, 0 for a solid ("1 bar" for products, '
+                                                        '"10 GPa" without --at, "100 bar" for a gas).')] = None,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """The isentrope through a state of the Hugoniot (--at) down to zero pressure, or from rest up to a pressure.
+    """The isentrope through a state of the Hugoniot (--at) down to the pressure at rest, or from rest up to a pressure.
 
     For detonation products the start is the CJ state unless --at says otherwise. Particle velocities are those behind a release
     that runs back into the material, as below a free surface.
@@ -88,25 +90,17 @@ def isentrope(
     Example: hugoniot eos isentrope copper --at "pressure = 50 GPa" --plot release.png
     """
     from hugoniot.theory import hugoniot as curves
-    from hugoniot.theory.isentrope import isentrope as trace
-    from hugoniot.theory.isentrope import reference
 
     paths = []
     for name in materials:
         subject = find_material(name)
         start = _start(subject, name, at)
-        default = ("1 bar" if subject.reacted else "0 Pa") if start.pressure > reference(subject.material).pressure else "10 GPa"
-        end = quantity(to or default, "Pa", "--to")
-        import numpy as np
-
-        span = np.geomspace(start.pressure, end, points) if subject.reacted and end > 0.0 else np.linspace(start.pressure, end, points)
-        states = trace(subject.material, start, pressure=span, direction=-1)
-        paths.append((subject, start, states))
+        paths.append((subject, start, _expansion(subject, start, to, points)))
     if plot:
         from hugoniot.plotting.eos import releases, save
 
-        drawn = [(s.material.name, None if s.reacted else curves.curve(s.material, up_to=1.15 * max(st.particle_velocity, 1.0)), states)
-                 for s, st, states in paths]
+        drawn = [(s.material.name, None if s.reacted else curves.curve(s.material, up_to=1.15 * max(st.particle_velocity, 1.0)),
+                  states if points >= 60 else _expansion(s, st, to, 60)) for s, st, states in paths]
         save(releases(drawn), plot)
     told = [notes(s, 0.0 if s.reacted else st.particle_velocity) for s, st, _ in paths]
     if not deliver([(s.material.name, st.table("entropy")) for s, _, st in paths], as_json=as_json, as_csv=as_csv, told=told):
@@ -275,8 +269,33 @@ def table(
 
 
 # -- shared ------------------------------------------------------------------------------------------------------
-def _parameters(par, law) -> dict:
-    return {name: value for name, value in zip(par._fields, par) if isinstance(value, (int, float)) and value == value}
+def _parameters(par) -> dict:
+    """Parameters that have a value; a law inside another one is a table of its own, with its name as `law`."""
+    from hugoniot.laws.eos.contract import EOS
+
+    found = {}
+    for name, value in zip(par._fields, par):
+        if EOS.knows(value):
+            found[name] = {"law": EOS.of(value).name, **_parameters(value)}
+        elif getattr(value, "ndim", 0) or isinstance(value, (int, float)) and value == value:
+            found[name] = value
+    return found
+
+
+def _parameter_rows(par, indent: str = "  ") -> list[tuple[str, str, str, str]]:
+    """Name, value, unit and meaning of each, those of a law inside indented below it; of a table its extent."""
+    from hugoniot.laws.eos.contract import EOS
+
+    law, rows = EOS.of(par), []
+    for name, value in zip(par._fields, par):
+        told = f"{indent}{name}", law.units.get(name, ""), law.meaning.get(name, "")
+        if EOS.knows(value):
+            rows += [(told[0], EOS.of(value).name, "", told[2]), *_parameter_rows(value, indent + "  ")]
+        elif getattr(value, "ndim", 0):
+            rows.append((told[0], f"{' x '.join(str(n) for n in value.shape)} values, {value.min():.5g} to {value.max():.5g}", *told[1:]))
+        elif isinstance(value, (int, float)) and value == value:
+            rows.append((told[0], cell("", value), *told[1:]))
+    return rows
 
 
 def _shocked(subject: Subject, at: str) -> States:
@@ -299,6 +318,25 @@ def _portrait(name: str, subject: Subject, state: States | None, path) -> None:
 
     inert = find_inert(name)
     save(portrait(inert.material.name, inert.material, state, library_points(inert.names)), path)
+
+
+def _expansion(subject: Subject, start: States, to: str | None, points: int) -> States:
+    """States along the isentrope from `start` to the pressure `to`: a release of crushed pores is elastic, products fall by factors."""
+    import numpy as np
+
+    from hugoniot.theory.isentrope import isentrope as trace
+    from hugoniot.theory.isentrope import reference, release
+
+    rest = max(float(reference(subject.material).pressure), 0.0)
+    falls = start.pressure > rest * (1.0 + 1e-9)
+    gas = rest > 1e3 and not subject.reacted
+    default = (1e5 if subject.reacted else rest if gas else 0.0) if falls else 1e7 if gas else 1e10
+    end = quantity(to, "Pa", "--to") if to else default
+    if end <= start.pressure and not subject.reacted:
+        return release(subject.material, start, end, points=points)
+    by_factors = (subject.reacted or gas) and end > 0.0
+    span = np.geomspace(start.pressure, end, points) if by_factors else np.linspace(start.pressure, end, points)
+    return trace(subject.material, start, pressure=span, direction=-1)
 
 
 def _start(subject: Subject, name: str, at: str | None) -> States:

@@ -101,7 +101,8 @@ def zones(names: list[str], asked: Zone, as_json, as_csv, plot) -> None:
         echo_table(["", ""], [(words(k), cell(k, row[k])) for k in SCALARS])
         typer.echo("\nvon Neumann spike")
         echo_columns(zone.von_neumann.table())
-        typer.echo("\nbehind it")
+        energy = cell("specific_internal_energy", row["detonation_energy"])
+        typer.echo("\nbehind it" + (f", chemical energy {energy} counted in the internal energy" if row["closure"] else ""))
         echo_columns(zone.table())
         echo_notes(said)
 
@@ -138,7 +139,8 @@ def _solved(name: str, asked: Zone):
 
 def _row(title, zone, law, ahead, closure, said) -> dict:
     table = row_of(zone.table())
-    return {"material": title, "closure": closure, "detonation_velocity": zone.velocity,
+    energy = getattr(law, "detonation_energy", ahead.heat)
+    return {"material": title, "closure": closure, "detonation_energy": energy, "detonation_velocity": zone.velocity,
             "chapman_jouguet_velocity": zone.chapman_jouguet_velocity, "overdrive": zone.overdrive,
             "half_reaction_length": zone.half_reaction_length, "half_reaction_time": zone.half_reaction_time,
             "reaction_zone_length": float(np.max(zone.position)), "von_neumann": row_of(zone.von_neumann.table()), **table,

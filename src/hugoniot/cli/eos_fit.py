@@ -8,7 +8,7 @@ import typer
 
 from hugoniot.cli.eos_output import echo_columns, echo_notes, notes, write_csv
 from hugoniot.cli.show import echo_json, echo_table
-from hugoniot.errors import DeckError
+from hugoniot.errors import DeckError, OutOfRange
 from hugoniot.theory.fits import adjusted_gamma, fit_jwl, read_expansion, read_points, truncated_pressure, us_up
 
 WORDS = (("c0", "m/s"), ("s", ""), ("s2", "s/m"))
@@ -29,7 +29,10 @@ def report(name: str, degree: int, least: float, highest: float, as_json: bool, 
     """Fit the points of a file or of the library; print, and draw where asked."""
     up, us = _points(name)
     kept = (up >= least) & (up <= highest)
-    fitted = us_up(up[kept], us[kept], degree)
+    try:
+        fitted = us_up(up[kept], us[kept], degree)
+    except OutOfRange as error:
+        raise DeckError.single(name, None, "points", str(error), "measure more, or widen --from and --to") from None
     if plot:
         from hugoniot.plotting.eos import save, us_up_fit
 

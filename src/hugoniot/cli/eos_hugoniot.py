@@ -14,6 +14,8 @@ from hugoniot.theory.fits import read_points
 from hugoniot.theory.hugoniot import Initial, curve, shock
 from hugoniot.theory.states import States
 
+SMOOTH = 60     # states with which a curve looks like one
+
 
 class Question(NamedTuple):
     """What was asked, as typed."""
@@ -76,13 +78,16 @@ def _with_reaction(name: str, asked: Question) -> Answer:
 
 
 def _drawn(found: Answer, single: bool) -> States:
-    """The curve of the picture: the states, or the Hugoniot through the single one and somewhat beyond, as far as the law goes."""
+    """The curve of the picture: smooth to the last state asked for, or through the single one and somewhat beyond, as far as it goes."""
     from hugoniot.theory.chapman_jouguet import detonation_hugoniot
 
-    if not single:
+    if not single and len(found.states) >= SMOOTH:
         return found.states
     if found.cj:
-        return detonation_hugoniot(found.subject.material, found.ahead)
+        end = None if single else float(found.states.particle_velocity[-1])
+        return detonation_hugoniot(found.subject.material, found.ahead, up_to=end)
+    if not single:
+        return curve(found.subject.material, found.ahead, up_to=float(found.states.particle_velocity[-1]) - found.ahead.velocity)
     up = max(float(found.states.particle_velocity) - found.ahead.velocity, 1.0)
     try:
         return curve(found.subject.material, found.ahead, up_to=1.3 * up)
@@ -106,12 +111,22 @@ def report(found: list[Answer], single: bool, kind: str, as_json, as_csv, plot) 
     if not deliver(tables, as_json=as_json, as_csv=as_csv, told=told, more=more):
         return
     for f, said in zip(found, told):
-        typer.echo(f.subject.title or f.subject.material.name)
+        typer.echo(f"{f.subject.title or f.subject.material.name}{_from(f)}")
         if f.cj:
             point = [cell(k, getattr(f.cj, k)) for k in ("pressure", "particle_velocity", "shock_velocity")]
             typer.echo(f"with complete reaction; CJ point at {point[0]}, {point[1]}, front {point[2]}")
         echo_states(f.states)
         echo_notes(said)
+
+
+def _from(f: Answer) -> str:
+    """Where a Hugoniot starts, if not from rest."""
+    rest = Initial.at_rest(f.subject.material)
+    if f.cj or f.ahead == rest:
+        return ""
+    state = f"{cell('pressure', f.ahead.pressure)} and {cell('density', f.ahead.density)}"
+    porous = f.ahead.density < rest.density and f.ahead.pressure == 0.0
+    return f", porous: {cell('density', f.ahead.density)} ahead of the shock" if porous else f", from {state}"
 
 
 def _points(f: Answer, kind: str):

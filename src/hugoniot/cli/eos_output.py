@@ -28,7 +28,8 @@ SHOWN = {"pressure": ("GPa", 1e-9, "10.5g"), "density": ("kg/m3", 1.0, "9.2f"), 
          "half_reaction_time": ("ns", 1e9, "10.5g")}
 SHOWN |= dict.fromkeys(("principal_pressure", "principal_series", "second_pressure", "second_series", "difference", "leading_difference",
                         "stress", "truncated_pressure", "adjusted_pressure"), ("GPa", 1e-9, "10.6g"))
-WORDS = {"specific_internal_energy": "internal energy"}
+WORDS = {"specific_internal_energy": "internal energy", "gruneisen": "Grüneisen parameter",
+         "adjusted_gruneisen": "adjusted Grüneisen parameter"}
 
 
 def words(name: str) -> str:
@@ -67,10 +68,24 @@ def echo_columns(given: dict) -> None:
     count = max(len(v) for v in table.values() if v is not None)
     chosen = sorted({int(round(i)) for i in np.linspace(0, count - 1, min(count, 25))})
     columns = [k for k, v in table.items() if v is not None]
-    heads = [f"{words(k)}{', ' + SHOWN[k][0] if k in SHOWN and SHOWN[k][0] else ''}" for k in columns]
-    echo_table(heads, [[cell(k, table[k][i], unit=False) for k in columns] for i in chosen])
+    shown = {k: _unit_of(k, table[k]) for k in columns}
+    heads = [f"{words(k)}{', ' + shown[k][0] if shown[k][0] else ''}" for k in columns]
+    echo_table(heads, [[_number(table[k][i], *shown[k][1:]) for k in columns] for i in chosen])
     if count > len(chosen):
         typer.echo(f"{len(chosen)} of {count} states shown; --csv and --json give all")
+
+
+def _unit_of(name: str, values) -> tuple[str, float, str]:
+    """(unit, factor, format) of a column; pressures of gases in MPa or kPa."""
+    shown, factor, form = SHOWN.get(name, (UNITS.get(name, ""), 1.0, ".6g"))
+    top = max((abs(v) for v in values if v is not None), default=0.0)
+    if shown == "GPa" and 0.0 < top < 1e8:
+        shown, factor = ("MPa", 1e-6) if top >= 1e6 else ("kPa", 1e-3)
+    return "" if shown == "1" else shown, factor, form
+
+
+def _number(value, factor: float, form: str) -> str:
+    return "-" if value is None else f"{value * factor:{form}}".strip()
 
 
 def cell(name: str, value, unit: bool = True) -> str:

@@ -8,7 +8,7 @@ import typer
 from hugoniot.cli.eos_input import Subject, quantity
 from hugoniot.cli.show import echo_json, echo_table
 from hugoniot.errors import DeckError, FileTrouble, OutOfRange
-from hugoniot.laws.eos.contract import EOS, reference_state
+from hugoniot.laws.eos.contract import EOS, reference_state, require_temperature
 from hugoniot.theory.isentrope import state
 from hugoniot.theory.states import density_range
 
@@ -16,6 +16,7 @@ from hugoniot.theory.states import density_range
 def report(subject: Subject, densities: str, temperatures: str, points: int, as_json: bool, as_csv,
            as_hdf5=None, plot=None) -> None:
     """Solve for the energy at every density and temperature; print a corner of it, or write all."""
+    require_temperature(subject.material.eos)
     rho0 = reference_state(subject.material.eos)[0]
     low, high = _range(densities, "kg/m^3", "--densities") if densities else (0.9 * rho0, 1.5 * rho0)
     least, most = density_range(subject.material.eos)

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble
-from hugoniot.plotting.style import COLOURS, INK, QUIET, label_lines, new_axes, quiet_grid, styled
+from hugoniot.plotting.style import COLOURS, INK, QUIET, fit_pressure, halo, label_lines, new_axes, quiet_grid, styled
 from hugoniot.theory.hugoniot import Initial, curve
 from hugoniot.theory.impedance import Match
 from hugoniot.theory.isentrope import isentrope
@@ -70,6 +70,9 @@ def hugoniots(curves: Sequence[tuple[str, Initial, States]], kind: str = "p-up",
             ax.plot(mx, my, "o", color=colour, ms=5, zorder=5)
         heights.append(y)
     finish(ax, kind)
+    if kind in ("p-up", "p-v"):
+        corner = (0.02, 0.03) if kind == "p-v" else (0.02, 0.9)
+        ax.annotate("dashed: Rayleigh line", corner, xycoords="axes fraction", fontsize=8, color=QUIET, path_effects=halo())
     if kind == "p-up" and mark is not None:
         # every curve rises from the lower left to the upper right and is hollow: the corner below it is free
         for i, (state, (name, _, _)) in enumerate(zip(mark, curves)):
@@ -107,7 +110,7 @@ def releases(paths: Sequence[tuple[str, States | None, States]], ax=None):
     for i, ((name, shocked, _), (x, y)) in enumerate(zip(paths, columns)):
         middle = int(np.argmin(np.abs(y - 0.45 * np.max(y))))
         ax.annotate(f"{name} release", (x[middle], y[middle]), xytext=(7, 4), textcoords="offset points",
-                    color=COLOURS[i % len(COLOURS)], fontsize=8.5)
+                    color=COLOURS[i % len(COLOURS)], fontsize=8.5, path_effects=halo())
         if shocked is not None and i == 0:
             hx, hy = columns_of("p-up", shocked)
             k = int(np.searchsorted(hy, 0.45 * np.max(y)))
@@ -138,7 +141,8 @@ def impedance_match(layers: Sequence, velocity: float, met: Sequence[Match], ax=
                         color=COLOURS[0], fontsize=8.5, ha="right")
         ax.plot(m.particle_velocity * 1e-3, m.pressure * 1e-9, "o", color=INK, ms=4.5, zorder=5)
         ax.annotate(f"{m.pressure * 1e-9:.3g} GPa, {m.particle_velocity:.4g} m/s", (m.particle_velocity * 1e-3, m.pressure * 1e-9),
-                    xytext=(8, -3 if k == 0 else 3), textcoords="offset points", fontsize=8, color=INK, va="top" if k == 0 else "bottom")
+                    xytext=(8, -3 if k == 0 else 3), textcoords="offset points", fontsize=8, color=INK, va="top" if k == 0 else "bottom",
+                    path_effects=halo(), zorder=6)
     rung = [(m.particle_velocity * 1e-3, m.pressure * 1e-9) for m in met[len(layers) - 2:]]
     if len(rung) > 1:  # the first layer rings up between its neighbours
         ax.plot(*zip(*rung), color=QUIET, lw=0.8, marker="o", ms=3.2, zorder=4)
@@ -160,7 +164,10 @@ def waves_in_time(diagram, names: Sequence[str], ax=None):
     edges = sorted({x1 for kind, t1, x1, _, _ in diagram.paths if t1 == 0.0 and kind in ("surface", "interface")} | {0.0})
     for name, low, high in zip(names, edges, edges[1:]):
         ax.text(0.5 * (low + high) * 1e3, -0.012 * diagram.time * 1e6, name, ha="center", va="top", fontsize=8.5, color=INK)
-    for kind, label, place in (("shock", "shocks", 0.0), ("fan", "release fans", 0.16)):
+    legend = [("shock", "shocks", 0.0), ("fan", "release fans", 0.14)]
+    if any(kind == "contact" for kind, *_ in diagram.paths):
+        legend.append(("contact", "thin grey: where two waves met", 0.37))
+    for kind, label, place in legend:
         ax.text(place, 1.02, label, transform=ax.transAxes, color=looks[kind][0], fontsize=8.5)
     ax.set_ylim(-0.07 * diagram.time * 1e6, diagram.time * 1e6)
     ax.set_xlabel("position (mm)")
@@ -238,12 +245,13 @@ def label_lines_at_ends(ax, names, columns) -> None:
             lift += 0.01
         placed.append(place + [0.0, lift])
         ax.annotate(names[i], ends[i], xytext=(4, lift * 72.0 * 3.0), textcoords="offset points", color=COLOURS[i % len(COLOURS)],
-                    fontsize=8.5, va="center")
+                    fontsize=8.5, va="center", path_effects=halo())
 
 
 def _name_at_top(ax, names, columns):
     for i, (name, (x, y)) in enumerate(zip(names, columns)):
-        ax.annotate(name, (x[-1], y[-1]), xytext=(4, 2), textcoords="offset points", color=COLOURS[i % len(COLOURS)], fontsize=8.5)
+        ax.annotate(name, (x[-1], y[-1]), xytext=(4, 2), textcoords="offset points", color=COLOURS[i % len(COLOURS)], fontsize=8.5,
+                    path_effects=halo())
 
 
 def _temperature(states: States):
@@ -293,12 +301,16 @@ def _reflected(par, arriving: States, m: Match, count: int = 40):
 
 
 def finish(ax, kind: str) -> None:
-    """Labels, origin and grid of one of the planes of the field."""
+    """Labels, origin and grid of one of the planes of the field; pressures of gases in MPa or kPa."""
     ax.set_xlabel(KINDS[kind][0])
     ax.set_ylabel(KINDS[kind][1])
     if kind == "p-up":
         ax.set_ylim(bottom=0.0)
         ax.set_xlim(left=min(0.0, ax.get_xlim()[0]) if ax.get_xlim()[0] < -1e-3 else 0.0)
+    if kind in ("p-up", "p-v"):
+        fit_pressure(ax.yaxis)
+    elif kind == "t-p":
+        fit_pressure(ax.xaxis)
     quiet_grid(ax)
 
 

@@ -139,6 +139,23 @@ def label_lines(ax, texts, heights, colours, x: float = 1.01, size: float = 8.5)
         ax.text(x, height, text, color=colour, fontsize=size, va="center", ha="left", transform=ax.get_yaxis_transform(), clip_on=False)
 
 
+def fit_pressure(axis) -> None:
+    """Tick labels of an axis in GPa as MPa or kPa, where all it shows is less than a tenth of a GPa."""
+    top = max(abs(v) for v in axis.get_view_interval())
+    if top >= 0.1:
+        return
+    unit, factor = ("MPa", 1e3) if top >= 1e-3 else ("kPa", 1e6)
+    axis.set_major_formatter(lambda value, _: f"{value * factor:.6g}")
+    axis.set_label_text(axis.get_label_text().replace("GPa", unit))
+
+
+def halo() -> list:
+    """Path effects of a text that lines may cross."""
+    from matplotlib.patheffects import withStroke
+
+    return [withStroke(linewidth=2.2, foreground="white")]
+
+
 def quiet_grid(ax) -> None:
     """Faint horizontal lines behind the data."""
     ax.grid(axis="y", color=FAINT, linewidth=0.5)

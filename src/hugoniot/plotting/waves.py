@@ -3,11 +3,11 @@
 import numpy as np
 
 from hugoniot.errors import HugoniotError
-from hugoniot.plotting.eos import columns_of, finish
-from hugoniot.plotting.style import COLOURS, INK, QUIET, label_lines, new_axes, new_panels, quiet_grid, styled
+from hugoniot.plotting.eos import KINDS, columns_of, finish
+from hugoniot.plotting.style import COLOURS, INK, QUIET, fit_pressure, label_lines, new_axes, new_panels, quiet_grid, styled
 from hugoniot.theory import second_shock as second
 from hugoniot.theory.hugoniot import Initial, curve
-from hugoniot.theory.isentrope import isentrope
+from hugoniot.theory.isentrope import isentrope, release
 from hugoniot.theory.riemann import Riemann
 from hugoniot.theory.states import States
 
@@ -25,7 +25,7 @@ def portrait(name: str, material, state: States | None = None, points=None):
     shocked = curve(material, ahead, up_to=reach)
     start = shocked[len(shocked) - 1] if state is None else state
     try:
-        released = isentrope(material, start, pressure=np.linspace(start.pressure, ahead.pressure, 60), direction=-1)
+        released = release(material, start, ahead.pressure, points=60)
     except HugoniotError:  # a law whose isentrope ends on the way down
         released = None
     axes = new_panels(2, 2, 7.4, 5.4)
@@ -43,8 +43,10 @@ def portrait(name: str, material, state: States | None = None, points=None):
         if kind == "p-up":
             ax.plot([0.0, mx[0]], [ahead.pressure * 1e-9, my[0]], color=QUIET, lw=0.7)
         if kind == "t-p" and not np.isfinite(y).any():
-            ax.annotate("no temperature: the law has no specific heat", (0.5, 0.5), xycoords="axes fraction", ha="center", color=QUIET,
-                        fontsize=8)
+            ax.annotate("no temperature: the law gives none,\nor no specific heat is known", (0.5, 0.5), xycoords="axes fraction",
+                        ha="center", color=QUIET, fontsize=8)
+            ax.set(xticks=[], yticks=[], xlabel=KINDS[kind][0], ylabel=KINDS[kind][1])
+            continue
         finish(ax, kind)
     for k, (text, colour) in enumerate((("Hugoniot", COLOURS[0]), ("release", COLOURS[1]), ("Rayleigh line", QUIET))):
         axes[0, 0].annotate(text, (0.03, 0.97 - 0.09 * k), xycoords="axes fraction", va="top", color=colour, fontsize=8.5)
@@ -77,9 +79,12 @@ def riemann_waves(names: tuple[str, str], solution: Riemann, states: tuple[State
         for side, colour in ((-1, COLOURS[0]), (0, QUIET), (1, COLOURS[1])):
             ax.plot(xi * 1e-3, np.where(np.asarray(there["side"]) == side, y, np.nan), color=colour)
         ax.set(xlabel="position over time (km/s)", ylabel=label)
+        if key == "pressure":
+            fit_pressure(ax.yaxis)
         ax.margins(x=0.0)
         quiet_grid(ax)
     axes[0, 0].set(xlabel="particle velocity (km/s)", ylabel="pressure (GPa)")
+    fit_pressure(axes[0, 0].yaxis)
     quiet_grid(axes[0, 0])
     return axes[0, 0]
 

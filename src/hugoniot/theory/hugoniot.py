@@ -39,7 +39,8 @@ class Initial:
     def at_rest(cls, material, density: float | None = None, heat: float = 0.0, velocity: float = 0.0) -> "Initial":
         """The law's reference state; a `density` below the reference density makes it distended material.
 
-        The pressure is the law's at its reference state: zero for a solid, ambient for a gas.
+        The pressure is the law's at its reference state: zero for a solid, ambient for a gas. A gas has no pores: with a `density`
+        it has the reference energy, and the pressure of that state. Raises `OutOfRange` for a solid denser than at rest.
         """
         par = law_of(material)
         rho0, e0 = (float(v) for v in contract.reference_state(par))
@@ -48,6 +49,11 @@ class Initial:
             p0 = 0.0
         if density is not None and not density > 0.0:
             raise OutOfRange(f"an initial density of {density:.6g} kg/m3 is no state: give a positive one")
+        if density is not None and p0 > 0.0 and "gas" in EOS.of(par).flags:
+            p0 = float(contract.pressure(float(density), e0, par))
+        elif density is not None and density > rho0 * (1.0 + 1e-12):
+            raise OutOfRange(f"an initial density of {density:.6g} kg/m3 exceeds the {rho0:.6g} kg/m3 at rest, and pores only make it "
+                             "lower: start from a first shock, or give the law another rest density")
         return cls(rho0 if density is None else float(density), p0, e0, velocity, heat)
 
     @classmethod

@@ -49,6 +49,13 @@ def test_zone_of_an_explosive_of_the_library(tmp_path):
     assert [m["closure"] for m in both["materials"]] == ["weighted_pressures"] * 2
 
 
+def test_a_zone_tells_the_chemical_energy_it_counts():
+    found = answer("znd", "lx_17", "--points", "20")
+    inside = found["specific_internal_energy"][0] - found["von_neumann"]["specific_internal_energy"]
+    assert found["detonation_energy"] == pytest.approx(inside, rel=1e-9)
+    assert "counted in the internal energy" in eos("znd", "lx_17", "--points", "20").stdout
+
+
 def test_states_of_a_mixture_in_both_closures():
     isolation, equilibrium = answer("mixture", *LX17, "--burn-fraction", "0, 0.5, 1")["materials"]
     assert (isolation["closure"], equilibrium["closure"]) == ("thermal_isolation", "thermal_equilibrium")

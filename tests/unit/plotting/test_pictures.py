@@ -122,3 +122,15 @@ def test_comparison_is_drawn_with_its_difference(run, tmp_path):
     assert save_comparison(found, tmp_path / "c.png").stat().st_size > 5000
     with pytest.raises(FileTrouble):
         save_comparison(found, tmp_path / "none" / "c.png")
+
+
+def test_pressures_of_gases_are_drawn_in_their_own_unit():
+    from hugoniot.laws.eos.ideal_gas import IdealGas
+    from hugoniot.plotting.eos import hugoniots
+    from hugoniot.theory.hugoniot import Initial, curve
+
+    gas = IdealGas(1.4)
+    for speed, unit, factor in ((300.0, "kPa", 1e6), (3000.0, "MPa", 1e3)):
+        ax = hugoniots([("gas", Initial.at_rest(gas), curve(gas, up_to=speed))])
+        assert ax.get_ylabel() == f"pressure ({unit})"
+        assert float(ax.yaxis.get_major_formatter()(0.002)) == pytest.approx(0.002 * factor)

@@ -104,7 +104,56 @@ def test_pictures(tmp_path, arguments):
     assert out.stat().st_size > 10_000 and out.read_bytes()[1:4] == b"PNG"
 
 
+def test_a_gas_is_released_to_its_pressure_at_rest_and_told_in_kpa():
+    found = answer("isentrope", "air", "--at", "pressure = 1 MPa", "--points", "5")
+    assert found["pressure"][0] == pytest.approx(1e6) and found["pressure"][-1] == pytest.approx(101325.0, rel=1e-4)
+    told = eos("hugoniot", "air", "--points", "3").stdout
+    assert "pressure, kPa" in told and "101.32" in told
+
+
+POROUS = """[eos]
+law = "p_alpha"
+alpha0 = 1.3
+elastic_pressure = "0.1 GPa"
+compaction_pressure = "1 GPa"
+[eos.base]
+law = "mie_gruneisen"
+rho0 = "2700 kg/m^3"
+c0 = "5350 m/s"
+s = 1.34
+gamma0 = 2.0
+"""
+
+
+def test_crushed_pores_stay_crushed_in_a_release_and_the_law_of_the_solid_is_shown(tmp_path):
+    (tmp_path / "foam.toml").write_text(POROUS)
+    path = str(tmp_path / "foam.toml")
+    found = answer("isentrope", path, "--at", "pressure = 0.5 GPa", "--points", "3")
+    crushed = 1.0 + 0.3 * (0.5 / 0.9) ** 2     # alpha at 0.5 GPa
+    assert found["pressure"][-1] == pytest.approx(0.0, abs=1.0) and found["density"][-1] == pytest.approx(2700.0 / crushed, rel=2e-3)
+    shown = answer("show", path)
+    assert shown["parameters"]["base"]["law"] == "mie_gruneisen" and shown["parameters"]["base"]["c0"] == 5350.0
+    assert "law of the solid" in eos("show", path).stdout
+
+
+def test_an_answer_says_which_state_it_starts_from_and_of_what(tmp_path):
+    assert "of the unreacted explosive at pressure" in eos("show", "comp_b", "--at", "pressure = 5 GPa").stdout
+    assert "porous: 5000.00 kg/m3" in eos("hugoniot", "copper", "--density", "5 g/cm^3", "--at", "pressure = 20 GPa").stdout
+    assert "from 10 GPa and 9498.50 kg/m3" in eos("hugoniot", "copper", "--after", "pressure = 10 GPa", "--at", "pressure = 20 GPa").stdout
+
+
+def test_few_rows_make_no_polygon_of_the_picture():
+    from hugoniot.cli import eos_hugoniot as tool
+
+    for asked in (tool.Question(None, 3, "1 km/s", None, None, False, None, []), tool.Question(None, 3, None, None, None, True, None, [])):
+        found = tool.solve("comp_b", asked)
+        drawn = tool._drawn(found, False)
+        assert len(found.states) == 3 and len(drawn) >= tool.SMOOTH
+        assert drawn.pressure[-1] == pytest.approx(found.states.pressure[-1], rel=1e-9)
+
+
 @pytest.mark.parametrize(("arguments", "code", "words"), [
+    (("hugoniot", "copper", "--density", "9.5 g/cm^3"), 3, "exceeds the 8930 kg/m3 at rest"),
     (("match", "coper", "aluminum", "--velocity", "1 km/s"), 2, "copper"), (("hugoniot", "copper", "--at", "presure = 10 GPa"), 2, "did you mean 'pressure'"),
     (("hugoniot", "copper", "--at", "pressure = 10 km"), 2, "--at pressure"), (("hugoniot", "copper", "--at", "density = 40 g/cm^3"), 3, "ends at density"),
     (("match", "copper", "--velocity", "1 km/s"), 2, "at least one target"), (("match", "copper", "pmma", "--velocity", "-1 km/s"), 3, "does not strike"),
@@ -115,7 +164,7 @@ def test_pictures(tmp_path, arguments):
     (("hugoniot", "comp_b", "--reaction", "--after", "pressure = 1 GPa"), 2, "leave it away"), (("second-shock", "--first", "-0.1"), 2, "must be positive"),
     (("second-shock", "--mu", "1.5"), 3, "compression limit"), (("fit-gamma", "water_like", "--at", "pressure = 1 GPa"), 2, "unknown material"),
     (("fit-gamma", "tnt", "--at", "pressure = 1 GPa"), 2, "unreacted"), (("match", "copper", "pmma", "--velocity", "1 kms"), 2, "did you mean"),
-    (("fit", "missing.csv"), 2, "cannot be read"), (("hugoniot", "copper", "--plot", "x.doc"), 2, "no kind of picture")])
+    (("fit", "missing.csv"), 2, "cannot be read"), (("fit", "copper", "--from", "2.9 km/s", "--to", "2.92 km/s"), 2, "copper: points: a fit of degree 1"), (("hugoniot", "copper", "--plot", "x.doc"), 2, "no kind of picture")])
 def test_bad_input_is_answered_with_the_way_out(arguments, code, words):
     result = eos(*arguments)
     assert result.exit_code == code, result.output

@@ -95,6 +95,15 @@ def _polynomial(names, law, a, b, c):
     return built(**{n: values[n] for n in wanted if n in values})
 
 
+def test_a_gas_without_pores_keeps_its_law_at_another_density():
+    gas = IdealGas(1.4)
+    thin = Initial.at_rest(gas, density=0.6)
+    assert thin.pressure == pytest.approx(0.4 * 0.6 * thin.energy, rel=1e-15)
+    assert residual(gas, thin, shock(gas, thin, particle_velocity=500.0)) < 1e-13
+    with pytest.raises(OutOfRange, match="exceeds the 8930 kg/m3 at rest"):
+        Initial.at_rest(COPPER, density=9500.0)
+
+
 def test_porous_hugoniot_against_the_closed_form():
     """Distended material, rho Gamma constant: p = p_H (1 - Gamma0 eta / 2) / (1 - rho0 Gamma0 (v00 - v)/2) (anomalous ones too)."""
     for rho00, rho in ((7500.0, 9200.0), (5000.0, 9200.0), (3000.0, 8700.0)):
