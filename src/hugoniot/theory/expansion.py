@@ -5,8 +5,9 @@ With $y = \ln\rho$,
 $$\frac{de}{dy} = \frac{p}{\rho}, \qquad \frac{du}{dy} = c$$
 
 (the first law at constant entropy, and the Riemann invariant of a simple wave: u is the velocity gained while the density
-falls, taken positive with y). Both sides are smooth for every law, so Gragg's modified midpoint rule with Richardson
-extrapolation in $h^2$ (Bulirsch and Stoer) reaches round-off in few evaluations; a step that does not converge is halved.
+falls, taken positive with y). Where both sides are smooth Gragg's modified midpoint rule with Richardson extrapolation in
+$h^2$ (Bulirsch and Stoer) reaches round-off in few evaluations; a step that does not converge is halved. A law that states
+its smooth pieces (a table its cells) is followed piece by piece, each continued smoothly until the path is found to leave it.
 
 Plain scalar code: `theory.kernels` compiles this same source. A status is returned, never an exception.
 """
@@ -14,12 +15,13 @@ Plain scalar code: `theory.kernels` compiles this same source. A status is retur
 import math
 
 from hugoniot.core.ops import vexp
-from hugoniot.laws.eos.contract import pressure, pressure_and_derivatives
+from hugoniot.laws.eos.contract import piece_coordinate, pressure, pressure_and_derivatives, smooth_piece
 
-REACHED, UNSTABLE, TOO_SHORT = 0, 1, 2
+REACHED, UNSTABLE, TOO_SHORT, OUTSIDE, LEFT = 0, 1, 2, 3, 4
 _COLUMNS = 9
 _LONGEST = 0.25   # step in ln(rho)
 _SHORTEST = 1e-11
+_GRAZE = 1e-9       # share of a piece by which a path may bulge out of it unseen: 1e-14 of the energy
 _MOST_LEAPS = 4000
 _TENSION_RANGE = 3.0  # no material bears tension at a twentieth of its density: the law's curve has levelled off
 
@@ -74,29 +76,95 @@ def leap(y, e, u, h, par):
 
 
 def advance(y, e, u, target, par):
-    """(status, y, e, u) at ln(rho) = target, or where the isentrope turns unstable (c^2 <= 0) on the way there."""
+    """(status, y, e, u) at ln(rho) = target, or where the isentrope turns unstable (c^2 <= 0) or leaves the law on the way there."""
+    for _ in range(_MOST_LEAPS):
+        if y == target:
+            return REACHED, y, e, u
+        status, y, e, u = stretch(y, e, u, target, par)
+        if status in (UNSTABLE, OUTSIDE):
+            return status, y, e, u
+    return UNSTABLE, y, e, u
+
+
+def stretch(y, e, u, target, par):
+    """(status, y, e, u) at ln(rho) = target (REACHED) or where the path leaves the smooth piece it begins in (REACHED or LEFT)."""
+    way = 1.0 if target > y else -1.0
+    piece, low, high = smooth_piece(vexp(y), e, way, par)
+    if low >= high:
+        return OUTSIDE, y, e, u
+    edge = math.log(high) if way > 0.0 else math.log(low)
+    start = y
+    status, y, e, u = through(y, e, u, target if way * (edge - target) >= 0.0 else edge, piece)
+    if status == LEFT and abs(y - start) < _SHORTEST:  # along an edge: a step that small is the same in both pieces
+        near = abs(target - y) <= _SHORTEST
+        h = target - y if near else way * _SHORTEST
+        here_e, here_u = rates(y, e, piece)
+        y, e, u = target if near else y + h, e + h * here_e, u + h * here_u
+    return status, y, e, u
+
+
+def through(y, e, u, target, piece):
+    """(status, y, e, u) at ln(rho) = target, or where the isentrope leaves the smooth piece of a law or turns unstable before."""
     h = min(max(target - y, -_LONGEST), _LONGEST)
+    g, rise = across(y, e, piece)
     for _ in range(_MOST_LEAPS):
         if y == target:
             return REACHED, y, e, u
         remaining = target - y
         if abs(h) >= abs(remaining):
             h = remaining
-        done, new_e, new_u = leap(y, e, u, h, par)
+        done, new_e, new_u = leap(y, e, u, h, piece)
         if done:
-            y = target if h == remaining else y + h
-            e, u = new_e, new_u
+            new_y = target if h == remaining else y + h
+            new_g, new_rise = across(new_y, new_e, piece)
+            if astray(g, rise, new_g, new_rise, h):
+                h = 0.5 * h
+                continue
+            y, e, u, g, rise = new_y, new_e, new_u, new_g, new_rise
+            if not 0.0 <= g <= 1.0:
+                return to_edge(y, e, u, g, rise, piece)
             h = min(max(1.7 * h, -_LONGEST), _LONGEST)
         elif abs(h) < _SHORTEST:
-            # a kink of the law (crush-up, table cell): step over it, at an error of the jump of c times this step
-            here_e, here_u = rates(y, e, par)
-            if not (math.isfinite(here_u) and math.isfinite(rates(y + h, e + h * here_e, par)[1])):
+            # a kink of the law (crush-up): step over it, at an error of the jump of c times this step
+            here_e, here_u = rates(y, e, piece)
+            if not (math.isfinite(here_u) and math.isfinite(rates(y + h, e + h * here_e, piece)[1])):
                 return UNSTABLE, y, e, u
             y, e, u = y + h, e + h * here_e, u + h * here_u
+            g, rise = across(y, e, piece)
             h = 1e3 * h
         else:
             h = 0.4 * h
     return UNSTABLE, y, e, u
+
+
+def across(y, e, piece):
+    """(coordinate, its slope by y along the isentrope) in the piece."""
+    rho = vexp(y)
+    g, g_rho, g_e = piece_coordinate(rho, e, piece)
+    return g, g_rho * rho + g_e * pressure(rho, e, piece) / rho
+
+
+def astray(g, rise, new_g, new_rise, h):
+    """Whether the path may have left the piece and come back within a step: it turned, and its end tangents meet outside."""
+    if rise * new_rise > 0.0 or rise == new_rise:
+        return False
+    meet = g + rise * (new_g - g - new_rise * h) / (rise - new_rise)
+    return abs(h) > _SHORTEST and not -_GRAZE <= meet <= 1.0 + _GRAZE
+
+
+def to_edge(y, e, u, g, rise, piece):
+    """(LEFT, y, e, u) at the edge, 0 or 1, of the piece that the path has just overshot: Newton on the piece's continuation."""
+    edge = 0.0 if g < 0.0 else 1.0
+    for _ in range(20):
+        h = (edge - g) / rise if rise != 0.0 else 0.0
+        done, new_e, new_u = leap(y, e, u, h, piece)
+        if not done:
+            return UNSTABLE, y, e, u
+        y, e, u = y + h, new_e, new_u
+        g, rise = across(y, e, piece)
+        if abs(h) < 1e-13:
+            break
+    return LEFT, y, e, u
 
 
 def to_pressure(y, e, u, target, lowest, highest, par):
@@ -109,6 +177,7 @@ def to_pressure(y, e, u, target, lowest, highest, par):
     for _ in range(200):
         rho = vexp(y)
         p = pressure(rho, e, par)
+        lowest, highest = (y, highest) if p < target else (lowest, y)
         if target < 0.0 and y < start - _TENSION_RANGE:
             return UNSTABLE, y, e, u
         c = rates(y, e, par)[1]
@@ -130,9 +199,9 @@ def to_pressure(y, e, u, target, lowest, highest, par):
             return TOO_SHORT, y, e, u
         before = abs(step)
         status, y, e, u = advance(y, e, u, goal, par)
-        if status != REACHED:
+        if status != REACHED and (status == UNSTABLE or (target - pressure(vexp(y), e, par)) * step > 0.0):
             return status, y, e, u
-        if before < 1e-9:  # quadratic: the next correction is below round-off
+        if before < 1e-12:  # the next correction is below round-off, also where the slope leaps
             return REACHED, y, e, u
     return TOO_SHORT, y, e, u
 
@@ -143,6 +212,7 @@ def to_velocity(y, e, u, target, lowest, highest, par):
         c = rates(y, e, par)[1]
         if not math.isfinite(c):
             return UNSTABLE, y, e, u
+        lowest, highest = (y, highest) if u < target else (lowest, y)
         step = min(max((target - u) / c, -1.5), 0.3)
         goal = y + step
         if goal <= lowest:
@@ -152,8 +222,8 @@ def to_velocity(y, e, u, target, lowest, highest, par):
         if abs(goal - y) < 1e-15 * max(1.0, abs(y)):
             return TOO_SHORT if abs(target - u) > 1e-9 * c else REACHED, y, e, u
         status, y, e, u = advance(y, e, u, goal, par)
-        if status != REACHED:
+        if status != REACHED and (status == UNSTABLE or (target - u) * step > 0.0):
             return status, y, e, u
-        if abs(step) < 1e-9:
+        if abs(step) < 1e-12:
             return REACHED, y, e, u
     return TOO_SHORT, y, e, u

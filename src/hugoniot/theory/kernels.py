@@ -16,7 +16,8 @@ bind_module(contract)
 _SEARCH = dict(fastmath=False, error_model="numpy")
 for _function in (jump.line, jump.misfit, jump.beyond_stability, jump.bracket, jump.dip, jump._is_root, jump.polish, jump.anomalous,
                   jump._pressure_by_bracket, jump.pressure_at, jump.shocked, jump.first_guess,
-                  expansion.rates, expansion.leap, expansion.advance):
+                  expansion.rates, expansion.leap, expansion.across, expansion.astray, expansion.to_edge, expansion.through,
+                  expansion.stretch, expansion.advance):
     bind(_function, **_SEARCH)
 
 

@@ -18,6 +18,12 @@ and, where its theory has them in closed form,
     reference_curve(rho, par), hugoniot_curve(eta, par)   what laws built on a curve give to reference_curves, which holds the rest
     reference_isentrope(rho, par)         (e_S, ln phi): one isentrope, and the growth phi of energies beside it, of laws that are linear in
                                           the energy: all isentropes are e_S + constant phi, with d ln phi / d ln rho = Gamma
+    smooth_piece(rho, e, way, par)        (parameters, lowest, highest density) of the smooth law that equals this one in the piece entered by
+                                          an isentrope through (rho, e) as the density rises (way 1) or falls (-1), and continues it
+                                          beyond; lowest = highest where the isentrope leaves the law there
+    piece_coordinate(rho, e, piece)       (g, dg/drho at e, dg/de at rho): in the piece between those densities while 0 <= g <= 1
+
+The last two are owed by laws whose slopes leap in many places (tables); all others are one piece.
 
 A law with a memory (pores that stay crushed) has one history variable, the compaction: 0 before anything has happened, 1 once all that
 can happen has, never falling. It is flagged "remembers" and gives three functions more; without them it answers for its first loading:
@@ -33,7 +39,7 @@ The functions below dispatch on the class of `par`, in Python and, through `core
 
 import math
 
-from hugoniot.core.ops import vsqrt
+from hugoniot.core.ops import NO_LIMIT, vsqrt
 from hugoniot.core.registry import Registry
 from hugoniot.errors import OutOfRange
 
@@ -59,12 +65,23 @@ def nothing_compacts(compaction, rho, e, p, par):
     return compaction
 
 
+def one_piece(rho, e, way, par):
+    """Laws that do not say where their slopes leap are one piece."""
+    return par, 1e-300, NO_LIMIT
+
+
+def never_left(rho, e, piece):
+    """The one piece of a law is never left."""
+    return 0.5, 0.0, 0.0
+
+
 EOS = Registry(
     "eos",
     contract=("pressure", "pressure_derivatives", "reference_state", "density_limits"),
     optional=("temperature", "entropy", "energy", "specific_heat", "particle_velocity_limit", "energy_limits",
               "reference_isentrope", "reference_curve", "hugoniot_curve"),
-    derived={"pressure_and_derivatives": both_apart, "remembered": forgets, "unloading": always_elastic, "compacted": nothing_compacts},
+    derived={"pressure_and_derivatives": both_apart, "remembered": forgets, "unloading": always_elastic, "compacted": nothing_compacts,
+             "smooth_piece": one_piece, "piece_coordinate": never_left},
 )
 
 
@@ -128,6 +145,17 @@ def hugoniot_curve(eta, par):
     return EOS.of(par).functions["hugoniot_curve"](eta, par)
 
 
+# -- laws made of many smooth pieces ------------------------------------------------------------------------------
+def smooth_piece(rho, e, way, par):
+    """(parameters, lowest density, highest density) of the smooth piece an isentrope through (rho, e) enters."""
+    return EOS.of(par).functions["smooth_piece"](rho, e, way, par)
+
+
+def piece_coordinate(rho, e, piece):
+    """(g, dg/drho at e, dg/de at rho), 0 <= g <= 1 inside the piece."""
+    return EOS.of(piece).functions["piece_coordinate"](rho, e, piece)
+
+
 # -- laws with a memory ------------------------------------------------------------------------------------------
 def remembered(compaction, par):
     """Parameters of the law after a history of that compaction; the same ones for laws without memory."""
@@ -150,6 +178,7 @@ GENERICS = {
     "entropy": entropy, "energy": energy, "specific_heat": specific_heat, "reference_state": reference_state,
     "reference_isentrope": reference_isentrope, "reference_curve": reference_curve, "hugoniot_curve": hugoniot_curve,
     "remembered": remembered, "unloading": unloading, "compacted": compacted,
+    "smooth_piece": smooth_piece, "piece_coordinate": piece_coordinate,
 }
 
 

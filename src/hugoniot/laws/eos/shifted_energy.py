@@ -14,9 +14,11 @@ from hugoniot.laws.eos.contract import density_limits as base_density_limits
 from hugoniot.laws.eos.contract import energy as base_energy
 from hugoniot.laws.eos.contract import entropy as base_entropy
 from hugoniot.laws.eos.contract import particle_velocity_limit as base_velocity_limit
+from hugoniot.laws.eos.contract import piece_coordinate as base_piece_coordinate
 from hugoniot.laws.eos.contract import pressure as base_pressure
 from hugoniot.laws.eos.contract import pressure_derivatives as base_derivatives
 from hugoniot.laws.eos.contract import reference_state as base_reference_state
+from hugoniot.laws.eos.contract import smooth_piece as base_smooth_piece
 from hugoniot.laws.eos.contract import specific_heat as base_specific_heat
 from hugoniot.laws.eos.contract import temperature as base_temperature
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
@@ -60,6 +62,15 @@ def density_limits(par):
     return base_density_limits(par.base)
 
 
+def smooth_piece(rho, e, way, par):
+    piece, low, high = base_smooth_piece(rho, e + par.shift, way, par.base)
+    return ShiftedEnergy(piece, par.shift), low, high
+
+
+def piece_coordinate(rho, e, piece):
+    return base_piece_coordinate(rho, e + piece.shift, piece.base)
+
+
 def particle_velocity_limit(par):
     return base_velocity_limit(par.base)
 
@@ -67,7 +78,7 @@ def particle_velocity_limit(par):
 EOS.add(
     "shifted_energy", ShiftedEnergy,
     functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits,
-               particle_velocity_limit],
+               particle_velocity_limit, smooth_piece, piece_coordinate],
     example=ShiftedEnergy(MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), -4e6),
     units={"base": "law", "shift": "J/kg"},
     meaning={"base": "the law whose origin is moved", "shift": "added to the energy before the base law sees it"},

@@ -77,6 +77,23 @@ def specific_heat(rho, e, par):
     return bilinear(par.energy_table, i, j, f, g)[2] / (par.temperatures[j + 1] - par.temperatures[j])
 
 
+def smooth_piece(rho, e, way, par):
+    """The cell entered, as a table of its own; at an edge the one that 1e-12 of the density further on along the isentrope lies in."""
+    on = 1e-12 * way
+    i, j, f, g = _locate(rho * (1.0 + on), e + on * pressure(rho, e, par) / rho, par)
+    cell = Table(par.density[i:i + 2], par.temperatures[j:j + 2], par.pressure_table[i:i + 2, j:j + 2], par.energy_table[i:i + 2, j:j + 2],
+                 par.rho0, par.e0)
+    inside = 0.0 <= f <= 1.0 and 0.0 <= g <= 1.0
+    return cell, par.density[i], par.density[i + 1] if inside else par.density[i]
+
+
+def piece_coordinate(rho, e, piece):
+    """The fraction of the cell's temperatures, and its slopes."""
+    i, j, f, g = _locate(rho, e, piece)
+    _, e_f, e_g = bilinear(piece.energy_table, i, j, f, g)
+    return g, -e_f / (e_g * (piece.density[i + 1] - piece.density[i])), 1.0 / e_g
+
+
 def reference_state(par):
     return par.rho0, par.e0
 
@@ -223,7 +240,8 @@ def _example():
 
 EOS.add(
     "table", Table,
-    functions=[pressure, pressure_derivatives, temperature, specific_heat, reference_state, density_limits, energy_limits],
+    functions=[pressure, pressure_derivatives, temperature, specific_heat, reference_state, density_limits, energy_limits,
+               smooth_piece, piece_coordinate],
     example=_example(),
     build=build,
     units={"density": "kg/m^3", "temperatures": "K", "pressure_table": "Pa", "energy_table": "J/kg", "rho0": "kg/m^3", "e0": "J/kg",

@@ -14,9 +14,11 @@ from typing import Any, NamedTuple
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.contract import density_limits as base_density_limits
 from hugoniot.laws.eos.contract import particle_velocity_limit as base_velocity_limit
+from hugoniot.laws.eos.contract import piece_coordinate as base_piece_coordinate
 from hugoniot.laws.eos.contract import pressure as base_pressure
 from hugoniot.laws.eos.contract import pressure_derivatives as base_derivatives
 from hugoniot.laws.eos.contract import reference_state as base_reference_state
+from hugoniot.laws.eos.contract import smooth_piece as base_smooth_piece
 from hugoniot.laws.eos.contract import specific_heat as base_specific_heat
 from hugoniot.laws.eos.contract import temperature as base_temperature
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
@@ -54,6 +56,15 @@ def density_limits(par):
     return base_density_limits(par.base)
 
 
+def smooth_piece(rho, e, way, par):
+    piece, low, high = base_smooth_piece(rho, e, way, par.base)
+    return TensionCutoff(piece, par.tension), low, high
+
+
+def piece_coordinate(rho, e, piece):
+    return base_piece_coordinate(rho, e, piece.base)
+
+
 def particle_velocity_limit(par):
     return base_velocity_limit(par.base)
 
@@ -61,7 +72,7 @@ def particle_velocity_limit(par):
 EOS.add(
     "tension_cutoff", TensionCutoff,
     functions=[pressure, pressure_derivatives, temperature, specific_heat, reference_state, density_limits,
-               particle_velocity_limit],
+               particle_velocity_limit, smooth_piece, piece_coordinate],
     example=TensionCutoff(MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), 1e9),
     units={"base": "law", "tension": "Pa"},
     meaning={"base": "the law that is cut", "tension": "largest tension it bears (positive)"},
