@@ -35,6 +35,7 @@ class Law:
     references   where the equation stands, with its number
     build        function from the deck's named values (SI) to the parameter tuple; default: the class itself
     flags        facts a solver may ask for, such as "linear_in_energy"
+    line         what it is, where one file holds several laws; else the first line of the file says so
     """
 
     family: str
@@ -49,6 +50,7 @@ class Law:
     build: Callable
     flags: frozenset[str] = frozenset()
     defaults: Mapping[str, float] = field(default_factory=dict)
+    line: str = ""
 
     @property
     def module(self) -> ModuleType:
@@ -56,8 +58,8 @@ class Law:
 
     @property
     def summary(self) -> str:
-        """First line of the law file's docstring."""
-        return (self.module.__doc__ or "").strip().splitlines()[0]
+        """What the law is, in one line."""
+        return self.line or (self.module.__doc__ or "").strip().splitlines()[0]
 
 
 class Registry:
@@ -74,7 +76,7 @@ class Registry:
         self._by_name: dict[str, Law] = {}
         self._by_class: dict[type, Law] = {}
 
-    def add(self, name, parameters, *, functions, example, units, meaning, box, references, build=None, flags=(), defaults=None):
+    def add(self, name, parameters, *, functions, example, units, meaning, box, references, build=None, flags=(), defaults=None, line=""):
         """Enrol a law; every argument is a field of `Law`. Refuses a duplicate name and a law that does not keep the contract."""
         if name in self._by_name or parameters in self._by_class:
             raise ValueError(f"{self.family}: '{name}' is registered already")
@@ -89,7 +91,7 @@ class Registry:
         if not references:
             raise ValueError(f"{self.family}: '{name}' names no source")
         law = Law(self.family, name, parameters, {**self.derived, **given}, example, dict(units), dict(meaning), dict(box),
-                  tuple(references), build or parameters, frozenset(flags), dict(defaults or {}))
+                  tuple(references), build or parameters, frozenset(flags), dict(defaults or {}), line)
         self._by_name[name] = law
         self._by_class[parameters] = law
         return law

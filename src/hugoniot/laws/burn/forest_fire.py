@@ -103,7 +103,7 @@ def rate_table(pressures, rates) -> RateTable:
 
 
 BURN.add(
-    "forest_fire", ForestFire,
+    "forest_fire", ForestFire, line="Forest fire: the logarithm of the rate as a polynomial of the pressure, first-order depletion.",
     functions={"rate": polynomial_rate, "advance": polynomial_advance, "scheduled": no_schedule},
     # log-rate of a made-up quadratic fit between 3 and 35 GPa: 0.02 per microsecond to 130 per microsecond
     example=forest_fire((-5.5, 48.0, -52.0), 3.0e9, 35.0e9),
@@ -119,7 +119,7 @@ BURN.add(
 )
 
 BURN.add(
-    "rate_table", RateTable,
+    "rate_table", RateTable, line="A table of rates over pressure, logarithmic between its entries, first-order depletion.",
     functions={"rate": table_rate, "advance": table_advance, "scheduled": no_schedule},
     example=rate_table((2.0e9, 5.0e9, 1.0e10, 2.0e10, 4.0e10), (2.0e3, 8.0e4, 1.2e6, 1.5e7, 1.0e8)),
     units={"log_pressure": "1", "log_rate": "1", "pressures": "Pa", "rates": "1/s"},

@@ -2,7 +2,8 @@ r"""Rate as a power of the pressure, depletion as a power of what is left.
 
 $$\dot\lambda = k\left(\frac{p}{p_0}\right)^n (1-\lambda)^m$$
 
-Covers the simple-depletion model of Fickett and Rivard (n = 0, m = 1/2: $\lambda = \tau(2-\tau)$). Exact at constant pressure.
+above the pressure `pressure_threshold`, 0 below. Covers the simple-depletion
+model of Fickett and Rivard (n = 0, m = 1/2: $\lambda = \tau(2-\tau)$). Exact at constant pressure.
 
 Source: 003 (Starkenberg ARL-TR-2161) section 3 takes any rate of state; Fickett and Davis, Detonation (1979), chapter 2.
 """

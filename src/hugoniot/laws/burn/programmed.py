@@ -81,12 +81,14 @@ _MEANING = {"detonation_velocity": "speed of the programmed front", "spread_zone
 _SOURCE = ("Herrmann, WL-TR-64-107, A.27 to A.30",)
 _BOX = {"rho": (1000.0, 3000.0)}
 
-for _name, _build, _function, _example, _flags in (
-    ("programmed", build_programmed, programmed, Programmed(7991.0), ("programmed",)),
-    ("beta", build_beta, beta, Beta(1714.0, 2332.8), ("compression_driven",)),
+for _name, _build, _function, _example, _flags, _line in (
+    ("programmed", build_programmed, programmed, Programmed(7991.0), ("programmed",),
+     "Programmed burn: zones burn when a front of given speed has reached them."),
+    ("beta", build_beta, beta, Beta(1714.0, 2332.8), ("compression_driven",),
+     "CJ-volume burn: zones burn as far as they are compressed towards the CJ density."),
     ("programmed_beta", build_programmed_beta, programmed_beta, ProgrammedBeta(7991.0, 1714.0, 2332.8),
-     ("programmed", "compression_driven")),
+     ("programmed", "compression_driven"), "The larger of programmed and CJ-volume burn: a converging front may overtake its schedule."),
 ):
     BURN.add(_name, type(_example), functions={"rate": no_rate, "advance": no_advance, "scheduled": _function}, example=_example,
              units=_UNITS, meaning=_MEANING, box=_BOX, references=_SOURCE, flags=_flags, build=_build,
-             defaults={"spread_zones": 2.5} if "programmed" in _flags else {})
+             defaults={"spread_zones": 2.5} if "programmed" in _flags else {}, line=_line)

@@ -4,8 +4,8 @@ $$p = p_c(\rho) + \rho\Gamma\,(e - e_c(\rho)), \qquad \rho\Gamma = \rho_0(\Gamma
 $$p_c = 3K_0f(1 + 2f)^{5/2}\left[1 + \tfrac32(K_0' - 4)f\right], \quad e_c = \frac{9K_0}{2\rho_0}f^2\left[1 + (K_0' - 4)f\right],
   \quad f = \tfrac12\left[(\rho/\rho_0)^{2/3} - 1\right]$$
 
-The curve is taken as the isentrope through the rest state (e = 0, T0); reference_curves holds the rest of the law.
-b = 0: rho Gamma constant; b = gamma0: Gamma constant.
+The curve is taken as the isentrope through the rest state (e = 0, T0), so that $T = T_0\varphi + (e - e_c)/c_v$ with constant $c_v$ and
+$\ln\varphi = (\Gamma_0 - b)\eta - b\ln(1 - \eta)$, $\eta = 1 - \rho_0/\rho$. b = 0: rho Gamma constant; b = gamma0: Gamma constant.
 
 Source: Birch 1947, Phys. Rev. 71, 809.
 """

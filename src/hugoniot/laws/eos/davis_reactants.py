@@ -5,7 +5,8 @@ On the principal isentrope, with $y = 1 - \rho_0/\rho$ and $\hat p = \rho_0A^2/(
 $$p_s = \hat p\left[e^{4By} - 1\right]\ (y < 0), \qquad
   p_s = \hat p\left[\sum_{j=1}^{3}\frac{(4By)^j}{j!} + C\frac{(4By)^4}{4!} + \frac{y^2}{(1-y)^4}\right]\ (y \ge 0)$$
 
-$e_s = \int p_s\,dy/\rho_0$; $\Gamma = \Gamma_0$ for y < 0 and $\Gamma_0 + Zy$ above; $p = p_s + \rho\Gamma(e - e_s)$.  The specific heat
+$e_s = e_0 + \int_0^y p_s\,dy/\rho_0$; $\Gamma = \Gamma_0$ for y < 0 and $\Gamma_0 + Zy$ above; $p = p_s + \rho\Gamma(e - e_s)$.
+The specific heat
 $c_v = c_{v0}(T/T_s)^{\alpha}$ makes
 
 $$T = T_s\left[1 + \frac{(1+\alpha)(e - e_s)}{c_{v0}T_s}\right]^{1/(1+\alpha)}, \quad T_s = T_0(1-y)^{-\Gamma_0-Z}e^{-Zy}

@@ -5,7 +5,8 @@ $$p = k_0\eta\,(1 + k_1\eta + k_2\eta^2 + k_3\eta^3) + e\,h_0\,(1 + h_1\eta + h_
 $h_0(1 + \dots) = \rho\Gamma$, so h0 = rho0 gamma0 (kg/m3) with the energy per mass. `converters` makes the eight numbers from c and s, from
 Murnaghan, finite strain or Rice-McQueen-Walsh constants.  The series is used as it stands in tension.
 Temperature (constant $c_v$): $T = T_0\varphi + (e - e_S)/c_v$, $\ln\varphi = \frac{h_0}{\rho_0}(\eta + \tfrac12h_1\eta^2 + \dots)$,
-$e_S = \varphi\int_0^\eta f_1/(\rho_0\varphi)\,dt$ by 16 Gauss points (the integrand is entire: exact to rounding).
+$e_S = \varphi\int_0^\eta f_1/(\rho_0\varphi)\,dt$, $f_1$ the part of p without e, by 16 Gauss points (the
+integrand is entire: exact to rounding).
 
 Source: 002 (Herrmann) eq. 3.6, A.12, C.1, C.16.
 """

@@ -4,6 +4,7 @@ $$p = (\gamma - 1)\rho e - \gamma P_\infty, \qquad T = \frac{e - P_\infty/\rho}{
   s = c_v \ln\frac{T}{T_0} - (\gamma - 1)c_v\ln\frac{\rho}{\rho_0}$$
 
 $P_\infty > 0$ is minus the $p_\infty$ of the source, whose sign is the opposite (S-E8); adiabatic exponent $\gamma(p + P_\infty)/p$ (S-E6).
+T0 is the temperature at rest: rho0 under zero pressure.
 
 Source: 003 (Starkenberg) A-8.
 """

@@ -4,8 +4,8 @@ $$p = p_c(\rho) + \rho\Gamma\,(e - e_c(\rho)), \qquad \rho\Gamma = \rho_0(\Gamma
 $$\eta = C\ln\left(1 + \frac{p_c}{B}\right) \;\Longleftrightarrow\; p_c = B\left(e^{\eta/C} - 1\right), \qquad
   e_c = \frac{B}{\rho_0}\left[C\left(e^{\eta/C} - 1\right) - \eta\right]$$
 
-The curve is taken as the isentrope through the rest state (e = 0, T0); reference_curves holds the rest of the law.
-b = 0: rho Gamma constant; b = gamma0: Gamma constant.
+The curve is taken as the isentrope through the rest state (e = 0, T0), so that $T = T_0\varphi + (e - e_c)/c_v$ with constant $c_v$ and
+$\ln\varphi = (\Gamma_0 - b)\eta - b\ln(1 - \eta)$, $\eta = 1 - \rho_0/\rho$. b = 0: rho Gamma constant; b = gamma0: Gamma constant.
 
 Source: Tait 1888 in the form of Dymond and Malhotra 1988, Int. J. Thermophys. 9, 941 (natural logarithm).
 """
@@ -44,7 +44,8 @@ EOS.add(
     example=Tait(998.0, 0.2996e9, 0.1368, 0.12, 0.0, 4180.0),
     build=with_gamma_form(Tait),
     units={"rho0": "kg/m^3", "b": "Pa", "c": "1", **reference_curves.GAMMA_UNITS},
-    meaning={"rho0": "density at rest", "b": "B, Pa", "c": "C (natural logarithm)", **reference_curves.GAMMA_MEANING},
+    meaning={"rho0": "density at rest", "b": "pressure scale B", "c": "compression scale C (natural logarithm)",
+             **reference_curves.GAMMA_MEANING},
     defaults=reference_curves.GAMMA_DEFAULTS,
     box={"rho": (900.0, 2000.0), "e": (0.0, 3e6)},
     references=("Dymond and Malhotra, Int. J. Thermophys. 9, 941 (1988)",),

@@ -4,8 +4,8 @@ $$p = p_c(\rho) + \rho\Gamma\,(e - e_c(\rho)), \qquad \rho\Gamma = \rho_0(\Gamma
 $$p_c = 3K_0\frac{1 - X}{X^2}e^{\zeta(1-X)}, \quad e_c = \frac{9K_0}{\rho_0\zeta^2}\left\{1 + [\zeta(1-X) - 1]e^{\zeta(1-X)}\right\},
   \quad X = (\rho_0/\rho)^{1/3}, \; \zeta = \tfrac32(K_0' - 1)$$
 
-The curve is taken as the isentrope through the rest state (e = 0, T0); reference_curves holds the rest of the law.
-b = 0: rho Gamma constant; b = gamma0: Gamma constant.
+The curve is taken as the isentrope through the rest state (e = 0, T0), so that $T = T_0\varphi + (e - e_c)/c_v$ with constant $c_v$ and
+$\ln\varphi = (\Gamma_0 - b)\eta - b\ln(1 - \eta)$, $\eta = 1 - \rho_0/\rho$. b = 0: rho Gamma constant; b = gamma0: Gamma constant.
 
 Source: Vinet, Ferrante, Rose and Smith 1987.
 """

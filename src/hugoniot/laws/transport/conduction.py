@@ -49,21 +49,25 @@ def power_law_conductivity(rho, T, mu, cp, par):
 
 
 CONDUCTION.add(
-    "none", NoConduction, functions={"conductivity": no_conductivity}, example=NoConduction(), units={}, meaning={}, box=_BOX,
+    "none", NoConduction, line="No heat conduction.",
+    functions={"conductivity": no_conductivity}, example=NoConduction(), units={}, meaning={}, box=_BOX,
     references=("Jordan 2011, section 7.1: conduction in water is small beside the shear stress",),
 )
 CONDUCTION.add(
-    "prandtl", PrandtlConduction, functions={"conductivity": prandtl_conductivity}, example=PrandtlConduction(2.0 / 3.0),
+    "prandtl", PrandtlConduction, line="Heat conductivity by the Prandtl number.",
+    functions={"conductivity": prandtl_conductivity}, example=PrandtlConduction(2.0 / 3.0),
     units={"prandtl": "1"}, meaning={"prandtl": "Prandtl number mu c_p / k"}, box=_BOX,
     references=("Jordan 2011, section 6.3 and tables 7.1.1, 7.2.1",),
 )
 CONDUCTION.add(
-    "constant", ConstantConduction, functions={"conductivity": constant_conductivity}, example=ConstantConduction(0.0177),
+    "constant", ConstantConduction, line="Constant heat conductivity.",
+    functions={"conductivity": constant_conductivity}, example=ConstantConduction(0.0177),
     units={"conductivity": "W/m/K"}, meaning={"conductivity": "heat conductivity"}, box=_BOX,
     references=("Fourier's law; Bird, Stewart and Lightfoot, Transport Phenomena (1960), eq. 8.1-6",),
 )
 CONDUCTION.add(
-    "power_law", PowerLawConduction, functions={"conductivity": power_law_conductivity},
+    "power_law", PowerLawConduction, line="Heat conductivity as a power of the temperature.",
+    functions={"conductivity": power_law_conductivity},
     example=PowerLawConduction(0.0177, 0.81, 300.0),
     units={"conductivity": "W/m/K", "exponent": "1", "reference_temperature": "K"},
     meaning={"conductivity": "heat conductivity at the reference temperature", "exponent": "power of the temperature",

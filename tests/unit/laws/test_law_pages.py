@@ -1,0 +1,50 @@
+"""The pages of the laws: what they show as an example of a deck is read back as the law's own example."""
+
+import importlib.util
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hugoniot.materials.build import build_material
+
+SCRIPT = Path(__file__).parents[3] / "docs" / "generate_laws.py"
+
+
+@pytest.fixture(scope="module")
+def pages():
+    spec = importlib.util.spec_from_file_location("generate_laws", SCRIPT)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def flat(par):
+    """Numbers of a parameter tuple, of laws inside it too."""
+    return [x for value in par for x in (flat(value) if isinstance(value, tuple) else [value])]
+
+
+def test_the_deck_of_a_page_gives_its_example(pages):
+    read = set()
+    for law in pages.EOS:
+        lines = pages.deck_lines(law, law.example, "material.x.eos")
+        if lines is None:
+            continue
+        problems = []
+        found = build_material("x", tomllib.loads("\n".join(lines))["material"]["x"], problems, "page", lambda key: None)
+        assert found is not None and not problems, (law.name, problems)
+        assert type(found.eos) is type(law.example), law.name
+        np.testing.assert_allclose(flat(found.eos), flat(law.example), rtol=1e-12, err_msg=law.name)
+        read.add(law.name)
+    assert {law.name for law in pages.EOS} - read == {"mie_gruneisen_cold_series", "table"}
+
+
+def test_every_page_tells_equation_parameters_validity_and_source(pages):
+    for family, (registry, _, _) in pages.HEADS.items():
+        for law in registry:
+            text = pages.page(law, None)
+            assert "## Parameters" in text and "## References" in text and law.summary in text, law.name
+            assert all(f"`{name}`" in text for name in pages.accepted(law)[0]), law.name
+            if family == "eos":
+                assert "$$" in text and "states the limit" in text, law.name
