@@ -18,9 +18,9 @@ and, where its theory has them in closed form,
     reference_curve(rho, par), hugoniot_curve(eta, par)   what laws built on a curve give to reference_curves, which holds the rest
     reference_isentrope(rho, par)         (e_S, ln phi): one isentrope, and the growth phi of energies beside it, of laws that are linear in
                                           the energy: all isentropes are e_S + constant phi, with d ln phi / d ln rho = Gamma
-    smooth_piece(rho, e, way, par)        (parameters, lowest, highest density) of the smooth law that equals this one in the piece entered by
-                                          an isentrope through (rho, e) as the density rises (way 1) or falls (-1), and continues it
-                                          beyond; lowest = highest where the isentrope leaves the law there
+    smooth_piece(rho, e, way, par)        (parameters, lowest, highest density) of the smooth law that equals this one in the piece entered
+                                          by an isentrope through (rho, e) as the density rises (way 1) or falls (-1), and continues
+                                          it beyond; lowest = highest where the isentrope leaves the law there
     piece_coordinate(rho, e, piece)       (g, dg/drho at e, dg/de at rho): in the piece between those densities while 0 <= g <= 1
 
 The last two are owed by laws whose slopes leap in many places (tables); all others are one piece.
