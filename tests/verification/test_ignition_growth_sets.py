@@ -15,7 +15,7 @@ from hugoniot.theory.hugoniot import Initial, shock
 
 # set: zones per mm, length of the charge in mm (about ten reaction zones)
 SETS = {"G001": (50, 20), "G002": (50, 20), "G003": (50, 30), "G004": (50, 30), "G005": (50, 30), "G006": (100, 15), "G007": (100, 15),
-        "G014": (200, 10)}
+        "G014": (200, 10), "G015": (50, 30), "G016": (50, 30), "G017": (200, 10), "G018": (200, 10), "G019": (100, 15), "G020": (50, 30)}
 
 
 def the_set(name) -> Material:

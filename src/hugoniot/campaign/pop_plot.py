@@ -73,17 +73,17 @@ def pop_plot(material: Material, pressures: Sequence[float], zone_size: float = 
     jobs        runs at a time
     Raises OutOfRange for a material that does not burn by a rate, or pressures that are not positive.
     """
-    prepared = _prepared(material)
+    charge = charge_of(material)
     if not all(0.0 < p < math.inf for p in pressures) or not (0.0 < zone_size < longest):
         raise OutOfRange("a Pop plot needs positive input pressures, and zones that are smaller than the longest charge")
     ordered = sorted(set(float(p) for p in pressures))
     # the first run compiles the sweeps; the others find them
-    points = [_initiation(prepared, ordered[-1], zone_size, longest)] if ordered else []
+    points = [initiation(charge, ordered[-1], zone_size, longest)] if ordered else []
     with ThreadPoolExecutor(max_workers=max(1, jobs)) as pool:
-        points = [*pool.map(lambda p: _initiation(prepared, p, zone_size, longest), ordered[:-1]), *points]
+        points = [*pool.map(lambda p: initiation(charge, p, zone_size, longest), ordered[:-1]), *points]
     turned = [point for point in points if math.isfinite(point.distance)]
     line = pop_line([p.pressure for p in turned], [p.distance for p in turned]) if len(turned) > 1 else None
-    return PopPlot(material.name, prepared.speed, zone_size, tuple(points), line)
+    return PopPlot(material.name, charge.speed, zone_size, tuple(points), line)
 
 
 def detonation_velocity(material: Material) -> float:
@@ -98,34 +98,37 @@ def _at_rest(material: Material) -> float:
 
 
 @dataclass(frozen=True)
-class _Prepared:
+class Charge:
+    """An explosive made ready for runs: `material` under the name "explosive", CJ `speed` (m/s), state `ahead` of its shocks."""
+
     material: Material
     speed: float
     ahead: Initial
 
 
-def _prepared(material: Material) -> _Prepared:
+def charge_of(material: Material) -> Charge:
+    """The charge of a material that burns by a rate; OutOfRange for any other."""
     law = BURN.of(material.burn) if material.burn is not None else None
     if law is None or not {"pressure_driven", "temperature_driven"} & set(law.flags) or "instantaneous" in law.flags:
         raise OutOfRange(f"material '{material.name}' does not burn by a rate: a Pop plot needs one, such as \"LX-17 reactive\" of the "
                          "library or a material with an [unreacted] and a [burn] table")
     burning.reactive(material)     # says what is missing
-    return _Prepared(replace(material, name="explosive"), detonation_velocity(material), Initial.at_rest(material.unreacted))
+    return Charge(replace(material, name="explosive"), detonation_velocity(material), Initial.at_rest(material.unreacted))
 
 
-def _initiation(prepared: _Prepared, pressure: float, zone_size: float, longest: float) -> Initiation:
-    """The run of one pressure, in a charge that grows until the front has turned."""
-    inert = shock(prepared.material.unreacted, prepared.ahead, pressure=pressure)
+def initiation(charge: Charge, pressure: float, zone_size: float, longest: float, zones: int = FIRST_LENGTH) -> Initiation:
+    """The run of one pressure, in a charge that grows from `zones` until the front has turned."""
+    inert = shock(charge.material.unreacted, charge.ahead, pressure=pressure)
     piston, entering = float(inert.particle_velocity), float(inert.shock_velocity)
-    zones, most = FIRST_LENGTH, int(longest / zone_size)
-    if entering >= prepared.speed:
+    most = int(longest / zone_size)
+    if entering >= charge.speed:
         told = f"the shock itself runs at {entering:.0f} m/s, faster than the detonation: overdriven"
         return Initiation(pressure, piston, entering, math.nan, math.nan, 0, (np.zeros(0), np.zeros(0)), told)
     while True:
         zones = min(zones, most)
-        times, path, told = _front(prepared, pressure, piston, entering, zones, zone_size)
+        times, path, told = _front(charge, pressure, piston, entering, zones, zone_size)
         try:
-            distance, time = run_to_detonation(times, path, prepared.speed, entering)
+            distance, time = run_to_detonation(times, path, charge.speed, entering)
             if distance < NEAREST * zone_size:
                 told = [f"turned within {distance / zone_size:.0f} zones: take zones {NEAREST * zone_size / distance:.1f} times smaller"]
                 distance = time = math.nan
@@ -139,15 +142,15 @@ def _initiation(prepared: _Prepared, pressure: float, zone_size: float, longest:
     return Initiation(pressure, piston, entering, distance, time, zones, (times, path), "; ".join(told))
 
 
-def _front(prepared: _Prepared, pressure: float, piston: float, entering: float, zones: int, zone_size: float):
+def _front(charge: Charge, pressure: float, piston: float, entering: float, zones: int, zone_size: float):
     """(times, positions, warnings) of the front until it has settled to a detonation or nears the end of the charge."""
     length = zones * zone_size
     problem = Problem("pop plot", "planar", 1.2 * length / entering, (Region("charge", "explosive", 0.0, length, zones),),
-                      {"explosive": prepared.material}, Boundary("velocity", Pulse("constant", amplitude=piston)), Boundary("free"),
+                      {"explosive": charge.material}, Boundary("velocity", Pulse("constant", amplitude=piston)), Boundary("free"),
                       output=OutputOptions(report=False))
     solver = make_solver(problem)
-    interval = STRIDE * zone_size / prepared.speed
-    halfway = 0.5 * (entering + prepared.speed)
+    interval = STRIDE * zone_size / charge.speed
+    halfway = 0.5 * (entering + charge.speed)
     times, path, settled = [0.0], [0.0], 0
     while path[-1] < length - 2 * STRIDE * zone_size and times[-1] < problem.stop_time - interval and settled < SETTLED:
         until = len(times) * interval

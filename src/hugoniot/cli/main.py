@@ -33,6 +33,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "eos": ("hugoniot.cli.eos", "Hugoniots, isentropes and impedance matches without a mesh."),
     "exact": ("hugoniot.cli.exact", "Exact solutions: Riemann, Noh, Sedov, Guderley, detonations and more."),
     "pop-plot": ("hugoniot.cli.pop_plot", "Run distance to detonation over input pressure."),
+    "fit-rate": ("hugoniot.cli.fit_rate", "Constants of a burn law brought to a measured Pop plot."),
     "structure": ("hugoniot.cli.structure", "The inner structure of a shock."),
     "list": ("hugoniot.cli.listing", "What a deck may name: laws, materials, fields, problems, solvers."),
 }

@@ -36,10 +36,10 @@ def command(
     from hugoniot.campaign.pop_plot import pop_plot
     from hugoniot.materials import library
 
-    chosen = _material(material, materials)
+    chosen = material_named(material, materials)
     if mixture:
         chosen = replace(chosen, mixture=_closure(mixture))
-    wanted = _pressures(pressures, points)
+    wanted = pressure_list(pressures, points)
     size, most = _quantity(zone_size, "m", "--zone-size"), _quantity(longest, "m", "--longest")
     lines = library.pop_lines(published or material)
     if published and not lines:
@@ -63,7 +63,7 @@ def command(
 
 
 # -- input -----------------------------------------------------------------------------------------------------------
-def _material(name: str, places):
+def material_named(name: str, places):
     if places:
         from hugoniot.materials.users import find, user_materials
         return find(name, user_materials(places)).material
@@ -89,7 +89,7 @@ def _quantity(text: str, unit: str, option: str) -> float:
     return value
 
 
-def _pressures(text: str, points: int) -> list[float]:
+def pressure_list(text: str, points: int) -> list[float]:
     """Pa, from "3..15 GPa" (points at equal ratios) or "8, 11, 15 GPa": the last unit holds for the numbers without one."""
     unit = re.search(r"[A-Za-z]+\s*$", text)
     parts = [part.strip() for part in (text.split("..") if ".." in text else text.split(","))]

@@ -1,0 +1,119 @@
+"""hugoniot fit-rate: constants of a burn law brought to a measured Pop plot."""
+
+from typing import Annotated
+
+import typer
+
+from hugoniot.cli.show import JSON, MATERIALS, echo_json, echo_table
+from hugoniot.errors import DeckError, OutOfRange
+
+
+def command(
+    material: Annotated[str, typer.Argument(help='The explosive to start from: "PBX-9404 reactive", a set (G014), or your own.')],
+    to: Annotated[str, typer.Option("--to", help="Explosive of the library whose measured line is wanted, or its row (R001).")] = "",
+    line: Annotated[str, typer.Option("--line", help='Your own line instead: "a, b" of log10(p/GPa) = a + b log10(x/mm).')] = "",
+    adjust: Annotated[str, typer.Option("--adjust", help="Constants of the burn law to change.")] = "g1, y",
+    start: Annotated[str, typer.Option("--start", help='Constants to set before the search, in SI: "y = 2.5, g1 = 8e-19, g2 = 0".')] = "",
+    pressures: Annotated[str, typer.Option("--pressures", "-p", help='Input pressures: "3..15 GPa", or "8, 11, 15 GPa".')] = "3..15 GPa",
+    points: Annotated[int, typer.Option("--points", min=2, max=50, help="Runs in a range, spaced by equal ratios.")] = 5,
+    zones: Annotated[int, typer.Option("--zones", min=50, max=5000, help="Zones in a run distance while the search goes on.")] = 200,
+    jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, max=256, help="Runs at a time.")] = 1,
+    materials: MATERIALS = None, as_json: JSON = False,
+) -> None:
+    """Change a few constants of a burn law until run distances to detonation are those of a measured Pop plot.
+
+    All other constants and both equations of state stay. At the end every run is repeated with zones half the size, and the table of the
+    burn law is printed for a deck. Some minutes.
+
+    Example: hugoniot fit-rate "PBX-9502 reactive" --adjust "g2, z" --pressures "10..15 GPa"
+    """
+    from hugoniot.campaign.rate_fit import fit_rate
+    from hugoniot.cli.pop_plot import material_named, pressure_list
+
+    chosen = _started(material_named(material, materials), start)
+    wanted, told = _line(to or material, line)
+    names = [name.strip() for name in adjust.split(",") if name.strip()]
+    try:
+        found = fit_rate(chosen, wanted, pressure_list(pressures, points), names, zones, jobs)
+    except OutOfRange as error:
+        message, _, hint = str(error).partition("; ")
+        raise DeckError.single("command line", None, "fit-rate", message, hint) from None
+    if as_json:
+        echo_json({"material": chosen.name, "line": told, "before": found.before, "after": found.after, "zones": found.zones,
+                   "runs": found.runs, "burn": _table(found.material.burn), "points": [
+                       {"pressure": p.pressure, "distance": p.distance, "ratio": coarse, "refined_ratio": fine, "note": p.note}
+                       for p, coarse, fine in zip(found.points, found.ratios, found.refined)]})
+        return
+    _tell(found, told, material)
+
+
+# -- input -----------------------------------------------------------------------------------------------------------
+def _started(material, text: str):
+    """The material with the constants of --start."""
+    from dataclasses import replace
+
+    from hugoniot.laws.burn.contract import BURN
+    given = {}
+    for part in text.split(","):
+        name, equals, value = (piece.strip() for piece in part.partition("="))
+        if not name and not equals:
+            continue
+        try:
+            given[name] = float(value)
+        except ValueError:
+            raise DeckError.single("command line", None, "--start", f"'{part.strip()[:40]}' is no constant with a number",
+                                   'write "y = 2.5, g1 = 8e-19"') from None
+    if not given:
+        return material
+    if material.burn is None:
+        raise DeckError.single("command line", None, "--start", f"material '{material.name}' has no burn law")
+    law = BURN.of(material.burn)
+    strange = [name for name in given if name not in law.parameters._fields]
+    if strange:
+        raise DeckError.single("command line", None, "--start", f"the burn law {law.name} has no constant '{strange[0]}'",
+                               f"it has: {', '.join(law.parameters._fields)}")
+    return replace(material, burn=law.build(**{**material.burn._asdict(), **given}))
+
+
+def _line(name: str, own: str):
+    """(PopLine, what to call it) of a published line, or of the one given."""
+    from hugoniot.diagnostics.detonation import PopLine
+    from hugoniot.materials import library
+    unknown = float("nan")
+    if own:
+        try:
+            a, b = (float(part) for part in own.split(","))
+        except ValueError:
+            raise DeckError.single("command line", None, "--line", f"'{own[:40]}' is no line", 'write "1.11, -0.66"') from None
+        if not b < 0.0:
+            raise DeckError.single("command line", None, "--line", f"a run distance falls with pressure: b must be negative; got {b:g}")
+        return PopLine(a, b, unknown, unknown, unknown), f"log10(p/GPa) = {a:g} {b:+g} log10(x/mm)"
+    rows = [row for row in library.schema.table("pop_plot").values() if row.id == name.strip().upper()] or list(library.pop_lines(name))
+    if not rows:
+        raise DeckError.single("command line", None, "--to", f"the library has no measured Pop plot of '{name[:60]}'",
+                               "it has: " + ", ".join(f"{r.id} {r.material}" for r in library.schema.table("pop_plot").values())
+                               + '; or give your own with --line "a, b"')
+    row = rows[0]
+    doubt = "; unverified against print" if row.status == "recalled" else ""
+    span = f"{row['pressure_low'] * 1e-9:g} to {row['pressure_high'] * 1e-9:g} GPa"
+    return PopLine(row["a"], row["b"], unknown, unknown, unknown), f"{row.id} {row.material}, measured from {span} ({row.source}{doubt})"
+
+
+# -- output ----------------------------------------------------------------------------------------------------------
+def _table(burn) -> dict:
+    from hugoniot.laws.burn.contract import BURN
+    return {"law": BURN.of(burn).name, **{name: float(value) for name, value in burn._asdict().items()}}
+
+
+def _tell(found, told: str, material: str) -> None:
+    from hugoniot.problem.write import to_toml
+    typer.echo(f"{material} brought to {told}: {found.runs} runs, {found.zones} zones in a run distance")
+    echo_table(["constant", "before", "after"], [[name, f"{found.before[name]:.6g}", f"{found.after[name]:.6g}"] for name in found.after])
+    echo_table(["pressure, GPa", "run distance, mm", "over the line", "zones half the size"],
+               [[f"{p.pressure * 1e-9:.4g}", f"{p.distance * 1e3:.4g}", f"{coarse:.3f}", f"{fine:.3f}"]
+                for p, coarse, fine in zip(found.points, found.ratios, found.refined)])
+    off, mesh = (max(abs(v - 1.0) for v in values) for values in (found.refined, [f / c for f, c in zip(found.refined, found.ratios)]))
+    typer.echo(f"with zones half the size within {100 * off:.1f} % of the line; they changed run distances by up to {100 * mesh:.1f} %")
+    if not off < 0.1:
+        typer.echo("note: these constants alone do not bring the run distances to the line; adjust others, or start elsewhere", err=True)
+    typer.echo(to_toml({"material": {"fitted": {"base": material, "burn": _table(found.material.burn)}}}))
