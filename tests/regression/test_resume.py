@@ -1,17 +1,15 @@
 """A run that is killed, interrupted or paused goes on to the bits of one that was not."""
 
-import json
 import os
 import random
 import signal
-import subprocess
 import sys
 import threading
-import time
 
 import lagrange_builders as build
 import numpy as np
 import pytest
+from killed_runs import finish, same_bytes, start, wait_for_checkpoint
 
 from hugoniot import simulate
 from hugoniot.output.run_folder import RunFolder
@@ -60,8 +58,6 @@ snapshots = "0.1 us"
 report = false
 checkpoint_cycles = {every}
 """
-FILES = ("result.h5", "gauges.csv", "deck.toml")
-TIMINGS = {"wall_seconds", "kernel_seconds"}
 
 
 def deck(folder, flyer=100, target=200, integrator="compatible", every=37):
@@ -87,53 +83,6 @@ def whole(place):
         return done[path]
 
     return run
-
-
-def same_bytes(one, other):
-    for name in FILES:
-        assert (one / name).read_bytes() == (other / name).read_bytes(), name
-    a, b = (json.loads((folder / "summary.json").read_text()) for folder in (one, other))
-    for key in set(a) | set(b):
-        if key not in TIMINGS and "warning" not in key and "resum" not in key:
-            assert a[key] == b[key], key
-
-
-def start(path, folder, how="run"):
-    words = ["run", str(path), "--out", str(folder)] if how == "run" else ["resume", str(folder)]
-    environment = {**os.environ, "PYTHONUNBUFFERED": "1"}
-    return subprocess.Popen([sys.executable, "-m", "hugoniot.cli.main", *words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                            env=environment)
-
-
-def wait_for_checkpoint(process, folder, seconds=120.0):
-    """True when a checkpoint stands in the folder, False when the run was done before."""
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        if list((folder / "checkpoint").glob("*.json")):
-            return True
-        if process.poll() is not None:
-            return False
-        time.sleep(0.002)
-    raise AssertionError("no checkpoint came")
-
-
-def finish(path, folder, kills, chance, longest):
-    """Run and resume with a kill -9 at random moments until the run is done; how many kills hit."""
-    hits, how = 0, "run"
-    for _ in range(kills):
-        process = start(path, folder, how)
-        if wait_for_checkpoint(process, folder):
-            time.sleep(chance.uniform(0.0, longest))
-        process.send_signal(signal.SIGKILL)
-        code = process.wait(timeout=60)
-        hits += code == -signal.SIGKILL
-        how = "resume"
-        if (folder / "summary.json").is_file():
-            break
-    if not (folder / "summary.json").is_file():
-        process = start(path, folder, "resume")
-        assert process.wait(timeout=300) == 0, process.stdout.read()[-2000:]
-    return hits
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="kill -9 is a Unix matter")
