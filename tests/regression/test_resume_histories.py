@@ -35,18 +35,18 @@ burn = { law = "threshold", initiation_pressure = "20 GPa" }
 """
 GROWTH = """title = "ignition and growth"
 geometry = "planar"
-stop_time = "2.2 us"
+stop_time = "1 us"
 [[region]]
 name = "charge"
 material = "LX-17 reactive"
 from = "0 mm"
-to = "16 mm"
+to = "8 mm"
 zones = {zones}
 [boundary]
 left = {velocity = "1.6 km/s"}
 [[gauge]]
 name = "late"
-at = "12 mm"
+at = "6 mm"
 """
 PORES = """title = "crushed powder"
 geometry = "planar"
@@ -79,8 +79,8 @@ c0 = "3940 m/s"
 s = 1.489
 gamma0 = 1.99
 """
-DECKS = {"threshold": (THRESHOLD, 150, "burn_fraction"), "ignition_growth": (GROWTH, 250, "burn_fraction"),
-         "p_alpha": (PORES, 150, "compaction")}
+DECKS = {"threshold": (THRESHOLD, 100, "burn_fraction"), "ignition_growth": (GROWTH, 120, "burn_fraction"),
+         "p_alpha": (PORES, 100, "compaction")}
 ENDING = """[output]
 snapshots = "0.2 us"
 report = false
@@ -103,7 +103,7 @@ def undisturbed(folder, name, scale, every):
 @killing
 @pytest.mark.parametrize("name", DECKS)
 def test_killed_once_a_history_goes_on_to_the_same_bytes(tmp_path, name):
-    path, whole = undisturbed(tmp_path, name, 1, 60)
+    path, whole = undisturbed(tmp_path, name, 1, 80)
     assert finish(path, tmp_path / "killed.run", 1, random.Random(1), 0.02) == 1
     same_bytes(whole, tmp_path / "killed.run")
 
