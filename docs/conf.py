@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).parent
-GENERATORS = ("generate_deck_reference.py", "generate_laws.py", "materials/generate.py")
+GENERATORS = ("generate_deck_reference.py", "generate_laws.py", "generate_theory.py", "materials/generate.py")
 
 project = "hugoniot"
 author = "The hugoniot developers"

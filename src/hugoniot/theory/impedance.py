@@ -3,7 +3,12 @@ r"""Impedance matching: what a flyer does to a stack of layers, interface by int
 At an interface the shock arriving from the left meets a layer at rest; pressure and velocity continue across, so the state is
 where the right-going Hugoniot of the layer ahead meets the reflected curve of the layer behind: a reshock if the layer ahead
 is stiffer, a release isentrope if it is softer. Both are the exact curves of the laws (`theory.riemann`), not the mirror image of
-the principal Hugoniot. Source: 001 (KB codes) section 2; Meyers, Dynamic Behavior of Materials, ch. 7, for the method.
+the principal Hugoniot:
+
+$$u_A - \phi_A(p) = u_B + \phi_B(p), \qquad \phi_k(p) = \begin{cases}\sqrt{(p - p_k)(v_k - v_H(p))} & p > p_k\\[2pt]
+  \int_{p_k}^{p} dp/(\rho c) & p < p_k\end{cases}$$
+
+with A the layer behind and B the one ahead. Source: 001 (KB codes) section 2; Meyers, Dynamic Behavior of Materials, ch. 7, for the method.
 """
 
 from collections.abc import Sequence

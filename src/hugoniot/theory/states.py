@@ -1,4 +1,13 @@
-"""States of a material as the tools of this room give and take them: arrays or single numbers under the field's words."""
+r"""States of a material as the tools of this room give and take them: arrays or single numbers under the field's words.
+
+Of any law $p(\rho, e)$ follow, along every curve,
+
+$$c^2 = \left.\frac{\partial p}{\partial\rho}\right|_e + \frac{p}{\rho^2}\left.\frac{\partial p}{\partial e}\right|_\rho, \qquad
+  \Gamma = \frac1\rho\left.\frac{\partial p}{\partial e}\right|_\rho, \qquad K_S = \rho c^2, \qquad
+  \gamma = -\left.\frac{\partial\ln p}{\partial\ln v}\right|_s = \frac{\rho c^2}{p},$$
+
+from its two slopes; temperature and entropy are the law's own.
+"""
 
 import math
 from dataclasses import dataclass, field
