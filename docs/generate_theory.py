@@ -30,6 +30,7 @@ TOOLS = {
     "converters": ("From other data to Herrmann's series", ("laws.eos.converters",), "laws.eos.converters", ()),
 }
 TOLD = {"converters": "Called from Python: `from hugoniot.laws.eos import converters`.",
+        "mixtures": "The equations stand under [mixtures](../../theory/mixtures.md).",
         "characteristics": "Called from Python: `from hugoniot.theory import characteristics`."}
 _ROW = re.compile(r"^(\S.{0,70}?) {2,}(\S.*)$")
 
@@ -88,7 +89,7 @@ def tool(key: str) -> str:
     if commands:
         lines += ["On the command line: " + ", ".join(f"`hugoniot {c}`" for c in commands) + "; what it prints is told under "
                   "[questions answered without a mesh](../../theory/eos_tools.md).", ""]
-    else:
+    if key in TOLD:
         lines += [TOLD[key], ""]
     return "\n".join([*lines, *functions(home)])
 

@@ -333,6 +333,7 @@ def _expansion(subject: Subject, start: States, to: str | None, points: int) -> 
     default = (1e5 if subject.reacted else rest if gas else 0.0) if falls else 1e7 if gas else 1e10
     end = quantity(to, "Pa", "--to") if to else default
     if end <= start.pressure and not subject.reacted:
+        release(subject.material, start, end)       # an end out of reach is refused by its own number, not by one on the way
         return release(subject.material, start, end, points=points)
     by_factors = (subject.reacted or gas) and end > 0.0
     span = np.geomspace(start.pressure, end, points) if by_factors else np.linspace(start.pressure, end, points)

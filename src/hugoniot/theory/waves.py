@@ -1,10 +1,13 @@
 r"""Waves in time and space after an impact, without a mesh: every front is tracked and every meeting is a Riemann problem.
 
 The layers hold piecewise constant states between fronts. A shock moves at its exact velocity; a fan is cut into steps of
-equal pressure, each a jump between two states of one isentrope that moves so as to conserve mass; interfaces and free surfaces move
-with the material. When two fronts meet, the Riemann problem of the outer states (`theory.riemann`) gives what leaves. Shocks and
-their interactions are thus exact; fans converge with the number of steps (errors of second order in the step).
-Bodies part where tension would hold them together, and may meet again.
+equal pressure, each a jump between two states a, b of one isentrope that moves so as to conserve mass,
+
+$$W = \frac{\rho_bu_b - \rho_au_a}{\rho_b - \rho_a};$$
+
+interfaces and free surfaces move with the material. When two fronts meet, the Riemann problem of the outer states (`theory.riemann`)
+gives what leaves. Shocks and their interactions are thus exact; fans converge with the number of steps (errors of second order in the
+step). Bodies part where tension would hold them together, and may meet again.
 
 Source: Wave-front tracking after Dafermos, J. Math. Anal. Appl. 38 (1972) 33; 003 (Starkenberg) section 6 for the local solutions.
 """

@@ -1,4 +1,6 @@
-"""Threshold burn of the KB codes: a zone burns at once when its pressure passes a limit.
+r"""Threshold burn of the KB codes: a zone burns at once when its pressure passes a limit.
+
+$$\lambda = 1 \quad\text{once}\quad p > P_{init}$$
 
 The zone's chemical energy Q is released and the products' law takes over. **The speed of the wave this makes depends on the threshold
 and does not converge with the mesh**: the release acts inside the smeared shock, at a place of its profile that the threshold chooses, and

@@ -1,0 +1,44 @@
+"""The pages of the tools: every command of `hugoniot eos` and every exact solution has one, with its equations and functions."""
+
+import importlib.util
+import re
+from pathlib import Path
+
+import pytest
+
+from hugoniot.cli.eos import app
+
+DOCS = Path(__file__).parents[3] / "docs"
+
+
+@pytest.fixture(scope="module")
+def pages():
+    spec = importlib.util.spec_from_file_location("generate_theory", DOCS / "generate_theory.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_every_command_has_a_page_and_a_row_in_the_overview(pages):
+    named = {command.name or command.callback.__name__ for command in app.registered_commands}
+    paged = {words.split()[1] for _, _, _, commands in pages.TOOLS.values() for words in commands}
+    assert named == paged
+    overview = (DOCS / "theory" / "eos_tools.md").read_text(encoding="utf-8")
+    rows = "\n".join(line for line in overview.splitlines() if line.startswith("| `"))
+    assert not {name for name in named if f"`{name}" not in rows}
+    assert not {page for page in re.findall(r"generated/tools/(\w+)\.md", rows) if page not in pages.TOOLS}
+
+
+def test_a_page_shows_equations_and_functions(pages):
+    for key in pages.TOOLS:
+        text = pages.tool(key)
+        assert ("$" in text or "theory/mixtures.md" in text) and "## Functions" in text and text.count("### ") >= 1, key
+        assert "hugoniot." not in "".join(re.findall(r"```python\n(.*?)```", text, flags=re.DOTALL)), key
+
+
+def test_every_exact_solution_has_its_parameters_with_units(pages):
+    text = pages.exact("theory.exact.noh", ["noh"])
+    assert "## hugoniot exact noh" in text and "| `speed` | m/s | `1.0` |" in text and "$$" in text
+    for name, function in pages.SOLUTIONS.items():
+        shown = pages.exact(function.__module__.removeprefix("hugoniot."), [name])
+        assert f"## hugoniot exact {name}" in shown and "ource" in shown, name
