@@ -182,14 +182,15 @@ class Profile:
         return mean_free_path(definition, mu, one.density, one.pressure, exponent)
 
 
-def steady(material, transport, upstream=None, *, rtol: float = 1e-10, **shock) -> Profile:
+def steady(material, transport, upstream=None, *, rtol: float = 1e-8, **shock) -> Profile:
     """The steady structure of a shock.
 
     material    a material, or the parameter tuple of an equation of state
     transport   a `laws.transport.contract.Transport` (see `make` there)
     upstream    `theory.hugoniot.Initial`, the state ahead (default: the law's reference state)
     shock       mach, or one of shock_velocity, particle_velocity, pressure, density (see `ends.find_ends`)
-    rtol        relative tolerance of the integration; measures are good to about ten times that
+    rtol        relative tolerance of the integration; measures are good to about ten times that (with kinks, where pores
+                begin or end to close, to 1e-6)
     Raises `OutOfRange` and `NoSolution` that say what the law, the transport law or the shock lacks.
     """
     ends = find_ends(material, upstream, **shock)

@@ -23,7 +23,7 @@ def measures(profile: Profile) -> dict[str, float]:
     }
 
 
-def sweep(material, transport, machs, upstream=None, rtol: float = 1e-9) -> list[Profile]:
+def sweep(material, transport, machs, upstream=None, rtol: float = 1e-8) -> list[Profile]:
     """The steady profiles at several Mach numbers."""
     return [steady(material, transport, upstream, mach=float(mach), rtol=rtol) for mach in machs]
 
