@@ -24,10 +24,11 @@ def profile_picture(profile: Profile, title: str = ""):
 
 
 def draw_profile(axes, profile: Profile) -> None:
-    """Fill six axes: fields as parts of their jumps; stress and heat flux; the terms of momentum and of energy (004 figs 6.4 to 6.7);
-    entropy and its production by viscosity and conduction.
+    """Fill six axes with what 004's figures 6.4 to 6.7 show, and more.
 
-    Terms are made dimensionless with the state ahead and the density thickness, the entropy with what the shock makes.
+    Fields as parts of their jumps; energy per volume, kinetic and internal (figs 6.6); stress and heat flux (6.7); the terms of momentum (6.4)
+    and of energy (6.5); entropy and its production by viscosity and conduction. Terms are made dimensionless with the state ahead and the
+    density thickness, the entropy with what the shock makes; velocities are those in the frame of the shock.
     """
     delta = profile.thickness()
     low, high = profile.extent(2e-4)
@@ -39,19 +40,18 @@ def draw_profile(axes, profile: Profile) -> None:
     if "temperature" in jumps and np.allclose(jumps["temperature"], jumps["energy"], atol=1e-3):   # one line, not a hidden one
         jumps["temperature, energy"] = jumps.pop("temperature")
         del jumps["energy"]
-    panels = [("part of the jump", jumps),
+    panels = [("part of the jump", jumps), ("energy density / ρ₁c₁²", _energies(fields, pressure)),
               ("stress and heat flux", {"−τ / ρ₁c₁²": -fields["viscous_stress"] / pressure, "−q / ρ₁c₁³": -fields["heat_flux"] / power})]
     panels += [(f"{name} terms × δ", {word: terms[key] * delta / scale for key, word in words.items()})
                for (name, words), scale in zip(_TERMS.items(), (pressure, power))]
-    panels += _entropy_panels(profile, fields, delta)
+    panels += _entropy_panel(profile, fields, delta)
     for ax, (ylabel, curves) in zip(axes, panels):
         curves = {word: values for word, values in curves.items() if np.abs(values).max() > 0.0}
         for k, (word, values) in enumerate(curves.items()):
             ax.plot(x * factor, values, color=COLOURS[k], label=word)
         ax.set_ylabel(ylabel)
         quiet_grid(ax)
-        if list(curves) != ["entropy"]:
-            ax.legend(frameon=False, fontsize=8)
+        ax.legend(frameon=False, fontsize=8)
     for ax in axes[:len(panels)][-2:]:
         ax.set_xlabel(f"x ({unit})")
     for ax in axes[len(panels):]:
@@ -63,19 +63,24 @@ def _part(profile: Profile, fields, name):
     return (fields[name] - a) / (b - a)
 
 
-def _entropy_panels(profile: Profile, fields, delta) -> list:
-    """(label, curves) of the production, whose area over x/δ is one, and of the entropy itself; none where the law has no temperature."""
+def _energies(fields, unit) -> dict:
+    """Energies per volume in the frame of the shock, in units of `unit` (004 figures 6.6): total, kinetic, internal."""
+    kinetic, internal = 0.5 * fields["density"] * fields["velocity"] ** 2 / unit, fields["density"] * fields["energy"] / unit
+    return {"total": kinetic + internal, "kinetic": kinetic, "internal": internal}
+
+
+def _entropy_panel(profile: Profile, fields, delta) -> list:
+    """(label, curves) of the entropy and of its production, whose area over x/δ is one; none where the law has no temperature."""
     made = profile.entropy_produced
     if not made > 0.0:
         return []
     unit = profile.ends.mass_flux * made / delta
     viscous, conductive = profile.entropy_viscous / made, profile.entropy_conductive / made
-    curves = {f"by viscosity, {100 * viscous:.0f} %": fields["entropy_production_viscous"] / unit,
-              f"by conduction, {100 * conductive:.0f} %": fields["entropy_production_conductive"] / unit}
-    panels: list = [("entropy production × δ / mΔs", curves)]
+    curves = {f"made by viscosity, {100 * viscous:.0f} %": fields["entropy_production_viscous"] / unit,
+              f"made by conduction, {100 * conductive:.0f} %": fields["entropy_production_conductive"] / unit}
     if np.isfinite(fields["entropy"]).all():
-        panels.append(("(s − s₁) / Δs", {"entropy": fields["entropy"] / made}))
-    return panels
+        curves["gained, (s − s₁) / Δs"] = fields["entropy"] / made
+    return [("entropy; production × δ / mΔs", curves)]
 
 
 def draw_cells(ax, profile: Profile, centres, fields) -> None:

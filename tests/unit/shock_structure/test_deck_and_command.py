@@ -238,3 +238,26 @@ def test_tables_of_jordan(capsys):
 def test_bad_input(capsys, arguments, words, code):
     found, out, err = call(capsys, "structure", "profile", *arguments)
     assert found == code and words in err and "Traceback" not in err
+
+
+# -- the picture -------------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("name, rises", [("argon", True), ("water_387", False)])
+def test_energies_of_the_picture(name, rises):
+    """004 figures 6.6 and 7.1.6: total energy per volume rises through a shock of argon and falls in water, where kinetic energy stays the most."""
+    from hugoniot.plotting.structure import profile_picture
+    from hugoniot.theory.structure import jordan, steady
+    if name == "argon":
+        law, ahead = jordan.argon()
+        profile = steady(law, jordan.argon_transport(), ahead, mach=3.38)
+    else:
+        case = jordan.CONDENSED[name]
+        profile = steady(case.eos(), case.transport(), particle_velocity=case.particle_velocity)
+    panels = {ax.get_ylabel(): {line.get_label(): line.get_ydata() for line in ax.get_lines()} for ax in profile_picture(profile).figure.axes}
+    curves = panels["energy density / ρ₁c₁²"]
+    assert np.allclose(curves["total"], curves["kinetic"] + curves["internal"])
+    one = profile.ends.upstream
+    assert curves["kinetic"][0] == pytest.approx(0.5 * (one.velocity / one.sound_speed) ** 2, rel=1e-3)
+    assert (curves["total"][-1] > curves["total"][0]) == rises
+    assert (curves["kinetic"][-1] > curves["internal"][-1]) == (not rises)
+    for words in ("stress and heat flux", "momentum terms × δ", "energy terms × δ", "entropy; production × δ / mΔs"):
+        assert words in panels
