@@ -19,24 +19,47 @@ from hugoniot.theory.states import law_of
 from hugoniot.theory.structure.profile import Profile, steady
 
 EDGE = 1e-3           # part of the jump that the profile may still lack at the ends of a domain
+WIDTH = 12.0          # thicknesses on each side of a shock, and that its slowest wave runs
+FAR, MARGIN = 1e-8, 3.0
 MEASURES = ("mach", "shock_velocity", "particle_velocity", "pressure")
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(4)
 
 
-def resolved(material, transport, upstream=None, *, cells: int = 10, room=(12.0, 12.0), times: float = 20.0, frame: str = "standing",
+def ample_room(profile: Profile) -> tuple[float, float]:
+    """Thicknesses ahead of the shock and behind it that the ends of a domain do not disturb.
+
+    As far as the profile is within FAR of its ends and MARGIN more, at least WIDTH: the foot of a strong shock is many thicknesses long.
+    """
+    length = profile.thickness()
+    ahead, behind = profile.extent(FAR)
+    return max(WIDTH, MARGIN - ahead / length), max(WIDTH, MARGIN + behind / length)
+
+
+def settling_times(profile: Profile) -> float:
+    """How often the gas behind must flow through a thickness until the waves of a start from a step are gone.
+
+    The slowest of them, entropy at u2, sound at c2 - u2 behind and at u1 - c1 ahead of the shock, then has run WIDTH thicknesses.
+    """
+    one, two = profile.ends.upstream, profile.ends.downstream
+    slowest = min(two.velocity, two.sound_speed - two.velocity, one.velocity - one.sound_speed)
+    return WIDTH * two.velocity / slowest
+
+
+def resolved(material, transport, upstream=None, *, cells: int = 10, room=None, times: float | None = None, frame: str = "standing",
              start: str = "step", **strength) -> tuple[Problem, Profile]:
     """(problem of the solver `shock_structure`, its steady profile) with `cells` in the density thickness of the shock.
 
     material, transport, upstream, strength   as in `steady`
-    room     thicknesses ahead of the shock and behind it; in the moving frame the path is added ahead
-    times    how often the gas behind flows through a thickness until the run stops
+    room     thicknesses ahead of the shock and behind it (default: `ample_room`); in the moving frame the path is added ahead
+    times    how often the gas behind flows through a thickness until the run stops (default: `settling_times`)
     """
     eos = law_of(material)
     profile = steady(eos, transport, upstream, **strength)
+    room, times = room or ample_room(profile), times or settling_times(profile)
     one, length = profile.ends.upstream, profile.thickness()
     size = length / cells
     stop = times * length / profile.ends.downstream.velocity
-    before, after = round(room[0] * cells), round(room[1] * cells)
+    before, after = math.ceil(room[0] * cells), math.ceil(room[1] * cells)
     if frame == "moving":
         before += math.ceil(one.velocity * stop / size)
     region = Region("fluid", "fluid", -before * size, after * size, before + after, density=one.density, energy=one.energy)
