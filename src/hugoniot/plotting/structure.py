@@ -26,9 +26,9 @@ def profile_picture(profile: Profile, title: str = ""):
 def draw_profile(axes, profile: Profile) -> None:
     """Fill six axes with what 004's figures 6.4 to 6.7 show, and more.
 
-    Fields as parts of their jumps; energy per volume, kinetic and internal (figs 6.6); stress and heat flux (6.7); the terms of momentum (6.4)
-    and of energy (6.5); entropy and its production by viscosity and conduction. Terms are made dimensionless with the state ahead and the
-    density thickness, the entropy with what the shock makes; velocities are those in the frame of the shock.
+    Fields as parts of their jumps; energy per volume, kinetic and internal (figs 6.6); stress and heat flux (6.7); the terms of momentum
+    (6.4) and of energy (6.5); entropy and its production by viscosity and conduction. Terms are made dimensionless with the state ahead and
+    the density thickness, the entropy with what the shock makes; velocities are those in the frame of the shock.
     """
     delta = profile.thickness()
     low, high = profile.extent(2e-4)
