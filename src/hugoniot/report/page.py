@@ -48,8 +48,8 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
 _CAPTIONS = {
     "structure": "The last snapshot, a dot for each cell, upon the steady wave of the same law, lines.",
     "structure_terms": "The steady wave: fields as parts of their jumps; energies per volume in the frame of the shock; viscous stress "
-                       "and heat flux; the terms that balance in momentum and in energy, times the density thickness δ; entropy and its production, "
-                       "whose area over x/δ is one.",
+                       "and heat flux; the terms that balance in momentum and in energy, times the density thickness δ; entropy and its "
+                       "production, whose area over x/δ is one.",
     "setup": "Regions at t = 0 to scale; triangles are gauges.",
     "wave": "Longitudinal stress over position and time: compression red, tension blue, no material blank. "
             "Dotted lines are gauges. At the snapshots the field is as computed; between them waves are carried along "
