@@ -95,6 +95,26 @@ def pop_line(pressures, distances) -> PopLine:
     return PopLine(a, b, deviation, deviation * float(np.sqrt(1.0 / p.size + u.mean() ** 2 / spread)), deviation / float(np.sqrt(spread)))
 
 
+def von_neumann_pressure(state, toward: str = "right", zones: int = 8) -> float:
+    """Pressure (Pa) of the reaction zone at its front: the straight line through the first `zones` behind the shock, led on to the front.
+
+    A captured shock takes two to four zones, in which burning has begun, so that no zone ever holds the von Neumann state: the highest
+    one is low by the slope of the zone times that width. The line starts at the first zone whose viscosity has fallen below a thousandth
+    of its pressure; the front is where the pressure falls through half of its highest value. `zones` are a small part of the reaction zone.
+    OutOfRange where fewer zones lie behind the shock.
+    """
+    step = 1 if toward == "right" else -1
+    p, q = (np.asarray(state.zones[name])[::step] for name in ("pressure", "viscous_pressure"))
+    x = 0.5 * (np.asarray(state.position_left) + np.asarray(state.position_right))[::step]
+    above = np.flatnonzero(p >= 0.5 * p.max())
+    smooth = np.flatnonzero(q[:above[-1] + 1] <= 1e-3 * p[:above[-1] + 1])
+    if above[-1] + 1 == p.size or smooth.size == 0 or smooth[-1] + 1 < zones:
+        raise OutOfRange(f"no front with {zones} zones behind its shock in this state: the spike of a reaction zone cannot be read from it")
+    k, last = above[-1], smooth[-1] + 1
+    front = x[k] + (p[k] - 0.5 * p.max()) / (p[k] - p[k + 1]) * (x[k + 1] - x[k])
+    return float(np.polyfit(x[last - zones:last] - front, p[last - zones:last], 1)[1])
+
+
 def reaction_profile(state, front: float, toward: str = "right", fields=("pressure", "density", "burn_fraction")) -> dict[str, np.ndarray]:
     """Fields of a state against the distance behind a front (m, growing away from it), as {"behind": ..., field: ...}."""
     centre = 0.5 * (state.position_left + state.position_right)
