@@ -64,6 +64,23 @@ def energy_at_temperature(rho, t, eos):
     raise OutOfRange(f"no energy gives {t:g} K at {rho:g} kg/m3 in the law '{law.name}'")
 
 
+def _tried(function, rho) -> float:
+    """The function at a trial density, not a number where the law has no such state: the search passes it by."""
+    try:
+        return function(rho)
+    except OutOfRange:
+        return math.nan
+
+
+def _trials(rho0, gas: bool):
+    """Densities at which a search looks, outward from the one at rest; a gas has states at any density, thin ones first."""
+    for factor in (1.0 + 0.02 * k for k in range(1, 400)):
+        yield from (rho0 * factor, rho0 / factor)
+    if gas:
+        yield from (rho0 / 9.0 / 1.5**k for k in range(60))
+        yield from (rho0 * 9.0 * 1.5**k for k in range(60))
+
+
 def _density(function, eos, what):
     """Density at which `function(rho)` vanishes, searched outward from the reference density."""
     rho0 = reference_state(eos)[0]
@@ -71,10 +88,9 @@ def _density(function, eos, what):
     start, value = rho0, function(rho0)
     if value == 0.0:
         return rho0
-    for factor in (1.0 + 0.02 * k for k in range(1, 400)):
-        for rho in (rho0 * factor, rho0 / factor):
-            if low < rho < high and math.isfinite(found := function(rho)) and found * value <= 0.0:
-                return _bracketed(function, start, rho, what)
+    for rho in _trials(rho0, "gas" in EOS.of(eos).flags):
+        if low < rho < high and math.isfinite(found := _tried(function, rho)) and found * value <= 0.0:
+            return _bracketed(function, start, rho, what)
     raise OutOfRange(f"no state with {what}: the equation of state does not reach it")
 
 

@@ -111,6 +111,15 @@ def test_a_gas_is_released_to_its_pressure_at_rest_and_told_in_kpa():
     assert "pressure, kPa" in told and "101.32" in told
 
 
+def test_a_written_table_holds_the_material_at_rest(tmp_path):
+    assert eos("table", "copper", "--csv", str(tmp_path / "copper.csv")).exit_code == 0
+    (tmp_path / "read.toml").write_text('[eos]\nlaw = "table"\nfile = "copper.csv"\n')
+    rest = answer("show", str(tmp_path / "read.toml"))
+    assert min(rest["parameters"]["temperatures"]) < rest["temperature"] == pytest.approx(298.15)
+    stretched = answer("isentrope", str(tmp_path / "read.toml"), "--to", "-5 GPa", "--points", "3")
+    assert stretched["pressure"][-1] == pytest.approx(-5e9) and stretched["temperature"][-1] < 298.15
+
+
 POROUS = """[eos]
 law = "p_alpha"
 alpha0 = 1.3

@@ -1,0 +1,30 @@
+"""States from two of density, pressure, temperature and energy, far from rest too."""
+
+import pytest
+
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.laws.eos.jwl import JWL
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.materials.initial_state import initial_state
+
+GAS = IdealGas(1.4, 717.5, 1.2)
+
+
+@pytest.mark.parametrize(("pressure", "temperature"), [(1e7, 1000.0), (1e9, 300.0), (1.0, 3000.0), (101325.0, 298.15)])
+def test_a_gas_has_a_state_at_any_pressure_and_temperature(pressure, temperature):
+    rho, e = initial_state(GAS, pressure_=pressure, temperature_=temperature)
+    assert rho == pytest.approx(pressure / (0.4 * 717.5 * temperature), rel=1e-12) and e == pytest.approx(717.5 * temperature, rel=1e-12)
+    rho, e = initial_state(GAS, pressure_=pressure, energy=717.5 * temperature)
+    assert rho == pytest.approx(pressure / (0.4 * e), rel=1e-12)
+
+
+def test_products_are_found_thin():
+    tnt = JWL(371.2e9, 3.231e9, 4.15, 0.95, 0.3, 1630.0, 7.0e9, 613.5)
+    rho, e = initial_state(tnt, pressure_=1e5, energy=5e6)
+    assert rho == pytest.approx(1e5 / (0.3 * 5e6), rel=1e-9)
+
+
+def test_a_solid_that_has_no_such_state_says_so():
+    with pytest.raises(OutOfRange, match="does not reach it"):
+        initial_state(MieGruneisen(8930.0, 3940.0, 1.489, 1.99, 385.0), pressure_=-1e12, temperature_=300.0)
