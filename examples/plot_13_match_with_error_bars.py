@@ -32,8 +32,8 @@ drawn = propagate(impact, VALUES, SIGMAS, correlation=ANTI, samples=400, seed=1)
 careless = propagate(impact, VALUES, SIGMAS)
 
 # %%
-# Left the construction in the P-up plane: the target's Hugoniot and the flyer's curve, running back from the impact velocity. Right
-# what the error is made of: the standard deviation that each input would give alone.
+# Left the construction in the P-up plane: the target's Hugoniot and the flyer's curve, running back from the impact velocity; in the
+# inset the match with its standard deviations. Right what the error is made of: the standard deviation that each input would give alone.
 fig, (ax, bars) = plt.subplots(1, 2, figsize=(7.4, 3.5), layout="constrained", width_ratios=(1.25, 1))
 layers = [MieGruneisen(8930.0, 3940.0, 1.489, 1.99), MieGruneisen(2785.0, 5328.0, 1.338, 2.0)]
 impedance_match(layers, 1000.0, match(layers, 1000.0), ax=ax)
@@ -43,8 +43,14 @@ for text in list(ax.texts):
     if text.get_text().startswith("copper"):
         text.set_position((-22, 4))
 ax.set_xlim(0, 1.08)
-found = linear["pressure"], linear["particle_velocity"]
-ax.errorbar(found[1].value / 1e3, found[0].value, xerr=found[1].sigma / 1e3, yerr=found[0].sigma, color=INK, lw=1.2, capsize=2.5, zorder=6)
+p, u = linear["pressure"], linear["particle_velocity"]
+zoom = ax.inset_axes((0.14, 0.62, 0.31, 0.35))
+for line in ax.get_lines()[:2]:
+    zoom.plot(1e3 * line.get_xdata(), line.get_ydata(), color=line.get_color(), ls=line.get_linestyle(), lw=1.0)
+zoom.errorbar(u.value, p.value, xerr=u.sigma, yerr=p.sigma, color=INK, lw=1.2, capsize=2.5, zorder=6)
+zoom.set(xlim=(u.value - 4 * u.sigma, u.value + 4 * u.sigma), ylim=(p.value - 3 * p.sigma, p.value + 3 * p.sigma))
+zoom.set_title("GPa, m/s", fontsize=7.5, loc="left", y=0.86, x=0.04)
+zoom.tick_params(labelsize=7.5)
 
 names = {"velocity": "impact velocity", "c_al": "c₀ aluminium", "s_al": "s aluminium", "c_cu": "c₀ copper", "s_cu": "s copper"}
 shares = [linear["pressure"].shares[name] ** 0.5 * linear["pressure"].sigma for name in names]
