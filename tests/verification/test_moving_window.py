@@ -6,7 +6,9 @@ from test_reaction_zones import START, explosive, one_step
 
 from hugoniot.campaign.moving_window import follow
 from hugoniot.errors import OutOfRange
+from hugoniot.materials import burning
 from hugoniot.theory.hugoniot import Initial
+from hugoniot.theory.znd import znd
 
 SHOCK = {"quadratic": 0.55, "linear": 1.0}     # (gamma + 1)/4 and 1: the jump of a shock in a gas of gamma = 1.2 itself
 RATE = 231.16                                  # makes the half-reaction length 1 at f = 1.6
@@ -26,6 +28,19 @@ def test_b23_settles_into_one_mode(zones, window):
     late = found.time > times[0]
     mean = (found.position[late][-1] - found.position[late][0]) / (found.time[late][-1] - found.time[late][0])
     assert mean == pytest.approx(found.exact.velocity, rel=5e-3)
+
+
+@pytest.mark.slow
+def test_b23_stays_steady_at_18():
+    """f = 1.8, 20 zones: every zone passed sees the von Neumann pressure within 0.5 %, the front pressure stays within 1 % of it."""
+    rate = one_step()
+    half = znd(burning.reactive(rate).mixture, START, rate.burn, overdrive=1.8).half_reaction_length
+    found = follow(one_step(half), START, 12.0, overdrive=1.8, zones=20, window=10.0, viscosity=SHOCK)
+    spike = float(found.exact.von_neumann.pressure)
+    assert found.peak_pressure[-400:] == pytest.approx(np.full(400, spike), rel=5e-3)
+    late = found.time > 5.0
+    assert found.front_pressure[late] == pytest.approx(np.full(late.sum(), spike), rel=0.01)
+    assert np.polyfit(found.time[late], found.position[late], 1)[0] == pytest.approx(found.exact.velocity, rel=2e-3)
 
 
 def test_a_window_must_hold_the_zone():
