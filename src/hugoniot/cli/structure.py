@@ -21,7 +21,7 @@ VISCOSITY = Annotated[str | None, typer.Option(
     "--viscosity", help='Shear viscosity "22.7 uPa s", the name of a law for argon-jordan, or a table {law = "power_law", ...}.')]
 CONDUCTION = Annotated[str | None, typer.Option("--conduction", help='Heat conductivity "0.02 W/m/K", or a table {law = ...}.')]
 PRANDTL = Annotated[float | None, typer.Option("--prandtl", help="Prandtl number, instead of --conduction.")]
-BULK = Annotated[float, typer.Option("--bulk-ratio", help="Bulk over shear viscosity.")]
+BULK = Annotated[float | None, typer.Option("--bulk-ratio", help="Bulk over shear viscosity.")]
 DENSITY = Annotated[str | None, typer.Option("--density", help='Density ahead, "1.62 kg/m^3".')]
 TEMPERATURE = Annotated[str | None, typer.Option("--temperature", help='Temperature ahead, "300 K".')]
 PRESSURE = Annotated[str | None, typer.Option("--pressure", help='Pressure ahead, "1 bar".')]
@@ -36,7 +36,7 @@ def profile(
     what: WHAT, mach: Annotated[float | None, typer.Option("--mach", help="Mach number of the shock.")] = None,
     particle_velocity: Annotated[str | None, typer.Option("--particle-velocity", help='Velocity jump, "858 m/s".')] = None,
     shock_velocity: Annotated[str | None, typer.Option("--shock-velocity", help='Speed of the shock, "3 km/s".')] = None,
-    viscosity: VISCOSITY = None, conduction: CONDUCTION = None, prandtl: PRANDTL = None, bulk_ratio: BULK = 0.0,
+    viscosity: VISCOSITY = None, conduction: CONDUCTION = None, prandtl: PRANDTL = None, bulk_ratio: BULK = None,
     density: DENSITY = None, temperature: TEMPERATURE = None, pressure: PRESSURE = None, bent: BENT = False,
     points: Annotated[int, typer.Option("--points", min=2, max=100000, help="Points of --csv and of the profile in --json.")] = 201,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
@@ -78,7 +78,7 @@ def sweep(
     what: WHAT, start: Annotated[float, typer.Option("--from", help="First Mach number.")] = 1.1,
     end: Annotated[float, typer.Option("--to", help="Last Mach number.")] = 11.0,
     points: Annotated[int, typer.Option("--points", min=2, max=1000, help="Mach numbers.")] = 41,
-    viscosity: VISCOSITY = None, conduction: CONDUCTION = None, prandtl: PRANDTL = None, bulk_ratio: BULK = 0.0,
+    viscosity: VISCOSITY = None, conduction: CONDUCTION = None, prandtl: PRANDTL = None, bulk_ratio: BULK = None,
     density: DENSITY = None, temperature: TEMPERATURE = None, pressure: PRESSURE = None, unit: UNIT = "chapman_enskog",
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
@@ -148,23 +148,24 @@ def _subject(what: str, viscosity, conduction, prandtl, bulk_ratio, state, bent:
                                f"it belongs to the cases {', '.join(cases.CONDENSED)}")
     if what == "argon-jordan":
         law, ahead = cases.argon()
-        transport = cases.argon_transport(_law_name(viscosity) or "power_law", cases.ARGON_PRANDTL if prandtl is None else prandtl)
-        found = {"eos": law, "ahead": ahead, "shock": {}, "transport": transport}
-        return found if not any(state) else found | {"ahead": _ahead(law, *state)}
-    if what in cases.CONDENSED:
+        found = {"eos": law, "ahead": ahead, "shock": {}, "transport": cases.argon_transport(_law_name(viscosity) or "power_law")}
+        viscosity = None
+    elif what in cases.CONDENSED:
         case = cases.CONDENSED[what]
         law = case.eos(case.bent if bent else case.literature)
-        transport = _transport(viscosity, conduction, prandtl, bulk_ratio) if viscosity else case.transport()
-        return {"eos": law, "ahead": None, "shock": {"particle_velocity": case.particle_velocity}, "transport": transport}
-    if what.endswith(".toml") and viscosity is None:
-        return _deck(what, state)
-    from hugoniot.cli.eos_input import find_inert
+        found = {"eos": law, "ahead": None, "shock": {"particle_velocity": case.particle_velocity}, "transport": case.transport()}
+    elif what.endswith(".toml") and viscosity is None:
+        found = _deck(what)
+    else:
+        from hugoniot.cli.eos_input import find_inert
 
-    law = find_inert(what).material.eos
-    if viscosity is None:
-        raise DeckError.single("command line", None, "--viscosity", f"the library has no viscosity for '{what}'",
-                               'give one, such as --viscosity "1 mPa s"')
-    return {"eos": law, "ahead": _ahead(law, *state), "shock": {}, "transport": _transport(viscosity, conduction, prandtl, bulk_ratio)}
+        found = {"eos": find_inert(what).material.eos, "ahead": None, "shock": {}, "transport": None}
+        if viscosity is None:
+            raise DeckError.single("command line", None, "--viscosity", f"the library has no viscosity for '{what}'",
+                                   'give one, such as --viscosity "1 mPa s"')
+    if any(state):
+        found["ahead"] = _ahead(found["eos"], *state)
+    return found | {"transport": _transport(found["transport"], viscosity, conduction, prandtl, bulk_ratio)}
 
 
 def _law_name(viscosity: str | None) -> str | None:
@@ -175,7 +176,7 @@ def _law_name(viscosity: str | None) -> str | None:
     return viscosity
 
 
-def _deck(path: str, state) -> dict:
+def _deck(path: str) -> dict:
     from hugoniot.problem.deck import read_deck
     from hugoniot.theory.structure.start import MEASURES, setting
 
@@ -185,7 +186,7 @@ def _deck(path: str, state) -> dict:
                                'give a deck with kind = "shock_structure" (examples/argon-mach9.toml), or --viscosity')
     eos, transport, ahead = setting(problem)
     shock = problem.solver.options.get("shock") or {}
-    return {"eos": eos, "transport": transport, "ahead": _ahead(eos, *state) if any(state) else ahead,
+    return {"eos": eos, "transport": transport, "ahead": ahead,
             "shock": {name: shock[name] for name in MEASURES if shock.get(name) is not None}}
 
 
@@ -201,17 +202,22 @@ def _ahead(law, density, temperature, pressure):
     return Initial(rho, float(contract.pressure(rho, e, law)), e)
 
 
-def _transport(viscosity, conduction, prandtl, bulk_ratio):
+def _transport(base, viscosity, conduction, prandtl, bulk_ratio):
+    """The transport laws that the options give; what they leave open is that of `base`, or none."""
     from hugoniot.laws.transport.contract import CONDUCTION as conductions
     from hugoniot.laws.transport.contract import TRANSPORT, make
 
-    shear = _law_table(viscosity, "--viscosity", "Pa s", "shear_viscosity", TRANSPORT)
+    if prandtl is not None and conduction is not None:
+        raise DeckError.single("command line", None, "--prandtl", "heat conduction is given twice", "leave --prandtl or --conduction out")
+    shear = _law_table(viscosity, "--viscosity", "Pa s", "shear_viscosity", TRANSPORT) if viscosity else base.shear
+    heat = base.conduction if base else None
     if prandtl is not None:
-        if conduction is not None:
-            raise DeckError.single("command line", None, "--prandtl", "heat conduction is given twice",
-                                   "leave --prandtl or --conduction out")
-        return make(shear, {"law": "prandtl", "prandtl": prandtl}, bulk_ratio)
-    return make(shear, conduction and _law_table(conduction, "--conduction", "W/m/K", "conductivity", conductions), bulk_ratio)
+        heat = {"law": "prandtl", "prandtl": prandtl}
+    elif conduction is not None:
+        heat = _law_table(conduction, "--conduction", "W/m/K", "conductivity", conductions)
+    if bulk_ratio is None:
+        bulk_ratio = base.bulk_ratio if base else 0.0
+    return make(shear, heat, bulk_ratio, base.bulk_viscosity if base else 0.0)
 
 
 def _law_table(text: str, option: str, unit: str, parameter: str, registry):

@@ -220,6 +220,29 @@ def test_tables_of_jordan(capsys):
     assert code == 0 and "6.2.1.1" in out and "water_387" in out and "3.1624" in out
 
 
+@pytest.mark.parametrize("what, options, more", [
+    ("argon-jordan", ("--bulk-ratio", "1"), (7.0 / 3.0) / (4.0 / 3.0)),
+    ("argon-jordan", ("--conduction", "1e-6 W/m/K"), None),
+    ("water_387", ("--bulk-ratio", "3"), 3.25),
+    ("water_387", ("--prandtl", "7.01"), None),
+    ("water_387", ("--density", "1010 kg/m^3", "--temperature", "300 K"), None),
+    (str(EXAMPLE), ("--bulk-ratio", "1"), (7.0 / 3.0) / (4.0 / 3.0)),
+    (str(EXAMPLE), ("--prandtl", "0.3"), None),
+])
+def test_no_option_is_dropped(capsys, what, options, more):
+    """Every transport and state option changes the wave of every kind of subject; without conduction the thickness goes with 4/3 mu + zeta."""
+    free = ("--conduction", '{law = "none"}') if more else ()
+    strength = ("--mach", "2") if what == "argon-jordan" else ()
+    lengths = []
+    for given in (free, (*free, *options)):
+        code, out, _ = call(capsys, "structure", "profile", what, *strength, *given, "--json", "--points", "2")
+        assert code == 0
+        lengths.append(json.loads(out)["density_thickness"])
+    assert abs(lengths[1] / lengths[0] - 1.0) > 1e-4
+    if more:
+        assert lengths[1] / lengths[0] == pytest.approx(more, rel=1e-6)
+
+
 @pytest.mark.parametrize("arguments, words, code", [
     (("argon-jordan", "--mach", "1"), "Mach 1 makes no shock", 3),
     (("argon-jordan", "--mach", "2", "--prandtl", "0"), "prandtl must be a positive number", 3),
