@@ -31,6 +31,7 @@ REPEATS = 15
 COPPER = MieGruneisen(8930.0, 3940.0, 1.489, 1.99, 390.0)
 PRODUCTS = JWL(1.36177e12, 7.199e10, 6.2, 2.2, 0.5, 1895.0, 6.9e9, 1.0e6 / 1895.0)
 UNREACTED = JWL(7.781e13, -5.031e9, 11.3, 1.13, 0.8938, 1895.0, 0.0, 2.487e6 / 1895.0)
+SOLID = MieGruneisen(1895.0, 2900.0, 1.68, 1.1, 1100.0)
 
 
 def best(call, repeats=REPEATS, clock=time.thread_time):
@@ -74,19 +75,27 @@ def tables(count):
 
 
 def mixtures(count):
-    """Mixture states per second: in steps of a run, each from the phases of the step before, and from one reference state."""
+    """Every closure over three pairs of laws: isentropes in closed form, isentropes that are integrals, laws of logarithms and powers."""
+    for reactants, products, energy in ((UNREACTED, PRODUCTS, None), (SOLID, PRODUCTS, 4.0e6),
+                                        (EOS.get("davis_reactants").example, EOS.get("davis_products").example, None)):
+        for kind in ("thermal_isolation", "thermal_equilibrium", "weighted_pressures"):
+            mixture_rates(count, kind, reactants, products, energy)
+
+
+def mixture_rates(count, kind, reactants, products, energy):
+    """Mixture states per second: from one reference state, and in steps of a run, each from the phases of the step before."""
     from hugoniot.theory import mixture_kernels
     from hugoniot.theory.hugoniot import shock
     from hugoniot.theory.mixture import mixture, solve
 
-    par = mixture("thermal_isolation", UNREACTED, PRODUCTS)
-    ahead = shock(UNREACTED, pressure=30e9)
+    par = mixture(kind, reactants, products, energy)
+    ahead = shock(reactants, pressure=30e9)
     rho_k, e_k, q = ahead.density, ahead.specific_internal_energy, par.detonation_energy
     rng = np.random.default_rng(3)
     lam, rho = rng.uniform(0.05, 0.95, count), rho_k * rng.uniform(0.9, 1.0, count)
     e = e_k + q + rng.uniform(-0.05, 0.05, count) * q
-    say("mixture in thermal isolation, cold start, states and slopes",
-        count / best(lambda: solve(rho, e, lam, par, (rho_k, e_k + q))), "/s", 2e6)
+    name = f"{kind}, {EOS.of(reactants).name}"
+    say(f"{name}, cold, states and slopes", count / best(lambda: solve(rho, e, lam, par, (rho_k, e_k + q))), "/s", 2e6)
     phases = np.zeros((6, count))
     phases[1], phases[2] = rho_k, e_k + q
     mixture_kernels.solve_rows(rho, e, lam, phases, par)
@@ -94,7 +103,7 @@ def mixtures(count):
     def step():
         mixture_kernels.solve_rows(rho * 0.9995, e, np.minimum(lam + 1e-3, 1.0), phases.copy(), par)
 
-    say("mixture in thermal isolation, step of a run", count / best(step), "/s", 2e6)
+    say(f"{name}, step of a run", count / best(step), "/s", 2e6)
 
 
 def curves():

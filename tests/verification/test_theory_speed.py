@@ -41,13 +41,18 @@ def test_a_thousand_points_of_every_law(name):
     assert min(walls) < 0.010
 
 
+UNREACTED = JWL(7.781e13, -5.031e9, 11.3, 1.13, 0.8938, 1895.0, 0.0, 2.487e6 / 1895.0)
+SOLID = MieGruneisen(1895.0, 2900.0, 1.68, 1.1, 1100.0)     # its isentropes are integrals
+
+
 @pytest.mark.slow
-def test_two_million_cold_mixtures_a_second():
-    """Two JWL phases in thermal isolation, each state from the shocked reactant alone; processor time of this thread."""
+@pytest.mark.parametrize("kind", ["thermal_isolation", "thermal_equilibrium", "weighted_pressures"])
+@pytest.mark.parametrize("reactants", [UNREACTED, SOLID], ids=["jwl", "mie_gruneisen"])
+def test_two_million_cold_mixtures_a_second(kind, reactants):
+    """States and slopes, each from the shocked reactant alone; processor time of this thread."""
     products = JWL(1.36177e12, 7.199e10, 6.2, 2.2, 0.5, 1895.0, 6.9e9, 1.0e6 / 1895.0)
-    unreacted = JWL(7.781e13, -5.031e9, 11.3, 1.13, 0.8938, 1895.0, 0.0, 2.487e6 / 1895.0)
-    par = mixture("thermal_isolation", unreacted, products)
-    ahead = shock(unreacted, pressure=30e9)
+    par = mixture(kind, reactants, products, None if reactants is UNREACTED else 4.0e6)
+    ahead = shock(reactants, pressure=30e9)
     q, count, rng = par.detonation_energy, 20_000, np.random.default_rng(3)
     burnt, rho = rng.uniform(0.05, 0.95, count), ahead.density * rng.uniform(0.9, 1.0, count)
     e = ahead.specific_internal_energy + q * rng.uniform(0.95, 1.05, count)
@@ -57,6 +62,7 @@ def test_two_million_cold_mixtures_a_second():
         solve(rho, e, burnt, par, (ahead.density, ahead.specific_internal_energy + q))
         walls.append(time.thread_time() - start)
     assert count / min(walls) > 2e6
+
 
 
 def test_match_loads_neither_compiler_nor_scipy():

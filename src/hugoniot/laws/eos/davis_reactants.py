@@ -91,16 +91,22 @@ def _temperature_isentrope(y, par):
     return par.reference_temperature * vexp(_log_heating(y, par))
 
 
-def temperature(rho, e, par):
+def _heat(rho, e, par):
+    """(T_s, X), X = 1 + (1 + alpha)(e - e_s)/(c_v T_s): T = T_s X^(1/(1 + alpha))."""
     y = 1.0 - par.rho0 / rho
     t_s = _temperature_isentrope(y, par)
-    n = 1.0 + par.alpha
-    return t_s * vpow(1.0 + n * (e - par.e0 - _isentrope(y, par)[1]) / (par.specific_heat * t_s), 1.0 / n)
+    return t_s, 1.0 + (1.0 + par.alpha) * (e - par.e0 - _isentrope(y, par)[1]) / (par.specific_heat * t_s)
+
+
+def temperature(rho, e, par):
+    t_s, x = _heat(rho, e, par)
+    return t_s * vpow(x, 1.0 / (1.0 + par.alpha))
 
 
 def specific_heat(rho, e, par):
-    ratio = temperature(rho, e, par) / _temperature_isentrope(1.0 - par.rho0 / rho, par)
-    return par.specific_heat * vpow(ratio, par.alpha)
+    """c_v (T/T_s)^alpha, the power as X T_s/T."""
+    _, x = _heat(rho, e, par)
+    return par.specific_heat * (x / vpow(x, 1.0 / (1.0 + par.alpha)))
 
 
 def entropy(rho, e, par):

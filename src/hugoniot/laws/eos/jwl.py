@@ -60,7 +60,7 @@ def reference_isentrope(rho, par):
 def cold_energy(rho, par):
     """Energy on the isentrope of zero temperature, J/kg."""
     energy_s, growth = reference_isentrope(rho, par)
-    return energy_s + par.cold_constant * vexp(growth)
+    return energy_s if par.cold_constant == 0.0 else energy_s + par.cold_constant * vexp(growth)
 
 
 def temperature(rho, e, par):

@@ -1,7 +1,7 @@
 """Lets kernels call the mixture laws: one call for whoever compiles sweeps over burning zones."""
 
 
-from hugoniot.laws.mixture.isentrope import marched_energy
+from hugoniot.laws.mixture.isentrope import integrated_energy, marched_energy
 
 
 def _yes(par):
@@ -14,6 +14,10 @@ def _no(par):
 
 def _by_march(v0, e0, v1, par):
     return marched_energy(v0, e0, v1, par)
+
+
+def _by_integral(v0, e0, v1, par):
+    return integrated_energy(v0, e0, v1, par)
 
 
 def bind_mixtures() -> None:
@@ -29,14 +33,25 @@ def bind_mixtures() -> None:
     compiler.bind_family(eos_contract.EOS, eos_contract.GENERICS)
     compiler.bind_module(eos_contract)
     search = dict(fastmath=False, error_model="numpy")
-    for function in (isentrope.stride, isentrope.marched_energy, isolated.equilibrate, equilibrium.share_energy,
-                     equilibrium.solve, equilibrium.equilibrate):
+    for function in (isentrope.stride, isentrope.marched_energy, isentrope.integrated_energy, isolated.equilibrate,
+                     equilibrium.share_energy, equilibrium.coupled, equilibrium.nested, equilibrium.solve, equilibrium.equilibrate):
         compiler.bind(function, **search)
+    for function in (equilibrium.pull, equilibrium.reach):
+        compiler.bind(function, **search, forceinline=True)
+    # sums whose terms may be added in any order, so that they are packed; what is no number stays none
+    for function in (isentrope.brief_heating, isentrope.heating, isentrope.short_integral, isentrope.long_integral):
+        compiler.bind(function, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 
     def knows(*classes):
         return "reference_isentrope" in eos_contract.EOS.of_class(classes[-1]).functions
 
     compiler.bind_choice(isentrope.knows_isentropes, lambda *classes: _yes if knows(*classes) else _no)
-    compiler.bind_choice(isentrope.isentrope_energy, lambda *classes: isentrope.closed_energy if knows(*classes) else _by_march)
+
+    def energy(*classes):
+        if knows(*classes):
+            return isentrope.closed_energy
+        return _by_integral if "linear_in_energy" in eos_contract.EOS.of_class(classes[-1]).flags else _by_march
+
+    compiler.bind_choice(isentrope.isentrope_energy, energy)
     compiler.bind_family(contract.MIXTURE, contract.GENERICS)
     compiler.bind_module(contract)

@@ -3,10 +3,10 @@ r"""Mechanical and thermal equilibrium: equal pressures and equal temperatures.
 $$v = (1-\lambda)v_r + \lambda v_p,\quad e = (1-\lambda)e_r + \lambda e_p,$$
 $$p_r(v_r, e_r - Q) = p_p(v_p, e_p),\quad T_r(v_r, e_r - Q) = T_p(v_p, e_p)$$
 
-With $w = v_r - v_p$ and $z = e_r - e_p$ the saturation conditions hold identically. At given w the temperature difference rises with z
+With $w = v_r - v_p$ and $z = e_r - e_p$ the saturation conditions hold identically, and Newton's method is tried in both at once. Where
+it does not settle, the search is nested: at given w the temperature difference rises with z
 (specific heats are positive), so z(w) is found in an inner bracket; along z(w) the pressure difference falls with w (isothermal
-compressibilities are positive), so w is found in an outer one. Both searches are Newton's method where it stays inside. Nothing is
-singular at the ends of burning.
+compressibilities are positive), so w is found in an outer one. Nothing is singular at the ends of burning.
 
 The slopes of the temperature follow from the pressure: $(\partial T/\partial v)_e = p/c_v - T p_e$ and $(\partial T/\partial e)_v =
 1/c_v$; so both laws must give a temperature and a specific heat that belong to their pressure.
@@ -23,8 +23,10 @@ from hugoniot.laws.mixture import contract
 from hugoniot.laws.mixture.contract import MIXTURE, Mixed, PhaseSlopes, Slopes, volume_slopes
 
 ITERATIONS = 100
+COUPLED = 15          # trials of both unknowns at once
 CLOSE = 1e-7
-CLOSE_STEP = 1e-8     # step from which the search ends, relative
+CLOSE_STEP = 1e-8         # step from which the nested search ends, relative
+CLOSE_TOGETHER = 1e-7     # of the coupled one
 # A phase of less than this mass fraction is left out by `solve`: it changes the pressure by about 1e-8 of itself, and its energy is the
 # difference of nearly equal numbers (only reactants in tension would notice the bubbles).
 NASCENT = 1e-8
@@ -78,17 +80,67 @@ def solve(rho, e, burn_fraction, before, par):
     return equilibrate(rho, e, burn_fraction, before, par)
 
 
+def pull(v, e, par):
+    """(p, p_v, p_e, T, T_v, T_e) of one phase at volume v, energy e of its own law."""
+    rho = 1.0 / v
+    p, t, cold = pressure(rho, e, par), temperature(rho, e, par), 1.0 / specific_heat(rho, e, par)
+    p_v, p_e = volume_slopes(rho, e, par)
+    return p, p_v, p_e, t, p * cold - t * p_e, cold
+
+
+def reach(v_r, v_p, lam, rest):
+    """(back, ahead): the longest steps of w; none compresses a phase by more than a third, products may expand fourfold."""
+    back = fmin(0.33 * v_r / fmax(lam, 1e-12), 3.0 * v_p / fmax(rest, 1e-12))
+    return back, 0.33 * fmin(v_r / fmax(lam, 1e-12), v_p / fmax(rest, 1e-12))
+
+
+def coupled(v, e, lam, w, z, low, high, par):
+    """(found, p, v_r, e_r thermal, v_p, e_p) by Newton's method in w and z at once, from any start."""
+    rest, q = 1.0 - lam, par.detonation_energy
+    for _ in range(COUPLED):
+        v_r, v_p = v + lam * w, v - rest * w
+        e_r, e_p = e + lam * z - q, e - rest * z
+        p, r_v, r_e, hot, t_rv, t_re = pull(v_r, e_r, par.reactants)
+        p_p, p_v, p_e, cool, t_pv, t_pe = pull(v_p, e_p, par.products)
+        rise = 1.0 / (lam * t_re + rest * t_pe)
+        level = (cool - hot) * rise
+        along = -(lam * t_rv + rest * t_pv) * rise
+        by_z = lam * r_e + rest * p_e
+        decline = -(lam * r_v + rest * p_v) - by_z * along
+        if not (decline > 0.0 and rise > 0.0):
+            break
+        step = (p - p_p + by_z * level) / decline
+        change = level + along * step
+        if abs(step) <= CLOSE_TOGETHER * (v + abs(w)) and abs(change) <= CLOSE_TOGETHER * (abs(e) + abs(z) + q):
+            # the last step, with which what is left is of order CLOSE_TOGETHER squared
+            return True, p + lam * (r_v * step + r_e * change), v_r + lam * step, e_r + lam * change, v_p - rest * step, e_p - rest * change
+        back, ahead = reach(v_r, v_p, lam, rest)
+        step = fmax(-back, fmin(ahead, step))
+        w, z = w + step, z + level + along * step
+        if not low < w < high:
+            break
+    return False, 0.0, v, e, v, e
+
+
 def equilibrate(rho, e, burn_fraction, before, par):
-    """The nested search of the module's docstring, for 0 <= lambda <= 1."""
-    v, lam, rest = 1.0 / rho, burn_fraction, 1.0 - burn_fraction
-    q = par.detonation_energy
+    """Both unknowns at once, else the nested search of the module's docstring, for 0 <= lambda <= 1."""
+    v, lam, q = 1.0 / rho, burn_fraction, par.detonation_energy
     known = before.rho_p > 0.0
     w = 1.0 / before.rho_r - 1.0 / before.rho_p if known else 0.0
     z = before.e_r - before.e_p if known else 0.0
     low = -(v - 1.0 / par.reactant_density_limit) / fmax(lam, 1e-12)
-    high = fmin((v - 1.0 / par.product_density_limit) / fmax(rest, 1e-12), 1e6 * v)
+    high = fmin((v - 1.0 / par.product_density_limit) / fmax(1.0 - lam, 1e-12), 1e6 * v)
     if w <= low or w >= high:
         w = 0.0
+    found, p, v_r, e_r, v_p, e_p = coupled(v, e, lam, w, z, low, high, par)
+    if found:
+        return Mixed(p, 1.0 / v_r, e_r + q, 1.0 / v_p, e_p, contract.CONVERGED)
+    return nested(v, e, lam, w, z, low, high, par)
+
+
+def nested(v, e, lam, w, z, low, high, par):
+    """The bracketed search of the module's docstring."""
+    rest, q = 1.0 - lam, par.detonation_energy
     status = contract.NOT_CONVERGED
     p = v_r = v_p = e_r = e_p = 0.0
     for _ in range(ITERATIONS):
@@ -115,9 +167,7 @@ def equilibrate(rho, e, burn_fraction, before, par):
             e_r, e_p = e_r + lam * step * along, e_p - rest * step * along
             status = contract.CONVERGED
             break
-        # no step may compress a phase by more than a third; products may expand fourfold
-        back = fmin(0.33 * v_r / fmax(lam, 1e-12), 3.0 * v_p / fmax(rest, 1e-12))
-        ahead = 0.33 * fmin(v_r / fmax(lam, 1e-12), v_p / fmax(rest, 1e-12))
+        back, ahead = reach(v_r, v_p, lam, rest)
         target = w + fmax(-back, fmin(ahead, step))
         if not low < target < high:
             target = 0.5 * (low + high)

@@ -4,10 +4,14 @@ import numpy as np
 import pytest
 
 import hugoniot.laws.eos  # noqa: F401  (enrols the equations of state)
+from hugoniot.laws.eos import contract
+from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.jwl import JWL
 from hugoniot.laws.eos.stiffened_gas import StiffenedGas
-from hugoniot.laws.mixture.isentrope import isentrope_energy, marched_energy, stride
+from hugoniot.laws.mixture.isentrope import integrated_energy, is_linear, isentrope_energy, marched_energy, stride
+from hugoniot.theory.isentrope import isentrope
+from hugoniot.theory.states import States
 
 UNREACTED = JWL(7.781e13, -5.031e9, 11.3, 1.13, 0.8938, 1895.0, 0.0, 1312.4)
 
@@ -49,3 +53,16 @@ def test_stride_is_of_sixth_order():
 def test_march_returns_to_where_it_came_from():
     there = marched_energy(1.0 / 2500.0, 1.2e6, 1.0 / 1800.0, UNREACTED)
     assert marched_energy(1.0 / 1800.0, there, 1.0 / 2500.0, UNREACTED) == pytest.approx(1.2e6, rel=1e-10)
+
+
+@pytest.mark.parametrize("name", [law.name for law in EOS if is_linear(law.example)])
+def test_integral_of_laws_linear_in_energy_meets_the_extrapolated_integrator(name):
+    """Through the density at rest, near it, and up to 3 % of volume from the pole of the Hugoniot."""
+    par = EOS.get(name).example
+    rest, e_rest = contract.reference_state(par)
+    most = min(0.97 * contract.density_limits(par)[1] / rest, 1.8)
+    energy = e_rest + 2e5 if e_rest < 1e6 else 1.2 * e_rest
+    for x0, x1 in ((1.0, 1.15), (1.3, 1.05), (1.1, 0.95), (0.97, 1.2), (1.0, 1.012), (1.05, most), (most, 1.02)):
+        way = isentrope(par, States(par, x0 * rest, contract.pressure(x0 * rest, energy, par), energy, 0.0), density=x1 * rest)
+        found = integrated_energy(1.0 / (x0 * rest), energy, 1.0 / (x1 * rest), par)
+        assert abs(found - way.specific_internal_energy) < 2e-12 * abs(way.specific_internal_energy - energy)
