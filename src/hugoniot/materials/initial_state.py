@@ -30,18 +30,38 @@ def _bracketed(function, low, high, what):
 
 
 def energy_at_pressure(rho, p, eos):
-    """e with pressure(rho, e) = p: the law's own inverse, else Newton (one step for laws linear in the energy)."""
+    """e with pressure(rho, e) = p: the law's own inverse, else Newton (one step for laws linear in the energy), else in a bracket.
+
+    A law that searches for its pressure (pores) answers with an error of its own; where steps no longer shrink, that is reached.
+    """
     law = EOS.of(eos)
     if "energy" in law.functions:
         return law.functions["energy"](rho, p, eos)
-    e = reference_state(eos)[1]
+    e, last = reference_state(eos)[1], math.inf
     for _ in range(60):
-        _, slope = pressure_derivatives(rho, e, eos)
-        change = (p - pressure(rho, e, eos)) / slope
-        e += change
-        if abs(change) <= 1e-15 * (abs(e) + abs(change)):
+        miss, slope = p - pressure(rho, e, eos), pressure_derivatives(rho, e, eos)[1]
+        if miss == 0.0:
             return e
-    raise OutOfRange(f"no energy gives {p:g} Pa at {rho:g} kg/m3 in the law '{law.name}'")
+        if not slope > 0.0:
+            break
+        change = abs(miss / slope)
+        e += miss / slope
+        if change <= 1e-15 * (abs(e) + change) or (change >= 0.5 * last and change <= 1e-11 * (abs(e) + abs(p) / rho)):
+            return e
+        last = change
+    return _energy_between(rho, p, eos)
+
+
+def _energy_between(rho, p, eos):
+    """The same in an interval about the reference energy, doubled until the pressure is enclosed."""
+    centre = reference_state(eos)[1]
+    width = max(abs(centre), abs(p) / rho, 1e3)
+    while width < 1e13:
+        low, high = centre - width, centre + width
+        if pressure(rho, low, eos) <= p <= pressure(rho, high, eos):
+            return _bracketed(lambda e: pressure(rho, e, eos) - p, low, high, f"{p:g} Pa at {rho:g} kg/m3")
+        width *= 2.0
+    raise OutOfRange(f"no energy gives {p:g} Pa at {rho:g} kg/m3 in the law '{EOS.of(eos).name}'")
 
 
 def energy_at_temperature(rho, t, eos):

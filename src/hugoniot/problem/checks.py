@@ -1,7 +1,7 @@
 """Checks of a deck that need more than one of its values: overlaps, grading, states, neighbours, places of gauges."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from dataclasses import replace
 from typing import Any
 
@@ -150,8 +150,15 @@ def _without_overlap(found: list[tuple[Region, int]], collector: Collector, warn
     return tuple(regions)
 
 
-def read_interfaces(rows: Sequence, regions: tuple[Region, ...], collector: Collector) -> tuple[Interface, ...]:
-    """Interfaces between neighbours, left one first."""
+def unread(rows: object, regions: tuple[Region, ...]) -> set[str | None]:
+    """Names (None: without one) of regions that stand in the deck but could not be read: what refers to them is no second mistake."""
+    names = [row.get("name") if isinstance(row, dict) else None for row in rows] if isinstance(rows, list) else []
+    return {name if isinstance(name, str) else None for name in names} - {region.name for region in regions}
+
+
+def read_interfaces(rows: Sequence, regions: tuple[Region, ...], collector: Collector,
+                    broken: Set[str | None] = frozenset()) -> tuple[Interface, ...]:
+    """Interfaces between neighbours, left one first; `broken` as of `unread`."""
     order = {region.name: k for k, region in enumerate(regions)}
     found: dict[tuple[int, int], Interface] = {}
     for i, row in enumerate(rows):
@@ -162,9 +169,10 @@ def read_interfaces(rows: Sequence, regions: tuple[Region, ...], collector: Coll
             hint = "kind = \"bond\" and strength belong together"
             collector.add((*path, "strength"), "missing" if row.kind == "bond" else f"a {row.kind} interface has no strength", hint)
         unknown = [(k, name) for k, name in enumerate(row.between) if name not in order]
-        for k, name in unknown:
-            collector.add((*path, "between", k), f"no region '{printable(name)}'", nearest(name, order))
-        if unknown:
+        for k, name in unknown if None not in broken else ():
+            if name not in broken:
+                collector.add((*path, "between", k), f"no region '{printable(name)}'", nearest(name, order))
+        if unknown or broken:
             continue
         a, b = sorted(order[name] for name in row.between)
         if b != a + 1:

@@ -178,13 +178,14 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     tables = {name: _parts(kind, raw.get(name)) for name, kind in
               (("region", RegionTable), ("interface", InterfaceTable), ("gauge", GaugeTable))}
     regions, used = checks.read_regions(tables["region"], raw.get("region"), geometry, materials, collector, warnings)
-    interfaces = checks.read_interfaces(tables["interface"], regions, collector)
-    gauges = checks.read_gauges(tables["gauge"], regions, collector)
+    broken = checks.unread(raw.get("region"), regions)
+    interfaces = checks.read_interfaces(tables["interface"], regions, collector, broken)
+    gauges = checks.read_gauges(tables["gauge"], () if broken else regions, collector)
     left, right = _ends(raw, geometry, regions, collector)
     solver = _solver(raw.get("solver", {}), collector)
     output = _output(raw, collector)
     for name in raw.get("material", {}) if isinstance(raw.get("material"), dict) else ():
-        if name not in used and regions:
+        if name not in used and regions and not broken:
             warnings.append(f"material '{printable(name)}' of the deck is not used by any region")
     if model is None or collector.problems or left is None or right is None or solver is None or output is None:
         return None, warnings

@@ -1,12 +1,16 @@
-"""States from two of density, pressure, temperature and energy, far from rest too."""
+"""States from two of density, pressure, temperature and energy, far from rest too, and of laws that search for their pressure."""
 
+import numpy as np
 import pytest
 
+import hugoniot.laws.eos  # noqa: F401  (enrols the laws)
 from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos import contract
+from hugoniot.laws.eos.contract import EOS, reference_state
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.jwl import JWL
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
-from hugoniot.materials.initial_state import initial_state
+from hugoniot.materials.initial_state import energy_at_pressure, initial_state
 
 GAS = IdealGas(1.4, 717.5, 1.2)
 
@@ -28,3 +32,20 @@ def test_products_are_found_thin():
 def test_a_solid_that_has_no_such_state_says_so():
     with pytest.raises(OutOfRange, match="does not reach it"):
         initial_state(MieGruneisen(8930.0, 3940.0, 1.489, 1.99, 385.0), pressure_=-1e12, temperature_=300.0)
+
+
+@pytest.mark.parametrize("name", [law.name for law in EOS if "energy" not in law.functions])
+def test_every_pressure_the_law_has_at_a_density_gives_an_energy(name):
+    law = EOS.get(name)
+    rest, rng = reference_state(law.example)[0], np.random.default_rng(0)
+    for _ in range(150):
+        rho, e = rest * rng.uniform(1.0, 1.5), rng.uniform(law.box["e"][0], min(law.box["e"][1], 5e6))
+        p = float(contract.pressure(rho, e, law.example))
+        if p > 0.0:
+            found = initial_state(law.example, density=rho, pressure_=p)[1]
+            assert contract.pressure(rho, found, law.example) == pytest.approx(p, rel=1e-12, abs=1e-6)
+
+
+def test_a_pressure_the_law_has_not_is_refused():
+    with pytest.raises(OutOfRange, match=r"no energy gives -1e.09 Pa at 1900 kg/m3 in the law 'snow_plough'"):
+        energy_at_pressure(1900.0, -1e9, EOS.get("snow_plough").example)

@@ -131,6 +131,18 @@ def test_unused_materials_and_mass_jumps_are_warned_of():
     assert any("'spare'" in w for w in warnings) and any("factor of 100" in w for w in warnings)
 
 
+@pytest.mark.parametrize(("more", "message"), [("zons = 10", "region.a.zons: unknown key; did you mean 'zones'?"), ("zones = 0", "region.a.zones: must be")])
+def test_what_refers_to_a_region_that_could_not_be_read_is_no_second_mistake(more, message):
+    second = '[[region]]\nname = "b"\nmaterial = "n"\nfrom = 1.0\nto = 2.0\nzones = 10\n' + MATERIAL.replace("material.m", "material.n")
+    refers = '[[interface]]\nbetween = ["a", "b"]\nkind = "separable"\n[[gauge]]\nname = "g"\nat = 0.5\n[[gauge]]\nname = "h"\nat = "a/b"\n'
+    with pytest.raises(DeckError) as told:
+        read_deck_text(deck(more=more, end=second + refers))
+    assert len(told.value.problems) == 1 and message in str(told.value)
+    with pytest.raises(DeckError, match=r"no region 'c'") as told:
+        read_deck_text(deck(more=more, end=second + refers.replace('["a", "b"]', '["a", "c"]')))
+    assert len(told.value.problems) == 2
+
+
 def test_overrides_reach_regions_by_name_and_are_checked(tmp_path):
     path = tmp_path / "d.toml"
     path.write_text(deck())
