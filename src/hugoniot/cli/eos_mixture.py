@@ -34,11 +34,11 @@ class Question(NamedTuple):
 
 
 class Case(NamedTuple):
-    """One closure: parameters, (density, energy) of the zone with Q, and a point of the reactants' isentrope."""
+    """One closure: parameters, (density, energy) of the zone with Q at each burn fraction, and a point of the reactants' isentrope."""
 
     kind: str
     par: Any
-    state: tuple[float, float]
+    state: tuple[float, Any]
     reference: tuple[float, float]
 
 
@@ -53,7 +53,7 @@ def report(name: str, asked: Question, as_json, as_csv, plot) -> None:
     cases, answers, failed = [], [], []
     for kind in kinds:
         try:
-            case = _case(subject, kind, asked)
+            case = _case(subject, kind, asked, fractions)
             answer = None if asked.series else _answer(case, fractions, asked)
         except (NoSolution, OutOfRange) as error:
             if asked.closures:
@@ -90,7 +90,7 @@ def _fraction(text: str) -> float:
     return value
 
 
-def _case(subject: Subject, kind: str, asked: Question) -> Case:
+def _case(subject: Subject, kind: str, asked: Question, fractions: list[float]) -> Case:
     par = mixture_of(subject, kind, quantity(asked.heat, "J/kg", "--heat") if asked.heat else None)
     if not hasattr(par, "reactants"):
         raise OutOfRange(f"a mixture of kind '{kind}' has no reactants: take thermal_isolation, thermal_equilibrium or weighted_pressures")
@@ -105,11 +105,14 @@ def _case(subject: Subject, kind: str, asked: Question) -> Case:
             raise DeckError.single("command line", None, "mixture", "no state is given",
                                    'write --shocked "pressure = 20 GPa" or --at "density = 2.4 g/cm^3, energy = 3 MJ/kg"')
         return Case(kind, par, reference, reference)
-    given = several_states(asked.at, "--at", ("density", "energy"))
-    if len(given) != 2:
-        raise DeckError.single("command line", None, "--at", "a state of the mixture has a density and an energy",
-                               'write "density = 2.4 g/cm^3, energy = 3 MJ/kg"')
-    return Case(kind, par, (given["density"], given["energy"] + q), reference)
+    given = several_states(asked.at, "--at", ("density", "energy", "pressure", "temperature"))
+    if len(given) != 2 or "density" not in given:
+        raise DeckError.single("command line", None, "--at", "a state of the mixture has a density and an energy, a pressure or a temperature",
+                               'write "density = 2.4 g/cm^3, energy = 3 MJ/kg" or "density = 2.4 g/cm^3, pressure = 20 GPa"')
+    rho = given.pop("density")
+    if "energy" in given:
+        return Case(kind, par, (rho, given["energy"] + q), reference)
+    return Case(kind, par, (rho, np.array([tool.energy_with(rho, fraction, par, reference, **given) for fraction in fractions])), reference)
 
 
 def _answer(case: Case, fractions: list[float], asked: Question):
@@ -117,7 +120,7 @@ def _answer(case: Case, fractions: list[float], asked: Question):
     if asked.adiabat is None and asked.hugoniot is None:
         return tool.solve(*case.state, np.array(fractions), case.par, case.reference)
     first = fractions[0]
-    start = tool.solve(*case.state, first, case.par, case.reference)
+    start = tool.solve(case.state[0], np.ravel(case.state[1])[0], first, case.par, case.reference)
     if asked.hugoniot is not None:
         top = quantity(asked.hugoniot, "Pa", "--hugoniot")
         if not top > float(start.pressure):
@@ -137,7 +140,7 @@ def _series(subject: Subject, case: Case, as_json, as_csv, plot) -> None:
     if plot or case.kind != "thermal_isolation":
         raise DeckError.single("command line", None, "--series", "is a table of coefficients in thermal isolation",
                                "leave --plot and other closures away")
-    found = tool.vanishing_series(*case.state, case.par)
+    found = tool.vanishing_series(case.state[0], float(np.ravel(case.state[1])[0]), case.par)
     rows = {"reactant_volume": found.v_r, "reactant_energy": found.e_r, "product_volume": found.v_p, "product_energy": found.e_p}
     if as_csv:
         columns = {k: [*values, *[float("nan")] * (3 - len(values))] for k, values in rows.items()}

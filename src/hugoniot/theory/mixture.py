@@ -19,8 +19,8 @@ from hugoniot.laws.mixture import contract
 from hugoniot.laws.mixture.build import detonation_energy, mixture, require_temperature
 from hugoniot.laws.mixture.contract import MIXTURE, Mixed
 
-__all__ = ["FrozenHugoniot", "MixtureState", "VanishingSeries", "adiabat", "detonation_energy", "frozen_hugoniot", "hugoniot_volume",
-           "mixture", "solve", "vanishing_series"]
+__all__ = ["FrozenHugoniot", "MixtureState", "VanishingSeries", "adiabat", "detonation_energy", "energy_with", "frozen_hugoniot",
+           "hugoniot_volume", "mixture", "solve", "vanishing_series"]
 
 COMPILE_ABOVE = 200  # states
 
@@ -161,6 +161,43 @@ def _solve_plainly(rows, par, out) -> None:
         found = contract.equilibrate(r, k, fraction, Mixed(0.0, r_before, k_before, 0.0, 0.0, 0.0), par)
         out[:6, j] = found
         out[6:, j] = contract.slopes(r, k, fraction, found, par)
+
+
+def energy_with(density: float, burn_fraction: float, par, reference, **given) -> float:
+    """Energy, J/kg with Q, at which the mixture of that density has the given `pressure` (Pa) or `temperature` (K).
+
+    reference   as of `solve`; its energy is where the search begins. Newton's method, halved where a step leaves the mixture's states.
+    Raises NoSolution where no energy is found, OutOfRange for a temperature the closure or a law does not give.
+    """
+    (name, target), = given.items()
+    e = float(reference[1])
+    state = solve(density, e, burn_fraction, par, reference)
+    for _ in range(100):
+        now = float(getattr(state, name))
+        slope = float(state.pressure_by_energy) if name == "pressure" else _temperature_slope(state, reference)
+        if not slope > 0.0:
+            break
+        step = (target - now) / slope
+        if abs(step) <= 1e-14 * (abs(e) + par.detonation_energy):
+            return e + step
+        for _ in range(30):
+            try:
+                state = solve(density, e + step, burn_fraction, par, reference)
+                break
+            except NoSolution:
+                step *= 0.5
+        else:
+            break
+        e += step
+    raise NoSolution(f"no energy gives the mixture of {density:.6g} kg/m^3 at burn fraction {burn_fraction:.6g} a {name} of {target:.6g}: "
+                     "give its energy, or a state nearer the reference")
+
+
+def _temperature_slope(state: MixtureState, reference) -> float:
+    """dT/de at constant density and burn fraction, by a central difference: not every closure has a specific heat."""
+    h = 1e-5 * (abs(float(state.energy)) + state.par.detonation_energy)
+    low, high = (solve(state.density, state.energy + k * h, state.burn_fraction, state.par, reference).temperature for k in (-1.0, 1.0))
+    return float(high - low) / (2.0 * h)
 
 
 @dataclass(frozen=True)

@@ -70,6 +70,15 @@ def test_states_of_a_mixture_in_both_closures():
     assert again["pressure"] == [pytest.approx(isolation["pressure"][1], rel=1e-12)]
 
 
+@pytest.mark.parametrize("closure", ["thermal_isolation", "thermal_equilibrium", "weighted_pressures"])
+def test_a_state_of_a_mixture_may_be_given_by_its_pressure_or_temperature(closure):
+    ask = ("mixture", *LX17, "--closure", closure, "--burn-fraction", "0, 0.3, 1")
+    for word, value, unit in (("pressure", 25.0, "GPa"), ("temperature", 2500.0, "K")):
+        found = answer(*ask, "--at", f"density = 2.4 g/cm^3, {word} = {value} {unit}")
+        assert found[word] == pytest.approx([value * (1e9 if unit == "GPa" else 1.0)] * 3, rel=1e-9)
+        assert found["density"] == pytest.approx([2400.0] * 3) and len(set(found["specific_internal_energy"])) == 3
+
+
 def test_adiabats_hugoniots_and_series_of_a_mixture(tmp_path):
     way = answer("mixture", *LX17, "--adiabat", "1.2 g/cm^3", "--burn-to", "1", "--closure", "thermal_isolation", "--points", "161")
     v, p, e = 1.0 / np.array(way["density"]), np.array(way["pressure"]), np.array(way["specific_internal_energy"])
@@ -102,7 +111,8 @@ def test_pictures(tmp_path, arguments):
     (("znd", "lx_17", "--rate", "arrhenius: frequency = 1e6 1/s"), 2, "activation_temperature: missing"),
     (("znd", "lx_17", "--complete", "1"), 3, "0 < complete < 1"), (("znd", "lx_17", "--heat", "1 MJ/kg", "--closure", "thermal_isolation"), 2, "leave one"),
     (("znd", "copper", "--heat", "1 MJ/kg"), 2, "has no burn law"), (("mixture", "lx_17"), 2, "no state is given"), (("mixture", "copper", "--shocked", "pressure = 1 GPa"), 2, "unreacted"),
-    (("mixture", *LX17, "--burn-fraction", "1.5"), 2, "no fraction"), (("mixture", *LX17, "--at", "density = 2 g/cm^3"), 2, "a density and an energy"),
+    (("mixture", *LX17, "--burn-fraction", "1.5"), 2, "no fraction"), (("mixture", *LX17, "--at", "density = 2 g/cm^3"), 2, "a density and an energy, a pressure or a temperature"),
+    (("mixture", *LX17, "--at", "energy = 2 MJ/kg, pressure = 9 GPa"), 2, "density = 2.4 g/cm^3, pressure = 20 GPa"),
     (("mixture", *LX17, "--series", "--plot", "x.png"), 2, "table of coefficients"),
     (("mixture", *LX17, "--closure", "burned_products"), 3, "no reactants"), (("mixture", *LX17, "--series", "--hugoniot", "9 GPa"), 2, "three questions"),
     (("mixture", *LX17, "--hugoniot", "9 GPa"), 2, "give a higher pressure"), (("mixture", "lx_17", "--shocked", "pressure = -20 GPa"), 3, "pressure"),
