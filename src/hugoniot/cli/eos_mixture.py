@@ -107,7 +107,7 @@ def _case(subject: Subject, kind: str, asked: Question, fractions: list[float]) 
         return Case(kind, par, reference, reference)
     given = several_states(asked.at, "--at", ("density", "energy", "pressure", "temperature"))
     if len(given) != 2 or "density" not in given:
-        raise DeckError.single("command line", None, "--at", "a state of the mixture has a density and an energy, a pressure or a temperature",
+        raise DeckError.single("command line", None, "--at", "a mixture has a density and an energy, pressure or temperature",
                                'write "density = 2.4 g/cm^3, energy = 3 MJ/kg" or "density = 2.4 g/cm^3, pressure = 20 GPa"')
     rho = given.pop("density")
     if "energy" in given:
