@@ -14,6 +14,13 @@ def power(x, y):
     """x**y for x >= 0 and y >= 0, with 0**0 = 1 and negative x taken as 0."""
     if x <= 0.0:
         return 1.0 if y == 0.0 else 0.0
+    # the powers most calibrations have, without logarithm and exponential
+    if y == 1.0:
+        return x
+    if y == 2.0:
+        return x * x
+    if y == 3.0:
+        return x * x * x
     return vpow(x, y)
 
 

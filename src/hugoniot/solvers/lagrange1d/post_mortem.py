@@ -50,7 +50,7 @@ def torn_reactants(problem, zones, region_of, culprit: int) -> tuple[str, str] |
     return (f"the explosive that has not burned (burn fraction {burned:.3g}) is stretched to {rho:.4g} kg/m3, where the mixture has no "
             f"sound speed: its law, {law}, is fitted to compression.",
             "stop the run before the release comes in, hold the free surface with an inert tamper, or give the material an unreacted law "
-            "that expands ([material.x.unreacted] law = \"mie_gruneisen\").")
+            "that expands ([material.x.unreacted] law = \"mie_gruneisen\"; after a weak shock tension_cutoff over its own law will do).")
 
 
 def diagnose(code, values, left, right) -> tuple[str, str]:

@@ -168,7 +168,7 @@ def correct_burning(zones, nodes, gradient, first, last, segment, dt, law, rows,
         inverse = 1.0 / (r[j + 1] - r[j])
         g[j] = (ue[j + 1] - ue[j]) * inverse
         fastest = fmax(fastest, (fmax(c, front) + 2.0 * speed[j]) * inverse)
-        if lam < BURNING:
+        if 0.0 < lam < BURNING:   # what has not begun has no rate: most of a charge, and a third of its cost
             # a term that ends at a small burn fraction (ignition) is looked past: it cannot burn more than the share of a step
             drive, heat = driving_pressure(p, q[j], par.rate), burn_temperature(lam, mixed, par.mixture, par.rate)
             pace = rate(fmax(lam, STEP_SHARE), rho, drive, heat, par.rate)
