@@ -5,6 +5,7 @@ import math
 import pytest
 
 import hugoniot
+from hugoniot.errors import HugoniotError
 from hugoniot.laws import eos as _laws  # noqa: F401
 from hugoniot.laws.eos.contract import EOS, has_temperature
 from hugoniot.laws.transport.contract import make
@@ -13,6 +14,7 @@ from hugoniot.problem.write import to_toml
 from hugoniot.theory.structure import steady
 
 CELLS = 10
+KINKED = {"snow_plough": 2e-2}   # steepest where its pores close: first order, 4.7, 1.7, 0.9, 0.3 % at 5, 10, 20, 40 cells
 
 
 @pytest.mark.slow
@@ -32,8 +34,12 @@ def test_a_deck_of_every_law_keeps_its_steady_wave(law, tmp_path):
                    "transport": {"viscosity": {"law": "constant", "shear_viscosity": 1e-3}, "conduction": conduction},
                    "shock": {"mach": 1.5, "at": 0.0, "start": "steady"}},
         "output": {"report": False}}))
+    if law.name == "shock_energy":   # p goes with the root of the energy
+        with pytest.raises(HugoniotError, match="cannot flow law 'shock_energy'.*take mie_gruneisen"):
+            hugoniot.run(deck, out=tmp_path / "run")
+        return
     summary = hugoniot.run(deck, out=tmp_path / "run").summary
     assert summary["status"] == "done"
     assert max(summary[f"{name}_error"] for name in ("mass", "momentum", "energy")) < 1e-12
     assert summary["steady_density_thickness"] == pytest.approx(length, rel=1e-9)
-    assert summary["density_thickness"] == pytest.approx(length, rel=1e-2)
+    assert summary["density_thickness"] == pytest.approx(length, rel=KINKED.get(law.name, 1e-2))

@@ -22,6 +22,7 @@ NAME = "shock_structure"
 COURANT = 0.9
 NO_LIMIT = 1e300
 FEWEST_CELLS = 8
+STEEPEST = 1e3       # Grüneisen parameter beyond which a cell's pressure hangs on the rounding of its total energy
 _SOLID = ("deviator_radial", "deviator_hoop", "plastic_work", "viscous_work")   # what a budget of solids asks for: zero here
 
 
@@ -58,6 +59,7 @@ class ShockStructure:
         self.control[L.COURANT] = problem.solver.courant or COURANT
         self.control[L.DT_LARGEST] = problem.solver.largest_step or NO_LIMIT
         self._require_states()
+        self._require_a_finite_slope()
         self.start_totals = self.totals()
         self._peaks = np.array(list(self._fields().values()))
         self._work = [np.zeros_like(self.U), np.zeros((3, n + 1)), np.zeros((3, n + 1))]
@@ -68,6 +70,14 @@ class ShockStructure:
             if not (a > 0.0 and eos_laws.sound_speed_squared(a, b, self.eos) > 0.0):
                 self.counters[L.CULPRIT] = zone
                 raise self._unphysical()
+
+    def _require_a_finite_slope(self):
+        for rho, j, total in self.ends.tolist():
+            steepness = eos_laws.pressure_derivatives(rho, total / rho - 0.5 * (j / rho) ** 2, self.eos)[1] / rho
+            if steepness > STEEPEST:
+                raise OutOfRange(f"the solver {NAME} cannot flow law '{EOS.of(self.eos).name}': at rest its pressure rises with the energy "
+                                 f"without bound (Grüneisen parameter {steepness:.3g}), and a cell's energy is the small difference of "
+                                 "total and kinetic energy; take mie_gruneisen, or the steady wave (hugoniot structure profile)")
 
     @property
     def cells(self) -> np.ndarray:
