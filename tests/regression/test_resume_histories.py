@@ -50,7 +50,7 @@ at = "6 mm"
 """
 PORES = """title = "crushed powder"
 geometry = "planar"
-stop_time = "12 us"
+stop_time = "5 us"
 [[region]]
 name = "plate"
 material = "copper"
