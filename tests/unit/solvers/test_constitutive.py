@@ -73,14 +73,13 @@ def leapfrog_step():
 def test_the_leapfrog_energy_solves_p_equal_a_plus_b_e_with_the_trapezoid(leapfrog_step):
     """W-11 to 1e-14 of the energy's scale, from an independent fixed-point iteration; dropping dZ fails by orders of magnitude."""
     before, solver = leapfrog_step
-    z, dt = solver.zones, solver.step
+    z = solver.zones
     rho0, c0, s, gamma0 = build.EOS[:4]
     left, right = solver._faces(L.R)
-    ul, ur = solver._faces(L.U)
     v = (right - left) / z[L.MASS]
     v_old = before[L.SIGMA_HALF]
     dv = v - v_old
-    radial = dt * (ur - ul) / (0.5 * ((right - left) + (right - left) - dt * (ur - ul)))
+    radial = dv / (0.5 * (v + v_old))     # of planar flow, as the volumes give it: from the velocities it differs by their round-off
     work = 0.5 * (v + v_old) * 0.5 * (z[L.S1] + before[L.S1]) * radial
 
     def pressure(e):

@@ -19,7 +19,7 @@ class Herrmann(NamedTuple):
     linear: float = 0.3
 
 
-def viscous_speed(rho, c, p, du, psi, par):
+def viscous_speed(v, c, p, du, psi, par):
     return par.linear * c - par.quadratic * par.quadratic * du
 
 
@@ -30,6 +30,6 @@ VISCOSITY.add(
     units={"quadratic": "1", "linear": "1"},
     meaning={"quadratic": "B1, which enters squared", "linear": "B2"},
     defaults={"quadratic": 1.4, "linear": 0.3},
-    box={"rho": (1e-3, 2e4), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
+    box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
     references=("Herrmann, WL-TR-64-107, equation 4.3 and section A.2",),
 )

@@ -17,7 +17,7 @@ class KB(NamedTuple):
     quadratic: float = 1.0
 
 
-def viscous_speed(rho, c, p, du, psi, par):
+def viscous_speed(v, c, p, du, psi, par):
     return -par.quadratic * du
 
 
@@ -28,6 +28,6 @@ VISCOSITY.add(
     units={"quadratic": "1"},
     meaning={"quadratic": "C, near unity, not squared"},
     defaults={"quadratic": 1.0},
-    box={"rho": (1e-3, 2e4), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
+    box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
     references=("KB codes, equation 1.8",),
 )

@@ -18,7 +18,7 @@ class KBTwoSided(NamedTuple):
     quadratic: float = 1.0
 
 
-def viscous_speed(rho, c, p, du, psi, par):
+def viscous_speed(v, c, p, du, psi, par):
     return par.quadratic * fmax(du, -du)
 
 
@@ -29,7 +29,7 @@ VISCOSITY.add(
     units={"quadratic": "1"},
     meaning={"quadratic": "C, near unity, not squared"},
     defaults={"quadratic": 1.0},
-    box={"rho": (1e-3, 2e4), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
+    box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
     references=("KB codes, equation 1.8",),
     flags=("two_sided",),
 )

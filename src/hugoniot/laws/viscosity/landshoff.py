@@ -17,7 +17,7 @@ class Landshoff(NamedTuple):
     linear: float = 0.3
 
 
-def viscous_speed(rho, c, p, du, psi, par):
+def viscous_speed(v, c, p, du, psi, par):
     return par.linear * c - par.quadratic * par.quadratic * du
 
 
@@ -28,6 +28,6 @@ VISCOSITY.add(
     units={"quadratic": "1", "linear": "1"},
     meaning={"quadratic": "C0, which enters squared", "linear": "CL of the term with the sound speed"},
     defaults={"quadratic": 1.4, "linear": 0.3},
-    box={"rho": (1e-3, 2e4), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
+    box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
     references=("von Neumann & Richtmyer, J. Appl. Phys. 21 (1950) 232", "Landshoff, LA-1930 (1955)"),
 )

@@ -20,7 +20,7 @@ class Limited(NamedTuple):
     linear: float = 0.3
 
 
-def viscous_speed(rho, c, p, du, psi, par):
+def viscous_speed(v, c, p, du, psi, par):
     strong = par.quadratic * du
     weak = par.linear * c
     return (1.0 - psi) * (vsqrt(strong * strong + weak * weak) - strong)
@@ -33,7 +33,7 @@ VISCOSITY.add(
     units={"quadratic": "1", "linear": "1"},
     meaning={"quadratic": "c2, (gamma + 1)/4 for an ideal gas", "linear": "c1, weight of the sound speed"},
     defaults={"quadratic": 1.0, "linear": 0.3},
-    box={"rho": (1e-3, 2e4), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
+    box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
     references=("Caramana, Shashkov & Whalen, J. Comput. Phys. 144 (1998) 70", "Kuropatenko (1967)"),
     flags=("limited",),
 )

@@ -19,8 +19,8 @@ class Wilkins(NamedTuple):
     linear: float = 1.0
 
 
-def viscous_speed(rho, c, p, du, psi, par):
-    return par.linear * vsqrt(fmax(p, 0.0) / rho) - par.quadratic * par.quadratic * du
+def viscous_speed(v, c, p, du, psi, par):
+    return par.linear * vsqrt(fmax(p, 0.0) * v) - par.quadratic * par.quadratic * du
 
 
 VISCOSITY.add(
@@ -30,6 +30,6 @@ VISCOSITY.add(
     units={"quadratic": "1", "linear": "1"},
     meaning={"quadratic": "C0, which enters squared", "linear": "CL of the term with sqrt(P/rho)"},
     defaults={"quadratic": 2.0, "linear": 1.0},
-    box={"rho": (1e-3, 2e4), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
+    box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
     references=("Wilkins, appendix B.2 item 7",),
 )

@@ -18,6 +18,7 @@ from hugoniot.mesh.line import GEOMETRY, graded_nodes, volume
 from hugoniot.problem.model import Boundary, Problem
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d import reactive
+from hugoniot.solvers.lagrange1d.tables import zone_table
 
 ROUND_OFF = 1e-9     # c^2 below minus this fraction of the largest speed squared is imaginary, not noise
 CODES = {"free": L.FREE, "fixed": L.FIXED, "velocity": L.VELOCITY, "pressure": L.PRESSURE, "transmitting": L.TRANSMITTING}
@@ -130,7 +131,7 @@ def interface_bond(problem, left, right):
 
 
 def assemble(problem: Problem):
-    """(zones, nodes, gradient, segments, region zone ranges, initial heat of impact per node) of a problem at t = 0."""
+    """(zone table, nodes, gradient, segments, region zone ranges) of a problem at t = 0."""
     geometry = GEOMETRY.get(problem.geometry).example
     reactive.check(problem)
     starts = [start_region(problem, region) for region in problem.regions]
@@ -141,7 +142,8 @@ def assemble(problem: Problem):
     breaks = [i for i in range(1, len(counts)) if not touching(problem.regions[i - 1], problem.regions[i])]
     bodies = np.split(np.arange(len(counts)), breaks)
     burning_run = any(reactive.burns(problem, region) for region in problem.regions)
-    zones = np.zeros((L.BURNING_ROWS if burning_run else L.ZONE_ROWS, total))
+    table = zone_table(L.BURNING_ROWS if burning_run else L.ZONE_ROWS, total)
+    zones = table[:, :total]
     node_parts, segments = [], []
     for body in bodies:
         r, u, weight, bond = [], [], [], []
@@ -173,7 +175,7 @@ def assemble(problem: Problem):
     if burning_run:
         reactive.prepare(problem, zones, [start[0] for start in starts], ranges)
     gradient = np.zeros(total + 2 * len(segments))
-    return zones, nodes, gradient, segments, ranges
+    return table, nodes, gradient, segments, ranges
 
 
 def _weld(problem, zones, body, ranges, r, u, weight, bond):

@@ -44,7 +44,15 @@ def alike_ranges(regions, ranges):
     return merged
 
 
-PIECE = 1024     # zones; a multiple of any vector length, so that pieces change no bit of a sweep
+PIECE = 2560     # zones; entering a sweep costs what some fifty zones do
+VECTOR = 16      # pieces are a multiple of any vector length, so that they change no bit of a sweep
+
+
+def cuts(first, last):
+    """Where a stretch of zones is cut: pieces alike, so that a team shares them evenly, and none above PIECE."""
+    pieces = max(-(-(last - first) // PIECE), 1)
+    length = -(-(last - first) // (pieces * VECTOR)) * VECTOR
+    return [(lo, min(lo + length, last)) for lo in range(first, last, length)]
 
 
 def pieces_of(runs, segments, region_ends):
@@ -53,9 +61,9 @@ def pieces_of(runs, segments, region_ends):
     A span of zones (first, last) holds the inner nodes first+1 .. last-1; it overlaps the next by one zone, so that every inner
     node of a segment is in one span.
     """
-    cut = [(lo, min(lo + PIECE, last), *rest) for first, last, *rest in runs.tolist() for lo in range(first, last, PIECE)]
-    spans = [(lo, min(lo + PIECE + 1, last), k) for k, (first, last, _, _) in enumerate(segments.tolist())
-             for lo in range(first, max(last - 1, first + 1), PIECE)]
+    cut = [(lo, hi, *rest) for first, last, *rest in runs.tolist() for lo, hi in cuts(first, last)]
+    spans = [(lo, min(hi + 1, last), k) for k, (first, last, _, _) in enumerate(segments.tolist())
+             for lo, hi in cuts(first, max(last - 1, first + 1))]
     regions = [(max(first, a), min(last, b), k) for k, (first, last, _, _) in enumerate(segments.tolist())
                for a, b in region_ends if max(first, a) < min(last, b)]
     widths = (5, 3, 3)

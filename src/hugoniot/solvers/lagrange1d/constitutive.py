@@ -46,6 +46,11 @@ def hardens(strength):
     return "hardens" in STRENGTH.of(strength).flags
 
 
+def fails(fracture):
+    """Whether a zone can fail at all, and its damage and failure ratio are worth keeping."""
+    return "never" not in FRACTURE.of(fracture).flags
+
+
 def grows_voids(fracture):
     """Whether a failing zone grows voids at a tension its law caps."""
     return "voids" in FRACTURE.of(fracture).flags
@@ -117,6 +122,11 @@ def von_mises(s1, s2, geometry):
     return 1.5 * fmax(s1, -s1)
 
 
+def hoop_deviator(s1, s2, geometry):
+    """s2 at the start of a step: its row of the zone table is kept in cylindrical flow only, for elsewhere it is -s1/2."""
+    return s2 if hoops(geometry) == 1.0 else -0.5 * s1
+
+
 def radial_return(s1, s2, limit, geometry):
     """Deviators brought back to the yield surface of flow stress `limit` (Wilkins B.2 item 6)."""
     if hoops(geometry) == 1.0:
@@ -162,5 +172,6 @@ def bind():
     bind_choice(remembers, lambda cls: yes if "remembers" in EOS.of_class(cls).flags else no)
     bind_choice(hardens, asks("hardens", yes, no))
     bind_choice(resisted, lambda *classes: both_ways if "two_sided" in VISCOSITY.of_class(classes[-1]).flags else in_compression)
+    bind_choice(fails, lambda cls: no if "never" in FRACTURE.of_class(cls).flags else yes)
     bind_choice(grows_voids, lambda cls: yes if "voids" in FRACTURE.of_class(cls).flags else no)
     bind_module(sys.modules[__name__])

@@ -54,7 +54,7 @@ def advance_burning(zones, nodes, gradient, first, last, segment, dt, law, rows,
             mixed = solve(rho, energy, lam, mixed, par.mixture)
         p = mixed.pressure
         squeeze = resisted(du, dv, viscosity)
-        speed = viscous_speed(rho, c_[j], p, squeeze, 0.0, viscosity)
+        speed = viscous_speed(v, c_[j], p, squeeze, 0.0, viscosity)
         q = -rho * squeeze * speed
         fault = guess.status + mixed.status
         c = wave_speed(sound_speed_squared(rho, p, slopes(rho, energy, lam, mixed, par.mixture)), noise) if fault == 0.0 else -1.0

@@ -120,7 +120,7 @@ def predict_burning(zones, nodes, gradient, first, last, segment, dt, law, rows,
         smooth = fmax(0.0, fmin(fmin(0.5 * (left + right), steep), 2.0 * fmin(left, right)))
         psi = fmin(smooth / (fmax(steep, 0.0) + SMALL), 1.0)
         squeeze = resisted(du, du, viscosity)
-        speed = viscous_speed(rho, c[j], p, squeeze, psi, viscosity)
+        speed = viscous_speed(1.0 / rho, c[j], p, squeeze, psi, viscosity)
         q = -rho * squeeze * speed
         status[j] = mixed.status
         q_[j] = q

@@ -57,7 +57,8 @@ class Lagrange1D:
         self.staggered = self.scheme.staggered
         self.team = self._team()
         self.laws, self.viscosity = group_laws(problem), viscosity_of(problem)
-        self.zones, self.nodes, self.gradient, self.segments, self.region_ranges = assemble(problem)
+        self.table, self.nodes, self.gradient, self.segments, self.region_ranges = assemble(problem)
+        self.zones = self.table[:, :self.region_ranges[-1][1]]
         self.burning = self.zones.shape[0] == L.BURNING_ROWS
         remembering = any(remembers(problem.materials[region.material].eos) for region in problem.regions)
         self.zone_fields = ZONE_FIELDS | ({"compaction": L.COMPACTION} if remembering else {})
@@ -126,7 +127,7 @@ class Lagrange1D:
         inert = [pair for pair in zip(self.problem.regions, self.region_ranges) if not reactive.burns(self.problem, pair[0])]
         # the heat flux leaves burning regions alone: it knows no phases
         self.pieces = pieces_of(runs, self.segments, alike_ranges(*zip(*inert)) if inert else [])
-        self.found, self.steps = np.zeros((len(self.pieces[0]), 4)), np.zeros(2)
+        self.found, self.steps = np.zeros((len(self.pieces[0]) + 1, L.FOUND_FLOATS)), np.zeros(2)
         self.interfaces = interface_table(self.segments, self.nodes)
         self.gauges, self.weights = probe_tables(self)
         self.segment_of = np.repeat(np.arange(len(self.segments)), self.segments[:, 1] - self.segments[:, 0])
@@ -179,7 +180,7 @@ class Lagrange1D:
         sweep_arguments = (self.pieces, self.found, self.steps, self.laws.kinds, self.laws.tables, self.geometry)
         members = self._assemble_team(sweep_arguments)
         try:
-            code = march(cycles, self.scheme, self.zones, self.nodes, self.gradient, self.control, self.counters, self.segments,
+            code = march(cycles, self.scheme, self.table, self.nodes, self.gradient, self.control, self.counters, self.segments,
                          *sweep_arguments, self.boundaries, self.team, self.interfaces, self.gauges, self.weights, self.gauge_times,
                          self.gauge_buffer)
         finally:
@@ -202,7 +203,7 @@ class Lagrange1D:
         if isinstance(self.team, team.Alone):
             return []
         phase = int(self.team.board[0])
-        arguments = (phase, self.scheme, self.zones, self.nodes, self.gradient, *sweep_arguments, self.team)
+        arguments = (phase, self.scheme, self.table, self.nodes, self.gradient, *sweep_arguments, self.team)
         members = [threading.Thread(target=serve, args=(k, *arguments), daemon=True) for k in range(1, self.team.threads)]
         for member in members:
             member.start()
@@ -224,8 +225,8 @@ class Lagrange1D:
         first, last = self.segments[k, :2]
         place = float(self.nodes[L.R, node])
         if cause == "spall":
-            mark_patch(self.zones, first, last, zone - 1)
-            mark_patch(self.zones, first, last, zone)
+            mark_patch(self.table, first, last, zone - 1)
+            mark_patch(self.table, first, last, zone)
             self.counters[L.FRACTURING] = 1
         self.nodes, self.gradient, self.segments = split(self.zones, self.nodes, self.gradient, self.segments, node)
         if cause == "spall":
@@ -240,7 +241,7 @@ class Lagrange1D:
 
     def _close_gaps(self):
         events = self._close_cavity() if self.problem.dimension > 1 and cavity_closed(self.nodes, self.segments) else []
-        while (k := touching_gap(self.zones, self.nodes, self.segments)) >= 0:
+        while (k := touching_gap(self.table, self.nodes, self.segments)) >= 0:
             last = int(self.segments[k, 1])
             self.nodes, self.gradient, self.segments, heat = join(self.zones, self.nodes, self.gradient, self.segments, k)
             self.voids_closed += 1
@@ -272,6 +273,7 @@ class Lagrange1D:
             culprit = int(np.argmin(width / np.maximum(self.zones[L.C], 1e-30)))
         crushed = crushed_zone(self.problem, self.zones, self.region_of, culprit)
         culprit = crushed[0] if crushed else culprit
+        self._keep_hoop_deviators()
         values = {name: float(self.zones[row, culprit]) for name, row in self.zone_fields.items()}
         if self.burning:
             rows = {"burn_fraction": L.BURN_FRACTION, "mixture_status": L.MIX_STATUS}
@@ -288,6 +290,7 @@ class Lagrange1D:
     # -- what observers see ----------------------------------------------------------------------------------
     def state(self) -> State:
         """Copies of all fields now."""
+        self._keep_hoop_deviators()
         zones = {name: self.zones[row].copy() for name, row in self.zone_fields.items()}
         zones["mass"] = self.zones[L.MASS].copy()
         if self.burning:
@@ -295,6 +298,11 @@ class Lagrange1D:
         left, right = self._faces(L.R)
         ul, ur = self._faces(L.U)
         return State(self.time, self.cycle, zones, left, right, ul, ur)
+
+    def _keep_hoop_deviators(self):
+        """Fill the row of s2 where the sweeps leave it out (constitutive.hoop_deviator)."""
+        if self.problem.dimension != 2:
+            self.zones[L.S2] = -0.5 * self.zones[L.S1]
 
     def phases(self) -> np.ndarray | None:
         """Burn fraction, density and energy of the reactants and of the products, (5, nzone); None where nothing burns."""
@@ -355,13 +363,15 @@ class Lagrange1D:
     # -- checkpoints -----------------------------------------------------------------------------------------
     def payload(self) -> dict:
         """Everything a bitwise restart needs."""
+        self._keep_hoop_deviators()
         names = ("zones", "nodes", "gradient", "segments", "control", "counters")
         numbers = ("voids_opened", "voids_closed", "interfaces_parted", "start_energy", "start_momentum")
         return {name: getattr(self, name).copy() for name in names} | {name: getattr(self, name) for name in numbers}
 
     def restore(self, payload: dict) -> None:
         """Continue from a payload of the same problem."""
-        for name in ("zones", "nodes", "gradient", "segments", "control", "counters"):
+        self.zones[:] = payload["zones"]
+        for name in ("nodes", "gradient", "segments", "control", "counters"):
             setattr(self, name, np.ascontiguousarray(payload[name]).copy())
         for name in ("voids_opened", "voids_closed", "interfaces_parted"):
             setattr(self, name, int(payload[name]))

@@ -32,7 +32,16 @@ from hugoniot.mesh import line
 from hugoniot.solvers.lagrange1d import constitutive
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.node_sweeps import accelerate, end_node, move
-from hugoniot.solvers.lagrange1d.watch import cavity_closed, closing_time, failing_node, parting_interface, record, touching_gap, unsound
+from hugoniot.solvers.lagrange1d.watch import (
+    cavity_closed,
+    closing_time,
+    failing_node,
+    first_unsound,
+    look_over,
+    parting_interface,
+    record,
+    touching_gap,
+)
 from hugoniot.solvers.lagrange1d.wilkins_sweeps import advance, end_acceleration, leap, leap_end
 from hugoniot.solvers.lagrange1d.zone_sweeps import conduct, correct, predict
 
@@ -83,10 +92,11 @@ def advance_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometr
     raise NotImplementedError("compiled only")
 
 
-def _over_runs(inert_sweep, burning_module, burning_sweep, again):
+def _over_runs(inert_sweep, burning_module, burning_sweep, ends_step, again):
     """The overload of a function over runs: every piece of the first kind that is in this share, then the other kinds.
 
     burning_sweep   name in `burning_module`, which is imported when a kind comes whose first law is a `Reactive`
+    ends_step       whether the state is then that of the end of the step, and is looked over while it is at hand
     """
     def nothing(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
         return None
@@ -100,6 +110,8 @@ def _over_runs(inert_sweep, burning_module, burning_sweep, again):
                     rows = (table[0][m], table[1][m], table[2][m], table[3][m], table[4][m])
                     sweep(zones, nodes, gradient, runs[i, L.RUN_FIRST], runs[i, L.RUN_LAST], runs[i, L.RUN_SEGMENT], dt, law, rows,
                           geometry, found[i])
+                    if ends_step:
+                        found[i, L.FOUND_UNSOUND] = look_over(zones, runs[i, L.RUN_FIRST], runs[i, L.RUN_LAST])
             again(zones, nodes, gradient, runs, found, dt, kinds[1:], tables[1:], geometry, share, of, kind + 1)
         return impl
 
@@ -113,9 +125,9 @@ def _over_runs(inert_sweep, burning_module, burning_sweep, again):
     overload(again, jit_options=INLINE)(choose)
 
 
-_over_runs(predict, "reactive_sweeps", "predict_burning", predict_runs)
-_over_runs(correct, "reactive_sweeps", "correct_burning", correct_runs)
-_over_runs(advance, "reactive_leapfrog", "advance_burning", advance_runs)
+_over_runs(predict, "reactive_sweeps", "predict_burning", False, predict_runs)
+_over_runs(correct, "reactive_sweeps", "correct_burning", True, correct_runs)
+_over_runs(advance, "reactive_leapfrog", "advance_burning", True, advance_runs)
 
 
 # -- sharing the sweeps ------------------------------------------------------------------------------------------
@@ -183,14 +195,15 @@ def serve(member, phase, scheme, zones, nodes, gradient, pieces, found, dts, kin
 
 
 @nb.njit(**GUARD)
-def gather(found, totals):
-    """Totals of one step over the pieces, in their order."""
+def gather(found):
+    """Totals of one step over the pieces, in their order, into the row behind theirs."""
+    totals = found[found.shape[0] - 1]
     totals[:] = 0.0
-    for i in range(found.shape[0]):
-        totals[0] = max(totals[0], found[i, 0])
-        totals[1] = max(totals[1], found[i, 1])
-        totals[2] += found[i, 2]
-        totals[3] += found[i, 3]
+    for i in range(found.shape[0] - 1):
+        totals[L.FOUND_RATE] = max(totals[L.FOUND_RATE], found[i, L.FOUND_RATE])
+        totals[L.FOUND_FAILURE] = max(totals[L.FOUND_FAILURE], found[i, L.FOUND_FAILURE])
+        for k in range(L.FOUND_IMPULSE, L.FOUND_FLOATS):
+            totals[k] += found[i, k]
 
 
 # -- pieces of the step ------------------------------------------------------------------------------------------
@@ -286,11 +299,10 @@ def _(scheme, zones, nodes, gradient, control, segments, pieces, found, dts, kin
 
 
 @nb.njit(**GUARD)
-def watch(zones, nodes, control, counters, segments, interfaces, zone_count):
+def watch(zones, nodes, control, counters, segments, interfaces, unsound):
     """Step 7: why the march must stop here, or PAUSED."""
-    bad = unsound(zones, zone_count)
-    if bad >= 0:
-        counters[L.CULPRIT] = bad
+    if unsound:
+        counters[L.CULPRIT] = first_unsound(zones, segments[-1, L.SEG_LAST])
         return L.BAD_STATE
     if segments.shape[0] > 1:
         gap = touching_gap(zones, nodes, segments)
@@ -313,8 +325,8 @@ def watch(zones, nodes, control, counters, segments, interfaces, zone_count):
 def march(cycles, scheme, zones, nodes, gradient, control, counters, segments, pieces, found, dts, kinds, tables, geometry, boundaries,
           team, interfaces, gauges, weights, gauge_times, gauge_buffer):
     """Take up to `cycles` steps; returns the code of `layout` that says why it came back."""
-    zone_count = zones.shape[1]
-    totals = control[L.CONTROL_FLOATS - 4:]
+    zone_count = segments[-1, L.SEG_LAST]
+    totals = found[found.shape[0] - 1]
     for _ in range(cycles):
         if gauges.shape[0] > 0 and counters[L.GAUGE_ROWS] >= gauge_times.shape[0]:
             return L.BUFFER_FULL
@@ -323,21 +335,21 @@ def march(cycles, scheme, zones, nodes, gradient, control, counters, segments, p
             return L.STEP_COLLAPSED
         dts[0], dts[1] = dt, 0.5 * (dt + control[L.DT_OLD])
         take_step(scheme, zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team)
-        gather(found, totals)
+        gather(found)
         at_event = dt >= control[L.EVENT_TIME] - control[L.TIME]
         control[L.TIME] = control[L.EVENT_TIME] if at_event else control[L.TIME] + dt
         counters[L.CYCLE] += 1
         counters[L.ZONE_STEPS] += zone_count
-        control[L.RATE], control[L.WORST_FAILURE] = totals[0], totals[1]
-        control[L.RADIAL_IMPULSE] += dt * totals[2]
-        counters[L.CAP_COUNT] += int(totals[3])
-        code = watch(zones, nodes, control, counters, segments, interfaces, zone_count)
+        control[L.RATE], control[L.WORST_FAILURE] = totals[L.FOUND_RATE], totals[L.FOUND_FAILURE]
+        control[L.RADIAL_IMPULSE] += dt * totals[L.FOUND_IMPULSE]
+        counters[L.CAP_COUNT] += int(totals[L.FOUND_CAPPED])
+        code = watch(zones, nodes, control, counters, segments, interfaces, totals[L.FOUND_UNSOUND] > 0.0)
         if line.hoops(geometry) > 0.0 and code != L.BAD_STATE and cavity_closed(nodes, segments):
             code = L.VOID_CLOSES
         if gauges.shape[0] > 0 and (control[L.TIME] >= control[L.NEXT_GAUGE] or at_event):
             row = counters[L.GAUGE_ROWS]
             gauge_times[row] = control[L.TIME]
-            record(zones, nodes, gauges, weights, gauge_buffer[row])
+            record(zones, nodes, gauges, weights, geometry, gauge_buffer[row])
             counters[L.GAUGE_ROWS] = row + 1
             while control[L.NEXT_GAUGE] <= control[L.TIME] and control[L.GAUGE_INTERVAL] > 0.0:
                 control[L.NEXT_GAUGE] += control[L.GAUGE_INTERVAL]

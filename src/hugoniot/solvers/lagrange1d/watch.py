@@ -3,33 +3,48 @@
 import math
 
 import numba as nb
+import numpy as np
 
 from hugoniot.core.compile import GUARD
 from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.constitutive import hoop_deviator
 
 RELIEVED = 0.02       # a zone below this fraction of its failure limit is out of the tension that opened a void
 VOIDED = 1e-3         # void fraction from which a zone belongs to an older spall plane and opens none of its own
 CHATTER = 1e-4        # tension, in units of rho c^2, a strengthless interface bears: the noise a release leaves (Herrmann A.7)
+LIMIT = 1e12          # density (kg/m3) or sound speed (m/s) beyond which a state is no physics
+LIMIT_BITS = np.float64(LIMIT).view(np.uint64)
+STRESS_SCALE = 1e-18   # so that the same limit serves stresses: 1e30 Pa
 TOUCHING = 1e-6       # gap, in units of the neighbouring zones, that counts as closed
 
 
 @nb.njit(**GUARD)
-def unsound(zones, count):
-    """First zone whose density is not positive or whose sound speed is no finite number, or -1; records the peaks on the way."""
-    rho, c, sigma, p = zones[L.RHO], zones[L.C], zones[L.SIGMA], zones[L.P]
-    most, least, highest, densest = zones[L.PEAK_STRESS], zones[L.PEAK_TENSION], zones[L.PEAK_PRESSURE], zones[L.PEAK_DENSITY]
+def look_over(zones, first, last):
+    """How many zones have a density that is not positive or a sound speed that is no finite number; records the peaks on the way."""
+    rho, c, sigma, p = zones[L.RHO, first:last], zones[L.C, first:last], zones[L.SIGMA, first:last], zones[L.P, first:last]
+    most, least = zones[L.PEAK_STRESS, first:last], zones[L.PEAK_TENSION, first:last]
+    highest, densest = zones[L.PEAK_PRESSURE, first:last], zones[L.PEAK_DENSITY, first:last]
     bad = 0
-    for j in range(count):
-        sound = (rho[j] > 0.0) & (c[j] >= 0.0) & (c[j] < 1e12) & (sigma[j] < 1e30)
-        bad += 0 if sound else 1
+    for j in range(last - first):
+        # a negative number, an infinity and what is no number have larger bits than any finite positive one: one comparison does
+        # for the three, where a compiled comparison of numbers costs as much as a store
+        bits = np.float64(rho[j]).view(np.uint64)
+        of_speed, of_stress = np.float64(c[j]).view(np.uint64), np.float64(abs(sigma[j]) * STRESS_SCALE).view(np.uint64)
+        bits = of_speed if of_speed > bits else bits
+        bits = of_stress if of_stress > bits else bits
+        bad += 0 if bits < LIMIT_BITS else 1
         most[j] = sigma[j] if sigma[j] > most[j] else most[j]
         least[j] = sigma[j] if sigma[j] < least[j] else least[j]
         highest[j] = p[j] if p[j] > highest[j] else highest[j]
         densest[j] = rho[j] if rho[j] > densest[j] else densest[j]
-    if bad == 0:
-        return -1
+    return bad
+
+
+@nb.njit(**GUARD)
+def first_unsound(zones, count):
+    """First of the zones `look_over` counts."""
     for j in range(count):
-        if not (rho[j] > 0.0 and 0.0 <= c[j] < 1e12 and sigma[j] < 1e30):
+        if not (0.0 <= zones[L.RHO, j] < LIMIT and 0.0 <= zones[L.C, j] < LIMIT and abs(zones[L.SIGMA, j]) * STRESS_SCALE < LIMIT):
             return j
     return -1
 
@@ -141,7 +156,7 @@ def cavity_closed(nodes, segments):
 
 
 @nb.njit(**GUARD)
-def record(zones, nodes, table, weights, out):
+def record(zones, nodes, table, weights, geometry, out):
     """One gauge row: table (gauge; zone a, zone b, zone of the faces, left node of that zone), weights (of b; of the right face)."""
     for i in range(table.shape[0]):
         a, b, node = table[i, 0], table[i, 1], table[i, 3]
@@ -153,7 +168,9 @@ def record(zones, nodes, table, weights, out):
         out[i, 4] = (1.0 - w) * zones[L.P, a] + w * zones[L.P, b]
         out[i, 5] = (1.0 - w) * zones[L.Q, a] + w * zones[L.Q, b]
         out[i, 6] = (1.0 - w) * zones[L.S1, a] + w * zones[L.S1, b]
-        out[i, 7] = (1.0 - w) * zones[L.S2, a] + w * zones[L.S2, b]
+        hoop_a = hoop_deviator(zones[L.S1, a], zones[L.S2, a], geometry)
+        hoop_b = hoop_deviator(zones[L.S1, b], zones[L.S2, b], geometry)
+        out[i, 7] = (1.0 - w) * hoop_a + w * hoop_b
         out[i, 8] = (1.0 - w) * zones[L.SIGMA, a] + w * zones[L.SIGMA, b]
         out[i, 9] = (1.0 - w) * zones[L.PLASTIC_STRAIN, a] + w * zones[L.PLASTIC_STRAIN, b]
         out[i, 10] = (1.0 - w) * zones[L.DAMAGE, a] + w * zones[L.DAMAGE, b]

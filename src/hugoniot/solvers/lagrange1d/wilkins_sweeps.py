@@ -7,7 +7,7 @@ elastic sound speed (W-E4).
 
 import numba as nb
 
-from hugoniot.core.compile import GUARD, SWEEP, bind_choice, parameters
+from hugoniot.core.compile import GUARD, SWEEP, bind_choice, parameters, rows_apart
 from hugoniot.core.ops import fmax, vsqrt
 from hugoniot.laws.eos.contract import EOS, compacted, pressure, pressure_derivatives, remembered, unloading
 from hugoniot.laws.fracture.contract import damage_rate, failure
@@ -16,8 +16,10 @@ from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.mesh.line import hoops, volume
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.constitutive import (
+    fails,
     flow_beside_voids,
     grows_voids,
+    hoop_deviator,
     no,
     radial_return,
     remembers,
@@ -109,48 +111,54 @@ bind_choice(linear_in_energy, lambda cls: yes if "linear_in_energy" in EOS.of_cl
 @nb.njit(**SWEEP)
 def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
     """State of a run of zones at n+1; `found` takes the largest signal rate (1/s), failure ratio, 0, capped zones."""
+    a, b = first + segment, last + segment
+    advance_zones(
+        nodes[L.R, a:b + 1], nodes[L.U, a:b + 1], zones[L.INVERSE_MASS, first:last], zones[L.RHO, first:last], zones[L.E, first:last],
+        zones[L.P, first:last], zones[L.C, first:last], zones[L.S1, first:last], zones[L.S2, first:last],
+        zones[L.PLASTIC_STRAIN, first:last], zones[L.DAMAGE, first:last], zones[L.SIGMA, first:last], zones[L.Q, first:last],
+        zones[L.FAILURE, first:last], zones[L.HOOP, first:last], zones[L.OLD, first:last], zones[L.SIGMA_HALF, first:last],
+        zones[L.PLASTIC_WORK, first:last], zones[L.VISCOUS_WORK, first:last], zones[L.VOIDS, first:last],
+        zones[L.COMPACTION, first:last], dt, law, rows, geometry, found)
+
+
+@nb.njit(**SWEEP)
+def advance_zones(r, u, im, rho_, e_, p_, c_, s1, s2, eps, hurt, sigma, q_, torn, force, width, old, plastic, viscous, voids, pores,
+                  dt, law, rows, geometry, found):
+    """`advance` over rows of the tables."""
+    rows_apart()
     eos = parameters(law[0], rows[0])
     strength = parameters(law[1], rows[1])
     fracture = parameters(law[2], rows[2])
     viscosity = parameters(law[3], rows[3])
-    a, b = first + segment, last + segment
-    n = last - first
-    r, u = nodes[L.R, a:b + 1], nodes[L.U, a:b + 1]
-    im = zones[L.INVERSE_MASS, first:last]
-    rho_, e_, p_, c_ = zones[L.RHO, first:last], zones[L.E, first:last], zones[L.P, first:last], zones[L.C, first:last]
-    s1, s2, eps, hurt = zones[L.S1, first:last], zones[L.S2, first:last], zones[L.PLASTIC_STRAIN, first:last], zones[L.DAMAGE, first:last]
-    sigma, q_, torn = zones[L.SIGMA, first:last], zones[L.Q, first:last], zones[L.FAILURE, first:last]
-    force, width, old = zones[L.HOOP, first:last], zones[L.OLD, first:last], zones[L.SIGMA_HALF, first:last]
-    plastic, viscous = zones[L.PLASTIC_WORK, first:last], zones[L.VISCOUS_WORK, first:last]
-    voids, pores = zones[L.VOIDS, first:last], zones[L.COMPACTION, first:last]
     rho0, noise = rows[4][0], rows[4][1]
     fastest, worst, capped = 0.0, 0.0, 0.0
-    for j in range(n):
+    for j in range(im.shape[0]):
         u1, u2, r1, r2 = u[j], u[j + 1], r[j], r[j + 1]
         v_old = old[j]
         v = volume(r1, r2, geometry) * im[j]
         dv, v_half = v - v_old, 0.5 * (v + v_old)
-        rho, rho_half = 1.0 / v, 1.0 / v_half
+        density, rho_half = 1.0 / v, 1.0 / v_half
+        rho = density
         if grows_voids(fracture):
             rho = 1.0 / (v - voids[j])
         du, dr = u2 - u1, r2 - r1
         dilation = dv * rho_half
-        radial = dt * du / (dr - 0.5 * dt * du)
-        hoop = 0.0
+        radial, hoop = dilation, 0.0     # the same number in planar flow
         if hoops(geometry) > 0.0:
+            radial = dt * du / (dr - 0.5 * dt * du)
             hoop = dt * (u1 + u2) / (r1 + r2 - 0.5 * dt * (u1 + u2) + SMALL)
         crushed = remembered(pores[j], eos)
         p_rho, p_e = pressure_derivatives(rho, e_[j], unloading(crushed))
         heat = strength_temperature(rho, e_[j], crushed, strength)
         shear = shear_modulus(rho, p_[j], heat, rho * p_rho + p_[j] * p_e * v, strength)
-        t1, t2 = trial_deviators(s1[j], s2[j], radial, hoop, dilation, shear)
+        t1, t2 = trial_deviators(s1[j], hoop_deviator(s1[j], s2[j], geometry), radial, hoop, dilation, shear)
         pace = strain_rate(radial, hoop, dilation, dt, geometry, strength)
         limit, flow = yield_at(von_mises(t1, t2, geometry), shear, (rho, p_[j], heat, pace), eps[j], strength)
         t1, t2 = radial_return(t1, t2, limit, geometry)
-        work = v_half * 0.5 * ((t1 + s1[j]) * radial + hoops(geometry) * (t2 + s2[j]) * hoop)
+        work = v_half * 0.5 * ((t1 + s1[j]) * radial + hoops(geometry) * (t2 + hoop_deviator(s1[j], s2[j], geometry)) * hoop)
         squeeze = resisted(du, dv, viscosity)
         # the P of a = sqrt(P/rho) is the one at the start of the step: q stands at n+1/2
-        q = -rho_half * squeeze * viscous_speed(rho_half, c_[j], p_[j], squeeze, 0.0, viscosity)
+        q = -rho_half * squeeze * viscous_speed(v_half, c_[j], p_[j], squeeze, 0.0, viscosity)
         target = e_[j] + work - 0.5 * (p_[j] + q + q_[j]) * dv
         if linear_in_energy(eos):
             energy = (target - 0.5 * pressure(rho, 0.0, crushed) * dv) / (1.0 + 0.5 * p_e * dv)
@@ -177,22 +185,25 @@ def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
             energy -= 0.5 * relief * dv
             capped += 1.0 if relief > 0.0 else 0.0
         c2 = bulk2 + (4.0 / 3.0) * shear * v
-        b2 = 8.0 * (viscous_speed(rho, 0.0, 0.0, squeeze, 0.0, viscosity) + fmax(squeeze, -squeeze))
-        fastest = fmax(fastest, (fmax(c2, 0.0) + b2 * b2) / (dr * dr))
+        b2 = 8.0 * (viscous_speed(v, 0.0, 0.0, squeeze, 0.0, viscosity) + fmax(squeeze, -squeeze))
+        inverse = density * im[j] if hoops(geometry) == 0.0 else 1.0 / dr
+        fastest = fmax(fastest, (fmax(c2, 0.0) + b2 * b2) * (inverse * inverse))
         worst = fmax(worst, ratio)
-        rho_[j] = 1.0 / v
+        rho_[j] = density
         e_[j] = energy
         p_[j] = p
         c_[j] = wave_speed(c2, noise)
         s1[j] = t1
-        s2[j] = t2
+        if hoops(geometry) == 1.0:
+            s2[j] = t2
         plastic[j] += limit * flow * v_half
+        eps[j] += flow
         viscous[j] -= 0.5 * (q + q_[j]) * dv
         q_[j] = q
         old[j] = v
-        eps[j] += flow
-        hurt[j] = hurt_now
-        torn[j] = ratio
+        if fails(fracture):
+            hurt[j] = hurt_now
+            torn[j] = ratio
         sigma[j] = p + q - t1
         if hoops(geometry) > 0.0:
             force[j] = (t1 - t2) * v / (0.5 * (r1 + r2) + SMALL)

@@ -8,7 +8,7 @@ the kinetic energy its nodes lose, to round-off, in every geometry.
 
 import numba as nb
 
-from hugoniot.core.compile import SWEEP, parameters
+from hugoniot.core.compile import SWEEP, parameters, rows_apart
 from hugoniot.core.ops import fmax, fmin
 from hugoniot.laws.eos.contract import compacted, pressure, pressure_derivatives, remembered, unloading
 from hugoniot.laws.fracture.contract import damage_rate, failure
@@ -17,8 +17,10 @@ from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.mesh.line import area, hoops, volume
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.constitutive import (
+    fails,
     flow_beside_voids,
     grows_voids,
+    hoop_deviator,
     radial_return,
     remembers,
     resisted,
@@ -38,23 +40,26 @@ SMALL = 1e-30
 @nb.njit(**SWEEP)
 def predict(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
     """Stress in the middle of the step, from the state at its start and the predicted mean velocity."""
+    a, b = first + segment, last + segment
+    predict_zones(
+        nodes[L.R_HALF, a:b + 1], nodes[L.U_MEAN, a:b + 1], gradient[first + 2 * segment:last + 2 * segment + 2],
+        zones[L.MASS, first:last], zones[L.INVERSE_MASS, first:last], zones[L.E, first:last], zones[L.C, first:last],
+        zones[L.S1, first:last], zones[L.S2, first:last], zones[L.PLASTIC_STRAIN, first:last], zones[L.SIGMA, first:last],
+        zones[L.HOOP, first:last], zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last], zones[L.SIGMA_HALF, first:last],
+        zones[L.HOOP_HALF, first:last], zones[L.VOIDS, first:last], zones[L.COMPACTION, first:last], dt, law, rows, geometry)
+
+
+@nb.njit(**SWEEP)
+def predict_zones(rh, u, g, mass, im, e, c, s1, s2, eps, sigma, hoop_force, q_out, speed_out, sigma_half, hoop_half, voids, pores,
+                  dt, law, rows, geometry):
+    """`predict` over rows of the tables."""
+    rows_apart()
     eos = parameters(law[0], rows[0])
     strength = parameters(law[1], rows[1])
     fracture = parameters(law[2], rows[2])
     viscosity = parameters(law[3], rows[3])
-    a, b = first + segment, last + segment
-    n = last - first
-    rh, u = nodes[L.R_HALF, a:b + 1], nodes[L.U_MEAN, a:b + 1]
-    g = gradient[first + 2 * segment:last + 2 * segment + 2]
-    mass, im = zones[L.MASS, first:last], zones[L.INVERSE_MASS, first:last]
-    e, c = zones[L.E, first:last], zones[L.C, first:last]
-    s1, s2, eps = zones[L.S1, first:last], zones[L.S2, first:last], zones[L.PLASTIC_STRAIN, first:last]
-    sigma, hoop_force = zones[L.SIGMA, first:last], zones[L.HOOP, first:last]
-    q_out, speed_out = zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last]
-    sigma_half, hoop_half = zones[L.SIGMA_HALF, first:last], zones[L.HOOP_HALF, first:last]
-    voids, pores = zones[L.VOIDS, first:last], zones[L.COMPACTION, first:last]
     half = 0.5 * dt
-    for j in range(n):
+    for j in range(mass.shape[0]):
         r1, r2, u1, u2 = rh[j], rh[j + 1], u[j], u[j + 1]
         rate = area(r2, geometry) * u2 - area(r1, geometry) * u1
         size = volume(r1, r2, geometry)
@@ -73,7 +78,7 @@ def predict(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         bulk = rho * p_rho + p * p_e / rho
         heat = strength_temperature(rho, energy, crushed, strength)
         shear = shear_modulus(rho, p, heat, bulk, strength)
-        t1, t2 = trial_deviators(s1[j], s2[j], radial, hoop, dilation, shear)
+        t1, t2 = trial_deviators(s1[j], hoop_deviator(s1[j], s2[j], geometry), radial, hoop, dilation, shear)
         pace = strain_rate(radial, hoop, dilation, half, geometry, strength)
         limit, _ = yield_at(von_mises(t1, t2, geometry), shear, (rho, p, heat, pace), eps[j], strength)
         t1, t2 = radial_return(t1, t2, limit, geometry)
@@ -87,7 +92,7 @@ def predict(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         smooth = fmax(0.0, fmin(fmin(0.5 * (left + right), steep), 2.0 * fmin(left, right)))
         psi = fmin(smooth / (fmax(steep, 0.0) + SMALL), 1.0)
         squeeze = resisted(du, du, viscosity)
-        speed = viscous_speed(rho, c[j], p, squeeze, psi, viscosity)
+        speed = viscous_speed(size * im[j], c[j], p, squeeze, psi, viscosity)
         q = -rho * squeeze * speed
         q_out[j] = q
         speed_out[j] = speed if squeeze != 0.0 else 0.0
@@ -99,24 +104,28 @@ def predict(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
 @nb.njit(**SWEEP)
 def correct(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
     """State at the end of the step; `found` takes the largest signal rate (1/s), failure ratio, geometric impulse, capped zones."""
+    a, b = first + segment, last + segment
+    correct_zones(
+        nodes[L.R, a:b + 1], nodes[L.R_HALF, a:b + 1], nodes[L.U_MEAN, a:b + 1], nodes[L.U, a:b + 1],
+        gradient[first + 2 * segment + 1:last + 2 * segment + 1], zones[L.MASS, first:last], zones[L.INVERSE_MASS, first:last],
+        zones[L.RHO, first:last], zones[L.E, first:last], zones[L.P, first:last], zones[L.C, first:last], zones[L.S1, first:last],
+        zones[L.S2, first:last], zones[L.PLASTIC_STRAIN, first:last], zones[L.DAMAGE, first:last], zones[L.SIGMA, first:last],
+        zones[L.HOOP, first:last], zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last], zones[L.FAILURE, first:last],
+        zones[L.SIGMA_HALF, first:last], zones[L.HOOP_HALF, first:last], zones[L.PLASTIC_WORK, first:last],
+        zones[L.VISCOUS_WORK, first:last], zones[L.VOIDS, first:last], zones[L.COMPACTION, first:last], dt, law, rows, geometry, found)
+
+
+@nb.njit(**SWEEP)
+def correct_zones(r, rh, u, ue, g, mass, im, rho_, e_, p_, c_, s1, s2, eps, hurt, sigma, hoop_force, q, speed, torn, sigma_half, hoop_half,
+                  plastic, viscous, voids, pores, dt, law, rows, geometry, found):
+    """`correct` over rows of the tables."""
+    rows_apart()
     eos = parameters(law[0], rows[0])
     strength = parameters(law[1], rows[1])
     fracture = parameters(law[2], rows[2])
-    a, b = first + segment, last + segment
-    n = last - first
-    r, rh, u, ue = nodes[L.R, a:b + 1], nodes[L.R_HALF, a:b + 1], nodes[L.U_MEAN, a:b + 1], nodes[L.U, a:b + 1]
-    g = gradient[first + 2 * segment + 1:last + 2 * segment + 1]
-    mass, im = zones[L.MASS, first:last], zones[L.INVERSE_MASS, first:last]
-    rho_, e_, p_, c_ = zones[L.RHO, first:last], zones[L.E, first:last], zones[L.P, first:last], zones[L.C, first:last]
-    s1, s2, eps, hurt = zones[L.S1, first:last], zones[L.S2, first:last], zones[L.PLASTIC_STRAIN, first:last], zones[L.DAMAGE, first:last]
-    sigma, hoop_force = zones[L.SIGMA, first:last], zones[L.HOOP, first:last]
-    q, speed, torn = zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last], zones[L.FAILURE, first:last]
-    sigma_half, hoop_half = zones[L.SIGMA_HALF, first:last], zones[L.HOOP_HALF, first:last]
-    plastic, viscous = zones[L.PLASTIC_WORK, first:last], zones[L.VISCOUS_WORK, first:last]
-    voids, pores = zones[L.VOIDS, first:last], zones[L.COMPACTION, first:last]
     rho0, noise = rows[4][0], rows[4][1]
     fastest, worst, radial_impulse, capped = 0.0, 0.0, 0.0, 0.0
-    for j in range(n):
+    for j in range(mass.shape[0]):
         u1, u2, r1, r2 = u[j], u[j + 1], rh[j], rh[j + 1]
         rate = area(r2, geometry) * u2 - area(r1, geometry) * u1
         size = volume(r1, r2, geometry)
@@ -130,9 +139,11 @@ def correct(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         radial = dilation - hoops(geometry) * hoop
         end_size = volume(r[j], r[j + 1], geometry)
         v = end_size * im[j]
-        rho = mass[j] / end_size
+        density = mass[j] / end_size
+        rho, solid = density, v
         if grows_voids(fracture):
-            rho = mass[j] / (end_size - mass[j] * voids[j])
+            solid = v - voids[j]
+            rho = 1.0 / solid
         crushed = remembered(pores[j], eos)
         p = pressure(rho, energy, crushed)
         if remembers(eos):
@@ -142,7 +153,7 @@ def correct(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
         c2 = p_rho + p * p_e / (rho * rho)
         heat = strength_temperature(rho, energy, crushed, strength)
         shear = shear_modulus(rho, p, heat, rho * c2, strength)
-        t1, t2 = trial_deviators(s1[j], s2[j], radial, hoop, dilation, shear)
+        t1, t2 = trial_deviators(s1[j], hoop_deviator(s1[j], s2[j], geometry), radial, hoop, dilation, shear)
         pace = strain_rate(radial, hoop, dilation, dt, geometry, strength)
         limit, flow = yield_at(von_mises(t1, t2, geometry), shear, (rho, p, heat, pace), eps[j], strength)
         t1, t2 = radial_return(t1, t2, limit, geometry)
@@ -155,21 +166,23 @@ def correct(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
             flow = flow_beside_voids(flow, grown, rho)
             p += relief
             capped += 1.0 if relief > 0.0 else 0.0
-        c = wave_speed(c2 + (4.0 / 3.0) * shear / rho, noise)
+        c = wave_speed(c2 + (4.0 / 3.0) * shear * solid, noise)
         inverse = 1.0 / (r[j + 1] - r[j])
         g[j] = (ue[j + 1] - ue[j]) * inverse
         fastest = fmax(fastest, (c + 2.0 * speed[j]) * inverse)
         worst = fmax(worst, ratio)
-        rho_[j] = 1.0 / v
+        rho_[j] = density
         e_[j] = energy
         p_[j] = p
         c_[j] = c
         s1[j] = t1
-        s2[j] = t2
-        eps[j] += flow
-        hurt[j] = hurt_now
-        torn[j] = ratio
+        if hoops(geometry) == 1.0:
+            s2[j] = t2
+        if fails(fracture):
+            hurt[j] = hurt_now
+            torn[j] = ratio
         plastic[j] += limit * flow * v
+        eps[j] += flow
         viscous[j] -= dt * q[j] * rate * im[j]
         sigma[j] = p + q[j] - t1
         if hoops(geometry) > 0.0:
