@@ -4,7 +4,7 @@ import dataclasses
 import pathlib
 import re
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -91,13 +91,14 @@ class _Recorder:
         self.folder.checkpoint(payload)
 
 
-def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=None, overwrite: bool = False, report: bool = True,
-        **overrides) -> "Run":
+def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=None, overwrite: bool = False,
+        report: bool | Callable = True, **overrides) -> "Run":
     """Run a deck (path) or a Problem and return the finished Run.
 
     out         run folder; default: the deck's name (or the title) with `.run`, in the current folder
     progress    object with update(solvers.run.Report), or None
     overwrite   replace a run that stands in the folder
+    report      whether report.html is written, or a function that writes it into a finished run's folder
     overrides   keys of the deck to change first: stop_time="3 us", solver={"courant": 0.3}, ...
 
     Raises DeckError, UnphysicalState (a post-mortem is left in the folder) or FileTrouble.
@@ -113,7 +114,7 @@ def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=Non
     return _drive(_Recorder(folder, problem, solver, progress, warnings), 0, begun, report)
 
 
-def resume(folder, progress=None, report: bool = True) -> "Run":
+def resume(folder, progress=None, report: bool | Callable = True) -> "Run":
     """Continue an interrupted or killed run from its newest sound checkpoint to the bits an uninterrupted run would give.
 
     A finished run is returned as it is.
@@ -142,7 +143,7 @@ def resume(folder, progress=None, report: bool = True) -> "Run":
     return _drive(recorder, next_snapshot, begun, report)
 
 
-def _drive(recorder: _Recorder, next_snapshot: int, begun: float, report: bool) -> "Run":
+def _drive(recorder: _Recorder, next_snapshot: int, begun: float, report: bool | Callable) -> "Run":
     from hugoniot.output.run import load
 
     folder, problem, solver = recorder.folder, recorder.problem, recorder.solver
@@ -159,15 +160,15 @@ def _drive(recorder: _Recorder, next_snapshot: int, begun: float, report: bool) 
         folder.event(solver.time, solver.cycle, "warning", text)
     folder.finish(_summary(problem, solver, outcome, begun), solver.peaks())
     if report and output.report:
-        _write_report(folder)
+        _write_report(folder, report)
     return load(folder.folder)
 
 
-def _write_report(folder: RunFolder) -> None:
+def _write_report(folder: RunFolder, write: bool | Callable) -> None:
     """The report is a face of a finished run: if it fails, the result stands and the log says why."""
     from hugoniot.report import write_report
     try:
-        write_report(folder.folder)
+        (write if callable(write) else write_report)(folder.folder)
     except (OSError, ValueError, KeyError) as error:
         folder.log(f"warning: the report could not be written: {error}")
 

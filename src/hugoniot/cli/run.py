@@ -8,6 +8,7 @@ import typer
 from hugoniot.cli.progress import progress
 from hugoniot.cli.show import JSON, MATERIALS, SET, echo_json, overrides_of
 from hugoniot.problem.deck import read_deck
+from hugoniot.report.scribe import Scribe
 
 
 def command(
@@ -38,8 +39,8 @@ def command(
     from hugoniot import simulate
 
     try:
-        with progress(quiet or as_json) as display:
-            run = simulate.run(found, folder, progress=display, overwrite=overwrite, report=report)
+        with Scribe(report and found.problem.output.report) as scribe, progress(quiet or as_json) as display:
+            run = simulate.run(found, folder, progress=display, overwrite=overwrite, report=report and scribe.write)
     except KeyboardInterrupt:
         typer.echo(f"interrupted; a checkpoint is kept, go on with: hugoniot resume {folder}", err=True)
         raise typer.Exit(130) from None
