@@ -178,7 +178,7 @@ def test_an_interrupt_while_the_solver_marches_waits_for_the_burst():
     schedule = Schedule(problem.stop_time, snapshot_times(problem.stop_time, None, 10))
     next_snapshot, interrupted = 0, 0
     for _ in range(40):
-        timer = threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT))
+        timer = threading.Timer(0.02, os.kill, (os.getpid(), signal.SIGINT))
         timer.start()
         try:
             march_to_end(solver, schedule, (parts,), next_snapshot)

@@ -99,6 +99,19 @@ def _(x):
     return lambda x: math.sqrt(x)
 
 
+@intrinsic
+def _times_reciprocal(typingctx, x, y):
+    def codegen(context, builder, signature, args):
+        # without fast-math flags, with which the two would be made one division again
+        return builder.fmul(args[0], builder.fdiv(ir.Constant(ir.DoubleType(), 1.0), args[1]))
+    return types.float64(types.float64, types.float64), codegen
+
+
+@overload(ops.late_over, jit_options=LAW)
+def _(x, y):
+    return lambda x, y: _times_reciprocal(np.float64(x), np.float64(y))
+
+
 @overload(ops.vexp, jit_options=EXACT_LAW)
 def _(x):
     def vexp(x):

@@ -26,6 +26,11 @@ def vsqrt(x):
     return np.sqrt(x)
 
 
+def late_over(x, y):
+    """x / y where x is known later than y: inside a kernel x times 1/y, so that the division has begun when x comes (2 roundings)."""
+    return x / y
+
+
 def vexp(x):
     """Exponential; inside a kernel accurate to about 1e-15 for -708 < x < 709 and saturated outside."""
     return np.exp(x)

@@ -11,7 +11,7 @@ import numpy as np
 
 from hugoniot.core.registry import Registry
 
-GEOMETRY = Registry("geometry", contract=("area", "volume", "hoops"))
+GEOMETRY = Registry("geometry", contract=("area", "mean_area", "volume", "hoops"))
 
 
 class Planar(NamedTuple):
@@ -31,6 +31,11 @@ def area(r, geometry):
     return GEOMETRY.of(geometry).functions["area"](r, geometry)
 
 
+def mean_area(r1, r2, geometry):
+    """Volume between two nodes over their distance."""
+    return GEOMETRY.of(geometry).functions["mean_area"](r1, r2, geometry)
+
+
 def volume(r1, r2, geometry):
     """Volume (r2^d - r1^d)/d between two nodes."""
     return GEOMETRY.of(geometry).functions["volume"](r1, r2, geometry)
@@ -41,10 +46,14 @@ def hoops(geometry):
     return GEOMETRY.of(geometry).functions["hoops"](geometry)
 
 
-GENERICS = {"area": area, "volume": volume, "hoops": hoops}
+GENERICS = {"area": area, "mean_area": mean_area, "volume": volume, "hoops": hoops}
 
 
 def planar_area(r, geometry):
+    return 1.0
+
+
+def planar_mean_area(r1, r2, geometry):
     return 1.0
 
 
@@ -60,6 +69,10 @@ def cylindrical_area(r, geometry):
     return r
 
 
+def cylindrical_mean_area(r1, r2, geometry):
+    return 0.5 * (r2 + r1)
+
+
 def cylindrical_volume(r1, r2, geometry):
     return 0.5 * (r2 - r1) * (r2 + r1)
 
@@ -70,6 +83,10 @@ def cylindrical_hoops(geometry):
 
 def spherical_area(r, geometry):
     return r * r
+
+
+def spherical_mean_area(r1, r2, geometry):
+    return (1.0 / 3.0) * (r1 * r1 + r1 * r2 + r2 * r2)
 
 
 def spherical_volume(r1, r2, geometry):
@@ -85,9 +102,11 @@ def _enrol(name, cls, functions):
                  references=("Wilkins, appendix B.2 item 1",))
 
 
-_enrol("planar", Planar, {"area": planar_area, "volume": planar_volume, "hoops": planar_hoops})
-_enrol("cylindrical", Cylindrical, {"area": cylindrical_area, "volume": cylindrical_volume, "hoops": cylindrical_hoops})
-_enrol("spherical", Spherical, {"area": spherical_area, "volume": spherical_volume, "hoops": spherical_hoops})
+_enrol("planar", Planar, {"area": planar_area, "mean_area": planar_mean_area, "volume": planar_volume, "hoops": planar_hoops})
+_enrol("cylindrical", Cylindrical, {"area": cylindrical_area, "mean_area": cylindrical_mean_area, "volume": cylindrical_volume,
+                                    "hoops": cylindrical_hoops})
+_enrol("spherical", Spherical, {"area": spherical_area, "mean_area": spherical_mean_area, "volume": spherical_volume,
+                                "hoops": spherical_hoops})
 
 
 def graded_nodes(start: float, end: float, zones: int, ratio: float = 1.0) -> np.ndarray:

@@ -8,7 +8,7 @@ a clamp of s1 (Herrmann A.18, with the corrected result sgn 2Y/3); cylindrical f
 import sys
 
 from hugoniot.core.compile import bind_choice, bind_module
-from hugoniot.core.ops import fmax, fmin, vsqrt
+from hugoniot.core.ops import fmax, fmin, late_over, vsqrt
 from hugoniot.laws.eos.contract import EOS, reference_state, remembered, temperature
 from hugoniot.laws.fracture.contract import FRACTURE, tension_cap
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress
@@ -16,6 +16,7 @@ from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.mesh.line import hoops
 
 TINY = 1e-300
+NO_STRESS = 1e-30     # Pa2, beside which no stress squared counts
 
 
 def strength_temperature(rho, e, eos, strength):
@@ -130,7 +131,9 @@ def hoop_deviator(s1, s2, geometry):
 def radial_return(s1, s2, limit, geometry):
     """Deviators brought back to the yield surface of flow stress `limit` (Wilkins B.2 item 6)."""
     if hoops(geometry) == 1.0:
-        scale = fmin(1.0, limit / (vsqrt(3.0 * (s1 * s1 + s1 * s2 + s2 * s2)) + TINY))
+        square = 3.0 * (s1 * s1 + s1 * s2 + s2 * s2)
+        # limit / sqrt(J) as limit sqrt(J) / J: the division need not wait for the root
+        scale = fmin(1.0, late_over(limit * vsqrt(square), square + NO_STRESS))
         return s1 * scale, s2 * scale
     bound = (2.0 / 3.0) * limit
     s1 = fmax(fmin(s1, bound), -bound)

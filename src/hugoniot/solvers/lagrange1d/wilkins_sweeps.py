@@ -8,12 +8,12 @@ elastic sound speed (W-E4).
 import numba as nb
 
 from hugoniot.core.compile import GUARD, SWEEP, bind_choice, parameters, rows_apart
-from hugoniot.core.ops import fmax, vsqrt
+from hugoniot.core.ops import fmax, late_over, vsqrt
 from hugoniot.laws.eos.contract import EOS, compacted, pressure, pressure_derivatives, remembered, unloading
 from hugoniot.laws.fracture.contract import damage_rate, failure
 from hugoniot.laws.strength.contract import shear_modulus
 from hugoniot.laws.viscosity.contract import viscous_speed
-from hugoniot.mesh.line import hoops, volume
+from hugoniot.mesh.line import hoops, mean_area, volume
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.constitutive import (
     fails,
@@ -143,10 +143,13 @@ def advance_zones(r, u, im, rho_, e_, p_, c_, s1, s2, eps, hurt, sigma, q_, torn
             rho = 1.0 / (v - voids[j])
         du, dr = u2 - u1, r2 - r1
         dilation = dv * rho_half
-        radial, hoop = dilation, 0.0     # the same number in planar flow
+        radial, hoop, per_radius = dilation, 0.0, 0.0     # dilation and radial strain are one number in planar flow
         if hoops(geometry) > 0.0:
-            radial = dt * du / (dr - 0.5 * dt * du)
-            hoop = dt * (u1 + u2) / (r1 + r2 - 0.5 * dt * (u1 + u2) + SMALL)
+            across, drift, stretch = r1 + r2 + SMALL, dt * (u1 + u2), dt * du
+            before, width_half = across - 0.5 * drift, dr - 0.5 * stretch
+            radii = across * before
+            each = 1.0 / (radii * width_half)     # one division for three
+            radial, hoop, per_radius = stretch * radii * each, drift * across * width_half * each, 2.0 * before * width_half * each
         crushed = remembered(pores[j], eos)
         p_rho, p_e = pressure_derivatives(rho, e_[j], unloading(crushed))
         heat = strength_temperature(rho, e_[j], crushed, strength)
@@ -161,7 +164,7 @@ def advance_zones(r, u, im, rho_, e_, p_, c_, s1, s2, eps, hurt, sigma, q_, torn
         q = -rho_half * squeeze * viscous_speed(v_half, c_[j], p_[j], squeeze, 0.0, viscosity)
         target = e_[j] + work - 0.5 * (p_[j] + q + q_[j]) * dv
         if linear_in_energy(eos):
-            energy = (target - 0.5 * pressure(rho, 0.0, crushed) * dv) / (1.0 + 0.5 * p_e * dv)
+            energy = late_over(target - 0.5 * pressure(rho, 0.0, crushed) * dv, 1.0 + 0.5 * p_e * dv)
         else:
             energy = target - 0.5 * p_[j] * dv
             for _ in range(4):
@@ -186,7 +189,7 @@ def advance_zones(r, u, im, rho_, e_, p_, c_, s1, s2, eps, hurt, sigma, q_, torn
             capped += 1.0 if relief > 0.0 else 0.0
         c2 = bulk2 + (4.0 / 3.0) * shear * v
         b2 = 8.0 * (viscous_speed(v, 0.0, 0.0, squeeze, 0.0, viscosity) + fmax(squeeze, -squeeze))
-        inverse = density * im[j] if hoops(geometry) == 0.0 else 1.0 / dr
+        inverse = mean_area(r1, r2, geometry) * im[j] * density     # 1/dr without a division
         fastest = fmax(fastest, (fmax(c2, 0.0) + b2 * b2) * (inverse * inverse))
         worst = fmax(worst, ratio)
         rho_[j] = density
@@ -206,6 +209,6 @@ def advance_zones(r, u, im, rho_, e_, p_, c_, s1, s2, eps, hurt, sigma, q_, torn
             torn[j] = ratio
         sigma[j] = p + q - t1
         if hoops(geometry) > 0.0:
-            force[j] = (t1 - t2) * v / (0.5 * (r1 + r2) + SMALL)
+            force[j] = (t1 - t2) * v * per_radius
             width[j] = rho * dr
     found[0], found[1], found[2], found[3] = vsqrt(fastest), worst, 0.0, capped

@@ -14,7 +14,7 @@ from hugoniot.laws.eos.contract import compacted, pressure, pressure_derivatives
 from hugoniot.laws.fracture.contract import damage_rate, failure
 from hugoniot.laws.strength.contract import shear_modulus
 from hugoniot.laws.viscosity.contract import viscous_speed
-from hugoniot.mesh.line import area, hoops, volume
+from hugoniot.mesh.line import area, hoops, mean_area, volume
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.constitutive import (
     fails,
@@ -139,7 +139,8 @@ def correct_zones(r, rh, u, ue, g, mass, im, rho_, e_, p_, c_, s1, s2, eps, hurt
         radial = dilation - hoops(geometry) * hoop
         end_size = volume(r[j], r[j + 1], geometry)
         v = end_size * im[j]
-        density = mass[j] / end_size
+        per_size = 1.0 / end_size
+        density = mass[j] * per_size
         rho, solid = density, v
         if grows_voids(fracture):
             solid = v - voids[j]
@@ -167,7 +168,7 @@ def correct_zones(r, rh, u, ue, g, mass, im, rho_, e_, p_, c_, s1, s2, eps, hurt
             p += relief
             capped += 1.0 if relief > 0.0 else 0.0
         c = wave_speed(c2 + (4.0 / 3.0) * shear * solid, noise)
-        inverse = 1.0 / (r[j + 1] - r[j])
+        inverse = mean_area(r[j], r[j + 1], geometry) * per_size
         g[j] = (ue[j + 1] - ue[j]) * inverse
         fastest = fmax(fastest, (c + 2.0 * speed[j]) * inverse)
         worst = fmax(worst, ratio)
