@@ -29,7 +29,7 @@ ax.annotate("elastic step", (0.66, 76), xytext=(0.3, 180), arrowprops={"arrowsty
 
 # %%
 # What a spall experiment would conclude, beside the strength that was put in (1.0 GPa) and the largest tension any zone met.
-from hugoniot.plotting.records import spall_reading  # noqa: E402
+from hugoniot.output.spall_reading import spall_reading  # noqa: E402
 
 reading = spall_reading(run)
 print(f"pull-back {reading['pull_back']:.1f} m/s")

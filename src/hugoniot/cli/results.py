@@ -94,7 +94,7 @@ def _echo_spall(run: Run) -> None:
 
     if not run.summary.get("voids_opened") or not free_surface_gauges(run):
         return
-    from hugoniot.plotting.records import spall_reading
+    from hugoniot.output.spall_reading import spall_reading
 
     reading = spall_reading(run)
     if reading:

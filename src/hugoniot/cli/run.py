@@ -7,7 +7,6 @@ import typer
 
 from hugoniot.cli.progress import progress
 from hugoniot.cli.show import JSON, MATERIALS, SET, echo_json, overrides_of
-from hugoniot.problem.deck import read_deck
 from hugoniot.report.scribe import Scribe
 
 
@@ -28,10 +27,15 @@ def command(
 
     Interrupted with Ctrl-C it writes a checkpoint and ends with code 130; hugoniot resume goes on from there.
     """
-    changes = overrides_of(setting)
-    if threads is not None:
-        changes["solver.threads"] = threads
-    found = read_deck(deck, changes, materials or ())
+    with Scribe(report) as scribe:      # first of all: it gets ready while this process does
+        _run(deck, out, overrides_of(setting) | ({} if threads is None else {"solver.threads": threads}), materials or (), overwrite,
+             report and scribe.write, quiet, as_json)
+
+
+def _run(deck, out, changes, materials, overwrite, report, quiet, as_json) -> None:
+    from hugoniot.problem.deck import read_deck
+
+    found = read_deck(deck, changes, materials)
     for warning in found.warnings:
         typer.echo(f"warning: {warning}", err=True)
     folder = out or Path(f"{deck.stem}.run")
@@ -39,8 +43,8 @@ def command(
     from hugoniot import simulate
 
     try:
-        with Scribe(report and found.problem.output.report) as scribe, progress(quiet or as_json) as display:
-            run = simulate.run(found, folder, progress=display, overwrite=overwrite, report=report and scribe.write)
+        with progress(quiet or as_json) as display:
+            run = simulate.run(found, folder, progress=display, overwrite=overwrite, report=report)
     except KeyboardInterrupt:
         typer.echo(f"interrupted; a checkpoint is kept, go on with: hugoniot resume {folder}", err=True)
         raise typer.Exit(130) from None

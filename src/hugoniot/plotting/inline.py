@@ -8,6 +8,7 @@ import matplotlib
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 
+from hugoniot.output.spall_reading import free_surface_record
 from hugoniot.plotting import records
 from hugoniot.plotting.setup import setup
 from hugoniot.plotting.style import FAINT, INK, QUIET, RC
@@ -48,7 +49,7 @@ def _for_page(text: str, name: str) -> str:
     return text
 
 
-def _structure_pictures(run) -> dict[str, str]:
+def _structure_tasks(run) -> dict[str, Callable[[], str]]:
     """The cells of a shock-structure run upon its steady wave, and that wave's balances and entropy."""
     from hugoniot.plotting.structure import draw_cells, draw_profile
     from hugoniot.problem.deck import read_deck_text
@@ -59,31 +60,35 @@ def _structure_pictures(run) -> dict[str, str]:
     last = {name: shot[name][-1] for name in ("density", "pressure", "temperature") if name in shot}
     centres = 0.5 * (shot["position_left"][-1] + shot["position_right"][-1])
     panels = [(0.7 + 3.75 * column, 0.5 + 2.3 * row, 2.9, 1.95) for row in (2, 1, 0) for column in (0, 1)]
-    found = {"structure_terms": svg(lambda *axes: draw_profile(axes, profile), "structure-terms", 7.5, 7.2, *panels)}
+    found = {"structure_terms": lambda: svg(lambda *axes: draw_profile(axes, profile), "structure-terms", 7.5, 7.2, *panels)}
     if "density" in last:
-        found["structure"] = svg(lambda ax: draw_cells(ax, profile, centres, last), "structure", 7.4, 3.0, (0.7, 0.5, 6.5, 2.4))
+        found["structure"] = lambda: svg(lambda ax: draw_cells(ax, profile, centres, last), "structure", 7.4, 3.0, (0.7, 0.5, 6.5, 2.4))
     return found
 
 
-def report_pictures(run) -> dict[str, str]:
-    """The pictures a report shows, by name, as SVG text; those for which the run has no data are left out."""
-    pictures = {"setup": svg(lambda ax: setup(run, ax=ax), "setup", 7.4, 2.0, (0.15, 0.5, 7.1, 1.45))}
+def picture_tasks(run) -> dict[str, Callable[[], str]]:
+    """What draws each picture a report shows, by name; those for which the run has no data are left out."""
+    tasks: dict[str, Callable[[], str]] = {}
+
+    def task(name, draw, *size):
+        tasks[name] = lambda: svg(draw, name.replace("_", "-"), *size)
+
+    task("setup", lambda ax: setup(run, ax=ax), 7.4, 2.0, (0.15, 0.5, 7.1, 1.45))
     shot = run.arrays("snapshots")
     field = next((name for name in ("stress", "pressure", "density") if name in shot), None)
     if field and len(shot["time"]) > 1:
-        pictures["wave"] = svg(lambda ax, bar: xt(run, field, ax=ax, colorbar=bar, size=(300, 560)), "wave", 7.4, 4.3,
-                               (0.6, 0.5, 5.75, 3.6), (6.5, 0.5, 0.14, 3.6))
+        task("wave", lambda ax, bar: xt(run, field, ax=ax, colorbar=bar, size=(300, 560)), 7.4, 4.3,
+             (0.6, 0.5, 5.75, 3.6), (6.5, 0.5, 0.14, 3.6))
     if "steady_density_thickness" in run.summary:
-        pictures |= _structure_pictures(run)
+        tasks |= _structure_tasks(run)
     rows = run.arrays("gauges")
-    for field in ("stress", "velocity"):
-        if field in rows and len(rows["time"]):
-            pictures[f"gauge_{field}"] = svg(lambda ax, f=field: records.gauge(run, f, ax=ax), f"gauge-{field}", 7.4, 2.6,
-                                             (0.7, 0.5, 5.4, 2.0))
-    time, velocity, _ = records.free_surface_record(run)
+    for record in ("stress", "velocity"):
+        if record in rows and len(rows["time"]):
+            task(f"gauge_{record}", lambda ax, f=record: records.gauge(run, f, ax=ax), 7.4, 2.6, (0.7, 0.5, 5.4, 2.0))
+    time, velocity, _ = free_surface_record(run)
     if len(time) and velocity.max() > 0.0:
-        pictures["free_surface"] = svg(lambda ax: records.free_surface(run, ax=ax), "free-surface", 7.4, 2.8, (0.7, 0.5, 6.5, 2.2))
+        task("free_surface", lambda ax: records.free_surface(run, ax=ax), 7.4, 2.8, (0.7, 0.5, 6.5, 2.2))
     if len(run.arrays("budget")["time"]):
-        pictures["budget"] = svg(lambda ax: records.budget(run, ax=ax), "budget", 7.4, 2.4, (0.7, 0.5, 5.4, 1.8))
-        pictures["errors"] = svg(lambda ax: records.errors(run, ax=ax), "errors", 7.4, 2.0, (0.7, 0.5, 6.5, 1.45))
-    return pictures
+        task("budget", lambda ax: records.budget(run, ax=ax), 7.4, 2.4, (0.7, 0.5, 5.4, 1.8))
+        task("errors", lambda ax: records.errors(run, ax=ax), 7.4, 2.0, (0.7, 0.5, 6.5, 1.45))
+    return tasks

@@ -1,13 +1,14 @@
 """Puts report.html together: key numbers, pictures, tables, deck. Reads only the run folder."""
 
 import pathlib
+from collections.abc import Callable
 
 import numpy as np
 
 from hugoniot.output.atomic import write_whole
 from hugoniot.output.run import Run, load
-from hugoniot.plotting.inline import report_pictures
-from hugoniot.plotting.records import free_surface_record, spall_reading
+from hugoniot.output.spall_reading import free_surface_record, spall_reading
+from hugoniot.plotting.inline import picture_tasks
 from hugoniot.report import sections
 from hugoniot.report.sections import number, text
 
@@ -75,9 +76,14 @@ def _section(title: str, *parts: str) -> str:
     return f"<section><h2>{text(title)}</h2>{body}</section>" if body else ""
 
 
-def page(run: Run) -> str:
-    """The whole page as HTML text."""
-    setup, summary, pictures = run.setup, run.summary, report_pictures(run)
+def one_by_one(tasks: dict[str, Callable[[], str]]) -> dict[str, str]:
+    """The pictures the tasks draw, by the tasks' names."""
+    return {name: draw() for name, draw in tasks.items()}
+
+
+def page(run: Run, drawn: Callable = one_by_one) -> str:
+    """The whole page as HTML text; `drawn` does the tasks that draw its pictures."""
+    setup, summary, pictures = run.setup, run.summary, drawn(picture_tasks(run))
     css = (pathlib.Path(__file__).parent / "page.css").read_text(encoding="utf-8")
     cautions = "".join(f'<p class="warning">{text(words)}</p>' for words in sections.warnings(run))
     title = text(setup["title"])
@@ -104,9 +110,9 @@ def page(run: Run) -> str:
     ])
 
 
-def write_report(folder) -> pathlib.Path:
+def write_report(folder, drawn: Callable = one_by_one) -> pathlib.Path:
     """Write report.html into the folder of a finished run; gives its path. Raises `FileTrouble`."""
     run = load(folder)
     path = run.folder / "report.html"
-    write_whole(path, page(run), durable=False)
+    write_whole(path, page(run, drawn), durable=False)
     return path

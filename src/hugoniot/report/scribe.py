@@ -10,6 +10,7 @@ import os
 import signal
 import subprocess
 import sys
+from collections.abc import Callable
 
 DONE = "done"
 
@@ -43,10 +44,11 @@ class Scribe:
         if self.process is None:
             return False
         try:
-            answer, _ = self.process.communicate(json.dumps(os.path.abspath(folder)) + "\n")
+            self.process.stdin.write(json.dumps(os.path.abspath(folder)) + "\n")
+            self.process.stdin.flush()
+            return self.process.stdout.readline().strip() == DONE
         except OSError:
             return False
-        return answer.strip() == DONE
 
 
 def _a_second_core() -> bool:
@@ -70,5 +72,24 @@ def serve() -> None:
 
     line = sys.stdin.readline()
     if line:
-        write_report(json.loads(line))
-        sys.stdout.write(DONE)
+        write_report(json.loads(line), by_two)
+        sys.stdout.write(DONE + "\n")
+        sys.stdout.flush()
+    os._exit(0)     # the library takes its time to leave
+
+
+def by_two(tasks: dict[str, Callable[[], str]]) -> dict[str, str]:
+    """The pictures the tasks draw, every second one by a copy of this process; what it fails to give is drawn here."""
+    names = list(tasks)
+    pipe, its_end = os.pipe()
+    copy = os.fork()
+    if copy == 0:
+        with contextlib.suppress(Exception), open(its_end, "w", encoding="utf-8") as out:
+            json.dump({name: tasks[name]() for name in names[1::2]}, out)
+        os._exit(0)
+    os.close(its_end)
+    found = {name: tasks[name]() for name in names[::2]}
+    with contextlib.suppress(ValueError), open(pipe, encoding="utf-8") as given:
+        found |= json.load(given)
+    os.waitpid(copy, 0)
+    return {name: found.get(name) or tasks[name]() for name in names}
