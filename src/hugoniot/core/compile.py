@@ -35,6 +35,7 @@ EXACT_LAW = dict(fastmath={"contract"}, error_model="numpy", forceinline=True)
 SWEEP = dict(_nrt=False, fastmath=True, error_model="numpy", cache=True, nogil=True, forceinline=True)
 INLINE = dict(_nrt=False, error_model="numpy", forceinline=True)
 GUARD = dict(_nrt=False, fastmath=False, error_model="numpy", cache=True, nogil=True)
+CURVE = {**GUARD, "_nrt": True}   # of theory, whose searches keep short lists
 
 # A sweep touches some twenty rows of the same tables; the vectoriser proves at run time that they do not overlap and by
 # default gives up, silently, when that takes more than 128 instructions.

@@ -5,7 +5,7 @@ Importing this module imports numba; `theory.hugoniot` and `theory.isentrope` do
 
 import numba as nb
 
-from hugoniot.core.compile import GUARD, bind, bind_family, bind_module
+from hugoniot.core.compile import CURVE, bind, bind_family, bind_module
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.theory import expansion, jump
@@ -21,7 +21,7 @@ for _function in (jump.line, jump.misfit, jump.beyond_stability, jump.bracket, j
     bind(_function, **_SEARCH)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**CURVE)
 def shock_curve(mode, targets, still, v0, p0, e0, c0, floor, least, most, par, x, p, e, status):
     """`jump.shocked` for each target that is not the upstream state; fills x, p, e and status."""
     for i in range(targets.shape[0]):
@@ -30,7 +30,7 @@ def shock_curve(mode, targets, still, v0, p0, e0, c0, floor, least, most, par, x
             status[i], x[i], p[i], e[i] = jump.shocked(mode, targets[i], guess, least, most, v0, p0, e0, par)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**CURVE)
 def isentrope_curve(logs, start, e0, u0, par, e, u):
     """`expansion.advance` from one density (natural logarithm in `logs`) to the next; returns how many were reached."""
     y, e_here, u_here = start, e0, u0

@@ -2,14 +2,14 @@
 
 import numba as nb
 
-from hugoniot.core.compile import GUARD
+from hugoniot.core.compile import CURVE
 from hugoniot.laws.mixture.binding import bind_mixtures
 from hugoniot.laws.mixture.contract import Mixed, equilibrate, mixture_temperature, slopes, solve
 
 bind_mixtures()
 
 
-@nb.njit(**GUARD)
+@nb.njit(**CURVE)
 def equilibrate_rows(rho, e, burn_fraction, rho_reference, e_reference, par, out):
     """Solve every state; `out` (9, n) receives p, rho_r, e_r, rho_p, e_p, status, p_v, p_e, p_lambda."""
     for j in range(rho.shape[0]):
@@ -27,7 +27,7 @@ def equilibrate_rows(rho, e, burn_fraction, rho_reference, e_reference, par, out
         out[8, j] = slope.by_burn_fraction
 
 
-@nb.njit(**GUARD)
+@nb.njit(**CURVE)
 def solve_rows(rho, e, burn_fraction, phases, par):
     """One step of a run: `phases` (6, n), p, rho_r, e_r, rho_p, e_p, status of the step before, is overwritten by the new state."""
     for j in range(rho.shape[0]):
@@ -41,7 +41,7 @@ def solve_rows(rho, e, burn_fraction, phases, par):
         phases[5, j] = mixed.status
 
 
-@nb.njit(**GUARD)
+@nb.njit(**CURVE)
 def temperature_rows(phases, par, out):
     """Temperature, K, of states given as `phases` (n, 5): burn fraction, rho_r, e_r, rho_p, e_p."""
     for j in range(out.shape[0]):
