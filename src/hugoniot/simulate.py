@@ -158,6 +158,8 @@ def _drive(recorder: _Recorder, next_snapshot: int, begun: float, report: bool |
     _note_extrapolation(folder, problem, solver, recorder.warned)
     for text in getattr(solver, "unresolved", list)():
         folder.event(solver.time, solver.cycle, "warning", text)
+    for text in getattr(solver, "references", list)():
+        folder.event(solver.time, solver.cycle, "reference_state", text)
     folder.finish(_summary(problem, solver, outcome, begun), solver.peaks())
     if report and output.report:
         _write_report(folder, report)

@@ -30,6 +30,8 @@ _ROWS = (
     Field("damage", "D", "1", "zone", "fracture damage", ("", 1.0)),
     Field("compaction", "k", "1", "zone", "compaction of the pores (0 as at rest, 1 closed)", ("", 1.0)),
     Field("burn_fraction", "lambda", "1", "zone", "burn fraction", ("", 1.0)),
+    Field("reference_state", "k_r", "1", "zone", "reference state (0 no shock, 1 shock passing, 2 behind, 3 burning in it)",
+          ("", 1.0)),
     Field("plastic_work", "w_p", "J/kg", "zone", "plastic work", ("kJ/kg", 1e-3)),
     Field("viscous_work", "w_q", "J/kg", "zone", "work of the artificial viscosity", ("kJ/kg", 1e-3)),
     Field("mass", "m", "kg", "zone", "zone mass (per m^2, per m and radian, or per steradian)", ("kg", 1.0)),

@@ -17,6 +17,7 @@ from hugoniot.laws import mixture as _mixtures  # noqa: F401  (enrols the closur
 from hugoniot.laws.eos.contract import EOS, flagged, pressure, reference_state, sound_speed_squared
 from hugoniot.laws.fracture.contract import tension_cap
 from hugoniot.laws.mixture.contract import MIXTURE
+from hugoniot.laws.mixture.reference_state import CHOICES, FROZEN
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
 from hugoniot.materials import table_law
 from hugoniot.materials.collect import Collector, LineOf, nearest, printable
@@ -25,7 +26,7 @@ from hugoniot.materials.tables import accepted, families, law_table
 
 LONGEST_ARRAY = 1_000_000
 _FACTS = ("base", "sources", "valid_up_to", "warnings")
-_EXPLOSIVE = ("unreacted", "mixture", "detonation_energy")
+_EXPLOSIVE = ("unreacted", "mixture", "detonation_energy", "reference_state")
 
 
 def build_material(name: str, tables: dict, problems: list[DeckProblem], file: str, line_of: LineOf) -> Material | None:
@@ -59,11 +60,14 @@ def read_material(name: str, tables: Any, collector: Collector, path: tuple) -> 
         hint = f"add [{collector.key(path)}.eos] with law = \"...\" (hugoniot list eos), or base = \"...\""
         collector.add(path, "no equation of state", hint)
     valid, sources, warnings = _facts(tables, collector, path, _without_replaced(base, tables))
-    unreacted, mixture, heat = _explosive(tables, collector, path, base)
+    unreacted, mixture, heat, reference = _explosive(tables, collector, path, base)
     if len(collector.problems) > before:
         return None
     _check_sound(built, collector, path)
     if len(collector.problems) > before:
+        return None
+    if reference == FROZEN and "reference_state" in tables and built.get("burn") is None:
+        collector.add((*path, "reference_state"), "what does not burn has no reference state", "leave it out, or add a burn law")
         return None
     _check_memory(built["eos"], built.get("burn") is not None, collector, path)
     if len(collector.problems) > before:
@@ -71,7 +75,7 @@ def read_material(name: str, tables: Any, collector: Collector, path: tuple) -> 
     if unreacted is not None and flagged(unreacted, "remembers"):
         warnings = tuple(dict.fromkeys((*warnings, PORES_REOPEN)))
     return Material(name, built["eos"], built["strength"], built["fracture"], built.get("burn"), valid, sources, warnings, unreacted,
-                    mixture, heat)
+                    mixture, heat, reference)
 
 
 def _check_memory(eos: Any, burns: bool, collector: Collector, path: tuple) -> None:
@@ -85,21 +89,29 @@ def _check_memory(eos: Any, burns: bool, collector: Collector, path: tuple) -> N
                       f"make the porous law the outer one and '{outer.name}' the law of its solid (its base)")
 
 
-def _explosive(tables: dict, collector: Collector, path: tuple, base: Material | None) -> tuple[Any, str | None, float | None]:
-    """(unreacted equation of state, name of the closure, chemical energy in J/kg) of an explosive; None for what is not given."""
-    unreacted, mixture, heat = (base.unreacted, base.mixture, base.detonation_energy) if base else (None, None, None)
+def _explosive(tables: dict, collector: Collector, path: tuple, base: Material | None) -> tuple[Any, str | None, float | None, str | None]:
+    """(unreacted equation of state, name of the closure, chemical energy in J/kg, reference state) of an explosive; None if not given."""
+    unreacted, mixture, heat, reference = tuple(getattr(base, name) if base else None for name in _EXPLOSIVE)
     if "unreacted" in tables:
         unreacted = read_law(EOS, tables["unreacted"], collector, (*path, "unreacted"), unreacted)
     if "mixture" in tables:
-        mixture = tables["mixture"]
-        if not isinstance(mixture, str) or mixture not in MIXTURE.names():
-            shown = printable(mixture) if isinstance(mixture, str) else "not a text"
-            collector.add((*path, "mixture"), f"unknown mixture '{shown}'", nearest(shown, MIXTURE.names()))
+        mixture = _choice("mixture", tables, MIXTURE.names(), collector, path)
     if "detonation_energy" in tables:
         heat = collector.quantity((*path, "detonation_energy"), tables["detonation_energy"], "J/kg")
         if heat is not None and not heat > 0.0:
             collector.add((*path, "detonation_energy"), f"must be greater than 0, got {heat:g} J/kg", "it is the heat of burning")
-    return unreacted, mixture, heat
+    if "reference_state" in tables:
+        reference = _choice("reference_state", tables, CHOICES, collector, path)
+    return unreacted, mixture, heat, reference
+
+
+def _choice(key: str, tables: dict, known, collector: Collector, path: tuple) -> Any:
+    """The text of a key that names one of `known`, after reporting any other."""
+    given = tables[key]
+    if not isinstance(given, str) or given not in known:
+        shown = printable(given) if isinstance(given, str) else "not a text"
+        collector.add((*path, key), f"unknown {key.replace('_', ' ')} '{shown}'", nearest(shown, known))
+    return given
 
 
 def read_law(registry: Registry, table: Any, collector: Collector, path: tuple, inherited: Any = None) -> Any:

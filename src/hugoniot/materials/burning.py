@@ -12,6 +12,7 @@ from hugoniot.laws.burn.contract import BURN, Reactive
 from hugoniot.laws.eos.contract import EOS, has_temperature, reference_state
 from hugoniot.laws.mixture import build
 from hugoniot.laws.mixture.contract import MIXTURE
+from hugoniot.laws.mixture.reference_state import CHOICES, FROZEN
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.materials.material import Material
 
@@ -34,6 +35,12 @@ def has_reactants(material: Material) -> bool:
     return "no_reactants" not in MIXTURE.get(closure(material)).flags
 
 
+def keeps_isentrope(material: Material) -> bool:
+    """Whether the reactants stay on the isentrope through a reference state behind the shock, while a rate burns them."""
+    flags = BURN.of(material.burn).flags
+    return "follows_isentrope" in MIXTURE.get(closure(material)).flags and "instantaneous" not in flags and "programmed" not in flags
+
+
 def resting(material: Material) -> Any:
     """The equation of state in which a region of the material starts."""
     return material.unreacted if material.burn is not None and has_reactants(material) else material.eos
@@ -46,6 +53,13 @@ def reactive(material: Material) -> Reactive:
     if material.strength is not None or material.fracture is not None:
         raise OutOfRange(f"{here} burns and has {'strength' if material.strength is not None else 'fracture'}: no law for what becomes of "
                          "it in burning is known here; set strength = \"none\" and fracture = \"none\", or burn = \"none\"")
+    if material.reference_state not in (None, *CHOICES):
+        raise OutOfRange(f"{here}: unknown reference_state '{material.reference_state}'; take one of {', '.join(CHOICES)}")
+    if material.reference_state == FROZEN and not keeps_isentrope(material):
+        why = (f"'{kind}' keeps the reactants on no isentrope" if "follows_isentrope" not in MIXTURE.get(kind).flags
+               else f"the burn law '{law.name}' leaves no reactants behind a shock")
+        raise OutOfRange(f"{here} has no reference state to freeze: {why}; leave out reference_state, or take mixture = "
+                         "\"thermal_isolation\" with a rate law")
     if not has_reactants(material):
         if "pressure_driven" in law.flags or "temperature_driven" in law.flags:
             raise OutOfRange(f"{here}: the burn law '{law.name}' is driven by the state of the unburned explosive, which '{kind}' does not "

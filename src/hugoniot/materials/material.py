@@ -34,6 +34,7 @@ class Material:
     unreacted     of an explosive, whose `eos` are the products: equation of state before it burns (None: not known)
     mixture       name of the closure that joins both while it burns (None: the burn law's usual one, `materials.burning`)
     detonation_energy   chemical energy, J/kg (None: from the reference states of the two laws)
+    reference_state     "rolling" or "frozen": where the isentrope of reactants in thermal isolation starts (None: it rolls)
     """
 
     name: str
@@ -47,6 +48,7 @@ class Material:
     unreacted: Any = None
     mixture: str | None = None
     detonation_energy: float | None = None
+    reference_state: str | None = None
 
     def laws(self) -> dict[str, str]:
         """Family -> name of the law used; of an explosive "eos" are the products, "unreacted" is the law before burning."""

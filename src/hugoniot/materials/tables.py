@@ -87,5 +87,5 @@ def material_tables(material: Material) -> dict:
             tables[family] = law_table(registry, par)
     if material.unreacted is not None:
         tables["unreacted"] = law_table(EOS, material.unreacted)
-    given = {"mixture": material.mixture, "detonation_energy": material.detonation_energy}
+    given = {name: getattr(material, name) for name in ("mixture", "detonation_energy", "reference_state")}
     return {key: value for key, value in given.items() if value is not None} | tables

@@ -17,6 +17,7 @@ from pydantic_core import PydanticCustomError, core_schema
 from hugoniot.core.registry import Registry
 from hugoniot.laws import mixture, viscosity  # noqa: F401  (enrols the laws)
 from hugoniot.laws.mixture.contract import MIXTURE
+from hugoniot.laws.mixture.reference_state import CHOICES
 from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.materials import table_law
 from hugoniot.materials.collect import Collector, nearest, printable
@@ -208,7 +209,10 @@ def json_schema(kind: str = "lagrange1d") -> dict:
     heat = {"anyOf": [{"type": "number"}, {"type": "string"}], "unit": "J/kg", "description": "chemical energy an explosive releases"}
     material["properties"] |= {
         "unreacted": {"$ref": "#/$defs/eos_law", "description": "an explosive before it burns; eos are its products"},
-        "mixture": {"enum": MIXTURE.names(), "description": "closure that joins both while it burns"}, "detonation_energy": heat}
+        "mixture": {"enum": MIXTURE.names(), "description": "closure that joins both while it burns"}, "detonation_energy": heat,
+        "reference_state": {"enum": list(CHOICES), "default": CHOICES[0], "description":
+                            "of reactants in thermal isolation: the isentrope they keep rolls along with their share of all viscous "
+                            "heat, or is frozen when a shock has passed"}}
     definitions["viscosity_law"] = law_schema(VISCOSITY)
     definitions["material"] = material
     return _linked(schema)

@@ -11,6 +11,7 @@ from hugoniot.laws.burn.programmed import Programmed
 from hugoniot.laws.burn.threshold import Threshold
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.laws.mixture import reference_state
 from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
 from hugoniot.materials import burning, library
 from hugoniot.materials.material import Material
@@ -114,6 +115,68 @@ def test_bad_decks_say_where_and_what(top, region, words):
     with pytest.raises(DeckError) as caught:
         read_deck_text(DECK.format(top=top, region=region))
     assert words in str(caught.value)
+
+
+FROZEN = '[material.x]\nbase = "{base}"\nreference_state = "frozen"\n{more}'
+
+
+def test_a_deck_keeps_the_choice_of_the_reference_state():
+    deck = read_deck_text(DECK.format(top="", region=FROZEN.format(base="LX-17 reactive", more="")).replace("comp_b", "x"))
+    assert deck.problem.materials["x"].reference_state == "frozen"
+    assert read_deck_text(deck.resolved).problem == deck.problem
+
+
+@pytest.mark.parametrize(("base", "more", "words"), [
+    ("LX-17 reactive", 'mixture = "thermal_equilibrium"', "keeps the reactants on no isentrope"),
+    ("LX-17 reactive", 'mixture = "weighted_pressures"', "keeps the reactants on no isentrope"),
+    ("comp_b", "", "'burned_products' keeps the reactants on no isentrope"),
+    ("LX-17 reactive", '[material.x.burn]\nlaw = "threshold"\ninitiation_pressure = "20 GPa"', "keeps the reactants on no isentrope"),
+    ("LX-17 reactive", 'mixture = "thermal_isolation"\n[material.x.burn]\nlaw = "threshold"\ninitiation_pressure = "20 GPa"',
+     "leaves no reactants behind a shock"),
+    ("LX-17 reactive", 'mixture = "thermal_isolation"\n[material.x.burn]\nlaw = "programmed"\ndetonation_velocity = "7.6 km/s"',
+     "leaves no reactants behind a shock"),
+    ("copper", "", "what does not burn has no reference state"),
+])
+def test_a_reference_state_is_frozen_only_where_reactants_have_one(base, more, words):
+    with pytest.raises(DeckError) as caught:
+        read_deck_text(DECK.format(top="", region=FROZEN.format(base=base, more=more)).replace("comp_b\"", "x\"", 1))
+    assert words in str(caught.value) and "leave" in str(caught.value)
+
+
+def test_an_unknown_reference_state_is_refused_in_decks_and_in_python():
+    text = DECK.format(top="", region=FROZEN.format(base="LX-17 reactive", more="")).replace("comp_b", "x").replace("frozen", "frozn")
+    with pytest.raises(DeckError, match="unknown reference state 'frozn'") as caught:
+        read_deck_text(text)
+    assert "frozen" in str(caught.value)
+    with pytest.raises(OutOfRange, match="rolling, frozen"):
+        burning.reactive(dataclasses.replace(library.find("LX-17 reactive"), reference_state="tracked"))
+
+
+def test_the_detector_waits_for_the_shock_to_pass_and_begins_anew_with_the_next():
+    stiffness = 1e10
+    history = [(0.0, 0.0, 0.0), (5e3, 1.0, 0.0), (2e9, 4e9, 0.0), (3e7, 6e9, 0.0), (1e9, 8e9, 0.02), (0.0, 1.5e10, 0.03), (0.0, -1e9, 0.1)]
+    code, codes = reference_state.NO_SHOCK, []
+    for q, p, fraction in history:
+        shocked = reference_state.is_passing(q, p, stiffness)
+        code = reference_state.found_state(code, shocked, fraction)
+        codes.append(code)
+        assert reference_state.reactants_share(7.0, shocked, 1.0) == (7.0 if shocked else 0.0)
+        assert reference_state.reactants_share(7.0, shocked, 0.0) == 7.0
+    assert [reference_state.MEANING[code].split()[0] for code in codes] == ["with", "with", "with", "behind", "with", "while", "while"]
+    assert codes == [0.0, 0.0, 1.0, 2.0, 1.0, 3.0, 3.0]
+
+
+def test_a_run_tells_how_the_reference_state_was_found(tmp_path):
+    import hugoniot
+    deck = ('stop_time = "0.25 us"\n[[region]]\nname = "charge"\nmaterial = "x"\nfrom = "0 mm"\nto = "2 mm"\nzones = 80\n'
+            '[boundary]\nleft = {velocity = "1.4 km/s"}\n[[gauge]]\nname = "1 mm"\nat = "1 mm"\n')
+    place = tmp_path / "deck.toml"
+    place.write_text(deck + FROZEN.format(base="LX-17 reactive", more=""))
+    run = hugoniot.run(place, out=tmp_path / "run", report=False)
+    rows = run.arrays("events")
+    told = [text for kind, text in zip(rows["kind"], rows["text"]) if kind == "reference_state"]
+    assert len(told) == 1 and told[0].startswith("reference state of the reactants of region 'charge' (frozen), by zones: ")
+    assert "behind the shock" in told[0] and "0 while burning" not in told[0]
 
 
 def test_a_front_slower_than_its_products_is_told():

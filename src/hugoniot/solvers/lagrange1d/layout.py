@@ -16,11 +16,12 @@ ZONE_ROWS = 27
 # the history variable of an equation of state that remembers (0 for the others).
 
 # -- further rows of the zone table of a run in which something burns (solvers.lagrange1d.reactive) ------------------------
-(BURN_FRACTION, LIT_SINCE, ZONE_SIZE, RHO_R, E_R, RHO_P, E_P, MIX_STATUS, RESOLUTION) = range(27, 36)
-BURNING_ROWS = 36
+(BURN_FRACTION, LIT_SINCE, ZONE_SIZE, RHO_R, E_R, RHO_P, E_P, MIX_STATUS, RESOLUTION, REFERENCE) = range(27, 37)
+BURNING_ROWS = 37
 # LIT_SINCE: time since the programmed front reached the zone, s (negative before); ZONE_SIZE its width at t = 0; RHO_R to E_P the
 # phases of the step before (energies with the chemical one); MIX_STATUS why a mixture was not found, 0 if it was; RESOLUTION the
-# fewest zones that held the length in which the zone burned.
+# fewest zones that held the length in which the zone burned; REFERENCE the code of the reactants' reference state
+# (laws.mixture.reference_state; 0 in closures that have none).
 
 # -- rows of the node table -------------------------------------------------------------------------------------
 R, U, R_HALF, U_MEAN, NODE_MASS, INVERSE_NODE_MASS, BOND = range(7)
@@ -57,9 +58,10 @@ GAUGE_FIELDS = ("position", "velocity", "density", "energy", "pressure", "viscou
                 "stress", "plastic_strain", "damage")
 GAUGE_COMPACTION = len(GAUGE_FIELDS)
 # further columns of a run in which something burns: the burn fraction at the gauge, the share of the second of the two zones it lies
-# between, and what a mixture's temperature is found from, for the first zone and for the second
+# between, the code of the reference state of the nearer zone, and what a mixture's temperature is found from, for the first zone and for
+# the second
 PHASE_ROWS = (BURN_FRACTION, RHO_R, E_R, RHO_P, E_P)
-GAUGE_BURN, GAUGE_SHARE, GAUGE_PHASES = range(GAUGE_COMPACTION + 1, GAUGE_COMPACTION + 4)
+GAUGE_BURN, GAUGE_SHARE, GAUGE_REFERENCE, GAUGE_PHASES = range(GAUGE_COMPACTION + 1, GAUGE_COMPACTION + 5)
 BURNING_GAUGE_COLUMNS = GAUGE_PHASES + 2 * len(PHASE_ROWS)
 
 PULSES = {"constant": 0, "table": 1, "exponential": 2, "half_sine": 3, "square": 4, "ramp": 5}

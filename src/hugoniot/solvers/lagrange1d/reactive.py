@@ -1,7 +1,7 @@
 """Setting up burning regions: the solver's laws for them, lighting times, the state before burning, and what is told about it.
 
 A burning zone owns the rows of the zone table behind the inert ones (`layout`): burn fraction, time since its lighting, size at
-t = 0, and the two phases of the step before. Runs without an explosive have no such rows.
+t = 0, the two phases of the step before, and how the reactants' reference state was found. Runs without an explosive have no such rows.
 """
 
 import numpy as np
@@ -9,6 +9,7 @@ import numpy as np
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.burn.lighting import lighting_times
 from hugoniot.laws.eos.contract import pressure, sound_speed_squared
+from hugoniot.laws.mixture.reference_state import FROZEN, MEANING, ROLLING
 from hugoniot.materials import burning
 from hugoniot.problem.explosives import burns, defects, front_speed, programmed_bodies
 from hugoniot.problem.model import Problem
@@ -24,9 +25,12 @@ def check(problem: Problem) -> None:
         raise OutOfRange(f"{message}; {hint}" if hint else message)
 
 
-def extra_row(problem: Problem, region, courant: float) -> tuple[float, float]:
-    """What a burning run's sweep knows besides its laws: signal rate per rate of burning, speed of a programmed front (m/s)."""
-    return courant / STEP_SHARE, front_speed(problem, region)
+def extra_row(problem: Problem, region, courant: float) -> tuple[float, float, float]:
+    """What a sweep over burning zones knows besides its laws.
+
+    (signal rate per rate of burning, speed of a programmed front in m/s, 1 where the reactants' reference state is frozen)
+    """
+    return courant / STEP_SHARE, front_speed(problem, region), float(problem.materials[region.material].reference_state == FROZEN)
 
 
 def start_region(material, region):
@@ -64,13 +68,25 @@ def _light(problem: Problem, zones, places, ranges, body: list[int]) -> None:
     zones[L.LIT_SINCE, ranges[body[0]][0]:ranges[body[-1]][1]] = -times
 
 
-def gauge_columns(block) -> dict[str, np.ndarray]:
-    """Further columns of gauge records `block` (n, ngauge, columns): burn_fraction and, for temperatures, what the two zones hold.
+def isolated(problem: Problem) -> list[bool]:
+    """Which regions hold an explosive whose reactants keep an isentrope, and so have a reference state."""
+    return [burns(problem, region) and burning.keeps_isentrope(problem.materials[region.material]) for region in problem.regions]
+
+
+def state_fields(problem: Problem, zones) -> dict[str, np.ndarray]:
+    """Zone fields of a burning run only: burn_fraction and, where reactants are isolated, the code of their reference state."""
+    rows = {"burn_fraction": L.BURN_FRACTION} | ({"reference_state": L.REFERENCE} if any(isolated(problem)) else {})
+    return {name: zones[row].copy() for name, row in rows.items()}
+
+
+def gauge_columns(problem: Problem, block) -> dict[str, np.ndarray]:
+    """Further columns of gauge records `block` (n, ngauge, columns): burn fraction, reference state and, for temperatures, what zones hold.
 
     `share` (n, ngauge) is that of the second of the two zones a gauge lies between, `phases` (n, ngauge, 2, 5) are those of both.
     """
     phases = block[:, :, L.GAUGE_PHASES:].reshape(*block.shape[:2], 2, len(L.PHASE_ROWS))
-    return {"burn_fraction": block[:, :, L.GAUGE_BURN], "share": block[:, :, L.GAUGE_SHARE], "phases": phases}
+    codes = {"reference_state": block[:, :, L.GAUGE_REFERENCE]} if any(isolated(problem)) else {}
+    return codes | {"burn_fraction": block[:, :, L.GAUGE_BURN], "share": block[:, :, L.GAUGE_SHARE], "phases": phases}
 
 
 def released_heat(problem: Problem, zones, ranges) -> float:
@@ -90,4 +106,15 @@ def unresolved(problem: Problem, zones, ranges) -> list[str]:
         if held.size and np.median(held) < ZONES_NEEDED:
             told.append(f"region '{region.name}' burned within {np.median(held):.3g} zones (median over its zones): its rate is not "
                         f"resolved; {ZONES_NEEDED:g} zones are needed, so take zones {ZONES_NEEDED / np.median(held):.2f} times smaller")
+    return told
+
+
+def references(problem: Problem, zones, ranges) -> list[str]:
+    """A sentence for every region whose reactants are isolated: in how many zones their reference state was found, and how."""
+    told = []
+    for region, alone, (a, b) in zip(problem.regions, isolated(problem), ranges):
+        if alone:
+            kind = problem.materials[region.material].reference_state or ROLLING
+            counts = ", ".join(f"{np.count_nonzero(zones[L.REFERENCE, a:b] == code)} {words}" for code, words in MEANING.items())
+            told.append(f"reference state of the reactants of region '{region.name}' ({kind}), by zones: {counts}")
     return told

@@ -2,7 +2,8 @@
 
 The same steps as `zone_sweeps`, without strength: burn fraction and mixture are found in the predictor with the pressure of the step
 before, in the corrector with the one of the middle of the step, both from the state at the start of the step. Each phase first takes
-its share of the step's viscous heat. A search that fails leaves its status and a sound speed of -1, which the watch refuses.
+its share of the step's viscous heat, reactants of a frozen reference state only while a shock is passing. A search that fails leaves
+its status and a sound speed of -1, which the watch refuses.
 
 Source: 003 (Starkenberg ARL-TR-2161) sections 3 to 5; 002 (Herrmann WL-TR-64-107) A.27 to A.30; `docs/theory/mixtures.md`.
 """
@@ -18,8 +19,10 @@ from hugoniot.laws.burn import contract as burn_contract
 from hugoniot.laws.burn import depletion
 from hugoniot.laws.burn.contract import BURN, advance, rate, scheduled
 from hugoniot.laws.mixture import contract as mixture_contract
+from hugoniot.laws.mixture import reference_state
 from hugoniot.laws.mixture.binding import bind_mixtures
-from hugoniot.laws.mixture.contract import Mixed, heated, mixture_temperature, slopes, solve, sound_speed_squared
+from hugoniot.laws.mixture.contract import MIXTURE, Mixed, heated, mixture_temperature, slopes, solve, sound_speed_squared
+from hugoniot.laws.mixture.reference_state import PASSING, found_state, is_passing, reactants_share
 from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.mesh.line import area, volume
 from hugoniot.solvers.lagrange1d import layout as L
@@ -62,6 +65,11 @@ def at_once(rate):
     return "instantaneous" in BURN.of(rate).flags
 
 
+def isolates(mixture):
+    """Whether the reactants keep an isentrope, and so have a reference state."""
+    return "follows_isentrope" in MIXTURE.of(mixture).flags
+
+
 def yes(rate):
     return True
 
@@ -76,11 +84,12 @@ def _bind():
 
     bind_mixtures()
     binding.bind_family(BURN, burn_contract.GENERICS)
-    for module in (depletion, burn_contract, mixture_contract):
+    for module in (depletion, burn_contract, mixture_contract, reference_state):
         binding.bind_module(module)
     binding.bind_choice(burn_temperature, asks("temperature_driven", its_temperature, no_temperature))
     binding.bind_choice(driving_pressure, asks("includes_viscosity", with_viscosity, without_viscosity))
     binding.bind_choice(at_once, asks("instantaneous", yes, no))
+    binding.bind_choice(isolates, lambda cls: yes if "follows_isentrope" in MIXTURE.of_class(cls).flags else no)
     binding.bind_module(sys.modules[__name__])
 
 
@@ -101,6 +110,7 @@ def predict_burning(zones, nodes, gradient, first, last, segment, dt, law, rows,
     q_, speed_out, status = zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last], zones[L.MIX_STATUS, first:last]
     burned, since, width = zones[L.BURN_FRACTION, first:last], zones[L.LIT_SINCE, first:last], zones[L.ZONE_SIZE, first:last]
     rho_r, e_r, rho_p, e_p = zones[L.RHO_R, first:last], zones[L.E_R, first:last], zones[L.RHO_P, first:last], zones[L.E_P, first:last]
+    reference, freezes = zones[L.REFERENCE, first:last], rows[4][4]
     half = 0.5 * dt
     for j in range(last - first):
         r1, r2, u1, u2 = rh[j], rh[j + 1], u[j], u[j + 1]
@@ -112,7 +122,10 @@ def predict_burning(zones, nodes, gradient, first, last, segment, dt, law, rows,
         lam = scheduled(burned[j], since[j] + half, 0.0, width[j], rho_[j], par.rate)
         if lam < 1.0:
             lam = advance(lam, half, rho_[j], driving_pressure(p_[j], q_[j], par.rate), heat, par.rate)
-        mixed = solve(rho, energy, lam, heated(before, -q_[j] * change), par.mixture)
+        warmth = -q_[j] * change
+        if isolates(par.mixture):
+            warmth = reactants_share(warmth, reference[j] == PASSING, freezes)
+        mixed = solve(rho, energy, lam, heated(before, warmth), par.mixture)
         p = mixed.pressure
         du = u2 - u1
         steep = -g[j + 1]
@@ -142,7 +155,8 @@ def correct_burning(zones, nodes, gradient, first, last, segment, dt, law, rows,
     burned, since, width = zones[L.BURN_FRACTION, first:last], zones[L.LIT_SINCE, first:last], zones[L.ZONE_SIZE, first:last]
     rho_r, e_r, rho_p, e_p = zones[L.RHO_R, first:last], zones[L.E_R, first:last], zones[L.RHO_P, first:last], zones[L.E_P, first:last]
     status, resolved = zones[L.MIX_STATUS, first:last], zones[L.RESOLUTION, first:last]
-    noise, per_rate, front = rows[4][1], rows[4][2], rows[4][3]
+    reference = zones[L.REFERENCE, first:last]
+    noise, per_rate, front, freezes = rows[4][1], rows[4][2], rows[4][3], rows[4][4]
     fastest, radial_impulse = 0.0, 0.0
     for j in range(last - first):
         u1, u2, r1, r2 = u[j], u[j + 1], rh[j], rh[j + 1]
@@ -160,7 +174,12 @@ def correct_burning(zones, nodes, gradient, first, last, segment, dt, law, rows,
         drive = driving_pressure(p_[j] if at_once(par.rate) else sigma_half[j] - q[j], q[j], par.rate)
         if lam < 1.0:
             lam = advance(lam, dt, rho_half, drive, heat, par.rate)
-        mixed = solve(rho, energy, lam, heated(before, -q[j] * change), par.mixture)
+        warmth = -q[j] * change
+        if isolates(par.mixture):
+            shocked = is_passing(q[j], sigma_half[j] - q[j], rho_half * c_[j] * c_[j])
+            warmth = reactants_share(warmth, shocked, freezes)
+            reference[j] = found_state(reference[j], shocked, lam)
+        mixed = solve(rho, energy, lam, heated(before, warmth), par.mixture)
         p = mixed.pressure
         c2 = sound_speed_squared(rho, p, slopes(rho, energy, lam, mixed, par.mixture))
         fault = status[j] + mixed.status

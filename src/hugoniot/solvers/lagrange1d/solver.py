@@ -217,7 +217,7 @@ class Lagrange1D:
         found = {name: block[:, :, i] for i, name in enumerate(L.GAUGE_FIELDS)}
         if "compaction" in self.zone_fields:
             found["compaction"] = block[:, :, L.GAUGE_COMPACTION]
-        return times, found | reactive.gauge_columns(block) if self.burning else found
+        return times, found | reactive.gauge_columns(self.problem, block) if self.burning else found
 
     def _open(self, node, cause):
         k = next(k for k, (a, b, _, _) in enumerate(self.segments) if a + k < node < b + k)
@@ -294,7 +294,7 @@ class Lagrange1D:
         zones = {name: self.zones[row].copy() for name, row in self.zone_fields.items()}
         zones["mass"] = self.zones[L.MASS].copy()
         if self.burning:
-            zones["burn_fraction"] = self.zones[L.BURN_FRACTION].copy()
+            zones |= reactive.state_fields(self.problem, self.zones)
         left, right = self._faces(L.R)
         ul, ur = self._faces(L.U)
         return State(self.time, self.cycle, zones, left, right, ul, ur)
@@ -341,6 +341,10 @@ class Lagrange1D:
     def unresolved(self) -> list[str]:
         """Sentences about rates of burning that the mesh did not resolve."""
         return reactive.unresolved(self.problem, self.zones, self.region_ranges) if self.burning else []
+
+    def references(self) -> list[str]:
+        """Sentences about how the reference state of reactants in thermal isolation was found."""
+        return reactive.references(self.problem, self.zones, self.region_ranges) if self.burning else []
 
     def largest_velocity_jump(self) -> dict[str, float]:
         """Material -> largest particle velocity of a shock it saw, from its peak pressure on the Rayleigh line, m/s."""

@@ -178,6 +178,7 @@ def record(zones, nodes, table, weights, geometry, out):
         if out.shape[1] > L.GAUGE_BURN:
             out[i, L.GAUGE_BURN] = (1.0 - w) * zones[L.BURN_FRACTION, a] + w * zones[L.BURN_FRACTION, b]
             out[i, L.GAUGE_SHARE] = w
+            out[i, L.GAUGE_REFERENCE] = zones[L.REFERENCE, a]
             for k in range(len(L.PHASE_ROWS)):
                 out[i, L.GAUGE_PHASES + k] = zones[L.PHASE_ROWS[k], a]
                 out[i, L.GAUGE_PHASES + len(L.PHASE_ROWS) + k] = zones[L.PHASE_ROWS[k], b]
