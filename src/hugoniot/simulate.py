@@ -16,6 +16,7 @@ from hugoniot.errors import DeckError, FileTrouble, UnphysicalState
 from hugoniot.output.run_folder import RunFolder
 from hugoniot.problem.defaults import completed
 from hugoniot.problem.model import Gauge, Problem
+from hugoniot.report import write_or_note
 from hugoniot.solvers.run import Outcome, Schedule, march_to_end, snapshot_times
 
 if TYPE_CHECKING:
@@ -162,17 +163,8 @@ def _drive(recorder: _Recorder, next_snapshot: int, begun: float, report: bool |
         folder.event(solver.time, solver.cycle, "reference_state", text)
     folder.finish(_summary(problem, solver, outcome, begun), solver.peaks())
     if report and output.report:
-        _write_report(folder, report)
+        write_or_note(folder.folder, report if callable(report) else None)
     return load(folder.folder)
-
-
-def _write_report(folder: RunFolder, write: bool | Callable) -> None:
-    """The report is a face of a finished run: if it fails, the result stands and the log says why."""
-    from hugoniot.report import write_report
-    try:
-        (write if callable(write) else write_report)(folder.folder)
-    except (OSError, ValueError, KeyError) as error:
-        folder.log(f"warning: the report could not be written: {error}")
 
 
 def _summary(problem: Problem, solver, outcome: Outcome, begun: float) -> dict[str, Any]:

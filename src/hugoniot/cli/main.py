@@ -9,6 +9,7 @@ Exit codes: 0 done, 1 a defect of the program, 2 deck or command line, 3 physics
 import functools
 import importlib
 import importlib.util
+import os
 import sys
 import traceback
 from collections.abc import Callable
@@ -148,14 +149,26 @@ def _keep_traceback() -> str:
 
 def _silence_output() -> None:
     """Whoever read our output is gone: keep the interpreter from complaining about it at exit."""
-    import os
-
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def main(arguments: list[str] | None = None) -> None:
-    """Entry point of the command line; `arguments` default to those of the process."""
-    arguments = sys.argv[1:] if arguments is None else arguments
+    """Entry point of the command line; `arguments` default to those of the process, which then ends here.
+
+    Raises SystemExit when `arguments` are given.
+    """
+    if arguments is not None:
+        _called(arguments)
+        return
+    try:
+        _called(sys.argv[1:])
+        code = 0
+    except SystemExit as end:
+        code = end.code
+    _leave(code if isinstance(code, int) else 0 if code is None else 1)
+
+
+def _called(arguments: list[str]) -> None:
     wanted = next((a for a in arguments if not a.startswith("-")), None)
     try:
         app = build_app(wanted)
@@ -167,6 +180,23 @@ def main(arguments: list[str] | None = None) -> None:
     except KeyboardInterrupt:
         typer.echo("interrupted", err=True)
         sys.exit(130)
+
+
+def _leave(code: int) -> None:
+    """End the process now: the interpreter would take the compiler apart piece by piece, which takes as long as a small run computes.
+
+    Nothing is lost: what a command writes is on the disk when it returns, and its processes and temporary folders end with their contexts.
+    """
+    try:
+        sys.stdout.flush()
+        sys.stderr.flush()
+    except BrokenPipeError:
+        pass
+    except OSError as error:
+        _silence_output()
+        os.write(2, f"error: standard output: {error.strerror or error}\n".encode())
+        code = code or 4
+    os._exit(code)
 
 
 if __name__ == "__main__":

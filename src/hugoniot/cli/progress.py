@@ -1,5 +1,6 @@
 """Progress of a run: a bar in a terminal, lines elsewhere. Both take what the time loop reports."""
 
+import contextlib
 import math
 import sys
 import time
@@ -9,13 +10,19 @@ import typer
 from hugoniot.units import format_si
 
 SECONDS_BETWEEN_LINES = 5.0
+COMPILING = "compiling the kernels for these laws, which takes 10 to 20 s, once"
 
 
+@contextlib.contextmanager
 def progress(quiet: bool = False):
-    """A display with `update(report)` and use as a context: a bar if standard error is a terminal, lines if not, or nothing."""
-    if quiet:
-        return Silent()
-    return Bar() if sys.stderr.isatty() else Lines()
+    """A context that gives a display with `update(report)`: a bar if standard error is a terminal, lines if not, or nothing.
+
+    It also tells when kernels have to be compiled first.
+    """
+    from hugoniot.core.compile import when_compiling
+
+    with Silent() if quiet else Bar() if sys.stderr.isatty() else Lines() as display, when_compiling(display.compiling):
+        yield display
 
 
 def duration(seconds: float) -> str:
@@ -53,6 +60,9 @@ class Silent:
     def update(self, report) -> None:
         """Nothing to show."""
 
+    def compiling(self) -> None:
+        """Nothing to tell."""
+
     def left(self, report) -> float:
         """Wall seconds to the end of the run; infinite while unknown."""
         now = time.monotonic()
@@ -77,6 +87,9 @@ class Lines(Silent):
         share = report.time / report.stop_time
         typer.echo(f"{share:4.0%}  {words(report)}, {duration(left)} left", err=True)
 
+    def compiling(self) -> None:
+        typer.echo(COMPILING, err=True)
+
 
 class Bar(Silent):
     """A bar that redraws itself, on standard error."""
@@ -87,7 +100,7 @@ class Bar(Silent):
 
         self.display = Progress(TextColumn("{task.percentage:>3.0f}%"), BarColumn(24), TextColumn("{task.description}"),
                                 console=Console(stderr=True), transient=True)
-        self.task = self.display.add_task("starting; laws not run before are compiled first", total=1.0)
+        self.task = self.display.add_task("starting", total=1.0)
 
     def __enter__(self):
         self.display.start()
@@ -99,3 +112,6 @@ class Bar(Silent):
     def update(self, report) -> None:
         self.display.update(self.task, completed=report.time / report.stop_time,
                             description=f"{words(report)}, {duration(self.left(report))} left")
+
+    def compiling(self) -> None:
+        self.display.update(self.task, description=COMPILING)

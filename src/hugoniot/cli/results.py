@@ -31,7 +31,7 @@ def gauge_rows(run: Run) -> list[dict]:
 
 
 def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
-    """Print the summary, the gauges and where the report is; warnings in `shown` have been printed already."""
+    """Print the summary, the gauges and the warnings but those `shown` already."""
     s = run.summary
     typer.echo(f"{s['title']}: {s['status']} at {format_si(s['time'], 's')}, {s['cycles']} cycles, "
                f"{s.get('zone_updates', 0):.3g} zone updates in {s['wall_seconds']:.2f} s")
@@ -55,6 +55,10 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
     for warning in warnings_of(run):
         if warning not in shown:
             typer.echo(f"warning: {warning}")
+
+
+def echo_place(run: Run) -> None:
+    """Print where the results and the report are."""
     report = run.folder / "report.html"
     typer.echo(f"results in {run.folder}" + (f", report: {report}" if report.is_file() else ""))
 

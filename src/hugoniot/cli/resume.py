@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from hugoniot.cli.progress import progress
-from hugoniot.cli.results import echo_results
+from hugoniot.cli.results import echo_place, echo_results
 from hugoniot.cli.show import JSON, echo_json
 
 
@@ -31,3 +31,4 @@ def command(
         echo_json({"folder": str(run.folder), **run.summary})
     else:
         echo_results(run)
+        echo_place(run)

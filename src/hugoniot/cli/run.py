@@ -28,37 +28,35 @@ def command(
     Interrupted with Ctrl-C it writes a checkpoint and ends with code 130; hugoniot resume goes on from there.
     """
     with Scribe(report) as scribe:      # first of all: it gets ready while this process does
-        _run(deck, out, overrides_of(setting) | ({} if threads is None else {"solver.threads": threads}), materials or (), overwrite,
-             report and scribe.write, quiet, as_json)
+        run, told = _run(deck, out, overrides_of(setting) | ({} if threads is None else {"solver.threads": threads}), materials or (),
+                         overwrite, report and scribe.write, quiet or as_json)
+        if not as_json:
+            from hugoniot.cli.results import echo_results
+
+            echo_results(run, told)     # while the report is being drawn
+    if as_json:
+        echo_json({"folder": str(run.folder), **run.summary})
+    else:
+        from hugoniot.cli.results import echo_place
+
+        echo_place(run)
 
 
-def _run(deck, out, changes, materials, overwrite, report, quiet, as_json) -> None:
+def _run(deck, out, changes, materials, overwrite, report, quiet):
+    """The finished run, and the warnings that were told."""
     from hugoniot.problem.deck import read_deck
 
     found = read_deck(deck, changes, materials)
     for warning in found.warnings:
         typer.echo(f"warning: {warning}", err=True)
     folder = out or Path(f"{deck.stem}.run")
-    _announce_compilation()
     from hugoniot import simulate
+    from hugoniot.core.compile import without_linear_algebra
 
+    without_linear_algebra()
     try:
-        with progress(quiet or as_json) as display:
-            run = simulate.run(found, folder, progress=display, overwrite=overwrite, report=report)
+        with progress(quiet) as display:
+            return simulate.run(found, folder, progress=display, overwrite=overwrite, report=report), found.warnings
     except KeyboardInterrupt:
         typer.echo(f"interrupted; a checkpoint is kept, go on with: hugoniot resume {folder}", err=True)
         raise typer.Exit(130) from None
-    if as_json:
-        echo_json({"folder": str(run.folder), **run.summary})
-        return
-    from hugoniot.cli.results import echo_results
-
-    echo_results(run, found.warnings)
-
-
-def _announce_compilation() -> None:
-    """The first run ever translates the kernels to machine code, which takes a while: say so."""
-    from hugoniot.core.compile import CACHE_FOLDER
-
-    if not any(CACHE_FOLDER.rglob("*.nbi")):
-        typer.echo("first run: compiling the kernels, once, for about 20 s", err=True)

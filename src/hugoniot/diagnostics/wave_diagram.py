@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 
 
 class Raster(NamedTuple):
@@ -57,21 +58,29 @@ def _bodies(left, right) -> tuple[np.ndarray, np.ndarray]:
     return np.repeat(starts, lengths), np.repeat(ends, lengths)
 
 
-def _best_shifts(a, b, first, last, spread: float, window: int = 7) -> np.ndarray:
-    """Half the number of zones by which the field around each zone moved from record `a` to record `b` (nzone,).
+def _best_shifts(a, b, first, last, spread: float) -> np.ndarray:
+    """Half the number of zones by which the field around each zone moved from record `a` to record `b` (nzone,), body by body."""
+    shift = np.zeros(len(a), dtype=int)
+    for start, end in zip(np.unique(first), np.unique(last)):
+        body = slice(start, end + 1)
+        shift[body] = _shifts_in(a[body], b[body], spread, len(a))
+    return shift
 
-    The shift m for which a[z - m] and b[z + m] agree best over a window; small shifts win where many agree.
+
+def _shifts_in(a, b, spread: float, of: int, window: int = 7) -> np.ndarray:
+    """The shift m for which a[z - m] and b[z + m] agree best over a window, for each zone z of one body; small ones win where many agree.
+
+    of    zones of the whole field: a picture needs no more places than it has points across, some 1200
     """
-    count = len(a)
-    step = -(-count // 1200)  # a picture needs no more places than it has points across
-    most = min(40, count // (6 * step))
-    moves = step * np.arange(-most, most + 1)[:, None]
-    zone = np.arange(0, count, step)[None, :]
-    first, last = first[::step], last[::step]
-    misfit = np.abs(a[np.clip(zone - moves, first, last)] - b[np.clip(zone + moves, first, last)])
-    sums = np.cumsum(np.pad(misfit, ((0, 0), (window // 2 + 1, window // 2)), mode="edge"), axis=1)
-    cost = (sums[:, window:] - sums[:, :-window]) / window + 2e-2 * spread * np.abs(moves) / max(step * most, 1)
-    return np.repeat(moves[np.argmin(cost, axis=0), 0], step)[:count]
+    count, step = len(a), -(-of // 1200)
+    most, aside = min(40, of // (6 * step)), window // 2
+    places = step * np.arange(-most - aside - 1, -(-count // step) + most + aside)
+    # row m + most of the one holds a[z - m], of the other b[z + m]
+    from_a, to_b = (sliding_window_view(x.take(places, mode="clip"), len(places) - 2 * most) for x in (a, b))
+    sums = np.cumsum(np.abs(from_a[::-1] - to_b), axis=1)
+    moves = np.arange(-most, most + 1)
+    cost = sums[:, window:] - sums[:, :-window] + (2e-2 * window * spread / max(most, 1)) * np.abs(moves)[:, None]
+    return np.repeat(step * moves[np.argmin(cost, axis=0)], step)[:count]
 
 
 def gaps(left, right, least: float) -> list[int]:

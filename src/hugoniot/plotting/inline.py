@@ -32,6 +32,16 @@ def svg(draw: Callable, name: str, width: float, height: float, *rects) -> str:
     return _for_page(out.getvalue(), name)
 
 
+def rehearse() -> None:
+    """Draw a picture of nothing and forget it: the first one pays for fonts, colours and the writing of images."""
+    def draw(ax, bar):
+        ax.get_figure().colorbar(ax.imshow([[0.0, 1.0]], rasterized=True), cax=bar).set_label("µs")
+        ax.plot([1.0, 2.0], label="1")
+        ax.legend()
+
+    svg(draw, "rehearsal", 2.0, 2.0, (0.5, 0.5, 1.0, 1.0), (1.7, 0.5, 0.1, 1.0))
+
+
 def _for_page(text: str, name: str) -> str:
     text = text[text.index("<svg"):]
     text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.S)
@@ -67,18 +77,18 @@ def _structure_tasks(run) -> dict[str, Callable[[], str]]:
 
 
 def picture_tasks(run) -> dict[str, Callable[[], str]]:
-    """What draws each picture a report shows, by name; those for which the run has no data are left out."""
+    """What draws each picture a report shows, by name, the longest first; those for which the run has no data are left out."""
     tasks: dict[str, Callable[[], str]] = {}
 
     def task(name, draw, *size):
         tasks[name] = lambda: svg(draw, name.replace("_", "-"), *size)
 
-    task("setup", lambda ax: setup(run, ax=ax), 7.4, 2.0, (0.15, 0.5, 7.1, 1.45))
     shot = run.arrays("snapshots")
     field = next((name for name in ("stress", "pressure", "density") if name in shot), None)
     if field and len(shot["time"]) > 1:
         task("wave", lambda ax, bar: xt(run, field, ax=ax, colorbar=bar, size=(300, 560)), 7.4, 4.3,
              (0.6, 0.5, 5.75, 3.6), (6.5, 0.5, 0.14, 3.6))
+    task("setup", lambda ax: setup(run, ax=ax), 7.4, 2.0, (0.15, 0.5, 7.1, 1.45))
     if "steady_density_thickness" in run.summary:
         tasks |= _structure_tasks(run)
     rows = run.arrays("gauges")

@@ -1,5 +1,7 @@
 """report.html of a run: one file that opens anywhere, without a network."""
 
+from collections.abc import Callable
+
 
 def write_report(folder):
     """Write report.html into a finished run's folder, from what stands there; gives its path. Raises `FileTrouble`."""
@@ -8,4 +10,17 @@ def write_report(folder):
     return write(folder)
 
 
-__all__ = ["write_report"]
+def write_or_note(folder, write: Callable | None = None) -> None:
+    """Write the report as a face of a finished run: if that fails, the result stands and the run's log says why.
+
+    write   writes the report of a folder (default: `write_report`)
+    """
+    from hugoniot.output.run_folder import RunFolder
+
+    try:
+        (write or write_report)(folder)
+    except (OSError, ValueError, KeyError) as error:
+        RunFolder(folder, resume=True).log(f"warning: the report could not be written: {error}")
+
+
+__all__ = ["write_or_note", "write_report"]

@@ -1,6 +1,7 @@
 """The command line: immediate help, one clear message, the right exit code, never a traceback."""
 
 import json
+import pathlib
 import subprocess
 import sys
 import time
@@ -39,6 +40,17 @@ def test_help_imports_no_slow_library():
     code = ("import sys\nfrom hugoniot.cli.main import main\ntry:\n    main(['--help'])\nexcept SystemExit:\n    pass\n"
             "print(sorted({'numpy', 'numba', 'pydantic', 'pint', 'h5py', 'xarray', 'matplotlib', 'scipy'} & set(sys.modules)))")
     ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert ended.stdout.splitlines()[-1] == "[]"
+
+
+def test_a_run_with_its_report_imports_no_library_it_can_do_without(tmp_path):
+    """What a warm run of the flyer waits for is mostly libraries; a second process reads those that draw."""
+    deck = pathlib.Path(__file__).parents[3] / "examples" / "sod.toml"
+    code = (f"import os, sys\nos.sched_getaffinity = lambda of: {{0, 1}}\nfrom hugoniot.cli.main import main\n"
+            f"try:\n    main(['run', {str(deck)!r}, '--out', {str(tmp_path / 'run')!r}])\nexcept SystemExit:\n    pass\n"
+            "print(sorted({'matplotlib', 'pint', 'xarray', 'jsonschema', 'pandas', 'scipy.linalg'} & set(sys.modules)))")
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=300)
+    assert (tmp_path / "run" / "report.html").is_file()
     assert ended.stdout.splitlines()[-1] == "[]"
 
 
@@ -187,3 +199,27 @@ def test_the_bar_shows_time_step_zone_error_and_what_is_left():
 @pytest.mark.parametrize("seconds, text", [(0.4, "0 s"), (59.0, "59 s"), (61.0, "1:01"), (3723.0, "1:02:03"), (float("inf"), "?")])
 def test_durations(seconds, text):
     assert duration(seconds) == text
+
+
+@pytest.mark.parametrize("quiet, told", [(False, 1), (True, 0)])
+def test_that_kernels_are_compiled_is_told_once_and_only_then(capsys, quiet, told):
+    import numba
+
+    from hugoniot.cli.progress import COMPILING, progress
+
+    new = [numba.njit(lambda x, k=k: x + k) for k in range(2)]
+    with progress(quiet):
+        assert COMPILING not in capsys.readouterr().err
+        assert [kernel(1) for kernel in new] == [1, 2]
+    assert capsys.readouterr().err.count(COMPILING) == told
+    new[0](1.0)
+    assert COMPILING not in capsys.readouterr().err
+
+
+def test_the_process_ends_with_the_commands_code_and_all_it_said():
+    called = [sys.executable, "-m", "hugoniot.cli.main"]
+    ended = subprocess.run([*called, "list", "eos"], capture_output=True, text=True, timeout=60)
+    assert ended.returncode == 0 and "mie_gruneisen" in ended.stdout
+    assert subprocess.run([*called, "run", "no such deck.toml"], capture_output=True, timeout=60).returncode == 4
+    with open("/dev/full", "w") if pathlib.Path("/dev/full").exists() else pytest.skip("no device that is always full") as full:
+        assert subprocess.run([*called, "list", "eos"], stdout=full, stderr=subprocess.DEVNULL, timeout=60).returncode == 4

@@ -3,6 +3,7 @@
 import pathlib
 import subprocess
 import sys
+import time
 
 import pytest
 
@@ -53,9 +54,42 @@ def test_where_the_process_fails_the_caller_writes_it(finished, two_cores, monke
     assert before == after
 
 
-def test_a_report_that_cannot_be_written_is_the_callers_to_tell(tmp_path, two_cores):
-    with Scribe() as scribe, pytest.raises(FileTrouble):
-        scribe.write(tmp_path / "no run here")
+@pytest.mark.parametrize("cores", [1, 2])
+def test_a_report_that_cannot_be_written_is_told_in_the_log(finished, monkeypatch, cores):
+    monkeypatch.setattr(module, "_a_second_core", lambda: cores == 2)
+    monkeypatch.setattr(module, "_start", lambda: subprocess.Popen(["false"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True))
+
+    def refuse(folder):
+        raise FileTrouble("no room for it")
+
+    monkeypatch.setattr("hugoniot.report.write_report", refuse)
+    with Scribe() as scribe:
+        scribe.write(finished)
+    assert (finished / "run.log").read_text().splitlines()[-1].endswith("the report could not be written: no room for it")
+
+
+def test_the_report_stands_when_the_wait_is_over(finished, two_cores):
+    (finished / "report.html").unlink()
+    with Scribe() as scribe:
+        scribe.write(finished)
+        scribe.wait()
+        assert (finished / "report.html").is_file()
+
+
+def test_two_draw_every_picture_once(tmp_path):
+    marks = tmp_path / "drawn"
+
+    def task(name):
+        def draw():
+            time.sleep(0.01)
+            with open(marks, "a") as file:
+                file.write(f"{name}\n")
+            return name.upper()
+        return draw
+
+    names = [f"picture {k}" for k in range(12)]
+    assert module.by_two({name: task(name) for name in names}) == {name: name.upper() for name in names}
+    assert sorted(marks.read_text().splitlines()) == sorted(names)
 
 
 def test_a_run_that_fails_leaves_no_process_behind(two_cores):
