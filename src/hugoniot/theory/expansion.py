@@ -23,7 +23,7 @@ _LONGEST = 0.25   # step in ln(rho)
 _SHORTEST = 1e-11
 _GRAZE = 1e-9       # share of a piece by which a path may bulge out of it unseen: 1e-14 of the energy
 _MOST_LEAPS = 4000
-_TENSION_RANGE = 3.0  # no material bears tension at a twentieth of its density: the law's curve has levelled off
+_TENSION_RANGE = 3.0  # no material bears tension at a twentieth of its density: the law's curve has levelled off, and is stiff to follow
 
 
 def rates(y, e, par):
@@ -173,12 +173,12 @@ def to_pressure(y, e, u, target, lowest, highest, par):
     Newton along the isentrope itself: dp/dy = rho c^2, in ln(p) for the long expansion of a gas. Every iterate is integrated
     from the last, so an overshoot costs nothing in accuracy.
     """
-    start = y
+    torn = y - _TENSION_RANGE
     for _ in range(200):
         rho = vexp(y)
         p = pressure(rho, e, par)
         lowest, highest = (y, highest) if p < target else (lowest, y)
-        if target < 0.0 and y < start - _TENSION_RANGE:
+        if target < 0.0 and y <= torn:
             return UNSTABLE, y, e, u
         c = rates(y, e, par)[1]
         if not math.isfinite(c):
@@ -195,6 +195,8 @@ def to_pressure(y, e, u, target, lowest, highest, par):
             goal = 0.5 * (y + lowest) if lowest > -600.0 else y - 1.0
         if goal >= highest:
             goal = 0.5 * (y + highest)
+        if target < 0.0:
+            goal = max(goal, torn)
         if abs(goal - y) < 4e-16 * max(1.0, abs(y)):
             return TOO_SHORT, y, e, u
         before = abs(step)
@@ -208,7 +210,11 @@ def to_pressure(y, e, u, target, lowest, highest, par):
 
 def to_velocity(y, e, u, target, lowest, highest, par):
     """(status, y, e, u) where the velocity gained has reached `target`: Newton with du/dy = c; see `to_pressure`."""
+    torn = y - _TENSION_RANGE
     for _ in range(200):
+        stretched = pressure(vexp(y), e, par) < 0.0
+        if stretched and y <= torn:
+            return UNSTABLE, y, e, u
         c = rates(y, e, par)[1]
         if not math.isfinite(c):
             return UNSTABLE, y, e, u
@@ -219,6 +225,8 @@ def to_velocity(y, e, u, target, lowest, highest, par):
             goal = 0.5 * (y + lowest) if lowest > -600.0 else y - 1.0
         if goal >= highest:
             goal = 0.5 * (y + highest)
+        if stretched:
+            goal = max(goal, torn)
         if abs(goal - y) < 1e-15 * max(1.0, abs(y)):
             return TOO_SHORT if abs(target - u) > 1e-9 * c else REACHED, y, e, u
         status, y, e, u = advance(y, e, u, goal, par)
