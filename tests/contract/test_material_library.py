@@ -2,6 +2,7 @@
 
 import csv
 import math
+import os
 import resource
 import subprocess
 import sys
@@ -220,15 +221,19 @@ def test_ids_are_unique_and_notes_are_clean():
     assert all(r.id[0] in schema.TABLES for r in schema.all_rows())
 
 
-def test_showing_a_material_answers_at_once():
-    """Asked: under 0.5 s warm. Processor time, the best of three: the bar is on the program, not on what else the machine does."""
+def test_showing_a_material_answers_at_once(tmp_path):
+    """Asked: under 0.5 s warm. Processor time, the best of three: the bar is on the program, not on what else the machine does.
+
+    Warm is with the interpreter's compiled files, which some environments forbid: compiling the sources anew costs 0.2 s of each start.
+    """
+    env = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"} | {"PYTHONPYCACHEPREFIX": str(tmp_path)}
     spent = []
-    for _ in range(3):
+    for _ in range(4):
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        subprocess.run([sys.executable, "-m", "hugoniot.cli.main", "material", "show", "copper"], capture_output=True, check=True)
+        subprocess.run([sys.executable, "-m", "hugoniot.cli.main", "material", "show", "copper"], capture_output=True, check=True, env=env)
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         spent.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
-    assert min(spent) < 0.5
+    assert min(spent[1:]) < 0.5
 
 
 def test_showing_a_material_imports_nothing_slow():
