@@ -21,8 +21,7 @@ from hugoniot.materials import burning
 from hugoniot.materials.material import Material
 from hugoniot.problem.model import Boundary, OutputOptions, Problem, Pulse, Region, SolverOptions
 from hugoniot.simulate import make_solver
-from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.solver import Lagrange1D
+from hugoniot.solvers.lagrange1d.window import Window
 from hugoniot.theory.hugoniot import Initial
 from hugoniot.theory.znd import Structure, znd
 
@@ -76,71 +75,41 @@ def follow(material: Material, initial: Initial, duration: float, *, overdrive: 
     problem = Problem("followed detonation", "planar", 1e3 * duration, (region,), {material.name: material}, Boundary("transmitting"),
                       Boundary("velocity", Pulse("constant", amplitude=-drift)), output=OutputOptions(report=False),
                       solver=SolverOptions(viscosity=("limited", {"linear": 1.0} if viscosity is None else viscosity)))
-    solver = make_solver(problem)
-    fresh = solver.zones[:, -1].copy(), solver.nodes[:, 1].copy()
-    _lay_out(solver, exact, behind, initial, drift)
-    return _march(solver, exact, duration, fresh, size, drift)
+    moving = Window(make_solver(problem))
+    _lay_out(moving, exact, behind, initial, drift)
+    return _march(moving, exact, duration, drift)
 
 
-def _march(solver: Lagrange1D, exact: Structure, duration: float, fresh, size: float, drift: float) -> Followed:
-    level, count = FRONT * float(exact.von_neumann.pressure), solver.zones.shape[1]
-    rows = []
+def _march(window: Window, exact: Structure, duration: float, drift: float) -> Followed:
+    solver, level, rows, front = window.solver, FRONT * float(exact.von_neumann.pressure), [], 0
     while solver.time < duration:
         solver.march(duration, CYCLES)
-        p = solver.zones[L.P]
-        front = count - 1 - int(np.argmax(p[::-1] > level))
+        state = solver.state()
+        p, centre = state.zones["pressure"], 0.5 * (state.position_left + state.position_right)
+        front = p.size - 1 - int(np.argmax(p[::-1] > level))
         crest = front
         while crest > 0 and p[crest - 1] > p[crest]:
             crest -= 1
         share = (p[front] - level) / (p[front] - p[front + 1])
-        r = solver.nodes[L.R]
-        place = 0.5 * (r[front] + r[front + 1]) + share * 0.5 * (r[front + 2] - r[front])
+        place = centre[front] + share * (centre[front + 1] - centre[front])
         rows.append((solver.time, place + drift * solver.time, p[crest]))
-        if front > count - NEAR:
-            _move_on(solver, fresh, size, drift)
+        if front > p.size - NEAR:
+            window.move_on(STRIDE)
+            front -= STRIDE
     time, place, pressure = np.array(rows).T
-    return Followed(exact, size, time, place, pressure, solver.zones[L.PEAK_PRESSURE, :front - 10].copy())
+    return Followed(exact, window.size, time, place, pressure, solver.peaks()["peak_pressure"][:front - 10])
 
 
-def _lay_out(solver: Lagrange1D, exact: Structure, behind: int, initial: Initial, drift: float) -> None:
+def _lay_out(window: Window, exact: Structure, behind: int, initial: Initial, drift: float) -> None:
     """The steady zone on the zones left of the face `behind`, by mass; beyond its end the end state."""
-    zones, nodes = solver.zones, solver.nodes
-    states, flux = exact.states, initial.density * exact.velocity
-    mass = flux * exact.time
-    since = (behind - np.arange(nodes.shape[1])) * zones[L.MASS, 0]      # mass between a face and the front
+    states = exact.states
+    mass = initial.density * exact.velocity * exact.time
+    since = (behind - np.arange(behind + AHEAD + 1)) * window.mass      # mass between a face and the front
     back = np.interp(since, mass, exact.position) + np.maximum(since - mass[-1], 0.0) / float(states.density[-1])
-    burned, depth = since > 0.0, 0.5 * (since[1:] + since[:-1])
-    nodes[L.R] = np.where(burned, -back, -since / initial.density)
-    nodes[L.U] = np.where(burned, np.interp(since, mass, exact.particle_velocity), 0.0) - drift
-    inside = slice(0, behind)
-    zones[L.RHO] = zones[L.MASS] / np.diff(nodes[L.R])
-    rows = {L.E: states.energy, L.P: states.pressure, L.SIGMA: states.pressure, L.SIGMA_HALF: states.pressure, L.C: states.sound_speed,
-            L.BURN_FRACTION: exact.reaction, L.RHO_R: states.reactant_density, L.E_R: states.reactant_energy,
-            L.RHO_P: states.product_density, L.E_P: states.product_energy}
-    for row, values in rows.items():
-        zones[row, inside] = np.interp(depth[inside], mass, np.nan_to_num(values))
-    solver.control[L.REFERENCE_LEFT] = float(states.pressure[-1])
-    solver.control[L.RATE] = solver._signal_rate(np.arange(zones.shape[1]))
-    solver.control[L.DT_NATURAL] = 0.1 * solver.control[L.COURANT] / solver.control[L.RATE]
-    _gradients(solver)
-
-
-def _move_on(solver: Lagrange1D, fresh, size: float, drift: float) -> None:
-    """Drop STRIDE zones at the left end and lay as many, as they were at the start, at the right."""
-    zones, nodes = solver.zones, solver.nodes
-    for table, column in zip((zones, nodes), fresh):
-        table[:, :-STRIDE] = table[:, STRIDE:].copy()
-        table[:, -STRIDE:] = column[:, None]
-    nodes[L.R, -STRIDE:] = nodes[L.R, -STRIDE - 1] + size * np.arange(1, STRIDE + 1)
-    nodes[L.U, -STRIDE - 1:] = -drift
-    whole = fresh[1][L.NODE_MASS]
-    nodes[L.NODE_MASS], nodes[L.INVERSE_NODE_MASS] = whole, 1.0 / whole
-    for end in (0, -1):
-        nodes[L.NODE_MASS, end], nodes[L.INVERSE_NODE_MASS, end] = 0.5 * whole, 2.0 / whole
-    _gradients(solver)
-
-
-def _gradients(solver: Lagrange1D) -> None:
-    """Velocity gradients of the zones, which the viscosity's limiter looks back at."""
-    r, u = solver.nodes[L.R], solver.nodes[L.U]
-    solver.gradient[solver._gradient_index()] = np.diff(u) / np.diff(r)
+    burned, depth = since > 0.0, 0.5 * (since[1:] + since[:-1])[:behind]
+    fields = {"energy": states.energy, "pressure": states.pressure, "sound_speed": states.sound_speed, "burn_fraction": exact.reaction,
+              "reactant_density": states.reactant_density, "reactant_energy": states.reactant_energy,
+              "product_density": states.product_density, "product_energy": states.product_energy}
+    window.lay_out(np.where(burned, -back, -since / initial.density),
+                   np.where(burned, np.interp(since, mass, exact.particle_velocity), 0.0) - drift,
+                   {name: np.interp(depth, mass, np.nan_to_num(values)) for name, values in fields.items()}, float(states.pressure[-1]))

@@ -89,10 +89,19 @@ class Lagrange1D:
                 self.nodes[L.U, node] = _pulse_at_zero(side.pulse)
             if side.kind == "fixed":
                 self.nodes[L.U, node] = 0.0
+        self.plan_first_step()
+
+    def plan_first_step(self) -> None:
+        """The first step, and the velocity gradients that the viscosity's limiter looks back at, from the zones as they are."""
+        options, control = self.problem.solver, self.control
         control[L.RATE] = self._signal_rate(np.arange(self.zones.shape[1]))
         first = options.initial_step or 0.1 * control[L.COURANT] / control[L.RATE]
         control[L.DT_NATURAL] = first / control[L.GROWTH]
         control[L.DT] = control[L.DT_OLD] = first if self.staggered else 0.0
+        self.renew_gradients()
+
+    def renew_gradients(self) -> None:
+        """Velocity gradients from the nodes as they are."""
         left, right = self._faces(L.R)
         ul, ur = self._faces(L.U)
         self.gradient[self._gradient_index()] = (ur - ul) / (right - left)
