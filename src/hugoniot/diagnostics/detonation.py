@@ -115,15 +115,6 @@ def von_neumann_pressure(state, toward: str = "right", zones: int = 8) -> float:
     return float(np.polyfit(x[last - zones:last] - front, p[last - zones:last], 1)[1])
 
 
-def reaction_profile(state, front: float, toward: str = "right", fields=("pressure", "density", "burn_fraction")) -> dict[str, np.ndarray]:
-    """Fields of a state against the distance behind a front (m, growing away from it), as {"behind": ..., field: ...}."""
-    centre = 0.5 * (state.position_left + state.position_right)
-    behind = (front - centre) if toward == "right" else (centre - front)
-    order = np.argsort(behind)
-    order = order[behind[order] >= 0.0]
-    return {"behind": behind[order], **{name: state.zones[name][order] for name in fields}}
-
-
 def body_motion(state, region_of, region: int) -> dict[str, float]:
     """Mass (kg), momentum (kg m/s), kinetic energy (J) and mean velocity (m/s) of one region, per unit area or angle.
 

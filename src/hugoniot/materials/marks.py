@@ -2,10 +2,9 @@
 
 import math
 from functools import cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from hugoniot.errors import NoSolution
-from hugoniot.laws.eos.contract import pressure, reference_state
 from hugoniot.laws.eos.jwl import JWL
 from hugoniot.materials.derived import chapman_jouguet, energy_of_tangency
 from hugoniot.materials.schema import Row
@@ -56,11 +55,6 @@ def closure(identity: str) -> Closure | None:
 
 def _misfit(found: float, stated: float | None) -> float:
     return math.nan if stated is None else found / stated - 1.0
-
-
-def pressure_at_rest(par: Any) -> float:
-    """Pressure of a law in its reference state, Pa."""
-    return float(pressure(*reference_state(par), par))
 
 
 @cache

@@ -15,8 +15,6 @@ from hugoniot.errors import FileTrouble
 from hugoniot.output.atomic import explained
 from hugoniot.output.codec import decode, h5py
 
-GROUPS = ("snapshots", "gauges", "budget", "peaks", "events")
-
 
 def load(folder) -> "Run":
     """The run in `folder`. Raises `FileTrouble` if there is none, or it is unfinished or damaged."""

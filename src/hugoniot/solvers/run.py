@@ -19,7 +19,7 @@ FIRST_BURST = 64
 
 @dataclass(frozen=True)
 class Report:
-    """What a progress display shows: times in s, the zone that limits the step, energy error, seconds left."""
+    """What a progress display shows: times in s, the zone that limits the step, energy error."""
 
     time: float
     stop_time: float
@@ -28,7 +28,6 @@ class Report:
     limiting_zone: int
     limiting_region: str
     energy_error: float
-    eta_seconds: float
 
 
 @dataclass
@@ -108,8 +107,8 @@ def march_to_end(solver, schedule: Schedule, observers=(), next_snapshot: int = 
     """
     tell = _Hands(observers)
     times = schedule.snapshots
-    started = last_checkpoint = time.perf_counter()
-    start_time, last_cycle, kernel, burst, first = solver.time, solver.cycle, 0.0, FIRST_BURST, True
+    last_checkpoint = time.perf_counter()
+    last_cycle, kernel, burst, first = solver.cycle, 0.0, FIRST_BURST, True
     with _Interrupts() as interrupts:
         if next_snapshot == 0 and solver.time >= times[0]:
             tell("snapshot", solver.state())
@@ -135,7 +134,7 @@ def march_to_end(solver, schedule: Schedule, observers=(), next_snapshot: int = 
                 tell("snapshot", solver.state())
                 next_snapshot += 1
             now = time.perf_counter()
-            tell("progress", _report(solver, schedule, now - started, start_time))
+            tell("progress", _report(solver, schedule))
             if now - last_checkpoint > schedule.checkpoint_seconds or _due(solver, schedule, last_cycle):
                 tell("checkpoint", {"solver": solver.payload(), "next_snapshot": next_snapshot})
                 last_checkpoint, last_cycle = time.perf_counter(), solver.cycle
@@ -156,8 +155,6 @@ def _due(solver, schedule, last_cycle):
     return bool(schedule.checkpoint_cycles) and solver.cycle - last_cycle >= schedule.checkpoint_cycles
 
 
-def _report(solver, schedule, elapsed, start_time):
-    done = (solver.time - start_time) / max(schedule.stop_time - start_time, 1e-300)
+def _report(solver, schedule):
     zone, region = solver.limiting()
-    eta = elapsed * (1.0 - done) / done if done > 0.0 else math.inf
-    return Report(solver.time, schedule.stop_time, solver.cycle, solver.step, zone, region, solver.errors()["energy_error"], eta)
+    return Report(solver.time, schedule.stop_time, solver.cycle, solver.step, zone, region, solver.errors()["energy_error"])

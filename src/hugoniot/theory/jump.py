@@ -21,7 +21,7 @@ import math
 from hugoniot.laws.eos.contract import pressure, pressure_and_derivatives, pressure_derivatives
 
 BY_PRESSURE, BY_PARTICLE_VELOCITY, BY_SHOCK_VELOCITY, BY_DENSITY = 0, 1, 2, 3
-FOUND, NOT_COMPRESSIVE, BELOW_SOUND_SPEED, BEYOND_LIMIT, NOT_CONVERGED = 0, 1, 2, 3, 4
+FOUND, NOT_COMPRESSIVE, BEYOND_LIMIT, NOT_CONVERGED = 0, 1, 2, 3
 _TRIES = 200
 _EPSILON = 4.5e-16
 _CLOSE = 1e-10  # a Newton step of this relative size leaves an error of its square: at round-off, halving brackets would only lose the root

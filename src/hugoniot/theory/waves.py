@@ -24,8 +24,6 @@ from hugoniot.theory.isentrope import isentrope, reference
 from hugoniot.theory.riemann import riemann
 from hugoniot.theory.states import States, law_of
 
-MOVING = ("shock", "fan")
-
 
 @dataclass
 class Cell:
@@ -71,10 +69,6 @@ class Diagram:
         """(left end, right end, layer, state) of every piece of material at the last time, from left to right."""
         return [(self.fronts[i - 1].x, self.fronts[i].x, cell.layer, cell.state)
                 for i, cell in enumerate(self.cells) if cell.state is not None]
-
-    def meetings(self, left: int, right: int) -> list[Event]:
-        """The events at the interface of two layers (-1: outside), in order of time."""
-        return [e for e in self.events if e.layers == (left, right)]
 
 
 def wave_diagram(layers: Sequence, thicknesses: Sequence[float], velocity: float, until: float, *, fan: int = 8,

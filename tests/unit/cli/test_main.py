@@ -161,8 +161,7 @@ def test_a_setting_without_a_value_is_refused():
         overrides_of(["velocity"])
 
 
-REPORT = SimpleNamespace(time=1e-6, stop_time=4e-6, cycle=500, step=2e-9, limiting_zone=7, limiting_region="flyer", energy_error=3e-16,
-                         eta_seconds=0.0)
+REPORT = SimpleNamespace(time=1e-6, stop_time=4e-6, cycle=500, step=2e-9, limiting_zone=7, limiting_region="flyer", energy_error=3e-16)
 
 
 def later(report, **changes):

@@ -2,17 +2,13 @@ r"""Special functions and quadrature for laws, written with plain arithmetic so 
 
 $$\mathrm{Ei}(z) = \gamma_E + \ln z + \sum_{k\ge1} \frac{z^k}{k\,k!} \quad (z > 0)$$
 
-Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 5.1.10, 5.1.51, 5.1.22 and table 25.4 (Gauss-Legendre).
+Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 5.1.10 and table 25.4 (Gauss-Legendre).
 """
 
 import numpy as np
 
-from hugoniot.core.ops import vexp, vlog
-
 KERNEL_HELPERS = True
 """Kernels that bind a law bind this module's functions too (core.compile.bind_module)."""
-
-EULER = 0.57721566490153286061
 
 
 def _gauss(n):
@@ -53,43 +49,3 @@ def ein(z):
 def ei_difference(beta, y):
     """ein(beta) - ein(beta y) for 0 < y <= 1, beta <= 8: Ei(beta) - Ei(beta y) + ln y."""
     return ein(beta) - ein(beta * y)
-
-
-def exponential_integral(z):
-    """Ei(z) for z > 0 and -E1(-z) for z < 0, relative error about 1e-14 except near the zero of Ei at z = 0.3725 (absolute there)."""
-    if z < 0.0:
-        return -_e1(-z)
-    if z < 40.0:
-        total, term, k = EULER + vlog(z), 1.0, 1.0
-        while k < 140.0:
-            term = term * z / k
-            total = total + term / k
-            k += 1.0
-        return total
-    return _asymptotic(z)
-
-
-def _asymptotic(z):
-    """exp(z)/z sum of k!/z**k, cut well before its smallest term (z >= 40)."""
-    total, term, k = 1.0, 1.0, 1.0
-    while k < 38.0:
-        term = term * k / z
-        total = total + term
-        k += 1.0
-    return vexp(z) / z * total
-
-
-def _e1(x):
-    """E1(x), x > 0: power series below 1.5, else the continued fraction, evaluated from its tail."""
-    if x < 1.5:
-        total, term, k = -EULER - vlog(x), -1.0, 1.0
-        while k < 30.0:
-            term = -term * x / k
-            total = total + term / k
-            k += 1.0
-        return total
-    tail, k = x + 201.0, 100.0
-    while k > 0.0:
-        tail = x + 2.0 * k - 1.0 - k * k / tail
-        k -= 1.0
-    return vexp(-x) / tail

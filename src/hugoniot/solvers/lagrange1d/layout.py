@@ -38,17 +38,16 @@ RUN_FIRST, RUN_LAST, RUN_SEGMENT, RUN_KIND, RUN_MATERIAL = range(5)
 
 # -- control vector (floats) --------------------------------------------------------------------------------------
 (TIME, DT, DT_OLD, DT_NATURAL, EVENT_TIME, RATE, WORK_LEFT, WORK_RIGHT, IMPULSE_LEFT, IMPULSE_RIGHT, RADIAL_IMPULSE, COURANT,
- GROWTH, DT_LARGEST, DT_SMALLEST, WORST_FAILURE, CAPPED, NEXT_GAUGE, GAUGE_INTERVAL, LIMIT_REFERENCE, START_DT, REFERENCE_LEFT,
- REFERENCE_RIGHT, HEAT_FLUX) = range(24)
-CONTROL_FLOATS = 24
+ GROWTH, DT_LARGEST, DT_SMALLEST, WORST_FAILURE, NEXT_GAUGE, GAUGE_INTERVAL, REFERENCE_LEFT, REFERENCE_RIGHT, HEAT_FLUX) = range(21)
+CONTROL_FLOATS = 21
 
 # -- what a sweep finds in one piece of a run, and the totals of a step -------------------------------------------------------------
 (FOUND_RATE, FOUND_FAILURE, FOUND_IMPULSE, FOUND_CAPPED, FOUND_UNSOUND) = range(5)
 FOUND_FLOATS = 5
 
 # -- control vector (integers) ------------------------------------------------------------------------------------
-CYCLE, GAUGE_ROWS, CULPRIT, ZONE_STEPS, CAP_COUNT, THREADS, FRACTURING = range(7)
-CONTROL_INTS = 7
+CYCLE, GAUGE_ROWS, CULPRIT, ZONE_STEPS, CAP_COUNT, FRACTURING = range(6)
+CONTROL_INTS = 6
 
 # -- why the march came back ---------------------------------------------------------------------------------------
 PAUSED, AT_EVENT, VOID_OPENS, VOID_CLOSES, BAD_STATE, BUFFER_FULL, STEP_COLLAPSED, INTERFACE_OPENS = range(8)
