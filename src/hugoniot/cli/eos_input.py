@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from hugoniot.errors import DeckError, DeckProblem
+from hugoniot.errors import DeckError, DeckProblem, FileTrouble
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.materials.material import Material
 from hugoniot.units import UnitError, parse
@@ -103,11 +103,13 @@ def _from_file(path: Path, inside: str) -> Material:
     from hugoniot.problem.lines import line_finder
 
     try:
-        text = path.read_text(encoding="utf-8")
+        text = path.read_text(encoding="utf-8-sig")
         tables = tomllib.loads(text)
-    except (OSError, UnicodeDecodeError) as error:
-        raise DeckError.single(path, None, "material", f"cannot be read ({getattr(error, 'strerror', None) or 'not UTF-8 text'})",
-                               "give a name of the library (hugoniot material list) or a TOML file") from None
+    except OSError as error:
+        raise FileTrouble(f"cannot read {path}: {error.strerror or error}; give a name of the library (hugoniot material list) "
+                          "or a TOML file") from None
+    except UnicodeDecodeError:
+        raise DeckError.single(path, None, "material", "not a text in UTF-8", "a material file is a TOML file") from None
     except tomllib.TOMLDecodeError as error:
         raise DeckError.single(path, None, "TOML", str(error)) from None
     several = tables.get("material")

@@ -51,14 +51,15 @@ def search(
     Example: hugoniot material search "stainless 304"
     """
     from hugoniot.materials import library
+    from hugoniot.materials.collect import printable
 
     hits = [_listing(hit) for hit in library.search(text)]
     if not hits and not as_json:
         try:
             library.entry(text)
         except DeckError as error:
-            typer.echo(str(error.problems[0].hint or "nothing found"))
-        raise typer.Exit(2)
+            nothing = f"nothing found for '{printable(text)}'"
+            raise DeckError.single("material search", None, "text", nothing, error.problems[0].hint) from None
     _echo_listings(hits, as_json)
 
 
@@ -100,16 +101,24 @@ def compare(
 
     Example: hugoniot material compare iron -o iron.png
     """
-    from hugoniot import units
+    from hugoniot.cli.eos_input import quantity
+    from hugoniot.cli.plot import drawable
     from hugoniot.materials.curves import comparison
-    from hugoniot.plotting.materials import compare_figure
 
-    limit = units.parse(up_max, "m/s") if up_max else None
+    if not as_json:
+        drawable(output, "material compare", "--output")
+    limit = quantity(up_max, "m/s", "--up") if up_max else None
+    if limit is not None and not limit > 0.0:
+        raise DeckError.single("command line", None, "--up", f"{up_max} is no velocity behind a shock", 'give a positive one, "3 km/s"')
     chosen = comparison([_entry(name, materials) for name in names], limit)
     if as_json:
         echo_json(chosen.table())
     else:
-        compare_figure(chosen, output)
+        from hugoniot.output.atomic import explained
+        from hugoniot.plotting.materials import compare_figure
+
+        with explained(output, "no picture is written"):
+            compare_figure(chosen, output)
         rows = [(c.label, "{1:.0f} m/s at {0:.0f} m/s".format(*c.middle), c.source) for c in chosen.curves]
         echo_table(["curve", "Us at up", "source"], rows)
         for note in chosen.notes:
@@ -134,7 +143,11 @@ def check(
     if not files and not everything:
         raise DeckError.single("material check", None, "files", "nothing to check", "give files of materials, or --all")
     found = checks.check_all() if everything else []
-    for entry in user_materials(files or ()).values():
+    own = user_materials(files or ())
+    if files and not own:
+        raise DeckError.single("material check", None, "files", f"no material in {', '.join(map(str, files))}",
+                               "a material file has [material.NAME.eos], or [eos]")
+    for entry in own.values():
         found += checks.check_entry(entry)
     counts = checks.tally(found)
     if as_json:

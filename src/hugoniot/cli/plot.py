@@ -7,7 +7,7 @@ import typer
 
 from hugoniot.errors import DeckError
 from hugoniot.materials.collect import nearest, printable
-from hugoniot.units import UnitError, parse
+from hugoniot.units import UnitError, format_si, parse
 
 WITH_FIELD = ("xt", "gauge", "profile", "peaks")
 SUFFIXES = (".png", ".pdf", ".svg")
@@ -33,13 +33,29 @@ def command(
     if kind not in PICTURES:
         raise DeckError.single("plot", None, "kind", f"unknown picture '{printable(kind)}'", nearest(kind, PICTURES))
     path = out or folder / f"{'-'.join(word for word in (kind, field) if word)}.png"
-    if path.suffix not in SUFFIXES:
-        raise DeckError.single("plot", None, "--out", f"cannot draw '{printable(path.name)}'", f"end its name with {', '.join(SUFFIXES)}")
+    drawable(path, "plot", "--out")
     options = _options(kind, field, gauge, time, delay)
-    axes = getattr(load(folder).plot, kind)(**options)
+    run = load(folder)
+    if "time" in options:
+        _within(run, options["time"])
+    axes = getattr(run.plot, kind)(**options)
     with explained(path, "no picture is written"):
         axes.figure.savefig(path)
     typer.echo(f"wrote {path}")
+
+
+def drawable(path: Path, command: str, option: str) -> None:
+    """Refuse a picture of a kind that is not drawn."""
+    if path.suffix.lower() not in SUFFIXES:
+        raise DeckError.single(command, None, option, f"cannot draw '{printable(path.name)}'", f"end its name with {', '.join(SUFFIXES)}")
+
+
+def _within(run, time: float) -> None:
+    """Refuse a time that the run did not reach; within it the nearest snapshot is drawn."""
+    times = run.arrays("snapshots")["time"]
+    if not times[0] <= time <= times[-1] * (1.0 + 1e-9):
+        raise DeckError.single("plot", None, "--time", f"the run has no state at {format_si(time, 's', 4)}",
+                               f"its snapshots are from {format_si(times[0], 's', 4)} to {format_si(times[-1], 's', 4)}")
 
 
 def _options(kind: str, field: str, gauge: str | None, time: str | None, delay: str | None) -> dict[str, Any]:

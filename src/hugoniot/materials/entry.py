@@ -71,9 +71,11 @@ class Entry:
 def read_file(path: Path) -> dict:
     """The parsed TOML of a material file; FileTrouble or DeckError where it cannot be read."""
     try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise FileTrouble(f"cannot read the material file {path}: {error}") from error
+        text = path.read_text(encoding="utf-8-sig")
+    except OSError as error:
+        raise FileTrouble(f"cannot read the material file {path}: {error.strerror or error}") from error
+    except UnicodeDecodeError:
+        raise DeckError.single(path, None, "material", "not a text in UTF-8", "a material file is a TOML file") from None
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:

@@ -59,7 +59,7 @@ def load(path, rho0: float = math.nan, reference_temperature: float = 298.15, de
         if path.suffix.lower() in BINARY_READERS:
             grid = importlib.import_module(BINARY_READERS[path.suffix.lower()]).read_table(path)
             return _build(str(path), *grid, window)
-        text = path.read_text(encoding="utf-8")
+        text = path.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError:
         raise DeckError.single(path, None, "table", "not a text file", "give a CSV, an .h5 or a SESAME-format ASCII file") from None
     except OSError as error:

@@ -30,7 +30,7 @@ def read_materials(path: str | Path) -> dict[str, Entry]:
                                "write [material.NAME.eos], or [eos] for one material")
     if not isinstance(named, dict) or not named or not all(isinstance(t, dict) for t in named.values()):
         raise DeckError.single(path, None, "material", "materials are tables", "write [material.NAME.eos]")
-    text, problems, found = path.read_text(encoding="utf-8"), [], {}
+    text, problems, found = path.read_text(encoding="utf-8-sig"), [], {}
     for name, table in named.items():
         try:
             found[name] = make_entry(name, table, str(path), _line_finder(text, "material" in tables))

@@ -87,8 +87,10 @@ def read_table(path) -> list[Record]:
     with explained(path, "no data can be read"):
         text = path.read_text(encoding="utf-8-sig", errors="replace")
     lines = [(n, row) for n, row in enumerate(csv.reader(text.splitlines()), 1) if row and not row[0].lstrip().startswith("#")]
-    if len(lines) < 2 or len(lines[0][1]) < 2:
+    if not lines or len(lines[0][1]) < 2:
         raise _table_error(path, 1, "table", "needs a line of heads, a time column and at least one more", _HEADS)
+    if len(lines) < 2:
+        raise _table_error(path, 1, "table", "holds no values below its heads", "give one time and its values in each line")
     heads = [_head(path, head, k) for k, head in enumerate(lines[0][1])]
     rows = np.empty((len(lines) - 1, len(heads)))
     for k, (n, row) in enumerate(lines[1:]):

@@ -18,7 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
-from hugoniot.errors import DeckError, NoSolution, OutOfRange
+from hugoniot.errors import DeckError, FileTrouble, NoSolution, OutOfRange
 from hugoniot.laws.eos.jwl import JWL
 from hugoniot.units import UnitError, parse
 
@@ -102,14 +102,15 @@ def read_expansion(path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def read_columns(path, columns: dict, what: str) -> tuple[np.ndarray, ...]:
-    """The named columns of a CSV file in SI, in the order of `columns`; `DeckError` with line and way out."""
+    """The named columns of a CSV file in SI, in the order of `columns`; `DeckError` with line and way out, `FileTrouble` for no file."""
     path = Path(path)
     example = ", ".join(f"{words[-1]} ({_SAMPLE[unit]})" if unit != "1" else words[-1] for unit, words in columns.values())
     try:
         lines = path.read_text(encoding="utf-8-sig").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise DeckError.single(path, None, "points", f"cannot be read ({getattr(error, 'strerror', None) or 'not UTF-8 text'})",
-                               f"give a CSV file of {what}") from None
+    except OSError as error:
+        raise FileTrouble(f"cannot read {path}: {error.strerror or error}; give a CSV file of {what}") from None
+    except UnicodeDecodeError:
+        raise DeckError.single(path, None, "points", "not a text in UTF-8", f"give a CSV file of {what}") from None
     numbered = [(n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith("#")]
     if not numbered:
         raise DeckError.single(path, None, "points", "the file is empty", f"the first line names the columns, such as {example}")

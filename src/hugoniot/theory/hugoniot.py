@@ -102,6 +102,8 @@ def curve(material, initial: Initial | None = None, *, points: int = 101, up_to:
     ahead = initial or Initial.at_rest(par)
     if up_to is None:
         up_to = getattr(material, "valid_up_to", None) or _reach(par, ahead)
+    if not up_to > 0.0:
+        raise OutOfRange(f"a Hugoniot goes up to a positive particle velocity, not to {up_to:.6g} m/s")
     jumps = np.linspace(1e-3 * up_to if ahead.heat else 0.0, up_to, points)
     return shock(par, ahead, direction=direction, particle_velocity=ahead.velocity + direction * jumps)
 

@@ -83,7 +83,7 @@ def test_plot_draws(arguments, name, place, capsys):
 
 @pytest.mark.parametrize("arguments, hint", [
     (["xtt"], "did you mean 'xt'?"), (["budget", "--time", "1 us"], "it goes with profile"), (["profile", "--time", "1 mm"], "expected a time"),
-    (["xt", "--out", "wave.gif"], ".png"),
+    (["xt", "--out", "wave.gif"], ".png"), (["profile", "--time", "9 s"], "the run has no state at 9 s; its snapshots are from 0 s to"),
 ])
 def test_plot_refuses_what_it_cannot_draw(arguments, hint, place, capsys):
     code, _, err = call(capsys, "plot", place / "tube.run", *arguments)

@@ -64,8 +64,8 @@ def test_search(capsys):
     assert "steel_304" in call(capsys, "search", "stainless 304")[1]
     found = json.loads(call(capsys, "search", "rhenium", "--json")[1]) + json.loads(call(capsys, "search", "Re", "--json")[1])
     assert any("U071" in hit["rows"] for hit in found)
-    code, out, _ = call(capsys, "search", "xyzzy")
-    assert code == 2 and out.strip()
+    code, out, err = call(capsys, "search", "xyzzy")
+    assert code == 2 and not out and "nothing found for 'xyzzy'; hugoniot material list" in err
 
 
 def test_compare_writes_a_picture_and_data(capsys, tmp_path):
@@ -91,6 +91,26 @@ def test_check_a_users_file(capsys, tmp_path):
     code, out, _ = call(capsys, "check", path)
     assert code == 0 and "outside" not in out and "0 failures" in out
     assert call(capsys, "check")[0] == 2
+
+
+@pytest.mark.parametrize("arguments, code, words", [
+    (("compare", "copper", "--up", "fast"), 2, "--up: 'fast' is not a quantity"), (("compare", "copper", "--up", "-1 km/s"), 2, "give a positive one"),
+    (("compare", "copper", "-o", "copper.doc"), 2, "--output: cannot draw 'copper.doc'"),
+    (("compare", "copper", "-o", "nowhere/copper.png"), 4, "no picture is written"),
+    (("check", "empty"), 2, "no material in empty"), (("check", "missing.toml"), 4, "no file or folder"),
+    (("check", "noise.toml"), 2, "noise.toml: material: not a text in UTF-8"), (("show", "steel", "-m", "noise.toml"), 2, "not a text in UTF-8")])
+def test_bad_input_is_answered_with_the_way_out(capsys, tmp_path, monkeypatch, arguments, code, words):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "empty").mkdir()
+    (tmp_path / "noise.toml").write_bytes(bytes(range(256)))
+    ended, _, err = call(capsys, *arguments)
+    assert ended == code and words in err and "defect" not in err
+
+
+def test_a_file_with_a_byte_order_mark_is_read(capsys, tmp_path):
+    text = '[material.mine.eos]\nlaw = "mie_gruneisen"\nrho0 = "8930 kg/m^3"\nc0 = "3940 m/s"\ns = 1.489\ngamma0 = 1.99\n'
+    (tmp_path / "mine.toml").write_bytes(b"\xef\xbb\xbf" + text.replace("\n", "\r\n").encode())
+    assert "3940" in call(capsys, "show", "mine", "-m", tmp_path / "mine.toml")[1]
 
 
 def test_check_all(capsys):
