@@ -9,10 +9,12 @@ import lagrange_builders as build
 import numba as nb
 import numpy as np
 import pytest
+import reactive_builders
 
 from hugoniot.core.compile import SWEEP, packed
+from hugoniot.materials import library
 from hugoniot.simulate import make_solver
-from hugoniot.solvers.lagrange1d import node_sweeps, wilkins_sweeps, zone_sweeps
+from hugoniot.solvers.lagrange1d import node_sweeps, reactive_sweeps, wilkins_sweeps, zone_sweeps
 
 pytestmark = pytest.mark.skipif(platform.machine() not in ("x86_64", "AMD64"), reason="counts x86 instructions")
 OPTIONS = {**SWEEP, "cache": False}
@@ -55,6 +57,36 @@ def test_a_zone_sweep_is_entered_without_comparing_rows_or_counting_references(s
     kernel = compiled(sweep, solver, *zone_arguments(solver))
     code = kernel.inspect_llvm(kernel.signatures[0])
     assert "vector.body" in code and "vector.memcheck" not in code and "NRT_incref" not in code
+
+
+@nb.njit(**OPTIONS)
+def predict_unburned(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
+    reactive_sweeps.predict_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, reactive_sweeps.UNBURNED)
+
+
+@nb.njit(**OPTIONS)
+def correct_unburned(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
+    reactive_sweeps.correct_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, reactive_sweeps.UNBURNED)
+
+
+@nb.njit(**OPTIONS)
+def predict_burned(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
+    reactive_sweeps.predict_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, reactive_sweeps.BURNED)
+
+
+@nb.njit(**OPTIONS)
+def correct_burned(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
+    reactive_sweeps.correct_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, reactive_sweeps.BURNED)
+
+
+@pytest.mark.parametrize("sweep", [predict_unburned, correct_unburned, predict_burned, correct_burned], ids=lambda sweep: sweep.__name__)
+def test_zones_that_do_not_burn_are_packed_and_entered_like_inert_ones(sweep):
+    """Most of a charge; two exponentials of a JWL are twenty-six fused products."""
+    charge = make_solver(reactive_builders.driven(library.find("LX-17 reactive"), 1e-3, 16, 1400.0, 1e-6))
+    kernel = compiled(sweep, charge, *zone_arguments(charge))
+    found, code = packed(kernel), kernel.inspect_llvm(kernel.signatures[0])
+    assert found["div"] >= 3 and found["fmadd"] + found["fnmadd"] >= 26, found
+    assert "vector.memcheck" not in code and "NRT_incref" not in code
 
 
 @pytest.mark.parametrize("sweep, rest", [

@@ -34,7 +34,7 @@ def bind_mixtures() -> None:
     compiler.bind_module(eos_contract)
     search = dict(fastmath=False, error_model="numpy")
     for function in (isentrope.stride, isentrope.marched_energy, isentrope.integrated_energy, isolated.equilibrate,
-                     equilibrium.share_energy, equilibrium.coupled, equilibrium.nested, equilibrium.solve, equilibrium.equilibrate):
+                     equilibrium.share_energy, equilibrium.coupled, equilibrium.nested, equilibrium.equilibrate):
         compiler.bind(function, **search)
     for function in (equilibrium.pull, equilibrium.reach):
         compiler.bind(function, **search, forceinline=True)

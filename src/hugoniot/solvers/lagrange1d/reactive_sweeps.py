@@ -5,6 +5,10 @@ before, in the corrector with the one of the middle of the step, both from the s
 its share of the step's viscous heat, reactants of a frozen reference state only while a shock is passing. A search that fails leaves
 its status and a sound speed of -1, which the watch refuses.
 
+Most zones of a charge have not begun to burn or have ended, and are plain material. First the burn fractions of a step are found, then
+every stretch of zones that have all burned nothing, all burned whole, or all burned a part goes through the same loop: with a burn fraction
+of 0 or 1 that is known when it is compiled, nothing of a mixture is left in it, and it is packed like that of inert zones.
+
 Source: 003 (Starkenberg ARL-TR-2161) sections 3 to 5; 002 (Herrmann WL-TR-64-107) A.27 to A.30; `docs/theory/mixtures.md`.
 """
 
@@ -13,7 +17,7 @@ import sys
 import numba as nb
 
 from hugoniot.core import compile as binding
-from hugoniot.core.compile import SWEEP, parameters
+from hugoniot.core.compile import SWEEP, parameters, rows_apart
 from hugoniot.core.ops import fmax, fmin
 from hugoniot.laws.burn import contract as burn_contract
 from hugoniot.laws.burn import depletion
@@ -21,7 +25,7 @@ from hugoniot.laws.burn.contract import BURN, advance, rate, scheduled
 from hugoniot.laws.mixture import contract as mixture_contract
 from hugoniot.laws.mixture import reference_state
 from hugoniot.laws.mixture.binding import bind_mixtures
-from hugoniot.laws.mixture.contract import MIXTURE, Mixed, heated, mixture_temperature, slopes, solve, sound_speed_squared
+from hugoniot.laws.mixture.contract import MIXTURE, Mixed, at_rest, heated, mixture_temperature, slopes, solve, sound_speed_squared
 from hugoniot.laws.mixture.reference_state import PASSING, found_state, is_passing, reactants_share
 from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.mesh.line import area, volume
@@ -30,8 +34,9 @@ from hugoniot.solvers.lagrange1d.constitutive import resisted, wave_speed
 from hugoniot.solvers.lagrange1d.reactive import STEP_SHARE
 
 SMALL = 1e-30
-BURNING = 0.99       # burn fraction up to which the time step follows the rate
+NEARLY = 0.99        # burn fraction up to which the time step follows the rate
 IGNITED = 0.05       # burn fraction from which the resolution of the rate is watched
+UNBURNED, PARTLY, BURNED = 0.0, -1.0, 1.0
 
 
 def burn_temperature(lam, mixed, mixture, rate):
@@ -70,6 +75,11 @@ def isolates(mixture):
     return "follows_isentrope" in MIXTURE.of(mixture).flags
 
 
+def whole(lam):
+    """UNBURNED, BURNED, or PARTLY for what is between: the burn fraction where a loop may know it."""
+    return lam if lam in (UNBURNED, BURNED) else PARTLY
+
+
 def yes(rate):
     return True
 
@@ -97,31 +107,69 @@ _bind()
 
 
 @nb.njit(**SWEEP)
+def end_of_stretch(lam, start):
+    """Where the zones from `start` on that have all burned nothing, all burned whole, or all burned a part, end."""
+    known = whole(lam[start])
+    for j in range(start + 1, lam.shape[0]):
+        if whole(lam[j]) != known:
+            return j
+    return lam.shape[0]
+
+
+@nb.njit(**SWEEP)
 def predict_burning(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
     """Stress in the middle of the step, from the state at its start and the predicted mean velocity."""
     par = parameters(law[0], rows[0])
-    viscosity = parameters(law[3], rows[3])
-    a, b = first + segment, last + segment
-    rh, u = nodes[L.R_HALF, a:b + 1], nodes[L.U_MEAN, a:b + 1]
-    g = gradient[first + 2 * segment:last + 2 * segment + 2]
-    mass, im = zones[L.MASS, first:last], zones[L.INVERSE_MASS, first:last]
-    rho_, e, c, p_ = zones[L.RHO, first:last], zones[L.E, first:last], zones[L.C, first:last], zones[L.P, first:last]
-    sigma, sigma_half = zones[L.SIGMA, first:last], zones[L.SIGMA_HALF, first:last]
-    q_, speed_out, status = zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last], zones[L.MIX_STATUS, first:last]
+    half = 0.5 * dt
+    rho, p, q = zones[L.RHO, first:last], zones[L.P, first:last], zones[L.Q, first:last]
     burned, since, width = zones[L.BURN_FRACTION, first:last], zones[L.LIT_SINCE, first:last], zones[L.ZONE_SIZE, first:last]
     rho_r, e_r, rho_p, e_p = zones[L.RHO_R, first:last], zones[L.E_R, first:last], zones[L.RHO_P, first:last], zones[L.E_P, first:last]
-    reference, freezes = zones[L.REFERENCE, first:last], rows[4][4]
-    half = 0.5 * dt
+    lam_half = zones[L.OLD, first:last]
     for j in range(last - first):
+        heat = burn_temperature(burned[j], Mixed(p[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0), par.mixture, par.rate)
+        lam = scheduled(burned[j], since[j] + half, 0.0, width[j], rho[j], par.rate)
+        if lam < 1.0:
+            lam = advance(lam, half, rho[j], driving_pressure(p[j], q[j], par.rate), heat, par.rate)
+        lam_half[j] = lam
+    start = first
+    while start < last:
+        known, stop = whole(lam_half[start - first]), first + end_of_stretch(lam_half, start - first)
+        if known == UNBURNED:
+            predict_alike(zones, nodes, gradient, start, stop, segment, dt, law, rows, geometry, UNBURNED)
+        elif known == BURNED:
+            predict_alike(zones, nodes, gradient, start, stop, segment, dt, law, rows, geometry, BURNED)
+        else:
+            predict_alike(zones, nodes, gradient, start, stop, segment, dt, law, rows, geometry, PARTLY)
+        start = stop
+
+
+@nb.njit(**SWEEP)
+def predict_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, known):
+    """`predict_burning` of zones that are alike, their burn fractions found."""
+    a, b = first + segment, last + segment
+    predict_zones(
+        nodes[L.R_HALF, a:b + 1], nodes[L.U_MEAN, a:b + 1], gradient[first + 2 * segment:last + 2 * segment + 2], zones[L.MASS, first:last],
+        zones[L.INVERSE_MASS, first:last], zones[L.E, first:last], zones[L.C, first:last], zones[L.P, first:last],
+        zones[L.SIGMA, first:last], zones[L.SIGMA_HALF, first:last], zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last],
+        zones[L.MIX_STATUS, first:last], zones[L.OLD, first:last], zones[L.RHO_R, first:last], zones[L.E_R, first:last],
+        zones[L.RHO_P, first:last], zones[L.E_P, first:last], zones[L.REFERENCE, first:last], dt, law, rows, geometry, known)
+
+
+@nb.njit(**SWEEP)
+def predict_zones(rh, u, g, mass, im, e, c, p_, sigma, sigma_half, q_, speed_out, status, lam_half, rho_r, e_r, rho_p, e_p, reference,
+                  dt, law, rows, geometry, known):
+    """`predict_alike` over rows of the tables."""
+    rows_apart()
+    par = parameters(law[0], rows[0])
+    viscosity = parameters(law[3], rows[3])
+    half, freezes = 0.5 * dt, rows[4][4]
+    for j in range(mass.shape[0]):
         r1, r2, u1, u2 = rh[j], rh[j + 1], u[j], u[j + 1]
         change = half * im[j] * (area(r2, geometry) * u2 - area(r1, geometry) * u1)
         rho = mass[j] / volume(r1, r2, geometry)
         energy = e[j] - sigma[j] * change
+        lam = lam_half[j] if known == PARTLY else known
         before = Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0)
-        heat = burn_temperature(burned[j], before, par.mixture, par.rate)
-        lam = scheduled(burned[j], since[j] + half, 0.0, width[j], rho_[j], par.rate)
-        if lam < 1.0:
-            lam = advance(lam, half, rho_[j], driving_pressure(p_[j], q_[j], par.rate), heat, par.rate)
         warmth = -q_[j] * change
         if isolates(par.mixture):
             warmth = reactants_share(warmth, reference[j] == PASSING, freezes)
@@ -145,35 +193,64 @@ def predict_burning(zones, nodes, gradient, first, last, segment, dt, law, rows,
 def correct_burning(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
     """State at the end of the step; `found` takes the largest signal rate (1/s, that of burning included) and the geometric impulse."""
     par = parameters(law[0], rows[0])
-    a, b = first + segment, last + segment
-    r, rh, u, ue = nodes[L.R, a:b + 1], nodes[L.R_HALF, a:b + 1], nodes[L.U_MEAN, a:b + 1], nodes[L.U, a:b + 1]
-    g = gradient[first + 2 * segment + 1:last + 2 * segment + 1]
-    mass, im = zones[L.MASS, first:last], zones[L.INVERSE_MASS, first:last]
-    rho_, e_, p_, c_ = zones[L.RHO, first:last], zones[L.E, first:last], zones[L.P, first:last], zones[L.C, first:last]
-    sigma, sigma_half = zones[L.SIGMA, first:last], zones[L.SIGMA_HALF, first:last]
-    q, speed, viscous = zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last], zones[L.VISCOUS_WORK, first:last]
+    rh = nodes[L.R_HALF, first + segment:last + segment + 1]
+    mass, p, q, sigma_half = zones[L.MASS, first:last], zones[L.P, first:last], zones[L.Q, first:last], zones[L.SIGMA_HALF, first:last]
     burned, since, width = zones[L.BURN_FRACTION, first:last], zones[L.LIT_SINCE, first:last], zones[L.ZONE_SIZE, first:last]
     rho_r, e_r, rho_p, e_p = zones[L.RHO_R, first:last], zones[L.E_R, first:last], zones[L.RHO_P, first:last], zones[L.E_P, first:last]
-    status, resolved = zones[L.MIX_STATUS, first:last], zones[L.RESOLUTION, first:last]
-    reference = zones[L.REFERENCE, first:last]
+    for j in range(last - first):
+        rho_half = mass[j] / volume(rh[j], rh[j + 1], geometry)
+        heat = burn_temperature(burned[j], Mixed(p[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0), par.mixture, par.rate)
+        since[j] += dt
+        lam = scheduled(burned[j], since[j], 0.0, width[j], rho_half, par.rate)
+        drive = driving_pressure(p[j] if at_once(par.rate) else sigma_half[j] - q[j], q[j], par.rate)
+        if lam < 1.0:
+            lam = advance(lam, dt, rho_half, drive, heat, par.rate)
+        burned[j] = lam
+    fastest, impulse, start = 0.0, 0.0, first
+    while start < last:
+        known, stop = whole(burned[start - first]), first + end_of_stretch(burned, start - first)
+        if known == UNBURNED:
+            pace, push = correct_alike(zones, nodes, gradient, start, stop, segment, dt, law, rows, geometry, UNBURNED)
+        elif known == BURNED:
+            pace, push = correct_alike(zones, nodes, gradient, start, stop, segment, dt, law, rows, geometry, BURNED)
+        else:
+            pace, push = correct_alike(zones, nodes, gradient, start, stop, segment, dt, law, rows, geometry, PARTLY)
+        fastest, impulse, start = fmax(fastest, pace), impulse + push, stop
+    found[0], found[1], found[2], found[3] = fastest, 0.0, impulse, 0.0
+
+
+@nb.njit(**SWEEP)
+def correct_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, known):
+    """(largest signal rate, geometric impulse) after `correct_burning` of zones that are alike, their burn fractions found."""
+    a, b = first + segment, last + segment
+    return correct_zones(
+        nodes[L.R, a:b + 1], nodes[L.R_HALF, a:b + 1], nodes[L.U_MEAN, a:b + 1], nodes[L.U, a:b + 1],
+        gradient[first + 2 * segment + 1:last + 2 * segment + 1], zones[L.MASS, first:last], zones[L.INVERSE_MASS, first:last],
+        zones[L.RHO, first:last], zones[L.E, first:last], zones[L.P, first:last], zones[L.C, first:last], zones[L.SIGMA, first:last],
+        zones[L.SIGMA_HALF, first:last], zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last], zones[L.VISCOUS_WORK, first:last],
+        zones[L.BURN_FRACTION, first:last], zones[L.RHO_R, first:last], zones[L.E_R, first:last], zones[L.RHO_P, first:last],
+        zones[L.E_P, first:last], zones[L.MIX_STATUS, first:last], zones[L.RESOLUTION, first:last], zones[L.REFERENCE, first:last],
+        dt, law, rows, geometry, known)
+
+
+@nb.njit(**SWEEP)
+def correct_zones(r, rh, u, ue, g, mass, im, rho_, e_, p_, c_, sigma, sigma_half, q, speed, viscous, burned, rho_r, e_r, rho_p, e_p, status,
+                  resolved, reference, dt, law, rows, geometry, known):
+    """`correct_alike` over rows of the tables."""
+    rows_apart()
+    par = parameters(law[0], rows[0])
     noise, per_rate, front, freezes = rows[4][1], rows[4][2], rows[4][3], rows[4][4]
     fastest, radial_impulse = 0.0, 0.0
-    for j in range(last - first):
+    for j in range(mass.shape[0]):
         u1, u2, r1, r2 = u[j], u[j + 1], rh[j], rh[j + 1]
-        rate_of_volume = area(r2, geometry) * u2 - area(r1, geometry) * u1
-        change = dt * im[j] * rate_of_volume
+        change = dt * im[j] * (area(r2, geometry) * u2 - area(r1, geometry) * u1)
         energy = e_[j] - sigma_half[j] * change
         radial_impulse += sigma_half[j] * (area(r2, geometry) - area(r1, geometry))
         rho_half = mass[j] / volume(r1, r2, geometry)
         v = volume(r[j], r[j + 1], geometry) * im[j]
         rho = 1.0 / v
-        before = Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0)
-        heat = burn_temperature(burned[j], before, par.mixture, par.rate)
-        since[j] += dt
-        lam = scheduled(burned[j], since[j], 0.0, width[j], rho_half, par.rate)
-        drive = driving_pressure(p_[j] if at_once(par.rate) else sigma_half[j] - q[j], q[j], par.rate)
-        if lam < 1.0:
-            lam = advance(lam, dt, rho_half, drive, heat, par.rate)
+        lam = burned[j] if known == PARTLY else known
+        before = at_rest(rho_r[j], e_r[j]) if known == UNBURNED else Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0)
         warmth = -q[j] * change
         if isolates(par.mixture):
             shocked = is_passing(q[j], sigma_half[j] - q[j], rho_half * c_[j] * c_[j])
@@ -187,7 +264,7 @@ def correct_burning(zones, nodes, gradient, first, last, segment, dt, law, rows,
         inverse = 1.0 / (r[j + 1] - r[j])
         g[j] = (ue[j + 1] - ue[j]) * inverse
         fastest = fmax(fastest, (fmax(c, front) + 2.0 * speed[j]) * inverse)
-        if 0.0 < lam < BURNING:   # what has not begun has no rate: most of a charge, and a third of its cost
+        if 0.0 < lam < NEARLY:   # what has not begun has no rate
             # a term that ends at a small burn fraction (ignition) is looked past: it cannot burn more than the share of a step
             drive, heat = driving_pressure(p, q[j], par.rate), burn_temperature(lam, mixed, par.mixture, par.rate)
             pace = rate(fmax(lam, STEP_SHARE), rho, drive, heat, par.rate)
@@ -195,7 +272,6 @@ def correct_burning(zones, nodes, gradient, first, last, segment, dt, law, rows,
             if lam > IGNITED and pace > 0.0:
                 resolved[j] = fmin(resolved[j], c * inverse / pace)
         status[j] = fault
-        burned[j] = lam
         rho_r[j], e_r[j], rho_p[j], e_p[j] = mixed.rho_r, mixed.e_r, mixed.rho_p, mixed.e_p
         rho_[j] = rho
         e_[j] = energy
@@ -203,4 +279,4 @@ def correct_burning(zones, nodes, gradient, first, last, segment, dt, law, rows,
         c_[j] = c
         viscous[j] -= q[j] * change
         sigma[j] = p + q[j]
-    found[0], found[1], found[2], found[3] = fastest, 0.0, radial_impulse, 0.0
+    return fastest, radial_impulse
