@@ -1,4 +1,8 @@
-"""hugoniot: a shock-physics workbench. `run`, `load`, `check` and the rooms below are the public names."""
+"""hugoniot: a shock-physics workbench.
+
+`run` runs a deck, `resume` continues a run, `load` opens a run folder; `Run` and `Problem` are what they give and take. Tools without
+a mesh stand in `hugoniot.theory`, materials in `hugoniot.materials.library`, exact solutions in `hugoniot.theory.exact`.
+"""
 
 from importlib import import_module
 from typing import TYPE_CHECKING
@@ -23,3 +27,8 @@ def __getattr__(name: str):
     if name in _PUBLIC:
         return getattr(import_module(_PUBLIC[name]), name)
     raise AttributeError(f"module 'hugoniot' has no attribute '{name}'")
+
+
+def __dir__() -> list[str]:
+    """The public names, imported already or not, beside what a module has anyway."""
+    return sorted({*globals(), *__all__})

@@ -1,6 +1,7 @@
 """The one place where the parts are put together: a deck or a Problem goes in, a run folder comes out."""
 
 import dataclasses
+import os
 import pathlib
 import re
 import time
@@ -94,7 +95,7 @@ class _Recorder:
 
 def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=None, overwrite: bool = False,
         report: bool | Callable = True, **overrides) -> "Run":
-    """Run a deck (path) or a Problem and return the finished Run.
+    """Run a deck (its path, or read already) or a Problem and return the finished Run.
 
     out         run folder; default: the deck's name (or the title) with `.run`, in the current folder
     progress    object with update(solvers.run.Report), or None
@@ -220,8 +221,13 @@ def _read(deck_or_problem, deck_text, overrides) -> tuple[Problem, str, list[str
         name = re.sub(r"[^a-z0-9]+", "-", problem.title.lower()).strip("-") or "run"
         return problem, deck_text or write_deck(problem), [], name
     if isinstance(deck_or_problem, Deck):
+        if overrides:
+            raise DeckError.single("run", None, next(iter(overrides)), "a deck that has been read takes no changes",
+                                   "give its path, or the changes to read_deck")
         deck, name = deck_or_problem, re.sub(r"[^a-z0-9]+", "-", deck_or_problem.problem.title.lower()).strip("-") or "run"
     else:
+        if not isinstance(deck_or_problem, (str, os.PathLike)):
+            raise TypeError(f"a run is given the path of a deck, a Deck or a Problem, not {type(deck_or_problem).__name__}")
         path = pathlib.Path(deck_or_problem)
         if not path.exists():
             raise FileTrouble(f"{path}: no such deck; `hugoniot init` writes one to start from")

@@ -40,7 +40,7 @@ class Run:
         """summary.json."""
         path = self.folder / "summary.json"
         with explained(path):
-            text = path.read_text()
+            text = path.read_text(encoding="utf-8")
         try:
             return json.loads(text)
         except ValueError as error:
@@ -59,6 +59,7 @@ class Run:
 
     @property
     def deck(self) -> str:
+        """The resolved deck, every default written out."""
         return self._setup[1]
 
     def _open(self):
@@ -72,6 +73,8 @@ class Run:
         if group not in self._tables:
             values, attributes, dims = {}, {}, {}
             with self._open() as file:
+                if group not in (known := [name for name in file if name != "setup"]):
+                    raise KeyError(f"no group '{group}' in a run; it has: {', '.join(known)}")
                 for name, data in file[group].items():
                     text = h5py().check_string_dtype(data.dtype) is not None
                     values[name] = np.array(data.asstr()[()], dtype=object) if text else data[()]
@@ -81,10 +84,11 @@ class Run:
         return self._tables[group]
 
     def arrays(self, group: str) -> dict[str, np.ndarray]:
-        """Columns of `snapshots`, `gauges`, `budget`, `peaks` or `events` by name, in SI."""
+        """Columns of `snapshots`, `gauges`, `budget`, `peaks` or `events` by name, in SI; KeyError for any other group."""
         return self._table(group)[0]
 
     def unit(self, group: str, name: str) -> str:
+        """SI unit of one column of a group, "" if it has none."""
         return self._table(group)[1][name].get("units", "")
 
     def dataset(self, group: str):
@@ -125,6 +129,7 @@ class Run:
         return self.dataset("events")
 
     def gauge_names(self) -> list[str]:
+        """Names of the gauges, in the order of the deck; free surfaces last."""
         return [str(name) for name in self.arrays("gauges")["gauge"]]
 
     def gauge(self, field: str, name: str | None = None) -> tuple[np.ndarray, np.ndarray]:

@@ -97,14 +97,16 @@ def curve(material, initial: Initial | None = None, *, points: int = 101, up_to:
     """The Hugoniot from `initial` as `points` states evenly spaced in particle velocity, from rest to `up_to` m/s.
 
     Default of `up_to`: the material's `valid_up_to`, else the upstream sound speed or 90 % of what the law reaches.
+    Raises `OutOfRange` for fewer than two points, and an end that is not above rest or that the law does not reach.
     """
     par = law_of(material)
     ahead = initial or Initial.at_rest(par)
-    if up_to is None:
-        up_to = getattr(material, "valid_up_to", None) or _reach(par, ahead)
-    if not up_to > 0.0:
-        raise OutOfRange(f"a Hugoniot goes up to a positive particle velocity, not to {up_to:.6g} m/s")
-    jumps = np.linspace(1e-3 * up_to if ahead.heat else 0.0, up_to, points)
+    end = (getattr(material, "valid_up_to", None) or _reach(par, ahead)) if up_to is None else up_to
+    if not end > 0.0:
+        raise OutOfRange(f"a Hugoniot goes up to a positive particle velocity, not to {end:.6g} m/s")
+    if points < 2:
+        raise OutOfRange(f"a curve needs two points or more, got {points}")
+    jumps = np.linspace(1e-3 * end if ahead.heat else 0.0, end, points)
     return shock(par, ahead, direction=direction, particle_velocity=ahead.velocity + direction * jumps)
 
 

@@ -33,8 +33,11 @@ UNITS = {"density": "kg/m^3", "pressure": "Pa", "specific_internal_energy": "J/k
 
 
 def law_of(material) -> Any:
-    """The parameter tuple of a material's equation of state; a parameter tuple passes through."""
-    return getattr(material, "eos", material)
+    """The parameter tuple of a material's equation of state; a parameter tuple passes through. TypeError for anything else."""
+    par = getattr(material, "eos", material)
+    if not isinstance(par, tuple):
+        raise TypeError(f"{par!r} is neither a material nor the parameters of a law; hugoniot.materials.library.find(name) finds materials")
+    return par
 
 
 def has(par, function: str) -> bool:

@@ -90,6 +90,11 @@ def test_datasets_carry_units_and_names(whole):
     assert json.loads(run.events["numbers"].values[0])["position"] > 0
 
 
+def test_a_group_that_is_not_there_is_told_with_those_that_are(whole):
+    with pytest.raises(KeyError, match="no group 'gauge' in a run; it has: budget, events, gauges, peaks, snapshots"):
+        load(whole).arrays("gauge")
+
+
 def test_gauges_csv_holds_the_gauges(whole):
     lines = (whole / "gauges.csv").read_text().splitlines()
     assert lines[0] == "time [s],middle velocity [m/s],middle stress [Pa],free surface velocity [m/s],free surface stress [Pa]"

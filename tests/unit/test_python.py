@@ -1,0 +1,48 @@
+"""The package as a new user meets it in Python: what can be found by looking, and what is said to the wrong kind of input."""
+
+import inspect
+
+import numpy as np
+import pytest
+
+import hugoniot
+from hugoniot.errors import DeckError, FileTrouble, OutOfRange
+from hugoniot.problem.deck import read_deck_text
+from hugoniot.theory.hugoniot import curve, shock
+from hugoniot.theory.isentrope import state
+
+DECK = ('stop_time = "1 us"\n[[region]]\nname = "a"\nmaterial = "copper"\nfrom = "0 mm"\nto = "1 mm"\nzones = 10\n')
+
+
+def test_everything_public_is_found_and_explained():
+    assert set(hugoniot.__all__) <= set(dir(hugoniot))
+    for name in set(hugoniot.__all__) - {"__version__"}:
+        thing = getattr(hugoniot, name)
+        assert inspect.getdoc(thing) and f"`{name}`" in hugoniot.__doc__
+        members = [m for m, value in vars(thing).items() if not m.startswith("_") and (callable(value) or isinstance(value, property))]
+        assert all(inspect.getdoc(getattr(thing, m)) for m in members), name
+    with pytest.raises(AttributeError, match="no attribute 'runn'"):
+        _ = hugoniot.runn
+
+
+@pytest.mark.parametrize("wrong", [5, None, {}, ["flyer.toml"], b"flyer.toml"])
+def test_what_is_no_deck_is_told(wrong):
+    with pytest.raises(TypeError, match="a run is given the path of a deck, a Deck or a Problem, not "):
+        hugoniot.run(wrong)
+
+
+def test_a_deck_that_is_read_takes_no_changes():
+    with pytest.raises(DeckError, match="run: stop_time: a deck that has been read takes no changes"):
+        hugoniot.run(read_deck_text(DECK), stop_time="2 us")
+    with pytest.raises(FileTrouble, match="no such deck"):
+        hugoniot.run("missing.toml", stop_time="2 us")
+
+
+def test_tools_name_what_they_were_not_given():
+    for tool in (shock, curve, state):
+        with pytest.raises(TypeError, match=r"'copper' is neither a material nor the parameters of a law; hugoniot\.materials\.library\.find"):
+            tool("copper", pressure=1e9) if tool is not curve else tool("copper")
+    copper = hugoniot.materials.library.find("copper")
+    with pytest.raises(OutOfRange, match="two points or more, got 0"):
+        curve(copper, points=0)
+    assert np.all(np.diff(curve(copper, points=2).pressure) > 0.0)
