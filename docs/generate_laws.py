@@ -160,7 +160,7 @@ def page(law, picture: str | None) -> str:
 def hugoniot_points(law):
     """(up, p) from rest up to the sound speed, or over the densities of the law's box if it ends before; None if it gives neither."""
     rho0 = float(reference_state(law.example)[0])
-    states = curve(law.example)
+    states = curve(law.example, up_to=1.3 * end_inside(law) if end_inside(law) else None)
     if states.pressure[-1] > 0.1 * rho0 * states.shock_velocity[0] ** 2:
         return states.particle_velocity, states.pressure
     for share in (0.5, 0.4, 0.3, 0.2, 0.1):
@@ -171,6 +171,13 @@ def hugoniot_points(law):
         if np.isfinite(states.pressure).all() and states.pressure[-1] > 0.0:
             return states.particle_velocity, states.pressure
     return None
+
+
+def end_inside(law) -> float | None:
+    """Particle velocity at which the Hugoniot of the law inside ends, m/s, if that of the law itself does not."""
+    inner = getattr(law.example, "base", None)
+    end = np.inf if inner is None else particle_velocity_limit(inner)
+    return float(end) if np.isfinite(end) and not np.isfinite(particle_velocity_limit(law.example)) else None
 
 
 def shown_pressure(p) -> tuple[float, str]:
@@ -189,6 +196,8 @@ def lines_of_energy(law, ax) -> None:
     inner = getattr(law.example, "base", None)
     rest = float(reference_state(law.example)[0])
     low, high = (0.85 * rest, 1.3 * rest) if inner is not None else law.box["rho"]
+    if law.name == "grain_contact":
+        low, high = 0.9 * law.example.contact_density, 1.06 * law.example.contact_density
     if law.name == "tillotson":
         low, high = 0.3 * rest, 1.6 * rest      # it is meant for vapour too
     gas = "gas" in law.flags
@@ -263,7 +272,13 @@ def draw(law, target: Path) -> str:
             fast = found[0][-1] >= 1000.0
             ax.plot(found[0] * (1e-3 if fast else 1.0), found[1] * factor, color=COLOURS[0])
             ax.set(xlabel=f"particle velocity ({'km/s' if fast else 'm/s'})", ylabel=f"pressure ({unit})", xlim=(0, None), ylim=(0, None))
-            ax.set_title("Hugoniot of the example from rest", loc="left", color=QUIET, fontsize=8.5)
+            words = "Hugoniot of the example from rest"
+            if end_inside(law):
+                inner = curve(law.example.base, up_to=0.999 * end_inside(law))
+                up = inner.particle_velocity * (1e-3 if fast else 1.0)
+                ax.plot(up, inner.pressure * factor, color=COLOURS[0], ls=(0, (3, 2)), lw=0.8)
+                words = "Hugoniot from rest; dashed: the law inside, to its end"
+            ax.set_title(words, loc="left", color=QUIET, fontsize=8.5)
         ax.get_figure().savefig(target / f"{law.name}.png")
     return f"{law.name}.png"
 
