@@ -29,8 +29,9 @@ def crushed_zone(problem, zones, region_of, culprit: int) -> tuple[int, str, str
         if 0.0 < bears < pressed:
             cause = (f"the zone was compressed to nothing: its equation of state bears at most {format_si(bears, 'Pa')}, however dense the "
                      f"material becomes, and the stress there reached {format_si(pressed, 'Pa')}.")
-            return (j, cause, "use an equation of state that stiffens without bound: the exact cold curve (mie_gruneisen_cold) instead of "
-                    "a series, or p_alpha or snow_plough over the law of its solid; or a slower impact.")
+            return (j, cause, "use an equation of state that stiffens without bound: of a powder, grain_contact around this law, or "
+                    "p_alpha or snow_plough over the law of its solid; otherwise the exact cold curve (mie_gruneisen_cold) instead of "
+                    "a series; or a slower impact.")
     return None
 
 
