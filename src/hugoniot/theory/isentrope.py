@@ -5,6 +5,8 @@ $du = dp/(\rho c) = c\,d\ln\rho$ while the pressure behind it falls; towards -x 
 """
 
 import math
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -91,15 +93,39 @@ def release(material, start: States, to: float = 0.0, *, direction: int = -1, po
     direction -1 (default): the release runs back towards -x, as from a free surface or a softer neighbour on the right.
     A law with a memory (crushed pores) releases elastically, as compacted as the loading to `start` left it.
     """
-    if "remembers" in EOS.of(law_of(material)).flags:
-        par = law_of(material)
-        done = contract.compacted(0.0, start.density, start.specific_internal_energy, start.pressure, par)
-        material = contract.unloading(contract.remembered(done, par))
+    material = elastic(history(material, start))
     if to > start.pressure:
         raise OutOfRange(f"release to {to:.6g} Pa starts above it, at {start.pressure:.6g} Pa")
     if points == 1:
         return isentrope(material, start, pressure=to, direction=direction)
     return isentrope(material, start, pressure=np.linspace(start.pressure, to, points), direction=direction)
+
+
+def history(material, start: States) -> Any:
+    """The law as the loading to `start` left it: pores crushed up to there stay so; the law itself where it has no memory.
+
+    A state whose own law (`start.par`) has a history already keeps that, and adds to it what crushed it further.
+    """
+    par = law_of(material)
+    if "remembers" not in EOS.of(par).flags:
+        return par
+    own = start.par if type(start.par) is type(par) else par
+    rho, e = start.density, start.specific_internal_energy
+    branch = elastic(own)
+    if abs(contract.pressure(rho, e, branch) - start.pressure) <= 1e-10 * rho * abs(contract.sound_speed_squared(rho, e, branch)):
+        return own     # nothing is crushed in this state, but for round-off
+    return contract.remembered(contract.compacted(0.0, rho, e, start.pressure, own), own)
+
+
+def elastic(par) -> Any:
+    """The branch on which a law with a memory unloads and reloads; any other law as it is."""
+    return contract.unloading(par) if "remembers" in EOS.of(par).flags else par
+
+
+def unload(material, start: States, *, direction: int, **given) -> States:
+    """The isentrope through `start` to what is given (see `isentrope`), elastic where the law has a memory, which its states keep."""
+    kept = history(material, start)
+    return replace(isentrope(elastic(kept), start, direction=direction, **given), par=kept)
 
 
 def escape(material, start: States) -> float:

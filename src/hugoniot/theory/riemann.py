@@ -4,7 +4,10 @@ The pressure and velocity between the two waves are where the wave curves meet. 
 (direction d = -1 left, +1 right), the velocity behind a shock to the pressure p is $u + d\sqrt{(p - p_0)(v_0 - v_H(p))}$, behind a
 fan $u + d\int_{p_0}^{p} dp/(\rho c)$ on the isentrope; both by `theory.jump` and `theory.expansion`, without any approximate
 solver. Newton's method in p, with slopes $d/(\rho c)$ on the fan and the differentiated jump conditions on the shock,
-inside a bracket. Source: 003 (Starkenberg) sec. 6 for the host method; Courant and Friedrichs, Supersonic Flow and Shock Waves.
+inside a bracket. A law with a memory (pores that stay crushed) is released on its elastic branch, as far compacted as the loading
+to the given state left it; the states behind keep that history.
+
+Source: 003 (Starkenberg) sec. 6 for the host method; Courant and Friedrichs, Supersonic Flow and Shock Waves.
 """
 
 import math
@@ -90,6 +93,7 @@ def riemann(left, left_state: States, right, right_state: States, *, bonded: boo
 
     left, right               materials or parameter tuples
     left_state, right_state   single states (`theory.isentrope.state` makes one); velocities in m/s
+                              (those of an answer carry the history of crushed pores)
     bonded                    True: the contact bears tension; False (default): bodies that would pull apart separate
     Raises `OutOfRange` where a law cannot follow, `NoSolution` if the curves do not meet.
     """
@@ -107,14 +111,17 @@ class _Side:
     """The wave curve of one side: velocity and slope against pressure."""
 
     def __init__(self, par, state: States, direction: int):
-        self.par, self.state, self.direction = par, state, direction
+        self.par = par = release_path.history(par, state)
+        self.elastic = release_path.elastic(par)
+        self.state, self.direction = state, direction
         self.ahead = Initial.of(state)
         square = contract.sound_speed_squared(state.density, state.specific_internal_energy, par)
         if not square > 0.0:
             raise OutOfRange(f"the {'left' if direction < 0 else 'right'} state ({state.density:.6g} kg/m3, {state.pressure:.6g} Pa) is "
                              f"unstable under law '{EOS.of(par).name}': c^2 = {square:.4g} m2/s2")
         self.c = math.sqrt(square)
-        self._fan = state
+        self.head = math.sqrt(contract.sound_speed_squared(state.density, state.specific_internal_energy, self.elastic))
+        self._fan = replace(state, par=self.elastic)
         # below this rise a shock and an isentrope agree to round-off (third order), and the isentrope is the better conditioned
         self.weak = 1e-6 * state.density * square
 
@@ -124,16 +131,17 @@ class _Side:
         if p == self.state.pressure:
             return self.state
         # continue from the last state found on the same isentrope
-        self._fan = release_path.isentrope(self.par, self._fan, pressure=p, direction=self.direction)
-        if p > self.state.pressure:
-            return replace(self._fan, shock_velocity=self.state.particle_velocity + self.direction * self.c)
-        return self._fan
+        self._fan = release_path.isentrope(self.elastic if p < self.state.pressure else self.par, self._fan, pressure=p,
+                                           direction=self.direction)
+        speed = self.state.particle_velocity + self.direction * self.c if p > self.state.pressure else None
+        return replace(self._fan, par=self.par, shock_velocity=speed)
 
     def slope(self, p: float, behind: States) -> float:
         """|du/dp| on the curve at p."""
         rho, e = behind.density, behind.specific_internal_energy
         if p <= self.state.pressure + self.weak:
-            return 1.0 / (rho * math.sqrt(contract.sound_speed_squared(rho, e, self.par)))
+            law = self.elastic if p < self.state.pressure else self.par
+            return 1.0 / (rho * math.sqrt(contract.sound_speed_squared(rho, e, law)))
         rise, x = p - self.state.pressure, 1.0 / self.state.density - 1.0 / rho
         p_rho, p_e = contract.pressure_derivatives(rho, e, self.par)
         # dx/dp along the Hugoniot from p = p_law(1/(v0 - x), e0 + (p + p0) x / 2)
@@ -149,7 +157,8 @@ class _Side:
             return Wave("none", state, state, edge, edge, d)
         if p > state.pressure:
             return Wave("shock", state, behind, behind.shock_velocity, behind.shock_velocity, d)
-        return Wave("fan", state, behind, state.particle_velocity + d * self.c, behind.particle_velocity + d * behind.sound_speed, d)
+        return Wave("fan", replace(state, par=self.elastic), behind, state.particle_velocity + d * self.head,
+                    behind.particle_velocity + d * behind.sound_speed, d)
 
     def cavity(self) -> tuple[States, float]:
         """State and velocity of a surface into nothing: zero pressure (by a shock if in tension), or full expansion for a gas."""
@@ -159,9 +168,9 @@ class _Side:
         if self.state.pressure == 0.0 and "gas" not in EOS.of(self.par).flags:
             return self.state, self.state.particle_velocity
         try:
-            speed = release_path.escape(self.par, self.state)
+            speed = release_path.escape(self.elastic, self.state)
         except OutOfRange:
-            surface = release_path.isentrope(self.par, self.state, pressure=0.0, direction=self.direction)
+            surface = self.behind(0.0)
             return surface, surface.particle_velocity
         u = self.state.particle_velocity - self.direction * speed
         return States(self.par, 0.0, 0.0, 0.0, u), u
@@ -178,11 +187,12 @@ def _separated(left: _Side, right: _Side) -> Riemann | None:
     for side, (surface, u) in zip((left, right), surfaces):
         d = side.direction
         tail = u if surface.density == 0.0 else u + d * surface.sound_speed
-        head = side.state.particle_velocity + d * side.c
+        head = side.state.particle_velocity + d * side.head
         if side.state.pressure < 0.0:
             waves.append(side.wave(0.0))
         else:
-            waves.append(Wave("fan" if side.state.pressure > 0.0 else "none", side.state, surface, head, tail, d))
+            kind = "fan" if side.state.pressure > 0.0 else "none"
+            waves.append(Wave(kind, replace(side.state, par=side.elastic), surface, head, tail, d))
     return Riemann(*waves, pressure=0.0, velocity=math.nan, vacuum=True)
 
 

@@ -20,7 +20,7 @@ import numpy as np
 
 from hugoniot.errors import OutOfRange
 from hugoniot.theory.hugoniot import Initial, shock
-from hugoniot.theory.isentrope import isentrope, reference
+from hugoniot.theory.isentrope import history, reference, unload
 from hugoniot.theory.riemann import riemann
 from hugoniot.theory.states import States, law_of
 
@@ -199,9 +199,9 @@ class _Tracker:
         if abs(state.pressure) <= self.least:
             return [Front("surface", x, state.particle_velocity, (self.diagram.time, x))], []
         if state.pressure > 0.0:
-            behind = isentrope(par, state, pressure=0.0, direction=direction)
+            behind = unload(par, state, pressure=0.0, direction=direction)
         else:
-            behind = shock(par, Initial.of(state), pressure=0.0, direction=direction)
+            behind = shock(history(par, state), Initial.of(state), pressure=0.0, direction=direction)
         pieces = self.pieces(body, behind, direction)
         surface = Front("surface", x, pieces[-1].state.particle_velocity, (self.diagram.time, x))
         if direction > 0:
@@ -217,7 +217,7 @@ class _Tracker:
             return [Cell(ahead.layer, behind)]
         count = max(1, math.ceil(-change / self.step))
         levels = np.linspace(ahead.state.pressure, behind.pressure, count + 1)[1:]
-        path = isentrope(self.laws[ahead.layer], ahead.state, pressure=levels, direction=direction)
+        path = unload(self.laws[ahead.layer], ahead.state, pressure=levels, direction=direction)
         return [Cell(ahead.layer, path[i]) for i in range(count)]
 
     def front(self, left: Cell, right: Cell, x: float, direction: int) -> Front:
