@@ -2,7 +2,7 @@
 
 A mixture is described by (rho, e, burn_fraction): density kg/m3, specific internal energy J/kg and mass fraction of products.
 `par` holds `reactants` and `products` (parameter tuples of any two registered equations of state) and `detonation_energy`
-Q >= 0 (J/kg, minus the heat of detonation of Starkenberg ARL-TR-2161 section 3): the reactant's energy on the mixture's scale is
+Q >= 0 (J/kg; Starkenberg ARL-TR-2161 section 3 counts it negative): the reactant's energy on the mixture's scale is
 e_r = e_thermal + Q, and its equation of state is asked with e_r - Q. No heat is ever added during burning, so the conservation
 laws keep their form.
 
