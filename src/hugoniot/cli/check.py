@@ -13,7 +13,7 @@ from hugoniot.units import format_si
 
 
 def command(
-    deck: Annotated[Path, typer.Argument(help="The deck, a TOML file.")],
+    deck: Annotated[Path, typer.Argument(help="The deck, a TOML file.", readable=False)],
     setting: SET = None,
     materials: MATERIALS = None,
     resolved: Annotated[bool, typer.Option("--resolved", help="Print the deck with every default written out, in SI.")] = False,

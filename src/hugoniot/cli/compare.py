@@ -11,7 +11,8 @@ from hugoniot.units import format_si
 
 def command(
     run: Annotated[Path, typer.Argument(help="A run folder.")],
-    other: Annotated[Path, typer.Argument(help="Another run folder, or a CSV file with heads like 'time [us], velocity [m/s]'.")],
+    other: Annotated[Path, typer.Argument(help="Another run folder, or a CSV file with heads like 'time [us], velocity [m/s]'.",
+                                           readable=False)],
     plot: Annotated[Path | None, typer.Option("--plot", help="Picture to write, such as compare.png.")] = None,
     as_json: JSON = False,
 ) -> None:

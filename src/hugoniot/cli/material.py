@@ -128,7 +128,7 @@ def compare(
 
 @app.command()
 def check(
-    files: Annotated[list[Path] | None, typer.Argument(help="Files or folders of your own materials.")] = None,
+    files: Annotated[list[Path] | None, typer.Argument(help="Files or folders of your own materials.", readable=False)] = None,
     everything: Annotated[bool, typer.Option("--all", help="Every row, measured state and material of the library.")] = False,
     verbose: Annotated[bool, typer.Option("--verbose", "-v", help="Every mark, not only misfits found by computing.")] = False,
     as_json: JSON = False,

@@ -12,7 +12,9 @@ import typer
 from hugoniot.errors import DeckError
 
 SET = Annotated[list[str] | None, typer.Option("--set", help="KEY=VALUE to change in the deck; give it as often as needed.")]
-MATERIALS = Annotated[list[Path] | None, typer.Option("--materials", "-m", help="A file or folder of your own materials; repeatable.")]
+# where a file cannot be read its reader says so, with the exit code of files
+MATERIALS = Annotated[list[Path] | None, typer.Option("--materials", "-m", readable=False,
+                                                      help="A file or folder of your own materials; repeatable.")]
 JSON = Annotated[bool, typer.Option("--json", help="Print JSON for programs.")]
 
 

@@ -39,6 +39,18 @@ def explained(path, kept: str = "nothing that was there before is lost"):
         raise trouble(path, error, kept) from error
 
 
+@contextlib.contextmanager
+def legible(path, lost: str = ""):
+    """Turn an `OSError` while `path` is read into a `FileTrouble`; `lost` says what cannot be done without it."""
+    try:
+        yield
+    except FileTrouble:
+        raise
+    except OSError as error:
+        why = "no permission to read it" if error.errno in _FORBIDDEN else error.strerror or str(error)
+        raise FileTrouble(f"{path}: {why}" + (f"; {lost}" if lost else "")) from error
+
+
 def sync_folder(folder) -> None:
     """Flush a folder's list of names to the disk, where the system can."""
     with contextlib.suppress(OSError):

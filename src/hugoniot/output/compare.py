@@ -14,7 +14,7 @@ import numpy as np
 from hugoniot.core.fields import FIELDS
 from hugoniot.diagnostics.norms import Difference, difference
 from hugoniot.errors import DeckError, DeckProblem
-from hugoniot.output.atomic import explained
+from hugoniot.output.atomic import legible
 from hugoniot.output.run import Run, load
 from hugoniot.units import UnitError, convert
 
@@ -84,7 +84,7 @@ def _head(path, text: str, column: int) -> tuple[str, str, float]:
 def read_table(path) -> list[Record]:
     """The columns of a data file as records; the first column is the time. Raises `DeckError` (line and column), `FileTrouble`."""
     path = pathlib.Path(path)
-    with explained(path, "no data can be read"):
+    with legible(path, "no data can be read"):
         text = path.read_text(encoding="utf-8-sig", errors="replace")
     lines = [(n, row) for n, row in enumerate(csv.reader(text.splitlines()), 1) if row and not row[0].lstrip().startswith("#")]
     if not lines or len(lines[0][1]) < 2:

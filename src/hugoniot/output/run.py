@@ -12,7 +12,7 @@ from importlib import import_module
 import numpy as np
 
 from hugoniot.errors import FileTrouble
-from hugoniot.output.atomic import explained
+from hugoniot.output.atomic import legible
 from hugoniot.output.codec import decode, h5py
 
 
@@ -39,7 +39,7 @@ class Run:
     def summary(self) -> dict:
         """summary.json."""
         path = self.folder / "summary.json"
-        with explained(path):
+        with legible(path):
             text = path.read_text(encoding="utf-8")
         try:
             return json.loads(text)
@@ -66,6 +66,8 @@ class Run:
         path = self.folder / "result.h5"
         try:
             return h5py().File(path, "r")
+        except PermissionError as error:
+            raise FileTrouble(f"{path}: no permission to read it") from error
         except OSError as error:
             raise FileTrouble(f"{path}: cannot be read as a result ({error})") from error
 
@@ -153,7 +155,7 @@ class Run:
 def read_post_mortem(folder) -> dict:
     """The state kept by a run that failed: what the solver handed to `RunFolder.post_mortem`."""
     path = pathlib.Path(folder) / "post_mortem.h5"
-    with explained(path):
+    with legible(path):
         return decode(path.read_bytes())
 
 

@@ -1,5 +1,6 @@
 """The command line: immediate help, one clear message, the right exit code, never a traceback."""
 
+import errno
 import json
 import pathlib
 import subprocess
@@ -52,6 +53,21 @@ def test_a_run_with_its_report_imports_no_library_it_can_do_without(tmp_path):
     ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=300)
     assert (tmp_path / "run" / "report.html").is_file()
     assert ended.stdout.splitlines()[-1] == "[]"
+
+
+@pytest.mark.parametrize("arguments", [("check", "deck.toml"), ("material", "check", "deck.toml"), ("material", "list", "-m", "deck.toml")])
+def test_a_file_that_may_not_be_read_ends_with_the_code_of_files(arguments, capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "deck.toml").write_text("")
+
+    def refuse(*_, **__):
+        raise PermissionError(errno.EACCES, "Permission denied")
+
+    monkeypatch.setattr("os.access", lambda *_, **__: False)
+    monkeypatch.setattr("pathlib.Path.read_text", refuse)
+    monkeypatch.setattr("pathlib.Path.read_bytes", refuse)
+    code, _, err = call(capsys, *arguments)
+    assert code == 4 and "deck.toml: Permission denied" in err
 
 
 @pytest.mark.parametrize("name", PRESENT)

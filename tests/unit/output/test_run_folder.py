@@ -173,6 +173,18 @@ def test_loading_what_is_not_a_finished_run_says_what_it_is(tmp_path):
         load(tmp_path)
 
 
+def test_a_result_that_may_not_be_read_is_named(whole, monkeypatch):
+    def refuse(*_, **__):
+        raise PermissionError(errno.EACCES, "Permission denied")
+
+    monkeypatch.setattr("pathlib.Path.read_text", refuse)
+    with pytest.raises(FileTrouble, match=r"summary\.json: no permission to read it$"):
+        _ = load(whole).summary
+    monkeypatch.setattr("h5py.File", refuse)
+    with pytest.raises(FileTrouble, match=r"result\.h5: no permission to read it$"):
+        load(whole).arrays("gauges")
+
+
 def test_a_damaged_result_is_a_file_trouble(whole, tmp_path):
     for name in ("result.h5", "summary.json"):
         data = (whole / name).read_bytes()
