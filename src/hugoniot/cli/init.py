@@ -1,5 +1,6 @@
 """hugoniot init: writes a commented deck to start from."""
 
+import shlex
 from pathlib import Path
 from typing import Annotated
 
@@ -33,7 +34,7 @@ def command(
     text = catalogue.deck_text(problem)
     path = out or Path(f"{problem}.toml")
     _write(path, text, overwrite)
-    typer.echo(f"next: hugoniot run {path}")
+    typer.echo(f"next: hugoniot run {shlex.quote(str(path))}")
 
 
 def _write(path: Path, text: str, overwrite: bool) -> None:

@@ -1,5 +1,6 @@
 """hugoniot resume: goes on with an interrupted run."""
 
+import shlex
 from pathlib import Path
 from typing import Annotated
 
@@ -25,7 +26,7 @@ def command(
         with progress(quiet or as_json) as display:
             run = simulate.resume(folder, progress=display)
     except KeyboardInterrupt:
-        typer.echo(f"interrupted; a checkpoint is kept, go on with: hugoniot resume {folder}", err=True)
+        typer.echo(f"interrupted; a checkpoint is kept, go on with: hugoniot resume {shlex.quote(str(folder))}", err=True)
         raise typer.Exit(130) from None
     if as_json:
         echo_json({"folder": str(run.folder), **run.summary})

@@ -6,6 +6,7 @@
 
 import json
 import pathlib
+import shlex
 from functools import cached_property
 from importlib import import_module
 
@@ -162,8 +163,9 @@ def read_post_mortem(folder) -> dict:
 def _what_is_there(folder: pathlib.Path) -> str:
     if (folder / "post_mortem.txt").is_file():
         return "the run failed and left no result; see post_mortem.txt"
+    again = f"hugoniot resume {shlex.quote(str(folder))}"
     if (folder / "checkpoint").is_dir() or (folder / "pieces").is_dir():
-        return f"the run is unfinished; go on with `hugoniot resume {folder}`"
+        return f"the run is unfinished; go on with `{again}`"
     if (folder / "deck.toml").is_file():
-        return f"the run is unfinished and has no checkpoint yet; `hugoniot resume {folder}` starts it again"
+        return f"the run is unfinished and has no checkpoint yet; `{again}` starts it again"
     return "this is not a run folder (no result.h5)"

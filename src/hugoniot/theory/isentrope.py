@@ -45,7 +45,7 @@ def isentrope(material, start: States | None = None, *, direction: int = 1, **gi
         else:
             wanted = direction * (targets - start.particle_velocity) if name == "particle_velocity" else targets
             y, e, u = _by_search(name, wanted, y0, e0, par)
-    rho = np.exp(y) if name != "density" else targets
+    rho = np.where(y == y0, start.density, np.exp(y)) if name != "density" else targets
     p = targets if name == "pressure" else evaluate(contract.pressure, rho, e, par)
     fields = (rho, p, e, start.particle_velocity + direction * u)
     shape = np.shape(value)

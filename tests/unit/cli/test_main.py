@@ -70,6 +70,13 @@ def test_a_file_that_may_not_be_read_ends_with_the_code_of_files(arguments, caps
     assert code == 4 and "deck.toml: Permission denied" in err
 
 
+def test_a_command_that_is_proposed_can_be_pasted_where_a_name_has_spaces(capsys, tmp_path):
+    code, out, _ = call(capsys, "init", "flyer", "--out", str(tmp_path / "my deck.toml"))
+    assert code == 0 and out.splitlines()[-1] == f"next: hugoniot run '{tmp_path}/my deck.toml'"
+    (tmp_path / "my run" / "checkpoint").mkdir(parents=True)
+    assert f"hugoniot resume '{tmp_path}/my run'`" in call(capsys, "info", str(tmp_path / "my run"))[2]
+
+
 @pytest.mark.parametrize("name", PRESENT)
 def test_every_command_explains_itself(name, capsys):
     code, out, _ = call(capsys, name, "--help")

@@ -73,6 +73,12 @@ def test_by_velocity_is_the_inverse_of_by_pressure():
     assert again.pressure == pytest.approx(path.pressure, rel=1e-9, abs=0.1)  # rho c du of round-off in u
 
 
+def test_the_state_it_starts_from_comes_back_to_the_last_digit():
+    start = reference(COPPER)
+    assert isentrope(COPPER, pressure=[0.0, 1e9]).density[0] == start.density
+    assert isentrope(COPPER, start, particle_velocity=0.0).density == start.density
+
+
 def test_compiled_path_equals_the_plain_one():
     start = shock(COPPER, pressure=40e9)
     rho = np.linspace(9000.0, 10500.0, 450)

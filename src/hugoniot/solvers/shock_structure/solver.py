@@ -178,8 +178,6 @@ class ShockStructure:
         right = np.concatenate([0.5 * (u[1:] + u[:-1]), [u[-1]]])
         return FlowState(self.time, self.cycle, zones, self.faces[:-1].copy(), self.faces[1:].copy(), left, right)
 
-    snapshot = state
-
     def totals(self) -> np.ndarray:
         """Mass, momentum, total energy of the domain per m^2, what rounding set aside included."""
         return np.array([math.fsum(row) for row in np.hstack([self.cells, self.rest])]) * self.h
