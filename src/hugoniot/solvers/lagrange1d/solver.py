@@ -18,7 +18,7 @@ from hugoniot.problem.defaults import completed
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d import reactive
-from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_pulse, group_laws, viscosity_of
+from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_pulse, group_laws, held_stresses, viscosity_of
 from hugoniot.solvers.lagrange1d.bodies import alike_ranges, interface_table, join, pieces_of, run_table, set_node_masses, split
 from hugoniot.solvers.lagrange1d.constitutive import remembers
 from hugoniot.solvers.lagrange1d.post_mortem import crushed_zone, diagnose, torn_reactants
@@ -83,7 +83,7 @@ class Lagrange1D:
         control[L.DT_LARGEST] = options.largest_step or NO_LIMIT
         control[L.DT_SMALLEST] = LARGEST_COLLAPSE * self.problem.stop_time
         control[L.GAUGE_INTERVAL] = self.problem.output.gauge_interval
-        control[L.REFERENCE_LEFT], control[L.REFERENCE_RIGHT] = self.zones[L.SIGMA, 0], self.zones[L.SIGMA, -1]
+        control[L.REFERENCE_LEFT], control[L.REFERENCE_RIGHT] = held_stresses(self.zones, self.nodes)
         for side, node in ((self.problem.left, 0), (self.problem.right, -1)):
             if side.kind == "velocity":
                 self.nodes[L.U, node] = _pulse_at_zero(side.pulse)
