@@ -59,6 +59,12 @@ def test_a_zone_sweep_is_entered_without_comparing_rows_or_counting_references(s
     assert "vector.body" in code and "vector.memcheck" not in code and "NRT_incref" not in code
 
 
+def burning_kernel(sweep):
+    """A sweep compiled for LX-17 with ignition and growth, both phases JWL, in isolation."""
+    charge = make_solver(reactive_builders.driven(library.find("LX-17 reactive"), 1e-3, 16, 1400.0, 1e-6))
+    return compiled(sweep, charge, *zone_arguments(charge))
+
+
 @nb.njit(**OPTIONS)
 def predict_unburned(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
     reactive_sweeps.predict_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, reactive_sweeps.UNBURNED)
@@ -79,14 +85,30 @@ def correct_burned(zones, nodes, gradient, first, last, segment, dt, law, rows, 
     reactive_sweeps.correct_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, reactive_sweeps.BURNED)
 
 
+@nb.njit(**OPTIONS)
+def predict_burning(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
+    reactive_sweeps.predict_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, reactive_sweeps.PARTLY)
+
+
+@nb.njit(**OPTIONS)
+def correct_burning(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
+    reactive_sweeps.correct_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, reactive_sweeps.PARTLY)
+
+
 @pytest.mark.parametrize("sweep", [predict_unburned, correct_unburned, predict_burned, correct_burned], ids=lambda sweep: sweep.__name__)
 def test_zones_that_do_not_burn_are_packed_and_entered_like_inert_ones(sweep):
     """Most of a charge; two exponentials of a JWL are twenty-six fused products."""
-    charge = make_solver(reactive_builders.driven(library.find("LX-17 reactive"), 1e-3, 16, 1400.0, 1e-6))
-    kernel = compiled(sweep, charge, *zone_arguments(charge))
+    kernel = burning_kernel(sweep)
     found, code = packed(kernel), kernel.inspect_llvm(kernel.signatures[0])
     assert found["div"] >= 3 and found["fmadd"] + found["fnmadd"] >= 26, found
     assert "vector.memcheck" not in code and "NRT_incref" not in code
+
+
+@pytest.mark.parametrize("sweep", [predict_burning, correct_burning], ids=lambda sweep: sweep.__name__)
+def test_two_trials_of_a_mixture_search_are_packed(sweep):
+    """Each takes four exponentials of the JWL pair, and an exponential and a logarithm for the isentrope."""
+    found = packed(burning_kernel(sweep))
+    assert found["div"] >= 10 and found["fmadd"] + found["fnmadd"] >= 2 * 6 * 12, found
 
 
 @pytest.mark.parametrize("sweep, rest", [

@@ -8,6 +8,7 @@ laws keep their form.
 
     solve(rho, e, burn_fraction, before, par)            Mixed: the phases and their common pressure
     equilibrate(rho, e, burn_fraction, before, par)      the same with both phases always found, also the one that carries no mass
+    attempt(rho, e, burn_fraction, before, par)          as much of `solve` as a packed loop can do; else NOT_CONVERGED
     slopes(rho, e, burn_fraction, mixed, par)            Slopes of the pressure: by v at e, by e at v, by burn fraction at v and e
     phase_slopes(burn_fraction, mixed, par)              the twelve slopes of (v_r, e_r, v_p, e_p) by v, e, burn fraction
     temperature(burn_fraction, mixed, par)               T of the mixture, K (laws that have one)
@@ -24,7 +25,8 @@ from typing import NamedTuple
 from hugoniot.core.registry import Registry
 from hugoniot.laws.eos.contract import pressure, pressure_derivatives
 
-MIXTURE = Registry("mixture", contract=("solve", "equilibrate", "slopes", "phase_slopes"), optional=("temperature", "specific_heat"))
+MIXTURE = Registry("mixture", contract=("solve", "equilibrate", "slopes", "phase_slopes"),
+                   optional=("attempt", "temperature", "specific_heat"))
 
 CONVERGED = 0.0
 NOT_CONVERGED = 1.0     # the iteration limit was reached
@@ -92,6 +94,21 @@ def heated(before, heat):
 def solve(rho, e, burn_fraction, before, par):
     """Phases in equilibrium, as `Mixed`; `status` tells whether the search ended well."""
     return MIXTURE.of(par).functions["solve"](rho, e, burn_fraction, before, par)
+
+
+def attempts(par):
+    """Whether the closure has an `attempt`."""
+    return "attempt" in MIXTURE.of(par).functions
+
+
+def attempt(rho, e, burn_fraction, before, par):
+    """As `solve` from a state of the step before, or `before` with the status NOT_CONVERGED where all of `solve` is needed."""
+    return MIXTURE.of(par).functions.get("attempt", untried)(rho, e, burn_fraction, before, par)
+
+
+def untried(rho, e, burn_fraction, before, par):
+    """`attempt` of a closure that has none."""
+    return Mixed(before.pressure, before.rho_r, before.e_r, before.rho_p, before.e_p, NOT_CONVERGED)
 
 
 def equilibrate(rho, e, burn_fraction, before, par):

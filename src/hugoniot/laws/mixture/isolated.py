@@ -10,7 +10,8 @@ or ends. The products' energy is the difference (e - (1 - lambda) e_r)/lambda: b
 would be multiplied beyond sense, so the reactant's isentrope is then taken through the mixture state itself (the limit of 003 section
 5.9). For energies exact to round-off 1e-6 is right; a solver, whose step leaves an error of 1e-4 in a shock, needs about 1e-3.
 
-Newton's method runs inside a bracket that only shrinks; what leaves it is bisected.
+Newton's method runs inside a bracket that only shrinks; what leaves it is bisected. In a step of a run two trials nearly always do:
+`attempt` makes just these, for many zones at a time, and leaves the rest to the search.
 
 Source: 003 (Starkenberg ARL-TR-2161) sections 5.1 to 5.9 and appendix B-2 with corrections S-E2, S-E3, S-E13.
 """
@@ -33,6 +34,7 @@ NEAR = 1e-6
 NASCENT = 1e-8
 CLOSE = 1e-8         # step from which the search ends, relative
 CLOSE_PAIR = 4e-9    # product of two steps from which it ends
+SHORT = 0.1          # of a phase's volume, beyond which `attempt` goes no step
 
 
 class ThermalIsolation(NamedTuple):
@@ -66,6 +68,32 @@ def reactant(v, e, lam, w, v_k, e_k, vanishing, par):
     return pressure(there, e_r, par.reactants), impedance_squared(there, e_r, par.reactants), e_r, (e_r + q - e) / lam
 
 
+def trial(v, e, lam, w, v_k, e_k, vanishing, par):
+    """(F, p, i_r^2, i_p^2, thermal e_r, v_p, e_p) at w: the excess of the reactant's pressure p over the products', and both phases."""
+    p, i_r, e_r, z = reactant(v, e, lam, w, v_k, e_k, vanishing, par)
+    v_p, e_p = v - (1.0 - lam) * w, e - (1.0 - lam) * z
+    p_v, p_e = volume_slopes(1.0 / v_p, e_p, par.products)
+    return p - pressure(1.0 / v_p, e_p, par.products), p, i_r, p * p_e - p_v, e_r, v_p, e_p
+
+
+def limits(v, lam, par):
+    """w between which both phases are less dense than their laws bear."""
+    low = -(v - 1.0 / par.reactant_density_limit) / fmax(lam, 1e-12)
+    return low, fmin((v - 1.0 / par.product_density_limit) / fmax(1.0 - lam, 1e-12), 1e6 * v)
+
+
+def is_close(step, step_0, scale):
+    """Whether a search ends with this step, the one before being step_0: then what is left is of the order of CLOSE^2, CLOSE_PAIR^2."""
+    return (abs(step) <= CLOSE * scale) | (abs(step * step_0) <= CLOSE_PAIR * scale * scale)
+
+
+def arrive(lam, step, curvature, p, i_r, v_r, e_r, v_p, e_p):
+    """(p, v_r, e_r, v_p, e_p) at the root, a short step in w from a trial; curvature is the slope of i_r^2 by w."""
+    e_r = e_r - lam * step * (p - 0.5 * i_r * lam * step)
+    e_p = e_p + (1.0 - lam) * step * (p - 0.5 * lam * i_r * step)
+    return p - lam * step * (i_r + 0.5 * curvature * step), v_r + lam * step, e_r, v_p - (1.0 - lam) * step, e_p
+
+
 def inverse_cubic(excess, decline, moved, excess_0, decline_0):
     """Way from a trial w to the root of F: w as a cubic of F through this trial and the one before, `moved` behind, and both slopes."""
     between = excess_0 - excess
@@ -83,23 +111,17 @@ def equilibrate(rho, e, burn_fraction, before, par):
     v_r = v_k = v if vanishing else 1.0 / before.rho_r
     e_r = e_k = e - q if vanishing else before.e_r - q
     w = v_r - 1.0 / before.rho_p if before.rho_p > 0.0 else 0.0
-    low = -(v - 1.0 / par.reactant_density_limit) / fmax(lam, 1e-12)
-    high = fmin((v - 1.0 / par.product_density_limit) / fmax(rest, 1e-12), 1e6 * v)
+    low, high = limits(v, lam, par)
     if w <= low or w >= high:
         w = 0.0
     status = contract.NOT_CONVERGED
     p = v_p = e_p = 0.0
     w_0, excess_0, decline_0, i_r0, step_0 = w, 0.0, 1.0, 0.0, NO_LIMIT     # of the trial before
     for _ in range(ITERATIONS):
-        p, i_r, e_r, z = reactant(v, e, lam, w, v_k, e_k, vanishing, par)
+        excess, p, i_r, i_p, e_r, v_p, e_p = trial(v, e, lam, w, v_k, e_k, vanishing, par)
         v_r = v + lam * w
         if not knows_isentropes(par.reactants):   # a march is the shorter the nearer it starts
             v_k, e_k = v_r, e_r
-        v_p = v - rest * w
-        e_p = e - rest * z
-        p_v, p_e = volume_slopes(1.0 / v_p, e_p, par.products)
-        excess = p - pressure(1.0 / v_p, e_p, par.products)
-        i_p = p * p_e - p_v
         decline = lam * i_r + rest * i_p
         if excess > 0.0:
             low = w
@@ -107,18 +129,13 @@ def equilibrate(rho, e, burn_fraction, before, par):
             high = w
         step = excess / decline if decline > 0.0 else 0.5 * (low + high) - w
         scale = v + abs(w)
-        if decline > 0.0 and (abs(step) <= CLOSE * scale or abs(step * step_0) <= CLOSE_PAIR * scale * scale):
-            # The last step: Newton's when it is short, else along the cubic through both trials and their slopes. What is left is of
-            # the order of CLOSE squared, CLOSE_PAIR squared.
+        if decline > 0.0 and is_close(step, step_0, scale):
+            # the last step: Newton's when it is short, else along the cubic through both trials and their slopes
             curvature = 0.0
             if abs(step) > CLOSE * scale:
                 step = inverse_cubic(excess, decline, w - w_0, excess_0, decline_0)
                 curvature = (i_r - i_r0) / (w - w_0)
-            e_r = e_r - lam * step * (p - 0.5 * i_r * lam * step)
-            v_r = v_r + lam * step
-            v_p = v_p - rest * step
-            e_p = e_p + rest * step * (p - 0.5 * lam * i_r * step)
-            p = p - lam * step * (i_r + 0.5 * curvature * step)
+            p, v_r, e_r, v_p, e_p = arrive(lam, step, curvature, p, i_r, v_r, e_r, v_p, e_p)
             status = contract.CONVERGED if i_r > 0.0 and i_p > 0.0 else contract.UNSTABLE
             break
         # no step may compress a phase by more than a third; products may expand fourfold
@@ -133,6 +150,41 @@ def equilibrate(rho, e, burn_fraction, before, par):
         w_0, excess_0, decline_0, i_r0, step_0 = w, excess, decline, i_r, step if decline > 0.0 else NO_LIMIT
         w = target
     return Mixed(p, 1.0 / v_r, e_r + q, 1.0 / v_p, e_p, status)
+
+
+def attempt(rho, e, burn_fraction, before, par):
+    """`solve` by two trials of the search, without a branch, so that a loop over zones is packed.
+
+    NOT_CONVERGED, and `before` as it was, where that does not do: at first burning, in the last grains, far from `before`, and for
+    reactants whose isentropes are integrated.
+    """
+    if not knows_isentropes(par.reactants):
+        return Mixed(before.pressure, before.rho_r, before.e_r, before.rho_p, before.e_p, contract.NOT_CONVERGED)
+    v, lam, q = 1.0 / rho, burn_fraction, par.detonation_energy
+    known = (before.rho_r > 0.0) & (before.rho_p > 0.0) & (lam >= par.nascent_limit) & (lam < 1.0 - NASCENT)
+    v_k = 1.0 / (before.rho_r if known else rho)
+    w_0 = v_k - 1.0 / (before.rho_p if known else rho)
+    low, high = limits(v, lam, par)
+    fits = known & (low < w_0) & (w_0 < high)
+    w_0 = w_0 if fits else 0.0
+    lam = lam if fits else 0.5
+    excess_0, _, i_r0, i_p0, _, v_p, _ = trial(v, e, lam, w_0, v_k, before.e_r - q, False, par)
+    decline_0 = lam * i_r0 + (1.0 - lam) * i_p0
+    step_0 = excess_0 / decline_0
+    fits = fits & (decline_0 > 0.0) & (abs(step_0) < SHORT * fmin(v_k, v_p)) & (low < w_0 + step_0) & (w_0 + step_0 < high)
+    w = w_0 + step_0 if fits else w_0
+    excess, p, i_r, i_p, e_r, v_p, e_p = trial(v, e, lam, w, v_k, before.e_r - q, False, par)
+    decline = lam * i_r + (1.0 - lam) * i_p
+    step = excess / decline
+    scale = v + abs(w)
+    fits = fits & (i_r > 0.0) & (i_p > 0.0) & is_close(step, step_0, scale)
+    bends = fits & (abs(step) > CLOSE * scale)
+    moved = w - w_0 if bends else v
+    step = inverse_cubic(excess, decline, moved, excess_0 if bends else 2.0 * excess + 1.0, decline_0) if bends else step
+    curvature = (i_r - i_r0) / moved if bends else 0.0
+    p, v_r, e_r, v_p, e_p = arrive(lam, step, curvature, p, i_r, v + lam * w, e_r, v_p, e_p)
+    return Mixed(p if fits else before.pressure, 1.0 / v_r if fits else before.rho_r, e_r + q if fits else before.e_r,
+                 1.0 / v_p if fits else before.rho_p, e_p if fits else before.e_p, contract.CONVERGED if fits else contract.NOT_CONVERGED)
 
 
 def slopes(rho, e, burn_fraction, mixed, par):
@@ -198,7 +250,7 @@ def mixture_specific_heat(burn_fraction, mixed, par):
 
 MIXTURE.add(
     "thermal_isolation", ThermalIsolation,
-    functions={"solve": solve, "equilibrate": equilibrate, "slopes": slopes, "phase_slopes": phase_slopes,
+    functions={"solve": solve, "attempt": attempt, "equilibrate": equilibrate, "slopes": slopes, "phase_slopes": phase_slopes,
                "temperature": mixture_temperature, "specific_heat": mixture_specific_heat},
     example=ThermalIsolation(IdealGas(5.0, 1000.0, 1600.0), IdealGas(2.8, 1200.0, 1600.0), 5.0e6),
     units={"reactants": "", "products": "", "detonation_energy": "J/kg", "reactant_density_limit": "kg/m^3",

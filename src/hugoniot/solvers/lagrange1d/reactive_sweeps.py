@@ -25,7 +25,19 @@ from hugoniot.laws.burn.contract import BURN, advance, rate, scheduled
 from hugoniot.laws.mixture import contract as mixture_contract
 from hugoniot.laws.mixture import reference_state
 from hugoniot.laws.mixture.binding import bind_mixtures
-from hugoniot.laws.mixture.contract import MIXTURE, Mixed, at_rest, heated, mixture_temperature, slopes, solve, sound_speed_squared
+from hugoniot.laws.mixture.contract import (
+    CONVERGED,
+    MIXTURE,
+    Mixed,
+    at_rest,
+    attempt,
+    attempts,
+    heated,
+    mixture_temperature,
+    slopes,
+    solve,
+    sound_speed_squared,
+)
 from hugoniot.laws.mixture.reference_state import PASSING, found_state, is_passing, reactants_share
 from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.mesh.line import area, volume
@@ -73,6 +85,11 @@ def at_once(rate):
 def isolates(mixture):
     """Whether the reactants keep an isentrope, and so have a reference state."""
     return "follows_isentrope" in MIXTURE.of(mixture).flags
+
+
+def swept(r1, r2, u1, u2, geometry):
+    """Rate of a zone's volume."""
+    return area(r2, geometry) * u2 - area(r1, geometry) * u1
 
 
 def whole(lam):
@@ -162,20 +179,29 @@ def predict_zones(rh, u, g, mass, im, e, c, p_, sigma, sigma_half, q_, speed_out
     rows_apart()
     par = parameters(law[0], rows[0])
     viscosity = parameters(law[3], rows[3])
-    half, freezes = 0.5 * dt, rows[4][4]
+    half, freezes, tries = 0.5 * dt, rows[4][4], known == PARTLY and attempts(par.mixture)
+    if tries:
+        for j in range(mass.shape[0]):
+            change = half * im[j] * swept(rh[j], rh[j + 1], u[j], u[j + 1], geometry)
+            before = Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0)
+            warmth = -q_[j] * change
+            if isolates(par.mixture):
+                warmth = reactants_share(warmth, reference[j] == PASSING, freezes)
+            rho, energy = mass[j] / volume(rh[j], rh[j + 1], geometry), e[j] - sigma[j] * change
+            mixed = attempt(rho, energy, lam_half[j], heated(before, warmth), par.mixture)
+            sigma_half[j], status[j] = mixed.pressure, mixed.status
     for j in range(mass.shape[0]):
-        r1, r2, u1, u2 = rh[j], rh[j + 1], u[j], u[j + 1]
-        change = half * im[j] * (area(r2, geometry) * u2 - area(r1, geometry) * u1)
-        rho = mass[j] / volume(r1, r2, geometry)
-        energy = e[j] - sigma[j] * change
+        change = half * im[j] * swept(rh[j], rh[j + 1], u[j], u[j + 1], geometry)
+        rho = mass[j] / volume(rh[j], rh[j + 1], geometry)
         lam = lam_half[j] if known == PARTLY else known
-        before = Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0)
+        before = Mixed(sigma_half[j] if tries else p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0)
         warmth = -q_[j] * change
         if isolates(par.mixture):
             warmth = reactants_share(warmth, reference[j] == PASSING, freezes)
-        mixed = solve(rho, energy, lam, heated(before, warmth), par.mixture)
+        done = tries and status[j] == CONVERGED
+        mixed = before if done else solve(rho, e[j] - sigma[j] * change, lam, heated(before, warmth), par.mixture)
         p = mixed.pressure
-        du = u2 - u1
+        du = u[j + 1] - u[j]
         steep = -g[j + 1]
         left, right = -g[j], -g[j + 2]
         smooth = fmax(0.0, fmin(fmin(0.5 * (left + right), steep), 2.0 * fmin(left, right)))
@@ -230,23 +256,34 @@ def correct_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, g
         zones[L.SIGMA_HALF, first:last], zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last], zones[L.VISCOUS_WORK, first:last],
         zones[L.BURN_FRACTION, first:last], zones[L.RHO_R, first:last], zones[L.E_R, first:last], zones[L.RHO_P, first:last],
         zones[L.E_P, first:last], zones[L.MIX_STATUS, first:last], zones[L.RESOLUTION, first:last], zones[L.REFERENCE, first:last],
-        dt, law, rows, geometry, known)
+        zones[L.OLD, first:last], dt, law, rows, geometry, known)
 
 
 @nb.njit(**SWEEP)
 def correct_zones(r, rh, u, ue, g, mass, im, rho_, e_, p_, c_, sigma, sigma_half, q, speed, viscous, burned, rho_r, e_r, rho_p, e_p, status,
-                  resolved, reference, dt, law, rows, geometry, known):
+                  resolved, reference, tried, dt, law, rows, geometry, known):
     """`correct_alike` over rows of the tables."""
     rows_apart()
     par = parameters(law[0], rows[0])
     noise, per_rate, front, freezes = rows[4][1], rows[4][2], rows[4][3], rows[4][4]
-    fastest, radial_impulse = 0.0, 0.0
+    fastest, radial_impulse, tries = 0.0, 0.0, known == PARTLY and attempts(par.mixture)
+    if tries:
+        for j in range(mass.shape[0]):
+            change = dt * im[j] * swept(rh[j], rh[j + 1], u[j], u[j + 1], geometry)
+            before = Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0)
+            warmth = -q[j] * change
+            if isolates(par.mixture):
+                shocked = is_passing(q[j], sigma_half[j] - q[j], mass[j] / volume(rh[j], rh[j + 1], geometry) * c_[j] * c_[j])
+                warmth = reactants_share(warmth, shocked, freezes)
+            rho, energy = 1.0 / (volume(r[j], r[j + 1], geometry) * im[j]), e_[j] - sigma_half[j] * change
+            mixed = attempt(rho, energy, burned[j], heated(before, warmth), par.mixture)
+            p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j] = mixed.pressure, mixed.rho_r, mixed.e_r, mixed.rho_p, mixed.e_p
+            tried[j] = mixed.status
     for j in range(mass.shape[0]):
-        u1, u2, r1, r2 = u[j], u[j + 1], rh[j], rh[j + 1]
-        change = dt * im[j] * (area(r2, geometry) * u2 - area(r1, geometry) * u1)
+        change = dt * im[j] * swept(rh[j], rh[j + 1], u[j], u[j + 1], geometry)
         energy = e_[j] - sigma_half[j] * change
-        radial_impulse += sigma_half[j] * (area(r2, geometry) - area(r1, geometry))
-        rho_half = mass[j] / volume(r1, r2, geometry)
+        radial_impulse += sigma_half[j] * (area(rh[j + 1], geometry) - area(rh[j], geometry))
+        rho_half = mass[j] / volume(rh[j], rh[j + 1], geometry)
         v = volume(r[j], r[j + 1], geometry) * im[j]
         rho = 1.0 / v
         lam = burned[j] if known == PARTLY else known
@@ -256,7 +293,8 @@ def correct_zones(r, rh, u, ue, g, mass, im, rho_, e_, p_, c_, sigma, sigma_half
             shocked = is_passing(q[j], sigma_half[j] - q[j], rho_half * c_[j] * c_[j])
             warmth = reactants_share(warmth, shocked, freezes)
             reference[j] = found_state(reference[j], shocked, lam)
-        mixed = solve(rho, energy, lam, heated(before, warmth), par.mixture)
+        ready = before if tries else heated(before, warmth)     # what was tried is warm already
+        mixed = ready if tries and tried[j] == CONVERGED else solve(rho, energy, lam, ready, par.mixture)
         p = mixed.pressure
         c2 = sound_speed_squared(rho, p, slopes(rho, energy, lam, mixed, par.mixture))
         fault = status[j] + mixed.status
