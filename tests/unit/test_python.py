@@ -7,8 +7,10 @@ import pytest
 
 import hugoniot
 from hugoniot.errors import DeckError, FileTrouble, OutOfRange
+from hugoniot.laws.eos.contract import EOS
 from hugoniot.problem.deck import read_deck_text
 from hugoniot.theory.hugoniot import curve, shock
+from hugoniot.theory.impedance import match
 from hugoniot.theory.isentrope import state
 
 DECK = ('stop_time = "1 us"\n[[region]]\nname = "a"\nmaterial = "copper"\nfrom = "0 mm"\nto = "1 mm"\nzones = 10\n')
@@ -46,3 +48,20 @@ def test_tools_name_what_they_were_not_given():
     with pytest.raises(OutOfRange, match="two points or more, got 0"):
         curve(copper, points=0)
     assert np.all(np.diff(curve(copper, points=2).pressure) > 0.0)
+
+
+@pytest.mark.parametrize("name", EOS.names())
+def test_values_that_are_no_state_are_refused_in_words(name):
+    """Of every law, never an exception of arithmetic or a missing function."""
+    par = EOS.get(name).example
+    for asked in ({"density": 0.0, "temperature": 300.0}, {"density": 1000.0, "temperature": -1.0}, {"density": np.nan, "pressure": 1e9}):
+        with pytest.raises(OutOfRange):
+            state(par, **asked)
+    if "temperature" not in EOS.get(name).functions:
+        with pytest.raises(OutOfRange, match="has no temperature"):
+            state(par, temperature=300.0, energy=1e5)
+    for asked in ({"density": 0.0}, {"shock_velocity": 0.0}, {"pressure": np.nan}):
+        with pytest.raises(OutOfRange):
+            shock(par, **asked)
+    with pytest.raises(OutOfRange, match="positive impact velocity"):
+        match([par, par], np.nan)

@@ -186,6 +186,10 @@ def _as_arrays(law: Law, values: dict) -> dict:
 
 def _read_value(registry: Registry, law: Law, key: str, value: Any, collector: Collector, path: tuple) -> Any:
     unit = law.units.get(key, "1")
+    if (wanted := _other_kind(getattr(law.example, key, None), value)) is not None:
+        given = "a table" if isinstance(value, dict) else "a list" if isinstance(value, list) else printable(str(value), 40)
+        collector.add(path, f"expected {wanted}, got {given}", law.meaning.get(key, ""))
+        return None
     if isinstance(value, dict):
         return read_law(registry, value, collector, path)
     if unit == "text":
@@ -203,6 +207,13 @@ def _read_value(registry: Registry, law: Law, key: str, value: Any, collector: C
     if key == "specific_heat" and number is not None and not number > 0.0:
         collector.add(path, f"a specific heat must be positive, got {number:g} J/kg/K", "leave it out where it is not known")
     return number
+
+
+def _other_kind(example: Any, value: Any) -> str | None:
+    """What a parameter is, a law or a number, if it was given as another; None where it may be what it is."""
+    if hasattr(example, "_fields"):
+        return None if isinstance(value, dict) else "a law, as a table with law = \"...\""
+    return "a number" if isinstance(example, float) and isinstance(value, (dict, list)) else None
 
 
 def _read_array(value: list, unit: str, collector: Collector, path: tuple, deepest: int = 2) -> tuple:
@@ -289,6 +300,13 @@ def _source(row: Any, collector: Collector, path: tuple) -> Source | None:
 def _check_sound(built: dict, collector: Collector, path: tuple) -> None:
     """At rest a material must have positive density, a real sound speed, and strengths that are not negative."""
     par = built["eos"]
+    try:
+        _check_rest(par, built, collector, path)
+    except ArithmeticError:
+        collector.add((*path, "eos"), "the parameters leave no state at rest", "check their units: one is beyond what numbers hold")
+
+
+def _check_rest(par: Any, built: dict, collector: Collector, path: tuple) -> None:
     rho, e = reference_state(par)
     if not (math.isfinite(rho) and rho > 0.0):
         collector.add((*path, "eos"), f"the density at rest must be positive, got {rho:g} kg/m^3")

@@ -76,6 +76,8 @@ def energy_at_temperature(rho, t, eos):
     for _ in range(60):
         step = 1e-6 * (abs(e) + 1e3)
         slope = (temperature(rho, e + step, eos) - now) / step
+        if slope == 0.0:
+            break
         change = (t - now) / slope
         e += change
         now = temperature(rho, e, eos)
@@ -123,6 +125,9 @@ def initial_state(eos, density=None, pressure_=None, temperature_=None, energy=N
     given = sum(x is not None for x in (density, pressure_, temperature_, energy))
     if given > 2:
         raise OutOfRange("at most two of density, pressure, temperature and energy fix a state")
+    for name, value, unit in (("density", density, "kg/m3"), ("temperature", temperature_, "K")):
+        if value is not None and not 0.0 < value < math.inf:
+            raise OutOfRange(f"a {name} of {value:g} {unit} is no state: give a positive one")
     if given == 0:
         return rho0, e0
     if density is None and given == 1:
@@ -138,6 +143,8 @@ def initial_state(eos, density=None, pressure_=None, temperature_=None, energy=N
     if energy is not None and pressure_ is not None:
         return _density(lambda r: pressure(r, energy, eos) - pressure_, eos, f"{pressure_:g} Pa and {energy:g} J/kg"), energy
     if energy is not None:
+        if "temperature" not in EOS.of(eos).functions:
+            raise OutOfRange(f"the equation of state '{EOS.of(eos).name}' has no temperature; give density or pressure instead")
         return _density(lambda r: temperature(r, energy, eos) - temperature_, eos, f"{temperature_:g} K and {energy:g} J/kg"), energy
     rho = _density(lambda r: pressure(r, energy_at_temperature(r, temperature_, eos), eos) - pressure_, eos,
                    f"{pressure_:g} Pa and {temperature_:g} K")

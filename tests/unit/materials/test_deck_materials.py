@@ -4,6 +4,10 @@ import pytest
 
 from hugoniot.cli import main as front
 from hugoniot.errors import DeckError
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.fracture.contract import FRACTURE
+from hugoniot.laws.strength.contract import STRENGTH
+from hugoniot.materials.build import accepted
 from hugoniot.problem.deck import read_deck, read_deck_text
 
 DECK = """
@@ -75,3 +79,22 @@ def test_a_name_is_never_a_path(folder, name):
 def test_unverified_constants_are_told_before_a_run(folder):
     (folder / "deck.toml").write_text("lighting = [{at = 0.0}]\n" + DECK.format("octol"))
     assert any("octol" in w and "unverified against print" in w for w in read_deck(folder / "deck.toml").warnings)
+
+
+@pytest.mark.parametrize("registry, family", [(EOS, "eos"), (STRENGTH, "strength"), (FRACTURE, "fracture")])
+def test_a_list_or_a_table_where_a_number_belongs_is_told_with_its_place(registry, family):
+    """Every number of every law, and every law inside a law."""
+    for law in registry:
+        for key, example in zip(law.parameters._fields, law.example):
+            if not isinstance(example, float) and not hasattr(example, "_fields") or key not in accepted(law)[0]:
+                continue
+            wrong = "1.0" if hasattr(example, "_fields") else "[1.0]"
+            eos = "" if family == "eos" else OWN.replace("[eos]", "[material.odd.eos]")
+            text = f'{DECK.format("odd")}{eos}[material.odd.{family}]\nlaw = "{law.name}"\n{key} = {wrong}\n'
+            with pytest.raises(DeckError, match=rf"material\.odd\.{family}\.{key}: expected a "):
+                read_deck_text(text)
+
+
+def test_numbers_beyond_what_numbers_hold_leave_no_state():
+    with pytest.raises(DeckError, match=r"material\.odd\.eos: the parameters leave no state at rest"):
+        read_deck_text(DECK.format("odd") + OWN.replace("[eos]", "[material.odd.eos]").replace("2.7 g/cm^3", "1e-320 kg/m^3"))
