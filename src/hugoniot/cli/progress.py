@@ -10,7 +10,7 @@ import typer
 from hugoniot.units import format_si
 
 SECONDS_BETWEEN_LINES = 5.0
-COMPILING = "compiling the kernels for these laws, which takes 10 to 20 s, once"
+COMPILING = "compiling the kernels for these laws, which takes 10 to 30 s, once"
 
 
 @contextlib.contextmanager
