@@ -20,8 +20,11 @@ def command(
 
     Example: hugoniot compare flyer.run visar.csv --plot compare.png
     """
+    from hugoniot.cli.plot import drawable
     from hugoniot.output.compare import compare
 
+    if plot is not None:
+        drawable(plot, "compare", "--plot")
     found = compare(run, other)
     if as_json:
         echo_json({"a": found.name_a, "b": found.name_b, "pairs": found.rows(), "unmatched": list(found.unmatched)})

@@ -73,4 +73,6 @@ def _options(kind: str, field: str, gauge: str | None, time: str | None, delay: 
             options[name] = parse(value, "s") if name in ("time", "delay") else value
         except UnitError as error:
             raise DeckError.single("plot", None, shown, error.message, error.hint) from None
+        if name == "delay" and not options[name] > 0.0:
+            raise DeckError.single("plot", None, shown, f"must be greater than 0, got {printable(value)}")
     return options

@@ -6,6 +6,10 @@ from typing import Annotated
 
 import typer
 
+from hugoniot.errors import DeckError
+
+INTEGRATORS = ("compatible", "wilkins")
+FEWEST_ZONES = 10
 
 def verify(
     problems: Annotated[list[str] | None, typer.Argument(help="names of standard problems; none: all of them")] = None,
@@ -18,7 +22,13 @@ def verify(
     Example: hugoniot verify sod noh_planar
     """
     from hugoniot.campaign.verify import PROBLEMS, verify_problem
+    from hugoniot.materials.collect import nearest, printable
 
+    if integrator not in INTEGRATORS:
+        unknown = f"unknown integrator '{printable(integrator)}'"
+        raise DeckError.single("verify", None, "--integrator", unknown, nearest(integrator, INTEGRATORS))
+    if few := [n for n in zones or () if n < FEWEST_ZONES]:
+        raise DeckError.single("verify", None, "--zones", f"{few[0]} zones hold no problem", f"give {FEWEST_ZONES} or more")
     results = []
     for name in problems or list(PROBLEMS):
         found = verify_problem(name, zones or None, integrator)

@@ -39,7 +39,7 @@ def write_table(path, density, temperature, pressure, energy, about: str = "") -
         os.replace(unfinished, path)
     except OSError as error:
         unfinished.unlink(missing_ok=True)
-        raise FileTrouble(f"cannot write {path}: {error.strerror or error}") from None
+        raise FileTrouble(f"cannot write {path}: {os.strerror(error.errno) if error.errno else error}") from None
 
 
 def read_table(path) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

@@ -70,6 +70,13 @@ def test_a_file_that_may_not_be_read_ends_with_the_code_of_files(arguments, caps
     assert code == 4 and "deck.toml: Permission denied" in err
 
 
+@pytest.mark.parametrize("arguments, words", [
+    (("--integrator", "wilkin"), "--integrator: unknown integrator 'wilkin'; did you mean 'wilkins'?"), (("-n", "0"), "--zones: 0 zones hold no problem")])
+def test_verify_names_what_it_cannot_run(arguments, words, capsys):
+    code, out, err = call(capsys, "verify", "sod", *arguments)
+    assert code == 2 and not out and words in err
+
+
 def test_a_command_that_is_proposed_can_be_pasted_where_a_name_has_spaces(capsys, tmp_path):
     code, out, _ = call(capsys, "init", "flyer", "--out", str(tmp_path / "my deck.toml"))
     assert code == 0 and out.splitlines()[-1] == f"next: hugoniot run '{tmp_path}/my deck.toml'"

@@ -71,6 +71,11 @@ def test_compare_with_measured_data_draws_a_picture(place, capsys):
     assert (place / "compare.png").read_bytes()[:8] == b"\x89PNG\r\n\x1a\n"
 
 
+def test_compare_refuses_a_picture_of_an_unknown_kind(place, capsys):
+    code, out, err = call(capsys, "compare", place / "tube.run", place / "tube.run", "--plot", place / "compare.doc")
+    assert code == 2 and not out and "--plot: cannot draw 'compare.doc'" in err
+
+
 @pytest.mark.parametrize("arguments, name", [
     (["xt", "pressure"], "xt-pressure.png"), (["gauge", "velocity"], "gauge-velocity.png"), (["profile", "density"], "profile-density.png"),
     (["budget"], "budget.png"), (["setup"], "setup.png"),
@@ -84,6 +89,7 @@ def test_plot_draws(arguments, name, place, capsys):
 @pytest.mark.parametrize("arguments, hint", [
     (["xtt"], "did you mean 'xt'?"), (["budget", "--time", "1 us"], "it goes with profile"), (["profile", "--time", "1 mm"], "expected a time"),
     (["xt", "--out", "wave.gif"], ".png"), (["profile", "--time", "9 s"], "the run has no state at 9 s; its snapshots are from 0 s to"),
+    (["free_surface", "--delay", "-1 ns"], "--delay: must be greater than 0"),
 ])
 def test_plot_refuses_what_it_cannot_draw(arguments, hint, place, capsys):
     code, _, err = call(capsys, "plot", place / "tube.run", *arguments)
