@@ -1,6 +1,7 @@
 """The one place where the parts are put together: a deck or a Problem goes in, a run folder comes out."""
 
 import dataclasses
+import functools
 import os
 import pathlib
 import re
@@ -90,7 +91,7 @@ class _Recorder:
             self.show.update(report)
 
     def checkpoint(self, payload):
-        self.folder.checkpoint(payload)
+        self.folder.checkpoint({**payload, "program": _program()})
 
 
 def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=None, overwrite: bool = False,
@@ -140,9 +141,26 @@ def resume(folder, progress=None, report: bool | Callable = True) -> "Run":
         for warning in deck.warnings:
             place.event(0.0, 0, "warning", warning)
     else:
+        _check_program(folder, payload.get("program", {}))
         solver.restore(payload["solver"])
         next_snapshot = int(payload["next_snapshot"])
     return _drive(recorder, next_snapshot, begun, report)
+
+
+@functools.cache
+def _program() -> dict[str, str]:
+    """What computes: version of the package, hash of the sources behind its kernels (and of the compiler's version)."""
+    from hugoniot.core.compile import source_hash
+
+    return {"version": hugoniot.__version__, "sources": source_hash()}
+
+
+def _check_program(folder, program: Mapping[str, str]) -> None:
+    """Refuse a checkpoint whose run this program would not continue bit for bit."""
+    if program != _program():
+        raise FileTrouble(f"{folder}: its checkpoint was written by another hugoniot ({program.get('version', 'an early one')}), "
+                          f"Python or numba, whose bits this one would not continue; resume with that one, or start again in a new folder: "
+                          f"hugoniot run {pathlib.Path(folder) / 'deck.toml'} --out NEW")
 
 
 def _drive(recorder: _Recorder, next_snapshot: int, begun: float, report: bool | Callable) -> "Run":

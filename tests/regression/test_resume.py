@@ -5,6 +5,7 @@ import random
 import signal
 import sys
 import threading
+from types import SimpleNamespace
 
 import lagrange_builders as build
 import numpy as np
@@ -12,6 +13,7 @@ import pytest
 from killed_runs import finish, same_bytes, start, wait_for_checkpoint
 
 from hugoniot import simulate
+from hugoniot.errors import FileTrouble
 from hugoniot.output.run_folder import RunFolder
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.run import Schedule, march_to_end, snapshot_times
@@ -209,3 +211,19 @@ def test_control_c_leaves_a_checkpoint_and_exit_code_130(place, whole):
     assert RunFolder(folder, resume=True).latest_checkpoint() is not None
     simulate.resume(folder)
     same_bytes(whole(path), folder)
+
+
+def test_a_checkpoint_of_another_program_is_refused_and_not_touched(place, monkeypatch):
+    folder = place / "older.run"
+
+    def stop(report):
+        if list((folder / "checkpoint").glob("*.json")):
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        simulate.run(deck(place), folder, progress=SimpleNamespace(update=stop))
+    with monkeypatch.context() as other:
+        other.setattr(simulate, "_program", lambda: {"version": "0.0.9", "sources": "other"})
+        with pytest.raises(FileTrouble, match=r"another hugoniot .*start again in a new folder: hugoniot run .*deck\.toml"):
+            simulate.resume(folder)
+    assert simulate.resume(folder).summary["status"] == "done"
