@@ -63,7 +63,8 @@ def _mount(app: typer.Typer, name: str, module, line: str) -> None:
         return
     sub: typer.Typer = module.app
     for info in sub.registered_commands:
-        info.callback = guarded(info.callback)  # type: ignore[arg-type]
+        plain = getattr(info.callback, "__wrapped__", info.callback)    # an application may be built again in the same process
+        info.callback = guarded(plain)  # type: ignore[arg-type]
     sub.info.rich_markup_mode = None  # type: ignore[attr-defined]
     app.add_typer(sub, name=name, short_help=line)
 
@@ -108,7 +109,7 @@ def guarded(function: Callable) -> Callable:
         except (typer.Exit, typer.Abort, SystemExit):
             raise
         except OSError as error:
-            typer.echo(f"error: {error.filename or 'file'}: {error.strerror or error}", err=True)
+            typer.echo(f"error: {error.filename or 'output'}: {error.strerror or error}", err=True)
             raise typer.Exit(4) from None
         except Exception as error:
             if type(error).__module__.startswith(("click", "typer")):  # a usage error: typer tells it itself

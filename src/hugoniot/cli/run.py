@@ -1,5 +1,6 @@
 """hugoniot run: a deck in, a run folder out."""
 
+import shlex
 from pathlib import Path
 from typing import Annotated
 
@@ -11,7 +12,7 @@ from hugoniot.report.scribe import Scribe
 
 
 def command(
-    deck: Annotated[Path, typer.Argument(help="The deck, a TOML file.")],
+    deck: Annotated[Path, typer.Argument(help="The deck, a TOML file.", readable=False)],
     out: Annotated[Path | None, typer.Option("--out", "-o", help="Run folder to write (default: the deck's name with .run, here).")] = None,
     setting: SET = None,
     materials: MATERIALS = None,
@@ -58,5 +59,5 @@ def _run(deck, out, changes, materials, overwrite, report, quiet):
         with progress(quiet) as display:
             return simulate.run(found, folder, progress=display, overwrite=overwrite, report=report), found.warnings
     except KeyboardInterrupt:
-        typer.echo(f"interrupted; a checkpoint is kept, go on with: hugoniot resume {folder}", err=True)
+        typer.echo(f"interrupted; a checkpoint is kept, go on with: hugoniot resume {shlex.quote(str(folder))}", err=True)
         raise typer.Exit(130) from None

@@ -20,6 +20,7 @@ from hugoniot.plotting.style import (
     time_scale,
     zone_field,
 )
+from hugoniot.units import parse
 
 
 @styled
@@ -101,10 +102,10 @@ def _mark_pull_back(ax, found, reading, ft, fu, unit):
 
 @styled
 def profile(run, field: str = "stress", time=None, ax=None):
-    """A zone field over position at one or more times (s; the nearest snapshots are taken; default the last); gives the axes."""
+    """A zone field over position at one or more times (s or "1 us"; the nearest snapshots; default the last); gives the axes."""
     ax = ax if ax is not None else new_axes()
     rows, _ = run.arrays("snapshots"), zone_field(run, "snapshots", field)
-    wanted = np.atleast_1d(rows["time"][-1] if time is None else time)
+    wanted = [parse(t, "s") for t in ([time] if isinstance(time, str) else np.atleast_1d(rows["time"][-1] if time is None else time))]
     picked = [int(np.argmin(np.abs(rows["time"] - t))) for t in wanted]
     left, right = rows["position_left"][picked], rows["position_right"][picked]
     unit, factor, words = field_scale(field, rows[field][picked])

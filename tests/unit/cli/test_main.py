@@ -252,3 +252,10 @@ def test_the_process_ends_with_the_commands_code_and_all_it_said():
     assert subprocess.run([*called, "run", "no such deck.toml"], capture_output=True, timeout=60).returncode == 4
     with open("/dev/full", "w") if pathlib.Path("/dev/full").exists() else pytest.skip("no device that is always full") as full:
         assert subprocess.run([*called, "list", "eos"], stdout=full, stderr=subprocess.DEVNULL, timeout=60).returncode == 4
+
+
+def test_an_application_may_be_built_any_number_of_times():
+    for _ in range(3):
+        front.build_app("eos")
+    module = front.importlib.import_module(front.COMMANDS["eos"][0])
+    assert not any(hasattr(info.callback.__wrapped__, "__wrapped__") for info in module.app.registered_commands)

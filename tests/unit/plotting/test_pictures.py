@@ -66,6 +66,7 @@ def test_profiles_break_at_voids(run):
     y = run.plot.profile("stress").lines[0].get_ydata()
     assert np.isnan(y).sum() == 2
     assert len(run.plot.profile("density", time=[2e-7, 5e-7]).lines) == 2
+    assert len(run.plot.profile("density", time="0.2 us").lines) == len(run.plot.profile("density", time=["0.2 us"]).lines) == 1
 
 
 def test_peaks_over_lagrangian_position(run):

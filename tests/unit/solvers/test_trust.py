@@ -133,9 +133,10 @@ def pulse_tube(right, amplitude=0.01, zones=400):
     return dataclasses.replace(base, regions=(region,), interfaces=())
 
 
-def test_a_stream_passes_a_transmitting_boundary_undisturbed():
+@pytest.mark.parametrize("integrator", ["compatible", "wilkins"])
+def test_a_stream_passes_a_transmitting_boundary_undisturbed(integrator):
     """Gas that runs through both ends at a quarter of its sound speed for two transits of sound."""
-    moving = build.gas_tube(left=Boundary("transmitting"), right=Boundary("transmitting"), velocity=0.3, stop=1.5)
+    moving = build.gas_tube(left=Boundary("transmitting"), right=Boundary("transmitting"), velocity=0.3, stop=1.5, integrator=integrator)
     alike = tuple(dataclasses.replace(region, density=1.0, pressure=1.0) for region in moving.regions)
     solver, _ = build.run(dataclasses.replace(moving, regions=alike))
     state = solver.state()
@@ -143,11 +144,12 @@ def test_a_stream_passes_a_transmitting_boundary_undisturbed():
     assert solver.errors()["momentum_error"] < 1e-12
 
 
-def test_a_transmitting_boundary_lets_a_pulse_out():
-    """The echo of a 1 % pulse, seen in the middle after it has left, is below a hundredth of it; a wall gives all of it back."""
+@pytest.mark.parametrize("integrator", ["compatible", "wilkins"])
+def test_a_transmitting_boundary_lets_a_pulse_out(integrator):
+    """The echo of a 1 % pulse, seen in the middle after it has left, is below a hundredth of it; a wall gives back what viscosity leaves."""
     heights = {}
     for name, right in (("transmitting", Boundary("transmitting")), ("fixed", build.FIXED)):
-        solver = make_solver(pulse_tube(right))
+        solver = make_solver(build.changed(pulse_tube(right), integrator=integrator))
         passing = echo = 0.0
         while solver.time < 1.35:       # sound goes 1 in 0.845; the echo is in the middle from 1.27 on
             solver.march(1.35, 5)
@@ -158,7 +160,7 @@ def test_a_transmitting_boundary_lets_a_pulse_out():
             elif solver.time > 1.05:
                 echo = max(echo, height)
         heights[name] = echo / passing
-    assert heights["fixed"] > 0.7
+    assert heights["fixed"] > {"compatible": 0.7, "wilkins": 0.6}[integrator]     # its viscosity acts in smooth waves too
     assert heights["transmitting"] < 0.01
 
 

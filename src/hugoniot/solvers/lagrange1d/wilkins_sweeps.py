@@ -61,32 +61,43 @@ def leap(zones, nodes, first, last, segment, dt, dt_mean, geometry):
 
 
 @nb.njit(**GUARD)
+def end_inverse_mass(zones, nodes, ends, geometry):
+    """Acceleration of a segment's end per stress (B.3), m2/kg."""
+    node, zone, _ = ends
+    return nodes[L.INVERSE_NODE_MASS, node] if hoops(geometry) == 0.0 else 1.0 / (0.5 * zones[L.OLD, zone])
+
+
+@nb.njit(**GUARD)
 def end_acceleration(zones, nodes, ends, left, outside, geometry):
     """Acceleration of a segment's end under an outside stress (B.3)."""
-    node, zone, _ = ends
+    _, zone, _ = ends
     push = (outside - zones[L.SIGMA, zone]) if left else (zones[L.SIGMA, zone] - outside)
-    if hoops(geometry) == 0.0:
-        return push * nodes[L.INVERSE_NODE_MASS, node]
-    return push / (0.5 * zones[L.OLD, zone]) + zones[L.HOOP, zone] * hoops(geometry)
+    acceleration = push * end_inverse_mass(zones, nodes, ends, geometry)
+    return acceleration if hoops(geometry) == 0.0 else acceleration + zones[L.HOOP, zone] * hoops(geometry)
 
 
 @nb.njit(**GUARD)
 def leap_end(zones, nodes, control, ends, left, dt, dt_mean, boundary, geometry):
-    """One end of a segment: acceleration under the outside stress, or the prescribed velocity."""
+    """One end of a segment: acceleration under the outside stress, or the prescribed velocity.
+
+    A transmitting end answers with the impedance rho c of the zone inside, taken at the mean of the old and the new velocity: with the old
+    one alone round-off grows.
+    """
     node, zone, code = ends
     pulse, table = boundary
     sign = -1.0 if left else 1.0
     u, time = nodes[L.U, node], control[L.TIME]
     reference = control[L.REFERENCE_LEFT] if left else control[L.REFERENCE_RIGHT]
     outside = outside_stress(code, time, reference, pulse, table)
-    if code == L.TRANSMITTING:
-        outside += sign * zones[L.RHO, zone] * zones[L.C, zone] * u
     if code == L.FIXED:
         new = 0.0
     elif code == L.VELOCITY:
         new = pulse_value(time + 0.5 * dt, pulse, table)
     else:
-        new = u + dt_mean * end_acceleration(zones, nodes, ends, left, outside, geometry)
+        impedance = zones[L.RHO, zone] * zones[L.C, zone] if code == L.TRANSMITTING else 0.0
+        weight = 0.5 * dt_mean * end_inverse_mass(zones, nodes, ends, geometry) * impedance
+        new = (u * (1.0 - weight) + dt_mean * end_acceleration(zones, nodes, ends, left, outside, geometry)) / (1.0 + weight)
+        outside += sign * impedance * 0.5 * (u + new)
     face = nodes[L.R, node] ** hoops(geometry)
     nodes[L.U, node] = new
     nodes[L.R, node] += dt * new
