@@ -22,6 +22,8 @@ from hugoniot.theory import isentrope as release_path
 from hugoniot.theory.hugoniot import Initial, shock
 from hugoniot.theory.states import States, law_of
 
+FEEBLE = 1e-6     # strain up to which a shock is found as an isentrope
+
 
 @dataclass(frozen=True)
 class Wave:
@@ -123,7 +125,7 @@ class _Side:
         self.head = math.sqrt(contract.sound_speed_squared(state.density, state.specific_internal_energy, self.elastic))
         self._fan = replace(state, par=self.elastic)
         # below this rise a shock and an isentrope agree to round-off (third order), and the isentrope is the better conditioned
-        self.weak = 1e-6 * state.density * square
+        self.weak = FEEBLE * state.density * square
 
     def behind(self, p: float) -> States:
         if p > self.state.pressure + self.weak:
@@ -133,8 +135,16 @@ class _Side:
         # continue from the last state found on the same isentrope
         self._fan = release_path.isentrope(self.elastic if p < self.state.pressure else self.par, self._fan, pressure=p,
                                            direction=self.direction)
-        speed = self.state.particle_velocity + self.direction * self.c if p > self.state.pressure else None
-        return replace(self._fan, par=self.par, shock_velocity=speed)
+        if p > self.state.pressure and self._fan.density > (1.0 + FEEBLE) * self.state.density:     # pores, softer than any sound tells
+            return shock(self.par, self.ahead, pressure=p, direction=self.direction)
+        return replace(self._fan, par=self.par, shock_velocity=self._feeble_speed(p) if p > self.state.pressure else None)
+
+    def _feeble_speed(self, p: float) -> float:
+        """Velocity of a shock too weak to be told from an isentrope: by its momentum, and of sound where round-off is all there is."""
+        gained = abs(self._fan.particle_velocity - self.state.particle_velocity)
+        rise = p - self.state.pressure
+        speed = rise / (self.state.density * gained) if rise > 0.01 * self.weak else self.c
+        return self.state.particle_velocity + self.direction * speed
 
     def slope(self, p: float, behind: States) -> float:
         """|du/dp| on the curve at p."""

@@ -131,7 +131,7 @@ def test_physics_that_fails_ends_with_code_three_and_a_post_mortem(place, capsys
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no such signal")
 def test_an_interrupted_run_ends_with_130_and_resumes_to_the_same_bits(place, capsys):
-    deck = catalogue.deck_text("sod").replace('stop_time = "0.2 s"', 'stop_time = "10 s"').replace("zones = 100", "zones = 400")
+    deck = catalogue.deck_text("sod").replace('stop_time = "0.2 s"', 'stop_time = "10 s"').replace("zones = 100", "zones = 800")
     (place / "long.toml").write_text(deck.replace('snapshots = "0.01 s"', 'snapshots = "5 s"\ngauge_interval = "0.01 s"'))
     program = "from hugoniot.cli.main import main; main()"
     process = subprocess.Popen([sys.executable, "-c", program, "run", str(place / "long.toml"), "--out", str(place / "long.run"), "--no-report"],
@@ -139,7 +139,7 @@ def test_an_interrupted_run_ends_with_130_and_resumes_to_the_same_bits(place, ca
     deadline = time.monotonic() + 60
     while not (place / "long.run" / "deck.toml").exists() and time.monotonic() < deadline and process.poll() is None:
         time.sleep(0.02)
-    time.sleep(0.5)  # the run takes seconds; by now it is under way
+    time.sleep(0.5)  # the run takes two seconds; by now it is under way
     process.send_signal(signal.SIGINT)
     _, err = process.communicate(timeout=60)
     assert process.returncode == 130, err
