@@ -163,7 +163,7 @@ def test_each_error_is_told_with_line_key_and_way_out(name, tmp_path):
     begun = time.process_time()
     with pytest.raises(DeckError) as caught:
         read_deck(path)
-    assert time.process_time() - begun < 0.5
+    assert time.process_time() - begun < 1.0     # of processor time, libraries that are read for the first time included
     told = caught.value.problems
     for line, key, part in expected:
         near = [p for p in told if key in p.key and part in f"{p.message}; {p.hint}"]
