@@ -11,7 +11,7 @@ import numpy as np
 
 from hugoniot.core.registry import Registry
 
-GEOMETRY = Registry("geometry", contract=("area", "mean_area", "volume", "hoops"))
+GEOMETRY = Registry("geometry", contract=("area", "mean_area", "area_per_radius", "volume", "hoops"))
 
 
 class Planar(NamedTuple):
@@ -36,6 +36,11 @@ def mean_area(r1, r2, geometry):
     return GEOMETRY.of(geometry).functions["mean_area"](r1, r2, geometry)
 
 
+def area_per_radius(r1, r2, geometry):
+    """Mean area of a zone over its mean radius: what the hoop stress pushes on (curved geometries)."""
+    return GEOMETRY.of(geometry).functions["area_per_radius"](r1, r2, geometry)
+
+
 def volume(r1, r2, geometry):
     """Volume (r2^d - r1^d)/d between two nodes."""
     return GEOMETRY.of(geometry).functions["volume"](r1, r2, geometry)
@@ -46,7 +51,7 @@ def hoops(geometry):
     return GEOMETRY.of(geometry).functions["hoops"](geometry)
 
 
-GENERICS = {"area": area, "mean_area": mean_area, "volume": volume, "hoops": hoops}
+GENERICS = {"area": area, "mean_area": mean_area, "area_per_radius": area_per_radius, "volume": volume, "hoops": hoops}
 
 
 def planar_area(r, geometry):
@@ -55,6 +60,10 @@ def planar_area(r, geometry):
 
 def planar_mean_area(r1, r2, geometry):
     return 1.0
+
+
+def planar_area_per_radius(r1, r2, geometry):
+    return 0.0
 
 
 def planar_volume(r1, r2, geometry):
@@ -73,6 +82,10 @@ def cylindrical_mean_area(r1, r2, geometry):
     return 0.5 * (r2 + r1)
 
 
+def cylindrical_area_per_radius(r1, r2, geometry):
+    return 1.0
+
+
 def cylindrical_volume(r1, r2, geometry):
     return 0.5 * (r2 - r1) * (r2 + r1)
 
@@ -89,6 +102,10 @@ def spherical_mean_area(r1, r2, geometry):
     return (1.0 / 3.0) * (r1 * r1 + r1 * r2 + r2 * r2)
 
 
+def spherical_area_per_radius(r1, r2, geometry):
+    return (2.0 / 3.0) * (r1 * r1 + r1 * r2 + r2 * r2) / (r1 + r2 + 1e-30)
+
+
 def spherical_volume(r1, r2, geometry):
     return (1.0 / 3.0) * (r2 - r1) * (r1 * r1 + r1 * r2 + r2 * r2)
 
@@ -98,15 +115,14 @@ def spherical_hoops(geometry):
 
 
 def _enrol(name, cls, functions):
-    GEOMETRY.add(name, cls, functions=functions, example=cls(), units={"dimension": "1"}, meaning={"dimension": "d"}, box={},
-                 references=("Wilkins, appendix B.2 item 1",))
+    GEOMETRY.add(name, cls, functions=dict(zip(GENERICS, functions)), example=cls(), units={"dimension": "1"},
+                 meaning={"dimension": "d"}, box={}, references=("Wilkins, appendix B.2 item 1",))
 
 
-_enrol("planar", Planar, {"area": planar_area, "mean_area": planar_mean_area, "volume": planar_volume, "hoops": planar_hoops})
-_enrol("cylindrical", Cylindrical, {"area": cylindrical_area, "mean_area": cylindrical_mean_area, "volume": cylindrical_volume,
-                                    "hoops": cylindrical_hoops})
-_enrol("spherical", Spherical, {"area": spherical_area, "mean_area": spherical_mean_area, "volume": spherical_volume,
-                                "hoops": spherical_hoops})
+_enrol("planar", Planar, (planar_area, planar_mean_area, planar_area_per_radius, planar_volume, planar_hoops))
+_enrol("cylindrical", Cylindrical, (cylindrical_area, cylindrical_mean_area, cylindrical_area_per_radius, cylindrical_volume,
+                                    cylindrical_hoops))
+_enrol("spherical", Spherical, (spherical_area, spherical_mean_area, spherical_area_per_radius, spherical_volume, spherical_hoops))
 
 
 def graded_nodes(start: float, end: float, zones: int, ratio: float = 1.0) -> np.ndarray:

@@ -13,7 +13,7 @@ from hugoniot.laws.eos.contract import EOS, compacted, pressure, pressure_deriva
 from hugoniot.laws.fracture.contract import damage_rate, failure
 from hugoniot.laws.strength.contract import shear_modulus
 from hugoniot.laws.viscosity.contract import viscous_speed
-from hugoniot.mesh.line import hoops, mean_area, volume
+from hugoniot.mesh.line import area_per_radius, hoops, mean_area, volume
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.constitutive import (
     fails,
@@ -154,13 +154,12 @@ def advance_zones(r, u, im, rho_, e_, p_, c_, s1, s2, eps, hurt, sigma, q_, torn
             rho = 1.0 / (v - voids[j])
         du, dr = u2 - u1, r2 - r1
         dilation = dv * rho_half
-        radial, hoop, per_radius = dilation, 0.0, 0.0     # dilation and radial strain are one number in planar flow
+        radial, hoop = dilation, 0.0     # dilation and radial strain are one number in planar flow
         if hoops(geometry) > 0.0:
-            across, drift, stretch = r1 + r2 + SMALL, dt * (u1 + u2), dt * du
-            before, width_half = across - 0.5 * drift, dr - 0.5 * stretch
-            radii = across * before
-            each = 1.0 / (radii * width_half)     # one division for three
-            radial, hoop, per_radius = stretch * radii * each, drift * across * width_half * each, 2.0 * before * width_half * each
+            drift, stretch = dt * (u1 + u2), dt * du
+            across_half, width_half = r1 + r2 - 0.5 * drift + SMALL, dr - 0.5 * stretch
+            each = 1.0 / (across_half * width_half)     # one division for two
+            radial, hoop = stretch * across_half * each, drift * width_half * each
         crushed = remembered(pores[j], eos)
         p_rho, p_e = pressure_derivatives(rho, e_[j], unloading(crushed))
         heat = strength_temperature(rho, e_[j], crushed, strength)
@@ -220,6 +219,6 @@ def advance_zones(r, u, im, rho_, e_, p_, c_, s1, s2, eps, hurt, sigma, q_, torn
             torn[j] = ratio
         sigma[j] = p + q - t1
         if hoops(geometry) > 0.0:
-            force[j] = (t1 - t2) * v * per_radius
+            force[j] = (t1 - t2) * dr * im[j] * area_per_radius(r1, r2, geometry)
             width[j] = rho * dr
     found[0], found[1], found[2], found[3] = vsqrt(fastest), worst, 0.0, capped

@@ -14,7 +14,7 @@ from hugoniot.laws.eos.contract import compacted, pressure, pressure_derivatives
 from hugoniot.laws.fracture.contract import damage_rate, failure
 from hugoniot.laws.strength.contract import shear_modulus
 from hugoniot.laws.viscosity.contract import viscous_speed
-from hugoniot.mesh.line import area, hoops, mean_area, volume
+from hugoniot.mesh.line import area, area_per_radius, hoops, mean_area, volume
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.constitutive import (
     fails,
@@ -98,7 +98,7 @@ def predict_zones(rh, u, g, mass, im, e, c, s1, s2, eps, sigma, hoop_force, q_ou
         speed_out[j] = speed if squeeze != 0.0 else 0.0
         sigma_half[j] = p + q - t1
         if hoops(geometry) > 0.0:
-            hoop_half[j] = hoops(geometry) * size * (t2 - t1) / (r1 + r2 + SMALL)
+            hoop_half[j] = 0.5 * hoops(geometry) * (r2 - r1) * area_per_radius(r1, r2, geometry) * (t2 - t1)
 
 
 @nb.njit(**SWEEP)
@@ -187,7 +187,7 @@ def correct_zones(r, rh, u, ue, g, mass, im, rho_, e_, p_, c_, s1, s2, eps, hurt
         viscous[j] -= dt * q[j] * rate * im[j]
         sigma[j] = p + q[j] - t1
         if hoops(geometry) > 0.0:
-            hoop_force[j] = hoops(geometry) * end_size * (t2 - t1) / (r[j] + r[j + 1] + SMALL)
+            hoop_force[j] = 0.5 * hoops(geometry) * (r[j + 1] - r[j]) * area_per_radius(r[j], r[j + 1], geometry) * (t2 - t1)
     found[0], found[1], found[2], found[3] = fastest, worst, radial_impulse, capped
 
 
