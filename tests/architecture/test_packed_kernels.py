@@ -65,49 +65,32 @@ def burning_kernel(sweep):
     return compiled(sweep, charge, *zone_arguments(charge))
 
 
-@nb.njit(**OPTIONS)
-def predict_unburned(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
-    reactive_sweeps.predict_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, reactive_sweeps.UNBURNED)
+def alike(sweep, known):
+    """`predict_alike` or `correct_alike` of zones of which one thing is known, as a sweep with the arguments of the others."""
+    @nb.njit(**OPTIONS)
+    def kernel(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
+        sweep(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, known)
+
+    return kernel
 
 
-@nb.njit(**OPTIONS)
-def correct_unburned(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
-    reactive_sweeps.correct_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, reactive_sweeps.UNBURNED)
+ALIKE = pytest.mark.parametrize("sweep", [reactive_sweeps.predict_alike, reactive_sweeps.correct_alike], ids=["predict", "correct"])
 
 
-@nb.njit(**OPTIONS)
-def predict_burned(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
-    reactive_sweeps.predict_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, reactive_sweeps.BURNED)
-
-
-@nb.njit(**OPTIONS)
-def correct_burned(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
-    reactive_sweeps.correct_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, reactive_sweeps.BURNED)
-
-
-@nb.njit(**OPTIONS)
-def predict_burning(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
-    reactive_sweeps.predict_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, reactive_sweeps.PARTLY)
-
-
-@nb.njit(**OPTIONS)
-def correct_burning(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
-    reactive_sweeps.correct_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, reactive_sweeps.PARTLY)
-
-
-@pytest.mark.parametrize("sweep", [predict_unburned, correct_unburned, predict_burned, correct_burned], ids=lambda sweep: sweep.__name__)
-def test_zones_that_do_not_burn_are_packed_and_entered_like_inert_ones(sweep):
+@ALIKE
+@pytest.mark.parametrize("known", [reactive_sweeps.UNBURNED, reactive_sweeps.BURNED], ids=["unburned", "burned"])
+def test_zones_that_do_not_burn_are_packed_and_entered_like_inert_ones(sweep, known):
     """Most of a charge; two exponentials of a JWL are twenty-six fused products."""
-    kernel = burning_kernel(sweep)
+    kernel = burning_kernel(alike(sweep, known))
     found, code = packed(kernel), kernel.inspect_llvm(kernel.signatures[0])
     assert found["div"] >= 3 and found["fmadd"] + found["fnmadd"] >= 26, found
     assert "vector.memcheck" not in code and "NRT_incref" not in code
 
 
-@pytest.mark.parametrize("sweep", [predict_burning, correct_burning], ids=lambda sweep: sweep.__name__)
+@ALIKE
 def test_two_trials_of_a_mixture_search_are_packed(sweep):
     """Each takes four exponentials of the JWL pair, and an exponential and a logarithm for the isentrope."""
-    found = packed(burning_kernel(sweep))
+    found = packed(burning_kernel(alike(sweep, reactive_sweeps.PARTLY)))
     assert found["div"] >= 10 and found["fmadd"] + found["fnmadd"] >= 2 * 6 * 12, found
 
 
