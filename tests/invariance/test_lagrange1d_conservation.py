@@ -8,6 +8,7 @@ import pytest
 
 from hugoniot.problem.model import Boundary, Region
 from hugoniot.simulate import make_solver
+from hugoniot.solvers.lagrange1d import layout as L
 
 BOUNDS = {"mass_error": 1e-14, "momentum_error": 1e-12, "energy_error": 1e-12}
 
@@ -63,3 +64,20 @@ def test_wilkins_reports_an_energy_error_of_its_own_and_keeps_momentum():
     errors = solver.errors()
     assert 1e-9 < errors["energy_error"] < 5e-2
     assert errors["mass_error"] <= 1e-14 and errors["momentum_error"] <= 1e-12
+
+
+@pytest.mark.parametrize("geometry", ["planar", "spherical"])
+def test_viscosity_heats_what_closes_along_the_motion_though_its_volume_grows(geometry):
+    """A shell that runs outwards, slower in front: the zones at the jump grow thinner and, in a sphere, larger. A viscosity that
+    acted like a pressure would cool them."""
+    regions = (Region("fast", "gas", 1.0, 1.5, 4, velocity=2.0, density=1.0, pressure=1e-6),
+               Region("slow", "gas", 1.5, 2.0, 4, velocity=1.8, density=1.0, pressure=1e-6))
+    base = build.gas_tube(geometry=geometry, left=build.FREE, right=build.FREE, stop=1.0)
+    solver = make_solver(dataclasses.replace(base, regions=regions))
+    before = solver.zones[L.MASS] / solver.state().zones["density"]
+    build.march_cycles(solver, 20)
+    zones = solver.state().zones
+    grown = solver.zones[L.MASS] / zones["density"] > before
+    assert grown[3] == (geometry == "spherical")
+    assert zones["viscous_work"].min() >= 0.0 and zones["viscous_work"][3] > 1e-6
+    assert solver.errors()["energy_error"] <= 1e-12

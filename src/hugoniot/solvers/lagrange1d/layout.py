@@ -10,10 +10,10 @@ zone z of segment k stands at z + 2k + 1.
  PLASTIC_WORK, VISCOUS_WORK, PEAK_STRESS, PEAK_TENSION, PEAK_PRESSURE, FAILURE, TAG, OLD, PEAK_DENSITY, VOIDS,
  COMPACTION) = range(27)
 ZONE_ROWS = 27
-# SIGMA = p + q - s1, the longitudinal stress in compression; HOOP = (d-1) V (s2 - s1)/(r1 + r2), the force of the hoop
-# stress on each of the zone's nodes; the _HALF rows are their values in the middle of the step. TAG marks zones that a
-# nearby void is relieving; VOIDS is the volume of voids grown in a zone per its mass (m3/kg); OLD is scratch of one sweep; COMPACTION is
-# the history variable of an equation of state that remembers (0 for the others).
+# SIGMA = p + q - s1, the longitudinal stress in compression; HOOP = (d-1) V (s2 + q - s1)/(r1 + r2), the force of the hoop
+# stress on each of the zone's nodes (`wilkins`: without q); the _HALF rows are their values in the middle of the step. TAG marks
+# zones that a nearby void is relieving; VOIDS is the volume of voids grown in a zone per its mass (m3/kg); OLD is scratch of one
+# sweep; COMPACTION is the history variable of an equation of state that remembers (0 for the others).
 
 # -- further rows of the zone table of a run in which something burns (solvers.lagrange1d.reactive) ------------------------
 (BURN_FRACTION, LIT_SINCE, ZONE_SIZE, RHO_R, E_R, RHO_P, E_P, MIX_STATUS, RESOLUTION, REFERENCE) = range(27, 37)

@@ -1,9 +1,13 @@
 """Sweeps over a run of zones of one material for the compatible integrator (predictor and corrector).
 
 Forces are the transpose of the strain rates: with the volume rate A2 u2 - A1 u1 and the hoop rate (u1+u2)/(r1+r2), the power
-put into a zone is -sigma (A2 u2 - A1 u1) + H (u1 + u2), sigma = p + q - s1, H = (d-1) V (s2 - s1)/(r1 + r2), and the force
+put into a zone is -sigma (A2 u2 - A1 u1) + H (u1 + u2), sigma = p + q - s1, H = (d-1) V (s2 + q - s1)/(r1 + r2), and the force
 on a node is minus its derivative by that node's velocity. Work and force use the same numbers, so the energy a zone gains is
 the kinetic energy its nodes lose, to round-off, in every geometry.
+
+The artificial viscosity is uniaxial: q resists the radial closing alone, with the power -q V (radial rate), and not the hoop
+convergence of a flow that narrows towards the axis, which is no shock (Schulz, Methods Comput. Phys. 3 (1964) 1; Noh, J. Comput.
+Phys. 72 (1987) 78). Hence the q in H: it takes away what sigma, which multiplies the whole volume rate, has too much.
 """
 
 import numba as nb
@@ -91,14 +95,14 @@ def predict_zones(rh, u, g, mass, im, e, c, s1, s2, eps, sigma, hoop_force, q_ou
         left, right = -g[j], -g[j + 2]
         smooth = fmax(0.0, fmin(fmin(0.5 * (left + right), steep), 2.0 * fmin(left, right)))
         psi = fmin(smooth / (fmax(steep, 0.0) + SMALL), 1.0)
-        squeeze = resisted(du, du, viscosity)
+        squeeze = resisted(du, radial if hoops(geometry) > 0.0 else du, viscosity)
         speed = viscous_speed(size * im[j], c[j], p, squeeze, psi, viscosity)
         q = -rho * squeeze * speed
         q_out[j] = q
         speed_out[j] = speed if squeeze != 0.0 else 0.0
         sigma_half[j] = p + q - t1
         if hoops(geometry) > 0.0:
-            hoop_half[j] = 0.5 * hoops(geometry) * (r2 - r1) * area_per_radius(r1, r2, geometry) * (t2 - t1)
+            hoop_half[j] = 0.5 * hoops(geometry) * (r2 - r1) * area_per_radius(r1, r2, geometry) * (t2 + q - t1)
 
 
 @nb.njit(**SWEEP)
@@ -133,9 +137,10 @@ def correct_zones(r, rh, u, ue, g, mass, im, rho_, e_, p_, c_, s1, s2, eps, hurt
         if hoops(geometry) > 0.0:
             radial_impulse += sigma_half[j] * (area(r2, geometry) - area(r1, geometry)) - 2.0 * hoop_half[j]
         dilation = dt * rate / size
-        hoop = 0.0
+        hoop, closing = 0.0, rate
         if hoops(geometry) > 0.0:
-            hoop = dt * (u1 + u2) / (r1 + r2 + SMALL)
+            turn = (u1 + u2) / (r1 + r2 + SMALL)
+            hoop, closing = dt * turn, rate - hoops(geometry) * size * turn
         radial = dilation - hoops(geometry) * hoop
         end_size = volume(r[j], r[j + 1], geometry)
         v = end_size * im[j]
@@ -184,10 +189,10 @@ def correct_zones(r, rh, u, ue, g, mass, im, rho_, e_, p_, c_, s1, s2, eps, hurt
             torn[j] = ratio
         plastic[j] += limit * flow * v
         eps[j] += flow
-        viscous[j] -= dt * q[j] * rate * im[j]
+        viscous[j] -= dt * q[j] * closing * im[j]
         sigma[j] = p + q[j] - t1
         if hoops(geometry) > 0.0:
-            hoop_force[j] = 0.5 * hoops(geometry) * (r[j + 1] - r[j]) * area_per_radius(r[j], r[j + 1], geometry) * (t2 - t1)
+            hoop_force[j] = 0.5 * hoops(geometry) * (r[j + 1] - r[j]) * area_per_radius(r[j], r[j + 1], geometry) * (t2 + q[j] - t1)
     found[0], found[1], found[2], found[3] = fastest, worst, radial_impulse, capped
 
 
