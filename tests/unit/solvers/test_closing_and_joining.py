@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from hugoniot.mesh.line import mean_area
 from hugoniot.problem.model import Region
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d import layout as L
@@ -187,3 +188,14 @@ def test_a_relieved_patch_opens_no_second_void():
     counters = np.zeros(L.CONTROL_INTS, dtype=np.int64)
     assert failing_node.py_func(zones, segments, None, counters) == 5
     assert zones[L.TAG].tolist() == [0.0, 1.0, 1.0, 1.0, 0.0, 0.0] and counters[L.FRACTURING] == 3
+
+
+@pytest.mark.parametrize("geometry", ["cylindrical", "spherical"])
+def test_a_zone_in_which_voids_grow_keeps_the_inertia_of_its_mass(geometry):
+    """The leapfrog's phi (Wilkins B.2 item 2) counts the density of the zone, voids included, not that of the solid beside them."""
+    problem = build.flyer((60, 120), speed=900.0, stop=1.6e-6, geometry=geometry, origin=0.05, integrator="wilkins")
+    solver, _ = build.run(problem)
+    left, right = solver._faces(L.R)
+    held = solver.zones[L.OLD] * [mean_area(a, b, solver.geometry) for a, b in zip(left, right)]
+    assert np.max(solver.zones[L.VOIDS] * solver.zones[L.RHO]) > 0.1
+    assert held == pytest.approx(solver.zones[L.MASS], rel=1e-12)

@@ -220,5 +220,5 @@ def advance_zones(r, u, im, rho_, e_, p_, c_, s1, s2, eps, hurt, sigma, q_, torn
         sigma[j] = p + q - t1
         if hoops(geometry) > 0.0:
             force[j] = (t1 - t2) * dr * im[j] * area_per_radius(r1, r2, geometry)
-            width[j] = rho * dr
+            width[j] = density * dr
     found[0], found[1], found[2], found[3] = vsqrt(fastest), worst, 0.0, capped
