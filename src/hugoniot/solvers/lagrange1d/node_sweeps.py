@@ -5,7 +5,7 @@ import math
 import numba as nb
 
 from hugoniot.core.compile import GUARD, SWEEP
-from hugoniot.mesh.line import area
+from hugoniot.mesh.line import area, hoops
 from hugoniot.solvers.lagrange1d import layout as L
 
 
@@ -43,7 +43,9 @@ def accelerate(zones, nodes, first, last, segment, dt, geometry):
     im = nodes[L.INVERSE_NODE_MASS, a + 1:b]
     sigma, hoop = zones[L.SIGMA, first:last], zones[L.HOOP, first:last]
     for j in range(r.shape[0]):
-        force = area(r[j], geometry) * (sigma[j] - sigma[j + 1]) - hoop[j] - hoop[j + 1]
+        force = area(r[j], geometry) * (sigma[j] - sigma[j + 1])
+        if hoops(geometry) > 0.0:
+            force -= hoop[j] + hoop[j + 1]
         mean = u[j] + 0.5 * dt * force * im[j]
         um[j] = mean
         rh[j] = r[j] + 0.5 * dt * mean
@@ -58,7 +60,9 @@ def move(zones, nodes, first, last, segment, dt, geometry):
     im = nodes[L.INVERSE_NODE_MASS, a + 1:b]
     sigma, hoop = zones[L.SIGMA_HALF, first:last], zones[L.HOOP_HALF, first:last]
     for j in range(r.shape[0]):
-        force = area(rh[j], geometry) * (sigma[j] - sigma[j + 1]) - hoop[j] - hoop[j + 1]
+        force = area(rh[j], geometry) * (sigma[j] - sigma[j + 1])
+        if hoops(geometry) > 0.0:
+            force -= hoop[j] + hoop[j + 1]
         new = u[j] + dt * force * im[j]
         mean = 0.5 * (u[j] + new)
         u[j] = new

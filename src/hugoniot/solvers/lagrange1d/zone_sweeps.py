@@ -70,7 +70,10 @@ def predict_zones(rh, u, g, mass, im, e, c, s1, s2, eps, sigma, hoop_force, q_ou
         rho = mass[j] / size
         if grows_voids(fracture):
             rho = mass[j] / (size - mass[j] * voids[j])
-        energy = e[j] + half * im[j] * (hoop_force[j] * (u1 + u2) - sigma[j] * rate)
+        power = -sigma[j] * rate
+        if hoops(geometry) > 0.0:
+            power += hoop_force[j] * (u1 + u2)
+        energy = e[j] + half * im[j] * power
         crushed = remembered(pores[j], eos)
         p = pressure(rho, energy, crushed)
         dilation = half * rate / size
@@ -133,9 +136,11 @@ def correct_zones(r, rh, u, ue, g, mass, im, rho_, e_, p_, c_, s1, s2, eps, hurt
         u1, u2, r1, r2 = u[j], u[j + 1], rh[j], rh[j + 1]
         rate = area(r2, geometry) * u2 - area(r1, geometry) * u1
         size = volume(r1, r2, geometry)
-        energy = e_[j] + dt * im[j] * (hoop_half[j] * (u1 + u2) - sigma_half[j] * rate)
+        power = -sigma_half[j] * rate
         if hoops(geometry) > 0.0:
+            power += hoop_half[j] * (u1 + u2)
             radial_impulse += sigma_half[j] * (area(r2, geometry) - area(r1, geometry)) - 2.0 * hoop_half[j]
+        energy = e_[j] + dt * im[j] * power
         dilation = dt * rate / size
         hoop, closing = 0.0, rate
         if hoops(geometry) > 0.0:
