@@ -9,13 +9,21 @@ $$c^2 = \omega(\omega+1)\left[e_1\left(\frac{(R_1V)^2}{\omega(\omega+1)} - 1\rig
 (the prefactor corrected: S-E10). The isentropes are $e_S = e_1e^{-R_1V} + e_2e^{-R_2V} + a\,V^{-\omega}$. Temperature:
 $T = (e - e_C)/c_v$ on the cold isentrope with $a$ = `cold_constant` (0 unless a temperature of the products is known, 003 A-4).
 
+**B < 0**, as in sets of unreacted explosives: the cold pressure $f = Ae^{-R_1V} + Be^{-R_2V}$ falls to its greatest tension at
+
+$$V_t = \frac{1}{R_1 - R_2}\ln\frac{AR_1}{-BR_2}$$
+
+and would rise again beyond, with an imaginary sound speed in what is torn there. The fit says nothing of such volumes. Here the cold
+pressure keeps $f(V_t)$ from there on, its energy growing by $-f(V_t)(V - V_t)/\rho_0$: smooth to the first derivative, the same isentropes
+in V^-omega beside it, and $c^2 = \omega(\omega+1)(e - e_C) > 0$ at any temperature above zero.
+
 Source: 003 (Starkenberg) A-9 after Lee and Hornig.
 """
 
 import math
 from typing import NamedTuple
 
-from hugoniot.core.ops import vexp, vlog
+from hugoniot.core.ops import NO_LIMIT, vexp, vlog
 from hugoniot.laws.eos.contract import EOS
 
 
@@ -31,15 +39,30 @@ class JWL(NamedTuple):
     cold_constant: float = 0.0
 
 
+def greatest_cold_tension(par):
+    """Relative volume of the least cold pressure, beyond which that is kept; NO_LIMIT where it falls all the way (B >= 0)."""
+    if not (par.a > 0.0 and par.b < 0.0 and par.r1 > par.r2):
+        return NO_LIMIT
+    return vlog(-par.a * par.r1 / (par.b * par.r2)) / (par.r1 - par.r2)
+
+
+def fitted(v, par):
+    """The relative volume at which the exponential terms are taken: v, up to that of the greatest cold tension."""
+    torn = greatest_cold_tension(par)
+    return v if v < torn else torn
+
+
 def pressure(rho, e, par):
-    v = par.rho0 / rho
+    whole = par.rho0 / rho
+    v = fitted(whole, par)
     first, second = par.a * vexp(-par.r1 * v), par.b * vexp(-par.r2 * v)
     compression = par.omega / par.rho0 * rho
-    return first * (1.0 - compression / par.r1) + second * (1.0 - compression / par.r2) + par.omega * rho * e
+    return (first * (1.0 - compression / par.r1) + second * (1.0 - compression / par.r2) + par.omega * rho * e
+            + compression * (first + second) * (whole - v))
 
 
 def pressure_derivatives(rho, e, par):
-    v = par.rho0 / rho
+    v = fitted(par.rho0 / rho, par)     # R1 first + R2 second = 0 there, so that the slopes below hold beyond it too
     first, second = par.a * vexp(-par.r1 * v), par.b * vexp(-par.r2 * v)
     w = par.omega / par.rho0
     slope1 = (par.r1 * v - par.omega) * v / par.rho0 - w / par.r1
@@ -53,8 +76,10 @@ def energy(rho, p, par):
 
 def reference_isentrope(rho, par):
     """The exponential terms alone (003 A-9.2); energies beside them grow as V^-omega."""
-    v = par.rho0 / rho
-    return (par.a / par.r1 * vexp(-par.r1 * v) + par.b / par.r2 * vexp(-par.r2 * v)) / par.rho0, -par.omega * vlog(v)
+    whole = par.rho0 / rho
+    v = fitted(whole, par)
+    first, second = par.a * vexp(-par.r1 * v), par.b * vexp(-par.r2 * v)
+    return (first / par.r1 + second / par.r2 - (first + second) * (whole - v)) / par.rho0, -par.omega * vlog(whole)
 
 
 def cold_energy(rho, par):

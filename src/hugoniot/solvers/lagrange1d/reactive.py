@@ -8,15 +8,17 @@ import numpy as np
 
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.burn.lighting import lighting_times
-from hugoniot.laws.eos.contract import pressure, sound_speed_squared
+from hugoniot.laws.eos.contract import pressure, reference_state, sound_speed_squared
 from hugoniot.laws.mixture.reference_state import FROZEN, MEANING, ROLLING
 from hugoniot.materials import burning
 from hugoniot.problem.explosives import burns, defects, front_speed, programmed_bodies
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.units import format_si
 
 STEP_SHARE = 0.1     # of the shortest burning time a step may be
 ZONES_NEEDED = 10.0  # in a reaction length, below which a rate is not resolved
+PULLED = 0.01        # tension, in units of rho0 c0^2, beyond which an explosive that nothing parts is told of
 
 
 def check(problem: Problem) -> None:
@@ -106,6 +108,27 @@ def unresolved(problem: Problem, zones, ranges) -> list[str]:
         if held.size and np.median(held) < ZONES_NEEDED:
             told.append(f"region '{region.name}' burned within {np.median(held):.3g} zones (median over its zones): its rate is not "
                         f"resolved; {ZONES_NEEDED:g} zones are needed, so take zones {ZONES_NEEDED / np.median(held):.2f} times smaller")
+    return told
+
+
+def doubts(problem: Problem, zones, ranges) -> list[str]:
+    """What a reader of the results has to know: rates that were not resolved, explosives pulled beyond what they bear."""
+    return unresolved(problem, zones, ranges) + pulled(problem, zones, ranges)
+
+
+def pulled(problem: Problem, zones, ranges) -> list[str]:
+    """A sentence for every region whose unburned explosive was in tension: it takes no fracture law, so that nothing parts it."""
+    told = []
+    for region, (a, b) in zip(problem.regions, ranges):
+        material = problem.materials[region.material]
+        if not burns(problem, region) or not burning.has_reactants(material):
+            continue
+        rho, e = reference_state(material.unreacted)
+        tension = -float(np.min(zones[L.PEAK_TENSION, a:b]))
+        if tension > PULLED * rho * sound_speed_squared(rho, e, material.unreacted):
+            told.append(f"region '{region.name}': its unburned explosive held a tension of up to {format_si(tension, 'Pa')}: nothing parts "
+                        "it, since what burns takes no fracture law; where it would have parted, limit the tension: [material.x.unreacted] "
+                        "law = \"tension_cutoff\", tension = \"0 Pa\", its own law with all constants under [material.x.unreacted.base]")
     return told
 
 

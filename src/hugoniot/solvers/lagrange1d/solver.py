@@ -348,8 +348,8 @@ class Lagrange1D:
         return found | {"released_heat": reactive.released_heat(self.problem, self.zones, self.region_ranges)} if self.burning else found
 
     def unresolved(self) -> list[str]:
-        """Sentences about rates of burning that the mesh did not resolve."""
-        return reactive.unresolved(self.problem, self.zones, self.region_ranges) if self.burning else []
+        """Sentences about rates of burning that the mesh did not resolve, and about explosives pulled beyond what they bear."""
+        return reactive.doubts(self.problem, self.zones, self.region_ranges) if self.burning else []
 
     def references(self) -> list[str]:
         """Sentences about how the reference state of reactants in thermal isolation was found."""
