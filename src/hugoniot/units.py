@@ -8,6 +8,7 @@ name, never an expression, is looked up in `pint`, which is imported only then (
 
 import difflib
 import math
+import numbers
 import re
 from decimal import Decimal, DecimalException, localcontext
 from typing import NamedTuple
@@ -81,7 +82,7 @@ def parse(value, unit: str) -> float:
     unit    the SI unit that tells what kind of quantity is wanted, such as "m/s"; "1" for a plain number
     Raises `UnitError` with a hint: not a quantity, unknown unit, wrong kind, or not a finite number.
     """
-    if isinstance(value, bool) or not isinstance(value, (int, float, str)):
+    if isinstance(value, bool) or not isinstance(value, (numbers.Real, str)):
         raise UnitError(f"expected {_wanted(unit)}, got {_shown(value)}", _example(unit))
     if not isinstance(value, str):
         return _finite_number(value)

@@ -6,11 +6,11 @@ from typing import Annotated
 import typer
 
 from hugoniot.cli.eos_detonation import cj, mixture, znd
-from hugoniot.cli.eos_input import Subject, find_inert, find_material, one_state, quantity, several_states
+from hugoniot.cli.eos_input import Subject, find_inert, find_material, one_state, several_states
 from hugoniot.cli.eos_options import AT, CSV, HEAT, MATERIAL, MATERIALS, PLOT, POINTS
 from hugoniot.cli.eos_output import cell, deliver, echo_notes, echo_states, notes, row_of, write_csv
 from hugoniot.cli.eos_second_shock import second_shock
-from hugoniot.cli.show import JSON, echo_json, echo_table
+from hugoniot.cli.show import JSON, echo_json, echo_table, quantity
 from hugoniot.errors import DeckError
 from hugoniot.theory.states import States
 

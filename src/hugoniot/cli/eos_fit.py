@@ -56,7 +56,7 @@ def report(name: str, degree: int, least: float, highest: float, as_json: bool, 
 
 def jwl(path: str, density: str, velocity: str, pressure: str, energy: str, omega: float | None, as_json: bool, as_csv, plot) -> None:
     """JWL of products from a CJ state and a file of the expansion below it."""
-    from hugoniot.cli.eos_input import quantity
+    from hugoniot.cli.show import quantity
 
     rho0, d = quantity(density, "kg/m^3", "--density"), quantity(velocity, "m/s", "--velocity")
     p_cj, e0 = quantity(pressure, "Pa", "--pressure"), quantity(energy, "J/m^3", "--energy")

@@ -5,10 +5,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from hugoniot.cli.show import number_or_text, quantity
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.materials.material import Material
-from hugoniot.units import UnitError, parse
 
 UNITS = {"pressure": "Pa", "density": "kg/m^3", "particle_velocity": "m/s", "shock_velocity": "m/s", "velocity": "m/s", "temperature": "K",
          "energy": "J/kg"}
@@ -90,7 +90,7 @@ def read_rate(text: str) -> Any:
         if not equals:
             raise DeckError.single("command line", None, "--rate", f"'{part.strip()[:60]}' gives no parameter",
                                    'write "LAW: name = value, name = value"')
-        table[key] = _number_or_text(value)
+        table[key] = number_or_text(value)
     problems: list[DeckProblem] = []
     found = read_law(BURN, table, Collector(problems, "command line", lambda path: None), ("--rate",))
     if found is None:
@@ -127,14 +127,6 @@ def _from_file(path: Path, inside: str) -> Material:
     if material is None:
         raise DeckError(problems)
     return material
-
-
-def quantity(text: str, unit: str, where: str) -> float:
-    """The SI value of an option such as "1 km/s"; `DeckError` naming the option."""
-    try:
-        return parse(_number_or_text(text), unit)
-    except UnitError as error:
-        raise DeckError.single("command line", None, where, error.message, error.hint) from None
 
 
 def one_state(text: str, where: str = "--at") -> dict[str, float]:
@@ -179,10 +171,3 @@ def _near(name, known):
 
     near = difflib.get_close_matches(name, known, n=1)
     return f"did you mean '{near[0]}'? " if near else ""
-
-
-def _number_or_text(text: str):
-    try:
-        return float(text)
-    except ValueError:
-        return text

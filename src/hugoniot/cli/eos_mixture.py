@@ -6,9 +6,9 @@ import numpy as np
 import typer
 
 from hugoniot.cli.eos_burning import closure_of, mixture_of
-from hugoniot.cli.eos_input import Subject, find_material, one_state, quantity, several_states
+from hugoniot.cli.eos_input import Subject, find_material, one_state, several_states
 from hugoniot.cli.eos_output import cell, deliver, echo_columns, echo_notes, notes, plain, write_csv
-from hugoniot.cli.show import echo_json, echo_table
+from hugoniot.cli.show import echo_json, echo_table, quantity
 from hugoniot.errors import DeckError, HugoniotError, NoSolution, OutOfRange
 from hugoniot.theory import mixture as tool
 from hugoniot.theory.hugoniot import Initial, shock

@@ -24,8 +24,9 @@ def second_shock(
     """
     import numpy as np
 
-    from hugoniot.cli.eos_input import find_inert, quantity
+    from hugoniot.cli.eos_input import find_inert
     from hugoniot.cli.eos_output import cell, deliver, echo_columns, echo_notes, notes
+    from hugoniot.cli.show import quantity
     from hugoniot.errors import DeckError
     from hugoniot.theory import second_shock as tool
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from hugoniot.cli.eos_input import quantity
+from hugoniot.cli.show import quantity
 from hugoniot.errors import DeckError
 from hugoniot.materials.collect import nearest
 from hugoniot.theory.exact import parameter_unit

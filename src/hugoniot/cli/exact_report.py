@@ -8,10 +8,9 @@ from typing import Any, NamedTuple
 import numpy as np
 import typer
 
-from hugoniot.cli.eos_input import quantity
 from hugoniot.cli.eos_output import plain, row_of, words, write_csv
 from hugoniot.cli.exact_input import listed, needed, parameters_of, points_of
-from hugoniot.cli.show import echo_json, echo_table
+from hugoniot.cli.show import echo_json, echo_table, quantity
 from hugoniot.errors import DeckError, OutOfRange
 from hugoniot.materials.collect import nearest
 from hugoniot.theory.exact import SOLUTIONS, Solution, describe

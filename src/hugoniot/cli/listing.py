@@ -36,7 +36,10 @@ def command(
     Example: hugoniot list eos mie_gruneisen
     """
     if not kind:
-        echo_table(["list", "what"], KINDS.items())
+        if as_json:
+            echo_json([{"list": kind, "what": what} for kind, what in KINDS.items()])
+        else:
+            echo_table(["list", "what"], KINDS.items())
     elif kind not in KINDS:
         raise DeckError.single("list", None, "kind", f"nothing called '{kind[:40]}' to list", nearest(kind, KINDS))
     elif kind == "schema":

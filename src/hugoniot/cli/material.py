@@ -101,8 +101,8 @@ def compare(
 
     Example: hugoniot material compare iron -o iron.png
     """
-    from hugoniot.cli.eos_input import quantity
     from hugoniot.cli.plot import drawable
+    from hugoniot.cli.show import quantity
     from hugoniot.materials.curves import comparison
 
     if not as_json:

@@ -5,9 +5,9 @@ from typing import Annotated, Any
 
 import typer
 
+from hugoniot.cli.show import quantity
 from hugoniot.errors import DeckError
 from hugoniot.materials.collect import nearest, printable
-from hugoniot.units import UnitError, format_si, parse
 
 WITH_FIELD = ("xt", "gauge", "profile", "peaks")
 SUFFIXES = (".png", ".pdf", ".svg")
@@ -36,8 +36,6 @@ def command(
     drawable(path, "plot", "--out")
     options = _options(kind, field, gauge, time, delay)
     run = load(folder)
-    if "time" in options:
-        _within(run, options["time"])
     axes = getattr(run.plot, kind)(**options)
     with explained(path, "no picture is written"):
         axes.figure.savefig(path)
@@ -48,14 +46,6 @@ def drawable(path: Path, command: str, option: str) -> None:
     """Refuse a picture of a kind that is not drawn."""
     if path.suffix.lower() not in SUFFIXES:
         raise DeckError.single(command, None, option, f"cannot draw '{printable(path.name)}'", f"end its name with {', '.join(SUFFIXES)}")
-
-
-def _within(run, time: float) -> None:
-    """Refuse a time that the run did not reach; within it the nearest snapshot is drawn."""
-    times = run.arrays("snapshots")["time"]
-    if not times[0] <= time <= times[-1] * (1.0 + 1e-9):
-        raise DeckError.single("plot", None, "--time", f"the run has no state at {format_si(time, 's', 4)}",
-                               f"its snapshots are from {format_si(times[0], 's', 4)} to {format_si(times[-1], 's', 4)}")
 
 
 def _options(kind: str, field: str, gauge: str | None, time: str | None, delay: str | None) -> dict[str, Any]:
@@ -69,10 +59,5 @@ def _options(kind: str, field: str, gauge: str | None, time: str | None, delay: 
             continue
         if kind not in kinds:
             raise DeckError.single("plot", None, shown, f"a {kind} picture takes none", f"it goes with {', '.join(kinds)}")
-        try:
-            options[name] = parse(value, "s") if name in ("time", "delay") else value
-        except UnitError as error:
-            raise DeckError.single("plot", None, shown, error.message, error.hint) from None
-        if name == "delay" and not options[name] > 0.0:
-            raise DeckError.single("plot", None, shown, f"must be greater than 0, got {printable(value)}")
+        options[name] = quantity(value, "s", shown) if name in ("time", "delay") else value
     return options

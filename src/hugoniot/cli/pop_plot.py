@@ -82,7 +82,7 @@ def _closure(name: str) -> str:
 
 
 def _quantity(text: str, unit: str, option: str) -> float:
-    from hugoniot.cli.eos_input import quantity
+    from hugoniot.cli.show import quantity
     value = quantity(text, unit, option)
     if not value > 0.0:
         raise DeckError.single("command line", None, option, f"{text} is not positive")

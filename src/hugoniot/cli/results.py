@@ -9,25 +9,34 @@ from hugoniot.cli.show import echo_table
 from hugoniot.output.run import Run
 from hugoniot.units import format_si
 
+NOISE = 1e-6   # of the largest speed of a run: what a gauge sees of a wave that has not come yet is less
+
 
 def gauge_rows(run: Run) -> list[dict]:
-    """Per gauge, SI: first arrival (half of the peak velocity change), peak stress and when, peak velocity, last velocity."""
+    """Per gauge, SI: first arrival (half of the peak velocity change; NaN where nothing came), peak stress, peak and last velocity."""
     from hugoniot.diagnostics.arrival import first_crossing
 
     rows = []
     table = run.arrays("gauges") if run.gauge_names() else {}
+    noise = NOISE * _largest_velocity(run)
     for k, name in enumerate(run.gauge_names()):
         time, velocity = table["time"], table["velocity"][:, k]
         row: dict = {"gauge": name}
         change = velocity - velocity[0]
         peak = change[np.argmax(np.abs(change))]
-        row["arrival"] = first_crossing(time, velocity, velocity[0] + 0.5 * peak) if peak else float("nan")
+        row["arrival"] = first_crossing(time, velocity, velocity[0] + 0.5 * peak) if abs(peak) > noise else float("nan")
         if "stress" in table:
             top = int(np.argmax(table["stress"][:, k]))
             row |= {"peak_stress": float(table["stress"][top, k]), "lowest_stress": float(table["stress"][:, k].min())}
         row |= {"peak_velocity": float(velocity[np.argmax(np.abs(velocity))]), "last_velocity": float(velocity[-1])}
         rows.append(row)
     return rows
+
+
+def _largest_velocity(run: Run) -> float:
+    """The largest speed in the gauges and snapshots of a run, m/s."""
+    known = [values for group in ("gauges", "snapshots") for name, values in run.arrays(group).items() if name.startswith("velocity")]
+    return max((float(np.max(np.abs(values))) for values in known if values.size), default=0.0)
 
 
 def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
@@ -49,7 +58,7 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
         units = {"arrival": "s", "peak_stress": "Pa", "lowest_stress": "Pa", "peak_velocity": "m/s", "last_velocity": "m/s"}
         heads = [key for key in rows[0] if key != "gauge"]
         echo_table(["gauge", *[h.replace("_", " ") for h in heads]],
-                   [[r["gauge"], *[format_si(r[h], units[h], 5) for h in heads]] for r in rows])
+                   [[r["gauge"], *["none" if np.isnan(r[h]) else format_si(r[h], units[h], 5) for h in heads]] for r in rows])
     _echo_spall(run)
     typer.echo("")
     for warning in warnings_of(run):

@@ -10,6 +10,7 @@ from typing import Annotated, Any
 import typer
 
 from hugoniot.errors import DeckError
+from hugoniot.units import UnitError, parse
 
 SET = Annotated[list[str] | None, typer.Option("--set", help="KEY=VALUE to change in the deck; give it as often as needed.")]
 # where a file cannot be read its reader says so, with the exit code of files
@@ -58,4 +59,20 @@ def _value(text: str) -> Any:
     try:
         return tomllib.loads(f"value = {text}")["value"]
     except (tomllib.TOMLDecodeError, ValueError, RecursionError):
+        return text
+
+
+def quantity(text: str, unit: str, where: str) -> float:
+    """The SI value of an option such as "1 km/s", or of a bare number; `DeckError` naming the option."""
+    try:
+        return parse(number_or_text(text), unit)
+    except UnitError as error:
+        raise DeckError.single("command line", None, where, error.message, error.hint) from None
+
+
+def number_or_text(text: str) -> float | str:
+    """A bare number as a number, so that it is SI; any other text as it is."""
+    try:
+        return float(text)
+    except ValueError:
         return text

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from hugoniot.cli.show import JSON, echo_json, echo_table
+from hugoniot.cli.show import JSON, echo_json, echo_table, quantity
 from hugoniot.errors import DeckError, FileTrouble
 
 app = typer.Typer(no_args_is_help=True, help=(
@@ -240,21 +240,7 @@ def _law_table(text: str, option: str, unit: str, parameter: str, registry):
 
 
 def _number(text: str | None, unit: str, option: str) -> float | None:
-    if text is None:
-        return None
-    from hugoniot.units import UnitError, parse
-    try:
-        return parse(text, unit) if not _plain(text) else float(text)
-    except UnitError as error:
-        raise DeckError.single("command line", None, option, error.message, error.hint) from None
-
-
-def _plain(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
+    return None if text is None else quantity(text, unit, option)
 
 
 # -- output ----------------------------------------------------------------------------------------------------------

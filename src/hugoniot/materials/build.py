@@ -27,6 +27,8 @@ from hugoniot.materials.tables import accepted, families, law_table
 LONGEST_ARRAY = 1_000_000
 _FACTS = ("base", "sources", "valid_up_to", "warnings")
 _EXPLOSIVE = ("unreacted", "mixture", "detonation_energy", "reference_state")
+_TOLD = ("sources", "warnings")                # texts that results and reports repeat
+_MAY_LACK = ("strength", "fracture", "burn")   # families a material can do without
 
 
 def build_material(name: str, tables: dict, problems: list[DeckProblem], file: str, line_of: LineOf) -> Material | None:
@@ -48,6 +50,7 @@ def read_material(name: str, tables: Any, collector: Collector, path: tuple) -> 
         collector.add(path, "a material is a table", f"write [{collector.key(path)}.eos] and under it law = \"...\"")
         return None
     known = families()
+    collector.texts(path, {key: value for key, value in tables.items() if key in _TOLD})
     for key in tables:
         if key not in known and key not in _FACTS + _EXPLOSIVE:
             collector.unknown((*path, key), (*known, *_FACTS, *_EXPLOSIVE))
@@ -115,11 +118,11 @@ def _choice(key: str, tables: dict, known, collector: Collector, path: tuple) ->
 
 
 def read_law(registry: Registry, table: Any, collector: Collector, path: tuple, inherited: Any = None) -> Any:
-    """The parameter tuple of the law a table names; None after reporting problems, or for the plain text "none".
+    """The parameter tuple of the law a table names; None after reporting problems, or for a strength, fracture or burn of "none".
 
     inherited   parameters that a table without `law`, or with the same law, overrides one by one
     """
-    if table == "none":
+    if table == "none" and registry.family in _MAY_LACK:
         return None
     if not isinstance(table, dict):
         hint = f"write [{collector.key(path)}] and under it law = \"...\" (hugoniot list {registry.family})"
@@ -328,7 +331,7 @@ def _check_rest(par: Any, built: dict, collector: Collector, path: tuple) -> Non
             if not (math.isfinite(value) and value >= 0.0):
                 collector.add((*path, "strength"), f"the {what} at rest must not be negative, got {value:g} Pa")
     if built["fracture"] is not None and not tension_cap(0.0, built["fracture"]) > 0.0:
-        collector.add((*path, "fracture"), f"the strength in tension must be positive, got {tension_cap(built['fracture']):g} Pa")
+        collector.add((*path, "fracture"), f"the strength in tension must be positive, got {tension_cap(0.0, built['fracture']):g} Pa")
 
 
 def has_temperature(par: Any) -> bool:

@@ -43,6 +43,14 @@ class Collector:
         if problem not in self.problems:
             self.problems.append(problem)
 
+    def texts(self, path: tuple, value) -> None:
+        """Report every text in a value, tables and arrays searched, that no terminal and no file of results could hold."""
+        if isinstance(value, (dict, list)):
+            for part, inner in value.items() if isinstance(value, dict) else enumerate(value):
+                self.texts((*path, part), inner)
+        elif isinstance(value, str) and any(ord(c) < 32 and c not in "\t\n\r" or 127 <= ord(c) < 160 for c in value):
+            self.add(path, f"'{printable(value)}' holds control characters", "write it without")
+
     def unknown(self, path: tuple, known: Iterable[str]) -> None:
         """Report a key that nobody reads."""
         self.add(path, "unknown key", nearest(path[-1], known))

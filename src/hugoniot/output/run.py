@@ -91,8 +91,11 @@ class Run:
         return self._table(group)[0]
 
     def unit(self, group: str, name: str) -> str:
-        """SI unit of one column of a group, "" if it has none."""
-        return self._table(group)[1][name].get("units", "")
+        """SI unit of one column of a group, "" if it has none; KeyError names the columns there are."""
+        attributes = self._table(group)[1]
+        if name not in attributes:
+            raise KeyError(f"no column '{name}' in {group}; it has: {', '.join(attributes)}")
+        return attributes[name].get("units", "")
 
     def dataset(self, group: str):
         """One group as an xarray Dataset with `units` and `long_name`."""

@@ -15,12 +15,16 @@ def free_surface_record(run, name: str | None = None) -> tuple[np.ndarray, np.nd
     name = name or (found[0] if found else None)
     if name is not None:
         time, velocity = run.gauge("velocity", name)
-        where = next((str(g["at"]) for g in run.setup["gauges"] if g["name"] == name), name)
-        return time, -velocity if where.endswith("left") else velocity, f"gauge '{name}'"
+        return time, -velocity if _looks_left(run, name) else velocity, f"gauge '{name}'"
     rows = run.arrays("snapshots")
     if run.setup["boundaries"]["right"]["kind"] != "free" or "velocity_right" not in rows:
         return np.empty(0), np.empty(0), "nothing"
     return rows["time"], rows["velocity_right"][:, -1], "the snapshots only; a gauge at 'free surface right' would be finer"
+
+
+def _looks_left(run, name: str) -> bool:
+    """Whether a gauge rides on a surface whose outside is to the left."""
+    return next((str(g["at"]) for g in run.setup["gauges"] if g["name"] == name), name).endswith("left")
 
 
 def has_spalled(run) -> bool:
@@ -29,9 +33,11 @@ def has_spalled(run) -> bool:
     return any(kind == "void_opened" for kind in rows["kind"])
 
 
-def target_constants(run) -> dict[str, float]:
-    """rho0 (kg/m3), c_bulk and c_long (m/s) of the outermost region, as far as its material states them."""
-    material = run.setup["materials"][run.setup["regions"][-1]["material"]]
+def target_constants(run, name: str | None = None) -> dict[str, float]:
+    """rho0 (kg/m3), c_bulk and c_long (m/s) of the outermost region on the side of the gauge `name` (default: the right), as far as its
+    material states them."""
+    outermost = 0 if name is not None and _looks_left(run, name) else -1
+    material = run.setup["materials"][run.setup["regions"][outermost]["material"]]
     known = {c["name"]: c["value"] for law in reversed(material["laws"]) for c in law["constants"] if isinstance(c["value"], (int, float))}
     rho0, c0, modulus = known.get("rho0"), known.get("c0"), known.get("shear_modulus")
     result = {}
@@ -47,7 +53,7 @@ def spall_reading(run, name: str | None = None) -> dict[str, float]:
     """
     time, velocity, _ = free_surface_record(run, name)
     found = pull_back(time, velocity) if has_spalled(run) else None
-    return reading_of(time, velocity, found, target_constants(run)) if found else {}
+    return reading_of(time, velocity, found, target_constants(run, name)) if found else {}
 
 
 def reading_of(time, velocity, found, constants) -> dict[str, float]:

@@ -17,7 +17,7 @@ class RunPlots:
 
     def gauge(self, field: str = "stress", names=None, **options):
         """A field at the gauges over time."""
-        return records.gauge(self._run, field, [names] if isinstance(names, str) else names, **options)
+        return records.gauge(self._run, field, names if names is None or isinstance(names, (list, tuple)) else [names], **options)
 
     def free_surface(self, name: str | None = None, **options):
         """Free-surface velocity with the pull-back marked; `delay` (s) shows it through a VISAR."""

@@ -20,7 +20,7 @@ from hugoniot.plotting.style import (
     time_scale,
     zone_field,
 )
-from hugoniot.units import parse
+from hugoniot.units import format_si, parse
 
 
 @styled
@@ -29,12 +29,10 @@ def gauge(run, field: str = "stress", names=None, ax=None):
 
     names   gauges to draw, default those at which the field ever changes (at most eight)
     """
-    ax = ax if ax is not None else new_axes()
     rows, known = run.arrays("gauges"), run.gauge_names()
     zone_field(run, "gauges", field)
-    for name in names or ():
-        if name not in known:
-            raise DeckError.single(run.folder, None, "gauge", f"no gauge '{name}'", f"this run has: {', '.join(known)}")
+    _check_gauges(run, names or ())
+    ax = ax if ax is not None else new_axes()
     moving = [k for k in range(len(known)) if np.ptp(rows[field][:, k]) > 0][: len(COLOURS)]
     columns = [known.index(name) for name in names] if names else moving
     values = rows[field][:, columns]
@@ -50,6 +48,13 @@ def gauge(run, field: str = "stress", names=None, ax=None):
     return ax
 
 
+def _check_gauges(run, names) -> None:
+    known = run.gauge_names()
+    for name in names:
+        if name not in known:
+            raise DeckError.single(run.folder, None, "gauge", f"no gauge '{name}'", f"this run has: {', '.join(known) or 'none'}")
+
+
 def _time_axis(ax, time, unit, factor):
     ax.set_xlabel(labelled("time", unit))
     if len(time) > 1:
@@ -62,12 +67,19 @@ def free_surface(run, name: str | None = None, delay: float = 0.0, ax=None):
     """Free-surface velocity over time, with the pull-back marked where something spalled; gives the axes.
 
     name    gauge on a free surface; default the right-hand one
-    delay   s, of the VISAR through which it is seen; 0 shows the surface itself
+    delay   s or "1 ns", of the VISAR through which it is seen; 0 shows the surface itself
     """
-    ax = ax if ax is not None else new_axes()
+    _check_gauges(run, () if name is None else (name,))
+    delay = parse(delay, "s")
+    if delay < 0.0:
+        raise DeckError.single(run.folder, None, "delay", f"must not be negative, got {format_si(delay, 's', 4)}")
     time, velocity, _ = free_surface_record(run, name)
     if not len(time):
         raise DeckError.single(run.folder, None, "gauge", "this run has recorded no free surface", "add a gauge at 'free surface right'")
+    if delay >= time[-1] - time[0]:
+        raise DeckError.single(run.folder, None, "delay", f"{format_si(delay, 's', 4)} is longer than the record",
+                               f"it has {format_si(time[-1] - time[0], 's', 4)}")
+    ax = ax if ax is not None else new_axes()
     unit_t, ft = time_scale(time[-1])
     unit, fu, _ = field_scale("velocity", velocity)
     if delay > 0.0:
@@ -80,7 +92,7 @@ def free_surface(run, name: str | None = None, delay: float = 0.0, ax=None):
     ax.margins(y=0.08)
     found = pull_back(time, velocity) if has_spalled(run) else None
     if found is not None:
-        _mark_pull_back(ax, found, reading_of(time, velocity, found, target_constants(run)), ft, fu, unit)
+        _mark_pull_back(ax, found, reading_of(time, velocity, found, target_constants(run, name)), ft, fu, unit)
     return ax
 
 
@@ -103,17 +115,16 @@ def _mark_pull_back(ax, found, reading, ft, fu, unit):
 @styled
 def profile(run, field: str = "stress", time=None, ax=None):
     """A zone field over position at one or more times (s or "1 us"; the nearest snapshots; default the last); gives the axes."""
+    rows, values = run.arrays("snapshots"), zone_field(run, "snapshots", field)
+    picked = _snapshots_at(run, rows["time"], rows["time"][-1] if time is None else time)
     ax = ax if ax is not None else new_axes()
-    rows, _ = run.arrays("snapshots"), zone_field(run, "snapshots", field)
-    wanted = [parse(t, "s") for t in ([time] if isinstance(time, str) else np.atleast_1d(rows["time"][-1] if time is None else time))]
-    picked = [int(np.argmin(np.abs(rows["time"] - t))) for t in wanted]
     left, right = rows["position_left"][picked], rows["position_right"][picked]
-    unit, factor, words = field_scale(field, rows[field][picked])
+    unit, factor, words = field_scale(field, values[picked])
     unit_x, fx = length_scale(float(right.max() - left.min()))
     unit_t, ft = time_scale(rows["time"][-1])
     least = 1e-6 * float(right.max() - left.min())
     for n, k in enumerate(picked):
-        x, y = 0.5 * (left[n] + right[n]) * fx, rows[field][k] * factor
+        x, y = 0.5 * (left[n] + right[n]) * fx, values[k] * factor
         holes = np.flatnonzero(left[n][1:] - right[n][:-1] > least) + 1
         ax.plot(np.insert(x, holes, np.nan), np.insert(y, holes, np.nan), color=COLOURS[n % len(COLOURS)],
                 label=f"{rows['time'][k] * ft:.4g} {unit_t}")
@@ -125,6 +136,18 @@ def profile(run, field: str = "stress", time=None, ax=None):
     else:
         ax.legend(frameon=False, fontsize=8.5)
     return ax
+
+
+def _snapshots_at(run, known, wanted) -> list[int]:
+    """Index of the snapshot nearest to each wanted time (s or text, one or several); times the run did not reach are refused."""
+    times = [parse(t, "s") for t in ([wanted] if isinstance(wanted, str) or not np.iterable(wanted) else wanted)]
+    reach = f"its snapshots are from {format_si(known[0], 's', 4)} to {format_si(known[-1], 's', 4)}"
+    if not times:
+        raise DeckError.single(run.folder, None, "time", "no time is given", reach)
+    for t in times:
+        if not known[0] <= t <= known[-1] * (1.0 + 1e-9):
+            raise DeckError.single(run.folder, None, "time", f"the run has no state at {format_si(t, 's', 4)}", reach)
+    return [int(np.argmin(np.abs(known - t))) for t in times]
 
 
 @styled

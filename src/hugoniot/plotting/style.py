@@ -94,11 +94,18 @@ def field_scale(field: str, values=None) -> tuple[str, float, str]:
 
 
 def zone_field(run, group: str, field: str):
-    """A two-dimensional column of `snapshots` or `gauges`, or a column of `peaks`; `DeckError` names those there are."""
+    """A two-dimensional column of `snapshots` or `gauges`, or a column of `peaks`; `DeckError` names those there are.
+
+    Of a field at the nodes, such as `velocity`, snapshots hold both faces of every zone: a zone has their mean.
+    """
     rows = run.arrays(group)
     known = [name for name, values in rows.items() if values.dtype.kind == "f" and values.ndim == (1 if group == "peaks" else 2)]
+    nodal = [name.removesuffix("_left") for name in known if name.endswith("_left")]
+    if field in nodal:
+        return 0.5 * (rows[f"{field}_left"] + rows[f"{field}_right"])
     if field not in known:
-        near = difflib.get_close_matches(field, known, n=1)
+        known += nodal
+        near = difflib.get_close_matches(str(field), known, n=1)
         hint = f"did you mean '{near[0]}'?" if near else f"it has: {', '.join(known) or 'none'}"
         raise DeckError.single(run.folder, None, "field", f"the {group} of this run hold no '{field}'", hint)
     return rows[field]

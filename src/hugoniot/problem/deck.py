@@ -1,6 +1,5 @@
 """Reads a deck: TOML text to a frozen `Problem`, with every problem of the text reported at once by file, line, key and hint."""
 
-import copy
 import re
 import tomllib
 from collections.abc import Sequence
@@ -42,7 +41,8 @@ def read_deck(path: str | Path, overrides: dict[str, Any] | None = None, materia
     """
     path = Path(path)
     try:
-        data = path.read_bytes()
+        with path.open("rb") as file:
+            data = file.read(4 * LARGEST + 1)   # four bytes a character at the most: a result given by mistake is not read to its end
     except OSError as error:
         near = sorted(p.name for p in path.parent.glob("*.toml"))[:5] if path.parent.is_dir() else []
         hint = f"; decks here: {', '.join(near)}" if near else "; hugoniot init writes one"
@@ -69,6 +69,7 @@ def read_deck_text(text: str, name: str = "deck", overrides: dict[str, Any] | No
     module = schema.solver_module(kind)
     model = schema.validate(module.Model, raw, collector)
     materials = {**_materials(raw, collector), **_own_materials(raw, places, beside)}
+    collector.texts(("title",), raw.get("title"))
     problem, warnings = module.read(raw, model, materials, collector)
     if collector.problems or problem is None:
         problems = sorted(collector.problems, key=lambda p: (p.line or 0))
@@ -87,7 +88,7 @@ def write_deck(problem: Any, kind: str | None = None) -> str:
 
 def _parse(text: str, name: str) -> dict:
     if len(text) > LARGEST:
-        raise DeckError.single(name, None, "deck", f"{len(text)} characters are too many for a deck", "was another file meant?")
+        raise DeckError.single(name, None, "deck", f"more than {LARGEST} characters are too many for a deck", "was another file meant?")
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -151,4 +152,13 @@ def _override(raw: dict, key: str, value: Any, collector: Collector) -> None:
         for inner, v in value.items():
             _override(here[last], inner, v, collector)
     else:
-        here[last] = copy.deepcopy(value)
+        here[last] = _plain(value)
+
+
+def _plain(value: Any) -> Any:
+    """A value as a deck would hold it: numbers and arrays of numpy become those of the language, tuples arrays of the deck."""
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, dict):
+        return {key: _plain(inner) for key, inner in value.items()}
+    return [_plain(inner) for inner in value] if isinstance(value, (list, tuple)) else value

@@ -66,6 +66,7 @@ def test_a_file_that_may_not_be_read_ends_with_the_code_of_files(arguments, caps
     monkeypatch.setattr("os.access", lambda *_, **__: False)
     monkeypatch.setattr("pathlib.Path.read_text", refuse)
     monkeypatch.setattr("pathlib.Path.read_bytes", refuse)
+    monkeypatch.setattr("pathlib.Path.open", refuse)
     code, _, err = call(capsys, *arguments)
     assert code == 4 and "deck.toml: Permission denied" in err
 
@@ -157,7 +158,7 @@ def test_check_tells_programs_what_is_wrong(capsys, monkeypatch, tmp_path):
     assert code == 0 and "velocity = 900.0" in out
 
 
-@pytest.mark.parametrize("kind", ["eos", "strength", "fracture", "viscosity", "materials", "fields", "problems", "solvers"])
+@pytest.mark.parametrize("kind", ["", "eos", "strength", "fracture", "viscosity", "materials", "fields", "problems", "solvers"])
 def test_list_explains_each_in_a_line(kind, capsys):
     code, out, _ = call(capsys, "list", kind, "--json")
     rows = json.loads(out)

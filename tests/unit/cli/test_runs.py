@@ -46,6 +46,13 @@ def test_info_tells_people_and_programs(place, capsys):
     assert code == 0 and "every default is written out" in out
 
 
+def test_a_wave_that_has_not_come_has_no_arrival(place, capsys):
+    code, out, _ = call(capsys, "run", place / "tube.toml", "--set", "stop_time=0.01", "--set", "gauge=[{name='near', at=0.5}, {name='far', at=0.95}]",
+                        "--out", place / "early.run", "--no-report", "-q")
+    rows = {line.split()[0]: line for line in out.splitlines() if line.startswith(("near", "far"))}
+    assert code == 0 and "none" in rows["far"] and "none" not in rows["near"]
+
+
 def test_the_resolved_deck_runs_again_to_the_same_bits(place, capsys):
     code, *_ = call(capsys, "run", place / "tube.run" / "deck.toml", "--out", place / "again.run", "-q", "--no-report")
     assert code == 0
@@ -78,7 +85,7 @@ def test_compare_refuses_a_picture_of_an_unknown_kind(place, capsys):
 
 @pytest.mark.parametrize("arguments, name", [
     (["xt", "pressure"], "xt-pressure.png"), (["gauge", "velocity"], "gauge-velocity.png"), (["profile", "density"], "profile-density.png"),
-    (["budget"], "budget.png"), (["setup"], "setup.png"),
+    (["budget"], "budget.png"), (["setup"], "setup.png"), (["xt", "velocity"], "xt-velocity.png"),
 ])
 def test_plot_draws(arguments, name, place, capsys):
     code, out, _ = call(capsys, "plot", place / "tube.run", *arguments)
@@ -89,7 +96,8 @@ def test_plot_draws(arguments, name, place, capsys):
 @pytest.mark.parametrize("arguments, hint", [
     (["xtt"], "did you mean 'xt'?"), (["budget", "--time", "1 us"], "it goes with profile"), (["profile", "--time", "1 mm"], "expected a time"),
     (["xt", "--out", "wave.gif"], ".png"), (["profile", "--time", "9 s"], "the run has no state at 9 s; its snapshots are from 0 s to"),
-    (["free_surface", "--delay", "-1 ns"], "--delay: must be greater than 0"),
+    (["free_surface", "--delay", "-1 ns"], "delay: must not be negative"), (["free_surface", "--gauge", "nowhere"], "no gauge 'nowhere'; this run has: contact"),
+    (["profile", "--time", "9"], "the run has no state at 9 s"),
 ])
 def test_plot_refuses_what_it_cannot_draw(arguments, hint, place, capsys):
     code, _, err = call(capsys, "plot", place / "tube.run", *arguments)

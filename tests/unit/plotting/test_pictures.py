@@ -83,8 +83,36 @@ def test_unknown_fields_and_gauges_are_answered_with_what_there_is(run):
     for call in (lambda: run.plot.xt("presure"), lambda: run.plot.profile("presure")):
         with pytest.raises(DeckError, match="hold no 'presure'; did you mean 'pressure'"):
             call()
-    with pytest.raises(DeckError, match="no gauge 'nowhere'; this run has: middle, free surface"):
-        run.plot.gauge("stress", "nowhere")
+    with pytest.raises(DeckError, match="hold no '5'; it has: "):
+        run.plot.peaks(5)
+    for call in (lambda: run.plot.gauge("stress", "nowhere"), lambda: run.plot.gauge(names=["nowhere"]), lambda: run.plot.free_surface("nowhere")):
+        with pytest.raises(DeckError, match="no gauge 'nowhere'; this run has: middle, free surface"):
+            call()
+    with pytest.raises(DeckError, match="no gauge '5'"):
+        run.plot.gauge(names=5)
+    with pytest.raises(KeyError, match="no column 'streß' in gauges; it has: .*stress"):
+        run.unit("gauges", "streß")
+
+
+@pytest.mark.parametrize("time, told", [([], "no time is given"), (9, "no state at 9 s"), ([-1], "no state at -1 s"), ("9 us", "no state at 9 us")])
+def test_a_time_the_run_did_not_reach_is_refused(run, time, told):
+    with pytest.raises(DeckError, match=told):
+        run.plot.profile("stress", time)
+
+
+@pytest.mark.parametrize("delay, told", [("-1 ns", "must not be negative"), (1, "longer than the record")])
+def test_a_delay_no_interferometer_has_is_refused(run, delay, told):
+    assert len(run.plot.free_surface(delay="20 ns").lines) == 2
+    with pytest.raises(DeckError, match=told):
+        run.plot.free_surface(delay=delay)
+
+
+def test_a_field_at_the_nodes_is_drawn_as_the_mean_over_each_zone(run):
+    rows = run.arrays("snapshots")
+    y = run.plot.profile("velocity").lines[0].get_ydata()
+    mean = 0.5 * (rows["velocity_left"][-1] + rows["velocity_right"][-1])
+    assert np.array_equal(y[~np.isnan(y)], mean) and np.ptp(mean) > 100.0
+    assert run.plot.xt("velocity").images[0].get_clim()[1] == pytest.approx(rows["velocity_left"].max(), rel=0.1)
 
 
 def test_drawing_leaves_the_users_settings_alone(run):
