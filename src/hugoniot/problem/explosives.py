@@ -1,15 +1,19 @@
 """Explosives of a problem: which regions burn, how fast a programmed front runs, and what is wrong with lighting and burn laws."""
 
+from dataclasses import replace
+
 from hugoniot.errors import HugoniotError
 from hugoniot.laws import burn as _burn  # noqa: F401  (enrols the burn laws)
 from hugoniot.laws.burn.contract import BURN
-from hugoniot.laws.eos.contract import EOS, reference_state
+from hugoniot.laws.eos.contract import EOS
 from hugoniot.materials import burning
 from hugoniot.materials.derived import chapman_jouguet
 from hugoniot.problem.model import Problem
 from hugoniot.units import format_si
 
 TOLERATED = 5e-4   # of a programmed front's speed against the Chapman-Jouguet one: 3 % of pressure (p/p_CJ - 1 is about -sqrt(2 dD/D))
+SAME_DENSITY = 1e-3   # between that of a burn law and that of the region it burns; sets and measured densities differ by less
+SAME_HEAT = 0.2       # between a chemical energy that is given and the one the laws hold
 
 
 def burns(problem: Problem, region) -> bool:
@@ -67,30 +71,82 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
 
 
 def advice(problem: Problem) -> list[str]:
-    """What is allowed but seldom meant: a programmed front that is not the one the products would drive.
-
-    A faster one leaves a weak detonation, below the CJ pressure; into a slower one the products run, until its zones are crushed.
-    """
-    told = []
-    for name in dict.fromkeys(region.material for region in problem.regions if front_speed(problem, region) > 0.0):
-        material = problem.materials[name]
-        ideal = _own_speed(material)
-        if ideal is None:
-            continue
-        excess = material.burn.detonation_velocity / ideal - 1.0
-        if abs(excess) > TOLERATED:
-            effect = (f"behind it the pressure stays up to {100.0 * (2.0 * excess) ** 0.5:.2g} % low" if excess > 0.0
-                      else "its zones are compressed from behind, in the end crushed")
-            told.append(f"material '{name}': the programmed front runs at {material.burn.detonation_velocity:.5g} m/s, its products would "
-                        f"drive one at {ideal:.5g} m/s (Chapman-Jouguet): {effect}; give burn.detonation_velocity = {ideal:.6g}")
+    """What is allowed but seldom meant: fronts products would not drive, burn laws of another density, lighting that comes too late."""
+    told = [f"material '{name}' has no burn law: {', '.join(idle)} of it {'is' if len(idle) == 1 else 'are'} not used"
+            for name in dict.fromkeys(region.material for region in problem.regions) if (idle := _idle(problem.materials[name]))]
+    told += [f"lighting point {k + 1} is lit at {format_si(point.time, 's')}, after the run has ended" for k, point in
+             enumerate(problem.lighting) if point.time > problem.stop_time]
+    for region in problem.regions:
+        if burns(problem, region):
+            sentences = _front_advice(problem, region), _density_advice(problem, region), _heat_advice(problem.materials[region.material])
+            told += [text for text in sentences if text and text not in told]
     return told
 
 
-def _own_speed(material) -> float | None:
-    """Chapman-Jouguet velocity of a material's products with its chemical energy, m/s; None for laws not linear in energy."""
-    if "linear_in_energy" not in EOS.of(material.eos).flags:
+def _idle(material) -> list[str]:
+    """What a material without a burn law says of burning in vain. Products at once are an explosive too, and hold the law's own energy."""
+    if material.burn is not None:
+        return []
+    given = ["detonation_energy"] if material.detonation_energy is not None else []
+    if "reacted" not in EOS.of(material.eos).flags:
+        given += [word for word in ("unreacted", "mixture") if getattr(material, word) is not None]
+    return given
+
+
+def _front_advice(problem: Problem, region) -> str | None:
+    """Of a programmed front whose speed is not that of the products from the region's own start.
+
+    A faster one leaves a weak detonation, below the CJ pressure; into a slower one the products run, until its zones are crushed.
+    """
+    material, speed = problem.materials[region.material], front_speed(problem, region)
+    ideal = _own_speed(material, region) if speed > 0.0 else None
+    if ideal is None or abs(speed / ideal - 1.0) <= TOLERATED:
+        return None
+    excess = speed / ideal - 1.0
+    effect = ("its zones are compressed from behind, in the end crushed" if excess < 0.0 else
+              f"behind it the pressure stays up to {100.0 * (2.0 * excess) ** 0.5:.2g} % low" if excess < 0.1 else
+              "behind it nothing comes near the CJ pressure")
+    return (f"material '{region.material}': the programmed front runs at {speed:.5g} m/s, its products would drive one at {ideal:.5g} m/s "
+            f"(Chapman-Jouguet): {effect}; give burn.detonation_velocity = {ideal:.6g}")
+
+
+def _density_advice(problem: Problem, region) -> str | None:
+    """Of a burn law that counts compression from another density than the region starts at: denser, it burns at rest."""
+    material = problem.materials[region.material]
+    counted = getattr(material.burn, "rho0", None)
+    start = _start(material, region)
+    if counted is None or start is None or abs(start[0] / counted - 1.0) <= SAME_DENSITY:
+        return None
+    return (f"region '{region.name}' starts at {start[0]:.6g} kg/m3, and its burn law '{BURN.of(material.burn).name}' counts compression "
+            f"from rho0 = {counted:.6g} kg/m3: what is denser than that counts as shocked; give burn.rho0 = {start[0]:.6g} and constants "
+            "for that density")
+
+
+def _heat_advice(material) -> str | None:
+    """Of a chemical energy far from the one the laws of the explosive hold."""
+    if material.detonation_energy is None or "reacted" not in EOS.of(material.eos).flags:
+        return None
+    own = burning.heat_of(replace(material, detonation_energy=None))
+    if abs(material.detonation_energy / own - 1.0) <= SAME_HEAT:
+        return None
+    return (f"material '{material.name}': detonation_energy = {format_si(material.detonation_energy, 'J/kg')}, its equations of state hold "
+            f"{format_si(own, 'J/kg')}: leave it out unless the difference is meant")
+
+
+def _start(material, region) -> tuple[float, float] | None:
+    """(rho, e) in which a region starts, e with the chemical energy; None where it has no such state (told elsewhere)."""
+    try:
+        return burning.start_state(material, region.density, region.pressure, region.temperature, region.energy)
+    except HugoniotError:
+        return None
+
+
+def _own_speed(material, region) -> float | None:
+    """Chapman-Jouguet velocity of a region's products from the state it starts in, m/s; None for laws not linear in energy."""
+    start = _start(material, region)
+    if start is None or "linear_in_energy" not in EOS.of(material.eos).flags:
         return None
     try:
-        return chapman_jouguet(material.eos, float(reference_state(material.eos)[0]), burning.heat_of(material)).velocity
+        return chapman_jouguet(material.eos, *start).velocity
     except (HugoniotError, ArithmeticError, ValueError):
         return None

@@ -188,6 +188,43 @@ def test_a_front_slower_than_its_products_is_told():
     assert read_deck_text(DECK.format(top="lighting = [{at = 0.0}]", region="")).warnings == ()
 
 
+PRESSED = 'density = "1500 kg/m^3"\n'
+BETA = '[material.x]\nbase = "comp_b"\n[material.x.burn]\nlaw = "beta"\nrho0 = "1717 kg/m^3"\nrho_cj = "2351 kg/m^3"'
+GASEOUS = '[material.x.eos]\nlaw = "ideal_gas"\ngamma = 3.0\nrho0 = 1600.0\n[material.x]\ndetonation_energy = "5 MJ/kg"'
+
+
+@pytest.mark.parametrize(("top", "region", "words"), [
+    ("lighting = [{at = 0.0}]", PRESSED, "runs at 7980 m/s, its products would drive one at 7167.7"),       # pressed to another density
+    ("lighting = [{at = 0.0}]", '[material.comp_b]\nbase = "comp_b"\n[material.comp_b.burn]\ndetonation_velocity = "70 km/s"', "nothing comes near the CJ"),
+    ('lighting = [{at = 0.0}, {at = 0.0, time = "5 us"}]', "", "lighting point 2 is lit at 5 us, after the run has ended"),
+    ("", 'density = "1800 kg/m^3"\n' + BETA, "starts at 1800 kg/m3, and its burn law 'beta' counts compression from rho0 = 1717"),
+    ("", '[material.x]\nbase = "LX-17 reactive"\n[material.x.unreacted]\nlaw = "ideal_gas"\ngamma = 1.4', "'ignition_growth' counts compression from rho0 = 1905"),
+    ("", '[material.x]\nbase = "LX-17 reactive"\ndetonation_energy = "5e12 J/kg"', "its equations of state hold"),
+    ("", GASEOUS, "has no burn law: detonation_energy of it is not used"),
+    ("", '[material.x]\nbase = "copper"\nmixture = "thermal_isolation"', "has no burn law: mixture of it is not used"),
+])
+def test_what_is_allowed_but_seldom_meant_is_told(top, region, words):
+    text = DECK.format(top=top, region=region)
+    found = read_deck_text(text.replace('"comp_b"\nfrom', '"x"\nfrom') if "[material.x]" in region else text).warnings
+    assert any(words in told for told in found), found
+
+
+@pytest.mark.parametrize("deck", ['[material.x]\nbase = "comp_b"\nburn = "none"', '[material.x]\nbase = "LX-17 reactive"\nburn = "none"',
+                                  '[material.x]\nbase = "PBX-9404 reactive"\nmixture = "thermal_equilibrium"'])
+def test_nothing_is_told_of_products_at_once_and_of_sets_as_they_are(deck):
+    assert read_deck_text(DECK.format(top="", region=deck).replace('"comp_b"\nfrom', '"x"\nfrom')).warnings == ()
+
+
+@pytest.mark.parametrize(("law", "words"), [
+    ('law = "pressure_power"\nrate_constant = 1e6\npressure_exponent = 1.0\ndepletion_exponent = 1.0\nreference_pressure = 0.0', "reference_pressure must be positive"),
+    ('law = "forest_fire"\ncoefficients = [1.0]\np_min = 1e9\np_max = 3e10\ntime_scale = 0.0', "units of a forest-fire fit must be positive"),
+])
+def test_a_rate_of_no_unit_is_refused(law, words):
+    deck = f'[material.x]\nbase = "LX-17 reactive"\n[material.x.burn]\n{law}'
+    with pytest.raises(DeckError, match=words):
+        read_deck_text(DECK.format(top="", region=deck).replace('"comp_b"\nfrom', '"x"\nfrom'))
+
+
 # -- diagnostics ---------------------------------------------------------------------------------------------------
 def travelling(speeds, n=200):
     """(times, field, left, right): a ramp two zones wide whose middle moves at the speeds given for each of 30 intervals."""

@@ -81,12 +81,16 @@ def table_advance(burn_fraction, dt, rho, p, temperature, par):
 
 
 def forest_fire(coefficients, p_min, p_max, pressure_scale=1.0e11, time_scale=1.0e-6) -> ForestFire:
-    """Parameters from up to 15 coefficients, lowest power first; OutOfRange for more of them or an empty pressure range."""
+    """Parameters from up to 15 coefficients, lowest power first; OutOfRange for more of them, an empty
+    pressure range or a unit that is not positive."""
     values = tuple(float(a) for a in coefficients)
     if not 0 < len(values) <= TERMS:
         raise OutOfRange(f"a forest-fire polynomial has 1 to {TERMS} coefficients; got {len(values)}")
     if not 0.0 <= p_min < p_max:
         raise OutOfRange(f"a forest-fire fit needs 0 <= p_min < p_max; got {p_min:.6g} and {p_max:.6g} Pa")
+    if not (pressure_scale > 0.0 and time_scale > 0.0):
+        raise OutOfRange(f"the units of a forest-fire fit must be positive; got pressure_scale = {pressure_scale:.6g} Pa and time_scale = "
+                         f"{time_scale:.6g} s")
     return ForestFire(values + (0.0,) * (TERMS - len(values)), float(p_min), float(p_max), float(pressure_scale), float(time_scale))
 
 

@@ -10,6 +10,7 @@ Source: 003 (Starkenberg ARL-TR-2161) section 3 takes any rate of state; Fickett
 
 from typing import NamedTuple
 
+from hugoniot.errors import OutOfRange
 from hugoniot.laws.burn.contract import BURN, no_schedule
 from hugoniot.laws.burn.depletion import deplete, power, without_negatives
 
@@ -36,8 +37,11 @@ def advance(burn_fraction, dt, rho, p, temperature, par):
 
 
 def build(*values, **named) -> PressurePower:
-    """Parameters; OutOfRange for a negative one."""
-    return without_negatives("pressure power", PressurePower(*values, **named))
+    """Parameters; OutOfRange for a negative one, or a reference pressure of 0."""
+    par = without_negatives("pressure power", PressurePower(*values, **named))
+    if not par.reference_pressure > 0.0:
+        raise OutOfRange("pressure power: reference_pressure must be positive, the rate constant is that of this pressure; got 0 Pa")
+    return par
 
 
 BURN.add(
