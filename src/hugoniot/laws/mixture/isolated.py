@@ -32,6 +32,10 @@ NEAR = 1e-6
 # A phase of less than this mass fraction is left out by `solve`: it changes the pressure by about 1e-8 of itself, and its energy is the
 # difference of nearly equal numbers (only reactants in tension would notice the bubbles).
 NASCENT = 1e-8
+# So is one of less than this where the reactants alone would be in tension: bubbles of that mass press by some 20 MPa.
+FAINT = 1e-5
+# Products of more than this volume, in those of the reactants, have pushed these off the volume of the mixture: see `opened`.
+OPEN = 3e-3
 CLOSE = 1e-8         # step from which the search ends, relative
 CLOSE_PAIR = 4e-9    # product of two steps from which it ends
 SHORT = 0.1          # of a phase's volume, beyond which `attempt` goes no step
@@ -48,11 +52,24 @@ class ThermalIsolation(NamedTuple):
 
 def solve(rho, e, burn_fraction, before, par):
     """`before` must lie on the reactant's isentrope: the shocked state, or the reactant of the step before."""
-    if burn_fraction <= NASCENT:
-        return Mixed(pressure(rho, e - par.detonation_energy, par.reactants), rho, e, before.rho_p, before.e_p, 0.0)
+    if burn_fraction <= FAINT:
+        p = pressure(rho, e - par.detonation_energy, par.reactants)
+        if burn_fraction <= NASCENT:
+            return Mixed(p, rho, e, before.rho_p, before.e_p, 0.0)
+        if p <= 0.0:
+            return Mixed(p, rho, e, 0.0, 0.0, 0.0)
     if burn_fraction >= 1.0 - NASCENT:
         return Mixed(pressure(rho, e, par.products), 0.0, before.e_r, rho, e, 0.0)
     return equilibrate(rho, e, burn_fraction, before, par)
+
+
+def opened(lam, before):
+    """Whether nascent products filled a notable volume in the step before, as bubbles do in what is released to no pressure.
+
+    The isentrope through the mixture state then is no longer that of the reactants: these would be given a tension they never bore, and
+    the products its energy, as heat.
+    """
+    return (before.rho_p > 0.0) & (lam * (before.rho_r - before.rho_p) > OPEN * before.rho_p)
 
 
 def reactant(v, e, lam, w, v_k, e_k, vanishing, par):
@@ -107,7 +124,7 @@ def equilibrate(rho, e, burn_fraction, before, par):
     """The bracketed Newton search of the module's docstring, for 0 <= lambda <= 1 (nascent products, last grain)."""
     v, lam, rest = 1.0 / rho, burn_fraction, 1.0 - burn_fraction
     q = par.detonation_energy
-    vanishing = lam < par.nascent_limit
+    vanishing = (lam < par.nascent_limit) & (not opened(lam, before))
     v_r = v_k = v if vanishing else 1.0 / before.rho_r
     e_r = e_k = e - q if vanishing else before.e_r - q
     w = v_r - 1.0 / before.rho_p if before.rho_p > 0.0 else 0.0

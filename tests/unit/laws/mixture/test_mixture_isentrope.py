@@ -17,9 +17,13 @@ UNREACTED = JWL(7.781e13, -5.031e9, 11.3, 1.13, 0.8938, 1895.0, 0.0, 1312.4)
 
 
 def jwl_energy(v0, e0, v1, par):
-    """003 A-9.2."""
+    """003 A-9.2, with the greatest cold tension kept beyond its volume."""
+    torn = np.log(-par.a * par.r1 / (par.b * par.r2)) / (par.r1 - par.r2)
+
     def h(v):
-        return (par.a / par.r1 * np.exp(-par.r1 * v * par.rho0) + par.b / par.r2 * np.exp(-par.r2 * v * par.rho0)) / par.rho0
+        x = min(v * par.rho0, torn)
+        first, second = par.a * np.exp(-par.r1 * x), par.b * np.exp(-par.r2 * x)
+        return (first / par.r1 + second / par.r2 - (first + second) * (v * par.rho0 - x)) / par.rho0
     return h(v1) + (e0 - h(v0)) * (v0 / v1) ** par.omega
 
 
@@ -33,8 +37,8 @@ def test_march_meets_closed_forms(ratio):
     expected = (e0 - 2.0e9 * v0) * ratio**-3.4 + 2.0e9 * v0 * ratio
     assert marched_energy(v0, e0, v0 * ratio, stiff) == pytest.approx(expected, rel=2e-10)
     v0, e0 = 1.0 / 2500.0, 1.2e6
-    assert marched_energy(v0, e0, v0 * ratio, UNREACTED) == pytest.approx(jwl_energy(v0, e0, v0 * ratio, UNREACTED), rel=2e-10, abs=1e-4)
-
+    kink = 2e-10 if ratio < 1.5 else 4e-9     # where the cold tension is greatest its second derivative jumps
+    assert marched_energy(v0, e0, v0 * ratio, UNREACTED) == pytest.approx(jwl_energy(v0, e0, v0 * ratio, UNREACTED), rel=kink, abs=1e-4)
     assert isentrope_energy(v0, e0, v0 * ratio, UNREACTED) == pytest.approx(jwl_energy(v0, e0, v0 * ratio, UNREACTED), rel=1e-14)
 
 
