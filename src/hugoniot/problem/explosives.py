@@ -13,6 +13,7 @@ from hugoniot.units import format_si
 
 TOLERATED = 5e-4   # of a programmed front's speed against the Chapman-Jouguet one: 3 % of pressure (p/p_CJ - 1 is about -sqrt(2 dD/D))
 SAME_DENSITY = 1e-3   # between that of a burn law and that of the region it burns; sets and measured densities differ by less
+CONVERGING = 1.2      # radii over which a front runs inward
 SAME_HEAT = 0.2       # between a chemical energy that is given and the one the laws hold
 
 
@@ -76,6 +77,7 @@ def advice(problem: Problem) -> list[str]:
             for name in dict.fromkeys(region.material for region in problem.regions) if (idle := _idle(problem.materials[name]))]
     told += [f"lighting point {k + 1} is lit at {format_si(point.time, 's')}, after the run has ended" for k, point in
              enumerate(problem.lighting) if point.time > problem.stop_time]
+    told += [text for body in programmed_bodies(problem) if (text := _converging_advice(problem, body))]
     for region in problem.regions:
         if burns(problem, region):
             sentences = _front_advice(problem, region), _density_advice(problem, region), _heat_advice(problem.materials[region.material])
@@ -99,15 +101,40 @@ def _front_advice(problem: Problem, region) -> str | None:
     A faster one leaves a weak detonation, below the CJ pressure; into a slower one the products run, until its zones are crushed.
     """
     material, speed = problem.materials[region.material], front_speed(problem, region)
-    ideal = _own_speed(material, region) if speed > 0.0 else None
-    if ideal is None or abs(speed / ideal - 1.0) <= TOLERATED:
+    state = _own_state(material, region) if speed > 0.0 else None
+    if state is None or abs(speed / state.velocity - 1.0) <= TOLERATED:
         return None
+    ideal = state.velocity
     excess = speed / ideal - 1.0
     effect = ("its zones are compressed from behind, in the end crushed" if excess < 0.0 else
               f"behind it the pressure stays up to {100.0 * (2.0 * excess) ** 0.5:.2g} % low" if excess < 0.1 else
               "behind it nothing comes near the CJ pressure")
     return (f"material '{region.material}': the programmed front runs at {speed:.5g} m/s, its products would drive one at {ideal:.5g} m/s "
             f"(Chapman-Jouguet): {effect}; give burn.detonation_velocity = {ideal:.6g}")
+
+
+def follows_compression(material) -> bool:
+    """Whether what is compressed burns ahead of a schedule."""
+    return "compression_driven" in BURN.of(material.burn).flags
+
+
+def with_compression(material, region) -> str:
+    """The burn table that lets compression burn a region ahead of its schedule, its densities from the products."""
+    state = _own_state(material, region)
+    numbers = f", rho0 = {_start(material, region)[0]:.6g}, rho_cj = {state.density:.6g}" if state else ", its rho0 and rho_cj"
+    return f"law = \"programmed_beta\"{numbers}"
+
+
+def _converging_advice(problem: Problem, body: list[int]) -> str | None:
+    """Of a front that is programmed to run inward: it wants to run faster than its schedule, and crushes what that has not lit yet."""
+    inner, outer = problem.regions[body[0]].start, problem.regions[body[-1]].end
+    lit = [point.position for point in problem.lighting if inner <= point.position <= outer]
+    region = next((problem.regions[k] for k in body if not follows_compression(problem.materials[problem.regions[k].material])), None)
+    if problem.geometry == "planar" or region is None or not lit or min(lit) <= CONVERGING * inner:
+        return None
+    return (f"the programmed front of '{region.name}' runs inward from {format_si(min(lit), 'm')} to {format_si(inner, 'm')}: converging it "
+            f"wants to run faster than its schedule and crushes what that has not lit; take [material.{region.material}.burn] "
+            f"{with_compression(problem.materials[region.material], region)}")
 
 
 def _density_advice(problem: Problem, region) -> str | None:
@@ -141,12 +168,12 @@ def _start(material, region) -> tuple[float, float] | None:
         return None
 
 
-def _own_speed(material, region) -> float | None:
-    """Chapman-Jouguet velocity of a region's products from the state it starts in, m/s; None for laws not linear in energy."""
+def _own_state(material, region):
+    """Chapman-Jouguet state of a region's products from the state it starts in; None for laws not linear in energy."""
     start = _start(material, region)
     if start is None or "linear_in_energy" not in EOS.of(material.eos).flags:
         return None
     try:
-        return chapman_jouguet(material.eos, *start).velocity
+        return chapman_jouguet(material.eos, *start)
     except (HugoniotError, ArithmeticError, ValueError):
         return None

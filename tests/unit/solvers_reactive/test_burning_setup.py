@@ -19,7 +19,7 @@ from hugoniot.problem.deck import read_deck_text
 from hugoniot.problem.explosives import defects, programmed_bodies
 from hugoniot.problem.model import Lighting, Problem, Region
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d import reactive
+from hugoniot.solvers.lagrange1d import post_mortem, reactive
 
 GAS = IdealGas(3.0, 1000.0, 1600.0)
 SLOW, FAST = (Material(name, GAS, burn=Programmed(speed), detonation_energy=4e6) for name, speed in (("slow", 4000.0), ("fast", 8000.0)))
@@ -207,6 +207,29 @@ def test_what_is_allowed_but_seldom_meant_is_told(top, region, words):
     text = DECK.format(top=top, region=region)
     found = read_deck_text(text.replace('"comp_b"\nfrom', '"x"\nfrom') if "[material.x]" in region else text).warnings
     assert any(words in told for told in found), found
+
+
+@pytest.mark.parametrize(("geometry", "lit", "told"), [("spherical", "1 cm", True), ("cylindrical", "7 mm", True), ("spherical", "5 mm", False), ("planar", "1 cm", False)])
+def test_a_front_that_is_programmed_to_converge_is_told_with_the_law_to_take(geometry, lit, told):
+    text = DECK.format(top=f'geometry = "{geometry}"\nlighting = [{{at = "{lit}"}}]', region="").replace('from = "0 cm"', 'from = "5 mm"')
+    found = [warning for warning in read_deck_text(text).warnings if "converging it wants to run faster" in warning]
+    assert len(found) == told
+    assert not told or 'law = "programmed_beta", rho0 = 1717, rho_cj = 2351' in found[0]
+    with_beta = '[material.comp_b]\nbase = "comp_b"\n[material.comp_b.burn]\nlaw = "programmed_beta"\nrho0 = 1717.0\nrho_cj = 2351.4\ndetonation_velocity = "7980 m/s"\n'
+    assert read_deck_text(text + with_beta).warnings == ()
+
+
+def test_zones_crushed_before_a_front_lit_them_are_told_with_the_law_to_take():
+    """What ended as a sound speed that is no number (nothing burned yet) or as tension (burned since), beside crushed zones."""
+    region = Region("charge", "comp_b", 0.0, 0.02, 20)
+    problem = Problem("x", "spherical", 1e-6, (region,), {"comp_b": library.find("comp_b")}, lighting=(Lighting(0.02),))
+    zones = np.zeros((L.BURNING_ROWS, 20))
+    zones[L.PEAK_DENSITY] = 1.8 * 1717.0
+    assert post_mortem.ill_burned(problem, zones, np.zeros(20, int), 3) is None
+    zones[L.PEAK_DENSITY, 5] = 5000.0
+    cause, remedy = post_mortem.ill_burned(problem, zones, np.zeros(20, int), 3)
+    assert "crushed, to 5000 kg/m3, before the programmed front lit them" in cause
+    assert 'law = "programmed_beta", rho0 = 1717, rho_cj = 2351' in remedy
 
 
 @pytest.mark.parametrize("deck", ['[material.x]\nbase = "comp_b"\nburn = "none"', '[material.x]\nbase = "LX-17 reactive"\nburn = "none"',

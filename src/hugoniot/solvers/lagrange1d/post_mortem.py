@@ -4,10 +4,12 @@ import numpy as np
 
 from hugoniot.laws.eos.contract import EOS, density_limits, pressure, reference_state
 from hugoniot.materials import burning
+from hugoniot.problem.explosives import follows_compression, front_speed, with_compression
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.units import format_si
 
 NEAR = 8              # zones around a bad one in which its cause is looked for
+CRUSHED = 2.5         # times the density of rest: more than products bear that a front burned (CJ 1.4, reflected at a wall 1.8)
 DENSE = 1e9           # times the density of rest: compressed to nothing
 
 
@@ -35,13 +37,35 @@ def crushed_zone(problem, zones, region_of, culprit: int) -> tuple[int, str, str
     return None
 
 
+def ill_burned(problem, zones, region_of, culprit: int) -> tuple[str, str] | None:
+    """(cause, remedy) of a bad state that comes of burning, or None."""
+    return overrun(problem, zones, region_of, culprit) or torn_reactants(problem, zones, region_of, culprit)
+
+
+def overrun(problem, zones, region_of, culprit: int) -> tuple[str, str] | None:
+    """(cause, remedy) where zones were crushed before a programmed front had lit them: they have no pressure that could resist."""
+    region = problem.regions[region_of[culprit]]
+    material = problem.materials[region.material]
+    if not front_speed(problem, region) > 0.0 or follows_compression(material):
+        return None
+    near = slice(max(0, culprit - NEAR), culprit + NEAR + 1)
+    densest = float(np.max(zones[L.PEAK_DENSITY, near]))
+    if not densest > CRUSHED * float(region.density or reference_state(material.eos)[0]):
+        return None
+    return (f"zones were crushed, to {densest:.4g} kg/m3, before the programmed front lit them: the explosive behind drives a faster front "
+            "than the burn law allows, as in converging geometry.",
+            f"let compression burn a zone ahead of its schedule: {with_compression(material, region)}; or take a rate law.")
+
+
 def torn_reactants(problem, zones, region_of, culprit: int) -> tuple[str, str] | None:
     """(cause, remedy) where a burning zone's unreacted explosive is stretched beyond what its law can carry, or None.
 
     The laws of ignition-and-growth sets are fitted to compression: expanded and hot, their negative term makes sound imaginary.
     """
     material = problem.materials[problem.regions[region_of[culprit]].material]
-    if material.burn is None or not burning.has_reactants(material) or not zones[L.BURN_FRACTION, culprit] < 1.0:
+    if material.burn is None or not burning.has_reactants(material) or zones[L.C, culprit] > 0.0:
+        return None
+    if not zones[L.BURN_FRACTION, culprit] < 1.0:
         return None
     rho = float(zones[L.RHO_R, culprit])
     if not 0.0 < rho < float(reference_state(material.unreacted)[0]):

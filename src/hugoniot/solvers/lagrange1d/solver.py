@@ -21,7 +21,7 @@ from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_pulse, group_laws, held_stresses, viscosity_of
 from hugoniot.solvers.lagrange1d.bodies import alike_ranges, interface_table, join, pieces_of, run_table, set_node_masses, split
 from hugoniot.solvers.lagrange1d.constitutive import remembers
-from hugoniot.solvers.lagrange1d.post_mortem import crushed_zone, diagnose, torn_reactants
+from hugoniot.solvers.lagrange1d.post_mortem import crushed_zone, diagnose, ill_burned
 from hugoniot.solvers.lagrange1d.probes import probe_tables
 from hugoniot.solvers.lagrange1d.step import SCHEMES, march, serve
 from hugoniot.solvers.lagrange1d.watch import cavity_closed, mark_patch, touching_gap
@@ -287,8 +287,8 @@ class Lagrange1D:
         if self.burning:
             rows = {"burn_fraction": L.BURN_FRACTION, "mixture_status": L.MIX_STATUS}
             values |= {name: float(self.zones[row, culprit]) for name, row in rows.items()}
-        torn = torn_reactants(self.problem, self.zones, self.region_of, culprit) if self.burning and code == L.BAD_STATE else None
-        cause, remedy = crushed[1:] if crushed else torn or diagnose(code, values, float(left[culprit]), float(right[culprit]))
+        burned = ill_burned(self.problem, self.zones, self.region_of, culprit) if self.burning else None
+        cause, remedy = crushed[1:] if crushed else burned or diagnose(code, values, float(left[culprit]), float(right[culprit]))
         with np.errstate(invalid="ignore"):
             centres = 0.5 * (left + right)
         near = np.flatnonzero(np.isfinite(centres))     # a zone that is nowhere is reported where its nearest sound neighbour is
