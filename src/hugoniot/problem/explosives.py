@@ -132,8 +132,8 @@ def _converging_advice(problem: Problem, body: list[int]) -> str | None:
     region = next((problem.regions[k] for k in body if not follows_compression(problem.materials[problem.regions[k].material])), None)
     if problem.geometry == "planar" or region is None or not lit or min(lit) <= CONVERGING * inner:
         return None
-    return (f"the programmed front of '{region.name}' runs inward from {format_si(min(lit), 'm')} to {format_si(inner, 'm')}: converging it "
-            f"wants to run faster than its schedule and crushes what that has not lit; take [material.{region.material}.burn] "
+    return (f"the programmed front of '{region.name}' runs inward from {format_si(min(lit), 'm')} to {format_si(inner, 'm')}: converging, "
+            f"it wants to run faster than its schedule and crushes what is not lit; take [material.{region.material}.burn] "
             f"{with_compression(problem.materials[region.material], region)}")
 
 
