@@ -27,7 +27,7 @@ def stopped(solver, cycles=100_000, stop=1.0):
     return error
 
 
-@pytest.mark.parametrize("table, row", [("zones", L.E), ("zones", L.MASS), ("nodes", L.U), ("nodes", L.R)])
+@pytest.mark.parametrize("table, row", [("zones", L.E), ("zones", L.INVERSE_MASS), ("nodes", L.U), ("nodes", L.R)])
 def test_a_number_that_is_none_is_found_in_the_same_cycle(table, row):
     solver = make_solver(build.flyer((20, 40)))
     build.march_cycles(solver, 30)

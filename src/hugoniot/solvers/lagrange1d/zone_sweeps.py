@@ -47,14 +47,14 @@ def predict(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
     a, b = first + segment, last + segment
     predict_zones(
         nodes[L.R_HALF, a:b + 1], nodes[L.U_MEAN, a:b + 1], gradient[first + 2 * segment:last + 2 * segment + 2],
-        zones[L.MASS, first:last], zones[L.INVERSE_MASS, first:last], zones[L.E, first:last], zones[L.C, first:last],
-        zones[L.S1, first:last], zones[L.S2, first:last], zones[L.PLASTIC_STRAIN, first:last], zones[L.SIGMA, first:last],
-        zones[L.HOOP, first:last], zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last], zones[L.SIGMA_HALF, first:last],
-        zones[L.HOOP_HALF, first:last], zones[L.VOIDS, first:last], zones[L.COMPACTION, first:last], dt, law, rows, geometry)
+        zones[L.INVERSE_MASS, first:last], zones[L.E, first:last], zones[L.C, first:last], zones[L.S1, first:last],
+        zones[L.S2, first:last], zones[L.PLASTIC_STRAIN, first:last], zones[L.SIGMA, first:last], zones[L.HOOP, first:last],
+        zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last], zones[L.SIGMA_HALF, first:last], zones[L.HOOP_HALF, first:last],
+        zones[L.VOIDS, first:last], zones[L.COMPACTION, first:last], dt, law, rows, geometry)
 
 
 @nb.njit(**SWEEP)
-def predict_zones(rh, u, g, mass, im, e, c, s1, s2, eps, sigma, hoop_force, q_out, speed_out, sigma_half, hoop_half, voids, pores,
+def predict_zones(rh, u, g, im, e, c, s1, s2, eps, sigma, hoop_force, q_out, speed_out, sigma_half, hoop_half, voids, pores,
                   dt, law, rows, geometry):
     """`predict` over rows of the tables."""
     rows_apart()
@@ -63,20 +63,22 @@ def predict_zones(rh, u, g, mass, im, e, c, s1, s2, eps, sigma, hoop_force, q_ou
     fracture = parameters(law[2], rows[2])
     viscosity = parameters(law[3], rows[3])
     half = 0.5 * dt
-    for j in range(mass.shape[0]):
+    for j in range(im.shape[0]):
         r1, r2, u1, u2 = rh[j], rh[j + 1], u[j], u[j + 1]
         rate = area(r2, geometry) * u2 - area(r1, geometry) * u1
         size = volume(r1, r2, geometry)
-        rho = mass[j] / size
+        v = size * im[j]
+        density = 1.0 / v
+        rho = density
         if grows_voids(fracture):
-            rho = mass[j] / (size - mass[j] * voids[j])
+            rho = 1.0 / (v - voids[j])
         power = -sigma[j] * rate
         if hoops(geometry) > 0.0:
             power += hoop_force[j] * (u1 + u2)
         energy = e[j] + half * im[j] * power
         crushed = remembered(pores[j], eos)
         p = pressure(rho, energy, crushed)
-        dilation = half * rate / size
+        dilation = half * rate * (im[j] * density)
         hoop = 0.0
         if hoops(geometry) > 0.0:
             hoop = half * (u1 + u2) / (r1 + r2 + SMALL)
@@ -99,7 +101,7 @@ def predict_zones(rh, u, g, mass, im, e, c, s1, s2, eps, sigma, hoop_force, q_ou
         smooth = fmax(0.0, fmin(fmin(0.5 * (left + right), steep), 2.0 * fmin(left, right)))
         psi = fmin(smooth / (fmax(steep, 0.0) + SMALL), 1.0)
         squeeze = resisted(du, radial if hoops(geometry) > 0.0 else du, viscosity)
-        speed = viscous_speed(size * im[j], c[j], p, squeeze, psi, viscosity)
+        speed = viscous_speed(v, c[j], p, squeeze, psi, viscosity)
         q = -rho * squeeze * speed
         q_out[j] = q
         speed_out[j] = speed if squeeze != 0.0 else 0.0
@@ -114,7 +116,7 @@ def correct(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
     a, b = first + segment, last + segment
     correct_zones(
         nodes[L.R, a:b + 1], nodes[L.R_HALF, a:b + 1], nodes[L.U_MEAN, a:b + 1], nodes[L.U, a:b + 1],
-        gradient[first + 2 * segment + 1:last + 2 * segment + 1], zones[L.MASS, first:last], zones[L.INVERSE_MASS, first:last],
+        gradient[first + 2 * segment + 1:last + 2 * segment + 1], zones[L.INVERSE_MASS, first:last],
         zones[L.RHO, first:last], zones[L.E, first:last], zones[L.P, first:last], zones[L.C, first:last], zones[L.S1, first:last],
         zones[L.S2, first:last], zones[L.PLASTIC_STRAIN, first:last], zones[L.DAMAGE, first:last], zones[L.SIGMA, first:last],
         zones[L.HOOP, first:last], zones[L.Q, first:last], zones[L.VISCOUS_SPEED, first:last], zones[L.FAILURE, first:last],
@@ -123,7 +125,7 @@ def correct(zones, nodes, gradient, first, last, segment, dt, law, rows, geometr
 
 
 @nb.njit(**SWEEP)
-def correct_zones(r, rh, u, ue, g, mass, im, rho_, e_, p_, c_, s1, s2, eps, hurt, sigma, hoop_force, q, speed, torn, sigma_half, hoop_half,
+def correct_zones(r, rh, u, ue, g, im, rho_, e_, p_, c_, s1, s2, eps, hurt, sigma, hoop_force, q, speed, torn, sigma_half, hoop_half,
                   plastic, viscous, voids, pores, dt, law, rows, geometry, found):
     """`correct` over rows of the tables."""
     rows_apart()
@@ -132,7 +134,7 @@ def correct_zones(r, rh, u, ue, g, mass, im, rho_, e_, p_, c_, s1, s2, eps, hurt
     fracture = parameters(law[2], rows[2])
     rho0, noise = rows[4][0], rows[4][1]
     fastest, worst, radial_impulse, capped = 0.0, 0.0, 0.0, 0.0
-    for j in range(mass.shape[0]):
+    for j in range(im.shape[0]):
         u1, u2, r1, r2 = u[j], u[j + 1], rh[j], rh[j + 1]
         rate = area(r2, geometry) * u2 - area(r1, geometry) * u1
         size = volume(r1, r2, geometry)
@@ -149,8 +151,7 @@ def correct_zones(r, rh, u, ue, g, mass, im, rho_, e_, p_, c_, s1, s2, eps, hurt
         radial = dilation - hoops(geometry) * hoop
         end_size = volume(r[j], r[j + 1], geometry)
         v = end_size * im[j]
-        per_size = 1.0 / end_size
-        density = mass[j] * per_size
+        density = 1.0 / v
         rho, solid = density, v
         if grows_voids(fracture):
             solid = v - voids[j]
@@ -178,7 +179,7 @@ def correct_zones(r, rh, u, ue, g, mass, im, rho_, e_, p_, c_, s1, s2, eps, hurt
             p += relief
             capped += 1.0 if relief > 0.0 else 0.0
         c = wave_speed(c2 + (4.0 / 3.0) * shear * solid, noise)
-        inverse = mean_area(r[j], r[j + 1], geometry) * per_size
+        inverse = mean_area(r[j], r[j + 1], geometry) * im[j] * density
         g[j] = (ue[j + 1] - ue[j]) * inverse
         fastest = fmax(fastest, (c + 2.0 * speed[j]) * inverse)
         worst = fmax(worst, ratio)
