@@ -218,7 +218,10 @@ def conduct(zones, nodes, first, last, segment, dt, coefficient, geometry):
         left = u[j] - u[j + 1] if q[j] > 0.0 else 0.0
         right = u[j + 1] - u[j + 2] if q[j + 1] > 0.0 else 0.0
         flux[j] = dt * coefficient * area(r[j + 1], geometry) * fmin(rho[j], rho[j + 1]) * fmax(left, right) * (e[j] - e[j + 1])
-    for j in range(n - 1):
-        e[j] -= flux[j] * im[j]
-    for j in range(n - 1):
-        e[j + 1] += flux[j] * im[j + 1]
+    if n < 2:
+        return
+    # one difference for each zone: subtracted and added one after the other, the mirror image would be rounded otherwise
+    e[0] -= flux[0] * im[0]
+    for j in range(1, n - 1):
+        e[j] += (flux[j - 1] - flux[j]) * im[j]
+    e[n - 1] += flux[n - 2] * im[n - 1]
