@@ -4,7 +4,7 @@ kinetic            A.35 with the nodes' own masses (half of each neighbour), so 
 internal           A.36
 elastic_deviator   s:s / (4 G rho), the energy of distortion that release gives back (A.44 less A.43)
 plastic_work       A.43, summed by the solver with the return to the yield surface
-viscous_work       A.39, work of the artificial viscosity
+viscous_work       A.39, work of the artificial viscosity; in `compatible` over the radial closing, which q resists alone
 elastic_volume     the rest of the internal energy: compression and what heat it holds (A.38)
 """
 
