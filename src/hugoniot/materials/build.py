@@ -21,7 +21,7 @@ from hugoniot.laws.mixture.reference_state import CHOICES, FROZEN
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
 from hugoniot.materials import table_law
 from hugoniot.materials.collect import Collector, LineOf, nearest, printable
-from hugoniot.materials.material import PORES_REOPEN, Material, Source
+from hugoniot.materials.material import GRAINS_OVER_SERIES, PORES_REOPEN, Material, Source
 from hugoniot.materials.tables import accepted, families, law_table
 
 LONGEST_ARRAY = 1_000_000
@@ -77,6 +77,8 @@ def read_material(name: str, tables: Any, collector: Collector, path: tuple) -> 
         return None
     if unreacted is not None and flagged(unreacted, "remembers"):
         warnings = tuple(dict.fromkeys((*warnings, PORES_REOPEN)))
+    if any(law is not None and flagged(law, "grains") and flagged(law, "truncated") for law in (built["eos"], unreacted)):
+        warnings = tuple(dict.fromkeys((*warnings, GRAINS_OVER_SERIES)))
     return Material(name, built["eos"], built["strength"], built["fracture"], built.get("burn"), valid, sources, warnings, unreacted,
                     mixture, heat, reference)
 

@@ -147,4 +147,5 @@ EOS.add(
     box={"rho": (95.0, 3500.0), "e": (0.0, 5e6)},
     references=("Zel'dovich and Raizer, Physics of Shock Waves, XI.1, XI.2", "Murnaghan, Proc. Natl. Acad. Sci. 30, 244 (1944)",
                 "Jordan 2011, table 7.2.1 (J-E10; the powder)"),
+    flags=("grains",),
 )

@@ -107,5 +107,5 @@ EOS.add(
     defaults={"order": 3.0, "cold_energy": 0.0, "specific_heat": math.nan},
     box={"rho": (8000.0, 14000.0), "e": (0.0, 3e6)},
     references=("Jordan 2011, eq. 5.1.11 to 5.1.13 (recovered)",),
-    flags=("linear_in_energy",),
+    flags=("linear_in_energy", "truncated"),
 )
