@@ -10,7 +10,7 @@ from types import MappingProxyType
 from hugoniot.problem.model import Problem, SolverOptions
 
 COURANT = {"compatible": 0.5, "wilkins": 2.0 / 3.0}
-VISCOSITY = {"compatible": ("limited", {"quadratic": 1.0, "linear": 0.3}), "wilkins": ("wilkins", {"quadratic": 2.0, "linear": 1.0})}
+VISCOSITY = {"compatible": ("limited", {"quadratic": 2.0 / 3.0, "linear": 0.3}), "wilkins": ("wilkins", {"quadratic": 2.0, "linear": 1.0})}
 HEAT_FLUX = {"compatible": 0.5, "wilkins": 0.0}
 
 
