@@ -44,6 +44,12 @@ def test_a_converging_shock_beats_second_order_godunov(name, grids):
     assert beats(name, grids, "g2") == {}
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["sod", "woodward_colella", "noh_planar", "noh_cylindrical", "noh_spherical"])
+def test_second_order_godunov_is_beaten_on_every_grid(name):
+    assert beats(name, STANDARD[name].zones, "g2") == {}
+
+
 @pytest.mark.parametrize("name, grids", FAST)
 def test_the_budget_closes(name, grids):
     result = verified(name, grids)
@@ -118,8 +124,8 @@ def test_shells_stop_where_plastic_work_has_used_up_the_motion(name):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["sedov_planar", "sedov_cylindrical", "sedov_spherical"])
 def test_point_explosions_put_the_shock_in_its_place(name):
-    assert value(name, "shock_position", 400) <= 1e-2
-    assert value(name, "peak_density", 400) >= 5.0
+    assert value(name, "shock_position", 400) <= 2.5e-3
+    assert value(name, "peak_density", 400) >= 5.7
 
 
 @pytest.mark.slow

@@ -12,7 +12,7 @@ Phys. 72 (1987) 78). Hence the q in H: it takes away what sigma, which multiplie
 
 import numba as nb
 
-from hugoniot.core.compile import SWEEP, parameters, rows_apart
+from hugoniot.core.compile import INLINE, SWEEP, parameters, rows_apart
 from hugoniot.core.ops import fmax, fmin
 from hugoniot.laws.eos.contract import compacted, pressure, pressure_derivatives, remembered, unloading
 from hugoniot.laws.fracture.contract import damage_rate, failure
@@ -202,10 +202,21 @@ def correct_zones(r, rh, u, ue, g, im, rho_, e_, p_, c_, s1, s2, eps, hurt, sigm
     found[0], found[1], found[2], found[3] = fastest, worst, radial_impulse, capped
 
 
+@nb.njit(**INLINE)
+def shrinking(r1, r2, u1, u2, geometry):
+    """Speed with which a zone closes along the motion, or shrinks, if that is more, m/s."""
+    closing = u1 - u2
+    if hoops(geometry) > 0.0:
+        return fmax(closing, (area(r1, geometry) * u1 - area(r2, geometry) * u2) / mean_area(r1, r2, geometry))
+    return closing
+
+
 @nb.njit(**SWEEP)
 def conduct(zones, nodes, first, last, segment, dt, coefficient, geometry):
-    """Artificial heat flux inside a run of zones, where a shock is: h rho |du| (e_left - e_right) through each face.
+    """Artificial heat flux inside a run of zones, where a shock is: h rho w (e_left - e_right) through each face.
 
+    w is the speed with which a zone closes along the motion, |du|, or that with which it shrinks, minus its volume rate over its
+    mean area, if that is more: where a flow converges, a shock that takes its time makes heat of the hoop convergence as well.
     Spreads the excess heat a shock leaves where it starts or is reflected (wall heating). Conservative: what leaves one zone
     enters the next. Noh, J. Comput. Phys. 72 (1987) 78, section on artificial heat conduction; nothing flows where q = 0.
     """
@@ -215,8 +226,8 @@ def conduct(zones, nodes, first, last, segment, dt, coefficient, geometry):
     rho, e, q, im = zones[L.RHO, first:last], zones[L.E, first:last], zones[L.Q, first:last], zones[L.INVERSE_MASS, first:last]
     flux = zones[L.OLD, first:last]
     for j in range(n - 1):
-        left = u[j] - u[j + 1] if q[j] > 0.0 else 0.0
-        right = u[j + 1] - u[j + 2] if q[j + 1] > 0.0 else 0.0
+        left = shrinking(r[j], r[j + 1], u[j], u[j + 1], geometry) if q[j] > 0.0 else 0.0
+        right = shrinking(r[j + 1], r[j + 2], u[j + 1], u[j + 2], geometry) if q[j + 1] > 0.0 else 0.0
         flux[j] = dt * coefficient * area(r[j + 1], geometry) * fmin(rho[j], rho[j + 1]) * fmax(left, right) * (e[j] - e[j + 1])
     if n < 2:
         return
