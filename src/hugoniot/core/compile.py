@@ -21,7 +21,7 @@ import numba as nb
 import numpy as np
 from llvmlite import ir
 from numba import types
-from numba.core import event
+from numba.core import caching, event
 from numba.extending import intrinsic, overload
 
 from hugoniot.core import ops
@@ -71,6 +71,21 @@ def _use_cache_folder():
 
 
 CACHE_FOLDER = _use_cache_folder()
+_whole_index = caching.IndexDataCacheFile._load_index
+
+
+def _known_index(self):
+    """Index of a kernel's compiled code; empty where it names a law that this process does not have, such as one of a test or a script.
+
+    The index is read whole: one class that cannot be imported would keep every run from its own compiled code.
+    """
+    try:
+        return _whole_index(self)
+    except (ImportError, AttributeError):
+        return {}
+
+
+caching.IndexDataCacheFile._load_index = _known_index
 
 
 class _Teller(event.Listener):
