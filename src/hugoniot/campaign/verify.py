@@ -185,7 +185,7 @@ def verify_problem(name: str, zones: Iterable[int] | None = None, integrator: st
         solver, watcher = run_problem(problem, count, integrator, **solver_options)
         view = _View(solver, watcher, exact)
         errors = solver.errors()
-        energy, momentum = max(energy, errors["energy_error"]), max(momentum, errors["momentum_error"])
+        energy, momentum = max(energy, errors["energy_error"]), float(np.maximum(momentum, errors["momentum_error"]))
         for measure in problem.measure:
             value = _self_l1(measure, solver, fine[measure.exact]) if measure.kind == "self_l1" else judge(measure, view)
             bar = next((b for b in problem.bars if b.measure == measure.key and b.zones == count), Bar(measure.key, count))

@@ -35,6 +35,7 @@ class Law:
     references   where the equation stands, with its number
     build        function from the deck's named values (SI) to the parameter tuple; default: the class itself
     flags        facts a solver may ask for, such as "linear_in_energy"
+    above, least   parameter name -> what it must be greater than, or not less than
     line         what it is, where one file holds several laws; else the first line of the file says so
     """
 
@@ -51,6 +52,8 @@ class Law:
     flags: frozenset[str] = frozenset()
     defaults: Mapping[str, float] = field(default_factory=dict)
     line: str = ""
+    above: Mapping[str, float] = field(default_factory=dict)
+    least: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def module(self) -> ModuleType:
@@ -76,7 +79,8 @@ class Registry:
         self._by_name: dict[str, Law] = {}
         self._by_class: dict[type, Law] = {}
 
-    def add(self, name, parameters, *, functions, example, units, meaning, box, references, build=None, flags=(), defaults=None, line=""):
+    def add(self, name, parameters, *, functions, example, units, meaning, box, references, build=None, flags=(), defaults=None, line="",
+            above=None, least=None):
         """Enrol a law; every argument is a field of `Law`. Refuses a duplicate name and a law that does not keep the contract."""
         if name in self._by_name or parameters in self._by_class:
             raise ValueError(f"{self.family}: '{name}' is registered already")
@@ -91,7 +95,8 @@ class Registry:
         if not references:
             raise ValueError(f"{self.family}: '{name}' names no source")
         law = Law(self.family, name, parameters, {**self.derived, **given}, example, dict(units), dict(meaning), dict(box),
-                  tuple(references), build or parameters, frozenset(flags), dict(defaults or {}), line)
+                  tuple(references), build or parameters, frozenset(flags), dict(defaults or {}), line,
+                  dict(above or {}), dict(least or {}))
         self._by_name[name] = law
         self._by_class[parameters] = law
         return law

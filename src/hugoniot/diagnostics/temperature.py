@@ -8,9 +8,9 @@ is nan.
 
 import numpy as np
 
-from hugoniot.laws.arrays import SMALL, float_parameters, temperature_array
+from hugoniot.laws.arrays import float_parameters, recorded_temperature
 from hugoniot.laws.eos.contract import has_temperature
-from hugoniot.laws.mixture.contract import MIXTURE, Mixed, mixture_temperature
+from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.materials import burning
 
 
@@ -53,20 +53,16 @@ def gauge_temperature(values: dict, gauge_laws: list) -> np.ndarray:
 
 def _temperature(values: dict, law) -> np.ndarray:
     """Temperature of records of density and energy, and of the compaction where the law remembers it, K."""
-    return temperature_array(values["density"], values["energy"], law, values.get("compaction", 0.0))
+    return recorded_temperature(values["density"], values["energy"], law, values.get("compaction"))
 
 
 def mixed_temperature(phases: np.ndarray, par) -> np.ndarray:
     """Temperature, K, (n,), of mixtures given as (n, 5): burn fraction, rho_r, e_r, rho_p, e_p (energies with the chemical one)."""
+    from hugoniot.theory.mixture_kernels import temperature_rows
+
     phases, par = np.ascontiguousarray(phases, dtype=float), float_parameters(par)
     out = np.empty(len(phases))
-    if len(phases) <= SMALL:
-        for j, row in enumerate(phases.tolist()):
-            out[j] = mixture_temperature(row[0], Mixed(0.0, *row[1:], 0.0), par)
-    else:
-        from hugoniot.theory.mixture_kernels import temperature_rows
-
-        temperature_rows(phases, par, out)
+    temperature_rows(phases, par, out)      # however few they are: by Python they would have other bits
     if "no_reactants" in MIXTURE.of(par).flags:
         out[phases[:, 0] <= 0.0] = np.nan
     return out

@@ -3,7 +3,7 @@
 import numba as nb
 
 import hugoniot.laws.eos  # noqa: F401  (enrols every law)
-from hugoniot.core.compile import SWEEP, bind_family, bind_module
+from hugoniot.core.compile import GUARD, SWEEP, bind_family, bind_module
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import (
     EOS,
@@ -19,6 +19,10 @@ from hugoniot.laws.eos.contract import (
 
 bind_family(EOS, GENERICS)
 bind_module(contract)
+
+# A loop that may end at any state is made for one state at a time: made for several lanes, those states
+# that fill no lane get other bits.
+NEVER = -1e300
 
 
 @nb.njit(**SWEEP)
@@ -47,10 +51,20 @@ def temperature_sweep(rho, e, par, out):
         out[j] = temperature(rho[j], e[j], par)
 
 
-@nb.njit(**SWEEP)
-def remembered_temperature_sweep(rho, e, compaction, par, out):
+@nb.njit(**GUARD)
+def recorded_temperature_rows(rho, e, par, out):
+    for j in range(out.shape[0]):
+        out[j] = temperature(rho[j], e[j], par)
+        if out[j] == NEVER:
+            break
+
+
+@nb.njit(**GUARD)
+def remembered_temperature_rows(rho, e, compaction, par, out):
     for j in range(out.shape[0]):
         out[j] = temperature(rho[j], e[j], remembered(compaction[j], par))
+        if out[j] == NEVER:
+            break
 
 
 @nb.njit(**SWEEP)

@@ -3,7 +3,8 @@
     pressure_array(rho, e, par)        Pa
     derivatives_array(rho, e, par)     (dp/drho at constant e, dp/de at constant rho)
     sound_speed_array(rho, e, par)     m/s; NaN where the state is unstable
-    temperature_array(rho, e, par)     K, after a history of compaction if one is given
+    temperature_array(rho, e, par)     K
+    recorded_temperature(rho, e, par, compaction)   K, of the states of a run
     entropy_array(rho, e, par)         J/(kg K)
     energy_array(rho, p, par)          J/kg
     evaluate(par, rho, e, *names)      dictionary of any of QUANTITIES
@@ -84,16 +85,26 @@ def sound_speed_array(rho, e, par):
         return np.sqrt(sound_speed_squared_array(rho, e, par))
 
 
-def temperature_array(rho, e, par, compaction=0.0):
-    """Temperature, K; OutOfRange where the law has none. `compaction`, of the shape of the states, is the history of a law with memory."""
+def temperature_array(rho, e, par):
+    """Temperature, K; OutOfRange where the law has none."""
     contract.require_temperature(par)
-    if "remembers" not in EOS.of(par).flags or not np.any(compaction):
-        return _sweep("temperature", rho, e, par)
+    return _sweep("temperature", rho, e, par)
+
+
+def recorded_temperature(rho, e, par, compaction=None):
+    """Temperature, K, of states of a run: the same bits for a state in any company, for how many are evaluated at once is chance.
+
+    Always compiled, state by state, however few they are. `compaction`, of the shape of the states, is the history of a law with memory.
+    """
     from hugoniot.laws import array_kernels
 
+    contract.require_temperature(par)
     rho, e, shape = _states(rho, e)
     out = np.empty(rho.size)
-    array_kernels.remembered_temperature_sweep(rho, e, np.ascontiguousarray(compaction, float).ravel(), float_parameters(par), out)
+    if "remembers" in EOS.of(par).flags and compaction is not None:
+        array_kernels.remembered_temperature_rows(rho, e, np.ascontiguousarray(compaction, float).ravel(), float_parameters(par), out)
+    else:
+        array_kernels.recorded_temperature_rows(rho, e, float_parameters(par), out)
     return out.reshape(shape)[()]
 
 

@@ -209,9 +209,24 @@ def _read_value(registry: Registry, law: Law, key: str, value: Any, collector: C
             collector.add(path, "expected true or false")
         return value
     number = collector.quantity(path, value, unit)
-    if key == "specific_heat" and number is not None and not number > 0.0:
-        collector.add(path, f"a specific heat must be positive, got {number:g} J/kg/K", "leave it out where it is not known")
+    if number is not None:
+        _check_bounds(law, key, number, unit, collector, path)
     return number
+
+
+def _check_bounds(law: Law, key: str, number: float, unit: str, collector: Collector, path: tuple) -> None:
+    """Report a number below what its law, or its kind of quantity, allows: a slip of sign that physics would answer much later."""
+    shown = f"{number:g}" + (f" {unit}" if unit != "1" else "")
+    if key == "specific_heat" and not number > 0.0:
+        collector.add(path, f"a specific heat must be positive, got {shown}", "leave it out where it is not known")
+    elif key in law.above or unit == "kg/m^3":
+        bound = law.above.get(key, 0.0)
+        if not number > bound:
+            collector.add(path, f"must be greater than {bound:g}, got {shown}", law.meaning.get(key, ""))
+    elif key in law.least or unit == "K":
+        bound = law.least.get(key, 0.0)
+        if not number >= bound:
+            collector.add(path, f"must not be less than {bound:g}, got {shown}", law.meaning.get(key, ""))
 
 
 def _other_kind(example: Any, value: Any) -> str | None:

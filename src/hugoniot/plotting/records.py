@@ -208,7 +208,7 @@ def errors(run, ax=None):
     ax = ax if ax is not None else new_axes()
     rows = run.arrays("budget")
     unit_t, ft = time_scale(rows["time"][-1] if len(rows["time"]) else 1.0)
-    names = [name for name in ("mass_error", "momentum_error", "energy_error") if name in rows and len(rows[name])]
+    names = [name for name in ("mass_error", "momentum_error", "energy_error") if name in rows and np.isfinite(rows[name]).any()]
     lines = [(name.removesuffix("_error"), np.maximum(np.maximum.accumulate(np.abs(rows[name])), 1e-17)) for name in names]
     ax.set_yscale("log", subs=[])
     ax.yaxis.set_major_formatter(lambda value, _: f"{value:.0e}".replace("e-0", "e-"))

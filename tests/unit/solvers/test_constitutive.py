@@ -1,5 +1,6 @@
 """What one zone does in a step: radial return (W-10), elastic trial, the leapfrog's implicit energy (W-11)."""
 
+import dataclasses
 import math
 
 import lagrange_builders as build
@@ -8,11 +9,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from hugoniot.laws.eos.tension_cutoff import TensionCutoff
+from hugoniot.laws.fracture.spall_stress import SpallStress
 from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.mesh.line import GEOMETRY
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.constitutive import radial_return, trial_deviators, von_mises, yield_at
+from hugoniot.solvers.lagrange1d.constitutive import radial_return, trial_deviators, void_change, von_mises, yield_at
 
 PLANAR, CYLINDRICAL, SPHERICAL = (GEOMETRY.get(name).example for name in ("planar", "cylindrical", "spherical"))
 stress = st.floats(-5e9, 5e9)
@@ -108,3 +111,24 @@ def test_a_melt_loses_its_stress_without_plastic_strain(law):
     assert limit == 0.0 and flow == 0.0
     limit, flow = yield_at(4e8, 30e9, (3000.0, 0.0, 300.0, 0.0), 0.0, STRENGTH.get("perfectly_plastic").build(30e9, 3e8))
     assert limit == 3e8 and flow == pytest.approx(1e8 / 90e9, rel=1e-14)
+
+
+@pytest.mark.parametrize("tension, grown", [(0.9e9, 0.0), (1.0e9, 0.0), (1.2e9, 0.01 / 2700.0)])
+def test_voids_in_a_solid_whose_pressure_does_not_answer_grow_by_little(tension, grown):
+    """At a tension cut-off the stiffness is 0: the change was 0/0 at the strength and without bound beyond it."""
+    assert void_change(tension, 0.0, 0.0, 2700.0, SpallStress(1e9))[0] == pytest.approx(grown, rel=1e-14)
+    stiff = (2700.0 * 5200.0) ** 2      # a metal's is far from the bound
+    assert void_change(tension, stiff, 0.0, 2700.0, SpallStress(1e9))[0] == pytest.approx(max(tension - 1e9, 0.0) / stiff, rel=1e-14)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("integrator, voids", [("compatible", {4e8: 0, 1e9: 1}), ("wilkins", {4e8: 0, 1e9: 3})])
+def test_a_material_with_a_tension_cut_off_at_its_spall_strength_breaks(integrator, voids):
+    """It stopped as unsound in its first tension; with the cut below the strength the spray bears the cut and nothing parts."""
+    for cut, opened in voids.items():
+        problem = build.flyer((30, 60), stop=2e-6, spall=1e9, integrator=integrator)
+        metal = problem.materials["al"]
+        spray = dataclasses.replace(metal, eos=TensionCutoff(metal.eos, cut), strength=None)
+        solver, _ = build.run(dataclasses.replace(problem, materials={"al": spray}))
+        assert (solver.voids_opened, solver.time) == (opened, 2e-6)
+        assert solver.zones[L.P].min() >= -cut

@@ -55,8 +55,14 @@ def test_a_node_that_flies_through_its_neighbours_is_found_in_the_same_cycle():
     (L.STEP_COLLAPSED, {}, 0.9, "step collapsed", "zones")])
 def test_each_cause_has_its_words_and_its_remedy(code, change, left, cause, remedy):
     values = {"density": 2700.0, "pressure": 1e9, **change}
-    found = diagnose(code, values, left, 1.0)
+    found = diagnose(code, values, left, 1.0, False)
     assert cause in found[0] and remedy in found[1]
+
+
+def test_nobody_is_told_to_give_a_fracture_law_to_what_has_one():
+    values = {"density": 2700.0, "pressure": -1e9}
+    assert "give the material a fracture law" in diagnose(L.BAD_STATE, values, 0.9, 1.0, False)[1]
+    assert "let it break at less" in diagnose(L.BAD_STATE, values, 0.9, 1.0, True)[1]
 
 
 def test_a_gas_squeezed_for_ever_collapses_the_step():

@@ -145,6 +145,7 @@ EOS.add(
              "grain_modulus_slope": "its pressure derivative (4 s - 1 of a linear Hugoniot of the solid)",
              "contact_density": "density from which the grains resist (filled by build)"},
     box={"rho": (95.0, 3500.0), "e": (0.0, 5e6)},
+    above={"grain_modulus": 0.0},
     references=("Zel'dovich and Raizer, Physics of Shock Waves, XI.1, XI.2", "Murnaghan, Proc. Natl. Acad. Sci. 30, 244 (1944)",
                 "Jordan 2011, table 7.2.1 (J-E10; the powder)"),
     flags=("grains",),

@@ -67,6 +67,7 @@ EOS.add(
              "rho0": "density at rest when a region names none"},
     defaults={"specific_heat": 717.5, "rho0": 1.2},
     box={"rho": (1e-3, 100.0), "e": (1e3, 1e8)},
+    above={"gamma": 1.0},
     references=("Starkenberg, ARL-TR-2161, appendix A-7",),
     flags=("linear_in_energy", "gas"),
 )

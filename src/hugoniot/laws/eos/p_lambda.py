@@ -243,5 +243,7 @@ EOS.add(
     defaults={"exponent": 1.0},
     box={"rho": (2000.0, 4500.0), "e": (0.0, 5e6)},
     flags=("remembers",),
+    above={"crush_strength": 0.0, "exponent": 0.0},
+    least={"compaction": 0.0},
     references=("Grady, Winfree, Kerley, Wilson and Kuhns, J. Phys. IV France 10, Pr9-15 (2000)",),
 )

@@ -129,5 +129,6 @@ EOS.add(
              "rho_rest": "density without pressure after the history (filled by build)"},
     box={"rho": (1650.0, 6000.0), "e": (0.0, 1e7)},
     flags=("remembers",),
+    least={"crush_pressure": 0.0},
     references=("Zel'dovich and Raizer, Physics of Shock Waves, XI.3", "Herrmann, J. Appl. Phys. 40, 2490 (1969)"),
 )

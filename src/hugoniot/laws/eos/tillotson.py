@@ -102,5 +102,7 @@ EOS.add(
              "beta": "decay of the cold term in vapour", "e0": "E0, energy scale of b", "e_incipient": "energy of incipient vaporisation",
              "e_complete": "energy of complete vaporisation"},
     box={"rho": (2400.0, 7000.0), "e": (0.0, 5e7)},
+    above={"e0": 0.0, "e_incipient": 0.0, "e_complete": 0.0},
+    least={"alpha": 0.0, "beta": 0.0},
     references=("Tillotson, General Atomic GA-3216 (1962)", "Melosh, Impact Cratering (1989), App. II"),
 )

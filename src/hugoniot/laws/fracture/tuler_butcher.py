@@ -58,6 +58,7 @@ FRACTURE.add(
              "reference_stress": "overstress that breaks the material in the critical time",
              "critical_time": "time to failure at the reference overstress"},
     box={"tension": (-1e11, 1e10), "p": (-1e10, 1e11), "v": (0.3, 1.5), "damage": (0.0, 1.0)},
+    least={"threshold": 0.0},
     references=("Tuler & Butcher, Int. J. Fracture Mech. 4 (1968) 431, equation 1",),
     flags=("cumulative",),
 )

@@ -79,6 +79,7 @@ STRENGTH.add(
     defaults={"reference_rate": 1.0},
     box={"rho": (8000.0, 14000.0), "p": (-5e9, 1e11), "temperature": (0.0, 3000.0), "bulk_modulus": (1e9, 1e12),
          "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},
+    least={"hardening_coefficient": 0.0, "hardening_exponent": 0.0, "rate_coefficient": 0.0, "thermal_exponent": 0.0},
     references=("Johnson & Cook, Proc. 7th Int. Symp. on Ballistics (1983) 541, equation 1, table 1",),
     flags=("hardens", "needs_temperature", "needs_rate"),
 )

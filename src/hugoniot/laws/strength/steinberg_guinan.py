@@ -77,6 +77,9 @@ STRENGTH.add(
     defaults={"initial_strain": 0.0, "melt_shear_fraction": 0.0},
     box={"rho": (2600.0, 4500.0), "p": (-2e9, 1e11), "temperature": (200.0, 5000.0), "bulk_modulus": (1e9, 1e12),
          "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},
+    above={"melt_temperature": 0.0},
+    least=dict.fromkeys(("hardening_coefficient", "hardening_exponent", "pressure_coefficient", "temperature_coefficient",
+                         "initial_strain", "melt_shear_fraction"), 0.0),
     references=("Steinberg, Cochran & Guinan, J. Appl. Phys. 51 (1980) 1498",),
     flags=("hardens", "needs_temperature",),
 )

@@ -31,5 +31,6 @@ VISCOSITY.add(
     meaning={"quadratic": "B1, which enters squared", "linear": "B2"},
     defaults={"quadratic": 1.4, "linear": 0.3},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
+    least={"quadratic": 0.0, "linear": 0.0},
     references=("Herrmann, WL-TR-64-107, equation 4.3 and section A.2",),
 )

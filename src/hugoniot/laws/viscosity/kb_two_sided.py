@@ -30,6 +30,7 @@ VISCOSITY.add(
     meaning={"quadratic": "C, near unity, not squared"},
     defaults={"quadratic": 1.0},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
+    least={"quadratic": 0.0},
     references=("KB codes, equation 1.8",),
     flags=("two_sided",),
 )

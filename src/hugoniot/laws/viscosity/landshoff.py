@@ -29,5 +29,6 @@ VISCOSITY.add(
     meaning={"quadratic": "C0, which enters squared", "linear": "CL of the term with the sound speed"},
     defaults={"quadratic": 1.4, "linear": 0.3},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
+    least={"quadratic": 0.0, "linear": 0.0},
     references=("von Neumann & Richtmyer, J. Appl. Phys. 21 (1950) 232", "Landshoff, LA-1930 (1955)"),
 )

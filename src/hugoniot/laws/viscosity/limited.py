@@ -36,6 +36,7 @@ VISCOSITY.add(
     meaning={"quadratic": "c2, (gamma + 1)/4 for an ideal gas", "linear": "c1, weight of the sound speed"},
     defaults={"quadratic": 2.0 / 3.0, "linear": 0.3},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
+    least={"quadratic": 0.0, "linear": 0.0},
     references=("Caramana, Shashkov & Whalen, J. Comput. Phys. 144 (1998) 70", "Kuropatenko (1967)"),
     flags=("limited",),
 )

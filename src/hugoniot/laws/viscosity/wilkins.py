@@ -31,5 +31,6 @@ VISCOSITY.add(
     meaning={"quadratic": "C0, which enters squared", "linear": "CL of the term with sqrt(P/rho)"},
     defaults={"quadratic": 2.0, "linear": 1.0},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
+    least={"quadratic": 0.0, "linear": 0.0},
     references=("Wilkins, appendix B.2 item 7",),
 )

@@ -16,6 +16,7 @@ from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.mesh.line import hoops
 
 TINY = 1e-300
+OPENING_OF_A_SPRAY = 0.01    # part of the volume
 NO_STRESS = 1e-30     # Pa2, beside which no stress squared counts
 
 
@@ -61,11 +62,13 @@ def void_change(tension, stiffness, voids, density, fracture):
     """(change of the void volume per mass, change of the pressure): voids grow at the capped tension and close at zero stress.
 
     stiffness = rho^2 c_b^2 of the solid, -dp/dv: the changes are consistent to first order, and the next step's equation of
-    state, which sees the solid's own volume, takes up the rest.
+    state, which sees the solid's own volume, takes up the rest. Where the solid's pressure does not answer (a tension cut-off)
+    voids take OPENING_OF_A_SPRAY of the volume in a step, until it does.
     """
     excess = fmax(tension - tension_cap(voids * density, fracture), 0.0)
     closing = fmin(voids * stiffness, fmax(-tension, 0.0))
-    return (excess - closing) / stiffness, excess - closing
+    answers = stiffness if stiffness > excess * density else excess * density * (1.0 / OPENING_OF_A_SPRAY)
+    return (excess - closing) / fmax(answers, TINY), excess - closing
 
 
 def flow_beside_voids(flow, grown, density):

@@ -78,8 +78,8 @@ def torn_reactants(problem, zones, region_of, culprit: int) -> tuple[str, str] |
             "that expands ([material.x.unreacted] law = \"mie_gruneisen\"; after a weak shock tension_cutoff over its own law will do).")
 
 
-def diagnose(code, values, left, right) -> tuple[str, str]:
-    """(cause, remedy) of a bad state."""
+def diagnose(code, values, left, right, breaks: bool) -> tuple[str, str]:
+    """(cause, remedy) of a bad state; `breaks` says whether the material there has a fracture law."""
     if code == L.STEP_COLLAPSED:
         return ("the time step collapsed below a 1e-12 part of the stop time.",
                 "use coarser or better graded zones there, or stop the run earlier.")
@@ -101,6 +101,7 @@ def diagnose(code, values, left, right) -> tuple[str, str]:
         return ("density is not positive.", "lower [solver] courant.")
     if values["pressure"] < 0.0:
         return ("the sound speed became imaginary in tension: the material is stretched beyond what its law can carry.",
-                "give the material a fracture law ([material.x.fracture]).")
+                "let it break at less ([material.x.fracture]), or take an equation of state that expands." if breaks
+                else "give the material a fracture law ([material.x.fracture]).")
     return ("the sound speed is not a number: the state left the range of its equation of state.",
             "check the impact conditions against the law's compression limit, lower [solver] courant, or use another equation of state.")
