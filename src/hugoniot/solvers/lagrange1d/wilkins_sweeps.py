@@ -2,12 +2,12 @@
 
 Corrections and readings: |dU/dr| in q (W-E3); stresses at j+-1/2 (W-E5); the pressure and energy solved together, exactly
 for laws linear in the energy (B.2 item 8, W-11) and by Newton otherwise; dZ included (J-E12); the Courant step with the
-elastic sound speed (W-E4).
+elastic sound speed (W-E4), and with the limit of the linear viscosity that W-7 leaves out (`signal_squared`).
 """
 
 import numba as nb
 
-from hugoniot.core.compile import GUARD, SWEEP, bind_choice, parameters, rows_apart
+from hugoniot.core.compile import GUARD, SWEEP, bind, bind_choice, parameters, rows_apart
 from hugoniot.core.ops import fmax, late_over, vsqrt
 from hugoniot.laws.eos.contract import EOS, compacted, pressure, pressure_derivatives, remembered, unloading
 from hugoniot.laws.fracture.contract import damage_rate, failure
@@ -37,6 +37,7 @@ from hugoniot.solvers.lagrange1d.constitutive import (
 from hugoniot.solvers.lagrange1d.node_sweeps import outside_stress, pulse_value
 
 SMALL = 1e-30
+PRINTED_SQUARED = 4.0 / 9.0     # of the Courant factor 2/3 of W-7, which the limit of the linear viscosity does not need as well
 
 
 @nb.njit(**SWEEP)
@@ -119,6 +120,22 @@ def linear_in_energy(eos):
 bind_choice(linear_in_energy, lambda cls: yes if "linear_in_energy" in EOS.of_class(cls).flags else no)
 
 
+def signal_squared(c2, c, printed, viscous):
+    """Square of the speed a step is found from: the step is 2/3 of a zone's width over it (W-7), m2/s2.
+
+    printed   b of W-7, 8 (C0^2 + CL) |du|, m/s
+    viscous   w of q = rho |du| w, which acts on the nodes one step late
+
+    Linear waves of the leapfrog with q a step late, of wave number k, go on by the roots of x^2 - (2 - n s - m^2 s) x + 1 - n s = 0,
+    s = 4 sin^2(k dr/2), m = c dt/dr, n = w dt/dr. None is above 1 as long as m^2 + 2 n <= 1, which is dt <= dr/(w + sqrt(w^2 + c^2)); the
+    root is taken as its bound w + c here, so that in a gas with CL = 1 a step is 0.91 of the limit.
+    """
+    return fmax(fmax(c2, 0.0) + printed * printed, PRINTED_SQUARED * ((c + viscous) * (c + viscous) + 3.0 * viscous * viscous))
+
+
+bind(signal_squared)
+
+
 @nb.njit(**SWEEP)
 def advance(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
     """State of a run of zones at n+1; `found` takes the largest signal rate (1/s), failure ratio, 0, capped zones."""
@@ -171,7 +188,8 @@ def advance_zones(r, u, im, rho_, e_, p_, c_, s1, s2, eps, hurt, sigma, q_, torn
         work = v_half * 0.5 * ((t1 + s1[j]) * radial + hoops(geometry) * (t2 + hoop_deviator(s1[j], s2[j], geometry)) * hoop)
         squeeze = resisted(du, dv, viscosity)
         # the P of a = sqrt(P/rho) is the one at the start of the step: q stands at n+1/2
-        q = -rho_half * squeeze * viscous_speed(v_half, c_[j], p_[j], squeeze, 0.0, viscosity)
+        speed = viscous_speed(v_half, c_[j], p_[j], squeeze, 0.0, viscosity)
+        q = -rho_half * squeeze * speed
         target = e_[j] + work - 0.5 * (p_[j] + q + q_[j]) * dv
         if linear_in_energy(eos):
             energy = late_over(target - 0.5 * pressure(rho, 0.0, crushed) * dv, 1.0 + 0.5 * p_e * dv)
@@ -199,13 +217,14 @@ def advance_zones(r, u, im, rho_, e_, p_, c_, s1, s2, eps, hurt, sigma, q_, torn
             capped += 1.0 if relief > 0.0 else 0.0
         c2 = bulk2 + (4.0 / 3.0) * shear * v
         b2 = 8.0 * (viscous_speed(v, 0.0, 0.0, squeeze, 0.0, viscosity) + fmax(squeeze, -squeeze))
+        c = wave_speed(c2, noise)
         inverse = mean_area(r1, r2, geometry) * im[j] * density     # 1/dr without a division
-        fastest = fmax(fastest, (fmax(c2, 0.0) + b2 * b2) * (inverse * inverse))
+        fastest = fmax(fastest, signal_squared(c2, c, b2, speed) * (inverse * inverse))
         worst = fmax(worst, ratio)
         rho_[j] = density
         e_[j] = energy
         p_[j] = p
-        c_[j] = wave_speed(c2, noise)
+        c_[j] = c
         s1[j] = t1
         if hoops(geometry) == 1.0:
             s2[j] = t2
