@@ -44,16 +44,17 @@ def explosive(name) -> Material:
     return Material("gas", DENSE, burn=RATES[name], unreacted=DENSE, mixture="weighted_pressures", detonation_energy=8500.0**2 / 16.0)
 
 
-def supported(material, initial, per_half, halves, overdrive=1.0, linear=1.0):
+def supported(material, initial, per_half, halves, overdrive=1.0, linear=1.0, **options):
     """(exact zone, final state, watcher): the piston follows the wall's particle through the exact zone.
 
-    Linear viscosity 1, which for a gas is the jump of a shock itself: with the default of 0.3 pressures ring by 1 to 3 % behind it.
+    Linear viscosity 1, which for a gas is the jump of a shock itself: with the default of 0.3 pressures ring by 1 to 3 % behind it. `options` are the solver's.
     """
     exact = znd(burning.reactive(material).mixture, initial, material.burn, overdrive=overdrive, points=400, complete=1.0 - 1e-5)
     length = halves * exact.half_reaction_length
     problem = driven(material, length, round(halves * per_half), (exact.time, exact.particle_velocity), 0.95 * length / exact.velocity,
                      energy=initial.energy)
-    problem = dataclasses.replace(problem, solver=dataclasses.replace(problem.solver, viscosity=("limited", {"linear": linear})))
+    options = {"viscosity": ("limited", {"linear": linear})} | options
+    problem = dataclasses.replace(problem, solver=dataclasses.replace(problem.solver, **options))
     solver, seen = run(problem, 40)
     return exact, seen.states[-1], seen
 

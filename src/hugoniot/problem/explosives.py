@@ -44,14 +44,7 @@ def programmed_bodies(problem: Problem) -> list[list[int]]:
 def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
     """(place in the deck, message, way out) of everything wrong with the explosives of a problem."""
     found: list[tuple[tuple, str, str]] = []
-    explosive = [region for region in problem.regions if burns(problem, region)]
-    gradual = [region for region in explosive if "instantaneous" not in BURN.of(problem.materials[region.material].burn).flags]
-    if gradual and problem.solver.integrator != "compatible":
-        law = BURN.of(problem.materials[gradual[0].material].burn).name
-        found.append((("solver", "integrator"), f"region '{gradual[0].name}' burns by the law '{law}', which the integrator "
-                      f"'{problem.solver.integrator}' cannot: it burns a zone at once, by the law threshold",
-                      "take integrator = \"compatible\""))
-    for name in dict.fromkeys(region.material for region in explosive):
+    for name in dict.fromkeys(region.material for region in problem.regions if burns(problem, region)):
         try:
             burning.reactive(problem.materials[name])
         except HugoniotError as error:

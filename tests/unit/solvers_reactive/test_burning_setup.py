@@ -7,6 +7,7 @@ import pytest
 
 from hugoniot.diagnostics import detonation
 from hugoniot.errors import DeckError, OutOfRange
+from hugoniot.laws.burn.contract import BURN
 from hugoniot.laws.burn.programmed import Programmed
 from hugoniot.laws.burn.threshold import Threshold
 from hugoniot.laws.eos.ideal_gas import IdealGas
@@ -68,7 +69,6 @@ def test_a_front_runs_through_touching_explosives_each_at_its_speed():
 @pytest.mark.parametrize(("problem", "words"), [
     (two_explosives(), "needs a lighting point"),
     (two_explosives((0.02, 0.0), (0.09, 0.0)), "no explosive with programmed burn at 90 mm"),
-    (dataclasses.replace(two_explosives((0.0,)), solver=dataclasses.replace(two_explosives().solver, integrator="wilkins")), "law 'programmed', which the integrator 'wilkins'"),
 ])
 def test_defects_of_a_problem(problem, words):
     assert any(words in f"{message} {hint}" for _, message, hint in defects(problem))
@@ -106,7 +106,6 @@ def test_a_deck_keeps_lighting_and_explosive():
     ('lighting = [{at = "2 cm"}]', "", "lighting[1].at: no explosive with programmed burn at 20 mm"),
     ('lighting = [{at = "2 s"}]', "", "lighting[1].at"),
     ('lighting = [{at = 0.0}]', 'pressure = "1 GPa"', "region.charge.pressure"),
-    ('lighting = [{at = 0.0}]', '[solver]\nintegrator = "wilkins"', "solver.integrator"),
     ('lighting = [{at = 0.0}]', '[material.comp_b]\nbase = "comp_b"\nmixture = "thermal_isolaton"', "thermal_isolation"),
     ('lighting = [{at = 0.0}]', '[material.comp_b]\nbase = "comp_b"\ndetonation_energy = -1.0', "greater than 0"),
     ('', '[material.comp_b]\nbase = "copper"\n[material.comp_b.burn]\nlaw = "threshold"\ninitiation_pressure = "20 GPa"', "strength"),
@@ -318,7 +317,12 @@ def test_the_set_up_record_names_the_unreacted_explosive_with_its_own_sources():
     assert first["unreacted"]["source"]
 
 
-def test_a_threshold_burn_may_take_the_leapfrog_of_its_codes():
-    kb = Material("kb", GAS, burn=Threshold(2e10), unreacted=MieGruneisen(1770.0, 3080.0, 2.01, 1.0), detonation_energy=6.27e6)
-    problem = Problem("kb", "planar", 1e-6, (Region("a", "kb", 0.0, 0.04, 4),), {"kb": kb})
+@pytest.mark.parametrize("law", BURN.names())
+def test_every_burn_law_may_take_the_leapfrog(law):
+    lx17 = dataclasses.replace(library.find("LX-17 reactive"), name="x", burn=BURN.get(law).example, mixture="weighted_pressures")
+    if "temperature_driven" in BURN.get(law).flags:
+        lx17 = dataclasses.replace(lx17, unreacted=GAS, eos=GAS, detonation_energy=4e6)
+    problem = Problem("x", "planar", 1e-6, (Region("a", "x", 0.0, 0.04, 4),), {"x": lx17}, lighting=(Lighting(0.0),))
+    if "programmed" not in BURN.get(law).flags:
+        problem = dataclasses.replace(problem, lighting=())
     assert defects(dataclasses.replace(problem, solver=dataclasses.replace(problem.solver, integrator="wilkins"))) == []
