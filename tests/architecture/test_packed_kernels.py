@@ -3,6 +3,7 @@
 Each sweep is compiled here by itself, uncached (code from the disk cache cannot be inspected), for the laws most runs use.
 """
 
+import dataclasses
 import platform
 
 import lagrange_builders as build
@@ -12,6 +13,7 @@ import pytest
 import reactive_builders
 
 from hugoniot.core.compile import SWEEP, packed
+from hugoniot.laws.burn.threshold import Threshold
 from hugoniot.materials import library
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d import node_sweeps, reactive_sweeps, wilkins_sweeps, zone_sweeps
@@ -59,9 +61,11 @@ def test_a_zone_sweep_is_entered_without_comparing_rows_or_counting_references(s
     assert "vector.body" in code and "vector.memcheck" not in code and "NRT_incref" not in code
 
 
-def burning_kernel(sweep):
-    """A sweep compiled for LX-17 with ignition and growth, both phases JWL, in isolation."""
-    charge = make_solver(reactive_builders.driven(library.find("LX-17 reactive"), 1e-3, 16, 1400.0, 1e-6))
+def burning_kernel(sweep, closure="thermal_isolation", rate=None):
+    """A sweep compiled for LX-17, both phases JWL, with ignition and growth or another rate."""
+    explosive = library.find("LX-17 reactive")
+    explosive = dataclasses.replace(explosive, mixture=closure, burn=rate or explosive.burn)
+    charge = make_solver(reactive_builders.driven(explosive, 1e-3, 16, 1400.0, 1e-6))
     return compiled(sweep, charge, *zone_arguments(charge))
 
 
@@ -88,10 +92,21 @@ def test_zones_that_do_not_burn_are_packed_and_entered_like_inert_ones(sweep, kn
 
 
 @ALIKE
-def test_two_trials_of_a_mixture_search_are_packed(sweep):
-    """Each takes four exponentials of the JWL pair, and an exponential and a logarithm for the isentrope."""
-    found = packed(burning_kernel(alike(sweep, reactive_sweeps.PARTLY)))
+@pytest.mark.parametrize("closure", ["thermal_isolation", "thermal_equilibrium"])
+def test_zones_that_burn_are_packed_but_for_the_searches_left_over(sweep, closure):
+    """Two trials of a search, each with four exponentials of the JWL pair, and an exponential and a logarithm of the reactants."""
+    found = packed(burning_kernel(alike(sweep, reactive_sweeps.PARTLY), closure))
     assert found["div"] >= 10 and found["fmadd"] + found["fnmadd"] >= 2 * 6 * 12, found
+
+
+@pytest.mark.parametrize("sweep", [reactive_sweeps.predict_burning, reactive_sweeps.correct_burning], ids=["predict", "correct"])
+def test_burn_fractions_are_packed_but_for_sub_steps(sweep):
+    """Three terms of ignition and growth and the logarithms of four numbers, beside what zones of pressures weighted take."""
+    def counted(rate):
+        found = packed(burning_kernel(sweep, "weighted_pressures", rate))
+        return found["fmadd"] + found["fnmadd"]
+
+    assert counted(None) - counted(Threshold(1e10)) >= 7 * 12
 
 
 @pytest.mark.parametrize("sweep, rest", [

@@ -91,6 +91,19 @@ def test_parameters_are_described(law):
         assert law.build(**law.example._asdict()) == law.example
 
 
+@pytest.mark.parametrize("law", list(BURN), ids=lambda law: law.name)
+def test_a_short_advance_is_the_advance_or_says_that_it_is_none(law):
+    """Steps from nothing to all, at every burn fraction: the same number to round-off, and a step in which little burns is done."""
+    par = law.example
+    for rho, p, temperature in states(law, 8):
+        for state in ((rho, p, temperature), (rho, -p, temperature), (getattr(par, "rho0", rho), p, temperature)):
+            for lam in (*FRACTIONS, 0.8 - 1e-12, 0.02 - 1e-12):
+                for dt in (0.0, 1e-12, 1e-10, 1e-9, 1e-7, 1e-4):
+                    new, sure = contract.short_advance(lam, dt, *state, par)
+                    assert not sure or new == pytest.approx(contract.advance(lam, dt, *state, par), rel=1e-13, abs=0.0)
+                    assert sure or lam != 0.3 or dt > 1e-12
+
+
 def test_an_explosive_at_rest_costs_no_sub_steps(monkeypatch):
     """Composition B (no threshold of compression, lambda^0.222): round-off in the density of a zone at rest is no ignition to be resolved."""
     from hugoniot.laws.burn import ignition_growth as law

@@ -13,10 +13,11 @@ from hugoniot.theory import mixture as tool
 from hugoniot.theory import mixture_kernels
 
 
+@pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("pair", PAIRS)
-def test_an_attempt_is_the_answer_of_the_search_or_says_that_it_is_none(pair):
+def test_an_attempt_is_the_answer_of_the_search_or_says_that_it_is_none(pair, kind):
     """From the state of a step before, near or far: where two trials converge they give what the search gives, to 1e-12."""
-    par, v, e, lam, reference = states(pair, "thermal_isolation", 40)
+    par, v, e, lam, reference = states(pair, kind, 40)
     rng, near, far = np.random.default_rng(5), 0, 0
     for k in range(len(v)):
         before = contract.solve(1.0 / v[k], e[k], lam[k], contract.at_rest(*reference), par)
@@ -30,16 +31,20 @@ def test_an_attempt_is_the_answer_of_the_search_or_says_that_it_is_none(pair):
                 near, far = near + (size < 0.01), far + (size > 0.01)
             else:
                 assert tried == (*before[:5], contract.NOT_CONVERGED)
-    closed = pair != "mie-grueneisen, jwl"      # a Hugoniot's isentrope is integrated
+    closed = pair != "mie-grueneisen, jwl" or kind == "thermal_equilibrium"      # a Hugoniot's isentrope is integrated
     assert (near >= 60 and far < 60) if closed else near == far == 0
 
 
 @pytest.mark.parametrize("strange", [
     {"burn_fraction": 0.0}, {"burn_fraction": 1e-9}, {"burn_fraction": 1e-4}, {"burn_fraction": 1.0}, {"rho_r": 0.0}, {"rho_p": 0.0},
     {"rho_p": 1e-3}, {"rho_p": 1e7}, {"rho": 1.0}, {"rho": 1e6}, {"e": -1e9}, {"e": float("nan")}, {"rho": float("nan")}])
-def test_an_attempt_leaves_ends_of_burning_and_bad_states_to_the_search(strange):
-    par, v, e, lam, reference = states("jwl, jwl", "thermal_isolation")
-    par = par._replace(nascent_limit=1e-3)
+@pytest.mark.parametrize("kind", KINDS)
+def test_an_attempt_leaves_ends_of_burning_and_bad_states_to_the_search(strange, kind):
+    par, v, e, lam, reference = states("jwl, jwl", kind)
+    if kind == "thermal_isolation":
+        par = par._replace(nascent_limit=1e-3)
+    elif strange == {"burn_fraction": 1e-4}:
+        strange = {"burn_fraction": 1e-8}       # nothing is vanishing in equilibrium before that
     before = contract.solve(1.0 / v[0], e[0], lam[0], contract.at_rest(*reference), par)
     before = before._replace(**{name: value for name, value in strange.items() if name in before._fields})
     values = {"rho": 1.0 / v[0], "e": e[0], "burn_fraction": lam[0]} | {k: x for k, x in strange.items() if k not in before._fields}

@@ -3,6 +3,8 @@
     rate(burn_fraction, rho, p, temperature, par)                            1/s; 0 for scheduled and instantaneous laws
     advance(burn_fraction, dt, rho, p, temperature, par)                     burn fraction after dt s at constant rho, p, temperature
     scheduled(burn_fraction, time, lighting_time, zone_size, rho, par)       burn fraction prescribed at `time`, never below `burn_fraction`
+    short_advance(burn_fraction, dt, rho, p, temperature, par)               (`advance`, True), or (any number, False): as much of it as a
+                                                                             packed loop can do (laws that are subcycled; others do it all)
 
 burn_fraction in [0, 1] is the mass fraction of products; rho kg/m3, p Pa (the mixture's pressure; artificial viscosity added where the
 model's authors do so), temperature K (only laws flagged "temperature_driven" receive one, others 0), lighting_time s when the programmed
@@ -20,7 +22,13 @@ from typing import Any, NamedTuple
 
 from hugoniot.core.registry import Registry
 
-BURN = Registry("burn", contract=("rate", "advance", "scheduled"))
+
+def all_advance(burn_fraction, dt, rho, p, temperature, par):
+    """`short_advance` of laws whose `advance` has no loop."""
+    return advance(burn_fraction, dt, rho, p, temperature, par), True
+
+
+BURN = Registry("burn", contract=("rate", "advance", "scheduled"), derived={"short_advance": all_advance})
 
 
 class Reactive(NamedTuple):
@@ -40,12 +48,17 @@ def advance(burn_fraction, dt, rho, p, temperature, par):
     return BURN.of(par).functions["advance"](burn_fraction, dt, rho, p, temperature, par)
 
 
+def short_advance(burn_fraction, dt, rho, p, temperature, par):
+    """(burn fraction after dt at constant state, whether it is that): False where all of `advance` is needed."""
+    return BURN.of(par).functions["short_advance"](burn_fraction, dt, rho, p, temperature, par)
+
+
 def scheduled(burn_fraction, time, lighting_time, zone_size, rho, par):
     """Burn fraction a schedule prescribes, or the given one."""
     return BURN.of(par).functions["scheduled"](burn_fraction, time, lighting_time, zone_size, rho, par)
 
 
-GENERICS = {"rate": rate, "advance": advance, "scheduled": scheduled}
+GENERICS = {"rate": rate, "advance": advance, "short_advance": short_advance, "scheduled": scheduled}
 
 
 # -- for laws without a rate or without a schedule ---------------------------------------------------------------

@@ -42,7 +42,8 @@ def bind_mixtures() -> None:
     for function in (isentrope.brief_heating, isentrope.heating, isentrope.short_integral, isentrope.long_integral):
         compiler.bind(function, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 
-    compiler.bind(isolated.attempt, fastmath={"contract", "reassoc", "nsz", "arcp"}, error_model="numpy", forceinline=True)
+    for function in (isolated.attempt, equilibrium.attempt):
+        compiler.bind(function, fastmath={"contract", "reassoc", "nsz", "arcp"}, error_model="numpy", forceinline=True)
 
     def knows(*classes):
         return "reference_isentrope" in eos_contract.EOS.of_class(classes[-1]).functions
@@ -55,8 +56,5 @@ def bind_mixtures() -> None:
         return _by_integral if "linear_in_energy" in eos_contract.EOS.of_class(classes[-1]).flags else _by_march
 
     compiler.bind_choice(isentrope.isentrope_energy, energy)
-    tried = contract.MIXTURE.of_class
-    compiler.bind_choice(contract.attempts, lambda cls: _yes if "attempt" in tried(cls).functions else _no)
-    compiler.bind_choice(contract.attempt, lambda *classes: tried(classes[-1]).functions.get("attempt", contract.untried))
     compiler.bind_family(contract.MIXTURE, contract.GENERICS)
     compiler.bind_module(contract)

@@ -25,8 +25,8 @@ from typing import NamedTuple
 from hugoniot.core.registry import Registry
 from hugoniot.laws.eos.contract import pressure, pressure_derivatives
 
-MIXTURE = Registry("mixture", contract=("solve", "equilibrate", "slopes", "phase_slopes"),
-                   optional=("attempt", "temperature", "specific_heat"))
+MIXTURE = Registry("mixture", contract=("solve", "attempt", "equilibrate", "slopes", "phase_slopes"),
+                   optional=("temperature", "specific_heat"))
 
 CONVERGED = 0.0
 NOT_CONVERGED = 1.0     # the iteration limit was reached
@@ -96,19 +96,9 @@ def solve(rho, e, burn_fraction, before, par):
     return MIXTURE.of(par).functions["solve"](rho, e, burn_fraction, before, par)
 
 
-def attempts(par):
-    """Whether the closure has an `attempt`."""
-    return "attempt" in MIXTURE.of(par).functions
-
-
 def attempt(rho, e, burn_fraction, before, par):
     """As `solve` from a state of the step before, or `before` with the status NOT_CONVERGED where all of `solve` is needed."""
-    return MIXTURE.of(par).functions.get("attempt", untried)(rho, e, burn_fraction, before, par)
-
-
-def untried(rho, e, burn_fraction, before, par):
-    """`attempt` of a closure that has none."""
-    return Mixed(before.pressure, before.rho_r, before.e_r, before.rho_p, before.e_p, NOT_CONVERGED)
+    return MIXTURE.of(par).functions["attempt"](rho, e, burn_fraction, before, par)
 
 
 def equilibrate(rho, e, burn_fraction, before, par):
@@ -136,7 +126,7 @@ def mixture_specific_heat(burn_fraction, mixed, par):
     return MIXTURE.of(par).functions["specific_heat"](burn_fraction, mixed, par)
 
 
-GENERICS = {"solve": solve, "equilibrate": equilibrate, "slopes": slopes, "phase_slopes": phase_slopes,
+GENERICS = {"solve": solve, "attempt": attempt, "equilibrate": equilibrate, "slopes": slopes, "phase_slopes": phase_slopes,
             "temperature": mixture_temperature, "specific_heat": mixture_specific_heat}
 
 

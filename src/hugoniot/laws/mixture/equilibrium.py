@@ -21,15 +21,13 @@ from hugoniot.laws.eos.contract import pressure, specific_heat, temperature
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.mixture import contract
 from hugoniot.laws.mixture.contract import MIXTURE, Mixed, PhaseSlopes, Slopes, volume_slopes
+from hugoniot.laws.mixture.search import CLOSE, NASCENT, SHORT, inverse_cubic, is_close, limits
 
 ITERATIONS = 100
 COUPLED = 15          # trials of both unknowns at once
-CLOSE = 1e-7
+NEARLY = 1e-7
 CLOSE_STEP = 1e-8         # step from which the nested search ends, relative
 CLOSE_TOGETHER = 1e-7     # of the coupled one
-# A phase of less than this mass fraction is left out by `solve`: it changes the pressure by about 1e-8 of itself, and its energy is the
-# difference of nearly equal numbers (only reactants in tension would notice the bubbles).
-NASCENT = 1e-8
 
 
 class ThermalEquilibrium(NamedTuple):
@@ -128,8 +126,7 @@ def equilibrate(rho, e, burn_fraction, before, par):
     known = before.rho_p > 0.0
     w = 1.0 / before.rho_r - 1.0 / before.rho_p if known else 0.0
     z = before.e_r - before.e_p if known else 0.0
-    low = -(v - 1.0 / par.reactant_density_limit) / fmax(lam, 1e-12)
-    high = fmin((v - 1.0 / par.product_density_limit) / fmax(1.0 - lam, 1e-12), 1e6 * v)
+    low, high = limits(v, lam, par)
     if w <= low or w >= high:
         w = 0.0
     found, p, v_r, e_r, v_p, e_p = coupled(v, e, lam, w, z, low, high, par)
@@ -173,10 +170,64 @@ def nested(v, e, lam, w, z, low, high, par):
             target = 0.5 * (low + high)
         if abs(target - w) <= 1e-15 * (v + abs(w)):
             # the bracket is at round-off: a root if the last step was small, otherwise a jump between branches
-            status = contract.CONVERGED if decline > 0.0 and abs(step) <= CLOSE * (v + abs(w)) else contract.NO_BRACKET
+            status = contract.CONVERGED if decline > 0.0 and abs(step) <= NEARLY * (v + abs(w)) else contract.NO_BRACKET
             break
         w = target
     return Mixed(p, 1.0 / v_r, e_r + q, 1.0 / v_p, e_p, status)
+
+
+def level(rho_r, rho_p, e, lam, z, par):
+    """Change of z that makes the temperatures equal at given densities: exact where they are linear in the energy, else Newton's."""
+    e_r, e_p = e + lam * z - par.detonation_energy, e - (1.0 - lam) * z
+    apart = temperature(rho_p, e_p, par.products) - temperature(rho_r, e_r, par.reactants)
+    return apart / (lam / specific_heat(rho_r, e_r, par.reactants) + (1.0 - lam) / specific_heat(rho_p, e_p, par.products))
+
+
+def trial(v, e, lam, w, z, par):
+    """(F, -dF/dw, p, dp/dw, z, dz/dw, last change of z) at w along equal temperatures, found from a z near them; p is the reactant's."""
+    rest = 1.0 - lam
+    v_r, v_p = v + lam * w, v - rest * w
+    z = z + level(1.0 / v_r, 1.0 / v_p, e, lam, z, par)
+    change = level(1.0 / v_r, 1.0 / v_p, e, lam, z, par)
+    z = z + change
+    p, r_v, r_e, _, t_rv, t_re = pull(v_r, e + lam * z - par.detonation_energy, par.reactants)
+    p_p, p_v, p_e, _, t_pv, t_pe = pull(v_p, e - rest * z, par.products)
+    along = -(lam * t_rv + rest * t_pv) / (lam * t_re + rest * t_pe)
+    by_w = lam * (r_v + r_e * along)
+    return p - p_p, -by_w - rest * (p_v + p_e * along), p, by_w, z, along, change
+
+
+def attempt(rho, e, burn_fraction, before, par):
+    """`solve` by two trials of w along equal temperatures, without a branch, so that a loop over zones is packed.
+
+    NOT_CONVERGED, and `before` as it was, where that does not do: at first burning, in the last grains, and far from `before`.
+    """
+    v, lam = 1.0 / rho, burn_fraction
+    fits = (before.rho_r > 0.0) & (before.rho_p > 0.0) & (lam > NASCENT) & (lam < 1.0 - NASCENT)
+    w_0 = 1.0 / (before.rho_r if fits else rho) - 1.0 / (before.rho_p if fits else rho)
+    low, high = limits(v, lam, par)
+    fits = fits & (low < w_0) & (w_0 < high)
+    w_0, z = (w_0, before.e_r - before.e_p) if fits else (0.0, 0.0)
+    lam = lam if fits else 0.5
+    rest = 1.0 - lam
+    excess_0, decline_0, _, by_w0, z, along_0, _ = trial(v, e, lam, w_0, z, par)
+    step_0 = excess_0 / decline_0
+    fits = fits & (decline_0 > 0.0) & (abs(step_0) < SHORT * fmin(v + lam * w_0, v - rest * w_0))
+    fits = fits & (low < w_0 + step_0) & (w_0 + step_0 < high)
+    w = w_0 + step_0 if fits else w_0
+    excess, decline, p, by_w, z, along, change = trial(v, e, lam, w, z + along_0 * (w - w_0), par)
+    step = excess / decline
+    scale = v + abs(w)
+    fits = fits & (decline > 0.0) & is_close(step, step_0, scale)
+    fits = fits & (abs(change) <= CLOSE_TOGETHER * (abs(e) + abs(z) + par.detonation_energy))
+    bends = fits & (abs(step) > CLOSE * scale)
+    moved = w - w_0 if bends else v
+    step = inverse_cubic(excess, decline, moved, excess_0 if bends else 2.0 * excess + 1.0, decline_0) if bends else step
+    curvature, turn = ((by_w - by_w0) / moved, (along - along_0) / moved) if bends else (0.0, 0.0)
+    p, z, w = p + step * (by_w + 0.5 * curvature * step), z + step * (along + 0.5 * turn * step), w + step
+    return Mixed(p if fits else before.pressure, 1.0 / (v + lam * w) if fits else before.rho_r, e + lam * z if fits else before.e_r,
+                 1.0 / (v - rest * w) if fits else before.rho_p, e - rest * z if fits else before.e_p,
+                 contract.CONVERGED if fits else contract.NOT_CONVERGED)
 
 
 def minors(lam, mixed, par):
@@ -208,20 +259,16 @@ def phase_slopes(burn_fraction, mixed, par):
 
 def slopes(rho, e, burn_fraction, mixed, par):
     """By the chain rule through the reactant (the products at lambda = 1); where `solve` left a phase unknown, lambda's slope is 0."""
-    q = par.detonation_energy
-    if mixed.rho_r <= 0.0:
-        p_v, p_e = volume_slopes(rho, e, par.products)
-        return Slopes(p_v, p_e, 0.0)
-    if mixed.rho_p <= 0.0:
-        p_v, p_e = volume_slopes(rho, e - q, par.reactants)
-        return Slopes(p_v, p_e, 0.0)
-    s = phase_slopes(burn_fraction, mixed, par)
-    if burn_fraction >= 1.0:
-        p_v, p_e = volume_slopes(rho, e, par.products)
-    else:
-        r_v, r_e = volume_slopes(mixed.rho_r, mixed.e_r - q, par.reactants)
-        p_v, p_e = r_v * s.v_r_v + r_e * s.e_r_v, r_v * s.v_r_e + r_e * s.e_r_e
-    p_l = (1.0 / mixed.rho_r - 1.0 / mixed.rho_p) * p_v + (mixed.e_r - mixed.e_p) * p_e
+    # alternatives are chosen among arguments, so that a loop over zones evaluates each phase once and is packed
+    burned, whole = mixed.rho_r <= 0.0, mixed.rho_p <= 0.0
+    single = burned | whole
+    rho_r, e_r, rho_p, e_p = (rho, e, rho, e) if single else (mixed.rho_r, mixed.e_r, mixed.rho_p, mixed.e_p)
+    s = phase_slopes(burn_fraction, Mixed(mixed.pressure, rho_r, e_r, rho_p, e_p, mixed.status), par)
+    r_v, r_e = volume_slopes(rho_r, e_r - par.detonation_energy, par.reactants)
+    p_v, p_e = volume_slopes(rho_p, e_p, par.products)
+    if (not burned) & (burn_fraction < 1.0):
+        p_v, p_e = (r_v, r_e) if whole else (r_v * s.v_r_v + r_e * s.e_r_v, r_v * s.v_r_e + r_e * s.e_r_e)
+    p_l = 0.0 if single else (1.0 / mixed.rho_r - 1.0 / mixed.rho_p) * p_v + (mixed.e_r - mixed.e_p) * p_e
     return Slopes(p_v, p_e, p_l)
 
 
@@ -245,7 +292,7 @@ def mixture_specific_heat(burn_fraction, mixed, par):
 
 MIXTURE.add(
     "thermal_equilibrium", ThermalEquilibrium,
-    functions={"solve": solve, "equilibrate": equilibrate, "slopes": slopes, "phase_slopes": phase_slopes,
+    functions={"solve": solve, "attempt": attempt, "equilibrate": equilibrate, "slopes": slopes, "phase_slopes": phase_slopes,
                "temperature": mixture_temperature, "specific_heat": mixture_specific_heat},
     example=ThermalEquilibrium(IdealGas(5.0, 1000.0, 1600.0), IdealGas(2.8, 1200.0, 1600.0), 5.0e6),
     units={"reactants": "", "products": "", "detonation_energy": "J/kg", "reactant_density_limit": "kg/m^3",

@@ -24,21 +24,17 @@ from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.mixture import contract
 from hugoniot.laws.mixture.contract import MIXTURE, Mixed, PhaseSlopes, Slopes, impedance_squared, volume_slopes
 from hugoniot.laws.mixture.isentrope import isentrope_energy, knows_isentropes
+from hugoniot.laws.mixture.search import CLOSE, NASCENT, SHORT, inverse_cubic, is_close, limits
 
 ITERATIONS = 100
 # While the reactant's volume differs from the mixture's by less than NEAR, the expansion of its isentrope to second order replaces the
 # march and its cancellation.
 NEAR = 1e-6
-# A phase of less than this mass fraction is left out by `solve`: it changes the pressure by about 1e-8 of itself, and its energy is the
-# difference of nearly equal numbers (only reactants in tension would notice the bubbles).
-NASCENT = 1e-8
-# So is one of less than this where the reactants alone would be in tension: bubbles of that mass press by some 20 MPa.
+# A phase of less than this mass fraction is left out where the reactants alone would be in tension, as those of less than NASCENT are
+# everywhere: bubbles of that mass press by some 20 MPa.
 FAINT = 1e-5
 # Products of more than this volume, in those of the reactants, have pushed these off the volume of the mixture: see `opened`.
 OPEN = 3e-3
-CLOSE = 1e-8         # step from which the search ends, relative
-CLOSE_PAIR = 4e-9    # product of two steps from which it ends
-SHORT = 0.1          # of a phase's volume, beyond which `attempt` goes no step
 
 
 class ThermalIsolation(NamedTuple):
@@ -93,31 +89,11 @@ def trial(v, e, lam, w, v_k, e_k, vanishing, par):
     return p - pressure(1.0 / v_p, e_p, par.products), p, i_r, p * p_e - p_v, e_r, v_p, e_p
 
 
-def limits(v, lam, par):
-    """w between which both phases are less dense than their laws bear."""
-    low = -(v - 1.0 / par.reactant_density_limit) / fmax(lam, 1e-12)
-    return low, fmin((v - 1.0 / par.product_density_limit) / fmax(1.0 - lam, 1e-12), 1e6 * v)
-
-
-def is_close(step, step_0, scale):
-    """Whether a search ends with this step, the one before being step_0: then what is left is of the order of CLOSE^2, CLOSE_PAIR^2."""
-    return (abs(step) <= CLOSE * scale) | (abs(step * step_0) <= CLOSE_PAIR * scale * scale)
-
-
 def arrive(lam, step, curvature, p, i_r, v_r, e_r, v_p, e_p):
     """(p, v_r, e_r, v_p, e_p) at the root, a short step in w from a trial; curvature is the slope of i_r^2 by w."""
     e_r = e_r - lam * step * (p - 0.5 * i_r * lam * step)
     e_p = e_p + (1.0 - lam) * step * (p - 0.5 * lam * i_r * step)
     return p - lam * step * (i_r + 0.5 * curvature * step), v_r + lam * step, e_r, v_p - (1.0 - lam) * step, e_p
-
-
-def inverse_cubic(excess, decline, moved, excess_0, decline_0):
-    """Way from a trial w to the root of F: w as a cubic of F through this trial and the one before, `moved` behind, and both slopes."""
-    between = excess_0 - excess
-    chord = -moved / between
-    bend = (chord + 1.0 / decline) / between
-    twist = ((-1.0 / decline_0 - chord) / between - bend) / between
-    return excess / decline + excess * excess * (bend - excess_0 * twist)
 
 
 def equilibrate(rho, e, burn_fraction, before, par):
@@ -211,21 +187,20 @@ def slopes(rho, e, burn_fraction, mixed, par):
     products, is another number (its jump at lambda = 0 is real; the sound speed has none). Where `solve` left a phase unknown the slope
     by burn fraction is 0.
     """
-    q = par.detonation_energy
-    if mixed.rho_r <= 0.0:
-        p_v, p_e = volume_slopes(rho, e, par.products)
-        return Slopes(p_v, p_e, 0.0)
-    if mixed.rho_p <= 0.0:
-        p_v, p_e = volume_slopes(rho, e - q, par.reactants)
-        return Slopes(p_v, p_e, 0.0)
-    i_r = impedance_squared(mixed.rho_r, mixed.e_r - q, par.reactants)
-    p_v, p_e = volume_slopes(mixed.rho_p, mixed.e_p, par.products)
-    share = i_r / (burn_fraction * i_r + (1.0 - burn_fraction) * (mixed.pressure * p_e - p_v))
+    q, lam = par.detonation_energy, burn_fraction
+    # alternatives are chosen among arguments, so that a loop over zones evaluates each phase once and is packed
+    burned, whole = mixed.rho_r <= 0.0, mixed.rho_p <= 0.0
+    single = burned | whole
+    rho_r, e_r = (rho, e) if single | (lam <= 0.0) else (mixed.rho_r, mixed.e_r)
+    rho_p, e_p = (rho, e) if single else (mixed.rho_p, mixed.e_p)
+    r_v, r_e = volume_slopes(rho_r, e_r - q, par.reactants)
+    p_v, p_e = volume_slopes(rho_p, e_p, par.products)
+    i_r = pressure(rho_r, e_r - q, par.reactants) * r_e - r_v
+    share = 1.0 if single else i_r / (lam * i_r + (1.0 - lam) * (mixed.pressure * p_e - p_v))
     p_v, p_e = share * p_v, share * p_e
-    p_l = (1.0 / mixed.rho_r - 1.0 / mixed.rho_p) * p_v + (mixed.e_r - mixed.e_p) * p_e
-    if burn_fraction <= 0.0:
-        p_v, p_e = volume_slopes(rho, e - q, par.reactants)
-    return Slopes(p_v, p_e, p_l)
+    p_l = 0.0 if single else (1.0 / mixed.rho_r - 1.0 / mixed.rho_p) * p_v + (mixed.e_r - mixed.e_p) * p_e
+    unburned = (not burned) & (whole | (lam <= 0.0))
+    return Slopes(r_v if unburned else p_v, r_e if unburned else p_e, p_l)
 
 
 def phase_slopes(burn_fraction, mixed, par):

@@ -74,7 +74,8 @@ def products_temperature(burn_fraction, mixed, par):
 
 MIXTURE.add(
     "weighted_pressures", WeightedPressures,
-    functions={"solve": solve, "equilibrate": solve, "slopes": slopes, "phase_slopes": phase_slopes, "temperature": weighted_temperature},
+    functions={"solve": solve, "attempt": solve, "equilibrate": solve, "slopes": slopes, "phase_slopes": phase_slopes,
+               "temperature": weighted_temperature},
     example=WeightedPressures(IdealGas(5.0, 1000.0, 1600.0), IdealGas(2.8, 1200.0, 1600.0), 5.0e6),
     units={"reactants": "", "products": "", "detonation_energy": "J/kg"},
     meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
@@ -86,8 +87,8 @@ MIXTURE.add(
 
 MIXTURE.add(
     "burned_products", BurnedProducts,
-    functions={"solve": products_solve, "equilibrate": products_solve, "slopes": products_slopes, "phase_slopes": phase_slopes,
-               "temperature": products_temperature},
+    functions={"solve": products_solve, "attempt": products_solve, "equilibrate": products_solve, "slopes": products_slopes,
+               "phase_slopes": phase_slopes, "temperature": products_temperature},
     example=BurnedProducts(IdealGas(2.8, 1200.0, 1600.0)),
     units={"products": ""}, meaning={"products": "equation of state of the products"},
     box={"rho": (1200.0, 3000.0), "e": (1e6, 9e6), "burn_fraction": (0.0, 1.0)},

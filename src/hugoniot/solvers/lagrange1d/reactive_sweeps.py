@@ -21,7 +21,7 @@ from hugoniot.core.compile import SWEEP, parameters, rows_apart
 from hugoniot.core.ops import fmax, fmin
 from hugoniot.laws.burn import contract as burn_contract
 from hugoniot.laws.burn import depletion
-from hugoniot.laws.burn.contract import BURN, advance, rate, scheduled
+from hugoniot.laws.burn.contract import BURN, advance, rate, scheduled, short_advance
 from hugoniot.laws.mixture import contract as mixture_contract
 from hugoniot.laws.mixture import reference_state
 from hugoniot.laws.mixture.binding import bind_mixtures
@@ -31,7 +31,6 @@ from hugoniot.laws.mixture.contract import (
     Mixed,
     at_rest,
     attempt,
-    attempts,
     heated,
     mixture_temperature,
     slopes,
@@ -49,6 +48,7 @@ SMALL = 1e-30
 NEARLY = 0.99        # burn fraction up to which the time step follows the rate
 IGNITED = 0.05       # burn fraction from which the resolution of the rate is watched
 UNBURNED, PARTLY, BURNED = 0.0, -1.0, 1.0
+SUBCYCLED = -1.0     # in place of a burn fraction that takes sub-steps
 
 
 def burn_temperature(lam, mixed, mixture, rate):
@@ -82,9 +82,42 @@ def at_once(rate):
     return "instantaneous" in BURN.of(rate).flags
 
 
+def subcycles(rate):
+    """Whether `advance` of the burn law is a loop, which no packed loop over zones can hold."""
+    return "subcycled" in BURN.of(rate).flags
+
+
 def isolates(mixture):
     """Whether the reactants keep an isentrope, and so have a reference state."""
     return "follows_isentrope" in MIXTURE.of(mixture).flags
+
+
+def warmed(before, heat, shocked, freezes, mixture):
+    """`before` after the viscous heat of a step (J/kg of mixture), less what isolated reactants do not take of it."""
+    share = warmed_apart if isolates(mixture) else warmed_alike
+    return share(before, heat, shocked, freezes, mixture)
+
+
+def warmed_apart(before, heat, shocked, freezes, mixture):
+    return heated(before, reactants_share(heat, shocked, freezes))
+
+
+def warmed_alike(before, heat, shocked, freezes, mixture):
+    return heated(before, heat)
+
+
+def fraction(lam, time, width, rho, p, q, phases, dt, par):
+    """Burn fraction after a step of dt at constant state."""
+    heat = burn_temperature(lam, phases, par.mixture, par.rate)
+    lam = scheduled(lam, time, 0.0, width, rho, par.rate)
+    return advance(lam, dt, rho, driving_pressure(p, q, par.rate), heat, par.rate) if lam < 1.0 else lam
+
+
+def short_fraction(lam, rho, p, q, phases, dt, par):
+    """The same of a zone that burns by a rate, where `short_advance` does; else SUBCYCLED."""
+    heat = burn_temperature(lam, phases, par.mixture, par.rate)
+    end, done = short_advance(lam, dt, rho, driving_pressure(p, q, par.rate), heat, par.rate)
+    return end if done else SUBCYCLED
 
 
 def swept(r1, r2, u1, u2, geometry):
@@ -116,7 +149,13 @@ def _bind():
     binding.bind_choice(burn_temperature, asks("temperature_driven", its_temperature, no_temperature))
     binding.bind_choice(driving_pressure, asks("includes_viscosity", with_viscosity, without_viscosity))
     binding.bind_choice(at_once, asks("instantaneous", yes, no))
-    binding.bind_choice(isolates, lambda cls: yes if "follows_isentrope" in MIXTURE.of_class(cls).flags else no)
+    binding.bind_choice(subcycles, asks("subcycled", yes, no))
+
+    def isolating(then, otherwise):
+        return lambda *classes: then if "follows_isentrope" in MIXTURE.of_class(classes[-1]).flags else otherwise
+
+    binding.bind_choice(warmed, isolating(warmed_apart, warmed_alike))
+    binding.bind_choice(isolates, isolating(yes, no))
     binding.bind_module(sys.modules[__name__])
 
 
@@ -134,20 +173,49 @@ def end_of_stretch(lam, start):
 
 
 @nb.njit(**SWEEP)
-def predict_burning(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
-    """Stress in the middle of the step, from the state at its start and the predicted mean velocity."""
+def burn(zones, nodes, places, stress, first, last, segment, dt, law, rows, geometry):
+    """Burn fractions dt after the start of the step into the row OLD, by the density of the rows `places` and the pressure of `stress`.
+
+    Zones that burn by a law of sub-steps are tried for many at a time; those that are still whole are mostly answered at once.
+    """
     par = parameters(law[0], rows[0])
-    half = 0.5 * dt
-    rho, p, q = zones[L.RHO, first:last], zones[L.P, first:last], zones[L.Q, first:last]
+    mass, p, q, sigma = zones[L.MASS, first:last], zones[L.P, first:last], zones[L.Q, first:last], zones[stress, first:last]
     burned, since, width = zones[L.BURN_FRACTION, first:last], zones[L.LIT_SINCE, first:last], zones[L.ZONE_SIZE, first:last]
     rho_r, e_r, rho_p, e_p = zones[L.RHO_R, first:last], zones[L.E_R, first:last], zones[L.RHO_P, first:last], zones[L.E_P, first:last]
+    new, r, start = zones[L.OLD, first:last], nodes[places, first + segment:last + segment + 1], 0
+    while start < last - first:
+        known, stop = whole(burned[start]), end_of_stretch(burned, start) if subcycles(par.rate) else last - first
+        if subcycles(par.rate) and known == PARTLY:
+            here = slice(start, stop)
+            burn_shortly(r[start:stop + 1], mass[here], p[here], q[here], sigma[here], burned[here], rho_r[here], e_r[here], rho_p[here],
+                         e_p[here], new[here], dt, law, rows, geometry)
+        elif subcycles(par.rate):
+            for j in range(start, stop):
+                new[j] = BURNED if known == BURNED else SUBCYCLED
+        if not subcycles(par.rate) or known != BURNED:
+            for j in range(start, stop):
+                if not subcycles(par.rate) or new[j] < 0.0:
+                    now = p[j] if at_once(par.rate) else sigma[j] - q[j]
+                    new[j] = fraction(burned[j], since[j] + dt, width[j], mass[j] / volume(r[j], r[j + 1], geometry), now, q[j],
+                                      Mixed(p[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0), dt, par)
+        start = stop
+
+
+@nb.njit(**SWEEP)
+def burn_shortly(r, mass, p, q, sigma, burned, rho_r, e_r, rho_p, e_p, new, dt, law, rows, geometry):
+    """`short_fraction` over rows of the tables."""
+    rows_apart()
+    par = parameters(law[0], rows[0])
+    for j in range(mass.shape[0]):
+        new[j] = short_fraction(burned[j], mass[j] / volume(r[j], r[j + 1], geometry), sigma[j] - q[j], q[j],
+                                Mixed(p[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0), dt, par)
+
+
+@nb.njit(**SWEEP)
+def predict_burning(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
+    """Stress in the middle of the step, from the state at its start and the predicted mean velocity."""
+    burn(zones, nodes, L.R, L.SIGMA, first, last, segment, 0.5 * dt, law, rows, geometry)
     lam_half = zones[L.OLD, first:last]
-    for j in range(last - first):
-        heat = burn_temperature(burned[j], Mixed(p[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0), par.mixture, par.rate)
-        lam = scheduled(burned[j], since[j] + half, 0.0, width[j], rho[j], par.rate)
-        if lam < 1.0:
-            lam = advance(lam, half, rho[j], driving_pressure(p[j], q[j], par.rate), heat, par.rate)
-        lam_half[j] = lam
     start = first
     while start < last:
         known, stop = whole(lam_half[start - first]), first + end_of_stretch(lam_half, start - first)
@@ -179,28 +247,31 @@ def predict_zones(rh, u, g, mass, im, e, c, p_, sigma, sigma_half, q_, speed_out
     rows_apart()
     par = parameters(law[0], rows[0])
     viscosity = parameters(law[3], rows[3])
-    half, freezes, tries = 0.5 * dt, rows[4][4], known == PARTLY and attempts(par.mixture)
-    if tries:
+    half, freezes = 0.5 * dt, rows[4][4]
+    if known == PARTLY:
         for j in range(mass.shape[0]):
             change = half * im[j] * swept(rh[j], rh[j + 1], u[j], u[j + 1], geometry)
-            before = Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0)
-            warmth = -q_[j] * change
-            if isolates(par.mixture):
-                warmth = reactants_share(warmth, reference[j] == PASSING, freezes)
             rho, energy = mass[j] / volume(rh[j], rh[j + 1], geometry), e[j] - sigma[j] * change
-            mixed = attempt(rho, energy, lam_half[j], heated(before, warmth), par.mixture)
+            before = Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0)
+            before = warmed(before, -q_[j] * change, reference[j] == PASSING, freezes, par.mixture)
+            mixed = attempt(rho, energy, lam_half[j], before, par.mixture)
             sigma_half[j], status[j] = mixed.pressure, mixed.status
+        for j in range(mass.shape[0]):
+            if status[j] != CONVERGED:
+                change = half * im[j] * swept(rh[j], rh[j + 1], u[j], u[j + 1], geometry)
+                rho, energy = mass[j] / volume(rh[j], rh[j + 1], geometry), e[j] - sigma[j] * change
+                before = Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0)
+                before = warmed(before, -q_[j] * change, reference[j] == PASSING, freezes, par.mixture)
+                mixed = solve(rho, energy, lam_half[j], before, par.mixture)
+                sigma_half[j], status[j] = mixed.pressure, mixed.status
     for j in range(mass.shape[0]):
-        change = half * im[j] * swept(rh[j], rh[j + 1], u[j], u[j + 1], geometry)
         rho = mass[j] / volume(rh[j], rh[j + 1], geometry)
-        lam = lam_half[j] if known == PARTLY else known
-        before = Mixed(sigma_half[j] if tries else p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0)
-        warmth = -q_[j] * change
-        if isolates(par.mixture):
-            warmth = reactants_share(warmth, reference[j] == PASSING, freezes)
-        done = tries and status[j] == CONVERGED
-        mixed = before if done else solve(rho, e[j] - sigma[j] * change, lam, heated(before, warmth), par.mixture)
-        p = mixed.pressure
+        if known == PARTLY:
+            p = sigma_half[j]
+        else:
+            energy = e[j] - sigma[j] * half * im[j] * swept(rh[j], rh[j + 1], u[j], u[j + 1], geometry)
+            mixed = solve(rho, energy, known, Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0), par.mixture)
+            p, status[j] = mixed.pressure, mixed.status
         du = u[j + 1] - u[j]
         steep = -g[j + 1]
         left, right = -g[j], -g[j + 2]
@@ -209,7 +280,6 @@ def predict_zones(rh, u, g, mass, im, e, c, p_, sigma, sigma_half, q_, speed_out
         squeeze = resisted(du, du, viscosity)
         speed = viscous_speed(1.0 / rho, c[j], p, squeeze, psi, viscosity)
         q = -rho * squeeze * speed
-        status[j] = mixed.status
         q_[j] = q
         speed_out[j] = speed if squeeze != 0.0 else 0.0
         sigma_half[j] = p + q
@@ -218,20 +288,10 @@ def predict_zones(rh, u, g, mass, im, e, c, p_, sigma, sigma_half, q_, speed_out
 @nb.njit(**SWEEP)
 def correct_burning(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, found):
     """State at the end of the step; `found` takes the largest signal rate (1/s, that of burning included) and the geometric impulse."""
-    par = parameters(law[0], rows[0])
-    rh = nodes[L.R_HALF, first + segment:last + segment + 1]
-    mass, p, q, sigma_half = zones[L.MASS, first:last], zones[L.P, first:last], zones[L.Q, first:last], zones[L.SIGMA_HALF, first:last]
-    burned, since, width = zones[L.BURN_FRACTION, first:last], zones[L.LIT_SINCE, first:last], zones[L.ZONE_SIZE, first:last]
-    rho_r, e_r, rho_p, e_p = zones[L.RHO_R, first:last], zones[L.E_R, first:last], zones[L.RHO_P, first:last], zones[L.E_P, first:last]
+    burn(zones, nodes, L.R_HALF, L.SIGMA_HALF, first, last, segment, dt, law, rows, geometry)
+    burned, since, new = zones[L.BURN_FRACTION, first:last], zones[L.LIT_SINCE, first:last], zones[L.OLD, first:last]
     for j in range(last - first):
-        rho_half = mass[j] / volume(rh[j], rh[j + 1], geometry)
-        heat = burn_temperature(burned[j], Mixed(p[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0), par.mixture, par.rate)
-        since[j] += dt
-        lam = scheduled(burned[j], since[j], 0.0, width[j], rho_half, par.rate)
-        drive = driving_pressure(p[j] if at_once(par.rate) else sigma_half[j] - q[j], q[j], par.rate)
-        if lam < 1.0:
-            lam = advance(lam, dt, rho_half, drive, heat, par.rate)
-        burned[j] = lam
+        burned[j], since[j] = new[j], since[j] + dt
     fastest, impulse, start = 0.0, 0.0, first
     while start < last:
         known, stop = whole(burned[start - first]), first + end_of_stretch(burned, start - first)
@@ -246,7 +306,7 @@ def correct_burning(zones, nodes, gradient, first, last, segment, dt, law, rows,
 
 
 @nb.njit(**SWEEP)
-def correct_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, known):
+def correct_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, geometry, known) -> tuple[float, float]:
     """(largest signal rate, geometric impulse) after `correct_burning` of zones that are alike, their burn fractions found."""
     a, b = first + segment, last + segment
     return correct_zones(
@@ -261,40 +321,43 @@ def correct_alike(zones, nodes, gradient, first, last, segment, dt, law, rows, g
 
 @nb.njit(**SWEEP)
 def correct_zones(r, rh, u, ue, g, mass, im, rho_, e_, p_, c_, sigma, sigma_half, q, speed, viscous, burned, rho_r, e_r, rho_p, e_p, status,
-                  resolved, reference, tried, dt, law, rows, geometry, known):
+                  resolved, reference, tried, dt, law, rows, geometry, known) -> tuple[float, float]:
     """`correct_alike` over rows of the tables."""
     rows_apart()
     par = parameters(law[0], rows[0])
     noise, per_rate, front, freezes = rows[4][1], rows[4][2], rows[4][3], rows[4][4]
-    fastest, radial_impulse, tries = 0.0, 0.0, known == PARTLY and attempts(par.mixture)
-    if tries:
+    fastest, radial_impulse = 0.0, 0.0
+    if known == PARTLY:
         for j in range(mass.shape[0]):
             change = dt * im[j] * swept(rh[j], rh[j + 1], u[j], u[j + 1], geometry)
-            before = Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0)
-            warmth = -q[j] * change
-            if isolates(par.mixture):
-                shocked = is_passing(q[j], sigma_half[j] - q[j], mass[j] / volume(rh[j], rh[j + 1], geometry) * c_[j] * c_[j])
-                warmth = reactants_share(warmth, shocked, freezes)
+            shocked = is_passing(q[j], sigma_half[j] - q[j], mass[j] / volume(rh[j], rh[j + 1], geometry) * c_[j] * c_[j])
             rho, energy = 1.0 / (volume(r[j], r[j + 1], geometry) * im[j]), e_[j] - sigma_half[j] * change
-            mixed = attempt(rho, energy, burned[j], heated(before, warmth), par.mixture)
+            before = warmed(Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0), -q[j] * change, shocked, freezes, par.mixture)
+            mixed = attempt(rho, energy, burned[j], before, par.mixture)
             p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j] = mixed.pressure, mixed.rho_r, mixed.e_r, mixed.rho_p, mixed.e_p
             tried[j] = mixed.status
+        for j in range(mass.shape[0]):
+            if tried[j] != CONVERGED:      # what was tried is warm already
+                change = dt * im[j] * swept(rh[j], rh[j + 1], u[j], u[j + 1], geometry)
+                rho, energy = 1.0 / (volume(r[j], r[j + 1], geometry) * im[j]), e_[j] - sigma_half[j] * change
+                mixed = solve(rho, energy, burned[j], Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0), par.mixture)
+                p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j] = mixed.pressure, mixed.rho_r, mixed.e_r, mixed.rho_p, mixed.e_p
+                tried[j] = mixed.status
     for j in range(mass.shape[0]):
         change = dt * im[j] * swept(rh[j], rh[j + 1], u[j], u[j + 1], geometry)
         energy = e_[j] - sigma_half[j] * change
         radial_impulse += sigma_half[j] * (area(rh[j + 1], geometry) - area(rh[j], geometry))
-        rho_half = mass[j] / volume(rh[j], rh[j + 1], geometry)
         v = volume(r[j], r[j + 1], geometry) * im[j]
         rho = 1.0 / v
         lam = burned[j] if known == PARTLY else known
-        before = at_rest(rho_r[j], e_r[j]) if known == UNBURNED else Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0)
-        warmth = -q[j] * change
+        shocked = is_passing(q[j], sigma_half[j] - q[j], mass[j] / volume(rh[j], rh[j + 1], geometry) * c_[j] * c_[j])
         if isolates(par.mixture):
-            shocked = is_passing(q[j], sigma_half[j] - q[j], rho_half * c_[j] * c_[j])
-            warmth = reactants_share(warmth, shocked, freezes)
             reference[j] = found_state(reference[j], shocked, lam)
-        ready = before if tries else heated(before, warmth)     # what was tried is warm already
-        mixed = ready if tries and tried[j] == CONVERGED else solve(rho, energy, lam, ready, par.mixture)
+        if known == PARTLY:
+            mixed = Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], tried[j])
+        else:
+            before = at_rest(rho_r[j], e_r[j]) if known == UNBURNED else Mixed(p_[j], rho_r[j], e_r[j], rho_p[j], e_p[j], 0.0)
+            mixed = solve(rho, energy, lam, warmed(before, -q[j] * change, shocked, freezes, par.mixture), par.mixture)
         p = mixed.pressure
         c2 = sound_speed_squared(rho, p, slopes(rho, energy, lam, mixed, par.mixture))
         fault = status[j] + mixed.status
