@@ -122,13 +122,13 @@ def test_voids_in_a_solid_whose_pressure_does_not_answer_grow_by_little(tension,
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("integrator, voids", [("compatible", {4e8: 0, 1e9: 1}), ("wilkins", {4e8: 0, 1e9: 3})])
-def test_a_material_with_a_tension_cut_off_at_its_spall_strength_breaks(integrator, voids):
+@pytest.mark.parametrize("integrator", ["compatible", "wilkins"])
+def test_a_material_with_a_tension_cut_off_at_its_spall_strength_breaks(integrator):
     """It stopped as unsound in its first tension; with the cut below the strength the spray bears the cut and nothing parts."""
-    for cut, opened in voids.items():
+    for cut in (4e8, 1e9):
         problem = build.flyer((30, 60), stop=2e-6, spall=1e9, integrator=integrator)
         metal = problem.materials["al"]
         spray = dataclasses.replace(metal, eos=TensionCutoff(metal.eos, cut), strength=None)
         solver, _ = build.run(dataclasses.replace(problem, materials={"al": spray}))
-        assert (solver.voids_opened, solver.time) == (opened, 2e-6)
+        assert (solver.voids_opened > 0, solver.time) == (cut == 1e9, 2e-6)
         assert solver.zones[L.P].min() >= -cut
