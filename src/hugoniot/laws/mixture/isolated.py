@@ -52,20 +52,22 @@ def solve(rho, e, burn_fraction, before, par):
         p = pressure(rho, e - par.detonation_energy, par.reactants)
         if burn_fraction <= NASCENT:
             return Mixed(p, rho, e, before.rho_p, before.e_p, 0.0)
-        if p <= 0.0:
+        if p < 0.0:
             return Mixed(p, rho, e, 0.0, 0.0, 0.0)
     if burn_fraction >= 1.0 - NASCENT:
         return Mixed(pressure(rho, e, par.products), 0.0, before.e_r, rho, e, 0.0)
     return equilibrate(rho, e, burn_fraction, before, par)
 
 
-def opened(lam, before):
-    """Whether nascent products filled a notable volume in the step before, as bubbles do in what is released to no pressure.
+def opened(rho, e, lam, before, par):
+    """Whether nascent products fill bubbles: a notable volume in the step before, in what by itself would be in tension.
 
     The isentrope through the mixture state then is no longer that of the reactants: these would be given a tension they never bore, and
     the products its energy, as heat.
     """
-    return (before.rho_p > 0.0) & (lam * (before.rho_r - before.rho_p) > OPEN * before.rho_p)
+    if before.rho_p <= 0.0 or lam * (before.rho_r - before.rho_p) <= OPEN * before.rho_p:
+        return False
+    return pressure(rho, e - par.detonation_energy, par.reactants) < 0.0
 
 
 def reactant(v, e, lam, w, v_k, e_k, vanishing, par):
@@ -100,7 +102,7 @@ def equilibrate(rho, e, burn_fraction, before, par):
     """The bracketed Newton search of the module's docstring, for 0 <= lambda <= 1 (nascent products, last grain)."""
     v, lam, rest = 1.0 / rho, burn_fraction, 1.0 - burn_fraction
     q = par.detonation_energy
-    vanishing = (lam < par.nascent_limit) & (not opened(lam, before))
+    vanishing = lam < par.nascent_limit and not opened(rho, e, lam, before, par)
     v_r = v_k = v if vanishing else 1.0 / before.rho_r
     e_r = e_k = e - q if vanishing else before.e_r - q
     w = v_r - 1.0 / before.rho_p if before.rho_p > 0.0 else 0.0
