@@ -186,7 +186,7 @@ def expect_zones(r, u, im, e, c, p_, q_, old, fraction, expected, q_new, smooth,
     rows_apart()
     par = parameters(law[0], rows[0])
     viscosity = parameters(law[3], rows[3])
-    freezes, tries = rows[4][4], known == PARTLY
+    freezes, tries = rows[4][4], known == PARTLY and not bare(par.mixture)
     for j in range(im.shape[0]):
         v = volume(r[j], r[j + 1], geometry) * im[j]
         v_half = 0.5 * (v + old[j])
@@ -241,7 +241,7 @@ def settle_zones(r, u, im, rho_, e_, p_, c_, q_, sigma, old, width, q_new, visco
     par = parameters(law[0], rows[0])
     viscosity = parameters(law[3], rows[3])
     noise, per_rate, front, freezes = rows[4][1], rows[4][2], rows[4][3], rows[4][4]
-    fastest, quickest, tries = 0.0, 0.0, known == PARTLY
+    fastest, quickest, tries = 0.0, 0.0, known == PARTLY and not bare(par.mixture)
     if tries:
         for j in range(im.shape[0]):
             v = volume(r[j], r[j + 1], geometry) * im[j]
