@@ -284,7 +284,7 @@ def settle_zones(r, u, im, rho_, e_, p_, c_, q_, sigma, old, width, q_new, visco
             quadratic, jump = (1.0 - smooth[j]) * quadratic, (1.0 - smooth[j]) * jump
         wave, inverse = fmax(c, front), mean_area(r[j], r[j + 1], geometry) * im[j] * rho
         speed = quadratic if bare(par.mixture) else viscous_speed(v, c, p, squeeze, 0.0, viscosity)
-        signal = signal_squared(wave * wave, wave, 8.0 * (quadratic + jump), speed)
+        signal = signal_squared(wave * wave, 8.0 * (quadratic + jump), speed)
         fastest = fmax(fastest, signal * (inverse * inverse))
         if 0.0 < lam < NEARLY:   # as in `reactive_sweeps`
             drive, heat = driving_pressure(p, q_new[j], par.rate), burn_temperature(lam, mixed, par.mixture, par.rate)
