@@ -14,7 +14,7 @@ from hugoniot.materials.material import Material
 from hugoniot.materials.tables import law_table, material_tables
 from hugoniot.problem import checks, explosives
 from hugoniot.problem.boundaries import boundary_schema, boundary_value, read_boundary
-from hugoniot.problem.defaults import complete
+from hugoniot.problem.defaults import completed
 from hugoniot.problem.model import Boundary, Lighting, OutputOptions, Problem, SolverOptions
 from hugoniot.problem.schema import Length, Pressure, Quantity, Table, Time, salvage, trouble
 from hugoniot.units import UnitError, parse
@@ -190,8 +190,8 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     if model is None or collector.problems or left is None or right is None or solver is None or output is None:
         return None, warnings
     lighting = tuple(Lighting(row.at, row.time) for row in model.lighting)
-    problem = Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, solver, output,
-                      lighting)
+    problem = completed(Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, solver,
+                                output, lighting))
     for defect in explosives.defects(problem):
         collector.add(*defect)
     if collector.problems:
@@ -226,7 +226,7 @@ def _solver(table: Any, collector: Collector) -> SolverOptions | None:
     if model is None:
         return None
     own = {name: value for name, value in model.options.model_dump().items() if value is not None}
-    return complete(SolverOptions(**model.model_dump() | {"viscosity": viscosity, "options": MappingProxyType(own)}))
+    return SolverOptions(**model.model_dump() | {"viscosity": viscosity, "options": MappingProxyType(own)})
 
 
 def _output(raw: dict, collector: Collector) -> OutputOptions | None:

@@ -180,3 +180,11 @@ def test_a_missing_file_names_the_decks_that_are_there(tmp_path):
 def test_the_resolved_deck_is_plain_toml_in_si():
     tables = tomllib.loads(read_deck_text(catalogue.deck_text("flyer"), "flyer.toml").resolved)
     assert tables["region"][0]["to"] == 0.002 and tables["solver"]["growth"] == 1.1 and tables["boundary"] == {"left": "free", "right": "free"}
+
+
+def test_a_run_that_burns_takes_the_viscosity_of_detonation_products():
+    """(gamma + 1)/4 is 2/3 in a monatomic gas and in most metals, 1 in products; the resolved deck says which."""
+    for template, quadratic in (("flyer", 2.0 / 3.0), ("detonation", 1.0)):
+        whole = read_deck_text(catalogue.deck_text(template)).problem
+        assert whole.solver.viscosity == ("limited", {"quadratic": quadratic, "linear": 0.3})
+        assert read_deck_text(write_deck(whole)).problem.solver.viscosity == whole.solver.viscosity
