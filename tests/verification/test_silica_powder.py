@@ -135,13 +135,13 @@ def as_004_had_it(deck):
 
 
 def test_order_3_collapses_in_the_first_powder_zones_and_says_why(tmp_path):
-    """004 at 0.10 g/cm3 and 405 m/s: volumes of cells go to zero at the first silica cells (zone 600 is the first, 601 the
-    one of them that reaches no volume). Exit code 3, the zone, cause and way out."""
+    """004 at 0.10 g/cm3 and 405 m/s: volumes of cells go to zero at the first silica cells, of which zone 600 is the first. Exit code 3,
+    the zone, cause and way out."""
     (tmp_path / "silica.toml").write_text(as_004_had_it(catalogue.deck_text("silica-powder")), encoding="utf-8")
     found = CliRunner().invoke(build_app("run"), ["run", str(tmp_path / "silica.toml"), "--out", str(tmp_path / "silica.run")])
     told = " ".join(found.output.split())
     assert found.exit_code == 3
-    assert "zone 601 of region 'powder'" in told and "compressed to nothing: its equation of state bears at most" in told
+    assert "zone 600 of region 'powder'" in told and "compressed to nothing: its equation of state bears at most" in told
     assert "grain_contact" in told.split("compressed to nothing")[1] and "mie_gruneisen_cold" in told.split("compressed to nothing")[1]
 
 
