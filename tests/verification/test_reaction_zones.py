@@ -53,7 +53,7 @@ def supported(material, initial, per_half, halves, overdrive=1.0, linear=1.0, **
     length = halves * exact.half_reaction_length
     problem = driven(material, length, round(halves * per_half), (exact.time, exact.particle_velocity), 0.95 * length / exact.velocity,
                      energy=initial.energy)
-    options = {"viscosity": ("limited", {"linear": linear})} | options
+    options = {"viscosity": ("limited", {"quadratic": 1.0, "linear": linear})} | options
     problem = dataclasses.replace(problem, solver=dataclasses.replace(problem.solver, **options))
     solver, seen = run(problem, 40)
     return exact, seen.states[-1], seen
