@@ -35,6 +35,9 @@ EXACT_LAW = dict(fastmath={"contract"}, error_model="numpy", forceinline=True)
 # was optimised in its own surroundings), and with fast-math the two differ in the last bits.
 # Kernels own no arrays (_nrt=False): counting the references to every row a sweep takes would cost more than two hundred zones do.
 SWEEP = dict(_nrt=False, fastmath=True, error_model="numpy", cache=True, nogil=True, forceinline=True)
+# A law's pass stands alone: it is called by its address, never inlined.
+PASS = dict(_nrt=False, fastmath=True, error_model="numpy", cache=True, nogil=True)
+EXACT_PASS = {**PASS, "fastmath": False}
 INLINE = dict(_nrt=False, error_model="numpy", forceinline=True)
 GUARD = dict(_nrt=False, fastmath=False, error_model="numpy", cache=True, nogil=True)
 CURVE = {**GUARD, "_nrt": True}   # of theory, whose searches keep short lists

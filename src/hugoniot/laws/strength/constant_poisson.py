@@ -44,4 +44,5 @@ STRENGTH.add(
     box={"rho": (2000.0, 5000.0), "p": (-5e9, 1e11), "temperature": (0.0, 1e4), "bulk_modulus": (1e9, 1e12),
          "plastic_strain": (0.0, 10.0), "strain_rate": (0.0, 1e9)},
     references=("Herrmann, WL-TR-64-107, appendix C.1 with C.17 corrected (H-E5)",),
+    flags=("needs_bulk_modulus",),
 )

@@ -1,14 +1,10 @@
-"""From a Problem to the solver's arrays: zones, masses, initial states, laws grouped by kind, bodies, boundaries, gauges."""
-
-from dataclasses import dataclass
+"""From a Problem to the solver's arrays: zones, masses, initial states, laws as recipes, bodies, boundaries, gauges."""
 
 import numpy as np
 
-from hugoniot.core.compile import float_row
 from hugoniot.core.ops import NO_LIMIT
 from hugoniot.errors import OutOfRange
-from hugoniot.laws.arrays import float_parameters
-from hugoniot.laws.eos.contract import compacted, density_limits, pressure, reference_state, remembered, sound_speed_squared, unloading
+from hugoniot.laws.eos.contract import compacted, density_limits, pressure, remembered, sound_speed_squared, unloading
 from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.laws.strength.contract import STRENGTH, shear_modulus
 from hugoniot.laws.viscosity.contract import VISCOSITY
@@ -18,20 +14,12 @@ from hugoniot.mesh.line import GEOMETRY, graded_nodes, volume
 from hugoniot.problem.model import Boundary, Problem
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d import reactive
+from hugoniot.solvers.lagrange1d.layout import B, H, Z
 from hugoniot.solvers.lagrange1d.tables import zone_table
+from hugoniot.zones.recipe import EXPLICIT, IMPLICIT, Cookbook, constants_of, cookbook
 
 ROUND_OFF = 1e-9     # c^2 below minus this fraction of the largest speed squared is imaginary, not noise
 CODES = {"free": L.FREE, "fixed": L.FIXED, "velocity": L.VELOCITY, "pressure": L.PRESSURE, "transmitting": L.TRANSMITTING}
-
-
-@dataclass
-class Laws:
-    """Laws of a problem grouped by class: `kinds` and `tables` as the sweeps take them, and each region's place in them."""
-
-    kinds: tuple
-    tables: tuple
-    kind_of: list[int]
-    row_of: list[int]
 
 
 def viscosity_of(problem: Problem):
@@ -41,40 +29,23 @@ def viscosity_of(problem: Problem):
     return law.build(**{**law.defaults, **dict(values)})
 
 
-def group_laws(problem: Problem) -> Laws:
-    """One kind for each combination of law classes; parameters with tables (arrays) make a kind of their own."""
+def recipes_of(problem: Problem) -> tuple[Cookbook, list[int]]:
+    """The recipes of a problem's materials, and which of them each region follows."""
     viscosity = viscosity_of(problem)
     noise = ROUND_OFF * _speed_scale(problem) ** 2
-    kinds, rows, kind_of, row_of, keys = [], [], [], [], []
+    found, keys, recipe_of = [], [], []
     for region in problem.regions:
         material = problem.materials[region.material]
-        eos = material.eos if material.burn is None else burning.reactive(material)
-        # sweeps read floats from a table and all else from the first of a kind: an integer would shift the columns behind it
-        laws = tuple(float_parameters(law) for law in (
-            eos, material.strength or STRENGTH.get("none").example, material.fracture or FRACTURE.get("none").example, viscosity))
-        key = (_shape(laws), region.material if _holds_arrays(laws) else None)
-        if key not in keys:
-            keys.append(key)
-            kinds.append(laws)
-            rows.append([])
-        kind = keys.index(key)
-        extra = () if material.burn is None else reactive.extra_row(problem, region, problem.solver.courant)
-        entry = tuple(tuple(float_row(law)) for law in laws) + ((float(reference_state(material.eos)[0]), noise, *extra),)
-        if entry not in rows[kind]:
-            rows[kind].append(entry)
-        kind_of.append(kind)
-        row_of.append(rows[kind].index(entry))
-    tables = tuple(tuple(np.array([entry[i] or (0.0,) for entry in group]) for i in range(5)) for group in rows)
-    return Laws(tuple(kinds), tables, kind_of, row_of)
-
-
-def _shape(law):
-    """Classes of a parameter tuple and of the laws inside it, whatever their numbers: what a sweep is compiled for."""
-    return (type(law), *(_shape(v) for v in law)) if isinstance(law, tuple) else type(law)
-
-
-def _holds_arrays(law) -> bool:
-    return any(_holds_arrays(v) if isinstance(v, tuple) else isinstance(v, np.ndarray) for v in law)
+        if region.material not in keys:
+            keys.append(region.material)
+            burns = material.burn is not None
+            laws = (burning.reactive(material) if burns else material.eos, material.strength or STRENGTH.get("none").example,
+                    material.fracture or FRACTURE.get("none").example, viscosity)
+            # what has not begun to burn may have no sound at all
+            own = reactive.constants(problem, region) if burns else {}
+            found.append((laws, constants_of(laws, noise + (1.0 if burns else 0.0), **own)))
+        recipe_of.append(keys.index(region.material))
+    return cookbook(found, IMPLICIT if problem.solver.integrator == "wilkins" else EXPLICIT), recipe_of
 
 
 def _speed_scale(problem: Problem) -> float:
@@ -131,7 +102,7 @@ def interface_bond(problem, left, right):
 
 
 def assemble(problem: Problem):
-    """(zone table, nodes, gradient, segments, region zone ranges) of a problem at t = 0."""
+    """(zone table, charge table, nodes, gradient, segments, region zone ranges) of a problem at t = 0."""
     geometry = GEOMETRY.get(problem.geometry).example
     reactive.check(problem)
     starts = [start_region(problem, region) for region in problem.regions]
@@ -142,7 +113,7 @@ def assemble(problem: Problem):
     breaks = [i for i in range(1, len(counts)) if not touching(problem.regions[i - 1], problem.regions[i])]
     bodies = np.split(np.arange(len(counts)), breaks)
     burning_run = any(reactive.burns(problem, region) for region in problem.regions)
-    table = zone_table(L.BURNING_ROWS if burning_run else L.ZONE_ROWS, total)
+    table, charge = zone_table(len(Z), total), zone_table(len(B), total if burning_run else 0)
     zones = table[:, :total]
     node_parts, segments = [], []
     for body in bodies:
@@ -151,13 +122,13 @@ def assemble(problem: Problem):
             region, (place, rho, e, c) = problem.regions[i], starts[i]
             a, b = ranges[i]
             mass = rho * np.array([volume(x, y, geometry) for x, y in zip(place[:-1], place[1:])])
-            zones[L.MASS, a:b], zones[L.RHO, a:b], zones[L.E, a:b], zones[L.C, a:b] = mass, rho, e, c
+            zones[Z.mass, a:b], zones[Z.rho, a:b], zones[Z.e, a:b], zones[Z.c, a:b] = mass, rho, e, c
             material = problem.materials[region.material]
             p = pressure(rho, e, material.eos) if material.burn is None else reactive.start_region(material, region)[2]
-            zones[L.P, a:b] = zones[L.SIGMA, a:b] = p
-            zones[L.COMPACTION, a:b] = start_compaction(material.eos, rho, e) if material.burn is None else 0.0
-            zones[L.SIGMA_HALF, a:b] = 1.0 / rho if problem.solver.integrator == "wilkins" else 0.0
-            zones[L.OLD, a:b] = rho * np.diff(place)
+            zones[Z.p, a:b] = zones[Z.sigma, a:b] = p
+            zones[Z.compaction, a:b] = start_compaction(material.eos, rho, e) if material.burn is None else 0.0
+            zones[Z.v, a:b] = 1.0 / rho
+            zones[Z.width, a:b] = rho * np.diff(place)
             speed = region.velocity if isinstance(region.velocity, tuple) else (region.velocity, region.velocity)
             fraction = (place - place[0]) / (place[-1] - place[0])
             velocity = speed[0] + (speed[1] - speed[0]) * fraction
@@ -167,15 +138,15 @@ def assemble(problem: Problem):
         segments.append((ranges[body[0]][0], ranges[body[-1]][1], L.FREE, L.FREE))
     segments = np.array(segments, dtype=np.int64)
     segments[0, L.SEG_LEFT], segments[-1, L.SEG_RIGHT] = CODES[problem.left.kind], CODES[problem.right.kind]
-    nodes = np.zeros((L.NODE_ROWS, total + len(segments)))
-    nodes[[L.R, L.U, L.BOND]] = np.concatenate(node_parts, axis=1)
-    if problem.dimension > 1 and nodes[L.R, 0] == 0.0:
-        segments[0, L.SEG_LEFT], nodes[L.U, 0] = L.FIXED, 0.0
-    zones[L.INVERSE_MASS] = 1.0 / zones[L.MASS]
+    nodes = np.zeros((len(H), total + len(segments)))
+    nodes[[H.r, H.u, H.bond]] = np.concatenate(node_parts, axis=1)
+    if problem.dimension > 1 and nodes[H.r, 0] == 0.0:
+        segments[0, L.SEG_LEFT], nodes[H.u, 0] = L.FIXED, 0.0
+    zones[Z.inverse_mass] = 1.0 / zones[Z.mass]
     if burning_run:
-        reactive.prepare(problem, zones, [start[0] for start in starts], ranges)
+        reactive.prepare(problem, zones, charge, [start[0] for start in starts], ranges)
     gradient = np.zeros(total + 2 * len(segments))
-    return table, nodes, gradient, segments, ranges
+    return table, charge, nodes, gradient, segments, ranges
 
 
 def _weld(problem, zones, body, ranges, r, u, weight, bond):
@@ -188,7 +159,7 @@ def _weld(problem, zones, body, ranges, r, u, weight, bond):
         velocity[-1] += mr / (ml + mr) * jump
         heat = 0.5 * ml * mr / (ml + mr) * jump * jump
         edge = ranges[body[i]][0]
-        zones[L.E, edge - 1:edge + 1] += heat / (2.0 * (ml + mr))
+        zones[Z.e, edge - 1:edge + 1] += heat / (2.0 * (ml + mr))
         bonds[-1] = interface_bond(problem, left, right)
         position = np.concatenate((position, r[i][1:]))
         velocity = np.concatenate((velocity, u[i][1:]))
@@ -207,5 +178,5 @@ def boundary_pulse(boundary: Boundary):
 
 def held_stresses(zones, nodes) -> tuple[float, float]:
     """Stress behind the two ends, Pa, to which a transmitting one adds rho c u outwards: the state at t = 0, moving or not, stays."""
-    impedance, u = zones[L.RHO, [0, -1]] * zones[L.C, [0, -1]], nodes[L.U, [0, -1]]
-    return float(zones[L.SIGMA, 0] + impedance[0] * u[0]), float(zones[L.SIGMA, -1] - impedance[1] * u[1])
+    impedance, u = zones[Z.rho, [0, -1]] * zones[Z.c, [0, -1]], nodes[H.u, [0, -1]]
+    return float(zones[Z.sigma, 0] + impedance[0] * u[0]), float(zones[Z.sigma, -1] - impedance[1] * u[1])

@@ -10,53 +10,57 @@ import numpy as np
 
 from hugoniot.core.ops import NO_LIMIT
 from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.layout import H, Z
 
 
-def run_table(segments, region_ends, kind_of, row_of):
-    """Runs (first, last, segment, kind, material row): the pieces of every region in every segment, like neighbours merged."""
+def run_table(segments, region_ends, recipe_of):
+    """Runs (first, last, segment, recipe): the pieces of every region in every segment, like neighbours merged."""
     rows: list[list[int]] = []
     for k, (first, last, _, _) in enumerate(segments.tolist()):
         for region, (a, b) in enumerate(region_ends):
-            lo, hi, same = max(first, a), min(last, b), [k, kind_of[region], row_of[region]]
+            lo, hi, same = max(first, a), min(last, b), [k, recipe_of[region]]
             if lo >= hi:
                 continue
             if rows and rows[-1][1] == lo and rows[-1][2:] == same:
                 rows[-1][1] = hi
             else:
                 rows.append([lo, hi, *same])
-    return np.array(rows, dtype=np.int64).reshape(-1, 5)
+    return np.array(rows, dtype=np.int64).reshape(-1, 4)
 
 
-def alike_ranges(regions, ranges):
-    """Zone ranges of neighbouring regions that start alike (material, state, velocity), merged: to cut a region changes nothing.
+def alike_ranges(regions, ranges, burns):
+    """(first, last, whether it burns) of neighbouring regions that start alike (material, state, velocity), merged.
 
+    To cut a region changes nothing.
     Regions that start in different states keep their border, a contact that the artificial heat flux is not to smear.
     """
-    merged: list[tuple[int, int]] = []
+    merged: list[tuple[int, int, bool]] = []
     before = None
-    for region, (first, end) in zip(regions, ranges):
+    for region, (first, end), burning in zip(regions, ranges, burns):
         start = dataclasses.replace(region, name="", start=0.0, end=0.0, zones=0, ratio=1.0)
         if merged and start == before and merged[-1][1] == first:
-            merged[-1] = (merged[-1][0], end)
+            merged[-1] = (merged[-1][0], end, burning)
         else:
-            merged.append((first, end))
+            merged.append((first, end, burning))
         before = start
     return merged
 
 
-PIECE = 2560     # zones; entering a sweep costs what some fifty zones do
-VECTOR = 16      # pieces are a multiple of any vector length, so that they change no bit of a sweep
+SHARE = 10 * L.PIECE     # zones of a share of work: some microseconds, and a whole number of pieces
 
 
 def cuts(first, last):
-    """Where a stretch of zones is cut: pieces alike, so that a team shares them evenly, and none above PIECE."""
-    pieces = max(-(-(last - first) // PIECE), 1)
-    length = -(-(last - first) // (pieces * VECTOR)) * VECTOR
+    """Where a stretch of zones is cut into shares: alike, so that a team has them evenly, and none above SHARE.
+
+    All but the last are whole pieces, which are a multiple of any vector length, so that cutting changes no bit.
+    """
+    shares = max(-(-(last - first) // SHARE), 1)
+    length = -(-(last - first) // (shares * L.PIECE)) * L.PIECE
     return [(lo, min(lo + length, last)) for lo in range(first, last, length)]
 
 
-def pieces_of(runs, segments, region_ends):
-    """(runs in pieces, node spans, regions) for the sweeps: the shares of work of a team of threads.
+def shares_of(runs, segments, ranges):
+    """(runs, node spans, ranges of heat flux) cut into shares of work for a team of threads.
 
     A span of zones (first, last) holds the inner nodes first+1 .. last-1; it overlaps the next by one zone, so that every inner
     node of a segment is in one span.
@@ -64,10 +68,9 @@ def pieces_of(runs, segments, region_ends):
     cut = [(lo, hi, *rest) for first, last, *rest in runs.tolist() for lo, hi in cuts(first, last)]
     spans = [(lo, min(hi + 1, last), k) for k, (first, last, _, _) in enumerate(segments.tolist())
              for lo, hi in cuts(first, max(last - 1, first + 1))]
-    regions = [(max(first, a), min(last, b), k) for k, (first, last, _, _) in enumerate(segments.tolist())
-               for a, b in region_ends if max(first, a) < min(last, b)]
-    widths = (5, 3, 3)
-    return tuple(np.array(table, dtype=np.int64).reshape(-1, n) for table, n in zip((cut, spans, regions), widths))
+    flux = [(max(first, a), min(last, b), k, burns) for k, (first, last, _, _) in enumerate(segments.tolist())
+            for a, b, burns in ranges if max(first, a) < min(last, b)]
+    return tuple(np.array(table, dtype=np.int64).reshape(-1, n) for table, n in zip((cut, spans, flux), (4, 3, 4)))
 
 
 def interface_table(segments, nodes):
@@ -75,14 +78,14 @@ def interface_table(segments, nodes):
     rows = []
     for k, (first, last, _, _) in enumerate(segments):
         inner = np.arange(first + k + 1, last + k)
-        weak = inner[nodes[L.BOND, first + k + 1:last + k] < NO_LIMIT]
+        weak = inner[nodes[H.bond, first + k + 1:last + k] < NO_LIMIT]
         rows += [(n, n - k - 1) for n in weak]
     return np.array(rows, dtype=np.int64).reshape(-1, 2)
 
 
 def node_masses(zones, segments):
     """Half of each neighbouring zone's mass."""
-    mass = zones[L.MASS]
+    mass = zones[Z.mass]
     parts = []
     for first, last, _, _ in segments:
         half = 0.5 * mass[first:last]
@@ -91,8 +94,8 @@ def node_masses(zones, segments):
 
 
 def set_node_masses(zones, nodes, segments):
-    nodes[L.NODE_MASS] = node_masses(zones, segments)
-    nodes[L.INVERSE_NODE_MASS] = 1.0 / nodes[L.NODE_MASS]
+    nodes[H.mass] = node_masses(zones, segments)
+    nodes[H.inverse_mass] = 1.0 / nodes[H.mass]
 
 
 def split(zones, nodes, gradient, segments, node):
@@ -113,15 +116,15 @@ def join(zones, nodes, gradient, segments, k):
     """Close the gap between segments k and k+1. Returns (nodes, gradient, segments, heat in J per unit area or angle)."""
     last = segments[k, L.SEG_LAST]
     a, b = last + k, last + k + 1
-    ma, mb = nodes[L.NODE_MASS, a], nodes[L.NODE_MASS, b]
-    ua, ub = nodes[L.U, a], nodes[L.U, b]
+    ma, mb = nodes[H.mass, a], nodes[H.mass, b]
+    ua, ub = nodes[H.u, a], nodes[H.u, b]
     share = mb / (ma + mb)
     heat = 0.5 * ma * share * (ua - ub) ** 2
-    nodes[L.U, a] = ua + share * (ub - ua)
-    nodes[L.R, a] += share * (nodes[L.R, b] - nodes[L.R, a])
-    nodes[L.BOND, a] = 0.0
-    zones[L.E, last - 1:last + 1] += heat / (zones[L.MASS, last - 1] + zones[L.MASS, last])
-    zones[L.TAG, last - 1:last + 1] = 0.0
+    nodes[H.u, a] = ua + share * (ub - ua)
+    nodes[H.r, a] += share * (nodes[H.r, b] - nodes[H.r, a])
+    nodes[H.bond, a] = 0.0
+    zones[Z.e, last - 1:last + 1] += heat / (zones[Z.mass, last - 1] + zones[Z.mass, last])
+    zones[Z.relieved, last - 1:last + 1] = 0.0
     nodes = np.ascontiguousarray(np.delete(nodes, b, axis=1))
     ghost = last + 2 * k + 1
     gradient = np.delete(gradient, [ghost, ghost + 1])

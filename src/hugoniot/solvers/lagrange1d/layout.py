@@ -1,49 +1,139 @@
-"""Where things stand in the solver's arrays: rows of the zone and node tables, slots of the control vectors, codes.
+"""Where things stand in the solver's arrays: rows of the tables, slots of the control vectors, codes.
 
 Zones of all bodies lie side by side in one table; a body (segment) k holds zones z0..z1-1 and nodes z0+k..z1+k, so the
 number of a zone's left node is zone + segment. The velocity-gradient row has one ghost at each end of every segment:
 zone z of segment k stands at z + 2k + 1.
 """
 
-# -- rows of the zone table -------------------------------------------------------------------------------------
-(MASS, INVERSE_MASS, RHO, E, P, Q, S1, S2, SIGMA, HOOP, C, PLASTIC_STRAIN, DAMAGE, SIGMA_HALF, HOOP_HALF, VISCOUS_SPEED,
- PLASTIC_WORK, VISCOUS_WORK, PEAK_STRESS, PEAK_TENSION, PEAK_PRESSURE, FAILURE, TAG, OLD, PEAK_DENSITY, VOIDS,
- COMPACTION) = range(27)
-ZONE_ROWS = 27
-# SIGMA = p + q - s1, the longitudinal stress in compression; HOOP = (d-1) V (s2 + q - s1)/(r1 + r2), the force of the hoop
-# stress on each of the zone's nodes (`wilkins`: without q); the _HALF rows are their values in the middle of the step. TAG marks
-# zones that a nearby void is relieving; VOIDS is the volume of voids grown in a zone per its mass (m3/kg); OLD is scratch of one
-# sweep; COMPACTION is the history variable of an equation of state that remembers (0 for the others).
+from typing import Any, NamedTuple
 
-# -- further rows of the zone table of a run in which something burns (solvers.lagrange1d.reactive) ------------------------
-(BURN_FRACTION, LIT_SINCE, ZONE_SIZE, RHO_R, E_R, RHO_P, E_P, MIX_STATUS, RESOLUTION, REFERENCE) = range(27, 37)
-BURNING_ROWS = 37
-# LIT_SINCE: time since the programmed front reached the zone, s (negative before); ZONE_SIZE its width at t = 0; RHO_R to E_P the
-# phases of the step before (energies with the chemical one); MIX_STATUS why a mixture was not found, 0 if it was; RESOLUTION the
-# fewest zones that held the length in which the zone burned; REFERENCE the code of the reactants' reference state
-# (laws.mixture.reference_state; 0 in closures that have none).
 
-# -- rows of the node table -------------------------------------------------------------------------------------
-R, U, R_HALF, U_MEAN, NODE_MASS, INVERSE_NODE_MASS, BOND = range(7)
-NODE_ROWS = 7
-# BOND: tensile stress an interface carries, Pa (inf inside a body); U is at the whole step (compatible) or half a step
-# behind (wilkins); U_MEAN the mean over the step.
+# -- rows of the tables: one array or row each, in the order of the table ------------------------------------------------------
+class ZoneRows(NamedTuple):
+    """Fields of zones. Stresses in Pa, sigma in compression positive, deviators in tension."""
+
+    mass: Any                # kg per m2, per m and radian, or per steradian
+    inverse_mass: Any
+    rho: Any                 # of solid and voids
+    e: Any
+    p: Any
+    q: Any                   # artificial viscous pressure
+    s1: Any                  # deviator along the motion
+    s2: Any                  # hoop deviator
+    sigma: Any               # p + q - s1
+    hoop: Any                # (d-1) V (s2 + q - s1)/(r1 + r2): force of the hoop stress on each node of the zone
+    sigma_half: Any          # in the middle of the step (compatible)
+    hoop_half: Any
+    c: Any                   # longitudinal sound speed; -1 where it is imaginary
+    viscous_speed: Any
+    plastic_strain: Any
+    damage: Any
+    failure: Any             # 1 where the zone fails
+    voids: Any               # volume of voids per mass, m3/kg
+    compaction: Any          # history variable of an equation of state that remembers
+    plastic_work: Any        # J/kg
+    viscous_work: Any
+    face_flux: Any           # artificial heat through the right face in the step, J
+    v: Any                   # specific volume at n (wilkins)
+    pull: Any                # (s1 - s2)/(rho r): what the hoop stress adds to acceleration, per hoop direction, m/s2 (wilkins)
+    width: Any               # rho dr, kg/m2 (wilkins)
+    peak_stress: Any
+    peak_tension: Any
+    peak_pressure: Any
+    peak_density: Any
+    relieved: Any            # 1 where a nearby void is relieving the zone
+
+
+class ChargeRows(NamedTuple):
+    """Further fields of zones, in runs in which something burns. Energies hold the chemical one."""
+
+    lam: Any                 # burn fraction
+    since: Any               # time since the programmed front reached the zone, s (negative before)
+    size: Any                # width at t = 0, m
+    rho_r: Any               # reactants and products
+    e_r: Any
+    rho_p: Any
+    e_p: Any
+    status: Any              # why a mixture was not found, 0 if it was
+    resolution: Any          # fewest zones that held the length in which the zone burned
+    reference: Any           # code of the reactants' reference state (laws.mixture.reference_state)
+    lam_half: Any            # scratch of a step: burn fraction, density, pressure, and viscous heat in its middle
+    rho_half: Any
+    p_half: Any
+    heat: Any
+
+
+class NodeRows(NamedTuple):
+    """Fields of nodes; u is at the whole step (compatible) or half a step behind (wilkins)."""
+
+    r: Any
+    u: Any
+    r_half: Any
+    u_mean: Any
+    mass: Any
+    inverse_mass: Any
+    bond: Any                # tensile stress an interface carries, Pa (NO_LIMIT inside a body)
+
+
+class WorkRows(NamedTuple):
+    """Scratch of one piece of zones, one table for each thread."""
+
+    v: Any                   # specific volume of solid and voids
+    rho: Any
+    solid: Any               # density and specific volume of the solid, where voids have grown
+    solid_v: Any
+    e: Any
+    p: Any
+    c2: Any
+    dv: Any
+    v_half: Any
+    radial: Any              # strains of the step
+    hoop: Any
+    dilation: Any
+    rate: Any                # 1/s
+    squeeze: Any             # velocity jump that the viscosity resists, m/s
+    smooth: Any
+    speed: Any
+    weak_speed: Any          # of the viscosity's quadratic part alone
+    q: Any
+    temperature: Any
+    shear: Any
+    t1: Any
+    t2: Any
+    equivalent: Any
+    limit: Any
+    flow: Any
+    rest: Any
+    grown: Any
+    relief: Any
+    target: Any              # energy before the pressure at the end of the step has worked
+    shocked: Any             # 1 where a shock is passing
+    inverse_width: Any
+    lam: Any
+    heat: Any
+    rho_r: Any
+    e_r: Any
+    rho_p: Any
+    e_p: Any
+    status: Any
+    p_e: Any
+    pace: Any
+    zero: Any
+
+
+PIECE = 128      # zones of a piece: what its passes touch stays in the first-level cache
 
 # -- columns of the segment table (integers) ----------------------------------------------------------------------
 SEG_FIRST, SEG_LAST, SEG_LEFT, SEG_RIGHT = range(4)          # zones first..last-1; boundary codes of the two ends
 FREE, FIXED, VELOCITY, PRESSURE, TRANSMITTING = range(5)
 
 # -- columns of the run table: a run is a stretch of zones of one material in one segment --------------------------
-RUN_FIRST, RUN_LAST, RUN_SEGMENT, RUN_KIND, RUN_MATERIAL = range(5)
+RUN_FIRST, RUN_LAST, RUN_SEGMENT, RUN_MATERIAL = range(4)
 
 # -- control vector (floats) --------------------------------------------------------------------------------------
 (TIME, DT, DT_OLD, DT_NATURAL, EVENT_TIME, RATE, WORK_LEFT, WORK_RIGHT, IMPULSE_LEFT, IMPULSE_RIGHT, RADIAL_IMPULSE, COURANT,
  GROWTH, DT_LARGEST, DT_SMALLEST, WORST_FAILURE, NEXT_GAUGE, GAUGE_INTERVAL, REFERENCE_LEFT, REFERENCE_RIGHT, HEAT_FLUX) = range(21)
 CONTROL_FLOATS = 21
-
-# -- what a sweep finds in one piece of a run, and the totals of a step -------------------------------------------------------------
-(FOUND_RATE, FOUND_FAILURE, FOUND_IMPULSE, FOUND_CAPPED, FOUND_UNSOUND) = range(5)
-FOUND_FLOATS = 5
 
 # -- control vector (integers) ------------------------------------------------------------------------------------
 CYCLE, GAUGE_ROWS, CULPRIT, ZONE_STEPS, CAP_COUNT, FRACTURING = range(6)
@@ -52,15 +142,17 @@ CONTROL_INTS = 6
 # -- why the march came back ---------------------------------------------------------------------------------------
 PAUSED, AT_EVENT, VOID_OPENS, VOID_CLOSES, BAD_STATE, BUFFER_FULL, STEP_COLLAPSED, INTERFACE_OPENS = range(8)
 
-# -- fields of a gauge row -----------------------------------------------------------------------------------------
-GAUGE_FIELDS = ("position", "velocity", "density", "energy", "pressure", "viscous_pressure", "deviator_radial", "deviator_hoop",
-                "stress", "plastic_strain", "damage")
-GAUGE_COMPACTION = len(GAUGE_FIELDS)
-# further columns of a run in which something burns: the burn fraction at the gauge, the share of the second of the two zones it lies
-# between, the code of the reference state of the nearer zone, and what a mixture's temperature is found from, for the first zone and for
-# the second
-PHASE_ROWS = (BURN_FRACTION, RHO_R, E_R, RHO_P, E_P)
-GAUGE_BURN, GAUGE_SHARE, GAUGE_REFERENCE, GAUGE_PHASES = range(GAUGE_COMPACTION + 1, GAUGE_COMPACTION + 5)
-BURNING_GAUGE_COLUMNS = GAUGE_PHASES + 2 * len(PHASE_ROWS)
-
 PULSES = {"constant": 0, "table": 1, "exponential": 2, "half_sine": 3, "square": 4, "ramp": 5}
+
+# a row's place in its table: zones[Z.rho] is a row of densities
+Z, B, H = (cls(*range(len(cls._fields))) for cls in (ZoneRows, ChargeRows, NodeRows))
+
+# -- fields of a gauge row: further columns where something burns ------------------------------------------------------------------
+GAUGE_ROWS_OF_ZONES = (Z.rho, Z.e, Z.p, Z.q, Z.s1, Z.s2, Z.sigma, Z.plastic_strain, Z.damage, Z.compaction)
+GAUGE_FIELDS = ("position", "velocity", "density", "energy", "pressure", "viscous_pressure", "deviator_radial", "deviator_hoop",
+                "stress", "plastic_strain", "damage", "compaction")
+# the burn fraction at the gauge, the share of the second of the two zones it lies between, the code of the reference state of the nearer
+# zone, and what a mixture's temperature is found from, for the first zone and for the second
+PHASE_ROWS = (B.lam, B.rho_r, B.e_r, B.rho_p, B.e_p)
+GAUGE_BURN, GAUGE_SHARE, GAUGE_REFERENCE, GAUGE_PHASES = range(len(GAUGE_FIELDS), len(GAUGE_FIELDS) + 4)
+BURNING_GAUGE_COLUMNS = GAUGE_PHASES + 2 * len(PHASE_ROWS)

@@ -6,6 +6,7 @@ from hugoniot.laws.eos.contract import EOS, density_limits, pressure, reference_
 from hugoniot.materials import burning
 from hugoniot.problem.explosives import follows_compression, front_speed, with_compression
 from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.layout import B, Z
 from hugoniot.units import format_si
 
 NEAR = 8              # zones around a bad one in which its cause is looked for
@@ -20,8 +21,8 @@ def crushed_zone(problem, zones, region_of, culprit: int) -> tuple[int, str, str
     a slope below 1, have a finite pressure at no volume at all: pressed harder, a zone collapses (004 section 5.1; J-E16).
     """
     near = range(max(0, culprit - NEAR), min(zones.shape[1], culprit + NEAR + 1))
-    pressed = max(float(zones[L.PEAK_STRESS, j]) for j in near)
-    energy = max((float(zones[L.E, j]) for j in near if np.isfinite(zones[L.E, j])), default=0.0)
+    pressed = max(float(zones[Z.peak_stress, j]) for j in near)
+    energy = max((float(zones[Z.e, j]) for j in near if np.isfinite(zones[Z.e, j])), default=0.0)
     for j in sorted(near, key=lambda j: abs(j - culprit)):
         region = problem.regions[region_of[j]]
         material = problem.materials[region.material]
@@ -37,9 +38,9 @@ def crushed_zone(problem, zones, region_of, culprit: int) -> tuple[int, str, str
     return None
 
 
-def ill_burned(problem, zones, region_of, culprit: int) -> tuple[str, str] | None:
+def ill_burned(problem, zones, charge, region_of, culprit: int) -> tuple[str, str] | None:
     """(cause, remedy) of a bad state that comes of burning, or None."""
-    return overrun(problem, zones, region_of, culprit) or torn_reactants(problem, zones, region_of, culprit)
+    return overrun(problem, zones, region_of, culprit) or torn_reactants(problem, zones, charge, region_of, culprit)
 
 
 def overrun(problem, zones, region_of, culprit: int) -> tuple[str, str] | None:
@@ -49,7 +50,7 @@ def overrun(problem, zones, region_of, culprit: int) -> tuple[str, str] | None:
     if not front_speed(problem, region) > 0.0 or follows_compression(material):
         return None
     near = slice(max(0, culprit - NEAR), culprit + NEAR + 1)
-    densest = float(np.max(zones[L.PEAK_DENSITY, near]))
+    densest = float(np.max(zones[Z.peak_density, near]))
     if not densest > CRUSHED * float(region.density or reference_state(material.eos)[0]):
         return None
     return (f"zones were crushed, to {densest:.4g} kg/m3, before the programmed front lit them: the explosive behind drives a faster front "
@@ -57,21 +58,21 @@ def overrun(problem, zones, region_of, culprit: int) -> tuple[str, str] | None:
             f"let compression burn a zone ahead of its schedule: {with_compression(material, region)}; or take a rate law.")
 
 
-def torn_reactants(problem, zones, region_of, culprit: int) -> tuple[str, str] | None:
+def torn_reactants(problem, zones, charge, region_of, culprit: int) -> tuple[str, str] | None:
     """(cause, remedy) where a burning zone's unreacted explosive is stretched beyond what its law can carry, or None.
 
     The laws of ignition-and-growth sets are fitted to compression: expanded and hot, their negative term makes sound imaginary.
     """
     material = problem.materials[problem.regions[region_of[culprit]].material]
-    if material.burn is None or not burning.has_reactants(material) or zones[L.C, culprit] > 0.0:
+    if material.burn is None or not burning.has_reactants(material) or zones[Z.c, culprit] > 0.0:
         return None
-    if not zones[L.BURN_FRACTION, culprit] < 1.0:
+    if not charge[B.lam, culprit] < 1.0:
         return None
-    rho = float(zones[L.RHO_R, culprit])
+    rho = float(charge[B.rho_r, culprit])
     if not 0.0 < rho < float(reference_state(material.unreacted)[0]):
         return None
     law = EOS.of(material.unreacted).name
-    burned = zones[L.BURN_FRACTION, culprit]
+    burned = charge[B.lam, culprit]
     return (f"the explosive that has not burned (burn fraction {burned:.3g}) is stretched to {rho:.4g} kg/m3, where the mixture has no "
             f"sound speed: its law, {law}, is fitted to compression.",
             "stop the run before the release comes in, hold the free surface with an inert tamper, or give the material an unreacted law "

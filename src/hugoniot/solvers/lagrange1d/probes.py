@@ -4,6 +4,7 @@ import numpy as np
 
 from hugoniot.errors import OutOfRange
 from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.layout import Z
 
 
 def probe_tables(solver):
@@ -35,7 +36,7 @@ def _point(solver, place):
     other = z + 1 if f >= 0.5 else z - 1
     if not _same_piece(solver, z, other):
         return z, z, z, 0.0, f
-    mass = solver.zones[L.MASS]
+    mass = solver.zones[Z.mass]
     w = abs(f - 0.5) * mass[z] / (0.5 * (mass[z] + mass[other]))
     return z, other, z, w, f
 
@@ -64,5 +65,5 @@ def _named(solver, at):
     other = solver.region_ranges[right][0]
     lasts = solver.segments[:, L.SEG_LAST]
     joined = other == z + 1 and np.searchsorted(lasts, z, side="right") == np.searchsorted(lasts, other, side="right")
-    mass = solver.zones[L.MASS]
+    mass = solver.zones[Z.mass]
     return (z, other, z, mass[z] / (mass[z] + mass[other]), 1.0) if joined else (z, z, z, 0.0, 1.0)

@@ -14,9 +14,10 @@ from hugoniot.materials import burning
 from hugoniot.problem.explosives import burns, defects, front_speed, programmed_bodies
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.layout import B, Z
 from hugoniot.units import format_si
+from hugoniot.zones.burn import STEP_SHARE
 
-STEP_SHARE = 0.1     # of the shortest burning time a step may be
 ZONES_NEEDED = 10.0  # in a reaction length, below which a rate is not resolved
 PULLED = 0.01        # tension, in units of rho0 c0^2, beyond which an explosive that nothing parts is told of
 
@@ -27,12 +28,10 @@ def check(problem: Problem) -> None:
         raise OutOfRange(f"{message}; {hint}" if hint else message)
 
 
-def extra_row(problem: Problem, region, courant: float) -> tuple[float, float, float]:
-    """What a sweep over burning zones knows besides its laws.
-
-    (signal rate per rate of burning, speed of a programmed front in m/s, 1 where the reactants' reference state is frozen)
-    """
-    return courant / STEP_SHARE, front_speed(problem, region), float(problem.materials[region.material].reference_state == FROZEN)
+def constants(problem: Problem, region) -> dict[str, float]:
+    """What the zones of a burning region know besides their laws, as fields of `zones.recipe.Constants`."""
+    return {"per_rate": problem.solver.courant / STEP_SHARE, "front": front_speed(problem, region),
+            "freezes": float(problem.materials[region.material].reference_state == FROZEN)}
 
 
 def start_region(material, region):
@@ -47,18 +46,18 @@ def start_region(material, region):
     return rho, e, float(pressure(rho, thermal, material.unreacted)), float(np.sqrt(c2))
 
 
-def prepare(problem: Problem, zones, places, ranges) -> None:
+def prepare(problem: Problem, zones, charge, places, ranges) -> None:
     """Fill the rows of burning zones: unburned, with the clock of their lighting. `places` are node positions by region."""
     for region, place, (a, b) in zip(problem.regions, places, ranges):
         if burns(problem, region):
-            zones[L.RHO_R, a:b], zones[L.E_R, a:b] = zones[L.RHO, a:b], zones[L.E, a:b]
-            zones[L.ZONE_SIZE, a:b] = np.diff(place)
-            zones[L.RESOLUTION, a:b] = 1e300
+            charge[B.rho_r, a:b], charge[B.e_r, a:b] = zones[Z.rho, a:b], zones[Z.e, a:b]
+            charge[B.size, a:b] = np.diff(place)
+            charge[B.resolution, a:b] = 1e300
     for body in programmed_bodies(problem):
-        _light(problem, zones, places, ranges, body)
+        _light(problem, charge, places, ranges, body)
 
 
-def _light(problem: Problem, zones, places, ranges, body: list[int]) -> None:
+def _light(problem: Problem, charge, places, ranges, body: list[int]) -> None:
     """Lighting times of one body: distances count as times, since each explosive has its own front speed."""
     first, last = problem.regions[body[0]], problem.regions[body[-1]]
     points = [p for p in problem.lighting if first.start <= p.position <= last.end]
@@ -67,7 +66,7 @@ def _light(problem: Problem, zones, places, ranges, body: list[int]) -> None:
                                               for s, e, k in zip(ends[:-1], ends[1:], body)])))
     faces = np.interp(np.concatenate([places[body[0]], *(places[k][1:] for k in body[1:])]), ends, clock)
     times = lighting_times(faces, [(float(np.interp(p.position, ends, clock)), p.time) for p in points], 1.0)
-    zones[L.LIT_SINCE, ranges[body[0]][0]:ranges[body[-1]][1]] = -times
+    charge[B.since, ranges[body[0]][0]:ranges[body[-1]][1]] = -times
 
 
 def isolated(problem: Problem) -> list[bool]:
@@ -75,10 +74,10 @@ def isolated(problem: Problem) -> list[bool]:
     return [burns(problem, region) and burning.keeps_isentrope(problem.materials[region.material]) for region in problem.regions]
 
 
-def state_fields(problem: Problem, zones) -> dict[str, np.ndarray]:
+def state_fields(problem: Problem, charge) -> dict[str, np.ndarray]:
     """Zone fields of a burning run only: burn_fraction and, where reactants are isolated, the code of their reference state."""
-    rows = {"burn_fraction": L.BURN_FRACTION} | ({"reference_state": L.REFERENCE} if any(isolated(problem)) else {})
-    return {name: zones[row].copy() for name, row in rows.items()}
+    rows = {"burn_fraction": B.lam} | ({"reference_state": B.reference} if any(isolated(problem)) else {})
+    return {name: charge[row].copy() for name, row in rows.items()}
 
 
 def gauge_columns(problem: Problem, block) -> dict[str, np.ndarray]:
@@ -91,19 +90,19 @@ def gauge_columns(problem: Problem, block) -> dict[str, np.ndarray]:
     return codes | {"burn_fraction": block[:, :, L.GAUGE_BURN], "share": block[:, :, L.GAUGE_SHARE], "phases": phases}
 
 
-def released_heat(problem: Problem, zones, ranges) -> float:
+def released_heat(problem: Problem, zones, charge, ranges) -> float:
     """Chemical energy set free so far, J per m^2, per m and radian, or per steradian."""
-    return float(sum(burning.heat_of(problem.materials[region.material]) * np.sum(zones[L.MASS, a:b] * zones[L.BURN_FRACTION, a:b])
+    return float(sum(burning.heat_of(problem.materials[region.material]) * np.sum(zones[Z.mass, a:b] * charge[B.lam, a:b])
                      for region, (a, b) in zip(problem.regions, ranges) if burns(problem, region)))
 
 
-def unresolved(problem: Problem, zones, ranges) -> list[str]:
+def unresolved(problem: Problem, charge, ranges) -> list[str]:
     """A sentence for every region whose rate was faster than its zones resolve."""
     told = []
     for region, (a, b) in zip(problem.regions, ranges):
         if not burns(problem, region):
             continue
-        held = zones[L.RESOLUTION, a:b]
+        held = charge[B.resolution, a:b]
         held = held[held < 1e299]
         if held.size and np.median(held) < ZONES_NEEDED:
             told.append(f"region '{region.name}' burned within {np.median(held):.3g} zones (median over its zones): its rate is not "
@@ -111,9 +110,9 @@ def unresolved(problem: Problem, zones, ranges) -> list[str]:
     return told
 
 
-def doubts(problem: Problem, zones, ranges) -> list[str]:
+def doubts(problem: Problem, zones, charge, ranges) -> list[str]:
     """What a reader of the results has to know: rates that were not resolved, explosives pulled beyond what they bear."""
-    return unresolved(problem, zones, ranges) + pulled(problem, zones, ranges)
+    return unresolved(problem, charge, ranges) + pulled(problem, zones, ranges)
 
 
 def pulled(problem: Problem, zones, ranges) -> list[str]:
@@ -124,7 +123,7 @@ def pulled(problem: Problem, zones, ranges) -> list[str]:
         if not burns(problem, region) or not burning.has_reactants(material):
             continue
         rho, e = reference_state(material.unreacted)
-        tension = -float(np.min(zones[L.PEAK_TENSION, a:b]))
+        tension = -float(np.min(zones[Z.peak_tension, a:b]))
         if tension > PULLED * rho * sound_speed_squared(rho, e, material.unreacted):
             told.append(f"region '{region.name}': its unburned explosive held a tension of up to {format_si(tension, 'Pa')}: nothing parts "
                         "it, since what burns takes no fracture law; where it would have parted, limit the tension: [material.x.unreacted] "
@@ -132,12 +131,12 @@ def pulled(problem: Problem, zones, ranges) -> list[str]:
     return told
 
 
-def references(problem: Problem, zones, ranges) -> list[str]:
+def references(problem: Problem, charge, ranges) -> list[str]:
     """A sentence for every region whose reactants are isolated: in how many zones their reference state was found, and how."""
     told = []
     for region, alone, (a, b) in zip(problem.regions, isolated(problem), ranges):
         if alone:
             kind = problem.materials[region.material].reference_state or ROLLING
-            counts = ", ".join(f"{np.count_nonzero(zones[L.REFERENCE, a:b] == code)} {words}" for code, words in MEANING.items())
+            counts = ", ".join(f"{np.count_nonzero(charge[B.reference, a:b] == code)} {words}" for code, words in MEANING.items())
             told.append(f"reference state of the reactants of region '{region.name}' ({kind}), by zones: {counts}")
     return told

@@ -3,50 +3,52 @@
 compatible                                             wilkins (Wilkins B.2)
  1. step: Courant, growth, closing gaps, events          1. the same
  2. predictor: accelerate nodes, ends, mid positions     2. leap nodes and ends by the stresses at n
- 3. gradient ghosts                                      3. zones: strains, q, energy with pressure, yield
+ 3. gradient ghosts                                      3. zones: strains, yield, q, energy with pressure
  4. zones: stress in the middle of the step              4. watch
  5. corrector: move nodes, ends, book boundary work
  6. zones: energy, stress, signal rate at the end
- 7. watch: soundness and peaks, failing zones, interfaces, gaps, gauges
+ 7. heat flux, watch: soundness and peaks, failing zones, interfaces, gaps, gauges
 
-A march returns when its cycles are done, an event time is reached, a gauge buffer is full, a void opens or closes, or a
-state is bad; the codes are in `layout`. Which laws a run of zones follows is part of the compiled type: `kinds` is a tuple
-of (eos, strength, fracture, viscosity) parameter tuples, `tables` their numbers, a row for each material of that kind.
+The zones' steps are lists of passes in `compatible` and `leapfrog`. A march returns when its cycles are done, an event time is reached,
+a gauge buffer is full, a void opens or closes, or a state is bad; the codes are in `layout`. The march knows no law: which passes a
+material takes stands in `recipes`, so that it is compiled once for an integrator and a geometry.
 """
 
-import importlib
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numba as nb
 from numba.extending import overload
 
-from hugoniot.core import compile as binding
-from hugoniot.core.compile import GUARD, INLINE
+from hugoniot.core.compile import GUARD, INLINE, bind_family
+from hugoniot.core.passes import call_entry, call_pass, record, row, rows
 from hugoniot.core.team import DISMISSED, Alone, await_call, call, gather_team, sign
-from hugoniot.laws.burn.contract import Reactive
-from hugoniot.laws.eos import contract as eos_contract
-from hugoniot.laws.fracture import contract as fracture_contract
-from hugoniot.laws.strength import contract as strength_contract
-from hugoniot.laws.viscosity import contract as viscosity_contract
 from hugoniot.mesh import line
-from hugoniot.solvers.lagrange1d import constitutive
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.node_sweeps import accelerate, end_node, move
+from hugoniot.solvers.lagrange1d.compatible import FluxRows
+from hugoniot.solvers.lagrange1d.layout import ChargeRows, H, NodeRows, Z, ZoneRows
+from hugoniot.solvers.lagrange1d.nodes import (
+    AccelerateRows,
+    LeapRows,
+    MoveRows,
+    end_node,
+    end_pull,
+    leap_end,
+)
 from hugoniot.solvers.lagrange1d.watch import (
     cavity_closed,
     closing_time,
     failing_node,
-    first_unsound,
-    look_over,
     parting_interface,
-    record,
+    record_gauges,
     touching_gap,
 )
-from hugoniot.solvers.lagrange1d.wilkins_sweeps import advance, end_acceleration, leap, leap_end
-from hugoniot.solvers.lagrange1d.zone_sweeps import conduct, correct, predict
+from hugoniot.solvers.lagrange1d.work import Steps
+from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE, FOUND_FLOATS, FOUND_IMPULSE, FOUND_RATE, FOUND_UNSOUND, first_unsound
 
 ACCELERATE, PREDICT, MOVE, CORRECT = range(4)
 LEAP, ADVANCE = range(2)
+
+bind_family(line.GEOMETRY, line.GENERICS)
 
 
 class Compatible(NamedTuple):
@@ -64,131 +66,75 @@ class Leapfrog(NamedTuple):
 SCHEMES = {"compatible": Compatible(), "wilkins": Leapfrog()}
 
 
-def bind_laws():
-    """Make every registered law callable from the sweeps; once per process."""
-    for family, contract in ((eos_contract.EOS, eos_contract), (strength_contract.STRENGTH, strength_contract),
-                             (fracture_contract.FRACTURE, fracture_contract), (viscosity_contract.VISCOSITY, viscosity_contract),
-                             (line.GEOMETRY, line)):
-        binding.bind_family(family, contract.GENERICS)
-    constitutive.bind()
+class Gauges(NamedTuple):
+    """Where gauges sit (`probes`), and the buffer of what they saw."""
+
+    table: Any
+    weights: Any
+    times: Any
+    buffer: Any
 
 
-bind_laws()
+# -- sharing the work ------------------------------------------------------------------------------------------------
+@nb.njit(**INLINE)
+def nodes_of(a, command, scheme, i):
+    """One command over span i of inner nodes."""
+    first, segment = a.spans[i, 0], a.spans[i, 2]
+    count, steps = a.spans[i, 1] - first - 1, record(Steps, a.steps, 0)
+    z, h, dt = rows(ZoneRows, a.zones, first), rows(NodeRows, a.nodes, first + segment), a.dts[0]
+    if scheme.staggered:
+        call_pass(steps.leap, count, LeapRows(z.sigma, z.pull, z.width, h.inverse_mass, h.u, h.r), dt, row(a.dts, 1))
+    elif command == ACCELERATE:
+        call_pass(steps.accelerate, count, AccelerateRows(z.sigma, z.hoop, h.r, h.u, h.inverse_mass, h.u_mean, h.r_half), dt, row(a.dts, 1))
+    else:
+        call_pass(steps.move, count, MoveRows(z.sigma_half, z.hoop_half, h.r_half, h.inverse_mass, h.u, h.u_mean, h.r), dt, row(a.dts, 1))
 
 
-# -- runs of zones, law by law -----------------------------------------------------------------------------------
-def predict_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
-    """Step 4 over one share of the pieces; recursion over the tuple of kinds is unrolled at compile time."""
-    raise NotImplementedError("compiled only")
+@nb.njit(**INLINE)
+def moves_zones(command, scheme):
+    """Whether a command is one for zones."""
+    return command == ADVANCE if scheme.staggered else command == PREDICT or command == CORRECT
 
 
-def correct_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
-    """Step 6 over one share; a row of `found` takes a piece's (rate, failure, impulse, capped zones)."""
-    raise NotImplementedError("compiled only")
+@nb.njit(**INLINE)
+def do_share(a, command, scheme, member, of):
+    """One command over one member's share of the pieces."""
+    if moves_zones(command, scheme):
+        steps = record(Steps, a.steps, 0)
+        address = steps.advance if scheme.staggered else steps.predict if command == PREDICT else steps.correct
+        for i in range(member, a.runs.shape[0], of):
+            call_entry(address, a, i, member)
+    else:
+        for i in range(member, a.spans.shape[0], of):
+            nodes_of(a, command, scheme, i)
 
 
-def advance_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
-    """Step 3 of `wilkins` over one share."""
-    raise NotImplementedError("compiled only")
-
-
-def _over_runs(inert_sweep, burning_module, burning_sweep, ends_step, again):
-    """The overload of a function over runs: every piece of the first kind that is in this share, then the other kinds.
-
-    burning_sweep   name in `burning_module`, which is imported when a kind comes whose first law is a `Reactive`
-    ends_step       whether the state is then that of the end of the step, and is looked over while it is at hand
-    """
-    def nothing(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
-        return None
-
-    def over(sweep):
-        def impl(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
-            law, table = kinds[0], tables[0]
-            for i in range(share, runs.shape[0], of):
-                if runs[i, L.RUN_KIND] == kind:
-                    m = runs[i, L.RUN_MATERIAL]
-                    rows = (table[0][m], table[1][m], table[2][m], table[3][m], table[4][m])
-                    sweep(zones, nodes, gradient, runs[i, L.RUN_FIRST], runs[i, L.RUN_LAST], runs[i, L.RUN_SEGMENT], dt, law, rows,
-                          geometry, found[i])
-                    if ends_step:
-                        found[i, L.FOUND_UNSOUND] = look_over(zones, runs[i, L.RUN_FIRST], runs[i, L.RUN_LAST])
-            again(zones, nodes, gradient, runs, found, dt, kinds[1:], tables[1:], geometry, share, of, kind + 1)
-        return impl
-
-    def choose(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of, kind=0):
-        if len(kinds) == 0:
-            return nothing
-        if kinds[0][0].instance_class is not Reactive:
-            return over(inert_sweep)
-        return over(getattr(importlib.import_module("hugoniot.solvers.lagrange1d." + burning_module), burning_sweep))
-
-    overload(again, jit_options=INLINE)(choose)
-
-
-_over_runs(predict, "reactive_sweeps", "predict_burning", False, predict_runs)
-_over_runs(correct, "reactive_sweeps", "correct_burning", True, correct_runs)
-_over_runs(advance, "reactive_leapfrog", "advance_burning", True, advance_runs)
-
-
-# -- sharing the sweeps ------------------------------------------------------------------------------------------
-def do_share(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, share, of):
-    """One command over one share of the pieces; `pieces` = (runs in pieces, node spans, regions), `dts` = (dt, mean dt)."""
-    raise NotImplementedError("compiled only")
-
-
-@overload(do_share, jit_options=INLINE)
-def _(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, share, of):
-    def compatible(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, share, of):
-        runs, spans, _ = pieces
-        dt = dts[0]
-        if command == PREDICT:
-            predict_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of)
-        elif command == CORRECT:
-            correct_runs(zones, nodes, gradient, runs, found, dt, kinds, tables, geometry, share, of)
-        else:
-            for i in range(share, spans.shape[0], of):
-                if command == ACCELERATE:
-                    accelerate(zones, nodes, spans[i, 0], spans[i, 1], spans[i, 2], dt, geometry)
-                else:
-                    move(zones, nodes, spans[i, 0], spans[i, 1], spans[i, 2], dt, geometry)
-
-    def leapfrog(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, share, of):
-        runs, spans, _ = pieces
-        if command == ADVANCE:
-            advance_runs(zones, nodes, gradient, runs, found, dts[0], kinds, tables, geometry, share, of)
-        else:
-            for i in range(share, spans.shape[0], of):
-                leap(zones, nodes, spans[i, 0], spans[i, 1], spans[i, 2], dts[0], dts[1], geometry)
-
-    return leapfrog if scheme.instance_class is Leapfrog else compatible
-
-
-def everyone(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
+def everyone(a, command, scheme, team):
     """One command over all pieces, shared out if there is a team."""
     raise NotImplementedError("compiled only")
 
 
 @overload(everyone, jit_options=INLINE)
-def _(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
-    def alone(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
-        do_share(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, 0, 1)
+def _(a, command, scheme, team):
+    def alone(a, command, scheme, team):
+        do_share(a, command, scheme, 0, 1)
 
-    def together(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
+    def together(a, command, scheme, team):
         call(team.board, command)
-        do_share(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, 0, team.threads)
+        do_share(a, command, scheme, 0, team.threads)
         gather_team(team.board, team.threads)
 
     return alone if team.instance_class is Alone else together
 
 
 @nb.njit(**GUARD)
-def serve(member, phase, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team):
+def serve(member, phase, a, scheme, team):
     """What every other thread of a team does during a march: the leader's commands on its own share, until dismissed."""
     while True:
         phase = await_call(team.board, phase)
         command = team.board[1]
         if command != DISMISSED:
-            do_share(command, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, member, team.threads)
+            do_share(a, command, scheme, member, team.threads)
         sign(team.board, member, phase)
         if command == DISMISSED:
             return
@@ -200,13 +146,13 @@ def gather(found):
     totals = found[found.shape[0] - 1]
     totals[:] = 0.0
     for i in range(found.shape[0] - 1):
-        totals[L.FOUND_RATE] = max(totals[L.FOUND_RATE], found[i, L.FOUND_RATE])
-        totals[L.FOUND_FAILURE] = max(totals[L.FOUND_FAILURE], found[i, L.FOUND_FAILURE])
-        for k in range(L.FOUND_IMPULSE, L.FOUND_FLOATS):
+        totals[FOUND_RATE] = max(totals[FOUND_RATE], found[i, FOUND_RATE])
+        totals[FOUND_FAILURE] = max(totals[FOUND_FAILURE], found[i, FOUND_FAILURE])
+        for k in range(FOUND_IMPULSE, FOUND_FLOATS):
             totals[k] += found[i, k]
 
 
-# -- pieces of the step ------------------------------------------------------------------------------------------
+# -- parts of the step -----------------------------------------------------------------------------------------------
 @nb.njit(**GUARD)
 def ghosts(gradient, segments):
     """Step 3: beyond an end the field goes on as inside, so that a wall or a free surface is no extremum."""
@@ -225,12 +171,13 @@ def gap_step(zones, nodes, segments, dt_old, staggered, geometry):
         zl, zr = segments[k, L.SEG_LAST] - 1, segments[k + 1, L.SEG_FIRST]
         left, right = zl + 1 + k, zr + k + 1
         if staggered:
-            al = end_acceleration(zones, nodes, (left, zl, L.FREE), False, 0.0, geometry)
-            ar = end_acceleration(zones, nodes, (right, zr, L.FREE), True, 0.0, geometry)
+            per_left, pull_left = end_pull(zones, nodes, (left, zl, L.FREE), geometry)
+            per_right, pull_right = end_pull(zones, nodes, (right, zr, L.FREE), geometry)
+            al, ar = zones[Z.sigma, zl] * per_left + pull_left, -zones[Z.sigma, zr] * per_right + pull_right
         else:
-            al = (line.area(nodes[L.R, left], geometry) * zones[L.SIGMA, zl] - zones[L.HOOP, zl]) * nodes[L.INVERSE_NODE_MASS, left]
-            ar = (-line.area(nodes[L.R, right], geometry) * zones[L.SIGMA, zr] - zones[L.HOOP, zr]) * nodes[L.INVERSE_NODE_MASS, right]
-        gap, approach = nodes[L.R, right] - nodes[L.R, left], nodes[L.U, right] - nodes[L.U, left]
+            al = (line.area(nodes[H.r, left], geometry) * zones[Z.sigma, zl] - zones[Z.hoop, zl]) * nodes[H.inverse_mass, left]
+            ar = (-line.area(nodes[H.r, right], geometry) * zones[Z.sigma, zr] - zones[Z.hoop, zr]) * nodes[H.inverse_mass, right]
+        gap, approach = nodes[H.r, right] - nodes[H.r, left], nodes[H.u, right] - nodes[H.u, left]
         shortest = min(shortest, closing_time(max(gap, 0.0), approach, ar - al, dt_old if staggered else 0.0))
     return shortest
 
@@ -244,8 +191,8 @@ def choose_step(zones, nodes, control, segments, staggered, geometry):
         closing = gap_step(zones, nodes, segments, control[L.DT], staggered, geometry)
         if closing <= 1.2 * dt:
             dt = max(closing, 1e-9 * dt)
-    if line.hoops(geometry) > 0.0 and segments[0, L.SEG_LEFT] != L.FIXED and nodes[L.U, 0] < 0.0:
-        collapse = -nodes[L.R, 0] / nodes[L.U, 0]     # of a cavity on the axis or the origin
+    if line.hoops(geometry) > 0.0 and segments[0, L.SEG_LEFT] != L.FIXED and nodes[H.u, 0] < 0.0:
+        collapse = -nodes[H.r, 0] / nodes[H.u, 0]     # of a cavity on the axis or the origin
         if collapse <= 1.2 * dt:
             dt = max(collapse, 1e-9 * dt)
     remaining = control[L.EVENT_TIME] - control[L.TIME]
@@ -258,43 +205,60 @@ def choose_step(zones, nodes, control, segments, staggered, geometry):
     return dt
 
 
-def take_step(scheme, zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team):
+@nb.njit(**INLINE)
+def end_of(segments, end):
+    """((node, zone, boundary code), whether it is a left one) of an end of a segment: two for each, left and right."""
+    k, left = end // 2, end % 2 == 0
+    if left:
+        return (segments[k, L.SEG_FIRST] + k, segments[k, L.SEG_FIRST], segments[k, L.SEG_LEFT]), left
+    return (segments[k, L.SEG_LAST] + k, segments[k, L.SEG_LAST] - 1, segments[k, L.SEG_RIGHT]), left
+
+
+def take_step(a, scheme, geometry, boundaries, team):
     """Steps 2 to 6 of the scheme."""
     raise NotImplementedError("compiled only")
 
 
-def step_compatible(scheme, zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team):
-    """Steps 2 to 6 of the compatible integrator."""
-    dt, regions = dts[0], pieces[2]
+def step_compatible(a, scheme, geometry, boundaries, team):
+    """Steps 2 to 6 of the compatible integrator, and the heat flux."""
+    dt, segments = a.dts[0], a.segments
     for stage in range(2):
         corrector = stage == 1
         if corrector:
-            ghosts(gradient, segments)
-            everyone(PREDICT, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
-        everyone(MOVE if corrector else ACCELERATE, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
-        for k in range(segments.shape[0]):
-            first, last = segments[k, L.SEG_FIRST], segments[k, L.SEG_LAST]
-            end_node(zones, nodes, control, (first + k, first, segments[k, L.SEG_LEFT]), True, corrector, dt, boundaries[0], geometry)
-            end_node(zones, nodes, control, (last + k, last - 1, segments[k, L.SEG_RIGHT]), False, corrector, dt, boundaries[1], geometry)
-    everyone(CORRECT, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
-    if control[L.HEAT_FLUX] > 0.0:
-        for i in range(regions.shape[0]):
-            conduct(zones, nodes, regions[i, 0], regions[i, 1], regions[i, 2], dt, control[L.HEAT_FLUX], geometry)
+            ghosts(a.gradient, segments)
+            everyone(a, PREDICT, scheme, team)
+        everyone(a, MOVE if corrector else ACCELERATE, scheme, team)
+        for end in range(2 * segments.shape[0]):
+            ends, left = end_of(segments, end)
+            end_node(a.zones, a.nodes, a.control, ends, left, corrector, dt, boundaries[0 if left else 1], geometry)
+    everyone(a, CORRECT, scheme, team)
+    if a.control[L.HEAT_FLUX] > 0.0:
+        for i in range(a.ranges.shape[0]):
+            conduct(a, i, dt)
 
 
-def step_wilkins(scheme, zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team):
+@nb.njit(**INLINE)
+def conduct(a, i, dt):
+    """Artificial heat flux inside range i of zones."""
+    first, last, segment, burns = a.ranges[i, 0], a.ranges[i, 1], a.ranges[i, 2], a.ranges[i, 3]
+    z, b, h = rows(ZoneRows, a.zones, first), rows(ChargeRows, a.charge, first), rows(NodeRows, a.nodes, first + segment)
+    a.flux[0], a.flux[1] = a.control[L.HEAT_FLUX], burns
+    call_pass(record(Steps, a.steps, 0).heat_flux, last - first, FluxRows(h.r_half, h.u_mean, b.lam, z.q, z.rho, z.inverse_mass, z.e,
+                                                                          z.face_flux), dt, row(a.flux, 0))
+
+
+def step_wilkins(a, scheme, geometry, boundaries, team):
     """Steps 2 and 3 of the leapfrog."""
-    dt, dt_mean = dts[0], dts[1]
-    everyone(LEAP, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
-    for k in range(segments.shape[0]):
-        first, last = segments[k, L.SEG_FIRST], segments[k, L.SEG_LAST]
-        leap_end(zones, nodes, control, (first + k, first, segments[k, L.SEG_LEFT]), True, dt, dt_mean, boundaries[0], geometry)
-        leap_end(zones, nodes, control, (last + k, last - 1, segments[k, L.SEG_RIGHT]), False, dt, dt_mean, boundaries[1], geometry)
-    everyone(ADVANCE, scheme, zones, nodes, gradient, pieces, found, dts, kinds, tables, geometry, team)
+    segments = a.segments
+    everyone(a, LEAP, scheme, team)
+    for end in range(2 * segments.shape[0]):
+        ends, left = end_of(segments, end)
+        leap_end(a.zones, a.nodes, a.control, ends, left, a.dts, boundaries[0 if left else 1], geometry)
+    everyone(a, ADVANCE, scheme, team)
 
 
 @overload(take_step, jit_options=INLINE)
-def _(scheme, zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team):
+def _(a, scheme, geometry, boundaries, team):
     return step_wilkins if scheme.instance_class is Leapfrog else step_compatible
 
 
@@ -302,7 +266,8 @@ def _(scheme, zones, nodes, gradient, control, segments, pieces, found, dts, kin
 def watch(zones, nodes, control, counters, segments, interfaces, unsound):
     """Step 7: why the march must stop here, or PAUSED."""
     if unsound:
-        counters[L.CULPRIT] = first_unsound(zones, segments[-1, L.SEG_LAST])
+        count = segments[-1, L.SEG_LAST]
+        counters[L.CULPRIT] = first_unsound(zones[Z.rho, :count], zones[Z.c], zones[Z.sigma])
         return L.BAD_STATE
     if segments.shape[0] > 1:
         gap = touching_gap(zones, nodes, segments)
@@ -322,35 +287,34 @@ def watch(zones, nodes, control, counters, segments, interfaces, unsound):
 
 
 @nb.njit(**GUARD)
-def march(cycles, scheme, zones, nodes, gradient, control, counters, segments, pieces, found, dts, kinds, tables, geometry, boundaries,
-          team, interfaces, gauges, weights, gauge_times, gauge_buffer):
+def march(cycles, a, scheme, geometry, boundaries, team, gauges):
     """Take up to `cycles` steps; returns the code of `layout` that says why it came back."""
-    zone_count = segments[-1, L.SEG_LAST]
-    totals = found[found.shape[0] - 1]
+    control, counters, zone_count = a.control, a.counters, a.segments[-1, L.SEG_LAST]
+    totals, recording = a.found[a.found.shape[0] - 1], gauges.table.shape[0] > 0
     for _ in range(cycles):
-        if gauges.shape[0] > 0 and counters[L.GAUGE_ROWS] >= gauge_times.shape[0]:
+        if recording and counters[L.GAUGE_ROWS] >= gauges.times.shape[0]:
             return L.BUFFER_FULL
-        dt = choose_step(zones, nodes, control, segments, scheme.staggered, geometry)
+        dt = choose_step(a.zones, a.nodes, control, a.segments, scheme.staggered, geometry)
         if not control[L.DT_NATURAL] > control[L.DT_SMALLEST]:
             return L.STEP_COLLAPSED
-        dts[0], dts[1] = dt, 0.5 * (dt + control[L.DT_OLD])
-        take_step(scheme, zones, nodes, gradient, control, segments, pieces, found, dts, kinds, tables, geometry, boundaries, team)
-        gather(found)
+        a.dts[0], a.dts[1] = dt, 0.5 * (dt + control[L.DT_OLD])
+        take_step(a, scheme, geometry, boundaries, team)
+        gather(a.found)
         at_event = dt >= control[L.EVENT_TIME] - control[L.TIME]
         control[L.TIME] = control[L.EVENT_TIME] if at_event else control[L.TIME] + dt
         counters[L.CYCLE] += 1
         counters[L.ZONE_STEPS] += zone_count
-        control[L.RATE], control[L.WORST_FAILURE] = totals[L.FOUND_RATE], totals[L.FOUND_FAILURE]
-        control[L.RADIAL_IMPULSE] += dt * totals[L.FOUND_IMPULSE]
-        counters[L.CAP_COUNT] += int(totals[L.FOUND_CAPPED])
-        code = watch(zones, nodes, control, counters, segments, interfaces, totals[L.FOUND_UNSOUND] > 0.0)
-        if line.hoops(geometry) > 0.0 and code != L.BAD_STATE and cavity_closed(nodes, segments):
+        control[L.RATE], control[L.WORST_FAILURE] = totals[FOUND_RATE], totals[FOUND_FAILURE]
+        control[L.RADIAL_IMPULSE] += dt * totals[FOUND_IMPULSE]
+        counters[L.CAP_COUNT] += int(totals[FOUND_CAPPED])
+        code = watch(a.zones, a.nodes, control, counters, a.segments, a.interfaces, totals[FOUND_UNSOUND] > 0.0)
+        if line.hoops(geometry) > 0.0 and code != L.BAD_STATE and cavity_closed(a.nodes, a.segments):
             code = L.VOID_CLOSES
-        if gauges.shape[0] > 0 and (control[L.TIME] >= control[L.NEXT_GAUGE] or at_event):
-            row = counters[L.GAUGE_ROWS]
-            gauge_times[row] = control[L.TIME]
-            record(zones, nodes, gauges, weights, geometry, gauge_buffer[row])
-            counters[L.GAUGE_ROWS] = row + 1
+        if recording and (control[L.TIME] >= control[L.NEXT_GAUGE] or at_event):
+            at = counters[L.GAUGE_ROWS]
+            gauges.times[at] = control[L.TIME]
+            record_gauges(a.zones, a.charge, a.nodes, gauges.table, gauges.weights, gauges.buffer[at])
+            counters[L.GAUGE_ROWS] = at + 1
             while control[L.NEXT_GAUGE] <= control[L.TIME] and control[L.GAUGE_INTERVAL] > 0.0:
                 control[L.NEXT_GAUGE] += control[L.GAUGE_INTERVAL]
         if code != L.PAUSED:

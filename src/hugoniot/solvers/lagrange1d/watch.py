@@ -1,52 +1,17 @@
-"""What is looked at after every step: soundness, failing zones, interfaces, gaps, gauges."""
+"""What is looked at after every step: failing zones, interfaces, gaps, gauges."""
 
 import math
 
 import numba as nb
-import numpy as np
 
 from hugoniot.core.compile import GUARD
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.constitutive import hoop_deviator
+from hugoniot.solvers.lagrange1d.layout import B, H, Z
 
 RELIEVED = 0.02       # a zone below this fraction of its failure limit is out of the tension that opened a void
 VOIDED = 1e-3         # void fraction from which a zone belongs to an older spall plane and opens none of its own
 CHATTER = 1e-4        # tension, in units of rho c^2, a strengthless interface bears: the noise a release leaves (Herrmann A.7)
-LIMIT = 1e12          # density (kg/m3) or sound speed (m/s) beyond which a state is no physics
-LIMIT_BITS = np.float64(LIMIT).view(np.uint64)
-STRESS_SCALE = 1e-18   # so that the same limit serves stresses: 1e30 Pa
 TOUCHING = 1e-6       # gap, in units of the neighbouring zones, that counts as closed
-
-
-@nb.njit(**GUARD)
-def look_over(zones, first, last):
-    """How many zones have a density that is not positive or a sound speed that is no finite number; records the peaks on the way."""
-    rho, c, sigma, p = zones[L.RHO, first:last], zones[L.C, first:last], zones[L.SIGMA, first:last], zones[L.P, first:last]
-    most, least = zones[L.PEAK_STRESS, first:last], zones[L.PEAK_TENSION, first:last]
-    highest, densest = zones[L.PEAK_PRESSURE, first:last], zones[L.PEAK_DENSITY, first:last]
-    bad = 0
-    for j in range(last - first):
-        # a negative number, an infinity and what is no number have larger bits than any finite positive one: one comparison does
-        # for the three, where a compiled comparison of numbers costs as much as a store
-        bits = np.float64(rho[j]).view(np.uint64)
-        of_speed, of_stress = np.float64(c[j]).view(np.uint64), np.float64(abs(sigma[j]) * STRESS_SCALE).view(np.uint64)
-        bits = of_speed if of_speed > bits else bits
-        bits = of_stress if of_stress > bits else bits
-        bad += 0 if bits < LIMIT_BITS else 1
-        most[j] = sigma[j] if sigma[j] > most[j] else most[j]
-        least[j] = sigma[j] if sigma[j] < least[j] else least[j]
-        highest[j] = p[j] if p[j] > highest[j] else highest[j]
-        densest[j] = rho[j] if rho[j] > densest[j] else densest[j]
-    return bad
-
-
-@nb.njit(**GUARD)
-def first_unsound(zones, count):
-    """First of the zones `look_over` counts."""
-    for j in range(count):
-        if not (0.0 <= zones[L.RHO, j] < LIMIT and 0.0 <= zones[L.C, j] < LIMIT and abs(zones[L.SIGMA, j]) * STRESS_SCALE < LIMIT):
-            return j
-    return -1
 
 
 @nb.njit(**GUARD)
@@ -64,24 +29,24 @@ def failing_node(zones, segments, control, counters):
         first, last = segments[k, L.SEG_FIRST], segments[k, L.SEG_LAST]
         z = first
         while z < last:
-            if zones[L.FAILURE, z] < RELIEVED:
-                zones[L.TAG, z] = 0.0
+            if zones[Z.failure, z] < RELIEVED:
+                zones[Z.relieved, z] = 0.0
                 z += 1
                 continue
             start, peak, at, tagged = z, 0.0, z, False
-            while z < last and zones[L.FAILURE, z] >= RELIEVED:
-                if zones[L.TAG, z] > 0.0:
+            while z < last and zones[Z.failure, z] >= RELIEVED:
+                if zones[Z.relieved, z] > 0.0:
                     tagged = True
-                if zones[L.FAILURE, z] > peak:
-                    peak, at = zones[L.FAILURE, z], z
+                if zones[Z.failure, z] > peak:
+                    peak, at = zones[Z.failure, z], z
                 z += 1
             if tagged:
                 for i in range(start, z):
-                    zones[L.TAG, i] = 1.0
+                    zones[Z.relieved, i] = 1.0
                 marked += z - start
-            elif peak >= 1.0 and peak > worst and last - first > 1 and zones[L.VOIDS, at] * zones[L.RHO, at] < VOIDED:
+            elif peak >= 1.0 and peak > worst and last - first > 1 and zones[Z.voids, at] * zones[Z.rho, at] < VOIDED:
                 # an end of the body is no place to part, however hard its other side is compressed
-                leftward = at + 1 == last or (at > first and zones[L.FAILURE, at - 1] > zones[L.FAILURE, at + 1])
+                leftward = at + 1 == last or (at > first and zones[Z.failure, at - 1] > zones[Z.failure, at + 1])
                 worst, worst_node = peak, (at if leftward else at + 1) + k
                 counters[L.CULPRIT] = k
     counters[L.FRACTURING] = marked
@@ -92,12 +57,12 @@ def failing_node(zones, segments, control, counters):
 def mark_patch(zones, first, last, at):
     """Mark the failing patch around zone `at` as relieved by a void; its damage has become the void."""
     z = at
-    while z >= first and zones[L.FAILURE, z] >= RELIEVED:
-        zones[L.TAG, z], zones[L.DAMAGE, z] = 1.0, 0.0
+    while z >= first and zones[Z.failure, z] >= RELIEVED:
+        zones[Z.relieved, z], zones[Z.damage, z] = 1.0, 0.0
         z -= 1
     z = at + 1
-    while z < last and zones[L.FAILURE, z] >= RELIEVED:
-        zones[L.TAG, z], zones[L.DAMAGE, z] = 1.0, 0.0
+    while z < last and zones[Z.failure, z] >= RELIEVED:
+        zones[Z.relieved, z], zones[Z.damage, z] = 1.0, 0.0
         z += 1
 
 
@@ -106,12 +71,12 @@ def parting_interface(zones, nodes, interfaces):
     """Index of the first listed interface whose tension exceeds its bond, or -1; rows are (node, zone on the left)."""
     for i in range(interfaces.shape[0]):
         node, z = interfaces[i, 0], interfaces[i, 1]
-        ml, mr = zones[L.MASS, z], zones[L.MASS, z + 1]
-        left = zones[L.P, z] - zones[L.S1, z]
-        right = zones[L.P, z + 1] - zones[L.S1, z + 1]
+        ml, mr = zones[Z.mass, z], zones[Z.mass, z + 1]
+        left = zones[Z.p, z] - zones[Z.s1, z]
+        right = zones[Z.p, z + 1] - zones[Z.s1, z + 1]
         traction = (left * mr + right * ml) / (ml + mr)
-        soft = min(zones[L.RHO, z] * zones[L.C, z] ** 2, zones[L.RHO, z + 1] * zones[L.C, z + 1] ** 2)
-        if -traction > nodes[L.BOND, node] + CHATTER * soft:
+        soft = min(zones[Z.rho, z] * zones[Z.c, z] ** 2, zones[Z.rho, z + 1] * zones[Z.c, z + 1] ** 2)
+        if -traction > nodes[H.bond, node] + CHATTER * soft:
             return i
     return -1
 
@@ -141,9 +106,9 @@ def touching_gap(zones, nodes, segments):
     for k in range(segments.shape[0] - 1):
         z = segments[k, L.SEG_LAST] - 1
         left, right = z + 1 + k, z + 1 + k + 1
-        gap = nodes[L.R, right] - nodes[L.R, left]
-        width = min(nodes[L.R, left] - nodes[L.R, left - 1], nodes[L.R, right + 1] - nodes[L.R, right])
-        if gap <= TOUCHING * width and (nodes[L.U, right] < nodes[L.U, left] or gap < 0.0):
+        gap = nodes[H.r, right] - nodes[H.r, left]
+        width = min(nodes[H.r, left] - nodes[H.r, left - 1], nodes[H.r, right + 1] - nodes[H.r, right])
+        if gap <= TOUCHING * width and (nodes[H.u, right] < nodes[H.u, left] or gap < 0.0):
             return k
     return -1
 
@@ -151,34 +116,25 @@ def touching_gap(zones, nodes, segments):
 @nb.njit(**GUARD)
 def cavity_closed(nodes, segments):
     """Whether the inner surface of a curved problem has reached the axis or the origin, where it stays."""
-    inner = nodes[L.R, 0]
-    return segments[0, L.SEG_LEFT] != L.FIXED and inner <= TOUCHING * (nodes[L.R, 1] - inner)
+    inner = nodes[H.r, 0]
+    return segments[0, L.SEG_LEFT] != L.FIXED and inner <= TOUCHING * (nodes[H.r, 1] - inner)
 
 
 @nb.njit(**GUARD)
-def record(zones, nodes, table, weights, geometry, out):
+def record_gauges(zones, charge, nodes, table, weights, out):
     """One gauge row: table (gauge; zone a, zone b, zone of the faces, left node of that zone), weights (of b; of the right face)."""
     for i in range(table.shape[0]):
         a, b, node = table[i, 0], table[i, 1], table[i, 3]
         w, f = weights[i, 0], weights[i, 1]
-        out[i, 0] = (1.0 - f) * nodes[L.R, node] + f * nodes[L.R, node + 1]
-        out[i, 1] = (1.0 - f) * nodes[L.U, node] + f * nodes[L.U, node + 1]
-        out[i, 2] = (1.0 - w) * zones[L.RHO, a] + w * zones[L.RHO, b]
-        out[i, 3] = (1.0 - w) * zones[L.E, a] + w * zones[L.E, b]
-        out[i, 4] = (1.0 - w) * zones[L.P, a] + w * zones[L.P, b]
-        out[i, 5] = (1.0 - w) * zones[L.Q, a] + w * zones[L.Q, b]
-        out[i, 6] = (1.0 - w) * zones[L.S1, a] + w * zones[L.S1, b]
-        hoop_a = hoop_deviator(zones[L.S1, a], zones[L.S2, a], geometry)
-        hoop_b = hoop_deviator(zones[L.S1, b], zones[L.S2, b], geometry)
-        out[i, 7] = (1.0 - w) * hoop_a + w * hoop_b
-        out[i, 8] = (1.0 - w) * zones[L.SIGMA, a] + w * zones[L.SIGMA, b]
-        out[i, 9] = (1.0 - w) * zones[L.PLASTIC_STRAIN, a] + w * zones[L.PLASTIC_STRAIN, b]
-        out[i, 10] = (1.0 - w) * zones[L.DAMAGE, a] + w * zones[L.DAMAGE, b]
-        out[i, L.GAUGE_COMPACTION] = (1.0 - w) * zones[L.COMPACTION, a] + w * zones[L.COMPACTION, b]
+        out[i, 0] = (1.0 - f) * nodes[H.r, node] + f * nodes[H.r, node + 1]
+        out[i, 1] = (1.0 - f) * nodes[H.u, node] + f * nodes[H.u, node + 1]
+        for k in range(len(L.GAUGE_ROWS_OF_ZONES)):
+            field = L.GAUGE_ROWS_OF_ZONES[k]
+            out[i, k + 2] = (1.0 - w) * zones[field, a] + w * zones[field, b]
         if out.shape[1] > L.GAUGE_BURN:
-            out[i, L.GAUGE_BURN] = (1.0 - w) * zones[L.BURN_FRACTION, a] + w * zones[L.BURN_FRACTION, b]
+            out[i, L.GAUGE_BURN] = (1.0 - w) * charge[B.lam, a] + w * charge[B.lam, b]
             out[i, L.GAUGE_SHARE] = w
-            out[i, L.GAUGE_REFERENCE] = zones[L.REFERENCE, a]
+            out[i, L.GAUGE_REFERENCE] = charge[B.reference, a]
             for k in range(len(L.PHASE_ROWS)):
-                out[i, L.GAUGE_PHASES + k] = zones[L.PHASE_ROWS[k], a]
-                out[i, L.GAUGE_PHASES + len(L.PHASE_ROWS) + k] = zones[L.PHASE_ROWS[k], b]
+                out[i, L.GAUGE_PHASES + k] = charge[L.PHASE_ROWS[k], a]
+                out[i, L.GAUGE_PHASES + len(L.PHASE_ROWS) + k] = charge[L.PHASE_ROWS[k], b]

@@ -7,10 +7,11 @@ import numpy as np
 
 from hugoniot.errors import OutOfRange
 from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.layout import B, H, Z
 from hugoniot.solvers.lagrange1d.solver import Lagrange1D
 
-ROWS = {"energy": (L.E,), "pressure": (L.P, L.SIGMA, L.SIGMA_HALF), "sound_speed": (L.C,), "burn_fraction": (L.BURN_FRACTION,),
-        "reactant_density": (L.RHO_R,), "reactant_energy": (L.E_R,), "product_density": (L.RHO_P,), "product_energy": (L.E_P,)}
+ROWS = {"energy": (Z.e,), "pressure": (Z.p, Z.sigma, Z.sigma_half), "sound_speed": (Z.c,), "burn_fraction": (B.lam,),
+        "reactant_density": (B.rho_r,), "reactant_energy": (B.e_r,), "product_density": (B.rho_p,), "product_energy": (B.e_p,)}
 
 
 class Window:
@@ -25,7 +26,7 @@ class Window:
         if len(problem.regions) > 1 or problem.dimension > 1 or region.ratio != 1.0 or solver.staggered:
             raise OutOfRange("a window moves over one planar region of equal zones with integrator \"compatible\"")
         self.solver, self.size = solver, (region.end - region.start) / region.zones
-        self.mass = float(solver.zones[L.MASS, 0])
+        self.mass = float(solver.zones[Z.mass, 0])
         self._zone, self._node = solver.zones[:, -1].copy(), solver.nodes[:, 1].copy()
 
     def lay_out(self, position, velocity, fields: dict[str, np.ndarray], behind: float) -> None:
@@ -37,8 +38,8 @@ class Window:
         """
         solver = self.solver
         zones, nodes = solver.zones, solver.nodes
-        nodes[L.R], nodes[L.U] = position, velocity
-        zones[L.RHO] = zones[L.MASS] / np.diff(nodes[L.R])
+        nodes[H.r], nodes[H.u] = position, velocity
+        zones[Z.rho] = zones[Z.mass] / np.diff(nodes[H.r])
         for name, values in fields.items():
             for row in ROWS[name]:
                 zones[row, :len(values)] = values
@@ -51,10 +52,10 @@ class Window:
         for table, column in ((zones, self._zone), (nodes, self._node)):
             table[:, :-count] = table[:, count:].copy()
             table[:, -count:] = column[:, None]
-        nodes[L.R, -count:] = nodes[L.R, -count - 1] + self.size * np.arange(1, count + 1)
-        nodes[L.U, -count - 1:] = self._node[L.U]
-        whole = self._node[L.NODE_MASS]
-        nodes[L.NODE_MASS], nodes[L.INVERSE_NODE_MASS] = whole, 1.0 / whole
+        nodes[H.r, -count:] = nodes[H.r, -count - 1] + self.size * np.arange(1, count + 1)
+        nodes[H.u, -count - 1:] = self._node[H.u]
+        whole = self._node[H.mass]
+        nodes[H.mass], nodes[H.inverse_mass] = whole, 1.0 / whole
         for end in (0, -1):
-            nodes[L.NODE_MASS, end], nodes[L.INVERSE_NODE_MASS, end] = 0.5 * whole, 2.0 / whole
+            nodes[H.mass, end], nodes[H.inverse_mass, end] = 0.5 * whole, 2.0 / whole
         self.solver.renew_gradients()

@@ -1,0 +1,348 @@
+"""Passes: small compiled loops over rows of zones, one for each law, which a march calls by their address.
+
+A *row* is a bare pointer to float64 numbers, one for each zone. In a kernel `z.rho[j]` reads the j-th number of the row `rho` of a view
+of a table, or of a NamedTuple of rows; in Python the same text works on a NamedTuple of numpy arrays. Bare pointers keep a call as cheap as in C, and an
+index into them is never wrapped around, so that the vectoriser is not stopped.
+
+A *pass* is a function
+
+    pass(count, rows, dt, numbers, law)
+
+of the number of zones, a NamedTuple of rows, the time step, a row of numbers (the law's parameters), and the type of the law's parameter
+tuple. `Pass.address` compiles it for one law, keeps the machine code on disk, and gives its address. Whoever calls it (`call_pass`) knows
+the rows but not the law, so that one compiled march serves every law and every combination of laws. Passes of the geometry are made for a
+geometry instead of a law, others for none. Entered once for a piece of some hundred zones, a call costs nothing beside the loop.
+"""
+
+import functools
+import operator
+
+import numba as nb
+import numpy as np
+from llvmlite import ir
+from numba import types
+from numba.core import cgutils
+from numba.core.datamodel import models
+from numba.core.extending import register_model
+from numba.core.imputils import lower_builtin, lower_getattr_generic
+from numba.core.typing.templates import AbstractTemplate, AttributeTemplate, infer_getattr, infer_global, signature
+from numba.extending import intrinsic
+
+from hugoniot.core.compile import EXACT_PASS, GUARD, PASS, bind_choice
+from hugoniot.core.registry import Registry
+
+
+# -- rows --------------------------------------------------------------------------------------------------------
+class RowType(types.Type):
+    """Compiled type of a row: a pointer to float64."""
+
+    def __init__(self):
+        super().__init__(name="Row")
+
+
+ROW = RowType()
+
+
+@register_model(RowType)
+class _RowModel(models.PrimitiveModel):
+    def __init__(self, manager, kind):
+        super().__init__(manager, kind, ir.DoubleType().as_pointer())
+
+
+@infer_global(operator.getitem)
+class _ReadRow(AbstractTemplate):
+    def generic(self, args, kws):
+        if len(args) == 2 and args[0] is ROW and isinstance(args[1], types.Integer):
+            return signature(types.float64, ROW, types.intp)
+        return None
+
+
+@infer_global(operator.setitem)
+class _WriteRow(AbstractTemplate):
+    def generic(self, args, kws):
+        if len(args) == 3 and args[0] is ROW and isinstance(args[1], types.Integer):
+            return signature(types.none, ROW, types.intp, types.float64)
+        return None
+
+
+@lower_builtin(operator.getitem, RowType, types.Integer)
+def _read(context, builder, sig, args):
+    return builder.load(builder.gep(args[0], [args[1]]))
+
+
+@lower_builtin(operator.setitem, RowType, types.Integer, types.Float)
+def _write(context, builder, sig, args):
+    builder.store(args[2], builder.gep(args[0], [args[1]]))
+    return context.get_dummy_value()
+
+
+def _rows_type(cls):
+    return types.NamedTuple([ROW] * len(cls._fields), cls)
+
+
+class ViewType(types.Type):
+    """Compiled type of what is read by name out of a table: its rows from one zone on, or the numbers of one of its lines.
+
+    A view is an address; what is asked of it is computed where it is asked, so that a view of forty rows costs no more than one.
+    """
+
+    def __init__(self, kind, cls, dtype=types.float64):
+        self.kind, self.cls, self.dtype = kind, cls, dtype
+        super().__init__(name=f"{kind}({cls.__module__}.{cls.__qualname__}, {dtype})")
+
+
+@register_model(ViewType)
+class _ViewModel(models.StructModel):
+    def __init__(self, manager, view):
+        super().__init__(manager, view, [("start", types.intp), ("pitch", types.intp)])
+
+
+@infer_getattr
+class _ViewFields(AttributeTemplate):
+    key = ViewType
+
+    def generic_resolve(self, view, field):
+        if field in view.cls._fields:
+            return ROW if view.kind == "rows" else view.dtype
+        return None
+
+
+@lower_getattr_generic(ViewType)
+def _field_of_view(context, builder, view, value, field):
+    parts = cgutils.create_struct_proxy(view)(context, builder, value)
+    place = context.get_constant(types.intp, view.cls._fields.index(field))
+    address = builder.add(parts.start, builder.mul(parts.pitch, place))
+    if view.kind == "rows":
+        return builder.inttoptr(address, ir.DoubleType().as_pointer())
+    return builder.load(builder.inttoptr(address, context.get_value_type(view.dtype).as_pointer()))
+
+
+def _view(context, builder, view, start, pitch):
+    parts = cgutils.create_struct_proxy(view)(context, builder)
+    parts.start, parts.pitch = builder.ptrtoint(start, ir.IntType(64)), pitch
+    return parts._getvalue()
+
+
+@intrinsic
+def rows(typingctx, cls, table, first):
+    """The rows of a table (rows, zones) from zone `first` on, by the names of the NamedTuple class `cls`: its k-th is the k-th row."""
+    view = ViewType("rows", cls.instance_class)
+
+    def codegen(context, builder, sig, args):
+        array = context.make_array(sig.args[1])(context, builder, args[1])
+        return _view(context, builder, view, builder.gep(array.data, [args[2]]), builder.extract_value(array.strides, 0))
+
+    return view(cls, table, types.intp), codegen
+
+
+@intrinsic
+def record(typingctx, cls, table, line):
+    """The numbers in line `line` of a contiguous table, by the names of the NamedTuple class `cls`."""
+    view = ViewType("record", cls.instance_class, table.dtype)
+
+    def codegen(context, builder, sig, args):
+        array = context.make_array(sig.args[1])(context, builder, args[1])
+        start = builder.gep(array.data, [builder.mul(args[2], context.get_constant(types.intp, len(view.cls._fields)))])
+        return _view(context, builder, view, start, context.get_constant(types.intp, 8))
+
+    return view(cls, table, types.intp), codegen
+
+
+@intrinsic
+def row(typingctx, array, first):
+    """The row that begins at element `first` of a contiguous 1-D array."""
+    def codegen(context, builder, sig, args):
+        data = context.make_array(sig.args[0])(context, builder, args[0]).data
+        return builder.gep(data, [args[1]])
+
+    return ROW(array, types.intp), codegen
+
+
+@intrinsic
+def row_at(typingctx, address):
+    """The row at an address (an integer)."""
+    return ROW(types.intp), lambda context, builder, sig, args: builder.inttoptr(args[0], ir.DoubleType().as_pointer())
+
+
+@intrinsic
+def rows_apart(typingctx):
+    """Promise that the rows (and float arrays) a function takes do not overlap where one is written; said once, at its top.
+
+    Without the promise the vectoriser compares every pair of rows each time the loop is entered, and must store what it has only read.
+    """
+    def codegen(context, builder, sig, args):
+        for argument in builder.function.args[2:]:   # after the return value and the exception
+            if isinstance(argument.type, ir.PointerType) and argument.type.pointee == ir.DoubleType():
+                argument.add_attribute("noalias")
+        return context.get_dummy_value()
+
+    return types.void(), codegen
+
+
+# -- laws as numbers -----------------------------------------------------------------------------------------------
+def numbers_of(par) -> np.ndarray:
+    """A law's parameters, laws inside it included, as one row of numbers: floats in order, of an array its address and sizes.
+
+    The arrays must live as long as the numbers are used.
+    """
+    words: list[float] = []
+
+    def put(value):
+        if isinstance(value, tuple):
+            for part in value:
+                put(part)
+        elif isinstance(value, np.ndarray):
+            words.extend(np.array([value.ctypes.data, *value.shape], dtype=np.int64).view(np.float64))
+        else:
+            words.append(float(value))
+
+    put(par)
+    return np.array(words or [0.0])
+
+
+@intrinsic
+def law_of(typingctx, law, numbers):
+    """The parameter tuple of the type `law` refers to, its fields read from the row `numbers` (see `numbers_of`)."""
+    def codegen(context, builder, sig, args):
+        at = 0
+
+        def word(kind):
+            nonlocal at
+            pointer = builder.gep(args[1], [context.get_constant(types.intp, at)])
+            at += 1
+            if kind != types.float64:
+                pointer = builder.bitcast(pointer, context.get_value_type(types.int64).as_pointer())
+            return builder.load(pointer)
+
+        def fill(kind):
+            if isinstance(kind, types.BaseTuple):
+                return context.make_tuple(builder, kind, [fill(field) for field in kind])
+            if isinstance(kind, types.Array):
+                return _array(context, builder, kind, word)
+            return word(types.float64)
+
+        return fill(sig.return_type)
+
+    return law.instance_type(law, numbers), codegen
+
+
+@intrinsic
+def kind_of(typingctx, law):
+    """A value of the type `law` refers to without numbers: for what is chosen by type alone, such as a geometry."""
+    return law.instance_type(law), lambda context, builder, sig, args: cgutils.get_null_value(context.get_value_type(sig.return_type))
+
+
+@intrinsic
+def named(typingctx, cls, numbers):
+    """The first numbers of a row as a NamedTuple of class `cls`."""
+    kind = types.NamedTuple([types.float64] * len(cls.instance_class._fields), cls.instance_class)
+
+    def codegen(context, builder, sig, args):
+        found = [builder.load(builder.gep(args[1], [context.get_constant(types.intp, k)])) for k in range(len(kind))]
+        return context.make_tuple(builder, kind, found)
+
+    return kind(cls, numbers), codegen
+
+
+def _array(context, builder, kind, word):
+    """An array of the compiled type `kind` from words: its address and its sizes."""
+    address = word(types.int64)
+    sizes = [word(types.int64) for _ in range(kind.ndim)]
+    steps, step = [], context.get_constant(types.intp, 8)
+    for size in reversed(sizes):
+        steps.insert(0, step)
+        step = builder.mul(step, size)
+    array = context.make_array(kind)(context, builder)
+    data = builder.inttoptr(address, ir.DoubleType().as_pointer())
+    count = functools.reduce(builder.mul, sizes, context.get_constant(types.intp, 1))
+    context_array = dict(data=data, shape=cgutils.pack_array(builder, sizes), strides=cgutils.pack_array(builder, steps),
+                         itemsize=context.get_constant(types.intp, 8), nitems=count,
+                         meminfo=cgutils.get_null_value(array.meminfo.type), parent=cgutils.get_null_value(array.parent.type))
+    for name, value in context_array.items():
+        setattr(array, name, value)
+    return array._getvalue()
+
+
+# -- passes ----------------------------------------------------------------------------------------------------------
+class Pass:
+    """A loop over rows of zones, compiled for each law (or geometry) it meets.
+
+    function   the plain function (count, rows, dt, numbers, law); it must stand at the top level of a module
+    rows       the NamedTuple class of its rows
+    """
+
+    def __init__(self, function, rows, exact):
+        self.function, self.rows = function, rows
+        self.compiled = nb.njit(**(EXACT_PASS if exact else PASS))(function)
+        self._addresses: dict = {}
+
+    def address(self, par=None) -> int:
+        """Address of the pass compiled for the law whose parameters `par` are (None: for no law); compiled now unless it is on disk."""
+        law = nb.typeof(par)
+        if law not in self._addresses:
+            arguments = (types.int64, _rows_type(self.rows), types.float64, ROW, types.TypeRef(law))
+            self.compiled.compile(arguments)
+            result = self.compiled.overloads[arguments]
+            self._addresses[law] = result.library.get_pointer_to_function(result.fndesc.llvm_func_name)
+        return self._addresses[law]
+
+
+def zone_pass(rows, exact: bool = False):
+    """Decorator: make a `Pass` over rows of the NamedTuple class `rows`; `exact` where a NaN must stay one (no fast-math)."""
+    return lambda function: functools.update_wrapper(Pass(function, rows, exact), function)
+
+
+@intrinsic
+def call_pass(typingctx, address, count, given, dt, numbers):
+    """Call the pass that stands at `address` with the NamedTuple of rows `given`."""
+    arguments = (types.int64, given, types.float64, ROW, types.voidptr)     # the law itself is known to the pass alone
+
+    def codegen(context, builder, sig, args):
+        kind = context.call_conv.get_function_type(types.none, arguments)
+        function = builder.inttoptr(args[0], kind.as_pointer())
+        nothing = cgutils.get_null_value(context.get_value_type(types.voidptr))
+        context.call_conv.call_function(builder, function, types.none, arguments, [*args[1:], nothing])
+        return context.get_dummy_value()
+
+    return types.void(types.int64, types.int64, given, types.float64, ROW), codegen
+
+
+def _yes(par):
+    return True
+
+
+def _no(par):
+    return False
+
+
+def bind_flag(function, family: Registry, flag: str) -> None:
+    """Let kernels ask `function(par)` whether a law of the family has a flag; the answer is known when the kernel is compiled."""
+    bind_choice(function, lambda cls: _yes if flag in family.of_class(cls).flags else _no)
+
+
+# -- whole functions by address ----------------------------------------------------------------------------------------
+class Entry:
+    """A compiled function that others call by its address: it is not compiled once more into each of its callers."""
+
+    def __init__(self, function):
+        self.compiled = nb.njit(**GUARD)(function)
+
+    def address(self, *arguments) -> int:
+        """Address of the function compiled for arguments of these types; compiled now unless it is on disk."""
+        kinds = tuple(nb.typeof(argument) for argument in arguments)
+        self.compiled.compile(kinds)
+        result = self.compiled.overloads[kinds]
+        return result.library.get_pointer_to_function(result.fndesc.llvm_func_name)
+
+
+@intrinsic
+def call_entry(typingctx, address, one, two, three):
+    """Call the `Entry` of three arguments and no result that stands at `address`; it was compiled for just these types."""
+    arguments = (one, two, three)
+
+    def codegen(context, builder, sig, args):
+        function = builder.inttoptr(args[0], context.call_conv.get_function_type(types.none, arguments).as_pointer())
+        context.call_conv.call_function(builder, function, types.none, arguments, args[1:])
+        return context.get_dummy_value()
+
+    return types.void(types.int64, *arguments), codegen

@@ -1,0 +1,269 @@
+"""The compatible integrator: predictor and corrector over a piece of zones, each a list of passes.
+
+Forces are the transpose of the strain rates: with the volume rate A2 u2 - A1 u1 and the hoop rate (u1+u2)/(r1+r2), the power
+put into a zone is -sigma (A2 u2 - A1 u1) + H (u1 + u2), sigma = p + q - s1, H = (d-1) V (s2 + q - s1)/(r1 + r2), and the force
+on a node is minus its derivative by that node's velocity. Work and force use the same numbers, so the energy a zone gains is
+the kinetic energy its nodes lose, to round-off, in every geometry.
+
+The artificial viscosity is uniaxial: q resists the radial closing alone, with the power -q V (radial rate), and not the hoop
+convergence of a flow that narrows towards the axis, which is no shock (Schulz, Methods Comput. Phys. 3 (1964) 1; Noh, J. Comput.
+Phys. 72 (1987) 78). Hence the q in H: it takes away what sigma, which multiplies the whole volume rate, has too much.
+"""
+
+from collections import namedtuple
+
+import numba as nb
+
+from hugoniot.core.compile import INLINE, bind
+from hugoniot.core.ops import fmax, fmin
+from hugoniot.core.passes import call_pass, kind_of, named, row_at, rows_apart, zone_pass
+from hugoniot.mesh.line import area, area_per_radius, hoops, mean_area, volume
+from hugoniot.solvers.lagrange1d.stress import deviators
+from hugoniot.zones import material
+from hugoniot.zones.closure import PressureRows, StateRows
+from hugoniot.zones.constants import Constants
+from hugoniot.zones.soundness import FOUND_IMPULSE, FOUND_RATE, wave_speed
+from hugoniot.zones.viscosity import resisted, smoothness
+
+SMALL = 1e-30
+
+HalfMotionRows = namedtuple("HalfMotionRows", "r u gradient inverse_mass e sigma hoop_force end_e v rho radial hoop dilation smooth squeeze")
+HalfStressRows = namedtuple("HalfStressRows", "r solid squeeze speed p t1 t2 q sigma hoop_force")
+EndMotionRows = namedtuple("EndMotionRows", "r_half u_mean r u gradient inverse_mass sigma hoop_force q e v rho radial hoop dilation heat "
+                           "viscous_work found")
+EndStressRows = namedtuple("EndStressRows", "r solid_v shear c2 p q t1 t2 speed inverse_mass rho c s1 s2 sigma hoop_force inverse_width found")
+HalfHeatRows = namedtuple("HalfHeatRows", "q v radial heat")
+FluxRows = namedtuple("FluxRows", "r u lam q rho inverse_mass e flux")
+
+
+def hoop_force(r1, r2, t1, t2, q, geometry):
+    """Force of the hoop stress on each node of a zone."""
+    return 0.5 * hoops(geometry) * (r2 - r1) * area_per_radius(r1, r2, geometry) * (t2 + q - t1)
+
+
+def shrinking(r1, r2, u1, u2, geometry):
+    """Speed with which a zone closes along the motion, or shrinks, if that is more, m/s."""
+    closing = u1 - u2
+    if hoops(geometry) > 0.0:
+        return fmax(closing, (area(r1, geometry) * u1 - area(r2, geometry) * u2) / mean_area(r1, r2, geometry))
+    return closing
+
+
+bind(hoop_force)
+bind(shrinking)
+
+
+# -- passes of the geometry ----------------------------------------------------------------------------------------
+@zone_pass(HalfMotionRows)
+def half_motion(count, z, dt, numbers, law):
+    """Energy, density and strains in the middle of the step, from the stress at its start and the predicted mean velocity."""
+    rows_apart()
+    geometry, half, two_sided = kind_of(law), 0.5 * dt, named(Constants, numbers).two_sided > 0.0
+    for j in range(count):
+        r1, r2, u1, u2, im = z.r[j], z.r[j + 1], z.u[j], z.u[j + 1], z.inverse_mass[j]
+        rate = area(r2, geometry) * u2 - area(r1, geometry) * u1
+        v = volume(r1, r2, geometry) * im
+        rho = 1.0 / v
+        power = -z.sigma[j] * rate
+        radial = half * rate * (im * rho)
+        if hoops(geometry) > 0.0:
+            power += z.hoop_force[j] * (u1 + u2)
+            hoop = half * (u1 + u2) / (r1 + r2 + SMALL)
+            z.hoop[j] = hoop
+            z.dilation[j] = radial
+            radial -= hoops(geometry) * hoop
+        du = u2 - u1
+        z.end_e[j] = z.e[j] + half * im * power
+        z.v[j] = v
+        z.rho[j] = rho
+        z.radial[j] = radial
+        z.smooth[j] = smoothness(z.gradient[j], z.gradient[j + 1], z.gradient[j + 2])
+        z.squeeze[j] = resisted(du, radial if hoops(geometry) > 0.0 else du, two_sided)
+
+
+@zone_pass(HalfStressRows)
+def half_stress(count, z, dt, numbers, law):
+    """Viscous pressure, and what pushes the nodes in the middle of the step."""
+    rows_apart()
+    geometry = kind_of(law)
+    for j in range(count):
+        q = -z.solid[j] * z.squeeze[j] * z.speed[j]
+        z.q[j] = q
+        z.sigma[j] = z.p[j] + q - z.t1[j]
+        if hoops(geometry) > 0.0:
+            z.hoop_force[j] = hoop_force(z.r[j], z.r[j + 1], z.t1[j], z.t2[j], q, geometry)
+
+
+@zone_pass(EndMotionRows)
+def end_motion(count, z, dt, numbers, law):
+    """Energy, density and strains at the end of the step, velocity gradients and viscous heat; the impulse of neighbouring sectors."""
+    rows_apart()
+    geometry, impulse = kind_of(law), 0.0
+    for j in range(count):
+        u1, u2, r1, r2, im = z.u_mean[j], z.u_mean[j + 1], z.r_half[j], z.r_half[j + 1], z.inverse_mass[j]
+        rate = area(r2, geometry) * u2 - area(r1, geometry) * u1
+        size = volume(r1, r2, geometry)
+        power = -z.sigma[j] * rate
+        radial, closing = dt * rate / size, rate
+        if hoops(geometry) > 0.0:
+            power += z.hoop_force[j] * (u1 + u2)
+            impulse += z.sigma[j] * (area(r2, geometry) - area(r1, geometry)) - 2.0 * z.hoop_force[j]
+            turn = (u1 + u2) / (r1 + r2 + SMALL)
+            closing = rate - hoops(geometry) * size * turn
+            z.hoop[j] = dt * turn
+            z.dilation[j] = radial
+            radial -= hoops(geometry) * dt * turn
+        z.radial[j] = radial
+        z.e[j] += dt * im * power
+        v = volume(z.r[j], z.r[j + 1], geometry) * im
+        rho = 1.0 / v
+        z.v[j] = v
+        z.rho[j] = rho
+        z.gradient[j + 1] = (z.u[j + 1] - z.u[j]) * (mean_area(z.r[j], z.r[j + 1], geometry) * im * rho)
+        heat = -dt * z.q[j] * closing * im
+        z.heat[j] = heat
+        z.viscous_work[j] += heat
+    z.found[FOUND_IMPULSE] += impulse
+
+
+@zone_pass(EndStressRows)
+def end_stress(count, z, dt, numbers, law):
+    """Sound speed and stress at the end of the step; the largest signal rate, 1/s."""
+    rows_apart()
+    geometry, constants, fastest = kind_of(law), named(Constants, numbers), z.found[FOUND_RATE]
+    for j in range(count):
+        t1, t2, q = z.t1[j], z.t2[j], z.q[j]
+        c = wave_speed(z.c2[j] + (4.0 / 3.0) * z.shear[j] * z.solid_v[j], constants.noise)
+        inverse_width = mean_area(z.r[j], z.r[j + 1], geometry) * z.inverse_mass[j] * z.rho[j]
+        fastest = fmax(fastest, (fmax(c, constants.front) + 2.0 * z.speed[j]) * inverse_width)
+        z.inverse_width[j] = inverse_width
+        z.c[j] = c
+        z.s1[j] = t1
+        z.s2[j] = t2
+        z.sigma[j] = z.p[j] + q - t1
+        if hoops(geometry) > 0.0:
+            z.hoop_force[j] = hoop_force(z.r[j], z.r[j + 1], t1, t2, q, geometry)
+    z.found[FOUND_RATE] = fastest
+
+
+@zone_pass(HalfHeatRows)
+def half_heat(count, z, dt, numbers, law):
+    """Viscous heat of half a step, J/kg."""
+    rows_apart()
+    for j in range(count):
+        z.heat[j] = -z.q[j] * z.v[j] * z.radial[j]
+
+
+@zone_pass(FluxRows)
+def heat_flux(count, z, dt, numbers, law):
+    """Artificial heat flux inside a run of zones, where a shock is: h rho w (e_left - e_right) through each face.
+
+    w is the speed with which a zone closes along the motion, |du|, or that with which it shrinks, minus its volume rate over its
+    mean area, if that is more: where a flow converges, a shock that takes its time makes heat of the hoop convergence as well.
+    Spreads the excess heat a shock leaves where it starts or is reflected (wall heating). Conservative: what leaves one zone
+    enters the next. Noh, J. Comput. Phys. 72 (1987) 78, section on artificial heat conduction; nothing flows where q = 0, nor to
+    or from what has begun to burn (numbers[1] = 1: `lam` is a row), whose phases would have to share it. numbers[0] is h.
+    """
+    rows_apart()
+    geometry, coefficient, burns = kind_of(law), numbers[0], numbers[1] > 0.0
+    for j in range(count - 1):
+        left = shrinking(z.r[j], z.r[j + 1], z.u[j], z.u[j + 1], geometry) if z.q[j] > 0.0 else 0.0
+        right = shrinking(z.r[j + 1], z.r[j + 2], z.u[j + 1], z.u[j + 2], geometry) if z.q[j + 1] > 0.0 else 0.0
+        face = area(z.r[j + 1], geometry) * fmin(z.rho[j], z.rho[j + 1])
+        z.flux[j] = dt * coefficient * face * fmax(left, right) * (z.e[j] - z.e[j + 1])
+    if burns:
+        for j in range(count - 1):
+            z.flux[j] = z.flux[j] if z.lam[j] == 0.0 and z.lam[j + 1] == 0.0 else 0.0
+    if count > 1:
+        # one difference for each zone: subtracted and added one after the other, the mirror image would be rounded otherwise
+        z.e[0] -= z.flux[0] * z.inverse_mass[0]
+        for j in range(1, count - 1):
+            z.e[j] += (z.flux[j - 1] - z.flux[j]) * z.inverse_mass[j]
+        z.e[count - 1] += z.flux[count - 2] * z.inverse_mass[count - 1]
+
+
+# -- the step ----------------------------------------------------------------------------------------------------------
+@nb.njit(**INLINE)
+def predict(count, at, steps, recipe, constants, dt):
+    """Stress in the middle of the step."""
+    z, b, h, w = at.z, at.b, at.h, at.w
+    call_pass(steps.half_motion, count, HalfMotionRows(h.r_half, h.u_mean, at.g, z.inverse_mass, z.e, z.sigma, z.hoop, w.e, w.v, w.rho,
+                                                       w.radial, w.hoop, w.dilation, w.smooth, w.squeeze), dt, constants)
+    solid = w.rho
+    if recipe.relief != 0:
+        material.solid_volume(count, at, recipe)
+        solid = w.solid
+    if recipe.solve == 0:
+        call_pass(recipe.pressure, count, PressureRows(solid, w.e, z.compaction, w.p), dt, row_at(recipe.eos))
+        material.stiffness(count, at, recipe, solid, w.e, w.p)
+    else:
+        close_half(count, at, steps, recipe, constants, solid, dt)
+    deviators(count, at, steps, recipe, solid, w.e, w.p, b.lam_half, 0.5 * dt)
+    material.relieve(count, at, recipe, solid)
+    material.viscous(count, recipe, w.v, z.c, w.p, w.squeeze, w.smooth, z.viscous_speed)
+    call_pass(steps.half_stress, count, HalfStressRows(h.r_half, solid, w.squeeze, z.viscous_speed, w.p, w.t1, w.t2, z.q, z.sigma_half,
+                                                       z.hoop_half), dt, constants)
+    if recipe.solve != 0:
+        keep_half(count, at, recipe)
+
+
+@nb.njit(**INLINE)
+def correct(count, at, steps, recipe, constants, found, dt):
+    """State at the end of the step."""
+    z, b, h, w = at.z, at.b, at.h, at.w
+    call_pass(steps.end_motion, count, EndMotionRows(h.r_half, h.u_mean, h.r, h.u, at.g, z.inverse_mass, z.sigma_half, z.hoop_half, z.q, z.e,
+                                                     w.v, z.rho, w.radial, w.hoop, w.dilation, w.heat, z.viscous_work, found), dt, constants)
+    solid, solid_v = z.rho, w.v
+    if recipe.relief != 0:
+        material.solid_volume(count, at, recipe)
+        solid, solid_v = w.solid, w.solid_v
+    if recipe.solve == 0:
+        call_pass(recipe.state, count, StateRows(solid, z.e, z.compaction, z.p, w.c2), dt, row_at(recipe.eos))
+    else:
+        close_end(count, at, recipe, constants, solid, dt)
+    deviators(count, at, steps, recipe, solid, z.e, z.p, b.lam, dt)
+    material.tear(count, at, recipe, constants, found, solid, dt)
+    material.harden(count, at, recipe, w.v)
+    call_pass(steps.end_stress, count, EndStressRows(h.r, solid_v, w.shear, w.c2, z.p, z.q, w.t1, w.t2, z.viscous_speed, z.inverse_mass,
+                                                     z.rho, z.c, z.s1, z.s2, z.sigma, z.hoop, w.inverse_width, found), dt, constants)
+    material.pace(count, at, recipe, constants, found, w.inverse_width)
+    material.look_over(count, at, recipe, found)
+
+
+# -- closures of burning material ------------------------------------------------------------------------------------
+@nb.njit(**INLINE)
+def close_half(count, at, steps, recipe, constants, solid, dt):
+    """Burn fraction and mixture in the middle of the step, by the pressure at its start."""
+    z, b, w = at.z, at.b, at.w
+    material.burn(count, at, recipe, 0.5 * dt, z.rho, z.rho, z.p, z.q, b.lam_half)
+    call_pass(steps.half_heat, count, HalfHeatRows(z.q, w.v, w.radial, w.heat), dt, constants)
+    material.share_old_heat(count, at, recipe, constants, w.heat)
+    material.mix(count, at, recipe, solid, w.e, b.lam_half, b.heat, w.p, b.status)
+    if recipe.bulk_first != 0:
+        material.mixture_slopes(count, at, recipe, solid, w.e, b.lam_half, w.p)
+
+
+@nb.njit(**INLINE)
+def keep_half(count, at, recipe):
+    """Keep density and pressure of the middle of the step, and twice the plastic heat of its first half: that of the whole."""
+    b, w = at.b, at.w
+    material.copy(count, recipe, w.rho, b.rho_half)
+    material.copy(count, recipe, w.p, b.p_half)
+    material.clear(count, recipe, b.heat)
+    material.add_plastic_heat(count, at, recipe, w.v, b.heat)
+    material.add_plastic_heat(count, at, recipe, w.v, b.heat)
+
+
+@nb.njit(**INLINE)
+def close_end(count, at, recipe, constants, solid, dt):
+    """Burn fraction and mixture at the end of the step, by the pressure in its middle; what burns at once, by that at its start."""
+    z, b, w = at.z, at.b, at.w
+    drive = z.p if recipe.instant != 0 else b.p_half
+    material.burn(count, at, recipe, dt, b.rho_half, b.rho_half, drive, z.q, w.lam)
+    material.add(count, recipe, b.heat, w.heat)
+    material.share_heat(count, at, recipe, constants, z.q, b.p_half, b.rho_half, w.heat)
+    material.lead_on(count, at, recipe, constants, w.lam, dt)
+    material.mix(count, at, recipe, solid, z.e, b.lam, b.heat, w.p, w.status)
+    material.keep_phases(count, at, recipe)
+    material.copy(count, recipe, w.p, z.p)
+    material.mixture_slopes(count, at, recipe, solid, z.e, b.lam, z.p)

@@ -1,0 +1,185 @@
+"""Motion of the nodes of one segment by both integrators, and what the boundaries do."""
+
+import math
+from collections import namedtuple
+
+import numba as nb
+
+from hugoniot.core.compile import GUARD
+from hugoniot.core.passes import kind_of, rows_apart, zone_pass
+from hugoniot.mesh.line import area, hoops
+from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.layout import H, Z
+
+
+AccelerateRows = namedtuple("AccelerateRows", "sigma hoop r u inverse_mass u_mean r_half")
+MoveRows = namedtuple("MoveRows", "sigma hoop r_half inverse_mass u u_mean r")
+LeapRows = namedtuple("LeapRows", "sigma pull width inverse_mass u r")
+
+
+# -- inner nodes: `count` of them from the second of the node rows on; zone rows begin with the zone on the left of the first ---------
+@zone_pass(AccelerateRows)
+def accelerate(count, z, dt, numbers, law):
+    """Predictor: velocity from the stresses at the start of the step, mean velocity, position at mid-step."""
+    rows_apart()
+    geometry = kind_of(law)
+    for j in range(count):
+        force = area(z.r[j + 1], geometry) * (z.sigma[j] - z.sigma[j + 1])
+        if hoops(geometry) > 0.0:
+            force -= z.hoop[j] + z.hoop[j + 1]
+        mean = z.u[j + 1] + 0.5 * dt * force * z.inverse_mass[j + 1]
+        z.u_mean[j + 1] = mean
+        z.r_half[j + 1] = z.r[j + 1] + 0.5 * dt * mean
+
+
+@zone_pass(MoveRows)
+def move(count, z, dt, numbers, law):
+    """Corrector: velocity and position at the end of the step from the stresses in its middle."""
+    rows_apart()
+    geometry = kind_of(law)
+    for j in range(count):
+        force = area(z.r_half[j + 1], geometry) * (z.sigma[j] - z.sigma[j + 1])
+        if hoops(geometry) > 0.0:
+            force -= z.hoop[j] + z.hoop[j + 1]
+        before = z.u[j + 1]
+        new = before + dt * force * z.inverse_mass[j + 1]
+        mean = 0.5 * (before + new)
+        z.u[j + 1] = new
+        z.u_mean[j + 1] = mean
+        z.r[j + 1] += dt * mean
+
+
+@zone_pass(LeapRows)
+def leap(count, z, dt, numbers, law):
+    """Leapfrog: velocity to n+1/2 and position to n+1 (B.2 item 2); `numbers` is the mean time step."""
+    rows_apart()
+    geometry, dt_mean = kind_of(law), numbers[0]
+    for j in range(count):
+        if hoops(geometry) == 0.0:
+            new = z.u[j + 1] + dt_mean * (z.sigma[j] - z.sigma[j + 1]) * z.inverse_mass[j + 1]
+        else:
+            phi = 0.5 * (z.width[j] + z.width[j + 1])
+            beta = 0.5 * (z.pull[j] + z.pull[j + 1])
+            new = z.u[j + 1] + dt_mean * ((z.sigma[j] - z.sigma[j + 1]) / phi + beta * hoops(geometry))
+        z.u[j + 1] = new
+        z.r[j + 1] += dt * new
+
+
+# -- boundaries --------------------------------------------------------------------------------------------------------
+@nb.njit(**GUARD)
+def pulse_value(time, pulse, table):
+    """Value of a boundary's pulse; `pulse` = (shape code, amplitude, start, duration), `table` = (times; values)."""
+    shape, amplitude, since, duration = int(pulse[0]), pulse[1], time - pulse[2], pulse[3]
+    if shape == 1:
+        times, values = table[0], table[1]
+        if time <= times[0]:
+            return values[0]
+        for k in range(1, times.shape[0]):
+            if time < times[k]:
+                return values[k - 1] + (values[k] - values[k - 1]) * (time - times[k - 1]) / (times[k] - times[k - 1])
+        return values[-1]
+    if since < 0.0:
+        return 0.0
+    if shape == 0:
+        return amplitude
+    if shape == 2:
+        return amplitude * math.exp(-since / duration)
+    if shape == 3:
+        return amplitude * math.sin(math.pi * since / duration) if since < duration else 0.0
+    if shape == 4:
+        return amplitude if since < duration else 0.0
+    return amplitude * min(since / duration, 1.0)
+
+
+@nb.njit(**GUARD)
+def outside_stress(code, time, reference, pulse, table):
+    """Stress a boundary applies, before what a transmitting one adds with the velocity."""
+    if code == L.PRESSURE:
+        return pulse_value(time, pulse, table)
+    return reference if code == L.TRANSMITTING else 0.0
+
+
+@nb.njit(**GUARD)
+def answered(u, acceleration, dt, per_stress, impedance):
+    """Velocity after dt of an end that is pushed back with the impedance rho c (0: not at all), taken at the mean velocity.
+
+    per_stress is the acceleration under a unit of stress, m2/kg. At the mean velocity it is stable at any step; with the old one alone
+    round-off grows.
+    """
+    weight = 0.5 * dt * per_stress * impedance
+    return (u * (1.0 - weight) + dt * acceleration) / (1.0 + weight)
+
+
+@nb.njit(**GUARD)
+def end_pull(zones, nodes, ends, geometry):
+    """(acceleration of a segment's end per stress, m2/kg; that of the hoop stress inside, m/s2) in the leapfrog (B.3)."""
+    node, zone, _ = ends
+    if hoops(geometry) == 0.0:
+        return nodes[H.inverse_mass, node], 0.0
+    return 1.0 / (0.5 * zones[Z.width, zone]), zones[Z.pull, zone] * hoops(geometry)
+
+
+@nb.njit(**GUARD)
+def book(control, left, work, impulse):
+    """Add what stands outside an end has done to it."""
+    control[L.WORK_LEFT if left else L.WORK_RIGHT] += work
+    control[L.IMPULSE_LEFT if left else L.IMPULSE_RIGHT] += impulse
+
+
+@nb.njit(**GUARD)
+def end_node(zones, nodes, control, ends, left, corrector, dt, boundary, geometry):
+    """One end of a segment; `ends` = (node, zone, boundary code), `boundary` = (pulse, table) of the deck's boundary.
+
+    In the corrector the work and the impulse of what stands outside are booked.
+    """
+    node, zone, code = ends
+    pulse, table = boundary
+    u, r, time = nodes[H.u, node], nodes[H.r, node], control[L.TIME]
+    face = area(nodes[H.r_half, node] if corrector else r, geometry)
+    sigma = zones[Z.sigma_half, zone] if corrector else zones[Z.sigma, zone]
+    hoop = 0.0
+    if hoops(geometry) > 0.0:
+        hoop = zones[Z.hoop_half, zone] if corrector else zones[Z.hoop, zone]
+    sign, inverse = -1.0 if left else 1.0, nodes[H.inverse_mass, node]
+    inner = sign * face * sigma - hoop
+    if code == L.FIXED or code == L.VELOCITY:
+        new = 0.0 if code == L.FIXED else pulse_value(time + dt, pulse, table)
+        outer = (new - u) / (dt * inverse) - inner
+    else:
+        reference = control[L.REFERENCE_LEFT] if left else control[L.REFERENCE_RIGHT]
+        push = -sign * face * outside_stress(code, time + 0.5 * dt, reference, pulse, table)
+        impedance = zones[Z.rho, zone] * zones[Z.c, zone] if code == L.TRANSMITTING else 0.0
+        new = answered(u, inverse * (inner + push), dt, inverse * face, impedance)
+        outer = push - impedance * face * 0.5 * (u + new)
+    mean = 0.5 * (u + new)
+    nodes[H.u_mean, node] = mean
+    if corrector:
+        nodes[H.u, node] = new
+        nodes[H.r, node] = r + dt * mean
+        book(control, left, dt * outer * mean, dt * outer)
+    else:
+        nodes[H.r_half, node] = r + 0.5 * dt * mean
+
+
+@nb.njit(**GUARD)
+def leap_end(zones, nodes, control, ends, left, dts, boundary, geometry):
+    """One end of a segment in the leapfrog: acceleration under the outside stress, or the prescribed velocity; `dts` = (dt, mean dt)."""
+    node, zone, code = ends
+    pulse, table = boundary
+    dt, dt_mean = dts[0], dts[1]
+    sign = -1.0 if left else 1.0
+    u, time = nodes[H.u, node], control[L.TIME]
+    per_stress, pull = end_pull(zones, nodes, ends, geometry)
+    face, mass = area(nodes[H.r, node], geometry), nodes[H.mass, node]
+    if code == L.FIXED or code == L.VELOCITY:
+        new = 0.0 if code == L.FIXED else pulse_value(time + 0.5 * dt, pulse, table)
+        outer = mass * ((new - u) / dt_mean - sign * zones[Z.sigma, zone] * per_stress - pull)
+    else:
+        reference = control[L.REFERENCE_LEFT] if left else control[L.REFERENCE_RIGHT]
+        outside = outside_stress(code, time, reference, pulse, table)
+        impedance = zones[Z.rho, zone] * zones[Z.c, zone] if code == L.TRANSMITTING else 0.0
+        new = answered(u, sign * (zones[Z.sigma, zone] - outside) * per_stress + pull, dt_mean, per_stress, impedance)
+        outer = -sign * face * (outside + sign * impedance * 0.5 * (u + new))
+    nodes[H.u, node] = new
+    nodes[H.r, node] += dt * new
+    book(control, left, dt * outer * new, dt_mean * outer)

@@ -1,0 +1,138 @@
+"""Stress deviators in one dimension: elastic trial from the strain increments of a step, and the return to the yield surface.
+
+Wilkins B.2 items 5 and 6. In planar and spherical flow the two hoop directions are alike, so s1 = -2 s2 and the return is a clamp of s1
+(Herrmann A.18, with the corrected result sgn 2Y/3); cylindrical flow needs the full second invariant.
+"""
+
+from typing import Any, NamedTuple
+
+import numba as nb
+
+from hugoniot.core.compile import INLINE, bind
+from hugoniot.core.ops import fmax, fmin, late_over, vsqrt
+from hugoniot.core.passes import call_pass, kind_of, rows_apart, zone_pass
+from hugoniot.mesh.line import hoops
+from hugoniot.zones import material
+
+NO_STRESS = 1e-30     # Pa2, beside which no stress squared counts
+
+
+class StressRows(NamedTuple):
+    """s1, s2 at the start; radial and hoop strains and dilation of the step; shear -> t1, t2, equivalent."""
+
+    s1: Any
+    s2: Any
+    radial: Any
+    hoop: Any
+    dilation: Any
+    shear: Any
+    t1: Any
+    t2: Any
+    equivalent: Any
+
+
+class ReturnRows(NamedTuple):
+    """t1, t2 and limit -> t1, t2."""
+
+    t1: Any
+    t2: Any
+    limit: Any
+
+
+class RateRows(NamedTuple):
+    """radial and hoop strains, dilation -> rate (1/s)."""
+
+    radial: Any
+    hoop: Any
+    dilation: Any
+    rate: Any
+
+
+def trial_deviators(s1, s2, radial, hoop, dilation, shear):
+    """Elastic deviators after the strain increments; `dilation` is dV/V."""
+    third = dilation * (1.0 / 3.0)
+    return s1 + 2.0 * shear * (radial - third), s2 + 2.0 * shear * (hoop - third)
+
+
+def von_mises(s1, s2, geometry):
+    """Equivalent stress sqrt(3/2 s:s)."""
+    if hoops(geometry) == 1.0:
+        return vsqrt(3.0 * (s1 * s1 + s1 * s2 + s2 * s2))
+    return 1.5 * fmax(s1, -s1)
+
+
+def radial_return(s1, s2, limit, geometry):
+    """Deviators brought back to the yield surface of flow stress `limit` (Wilkins B.2 item 6)."""
+    if hoops(geometry) == 1.0:
+        square = 3.0 * (s1 * s1 + s1 * s2 + s2 * s2)
+        # limit / sqrt(J) as limit sqrt(J) / J: the division need not wait for the root
+        scale = fmin(1.0, late_over(limit * vsqrt(square), square + NO_STRESS))
+        return s1 * scale, s2 * scale
+    bound = (2.0 / 3.0) * limit
+    s1 = fmax(fmin(s1, bound), -bound)
+    return s1, -0.5 * s1
+
+
+def equivalent_rate(radial, hoop, dilation, dt):
+    """Equivalent deviatoric strain rate sqrt(2/3 e':e'), 1/s."""
+    third = dilation * (1.0 / 3.0)
+    e1 = radial - third
+    e2 = hoop - third
+    e3 = -(e1 + e2)
+    return vsqrt((2.0 / 3.0) * (e1 * e1 + e2 * e2 + e3 * e3)) / dt
+
+
+@zone_pass(StressRows)
+def trial_pass(count, z, dt, numbers, law):
+    """t1, t2 and the equivalent stress of the elastic trial; `law` is the geometry."""
+    rows_apart()
+    geometry = kind_of(law)
+    for j in range(count):
+        t1, t2 = trial_deviators(z.s1[j], z.s2[j], z.radial[j], z.hoop[j], z.dilation[j], z.shear[j])
+        z.t1[j] = t1
+        z.t2[j] = t2
+        z.equivalent[j] = von_mises(t1, t2, geometry)
+
+
+@zone_pass(ReturnRows)
+def return_pass(count, z, dt, numbers, law):
+    """t1, t2 back on the yield surface of `limit`."""
+    rows_apart()
+    geometry = kind_of(law)
+    for j in range(count):
+        z.t1[j], z.t2[j] = radial_return(z.t1[j], z.t2[j], z.limit[j], geometry)
+
+
+@zone_pass(RateRows)
+def rate_pass(count, z, dt, numbers, law):
+    """Equivalent strain rate of a step."""
+    rows_apart()
+    for j in range(count):
+        z.rate[j] = equivalent_rate(z.radial[j], z.hoop[j], z.dilation[j], dt)
+
+
+for _function in (trial_deviators, von_mises, radial_return, equivalent_rate):
+    bind(_function)
+
+
+@nb.njit(**INLINE)
+def deviators(count, at, steps, recipe, solid, e, p, lam, dt):
+    """Deviators t1, t2 at the end of a strain, with `limit` and `flow`; zero for a fluid.
+
+    e, p, lam   rows of the state whose modulus and yield count (lam: of burning material only); its c^2 is w.c2
+    """
+    z, w = at.z, at.w
+    if recipe.shear == 0:
+        material.clear(count, recipe, w.t1)
+        material.clear(count, recipe, w.t2)
+        material.clear(count, recipe, w.shear)
+        return
+    hoop, dilation = w.hoop, w.dilation
+    if steps.curved == 0:      # dilation and radial strain are one number in planar flow
+        hoop, dilation = w.zero, w.radial
+    if recipe.needs_rate != 0:
+        call_pass(steps.rate, count, RateRows(w.radial, hoop, dilation, w.rate), dt, w.rate)
+    material.moduli(count, at, recipe, solid, e, p, lam)
+    call_pass(steps.trial, count, StressRows(z.s1, z.s2, w.radial, hoop, dilation, w.shear, w.t1, w.t2, w.equivalent), dt, w.t1)
+    material.flow(count, at, recipe, solid, p, lam)
+    call_pass(steps.back, count, ReturnRows(w.t1, w.t2, w.limit), dt, w.t1)

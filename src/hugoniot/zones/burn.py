@@ -1,0 +1,223 @@
+"""Burning of a zone: how its burn fraction grows in a step, and how fast it burns, which the time step has to follow.
+
+    burn     burn fractions at the end of a step, by schedule and by rate
+    rates    rates of burning
+
+Source: 003 (Starkenberg ARL-TR-2161) sections 3 to 5; 002 (Herrmann WL-TR-64-107) A.27 to A.30.
+"""
+
+from collections import namedtuple
+from typing import Any, NamedTuple
+
+from hugoniot.core.compile import bind, bind_choice, bind_module
+from hugoniot.core.ops import fmax, fmin
+from hugoniot.core.passes import bind_flag, law_of, named, rows_apart, zone_pass
+from hugoniot.laws.mixture import reference_state
+from hugoniot.laws.mixture.reference_state import PASSING, found_state, is_passing, reactants_share
+from hugoniot.zones.constants import Constants
+from hugoniot.zones.soundness import FOUND_RATE
+from hugoniot.laws.burn.contract import BURN, advance, rate, scheduled, short_advance
+from hugoniot.laws.mixture.contract import Mixed, mixture_temperature
+from hugoniot.zones.mixture import BURNED, PARTLY, end_of_stretch, whole
+
+STEP_SHARE = 0.1     # of the shortest burning time a step may be
+NEARLY = 0.99        # burn fraction up to which the time step follows the rate
+IGNITED = 0.05       # burn fraction from which the resolution of the rate is watched
+SUBCYCLED = -1.0     # in place of a burn fraction that takes sub-steps
+
+
+class BurnRows(NamedTuple):
+    """lam, since (time from lighting to the start, s), width (m), rho, end_rho (what a schedule sees), drive (Pa), q, phases -> new."""
+
+    lam: Any
+    since: Any
+    width: Any
+    rho: Any
+    end_rho: Any
+    drive: Any
+    q: Any
+    p: Any
+    rho_r: Any
+    e_r: Any
+    rho_p: Any
+    e_p: Any
+    new: Any
+
+
+class RateRows(NamedTuple):
+    """lam, rho, p, q, phases -> pace (1/s); 0 for what has not begun, has nearly ended, or burns by schedule."""
+
+    lam: Any
+    rho: Any
+    p: Any
+    q: Any
+    rho_r: Any
+    e_r: Any
+    rho_p: Any
+    e_p: Any
+    pace: Any
+
+
+PaceRows = namedtuple("PaceRows", "lam pace inverse_width status resolution c found")
+PassedRows = namedtuple("PassedRows", "reference shocked")
+PassingRows = namedtuple("PassingRows", "q p rho c shocked")
+HeatRows = namedtuple("HeatRows", "shocked heat taken")
+LeadRows = namedtuple("LeadRows", "new shocked lam since reference")
+KeepRows = namedtuple("KeepRows", "new_rho_r new_e_r new_rho_p new_e_p new_status rho_r e_r rho_p e_p status")
+
+
+def burn_temperature(lam, mixed, mixture, rate):
+    """Temperature for a burn law that asks for one; 0 for the others, at no cost."""
+    return mixture_temperature(lam, mixed, mixture) if "temperature_driven" in BURN.of(rate).flags else 0.0
+
+
+def no_temperature(lam, mixed, mixture, rate):
+    return 0.0
+
+
+def its_temperature(lam, mixed, mixture, rate):
+    return mixture_temperature(lam, mixed, mixture)
+
+
+def counts_viscosity(rate) -> bool:
+    """Whether the pressure a burn law is meant to see is that with the artificial viscosity."""
+    return "includes_viscosity" in BURN.of(rate).flags
+
+
+def subcycles(rate) -> bool:
+    """Whether `advance` of the burn law is a loop, which no packed loop over zones can hold."""
+    return "subcycled" in BURN.of(rate).flags
+
+
+def phases(z, j):
+    """The phases of the step before."""
+    return Mixed(z.p[j], z.rho_r[j], z.e_r[j], z.rho_p[j], z.e_p[j], 0.0)
+
+
+def driving_pressure(z, j, rate):
+    """The pressure a burn law is meant to see."""
+    return z.drive[j] + z.q[j] if counts_viscosity(rate) else z.drive[j]
+
+
+def fraction(z, j, dt, par):
+    """Burn fraction after a step of dt."""
+    lam = scheduled(z.lam[j], z.since[j] + dt, 0.0, z.width[j], z.end_rho[j], par.rate)
+    heat = burn_temperature(z.lam[j], phases(z, j), par.mixture, par.rate)
+    return advance(lam, dt, z.rho[j], driving_pressure(z, j, par.rate), heat, par.rate) if lam < 1.0 else lam
+
+
+def short_fraction(z, j, dt, par):
+    """The same of a zone that burns by a rate, where `short_advance` does; else SUBCYCLED."""
+    heat = burn_temperature(z.lam[j], phases(z, j), par.mixture, par.rate)
+    end, done = short_advance(z.lam[j], dt, z.rho[j], driving_pressure(z, j, par.rate), heat, par.rate)
+    return end if done else SUBCYCLED
+
+
+@zone_pass(BurnRows)
+def burn_pass(count, z, dt, numbers, law):
+    rows_apart()
+    par = law_of(law, numbers)
+    if subcycles(par.rate):      # tried for many zones at a time; those that are still whole are mostly answered at once
+        start = 0
+        while start < count:
+            known, stop = whole(z.lam[start]), end_of_stretch(z.lam, start, count)
+            for j in range(start, stop):
+                z.new[j] = BURNED if known == BURNED else SUBCYCLED
+            if known == PARTLY:
+                for j in range(start, stop):
+                    z.new[j] = short_fraction(z, j, dt, par)
+            if known != BURNED:
+                for j in range(start, stop):
+                    if z.new[j] < 0.0:
+                        z.new[j] = fraction(z, j, dt, par)
+            start = stop
+    else:
+        for j in range(count):
+            z.new[j] = fraction(z, j, dt, par)
+
+
+@zone_pass(RateRows)
+def rates_pass(count, z, dt, numbers, law):
+    rows_apart()
+    par = law_of(law, numbers)
+    for j in range(count):
+        lam, pace = z.lam[j], 0.0
+        if 0.0 < lam < NEARLY:   # what has not begun has no rate
+            # a term that ends at a small burn fraction (ignition) is looked past: it cannot burn more than the share of a step
+            drive = z.p[j] + z.q[j] if counts_viscosity(par.rate) else z.p[j]
+            pace = rate(fmax(lam, STEP_SHARE), z.rho[j], drive, burn_temperature(lam, phases(z, j), par.mixture, par.rate), par.rate)
+        z.pace[j] = pace
+
+
+@zone_pass(PaceRows)
+def pace_pass(count, z, dt, numbers, law):
+    """Largest signal rate of burning; notes how well burning is resolved, and marks zones whose mixture was not found."""
+    rows_apart()
+    constants, quickest = named(Constants, numbers), z.found[FOUND_RATE]
+    for j in range(count):
+        quickest = fmax(quickest, constants.per_rate * z.pace[j])
+        if z.lam[j] > IGNITED and z.pace[j] > 0.0:
+            z.resolution[j] = fmin(z.resolution[j], z.c[j] * z.inverse_width[j] / z.pace[j])
+        z.c[j] = z.c[j] if z.status[j] == 0.0 else -1.0
+    z.found[FOUND_RATE] = quickest
+
+
+@zone_pass(PassedRows)
+def was_passing_pass(count, z, dt, numbers, law):
+    """1 where a shock was passing at the end of the step before."""
+    rows_apart()
+    for j in range(count):
+        z.shocked[j] = 1.0 if z.reference[j] == PASSING else 0.0
+
+
+@zone_pass(PassingRows)
+def is_passing_pass(count, z, dt, numbers, law):
+    """1 where a shock is passing in this step."""
+    rows_apart()
+    for j in range(count):
+        z.shocked[j] = 1.0 if is_passing(z.q[j], z.p[j], z.rho[j] * z.c[j] * z.c[j]) else 0.0
+
+
+@zone_pass(HeatRows)
+def share_heat_pass(count, z, dt, numbers, law):
+    """What phases take of a step's dissipated heat: reactants of a frozen reference state only while a shock is passing."""
+    rows_apart()
+    constants = named(Constants, numbers)
+    for j in range(count):
+        z.taken[j] = reactants_share(z.heat[j], z.shocked[j] > 0.0, constants.freezes) if constants.isolates > 0.0 else z.heat[j]
+
+
+@zone_pass(LeadRows)
+def lead_on_pass(count, z, dt, numbers, law):
+    """Burn fractions, the clock of lighting and the code of the reactants' reference state at the end of the step."""
+    rows_apart()
+    constants = named(Constants, numbers)
+    for j in range(count):
+        z.lam[j] = z.new[j]
+        z.since[j] += dt
+        if constants.isolates > 0.0:
+            z.reference[j] = found_state(z.reference[j], z.shocked[j] > 0.0, z.new[j])
+
+
+@zone_pass(KeepRows)
+def keep_phases_pass(count, z, dt, numbers, law):
+    """The phases just found become those of the step; a fault of either search counts."""
+    rows_apart()
+    for j in range(count):
+        z.rho_r[j] = z.new_rho_r[j]
+        z.e_r[j] = z.new_e_r[j]
+        z.rho_p[j] = z.new_rho_p[j]
+        z.e_p[j] = z.new_e_p[j]
+        z.status[j] += z.new_status[j]
+
+
+def _asks(flag, then, otherwise):
+    return lambda *classes: then if flag in BURN.of_class(classes[-1]).flags else otherwise
+
+
+bind_module(reference_state)
+bind_choice(burn_temperature, _asks("temperature_driven", its_temperature, no_temperature))
+bind_flag(counts_viscosity, BURN, "includes_viscosity")
+bind_flag(subcycles, BURN, "subcycled")
+for _function in (no_temperature, its_temperature, phases, driving_pressure, fraction, short_fraction):
+    bind(_function)

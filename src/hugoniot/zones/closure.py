@@ -1,0 +1,166 @@
+"""Closure of inert material: what an equation of state says of a zone whose density is known.
+
+    pressure     p at a given energy (the middle of a predictor-corrector step)
+    state        p and c^2 at a given energy, pores compacted (its end)
+    settle       energy and pressure together, e + (p + p_old) dv/2 = target (a leapfrog: Wilkins B.2 item 8)
+    stiffness    c^2 alone, for those who ask for it before the state is known
+    temperature  T, for strength laws that ask for one
+    rest         density from which a fracture law counts volume strain
+
+Sound is elastic, on the unloading branch of a law with memory: a release outruns the wave that crushes.
+"""
+
+from typing import Any, NamedTuple
+
+from hugoniot.core.ops import late_over
+from hugoniot.core.passes import bind_flag, law_of, rows_apart, zone_pass
+from hugoniot.laws.eos.contract import EOS, compacted, pressure, pressure_derivatives, reference_state, remembered, unloading
+from hugoniot.laws.eos.contract import temperature as eos_temperature
+
+NEWTON_STEPS = 4      # of `settle` for laws that are not linear in the energy
+
+
+class PressureRows(NamedTuple):
+    """rho (kg/m3), e (J/kg), compaction -> p (Pa)."""
+
+    rho: Any
+    e: Any
+    compaction: Any
+    p: Any
+
+
+class StateRows(NamedTuple):
+    """rho, e, compaction (led on) -> p, c2 (m2/s2)."""
+
+    rho: Any
+    e: Any
+    compaction: Any
+    p: Any
+    c2: Any
+
+
+class SettleRows(NamedTuple):
+    """rho, dv (change of the specific volume), target (energy before the pressure works, J/kg); e, p, compaction are led on -> c2."""
+
+    rho: Any
+    dv: Any
+    target: Any
+    e: Any
+    p: Any
+    compaction: Any
+    c2: Any
+
+
+class StiffnessRows(NamedTuple):
+    """rho, e, p, compaction -> c2."""
+
+    rho: Any
+    e: Any
+    p: Any
+    compaction: Any
+    c2: Any
+
+
+class TemperatureRows(NamedTuple):
+    """rho, e, compaction -> temperature (K)."""
+
+    rho: Any
+    e: Any
+    compaction: Any
+    temperature: Any
+
+
+class RestRows(NamedTuple):
+    """compaction -> density at rest of material as compacted as it is, kg/m3."""
+
+    compaction: Any
+    rest: Any
+
+
+def remembers(eos) -> bool:
+    """Whether the equation of state has a history variable."""
+    return "remembers" in EOS.of(eos).flags
+
+
+def linear_in_energy(eos) -> bool:
+    """Whether the pressure is linear in the energy, so that `settle` is one division."""
+    return "linear_in_energy" in EOS.of(eos).flags
+
+
+@zone_pass(PressureRows)
+def pressure_pass(count, z, dt, numbers, law):
+    rows_apart()
+    eos = law_of(law, numbers)
+    for j in range(count):
+        z.p[j] = pressure(z.rho[j], z.e[j], remembered(z.compaction[j], eos))
+
+
+@zone_pass(StateRows)
+def state_pass(count, z, dt, numbers, law):
+    rows_apart()
+    eos = law_of(law, numbers)
+    for j in range(count):
+        rho, e, compaction = z.rho[j], z.e[j], z.compaction[j]
+        p = pressure(rho, e, remembered(compaction, eos))
+        if remembers(eos):
+            compaction = compacted(compaction, rho, e, p, eos)
+            z.compaction[j] = compaction
+        p_rho, p_e = pressure_derivatives(rho, e, unloading(remembered(compaction, eos)))
+        z.p[j] = p
+        z.c2[j] = p_rho + p * p_e / (rho * rho)
+
+
+@zone_pass(SettleRows)
+def settle_pass(count, z, dt, numbers, law):
+    rows_apart()
+    eos = law_of(law, numbers)
+    for j in range(count):
+        rho, dv, compaction = z.rho[j], z.dv[j], z.compaction[j]
+        target = z.target[j] - 0.5 * z.p[j] * dv
+        crushed = remembered(compaction, eos)
+        if linear_in_energy(eos):
+            _, p_e = pressure_derivatives(rho, z.e[j], crushed)
+            e = late_over(target - 0.5 * pressure(rho, 0.0, crushed) * dv, 1.0 + 0.5 * p_e * dv)
+        else:
+            e = target - 0.5 * z.p[j] * dv
+            for _ in range(NEWTON_STEPS):
+                _, slope = pressure_derivatives(rho, e, crushed)
+                miss = e - target + 0.5 * pressure(rho, e, crushed) * dv
+                e -= miss / (1.0 + 0.5 * slope * dv)
+        p = pressure(rho, e, crushed)
+        if remembers(eos):
+            compaction = compacted(compaction, rho, e, p, eos)
+            z.compaction[j] = compaction
+        p_rho, p_e = pressure_derivatives(rho, e, unloading(remembered(compaction, eos)))
+        z.e[j] = e
+        z.p[j] = p
+        z.c2[j] = p_rho + p * p_e / (rho * rho)
+
+
+@zone_pass(StiffnessRows)
+def stiffness_pass(count, z, dt, numbers, law):
+    rows_apart()
+    eos = law_of(law, numbers)
+    for j in range(count):
+        p_rho, p_e = pressure_derivatives(z.rho[j], z.e[j], unloading(remembered(z.compaction[j], eos)))
+        z.c2[j] = p_rho + z.p[j] * p_e / (z.rho[j] * z.rho[j])
+
+
+@zone_pass(TemperatureRows)
+def temperature_pass(count, z, dt, numbers, law):
+    rows_apart()
+    eos = law_of(law, numbers)
+    for j in range(count):
+        z.temperature[j] = eos_temperature(z.rho[j], z.e[j], remembered(z.compaction[j], eos))
+
+
+@zone_pass(RestRows)
+def rest_pass(count, z, dt, numbers, law):
+    rows_apart()
+    eos = law_of(law, numbers)
+    for j in range(count):
+        z.rest[j] = reference_state(remembered(z.compaction[j], eos))[0]
+
+
+bind_flag(remembers, EOS, "remembers")
+bind_flag(linear_in_energy, EOS, "linear_in_energy")

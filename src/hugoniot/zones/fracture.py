@@ -1,0 +1,137 @@
+"""Fracture of a zone: damage, how near it is to failure, and voids that grow in it at the tension its law caps.
+
+Voids grow at the capped tension and close at zero stress. The changes are consistent to first order; the next step's equation of state,
+which sees the solid's own volume, takes up the rest.
+"""
+
+from collections import namedtuple
+from typing import Any, NamedTuple
+
+from hugoniot.core.compile import bind
+from hugoniot.core.ops import fmax, fmin
+from hugoniot.core.passes import bind_flag, law_of, rows_apart, zone_pass
+from hugoniot.laws.fracture.contract import FRACTURE, damage_rate, failure, tension_cap
+from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE
+
+TINY = 1e-300
+OPENING_OF_A_SPRAY = 0.01    # part of the volume
+
+
+class FractureRows(NamedTuple):
+    """t1 and p (Pa), c2, rho of the solid, v (of solid and voids), rest density -> failure, grown (m3/kg), relief (Pa).
+
+    damage and voids (m3/kg) are led on.
+    """
+
+    t1: Any
+    p: Any
+    c2: Any
+    rho: Any
+    v: Any
+    rest: Any
+    damage: Any
+    voids: Any
+    failure: Any
+    grown: Any
+    relief: Any
+
+
+class ReliefRows(NamedTuple):
+    """t1, p, c2, rho, voids -> relief: what the voids would take off the tension now; none of them grows."""
+
+    t1: Any
+    p: Any
+    c2: Any
+    rho: Any
+    voids: Any
+    relief: Any
+
+
+SolidRows = namedtuple("SolidRows", "v voids solid solid_v")
+HoldRows = namedtuple("HoldRows", "solid grown relief flow p found")
+WorstRows = namedtuple("WorstRows", "failure found")
+
+
+def grows_voids(fracture) -> bool:
+    """Whether a failing zone grows voids at a tension its law caps."""
+    return "voids" in FRACTURE.of(fracture).flags
+
+
+def void_change(tension, stiffness, voids, density, fracture):
+    """(change of the void volume per mass, change of the pressure).
+
+    stiffness = rho^2 c_b^2 of the solid, -dp/dv. Where the solid's pressure does not answer (a tension cut-off) voids take
+    OPENING_OF_A_SPRAY of the volume in a step, until it does.
+    """
+    excess = fmax(tension - tension_cap(voids * density, fracture), 0.0)
+    closing = fmin(voids * stiffness, fmax(-tension, 0.0))
+    answers = stiffness if stiffness > excess * density else excess * density * (1.0 / OPENING_OF_A_SPRAY)
+    return (excess - closing) / fmax(answers, TINY), excess - closing
+
+
+def flow_beside_voids(flow, grown, density):
+    """Plastic strain increment of the solid when part of the stretch, grown * density, was the opening of voids."""
+    return fmax(flow - (2.0 / 3.0) * fmax(grown, 0.0) * density, 0.0)
+
+
+@zone_pass(FractureRows)
+def fracture_pass(count, z, dt, numbers, law):
+    rows_apart()
+    fracture = law_of(law, numbers)
+    for j in range(count):
+        p, rho = z.p[j], z.rho[j]
+        tension = z.t1[j] - p
+        hurt = z.damage[j] + dt * damage_rate(tension, fracture)
+        z.damage[j] = hurt
+        z.failure[j] = failure(tension, p, z.rest[j] * z.v[j], hurt, fracture)
+        if grows_voids(fracture):
+            grown, relief = void_change(tension, rho * rho * z.c2[j], z.voids[j], rho, fracture)
+            z.voids[j] += grown
+            z.grown[j] = grown
+            z.relief[j] = relief
+
+
+@zone_pass(ReliefRows)
+def relief_pass(count, z, dt, numbers, law):
+    rows_apart()
+    fracture = law_of(law, numbers)
+    for j in range(count):
+        rho = z.rho[j]
+        z.relief[j] = void_change(z.t1[j] - z.p[j], rho * rho * z.c2[j], z.voids[j], rho, fracture)[1]
+
+
+@zone_pass(SolidRows)
+def solid_pass(count, z, dt, numbers, law):
+    """Specific volume and density of the solid between the voids."""
+    rows_apart()
+    for j in range(count):
+        solid = z.v[j] - z.voids[j]
+        z.solid_v[j] = solid
+        z.solid[j] = 1.0 / solid
+
+
+@zone_pass(HoldRows)
+def hold_pass(count, z, dt, numbers, law):
+    """Pressure after the voids' relief, flow beside them; counts the zones that were held at the cap of their tension."""
+    rows_apart()
+    capped = 0.0
+    for j in range(count):
+        z.flow[j] = flow_beside_voids(z.flow[j], z.grown[j], z.solid[j])
+        z.p[j] += z.relief[j]
+        capped += 1.0 if z.relief[j] > 0.0 else 0.0
+    z.found[FOUND_CAPPED] += capped
+
+
+@zone_pass(WorstRows)
+def worst_pass(count, z, dt, numbers, law):
+    """Largest failure ratio."""
+    rows_apart()
+    worst = z.found[FOUND_FAILURE]
+    for j in range(count):
+        worst = fmax(worst, z.failure[j])
+    z.found[FOUND_FAILURE] = worst
+
+
+bind_flag(grows_voids, FRACTURE, "voids")
+bind(void_change)
+bind(flow_beside_voids)

@@ -1,0 +1,193 @@
+"""Closure of burning material: a mixture of reactants and products stands where inert material has an equation of state.
+
+    solve        pressure and both phases at a given energy and burn fraction
+    slopes       c^2 and dp/de of a solved mixture
+    temperature  T of a solved mixture
+    bare, isolates   what a closure is: without reactants, with reactants on an isentrope
+
+Most zones of a charge have not begun to burn or have ended, and are plain material. Every stretch of zones that have all burned nothing,
+all burned whole, or all burned a part goes through the same loop: with a burn fraction of 0 or 1 that is known when it is compiled,
+nothing of a mixture is left in it, and it is packed like that of inert zones.
+
+The state a search starts from is that of the step before, warmed by the share of the step's heat its phases take (`heat`). A search
+that fails leaves its status.
+
+Source: 003 (Starkenberg ARL-TR-2161) sections 3 to 5; `docs/theory/mixtures.md`.
+"""
+
+from typing import Any, NamedTuple
+
+import numba as nb
+
+from hugoniot.core.compile import SWEEP, bind
+from hugoniot.core.passes import bind_flag, law_of, rows_apart, zone_pass
+from hugoniot.laws.mixture.contract import (
+    CONVERGED,
+    MIXTURE,
+    Mixed,
+    at_rest,
+    attempt,
+    heated,
+    mixture_temperature,
+    slopes,
+    solve,
+    sound_speed_squared,
+)
+
+UNBURNED, PARTLY, BURNED = 0.0, -1.0, 1.0
+
+
+class SolveRows(NamedTuple):
+    """rho, e, lam (burn fraction), heat (J/kg), the phases before (p, rho_r, e_r, rho_p, e_p) -> the phases now (new_...) and status."""
+
+    rho: Any
+    e: Any
+    lam: Any
+    heat: Any
+    p: Any
+    rho_r: Any
+    e_r: Any
+    rho_p: Any
+    e_p: Any
+    new_p: Any
+    new_rho_r: Any
+    new_e_r: Any
+    new_rho_p: Any
+    new_e_p: Any
+    status: Any
+
+
+class SlopeRows(NamedTuple):
+    """rho, e, lam and solved phases -> c2 (m2/s2), p_e (dp/de at constant density, kg/m3)."""
+
+    rho: Any
+    e: Any
+    lam: Any
+    p: Any
+    rho_r: Any
+    e_r: Any
+    rho_p: Any
+    e_p: Any
+    c2: Any
+    p_e: Any
+
+
+class MixtureTemperatureRows(NamedTuple):
+    """lam and phases -> temperature (K)."""
+
+    lam: Any
+    p: Any
+    rho_r: Any
+    e_r: Any
+    rho_p: Any
+    e_p: Any
+    temperature: Any
+
+
+def isolates(mixture) -> bool:
+    """Whether the reactants keep an isentrope, and so have a reference state."""
+    return "follows_isentrope" in MIXTURE.of(mixture).flags
+
+
+def bare(mixture) -> bool:
+    """Whether nothing stands for the explosive before it burns."""
+    return "no_reactants" in MIXTURE.of(mixture).flags
+
+
+def whole(lam):
+    """UNBURNED, BURNED, or PARTLY for what is between: the burn fraction where a loop may know it."""
+    return lam if lam in (UNBURNED, BURNED) else PARTLY
+
+
+def before(z, j):
+    """The phases of the step before, warmed."""
+    return heated(Mixed(z.p[j], z.rho_r[j], z.e_r[j], z.rho_p[j], z.e_p[j], 0.0), z.heat[j])
+
+
+def mixed_now(z, j):
+    """The solved phases."""
+    return Mixed(z.p[j], z.rho_r[j], z.e_r[j], z.rho_p[j], z.e_p[j], 0.0)
+
+
+@nb.njit(**SWEEP)
+def end_of_stretch(lam, start, count):
+    """Where the zones from `start` on that have all burned nothing, all burned whole, or all burned a part, end."""
+    known = whole(lam[start])
+    for j in range(start + 1, count):
+        if whole(lam[j]) != known:
+            return j
+    return count
+
+
+@nb.njit(**SWEEP)
+def keep(z, j, mixed):
+    z.new_p[j] = mixed.pressure
+    z.new_rho_r[j] = mixed.rho_r
+    z.new_e_r[j] = mixed.e_r
+    z.new_rho_p[j] = mixed.rho_p
+    z.new_e_p[j] = mixed.e_p
+    z.status[j] = mixed.status
+
+
+@nb.njit(**SWEEP)
+def solve_pure(z, start, stop, known, mixture):
+    """Zones that have burned nothing, or whole."""
+    for j in range(start, stop):
+        phases = heated(at_rest(z.rho_r[j], z.e_r[j]), z.heat[j]) if known == UNBURNED else before(z, j)
+        keep(z, j, solve(z.rho[j], z.e[j], known, phases, mixture))
+
+
+@zone_pass(SolveRows)
+def solve_pass(count, z, dt, numbers, law):
+    rows_apart()
+    mixture, start = law_of(law, numbers).mixture, 0
+    while start < count:
+        known, stop = whole(z.lam[start]), end_of_stretch(z.lam, start, count)
+        if known == UNBURNED:
+            solve_pure(z, start, stop, UNBURNED, mixture)
+        elif known == BURNED:
+            solve_pure(z, start, stop, BURNED, mixture)
+        else:
+            for j in range(start, stop):
+                keep(z, j, attempt(z.rho[j], z.e[j], z.lam[j], before(z, j), mixture))
+            for j in range(start, stop):
+                if z.status[j] != CONVERGED:
+                    keep(z, j, solve(z.rho[j], z.e[j], z.lam[j], before(z, j), mixture))
+        start = stop
+
+
+@nb.njit(**SWEEP)
+def slope_stretch(z, start, stop, known, mixture):
+    for j in range(start, stop):
+        slope = slopes(z.rho[j], z.e[j], z.lam[j] if known == PARTLY else known, mixed_now(z, j), mixture)
+        z.c2[j] = sound_speed_squared(z.rho[j], z.p[j], slope)
+        z.p_e[j] = slope.by_energy
+
+
+@zone_pass(SlopeRows)
+def slopes_pass(count, z, dt, numbers, law):
+    rows_apart()
+    mixture, start = law_of(law, numbers).mixture, 0
+    while start < count:
+        known, stop = whole(z.lam[start]), end_of_stretch(z.lam, start, count)
+        if known == UNBURNED:
+            slope_stretch(z, start, stop, UNBURNED, mixture)
+        elif known == BURNED:
+            slope_stretch(z, start, stop, BURNED, mixture)
+        else:
+            slope_stretch(z, start, stop, PARTLY, mixture)
+        start = stop
+
+
+@zone_pass(MixtureTemperatureRows)
+def mixture_temperature_pass(count, z, dt, numbers, law):
+    rows_apart()
+    mixture = law_of(law, numbers).mixture
+    for j in range(count):
+        z.temperature[j] = mixture_temperature(z.lam[j], mixed_now(z, j), mixture)
+
+
+bind_flag(isolates, MIXTURE, "follows_isentrope")
+bind_flag(bare, MIXTURE, "no_reactants")
+for _function in (whole, before, mixed_now):
+    bind(_function)

@@ -1,0 +1,40 @@
+"""Passes that only move numbers between rows."""
+
+from collections import namedtuple
+
+from hugoniot.core.passes import rows_apart, zone_pass
+
+FillRows = namedtuple("FillRows", "row")
+CopyRows = namedtuple("CopyRows", "row to")
+AddRows = namedtuple("AddRows", "more to")
+
+
+@zone_pass(FillRows)
+def clear_pass(count, z, dt, numbers, law):
+    """Zeros."""
+    for j in range(count):
+        z.row[j] = 0.0
+
+
+@zone_pass(FillRows)
+def rest_pass(count, z, dt, numbers, law):
+    """The first number of a row in every zone: the density at rest of the material."""
+    rows_apart()
+    for j in range(count):
+        z.row[j] = numbers[0]
+
+
+@zone_pass(CopyRows)
+def copy_pass(count, z, dt, numbers, law):
+    """A row into another."""
+    rows_apart()
+    for j in range(count):
+        z.to[j] = z.row[j]
+
+
+@zone_pass(AddRows)
+def add_pass(count, z, dt, numbers, law):
+    """A row added to another."""
+    rows_apart()
+    for j in range(count):
+        z.to[j] += z.more[j]

@@ -1,0 +1,68 @@
+"""What a state must be, and the peaks a zone has seen: looked at after every step while the numbers are at hand."""
+
+from typing import Any, NamedTuple
+
+import numba as nb
+import numpy as np
+
+from hugoniot.core.compile import GUARD, bind
+from hugoniot.core.ops import fmax, vsqrt
+from hugoniot.core.passes import rows_apart, zone_pass
+
+LIMIT = 1e12          # density (kg/m3) or sound speed (m/s) beyond which a state is no physics
+LIMIT_BITS = np.float64(LIMIT).view(np.uint64)
+(FOUND_RATE, FOUND_FAILURE, FOUND_IMPULSE, FOUND_CAPPED, FOUND_UNSOUND) = range(5)   # what passes find in a stretch of zones
+FOUND_FLOATS = 5
+STRESS_SCALE = 1e-18   # so that the same limit serves stresses: 1e30 Pa
+
+
+class PeakRows(NamedTuple):
+    """rho, c, sigma, p -> the largest and smallest sigma, the largest p and rho so far; found[FOUND_UNSOUND]."""
+
+    rho: Any
+    c: Any
+    sigma: Any
+    p: Any
+    peak_stress: Any
+    peak_tension: Any
+    peak_pressure: Any
+    peak_density: Any
+    found: Any
+
+
+def wave_speed(c2, noise):
+    """sqrt(c2); -1, which `look_over` refuses, for an imaginary speed; 0 for what is zero but for round-off (a cold gas)."""
+    return vsqrt(fmax(c2, 0.0)) if c2 > -noise else -1.0
+
+
+@zone_pass(PeakRows, exact=True)
+def look_over(count, z, dt, numbers, law):
+    """Counts zones with a density that is not positive or a sound speed that is not a finite number; records the peaks on the way."""
+    rows_apart()
+    bad = 0
+    for j in range(count):
+        # a negative number, an infinity and what is no number have larger bits than any finite positive one: one comparison does
+        # for the three, where a compiled comparison of numbers costs as much as a store
+        rho, sigma, p = z.rho[j], z.sigma[j], z.p[j]
+        bits = np.float64(rho).view(np.uint64)
+        of_speed, of_stress = np.float64(z.c[j]).view(np.uint64), np.float64(abs(sigma) * STRESS_SCALE).view(np.uint64)
+        bits = of_speed if of_speed > bits else bits
+        bits = of_stress if of_stress > bits else bits
+        bad += 0 if bits < LIMIT_BITS else 1
+        z.peak_stress[j] = sigma if sigma > z.peak_stress[j] else z.peak_stress[j]
+        z.peak_tension[j] = sigma if sigma < z.peak_tension[j] else z.peak_tension[j]
+        z.peak_pressure[j] = p if p > z.peak_pressure[j] else z.peak_pressure[j]
+        z.peak_density[j] = rho if rho > z.peak_density[j] else z.peak_density[j]
+    z.found[FOUND_UNSOUND] += bad
+
+
+@nb.njit(**GUARD)
+def first_unsound(rho, c, sigma):
+    """First of the zones `look_over` counts, or -1."""
+    for j in range(rho.shape[0]):
+        if not (0.0 <= rho[j] < LIMIT and 0.0 <= c[j] < LIMIT and abs(sigma[j]) * STRESS_SCALE < LIMIT):
+            return j
+    return -1
+
+
+bind(wave_speed)
