@@ -14,7 +14,7 @@ import time
 from hugoniot.materials import library
 from hugoniot.problem.model import Boundary, OutputOptions, Problem, Pulse, Region
 from hugoniot.simulate import make_solver
-from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.layout import B
 
 CLOSURES = ("thermal_isolation", "thermal_equilibrium", "weighted_pressures")
 ZONES, BURST, BURSTS, REPEATS, FOREVER = 1000, 40, 40, 5, 1e-3
@@ -38,10 +38,10 @@ def bursts(problem):
         solver = make_solver(problem)
         solver.march(FOREVER, 3)
         for k in range(BURSTS):
-            at_start, updates, begun = solver.zones[L.BURN_FRACTION].mean(), solver.zone_updates, time.process_time()
+            at_start, updates, begun = solver.charge[B.lam].mean(), solver.zone_updates, time.process_time()
             solver.march(FOREVER, BURST)
             took = 1e9 * (time.process_time() - begun) / (solver.zone_updates - updates)
-            lam = solver.zones[L.BURN_FRACTION]
+            lam = solver.charge[B.lam]
             best[k] = at_start, ((lam > 0.0) & (lam < 1.0)).mean(), min(took, best.get(k, (0.0, 0.0, took))[2])
     return list(best.values())
 

@@ -17,7 +17,7 @@ from hugoniot.materials import library
 from hugoniot.materials.material import Material
 from hugoniot.problem.model import Boundary, Problem, Region, SolverOptions
 from hugoniot.simulate import make_solver
-from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.layout import B, H, Z
 from hugoniot.theory.chapman_jouguet import cj
 from hugoniot.theory.exact.fickett_rivard import fickett_rivard
 from hugoniot.theory.hugoniot import Initial
@@ -106,12 +106,12 @@ def test_k3_threshold_burn_of_the_kb_codes(threshold):
         path = []
         while solver.time < stop:
             solver.march(stop, 1)
-            path.append((solver.time, solver.zones[L.BURN_FRACTION].sum() * 0.1 / zones))
+            path.append((solver.time, solver.charge[B.lam].sum() * 0.1 / zones))
         speeds.append(front_speed(*np.transpose(path), 0.02, 0.08))
         behind = slice(zones // 5, zones // 2)
         if threshold >= 10e9:
-            assert 43.6e9 < solver.zones[L.P, behind].mean() < 44.3e9
-            assert 2500.0 < solver.nodes[L.U, behind].mean() < 2504.5
+            assert 43.6e9 < solver.zones[Z.p, behind].mean() < 44.3e9
+            assert 2500.0 < solver.nodes[H.u, behind].mean() < 2504.5
         assert 1e-3 < solver.errors()["energy_error"] < 0.02     # that of the leapfrog
     assert speeds == pytest.approx([KB_SPEEDS[threshold]] * 2, rel=5e-3)
     assert speeds[0] == pytest.approx(speeds[1], rel=3e-3)

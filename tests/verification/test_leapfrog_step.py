@@ -7,8 +7,8 @@ from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.materials.material import Material
 from hugoniot.problem.model import Boundary, OutputOptions, Problem, Pulse, Region, SolverOptions
 from hugoniot.simulate import make_solver
-from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.wilkins_sweeps import signal_squared
+from hugoniot.solvers.lagrange1d.layout import Z
+from hugoniot.solvers.lagrange1d.leapfrog import signal_squared
 
 
 def growth(courant, viscous):
@@ -50,7 +50,7 @@ def pulse(integrator, courant=None, linear=1.0):
     solver = make_solver(problem)
     while solver.time < problem.stop_time:
         solver.march(problem.stop_time, 10**6)
-    return (solver.zones[L.P].max() - 1.0) / 0.01
+    return (solver.zones[Z.p].max() - 1.0) / 0.01
 
 
 def test_a_weak_pulse_is_damped_by_the_viscosity_and_not_by_the_step():

@@ -13,7 +13,7 @@ from hugoniot.laws.mixture.reference_state import BEHIND, NO_SHOCK, PASSING, WHI
 from hugoniot.materials import burning, library
 from hugoniot.problem.model import Boundary, Gauge, Problem, Region
 from hugoniot.simulate import make_solver
-from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.layout import B, Z
 from hugoniot.theory.hugoniot import Initial, shock
 from hugoniot.theory.znd import znd
 
@@ -99,7 +99,7 @@ def second_shock(kind):
     solver, seen = make_solver(problem), []
     while solver.time < problem.stop_time:
         solver.march(problem.stop_time, 1)
-        seen.append((solver.zones[L.REFERENCE, 30], solver.zones[L.P, 30], *solver.phases()[:, 30]))
+        seen.append((solver.charge[B.reference, 30], solver.zones[Z.p, 30], *solver.phases()[:, 30]))
     return np.array(seen)
 
 
@@ -125,7 +125,7 @@ def test_between_shocks_only_a_rolling_reference_takes_viscous_heat(kind):
     while solver.time < problem.stop_time:
         solver.march(problem.stop_time, 1)
         rho, e = solver.phases()[1:3, 20]
-        seen.append((solver.zones[L.REFERENCE, 20], isentrope_energy(1.0 / rho, e - HEAT, 1.0 / 2500.0, LX17.unreacted)))
+        seen.append((solver.charge[B.reference, 20], isentrope_energy(1.0 / rho, e - HEAT, 1.0 / 2500.0, LX17.unreacted)))
     code, energy = np.array(seen).T
     alone = energy[np.flatnonzero(np.diff(code))[-1] + 1:]
     drift = np.ptp(alone) / HEAT
@@ -161,4 +161,4 @@ def test_in_curved_geometry_a_frozen_reference_conserves_energy(geometry):
     region = Region("charge", material.name, 5e-3, 11e-3, 240)
     solver, watcher = run(Problem("driven", geometry, 0.6e-6, (region,), {material.name: material}, pulse, Boundary("free"), output=QUIET))
     assert watcher.energy_error < 1e-10
-    assert set(np.unique(solver.zones[L.REFERENCE])) >= {NO_SHOCK, PASSING, WHILE_BURNING}
+    assert set(np.unique(solver.charge[B.reference])) >= {NO_SHOCK, PASSING, WHILE_BURNING}

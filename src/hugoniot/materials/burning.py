@@ -50,9 +50,6 @@ def reactive(material: Material) -> Reactive:
     """The pair of rate and mixture a solver burns the material with; OutOfRange where something it needs is missing."""
     law, kind = BURN.of(material.burn), closure(material)
     here = f"material '{material.name}'"
-    if material.strength is not None or material.fracture is not None:
-        raise OutOfRange(f"{here} burns and has {'strength' if material.strength is not None else 'fracture'}: no law for what becomes of "
-                         "it in burning is known here; set strength = \"none\" and fracture = \"none\", or burn = \"none\"")
     if material.reference_state not in (None, *CHOICES):
         raise OutOfRange(f"{here}: unknown reference_state '{material.reference_state}'; take one of {', '.join(CHOICES)}")
     if material.reference_state == FROZEN and not keeps_isentrope(material):

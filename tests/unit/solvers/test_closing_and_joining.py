@@ -12,6 +12,7 @@ from hugoniot.mesh.line import mean_area
 from hugoniot.problem.model import Region
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.bodies import join, node_masses, split
 from hugoniot.solvers.lagrange1d.watch import closing_time, failing_node
 
@@ -59,27 +60,27 @@ def gap_solver(geometry, integrator="compatible"):
 def test_the_gap_closes_on_a_step_with_the_relative_acceleration(geometry):
     """The closing step is solved for: after it the surfaces touch, to a millionth of a zone (d = 3 exercises W-E2)."""
     solver = gap_solver(geometry)
-    solver.zones[L.S2] = 2e8      # a hoop tension pulls both surfaces inwards, unequally
-    solver.zones[L.S1] = -1e8 if geometry != "cylindrical" else 0.0
-    solver.zones[L.SIGMA] = solver.zones[L.P] - solver.zones[L.S1]
-    left, right = solver._faces(L.R)
+    solver.zones[Z.s2] = 2e8      # a hoop tension pulls both surfaces inwards, unequally
+    solver.zones[Z.s1] = -1e8 if geometry != "cylindrical" else 0.0
+    solver.zones[Z.sigma] = solver.zones[Z.p] - solver.zones[Z.s1]
+    left, right = solver._faces(H.r)
     d = solver.problem.dimension
     volume = (right**d - left**d) / d
-    solver.zones[L.HOOP] = (d - 1) * volume * (solver.zones[L.S2] - solver.zones[L.S1]) / (left + right)
+    solver.zones[Z.hoop] = (d - 1) * volume * (solver.zones[Z.s2] - solver.zones[Z.s1]) / (left + right)
     from hugoniot.solvers.lagrange1d.step import gap_step
     found = gap_step(solver.zones, solver.nodes, solver.segments, 0.0, False, solver.geometry)
     a, b = 20, 21
     rate = []
     for node, zone, side in ((a, 19, 1.0), (b, 20, -1.0)):
-        r = solver.nodes[L.R, node]
-        force = side * r ** (d - 1) * solver.zones[L.SIGMA, zone] - solver.zones[L.HOOP, zone]
-        rate.append(force / solver.nodes[L.NODE_MASS, node])
-    gap, approach = solver.nodes[L.R, b] - solver.nodes[L.R, a], solver.nodes[L.U, b] - solver.nodes[L.U, a]
+        r = solver.nodes[H.r, node]
+        force = side * r ** (d - 1) * solver.zones[Z.sigma, zone] - solver.zones[Z.hoop, zone]
+        rate.append(force / solver.nodes[H.mass, node])
+    gap, approach = solver.nodes[H.r, b] - solver.nodes[H.r, a], solver.nodes[H.u, b] - solver.nodes[H.u, a]
     relative = rate[1] - rate[0]
     exact = (-approach - math.sqrt(approach**2 - 2.0 * relative * gap)) / relative
     assert found == pytest.approx(exact, rel=1e-10)
     if d > 1:       # the printed sign (a sum of the hoop terms) is far off
-        hoops = [-solver.zones[L.HOOP, z] / solver.nodes[L.NODE_MASS, n] for n, z in ((a, 19), (b, 20))]
+        hoops = [-solver.zones[Z.hoop, z] / solver.nodes[H.mass, n] for n, z in ((a, 19), (b, 20))]
         printed = relative + 2.0 * hoops[0]
         wrong = (-approach - math.sqrt(approach**2 - 2.0 * printed * gap)) / printed
         assert abs(wrong / exact - 1.0) > 1e-6
@@ -104,40 +105,40 @@ def two_bodies():
     problem = build.flyer((3, 5), gap=1e-6)
     solver = make_solver(problem)
     chance = np.random.default_rng(3)
-    solver.nodes[L.U] = chance.normal(0.0, 100.0, solver.nodes.shape[1])
-    solver.nodes[L.U, 3], solver.nodes[L.U, 4] = 431.0, -77.0
-    solver.nodes[L.R, 4] = solver.nodes[L.R, 3]
+    solver.nodes[H.u] = chance.normal(0.0, 100.0, solver.nodes.shape[1])
+    solver.nodes[H.u, 3], solver.nodes[H.u, 4] = 431.0, -77.0
+    solver.nodes[H.r, 4] = solver.nodes[H.r, 3]
     return solver
 
 
 def test_a_join_keeps_momentum_and_turns_the_lost_kinetic_energy_into_heat():
     solver = two_bodies()
     zones, nodes = solver.zones, solver.nodes
-    m_minus, m_plus = nodes[L.NODE_MASS, 3], nodes[L.NODE_MASS, 4]
-    zone_minus, zone_plus = zones[L.MASS, 2], zones[L.MASS, 3]
-    momentum, kinetic = np.sum(nodes[L.NODE_MASS] * nodes[L.U]), 0.5 * np.sum(nodes[L.NODE_MASS] * nodes[L.U] ** 2)
-    internal = np.sum(zones[L.MASS] * zones[L.E])
+    m_minus, m_plus = nodes[H.mass, 3], nodes[H.mass, 4]
+    zone_minus, zone_plus = zones[Z.mass, 2], zones[Z.mass, 3]
+    momentum, kinetic = np.sum(nodes[H.mass] * nodes[H.u]), 0.5 * np.sum(nodes[H.mass] * nodes[H.u] ** 2)
+    internal = np.sum(zones[Z.mass] * zones[Z.e])
     nodes, gradient, segments, heat = join(zones, nodes, solver.gradient, solver.segments, 0)
     # W-9: (1/4) m+ m- / (m+ + m-) dU^2 with the masses of the zones, of which the nodes carry the halves
     assert heat == pytest.approx(0.25 * zone_minus * zone_plus / (zone_minus + zone_plus) * (431.0 + 77.0) ** 2, rel=1e-12)
-    assert nodes[L.U, 3] == pytest.approx((m_minus * 431.0 - m_plus * 77.0) / (m_minus + m_plus), rel=1e-12)
-    after = 0.5 * np.sum(nodes[L.NODE_MASS] * nodes[L.U] ** 2)
+    assert nodes[H.u, 3] == pytest.approx((m_minus * 431.0 - m_plus * 77.0) / (m_minus + m_plus), rel=1e-12)
+    after = 0.5 * np.sum(nodes[H.mass] * nodes[H.u] ** 2)
     assert kinetic - after == pytest.approx(heat, rel=1e-12)
-    assert np.sum(nodes[L.NODE_MASS] * nodes[L.U]) == pytest.approx(momentum, rel=1e-12)
-    assert np.sum(zones[L.MASS] * zones[L.E]) - internal == pytest.approx(heat, rel=1e-9)
+    assert np.sum(nodes[H.mass] * nodes[H.u]) == pytest.approx(momentum, rel=1e-12)
+    assert np.sum(zones[Z.mass] * zones[Z.e]) - internal == pytest.approx(heat, rel=1e-9)
     assert segments.tolist() == [[0, 8, L.FREE, L.FREE]] and nodes.shape[1] == 9 and gradient.shape == (10,)
-    assert nodes[L.BOND, 3] == 0.0
+    assert nodes[H.bond, 3] == 0.0
 
 
 def test_a_split_changes_no_motion_and_no_energy():
     solver = make_solver(build.flyer((4, 6)))
-    solver.nodes[L.U] = np.linspace(-3.0, 5.0, 11) ** 3
+    solver.nodes[H.u] = np.linspace(-3.0, 5.0, 11) ** 3
     before = solver.nodes.copy()
     nodes, gradient, segments = split(solver.zones, solver.nodes, solver.gradient, solver.segments, 6)
     assert segments.tolist() == [[0, 6, L.FREE, L.FREE], [6, 10, L.FREE, L.FREE]]
-    assert np.array_equal(np.delete(nodes[L.U], 7), before[L.U]) and nodes[L.U, 6] == nodes[L.U, 7]
-    assert nodes[L.NODE_MASS, 6] + nodes[L.NODE_MASS, 7] == pytest.approx(before[L.NODE_MASS, 6], rel=1e-15)
-    assert np.sum(nodes[L.NODE_MASS] * nodes[L.U] ** 2) == pytest.approx(np.sum(before[L.NODE_MASS] * before[L.U] ** 2), rel=1e-14)
+    assert np.array_equal(np.delete(nodes[H.u], 7), before[H.u]) and nodes[H.u, 6] == nodes[H.u, 7]
+    assert nodes[H.mass, 6] + nodes[H.mass, 7] == pytest.approx(before[H.mass, 6], rel=1e-15)
+    assert np.sum(nodes[H.mass] * nodes[H.u] ** 2) == pytest.approx(np.sum(before[H.mass] * before[H.u] ** 2), rel=1e-14)
     assert gradient.shape == (14,)
 
 
@@ -147,25 +148,25 @@ def test_split_then_join_is_the_body_of_before():
     nodes, gradient, segments = split(solver.zones, solver.nodes, solver.gradient, solver.segments, 3)
     nodes, gradient, segments, heat = join(solver.zones, nodes, gradient, segments, 0)
     assert heat == 0.0 and np.array_equal(segments, before[1]) and gradient.shape == solver.gradient.shape
-    assert np.array_equal(nodes[[L.R, L.U]], before[0][[L.R, L.U]])
-    assert np.allclose(nodes[L.NODE_MASS], before[0][L.NODE_MASS], rtol=1e-15, atol=0.0)
+    assert np.array_equal(nodes[[H.r, H.u]], before[0][[H.r, H.u]])
+    assert np.allclose(nodes[H.mass], before[0][H.mass], rtol=1e-15, atol=0.0)
 
 
 def test_nodes_carry_half_of_each_neighbour():
     solver = make_solver(build.flyer((3, 5), gap=1e-6))
     total = node_masses(solver.zones, solver.segments)
-    assert total.sum() == pytest.approx(solver.zones[L.MASS].sum(), rel=1e-15)
-    assert total[3] == 0.5 * solver.zones[L.MASS, 2] and total[4] == 0.5 * solver.zones[L.MASS, 3]
-    assert total[1] == pytest.approx(0.5 * (solver.zones[L.MASS, 0] + solver.zones[L.MASS, 1]), rel=1e-15)
+    assert total.sum() == pytest.approx(solver.zones[Z.mass].sum(), rel=1e-15)
+    assert total[3] == 0.5 * solver.zones[Z.mass, 2] and total[4] == 0.5 * solver.zones[Z.mass, 3]
+    assert total[1] == pytest.approx(0.5 * (solver.zones[Z.mass, 0] + solver.zones[Z.mass, 1]), rel=1e-15)
 
 
 def test_regions_that_touch_share_a_node_of_mean_momentum():
     """Contact at t = 0: the shared face starts with the mean momentum and the loss heats its two zones."""
     solver = make_solver(build.flyer((4, 8), speed=700.0))
-    m = solver.zones[L.MASS]
+    m = solver.zones[Z.mass]
     loss = 0.25 * m[3] * m[4] / (m[3] + m[4]) * 700.0**2
-    assert solver.nodes[L.U, 4] == pytest.approx(700.0 * m[3] / (m[3] + m[4]), rel=1e-14)
-    assert np.sum(m * solver.zones[L.E]) == pytest.approx(loss, rel=1e-12)
+    assert solver.nodes[H.u, 4] == pytest.approx(700.0 * m[3] / (m[3] + m[4]), rel=1e-14)
+    assert np.sum(m * solver.zones[Z.e]) == pytest.approx(loss, rel=1e-12)
     assert isinstance(solver.problem.regions[0], Region)
 
 
@@ -174,7 +175,7 @@ def test_regions_that_touch_share_a_node_of_mean_momentum():
 def test_a_body_parts_inside_and_beside_its_most_strained_neighbour(ratios, node):
     """The second of two bodies, zones 4 to 7, nodes 5 to 9: its ends are no place to part, however compressed the inside is."""
     zones = np.zeros((L.ZONE_ROWS, 8))
-    zones[L.FAILURE, 4:] = ratios
+    zones[Z.failure, 4:] = ratios
     segments = np.array([(0, 4, L.FREE, L.FREE), (4, 8, L.FREE, L.FREE)])
     found = failing_node.py_func(zones, segments, np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64))
     assert found == node
@@ -182,12 +183,12 @@ def test_a_body_parts_inside_and_beside_its_most_strained_neighbour(ratios, node
 
 def test_a_relieved_patch_opens_no_second_void():
     zones = np.zeros((L.ZONE_ROWS, 6))
-    zones[L.FAILURE] = (0.0, 1.5, 1.2, 0.5, 0.01, 1.1)
-    zones[L.TAG, 3] = 1.0
+    zones[Z.failure] = (0.0, 1.5, 1.2, 0.5, 0.01, 1.1)
+    zones[Z.relieved, 3] = 1.0
     segments = np.array([(0, 6, L.FREE, L.FREE)])
     counters = np.zeros(L.CONTROL_INTS, dtype=np.int64)
     assert failing_node.py_func(zones, segments, None, counters) == 5
-    assert zones[L.TAG].tolist() == [0.0, 1.0, 1.0, 1.0, 0.0, 0.0] and counters[L.FRACTURING] == 3
+    assert zones[Z.relieved].tolist() == [0.0, 1.0, 1.0, 1.0, 0.0, 0.0] and counters[L.FRACTURING] == 3
 
 
 @pytest.mark.parametrize("geometry", ["cylindrical", "spherical"])
@@ -195,7 +196,7 @@ def test_a_zone_in_which_voids_grow_keeps_the_inertia_of_its_mass(geometry):
     """The leapfrog's phi (Wilkins B.2 item 2) counts the density of the zone, voids included, not that of the solid beside them."""
     problem = build.flyer((60, 120), speed=900.0, stop=1.6e-6, geometry=geometry, origin=0.05, integrator="wilkins")
     solver, _ = build.run(problem)
-    left, right = solver._faces(L.R)
-    held = solver.zones[L.OLD] * [mean_area(a, b, solver.geometry) for a, b in zip(left, right)]
-    assert np.max(solver.zones[L.VOIDS] * solver.zones[L.RHO]) > 0.1
-    assert held == pytest.approx(solver.zones[L.MASS], rel=1e-12)
+    left, right = solver._faces(H.r)
+    held = solver.zones[Z.OLD] * [mean_area(a, b, solver.geometry) for a, b in zip(left, right)]
+    assert np.max(solver.zones[Z.voids] * solver.zones[Z.rho]) > 0.1
+    assert held == pytest.approx(solver.zones[Z.mass], rel=1e-12)

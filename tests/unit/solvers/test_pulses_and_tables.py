@@ -13,9 +13,10 @@ from hugoniot.mesh.line import graded_nodes
 from hugoniot.problem.model import Boundary, Gauge, Problem, Pulse, Region
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.assemble import boundary_pulse
-from hugoniot.solvers.lagrange1d.bodies import PIECE, pieces_of, run_table
-from hugoniot.solvers.lagrange1d.node_sweeps import pulse_value
+from hugoniot.solvers.lagrange1d.bodies import SHARE, run_table, shares_of
+from hugoniot.solvers.lagrange1d.nodes import pulse_value
 
 A, T0, D = 3.0, 0.2, 0.5
 SHAPES = {
@@ -64,16 +65,15 @@ def test_every_zone_is_in_one_piece_and_every_inner_node_in_one_span(sizes, chan
             z += n
         segments.append((first, z, L.FREE, L.FREE))
     segments = np.array(segments)
-    kind_of = [chance.randint(0, 1) for _ in ends]
-    row_of = [chance.randint(0, 1) for _ in ends]
-    runs = run_table(segments, ends, kind_of, row_of)
-    pieces, spans, regions = pieces_of(runs, segments, ends)
-    for table in (runs, pieces, regions):
+    recipe_of = [chance.randint(0, 3) for _ in ends]
+    runs = run_table(segments, ends, recipe_of)
+    shares, spans, ranges = shares_of(runs, segments, [(a, b, False) for a, b in ends])
+    for table in (runs, shares, ranges):
         assert np.array_equal(np.concatenate([np.arange(row[0], row[1]) for row in table]), np.arange(z))
     region_of = np.repeat(np.arange(len(ends)), [b - a for a, b in ends])
-    for first, last, segment, kind, row in pieces:
-        assert last - first <= PIECE and segments[segment, 0] <= first and last <= segments[segment, 1]
-        assert {(kind_of[k], row_of[k]) for k in set(region_of[first:last])} == {(kind, row)}
+    for first, last, segment, recipe in shares:
+        assert last - first <= SHARE and segments[segment, 0] <= first and last <= segments[segment, 1]
+        assert {recipe_of[k] for k in set(region_of[first:last])} == {recipe}
     inner = [node for k, (a, b, _, _) in enumerate(segments) for node in range(a + k + 1, b + k)]
     spanned = [node for a, b, k in spans for node in range(a + k + 1, b + k)]
     assert sorted(spanned) == inner
@@ -82,7 +82,7 @@ def test_every_zone_is_in_one_piece_and_every_inner_node_in_one_span(sizes, chan
 def test_neighbouring_regions_of_one_material_are_one_run():
     segments = np.array([(0, 30, L.FREE, L.FREE), (30, 40, L.FREE, L.FREE)])
     ends = [(0, 10), (10, 20), (20, 30), (30, 40)]
-    assert run_table(segments, ends, [0, 0, 0, 0], [0, 0, 1, 1]).tolist() == [[0, 20, 0, 0, 0], [20, 30, 0, 0, 1], [30, 40, 1, 0, 1]]
+    assert run_table(segments, ends, [0, 0, 1, 1]).tolist() == [[0, 20, 0, 0], [20, 30, 0, 1], [30, 40, 1, 1]]
 
 
 @given(st.floats(-1.0, 1.0), st.floats(1e-3, 2.0), st.integers(1, 500), st.floats(0.97, 1.03))
@@ -107,12 +107,12 @@ def test_a_point_gauge_stands_in_the_fraction_of_mass_it_was_put_at_and_interpol
     places = (1.0e-3, 1.234e-3, 2.0e-3, 2.777e-3, 6.999e-3)
     solver = make_solver(with_gauges(*places, geometry=geometry))
     d = solver.problem.dimension
-    mass = np.concatenate(([0.0], np.cumsum(solver.zones[L.MASS])))
+    mass = np.concatenate(([0.0], np.cumsum(solver.zones[Z.mass])))
     middle = 0.5 * (mass[1:] + mass[:-1])
     for i, place in enumerate(places):
         a, b, face, node = solver.gauges[i]
         w, f = solver.weights[i]
-        left, right = solver.nodes[L.R, node], solver.nodes[L.R, node + 1]
+        left, right = solver.nodes[H.r, node], solver.nodes[H.r, node + 1]
         assert (left**d + f * (right**d - left**d)) ** (1.0 / d) == pytest.approx(place, rel=1e-12)
         at = 2700.0 * (place**d - 1e-3**d) / d
         inside = middle[0] <= at <= middle[19] or middle[20] <= at <= middle[-1]
@@ -126,14 +126,14 @@ def test_named_gauges_sit_on_their_faces():
     solver = make_solver(with_gauges("free surface left", "free surface right", "a/b", "a:right", "b:left"))
     faces = [1e-3, 7e-3, 3e-3, 3e-3, 3e-3]
     for (_, _, _, node), (_, f), place in zip(solver.gauges, solver.weights, faces):
-        assert (1.0 - f) * solver.nodes[L.R, node] + f * solver.nodes[L.R, node + 1] == pytest.approx(place, rel=1e-14)
+        assert (1.0 - f) * solver.nodes[H.r, node] + f * solver.nodes[H.r, node + 1] == pytest.approx(place, rel=1e-14)
 
 
 def test_an_interface_gauge_reads_the_traction_its_node_feels():
     solver = make_solver(with_gauges("a/b"))
     a, b, _, _ = solver.gauges[0]
     w = solver.weights[0, 0]
-    m = solver.zones[L.MASS]
+    m = solver.zones[Z.mass]
     assert (a, b) == (19, 20) and w == pytest.approx(m[19] / (m[19] + m[20]), rel=1e-15)
 
 

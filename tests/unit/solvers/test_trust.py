@@ -12,6 +12,7 @@ from hugoniot.output.run import read_post_mortem
 from hugoniot.problem.model import Boundary, Interface, Pulse, Region
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.post_mortem import diagnose
 
 
@@ -27,7 +28,7 @@ def stopped(solver, cycles=100_000, stop=1.0):
     return error
 
 
-@pytest.mark.parametrize("table, row", [("zones", L.E), ("zones", L.INVERSE_MASS), ("nodes", L.U), ("nodes", L.R)])
+@pytest.mark.parametrize("table, row", [("zones", Z.e), ("zones", Z.inverse_mass), ("nodes", H.u), ("nodes", H.r)])
 def test_a_number_that_is_none_is_found_in_the_same_cycle(table, row):
     solver = make_solver(build.flyer((20, 40)))
     build.march_cycles(solver, 30)
@@ -41,7 +42,7 @@ def test_a_number_that_is_none_is_found_in_the_same_cycle(table, row):
 def test_a_node_that_flies_through_its_neighbours_is_found_in_the_same_cycle():
     solver = make_solver(build.flyer((20, 40)))
     build.march_cycles(solver, 30)
-    solver.nodes[L.U, 33] = -1e7
+    solver.nodes[H.u, 33] = -1e7
     error = stopped(solver)
     assert error.cycle == 31 and 30 <= error.zone <= 34
 
@@ -160,7 +161,7 @@ def test_a_transmitting_boundary_lets_a_pulse_out(options):
         while solver.time < 1.35:       # sound goes 1 in 0.845; the echo is in the middle from 1.27 on
             solver.march(1.35, 5)
             solver.take_gauges()
-            height = abs(solver.zones[L.P, 200] - 1.0)
+            height = abs(solver.zones[Z.p, 200] - 1.0)
             if solver.time < 0.8:
                 passing = max(passing, height)
             elif solver.time > 1.05:

@@ -20,6 +20,7 @@ from hugoniot.problem.deck import read_deck_text
 from hugoniot.problem.explosives import defects, programmed_bodies
 from hugoniot.problem.model import Lighting, Problem, Region
 from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.layout import B, Z
 from hugoniot.solvers.lagrange1d import post_mortem, reactive
 
 GAS = IdealGas(3.0, 1000.0, 1600.0)
@@ -58,12 +59,12 @@ def test_explosives_without_what_they_need_are_refused(change, words):
 def test_a_front_runs_through_touching_explosives_each_at_its_speed():
     problem = two_explosives((0.02, 1e-6))
     assert programmed_bodies(problem) == [[0, 1]]
-    zones = np.zeros((L.BURNING_ROWS, 8))
+    zones, charge = np.zeros((len(Z), 8)), np.zeros((len(B), 8))
     places = [np.linspace(0.0, 0.04, 5), np.linspace(0.04, 0.08, 5)]
-    reactive.prepare(problem, zones, places, [(0, 4), (4, 8)])
+    reactive.prepare(problem, zones, charge, places, [(0, 4), (4, 8)])
     expected = 1e-6 + np.array([0.01 / 4000, 0, 0, 0.01 / 4000, 0.02 / 4000] + [0.02 / 4000 + k * 0.01 / 8000 for k in (1, 2, 3)])
-    assert -zones[L.LIT_SINCE] == pytest.approx(expected, rel=1e-12)
-    assert zones[L.ZONE_SIZE] == pytest.approx(0.01)
+    assert -charge[B.since] == pytest.approx(expected, rel=1e-12)
+    assert charge[B.size] == pytest.approx(0.01)
 
 
 @pytest.mark.parametrize(("problem", "words"), [
@@ -222,11 +223,11 @@ def test_zones_crushed_before_a_front_lit_them_are_told_with_the_law_to_take():
     """What ended as a sound speed that is no number (nothing burned yet) or as tension (burned since), beside crushed zones."""
     region = Region("charge", "comp_b", 0.0, 0.02, 20)
     problem = Problem("x", "spherical", 1e-6, (region,), {"comp_b": library.find("comp_b")}, lighting=(Lighting(0.02),))
-    zones = np.zeros((L.BURNING_ROWS, 20))
-    zones[L.PEAK_DENSITY] = 1.8 * 1717.0
-    assert post_mortem.ill_burned(problem, zones, np.zeros(20, int), 3) is None
-    zones[L.PEAK_DENSITY, 5] = 5000.0
-    cause, remedy = post_mortem.ill_burned(problem, zones, np.zeros(20, int), 3)
+    zones, charge = np.zeros((len(Z), 20)), np.zeros((len(B), 20))
+    zones[Z.peak_density] = 1.8 * 1717.0
+    assert post_mortem.ill_burned(problem, zones, charge, np.zeros(20, int), 3) is None
+    zones[Z.peak_density, 5] = 5000.0
+    cause, remedy = post_mortem.ill_burned(problem, zones, charge, np.zeros(20, int), 3)
     assert "crushed, to 5000 kg/m3, before the programmed front lit them" in cause
     assert 'law = "programmed_beta", rho0 = 1717, rho_cj = 2351' in remedy
 

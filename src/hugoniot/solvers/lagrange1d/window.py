@@ -10,8 +10,9 @@ from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import B, H, Z
 from hugoniot.solvers.lagrange1d.solver import Lagrange1D
 
-ROWS = {"energy": (Z.e,), "pressure": (Z.p, Z.sigma, Z.sigma_half), "sound_speed": (Z.c,), "burn_fraction": (B.lam,),
-        "reactant_density": (B.rho_r,), "reactant_energy": (B.e_r,), "product_density": (B.rho_p,), "product_energy": (B.e_p,)}
+OF_ZONES = {"energy": (Z.e,), "pressure": (Z.p, Z.sigma), "sound_speed": (Z.c,)}
+OF_CHARGE = {"burn_fraction": B.lam, "reactant_density": B.rho_r, "reactant_energy": B.e_r, "product_density": B.rho_p,
+             "product_energy": B.e_p}
 
 
 class Window:
@@ -27,13 +28,13 @@ class Window:
             raise OutOfRange("a window moves over one planar region of equal zones with integrator \"compatible\"")
         self.solver, self.size = solver, (region.end - region.start) / region.zones
         self.mass = float(solver.zones[Z.mass, 0])
-        self._zone, self._node = solver.zones[:, -1].copy(), solver.nodes[:, 1].copy()
+        self._zone, self._charge, self._node = solver.zones[:, -1].copy(), solver.charge[:, -1:].copy(), solver.nodes[:, 1].copy()
 
     def lay_out(self, position, velocity, fields: dict[str, np.ndarray], behind: float) -> None:
         """Start from given states.
 
         position, velocity   of every node, m and m/s
-        fields               of the first zones, the others staying as they are: names of `ROWS` -> values; densities follow from masses
+        fields               of the first zones, the others staying as they are: names of `OF_ZONES` and `OF_CHARGE` -> values; densities follow from masses
         behind               the pressure that a transmitting left end holds against, Pa
         """
         solver = self.solver
@@ -41,17 +42,20 @@ class Window:
         nodes[H.r], nodes[H.u] = position, velocity
         zones[Z.rho] = zones[Z.mass] / np.diff(nodes[H.r])
         for name, values in fields.items():
-            for row in ROWS[name]:
+            for row in OF_ZONES.get(name, ()):
                 zones[row, :len(values)] = values
+            if name in OF_CHARGE:
+                solver.charge[OF_CHARGE[name], :len(values)] = values
         solver.control[L.REFERENCE_LEFT] = behind
         solver.plan_first_step()
 
     def move_on(self, count: int) -> None:
         """Drop `count` zones at the left end and lay as many, as they were at the start, at the right."""
         zones, nodes = self.solver.zones, self.solver.nodes
-        for table, column in ((zones, self._zone), (nodes, self._node)):
-            table[:, :-count] = table[:, count:].copy()
-            table[:, -count:] = column[:, None]
+        for table, column in ((zones, self._zone[:, None]), (self.solver.charge, self._charge), (nodes, self._node[:, None])):
+            if table.shape[1]:
+                table[:, :-count] = table[:, count:].copy()
+                table[:, -count:] = column
         nodes[H.r, -count:] = nodes[H.r, -count - 1] + self.size * np.arange(1, count + 1)
         nodes[H.u, -count - 1:] = self._node[H.u]
         whole = self._node[H.mass]
