@@ -174,7 +174,7 @@ def test_regions_that_touch_share_a_node_of_mean_momentum():
     ((1.2, -7.0, -8.0, -5.0), 6), ((-5.0, -7.0, -8.0, 1.1), 8), ((0.5, 1.3, 0.2, 0.1), 6), ((0.1, 0.6, 1.3, 0.7), 8), ((0.9, 0.8, 0.7, 0.6), -1)])
 def test_a_body_parts_inside_and_beside_its_most_strained_neighbour(ratios, node):
     """The second of two bodies, zones 4 to 7, nodes 5 to 9: its ends are no place to part, however compressed the inside is."""
-    zones = np.zeros((L.ZONE_ROWS, 8))
+    zones = np.zeros((len(Z), 8))
     zones[Z.failure, 4:] = ratios
     segments = np.array([(0, 4, L.FREE, L.FREE), (4, 8, L.FREE, L.FREE)])
     found = failing_node.py_func(zones, segments, np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64))
@@ -182,7 +182,7 @@ def test_a_body_parts_inside_and_beside_its_most_strained_neighbour(ratios, node
 
 
 def test_a_relieved_patch_opens_no_second_void():
-    zones = np.zeros((L.ZONE_ROWS, 6))
+    zones = np.zeros((len(Z), 6))
     zones[Z.failure] = (0.0, 1.5, 1.2, 0.5, 0.01, 1.1)
     zones[Z.relieved, 3] = 1.0
     segments = np.array([(0, 6, L.FREE, L.FREE)])
@@ -197,6 +197,6 @@ def test_a_zone_in_which_voids_grow_keeps_the_inertia_of_its_mass(geometry):
     problem = build.flyer((60, 120), speed=900.0, stop=1.6e-6, geometry=geometry, origin=0.05, integrator="wilkins")
     solver, _ = build.run(problem)
     left, right = solver._faces(H.r)
-    held = solver.zones[Z.OLD] * [mean_area(a, b, solver.geometry) for a, b in zip(left, right)]
+    held = solver.zones[Z.width] * [mean_area(a, b, solver.geometry) for a, b in zip(left, right)]
     assert np.max(solver.zones[Z.voids] * solver.zones[Z.rho]) > 0.1
     assert held == pytest.approx(solver.zones[Z.mass], rel=1e-12)
