@@ -19,7 +19,7 @@ def progress(quiet: bool = False):
 
     It also tells when kernels have to be compiled first.
     """
-    from hugoniot.core.compile import when_compiling
+    from hugoniot.core.compile_watch import when_compiling
 
     with Silent() if quiet else Bar() if sys.stderr.isatty() else Lines() as display, when_compiling(display.compiling):
         yield display

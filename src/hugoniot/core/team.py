@@ -15,7 +15,7 @@ import numpy as np
 from numba import types
 from numba.extending import intrinsic
 
-from hugoniot.core.compile import GUARD
+from hugoniot.core.target import GUARD
 
 DISMISSED = -1
 LINE = 8

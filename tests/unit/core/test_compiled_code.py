@@ -6,7 +6,7 @@ import sys
 SCRIPT = """
 import sys
 from numba.core.caching import IndexDataCacheFile
-import hugoniot.core.compile
+import hugoniot.core.cache
 
 folder, mode = sys.argv[1:]
 file = IndexDataCacheFile(folder, "march", "stamp")
