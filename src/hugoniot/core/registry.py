@@ -86,7 +86,7 @@ class Registry:
             raise ValueError(f"{self.family}: '{name}' is registered already")
         given = {f.__name__: f for f in functions} if not isinstance(functions, Mapping) else dict(functions)
         missing = [f for f in self.contract if f not in given]
-        stray = [f for f in given if f not in (*self.contract, *self.optional, *self.derived)]
+        stray = [f for f in given if f not in self.promises]
         undocumented = [p for p in parameters._fields if p not in units or p not in meaning]
         complaints = ((missing, "lacks"), (stray, "gives functions outside the contract:"), (undocumented, "lacks unit or meaning of"))
         for problem, what in complaints:
@@ -100,6 +100,15 @@ class Registry:
         self._by_name[name] = law
         self._by_class[parameters] = law
         return law
+
+    @property
+    def promises(self) -> tuple[str, ...]:
+        """Contract names of every function a law of the family may have."""
+        return (*self.contract, *self.optional, *self.derived)
+
+    def remove(self, name: str) -> None:
+        """Take a law out again, for a notebook's cell that is run twice and for tests. Materials made of it keep their numbers only."""
+        del self._by_class[self._by_name.pop(self.get(name).name).parameters]
 
     def get(self, name: str) -> Law:
         """The law of that name; `UnknownName` offers the nearest."""
