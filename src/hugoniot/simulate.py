@@ -150,7 +150,7 @@ def resume(folder, progress=None, report: bool | Callable = True) -> "Run":
 @functools.cache
 def _program() -> dict[str, str]:
     """What computes: version of the package, hash of the sources behind its kernels (and of the compiler's version)."""
-    from hugoniot.core.cache import source_hash
+    from hugoniot.core.sources import source_hash
 
     return {"version": hugoniot.__version__, "sources": source_hash()}
 

@@ -1,57 +1,119 @@
-"""The folder of compiled code.
+"""The folder of compiled code: where it is, whether it may be trusted, and what is cleared away.
 
-It is named after a hash of the package's sources: an edit anywhere in the package can never meet stale machine code (numba itself only
-watches the file that holds the kernel). Importing this module imports numba and sets its folder.
+Compiled code is executed when it is read, so it is read only from a folder that is the user's own and that nobody else may write to.
+A process that finds another kind of folder keeps its compiled code to itself, with one warning.
 """
 
-import hashlib
+import contextlib
+import functools
 import os
 import pathlib
-import sys
+import re
+import stat
+import time
+import warnings
 
-import numba as nb
-from numba.core import caching
+from hugoniot.core.machine import machine_name
+
+SUFFIX = ".code"
+DAY = 86400.0
+UNUSED_DAYS = 60.0
+MOST_BYTES = 1_000_000_000
+_OF_EARLIER_VERSIONS = re.compile(r"[0-9a-f]{16}")     # folders named after a hash of all sources
 
 
-def source_hash() -> str:
-    """SHA-256 of every Python source of the package, shortened: the name of the compiled code's folder."""
-    root = pathlib.Path(__file__).resolve().parents[1]
-    digest = hashlib.sha256(f"{sys.version_info[:2]} {nb.__version__}".encode())
-    for room in ("core", "laws", "mesh", "theory", "solvers"):
-        for path in sorted((root / room).rglob("*.py")):
-            digest.update(path.read_bytes())
-    return digest.hexdigest()[:16]
+class CacheWarning(UserWarning):
+    """Compiled code is not kept; every process compiles for itself."""
 
 
 def cache_root() -> pathlib.Path:
-    """Folder of the compiled code: HUGONIOT_CACHE, else the user's cache folder."""
+    """Folder of the compiled code of all machines: HUGONIOT_CACHE, else the user's cache folder."""
     if named := os.environ.get("HUGONIOT_CACHE"):
         return pathlib.Path(named)
     home = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
     return pathlib.Path(home) / "hugoniot"
 
 
-def _use_cache_folder():
-    if os.environ.get("NUMBA_CACHE_DIR"):
-        return pathlib.Path(os.environ["NUMBA_CACHE_DIR"])
-    folder = cache_root() / source_hash()
-    nb.core.config.CACHE_DIR = str(folder)
+@functools.cache
+def cache_folder() -> pathlib.Path | None:
+    """Folder of the code compiled on machines like this one, made if need be; None, after one warning, where it cannot be trusted."""
+    root = cache_root()
+    folder = root / machine_name()
+    try:
+        root.mkdir(mode=0o700, parents=True, exist_ok=True)
+        if "HUGONIOT_CACHE" not in os.environ and _is_own(root):
+            root.chmod(0o700)     # earlier versions made it with the rights of any folder
+        folder.mkdir(mode=0o700, exist_ok=True)
+        trouble = open_to_others(root) or open_to_others(folder)
+    except OSError as error:
+        trouble = f"{error.filename or folder}: {error.strerror}"
+    if trouble:
+        not_kept(f"{trouble}; name another folder in HUGONIOT_CACHE, or make it yours alone (chmod 700)")
+        return None
     return folder
 
 
-CACHE_FOLDER = _use_cache_folder()
-_whole_index = caching.IndexDataCacheFile._load_index
+def not_kept(reason: str) -> None:
+    """Warn that compiled code is not kept."""
+    warnings.warn(f"compiled kernels are not kept, so that every start compiles them anew: {reason}", CacheWarning, stacklevel=2)
 
 
-def _known_index(self):
-    """Index of a kernel's compiled code; empty where it names a law that this process does not have, such as one of a test or a script.
+def _is_own(folder: pathlib.Path) -> bool:
+    state = folder.lstat()
+    return stat.S_ISDIR(state.st_mode) and (not hasattr(os, "getuid") or state.st_uid == os.getuid())
 
-    The index is read whole: one class that cannot be imported would keep every run from its own compiled code.
+
+def open_to_others(folder: pathlib.Path) -> str | None:
+    """Why somebody else could have put code into a folder; None where nobody could. A link of one's own is followed."""
+    if not hasattr(os, "getuid"):
+        return None
+    if folder.lstat().st_uid != os.getuid() or folder.stat().st_uid != os.getuid():
+        return f"{folder} belongs to another user"
+    if folder.stat().st_mode & (stat.S_IWGRP | stat.S_IWOTH):
+        return f"other users may write to {folder}"
+    return None
+
+
+# -- what is cleared away ----------------------------------------------------------------------------------------
+def clear_away(root: pathlib.Path, now: float | None = None, most_bytes: int = MOST_BYTES) -> None:
+    """Remove compiled code that nothing has used for UNUSED_DAYS, and the longest unused beyond `most_bytes`; at most once a day.
+
+    What was used within the last day stays in any case. A file that another process is about to read is compiled anew by it.
     """
-    try:
-        return _whole_index(self)
-    except (ImportError, AttributeError):
-        return {}
+    now = time.time() if now is None else now
+    stamp = root / "cleared"
+    with contextlib.suppress(OSError):
+        if now - stamp.stat().st_mtime < DAY:
+            return
+    with contextlib.suppress(OSError):
+        stamp.touch()
+        os.utime(stamp, (now, now))
+        files = sorted(_kept_files(root), reverse=True)
+        total = 0
+        for used, size, path in files:
+            total += size
+            unused = now - used
+            if unused > UNUSED_DAYS * DAY or (total > most_bytes and unused > DAY) or (".tmp." in path.name and unused > DAY):
+                with contextlib.suppress(OSError):
+                    path.unlink()
+        _remove_empty(root)
 
 
-caching.IndexDataCacheFile._load_index = _known_index
+def _kept_files(root: pathlib.Path):
+    """(when last used, size, path) of every file of compiled code beneath a root; no link is followed."""
+    for folder, names, files in os.walk(root):
+        here = pathlib.Path(folder)
+        if here == root:
+            names[:] = [name for name in names if _OF_EARLIER_VERSIONS.fullmatch(name) or re.search(r"-[0-9a-f]{12}$", name)]
+            continue
+        for name in files:
+            state = (here / name).lstat()
+            if re.search(r"\.(code|nbi|nbc)(\.tmp\.\w+)?$", name) and stat.S_ISREG(state.st_mode):
+                yield max(state.st_mtime, state.st_atime), state.st_size, here / name
+
+
+def _remove_empty(root: pathlib.Path) -> None:
+    for folder, _, _ in os.walk(root, topdown=False):
+        if pathlib.Path(folder) != root and pathlib.Path(folder) != cache_folder():
+            with contextlib.suppress(OSError):
+                os.rmdir(folder)      # fails, as it should, where anything is left

@@ -6,7 +6,7 @@ asks for when a kernel is defined. Importing this module imports numba, so only 
 
 import llvmlite.binding as llvm
 
-from hugoniot.core import cache, mathematics  # noqa: F401  (both set numba up)
+from hugoniot.core import code_files, mathematics  # noqa: F401  (both set numba up)
 
 # A sweep is inlined wherever it is called, and so are the functions on its way up: the whole march is one piece of machine code.
 # Otherwise the process that compiles runs another translation of a sweep than the ones that load the march from disk (each
