@@ -118,6 +118,16 @@ def test_a_law_that_was_taken_out_is_unknown_and_its_name_free(file_of_a_user):
     assert "acoustic" in EOS.names()
 
 
+def test_a_law_that_is_edited_and_registered_again_is_the_new_one_in_kernels_too(file_of_a_user):
+    """As in a notebook, where a cell is run twice: the compiler knows an argument by the name of its class."""
+    rho = np.linspace(1001.0, 1100.0, in_kernels.COUNT)
+    for factor in (1.0, 3.0):
+        text = recipe().replace("return par.c0 * par.c0 * (rho - par.rho0)", f"return {factor} * par.c0 * par.c0 * (rho - par.rho0)")
+        law = file_of_a_user(f"law_edited_{factor:.0f}", text).EOS.get("acoustic")
+        np.testing.assert_allclose(arrays.pressure_array(rho, 0.0, law.example), factor * 1500.0**2 * (rho - 1000.0), rtol=1e-12)
+        EOS.remove("acoustic")
+
+
 def test_one_function_cannot_be_bound_in_two_ways():
     def searched(x):
         return x

@@ -15,7 +15,7 @@ import stat
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from types import FunctionType, ModuleType
+from types import FunctionType
 from typing import NamedTuple
 
 from numba.core import caching, types
@@ -55,13 +55,7 @@ class Locator(caching._CacheLocator):
 
     @classmethod
     def from_function(cls, py_func, py_file):
-        return cls(py_func, py_file) if _concerns_package(py_func) else None
-
-
-def _concerns_package(function) -> bool:
-    origins = [function.__module__, *(getattr(v, "__name__" if isinstance(v, ModuleType) else "__module__", None)
-                                      for v in function.__globals__.values())]
-    return any(isinstance(name, str) and name.partition(".")[0] == sources.PACKAGE for name in origins)
+        return cls(py_func, py_file) if sources.concerns_package(py_func.__module__) else None
 
 
 class CodeFile(_numbas_own):

@@ -14,6 +14,8 @@ from dataclasses import dataclass, field
 from types import ModuleType
 from typing import Any
 
+_class_names: dict[str, list[type]] = {}     # of every law that was ever registered in this process
+
 
 class UnknownName(KeyError):
     """A name that is not registered; the message offers the nearest one."""
@@ -99,6 +101,7 @@ class Registry:
                   dict(above or {}), dict(least or {}))
         self._by_name[name] = law
         self._by_class[parameters] = law
+        _name_apart(parameters)
         return law
 
     @property
@@ -138,6 +141,20 @@ class Registry:
 
     def __len__(self) -> int:
         return len(self._by_name)
+
+
+def _name_apart(parameters: type) -> None:
+    """Number the later ones of several parameter classes of one name.
+
+    Compiled code finds the version made for an argument by the name of its class: a law registered again after an edit, or another law
+    with a class of the same name, would silently be answered by the first one's.
+    """
+    alike = _class_names.setdefault(parameters.__name__, [])
+    if parameters not in alike:
+        alike.append(parameters)
+        if len(alike) > 1:
+            parameters.__name__ = f"{parameters.__name__}_{len(alike)}"
+            _name_apart(parameters)
 
 
 def finite(par) -> bool:

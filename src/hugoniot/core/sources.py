@@ -84,6 +84,14 @@ def behind(modules: Iterable[str]) -> frozenset[str]:
     return frozenset({*found, *_binding()})
 
 
+def concerns_package(module: str) -> bool:
+    """Whether a module is of this package or imports from it."""
+    if module.partition(".")[0] == PACKAGE:
+        return True
+    path = file_of(module)
+    return path is not None and any(name.partition(".")[0] == PACKAGE for name in _imports(*_now(path)).names)
+
+
 def digest(paths: Iterable[str]) -> str:
     """One hash of files as they stand now, wherever the package is installed."""
     total = hashlib.sha256()
