@@ -228,6 +228,51 @@ def test_the_files_behind_a_kernel_are_those_it_imports():
     assert "laws/eos/tait.py" not in wrapper
 
 
+WATCHED = """
+import os, sys
+from numba.core import event
+from hugoniot.core import code_files, sources
+
+class Watch(event.Listener):
+    open = []
+    def on_start(self, event):
+        function = event.data["dispatcher"].py_func
+        if not self.open:
+            self.behind = sources.behind({function.__module__, *(cls.__module__ for cls in code_files._classes(event.data["args"]))})
+        self.open.append(function)
+        path = os.path.realpath(function.__code__.co_filename)
+        assert "site-packages" in path or path in self.behind, (self.open[0].__qualname__, function.__qualname__, path)
+        print("seen", path)
+    def on_end(self, event):
+        self.open.pop()
+
+with event.install_listener("numba:compile", Watch()):
+    if sys.argv[1].endswith(".toml"):
+        import hugoniot
+        hugoniot.run(sys.argv[1], out="run", report=False, stop_time=float(sys.argv[2]))
+    else:
+        import numpy as np
+        from hugoniot.laws import arrays
+        from hugoniot.laws.eos.contract import EOS
+        law = EOS.get(sys.argv[1])
+        arrays.evaluate(law.example, np.linspace(*law.box["rho"], arrays.SMALL + 9), np.zeros(arrays.SMALL + 9), "pressure", "sound_speed")
+"""
+
+
+@pytest.mark.parametrize("what", ["p_alpha", pytest.param("flyer.toml 1e-8", marks=pytest.mark.slow),
+                                  pytest.param("initiation.toml 1e-8", marks=pytest.mark.slow),
+                                  pytest.param("noh.toml 1e-3", marks=pytest.mark.slow)])
+def test_nothing_is_compiled_into_a_kernel_whose_file_is_not_behind_it(users, what):
+    (users.folder / "main.py").write_text(WATCHED)
+    words = what.split()
+    if words[0].endswith(".toml"):
+        words[0] = str(pathlib.Path(sources.ROOT).parents[1] / "examples" / words[0])
+    done = start(users.folder, words, users.folder / "cache")
+    out, err = done.communicate(timeout=1200)
+    assert done.returncode == 0, err[-3000:]
+    assert out.count("seen") > 5
+
+
 @pytest.mark.parametrize("statement, names", [
     ("import a.b as c, d", {"a.b", "d"}), ("from a import (b,  # why\n  c as d,\n)", {"a", "a.b", "a.c"}),
     ("def f():\n    from a.b import c", {"a.b", "a.b.c"}), ("from a import b, \\\n    c", {"a", "a.b", "a.c"}),
