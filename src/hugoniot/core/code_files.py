@@ -22,6 +22,7 @@ from numba.core import caching, types
 
 from hugoniot.core import sources
 from hugoniot.core.cache import DAY, SUFFIX, cache_folder, cache_root, clear_away, not_kept
+from hugoniot.core.compile_watch import not_found
 
 _numbas_own = caching.IndexDataCacheFile
 _HASH_BYTES = 32
@@ -67,19 +68,21 @@ class CodeFile(_numbas_own):
 
     def load(self, key):
         """What was compiled for a key; None if nothing is kept, or nothing sound."""
-        path = self._path(key)
-        if path is None or not _is_sound(path):
-            return None
-        self._cache_path = str(path.parent)
-        try:
-            return self._load_data(path.name)
-        except (OSError, ImportError, AttributeError):
-            return None
+        path = path_of(self.function, key)
+        found = None
+        if path is not None and _is_sound(path):
+            self._cache_path = str(path.parent)
+            with contextlib.suppress(OSError, ImportError, AttributeError):
+                found = self._load_data(path.name)
+        if found is None:
+            laws = ", ".join(dict.fromkeys(cls.__name__ for cls in _classes(key[0])))
+            not_found(self.function.__name__ + (f" for {laws}" if laws else ""))
+        return found
 
     def save(self, key, data):
         """Keep what was compiled for a key, if it may be kept. A disk that is full or cannot be written to is no reason to end a run."""
         global _saved, _warned
-        path = self._path(key)
+        path = path_of(self.function, key)
         if path is None:
             return
         self._cache_path = str(path.parent)
@@ -103,11 +106,6 @@ class CodeFile(_numbas_own):
         data = super()._dump(obj)
         return data + hashlib.sha256(data).digest()      # reading stops before it
 
-    def _path(self, key) -> Path | None:
-        folder = cache_folder()
-        name = None if folder is None else name_of(self.function, key)
-        return None if folder is None or name is None else folder / f"{name}{SUFFIX}"
-
 
 def _is_sound(path: Path) -> bool:
     """Whether a file is one's own and holds what was written; says that it was used."""
@@ -126,6 +124,19 @@ def _is_sound(path: Path) -> bool:
         with contextlib.suppress(OSError):      # in a folder that is only read
             os.utime(path)
     return True
+
+
+def is_kept(function, signature: tuple) -> bool:
+    """Whether the code of a kernel's Python function for these argument types is in the folder, so that it need not be compiled."""
+    path = path_of(function, (signature, None, ("", "")))
+    return path is not None and path.exists()
+
+
+def path_of(function, key) -> Path | None:
+    """File for a kernel and a key as in `name_of`; None where its code cannot be kept."""
+    folder = cache_folder()
+    name = None if folder is None else name_of(function, key)
+    return None if folder is None or name is None else folder / f"{name}{SUFFIX}"
 
 
 # -- names of the files ------------------------------------------------------------------------------------------
