@@ -158,13 +158,18 @@ def _full_name(thing) -> str:
 
 
 def _classes(kind) -> Iterator[type]:
-    """The parameter tuples' classes in a signature or type."""
-    if isinstance(kind, types.BaseNamedTuple):
-        yield kind.instance_class  # pyright: ignore
-    inner = kind if isinstance(kind, tuple) else (*getattr(kind, "types", ()), *getattr(kind, "args", ()), getattr(kind, "dtype", None))
-    for one in inner:
-        if isinstance(one, (types.Type, tuple)):
-            yield from _classes(one)
+    """The classes of named tuples in a signature or type, wherever the type keeps them: in its parts, or as what it refers to."""
+    waiting, seen = [kind], set()
+    while waiting:
+        one = waiting.pop(0)
+        if isinstance(one, (tuple, list)):
+            waiting += one
+        elif isinstance(one, types.Type) and id(one) not in seen:
+            seen.add(id(one))
+            waiting += vars(one).values()
+        elif isinstance(one, type) and hasattr(one, "_fields") and one not in seen:
+            seen.add(one)
+            yield one
 
 
 def _described(function, modules: set[str], enclosed: str) -> str:
