@@ -19,8 +19,9 @@ from typing import Any, NamedTuple
 import numba as nb
 from numba.extending import overload
 
-from hugoniot.core.compile import GUARD, INLINE, bind_family
+from hugoniot.core.binder import bind_family
 from hugoniot.core.passes import call_entry, call_pass, record, row, rows
+from hugoniot.core.target import GUARD, INLINE
 from hugoniot.core.team import DISMISSED, Alone, await_call, call, gather_team, sign
 from hugoniot.mesh import line
 from hugoniot.solvers.lagrange1d import layout as L
