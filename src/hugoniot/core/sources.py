@@ -1,7 +1,8 @@
 """Which source files stand behind a kernel: its own, and those that it or the laws in its arguments import.
 
 Machine code is kept under a hash of these files, so that an edit reaches every kernel it may touch and no other. Imports are read
-from the text: `import` statements anywhere in a file, also inside functions, and names of modules of the package in quotes.
+from the text: `import` statements anywhere in a file, also inside functions, and names of modules of the package in quotes. A file is
+read once in a process; what is written later is not what the process runs, so code that depends on it is neither looked for nor kept.
 """
 
 import functools
@@ -20,6 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 COMPUTING_ROOMS = ("core", "laws", "mesh", "theory", "zones", "solvers")
 
 _BEGUN = time.time() - time.process_time()     # of this process, or a little later
+_unchanged: dict[str, float] = {}     # when a file was last seen to be as old
 _NOT_OURS = tuple(os.path.realpath(sysconfig.get_path(name)) + os.sep for name in ("stdlib", "platstdlib", "purelib", "platlib"))
 _QUOTED = re.compile(rf"""["']({PACKAGE}(?:\.\w+)+)\.?["']""")
 _IMPORT = re.compile(r"[ \t]*(?:from[ \t]+([.\w]+)[ \t]+import[ \t]+(\([^)]*\)|[^\n#]+)|import[ \t]+([^\n#]+))")
@@ -40,14 +42,14 @@ class Imports(NamedTuple):
 
 
 @functools.cache
-def _read(path: str, written: int, size: int) -> Source:
+def _read(path: str) -> Source:
     with open(path, "rb") as file:
         data = file.read()
     return Source(hashlib.sha256(data).digest(), b"core.binder" in data or b"import binder" in data)
 
 
 @functools.cache
-def _imports(path: str, written: int, size: int) -> Imports:
+def _imports(path: str) -> Imports:
     with open(path, encoding="utf-8", errors="replace") as file:
         text = file.read().replace("\\\n", " ")
     names: list[str] = []
@@ -58,30 +60,28 @@ def _imports(path: str, written: int, size: int) -> Imports:
     return Imports(tuple(names), tuple(_QUOTED.findall(text)) if PACKAGE in text else ())
 
 
-def _now(path: str) -> tuple[str, int, int]:
-    """A file as it stands on the disk now."""
-    state = os.stat(path)
-    return path, state.st_mtime_ns, state.st_size
-
-
 def behind(modules: Iterable[str]) -> frozenset[str]:
     """Paths of the files of these modules, of all that they import, and of those that bind functions to kernels and so choose for them.
 
     Installed packages and the standard library do not count, except this one. A package in quotes counts with every file of its folder.
     """
-    waiting = list(modules)
-    found: dict[str, str] = {}
+    return frozenset().union(_binding(), *map(_imported_by, modules))
+
+
+@functools.cache
+def _imported_by(module: str) -> frozenset[str]:
+    waiting, found = [module], set()
     while waiting:
         name = waiting.pop()
         path = file_of(name)
         if path is None or path in found:
             continue
-        found[path] = name
+        found.add(path)
         package = name if path.endswith("__init__.py") else name.rpartition(".")[0]
-        imports = _imports(*_now(path))
+        imports = _imports(path)
         waiting += [_absolute(imported, package) for imported in imports.names]
         waiting += [*imports.quoted, *_inside(imports.quoted)]
-    return frozenset({*found, *_binding()})
+    return frozenset(found)
 
 
 def concerns_package(module: str) -> bool:
@@ -89,20 +89,30 @@ def concerns_package(module: str) -> bool:
     if module.partition(".")[0] == PACKAGE:
         return True
     path = file_of(module)
-    return path is not None and any(name.partition(".")[0] == PACKAGE for name in _imports(*_now(path)).names)
+    return path is not None and any(name.partition(".")[0] == PACKAGE for name in _imports(path).names)
 
 
-def digest(paths: Iterable[str]) -> str:
-    """One hash of files as they stand now, wherever the package is installed."""
+@functools.cache
+def digest(paths: frozenset[str]) -> str:
+    """One hash of files as this process first found them."""
     total = hashlib.sha256()
     for path in sorted(paths):
-        total.update(_read(*_now(path)).digest)
+        total.update(_read(path).digest)
     return total.hexdigest()
 
 
 def changed_since_start(paths: Iterable[str]) -> bool:
-    """Whether a file was written after this process began, so that what the process imported may differ from what stands there now."""
-    return any(os.stat(path).st_mtime >= _BEGUN for path in paths)
+    """Whether a file was written after this process began, so that what the process imported may differ from what stands there now.
+
+    No file is looked at twice in a second.
+    """
+    now = time.monotonic()
+    for path in paths:
+        if now - _unchanged.get(path, -1.0) > 1.0:
+            if os.stat(path).st_mtime >= _BEGUN:
+                return True
+            _unchanged[path] = now
+    return False
 
 
 @functools.cache
@@ -112,7 +122,7 @@ def source_hash() -> str:
 
     total = hashlib.sha256(f"{sys.version_info[:2]} {numba.__version__}".encode())
     for path in _computing():
-        total.update(_read(*_now(path)).digest)
+        total.update(_read(path).digest)
     return total.hexdigest()[:16]
 
 
@@ -169,5 +179,5 @@ def _computing() -> list[str]:
 
 
 @functools.cache
-def _binding() -> list[str]:
-    return [path for path in _computing() if _read(*_now(path)).binds]
+def _binding() -> frozenset[str]:
+    return frozenset(path for path in _computing() if _read(path).binds)

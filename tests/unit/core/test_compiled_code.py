@@ -280,7 +280,7 @@ def test_nothing_is_compiled_into_a_kernel_whose_file_is_not_behind_it(users, wh
 def test_imports_are_read_from_the_text(tmp_path, statement, names):
     path = tmp_path / "some.py"
     path.write_text(f'"""Text that must import nothing."""\n{statement}\n')
-    found = sources._imports(*sources._now(str(path)))
+    found = sources._imports(str(path))
     assert {*found.names, *found.quoted} - {"nothing"} == names
 
 
