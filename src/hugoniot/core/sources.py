@@ -24,11 +24,12 @@ _BEGUN = time.time() - time.process_time()     # of this process, or a little la
 _unchanged: dict[str, float] = {}     # when a file was last seen to be as old
 _NOT_OURS = tuple(os.path.realpath(sysconfig.get_path(name)) + os.sep for name in ("stdlib", "platstdlib", "purelib", "platlib"))
 _QUOTED = re.compile(rf"""["']({PACKAGE}(?:\.\w+)+)\.?["']""")
+_BOUND = re.compile(rb"\bbind(?:_choice|_flag|_dispatch)?\(\s*(\w+)")
 _IMPORT = re.compile(r"[ \t]*(?:from[ \t]+([.\w]+)[ \t]+import[ \t]+(\([^)]*\)|[^\n#]+)|import[ \t]+([^\n#]+))")
 
 
 class Source(NamedTuple):
-    """One file: hash of its bytes, and whether it may bind functions to kernels."""
+    """One file: hash of its bytes, and whether it says how kernels call functions that stand in other files."""
 
     digest: bytes
     binds: bool
@@ -45,7 +46,8 @@ class Imports(NamedTuple):
 def _read(path: str) -> Source:
     with open(path, "rb") as file:
         data = file.read()
-    return Source(hashlib.sha256(data).digest(), b"core.binder" in data or b"import binder" in data)
+    bound = _BOUND.findall(data) if b"binder" in data or b"bind_flag" in data else ()
+    return Source(hashlib.sha256(data).digest(), any(b"def " + name + b"(" not in data for name in bound))
 
 
 @functools.cache
@@ -61,9 +63,10 @@ def _imports(path: str) -> Imports:
 
 
 def behind(modules: Iterable[str]) -> frozenset[str]:
-    """Paths of the files of these modules, of all that they import, and of those that bind functions to kernels and so choose for them.
+    """Paths of the files of these modules, of all that they import, and of those that bind functions of other files to kernels.
 
-    Installed packages and the standard library do not count, except this one. A package in quotes counts with every file of its folder.
+    The last decide what a kernel calls without being imported by it. Installed packages and the standard library do not count, except
+    this one. A package in quotes counts with every file of its folder.
     """
     return frozenset().union(_binding(), *map(_imported_by, modules))
 
