@@ -150,7 +150,7 @@ def resume(folder, progress=None, report: bool | Callable = True) -> "Run":
 @functools.cache
 def _program() -> dict[str, str]:
     """What computes: version of the package, hash of the sources behind its kernels (and of the compiler's version)."""
-    from hugoniot.core.compile import source_hash
+    from hugoniot.core.sources import source_hash
 
     return {"version": hugoniot.__version__, "sources": source_hash()}
 
@@ -187,9 +187,12 @@ def _drive(recorder: _Recorder, next_snapshot: int, begun: float, report: bool |
 
 
 def _summary(problem: Problem, solver, outcome: Outcome, begun: float) -> dict[str, Any]:
+    from hugoniot.core.compile_watch import compile_seconds
+
     return {
         "status": outcome.status, "cycles": solver.cycle, "zone_updates": solver.zone_updates, "time": solver.time,
         "wall_seconds": time.perf_counter() - begun, "kernel_seconds": outcome.kernel_seconds,
+        "compile_seconds": compile_seconds(begun),
         **{name: None if value != value else value for name, value in solver.errors().items()},
         "voids_opened": solver.voids_opened, "voids_closed": solver.voids_closed,
         "interfaces_parted": getattr(solver, "interfaces_parted", 0), "tension_cap_acted": solver.capped,

@@ -8,8 +8,9 @@ import platform
 import numba as nb
 import pytest
 
-from hugoniot.core.compile import PASS, packed
+from hugoniot.core.inspection import packed
 from hugoniot.core.passes import ROW, Pass, _rows_type
+from hugoniot.core.target import PASS
 from hugoniot.laws.arrays import float_parameters
 from hugoniot.laws.fracture.spall_stress import SpallStress
 from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic

@@ -36,6 +36,12 @@ def test_every_law_says_what_it_is_and_where_it_comes_from(law):
     assert set(law.units) == set(law.meaning) and all(law.meaning.values())
 
 
+def test_parameter_classes_have_names_of_their_own():
+    """Compiled code tells arguments apart by the names of their classes; a second one of a name is numbered when it is registered."""
+    names = [law.parameters.__name__ for law in LAWS]
+    assert len(set(names)) == len(names) and not any(re.search(r"_\d+$", name) for name in names)
+
+
 def test_every_family_is_populated():
     assert all(len(list(family)) >= 3 for family in FAMILIES) and len(list(GEOMETRY)) == 3
 

@@ -53,7 +53,7 @@ def test_compiled_temperature_agrees_with_python(law):
 @pytest.mark.parametrize("name", ["mie_gruneisen", "jwl"])
 def test_sweeps_are_packed(name):
     """A lost vectorisation costs 4 to 9 times and nobody sees it: the machine code must divide eight (four) numbers at a time."""
-    from hugoniot.core.compile import packed
+    from hugoniot.core.inspection import packed
     from hugoniot.laws import array_kernels
 
     law = EOS.get(name)

@@ -27,10 +27,10 @@ def test_compression_never_breaks_and_more_tension_never_heals(law):
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: law.name)
 def test_compiled_equals_python(law):
     numba = pytest.importorskip("numba")
-    from hugoniot.core import compile as binding
+    from hugoniot.core import binder
 
-    binding.bind_family(FRACTURE, contract.GENERICS)
-    binding.bind_module(contract)
+    binder.bind_family(FRACTURE, contract.GENERICS)
+    binder.bind_module(contract)
     fail, rate, cap = contract.failure, contract.damage_rate, contract.tension_cap
 
     @numba.njit(error_model="numpy")

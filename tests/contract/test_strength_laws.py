@@ -51,10 +51,10 @@ def test_only_flagged_laws_depend_on_temperature_and_rate(law):
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: law.name)
 def test_compiled_equals_python(law):
     numba = pytest.importorskip("numba")
-    from hugoniot.core import compile as binding
+    from hugoniot.core import binder
 
-    binding.bind_family(STRENGTH, contract.GENERICS)
-    binding.bind_module(contract)
+    binder.bind_family(STRENGTH, contract.GENERICS)
+    binder.bind_module(contract)
     shear, flow = contract.shear_modulus, contract.flow_stress
 
     @numba.njit(error_model="numpy")

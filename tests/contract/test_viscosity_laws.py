@@ -38,10 +38,10 @@ def test_only_limited_laws_see_smoothness_and_vanish_in_linear_flow(law):
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: law.name)
 def test_compiled_equals_python(law):
     numba = pytest.importorskip("numba")
-    from hugoniot.core import compile as binding
+    from hugoniot.core import binder
 
-    binding.bind_family(VISCOSITY, contract.GENERICS)
-    binding.bind_module(contract)
+    binder.bind_family(VISCOSITY, contract.GENERICS)
+    binder.bind_module(contract)
     speed = contract.viscous_speed
 
     @numba.njit(error_model="numpy")

@@ -10,16 +10,16 @@ import typer
 from hugoniot.units import format_si
 
 SECONDS_BETWEEN_LINES = 5.0
-COMPILING = "compiling the kernels for these laws, which takes 10 to 30 s, once"
+LONGEST_NAME = 60
 
 
 @contextlib.contextmanager
 def progress(quiet: bool = False):
     """A context that gives a display with `update(report)`: a bar if standard error is a terminal, lines if not, or nothing.
 
-    It also tells when kernels have to be compiled first.
+    It also shows what has to be compiled first.
     """
-    from hugoniot.core.compile import when_compiling
+    from hugoniot.core.compile_watch import when_compiling
 
     with Silent() if quiet else Bar() if sys.stderr.isatty() else Lines() as display, when_compiling(display.compiling):
         yield display
@@ -43,6 +43,13 @@ def words(report) -> str:
             f"energy error {report.energy_error:.1e}")
 
 
+def compiling_words(news) -> str:
+    """One line: what is compiled and how many kernels come after it."""
+    name = news.kernel if len(news.kernel) <= LONGEST_NAME else news.kernel[:LONGEST_NAME - 3] + "..."
+    left = "" if news.left is None else ", the last one" if news.left == 0 else f", {news.left} more after it"
+    return f"compiling kernel {news.number}, once for this machine: {name}{left}"
+
+
 class Silent:
     """Shows nothing; the others are made of it.
 
@@ -60,8 +67,8 @@ class Silent:
     def update(self, report) -> None:
         """Nothing to show."""
 
-    def compiling(self) -> None:
-        """Nothing to tell."""
+    def compiling(self, news) -> None:
+        """Nothing to show."""
 
     def left(self, report) -> float:
         """Wall seconds to the end of the run; infinite while unknown."""
@@ -77,7 +84,7 @@ class Lines(Silent):
     """A line on standard error every few seconds, for logs."""
 
     def __init__(self, interval: float = SECONDS_BETWEEN_LINES):
-        self.interval, self.last = interval, time.monotonic()
+        self.interval, self.last, self.last_compiled = interval, time.monotonic(), -math.inf
 
     def update(self, report) -> None:
         now, left = time.monotonic(), self.left(report)
@@ -87,8 +94,11 @@ class Lines(Silent):
         share = report.time / report.stop_time
         typer.echo(f"{share:4.0%}  {words(report)}, {duration(left)} left", err=True)
 
-    def compiling(self) -> None:
-        typer.echo(COMPILING, err=True)
+    def compiling(self, news) -> None:
+        now = time.monotonic()
+        if now - self.last_compiled >= self.interval:
+            self.last_compiled = now
+            typer.echo(compiling_words(news), err=True)
 
 
 class Bar(Silent):
@@ -113,5 +123,5 @@ class Bar(Silent):
         self.display.update(self.task, completed=report.time / report.stop_time,
                             description=f"{words(report)}, {duration(self.left(report))} left")
 
-    def compiling(self) -> None:
-        self.display.update(self.task, description=COMPILING)
+    def compiling(self, news) -> None:
+        self.display.update(self.task, description=compiling_words(news))

@@ -42,8 +42,10 @@ def _largest_velocity(run: Run) -> float:
 def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
     """Print the summary, the gauges and the warnings but those `shown` already."""
     s = run.summary
+    compiling = s.get("compile_seconds", 0.0)
     typer.echo(f"{s['title']}: {s['status']} at {format_si(s['time'], 's')}, {s['cycles']} cycles, "
-               f"{s.get('zone_updates', 0):.3g} zone updates in {s['wall_seconds']:.2f} s")
+               f"{s.get('zone_updates', 0):.3g} zone updates in {s['wall_seconds']:.2f} s"
+               + (f", {compiling:.2f} s of them for compiling, once" if compiling >= 0.01 else ""))
     errors = [f"{word} {s[key]:.1e}" for word, key in (("mass", "mass_error"), ("momentum", "momentum_error"), ("energy", "energy_error"))
               if isinstance(s.get(key), (int, float))]
     if s.get("solver") == "shock_structure":

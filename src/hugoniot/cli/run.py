@@ -52,7 +52,7 @@ def _run(deck, out, changes, materials, overwrite, report, quiet):
         typer.echo(f"warning: {warning}", err=True)
     folder = out or Path(f"{deck.stem}.run")
     from hugoniot import simulate
-    from hugoniot.core.compile import without_linear_algebra
+    from hugoniot.core.compile_watch import without_linear_algebra
 
     without_linear_algebra()
     try:

@@ -2,7 +2,7 @@
 
 The standard library's `exp`, `log` and `pow` are scalar calls in a compiled sweep and stop its vectorisation, and so do
 `min` and `np.minimum` in a reduction.  A law therefore calls the functions of this module.  In plain Python they go
-through numpy, which also serves dual numbers (any object with `exp`, `log`, `sqrt` methods); `core.compile` replaces
+through numpy, which also serves dual numbers (any object with `exp`, `log`, `sqrt` methods); `core.mathematics` replaces
 them inside kernels by forms the vectoriser keeps.
 """
 

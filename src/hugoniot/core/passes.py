@@ -28,8 +28,9 @@ from numba.core.imputils import lower_builtin, lower_getattr_generic
 from numba.core.typing.templates import AbstractTemplate, AttributeTemplate, infer_getattr, infer_global, signature
 from numba.extending import intrinsic
 
-from hugoniot.core.compile import EXACT_PASS, GUARD, PASS, bind_choice
+from hugoniot.core.binder import bind_choice
 from hugoniot.core.registry import Registry
+from hugoniot.core.target import EXACT_PASS, GUARD, PASS
 
 
 # -- rows --------------------------------------------------------------------------------------------------------

@@ -14,6 +14,8 @@ from dataclasses import dataclass, field
 from types import ModuleType
 from typing import Any
 
+_class_names: dict[str, list[type]] = {}     # of every law that was ever registered in this process
+
 
 class UnknownName(KeyError):
     """A name that is not registered; the message offers the nearest one."""
@@ -86,7 +88,7 @@ class Registry:
             raise ValueError(f"{self.family}: '{name}' is registered already")
         given = {f.__name__: f for f in functions} if not isinstance(functions, Mapping) else dict(functions)
         missing = [f for f in self.contract if f not in given]
-        stray = [f for f in given if f not in (*self.contract, *self.optional, *self.derived)]
+        stray = [f for f in given if f not in self.promises]
         undocumented = [p for p in parameters._fields if p not in units or p not in meaning]
         complaints = ((missing, "lacks"), (stray, "gives functions outside the contract:"), (undocumented, "lacks unit or meaning of"))
         for problem, what in complaints:
@@ -99,7 +101,17 @@ class Registry:
                   dict(above or {}), dict(least or {}))
         self._by_name[name] = law
         self._by_class[parameters] = law
+        _name_apart(parameters)
         return law
+
+    @property
+    def promises(self) -> tuple[str, ...]:
+        """Contract names of every function a law of the family may have."""
+        return (*self.contract, *self.optional, *self.derived)
+
+    def remove(self, name: str) -> None:
+        """Take a law out again, for a notebook's cell that is run twice and for tests. Materials made of it keep their numbers only."""
+        del self._by_class[self._by_name.pop(self.get(name).name).parameters]
 
     def get(self, name: str) -> Law:
         """The law of that name; `UnknownName` offers the nearest."""
@@ -129,6 +141,20 @@ class Registry:
 
     def __len__(self) -> int:
         return len(self._by_name)
+
+
+def _name_apart(parameters: type) -> None:
+    """Number the later ones of several parameter classes of one name.
+
+    Compiled code finds the version made for an argument by the name of its class: a law registered again after an edit, or another law
+    with a class of the same name, would silently be answered by the first one's.
+    """
+    alike = _class_names.setdefault(parameters.__name__, [])
+    if parameters not in alike:
+        alike.append(parameters)
+        if len(alike) > 1:
+            parameters.__name__ = f"{parameters.__name__}_{len(alike)}"
+            _name_apart(parameters)
 
 
 def finite(par) -> bool:

@@ -4,8 +4,6 @@ Plain arithmetic and comparisons only, so that a law may call these with floats,
 nearest cell is continued; nothing is clipped.
 """
 
-KERNEL_HELPERS = True
-
 
 def bracket(grid, x):
     """Index i of the cell with grid[i] <= x < grid[i + 1] (the first or last cell outside); `grid` increasing, 1-D."""

@@ -2,24 +2,44 @@
 
 A parallel region of the usual kind costs some microseconds, as long as a thousand zones take; a phase here costs a fraction of
 one. The leader publishes a command by raising the phase counter, every member does the pieces that are its own, and the leader
-goes on when all have signed off. Shares are fixed by the piece's number, so the number of threads changes no bit.
+goes on when all have signed off. Shares are fixed by the piece's number, so neither the number of threads nor who does a share changes
+a bit.
 
-Words of the board: 0 phase, 1 command, then one signature for each member, a cache line (8 words) apart.
+On a machine that is busy with other work a member may lose its core in the middle of a share, and the leader waits for some
+milliseconds where a phase takes a hundredth of one. Therefore nobody waits at full speed for longer than PATIENCE, and the leader keeps an
+account of the time that phases of the team take beside the time it takes for the same commands alone. When the account is overdrawn, the
+leader does all shares itself for REST times as long as was lost, and tries again: a team costs at most about 1/REST more time than one
+thread.
+
+Words of the board, in lines of 8 (cache lines): line 0: phase, command; line 1, the leader's: account (ns), when to share again (ns), when
+this phase began (ns), whether it is shared, its command, their number; line m + 1, of member m: its signature; words 6 and 7 of these
+lines are for reading the clock; last two lines: how long each command takes alone (ns).
 """
 
 import os
+import time
 from typing import NamedTuple
 
 import numba as nb
 import numpy as np
+from llvmlite import ir
 from numba import types
+from numba.core import cgutils
 from numba.extending import intrinsic
 
-from hugoniot.core.compile import GUARD
+from hugoniot.core.target import GUARD
 
 DISMISSED = -1
 LINE = 8
 SPINS = 2000
+PATIENCE = 100_000          # ns of waiting before a thread sleeps
+SHORTEST_SLEEP, LONGEST_SLEEP = 50, 1000     # microseconds
+OVERDRAWN, CREDIT = -500_000, 5_000_000     # ns: bounds of the account
+REST = 10
+COMPARES = 251              # each such phase is done alone, to know how long it takes; a prime, so that it meets every command
+ACCOUNT, SHARE_AGAIN, BEGAN, SHARED, COMMAND, PHASES = range(LINE, LINE + 6)
+COMMANDS = 2 * LINE          # counted apart
+FORGETS = 64                # share by which a known time grows while longer ones are met
 
 
 class Alone(NamedTuple):
@@ -37,11 +57,11 @@ class Together(NamedTuple):
 
 def board(threads: int) -> np.ndarray:
     """A fresh board for a team."""
-    return np.zeros((threads + 2) * LINE, dtype=np.int64)
+    return np.zeros((threads + 1) * LINE + COMMANDS, dtype=np.int64)
 
 
 def possible() -> bool:
-    """Whether this system has what a team needs (POSIX yield)."""
+    """Whether this system has what a team needs (POSIX yield, sleep and clock)."""
     return os.name == "posix"
 
 
@@ -62,36 +82,88 @@ def _write(typingctx, array, index, value):
     return types.void(array, types.intp, types.int64), codegen
 
 
+@intrinsic
+def _clock(typingctx, board, line):
+    """Nanoseconds of the steady clock, read by way of words 6 and 7 of a line of the board."""
+    def codegen(context, builder, signature, args):
+        data = context.make_array(signature.args[0])(context, builder, args[0]).data
+        place = builder.gep(data, [builder.add(builder.mul(args[1], args[1].type(LINE)), args[1].type(LINE - 2))])
+        kind = ir.FunctionType(ir.IntType(32), [ir.IntType(32), place.type])
+        function = cgutils.get_or_insert_function(builder.module, kind, "clock_gettime")
+        builder.call(function, [ir.Constant(ir.IntType(32), time.CLOCK_MONOTONIC), place])
+        seconds, rest = builder.load(place), builder.load(builder.gep(place, [args[1].type(1)]))
+        return builder.add(builder.mul(seconds, seconds.type(1_000_000_000)), rest)
+    return types.int64(board, types.intp), codegen
+
+
 _yield = types.ExternalFunction("sched_yield", types.int32())
+_sleep = types.ExternalFunction("usleep", types.int32(types.uint32))
+
+
+@nb.njit(**GUARD)
+def _await(board, word, value, changes, line):
+    """Wait until a word is `value`, or (`changes`) until it is not; `line` of the board is the waiting thread's own."""
+    spins, began, nap = 0, 0, SHORTEST_SLEEP
+    while (_read(board, word) == value) == changes:
+        spins += 1
+        if spins == SPINS:
+            began = _clock(board, line)
+        elif spins > SPINS:
+            if _clock(board, line) - began < PATIENCE:
+                _yield()
+            else:
+                _sleep(nap)
+                nap = min(2 * nap, LONGEST_SLEEP)
 
 
 @nb.njit(**GUARD)
 def call(board, command):
-    """Leader: start a phase with a command."""
+    """Leader: start a phase with a command, in which every member takes part."""
+    board[SHARED] = 1
     board[1] = command
     _write(board, 0, board[0] + 1)
 
 
 @nb.njit(**GUARD)
-def gather_team(board, threads):
-    """Leader: wait until every member has signed the phase."""
-    phase = board[0]
-    for member in range(1, threads):
-        spins = 0
-        while _read(board, LINE * (member + 1)) != phase:
-            spins += 1
-            if spins > SPINS:
-                _yield()
+def begin(board, command, threads):
+    """Leader: start a phase with a command; how many shares, from the first, the leader is to do: one, or all while it works alone."""
+    board[COMMAND], board[BEGAN], board[PHASES] = command, _clock(board, 1), board[PHASES] + 1
+    if board[BEGAN] < board[SHARE_AGAIN] or board[PHASES] % COMPARES == 0 or board[_known(command, threads)] == 0:
+        board[SHARED] = 0
+        return threads
+    call(board, command)
+    return 1
 
 
 @nb.njit(**GUARD)
-def await_call(board, phase):
+def _known(command, threads):
+    """Word that holds how long a command takes alone."""
+    return LINE * (threads + 1) + command % COMMANDS
+
+
+@nb.njit(**GUARD)
+def gather_team(board, threads):
+    """Leader: wait until every member has signed the phase, and settle the account."""
+    known = _known(board[COMMAND], threads)
+    if board[SHARED] == 0:
+        took = max(_clock(board, 1) - board[BEGAN], 1)
+        board[known] = took if board[known] == 0 else min(took, board[known] + board[known] // FORGETS + 1)
+        return
+    for member in range(1, threads):
+        _await(board, LINE * (member + 1), board[0], False, 1)
+    if board[1] == DISMISSED:
+        return
+    now = _clock(board, 1)
+    board[ACCOUNT] = min(board[ACCOUNT] + board[known] - (now - board[BEGAN]), CREDIT)
+    if board[ACCOUNT] < OVERDRAWN:
+        board[SHARE_AGAIN] = now - REST * board[ACCOUNT]
+        board[ACCOUNT] = 0
+
+
+@nb.njit(**GUARD)
+def await_call(board, phase, member):
     """Member: wait for the phase after `phase`; its number."""
-    spins = 0
-    while _read(board, 0) == phase:
-        spins += 1
-        if spins > SPINS:
-            _yield()
+    _await(board, 0, phase, True, member + 1)
     return _read(board, 0)
 
 

@@ -3,7 +3,8 @@
 import numba as nb
 
 import hugoniot.laws.eos  # noqa: F401  (enrols every law)
-from hugoniot.core.compile import GUARD, SWEEP, bind_family, bind_module
+from hugoniot.core.binder import bind_family, bind_module
+from hugoniot.core.target import GUARD, SWEEP
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import (
     EOS,

@@ -5,7 +5,8 @@ Importing this module imports numba; `theory.hugoniot` and `theory.isentrope` do
 
 import numba as nb
 
-from hugoniot.core.compile import CURVE, bind, bind_family, bind_module
+from hugoniot.core.binder import bind, bind_family, bind_module
+from hugoniot.core.target import CURVE
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.theory import expansion, jump

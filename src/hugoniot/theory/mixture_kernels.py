@@ -2,7 +2,7 @@
 
 import numba as nb
 
-from hugoniot.core.compile import CURVE
+from hugoniot.core.target import CURVE
 from hugoniot.laws.mixture.binding import bind_mixtures
 from hugoniot.laws.mixture.contract import Mixed, equilibrate, mixture_temperature, slopes, solve
 

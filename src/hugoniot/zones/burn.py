@@ -9,16 +9,16 @@ Source: 003 (Starkenberg ARL-TR-2161) sections 3 to 5; 002 (Herrmann WL-TR-64-10
 from collections import namedtuple
 from typing import Any, NamedTuple
 
-from hugoniot.core.compile import bind, bind_choice, bind_module
+from hugoniot.core.binder import bind, bind_choice, bind_module
 from hugoniot.core.ops import fmax, fmin
 from hugoniot.core.passes import bind_flag, law_of, named, rows_apart, zone_pass
+from hugoniot.laws.burn.contract import BURN, advance, rate, scheduled, short_advance
 from hugoniot.laws.mixture import reference_state
+from hugoniot.laws.mixture.contract import Mixed, mixture_temperature
 from hugoniot.laws.mixture.reference_state import PASSING, found_state, is_passing, reactants_share
 from hugoniot.zones.constants import Constants
-from hugoniot.zones.soundness import FOUND_RATE
-from hugoniot.laws.burn.contract import BURN, advance, rate, scheduled, short_advance
-from hugoniot.laws.mixture.contract import Mixed, mixture_temperature
 from hugoniot.zones.mixture import BURNED, PARTLY, end_of_stretch, whole
+from hugoniot.zones.soundness import FOUND_RATE
 
 STEP_SHARE = 0.1     # of the shortest burning time a step may be
 NEARLY = 0.99        # burn fraction up to which the time step follows the rate

@@ -7,7 +7,7 @@ which sees the solid's own volume, takes up the rest.
 from collections import namedtuple
 from typing import Any, NamedTuple
 
-from hugoniot.core.compile import bind
+from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin
 from hugoniot.core.passes import bind_flag, law_of, rows_apart, zone_pass
 from hugoniot.laws.fracture.contract import FRACTURE, damage_rate, failure, tension_cap

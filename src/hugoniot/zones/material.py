@@ -7,8 +7,8 @@ dimension: strains, the elastic trial and the return to the yield surface stand 
 
 import numba as nb
 
-from hugoniot.core.compile import INLINE
 from hugoniot.core.passes import call_pass, row_at
+from hugoniot.core.target import INLINE
 from hugoniot.zones.burn import BurnRows, HeatRows, KeepRows, LeadRows, PaceRows, PassedRows, PassingRows
 from hugoniot.zones.burn import RateRows as BurnRateRows
 from hugoniot.zones.closure import RestRows, StiffnessRows, TemperatureRows

@@ -19,8 +19,9 @@ from typing import Any, NamedTuple
 
 import numba as nb
 
-from hugoniot.core.compile import SWEEP, bind
+from hugoniot.core.binder import bind
 from hugoniot.core.passes import bind_flag, law_of, rows_apart, zone_pass
+from hugoniot.core.target import SWEEP
 from hugoniot.laws.mixture.contract import (
     CONVERGED,
     MIXTURE,

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from hugoniot.core.compile import bind_family, bind_module
+from hugoniot.core.binder import bind_family, bind_module
 from hugoniot.core.passes import numbers_of
 from hugoniot.laws.arrays import float_parameters
 from hugoniot.laws.burn import contract as burn_contract

@@ -5,9 +5,10 @@ from typing import Any, NamedTuple
 import numba as nb
 import numpy as np
 
-from hugoniot.core.compile import GUARD, bind
+from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, vsqrt
 from hugoniot.core.passes import rows_apart, zone_pass
+from hugoniot.core.target import GUARD
 
 LIMIT = 1e12          # density (kg/m3) or sound speed (m/s) beyond which a state is no physics
 LIMIT_BITS = np.float64(LIMIT).view(np.uint64)

@@ -9,7 +9,7 @@ Source: Wilkins B.2 items 5 and 6; Herrmann A.18.
 from collections import namedtuple
 from typing import Any, NamedTuple
 
-from hugoniot.core.compile import bind
+from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax
 from hugoniot.core.passes import bind_flag, law_of, rows_apart, zone_pass
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus

@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from hugoniot.core.compile import bind
+from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin
 from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.laws.viscosity.contract import viscous_speed

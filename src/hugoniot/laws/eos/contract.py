@@ -34,7 +34,7 @@ can happen has, never falling. It is flagged "remembers" and gives three functio
 
 Kernels do not check states; `check_state` does, for callers at the surface.
 
-The functions below dispatch on the class of `par`, in Python and, through `core.compile`, inside kernels.
+The functions below dispatch on the class of `par`, in Python and, through `core.binder`, inside kernels.
 """
 
 import math

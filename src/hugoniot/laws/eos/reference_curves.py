@@ -23,8 +23,6 @@ from hugoniot.laws.eos.contract import hugoniot_curve, reference_curve
 from hugoniot.laws.eos.contract import temperature as law_temperature
 from hugoniot.laws.eos.special import quadrature
 
-KERNEL_HELPERS = True
-
 
 def gamma_slope_of(form, gamma0, slope=math.nan):
     """b of Gamma = (gamma0 + b mu)/(1 + mu) for a named form: rho_gamma_constant, constant, linear (then `slope`)."""

@@ -7,9 +7,6 @@ Source: Abramowitz and Stegun, Handbook of Mathematical Functions, 5.1.10 and ta
 
 import numpy as np
 
-KERNEL_HELPERS = True
-"""Kernels that bind a law bind this module's functions too (core.compile.bind_module)."""
-
 
 def _gauss(n):
     """Nodes and weights on [0, 1] as a tuple of pairs."""

@@ -26,35 +26,35 @@ def bind_mixtures() -> None:
     The searches are bound without fast-math, because they compare residuals, and without forced inlining, because they are long; the
     equations of state inside them are inlined as everywhere. Imports numba.
     """
-    from hugoniot.core import compile as compiler
+    from hugoniot.core import binder
     from hugoniot.laws.eos import contract as eos_contract
     from hugoniot.laws.mixture import contract, equilibrium, isentrope, isolated
 
-    compiler.bind_family(eos_contract.EOS, eos_contract.GENERICS)
-    compiler.bind_module(eos_contract)
+    binder.bind_family(eos_contract.EOS, eos_contract.GENERICS)
+    binder.bind_module(eos_contract)
     search = dict(fastmath=False, error_model="numpy")
     for function in (isentrope.stride, isentrope.marched_energy, isentrope.integrated_energy, isolated.equilibrate,
                      equilibrium.share_energy, equilibrium.coupled, equilibrium.nested, equilibrium.equilibrate):
-        compiler.bind(function, **search)
+        binder.bind(function, **search)
     for function in (equilibrium.pull, equilibrium.reach):
-        compiler.bind(function, **search, forceinline=True)
+        binder.bind(function, **search, forceinline=True)
     # sums whose terms may be added in any order, so that they are packed; what is no number stays none
     for function in (isentrope.brief_heating, isentrope.heating, isentrope.short_integral, isentrope.long_integral):
-        compiler.bind(function, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+        binder.bind(function, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
 
     for function in (isolated.attempt, equilibrium.attempt):
-        compiler.bind(function, fastmath={"contract", "reassoc", "nsz", "arcp"}, error_model="numpy", forceinline=True)
+        binder.bind(function, fastmath={"contract", "reassoc", "nsz", "arcp"}, error_model="numpy", forceinline=True)
 
     def knows(*classes):
         return "reference_isentrope" in eos_contract.EOS.of_class(classes[-1]).functions
 
-    compiler.bind_choice(isentrope.knows_isentropes, lambda *classes: _yes if knows(*classes) else _no)
+    binder.bind_choice(isentrope.knows_isentropes, lambda *classes: _yes if knows(*classes) else _no)
 
     def energy(*classes):
         if knows(*classes):
             return isentrope.closed_energy
         return _by_integral if "linear_in_energy" in eos_contract.EOS.of_class(classes[-1]).flags else _by_march
 
-    compiler.bind_choice(isentrope.isentrope_energy, energy)
-    compiler.bind_family(contract.MIXTURE, contract.GENERICS)
-    compiler.bind_module(contract)
+    binder.bind_choice(isentrope.isentrope_energy, energy)
+    binder.bind_family(contract.MIXTURE, contract.GENERICS)
+    binder.bind_module(contract)

@@ -17,7 +17,7 @@ laws keep their form.
 `before` is the `Mixed` of the step before: the reactant isentrope runs through it (thermal isolation) and the search starts there.
 A density of zero means that the phase is not known: products before burning begins, reactants after it has ended. Slopes are by
 specific volume v = 1/rho, as in the source. The functions below dispatch on the class of `par`, in Python and, through
-`core.compile`, inside kernels.
+`core.binder`, inside kernels.
 """
 
 from typing import NamedTuple

@@ -5,8 +5,6 @@ Source: 003 (Starkenberg ARL-TR-2161) sections 4.2 and 5.1 for the unknown w; th
 
 from hugoniot.core.ops import fmax, fmin
 
-KERNEL_HELPERS = True
-
 # A phase of less than this mass fraction is left out by `solve`: it changes the pressure by about 1e-8 of itself, and its energy is the
 # difference of nearly equal numbers (only reactants in tension would notice the bubbles).
 NASCENT = 1e-8

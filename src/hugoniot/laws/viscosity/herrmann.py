@@ -14,7 +14,7 @@ from typing import NamedTuple
 from hugoniot.laws.viscosity.contract import VISCOSITY
 
 
-class Herrmann(NamedTuple):
+class HerrmannViscosity(NamedTuple):
     quadratic: float = 1.4
     linear: float = 0.3
 
@@ -24,9 +24,9 @@ def viscous_speed(v, c, p, du, psi, par):
 
 
 VISCOSITY.add(
-    "herrmann", Herrmann,
+    "herrmann", HerrmannViscosity,
     functions=[viscous_speed],
-    example=Herrmann(),
+    example=HerrmannViscosity(),
     units={"quadratic": "1", "linear": "1"},
     meaning={"quadratic": "B1, which enters squared", "linear": "B2"},
     defaults={"quadratic": 1.4, "linear": 0.3},

@@ -14,9 +14,10 @@ from collections import namedtuple
 
 import numba as nb
 
-from hugoniot.core.compile import INLINE, bind
+from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin
 from hugoniot.core.passes import call_pass, kind_of, named, row_at, rows_apart, zone_pass
+from hugoniot.core.target import INLINE
 from hugoniot.mesh.line import area, area_per_radius, hoops, mean_area, volume
 from hugoniot.solvers.lagrange1d.stress import deviators
 from hugoniot.zones import material

@@ -5,12 +5,11 @@ from collections import namedtuple
 
 import numba as nb
 
-from hugoniot.core.compile import GUARD
 from hugoniot.core.passes import kind_of, rows_apart, zone_pass
+from hugoniot.core.target import GUARD
 from hugoniot.mesh.line import area, hoops
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import H, Z
-
 
 AccelerateRows = namedtuple("AccelerateRows", "sigma hoop r u inverse_mass u_mean r_half")
 MoveRows = namedtuple("MoveRows", "sigma hoop r_half inverse_mass u u_mean r")

@@ -19,9 +19,10 @@ from typing import Any, NamedTuple
 import numba as nb
 from numba.extending import overload
 
-from hugoniot.core.compile import GUARD, INLINE, bind_family
+from hugoniot.core.binder import bind_family
 from hugoniot.core.passes import call_entry, call_pass, record, row, rows
-from hugoniot.core.team import DISMISSED, Alone, await_call, call, gather_team, sign
+from hugoniot.core.target import GUARD, INLINE
+from hugoniot.core.team import DISMISSED, Alone, await_call, begin, gather_team, sign
 from hugoniot.mesh import line
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.compatible import FluxRows
@@ -120,8 +121,8 @@ def _(a, command, scheme, team):
         do_share(a, command, scheme, 0, 1)
 
     def together(a, command, scheme, team):
-        call(team.board, command)
-        do_share(a, command, scheme, 0, team.threads)
+        for share in range(begin(team.board, command, team.threads)):
+            do_share(a, command, scheme, share, team.threads)
         gather_team(team.board, team.threads)
 
     return alone if team.instance_class is Alone else together
@@ -131,7 +132,7 @@ def _(a, command, scheme, team):
 def serve(member, phase, a, scheme, team):
     """What every other thread of a team does during a march: the leader's commands on its own share, until dismissed."""
     while True:
-        phase = await_call(team.board, phase)
+        phase = await_call(team.board, phase, member)
         command = team.board[1]
         if command != DISMISSED:
             do_share(a, command, scheme, member, team.threads)

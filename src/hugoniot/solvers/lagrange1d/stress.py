@@ -8,9 +8,10 @@ from typing import Any, NamedTuple
 
 import numba as nb
 
-from hugoniot.core.compile import INLINE, bind
+from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin, late_over, vsqrt
 from hugoniot.core.passes import call_pass, kind_of, rows_apart, zone_pass
+from hugoniot.core.target import INLINE
 from hugoniot.mesh.line import hoops
 from hugoniot.zones import material
 

@@ -4,7 +4,7 @@ import math
 
 import numba as nb
 
-from hugoniot.core.compile import GUARD
+from hugoniot.core.target import GUARD
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import B, H, Z
 

@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 
 import numba as nb
 
-from hugoniot.core.compile import INLINE
 from hugoniot.core.passes import Entry, record, row, rows
+from hugoniot.core.target import INLINE
 from hugoniot.solvers.lagrange1d import compatible, leapfrog, nodes, stress
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.compatible import correct, predict

@@ -21,8 +21,10 @@ Viscous part: sixth-order gradients of the conserved averages, turned into those
 import numba as nb
 from numba.extending import overload
 
-from hugoniot.core.compile import INLINE, LAW, bind_family, bind_module
+from hugoniot.core.binder import bind_family, bind_module
+from hugoniot.core.mathematics import LAW
 from hugoniot.core.ops import fmax, vsqrt
+from hugoniot.core.target import INLINE
 from hugoniot.laws.eos import contract as eos_contract
 from hugoniot.laws.eos.contract import EOS, pressure, pressure_derivatives
 from hugoniot.laws.transport import contract as transport_contract

@@ -21,7 +21,7 @@ state before the step in place.
 
 import numba as nb
 
-from hugoniot.core.compile import GUARD, INLINE
+from hugoniot.core.target import GUARD, INLINE
 from hugoniot.solvers.shock_structure import layout as L
 from hugoniot.solvers.shock_structure.kernels import account, all_sound, fill_ghosts, flux_sweep, gather, keep_peaks, stage, update
 

@@ -190,11 +190,11 @@ def test_burn_laws_compile_into_one_sweep_kernel():
     """The generic functions resolve inside a kernel to each law's own and give the same numbers as in Python."""
     import numba as nb
 
-    from hugoniot.core import compile as compiler
+    from hugoniot.core import binder
 
-    compiler.bind_family(BURN, contract.GENERICS)
-    compiler.bind_module(depletion)
-    compiler.bind_module(contract)
+    binder.bind_family(BURN, contract.GENERICS)
+    binder.bind_module(depletion)
+    binder.bind_module(contract)
 
     @nb.njit
     def sweep(lam, dt, time, lit, dx, rho, p, temperature, par):

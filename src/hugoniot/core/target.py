@@ -1,0 +1,25 @@
+"""The CPU as the target of compiled kernels: the options each kind of kernel is compiled with.
+
+A kernel module imports its options from here, and with them the operations of `core.ops` and the folder of compiled code, which numba
+asks for when a kernel is defined. Importing this module imports numba, so only kernel modules do.
+"""
+
+import llvmlite.binding as llvm
+
+from hugoniot.core import code_files, mathematics  # noqa: F401  (both set numba up)
+
+# A sweep is inlined wherever it is called, and so are the functions on its way up: the whole march is one piece of machine code.
+# Otherwise the process that compiles runs another translation of a sweep than the ones that load the march from disk (each
+# was optimised in its own surroundings), and with fast-math the two differ in the last bits.
+# Kernels own no arrays (_nrt=False): counting the references to every row a sweep takes would cost more than two hundred zones do.
+SWEEP = dict(_nrt=False, fastmath=True, error_model="numpy", cache=True, nogil=True, forceinline=True)
+# A law's pass stands alone: it is called by its address, never inlined.
+PASS = dict(_nrt=False, fastmath=True, error_model="numpy", cache=True, nogil=True)
+EXACT_PASS = {**PASS, "fastmath": False}
+INLINE = dict(_nrt=False, error_model="numpy", forceinline=True)
+GUARD = dict(_nrt=False, fastmath=False, error_model="numpy", cache=True, nogil=True)
+CURVE = {**GUARD, "_nrt": True}   # of theory, whose searches keep short lists
+
+# A sweep touches some twenty rows of the same tables; the vectoriser proves at run time that they do not overlap and by
+# default gives up, silently, when that takes more than 128 instructions.
+llvm.set_option("hugoniot", "--vectorize-memory-check-threshold=100000")

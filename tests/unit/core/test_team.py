@@ -1,0 +1,93 @@
+"""A team of threads: who does which share changes nothing, and a member that keeps the leader waiting is left out for a while."""
+
+import threading
+import time
+
+import numba as nb
+import numpy as np
+import pytest
+
+from hugoniot.core import team
+
+pytestmark = pytest.mark.skipif(not team.possible(), reason="no team on this system")
+
+
+@nb.njit(nogil=True)
+def work(row, share, of):
+    for i in range(share, row.shape[0], of):
+        row[i] = 0.999 * row[i] + 0.1 * (i + 1.0)
+
+
+@nb.njit(nogil=True)
+def lead(row, board, phases, threads):
+    alone = 0
+    for k in range(phases):
+        shares = team.begin(board, k % 3, threads)
+        for share in range(shares):
+            work(row, share, threads)
+        team.gather_team(board, threads)
+        alone += shares > 1
+    return alone
+
+
+@nb.njit(nogil=True)
+def serve(row, board, member, threads):
+    phase = 0
+    while True:
+        phase = team.await_call(board, phase, member)
+        command = board[1]
+        if command != team.DISMISSED:
+            work(row, member, threads)
+        team.sign(board, member, phase)
+        if command == team.DISMISSED:
+            return
+
+
+@pytest.mark.parametrize("threads", [2, 3])
+def test_any_number_of_threads_gives_the_same_bits(threads):
+    rows = np.ones((2, 3000))
+    for _ in range(500):
+        work(rows[0], 0, 1)
+    board = team.board(threads)
+    members = [threading.Thread(target=serve, args=(rows[1], board, member, threads), daemon=True) for member in range(1, threads)]
+    for one in members:
+        one.start()
+    alone = lead(rows[1], board, 500, threads)
+    team.call(board, team.DISMISSED)
+    team.gather_team(board, threads)
+    for one in members:
+        one.join(timeout=60)
+    assert not any(one.is_alive() for one in members)
+    assert np.array_equal(rows[0], rows[1])
+    assert alone >= 3       # each command once, to know how long it takes
+
+
+def test_a_member_that_keeps_the_leader_waiting_is_left_out_for_ten_times_as_long():
+    board, row, pause = team.board(2), np.ones(3000), 0.05
+    assert lead(row, board, 3, 2) == 3
+
+    def late():
+        while board[0] == 0:
+            time.sleep(1e-4)
+        time.sleep(pause)
+        team.sign(board, 1, board[0])
+
+    member = threading.Thread(target=late, daemon=True)
+    member.start()
+    assert lead(row, board, 1, 2) == 0
+    member.join(timeout=60)
+    until = board[team.SHARE_AGAIN] * 1e-9
+    assert until - board[team.BEGAN] * 1e-9 > 11.0 * 0.9 * pause       # the wait itself, and the rest
+    board[team.SHARE_AGAIN] = 2**62        # however slow this machine is
+    assert lead(row, board, 100, 2) == 100 and board[0] == 1
+
+
+def test_waiting_within_credit_is_borne():
+    board = team.board(2)
+    team.begin(board, 0, 2)
+    team.gather_team(board, 2)
+    board[team.ACCOUNT] = 10**15
+    team.call(board, 0)
+    team.sign(board, 1, board[0])
+    team.gather_team(board, 2)
+    assert board[team.SHARE_AGAIN] == 0 and board[team.ACCOUNT] == team.CREDIT
