@@ -31,7 +31,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "report": ("hugoniot.cli.report", "Write the report of a run again."),
     "verify": ("hugoniot.cli.verify", "Run the built-in verification problems."),
     "material": ("hugoniot.cli.material", "Search and show the materials library."),
-    "eos": ("hugoniot.cli.eos", "Hugoniots, isentropes and impedance matches without a mesh."),
+    "eos": ("hugoniot.cli.eos.app", "Hugoniots, isentropes and impedance matches without a mesh."),
     "exact": ("hugoniot.cli.exact", "Exact solutions: Riemann, Noh, Sedov, Guderley, detonations and more."),
     "pop-plot": ("hugoniot.cli.pop_plot", "Run distance to detonation over input pressure."),
     "fit-rate": ("hugoniot.cli.fit_rate", "Constants of a burn law brought to a measured Pop plot."),

@@ -67,7 +67,7 @@ def material_named(name: str, places):
     if places:
         from hugoniot.materials.users import find, user_materials
         return find(name, user_materials(places)).material
-    from hugoniot.cli.eos_input import find_material
+    from hugoniot.cli.eos.input import find_material
     return find_material(name).material
 
 

@@ -157,7 +157,7 @@ def _subject(what: str, viscosity, conduction, prandtl, bulk_ratio, state, bent:
     elif what.endswith(".toml") and viscosity is None:
         found = _deck(what)
     else:
-        from hugoniot.cli.eos_input import find_inert
+        from hugoniot.cli.eos.input import find_inert
 
         found = {"eos": find_inert(what).material.eos, "ahead": None, "shock": {}, "transport": None}
         if viscosity is None:

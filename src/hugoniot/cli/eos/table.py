@@ -5,7 +5,7 @@ import csv
 import numpy as np
 import typer
 
-from hugoniot.cli.eos_input import Subject
+from hugoniot.cli.eos.input import Subject
 from hugoniot.cli.show import echo_json, echo_table, quantity
 from hugoniot.errors import DeckError, FileTrouble, OutOfRange
 from hugoniot.laws.eos.contract import EOS, reference_state, require_temperature

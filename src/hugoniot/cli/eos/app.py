@@ -5,11 +5,11 @@ from typing import Annotated
 
 import typer
 
-from hugoniot.cli.eos_detonation import cj, mixture, znd
-from hugoniot.cli.eos_input import Subject, find_inert, find_material, one_state, several_states
-from hugoniot.cli.eos_options import AT, CSV, HEAT, MATERIAL, MATERIALS, PLOT, POINTS
-from hugoniot.cli.eos_output import cell, deliver, echo_notes, echo_states, notes, row_of, write_csv
-from hugoniot.cli.eos_second_shock import second_shock
+from hugoniot.cli.eos.detonation import cj, mixture, znd
+from hugoniot.cli.eos.input import Subject, find_inert, find_material, one_state, several_states
+from hugoniot.cli.eos.options import AT, CSV, HEAT, MATERIAL, MATERIALS, PLOT, POINTS
+from hugoniot.cli.eos.output import cell, deliver, echo_notes, echo_states, notes, row_of, write_csv
+from hugoniot.cli.eos.second_shock import second_shock
 from hugoniot.cli.show import JSON, echo_json, echo_table, quantity
 from hugoniot.errors import DeckError
 from hugoniot.theory.states import States
@@ -69,7 +69,7 @@ def hugoniot(
 
     Example: hugoniot eos hugoniot copper aluminum --plot hugoniots.png
     """
-    from hugoniot.cli import eos_hugoniot
+    from hugoniot.cli.eos import hugoniot as eos_hugoniot
 
     asked = eos_hugoniot.Question(at, points, up_to, density, after, reaction, heat, data or [])
     eos_hugoniot.report(eos_hugoniot.solve_all(materials, asked), at is not None, kind, as_json, as_csv, plot)
@@ -128,7 +128,7 @@ def match(
 
     Example: hugoniot eos match copper aluminum --velocity "1 km/s" --error "velocity = 5 m/s"
     """
-    from hugoniot.cli import eos_match
+    from hugoniot.cli.eos import match as eos_match
 
     if len(materials) < 2:
         raise DeckError.single("command line", None, "match", "an impact needs a flyer and at least one target", "name two or more")
@@ -209,7 +209,7 @@ def fit(
 
     Example: hugoniot eos fit shots.csv --quadratic --plot fit.png
     """
-    from hugoniot.cli import eos_fit
+    from hugoniot.cli.eos import fit as eos_fit
 
     eos_fit.report(points, 2 if quadratic else 1, quantity(least, "m/s", "--from") if least else 0.0,
                    quantity(highest, "m/s", "--to") if highest else float("inf"), as_json, as_csv, plot)
@@ -229,7 +229,7 @@ def fit_jwl(
 
     Example: hugoniot eos fit-jwl cylinder.csv --density "1.717 g/cm^3" --velocity "7.98 km/s" --pressure "29.5 GPa" --energy "8.5 GPa"
     """
-    from hugoniot.cli import eos_fit
+    from hugoniot.cli.eos import fit as eos_fit
 
     eos_fit.jwl(curve, density, velocity, pressure, energy, omega, as_json, as_csv, plot)
 
@@ -243,7 +243,7 @@ def fit_gamma(
 
     Example: hugoniot eos fit-gamma copper --at "particle_velocity = 500 m/s"
     """
-    from hugoniot.cli import eos_fit
+    from hugoniot.cli.eos import fit as eos_fit
 
     eos_fit.gamma(find_inert(material), at, quantity(ambient, "Pa", "--ambient"), as_json)
 
@@ -264,7 +264,7 @@ def table(
 
     Example: hugoniot eos table copper --points 50 --csv copper.csv
     """
-    from hugoniot.cli import eos_table
+    from hugoniot.cli.eos import table as eos_table
 
     eos_table.report(find_material(material), densities, temperatures, points, as_json, as_csv, hdf5, plot)
 
@@ -307,7 +307,7 @@ def _shocked(subject: Subject, at: str) -> States:
 
 def _portrait(name: str, subject: Subject, state: States | None, path) -> None:
     """The picture of `show`: the planes of the field, or the detonation of products that have no unreacted explosive."""
-    from hugoniot.cli.eos_fit import library_points
+    from hugoniot.cli.eos.fit import library_points
     from hugoniot.plotting.eos import detonations, save
 
     if subject.reacted and (state is None or subject.unreacted is None):

@@ -2,8 +2,8 @@
 
 import typer
 
-from hugoniot.cli.eos_input import Subject, error_bars
-from hugoniot.cli.eos_output import cell, echo_notes, notes, row_of, write_csv
+from hugoniot.cli.eos.input import Subject, error_bars
+from hugoniot.cli.eos.output import cell, echo_notes, notes, row_of, write_csv
 from hugoniot.cli.show import echo_json, echo_table, quantity
 from hugoniot.errors import DeckError
 from hugoniot.laws.eos.contract import EOS

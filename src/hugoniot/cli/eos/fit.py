@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import typer
 
-from hugoniot.cli.eos_output import echo_columns, echo_notes, notes, write_csv
+from hugoniot.cli.eos.output import echo_columns, echo_notes, notes, write_csv
 from hugoniot.cli.show import echo_json, echo_table
 from hugoniot.errors import DeckError, OutOfRange
 from hugoniot.theory.fits import adjusted_gamma, fit_jwl, read_expansion, read_points, truncated_pressure, us_up
@@ -90,7 +90,7 @@ def jwl(path: str, density: str, velocity: str, pressure: str, energy: str, omeg
 
 def gamma(subject, at: str, ambient: float, as_json: bool) -> None:
     """The Gamma that makes the truncated cubic law of a linear Us-up material pass through a shock state."""
-    from hugoniot.cli.eos_input import one_state
+    from hugoniot.cli.eos.input import one_state
     from hugoniot.theory.hugoniot import shock
 
     par = subject.material.eos

@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from hugoniot.cli.eos_options import CSV, PLOT
+from hugoniot.cli.eos.options import CSV, PLOT
 from hugoniot.cli.show import JSON
 
 
@@ -24,8 +24,8 @@ def second_shock(
     """
     import numpy as np
 
-    from hugoniot.cli.eos_input import find_inert
-    from hugoniot.cli.eos_output import cell, deliver, echo_columns, echo_notes, notes
+    from hugoniot.cli.eos.input import find_inert
+    from hugoniot.cli.eos.output import cell, deliver, echo_columns, echo_notes, notes
     from hugoniot.cli.show import quantity
     from hugoniot.errors import DeckError
     from hugoniot.theory import second_shock as tool
