@@ -229,8 +229,8 @@ def _law_table(text: str, option: str, unit: str, parameter: str, registry):
     except tomllib.TOMLDecodeError as error:
         raise DeckError.single("command line", None, option, f"not a table: {error}",
                                '{law = "power_law", shear_viscosity = ...}') from None
-    from hugoniot.materials.build import read_law
     from hugoniot.materials.collect import Collector
+    from hugoniot.materials.law_reader import read_law
 
     problems: list = []
     par = read_law(registry, table, Collector(problems, "command line", lambda key: None), (option,))

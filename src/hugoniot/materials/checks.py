@@ -184,8 +184,7 @@ def _tillotson(row: Row) -> Iterator[Finding]:
     speed = math.sqrt(row["bulk_a"] / row["rho0"])
     inside = 1000.0 < speed < 10000.0
     yield Finding(row.id, "sqrt(A/rho0)", "ok" if inside else "mark", speed, math.nan)
-    if "tillotson" in EOS.names():
-        yield from _at_rest(row.id, make_entry(row.id, {"eos": {"row": row.id}}, f"row {row.id}").material.eos)
+    yield from _at_rest(row.id, make_entry(row.id, {"eos": {"row": row.id}}, f"row {row.id}").material.eos)
 
 
 def _porous(row: Row) -> Iterator[Finding]:

@@ -8,9 +8,16 @@ import math
 from typing import Any, NamedTuple
 
 from hugoniot.errors import NoSolution
-from hugoniot.laws.eos.contract import EOS, gruneisen, pressure, pressure_derivatives, reference_state, sound_speed_squared
+from hugoniot.laws.eos.contract import (
+    EOS,
+    gruneisen,
+    pressure,
+    pressure_derivatives,
+    reference_state,
+    sound_speed_squared,
+    temperature_at_rest,
+)
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
-from hugoniot.materials.build import built_temperature
 from hugoniot.materials.material import Material
 from hugoniot.materials.schema import Row
 
@@ -68,7 +75,7 @@ def _derived(material: Material, unreacted: Any) -> dict[str, Quantity]:
 
 
 def _elastic(material: Material, rho: float, e: float, bulk: float) -> dict[str, Quantity]:
-    warm, p = built_temperature(material.eos), pressure(rho, e, material.eos)
+    warm, p = temperature_at_rest(material.eos), pressure(rho, e, material.eos)
     g = shear_modulus(rho, p, warm, bulk, material.strength)
     y = flow_stress(rho, p, warm, 0.0, 1.0, material.strength)
     found = {"shear_modulus": Quantity(g, "Pa", "shear modulus G at rest"), "yield_stress": Quantity(y, "Pa", "flow stress Y at rest")}

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble
-from hugoniot.materials.build import read_material
 from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.materials.read import read_material
 from hugoniot.materials.users import for_deck
 from hugoniot.problem import schema
 from hugoniot.problem.lines import line_finder

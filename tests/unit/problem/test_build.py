@@ -5,8 +5,9 @@ import pytest
 from hugoniot.errors import DeckProblem
 from hugoniot.laws import viscosity  # noqa: F401  (enrols the laws)
 from hugoniot.laws.viscosity.contract import VISCOSITY
-from hugoniot.materials.build import build_material, read_law
 from hugoniot.materials.collect import Collector
+from hugoniot.materials.law_reader import read_law
+from hugoniot.materials.read import build_material
 from hugoniot.materials.tables import accepted, families, law_table, material_tables, same_parameters
 
 LAWS = [(family, law.name) for family, registry in {**families(), "viscosity": VISCOSITY}.items() for law in registry]
