@@ -20,6 +20,7 @@ import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble, NoSolution, OutOfRange
 from hugoniot.laws.eos.jwl import JWL
+from hugoniot.laws.eos.jwl_isentrope import JWLIsentrope, exponential, power
 from hugoniot.units import UnitError, parse
 
 
@@ -180,6 +181,11 @@ class JwlFit:
     deviation: float
     count: int
 
+    @property
+    def isentrope(self) -> JWLIsentrope:
+        """The fitted curve."""
+        return JWLIsentrope.of(self.par, self.c)
+
 
 def jwl_coefficients(rho0, velocity, pressure, energy, r1, r2, omega) -> tuple[float, float, float]:
     """(A, B, C), Pa, that close on a CJ state for given exponents.
@@ -187,10 +193,7 @@ def jwl_coefficients(rho0, velocity, pressure, energy, r1, r2, omega) -> tuple[f
     rho0 kg/m3, detonation velocity m/s, CJ pressure Pa, energy E0 J/m3 (per volume of explosive).
     """
     v = 1.0 - pressure / (rho0 * velocity**2)
-    e1, e2 = np.exp(-r1 * v), np.exp(-r2 * v)
-    matrix = np.array([[e1, e2, v ** (-1.0 - omega)],
-                       [r1 * e1, r2 * e2, (1.0 + omega) * v ** (-2.0 - omega)],
-                       [e1 / r1, e2 / r2, v**-omega / omega]])
+    matrix = np.column_stack([exponential(v, r1), exponential(v, r2), power(v, omega)])
     sides = np.array([pressure, rho0 * velocity**2, energy + 0.5 * pressure * (1.0 - v)])
     a, b, c = np.linalg.solve(matrix, sides)
     return float(a), float(b), float(c)
@@ -218,7 +221,7 @@ def fit_jwl(rho0: float, velocity: float, pressure: float, energy: float, volume
 
     def misfit(x):
         r1, r2, w, a, b, c = parts(x)
-        p = a * np.exp(-r1 * volumes) + b * np.exp(-r2 * volumes) + c * volumes ** (-1.0 - w)
+        p = JWLIsentrope(((a, r1), (b, r2)), c, w).pressure(volumes)
         return np.where(p > 0.0, np.log(np.maximum(p, 1e-300)) - target, 50.0)
 
     bounds, best = np.log([[0.05, 0.05, 0.02], [20.0, 8.0, 2.0]]), None  # of R1 - R2, R2, omega

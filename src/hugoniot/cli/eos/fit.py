@@ -70,7 +70,7 @@ def jwl(path: str, density: str, velocity: str, pressure: str, energy: str, omeg
         raise DeckError.single(path, None, "pressure", "a pressure of zero has no logarithm to fit", "leave that point out")
     found = fit_jwl(rho0, d, p_cj, e0, volumes[below], pressures[below], omega=omega)
     par = found.par
-    fitted = par.a * np.exp(-par.r1 * volumes) + par.b * np.exp(-par.r2 * volumes) + found.c * volumes ** (-1.0 - par.omega)
+    fitted = found.isentrope.pressure(volumes)
     if as_csv:
         write_csv(as_csv, [("", {"relative_volume": volumes, "pressure": pressures, "fitted_pressure": fitted})])
     if plot:
