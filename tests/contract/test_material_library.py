@@ -11,10 +11,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from hugoniot.dossier import checks, derived, fits
+from hugoniot.dossier.describe import described, summary
 from hugoniot.laws.eos.contract import EOS, pressure, reference_state
 from hugoniot.laws.eos.jwl import JWL
-from hugoniot.materials import checks, derived, fits, library, marks, schema
-from hugoniot.materials.describe import described, summary
+from hugoniot.materials import library, marks, schema
 from hugoniot.materials.record import material_record
 from hugoniot.problem.deck import read_deck_text
 

@@ -17,11 +17,11 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from hugoniot.diagnostics.detonation import PopLine, front_path, pop_line, run_to_detonation
+from hugoniot.dossier.derived import chapman_jouguet
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.burn.contract import BURN
 from hugoniot.laws.eos.contract import reference_state
 from hugoniot.materials import burning
-from hugoniot.materials.derived import chapman_jouguet
 from hugoniot.materials.material import Material
 from hugoniot.problem.model import Boundary, OutputOptions, Problem, Pulse, Region
 from hugoniot.simulate import make_solver

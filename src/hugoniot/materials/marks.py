@@ -4,9 +4,9 @@ import math
 from functools import cache
 from typing import NamedTuple
 
+from hugoniot.dossier.derived import chapman_jouguet, energy_of_tangency
 from hugoniot.errors import NoSolution
 from hugoniot.laws.eos.jwl import JWL
-from hugoniot.materials.derived import chapman_jouguet, energy_of_tangency
 from hugoniot.materials.schema import Row
 from hugoniot.materials.schema import row as row_of
 

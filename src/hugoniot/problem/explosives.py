@@ -2,12 +2,12 @@
 
 from dataclasses import replace
 
+from hugoniot.dossier.derived import chapman_jouguet
 from hugoniot.errors import HugoniotError
 from hugoniot.laws import burn as _burn  # noqa: F401  (enrols the burn laws)
 from hugoniot.laws.burn.contract import BURN
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.materials import burning
-from hugoniot.materials.derived import chapman_jouguet
 from hugoniot.problem.model import Problem
 from hugoniot.units import format_si
 

@@ -1,7 +1,7 @@
 """A material in words and numbers for people: what `hugoniot material show`, the docs pages and reports print."""
 
+from hugoniot.dossier.derived import derived_quantities
 from hugoniot.materials import library, schema
-from hugoniot.materials.derived import derived_quantities
 from hugoniot.materials.entry import Entry
 from hugoniot.materials.marks import marks
 from hugoniot.materials.record import mark, material_record
@@ -74,7 +74,7 @@ def fit_lines(entry: Entry) -> list[str]:
     rows = [i for i in entry.comparison_rows() if i.startswith("U") and schema.row(i).status == "derived"]
     if not rows:
         return []
-    from hugoniot.materials import fits
+    from hugoniot.dossier import fits
 
     lines = []
     for identity in rows:

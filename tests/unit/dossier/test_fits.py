@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from hugoniot.materials import fits, schema
+from hugoniot.dossier import fits
+from hugoniot.materials import schema
 
 
 def _states(up, us):

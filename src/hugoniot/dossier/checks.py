@@ -8,10 +8,11 @@ import math
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
+from hugoniot.dossier import fits
+from hugoniot.dossier.derived import chapman_jouguet, energy_of_tangency, material_hugoniot, shock_velocity
 from hugoniot.errors import HugoniotError, NoSolution
 from hugoniot.laws.eos.contract import EOS, pressure, reference_state, sound_speed_squared
-from hugoniot.materials import cards, fits, schema
-from hugoniot.materials.derived import chapman_jouguet, energy_of_tangency, material_hugoniot, shock_velocity
+from hugoniot.materials import cards, schema
 from hugoniot.materials.entry import Entry, make_entry
 from hugoniot.materials.marks import ENERGY_LIMIT, PRESSURE_LIMIT, REST_LIMIT, VELOCITY_LIMIT, closure, marks, unreacted_pressure
 from hugoniot.materials.schema import Row

@@ -5,10 +5,11 @@ import math
 import numpy as np
 import pytest
 
+from hugoniot.dossier import derived
 from hugoniot.errors import NoSolution
 from hugoniot.laws.eos.contract import pressure
 from hugoniot.laws.eos.jwl import JWL
-from hugoniot.materials import derived, library, schema
+from hugoniot.materials import library, schema
 
 
 def test_elastic_limit_by_poissons_ratio():
