@@ -31,8 +31,8 @@ def make_solver(problem: Problem):
         from hugoniot.solvers.lagrange1d.solver import Lagrange1D
         return Lagrange1D(problem)
     if problem.solver.kind == "shock_structure":
+        from hugoniot.problem.structure_start import shock_start
         from hugoniot.solvers.shock_structure.solver import ShockStructure
-        from hugoniot.theory.structure.start import shock_start
         return ShockStructure(problem, shock_start(problem))
     raise DeckError.single("problem", None, "solver.kind", f"unknown solver '{problem.solver.kind}'", "known: lagrange1d, shock_structure")
 
@@ -201,7 +201,7 @@ def _steady_numbers(problem: Problem) -> dict[str, float]:
     """What the steady wave of a shock-structure run has, beside which the run's own thickness is told."""
     if not problem.solver.options.get("shock"):
         return {}
-    from hugoniot.theory.structure.start import profile_of
+    from hugoniot.problem.structure_start import profile_of
     from hugoniot.theory.structure.sweep import measures
 
     found = measures(profile_of(problem))

@@ -178,7 +178,7 @@ def _law_name(viscosity: str | None) -> str | None:
 
 def _deck(path: str) -> dict:
     from hugoniot.problem.deck import read_deck
-    from hugoniot.theory.structure.start import MEASURES, setting
+    from hugoniot.problem.structure_start import MEASURES, setting
 
     problem = read_deck(path).problem
     if problem.solver.kind != "shock_structure":
