@@ -1,25 +1,20 @@
-"""What follows from a material's constants: sound speeds, elastic limit, Chapman-Jouguet state, points of its Hugoniots.
-
-Small and scalar on purpose: the library checks itself with it and `material show` answers at once. The tools of `theory` solve the
-same problems for any state and any law; they share no code with this file, so one can be tested against the other.
-"""
+"""What follows from a material's constants: sound speeds, elastic limit, Chapman-Jouguet state, points of its Hugoniots."""
 
 import math
+from functools import cache
 from typing import Any, NamedTuple
 
 from hugoniot.errors import NoSolution
-from hugoniot.laws.eos.contract import (
-    EOS,
-    gruneisen,
-    pressure,
-    pressure_derivatives,
-    reference_state,
-    sound_speed_squared,
-    temperature_at_rest,
-)
+from hugoniot.laws.eos.contract import EOS, gruneisen, pressure, reference_state, sound_speed_squared, temperature_at_rest
+from hugoniot.laws.eos.jwl import JWL
+from hugoniot.laws.eos.jwl_isentrope import JWLIsentrope
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
+from hugoniot.materials import schema
+from hugoniot.materials.marks import Closure, misfits
 from hugoniot.materials.material import Material
 from hugoniot.materials.schema import Row
+from hugoniot.theory.chapman_jouguet import cj, on_isentrope
+from hugoniot.theory.hugoniot import shock
 
 
 class Quantity(NamedTuple):
@@ -33,16 +28,6 @@ class Quantity(NamedTuple):
         return self._replace(value=float(self.value))
 
 
-class ChapmanJouguet(NamedTuple):
-    """CJ state: velocity m/s, pressure Pa, particle velocity m/s, density kg/m3, adiabatic exponent."""
-
-    velocity: float
-    pressure: float
-    particle_velocity: float
-    density: float
-    exponent: float
-
-
 def derived_quantities(material: Material, unreacted: Any = None) -> dict[str, Quantity]:
     """Sound speeds, elastic moduli and limit at rest; the CJ state of an explosive's products."""
     return {name: quantity.plain() for name, quantity in _derived(material, unreacted).items()}
@@ -52,12 +37,13 @@ def _derived(material: Material, unreacted: Any) -> dict[str, Quantity]:
     found: dict[str, Quantity] = {}
     law = EOS.of(material.eos)
     if "reacted" in law.flags:
-        state = chapman_jouguet(material.eos)
-        found["cj_velocity"] = Quantity(state.velocity, "m/s", "Chapman-Jouguet detonation velocity from the equation of state")
+        point = cj(material.eos)
+        state = point.state
+        found["cj_velocity"] = Quantity(point.detonation_velocity, "m/s", "Chapman-Jouguet detonation velocity from the equation of state")
         found["cj_pressure"] = Quantity(state.pressure, "Pa", "Chapman-Jouguet pressure")
         found["cj_particle_velocity"] = Quantity(state.particle_velocity, "m/s", "particle velocity at the CJ state")
         found["cj_density"] = Quantity(state.density, "kg/m^3", "density at the CJ state")
-        found["cj_exponent"] = Quantity(state.exponent, "1", "adiabatic exponent at the CJ state")
+        found["cj_exponent"] = Quantity(point.adiabatic_exponent, "1", "adiabatic exponent at the CJ state")
         if unreacted is not None:
             rho, e = reference_state(unreacted)
             found["unreacted_sound_speed"] = Quantity(math.sqrt(sound_speed_squared(rho, e, unreacted)), "m/s",
@@ -89,43 +75,24 @@ def _elastic(material: Material, rho: float, e: float, bulk: float) -> dict[str,
     return found
 
 
-# -- Chapman-Jouguet ---------------------------------------------------------------------------------------------
-def hugoniot_pressure(rho: float, rho0: float, e0: float, par: Any) -> float:
-    """Pressure on the Hugoniot from (rho0, e0) at zero pressure, Pa, for a law linear in energy: e = e0 + p (1/rho0 - 1/rho)/2."""
-    p_cold, p_e = pressure(rho, 0.0, par), pressure_derivatives(rho, 0.0, par)[1]
-    return (p_cold + p_e * e0) / (1.0 - 0.5 * p_e * (1.0 / rho0 - 1.0 / rho))
+# -- Chapman-Jouguet states of rows ------------------------------------------------------------------------------
+@cache
+def closure(identity: str) -> Closure | None:
+    """CJ closure of a products row of the table jwl, computed; None where the row gives no energy to close with."""
+    row = schema.row(identity)
+    if "c" in row:
+        found = on_isentrope(isentrope_of(row), row["rho0"])
+        return misfits(row, found.detonation_velocity, found.pressure)
+    if "e0" not in row:
+        return None
+    point = cj(JWL(row["a"], row["b"], row["r1"], row["r2"], row["omega"], row["rho0"], row["e0"]))
+    return misfits(row, point.detonation_velocity, point.state.pressure)
 
 
-def chapman_jouguet(par: Any, rho0: float | None = None, e0: float | None = None) -> ChapmanJouguet:
-    """Tangency of the Rayleigh line and the products' Hugoniot: rho c = rho0 D, by bisection in density.
-
-    par   products, a law linear in energy; rho0 (kg/m3) and e0 (J/kg) of the explosive default to the law's reference state.
-    """
-    start = reference_state(par)
-    rho0, e0 = start[0] if rho0 is None else rho0, start[1] if e0 is None else e0
-
-    def slope(rho: float) -> float:
-        p = hugoniot_pressure(rho, rho0, e0, par)
-        e = e0 + 0.5 * p * (1.0 / rho0 - 1.0 / rho)
-        return rho * rho * sound_speed_squared(rho, e, par) - p / (1.0 / rho0 - 1.0 / rho)
-
-    low, high = 1.02 * rho0, 1.02 * rho0
-    while not slope(high) > 0.0:
-        low, high = high, high * 1.02
-        if high > 2.5 * rho0:
-            raise NoSolution(f"no Chapman-Jouguet state between {1.02 * rho0:.4g} and {2.5 * rho0:.4g} kg/m^3")
-    if low == high:
-        raise NoSolution(f"the products are stiffer than the Rayleigh line already at {low:.4g} kg/m^3: no Chapman-Jouguet state")
-    for _ in range(200):
-        middle = 0.5 * (low + high)
-        if middle in (low, high):
-            break
-        low, high = (low, middle) if slope(middle) > 0.0 else (middle, high)
-    p = hugoniot_pressure(high, rho0, e0, par)
-    velocity = math.sqrt(p / (1.0 - rho0 / high) / rho0)
-    u = p / (rho0 * velocity)
-    c2 = sound_speed_squared(high, e0 + 0.5 * p * (1.0 / rho0 - 1.0 / high), par)
-    return ChapmanJouguet(float(velocity), float(p), float(u), float(high), float(high * c2 / p))
+def isentrope_of(row: Row) -> JWLIsentrope:
+    """The principal isentrope of a row of the table jwl with C, or of the table jwlb."""
+    pairs = (("a", "r1"), ("b", "r2")) if row.table == "jwl" else tuple((f"a{i}", f"r{i}") for i in range(1, 5))
+    return JWLIsentrope(tuple((row[a], row[r]) for a, r in pairs), row["c"], row["omega"])
 
 
 # -- Us-up rows --------------------------------------------------------------------------------------------------
@@ -168,48 +135,5 @@ def _implicit_cubic(c0: float, s1: float, s2: float, s3: float, up: float) -> fl
 
 
 def material_hugoniot(material: Material, up: float) -> float:
-    """Us of the principal Hugoniot from a material's equation of state, m/s.
-
-    The jump conditions give p - p0 = up^2/dv and e = e0 + up^2/2 + p0 dv at any density; bisection finds the one on the equation of state.
-    """
-    par = material.eos
-    rho0, e0 = reference_state(par)
-    p0 = pressure(rho0, e0, par)
-
-    def excess(rho: float) -> float:
-        dv = 1.0 / rho0 - 1.0 / rho
-        return (pressure(rho, e0 + 0.5 * up * up + p0 * dv, par) - p0) * dv - up * up
-
-    highest = EOS.of(par).functions["density_limits"](par)[1]
-    low, high = rho0, rho0
-    while True:
-        step = min(high * 1.02, 0.5 * (high + highest))
-        if step <= high or step > 12.0 * rho0:
-            raise NoSolution(f"no shock of {up:g} m/s: the equation of state ends at {high:.4g} kg/m^3")
-        low, high = high, step
-        if excess(high) > 0.0:
-            break
-    for _ in range(100):
-        middle = 0.5 * (low + high)
-        low, high = (low, middle) if excess(middle) > 0.0 else (middle, high)
-    return float(up / (1.0 - rho0 / high))
-
-
-# -- isentropes of products given by A, B, C or by JWLB ----------------------------------------------------------
-def energy_of_tangency(terms: list[tuple[float, float]], c: float, omega: float, rho0: float) -> tuple[float, float, float]:
-    """(E0 J/m3, D m/s, p_CJ Pa) of p = sum A_i exp(-R_i V) + C V^-(1+omega) by tangency of the Rayleigh line through V = 1, p = 0."""
-    def p(v: float) -> float:
-        return sum(a * math.exp(-r * v) for a, r in terms) + c * v ** (-1.0 - omega)
-
-    def excess(v: float) -> float:
-        falling = sum(a * r * math.exp(-r * v) for a, r in terms) + c * (1.0 + omega) * v ** (-2.0 - omega)
-        return falling - p(v) / (1.0 - v)
-
-    low, high = 0.55, 0.95
-    if not excess(low) > 0.0 > excess(high):
-        raise NoSolution("no tangency of the isentrope between V = 0.55 and 0.95")
-    for _ in range(100):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if excess(middle) > 0.0 else (low, middle)
-    energy = sum(a / r * math.exp(-r * high) for a, r in terms) + c / omega * high ** (-omega)
-    return energy - 0.5 * p(high) * (1.0 - high), math.sqrt(p(high) / (rho0 * (1.0 - high))), p(high)
+    """Us of the principal Hugoniot from a material's equation of state, m/s."""
+    return float(shock(material, particle_velocity=up).shock_velocity)

@@ -1,39 +1,17 @@
-r"""Least-squares fits of measured Us-up states, with the standard deviations of their coefficients.
+"""Which measured Us-up states are fitted for the library, and the fits recomputed: `theory.fits.us_up` does the least squares.
 
-$U_s = \sum_k a_k u_p^k$, unweighted: $a = (X^TX)^{-1}X^TU_s$, residual variance $\hat\sigma^2 = \sum r^2/(n - m)$, covariance
-$\hat\sigma^2 (X^TX)^{-1}$. The states come from `us_up_points.csv`; a `Selection` says which of them a fit takes.
+The states come from `us_up_points.csv`; a `Selection` says which of them a fit takes.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
 
 from hugoniot.materials.schema import Row, points
-
-
-@dataclass(frozen=True)
-class Fit:
-    """coefficients and deviations (1 sd) in SI, constant term first; residual sd m/s; correlation of the first two coefficients."""
-
-    coefficients: tuple[float, ...]
-    deviations: tuple[float, ...]
-    residual: float
-    correlation: float
-    count: int
-    up_min: float
-    up_max: float
-    rho0: float
-
-    def shock_velocity(self, up):
-        """Us at `up` (number or array), m/s."""
-        return sum(a * up ** k for k, a in enumerate(self.coefficients))
-
-    def deviation(self, up: float) -> float:
-        """Standard deviation of the fitted line (not of a state) at `up`, from the two-parameter covariance; linear fits only."""
-        a, b = self.deviations[:2]
-        return float(np.sqrt(max(a * a + b * b * up * up + 2.0 * self.correlation * a * b * up, 0.0)))
+from hugoniot.materials.search import spelling
+from hugoniot.theory.fits import UsUpFit, us_up
 
 
 @dataclass(frozen=True)
@@ -74,36 +52,22 @@ RECORDED = {
 }
 
 
-def fit(states: Iterable[Row], degree: int) -> Fit:
-    """Fit a polynomial of that degree through measured states; ValueError with fewer states than coefficients + 1."""
+def fit(states: Iterable[Row], degree: int) -> UsUpFit:
+    """A polynomial of degree 1 or 2 through measured states; OutOfRange with too few of them."""
     chosen = list(states)
-    up, us = np.array([p["up"] for p in chosen]), np.array([p["us"] for p in chosen])
-    if len(chosen) < degree + 2:
-        raise ValueError(f"a fit of degree {degree} needs at least {degree + 2} states, got {len(chosen)}")
-    scale = float(up.max())
-    design = np.vander(up / scale, degree + 1, increasing=True)
-    inverse = np.linalg.inv(design.T @ design)
-    scaled = np.linalg.lstsq(design, us, rcond=None)[0]
-    variance = float(np.sum((us - design @ scaled) ** 2)) / (len(chosen) - degree - 1)
-    spread = np.sqrt(variance * np.diag(inverse))
-    powers = scale ** -np.arange(degree + 1.0)
-    return Fit(tuple(float(v) for v in scaled * powers), tuple(float(v) for v in spread * powers), variance ** 0.5,
-               float(inverse[0, 1] / np.sqrt(inverse[0, 0] * inverse[1, 1])), len(chosen), float(up.min()), float(up.max()),
-               float(np.mean([p["rho0"] for p in chosen])))
+    return us_up([p["up"] for p in chosen], [p["us"] for p in chosen], degree)
 
 
 @cache
-def recorded(identity: str) -> Fit:
+def recorded(identity: str) -> UsUpFit:
     """The fit behind a row with status `derived`, recomputed from the measured states."""
     selection, degree = RECORDED[identity]
     return fit(selection.states(), degree)
 
 
-def fits_of(material: str) -> dict[str, Fit]:
-    """Recomputed fits of a material of the points table, by row id."""
-    return {identity: recorded(identity) for identity, (selection, _) in RECORDED.items() if selection.material == material}
-
-
-def measured_materials() -> list[str]:
-    """Names with measured states."""
-    return list(dict.fromkeys(p.material for p in points()))
+def library_points(names: Sequence[str]) -> np.ndarray | None:
+    """Measured (up, us) in m/s of a material of the library that is fully dense, or None."""
+    wanted = {spelling(n) for n in names}
+    found = [(p["up"], p["us"]) for p in points()
+             if spelling(p.material) in wanted and p["use_for_fit"] == 1.0 and p.get("porosity", 1.0) < 1.01]
+    return np.array(found, float) if found else None

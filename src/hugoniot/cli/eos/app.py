@@ -307,7 +307,7 @@ def _shocked(subject: Subject, at: str) -> States:
 
 def _portrait(name: str, subject: Subject, state: States | None, path) -> None:
     """The picture of `show`: the planes of the field, or the detonation of products that have no unreacted explosive."""
-    from hugoniot.cli.eos.fit import library_points
+    from hugoniot.dossier.fits import library_points
     from hugoniot.plotting.eos import detonations, save
 
     if subject.reacted and (state is None or subject.unreacted is None):

@@ -1,9 +1,7 @@
-"""The report of `hugoniot eos fit`, and the measured points that the library keeps."""
+"""The reports of `hugoniot eos fit`, `fit-jwl` and `fit-gamma`."""
 
-from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
 import typer
 
 from hugoniot.cli.eos.output import echo_columns, echo_notes, notes, write_csv
@@ -12,17 +10,6 @@ from hugoniot.errors import DeckError, OutOfRange
 from hugoniot.theory.fits import adjusted_gamma, fit_jwl, read_expansion, read_points, truncated_pressure, us_up
 
 WORDS = (("c0", "m/s"), ("s", ""), ("s2", "s/m"))
-
-
-def library_points(names: Sequence[str]) -> np.ndarray | None:
-    """Measured (up, us) in m/s of a material of the library that is fully dense, or None."""
-    from hugoniot.materials.schema import points
-    from hugoniot.materials.search import spelling
-
-    wanted = {spelling(n) for n in names}
-    found = [(p["up"], p["us"]) for p in points()
-             if spelling(p.material) in wanted and p["use_for_fit"] == 1.0 and p.get("porosity", 1.0) < 1.01]
-    return np.array(found, float) if found else None
 
 
 def report(name: str, degree: int, least: float, highest: float, as_json: bool, as_csv, plot) -> None:
@@ -119,6 +106,7 @@ def gamma(subject, at: str, ambient: float, as_json: bool) -> None:
 def _points(name: str):
     if Path(name).suffix.lower() in (".csv", ".txt", ".dat") or Path(name).exists():
         return read_points(name)
+    from hugoniot.dossier.fits import library_points
     from hugoniot.materials.library import entry
 
     found = entry(name)
