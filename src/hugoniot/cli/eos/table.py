@@ -30,7 +30,7 @@ def report(subject: Subject, densities: str, temperatures: str, points: int, as_
     if as_csv:
         _write(as_csv, rho, t, p, e)
     if as_hdf5:
-        from hugoniot.output.table_file import write_table
+        from hugoniot.materials.table_hdf5 import write_table
 
         write_table(as_hdf5, rho, t, p, e, f"{subject.material.name}, law {EOS.of(subject.material.eos).name}")
     if plot:
