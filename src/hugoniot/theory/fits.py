@@ -248,16 +248,20 @@ def adjusted_gamma(rho0: float, c0: float, s: float, up: float, gamma: float, *,
     rho0 kg/m3, c0 and up m/s, `gamma` the value of the literature, `pressure` P0 ahead, Pa. Source: 004 eq. 7.1.31, recovered.
     A law whose reference curve is the exact Hugoniot meets its shock states for any Gamma and needs no adjustment.
     """
+    us, behind, density, energy = shocked_state(rho0, c0, s, up, gamma, pressure)
+    x, modulus = up / us, rho0 * c0 * c0
+    return (behind - modulus * (x + 2.0 * s * x**2 + 3.0 * s**2 * x**3)) / (density * energy - modulus * (0.5 * x**2 + s * x**3))
+
+
+def shocked_state(rho0: float, c0: float, s: float, up: float, gamma: float, pressure: float) -> tuple[float, float, float, float]:
+    """(Us m/s, pressure Pa, density kg/m3, energy J/kg) behind a shock in a linear Us-up material, with pressure and energy ahead."""
     us = c0 + s * up
     x = up / us
     if not 0.0 < x < 1.0:
         raise OutOfRange(f"a particle velocity of {up:.6g} m/s in a shock of {us:.6g} m/s is no compression "
                          "(fits with s < 1 end at c0/(1 - s))")
     behind = rho0 * us * up + pressure
-    energy = pressure / (gamma * rho0) + 0.5 * (behind + pressure) * x / rho0
-    density = rho0 / (1.0 - x)
-    modulus = rho0 * c0 * c0
-    return (behind - modulus * (x + 2.0 * s * x**2 + 3.0 * s**2 * x**3)) / (density * energy - modulus * (0.5 * x**2 + s * x**3))
+    return us, behind, rho0 / (1.0 - x), pressure / (gamma * rho0) + 0.5 * (behind + pressure) * x / rho0
 
 
 def truncated_pressure(rho0: float, c0: float, s: float, gamma: float, density: float, energy: float) -> float:

@@ -7,7 +7,7 @@ import typer
 from hugoniot.cli.eos.output import echo_columns, echo_notes, notes, write_csv
 from hugoniot.cli.show import echo_json, echo_table
 from hugoniot.errors import DeckError, OutOfRange
-from hugoniot.theory.fits import adjusted_gamma, fit_jwl, read_expansion, read_points, truncated_pressure, us_up
+from hugoniot.theory.fits import adjusted_gamma, fit_jwl, read_expansion, read_points, shocked_state, truncated_pressure, us_up
 
 WORDS = (("c0", "m/s"), ("s", ""), ("s2", "s/m"))
 
@@ -87,10 +87,7 @@ def gamma(subject, at: str, ambient: float, as_json: bool) -> None:
     state = shock(subject.material, **one_state(at))
     up = float(state.particle_velocity)
     adjusted = adjusted_gamma(par.rho0, par.c0, par.s, up, par.gamma0, pressure=ambient)
-    us = par.c0 + par.s * up
-    density = par.rho0 * us / (us - up)
-    behind = par.rho0 * us * up + ambient
-    energy = ambient / (par.gamma0 * par.rho0) + 0.5 * (behind + ambient) * up / (us * par.rho0)
+    us, behind, density, energy = shocked_state(par.rho0, par.c0, par.s, up, par.gamma0, ambient)
     table = {"gruneisen": par.gamma0, "adjusted_gruneisen": adjusted, "particle_velocity": up, "shock_velocity": us, "pressure": behind,
              "density": density, "specific_internal_energy": energy,
              "truncated_pressure": truncated_pressure(par.rho0, par.c0, par.s, par.gamma0, density, energy),
