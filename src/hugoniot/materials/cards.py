@@ -1,6 +1,6 @@
 """A row of the library as the table of a law: which column is which parameter, and what has to be derived on the way.
 
-Every value keeps its provenance: a card is a dictionary parameter -> Source (or text), which `curated` hands to the deck's own
+Every value keeps its provenance: a card is a dictionary parameter -> Source (or text), which `materials.entry` hands to the deck's own
 reader `materials.law_reader`, so that library, decks and users' files share one schema and one set of checks.
 """
 
