@@ -55,8 +55,8 @@ def assembled(name: str, tables: Any, base: Material | None, collector: Collecto
         collector.add(path, "no equation of state", hint)
     valid, sources, warnings = _facts(tables, collector, path, _without_replaced(base, tables))
     unreacted, mixture, heat, reference = _explosive(tables, collector, path, base)
-    if len(collector.problems) > before or (base is None and "base" in tables):
-        return None
+    if len(collector.problems) > before or built["eos"] is None or (base is None and "base" in tables):
+        return None     # the caller reported a name that it looked up in vain
     _check_sound(built, collector, path)
     if len(collector.problems) > before:
         return None

@@ -71,7 +71,8 @@ def _read_parameters(registry: Registry, law: Law, table: dict, collector: Colle
             unit = law.units.get(key, "1")
             meaning = law.meaning.get(key, "")
             collector.add((*path, key), f"missing: {meaning or 'needed'}" + (f" ({unit})" if unit not in ("1", "text") else ""))
-    if len(collector.problems) > before:
+    lost = any(value is None and EOS.knows(getattr(law.example, key, None)) for key, value in values.items())
+    if lost or len(collector.problems) > before:
         return None
     try:
         par = law.parameters(**_as_arrays(law, values)) if direct else law.build(**values)
@@ -92,6 +93,8 @@ def _as_arrays(law: Law, values: dict) -> dict:
 
 def _read_value(registry: Registry, law: Law, key: str, value: Any, collector: Collector, path: tuple) -> Any:
     unit = law.units.get(key, "1")
+    if isinstance(value, str) and EOS.knows(getattr(law.example, key, None)) and collector.reported(path):
+        return None     # the name of a material, which was looked up in vain
     if (wanted := _other_kind(getattr(law.example, key, None), value)) is not None:
         given = "a table" if isinstance(value, dict) else "a list" if isinstance(value, list) else printable(str(value), 40)
         collector.add(path, f"expected {wanted}, got {given}", law.meaning.get(key, ""))
@@ -133,7 +136,7 @@ def _check_bounds(law: Law, key: str, number: float, unit: str, collector: Colle
 def _other_kind(example: Any, value: Any) -> str | None:
     """What a parameter is, a law or a number, if it was given as another; None where it may be what it is."""
     if hasattr(example, "_fields"):
-        return None if isinstance(value, dict) else "a law, as a table with law = \"...\""
+        return None if isinstance(value, dict) else "a law, as a table with law = \"...\" or the name of a material of the library"
     return "a number" if isinstance(example, float) and isinstance(value, (dict, list)) else None
 
 

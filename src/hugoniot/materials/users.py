@@ -13,7 +13,7 @@ from hugoniot.materials import library
 from hugoniot.materials.collect import Collector, LineOf
 from hugoniot.materials.entry import Entry, make_entry, read_file
 from hugoniot.materials.material import Material
-from hugoniot.materials.read import base_of
+from hugoniot.materials.read import base_of, with_named_laws
 from hugoniot.materials.search import spelling
 
 _FAMILIES = ("eos", "strength", "fracture", "burn", "base", "unreacted")
@@ -46,9 +46,10 @@ def read_materials(path: str | Path) -> dict[str, Entry]:
 def _entry(name: str, table: dict, file: str, line_of: LineOf) -> Entry:
     """The entry of one material; DeckError with every problem, an unknown `base` among them."""
     problems: list[DeckProblem] = []
-    base = base_of(table, Collector(problems, file, line_of), ("material", name))
+    collector, path = Collector(problems, file, line_of), ("material", name)
+    base = base_of(table, collector, path)
     try:
-        entry = make_entry(name, table, file, line_of, base)
+        entry = make_entry(name, with_named_laws(table, base, collector, path), file, line_of, base)
     except DeckError as error:
         raise DeckError([*problems, *error.problems]) from None
     if problems:

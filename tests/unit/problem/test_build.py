@@ -54,6 +54,18 @@ def test_sources_and_range_are_kept():
     assert again == material and not problems
 
 
+def test_a_law_inside_a_law_is_named_by_a_material():
+    from hugoniot.materials import library
+
+    porous = {"law": "p_alpha", "base": "copper", "alpha0": 1.3, "elastic_pressure": 1e8, "compaction_pressure": 1e9}
+    material, problems = build({"eos": porous})
+    assert not problems and material is not None and same_parameters(material.eos.base, library.find("copper").eos)
+    around = {"law": "tension_cutoff", "base": {"law": "shifted_energy", "base": "copper", "shift": 1e5}, "tension": 1e9}
+    assert same_parameters(build({"eos": around})[0].eos.base.base, library.find("copper").eos)
+    none, problems = build({"eos": porous | {"base": "coper"}})
+    assert none is None and [(p.key, "unknown material 'coper'" in p.message) for p in problems] == [("material.x.eos.base", True)]
+
+
 def test_derived_parameters_are_saved_as_they_are():
     material, _ = build({"eos": EOS | {"gamma_form": "constant"}})
     assert material is not None and type(material.eos).__name__ == "MieGruneisenLinearGamma"
