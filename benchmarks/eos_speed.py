@@ -84,7 +84,7 @@ def mixtures(count):
 
 def mixture_rates(count, kind, reactants, products, energy):
     """Mixture states per second: from one reference state, and in steps of a run, each from the phases of the step before."""
-    from hugoniot.theory import mixture_kernels
+    from hugoniot.laws import mixture_kernels
     from hugoniot.theory.hugoniot import shock
     from hugoniot.theory.mixture import mixture, solve
 

@@ -7,7 +7,8 @@ from hugoniot.core.fields import FIELDS
 from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.materials.tables import accepted, families
 from hugoniot.problem import catalogue
-from hugoniot.problem.schema import available_solvers, json_schema, solver_module
+from hugoniot.problem.editor_schema import json_schema
+from hugoniot.problem.solver_kinds import available_solvers, solver_module
 
 INTRODUCTION = """\
 # Deck reference

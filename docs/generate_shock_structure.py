@@ -18,11 +18,11 @@ from hugoniot.errors import HugoniotError
 from hugoniot.laws import eos as _laws  # noqa: F401  (enrols the equations of state)
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.transport.contract import make
+from hugoniot.problem.structure_start import resolved, shock_start
 from hugoniot.solvers.shock_structure.layout import ROUGH
 from hugoniot.solvers.shock_structure.measure import thickness_by_differences
 from hugoniot.solvers.shock_structure.solver import ShockStructure
 from hugoniot.theory.structure import find_ends, jordan, steady
-from hugoniot.theory.structure.start import resolved, shock_start
 
 TARGET = Path(__file__).parent / "theory" / "shock_structure_numbers.md"
 MACHS = (1.01, 1.1, 2.0, 5.0, 20.0)

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import matplotlib
 
+from hugoniot.dossier.curves import comparison
+from hugoniot.dossier.describe import described, summary, where_read
 from hugoniot.errors import HugoniotError
 from hugoniot.materials import library
-from hugoniot.materials.curves import comparison
-from hugoniot.materials.describe import described, summary, where_read
 from hugoniot.plotting.materials import compare_figure
 
 matplotlib.use("Agg")

@@ -4,29 +4,29 @@
 a mesh stand in `hugoniot.theory`, materials in `hugoniot.materials.library`, exact solutions in `hugoniot.theory.exact`.
 """
 
-from importlib import import_module
 from typing import TYPE_CHECKING
 
-__version__ = "0.1.0"
+from hugoniot.version import __version__
 
 if TYPE_CHECKING:
-    from hugoniot.output.run import Run, load
+    from hugoniot.plotting import Run, load
     from hugoniot.problem.model import Problem
     from hugoniot.simulate import resume, run
-
-_PUBLIC = {
-    "run": "hugoniot.simulate", "resume": "hugoniot.simulate", "load": "hugoniot.output.run", "Run": "hugoniot.output.run",
-    "Problem": "hugoniot.problem.model",
-}
 
 __all__ = ["Problem", "Run", "__version__", "load", "resume", "run"]
 
 
 def __getattr__(name: str):
     """Public names are imported on first use: `import hugoniot` costs milliseconds."""
-    if name in _PUBLIC:
-        return getattr(import_module(_PUBLIC[name]), name)
-    raise AttributeError(f"module 'hugoniot' has no attribute '{name}'")
+    if name in ("run", "resume"):
+        from hugoniot import simulate as holder
+    elif name in ("Run", "load"):
+        from hugoniot import plotting as holder
+    elif name == "Problem":
+        from hugoniot.problem import model as holder
+    else:
+        raise AttributeError(f"module 'hugoniot' has no attribute '{name}'")
+    return getattr(holder, name)
 
 
 def __dir__() -> list[str]:

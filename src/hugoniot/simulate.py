@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-import hugoniot
 from hugoniot.diagnostics.budgets import RegionBudget
 from hugoniot.diagnostics.temperature import gauge_temperature, laws_with_temperature, zone_temperature
 from hugoniot.errors import DeckError, FileTrouble, UnphysicalState
@@ -20,6 +19,7 @@ from hugoniot.problem.defaults import completed
 from hugoniot.problem.model import Gauge, Problem
 from hugoniot.report import write_or_note
 from hugoniot.solvers.run import Outcome, Schedule, march_to_end, snapshot_times
+from hugoniot.version import __version__
 
 if TYPE_CHECKING:
     from hugoniot.output.run import Run
@@ -31,8 +31,8 @@ def make_solver(problem: Problem):
         from hugoniot.solvers.lagrange1d.solver import Lagrange1D
         return Lagrange1D(problem)
     if problem.solver.kind == "shock_structure":
+        from hugoniot.problem.structure_start import shock_start
         from hugoniot.solvers.shock_structure.solver import ShockStructure
-        from hugoniot.theory.structure.start import shock_start
         return ShockStructure(problem, shock_start(problem))
     raise DeckError.single("problem", None, "solver.kind", f"unknown solver '{problem.solver.kind}'", "known: lagrange1d, shock_structure")
 
@@ -122,7 +122,7 @@ def resume(folder, progress=None, report: bool | Callable = True) -> "Run":
 
     A finished run is returned as it is.
     """
-    from hugoniot.output.run import load
+    from hugoniot.plotting import load
     from hugoniot.problem.deck import read_deck
 
     begun = time.perf_counter()
@@ -152,7 +152,7 @@ def _program() -> dict[str, str]:
     """What computes: version of the package, hash of the sources behind its kernels (and of the compiler's version)."""
     from hugoniot.core.sources import source_hash
 
-    return {"version": hugoniot.__version__, "sources": source_hash()}
+    return {"version": __version__, "sources": source_hash()}
 
 
 def _check_program(folder, program: Mapping[str, str]) -> None:
@@ -164,7 +164,7 @@ def _check_program(folder, program: Mapping[str, str]) -> None:
 
 
 def _drive(recorder: _Recorder, next_snapshot: int, begun: float, report: bool | Callable) -> "Run":
-    from hugoniot.output.run import load
+    from hugoniot.plotting import load
 
     folder, problem, solver = recorder.folder, recorder.problem, recorder.solver
     output = problem.output
@@ -204,7 +204,7 @@ def _steady_numbers(problem: Problem) -> dict[str, float]:
     """What the steady wave of a shock-structure run has, beside which the run's own thickness is told."""
     if not problem.solver.options.get("shock"):
         return {}
-    from hugoniot.theory.structure.start import profile_of
+    from hugoniot.problem.structure_start import profile_of
     from hugoniot.theory.structure.sweep import measures
 
     found = measures(profile_of(problem))
@@ -227,7 +227,7 @@ def _note_extrapolation(folder: RunFolder, problem: Problem, solver, warned) -> 
 def _meta(problem: Problem, solver) -> dict[str, Any]:
     left, right = solver.initial_nodes
     return {
-        "solver": problem.solver.kind, "version": hugoniot.__version__, "viscosity": solver.viscosity,
+        "solver": problem.solver.kind, "version": __version__, "viscosity": solver.viscosity,
         "transport": getattr(solver, "transport", None),
         "region": [problem.regions[k].name for k in solver.region_of], "mass": solver.state().zones["mass"],
         "centre": 0.5 * (left + right), "left": left, "right": right, "gauges": [gauge.name for gauge in problem.gauges],

@@ -6,11 +6,11 @@ from mixture_states import KINDS, PAIRS, PRODUCTS, UNREACTED, Q, shocked, states
 
 import hugoniot.laws.eos  # noqa: F401  (enrols the equations of state)
 from hugoniot.errors import NoSolution, OutOfRange
+from hugoniot.laws import mixture_kernels
 from hugoniot.laws.eos import contract as eos
 from hugoniot.laws.mixture import contract, equilibrium
 from hugoniot.laws.mixture.isentrope import isentrope_energy
 from hugoniot.theory import mixture as tool
-from hugoniot.theory import mixture_kernels
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -15,10 +15,10 @@ from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.transport.contract import make
 from hugoniot.materials.material import Material
 from hugoniot.problem.model import Boundary, Problem, Region, SolverOptions
+from hugoniot.problem.structure_start import ample_room, profile_of, resolved, settling_times, shock_start
 from hugoniot.solvers.shock_structure.measure import thickness, thickness_by_differences
 from hugoniot.solvers.shock_structure.solver import ShockStructure, conserved
 from hugoniot.theory.structure import jordan, steady
-from hugoniot.theory.structure.start import ample_room, profile_of, resolved, settling_times, shock_start
 
 OPEN, WALL = Boundary("transmitting"), Boundary("fixed")
 ROUND_OFF = 1e-12

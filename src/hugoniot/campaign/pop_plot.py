@@ -21,10 +21,10 @@ from hugoniot.errors import OutOfRange
 from hugoniot.laws.burn.contract import BURN
 from hugoniot.laws.eos.contract import reference_state
 from hugoniot.materials import burning
-from hugoniot.materials.derived import chapman_jouguet
 from hugoniot.materials.material import Material
 from hugoniot.problem.model import Boundary, OutputOptions, Problem, Pulse, Region
 from hugoniot.simulate import make_solver
+from hugoniot.theory.chapman_jouguet import cj
 from hugoniot.theory.hugoniot import Initial, shock
 
 STRIDE = 8             # zones a detonation crosses between two readings of the front
@@ -89,7 +89,7 @@ def pop_plot(material: Material, pressures: Sequence[float], zone_size: float = 
 def detonation_velocity(material: Material) -> float:
     """Chapman-Jouguet velocity (m/s) of the products with the energy and the density of the unburned explosive."""
     rho0 = float(reference_state(burning.resting(material))[0])
-    return float(chapman_jouguet(material.eos, rho0, burning.heat_of(material) + _at_rest(material)).velocity)
+    return cj(material.eos, Initial(rho0, 0.0, burning.heat_of(material) + _at_rest(material))).detonation_velocity
 
 
 def _at_rest(material: Material) -> float:

@@ -43,7 +43,7 @@ def _require_shock(problem, name: str) -> None:
     """Raise `DeckError` where the shock that a deck asks to resolve does not exist in its law, or does not fit into its domain."""
     if problem.solver.kind != "shock_structure":
         return
-    from hugoniot.theory.structure.start import shock_start
+    from hugoniot.problem.structure_start import shock_start
 
     try:
         shock_start(problem)

@@ -114,7 +114,7 @@ def _read(key: str, text: str, default: Any, geometry: str) -> Any:
 
 def _solid(key: str, name: str) -> dict[str, str]:
     """The constants of a material of the library for a record that names a solid: linear us-up, shear modulus and yield stress."""
-    from hugoniot.cli.eos_input import find_material
+    from hugoniot.cli.eos.input import find_material
     from hugoniot.laws.eos.contract import reference_state, sound_speed_squared
     from hugoniot.laws.strength.contract import flow_stress, shear_modulus
 

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import typer
 
-from hugoniot.cli.eos_output import plain, row_of, words, write_csv
+from hugoniot.cli.eos.output import plain, row_of, words, write_csv
 from hugoniot.cli.exact_input import listed, needed, parameters_of, points_of
 from hugoniot.cli.show import echo_json, echo_table, quantity
 from hugoniot.errors import DeckError, OutOfRange

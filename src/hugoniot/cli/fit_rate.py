@@ -79,7 +79,6 @@ def _line(name: str, own: str):
     """(PopLine, what to call it) of a published line, or of the one given."""
     from hugoniot.diagnostics.detonation import PopLine
     from hugoniot.materials import library
-    unknown = float("nan")
     if own:
         try:
             a, b = (float(part) for part in own.split(","))
@@ -87,7 +86,7 @@ def _line(name: str, own: str):
             raise DeckError.single("command line", None, "--line", f"'{own[:40]}' is no line", 'write "1.11, -0.66"') from None
         if not b < 0.0:
             raise DeckError.single("command line", None, "--line", f"a run distance falls with pressure: b must be negative; got {b:g}")
-        return PopLine(a, b, unknown, unknown, unknown), f"log10(p/GPa) = {a:g} {b:+g} log10(x/mm)"
+        return PopLine(a, b), f"log10(p/GPa) = {a:g} {b:+g} log10(x/mm)"
     rows = [row for row in library.schema.table("pop_plot").values() if row.id == name.strip().upper()] or list(library.pop_lines(name))
     if not rows:
         raise DeckError.single("command line", None, "--to", f"the library has no measured Pop plot of '{name[:60]}'",
@@ -96,7 +95,7 @@ def _line(name: str, own: str):
     row = rows[0]
     doubt = "; unverified against print" if row.status == "recalled" else ""
     span = f"{row['pressure_low'] * 1e-9:g} to {row['pressure_high'] * 1e-9:g} GPa"
-    return PopLine(row["a"], row["b"], unknown, unknown, unknown), f"{row.id} {row.material}, measured from {span} ({row.source}{doubt})"
+    return PopLine(row["a"], row["b"]), f"{row.id} {row.material}, measured from {span} ({row.source}{doubt})"
 
 
 # -- output ----------------------------------------------------------------------------------------------------------

@@ -24,7 +24,7 @@ def command(
     if schema:
         import json
 
-        from hugoniot.problem.schema import json_schema
+        from hugoniot.problem.editor_schema import json_schema
         _write(out or Path("deck.schema.json"), json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n", overwrite)
         return
     if not problem:

@@ -43,7 +43,7 @@ def command(
     elif kind not in KINDS:
         raise DeckError.single("list", None, "kind", f"nothing called '{kind[:40]}' to list", nearest(kind, KINDS))
     elif kind == "schema":
-        from hugoniot.problem.schema import json_schema
+        from hugoniot.problem.editor_schema import json_schema
         echo_json(json_schema())
     elif kind in _families():
         _laws(kind, name, as_json)
@@ -114,7 +114,7 @@ def _problems() -> list[dict]:
 
 
 def _solvers() -> list[dict]:
-    from hugoniot.problem.schema import available_solvers, solver_module
+    from hugoniot.problem.solver_kinds import available_solvers, solver_module
     return [{"solver": kind, "what": (solver_module(kind).Model.__doc__ or "").strip().splitlines()[0]} for kind in available_solvers()]
 
 

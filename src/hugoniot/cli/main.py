@@ -7,37 +7,76 @@ Exit codes: 0 done, 1 a defect of the program, 2 deck or command line, 3 physics
 """
 
 import functools
-import importlib
-import importlib.util
 import os
 import sys
 import traceback
 from collections.abc import Callable
+from types import ModuleType
 from typing import Annotated
 
 import typer
 
 from hugoniot.errors import HugoniotError
 
-# name -> (module, the line shown by `hugoniot --help`)
-COMMANDS: dict[str, tuple[str, str]] = {
-    "init": ("hugoniot.cli.init", "Write a commented deck for a common problem."),
-    "check": ("hugoniot.cli.check", "Read a deck and tell everything that is wrong or odd."),
-    "run": ("hugoniot.cli.run", "Run a deck and write its run folder."),
-    "resume": ("hugoniot.cli.resume", "Continue an interrupted run, bit for bit."),
-    "info": ("hugoniot.cli.info", "Tell what a run folder holds."),
-    "plot": ("hugoniot.cli.plot", "Draw a picture of a run."),
-    "compare": ("hugoniot.cli.compare", "Differences between two runs, or a run and measured data."),
-    "report": ("hugoniot.cli.report", "Write the report of a run again."),
-    "verify": ("hugoniot.cli.verify", "Run the built-in verification problems."),
-    "material": ("hugoniot.cli.material", "Search and show the materials library."),
-    "eos": ("hugoniot.cli.eos", "Hugoniots, isentropes and impedance matches without a mesh."),
-    "exact": ("hugoniot.cli.exact", "Exact solutions: Riemann, Noh, Sedov, Guderley, detonations and more."),
-    "pop-plot": ("hugoniot.cli.pop_plot", "Run distance to detonation over input pressure."),
-    "fit-rate": ("hugoniot.cli.fit_rate", "Constants of a burn law brought to a measured Pop plot."),
-    "structure": ("hugoniot.cli.structure", "The inner structure of a shock."),
-    "list": ("hugoniot.cli.listing", "What a deck may name: laws, materials, fields, problems, solvers."),
+# name -> the line shown by `hugoniot --help`
+COMMANDS: dict[str, str] = {
+    "init": "Write a commented deck for a common problem.",
+    "check": "Read a deck and tell everything that is wrong or odd.",
+    "run": "Run a deck and write its run folder.",
+    "resume": "Continue an interrupted run, bit for bit.",
+    "info": "Tell what a run folder holds.",
+    "plot": "Draw a picture of a run.",
+    "compare": "Differences between two runs, or a run and measured data.",
+    "report": "Write the report of a run again.",
+    "verify": "Run the built-in verification problems.",
+    "material": "Search and show the materials library.",
+    "eos": "Hugoniots, isentropes and impedance matches without a mesh.",
+    "exact": "Exact solutions: Riemann, Noh, Sedov, Guderley, detonations and more.",
+    "pop-plot": "Run distance to detonation over input pressure.",
+    "fit-rate": "Constants of a burn law brought to a measured Pop plot.",
+    "structure": "The inner structure of a shock.",
+    "list": "What a deck may name: laws, materials, fields, problems, solvers.",
 }
+
+
+def module_of(name: str) -> ModuleType:
+    """The module of a command, imported now."""
+    match name:
+        case "init":
+            from hugoniot.cli import init as module
+        case "check":
+            from hugoniot.cli import check as module
+        case "run":
+            from hugoniot.cli import run as module
+        case "resume":
+            from hugoniot.cli import resume as module
+        case "info":
+            from hugoniot.cli import info as module
+        case "plot":
+            from hugoniot.cli import plot as module
+        case "compare":
+            from hugoniot.cli import compare as module
+        case "report":
+            from hugoniot.cli import report as module
+        case "verify":
+            from hugoniot.cli import verify as module
+        case "material":
+            from hugoniot.cli import material as module
+        case "eos":
+            from hugoniot.cli.eos import app as module
+        case "exact":
+            from hugoniot.cli import exact as module
+        case "pop-plot":
+            from hugoniot.cli import pop_plot as module
+        case "fit-rate":
+            from hugoniot.cli import fit_rate as module
+        case "structure":
+            from hugoniot.cli import structure as module
+        case "list":
+            from hugoniot.cli import listing as module
+        case _:
+            raise KeyError(name)
+    return module
 
 
 def build_app(wanted: str | None) -> typer.Typer:
@@ -47,13 +86,16 @@ def build_app(wanted: str | None) -> typer.Typer:
         help="A shock-physics workbench. First steps: hugoniot init flyer, then hugoniot run flyer.toml",
         epilog="Each command has --help with an example.", context_settings={"help_option_names": ["-h", "--help"]})
     app.callback()(_options)
-    for name, (module, line) in COMMANDS.items():
-        present = importlib.util.find_spec(module) is not None
-        if name == wanted and present:
-            _mount(app, name, importlib.import_module(module), line)
+    for name, line in COMMANDS.items():
+        if name == wanted:
+            _mount(app, name, module_of(name), line)
         else:
-            app.command(name, help=line, hidden=not present)(_absent(name))
+            app.command(name, help=line)(_only_listed)
     return app
+
+
+def _only_listed() -> None:
+    """Stands for a command that was not called: its name and its line are all that is shown of it."""
 
 
 def _mount(app: typer.Typer, name: str, module, line: str) -> None:
@@ -69,16 +111,9 @@ def _mount(app: typer.Typer, name: str, module, line: str) -> None:
     app.add_typer(sub, name=name, short_help=line)
 
 
-def _absent(name: str) -> Callable[[], None]:
-    def absent() -> None:
-        typer.echo(f"error: this installation lacks the command '{name}'", err=True)
-        raise typer.Exit(1)
-    return absent
-
-
 def _version(wanted: bool) -> None:
     if wanted:
-        from hugoniot import __version__
+        from hugoniot.version import __version__
         typer.echo(f"hugoniot {__version__}")
         raise typer.Exit()
 

@@ -73,8 +73,8 @@ def show(
 
     Example: hugoniot material show copper
     """
+    from hugoniot.dossier.describe import described, described_row
     from hugoniot.materials import schema
-    from hugoniot.materials.describe import described, described_row
 
     identity = name.strip().upper()
     try:
@@ -103,7 +103,7 @@ def compare(
     """
     from hugoniot.cli.plot import drawable
     from hugoniot.cli.show import quantity
-    from hugoniot.materials.curves import comparison
+    from hugoniot.dossier.curves import comparison
 
     if not as_json:
         drawable(output, "material compare", "--output")
@@ -137,7 +137,7 @@ def check(
 
     Example: hugoniot material check my_materials.toml
     """
-    from hugoniot.materials import checks
+    from hugoniot.dossier import checks
     from hugoniot.materials.users import user_materials
 
     if not files and not everything:
@@ -192,7 +192,7 @@ def _echo_listings(rows: list[dict], as_json: bool) -> None:
 
 
 def _summary(as_json: bool) -> None:
-    from hugoniot.materials.describe import summary
+    from hugoniot.dossier.describe import summary
 
     counts = summary()
     if as_json:
@@ -206,7 +206,7 @@ def _summary(as_json: bool) -> None:
 
 
 def _echo_material(about: dict) -> None:
-    from hugoniot.materials.describe import where_read
+    from hugoniot.dossier.describe import where_read
 
     typer.echo(f"{about['title']}  [{about['name']}, {about['category']}]")
     if about["aliases"]:

@@ -27,7 +27,7 @@ def command(
     Example: hugoniot plot flyer.run xt pressure --out wave.png
     """
     from hugoniot.output.atomic import explained
-    from hugoniot.output.run import load
+    from hugoniot.plotting import load
     from hugoniot.plotting.accessor import PICTURES
 
     if kind not in PICTURES:

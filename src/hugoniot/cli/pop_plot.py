@@ -67,7 +67,7 @@ def material_named(name: str, places):
     if places:
         from hugoniot.materials.users import find, user_materials
         return find(name, user_materials(places)).material
-    from hugoniot.cli.eos_input import find_material
+    from hugoniot.cli.eos.input import find_material
     return find_material(name).material
 
 
@@ -116,9 +116,11 @@ def _record(found, lines) -> dict:
 
 def _ratio(point, row) -> float:
     """Run distance over that of a measured line; not-a-number outside the line's pressures."""
+    from hugoniot.diagnostics.detonation import PopLine
+
     if not row["pressure_low"] <= point.pressure <= row["pressure_high"]:
         return math.nan
-    return point.distance / (1e-3 * 10.0 ** ((math.log10(point.pressure * 1e-9) - row["a"]) / row["b"]))
+    return point.distance / float(PopLine(row["a"], row["b"]).distance(point.pressure))
 
 
 def _write_csv(path: Path, found, lines) -> None:

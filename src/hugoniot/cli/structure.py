@@ -157,7 +157,7 @@ def _subject(what: str, viscosity, conduction, prandtl, bulk_ratio, state, bent:
     elif what.endswith(".toml") and viscosity is None:
         found = _deck(what)
     else:
-        from hugoniot.cli.eos_input import find_inert
+        from hugoniot.cli.eos.input import find_inert
 
         found = {"eos": find_inert(what).material.eos, "ahead": None, "shock": {}, "transport": None}
         if viscosity is None:
@@ -178,7 +178,7 @@ def _law_name(viscosity: str | None) -> str | None:
 
 def _deck(path: str) -> dict:
     from hugoniot.problem.deck import read_deck
-    from hugoniot.theory.structure.start import MEASURES, setting
+    from hugoniot.problem.structure_start import MEASURES, setting
 
     problem = read_deck(path).problem
     if problem.solver.kind != "shock_structure":
@@ -229,8 +229,8 @@ def _law_table(text: str, option: str, unit: str, parameter: str, registry):
     except tomllib.TOMLDecodeError as error:
         raise DeckError.single("command line", None, option, f"not a table: {error}",
                                '{law = "power_law", shear_viscosity = ...}') from None
-    from hugoniot.materials.build import read_law
     from hugoniot.materials.collect import Collector
+    from hugoniot.materials.law_reader import read_law
 
     problems: list = []
     par = read_law(registry, table, Collector(problems, "command line", lambda key: None), (option,))

@@ -3,6 +3,7 @@
 Arrays are those of `run.arrays("snapshots")` or of a list of states: times (n,), zone fields (n, nzone), face positions (n, nzone).
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -68,13 +69,13 @@ def run_to_detonation(times, path, detonation_velocity: float, shock_velocity: f
 
 
 class PopLine(NamedTuple):
-    """log10(p/GPa) = a + b log10(x/mm) and standard deviations: of the points in log10 p, of a, of b (nan where two points fix it)."""
+    """log10(p/GPa) = a + b log10(x/mm) and standard deviations: of the points in log10 p, of a, of b (nan where not known)."""
 
     a: float
     b: float
-    deviation: float
-    a_deviation: float
-    b_deviation: float
+    deviation: float = math.nan
+    a_deviation: float = math.nan
+    b_deviation: float = math.nan
 
     def distance(self, pressure):
         """Run distance (m) at an input pressure (Pa)."""
@@ -89,7 +90,7 @@ def pop_line(pressures, distances) -> PopLine:
     u, v = np.log10(x * 1e3), np.log10(p * 1e-9)
     b, a = (float(c) for c in np.polyfit(u, v, 1))
     if p.size == 2:
-        return PopLine(a, b, np.nan, np.nan, np.nan)
+        return PopLine(a, b)
     deviation = float(np.sqrt(np.sum((v - a - b * u) ** 2) / (p.size - 2)))
     spread = float(np.sum((u - u.mean()) ** 2))
     return PopLine(a, b, deviation, deviation * float(np.sqrt(1.0 / p.size + u.mean() ** 2 / spread)), deviation / float(np.sqrt(spread)))

@@ -58,7 +58,7 @@ def _temperature(values: dict, law) -> np.ndarray:
 
 def mixed_temperature(phases: np.ndarray, par) -> np.ndarray:
     """Temperature, K, (n,), of mixtures given as (n, 5): burn fraction, rho_r, e_r, rho_p, e_p (energies with the chemical one)."""
-    from hugoniot.theory.mixture_kernels import temperature_rows
+    from hugoniot.laws.mixture_kernels import temperature_rows
 
     phases, par = np.ascontiguousarray(phases, dtype=float), float_parameters(par)
     out = np.empty(len(phases))

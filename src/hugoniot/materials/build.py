@@ -1,50 +1,42 @@
-"""Material tables (`[material.al.eos] law = "mie_gruneisen" ...`) to a `Material`; `materials.tables` goes the other way.
+"""Material tables (`[material.al.eos] law = "mie_gruneisen" ...`), and the material they override, to a `Material`.
 
-Nothing here knows any law: names, units and defaults come from the registries, so a new law file is readable at once.
+The tables of the laws are read by `materials.law_reader`; `materials.read` looks up the `base` that a deck or a file names.
 Every problem is collected, none raised.
 """
 
-import importlib
 import math
 from dataclasses import fields, replace
 from typing import Any
 
-import numpy as np
-
-from hugoniot.core.registry import Law, Registry, UnknownName, finite
-from hugoniot.errors import DeckError, DeckProblem, HugoniotError
 from hugoniot.laws import mixture as _mixtures  # noqa: F401  (enrols the closures)
-from hugoniot.laws.eos.contract import EOS, flagged, pressure, reference_state, sound_speed_squared
+from hugoniot.laws.eos.contract import (
+    EOS,
+    flagged,
+    has_temperature,
+    pressure,
+    reference_state,
+    sound_speed_squared,
+    temperature_at_rest,
+)
 from hugoniot.laws.fracture.contract import tension_cap
 from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.laws.mixture.reference_state import CHOICES, FROZEN
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
-from hugoniot.materials import table_law
-from hugoniot.materials.collect import Collector, LineOf, nearest, printable
+from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.materials.law_reader import read_law
 from hugoniot.materials.material import GRAINS_OVER_SERIES, PORES_REOPEN, Material, Source
-from hugoniot.materials.tables import accepted, families, law_table
+from hugoniot.materials.tables import families
 
-LONGEST_ARRAY = 1_000_000
 _FACTS = ("base", "sources", "valid_up_to", "warnings")
 _EXPLOSIVE = ("unreacted", "mixture", "detonation_energy", "reference_state")
 _TOLD = ("sources", "warnings")                # texts that results and reports repeat
-_MAY_LACK = ("strength", "fracture", "burn")   # families a material can do without
 
 
-def build_material(name: str, tables: dict, problems: list[DeckProblem], file: str, line_of: LineOf) -> Material | None:
-    """The material described by the tables of `[material.<name>]`; None after adding to `problems` what is wrong.
+def assembled(name: str, tables: Any, base: Material | None, collector: Collector, path: tuple) -> Material | None:
+    """The material of the tables at `path`, which override those of `base`; None after telling the collector what is wrong.
 
-    tables    parsed TOML: one table per family (`eos` is needed, `strength`, `fracture`, `burn` may be left out), and optionally
-              `base` (a name of the library that the tables override), `sources`, `valid_up_to` (m/s), `warnings`
-    file      what messages call the file
-    line_of   line of a key path such as ("material", "al", "eos", "rho0"), or None
+    tables   as of `materials.read.build_material`; their key `base`, if there is one, was looked up by the caller
     """
-    collector = Collector(problems, file, line_of)
-    return read_material(name, tables, collector, ("material", name))
-
-
-def read_material(name: str, tables: Any, collector: Collector, path: tuple) -> Material | None:
-    """As `build_material`, for a caller that has its `Collector` and the path of the tables."""
     before = len(collector.problems)
     if not isinstance(tables, dict):
         collector.add(path, "a material is a table", f"write [{collector.key(path)}.eos] and under it law = \"...\"")
@@ -54,7 +46,6 @@ def read_material(name: str, tables: Any, collector: Collector, path: tuple) -> 
     for key in tables:
         if key not in known and key not in _FACTS + _EXPLOSIVE:
             collector.unknown((*path, key), (*known, *_FACTS, *_EXPLOSIVE))
-    base = _base(tables, collector, path)
     built = {}
     for family, registry in known.items():
         inherited = getattr(base, family) if base else None
@@ -64,8 +55,8 @@ def read_material(name: str, tables: Any, collector: Collector, path: tuple) -> 
         collector.add(path, "no equation of state", hint)
     valid, sources, warnings = _facts(tables, collector, path, _without_replaced(base, tables))
     unreacted, mixture, heat, reference = _explosive(tables, collector, path, base)
-    if len(collector.problems) > before:
-        return None
+    if len(collector.problems) > before or built["eos"] is None or (base is None and "base" in tables):
+        return None     # the caller reported a name that it looked up in vain
     _check_sound(built, collector, path)
     if len(collector.problems) > before:
         return None
@@ -117,159 +108,6 @@ def _choice(key: str, tables: dict, known, collector: Collector, path: tuple) ->
         shown = printable(given) if isinstance(given, str) else "not a text"
         collector.add((*path, key), f"unknown {key.replace('_', ' ')} '{shown}'", nearest(shown, known))
     return given
-
-
-def read_law(registry: Registry, table: Any, collector: Collector, path: tuple, inherited: Any = None) -> Any:
-    """The parameter tuple of the law a table names; None after reporting problems, or for a strength, fracture or burn of "none".
-
-    inherited   parameters that a table without `law`, or with the same law, overrides one by one
-    """
-    if table == "none" and registry.family in _MAY_LACK:
-        return None
-    if not isinstance(table, dict):
-        hint = f"write [{collector.key(path)}] and under it law = \"...\" (hugoniot list {registry.family})"
-        collector.add(path, f"the {registry.family} law is a table", hint)
-        return None
-    name = table.get("law")
-    if name is None and inherited is not None:
-        name = registry.of(inherited).name
-    if not isinstance(name, str):
-        message = "missing" if name is None else "a law is named by a text"
-        collector.add((*path, "law"), message, f"known: {', '.join(registry.names())}")
-        return None
-    try:
-        law = registry.get(name)
-    except UnknownName:
-        collector.add((*path, "law"), f"unknown {registry.family} law '{printable(name)}'", nearest(name, registry.names()))
-        return None
-    if registry is EOS and name == table_law.LAW and "file" in table:
-        return table_law.read_table_law(table, collector, path)
-    start = dict(law_table(registry, inherited)) if inherited is not None and registry.of(inherited) is law else {}
-    return _read_parameters(registry, law, start | table, collector, path)
-
-
-def _read_parameters(registry: Registry, law: Law, table: dict, collector: Collector, path: tuple) -> Any:
-    names, required = accepted(law)
-    direct = "parameters" in table and "parameters" not in names
-    if direct:  # the law's own fields, as a saved problem writes them when `build` derives them from other numbers
-        table, path = table["parameters"], (*path, "parameters")
-        if not isinstance(table, dict):
-            collector.add(path, "the parameters are a table")
-            return None
-        names = list(law.parameters._fields)
-        required = [n for n in names if n not in law.parameters._field_defaults]
-    before = len(collector.problems)
-    values = {} if direct else {k: v for k, v in law.defaults.items() if k in names}
-    for key, value in table.items():
-        if key in names:
-            values[key] = _read_value(registry, law, key, value, collector, (*path, key))
-        elif key != "law":
-            collector.unknown((*path, key), names)
-    for key in required:
-        if key not in table:
-            unit = law.units.get(key, "1")
-            meaning = law.meaning.get(key, "")
-            collector.add((*path, key), f"missing: {meaning or 'needed'}" + (f" ({unit})" if unit not in ("1", "text") else ""))
-    if len(collector.problems) > before:
-        return None
-    try:
-        par = law.parameters(**_as_arrays(law, values)) if direct else law.build(**values)
-    except (HugoniotError, ValueError, ArithmeticError, TypeError) as error:
-        collector.add(path, printable(str(error), 300))
-        return None
-    optional = {k for k, v in law.defaults.items() if isinstance(v, float) and math.isnan(v)}
-    if not optional and not finite(par):
-        collector.add(path, "the parameters are not all finite numbers")
-        return None
-    return par
-
-
-def _as_arrays(law: Law, values: dict) -> dict:
-    """Values of fields that are arrays in the law's example, as arrays."""
-    return {k: np.array(v, dtype=float) if isinstance(getattr(law.example, k), np.ndarray) else v for k, v in values.items()}
-
-
-def _read_value(registry: Registry, law: Law, key: str, value: Any, collector: Collector, path: tuple) -> Any:
-    unit = law.units.get(key, "1")
-    if (wanted := _other_kind(getattr(law.example, key, None), value)) is not None:
-        given = "a table" if isinstance(value, dict) else "a list" if isinstance(value, list) else printable(str(value), 40)
-        collector.add(path, f"expected {wanted}, got {given}", law.meaning.get(key, ""))
-        return None
-    if isinstance(value, dict):
-        return read_law(registry, value, collector, path)
-    if unit == "text":
-        if not isinstance(value, str):
-            collector.add(path, f"expected a text, got {value!r:.40}", law.meaning.get(key, ""))
-        return value
-    if isinstance(value, list):
-        return _read_array(value, unit, collector, path)
-    preset = law.defaults.get(key)
-    if isinstance(preset, bool):
-        if not isinstance(value, bool):
-            collector.add(path, "expected true or false")
-        return value
-    number = collector.quantity(path, value, unit)
-    if number is not None:
-        _check_bounds(law, key, number, unit, collector, path)
-    return number
-
-
-def _check_bounds(law: Law, key: str, number: float, unit: str, collector: Collector, path: tuple) -> None:
-    """Report a number below what its law, or its kind of quantity, allows: a slip of sign that physics would answer much later."""
-    shown = f"{number:g}" + (f" {unit}" if unit != "1" else "")
-    if key == "specific_heat" and not number > 0.0:
-        collector.add(path, f"a specific heat must be positive, got {shown}", "leave it out where it is not known")
-    elif key in law.above or unit == "kg/m^3":
-        bound = law.above.get(key, 0.0)
-        if not number > bound:
-            collector.add(path, f"must be greater than {bound:g}, got {shown}", law.meaning.get(key, ""))
-    elif key in law.least or unit == "K":
-        bound = law.least.get(key, 0.0)
-        if not number >= bound:
-            collector.add(path, f"must not be less than {bound:g}, got {shown}", law.meaning.get(key, ""))
-
-
-def _other_kind(example: Any, value: Any) -> str | None:
-    """What a parameter is, a law or a number, if it was given as another; None where it may be what it is."""
-    if hasattr(example, "_fields"):
-        return None if isinstance(value, dict) else "a law, as a table with law = \"...\""
-    return "a number" if isinstance(example, float) and isinstance(value, (dict, list)) else None
-
-
-def _read_array(value: list, unit: str, collector: Collector, path: tuple, deepest: int = 2) -> tuple:
-    """Rows of quantities; problems of the first few elements are told, not of a million."""
-    if len(value) > LONGEST_ARRAY:
-        collector.add(path, f"{len(value)} values are too many", f"the limit is {LONGEST_ARRAY}")
-        return ()
-    found = []
-    for i, element in enumerate(value):
-        if isinstance(element, list) and deepest > 1:
-            found.append(_read_array(element, unit, collector, (*path, i), deepest - 1))
-        else:
-            found.append(collector.quantity((*path, i), element, unit))
-        if found[-1] is None:
-            break
-    return tuple(found)
-
-
-def _base(tables: dict, collector: Collector, path: tuple) -> Material | None:
-    if "base" not in tables:
-        return None
-    return from_library(tables["base"], collector, (*path, "base"))
-
-
-def from_library(name: Any, collector: Collector, path: tuple, others: tuple[str, ...] = ()) -> Material | None:
-    """A material of the library by name; `others` are names the hint should offer too."""
-    if not isinstance(name, str):
-        collector.add(path, "a material is named by a text")
-        return None
-    library = importlib.import_module("hugoniot.materials.library")  # reads files made of tables, so it imports this module
-    try:
-        return library.find(name[:200])
-    except DeckError as error:
-        told = error.problems[0]
-        collector.add(path, printable(told.message, 200), nearest(name, others, printable(told.hint, 300)))
-        return None
 
 
 def _without_replaced(base: Material | None, tables: dict) -> Material | None:
@@ -342,24 +180,10 @@ def _check_rest(par: Any, built: dict, collector: Collector, path: tuple) -> Non
             message = f"the strength law {law.name} needs temperatures, which the equation of state does not give"
             collector.add((*path, "strength"), message, "give the equation of state its specific_heat")
             return
-        warm = built_temperature(par)
+        warm = temperature_at_rest(par)
         for what, value in (("shear modulus", shear_modulus(rho, p, warm, rho * c2, built["strength"])),
                             ("flow stress", flow_stress(rho, p, warm, 0.0, 0.0, built["strength"]))):
             if not (math.isfinite(value) and value >= 0.0):
                 collector.add((*path, "strength"), f"the {what} at rest must not be negative, got {value:g} Pa")
     if built["fracture"] is not None and not tension_cap(0.0, built["fracture"]) > 0.0:
         collector.add((*path, "fracture"), f"the strength in tension must be positive, got {tension_cap(0.0, built['fracture']):g} Pa")
-
-
-def has_temperature(par: Any) -> bool:
-    """Whether an equation of state gives temperatures (it has the function and the specific heat for it)."""
-    return "temperature" in EOS.of(par).functions and math.isfinite(built_temperature(par))
-
-
-def built_temperature(par: Any) -> float:
-    """Temperature of an equation of state at rest, K; 298.15 where it has none."""
-    give = EOS.of(par).functions.get("temperature")
-    if give is None:
-        return 298.15
-    rho, e = reference_state(par)
-    return float(give(rho, e, par))

@@ -1,12 +1,12 @@
 """A row of the library as the table of a law: which column is which parameter, and what has to be derived on the way.
 
-Every value keeps its provenance: a card is a dictionary parameter -> Source (or text), which `curated` hands to the deck's own
-reader `materials.build`, so that library, decks and users' files share one schema and one set of checks.
+Every value keeps its provenance: a card is a dictionary parameter -> Source (or text), which `materials.entry` hands to the deck's own
+reader `materials.law_reader`, so that library, decks and users' files share one schema and one set of checks.
 """
 
-import math
 from dataclasses import replace
 
+from hugoniot.laws.eos.jwl_isentrope import JWLIsentrope
 from hugoniot.materials.material import Source
 from hugoniot.materials.schema import Row
 
@@ -171,8 +171,8 @@ def _rate(row: Row) -> Card:
 
 
 def _energy_at_rest(row: Row, found: Card, heat: Source) -> Source:
-    """E0 = A/R1 exp(-R1) + B/R2 exp(-R2) + c_v T0: the calibrations use p(V, T) = A exp(-R1 V) + B exp(-R2 V) + omega c_v T/V."""
-    cold = sum(found[n].value / found[r].value * math.exp(-found[r].value) for n, r in (("a", "r1"), ("b", "r2")))
+    """E0 = cold energy at V = 1 + c_v T0: the calibrations use p(V, T) = cold pressure + omega c_v T/V."""
+    cold = float(JWLIsentrope(tuple((found[n].value, found[r].value) for n, r in (("a", "r1"), ("b", "r2"))), 0.0, 1.0).energy(1.0))
     note = f"row {row.id}: energy at V = 1 and {REST_TEMPERATURE:g} K, so that the pressure at rest is the calibration's"
     return replace(heat, quantity="e0", value=cold + heat.value * REST_TEMPERATURE, unit="J/m^3", status="derived", note=note)
 

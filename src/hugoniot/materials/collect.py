@@ -43,6 +43,11 @@ class Collector:
         if problem not in self.problems:
             self.problems.append(problem)
 
+    def reported(self, path: tuple) -> bool:
+        """Whether something is reported of this key already."""
+        key = self.key(path)
+        return any(problem.key == key for problem in self.problems)
+
     def texts(self, path: tuple, value) -> None:
         """Report every text in a value, tables and arrays searched, that no terminal and no file of results could hold."""
         if isinstance(value, (dict, list)):

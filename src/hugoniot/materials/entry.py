@@ -23,8 +23,9 @@ from typing import Any
 from hugoniot.core.registry import Registry
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
 from hugoniot.materials import cards, schema, table_law
-from hugoniot.materials.build import build_material, read_law
+from hugoniot.materials.build import assembled
 from hugoniot.materials.collect import Collector
+from hugoniot.materials.law_reader import read_law
 from hugoniot.materials.marks import marks
 from hugoniot.materials.material import Material, Source
 from hugoniot.materials.tables import families
@@ -82,10 +83,10 @@ def read_file(path: Path) -> dict:
         raise DeckError.single(path, None, "TOML", str(error), "see `hugoniot material --help` for an example") from error
 
 
-def make_entry(name: str, tables: dict, file: str, line_of=None, **words) -> Entry:
-    """The entry described by the tables of one material; DeckError with every problem found."""
+def make_entry(name: str, tables: dict, file: str, line_of=None, base: Material | None = None, **words) -> Entry:
+    """The entry described by the tables of one material, which override `base`; DeckError with every problem found."""
     problems: list[DeckProblem] = []
-    entry = _Reader(name, file, problems, line_of or (lambda path: None)).read(tables, words)
+    entry = _Reader(name, file, problems, line_of or (lambda path: None), base).read(tables, words)
     if entry is None:
         raise DeckError(problems)
     return entry
@@ -94,7 +95,7 @@ def make_entry(name: str, tables: dict, file: str, line_of=None, **words) -> Ent
 class _Reader:
     """Resolves rows, cells and sourced values to plain tables, remembers the sources, and hands the tables to the deck's reader."""
 
-    def __init__(self, name: str, file: str, problems: list[DeckProblem], line_of):
+    def __init__(self, name: str, file: str, problems: list[DeckProblem], line_of, base: Material | None):
         self.name, self.file, self.problems, self.line_of = name, file, problems, line_of
         self.collector = Collector(problems, file, line_of)
         self.sources: list[Source] = []
@@ -102,12 +103,11 @@ class _Reader:
         self.others: dict[str, tuple[str, ...]] = {}
         self.marks: list[str] = []
         self.rows: list[str] = []
-        self.base: Material | None = None
+        self.base = base
         self.listed: set[str] = set()
 
     def read(self, tables: dict, words: dict) -> Entry | None:
         plain = {k: v for k, v in tables.items() if k not in WORDS}
-        self.base = _base(tables.get("base"))
         listed = tables.get("sources", ())
         self.listed = {s["quantity"] for s in listed if isinstance(s, dict) and "quantity" in s} if isinstance(listed, list) else set()
         known = families()
@@ -121,10 +121,10 @@ class _Reader:
         unreacted = self.unreacted(known["eos"], tables.get("unreacted"))
         detonation = self.detonation(tables.get("detonation", {}))
         rate = None
-        if "ignition_growth" in detonation and "burn" in known:
+        if "ignition_growth" in detonation:
             rate = read_law(known["burn"], self.law("rate", {"row": detonation["ignition_growth"].value}), self.collector,
                             ("material", self.name, "detonation"))
-        material = build_material(self.name, plain, self.problems, self.file, self.line_of)
+        material = assembled(self.name, plain, self.base, self.collector, ("material", self.name))
         if material is None or self.problems:
             return None
         warnings = tuple(dict.fromkeys((*material.warnings, *self.marks)))
@@ -276,16 +276,6 @@ class _Reader:
             if len(self.sources) > before:
                 found[key] = self.sources[-1]
         return found
-
-
-def _base(name: Any) -> Material | None:
-    """The library's material that tables override; None where there is none (the deck's reader says so)."""
-    from hugoniot.materials import library  # reads its materials with this module
-
-    try:
-        return library.find(name) if isinstance(name, str) else None
-    except DeckError:
-        return None
 
 
 def _texts(value: Any) -> bool:

@@ -132,9 +132,3 @@ def all_rows() -> Iterator[Row]:
 def points() -> tuple[Row, ...]:
     """The measured Us-up states (rows without id)."""
     return tuple(_read("us_up_points"))
-
-
-@cache
-def crosschecks() -> tuple[Row, ...]:
-    """Comparisons between sources, as found when the tables were made."""
-    return tuple(_read("crosscheck"))

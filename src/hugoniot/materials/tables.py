@@ -1,7 +1,5 @@
-"""Laws and materials as tables of SI numbers, the form decks and material files have; `materials.build` reads it back."""
+"""Laws and materials as tables of SI numbers, the form decks and material files have; `materials.law_reader` reads it back."""
 
-import importlib
-import importlib.util
 import inspect
 import math
 from dataclasses import asdict
@@ -11,7 +9,8 @@ import numpy as np
 
 from hugoniot.core.registry import Law, Registry
 from hugoniot.errors import HugoniotError
-from hugoniot.laws import eos, fracture, strength  # noqa: F401  (importing a room enrols its laws)
+from hugoniot.laws import burn, eos, fracture, strength  # noqa: F401  (importing a room enrols its laws)
+from hugoniot.laws.burn.contract import BURN
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.laws.strength.contract import STRENGTH
@@ -19,12 +18,8 @@ from hugoniot.materials.material import Material
 
 
 def families() -> dict[str, Registry]:
-    """The families a material is made of, in the order they are written; burn laws where the package has them."""
-    found = {"eos": EOS, "strength": STRENGTH, "fracture": FRACTURE}
-    if importlib.util.find_spec("hugoniot.laws.burn.contract"):
-        importlib.import_module("hugoniot.laws.burn")
-        found["burn"] = importlib.import_module("hugoniot.laws.burn.contract").BURN
-    return found
+    """The families a material is made of, in the order they are written."""
+    return {"eos": EOS, "strength": STRENGTH, "fracture": FRACTURE, "burn": BURN}
 
 
 def accepted(law: Law) -> tuple[list[str], list[str]]:

@@ -10,7 +10,6 @@ Source: Lyon and Johnson, LA-UR-92-3407 (1992), table 301: NR, NT, densities, te
 """
 
 import csv
-import importlib
 import io
 import math
 import pathlib
@@ -23,10 +22,7 @@ from hugoniot.errors import DeckError, FileTrouble, OutOfRange
 from hugoniot.laws.eos.table import Table, build
 
 COLUMNS = ("density", "temperature", "pressure", "energy")
-# Readers of formats that are no text, by suffix: modules with `read_table(path) -> (density, temperature, pressure, energy)`. They are
-# named, not imported: HDF5 belongs to the room `output`, which lies above this one, and its library is slow to load. The name is resolved
-# when such a file is read, so nothing here depends on that room before a user asks for it.
-BINARY_READERS = {".h5": "hugoniot.output.table_file", ".hdf5": "hugoniot.output.table_file"}
+HDF5 = (".h5", ".hdf5")
 _EXCHANGE = re.compile(r"^\s*[012]\s+(\d+)\s+(\d{3})\s+(\d+)\s+[A-Za-z]")
 _SANDIA = re.compile(r"^\s*RECORD\s+TYPE\s*=\s*(\d{3})\s+NWDS\s*=\s*(\d+)")
 _NUMBER = re.compile(r"[+-]?(?:\d+\.\d*|\.\d+)(?:[EeDd][+-]?\d+|[+-]\d+)?|[+-]?(?:nan|inf)(?:inity)?\b", re.IGNORECASE)
@@ -56,9 +52,10 @@ def load(path, rho0: float = math.nan, reference_temperature: float = 298.15, de
     try:
         if path.stat().st_size > _LARGEST:
             raise DeckError.single(path, None, "table", f"the file is larger than {_LARGEST >> 20} MB", "thin the table out")
-        if path.suffix.lower() in BINARY_READERS:
-            grid = importlib.import_module(BINARY_READERS[path.suffix.lower()]).read_table(path)
-            return _build(str(path), *grid, window)
+        if path.suffix.lower() in HDF5:
+            from hugoniot.materials.table_hdf5 import read_table
+
+            return _build(str(path), *read_table(path), window)
         text = path.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError:
         raise DeckError.single(path, None, "table", "not a text file", "give a CSV, an .h5 or a SESAME-format ASCII file") from None

@@ -10,8 +10,10 @@ from pathlib import Path
 
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
 from hugoniot.materials import library
+from hugoniot.materials.collect import Collector, LineOf
 from hugoniot.materials.entry import Entry, make_entry, read_file
 from hugoniot.materials.material import Material
+from hugoniot.materials.read import base_of, with_named_laws
 from hugoniot.materials.search import spelling
 
 _FAMILIES = ("eos", "strength", "fracture", "burn", "base", "unreacted")
@@ -33,12 +35,26 @@ def read_materials(path: str | Path) -> dict[str, Entry]:
     text, problems, found = path.read_text(encoding="utf-8-sig"), [], {}
     for name, table in named.items():
         try:
-            found[name] = make_entry(name, table, str(path), _line_finder(text, "material" in tables))
+            found[name] = _entry(name, table, str(path), _line_finder(text, "material" in tables))
         except DeckError as error:
             problems += error.problems
     if problems:
         raise DeckError(problems)
     return found
+
+
+def _entry(name: str, table: dict, file: str, line_of: LineOf) -> Entry:
+    """The entry of one material; DeckError with every problem, an unknown `base` among them."""
+    problems: list[DeckProblem] = []
+    collector, path = Collector(problems, file, line_of), ("material", name)
+    base = base_of(table, collector, path)
+    try:
+        entry = make_entry(name, with_named_laws(table, base, collector, path), file, line_of, base)
+    except DeckError as error:
+        raise DeckError([*problems, *error.problems]) from None
+    if problems:
+        raise DeckError(problems)
+    return entry
 
 
 def user_materials(places: Iterable[str | Path], beside: Iterable[str] = ()) -> dict[str, Entry]:

@@ -8,7 +8,7 @@ import json
 import pathlib
 import shlex
 from functools import cached_property
-from importlib import import_module
+from typing import Any
 
 import numpy as np
 
@@ -24,6 +24,8 @@ def load(folder) -> "Run":
 
 class Run:
     """One run folder. `summary` and `setup` are dictionaries, `deck` is the resolved deck's text."""
+
+    plot: Any   # the pictures of this run: the room `plotting`, a layer above, puts it here
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
@@ -99,7 +101,8 @@ class Run:
 
     def dataset(self, group: str):
         """One group as an xarray Dataset with `units` and `long_name`."""
-        xarray = import_module("xarray")
+        import xarray
+
         values, attributes, dims = self._table(group)
         axes = {name for name, along in dims.items() if along == (name,)}
         columns = {name: xarray.Variable(dims[name], values[name], attributes[name]) for name in values}
@@ -148,12 +151,6 @@ class Run:
             known = ", ".join(key for key, values in rows.items() if values.ndim == 2)
             raise KeyError(f"no gauge field '{field}'; this run has: {known}")
         return rows["time"], rows[field][:, names.index(name)]
-
-    @property
-    def plot(self):
-        """Pictures of this run: `run.plot.xt("pressure")` and friends give matplotlib axes."""
-        # looked up at call time: files know nothing of pictures, which stand a layer above
-        return import_module("hugoniot.plotting.accessor").RunPlots(self)
 
 
 def read_post_mortem(folder) -> dict:

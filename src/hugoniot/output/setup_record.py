@@ -4,10 +4,10 @@ Plots and reports read this document from the run folder; they never see the pro
 """
 
 import dataclasses
-from importlib import import_module
 from typing import Any
 
 from hugoniot.core.registry import Registry
+from hugoniot.laws.burn.contract import BURN
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.laws.strength.contract import STRENGTH
@@ -90,7 +90,7 @@ def material_record(material) -> dict:
 
 
 def _burn_record(par, sources) -> dict:
-    return law_record(import_module("hugoniot.laws.burn.contract").BURN, par, sources)
+    return law_record(BURN, par, sources)
 
 
 def transport_record(transport) -> dict:

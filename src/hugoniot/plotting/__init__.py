@@ -1,9 +1,25 @@
-"""Pictures of runs, read from their folders. matplotlib is imported here only, when the first picture is drawn."""
+"""Pictures of runs, read from their folders. matplotlib is imported here only, when the first picture is drawn.
+
+Importing this room gives every `Run` its `plot`: files know nothing of pictures, which stand a layer above.
+"""
 
 from typing import TYPE_CHECKING
 
+from hugoniot.output.run import Run, load
+
 if TYPE_CHECKING:
     from hugoniot.output.compare import Comparison
+    from hugoniot.plotting.accessor import RunPlots
+
+
+def _plot(run: Run) -> "RunPlots":
+    """Pictures of this run: `run.plot.xt("pressure")` and friends give matplotlib axes."""
+    from hugoniot.plotting.accessor import RunPlots
+
+    return RunPlots(run)
+
+
+Run.plot = property(_plot)
 
 
 def save_comparison(compared: "Comparison", path):
@@ -17,4 +33,4 @@ def save_comparison(compared: "Comparison", path):
     return path
 
 
-__all__ = ["save_comparison"]
+__all__ = ["Run", "load", "save_comparison"]

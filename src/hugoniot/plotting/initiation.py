@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from hugoniot.diagnostics.detonation import PopLine
 from hugoniot.plotting.style import COLOURS, FAINT, INK, QUIET, new_axes, styled
 
 
@@ -21,7 +22,7 @@ def pop_picture(found, lines=(), ax=None):
         ax.annotate("runs", (pressure[-1], distance[-1]), (7, 3), textcoords="offset points", color=COLOURS[0])
     for k, row in enumerate(lines):
         ends = np.array([row["pressure_low"], row["pressure_high"]]) * 1e-9
-        x = 10.0 ** ((np.log10(ends) - row["a"]) / row["b"])
+        x = PopLine(row["a"], row["b"]).distance(ends * 1e9) * 1e3
         ax.plot(ends, x, "--", color=COLOURS[k + 1])
         ax.annotate(f"measured, {row['rho0']:g} kg/m³ ({row.id})", (ends[1], x[1]), (-8, 11 * k), textcoords="offset points",
                     color=COLOURS[k + 1], fontsize=8, ha="right", va="center")

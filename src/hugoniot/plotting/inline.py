@@ -63,7 +63,7 @@ def _structure_tasks(run) -> dict[str, Callable[[], str]]:
     """The cells of a shock-structure run upon its steady wave, and that wave's balances and entropy."""
     from hugoniot.plotting.structure import draw_cells, draw_profile
     from hugoniot.problem.deck import read_deck_text
-    from hugoniot.theory.structure.start import profile_of
+    from hugoniot.problem.structure_start import profile_of
 
     profile = profile_of(read_deck_text(run.deck, "deck.toml").problem)
     shot = run.arrays("snapshots")

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from hugoniot.materials.curves import Comparison, Curve
+from hugoniot.dossier.curves import Comparison, Curve
 
 
 def compare_figure(chosen: Comparison, path: Path | None = None) -> Any:

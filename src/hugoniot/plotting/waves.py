@@ -3,6 +3,7 @@
 import numpy as np
 
 from hugoniot.errors import HugoniotError
+from hugoniot.laws.eos.jwl_isentrope import JWLIsentrope
 from hugoniot.plotting.eos import KINDS, columns_of, finish
 from hugoniot.plotting.style import COLOURS, INK, QUIET, fit_pressure, label_lines, new_axes, new_panels, quiet_grid, styled
 from hugoniot.theory import second_shock as second
@@ -155,7 +156,7 @@ def expansion_fit(name: str, volumes, pressures, cj: tuple[float, float], par, c
     """
     ax = new_axes(5.4, 3.8)
     v = np.geomspace(min(cj[0], float(np.min(volumes))), 1.15 * float(np.max(volumes)), 300)
-    terms = (("A term", par.a * np.exp(-par.r1 * v)), ("B term", par.b * np.exp(-par.r2 * v)), ("C term", c * v ** (-1.0 - par.omega)))
+    terms = tuple(zip(("A term", "B term", "C term"), JWLIsentrope.of(par, c).parts(v), strict=True))
     total = sum(values for _, values in terms)
     for text, values in terms:
         shown = values > 0.3 * float(np.min(pressures))

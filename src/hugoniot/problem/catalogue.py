@@ -1,10 +1,12 @@
 """The common problems `hugoniot init` writes decks for: commented TOML files kept with the package."""
 
-from importlib.resources import files
+from pathlib import Path
 from typing import NamedTuple
 
 from hugoniot.errors import DeckError
 from hugoniot.materials.collect import nearest, printable
+
+TEMPLATES = Path(__file__).parent / "templates"
 
 
 class Entry(NamedTuple):
@@ -14,14 +16,10 @@ class Entry(NamedTuple):
     summary: str
 
 
-def _folder():
-    return files("hugoniot.problem") / "templates"
-
-
 def problems() -> list[Entry]:
     """Every problem, by name."""
     found = [Entry(item.name.removesuffix(".toml"), item.read_text(encoding="utf-8").splitlines()[0].lstrip("# "))
-             for item in _folder().iterdir() if item.name.endswith(".toml")]
+             for item in TEMPLATES.iterdir() if item.name.endswith(".toml")]
     return sorted(found)
 
 
@@ -30,4 +28,4 @@ def deck_text(name: str) -> str:
     known = [entry.name for entry in problems()]
     if name not in known:
         raise DeckError.single("init", None, "problem", f"unknown problem '{printable(name)}'", nearest(name, known))
-    return (_folder() / f"{name}.toml").read_text(encoding="utf-8")
+    return (TEMPLATES / f"{name}.toml").read_text(encoding="utf-8")

@@ -8,10 +8,10 @@ from typing import Any
 from hugoniot.errors import HugoniotError
 from hugoniot.laws.eos.contract import density_limits, reference_state, sound_speed_squared
 from hugoniot.materials import burning
-from hugoniot.materials.build import from_library
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.materials.material import Material
+from hugoniot.materials.read import from_library
 from hugoniot.problem.model import Gauge, Interface, Problem, Region
 from hugoniot.units import format_si
 

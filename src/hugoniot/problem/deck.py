@@ -10,11 +10,12 @@ from typing import Any
 import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble
-from hugoniot.materials.build import read_material
 from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.materials.read import read_material
 from hugoniot.materials.users import for_deck
 from hugoniot.problem import schema
 from hugoniot.problem.lines import line_finder
+from hugoniot.problem.solver_kinds import available_solvers, solver_module
 from hugoniot.problem.write import to_toml
 
 LARGEST = 20_000_000  # characters: a deck with long tables, not a file given by mistake
@@ -68,7 +69,7 @@ def read_deck_text(text: str, name: str = "deck", overrides: dict[str, Any] | No
     for key, value in (overrides or {}).items():
         _override(raw, key, value, collector)
     kind = _solver_kind(raw, collector)
-    module = schema.solver_module(kind)
+    module = solver_module(kind)
     model = schema.validate(module.Model, raw, collector)
     materials = {**_materials(raw, collector), **_own_materials(raw, places, beside)}
     collector.texts(("title",), raw.get("title"))
@@ -86,7 +87,7 @@ def read_deck_text(text: str, name: str = "deck", overrides: dict[str, Any] | No
 def write_deck(problem: Any, kind: str | None = None) -> str:
     """The deck text of a problem: SI, every default written out; reading it gives an equal problem."""
     kind = kind or problem.solver.kind
-    return "# Written by hugoniot: every default is written out, every number is SI.\n" + to_toml(schema.solver_module(kind).write(problem))
+    return "# Written by hugoniot: every default is written out, every number is SI.\n" + to_toml(solver_module(kind).write(problem))
 
 
 def _parse(text: str, name: str) -> dict:
@@ -112,7 +113,7 @@ def _parse(text: str, name: str) -> dict:
 def _solver_kind(raw: dict, collector: Collector) -> str:
     solver = raw.get("solver", {})
     kind = solver.get("kind", "lagrange1d") if isinstance(solver, dict) else "lagrange1d"
-    known = schema.available_solvers()
+    known = available_solvers()
     if kind not in known:
         shown = printable(kind) if isinstance(kind, str) else "not a text"
         line = collector.line_of(("solver", "kind"))

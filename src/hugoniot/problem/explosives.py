@@ -7,8 +7,9 @@ from hugoniot.laws import burn as _burn  # noqa: F401  (enrols the burn laws)
 from hugoniot.laws.burn.contract import BURN
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.materials import burning
-from hugoniot.materials.derived import chapman_jouguet
 from hugoniot.problem.model import Problem
+from hugoniot.theory.chapman_jouguet import cj
+from hugoniot.theory.hugoniot import Initial
 from hugoniot.units import format_si
 
 TOLERATED = 5e-4   # of a programmed front's speed against the Chapman-Jouguet one: 3 % of pressure (p/p_CJ - 1 is about -sqrt(2 dD/D))
@@ -94,10 +95,10 @@ def _front_advice(problem: Problem, region) -> str | None:
     A faster one leaves a weak detonation, below the CJ pressure; into a slower one the products run, until its zones are crushed.
     """
     material, speed = problem.materials[region.material], front_speed(problem, region)
-    state = _own_state(material, region) if speed > 0.0 else None
-    if state is None or abs(speed / state.velocity - 1.0) <= TOLERATED:
+    point = _own_state(material, region) if speed > 0.0 else None
+    if point is None or abs(speed / point.detonation_velocity - 1.0) <= TOLERATED:
         return None
-    ideal = state.velocity
+    ideal = point.detonation_velocity
     excess = speed / ideal - 1.0
     effect = ("its zones are compressed from behind, in the end crushed" if excess < 0.0 else
               f"behind it the pressure stays up to {100.0 * (2.0 * excess) ** 0.5:.2g} % low" if excess < 0.1 else
@@ -113,8 +114,8 @@ def follows_compression(material) -> bool:
 
 def with_compression(material, region) -> str:
     """The burn table that lets compression burn a region ahead of its schedule, its densities from the products."""
-    state = _own_state(material, region)
-    numbers = f", rho0 = {_start(material, region)[0]:.6g}, rho_cj = {state.density:.6g}" if state else ", its rho0 and rho_cj"
+    point = _own_state(material, region)
+    numbers = f", rho0 = {_start(material, region)[0]:.6g}, rho_cj = {point.state.density:.6g}" if point else ", its rho0 and rho_cj"
     return f"law = \"programmed_beta\"{numbers}"
 
 
@@ -162,11 +163,11 @@ def _start(material, region) -> tuple[float, float] | None:
 
 
 def _own_state(material, region):
-    """Chapman-Jouguet state of a region's products from the state it starts in; None for laws not linear in energy."""
+    """Chapman-Jouguet point of a region's products from the density and energy it starts with; None where they have none."""
     start = _start(material, region)
-    if start is None or "linear_in_energy" not in EOS.of(material.eos).flags:
+    if start is None:
         return None
     try:
-        return chapman_jouguet(material.eos, *start)
+        return cj(material.eos, Initial(start[0], 0.0, start[1]))
     except (HugoniotError, ArithmeticError, ValueError):
         return None

@@ -8,8 +8,8 @@ from pydantic import BeforeValidator, Field, WithJsonSchema
 
 from hugoniot.core.fields import FIELDS
 from hugoniot.laws.viscosity.contract import VISCOSITY
-from hugoniot.materials.build import read_law
 from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.materials.law_reader import read_law
 from hugoniot.materials.material import Material
 from hugoniot.materials.tables import law_table, material_tables
 from hugoniot.problem import checks, explosives

@@ -9,8 +9,8 @@ from hugoniot.errors import OutOfRange
 from hugoniot.laws import transport as _transport  # noqa: F401  (enrols the transport laws)
 from hugoniot.laws.eos.contract import has_temperature
 from hugoniot.laws.transport.contract import CONDUCTION, TRANSPORT, make, needs_temperature
-from hugoniot.materials.build import read_law
 from hugoniot.materials.collect import Collector, printable
+from hugoniot.materials.law_reader import read_law
 from hugoniot.materials.material import Material
 from hugoniot.materials.tables import law_table, material_tables
 from hugoniot.problem import checks

@@ -11,12 +11,14 @@ then closes in. No gamma-law formula enters. Chemical energy stands either in th
 
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.jwl_isentrope import JWLIsentrope
 from hugoniot.theory import jump
 from hugoniot.theory.hugoniot import Initial, _interval, shock
 from hugoniot.theory.states import States, law_of
@@ -125,6 +127,33 @@ def detonation_hugoniot(material, initial: Initial | None = None, *, points: int
     if up_to is None:
         up_to = 1.4 * (cj(par, ahead).state.particle_velocity - ahead.velocity)
     return shock(par, ahead, particle_velocity=ahead.velocity + np.linspace(0.05 * up_to, up_to, points))
+
+
+class Tangency(NamedTuple):
+    """energy: E0, J per m3 of explosive; detonation_velocity m/s; pressure Pa and relative volume of the CJ point."""
+
+    energy: float
+    detonation_velocity: float
+    pressure: float
+    volume: float
+
+
+def on_isentrope(isentrope: JWLIsentrope, rho0: float) -> Tangency:
+    """The CJ point on the principal isentrope of products, where the Rayleigh line through V = 1, p = 0 touches it, and the energy E0.
+
+    -dp/dV = p/(1 - V), and E0 is what the Hugoniot through that point asks for. rho0 of the explosive, kg/m3. Raises `NoSolution`.
+    """
+    from scipy.optimize import brentq
+
+    def excess(v: float) -> float:
+        return isentrope.steepness(v) - isentrope.pressure(v) / (1.0 - v)
+
+    low, high = 0.55, 0.95
+    if not excess(low) > 0.0 > excess(high):
+        raise NoSolution("no tangency of the isentrope between V = 0.55 and 0.95")
+    v = brentq(excess, low, high, xtol=1e-15, rtol=1e-14)
+    p = float(isentrope.pressure(v))
+    return Tangency(float(isentrope.energy(v)) - 0.5 * p * (1.0 - v), math.sqrt(p / (rho0 * (1.0 - v))), p, v)
 
 
 def _weak(flux, x_cj, v0, p0, e0, par):

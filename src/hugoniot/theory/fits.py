@@ -20,6 +20,7 @@ import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble, NoSolution, OutOfRange
 from hugoniot.laws.eos.jwl import JWL
+from hugoniot.laws.eos.jwl_isentrope import JWLIsentrope, exponential, power
 from hugoniot.units import UnitError, parse
 
 
@@ -180,6 +181,11 @@ class JwlFit:
     deviation: float
     count: int
 
+    @property
+    def isentrope(self) -> JWLIsentrope:
+        """The fitted curve."""
+        return JWLIsentrope.of(self.par, self.c)
+
 
 def jwl_coefficients(rho0, velocity, pressure, energy, r1, r2, omega) -> tuple[float, float, float]:
     """(A, B, C), Pa, that close on a CJ state for given exponents.
@@ -187,10 +193,7 @@ def jwl_coefficients(rho0, velocity, pressure, energy, r1, r2, omega) -> tuple[f
     rho0 kg/m3, detonation velocity m/s, CJ pressure Pa, energy E0 J/m3 (per volume of explosive).
     """
     v = 1.0 - pressure / (rho0 * velocity**2)
-    e1, e2 = np.exp(-r1 * v), np.exp(-r2 * v)
-    matrix = np.array([[e1, e2, v ** (-1.0 - omega)],
-                       [r1 * e1, r2 * e2, (1.0 + omega) * v ** (-2.0 - omega)],
-                       [e1 / r1, e2 / r2, v**-omega / omega]])
+    matrix = np.column_stack([exponential(v, r1), exponential(v, r2), power(v, omega)])
     sides = np.array([pressure, rho0 * velocity**2, energy + 0.5 * pressure * (1.0 - v)])
     a, b, c = np.linalg.solve(matrix, sides)
     return float(a), float(b), float(c)
@@ -218,7 +221,7 @@ def fit_jwl(rho0: float, velocity: float, pressure: float, energy: float, volume
 
     def misfit(x):
         r1, r2, w, a, b, c = parts(x)
-        p = a * np.exp(-r1 * volumes) + b * np.exp(-r2 * volumes) + c * volumes ** (-1.0 - w)
+        p = JWLIsentrope(((a, r1), (b, r2)), c, w).pressure(volumes)
         return np.where(p > 0.0, np.log(np.maximum(p, 1e-300)) - target, 50.0)
 
     bounds, best = np.log([[0.05, 0.05, 0.02], [20.0, 8.0, 2.0]]), None  # of R1 - R2, R2, omega
@@ -245,16 +248,20 @@ def adjusted_gamma(rho0: float, c0: float, s: float, up: float, gamma: float, *,
     rho0 kg/m3, c0 and up m/s, `gamma` the value of the literature, `pressure` P0 ahead, Pa. Source: 004 eq. 7.1.31, recovered.
     A law whose reference curve is the exact Hugoniot meets its shock states for any Gamma and needs no adjustment.
     """
+    us, behind, density, energy = shocked_state(rho0, c0, s, up, gamma, pressure)
+    x, modulus = up / us, rho0 * c0 * c0
+    return (behind - modulus * (x + 2.0 * s * x**2 + 3.0 * s**2 * x**3)) / (density * energy - modulus * (0.5 * x**2 + s * x**3))
+
+
+def shocked_state(rho0: float, c0: float, s: float, up: float, gamma: float, pressure: float) -> tuple[float, float, float, float]:
+    """(Us m/s, pressure Pa, density kg/m3, energy J/kg) behind a shock in a linear Us-up material, with pressure and energy ahead."""
     us = c0 + s * up
     x = up / us
     if not 0.0 < x < 1.0:
         raise OutOfRange(f"a particle velocity of {up:.6g} m/s in a shock of {us:.6g} m/s is no compression "
                          "(fits with s < 1 end at c0/(1 - s))")
     behind = rho0 * us * up + pressure
-    energy = pressure / (gamma * rho0) + 0.5 * (behind + pressure) * x / rho0
-    density = rho0 / (1.0 - x)
-    modulus = rho0 * c0 * c0
-    return (behind - modulus * (x + 2.0 * s * x**2 + 3.0 * s**2 * x**3)) / (density * energy - modulus * (0.5 * x**2 + s * x**3))
+    return us, behind, rho0 / (1.0 - x), pressure / (gamma * rho0) + 0.5 * (behind + pressure) * x / rho0
 
 
 def truncated_pressure(rho0: float, c0: float, s: float, gamma: float, density: float, energy: float) -> float:

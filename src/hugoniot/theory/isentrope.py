@@ -13,11 +13,12 @@ import numpy as np
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
-from hugoniot.materials.initial_state import initial_state
+from hugoniot.materials.initial_state import energy_at_pressure, initial_state
 from hugoniot.theory import expansion
-from hugoniot.theory.states import States, density_at, density_range, energy_at, evaluate, law_of
+from hugoniot.theory.states import States, density_at, density_range, evaluate, law_of
 
 COMPILE_ABOVE = 200
+AMBIENT = 1e3  # Pa: a law with more than that at rest is a gas
 
 
 def isentrope(material, start: States | None = None, *, direction: int = 1, **given) -> States:
@@ -81,7 +82,7 @@ def state(material, velocity: float = 0.0, **given) -> States:
     if "energy" in given:
         e = float(given["energy"])
     elif "pressure" in given or "density" in given:
-        e = energy_at(par, rho, given.get("pressure", 0.0))
+        e = float(energy_at_pressure(rho, given.get("pressure", 0.0), par))
     else:
         e = e0
     return States(par, float(rho), float(contract.pressure(rho, e, par)), e, velocity)
@@ -99,6 +100,27 @@ def release(material, start: States, to: float = 0.0, *, direction: int = -1, po
     if points == 1:
         return isentrope(material, start, pressure=to, direction=direction)
     return isentrope(material, start, pressure=np.linspace(start.pressure, to, points), direction=direction)
+
+
+def expansion_to(material, start: States, to: float, points: int) -> States:
+    """States on the isentrope from `start` to the pressure `to`, Pa, as behind a wave that runs back into the material.
+
+    A release of crushed pores is elastic; pressures of gases and of products fall by equal factors, others by equal steps.
+    """
+    flags = EOS.of(law_of(material)).flags
+    if to <= start.pressure and "reacted" not in flags:
+        release(material, start, to)       # an end out of reach is refused by its own number, not by one on the way
+        return release(material, start, to, points=points)
+    by_factors = ("reacted" in flags or reference(material).pressure > AMBIENT) and to > 0.0
+    span = np.geomspace(start.pressure, to, points) if by_factors else np.linspace(start.pressure, to, points)
+    return isentrope(material, start, pressure=span, direction=-1)
+
+
+def grid(material, densities, temperatures) -> tuple[np.ndarray, np.ndarray]:
+    """(pressure Pa, energy J/kg), each (n, m), at n densities (kg/m3) and m temperatures (K), as the law `table` holds them."""
+    found = [[state(material, density=float(rho), temperature=float(t)) for t in temperatures] for rho in densities]
+    p, e = ([[getattr(s, name) for s in row] for row in found] for name in ("pressure", "specific_internal_energy"))
+    return np.array(p), np.array(e)
 
 
 def history(material, start: States) -> Any:

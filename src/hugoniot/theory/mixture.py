@@ -141,7 +141,7 @@ def solve(density, energy, burn_fraction, par, reference=None) -> MixtureState:
     out = np.empty((9, rho.size))
     rows = (rho.ravel(), e.ravel(), lam.ravel(), rho_k.ravel(), e_k.ravel())
     if rho.size > COMPILE_ABOVE:
-        from hugoniot.theory.mixture_kernels import equilibrate_rows
+        from hugoniot.laws.mixture_kernels import equilibrate_rows
 
         equilibrate_rows(*rows, par, out)
     else:

@@ -24,8 +24,9 @@ from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.laws.eos import contract as eos
 from hugoniot.laws.mixture import contract
 from hugoniot.laws.mixture.contract import MIXTURE, Mixed
+from hugoniot.materials.initial_state import energy_at_pressure
 from hugoniot.theory.hugoniot import Initial, shock
-from hugoniot.theory.states import energy_at, has
+from hugoniot.theory.states import has
 
 
 class Point(NamedTuple):
@@ -53,7 +54,7 @@ class OneLaw:
     def fraction(self, x: float) -> float:
         ahead = self.initial
         p = ahead.pressure + self.flux2 * x
-        e = energy_at(self.par, 1.0 / (self.v0 - x), p)
+        e = energy_at_pressure(1.0 / (self.v0 - x), p, self.par)
         return (e - ahead.energy - ahead.pressure * x - 0.5 * self.flux2 * x * x) / ahead.heat
 
     def _end(self, x_cj: float) -> float:
@@ -90,7 +91,7 @@ class OneLaw:
         x = self.place(fraction) if fraction > 0.0 else self.spike_x
         p = self.initial.pressure + self.flux2 * x
         rho = 1.0 / (self.v0 - x)
-        return Point(rho, p, energy_at(self.par, rho, p), None, fraction)
+        return Point(rho, p, float(energy_at_pressure(rho, p, self.par)), None, fraction)
 
     def temperature(self, point: Point) -> float:
         """K, or NaN where the law has none."""

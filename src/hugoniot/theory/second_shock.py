@@ -98,6 +98,14 @@ def leading_difference(mu, mu1: float, law: Quadratic):
     return (-0.5 * c * (a + b + 0.5 * a * c) * mu * mu1 * (mu - mu1))[()]
 
 
+def comparison(mu, mu1: float, law: Quadratic) -> dict:
+    """Pressures (Pa) of a second shock from mu1 beside the principal Hugoniot at compressions `mu`, both exact and as series."""
+    first, again = principal(mu, law), second(mu, mu1, law)
+    return {"principal_pressure": first, "principal_series": principal_series(mu, law), "second_pressure": again,
+            "second_series": second_series(mu, mu1, law), "difference": again - first,
+            "leading_difference": leading_difference(mu, mu1, law)}
+
+
 def _shift(mu, mu1):
     """delta/V = (1 - V1)(1 + mu)."""
     return (mu1 / (1.0 + mu1)) * (1.0 + mu)

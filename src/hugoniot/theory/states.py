@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from hugoniot.errors import NoSolution, OutOfRange
+from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
 
@@ -126,41 +126,6 @@ def density_range(par) -> tuple[float, float]:
     """(lowest, highest) density at which the law is defined, kg/m3; zero is replaced by the smallest normal number."""
     low, high = contract.density_limits(par)
     return max(float(low), 1e-300), float(high)
-
-
-def energy_at(par, density: float, pressure: float) -> float:
-    """Specific internal energy, J/kg, at a density and a pressure: closed where the law has it, else Newton in a bracket."""
-    if has(par, "energy"):
-        return float(contract.energy(density, pressure, par))
-    e = float(contract.reference_state(par)[1])
-    for _ in range(100):
-        p_e = contract.pressure_derivatives(density, e, par)[1]
-        miss = pressure - contract.pressure(density, e, par)
-        if not (p_e > 0.0 and math.isfinite(miss)):
-            break
-        step = miss / p_e
-        e += step
-        if abs(step) <= 4e-16 * abs(e) or miss == 0.0:
-            return float(e)
-    if math.isfinite(miss) and abs(miss) <= 1e-9 * max(abs(pressure), 1.0):
-        return float(e)
-    return _energy_between(par, density, pressure)
-
-
-def _energy_between(par, density, pressure):
-    """Bisection for the energy, in an interval doubled about the reference energy until the pressure is enclosed."""
-    centre = float(contract.reference_state(par)[1])
-    width = max(abs(centre), 1e3)
-    while width < 1e13:
-        low, high = centre - width, centre + width
-        if contract.pressure(density, low, par) <= pressure <= contract.pressure(density, high, par):
-            for _ in range(120):
-                e = 0.5 * (low + high)
-                low, high = (e, high) if contract.pressure(density, e, par) < pressure else (low, e)
-            return 0.5 * (low + high)
-        width *= 2.0
-    raise NoSolution(f"no energy within {width:.3g} J/kg of the reference gives {pressure:.6g} Pa at {density:.6g} kg/m3 "
-                     f"for law '{EOS.of(par).name}': give a pressure the law reaches at that density")
 
 
 def density_at(par, pressure: float, energy: float, near: float | None = None) -> float:

@@ -5,12 +5,13 @@ a curved function is still the mean slope where the parameter lives. Monte Carlo
 16th, 50th and 84th percentiles, for answers that are not nearly linear.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from hugoniot.errors import HugoniotError, OutOfRange
+from hugoniot.theory.impedance import match
 from hugoniot.theory.states import law_of
 
 
@@ -37,6 +38,20 @@ def vary(material, **values: float):
     if stray := set(values) - set(par._fields):
         raise OutOfRange(f"the law has no parameter {', '.join(sorted(stray))}; it has {', '.join(par._fields)}")
     return par._replace(**{k: float(v) for k, v in values.items()})
+
+
+def matched(layers: Sequence, answers: Sequence[str]) -> Callable[..., dict[str, float]]:
+    """An impedance match as a function for `propagate`.
+
+    It takes `velocity` (m/s) of the flyer and parameters named MATERIAL.parameter, of all layers of that name, and returns the named
+    fields of the state on the right of each interface, "0.pressure" and so on.
+    """
+    def answer(**given: float) -> dict[str, float]:
+        own = [{k.rpartition(".")[2]: v for k, v in given.items() if k.rpartition(".")[0] == m.name} for m in layers]
+        found = match([vary(m, **changed) for m, changed in zip(layers, own)], given["velocity"])
+        return {f"{i}.{k}": getattr(m.right, k) for i, m in enumerate(found) for k in answers if getattr(m.right, k) is not None}
+
+    return answer
 
 
 def propagate(function: Callable[..., Mapping[str, float]], values: Mapping[str, float], sigmas: Mapping[str, float], *,

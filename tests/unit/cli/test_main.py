@@ -5,6 +5,7 @@ import json
 import pathlib
 import subprocess
 import sys
+import tempfile
 import time
 from types import SimpleNamespace
 
@@ -15,7 +16,7 @@ from hugoniot.cli.progress import Lines, Silent, duration, words
 from hugoniot.cli.show import overrides_of
 from hugoniot.errors import DeckError, FileTrouble, UnphysicalState
 
-PRESENT = [name for name, (module, _) in front.COMMANDS.items() if front.importlib.util.find_spec(module)]
+PRESENT = list(front.COMMANDS)
 
 
 def call(capsys, *arguments):
@@ -116,7 +117,7 @@ def test_every_error_ends_with_its_code_and_no_traceback(error, code, capsys, mo
 
 
 def test_a_defect_keeps_its_traceback_in_a_file(capsys, monkeypatch, tmp_path):
-    monkeypatch.setattr(front.importlib.import_module("tempfile"), "tempdir", str(tmp_path))
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
 
     def command():
         raise ZeroDivisionError("oh")
@@ -258,5 +259,5 @@ def test_the_process_ends_with_the_commands_code_and_all_it_said():
 def test_an_application_may_be_built_any_number_of_times():
     for _ in range(3):
         front.build_app("eos")
-    module = front.importlib.import_module(front.COMMANDS["eos"][0])
+    module = front.module_of("eos")
     assert not any(hasattr(info.callback.__wrapped__, "__wrapped__") for info in module.app.registered_commands)

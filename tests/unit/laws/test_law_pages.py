@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hugoniot.materials.build import build_material
+from hugoniot.materials.read import build_material
 
 SCRIPT = Path(__file__).parents[3] / "docs" / "generate_laws.py"
 

@@ -7,7 +7,7 @@ from hugoniot.errors import DeckError
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.laws.strength.contract import STRENGTH
-from hugoniot.materials.build import accepted
+from hugoniot.materials.tables import accepted
 from hugoniot.problem.deck import read_deck, read_deck_text
 
 DECK = """

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from hugoniot.cli import main as front
-from hugoniot.materials import curves, library, schema
+from hugoniot.dossier import curves
+from hugoniot.materials import library, schema
 from hugoniot.materials.search import matches, nearest, spelling
 
 

@@ -13,9 +13,9 @@ from hugoniot.laws.eos.contract import pressure, reference_state, temperature
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.eos.table import Table, from_law
 from hugoniot.materials.library import find
+from hugoniot.materials.table_hdf5 import read_table, write_table
 from hugoniot.materials.tables_io import load
 from hugoniot.materials.users import read_materials
-from hugoniot.output.table_file import read_table, write_table
 from hugoniot.problem.deck import read_deck, read_deck_text
 
 SOLID = MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0)

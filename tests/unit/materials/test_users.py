@@ -2,8 +2,9 @@
 
 import pytest
 
+from hugoniot.dossier import checks
 from hugoniot.errors import DeckError, FileTrouble
-from hugoniot.materials import checks, library, users
+from hugoniot.materials import library, users
 from hugoniot.materials.record import material_record
 
 ALLOY = """

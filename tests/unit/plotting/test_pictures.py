@@ -12,7 +12,7 @@ import acoustic_flyer
 
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.output.compare import compare
-from hugoniot.output.run import load
+from hugoniot.plotting import load
 
 
 @pytest.fixture(scope="module")
@@ -127,7 +127,7 @@ def test_drawing_leaves_the_users_settings_alone(run):
 def test_pyplot_is_not_imported_for_a_picture(run):
     import subprocess
 
-    code = f"import sys; from hugoniot.output.run import load; load({str(run.folder)!r}).plot.xt(); assert 'matplotlib.pyplot' not in sys.modules; assert 'xarray' not in sys.modules"
+    code = f"import sys; from hugoniot.plotting import load; load({str(run.folder)!r}).plot.xt(); assert 'matplotlib.pyplot' not in sys.modules; assert 'xarray' not in sys.modules"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True).returncode == 0
 
 

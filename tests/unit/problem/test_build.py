@@ -5,8 +5,9 @@ import pytest
 from hugoniot.errors import DeckProblem
 from hugoniot.laws import viscosity  # noqa: F401  (enrols the laws)
 from hugoniot.laws.viscosity.contract import VISCOSITY
-from hugoniot.materials.build import build_material, read_law
 from hugoniot.materials.collect import Collector
+from hugoniot.materials.law_reader import read_law
+from hugoniot.materials.read import build_material
 from hugoniot.materials.tables import accepted, families, law_table, material_tables, same_parameters
 
 LAWS = [(family, law.name) for family, registry in {**families(), "viscosity": VISCOSITY}.items() for law in registry]
@@ -51,6 +52,18 @@ def test_sources_and_range_are_kept():
     assert [s.source for s in material.sources] == ["a report", "a paper"]
     again, problems = build(material_tables(material))
     assert again == material and not problems
+
+
+def test_a_law_inside_a_law_is_named_by_a_material():
+    from hugoniot.materials import library
+
+    porous = {"law": "p_alpha", "base": "copper", "alpha0": 1.3, "elastic_pressure": 1e8, "compaction_pressure": 1e9}
+    material, problems = build({"eos": porous})
+    assert not problems and material is not None and same_parameters(material.eos.base, library.find("copper").eos)
+    around = {"law": "tension_cutoff", "base": {"law": "shifted_energy", "base": "copper", "shift": 1e5}, "tension": 1e9}
+    assert same_parameters(build({"eos": around})[0].eos.base.base, library.find("copper").eos)
+    none, problems = build({"eos": porous | {"base": "coper"}})
+    assert none is None and [(p.key, "unknown material 'coper'" in p.message) for p in problems] == [("material.x.eos.base", True)]
 
 
 def test_derived_parameters_are_saved_as_they_are():

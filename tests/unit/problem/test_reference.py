@@ -6,7 +6,8 @@ from pathlib import Path
 
 from hugoniot.core.fields import FIELDS
 from hugoniot.materials.tables import accepted, families
-from hugoniot.problem.schema import available_solvers, json_schema
+from hugoniot.problem.editor_schema import json_schema
+from hugoniot.problem.solver_kinds import available_solvers
 
 SCRIPT = Path(__file__).parents[3] / "docs" / "generate_deck_reference.py"
 

@@ -5,7 +5,8 @@ import json
 import pytest
 
 from hugoniot.materials.tables import families
-from hugoniot.problem.schema import SOLVERS, available_solvers, json_schema
+from hugoniot.problem.editor_schema import json_schema
+from hugoniot.problem.solver_kinds import SOLVERS, available_solvers
 
 
 def test_it_is_json_and_holds_every_law_with_its_parameters():

@@ -11,7 +11,7 @@ from hugoniot import simulate
 from hugoniot.cli import main as front
 from hugoniot.errors import DeckError
 from hugoniot.problem.deck import read_deck, read_deck_text
-from hugoniot.theory.structure.start import profile_of
+from hugoniot.problem.structure_start import profile_of
 
 EXAMPLE = Path(__file__).parents[3] / "examples" / "argon-mach9.toml"
 SMALL = {"solver.shock.mach": 2.0, "region.gas.zones": 60, "stop_time": "1 ns", "output.snapshots": "0.25 ns", "output.report": False}

@@ -152,7 +152,7 @@ def test_an_answer_says_which_state_it_starts_from_and_of_what(tmp_path):
 
 
 def test_few_rows_make_no_polygon_of_the_picture():
-    from hugoniot.cli import eos_hugoniot as tool
+    from hugoniot.cli.eos import hugoniot as tool
 
     for asked in (tool.Question(None, 3, "1 km/s", None, None, False, None, []), tool.Question(None, 3, None, None, None, True, None, [])):
         found = tool.solve("comp_b", asked)

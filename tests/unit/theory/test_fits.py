@@ -35,7 +35,7 @@ def test_statistics_are_those_of_the_textbook():
 
 def test_copper_points_of_the_library():
     """Marsh's 141 copper states: 3900(11) + 1.517(7) up, residual 67 m/s, by an independent fit."""
-    from hugoniot.cli.eos_fit import library_points
+    from hugoniot.dossier.fits import library_points
 
     up, us = library_points(("copper",)).T
     found = us_up(up, us)

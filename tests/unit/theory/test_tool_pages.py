@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from hugoniot.cli.eos import app
+from hugoniot.cli.eos.app import app
 
 DOCS = Path(__file__).parents[3] / "docs"
 

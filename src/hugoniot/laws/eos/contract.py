@@ -264,6 +264,11 @@ def flagged(par, flag: str) -> bool:
     return flag in EOS.of(par).flags or any(flagged(inner, flag) for inner in par if EOS.knows(inner))
 
 
+def temperature_at_rest(par) -> float:
+    """Temperature of the reference state, K: nan where the specific heat is not known, 298.15 where the law has no temperature."""
+    return float(temperature(*reference_state(par), par)) if gives(par, "temperature") else 298.15
+
+
 def has_temperature(par) -> bool:
     """Whether the law gives a temperature with these parameters (its theory has one and the specific heat is known, and is not 0)."""
     if not gives(par, "temperature") or _holds_no_heat(par):

@@ -40,11 +40,24 @@ def hugoniot_curve(eta, par):
     return u * u * eta, u * u * (1.0 + 2.0 * eta * r * (par.s1 + eta * (2.0 * par.s2 + 3.0 * par.s3 * eta)))
 
 
-def _strain_limit(par):
-    """Smallest strain below 1 at which the Hugoniot is singular, else 1."""
-    roots = np.roots(np.trim_zeros([-par.s3, -par.s2, -par.s1, 1.0], "f"))
+def _first(coefficients) -> float:
+    """Smallest root between 0 and 1 of a polynomial (highest power first), else 1."""
+    roots = np.roots(np.trim_zeros(coefficients, "f"))
     real = roots.real[(abs(roots.imag) < 1e-9 * abs(roots)) & (roots.real > 0.0)]
     return float(min(real.min(initial=1.0), 1.0))
+
+
+def _pole(par):
+    """Smallest strain below 1 at which the Hugoniot is singular, else 1."""
+    return _first([-par.s3, -par.s2, -par.s1, 1.0])
+
+
+def _strain_limit(par):
+    """Where the Hugoniot ends: at its pole, or before that where up = c0 eta/(1 - s1 eta - s2 eta^2 - s3 eta^3) is largest; else 1.
+
+    d(up)/d(eta) vanishes with 1 + s2 eta^2 + 2 s3 eta^3. Beyond it the fit would turn back to weaker shocks.
+    """
+    return min(_pole(par), _first([2.0 * par.s3, par.s2, 0.0, 1.0]))
 
 
 def density_limits(par):
@@ -53,9 +66,10 @@ def density_limits(par):
 
 
 def particle_velocity_limit(par):
-    """J-E16: where the Hugoniot reaches infinite compression (eta = 1) before its pole, up = Us there; inf else."""
-    rest = 1.0 - par.s1 - par.s2 - par.s3
-    return par.c0 / rest if _strain_limit(par) == 1.0 and rest > 0.0 else math.inf
+    """up at the end of a Hugoniot that has no pole before it: its largest, or that at eta = 1 (J-E16); inf else."""
+    eta, pole = _strain_limit(par), _pole(par)
+    rest = 1.0 - eta * (par.s1 + eta * (par.s2 + eta * par.s3))
+    return par.c0 * eta / rest if rest > 0.0 and (eta < pole or eta == 1.0) else math.inf
 
 
 def build(rho0, c0, s1, gamma0, gamma_form="rho_gamma_constant", gamma_slope=math.nan, **given):

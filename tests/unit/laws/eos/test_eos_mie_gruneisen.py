@@ -62,6 +62,24 @@ def test_steinberg_cubic_hugoniot_is_met(up):
     assert pressure(rho, e, par) == pytest.approx(p, rel=1e-11)
 
 
+@pytest.mark.parametrize("rho0, c0, s, gamma", [(2200.0, 3900.0, (2.16, 1.54, -9.43), 0.24), (2150.0, 1680.0, (1.123, 3.983, -5.797), 0.59)],
+                         ids=["graphite", "teflon"])
+def test_a_cubic_hugoniot_is_answered_to_its_end(rho0, c0, s, gamma):
+    """Shocks found from the law follow the fit up to where up(eta) turns back, and end there."""
+    from hugoniot.theory import hugoniot
+
+    par = MieGruneisenCubic(rho0, c0, *s, gamma)
+    eta = np.linspace(0.0, 1.0, 200001)[1:-1]
+    up = c0 * eta / (1.0 - eta * (s[0] + eta * (s[1] + eta * s[2])))
+    end = int(np.argmax(np.diff(up) <= 0.0))
+    assert particle_velocity_limit(par) == pytest.approx(up[end], rel=1e-8) and density_limits(par)[1] == pytest.approx(rho0 / (1 - eta[end]), rel=1e-4)
+    chosen = slice(end // 40, int(0.999 * end), end // 40)
+    found = hugoniot.shock(par, particle_velocity=up[chosen])
+    assert found.shock_velocity == pytest.approx(up[chosen] / eta[chosen], rel=1e-9)
+    with pytest.raises(OutOfRange, match=f"particle velocity {up[end]:.6g} m/s"):
+        hugoniot.shock(par, particle_velocity=1.01 * up[end])
+
+
 def test_quadratic_and_cubic_reduce_to_linear():
     quadratic = MieGruneisenQuadratic(2785.0, 5328.0, 1.338, 0.0, 2.0, 0.48, 863.0)
     cubic = MieGruneisenCubic(2785.0, 5328.0, 1.338, 0.0, 0.0, 2.0, 0.48, 863.0)

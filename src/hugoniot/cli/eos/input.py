@@ -80,8 +80,8 @@ def find_reactive(text: str, rate: str | None = None) -> tuple[Subject, list[str
 def read_rate(text: str) -> Any:
     """Parameters of a burn law from "pressure_power: rate_constant = 2e6 1/s, pressure_exponent = 0"."""
     from hugoniot.laws.burn.contract import BURN
-    from hugoniot.materials.build import read_law
     from hugoniot.materials.collect import Collector
+    from hugoniot.materials.law_reader import read_law
 
     name, _, rest = text.partition(":")
     table: dict[str, Any] = {"law": name.strip()}
@@ -99,7 +99,7 @@ def read_rate(text: str) -> Any:
 
 
 def _from_file(path: Path, inside: str) -> Material:
-    from hugoniot.materials.build import build_material
+    from hugoniot.materials.read import build_material
     from hugoniot.problem.lines import line_finder
 
     try:

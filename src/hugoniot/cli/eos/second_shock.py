@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from hugoniot.cli.eos_options import CSV, PLOT
+from hugoniot.cli.eos.options import CSV, PLOT
 from hugoniot.cli.show import JSON
 
 
@@ -24,8 +24,8 @@ def second_shock(
     """
     import numpy as np
 
-    from hugoniot.cli.eos_input import find_inert
-    from hugoniot.cli.eos_output import cell, deliver, echo_columns, echo_notes, notes
+    from hugoniot.cli.eos.input import find_inert
+    from hugoniot.cli.eos.output import cell, deliver, echo_columns, echo_notes, notes
     from hugoniot.cli.show import quantity
     from hugoniot.errors import DeckError
     from hugoniot.theory import second_shock as tool
@@ -42,11 +42,7 @@ def second_shock(
                                f"got a = {law.a:g} Pa, c = {law.c:g}, mu = {first:g}")
     ahead = np.array([quantity(part.strip(), "1", "--mu") for part in mu.split(",")]) if mu else np.linspace(first, 2.5 * first, 11)
     table = {"compression": ahead, **({"density": density * (1.0 + ahead)} if density else {}),
-             "principal_pressure": tool.principal(ahead, law),
-             "principal_series": tool.principal_series(ahead, law), "second_pressure": tool.second(ahead, first, law),
-             "second_series": tool.second_series(ahead, first, law),
-             "difference": tool.second(ahead, first, law) - tool.principal(ahead, law),
-             "leading_difference": tool.leading_difference(ahead, first, law)}
+             **tool.comparison(ahead, first, law)}
     if plot:
         from hugoniot.plotting.eos import save
         from hugoniot.plotting.waves import second_shocks

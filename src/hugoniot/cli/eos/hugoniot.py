@@ -5,11 +5,11 @@ from typing import NamedTuple
 import numpy as np
 import typer
 
-from hugoniot.cli.eos_burning import initial
-from hugoniot.cli.eos_fit import library_points
-from hugoniot.cli.eos_input import Subject, find_inert, find_material, one_state
-from hugoniot.cli.eos_output import cell, deliver, echo_notes, echo_states, notes, row_of
+from hugoniot.cli.eos.burning import initial
+from hugoniot.cli.eos.input import Subject, find_inert, find_material, one_state
+from hugoniot.cli.eos.output import cell, deliver, echo_notes, echo_states, notes, row_of
 from hugoniot.cli.show import quantity
+from hugoniot.dossier.fits import library_points
 from hugoniot.errors import DeckError, OutOfRange
 from hugoniot.theory.fits import read_points
 from hugoniot.theory.hugoniot import Initial, curve, shock

@@ -1,4 +1,4 @@
-"""Compiled sweeps of the mixture tool; importing this module imports numba, so `theory.mixture` does it late."""
+"""Compiled sweeps over arrays of mixture states: solve, slopes, temperature. Importing this module imports numba."""
 
 import numba as nb
 

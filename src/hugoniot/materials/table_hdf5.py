@@ -4,7 +4,7 @@ Four datasets at the root, each with its `unit` and `long_name`:
 
     density (n,) kg/m^3    temperature (m,) K    pressure (n, m) Pa    energy (n, m) J/kg
 
-`materials.tables_io` finds `read_table` by the name of this module, because HDF5 is read and written in this room only.
+Its library is slow to load: `materials.tables_io` imports this module when it meets such a file.
 """
 
 import os

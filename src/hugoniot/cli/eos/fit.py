@@ -1,28 +1,15 @@
-"""The report of `hugoniot eos fit`, and the measured points that the library keeps."""
+"""The reports of `hugoniot eos fit`, `fit-jwl` and `fit-gamma`."""
 
-from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
 import typer
 
-from hugoniot.cli.eos_output import echo_columns, echo_notes, notes, write_csv
+from hugoniot.cli.eos.output import echo_columns, echo_notes, notes, write_csv
 from hugoniot.cli.show import echo_json, echo_table
 from hugoniot.errors import DeckError, OutOfRange
-from hugoniot.theory.fits import adjusted_gamma, fit_jwl, read_expansion, read_points, truncated_pressure, us_up
+from hugoniot.theory.fits import adjusted_gamma, fit_jwl, read_expansion, read_points, shocked_state, truncated_pressure, us_up
 
 WORDS = (("c0", "m/s"), ("s", ""), ("s2", "s/m"))
-
-
-def library_points(names: Sequence[str]) -> np.ndarray | None:
-    """Measured (up, us) in m/s of a material of the library that is fully dense, or None."""
-    from hugoniot.materials.schema import points
-    from hugoniot.materials.search import spelling
-
-    wanted = {spelling(n) for n in names}
-    found = [(p["up"], p["us"]) for p in points()
-             if spelling(p.material) in wanted and p["use_for_fit"] == 1.0 and p.get("porosity", 1.0) < 1.01]
-    return np.array(found, float) if found else None
 
 
 def report(name: str, degree: int, least: float, highest: float, as_json: bool, as_csv, plot) -> None:
@@ -70,7 +57,7 @@ def jwl(path: str, density: str, velocity: str, pressure: str, energy: str, omeg
         raise DeckError.single(path, None, "pressure", "a pressure of zero has no logarithm to fit", "leave that point out")
     found = fit_jwl(rho0, d, p_cj, e0, volumes[below], pressures[below], omega=omega)
     par = found.par
-    fitted = par.a * np.exp(-par.r1 * volumes) + par.b * np.exp(-par.r2 * volumes) + found.c * volumes ** (-1.0 - par.omega)
+    fitted = found.isentrope.pressure(volumes)
     if as_csv:
         write_csv(as_csv, [("", {"relative_volume": volumes, "pressure": pressures, "fitted_pressure": fitted})])
     if plot:
@@ -90,7 +77,7 @@ def jwl(path: str, density: str, velocity: str, pressure: str, energy: str, omeg
 
 def gamma(subject, at: str, ambient: float, as_json: bool) -> None:
     """The Gamma that makes the truncated cubic law of a linear Us-up material pass through a shock state."""
-    from hugoniot.cli.eos_input import one_state
+    from hugoniot.cli.eos.input import one_state
     from hugoniot.theory.hugoniot import shock
 
     par = subject.material.eos
@@ -100,10 +87,7 @@ def gamma(subject, at: str, ambient: float, as_json: bool) -> None:
     state = shock(subject.material, **one_state(at))
     up = float(state.particle_velocity)
     adjusted = adjusted_gamma(par.rho0, par.c0, par.s, up, par.gamma0, pressure=ambient)
-    us = par.c0 + par.s * up
-    density = par.rho0 * us / (us - up)
-    behind = par.rho0 * us * up + ambient
-    energy = ambient / (par.gamma0 * par.rho0) + 0.5 * (behind + ambient) * up / (us * par.rho0)
+    us, behind, density, energy = shocked_state(par.rho0, par.c0, par.s, up, par.gamma0, ambient)
     table = {"gruneisen": par.gamma0, "adjusted_gruneisen": adjusted, "particle_velocity": up, "shock_velocity": us, "pressure": behind,
              "density": density, "specific_internal_energy": energy,
              "truncated_pressure": truncated_pressure(par.rho0, par.c0, par.s, par.gamma0, density, energy),
@@ -119,6 +103,7 @@ def gamma(subject, at: str, ambient: float, as_json: bool) -> None:
 def _points(name: str):
     if Path(name).suffix.lower() in (".csv", ".txt", ".dat") or Path(name).exists():
         return read_points(name)
+    from hugoniot.dossier.fits import library_points
     from hugoniot.materials.library import entry
 
     found = entry(name)

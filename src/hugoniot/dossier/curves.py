@@ -8,10 +8,11 @@ from functools import partial
 
 import numpy as np
 
+from hugoniot.dossier import fits
+from hugoniot.dossier.derived import material_hugoniot, shock_velocity
 from hugoniot.errors import DeckError, NoSolution, OutOfRange
 from hugoniot.laws.eos.contract import EOS, reference_state
-from hugoniot.materials import fits, library, schema
-from hugoniot.materials.derived import material_hugoniot, shock_velocity
+from hugoniot.materials import library, schema
 from hugoniot.materials.entry import Entry
 from hugoniot.materials.schema import Row
 

@@ -5,11 +5,11 @@ import csv
 import numpy as np
 import typer
 
-from hugoniot.cli.eos_input import Subject
+from hugoniot.cli.eos.input import Subject
 from hugoniot.cli.show import echo_json, echo_table, quantity
 from hugoniot.errors import DeckError, FileTrouble, OutOfRange
 from hugoniot.laws.eos.contract import EOS, reference_state, require_temperature
-from hugoniot.theory.isentrope import state
+from hugoniot.theory.isentrope import grid
 from hugoniot.theory.states import density_range
 
 
@@ -24,13 +24,11 @@ def report(subject: Subject, densities: str, temperatures: str, points: int, as_
         raise OutOfRange(f"the law '{EOS.of(subject.material.eos).name}' holds for densities from {max(least, 1e-6):.6g} to {most:.6g} "
                          f"kg/m3: --densities asks for {low:.6g} to {high:.6g}")
     rho, t = np.linspace(low, high, points), np.linspace(*_range(temperatures, "K", "--temperatures"), points)
-    found = [[state(subject.material, density=float(r), temperature=float(k)) for k in t] for r in rho]
-    p = np.array([[s.pressure for s in row] for row in found])
-    e = np.array([[s.specific_internal_energy for s in row] for row in found])
+    p, e = grid(subject.material, rho, t)
     if as_csv:
         _write(as_csv, rho, t, p, e)
     if as_hdf5:
-        from hugoniot.output.table_file import write_table
+        from hugoniot.materials.table_hdf5 import write_table
 
         write_table(as_hdf5, rho, t, p, e, f"{subject.material.name}, law {EOS.of(subject.material.eos).name}")
     if plot:

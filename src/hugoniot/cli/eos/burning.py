@@ -6,8 +6,8 @@ from typing import NamedTuple
 import numpy as np
 import typer
 
-from hugoniot.cli.eos_input import Subject, find_material, find_reactive, read_rate, several_states
-from hugoniot.cli.eos_output import cell, echo_columns, echo_notes, notes, row_of, words, write_csv
+from hugoniot.cli.eos.input import Subject, find_material, find_reactive, read_rate, several_states
+from hugoniot.cli.eos.output import cell, echo_columns, echo_notes, notes, row_of, words, write_csv
 from hugoniot.cli.show import echo_json, echo_table, quantity
 from hugoniot.errors import DeckError, OutOfRange
 from hugoniot.theory.hugoniot import Initial

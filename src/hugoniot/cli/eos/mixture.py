@@ -5,9 +5,9 @@ from typing import Any, NamedTuple
 import numpy as np
 import typer
 
-from hugoniot.cli.eos_burning import closure_of, mixture_of
-from hugoniot.cli.eos_input import Subject, find_material, one_state, several_states
-from hugoniot.cli.eos_output import cell, deliver, echo_columns, echo_notes, notes, plain, write_csv
+from hugoniot.cli.eos.burning import closure_of, mixture_of
+from hugoniot.cli.eos.input import Subject, find_material, one_state, several_states
+from hugoniot.cli.eos.output import cell, deliver, echo_columns, echo_notes, notes, plain, write_csv
 from hugoniot.cli.show import echo_json, echo_table, quantity
 from hugoniot.errors import DeckError, HugoniotError, NoSolution, OutOfRange
 from hugoniot.theory import mixture as tool

@@ -4,9 +4,9 @@ from typing import Annotated
 
 import typer
 
-from hugoniot.cli.eos_input import find_material
-from hugoniot.cli.eos_options import AHEAD, CSV, DENSITY, EXPLOSIVE, HEAT, MATERIALS, PLOT, RATE
-from hugoniot.cli.eos_output import cell, deliver, echo_notes, notes, row_of, words
+from hugoniot.cli.eos.input import find_material
+from hugoniot.cli.eos.options import AHEAD, CSV, DENSITY, EXPLOSIVE, HEAT, MATERIALS, PLOT, RATE
+from hugoniot.cli.eos.output import cell, deliver, echo_notes, notes, row_of, words
 from hugoniot.cli.show import JSON, echo_table
 
 CLOSURE = "How reactants and products share the zone: thermal_isolation, thermal_equilibrium or weighted_pressures"
@@ -20,7 +20,7 @@ def cj(
 
     Example: hugoniot eos cj comp_b tnt --json
     """
-    from hugoniot.cli.eos_burning import initial
+    from hugoniot.cli.eos.burning import initial
     from hugoniot.theory.chapman_jouguet import cj as tangency
 
     subjects = [find_material(m) for m in materials]
@@ -55,7 +55,7 @@ def znd(
 
     Example: hugoniot eos znd lx_17 --plot zone.png
     """
-    from hugoniot.cli import eos_burning
+    from hugoniot.cli.eos import burning as eos_burning
 
     eos_burning.zones(explosives, eos_burning.Zone(closure, rate, heat, density, ahead, overdrive, velocity, complete, points),
                       as_json, as_csv, plot)
@@ -86,7 +86,7 @@ def mixture(
 
     Example: hugoniot eos mixture lx_17 --shocked "pressure = 20 GPa" --adiabat "1 g/cm^3" --burn-to 1
     """
-    from hugoniot.cli import eos_mixture
+    from hugoniot.cli.eos import mixture as eos_mixture
 
     asked = eos_mixture.Question(at, shocked, fractions, closure or [], adiabat, burn_to, frozen, series, heat, points)
     eos_mixture.report(explosive, asked, as_json, as_csv, plot)

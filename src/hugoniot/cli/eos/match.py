@@ -2,8 +2,8 @@
 
 import typer
 
-from hugoniot.cli.eos_input import Subject, error_bars
-from hugoniot.cli.eos_output import cell, echo_notes, notes, row_of, write_csv
+from hugoniot.cli.eos.input import Subject, error_bars
+from hugoniot.cli.eos.output import cell, echo_notes, notes, row_of, write_csv
 from hugoniot.cli.show import echo_json, echo_table, quantity
 from hugoniot.errors import DeckError
 from hugoniot.laws.eos.contract import EOS
@@ -107,7 +107,7 @@ def _with_error(key: str, row: dict) -> str:
 
 def _spreads(layers, velocity, error, samples):
     """Per interface, the error bars of the answers: parameters are named MATERIAL.parameter, or parameter of all layers of a name."""
-    from hugoniot.theory.uncertainty import propagate, vary
+    from hugoniot.theory.uncertainty import matched, propagate
 
     values: dict[str, float] = {"velocity": velocity}
     sigmas: dict[str, float] = {}
@@ -124,11 +124,5 @@ def _spreads(layers, velocity, error, samples):
         values[key] = float(getattr(owners[0].eos, parameter))
         sigmas[key] = quantity(text, EOS.of(owners[0].eos).units.get(parameter, "1"), f"--error {key}")
 
-    def answers(**given):
-        own = [{k.rpartition(".")[2]: v for k, v in given.items() if k.rpartition(".")[0] == m.name} for m in layers]
-        laws = [vary(m, **changed) for m, changed in zip(layers, own)]
-        found = match(laws, given["velocity"])
-        return {f"{i}.{k}": getattr(m.right, k) for i, m in enumerate(found) for k in ANSWERS if getattr(m.right, k) is not None}
-
-    flat = propagate(answers, values, sigmas, samples=samples)
+    flat = propagate(matched(layers, ANSWERS), values, sigmas, samples=samples)
     return [{k.partition(".")[2]: s for k, s in flat.items() if k.startswith(f"{i}.")} for i in range(len(layers) - 1)]

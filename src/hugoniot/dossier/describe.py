@@ -1,7 +1,8 @@
 """A material in words and numbers for people: what `hugoniot material show`, the docs pages and reports print."""
 
+from hugoniot.dossier import fits
+from hugoniot.dossier.derived import derived_quantities
 from hugoniot.materials import library, schema
-from hugoniot.materials.derived import derived_quantities
 from hugoniot.materials.entry import Entry
 from hugoniot.materials.marks import marks
 from hugoniot.materials.record import mark, material_record
@@ -74,8 +75,6 @@ def fit_lines(entry: Entry) -> list[str]:
     rows = [i for i in entry.comparison_rows() if i.startswith("U") and schema.row(i).status == "derived"]
     if not rows:
         return []
-    from hugoniot.materials import fits
-
     lines = []
     for identity in rows:
         if identity not in fits.RECORDED:
@@ -83,8 +82,8 @@ def fit_lines(entry: Entry) -> list[str]:
         fit, (selection, _) = fits.recorded(identity), fits.RECORDED[identity]
         terms = [f"{fit.coefficients[0]:.0f}({fit.deviations[0]:.0f})", f"{fit.coefficients[1]:.4f}({fit.deviations[1]:.4f}) up"]
         square = "".join(f" {c:+.3g}({d:.2g}) up^2" for c, d in zip(fit.coefficients[2:], fit.deviations[2:]))
-        lines.append(f"{identity}: Us = {' + '.join(terms)}{square} m/s, {fit.count} states, up {fit.up_min:.0f} to {fit.up_max:.0f} m/s, "
-                     f"residual {fit.residual:.0f} m/s ({selection.words})")
+        lines.append(f"{identity}: Us = {' + '.join(terms)}{square} m/s, {len(fit.points)} states, "
+                     f"up {fit.least:.0f} to {fit.highest:.0f} m/s, residual {fit.deviation:.0f} m/s ({selection.words})")
     return lines
 
 

@@ -1,0 +1,1 @@
+"""What follows from the data of a material with the help of theory: derived numbers, curves to compare, checks, descriptions."""

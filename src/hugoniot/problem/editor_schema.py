@@ -1,0 +1,69 @@
+"""JSON Schema of decks, for editors: the models of each solver with the parameters of every registered law."""
+
+from typing import Any
+
+from hugoniot.core.registry import Registry
+from hugoniot.laws import mixture, viscosity  # noqa: F401  (enrols the laws)
+from hugoniot.laws.mixture.contract import MIXTURE
+from hugoniot.laws.mixture.reference_state import CHOICES
+from hugoniot.laws.viscosity.contract import VISCOSITY
+from hugoniot.materials import table_law
+from hugoniot.materials.tables import accepted, families
+from hugoniot.problem.solver_kinds import solver_module
+
+
+def json_schema(kind: str = "lagrange1d") -> dict:
+    """JSON Schema of a solver's deck, with the parameters of every registered law."""
+    schema = solver_module(kind).Model.model_json_schema(by_alias=True)
+    schema["$schema"] = "https://json-schema.org/draft/2020-12/schema"
+    schema["title"] = f"hugoniot deck ({kind})"
+    definitions = schema.setdefault("$defs", {})
+    material: dict[str, Any] = {"type": "object", "additionalProperties": False, "properties": {
+        "base": {"type": "string", "description": "a material of the library that these tables override"},
+        "sources": {"type": "array", "description": "where the numbers come from"},
+        "warnings": {"type": "array", "items": {"type": "string"}},
+        "valid_up_to": {"anyOf": [{"type": "number"}, {"type": "string"}], "unit": "m/s",
+                        "description": "highest particle velocity of the data behind the equation of state"},
+    }}
+    for family, registry in families().items():
+        definitions[f"{family}_law"] = law_schema(registry)
+        material["properties"][family] = {"$ref": f"#/$defs/{family}_law"}
+    heat = {"anyOf": [{"type": "number"}, {"type": "string"}], "unit": "J/kg", "description": "chemical energy an explosive releases"}
+    material["properties"] |= {
+        "unreacted": {"$ref": "#/$defs/eos_law", "description": "an explosive before it burns; eos are its products"},
+        "mixture": {"enum": MIXTURE.names(), "description": "closure that joins both while it burns"}, "detonation_energy": heat,
+        "reference_state": {"enum": list(CHOICES), "default": CHOICES[0], "description":
+                            "of reactants in thermal isolation: the isentrope they keep rolls along with their share of all viscous "
+                            "heat, or is frozen when a shock has passed"}}
+    definitions["viscosity_law"] = law_schema(VISCOSITY)
+    definitions["material"] = material
+    return _linked(schema)
+
+
+def _linked(value: Any) -> Any:
+    """Marks of the models (`x-definition`) turned into references to definitions that pydantic does not know."""
+    if isinstance(value, dict):
+        linked = {key: _linked(inner) for key, inner in value.items() if key != "x-definition"}
+        return linked | ({"$ref": f"#/$defs/{value['x-definition']}"} if "x-definition" in value else {})
+    return [_linked(inner) for inner in value] if isinstance(value, list) else value
+
+
+def law_schema(registry: Registry) -> dict:
+    """JSON Schema of one law table: one alternative per registered law."""
+    alternatives = []
+    for law in registry:
+        names, required = accepted(law)
+        properties: dict[str, Any] = {"law": {"const": law.name}}
+        for name in names:
+            unit = law.units.get(name, "1")
+            kind = {"type": "string"} if unit == "text" else {"type": ["number", "string", "array", "object"]}
+            default = law.defaults.get(name)
+            properties[name] = kind | {"description": law.meaning.get(name, ""), "unit": unit}
+            if default is not None and default == default:
+                properties[name]["default"] = default
+        alternatives.append({"type": "object", "title": law.name, "description": law.summary, "properties": properties,
+                             "required": ["law", *required]})
+    if registry.family == "eos":
+        alternatives.append(table_law.editor_schema())
+    override = {"type": "object", "not": {"required": ["law"]}, "description": "overrides of the base material's law"}
+    return {"anyOf": [*alternatives, override, {"const": "none"}]}
