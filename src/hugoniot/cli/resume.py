@@ -29,7 +29,9 @@ def command(
         typer.echo(f"interrupted; a checkpoint is kept, go on with: hugoniot resume {shlex.quote(str(folder))}", err=True)
         raise typer.Exit(130) from None
     if as_json:
-        echo_json({"folder": str(run.folder), **run.summary})
+        from hugoniot.output.run_numbers import results
+
+        echo_json({"folder": str(run.folder), **run.summary, **results(run)})
     else:
         echo_results(run)
         echo_place(run)

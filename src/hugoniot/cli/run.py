@@ -36,7 +36,9 @@ def command(
 
             echo_results(run, told)     # while the report is being drawn
     if as_json:
-        echo_json({"folder": str(run.folder), **run.summary})
+        from hugoniot.output.run_numbers import results
+
+        echo_json({"folder": str(run.folder), **run.summary, **results(run)})
     else:
         from hugoniot.cli.results import echo_place
 

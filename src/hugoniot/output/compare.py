@@ -16,6 +16,7 @@ from hugoniot.diagnostics.norms import Difference, difference
 from hugoniot.errors import DeckError, DeckProblem
 from hugoniot.output.atomic import legible
 from hugoniot.output.run import Run, load
+from hugoniot.output.spall_reading import free_surface_gauges
 from hugoniot.units import UnitError, convert
 
 _HEADS = "write heads like 'time [us], velocity [m/s]'"
@@ -129,15 +130,6 @@ def _counterpart(record: Record, others: list[Record], free_surface: list[str]) 
     if len(same) == 1:
         return same[0]
     return next((other for other in same if other.gauge in free_surface), same[0] if same else None)
-
-
-def free_surface_gauges(run: Run) -> list[str]:
-    """Names of the gauges that ride on a free surface, the right-hand one first."""
-    names = set(run.gauge_names())
-    at = {gauge["name"]: str(gauge["at"]) for gauge in run.setup["gauges"]}
-    found = [name for name, where in at.items() if where.startswith("free surface") and name in names]
-    found += [name for name in sorted(names) if name.startswith("free surface") and name not in found]
-    return sorted(found, key=lambda name: "left" in at.get(name, name))
 
 
 def compare(a, b) -> Comparison:

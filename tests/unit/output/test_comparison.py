@@ -5,8 +5,9 @@ import numpy as np
 import pytest
 
 from hugoniot.errors import DeckError, FileTrouble
-from hugoniot.output.compare import compare, free_surface_gauges, read_table
+from hugoniot.output.compare import compare, read_table
 from hugoniot.output.run import load
+from hugoniot.output.spall_reading import free_surface_gauges
 
 
 @pytest.fixture(scope="module")
