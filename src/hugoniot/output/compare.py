@@ -118,7 +118,8 @@ def run_records(run: Run) -> list[Record]:
     """Every field of every gauge of a run."""
     rows = run.arrays("gauges")
     return [Record(name, field, run.unit("gauges", field), rows["time"], values[:, k])
-            for k, name in enumerate(run.gauge_names()) for field, values in rows.items() if values.ndim == 2]
+            for k, name in enumerate(run.gauge_names()) for field, values in rows.items()
+            if values.ndim == 2 and not np.isnan(values[:, k]).all()]
 
 
 def _counterpart(record: Record, others: list[Record], free_surface: list[str]) -> Record | None:

@@ -12,6 +12,7 @@ from importlib import import_module
 
 import numpy as np
 
+from hugoniot.diagnostics.interface_gauges import CONTINUOUS, sides
 from hugoniot.errors import FileTrouble
 from hugoniot.output.atomic import legible
 from hugoniot.output.codec import decode, h5py
@@ -147,7 +148,10 @@ class Run:
         if field not in rows or rows[field].ndim != 2:
             known = ", ".join(key for key, values in rows.items() if values.ndim == 2)
             raise KeyError(f"no gauge field '{field}'; this run has: {known}")
-        return rows["time"], rows[field][:, names.index(name)]
+        values = rows[field][:, names.index(name)]
+        if field not in CONTINUOUS and name in set(sides(self.setup["gauges"]).values()):
+            raise KeyError(f"{field} differs on the two sides of an interface: ask for '{name} left' or '{name} right'")
+        return rows["time"], values
 
     @property
     def plot(self):

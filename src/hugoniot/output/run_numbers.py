@@ -3,6 +3,7 @@
 import numpy as np
 
 from hugoniot.diagnostics.arrival import first_crossing
+from hugoniot.diagnostics.interface_gauges import sides
 from hugoniot.output.run import Run
 from hugoniot.output.spall_reading import spall_reading
 
@@ -19,8 +20,12 @@ def gauge_rows(run: Run) -> list[dict]:
     rows = []
     table = run.arrays("gauges") if run.gauge_names() else {}
     noise = NOISE * _largest_velocity(run)
-    for k, name in enumerate(run.gauge_names()):
+    names = run.gauge_names()
+    side_of = sides(run.setup["gauges"])
+    for k, name in enumerate(names):
         time, velocity = table["time"], table["velocity"][:, k]
+        if name in side_of and np.array_equal(velocity, table["velocity"][:, names.index(side_of[name])]):
+            continue     # the interface gauge has it
         row: dict = {"gauge": name}
         change = velocity - velocity[0]
         peak = change[np.argmax(np.abs(change))]

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from hugoniot.diagnostics.interface_gauges import CONTINUOUS, sides
 from hugoniot.diagnostics.velocimetry import visar_velocity
 from hugoniot.diagnostics.wave_diagram import interfaces
 from hugoniot.errors import DeckError
@@ -35,7 +36,8 @@ def gauge(run, field: str = "stress", names=None, ax=None):
     zone_field(run, "gauges", field)
     _check_gauges(run, names or ())
     ax = ax if ax is not None else new_axes()
-    moving = [k for k in range(len(known)) if np.ptp(rows[field][:, k]) > 0][: len(COLOURS)]
+    once = sides(run.setup["gauges"]) if field in CONTINUOUS else {}
+    moving = [k for k in range(len(known)) if known[k] not in once and np.ptp(rows[field][:, k]) > 0][: len(COLOURS)]
     columns = [known.index(name) for name in names] if names else moving
     values = rows[field][:, columns]
     unit, factor, words = field_scale(field, values)

@@ -3,6 +3,7 @@
 import numpy as np
 from matplotlib.collections import LineCollection
 
+from hugoniot.diagnostics.interface_gauges import sides
 from hugoniot.diagnostics.wave_diagram import gaps, interfaces, raster
 from hugoniot.plotting.style import INK, STRESS, field_scale, labelled, length_scale, new_axes, styled, time_scale, zone_field
 
@@ -91,6 +92,7 @@ def _draw_gauges(ax, run, fx, ft, most: int = 6) -> None:
     rows = run.arrays("gauges")
     if "position" not in rows or not len(rows["time"]):
         return
-    names, every = run.gauge_names(), max(len(rows["time"]) // 200, 1)
-    paths = [np.column_stack([rows["position"][::every, k] * fx, rows["time"][::every] * ft]) for k in range(min(len(names), most))]
+    once, every = sides(run.setup["gauges"]), max(len(rows["time"]) // 200, 1)
+    drawn = [k for k, name in enumerate(run.gauge_names()) if name not in once][:most]
+    paths = [np.column_stack([rows["position"][::every, k] * fx, rows["time"][::every] * ft]) for k in drawn]
     ax.add_collection(LineCollection(paths, colors=INK, linewidths=0.7, linestyles=(0, (1, 2))))
