@@ -76,13 +76,29 @@ def hit_regions(setup) -> list[str]:
     return [region["name"] for region, speed in zip(regions, speeds) if speed not in fast]
 
 
+def _away(setup) -> list[tuple[str, ...]]:
+    """For every region the sides that look away from what strikes or drives it: its spall signal comes out there."""
+    names, hit = [region["name"] for region in setup["regions"]], hit_regions(setup)
+    striking = [k for k, name in enumerate(names) if name not in hit]
+    driven = [side for side in ("left", "right") if setup["boundaries"][side]["kind"] in ("pressure", "velocity")]
+    found: list[tuple[str, ...]] = []
+    for k, name in enumerate(names):
+        before = any(other < k for other in striking) if striking else driven == ["left"]
+        behind = any(other > k for other in striking) if striking else driven == ["right"]
+        one_sided = name in hit and before != behind
+        found.append(("right" if before else "left",) if one_sided else ("right", "left"))
+    return found
+
+
 def _ends(setup) -> list[tuple[str, str, str, tuple[str, ...]]]:
     """(region, kind, window, places of a gauge there) of every end at which a region's spall signal can be seen."""
-    regions, found = setup["regions"], []
+    regions, found, away = setup["regions"], [], _away(setup)
     for k, region in enumerate(regions):
         name = region["name"]
         for side, other in (("right", k + 1), ("left", k - 1)):
             own = f"{name}:{side}"
+            if side not in away[k]:
+                continue
             if not 0 <= other < len(regions):
                 if setup["boundaries"][side]["kind"] == "free":
                     found.append((name, SURFACE, "", (f"free surface {side}", own)))

@@ -10,9 +10,11 @@ import pytest
 
 from hugoniot import run
 from hugoniot.cli.main import main
+from hugoniot.errors import DeckError
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.fracture.spall_stress import SpallStress
 from hugoniot.materials.material import Material
+from hugoniot.output.compare import compare
 from hugoniot.output.spall_reading import hit_regions, spall_reading, surface_record, through_window
 from hugoniot.problem.model import Boundary, Gauge, OutputOptions, Problem, Pulse, Region
 from hugoniot.report import write_report
@@ -129,3 +131,28 @@ def test_terminal_report_and_json_show_the_same_numbers(ran, capsys):
     page = write_report(folder).read_text(encoding="utf-8")
     assert strength in shown[()] and strength in page and f"{told['pull_back']:.4g} m/s" in shown[()] and f"{told['pull_back']:.4g} m/s" in page
     assert told["region"] == "target" and told["window"] == "window" and "free surface left" not in shown[()].split("spall of")[1]
+
+
+def data(path, header="time [us], velocity [m/s]"):
+    path.write_text(f"{header}\n" + "".join(f"{0.1 * k},{10.0 * k}\n" for k in range(20)), encoding="utf-8")
+    return path
+
+
+def test_measured_velocities_are_compared_with_the_gauge_of_the_body_that_was_hit(ran, tmp_path):
+    for name, gauge in (("window", "VISAR"), ("stiff window", "Ta/LiF"), ("free", "free surface right")):
+        for header in ("time [us], velocity [m/s]", "time (us), velocity (m/s)"):
+            found = compare(ran(name), data(tmp_path / "d.csv", header))
+            assert found.pairs[0].a.gauge == gauge and f"compared with gauge '{gauge}'" in found.notes[0]
+            assert found.pairs[0].b.time[-1] == pytest.approx(1.9e-6)
+    chosen = compare(ran("window"), data(tmp_path / "d.csv"), "free surface left")
+    assert chosen.pairs[0].a.gauge == "free surface left"
+
+
+def test_a_choice_between_gauges_is_asked_for(ran, tmp_path):
+    inside = plates(("flyer", ALUMINIUM, None, -1, 0, 250.0), ("target", ALUMINIUM, None, 0, 1, -250.0), stop=0.2e-6)
+    done = run(inside, tmp_path / "run")
+    with pytest.raises(DeckError, match="choose one with --gauge") as caught:
+        compare(done, data(tmp_path / "d.csv", "time [ns], velocity [m/s]"))
+    assert "free surface left, free surface right" in str(caught.value)
+    with pytest.raises(DeckError, match="no gauge 'middle'"):
+        compare(done, data(tmp_path / "d.csv"), "middle")
