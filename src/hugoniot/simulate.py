@@ -179,7 +179,7 @@ def _drive(recorder: _Recorder, next_snapshot: int, begun: float, report: bool |
         folder.post_mortem(error, {"solver": solver.payload(), "next_snapshot": -1})
         raise
     _note_extrapolation(folder, problem, solver, recorder.warned)
-    for text in getattr(solver, "unresolved", list)():
+    for text in [*getattr(solver, "unresolved", list)(), *_overstretched(problem, solver)]:
         folder.event(solver.time, solver.cycle, "warning", text)
     for text in getattr(solver, "references", list)():
         folder.event(solver.time, solver.cycle, "reference_state", text)
@@ -222,6 +222,12 @@ def _note_extrapolation(folder: RunFolder, problem: Problem, solver, warned) -> 
         if limit is not None and speed > limit and not foretold:
             folder.event(solver.time, solver.cycle, "warning",
                          f"material '{name}' was driven to a particle velocity of {speed:.4g} m/s; its data reach {limit:.4g} m/s")
+
+
+def _overstretched(problem: Problem, solver) -> list[str]:
+    from hugoniot.diagnostics.tension import overstretched
+
+    return overstretched(problem, solver.region_of, solver.peaks()["peak_tension"]) if problem.solver.kind == "lagrange1d" else []
 
 
 def _meta(problem: Problem, solver) -> dict[str, Any]:
