@@ -41,6 +41,15 @@ def test_match_gives_one_state_per_interface_in_time_order():
     assert "GPa" in eos("match", "copper", "aluminum", "--velocity", "1 km/s").stdout
 
 
+def test_a_match_beyond_a_law_names_the_material_and_a_row_that_reaches_further():
+    told = eos("match", "basalt", "basalt", "--velocity", "20 km/s")
+    assert told.exit_code == 3
+    assert "material 'basalt'" in told.output and "T029" in told.output
+    # the row that is offered does answer, with half of the impact velocity, as a symmetric impact must
+    found = answer("match", "T029", "T029", "--velocity", "20 km/s")
+    assert found["states"][0]["particle_velocity"] == pytest.approx(10e3, rel=1e-9)
+
+
 def test_table_is_read_back_by_the_law_of_tables(tmp_path):
     from hugoniot.laws.eos import contract
     from hugoniot.materials.library import find
