@@ -32,7 +32,8 @@ def overstretched(problem: Problem, region_of: np.ndarray, peak_tension: np.ndar
             continue
         strength, whose = spall_scale(region.material)
         if tension > MULTIPLE * strength:
-            found.append(f"'{region.name}' was under a tension of {format_si(tension, 'Pa', 3)} and material '{region.material}' has no "
-                         f"fracture law: that is more than {MULTIPLE:g} times {whose}; add [material.{region.material}.fracture], or do not rely on "
-                         "the run after that tension")
+            name = region.material
+            found.append(f"'{region.name}' was under a tension of {format_si(tension, 'Pa', 3)} and material '{name}' has no fracture law: "
+                         f"that is more than {MULTIPLE:g} times {whose}; add [material.{name}.fracture], or do not rely on the run "
+                         "after that tension")
     return found

@@ -191,6 +191,9 @@ def _as_arrays(law: Law, values: dict) -> dict:
 
 def _read_value(registry: Registry, law: Law, key: str, value: Any, collector: Collector, path: tuple) -> Any:
     unit = law.units.get(key, "1")
+    if isinstance(value, str) and hasattr(getattr(law.example, key, None), "_fields"):
+        named = from_library(value, collector, path)      # the law of a material of the library
+        return named.eos if named is not None else None
     if (wanted := _other_kind(getattr(law.example, key, None), value)) is not None:
         given = "a table" if isinstance(value, dict) else "a list" if isinstance(value, list) else printable(str(value), 40)
         collector.add(path, f"expected {wanted}, got {given}", law.meaning.get(key, ""))
@@ -232,7 +235,7 @@ def _check_bounds(law: Law, key: str, number: float, unit: str, collector: Colle
 def _other_kind(example: Any, value: Any) -> str | None:
     """What a parameter is, a law or a number, if it was given as another; None where it may be what it is."""
     if hasattr(example, "_fields"):
-        return None if isinstance(value, dict) else "a law, as a table with law = \"...\""
+        return None if isinstance(value, dict) else "a law, as a table with law = \"...\" or the name of a material of the library"
     return "a number" if isinstance(example, float) and isinstance(value, (dict, list)) else None
 
 
