@@ -179,7 +179,7 @@ def _drive(recorder: _Recorder, next_snapshot: int, begun: float, report: bool |
         folder.post_mortem(error, {"solver": solver.payload(), "next_snapshot": -1})
         raise
     _note_extrapolation(folder, problem, solver, recorder.warned)
-    for text in [*getattr(solver, "unresolved", list)(), *_overstretched(problem, solver)]:
+    for text in [*getattr(solver, "unresolved", list)(), *_doubts(problem, solver)]:
         folder.event(solver.time, solver.cycle, "warning", text)
     for text in getattr(solver, "references", list)():
         folder.event(solver.time, solver.cycle, "reference_state", text)
@@ -224,10 +224,15 @@ def _note_extrapolation(folder: RunFolder, problem: Problem, solver, warned) -> 
                          f"material '{name}' was driven to a particle velocity of {speed:.4g} m/s; its data reach {limit:.4g} m/s")
 
 
-def _overstretched(problem: Problem, solver) -> list[str]:
+def _doubts(problem: Problem, solver) -> list[str]:
+    """Warnings of a finished run of the hydrocode: tension that no solid carries, echoes of transmitting ends."""
+    if problem.solver.kind != "lagrange1d":
+        return []
     from hugoniot.diagnostics.tension import overstretched
+    from hugoniot.diagnostics.transmitting import measured
 
-    return overstretched(problem, solver.region_of, solver.peaks()["peak_tension"]) if problem.solver.kind == "lagrange1d" else []
+    peaks = solver.peaks()
+    return overstretched(problem, solver.region_of, peaks["peak_tension"]) + measured(problem, peaks["peak_stress"])
 
 
 def _meta(problem: Problem, solver) -> dict[str, Any]:

@@ -131,7 +131,7 @@ def test_init_writes_a_deck_that_check_accepts(capsys, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     assert call(capsys, "init", "flyer")[0] == 0
     code, out, _ = call(capsys, "check", "flyer.toml")
-    assert code == 0 and "200 zones" in out and "the deck is sound" in out
+    assert code == 0 and "200 zones" in out and "the deck is valid" in out
     code, _, err = call(capsys, "init", "flyer")
     assert code == 4 and "--overwrite" in err
     code, _, err = call(capsys, "init", "flier")
