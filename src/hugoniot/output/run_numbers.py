@@ -9,7 +9,7 @@ from hugoniot.output.spall_reading import spall_reading
 
 NOISE = 1e-6   # of the largest speed of a run: what a gauge sees of a wave that has not come yet is less
 GAUGE_UNITS = {"arrival": "s", "peak_stress": "Pa", "lowest_stress": "Pa", "peak_velocity": "m/s", "last_velocity": "m/s"}
-SPALL = (("peak_velocity", "peak velocity", "m/s"), ("pull_back", "pull-back", "m/s"),
+SPALL = (("peak_velocity", "velocity before the pull-back", "m/s"), ("pull_back", "pull-back", "m/s"),
          ("spall_strength_acoustic", "spall strength, acoustic", "Pa"),
          ("spall_strength_kanel", "spall strength with Kanel's correction", "Pa"),
          ("spall_thickness", "spalled layer", "m"))

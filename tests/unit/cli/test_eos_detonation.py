@@ -71,7 +71,7 @@ def test_states_of_a_mixture_in_both_closures():
 
 
 def test_an_energy_counts_from_the_unreacted_explosive_at_rest(tmp_path):
-    """A stiffened gas at rest holds gamma P / ((gamma - 1) rho0) = 0.353 MJ/kg: energy = 0 is no pressure all the same."""
+    """A stiffened gas at rest holds gamma P / ((gamma - 1) rho0) = 0.350 MJ/kg: energy = 0 is no pressure all the same."""
     path = tmp_path / "liquid.toml"
     path.write_text('detonation_energy = "5 MJ/kg"\n[eos]\nlaw = "jwl"\na = "5e11 Pa"\nb = "5e9 Pa"\nr1 = 4.2\nr2 = 1.0\n'
                     'omega = 0.3\nrho0 = 1100.0\ne0 = "6e9 J/m^3"\n[unreacted]\nlaw = "stiffened_gas"\ngamma = 2.85\np_infinity = "2.5e8 Pa"\n'
