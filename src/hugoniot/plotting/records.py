@@ -27,10 +27,11 @@ from hugoniot.units import format_si, parse
 
 
 @styled
-def gauge(run, field: str = "stress", names=None, ax=None):
+def gauge(run, field: str = "stress", names=None, times=None, ax=None):
     """One field at the gauges over time, each line with its gauge's name; gives the axes.
 
     names   gauges to draw, default those at which the field ever changes (at most eight)
+    times   (first, last) time in s; default the whole record
     """
     rows, known = run.arrays("gauges"), run.gauge_names()
     zone_field(run, "gauges", field)
@@ -44,11 +45,12 @@ def gauge(run, field: str = "stress", names=None, ax=None):
     unit_t, ft = time_scale(rows["time"][-1] if len(rows["time"]) else 1.0)
     for colour, column in zip(COLOURS, columns):
         ax.plot(rows["time"] * ft, rows[field][:, column] * factor, color=colour)
-    _time_axis(ax, rows["time"], unit_t, ft)
+    _time_axis(ax, rows["time"] if times is None else np.array(times), unit_t, ft)
+    last = -1 if times is None else max(min(int(np.searchsorted(rows["time"], times[1])), len(values)) - 1, 0)
     ax.set_ylabel(labelled(words, unit))
     quiet_grid(ax)
     if columns:
-        label_lines(ax, [known[k] for k in columns], values[-1] * factor, COLOURS)
+        label_lines(ax, [known[k] for k in columns], values[last] * factor, COLOURS)
     return ax
 
 

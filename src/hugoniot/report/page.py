@@ -7,7 +7,7 @@ import numpy as np
 
 from hugoniot.output.atomic import write_whole
 from hugoniot.output.run import Run, load
-from hugoniot.output.run_numbers import SPALL, spall_numbers
+from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, spall_numbers
 from hugoniot.output.spall_reading import SURFACE, surface_record
 from hugoniot.plotting.inline import picture_tasks
 from hugoniot.report import sections
@@ -104,10 +104,11 @@ def page(run: Run, drawn: Callable = one_by_one) -> str:
         f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
         f"<title>{title}</title><style>{css}</style></head><body><main>",
         f"<h1>{title}</h1><p class=quiet>{intro}</p>", cautions, sections.cards(key_numbers(run)),
+        _section("At the gauges", sections.gauges(gauge_rows(run), GAUGE_UNITS)),
         _section("Set-up", _figure(pictures, "setup")),
         _section("Shock structure", sections.structure(summary), _figure(pictures, "structure"), _figure(pictures, "structure_terms")),
         _section("Wave diagram", _figure(pictures, "wave")),
-        _section("Gauges", _figure(pictures, "gauge_stress"), _figure(pictures, "gauge_velocity")),
+        _section("Gauge records", _figure(pictures, "gauge_stress"), _figure(pictures, "gauge_velocity")),
         _section("Free surface" if seen.kind == SURFACE else "Window interface",
                  _figure(pictures, "free_surface", f" Recorded by: {seen.source}. {_spall_words(spall_numbers(run))}")),
         _section("Energy and momentum", _figure(pictures, "budget"), _figure(pictures, "errors")),
