@@ -38,7 +38,7 @@ def command(
         for note in found.notes:
             typer.echo(note)
         rows = []
-        for r in found.rows():
+        for r in sorted(found.rows(), key=lambda row: (row["field"] not in ("velocity", "stress"), -row["l1_relative"])):
             shift = "" if r["arrival_shift"] is None else format_si(r["arrival_shift"], "s", 3)
             norms = [f"{format_si(r[n], r['unit'], 4)} ({r[n + '_relative']:.2%})" for n in ("l1", "l2", "linf")]
             rows.append((r["gauge"], r["field"], *norms, shift))

@@ -151,7 +151,7 @@ def riemann(
     right: Annotated[str, typer.Argument(metavar="RIGHT", help="Material on the right.")],
     left_state: Annotated[str, typer.Option("--left", help='"pressure = 1 GPa, velocity = 100 m/s"; default at rest.')] = "",
     right_state: Annotated[str, typer.Option("--right", help="As --left.")] = "",
-    bonded: Annotated[bool, typer.Option("--bonded", help="The contact bears tension.")] = False,
+    bonded: Annotated[bool, typer.Option("--bonded", help="The contact supports tension.")] = False,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
     """The exact Riemann problem of two materials: waves, contact or vacuum.

@@ -67,7 +67,7 @@ def jwl(path: str, density: str, velocity: str, pressure: str, energy: str, omeg
     volumes, pressures = read_expansion(path)
     below = volumes > cj_volume
     if not (pressures[below] > 0.0).all():
-        raise DeckError.single(path, None, "pressure", "a pressure of zero has no logarithm to fit", "leave that point out")
+        raise DeckError.single(path, None, "pressure", "a pressure of zero has no logarithm to fit", "omit that point")
     found = fit_jwl(rho0, d, p_cj, e0, volumes[below], pressures[below], omega=omega)
     par = found.par
     fitted = par.a * np.exp(-par.r1 * volumes) + par.b * np.exp(-par.r2 * volumes) + found.c * volumes ** (-1.0 - par.omega)
@@ -96,7 +96,7 @@ def gamma(subject, at: str, ambient: float, as_json: bool) -> None:
     par = subject.material.eos
     if not all(hasattr(par, n) for n in ("rho0", "c0", "s", "gamma0")):
         raise DeckError.single("command line", None, subject.material.name, "the adjustment is made for a linear Us-up law",
-                               "name a material with rho0, c0, s and gamma0 (hugoniot eos show tells)")
+                               "name a material with rho0, c0, s and gamma0 (see hugoniot eos show)")
     state = shock(subject.material, **one_state(at))
     up = float(state.particle_velocity)
     adjusted = adjusted_gamma(par.rho0, par.c0, par.s, up, par.gamma0, pressure=ambient)

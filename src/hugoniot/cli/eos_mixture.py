@@ -143,7 +143,7 @@ def _series(subject: Subject, case: Case, as_json, as_csv, plot) -> None:
     """The expansion about burn fraction 0, volumes and energies of both phases."""
     if plot or case.kind != "thermal_isolation":
         raise DeckError.single("command line", None, "--series", "is a table of coefficients in thermal isolation",
-                               "leave --plot and other closures away")
+                               "omit --plot and the other closures")
     found = tool.vanishing_series(case.state[0], float(np.ravel(case.state[1])[0]), case.par)
     rows = {"reactant_volume": found.v_r, "reactant_energy": found.e_r, "product_volume": found.v_p, "product_energy": found.e_p}
     if as_csv:

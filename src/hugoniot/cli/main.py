@@ -22,21 +22,21 @@ from hugoniot.errors import HugoniotError
 # name -> (module, the line shown by `hugoniot --help`)
 COMMANDS: dict[str, tuple[str, str]] = {
     "init": ("hugoniot.cli.init", "Write a commented deck for a common problem."),
-    "check": ("hugoniot.cli.check", "Read a deck and tell everything that is wrong or odd."),
+    "check": ("hugoniot.cli.check", "Report all errors and warnings in a deck."),
     "run": ("hugoniot.cli.run", "Run a deck and write its run folder."),
     "resume": ("hugoniot.cli.resume", "Continue an interrupted run, bit for bit."),
-    "info": ("hugoniot.cli.info", "Tell what a run folder holds."),
+    "info": ("hugoniot.cli.info", "Summarise a run."),
     "plot": ("hugoniot.cli.plot", "Draw a picture of a run."),
-    "compare": ("hugoniot.cli.compare", "Differences between two runs, or a run and measured data."),
+    "compare": ("hugoniot.cli.compare", "Compare two runs, or a run and measured data."),
     "report": ("hugoniot.cli.report", "Write the report of a run again."),
     "verify": ("hugoniot.cli.verify", "Run the built-in verification problems."),
     "material": ("hugoniot.cli.material", "Search and show the materials library."),
     "eos": ("hugoniot.cli.eos", "Hugoniots, isentropes and impedance matches without a mesh."),
     "exact": ("hugoniot.cli.exact", "Exact solutions: Riemann, Noh, Sedov, Guderley, detonations and more."),
-    "pop-plot": ("hugoniot.cli.pop_plot", "Run distance to detonation over input pressure."),
-    "fit-rate": ("hugoniot.cli.fit_rate", "Constants of a burn law brought to a measured Pop plot."),
+    "pop-plot": ("hugoniot.cli.pop_plot", "Run distance to detonation against input pressure."),
+    "fit-rate": ("hugoniot.cli.fit_rate", "Calibrate burn-law constants to a measured Pop plot."),
     "structure": ("hugoniot.cli.structure", "The inner structure of a shock."),
-    "list": ("hugoniot.cli.listing", "What a deck may name: laws, materials, fields, problems, solvers."),
+    "list": ("hugoniot.cli.listing", "List what a deck can use: laws, materials, fields, problems, solvers."),
 }
 
 

@@ -61,7 +61,7 @@ class Silent:
         """Nothing to show."""
 
     def compiling(self) -> None:
-        """Nothing to tell."""
+        """Nothing to report."""
 
     def left(self, report) -> float:
         """Wall seconds to the end of the run; infinite while unknown."""

@@ -172,7 +172,7 @@ def _what_is_there(folder: pathlib.Path) -> str:
         return "the run failed and left no result; see post_mortem.txt"
     again = f"hugoniot resume {shlex.quote(str(folder))}"
     if (folder / "checkpoint").is_dir() or (folder / "pieces").is_dir():
-        return f"the run is unfinished; go on with `{again}`"
+        return f"the run is unfinished; continue with `{again}`"
     if (folder / "deck.toml").is_file():
         return f"the run is unfinished and has no checkpoint yet; `{again}` starts it again"
     return "this is not a run folder (no result.h5)"

@@ -153,7 +153,7 @@ def _snapshots_at(run, known, wanted) -> list[int]:
     times = [parse(t, "s") for t in ([wanted] if isinstance(wanted, str) or not np.iterable(wanted) else wanted)]
     reach = f"its snapshots are from {format_si(known[0], 's', 4)} to {format_si(known[-1], 's', 4)}"
     if not times:
-        raise DeckError.single(run.folder, None, "time", "no time is given", reach)
+        raise DeckError.single(run.folder, None, "time", "no time was given", reach)
     for t in times:
         if not known[0] <= t <= known[-1] * (1.0 + 1e-9):
             raise DeckError.single(run.folder, None, "time", f"the run has no state at {format_si(t, 's', 4)}", reach)

@@ -45,7 +45,7 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
 
 
 _CAPTIONS = {
-    "structure": "The last snapshot, a dot for each cell, upon the steady wave of the same law, lines.",
+    "structure": "The last snapshot, a dot for each cell, over the steady wave of the same law, lines.",
     "structure_terms": "The steady wave: fields as parts of their jumps; energies per volume in the frame of the shock; viscous stress "
                        "and heat flux; the terms that balance in momentum and in energy, times the density thickness δ; entropy and its "
                        "production, whose area over x/δ is one.",
@@ -112,11 +112,11 @@ def page(run: Run, drawn: Callable = one_by_one) -> str:
         _section("Free surface" if seen.kind == SURFACE else "Window interface",
                  _figure(pictures, "free_surface", f" Recorded by: {seen.source}. {_spall_words(spall_numbers(run))}")),
         _section("Energy and momentum", _figure(pictures, "budget"), _figure(pictures, "errors")),
-        _section("What happened", sections.events(run)),
+        _section("Events", sections.events(run)),
         _section("Materials", sections.materials(setup)),
         _section("Numerics", sections.numerics(setup)),
-        _section("Sources of what was used", sections.bibliography(setup)),
-        _section("Deck, every default written out", deck),
+        _section("Sources", sections.bibliography(setup)),
+        _section("Deck with every default written out", deck),
         "</main></body></html>\n",
     ])
 

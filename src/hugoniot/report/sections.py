@@ -182,7 +182,7 @@ def events(run) -> str:
     """What happened, in order (the first two hundred)."""
     rows = run.arrays("events")
     if not len(rows["time"]):
-        return "<p class=quiet>None.</p>"
+        return "<p class=quiet>No events.</p>"
     lines = []
     for time, cycle, kind, words, numbers in list(zip(*(rows[k] for k in ("time", "cycle", "kind", "text", "numbers"))))[:MOST_EVENTS]:
         extra = json.loads(numbers)
