@@ -72,7 +72,7 @@ def test_a_file_that_may_not_be_read_ends_with_the_code_of_files(arguments, caps
 
 
 @pytest.mark.parametrize("arguments, words", [
-    (("--integrator", "wilkin"), "--integrator: unknown integrator 'wilkin'; did you mean 'wilkins'?"), (("-n", "0"), "--zones: 0 zones hold no problem")])
+    (("--integrator", "wilkin"), "--integrator: unknown integrator 'wilkin'; did you mean 'wilkins'?"), (("-n", "0"), "--zones: 0 zones are too few")])
 def test_verify_names_what_it_cannot_run(arguments, words, capsys):
     code, out, err = call(capsys, "verify", "sod", *arguments)
     assert code == 2 and not out and words in err
