@@ -184,3 +184,16 @@ def test_axes_are_limited_in_si_units(run, tmp_path):
         span("5..1 mm", "m", "--x")
     half = run.plot.xt("stress", window=(0.0, 1e-3), times=(0.0, 0.5 * end))
     assert half.get_xlim()[1] == pytest.approx(1.0) and half.get_ylim()[1] * unit == pytest.approx(0.5 * end)
+
+
+def test_a_spike_does_not_flatten_the_differences():
+    from matplotlib.figure import Figure
+
+    from hugoniot.plotting.comparison import _robust
+
+    gap = np.sin(np.linspace(0.0, 20.0, 1000))
+    for spike, told in ((gap, False), (np.where(np.arange(1000) == 500, 300.0, gap), True)):
+        ax = Figure().subplots()
+        ax.plot(spike)
+        _robust(ax, spike, "m/s")
+        assert ax.get_ylim()[1] < 3.0 and ("largest 300 m/s" in [text.get_text() for text in ax.texts]) == told
