@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hugoniot.diagnostics.budgets import RegionBudget
+from hugoniot.diagnostics.interface_gauges import with_sides, without_mixtures
 from hugoniot.diagnostics.temperature import gauge_temperature, laws_with_temperature, zone_temperature
 from hugoniot.errors import DeckError, FileTrouble, UnphysicalState
 from hugoniot.output.run_folder import RunFolder
@@ -38,7 +39,9 @@ def make_solver(problem: Problem):
 
 
 def with_surface_gauges(problem: Problem) -> Problem:
-    """The problem with a gauge on every free end that has none: what a velocity interferometer would look at.
+    """The problem with a gauge on both sides of every interface gauge, and on every free end that has none.
+
+    The latter is what a velocity interferometer would look at.
 
     Only plates (planar bodies of the Lagrangian solver) have such an end on both sides; a shell has its outer one.
     """
@@ -48,7 +51,7 @@ def with_surface_gauges(problem: Problem) -> Problem:
     ends = [("left", problem.left, problem.geometry == "planar"), ("right", problem.right, True)]
     missing = [f"free surface {side}" for side, boundary, seen in ends if seen and boundary.kind == "free"]
     added = tuple(Gauge(name, name) for name in missing if name not in named)
-    return dataclasses.replace(problem, gauges=problem.gauges + added)
+    return dataclasses.replace(problem, gauges=with_sides(problem).gauges + added)
 
 
 class _Recorder:
@@ -68,7 +71,7 @@ class _Recorder:
             if self.hot:
                 laws = [self.laws[self.solver.region_of[zone]] for zone in self.solver.gauges[:, 0]]
                 values = {**values, "temperature": gauge_temperature({**values, "share": share, "phases": phases}, laws)}
-            self.folder.gauges(times, values)
+            self.folder.gauges(times, without_mixtures(values, self.problem.gauges))
 
     def snapshot(self, state):
         fields = state.fields()
@@ -176,7 +179,7 @@ def _drive(recorder: _Recorder, next_snapshot: int, begun: float, report: bool |
         folder.post_mortem(error, {"solver": solver.payload(), "next_snapshot": -1})
         raise
     _note_extrapolation(folder, problem, solver, recorder.warned)
-    for text in getattr(solver, "unresolved", list)():
+    for text in [*getattr(solver, "unresolved", list)(), *_doubts(problem, solver)]:
         folder.event(solver.time, solver.cycle, "warning", text)
     for text in getattr(solver, "references", list)():
         folder.event(solver.time, solver.cycle, "reference_state", text)
@@ -222,6 +225,17 @@ def _note_extrapolation(folder: RunFolder, problem: Problem, solver, warned) -> 
         if limit is not None and speed > limit and not foretold:
             folder.event(solver.time, solver.cycle, "warning",
                          f"material '{name}' was driven to a particle velocity of {speed:.4g} m/s; its data reach {limit:.4g} m/s")
+
+
+def _doubts(problem: Problem, solver) -> list[str]:
+    """Warnings of a finished run of the hydrocode: tension that no solid carries, echoes of transmitting ends."""
+    if problem.solver.kind != "lagrange1d":
+        return []
+    from hugoniot.diagnostics.tension import overstretched
+    from hugoniot.diagnostics.transmitting import measured
+
+    peaks = solver.peaks()
+    return overstretched(problem, solver.region_of, peaks["peak_tension"]) + measured(problem, peaks["peak_stress"])
 
 
 def _meta(problem: Problem, solver) -> dict[str, Any]:

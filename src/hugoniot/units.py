@@ -90,7 +90,7 @@ def parse(value, unit: str) -> float:
     if not name:
         if _powers(unit) == _NONE:
             return _to_float(number, Decimal(1), Decimal(0), value)
-        hint = f"add one such as '{number} {_sample(unit)}', or leave the quotes away for SI ({unit})"
+        hint = f"add one such as '{number} {_sample(unit)}', or omit the quotes for SI ({unit})"
         raise UnitError(f"{_shown(value)} has no unit", hint)
     if name in _OFFSET:
         found, offset = Unit(Decimal(1), _KELVIN), _OFFSET[name]

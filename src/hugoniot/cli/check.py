@@ -19,7 +19,7 @@ def command(
     resolved: Annotated[bool, typer.Option("--resolved", help="Print the deck with every default written out, in SI.")] = False,
     as_json: JSON = False,
 ) -> None:
-    """Read a deck and tell everything that is wrong or odd, in one go.
+    """Report all errors and warnings in a deck.
 
     Example: hugoniot check flyer.toml
     """
@@ -31,12 +31,22 @@ def command(
             echo_json({"ok": False, "problems": [vars(p) for p in error.problems]})
             raise typer.Exit(error.exit_code) from None
         raise
+    warnings = [*found.warnings, *_echoes(found.problem)]
     if as_json:
-        echo_json({"ok": True, "warnings": list(found.warnings), "resolved": found.resolved})
+        echo_json({"ok": True, "warnings": warnings, "resolved": found.resolved})
     elif resolved:
         typer.echo(found.resolved, nl=False)
     else:
-        _tell(found)
+        _tell(found, warnings)
+
+
+def _echoes(problem) -> list[str]:
+    """Warnings of transmitting ends that strong waves will reach."""
+    if problem.solver.kind != "lagrange1d" or "transmitting" not in (problem.left.kind, problem.right.kind):
+        return []
+    from hugoniot.diagnostics.transmitting import expected
+
+    return expected(problem)
 
 
 def _require_shock(problem, name: str) -> None:
@@ -51,7 +61,7 @@ def _require_shock(problem, name: str) -> None:
         raise DeckError.single(name, None, "solver.shock", str(error)) from None
 
 
-def _tell(deck: Deck) -> None:
+def _tell(deck: Deck, warnings: list[str]) -> None:
     problem = deck.problem
     typer.echo(f"{problem.title}: {getattr(problem, 'geometry', problem.solver.kind)}, to {format_si(problem.stop_time, 's')}")
     rows = []
@@ -60,9 +70,9 @@ def _tell(deck: Deck) -> None:
         rows.append((region.name, span, f"{region.zones} zones", _speed(region.velocity), region.material,
                      _laws(problem.materials[region.material])))
     echo_table(["region", "extent", "", "velocity", "material", "laws"], rows)
-    for warning in deck.warnings:
+    for warning in warnings:
         typer.echo(f"warning: {warning}")
-    typer.echo("the deck is sound")
+    typer.echo("the deck is valid")
 
 
 def _laws(material) -> str:

@@ -11,12 +11,16 @@ from hugoniot.units import format_si
 
 def command(
     run: Annotated[Path, typer.Argument(help="A run folder.")],
-    other: Annotated[Path, typer.Argument(help="Another run folder, or a CSV file with heads like 'time [us], velocity [m/s]'.",
+    other: Annotated[Path, typer.Argument(help="Another run folder, or a CSV file with column headers such as 'time [us], velocity [m/s]'.",
                                            readable=False)],
+    gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge of the run to compare measured data with.")] = None,
     plot: Annotated[Path | None, typer.Option("--plot", help="Picture to write, such as compare.png.")] = None,
     as_json: JSON = False,
 ) -> None:
-    """Print the differences between two runs, or a run and measured data, gauge by gauge, with norms and arrival shift.
+    """Compare two runs, or a run and measured data, gauge by gauge: norms of the difference and shift of arrival.
+
+    Velocity and stress come first, the largest differences at the top. A column that names no gauge is compared with the surface of the
+    body that was hit, or with the deck's only gauge; --gauge chooses another.
 
     Example: hugoniot compare flyer.run visar.csv --plot compare.png
     """
@@ -25,13 +29,16 @@ def command(
 
     if plot is not None:
         drawable(plot, "compare", "--plot")
-    found = compare(run, other)
+    found = compare(run, other, gauge)
     if as_json:
-        echo_json({"a": found.name_a, "b": found.name_b, "pairs": found.rows(), "unmatched": list(found.unmatched)})
+        echo_json({"a": found.name_a, "b": found.name_b, "pairs": found.rows(), "unmatched": list(found.unmatched),
+                   "notes": list(found.notes)})
     else:
         typer.echo(f"a = {found.name_a}, b = {found.name_b}")
+        for note in found.notes:
+            typer.echo(note)
         rows = []
-        for r in found.rows():
+        for r in sorted(found.rows(), key=lambda row: (row["field"] not in ("velocity", "stress"), -row["l1_relative"])):
             shift = "" if r["arrival_shift"] is None else format_si(r["arrival_shift"], "s", 3)
             norms = [f"{format_si(r[n], r['unit'], 4)} ({r[n + '_relative']:.2%})" for n in ("l1", "l2", "linf")]
             rows.append((r["gauge"], r["field"], *norms, shift))

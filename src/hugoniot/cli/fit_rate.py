@@ -1,4 +1,4 @@
-"""hugoniot fit-rate: constants of a burn law brought to a measured Pop plot."""
+"""hugoniot fit-rate: constants of a burn law calibrated to a measured Pop plot."""
 
 from typing import Annotated
 
@@ -20,7 +20,7 @@ def command(
     jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, max=256, help="Runs at a time.")] = 1,
     materials: MATERIALS = None, as_json: JSON = False,
 ) -> None:
-    """Change a few constants of a burn law until run distances to detonation are those of a measured Pop plot.
+    """Calibrate a few constants of a burn law to a measured Pop plot.
 
     All other constants and both equations of state stay. At the end every run is repeated with zones half the size, and the table of the
     burn law is printed for a deck. Some minutes.
@@ -106,7 +106,7 @@ def _table(burn) -> dict:
 
 def _tell(found, told: str, material: str) -> None:
     from hugoniot.problem.write import to_toml
-    typer.echo(f"{material} brought to {told}: {found.runs} runs, {found.zones} zones in a run distance")
+    typer.echo(f"{material} calibrated to {told}: {found.runs} runs, {found.zones} zones in a run distance")
     echo_table(["constant", "before", "after"], [[name, f"{found.before[name]:.6g}", f"{found.after[name]:.6g}"] for name in found.after])
     echo_table(["pressure, GPa", "run distance, mm", "over the line", "zones half the size"],
                [[f"{p.pressure * 1e-9:.4g}", f"{p.distance * 1e3:.4g}", f"{coarse:.3f}", f"{fine:.3f}"]

@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from hugoniot.cli.results import echo_results, gauge_rows, warnings_of
+from hugoniot.cli.results import echo_results
 from hugoniot.cli.show import JSON, echo_json, echo_table
 from hugoniot.units import format_si
 
@@ -14,15 +14,16 @@ MOST_EVENTS = 40
 
 def command(
     folder: Annotated[Path, typer.Argument(help="The run folder.")],
-    events: Annotated[bool, typer.Option("--events", help="List what happened: voids opened and closed, bodies joined.")] = False,
+    events: Annotated[bool, typer.Option("--events", help="List the events: voids opened and closed, bodies joined.")] = False,
     deck: Annotated[bool, typer.Option("--deck", help="Print the deck that ran, every default written out.")] = False,
     as_json: JSON = False,
 ) -> None:
-    """Tell what a run folder holds: status, errors, gauges, events.
+    """Summarise a run: status, errors, gauges, spall reading, events.
 
     Example: hugoniot info flyer.run --events
     """
     from hugoniot.output.run import load
+    from hugoniot.output.run_numbers import results
 
     run = load(folder)
     if deck:
@@ -32,8 +33,7 @@ def command(
     rows = [{key: _plain(happened[key][k]) for key in ("time", "cycle", "kind", "text") if key in happened}
             for k in range(len(happened.get("time", ())))]
     if as_json:
-        told = {"summary": run.summary, "gauges": gauge_rows(run), "warnings": warnings_of(run), "events": rows}
-        echo_json({"folder": str(run.folder), **told})
+        echo_json({"folder": str(run.folder), "summary": run.summary, **results(run), "events": rows})
         return
     echo_results(run)
     if events:

@@ -31,7 +31,7 @@ def command(
     name: Annotated[str, typer.Argument(help="One law, to see its parameters.")] = "",
     as_json: JSON = False,
 ) -> None:
-    """List what a deck may name, each in a line with its source; with the name of a law, its parameters.
+    """List what a deck can use, one line each with its source; with the name of a law, list its parameters.
 
     Example: hugoniot list eos mie_gruneisen
     """

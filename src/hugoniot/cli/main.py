@@ -21,21 +21,21 @@ from hugoniot.errors import HugoniotError
 # name -> the line shown by `hugoniot --help`
 COMMANDS: dict[str, str] = {
     "init": "Write a commented deck for a common problem.",
-    "check": "Read a deck and tell everything that is wrong or odd.",
+    "check": "Report all errors and warnings in a deck.",
     "run": "Run a deck and write its run folder.",
     "resume": "Continue an interrupted run, bit for bit.",
-    "info": "Tell what a run folder holds.",
+    "info": "Summarise a run.",
     "plot": "Draw a picture of a run.",
-    "compare": "Differences between two runs, or a run and measured data.",
+    "compare": "Compare two runs, or a run and measured data.",
     "report": "Write the report of a run again.",
     "verify": "Run the built-in verification problems.",
     "material": "Search and show the materials library.",
     "eos": "Hugoniots, isentropes and impedance matches without a mesh.",
     "exact": "Exact solutions: Riemann, Noh, Sedov, Guderley, detonations and more.",
-    "pop-plot": "Run distance to detonation over input pressure.",
-    "fit-rate": "Constants of a burn law brought to a measured Pop plot.",
+    "pop-plot": "Run distance to detonation against input pressure.",
+    "fit-rate": "Calibrate burn-law constants to a measured Pop plot.",
     "structure": "The inner structure of a shock.",
-    "list": "What a deck may name: laws, materials, fields, problems, solvers.",
+    "list": "List what a deck can use: laws, materials, fields, problems, solvers.",
 }
 
 

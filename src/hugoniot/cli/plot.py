@@ -5,11 +5,13 @@ from typing import Annotated, Any
 
 import typer
 
-from hugoniot.cli.show import quantity
+from hugoniot.cli.show import quantity, span
 from hugoniot.errors import DeckError
 from hugoniot.materials.collect import nearest, printable
 
 WITH_FIELD = ("xt", "gauge", "profile", "peaks")
+WITH_X, WITH_T = ("xt", "profile", "peaks", "setup"), ("xt", "gauge", "free_surface", "budget", "errors")
+WITH_VALUES = ("xt", "gauge", "free_surface", "profile", "peaks")
 SUFFIXES = (".png", ".pdf", ".svg")
 
 
@@ -20,6 +22,9 @@ def command(
     gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge of a gauge or free_surface picture.")] = None,
     time: Annotated[str | None, typer.Option("--time", help="Time of a profile, such as \"1.2 us\" (default: the last).")] = None,
     delay: Annotated[str | None, typer.Option("--delay", help="Show the free surface through a VISAR of this delay.")] = None,
+    x: Annotated[str | None, typer.Option("--x", help="Positions to show in an xt, profile, peaks or setup picture: \"0..5 mm\".")] = None,
+    t: Annotated[str | None, typer.Option("--t", help="Times to show in an xt, gauge, free_surface, budget or errors picture.")] = None,
+    shown: Annotated[str | None, typer.Option("--range", help="Values to show, such as \"-1..6 GPa\"; colours of an xt picture.")] = None,
     out: Annotated[Path | None, typer.Option("--out", "-o", help="File: .png, .pdf or .svg (default: in the run folder).")] = None,
 ) -> None:
     """Draw a picture of a run.
@@ -36,10 +41,30 @@ def command(
     drawable(path, "plot", "--out")
     options = _options(kind, field, gauge, time, delay)
     run = load(folder)
+    limits = _limits(kind, field, x, t, shown)
+    if kind in ("xt", "gauge"):
+        taken = ("window", "times", "limits") if kind == "xt" else ("", "times")
+        options |= {name: value for name, value in zip(taken, limits) if value is not None}
     axes = getattr(run.plot, kind)(**options)
+    if kind != "xt":
+        from hugoniot.plotting.style import show_only
+
+        show_only(axes, *(limits[:1] if kind in WITH_X else limits[1:2]), limits[2])
     with explained(path, "no picture is written"):
         axes.figure.savefig(path)
     typer.echo(f"wrote {path}")
+
+
+def _limits(kind: str, field: str, x: str | None, t: str | None, shown: str | None) -> list[tuple[float, float] | None]:
+    """(positions, times, values) to show, SI; an axis that the picture does not have is an error."""
+    from hugoniot.output.columns import describe
+
+    for option, text, kinds in (("--x", x, WITH_X), ("--t", t, WITH_T), ("--range", shown, WITH_VALUES)):
+        if text is not None and kind not in kinds:
+            raise DeckError.single("plot", None, option, f"a {kind} picture has no such axis", f"it goes with {', '.join(kinds)}")
+    unit = "m/s" if kind == "free_surface" else describe(field or "stress")[0]
+    return [None if text is None else span(text, kind_of, option)
+            for option, text, kind_of in (("--x", x, "m"), ("--t", t, "s"), ("--range", shown, unit))]
 
 
 def drawable(path: Path, command: str, option: str) -> None:

@@ -27,7 +27,7 @@ def command(
     as_csv: Annotated[Path | None, typer.Option("--csv", help="Write SI numbers to this file.")] = None,
     plot: Annotated[Path | None, typer.Option("--plot", help="Draw the picture into this file (.png, .pdf, .svg).")] = None,
 ) -> None:
-    """Run distance and time to detonation over input pressure, the line through them, and the measured one.
+    """Run distance and time to detonation against input pressure, the fitted line and the measured one.
 
     Example: hugoniot pop-plot "LX-17 reactive" --pressures "10..15 GPa" --points 4 --plot pop.png
     """

@@ -68,7 +68,7 @@ class Silent:
         """Nothing to show."""
 
     def compiling(self, news) -> None:
-        """Nothing to show."""
+        """Nothing to report."""
 
     def left(self, report) -> float:
         """Wall seconds to the end of the run; infinite while unknown."""

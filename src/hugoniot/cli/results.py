@@ -7,36 +7,8 @@ import typer
 
 from hugoniot.cli.show import echo_table
 from hugoniot.output.run import Run
+from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, spall_numbers, warnings_of
 from hugoniot.units import format_si
-
-NOISE = 1e-6   # of the largest speed of a run: what a gauge sees of a wave that has not come yet is less
-
-
-def gauge_rows(run: Run) -> list[dict]:
-    """Per gauge, SI: first arrival (half of the peak velocity change; NaN where nothing came), peak stress, peak and last velocity."""
-    from hugoniot.diagnostics.arrival import first_crossing
-
-    rows = []
-    table = run.arrays("gauges") if run.gauge_names() else {}
-    noise = NOISE * _largest_velocity(run)
-    for k, name in enumerate(run.gauge_names()):
-        time, velocity = table["time"], table["velocity"][:, k]
-        row: dict = {"gauge": name}
-        change = velocity - velocity[0]
-        peak = change[np.argmax(np.abs(change))]
-        row["arrival"] = first_crossing(time, velocity, velocity[0] + 0.5 * peak) if abs(peak) > noise else float("nan")
-        if "stress" in table:
-            top = int(np.argmax(table["stress"][:, k]))
-            row |= {"peak_stress": float(table["stress"][top, k]), "lowest_stress": float(table["stress"][:, k].min())}
-        row |= {"peak_velocity": float(velocity[np.argmax(np.abs(velocity))]), "last_velocity": float(velocity[-1])}
-        rows.append(row)
-    return rows
-
-
-def _largest_velocity(run: Run) -> float:
-    """The largest speed in the gauges and snapshots of a run, m/s."""
-    known = [values for group in ("gauges", "snapshots") for name, values in run.arrays(group).items() if name.startswith("velocity")]
-    return max((float(np.max(np.abs(values))) for values in known if values.size), default=0.0)
 
 
 def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
@@ -53,14 +25,13 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
         _echo_structure(run)
     else:
         typer.echo(f"relative errors: {', '.join(errors)}; voids opened {s.get('voids_opened', 0)}, "
-                   f"closed {s.get('voids_closed', 0)}, interfaces parted {s.get('interfaces_parted', 0)}")
+                   f"closed {s.get('voids_closed', 0)}, interfaces separated {s.get('interfaces_parted', 0)}")
     rows = gauge_rows(run)
     if rows:
         typer.echo("")
-        units = {"arrival": "s", "peak_stress": "Pa", "lowest_stress": "Pa", "peak_velocity": "m/s", "last_velocity": "m/s"}
         heads = [key for key in rows[0] if key != "gauge"]
         echo_table(["gauge", *[h.replace("_", " ") for h in heads]],
-                   [[r["gauge"], *["none" if np.isnan(r[h]) else format_si(r[h], units[h], 5) for h in heads]] for r in rows])
+                   [[r["gauge"], *["none" if np.isnan(r[h]) else format_si(r[h], GAUGE_UNITS[h], 5) for h in heads]] for r in rows])
     _echo_spall(run)
     typer.echo("")
     for warning in warnings_of(run):
@@ -104,22 +75,14 @@ def echo_transport(record: dict) -> None:
 
 
 def _echo_spall(run: Run) -> None:
-    """What the free surface tells of a spall, if there was one."""
-    from hugoniot.output.compare import free_surface_gauges
-
-    if not run.summary.get("voids_opened") or not free_surface_gauges(run):
-        return
-    from hugoniot.output.spall_reading import spall_reading
-
-    reading = spall_reading(run)
-    if reading:
-        words = [("pull-back", "pull_back", "m/s"), ("spall strength", "spall_strength_acoustic", "Pa"),
-                 ("with Kanel's correction", "spall_strength_kanel", "Pa"), ("spalled layer", "spall_thickness", "m")]
-        told = [f"{word} {format_si(reading[key], unit, 4)}" for word, key, unit in words if key in reading]
-        typer.echo(f"free surface: peak {format_si(reading['peak_velocity'], 'm/s', 5)}, {', '.join(told)}")
-
-
-def warnings_of(run: Run) -> list[str]:
-    """Texts of the warnings among a run's events."""
-    events = run.arrays("events")
-    return [str(text) for kind, text in zip(events.get("kind", ()), events.get("text", ())) if kind == "warning"]
+    """The spall reading, or why there is none."""
+    found = spall_numbers(run)
+    if "region" in found:
+        place = f"gauge '{found['gauge']}'" if found["gauge"] else "right face of the snapshots"
+        behind = f", window '{found['window']}'" if found["window"] else ""
+        typer.echo(f"spall of '{found['region']}' ({place}{behind}):")
+        for key, words, unit in SPALL:
+            if key in found:
+                typer.echo(f"  {words:38s} {format_si(found[key], unit, 4)}")
+    if "reason" in found:
+        typer.echo(f"spall strength: not given, {found['reason']}")

@@ -13,10 +13,12 @@ from hugoniot.cli.show import JSON, echo_json
 
 def command(
     folder: Annotated[Path, typer.Argument(help="The run folder.")],
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Show no progress.")] = False,
     as_json: JSON = False,
 ) -> None:
-    """Continue an interrupted or killed run from its newest sound checkpoint, to the bits an uninterrupted run gives.
+    """Continue an interrupted or killed run from its newest intact checkpoint.
+
+    The result is identical, bit for bit, to that of an uninterrupted run.
 
     Example: hugoniot resume flyer.run
     """
@@ -26,10 +28,12 @@ def command(
         with progress(quiet or as_json) as display:
             run = simulate.resume(folder, progress=display)
     except KeyboardInterrupt:
-        typer.echo(f"interrupted; a checkpoint is kept, go on with: hugoniot resume {shlex.quote(str(folder))}", err=True)
+        typer.echo(f"interrupted; a checkpoint was written, continue with: hugoniot resume {shlex.quote(str(folder))}", err=True)
         raise typer.Exit(130) from None
     if as_json:
-        echo_json({"folder": str(run.folder), **run.summary})
+        from hugoniot.output.run_numbers import results
+
+        echo_json({"folder": str(run.folder), **run.summary, **results(run)})
     else:
         echo_results(run)
         echo_place(run)

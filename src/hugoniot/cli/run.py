@@ -13,20 +13,20 @@ from hugoniot.report.scribe import Scribe
 
 def command(
     deck: Annotated[Path, typer.Argument(help="The deck, a TOML file.", readable=False)],
-    out: Annotated[Path | None, typer.Option("--out", "-o", help="Run folder to write (default: the deck's name with .run, here).")] = None,
+    out: Annotated[Path | None, typer.Option("--out", "-o", help="Run folder to write (default: DECK.run).")] = None,
     setting: SET = None,
     materials: MATERIALS = None,
-    threads: Annotated[int | None, typer.Option("--threads", "-t", min=1, help="Threads; they change no bit of the result.")] = None,
-    overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a run that stands in the folder.")] = False,
+    threads: Annotated[int | None, typer.Option("--threads", "-t", min=1, help="Threads; the result does not depend on them.")] = None,
+    overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace an existing run in that folder.")] = False,
     report: Annotated[bool, typer.Option("--report/--no-report", help="Write report.html at the end.")] = True,
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Show no progress.")] = False,
     as_json: JSON = False,
 ) -> None:
     """Run a deck and write its run folder: result.h5, gauges.csv, summary.json, report.html.
 
     Example: hugoniot run flyer.toml --set region.flyer.velocity="800 m/s" --out faster.run
 
-    Interrupted with Ctrl-C it writes a checkpoint and ends with code 130; hugoniot resume goes on from there.
+    Ctrl-C writes a checkpoint and exits with code 130; hugoniot resume continues from there.
     """
     with Scribe(report) as scribe:      # first of all: it gets ready while this process does
         run, told = _run(deck, out, overrides_of(setting) | ({} if threads is None else {"solver.threads": threads}), materials or (),
@@ -36,7 +36,9 @@ def command(
 
             echo_results(run, told)     # while the report is being drawn
     if as_json:
-        echo_json({"folder": str(run.folder), **run.summary})
+        from hugoniot.output.run_numbers import results
+
+        echo_json({"folder": str(run.folder), **run.summary, **results(run)})
     else:
         from hugoniot.cli.results import echo_place
 
@@ -44,7 +46,7 @@ def command(
 
 
 def _run(deck, out, changes, materials, overwrite, report, quiet):
-    """The finished run, and the warnings that were told."""
+    """The finished run, and the warnings already printed."""
     from hugoniot.problem.deck import read_deck
 
     found = read_deck(deck, changes, materials)
@@ -59,5 +61,5 @@ def _run(deck, out, changes, materials, overwrite, report, quiet):
         with progress(quiet) as display:
             return simulate.run(found, folder, progress=display, overwrite=overwrite, report=report), found.warnings
     except KeyboardInterrupt:
-        typer.echo(f"interrupted; a checkpoint is kept, go on with: hugoniot resume {shlex.quote(str(folder))}", err=True)
+        typer.echo(f"interrupted; a checkpoint was written, continue with: hugoniot resume {shlex.quote(str(folder))}", err=True)
         raise typer.Exit(130) from None

@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import tomllib
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -10,13 +11,14 @@ from typing import Annotated, Any
 import typer
 
 from hugoniot.errors import DeckError
+from hugoniot.materials.collect import printable
 from hugoniot.units import UnitError, parse
 
-SET = Annotated[list[str] | None, typer.Option("--set", help="KEY=VALUE to change in the deck; give it as often as needed.")]
+SET = Annotated[list[str] | None, typer.Option("--set", help="KEY=VALUE to change in the deck; repeatable.")]
 # where a file cannot be read its reader says so, with the exit code of files
 MATERIALS = Annotated[list[Path] | None, typer.Option("--materials", "-m", readable=False,
-                                                      help="A file or folder of your own materials; repeatable.")]
-JSON = Annotated[bool, typer.Option("--json", help="Print JSON for programs.")]
+                                                      help="File or folder with your own materials; repeatable.")]
+JSON = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
 
 def echo_json(value: Any) -> None:
@@ -68,6 +70,17 @@ def quantity(text: str, unit: str, where: str) -> float:
         return parse(number_or_text(text), unit)
     except UnitError as error:
         raise DeckError.single("command line", None, where, error.message, error.hint) from None
+
+
+def span(text: str, unit: str, where: str) -> tuple[float, float]:
+    """(low, high) in SI of an option such as "0..5 mm"; the unit of the upper end holds for a lower one without."""
+    low, dots, high = (part.strip() for part in text.partition(".."))
+    named = re.search(r"[A-Za-z%°µ].*$", high)
+    ends = [quantity(f"{low} {named.group(0)}" if named and not re.search(r"[A-Za-z]\s*$", low) else low, unit, where) if dots else 0.0,
+            quantity(high if dots else low, unit, where)]
+    if not dots or not ends[0] < ends[1]:
+        raise DeckError.single("command line", None, where, f"'{printable(text)}' is not a range", "write LOW..HIGH, such as \"0..5 mm\"")
+    return ends[0], ends[1]
 
 
 def number_or_text(text: str) -> float | str:

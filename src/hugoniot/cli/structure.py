@@ -161,8 +161,10 @@ def _subject(what: str, viscosity, conduction, prandtl, bulk_ratio, state, bent:
 
         found = {"eos": find_inert(what).material.eos, "ahead": None, "shock": {}, "transport": None}
         if viscosity is None:
+            case = next((name for name in ("argon-jordan", *cases.CONDENSED) if name.startswith(what.lower())), None)
+            ready = f"'{case}' has one (Jordan 2011); or " if case else ""
             raise DeckError.single("command line", None, "--viscosity", f"the library has no viscosity for '{what}'",
-                                   'give one, such as --viscosity "1 mPa s"')
+                                   ready + 'give one, such as --viscosity "1 mPa s"')
     if any(state):
         found["ahead"] = _ahead(found["eos"], *state)
     return found | {"transport": _transport(found["transport"], viscosity, conduction, prandtl, bulk_ratio)}

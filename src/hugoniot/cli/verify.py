@@ -11,13 +11,16 @@ from hugoniot.errors import DeckError
 INTEGRATORS = ("compatible", "wilkins")
 FEWEST_ZONES = 10
 
+
 def verify(
-    problems: Annotated[list[str] | None, typer.Argument(help="names of standard problems; none: all of them")] = None,
-    zones: Annotated[list[int] | None, typer.Option("--zones", "-n", help="grids to run instead of the table's; may be repeated")] = None,
-    integrator: Annotated[str, typer.Option(help="compatible or wilkins")] = "compatible",
-    as_json: Annotated[bool, typer.Option("--json", help="print JSON instead of tables")] = False,
+    problems: Annotated[list[str] | None, typer.Argument(help="Names of standard problems (default: all).")] = None,
+    zones: Annotated[list[int] | None, typer.Option("--zones", "-n", help="Zones, instead of the standard grids; repeatable.")] = None,
+    integrator: Annotated[str, typer.Option(help="compatible or wilkins.")] = "compatible",
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of tables.")] = False,
 ) -> None:
-    """Run the built-in standard problems and print error, bars and observed order.
+    """Run the built-in standard problems and print errors, the bars they are held to, and the observed order.
+
+    The bars are the errors of the KO scheme and of a second-order Godunov scheme on the same grid, and the goal of this package.
 
     Example: hugoniot verify sod noh_planar
     """
@@ -28,7 +31,7 @@ def verify(
         unknown = f"unknown integrator '{printable(integrator)}'"
         raise DeckError.single("verify", None, "--integrator", unknown, nearest(integrator, INTEGRATORS))
     if few := [n for n in zones or () if n < FEWEST_ZONES]:
-        raise DeckError.single("verify", None, "--zones", f"{few[0]} zones hold no problem", f"give {FEWEST_ZONES} or more")
+        raise DeckError.single("verify", None, "--zones", f"{few[0]} zones are too few", f"use {FEWEST_ZONES} or more")
     results = []
     for name in problems or list(PROBLEMS):
         found = verify_problem(name, zones or None, integrator)
@@ -44,7 +47,7 @@ def verify(
 
 
 def _mark(value, beaten):
-    return "" if value is None else f"{value:.3g} " + ("[green]beaten[/green]" if beaten else "[yellow]not yet[/yellow]")
+    return "" if value is None else f"{value:.3g} " + ("[green]met[/green]" if beaten else "[yellow]missed[/yellow]")
 
 
 def _show(found) -> None:
@@ -56,15 +59,26 @@ def _show(found) -> None:
                   caption=f"order: {orders or 'one grid'}; energy closed to {found.energy_error:.1e}, momentum to "
                           f"{found.momentum_error:.1e}; {found.seconds:.1f} s", caption_justify="left")
     for head in ("measure", "zones", "value", "bar KO", "bar G2", "goal"):
-        table.add_column(head, justify="left" if head == "measure" else "right")
+        table.add_column(head, justify="left" if head == "measure" else "right", no_wrap=head == "measure")
     for j in found.judged:
         table.add_row(j.measure, str(j.zones), f"{j.value:.4g}", *(_mark(bar, j.beats(bar)) for bar in (j.ko, j.g2, j.goal)))
     Console().print(table)
 
 
 def _total(results) -> None:
+    """One line per problem, and the sums."""
+    from hugoniot.cli.show import echo_table
+
+    def met(judged, name):
+        marks = [j.beats(getattr(j, name)) for j in judged if getattr(j, name) is not None]
+        return f"{sum(marks)} of {len(marks)}" if marks else "-"
+
+    typer.echo("")
+    echo_table(["problem", "KO", "Godunov", "goals", "energy error", "time"],
+               [(r.problem.name, *(met(r.judged, name) for name in ("ko", "g2", "goal")), f"{r.energy_error:.1e}", f"{r.seconds:.1f} s")
+                for r in results])
     counts = {}
     for name in ("ko", "g2", "goal"):
         marks = [j.beats(getattr(j, name)) for r in results for j in r.judged if getattr(j, name) is not None]
         counts[name] = f"{sum(marks)} of {len(marks)}"
-    typer.echo(f"bars beaten: KO {counts['ko']}, second-order Godunov {counts['g2']}, goals {counts['goal']}")
+    typer.echo(f"bars met: KO {counts['ko']}, second-order Godunov {counts['g2']}, goals {counts['goal']}")

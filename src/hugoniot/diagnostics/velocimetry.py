@@ -27,7 +27,7 @@ import numpy as np
 
 
 class PullBack(NamedTuple):
-    """peak: velocity (m/s) and time (s) before the drop; minimum: the same at its bottom; rebound: the highest velocity after it."""
+    """peak: velocity (m/s, see `plateau`) and time (s) before the drop; minimum: the same at its bottom; rebound: the highest after it."""
 
     peak: float
     peak_time: float
@@ -98,9 +98,27 @@ def pull_back(time, velocity, least: float = 0.02) -> PullBack | None:
         # a flat top ends where the velocity last stood within a percent of it
         near = np.flatnonzero(velocity[: low + 1] >= velocity[high] - 0.01 * drop)
         last = points[n + 2] if n + 2 < len(points) else low + int(np.argmax(velocity[low:]))
-        return PullBack(float(velocity[high]), float(time[near[-1]]), float(velocity[low]), float(time[low]),
+        return PullBack(plateau(time[: low + 1], velocity[: low + 1]), float(time[near[-1]]), float(velocity[low]), float(time[low]),
                         float(velocity[last]), float(time[last]))
     return None
+
+
+def plateau(time, velocity) -> float:
+    """The level of a record's flat top, m/s: free of a short overshoot at its front. The highest velocity if the top is not flat.
+
+    time (n,) s, velocity (n,) m/s, n >= 1. The top is what lies within 5 % of the highest velocity; it is flat if the level holds
+    within 0.5 % over half of its time, and the level is then the median over time.
+    """
+    time, velocity = np.asarray(time, dtype=float), np.asarray(velocity, dtype=float)
+    highest = float(np.max(velocity))
+    if len(velocity) < 3:
+        return highest
+    top = velocity >= 0.95 * highest
+    weight = np.gradient(time)[top]
+    order = np.argsort(velocity[top])
+    share = (np.cumsum(weight[order]) - 0.5 * weight[order]) / np.sum(weight)
+    low, middle, high = np.interp([0.25, 0.5, 0.75], share, velocity[top][order])
+    return float(middle) if high - low < 0.005 * highest else highest
 
 
 def ringing_period(time, velocity, after: float, least: float = 0.01) -> float:

@@ -61,7 +61,7 @@ def assembled(name: str, tables: Any, base: Material | None, collector: Collecto
     if len(collector.problems) > before:
         return None
     if reference == FROZEN and "reference_state" in tables and built.get("burn") is None:
-        collector.add((*path, "reference_state"), "what does not burn has no reference state", "leave it out, or add a burn law")
+        collector.add((*path, "reference_state"), "what does not burn has no reference state", "omit it, or add a burn law")
         return None
     _check_memory(built["eos"], built.get("burn") is not None, collector, path)
     if len(collector.problems) > before:

@@ -122,7 +122,7 @@ def _check_bounds(law: Law, key: str, number: float, unit: str, collector: Colle
     """Report a number below what its law, or its kind of quantity, allows: a slip of sign that physics would answer much later."""
     shown = f"{number:g}" + (f" {unit}" if unit != "1" else "")
     if key == "specific_heat" and not number > 0.0:
-        collector.add(path, f"a specific heat must be positive, got {shown}", "leave it out where it is not known")
+        collector.add(path, f"a specific heat must be positive, got {shown}", "omit it where it is not known")
     elif key in law.above or unit == "kg/m^3":
         bound = law.above.get(key, 0.0)
         if not number > bound:

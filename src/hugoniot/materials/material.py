@@ -26,7 +26,7 @@ PORES_REOPEN = ("the porous law of the unreacted explosive keeps no memory of cr
                 "the curve on which they closed; trust the shocks that start the burning, not the release behind them")
 
 GRAINS_OVER_SERIES = ("grain_contact lies over a truncated cold curve, too soft for the first shock: the powder is swept up to its grains "
-                      "where the exact curve would bear it; take mie_gruneisen_cold as its base")
+                      "where the exact curve would resist; take mie_gruneisen_cold as its base")
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from hugoniot.materials.material import Material, Source
 from hugoniot.materials.schema import UNVERIFIED
 from hugoniot.materials.tables import families, law_table
 
-MARKS = {"recalled": UNVERIFIED, "user": "user's own", "corrected": "a slip of the file corrected", "derived": "derived by the package",
+MARKS = {"recalled": UNVERIFIED, "user": "user's own", "corrected": "a mistake in the file, corrected", "derived": "derived by the package",
          "default": "default of the law"}
 
 

@@ -12,13 +12,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from hugoniot.core.fields import FIELDS
+from hugoniot.diagnostics.interface_gauges import CONTINUOUS, sides
 from hugoniot.diagnostics.norms import Difference, difference
 from hugoniot.errors import DeckError, DeckProblem
 from hugoniot.output.atomic import legible
 from hugoniot.output.run import Run, load
+from hugoniot.output.spall_reading import hit_regions
+from hugoniot.output.spall_reading import records as surface_records
 from hugoniot.units import UnitError, convert
 
-_HEADS = "write heads like 'time [us], velocity [m/s]'"
+_HEADS = "use column headers such as 'time [us], velocity [m/s]' or 'time (us), velocity (m/s)'"
 
 
 @dataclass(frozen=True)
@@ -51,12 +54,13 @@ class Pair:
 
 @dataclass(frozen=True)
 class Comparison:
-    """name_a, name_b; the pairs found; records that only one side has."""
+    """name_a, name_b; the pairs found; records that only one side has; which gauge was taken where the data name none."""
 
     name_a: str
     name_b: str
     pairs: tuple[Pair, ...]
     unmatched: tuple[str, ...]
+    notes: tuple[str, ...] = ()
 
     def rows(self) -> list[dict]:
         return [pair.row() for pair in self.pairs]
@@ -66,14 +70,23 @@ def _table_error(path, line, key, message, hint=""):
     return DeckError([DeckProblem(str(path), line, key, message, hint)])
 
 
+def split_unit(text: str) -> tuple[str, str | None]:
+    """(name, unit) of a column header with its unit in square or round brackets at the end; None without brackets."""
+    text = text.strip()
+    for opening, closing in (("[", "]"), ("(", ")")):
+        if text.endswith(closing) and opening in text:
+            name, _, unit = text[:-1].rpartition(opening)
+            return name.strip(), unit.strip()
+    return text, None
+
+
 def _head(path, text: str, column: int) -> tuple[str, str, float]:
-    """(name, SI unit, factor to SI) of a column head such as `free surface velocity [km/s]`."""
-    name, bracket, rest = text.strip().partition("[")
-    name, unit = name.strip(), rest.strip().rstrip("]").strip()
+    """(name, SI unit, factor to SI) of a column header such as `free surface velocity [km/s]`."""
+    name, unit = split_unit(text)
     last = name.split()[-1] if name else ""
     field = name if name in FIELDS else next((f for f in sorted(FIELDS, key=len, reverse=True) if name.endswith(f)), last)
     si = "s" if column == 0 else FIELDS[field].unit if field in FIELDS else unit
-    if not bracket:
+    if unit is None:
         raise _table_error(path, 1, f"column {column + 1}", f"'{text.strip()}' names no unit", _HEADS)
     try:
         return name, si, convert(1.0, unit or "1", si or "1")
@@ -88,14 +101,14 @@ def read_table(path) -> list[Record]:
         text = path.read_text(encoding="utf-8-sig", errors="replace")
     lines = [(n, row) for n, row in enumerate(csv.reader(text.splitlines()), 1) if row and not row[0].lstrip().startswith("#")]
     if not lines or len(lines[0][1]) < 2:
-        raise _table_error(path, 1, "table", "needs a line of heads, a time column and at least one more", _HEADS)
+        raise _table_error(path, 1, "table", "needs a line of column headers, a time column and at least one more", _HEADS)
     if len(lines) < 2:
-        raise _table_error(path, 1, "table", "holds no values below its heads", "give one time and its values in each line")
+        raise _table_error(path, 1, "table", "holds no values below its headers", "give one time and its values in each line")
     heads = [_head(path, head, k) for k, head in enumerate(lines[0][1])]
     rows = np.empty((len(lines) - 1, len(heads)))
     for k, (n, row) in enumerate(lines[1:]):
         if len(row) != len(heads):
-            raise _table_error(path, n, "row", f"{len(row)} values under {len(heads)} heads")
+            raise _table_error(path, n, "row", f"{len(row)} values under {len(heads)} headers")
         for c, cell in enumerate(row):
             try:
                 rows[k, c] = float(cell) * heads[c][2]
@@ -117,31 +130,55 @@ def run_records(run: Run) -> list[Record]:
     """Every field of every gauge of a run."""
     rows = run.arrays("gauges")
     return [Record(name, field, run.unit("gauges", field), rows["time"], values[:, k])
-            for k, name in enumerate(run.gauge_names()) for field, values in rows.items() if values.ndim == 2]
+            for k, name in enumerate(run.gauge_names()) for field, values in rows.items()
+            if values.ndim == 2 and not np.isnan(values[:, k]).all()]
 
 
-def _counterpart(record: Record, others: list[Record], free_surface: list[str]) -> Record | None:
-    same = [other for other in others if other.field == record.field]
-    exact = [other for other in same if other.gauge == record.gauge]
-    if exact or record.gauge:
-        return exact[0] if exact else None
-    # data that name no gauge: the only gauge, or the free surface, which is what is measured
-    if len(same) == 1:
-        return same[0]
-    return next((other for other in same if other.gauge in free_surface), same[0] if same else None)
+@dataclass(frozen=True)
+class _Choice:
+    """Which gauge of a run answers data that name none: the one asked for, or the only sensible one."""
+
+    run: Run
+    asked: str | None
+    table: str
+    notes: list[str]
+
+    def counterpart(self, record: Record, mine: list[Record]) -> Record | None:
+        same = [own for own in mine if own.field == record.field]
+        if record.gauge and self.asked is None:
+            return next((own for own in same if own.gauge == record.gauge), None)
+        if self.asked is not None:
+            found = next((own for own in same if own.gauge == self.asked), None)
+        else:
+            found = self._sensible(record, same)
+        if found is not None:
+            self.notes.append(f"{record.gauge} {record.field}".strip() + f" is compared with gauge '{found.gauge}'")
+        return found
+
+    def _sensible(self, record: Record, same: list[Record]) -> Record | None:
+        """The only gauge; of velocities the surface of the body that was hit; else the only gauge that the deck names."""
+        known = [own.gauge for own in same]
+        at = {gauge["name"]: str(gauge["at"]) for gauge in self.run.setup["gauges"]}
+        once = sides(self.run.setup["gauges"]) if record.field in CONTINUOUS else {}
+        named = [name for name in known if at.get(name) != name and name not in once]
+        hit = hit_regions(self.run.setup)
+        ends = surface_records(self.run) if record.field == "velocity" else []
+        seen = list(dict.fromkeys(r.gauge for r in ends if r.region in hit and r.gauge in known))
+        for group in ([name for name in seen if name in named], seen, named, known):
+            if len(group) == 1:
+                return same[known.index(group[0])]
+            if group:
+                several = ", ".join(sorted({*named, *seen}))
+                example = f"{group[0]} {record.field} [{record.unit}]"
+                raise _table_error(self.table, None, record.field, f"names no gauge, and several record it: {several}",
+                                   f"choose one with --gauge, or name it in the column header, such as '{example}'")
+        return None
 
 
-def free_surface_gauges(run: Run) -> list[str]:
-    """Names of the gauges that ride on a free surface, the right-hand one first."""
-    names = set(run.gauge_names())
-    at = {gauge["name"]: str(gauge["at"]) for gauge in run.setup["gauges"]}
-    found = [name for name, where in at.items() if where.startswith("free surface") and name in names]
-    found += [name for name in sorted(names) if name.startswith("free surface") and name not in found]
-    return sorted(found, key=lambda name: "left" in at.get(name, name))
-
-
-def compare(a, b) -> Comparison:
+def compare(a, b, gauge: str | None = None) -> Comparison:
     """Compare run `a` with run or data file `b` (paths or `Run`s).
+
+    gauge   of run `a`, for the columns of a data file; default by their headers, or the only sensible one
 
     Raises `FileTrouble` for what cannot be read and `DeckError` where nothing matches.
     """
@@ -149,10 +186,15 @@ def compare(a, b) -> Comparison:
     is_table = not isinstance(b, Run) and pathlib.Path(b).suffix.lower() in (".csv", ".txt", ".dat")
     mine = run_records(run)
     others = read_table(b) if is_table else run_records(b if isinstance(b, Run) else load(b))
-    surfaces = free_surface_gauges(run)
-    pairs, unmatched = [], []
+    if gauge is not None and gauge not in run.gauge_names():
+        raise DeckError.single("compare", None, "--gauge", f"no gauge '{gauge}' in {run.folder}",
+                               f"it has: {', '.join(run.gauge_names()) or 'none'}")
+    if gauge is not None and not is_table:
+        raise DeckError.single("compare", None, "--gauge", "two runs are compared gauge by gauge", "omit it")
+    pairs, unmatched, notes = [], [], []
+    choice = _Choice(run, gauge, str(b), notes)
     for other in others:
-        own = _counterpart(other, mine, surfaces)
+        own = choice.counterpart(other, mine)
         if own is None or own.time[-1] < other.time[0] or other.time[-1] < own.time[0]:
             unmatched.append(f"{other.gauge} {other.field}".strip())
             continue
@@ -162,4 +204,4 @@ def compare(a, b) -> Comparison:
         known = ", ".join(sorted({f"{r.gauge} {r.field}" for r in mine})[:8])
         message = f"nothing in it matches a gauge of {run.folder} over a common time"
         raise _table_error(name_b, None, "columns", message, f"that run has: {known}")
-    return Comparison(str(run.folder), name_b, tuple(pairs), tuple(unmatched))
+    return Comparison(str(run.folder), name_b, tuple(pairs), tuple(unmatched), tuple(notes))

@@ -119,6 +119,8 @@ def gauges_text(rows: dict, gauges: list[str], given: dict) -> str:
     heads, columns = ["time [s]"], [time]
     for k, gauge in enumerate(gauges):
         for name, values in rows.items():
+            if len(values) and np.isnan(values[:, k]).all():
+                continue     # what has no value there
             unit = describe(name, "", given)[0]
             heads.append(f"{gauge} {name} [{unit or '1'}]".replace(",", ";"))
             columns.append(values[:, k])

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from hugoniot.diagnostics.interface_gauges import CONTINUOUS, sides
 from hugoniot.errors import FileTrouble
 from hugoniot.output.atomic import legible
 from hugoniot.output.codec import decode, h5py
@@ -150,7 +151,10 @@ class Run:
         if field not in rows or rows[field].ndim != 2:
             known = ", ".join(key for key, values in rows.items() if values.ndim == 2)
             raise KeyError(f"no gauge field '{field}'; this run has: {known}")
-        return rows["time"], rows[field][:, names.index(name)]
+        values = rows[field][:, names.index(name)]
+        if field not in CONTINUOUS and name in set(sides(self.setup["gauges"]).values()):
+            raise KeyError(f"{field} differs on the two sides of an interface: ask for '{name} left' or '{name} right'")
+        return rows["time"], values
 
 
 def read_post_mortem(folder) -> dict:
@@ -165,7 +169,7 @@ def _what_is_there(folder: pathlib.Path) -> str:
         return "the run failed and left no result; see post_mortem.txt"
     again = f"hugoniot resume {shlex.quote(str(folder))}"
     if (folder / "checkpoint").is_dir() or (folder / "pieces").is_dir():
-        return f"the run is unfinished; go on with `{again}`"
+        return f"the run is unfinished; continue with `{again}`"
     if (folder / "deck.toml").is_file():
         return f"the run is unfinished and has no checkpoint yet; `{again}` starts it again"
     return "this is not a run folder (no result.h5)"

@@ -4,11 +4,14 @@ Plots and reports read this document from the run folder; they never see the pro
 """
 
 import dataclasses
+import math
 from typing import Any
 
 from hugoniot.core.registry import Registry
+from hugoniot.dossier.derived import derived_quantities
+from hugoniot.errors import HugoniotError
 from hugoniot.laws.burn.contract import BURN
-from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.contract import EOS, reference_state
 from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.laws.transport.contract import CONDUCTION, TRANSPORT
@@ -86,7 +89,20 @@ def material_record(material) -> dict:
     named = {constant["name"] for law in laws for constant in law["constants"]}
     others = [plain(source) for source in material.sources if source.quantity.rpartition(".")[2] not in named]
     return {"name": material.name, "laws": laws, "other_sources": others, "warnings": list(material.warnings),
-            "valid_up_to": material.valid_up_to}
+            "valid_up_to": material.valid_up_to, "at_rest": _at_rest(material)}
+
+
+def _at_rest(material) -> dict[str, float]:
+    """Density (kg/m3), bulk and longitudinal sound speed (m/s) at rest, as far as the laws give them; nothing for explosives."""
+    if material.burn is not None or "reacted" in EOS.of(material.eos).flags:
+        return {}
+    try:
+        found = {name: quantity.value for name, quantity in derived_quantities(material).items()}
+        density = float(reference_state(material.eos)[0])
+    except (HugoniotError, ArithmeticError, ValueError):
+        return {}
+    speeds = {name: found[name] for name in ("bulk_sound_speed", "longitudinal_sound_speed") if math.isfinite(found.get(name, math.nan))}
+    return {"density": density, **speeds}
 
 
 def _burn_record(par, sources) -> dict:

@@ -8,6 +8,18 @@ from hugoniot.plotting.style import COLOURS, INK, QUIET, field_scale, labelled, 
 _FIRST = ("velocity", "stress")
 
 
+def _robust(ax, gap, unit: str) -> None:
+    """Limits of a panel of differences that a spike, such as two fronts a step apart, does not flatten; the spike is stated."""
+    import numpy as np
+
+    size = np.abs(gap[np.isfinite(gap)])
+    usual, largest = (float(np.percentile(size, 95)), float(size.max())) if size.size else (0.0, 0.0)
+    if 0.0 < 4.0 * usual < largest:
+        ax.set_ylim(-2.0 * usual, 2.0 * usual)
+        words = f"largest {largest:.3g} {unit}".rstrip()
+        ax.text(0.99, 0.95, words, transform=ax.transAxes, ha="right", va="top", fontsize=7.5, color=QUIET)
+
+
 @styled
 def comparison(compared, most: int = 6):
     """One column per pair of records: both lines above, difference below; gives the figure.
@@ -39,6 +51,7 @@ def comparison(compared, most: int = 6):
         below.axhline(0.0, color=QUIET, linewidth=0.6)
         below.plot(inside * ft, gap * factor, color=INK, linewidth=1.0)
         below.set_xlim(above.get_xlim())
+        _robust(below, gap * factor, unit)
         below.set_xlabel(labelled("time", unit_t))
         below.set_ylabel("difference")
         quiet_grid(above)

@@ -8,7 +8,7 @@ import matplotlib
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 
-from hugoniot.output.spall_reading import free_surface_record
+from hugoniot.output.spall_reading import surface_record
 from hugoniot.plotting import records
 from hugoniot.plotting.setup import setup
 from hugoniot.plotting.style import FAINT, INK, QUIET, RC
@@ -95,8 +95,8 @@ def picture_tasks(run) -> dict[str, Callable[[], str]]:
     for record in ("stress", "velocity"):
         if record in rows and len(rows["time"]):
             task(f"gauge_{record}", lambda ax, f=record: records.gauge(run, f, ax=ax), 7.4, 2.6, (0.7, 0.5, 5.4, 2.0))
-    time, velocity, _ = free_surface_record(run)
-    if len(time) and velocity.max() > 0.0:
+    seen = surface_record(run)
+    if len(seen.time) and seen.velocity.max() > 0.0:
         task("free_surface", lambda ax: records.free_surface(run, ax=ax), 7.4, 2.8, (0.7, 0.5, 6.5, 2.2))
     if len(run.arrays("budget")["time"]):
         task("budget", lambda ax: records.budget(run, ax=ax), 7.4, 2.4, (0.7, 0.5, 5.4, 1.8))

@@ -1,11 +1,14 @@
 """Records over time and profiles over position: gauges, free surface, profiles, budget, errors."""
 
+from dataclasses import replace
+
 import numpy as np
 
-from hugoniot.diagnostics.velocimetry import pull_back, visar_velocity
+from hugoniot.diagnostics.interface_gauges import CONTINUOUS, sides
+from hugoniot.diagnostics.velocimetry import visar_velocity
 from hugoniot.diagnostics.wave_diagram import interfaces
 from hugoniot.errors import DeckError
-from hugoniot.output.spall_reading import free_surface_record, has_spalled, reading_of, target_constants
+from hugoniot.output.spall_reading import SURFACE, read_record, spall_reading, surface_record
 from hugoniot.plotting.style import (
     COLOURS,
     INK,
@@ -24,27 +27,30 @@ from hugoniot.units import format_si, parse
 
 
 @styled
-def gauge(run, field: str = "stress", names=None, ax=None):
+def gauge(run, field: str = "stress", names=None, times=None, ax=None):
     """One field at the gauges over time, each line with its gauge's name; gives the axes.
 
     names   gauges to draw, default those at which the field ever changes (at most eight)
+    times   (first, last) time in s; default the whole record
     """
     rows, known = run.arrays("gauges"), run.gauge_names()
     zone_field(run, "gauges", field)
     _check_gauges(run, names or ())
     ax = ax if ax is not None else new_axes()
-    moving = [k for k in range(len(known)) if np.ptp(rows[field][:, k]) > 0][: len(COLOURS)]
+    once = sides(run.setup["gauges"]) if field in CONTINUOUS else {}
+    moving = [k for k in range(len(known)) if known[k] not in once and np.ptp(rows[field][:, k]) > 0][: len(COLOURS)]
     columns = [known.index(name) for name in names] if names else moving
     values = rows[field][:, columns]
     unit, factor, words = field_scale(field, values)
     unit_t, ft = time_scale(rows["time"][-1] if len(rows["time"]) else 1.0)
     for colour, column in zip(COLOURS, columns):
         ax.plot(rows["time"] * ft, rows[field][:, column] * factor, color=colour)
-    _time_axis(ax, rows["time"], unit_t, ft)
+    _time_axis(ax, rows["time"] if times is None else np.array(times), unit_t, ft)
+    last = -1 if times is None else max(min(int(np.searchsorted(rows["time"], times[1])), len(values)) - 1, 0)
     ax.set_ylabel(labelled(words, unit))
     quiet_grid(ax)
     if columns:
-        label_lines(ax, [known[k] for k in columns], values[-1] * factor, COLOURS)
+        label_lines(ax, [known[k] for k in columns], values[last] * factor, COLOURS)
     return ax
 
 
@@ -64,16 +70,18 @@ def _time_axis(ax, time, unit, factor):
 
 @styled
 def free_surface(run, name: str | None = None, delay: float = 0.0, ax=None):
-    """Free-surface velocity over time, with the pull-back marked where something spalled; gives the axes.
+    """Velocity of a free surface or window interface over time, with the pull-back marked where its body spalled; gives the axes.
 
-    name    gauge on a free surface; default the right-hand one
+    name    gauge there; default that of the body that was hit
     delay   s or "1 ns", of the VISAR through which it is seen; 0 shows the surface itself
     """
     _check_gauges(run, () if name is None else (name,))
     delay = parse(delay, "s")
     if delay < 0.0:
         raise DeckError.single(run.folder, None, "delay", f"must not be negative, got {format_si(delay, 's', 4)}")
-    time, velocity, _ = free_surface_record(run, name)
+    reading, record = spall_reading(run, name), surface_record(run, name)
+    record = reading.record or record
+    time, velocity = record.time, record.velocity
     if not len(time):
         raise DeckError.single(run.folder, None, "gauge", "this run has recorded no free surface", "add a gauge at 'free surface right'")
     if delay >= time[-1] - time[0]:
@@ -87,12 +95,14 @@ def free_surface(run, name: str | None = None, delay: float = 0.0, ax=None):
         time, velocity = visar_velocity(time, velocity, delay)
     ax.plot(time * ft, velocity * fu, color=COLOURS[0])
     _time_axis(ax, time, unit_t, ft)
-    ax.set_ylabel(labelled("free-surface velocity", unit))
+    words = "free-surface velocity" if record.kind == SURFACE else f"velocity at {record.gauge}"
+    ax.set_ylabel(labelled(words, unit))
     quiet_grid(ax)
     ax.margins(y=0.08)
-    found = pull_back(time, velocity) if has_spalled(run) else None
-    if found is not None:
-        _mark_pull_back(ax, found, reading_of(time, velocity, found, target_constants(run, name)), ft, fu, unit)
+    if reading.numbers:
+        seen = read_record(run, replace(record, time=time, velocity=velocity))     # through the delay
+        if seen.numbers:
+            _mark_pull_back(ax, seen.found, seen.numbers, ft, fu, unit)
     return ax
 
 
@@ -103,7 +113,7 @@ def _mark_pull_back(ax, found, reading, ft, fu, unit):
     ax.annotate("", (x, found.minimum * fu), (x, found.peak * fu), arrowprops=arrow)
     text = f"pull-back {found.drop * fu:.4g} {unit}"
     if "spall_strength_acoustic" in reading:
-        text += f"\n½ρ₀c₀Δu = {reading['spall_strength_acoustic'] * 1e-9:.3g} GPa"
+        text += f"\nspall strength {reading['spall_strength_acoustic'] * 1e-9:.3g} GPa"
     if "spall_strength_kanel" in reading:
         text += f"\nKanel: {reading['spall_strength_kanel'] * 1e-9:.3g} GPa"
     ax.annotate(text, (x, found.minimum * fu), xytext=(0, -8), textcoords="offset points", ha="center", va="top", fontsize=8.5)
@@ -143,7 +153,7 @@ def _snapshots_at(run, known, wanted) -> list[int]:
     times = [parse(t, "s") for t in ([wanted] if isinstance(wanted, str) or not np.iterable(wanted) else wanted)]
     reach = f"its snapshots are from {format_si(known[0], 's', 4)} to {format_si(known[-1], 's', 4)}"
     if not times:
-        raise DeckError.single(run.folder, None, "time", "no time is given", reach)
+        raise DeckError.single(run.folder, None, "time", "no time was given", reach)
     for t in times:
         if not known[0] <= t <= known[-1] * (1.0 + 1e-9):
             raise DeckError.single(run.folder, None, "time", f"the run has no state at {format_si(t, 's', 4)}", reach)

@@ -2,6 +2,7 @@
 
 from matplotlib.patches import FancyArrowPatch, Polygon, Rectangle
 
+from hugoniot.diagnostics.interface_gauges import sides
 from hugoniot.plotting.style import COLOURS, INK, QUIET, labelled, length_scale, new_axes, styled
 
 
@@ -110,7 +111,8 @@ def gauge_place(run, gauge, regions) -> float | None:
 
 def _draw_gauges(ax, run, regions, f):
     """Ticks under the bodies with the gauges' names, on two rows so that neighbours do not touch."""
-    places = [(gauge["name"], gauge_place(run, gauge, regions)) for gauge in run.setup["gauges"]]
+    places = [(gauge["name"], gauge_place(run, gauge, regions)) for gauge in run.setup["gauges"]
+              if gauge["name"] not in sides(run.setup["gauges"])]
     places = sorted(((name, x * f) for name, x in places if x is not None), key=lambda item: item[1])
     for k, (name, x) in enumerate(places):
         drop = -0.46 - 0.22 * (k % 2)

@@ -1,6 +1,7 @@
 """How pictures look: colours that colour-blind readers tell apart (Okabe and Ito), labels on the lines, units in words people use."""
 
 import difflib
+import re
 import sys
 from collections.abc import Callable
 from functools import wraps
@@ -14,6 +15,7 @@ from matplotlib.figure import Figure
 from hugoniot.core.fields import FIELDS
 from hugoniot.errors import DeckError
 from hugoniot.output.columns import describe
+from hugoniot.units import UnitError, convert
 
 INK, QUIET, FAINT = "#222222", "#767676", "#d9d9d9"
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7a6a00", "#000000")
@@ -144,6 +146,28 @@ def label_lines(ax, texts, heights, colours, x: float = 1.01, size: float = 8.5)
     least = (high - low) * (size * 1.15 / 72.0) / max(inches, 1e-6)
     for text, height, colour in zip(texts, spread(heights, least, low, high), colours):
         ax.text(x, height, text, color=colour, fontsize=size, va="center", ha="left", transform=ax.get_yaxis_transform(), clip_on=False)
+
+
+def show_only(ax, across=None, values=None) -> None:
+    """Limit the axes of a finished picture to (low, high) in SI; None leaves an axis as it is. Units are read from the axis labels."""
+    for axis, limits, setter in ((ax.xaxis, across, ax.set_xlim), (ax.yaxis, values, ax.set_ylim)):
+        if limits is None:
+            continue
+        unit = re.search(r"\(([^()]+)\)$", axis.get_label_text())
+        factor = si_factor(unit.group(1)) if unit else 1.0
+        setter(limits[0] / factor, limits[1] / factor)
+
+
+def si_factor(unit: str) -> float:
+    """What one unit of an axis label, such as µs or kg/m³, is in SI."""
+    plain = unit.replace("µ", "u").replace("²", "^2").replace("³", "^3")
+    known = {"s": "s", "m": "m", "Pa": "Pa", "m/s": "m/s", "kg/m^3": "kg/m^3", "J/kg": "J/kg", "K": "K", "J": "J"}
+    for si in known:
+        try:
+            return convert(1.0, plain, si)
+        except UnitError:
+            continue
+    return 1.0
 
 
 def fit_pressure(axis) -> None:

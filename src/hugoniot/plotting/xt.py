@@ -3,35 +3,41 @@
 import numpy as np
 from matplotlib.collections import LineCollection
 
+from hugoniot.diagnostics.interface_gauges import sides
 from hugoniot.diagnostics.wave_diagram import gaps, interfaces, raster
-from hugoniot.plotting.style import INK, STRESS, field_scale, labelled, length_scale, new_axes, styled, time_scale, zone_field
+from hugoniot.plotting.style import INK, STRESS, field_scale, halo, labelled, length_scale, new_axes, styled, time_scale, zone_field
 
 
 @styled
-def xt(run, field: str = "stress", ax=None, window=None, limits=None, size=(360, 640), colorbar=True):
+def xt(run, field: str = "stress", ax=None, window=None, times=None, limits=None, size=(360, 640), colorbar=True):
     """Draw a zone field of the snapshots over position (across) and time (upwards); gives the axes.
 
     Between snapshots waves are carried along the direction in which the two records match best (diagnostics.wave_diagram).
 
-    window     (lowest, highest) position in m
+    window     (lowest, highest) position in m; default all material, but no further out than the bodies at t = 0 are wide together
+    times      (first, last) time in s; default the whole run
     limits     (lowest, highest) value of the colour scale in SI; default from the data
     colorbar   True, or axes to draw it in, or False
     """
     rows, values = run.arrays("snapshots"), zone_field(run, "snapshots", field)
     time, left, right = rows["time"], rows["position_left"], rows["position_right"]
     ax = ax if ax is not None else new_axes(6.4, 4.4)
-    low, high = window or (float(left.min()), float(right.max()))
-    unit_t, ft = time_scale(time[-1])
+    low, high = window or _extent(left, right)
+    begin, end = times or (time[0], time[-1])
+    keep = slice(max(int(np.searchsorted(time, begin, side="right")) - 1, 0), int(np.searchsorted(time, end)) + 1)
+    edges = {name: rows[name][keep] for name in ("position_left", "position_right")} | {"region": rows["region"]}
+    time, left, right, values = time[keep], left[keep], right[keep], values[keep]
+    unit_t, ft = time_scale(end)
     unit_x, fx = length_scale(high - low)
     picture = raster(time, left, right, values, size, (low, high))
     colours, ends = _colours(field, picture.values, limits)
     unit, factor, words = field_scale(field, np.array(ends))
     image = ax.imshow(picture.values * factor, extent=(low * fx, high * fx, time[0] * ft, time[-1] * ft), origin="lower", aspect="auto",
                       cmap=colours, vmin=ends[0] * factor, vmax=ends[1] * factor, interpolation="nearest", rasterized=True)
-    _draw_edges(ax, rows, time * ft, left * fx, right * fx)
-    _draw_gauges(ax, run, fx, ft)
     ax.set_xlim(low * fx, high * fx)
-    ax.set_ylim(time[0] * ft, time[-1] * ft)
+    ax.set_ylim(begin * ft, end * ft)
+    _draw_edges(ax, edges, time * ft, left * fx, right * fx)
+    _draw_gauges(ax, run, fx, ft)
     ax.set_xlabel(labelled("position" if run.setup["geometry"] == "planar" else "radius", unit_x))
     ax.set_ylabel(labelled("time", unit_t))
     if colorbar is not False:
@@ -40,6 +46,12 @@ def xt(run, field: str = "stress", ax=None, window=None, limits=None, size=(360,
         bar.set_label(labelled(words, unit))
         bar.outline.set_visible(False)
     return ax
+
+
+def _extent(left, right) -> tuple[float, float]:
+    """All that the material occupies, cut off where thin debris or expanding gas is further out than the bodies were wide at first."""
+    low, high = float(left[0].min()), float(right[0].max())
+    return max(float(left.min()), low - (high - low)), min(float(right.max()), high + (high - low))
 
 
 def _colours(field, values, limits):
@@ -76,11 +88,11 @@ def _draw_edges(ax, rows, time, left, right) -> None:
     region, top = rows["region"], time[-1]
     cuts = [0, *(k + 1 for k in interfaces(region)), len(region)]
     width, taken = ax.get_figure().get_figwidth() * 72 * ax.get_position().width, -1e9
-    span = float(right.max() - left.min())
+    shown, end = ax.get_xlim()
     for first, last in zip(cuts[:-1], cuts[1:]):
-        name, middle = region[first], 0.5 * (left[-1, first] + right[-1, last - 1])
-        half = 0.5 * len(str(name)) * 4.8 * span / width
-        if middle - half > taken:
+        name, middle = region[first], 0.5 * (max(left[-1, first], shown) + min(right[-1, last - 1], end))
+        half = 0.5 * len(str(name)) * 4.8 * (end - shown) / width
+        if middle - half > taken and shown <= middle <= end:
             ax.annotate(str(name), (middle, top), xytext=(0, 3), textcoords="offset points", ha="center", va="bottom", fontsize=8,
                         annotation_clip=False)
             taken = middle + half
@@ -91,6 +103,17 @@ def _draw_gauges(ax, run, fx, ft, most: int = 6) -> None:
     rows = run.arrays("gauges")
     if "position" not in rows or not len(rows["time"]):
         return
-    names, every = run.gauge_names(), max(len(rows["time"]) // 200, 1)
-    paths = [np.column_stack([rows["position"][::every, k] * fx, rows["time"][::every] * ft]) for k in range(min(len(names), most))]
+    once, every = sides(run.setup["gauges"]), max(len(rows["time"]) // 200, 1)
+    drawn = [k for k, name in enumerate(run.gauge_names()) if name not in once][:most]
+    paths = [np.column_stack([rows["position"][::every, k] * fx, rows["time"][::every] * ft]) for k in drawn]
     ax.add_collection(LineCollection(paths, colors=INK, linewidths=0.7, linestyles=(0, (1, 2))))
+    # free surfaces and interfaces are lines already; the others are named where they start
+    at = {gauge["name"]: str(gauge["at"]) for gauge in run.setup["gauges"]}
+    low, high = ax.get_xlim()
+    taken = -np.inf
+    for x, name in sorted((path[0, 0], run.gauge_names()[k]) for path, k in zip(paths, drawn)):
+        if at.get(name) == name or not low <= x <= high or x - taken < 0.02 * (high - low):
+            continue
+        taken = x
+        ax.annotate(name, (x, ax.get_ylim()[0]), xytext=(2, 3), textcoords="offset points", rotation=90, fontsize=7, va="bottom", ha="left",
+                    path_effects=halo())

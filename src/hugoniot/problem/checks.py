@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from hugoniot.errors import HugoniotError
-from hugoniot.laws.eos.contract import density_limits, reference_state, sound_speed_squared
+from hugoniot.laws.eos.contract import EOS, density_limits, reference_state, sound_speed_squared
 from hugoniot.materials import burning
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.materials.initial_state import initial_state
@@ -222,9 +222,28 @@ def _wrong_place(at: float | str, regions: tuple[Region, ...]) -> tuple[str, str
     return f"unknown place '{printable(at)}'", nearest(at, known, f"such as '4 mm', '{known[-1]}', 'free surface right'")
 
 
+LIGHTEST, SLOWEST = 50.0, 100.0     # kg/m3 and m/s: below stand gases, aerogels and numbers whose unit was forgotten
+
+
+def _forgotten_units(problem: Problem) -> list[str]:
+    """Densities and sound speeds at rest that no liquid or solid has: a bare number in a deck is SI."""
+    found = []
+    for name, material in problem.materials.items():
+        law = EOS.of(material.eos)
+        par = material.eos._asdict()
+        if "gas" in law.flags or any(EOS.knows(value) for value in material.eos):
+            continue
+        for key, least, unit, better in (("rho0", LIGHTEST, "kg/m^3", "g/cm^3"), ("c0", SLOWEST, "m/s", "km/s")):
+            value = par.get(key)
+            if isinstance(value, float) and 0.0 < value < least:
+                found.append(f"material '{name}': {key} = {value:g} {unit} for a solid or liquid? A bare number is SI; "
+                             f"write \"{value:g} {better}\" if that is meant")
+    return found
+
+
 def advice(problem: Problem) -> list[str]:
-    """What is allowed but seldom meant: jumps of the zone mass, speeds beyond the data of a material."""
-    told = []
+    """What is allowed but seldom meant: forgotten units, jumps of the zone mass, speeds beyond the data of a material."""
+    told = _forgotten_units(problem)
     for a, b in zip(problem.regions, problem.regions[1:]):
         if a.end != b.start:
             continue

@@ -151,7 +151,7 @@ def _heat_advice(material) -> str | None:
     if abs(material.detonation_energy / own - 1.0) <= SAME_HEAT:
         return None
     return (f"material '{material.name}': detonation_energy = {format_si(material.detonation_energy, 'J/kg')}, its equations of state hold "
-            f"{format_si(own, 'J/kg')}: leave it out unless the difference is meant")
+            f"{format_si(own, 'J/kg')}: omit it unless the difference is intended")
 
 
 def _start(material, region) -> tuple[float, float] | None:

@@ -211,7 +211,7 @@ def _ends(raw: dict, geometry: Any, regions: tuple, collector: Collector) -> tup
             for side in ("left", "right")]
     if at_centre and ends[0] is not None and ends[0].pulse is not None:
         collector.add(("boundary", "left"), f"nothing can be driven at the {'axis' if geometry == 'cylindrical' else 'origin'}, r = 0",
-                      "leave it out, or start the region at a radius")
+                      "omit it, or start the region at a radius")
     return ends[0], ends[1]
 
 

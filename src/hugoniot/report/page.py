@@ -7,13 +7,11 @@ import numpy as np
 
 from hugoniot.output.atomic import write_whole
 from hugoniot.output.run import Run, load
-from hugoniot.output.spall_reading import free_surface_record, spall_reading
+from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, spall_numbers
+from hugoniot.output.spall_reading import SURFACE, surface_record
 from hugoniot.plotting.inline import picture_tasks
 from hugoniot.report import sections
 from hugoniot.report.sections import number, text
-
-_SPALL = (("pull_back", "pull-back", "m/s"), ("spall_strength_acoustic", "spall strength, ½ρ₀c₀Δu", "Pa"),
-          ("spall_strength_kanel", "the same with Kanel's correction", "Pa"), ("spall_thickness", "spalled layer", "m"))
 
 
 def key_numbers(run: Run) -> list[tuple[str, str]]:
@@ -29,17 +27,17 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
     tension = next((np.abs(peaks[n]) for n in ("tension", "peak_tension", "least_stress") if n in peaks), None)
     if tension is not None and len(tension) and np.max(tension) > 0:
         rows.append(("highest tension", number(float(np.max(tension)), "Pa")))
-    time, velocity, _ = free_surface_record(run)
-    if len(time):
-        rows.append(("free-surface velocity, highest", number(float(np.max(velocity)), "m/s")))
-    spall = spall_reading(run)
-    for key, name, unit in _SPALL:
+    seen, spall = surface_record(run), spall_numbers(run)
+    if len(seen.time) and "peak_velocity" not in spall:
+        words = "free-surface velocity" if seen.kind == SURFACE else f"velocity at {seen.gauge}"
+        rows.append((f"{words}, highest", number(float(np.max(seen.velocity)), "m/s")))
+    for key, name, unit in SPALL:
         if key in spall:
             rows.append((name, number(float(f"{spall[key]:.4g}"), unit)))
     if summary["voids_opened"] or summary["voids_closed"]:
         rows.append(("voids opened / closed", f"{summary['voids_opened']} / {summary['voids_closed']}"))
     if summary.get("interfaces_parted"):
-        rows.append(("interfaces parted", str(summary["interfaces_parted"])))
+        rows.append(("interfaces separated", str(summary["interfaces_parted"])))
     for name in ("mass", "momentum", "energy"):
         error = summary[f"{name}_error"]
         rows.append((f"{name} error", f"{error:.1e}" if error else "0"))
@@ -47,7 +45,7 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
 
 
 _CAPTIONS = {
-    "structure": "The last snapshot, a dot for each cell, upon the steady wave of the same law, lines.",
+    "structure": "The last snapshot, a dot for each cell, over the steady wave of the same law, lines.",
     "structure_terms": "The steady wave: fields as parts of their jumps; energies per volume in the frame of the shock; viscous stress "
                        "and heat flux; the terms that balance in momentum and in energy, times the density thickness δ; entropy and its "
                        "production, whose area over x/δ is one.",
@@ -57,8 +55,7 @@ _CAPTIONS = {
             "the direction in which neighbouring snapshots match best.",
     "gauge_stress": "Longitudinal stress at the gauges, positive in compression.",
     "gauge_velocity": "Particle velocity at the gauges.",
-    "free_surface": "Free-surface velocity. Where something spalled, the strength is read from the pull-back as an experimenter reads it: "
-                    "acoustic (Novikov 1966), and with Kanel's (2001) correction for what the elastic front took on its way.",
+    "free_surface": "Velocity of the surface that an interferometer would see.",
     "budget": "Parts of the energy, all regions together, in Herrmann's partition (A.6). Internal energy counts from its start; "
               "dashed are the parts it is made of.",
     "errors": "Largest relative error of mass, momentum and total energy so far.",
@@ -69,6 +66,17 @@ def _figure(pictures: dict, name: str, more: str = "") -> str:
     if name not in pictures:
         return ""
     return f"<figure>{pictures[name]}<figcaption>{text(_CAPTIONS[name] + more)}</figcaption></figure>"
+
+
+def _spall_words(spall: dict) -> str:
+    """How the spall strength was read, or why it is not given."""
+    if "reason" in spall:
+        return f"Spall strength: not given, {spall['reason']}."
+    if not spall:
+        return ""
+    window = f", corrected for the impedance of the window '{spall['window']}'" if spall["window"] else ""
+    return (f"Spall strength of '{spall['region']}' from the pull-back: acoustic (Novikov 1966){window}, and with Kanel's (2001) "
+            "correction for the erosion of the spall pulse by its elastic front.")
 
 
 def _section(title: str, *parts: str) -> str:
@@ -84,6 +92,7 @@ def one_by_one(tasks: dict[str, Callable[[], str]]) -> dict[str, str]:
 def page(run: Run, drawn: Callable = one_by_one) -> str:
     """The whole page as HTML text; `drawn` does the tasks that draw its pictures."""
     setup, summary, pictures = run.setup, run.summary, drawn(picture_tasks(run))
+    seen = surface_record(run)
     css = (pathlib.Path(__file__).parent / "page.css").read_text(encoding="utf-8")
     cautions = "".join(f'<p class="warning">{text(words)}</p>' for words in sections.warnings(run))
     title = text(setup["title"])
@@ -95,17 +104,19 @@ def page(run: Run, drawn: Callable = one_by_one) -> str:
         f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
         f"<title>{title}</title><style>{css}</style></head><body><main>",
         f"<h1>{title}</h1><p class=quiet>{intro}</p>", cautions, sections.cards(key_numbers(run)),
+        _section("At the gauges", sections.gauges(gauge_rows(run), GAUGE_UNITS)),
         _section("Set-up", _figure(pictures, "setup")),
         _section("Shock structure", sections.structure(summary), _figure(pictures, "structure"), _figure(pictures, "structure_terms")),
         _section("Wave diagram", _figure(pictures, "wave")),
-        _section("Gauges", _figure(pictures, "gauge_stress"), _figure(pictures, "gauge_velocity")),
-        _section("Free surface", _figure(pictures, "free_surface", f" Recorded by: {free_surface_record(run)[2]}.")),
+        _section("Gauge records", _figure(pictures, "gauge_stress"), _figure(pictures, "gauge_velocity")),
+        _section("Free surface" if seen.kind == SURFACE else "Window interface",
+                 _figure(pictures, "free_surface", f" Recorded by: {seen.source}. {_spall_words(spall_numbers(run))}")),
         _section("Energy and momentum", _figure(pictures, "budget"), _figure(pictures, "errors")),
-        _section("What happened", sections.events(run)),
+        _section("Events", sections.events(run)),
         _section("Materials", sections.materials(setup)),
         _section("Numerics", sections.numerics(setup)),
-        _section("Sources of what was used", sections.bibliography(setup)),
-        _section("Deck, every default written out", deck),
+        _section("Sources", sections.bibliography(setup)),
+        _section("Deck with every default written out", deck),
         "</main></body></html>\n",
     ])
 

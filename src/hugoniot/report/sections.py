@@ -50,20 +50,34 @@ def _mark(status: str) -> str:
     return f'<span class="mark {text(status)}">{text(_STATUS.get(status, status))}</span>' if status else ""
 
 
-def _source(constant: dict) -> str:
-    return text(constant["source"]) + (f" ({text(constant['note'])})" if constant["note"] else "")
+class _Citations:
+    """The sources of one material, each written once and cited by number."""
+
+    def __init__(self):
+        self.places: dict[tuple[str, str], int] = {}
+
+    def cite(self, constant: dict) -> str:
+        """[1] for a constant with a source, nothing for one without."""
+        key = (constant["source"], constant["note"])
+        return f"[{self.places.setdefault(key, len(self.places) + 1)}]" if any(key) else ""
+
+    def listed(self) -> str:
+        rows = [(f"[{n}]", text(source) + (f" ({text(note)})" if note else "")) for (source, note), n in self.places.items()]
+        return table(("", "source"), rows) if rows else ""
 
 
-def _laws(laws: list[dict], depth: int = 0) -> str:
+def _laws(laws: list[dict], sources: _Citations | None = None, depth: int = 0) -> str:
+    """Laws with their constants; the sources are listed below them, unless the caller does it."""
+    own = sources or _Citations()
     parts = []
     for law in laws:
-        rows = [(text(c["name"]), number(c["value"], c["unit"]), text(c["meaning"]), _source(c), _mark(c["status"]))
+        rows = [(text(c["name"]), number(c["value"], c["unit"]), text(c["meaning"]), own.cite(c), _mark(c["status"]))
                 for c in law["constants"]]
         family = _FAMILIES.get(law["family"], law["family"])
         parts.append(f"<h3>{text(family)}: {text(law['law'])}</h3><p class=quiet>{text(law['summary'])}</p>")
         parts.append(table(("constant", "value", "meaning", "source", ""), rows) if rows else "")
-        parts.append(_laws(law["inner"], depth + 1) if depth < 4 else "")
-    return "".join(parts)
+        parts.append(_laws(law["inner"], own, depth + 1) if depth < 4 else "")
+    return "".join(parts) + (own.listed() if sources is None else "")
 
 
 def materials(setup: dict) -> str:
@@ -74,10 +88,13 @@ def materials(setup: dict) -> str:
         where = ", ".join(text(r["name"]) for r in setup["regions"] if r["material"] == name)
         parts.append(f"<h3>{text(name)}</h3><p class=quiet>In {where}.{limit}</p>")
         parts += [f'<p class="warning">{text(warning)}</p>' for warning in material["warnings"]]
-        parts.append(_laws(material["laws"]))
+        sources = _Citations()
+        parts.append(_laws(material["laws"], sources))
         if material["other_sources"]:
-            rows = [(text(s["quantity"]), number(s["value"], s["unit"]), _source(s), _mark(s["status"])) for s in material["other_sources"]]
+            rows = [(text(s["quantity"]), number(s["value"], s["unit"]), sources.cite(s), _mark(s["status"]))
+                    for s in material["other_sources"]]
             parts.append(table(("also stated", "value", "source", ""), rows))
+        parts.append(sources.listed())
     return "".join(parts)
 
 
@@ -105,6 +122,16 @@ _THICKNESSES = (
     ("made by viscosity", "entropy_viscous", "J/kg/K", "∫ (4/3 μ + ζ) (du/dx)² / T dx / ρu"),
     ("made by conduction", "entropy_conductive", "J/kg/K", "∫ k (dT/dx)² / T² dx / ρu"),
 )
+
+
+def gauges(rows: list[dict], units: dict[str, str]) -> str:
+    """The numbers of the gauges (`output.run_numbers.gauge_rows`), as the terminal shows them."""
+    if not rows:
+        return ""
+    heads = [key for key in rows[0] if key != "gauge"]
+    lines = [(text(row["gauge"]), *("none" if math.isnan(row[h]) else number(float(f"{row[h]:.5g}"), units[h]) for h in heads))
+             for row in rows]
+    return table(("gauge", *(h.replace("_", " ") for h in heads)), lines)
 
 
 def structure(summary: dict) -> str:
@@ -155,7 +182,7 @@ def events(run) -> str:
     """What happened, in order (the first two hundred)."""
     rows = run.arrays("events")
     if not len(rows["time"]):
-        return "<p class=quiet>None.</p>"
+        return "<p class=quiet>No events.</p>"
     lines = []
     for time, cycle, kind, words, numbers in list(zip(*(rows[k] for k in ("time", "cycle", "kind", "text", "numbers"))))[:MOST_EVENTS]:
         extra = json.loads(numbers)

@@ -233,7 +233,7 @@ def _targets(name, value, ahead: Initial, direction: int):
             raise OutOfRange(f"a {name.replace('_', ' ')} of {values.min():.6g} m/s relative to the material ahead, along the shock, "
                              "would expand it: a Hugoniot holds in compression only, use an isentrope for release")
         if mode == jump.BY_SHOCK_VELOCITY and (values == 0.0).any():
-            raise OutOfRange("a shock that stands still in the material ahead is none: it runs faster than sound")
+            raise OutOfRange("a shock cannot stand still in the material ahead: it is faster than sound")
     if mode == jump.BY_PRESSURE and (values < ahead.pressure).any():
         raise OutOfRange(f"a pressure of {values.min():.6g} Pa is below the {ahead.pressure:.6g} Pa ahead of the shock: "
                          "a Hugoniot holds in compression only, use an isentrope for release")

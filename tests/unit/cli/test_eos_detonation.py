@@ -64,10 +64,23 @@ def test_states_of_a_mixture_in_both_closures():
     assert keys <= set(isolation) and isolation["burn_fraction"] == [0.0, 0.5, 1.0]
     assert isolation["pressure"][0] == pytest.approx(20e9, rel=1e-9) == pytest.approx(equilibrium["pressure"][0], rel=1e-9)
     assert isolation["pressure"][2] == pytest.approx(equilibrium["pressure"][2], rel=1e-9)
-    # a state by density and thermal energy is the same one
-    rho, e = isolation["density"][0], isolation["specific_internal_energy"][0] - isolation["detonation_energy"]
+    # a state by density and energy above that at rest is the same one
+    rho, e = isolation["density"][0], isolation["specific_internal_energy"][0] - isolation["energy_at_rest"]
     again = answer("mixture", *LX17, "--at", f"density = {rho!r}, energy = {e!r}", "--burn-fraction", "0.5", "--closure", "thermal_isolation")
     assert again["pressure"] == [pytest.approx(isolation["pressure"][1], rel=1e-12)]
+
+
+def test_an_energy_counts_from_the_unreacted_explosive_at_rest(tmp_path):
+    """A stiffened gas at rest holds gamma P / ((gamma - 1) rho0) = 0.350 MJ/kg: energy = 0 is no pressure all the same."""
+    path = tmp_path / "liquid.toml"
+    path.write_text('detonation_energy = "5 MJ/kg"\n[eos]\nlaw = "jwl"\na = "5e11 Pa"\nb = "5e9 Pa"\nr1 = 4.2\nr2 = 1.0\n'
+                    'omega = 0.3\nrho0 = 1100.0\ne0 = "6e9 J/m^3"\n[unreacted]\nlaw = "stiffened_gas"\ngamma = 2.85\np_infinity = "2.5e8 Pa"\n'
+                    'rho0 = 1100.0\nspecific_heat = 1500.0\n', encoding="utf-8")
+    ask = ("mixture", str(path), "--burn-fraction", "0", "--closure", "weighted_pressures", "--at")
+    at_rest = answer(*ask, "density = 1100 kg/m^3, energy = 0 J/kg")
+    assert at_rest["pressure"][0] == pytest.approx(0.0, abs=1.0)
+    warm = answer(*ask, "density = 1100 kg/m^3, energy = 0.1 MJ/kg")
+    assert warm["pressure"][0] == pytest.approx(1.85 * 1100.0 * 1e5, rel=1e-9)     # (gamma - 1) rho e
 
 
 @pytest.mark.parametrize("closure", ["thermal_isolation", "thermal_equilibrium", "weighted_pressures"])
@@ -109,7 +122,7 @@ def test_pictures(tmp_path, arguments):
     (("znd", "lx_17", "--velocity", "7 km/s"), 3, "slower than the Chapman-Jouguet"), (("znd", "lx_17", "--velocity", "7 km"), 2, "expected a velocity"),
     (("znd", "lx_17", "--rate", "arhenius: frequency = 1"), 2, "did you mean 'arrhenius'"), (("znd", "lx_17", "--rate", "arrhenius: frequency"), 2, "gives no parameter"),
     (("znd", "lx_17", "--rate", "arrhenius: frequency = 1e6 1/s"), 2, "activation_temperature: missing"),
-    (("znd", "lx_17", "--complete", "1"), 3, "0 < complete < 1"), (("znd", "lx_17", "--heat", "1 MJ/kg", "--closure", "thermal_isolation"), 2, "leave one"),
+    (("znd", "lx_17", "--complete", "1"), 3, "0 < complete < 1"), (("znd", "lx_17", "--heat", "1 MJ/kg", "--closure", "thermal_isolation"), 2, "omit one"),
     (("znd", "copper", "--heat", "1 MJ/kg"), 2, "has no burn law"), (("mixture", "lx_17"), 2, "no state is given"), (("mixture", "copper", "--shocked", "pressure = 1 GPa"), 2, "unreacted"),
     (("mixture", *LX17, "--burn-fraction", "1.5"), 2, "no fraction"), (("mixture", *LX17, "--at", "density = 2 g/cm^3"), 2, "a density and an energy, pressure or temperature"),
     (("mixture", *LX17, "--at", "energy = 2 MJ/kg, pressure = 9 GPa"), 2, "density = 2.4 g/cm^3, pressure = 20 GPa"),

@@ -73,7 +73,7 @@ def test_a_file_that_may_not_be_read_ends_with_the_code_of_files(arguments, caps
 
 
 @pytest.mark.parametrize("arguments, words", [
-    (("--integrator", "wilkin"), "--integrator: unknown integrator 'wilkin'; did you mean 'wilkins'?"), (("-n", "0"), "--zones: 0 zones hold no problem")])
+    (("--integrator", "wilkin"), "--integrator: unknown integrator 'wilkin'; did you mean 'wilkins'?"), (("-n", "0"), "--zones: 0 zones are too few")])
 def test_verify_names_what_it_cannot_run(arguments, words, capsys):
     code, out, err = call(capsys, "verify", "sod", *arguments)
     assert code == 2 and not out and words in err
@@ -132,7 +132,7 @@ def test_init_writes_a_deck_that_check_accepts(capsys, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     assert call(capsys, "init", "flyer")[0] == 0
     code, out, _ = call(capsys, "check", "flyer.toml")
-    assert code == 0 and "200 zones" in out and "the deck is sound" in out
+    assert code == 0 and "200 zones" in out and "the deck is valid" in out
     code, _, err = call(capsys, "init", "flyer")
     assert code == 4 and "--overwrite" in err
     code, _, err = call(capsys, "init", "flier")

@@ -18,6 +18,7 @@ from hugoniot.diagnostics.velocimetry import (
     PullBack,
     fringes,
     kanel_correction,
+    plateau,
     pull_back,
     ringing_period,
     spall_strength,
@@ -157,6 +158,15 @@ def test_a_precursor_and_a_flat_top_do_not_mislead():
     u = np.array([0, 0, 10, 10, 100, 100, 70, 90, 90], dtype=float)
     found = pull_back(t, u)
     assert (found.peak, found.minimum, found.rebound) == (100, 70, 90) and (found.peak_time, found.minimum_time) == (4, 5)
+
+
+def test_the_plateau_is_free_of_the_overshoot_and_a_peak_is_kept():
+    """A top at 100 m/s behind an overshoot of 4 %, and a triangle, whose highest velocity is its peak."""
+    t = np.linspace(0.0, 1.0, 1001)
+    flat = np.interp(t, [0, 0.1, 0.11, 0.13, 0.8, 0.9], [0.0, 0, 104, 100, 100, 50])
+    assert plateau(t, flat) == pytest.approx(100.0, abs=0.05) and flat.max() > 103
+    triangle = np.interp(t, [0, 0.1, 0.11, 0.9], [0.0, 0, 104, 0])
+    assert plateau(t, triangle) == triangle.max() and plateau([0.0], [3.0]) == 3.0
 
 
 def test_stepanov_tends_to_the_acoustic_reading_without_strength():

@@ -5,8 +5,9 @@ import numpy as np
 import pytest
 
 from hugoniot.errors import DeckError, FileTrouble
-from hugoniot.output.compare import compare, free_surface_gauges, read_table
+from hugoniot.output.compare import compare, read_table
 from hugoniot.output.run import load
+from hugoniot.output.spall_reading import free_surface_gauges
 
 
 @pytest.fixture(scope="module")
@@ -59,10 +60,10 @@ def test_the_runs_own_csv_compares_with_the_run(runs):
     ("time [us], velocity [GPa]\n0,1\n", "one kind"),
     ("time [us], velocity [furlong]\n0,1\n", "furlong"),
     ("time [us], velocity [m/s]\n0,abc\n", "'abc' is not a number"),
-    ("time [us], velocity [m/s]\n0,1,2\n", "3 values under 2 heads"),
+    ("time [us], velocity [m/s]\n0,1,2\n", "3 values under 2 headers"),
     ("time [us], velocity [m/s]\n1,1\n0,1\n", "must increase"),
     ("time [us], velocity [m/s]\n0,nan\n1,1\n", "must increase and every value be finite"),
-    ("", "needs a line of heads"), ("time [us], velocity [m/s]\n", "no values below its heads"),
+    ("", "needs a line of column headers"), ("time [us], velocity [m/s]\n", "no values below its headers"),
     ("time [s], velocity [m/s]\n5,0\n6,0\n", "nothing in it matches"),
 ])
 def test_broken_tables_are_answered_with_the_place(runs, tmp_path, table, words):

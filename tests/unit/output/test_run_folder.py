@@ -169,7 +169,7 @@ def test_loading_what_is_not_a_finished_run_says_what_it_is(tmp_path):
     with pytest.raises(FileTrouble, match="not a run folder"):
         load(tmp_path)
     (tmp_path / "checkpoint").mkdir()
-    with pytest.raises(FileTrouble, match="unfinished; go on with `hugoniot resume"):
+    with pytest.raises(FileTrouble, match="unfinished; continue with `hugoniot resume"):
         load(tmp_path)
 
 

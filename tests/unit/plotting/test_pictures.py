@@ -163,3 +163,37 @@ def test_pressures_of_gases_are_drawn_in_their_own_unit():
         ax = hugoniots([("gas", Initial.at_rest(gas), curve(gas, up_to=speed))])
         assert ax.get_ylabel() == f"pressure ({unit})"
         assert float(ax.yaxis.get_major_formatter()(0.002)) == pytest.approx(0.002 * factor)
+
+
+def test_axes_are_limited_in_si_units(run, tmp_path):
+    """The limits of the options, whatever units the axes are labelled with."""
+    from hugoniot.cli.plot import _limits
+    from hugoniot.cli.show import span
+    from hugoniot.plotting.style import show_only, si_factor
+
+    assert span("-1..6 GPa", "Pa", "--range") == (-1e9, 6e9) and span("2 um..0.005", "m", "--x") == (2e-6, 5e-3)
+    assert (si_factor("µs"), si_factor("GPa"), si_factor("kg/m³"), si_factor("km/s")) == (1e-6, 1e9, 1.0, 1e3)
+    end = float(run.arrays("gauges")["time"][-1])
+    ax = run.plot.gauge("stress")
+    show_only(ax, (0.25 * end, 0.5 * end), (-1e8, 2e8))
+    unit = si_factor(ax.get_xlabel().rpartition("(")[2].rstrip(")"))
+    assert ax.get_xlim() == pytest.approx((0.25 * end / unit, 0.5 * end / unit))
+    with pytest.raises(DeckError, match="a profile picture has no such axis"):
+        _limits("profile", "", None, "1..2 us", None)
+    with pytest.raises(DeckError, match="is not a range"):
+        span("5..1 mm", "m", "--x")
+    half = run.plot.xt("stress", window=(0.0, 1e-3), times=(0.0, 0.5 * end))
+    assert half.get_xlim()[1] == pytest.approx(1.0) and half.get_ylim()[1] * unit == pytest.approx(0.5 * end)
+
+
+def test_a_spike_does_not_flatten_the_differences():
+    from matplotlib.figure import Figure
+
+    from hugoniot.plotting.comparison import _robust
+
+    gap = np.sin(np.linspace(0.0, 20.0, 1000))
+    for spike, told in ((gap, False), (np.where(np.arange(1000) == 500, 300.0, gap), True)):
+        ax = Figure().subplots()
+        ax.plot(spike)
+        _robust(ax, spike, "m/s")
+        assert ax.get_ylim()[1] < 3.0 and ("largest 300 m/s" in [text.get_text() for text in ax.texts]) == told

@@ -126,6 +126,26 @@ def test_a_base_material_is_overridden_number_by_number():
     assert "eos.rho0" in told and "eos.c0" not in told
 
 
+def test_forgotten_units_are_warned_of():
+    text = deck(end="").replace("rho0 = 2700", "rho0 = 8.19").replace("c0 = 5200.0", "c0 = 4.6")
+    found = [w for w in read_deck_text(text).warnings if "A bare number is SI" in w]
+    assert len(found) == 2 and '"8.19 g/cm^3"' in found[0] and '"4.6 km/s"' in found[1]
+    for name in library.names():
+        lit = "lighting = [{at = 0.0}]\n" if library.find(name).burn is not None else ""
+        plain = 'stop_time = 1e-6\n' + lit + REGION.format(to=1.0, more="zones = 2").replace('"m"', f'"{name}"')
+        assert not any("A bare number is SI" in w for w in read_deck_text(plain).warnings), name
+
+
+def test_a_porous_law_takes_a_material_of_the_library_as_its_solid():
+    porous = '[material.m.eos]\nlaw = "p_alpha"\nbase = "{base}"\nalpha0 = 1.3\nelastic_pressure = 1e8\ncompaction_pressure = 1e9\n'
+    text = 'stop_time = "1 us"\n' + REGION.format(to="1.0", more="zones = 10") + porous
+    first = read_deck_text(text.format(base="copper"))
+    assert first.problem.materials["m"].eos.base == library.find("copper").eos
+    assert read_deck_text(first.resolved).problem == first.problem
+    with pytest.raises(DeckError, match="unknown material 'coper'; .*copper"):
+        read_deck_text(text.format(base="coper"))
+
+
 def test_unused_materials_and_mass_jumps_are_warned_of():
     second = '[[region]]\nname = "b"\nmaterial = "m"\nfrom = 1.0\nto = 2.0\nzones = 1000\n'
     warnings = read_deck_text(deck(end=second + MATERIAL.replace("material.m", "material.spare"))).warnings

@@ -70,8 +70,8 @@ def test_one_file_without_network_below_two_megabytes(page):
 def test_every_part_is_there(page):
     checker = Checker()
     checker.feed(page)
-    assert checker.headings == ["Set-up", "Wave diagram", "Gauges", "Free surface", "Energy and momentum", "What happened", "Materials",
-                                "Numerics", "Sources of what was used", "Deck, every default written out"]
+    assert checker.headings == ["At the gauges", "Set-up", "Wave diagram", "Gauge records", "Free surface", "Energy and momentum", "Events", "Materials",
+                                "Numerics", "Sources", "Deck with every default written out"]
 
 
 def test_numbers_and_sources_are_told(page):

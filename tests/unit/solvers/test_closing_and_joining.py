@@ -12,8 +12,8 @@ from hugoniot.mesh.line import mean_area
 from hugoniot.problem.model import Region
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.bodies import join, node_masses, split
+from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.watch import closing_time, failing_node
 
 closing = closing_time.py_func     # the same source, uncompiled

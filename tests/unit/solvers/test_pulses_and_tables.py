@@ -13,9 +13,9 @@ from hugoniot.mesh.line import graded_nodes
 from hugoniot.problem.model import Boundary, Gauge, Problem, Pulse, Region
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.assemble import boundary_pulse
 from hugoniot.solvers.lagrange1d.bodies import SHARE, run_table, shares_of
+from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.nodes import pulse_value
 
 A, T0, D = 3.0, 0.2, 0.5

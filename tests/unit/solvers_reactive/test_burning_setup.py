@@ -19,9 +19,8 @@ from hugoniot.materials.material import Material
 from hugoniot.problem.deck import read_deck_text
 from hugoniot.problem.explosives import defects, programmed_bodies
 from hugoniot.problem.model import Lighting, Problem, Region
-from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.layout import B, Z
 from hugoniot.solvers.lagrange1d import post_mortem, reactive
+from hugoniot.solvers.lagrange1d.layout import B, Z
 
 GAS = IdealGas(3.0, 1000.0, 1600.0)
 SLOW, FAST = (Material(name, GAS, burn=Programmed(speed), detonation_energy=4e6) for name, speed in (("slow", 4000.0), ("fast", 8000.0)))

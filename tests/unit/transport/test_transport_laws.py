@@ -10,8 +10,9 @@ from hugoniot.laws import eos as _laws  # noqa: F401
 from hugoniot.laws.eos.contract import EOS, pressure, pressure_derivatives, sound_speed_squared
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.transport import contract as t
-from hugoniot.laws.transport.mean_free_path import MEAN_FREE_PATHS, mean_free_path
+from hugoniot.laws.transport.mean_free_path import MEAN_FREE_PATHS, mean_free_path, viscosity_exponent
 from hugoniot.theory.structure import jordan
+from hugoniot.theory.structure.profile import steady
 
 R, RHO, T = 208.1, 1.62, 300.0
 
@@ -50,11 +51,34 @@ def test_mean_free_paths_differ_by_their_known_ratios():
     assert found["vhs"] == pytest.approx(found["chapman_enskog"], rel=1e-14)            # omega = 1/2 is the hard sphere
 
 
+@pytest.mark.parametrize("omega", [0.5, 0.74, 0.81, 1.0])
+def test_variable_hard_spheres_have_the_path_of_their_cross_section(omega):
+    """Spheres of diameter d at this temperature: Bird (1994) eq. 4.62 gives the viscosity, 1 / (sqrt(2) pi d^2 n) the path."""
+    k, mass, d = 1.380649e-23, 6.6335e-26, 4.17e-10
+    mu = 15.0 * math.sqrt(math.pi * mass * k * T) / (2.0 * math.pi * d**2 * (5.0 - 2.0 * omega) * (7.0 - 2.0 * omega))
+    path = 1.0 / (math.sqrt(2.0) * math.pi * d**2 * (RHO / mass))
+    assert mean_free_path("vhs", mu, RHO, RHO * k / mass * T, omega) == pytest.approx(path, rel=1e-12)
+
+
+@pytest.mark.parametrize("law, omega", [("constant", 0.0), ("power_law", 0.81), ("maxwell_molecules", 1.0), ("hard_sphere", 0.5),
+                                        ("sutherland", 1.5 - T / (T + 144.4))])
+def test_the_exponent_of_a_viscosity_law_is_its_own(law, omega):
+    assert viscosity_exponent(RHO, T, jordan.argon_transport(law).shear) == pytest.approx(omega, abs=1e-7)
+
+
+def test_a_profile_counts_its_vhs_path_with_the_exponent_of_its_law():
+    """Bird's factor (5 - 2 omega)(7 - 2 omega): 1.0685 times longer for 0.74 than for 0.81."""
+    law, ahead = jordan.argon()
+    one, other = (steady(law, t.make({"law": "power_law", "shear_viscosity": 2.27e-5, "exponent": omega}), ahead, mach=2.0)
+                  for omega in (0.74, 0.81))
+    assert one.mean_free_path("vhs") / other.mean_free_path("vhs") == pytest.approx(3.52 * 5.52 / (3.38 * 5.38), rel=1e-9)
+
+
 def test_mean_free_path_refuses_a_liquid_and_offers_the_nearest_name():
     with pytest.raises(OutOfRange, match="needs a gas"):
-        mean_free_path("bsl", 1e-3, 1000.0, 0.0)
+        mean_free_path("bsl", 1e-3, 1000.0, 0.0, 0.5)
     with pytest.raises(OutOfRange, match="did you mean 'chapman_enskog'"):
-        mean_free_path("chapman_enskogg", 1e-5, 1.0, 1e5)
+        mean_free_path("chapman_enskogg", 1e-5, 1.0, 1e5, 0.5)
 
 
 def test_isobaric_heat_of_an_ideal_gas_is_gamma_cv():

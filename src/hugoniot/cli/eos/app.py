@@ -110,7 +110,7 @@ def riemann(
     right: Annotated[str, typer.Argument(metavar="RIGHT", help="Material on the right.")],
     left_state: Annotated[str, typer.Option("--left", help='"pressure = 1 GPa, velocity = 100 m/s"; default at rest.')] = "",
     right_state: Annotated[str, typer.Option("--right", help="As --left.")] = "",
-    bonded: Annotated[bool, typer.Option("--bonded", help="The contact bears tension.")] = False,
+    bonded: Annotated[bool, typer.Option("--bonded", help="The contact supports tension.")] = False,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
     """The exact Riemann problem of two materials: waves, contact or vacuum.
@@ -134,16 +134,23 @@ def fit(
     quadratic: Annotated[bool, typer.Option("--quadratic", help="Fit Us = c0 + s up + s2 up^2.")] = False,
     least: Annotated[str | None, typer.Option("--from", help="Ignore points of lower particle velocity.")] = None,
     highest: Annotated[str | None, typer.Option("--to", help="Ignore points of higher particle velocity.")] = None,
+    as_toml: Annotated[bool, typer.Option("--toml", help="Print a material table for a deck.")] = False,
+    density: Annotated[str | None, typer.Option("--density", help="Density at rest, for --toml (default: the library's).")] = None,
+    gruneisen: Annotated[float | None, typer.Option("--gruneisen", help="Gruneisen parameter, for --toml (default: 2 s - 1).")] = None,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
     """Fit shock velocity against particle velocity, with standard deviations and the range of the points.
 
-    Example: hugoniot eos fit shots.csv --quadratic --plot fit.png
+    Example: hugoniot eos fit shots.csv --toml --density "8.93 g/cm^3"
     """
     from hugoniot.cli.eos import fit as eos_fit
 
-    eos_fit.report(points, 2 if quadratic else 1, quantity(least, "m/s", "--from") if least else 0.0,
-                   quantity(highest, "m/s", "--to") if highest else float("inf"), as_json, as_csv, plot)
+    low, high = quantity(least, "m/s", "--from") if least else 0.0, quantity(highest, "m/s", "--to") if highest else float("inf")
+    if as_toml:
+        rest = quantity(density, "kg/m^3", "--density") if density else None
+        eos_fit.deck_table(points, 2 if quadratic else 1, low, high, rest, gruneisen)
+        return
+    eos_fit.report(points, 2 if quadratic else 1, low, high, as_json, as_csv, plot)
 
 
 @app.command("fit-jwl")

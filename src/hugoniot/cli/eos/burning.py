@@ -117,18 +117,18 @@ def _solved(name: str, asked: Zone):
     if asked.heat:
         if asked.closure:
             raise DeckError.single("command line", None, "--closure", "--heat asks for one law that releases heat",
-                                   "leave one of them away")
+                                   "omit one of them")
         subject = find_material(name)
         burn = read_rate(asked.rate) if asked.rate else subject.material.burn
         if burn is None:
-            raise DeckError.single("command line", None, name, "has no burn law, so that nothing tells how fast it reacts",
+            raise DeckError.single("command line", None, name, "has no burn law, so its reaction rate is unknown",
                                    'give --rate "pressure_power: ...", or a TOML file with [burn]')
         law, ahead, kind = subject.material.eos, initial(subject, asked.density, asked.heat, asked.ahead), None
     else:
         subject, said = find_reactive(name, asked.rate)
         if asked.density:
             raise DeckError.single("command line", None, "--density", "a mixture starts at the density of its unreacted explosive",
-                                   "leave it away, or give --ahead")
+                                   "omit it, or give --ahead")
         law, burn = mixture_of(subject, asked.closure), subject.material.burn
         reactants = subject.material.unreacted
         ahead = _given(reactants, asked.ahead) if asked.ahead else Initial.at_rest(reactants)

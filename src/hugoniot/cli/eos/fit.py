@@ -1,5 +1,6 @@
 """The reports of `hugoniot eos fit`, `fit-jwl` and `fit-gamma`."""
 
+import re
 from pathlib import Path
 
 import typer
@@ -12,14 +13,47 @@ from hugoniot.theory.fits import adjusted_gamma, fit_jwl, read_expansion, read_p
 WORDS = (("c0", "m/s"), ("s", ""), ("s2", "s/m"))
 
 
-def report(name: str, degree: int, least: float, highest: float, as_json: bool, as_csv, plot) -> None:
-    """Fit the points of a file or of the library; print, and draw where asked."""
+def _fitted(name: str, degree: int, least: float, highest: float):
+    """(up, us, which of them are kept, their fit)."""
     up, us = _points(name)
     kept = (up >= least) & (up <= highest)
     try:
-        fitted = us_up(up[kept], us[kept], degree)
+        return up, us, kept, us_up(up[kept], us[kept], degree)
     except OutOfRange as error:
         raise DeckError.single(name, None, "points", str(error), "measure more, or widen --from and --to") from None
+
+
+def deck_table(name: str, degree: int, least: float, highest: float, density: float | None, gruneisen: float | None) -> None:
+    """Print the fit as the tables of a material for a deck."""
+    *_, kept, fitted = _fitted(name, degree, least, highest)
+    if density is None:
+        density = _density_at_rest(name)
+    words = re.sub(r"[^A-Za-z0-9_]+", "_", Path(name).stem).strip("_") or "fitted"
+    gamma, why = (gruneisen, "") if gruneisen is not None else (2.0 * fitted.coefficients[1] - 1.0, "   # estimated as 2 s - 1")
+    names = (("c0", "s1", "s2") if degree == 2 else ("c0", "s"))
+    typer.echo(f"# {name}: {kept.sum()} points, particle velocity {fitted.least:.6g} to {fitted.highest:.6g} m/s, standard deviation "
+               f"{fitted.deviation:.4g} m/s")
+    typer.echo(f"[material.{words}]\nvalid_up_to = \"{fitted.highest:.6g} m/s\"\n\n[material.{words}.eos]\n"
+               f"law = \"{'mie_gruneisen_quadratic' if degree == 2 else 'mie_gruneisen'}\"\nrho0 = \"{density:.6g} kg/m^3\"")
+    for key, (_, unit), value, sigma in zip(names, WORDS, fitted.coefficients, fitted.deviations):
+        shown = f"\"{value:.6g} {unit}\"" if unit else f"{value:.6g}"
+        typer.echo(f"{key} = {shown}   # standard deviation {sigma:.3g}")
+    typer.echo(f"gamma0 = {gamma:.6g}{why}")
+
+
+def _density_at_rest(name: str) -> float:
+    """Of a material of the library, kg/m3."""
+    if Path(name).suffix.lower() in (".csv", ".txt", ".dat") or Path(name).exists():
+        raise DeckError.single("command line", None, "--toml", "the points do not give the density at rest", 'add --density "8.93 g/cm^3"')
+    from hugoniot.laws.eos.contract import reference_state
+    from hugoniot.materials.library import find
+
+    return float(reference_state(find(name).eos)[0])
+
+
+def report(name: str, degree: int, least: float, highest: float, as_json: bool, as_csv, plot) -> None:
+    """Fit the points of a file or of the library; print, and draw where asked."""
+    up, us, kept, fitted = _fitted(name, degree, least, highest)
     if plot:
         from hugoniot.plotting.eos import save, us_up_fit
 
@@ -54,7 +88,7 @@ def jwl(path: str, density: str, velocity: str, pressure: str, energy: str, omeg
     volumes, pressures = read_expansion(path)
     below = volumes > cj_volume
     if not (pressures[below] > 0.0).all():
-        raise DeckError.single(path, None, "pressure", "a pressure of zero has no logarithm to fit", "leave that point out")
+        raise DeckError.single(path, None, "pressure", "a pressure of zero has no logarithm to fit", "omit that point")
     found = fit_jwl(rho0, d, p_cj, e0, volumes[below], pressures[below], omega=omega)
     par = found.par
     fitted = found.isentrope.pressure(volumes)
@@ -83,7 +117,7 @@ def gamma(subject, at: str, ambient: float, as_json: bool) -> None:
     par = subject.material.eos
     if not all(hasattr(par, n) for n in ("rho0", "c0", "s", "gamma0")):
         raise DeckError.single("command line", None, subject.material.name, "the adjustment is made for a linear Us-up law",
-                               "name a material with rho0, c0, s and gamma0 (hugoniot eos show tells)")
+                               "name a material with rho0, c0, s and gamma0 (see hugoniot eos show)")
     state = shock(subject.material, **one_state(at))
     up = float(state.particle_velocity)
     adjusted = adjusted_gamma(par.rho0, par.c0, par.s, up, par.gamma0, pressure=ambient)

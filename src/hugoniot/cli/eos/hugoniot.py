@@ -68,7 +68,7 @@ def _with_reaction(name: str, asked: Question) -> Answer:
 
     if asked.after:
         raise DeckError.single("command line", None, "--after", "a detonation Hugoniot starts from the unreacted explosive",
-                               "leave it away")
+                               "omit it")
     subject = find_material(name)
     ahead = initial(subject, asked.density, asked.heat, "")
     point = cj(subject.material, ahead).state

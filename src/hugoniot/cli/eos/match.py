@@ -5,8 +5,8 @@ import typer
 from hugoniot.cli.eos.input import Subject, error_bars
 from hugoniot.cli.eos.output import cell, echo_notes, notes, row_of, write_csv
 from hugoniot.cli.show import echo_json, echo_table, quantity
-from hugoniot.errors import DeckError
-from hugoniot.laws.eos.contract import EOS
+from hugoniot.errors import DeckError, HugoniotError, NoSolution, OutOfRange
+from hugoniot.laws.eos.contract import EOS, reference_state
 from hugoniot.theory.impedance import Match, match
 from hugoniot.theory.impedance import ring_up as ringing
 
@@ -17,7 +17,7 @@ def report(subjects: list[Subject], velocity, error, samples, ring_up, as_json, 
     """Solve, then print, write and draw what is asked."""
     layers = [s.material for s in subjects]
     names = [m.name for m in layers]
-    met = ringing(layers, velocity, bounces=ring_up) if ring_up else match(layers, velocity)
+    met = _met(subjects, lambda laws: ringing(laws, velocity, bounces=ring_up) if ring_up else match(laws, velocity))
     spreads = _spreads(layers, velocity, error, samples) if error else None
     rows = [_row(m, names, spreads[i] if spreads and i < len(spreads) else None) for i, m in enumerate(met)]
     told = _told(subjects, velocity, met)
@@ -37,6 +37,42 @@ def report(subjects: list[Subject], velocity, error, samples, ring_up, as_json, 
     heads = ["interface", "pressure, GPa", "particle velocity, m/s", "shock velocity, m/s", "density, kg/m3", "goes back", "goes on"]
     echo_table(heads, [[r["interface"], *(_with_error(k, r) for k in ANSWERS[:4]), r["reflected"], r["transmitted"]] for r in rows])
     echo_notes(told)
+
+
+def _met(subjects: list[Subject], solve):
+    """The states, or the error with the material whose law ends too early and the rows of the library that reach far enough."""
+    layers = [s.material for s in subjects]
+    try:
+        return solve(layers)
+    except (OutOfRange, NoSolution) as error:
+        for subject in subjects:
+            law, rho = EOS.of(subject.material.eos).name, reference_state(subject.material.eos)[0]
+            if f"'{law}'" in str(error) and f"from {rho:.6g} kg/m3" in str(error):
+                rows = [row for row in _other_rows(subject) if _reaches(layers, subject.material.name, row, solve)]
+                name = subject.material.name
+                hint = f"; row {' or '.join(rows)} of the library reaches further: give it in place of '{name}'" if rows else ""
+                raise type(error)(f"material '{name}': {error}{hint}") from None
+        raise
+
+
+def _other_rows(subject: Subject) -> list[str]:
+    """Rows of the library with a Tillotson law of the same name, which holds at any compression."""
+    from hugoniot.materials.schema import table
+    from hugoniot.materials.search import spelling
+
+    wanted = {spelling(name) for name in subject.names}
+    return [row.id for row in table("tillotson").values() if spelling(row.material) in wanted]
+
+
+def _reaches(layers, name: str, row: str, solve) -> bool:
+    """Whether the match succeeds with a row of the library in place of the material."""
+    from hugoniot.materials.library import find
+
+    try:
+        solve([find(row) if layer.name == name else layer for layer in layers])
+    except (HugoniotError, ArithmeticError, ValueError):
+        return False
+    return True
 
 
 def waves(subjects: list[Subject], velocity, thicknesses, until, as_json, as_csv, plot) -> None:

@@ -34,12 +34,14 @@ class Question(NamedTuple):
 
 
 class Case(NamedTuple):
-    """One closure: parameters, (density, energy) of the zone with Q at each burn fraction, and a point of the reactants' isentrope."""
+    """One closure: parameters, (density, energy) of the zone with Q at each burn fraction, a point of the reactants' isentrope, and the
+    energy of the unreacted explosive at rest, with Q."""
 
     kind: str
     par: Any
     state: tuple[float, Any]
     reference: tuple[float, float]
+    rest: float
 
 
 def report(name: str, asked: Question, as_json, as_csv, plot) -> None:
@@ -72,11 +74,12 @@ def report(name: str, asked: Question, as_json, as_csv, plot) -> None:
         _draw(subject, cases, answers, asked, plot)
     tables = [(f"{subject.material.name}, {c.kind}", a.table()) for c, a in zip(cases, answers)]
     if not deliver(tables, as_json=as_json, as_csv=as_csv, told=[told] * len(tables),
-                   more=[{"closure": c.kind, "detonation_energy": c.par.detonation_energy} for c in cases]):
+                   more=[{"closure": c.kind, "detonation_energy": c.par.detonation_energy, "energy_at_rest": c.rest} for c in cases]):
         return
     for case, (title, table) in zip(cases, tables):
         energy = cell("specific_internal_energy", case.par.detonation_energy)
-        typer.echo(f"{title}, chemical energy {energy}, counted in the internal energy")
+        rest = cell("specific_internal_energy", case.rest)
+        typer.echo(f"{title}, chemical energy {energy}, counted in the internal energy (unreacted and at rest: {rest})")
         echo_columns({k: np.atleast_1d(table[k]) for k in SHOWN if table.get(k) is not None})
         typer.echo("")
     typer.echo("--json and --csv also give the states of both phases" + ("" if asked.hugoniot else " and the slopes of the pressure"))
@@ -104,15 +107,16 @@ def _case(subject: Subject, kind: str, asked: Question, fractions: list[float]) 
         if not asked.shocked:
             raise DeckError.single("command line", None, "mixture", "no state is given",
                                    'write --shocked "pressure = 20 GPa" or --at "density = 2.4 g/cm^3, energy = 3 MJ/kg"')
-        return Case(kind, par, reference, reference)
+        return Case(kind, par, reference, reference, ahead.energy + q)
     given = several_states(asked.at, "--at", ("density", "energy", "pressure", "temperature"))
     if len(given) != 2 or "density" not in given:
         raise DeckError.single("command line", None, "--at", "a mixture has a density and an energy, pressure or temperature",
                                'write "density = 2.4 g/cm^3, energy = 3 MJ/kg" or "density = 2.4 g/cm^3, pressure = 20 GPa"')
     rho = given.pop("density")
     if "energy" in given:
-        return Case(kind, par, (rho, given["energy"] + q), reference)
-    return Case(kind, par, (rho, np.array([tool.energy_with(rho, fraction, par, reference, **given) for fraction in fractions])), reference)
+        return Case(kind, par, (rho, given["energy"] + ahead.energy + q), reference, ahead.energy + q)
+    energies = np.array([tool.energy_with(rho, fraction, par, reference, **given) for fraction in fractions])
+    return Case(kind, par, (rho, energies), reference, ahead.energy + q)
 
 
 def _answer(case: Case, fractions: list[float], asked: Question):
@@ -139,7 +143,7 @@ def _series(subject: Subject, case: Case, as_json, as_csv, plot) -> None:
     """The expansion about burn fraction 0, volumes and energies of both phases."""
     if plot or case.kind != "thermal_isolation":
         raise DeckError.single("command line", None, "--series", "is a table of coefficients in thermal isolation",
-                               "leave --plot and other closures away")
+                               "omit --plot and the other closures")
     found = tool.vanishing_series(case.state[0], float(np.ravel(case.state[1])[0]), case.par)
     rows = {"reactant_volume": found.v_r, "reactant_energy": found.e_r, "product_volume": found.v_p, "product_energy": found.e_p}
     if as_csv:

@@ -1,4 +1,4 @@
-r"""Tension cut-off: any law that bears no more than a given tension.
+r"""Tension cut-off: any law that supports no more than a given tension.
 
 $$p(\rho, e) = \max\left[p_{\text{base}}(\rho, e),\; -p_{\text{cut}}\right]$$
 
@@ -75,7 +75,7 @@ EOS.add(
                particle_velocity_limit, smooth_piece, piece_coordinate],
     example=TensionCutoff(MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), 1e9),
     units={"base": "law", "tension": "Pa"},
-    meaning={"base": "the law that is cut", "tension": "largest tension it bears (positive)"},
+    meaning={"base": "the law that is cut", "tension": "largest tension it supports (positive)"},
     box={"rho": (2760.0, 6500.0), "e": (0.0, 2e7)},
     references=("Wilkins, B.2",),
 )

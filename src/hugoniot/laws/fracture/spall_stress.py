@@ -39,7 +39,7 @@ def tension_cap(void_fraction, par):
 def build(strength, coalescence=0.1):
     """Parameters; strength is a positive tension, coalescence a volume fraction between 0 and 1."""
     if not strength > 0.0:
-        raise OutOfRange(f"strength = {strength:g} Pa must be positive (tension); leave [fracture] out for a material that never spalls")
+        raise OutOfRange(f"strength = {strength:g} Pa must be positive (tension); omit [fracture] for a material that never spalls")
     if not 0.0 < coalescence < 1.0:
         raise OutOfRange(f"coalescence = {coalescence:g} must lie between 0 and 1 (it is a volume fraction of voids)")
     return SpallStress(strength, coalescence)

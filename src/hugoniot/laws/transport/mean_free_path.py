@@ -15,6 +15,7 @@ import difflib
 import math
 
 from hugoniot.errors import OutOfRange
+from hugoniot.laws.transport.contract import viscosity
 
 MEAN_FREE_PATHS = {
     "bsl": "3 mu / (rho cbar), Bird, Stewart and Lightfoot; elementary kinetic theory",
@@ -24,10 +25,21 @@ MEAN_FREE_PATHS = {
 }
 
 
-def mean_free_path(definition: str, mu: float, rho: float, p: float, exponent: float = 0.81) -> float:
+def viscosity_exponent(rho: float, T: float, par) -> float:
+    """omega = d ln mu / d ln T of a viscosity law at a state (kg/m3, K); the law's own where it is a power of temperature."""
+    if hasattr(par, "exponent"):
+        return float(par.exponent)
+    if not T > 0.0:
+        return 0.0
+    step = 1e-4
+    low, high = viscosity(rho, T * (1.0 - step), par), viscosity(rho, T * (1.0 + step), par)
+    return (math.log(high) - math.log(low)) / (math.log1p(step) - math.log1p(-step))
+
+
+def mean_free_path(definition: str, mu: float, rho: float, p: float, exponent: float) -> float:
     """Mean free path, m, of a gas of viscosity mu (Pa s), density rho (kg/m3) and pressure p (Pa).
 
-    exponent   omega of mu ~ T^omega, used by "vhs" only
+    exponent   omega of mu ~ T^omega (`viscosity_exponent`), used by "vhs" only
     Raises `OutOfRange` for an unknown definition or a pressure that no gas has.
     """
     if definition not in MEAN_FREE_PATHS:

@@ -72,5 +72,5 @@ def gurney(configuration: str, mass_ratio: float, gurney_velocity: float) -> flo
     elif configuration in GURNEY_CONSTANT:
         energy = mass_ratio + GURNEY_CONSTANT[configuration]
     else:
-        raise OutOfRange(f"configuration = {configuration!r} is none of open, {', '.join(GURNEY_CONSTANT)}")
+        raise OutOfRange(f"configuration = {configuration!r} must be one of open, {', '.join(GURNEY_CONSTANT)}")
     return gurney_velocity / float(np.sqrt(energy))

@@ -17,7 +17,7 @@ import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
 from hugoniot.laws.eos import contract as eos_laws
-from hugoniot.laws.transport.mean_free_path import mean_free_path
+from hugoniot.laws.transport.mean_free_path import mean_free_path, viscosity_exponent
 from hugoniot.theory.structure.ends import Ends, find_ends
 from hugoniot.theory.structure.equations import Equations
 
@@ -175,11 +175,15 @@ class Profile:
             production = (s["viscous_stress"] * self.gradient("velocity", fine) + terms["energy_conduction"]) / s["temperature"]
         return float(np.trapezoid(production, fine)) / (self.ends.upstream.density * self.ends.upstream.sound_speed)
 
-    def mean_free_path(self, definition: str, exponent: float = 0.81) -> float:
-        """Mean free path ahead, m, in a named definition (laws.transport.mean_free_path)."""
+    def mean_free_path(self, definition: str, exponent: float | None = None) -> float:
+        """Mean free path ahead, m, in a named definition (laws.transport.mean_free_path).
+
+        exponent   omega of mu ~ T^omega, for "vhs"; default that of the viscosity law at the temperature ahead
+        """
         one = self.ends.upstream
         mu = self._points(np.array([self.x[0]]))[0]["viscosity"]
-        return mean_free_path(definition, mu, one.density, one.pressure, exponent)
+        omega = viscosity_exponent(one.density, one.temperature, self.transport.shear) if exponent is None else exponent
+        return mean_free_path(definition, mu, one.density, one.pressure, omega)
 
 
 def steady(material, transport, upstream=None, *, rtol: float = 1e-8, **shock) -> Profile:

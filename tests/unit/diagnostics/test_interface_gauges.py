@@ -1,0 +1,50 @@
+"""A gauge on an interface records both sides: no density or temperature between two materials, velocity and stress once."""
+
+import numpy as np
+import pytest
+
+from hugoniot import run
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.materials.material import Material
+from hugoniot.output.compare import compare, run_records
+from hugoniot.output.run_numbers import gauge_rows
+from hugoniot.problem.model import Gauge, OutputOptions, Problem, Region
+from hugoniot.theory.impedance import match
+
+TANTALUM = MieGruneisen(16650.0, 3414.0, 1.2, 1.6, 140.0)
+FLUORIDE = MieGruneisen(2640.0, 5150.0, 1.35, 1.6, 1560.0)
+SPEED = 400.0
+
+
+@pytest.fixture(scope="module")
+def done(tmp_path_factory):
+    """Tantalum on LiF at 400 m/s, to a time at which the interface still holds the state of the impact."""
+    materials = {"ta": Material("ta", TANTALUM), "lif": Material("lif", FLUORIDE)}
+    regions = (Region("Ta", "ta", -3e-3, 0.0, 100, velocity=SPEED), Region("LiF", "lif", 0.0, 5e-3, 120))
+    problem = Problem("sides", "planar", 0.8e-6, regions, materials, gauges=(Gauge("Ta/LiF", "Ta/LiF"), Gauge("inside", 1e-3)),
+                      output=OutputOptions(report=False))
+    return run(problem, tmp_path_factory.mktemp("sides") / "run")
+
+
+def test_each_side_has_its_own_density_and_temperature(done):
+    met = match([TANTALUM, FLUORIDE], SPEED)[0]
+    for side, state in (("left", met.left), ("right", met.right)):
+        density, temperature = (done.gauge(field, f"Ta/LiF {side}")[1] for field in ("density", "temperature"))
+        assert density[-1] == pytest.approx(state.density, rel=0.01)
+        assert np.all((temperature > 250.0) & (temperature < 1500.0))
+    assert done.gauge("velocity", "Ta/LiF")[1][-1] == pytest.approx(met.particle_velocity, rel=0.01)
+    assert done.gauge("stress", "Ta/LiF")[1][-1] == pytest.approx(met.pressure, rel=0.01)
+
+
+def test_nothing_between_two_materials_is_recorded(done):
+    with pytest.raises(KeyError, match="ask for 'Ta/LiF left' or 'Ta/LiF right'"):
+        done.gauge("temperature", "Ta/LiF")
+    heads = (done.folder / "gauges.csv").read_text(encoding="utf-8").splitlines()[0].split(",")
+    assert "Ta/LiF velocity [m/s]" in heads and "Ta/LiF left temperature [K]" in heads
+    assert not {"Ta/LiF temperature [K]", "Ta/LiF density [kg/m^3]"} & set(heads)
+    assert not any(record.gauge == "Ta/LiF" and record.field == "density" for record in run_records(done))
+    assert all(np.isfinite(pair.norms.linf) for pair in compare(done, done).pairs)
+
+
+def test_a_table_names_an_interface_once_while_it_is_joined(done):
+    assert [row["gauge"] for row in gauge_rows(done)][:2] == ["Ta/LiF", "inside"]

@@ -1,0 +1,158 @@
+"""The spall reading belongs to the body that was hit: the strength put in comes back, through a window too, or a reason is given.
+
+The plates are fluids that break, so that the acoustic formula holds but for the curvature of their Hugoniots. Strengths are read back
+where a long pulse of pressure is released: behind an impact the steep release loses part of the pull-back on its way to the surface.
+"""
+
+import json
+
+import pytest
+
+from hugoniot import run
+from hugoniot.cli.main import main
+from hugoniot.errors import DeckError
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.laws.fracture.spall_stress import SpallStress
+from hugoniot.materials.material import Material
+from hugoniot.output.compare import compare
+from hugoniot.output.spall_reading import hit_regions, spall_reading, surface_record, through_window
+from hugoniot.problem.model import Boundary, Gauge, OutputOptions, Problem, Pulse, Region
+from hugoniot.report import write_report
+from hugoniot.theory.impedance import free_surface, match
+
+ALUMINIUM, COPPER = MieGruneisen(2700.0, 5200.0, 1.5, 2.0), MieGruneisen(8930.0, 3940.0, 1.489, 1.99)
+PLASTIC, FLUORIDE = MieGruneisen(1186.0, 2600.0, 1.5, 1.0), MieGruneisen(2640.0, 5150.0, 1.35, 1.6)
+TANTALUM = MieGruneisen(16650.0, 3414.0, 1.2, 1.6)
+STRENGTH, SPEED = 0.8e9, 500.0
+
+
+def plates(*rows, gauges=(), title="plates", stop=2.6e-6, **ends):
+    """rows of (name, law, strength or None, start mm, end mm, velocity); zones of 20 um."""
+    materials = {name: Material(name, law, fracture=SpallStress(strength) if strength else None) for name, law, strength, *_ in rows}
+    regions = tuple(Region(name, name, 1e-3 * a, 1e-3 * b, round((b - a) * 50), velocity=u) for name, _, _, a, b, u in rows)
+    return Problem(title, "planar", stop, regions, materials, gauges=tuple(Gauge(*g) for g in gauges), **ends, output=OutputOptions(report=False))
+
+
+def pulse():
+    """2 GPa within 0.3 us, released over 1.6 us."""
+    return Boundary("pressure", Pulse("table", times=(0.0, 0.3e-6, 1.9e-6), values=(0.0, 2e9, 0.0)))
+
+
+FLYER, TARGET = ("flyer", ALUMINIUM, None, -1.5, 0, SPEED), ("target", ALUMINIUM, STRENGTH, 0, 4, 0.0)
+
+
+@pytest.fixture(scope="module")
+def ran(tmp_path_factory):
+    """Runs by name, each computed once."""
+    problems = {
+        "driven": plates(TARGET, left=pulse()),
+        "driven from the right": plates(("target", ALUMINIUM, STRENGTH, -4, 0, 0.0), right=pulse()),
+        "driven, window": plates(("target", ALUMINIUM, 0.5 * STRENGTH, 0, 4, 0.0), ("window", PLASTIC, None, 4, 8, 0.0), gauges=[("VISAR", "target/window")], left=pulse()),
+        "free": plates(FLYER, TARGET),
+        "window": plates(FLYER, TARGET, ("window", PLASTIC, None, 4, 10, 0.0), gauges=[("VISAR", "target/window")]),
+        "no gauge": plates(FLYER, TARGET, ("window", PLASTIC, None, 4, 10, 0.0)),
+        "stiff window": plates(("flyer", COPPER, None, -3, 0, SPEED), ("target", TANTALUM, 3e9, 0, 5, 0.0),
+                               ("window", FLUORIDE, None, 5, 12, 0.0), gauges=[("Ta/LiF", "target/window")], stop=4e-6),
+        "impactor": plates(("flyer", ALUMINIUM, STRENGTH, -4, 0, SPEED), ("target", ALUMINIUM, None, 0, 1.5, 0.0)),
+    }
+    found = {}
+
+    def get(name):
+        if name not in found:
+            found[name] = run(problems[name], tmp_path_factory.mktemp("spall") / "run")
+        return found[name]
+
+    return get
+
+
+@pytest.mark.parametrize("name, gauge, strength, within", [
+    ("driven", "free surface right", STRENGTH, 0.05), ("driven from the right", "free surface left", STRENGTH, 0.05),
+    # the window leaves 0.4 of the signal: what a velocity misses counts 2.5-fold
+    ("driven, window", "VISAR", 0.5 * STRENGTH, 0.125)])
+def test_the_strength_that_was_put_in_is_read_back(ran, name, gauge, strength, within):
+    reading = spall_reading(ran(name))
+    assert (reading.record.gauge, reading.record.region) == (gauge, "target")
+    assert reading.numbers["spall_strength_acoustic"] == pytest.approx(strength, rel=within)
+
+
+@pytest.mark.parametrize("name, window", [("free", None), ("window", PLASTIC)])
+def test_the_velocity_before_the_pull_back_is_that_of_impedance_matching(ran, name, window):
+    layers = [ALUMINIUM, ALUMINIUM] + ([window] if window else [])
+    last = match(layers, SPEED)[-1].right
+    exact = last.particle_velocity if window else free_surface(ALUMINIUM, last).particle_velocity
+    assert spall_reading(ran(name)).numbers["peak_velocity"] == pytest.approx(exact, rel=0.01)
+
+
+def test_a_window_is_corrected_by_the_two_characteristics():
+    """Peak state and spall tension give the minimum: Z u - p to the left from the peak, Z u + p to the right from the tension."""
+    body, held = 14e6, {"rho0": 1186.0, "c_bulk": 2600.0, "s": 0.0}
+    window = held["rho0"] * held["c_bulk"]
+    peak = 300.0
+    leftward = (window - body) * peak                      # p - Z u carried from the interface
+    rightward = 2.0 * -STRENGTH - leftward                 # p + Z u at the spall plane, where p = -STRENGTH
+    minimum = rightward / (window + body)
+    assert through_window(peak, minimum, body, held) == pytest.approx(STRENGTH, rel=1e-12)
+    assert through_window(peak, peak - 50.0, body) == pytest.approx(0.5 * body * 50.0, rel=1e-12)
+
+
+def test_no_strength_is_read_off_the_flyers_rear_or_through_too_stiff_a_window(ran):
+    reading = spall_reading(ran("stiff window"))
+    assert reading.record is None or reading.record.gauge == "Ta/LiF"
+    assert reading.reason and not any("strength" in key for key in reading.numbers)
+    assert surface_record(ran("stiff window")).gauge == "Ta/LiF"
+    broken = spall_reading(ran("impactor"))
+    assert not broken.numbers and "only in the impactor ('flyer')" in broken.reason
+
+
+def test_a_missing_gauge_is_named(ran):
+    reading = spall_reading(ran("no gauge"))
+    assert not reading.numbers and "add one at 'target/window'" in reading.reason
+
+
+def test_the_body_that_is_hit():
+    def regions(*speeds):
+        return {"regions": [{"name": str(k), "velocity": speed} for k, speed in enumerate(speeds)]}
+
+    assert hit_regions(regions(500.0, 0.0, 0.0)) == ["1", "2"] and hit_regions(regions(0.0, -500.0, -500.0)) == ["0"]
+    assert hit_regions(regions(250.0, -250.0)) == ["0", "1"] == hit_regions(regions(0.0, 0.0))
+    assert hit_regions(regions(500.0, 500.0, [0.0, 0.0])) == ["2"]
+
+
+def test_terminal_report_and_json_show_the_same_numbers(ran, capsys):
+    folder = ran("driven, window").folder
+    shown = {}
+    for option in ((), ("--json",)):
+        with pytest.raises(SystemExit):
+            main(["info", str(folder), *option])
+        shown[option] = capsys.readouterr().out
+    told = json.loads(shown["--json",])["spall"]
+    strength = f"{told['spall_strength_acoustic'] / 1e9:.4g} GPa" if told["spall_strength_acoustic"] >= 1e9 else \
+        f"{told['spall_strength_acoustic'] / 1e6:.4g} MPa"
+    page = write_report(folder).read_text(encoding="utf-8")
+    assert strength in shown[()] and strength in page and f"{told['pull_back']:.4g} m/s" in shown[()] and f"{told['pull_back']:.4g} m/s" in page
+    assert told["region"] == "target" and told["window"] == "window" and "free surface left" not in shown[()].split("spall of")[1]
+
+
+def data(path, header="time [us], velocity [m/s]"):
+    path.write_text(f"{header}\n" + "".join(f"{0.1 * k},{10.0 * k}\n" for k in range(20)), encoding="utf-8")
+    return path
+
+
+def test_measured_velocities_are_compared_with_the_gauge_of_the_body_that_was_hit(ran, tmp_path):
+    for name, gauge in (("window", "VISAR"), ("stiff window", "Ta/LiF"), ("free", "free surface right")):
+        for header in ("time [us], velocity [m/s]", "time (us), velocity (m/s)"):
+            found = compare(ran(name), data(tmp_path / "d.csv", header))
+            assert found.pairs[0].a.gauge == gauge and f"compared with gauge '{gauge}'" in found.notes[0]
+            assert found.pairs[0].b.time[-1] == pytest.approx(1.9e-6)
+    chosen = compare(ran("window"), data(tmp_path / "d.csv"), "free surface left")
+    assert chosen.pairs[0].a.gauge == "free surface left"
+
+
+def test_a_choice_between_gauges_is_asked_for(ran, tmp_path):
+    inside = plates(("flyer", ALUMINIUM, None, -1, 0, 250.0), ("target", ALUMINIUM, None, 0, 1, -250.0), stop=0.2e-6)
+    done = run(inside, tmp_path / "run")
+    with pytest.raises(DeckError, match="choose one with --gauge") as caught:
+        compare(done, data(tmp_path / "d.csv", "time [ns], velocity [m/s]"))
+    assert "free surface left, free surface right" in str(caught.value)
+    with pytest.raises(DeckError, match="no gauge 'middle'"):
+        compare(done, data(tmp_path / "d.csv"), "middle")
