@@ -132,6 +132,10 @@ def density_range(par) -> tuple[float, float]:
 
 def energy_at(par, density: float, pressure: float) -> float:
     """Specific internal energy, J/kg, at a density and a pressure: closed where the law has it, else Newton in a bracket."""
+    law, rest = EOS.of(par), float(contract.reference_state(par)[1])
+    if "linear_in_energy" in law.flags and contract.pressure_derivatives(density, rest, par)[1] == 0.0:
+        raise OutOfRange(f"'{law.name}' gives a pressure that does not depend on the energy: density and pressure leave it open; "
+                         "give the density and the energy")
     if has(par, "energy"):
         return float(contract.energy(density, pressure, par))
     e = float(contract.reference_state(par)[1])
