@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from hugoniot.cli.eos_convert import convert
 from hugoniot.cli.eos_detonation import cj, mixture, znd
 from hugoniot.cli.eos_input import Subject, find_inert, find_material, one_state, several_states
 from hugoniot.cli.eos_options import AT, CSV, HEAT, MATERIAL, MATERIALS, PLOT, POINTS
@@ -195,6 +196,7 @@ app.command()(cj)
 app.command()(znd)
 app.command()(mixture)
 app.command("second-shock")(second_shock)
+app.command()(convert)
 
 
 @app.command()
