@@ -27,9 +27,9 @@ TOOLS = {
     "characteristics": ("Characteristics with reaction", ("theory.characteristics",), "theory.characteristics", ()),
     "second_shock": ("Second shock", ("theory.second_shock",), "theory.second_shock", ("eos second-shock",)),
     "fits": ("Fits", ("theory.fits",), "theory.fits", ("eos fit", "eos fit-jwl", "eos fit-gamma")),
-    "converters": ("From other data to Herrmann's series", ("laws.eos.converters",), "laws.eos.converters", ()),
+    "converters": ("From other data to Herrmann's series", ("laws.eos.converters",), "laws.eos.converters", ("eos convert",)),
 }
-TOLD = {"converters": "Called from Python: `from hugoniot.laws.eos import converters`.",
+TOLD = {"converters": "From Python: `from hugoniot.laws.eos import converters`.",
         "mixtures": "The equations stand under [mixtures](../../theory/mixtures.md).",
         "characteristics": "Called from Python: `from hugoniot.theory import characteristics`."}
 _ROW = re.compile(r"^(\S.{0,70}?) {2,}(\S.*)$")

@@ -88,8 +88,18 @@ def _introduce(name: str, as_json) -> None:
     if as_json:
         echo_json({"solution": name, "what": describe(name), "needed": missing, "source": _source(SOLUTIONS[name]), "states": []})
         return
-    typer.echo(inspect.cleandoc(SOLUTIONS[name].__doc__ or "") + f"\n\nneeds {', '.join(f'{k}=VALUE' for k in missing)}\n"
-               f"source: {_source(SOLUTIONS[name])}")
+    asks = [f"needs {', '.join(f'{k}=VALUE' for k in missing)}"] if missing else _problems()
+    typer.echo("\n".join([inspect.cleandoc(SOLUTIONS[name].__doc__ or ""), "", *asks, f"source: {_source(SOLUTIONS[name])}"]))
+
+
+def _problems() -> list[str]:
+    """Kenamond's problems with their parameters and usual values, and how burn times are asked."""
+    lines = []
+    for number, function in kenamond().items():
+        usual = {k: p.default for k, p in inspect.signature(function).parameters.items() if k != "points"}
+        lines.append(f"problem={number}  {inspect.cleandoc(function.__doc__ or '').splitlines()[0]}")
+        lines.append("           " + ", ".join(f"{k}={v}" for k, v in usual.items()))
+    return [*lines, '', 'burn times are asked at points, --at "0, 4 m; 3 m, 2 m", or drawn with --plot burn.png']
 
 
 def _tell(name: str, solution: Solution, given: dict, states: list[dict]) -> None:
@@ -159,7 +169,7 @@ def _state(name: str, solution: Solution, time: float, low: float, high: float, 
 
 def _span(name, solution: Solution, time, jumps, given: dict, grid: Grid) -> tuple[float, float]:
     """(first, last) position: as asked, the usual interval of a named problem, or around what moves."""
-    low, high = DOMAINS.get(name, (None, None))
+    low, high = solution.domain(time) if solution.domain else DOMAINS.get(name, (None, None))
     numbers = solution.numbers
     if "left_head" in numbers and low is None:
         x0 = float(given.get("x0", 0.0))

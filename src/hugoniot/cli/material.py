@@ -18,6 +18,7 @@ def list_materials(
     category: Annotated[str, typer.Argument(help="Only this category, such as metal, polymer, rock, gas, explosive.")] = "",
     everything: Annotated[bool, typer.Option("--all", help="Also the rows of the tables that nobody has curated.")] = False,
     summary: Annotated[bool, typer.Option("--summary", help="Only counts: materials, rows, rows unverified against print.")] = False,
+    counts: Annotated[bool, typer.Option("--counts", help="Only numbers of materials by kind, and of rows by source.")] = False,
     materials: MATERIALS = None,
     as_json: JSON = False,
 ) -> None:
@@ -27,8 +28,8 @@ def list_materials(
     """
     from hugoniot.materials import library
 
-    if summary:
-        _summary(as_json)
+    if summary or counts:
+        (_summary if summary else _counts)(as_json)
         return
     rows = [hit for hit in library.listings() if everything or hit.curated]
     shown = [_listing(hit) for hit in rows] + [_user_listing(e) for e in _users(materials).values()]
@@ -189,6 +190,21 @@ def _echo_listings(rows: list[dict], as_json: bool) -> None:
         return
     cells = [(r["name"], r["category"], r["title"] if r["curated"] else "not curated", ", ".join(r["aliases"] or r["rows"])) for r in rows]
     echo_table(["name", "category", "title", "also"], cells)
+
+
+def _counts(as_json: bool) -> None:
+    from hugoniot.materials.counts import by_kind, by_source
+
+    kinds, sources = by_kind(), by_source()
+    if as_json:
+        echo_json({"kinds": kinds, "sources": sources})
+        return
+    keys = ("curated", "rows_only", "shock", "compression")
+    lines = [(name, *(str(count[k]) for k in keys), str(count["curated"] + count["rows_only"])) for name, count in kinds.items()]
+    sums = [sum(count[k] for count in kinds.values()) for k in keys]
+    echo_table(["kind", "curated", "rows only", "of which shock", "static compression", "all"],
+               [*lines, ("all", *map(str, sums), str(sums[0] + sums[1]))])
+    echo_table(["source of rows", "rows"], [(name[:70], str(n)) for name, n in list(sources.items())[:25]])
 
 
 def _summary(as_json: bool) -> None:

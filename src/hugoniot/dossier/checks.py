@@ -32,6 +32,8 @@ RANGES: dict[str, tuple[float, float]] = {
     "elastic_limit": (1e7, 2e10), "a": (-1e16, 1e16), "r1": (3.0, 60.0), "r2": (0.1, 10.0), "omega": (0.1, 1.5),
     "detonation_velocity": (2000.0, 10000.0), "cj_pressure": (1e9, 5e10), "e_incipient": (1e5, 2e7), "e_complete": (1e6, 3e7),
     "bulk_a": (1e9, 5e11), "bulk_b": (-1e11, 5e11), "gurney_velocity": (1500.0, 3300.0), "growth1": (0.0, 1e-4), "up_max": (200.0, 50000.0),
+    "bulk_modulus_slope": (1.5, 12.0), "expansivity": (1e-6, 3e-4), "debye_temperature": (100.0, 2500.0), "gamma_exponent": (-1.0, 8.0),
+    "molar_mass": (1e-3, 20.0), "wavelength": (2e-7, 1e-5), "index": (1.0, 2.5), "velocity_factor": (0.4, 1.1),
     "detonation.velocity": (2000.0, 10000.0), "detonation.pressure": (1e9, 5e10),
 }
 
@@ -72,7 +74,7 @@ def check_row(row: Row) -> Iterator[Finding]:
     for mark in row.marks:
         yield Finding(row.id, "own doubt", "mark", text=mark)
     rules = {"us_up": _us_up, "strength": _strength, "jwl": _jwl, "jwlb": _jwlb, "ignition_growth": _ignition_growth,
-             "tillotson": _tillotson, "porous": _porous, "gases": _gas}
+             "tillotson": _tillotson, "porous": _porous, "gases": _gas, "compression": _compression}
     if row.table in rules:
         yield from rules[row.table](row)
 
@@ -187,6 +189,18 @@ def _tillotson(row: Row) -> Iterator[Finding]:
 
 def _porous(row: Row) -> Iterator[Finding]:
     yield Finding(row.id, "distension above 1", "ok" if row["alpha0"] > 1.0 else "fail", row["alpha0"], 1.0)
+
+
+def _compression(row: Row) -> Iterator[Finding]:
+    """At rest without pressure, with sound of a credible speed, a credible Gamma, and a shock faster than its particles to 1 km/s."""
+    entry = make_entry(row.id, {"eos": {"row": row.id}}, f"row {row.id}")
+    par = entry.material.eos
+    yield from _at_rest(row.id, par)
+    for name, value, low, high in (("sound speed", math.sqrt(par.bulk_modulus / par.rho0), 1000.0, 12500.0),
+                                   ("Gamma", par.gamma0, 0.05, 4.0), ("K_S/K_T", par.bulk_modulus / row["bulk_modulus"], 1.0, 1.12)):
+        yield Finding(row.id, name, "ok" if low <= value <= high else ("mark" if row.marks else "fail"), value, math.nan)
+    slowest = min(material_hugoniot(entry.material, up) / up for up in (250.0, 500.0, 1000.0))
+    yield Finding(row.id, "shock faster than particle", "ok" if slowest > 1.0 else "fail", slowest, 1.0)
 
 
 def _gas(row: Row) -> Iterator[Finding]:

@@ -42,6 +42,8 @@ def row_summary(row: Row) -> str:
     """The constants of a row in a few characters, with its mark."""
     if row.table == "us_up":
         text = hugoniot_text(row)
+    elif row.table == "compression":
+        text = f"{row['rho0']:g} kg/m3, K = {row['bulk_modulus'] / 1e9:.4g} GPa, K' = {row['bulk_modulus_slope']:g}"
     elif row.table == "jwl":
         stated = f", D {row['detonation_velocity']:g}" if "detonation_velocity" in row else ""
         text = f"{row['role']} {row['rho0']:g} kg/m3{stated}"

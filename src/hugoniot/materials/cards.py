@@ -7,6 +7,7 @@ reader `materials.law_reader`, so that library, decks and users' files share one
 from dataclasses import replace
 
 from hugoniot.laws.eos.jwl_isentrope import JWLIsentrope
+from hugoniot.materials import static_compression
 from hugoniot.materials.material import Source
 from hugoniot.materials.schema import Row
 
@@ -30,7 +31,8 @@ def card(row: Row, family: str = "") -> Card:
     """
     if row.table == "ignition_growth" and family in ("burn", "eos"):
         return _rate(row) if family == "burn" else _products_of_set(row)
-    makers = {"us_up": _us_up, "strength": _strength, "jwl": _jwl, "tillotson": _tillotson, "gases": _gas, "ignition_growth": _reactant}
+    makers = {"us_up": _us_up, "strength": _strength, "jwl": _jwl, "tillotson": _tillotson, "gases": _gas, "ignition_growth": _reactant,
+              "compression": static_compression.card}
     if row.table not in makers:
         raise ValueError(f"row {row.id} of the table {row.table} is not the table of one law")
     return makers[row.table](row)

@@ -35,6 +35,9 @@ def energy_at_pressure(rho, p, eos):
     A law that searches for its pressure (pores) answers with an error of its own; where steps no longer shrink, that is reached.
     """
     law = EOS.of(eos)
+    if "linear_in_energy" in law.flags and pressure_derivatives(rho, reference_state(eos)[1], eos)[1] == 0.0:
+        raise OutOfRange(f"'{law.name}' gives a pressure that does not depend on the energy: density and pressure leave it open; "
+                         "give the density and the energy")
     if "energy" in law.functions:
         return law.functions["energy"](rho, p, eos)
     e, last = reference_state(eos)[1], math.inf

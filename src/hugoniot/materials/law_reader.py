@@ -123,7 +123,7 @@ def _check_bounds(law: Law, key: str, number: float, unit: str, collector: Colle
     shown = f"{number:g}" + (f" {unit}" if unit != "1" else "")
     if key == "specific_heat" and not number > 0.0:
         collector.add(path, f"a specific heat must be positive, got {shown}", "omit it where it is not known")
-    elif key in law.above or unit == "kg/m^3":
+    elif key in law.above or (unit == "kg/m^3" and key not in law.least):
         bound = law.above.get(key, 0.0)
         if not number > bound:
             collector.add(path, f"must be greater than {bound:g}, got {shown}", law.meaning.get(key, ""))

@@ -27,7 +27,7 @@ STATUSES = ("verified", "corrected", "derived", "recalled")
 UNVERIFIED = "unverified against print"
 TABLES = {
     "U": "us_up", "S": "strength", "J": "jwl", "B": "jwlb", "G": "ignition_growth", "T": "tillotson", "P": "porous", "W": "ptw",
-    "V": "gurney", "A": "argon", "N": "gases", "R": "pop_plot",
+    "V": "gurney", "A": "argon", "N": "gases", "R": "pop_plot", "M": "compression", "O": "windows",
 }
 _PROVENANCE = ("id", "material", "source", "via", "status", "note")
 _CELL = re.compile(r"([A-Z]\d{3})\.([a-z][a-z0-9_]*)")

@@ -29,7 +29,9 @@ UNITS = {"density": "kg/m^3", "pressure": "Pa", "specific_internal_energy": "J/k
          **dict.fromkeys(("fitted_pressure", "truncated_pressure", "adjusted_pressure"), "Pa"), "adjusted_gruneisen": "1",
          **dict.fromkeys(("principal_pressure", "principal_series", "second_pressure", "second_series", "difference"), "Pa"),
          **dict.fromkeys(("leading_difference", "stress", "deviator_radial"), "Pa"),
-         **dict.fromkeys(("x", "y", "z", "radius", "axial_position"), "m"), **dict.fromkeys(("radial_velocity", "axial_velocity"), "m/s")}
+         **dict.fromkeys(("x", "y", "z", "radius", "axial_position"), "m"),
+         **dict.fromkeys(("radial_velocity", "axial_velocity", "transverse_velocity"), "m/s"),
+         **dict.fromkeys(("displacement", "lag"), "m"), "hoop_stress": "Pa", "slope_angle": "degree"}
 
 
 def law_of(material) -> Any:

@@ -108,3 +108,17 @@ def test_bad_input_is_answered_with_the_way_out(arguments, code, words):
     result = exact(*arguments)
     assert result.exit_code == code, result.output
     assert words in result.output and "Traceback" not in result.output and "defect" not in result.output
+
+
+def test_kenamond_says_what_its_problems_take():
+    """It has no parameter without a usual value: an empty list of needs is not printed."""
+    shown = exact("kenamond").output
+    assert "needs" not in shown
+    assert all(f"problem={n}" in shown for n in (1, 2, 3)) and "detonation_velocity=2.0" in shown and "--at" in shown
+
+
+def test_streams_of_the_library_meet():
+    found = answer("meeting_streams", "below.material=copper", "below.mach=2.5", "below.pressure=0 Pa", "above.material=copper",
+                   "above.mach=2.5", "above.pressure=0 Pa", "angle_degrees=-12", "--time", "1 us")
+    assert found["numbers"]["slip_angle"] == pytest.approx(-6.0, rel=1e-9)
+    assert max(found["states"][0]["pressure"]) == pytest.approx(found["numbers"]["slip_pressure"], rel=1e-12)

@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from hugoniot.cli.eos.convert import convert
 from hugoniot.cli.eos.detonation import cj, mixture, znd
 from hugoniot.cli.eos.input import find_inert, find_material
 from hugoniot.cli.eos.options import AT, CSV, HEAT, MATERIAL, MATERIALS, PLOT, POINTS
@@ -126,6 +127,7 @@ app.command()(cj)
 app.command()(znd)
 app.command()(mixture)
 app.command("second-shock")(second_shock)
+app.command()(convert)
 
 
 @app.command()

@@ -4,6 +4,7 @@ $$p = k_0\eta\,(1 + k_1\eta + k_2\eta^2 + k_3\eta^3) + e\,h_0\,(1 + h_1\eta + h_
 
 $h_0(1 + \dots) = \rho\Gamma$, so h0 = rho0 gamma0 (kg/m3) with the energy per mass. `converters` makes the eight numbers from c and s, from
 Murnaghan, finite strain or Rice-McQueen-Walsh constants.  The series is used as it stands in tension.
+With h0 = 0 the pressure follows the density alone (A.11), and no energy follows from density and pressure.
 Temperature (constant $c_v$): $T = T_0\varphi + (e - e_S)/c_v$, $\ln\varphi = \frac{h_0}{\rho_0}(\eta + \tfrac12h_1\eta^2 + \dots)$,
 $e_S = \varphi\int_0^\eta f_1/(\rho_0\varphi)\,dt$, $f_1$ the part of p without e, by 16 Gauss points (the
 integrand is entire: exact to rounding).
@@ -104,9 +105,11 @@ EOS.add(
     units={"rho0": "kg/m^3", "k0": "Pa", "k1": "1", "k2": "1", "k3": "1", "h0": "kg/m^3", "h1": "1", "h2": "1", "h3": "1",
            "specific_heat": "J/kg/K", "reference_temperature": "K"},
     meaning={"rho0": "density at rest", "k0": "bulk modulus at rest", "k1": "second coefficient over k0", "k2": "third coefficient over k0",
-             "k3": "fourth coefficient over k0", "h0": "rho0 gamma0", "h1": "first coefficient of rho Gamma over h0",
+             "k3": "fourth coefficient over k0", "h0": "rho0 gamma0; 0: the pressure follows the density alone",
+             "h1": "first coefficient of rho Gamma over h0",
              "h2": "second coefficient of rho Gamma over h0", "h3": "third coefficient of rho Gamma over h0",
              "specific_heat": "specific heat at constant volume (for temperatures)", "reference_temperature": "temperature at rest"},
+    least={"h0": 0.0},
     defaults={"h1": 0.0, "h2": 0.0, "h3": 0.0, "specific_heat": math.nan, "reference_temperature": 298.15},
     box={"rho": (2500.0, 7000.0), "e": (0.0, 1e7)},
     references=("Herrmann, WL-TR-64-107, eq. 3.6, A.12, C.16",),

@@ -1,13 +1,15 @@
 r"""The shock equation of state of the KB codes: the pressure of the shock that would have given a zone its energy.
 
-$$p = \rho_0\,U_s\,u_p, \qquad u_p = \sqrt{2e}, \qquad U_s = c_0 + s\,u_p$$
+$$p = \rho_0\,U_s\,u_p, \qquad u_p = \sqrt{2e}, \qquad U_s = c_0 + s\,u_p + s_2u_p^2$$
 
 The density does not enter (K-E10): on the principal Hugoniot the pressure is right, off it nothing is. There is no tension and no elastic
 release, and a zone at e = 0 stays there under its own pressure, because p = 0 does no work: only the artificial viscosity heats it.
 Kept to reproduce what those codes compute of explosives before they burn; take `mie_gruneisen` for anything else.
 
-With $\partial p/\partial\rho = 0$ the speed of sound is that of $p\,p_e/\rho^2$: $c = \tfrac{\rho_0}{\rho}\sqrt{(c_0+su_p)(c_0+2su_p)}$,
-$c_0$ at rest. The slope $p_e = \rho_0(c_0/u_p + 2s)$ is infinite at rest, so $u_p$ is at least REST, which leaves 3e-3 Pa in a metal.
+With $\partial p/\partial\rho = 0$ the speed of sound is that of $p\,p_e/\rho^2$: 
+$c = \tfrac{\rho_0}{\rho}\sqrt{U_s\,(c_0 + 2su_p + 3s_2u_p^2)}$, $c_0$ at rest. With s2 negative the pressure ends to rise with the energy
+where the last factor vanishes; there the speed of sound is no longer real, and a run stops. The slope
+$p_e = \rho_0(c_0/u_p + 2s + 3s_2u_p)$ is infinite at rest, so $u_p$ is at least REST, which leaves 3e-3 Pa in a metal.
 
 Source: 001 (KB codes) equations 3.1, 3.6 and 3.7.
 """
@@ -25,6 +27,7 @@ class ShockEnergy(NamedTuple):
     rho0: float
     c0: float
     s: float
+    s2: float = 0.0
 
 
 def _particle_velocity(e):
@@ -34,11 +37,12 @@ def _particle_velocity(e):
 def pressure(rho, e, par):
     """Energies below that of rest have no pressure."""
     u = _particle_velocity(e)
-    return par.rho0 * (par.c0 + par.s * u) * u
+    return par.rho0 * (par.c0 + u * (par.s + u * par.s2)) * u
 
 
 def pressure_derivatives(rho, e, par):
-    return 0.0 * rho, par.rho0 * (par.c0 / _particle_velocity(e) + 2.0 * par.s)
+    u = _particle_velocity(e)
+    return 0.0 * rho, par.rho0 * (par.c0 / u + 2.0 * par.s + 3.0 * par.s2 * u)
 
 
 def reference_state(par):
@@ -49,11 +53,11 @@ def density_limits(par):
     return 0.0, float("inf")
 
 
-def build(rho0, c0, s):
+def build(rho0, c0, s, s2=0.0):
     """Parameters from a deck; OutOfRange unless rho0 and c0 are positive and s is not negative."""
     if not (rho0 > 0.0 and c0 > 0.0 and s >= 0.0):
         raise OutOfRange(f"shock_energy: needs rho0 > 0, c0 > 0 and s >= 0, got {rho0:g}, {c0:g}, {s:g}")
-    return ShockEnergy(rho0, c0, s)
+    return ShockEnergy(rho0, c0, s, s2)
 
 
 EOS.add(
@@ -61,8 +65,10 @@ EOS.add(
     functions=[pressure, pressure_derivatives, reference_state, density_limits],
     example=ShockEnergy(1770.0, 3080.0, 2.01),
     build=build,
-    units={"rho0": "kg/m^3", "c0": "m/s", "s": "1"},
-    meaning={"rho0": "density at rest", "c0": "shock velocity at vanishing particle velocity", "s": "slope dUs/dup"},
+    units={"rho0": "kg/m^3", "c0": "m/s", "s": "1", "s2": "s/m"},
+    meaning={"rho0": "density at rest", "c0": "shock velocity at vanishing particle velocity", "s": "slope dUs/dup at rest",
+             "s2": "half its change with up (S2)"},
+    defaults={"s2": 0.0},
     box={"rho": (1200.0, 3500.0), "e": (1e2, 1e7)},
     references=("KB codes, equations 3.1, 3.6, 3.7",),
 )

@@ -12,12 +12,13 @@ from pathlib import Path
 
 from hugoniot.core.registry import UnknownName
 from hugoniot.errors import DeckError, DeckProblem
-from hugoniot.materials import cards, schema
+from hugoniot.materials import cards, schema, static_compression
 from hugoniot.materials.entry import Entry, make_entry, read_file
 from hugoniot.materials.material import Material
 from hugoniot.materials.search import matches, nearest, parts, spelling
 
 HERE = Path(__file__).parent
+MAKE_MATERIALS = ("us_up", "jwl", "tillotson", "compression", "gases")  # tables whose single rows are equations of state
 
 
 class UnknownMaterial(DeckError, UnknownName):
@@ -81,12 +82,17 @@ def curated_name(name: str) -> str | None:
 
 @cache
 def uncurated() -> dict[str, tuple[str, ...]]:
-    """Spelling -> ids of the equation-of-state rows under that name, for names that are not curated."""
+    """Spelling -> ids of the equation-of-state rows under that name, for names that are not curated.
+
+    Rows of slow compression stand aside where the same name has shock data: they serve for comparison.
+    """
     found: dict[str, list[str]] = {}
-    for name in ("us_up", "jwl", "tillotson"):
+    for name in MAKE_MATERIALS:
+        shocked = frozenset(found) if name == "compression" else frozenset()
         for row in schema.table(name).values():
-            if spelling(row.material) not in spellings():
-                found.setdefault(spelling(row.material), []).append(row.id)
+            key = spelling(row.material)
+            if key not in spellings() and key not in shocked:
+                found.setdefault(key, []).append(row.id)
     return {k: tuple(v) for k, v in found.items()}
 
 
@@ -134,7 +140,7 @@ def listings() -> Iterator[Listing]:
     yield from index().values()
     for rows in uncurated().values():
         first = schema.row(rows[0])
-        kind = str(first.get("category", "explosive" if first.table == "jwl" else "mineral/rock"))
+        kind = str(first.get("category", {"jwl": "explosive", "gases": "gas"}.get(first.table, "mineral/rock")))
         yield Listing(first.material, kind, first.material, (), rows, curated=False)
 
 
@@ -165,7 +171,7 @@ def _of_row(identity: str) -> Entry:
     row = schema.row(identity)
     if row.table == "ignition_growth":
         return _of_set(row)
-    if row.table not in ("us_up", "jwl", "tillotson"):
+    if row.table not in MAKE_MATERIALS:
         raise DeckError.single("library", None, identity, f"a row of the table {row.table} is no material by itself")
     try:
         cards.card(row)
@@ -174,9 +180,14 @@ def _of_row(identity: str) -> Entry:
     tables: dict = {"eos": {"row": identity}, "title": f"{row.material} (row {identity})"}
     if "up_max" in row:
         tables["valid_up_to"] = f"{identity}.up_max"
+    elif row.table == "compression" and (limit := static_compression.reach(row)):
+        tables["valid_up_to"] = limit
     made = make_entry(identity, tables, f"row {identity}", category=str(row.get("category", "")))
-    warning = f"row {identity} of the library as it stands: not a curated material, no strength, no fracture"
-    return replace(made, material=replace(made.material, warnings=(warning, *made.material.warnings)), curated=False)
+    warnings = [f"row {identity} of the library as it stands: not a curated material, no strength, no fracture"]
+    if row.table == "compression":
+        warnings.append(f"{identity} ({row.material}): from slow compression of one phase; a shock strong enough to transform or melt it "
+                        "follows another Hugoniot")
+    return replace(made, material=replace(made.material, warnings=(*warnings, *made.material.warnings)), curated=False)
 
 
 def _of_set(row: schema.Row) -> Entry:
@@ -199,6 +210,15 @@ def pop_lines(name: str) -> tuple[schema.Row, ...]:
     texts = (name, name.split(" (")[0], *name.split(" (")[0].split("/"))
     known = {curated_name(part) or curated_name(spelling(part).removesuffix("reactive")) for part in texts} - {None}
     return tuple(row for row in schema.table("pop_plot").values() if row["explosive"] in known)
+
+
+def windows(name: str) -> tuple[schema.Row, ...]:
+    """Optical rows of a window a gauge looks through: index at rest, or apparent against true velocity; empty where there are none.
+
+    A window whose index is linear in density, n = a + b rho, shows the interface at a times its velocity, whatever the loading (Hayes).
+    """
+    known = curated_name(name) or spelling(name)
+    return tuple(row for row in schema.table("windows").values() if (curated_name(row.material) or spelling(row.material)) == known)
 
 
 def _unknown(name: str, rows: tuple[str, ...], also: Mapping[str, str]) -> UnknownMaterial:

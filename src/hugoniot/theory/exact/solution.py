@@ -21,6 +21,7 @@ class Solution:
     fronts     function time -> positions of the discontinuities
     numbers    the scalars that characterise the solution (star pressure, wave speeds, ...)
     times      (first, last) time at which the solution holds
+    domain     function time -> (first, last) position worth a look; None where the jumps say it
     """
 
     title: str
@@ -29,6 +30,7 @@ class Solution:
     fronts: Callable[[float], tuple[float, ...]] = _no_jumps
     numbers: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
     times: tuple[float, float] = (0.0, float("inf"))
+    domain: Callable[[float], tuple[float, float]] | None = None
 
     def _checked(self, time: float) -> float:
         if not self.times[0] <= time <= self.times[1]:

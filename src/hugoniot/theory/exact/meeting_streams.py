@@ -1,0 +1,106 @@
+r"""The steady two-dimensional Riemann problem: two supersonic streams that meet at a point, of any two equations of state.
+
+Below the x axis's continuation one stream, above it the other, at an angle to it; from the point where they meet a wave runs into each, a
+shock or a centred fan, and between the two a slip line with one pressure and one direction. `theory.shock_polar` finds it. The
+fields depend on the angle alone; here they are given along the line x = `station`.
+
+Source: Courant and Friedrichs, Supersonic Flow and Shock Waves, sec. 124; Loh and Hui, J. Comput. Phys. 89 (1990) 207.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from hugoniot.theory.exact.solution import Solution
+from hugoniot.theory.exact.substance import law_named
+from hugoniot.theory.isentrope import isentrope, state
+from hugoniot.theory.shock_polar import Meeting, Stream, meeting
+
+
+class Inflow(NamedTuple):
+    """A stream: material (a name of the library), Mach number, pressure (Pa), density (kg/m^3; 0: the law's at rest)."""
+
+    material: str = "air"
+    mach: float = 3.0
+    pressure: float = 101325.0
+    density: float = 0.0
+
+
+BELOW, ABOVE = Inflow(), Inflow("air", 4.0, 50e3)
+
+
+def meeting_streams(below: Inflow = BELOW, above: Inflow = ABOVE, angle_degrees: float = 0.0,
+                    station: float = 1.0) -> Solution:
+    """Steady Riemann problem: two supersonic streams that meet, each through a shock or a fan, with a slip line between them.
+
+    below flows along x, above at `angle_degrees` to it (negative: into the lower one). Positions are y along the line x = station; the
+    time does not matter. Gases and solids alike; weak shocks are taken.
+    Fields: density, pressure, energy, axial_velocity, transverse_velocity. `numbers`: slip_pressure, slip_angle and the angles of the
+    waves, in degrees from x.
+    """
+    angle = math.radians(angle_degrees)
+    found = meeting(_stream(below), _stream(above), angle)
+    waves = (_wave(found, found.below, 0.0, -1), _wave(found, found.above, angle, 1))
+
+    def rays():
+        edges = [w["angles"][0] for w in waves] + [w["angles"][-1] for w in waves] + [found.direction]
+        return tuple(sorted({station * math.tan(a) for a in edges}))
+
+    def profile(y, time):
+        phi = np.arctan2(y, station)
+        names = ("density", "pressure", "energy", "axial_velocity", "transverse_velocity")
+        rows = {name: np.zeros(y.shape) for name in names}
+        for wave, side in zip(waves, (phi < found.direction, phi >= found.direction)):
+            for name, values in zip(names, _sample(wave, phi[side])):
+                rows[name][side] = values
+        return rows
+
+    numbers = {"slip_pressure": found.pressure, "slip_angle": math.degrees(found.direction)}
+    for word, wave in zip(("below", "above"), waves):
+        numbers |= {f"{word}_head": math.degrees(wave["angles"][0]), f"{word}_tail": math.degrees(wave["angles"][-1]),
+                    f"{word}_deflection": math.degrees(wave["turned"])}
+    reach = 1.3 * max(abs(y) for y in rays())
+    return Solution("two supersonic streams", "planar", profile, lambda time: rays(), numbers, domain=lambda time: (-reach, reach))
+
+
+def _stream(inflow: Inflow) -> Stream:
+    par = law_named(inflow.material)
+    ahead = state(par, pressure=inflow.pressure, **({"density": inflow.density} if inflow.density else {}))
+    return Stream(par, ahead, inflow.mach * float(ahead.sound_speed))
+
+
+def _wave(found: Meeting, stream: Stream, direction: float, side: int) -> dict:
+    """The wave of one stream; angles from the undisturbed stream inwards, `side` +1 above the slip line."""
+    theta = stream.deflection(found.pressure)
+    wave = {"stream": stream, "direction": direction, "side": side, "turned": side * theta, "pressure": found.pressure}
+    if theta >= 0.0:
+        beta = stream.shock_angle(found.pressure) if theta > 0.0 else math.asin(1.0 / stream.mach)
+        return wave | {"angles": [direction + side * beta]}
+    p, turned, mach_angle = stream.fan(found.pressure)
+    angles = direction + side * (turned + mach_angle)
+    return wave | {"angles": angles.tolist(), "spline": CubicSpline(side * angles[::-side], np.log(p)[::-side]) if side > 0 else
+                   CubicSpline(angles, np.log(p))}
+
+
+def _sample(wave: dict, phi: np.ndarray):
+    """(density, pressure, energy, axial and transverse velocity) at angles on one side of the slip line."""
+    stream, side, angles = wave["stream"], wave["side"], wave["angles"]
+    outside = side * phi > side * angles[0]
+    p = np.where(outside, stream.ahead.pressure, wave["pressure"])
+    if "spline" in wave:
+        inside = ~outside & (side * phi > side * angles[-1])
+        p[inside] = np.exp(wave["spline"](phi[inside]))
+    rho, e, speed, direction = (np.empty(phi.shape) for _ in range(4))
+    for value in np.unique(p):
+        here = p == value
+        if value == stream.ahead.pressure:
+            end, turned = stream.ahead, 0.0
+        else:
+            end, turned = (stream.behind(value) if value > stream.ahead.pressure else isentrope(stream.par, stream.ahead, pressure=value),
+                           stream.deflection(value))
+        rho[here], e[here] = float(end.density), float(end.specific_internal_energy)
+        speed[here] = stream.speed_behind(value) if value != stream.ahead.pressure else stream.speed
+        direction[here] = wave["direction"] + side * turned
+    return rho, p, e, speed * np.cos(direction), speed * np.sin(direction)

@@ -1,0 +1,64 @@
+r"""Uniform collapse: a body that falls in so that every part is compressed alike, and stays uniform.
+
+$$u = -\frac{r}{t_c - t}, \qquad \rho = \rho_0\left(1 - \frac{t}{t_c}\right)^{-d}, \qquad e = e_S(\rho)$$
+
+Velocities are proportional to the radius, so that the acceleration vanishes and uniform pressure is all the momentum equation asks for;
+the energy follows the isentrope through the first state, of any equation of state. For the ideal gas $e = e_0(1 - t/t_c)^{-d(\gamma-1)}$.
+
+Source: Noh, J. Comput. Phys. 72 (1987) 78 (his second problem, the uniform collapse); derived here for any law.
+"""
+
+import numpy as np
+
+from hugoniot.errors import OutOfRange
+from hugoniot.theory.exact.noh import DIMENSION
+from hugoniot.theory.exact.solution import Solution
+from hugoniot.theory.exact.substance import law_named
+from hugoniot.theory.isentrope import isentrope, reference
+
+
+def uniform_collapse(geometry: str = "spherical", gamma: float = 5.0 / 3.0, density: float = 1.0, energy_per_mass: float = 1.0,
+                     collapse_time: float = 1.0, material: str = "") -> Solution:
+    """Uniform collapse (Noh's second problem): velocities proportional to the radius, everything else uniform.
+
+    material   empty: the ideal gas of gamma; else a material of the library, which starts from its reference state (then `gamma`,
+               `density` and `energy_per_mass` are not used)
+
+    Fields: density, velocity, pressure, energy. Holds for time < collapse_time, and for a material as far as its law reaches.
+    """
+    d = DIMENSION[geometry]
+    if min(density, collapse_time) <= 0.0 or gamma <= 1.0 or energy_per_mass < 0.0:
+        raise OutOfRange("the uniform collapse needs gamma > 1, positive density and collapse_time, and an energy that is not negative")
+    density, state = _isentrope(material) if material else (density, _ideal(gamma, density, energy_per_mass))
+
+    def profile(r, time):
+        left = 1.0 - time / collapse_time
+        rho = density * left**-d
+        p, e = state(rho)
+        return {"density": np.full_like(r, rho), "velocity": -r / (collapse_time * left), "pressure": np.full_like(r, p),
+                "energy": np.full_like(r, e)}
+
+    numbers = {"first_density": float(density), "first_pressure": state(density)[0], "compression_at_half_time": 2.0**d}
+    return Solution(f"uniform collapse, {geometry}", geometry, profile, numbers=numbers, times=(0.0, collapse_time * (1.0 - 1e-12)),
+                    domain=lambda time: (0.0, 1.0))
+
+
+def _ideal(gamma: float, density: float, energy: float):
+    """rho -> (pressure, energy) on the isentrope of an ideal gas."""
+    def state(rho):
+        e = energy * (rho / density) ** (gamma - 1.0)
+        return (gamma - 1.0) * rho * e, e
+
+    return state
+
+
+def _isentrope(material: str):
+    """(density at rest, rho -> (pressure, energy)) on the isentrope of a material through its reference state."""
+    par = law_named(material)
+    start = reference(par)
+
+    def state(rho):
+        end = isentrope(par, start, density=rho)
+        return float(end.pressure), float(end.specific_internal_energy)
+
+    return start.density, state
