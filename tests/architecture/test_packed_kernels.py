@@ -32,10 +32,10 @@ def compiled(each: Pass, law=None):
 
 
 METAL, SOLID, SPALL = library.find("copper").eos, PerfectlyPlastic(27.6e9, 0.3e9), SpallStress(1e9)
-CASES = [(closure.pressure_pass, METAL, 1, 3), (closure.state_pass, METAL, 2, 5), (closure.settle_pass, METAL, 3, 6),
-         (closure.stiffness_pass, METAL, 2, 3), (strength.yield_pass, SOLID, 1, 0), (strength.harden_pass, None, 0, 1),
+CASES = [(closure.pressure_pass, METAL, 1, 3), (closure.state_pass, METAL, 1, 5), (closure.settle_pass, METAL, 2, 6),
+         (closure.stiffness_pass, METAL, 1, 3), (strength.yield_pass, SOLID, 1, 0), (strength.harden_pass, None, 0, 1),
          (fracture.fracture_pass, SPALL, 1, 1), (fracture.hold_pass, None, 0, 1), (viscosity.speed_pass, Limited(), 0, 1),
-         (viscosity.speed_pass, Wilkins(), 0, 1), (stress.trial_pass, Planar(), 0, 2), (nodes.accelerate, Planar(), 0, 2),
+         (viscosity.speeds_pass, Wilkins(), 0, 1), (stress.trial_pass, Planar(), 0, 2), (nodes.accelerate, Planar(), 0, 2),
          (nodes.move, Planar(), 0, 2), (nodes.leap, Planar(), 0, 2), (compatible.half_motion, Planar(), 2, 3),
          (compatible.end_motion, Planar(), 2, 3), (compatible.end_stress, Planar(), 0, 2), (compatible.heat_flux, Planar(), 0, 1),
          (compatible.half_motion, Spherical(), 3, 8), (compatible.end_motion, Spherical(), 3, 8), (leapfrog.whole_motion, Planar(), 2, 1),

@@ -7,6 +7,7 @@
     temperature  T, for strength laws that ask for one
     rest         density from which a fracture law counts volume strain
 
+Passes take the specific volume v of the solid: laws that ask for rho0/rho alone, as those on a Hugoniot do, then need no division.
 Sound is elastic, on the unloading branch of a law with memory: a release outruns the wave that crushes.
 """
 
@@ -21,18 +22,18 @@ NEWTON_STEPS = 4      # of `settle` for laws that are not linear in the energy
 
 
 class PressureRows(NamedTuple):
-    """rho (kg/m3), e (J/kg), compaction -> p (Pa)."""
+    """v (m3/kg), e (J/kg), compaction -> p (Pa)."""
 
-    rho: Any
+    v: Any
     e: Any
     compaction: Any
     p: Any
 
 
 class StateRows(NamedTuple):
-    """rho, e, compaction (led on) -> p, c2 (m2/s2)."""
+    """v, e, compaction (led on) -> p, c2 (m2/s2)."""
 
-    rho: Any
+    v: Any
     e: Any
     compaction: Any
     p: Any
@@ -40,9 +41,9 @@ class StateRows(NamedTuple):
 
 
 class SettleRows(NamedTuple):
-    """rho, dv (change of the specific volume), target (energy before the pressure works, J/kg); e, p, compaction are led on -> c2."""
+    """v, dv (change of the specific volume), target (energy before the pressure works, J/kg); e, p, compaction are led on -> c2."""
 
-    rho: Any
+    v: Any
     dv: Any
     target: Any
     e: Any
@@ -52,9 +53,9 @@ class SettleRows(NamedTuple):
 
 
 class StiffnessRows(NamedTuple):
-    """rho, e, p, compaction -> c2."""
+    """v, e, p, compaction -> c2."""
 
-    rho: Any
+    v: Any
     e: Any
     p: Any
     compaction: Any
@@ -92,7 +93,7 @@ def pressure_pass(count, z, dt, numbers, law):
     rows_apart()
     eos = law_of(law, numbers)
     for j in range(count):
-        z.p[j] = pressure(z.rho[j], z.e[j], remembered(z.compaction[j], eos))
+        z.p[j] = pressure(1.0 / z.v[j], z.e[j], remembered(z.compaction[j], eos))
 
 
 @zone_pass(StateRows)
@@ -100,7 +101,7 @@ def state_pass(count, z, dt, numbers, law):
     rows_apart()
     eos = law_of(law, numbers)
     for j in range(count):
-        rho, e, compaction = z.rho[j], z.e[j], z.compaction[j]
+        rho, e, compaction = 1.0 / z.v[j], z.e[j], z.compaction[j]
         p = pressure(rho, e, remembered(compaction, eos))
         if remembers(eos):
             compaction = compacted(compaction, rho, e, p, eos)
@@ -115,7 +116,7 @@ def settle_pass(count, z, dt, numbers, law):
     rows_apart()
     eos = law_of(law, numbers)
     for j in range(count):
-        rho, dv, compaction = z.rho[j], z.dv[j], z.compaction[j]
+        rho, dv, compaction = 1.0 / z.v[j], z.dv[j], z.compaction[j]
         target = z.target[j] - 0.5 * z.p[j] * dv
         crushed = remembered(compaction, eos)
         if linear_in_energy(eos):
@@ -142,8 +143,9 @@ def stiffness_pass(count, z, dt, numbers, law):
     rows_apart()
     eos = law_of(law, numbers)
     for j in range(count):
-        p_rho, p_e = pressure_derivatives(z.rho[j], z.e[j], unloading(remembered(z.compaction[j], eos)))
-        z.c2[j] = p_rho + z.p[j] * p_e / (z.rho[j] * z.rho[j])
+        rho = 1.0 / z.v[j]
+        p_rho, p_e = pressure_derivatives(rho, z.e[j], unloading(remembered(z.compaction[j], eos)))
+        z.c2[j] = p_rho + z.p[j] * p_e / (rho * rho)
 
 
 @zone_pass(TemperatureRows)

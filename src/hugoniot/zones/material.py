@@ -17,7 +17,7 @@ from hugoniot.zones.mixture import MixtureTemperatureRows, SlopeRows, SolveRows
 from hugoniot.zones.rows import AddRows, CopyRows, FillRows
 from hugoniot.zones.soundness import PeakRows
 from hugoniot.zones.strength import HardenRows, PlasticHeatRows, ShearRows, UnburnedLimitRows, UnburnedShearRows, YieldRows
-from hugoniot.zones.viscosity import SpeedRows
+from hugoniot.zones.viscosity import SpeedRows, SpeedsRows
 
 
 # -- everywhere ----------------------------------------------------------------------------------------------------------
@@ -53,14 +53,21 @@ def viscous(count, recipe, v, c, p, squeeze, smooth, speed):
     call_pass(recipe.speed, count, SpeedRows(v, c, p, squeeze, smooth, speed), 0.0, row_at(recipe.viscosity))
 
 
+@nb.njit(**INLINE)
+def viscous_both(count, at, recipe, v, c, p):
+    """The same of a leapfrog, with the speed of its quadratic part alone at the end of the step."""
+    w = at.w
+    call_pass(recipe.speeds, count, SpeedsRows(v, c, p, w.squeeze, w.v, w.speed, w.weak_speed), 0.0, row_at(recipe.viscosity))
+
+
 # -- inert closure ---------------------------------------------------------------------------------------------------------
 @nb.njit(**INLINE)
-def stiffness(count, at, recipe, solid, e, p):
+def stiffness(count, at, recipe, solid, solid_v, e, p):
     """c^2 before the state is known, where it is asked for: of inert material, or of the phases of the step before."""
     b, w = at.b, at.w
     if recipe.bulk_first != 0:
         if recipe.solve == 0:
-            call_pass(recipe.stiffness, count, StiffnessRows(solid, e, p, at.z.compaction, w.c2), 0.0, row_at(recipe.eos))
+            call_pass(recipe.stiffness, count, StiffnessRows(solid_v, e, p, at.z.compaction, w.c2), 0.0, row_at(recipe.eos))
         else:
             call_pass(recipe.slopes, count, SlopeRows(solid, e, b.lam, p, b.rho_r, b.e_r, b.rho_p, b.e_p, w.c2, w.p_e), 0.0,
                       row_at(recipe.reactive))

@@ -56,6 +56,7 @@ class Recipe(NamedTuple):
     hold: int = 0
     # viscosity
     speed: int = 0
+    speeds: int = 0
     viscosity: int = 0
     # burning
     burn: int = 0
@@ -128,7 +129,8 @@ def recipe_of(pantry: _Pantry, eos, strength_law, fracture_law, viscosity_law, c
     """The recipe of one material; `eos` may be a `Reactive` pair. Compiles what is not on disk yet."""
     burning = isinstance(eos, Reactive)
     found: dict[str, int] = {"clear": rows.clear_pass.address(), "copy": rows.copy_pass.address(), "add": rows.add_pass.address(),
-                             "look_over": soundness.look_over.address(), "speed": viscosity.speed_pass.address(viscosity_law),
+                             "look_over": soundness.look_over.address(),
+                             **_viscous_passes(viscosity_law, closing, burning and mixture.bare(eos.mixture)),
                              "viscosity": pantry.put(viscosity_law)}
     found |= _burning_passes(eos) if burning else _inert_passes(eos, closing)
     found["reactive" if burning else "eos"] = pantry.put(eos)
@@ -154,6 +156,12 @@ def recipe_of(pantry: _Pantry, eos, strength_law, fracture_law, viscosity_law, c
     if found["bulk_first"] and not burning:
         found["stiffness"] = closure.stiffness_pass.address(eos)
     return Recipe(**found)
+
+
+def _viscous_passes(law, closing: str, bare: bool) -> dict[str, int]:
+    if closing == IMPLICIT and not bare:
+        return {"speed": viscosity.speed_pass.address(law), "speeds": viscosity.speeds_pass.address(law)}
+    return {"speed": viscosity.speed_pass.address(law)}
 
 
 def _inert_passes(eos, closing: str) -> dict[str, int]:

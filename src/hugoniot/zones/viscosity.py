@@ -21,6 +21,18 @@ class SpeedRows(NamedTuple):
     speed: Any
 
 
+class SpeedsRows(NamedTuple):
+    """v, c, p, squeeze -> speed, as of a zone that is not smooth; end_v -> weak, the speed of the quadratic part alone."""
+
+    v: Any
+    c: Any
+    p: Any
+    squeeze: Any
+    end_v: Any
+    speed: Any
+    weak: Any
+
+
 def resisted(du, growth, two_sided):
     """The velocity jump an artificial viscosity resists: 0 unless the zone narrows and shrinks (`growth` < 0), but for two-sided laws."""
     return du if two_sided else fmin(du if growth < 0.0 else 0.0, 0.0)
@@ -43,6 +55,18 @@ def speed_pass(count, z, dt, numbers, law):
     for j in range(count):
         speed = viscous_speed(z.v[j], z.c[j], z.p[j], z.squeeze[j], z.smooth[j], viscosity)
         z.speed[j] = speed if z.squeeze[j] != 0.0 else 0.0
+
+
+@zone_pass(SpeedsRows)
+def speeds_pass(count, z, dt, numbers, law):
+    rows_apart()
+    viscosity = law_of(law, numbers)
+    for j in range(count):
+        squeeze = z.squeeze[j]
+        speed = viscous_speed(z.v[j], z.c[j], z.p[j], squeeze, 0.0, viscosity)
+        weak = viscous_speed(z.end_v[j], 0.0, 0.0, squeeze, 0.0, viscosity)
+        z.speed[j] = speed if squeeze != 0.0 else 0.0
+        z.weak[j] = weak if squeeze != 0.0 else 0.0
 
 
 bind(resisted)

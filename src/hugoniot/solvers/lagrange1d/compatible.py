@@ -167,11 +167,12 @@ def heat_flux(count, z, dt, numbers, law):
     """
     rows_apart()
     geometry, coefficient, burns = kind_of(law), numbers[0], numbers[1] > 0.0
+    for j in range(count):
+        speed = shrinking(z.r[j], z.r[j + 1], z.u[j], z.u[j + 1], geometry)
+        z.flux[j] = speed if z.q[j] > 0.0 else 0.0
     for j in range(count - 1):
-        left = shrinking(z.r[j], z.r[j + 1], z.u[j], z.u[j + 1], geometry) if z.q[j] > 0.0 else 0.0
-        right = shrinking(z.r[j + 1], z.r[j + 2], z.u[j + 1], z.u[j + 2], geometry) if z.q[j + 1] > 0.0 else 0.0
         face = area(z.r[j + 1], geometry) * fmin(z.rho[j], z.rho[j + 1])
-        z.flux[j] = dt * coefficient * face * fmax(left, right) * (z.e[j] - z.e[j + 1])
+        z.flux[j] = dt * coefficient * face * fmax(z.flux[j], z.flux[j + 1]) * (z.e[j] - z.e[j + 1])
     if burns:
         for j in range(count - 1):
             z.flux[j] = z.flux[j] if z.lam[j] == 0.0 and z.lam[j + 1] == 0.0 else 0.0
@@ -190,13 +191,13 @@ def predict(count, at, steps, recipe, constants, dt):
     z, b, h, w = at.z, at.b, at.h, at.w
     call_pass(steps.half_motion, count, HalfMotionRows(h.r_half, h.u_mean, at.g, z.inverse_mass, z.e, z.sigma, z.hoop, w.e, w.v, w.rho,
                                                        w.radial, w.hoop, w.dilation, w.smooth, w.squeeze), dt, constants)
-    solid = w.rho
+    solid, solid_v = w.rho, w.v
     if recipe.relief != 0:
         material.solid_volume(count, at, recipe)
-        solid = w.solid
+        solid, solid_v = w.solid, w.solid_v
     if recipe.solve == 0:
-        call_pass(recipe.pressure, count, PressureRows(solid, w.e, z.compaction, w.p), dt, row_at(recipe.eos))
-        material.stiffness(count, at, recipe, solid, w.e, w.p)
+        call_pass(recipe.pressure, count, PressureRows(solid_v, w.e, z.compaction, w.p), dt, row_at(recipe.eos))
+        material.stiffness(count, at, recipe, solid, solid_v, w.e, w.p)
     else:
         close_half(count, at, steps, recipe, constants, solid, dt)
     deviators(count, at, steps, recipe, solid, w.e, w.p, b.lam_half, 0.5 * dt)
@@ -219,7 +220,7 @@ def correct(count, at, steps, recipe, constants, found, dt):
         material.solid_volume(count, at, recipe)
         solid, solid_v = w.solid, w.solid_v
     if recipe.solve == 0:
-        call_pass(recipe.state, count, StateRows(solid, z.e, z.compaction, z.p, w.c2), dt, row_at(recipe.eos))
+        call_pass(recipe.state, count, StateRows(solid_v, z.e, z.compaction, z.p, w.c2), dt, row_at(recipe.eos))
     else:
         close_end(count, at, recipe, constants, solid, dt)
     deviators(count, at, steps, recipe, solid, z.e, z.p, b.lam, dt)

@@ -263,18 +263,18 @@ def advance(count, at, steps, recipe, constants, found, dt):
     z, b, h, w = at.z, at.b, at.h, at.w
     call_pass(steps.whole_motion, count, MotionRows(h.r, h.u, z.inverse_mass, z.v, w.v, w.dv, w.v_half, w.rho, z.rho, w.radial, w.hoop,
                                                     w.dilation, w.squeeze), dt, constants)
-    solid = z.rho
+    solid, solid_v = z.rho, w.v
     if recipe.relief != 0:
         material.solid_volume(count, at, recipe)
-        solid = w.solid
-    material.stiffness(count, at, recipe, solid, z.e, z.p)
+        solid, solid_v = w.solid, w.solid_v
+    material.stiffness(count, at, recipe, solid, solid_v, z.e, z.p)
     deviators(count, at, steps, recipe, solid, z.e, z.p, b.lam, dt)
     if recipe.instant != 0:
         close_at_once(count, at, steps, recipe, constants, solid, dt)
     else:
         resist(count, at, steps, recipe, constants)
         if recipe.solve == 0:
-            call_pass(recipe.settle, count, SettleRows(solid, w.dv, w.target, z.e, z.p, z.compaction, w.c2), dt, row_at(recipe.eos))
+            call_pass(recipe.settle, count, SettleRows(solid_v, w.dv, w.target, z.e, z.p, z.compaction, w.c2), dt, row_at(recipe.eos))
         else:
             close_gradually(count, at, steps, recipe, constants, solid, dt)
     material.tear(count, at, recipe, constants, found, solid, dt)
@@ -297,14 +297,14 @@ def advance(count, at, steps, recipe, constants, found, dt):
 def resist(count, at, steps, recipe, constants):
     """Artificial viscosity at n+1/2; the P of its a = sqrt(P/rho) is the one at the start of the step."""
     z, h, w = at.z, at.h, at.w
-    material.viscous(count, recipe, w.v, w.zero, w.zero, w.squeeze, w.zero, w.weak_speed)
     if recipe.bare != 0:
+        material.viscous(count, recipe, w.v, w.zero, w.zero, w.squeeze, w.zero, w.weak_speed)
         call_pass(steps.look_around, count, LookRows(h.r, h.u, h.mass, z.mass, w.smooth), 0.0, constants)
         material.viscous(count, recipe, w.v_half, w.zero, w.zero, w.squeeze, w.zero, w.speed)
         call_pass(steps.damp, count, DampRows(w.smooth, w.speed), 0.0, constants)
         call_pass(steps.damp, count, DampRows(w.smooth, w.weak_speed), 0.0, constants)
     else:
-        material.viscous(count, recipe, w.v_half, z.c, z.p, w.squeeze, w.zero, w.speed)
+        material.viscous_both(count, at, recipe, w.v_half, z.c, z.p)
     call_pass(steps.energy_target, count, TargetRows(w.t1, w.t2, z.s1, z.s2, w.radial, w.hoop, w.v_half, w.dv, w.rho, w.squeeze, w.speed, z.e,
                                                      z.q, w.q, w.heat, w.target, z.viscous_work), 0.0, constants)
     if recipe.bare != 0:
