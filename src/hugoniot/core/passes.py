@@ -1,8 +1,8 @@
 """Passes: small compiled loops over rows of zones, one for each law, which a march calls by their address.
 
 A *row* is a bare pointer to float64 numbers, one for each zone. In a kernel `z.rho[j]` reads the j-th number of the row `rho` of a view
-of a table, or of a NamedTuple of rows; in Python the same text works on a NamedTuple of numpy arrays. Bare pointers keep a call as cheap as in C, and an
-index into them is never wrapped around, so that the vectoriser is not stopped.
+of a table, or of a NamedTuple of rows; in Python the same text works on a NamedTuple of numpy arrays. Bare pointers keep a call as cheap
+as in C, and an index into them is never wrapped around, so that the vectoriser is not stopped.
 
 A *pass* is a function
 
@@ -50,7 +50,7 @@ class _RowModel(models.PrimitiveModel):
         super().__init__(manager, kind, ir.DoubleType().as_pointer())
 
 
-@infer_global(operator.getitem)
+@infer_global(operator.getitem)  # pyright: ignore
 class _ReadRow(AbstractTemplate):
     def generic(self, args, kws):
         if len(args) == 2 and args[0] is ROW and isinstance(args[1], types.Integer):
@@ -58,7 +58,7 @@ class _ReadRow(AbstractTemplate):
         return None
 
 
-@infer_global(operator.setitem)
+@infer_global(operator.setitem)  # pyright: ignore
 class _WriteRow(AbstractTemplate):
     def generic(self, args, kws):
         if len(args) == 3 and args[0] is ROW and isinstance(args[1], types.Integer):
@@ -217,7 +217,7 @@ def law_of(typingctx, law, numbers):
 
         def fill(kind):
             if isinstance(kind, types.BaseTuple):
-                return context.make_tuple(builder, kind, [fill(field) for field in kind])
+                return context.make_tuple(builder, kind, [fill(field) for field in kind.types])  # pyright: ignore
             if isinstance(kind, types.Array):
                 return _array(context, builder, kind, word)
             return word(types.float64)

@@ -107,12 +107,12 @@ def digest(paths: frozenset[str]) -> str:
 def changed_since_start(paths: Iterable[str]) -> bool:
     """Whether a file was written after this process began, so that what the process imported may differ from what stands there now.
 
-    No file is looked at twice in a second.
+    No file is looked at twice in a second. A time in the future, as unpacked archives have it, is no time of a change.
     """
-    now = time.monotonic()
+    now, latest = time.monotonic(), time.time() + 2.0
     for path in paths:
         if now - _unchanged.get(path, -1.0) > 1.0:
-            if os.stat(path).st_mtime >= _BEGUN:
+            if _BEGUN <= os.stat(path).st_mtime <= latest:
                 return True
             _unchanged[path] = now
     return False
