@@ -101,14 +101,15 @@ def state_pass(count, z, dt, numbers, law):
     rows_apart()
     eos = law_of(law, numbers)
     for j in range(count):
-        rho, e, compaction = 1.0 / z.v[j], z.e[j], z.compaction[j]
+        v, e, compaction = z.v[j], z.e[j], z.compaction[j]
+        rho = 1.0 / v
         p = pressure(rho, e, remembered(compaction, eos))
         if remembers(eos):
             compaction = compacted(compaction, rho, e, p, eos)
             z.compaction[j] = compaction
         p_rho, p_e = pressure_derivatives(rho, e, unloading(remembered(compaction, eos)))
         z.p[j] = p
-        z.c2[j] = p_rho + p * p_e / (rho * rho)
+        z.c2[j] = p_rho + p * p_e * (v * v)
 
 
 @zone_pass(SettleRows)
@@ -116,7 +117,8 @@ def settle_pass(count, z, dt, numbers, law):
     rows_apart()
     eos = law_of(law, numbers)
     for j in range(count):
-        rho, dv, compaction = 1.0 / z.v[j], z.dv[j], z.compaction[j]
+        v, dv, compaction = z.v[j], z.dv[j], z.compaction[j]
+        rho = 1.0 / v
         target = z.target[j] - 0.5 * z.p[j] * dv
         crushed = remembered(compaction, eos)
         if linear_in_energy(eos):
@@ -135,7 +137,7 @@ def settle_pass(count, z, dt, numbers, law):
         p_rho, p_e = pressure_derivatives(rho, e, unloading(remembered(compaction, eos)))
         z.e[j] = e
         z.p[j] = p
-        z.c2[j] = p_rho + p * p_e / (rho * rho)
+        z.c2[j] = p_rho + p * p_e * (v * v)
 
 
 @zone_pass(StiffnessRows)
@@ -143,9 +145,9 @@ def stiffness_pass(count, z, dt, numbers, law):
     rows_apart()
     eos = law_of(law, numbers)
     for j in range(count):
-        rho = 1.0 / z.v[j]
-        p_rho, p_e = pressure_derivatives(rho, z.e[j], unloading(remembered(z.compaction[j], eos)))
-        z.c2[j] = p_rho + z.p[j] * p_e / (rho * rho)
+        v = z.v[j]
+        p_rho, p_e = pressure_derivatives(1.0 / v, z.e[j], unloading(remembered(z.compaction[j], eos)))
+        z.c2[j] = p_rho + z.p[j] * p_e * (v * v)
 
 
 @zone_pass(TemperatureRows)

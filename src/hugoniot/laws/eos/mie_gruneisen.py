@@ -49,11 +49,9 @@ class MieGruneisen(NamedTuple):
 
 
 def _strain(rho, par):
-    """(eta, 1/(1 - kappa eta)) from one division; kappa is s in compression and 4s/3 in tension."""
-    d = rho - par.rho0
-    b = rho - (par.s if d > 0.0 else (4.0 / 3.0) * par.s) * d
-    r = 1.0 / (rho * b)
-    return d * b * r, rho * rho * r
+    """(eta, 1/(1 - kappa eta)); kappa is s in compression and 4s/3 in tension. The density stands in rho0/rho alone."""
+    eta = 1.0 - par.rho0 / rho
+    return eta, 1.0 / (1.0 - (par.s if eta > 0.0 else (4.0 / 3.0) * par.s) * eta)
 
 
 def pressure(rho, e, par):
