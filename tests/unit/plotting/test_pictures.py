@@ -94,7 +94,7 @@ def test_unknown_fields_and_gauges_are_answered_with_what_there_is(run):
         run.unit("gauges", "streß")
 
 
-@pytest.mark.parametrize("time, told", [([], "no time is given"), (9, "no state at 9 s"), ([-1], "no state at -1 s"), ("9 us", "no state at 9 us")])
+@pytest.mark.parametrize("time, told", [([], "no time was given"), (9, "no state at 9 s"), ([-1], "no state at -1 s"), ("9 us", "no state at 9 us")])
 def test_a_time_the_run_did_not_reach_is_refused(run, time, told):
     with pytest.raises(DeckError, match=told):
         run.plot.profile("stress", time)
