@@ -121,7 +121,7 @@ class WorkRows(NamedTuple):
     zero: Any
 
 
-PIECE = 256      # zones of a piece: what its passes touch stays in the first-level cache
+PIECE = 128      # zones of a piece: what its passes touch stays in the first-level cache
 
 # -- columns of the segment table (integers) ----------------------------------------------------------------------
 SEG_FIRST, SEG_LAST, SEG_LEFT, SEG_RIGHT = range(4)          # zones first..last-1; boundary codes of the two ends
