@@ -143,6 +143,16 @@ class Fan:
         """The node of a density below the one ahead."""
         return self._search(lambda node: node[0], lambda node: 1.0, math.log(rho / self.ahead.rho))
 
+    def at_impedance(self, impedance: float):
+        """The node where rho c has fallen to a value: mass in a centred fan is counted by it."""
+        def value(node):
+            return self.ahead.rho * math.exp(node[0]) * self.speed(node)
+
+        def slope_of(node):
+            h = 1e-4
+            return (value(node) - value(self._step(node, -h))) / h
+        return self._search(value, slope_of, impedance)
+
     def at_characteristic(self, relative: float):
         """The node whose characteristic runs with d (xi - u0) = w + c = relative."""
         def slope_of(node):   # d(w + c)/ds = c + dc/ds, the latter by differences along the isentrope
@@ -189,6 +199,10 @@ class _ClosedFan(Fan):
     def at_characteristic(self, relative: float):
         c = ((self.gamma - 1.0) * relative + 2.0 * self.c) / (self.gamma + 1.0)
         return self._node(2.0 / (self.gamma - 1.0) * math.log(c / self.c)) if c > 0.0 else self._node(-690.0)
+
+    def at_impedance(self, impedance: float):
+        least = max(impedance / (self.ahead.rho * self.c), 1e-300)
+        return self._node(2.0 / (self.gamma + 1.0) * math.log(least))
 
     def speed(self, node) -> float:
         return self.c * math.exp(0.5 * (self.gamma - 1.0) * node[0])

@@ -5,7 +5,7 @@ With the drop of specific volume $x = v_0 - v$ and the mass flux m through the f
 $$m^2 = \frac{\sigma-\sigma_0}{x}, \qquad u - u_0 = d\,\frac{\sigma-\sigma_0}{m}, \qquad e - e_0 = \tfrac12(\sigma+\sigma_0)\,x$$
 
 for a front that runs into the material in the direction d = +-1. x is found from sigma(1/(v0 - x), e0 + (sigma + sigma0) x / 2) = sigma by
-Newton's method inside a bracket; solving for the difference keeps feeble jumps as accurate as strong ones. An expansion obeys the same
+Newton's method inside a bracket (ideal and stiffened gas have it in closed form); solving for the difference keeps feeble jumps as accurate as strong ones. An expansion obeys the same
 three relations: its entropy falls with the cube of its strength, its conservation is exact.
 
 Source: Courant and Friedrichs, Supersonic Flow and Shock Waves, sections 54 and 65.
@@ -16,6 +16,8 @@ import math
 from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.laws.eos.stiffened_gas import StiffenedGas
 from hugoniot.laws.riemann.branch import Branch, State, stress, stress_and_slopes, wave_speed_squared
 
 FEEBLE = 3e-8      # rise over rho c^2 below which a jump is acoustic to round-off
@@ -26,8 +28,15 @@ def volume_drop(sigma: float, ahead: State, branch: Branch) -> float:
     """x = v0 - v behind a jump to the stress sigma; `OutOfRange` where the law has no such state."""
     square = wave_speed_squared(ahead.rho, ahead.e, branch)
     if not square > 0.0 and not (square == 0.0 and sigma > ahead.sigma):
-        raise OutOfRange(f"law '{EOS.of(branch.par).name}' is unstable at {ahead.rho:.6g} kg/m3 and {ahead.e:.6g} J/kg: c^2 = {square:.4g} m2/s2")
+        raise OutOfRange(f"law '{EOS.of(branch.par).name}' is unstable at {ahead.rho:.6g} kg/m3 and {ahead.e:.6g} J/kg: "
+                         f"c^2 = {square:.4g} m2/s2")
     v0, rise = 1.0 / ahead.rho, sigma - ahead.sigma
+    if isinstance(branch.par, (IdealGas, StiffenedGas)) and not branch.a and not branch.b:
+        g, stiff = branch.par.gamma, getattr(branch.par, "p_infinity", 0.0)
+        under = (g + 1.0) * (sigma + stiff) + (g - 1.0) * (ahead.sigma + stiff)
+        if not sigma + stiff >= 0.0:
+            raise OutOfRange(f"law '{EOS.of(branch.par).name}' bears no stress of {sigma:.6g} Pa")
+        return 2.0 * rise * v0 / under if rise else 0.0
     if abs(rise) <= FEEBLE * ahead.rho * square:
         return rise / (ahead.rho * ahead.rho * square)
     rest, highest = contract.density_limits(branch.par)
@@ -58,7 +67,7 @@ def _newton(x, sigma, ahead: State, branch: Branch, ends) -> float:
         if not low < new < high or not math.isfinite(new):
             new = 0.5 * (low + high)
         moved = abs(new - x)
-        if moved <= 1e-16 * abs(x) or (moved <= 1e-13 * abs(x) and moved >= last):
+        if moved <= 1e-16 * v0 or (moved <= 1e-13 * abs(x) and moved >= last):
             return new if moved < last else best
         best, last, x = (new, moved, new)
     if last <= 1e-9 * abs(x):
@@ -77,7 +86,8 @@ def behind(sigma: float, ahead: State, branch: Branch, direction: int, deviator:
     rho = 1.0 / (1.0 / ahead.rho - x)
     if deviator is None:
         deviator = ahead.s - branch.b * math.log(rho / ahead.rho) if branch.b else ahead.s
-    return State(rho, ahead.u + direction * (rise / flux if flux else 0.0), ahead.e + 0.5 * (sigma + ahead.sigma) * x, sigma, deviator), flux
+    u = ahead.u + direction * (rise / flux if flux else 0.0)
+    return State(rho, u, ahead.e + 0.5 * (sigma + ahead.sigma) * x, sigma, deviator), flux
 
 
 def slope(sigma: float, ahead: State, after: State, branch: Branch, flux: float) -> float:
