@@ -8,7 +8,17 @@ from pydantic import Field, WithJsonSchema
 from hugoniot.materials.collect import Collector, printable
 from hugoniot.materials.material import Material
 from hugoniot.problem import checks, lagrangian
-from hugoniot.problem.lagrangian import BoundaryTables, GaugeTable, InterfaceTable, OutputTable, Positive, RegionTable, _ends, _output, _parts
+from hugoniot.problem.lagrangian import (
+    BoundaryTables,
+    GaugeTable,
+    InterfaceTable,
+    OutputTable,
+    Positive,
+    RegionTable,
+    _ends,
+    _output,
+    _parts,
+)
 from hugoniot.problem.model import Problem, SolverOptions
 from hugoniot.problem.schema import Quantity, Table, salvage
 

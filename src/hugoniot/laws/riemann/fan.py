@@ -2,9 +2,9 @@ r"""The isentrope of a fan, from the state ahead of it to any stress, density or
 
 $$\frac{de}{d\ln\rho} = \frac{\sigma}{\rho}, \qquad \frac{dw}{d\ln\rho} = c, \qquad \xi = u + d\,c, \qquad u = u_0 + d\,w$$
 
-An ideal or stiffened gas has it in closed form. Any other law is integrated in ln(rho) by Gauss-Legendre collocation with four stages (order
-eight; nodes and matrix are computed, not copied), steps halved until a step and its two halves agree to 1e-13. The nodes passed are kept:
-a search along the fan starts from the nearest one.
+An ideal or stiffened gas has it in closed form. Any other law is integrated in ln(rho) by Gauss-Legendre collocation with four stages
+(order eight; nodes and matrix are computed, not copied), steps halved until a step and its two halves agree to 1e-13. The nodes passed are
+kept: a search along the fan starts from the nearest one.
 
 Source: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, section II.7 (collocation).
 """
@@ -19,7 +19,7 @@ from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.stiffened_gas import StiffenedGas
 from hugoniot.laws.riemann.branch import Branch, State, stress_and_slopes, wave_speed_squared
 
-LARGEST, SMALLEST = 0.1, 1e-4    # steps in ln(rho)
+LARGEST, SMALLEST = 0.4, 1e-4    # steps in ln(rho)
 TOLERANCE = 1e-13
 NOTHING_LEFT = 1e-60             # density over the one ahead at which an expansion counts as complete
 
@@ -50,7 +50,7 @@ class Fan:
         self.ahead, self.branch = ahead, branch
         self.nodes = [(0.0, ahead.e, 0.0)]        # (ln(rho/rho0), e, w), falling
         self.sigmas = [ahead.sigma]
-        self._next = LARGEST
+        self._next = 0.1
 
     # -- the integration ---------------------------------------------------------------------------------------------
     def _rates(self, s: float, e: float) -> tuple[float, float]:
@@ -58,7 +58,8 @@ class Fan:
         sigma, by_rho, by_e = stress_and_slopes(rho, e, self.branch)
         square = by_rho + sigma * by_e / (rho * rho)
         if not square >= 0.0:
-            raise OutOfRange(f"law '{EOS.of(self.branch.par).name}' becomes unstable on release at {rho:.6g} kg/m3: c^2 = {square:.4g} m2/s2")
+            raise OutOfRange(f"law '{EOS.of(self.branch.par).name}' becomes unstable on release at {rho:.6g} kg/m3: "
+                             f"c^2 = {square:.4g} m2/s2")
         return sigma / rho, math.sqrt(square)
 
     def _step(self, node, h: float):
@@ -172,7 +173,20 @@ class Fan:
                 return None
             if self.sigmas[-1] <= 0.0:
                 return None
+            if (tail := self._ideal_tail()) is not None:
+                return self.nodes[-1][2] - tail
         return self.nodes[-1][2]
+
+    def _ideal_tail(self) -> float | None:
+        """What is left of w, 2c/Gamma, once p = Gamma rho e has held at two thin states in a row; None before."""
+        if len(self.nodes) < 3 or self.nodes[-2][0] > math.log(0.1):
+            return None
+        for node, sigma in zip(self.nodes[-2:], self.sigmas[-2:]):
+            rho = self.ahead.rho * math.exp(node[0])
+            gamma = stress_and_slopes(rho, node[1], self.branch)[2] / rho
+            if not (gamma > 0.0 and abs(sigma - gamma * rho * node[1]) <= 1e-13 * sigma):
+                return None
+        return 2.0 * self.speed(self.nodes[-1]) / gamma
 
 
 class _ClosedFan(Fan):
@@ -191,6 +205,8 @@ class _ClosedFan(Fan):
         return s, thermal + self.stiffness / (rho0 * math.exp(s)) if s > -700.0 else 0.0, w
 
     def at_stress(self, sigma: float):
+        if not sigma + self.stiffness > 0.0:
+            raise OutOfRange(f"law '{EOS.of(self.branch.par).name}' bears no stress of {sigma:.6g} Pa")
         return self._node(math.log((sigma + self.stiffness) / (self.ahead.sigma + self.stiffness)) / self.gamma)
 
     def at_density(self, rho: float):

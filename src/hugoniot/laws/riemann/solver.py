@@ -46,7 +46,9 @@ def contact(left: Curve, right: Curve, bonded: bool = False) -> Solution:
 
     start = 0.5 * (left.state.sigma + right.state.sigma) if zl + zr == 0.0 else (
         zr * left.state.sigma + zl * right.state.sigma + zl * zr * (left.state.u - right.state.u)) / (zl + zr)
-    scale = max(left.stiffness, right.stiffness)
+    thrust = min(left.state.rho, right.state.rho) * (left.state.u - right.state.u) ** 2
+    scale = max(left.stiffness, right.stiffness, thrust)
+    start = start if start > 0.0 or zl * zr > 0.0 else thrust      # cold gases have no sound to guess by
     sigma = _root(gap, start, floor, scale, (left, right))
     a, _, waves_left = left.at(sigma)
     b, _, waves_right = right.at(sigma)
@@ -67,7 +69,8 @@ def wall(side: Curve, velocity: float, bonded: bool = True) -> Solution:
         return d * (a.u - velocity), slope
 
     start = side.state.sigma + d * side.state.rho * side.c * (velocity - side.state.u)
-    sigma = _root(gap, start, -math.inf, side.stiffness, (side,))
+    thrust = side.state.rho * (velocity - side.state.u) ** 2
+    sigma = _root(gap, start if side.c else thrust, -math.inf, max(side.stiffness, thrust), (side,))
     return _one_sided(side, side.at(sigma)[2], velocity, sigma, False)
 
 
@@ -88,7 +91,10 @@ def _one_sided(side: Curve, waves: list[Wave], velocity: float, sigma: float, va
 def _apart(left: Curve, right: Curve) -> Solution | None:
     """The solution with a vacuum between the sides, if their surfaces run apart."""
     closing = left.state.u - right.state.u
-    if closing >= 0.0 and min(left.state.sigma, right.state.sigma) >= 0.0:
+    lowest = min(left.state.sigma, right.state.sigma)
+    zl, zr = left.state.rho * left.c, right.state.rho * right.c
+    # a release follows its chord from above: where the acoustic answer presses, the exact one does
+    if lowest >= 0.0 and (closing >= 0.0 or zr * left.state.sigma + zl * right.state.sigma + zl * zr * closing > 0.0):
         return None
     (ul, waves_left), (ur, waves_right) = left.surface(), right.surface()
     if ul >= ur:
@@ -127,7 +133,7 @@ def _tried(gap, sigma: float, low: float):
     try:
         return gap(sigma)
     except (NoSolution, ArithmeticError, ValueError):
-        if low > -math.inf or sigma > 0.0:
+        if sigma > 0.0:
             raise
         return -math.inf, math.nan
 

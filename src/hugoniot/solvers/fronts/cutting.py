@@ -30,13 +30,13 @@ def slices(piece: Piece, left: float, right: float, time: float, bench: Bench) -
         e = energy / mass - 0.5 * u * u
         s = wave.ahead.s - (branch.b * math.log(mass / wave.ahead.rho) if branch.b else 0.0)
         found.append(Piece("state", piece.region, State(float(mass), float(u), float(e), float(stress(mass, e, branch)), float(s))))
-    assert_branch(matter, found, branch)
+    _keep_on_branch(matter, found, branch)
     if wave.behind.rho == 0.0:
         found[0 if wave.direction > 0 else -1].broken = True
     return edges, found
 
 
-def assert_branch(matter, pieces, branch) -> None:
+def _keep_on_branch(matter, pieces, branch) -> None:
     """Slices of a plastic fan keep the yield stress that goes with it, to the last bit."""
     if matter.yield_stress and not branch.b:
         own = plastic(matter, 1 if pieces[0].state.s < 0.0 else -1)
@@ -61,9 +61,9 @@ def cut(pieces: list[Piece], fronts: list[Front], k: int, time: float, bench: Be
     for j, x in enumerate(edges):
         if j:
             new_pieces.append(outer[j])
-        some, between, _ = outgoing(outer[j], outer[j + 1], x, time, bench)
+        some, between, _ = outgoing(outer[j], outer[j + 1], x, time, bench, True)
         if not some:               # two equal slices: the line between them stays
-            some, between = [Front("contact", x, time, outer[j].edge(1).u)], []
+            some, between = [Front("contact", x, time, outer[j].edge(1).u, sliced=True)], []
         new_fronts += some
         new_pieces += between
     for piece, flag in zip(found, kept):

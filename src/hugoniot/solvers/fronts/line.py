@@ -24,6 +24,7 @@ class Front:
     """kind: shock, expansion, elastic shock, fan head, fan tail, contact, interface, surface, end; strength of the wave (0 for contacts).
 
     direction   -1 or +1 for a wave that runs into its left or right neighbour, 0 for what moves with the material
+    sliced      whether it came out of the slices of a fan that was cut
     """
 
     kind: str
@@ -32,6 +33,7 @@ class Front:
     speed: float
     direction: int = 0
     strength: float = 0.0
+    sliced: bool = False
     neighbour: Any = field(default=None, repr=False, compare=False)     # the front on the right for which `meets` holds
     meets: float = field(default=0.0, repr=False, compare=False)
 

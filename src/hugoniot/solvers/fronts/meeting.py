@@ -2,13 +2,12 @@
 
 from dataclasses import dataclass, field
 
-from hugoniot.laws.eos.contract import pressure
 from hugoniot.laws.riemann import solver as exact
-from hugoniot.laws.riemann.branch import Matter, State
+from hugoniot.laws.riemann.branch import Matter
 from hugoniot.laws.riemann.curve import Curve, Wave
-from hugoniot.solvers.fronts.line import OUTSIDE, Front, Piece, densities, fan_growth, fluxes
+from hugoniot.solvers.fronts.line import OUTSIDE, Front, Piece
 
-
+NOISE = 2e-13    # strength of a wave that is rounding alone
 MERGED = 2.5     # slices of a fan may reflect or join before they count as a new fan
 
 
@@ -18,7 +17,7 @@ class Bench:
 
     matters      material of each region
     grips        stress (Pa) that holds each region to the next one: inf bonded, 0 separable, a bond's strength
-    weakest      strength below which a wave between two tracked ones is left out
+    weakest      strength below which a wave inside one material is not followed
     fan_step     change of velocity over the sound speed below which a release is one jump
     walls        velocity of the left and right wall; pressures  at the left and right end
     """
@@ -32,17 +31,19 @@ class Bench:
     dropped: int = 0
 
 
-def solve(left: Piece, right: Piece, bench: Bench) -> exact.Solution:
-    """The Riemann problem of two neighbouring pieces (states or outsides)."""
-    first = _solved(left, right, bench, (left.broken, right.broken))
+def solve(left: Piece, right: Piece, bench: Bench, sliced: bool) -> exact.Solution:
+    """The Riemann problem of two neighbouring pieces (states or outsides); `sliced`: among slices of a fan, whose releases are jumps."""
+    if not sliced:
+        return _solved(left, right, bench, (left.broken, right.broken))
+    first = _solved(left, right, bench, (True, True))
     jumps = tuple(piece.broken or _feeble(waves, bench) for piece, waves in ((left, first.left), (right, first.right)))
-    return first if jumps == (left.broken, right.broken) else _solved(left, right, bench, jumps)
+    return first if all(jumps) else _solved(left, right, bench, jumps)
 
 
 def _feeble(waves: list[Wave], bench: Bench) -> bool:
-    """Whether all fans among the waves are so weak that jumps do for them."""
-    fans = [w for w in waves if w.kind == "fan"]
-    return bool(fans) and all(abs(w.behind.u - w.ahead.u) < MERGED * bench.fan_step * w.path.speed(w.path.nodes[0]) for w in fans)
+    """Whether all releases among the waves are so weak that jumps do for them."""
+    return all(w.behind.sigma >= w.ahead.sigma or abs(w.behind.u - w.ahead.u) < MERGED * bench.fan_step * abs(w.head - w.ahead.u)
+               for w in waves)
 
 
 def _solved(left: Piece, right: Piece, bench: Bench, jumps) -> exact.Solution:
@@ -75,18 +76,25 @@ class Unit:
     strength: float
 
 
-def outgoing(left: Piece, right: Piece, x: float, t: float, bench: Bench) -> tuple[list[Front], list[Piece], exact.Solution]:
-    """(fronts, pieces between them, solution) that replace what met at (x, t); the pieces left and right stay as they are."""
-    found = solve(left, right, bench)
+def outgoing(left: Piece, right: Piece, x: float, t: float, bench: Bench,
+             sliced: bool = False) -> tuple[list[Front], list[Piece], exact.Solution]:
+    """(fronts, pieces between them, solution) that replace what met at (x, t); the pieces left and right stay as they are.
+
+    sliced   one of those that met came from a slice of a fan: feeble releases are jumps, and what leaves counts as sliced too
+    """
+    found = solve(left, right, bench, sliced)
     units, middles = _units(left, right, found, x, t, bench)
+    units, middles = _without_noise(units, middles)
     if left.kind == right.kind == "state" and left.region == right.region and not found.vacuum:
-        units, middles = _without_the_weak(units, middles, left, right, bench)
+        units, middles = _without_the_weak(units, middles, bench)
     fronts, pieces = [], []
     for k, unit in enumerate(units):
         if k:
             pieces.append(middles[k - 1])
         fronts += unit.fronts
         pieces += unit.inside
+    for front in fronts:
+        front.sliced = sliced
     return fronts, pieces, found
 
 
@@ -128,43 +136,27 @@ def _contrast(left: Piece, right: Piece, found: exact.Solution) -> float:
     """Difference of density across the contact, over the larger."""
     a = found.left[-1].behind if found.left else left.edge(1)
     b = found.right[-1].behind if found.right else right.edge(-1)
-    return abs(a.rho - b.rho) / max(a.rho, b.rho)
+    return abs(a.rho - b.rho) / max(a.rho, b.rho, 1e-300)
 
 
-def _without_the_weak(units: list[Unit], middles: list[Piece], left: Piece, right: Piece, bench: Bench):
-    """Leave out waves below the tolerance; a state between two others takes up what they would have carried, so that nothing is lost.
+def _without_noise(units: list[Unit], middles: list[Piece]) -> tuple[list[Unit], list[Piece]]:
+    """Leave out waves that are rounding alone; what moves with the material stays."""
+    kept = [k for k, unit in enumerate(units) if unit.strength > NOISE or unit.fronts[0].direction == 0]
+    moving = [k for k in kept if units[k].fronts[0].direction == 0]
+    return [units[k] for k in kept], [middles[k if k < moving[0] else kept[j + 1] - 1] for j, k in enumerate(kept[:-1])]
 
-    Of one front alone no state is free: what it loses then is of the size of the waves left out, and is part of the reported errors.
+
+def _without_the_weak(units: list[Unit], middles: list[Piece], bench: Bench):
+    """Leave out waves below the tolerance; the strongest stays and carries the rest.
+
+    What the waves left out would have carried is missing from the sums of mass, momentum and energy: part of the errors a run reports.
     """
     strongest = max(range(len(units)), key=lambda k: units[k].strength)
     if units[strongest].strength == 0.0:
         return [], []
     kept = [k for k in range(len(units)) if units[k].strength >= bench.weakest or k == strongest]
     bench.dropped += len(units) - len(kept)
-    if len(kept) == len(units):
-        return units, middles
-    chosen = [units[k] for k in kept]
-    between = [Piece("state", left.region, middles[k].state) for k in kept[:-1]]
-    if between:
-        _absorb(chosen, between, left, right, bench)
-    return chosen, between
-
-
-def _absorb(units: list[Unit], between: list[Piece], left: Piece, right: Piece, bench: Bench) -> None:
-    """Change the state that grows fastest by what is missing from mass, momentum and energy per time."""
-    states = [left.edge(1), *(piece.state for piece in between), right.edge(-1)]
-    missing = fluxes(states[0]) - fluxes(states[-1])
-    for k, unit in enumerate(units):
-        low, high = unit.fronts[0].speed, unit.fronts[-1].speed
-        missing = missing - (low * densities(states[k]) - high * densities(states[k + 1]))
-        for piece in unit.inside:
-            missing = missing - fan_growth(piece)
-    growth = [b.fronts[0].speed - a.fronts[-1].speed for a, b in zip(units, units[1:])]
-    j = max(range(len(growth)), key=growth.__getitem__)
-    mass, momentum, energy = (densities(between[j].state) + missing / growth[j]).tolist()
-    u, s = momentum / mass, between[j].state.s
-    e = energy / mass - 0.5 * u * u
-    between[j].state = State(mass, u, e, pressure(mass, e, bench.matters[left.region].par) - s, s)
+    return [units[k] for k in kept], [middles[k] for k in kept[:-1]]
 
 
 def _contact(left: Piece, right: Piece, found, x, t, bench: Bench) -> list[Front]:

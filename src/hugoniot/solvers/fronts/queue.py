@@ -108,7 +108,7 @@ class Line:
         opens = left if left.kind == "open" else right if right.kind == "open" else None
         if opens is not None:
             opens.state = (right if opens is left else left).edge(-1 if opens is left else 1)
-        fronts, between, found = outgoing(left, right, x, self.time, self.bench)
+        fronts, between, found = outgoing(left, right, x, self.time, self.bench, any(front.sliced for front in met))
         if fronts:
             self.fronts[first:last + 1] = fronts
             self.pieces[first + 1:last + 1] = between

@@ -50,10 +50,11 @@ def refuse_what_is_not_solved(problem: Problem) -> None:
         if material.fracture is not None and FRACTURE.of(material.fracture).name != "none":
             raise OutOfRange(f"{where} has a fracture law; the solver {NAME} does not open new surfaces inside a body: leave it out")
         if flagged(material.eos, "remembers"):
-            raise OutOfRange(f"{where}: the pores of '{EOS.of(material.eos).name}' stay crushed, which this solver does not follow: use lagrange1d")
+            raise OutOfRange(f"{where}: the pores of '{EOS.of(material.eos).name}' stay crushed, which the solver {NAME} does not follow: "
+                             "use lagrange1d")
         if material.strength is not None and STRENGTH.of(material.strength).name not in ("none", "perfectly_plastic"):
-            raise OutOfRange(f"{where}: strength law '{STRENGTH.of(material.strength).name}' has no constant yield stress; the waves of the "
-                             f"solver {NAME} are exact for perfectly_plastic (or none) only")
+            raise OutOfRange(f"{where}: strength law '{STRENGTH.of(material.strength).name}' has no constant yield stress; "
+                             f"the waves of the solver {NAME} are exact for perfectly_plastic (or none) only")
     for side, end in (("left", problem.left), ("right", problem.right)):
         if end.pulse is not None and end.pulse.shape not in ("constant", "square"):
             raise OutOfRange(f"boundary {side}: a {end.pulse.shape} pulse sends out a fan of its own; the solver {NAME} takes constant and "

@@ -88,7 +88,7 @@ class Fronts:
             goal = min(until, self._next_sample(), self._next_change()[0])
             try:
                 met = self.line.advance(goal)
-            except (HugoniotError, ArithmeticError) as error:
+            except (HugoniotError, ArithmeticError, ValueError) as error:
                 raise self._unphysical(error) from error
             if not met and self._next_change()[0] <= self.time:
                 self._change(self._next_change()[1])
@@ -107,7 +107,8 @@ class Fronts:
 
     def _check(self, here: int) -> None:
         if self.line.full or here > STUCK:
-            count = f"{len(self.line.fronts)} fronts are more than {self.line.most}" if self.line.full else f"{here} meetings in one instant"
+            fronts = f"{len(self.line.fronts)} fronts are more than {self.line.most}"
+            count = fronts if self.line.full else f"{here} meetings in one instant"
             raise UnphysicalState(f"{count}: too many waves to follow exactly",
                                   "raise solver.options.most_fronts, take a coarser fan_step or weakest, or stop earlier", None, "",
                                   None, self.time, self.cycle)
@@ -251,8 +252,8 @@ class Fronts:
         """Sentences about fans that were met: from there on the solution is one of slices."""
         if not self.line.cuts:
             return []
-        return [f"{self.line.cuts} fans were met by other waves and cut into slices of at most {self.bench.fan_step:g} sound speeds: behind them "
-                "states are exact to the square of that step"]
+        return [f"{self.line.cuts} fans were met by other waves and cut into slices of at most {self.bench.fan_step:g} sound speeds: "
+                "behind them states are accurate to the square of that step"]
 
     # -- checkpoints -------------------------------------------------------------------------------------------------
     def payload(self) -> dict:
@@ -260,7 +261,7 @@ class Fronts:
         lives = self.lives
         pieces = [{"kind": p.kind, "region": p.region, "state": list(p.state), "x0": p.x0, "t0": p.t0, "broken": p.broken,
                    "wave": _wave_row(p.wave)} for p in self.line.pieces]
-        fronts = [{"kind": f.kind, "numbers": [f.x0, f.t0, f.speed, f.direction, f.strength], "born": lives.born[id(f)][1]}
+        fronts = [{"kind": f.kind, "numbers": [f.x0, f.t0, f.speed, f.direction, f.strength, f.sliced], "born": lives.born[id(f)][1]}
                   for f in self.line.fronts]
         return {"pieces": pieces, "fronts": fronts, "time": self.time, "cycle": self.cycle, "step": self.step, "samples": self.samples,
                 "meetings": self.line.meetings, "cuts": self.line.cuts, "dropped": self.bench.dropped,
@@ -274,7 +275,8 @@ class Fronts:
     def restore(self, payload: dict) -> None:
         """Continue from a payload of the same problem."""
         self.line.pieces = [self._piece(row) for row in payload["pieces"]]
-        self.line.fronts = [Front(row["kind"], *row["numbers"][:3], int(row["numbers"][3]), row["numbers"][4]) for row in payload["fronts"]]
+        self.line.fronts = [Front(row["kind"], *row["numbers"][:3], int(row["numbers"][3]), row["numbers"][4],
+                                   bool(row["numbers"][5])) for row in payload["fronts"]]
         self.lives.born = {id(f): (f, list(row["born"])) for f, row in zip(self.line.fronts, payload["fronts"])}
         self.lives.kinds, self.lives.rows = list(payload["life_kinds"]), [list(row) for row in payload["life_rows"].tolist()]
         self.lives.jumps = {int(k): float(v) for k, v in payload["jumps"]}
@@ -295,7 +297,8 @@ class Fronts:
             n, matter = row["wave"]["numbers"], self.bench.matters[int(row["region"])]
             ahead = Point(*row["wave"]["ahead"])
             branch = elastic(matter, ahead)._replace(a=n[3], b=n[4])
-            wave = Wave("fan", bool(row["wave"]["elastic"]), int(n[0]), ahead, Point(*row["wave"]["behind"]), n[1], n[2], Fan(ahead, branch), n[5])
+            wave = Wave("fan", bool(row["wave"]["elastic"]), int(n[0]), ahead, Point(*row["wave"]["behind"]), n[1], n[2],
+                        Fan(ahead, branch), n[5])
         return Piece(row["kind"], int(row["region"]), Point(*row["state"]), wave, row["x0"], row["t0"], bool(row["broken"]))
 
 
