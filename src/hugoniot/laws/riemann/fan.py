@@ -20,7 +20,7 @@ from hugoniot.laws.eos.stiffened_gas import StiffenedGas
 from hugoniot.laws.riemann.branch import Branch, State, stress_and_slopes, wave_speed_squared
 
 LARGEST, SMALLEST = 0.4, 1e-4    # steps in ln(rho)
-TOLERANCE = 1e-13
+TOLERANCE = 1e-14
 NOTHING_LEFT = 1e-60             # density over the one ahead at which an expansion counts as complete
 
 
