@@ -290,5 +290,6 @@ def test_random_problems_lose_nothing(seed):
 
 @pytest.mark.slow
 def test_three_hundred_random_problems():
-    ended = [survives(seed, 300) for seed in range(300)]
-    assert ended.count("done") > 200
+    """Up to forty meetings each: nothing is lost, and few stop for want of a law's range or for too many fronts."""
+    ended = [survives(seed, 40) for seed in range(300)]
+    assert ended.count("done") > 280

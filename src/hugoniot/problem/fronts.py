@@ -5,6 +5,9 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, WithJsonSchema
 
+from hugoniot.laws.eos.contract import flagged
+from hugoniot.laws.fracture.contract import FRACTURE
+from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.materials.collect import Collector, printable
 from hugoniot.materials.material import Material
 from hugoniot.problem import checks, lagrangian
@@ -21,6 +24,8 @@ from hugoniot.problem.lagrangian import (
 )
 from hugoniot.problem.model import Problem, SolverOptions
 from hugoniot.problem.schema import Quantity, Table, salvage
+
+NAME = "the solver fronts"
 
 
 class OptionsTable(Table):
@@ -76,7 +81,47 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     if model is None or collector.problems or left is None or right is None or solver is None or output is None:
         return None, warnings
     options = SolverOptions("fronts", max_cycles=solver.max_cycles, options=MappingProxyType(solver.options.model_dump()))
-    return Problem(model.title, "planar", model.stop_time, regions, used, left, right, interfaces, gauges, options, output), warnings
+    problem = Problem(model.title, "planar", model.stop_time, regions, used, left, right, interfaces, gauges, options, output)
+    for path, message in defects(problem):
+        collector.add(path, message)
+    return (None if collector.problems else problem), warnings
+
+
+def defects(problem: Problem) -> list[tuple[tuple, str]]:
+    """(place in the deck, message) of everything that constant states and exact waves cannot describe."""
+    found: list[tuple[tuple, str]] = []
+    if problem.geometry != "planar":
+        found.append((("geometry",), f"{NAME} is planar: between {problem.geometry} fronts no state is constant; use lagrange1d"))
+    if problem.solver.viscosity is not None:
+        found.append((("solver", "viscosity"), f"{NAME} has no artificial viscosity: leave [solver.viscosity] out"))
+    for k, region in enumerate(problem.regions):
+        if isinstance(region.velocity, tuple) and region.velocity[0] != region.velocity[1]:
+            message = f"region '{region.name}' has a velocity profile; {NAME} needs constant initial states"
+            found.append((("region", k, "velocity"), message))
+    for name, material in problem.materials.items():
+        found += [(("material", name, *path), f"material '{name}' {message}") for path, message in _material_defects(material)]
+    for side, end in (("left", problem.left), ("right", problem.right)):
+        if end.pulse is not None and end.pulse.shape not in ("constant", "square"):
+            message = f"a {end.pulse.shape} pulse sends out a fan of its own; {NAME} takes constant and square pulses"
+            found.append((("boundary", side), message))
+        elif end.pulse is not None and end.kind == "pressure" and end.pulse.amplitude < 0.0:
+            found.append((("boundary", side), f"a pressure below zero pulls; {NAME} takes none"))
+    return found
+
+
+def _material_defects(material: Material) -> list[tuple[tuple, str]]:
+    found: list[tuple[tuple, str]] = []
+    if material.burn is not None or material.unreacted is not None:
+        found.append((("burn",), f"burns; {NAME} follows inert materials: use lagrange1d"))
+    if material.fracture is not None and FRACTURE.of(material.fracture).name != "none":
+        found.append((("fracture",), f"has a fracture law; {NAME} opens no new surfaces inside a body: leave it out"))
+    if flagged(material.eos, "remembers"):
+        found.append((("eos",), f"keeps its pores crushed, which {NAME} does not follow: use lagrange1d"))
+    if material.strength is not None and STRENGTH.of(material.strength).name not in ("none", "perfectly_plastic"):
+        law = STRENGTH.of(material.strength).name
+        found.append((("strength", "law"), f"has no constant yield stress ('{law}'); the waves of {NAME} are exact for perfectly_plastic "
+                      "(or none) only"))
+    return found
 
 
 def write(problem: Problem) -> dict:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import hugoniot
-from hugoniot.errors import DeckError, OutOfRange
+from hugoniot.errors import DeckError
 from hugoniot.problem.deck import read_deck_text
 from hugoniot.simulate import make_solver
 
@@ -115,8 +115,8 @@ def test_resuming_in_mid_interaction_gives_the_same_bits():
     (("[output]", "[boundary]\nleft = {velocity = {shape = \"ramp\", amplitude = 10, duration = 1e-6}}\n[output]"), "fan of its own"),
 ])
 def test_what_is_not_solved_is_refused_with_the_reason(change, words):
-    with pytest.raises((OutOfRange, DeckError), match=words):
-        solver_of(DECK.replace(*change))
+    with pytest.raises(DeckError, match=words):
+        read_deck_text(DECK.replace(*change))
 
 
 def test_curved_geometry_and_unknown_options_are_refused_in_the_deck():

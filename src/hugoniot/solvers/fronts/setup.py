@@ -1,4 +1,4 @@
-"""From a problem to its first fronts: what the solver takes, what it refuses and why, and the Riemann problems at t = 0."""
+"""From a problem to its first fronts: what the solver takes, and the Riemann problems at t = 0."""
 
 import math
 from dataclasses import dataclass
@@ -6,11 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from hugoniot.errors import OutOfRange
-from hugoniot.laws.eos.contract import EOS, flagged, pressure
-from hugoniot.laws.fracture.contract import FRACTURE
+from hugoniot.laws.eos.contract import pressure
 from hugoniot.laws.riemann.branch import Matter, State
 from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.materials.initial_state import initial_state
+from hugoniot.problem.fronts import defects
 from hugoniot.problem.model import Boundary, Problem
 from hugoniot.solvers.fronts.line import Front, Piece
 from hugoniot.solvers.fronts.meeting import Bench, outgoing
@@ -32,35 +32,11 @@ def options_of(problem: Problem) -> dict:
 
 
 def refuse_what_is_not_solved(problem: Problem) -> None:
-    """Raise `OutOfRange` for what the algebraic mode cannot do exactly."""
-    options = options_of(problem)
-    if options["mode"] != "algebraic":
-        raise OutOfRange(f"the solver {NAME} has the mode 'algebraic' only, not '{options['mode']}'")
-    if problem.geometry != "planar":
-        raise OutOfRange(f"the solver {NAME} is planar: between fronts of {problem.geometry} geometry no state is constant; use lagrange1d")
-    if problem.solver.viscosity is not None:
-        raise OutOfRange(f"the solver {NAME} has no artificial viscosity: leave [solver.viscosity] out")
-    for region in problem.regions:
-        material = problem.materials[region.material]
-        where = f"material '{region.material}'"
-        if isinstance(region.velocity, tuple) and region.velocity[0] != region.velocity[1]:
-            raise OutOfRange(f"region '{region.name}' has a velocity profile; the solver {NAME} needs constant initial states")
-        if material.burn is not None or material.unreacted is not None:
-            raise OutOfRange(f"{where} burns; the solver {NAME} follows inert materials: use lagrange1d")
-        if material.fracture is not None and FRACTURE.of(material.fracture).name != "none":
-            raise OutOfRange(f"{where} has a fracture law; the solver {NAME} does not open new surfaces inside a body: leave it out")
-        if flagged(material.eos, "remembers"):
-            raise OutOfRange(f"{where}: the pores of '{EOS.of(material.eos).name}' stay crushed, which the solver {NAME} does not follow: "
-                             "use lagrange1d")
-        if material.strength is not None and STRENGTH.of(material.strength).name not in ("none", "perfectly_plastic"):
-            raise OutOfRange(f"{where}: strength law '{STRENGTH.of(material.strength).name}' has no constant yield stress; "
-                             f"the waves of the solver {NAME} are exact for perfectly_plastic (or none) only")
-    for side, end in (("left", problem.left), ("right", problem.right)):
-        if end.pulse is not None and end.pulse.shape not in ("constant", "square"):
-            raise OutOfRange(f"boundary {side}: a {end.pulse.shape} pulse sends out a fan of its own; the solver {NAME} takes constant and "
-                             "square pulses")
-        if end.pulse is not None and end.kind == "pressure" and end.pulse.amplitude < 0.0:
-            raise OutOfRange(f"boundary {side}: a pressure below zero pulls; the solver {NAME} takes none")
+    """Raise `OutOfRange` for the first thing the algebraic mode cannot do exactly (problem.fronts.defects)."""
+    if options_of(problem)["mode"] != "algebraic":
+        raise OutOfRange(f"the solver {NAME} has the mode 'algebraic' only, not '{options_of(problem)['mode']}'")
+    for _, message in defects(problem):
+        raise OutOfRange(message)
 
 
 def matter_of(material) -> Matter:
