@@ -87,7 +87,9 @@ def fan_state(piece: Piece, xi: float) -> State:
     d, path = wave.direction, wave.path
     if d * (xi - wave.head) >= 0.0:
         return wave.ahead
-    if d * (xi - wave.tail) <= 0.0:
+    # at the edge of a vacuum the density falls with a high power of the distance: nothing is left so close to it
+    near = 1e-9 * abs(wave.head - wave.tail) if wave.behind.rho == 0.0 else 0.0
+    if d * (xi - wave.tail) <= near:
         return wave.behind
     return path.state(path.at_characteristic(d * (xi - wave.ahead.u)), d)
 
