@@ -35,7 +35,11 @@ def make_solver(problem: Problem):
         from hugoniot.problem.structure_start import shock_start
         from hugoniot.solvers.shock_structure.solver import ShockStructure
         return ShockStructure(problem, shock_start(problem))
-    raise DeckError.single("problem", None, "solver.kind", f"unknown solver '{problem.solver.kind}'", "known: lagrange1d, shock_structure")
+    if problem.solver.kind == "fronts":
+        from hugoniot.solvers.fronts.solver import Fronts
+        return Fronts(problem)
+    hint = "known: fronts, lagrange1d, shock_structure"
+    raise DeckError.single("problem", None, "solver.kind", f"unknown solver '{problem.solver.kind}'", hint)
 
 
 def with_surface_gauges(problem: Problem) -> Problem:
@@ -43,9 +47,9 @@ def with_surface_gauges(problem: Problem) -> Problem:
 
     The latter is what a velocity interferometer would look at.
 
-    Only plates (planar bodies of the Lagrangian solver) have such an end on both sides; a shell has its outer one.
+    Only plates (planar bodies of a Lagrangian solver) have such an end on both sides; a shell has its outer one.
     """
-    if problem.solver.kind != "lagrange1d":
+    if problem.solver.kind not in ("lagrange1d", "fronts"):
         return problem
     named = {gauge.at for gauge in problem.gauges} | {gauge.name for gauge in problem.gauges}
     ends = [("left", problem.left, problem.geometry == "planar"), ("right", problem.right, True)]
@@ -183,6 +187,8 @@ def _drive(recorder: _Recorder, next_snapshot: int, begun: float, report: bool |
         folder.event(solver.time, solver.cycle, "warning", text)
     for text in getattr(solver, "references", list)():
         folder.event(solver.time, solver.cycle, "reference_state", text)
+    if hasattr(solver, "front_table"):
+        folder.fronts(*solver.front_table())
     folder.finish(_summary(problem, solver, outcome, begun), solver.peaks())
     if report and output.report:
         write_or_note(folder.folder, report if callable(report) else None)

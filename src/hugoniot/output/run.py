@@ -51,6 +51,20 @@ class Run:
             raise FileTrouble(f"{path}: not the summary of a run ({error})") from error
 
     @cached_property
+    def fronts(self) -> dict[str, np.ndarray]:
+        """Columns of fronts.csv, SI: `kind` as texts, the others as numbers; empty for a solver that tracks none."""
+        path = self.folder / "fronts.csv"
+        if not path.is_file():
+            return {}
+        with legible(path):
+            head, *lines = path.read_text(encoding="utf-8").splitlines()
+        names, rows = head.split(","), [line.split(",") for line in lines]
+        if any(len(row) != len(names) for row in rows):
+            raise FileTrouble(f"{path}: not the fronts of a run")
+        columns = dict(zip(names, zip(*rows))) if rows else dict.fromkeys(names, ())
+        return {name: np.array(values) if name == "kind" else np.array(values, dtype=float) for name, values in columns.items()}
+
+    @cached_property
     def _setup(self) -> tuple[dict, str]:
         with self._open() as file:
             group = file["setup"]

@@ -21,7 +21,7 @@ from hugoniot.output.result_file import gauges_text, result_bytes
 from hugoniot.output.series import Series
 from hugoniot.output.setup_record import plain, setup_record
 
-PRODUCTS = ("result.h5", "gauges.csv", "summary.json", "report.html", "run.log", "post_mortem.h5", "post_mortem.txt")
+PRODUCTS = ("result.h5", "gauges.csv", "fronts.csv", "summary.json", "report.html", "run.log", "post_mortem.h5", "post_mortem.txt")
 
 
 class RunFolder:
@@ -152,6 +152,11 @@ class RunFolder:
             self._checkpoints.remove()
             self._series.keep([])
         return None
+
+    def fronts(self, columns, kinds: list[str], rows: np.ndarray) -> None:
+        """Write fronts.csv: one line per tracked front, its kind first, then the numbers of `columns` (SI)."""
+        lines = [",".join(("kind", *columns)), *(",".join((kind, *map(repr, row))) for kind, row in zip(kinds, rows.tolist()))]
+        write_whole(self.folder / "fronts.csv", "\n".join(lines) + "\n")
 
     def _warn(self, text: str) -> None:
         self.warnings.append(text)

@@ -14,6 +14,8 @@ def xt(run, field: str = "stress", ax=None, window=None, times=None, limits=None
 
     Between snapshots waves are carried along the direction in which the two records match best (diagnostics.wave_diagram).
 
+    A run that tracks fronts has them as lines: shocks thick, by strength; elastic shocks dashed; edges of fans and expansions thin.
+
     window     (lowest, highest) position in m; default all material, but no further out than the bodies at t = 0 are wide together
     times      (first, last) time in s; default the whole run
     limits     (lowest, highest) value of the colour scale in SI; default from the data
@@ -37,6 +39,7 @@ def xt(run, field: str = "stress", ax=None, window=None, times=None, limits=None
     ax.set_xlim(low * fx, high * fx)
     ax.set_ylim(begin * ft, end * ft)
     _draw_edges(ax, edges, time * ft, left * fx, right * fx)
+    _draw_fronts(ax, run, fx, ft)
     _draw_gauges(ax, run, fx, ft)
     ax.set_xlabel(labelled("position" if run.setup["geometry"] == "planar" else "radius", unit_x))
     ax.set_ylabel(labelled("time", unit_t))
@@ -96,6 +99,17 @@ def _draw_edges(ax, rows, time, left, right) -> None:
             ax.annotate(str(name), (middle, top), xytext=(0, 3), textcoords="offset points", ha="center", va="bottom", fontsize=8,
                         annotation_clip=False)
             taken = middle + half
+
+
+def _draw_fronts(ax, run, fx, ft) -> None:
+    """Every tracked wave as a line from where it arose to where it ended."""
+    rows = run.fronts
+    styles = (("shock", 1.6, "solid"), ("elastic shock", 1.2, (0, (3, 1.5))), ("fan", 0.6, "solid"), ("expansion", 0.6, "solid"))
+    for words, width, dashes in styles:
+        chosen = [k for k, kind in enumerate(rows.get("kind", ())) if kind == words or words in ("fan", "expansion") and words in kind]
+        ends = [[(rows[f"{e}position"][k] * fx, rows[f"{e}time"][k] * ft) for e in ("", "end_")] for k in chosen]
+        scale = [width * (0.3 + 0.7 * min(rows["strength"][k] ** 0.25, 1.0)) if words == "shock" else width for k in chosen]
+        ax.add_collection(LineCollection(ends, colors=INK, linewidths=scale, linestyles=dashes))
 
 
 def _draw_gauges(ax, run, fx, ft, most: int = 6) -> None:

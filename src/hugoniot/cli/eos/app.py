@@ -10,6 +10,7 @@ from hugoniot.cli.eos.detonation import cj, mixture, znd
 from hugoniot.cli.eos.input import find_inert, find_material
 from hugoniot.cli.eos.options import AT, CSV, HEAT, MATERIAL, MATERIALS, PLOT, POINTS
 from hugoniot.cli.eos.second_shock import second_shock
+from hugoniot.cli.eos.stability import stability
 from hugoniot.cli.show import JSON, quantity
 from hugoniot.errors import DeckError
 
@@ -126,6 +127,7 @@ def riemann(
 app.command()(cj)
 app.command()(znd)
 app.command()(mixture)
+app.command()(stability)
 app.command("second-shock")(second_shock)
 app.command()(convert)
 

@@ -1,0 +1,156 @@
+r"""The wave curve of one side of a Riemann problem: what the material becomes behind its waves, against the longitudinal stress.
+
+A fluid answers compression with one shock and release with one fan. An elastic-perfectly plastic solid in uniaxial strain answers with an
+elastic wave up to its yield point and a plastic wave behind it; where the plastic shock would outrun the elastic one, both are one shock.
+Feeble expansions may be asked for as jumps (`as_jumps`), which keeps the conservation laws exact where a fan has to be cut up.
+
+Source: Courant and Friedrichs, sections 54 to 81; Wilkins B.1 items 5 and 9 for the yield condition.
+"""
+
+import math
+from dataclasses import dataclass
+
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos.contract import EOS, flagged
+from hugoniot.laws.riemann import jump
+from hugoniot.laws.riemann.branch import Branch, Matter, State, elastic, plastic, wave_speed_squared, yield_density
+from hugoniot.laws.riemann.fan import Fan
+
+
+@dataclass(frozen=True)
+class Wave:
+    """One wave.
+
+    kind         "shock" (a jump of either sign), "fan"
+    elastic      whether it is the elastic wave of a solid
+    direction    -1 into the left, +1 into the right material
+    ahead, behind, head, tail   states, and velocities of the edges in the laboratory, m/s (equal for a shock)
+    path         the `Fan` behind a fan, None for a shock
+    """
+
+    kind: str
+    elastic: bool
+    direction: int
+    ahead: State
+    behind: State
+    head: float
+    tail: float
+    path: Fan | None = None
+
+    @property
+    def strength(self) -> float:
+        """Change of stress over rho c^2 of the softer side: 0 for nothing, of order 1 for a strong wave."""
+        rise = abs(self.behind.sigma - self.ahead.sigma)
+        return rise / max(abs(self.ahead.sigma), abs(self.behind.sigma), self.stiffness)
+
+    stiffness: float = 0.0
+
+
+class Curve:
+    """The wave curve from `state` of `matter`, for waves that run in `direction`.
+
+    as_jumps   releases are jumps too (their entropy falls with the cube of their strength)
+    Raises `OutOfRange` for a state the law does not answer.
+    """
+
+    def __init__(self, matter: Matter, state: State, direction: int, as_jumps: bool = False):
+        self.matter, self.state, self.direction, self.as_jumps = matter, state, direction, as_jumps
+        self.solid = matter.yield_stress > 0.0
+        self.branch = elastic(matter, state)
+        square = wave_speed_squared(state.rho, state.e, self.branch) if state.rho > 0.0 else math.nan
+        if not square >= 0.0:
+            side = "left" if direction < 0 else "right"
+            raise OutOfRange(f"the {side} state ({state.rho:.6g} kg/m3, {state.e:.6g} J/kg) is no sound state of law "
+                             f"'{EOS.of(matter.par).name}': c^2 = {square:.4g} m2/s2")
+        self.c = math.sqrt(square)
+        self.stiffness = state.rho * square
+        self._limits: dict[int, tuple[State, float]] = {}
+        self._fans: dict[str, Fan] = {}
+
+    # -- elastic limits ----------------------------------------------------------------------------------------------
+    def _limit(self, way: int) -> tuple[State, float]:
+        """(state at the elastic limit in compression 1 or extension -1, mass flux of the jump to it)."""
+        if way not in self._limits:
+            rho = yield_density(self.matter, self.state, way)
+            s = -way * 2.0 / 3.0 * self.matter.yield_stress
+            if abs(rho / self.state.rho - 1.0) < 1e-13:
+                found = self.state, math.inf
+            elif way > 0 or self.as_jumps:
+                found = jump.to_density(rho, self.state, self.branch, self.direction, s)
+            else:
+                fan = self._fan("elastic", self.state, self.branch)
+                found = fan.state(fan.at_density(rho), self.direction)._replace(s=s), math.inf
+            self._limits[way] = found
+        return self._limits[way]
+
+    def _fan(self, name: str, ahead: State, branch: Branch) -> Fan:
+        if name not in self._fans:
+            self._fans[name] = Fan(ahead, branch)
+        return self._fans[name]
+
+    # -- the curve ---------------------------------------------------------------------------------------------------
+    def waves(self, sigma: float) -> list[Wave]:
+        """The waves, outermost first, that leave the stress sigma behind them."""
+        if sigma == self.state.sigma:
+            return []
+        way = 1 if sigma > self.state.sigma else -1
+        if not self.solid:
+            return [self._one(sigma, self.state, self.branch, False)]
+        limit, flux = self._limit(way)
+        if limit is self.state:
+            return [self._one(sigma, self.state, plastic(self.matter, way), False)]
+        if (sigma - limit.sigma) * way <= 0.0:
+            return [self._one(sigma, self.state, self.branch, True)]
+        first = self._one(limit.sigma, self.state, self.branch, True, limit, flux)
+        second = self._one(sigma, limit, plastic(self.matter, way), False)
+        if way > 0 and second.head * self.direction >= first.tail * self.direction:
+            return [self._one(sigma, self.state, plastic(self.matter, way), False, deviator=limit.s)]
+        return [first, second]
+
+    def _one(self, sigma, ahead: State, branch: Branch, is_elastic, after: State | None = None, flux=0.0, deviator=None) -> Wave:
+        d = self.direction
+        if sigma > ahead.sigma or self.as_jumps:
+            if after is None:
+                after, flux = jump.behind(sigma, ahead, branch, d, deviator)
+            speed = ahead.u + d * flux / ahead.rho
+            return Wave("shock", is_elastic, d, ahead, after, speed, speed, None, self.stiffness)
+        fan = self._fan("elastic" if is_elastic else "plastic", ahead, branch)
+        node = fan.at_stress(sigma)
+        after = fan.state(node, d)._replace(sigma=sigma)
+        return Wave("fan", is_elastic, d, ahead, after, ahead.u + d * fan.speed(fan.nodes[0]), after.u + d * fan.speed(node), fan,
+                    self.stiffness)
+
+    def at(self, sigma: float) -> tuple[State, float, list[Wave]]:
+        """(innermost state, d|u|/dsigma, waves) at the stress sigma."""
+        found = self.waves(sigma)
+        if not found:
+            return self.state, 1.0 / (self.state.rho * self.c) if self.c else math.inf, found
+        last = found[-1]
+        branch = self._branch_of(last)
+        if last.kind == "fan":
+            rho = last.behind.rho
+            return last.behind, 1.0 / (rho * math.sqrt(wave_speed_squared(rho, last.behind.e, branch))), found
+        flux = (last.head - last.ahead.u) * self.direction * last.ahead.rho
+        return last.behind, jump.slope(sigma, last.ahead, last.behind, branch, flux), found
+
+    def _branch_of(self, wave: Wave) -> Branch:
+        if not self.solid or wave.elastic:
+            return self.branch
+        return plastic(self.matter, 1 if wave.behind.s < 0.0 else -1)
+
+    # -- the end of the curve ----------------------------------------------------------------------------------------
+    @property
+    def gas(self) -> bool:
+        """Whether the material expands without bound."""
+        return flagged(self.matter.par, "gas")
+
+    def surface(self) -> tuple[float, list[Wave]]:
+        """(velocity, waves) of the surface towards nothing: zero stress, or for a gas the complete expansion."""
+        fan = self._fan("plastic" if not self.solid else "elastic", self.state, self.branch)
+        reach = fan.complete() if self.gas and self.state.sigma > 0.0 and not self.as_jumps else None
+        if reach is None:
+            after, _, found = self.at(0.0)
+            return after.u, found
+        edge = self.state.u + self.direction * reach
+        head = self.state.u + self.direction * self.c
+        return edge, [Wave("fan", False, self.direction, self.state, State(0.0, edge, 0.0, 0.0), head, edge, fan, self.stiffness)]

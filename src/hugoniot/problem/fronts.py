@@ -1,0 +1,134 @@
+"""The deck of the solver `fronts`: bodies, ends, interfaces and gauges as for `lagrange1d`; zones only say where fields are read out."""
+
+from types import MappingProxyType
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, WithJsonSchema
+
+from hugoniot.laws.eos.contract import flagged
+from hugoniot.laws.fracture.contract import FRACTURE
+from hugoniot.laws.strength.contract import STRENGTH
+from hugoniot.materials.collect import Collector, printable
+from hugoniot.materials.material import Material
+from hugoniot.problem import checks, lagrangian
+from hugoniot.problem.lagrangian import (
+    BoundaryTables,
+    GaugeTable,
+    InterfaceTable,
+    OutputTable,
+    Positive,
+    RegionTable,
+    _ends,
+    _output,
+    _parts,
+)
+from hugoniot.problem.model import Problem, SolverOptions
+from hugoniot.problem.schema import Quantity, Table, salvage
+
+NAME = "the solver fronts"
+
+
+class OptionsTable(Table):
+    """Options of this solver alone."""
+
+    mode: Literal["algebraic"] = Field("algebraic", description="algebraic: constant states and centred fans, every meeting solved exactly")
+    fan_step: Annotated[float, Quantity("1", above=0.0, limit=1.0)] = Field(
+        0.1, description="velocity step, over the sound speed, of the slices into which a fan is cut when another wave reaches it")
+    weakest: Annotated[float, Quantity("1", least=0.0, limit=0.1)] = Field(
+        1e-6, description="strength (change of stress over the stiffness) below which a wave is not followed")
+    most_fronts: int = Field(400, ge=10, le=100_000, description="the run stops with a message when it would follow more fronts")
+
+
+class SolverTable(Table):
+    """How it is solved."""
+
+    kind: Literal["fronts"] = Field(description="the solver")
+    max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after so many meetings of fronts (default: none)")
+    options: OptionsTable = Field(default_factory=OptionsTable, description="the solver's own options")  # type: ignore[arg-type]
+
+
+class Model(Table):
+    """A deck of the solver of tracked fronts."""
+
+    title: str = Field("", max_length=200, description="title of report and plots (default: the deck's file name)")
+    geometry: Literal["planar"] = Field("planar", description="symmetry")
+    stop_time: Positive = Field(description="time at which the run ends, such as \"2.5 us\"")
+    region: list[RegionTable] = Field(min_length=1, max_length=1000, description="the bodies, [[region]]; zones are where fields are read")
+    material: dict[str, Annotated[Any, WithJsonSchema({"x-definition": "material"})]] = Field(
+        default_factory=dict, description="materials of this deck, [material.NAME.eos] and so on")
+    boundary: BoundaryTables = Field(default_factory=lambda: BoundaryTables(), description="the two ends")
+    interface: list[InterfaceTable] = Field(default_factory=list, max_length=1000, description="how neighbours hold together")
+    gauge: list[GaugeTable] = Field(default_factory=list, max_length=10_000, description="Lagrangian gauges")
+    solver: SolverTable = Field(description="how it is solved")
+    output: OutputTable = Field(default_factory=OutputTable, description="what is kept")  # type: ignore[arg-type]
+
+
+def read(raw: dict, model: Model | None, materials: dict[str, Material | None], collector: Collector) -> tuple[Problem | None, list[str]]:
+    """The problem, and warnings; the problem is None when anything was reported (see `problem.lagrangian.read`)."""
+    warnings: list[str] = []
+    tables = {name: _parts(kind, raw.get(name)) for name, kind in
+              (("region", RegionTable), ("interface", InterfaceTable), ("gauge", GaugeTable))}
+    regions, used = checks.read_regions(tables["region"], raw.get("region"), "planar", materials, collector, warnings)
+    broken = checks.unread(raw.get("region"), regions)
+    interfaces = checks.read_interfaces(tables["interface"], regions, collector, broken)
+    gauges = checks.read_gauges(tables["gauge"], () if broken else regions, collector)
+    left, right = _ends(raw, "planar", regions, collector)
+    output = _output(raw, collector)
+    for name in raw.get("material", {}) if isinstance(raw.get("material"), dict) else ():
+        if name not in used and regions and not broken:
+            warnings.append(f"material '{printable(name)}' of the deck is not used by any region")
+    solver = salvage(SolverTable, raw.get("solver", {}))
+    if model is None or collector.problems or left is None or right is None or solver is None or output is None:
+        return None, warnings
+    options = SolverOptions("fronts", max_cycles=solver.max_cycles, options=MappingProxyType(solver.options.model_dump()))
+    problem = Problem(model.title, "planar", model.stop_time, regions, used, left, right, interfaces, gauges, options, output)
+    for path, message in defects(problem):
+        collector.add(path, message)
+    return (None if collector.problems else problem), warnings
+
+
+def defects(problem: Problem) -> list[tuple[tuple, str]]:
+    """(place in the deck, message) of everything that constant states and exact waves cannot describe."""
+    found: list[tuple[tuple, str]] = []
+    if problem.geometry != "planar":
+        found.append((("geometry",), f"{NAME} is planar: between {problem.geometry} fronts no state is constant; use lagrange1d"))
+    if problem.solver.viscosity is not None:
+        found.append((("solver", "viscosity"), f"{NAME} has no artificial viscosity: leave [solver.viscosity] out"))
+    for k, region in enumerate(problem.regions):
+        if isinstance(region.velocity, tuple) and region.velocity[0] != region.velocity[1]:
+            message = f"region '{region.name}' has a velocity profile; {NAME} needs constant initial states"
+            found.append((("region", k, "velocity"), message))
+    for name, material in problem.materials.items():
+        found += [(("material", name, *path), f"material '{name}' {message}") for path, message in _material_defects(material)]
+    for side, end in (("left", problem.left), ("right", problem.right)):
+        if end.pulse is not None and end.pulse.shape not in ("constant", "square"):
+            message = f"a {end.pulse.shape} pulse sends out a fan of its own; {NAME} takes constant and square pulses"
+            found.append((("boundary", side), message))
+        elif end.pulse is not None and end.kind == "pressure" and end.pulse.amplitude < 0.0:
+            found.append((("boundary", side), f"a pressure below zero pulls; {NAME} takes none"))
+    return found
+
+
+def _material_defects(material: Material) -> list[tuple[tuple, str]]:
+    found: list[tuple[tuple, str]] = []
+    if material.burn is not None or material.unreacted is not None:
+        found.append((("burn",), f"burns; {NAME} follows inert materials: use lagrange1d"))
+    if material.fracture is not None and FRACTURE.of(material.fracture).name != "none":
+        found.append((("fracture",), f"has a fracture law; {NAME} opens no new surfaces inside a body: leave it out"))
+    if flagged(material.eos, "remembers"):
+        found.append((("eos",), f"keeps its pores crushed, which {NAME} does not follow: use lagrange1d"))
+    if material.strength is not None and STRENGTH.of(material.strength).name not in ("none", "perfectly_plastic"):
+        law = STRENGTH.of(material.strength).name
+        found.append((("strength", "law"), f"has no constant yield stress ('{law}'); the waves of {NAME} are exact for perfectly_plastic "
+                      "(or none) only"))
+    return found
+
+
+def write(problem: Problem) -> dict:
+    """Tables of a deck, every default written out, that reads back to exactly this problem."""
+    deck = lagrangian.write(problem)
+    options = {**OptionsTable().model_dump(), **dict(problem.solver.options)}  # type: ignore[call-arg]
+    deck["solver"] = {"kind": "fronts", "options": options}
+    if problem.solver.max_cycles is not None:
+        deck["solver"]["max_cycles"] = problem.solver.max_cycles
+    return deck

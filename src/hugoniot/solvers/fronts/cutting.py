@@ -1,0 +1,73 @@
+r"""A fan that another wave reaches is cut into slices of constant state, each with exactly the content it had.
+
+The slices lie between characteristics; their averages follow from the fan's own identity (line.py), so that nothing is lost. Neighbouring
+slices differ by a feeble release: their Riemann problem, solved with jumps, loses nothing either.
+"""
+
+import math
+
+import numpy as np
+
+from hugoniot.laws.riemann.branch import State, elastic, plastic, stress
+from hugoniot.solvers.fronts.line import Front, Piece, content
+from hugoniot.solvers.fronts.meeting import Bench, outgoing
+
+FEWEST, MOST = 2, 64
+
+
+def slices(piece: Piece, left: float, right: float, time: float, bench: Bench) -> tuple[list[float], list[Piece]]:
+    """(n + 1 positions, n constant pieces) that replace a fan between its edges at a time."""
+    wave = piece.wave
+    fall = abs(wave.behind.u - wave.ahead.u)
+    count = min(max(math.ceil(fall / (bench.fan_step * wave.path.speed(wave.path.nodes[0]))), FEWEST), MOST)
+    edges = np.linspace(left, right, count + 1).tolist()
+    matter = bench.matters[piece.region]
+    branch = wave.path.branch
+    found = []
+    for a, b in zip(edges, edges[1:]):
+        mass, momentum, energy = content(piece, a, b, time) / (b - a)
+        u = momentum / mass
+        e = energy / mass - 0.5 * u * u
+        s = wave.ahead.s - (branch.b * math.log(mass / wave.ahead.rho) if branch.b else 0.0)
+        found.append(Piece("state", piece.region, State(float(mass), float(u), float(e), float(stress(mass, e, branch)), float(s))))
+    _keep_on_branch(matter, found, branch)
+    if wave.behind.rho == 0.0:
+        found[0 if wave.direction > 0 else -1].broken = True
+    return edges, found
+
+
+def _keep_on_branch(matter, pieces, branch) -> None:
+    """Slices of a plastic fan keep the yield stress that goes with it, to the last bit."""
+    if matter.yield_stress and not branch.b:
+        own = plastic(matter, 1 if pieces[0].state.s < 0.0 else -1)
+        for piece in pieces:
+            piece.state = piece.state._replace(s=math.copysign(2.0 / 3.0 * matter.yield_stress, piece.state.s),
+                                               sigma=stress(piece.state.rho, piece.state.e, own))
+    elif matter.yield_stress:
+        for piece in pieces:
+            piece.state = piece.state._replace(sigma=stress(piece.state.rho, piece.state.e, elastic(matter, piece.state)))
+
+
+def cut(pieces: list[Piece], fronts: list[Front], k: int, time: float, bench: Bench) -> int:
+    """Replace the fan pieces[k] by slices and the waves between them, in place; the number of slices."""
+    fan, (left, right) = pieces[k], (fronts[k - 1].at(time), fronts[k].at(time))
+    edges, found = slices(fan, left, right, time, bench)
+    kept = [piece.broken for piece in found]
+    for piece in found:
+        piece.broken = True        # what parts two slices is feeble by construction, whatever the local speed of sound
+    outer = [pieces[k - 1], *found, pieces[k + 1]]
+    new_fronts: list[Front] = []
+    new_pieces: list[Piece] = []
+    for j, x in enumerate(edges):
+        if j:
+            new_pieces.append(outer[j])
+        some, between, _ = outgoing(outer[j], outer[j + 1], x, time, bench, True)
+        if not some:               # two equal slices: the line between them stays
+            some, between = [Front("contact", x, time, outer[j].edge(1).u, sliced=True)], []
+        new_fronts += some
+        new_pieces += between
+    for piece, flag in zip(found, kept):
+        piece.broken = flag
+    fronts[k - 1:k + 1] = new_fronts
+    pieces[k:k + 1] = new_pieces
+    return len(found)

@@ -1,0 +1,125 @@
+"""From a problem to its first fronts: what the solver takes, and the Riemann problems at t = 0."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos.contract import pressure
+from hugoniot.laws.riemann.branch import Matter, State
+from hugoniot.laws.strength.contract import STRENGTH
+from hugoniot.materials.initial_state import initial_state
+from hugoniot.problem.fronts import defects
+from hugoniot.problem.model import Boundary, Problem
+from hugoniot.solvers.fronts.line import Front, Piece
+from hugoniot.solvers.fronts.meeting import Bench, outgoing
+
+NAME = "fronts"
+DEFAULTS = {"mode": "algebraic", "weakest": 1e-6, "fan_step": 0.1, "most_fronts": 400}
+
+
+@dataclass
+class Drive:
+    """Values of an end over time: (time from which, value), the first at t = 0."""
+
+    steps: list[tuple[float, float]]
+
+
+def options_of(problem: Problem) -> dict:
+    """The solver's own options with every default filled in."""
+    return {**DEFAULTS, **dict(problem.solver.options)}
+
+
+def refuse_what_is_not_solved(problem: Problem) -> None:
+    """Raise `OutOfRange` for the first thing the algebraic mode cannot do exactly (problem.fronts.defects)."""
+    if options_of(problem)["mode"] != "algebraic":
+        raise OutOfRange(f"the solver {NAME} has the mode 'algebraic' only, not '{options_of(problem)['mode']}'")
+    for _, message in defects(problem):
+        raise OutOfRange(message)
+
+
+def matter_of(material) -> Matter:
+    """Equation of state and strength of a material, as the Riemann problems take them."""
+    if material.strength is None or STRENGTH.of(material.strength).name == "none":
+        return Matter(material.eos)
+    strength = material.strength
+    if strength.yield_stress <= 0.0 or strength.shear_modulus <= 0.0:
+        return Matter(material.eos)
+    return Matter(material.eos, strength.shear_modulus, strength.yield_stress)
+
+
+def drive_of(end: Boundary) -> Drive:
+    """The steps of an end's velocity or pressure."""
+    pulse = end.pulse
+    if pulse is None:
+        return Drive([(0.0, 0.0)])
+    steps = [(0.0, 0.0)] if pulse.start > 0.0 else []
+    steps.append((max(pulse.start, 0.0), pulse.amplitude))
+    if pulse.shape == "square":
+        steps.append((pulse.start + pulse.duration, 0.0))
+    return Drive([step for step in steps if step[0] >= 0.0])
+
+
+def bench_of(problem: Problem, drives: dict[int, Drive]) -> Bench:
+    """Materials, grips and ends of the run's meetings."""
+    options = options_of(problem)
+    grip = {"bonded": math.inf, "separable": 0.0}
+    held = {i.left: i.strength if i.kind == "bond" else grip[i.kind] for i in problem.interfaces}
+    bench = Bench([matter_of(problem.materials[r.material]) for r in problem.regions],
+                  [held.get(r.name, 0.0) for r in problem.regions], float(options["weakest"]), float(options["fan_step"]))
+    for side, end in ((-1, problem.left), (1, problem.right)):
+        value = drives[side].steps[0][1]
+        (bench.pressures if end.kind == "pressure" else bench.walls)[side] = value
+    return bench
+
+
+_OUTSIDE = {"free": "vacuum", "fixed": "wall", "velocity": "wall", "pressure": "pressure", "transmitting": "open"}
+
+
+def first_pieces(problem: Problem) -> tuple[list[Piece], list[float]]:
+    """(pieces from outside to outside, positions of the lines between them) before any wave has left."""
+    pieces, places = [Piece(_OUTSIDE[problem.left.kind])], []
+    for k, region in enumerate(problem.regions):
+        if k and region.start > problem.regions[k - 1].end:
+            places.append(problem.regions[k - 1].end)
+            pieces.append(Piece("vacuum"))
+        eos = problem.materials[region.material].eos
+        rho, e = initial_state(eos, region.density, region.pressure, region.temperature, region.energy)
+        u = region.velocity[0] if isinstance(region.velocity, tuple) else region.velocity
+        p = region.pressure if region.pressure is not None else pressure(rho, e, eos)
+        places.append(region.start)
+        pieces.append(Piece("state", k, State(float(rho), float(u), float(e), float(p))))
+    places.append(problem.regions[-1].end)
+    pieces.append(Piece(_OUTSIDE[problem.right.kind]))
+    for piece, inner, side in ((pieces[0], pieces[1], -1), (pieces[-1], pieces[-2], 1)):
+        if piece.kind == "open":
+            piece.state = inner.edge(side)
+    return pieces, places
+
+
+def first_line(problem: Problem, bench: Bench) -> tuple[list[Piece], list[Front]]:
+    """Pieces and fronts at t = 0+: every line between regions has sent out its waves."""
+    before, places = first_pieces(problem)
+    pieces, fronts = [before[0]], []
+    for j, x in enumerate(places):
+        if j:
+            pieces.append(before[j])
+        some, between, _ = outgoing(before[j], before[j + 1], x, 0.0, bench)
+        fronts += some
+        pieces += between
+    return [*pieces, before[-1]], fronts
+
+
+def zone_faces(problem: Problem) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(left, right) faces of every zone at t = 0 and the region it belongs to."""
+    left, right, owner = [], [], []
+    for k, region in enumerate(problem.regions):
+        q, n = region.ratio, region.zones
+        widths = np.full(n, 1.0) if q == 1.0 else q ** np.arange(n)
+        faces = region.start + (region.end - region.start) * np.concatenate([[0.0], np.cumsum(widths) / widths.sum()])
+        faces[-1] = region.end
+        left.append(faces[:-1])
+        right.append(faces[1:])
+        owner += [k] * n
+    return np.concatenate(left), np.concatenate(right), np.array(owner)

@@ -1,0 +1,317 @@
+"""The solver of tracked fronts: owns the line of pieces and fronts, marches it from meeting to meeting, hands out states and checkpoints.
+
+Knows a problem's numbers and laws; never files, decks or plots. Between meetings nothing is integrated: every state is the exact one.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from hugoniot.errors import HugoniotError, UnphysicalState
+from hugoniot.laws.riemann.branch import State as Point
+from hugoniot.laws.riemann.branch import elastic, wave_speed_squared
+from hugoniot.laws.riemann.curve import Wave
+from hugoniot.laws.riemann.fan import Fan
+from hugoniot.problem.model import Problem
+from hugoniot.solvers.fronts import setup
+from hugoniot.solvers.fronts.line import Front, Piece
+from hugoniot.solvers.fronts.material_points import Column
+from hugoniot.solvers.fronts.queue import Line
+from hugoniot.solvers.fronts.record import COLUMNS, Lives
+from hugoniot.state import State
+
+SAMPLES = 1000        # of the gauges over a run, where no interval is given
+STUCK = 20_000        # meetings in one instant: fronts pile up
+GAUGE_FIELDS = ("position", "velocity", "density", "energy", "pressure", "deviator_radial", "deviator_hoop", "stress")
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something that happened: kind, time (s), cycle, place (m), and a sentence."""
+
+    kind: str
+    time: float
+    cycle: int
+    position: float
+    text: str
+
+
+class Fronts:
+    """A run in progress.
+
+    Raises `OutOfRange` for a problem it does not solve (setup.refuse_what_is_not_solved).
+    """
+
+    viscosity = None     # none is needed
+    voids_opened = voids_closed = capped = 0
+
+    def __init__(self, problem: Problem):
+        setup.refuse_what_is_not_solved(problem)
+        self.problem = problem
+        left, right, self.region_of = setup.zone_faces(problem)
+        self.initial_nodes = left, right
+        starts, ends = (np.array([getattr(r, name) for r in problem.regions])[self.region_of] for name in ("start", "end"))
+        self.fractions = (left - starts) / (ends - starts), (right - starts) / (ends - starts)
+        self.drives = {-1: setup.drive_of(problem.left), 1: setup.drive_of(problem.right)}
+        self.bench = setup.bench_of(problem, self.drives)
+        self._events: list[Event] = []
+        self.cycle, self.step = 0, 0.0
+        length = problem.regions[-1].end - problem.regions[0].start
+        pieces, fronts = setup.first_line(problem, self.bench)
+        self.line = Line(pieces, fronts, self.bench, length, self._log, int(setup.options_of(problem)["most_fronts"]))
+        self.lives = Lives()
+        self.lives.note(self.line.fronts, self.line.pieces, 0.0)
+        self._changed = {side: 1 for side in (-1, 1)}       # steps of the drives that have been set
+        self.gauges = np.array([self._place(gauge.at) for gauge in problem.gauges], dtype=float).reshape(-1, 2)
+        self.interval = problem.output.gauge_interval or problem.stop_time / SAMPLES
+        self.samples, self._rows, self._times = 0, [], []
+        self.start_totals, self.start_size = self.line.totals(), self._size()
+        self._sample()
+
+    # -- marching ----------------------------------------------------------------------------------------------------
+    @property
+    def time(self) -> float:
+        return self.line.time
+
+    @property
+    def zone_updates(self) -> int:
+        """Meetings solved: the work of this solver."""
+        return self.line.meetings
+
+    def march(self, until: float, cycles: int) -> list[Event]:
+        """From meeting to meeting, at most `cycles` of them, up to the time `until` (hit exactly); what happened on the way."""
+        self._events = []
+        done, here = 0, 0
+        while self.time < until and done < cycles:
+            before = self.time
+            goal = min(until, self._next_sample(), self._next_change()[0])
+            try:
+                met = self.line.advance(goal)
+            except (HugoniotError, ArithmeticError, ValueError) as error:
+                raise self._unphysical(error) from error
+            if not met and self._next_change()[0] <= self.time:
+                self._change(self._next_change()[1])
+                met = True
+            if met:
+                self.cycle += 1
+                done += 1
+                self.lives.note(self.line.fronts, self.line.pieces, self.time)
+                here = here + 1 if self.time == before else 0
+                self._check(here)
+            if self.time > before:
+                self.step = self.time - before
+            if self.time >= self._next_sample():
+                self._sample()
+        return self._events
+
+    def _check(self, here: int) -> None:
+        if self.line.full or here > STUCK:
+            fronts = f"{len(self.line.fronts)} fronts are more than {self.line.most}"
+            count = fronts if self.line.full else f"{here} meetings in one instant"
+            raise UnphysicalState(f"{count}: too many waves to follow exactly",
+                                  "raise solver.options.most_fronts, take a coarser fan_step or weakest, or stop earlier", None, "",
+                                  None, self.time, self.cycle)
+
+    def _next_sample(self) -> float:
+        return self.samples * self.interval if len(self.gauges) else math.inf
+
+    def _next_change(self) -> tuple[float, int]:
+        """(time, side) of the next step of a driven end."""
+        due = [(self.drives[s].steps[k][0], s) for s, k in self._changed.items() if k < len(self.drives[s].steps)]
+        return min(due, default=(math.inf, 0))
+
+    def _change(self, side: int) -> None:
+        value = self.drives[side].steps[self._changed[side]][1]
+        values = self.bench.walls if side in self.bench.walls else self.bench.pressures
+        self._changed[side] += 1
+        if values[side] != value:
+            values[side] = value
+            self.line.redo_end((side + 1) // 2)
+
+    def _log(self, kind: str, time: float, position: float, text: str) -> None:
+        self._events.append(Event(kind, time, self.cycle, position, f"{text} at {position:.6g} m"))
+        if "vacuum opens" in text:
+            self.voids_opened += 1
+        if text.startswith("2 x surface"):
+            self.voids_closed += 1
+
+    def _unphysical(self, error: Exception) -> UnphysicalState:
+        when, k = self.line.next_meeting()
+        place = self.line.fronts[k].at(self.time) if k >= 0 else None
+        region = self.problem.regions[max(self.line.pieces[k].region, 0)].name if k >= 0 else ""
+        return UnphysicalState(f"where fronts meet, {error}.", "stay inside the range of the equations of state, or choose ones that reach "
+                               "further", None, region, place, self.time, self.cycle)
+
+    def limiting(self) -> tuple[int, str]:
+        """(zone, region name) where the next meeting is."""
+        _, k = self.line.next_meeting()
+        region = max(self.line.pieces[k + 1].region, 0)
+        return int(np.searchsorted(self.region_of, region)), self.problem.regions[region].name
+
+    # -- gauges ------------------------------------------------------------------------------------------------------
+    def _place(self, at) -> tuple[float, float]:
+        """(region, fraction of its mass on the left) of a gauge."""
+        regions = self.problem.regions
+        names = [region.name for region in regions]
+        if not isinstance(at, str):
+            k = max(k for k, region in enumerate(regions) if region.start <= at)
+            return float(k), min((at - regions[k].start) / (regions[k].end - regions[k].start), 1.0)
+        if at.startswith("free surface"):
+            return (0.0, 0.0) if at.endswith("left") else (len(regions) - 1.0, 1.0)
+        if ":" in at:
+            name, side = (part.strip() for part in at.split(":", 1))
+            return float(names.index(name)), 0.0 if side == "left" else 1.0
+        return float(names.index(at.split("/", 1)[0].strip())), 1.0
+
+    def _sample(self) -> None:
+        self.samples += 1
+        row, columns = [], {}
+        for region, fraction in self.gauges:
+            k = int(region)
+            columns.setdefault(k, Column(self.line.pieces, self.line.fronts, k, self.time))
+            x, point = columns[k].at(fraction)
+            row.append([x, point.u, point.rho, point.e, point.pressure, point.s, -0.5 * point.s, point.sigma])
+        self._times.append(self.time)
+        self._rows.append(row)
+
+    def take_gauges(self):
+        """(times, {field: (n, ngauge)}) recorded since the last call."""
+        times = np.array(self._times)
+        block = np.array(self._rows, dtype=float).reshape(len(times), len(self.gauges), len(GAUGE_FIELDS))
+        self._times, self._rows = [], []
+        return times, {name: block[:, :, i] for i, name in enumerate(GAUGE_FIELDS)}
+
+    # -- what observers see ------------------------------------------------------------------------------------------
+    def state(self) -> State:
+        """The zones of the problem now: each follows its material; its fields are the exact ones at the middle of its mass."""
+        low, high = self.fractions
+        count = len(self.region_of)
+        rows = np.zeros((count, 8))
+        faces, speeds = np.zeros((2, count)), np.zeros((2, count))
+        masses = np.zeros(count)
+        for k in range(len(self.problem.regions)):
+            column = Column(self.line.pieces, self.line.fronts, k, self.time)
+            zones = np.flatnonzero(self.region_of == k)
+            masses[zones] = (high[zones] - low[zones]) * column.mass[-1]
+            matter = self.bench.matters[k]
+            ends = [column.at(f) for f in [*low[zones], high[zones[-1]]]]
+            for j, z in enumerate(zones):
+                faces[:, z], speeds[:, z] = (ends[j][0], ends[j + 1][0]), (ends[j][1].u, ends[j + 1][1].u)
+                _, point = column.at(0.5 * (low[z] + high[z]))
+                square = wave_speed_squared(point.rho, point.e, elastic(matter, point)) if point.rho > 0.0 else 0.0
+                rows[z] = (point.rho, point.e, point.pressure, point.s, -0.5 * point.s, point.sigma, math.sqrt(max(square, 0.0)), 0.0)
+        names = ("density", "energy", "pressure", "deviator_radial", "deviator_hoop", "stress", "sound_speed")
+        zones = {name: rows[:, i].copy() for i, name in enumerate(names)}
+        zones |= {"plastic_work": rows[:, 7].copy(), "viscous_work": rows[:, 7].copy(), "mass": masses}
+        return FrontState(self.time, self.cycle, zones, faces[0], faces[1], speeds[0], speeds[1])
+
+    def _size(self) -> np.ndarray:
+        """Scale of each total: mass, momenta, energies without regard to sign."""
+        size = np.zeros(3)
+        for k, piece in enumerate(self.line.pieces[1:-1], start=1):
+            a, b = piece.edge(-1), piece.edge(1)
+            width = self.line.fronts[k].at(self.time) - self.line.fronts[k - 1].at(self.time)
+            for point in (a, b):
+                size += 0.5 * width * point.rho * np.array([1.0, abs(point.u), abs(point.e) + 0.5 * point.u**2])
+        return size
+
+    def errors(self) -> dict[str, float]:
+        """Relative mass, momentum and energy errors against the impulse and work of the ends."""
+        given = np.array([0.0, self.line.impulse.sum(), self.line.work.sum()])
+        missing = np.abs(self.line.totals() - self.start_totals - given)
+        size = np.maximum(np.maximum(self._size(), self.start_size), np.abs(given))
+        return {f"{name}_error": float(m / max(s, 1e-300)) for name, m, s in zip(("mass", "momentum", "energy"), missing, size)}
+
+    def exchanges(self) -> dict[str, float]:
+        """Work (J/m2) and impulse (kg/(m s)) of the two ends so far."""
+        (wl, wr), (il, ir) = self.line.work.tolist(), self.line.impulse.tolist()
+        return {"work_left": wl, "work_right": wr, "impulse_left": il, "impulse_right": ir}
+
+    def largest_velocity_jump(self) -> dict[str, float]:
+        """Material -> largest change of velocity across a shock in it, m/s."""
+        found: dict[str, float] = {}
+        for k, region in enumerate(self.problem.regions):
+            found[region.material] = max(found.get(region.material, 0.0), self.lives.jumps.get(k, 0.0))
+        return found
+
+    def peaks(self) -> dict[str, np.ndarray]:
+        """No peak fields: the table of fronts holds every state there was."""
+        return {}
+
+    def results(self) -> dict[str, float]:
+        """What a summary adds: meetings, fans cut, waves left out, fronts at the end."""
+        return {"meetings": float(self.line.meetings), "fans_cut": float(self.line.cuts), "waves_left_out": float(self.bench.dropped),
+                "fronts": float(len(self.line.fronts))}
+
+    def front_table(self) -> tuple[tuple[str, ...], list[str], np.ndarray]:
+        """(columns, kinds, rows) of every front there was (record.Lives)."""
+        return (COLUMNS, *self.lives.table(self.line.fronts, self.time))
+
+    def unresolved(self) -> list[str]:
+        """Sentences about fans that were met: from there on the solution is one of slices."""
+        if not self.line.cuts:
+            return []
+        return [f"{self.line.cuts} fans were met by other waves and cut into slices of at most {self.bench.fan_step:g} sound speeds: "
+                "behind them states are accurate to the square of that step"]
+
+    # -- checkpoints -------------------------------------------------------------------------------------------------
+    def payload(self) -> dict:
+        """Everything a bitwise restart needs."""
+        lives = self.lives
+        pieces = [{"kind": p.kind, "region": p.region, "state": list(p.state), "x0": p.x0, "t0": p.t0, "broken": p.broken,
+                   "wave": _wave_row(p.wave)} for p in self.line.pieces]
+        fronts = [{"kind": f.kind, "numbers": [f.x0, f.t0, f.speed, f.direction, f.strength, f.sliced], "born": lives.born[id(f)][1]}
+                  for f in self.line.fronts]
+        return {"pieces": pieces, "fronts": fronts, "time": self.time, "cycle": self.cycle, "step": self.step, "samples": self.samples,
+                "meetings": self.line.meetings, "cuts": self.line.cuts, "dropped": self.bench.dropped,
+                "work": self.line.work.copy(), "impulse": self.line.impulse.copy(),
+                "start_totals": self.start_totals.copy(), "start_size": self.start_size.copy(),
+                "walls": [[s, v] for s, v in self.bench.walls.items()], "pressures": [[s, v] for s, v in self.bench.pressures.items()],
+                "changed": [[s, k] for s, k in self._changed.items()], "voids": [self.voids_opened, self.voids_closed],
+                "life_kinds": list(lives.kinds), "life_rows": np.array(lives.rows, dtype=float).reshape(-1, len(COLUMNS)),
+                "jumps": [[k, v] for k, v in lives.jumps.items()]}
+
+    def restore(self, payload: dict) -> None:
+        """Continue from a payload of the same problem."""
+        self.line.pieces = [self._piece(row) for row in payload["pieces"]]
+        self.line.fronts = [Front(row["kind"], *row["numbers"][:3], int(row["numbers"][3]), row["numbers"][4],
+                                   bool(row["numbers"][5])) for row in payload["fronts"]]
+        self.lives.born = {id(f): (f, list(row["born"])) for f, row in zip(self.line.fronts, payload["fronts"])}
+        self.lives.kinds, self.lives.rows = list(payload["life_kinds"]), [list(row) for row in payload["life_rows"].tolist()]
+        self.lives.jumps = {int(k): float(v) for k, v in payload["jumps"]}
+        self.line.time, self.cycle, self.step = float(payload["time"]), int(payload["cycle"]), float(payload["step"])
+        self.samples, self.line.meetings, self.line.cuts = (int(payload[name]) for name in ("samples", "meetings", "cuts"))
+        self.bench.dropped = int(payload["dropped"])
+        self.line.work, self.line.impulse = payload["work"].copy(), payload["impulse"].copy()
+        self.start_totals, self.start_size = payload["start_totals"].copy(), payload["start_size"].copy()
+        self.bench.walls = {int(s): float(v) for s, v in payload["walls"]}
+        self.bench.pressures = {int(s): float(v) for s, v in payload["pressures"]}
+        self._changed = {int(s): int(k) for s, k in payload["changed"]}
+        self.voids_opened, self.voids_closed = (int(n) for n in payload["voids"])
+        self._times, self._rows = [], []
+
+    def _piece(self, row: dict) -> Piece:
+        wave = None
+        if row["wave"] is not None:
+            n, matter = row["wave"]["numbers"], self.bench.matters[int(row["region"])]
+            ahead = Point(*row["wave"]["ahead"])
+            branch = elastic(matter, ahead)._replace(a=n[3], b=n[4])
+            wave = Wave("fan", bool(row["wave"]["elastic"]), int(n[0]), ahead, Point(*row["wave"]["behind"]), n[1], n[2],
+                        Fan(ahead, branch), n[5])
+        return Piece(row["kind"], int(row["region"]), Point(*row["state"]), wave, row["x0"], row["t0"], bool(row["broken"]))
+
+
+class FrontState(State):
+    """A state whose file holds what exact waves have: no work of viscosity, no sum of plastic work."""
+
+    def fields(self) -> dict[str, np.ndarray]:
+        return {name: value for name, value in super().fields().items() if name not in ("plastic_work", "viscous_work")}
+
+
+def _wave_row(wave: Wave | None) -> dict | None:
+    if wave is None:
+        return None
+    branch = wave.path.branch
+    return {"elastic": wave.elastic, "ahead": list(wave.ahead), "behind": list(wave.behind),
+            "numbers": [float(wave.direction), wave.head, wave.tail, branch.a, branch.b, wave.stiffness]}
