@@ -41,7 +41,8 @@ class Walls:
         aside = shift / np.where(size > 0.0, size, 1.0)[:, None] * (_ASIDE * step)[:, None]
         moved = corners + aside
         hiding = ~_on_hull(edges, corners)
-        self.start, self.end = moved[place[hiding, 0]], moved[place[hiding, 1]]
+        used, number = np.unique(place[hiding], return_inverse=True)
+        self.ends, self.first, self.last = moved[used], number.reshape(-1, 2)[:, 0], number.reshape(-1, 2)[:, 1]
         into, out = np.zeros_like(corners), np.zeros_like(corners)
         into[place[:, 1]], out[place[:, 0]] = along / length[:, None], along / length[:, None]
         turn = into[:, 0] * out[:, 1] - into[:, 1] * out[:, 0]
@@ -61,18 +62,20 @@ class Walls:
     def hide(self, a, b) -> np.ndarray:
         """Whether a wall crosses the straight path from a to b, each (n, 2)."""
         hidden = np.zeros(len(a), dtype=bool)
-        if not len(self.start):       # a convex outline hides nothing
+        if not len(self.first):       # a convex outline hides nothing
             return hidden
-        for first in range(0, len(a), max(1, _CHUNK // len(self.start))):
-            part = slice(first, first + max(1, _CHUNK // len(self.start)))
-            hidden[part] = self._crossed(a[part, None], b[part, None])
+        for first in range(0, len(a), max(1, _CHUNK // len(self.first))):
+            part = slice(first, first + max(1, _CHUNK // len(self.first)))
+            hidden[part] = self._crossed(a[part], b[part])
         return hidden
 
     def _crossed(self, a, b) -> np.ndarray:
-        along, wall = b - a, self.end - self.start
-        before, after = _cross(along, self.start - a), _cross(along, self.end - a)
-        here, there = _cross(wall, a - self.start), _cross(wall, b - self.start)
-        return (((before > 0.0) != (after > 0.0)) & ((here > 0.0) != (there > 0.0))).any(axis=1)
+        along = b - a
+        left = (along[:, :1] * (self.ends[:, 1] - a[:, 1:]) - along[:, 1:] * (self.ends[:, 0] - a[:, :1])) > 0.0
+        path, wall = np.nonzero(left[:, self.first] != left[:, self.last])      # the wall's ends lie on both sides of the line a-b
+        start, along = self.ends[self.first[wall]], self.ends[self.last[wall]] - self.ends[self.first[wall]]
+        crossed = (_cross(along, a[path] - start) > 0.0) != (_cross(along, b[path] - start) > 0.0)
+        return np.bincount(path[crossed], minlength=len(a)) > 0
 
 
 def _on_hull(edges, corners) -> np.ndarray:
