@@ -1,6 +1,6 @@
 """The deck of the two-dimensional hydrocode (solver.kind = "lagrange2d"): from tables that fit it to a `Problem2D` and back."""
 
-from dataclasses import fields
+from dataclasses import fields, replace
 from typing import Any
 
 from hugoniot.materials.collect import Collector, printable
@@ -19,6 +19,8 @@ from hugoniot.problem.schema import Table, salvage
 
 __all__ = ["Model", "read", "write"]
 
+GAUGE_SAMPLES = 2000   # of each gauge in a run that does not say otherwise: a gauge of two dimensions costs a look at the whole state
+
 
 def read(raw: dict, model: Model | None, materials: dict[str, Material | None], collector: Collector) -> tuple[Problem2D | None, list[str]]:
     """The problem, and warnings; the problem is None when anything was reported (see `problem.lagrangian.read`)."""
@@ -31,6 +33,8 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     lighting = read_lighting(_parts(LightingTable, raw.get("lighting")), axes, collector)
     solver = _solver(raw.get("solver"), axes, blocks, mesh, collector)
     output = _output(raw, collector)
+    if output is not None and "gauge_interval" not in raw.get("output", {}):
+        output = replace(output, gauge_interval=float(model.stop_time) / GAUGE_SAMPLES if model is not None else 0.0)
     for name in raw.get("material", {}) if isinstance(raw.get("material"), dict) else ():
         if name not in used and complete:
             warnings.append(f"material '{printable(name)}' of the deck is not used by any block")

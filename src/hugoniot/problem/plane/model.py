@@ -102,7 +102,7 @@ class Gauge2D:
     """A gauge.
 
     kind        "point": the material at `at` (m, at t = 0): fields of its zone, velocity interpolated from its four nodes
-                "edge": mean over the chain `on`, by edge length at t = 0: velocity and position of its nodes, fields of its zones
+                "edge": mean over the chain or joint `on`, by area at t = 0: velocity and position of its nodes, fields of its zones
                 "slit": a fixed line of sight from the point `at` along `direction`; it sees the outermost point where the chain `on`
                 crosses it, and reports that point's position along the line (m) and the rate at which it moves (m/s), which is
                 what a streak camera records (an oblique surface crosses faster than its material moves along the line)

@@ -223,6 +223,13 @@ class SolverTable(Table):
     hourglass: HourglassTable = Field(default_factory=HourglassTable, description="hourglass filters")  # type: ignore[arg-type]
 
 
+class PlaneOutputTable(OutputTable):
+    """What is kept."""
+
+    gauge_interval: Annotated[float, Quantity("s", least=0.0)] | None = Field(
+        None, description="time between gauge samples, 0: every cycle (default: a two-thousandth of stop_time)")
+
+
 class Model(Table):
     """A deck of the two-dimensional Lagrangian hydrocode."""
 
@@ -237,4 +244,4 @@ class Model(Table):
     lighting: list[LightingTable] = Field(default_factory=list, max_length=10_000, description="where programmed burns start, [[lighting]]")
     body_force: Acceleration = Field((0.0, 0.0), description="acceleration of everything")
     solver: SolverTable = Field(description="how it is solved")
-    output: OutputTable = Field(default_factory=OutputTable, description="what is kept")  # type: ignore[arg-type]
+    output: PlaneOutputTable = Field(default_factory=PlaneOutputTable, description="what is kept")  # type: ignore[arg-type]
