@@ -53,7 +53,7 @@ def plane_meta(problem, solver, version: str) -> dict[str, Any]:
         "solver": problem.solver.kind, "version": version, "region": [problem.blocks[k].name for k in mesh.block_of],
         "mass": solver.state().zones["mass"], "centre_x": centres[0], "centre_y": centres[1],
         "gauges": [gauge.name for gauge in problem.gauges],
-        "mesh": {"zone_nodes": mesh.zone_nodes, "node_count": mesh.nodes.shape[1], "node_fields": NODAL},
+        "mesh": {"zone_nodes": mesh.zone_nodes, "block_of": mesh.block_of, "node_count": mesh.nodes.shape[1], "node_fields": NODAL},
     }
 
 

@@ -86,6 +86,7 @@ def _write_tables(file, tables: dict, peaks: dict, setup: dict):
         w.axis("zone", np.arange(zone_count))
         w.axis("corner", np.arange(4))
         w.column("zone_nodes", mesh["zone_nodes"], "zone", "corner")
+        w.column("block_of", mesh["block_of"], "zone")
 
     w = writer("peaks")
     w.axis("zone", np.arange(zone_count))
@@ -108,7 +109,7 @@ def result_bytes(tables: dict, events: list[dict], peaks: dict, setup: dict) -> 
 
     tables   {table: {column: array}} with `time` (and `cycle`) among the columns, as `Series.collect` gives them
     setup    {"document": setup record, "region", "mass": (nzone,), "centres": {column: (nzone,)}, "mesh": {} or {"zone_nodes",
-             "node_count", "node_fields"}, "gauges": names, "units": {}, "deck": text, ...}
+             "block_of", "node_count", "node_fields"}, "gauges": names, "units": {}, "deck": text, ...}
     """
     with new_image() as file:
         document = setup["document"]

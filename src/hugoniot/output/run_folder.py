@@ -21,8 +21,9 @@ from hugoniot.output.plane_record import plane_record
 from hugoniot.output.result_file import gauges_text, result_bytes
 from hugoniot.output.series import Series
 from hugoniot.output.setup_record import plain, setup_record
+from hugoniot.output.vtkhdf import vtkhdf_bytes
 
-PRODUCTS = ("result.h5", "gauges.csv", "summary.json", "report.html", "run.log", "post_mortem.h5", "post_mortem.txt")
+PRODUCTS = ("result.h5", "gauges.csv", "summary.json", "result.vtkhdf", "report.html", "run.log", "post_mortem.h5", "post_mortem.txt")
 
 
 class RunFolder:
@@ -162,7 +163,7 @@ class RunFolder:
 
     # -- the end -------------------------------------------------------------------------------------------------------
     def finish(self, summary: dict, peaks: dict[str, np.ndarray] | None = None) -> None:
-        """Write gauges.csv, result.h5 and, last, summary.json; then remove checkpoints and pieces.
+        """Write gauges.csv, result.h5 (and result.vtkhdf of two dimensions) and, last, summary.json; then remove checkpoints and pieces.
 
         Raises `FileTrouble`; pieces and checkpoints then still stand, so nothing that was on the disk is lost.
         """
@@ -171,6 +172,9 @@ class RunFolder:
         table = gauges_text(tables["gauges"], setup["gauges"], setup["units"])
         write_whole(self.folder / "gauges.csv", table, durable=False)
         write_whole(self.folder / "result.h5", result_bytes(tables, events, dict(peaks or {}), setup))
+        if setup["mesh"] and "position_x" in tables["snapshots"]:
+            image = vtkhdf_bytes(tables["snapshots"], setup["mesh"]["zone_nodes"], setup["mesh"]["block_of"])
+            write_whole(self.folder / "result.vtkhdf", image)
         summary = {"title": setup["document"]["title"], "solver": setup["document"]["solver"]["kind"], "status": "done",
                    "version": setup["document"]["version"], "deck_sha256": setup["deck_sha256"], **plain(summary)}
         if self.warnings:
