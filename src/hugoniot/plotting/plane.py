@@ -55,14 +55,15 @@ def borders(corners: np.ndarray, block_of: np.ndarray) -> tuple[np.ndarray, np.n
 
 
 @styled
-def map_(run, field: str = "pressure", time=None, mesh: bool | None = None, mirror: bool = True, contours: int = 0, limits=None, ax=None,
-         colorbar=True):
+def map_(run, field: str = "pressure", time=None, mesh: bool | None = None, mirror: bool = True, contours: int = 0, limits=None,
+         window=None, ax=None, colorbar=True):
     """A field over the plane at one time, with outline and interfaces; gives the axes.
 
     time       s or "1.2 us": the nearest snapshot (default the last)
     mesh       whether the lines of the mesh are drawn (default: of no more than 2 000 zones)
     mirror     axisymmetric: the other half of the body on the left
     contours   number of contour lines; 0 for none
+    window     (lowest, highest) x (or r) in m to show
     limits     (lowest, highest) value of the colour scale in SI; default from the data
     colorbar   True, or axes to draw it in, or False
     """
@@ -75,6 +76,8 @@ def map_(run, field: str = "pressure", time=None, mesh: bool | None = None, mirr
     if contours:
         _draw_contours(run, ax, k, values, contours, mirror)
     _finish(run, ax, mirror)
+    if window is not None:
+        ax.set_xlim(*(edge * _scale(run)[1] for edge in window))
     unit_t, ft = time_scale(rows["time"][-1])
     ax.set_title(f"t = {rows['time'][k] * ft:.4g} {unit_t}", loc="left")
     if colorbar is not False:
