@@ -89,7 +89,7 @@ def _plane_tasks(run) -> dict[str, Callable[[], str]]:
         if name == "speed" or values is not None and np.ptp(values[-1]) > 0.0:
             found[f"map_{name}"] = lambda f=name: svg(lambda ax, bar: map_(run, f, ax=ax, colorbar=bar), f"map-{f}".replace("_", "-"),
                                                       7.4, height + 0.9, (0.6, 0.5, 5.7, height), (6.5, 0.5, 0.14, height))
-    found["setup"] = lambda: svg(lambda ax: plane_setup(run, ax=ax), "setup", 7.4, height + 0.7, (0.6, 0.5, 6.5, height))
+    found["setup"] = lambda: svg(lambda ax: plane_setup(run, ax=ax), "setup", 7.4, height + 0.7, (0.6, 0.5, 4.6, height))
     for record in ("pressure", "velocity_x", "velocity_y", "line_velocity"):
         if record in rows and len(rows["time"]) > 1 and np.nanmax(np.abs(rows[record]), initial=0.0) > 0.0:
             found[f"gauge_{record}"] = lambda f=record: svg(lambda ax: records.gauge(run, f, ax=ax), f"gauge-{f}".replace("_", "-"),

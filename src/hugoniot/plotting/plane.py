@@ -213,11 +213,16 @@ def plane_setup(run, ax=None):
         ax.add_collection(PolyCollection(places[corners[mine]], facecolors=colour, edgecolors=INK if mine.sum() <= MESH_LINES else "face",
                                          linewidths=0.15, alpha=0.38))
         ni, nj = region["zones"]
-        middle = places[corners[mine].reshape(ni, nj, 4)[ni // 2, nj // 2]].mean(axis=0)
-        ax.text(*middle, f"{region['name']}\n{region['material']}\n{ni} x {nj} zones", ha="center", va="center", fontsize=8)
+        label = f"{region['name']}: {region['material']}, {ni} x {nj} zones"
+        ax.plot([], [], marker="s", linestyle="", color=colour, alpha=0.5, label=label)
+        if len(record["regions"]) > 1:
+            middle = places[corners[mine].reshape(ni, nj, 4)[ni // 2, nj // 2]].mean(axis=0)
+            paper = {"facecolor": "white", "alpha": 0.6, "linewidth": 0.0}
+            ax.text(*middle, region["name"], ha="center", va="center", fontsize=8, bbox=paper)
     outline, interface = borders(corners, block_of)
     ax.add_collection(LineCollection(places[np.concatenate([outline, interface])], colors=INK, linewidths=0.8))
     _mark_edges_and_places(ax, record, fx)
+    ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), frameon=False, fontsize=8, handletextpad=0.3)
     ax.set_aspect("equal")
     ax.autoscale_view()
     ax.set_xlabel(labelled(record["axes"][0], unit))
@@ -235,7 +240,11 @@ def _mark_edges_and_places(ax, record, fx) -> None:
             ax.add_collection(LineCollection(edges, linewidths=2.0, **style))
             ax.annotate(boundary["kind"], edges[len(edges) // 2].mean(axis=0), fontsize=7.5, color=QUIET, ha="center", va="bottom")
     for gauge in record["gauges"]:
-        if gauge["at"] is not None:
+        if gauge["kind"] == "slit":
+            ax.axline(np.array(gauge["at"]) * fx, np.array(gauge["at"]) * fx + gauge["direction"], color=INK, linewidth=0.7,
+                      linestyle=(0, (4, 3)))
+            ax.annotate(gauge["name"], np.array(gauge["at"]) * fx, xytext=(4, 3), textcoords="offset points", fontsize=7.5)
+        elif gauge["at"] is not None:
             ax.plot(*(np.array(gauge["at"]) * fx), marker="^", color=INK, markersize=4)
             ax.annotate(gauge["name"], np.array(gauge["at"]) * fx, xytext=(4, 3), textcoords="offset points", fontsize=7.5)
     for point in record["lighting"]:

@@ -1,0 +1,81 @@
+"""The two-dimensional examples run, keep their energy, and show what their comments promise as far as a coarse mesh can."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hugoniot import simulate
+from hugoniot.problem.deck import read_deck
+
+pytest.importorskip("hugoniot.solvers.lagrange2d.solver")
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+# zones of a quick run, by block; and a stop time where the whole run takes long
+COARSE: dict[str, dict] = {
+    "taylor-copper": {"block.bar.zones": [3, 30]},
+    "noh-plane": {"block.gas.zones": [20, 20]},
+    "taylor": {"block.bar.zones": [3, 30]},
+    "saltzman": {"stop_time": "0.2 s"},
+    "sedov-plane": {"stop_time": "0.2 s"},
+    "shell-implosion": {"block.shell.zones": [4, 8], "stop_time": "60 us"},
+    "wall-impact": {"block.cylinder.zones": [8, 16], "stop_time": "2 us"},
+    "flyer-disc": {"block.target.zones": [20, 24], "block.flyer.zones": [20, 12], "stop_time": "1.2 us"},
+    "triangles": {"block.loaded.zones": [10, 12], "block.free part.zones": [14, 12]},
+    "cylinder-test": {"block.charge.zones": [4, 40], "block.wall.zones": [1, 40], "stop_time": "12 us"},
+}
+QUICK = ("noh-plane",)
+
+
+@pytest.fixture(scope="module")
+def ran(tmp_path_factory):
+    """Function from an example's name to its coarse run, each run once."""
+    done = {}
+
+    def run(name):
+        if name not in done:
+            deck = read_deck(EXAMPLES / f"{name}.toml", COARSE[name])
+            done[name] = simulate.run(deck, tmp_path_factory.mktemp("plane") / f"{name}.run", report=False)
+        return done[name]
+
+    return run
+
+
+def test_every_example_of_two_dimensions_is_run():
+    plane = {path.stem for path in EXAMPLES.glob("*.toml") if 'kind = "lagrange2d"' in path.read_text()}
+    assert plane == set(COARSE)
+
+
+@pytest.mark.parametrize("name", [name if name in QUICK else pytest.param(name, marks=pytest.mark.slow) for name in COARSE])
+def test_an_example_runs_and_keeps_its_energy(name, ran):
+    summary = ran(name).summary
+    assert summary["status"] == "done"
+    assert abs(summary["mass_error"]) < 1e-12 and abs(summary["energy_error"]) < 1e-12
+
+
+def test_noh_is_round(ran):
+    """Behind the shock 16, the shock near 0.2 m, the same along the diagonal as along the sides."""
+    run = ran("noh-plane")
+    rows, mesh = run.arrays("snapshots"), run.arrays("mesh")
+    x, y = (rows[name][-1][mesh["zone_nodes"]].mean(axis=1) for name in ("position_x", "position_y"))
+    r, angle, rho = np.hypot(x, y), np.arctan2(y, x), rows["density"][-1]
+    plateau = (r > 0.08) & (r < 0.14)
+    assert rho[plateau].mean() == pytest.approx(16.0, rel=0.15)
+    for sector in range(3):
+        mine = (angle >= sector * np.pi / 6) & (angle <= (sector + 1) * np.pi / 6) & (rho > 8.0)
+        assert r[mine].max() == pytest.approx(0.2, abs=0.03)
+
+
+@pytest.mark.slow
+def test_the_copper_bar_has_its_length(ran):
+    rows = ran("taylor-copper").arrays("snapshots")
+    assert rows["position_y"][-1].max() == pytest.approx(21.54e-3, abs=0.4e-3)
+    assert rows["position_x"][-1].max() == pytest.approx(7.1e-3, rel=0.1)
+
+
+@pytest.mark.slow
+def test_the_axis_at_the_wall_has_the_one_dimensional_state_first(ran):
+    """A symmetric impact at twice the speed; H-1: 17.57 GPa for the convex form, 16.82 for the literal series."""
+    time, pressure = ran("wall-impact").gauge("pressure", "axis at the wall")
+    inside = (time > 0.6e-6) & (time < 1.0e-6)
+    assert 16.0e9 < pressure[inside].mean() < 18.2e9
