@@ -1,5 +1,7 @@
 """Decks of the two-dimensional hydrocode: every key round trip, every mistake at once with line and way out."""
 
+import json
+
 import numpy as np
 import pytest
 
@@ -239,3 +241,14 @@ def test_a_missing_csv_and_a_bad_line_are_named(tmp_path):
     (tmp_path / "shore.csv").write_text("x,y\n2,0\n3,foot\n4,0\n")
     with pytest.raises(DeckError, match=r"shore.csv:3: expected two finite numbers"):
         read_deck(tmp_path / "deck.toml")
+
+
+def test_init_writes_the_schema_of_a_solver(tmp_path, capsys):
+    from hugoniot.cli.main import main
+
+    with pytest.raises(SystemExit) as ended:
+        main(["init", "--schema", "--solver", "lagrange2d", "--out", str(tmp_path / "s.json")])
+    assert ended.value.code == 0 and json.loads((tmp_path / "s.json").read_text())["properties"]["block"]
+    with pytest.raises(SystemExit) as ended:
+        main(["init", "--schema", "--solver", "lagrange3d"])
+    assert ended.value.code == 2 and "did you mean 'lagrange" in capsys.readouterr().err
