@@ -70,17 +70,15 @@ class PlaneRecorder:
         self.budget = PlaneBudget(problem)
         self.laws = laws_with_temperature(problem)
         self.hot = any(law is not None for law in self.laws)
+        laws = [None if k is None else self.laws[k] for k in blocks_of(problem)]
+        self.gauge_laws = [None if law is None or MIXTURE.knows(law) else law for law in laws]
 
     def gauges(self, times, values):
         if len(times) and self.problem.gauges:
             if self.hot and "density" in values:
-                values = {**values, "temperature": self._gauge_temperature(values)}
+                # of gauges that read one material which does not burn; NaN elsewhere
+                values = {**values, "temperature": gauge_temperature(values, self.gauge_laws)}
             self.folder.gauges(times, values)
-
-    def _gauge_temperature(self, values) -> np.ndarray:
-        """Temperature where a gauge reads one material that does not burn; NaN elsewhere."""
-        laws = [None if k is None else self.laws[k] for k in blocks_of(self.problem)]
-        return gauge_temperature(values, [None if law is None or MIXTURE.knows(law) else law for law in laws])
 
     def snapshot(self, state):
         fields = state.fields()

@@ -252,3 +252,11 @@ def test_init_writes_the_schema_of_a_solver(tmp_path, capsys):
     with pytest.raises(SystemExit) as ended:
         main(["init", "--schema", "--solver", "lagrange3d"])
     assert ended.value.code == 2 and "did you mean 'lagrange" in capsys.readouterr().err
+
+
+def test_large_meshes_keep_fewer_snapshots_unless_asked():
+    small, large = (read_deck_text(BAR.replace("[4, 30]", zones)).problem.output for zones in ("[4, 30]", "[100, 101]"))
+    assert small.snapshots == pytest.approx(0.8e-6) and large.snapshots == pytest.approx(4e-6)
+    assert small.gauge_interval == pytest.approx(80e-6 / 2000)
+    asked = read_deck_text(BAR.replace("[4, 30]", "[100, 101]") + '[output]\nsnapshots = "1 us"\ngauge_interval = 0\n').problem.output
+    assert asked.snapshots == 1e-6 and asked.gauge_interval == 0.0

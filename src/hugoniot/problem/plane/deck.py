@@ -11,6 +11,7 @@ from hugoniot.mesh.shapes import Sector
 from hugoniot.problem import checks
 from hugoniot.problem.boundaries import pulse_value
 from hugoniot.problem.lagrangian import MOST_ZONES, _output
+from hugoniot.problem.model import OutputOptions
 from hugoniot.problem.plane import explosives, geometry
 from hugoniot.problem.plane.edges import read_boundaries, read_gauges, read_lighting
 from hugoniot.problem.plane.model import Block2D, Problem2D, Solver2D, Viscosity2D
@@ -19,7 +20,8 @@ from hugoniot.problem.schema import Table, salvage
 
 __all__ = ["Model", "read", "write"]
 
-GAUGE_SAMPLES = 2000   # of each gauge in a run that does not say otherwise: a gauge of two dimensions costs a look at the whole state
+GAUGE_SAMPLES = 2000                 # of each gauge, and snapshots, in a run whose deck does not say otherwise
+LARGE, FEW_SNAPSHOTS = 10_000, 20    # zones beyond which there are so few snapshots; else a hundred
 
 
 def read(raw: dict, model: Model | None, materials: dict[str, Material | None], collector: Collector) -> tuple[Problem2D | None, list[str]]:
@@ -33,13 +35,12 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     lighting = read_lighting(_parts(LightingTable, raw.get("lighting")), axes, collector)
     solver = _solver(raw.get("solver"), axes, blocks, mesh, collector)
     output = _output(raw, collector)
-    if output is not None and "gauge_interval" not in raw.get("output", {}):
-        output = replace(output, gauge_interval=float(model.stop_time) / GAUGE_SAMPLES if model is not None else 0.0)
     for name in raw.get("material", {}) if isinstance(raw.get("material"), dict) else ():
         if name not in used and complete:
             warnings.append(f"material '{printable(name)}' of the deck is not used by any block")
     if model is None or collector.problems or solver is None or output is None:
         return None, warnings
+    output = _sparing(output, raw.get("output", {}), model.stop_time, sum(block.zones[0] * block.zones[1] for block in blocks))
     problem = Problem2D(model.title, model.geometry, model.stop_time, blocks, used, boundaries, gauges, lighting, model.body_force, solver,
                         output)
     problem.__dict__["mesh"] = mesh   # built already: what the cached property would build again
@@ -51,6 +52,15 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     if collector.problems:
         return None, warnings
     return problem, warnings + explosives.advice(problem)
+
+
+def _sparing(output: OutputOptions, given: dict, stop_time: float, zones: int) -> OutputOptions:
+    """What is kept where the deck does not say: a gauge looks at the whole state here, and a snapshot of a large mesh is large."""
+    if "gauge_interval" not in given:
+        output = replace(output, gauge_interval=stop_time / GAUGE_SAMPLES)
+    if "snapshots" not in given and zones > LARGE:
+        output = replace(output, snapshots=stop_time / FEW_SNAPSHOTS)
+    return output
 
 
 def _parts(kind: type[Table], rows: Any) -> list:

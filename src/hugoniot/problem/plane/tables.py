@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, WithJsonSchema
 
 from hugoniot.problem.boundaries import pulse_schema
-from hugoniot.problem.lagrangian import OutputTable, Positive
+from hugoniot.problem.lagrangian import OutputTable, Positive, Snapshots
 from hugoniot.problem.model import SolverOptions
 from hugoniot.problem.plane.model import Solver2D, Viscosity2D
 from hugoniot.problem.schema import Pressure, Quantity, Table, Time, trouble
@@ -226,6 +226,8 @@ class SolverTable(Table):
 class PlaneOutputTable(OutputTable):
     """What is kept."""
 
+    snapshots: Snapshots = Field(
+        None, description="interval between snapshots, or their times (default: a hundredth of stop_time; a twentieth beyond 10 000 zones)")
     gauge_interval: Annotated[float, Quantity("s", least=0.0)] | None = Field(
         None, description="time between gauge samples, 0: every cycle (default: a two-thousandth of stop_time)")
 
