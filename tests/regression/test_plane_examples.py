@@ -22,7 +22,7 @@ COARSE: dict[str, dict] = {
     "wall-impact": {"block.cylinder.zones": [8, 16], "stop_time": "2 us"},
     "flyer-disc": {"block.target.zones": [20, 24], "block.flyer.zones": [20, 12], "stop_time": "1.2 us"},
     "triangles": {"block.loaded.zones": [10, 12], "block.free part.zones": [14, 12]},
-    "cylinder-test": {"block.charge.zones": [4, 40], "block.wall.zones": [1, 40], "stop_time": "12 us"},
+    "cylinder-test": {},
 }
 QUICK = ("noh-plane",)
 
@@ -75,7 +75,27 @@ def test_the_copper_bar_has_its_length(ran):
 
 @pytest.mark.slow
 def test_the_axis_at_the_wall_has_the_one_dimensional_state_first(ran):
-    """A symmetric impact at twice the speed; H-1: 17.57 GPa for the convex form, 16.82 for the literal series."""
+    """A symmetric impact at twice the speed: 16.82 GPa for this series (H-1), without strength."""
     time, pressure = ran("wall-impact").gauge("pressure", "axis at the wall")
     inside = (time > 0.6e-6) & (time < 1.0e-6)
-    assert 16.0e9 < pressure[inside].mean() < 18.2e9
+    assert pressure[inside].mean() == pytest.approx(16.82e9, rel=0.03)
+
+
+@pytest.mark.slow
+def test_the_wall_of_the_cylinder_test_moves_as_in_the_experiment(ran):
+    """Composition B, 25.4 mm: 1.386 and 1.631 mm/us (E = 0.960 and 1.330 kJ/g of copper) by the slit's observable."""
+    run = ran("cylinder-test")
+    time, place = run.gauge("line_position", "streak at 100 mm")
+    for travel, measured in ((6e-3, 1386.0), (18.9e-3, 1631.0)):
+        near = np.abs(place - place[0] - travel) < 0.3e-3
+        assert np.polyfit(time[near], place[near], 1)[0] == pytest.approx(measured, rel=0.02)
+
+
+@pytest.mark.slow
+def test_the_shell_moves_as_the_rigid_plastic_one_does(ran):
+    """Incompressible: r^2 u stays the same over the shell; after 60 us of 150 the inner radius is between start and rest, and round."""
+    rows = ran("shell-implosion").arrays("snapshots")
+    radius = np.hypot(rows["position_x"][-1], rows["position_y"][-1])
+    inner, outer = np.sort(radius)[:9], np.sort(radius)[-9:]
+    assert np.ptp(inner) < 0.01 * inner.mean() and 0.040 < inner.mean() < 0.048
+    assert outer.mean() ** 3 - inner.mean() ** 3 == pytest.approx(0.1**3 - 0.08**3, rel=0.01)

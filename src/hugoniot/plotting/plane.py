@@ -71,7 +71,7 @@ def map_(run, field: str = "pressure", time=None, mesh: bool | None = None, mirr
     rows = run.arrays("snapshots")
     k = snapshots_at(run, rows["time"], rows["time"][-1] if time is None else time)[0]
     values = plane_field(run, field, k)
-    ax = ax if ax is not None else new_axes(6.4, 4.8)
+    ax = ax if ax is not None else new_axes(*_size(run, k, mirror))
     image, factor = _draw_zones(run, ax, k, values, field, mesh, mirror, limits)
     if contours:
         _draw_contours(run, ax, k, values, contours, mirror)
@@ -87,6 +87,13 @@ def map_(run, field: str = "pressure", time=None, mesh: bool | None = None, mirr
         bar.set_label(labelled(words, unit))
         bar.outline.set_visible(False)
     return ax
+
+
+def _size(run, k, mirror: bool, height: float = 4.8) -> tuple[float, float]:
+    """Width and height (inches) of a figure for the body of snapshot k, with room for a colour bar."""
+    rows = run.arrays("snapshots")
+    wide = float(np.ptp(rows["position_x"][k])) * len(_halves(run, mirror))
+    return min(max(height * wide / max(float(np.ptp(rows["position_y"][k])), 1e-300) + 1.8, 3.4), 8.0), height
 
 
 def _halves(run, mirror: bool) -> tuple[float, ...]:
