@@ -20,7 +20,7 @@ def command(
     Example: hugoniot animate taylor.run plastic_strain --out taylor.mp4
     """
     from hugoniot.output.atomic import explained
-    from hugoniot.output.run import load
+    from hugoniot.plotting import load
     from hugoniot.plotting.animate import animate
 
     path = out or folder / f"{field}.gif"

@@ -4,8 +4,8 @@ import numpy as np
 
 from hugoniot.diagnostics.gauges2d import Sampler
 from hugoniot.output.plane_record import PlaneRecorder, plane_meta
-from hugoniot.output.run import load
 from hugoniot.output.run_folder import RunFolder
+from hugoniot.plotting import load
 from hugoniot.problem.deck import read_deck_text
 from hugoniot.state import State2D
 

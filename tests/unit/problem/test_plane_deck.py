@@ -8,8 +8,8 @@ import pytest
 from hugoniot.errors import DeckError
 from hugoniot.mesh.shapes import Box, Edges, Sector
 from hugoniot.problem.deck import read_deck, read_deck_text
-from hugoniot.problem.plane.model import Boundary2D, Gauge2D, VelocityField
 from hugoniot.problem.editor_schema import json_schema
+from hugoniot.problem.plane.model import Boundary2D, Gauge2D, VelocityField
 
 BAR = """\
 title = "Bar"
