@@ -10,7 +10,6 @@ from hugoniot.errors import DeckError
 from hugoniot.materials.collect import nearest, printable
 
 WITH_FIELD = ("xt", "gauge", "profile", "peaks", "map")
-TWO_DIMENSIONS, ONE_DIMENSION = ("map",), ("xt", "free_surface", "peaks")
 WITH_X, WITH_T = ("xt", "profile", "peaks", "setup", "map"), ("xt", "gauge", "free_surface", "budget", "errors")
 WITH_VALUES = ("xt", "gauge", "free_surface", "profile", "peaks", "map")
 LAYERS = {"mesh": ("mesh", True), "no mesh": ("mesh", False), "one half": ("mirror", False), "contours": ("contours", 8)}   # of a map
@@ -37,13 +36,19 @@ def command(
     """
     from hugoniot.output.atomic import explained
     from hugoniot.plotting import load
-    from hugoniot.plotting.accessor import PICTURES
+    from hugoniot.plotting.accessor import PICTURES, PLANE_PICTURES
 
-    if kind and kind not in PICTURES:
-        raise DeckError.single("plot", None, "kind", f"unknown picture '{printable(kind)}'", nearest(kind, PICTURES))
+    known = {*PICTURES, *PLANE_PICTURES}
+    if kind and kind not in known:
+        raise DeckError.single("plot", None, "kind", f"unknown picture '{printable(kind)}'", nearest(kind, known))
     run = load(folder)
     plane = "axes" in run.setup
-    kind = _possible(kind or ("map" if plane else "xt"), plane)
+    there = PLANE_PICTURES if plane else PICTURES
+    kind = kind or there[0]
+    if kind not in there:
+        words = "two dimensions" if plane else "one dimension"
+        message = f"this run has {words}, for which there is no picture '{kind}'"
+        raise DeckError.single("plot", None, "kind", message, f"take {', '.join(there)}")
     path = out or folder / f"{'-'.join(word for word in (kind, field) if word)}.png"
     drawable(path, "plot", "--out")
     options = _options(kind, field, gauge, time, delay) | _of_the_plane(kind, plane, line, layers)
@@ -92,14 +97,6 @@ def _options(kind: str, field: str, gauge: str | None, time: str | None, delay: 
             raise DeckError.single("plot", None, shown, f"a {kind} picture takes none", f"it goes with {', '.join(kinds)}")
         options[name] = quantity(value, "s", shown) if name in ("time", "delay") else value
     return options
-
-
-def _possible(kind: str, plane: bool) -> str:
-    """The kind of picture, if runs of that many dimensions have it."""
-    if kind in (ONE_DIMENSION if plane else TWO_DIMENSIONS):
-        there, other = ("two dimensions", "map, profile, gauge") if plane else ("one dimension", "xt, profile, gauge")
-        raise DeckError.single("plot", None, "kind", f"this run has {there}, for which there is no picture '{kind}'", f"take {other}")
-    return kind
 
 
 def _of_the_plane(kind: str, plane: bool, line: str | None, layers: str | None) -> dict[str, Any]:

@@ -52,4 +52,5 @@ class RunPlots:
         return setup(self._run, **options)
 
 
-PICTURES = ("xt", "map", "gauge", "free_surface", "profile", "peaks", "budget", "errors", "setup")
+PICTURES = ("xt", "gauge", "free_surface", "profile", "peaks", "budget", "errors", "setup")
+PLANE_PICTURES = ("map", "gauge", "profile", "budget", "errors", "setup")     # of runs of two dimensions
