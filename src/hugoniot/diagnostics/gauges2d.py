@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from hugoniot.errors import OutOfRange
 from hugoniot.mesh.locate import bilinear_weights, find_zone
 from hugoniot.problem.plane.model import Gauge2D, Problem2D
 from hugoniot.state import State2D
@@ -17,7 +18,7 @@ def blocks_of(problem: Problem2D) -> list[int | None]:
     found = []
     for gauge in problem.gauges:
         if gauge.kind == "point":
-            found.append(int(mesh.block_of[find_zone(mesh.nodes, mesh.zone_nodes, gauge.at)[0]]))  # type: ignore[index]
+            found.append(int(mesh.block_of[_place(gauge, mesh)[0]]))
         else:
             found.append(mesh.chains[gauge.on].block if gauge.on in mesh.chains else None)
     return found
@@ -75,10 +76,18 @@ def _mean(values: np.ndarray, table: tuple) -> float:
     return float(values[places] @ weights) if len(places) else np.nan
 
 
+def _place(gauge: Gauge2D, mesh) -> tuple[int, float, float]:
+    """(zone, a, b) of a point gauge at t = 0, a and b its logical place in the zone. Raises OutOfRange where there is no material."""
+    found = find_zone(mesh.nodes, mesh.zone_nodes, gauge.at)
+    if found is None:
+        raise OutOfRange(f"gauge '{gauge.name}': no material at {gauge.at} m at t = 0")
+    return found
+
+
 def _weights(gauge: Gauge2D, mesh) -> tuple:
     """(nodes, weights, zones, weights) of a point or an edge."""
     if gauge.kind == "point":
-        zone, a, b = find_zone(mesh.nodes, mesh.zone_nodes, gauge.at)  # type: ignore[misc]
+        zone, a, b = _place(gauge, mesh)
         return mesh.zone_nodes[zone], bilinear_weights(a, b), np.array([zone]), np.ones(1)
     edges, zones = (mesh.chains[gauge.on].edges, mesh.chains[gauge.on].zones[:, None]) if gauge.on in mesh.chains else (
         mesh.joints[gauge.on].edges, mesh.joints[gauge.on].zones)
