@@ -32,9 +32,9 @@ BOUNDARIES = """\
 `left` and `right` are `"free"`, `"fixed"`, `"transmitting"`, `{velocity = ...}` or `{pressure = ...}`. The value is a quantity, a table
 `{times = [...], values = [...]}` (linear between, held outside), or a pulse `{shape = ..., amplitude = ..., duration = ..., start = ...}`
 with the shape `exponential`, `half_sine`, `square` or `ramp`. At the axis or origin of curved geometry nothing need be said.
+
+In two dimensions `[[boundary]]` names chains of edges (`on = "bar.bottom"`), their `kind`, and `velocity` or `pressure` in the same forms.
 """
-HEADS = {"material": "materials", "boundary": "[boundary]", "region": "[[region]]", "interface": "[[interface]]", "gauge": "[[gauge]]",
-         "solver": "[solver]", "output": "[output]"}
 
 
 def table(heads: list[str], rows: list[list[str]]) -> str:
@@ -86,7 +86,8 @@ def solver_section(kind: str) -> str:
     for name, entry in schema["properties"].items():
         found = target(entry, schema)
         if found and name != "material":
-            text += [f"### {HEADS.get(name, f'[{name}]')}\n", found.get("description", "") + "\n", keys(found)]
+            head = f"[[{name}]]" if entry.get("type") == "array" else f"[{name}]"
+            text += [f"### {head}\n", found.get("description", "") + "\n", keys(found)]
             for inner, part in found.get("properties", {}).items():
                 if (deeper := target(part, schema)) and "properties" in deeper:
                     text += [f"#### [{name}.{inner}]\n", deeper.get("description", "") + "\n", keys(deeper)]

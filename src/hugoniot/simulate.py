@@ -18,6 +18,7 @@ from hugoniot.errors import DeckError, FileTrouble, UnphysicalState
 from hugoniot.output.run_folder import RunFolder
 from hugoniot.problem.defaults import completed
 from hugoniot.problem.model import Gauge, Problem
+from hugoniot.problem.plane.model import Problem2D
 from hugoniot.report import write_or_note
 from hugoniot.solvers.run import Outcome, Schedule, march_to_end, snapshot_times
 from hugoniot.version import __version__
@@ -38,7 +39,11 @@ def make_solver(problem: Problem):
     if problem.solver.kind == "fronts":
         from hugoniot.solvers.fronts.solver import Fronts
         return Fronts(problem)
-    hint = "known: fronts, lagrange1d, shock_structure"
+    if problem.solver.kind == "lagrange2d":
+        from hugoniot.diagnostics.gauges2d import Sampler
+        from hugoniot.solvers.lagrange2d.solver import Lagrange2D
+        return Lagrange2D(problem, Sampler(problem) if problem.gauges else None)
+    hint = "known: fronts, lagrange1d, lagrange2d, shock_structure"
     raise DeckError.single("problem", None, "solver.kind", f"unknown solver '{problem.solver.kind}'", hint)
 
 
@@ -56,6 +61,15 @@ def with_surface_gauges(problem: Problem) -> Problem:
     missing = [f"free surface {side}" for side, boundary, seen in ends if seen and boundary.kind == "free"]
     added = tuple(Gauge(name, name) for name in missing if name not in named)
     return dataclasses.replace(problem, gauges=with_sides(problem).gauges + added)
+
+
+def _recorder(folder: RunFolder, problem, solver, progress, warned=()):
+    """What hands the states of a run to its folder."""
+    if problem.solver.kind != "lagrange2d":
+        return _Recorder(folder, problem, solver, progress, warned)
+    from hugoniot.output.plane_record import PlaneRecorder
+
+    return PlaneRecorder(folder, problem, solver, progress, warned, _program)
 
 
 class _Recorder:
@@ -121,7 +135,7 @@ def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=Non
     folder.start(problem, text, _meta(problem, solver))
     for warning in warnings:
         folder.event(0.0, 0, "warning", warning)
-    return _drive(_Recorder(folder, problem, solver, progress, warnings), 0, begun, report)
+    return _drive(_recorder(folder, problem, solver, progress, warnings), 0, begun, report)
 
 
 def resume(folder, progress=None, report: bool | Callable = True) -> "Run":
@@ -141,7 +155,7 @@ def resume(folder, progress=None, report: bool | Callable = True) -> "Run":
     problem = with_surface_gauges(deck.problem)
     solver = make_solver(problem)
     place.start(problem, text, _meta(problem, solver))
-    recorder = _Recorder(place, problem, solver, progress, deck.warnings)   # before the state is restored: budgets count from the start
+    recorder = _recorder(place, problem, solver, progress, deck.warnings)   # before the state is restored: budgets count from the start
     payload = place.latest_checkpoint()
     next_snapshot = 0
     if payload is None:
@@ -170,7 +184,7 @@ def _check_program(folder, program: Mapping[str, str]) -> None:
                           f"hugoniot run {pathlib.Path(folder) / 'deck.toml'} --out NEW")
 
 
-def _drive(recorder: _Recorder, next_snapshot: int, begun: float, report: bool | Callable) -> "Run":
+def _drive(recorder, next_snapshot: int, begun: float, report: bool | Callable) -> "Run":
     from hugoniot.plotting import load
 
     folder, problem, solver = recorder.folder, recorder.problem, recorder.solver
@@ -203,15 +217,15 @@ def _summary(problem: Problem, solver, outcome: Outcome, begun: float) -> dict[s
         "wall_seconds": time.perf_counter() - begun, "kernel_seconds": outcome.kernel_seconds,
         "compile_seconds": compile_seconds(begun),
         **{name: None if value != value else value for name, value in solver.errors().items()},
-        "voids_opened": solver.voids_opened, "voids_closed": solver.voids_closed,
-        "interfaces_parted": getattr(solver, "interfaces_parted", 0), "tension_cap_acted": solver.capped,
+        "voids_opened": getattr(solver, "voids_opened", 0), "voids_closed": getattr(solver, "voids_closed", 0),
+        "interfaces_parted": getattr(solver, "interfaces_parted", 0), "tension_cap_acted": getattr(solver, "capped", 0),
         **getattr(solver, "results", dict)(), **_steady_numbers(problem),
     }
 
 
 def _steady_numbers(problem: Problem) -> dict[str, float]:
     """What the steady wave of a shock-structure run has, beside which the run's own thickness is told."""
-    if not problem.solver.options.get("shock"):
+    if not getattr(problem.solver, "options", {}).get("shock"):
         return {}
     from hugoniot.problem.structure_start import profile_of
     from hugoniot.theory.structure.sweep import measures
@@ -224,7 +238,7 @@ def _steady_numbers(problem: Problem) -> dict[str, float]:
 
 def _note_extrapolation(folder: RunFolder, problem: Problem, solver, warned) -> None:
     """Warn once for each material driven beyond the particle velocities its equation of state was fitted to."""
-    highest = solver.largest_velocity_jump()
+    highest = getattr(solver, "largest_velocity_jump", dict)()
     for name, speed in highest.items():
         limit = problem.materials[name].valid_up_to
         foretold = any(f"data of '{name}'" in text for text in warned)
@@ -245,6 +259,10 @@ def _doubts(problem: Problem, solver) -> list[str]:
 
 
 def _meta(problem: Problem, solver) -> dict[str, Any]:
+    if problem.solver.kind == "lagrange2d":
+        from hugoniot.output.plane_record import plane_meta
+
+        return plane_meta(problem, solver, __version__)
     left, right = solver.initial_nodes
     return {
         "solver": problem.solver.kind, "version": __version__, "viscosity": solver.viscosity,
@@ -258,7 +276,7 @@ def _read(deck_or_problem, deck_text, overrides) -> tuple[Problem, str, list[str
     """(problem, resolved deck text, warnings, name for the folder)."""
     from hugoniot.problem.deck import Deck, read_deck, write_deck
 
-    if isinstance(deck_or_problem, Problem):
+    if isinstance(deck_or_problem, (Problem, Problem2D)):
         problem = completed(_replaced(deck_or_problem, overrides))
         name = re.sub(r"[^a-z0-9]+", "-", problem.title.lower()).strip("-") or "run"
         return problem, deck_text or write_deck(problem), [], name

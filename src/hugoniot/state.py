@@ -24,3 +24,25 @@ class State:
         """Every field by name, faces included, as one flat dictionary."""
         faces = ("position_left", "position_right", "velocity_left", "velocity_right")
         return {**self.zones, **{name: getattr(self, name) for name in faces}}
+
+
+@dataclass(frozen=True)
+class State2D:
+    """A state of the two-dimensional hydrocode.
+
+    time (s), cycle
+    zones        fields (nzone,) by name: blocks in order, (i, j) of each in C order, zone = block.first_zone + i * nj + j
+    nodes        fields (nnode,) by name, one value per global node: position_x, position_y, velocity_x, velocity_y at least
+                 (x and y are r and z in axisymmetric geometry)
+    zone_nodes   (nzone, 4) nodes of each zone, counter-clockwise; the same array in every state of a run
+    """
+
+    time: float
+    cycle: int
+    zones: dict[str, np.ndarray]
+    nodes: dict[str, np.ndarray]
+    zone_nodes: np.ndarray
+
+    def fields(self) -> dict[str, np.ndarray]:
+        """Every field by name, zones and nodes, as one flat dictionary."""
+        return {**self.zones, **self.nodes}

@@ -42,7 +42,8 @@ _PREFIXES = {"T": "1e12", "G": "1e9", "M": "1e6", "k": "1e3", "m": "1e-3", "u": 
 _PREFIXED = {"m": ("1", _LENGTH), "g": ("1e-3", _MASS), "s": ("1", _TIME), "K": ("1", _KELVIN), "mol": ("1", (0, 0, 0, 0, 1)),
              "Pa": ("1", _PRESSURE), "bar": ("1e5", _PRESSURE), "J": ("1", _ENERGY), "N": ("1", _FORCE),
              "W": ("1", (2, 1, -3, 0, 0)), "Hz": ("1", (0, 0, -1, 0, 0)), "eV": ("1.602176634e-19", _ENERGY)}
-_PLAIN = {"1": ("1", _NONE), "%": ("0.01", _NONE), "rad": ("1", _NONE), "cm": ("1e-2", _LENGTH), "dm": ("1e-1", _LENGTH),
+_PLAIN = {"1": ("1", _NONE), "%": ("0.01", _NONE), "rad": ("1", _NONE),
+          "deg": ("0.017453292519943295769236907685", _NONE), "cm": ("1e-2", _LENGTH), "dm": ("1e-1", _LENGTH),
           "in": ("0.0254", _LENGTH), "inch": ("0.0254", _LENGTH), "ft": ("0.3048", _LENGTH), "mil": ("2.54e-5", _LENGTH),
           "min": ("60", _TIME), "cc": ("1e-6", _VOLUME), "l": ("1e-3", _VOLUME), "L": ("1e-3", _VOLUME),
           "atm": ("101325", _PRESSURE), "psi": ("6894.757293168361", _PRESSURE), "ksi": ("6894757.293168361", _PRESSURE),

@@ -11,7 +11,8 @@ from hugoniot.problem import catalogue
 from hugoniot.problem.deck import read_deck
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-NAMES = [entry.name for entry in catalogue.problems()]
+ALL = [entry.name for entry in catalogue.problems()]
+NAMES = [name for name in ALL if 'kind = "lagrange2d"' not in (EXAMPLES / f"{name}.toml").read_text()]    # two dimensions: test_plane_examples
 
 
 @pytest.fixture(scope="module")
@@ -35,11 +36,11 @@ def plateau(run, field, gauge, start, end):
 
 
 def test_examples_and_templates_are_the_same():
-    for name in NAMES:
+    for name in ALL:
         assert (EXAMPLES / f"{name}.toml").read_text() == (files("hugoniot.problem") / "templates" / f"{name}.toml").read_text()
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", ALL)
 def test_an_example_is_short_commented_and_without_a_warning(name):
     text = (EXAMPLES / f"{name}.toml").read_text()
     assert len(text.splitlines()) < 80

@@ -66,13 +66,23 @@ def _tell(deck: Deck, warnings: list[str]) -> None:
     typer.echo(f"{problem.title}: {getattr(problem, 'geometry', problem.solver.kind)}, to {format_si(problem.stop_time, 's')}")
     rows = []
     for region in getattr(problem, "regions", ()):
-        span = f"{format_si(region.start, 'm')} to {format_si(region.end, 'm')}"
-        rows.append((region.name, span, f"{region.zones} zones", _speed(region.velocity), region.material,
-                     _laws(problem.materials[region.material])))
+        extent = _block_extent(problem, region) if hasattr(region, "shape") else (
+            f"{format_si(region.start, 'm')} to {format_si(region.end, 'm')}", f"{region.zones} zones", _speed(region.velocity))
+        rows.append((region.name, *extent, region.material, _laws(problem.materials[region.material])))
     echo_table(["region", "extent", "", "velocity", "material", "laws"], rows)
     for warning in warnings:
         typer.echo(f"warning: {warning}")
     typer.echo("the deck is valid")
+
+
+def _block_extent(problem, block) -> tuple[str, str, str]:
+    """Extent, zones and velocity of a block, in words."""
+    part = problem.mesh.blocks[problem.blocks.index(block)]
+    spans = [f"{axis} {format_si(float(values.min()), 'm')} to {format_si(float(values.max()), 'm')}"
+             for axis, values in zip(problem.axes, (part.x, part.y))]
+    uniform = block.velocity == type(block.velocity)(base=block.velocity.base)
+    speed = ", ".join(format_si(v, "m/s") for v in block.velocity.base) if uniform else "a field"
+    return ", ".join(spans), f"{part.ni} x {part.nj} zones", speed
 
 
 def _laws(material) -> str:

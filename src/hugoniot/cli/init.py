@@ -7,7 +7,8 @@ from typing import Annotated
 import typer
 
 from hugoniot.cli.show import echo_table
-from hugoniot.errors import FileTrouble
+from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.materials.collect import nearest, printable
 from hugoniot.problem import catalogue
 
 
@@ -16,16 +17,24 @@ def command(
     out: Annotated[Path | None, typer.Option("--out", "-o", help="File to write (default: PROBLEM.toml).")] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace the file if it exists.")] = False,
     schema: Annotated[bool, typer.Option("--schema", help="Write the JSON Schema of decks instead: deck.schema.json.")] = False,
+    solver: Annotated[str, typer.Option("--solver", help="With --schema: the solver whose decks it describes (default: lagrange1d).")] = "",
 ) -> None:
     """Write a commented deck for a common problem.
 
     Example: hugoniot init flyer && hugoniot run flyer.toml
     """
+    if solver and not schema:
+        raise DeckError.single("init", None, "--solver", "chooses a schema", "write it with --schema")
     if schema:
         import json
 
         from hugoniot.problem.editor_schema import json_schema
-        _write(out or Path("deck.schema.json"), json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n", overwrite)
+        from hugoniot.problem.solver_kinds import available_solvers
+
+        solver = solver or "lagrange1d"
+        if solver not in available_solvers():
+            raise DeckError.single("init", None, "--solver", f"unknown solver '{printable(solver)}'", nearest(solver, available_solvers()))
+        _write(out or Path("deck.schema.json"), json.dumps(json_schema(solver), indent=2, ensure_ascii=False) + "\n", overwrite)
         return
     if not problem:
         echo_table(["problem", "what it shows"], [(p.name, p.summary) for p in catalogue.problems()])

@@ -26,6 +26,7 @@ COMMANDS: dict[str, str] = {
     "resume": "Continue an interrupted run, bit for bit.",
     "info": "Summarise a run.",
     "plot": "Draw a picture of a run.",
+    "animate": "Write a film of a two-dimensional run.",
     "compare": "Compare two runs, or a run and measured data.",
     "report": "Write the report of a run again.",
     "verify": "Run the built-in verification problems.",
@@ -54,6 +55,8 @@ def module_of(name: str) -> ModuleType:
             from hugoniot.cli import info as module
         case "plot":
             from hugoniot.cli import plot as module
+        case "animate":
+            from hugoniot.cli import animate as module
         case "compare":
             from hugoniot.cli import compare as module
         case "report":

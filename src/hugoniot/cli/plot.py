@@ -9,44 +9,55 @@ from hugoniot.cli.show import quantity, span
 from hugoniot.errors import DeckError
 from hugoniot.materials.collect import nearest, printable
 
-WITH_FIELD = ("xt", "gauge", "profile", "peaks")
-WITH_X, WITH_T = ("xt", "profile", "peaks", "setup"), ("xt", "gauge", "free_surface", "budget", "errors")
-WITH_VALUES = ("xt", "gauge", "free_surface", "profile", "peaks")
+WITH_FIELD = ("xt", "gauge", "profile", "peaks", "map")
+WITH_X, WITH_T = ("xt", "profile", "peaks", "setup", "map"), ("xt", "gauge", "free_surface", "budget", "errors")
+WITH_VALUES = ("xt", "gauge", "free_surface", "profile", "peaks", "map")
+LAYERS = {"mesh": ("mesh", True), "no mesh": ("mesh", False), "one half": ("mirror", False), "contours": ("contours", 8)}   # of a map
 SUFFIXES = (".png", ".pdf", ".svg")
 
 
 def command(
     folder: Annotated[Path, typer.Argument(help="The run folder.")],
-    kind: Annotated[str, typer.Argument(help="Picture: xt, gauge, free_surface, profile, peaks, budget, errors or setup.")] = "xt",
-    field: Annotated[str, typer.Argument(help="Field of an xt, gauge, profile or peaks picture, such as pressure.")] = "",
+    kind: Annotated[str, typer.Argument(help="Picture: xt, map, gauge, free_surface, profile, peaks, budget, errors or setup.")] = "",
+    field: Annotated[str, typer.Argument(help="Field of an xt, map, gauge, profile or peaks picture, such as pressure.")] = "",
     gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge of a gauge or free_surface picture.")] = None,
-    time: Annotated[str | None, typer.Option("--time", help="Time of a profile, such as \"1.2 us\" (default: the last).")] = None,
+    time: Annotated[str | None, typer.Option("--time", help="Time of a map or profile, such as \"1.2 us\" (default: the last).")] = None,
     delay: Annotated[str | None, typer.Option("--delay", help="Show the free surface through a VISAR of this delay.")] = None,
     x: Annotated[str | None, typer.Option("--x", help="Positions to show in an xt, profile, peaks or setup picture: \"0..5 mm\".")] = None,
     t: Annotated[str | None, typer.Option("--t", help="Times to show in an xt, gauge, free_surface, budget or errors picture.")] = None,
     shown: Annotated[str | None, typer.Option("--range", help="Values to show, such as \"-1..6 GPa\"; colours of an xt picture.")] = None,
+    line: Annotated[str | None, typer.Option("--line", help="Line of a profile in two dimensions: \"0 mm, 0 mm .. 0 mm, 30 mm\".")] = None,
+    layers: Annotated[str | None, typer.Option("--layers", help="Of a map: \"mesh\", \"no mesh\", \"contours\", \"one half\".")] = None,
     out: Annotated[Path | None, typer.Option("--out", "-o", help="File: .png, .pdf or .svg (default: in the run folder).")] = None,
 ) -> None:
-    """Draw a picture of a run.
+    """Draw a picture of a run: by default its wave diagram, or of two dimensions the map of its pressure.
 
-    Example: hugoniot plot flyer.run xt pressure --out wave.png
+    Examples: hugoniot plot flyer.run xt pressure --out wave.png; hugoniot plot taylor.run map plastic_strain --time "40 us"
     """
     from hugoniot.output.atomic import explained
     from hugoniot.plotting import load
-    from hugoniot.plotting.accessor import PICTURES
+    from hugoniot.plotting.accessor import PICTURES, PLANE_PICTURES
 
-    if kind not in PICTURES:
-        raise DeckError.single("plot", None, "kind", f"unknown picture '{printable(kind)}'", nearest(kind, PICTURES))
+    known = {*PICTURES, *PLANE_PICTURES}
+    if kind and kind not in known:
+        raise DeckError.single("plot", None, "kind", f"unknown picture '{printable(kind)}'", nearest(kind, known))
+    run = load(folder)
+    plane = "axes" in run.setup
+    there = PLANE_PICTURES if plane else PICTURES
+    kind = kind or there[0]
+    if kind not in there:
+        words = "two dimensions" if plane else "one dimension"
+        message = f"this run has {words}, for which there is no picture '{kind}'"
+        raise DeckError.single("plot", None, "kind", message, f"take {', '.join(there)}")
     path = out or folder / f"{'-'.join(word for word in (kind, field) if word)}.png"
     drawable(path, "plot", "--out")
-    options = _options(kind, field, gauge, time, delay)
-    run = load(folder)
+    options = _options(kind, field, gauge, time, delay) | _of_the_plane(kind, plane, line, layers)
     limits = _limits(kind, field, x, t, shown)
-    if kind in ("xt", "gauge"):
-        taken = ("window", "times", "limits") if kind == "xt" else ("", "times")
+    if kind in ("xt", "gauge", "map"):
+        taken = {"xt": ("window", "times", "limits"), "gauge": ("", "times"), "map": ("window", "", "limits")}[kind]
         options |= {name: value for name, value in zip(taken, limits) if value is not None}
     axes = getattr(run.plot, kind)(**options)
-    if kind != "xt":
+    if kind not in ("xt", "map"):
         from hugoniot.plotting.style import show_only
 
         show_only(axes, *(limits[:1] if kind in WITH_X else limits[1:2]), limits[2])
@@ -62,7 +73,7 @@ def _limits(kind: str, field: str, x: str | None, t: str | None, shown: str | No
     for option, text, kinds in (("--x", x, WITH_X), ("--t", t, WITH_T), ("--range", shown, WITH_VALUES)):
         if text is not None and kind not in kinds:
             raise DeckError.single("plot", None, option, f"a {kind} picture has no such axis", f"it goes with {', '.join(kinds)}")
-    unit = "m/s" if kind == "free_surface" else describe(field or "stress")[0]
+    unit = "m/s" if kind == "free_surface" else describe(field or ("pressure" if kind == "map" else "stress"))[0]
     return [None if text is None else span(text, kind_of, option)
             for option, text, kind_of in (("--x", x, "m"), ("--t", t, "s"), ("--range", shown, unit))]
 
@@ -77,7 +88,7 @@ def _options(kind: str, field: str, gauge: str | None, time: str | None, delay: 
     """The options of one picture; an option that it does not have is an error."""
     wanted: list[tuple[str, Any, tuple[str, ...], str]] = [
         ("field", field, WITH_FIELD, "field"), ("--gauge", gauge, ("gauge", "free_surface"), "names" if kind == "gauge" else "name"),
-        ("--time", time, ("profile",), "time"), ("--delay", delay, ("free_surface",), "delay")]
+        ("--time", time, ("profile", "map"), "time"), ("--delay", delay, ("free_surface",), "delay")]
     options: dict[str, Any] = {}
     for shown, value, kinds, name in wanted:
         if not value:
@@ -85,4 +96,24 @@ def _options(kind: str, field: str, gauge: str | None, time: str | None, delay: 
         if kind not in kinds:
             raise DeckError.single("plot", None, shown, f"a {kind} picture takes none", f"it goes with {', '.join(kinds)}")
         options[name] = quantity(value, "s", shown) if name in ("time", "delay") else value
+    return options
+
+
+def _of_the_plane(kind: str, plane: bool, line: str | None, layers: str | None) -> dict[str, Any]:
+    """The options that only pictures of two dimensions have."""
+    for option, text, wanted in (("--line", line, "profile"), ("--layers", layers, "map")):
+        if text is not None and (kind != wanted or not plane):
+            raise DeckError.single("plot", None, option, f"this {kind} picture takes none", f"it goes with a {wanted} of two dimensions")
+    options: dict[str, Any] = {}
+    if line is not None:
+        ends = [end.split(",") for end in line.split("..")]
+        if [len(end) for end in ends] != [2, 2]:
+            shown = 'such as "0 mm, 0 mm .. 0 mm, 30 mm"'
+            raise DeckError.single("plot", None, "--line", f"expected two points, got '{printable(line)}'", shown)
+        options["start"], options["end"] = (tuple(quantity(part.strip(), "m", "--line") for part in end) for end in ends)
+    for word in (layers or "").split(","):
+        name = " ".join(word.split())
+        if name and name not in LAYERS:
+            raise DeckError.single("plot", None, "--layers", f"unknown layer '{printable(name)}'", nearest(name, LAYERS))
+        options |= dict([LAYERS[name]]) if name else {}
     return options

@@ -8,7 +8,7 @@ from hugoniot.errors import DeckProblem
 from hugoniot.units import UnitError, parse
 
 LineOf = Callable[[tuple], int | None]
-_NAMED = ("region", "gauge", "interface")
+_NAMED = ("region", "block", "gauge", "interface")
 
 
 def printable(text, limit: int = 60) -> str:

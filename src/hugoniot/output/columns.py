@@ -10,6 +10,10 @@ _FACES = {
     "tension": ("Pa", "longitudinal tension"),
     "time": ("s", "time"),
     "centre": ("m", "centre of the zone at t = 0 (Lagrangian coordinate)"),
+    "centre_x": ("m", "x (or r) of the zone's centre at t = 0"),
+    "centre_y": ("m", "y (or z) of the zone's centre at t = 0"),
+    "line_position": ("m", "position of the surface along the line of sight"),
+    "line_velocity": ("m/s", "velocity of the surface along the line of sight"),
     "mass": ("kg", FIELDS["mass"].long_name),
     "particle_velocity": ("m/s", "particle velocity"),
     "strain_rate": ("1/s", "strain rate"),
@@ -20,7 +24,7 @@ _PER_MASS = {
     "plastic_work": ("J/kg", "plastic work done per unit mass"),
     "viscous_work": ("J/kg", "work of the artificial viscosity per unit mass"),
 }
-PER_AREA = {"planar": "/m^2", "cylindrical": "/m/rad", "spherical": "/sr"}
+PER_AREA = {"planar": "/m^2", "cylindrical": "/m/rad", "spherical": "/sr", "plane": "/m", "axisymmetric": "/rad"}
 
 
 def describe(name: str, geometry: str = "", given: dict | None = None) -> tuple[str, str]:

@@ -1,6 +1,7 @@
 """result.h5: everything a run recorded, self-describing, in SI, the same bytes for the same physics.
 
-Groups: `snapshots` (time, zone), `gauges` (time, gauge), `budget` (time[, region]), `peaks` (zone), `events` (event) and `setup`.
+Groups: `snapshots` (time, zone), `gauges` (time, gauge), `budget` (time[, region]), `peaks` (zone), `events` (event) and `setup`; of two
+dimensions `snapshots` have fields (time, node) too, and `mesh` says which nodes a zone has, counter-clockwise (zone, corner).
 Every dataset carries `units` and `long_name`; every axis is an HDF5 dimension scale, so netCDF readers open it as well:
 `xarray.open_dataset("result.h5", group="gauges")`. Nothing in it depends on the clock, on the machine or on how often the run
 was interrupted.
@@ -47,8 +48,9 @@ class _Writer:
 
 def _write_tables(file, tables: dict, peaks: dict, setup: dict):
     geometry, given = setup["document"]["geometry"], setup["units"]
-    zones = {"region": setup["region"], "centre": setup["centre"], "mass": setup["mass"]}
-    zone_count = len(setup["region"])
+    zones = {"region": setup["region"], **setup["centres"], "mass": setup["mass"]}
+    zone_count, mesh = len(setup["region"]), setup["mesh"]
+    nodal = set(mesh.get("node_fields", ()))
 
     def writer(name):
         return _Writer(file.create_group(name), geometry if name == "budget" else "", given)
@@ -60,8 +62,10 @@ def _write_tables(file, tables: dict, peaks: dict, setup: dict):
     w.column("cycle", rows.pop("cycle", np.empty(0, dtype=np.int64)), "time")
     for name, values in zones.items():
         w.column(name, values, "zone")
+    if mesh:
+        w.axis("node", np.arange(mesh["node_count"]))
     for name, values in rows.items():
-        w.column(name, values, "time", "zone")
+        w.column(name, values, "time", "node" if name in nodal else "zone")
 
     w = writer("gauges")
     rows = dict(tables["gauges"])
@@ -76,6 +80,13 @@ def _write_tables(file, tables: dict, peaks: dict, setup: dict):
     w.axis("region", np.array([r["name"] for r in setup["document"]["regions"]], dtype=object))
     for name, values in rows.items():
         w.column(name, values, *(("time",) if values.ndim == 1 else ("time", "region")))
+
+    if mesh:
+        w = writer("mesh")
+        w.axis("zone", np.arange(zone_count))
+        w.axis("corner", np.arange(4))
+        w.column("zone_nodes", mesh["zone_nodes"], "zone", "corner")
+        w.column("block_of", mesh["block_of"], "zone")
 
     w = writer("peaks")
     w.axis("zone", np.arange(zone_count))
@@ -97,7 +108,8 @@ def result_bytes(tables: dict, events: list[dict], peaks: dict, setup: dict) -> 
     """The bytes of result.h5.
 
     tables   {table: {column: array}} with `time` (and `cycle`) among the columns, as `Series.collect` gives them
-    setup    {"document": setup record, "region", "mass", "centre": (nzone,), "gauges": names, "units": {}, "deck": text, ...}
+    setup    {"document": setup record, "region", "mass": (nzone,), "centres": {column: (nzone,)}, "mesh": {} or {"zone_nodes",
+             "block_of", "node_count", "node_fields"}, "gauges": names, "units": {}, "deck": text, ...}
     """
     with new_image() as file:
         document = setup["document"]

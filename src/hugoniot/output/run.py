@@ -121,7 +121,7 @@ class Run:
         values, attributes, dims = self._table(group)
         axes = {name for name, along in dims.items() if along == (name,)}
         columns = {name: xarray.Variable(dims[name], values[name], attributes[name]) for name in values}
-        extra = {name for name in ("region", "centre", "mass") if name in values and "zone" in dims[name]}
+        extra = {name for name in ("region", "centre", "centre_x", "centre_y", "mass") if name in values and "zone" in dims[name]}
         extra |= {"cycle"} & set(values) if group == "snapshots" else set()
         coords = {name: columns.pop(name) for name in sorted(axes | extra)}
         attrs = {"title": self.summary["title"], "solver": self.summary["solver"], "version": self.summary["version"]}

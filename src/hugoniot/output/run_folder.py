@@ -17,11 +17,14 @@ from hugoniot.errors import FileTrouble, UnphysicalState
 from hugoniot.output.atomic import explained, write_whole
 from hugoniot.output.checkpoint import Checkpoints
 from hugoniot.output.codec import encode
+from hugoniot.output.plane_record import plane_record
 from hugoniot.output.result_file import gauges_text, result_bytes
 from hugoniot.output.series import Series
 from hugoniot.output.setup_record import plain, setup_record
+from hugoniot.output.vtkhdf import vtkhdf_bytes
 
-PRODUCTS = ("result.h5", "gauges.csv", "fronts.csv", "summary.json", "report.html", "run.log", "post_mortem.h5", "post_mortem.txt")
+PRODUCTS = ("result.h5", "gauges.csv", "fronts.csv", "summary.json", "result.vtkhdf", "report.html", "run.log", "post_mortem.h5",
+            "post_mortem.txt")
 
 
 class RunFolder:
@@ -70,19 +73,21 @@ class RunFolder:
         """Write the deck and remember the set-up.
 
         meta   solver (name), version, region (name of the region of each zone), mass (nzone,), centre (nzone,) of the zones at
-               t = 0 in m, gauges (names, in the order of the values' second axis); and, where wanted, references (list of
+               t = 0 in m (of two dimensions centre_x and centre_y, and mesh: see `result_file.result_bytes`), gauges (names,
+               in the order of the values' second axis); and, where wanted, references (list of
                text), viscosity (parameter tuple in use), units {column: unit or (unit, long name)}, and the initial faces
                left, right (nzone,) in m
         """
         if not self.resumed:
             write_whole(self.folder / "deck.toml", deck_text, durable=False)
         digest = hashlib.sha256(deck_text.encode()).hexdigest()
-        document = setup_record(problem, meta)
+        document = plane_record(problem, meta) if "mesh" in meta else setup_record(problem, meta)
         document["faces"] = {side: plain(np.asarray(meta[side])) for side in ("left", "right") if side in meta}
         self._setup = {
             "document": document, "deck": deck_text, "deck_sha256": digest, "gauges": list(meta.get("gauges", ())),
             "region": np.array(list(meta["region"]), dtype=object), "mass": np.array(meta["mass"], dtype=float),
-            "centre": np.array(meta["centre"], dtype=float), "units": dict(meta.get("units", {})),
+            "centres": {name: np.array(meta[name], dtype=float) for name in ("centre", "centre_x", "centre_y") if name in meta},
+            "mesh": dict(meta.get("mesh", {})), "units": dict(meta.get("units", {})),
         }
         word = "resume" if self.resumed else "start"
         self.log(f"{word}: {problem.title} (solver {meta.get('solver', '')}, version {meta.get('version', '')})")
@@ -164,7 +169,7 @@ class RunFolder:
 
     # -- the end -------------------------------------------------------------------------------------------------------
     def finish(self, summary: dict, peaks: dict[str, np.ndarray] | None = None) -> None:
-        """Write gauges.csv, result.h5 and, last, summary.json; then remove checkpoints and pieces.
+        """Write gauges.csv, result.h5 (and result.vtkhdf of two dimensions) and, last, summary.json; then remove checkpoints and pieces.
 
         Raises `FileTrouble`; pieces and checkpoints then still stand, so nothing that was on the disk is lost.
         """
@@ -173,6 +178,9 @@ class RunFolder:
         table = gauges_text(tables["gauges"], setup["gauges"], setup["units"])
         write_whole(self.folder / "gauges.csv", table, durable=False)
         write_whole(self.folder / "result.h5", result_bytes(tables, events, dict(peaks or {}), setup))
+        if setup["mesh"] and "position_x" in tables["snapshots"]:
+            image = vtkhdf_bytes(tables["snapshots"], setup["mesh"]["zone_nodes"], setup["mesh"]["block_of"])
+            write_whole(self.folder / "result.vtkhdf", image)
         summary = {"title": setup["document"]["title"], "solver": setup["document"]["solver"]["kind"], "status": "done",
                    "version": setup["document"]["version"], "deck_sha256": setup["deck_sha256"], **plain(summary)}
         if self.warnings:

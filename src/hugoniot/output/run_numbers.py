@@ -23,7 +23,7 @@ def gauge_rows(run: Run) -> list[dict]:
     names = run.gauge_names()
     side_of = sides(run.setup["gauges"])
     for k, name in enumerate(names):
-        time, velocity = table["time"], table["velocity"][:, k]
+        time, velocity = table["time"], _velocity(table, k)
         if name in side_of and np.array_equal(velocity, table["velocity"][:, names.index(side_of[name])]):
             continue     # the interface gauge has it
         row: dict = {"gauge": name}
@@ -36,6 +36,16 @@ def gauge_rows(run: Run) -> list[dict]:
         row |= {"peak_velocity": float(velocity[np.argmax(np.abs(velocity))]), "last_velocity": float(velocity[-1])}
         rows.append(row)
     return rows
+
+
+def _velocity(table: dict, k: int) -> np.ndarray:
+    """What gauge k has for a velocity: in two dimensions that along its line of sight, or the speed."""
+    if "velocity" in table:
+        return table["velocity"][:, k]
+    along = table.get("line_velocity")
+    if along is not None and np.isfinite(along[:, k]).all():
+        return along[:, k]
+    return np.hypot(table["velocity_x"][:, k], table["velocity_y"][:, k])
 
 
 def _largest_velocity(run: Run) -> float:

@@ -129,7 +129,12 @@ def _viscosity_record(problem, meta: dict) -> dict | None:
 def _references(record: dict, meta: dict) -> list[str]:
     hydrocode = record["solver"]["kind"] == "lagrange1d"
     found: list[str] = list(INTEGRATORS.get(record["solver"]["integrator"], ())) if hydrocode else []
-    found += meta.get("references", ())
+    return references_of(record, [*found, *meta.get("references", ())])
+
+
+def references_of(record: dict, methods: list[str]) -> list[str]:
+    """The bibliography of a set-up record: of the methods, then of every law, constant and material in it, each once."""
+    found = list(methods)
     laws = [law for material in record["materials"].values() for law in material["laws"]]
     laws += [record["viscosity"]] if record["viscosity"] else []
     if record["transport"]:

@@ -64,8 +64,11 @@ def free_surface_gauges(run) -> list[str]:
 
 
 def hit_regions(setup) -> list[str]:
-    """Names of the regions that belong to a body which a faster one runs into; all of them where nothing strikes anything."""
+    """Names of the regions that belong to a body which a faster one runs into; all of them where nothing strikes anything,
+    and in two dimensions."""
     regions = setup["regions"]
+    if "axes" in setup:
+        return [region["name"] for region in regions]
     speeds = [float(np.mean(region["velocity"])) for region in regions]
     impacts = [(a, b) for a, b in zip(range(len(regions)), range(1, len(regions))) if speeds[a] > speeds[b]]
     if not impacts:
@@ -115,7 +118,7 @@ def _ends(setup) -> list[tuple[str, str, str, tuple[str, ...]]]:
 def records(run) -> list[Record]:
     """The records of every gauge at a free surface or a window interface: bodies that were hit first,
     then gauges that the deck names, free surfaces before windows."""
-    if not run.gauge_names():
+    if not run.gauge_names() or "axes" in run.setup:     # of two dimensions no end is the free surface
         return []
     at = {gauge["name"]: str(gauge["at"]) for gauge in run.setup["gauges"]}
     hit, found = hit_regions(run.setup), []
@@ -140,7 +143,7 @@ def surface_record(run, name: str | None = None) -> Record:
     if seen:
         return seen[0]
     rows = run.arrays("snapshots")
-    if run.setup["boundaries"]["right"]["kind"] != "free" or "velocity_right" not in rows:
+    if "axes" in run.setup or run.setup["boundaries"]["right"]["kind"] != "free" or "velocity_right" not in rows:
         return Record(np.empty(0), np.empty(0), source="nothing")
     return Record(rows["time"], rows["velocity_right"][:, -1], region=run.setup["regions"][-1]["name"],
                   source="the snapshots only; a gauge at 'free surface right' would be finer")
@@ -188,7 +191,7 @@ def spall_reading(run, name: str | None = None) -> Reading:
 
     name   gauge to read; default the one on the free surface or window interface of a region that was hit and broke
     """
-    broken = spalled_regions(run)
+    broken = [] if "axes" in run.setup else spalled_regions(run)
     if not broken:
         return Reading()
     hit = [region for region in broken if region in hit_regions(run.setup)]

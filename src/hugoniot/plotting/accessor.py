@@ -1,6 +1,6 @@
 """`run.plot`: the pictures of one run by name. Every method gives matplotlib axes; `ax=` draws into yours."""
 
-from hugoniot.plotting import records
+from hugoniot.plotting import plane, records
 from hugoniot.plotting.setup import setup
 from hugoniot.plotting.xt import xt
 
@@ -23,9 +23,15 @@ class RunPlots:
         """Free-surface velocity with the pull-back marked; `delay` (s) shows it through a VISAR."""
         return records.free_surface(self._run, name, **options)
 
-    def profile(self, field: str = "stress", time=None, **options):
-        """A zone field over position at one or more times (s)."""
-        return records.profile(self._run, field, time, **options)
+    def profile(self, field: str | None = None, time=None, **options):
+        """A zone field over position at one or more times (s); of two dimensions along a line (`start`, `end`)."""
+        if "axes" in self._run.setup:
+            return plane.line_profile(self._run, field or "pressure", time, **options)
+        return records.profile(self._run, field or "stress", time, **options)
+
+    def map(self, field: str = "pressure", time=None, **options):
+        """Two dimensions: a field over the plane at one time."""
+        return plane.map_(self._run, field, time, **options)
 
     def peaks(self, field: str = "stress", **options):
         """The extreme value of a field that each zone met, over its place at t = 0."""
@@ -41,7 +47,10 @@ class RunPlots:
 
     def setup(self, **options):
         """The set-up to scale."""
+        if "axes" in self._run.setup:
+            return plane.plane_setup(self._run, **options)
         return setup(self._run, **options)
 
 
 PICTURES = ("xt", "gauge", "free_surface", "profile", "peaks", "budget", "errors", "setup")
+PLANE_PICTURES = ("map", "gauge", "profile", "budget", "errors", "setup")     # of runs of two dimensions

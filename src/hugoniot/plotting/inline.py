@@ -5,6 +5,7 @@ import re
 from collections.abc import Callable
 
 import matplotlib
+import numpy as np
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 
@@ -76,6 +77,26 @@ def _structure_tasks(run) -> dict[str, Callable[[], str]]:
     return found
 
 
+def _plane_tasks(run) -> dict[str, Callable[[], str]]:
+    """Set-up to scale, maps of the last snapshot, and what the gauges recorded, of a two-dimensional run."""
+    from hugoniot.plotting.plane import map_, plane_setup
+
+    shot, rows, found = run.arrays("snapshots"), run.arrays("gauges"), {}
+    wide = float(np.ptp(shot["position_x"])) * (2.0 if run.setup["geometry"] == "axisymmetric" else 1.0)
+    height = min(max(6.0 * float(np.ptp(shot["position_y"])) / max(wide, 1e-300), 1.6), 5.5)
+    for name in ("pressure", "plastic_strain", "burn_fraction", "speed"):
+        values = shot.get(name)
+        if name == "speed" or values is not None and np.ptp(values[-1]) > 0.0:
+            found[f"map_{name}"] = lambda f=name: svg(lambda ax, bar: map_(run, f, ax=ax, colorbar=bar), f"map-{f}".replace("_", "-"),
+                                                      7.4, height + 0.9, (0.6, 0.5, 5.7, height), (6.5, 0.5, 0.14, height))
+    found["setup"] = lambda: svg(lambda ax: plane_setup(run, ax=ax), "setup", 7.4, height + 0.7, (0.6, 0.5, 4.6, height))
+    for record in ("pressure", "velocity_x", "velocity_y", "line_velocity"):
+        if record in rows and len(rows["time"]) > 1 and np.nanmax(np.abs(rows[record]), initial=0.0) > 0.0:
+            found[f"gauge_{record}"] = lambda f=record: svg(lambda ax: records.gauge(run, f, ax=ax), f"gauge-{f}".replace("_", "-"),
+                                                            7.4, 2.6, (0.7, 0.5, 5.4, 2.0))
+    return found
+
+
 def picture_tasks(run) -> dict[str, Callable[[], str]]:
     """What draws each picture a report shows, by name, the longest first; those for which the run has no data are left out."""
     tasks: dict[str, Callable[[], str]] = {}
@@ -83,6 +104,8 @@ def picture_tasks(run) -> dict[str, Callable[[], str]]:
     def task(name, draw, *size):
         tasks[name] = lambda: svg(draw, name.replace("_", "-"), *size)
 
+    if "axes" in run.setup:
+        return _plane_tasks(run) | _budget_tasks(run)
     shot = run.arrays("snapshots")
     field = next((name for name in ("stress", "pressure", "density") if name in shot), None)
     if field and len(shot["time"]) > 1:
@@ -98,7 +121,11 @@ def picture_tasks(run) -> dict[str, Callable[[], str]]:
     seen = surface_record(run)
     if len(seen.time) and seen.velocity.max() > 0.0:
         task("free_surface", lambda ax: records.free_surface(run, ax=ax), 7.4, 2.8, (0.7, 0.5, 6.5, 2.2))
-    if len(run.arrays("budget")["time"]):
-        task("budget", lambda ax: records.budget(run, ax=ax), 7.4, 2.4, (0.7, 0.5, 5.4, 1.8))
-        task("errors", lambda ax: records.errors(run, ax=ax), 7.4, 2.0, (0.7, 0.5, 6.5, 1.45))
-    return tasks
+    return tasks | _budget_tasks(run)
+
+
+def _budget_tasks(run) -> dict[str, Callable[[], str]]:
+    if not len(run.arrays("budget")["time"]):
+        return {}
+    return {"budget": lambda: svg(lambda ax: records.budget(run, ax=ax), "budget", 7.4, 2.4, (0.7, 0.5, 5.4, 1.8)),
+            "errors": lambda: svg(lambda ax: records.errors(run, ax=ax), "errors", 7.4, 2.0, (0.7, 0.5, 6.5, 1.45))}

@@ -126,7 +126,7 @@ def _mark_pull_back(ax, found, reading, ft, fu, unit):
 def profile(run, field: str = "stress", time=None, ax=None):
     """A zone field over position at one or more times (s or "1 us"; the nearest snapshots; default the last); gives the axes."""
     rows, values = run.arrays("snapshots"), zone_field(run, "snapshots", field)
-    picked = _snapshots_at(run, rows["time"], rows["time"][-1] if time is None else time)
+    picked = snapshots_at(run, rows["time"], rows["time"][-1] if time is None else time)
     ax = ax if ax is not None else new_axes()
     left, right = rows["position_left"][picked], rows["position_right"][picked]
     unit, factor, words = field_scale(field, values[picked])
@@ -148,7 +148,7 @@ def profile(run, field: str = "stress", time=None, ax=None):
     return ax
 
 
-def _snapshots_at(run, known, wanted) -> list[int]:
+def snapshots_at(run, known, wanted) -> list[int]:
     """Index of the snapshot nearest to each wanted time (s or text, one or several); times the run did not reach are refused."""
     times = [parse(t, "s") for t in ([wanted] if isinstance(wanted, str) or not np.iterable(wanted) else wanted)]
     reach = f"its snapshots are from {format_si(known[0], 's', 4)} to {format_si(known[-1], 's', 4)}"
@@ -205,7 +205,7 @@ def budget(run, ax=None):
     for colour, (words, values) in zip(COLOURS, lines):
         ax.plot(rows["time"] * ft, values * factor, color=colour, linestyle="-" if words in _WHOLE else (0, (4, 2)))
     _time_axis(ax, rows["time"], unit_t, ft)
-    per = {"planar": "m²", "cylindrical": "(m rad)", "spherical": "sr"}[run.setup["geometry"]]
+    per = {"planar": "m²", "cylindrical": "(m rad)", "spherical": "sr", "plane": "m", "axisymmetric": "rad"}[run.setup["geometry"]]
     ax.set_ylabel(f"energy ({prefix}/{per})")
     quiet_grid(ax)
     label_lines(ax, [words for words, _ in lines], [values[-1] * factor for _, values in lines], COLOURS)

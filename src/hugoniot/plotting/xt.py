@@ -32,7 +32,7 @@ def xt(run, field: str = "stress", ax=None, window=None, times=None, limits=None
     unit_t, ft = time_scale(end)
     unit_x, fx = length_scale(high - low)
     picture = raster(time, left, right, values, size, (low, high))
-    colours, ends = _colours(field, picture.values, limits)
+    colours, ends = colours_of(field, picture.values, limits)
     unit, factor, words = field_scale(field, np.array(ends))
     image = ax.imshow(picture.values * factor, extent=(low * fx, high * fx, time[0] * ft, time[-1] * ft), origin="lower", aspect="auto",
                       cmap=colours, vmin=ends[0] * factor, vmax=ends[1] * factor, interpolation="nearest", rasterized=True)
@@ -57,7 +57,7 @@ def _extent(left, right) -> tuple[float, float]:
     return max(float(left.min()), low - (high - low)), min(float(right.max()), high + (high - low))
 
 
-def _colours(field, values, limits):
+def colours_of(field, values, limits):
     """Colour map and limits: two-sided about zero where a stress goes into tension, else from low to high."""
     good = values[np.isfinite(values)]
     low, high = limits or ((float(np.quantile(good, 0.0005)), float(np.quantile(good, 0.9995))) if good.size else (0.0, 1.0))

@@ -33,10 +33,14 @@ class HistoryTable(Table):
     values: list[Any] = Field(description="one value per time")
 
 
+def pulse_schema() -> dict:
+    """JSON Schema of a history: a number, a named pulse or a table."""
+    return {"anyOf": [{"type": "number"}, {"type": "string"}, PulseTable.model_json_schema(), HistoryTable.model_json_schema()]}
+
+
 def boundary_schema() -> dict:
     """JSON Schema of a boundary."""
-    value = {"anyOf": [{"type": "number"}, {"type": "string"}, PulseTable.model_json_schema(), HistoryTable.model_json_schema()]}
-    driven = [{"type": "object", "properties": {key: value | {"unit": unit}}, "required": [key], "additionalProperties": False}
+    driven = [{"type": "object", "properties": {key: pulse_schema() | {"unit": unit}}, "required": [key], "additionalProperties": False}
               for key, unit in DRIVEN.items()]
     return {"anyOf": [{"enum": list(PLAIN)}, *driven], "default": "free"}
 
@@ -60,11 +64,12 @@ def read_boundary(value: Any, collector: Collector, path: tuple) -> Boundary | N
         hint = "write {velocity = \"100 m/s\"} or {pressure = \"1 GPa\"}"
         collector.add(path, "a driven boundary has one of velocity and pressure", hint)
         return None
-    pulse = _pulse(value[found[0]], DRIVEN[found[0]], collector, (*path, found[0]))
+    pulse = read_pulse(value[found[0]], DRIVEN[found[0]], collector, (*path, found[0]))
     return None if pulse is None else Boundary(found[0], pulse)
 
 
-def _pulse(value: Any, unit: str, collector: Collector, path: tuple) -> Pulse | None:
+def read_pulse(value: Any, unit: str, collector: Collector, path: tuple) -> Pulse | None:
+    """The history of a driven boundary, from a number, a named pulse or a table; None after reporting what is wrong."""
     if not isinstance(value, dict):
         amplitude = _value(value, unit, collector, path)
         return None if amplitude is None else Pulse("constant", amplitude)
@@ -112,11 +117,13 @@ def _value(value: Any, unit: str, collector: Collector, path: tuple) -> float | 
 
 def boundary_value(boundary: Boundary) -> Any:
     """What a resolved deck writes for a boundary."""
-    pulse = boundary.pulse
-    if pulse is None:
-        return boundary.kind
+    return boundary.kind if boundary.pulse is None else {boundary.kind: pulse_value(boundary.pulse)}
+
+
+def pulse_value(pulse: Pulse) -> Any:
+    """What a resolved deck writes for a history."""
     if pulse.shape == "constant":
-        return {boundary.kind: pulse.amplitude}
+        return pulse.amplitude
     if pulse.shape == "table":
-        return {boundary.kind: {"times": list(pulse.times), "values": list(pulse.values)}}
-    return {boundary.kind: {"shape": pulse.shape, "amplitude": pulse.amplitude, "start": pulse.start, "duration": pulse.duration}}
+        return {"times": list(pulse.times), "values": list(pulse.values)}
+    return {"shape": pulse.shape, "amplitude": pulse.amplitude, "start": pulse.start, "duration": pulse.duration}

@@ -38,17 +38,13 @@ def read_regions(rows: Sequence, raw: Any, geometry: Any, own: dict[str, Materia
             if isinstance(name, str) and name not in own and name not in used and name not in failed:
                 failed.update({name} if from_library(name, collector, (*path, "material"), tuple(own)) is None else ())
             continue
-        _check_name(row.name, seen, i, collector, path)
-        if row.material not in used and row.material not in failed:
-            material = own[row.material] if row.material in own else from_library(row.material, collector, (*path, "material"), tuple(own))
-            if material is not None:
-                used[row.material] = replace(material, name=row.material)
-            failed.update({row.material} if material is None else ())
+        check_name(row.name, seen, i, collector, path)
+        look_up(row.material, own, used, failed, collector, (*path, "material"))
         before = len(collector.problems)
         zones = _zones(row, collector, path)
         if geometry in ("cylindrical", "spherical") and row.start < 0.0:
             collector.add((*path, "from"), f"in {geometry} geometry positions are radii and must not be negative, got {row.start:g} m")
-        _check_state(row, used.get(row.material), collector, path)
+        check_state(row, used.get(row.material), collector, path)
         if zones is not None and len(collector.problems) == before:
             values = row.model_dump(exclude={"zone_size", "zones"})
             found.append((Region(**values, zones=zones), i))
@@ -56,12 +52,25 @@ def read_regions(rows: Sequence, raw: Any, geometry: Any, own: dict[str, Materia
     return _without_overlap(found, collector, warnings), used
 
 
-def _check_name(name: str, seen: dict[str, int], i: int, collector: Collector, path: tuple) -> None:
+def look_up(name: str, own: dict[str, Material | None], used: dict[str, Material], failed: set[str], collector: Collector,
+            path: tuple) -> None:
+    """Put a material of the deck or of the library into `used`, or its name into `failed` after reporting why; each is asked for once."""
+    if name in used or name in failed:
+        return
+    material = own[name] if name in own else from_library(name, collector, path, tuple(own))
+    if material is None:
+        failed.add(name)
+    else:
+        used[name] = replace(material, name=name)
+
+
+def check_name(name: str, seen: dict[str, int], i: int, collector: Collector, path: tuple, kept: str = "/:") -> None:
+    """Report a name that stands twice or cannot be one; `seen` holds the indices of those met, `kept` characters with a meaning."""
     if name in seen:
-        collector.add((*path, "name"), f"region {seen[name] + 1} is called '{printable(name)}' too", "names must differ")
+        collector.add((*path, "name"), f"{path[0]} {seen[name] + 1} is called '{printable(name)}' too", "names must differ")
     seen.setdefault(name, i)
-    if name != name.strip() or not name.isprintable() or any(c in name for c in "/:"):
-        hint = "use printable characters, no '/' or ':', no blanks at the ends"
+    if name != name.strip() or not name.isprintable() or any(c in name for c in kept):
+        hint = f"use printable characters, no {' or '.join(repr(c) for c in kept)}, no blanks at the ends"
         collector.add((*path, "name"), f"'{printable(name)}' cannot be a name", hint)
 
 
@@ -100,7 +109,8 @@ def _zones(row: Any, collector: Collector, path: tuple) -> int | None:
     return zones
 
 
-def _check_state(row: Any, material: Material | None, collector: Collector, path: tuple) -> None:
+def check_state(row: Any, material: Material | None, collector: Collector, path: tuple) -> None:
+    """Report an initial state (density, pressure, temperature, energy of a row) that its material cannot be in."""
     given = {key: value for key in _STATE if (value := getattr(row, key)) is not None}
     if len(given) > 2:
         collector.add((*path, list(given)[-1]), f"{', '.join(given)} over-determine the state", "give at most two of them")

@@ -3,7 +3,7 @@
 import re
 import tomllib
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -79,7 +79,7 @@ def read_deck_text(text: str, name: str = "deck", overrides: dict[str, Any] | No
         problems = sorted(collector.problems, key=lambda p: (p.line or 0))
         raise DeckError(problems)
     if not problem.title:
-        problem = type(problem)(**{**problem.__dict__, "title": Path(name).stem})
+        problem = replace(problem, title=Path(name).stem)
     marked = [f"material '{n}': {w}" for n, m in getattr(problem, "materials", {}).items() for w in getattr(m, "warnings", ())]
     return Deck(problem, write_deck(problem, kind), (*warnings, *marked), text, name)
 
@@ -132,9 +132,10 @@ def _materials(raw: dict, collector: Collector) -> dict:
 
 
 def _own_materials(raw: dict, places: Sequence[str | Path], beside: Path | None) -> dict:
-    """Materials from users' own files that the deck's regions ask for."""
-    rows, tables = raw.get("region", ()), raw.get("material", {})
-    names = [r["material"] for r in rows if isinstance(r, dict) and isinstance(r.get("material"), str)] if isinstance(rows, list) else []
+    """Materials from users' own files that the deck's regions or blocks ask for."""
+    tables = raw.get("material", {})
+    rows = [row for key in ("region", "block") if isinstance(raw.get(key), list) for row in raw[key]]
+    names = [row["material"] for row in rows if isinstance(row, dict) and isinstance(row.get("material"), str)]
     return for_deck(dict.fromkeys(names), tables if isinstance(tables, dict) else (), places, beside)
 
 

@@ -67,16 +67,26 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
 
 def advice(problem: Problem) -> list[str]:
     """What is allowed but seldom meant: fronts products would not drive, burn laws of another density, lighting that comes too late."""
-    told = [f"material '{name}' has no burn law: {', '.join(idle)} of it {'is' if len(idle) == 1 else 'are'} not used"
-            for name in dict.fromkeys(region.material for region in problem.regions) if (idle := _idle(problem.materials[name]))]
-    told += [f"lighting point {k + 1} is lit at {format_si(point.time, 's')}, after the run has ended" for k, point in
+    said = material_advice(problem)
+    said += [f"lighting point {k + 1} is lit at {format_si(point.time, 's')}, after the run has ended" for k, point in
              enumerate(problem.lighting) if point.time > problem.stop_time]
-    told += [text for body in programmed_bodies(problem) if (text := _converging_advice(problem, body))]
+    said += [text for body in programmed_bodies(problem) if (text := _converging_advice(problem, body))]
     for region in problem.regions:
         if burns(problem, region):
-            sentences = _front_advice(problem, region), _density_advice(problem, region), _heat_advice(problem.materials[region.material])
-            told += [text for text in sentences if text and text not in told]
-    return told
+            said += [text for text in region_advice(problem, region) if text not in said]
+    return said
+
+
+def material_advice(problem) -> list[str]:
+    """Of every material without a burn law what it gives in vain."""
+    return [f"material '{name}' has no burn law: {', '.join(idle)} of it {'is' if len(idle) == 1 else 'are'} not used"
+            for name in dict.fromkeys(region.material for region in problem.regions) if (idle := _idle(problem.materials[name]))]
+
+
+def region_advice(problem, region) -> list[str]:
+    """Of a region that burns what its front, its density and its chemical energy have of their own, in sentences."""
+    sentences = _front_advice(problem, region), _density_advice(problem, region), _heat_advice(problem.materials[region.material])
+    return [text for text in sentences if text]
 
 
 def _idle(material) -> list[str]:

@@ -64,6 +64,9 @@ def _times(value: Any) -> float | tuple[float, ...]:
 _one_or_more = {"anyOf": [{"type": "number"}, {"type": "string"}, {"type": "array", "items": {"type": ["number", "string"]}}]}
 
 
+Snapshots = Annotated[Any, BeforeValidator(_times), WithJsonSchema(_one_or_more | {"unit": "s"})]
+
+
 class RegionTable(Table):
     """A contiguous piece of one material at t = 0, divided into zones."""
 
@@ -141,7 +144,7 @@ class SolverTable(Table):
 class OutputTable(Table):
     """What is kept."""
 
-    snapshots: Annotated[Any, BeforeValidator(_times), WithJsonSchema(_one_or_more | {"unit": "s"})] = Field(
+    snapshots: Snapshots = Field(
         None, description="interval between snapshots, or their times (default: a hundredth of stop_time)")
     fields: list[str] = Field(default_factory=list, max_length=50, description="fields of a snapshot (default: the solver's set)")
     gauge_interval: Annotated[float, Quantity("s", least=0.0)] = Field(0.0, description="time between gauge samples; 0: every cycle")

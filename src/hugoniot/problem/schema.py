@@ -15,6 +15,8 @@ from hugoniot.laws import mixture, viscosity  # noqa: F401  (enrols the laws)
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.units import UnitError, parse
 
+_ARRAYS = ("region", "block", "boundary", "gauge", "interface", "lighting")   # tables that a deck may repeat
+
 
 class Table(BaseModel):
     """A table of a deck: unknown keys and values of another type are errors."""
@@ -109,7 +111,7 @@ def _in_words(item: Mapping, model: type[BaseModel]) -> tuple[str, str]:
              "dict_type": "expected a table", "model_type": "expected a table", "tuple_type": "expected an array"}
     if kind in words:
         name = location[-1] if location else ""
-        hint = f"write [[{name}]] above its keys" if kind == "list_type" and name in ("region", "gauge", "interface") else ""
+        hint = f"write [[{name}]] above its keys" if kind == "list_type" and name in _ARRAYS else ""
         return f"{words[kind]}, got {shown}", hint
     bounds = {"greater_than": ("greater than", "gt"), "greater_than_equal": ("at least", "ge"), "less_than_equal": ("at most", "le"),
               "less_than": ("less than", "lt")}

@@ -49,6 +49,14 @@ _CAPTIONS = {
     "structure_terms": "The steady wave: fields as parts of their jumps; energies per volume in the frame of the shock; viscous stress "
                        "and heat flux; the terms that balance in momentum and in energy, times the density thickness δ; entropy and its "
                        "production, whose area over x/δ is one.",
+    "map_pressure": "Pressure at the end of the run; of axisymmetric geometry both halves. Lines are outlines and interfaces.",
+    "map_plastic_strain": "Equivalent plastic strain at the end of the run.",
+    "map_burn_fraction": "Burn fraction at the end of the run.",
+    "map_speed": "Speed of the material at the end of the run.",
+    "gauge_pressure": "Pressure at the gauges.",
+    "gauge_velocity_x": "Velocity along the first coordinate at the gauges.",
+    "gauge_velocity_y": "Velocity along the second coordinate at the gauges.",
+    "gauge_line_velocity": "Velocity at which the surface crosses the lines of sight.",
     "setup": "Regions at t = 0 to scale; triangles are gauges.",
     "wave": "Longitudinal stress over position and time: compression red, tension blue, no material blank. "
             "Dotted lines are gauges. At the snapshots the field is as computed; between them waves are carried along "
@@ -97,7 +105,7 @@ def page(run: Run, drawn: Callable = one_by_one) -> str:
     cautions = "".join(f'<p class="warning">{text(words)}</p>' for words in sections.warnings(run))
     title = text(setup["title"])
     deck = f"<pre>{text(run.deck)}</pre><p class=quiet>SHA-256 {text(summary['deck_sha256'])}</p>"
-    solver = setup["solver"]["kind"] + (f" ({setup['solver']['integrator']})" if setup["solver"]["kind"] == "lagrange1d" else "")
+    solver = setup["solver"]["kind"] + (f" ({setup['solver']['integrator']})" if setup["solver"]["kind"].startswith("lagrange") else "")
     intro = (f"{text(setup['geometry'])}, solver {text(solver)}, "
              f"hugoniot {text(setup['version'])}; status: {text(summary['status'])}")
     return "".join([
@@ -108,7 +116,8 @@ def page(run: Run, drawn: Callable = one_by_one) -> str:
         _section("Set-up", _figure(pictures, "setup")),
         _section("Shock structure", sections.structure(summary), _figure(pictures, "structure"), _figure(pictures, "structure_terms")),
         _section("Wave diagram", _figure(pictures, "wave")),
-        _section("Gauge records", _figure(pictures, "gauge_stress"), _figure(pictures, "gauge_velocity")),
+        _section("Maps", *(_figure(pictures, name) for name in pictures if name.startswith("map_"))),
+        _section("Gauge records", *(_figure(pictures, name) for name in _CAPTIONS if name.startswith("gauge_"))),
         _section("Free surface" if seen.kind == SURFACE else "Window interface",
                  _figure(pictures, "free_surface", f" Recorded by: {seen.source}. {_spall_words(spall_numbers(run))}")),
         _section("Energy and momentum", _figure(pictures, "budget"), _figure(pictures, "errors")),

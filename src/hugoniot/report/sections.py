@@ -157,6 +157,10 @@ def numerics(setup: dict) -> str:
     known = known if solver["kind"] == "lagrange1d" else {"kind": "solver"}
     given = [(key, label) for key, label in known.items() if solver.get(key) is not None]
     rows = [(label, number(solver[key], "s" if key.endswith("step") else "")) for key, label in given]
+    if solver["kind"] == "lagrange2d":
+        own = ("kind", "initial_step", "largest_step", "max_cycles")
+        rows = [(text(key), number(value)) for key, value in _flat({k: v for k, v in solver.items() if k not in own and v is not None})]
+        rows.insert(0, ("solver", "lagrange2d"))
     options = {key: value for key, value in (solver.get("options") or {}).items() if key != "transport" or not setup.get("transport")}
     rows += [(text(key), number(value, _SHOCK_UNITS.get(key, ""))) for key, value in _flat(options)]
     parts = [table(("setting", "value"), rows)]

@@ -1,0 +1,30 @@
+"""hugoniot animate: a film of a two-dimensional run."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+
+def command(
+    folder: Annotated[Path, typer.Argument(help="The run folder.")],
+    field: Annotated[str, typer.Argument(help="Field, such as pressure, speed or von_mises.")] = "pressure",
+    out: Annotated[Path | None, typer.Option("--out", "-o", help="File: .gif or .mp4 (default: a .gif in the run folder).")] = None,
+    fps: Annotated[float, typer.Option("--fps", min=0.1, max=120.0, help="Frames per second.")] = 12.0,
+    every: Annotated[int, typer.Option("--every", min=1, help="Take each so many snapshots.")] = 1,
+    mesh: Annotated[bool, typer.Option("--mesh", help="Draw the lines of the mesh.")] = False,
+    mirror: Annotated[bool, typer.Option("--mirror/--no-mirror", help="Axisymmetric: show the other half too.")] = True,
+) -> None:
+    """Write a film of a two-dimensional run, a frame per snapshot.
+
+    Example: hugoniot animate taylor.run plastic_strain --out taylor.mp4
+    """
+    from hugoniot.output.atomic import explained
+    from hugoniot.plotting import load
+    from hugoniot.plotting.animate import animate
+
+    path = out or folder / f"{field}.gif"
+    run = load(folder)
+    with explained(path, "no film is written"):
+        frames = animate(run, field, path, fps, every, mesh=mesh, mirror=mirror)
+    typer.echo(f"wrote {path}, {frames} frames")

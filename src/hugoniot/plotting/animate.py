@@ -1,0 +1,72 @@
+"""A two-dimensional run as a film: one map per snapshot, all on the same axes and with the same colours."""
+
+import pathlib
+
+import matplotlib
+import numpy as np
+from matplotlib import animation
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from hugoniot.errors import DeckError
+from hugoniot.plotting.plane import map_, needs_plane, plane_field
+from hugoniot.plotting.style import RC, length_scale
+from hugoniot.plotting.xt import colours_of
+
+WRITERS = {".gif": "pillow", ".mp4": "ffmpeg"}
+MOST_FRAMES = 300
+
+
+def animate(run, field: str, path, frames_per_second: float = 12.0, every: int = 1, **options) -> int:
+    """Write a film (.gif or .mp4) of a field; gives the number of frames. `options` are those of `plane.map_`.
+
+    every   take each `every`-th snapshot
+    Raises `DeckError` for a file of another kind, for too many frames, and for an .mp4 where ffmpeg is not installed.
+    """
+    needs_plane(run, "film")
+    path = pathlib.Path(path)
+    writer = _writer(path, frames_per_second)
+    rows = run.arrays("snapshots")
+    taken = list(range(0, len(rows["time"]), every))
+    if len(taken) > MOST_FRAMES:
+        hint = f"take --every {-(-len(rows['time']) // MOST_FRAMES)} or more"
+        raise DeckError.single("animate", None, "--every", f"{len(taken)} frames are too many", hint)
+    values = np.concatenate([plane_field(run, field, k) for k in taken])
+    _, limits = colours_of(field, values, None)
+    options = {"limits": limits, "mesh": False, **options}
+    box = _window(run, taken, options.get("mirror", True))
+    with matplotlib.rc_context({**RC, "savefig.dpi": 110}):
+        figure = Figure(figsize=(6.4, 4.8))
+        FigureCanvasAgg(figure)
+        with writer.saving(figure, str(path), 110):
+            for k in taken:
+                figure.clear()
+                ax, bar = figure.add_axes((0.12, 0.12, 0.68, 0.8)), figure.add_axes((0.84, 0.16, 0.025, 0.7))
+                map_(run, field, rows["time"][k], ax=ax, colorbar=bar, **options)
+                ax.set_xlim(box[0])
+                ax.set_ylim(box[1])
+                writer.grab_frame()
+    return len(taken)
+
+
+def _writer(path: pathlib.Path, frames_per_second: float):
+    kind = WRITERS.get(path.suffix.lower())
+    if kind is None:
+        raise DeckError.single("animate", None, "--out", f"cannot write a film named '{path.name}'", "end its name with .gif or .mp4")
+    if not animation.writers.is_available(kind):
+        raise DeckError.single("animate", None, "--out", f"{path.suffix} needs the program ffmpeg, which is not installed",
+                               "install ffmpeg, or write a .gif")
+    return animation.writers[kind](fps=frames_per_second)
+
+
+def _window(run, taken, mirror: bool):
+    """Limits of both axes, in the units of the pictures, that hold every frame."""
+    rows = run.arrays("snapshots")
+    x, y = rows["position_x"], rows["position_y"]
+    fx = length_scale(max(float(np.ptp(x)), float(np.ptp(y))))[1]
+    low, high = float(x[taken].min()) * fx, float(x[taken].max()) * fx
+    if mirror and run.setup["geometry"] == "axisymmetric":
+        low = -high
+    bottom, top = float(y[taken].min()) * fx, float(y[taken].max()) * fx
+    margin = 0.03 * max(high - low, top - bottom)
+    return (low - margin, high + margin), (bottom - margin, top + margin)

@@ -1,0 +1,258 @@
+"""Pictures of two-dimensional runs: maps of a field, profiles along a line, the set-up to scale."""
+
+import difflib
+
+import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+
+from hugoniot.diagnostics.stress2d import DERIVED, derived_field
+from hugoniot.errors import DeckError
+from hugoniot.mesh.locate import find_zone
+from hugoniot.plotting.records import snapshots_at
+from hugoniot.plotting.style import COLOURS, INK, QUIET, field_scale, labelled, length_scale, new_axes, quiet_grid, styled, time_scale
+from hugoniot.plotting.xt import colours_of
+
+_NODAL = ("velocity_x", "velocity_y", "speed")
+MESH_LINES = 2_000       # zones: the lines of a finer mesh would hide what they bound
+MOST_VECTORS = 20_000    # zones drawn one by one in files that keep lines as lines
+
+
+def needs_plane(run, picture: str) -> None:
+    """Refuse a picture of two dimensions for a run of one."""
+    if "axes" not in run.setup:
+        raise DeckError.single(run.folder, None, "kind", f"a {picture} needs a two-dimensional run", "this run has one dimension; take xt")
+
+
+def plane_field(run, field: str, k) -> np.ndarray:
+    """A zone field of snapshot k: kept, derived from stress, or the mean of a zone's nodes. `DeckError` names those there are."""
+    rows = run.arrays("snapshots")
+    corners = run.arrays("mesh")["zone_nodes"]
+    if field == "speed" and "velocity_x" in rows:
+        return np.hypot(rows["velocity_x"][k], rows["velocity_y"][k])[..., corners].mean(axis=-1)
+    if field in DERIVED and "deviator_zz" in rows:
+        return derived_field(field, {name: values[k] for name, values in rows.items() if name.startswith("deviator")})
+    if field in _NODAL and field in rows:
+        return rows[field][k][..., corners].mean(axis=-1)
+    known = [name for name, values in rows.items() if values.ndim == 2 and values.shape[1] == len(corners)]
+    if field in known:
+        return rows[field][k]
+    known += [*_NODAL, *(DERIVED if "deviator_zz" in rows else ())]
+    near = difflib.get_close_matches(str(field), known, n=1)
+    hint = f"did you mean '{near[0]}'?" if near else f"it has: {', '.join(known)}"
+    raise DeckError.single(run.folder, None, "field", f"the snapshots of this run hold no '{field}'", hint)
+
+
+def borders(corners: np.ndarray, block_of: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Node pairs (n, 2) of the outline, and of the interfaces between blocks."""
+    edges = np.concatenate([corners[:, [k, (k + 1) % 4]] for k in range(4)])
+    owner = np.tile(block_of, 4)
+    order = np.lexsort(np.sort(edges, axis=1).T[::-1])
+    ordered, owner = np.sort(edges, axis=1)[order], owner[order]
+    twin = (ordered[1:] == ordered[:-1]).all(axis=1)
+    single = ~(np.append(twin, False) | np.append(False, twin))
+    between = np.append(twin & (owner[1:] != owner[:-1]), False)
+    return ordered[single], ordered[between]
+
+
+@styled
+def map_(run, field: str = "pressure", time=None, mesh: bool | None = None, mirror: bool = True, contours: int = 0, limits=None,
+         window=None, ax=None, colorbar=True):
+    """A field over the plane at one time, with outline and interfaces; gives the axes.
+
+    time       s or "1.2 us": the nearest snapshot (default the last)
+    mesh       whether the lines of the mesh are drawn (default: of no more than 2 000 zones)
+    mirror     axisymmetric: the other half of the body on the left
+    contours   number of contour lines; 0 for none
+    window     (lowest, highest) x (or r) in m to show
+    limits     (lowest, highest) value of the colour scale in SI; default from the data
+    colorbar   True, or axes to draw it in, or False
+    """
+    needs_plane(run, "map")
+    rows = run.arrays("snapshots")
+    k = snapshots_at(run, rows["time"], rows["time"][-1] if time is None else time)[0]
+    values = plane_field(run, field, k)
+    ax = ax if ax is not None else new_axes(*_size(run, k, mirror))
+    image, factor = _draw_zones(run, ax, k, values, field, mesh, mirror, limits)
+    if contours:
+        _draw_contours(run, ax, k, values, contours, mirror)
+    _finish(run, ax, mirror)
+    if window is not None:
+        ax.set_xlim(*(edge * _scale(run)[1] for edge in window))
+    unit_t, ft = time_scale(rows["time"][-1])
+    ax.set_title(f"t = {rows['time'][k] * ft:.4g} {unit_t}", loc="left")
+    if colorbar is not False:
+        unit, _, words = field_scale(field, np.array(image.get_clim()) / factor)
+        where = {"cax": colorbar} if colorbar is not True else {"ax": ax, "pad": 0.02, "shrink": 0.85}
+        bar = ax.get_figure().colorbar(image, **where)
+        bar.set_label(labelled(words, unit))
+        bar.outline.set_visible(False)
+    return ax
+
+
+def _size(run, k, mirror: bool, height: float = 4.8) -> tuple[float, float]:
+    """Width and height (inches) of a figure for the body of snapshot k, with room for a colour bar."""
+    rows = run.arrays("snapshots")
+    wide = float(np.ptp(rows["position_x"][k])) * len(_halves(run, mirror))
+    return min(max(height * wide / max(float(np.ptp(rows["position_y"][k])), 1e-300) + 1.8, 3.4), 8.0), height
+
+
+def _halves(run, mirror: bool) -> tuple[float, ...]:
+    return (1.0, -1.0) if mirror and run.setup["geometry"] == "axisymmetric" else (1.0,)
+
+
+def _scale(run) -> tuple[str, float]:
+    rows = run.arrays("snapshots")
+    return length_scale(max(float(np.ptp(rows[name])) for name in ("position_x", "position_y")))
+
+
+def _draw_zones(run, ax, k, values, field, mesh, mirror, limits):
+    rows, topology = run.arrays("snapshots"), run.arrays("mesh")
+    corners = topology["zone_nodes"]
+    _, fx = _scale(run)
+    places = np.stack([rows["position_x"][k], rows["position_y"][k]], axis=1) * fx
+    colours, ends = colours_of(field, values, limits)
+    _, factor, _ = field_scale(field, np.array(ends))
+    lines = mesh if mesh is not None else len(corners) <= MESH_LINES
+    image = None
+    for side in _halves(run, mirror):
+        part = places * [side, 1.0]
+        style = {"edgecolors": INK, "linewidths": 0.2} if lines else {"edgecolors": "face", "linewidths": 0.1}
+        image = PolyCollection(part[corners], array=values * factor, cmap=colours, rasterized=len(corners) > MOST_VECTORS, **style)
+        image.set_clim(ends[0] * factor, ends[1] * factor)
+        ax.add_collection(image)
+        outline, interface = borders(corners, topology["block_of"])
+        ax.add_collection(LineCollection(part[outline], colors=INK, linewidths=0.8))
+        ax.add_collection(LineCollection(part[interface], colors=INK, linewidths=0.8))
+    return image, factor
+
+
+def _draw_contours(run, ax, k, values, count, mirror):
+    """Lines of equal value, of the field carried to the nodes as the mean of the zones about them."""
+    from matplotlib.tri import Triangulation
+
+    rows, corners = run.arrays("snapshots"), run.arrays("mesh")["zone_nodes"]
+    _, fx = _scale(run)
+    about = np.bincount(corners.ravel(), minlength=rows["position_x"].shape[1])
+    nodal = np.bincount(corners.ravel(), weights=np.repeat(values, 4), minlength=len(about)) / np.maximum(about, 1)
+    triangles = np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])
+    if not np.isfinite(nodal).all() or np.ptp(nodal) == 0.0:
+        return
+    levels = np.linspace(nodal.min(), nodal.max(), count + 2)[1:-1]
+    for side in _halves(run, mirror):
+        grid = Triangulation(side * rows["position_x"][k] * fx, rows["position_y"][k] * fx, triangles)
+        ax.tricontour(grid, nodal, levels=levels, colors=INK, linewidths=0.6)
+
+
+def _finish(run, ax, mirror) -> None:
+    axes = run.setup["axes"]
+    unit, _ = _scale(run)
+    ax.set_aspect("equal")
+    ax.autoscale_view()
+    if len(_halves(run, mirror)) == 2:
+        ax.axvline(0.0, color=QUIET, linewidth=0.6, linestyle=(0, (8, 3, 1, 3)))
+        ax.xaxis.set_major_formatter(lambda value, _: f"{abs(value):g}")
+    ax.set_xlabel(labelled(axes[0], unit))
+    ax.set_ylabel(labelled(axes[1], unit))
+
+
+@styled
+def line_profile(run, field: str = "pressure", time=None, start=None, end=None, ax=None):
+    """A zone field along the straight line from `start` to `end` ((x, y), m; default: along y at the least x) at one or more times.
+
+    A zone gives its value between the places where the line enters and leaves it, sampled at 400 points; gaps are left open.
+    """
+    needs_plane(run, "profile along a line")
+    rows, corners = run.arrays("snapshots"), run.arrays("mesh")["zone_nodes"]
+    picked = snapshots_at(run, rows["time"], rows["time"][-1] if time is None else time)
+    x, y = rows["position_x"], rows["position_y"]
+    edge = x[0].min() + 1e-6 * np.ptp(x[0])
+    start = np.array((edge, y[picked].min()) if start is None else start, dtype=float)
+    end = np.array((edge, y[picked].max()) if end is None else end, dtype=float)
+    length = float(np.hypot(*(end - start)))
+    if length == 0.0:
+        raise DeckError.single(run.folder, None, "--from", "the line has no length", "give two different points")
+    ax = ax if ax is not None else new_axes()
+    place = np.linspace(0.0, length, 400)
+    points = start[:, None] + (end - start)[:, None] * (place / length)
+    found = [_along(np.stack([x[k], y[k]]), corners, points, plane_field(run, field, k)) for k in picked]
+    if not np.isfinite(found).any():
+        raise DeckError.single(run.folder, None, "--from", "the line meets no material", "positions are those of the snapshot's time")
+    unit, factor, words = field_scale(field, np.array(found)[np.isfinite(found)])
+    unit_x, fx = length_scale(length)
+    unit_t, ft = time_scale(rows["time"][-1])
+    for n, k in enumerate(picked):
+        ax.plot(place * fx, found[n] * factor, color=COLOURS[n % len(COLOURS)], label=f"{rows['time'][k] * ft:.4g} {unit_t}")
+    ax.set_xlabel(labelled(f"distance from ({start[0] * fx:.4g}, {start[1] * fx:.4g})", unit_x))
+    ax.set_ylabel(labelled(words, unit))
+    quiet_grid(ax)
+    if len(picked) == 1:
+        ax.set_title(f"t = {rows['time'][picked[0]] * ft:.4g} {unit_t}", loc="left")
+    else:
+        ax.legend(frameon=False, fontsize=8.5)
+    return ax
+
+
+def _along(nodes, corners, points, values) -> np.ndarray:
+    """The value of the zone that holds each point (2, n); NaN outside."""
+    found = np.full(points.shape[1], np.nan)
+    low, high = nodes[:, corners].min(axis=2), nodes[:, corners].max(axis=2)
+    near = np.flatnonzero(((high >= points.min(axis=1)[:, None]) & (low <= points.max(axis=1)[:, None])).all(axis=0))
+    for n, point in enumerate(points.T):
+        place = find_zone(nodes, corners[near], point) if len(near) else None
+        if place is not None:
+            found[n] = values[near[place[0]]]
+    return found
+
+
+@styled
+def plane_setup(run, ax=None):
+    """The blocks at t = 0 to scale, coloured by material, with boundaries, gauges and detonators; gives the axes."""
+    needs_plane(run, "set-up of blocks")
+    ax = ax if ax is not None else new_axes(6.4, 4.4)
+    record, rows, topology = run.setup, run.arrays("snapshots"), run.arrays("mesh")
+    unit, fx = _scale(run)
+    places = np.stack([rows["position_x"][0], rows["position_y"][0]], axis=1) * fx
+    corners, block_of = topology["zone_nodes"], topology["block_of"]
+    names = list(dict.fromkeys(region["material"] for region in record["regions"]))
+    for n, region in enumerate(record["regions"]):
+        mine = block_of == n
+        colour = COLOURS[names.index(region["material"]) % len(COLOURS)]
+        ax.add_collection(PolyCollection(places[corners[mine]], facecolors=colour, edgecolors=INK if mine.sum() <= MESH_LINES else "face",
+                                         linewidths=0.15, alpha=0.38))
+        ni, nj = region["zones"]
+        label = f"{region['name']}: {region['material']}, {ni} x {nj} zones"
+        ax.plot([], [], marker="s", linestyle="", color=colour, alpha=0.5, label=label)
+        if len(record["regions"]) > 1:
+            middle = places[corners[mine].reshape(ni, nj, 4)[ni // 2, nj // 2]].mean(axis=0)
+            paper = {"facecolor": "white", "alpha": 0.6, "linewidth": 0.0}
+            ax.text(*middle, region["name"], ha="center", va="center", fontsize=8, bbox=paper)
+    outline, interface = borders(corners, block_of)
+    ax.add_collection(LineCollection(places[np.concatenate([outline, interface])], colors=INK, linewidths=0.8))
+    _mark_edges_and_places(ax, record, fx)
+    ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), frameon=False, fontsize=8, handletextpad=0.3)
+    ax.set_aspect("equal")
+    ax.autoscale_view()
+    ax.set_xlabel(labelled(record["axes"][0], unit))
+    ax.set_ylabel(labelled(record["axes"][1], unit))
+    return ax
+
+
+def _mark_edges_and_places(ax, record, fx) -> None:
+    """Boundaries that are not free, gauges and detonators."""
+    for name, boundary in record["boundaries"].items():
+        if boundary["kind"] != "free":
+            edges = np.array(record["chains"][name]) * fx
+            axis = boundary["kind"] == "axis"
+            style = {"colors": QUIET, "linestyles": (0, (8, 3, 1, 3))} if axis else {"colors": COLOURS[1]}
+            ax.add_collection(LineCollection(edges, linewidths=2.0, **style))
+            ax.annotate(boundary["kind"], edges[len(edges) // 2].mean(axis=0), fontsize=7.5, color=QUIET, ha="center", va="bottom")
+    for gauge in record["gauges"]:
+        if gauge["kind"] == "slit":
+            ax.axline(np.array(gauge["at"]) * fx, np.array(gauge["at"]) * fx + gauge["direction"], color=INK, linewidth=0.7,
+                      linestyle=(0, (4, 3)))
+            ax.annotate(gauge["name"], np.array(gauge["at"]) * fx, xytext=(4, 3), textcoords="offset points", fontsize=7.5)
+        elif gauge["at"] is not None:
+            ax.plot(*(np.array(gauge["at"]) * fx), marker="^", color=INK, markersize=4)
+            ax.annotate(gauge["name"], np.array(gauge["at"]) * fx, xytext=(4, 3), textcoords="offset points", fontsize=7.5)
+    for point in record["lighting"]:
+        ax.plot(*(np.array(point["at"]) * fx), marker="*", color=COLOURS[1], markersize=8)

@@ -1,0 +1,49 @@
+"""Explosives of a two-dimensional problem: what is wrong with their laws and lighting, and what is seldom meant."""
+
+import numpy as np
+
+from hugoniot.errors import HugoniotError
+from hugoniot.materials import burning
+from hugoniot.problem.explosives import burns, material_advice, region_advice
+from hugoniot.problem.plane.lighting import bodies, holds, unlit
+from hugoniot.problem.plane.model import Problem2D
+from hugoniot.units import format_si
+
+
+def defects(problem: Problem2D) -> list[tuple[tuple, str, str]]:
+    """(place in the deck, message, way out) of everything wrong with the explosives of a problem."""
+    found: list[tuple[tuple, str, str]] = []
+    for name in dict.fromkeys(block.material for block in problem.blocks if burns(problem, block)):
+        try:
+            burning.reactive(problem.materials[name])
+        except HugoniotError as error:
+            message, _, hint = str(error).partition("; ")
+            found.append((("material", name, "burn"), message, hint))
+    return found or _lighting_defects(problem)
+
+
+def _lighting_defects(problem: Problem2D) -> list[tuple[tuple, str, str]]:
+    lit = bodies(problem)
+    names = ", ".join(f"'{problem.blocks[k].name}'" for body in lit for k in body.blocks)
+    found = []
+    for k, point in enumerate(problem.lighting):
+        for key, place in (("at", point.at), ("to", point.to)):
+            if place is not None and not any(holds(problem.mesh, body, np.array(place)) for body in lit):
+                found.append((("lighting", k, key), f"no explosive with programmed burn at ({place[0]:g}, {place[1]:g}) m",
+                              f"move it into {names}" if names else "no material of this problem has a programmed burn law"))
+    for body in unlit(problem, lit) if not found else ():
+        names = ", ".join(f"'{problem.blocks[k].name}'" for k in body.blocks)
+        hint = "add [[lighting]] there, or let it touch an explosive that is lit"
+        found.append((("lighting",), f"no detonation front reaches {names}", hint))
+    return found
+
+
+def advice(problem: Problem2D) -> list[str]:
+    """What is allowed but seldom meant, as `problem.explosives.advice`."""
+    said = material_advice(problem)
+    said += [f"lighting point {k + 1} is lit at {format_si(point.time, 's')}, after the run has ended" for k, point in
+             enumerate(problem.lighting) if point.time > problem.stop_time]
+    for block in problem.blocks:
+        if burns(problem, block):
+            said += [text for text in region_advice(problem, block) if text not in said]
+    return said
