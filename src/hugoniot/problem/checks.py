@@ -187,6 +187,7 @@ def read_interfaces(rows: Sequence, regions: tuple[Region, ...], collector: Coll
 def read_gauges(rows: Sequence, regions: tuple[Region, ...], collector: Collector) -> tuple[Gauge, ...]:
     """Gauges, each at a place that exists."""
     found: dict[str, Gauge] = {}
+    known = _places(regions)
     for i, row in enumerate(rows):
         if row is None:
             continue
@@ -196,11 +197,17 @@ def read_gauges(rows: Sequence, regions: tuple[Region, ...], collector: Collecto
         elif row.name != row.name.strip() or not row.name.isprintable():
             collector.add((*path, "name"), f"'{printable(row.name)}' cannot be a name", "use printable characters, no blanks at the ends")
         if regions:
-            wrong = _wrong_place(row.at, regions)
+            wrong = None if row.at in known else _wrong_place(row.at, regions)
             if wrong:
                 collector.add((*path, "at"), *wrong)
         found.setdefault(row.name, Gauge(row.name, row.at))
     return tuple(found.values())
+
+
+def _places(regions: tuple[Region, ...]) -> set[float | str]:
+    """The places with a name at which a gauge may sit."""
+    touching = {f"{a.name}/{b.name}" for a, b in zip(regions, regions[1:])}
+    return {"free surface left", "free surface right"} | touching | {f"{r.name}:{side}" for r in regions for side in ("left", "right")}
 
 
 def _wrong_place(at: float | str, regions: tuple[Region, ...]) -> tuple[str, str] | None:
