@@ -21,7 +21,9 @@ class DeckProblem:
 
     def __str__(self) -> str:
         place = f"{self.file}:{self.line}" if self.line else self.file
-        return f"{place}: {self.key}: {self.message}" + (f"; {self.hint}" if self.hint else "")
+        text = f"{place}: {self.key}: {self.message}" + (f"; {self.hint}" if self.hint else "")
+        # what a user's file says may hold characters that a terminal would obey
+        return text if text.isprintable() else "".join(c if c.isprintable() else f"\\x{ord(c):02x}" for c in text)
 
 
 class DeckError(HugoniotError):

@@ -31,20 +31,23 @@ class Finding(NamedTuple):
         return self.state in (CHANGED, MISSING)
 
 
-def verify(folder) -> list[Finding]:
-    """A finding for every file of a finished, failed or unfinished run. Raises `FileTrouble` if there is no run folder."""
+def verify(folder, survey: bool = True) -> list[Finding]:
+    """A finding for every file of a finished, failed or unfinished run. Raises `FileTrouble` if there is no run folder.
+
+    survey   look which columns of a changed result can still be read, in a process of its own
+    """
     folder = pathlib.Path(folder)
     if not folder.is_dir():
         raise FileTrouble(f"{folder}: there is no such run folder")
     if (folder / "summary.json").exists() or (folder / "result.h5").exists():
-        return _finished(folder)
+        return _finished(folder, survey)
     found = _unfinished(folder) + _failed(folder)
     if not found:
         raise FileTrouble(f"{folder}: this is not a run folder (no result.h5)")
     return found
 
 
-def _finished(folder: pathlib.Path) -> list[Finding]:
+def _finished(folder: pathlib.Path, survey: bool) -> list[Finding]:
     path = folder / "summary.json"
     try:
         with legible(path):
@@ -56,13 +59,13 @@ def _finished(folder: pathlib.Path) -> list[Finding]:
         return [Finding("summary.json", UNKNOWN, "a run of an early version; its files have no checksums")]
     found = [Finding("summary.json", SOUND)]
     for name, wanted in summary["sha256"].items():
-        found.append(_file(folder / name, wanted, summary.get("run_log_bytes") if name == "run.log" else None))
+        found.append(_file(folder / name, wanted, summary.get("run_log_bytes") if name == "run.log" else None, survey))
     if (folder / "report.html").exists():
         found.append(_page(folder / "report.html"))
     return found
 
 
-def _file(path: pathlib.Path, wanted: str, length: int | None) -> Finding:
+def _file(path: pathlib.Path, wanted: str, length: int | None, survey: bool) -> Finding:
     try:
         if length is None:
             now = digest(path).sha256
@@ -73,7 +76,7 @@ def _file(path: pathlib.Path, wanted: str, length: int | None) -> Finding:
     if now == wanted:
         return Finding(path.name, SOUND)
     detail = "its SHA-256 does not agree with summary.json"
-    if path.name == "result.h5":
+    if path.name == "result.h5" and survey:
         detail += "; " + _what_is_left(path)
     return Finding(path.name, CHANGED, detail)
 
