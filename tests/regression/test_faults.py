@@ -18,9 +18,9 @@ from test_broken_decks import BROKEN, SOUND
 
 from hugoniot.errors import HugoniotError
 from hugoniot.materials import tables_io
+from hugoniot.materials.table_hdf5 import write_table
 from hugoniot.output.run import load
 from hugoniot.output.run_folder import RunFolder
-from hugoniot.output.table_file import write_table
 from hugoniot.output.verify import verify
 from hugoniot.problem.deck import read_deck_text
 

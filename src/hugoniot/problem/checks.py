@@ -17,6 +17,7 @@ from hugoniot.units import format_si
 
 MOST_ZONES = 10_000_000
 _STATE = ("density", "pressure", "temperature", "energy")
+IONISED = 15e3      # m/s of particle velocity: 112 MJ/kg, 31 eV for an atom of aluminium, whose first two electrons take 25 eV
 _SAME = 1e-9  # of a zone: a gap below it is round-off of the user's arithmetic
 
 
@@ -270,4 +271,28 @@ def advice(problem: Problem) -> list[str]:
             if limit is not None and abs(ua - ub) > 2.0 * limit:
                 told.append(f"'{a.name}' meets '{b.name}' at {abs(ua - ub):g} m/s, but the data of '{region.material}' "
                             f"end at a particle velocity of {limit:g} m/s")
-    return told
+    return told + _beyond_atoms(problem)
+
+
+def _beyond_atoms(problem: Problem) -> list[str]:
+    """Materials without a stated range that meet something so fast that their atoms lose electrons."""
+    met: dict[str, float] = {}
+
+    def meets(region: Region, speed: float) -> None:
+        if problem.materials[region.material].valid_up_to is None:
+            met[region.material] = max(met.get(region.material, 0.0), speed)
+
+    for a, b in zip(problem.regions, problem.regions[1:]):
+        speed = 0.5 * abs(_end_speed(a, 1) - _end_speed(b, 0))
+        meets(a, speed)
+        meets(b, speed)
+    for boundary, region, side in ((problem.left, problem.regions[0], 0), (problem.right, problem.regions[-1], 1)):
+        if boundary.kind == "fixed":
+            meets(region, abs(_end_speed(region, side)))
+    return [f"material '{name}' is driven to a particle velocity of about {speed:.3g} m/s, {0.5e-6 * speed**2:.3g} MJ/kg: "
+            f"its atoms are ionised there, which no law of a deck describes, and no range of its data is stated (valid_up_to)"
+            for name, speed in met.items() if speed > IONISED]
+
+
+def _end_speed(region: Region, side: int) -> float:
+    return region.velocity[side] if isinstance(region.velocity, tuple) else region.velocity
