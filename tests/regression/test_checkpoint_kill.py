@@ -20,6 +20,7 @@ sys.path.insert(0, str(HERE.parents[0] / "unit" / "output"))
 
 import acoustic_flyer  # noqa: E402
 
+from hugoniot.errors import FileTrouble  # noqa: E402
 from hugoniot.output.run import load  # noqa: E402
 from hugoniot.output.run_folder import RunFolder  # noqa: E402
 
@@ -114,8 +115,8 @@ def test_two_checkpoints_are_kept(tmp_path):
 def test_a_damaged_checkpoint_falls_back_to_the_one_before(whole, tmp_path, damage, what):
     newest = interrupted(tmp_path / "run")[-1]
     damage(newest.with_suffix(f".{what}"))
-    recorder = RunFolder(tmp_path / "run", resume=True)
-    payload = recorder.latest_checkpoint()
+    with RunFolder(tmp_path / "run", resume=True) as recorder:
+        payload = recorder.latest_checkpoint()
     assert payload["cycle"] == 100
     assert len(recorder.warnings) == 1 and "checkpoint 000005 is passed over" in recorder.warnings[0]
     assert "passed over" in (tmp_path / "run" / "run.log").read_text()
@@ -138,17 +139,33 @@ def test_with_no_sound_checkpoint_the_run_starts_again_and_says_so(whole, tmp_pa
     assert "starts from the beginning" in recorder.warnings[-1] and same_bytes(whole, tmp_path / "run")
 
 
-def test_a_changed_deck_is_not_mixed_with_old_checkpoints(tmp_path):
-    interrupted(tmp_path / "run")
-    (tmp_path / "run" / "deck.toml").write_text(acoustic_flyer.DECK + "# edited\n")
-    recorder = RunFolder(tmp_path / "run", resume=True)
-    assert recorder.latest_checkpoint() is None
-    assert "not the deck that checkpoint" in recorder.warnings[0]
+@pytest.mark.parametrize("every", [20, 1000])
+def test_a_changed_deck_is_refused_with_the_difference_and_comes_back(whole, tmp_path, every):
+    """Also of a run that was killed before its first checkpoint."""
+    interrupted(tmp_path / "run", every=every)
+    deck = tmp_path / "run" / "deck.toml"
+    before = sorted(path.name for path in (tmp_path / "run").rglob("*"))
+    for text, shown in ((acoustic_flyer.DECK.replace("planar", "p1anar"), '-geometry = "planar"\n  +geometry = "p1anar"'),
+                        (acoustic_flyer.DECK + "\x1b[31m", "+?[31m")):
+        deck.write_text(text)
+        with RunFolder(tmp_path / "run", resume=True) as recorder, pytest.raises(FileTrouble, match="not the deck this run was started with") as caught:
+            recorder.checked_deck()
+        assert shown in str(caught.value) and caught.value.exit_code == 4
+    for damage in (lambda: deck.write_bytes(b"\xff\xfe"), deck.unlink):
+        damage()
+        with RunFolder(tmp_path / "run", resume=True) as recorder:
+            with pytest.raises(FileTrouble, match="--restore-deck"):
+                recorder.checked_deck()
+            assert recorder.checked_deck(restore=True) == acoustic_flyer.DECK
+    assert sorted(path.name for path in (tmp_path / "run").rglob("*")) == before
+    acoustic_flyer.run(tmp_path / "run", resume=True, **SIZE)
+    assert same_bytes(whole, tmp_path / "run")
 
 
 def test_a_checkpoint_restores_every_bit(tmp_path):
     interrupted(tmp_path / "run")
-    payload = RunFolder(tmp_path / "run", resume=True).latest_checkpoint()
+    with RunFolder(tmp_path / "run", resume=True) as recorder:
+        payload = recorder.latest_checkpoint()
     flyer = acoustic_flyer.AcousticFlyer(30, 60)
     while flyer.cycle < 120:
         flyer.step()

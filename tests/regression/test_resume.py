@@ -217,17 +217,19 @@ def test_an_interrupt_while_the_solver_marches_waits_for_the_burst():
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are a Unix matter")
-def test_control_c_leaves_a_checkpoint_and_exit_code_130(place, whole):
+@pytest.mark.parametrize("asked", [signal.SIGINT, signal.SIGTERM])
+def test_a_request_to_end_leaves_a_checkpoint_and_exit_code_130(place, whole, asked):
     path = deck(place)
-    folder = place / "interrupted.run"
+    folder = place / f"interrupted_{asked}.run"
     process = start(path, folder)
     assert wait_for_checkpoint(process, folder)
-    process.send_signal(signal.SIGINT)
+    process.send_signal(asked)
     output = process.communicate(timeout=60)[0].decode()
     assert process.returncode == 130, output
     assert "resume" in output
-    assert list((folder / "checkpoint").glob("*.json")) and not (folder / "summary.json").exists()
-    assert RunFolder(folder, resume=True).latest_checkpoint() is not None
+    assert list((folder / "checkpoint").glob("[0-9]*.json")) and not (folder / "summary.json").exists()
+    with RunFolder(folder, resume=True) as place:
+        assert place.latest_checkpoint() is not None
     simulate.resume(folder)
     same_bytes(whole(path), folder)
 
@@ -236,7 +238,7 @@ def test_a_checkpoint_of_another_program_is_refused_and_not_touched(place, monke
     folder = place / "older.run"
 
     def stop(report):
-        if list((folder / "checkpoint").glob("*.json")):
+        if list((folder / "checkpoint").glob("[0-9]*.json")):
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):

@@ -1,7 +1,6 @@
 """Steady shock structure in every registered equation of state, with and without heat conduction, from Mach 1.01 to 20."""
 
 import math
-import time
 
 import numpy as np
 import pytest
@@ -22,10 +21,9 @@ def test_every_registered_equation_of_state_has_a_structure(law):
             with pytest.raises(OutOfRange, match="temperature"):
                 steady(par, make({"law": "constant", "shear_viscosity": 1e-3}, conduction), mach=1.5)
             continue
-        begun = time.perf_counter()
         profile = steady(par, make({"law": "constant", "shear_viscosity": 1e-3}, conduction), mach=1.5)
         assert profile.thickness() > 0.0
-        took = time.perf_counter() - begun
+        assert profile.steps <= 300
         ends = profile.ends
         assert abs(ends.excess(1.0 / ends.downstream.density)) < 1e-12 * ends.downstream.pressure
         terms = profile.balance_terms(np.linspace(*profile.extent(1e-2), 9))
@@ -35,7 +33,6 @@ def test_every_registered_equation_of_state_has_a_structure(law):
             assert np.abs(sum(parts)).max() < 2e-6 * max(np.abs(p).max() for p in parts)
         if math.isfinite(ends.entropy_jump):
             assert profile.entropy_produced == pytest.approx(ends.entropy_jump, rel=1e-8)
-        assert took < 4.0, "a profile must take about a second, also on a busy machine"
 
 
 # (law, conducting) -> Mach numbers of (1.01, 1.1, 2, 5, 20) that have no steady shock, and the words that say so
@@ -62,10 +59,8 @@ def check_shock_of(name, conducting, mach):
         with pytest.raises((OutOfRange, NoSolution), match=words):
             steady(par, fluid, mach=mach)
         return
-    begun = time.process_time()
     profile = steady(par, fluid, mach=mach)
     assert profile.thickness() > 0.0 and profile.ends.mach == pytest.approx(mach, rel=1e-12)
-    assert time.process_time() - begun < 1.0
     assert profile.steps <= NODES.get((name, conducting, mach), 300)
     low, high = profile.extent(1e-6)
     density = profile.at(np.linspace(low, high, 41))["density"]

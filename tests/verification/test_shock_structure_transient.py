@@ -2,7 +2,6 @@
 
 import dataclasses
 import math
-import time
 from types import MappingProxyType
 
 import numpy as np
@@ -160,12 +159,11 @@ def test_conduction_in_p_lambda_settles_into_its_steady_wave(mach, tolerance):
     assert run(given).thickness()[0] == pytest.approx(profile.thickness(), rel=tolerance)
 
 
-def test_mach_nine_to_half_a_percent_in_less_than_twenty_seconds():
+def test_mach_nine_to_a_third_of_a_percent_in_few_steps():
+    """Work in zone updates, which every machine agrees on; benchmarks/answers.py has seconds."""
     given, profile = argon_problem(9.0, 10, ahead=7.0, behind=7.0)
-    ShockStructure(given, shock_start(given)).march(1e-300, 1)   # compile
-    begun = time.process_time()
     solver = run(given)
-    assert time.process_time() - begun < 20.0
+    assert solver.zone_updates < 3e6
     assert solver.thickness()[0] == pytest.approx(profile.thickness(), rel=3e-3)
 
 

@@ -2,10 +2,10 @@
 
 import subprocess
 import sys
-import time
 
 import numpy as np
 import pytest
+from pace import in_loops
 
 import hugoniot.laws.eos  # noqa: F401  (enrols the laws)
 from hugoniot.laws.eos.contract import EOS
@@ -17,15 +17,11 @@ from hugoniot.theory.mixture import mixture, solve
 COPPER = MieGruneisen(8930.0, 3940.0, 1.489, 1.99, 390.0)
 
 
-def test_a_thousand_points_in_under_ten_milliseconds_warm():
-    curve(COPPER, points=1000, up_to=3000.0)
-    walls = []
-    for _ in range(5):
-        start = time.perf_counter()
-        states = curve(COPPER, points=1000, up_to=3000.0)
-        walls.append(time.perf_counter() - start)
-    assert min(walls) < 0.010
+def test_a_thousand_points_of_a_curve_are_compiled():
+    """A twentieth of the plain loop of 200 000 turns; point by point in the interpreter it would be twenty of them."""
+    states = curve(COPPER, points=1000, up_to=3000.0)
     assert np.isfinite(states.pressure).all() and len(states) == 1000
+    assert in_loops(lambda: curve(COPPER, points=1000, up_to=3000.0)) < 0.5
 
 
 @pytest.mark.slow
@@ -33,12 +29,7 @@ def test_a_thousand_points_in_under_ten_milliseconds_warm():
 def test_a_thousand_points_of_every_law(name):
     par = EOS.get(name).example
     curve(par, points=1000)
-    walls = []
-    for _ in range(30):
-        start = time.perf_counter()
-        curve(par, points=1000)
-        walls.append(time.perf_counter() - start)
-    assert min(walls) < 0.010
+    assert in_loops(lambda: curve(par, points=1000), 30) < 1.0
 
 
 UNREACTED = JWL(7.781e13, -5.031e9, 11.3, 1.13, 0.8938, 1895.0, 0.0, 2.487e6 / 1895.0)
@@ -48,21 +39,15 @@ SOLID = MieGruneisen(1895.0, 2900.0, 1.68, 1.1, 1100.0)     # its isentropes are
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["thermal_isolation", "thermal_equilibrium", "weighted_pressures"])
 @pytest.mark.parametrize("reactants", [UNREACTED, SOLID], ids=["jwl", "mie_gruneisen"])
-def test_two_million_cold_mixtures_a_second(kind, reactants):
-    """States and slopes, each from the shocked reactant alone; processor time of this thread."""
+def test_cold_mixtures_are_compiled(kind, reactants):
+    """States and slopes, each from the shocked reactant alone: 20 000 of them in the time of the loop, two million a second."""
     products = JWL(1.36177e12, 7.199e10, 6.2, 2.2, 0.5, 1895.0, 6.9e9, 1.0e6 / 1895.0)
     par = mixture(kind, reactants, products, None if reactants is UNREACTED else 4.0e6)
     ahead = shock(reactants, pressure=30e9)
     q, count, rng = par.detonation_energy, 20_000, np.random.default_rng(3)
     burnt, rho = rng.uniform(0.05, 0.95, count), ahead.density * rng.uniform(0.9, 1.0, count)
     e = ahead.specific_internal_energy + q * rng.uniform(0.95, 1.05, count)
-    walls = []
-    for _ in range(40):
-        start = time.thread_time()
-        solve(rho, e, burnt, par, (ahead.density, ahead.specific_internal_energy + q))
-        walls.append(time.thread_time() - start)
-    assert count / min(walls) > 2e6
-
+    assert in_loops(lambda: solve(rho, e, burnt, par, (ahead.density, ahead.specific_internal_energy + q)), 40) < 1.0
 
 
 def test_match_loads_neither_compiler_nor_scipy():

@@ -8,6 +8,7 @@ import typer
 from hugoniot.cli.show import JSON, MATERIALS, SET, echo_json, echo_table, overrides_of
 from hugoniot.errors import DeckError, NoSolution, OutOfRange
 from hugoniot.materials import burning
+from hugoniot.problem.cost import estimate
 from hugoniot.problem.deck import Deck, read_deck
 from hugoniot.units import format_si
 
@@ -33,7 +34,8 @@ def command(
         raise
     warnings = [*found.warnings, *_echoes(found.problem)]
     if as_json:
-        echo_json({"ok": True, "warnings": warnings, "resolved": found.resolved})
+        cost = estimate(found.problem)._asdict()
+        echo_json({"ok": True, "warnings": warnings, "estimate": cost, "resolved": found.resolved})
     elif resolved:
         typer.echo(found.resolved, nl=False)
     else:
@@ -70,6 +72,9 @@ def _tell(deck: Deck, warnings: list[str]) -> None:
             f"{format_si(region.start, 'm')} to {format_si(region.end, 'm')}", f"{region.zones} zones", _speed(region.velocity))
         rows.append((region.name, *extent, region.material, _laws(problem.materials[region.material])))
     echo_table(["region", "extent", "", "velocity", "material", "laws"], rows)
+    cost = estimate(problem)
+    typer.echo(f"{cost.zones} zones, {cost.snapshots} snapshots: about {_bytes(cost.memory)} of memory, "
+               f"result.h5 about {_bytes(cost.result)} without gauges (twice that on the disk until the run ends)")
     for warning in warnings:
         typer.echo(f"warning: {warning}")
     typer.echo("the deck is valid")
@@ -83,6 +88,13 @@ def _block_extent(problem, block) -> tuple[str, str, str]:
     uniform = block.velocity == type(block.velocity)(base=block.velocity.base)
     speed = ", ".join(format_si(v, "m/s") for v in block.velocity.base) if uniform else "a field"
     return ", ".join(spans), f"{part.ni} x {part.nj} zones", speed
+
+
+def _bytes(count: float) -> str:
+    for size, unit in ((1e9, "GB"), (1e6, "MB"), (1e3, "kB")):
+        if count >= size:
+            return f"{count / size:.{3 if count >= 100.0 * size else 2}g} {unit}"
+    return f"{count:g} bytes"
 
 
 def _laws(material) -> str:

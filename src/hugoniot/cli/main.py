@@ -166,7 +166,7 @@ def _tell(error: HugoniotError) -> None:
     for problem in problems:
         typer.echo(str(problem), err=True)
     if len(problems) > 1:
-        typer.echo(f"{len(problems)} problems", err=True)
+        typer.echo(error.count, err=True)   # type: ignore[attr-defined]  (a DeckError has it)
 
 
 def _tell_defect(error: Exception) -> None:

@@ -2,8 +2,11 @@
 
 import contextlib
 import math
+import pathlib
+import shlex
 import sys
 import time
+from typing import NoReturn
 
 import typer
 
@@ -34,6 +37,14 @@ def duration(seconds: float) -> str:
         return f"{whole} s"
     hours, rest = divmod(whole, 3600)
     return f"{hours}:{rest // 60:02}:{rest % 60:02}" if hours else f"{rest // 60}:{rest % 60:02}"
+
+
+def end_interrupted(folder) -> NoReturn:
+    """End the command with exit code 130, saying how an interrupted run goes on."""
+    kept = any((pathlib.Path(folder) / "checkpoint").glob("[0-9]*.json"))
+    state = "a checkpoint is kept, go on with" if kept else "there was nothing to keep yet, start it again with"
+    typer.echo(f"interrupted; {state}: hugoniot resume {shlex.quote(str(folder))}", err=True)
+    raise typer.Exit(130) from None
 
 
 def words(report) -> str:

@@ -1,18 +1,18 @@
 """hugoniot resume: goes on with an interrupted run."""
 
-import shlex
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from hugoniot.cli.progress import progress
+from hugoniot.cli.progress import end_interrupted, progress
 from hugoniot.cli.results import echo_place, echo_results
 from hugoniot.cli.show import JSON, echo_json
 
 
 def command(
     folder: Annotated[Path, typer.Argument(help="The run folder.")],
+    restore_deck: Annotated[bool, typer.Option("--restore-deck", help="Put the deck kept with the checkpoints back first.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Show no progress.")] = False,
     as_json: JSON = False,
 ) -> None:
@@ -21,15 +21,16 @@ def command(
     The result is identical, bit for bit, to that of an uninterrupted run.
 
     Example: hugoniot resume flyer.run
+
+    Of a finished run it writes what is missing: report, gauges.csv, deck.
     """
     from hugoniot import simulate
 
     try:
         with progress(quiet or as_json) as display:
-            run = simulate.resume(folder, progress=display)
+            run = simulate.resume(folder, progress=display, restore_deck=restore_deck)
     except KeyboardInterrupt:
-        typer.echo(f"interrupted; a checkpoint was written, continue with: hugoniot resume {shlex.quote(str(folder))}", err=True)
-        raise typer.Exit(130) from None
+        end_interrupted(folder)
     if as_json:
         from hugoniot.output.run_numbers import results
 

@@ -1,12 +1,11 @@
 """hugoniot run: a deck in, a run folder out."""
 
-import shlex
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from hugoniot.cli.progress import progress
+from hugoniot.cli.progress import end_interrupted, progress
 from hugoniot.cli.show import JSON, MATERIALS, SET, echo_json, overrides_of
 from hugoniot.report.scribe import Scribe
 
@@ -26,7 +25,7 @@ def command(
 
     Example: hugoniot run flyer.toml --set region.flyer.velocity="800 m/s" --out faster.run
 
-    Ctrl-C writes a checkpoint and exits with code 130; hugoniot resume continues from there.
+    Ctrl-C or a request to end (SIGTERM) writes a checkpoint and exits with code 130; hugoniot resume continues from there.
     """
     with Scribe(report) as scribe:      # first of all: it gets ready while this process does
         run, told = _run(deck, out, overrides_of(setting) | ({} if threads is None else {"solver.threads": threads}), materials or (),
@@ -61,5 +60,4 @@ def _run(deck, out, changes, materials, overwrite, report, quiet):
         with progress(quiet) as display:
             return simulate.run(found, folder, progress=display, overwrite=overwrite, report=report), found.warnings
     except KeyboardInterrupt:
-        typer.echo(f"interrupted; a checkpoint was written, continue with: hugoniot resume {shlex.quote(str(folder))}", err=True)
-        raise typer.Exit(130) from None
+        end_interrupted(folder)

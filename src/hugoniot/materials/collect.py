@@ -4,11 +4,13 @@ import difflib
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from hugoniot.errors import DeckProblem
+from hugoniot.errors import DeckError, DeckProblem
 from hugoniot.units import UnitError, parse
 
 LineOf = Callable[[tuple], int | None]
 _NAMED = ("region", "block", "gauge", "interface")
+MOST = 50           # problems worth reporting: whoever has more reads the first ones
+_MOST_KNOWN = 400   # names worth comparing with one that is not known
 
 
 def printable(text, limit: int = 60) -> str:
@@ -21,14 +23,22 @@ def printable(text, limit: int = 60) -> str:
 def nearest(name: str, known: Iterable[str], otherwise: str = "") -> str:
     """The hint `did you mean '...'?`, or the whole (short) list where nothing is near."""
     known = sorted(known)
+    if len(known) > _MOST_KNOWN:
+        alike = [word for word in known if abs(len(word) - len(str(name))) <= 2][:_MOST_KNOWN]
+        near = difflib.get_close_matches(str(name)[:100], alike, n=1)
+        return f"did you mean '{printable(near[0])}'?" if near else otherwise or f"one of {len(known)} names"
     near = difflib.get_close_matches(str(name)[:100], known, n=1)
     if near:
-        return f"did you mean '{near[0]}'?"
-    return otherwise or (f"known: {', '.join(known)}" if known else "")
+        return f"did you mean '{printable(near[0])}'?"
+    if otherwise or not known:
+        return otherwise
+    return f"known: {', '.join(printable(word, 40) for word in known[:40])}" + (", ..." if len(known) > 40 else "")
 
 
 class Collector:
     """Adds a `DeckProblem` per finding; a path is the tuple of keys and array indices from the root of the file.
+
+    The reading ends with a `DeckError` at the first finding beyond `MOST`, so that the work on a hopeless file is bounded.
 
     raw      the parsed file, from which array elements get the name shown in a message (`region.flyer.from`)
     folder   where data files that this one names are looked for; by default the folder of `file`
@@ -40,8 +50,11 @@ class Collector:
 
     def add(self, path: tuple, message: str, hint: str = "") -> None:
         problem = DeckProblem(self.file, self.line_of(path), self.key(path), message, hint)
-        if problem not in self.problems:
-            self.problems.append(problem)
+        if problem in self.problems:
+            return
+        if len(self.problems) >= MOST:
+            raise DeckError(sorted(self.problems, key=lambda p: p.line or 0), 1)
+        self.problems.append(problem)
 
     def reported(self, path: tuple) -> bool:
         """Whether something is reported of this key already."""

@@ -22,6 +22,7 @@ from typing import Any
 
 from hugoniot.core.registry import Registry
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
+from hugoniot.files import read_text
 from hugoniot.materials import cards, schema, table_law
 from hugoniot.materials.build import assembled
 from hugoniot.materials.collect import Collector
@@ -72,7 +73,7 @@ class Entry:
 def read_file(path: Path) -> dict:
     """The parsed TOML of a material file; FileTrouble or DeckError where it cannot be read."""
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        text = read_text(path)
     except OSError as error:
         raise FileTrouble(f"cannot read the material file {path}: {error.strerror or error}") from error
     except UnicodeDecodeError:

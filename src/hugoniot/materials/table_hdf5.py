@@ -14,10 +14,12 @@ import h5py
 import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.files import open_regular
 
 UNITS = {"density": "kg/m^3", "temperature": "K", "pressure": "Pa", "energy": "J/kg"}
 _LONG = {"density": "densities of the grid", "temperature": "temperatures of the grid", "pressure": "pressure, row by density",
          "energy": "specific internal energy, row by density"}
+_MOST_VALUES = 20_000_000
 _SPELLINGS = {"kg/m^3": ("kg/m3", "kg m-3", "kg/m**3"), "J/kg": ("J kg-1",)}
 
 
@@ -27,15 +29,16 @@ def write_table(path, density, temperature, pressure, energy, about: str = "") -
     The file appears whole or not at all. Raises FileTrouble if it cannot be written.
     """
     path = Path(path)
-    unfinished = path.with_name(path.name + ".part")
+    unfinished = path.with_name(f".{path.name}.part")
     try:
-        with h5py.File(unfinished, "w") as file:
+        unfinished.unlink(missing_ok=True)
+        with h5py.File(unfinished, "x", libver=("v110", "v110")) as file:     # a new file, never one behind a link
             file.attrs["format"] = "hugoniot equation-of-state table, version 1"
             file.attrs["about"] = about
             for (name, unit), values in zip(UNITS.items(), (density, temperature, pressure, energy), strict=True):
-                file[name] = np.asarray(values, dtype=np.float64)
-                file[name].attrs["unit"] = unit
-                file[name].attrs["long_name"] = _LONG[name]
+                data = file.create_dataset(name, data=np.asarray(values, dtype=np.float64), fletcher32=True)
+                data.attrs["unit"] = unit
+                data.attrs["long_name"] = _LONG[name]
         os.replace(unfinished, path)
     except OSError as error:
         unfinished.unlink(missing_ok=True)
@@ -48,10 +51,16 @@ def read_table(path) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     DeckError for a file that is no HDF5, lacks a dataset, or gives one with a wrong shape or unit; the law judges the values.
     """
     try:
+        os.close(open_regular(path))
         with h5py.File(path, "r") as file:
             grid = [_dataset(file, name, path) for name in UNITS]
+    except FileTrouble:
+        raise
     except OSError:
-        raise DeckError.single(path, None, "table", "not an HDF5 file", "hugoniot eos table --hdf5 writes one") from None
+        raise DeckError.single(path, None, "table", "not an HDF5 file, or a damaged one", "hugoniot eos table --hdf5 writes one") from None
+    except (RuntimeError, KeyError, ValueError, TypeError, MemoryError) as error:
+        why = f"a damaged HDF5 file ({_printable(str(error))})"
+        raise DeckError.single(path, None, "table", why, "hugoniot eos table --hdf5 writes one") from None
     n, m = grid[0].size, grid[1].size
     for name, values, shape in zip(UNITS, grid, ((n,), (m,), (n, m), (n, m))):
         if values.shape != shape:
@@ -63,10 +72,20 @@ def read_table(path) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
 def _dataset(file, name: str, path) -> np.ndarray:
     found = file.get(name)
     if not isinstance(found, h5py.Dataset) or found.dtype.kind not in "fiu":
-        raise DeckError.single(path, None, name, f"the file has no dataset of numbers '{name}', it has {', '.join(file) or 'none'}",
+        raise DeckError.single(path, None, name, f"the file has no dataset of numbers '{name}', it has {_names(file) or 'none'}",
                                f"it needs {', '.join(UNITS)}")
+    if not 0 < (found.size or 0) <= _MOST_VALUES or found.ndim > 2:
+        raise DeckError.single(path, None, name, f"is of shape {found.shape}", f"a table has up to {_MOST_VALUES} values")
     unit = found.attrs.get("unit", UNITS[name])
     unit = unit.decode("utf-8", "replace") if isinstance(unit, bytes) else str(unit)
     if unit not in (UNITS[name], *_SPELLINGS.get(UNITS[name], ())):
         raise DeckError.single(path, None, name, f"is in '{unit[:40]}'", f"write it in {UNITS[name]}")
     return np.asarray(found[()], dtype=np.float64)
+
+
+def _names(file) -> str:
+    return ", ".join(_printable(str(name), 40) for name in list(file)[:20])
+
+
+def _printable(text: str, limit: int = 120) -> str:
+    return "".join(c if c.isprintable() else f"\\x{ord(c):02x}" for c in text[:limit])

@@ -19,11 +19,12 @@ from typing import NamedTuple
 import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble, OutOfRange
+from hugoniot.files import read_text
 from hugoniot.laws.eos.table import Table, build
 
 COLUMNS = ("density", "temperature", "pressure", "energy")
 HDF5 = (".h5", ".hdf5")
-_EXCHANGE = re.compile(r"^\s*[012]\s+(\d+)\s+(\d{3})\s+(\d+)\s+[A-Za-z]")
+_EXCHANGE = re.compile(r"^\s*[012]\s+(\d{1,18})\s+(\d{3})\s+(\d+)\s+[A-Za-z]")
 _SANDIA = re.compile(r"^\s*RECORD\s+TYPE\s*=\s*(\d{3})\s+NWDS\s*=\s*(\d+)")
 _NUMBER = re.compile(r"[+-]?(?:\d+\.\d*|\.\d+)(?:[EeDd][+-]?\d+|[+-]\d+)?|[+-]?(?:nan|inf)(?:inity)?\b", re.IGNORECASE)
 _FLAGS = re.compile(r"^(.*[EeDd][+-]\d\d)[01]{5}\s*$")
@@ -56,9 +57,11 @@ def load(path, rho0: float = math.nan, reference_temperature: float = 298.15, de
             from hugoniot.materials.table_hdf5 import read_table
 
             return _build(str(path), *read_table(path), window)
-        text = path.read_text(encoding="utf-8-sig")
+        text = read_text(path, _LARGEST)
     except UnicodeDecodeError:
         raise DeckError.single(path, None, "table", "not a text file", "give a CSV, an .h5 or a SESAME-format ASCII file") from None
+    except FileTrouble:
+        raise
     except OSError as error:
         raise FileTrouble(f"{path}: {error.strerror or error}") from None
     first = next((line for line in text.splitlines() if line.strip() and not line.startswith("#")), "")
@@ -154,7 +157,7 @@ def read_301(text: str, name: str = "sesame.txt", *, rho0: float = math.nan, ref
     grid, which a table with a vapour dome or a tension region needs (c^2 > 0 is required where p >= 0); density 0 is always dropped.
     """
     words, line_number = _record(text, name, material)
-    if len(words) < 2 or words[0] != int(words[0]) or words[1] != int(words[1]) or min(words[:2]) < 2:
+    if len(words) < 2 or not all(2.0 <= word < 1e9 and word == int(word) for word in words[:2]):
         raise DeckError.single(name, line_number, "301", "the table does not begin with its numbers of densities and temperatures")
     n, m = int(words[0]), int(words[1])
     needed = 2 + n + m + 2 * n * m

@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
+from hugoniot.files import read_text
 from hugoniot.materials import library
 from hugoniot.materials.collect import Collector, LineOf
 from hugoniot.materials.entry import Entry, make_entry, read_file
@@ -32,7 +33,7 @@ def read_materials(path: str | Path) -> dict[str, Entry]:
                                "write [material.NAME.eos], or [eos] for one material")
     if not isinstance(named, dict) or not named or not all(isinstance(t, dict) for t in named.values()):
         raise DeckError.single(path, None, "material", "materials are tables", "write [material.NAME.eos]")
-    text, problems, found = path.read_text(encoding="utf-8-sig"), [], {}
+    text, problems, found = read_text(path), [], {}
     for name, table in named.items():
         try:
             found[name] = _entry(name, table, str(path), _line_finder(text, "material" in tables))
@@ -115,7 +116,7 @@ def for_deck(wanted: Iterable[str], defined: Iterable[str], places: Iterable[str
 
 def _file_beside(folder: Path | None, name: str) -> Path | None:
     """`NAME.toml` in the folder, if it is there and describes materials; a name is never a path."""
-    if folder is None or Path(name).name != name or not name.isprintable():
+    if folder is None or Path(name).name != name or not name.isprintable() or len(name) > 60:
         return None
     file = folder / f"{name}.toml"
     return file if file.is_file() and _describes_materials(file) else None

@@ -1,18 +1,31 @@
 """Writing a file so that it is there whole or not at all, and saying in one sentence why it could not be written.
 
 A file is written under a temporary name in the same folder, flushed to the disk, read back, renamed, and the folder is
-flushed too: a kill or a power cut at any moment leaves the old file or the new one, never a torn one.
+flushed too: a kill or a power cut at any moment leaves the old file or the new one, never a torn one. The temporary file is
+always a new one: a link that stands under its name is removed, never followed.
 """
 
 import contextlib
 import errno
+import hashlib
 import os
 import pathlib
+from collections.abc import Iterable
+from typing import NamedTuple
 
 from hugoniot.errors import FileTrouble
+from hugoniot.files import open_regular
 
 _FULL = {errno.ENOSPC, errno.EDQUOT}
 _FORBIDDEN = {errno.EACCES, errno.EPERM, errno.EROFS}
+_PLAIN = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
+
+
+class Written(NamedTuple):
+    """Length and SHA-256 of a file that was written."""
+
+    bytes: int
+    sha256: str
 
 
 def trouble(path, error: OSError, kept: str = "nothing that was there before is lost") -> FileTrouble:
@@ -25,7 +38,9 @@ def trouble(path, error: OSError, kept: str = "nothing that was there before is 
         return FileTrouble(f"{path}: the file would exceed the size limit set for this process (ulimit -f); {kept}")
     if error.errno in _FORBIDDEN:
         return FileTrouble(f"{path}: no permission to write here; choose another folder with --out, or change its permissions")
-    if error.errno in (errno.ENOTDIR, errno.EEXIST):
+    if error.errno == errno.ELOOP:
+        return FileTrouble(f"{path}: a link stands here, and a run writes through none; remove it or choose another folder with --out")
+    if error.errno in (errno.ENOTDIR, errno.EEXIST, errno.EISDIR):
         return FileTrouble(f"{path}: a file of that name is in the way; choose another folder with --out")
     return FileTrouble(f"{path}: {error.strerror or error}; {kept}")
 
@@ -61,30 +76,62 @@ def sync_folder(folder) -> None:
             os.close(handle)
 
 
-def _write_all(path: pathlib.Path, data: bytes, durable: bool) -> None:
-    with open(path, "wb", buffering=0) as file:
-        view = memoryview(data)
-        while view:
-            view = view[file.write(view):]
+def create(path) -> int:
+    """Handle of a new, empty file, open for reading and writing; what stood there under that name, a link too, is removed first."""
+    with contextlib.suppress(FileNotFoundError):
+        os.unlink(path)
+    return os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL | _PLAIN, 0o666)
+
+
+def put(handle: int, data) -> int:
+    """Hand bytes to the operating system, which may take fewer: the one door through which files of a run reach the disk."""
+    return os.write(handle, data)
+
+
+def append(path, text: str) -> None:
+    """Add text to the end of a regular file, made if it is not there; never through a link. Raises `FileTrouble`."""
+    with explained(path):
+        handle = open_regular(path, os.O_WRONLY | os.O_APPEND | os.O_CREAT | getattr(os, "O_NONBLOCK", 0) | _PLAIN)
+        try:
+            _put_all(handle, text.encode())
+        finally:
+            os.close(handle)
+
+
+def _put_all(handle: int, data: bytes) -> None:
+    view = memoryview(data)
+    while view:
+        view = view[put(handle, view):]
+
+
+def digest(path) -> Written:
+    """Length and SHA-256 of a file as it stands on the disk, read in pieces; `OSError` as the system raises it."""
+    with os.fdopen(open_regular(path), "rb") as file:
+        found = hashlib.file_digest(file, "sha256").hexdigest()
+        return Written(file.tell(), found)
+
+
+def _write_parts(path: pathlib.Path, parts: Iterable[bytes], durable: bool) -> Written:
+    handle, length, hashed = create(path), 0, hashlib.sha256()
+    try:
+        for data in parts:
+            _put_all(handle, data)
+            hashed.update(data)
+            length += len(data)
         if durable:
-            os.fsync(file.fileno())
+            os.fsync(handle)
+    finally:
+        os.close(handle)
+    return Written(length, hashed.hexdigest())
 
 
-def write_whole(path, data: bytes | str, durable: bool = True) -> None:
-    """Put `data` at `path`, whole or not at all.
-
-    durable   read back, and flush file and folder to the disk before returning; False trusts the operating system
-              (survives a kill of the program, not a power cut)
-
-    Raises `FileTrouble`; an older file at `path` then stands as it was and the temporary file is gone.
-    """
+@contextlib.contextmanager
+def in_place_of(path, durable: bool = True):
+    """The temporary path to write to; when the block ends it takes the place of `path`, if it fails it is gone. Raises `FileTrouble`."""
     path = pathlib.Path(path)
-    data = data.encode() if isinstance(data, str) else data
     temporary = path.with_name(f".{path.name}.part")
     try:
-        _write_all(temporary, data, durable)
-        if durable and temporary.read_bytes() != data:
-            raise FileTrouble(f"{path}: what was written could not be read back unchanged; the disk may be failing")
+        yield temporary
         os.replace(temporary, path)
     except OSError as error:
         with contextlib.suppress(OSError):
@@ -92,3 +139,23 @@ def write_whole(path, data: bytes | str, durable: bool = True) -> None:
         raise trouble(path, error) from error
     if durable:
         sync_folder(path.parent)
+
+
+def write_parts(path, parts: Iterable[bytes], durable: bool = True) -> Written:
+    """Put bytes that come in parts at `path`, whole or not at all, without holding them all in memory.
+
+    durable   read back, and flush file and folder to the disk before returning; False trusts the operating system
+              (survives a kill of the program, not a power cut)
+
+    Raises `FileTrouble`; an older file at `path` then stands as it was and the temporary file is gone.
+    """
+    with in_place_of(path, durable) as temporary:
+        written = _write_parts(temporary, parts, durable)
+        if durable and digest(temporary) != written:
+            raise FileTrouble(f"{path}: what was written could not be read back unchanged; the disk may be failing")
+    return written
+
+
+def write_whole(path, data: bytes | str, durable: bool = True) -> Written:
+    """Put `data` at `path`, whole or not at all, as `write_parts` does."""
+    return write_parts(path, (data.encode() if isinstance(data, str) else data,), durable)

@@ -1,36 +1,20 @@
-"""A nested dictionary of arrays, numbers and words as the bytes of an HDF5 file, and back, bit for bit.
+"""A nested dictionary of arrays, numbers and words as an HDF5 file, and back, bit for bit.
 
-The file is built in memory, so that it can be hashed before it touches the disk and checked before HDF5 opens it.
 Arrays are datasets; everything else stands in one JSON text, whose numbers Python reads back exactly.
 """
 
+import contextlib
 import io
 import json
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from hugoniot.errors import FileTrouble
+from hugoniot.output.hdf5 import CHUNK_BYTES, h5py, image_bytes, new_image, sound_layout, write_hdf5
 
 _MARK = "__array__"
-
-
-def h5py():
-    """The h5py module, imported when the first file is written or read."""
-    import h5py
-
-    return h5py
-
-
-def new_image(name: str = "memory"):
-    """An HDF5 file in memory, open for writing; `image_bytes` gives its bytes."""
-    return h5py().File(name, "w", driver="core", backing_store=False, block_size=1 << 20)
-
-
-def image_bytes(file) -> bytes:
-    """The bytes the in-memory file would have on disk."""
-    file.flush()
-    return file.id.get_file_image()
 
 
 def _pack(value: Any, arrays: list) -> Any:
@@ -48,14 +32,22 @@ def _pack(value: Any, arrays: list) -> Any:
     raise TypeError(f"a checkpoint cannot hold {type(value).__name__}; give arrays, numbers, words, lists and dictionaries of them")
 
 
-def _unpack(value: Any, arrays) -> Any:
+def _unpack(value: Any, array: Callable[[str], Any]) -> Any:
     if isinstance(value, dict):
         if _MARK in value:
-            return arrays[str(value[_MARK])][()]
-        return {key: _unpack(inner, arrays) for key, inner in value.items()}
+            return array(str(value[_MARK]))
+        return {key: _unpack(inner, array) for key, inner in value.items()}
     if isinstance(value, list):
-        return [_unpack(inner, arrays) for inner in value]
+        return [_unpack(inner, array) for inner in value]
     return value
+
+
+def _fill(file, document: str, arrays: list[np.ndarray], check: Callable[[], None]) -> None:
+    file["document"] = document
+    group = file.create_group("arrays")
+    for k, array in enumerate(arrays):
+        check()
+        group.create_dataset(str(k), data=array, **(sound_layout(array.shape, array.itemsize) if array.nbytes > CHUNK_BYTES else {}))
 
 
 def encode(payload: dict) -> bytes:
@@ -63,17 +55,40 @@ def encode(payload: dict) -> bytes:
     arrays: list[np.ndarray] = []
     document = json.dumps(_pack(payload, arrays))
     with new_image() as file:
-        file["document"] = document
-        group = file.create_group("arrays")
-        for k, array in enumerate(arrays):
-            group.create_dataset(str(k), data=array)
+        _fill(file, document, arrays, lambda: None)
         return image_bytes(file)
 
 
-def decode(data: bytes) -> dict:
-    """The payload of `encode`; tuples come back as lists."""
+def store(path, payload: dict, durable: bool = True):
+    """Write what `encode` gives to a file, whole or not at all, large arrays straight to the disk; its length and SHA-256 (`Written`)."""
+    arrays: list[np.ndarray] = []
+    document = json.dumps(_pack(payload, arrays))
+    size = len(document) + sum(array.nbytes for array in arrays)
+    return write_hdf5(path, lambda file, check: _fill(file, document, arrays, check), size, durable)
+
+
+@contextlib.contextmanager
+def opened(source):
+    """The payload in a file (its path, or its bytes), whose arrays are read only when they are indexed: `array[()]`, `array[3:9]`."""
     try:
-        with h5py().File(io.BytesIO(data), "r") as file:
-            return _unpack(json.loads(file["document"].asstr()[()]), file["arrays"])
-    except (OSError, KeyError, ValueError) as error:
+        with h5py().File(io.BytesIO(source) if isinstance(source, bytes) else source, "r") as file:
+            stored = file["arrays"]
+            yield _unpack(json.loads(file["document"].asstr()[()]), lambda name: stored[name])
+    except (OSError, KeyError, ValueError, RuntimeError) as error:
+        if isinstance(error, FileTrouble):
+            raise
         raise FileTrouble(f"the stored data cannot be read: {error}") from error
+
+
+def _read(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _read(inner) for key, inner in value.items()}
+    if isinstance(value, list):
+        return [_read(inner) for inner in value]
+    return value[()] if hasattr(value, "asstr") else value
+
+
+def decode(source) -> dict:
+    """The payload of `encode` or `store`, from its bytes or its path; tuples come back as lists."""
+    with opened(source) as payload:
+        return _read(payload)

@@ -1,11 +1,14 @@
 """A finished run, read from its folder: `hugoniot.load(folder)`.
 
 `gauges`, `snapshots`, `budget`, `peaks` and `events` are xarray Datasets with units; `arrays` gives the same as plain arrays
-(xarray takes half a second to import; reports and plots do without). Nothing is changed in the folder.
+(xarray takes half a second to import; reports and plots do without). Nothing is changed in the folder. A file that is not as the
+run has left it is not read: its SHA-256 stands in summary.json and is looked at before HDF5 opens the file.
 """
 
 import json
+import os
 import pathlib
+import re
 import shlex
 from functools import cached_property
 from typing import Any
@@ -14,27 +17,34 @@ import numpy as np
 
 from hugoniot.diagnostics.interface_gauges import CONTINUOUS, sides
 from hugoniot.errors import FileTrouble
-from hugoniot.output.atomic import legible
-from hugoniot.output.codec import decode, h5py
+from hugoniot.files import read_regular
+from hugoniot.output.atomic import digest, legible
+from hugoniot.output.codec import decode
+from hugoniot.output.hdf5 import h5py
+from hugoniot.output.result_columns import Columns
+from hugoniot.output.seal import MARK, intact, read_sealed
 
 
-def load(folder) -> "Run":
-    """The run in `folder`. Raises `FileTrouble` if there is none, or it is unfinished or damaged."""
-    return Run(folder)
+def load(folder, partial: bool = False) -> "Run":
+    """The run in `folder`. Raises `FileTrouble` if there is none, or it is unfinished or damaged.
+
+    partial   read what can still be read of a damaged result: columns whose own checksums agree, without a promise for names and texts
+    """
+    return Run(folder, partial)
 
 
 class Run:
-    """One run folder. `summary` and `setup` are dictionaries, `deck` is the resolved deck's text."""
+    """One run folder. `summary` and `setup` are dictionaries, `deck` is the resolved deck's text; `partial` as of `load`."""
 
     plot: Any   # the pictures of this run: the room `plotting`, a layer above, puts it here
 
-    def __init__(self, folder):
-        self.folder = pathlib.Path(folder)
+    def __init__(self, folder, partial: bool = False):
+        self.folder, self.partial, self._looked_at = pathlib.Path(folder), partial, None
         if not self.folder.is_dir():
             raise FileTrouble(f"{self.folder}: there is no such run folder")
         if not (self.folder / "result.h5").is_file() or not (self.folder / "summary.json").is_file():
             raise FileTrouble(f"{self.folder}: {_what_is_there(self.folder)}")
-        self._tables: dict[str, tuple[dict, dict, dict]] = {}
+        self._tables: dict[str, tuple[Columns, dict, dict]] = {}
 
     def __repr__(self):
         return f"<Run '{self.summary['title']}' ({self.summary['status']}) in {self.folder}>"
@@ -44,11 +54,13 @@ class Run:
         """summary.json."""
         path = self.folder / "summary.json"
         with legible(path):
-            text = path.read_text(encoding="utf-8")
+            data = read_regular(path)
         try:
-            return json.loads(text)
-        except ValueError as error:
-            raise FileTrouble(f"{path}: not the summary of a run ({error})") from error
+            return read_sealed(path, data, ("sha256", "run_log_bytes"))
+        except FileTrouble as error:
+            if self.partial:
+                return _whatever(data)
+            raise FileTrouble(f"{error}; see `hugoniot info {shlex.quote(str(self.folder))} --verify`") from error
 
     @cached_property
     def fronts(self) -> dict[str, np.ndarray]:
@@ -66,9 +78,12 @@ class Run:
 
     @cached_property
     def _setup(self) -> tuple[dict, str]:
-        with self._open() as file:
-            group = file["setup"]
-            return json.loads(group["document"].asstr()[()]), group["deck"].asstr()[()]
+        try:
+            with self._open() as file:
+                group = file["setup"]
+                return json.loads(group["document"].asstr()[()]), group["deck"].asstr()[()]
+        except (RuntimeError, KeyError, ValueError) as error:
+            raise FileTrouble(f"{self.folder / 'result.h5'}: setup: damaged, cannot be read ({error})") from error
 
     @property
     def setup(self) -> dict:
@@ -80,31 +95,46 @@ class Run:
         """The resolved deck, every default written out."""
         return self._setup[1]
 
+    def _check(self) -> None:
+        """Raise `FileTrouble` unless result.h5 has the SHA-256 the summary remembers; once for a file that stays as it is."""
+        path = self.folder / "result.h5"
+        wanted = self.summary.get("sha256", {}).get("result.h5")
+        if self.partial or wanted is None:      # an early run has none
+            return
+        with legible(path):
+            now = os.stat(path)
+            state = now.st_ino, now.st_size, now.st_mtime_ns
+            if state == self._looked_at:
+                return
+            found = digest(path).sha256
+        if found != wanted:
+            raise FileTrouble(f"{path}: changed since the run ended (its SHA-256 does not agree with summary.json), and not read; "
+                              f"what can still be read: `hugoniot info {shlex.quote(str(self.folder))} --verify`")
+        self._looked_at = state
+
     def _open(self):
         path = self.folder / "result.h5"
+        self._check()
         try:
             return h5py().File(path, "r")
         except PermissionError as error:
             raise FileTrouble(f"{path}: no permission to read it") from error
-        except OSError as error:
+        except (OSError, RuntimeError) as error:
             raise FileTrouble(f"{path}: cannot be read as a result ({error})") from error
 
-    def _table(self, group: str) -> tuple[dict, dict, dict]:
+    def _table(self, group: str) -> tuple[Columns, dict, dict]:
         if group not in self._tables:
-            values, attributes, dims = {}, {}, {}
             with self._open() as file:
                 if group not in (known := [name for name in file if name != "setup"]):
                     raise KeyError(f"no group '{group}' in a run; it has: {', '.join(known)}")
-                for name, data in file[group].items():
-                    text = h5py().check_string_dtype(data.dtype) is not None
-                    values[name] = np.array(data.asstr()[()], dtype=object) if text else data[()]
-                    attributes[name] = {k: data.attrs[k] for k in ("units", "long_name") if k in data.attrs}
-                    dims[name] = (name,) if data.is_scale else tuple(data.dims[k][0].name.rpartition("/")[2] for k in range(data.ndim))
-            self._tables[group] = values, attributes, dims
+                self._tables[group] = Columns.described(self._open, f"{self.folder / 'result.h5'}: {group}", file[group])
         return self._tables[group]
 
-    def arrays(self, group: str) -> dict[str, np.ndarray]:
-        """Columns of `snapshots`, `gauges`, `budget`, `peaks` or `events` by name, in SI; KeyError for any other group."""
+    def arrays(self, group: str) -> Columns:
+        """Columns of `snapshots`, `gauges`, `budget`, `peaks` or `events` by name, in SI, each read when it is first asked for.
+
+        KeyError for any other group.
+        """
         return self._table(group)[0]
 
     def unit(self, group: str, name: str) -> str:
@@ -172,18 +202,34 @@ class Run:
 
 
 def read_post_mortem(folder) -> dict:
-    """The state kept by a run that failed: what the solver handed to `RunFolder.post_mortem`."""
+    """The state kept by a run that failed: what the solver handed to `RunFolder.post_mortem`.
+
+    Raises `FileTrouble` if it was changed since.
+    """
     path = pathlib.Path(folder) / "post_mortem.h5"
     with legible(path):
-        return decode(path.read_bytes())
+        found, words = digest(path), read_regular(path.with_suffix(".txt")).decode("utf-8", "surrogateescape")
+    wanted = re.search(r"SHA-256 of post_mortem.h5: ([0-9a-f]{64})", words)
+    if intact(words) is False or (wanted is None and MARK in words) or (wanted and wanted[1] != found.sha256):
+        raise FileTrouble(f"{path}: changed since it was written (its SHA-256 does not agree with post_mortem.txt)")
+    return decode(path)
+
+
+def _whatever(data: bytes) -> dict:
+    """What a damaged summary still says."""
+    try:
+        document = json.loads(data.decode("utf-8", "replace"))
+    except (ValueError, RecursionError):
+        document = {}
+    return {"title": "?", "status": "damaged", "solver": "?", "version": "?", **(document if isinstance(document, dict) else {})}
 
 
 def _what_is_there(folder: pathlib.Path) -> str:
     if (folder / "post_mortem.txt").is_file():
         return "the run failed and left no result; see post_mortem.txt"
     again = f"hugoniot resume {shlex.quote(str(folder))}"
+    if (folder / "deck.toml").is_file() and not (folder / "pieces").is_dir() and not any((folder / "checkpoint").glob("[0-9]*.json")):
+        return f"the run is unfinished and has no checkpoint yet; `{again}` starts it again"
     if (folder / "checkpoint").is_dir() or (folder / "pieces").is_dir():
         return f"the run is unfinished; continue with `{again}`"
-    if (folder / "deck.toml").is_file():
-        return f"the run is unfinished and has no checkpoint yet; `{again}` starts it again"
     return "this is not a run folder (no result.h5)"

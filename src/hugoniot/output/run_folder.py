@@ -1,40 +1,40 @@
 """The recorder of a run: takes what the time loop hands over and keeps it safe in the run folder.
 
     folder/deck.toml  result.h5  gauges.csv  summary.json  run.log  report.html
-           checkpoint/  pieces/         only while the run is unfinished
+           checkpoint/  pieces/  .lock         only while the run is unfinished
 
-A run is finished once summary.json stands there; until then `checkpoint/` and `pieces/` hold what `resume` needs.
+A run is finished once summary.json stands there; until then `checkpoint/` and `pieces/` hold what `resume` needs. The summary
+keeps the SHA-256 of the other files and of itself (`verify`).
 """
 
 import hashlib
-import json
 import pathlib
 import time
 
 import numpy as np
 
 from hugoniot.errors import FileTrouble, UnphysicalState
-from hugoniot.output.atomic import explained, write_whole
+from hugoniot.output import claim
+from hugoniot.output.atomic import append, digest, explained, write_whole
 from hugoniot.output.checkpoint import Checkpoints
-from hugoniot.output.codec import encode
+from hugoniot.output.codec import store
+from hugoniot.output.lock import Lock
 from hugoniot.output.plane_record import plane_record
-from hugoniot.output.result_file import gauges_text, result_bytes
+from hugoniot.output.result_file import write_gauges, write_result
+from hugoniot.output.seal import sealed, sealed_json
 from hugoniot.output.series import Series
 from hugoniot.output.setup_record import plain, setup_record
 from hugoniot.output.vtkhdf import vtkhdf_bytes
 
-PRODUCTS = ("result.h5", "gauges.csv", "fronts.csv", "summary.json", "result.vtkhdf", "report.html", "run.log", "post_mortem.h5",
-            "post_mortem.txt")
-
 
 class RunFolder:
-    """One run's folder, from `start` to `finish`.
+    """One run's folder, from `start` to `finish`; as a context, it gives the folder free at the end, however that comes.
 
     folder      where; made if it is not there
     overwrite   replace the run that stands there (only files a run writes are removed)
-    resume      go on with the unfinished run that stands there: nothing is removed, and `start` leaves deck.toml as it is
+    resume      go on with the run that stands there: nothing is removed, and `start` leaves deck.toml as it is
 
-    Raises `FileTrouble` if the folder cannot be made or written, or holds a run and neither option is given.
+    Raises `FileTrouble` if the folder cannot be made or written, is in use by another process, or holds a run and neither option is given.
     """
 
     def __init__(self, folder, *, overwrite: bool = False, resume: bool = False):
@@ -43,25 +43,36 @@ class RunFolder:
         self._checkpoints = Checkpoints(self.folder / "checkpoint")
         self.warnings: list[str] = []
         self._setup: dict = {}
-        if resume:
-            if not (self.folder / "deck.toml").is_file():
-                raise FileTrouble(f"{self.folder}: there is no run to resume here (deck.toml is missing)")
-            return
-        self._claim(overwrite)
-
-    def _claim(self, overwrite: bool):
+        if resume and not (self.folder / "deck.toml").is_file() and not self.finished and self._checkpoints.deck() is None:
+            raise FileTrouble(f"{self.folder}: there is no run to resume here (deck.toml is missing)")
         with explained(self.folder):
             self.folder.mkdir(parents=True, exist_ok=True)
-            standing = [name for name in (*PRODUCTS, "deck.toml", "checkpoint", "pieces") if (self.folder / name).exists()]
-        if standing and not overwrite:
-            raise FileTrouble(f"{self.folder}: holds {standing[0]} already; choose another folder with --out, or --overwrite the run")
-        if standing and "run.log" not in standing:
-            raise FileTrouble(f"{self.folder}: holds {standing[0]} but no run.log, so it is no run folder; give another folder with --out")
-        with explained(self.folder):
+        if not resume:
+            claim.refuse_foreign(self.folder, overwrite, self._checkpoints)
+        self._lock = Lock(self.folder)
+        if not resume:
+            self._clear(overwrite)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def close(self) -> None:
+        """Give the folder free for other processes."""
+        self._lock.release()
+
+    def _clear(self, overwrite: bool) -> None:
+        """Make room for a new run, now that nobody else works here."""
+        try:
+            claim.refuse_foreign(self.folder, overwrite, self._checkpoints)
             self._series.remove()
             self._checkpoints.remove()
-            for name in PRODUCTS:
-                (self.folder / name).unlink(missing_ok=True)
+            claim.remove_products(self.folder)
+        except FileTrouble:
+            self.close()
+            raise
 
     @property
     def finished(self) -> bool:
@@ -80,6 +91,8 @@ class RunFolder:
         """
         if not self.resumed:
             write_whole(self.folder / "deck.toml", deck_text, durable=False)
+            write_whole(self.folder / "run.log", "", durable=False)
+            self._checkpoints.start(deck_text)
         digest = hashlib.sha256(deck_text.encode()).hexdigest()
         document = plane_record(problem, meta) if "mesh" in meta else setup_record(problem, meta)
         document["faces"] = {side: plain(np.asarray(meta[side])) for side in ("left", "right") if side in meta}
@@ -115,8 +128,7 @@ class RunFolder:
 
     def log(self, text: str) -> None:
         """Add a line to run.log, with the time of day."""
-        with explained(self.folder / "run.log"), open(self.folder / "run.log", "a", encoding="utf-8") as file:
-            file.write(f"{time.strftime('%Y-%m-%d %H:%M:%S')}  {text}\n")
+        log_line(self.folder, text)
 
     # -- safety --------------------------------------------------------------------------------------------------------
     def checkpoint(self, payload: dict) -> None:
@@ -125,12 +137,19 @@ class RunFolder:
         Raises `FileTrouble` when the disk refuses; the earlier checkpoints then still stand and the run may be resumed from them.
         """
         self._series.spill()
-        self._checkpoints.write(payload, self._series.pieces, self._deck_digest())
+        self._checkpoints.write(payload, self._series.pieces, self._setup["deck"])
 
-    def _deck_digest(self) -> str:
-        path = self.folder / "deck.toml"
-        with explained(path):
-            return hashlib.sha256(path.read_bytes()).hexdigest()
+    def checked_deck(self, restore: bool = False) -> str:
+        """The text of deck.toml of a run that goes on, which must be that of its checkpoints.
+
+        restore   put the deck of the checkpoints back first
+
+        Raises `FileTrouble` with the difference where they disagree.
+        """
+        path, kept = self.folder / "deck.toml", self._checkpoints.deck()
+        if restore and kept is not None:
+            write_whole(path, kept)
+        return claim.same_deck(path, kept)
 
     def latest_checkpoint(self) -> dict | None:
         """The payload of the newest sound checkpoint, or None if there is none (the run then starts from the beginning).
@@ -139,23 +158,19 @@ class RunFolder:
         """
         for number in reversed(self._checkpoints.numbers()):
             try:
-                payload, pieces, deck = self._checkpoints.read(number)
-                if deck != self._deck_digest():
-                    raise FileTrouble(f"{self.folder / 'deck.toml'}: not the deck that checkpoint {number:06d} was written with")
+                payload, pieces = self._checkpoints.read(number)
                 if not self._series.intact(pieces):
                     raise FileTrouble(f"{self.folder / 'pieces'}: a piece that checkpoint {number:06d} needs is missing or damaged")
             except FileTrouble as error:
                 self._warn(f"checkpoint {number:06d} is passed over: {error}")
                 continue
             self._checkpoints.forget_after(number)
-            with explained(self.folder / "pieces"):
-                self._series.keep(pieces)
+            self._series.keep(pieces)
             return payload
         if self._checkpoints.numbers():
             self._warn("no sound checkpoint is left; the run starts from the beginning")
-        with explained(self.folder):
-            self._checkpoints.remove()
-            self._series.keep([])
+        self._checkpoints.forget_all()
+        self._series.keep([])
         return None
 
     def fronts(self, columns, kinds: list[str], rows: np.ndarray) -> None:
@@ -175,27 +190,50 @@ class RunFolder:
         """
         tables, events = self._series.collect()
         setup = self._setup
-        table = gauges_text(tables["gauges"], setup["gauges"], setup["units"])
-        write_whole(self.folder / "gauges.csv", table, durable=False)
-        write_whole(self.folder / "result.h5", result_bytes(tables, events, dict(peaks or {}), setup))
-        if setup["mesh"] and "position_x" in tables["snapshots"]:
-            image = vtkhdf_bytes(tables["snapshots"], setup["mesh"]["zone_nodes"], setup["mesh"]["block_of"])
-            write_whole(self.folder / "result.vtkhdf", image)
+        sums = {"deck.toml": setup["deck_sha256"],
+                "gauges.csv": write_gauges(self.folder / "gauges.csv", tables["gauges"], setup["gauges"], setup["units"]).sha256,
+                "result.h5": write_result(self.folder / "result.h5", tables, events, dict(peaks or {}), setup).sha256}
+        sums |= self._write_others(tables["snapshots"])
         summary = {"title": setup["document"]["title"], "solver": setup["document"]["solver"]["kind"], "status": "done",
                    "version": setup["document"]["version"], "deck_sha256": setup["deck_sha256"], **plain(summary)}
         if self.warnings:
             summary["checkpoint_warnings"] = self.warnings
         self.log(f"end: {summary['status']}")
-        write_whole(self.folder / "summary.json", json.dumps(summary, indent=2) + "\n")
-        with explained(self.folder):
-            self._checkpoints.remove()
-            self._series.remove()
+        with explained(self.folder / "run.log"):
+            log = digest(self.folder / "run.log")
+        summary |= {"run_log_bytes": log.bytes, "sha256": {**sums, "run.log": log.sha256}}
+        write_whole(self.folder / "summary.json", sealed_json(summary))
+        self.tidy()
+
+    def _write_others(self, snapshots) -> dict[str, str]:
+        """Files that only some runs have, name -> SHA-256: result.vtkhdf of two dimensions, fronts.csv of tracked fronts."""
+        sums = {}
+        mesh = self._setup["mesh"]
+        if mesh and "position_x" in snapshots.names:
+            columns = {name: np.concatenate(list(snapshots.column(name, snapshots.length))) for name in snapshots.names}
+            image = vtkhdf_bytes(columns, mesh["zone_nodes"], mesh["block_of"])
+            sums["result.vtkhdf"] = write_whole(self.folder / "result.vtkhdf", image).sha256
+        if (self.folder / "fronts.csv").is_file():
+            sums["fronts.csv"] = digest(self.folder / "fronts.csv").sha256
+        return sums
+
+    def tidy(self) -> list[str]:
+        """Remove what an unfinished run needs and a finished one does not; what was there. Raises `FileTrouble`."""
+        left = [name for name in ("checkpoint", "pieces") if (self.folder / name).is_dir()]
+        self._checkpoints.remove()
+        self._series.remove()
+        return left + claim.remove_unfinished(self.folder)
 
     def post_mortem(self, error: UnphysicalState, payload: dict) -> pathlib.Path:
         """Keep the state in which a run failed: post_mortem.h5 (`run.read_post_mortem`) and post_mortem.txt; gives the latter's path."""
         values = "".join(f"  {name} = {value}\n" for name, value in error.values.items())
-        text = f"{error}\n" + (f"\nFields there:\n{values}" if values else "")
         self.log(f"unphysical: {error}")
-        write_whole(self.folder / "post_mortem.h5", encode(payload))
-        write_whole(self.folder / "post_mortem.txt", text)
+        state = store(self.folder / "post_mortem.h5", payload)
+        text = f"{error}\n" + (f"\nFields there:\n{values}" if values else "") + f"\nSHA-256 of post_mortem.h5: {state.sha256}\n"
+        write_whole(self.folder / "post_mortem.txt", sealed(text))
         return self.folder / "post_mortem.txt"
+
+
+def log_line(folder, text: str) -> None:
+    """Add a line to the run.log of a folder, with the time of day. Raises `FileTrouble`."""
+    append(pathlib.Path(folder) / "run.log", f"{time.strftime('%Y-%m-%d %H:%M:%S')}  {text}\n")

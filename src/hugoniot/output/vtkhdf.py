@@ -8,8 +8,8 @@ field, the number of the block, and the zone's number. Units are SI and stand in
 
 import numpy as np
 
-from hugoniot.output.codec import h5py, image_bytes, new_image
 from hugoniot.output.columns import describe
+from hugoniot.output.hdf5 import h5py, image_bytes, new_image
 
 _QUAD = 9          # VTK_QUAD
 _NODAL = ("position_x", "position_y", "velocity_x", "velocity_y")

@@ -17,6 +17,7 @@ from hugoniot.units import format_si
 
 MOST_ZONES = 10_000_000
 _STATE = ("density", "pressure", "temperature", "energy")
+IONISED = 15e3      # m/s of particle velocity: 112 MJ/kg, 31 eV for an atom of aluminium, whose first two electrons take 25 eV
 _SAME = 1e-9  # of a zone: a gap below it is round-off of the user's arithmetic
 
 
@@ -197,6 +198,7 @@ def read_interfaces(rows: Sequence, regions: tuple[Region, ...], collector: Coll
 def read_gauges(rows: Sequence, regions: tuple[Region, ...], collector: Collector) -> tuple[Gauge, ...]:
     """Gauges, each at a place that exists."""
     found: dict[str, Gauge] = {}
+    known = _places(regions)
     for i, row in enumerate(rows):
         if row is None:
             continue
@@ -206,11 +208,17 @@ def read_gauges(rows: Sequence, regions: tuple[Region, ...], collector: Collecto
         elif row.name != row.name.strip() or not row.name.isprintable():
             collector.add((*path, "name"), f"'{printable(row.name)}' cannot be a name", "use printable characters, no blanks at the ends")
         if regions:
-            wrong = _wrong_place(row.at, regions)
+            wrong = None if row.at in known else _wrong_place(row.at, regions)
             if wrong:
                 collector.add((*path, "at"), *wrong)
         found.setdefault(row.name, Gauge(row.name, row.at))
     return tuple(found.values())
+
+
+def _places(regions: tuple[Region, ...]) -> set[float | str]:
+    """The places with a name at which a gauge may sit."""
+    touching = {f"{a.name}/{b.name}" for a, b in zip(regions, regions[1:])}
+    return {"free surface left", "free surface right"} | touching | {f"{r.name}:{side}" for r in regions for side in ("left", "right")}
 
 
 def _wrong_place(at: float | str, regions: tuple[Region, ...]) -> tuple[str, str] | None:
@@ -273,4 +281,28 @@ def advice(problem: Problem) -> list[str]:
             if limit is not None and abs(ua - ub) > 2.0 * limit:
                 told.append(f"'{a.name}' meets '{b.name}' at {abs(ua - ub):g} m/s, but the data of '{region.material}' "
                             f"end at a particle velocity of {limit:g} m/s")
-    return told
+    return told + _beyond_atoms(problem)
+
+
+def _beyond_atoms(problem: Problem) -> list[str]:
+    """Materials without a stated range that meet something so fast that their atoms lose electrons."""
+    met: dict[str, float] = {}
+
+    def meets(region: Region, speed: float) -> None:
+        if problem.materials[region.material].valid_up_to is None:
+            met[region.material] = max(met.get(region.material, 0.0), speed)
+
+    for a, b in zip(problem.regions, problem.regions[1:]):
+        speed = 0.5 * abs(_end_speed(a, 1) - _end_speed(b, 0))
+        meets(a, speed)
+        meets(b, speed)
+    for boundary, region, side in ((problem.left, problem.regions[0], 0), (problem.right, problem.regions[-1], 1)):
+        if boundary.kind == "fixed":
+            meets(region, abs(_end_speed(region, side)))
+    return [f"material '{name}' is driven to a particle velocity of about {speed:.3g} m/s, {0.5e-6 * speed**2:.3g} MJ/kg: "
+            f"its atoms are ionised there, which no law of a deck describes, and no range of its data is stated (valid_up_to)"
+            for name, speed in met.items() if speed > IONISED]
+
+
+def _end_speed(region: Region, side: int) -> float:
+    return region.velocity[side] if isinstance(region.velocity, tuple) else region.velocity

@@ -1,5 +1,6 @@
 """Reads a deck: TOML text to a frozen `Problem`, with every problem of the text reported at once by file, line, key and hint."""
 
+import os
 import re
 import tomllib
 from collections.abc import Sequence
@@ -10,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.files import open_regular
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.materials.read import read_material
 from hugoniot.materials.users import for_deck
@@ -18,6 +20,8 @@ from hugoniot.problem.lines import line_finder
 from hugoniot.problem.solver_kinds import available_solvers, solver_module
 from hugoniot.problem.write import to_toml
 
+DEEPEST = 100         # tables and arrays within each other, and parts of a key
+_LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[A-Za-z0-9_-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+)""" f"{{{DEEPEST}}}")
 LARGEST = 20_000_000  # characters: a deck with long tables, not a file given by mistake
 
 
@@ -44,8 +48,10 @@ def read_deck(path: str | Path, overrides: dict[str, Any] | None = None, materia
     """
     path = Path(path)
     try:
-        with path.open("rb") as file:
+        with os.fdopen(open_regular(path), "rb") as file:
             data = file.read(4 * LARGEST + 1)   # four bytes a character at the most: a result given by mistake is not read to its end
+    except FileTrouble:
+        raise
     except OSError as error:
         near = sorted(p.name for p in path.parent.glob("*.toml"))[:5] if path.parent.is_dir() else []
         hint = f"; decks here: {', '.join(near)}" if near else "; hugoniot init writes one"
@@ -93,8 +99,14 @@ def write_deck(problem: Any, kind: str | None = None) -> str:
 def _parse(text: str, name: str) -> dict:
     if len(text) > LARGEST:
         raise DeckError.single(name, None, "deck", f"more than {LARGEST} characters are too many for a deck", "was another file meant?")
+    long = _LONG_KEY.search(text)
+    if long is not None:
+        line = text.count("\n", 0, long.start()) + 1
+        raise DeckError.single(name, line, "deck", f"a key of more than {DEEPEST} parts", "was another file meant?")
     try:
-        return tomllib.loads(text)
+        raw = tomllib.loads(text)
+        _check_values(raw, name)
+        return raw
     except tomllib.TOMLDecodeError as error:
         match = re.search(r"\(at line (\d+), column (\d+)\)", str(error))
         at_end = "at end of document" in str(error)
@@ -108,6 +120,20 @@ def _parse(text: str, name: str) -> dict:
         raise DeckError.single(name, None, "deck", "not a deck: arrays nested too deeply") from None
     except ValueError as error:  # numbers with more digits than the language converts
         raise DeckError.single(name, None, "deck", f"not a deck: {printable(str(error), 120)}") from None
+
+
+def _check_values(raw: Any, name: str) -> None:
+    """Raise `DeckError` for nesting and whole numbers that no deck has: what follows may go down without a limit, and print numbers."""
+    waiting: list[tuple[Any, int, str]] = [(raw, 0, "deck")]
+    while waiting:
+        value, depth, key = waiting.pop()
+        if isinstance(value, int) and not -2**63 <= value < 2**63:
+            raise DeckError.single(name, None, printable(key), "not a deck: a whole number beyond 64 bits")
+        if isinstance(value, (dict, list)):
+            if depth > DEEPEST:
+                raise DeckError.single(name, None, "deck", "not a deck: tables and arrays nested too deeply")
+            inner = value.items() if isinstance(value, dict) else ((key, v) for v in value)
+            waiting += [(v, depth + 1, str(k)) for k, v in inner]
 
 
 def _solver_kind(raw: dict, collector: Collector) -> str:
@@ -142,6 +168,9 @@ def _own_materials(raw: dict, places: Sequence[str | Path], beside: Path | None)
 def _override(raw: dict, key: str, value: Any, collector: Collector) -> None:
     """Put a value under a dotted key; elements of [[region]] and the like are chosen by name. A table is merged, not replaced."""
     *parents, last = key.split(".") if isinstance(key, str) else [""]
+    _check_values(value, collector.file)
+    if len(parents) > DEEPEST:
+        raise DeckError.single(collector.file, None, printable(key), f"a key of more than {DEEPEST} parts")
     here: Any = raw
     for part in parents:
         if isinstance(here, list):

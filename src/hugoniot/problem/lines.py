@@ -8,6 +8,7 @@ import re
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _BLANK = re.compile(r"(?:[ \t\r\n,]+|#[^\n]*)*")
+_NEXT, _NEXT_LITERAL = re.compile(r'["\\]|\Z'), re.compile(r"'|\Z")     # where a text may end, or an escape begins
 _SCALAR = re.compile(r"[^,\]}\n#]*")
 _ESCAPES = {"b": "\b", "t": "\t", "n": "\n", "f": "\f", "r": "\r", '"': '"', "\\": "\\", "e": "\x1b"}
 _DEEPEST = 60
@@ -20,15 +21,17 @@ def key_lines(text: str) -> dict[tuple, int]:
 
 def line_finder(text: str):
     """Function from a key path to its line; of a key that is not there, the line of the nearest table around it, or None."""
-    try:
-        lines = key_lines(text)
-    except (ValueError, IndexError):  # a message without a line number beats no message
-        lines = {}
+    found: list[dict[tuple, int]] = []   # looked for when the first message needs a line: a sound deck has none
 
     def line_of(path: tuple) -> int | None:
+        if not found:
+            try:
+                found.append(key_lines(text))
+            except (ValueError, IndexError):  # a message without a line number beats no message
+                found.append({})
         for length in range(len(path), 0, -1):
-            if path[:length] in lines:
-                return lines[path[:length]]
+            if path[:length] in found[0]:
+                return found[0][path[:length]]
         return None
 
     return line_of
@@ -142,7 +145,12 @@ class _Scanner:
         self.at += len(mark)
         start = self.at
         while not self.text.startswith(mark, self.at):
-            self.at += 2 if quote == '"' and self.text[self.at] == "\\" else 1
+            if self.at >= len(self.text):
+                raise ValueError("a text without an end")
+            if quote == '"' and self.text[self.at] == "\\":
+                self.at += 2
+            else:
+                self.at = (_NEXT if quote == '"' else _NEXT_LITERAL).search(self.text, self.at + 1).start()  # type: ignore[union-attr]
         while long and self.text.startswith(quote, self.at + 3):  # up to two quotes may stand before the closing three
             self.at += 1
         content = self.text[start : self.at]

@@ -11,6 +11,7 @@ from typing import Annotated, Any
 from pydantic import BaseModel, ConfigDict, ValidationError
 from pydantic_core import PydanticCustomError, core_schema
 
+from hugoniot.errors import DeckError
 from hugoniot.laws import mixture, viscosity  # noqa: F401  (enrols the laws)
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.units import UnitError, parse
@@ -78,10 +79,12 @@ def validate(model: type[BaseModel], raw: Any, collector: Collector, path: tuple
     try:
         return model.model_validate(raw)
     except ValidationError as error:
-        for item in error.errors(include_url=False):
-            location = tuple(item["loc"])
-            if location[:1] not in [(s,) for s in skip]:
-                collector.add((*path, *location), *_in_words(item, model))
+        found = [item for item in error.errors(include_url=False) if tuple(item["loc"])[:1] not in [(s,) for s in skip]]
+        for k, item in enumerate(found):
+            try:
+                collector.add((*path, *item["loc"]), *_in_words(item, model))
+            except DeckError as enough:
+                raise DeckError(enough.problems, enough.more + len(found) - k - 1) from None
         return None
 
 

@@ -15,12 +15,12 @@ def write_or_note(folder, write: Callable | None = None) -> None:
 
     write   writes the report of a folder (default: `write_report`)
     """
-    from hugoniot.output.run_folder import RunFolder
+    from hugoniot.output.run_folder import log_line
 
     try:
         (write or write_report)(folder)
     except (OSError, ValueError, KeyError) as error:
-        RunFolder(folder, resume=True).log(f"warning: the report could not be written: {error}")
+        log_line(folder, f"warning: the report could not be written: {error}")
 
 
 __all__ = ["write_or_note", "write_report"]

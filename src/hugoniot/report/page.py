@@ -8,6 +8,7 @@ import numpy as np
 from hugoniot.output.atomic import write_whole
 from hugoniot.output.run import Run, load
 from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, spall_numbers
+from hugoniot.output.seal import sealed
 from hugoniot.output.spall_reading import SURFACE, surface_record
 from hugoniot.plotting.inline import picture_tasks
 from hugoniot.report import sections
@@ -134,5 +135,5 @@ def write_report(folder, drawn: Callable = one_by_one) -> pathlib.Path:
     """Write report.html into the folder of a finished run; gives its path. Raises `FileTrouble`."""
     run = load(folder)
     path = run.folder / "report.html"
-    write_whole(path, page(run, drawn), durable=False)
+    write_whole(path, sealed(page(run, drawn), "<!-- ", " -->\n"), durable=False)
     return path

@@ -19,6 +19,7 @@ from pathlib import Path
 import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble, NoSolution, OutOfRange
+from hugoniot.files import read_text
 from hugoniot.laws.eos.jwl import JWL
 from hugoniot.laws.eos.jwl_isentrope import JWLIsentrope, exponential, power
 from hugoniot.units import UnitError, parse
@@ -107,7 +108,7 @@ def read_columns(path, columns: dict, what: str) -> tuple[np.ndarray, ...]:
     path = Path(path)
     example = ", ".join(f"{words[-1]} ({_SAMPLE[unit]})" if unit != "1" else words[-1] for unit, words in columns.values())
     try:
-        lines = path.read_text(encoding="utf-8-sig").splitlines()
+        lines = read_text(path).splitlines()
     except OSError as error:
         raise FileTrouble(f"cannot read {path}: {error.strerror or error}; give a CSV file of {what}") from None
     except UnicodeDecodeError:

@@ -2,14 +2,15 @@
 
 import errno
 import json
+import os
 import pathlib
 import subprocess
 import sys
 import tempfile
-import time
 from types import SimpleNamespace
 
 import pytest
+from pace import in_starts
 
 from hugoniot.cli import main as front
 from hugoniot.cli.progress import Lines, Silent, duration, words
@@ -29,13 +30,10 @@ def call(capsys, *arguments):
 
 
 def test_help_answers_at_once():
-    walls = []
-    for _ in range(5):  # the best of five: the bar is on the program, not on what else the machine does
-        begun = time.perf_counter()
-        ended = subprocess.run([sys.executable, "-m", "hugoniot.cli.main", "--help"], capture_output=True, text=True, timeout=60)
-        walls.append(time.perf_counter() - begun)
-        assert ended.returncode == 0 and "compare" in ended.stdout
-    assert min(walls) < 0.3
+    """It costs little more than the import of the library of command lines; 0.3 s are asked for in benchmarks/answers.py."""
+    ended = subprocess.run([sys.executable, "-m", "hugoniot.cli.main", "--help"], capture_output=True, text=True, timeout=60)
+    assert ended.returncode == 0 and "compare" in ended.stdout
+    assert in_starts(["-m", "hugoniot.cli.main", "--help"], ["-c", "import typer"], check=True) < 2.0
 
 
 def test_help_imports_no_slow_library():
@@ -61,13 +59,15 @@ def test_a_file_that_may_not_be_read_ends_with_the_code_of_files(arguments, caps
     monkeypatch.chdir(tmp_path)
     (tmp_path / "deck.toml").write_text("")
 
-    def refuse(*_, **__):
-        raise PermissionError(errno.EACCES, "Permission denied")
+    real = os.open
+
+    def refuse(path, *words, **more):
+        if str(path).endswith("deck.toml"):
+            raise PermissionError(errno.EACCES, "Permission denied")
+        return real(path, *words, **more)
 
     monkeypatch.setattr("os.access", lambda *_, **__: False)
-    monkeypatch.setattr("pathlib.Path.read_text", refuse)
-    monkeypatch.setattr("pathlib.Path.read_bytes", refuse)
-    monkeypatch.setattr("pathlib.Path.open", refuse)
+    monkeypatch.setattr("os.open", refuse)
     code, _, err = call(capsys, *arguments)
     assert code == 4 and "deck.toml: Permission denied" in err
 

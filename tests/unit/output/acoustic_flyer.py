@@ -104,25 +104,23 @@ class AcousticFlyer:
 
 def run(folder, *, resume=False, overwrite=False, checkpoint_every=0, cycles=480, snapshot_every=8, after_step=None, **size):
     """Run the flyer into `folder`; `after_step(flyer)` may raise or kill. Gives the recorder."""
-    recorder = RunFolder(folder, resume=resume, overwrite=overwrite)
-    flyer = AcousticFlyer(**size)
-    recorder.start(flyer.problem, DECK, flyer.meta())
-    payload = recorder.latest_checkpoint() if resume else None
-    if payload:
-        flyer.restore(payload)
-    while flyer.cycle < cycles:
-        flyer.step(recorder)
-        recorder.gauges([flyer.time], flyer.gauge_row())
-        recorder.budget([flyer.time], flyer.budget_row())
-        if flyer.cycle % snapshot_every == 0:
-            recorder.snapshots([flyer.time], [flyer.cycle], {k: v[None] for k, v in flyer.fields().items()})
-        if checkpoint_every and flyer.cycle % checkpoint_every == 0:
-            recorder.checkpoint(flyer.payload())
-        if after_step:
-            after_step(flyer)
-    recorder.finish({"cycles": flyer.cycle, "time": flyer.time, "zone_updates": flyer.cycle * flyer.n, "wall_seconds": 0.1,
-                     "kernel_seconds": 0.05, "mass_error": 0.0, "momentum_error": 0.0, "energy_error": 1e-15, "voids_opened": 1,
-                     "voids_closed": 0}, {"stress": flyer.peak})
+    with RunFolder(folder, resume=resume, overwrite=overwrite) as recorder:
+        flyer = AcousticFlyer(**size)
+        recorder.start(flyer.problem, DECK, flyer.meta())
+        payload = recorder.latest_checkpoint() if resume else None
+        if payload:
+            flyer.restore(payload)
+        while flyer.cycle < cycles:
+            flyer.step(recorder)
+            recorder.gauges([flyer.time], flyer.gauge_row())
+            recorder.budget([flyer.time], flyer.budget_row())
+            if flyer.cycle % snapshot_every == 0:
+                recorder.snapshots([flyer.time], [flyer.cycle], {k: v[None] for k, v in flyer.fields().items()})
+            if checkpoint_every and flyer.cycle % checkpoint_every == 0:
+                recorder.checkpoint(flyer.payload())
+            if after_step:
+                after_step(flyer)
+        recorder.finish({"cycles": flyer.cycle, "time": flyer.time, "zone_updates": flyer.cycle * flyer.n, "wall_seconds": 0.1,
+                         "kernel_seconds": 0.05, "mass_error": 0.0, "momentum_error": 0.0, "energy_error": 1e-15, "voids_opened": 1,
+                         "voids_closed": 0}, {"stress": flyer.peak})
     return recorder
-
-

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from hugoniot.errors import FileTrouble, UnphysicalState
-from hugoniot.output import atomic
+from hugoniot.output import atomic, hdf5
 from hugoniot.output.run import load, read_post_mortem
 from hugoniot.output.run_folder import RunFolder
 
@@ -129,7 +129,7 @@ def test_the_method_is_cited_only_where_it_was_used():
 # -- refusals ---------------------------------------------------------------------------------------------------------
 def test_a_run_is_not_overwritten_unasked(whole, tmp_path):
     before = (whole / "result.h5").read_bytes()
-    with pytest.raises(FileTrouble, match="holds result.h5 already.*--out"):
+    with pytest.raises(FileTrouble, match="holds summary.json already.*--out"):
         RunFolder(whole)
     assert (whole / "result.h5").read_bytes() == before
     acoustic_flyer.run(tmp_path / "a", **SMALL)
@@ -177,45 +177,60 @@ def test_a_result_that_may_not_be_read_is_named(whole, monkeypatch):
     def refuse(*_, **__):
         raise PermissionError(errno.EACCES, "Permission denied")
 
-    monkeypatch.setattr("pathlib.Path.read_text", refuse)
-    with pytest.raises(FileTrouble, match=r"summary\.json: no permission to read it$"):
-        _ = load(whole).summary
+    with monkeypatch.context() as forbidden:
+        forbidden.setattr("os.open", refuse)
+        with pytest.raises(FileTrouble, match=r"summary\.json: no permission to read it$"):
+            _ = load(whole).summary
     monkeypatch.setattr("h5py.File", refuse)
     with pytest.raises(FileTrouble, match=r"result\.h5: no permission to read it$"):
         load(whole).arrays("gauges")
 
 
-def test_a_damaged_result_is_a_file_trouble(whole, tmp_path):
+def test_a_damaged_result_is_not_read(whole, tmp_path):
     for name in ("result.h5", "summary.json"):
-        data = (whole / name).read_bytes()
-        (tmp_path / name).write_bytes(data)
-    (tmp_path / "result.h5").write_bytes(data[:100])
-    with pytest.raises(FileTrouble, match="cannot be read as a result"):
-        load(tmp_path).arrays("gauges")
+        (tmp_path / name).write_bytes((whole / name).read_bytes())
+    data = bytearray((whole / "result.h5").read_bytes())
+    data[len(data) // 2] ^= 1
+    for damaged in (bytes(data), bytes(data[:100])):
+        (tmp_path / "result.h5").write_bytes(damaged)
+        with pytest.raises(FileTrouble, match="result.h5: changed since the run ended .*SHA-256.*info .* --verify"):
+            load(tmp_path).arrays("gauges")
     (tmp_path / "summary.json").write_text("{")
-    with pytest.raises(FileTrouble, match="not the summary"):
+    with pytest.raises(FileTrouble, match="summary.json: changed since it was written"):
         assert load(tmp_path).summary
+
+
+def test_a_summary_with_another_number_is_not_believed(whole, tmp_path):
+    for name in ("result.h5", "summary.json"):
+        (tmp_path / name).write_bytes((whole / name).read_bytes())
+    text = (tmp_path / "summary.json").read_text()
+    for old, new in (('"cycles": 160', '"cycles": 161'), ('"sha256_of_this_text"', '"sha256_of_this_test"'), ("\n  ", "\n\t ")):
+        assert old in text
+        (tmp_path / "summary.json").write_text(text.replace(old, new, 1))
+        with pytest.raises(FileTrouble, match="summary.json: changed since it was written"):
+            assert load(tmp_path).summary
 
 
 # -- a disk that fills up -----------------------------------------------------------------------------------------------
 class FullDisk:
-    """Lets `room` bytes through, then refuses; `atomic._write_all` is the one door to the disk."""
+    """Lets `room` bytes through, then refuses; `atomic.put` is the one door to the disk."""
 
     def __init__(self, monkeypatch, room):
-        self.room, self.real = room, atomic._write_all
-        monkeypatch.setattr(atomic, "_write_all", self)
+        self.room, self.real = room, atomic.put
+        monkeypatch.setattr(atomic, "put", self)
 
-    def __call__(self, path, data, durable):
-        if len(data) > self.room:
-            path.write_bytes(data[: self.room])
-            self.room = 0
+    def __call__(self, handle, data):
+        if self.room <= 0:
             raise OSError(errno.ENOSPC, "No space left on device")
-        self.room -= len(data)
-        self.real(path, data, durable)
+        taken = self.real(handle, memoryview(data)[: self.room])
+        self.room -= taken
+        return taken
 
 
 @pytest.mark.parametrize("fraction", [0.1, 0.35, 0.6, 0.8, 0.95, 0.9999])
-def test_a_full_disk_loses_nothing_and_resume_finishes(whole, tmp_path, monkeypatch, fraction):
+@pytest.mark.parametrize("in_memory", [hdf5.IN_MEMORY, 0])
+def test_a_full_disk_loses_nothing_and_resume_finishes(whole, tmp_path, monkeypatch, fraction, in_memory):
+    monkeypatch.setattr(hdf5, "IN_MEMORY", in_memory)
     with monkeypatch.context() as patched:
         disk = FullDisk(patched, 10**12)
         acoustic_flyer.run(tmp_path / "roomy", checkpoint_every=40, **SMALL)
@@ -224,7 +239,7 @@ def test_a_full_disk_loses_nothing_and_resume_finishes(whole, tmp_path, monkeypa
             acoustic_flyer.run(tmp_path / "a", checkpoint_every=40, **SMALL)
     assert not list((tmp_path / "a").rglob("*.part"))
     acoustic_flyer.run(tmp_path / "a", resume=True, checkpoint_every=40, **SMALL)
-    assert same_bytes(whole, tmp_path / "a")
+    assert same_bytes(whole if in_memory else tmp_path / "roomy", tmp_path / "a")
 
 
 def test_a_size_limit_of_the_process_is_explained(tmp_path):
@@ -245,7 +260,7 @@ def test_a_size_limit_of_the_process_is_explained(tmp_path):
 
 
 def test_a_disk_that_returns_other_bytes_is_noticed(tmp_path, monkeypatch):
-    monkeypatch.setattr(atomic, "_write_all", lambda path, data, durable: path.write_bytes(data[:-1] + b"?"))
+    monkeypatch.setattr(atomic, "put", lambda handle, data: os.write(handle, bytes(data[:-1]) + b"?"))
     (tmp_path / "x").write_bytes(b"old")
     with pytest.raises(FileTrouble, match="could not be read back"):
         atomic.write_whole(tmp_path / "x", b"new")

@@ -8,7 +8,7 @@ import sys
 import time
 
 FILES = ("result.h5", "gauges.csv", "deck.toml")
-TIMINGS = {"wall_seconds", "kernel_seconds", "compile_seconds"}
+TIMINGS = {"wall_seconds", "kernel_seconds", "compile_seconds", "sha256", "run_log_bytes", "sha256_of_this_text"}     # the log has times of day
 
 
 def same_bytes(one, other):
@@ -31,7 +31,7 @@ def wait_for_checkpoint(process, folder, seconds=120.0):
     """True when a checkpoint stands in the folder, False when the run was done before."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
-        if list((folder / "checkpoint").glob("*.json")):
+        if list((folder / "checkpoint").glob("[0-9]*.json")):
             return True
         if process.poll() is not None:
             return False

@@ -3,11 +3,11 @@
 import math
 import subprocess
 import sys
-import time
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from pace import calls
 
 from hugoniot.units import UnitError, convert, format_si, parse
 
@@ -81,9 +81,11 @@ def test_pint_is_not_imported_for_the_units_of_the_field():
     assert subprocess.run([sys.executable, "-c", code], timeout=60).returncode == 0
 
 
-def test_hostile_units_are_refused_quickly():
-    begun = time.perf_counter()
-    for text in ("1 " + "m*" * 59, "1 " + "m^9" * 39, "1 m^9^9^9^9", "1 " + "a" * 100):
+@pytest.mark.parametrize("text", ["1 " + "m*" * 59, "1 " + "m^9" * 39, "1 m^9^9^9^9", "1 " + "a" * 100])
+def test_hostile_units_are_refused_quickly(text):
+    def refused():
         with pytest.raises(UnitError):
             parse(text, "m")
-    assert time.perf_counter() - begun < 2.0
+
+    refused()
+    assert calls(refused) < 10_000

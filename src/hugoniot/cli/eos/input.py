@@ -7,6 +7,7 @@ from typing import Any
 
 from hugoniot.cli.show import number_or_text, quantity
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
+from hugoniot.files import read_text
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.materials.material import Material
 
@@ -103,7 +104,7 @@ def _from_file(path: Path, inside: str) -> Material:
     from hugoniot.problem.lines import line_finder
 
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        text = read_text(path)
         tables = tomllib.loads(text)
     except OSError as error:
         raise FileTrouble(f"cannot read {path}: {error.strerror or error}; give a name of the library (hugoniot material list) "

@@ -1,0 +1,189 @@
+"""Input that is huge, endless or made to break: a few clear messages, after work that grows with the length of the input and no faster.
+
+Work is counted in calls of functions, so that no test depends on the speed of a machine.
+"""
+
+import os
+import sys
+
+import h5py
+import numpy as np
+import pytest
+from test_broken_decks import SOUND
+
+from hugoniot.cli.main import main
+from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.materials import tables_io
+from hugoniot.materials.table_hdf5 import read_table, write_table
+from hugoniot.materials.users import read_materials
+from hugoniot.problem.deck import read_deck, read_deck_text
+from hugoniot.theory.fits import read_points
+
+unix = pytest.mark.skipif(sys.platform == "win32", reason="pipes and devices are a Unix matter")
+
+
+def calls(text):
+    """(problems shown, problems in all, functions called) of reading a deck."""
+    count = 0
+
+    def note(frame, event, argument):
+        nonlocal count
+        count += event in ("call", "c_call")
+
+    problems, more = [], 0
+    sys.setprofile(note)
+    try:
+        read_deck_text(text, "deck.toml")
+    except DeckError as error:
+        problems, more = error.problems, error.more
+    finally:
+        sys.setprofile(None)
+    return len(problems), len(problems) + more, count
+
+
+MANY = {
+    "unknown keys": lambda n: "".join(f"key{k} = {k}\n" for k in range(n)) + SOUND,
+    "unknown parameters": lambda n: SOUND.replace('law = "mie_gruneisen"\n', 'law = "mie_gruneisen"\n' + "".join(f"key{k} = {k}\n" for k in range(n))),
+    "bad gauges": lambda n: SOUND + "".join(f'[[gauge]]\nname = "g{k}"\nat = "nowhere {k}"\n' for k in range(n)),
+    "bad regions": lambda n: SOUND + "".join(f'[[region]]\nname = "g{k}"\nmaterial = "no{k}"\nfrom = "{k} mm"\nto = "1 mm"\nzones = 1\n' for k in range(n)),
+    "interfaces of strangers": lambda n: SOUND + "".join(f'[[interface]]\nbetween = ["a{k}", "b{k}"]\n' for k in range(n)),
+    "unknown laws": lambda n: SOUND + "".join(f'[material.m{k}.eos]\nlaw = "x{k}"\n' for k in range(n)),
+    "unknown tables": lambda n: SOUND + "".join(f"[t{k}]\nx = 1\n" for k in range(n)),
+    "sound regions and gauges": lambda n: 'stop_time = 1e-6\n' + "".join(
+        f'[[region]]\nname = "g{k}"\nmaterial = "copper"\nfrom = {k}.0\nto = {k + 1}.0\nzones = 1\n' for k in range(n)) + "".join(
+        f'[[gauge]]\nname = "x{k}"\nat = "g{k}/g{k + 1}"\n' for k in range(n - 1)),
+}
+
+
+@pytest.mark.parametrize("name", MANY)
+def test_the_work_grows_no_faster_than_the_deck_and_fifty_problems_are_shown(name):
+    read_deck_text(SOUND)
+    calls(MANY[name](60))      # what is imported for the first message is no work of the deck's
+    shown, total, few = calls(MANY[name](250))
+    if "sound" in name:
+        assert total == 0
+    else:
+        assert shown == 50 and total > 50
+    _, _, many = calls(MANY[name](1000))
+    assert many < 5.0 * few
+
+
+def test_the_count_of_all_problems_is_printed(tmp_path, capsys):
+    path = tmp_path / "deck.toml"
+    path.write_text(MANY["unknown keys"](400))
+    with pytest.raises(SystemExit) as ended:
+        main(["check", str(path)])
+    told = capsys.readouterr().err
+    assert ended.value.code == 2 and len(told.splitlines()) == 51
+    assert told.splitlines()[-1] == "at least 400 problems; the first 50 are shown"
+
+
+STRANGE = {
+    "a key of ten thousand parts": SOUND + "a" + ".a" * 10_000 + " = 1\n",
+    "a key of quoted parts": SOUND + '"a"' + ' . "b"' * 10_000 + " = 1\n",
+    "a header of ten thousand parts": SOUND + "[a" + ".a" * 10_000 + "]\n",
+    "an inline table of long keys": SOUND + "x = {a" + ".a" * 10_000 + " = 1}\n",
+    "tables within tables": SOUND + "x = " + "{a=" * 150 + "1" + "}" * 150 + "\n",
+    "a hexadecimal number of 3 600 digits": SOUND.replace("zones = 200", "zones = 0x" + "f" * 3600),
+    "the same as a title": SOUND.replace('title = "Aluminium on aluminium"', "title = 0x" + "f" * 3600),
+    "the same as a velocity": SOUND.replace('"700 m/s"', "0x" + "f" * 3600),
+    "the same in an array": SOUND.replace('left = "free"', "left = {velocity = {times = [0, 0x" + "f" * 3600 + "], values = [0, 1]}}"),
+    "a material of 300 letters": SOUND.replace('material = "al"', 'material = "' + "A" * 300 + '"'),
+}
+
+
+@pytest.mark.parametrize("name", STRANGE)
+def test_strange_decks_are_refused_in_words(tmp_path, name):
+    path = tmp_path / "deck.toml"
+    path.write_text(STRANGE[name])
+    with pytest.raises(DeckError) as caught:
+        read_deck(path)
+    assert 0 < len(caught.value.problems) < 5 and len(str(caught.value)) < 1000 and str(caught.value).replace("\n", "").isprintable()
+
+
+@pytest.mark.parametrize("setting", ["a" + ".a" * 5_000 + "=1", "region" + ".flyer" * 5_000 + "=1", "stop_time=0x" + "f" * 3600,
+                                     "stop_time=" + "[" * 5_000, "x={" + "a." * 5_000 + "a=1}"])
+def test_strange_settings_are_refused_in_words(tmp_path, capsys, setting):
+    (tmp_path / "deck.toml").write_text(SOUND)
+    with pytest.raises(SystemExit) as ended:
+        main(["check", str(tmp_path / "deck.toml"), "--set", setting])
+    told = capsys.readouterr().err
+    assert ended.value.code == 2 and "unexpected" not in told and len(told) < 1000
+
+
+def test_hints_hold_no_escape_characters():
+    names = SOUND.replace("[material.al.", '[material."a\\u001b[31ml".').replace('material = "al"', 'material = "a[31ml"')
+    with pytest.raises(DeckError) as caught:
+        read_deck_text(names)
+    assert "\x1b" not in str(caught.value)
+
+
+# -- files that are none ----------------------------------------------------------------------------------------------
+@unix
+@pytest.mark.parametrize("kind", ["device", "pipe", "folder"])
+@pytest.mark.parametrize("read", [read_deck, read_materials, tables_io.load, read_points, read_table])
+def test_only_regular_files_are_read(tmp_path, kind, read):
+    path = tmp_path / "input.h5"
+    if kind == "pipe":
+        os.mkfifo(path)
+    elif kind == "folder":
+        path.mkdir()
+    else:
+        path.symlink_to("/dev/zero")
+    with pytest.raises(FileTrouble, match="not a regular file but a|Is a directory"):
+        read(path)
+
+
+@unix
+def test_a_pipe_beside_the_deck_is_no_material(tmp_path):
+    os.mkfifo(tmp_path / "al2.toml")
+    (tmp_path / "deck.toml").write_text(SOUND.replace('material = "al"', 'material = "al2"'))
+    with pytest.raises(DeckError, match="unknown material 'al2'"):
+        read_deck(tmp_path / "deck.toml")
+
+
+@pytest.mark.parametrize("head", ["nan 2.0", "2.0 nan", "inf 2.0", "1.0E+300 2.0", "2.5 2.0", "-2.0 3.0", "1.0 1.0"])
+def test_a_sesame_table_with_a_nonsensical_head_is_refused(head):
+    text = f" 0 3720 301 22 r 82803 22704 1\n {head} 1.0 2.0 3.0 4.0 1.0 1.0 1.0 1.0\n"
+    with pytest.raises(DeckError, match="numbers of densities and temperatures|need .* words"):
+        tables_io.read_301(text)
+
+
+def test_a_sesame_head_with_a_number_of_many_digits_is_no_head():
+    with pytest.raises(DeckError, match="no 301 table"):
+        tables_io.read_301(f" 0 {'9' * 5000} 301 22 r\n 2.0 2.0\n")
+
+
+@pytest.fixture(scope="module")
+def table(tmp_path_factory):
+    path = tmp_path_factory.mktemp("table") / "gas.h5"
+    rho, t = np.array([1.0, 2.0, 4.0]), np.array([300.0, 600.0, 1200.0])
+    write_table(path, rho, t, rho[:, None] * t * 287.0, np.ones(3)[:, None] * t * 717.5, "a gas")
+    return path
+
+
+def test_a_changed_number_in_a_table_is_noticed(table, tmp_path):
+    data = bytearray(table.read_bytes())
+    place = data.find(np.float64(600.0).tobytes())
+    data[place + 4] ^= 1
+    (tmp_path / "gas.h5").write_bytes(data)
+    with pytest.raises(DeckError, match="damaged"):
+        read_table(tmp_path / "gas.h5")
+
+
+def test_a_table_that_claims_to_be_huge_is_refused(tmp_path):
+    with h5py.File(tmp_path / "huge.h5", "w") as file:
+        for name in ("density", "temperature"):
+            file[name] = np.array([1.0, 2.0])
+        for name in ("pressure", "energy"):
+            file.create_dataset(name, (10**7, 10**7), "f8", chunks=(100, 100))
+    with pytest.raises(DeckError, match="is of shape"):
+        read_table(tmp_path / "huge.h5")
+
+
+def test_names_in_a_foreign_table_reach_no_terminal_raw(tmp_path):
+    with h5py.File(tmp_path / "bad.h5", "w") as file:
+        file["\x1b[31mdensity"] = np.array([1.0])
+    with pytest.raises(DeckError) as caught:
+        read_table(tmp_path / "bad.h5")
+    assert "\x1b" not in str(caught.value)

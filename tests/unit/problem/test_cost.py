@@ -1,0 +1,63 @@
+"""The estimate of memory and disk that `hugoniot check` prints, against runs."""
+
+import json
+
+import pytest
+
+from hugoniot import simulate
+from hugoniot.cli.main import main
+from hugoniot.problem import catalogue
+from hugoniot.problem.cost import estimate
+from hugoniot.problem.deck import read_deck_text
+
+
+@pytest.mark.parametrize("fields", ["", '["pressure", "density"]'])
+def test_the_snapshots_of_a_result_have_the_size_that_was_estimated(tmp_path, fields):
+    text = catalogue.deck_text("sod").replace("zones = 100", "zones = 400")
+    (tmp_path / "deck.toml").write_text(text)
+    changes = {"output.report": False} | ({"output.fields": json.loads(fields)} if fields else {})
+    run = simulate.run(tmp_path / "deck.toml", tmp_path / "run", **changes)
+    rows = run.arrays("snapshots")
+    size = sum(values.nbytes for values in rows.values() if values.ndim == 2)
+    cost = estimate(read_deck_text(run.deck).problem)
+    assert cost.zones == 800 and cost.snapshots == len(rows["time"])
+    assert cost.result == pytest.approx(size, rel=0.3)
+
+
+def test_a_million_zones_with_a_hundred_snapshots_are_expected_to_need_less_than_three_gigabytes(tmp_path, capsys):
+    (tmp_path / "deck.toml").write_text(
+        'stop_time = "1 us"\n[[region]]\nname = "a"\nmaterial = "copper"\nfrom = "0 m"\nto = "1 m"\nzones = 1000000\n')
+    with pytest.raises(SystemExit):
+        main(["check", str(tmp_path / "deck.toml"), "--json"])
+    told = json.loads(capsys.readouterr().out)["estimate"]
+    assert told["memory"] < 3e9 and 1e10 < told["result"] < 2e10
+    with pytest.raises(SystemExit):
+        main(["check", str(tmp_path / "deck.toml")])
+    assert "1000000 zones, 101 snapshots: about 1.2 GB of memory, result.h5 about 11 GB" in capsys.readouterr().out
+
+
+FAST = """stop_time = "1 us"
+[[region]]
+name = "a"
+material = "own"
+from = 0.0
+to = 1e-3
+zones = 10
+velocity = {velocity}
+[[region]]
+name = "b"
+material = "own"
+from = 1e-3
+to = 2e-3
+zones = 10
+[material.own.eos]
+"""
+SOLID = 'law = "mie_gruneisen"\nrho0 = 2700.0\nc0 = 5200.0\ns = 1.5\ngamma0 = 2.0\n'
+GAS = 'law = "ideal_gas"\ngamma = 1.4\nrho0 = 1.2\n'
+
+
+@pytest.mark.parametrize("law, velocity, warned", [(SOLID, 50e3, True), (SOLID, 10e3, False), (GAS, 1e8, True), (GAS, 3e3, False)])
+def test_speeds_that_ionise_a_material_without_a_stated_range_are_warned_of(law, velocity, warned):
+    """50 km/s of aluminium give 312 MJ/kg, 87 eV for each atom."""
+    warnings = read_deck_text(FAST.format(velocity=velocity) + law).warnings
+    assert any("its atoms are ionised" in words for words in warnings) == warned
