@@ -28,11 +28,13 @@ from hugoniot.zones.viscosity import resisted, smoothness
 
 SMALL = 1e-30
 
-HalfMotionRows = namedtuple("HalfMotionRows", "r u gradient inverse_mass e sigma hoop_force end_e v rho radial hoop dilation smooth squeeze")
+HalfMotionRows = namedtuple("HalfMotionRows", "r u gradient inverse_mass e sigma hoop_force end_e v rho radial hoop dilation smooth "
+                            "squeeze")
 HalfStressRows = namedtuple("HalfStressRows", "r solid squeeze speed p t1 t2 q sigma hoop_force")
 EndMotionRows = namedtuple("EndMotionRows", "r_half u_mean r u gradient inverse_mass sigma hoop_force q e v rho radial hoop dilation heat "
                            "viscous_work found")
-EndStressRows = namedtuple("EndStressRows", "r solid_v shear c2 p q t1 t2 speed inverse_mass rho c s1 s2 sigma hoop_force inverse_width found")
+EndStressRows = namedtuple("EndStressRows", "r solid_v shear c2 p q t1 t2 speed inverse_mass rho c s1 s2 sigma hoop_force inverse_width "
+                           "found")
 HalfHeatRows = namedtuple("HalfHeatRows", "q v radial heat")
 FluxRows = namedtuple("FluxRows", "r u lam q rho inverse_mass e flux")
 
@@ -213,8 +215,9 @@ def predict(count, at, steps, recipe, constants, dt):
 def correct(count, at, steps, recipe, constants, found, dt):
     """State at the end of the step."""
     z, b, h, w = at.z, at.b, at.h, at.w
-    call_pass(steps.end_motion, count, EndMotionRows(h.r_half, h.u_mean, h.r, h.u, at.g, z.inverse_mass, z.sigma_half, z.hoop_half, z.q, z.e,
-                                                     w.v, z.rho, w.radial, w.hoop, w.dilation, w.heat, z.viscous_work, found), dt, constants)
+    call_pass(steps.end_motion, count, EndMotionRows(h.r_half, h.u_mean, h.r, h.u, at.g, z.inverse_mass, z.sigma_half, z.hoop_half, z.q,
+                                                     z.e, w.v, z.rho, w.radial, w.hoop, w.dilation, w.heat, z.viscous_work, found), dt,
+              constants)
     solid, solid_v = z.rho, w.v
     if recipe.relief != 0:
         material.solid_volume(count, at, recipe)

@@ -54,10 +54,10 @@ SOUND_SHARE, VISCOUS_SHARE = 4.0 / 9.0 * (1.0 + 1.0 / 1.55), 4.0 / 9.0 * 5.5
 MotionRows = namedtuple("MotionRows", "r u inverse_mass v_old v dv v_half rho_half rho radial hoop dilation squeeze")
 TargetRows = namedtuple("TargetRows", "t1 t2 s1 s2 radial hoop v_half dv rho_half squeeze speed e q_old q heat target viscous_work")
 BeforeRows = namedtuple("BeforeRows", "t1 t2 s1 s2 radial hoop v_half dv e q_old target")
-StressRows = namedtuple("StressRows", "r inverse_mass rho v c2 shear t1 t2 p new_q speed weak_speed squeeze c s1 s2 q v_old sigma pull width "
-                        "inverse_width found")
-AtOnceRows = namedtuple("AtOnceRows", "r inverse_mass rho v dv c2 shear t1 t2 p speed squeeze c s1 s2 q v_old sigma pull width inverse_width "
-                        "viscous_work found")
+StressRows = namedtuple("StressRows", "r inverse_mass rho v c2 shear t1 t2 p new_q speed weak_speed squeeze c s1 s2 q v_old sigma pull "
+                        "width inverse_width found")
+AtOnceRows = namedtuple("AtOnceRows", "r inverse_mass rho v dv c2 shear t1 t2 p speed squeeze c s1 s2 q v_old sigma pull width "
+                        "inverse_width viscous_work found")
 LookRows = namedtuple("LookRows", "r u node_mass mass smooth")
 DampRows = namedtuple("DampRows", "smooth row")
 ReliefRows = namedtuple("ReliefRows", "relief dv e")
@@ -282,8 +282,8 @@ def advance(count, at, steps, recipe, constants, found, dt):
         call_pass(steps.take_relief, count, ReliefRows(w.relief, w.dv, z.e), dt, constants)
     material.harden(count, at, recipe, w.v_half)
     if recipe.instant != 0:
-        call_pass(steps.end_stress_at_once, count, AtOnceRows(h.r, z.inverse_mass, z.rho, w.v, w.dv, w.c2, w.shear, w.t1, w.t2, z.p, w.speed,
-                                                              w.squeeze, z.c, z.s1, z.s2, z.q, z.v, z.sigma, z.pull, z.width,
+        call_pass(steps.end_stress_at_once, count, AtOnceRows(h.r, z.inverse_mass, z.rho, w.v, w.dv, w.c2, w.shear, w.t1, w.t2, z.p,
+                                                              w.speed, w.squeeze, z.c, z.s1, z.s2, z.q, z.v, z.sigma, z.pull, z.width,
                                                               w.inverse_width, z.viscous_work, found), dt, constants)
     else:
         call_pass(steps.end_stress, count, StressRows(h.r, z.inverse_mass, z.rho, w.v, w.c2, w.shear, w.t1, w.t2, z.p, w.q, w.speed,
@@ -305,8 +305,8 @@ def resist(count, at, steps, recipe, constants):
         call_pass(steps.damp, count, DampRows(w.smooth, w.weak_speed), 0.0, constants)
     else:
         material.viscous_both(count, at, recipe, w.v_half, z.c, z.p)
-    call_pass(steps.energy_target, count, TargetRows(w.t1, w.t2, z.s1, z.s2, w.radial, w.hoop, w.v_half, w.dv, w.rho, w.squeeze, w.speed, z.e,
-                                                     z.q, w.q, w.heat, w.target, z.viscous_work), 0.0, constants)
+    call_pass(steps.energy_target, count, TargetRows(w.t1, w.t2, z.s1, z.s2, w.radial, w.hoop, w.v_half, w.dv, w.rho, w.squeeze, w.speed,
+                                                     z.e, z.q, w.q, w.heat, w.target, z.viscous_work), 0.0, constants)
     if recipe.bare != 0:
         call_pass(steps.damp, count, DampRows(w.smooth, w.squeeze), 0.0, constants)
 
