@@ -1,4 +1,4 @@
-"""What the material of a zone does in a step: passes over rows of zones that know neither dimension nor neighbours, one text for all solvers.
+"""What the material of a zone does in a step: passes over rows of zones that know neither dimension nor neighbours.
 
     closure     pressure and sound speed of an equation of state       mixture   the same of burning material, in its place
     strength    shear modulus, yield, plastic flow                      burn      burn fractions and rates

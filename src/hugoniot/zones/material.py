@@ -146,8 +146,8 @@ def tear(count, at, recipe, constants, found, solid, dt):
         call_pass(recipe.rest, count, RestRows(z.compaction, w.rest), 0.0, row_at(recipe.eos))
     else:
         call_pass(recipe.rest, count, FillRows(w.rest), 0.0, constants)
-    call_pass(recipe.fracture, count, FractureRows(w.t1, z.p, w.c2, solid, w.v, w.rest, z.damage, z.voids, z.failure, w.grown, w.relief), dt,
-              row_at(recipe.breaking))
+    call_pass(recipe.fracture, count, FractureRows(w.t1, z.p, w.c2, solid, w.v, w.rest, z.damage, z.voids, z.failure, w.grown, w.relief),
+              dt, row_at(recipe.breaking))
     call_pass(recipe.worst, count, WorstRows(z.failure, found), 0.0, found)
     if recipe.relief != 0:
         call_pass(recipe.hold, count, HoldRows(solid, w.grown, w.relief, w.flow, z.p, found), 0.0, found)

@@ -34,7 +34,8 @@ class Window:
         """Start from given states.
 
         position, velocity   of every node, m and m/s
-        fields               of the first zones, the others staying as they are: names of `OF_ZONES` and `OF_CHARGE` -> values; densities follow from masses
+        fields               of the first zones, the others staying as they are: names of `OF_ZONES` and `OF_CHARGE` -> values;
+                             densities follow from masses
         behind               the pressure that a transmitting left end holds against, Pa
         """
         solver = self.solver
