@@ -63,7 +63,7 @@ DampRows = namedtuple("DampRows", "smooth row")
 ReliefRows = namedtuple("ReliefRows", "relief dv e")
 MeanRows = namedtuple("MeanRows", "one other mean")
 WorkRows = namedtuple("WorkRows", "target p_start p_end dv e")
-NewtonRows = namedtuple("NewtonRows", "expected led dv p_e rho e p e_r e_p c2")
+NewtonRows = namedtuple("NewtonRows", "expected led dv p_e e p e_r e_p")
 
 
 def signal_squared(c2, printed, viscous):
@@ -245,12 +245,10 @@ def newton_step(count, z, dt, numbers, law):
     rows_apart()
     for j in range(count):
         rest = 0.5 * (z.expected[j] - z.led[j]) * z.dv[j] / (1.0 + 0.5 * z.p_e[j] * z.dv[j])
-        more = z.p_e[j] * rest
         z.e[j] += rest
-        z.p[j] = z.led[j] + more
+        z.p[j] = z.led[j] + z.p_e[j] * rest
         z.e_r[j] += rest
         z.e_p[j] += rest
-        z.c2[j] += more * z.p_e[j] / (z.rho[j] * z.rho[j])
 
 
 bind(keep_stress)
@@ -327,7 +325,8 @@ def close_gradually(count, at, steps, recipe, constants, solid, dt):
     call_pass(steps.after_work, count, WorkRows(w.target, z.p, w.p, w.dv, z.e), dt, constants)
     material.mix(count, at, recipe, solid, z.e, b.lam, b.heat, b.p_half, w.status)
     material.mixture_slopes(count, at, recipe, solid, z.e, b.lam, b.p_half)
-    call_pass(steps.newton_step, count, NewtonRows(w.p, b.p_half, w.dv, w.p_e, solid, z.e, z.p, w.e_r, w.e_p, w.c2), dt, constants)
+    call_pass(steps.newton_step, count, NewtonRows(w.p, b.p_half, w.dv, w.p_e, z.e, z.p, w.e_r, w.e_p), dt, constants)
+    material.mixture_slopes(count, at, recipe, solid, z.e, b.lam, z.p)
     material.keep_phases(count, at, recipe)
 
 

@@ -10,6 +10,7 @@ from hugoniot.errors import OutOfRange
 from hugoniot.laws.burn.lighting import lighting_times
 from hugoniot.laws.eos.contract import pressure, reference_state, sound_speed_squared
 from hugoniot.laws.mixture.reference_state import FROZEN, MEANING, ROLLING
+from hugoniot.laws.strength.contract import shear_modulus
 from hugoniot.materials import burning
 from hugoniot.problem.explosives import burns, defects, front_speed, programmed_bodies
 from hugoniot.problem.model import Problem
@@ -35,7 +36,7 @@ def constants(problem: Problem, region) -> dict[str, float]:
 
 
 def start_region(material, region):
-    """(rho, e with the chemical energy, p, sound speed) of an unburned region."""
+    """(rho, e with the chemical energy, p, longitudinal sound speed) of an unburned region."""
     rho, e = burning.start_state(material, region.density, region.pressure, region.temperature, region.energy)
     if not burning.has_reactants(material):
         return rho, e, 0.0, 0.0
@@ -43,7 +44,10 @@ def start_region(material, region):
     c2 = sound_speed_squared(rho, thermal, material.unreacted)
     if not c2 >= 0.0:
         raise OutOfRange(f"the unreacted explosive of region '{region.name}' has an imaginary sound speed at {rho:g} kg/m3")
-    return rho, e, float(pressure(rho, thermal, material.unreacted)), float(np.sqrt(c2))
+    p = float(pressure(rho, thermal, material.unreacted))
+    if material.strength is not None:
+        c2 += 4.0 / 3.0 * shear_modulus(rho, p, 298.15, rho * c2, material.strength) / rho
+    return rho, e, p, float(np.sqrt(c2))
 
 
 def prepare(problem: Problem, zones, charge, places, ranges) -> None:
@@ -116,18 +120,18 @@ def doubts(problem: Problem, zones, charge, ranges) -> list[str]:
 
 
 def pulled(problem: Problem, zones, ranges) -> list[str]:
-    """A sentence for every region whose unburned explosive was in tension: it takes no fracture law, so that nothing parts it."""
+    """A sentence for every region whose unburned explosive was in tension and has no fracture law that would separate it."""
     told = []
     for region, (a, b) in zip(problem.regions, ranges):
         material = problem.materials[region.material]
-        if not burns(problem, region) or not burning.has_reactants(material):
+        if not burns(problem, region) or not burning.has_reactants(material) or material.fracture is not None:
             continue
         rho, e = reference_state(material.unreacted)
         tension = -float(np.min(zones[Z.peak_tension, a:b]))
         if tension > PULLED * rho * sound_speed_squared(rho, e, material.unreacted):
-            told.append(f"region '{region.name}': its unburned explosive held a tension of up to {format_si(tension, 'Pa')}: nothing parts "
-                        "it, since what burns takes no fracture law; where it would have parted, limit the tension: [material.x.unreacted] "
-                        "law = \"tension_cutoff\", tension = \"0 Pa\", its own law with all constants under [material.x.unreacted.base]")
+            told.append(f"region '{region.name}': its unburned explosive held a tension of up to {format_si(tension, 'Pa')} without "
+                        "separating: give the material a fracture law, or limit the tension: [material.x.unreacted] law = \"tension_cutoff\", "
+                        "tension = \"0 Pa\", its own law with all constants under [material.x.unreacted.base]")
     return told
 
 

@@ -1,0 +1,80 @@
+"""Material that may burn and does not is the inert material: one text for the physics of a zone, whatever the closure.
+
+The twin is declared burning, with a rate of zero; it has the same equation of state before and after burning, and the same strength and
+fracture. Every field of a gas agrees to 1e-12 of its largest value, in three geometries and both integrators. In a metal the last digits
+decide which zone yields and where voids begin to grow: what differs there by 1e-16 has grown to 1e-9 after the spall.
+"""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from hugoniot.laws.burn.pressure_power import PressurePower
+from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.laws.fracture.spall_stress import SpallStress
+from hugoniot.laws.strength.linear_hardening import LinearHardening
+from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
+from hugoniot.materials.material import Material
+from hugoniot.problem.model import Boundary, Problem, Region, SolverOptions
+from hugoniot.simulate import make_solver
+
+GAS = Material("gas", IdealGas(5.0 / 3.0, 1.0, 300.0))
+METAL = Material("metal", MieGruneisen(2700.0, 5328.0, 1.338, 2.0))
+NEVER = PressurePower(0.0, 1.0, 1.0, 1e9)
+VISCOSITY = {"compatible": ("limited", {"quadratic": 2.0 / 3.0, "linear": 0.3}), "wilkins": ("wilkins", {"quadratic": 2.0, "linear": 1.0})}
+FIELDS = ("density", "energy", "pressure", "stress", "sound_speed", "deviator_radial", "plastic_strain", "viscous_work")
+
+
+HEAT = {"gas": 1.0, "metal": 1e5}    # J/kg, no more than the energies of the problem, in whose sum digits would be lost
+
+
+def twin(material, mixture):
+    return dataclasses.replace(material, burn=NEVER, unreacted=material.eos, mixture=mixture, detonation_energy=HEAT[material.name])
+
+
+def noh(material, integrator, geometry):
+    """Gas that converges on a wall, an axis or a point."""
+    region = Region("gas", "x", 0.0, 1.0, 60, velocity=(0.0, -1.0), density=1.0, energy=1e-2)
+    return Problem("noh", geometry, 1.0, (region,), {"x": material}, Boundary("fixed"), Boundary("free"),
+                   solver=SolverOptions(integrator=integrator, viscosity=VISCOSITY[integrator])), 150
+
+
+def impact(material, integrator, geometry):
+    """A plate on a target, with yielding and the growth of voids where the material has them."""
+    start = 0.0 if geometry == "planar" else 0.05
+    regions = (Region("flyer", "x", start, start + 0.002, 40, velocity=700.0), Region("target", "x", start + 0.002, start + 0.006, 80))
+    return Problem("impact", geometry, 1.0, regions, {"x": material},
+                   solver=SolverOptions(integrator=integrator, viscosity=VISCOSITY[integrator])), 330
+
+
+def state_after(problem, cycles):
+    solver = make_solver(problem)
+    while solver.cycle < cycles:
+        solver.march(problem.stop_time, cycles - solver.cycle)
+        solver.take_gauges()
+    return solver
+
+
+@pytest.mark.parametrize("geometry", ["planar", "cylindrical", "spherical"])
+@pytest.mark.parametrize("integrator", ["compatible", "wilkins"])
+@pytest.mark.parametrize(("case", "material", "mixture", "tolerance"), [
+    (noh, GAS, "thermal_isolation", 1e-12), (noh, GAS, "weighted_pressures", 1e-12),
+    (impact, dataclasses.replace(METAL, strength=PerfectlyPlastic(27.6e9, 0.3e9), fracture=SpallStress(1e9)), "thermal_isolation", 1e-8),
+    (impact, dataclasses.replace(METAL, strength=LinearHardening(27.6e9, 0.3e9, 0.5e9)), "weighted_pressures", 1e-10),
+], ids=["gas-isolated", "gas-weighted", "metal-spalling", "metal-hardening"])
+def test_what_does_not_burn_is_inert(case, material, mixture, tolerance, integrator, geometry):
+    inert = state_after(*case(material, integrator, geometry))
+    idle = state_after(*case(twin(material, mixture), integrator, geometry))
+    heat = HEAT[material.name]      # a burning zone's energy counts the chemical one from the start
+    assert idle.time == pytest.approx(inert.time, rel=tolerance) and idle.voids_opened == inert.voids_opened
+    one, other = inert.state().zones, idle.state().zones
+    assert not other["burn_fraction"].any()
+    for name in FIELDS:
+        given = other[name] - heat if name == "energy" else other[name]
+        scale = np.max(np.abs(one[name])) + (heat if name == "energy" else 0.0)
+        if name == "viscous_work":
+            scale = np.max(np.abs(one["energy"])) + heat
+        assert np.max(np.abs(given - one[name])) <= tolerance * max(scale, 1e-300), name
+    assert np.allclose(idle.nodes[:2], inert.nodes[:2], rtol=tolerance, atol=tolerance * np.max(np.abs(inert.nodes[1])))
