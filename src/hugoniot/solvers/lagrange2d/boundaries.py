@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from hugoniot.errors import OutOfRange
+from hugoniot.mesh.shapes import SIDES
 from hugoniot.problem.model import Pulse
 from hugoniot.problem.plane.model import Problem2D
 from hugoniot.solvers.lagrange1d.layout import PULSES
@@ -26,6 +27,7 @@ class Tables:
     pulses: np.ndarray
     tables: np.ndarray
     special: np.ndarray
+    mirrors: np.ndarray
     chains: list[str]
 
 
@@ -105,7 +107,20 @@ def boundary_tables(problem: Problem2D, numbering: Numbering, zones, kind: int) 
     touched = {int(n) for n in around} | {node for node, _ in gates}
     special = np.flatnonzero(copies | np.isin(numbering.nodes, list(touched)))
     return Tables(loads, np.array(gate_rows, dtype=np.int64).reshape(-1, 3), np.array(gate_normals, dtype=float).reshape(-1, 2), held, normals,
-                  numbers, tables, special.astype(np.int64), list(given))
+                  numbers, tables, special.astype(np.int64), _mirrors(mesh, given), list(given))
+
+
+def _mirrors(mesh, given):
+    """Normals of the walls (and the axis) that are whole sides of blocks, (4 blocks, 2); 0 elsewhere."""
+    found = np.zeros((4 * len(mesh.blocks), 2))
+    for name, boundary in given.items():
+        chain = mesh.chains[name]
+        block = mesh.blocks[chain.block]
+        whole = len(chain.edges) == (block.nj if chain.side in ("left", "right") else block.ni)
+        normal = mesh.straight_normal(chain) if boundary.kind in ("wall", "axis") and whole else None
+        if normal is not None:
+            found[4 * chain.block + SIDES.index(chain.side)] = normal
+    return found
 
 
 def _table_nodes(numbering: Numbering, block: int, edge):

@@ -224,7 +224,7 @@ class Smoothness(NamedTuple):
 
 
 class Metric(NamedTuple):
-    """grad xi (x) grad xi and the same of eta for each zone, 1/m^2."""
+    """Mean edges of each zone along the second (xi) and the first (eta) logical direction, as tensors e (x) e, m^2."""
 
     xixx: Any
     xiyy: Any
@@ -243,6 +243,8 @@ class Closing(NamedTuple):
     psi2: Any
     mxx: Any
     mxy: Any
+    apart: Any               # part of the viscosity along principal directions, the rest is along the edges of a slender zone
+    stiff: Any               # factor of the viscous speed in the time step
 
 
 class Plane(NamedTuple):
@@ -265,7 +267,8 @@ METRIC = SMOOTH + len(Smoothness._fields)
 CLOSING = METRIC + len(Metric._fields)
 SPEEDS = CLOSING + len(Closing._fields)      # viscous speeds of the two directions
 CORNERS = SPEEDS + 2                         # viscous stress of the four corners
-EXTRA = CORNERS + 12                         # half the subzonal pressure of the four corners
+ALONG = CORNERS + 12                         # viscous stress along the mean edges
+EXTRA = ALONG + 3                            # half the subzonal pressure of the four corners
 MEAN = EXTRA + 4                             # mean viscous stress
 GRADIENTS = MEAN + 3                         # velocity differences per length of the zones before, here and behind
 SCRATCH_ROWS = GRADIENTS + 6

@@ -41,6 +41,7 @@ class Run(NamedTuple):
     recipes: Any
     constants: Any
     near: Any                # (1,) the same as in Options, for passes
+    mirrors: Any             # (4 blocks, 2) normals of the walls at blocks' sides, 0 where there is none
     filters: Any             # (recipe; merit of the subzonal pressure, coefficient of the viscous filter)
     found: Any               # (pieces + 1, FOUND_FLOATS), the last row for totals
     steps: Any               # (dt, whether it is the first try)
@@ -83,7 +84,7 @@ def do_pieces(command, run, options, share, of):
         piece = run.pieces[i]
         k = piece[L.P_RECIPE]
         recipe, constants = record(Recipe, run.recipes, k), record(Constants, run.constants, k)
-        given = (options.passes, row(run.near, 0), options.limited, row(run.filters[k], 0))
+        given = (options.passes, row(run.near, 0), (options.limited, run.mirrors), row(run.filters[k], 0))
         found = run.found[i]
         if command == PREDICT_ZONES:
             found[L.FOUND_TANGLED] = zone_step.predict(piece, run.nodes, run.zones, run.charge, scratch, recipe, constants, dt, given)

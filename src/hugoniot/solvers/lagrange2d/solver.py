@@ -86,7 +86,7 @@ class Lagrange2D:
         axis, ratio = axis_tables(self.numbering, self.nodes, self.kind)
         starts, members = self.numbering.shared()
         return Run(self.nodes, self.zones, self.charge, np.zeros((self.team.threads, L.SCRATCH_ROWS, L.SCRATCH_WIDTH)), pieces,
-                   line_table(mesh, self.numbering), self.cookbook.recipes, self.cookbook.constants, np.array([self.options.near]), self.filters,
+                   line_table(mesh, self.numbering), self.cookbook.recipes, self.cookbook.constants, np.array([self.options.near]), edges.mirrors, self.filters,
                    np.zeros((len(pieces) + 1, L.FOUND_FLOATS)), np.zeros(2), edges.loads, np.zeros((len(edges.loads), 4)), edges.gates,
                    edges.gate_normals, edges.held, edges.held_normals, edges.pulses, edges.tables, starts, members, edges.special, axis, ratio,
                    self.chains, np.zeros_like(self.chains))

@@ -21,10 +21,11 @@ from typing import Any, NamedTuple
 
 from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.core.passes import rows_apart
-from hugoniot.solvers.lagrange2d.layout import Closing, Metric, Points, Shape, Smoothness, Tensor, Vector
+from hugoniot.solvers.lagrange2d.layout import Closing, Metric, Points, Rates, Shape, Smoothness, Tensor, Vector
 from hugoniot.solvers.lagrange2d.row_pass import row_pass
 
 SMALL = 1e-200
+SLENDER, NEEDLE = 10.0, 20.0     # ratios of its edges from and up to which a zone's viscosity turns into that along them
 
 
 
@@ -54,6 +55,28 @@ class ResistOf(NamedTuple):
 
     rho: Any
     c: Closing
+    speed1: Any
+    speed2: Any
+    along: Tensor
+    q: Tensor
+    fastest: Any
+
+
+class AlongOf(NamedTuple):
+    """Strain rates, mean edges and smoothness of zones -> what closes along the edges."""
+
+    d: Rates
+    m: Metric
+    smooth: Smoothness
+    c: Closing
+
+
+class ResistAlongOf(NamedTuple):
+    """Density, what closes along the mean edges, these, the viscous speeds -> viscous stress along them, largest speed."""
+
+    rho: Any
+    c: Closing
+    m: Metric
     speed1: Any
     speed2: Any
     q: Tensor
@@ -118,8 +141,7 @@ def closing(count, given, dt, numbers, law):
         size = vsqrt(dev * dev + dxy * dxy)
         over = 1.0 / (size + SMALL)
         mxx, mxy = dev * over, dxy * over
-        apart = fmin(1.0, size / (fmax(mean, -mean) + SMALL))
-        half = 0.5 * apart
+        half = 0.5 * fmin(1.0, size / (fmax(mean, -mean) + SMALL))
         # tensors contracted with n1 (x) n1 and n2 (x) n2
         xi, eta = 0.5 * (m.xixx[j] + m.xiyy[j]), 0.5 * (m.etaxx[j] + m.etayy[j])
         xim = half * ((m.xixx[j] - m.xiyy[j]) * mxx + 2.0 * m.xixy[j] * mxy)
@@ -141,16 +163,54 @@ def closing(count, given, dt, numbers, law):
 def resist(count, given, dt, numbers, law):
     """The corner's viscous stress (compression positive) into `q`, and the largest viscous speed of the zone into `fastest`."""
     rows_apart()
-    rho, c, speed1, speed2, q, fastest = given
+    rho, c, speed1, speed2, along, q, fastest = given
     for j in range(count):
         w1 = speed1[j] if c.du1[j] < 0.0 else 0.0
         w2 = speed2[j] if c.du2[j] < 0.0 else 0.0
         q1, q2 = -rho[j] * c.du1[j] * w1, -rho[j] * c.du2[j] * w2
-        half, dev = 0.5 * (q1 + q2), 0.5 * (q2 - q1)
-        q.xx[j] = half + dev * c.mxx[j]
-        q.yy[j] = half - dev * c.mxx[j]
-        q.xy[j] = dev * c.mxy[j]
-        fastest[j] = fmax(fastest[j], fmax(w1, w2))
+        part = c.apart[j]
+        half, dev, rest = 0.5 * part * (q1 + q2), 0.5 * part * (q2 - q1), 1.0 - part
+        q.xx[j] = half + dev * c.mxx[j] + rest * along.xx[j]
+        q.yy[j] = half - dev * c.mxx[j] + rest * along.yy[j]
+        q.xy[j] = dev * c.mxy[j] + rest * along.xy[j]
+        fastest[j] = fmax(fastest[j], c.stiff[j] * fmax(w1, w2))
+
+
+@row_pass(AlongOf)
+def closing_along(count, given, dt, numbers, law):
+    """What closes along the mean edges of zones, and how slender they are."""
+    rows_apart()
+    d, m, smooth, c = given
+    for j in range(count):
+        xi, eta = m.xixx[j] + m.xiyy[j], m.etaxx[j] + m.etayy[j]
+        rate1 = (d.xx[j] * m.xixx[j] + d.yy[j] * m.xiyy[j] + 2.0 * d.xy[j] * m.xixy[j]) / xi
+        rate2 = (d.xx[j] * m.etaxx[j] + d.yy[j] * m.etayy[j] + 2.0 * d.xy[j] * m.etaxy[j]) / eta
+        before1 = smooth.xx[j] * m.xixx[j] + smooth.yy[j] * m.xiyy[j] + 2.0 * smooth.xy[j] * m.xixy[j]
+        before2 = smooth.xx[j] * m.etaxx[j] + smooth.yy[j] * m.etayy[j] + 2.0 * smooth.xy[j] * m.etaxy[j]
+        c.du1[j] = fmin(rate1, 0.0) * vsqrt(xi)
+        c.du2[j] = fmin(rate2, 0.0) * vsqrt(eta)
+        c.psi1[j] = smooth.xi[j] if before1 < 0.0 else 0.0
+        c.psi2[j] = smooth.eta[j] if before2 < 0.0 else 0.0
+        aspect = vsqrt(fmax(xi, eta) / fmin(xi, eta))
+        part = fmax(0.0, fmin(1.0, (NEEDLE - aspect) / (NEEDLE - SLENDER)))
+        c.apart[j] = part
+        c.stiff[j] = fmax(1.0, 0.5 * aspect * part)
+
+
+@row_pass(ResistAlongOf)
+def resist_along(count, given, dt, numbers, law):
+    """Viscous stress along the mean edges."""
+    rows_apart()
+    rho, c, m, speed1, speed2, q, fastest = given
+    for j in range(count):
+        w1 = speed1[j] if c.du1[j] < 0.0 else 0.0
+        w2 = speed2[j] if c.du2[j] < 0.0 else 0.0
+        q1 = -rho[j] * c.du1[j] * w1 / (m.xixx[j] + m.xiyy[j])
+        q2 = -rho[j] * c.du2[j] * w2 / (m.etaxx[j] + m.etayy[j])
+        q.xx[j] = q1 * m.xixx[j] + q2 * m.etaxx[j]
+        q.yy[j] = q1 * m.xiyy[j] + q2 * m.etayy[j]
+        q.xy[j] = q1 * m.xixy[j] + q2 * m.etaxy[j]
+        fastest[j] = fmax(w1, w2)
 
 
 @row_pass(MeanOf)

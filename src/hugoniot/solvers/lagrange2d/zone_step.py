@@ -31,6 +31,8 @@ class Passes(NamedTuple):
     metric: int
     closing: int
     resist: int
+    closing_along: int
+    resist_along: int
     mean_viscosity: int
     corner_forces: int
     subzonal: int
@@ -200,12 +202,11 @@ def close_half(count, at, recipe, constants, d, solid, dt):
 # -- viscosity and filters ----------------------------------------------------------------------------------------------------
 @nb.njit(**SWEEP)
 def set_stiffness(count, z, w):
-    """rho c^2 and rho c of the zones, for the filters; their viscous speeds begin at 0."""
+    """rho c^2 and rho c of the zones, for the filters."""
     rows_apart()
     for j in range(count):
         w.stiffness[j] = w.rho[j] * z.c[j] * z.c[j]
         w.power[j] = w.rho[j] * z.c[j]
-        z.viscous_speed[j] = 0.0
 
 
 @nb.njit(**SWEEP)
@@ -219,8 +220,27 @@ def keep_mean(count, mean, z):
         z.q[j] = mean.xx[j] + mean.yy[j]
 
 
+LEFT, RIGHT, BOTTOM, TOP = range(4)
+
+
 @nb.njit(**INLINE)
-def look_around(passes, piece, r, nodes, scratch, limited):
+def mirrored(x, y, mirrors, side):
+    """The difference of velocity across a zone beyond the edge of a block: its mirror image behind a wall, else the same once more."""
+    nx, ny = mirrors[side, 0], mirrors[side, 1]
+    if nx == 0.0 and ny == 0.0:
+        return x, y
+    along = 2.0 * (x * nx + y * ny)
+    return along * nx - x, along * ny - y
+
+
+@nb.njit(**INLINE)
+def mirror_row(count, g, out, mirrors, side):
+    for j in range(count):
+        out.x[j], out.y[j] = mirrored(g.x[j], g.y[j], mirrors, side)
+
+
+@nb.njit(**INLINE)
+def look_around(passes, piece, r, nodes, scratch, limited, mirrors):
     """Smoothness and strain rates at the start of the step, of the r-th row of zones of a piece."""
     stride, count, offset = piece[L.P_STRIDE], piece[L.P_COUNT], r * piece[L.P_COUNT]
     first = piece[L.P_NODE] + r * stride
@@ -240,17 +260,17 @@ def look_around(passes, piece, r, nodes, scratch, limited):
     call_pass(passes.gradient_along, reach, smoothness.GradientOf(now(nodes, first - start), now(nodes, first + stride - start), g), 0.0, none)
     wide = rows(L.Vector, scratch[L.GRADIENTS + 2:], 0)
     if piece[L.P_FIRST]:
-        wide.x[0], wide.y[0] = wide.x[1], wide.y[1]
+        wide.x[0], wide.y[0] = mirrored(wide.x[1], wide.y[1], mirrors, 4 * piece[L.P_BLOCK] + BOTTOM)
     if piece[L.P_LAST]:
-        wide.x[count + 1], wide.y[count + 1] = wide.x[count], wide.y[count]
+        wide.x[count + 1], wide.y[count + 1] = mirrored(wide.x[count], wide.y[count], mirrors, 4 * piece[L.P_BLOCK] + TOP)
     call_pass(passes.compare, count, smoothness.Compared(wide, here, rows(L.Vector, scratch[L.GRADIENTS + 2:], 2), smooth.xi), 0.0, none)
     call_pass(passes.gradient_across, count, smoothness.GradientOf(low, high, here), 0.0, none)
     if r == 0 and piece[L.P_FIRST_ROW]:
-        before = here
+        mirror_row(count, here, before, mirrors, 4 * piece[L.P_BLOCK] + LEFT)
     else:
         call_pass(passes.gradient_across, count, smoothness.GradientOf(now(nodes, first - stride), low, before), 0.0, none)
     if r == piece[L.P_ROWS] - 1 and piece[L.P_LAST_ROW]:
-        behind = here
+        mirror_row(count, here, behind, mirrors, 4 * piece[L.P_BLOCK] + RIGHT)
     else:
         call_pass(passes.gradient_across, count, smoothness.GradientOf(high, now(nodes, first + 2 * stride), behind), 0.0, none)
     call_pass(passes.compare, count, smoothness.Compared(before, here, behind, smooth.eta), 0.0, none)
@@ -263,7 +283,7 @@ def corner_offset(k, stride):
 
 
 @nb.njit(**INLINE)
-def corner_viscosity(passes, piece, nodes, scratch, at, solid, recipe, limited):
+def corner_viscosity(passes, piece, nodes, scratch, at, solid, recipe, limiting):
     """Viscous stress of the four corners, and their mean."""
     z, w, total = at.z, at.w, piece[L.P_ROWS] * piece[L.P_COUNT]
     stride = piece[L.P_STRIDE]
@@ -272,9 +292,15 @@ def corner_viscosity(passes, piece, nodes, scratch, at, solid, recipe, limited):
     numbers = row_at(recipe.viscosity)
     for r in range(piece[L.P_ROWS]):
         first, offset = piece[L.P_NODE] + r * stride, r * piece[L.P_COUNT]
-        look_around(passes, piece, r, nodes, scratch, limited)
+        look_around(passes, piece, r, nodes, scratch, limiting[0], limiting[1])
         metric = viscosity.MetricOf(middle(nodes, first), middle(nodes, first + stride), rows(L.Metric, scratch[L.METRIC:], offset))
         call_pass(passes.metric, piece[L.P_COUNT], metric, 0.0, numbers)
+    m, along = rows(L.Metric, scratch[L.METRIC:], 0), rows(L.Tensor, scratch[L.ALONG:], 0)
+    edges = viscosity.AlongOf(rows(L.Rates, scratch[L.RATES:], 0), m, rows(L.Smoothness, scratch[L.SMOOTH:], 0), closing)
+    call_pass(passes.closing_along, total, edges, 0.0, numbers)
+    call_pass(recipe.speed, total, SpeedRows(w.v, z.c, w.p, closing.du1, closing.psi1, speed1), 0.0, numbers)
+    call_pass(recipe.speed, total, SpeedRows(w.v, z.c, w.p, closing.du2, closing.psi2, speed2), 0.0, numbers)
+    call_pass(passes.resist_along, total, viscosity.ResistAlongOf(solid, closing, m, speed1, speed2, along, z.viscous_speed), 0.0, numbers)
     for k in range(4):
         for r in range(piece[L.P_ROWS]):
             first, offset = piece[L.P_NODE] + r * stride, r * piece[L.P_COUNT]
@@ -285,7 +311,8 @@ def corner_viscosity(passes, piece, nodes, scratch, at, solid, recipe, limited):
             call_pass(passes.closing, piece[L.P_COUNT], corner, 0.0, numbers)
         call_pass(recipe.speed, total, SpeedRows(w.v, z.c, w.p, closing.du1, closing.psi1, speed1), 0.0, numbers)
         call_pass(recipe.speed, total, SpeedRows(w.v, z.c, w.p, closing.du2, closing.psi2, speed2), 0.0, numbers)
-        call_pass(passes.resist, total, viscosity.ResistOf(solid, closing, speed1, speed2, corner_stress(scratch, k), z.viscous_speed), 0.0, numbers)
+        resisted = viscosity.ResistOf(solid, closing, speed1, speed2, along, corner_stress(scratch, k), z.viscous_speed)
+        call_pass(passes.resist, total, resisted, 0.0, numbers)
     mean = rows(L.Tensor, scratch[L.MEAN:], 0)
     corners = viscosity.MeanOf(rows(L.Shape, scratch[L.SHAPE:], 0), corner_stress(scratch, 0), corner_stress(scratch, 1),
                                corner_stress(scratch, 2), corner_stress(scratch, 3), mean)
@@ -355,7 +382,7 @@ IMPEDANCE = L.Work._fields.index("power")
 @nb.njit(**INLINE)
 def predict(piece, nodes, zones, charge, scratch, recipe, constants, dt, options):
     """Stress and forces in the middle of the step; how many volumes are not positive."""
-    passes, near, limited, filters = options
+    passes, near, limiting, filters = options
     total = piece[L.P_ROWS] * piece[L.P_COUNT]
     at = L.Plane(rows(L.Zones, zones, piece[L.P_ZONE]), charge_rows(charge, piece[L.P_ZONE]), rows(L.Work, scratch, 0))
     z, b, w = at.z, at.b, at.w
@@ -375,7 +402,7 @@ def predict(piece, nodes, zones, charge, scratch, recipe, constants, dt, options
     strengthen(passes, total, at, d, recipe, (solid, w.e, w.p, w.c2), b.lam_half, 0.5 * dt)
     material.relieve(total, at, recipe, solid, dt)
     set_stiffness(total, z, w)
-    corner_viscosity(passes, piece, nodes, scratch, at, solid, recipe, limited)
+    corner_viscosity(passes, piece, nodes, scratch, at, solid, recipe, limiting)
     forces_in_middle(passes, piece, nodes, zones, scratch, at, filters, dt)
     if recipe.solve != 0:
         compatible.keep_half(total, at, recipe)
