@@ -13,7 +13,7 @@ from hugoniot.problem.plane.model import Problem2D
 from hugoniot.solvers.lagrange1d.assemble import ROUND_OFF, longitudinal_speed, start_compaction
 from hugoniot.solvers.lagrange2d import geometry as G
 from hugoniot.solvers.lagrange2d import layout as L
-from hugoniot.zones.recipe import EXPLICIT, Constants, Cookbook, cookbook, rest_density
+from hugoniot.zones.recipe import EXPLICIT, Cookbook, constants_of, cookbook
 
 N = L.Nodes(*range(len(L.Nodes._fields)))
 Z = L.Zones(*range(len(L.Zones._fields)))
@@ -223,7 +223,7 @@ def recipes_of(problem: Problem2D, speed: float) -> tuple[Cookbook, list[int], n
             if burns:
                 from hugoniot.solvers.lagrange1d import reactive
                 own = reactive.constants(problem, block)
-            found.append((laws, Constants(rest_density(material.eos), noise + (1.0 if burns else 0.0), **own)))
+            found.append((laws, constants_of(laws, noise + (1.0 if burns else 0.0), **own)))
             filters.append((0.0, problem.solver.flanagan_belytschko) if solid else (problem.solver.subzonal_pressure, 0.0))
         recipe_of.append(keys.index(block.material))
     return cookbook(found, EXPLICIT), recipe_of, np.array(filters)

@@ -7,6 +7,8 @@ radius and y the axial coordinate, and everything is per radian; otherwise per m
 
 from typing import Any, NamedTuple
 
+from hugoniot.zones.soundness import FOUND_FLOATS
+
 
 class Nodes(NamedTuple):
     """Fields of nodes. The mean velocity (um, vm) moves a node through a step; (xh, yh) is where forces act."""
@@ -133,7 +135,7 @@ class Work(NamedTuple):
     rest: Any
     grown: Any
     relief: Any
-    drive: Any               # pressure that burns
+    shocked: Any             # 1 where a shock is passing
     lam: Any
     heat: Any                # viscous heat, J/kg
     rho_r: Any
@@ -292,9 +294,8 @@ CONTROL_FLOATS = 16
 CYCLE, GAUGE_ROWS, CULPRIT, ZONE_STEPS, CAP_COUNT, REPEATED = range(6)
 CONTROL_INTS = 6
 
-# -- what a pass finds in one piece, and the totals of a step ---------------------------------------------------------
-(FOUND_RATE, FOUND_FAILURE, FOUND_CAPPED, FOUND_UNSOUND, FOUND_TANGLED) = range(5)
-FOUND_FLOATS = 5
+FOUND_TANGLED = FOUND_FLOATS      # column of the table of findings behind those of `zones.soundness`: volumes that are not positive
+FOUND_COLUMNS = FOUND_FLOATS + 1
 
 # -- why the march came back ---------------------------------------------------------------------------------------
 PAUSED, AT_EVENT, BAD_STATE, STEP_COLLAPSED, TANGLED, GAUGE_DUE = range(6)

@@ -15,17 +15,19 @@ is shared out is added up across pieces but in their order, so the number of thr
 from typing import Any, NamedTuple
 
 import numba as nb
-from numba import types
-from numba.extending import intrinsic, overload
+from numba.extending import overload
 
 from hugoniot.core.compile import GUARD, INLINE
-from hugoniot.core.passes import record, row, rows
+from hugoniot.core.passes import Entry, call_entry, record, row, rows
 from hugoniot.core.team import DISMISSED, Alone, await_call, call, gather_team, sign
 from hugoniot.solvers.lagrange2d import layout as L
-from hugoniot.solvers.lagrange2d import node_step, zone_step
-from hugoniot.zones.recipe import Constants, Recipe
+from hugoniot.solvers.lagrange2d import forces, node_step, zone_step
+from hugoniot.zones.constants import Constants
+from hugoniot.zones.recipe import Recipe
+from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE, FOUND_RATE, FOUND_UNSOUND
 
 PREDICT_NODES, PREDICT_ZONES, MOVE_NODES, MOVE, TAKE_BACK, LOOK, CORRECT_ZONES, START = range(8)
+CONSTANTS = len(Constants._fields)
 MOST_TRIES = 12      # of a step, each with half the one before
 
 
@@ -38,12 +40,15 @@ class Run(NamedTuple):
     scratch: Any             # (threads, SCRATCH_ROWS, SCRATCH_WIDTH)
     pieces: Any
     lines: Any
+    passes: Any              # (1, fields of zone_step.Passes)
+    entries: Any             # addresses of ENTRIES
     recipes: Any
     constants: Any
+    limited: Any             # (1,) 1 where the viscosity has a limiter
     near: Any                # (1,) the same as in Options, for passes
     mirrors: Any             # (4 blocks, 2) normals of the walls at blocks' sides, 0 where there is none
     filters: Any             # (recipe; merit of the subzonal pressure, coefficient of the viscous filter)
-    found: Any               # (pieces + 1, FOUND_FLOATS), the last row for totals
+    found: Any               # (pieces + 1, FOUND_COLUMNS), the last row for totals
     steps: Any               # (dt, whether it is the first try)
     loads: Any
     given: Any
@@ -63,44 +68,62 @@ class Run(NamedTuple):
 
 
 class Options(NamedTuple):
-    """Passes, geometry (codes of `geometry`), radius that stands for the axis, whether the viscosity is limited, body force per mass."""
+    """Geometry (codes of `geometry`), radius that stands for the axis, body force per mass."""
 
-    passes: zone_step.Passes
     kind: int
     near: float
-    limited: bool
     gx: float
     gy: float
-    share: int = 0           # address of `do_share`
 
 
 # -- shares ---------------------------------------------------------------------------------------------------------------------
+def predict_piece(a, i, member):
+    """Stress and forces of piece i in the middle of the step."""
+    piece = a.pieces[i]
+    k, found = piece[L.P_RECIPE], row(a.found, i * L.FOUND_COLUMNS)
+    found[L.FOUND_TANGLED] = 0.0
+    zone_step.predict(a, record(zone_step.Passes, a.passes, 0), a.limited[0] > 0.0, piece, a.scratch[member], record(Recipe, a.recipes, k),
+                      row(a.constants, k * CONSTANTS), row(a.found, i * L.FOUND_COLUMNS + L.FOUND_TANGLED), a.steps[0])
+
+
+def correct_piece(a, i, member):
+    """State of piece i at the end of the step."""
+    piece = a.pieces[i]
+    k, found = piece[L.P_RECIPE], row(a.found, i * L.FOUND_COLUMNS)
+    for n in range(L.FOUND_COLUMNS):
+        found[n] = 0.0
+    zone_step.correct(a, record(zone_step.Passes, a.passes, 0), piece, a.scratch[member], record(Recipe, a.recipes, k),
+                      row(a.constants, k * CONSTANTS), found, a.steps[0])
+
+
+def start_piece(a, i, member):
+    """Forces of piece i at t = 0."""
+    piece, passes = a.pieces[i], record(zone_step.Passes, a.passes, 0)
+    at = zone_step.rows_of(a, piece, a.scratch[member])
+    zone_step.shape_at_end(passes, row(a.near, 0), piece, a.nodes, a.scratch[member])
+    zone_step.push(a, passes, piece, at)
+
+
+ENTRIES = (Entry(predict_piece), Entry(correct_piece), Entry(start_piece))
+
+
 @nb.njit(**INLINE)
-def do_pieces(command, run, options, share, of):
+def do_pieces(command, run, share, of):
     """A command over one share of the pieces of zones."""
-    dt, scratch = run.steps[0], run.scratch[share]
     count = run.pieces.shape[0]
     for i in range(count * share // of, count * (share + 1) // of):
-        piece = run.pieces[i]
-        k = piece[L.P_RECIPE]
-        recipe, constants = record(Recipe, run.recipes, k), record(Constants, run.constants, k)
-        given = (options.passes, row(run.near, 0), (options.limited, run.mirrors), row(run.filters[k], 0))
-        found = run.found[i]
         if command == PREDICT_ZONES:
-            found[L.FOUND_TANGLED] = zone_step.predict(piece, run.nodes, run.zones, run.charge, scratch, recipe, constants, dt, given)
+            call_entry(run.entries[0], run, i, share)
         elif command == CORRECT_ZONES:
-            rate, failure, capped, bad = zone_step.correct(piece, run.nodes, run.zones, run.charge, scratch, recipe, constants, dt, given)
-            found[L.FOUND_RATE], found[L.FOUND_FAILURE], found[L.FOUND_CAPPED], found[L.FOUND_UNSOUND] = rate, failure, capped, bad
+            call_entry(run.entries[1], run, i, share)
         elif command == START:
-            z = rows(L.Zones, run.zones, piece[L.P_ZONE])
-            zone_step.shape_at_end(options.passes, row(run.near, 0), piece, run.nodes, scratch)
-            zone_step.push(options.passes, piece, run.zones, scratch, z)
+            call_entry(run.entries[2], run, i, share)
         else:
-            bad = 0
+            piece, bad = run.pieces[i], 0
             for r in range(piece[L.P_ROWS]):
                 first = piece[L.P_NODE] + r * piece[L.P_STRIDE]
-                bad += node_step.tangled(piece[L.P_COUNT], zone_step.now(run.nodes, first), zone_step.now(run.nodes, first + piece[L.P_STRIDE]))
-            found[L.FOUND_TANGLED] += bad
+                bad += node_step.tangled(piece[L.P_COUNT], forces.now(run.nodes, first), forces.now(run.nodes, first + piece[L.P_STRIDE]))
+            run.found[i, L.FOUND_TANGLED] += bad
 
 
 @nb.njit(**INLINE)
@@ -132,11 +155,11 @@ def everyone(command, run, options, team):
 @overload(everyone, jit_options=INLINE)
 def _(command, run, options, team):
     def alone(command, run, options, team):
-        call_share(options.share, command, run, options, 0, 1)
+        do_share(command, run, options, 0, 1)
 
     def together(command, run, options, team):
         call(team.board, command)
-        call_share(options.share, command, run, options, 0, team.threads)
+        do_share(command, run, options, 0, team.threads)
         gather_team(team.board, team.threads)
 
     return alone if team.instance_class is Alone else together
@@ -144,33 +167,11 @@ def _(command, run, options, team):
 
 @nb.njit(**GUARD)
 def do_share(command, run, options, share, of):
-    """One command over one share. Called by its address, so that it is compiled once, whoever leads."""
+    """One command over one share."""
     if command == PREDICT_ZONES or command == CORRECT_ZONES or command == LOOK or command == START:
-        do_pieces(command, run, options, share, of)
+        do_pieces(command, run, share, of)
     else:
         do_lines(command, run, options, share, of)
-
-
-@intrinsic
-def call_share(typingctx, address, command, run, options, share, of):
-    """Call `do_share` at its address."""
-    arguments = (types.int64, run, options, types.int64, types.int64)
-
-    def codegen(context, builder, sig, args):
-        kind = context.call_conv.get_function_type(types.none, arguments)
-        function = builder.inttoptr(args[0], kind.as_pointer())
-        context.call_conv.call_function(builder, function, types.none, arguments, args[1:])
-        return context.get_dummy_value()
-
-    return types.void(types.int64, types.int64, run, options, types.int64, types.int64), codegen
-
-
-def share_address(run: Run, options: Options) -> int:
-    """Address of `do_share`; compiled now unless it is on disk."""
-    arguments = (types.int64, nb.typeof(run), nb.typeof(options), types.int64, types.int64)
-    do_share.compile(arguments)
-    result = do_share.overloads[arguments]
-    return result.library.get_pointer_to_function(result.fndesc.llvm_func_name)
 
 
 @nb.njit(**GUARD)
@@ -180,7 +181,7 @@ def serve(member, phase, run, options, team):
         phase = await_call(team.board, phase)
         command = team.board[1]
         if command != DISMISSED:
-            call_share(options.share, command, run, options, member, team.threads)
+            do_share(command, run, options, member, team.threads)
         sign(team.board, member, phase)
         if command == DISMISSED:
             return
@@ -294,9 +295,9 @@ def take_step(run, options, control, counters, team):
     at_event = dt >= control[L.EVENT_TIME] - time
     control[L.TIME] = control[L.EVENT_TIME] if at_event else time + dt
     counters[L.CYCLE] += 1
-    control[L.RATE], control[L.WORST_FAILURE] = largest(run.found, L.FOUND_RATE), largest(run.found, L.FOUND_FAILURE)
-    counters[L.CAP_COUNT] += int(total(run.found, L.FOUND_CAPPED))
-    if total(run.found, L.FOUND_UNSOUND) > 0.0:
+    control[L.RATE], control[L.WORST_FAILURE] = largest(run.found, FOUND_RATE), largest(run.found, FOUND_FAILURE)
+    counters[L.CAP_COUNT] += int(total(run.found, FOUND_CAPPED))
+    if total(run.found, FOUND_UNSOUND) > 0.0:
         return L.BAD_STATE
     return L.AT_EVENT if at_event else L.PAUSED
 
@@ -320,4 +321,4 @@ def march(cycles, run, options, control, counters, team):
 @nb.njit(**GUARD)
 def start(run, options):
     """Forces of the state at t = 0."""
-    call_share(options.share, START, run, options, 0, 1)
+    do_share(START, run, options, 0, 1)

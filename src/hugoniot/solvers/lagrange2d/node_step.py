@@ -8,10 +8,11 @@ part of the velocity away. Its impulse and its work are booked for the chain it 
 import numba as nb
 
 from hugoniot.core.compile import GUARD, INLINE, SWEEP
-from hugoniot.core.passes import row, rows, rows_apart
+from hugoniot.core.passes import rows, rows_apart
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.geometry import AREA_WEIGHTED, PLANAR
-from hugoniot.solvers.lagrange1d.node_sweeps import pulse_value
+from hugoniot.solvers.lagrange2d.row_pass import spread
+from hugoniot.solvers.lagrange1d.nodes import pulse_value
 
 FX, GX = L.Nodes._fields.index("fx"), L.Nodes._fields.index("gx")
 CORNER_ROWS = L.Zones._fields.index("f0x")
@@ -47,17 +48,17 @@ def and_before(count, f1, f2, total):
 @nb.njit(**INLINE)
 def gather(line, nodes, zones, which):
     """Forces on a row of nodes into the rows `which` (FX or GX) and the one after."""
-    total = rows(L.Vector, nodes[which:], line[L.N_NODE])
+    total = spread(L.Vector, nodes[which:], line[L.N_NODE])
     if line[L.N_BEHIND] >= 0:
         first = line[L.N_BEHIND]
-        from_behind(line[L.N_COUNT], rows(L.Vector, zones[CORNER_ROWS:], first), rows(L.Vector, zones[CORNER_ROWS + 6:], first), total)
+        from_behind(line[L.N_COUNT], spread(L.Vector, zones[CORNER_ROWS:], first), spread(L.Vector, zones[CORNER_ROWS + 6:], first), total)
     else:
         for j in range(line[L.N_COUNT]):
             total.x[j] = 0.0
             total.y[j] = 0.0
     if line[L.N_BEFORE] >= 0:
         first = line[L.N_BEFORE]
-        and_before(line[L.N_COUNT], rows(L.Vector, zones[CORNER_ROWS + 2:], first), rows(L.Vector, zones[CORNER_ROWS + 4:], first), total)
+        and_before(line[L.N_COUNT], spread(L.Vector, zones[CORNER_ROWS + 2:], first), spread(L.Vector, zones[CORNER_ROWS + 4:], first), total)
 
 
 @nb.njit(**SWEEP)

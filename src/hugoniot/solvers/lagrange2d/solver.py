@@ -28,10 +28,10 @@ from hugoniot.solvers.lagrange2d.assemble import (
     zone_tables,
 )
 from hugoniot.solvers.lagrange2d.boundaries import boundary_tables
-from hugoniot.solvers.lagrange2d.march import Options, Run, march, serve, share_address, start
+from hugoniot.solvers.lagrange2d.march import ENTRIES, Options, Run, march, serve, start
 from hugoniot.solvers.lagrange2d.zone_step import passes_of
 from hugoniot.state import State2D
-from hugoniot.zones.recipe import Recipe
+from hugoniot.zones.constants import Constants
 
 NAME = "lagrange2d"
 ZONE_FIELDS = {"density": Z.rho, "energy": Z.e, "pressure": Z.p, "viscous_pressure": Z.q, "sound_speed": Z.c, "deviator_xx": Z.sxx,
@@ -63,10 +63,9 @@ class Lagrange2D:
         self.boundaries = boundary_tables(problem, numbering, self.zones, self.kind)
         self.chains = np.zeros((len(self.boundaries.chains) + 1, 3))
         self.team = self._team()
-        self.options = Options(passes_of(self.kind), self.kind, G.AXIS_RADIUS * float(np.abs(self.nodes[N.x]).max()), problem.solver.viscosity.limited,
-                               *map(float, problem.body_force))
+        self.options = Options(self.kind, G.AXIS_RADIUS * float(np.abs(self.nodes[N.x]).max()), *map(float, problem.body_force))
         self.run = self._run(mesh, recipe_of)
-        self.options = self.options._replace(share=share_address(self.run, self.options))
+        self.run.entries[:] = [entry.address(self.run, 0, 0) for entry in ENTRIES]
         self.control, self.counters = np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64)
         self.gauge_times, self.gauge_rows = [], []
         self._start()
@@ -86,8 +85,10 @@ class Lagrange2D:
         axis, ratio = axis_tables(self.numbering, self.nodes, self.kind)
         starts, members = self.numbering.shared()
         return Run(self.nodes, self.zones, self.charge, np.zeros((self.team.threads, L.SCRATCH_ROWS, L.SCRATCH_WIDTH)), pieces,
-                   line_table(mesh, self.numbering), self.cookbook.recipes, self.cookbook.constants, np.array([self.options.near]), edges.mirrors, self.filters,
-                   np.zeros((len(pieces) + 1, L.FOUND_FLOATS)), np.zeros(2), edges.loads, np.zeros((len(edges.loads), 4)), edges.gates,
+                   line_table(mesh, self.numbering), np.array([passes_of(self.kind)], dtype=np.int64), np.zeros(len(ENTRIES), dtype=np.int64),
+                   self.cookbook.recipes, self.cookbook.constants, np.array([float(self.problem.solver.viscosity.limited)]),
+                   np.array([self.options.near]), edges.mirrors, self.filters,
+                   np.zeros((len(pieces) + 1, L.FOUND_COLUMNS)), np.zeros(2), edges.loads, np.zeros((len(edges.loads), 4)), edges.gates,
                    edges.gate_normals, edges.held, edges.held_normals, edges.pulses, edges.tables, starts, members, edges.special, axis, ratio,
                    self.chains, np.zeros_like(self.chains))
 
@@ -119,7 +120,7 @@ class Lagrange2D:
                 length = np.hypot(dx, dy)
                 closing = -((u[b] - u[a]) * dx + (v[b] - v[a]) * dy) / np.where(length > 0.0, length, 1.0)
                 jump = np.maximum(jump, np.where(length > 0.0, closing, 0.0))
-        fronts = self.cookbook.constants[:, 3][np.array(self.run.pieces[:, L.P_RECIPE])].max()
+        fronts = self.cookbook.constants[:, Constants._fields.index("front")][np.array(self.run.pieces[:, L.P_RECIPE])].max()
         rate = float(np.max((np.maximum(self.zones[Z.c], fronts) + 4.0 * jump) * self._inverse_altitudes()))
         return rate if rate > 0.0 else 1e3 / self.problem.stop_time
 
@@ -302,5 +303,3 @@ class Lagrange2D:
         if self.sampler is None:
             self.control[L.NEXT_GAUGE] = NO_LIMIT
 
-
-RECIPE = Recipe(*range(len(Recipe._fields)))

@@ -15,39 +15,38 @@ from typing import Any, NamedTuple
 
 from hugoniot.core.ops import fmax, fmin, late_over, vsqrt
 from hugoniot.core.passes import rows_apart
-from hugoniot.solvers.lagrange2d.layout import Rates, Stress, Tensor, Work, Zones
+from hugoniot.solvers.lagrange2d.layout import Rates, Stress, Tensor
 from hugoniot.solvers.lagrange2d.row_pass import row_pass
 
 NO_STRESS = 1e-30     # Pa2, beside which no stress squared counts
 
 
 class StartOf(NamedTuple):
-    """State -> the stress that pushes."""
+    """Pressure, deviators and mean viscous stress of the state -> the stress that pushes."""
 
-    z: Zones
-    t: Stress
-
-
-class MiddleOf(NamedTuple):
-    """Scratch of the middle of a step and mean viscous stress -> the stress that pushes."""
-
-    w: Work
+    p: Any
+    s: Tensor
     q: Tensor
     t: Stress
 
 
 class TrialOf(NamedTuple):
-    """State and strain rates -> elastic deviators in the scratch rows."""
+    """Deviators, shear modulus and strain rates -> elastic deviators and their equivalent stress."""
 
-    z: Zones
-    w: Work
+    s: Tensor
+    shear: Any
     d: Rates
+    new: Tensor
+    equivalent: Any
 
 
-class WorkOf(NamedTuple):
-    """Scratch rows alone."""
+class ReturnOf(NamedTuple):
+    """Equivalent and flow stress; deviators are led on -> the largest principal one."""
 
-    w: Work
+    equivalent: Any
+    limit: Any
+    new: Tensor
+    largest: Any
 
 
 class RateOf(NamedTuple):
@@ -58,36 +57,25 @@ class RateOf(NamedTuple):
 
 
 class KeepOf(NamedTuple):
-    """Scratch rows -> state."""
+    """Pressure, mean viscous stress and deviators found -> those of the state, the principal stress of largest size."""
 
-    z: Zones
-    w: Work
-
+    p: Any
+    q: Tensor
+    new: Tensor
+    s: Tensor
+    sigma: Any
 
 
 @row_pass(StartOf)
-def stress_at_start(count, given, dt, numbers, law):
-    """Stress that pushes at the start of a step: that of the state, and the viscous stress of the step before."""
+def pushing_stress(count, given, dt, numbers, law):
+    """Stress that pushes: pressure, viscous stress and deviators. The viscosity has no hoop part."""
     rows_apart()
-    z, t = given
+    p_, s, q, t = given
     for j in range(count):
-        p, xx, yy = z.p[j], z.sxx[j], z.syy[j]
-        t.xx[j] = xx - p - z.qxx[j]
-        t.yy[j] = yy - p - z.qyy[j]
-        t.xy[j] = z.sxy[j] - z.qxy[j]
-        t.hoop[j] = -(xx + yy) - p
-
-
-@row_pass(MiddleOf)
-def stress_in_middle(count, given, dt, numbers, law):
-    """Stress that pushes in the middle of the step; q: mean viscous stress of the zone."""
-    rows_apart()
-    w, q, t = given
-    for j in range(count):
-        p, xx, yy = w.p[j], w.txx[j], w.tyy[j]
+        p, xx, yy = p_[j], s.xx[j], s.yy[j]
         t.xx[j] = xx - p - q.xx[j]
         t.yy[j] = yy - p - q.yy[j]
-        t.xy[j] = w.txy[j] - q.xy[j]
+        t.xy[j] = s.xy[j] - q.xy[j]
         t.hoop[j] = -(xx + yy) - p
 
 
@@ -95,13 +83,13 @@ def stress_in_middle(count, given, dt, numbers, law):
 def trial(count, given, dt, numbers, law):
     """Deviators of the elastic trial after dt, turned with the zone, and their equivalent stress sqrt(3/2 s:s)."""
     rows_apart()
-    z, w, d = given
+    s, shear_modulus, d, new, equivalent = given
     for j in range(count):
         half = 0.5 * dt * d.spin[j]
         a = 2.0 * half / (1.0 - half * half)
-        double = 2.0 * w.shear[j] * dt
+        double = 2.0 * shear_modulus[j] * dt
         third = d.dilation[j] * (1.0 / 3.0)
-        xx, yy, xy = z.sxx[j], z.syy[j], z.sxy[j]
+        xx, yy, xy = s.xx[j], s.yy[j], s.xy[j]
         difference, shear = xx - yy, 2.0 * xy
         d_difference, d_shear = double * (d.xx[j] - d.yy[j]), 2.0 * double * d.xy[j]
         over = 1.0 / (1.0 + a * a)
@@ -110,26 +98,26 @@ def trial(count, given, dt, numbers, law):
         turned = 0.5 * over * (same * difference - 2.0 * a * shear + d_difference - a * d_shear)
         txy = 0.5 * over * (same * shear + 2.0 * a * difference + d_shear + a * d_difference)
         txx, tyy = total + turned, total - turned
-        w.txx[j] = txx
-        w.tyy[j] = tyy
-        w.txy[j] = txy
-        w.equivalent[j] = vsqrt(3.0 * (txx * txx + tyy * tyy + txx * tyy + txy * txy))
+        new.xx[j] = txx
+        new.yy[j] = tyy
+        new.xy[j] = txy
+        equivalent[j] = vsqrt(3.0 * (txx * txx + tyy * tyy + txx * tyy + txy * txy))
 
 
-@row_pass(WorkOf)
+@row_pass(ReturnOf)
 def return_to_yield(count, given, dt, numbers, law):
     """Deviators back on the yield surface of `limit`, radially, and the largest principal one."""
     rows_apart()
-    w = given.w
+    equivalent, limit, new, largest = given
     for j in range(count):
-        square = w.equivalent[j] * w.equivalent[j]
-        scale = fmin(1.0, late_over(w.limit[j] * w.equivalent[j], square + NO_STRESS))
-        xx, yy, xy = w.txx[j] * scale, w.tyy[j] * scale, w.txy[j] * scale
-        w.txx[j] = xx
-        w.tyy[j] = yy
-        w.txy[j] = xy
+        square = equivalent[j] * equivalent[j]
+        scale = fmin(1.0, late_over(limit[j] * equivalent[j], square + NO_STRESS))
+        xx, yy, xy = new.xx[j] * scale, new.yy[j] * scale, new.xy[j] * scale
+        new.xx[j] = xx
+        new.yy[j] = yy
+        new.xy[j] = xy
         half = 0.5 * (xx - yy)
-        w.t1[j] = fmax(0.5 * (xx + yy) + vsqrt(half * half + xy * xy), -(xx + yy))
+        largest[j] = fmax(0.5 * (xx + yy) + vsqrt(half * half + xy * xy), -(xx + yy))
 
 
 @row_pass(RateOf)
@@ -144,32 +132,19 @@ def strain_rates(count, given, dt, numbers, law):
         rate[j] = vsqrt((2.0 / 3.0) * (xx * xx + yy * yy + zz * zz + 2.0 * xy * xy))
 
 
-@row_pass(WorkOf)
-def no_deviators(count, given, dt, numbers, law):
-    """A fluid."""
-    rows_apart()
-    w = given.w
-    for j in range(count):
-        w.txx[j] = 0.0
-        w.tyy[j] = 0.0
-        w.txy[j] = 0.0
-        w.t1[j] = 0.0
-        w.shear[j] = 0.0
-
-
 @row_pass(KeepOf)
 def keep(count, given, dt, numbers, law):
-    """The deviators become those of the state; the principal stress of largest size goes with it."""
+    """The deviators become those of the state; the principal stress of largest size, compression positive, goes with it."""
     rows_apart()
-    z, w = given
+    p_, q, new, s, sigma = given
     for j in range(count):
-        xx, yy, xy = w.txx[j], w.tyy[j], w.txy[j]
-        z.sxx[j] = xx
-        z.syy[j] = yy
-        z.sxy[j] = xy
-        x, y, p = xx - z.qxx[j], yy - z.qyy[j], z.p[j]
-        shear = xy - z.qxy[j]
+        xx, yy, xy = new.xx[j], new.yy[j], new.xy[j]
+        s.xx[j] = xx
+        s.yy[j] = yy
+        s.xy[j] = xy
+        x, y, p = xx - q.xx[j], yy - q.yy[j], p_[j]
+        shear = xy - q.xy[j]
         half = 0.5 * (x - y)
         size = vsqrt(half * half + shear * shear)
         low, high = p - 0.5 * (x + y) - size, p - 0.5 * (x + y) + size
-        z.sigma[j] = high if high > -low else low
+        sigma[j] = high if high > -low else low
