@@ -61,20 +61,18 @@ def look_around(passes, piece, r, nodes, scratch, mirrors):
     low, high = now(nodes, first), now(nodes, first + stride)
     smooth = spread(L.Smoothness, scratch[L.SMOOTH:], offset)
     none = smooth.xi
-    wide, here, beyond = (spread(L.Vector, scratch[L.GRADIENTS + 2:], 0), spread(L.Vector, scratch[L.GRADIENTS + 2:], 1),
-                          spread(L.Vector, scratch[L.GRADIENTS + 2:], 2))
+    wide, along, beyond = gradient(scratch, 0, 0), gradient(scratch, 0, 1), gradient(scratch, 0, 2)
+    before, here, behind = gradient(scratch, 1, 0), gradient(scratch, 2, 0), gradient(scratch, 3, 0)
     start = 0 if piece[L.P_FIRST] else 1
     reach = count + start + (0 if piece[L.P_LAST] else 1)
-    along = smoothness.GradientOf(now(nodes, first - start), now(nodes, first + stride - start),
-                                  spread(L.Vector, scratch[L.GRADIENTS + 2:], 1 - start))
-    call_pass(passes.gradient_along, reach, along, 0.0, none)
+    given = smoothness.GradientOf(now(nodes, first - start), now(nodes, first + stride - start), gradient(scratch, 0, 1 - start))
+    call_pass(passes.gradient_along, reach, given, 0.0, none)
     if piece[L.P_FIRST]:
-        wide.x[0], wide.y[0] = mirrored(wide.x[1], wide.y[1], mirrors, side + BOTTOM)
+        wide.x[0], wide.y[0] = mirrored(along.x[0], along.y[0], mirrors, side + BOTTOM)
     if piece[L.P_LAST]:
         wide.x[count + 1], wide.y[count + 1] = mirrored(wide.x[count], wide.y[count], mirrors, side + TOP)
-    call_pass(passes.compare, count, smoothness.Compared(wide, here, beyond, smooth.xi), 0.0, none)
-    before, behind = spread(L.Vector, scratch[L.GRADIENTS:], 0), spread(L.Vector, scratch[L.GRADIENTS + 4:], 0)
     call_pass(passes.gradient_across, count, smoothness.GradientOf(low, high, here), 0.0, none)
+    call_pass(passes.compare, count, smoothness.Compared(wide, along, beyond, here, smooth.xi), 0.0, none)
     if r == 0 and piece[L.P_FIRST_ROW]:
         mirror_row(count, here, before, mirrors, side + LEFT)
     else:
@@ -83,7 +81,13 @@ def look_around(passes, piece, r, nodes, scratch, mirrors):
         mirror_row(count, here, behind, mirrors, side + RIGHT)
     else:
         call_pass(passes.gradient_across, count, smoothness.GradientOf(high, now(nodes, first + 2 * stride), behind), 0.0, none)
-    call_pass(passes.compare, count, smoothness.Compared(before, here, behind, smooth.eta), 0.0, none)
+    call_pass(passes.compare, count, smoothness.Compared(before, here, behind, along, smooth.eta), 0.0, none)
+
+
+@nb.njit(**INLINE)
+def gradient(scratch, which, first):
+    """Velocity differences: 0 along the row (from the zone before it), 1 across the row before, 2 across it, 3 across the one behind."""
+    return spread(L.Vector, scratch[L.GRADIENTS + 2 * which:], first)
 
 
 # -- viscosity ------------------------------------------------------------------------------------------------------------------

@@ -246,7 +246,6 @@ class Closing(NamedTuple):
     mxx: Any
     mxy: Any
     apart: Any               # part of the viscosity along principal directions, the rest is along the edges of a slender zone
-    stiff: Any               # factor of the viscous speed in the time step
 
 
 class Plane(NamedTuple):
@@ -272,8 +271,8 @@ CORNERS = SPEEDS + 2                         # viscous stress of the four corner
 ALONG = CORNERS + 12                         # viscous stress along the mean edges
 EXTRA = ALONG + 3                            # half the subzonal pressure of the four corners
 MEAN = EXTRA + 4                             # mean viscous stress
-GRADIENTS = MEAN + 3                         # velocity differences per length of the zones before, here and behind
-SCRATCH_ROWS = GRADIENTS + 6
+GRADIENTS = MEAN + 3                         # velocity differences per length: along rows, and across them before, here and behind
+SCRATCH_ROWS = GRADIENTS + 8
 SCRATCH_WIDTH = PIECE + 8                    # gradients along a row reach over both its ends
 
 # -- columns of the piece table (integers): a piece is whole rows of zones of a block, or a part of one -----------------------

@@ -4,7 +4,7 @@ With $g$ the velocity difference across a zone per length, a vector, and $g_l$, 
 
 $$\psi = \max(0, \min(1, \tfrac12(r_l + r_r), 2 r_l, 2 r_r)),\qquad r = g_{l,r}\cdot g / g^2 :$$
 
-1 in a linear field, 0 at a shock or an extremum. Vectors are compared, not components, so that turning the frame changes nothing. At
+1 in a linear field, 0 at a shock or an extremum, and where there is nothing but round-off to compare. Vectors are compared, not components, so that turning the frame changes nothing. At
 the edge of a block the field goes on as inside.
 
 Caramana, Shashkov & Whalen, J. Comput. Phys. 144 (1998) 70, equations 10 to 14.
@@ -18,6 +18,7 @@ from hugoniot.solvers.lagrange2d.layout import Points, Smoothness, Vector
 from hugoniot.solvers.lagrange2d.row_pass import row_pass
 
 SMALL = 1e-200
+NOISE = 1e-12     # part of the whole gradient, squared, beside which one direction's has no neighbours to compare with
 
 
 
@@ -31,11 +32,12 @@ class GradientOf(NamedTuple):
 
 
 class Compared(NamedTuple):
-    """Differences of the neighbours and of the zones themselves -> psi."""
+    """Differences of the neighbours, of the zones themselves, and of these along the other direction -> psi."""
 
     left: Vector
     middle: Vector
     right: Vector
+    other: Vector
     psi: Any
 
 
@@ -78,10 +80,11 @@ def gradient_across(count, given, dt, numbers, law):
 def compare(count, given, dt, numbers, law):
     """psi of a row of zones from the vectors g of the zones and of their neighbours."""
     rows_apart()
-    left, middle, right, psi = given
+    left, middle, right, other, psi = given
     for j in range(count):
         gx, gy = middle.x[j], middle.y[j]
-        inverse = 1.0 / (gx * gx + gy * gy + SMALL)
+        size = gx * gx + gy * gy
+        inverse = 1.0 / (size + NOISE * (size + other.x[j] * other.x[j] + other.y[j] * other.y[j]) + SMALL)
         l = (left.x[j] * gx + left.y[j] * gy) * inverse
         r = (right.x[j] * gx + right.y[j] * gy) * inverse
         psi[j] = fmax(0.0, fmin(fmin(0.5 * (l + r), 1.0), 2.0 * fmin(l, r)))

@@ -25,7 +25,7 @@ from hugoniot.solvers.lagrange2d.layout import Closing, Metric, Points, Rates, S
 from hugoniot.solvers.lagrange2d.row_pass import row_pass
 
 SMALL = 1e-200
-SLENDER, NEEDLE = 10.0, 20.0     # ratios of its edges from and up to which a zone's viscosity turns into that along them
+SLENDER, NEEDLE = 4.0, 8.0     # ratios of its edges from and up to which a zone's viscosity turns into that along them
 
 
 
@@ -173,7 +173,7 @@ def resist(count, given, dt, numbers, law):
         q.xx[j] = half + dev * c.mxx[j] + rest * along.xx[j]
         q.yy[j] = half - dev * c.mxx[j] + rest * along.yy[j]
         q.xy[j] = dev * c.mxy[j] + rest * along.xy[j]
-        fastest[j] = fmax(fastest[j], c.stiff[j] * fmax(w1, w2))
+        fastest[j] = fmax(fastest[j], fmax(w1, w2))
 
 
 @row_pass(AlongOf)
@@ -194,7 +194,6 @@ def closing_along(count, given, dt, numbers, law):
         aspect = vsqrt(fmax(xi, eta) / fmin(xi, eta))
         part = fmax(0.0, fmin(1.0, (NEEDLE - aspect) / (NEEDLE - SLENDER)))
         c.apart[j] = part
-        c.stiff[j] = fmax(1.0, 0.5 * aspect * part)
 
 
 @row_pass(ResistAlongOf)
