@@ -4,12 +4,13 @@ import numba as nb
 
 from hugoniot.core.compile import INLINE
 from hugoniot.core.passes import call_pass, row, row_at, rows
-from hugoniot.solvers.lagrange2d import geometry, hourglass, smoothness, tensor, viscosity, zone_passes
+from hugoniot.solvers.lagrange2d import geometry, hourglass, smoothness, tensor, viscosity
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.row_pass import spread
 from hugoniot.zones import material
 
 FORCES = L.Zones._fields.index("f0x")
+COMING = L.Zones._fields.index("nxx")
 WEIGHTS = L.SHAPE + L.Shape._fields.index("w0")
 POWER = L.WORK + L.Work._fields.index("power")      # and, before the forces are known, rho c
 LEFT, RIGHT, BOTTOM, TOP = range(4)
@@ -131,10 +132,9 @@ def corner_viscosity(passes, piece, nodes, scratch, at, solid, recipe, limited, 
         speeds(total, at, recipe, c, speed1, speed2)
         call_pass(passes.resist, total, viscosity.ResistOf(solid, c, speed1, speed2, along, corner_stress(scratch, k, 0), z.viscous_speed), 0.0,
                   numbers)
-    mean = spread(L.Tensor, scratch[L.MEAN:], 0)
+    mean = at.coming
     call_pass(passes.mean_viscosity, total, viscosity.MeanOf(at.shape, corner_stress(scratch, 0, 0), corner_stress(scratch, 1, 0), corner_stress(
         scratch, 2, 0), corner_stress(scratch, 3, 0), mean), 0.0, numbers)
-    call_pass(passes.keep_mean, total, zone_passes.KeptViscosity(mean, at.viscous, z.q), 0.0, numbers)
 
 
 @nb.njit(**INLINE)
@@ -145,10 +145,10 @@ def corner_stress(scratch, k, offset):
 
 # -- forces ------------------------------------------------------------------------------------------------------------------------
 @nb.njit(**INLINE)
-def forces_in_middle(passes, piece, nodes, zones, scratch, at, filters, dt):
+def forces_in_middle(passes, piece, nodes, zones, scratch, at, filters):
     """Corner forces of stress, viscosity and filters in the middle of the step; filters: a row of merit factor and coefficient."""
     z, w, stride, count = at.z, at.w, piece[L.P_STRIDE], piece[L.P_COUNT]
-    call_pass(passes.pushing_stress, at.total, tensor.StartOf(w.p, at.new, at.viscous, at.stress), 0.0, filters)
+    call_pass(passes.pushing_stress, at.total, tensor.StartOf(w.p, at.new, at.coming, at.stress), 0.0, filters)
     call_pass(passes.stress_forces, at.total, geometry.ForcesOf(at.shape, at.stress, spread(L.Corners, zones[FORCES:], piece[L.P_ZONE])), 0.0,
               filters)
     call_pass(passes.subzonal, at.total, hourglass.SubzonalOf(at.shape, z.t0, z.t1, w.stiffness, extra(scratch, 0, 0), extra(
@@ -163,12 +163,12 @@ def forces_in_middle(passes, piece, nodes, zones, scratch, at, filters, dt):
                 scratch, 1, offset), extra(scratch, 2, offset), extra(scratch, 3, offset), f), 0.0, filters)
         if filters[1] > 0.0:
             call_pass(passes.viscous, count, hourglass.ViscousOf(low, high, s, row(scratch[POWER], offset), part.inverse_mass, f,
-                                                                 part.filter_work), dt, filters)
+                                                                 part.filter_power), 0.0, filters)
         for k in range(4):
             after, before = (k + 1) % 4, (k + 3) % 4
             given = viscosity.CornerForcesOf(
                 middle(nodes, first + corner(k, stride)), middle(nodes, first + corner(after, stride)),
-                middle(nodes, first + corner(before, stride)), corner_stress(scratch, k, offset), spread(L.Tensor, scratch[L.MEAN:], offset),
+                middle(nodes, first + corner(before, stride)), corner_stress(scratch, k, offset), spread(L.Tensor, zones[COMING:], zone),
                 extra(scratch, k, offset), weight(scratch, k, offset), weight(scratch, after, offset), weight(scratch, before, offset),
                 corner_force(zones, k, zone), corner_force(zones, after, zone), corner_force(zones, before, zone))
             call_pass(passes.corner_forces, count, given, 0.0, filters)

@@ -42,7 +42,7 @@ class SubzonalMeanOf(NamedTuple):
 
 
 class ViscousOf(NamedTuple):
-    """Two rows of nodes, shape and rho c: added to corner forces; work of the filter, J/kg."""
+    """Two rows of nodes, shape and rho c: added to corner forces; power of the filter, W/kg."""
 
     low: Points
     high: Points
@@ -50,7 +50,7 @@ class ViscousOf(NamedTuple):
     impedance: Any
     inverse_mass: Any
     f: Corners
-    work: Any
+    power: Any
 
 
 
@@ -94,7 +94,7 @@ def subzonal_mean(count, given, dt, numbers, law):
 def viscous(count, given, dt, numbers, law):
     """Add the viscous filter's forces; numbers[1] is its coefficient."""
     rows_apart()
-    low, high, s, impedance, inverse_mass, f, worked = given
+    low, high, s, impedance, inverse_mass, f, power = given
     coefficient = numbers[1]
     for j in range(count):
         x0, y0, x1, y1 = low.x[j], low.y[j], high.x[j], high.y[j]
@@ -110,7 +110,7 @@ def viscous(count, given, dt, numbers, law):
         size = -0.25 * coefficient * impedance[j] * vsqrt(s.area[j])
         # with the velocities predicted for the middle of the step
         weight = 0.25 * (s.w0[j] + s.w1[j] + s.w2[j] + s.w3[j])
-        worked[j] -= dt * size * weight * (u * u + v * v) * inverse_mass[j]
+        power[j] = -size * weight * (u * u + v * v) * inverse_mass[j]
         u, v = u * size, v * size
         f.f0x[j] += g0 * u * s.w0[j]
         f.f0y[j] += g0 * v * s.w0[j]

@@ -41,9 +41,13 @@ class Zones(NamedTuple):
     sxx: Any
     syy: Any
     sxy: Any
-    qxx: Any                 # mean viscous stress of the step
+    qxx: Any                 # mean viscous stress of the last step
     qyy: Any
     qxy: Any
+    nxx: Any                 # the same of a step that may yet have to be repeated
+    nyy: Any
+    nxy: Any
+    filter_power: Any        # W/kg that the viscous filter took in the middle of the step
     c: Any                   # longitudinal sound speed; -1 where it is imaginary
     viscous_speed: Any
     sigma: Any               # the principal stress of largest size, compression positive, viscosity included
@@ -270,8 +274,7 @@ SPEEDS = CLOSING + len(Closing._fields)      # viscous speeds of the two directi
 CORNERS = SPEEDS + 2                         # viscous stress of the four corners
 ALONG = CORNERS + 12                         # viscous stress along the mean edges
 EXTRA = ALONG + 3                            # half the subzonal pressure of the four corners
-MEAN = EXTRA + 4                             # mean viscous stress
-GRADIENTS = MEAN + 3                         # velocity differences per length: along rows, and across them before, here and behind
+GRADIENTS = EXTRA + 4                        # velocity differences per length: along rows, and across them before, here and behind
 SCRATCH_ROWS = GRADIENTS + 8
 SCRATCH_WIDTH = PIECE + 8                    # gradients along a row reach over both its ends
 

@@ -259,10 +259,9 @@ def special_middle(nodes, special, dt):
         n.yh[k] = n.y[k] + 0.5 * dt * n.vm[k]
 
 
-@nb.njit(**SWEEP)
+@nb.njit(**GUARD)
 def tangled(count, low, high):
     """How many zones of a row have no positive area."""
-    rows_apart()
     bad = 0
     for j in range(count):
         area = (high.x[j + 1] - low.x[j]) * (low.y[j + 1] - high.y[j]) - (high.y[j + 1] - low.y[j]) * (low.x[j + 1] - high.x[j])

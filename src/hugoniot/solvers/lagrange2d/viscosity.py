@@ -25,6 +25,8 @@ from hugoniot.solvers.lagrange2d.layout import Closing, Metric, Points, Rates, S
 from hugoniot.solvers.lagrange2d.row_pass import row_pass
 
 SMALL = 1e-200
+NOISE = 1e-12
+SLIGHT = 1e-4           # part of the other jump up to which one limits no time step
 SLENDER, NEEDLE = 4.0, 8.0     # ratios of its edges from and up to which a zone's viscosity turns into that along them
 
 
@@ -151,8 +153,9 @@ def closing(count, given, dt, numbers, law):
         psi2 = ((xi + xim) * smooth.xi[j] + (eta + etam) * smooth.eta[j]) / square2
         before_mean = 0.5 * (smooth.xx[j] + smooth.yy[j])
         before_dev = 0.5 * (smooth.xx[j] - smooth.yy[j]) * mxx + smooth.xy[j] * mxy
-        c.du1[j] = fmin(mean - size, 0.0) * vsqrt(square1)
-        c.du2[j] = fmin(mean + size, 0.0) * vsqrt(square2)
+        least = -NOISE * (size + fmax(mean, -mean))      # round-off closes nothing
+        c.du1[j] = (mean - size) * vsqrt(square1) if mean - size < least else 0.0
+        c.du2[j] = (mean + size) * vsqrt(square2) if mean + size < least else 0.0
         c.psi1[j] = psi1 if before_mean - before_dev < 0.0 else 0.0
         c.psi2[j] = psi2 if before_mean + before_dev < 0.0 else 0.0
         c.mxx[j] = mxx
@@ -173,7 +176,7 @@ def resist(count, given, dt, numbers, law):
         q.xx[j] = half + dev * c.mxx[j] + rest * along.xx[j]
         q.yy[j] = half - dev * c.mxx[j] + rest * along.yy[j]
         q.xy[j] = dev * c.mxy[j] + rest * along.xy[j]
-        fastest[j] = fmax(fastest[j], fmax(w1, w2))
+        fastest[j] = fmax(fastest[j], fmax(w1 if c.du1[j] < SLIGHT * c.du2[j] else 0.0, w2 if c.du2[j] < SLIGHT * c.du1[j] else 0.0))
 
 
 @row_pass(AlongOf)
@@ -187,8 +190,9 @@ def closing_along(count, given, dt, numbers, law):
         rate2 = (d.xx[j] * m.etaxx[j] + d.yy[j] * m.etayy[j] + 2.0 * d.xy[j] * m.etaxy[j]) / eta
         before1 = smooth.xx[j] * m.xixx[j] + smooth.yy[j] * m.xiyy[j] + 2.0 * smooth.xy[j] * m.xixy[j]
         before2 = smooth.xx[j] * m.etaxx[j] + smooth.yy[j] * m.etayy[j] + 2.0 * smooth.xy[j] * m.etaxy[j]
-        c.du1[j] = fmin(rate1, 0.0) * vsqrt(xi)
-        c.du2[j] = fmin(rate2, 0.0) * vsqrt(eta)
+        least = -NOISE * vsqrt(d.xx[j] * d.xx[j] + d.yy[j] * d.yy[j] + d.xy[j] * d.xy[j])
+        c.du1[j] = rate1 * vsqrt(xi) if rate1 < least else 0.0
+        c.du2[j] = rate2 * vsqrt(eta) if rate2 < least else 0.0
         c.psi1[j] = smooth.xi[j] if before1 < 0.0 else 0.0
         c.psi2[j] = smooth.eta[j] if before2 < 0.0 else 0.0
         aspect = vsqrt(fmax(xi, eta) / fmin(xi, eta))
@@ -209,7 +213,7 @@ def resist_along(count, given, dt, numbers, law):
         q.xx[j] = q1 * m.xixx[j] + q2 * m.etaxx[j]
         q.yy[j] = q1 * m.xiyy[j] + q2 * m.etayy[j]
         q.xy[j] = q1 * m.xixy[j] + q2 * m.etaxy[j]
-        fastest[j] = fmax(w1, w2)
+        fastest[j] = fmax(w1 if c.du1[j] < SLIGHT * c.du2[j] else 0.0, w2 if c.du2[j] < SLIGHT * c.du1[j] else 0.0)
 
 
 @row_pass(MeanOf)

@@ -83,11 +83,13 @@ class StiffnessOf(NamedTuple):
 
 
 class KeptViscosity(NamedTuple):
-    """Mean viscous stress -> that of the state, and its trace."""
+    """Mean viscous stress and power of the filter -> those of the state, the trace, work of the filter (led on)."""
 
     mean: Tensor
+    power: Any
     q: Tensor
     trace: Any
+    work: Any
 
 
 @row_pass(HalfOf)
@@ -174,12 +176,13 @@ def stiffnesses(count, given, dt, numbers, law):
 
 
 @row_pass(KeptViscosity)
-def keep_mean(count, given, dt, numbers, law):
-    """The mean viscous stress goes with the state."""
+def keep_viscosity(count, given, dt, numbers, law):
+    """The mean viscous stress of a step that stands goes with the state."""
     rows_apart()
-    mean, q, trace = given
+    mean, power, q, trace, work = given
     for j in range(count):
         q.xx[j] = mean.xx[j]
         q.yy[j] = mean.yy[j]
         q.xy[j] = mean.xy[j]
         trace[j] = mean.xx[j] + mean.yy[j]
+        work[j] += dt * power[j]

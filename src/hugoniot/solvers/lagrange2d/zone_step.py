@@ -48,7 +48,7 @@ class Passes(NamedTuple):
     altitudes: int
     end_speed: int
     stiffnesses: int
-    keep_mean: int
+    keep_viscosity: int
 
 
 def passes_of(kind: int) -> Passes:
@@ -69,6 +69,7 @@ class Rows(NamedTuple):
     w: Any
     deviators: Any       # of the state
     viscous: Any         # mean viscous stress of the state
+    coming: Any          # the same of the step that is being taken
     new: Any             # deviators found
     shape: Any
     rates: Any
@@ -81,11 +82,11 @@ def rows_of(a, piece, scratch):
     """`Rows` of a piece; a: march.Run."""
     first = piece[L.P_ZONE]
     return Rows(rows(L.Zones, a.zones, first), rows(L.Charge, a.charge, first), rows(L.Work, scratch, 0), spread(L.Tensor, a.zones[SXX:], first),
-                spread(L.Tensor, a.zones[QXX:], first), spread(L.Tensor, scratch[TXX:], 0), spread(L.Shape, scratch[L.SHAPE:], 0),
+                spread(L.Tensor, a.zones[QXX:], first), spread(L.Tensor, a.zones[NXX:], first), spread(L.Tensor, scratch[TXX:], 0), spread(L.Shape, scratch[L.SHAPE:], 0),
                 spread(L.Rates, scratch[L.RATES:], 0), spread(L.Stress, scratch[L.STRESS:], 0), piece[L.P_ROWS] * piece[L.P_COUNT])
 
 
-SXX, QXX = L.Zones._fields.index("sxx"), L.Zones._fields.index("qxx")
+SXX, QXX, NXX = (L.Zones._fields.index(name) for name in ("sxx", "qxx", "nxx"))
 TXX = L.WORK + L.Work._fields.index("txx")
 
 
@@ -167,7 +168,7 @@ def predict(a, passes, limited, piece, scratch, recipe, constants, found, dt):
     material.relieve(count, at, recipe, solid)
     call_pass(passes.stiffnesses, count, zone_passes.StiffnessOf(w.rho, z.c, w.stiffness, w.power), dt, near)
     forces.corner_viscosity(passes, piece, a.nodes, scratch, at, solid, recipe, limited, a.mirrors)
-    forces.forces_in_middle(passes, piece, a.nodes, a.zones, scratch, at, row(a.filters, 2 * piece[L.P_RECIPE]), dt)
+    forces.forces_in_middle(passes, piece, a.nodes, a.zones, scratch, at, row(a.filters, 2 * piece[L.P_RECIPE]))
     if recipe.solve != 0:
         keep_half(count, at, recipe)
 
@@ -177,6 +178,8 @@ def correct(a, passes, piece, scratch, recipe, constants, found, dt):
     """State at the end of the step, and its forces."""
     at, near = rows_of(a, piece, scratch), row(a.near, 0)
     z, b, w, count = at.z, at.b, at.w, at.total
+    kept = zone_passes.KeptViscosity(at.coming, z.filter_power, at.viscous, z.q, z.filter_work)
+    call_pass(passes.keep_viscosity, count, kept, dt, near)
     shape_in_middle(passes, near, piece, a.nodes, scratch)
     forces.work_of_forces(passes, piece, a.nodes, a.zones, scratch)
     call_pass(passes.density, count, zone_passes.DensityOf(at.shape.volume, z.inverse_mass, w.v, z.rho), dt, near)
