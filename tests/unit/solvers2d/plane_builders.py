@@ -12,6 +12,7 @@ from hugoniot.problem.plane.model import Block2D, Boundary2D, Problem2D, Solver2
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
 
 QUIET = OutputOptions(report=False)
+TENSOR = Viscosity2D("tensor", True, 0.3, 2.0 / 3.0, 0.06, 2.0 / 3.0)
 SIDES = ("left", "right", "bottom", "top")
 
 
@@ -35,6 +36,7 @@ def walls(*names):
 def problem(blocks, materials, stop, boundaries=(), geometry="plane", **options):
     blocks = tuple(blocks) if isinstance(blocks, (list, tuple)) else (blocks,)
     materials = {m.name: m for m in (materials if isinstance(materials, (list, tuple)) else (materials,))}
+    options.setdefault("viscosity", TENSOR)
     extra = {name: options.pop(name) for name in ("body_force",) if name in options}
     return Problem2D("test", geometry, stop, blocks, materials, tuple(boundaries), solver=Solver2D(**options), output=QUIET, **extra)
 

@@ -10,6 +10,7 @@ from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.problem.plane.model import Problem2D
+from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.assemble import ROUND_OFF, longitudinal_speed, start_compaction
 from hugoniot.solvers.lagrange2d import geometry as G
 from hugoniot.solvers.lagrange2d import layout as L
@@ -21,7 +22,13 @@ _GAUSS = (np.array([-np.sqrt(0.6), 0.0, np.sqrt(0.6)]), np.array([5.0, 8.0, 5.0]
 
 
 def kind_of(problem: Problem2D) -> int:
-    """Code of the geometry."""
+    """Code of the geometry. OutOfRange for options this solver does not have."""
+    options = problem.solver
+    for name, value, known in (("cells", options.cells, "quads"), ("viscosity.kind", options.viscosity.kind, "tensor"),
+                               ("integrator", options.integrator, "compatible"),
+                               ("mean_pressure", getattr(options, "mean_pressure", False), False)):
+        if value != known:
+            raise OutOfRange(f"solver.{name} = {value!r} is not available in two dimensions yet; use {known!r}")
     if problem.geometry == "plane":
         return G.PLANAR
     return G.AREA_WEIGHTED if problem.solver.scheme == "area_weighted" else G.TRUE_VOLUME
@@ -179,7 +186,6 @@ def start_block(problem: Problem2D, block):
     """(rho, e, p, sound speed) of a block at t = 0."""
     material = problem.materials[block.material]
     if material.burn is not None:
-        from hugoniot.solvers.lagrange1d import reactive
         return reactive.start_region(material, block)
     rho, e = initial_state(material.eos, block.density, block.pressure, block.temperature, block.energy)
     low, high = density_limits(material.eos)
@@ -219,10 +225,7 @@ def recipes_of(problem: Problem2D, speed: float) -> tuple[Cookbook, list[int], n
             solid, burns = material.strength is not None, material.burn is not None
             laws = (burning.reactive(material) if burns else material.eos, material.strength or STRENGTH.get("none").example,
                     material.fracture or FRACTURE.get("none").example, viscosity_law(problem, solid))
-            own = {}
-            if burns:
-                from hugoniot.solvers.lagrange1d import reactive
-                own = reactive.constants(problem, block)
+            own = reactive.constants(problem, block) if burns else {}
             found.append((laws, constants_of(laws, noise + (1.0 if burns else 0.0), **own)))
             filters.append((0.0, problem.solver.flanagan_belytschko) if solid else (problem.solver.subzonal_pressure, 0.0))
         recipe_of.append(keys.index(block.material))

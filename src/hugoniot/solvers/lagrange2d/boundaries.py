@@ -106,8 +106,9 @@ def boundary_tables(problem: Problem2D, numbering: Numbering, zones, kind: int) 
     around = np.unique(numbering.nodes[np.concatenate([loads[:, 0], loads[:, 1], held[:, 0]])]) if len(loads) + len(held) else []
     touched = {int(n) for n in around} | {node for node, _ in gates}
     special = np.flatnonzero(copies | np.isin(numbering.nodes, list(touched)))
-    return Tables(loads, np.array(gate_rows, dtype=np.int64).reshape(-1, 3), np.array(gate_normals, dtype=float).reshape(-1, 2), held, normals,
-                  numbers, tables, special.astype(np.int64), _mirrors(mesh, given), list(given))
+    gate_table, gate_normals = np.array(gate_rows, dtype=np.int64).reshape(-1, 3), np.array(gate_normals, dtype=float).reshape(-1, 2)
+    return Tables(loads, gate_table, gate_normals, held, normals, numbers, tables, special.astype(np.int64), _mirrors(mesh, given),
+                  list(given))
 
 
 def _mirrors(mesh, given):

@@ -2,8 +2,8 @@
 
 import numba as nb
 
-from hugoniot.core.compile import INLINE
 from hugoniot.core.passes import call_pass, row, row_at, rows
+from hugoniot.core.target import INLINE
 from hugoniot.solvers.lagrange2d import geometry, hourglass, smoothness, tensor, viscosity
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.row_pass import spread
@@ -116,7 +116,8 @@ def corner_viscosity(passes, piece, nodes, scratch, at, solid, recipe, limited, 
             material.clear(count, recipe, smooth.eta)
         edges = viscosity.MetricOf(middle(nodes, first), middle(nodes, first + stride), spread(L.Metric, scratch[L.METRIC:], offset))
         call_pass(passes.metric, count, edges, 0.0, numbers)
-    m, smooth, c = spread(L.Metric, scratch[L.METRIC:], 0), spread(L.Smoothness, scratch[L.SMOOTH:], 0), spread(L.Closing, scratch[L.CLOSING:], 0)
+    m, smooth = spread(L.Metric, scratch[L.METRIC:], 0), spread(L.Smoothness, scratch[L.SMOOTH:], 0)
+    c = spread(L.Closing, scratch[L.CLOSING:], 0)
     along = spread(L.Tensor, scratch[L.ALONG:], 0)
     call_pass(passes.closing_along, total, viscosity.AlongOf(at.rates, m, smooth, c), 0.0, numbers)
     speeds(total, at, recipe, c, speed1, speed2)
@@ -124,17 +125,17 @@ def corner_viscosity(passes, piece, nodes, scratch, at, solid, recipe, limited, 
     for k in range(4):
         for r in range(piece[L.P_ROWS]):
             first, offset = piece[L.P_NODE] + r * stride, r * count
-            given = viscosity.ClosingOf(
+            given_corner = viscosity.ClosingOf(
                 middle(nodes, first + corner(k, stride)), middle(nodes, first + corner((k + 1) % 4, stride)),
                 middle(nodes, first + corner((k + 3) % 4, stride)), spread(L.Metric, scratch[L.METRIC:], offset),
                 spread(L.Smoothness, scratch[L.SMOOTH:], offset), spread(L.Closing, scratch[L.CLOSING:], offset))
-            call_pass(passes.closing, count, given, 0.0, numbers)
+            call_pass(passes.closing, count, given_corner, 0.0, numbers)
         speeds(total, at, recipe, c, speed1, speed2)
-        call_pass(passes.resist, total, viscosity.ResistOf(solid, c, speed1, speed2, along, corner_stress(scratch, k, 0), z.viscous_speed), 0.0,
-                  numbers)
-    mean = at.coming
-    call_pass(passes.mean_viscosity, total, viscosity.MeanOf(at.shape, corner_stress(scratch, 0, 0), corner_stress(scratch, 1, 0), corner_stress(
-        scratch, 2, 0), corner_stress(scratch, 3, 0), mean), 0.0, numbers)
+        resisting = viscosity.ResistOf(solid, c, speed1, speed2, along, corner_stress(scratch, k, 0), z.viscous_speed)
+        call_pass(passes.resist, total, resisting, 0.0, numbers)
+    given = viscosity.MeanOf(at.shape, corner_stress(scratch, 0, 0), corner_stress(scratch, 1, 0), corner_stress(scratch, 2, 0),
+                             corner_stress(scratch, 3, 0), at.coming)
+    call_pass(passes.mean_viscosity, total, given, 0.0, numbers)
 
 
 @nb.njit(**INLINE)
@@ -149,8 +150,8 @@ def forces_in_middle(passes, piece, nodes, zones, scratch, at, filters):
     """Corner forces of stress, viscosity and filters in the middle of the step; filters: a row of merit factor and coefficient."""
     z, w, stride, count = at.z, at.w, piece[L.P_STRIDE], piece[L.P_COUNT]
     call_pass(passes.pushing_stress, at.total, tensor.StartOf(w.p, at.new, at.coming, at.stress), 0.0, filters)
-    call_pass(passes.stress_forces, at.total, geometry.ForcesOf(at.shape, at.stress, spread(L.Corners, zones[FORCES:], piece[L.P_ZONE])), 0.0,
-              filters)
+    corners = spread(L.Corners, zones[FORCES:], piece[L.P_ZONE])
+    call_pass(passes.stress_forces, at.total, geometry.ForcesOf(at.shape, at.stress, corners), 0.0, filters)
     call_pass(passes.subzonal, at.total, hourglass.SubzonalOf(at.shape, z.t0, z.t1, w.stiffness, extra(scratch, 0, 0), extra(
         scratch, 1, 0), extra(scratch, 2, 0), extra(scratch, 3, 0)), 0.0, filters)
     for r in range(piece[L.P_ROWS]):

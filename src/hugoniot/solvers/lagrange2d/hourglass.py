@@ -3,8 +3,8 @@ r"""Forces against hourglass motion, which no mean gradient sees; their work is 
 * `subzonal` (fluids): the mass of a zone's quarter at a corner stays, so its density follows its area
   $A_k = A/8 + T_k/4$ ($T_k$ the corner's triangle); $\delta p_k = m\,\rho c^2 (\varphi_{k0}/\varphi_k - 1)$, $\varphi_k = A_k/A$, acts on
   the quarter's surface. Zero in every linear motion. Caramana & Shashkov, J. Comput. Phys. 142 (1998) 521.
-* `viscous` (solids): $f_k = -\kappa\,\tfrac14\rho c\sqrt A\,\gamma_k (\gamma\cdot u)$, with $\gamma$ the hourglass vector made orthogonal to
-  every linear motion. Flanagan & Belytschko, Int. J. Numer. Methods Eng. 17 (1981) 679.
+* `viscous` (solids): $f_k = -\kappa\,\tfrac14\rho c\sqrt A\,\gamma_k (\gamma\cdot u)$, with $\gamma$ the hourglass vector made
+  orthogonal to every linear motion. Flanagan & Belytschko, Int. J. Numer. Methods Eng. 17 (1981) 679.
 """
 
 from typing import Any, NamedTuple

@@ -17,11 +17,11 @@ from typing import Any, NamedTuple
 import numba as nb
 from numba.extending import overload
 
-from hugoniot.core.compile import GUARD, INLINE
 from hugoniot.core.passes import Entry, call_entry, record, row, rows
+from hugoniot.core.target import GUARD, INLINE
 from hugoniot.core.team import DISMISSED, Alone, await_call, call, gather_team, sign
-from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import forces, node_step, zone_step
+from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.zones.constants import Constants
 from hugoniot.zones.recipe import Recipe
 from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE, FOUND_RATE, FOUND_UNSOUND
@@ -168,7 +168,7 @@ def _(command, run, options, team):
 @nb.njit(**GUARD)
 def do_share(command, run, options, share, of):
     """One command over one share."""
-    if command == PREDICT_ZONES or command == CORRECT_ZONES or command == LOOK or command == START:
+    if command in (PREDICT_ZONES, CORRECT_ZONES, LOOK, START):
         do_pieces(command, run, share, of)
     else:
         do_lines(command, run, options, share, of)

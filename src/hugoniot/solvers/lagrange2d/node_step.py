@@ -7,12 +7,12 @@ part of the velocity away. Its impulse and its work are booked for the chain it 
 
 import numba as nb
 
-from hugoniot.core.compile import GUARD, INLINE, SWEEP
 from hugoniot.core.passes import rows, rows_apart
+from hugoniot.core.target import GUARD, INLINE, SWEEP
+from hugoniot.solvers.lagrange1d.nodes import pulse_value
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.geometry import AREA_WEIGHTED, PLANAR
 from hugoniot.solvers.lagrange2d.row_pass import spread
-from hugoniot.solvers.lagrange1d.nodes import pulse_value
 
 FX, GX = L.Nodes._fields.index("fx"), L.Nodes._fields.index("gx")
 CORNER_ROWS = L.Zones._fields.index("f0x")
@@ -58,7 +58,8 @@ def gather(line, nodes, zones, which):
             total.y[j] = 0.0
     if line[L.N_BEFORE] >= 0:
         first = line[L.N_BEFORE]
-        and_before(line[L.N_COUNT], spread(L.Vector, zones[CORNER_ROWS + 2:], first), spread(L.Vector, zones[CORNER_ROWS + 4:], first), total)
+        f1, f2 = spread(L.Vector, zones[CORNER_ROWS + 2:], first), spread(L.Vector, zones[CORNER_ROWS + 4:], first)
+        and_before(line[L.N_COUNT], f1, f2, total)
 
 
 @nb.njit(**SWEEP)

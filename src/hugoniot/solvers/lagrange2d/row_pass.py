@@ -15,8 +15,8 @@ from llvmlite import ir
 from numba import types
 from numba.extending import intrinsic
 
-from hugoniot.core.compile import PASS
 from hugoniot.core.passes import ROW
+from hugoniot.core.target import PASS
 
 
 def given_type(cls):

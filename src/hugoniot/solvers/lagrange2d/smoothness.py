@@ -4,8 +4,9 @@ With $g$ the velocity difference across a zone per length, a vector, and $g_l$, 
 
 $$\psi = \max(0, \min(1, \tfrac12(r_l + r_r), 2 r_l, 2 r_r)),\qquad r = g_{l,r}\cdot g / g^2 :$$
 
-1 in a linear field, 0 at a shock or an extremum, and where there is nothing but round-off to compare. Vectors are compared, not components, so that turning the frame changes nothing. At
-the edge of a block the field goes on as inside.
+1 in a linear field, 0 at a shock or an extremum, and where there is nothing but round-off to compare. Vectors are compared, not
+components, so that turning the frame changes nothing. Behind a wall stands the mirror image; at other edges of a block the field goes on
+as inside.
 
 Caramana, Shashkov & Whalen, J. Comput. Phys. 144 (1998) 70, equations 10 to 14.
 """

@@ -57,8 +57,9 @@ class Lagrange2D:
         if self.burning:
             self._prepare_charge()
         self.region_of = mesh.block_of
+        pulses = [b.pulse for b in problem.boundaries if b.kind == "velocity" and b.pulse]
         speed = max(float(self.zones[Z.c].max()), float(np.hypot(self.nodes[N.u], self.nodes[N.v]).max()),
-                    *(abs(v) for b in problem.boundaries if b.kind == "velocity" and b.pulse for v in (b.pulse.amplitude, *b.pulse.values)), 0.0)
+                    *(abs(v) for pulse in pulses for v in (pulse.amplitude, *pulse.values)))
         self.cookbook, recipe_of, self.filters = recipes_of(problem, speed)
         self.boundaries = boundary_tables(problem, numbering, self.zones, self.kind)
         self.chains = np.zeros((len(self.boundaries.chains) + 1, 3))
@@ -84,13 +85,14 @@ class Lagrange2D:
         pieces = piece_table(mesh, self.numbering, recipe_of)
         axis, ratio = axis_tables(self.numbering, self.nodes, self.kind)
         starts, members = self.numbering.shared()
+        passes = np.array([passes_of(self.kind)], dtype=np.int64)
         return Run(self.nodes, self.zones, self.charge, np.zeros((self.team.threads, L.SCRATCH_ROWS, L.SCRATCH_WIDTH)), pieces,
-                   line_table(mesh, self.numbering), np.array([passes_of(self.kind)], dtype=np.int64), np.zeros(len(ENTRIES), dtype=np.int64),
+                   line_table(mesh, self.numbering), passes, np.zeros(len(ENTRIES), dtype=np.int64),
                    self.cookbook.recipes, self.cookbook.constants, np.array([float(self.problem.solver.viscosity.limited)]),
                    np.array([self.options.near]), edges.mirrors, self.filters,
                    np.zeros((len(pieces) + 1, L.FOUND_COLUMNS)), np.zeros(2), edges.loads, np.zeros((len(edges.loads), 4)), edges.gates,
-                   edges.gate_normals, edges.held, edges.held_normals, edges.pulses, edges.tables, starts, members, edges.special, axis, ratio,
-                   self.chains, np.zeros_like(self.chains))
+                   edges.gate_normals, edges.held, edges.held_normals, edges.pulses, edges.tables, starts, members, edges.special, axis,
+                   ratio, self.chains, np.zeros_like(self.chains))
 
     def _prepare_charge(self):
         """Burning zones unburned, with the clock of their lighting."""
@@ -282,7 +284,8 @@ class Lagrange2D:
 
     def results(self) -> dict[str, float]:
         """Further numbers for the summary."""
-        return {"steps_repeated": int(self.counters[L.REPEATED]), "filter_work": float(np.sum(self.zones[Z.mass] * self.zones[Z.filter_work]))}
+        work = float(np.sum(self.zones[Z.mass] * self.zones[Z.filter_work]))
+        return {"steps_repeated": int(self.counters[L.REPEATED]), "filter_work": work}
 
     def peaks(self) -> dict[str, np.ndarray]:
         """Peak fields of every zone so far: stress and pressure in compression, tension positive."""
@@ -293,7 +296,8 @@ class Lagrange2D:
     def payload(self) -> dict:
         """Everything a bitwise restart needs."""
         names = ("zones", "nodes", "charge", "control", "counters", "chains")
-        return {name: getattr(self, name).copy() for name in names} | {"start_energy": self.start_energy, "start_momentum": self.start_momentum}
+        start = {"start_energy": self.start_energy, "start_momentum": self.start_momentum}
+        return {name: getattr(self, name).copy() for name in names} | start
 
     def restore(self, payload: dict) -> None:
         """Continue from a payload of the same problem."""

@@ -2,14 +2,19 @@ r"""Tensor viscosity in the four corners of a zone: each principal direction of 
 
 In a corner with the edges $e_1$ (to the next corner) and $e_2$ (to the one before) the velocity gradient is that of the triangle they
 span. Its symmetric part has the principal rates $\lambda_{1,2} = \bar d \mp R$ along $n_{1,2}$. The velocity jump along $n$ is
-$\Delta u = \lambda\,\ell(n)$ with $\ell^{-2} = (n\cdot\nabla\xi)^2 + (n\cdot\nabla\eta)^2$, the length of the zone in that direction, and
+$\Delta u = \lambda\,\ell(n)$, with the length of the zone in that direction from its mean edges,
+$\ell^2 = (n\cdot e_\xi)^2 + (n\cdot e_\eta)^2$, and
 
 $$Q = \rho \sum_{\lambda_k < 0} |\Delta u_k|\,w(\Delta u_k, \psi_k)\; n_k \otimes n_k ,$$
 
-w the viscous speed of the viscosity's law. psi is the mean of those of the two logical directions, weighted by how much of n each
-takes. Where the two rates are equal, as in flow that converges from all sides, the directions are anyone's: lengths and weights then
-turn continuously into the mean of both, with the factor $\min(1, R/|\bar d|)^2$, so that no direction is chosen by round-off and the
-symmetry of a polar mesh is kept. A direction that opened at the start of the step is no smooth flow: its psi is 0 (as in one dimension).
+w the viscous speed of the viscosity's law. psi is the mean of those of the two logical directions (`smoothness`), weighted by their parts
+of $\ell^2$. Where the two rates are equal, as in flow that converges from all sides, the directions are anyone's: lengths and weights
+then turn continuously into the mean of both, with the factor $\min(1, R/|\bar d|)$, so that no direction is chosen by round-off and the
+symmetry of a polar mesh is kept. A direction that opened at the start of the step is no smooth flow: its psi is 0, as in one dimension.
+
+A principal direction that turns a little in a slender zone makes shear stress of the long direction's viscosity across the short edges,
+which an explicit step does not bear. From edges of ratio 4 on, wholly from 8 on, the closing along the mean edges themselves is
+resisted instead, $Q = \sum q\,t\otimes t$ with the unit edges t, which has no shear.
 
 The force is the transpose of the corner's gradient: $+\tfrac14 Q (e_{2y}, -e_{2x})$ on the next corner, and so on. The mean of Q over the
 zone goes with the stress, so that it keeps axial momentum; what the corners have besides acts with the weights of `layout.Shape`.
@@ -27,7 +32,7 @@ from hugoniot.solvers.lagrange2d.row_pass import row_pass
 SMALL = 1e-200
 NOISE = 1e-12
 SLIGHT = 1e-4           # part of the other jump up to which one limits no time step
-SLENDER, NEEDLE = 4.0, 8.0     # ratios of its edges from and up to which a zone's viscosity turns into that along them
+SLENDER, NEEDLE = 4.0, 8.0
 
 
 
@@ -176,7 +181,8 @@ def resist(count, given, dt, numbers, law):
         q.xx[j] = half + dev * c.mxx[j] + rest * along.xx[j]
         q.yy[j] = half - dev * c.mxx[j] + rest * along.yy[j]
         q.xy[j] = dev * c.mxy[j] + rest * along.xy[j]
-        fastest[j] = fmax(fastest[j], fmax(w1 if c.du1[j] < SLIGHT * c.du2[j] else 0.0, w2 if c.du2[j] < SLIGHT * c.du1[j] else 0.0))
+        w1, w2 = w1 if c.du1[j] < SLIGHT * c.du2[j] else 0.0, w2 if c.du2[j] < SLIGHT * c.du1[j] else 0.0
+        fastest[j] = fmax(fastest[j], fmax(w1, w2))
 
 
 @row_pass(AlongOf)
@@ -213,7 +219,8 @@ def resist_along(count, given, dt, numbers, law):
         q.xx[j] = q1 * m.xixx[j] + q2 * m.etaxx[j]
         q.yy[j] = q1 * m.xiyy[j] + q2 * m.etayy[j]
         q.xy[j] = q1 * m.xixy[j] + q2 * m.etaxy[j]
-        fastest[j] = fmax(w1 if c.du1[j] < SLIGHT * c.du2[j] else 0.0, w2 if c.du2[j] < SLIGHT * c.du1[j] else 0.0)
+        w1, w2 = w1 if c.du1[j] < SLIGHT * c.du2[j] else 0.0, w2 if c.du2[j] < SLIGHT * c.du1[j] else 0.0
+        fastest[j] = fmax(w1, w2)
 
 
 @row_pass(MeanOf)

@@ -4,8 +4,8 @@ from typing import Any, NamedTuple
 
 import numba as nb
 
-from hugoniot.core.compile import INLINE
 from hugoniot.core.passes import call_pass, row, row_at, rows
+from hugoniot.core.target import INLINE
 from hugoniot.solvers.lagrange1d.compatible import close_end, keep_half
 from hugoniot.solvers.lagrange2d import forces, geometry, smoothness, tensor, viscosity, zone_passes
 from hugoniot.solvers.lagrange2d import hourglass as filters
@@ -81,9 +81,10 @@ class Rows(NamedTuple):
 def rows_of(a, piece, scratch):
     """`Rows` of a piece; a: march.Run."""
     first = piece[L.P_ZONE]
-    return Rows(rows(L.Zones, a.zones, first), rows(L.Charge, a.charge, first), rows(L.Work, scratch, 0), spread(L.Tensor, a.zones[SXX:], first),
-                spread(L.Tensor, a.zones[QXX:], first), spread(L.Tensor, a.zones[NXX:], first), spread(L.Tensor, scratch[TXX:], 0), spread(L.Shape, scratch[L.SHAPE:], 0),
-                spread(L.Rates, scratch[L.RATES:], 0), spread(L.Stress, scratch[L.STRESS:], 0), piece[L.P_ROWS] * piece[L.P_COUNT])
+    return Rows(rows(L.Zones, a.zones, first), rows(L.Charge, a.charge, first), rows(L.Work, scratch, 0),
+                spread(L.Tensor, a.zones[SXX:], first), spread(L.Tensor, a.zones[QXX:], first), spread(L.Tensor, a.zones[NXX:], first),
+                spread(L.Tensor, scratch[TXX:], 0), spread(L.Shape, scratch[L.SHAPE:], 0), spread(L.Rates, scratch[L.RATES:], 0),
+                spread(L.Stress, scratch[L.STRESS:], 0), piece[L.P_ROWS] * piece[L.P_COUNT])
 
 
 SXX, QXX, NXX = (L.Zones._fields.index(name) for name in ("sxx", "qxx", "nxx"))
@@ -199,7 +200,8 @@ def correct(a, passes, piece, scratch, recipe, constants, found, dt):
     material.tear(count, at, recipe, constants, found, solid, dt)
     material.harden(count, at, recipe, w.v)
     call_pass(passes.keep, count, tensor.KeepOf(z.p, at.viscous, at.new, at.deviators, z.sigma), dt, near)
-    call_pass(passes.end_speed, count, zone_passes.SpeedOf(w.c2, w.shear, solid_v, z.viscous_speed, w.inverse_length, z.c, found), dt, constants)
+    speed = zone_passes.SpeedOf(w.c2, w.shear, solid_v, z.viscous_speed, w.inverse_length, z.c, found)
+    call_pass(passes.end_speed, count, speed, dt, constants)
     material.pace(count, at, recipe, constants, found, w.inverse_length)
     material.look_over(count, at, recipe, found)
     push(a, passes, piece, at)
