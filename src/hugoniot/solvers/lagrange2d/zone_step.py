@@ -156,13 +156,13 @@ def predict(a, passes, limited, piece, scratch, recipe, constants, found, dt):
     call_pass(passes.pushing_stress, count, tensor.StartOf(z.p, at.deviators, at.viscous, at.stress), dt, near)
     call_pass(passes.half_motion, count, zone_passes.HalfOf(at.shape.volume, z.inverse_mass, z.e, at.rates, at.stress, w.v, w.rho, w.e,
                                                             found), dt, near)
-    solid = w.rho
+    solid, solid_v = w.rho, w.v
     if recipe.relief != 0:
         material.solid_volume(count, at, recipe)
-        solid = w.solid
+        solid, solid_v = w.solid, w.solid_v
     if recipe.solve == 0:
-        call_pass(recipe.pressure, count, PressureRows(solid, w.e, z.compaction, w.p), dt, row_at(recipe.eos))
-        material.stiffness(count, at, recipe, solid, w.e, w.p)
+        call_pass(recipe.pressure, count, PressureRows(solid_v, w.e, z.compaction, w.p), dt, row_at(recipe.eos))
+        material.stiffness(count, at, recipe, solid, solid_v, w.e, w.p)
     else:
         close_half(passes, at, recipe, constants, solid, dt)
     deviators(passes, at, recipe, solid, w.e, w.p, b.lam_half, 0.5 * dt)
@@ -193,7 +193,7 @@ def correct(a, passes, piece, scratch, recipe, constants, found, dt):
         material.solid_volume(count, at, recipe)
         solid, solid_v = w.solid, w.solid_v
     if recipe.solve == 0:
-        call_pass(recipe.state, count, StateRows(solid, z.e, z.compaction, z.p, w.c2), dt, row_at(recipe.eos))
+        call_pass(recipe.state, count, StateRows(solid_v, z.e, z.compaction, z.p, w.c2), dt, row_at(recipe.eos))
     else:
         close_end(count, at, recipe, constants, solid, dt)
     deviators(passes, at, recipe, solid, z.e, z.p, b.lam, dt)
