@@ -1,0 +1,258 @@
+"""From a Problem2D to the solver's arrays: nodes and their masses, zones and their initial states, laws as recipes, pieces, boundaries."""
+
+import numpy as np
+
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.eos.contract import density_limits, pressure
+from hugoniot.laws.fracture.contract import FRACTURE
+from hugoniot.laws.strength.contract import STRENGTH
+from hugoniot.laws.viscosity.contract import VISCOSITY
+from hugoniot.materials import burning
+from hugoniot.materials.initial_state import initial_state
+from hugoniot.problem.plane.model import Problem2D
+from hugoniot.solvers.lagrange1d import reactive
+from hugoniot.solvers.lagrange1d.assemble import ROUND_OFF, longitudinal_speed, start_compaction
+from hugoniot.solvers.lagrange2d import geometry as G
+from hugoniot.solvers.lagrange2d import layout as L
+from hugoniot.zones.recipe import EXPLICIT, Cookbook, constants_of, cookbook
+
+N = L.Nodes(*range(len(L.Nodes._fields)))
+Z = L.Zones(*range(len(L.Zones._fields)))
+_GAUSS = (np.array([-np.sqrt(0.6), 0.0, np.sqrt(0.6)]), np.array([5.0, 8.0, 5.0]) / 9.0)
+
+
+def kind_of(problem: Problem2D) -> int:
+    """Code of the geometry. OutOfRange for options this solver does not have."""
+    options = problem.solver
+    for name, value, known in (("cells", options.cells, "quads"), ("viscosity.kind", options.viscosity.kind, "tensor"),
+                               ("integrator", options.integrator, "compatible"),
+                               ("mean_pressure", getattr(options, "mean_pressure", False), False)):
+        if value != known:
+            raise OutOfRange(f"solver.{name} = {value!r} is not available in two dimensions yet; use {known!r}")
+    if problem.geometry == "plane":
+        return G.PLANAR
+    return G.AREA_WEIGHTED if problem.solver.scheme == "area_weighted" else G.TRUE_VOLUME
+
+
+# -- nodes ------------------------------------------------------------------------------------------------------------------
+class Numbering:
+    """Where the nodes of blocks stand in the node table: `first` of each block, `copies` (flat) of global nodes, table nodes of each."""
+
+    def __init__(self, mesh):
+        self.mesh = mesh
+        sizes = [(b.ni + 1) * (b.nj + 1) for b in mesh.blocks]
+        self.first = np.concatenate(([0], np.cumsum(sizes)))
+        self.total = int(self.first[-1])
+        self.nodes = np.concatenate([b.nodes.ravel() for b in mesh.blocks])       # global number of each node of the table
+        order = np.argsort(self.nodes, kind="stable")
+        self.representative = order[np.searchsorted(self.nodes[order], np.arange(mesh.nodes.shape[1]))]
+        self.copies = np.bincount(self.nodes, minlength=mesh.nodes.shape[1])
+
+    def local(self, block: int, i, j):
+        """Place in the table of node (i, j) of a block."""
+        return self.first[block] + np.asarray(i) * (self.mesh.blocks[block].nj + 1) + j
+
+    def all_copies(self, node: int):
+        """Places in the table of every copy of a global node."""
+        return np.flatnonzero(self.nodes == node)
+
+    def shared(self):
+        """(starts, members): the groups of nodes that are one."""
+        mesh = self.mesh
+        members = [int(self.local(b, i, j)) for b, i, j in mesh.shared]
+        return np.asarray(mesh.shared_start, dtype=np.int64), np.array(members, dtype=np.int64)
+
+
+def quad_corners(block):
+    """Coordinates (2, 4, zones) of the corners of a block's zones."""
+    def corners(a):
+        return np.stack([a[:-1, :-1], a[1:, :-1], a[1:, 1:], a[:-1, 1:]]).reshape(4, -1)
+    return np.stack([corners(block.x), corners(block.y)])
+
+
+def volumes(x, y, kind):
+    """Volume of quadrilaterals, corners (4, n): area, or the true volume per radian."""
+    if kind == G.PLANAR:
+        return 0.5 * ((x[2] - x[0]) * (y[3] - y[1]) - (y[2] - y[0]) * (x[3] - x[1]))
+    ahead_x, ahead_y = np.roll(x, -1, axis=0), np.roll(y, -1, axis=0)
+    return np.sum((ahead_y - y) * (x * x + x * ahead_x + ahead_x * ahead_x), axis=0) / 6.0
+
+
+def corner_shares(x, y, kind):
+    """Parts (4, n) of a zone's volume whose mass belongs to its corners.
+
+    Planar and true volume: integrals of the bilinear shape functions, times the radius. Area weighted: A_k r_k / sum(A r) with the
+    quarters A_k.
+    """
+    area = volumes(x, y, G.PLANAR)
+    triangle = 0.5 * ((np.roll(x, -1, 0) - x) * (np.roll(y, 1, 0) - y) - (np.roll(y, -1, 0) - y) * (np.roll(x, 1, 0) - x))
+    if kind == G.PLANAR:
+        return (area + triangle) / (6.0 * area)
+    if kind == G.AREA_WEIGHTED:
+        weight = (0.125 * area + 0.25 * triangle) * x
+        return weight / weight.sum(axis=0)
+    share = np.zeros_like(x)
+    signs = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    for a, wa in zip(*_GAUSS):
+        for b, wb in zip(*_GAUSS):
+            shape = 0.25 * (1 + signs[:, 0] * a) * (1 + signs[:, 1] * b)
+            # the Jacobian of a quadrilateral is linear: triangle / 2 at the corners
+            jacobian = 0.5 * (shape @ triangle.reshape(4, -1)).reshape(area.shape)
+            share += wa * wb * shape[:, None] * (shape @ x) * jacobian
+    return share / share.sum(axis=0)
+
+
+def node_tables(problem: Problem2D, numbering: Numbering, kind: int, zones):
+    """(node table, kinetic energy lost where blocks of different velocity share nodes, as heat of their zones)."""
+    mesh = problem.mesh
+    table = np.zeros((len(N), numbering.total))
+    heat = np.zeros(zones.shape[1])
+    own, momentum = np.zeros(numbering.total), np.zeros((2, numbering.total))
+    energy = np.zeros(numbering.total)
+    for k, (block, velocity) in enumerate(zip(mesh.blocks, problem.velocities())):
+        part = slice(numbering.first[k], numbering.first[k + 1])
+        table[N.x, part], table[N.y, part] = block.x.ravel(), block.y.ravel()
+        x, y = quad_corners(block)
+        zone = slice(block.first_zone, block.first_zone + block.ni * block.nj)
+        mass = corner_shares(x, y, kind) * zones[Z.mass, zone]
+        block_mass = np.zeros((block.ni + 1, block.nj + 1))
+        for c, (a, b) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1))):
+            block_mass[a:a + block.ni, b:b + block.nj] += mass[c].reshape(block.ni, block.nj)
+        own[part] = block_mass.ravel()
+        momentum[:, part] = velocity.reshape(2, -1) * own[part]
+        energy[part] = 0.5 * own[part] * np.sum(velocity.reshape(2, -1) ** 2, axis=0)
+    whole = np.bincount(numbering.nodes, own)
+    carried = np.stack([np.bincount(numbering.nodes, part) for part in momentum])
+    safe = np.where(whole > 0.0, whole, 1.0)
+    united = carried / safe
+    for k, velocity in enumerate(problem.velocities()):       # a node of one block keeps its velocity to the last bit
+        part = slice(numbering.first[k], numbering.first[k + 1])
+        alone = numbering.copies[numbering.nodes[part]] == 1
+        united[:, numbering.nodes[part][alone]] = velocity.reshape(2, -1)[:, alone]
+        if kind == G.AREA_WEIGHTED:                           # nodes on the axis weigh nothing
+            light = whole[numbering.nodes[part]] == 0.0
+            united[:, numbering.nodes[part][light]] = velocity.reshape(2, -1)[:, light]
+    table[N.u], table[N.v] = united[0, numbering.nodes], united[1, numbering.nodes]
+    table[N.own] = whole[numbering.nodes] / numbering.copies[numbering.nodes]
+    table[N.im] = 1.0 / np.where(whole > 0.0, whole, 1.0)[numbering.nodes]
+    table[N.xh], table[N.yh], table[N.um], table[N.vm] = table[N.x], table[N.y], table[N.u], table[N.v]
+    lost = np.bincount(numbering.nodes, energy) - 0.5 * whole * np.sum(united**2, axis=0)
+    lost = np.where(numbering.copies > 1, np.maximum(lost, 0.0), 0.0)
+    if lost.any():
+        touching = np.bincount(mesh.zone_nodes.ravel(), np.repeat(zones[Z.mass], 4), minlength=whole.size)
+        heat = np.sum((lost / touching)[mesh.zone_nodes], axis=1)      # J/kg: by mass among the zones around the node
+    return table, heat
+
+
+def axis_tables(numbering: Numbering, nodes, kind: int):
+    """Area weighted: (axis nodes and a neighbour off the axis, ratio of their areal masses at t = 0)."""
+    if kind != G.AREA_WEIGHTED:
+        return np.zeros((0, 2), dtype=np.int64), np.zeros(0)
+    pairs, ratios, known = [], [], set()
+    planar = np.zeros(nodes.shape[1])
+    for k, block in enumerate(numbering.mesh.blocks):
+        x, y = quad_corners(block)
+        share = np.zeros((block.ni + 1, block.nj + 1))
+        area = volumes(x, y, G.PLANAR)
+        triangle = 0.5 * ((np.roll(x, -1, 0) - x) * (np.roll(y, 1, 0) - y) - (np.roll(y, -1, 0) - y) * (np.roll(x, 1, 0) - x))
+        for c, (a, b) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1))):
+            share[a:a + block.ni, b:b + block.nj] += (0.125 * area + 0.25 * triangle[c]).reshape(block.ni, block.nj)
+        planar[numbering.first[k]:numbering.first[k + 1]] = share.ravel()
+    planar = np.bincount(numbering.nodes, planar)[numbering.nodes]
+    for k, block in enumerate(numbering.mesh.blocks):
+        i, j = np.nonzero(block.x == 0.0)
+        for a, b in zip(i.tolist(), j.tolist()):
+            near = [(p, q) for p, q in ((a + 1, b), (a - 1, b), (a, b + 1), (a, b - 1))
+                    if 0 <= p <= block.ni and 0 <= q <= block.nj and block.x[p, q] > 0.0]
+            node = int(block.nodes[a, b])
+            if near and node not in known:
+                known.add(node)
+                beside = int(numbering.local(k, *near[0]))
+                for copy in numbering.all_copies(node):
+                    pairs.append((int(copy), beside))
+                    ratios.append(planar[copy] / planar[beside])
+    return np.array(pairs, dtype=np.int64).reshape(-1, 2), np.array(ratios)
+
+
+# -- zones --------------------------------------------------------------------------------------------------------------------
+def viscosity_law(problem: Problem2D, solid: bool):
+    """Parameters of the viscous speed."""
+    given = problem.solver.viscosity
+    law = VISCOSITY.get("limited")
+    return law.build(quadratic=given.solid_quadratic if solid else given.quadratic, linear=given.solid_linear if solid else given.linear)
+
+
+def start_block(problem: Problem2D, block):
+    """(rho, e, p, sound speed) of a block at t = 0."""
+    material = problem.materials[block.material]
+    if material.burn is not None:
+        return reactive.start_region(material, block)
+    rho, e = initial_state(material.eos, block.density, block.pressure, block.temperature, block.energy)
+    low, high = density_limits(material.eos)
+    if not low < rho < high:
+        raise OutOfRange(f"block '{block.name}' starts at {rho:g} kg/m3, outside {low:g} to {high:g} where its law is defined")
+    return rho, e, float(pressure(rho, e, material.eos)), longitudinal_speed(material, rho, e)
+
+
+def zone_tables(problem: Problem2D, kind: int):
+    """Zone table at t = 0."""
+    mesh = problem.mesh
+    zones = np.zeros((len(Z), len(mesh.zone_nodes)))
+    for block, part in zip(problem.blocks, mesh.blocks):
+        zone = slice(part.first_zone, part.first_zone + part.ni * part.nj)
+        rho, e, p, c = start_block(problem, block)
+        x, y = quad_corners(part)
+        material = problem.materials[block.material]
+        zones[Z.mass, zone] = rho * volumes(x, y, kind)
+        zones[Z.rho, zone], zones[Z.e, zone], zones[Z.p, zone], zones[Z.c, zone] = rho, e, p, c
+        zones[Z.compaction, zone] = start_compaction(material.eos, rho, e) if material.burn is None else 0.0
+        area = volumes(x, y, G.PLANAR)
+        zones[Z.t0, zone] = 0.5 * ((x[1] - x[0]) * (y[3] - y[0]) - (y[1] - y[0]) * (x[3] - x[0])) / area
+        zones[Z.t1, zone] = 0.5 * ((x[2] - x[1]) * (y[0] - y[1]) - (y[2] - y[1]) * (x[0] - x[1])) / area
+    zones[Z.inverse_mass] = 1.0 / zones[Z.mass]
+    zones[Z.sigma] = zones[Z.p]
+    return zones
+
+
+def recipes_of(problem: Problem2D, speed: float) -> tuple[Cookbook, list[int], np.ndarray]:
+    """(recipes, which of them each block follows, (recipe; merit of the subzonal pressure, coefficient of the viscous filter))."""
+    found, keys, recipe_of, filters = [], [], [], []
+    noise = ROUND_OFF * speed**2
+    for block in problem.blocks:
+        if block.material not in keys:
+            material = problem.materials[block.material]
+            keys.append(block.material)
+            solid, burns = material.strength is not None, material.burn is not None
+            laws = (burning.reactive(material) if burns else material.eos, material.strength or STRENGTH.get("none").example,
+                    material.fracture or FRACTURE.get("none").example, viscosity_law(problem, solid))
+            own = reactive.constants(problem, block) if burns else {}
+            found.append((laws, constants_of(laws, noise + (1.0 if burns else 0.0), **own)))
+            filters.append((0.0, problem.solver.flanagan_belytschko) if solid else (problem.solver.subzonal_pressure, 0.0))
+        recipe_of.append(keys.index(block.material))
+    return cookbook(found, EXPLICIT), recipe_of, np.array(filters)
+
+
+# -- pieces ---------------------------------------------------------------------------------------------------------------------
+def piece_table(mesh, numbering: Numbering, recipe_of):
+    """Pieces of at most PIECE zones: whole rows of a block, or parts of one."""
+    found = []
+    for k, block in enumerate(mesh.blocks):
+        parts = -(-block.nj // L.PIECE)
+        cuts = [block.nj * n // parts for n in range(parts + 1)]
+        rows = max(1, L.PIECE // block.nj)
+        for i in range(0, block.ni, rows):
+            for low, high in zip(cuts[:-1], cuts[1:]):
+                count = min(rows, block.ni - i)
+                found.append((block.first_zone + i * block.nj + low, numbering.local(k, i, low), count, high - low, block.nj + 1, i == 0,
+                              i + count == block.ni, low == 0, high == block.nj, recipe_of[k], k))
+    return np.array(found, dtype=np.int64)
+
+
+def line_table(mesh, numbering: Numbering):
+    """Rows of nodes with the rows of zones on both sides."""
+    found = []
+    for k, block in enumerate(mesh.blocks):
+        for i in range(block.ni + 1):
+            found.append((numbering.local(k, i, 0), block.nj + 1, block.first_zone + (i - 1) * block.nj if i > 0 else -1,
+                          block.first_zone + i * block.nj if i < block.ni else -1))
+    return np.array(found, dtype=np.int64)

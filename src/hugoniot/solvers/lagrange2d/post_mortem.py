@@ -1,0 +1,41 @@
+"""Why a run had to stop: the zone, what is wrong with it, and what may help."""
+
+import numpy as np
+
+from hugoniot.errors import UnphysicalState
+from hugoniot.solvers.lagrange2d import layout as L
+from hugoniot.solvers.lagrange2d.assemble import N, Z
+from hugoniot.zones.soundness import first_unsound
+
+
+def diagnose(solver, code) -> UnphysicalState:
+    """The error that ends a march with `code`."""
+    z = solver.zones
+    x, y = solver._corners(N.x), solver._corners(N.y)
+    area = 0.5 * ((x[2] - x[0]) * (y[3] - y[1]) - (y[2] - y[0]) * (x[3] - x[1]))
+    if code == L.BAD_STATE:
+        zone = max(int(first_unsound(z[Z.rho], z[Z.c], z[Z.sigma])), 0)
+        cause, remedy = _unsound({"rho": z[Z.rho, zone], "c": z[Z.c, zone], "e": z[Z.e, zone]})
+    else:
+        triangles = np.min([(np.roll(x, -k, 0)[1] - np.roll(x, -k, 0)[0]) * (np.roll(y, -k, 0)[3] - np.roll(y, -k, 0)[0])
+                            - (np.roll(y, -k, 0)[1] - np.roll(y, -k, 0)[0]) * (np.roll(x, -k, 0)[3] - np.roll(x, -k, 0)[0])
+                            for k in range(4)], axis=0)
+        zone = int(np.argmin(triangles / np.maximum(np.abs(area), 1e-300)))
+        cause = "the mesh is tangled: a zone would turn inside out, however small the step" if code == L.TANGLED else (
+            "the time step has become useless: a zone is nearly flat")
+        remedy = "stop earlier, use a finer or differently shaped mesh there, or raise the hourglass coefficients"
+    block = solver.problem.mesh.blocks[solver.region_of[zone]]
+    i, j = divmod(zone - block.first_zone, block.nj)
+    values = {name: float(z[row, zone]) for name, row in zip(Z._fields, range(len(Z))) if not name.startswith("f")}
+    values |= {"i": i, "j": j, "x": float(x[:, zone].mean()), "y": float(y[:, zone].mean()), "area": float(area[zone])}
+    return UnphysicalState(f"{cause} (zone i = {i}, j = {j}, at ({values['x']:.6g}, {values['y']:.6g}) m)", remedy, zone, block.name, None,
+                           solver.time, solver.cycle, values)
+
+
+def _unsound(values) -> tuple[str, str]:
+    if not all(np.isfinite(v) for v in values.values()):
+        return "a zone has a state that is no number", "look at the zones around it in the post-mortem file; start with a smaller courant"
+    if values["rho"] <= 0.0:
+        return "a zone has a negative density", "use a smaller courant, or a law that is defined in tension"
+    return (f"the sound speed of a zone is imaginary, at {values['rho']:.6g} kg/m3 and {values['e']:.6g} J/kg",
+            "the law of its material is not defined there: give it a fracture law or a tension cut-off, or use a smaller courant")

@@ -1,0 +1,309 @@
+"""The two-dimensional Lagrangian solver: owns the arrays, marches them, hands out states and budgets.
+
+Knows a problem's numbers and laws; never files, decks or plots. The words are those of `solvers.lagrange1d.solver`.
+"""
+
+import os
+import threading
+
+import numpy as np
+
+from hugoniot.core import team
+from hugoniot.core.ops import NO_LIMIT
+from hugoniot.errors import UnphysicalState
+from hugoniot.problem.plane.model import Problem2D
+from hugoniot.solvers.lagrange2d import geometry as G
+from hugoniot.solvers.lagrange2d import layout as L
+from hugoniot.solvers.lagrange2d import post_mortem
+from hugoniot.solvers.lagrange2d.assemble import (
+    N,
+    Numbering,
+    Z,
+    axis_tables,
+    kind_of,
+    line_table,
+    node_tables,
+    piece_table,
+    recipes_of,
+    zone_tables,
+)
+from hugoniot.solvers.lagrange2d.boundaries import boundary_tables
+from hugoniot.solvers.lagrange2d.march import ENTRIES, Options, Run, march, serve, start
+from hugoniot.solvers.lagrange2d.zone_step import passes_of
+from hugoniot.state import State2D
+from hugoniot.zones.constants import Constants
+
+NAME = "lagrange2d"
+ZONE_FIELDS = {"density": Z.rho, "energy": Z.e, "pressure": Z.p, "viscous_pressure": Z.q, "sound_speed": Z.c, "deviator_xx": Z.sxx,
+               "deviator_yy": Z.syy, "deviator_xy": Z.sxy, "plastic_strain": Z.plastic_strain, "damage": Z.damage,
+               "plastic_work": Z.plastic_work, "viscous_work": Z.viscous_work}
+B = L.Charge(*range(len(L.Charge._fields)))
+WORTH_SHARING = 4_000        # zones
+LARGEST_COLLAPSE = 1e-12     # smallest useful step as a fraction of the stop time
+
+
+class Lagrange2D:
+    """A run in progress. `sampler(state) -> {field: (ngauge,)}` reads the gauges; without one none are recorded."""
+
+    def __init__(self, problem: Problem2D, sampler=None):
+        self.problem, self.sampler, mesh = problem, sampler, problem.mesh
+        self.kind = kind_of(problem)
+        self.numbering = numbering = Numbering(mesh)
+        self.zones = zone_tables(problem, self.kind)
+        self.nodes, heat = node_tables(problem, numbering, self.kind, self.zones)
+        self.zones[Z.e] += heat
+        self.burning = any(problem.materials[block.material].burn is not None for block in problem.blocks)
+        self.charge = np.zeros((len(B), self.zones.shape[1] if self.burning else 1))
+        if self.burning:
+            self._prepare_charge()
+        self.region_of = mesh.block_of
+        pulses = [b.pulse for b in problem.boundaries if b.kind == "velocity" and b.pulse]
+        speed = max(float(self.zones[Z.c].max()), float(np.hypot(self.nodes[N.u], self.nodes[N.v]).max()),
+                    *(abs(v) for pulse in pulses for v in (pulse.amplitude, *pulse.values)))
+        self.cookbook, recipe_of, self.filters = recipes_of(problem, speed)
+        self.boundaries = boundary_tables(problem, numbering, self.zones, self.kind)
+        self.chains = np.zeros((len(self.boundaries.chains) + 1, 3))
+        self.team = self._team()
+        self.options = Options(self.kind, G.AXIS_RADIUS * float(np.abs(self.nodes[N.x]).max()), *map(float, problem.body_force))
+        self.run = self._run(mesh, recipe_of)
+        self.run.entries[:] = [entry.address(self.run, 0, 0) for entry in ENTRIES]
+        self.control, self.counters = np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64)
+        self.gauge_times, self.gauge_rows = [], []
+        self._start()
+        self.start_energy, self.start_mass, self.start_momentum = self.total_energy(), self.zones[Z.mass].sum(), self.momentum()
+        self.initial_nodes = self.nodes[[N.x, N.y]][:, numbering.representative].copy()
+
+    # -- setting up ------------------------------------------------------------------------------------------
+    def _team(self):
+        threads = min(self.problem.solver.threads, os.cpu_count() or 1)
+        if threads < 2 or self.zones.shape[1] < WORTH_SHARING or not team.possible():
+            return team.Alone()
+        return team.Together(threads, team.board(threads))
+
+    def _run(self, mesh, recipe_of) -> Run:
+        edges = self.boundaries
+        pieces = piece_table(mesh, self.numbering, recipe_of)
+        axis, ratio = axis_tables(self.numbering, self.nodes, self.kind)
+        starts, members = self.numbering.shared()
+        passes = np.array([passes_of(self.kind)], dtype=np.int64)
+        return Run(self.nodes, self.zones, self.charge, np.zeros((self.team.threads, L.SCRATCH_ROWS, L.SCRATCH_WIDTH)), pieces,
+                   line_table(mesh, self.numbering), passes, np.zeros(len(ENTRIES), dtype=np.int64),
+                   self.cookbook.recipes, self.cookbook.constants, np.array([float(self.problem.solver.viscosity.limited)]),
+                   np.array([self.options.near]), edges.mirrors, self.filters,
+                   np.zeros((len(pieces) + 1, L.FOUND_COLUMNS)), np.zeros(2), edges.loads, np.zeros((len(edges.loads), 4)), edges.gates,
+                   edges.gate_normals, edges.held, edges.held_normals, edges.pulses, edges.tables, starts, members, edges.special, axis,
+                   ratio, self.chains, np.zeros_like(self.chains))
+
+    def _prepare_charge(self):
+        """Burning zones unburned, with the clock of their lighting."""
+        from hugoniot.problem.plane.lighting import zone_lighting_times
+        self.charge[B.rho_r], self.charge[B.e_r] = self.zones[Z.rho], self.zones[Z.e]
+        self.charge[B.size] = 1.0 / self._inverse_altitudes()
+        self.charge[B.resolution] = 1e300
+        self.charge[B.since] = -zone_lighting_times(self.problem)
+
+    def _corners(self, row):
+        """A node row at the four corners of every zone, (4, nzone)."""
+        return self.nodes[row, self.numbering.representative][self.problem.mesh.zone_nodes.T]
+
+    def _inverse_altitudes(self):
+        x, y = self._corners(N.x), self._corners(N.y)
+        area = 0.5 * ((x[2] - x[0]) * (y[3] - y[1]) - (y[2] - y[0]) * (x[3] - x[1]))
+        edges = np.hypot(np.roll(x, -1, 0) - x, np.roll(y, -1, 0) - y)
+        return edges.max(axis=0) / area
+
+    def _signal_rate(self):
+        """Largest (c + 4 du) / altitude, du the fastest closing of two corners: guards the first step."""
+        x, y, u, v = (self._corners(row) for row in (N.x, N.y, N.u, N.v))
+        jump = np.zeros(self.zones.shape[1])
+        for a in range(4):
+            for b in range(a + 1, 4):
+                dx, dy = x[b] - x[a], y[b] - y[a]
+                length = np.hypot(dx, dy)
+                closing = -((u[b] - u[a]) * dx + (v[b] - v[a]) * dy) / np.where(length > 0.0, length, 1.0)
+                jump = np.maximum(jump, np.where(length > 0.0, closing, 0.0))
+        fronts = self.cookbook.constants[:, Constants._fields.index("front")][np.array(self.run.pieces[:, L.P_RECIPE])].max()
+        rate = float(np.max((np.maximum(self.zones[Z.c], fronts) + 4.0 * jump) * self._inverse_altitudes()))
+        return rate if rate > 0.0 else 1e3 / self.problem.stop_time
+
+    def _start(self):
+        options, control = self.problem.solver, self.control
+        control[L.COURANT], control[L.GROWTH] = options.courant, options.growth
+        control[L.DT_LARGEST] = options.largest_step or NO_LIMIT
+        control[L.DT_SMALLEST] = LARGEST_COLLAPSE * self.problem.stop_time
+        control[L.GAUGE_INTERVAL] = self.problem.output.gauge_interval
+        control[L.NEXT_GAUGE] = 0.0 if self.sampler else NO_LIMIT
+        self._hold_at_start()
+        control[L.RATE] = self._signal_rate()
+        first = options.initial_step or 0.1 * control[L.COURANT] / control[L.RATE]
+        control[L.DT_NATURAL] = first / control[L.GROWTH]
+        start(self.run, self.options)
+
+    def _hold_at_start(self):
+        """Velocities of held nodes at t = 0."""
+        from hugoniot.solvers.lagrange2d.node_step import hold
+        n, edges = self.nodes, self.boundaries
+        n[N.um], n[N.vm] = n[N.u], n[N.v]
+        hold(n, edges.held, edges.held_normals, edges.pulses, edges.tables, self.chains, 0.0, False)
+        n[N.u], n[N.v] = 2.0 * n[N.um] - n[N.u], 2.0 * n[N.vm] - n[N.v]
+        n[N.um], n[N.vm] = n[N.u], n[N.v]
+
+    # -- marching --------------------------------------------------------------------------------------------
+    @property
+    def time(self) -> float:
+        return float(self.control[L.TIME])
+
+    @property
+    def cycle(self) -> int:
+        return int(self.counters[L.CYCLE])
+
+    @property
+    def step(self) -> float:
+        """The last time step, s."""
+        return float(self.control[L.DT])
+
+    @property
+    def zone_updates(self) -> int:
+        return int(self.counters[L.ZONE_STEPS])
+
+    @property
+    def capped(self) -> int:
+        """How often the tension of a failing zone was held at its spall strength."""
+        return int(self.counters[L.CAP_COUNT])
+
+    voids_opened = voids_closed = 0
+
+    def limiting(self) -> tuple[int, str]:
+        """(zone, block name) with the shortest transit time."""
+        zone = int(np.argmax((self.zones[Z.c] + 2.0 * self.zones[Z.viscous_speed]) * self._inverse_altitudes()))
+        return zone, self.problem.blocks[self.region_of[zone]].name
+
+    def march(self, until: float, cycles: int) -> list:
+        """Step until the time `until` (hit exactly) or `cycles` steps; gauges are read on the way."""
+        if until <= self.time:
+            return []
+        self.control[L.EVENT_TIME] = until
+        end = self.cycle + cycles
+        members = self._assemble_team()
+        try:
+            code = L.GAUGE_DUE
+            while code == L.GAUGE_DUE and self.cycle < end:
+                code = march(end - self.cycle, self.run, self.options, self.control, self.counters, self.team)
+                if self.sampler and code in (L.GAUGE_DUE, L.AT_EVENT):
+                    self._read_gauges()
+        finally:
+            if members:
+                team.call(self.team.board, team.DISMISSED)
+                for member in members:
+                    member.join()
+        if code in (L.BAD_STATE, L.STEP_COLLAPSED, L.TANGLED):
+            raise self._unphysical(code)
+        return []
+
+    def _assemble_team(self):
+        if isinstance(self.team, team.Alone):
+            return []
+        phase = int(self.team.board[0])
+        members = [threading.Thread(target=serve, args=(k, phase, self.run, self.options, self.team), daemon=True)
+                   for k in range(1, self.team.threads)]
+        for member in members:
+            member.start()
+        return members
+
+    def _read_gauges(self):
+        self.gauge_times.append(self.time)
+        self.gauge_rows.append(self.sampler(self.state()))
+        interval = self.control[L.GAUGE_INTERVAL]
+        while self.control[L.NEXT_GAUGE] <= self.time and interval > 0.0:
+            self.control[L.NEXT_GAUGE] += interval
+
+    def take_gauges(self):
+        """(times, {field: (n, ngauge)}) recorded since the last call."""
+        times, rows = np.array(self.gauge_times), self.gauge_rows
+        self.gauge_times, self.gauge_rows = [], []
+        return times, {name: np.array([row[name] for row in rows]) for name in (rows[0] if rows else {})}
+
+    def _unphysical(self, code) -> UnphysicalState:
+        return post_mortem.diagnose(self, code)
+
+    # -- what observers see ----------------------------------------------------------------------------------
+    def state(self) -> State2D:
+        """Copies of all fields now."""
+        zones = {name: self.zones[row].copy() for name, row in ZONE_FIELDS.items()}
+        zones["deviator_zz"] = -(zones["deviator_xx"] + zones["deviator_yy"])
+        zones["mass"] = self.zones[Z.mass].copy()
+        if self.burning:
+            zones["burn_fraction"] = self.charge[B.lam].copy()
+        at = self.numbering.representative
+        nodes = {name: self.nodes[row, at] for name, row in (("position_x", N.x), ("position_y", N.y), ("velocity_x", N.u),
+                                                             ("velocity_y", N.v))}
+        return State2D(self.time, self.cycle, zones, nodes, self.problem.mesh.zone_nodes)
+
+    def phases(self) -> np.ndarray | None:
+        """Burn fraction, density and energy of the reactants and of the products, (5, nzone); None where nothing burns."""
+        return self.charge[[B.lam, B.rho_r, B.e_r, B.rho_p, B.e_p]] if self.burning else None
+
+    def kinetic_energy(self) -> float:
+        """J per metre or per radian."""
+        return 0.5 * float(np.sum(self.nodes[N.own] * (self.nodes[N.u] ** 2 + self.nodes[N.v] ** 2)))
+
+    def total_energy(self) -> float:
+        """Kinetic and internal energy, J per metre or per radian."""
+        return self.kinetic_energy() + float(np.sum(self.zones[Z.mass] * self.zones[Z.e]))
+
+    def momentum(self) -> np.ndarray:
+        """(x, y), kg m/s per metre or per radian."""
+        return np.array([np.sum(self.nodes[N.own] * self.nodes[row]) for row in (N.u, N.v)])
+
+    def errors(self) -> dict[str, float]:
+        """Relative mass, momentum and energy errors against the impulse and work of the boundaries.
+
+        In axisymmetric flow the hoop stress works on the radial momentum, which then has no balance (NaN); the area-weighted scheme
+        does not keep the axial one either, and its error is the drift.
+        """
+        work = float(self.chains[:, L.CHAIN_WORK].sum() + self.control[L.GRAVITY_WORK])
+        internal = float(np.sum(self.zones[Z.mass] * np.abs(self.zones[Z.e])))
+        scale = max(abs(self.start_energy), abs(work), self.kinetic_energy() + internal, 1e-300)
+        weight = float(self.nodes[N.own].sum()) * self.time
+        impulse = self.chains[:, [L.CHAIN_IMPULSE_X, L.CHAIN_IMPULSE_Y]].sum(axis=0) + weight * np.array(self.problem.body_force)
+        size = float(np.sum(self.nodes[N.own] * np.hypot(self.nodes[N.u], self.nodes[N.v])))
+        size = max(size, *np.abs(self.start_momentum), np.abs(self.chains[:, 1:]).max(initial=0.0), 1e-300)
+        drift = np.abs(self.momentum() - self.start_momentum - impulse) / size
+        if self.kind != G.PLANAR:
+            drift[0] = np.nan
+        return {"mass_error": float(abs(self.zones[Z.mass].sum() / self.start_mass - 1.0)), "momentum_error": float(np.nanmax(drift)),
+                "momentum_x_error": float(drift[0]), "momentum_y_error": float(drift[1]),
+                "energy_error": abs(self.total_energy() - self.start_energy - work) / scale}
+
+    def exchanges(self) -> dict[str, float]:
+        """Work (J) and impulse (kg m/s) of every chain of boundary edges so far."""
+        found = {}
+        for name, (work, x, y) in zip(self.boundaries.chains, self.chains):
+            found |= {f"work {name}": float(work), f"impulse_x {name}": float(x), f"impulse_y {name}": float(y)}
+        return found
+
+    def results(self) -> dict[str, float]:
+        """Further numbers for the summary."""
+        work = float(np.sum(self.zones[Z.mass] * self.zones[Z.filter_work]))
+        return {"steps_repeated": int(self.counters[L.REPEATED]), "filter_work": work}
+
+    def peaks(self) -> dict[str, np.ndarray]:
+        """Peak fields of every zone so far: stress and pressure in compression, tension positive."""
+        return {"peak_stress": self.zones[Z.peak_stress].copy(), "peak_tension": -self.zones[Z.peak_tension],
+                "peak_pressure": self.zones[Z.peak_pressure].copy(), "peak_density": self.zones[Z.peak_density].copy()}
+
+    # -- checkpoints -----------------------------------------------------------------------------------------
+    def payload(self) -> dict:
+        """Everything a bitwise restart needs."""
+        names = ("zones", "nodes", "charge", "control", "counters", "chains")
+        start = {"start_energy": self.start_energy, "start_momentum": self.start_momentum}
+        return {name: getattr(self, name).copy() for name in names} | start
+
+    def restore(self, payload: dict) -> None:
+        """Continue from a payload of the same problem."""
+        for name in ("zones", "nodes", "charge", "control", "counters", "chains"):
+            getattr(self, name)[...] = payload[name]
+        self.start_energy, self.start_momentum = float(payload["start_energy"]), np.array(payload["start_momentum"])
+        if self.sampler is None:
+            self.control[L.NEXT_GAUGE] = NO_LIMIT
+

@@ -1,0 +1,92 @@
+"""Runs of the two-dimensional solver as such: resuming, threads, what is refused, what ends a run, turning stress."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from plane_builders import TENSOR, aluminium, box, gas, noh, problem, ran, walls
+
+from hugoniot.core import team
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.fracture.spall_stress import SpallStress
+from hugoniot.problem.plane.model import VelocityField
+from hugoniot.solvers.lagrange2d.assemble import N, Z
+from hugoniot.solvers.lagrange2d.solver import Lagrange2D
+
+
+def flyer(**options):
+    """A plate that hits a longer one under an angle, yields and spalls."""
+    blocks = [box(6, 10, 2e-3, 6e-3, name="a", material="al", velocity=VelocityField(base=(500.0, 100.0))),
+              box(9, 10, 3e-3, 6e-3, (2e-3, 0.0), name="b", material="al")]
+    return problem(blocks, aluminium(fracture=SpallStress(1e9)), 1.5e-6, walls("a.bottom", "b.bottom"), **options)
+
+
+def test_a_resumed_run_has_the_same_bits():
+    whole, first = ran(flyer()), ran(flyer(), cycles=37)
+    payload = first.payload()
+    rest = Lagrange2D(flyer())
+    rest.restore(payload)
+    while rest.time < rest.problem.stop_time:
+        rest.march(rest.problem.stop_time, 11)
+    assert whole.capped > 0
+    assert rest.cycle == whole.cycle
+    for name in ("zones", "nodes", "chains"):
+        assert np.array_equal(getattr(rest, name), getattr(whole, name))
+    assert rest.errors() == whole.errors()
+
+
+@pytest.mark.skipif(not team.possible(), reason="no threads that share a march here")
+def test_two_threads_give_the_same_bits(monkeypatch):
+    monkeypatch.setattr("hugoniot.solvers.lagrange2d.solver.WORTH_SHARING", 1)
+    monkeypatch.setattr("os.cpu_count", lambda: 2)
+    one, two = ran(noh(30, stop=0.05)), ran(noh(30, stop=0.05, threads=2))
+    assert two.team.threads == 2
+    assert np.array_equal(one.zones, two.zones)
+
+
+@pytest.mark.parametrize("options", [{"cells": "triangles"}, {"viscosity": dataclasses.replace(TENSOR, kind="edge")}])
+def test_what_it_does_not_have_is_refused(options):
+    with pytest.raises(OutOfRange, match="not available"):
+        Lagrange2D(noh(4, **options))
+
+
+def test_a_bent_wall_is_refused():
+    from test_plane_invariance import Sector
+
+    block = dataclasses.replace(box(3, 3, density=1.0, pressure=1.0), shape=Sector((0.0, 0.0), (0.5, 1.0), (0.0, 1.0)))
+    with pytest.raises(OutOfRange, match="b.right.*not straight"):
+        Lagrange2D(problem(block, gas(), 1.0, walls("b.right")))
+
+
+def test_stress_turns_with_a_spinning_square():
+    """A rigid turn prescribed at all nodes, in 100 steps: the deviators turn by its angle and keep their size."""
+    steps, turn = 100, 2.0 * np.pi
+    given = problem(box(1, 1, origin=(-0.5, -0.5), material="al"), aluminium(), 1.0)
+    solver = Lagrange2D(given)
+    n, z = solver.nodes, solver.zones
+    size = 0.3e9 / 3.0
+    z[Z.sxx], z[Z.syy], z[Z.sxy] = size, -size, 0.3 * size
+    angle = turn / steps
+    start = n[[N.x, N.y]].copy()
+    solver.run.steps[0] = 1e-12      # the strain of a turn is 0 whatever the step: it is told by the mean velocity
+    for k in range(steps):
+        def place(a):
+            c, s = np.cos(a), np.sin(a)
+            return np.array([[c, -s], [s, c]]) @ start
+        before, after = place(k * angle), place((k + 1) * angle)
+        n[[N.xh, N.yh]], n[[N.um, N.vm]] = 0.5 * (before + after), (after - before) / solver.run.steps[0]
+        n[[N.x, N.y]] = after
+        for row in range(Z.f0x, Z.f3y + 1):
+            z[row] = 0.0
+        for row in (Z.nxx, Z.nyy, Z.nxy):
+            z[row] = 0.0
+        correct(solver)
+    assert z[Z.sxx, 0] == pytest.approx(size, rel=1e-6)
+    assert z[Z.syy, 0] == pytest.approx(-size, rel=1e-6)
+    assert z[Z.sxy, 0] == pytest.approx(0.3 * size, rel=1e-6)
+
+
+def correct(solver):
+    """The second half of a step of all zones."""
+    from hugoniot.solvers.lagrange2d.march import CORRECT_ZONES, do_share
+    do_share(CORRECT_ZONES, solver.run, solver.options, 0, 1)
