@@ -130,8 +130,8 @@ def pulled(problem: Problem, zones, ranges) -> list[str]:
         tension = -float(np.min(zones[Z.peak_tension, a:b]))
         if tension > PULLED * rho * sound_speed_squared(rho, e, material.unreacted):
             told.append(f"region '{region.name}': its unburned explosive held a tension of up to {format_si(tension, 'Pa')} without "
-                        "separating: give the material a fracture law, or limit the tension: [material.x.unreacted] law = \"tension_cutoff\", "
-                        "tension = \"0 Pa\", its own law with all constants under [material.x.unreacted.base]")
+                        "separating: give the material a fracture law, or limit the tension: [material.x.unreacted] "
+                        "law = \"tension_cutoff\", tension = \"0 Pa\", its own law with all constants under [material.x.unreacted.base]")
     return told
 
 
