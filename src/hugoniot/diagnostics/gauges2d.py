@@ -1,5 +1,7 @@
 """Gauges of the two-dimensional hydrocode: what a material point, the mean over an edge and a line of sight record of a state."""
 
+from typing import cast
+
 import numpy as np
 
 from hugoniot.errors import OutOfRange
@@ -56,7 +58,7 @@ class Sampler:
         gauge, chain = self.gauges[k], self.chains[k]
         x, y = (state.nodes[name][chain.edges] - start for name, start in zip(NODAL, gauge.at))
         u, v = (state.nodes[name][chain.edges] for name in NODAL[2:])
-        (a, b) = gauge.direction
+        a, b = cast(tuple, gauge.direction)      # a slit has one
         aside, along, drift, speed = a * y - b * x, a * x + b * y, a * v - b * u, a * u + b * v
         crossed = (aside[:, 0] > 0.0) != (aside[:, 1] > 0.0)
         if not crossed.any():
