@@ -9,9 +9,9 @@ compatible                                             wilkins (Wilkins B.2)
  6. zones: energy, stress, signal rate at the end
  7. heat flux, watch: soundness and peaks, failing zones, interfaces, gaps, gauges
 
-The zones' steps are lists of passes in `compatible` and `leapfrog`. A march returns when its cycles are done, an event time is reached,
-a gauge buffer is full, a void opens or closes, or a state is bad; the codes are in `layout`. The march knows no law: which passes a
-material takes stands in `recipes`, so that it is compiled once for an integrator and a geometry.
+The zones' steps are lists of passes in `compatible` and `leapfrog`, shared out by `sharing`. A march returns when its cycles are done,
+an event time is reached, a gauge buffer is full, a void opens or closes, or a state is bad; the codes are in `layout`. The march knows
+no law: which passes a material takes stands in `recipes`, so that it is compiled once for an integrator and a geometry.
 """
 
 from typing import Any, NamedTuple
@@ -20,21 +20,14 @@ import numba as nb
 from numba.extending import overload
 
 from hugoniot.core.binder import bind_family
-from hugoniot.core.passes import call_entry, call_pass, record, row, rows
+from hugoniot.core.passes import call_pass, record, row, rows
 from hugoniot.core.target import GUARD, INLINE
-from hugoniot.core.team import DISMISSED, Alone, await_call, begin, gather_team, sign
 from hugoniot.mesh import line
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.compatible import FluxRows
 from hugoniot.solvers.lagrange1d.layout import ChargeRows, H, NodeRows, Z, ZoneRows
-from hugoniot.solvers.lagrange1d.nodes import (
-    AccelerateRows,
-    LeapRows,
-    MoveRows,
-    end_node,
-    end_pull,
-    leap_end,
-)
+from hugoniot.solvers.lagrange1d.nodes import end_node, end_pull, leap_end
+from hugoniot.solvers.lagrange1d.sharing import ACCELERATE, ADVANCE, CORRECT, LEAP, MOVE, PREDICT, everyone, gather
 from hugoniot.solvers.lagrange1d.watch import (
     cavity_closed,
     closing_time,
@@ -44,10 +37,7 @@ from hugoniot.solvers.lagrange1d.watch import (
     touching_gap,
 )
 from hugoniot.solvers.lagrange1d.work import Steps
-from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE, FOUND_FLOATS, FOUND_IMPULSE, FOUND_RATE, FOUND_UNSOUND, first_unsound
-
-ACCELERATE, PREDICT, MOVE, CORRECT = range(4)
-LEAP, ADVANCE = range(2)
+from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE, FOUND_IMPULSE, FOUND_RATE, FOUND_UNSOUND, first_unsound
 
 bind_family(line.GEOMETRY, line.GENERICS)
 
@@ -74,83 +64,6 @@ class Gauges(NamedTuple):
     weights: Any
     times: Any
     buffer: Any
-
-
-# -- sharing the work ------------------------------------------------------------------------------------------------
-@nb.njit(**INLINE)
-def nodes_of(a, command, scheme, i):
-    """One command over span i of inner nodes."""
-    first, segment = a.spans[i, 0], a.spans[i, 2]
-    count, steps = a.spans[i, 1] - first - 1, record(Steps, a.steps, 0)
-    z, h, dt = rows(ZoneRows, a.zones, first), rows(NodeRows, a.nodes, first + segment), a.dts[0]
-    if scheme.staggered:
-        call_pass(steps.leap, count, LeapRows(z.sigma, z.pull, z.width, h.inverse_mass, h.u, h.r), dt, row(a.dts, 1))
-    elif command == ACCELERATE:
-        call_pass(steps.accelerate, count, AccelerateRows(z.sigma, z.hoop, h.r, h.u, h.inverse_mass, h.u_mean, h.r_half), dt, row(a.dts, 1))
-    else:
-        call_pass(steps.move, count, MoveRows(z.sigma_half, z.hoop_half, h.r_half, h.inverse_mass, h.u, h.u_mean, h.r), dt, row(a.dts, 1))
-
-
-@nb.njit(**INLINE)
-def moves_zones(command, scheme):
-    """Whether a command is one for zones."""
-    return command == ADVANCE if scheme.staggered else command == PREDICT or command == CORRECT
-
-
-@nb.njit(**INLINE)
-def do_share(a, command, scheme, member, of):
-    """One command over one member's share of the pieces."""
-    if moves_zones(command, scheme):
-        steps = record(Steps, a.steps, 0)
-        address = steps.advance if scheme.staggered else steps.predict if command == PREDICT else steps.correct
-        for i in range(member, a.runs.shape[0], of):
-            call_entry(address, a, i, member)
-    else:
-        for i in range(member, a.spans.shape[0], of):
-            nodes_of(a, command, scheme, i)
-
-
-def everyone(a, command, scheme, team):
-    """One command over all pieces, shared out if there is a team."""
-    raise NotImplementedError("compiled only")
-
-
-@overload(everyone, jit_options=INLINE)
-def _(a, command, scheme, team):
-    def alone(a, command, scheme, team):
-        do_share(a, command, scheme, 0, 1)
-
-    def together(a, command, scheme, team):
-        for share in range(begin(team.board, command, team.threads)):
-            do_share(a, command, scheme, share, team.threads)
-        gather_team(team.board, team.threads)
-
-    return alone if team.instance_class is Alone else together
-
-
-@nb.njit(**GUARD)
-def serve(member, phase, a, scheme, team):
-    """What every other thread of a team does during a march: the leader's commands on its own share, until dismissed."""
-    while True:
-        phase = await_call(team.board, phase, member)
-        command = team.board[1]
-        if command != DISMISSED:
-            do_share(a, command, scheme, member, team.threads)
-        sign(team.board, member, phase)
-        if command == DISMISSED:
-            return
-
-
-@nb.njit(**GUARD)
-def gather(found):
-    """Totals of one step over the pieces, in their order, into the row behind theirs."""
-    totals = found[found.shape[0] - 1]
-    totals[:] = 0.0
-    for i in range(found.shape[0] - 1):
-        totals[FOUND_RATE] = max(totals[FOUND_RATE], found[i, FOUND_RATE])
-        totals[FOUND_FAILURE] = max(totals[FOUND_FAILURE], found[i, FOUND_FAILURE])
-        for k in range(FOUND_IMPULSE, FOUND_FLOATS):
-            totals[k] += found[i, k]
 
 
 # -- parts of the step -----------------------------------------------------------------------------------------------
