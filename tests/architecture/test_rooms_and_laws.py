@@ -20,7 +20,9 @@ ROOT = pathlib.Path(hugoniot.__file__).parent
 SOURCES = sorted(ROOT.rglob("*.py"))
 FAMILIES = (EOS, STRENGTH, FRACTURE, VISCOSITY, BURN)
 LAWS = [law for family in FAMILIES for law in family]
-LONGEST = 400
+LONGEST, LONGEST_OF_SOLVERS = 400, 300
+BY_THE_STEP = {"solvers", "zones", "core"}     # the rooms whose code runs in every step
+STILL_LONG = {"solvers/lagrange1d/leapfrog.py": 360}
 RULES = {"threshold"}     # a rule (pressure above a limit), no equation
 
 
@@ -50,7 +52,9 @@ def test_every_family_is_populated():
 def test_a_source_file_keeps_the_house_rules(path):
     text, tree = path.read_text(encoding="utf-8"), parsed(path)
     assert ast.get_docstring(tree) or not text.strip(), "a module says what it is for"
-    assert len(text.splitlines()) <= LONGEST
+    place = path.relative_to(ROOT)
+    longest = LONGEST_OF_SOLVERS if place.parts[0] in BY_THE_STEP else LONGEST
+    assert len(text.splitlines()) <= STILL_LONG.get(place.as_posix(), longest)
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom):
             assert all(name.name != "*" for name in node.names), "star import"

@@ -44,7 +44,7 @@ def test_comp_b_runs_at_its_speed_with_the_energy_closed():
     assert seen.energy_error < 1e-12
     burned = np.sum(seen.states[-1].zones["burn_fraction"] * seen.states[-1].zones["mass"])
     assert solver.exchanges()["released_heat"] == pytest.approx(burned * material.eos.e0 / material.eos.rho0, rel=1e-12)
-    assert solver.unresolved() == []
+    assert solver.warnings() == []
 
 
 def test_a_burning_run_continues_from_a_checkpoint_to_the_same_bits():

@@ -16,7 +16,8 @@ from hugoniot.materials.material import Material
 from hugoniot.problem.model import Boundary, Problem, Region, SolverOptions
 from hugoniot.problem.structure_start import ample_room, profile_of, resolved, settling_times, shock_start
 from hugoniot.solvers.shock_structure.measure import thickness, thickness_by_differences
-from hugoniot.solvers.shock_structure.solver import ShockStructure, conserved
+from hugoniot.solvers.shock_structure.setup import conserved
+from hugoniot.solvers.shock_structure.solver import ShockStructure
 from hugoniot.theory.structure import jordan, steady
 
 OPEN, WALL = Boundary("transmitting"), Boundary("fixed")

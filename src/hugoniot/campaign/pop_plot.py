@@ -161,4 +161,4 @@ def _front(charge: Charge, pressure: float, piston: float, entering: float, zone
         times.append(solver.time)
         path.append(float(place[0]) if math.isfinite(place[0]) else path[-1])
         settled = settled + 1 if path[-1] - path[-2] > halfway * (times[-1] - times[-2]) else 0
-    return np.array(times), np.array(path), solver.unresolved()
+    return np.array(times), np.array(path), solver.warnings()

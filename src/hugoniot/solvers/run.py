@@ -13,6 +13,8 @@ import threading
 import time
 from dataclasses import dataclass, field
 
+from hugoniot.solvers.protocol import Solver
+
 BURST_SECONDS = 0.1
 FIRST_BURST = 64
 
@@ -97,10 +99,9 @@ class _Hands:
                 method(*args)
 
 
-def march_to_end(solver, schedule: Schedule, observers=(), next_snapshot: int = 0) -> Outcome:
+def march_to_end(solver: Solver, schedule: Schedule, observers=(), next_snapshot: int = 0) -> Outcome:
     """Run a solver to the stop time.
 
-    solver          has time, cycle, march(until, cycles) -> events, take_gauges(), state(), errors(), payload(), limiting()
     next_snapshot   index of the first snapshot still to take (of a resumed run)
 
     Raises `UnphysicalState` in the cycle it arises, and KeyboardInterrupt after a checkpoint.
@@ -141,7 +142,7 @@ def march_to_end(solver, schedule: Schedule, observers=(), next_snapshot: int = 
     return Outcome("done", kernel)
 
 
-def _allowance(solver, schedule, burst, last_cycle):
+def _allowance(solver: Solver, schedule, burst, last_cycle):
     """Cycles the next burst may take."""
     cycles = burst
     if schedule.checkpoint_cycles:
@@ -151,10 +152,10 @@ def _allowance(solver, schedule, burst, last_cycle):
     return cycles
 
 
-def _due(solver, schedule, last_cycle):
+def _due(solver: Solver, schedule, last_cycle):
     return bool(schedule.checkpoint_cycles) and solver.cycle - last_cycle >= schedule.checkpoint_cycles
 
 
-def _report(solver, schedule):
+def _report(solver: Solver, schedule):
     zone, region = solver.limiting()
     return Report(solver.time, schedule.stop_time, solver.cycle, solver.step, zone, region, solver.errors()["energy_error"])

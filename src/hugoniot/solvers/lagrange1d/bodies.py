@@ -46,6 +46,12 @@ def alike_ranges(regions, ranges, burns):
     return merged
 
 
+def faces(nodes, segments, row):
+    """A node row at the left and at the right face of every zone, (nzone,) each."""
+    left = np.concatenate([np.arange(a, b) + k for k, (a, b, _, _) in enumerate(segments)])
+    return nodes[row, left], nodes[row, left + 1]
+
+
 SHARE = 10 * L.PIECE     # zones of a share of work: some microseconds, and a whole number of pieces
 
 

@@ -2,16 +2,46 @@
 
 import numpy as np
 
+from hugoniot.errors import UnphysicalState
 from hugoniot.laws.eos.contract import EOS, density_limits, pressure, reference_state
 from hugoniot.materials import burning
 from hugoniot.problem.explosives import follows_compression, front_speed, with_compression
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.layout import B, Z
+from hugoniot.solvers.lagrange1d.bodies import faces
+from hugoniot.solvers.lagrange1d.layout import B, H, Z
 from hugoniot.units import format_si
 
 NEAR = 8              # zones around a bad one in which its cause is looked for
 CRUSHED = 2.5         # times the density of rest: more than products bear that a front burned (CJ 1.4, reflected at a wall 1.8)
 DENSE = 1e9           # times the density of rest: compressed to nothing
+
+
+def unphysical(solver, code: int) -> UnphysicalState:
+    """The error with which a march ends, by the code it came back with: cause, remedy, the zone and its fields."""
+    problem, zones = solver.problem, solver.zones
+    culprit = int(solver.counters[L.CULPRIT])
+    left, right = faces(solver.nodes, solver.segments, H.r)
+    if code == L.STEP_COLLAPSED:
+        culprit = int(np.argmin((right - left) / np.maximum(zones[Z.c], 1e-30)))
+    crushed = crushed_zone(problem, zones, solver.region_of, culprit)
+    culprit = crushed[0] if crushed else culprit
+    values = {name: float(zones[row, culprit]) for name, row in solver.zone_fields.items()}
+    if solver.burning:
+        rows = {"burn_fraction": B.lam, "mixture_status": B.status}
+        values |= {name: float(solver.charge[row, culprit]) for name, row in rows.items()}
+    burned = ill_burned(problem, zones, solver.charge, solver.region_of, culprit) if solver.burning else None
+    region = problem.regions[solver.region_of[culprit]]
+    breaks = problem.materials[region.material].fracture is not None
+    cause, remedy = crushed[1:] if crushed else burned or diagnose(code, values, float(left[culprit]), float(right[culprit]), breaks)
+    return UnphysicalState(cause, remedy, culprit, region.name, _place(left, right, culprit), solver.time, solver.cycle, values)
+
+
+def _place(left, right, culprit: int) -> float:
+    """Where a zone is, m; one that is nowhere is reported where its nearest sound neighbour is."""
+    with np.errstate(invalid="ignore"):
+        centres = 0.5 * (left + right)
+    near = np.flatnonzero(np.isfinite(centres))
+    return float(centres[near[np.argmin(np.abs(near - culprit))]]) if near.size else float("nan")
 
 
 def crushed_zone(problem, zones, region_of, culprit: int) -> tuple[int, str, str] | None:

@@ -9,6 +9,7 @@ from hugoniot.errors import OutOfRange
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import B, H, Z
 from hugoniot.solvers.lagrange1d.solver import Lagrange1D
+from hugoniot.solvers.lagrange1d.start import plan_first_step, renew_gradients
 
 OF_ZONES = {"energy": (Z.e,), "pressure": (Z.p, Z.sigma), "sound_speed": (Z.c,)}
 OF_CHARGE = {"burn_fraction": B.lam, "reactant_density": B.rho_r, "reactant_energy": B.e_r, "product_density": B.rho_p,
@@ -48,7 +49,7 @@ class Window:
             if name in OF_CHARGE:
                 solver.charge[OF_CHARGE[name], :len(values)] = values
         solver.control[L.REFERENCE_LEFT] = behind
-        solver.plan_first_step()
+        plan_first_step(solver)
 
     def move_on(self, count: int) -> None:
         """Drop `count` zones at the left end and lay as many, as they were at the start, at the right."""
@@ -63,4 +64,4 @@ class Window:
         nodes[H.mass], nodes[H.inverse_mass] = whole, 1.0 / whole
         for end in (0, -1):
             nodes[H.mass, end], nodes[H.inverse_mass, end] = 0.5 * whole, 2.0 / whole
-        self.solver.renew_gradients()
+        renew_gradients(self.solver)

@@ -12,16 +12,15 @@ from hugoniot.laws.eos import contract as eos_laws
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.transport import contract as transport_laws
 from hugoniot.laws.transport.contract import TRANSPORT
-from hugoniot.materials.initial_state import initial_state
+from hugoniot.problem.defaults import with_defaults
 from hugoniot.problem.model import Problem
+from hugoniot.solvers.protocol import NO_COUNTS
 from hugoniot.solvers.shock_structure import layout as L
 from hugoniot.solvers.shock_structure.measure import thickness
+from hugoniot.solvers.shock_structure.setup import FEWEST_CELLS, NAME, cells_of_regions, end_kind, eos_of, grid_of, transport_of
 from hugoniot.state import State
 
-NAME = "shock_structure"
-COURANT = 0.9
 NO_LIMIT = 1e300
-FEWEST_CELLS = 8
 STEEPEST = 1e3       # Grüneisen parameter beyond which a cell's pressure hangs on the rounding of its total energy
 _SOLID = ("deviator_radial", "deviator_hoop", "plastic_work", "viscous_work")   # what a budget of solids asks for: zero here
 
@@ -34,29 +33,28 @@ class FlowState(State):
 
 
 class ShockStructure:
-    """A run in progress.
+    """A run in progress: a `protocol.LineSolver`.
 
     problem   planar, regions of one material that touch and have cells of one width; `solver.options["transport"]` a `Transport`
     start     (cells (3, n) of density, momentum, total energy; ends (2, 3) of the far fields), or None: from the regions' states
     """
 
     viscosity = None     # artificial viscosity: none
-    voids_opened = voids_closed = capped = 0
 
     def __init__(self, problem: Problem, start=None):
-        self.problem = problem
-        self.eos, self.transport = _eos(problem), _transport(problem)
-        self.faces, self.region_of = _grid(problem)
+        self.problem = problem = with_defaults(problem)
+        self.eos, self.transport = eos_of(problem), transport_of(problem)
+        self.faces, self.region_of = grid_of(problem)
         self.h = float(self.faces[-1] - self.faces[0]) / len(self.region_of)
-        cells, ends = start if start is not None else _from_regions(problem, self.eos, self.region_of)
+        cells, ends = start if start is not None else cells_of_regions(problem, self.eos, self.region_of)
         n = len(self.region_of)
         self.U = np.zeros((3, n + 2 * L.GHOSTS))
         self.U[:, L.GHOSTS:-L.GHOSTS] = cells
         self.ends = np.ascontiguousarray(ends, dtype=float)
-        self.kinds = np.array([_end_kind(problem.left, "left"), _end_kind(problem.right, "right")], dtype=np.int64)
+        self.kinds = np.array([end_kind(problem.left, "left"), end_kind(problem.right, "right")], dtype=np.int64)
         self.rest, self.passed, self.passed_rest = np.zeros((3, n)), np.zeros((2, 3)), np.zeros((2, 3))
         self.control, self.counters = np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64)
-        self.control[L.COURANT] = problem.solver.courant or COURANT
+        self.control[L.COURANT] = problem.solver.courant
         self.control[L.DT_LARGEST] = problem.solver.largest_step or NO_LIMIT
         self._require_states()
         self._require_a_finite_slope()
@@ -210,6 +208,19 @@ class ShockStructure:
         """Largest pressure and density of every cell after any step."""
         return {f"peak_{name}": value.copy() for name, value in zip(("pressure", "density"), self._peaks)}
 
+    def counts(self) -> dict[str, int]:
+        """Nothing opens in a fluid."""
+        return dict(NO_COUNTS)
+
+    @property
+    def gauge_zones(self) -> np.ndarray:
+        """No gauges."""
+        return np.empty(0, dtype=np.int64)
+
+    def phases(self) -> None:
+        """Nothing burns."""
+        return None
+
     def thickness(self) -> tuple[float, float]:
         """(density thickness, position), m, of the shock between the two far fields; `NoSolution` where they are equal."""
         low, high = self.ends[:, 0]
@@ -225,13 +236,17 @@ class ShockStructure:
             found |= {"density_thickness": length, "shock_position": place, "cells_per_thickness": length / self.h}
         return found
 
-    def unresolved(self) -> list[str]:
+    def warnings(self) -> list[str]:
         """Warnings, after the run: a shock thinner than eight cells has the thickness of its grid."""
         found = self.results()
         if not (self.problem.solver.options.get("shock") and found.get("cells_per_thickness", math.inf) < FEWEST_CELLS):
             return []
         return [f"the shock has {found['cells_per_thickness']:.2g} cells in its thickness: below {FEWEST_CELLS} the thickness is the "
                 f"grid's rather than the shock's; take cells of at most 1/{FEWEST_CELLS} of the steady one (hugoniot structure profile)"]
+
+    def notes(self) -> list[tuple[str, str]]:
+        """None: nothing was chosen on the way."""
+        return []
 
     # -- checkpoints -----------------------------------------------------------------------------------------
     _KEPT = ("U", "rest", "passed", "passed_rest", "control", "counters", "start_totals", "ends")
@@ -245,66 +260,3 @@ class ShockStructure:
         for name in self._KEPT:
             setattr(self, name, np.ascontiguousarray(payload[name]).copy())
         self._peaks = np.array([payload["peak_pressure"], payload["peak_density"]])
-
-
-def _eos(problem: Problem):
-    names = {region.material for region in problem.regions}
-    if len(names) != 1:
-        raise OutOfRange(f"the solver {NAME} flows one material through a fixed grid, not {len(names)}: use lagrange1d for several")
-    if problem.geometry != "planar":
-        raise OutOfRange(f"the solver {NAME} is planar; geometry '{problem.geometry}' needs lagrange1d")
-    return problem.materials[names.pop()].eos
-
-
-def _transport(problem: Problem):
-    transport = problem.solver.options.get("transport")
-    if transport is None:
-        raise OutOfRange(f"the solver {NAME} needs a transport law: give [solver.transport] with viscosity = {{law = ...}}")
-    if isinstance(transport, transport_laws.Transport):
-        made = transport
-    else:
-        made = transport_laws.make(transport["viscosity"], transport.get("conduction"), transport.get("bulk_ratio", 0.0),
-                                   transport.get("bulk_viscosity", 0.0))
-    if transport_laws.needs_temperature(made):
-        eos_laws.require_temperature(_eos(problem))
-    return made
-
-
-def _grid(problem: Problem):
-    """(faces (n+1,) m, region of each cell); cells of one width."""
-    regions = problem.regions
-    widths = [(region.end - region.start) / region.zones for region in regions]
-    for a, b in zip(regions, regions[1:]):
-        if a.end != b.start:
-            raise OutOfRange(f"the solver {NAME} needs regions that touch; there is a gap between '{a.name}' and '{b.name}'")
-    for region, width in zip(regions, widths):
-        if region.ratio != 1.0 or abs(width / widths[0] - 1.0) > 1e-9:
-            raise OutOfRange(f"the solver {NAME} needs cells of one width; region '{region.name}' has {width:.6g} m, the first "
-                             f"{widths[0]:.6g} m (ratio {region.ratio:g}): set its zones accordingly")
-    count = sum(region.zones for region in regions)
-    if count < FEWEST_CELLS:
-        raise OutOfRange(f"the solver {NAME} needs at least {FEWEST_CELLS} cells; there are {count}")
-    return np.linspace(regions[0].start, regions[-1].end, count + 1), np.repeat(np.arange(len(regions)), [r.zones for r in regions])
-
-
-def conserved(rho, u, e) -> np.ndarray:
-    """(density, momentum, total energy) from density, velocity, specific internal energy."""
-    return np.array([rho, rho * u, rho * (e + 0.5 * u * u)])
-
-
-def _from_regions(problem: Problem, eos, region_of):
-    rows = []
-    for region in problem.regions:
-        rho, e = initial_state(eos, region.density, region.pressure, region.temperature, region.energy)
-        first, last = region.velocity if isinstance(region.velocity, tuple) else (region.velocity, region.velocity)
-        u = first + (last - first) * (np.arange(region.zones) + 0.5) / region.zones
-        rows.append(conserved(np.full(region.zones, rho), u, np.full(region.zones, e)))
-    cells = np.hstack(rows)
-    return cells, np.array([cells[:, 0], cells[:, -1]])
-
-
-def _end_kind(boundary, side: str) -> int:
-    if boundary.kind not in L.END_KINDS:
-        raise OutOfRange(f"boundary.{side} = '{boundary.kind}' has no meaning in a fixed grid; the solver {NAME} knows "
-                         f"{' and '.join(L.END_KINDS)}")
-    return L.END_KINDS[boundary.kind]

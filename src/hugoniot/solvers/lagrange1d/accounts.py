@@ -1,0 +1,71 @@
+"""The accounts of a run: energy, momentum, what passed the ends, errors against both, and the largest values that zones have seen.
+
+Extensive quantities are per m^2 (planar), per m and radian (cylindrical) or per steradian (spherical).
+"""
+
+import numpy as np
+
+from hugoniot.laws.eos.contract import reference_state
+from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d import reactive
+from hugoniot.solvers.lagrange1d.layout import H, Z
+
+ENDS = {"work_left": L.WORK_LEFT, "work_right": L.WORK_RIGHT, "impulse_left": L.IMPULSE_LEFT, "impulse_right": L.IMPULSE_RIGHT}
+
+
+def kinetic_energy(nodes) -> float:
+    """Kinetic energy of the nodes, J."""
+    return 0.5 * np.sum(nodes[H.mass] * nodes[H.u] ** 2)
+
+
+def total_energy(zones, nodes) -> float:
+    """Kinetic and internal energy, J."""
+    return float(kinetic_energy(nodes) + np.sum(zones[Z.mass] * zones[Z.e]))
+
+
+def momentum(nodes) -> float:
+    """Momentum of the nodes, kg m/s."""
+    return float(np.sum(nodes[H.mass] * nodes[H.u]))
+
+
+def errors(solver) -> dict[str, float]:
+    """Relative mass, momentum and energy errors against the boundary's impulse and work; of momentum NaN for the curved leapfrog."""
+    control, zones, nodes = solver.control, solver.zones, solver.nodes
+    work = control[L.WORK_LEFT] + control[L.WORK_RIGHT]
+    internal = float(np.sum(zones[Z.mass] * np.abs(zones[Z.e])))
+    scale = max(abs(solver.start_energy), abs(work), float(kinetic_energy(nodes)) + internal, 1e-300)
+    impulse = control[L.IMPULSE_LEFT] + control[L.IMPULSE_RIGHT] + control[L.RADIAL_IMPULSE]
+    kept = not solver.staggered or solver.problem.dimension == 1     # else accelerations are no forces over the nodes' masses
+    size = float(np.sum(nodes[H.mass] * np.abs(nodes[H.u])))
+    size = max(size, abs(solver.start_momentum), abs(control[L.IMPULSE_LEFT]), abs(control[L.IMPULSE_RIGHT]), 1e-300)
+    return {
+        "mass_error": float(abs(zones[Z.mass].sum() / solver.start_mass - 1.0)),
+        "momentum_error": abs(momentum(nodes) - solver.start_momentum - impulse) / size if kept else float("nan"),
+        "energy_error": abs(total_energy(zones, nodes) - solver.start_energy - work) / scale,
+    }
+
+
+def exchanges(solver) -> dict[str, float]:
+    """Work (J) and impulse (kg m/s) of the two ends so far and, where something burns, the chemical energy set free (J)."""
+    found = {name: float(solver.control[row]) for name, row in ENDS.items()}
+    if solver.burning:
+        found["released_heat"] = reactive.released_heat(solver.problem, solver.zones, solver.charge, solver.region_ranges)
+    return found
+
+
+def largest_velocity_jump(problem, zones, region_ranges) -> dict[str, float]:
+    """Material -> largest particle velocity of a shock it saw, from its peak pressure on the Rayleigh line, m/s."""
+    found: dict[str, float] = {}
+    for region, (first, last) in zip(problem.regions, region_ranges):
+        rho0 = float(reference_state(problem.materials[region.material].eos)[0])
+        peak = int(first + np.argmax(zones[Z.peak_pressure, first:last]))
+        squeeze = 1.0 - rho0 / max(zones[Z.peak_density, peak], rho0)
+        jump = float(np.sqrt(max(zones[Z.peak_pressure, peak], 0.0) * squeeze / rho0))
+        found[region.material] = max(found.get(region.material, 0.0), jump)
+    return found
+
+
+def peaks(zones) -> dict[str, np.ndarray]:
+    """Peak fields of every zone so far: stress and pressure in compression, tension positive."""
+    return {"peak_stress": zones[Z.peak_stress].copy(), "peak_tension": -zones[Z.peak_tension],
+            "peak_pressure": zones[Z.peak_pressure].copy(), "peak_density": zones[Z.peak_density].copy()}

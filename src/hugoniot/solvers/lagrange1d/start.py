@@ -1,0 +1,67 @@
+"""Before the first step: driven and held ends, the numbers that control the step, and the step itself."""
+
+import numpy as np
+
+from hugoniot.core.ops import NO_LIMIT
+from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d import reactive
+from hugoniot.solvers.lagrange1d.assemble import held_stresses
+from hugoniot.solvers.lagrange1d.bodies import faces
+from hugoniot.solvers.lagrange1d.layout import H, Z
+
+LARGEST_COLLAPSE = 1e-12     # smallest useful step as a fraction of the stop time
+
+
+def prepare(solver) -> None:
+    """Fill the control numbers of a solver at t = 0, give its driven ends their velocity and plan its first step."""
+    problem, control, nodes = solver.problem, solver.control, solver.nodes
+    options = problem.solver
+    control[L.HEAT_FLUX] = options.options["heat_flux"]
+    control[L.COURANT] = options.courant
+    control[L.GROWTH] = options.growth
+    control[L.DT_LARGEST] = options.largest_step or NO_LIMIT
+    control[L.DT_SMALLEST] = LARGEST_COLLAPSE * problem.stop_time
+    control[L.GAUGE_INTERVAL] = problem.output.gauge_interval
+    control[L.REFERENCE_LEFT], control[L.REFERENCE_RIGHT] = held_stresses(solver.zones, nodes)
+    for side, node in ((problem.left, 0), (problem.right, -1)):
+        if side.kind == "velocity":
+            nodes[H.u, node] = _pulse_at_zero(side.pulse)
+        if side.kind == "fixed":
+            nodes[H.u, node] = 0.0
+    plan_first_step(solver)
+
+
+def plan_first_step(solver) -> None:
+    """The first step, and the velocity gradients that the viscosity's limiter looks back at, from the zones as they are."""
+    options, control = solver.problem.solver, solver.control
+    control[L.RATE] = signal_rate(solver, np.arange(solver.zones.shape[1]))
+    first = options.initial_step or 0.1 * control[L.COURANT] / control[L.RATE]
+    control[L.DT_NATURAL] = first / control[L.GROWTH]
+    control[L.DT] = control[L.DT_OLD] = first if solver.staggered else 0.0
+    renew_gradients(solver)
+
+
+def renew_gradients(solver) -> None:
+    """Velocity gradients from the nodes as they are."""
+    left, right = faces(solver.nodes, solver.segments, H.r)
+    ul, ur = faces(solver.nodes, solver.segments, H.u)
+    places = np.concatenate([np.arange(a, b) + 2 * k + 1 for k, (a, b, _, _) in enumerate(solver.segments)])
+    solver.gradient[places] = (ur - ul) / (right - left)
+
+
+def signal_rate(solver, zones) -> float:
+    """Largest (c + 2 w) / width of some zones, 1/s, w the viscous speed of a jump as a shock sees it: for the first step and impacts."""
+    problem = solver.problem
+    left, right = faces(solver.nodes, solver.segments, H.r)
+    ul, ur = faces(solver.nodes, solver.segments, H.u)
+    jump = np.maximum(ul - ur, 0.0)[zones]
+    fronts = np.array([reactive.front_speed(problem, region) for region in problem.regions])
+    speed = np.maximum(solver.zones[Z.c, zones], fronts[solver.region_of[zones]]) + (16.0 if solver.staggered else 4.0) * jump
+    rate = float(np.max(speed / (right - left)[zones]))
+    return rate if rate > 0.0 else 1e3 / problem.stop_time
+
+
+def _pulse_at_zero(pulse) -> float:
+    if pulse.shape == "table":
+        return float(np.interp(0.0, pulse.times, pulse.values))
+    return pulse.amplitude if pulse.start <= 0.0 and pulse.shape in ("constant", "exponential", "square") else 0.0

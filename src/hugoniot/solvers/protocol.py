@@ -1,0 +1,179 @@
+"""What every solver owes the time loop, the run, its report and its checkpoints: `Solver`, and `LineSolver` for one dimension.
+
+A solver is made from a complete Problem (`problem.defaults`), owns its arrays and knows no files. The time loop (`solvers.run`) marches it
+from event to event; observers look at what it hands out, which are copies, and change nothing. Whoever writes a solver gives it every
+name below: nothing is asked for that may be missing, and a quantity that a solver does not have is empty, zero or None as said here.
+
+Everything is in SI. Extensive quantities are those of the problem's geometry: per m^2 (planar), per m and radian (cylindrical), per
+steradian (spherical), per m (plane), per radian (axisymmetric).
+"""
+
+from dataclasses import dataclass
+from typing import Any, Protocol, runtime_checkable
+
+import numpy as np
+
+COUNTS = ("voids_opened", "voids_closed", "interfaces_parted", "tension_cap_acted")
+NO_COUNTS = dict.fromkeys(COUNTS, 0)
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something that happened between two steps.
+
+    kind       one word for programs: void_opened, void_closed, interface_parted
+    time       s
+    cycle      steps taken before it
+    position   m, along the line or from the axis or the origin
+    text       a sentence for people, with the place and what it cost
+    """
+
+    kind: str
+    time: float
+    cycle: int
+    position: float
+    text: str
+
+
+@runtime_checkable
+class SolverState(Protocol):
+    """What `state` hands out: `hugoniot.state.State` in one dimension."""
+
+    time: float
+    cycle: int
+    zones: dict[str, np.ndarray]
+
+    def fields(self) -> dict[str, np.ndarray]:
+        """Every field that a snapshot keeps, by the words of `core.fields`."""
+        ...
+
+
+@runtime_checkable
+class Solver(Protocol):
+    """A run in progress, in any dimension."""
+
+    # -- the clock ---------------------------------------------------------------------------------------------------
+    @property
+    def problem(self) -> Any:
+        """The problem that is solved, complete."""
+        ...
+
+    @property
+    def time(self) -> float:
+        """Time reached, s."""
+        ...
+
+    @property
+    def cycle(self) -> int:
+        """Steps taken."""
+        ...
+
+    @property
+    def step(self) -> float:
+        """The last time step, s."""
+        ...
+
+    @property
+    def zone_updates(self) -> int:
+        """Sum over the steps of the zones (or of what costs as much) that were advanced."""
+        ...
+
+    def march(self, until: float, cycles: int) -> list[Event]:
+        """Take steps until the time `until` (hit exactly), `cycles` steps, a full gauge buffer or an event; the events that happened.
+
+        Raises `UnphysicalState` in the cycle it arises, the state left as it was found then.
+        """
+        ...
+
+    def limiting(self) -> tuple[int, str]:
+        """(zone, name of its region) that limits the step."""
+        ...
+
+    # -- fields and gauges -------------------------------------------------------------------------------------------
+    @property
+    def region_of(self) -> np.ndarray:
+        """Index of the region (block) of every zone, (nzone,); the same all the run."""
+        ...
+
+    def state(self) -> SolverState:
+        """Copies of all fields now; `zones["mass"]` (nzone,), kg, and `zones["energy"]`, J/kg, are always among them."""
+        ...
+
+    def take_gauges(self) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+        """(times (n,) s, {field: (n, ngauge)}) recorded since the last call, which forgets them; no fields where there are no gauges."""
+        ...
+
+    def peaks(self) -> dict[str, np.ndarray]:
+        """Largest values every zone has seen, {"peak_...": (nzone,)}; tension positive. Empty where none are kept."""
+        ...
+
+    # -- accounts ----------------------------------------------------------------------------------------------------
+    def errors(self) -> dict[str, float]:
+        """Relative errors of what is conserved, against what passed the ends: `energy_error` and others named `..._error`.
+
+        NaN for what the scheme does not conserve.
+        """
+        ...
+
+    def exchanges(self) -> dict[str, float]:
+        """What passed the boundaries so far, J and kg m/s: work and impulse of each end, and heat set free inside."""
+        ...
+
+    def counts(self) -> dict[str, int]:
+        """How often each of `COUNTS` happened so far; `NO_COUNTS` where nothing opens."""
+        ...
+
+    def largest_velocity_jump(self) -> dict[str, float]:
+        """Material -> largest change of velocity across a shock in it, m/s; a material that is not named is not judged."""
+        ...
+
+    def results(self) -> dict[str, float]:
+        """Further numbers of the run's summary, SI; empty where there are none."""
+        ...
+
+    # -- words about the run -----------------------------------------------------------------------------------------
+    def warnings(self) -> list[str]:
+        """Sentences, after the run, on what a reader has to know before trusting it: what the mesh did not resolve, for instance."""
+        ...
+
+    def notes(self) -> list[tuple[str, str]]:
+        """(kind of event, sentence), after the run, on how results were found; no cause for concern."""
+        ...
+
+    @property
+    def viscosity(self) -> Any:
+        """Parameter tuple of the artificial viscosity in use (family `VISCOSITY`), or None."""
+        ...
+
+    @property
+    def transport(self) -> Any:
+        """`Transport` tuple of the physical viscosity and heat conduction, or None."""
+        ...
+
+    # -- checkpoints -------------------------------------------------------------------------------------------------
+    def payload(self) -> dict[str, Any]:
+        """Everything a bitwise restart needs: arrays, numbers, words, lists and dictionaries of them, all copies."""
+        ...
+
+    def restore(self, payload: dict[str, Any]) -> None:
+        """Continue from the payload of a solver of the same problem; what follows has the bits it would have had there."""
+        ...
+
+
+@runtime_checkable
+class LineSolver(Solver, Protocol):
+    """A run in one dimension: its zones stand in a row, and its `state` is a `hugoniot.state.State`."""
+
+    @property
+    def initial_nodes(self) -> tuple[np.ndarray, np.ndarray]:
+        """Positions of the left and the right face of every zone at t = 0, (nzone,) each, m."""
+        ...
+
+    @property
+    def gauge_zones(self) -> np.ndarray:
+        """Index of the zone that each gauge of the records of `take_gauges` lies in now, (ngauge,)."""
+        ...
+
+    def phases(self) -> np.ndarray | None:
+        """Burn fraction, density (kg/m3) and energy (J/kg) of the reactants and of the products, (5, nzone); None where nothing burns."""
+        ...
