@@ -12,15 +12,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hugoniot.diagnostics.budgets import RegionBudget
-from hugoniot.diagnostics.interface_gauges import with_sides, without_mixtures
+from hugoniot.diagnostics.interface_gauges import without_mixtures
 from hugoniot.diagnostics.temperature import gauge_temperature, laws_with_temperature, zone_temperature
 from hugoniot.errors import DeckError, FileTrouble, UnphysicalState
 from hugoniot.output.run_folder import RunFolder
 from hugoniot.problem.defaults import completed
-from hugoniot.problem.model import Gauge, Problem
+from hugoniot.problem.model import Problem
 from hugoniot.problem.plane.model import Problem2D
 from hugoniot.report import write_or_note
 from hugoniot.signals import end_like_interrupt
+from hugoniot.solvers.protocol import LineSolver, Solver
 from hugoniot.solvers.run import Outcome, Schedule, march_to_end, snapshot_times
 from hugoniot.version import __version__
 
@@ -28,8 +29,8 @@ if TYPE_CHECKING:
     from hugoniot.output.run import Run
 
 
-def make_solver(problem: Problem):
-    """The solver a problem asks for by name."""
+def make_solver(problem: Problem) -> Any:
+    """The solver a problem asks for by name: a `solvers.protocol.LineSolver`, or of two dimensions a `PlaneSolver`."""
     if problem.solver.kind == "lagrange1d":
         from hugoniot.solvers.lagrange1d.solver import Lagrange1D
         return Lagrange1D(problem)
@@ -48,22 +49,6 @@ def make_solver(problem: Problem):
     raise DeckError.single("problem", None, "solver.kind", f"unknown solver '{problem.solver.kind}'", hint)
 
 
-def with_surface_gauges(problem: Problem) -> Problem:
-    """The problem with a gauge on both sides of every interface gauge, and on every free end that has none.
-
-    The latter is what a velocity interferometer would look at.
-
-    Only plates (planar bodies of a Lagrangian solver) have such an end on both sides; a shell has its outer one.
-    """
-    if problem.solver.kind not in ("lagrange1d", "fronts"):
-        return problem
-    named = {gauge.at for gauge in problem.gauges} | {gauge.name for gauge in problem.gauges}
-    ends = [("left", problem.left, problem.geometry == "planar"), ("right", problem.right, True)]
-    missing = [f"free surface {side}" for side, boundary, seen in ends if seen and boundary.kind == "free"]
-    added = tuple(Gauge(name, name) for name in missing if name not in named)
-    return dataclasses.replace(problem, gauges=with_sides(problem).gauges + added)
-
-
 def _recorder(folder: RunFolder, problem, solver, progress, warned=()):
     """What hands the states of a run to its folder."""
     if problem.solver.kind != "lagrange2d":
@@ -76,7 +61,7 @@ def _recorder(folder: RunFolder, problem, solver, progress, warned=()):
 class _Recorder:
     """Hands what the time loop sees to the run folder."""
 
-    def __init__(self, folder: RunFolder, problem: Problem, solver, progress, warned=()):
+    def __init__(self, folder: RunFolder, problem: Problem, solver: LineSolver, progress, warned=()):
         self.folder, self.problem, self.solver, self.show = folder, problem, solver, progress
         self.fields = set(problem.output.fields)
         self.budget = RegionBudget(problem, solver.region_of, solver.state())
@@ -88,7 +73,7 @@ class _Recorder:
         if len(times) and self.problem.gauges:
             share, phases = values.pop("share", None), values.pop("phases", None)
             if self.hot:
-                laws = [self.laws[self.solver.region_of[zone]] for zone in self.solver.gauges[:, 0]]
+                laws = [self.laws[self.solver.region_of[zone]] for zone in self.solver.gauge_zones]
                 values = {**values, "temperature": gauge_temperature({**values, "share": share, "phases": phases}, laws)}
             self.folder.gauges(times, without_mixtures(values, self.problem.gauges))
 
@@ -130,7 +115,6 @@ def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=Non
     """
     begun = time.perf_counter()
     problem, text, warnings, name = _read(deck_or_problem, deck_text, overrides)
-    problem = with_surface_gauges(problem)
     solver = make_solver(problem)
     with end_like_interrupt(), RunFolder(out or f"{name}.run", overwrite=overwrite) as folder:
         folder.start(problem, text, _meta(problem, solver))
@@ -170,8 +154,7 @@ def _continued(place: RunFolder, progress, report: bool | Callable, restore_deck
     begun, folder = time.perf_counter(), place.folder
     text = place.checked_deck(restore_deck)
     deck = read_deck_text(text, "deck.toml", beside=folder)
-    problem = with_surface_gauges(deck.problem)
-    solver = make_solver(problem)
+    problem, solver = deck.problem, make_solver(deck.problem)
     place.start(problem, text, _meta(problem, solver))
     recorder = _recorder(place, problem, solver, progress, deck.warnings)   # before the state is restored: budgets count from the start
     payload = place.latest_checkpoint()
@@ -215,19 +198,19 @@ def _drive(recorder, next_snapshot: int, begun: float, report: bool | Callable) 
         folder.post_mortem(error, {"solver": solver.payload(), "next_snapshot": -1})
         raise
     _note_extrapolation(folder, problem, solver, recorder.warned)
-    for text in [*getattr(solver, "unresolved", list)(), *_doubts(problem, solver)]:
+    for text in [*solver.warnings(), *_doubts(problem, solver)]:
         folder.event(solver.time, solver.cycle, "warning", text)
-    for text in getattr(solver, "references", list)():
-        folder.event(solver.time, solver.cycle, "reference_state", text)
-    if hasattr(solver, "front_table"):
-        folder.fronts(*solver.front_table())
+    for kind, text in solver.notes():
+        folder.event(solver.time, solver.cycle, kind, text)
+    if (table := solver.front_table()) is not None:
+        folder.fronts(*table)
     folder.finish(_summary(problem, solver, outcome, begun), solver.peaks())
     if report and output.report:
         write_or_note(folder.folder, report if callable(report) else None)
     return load(folder.folder)
 
 
-def _summary(problem: Problem, solver, outcome: Outcome, begun: float) -> dict[str, Any]:
+def _summary(problem: Problem, solver: Solver, outcome: Outcome, begun: float) -> dict[str, Any]:
     from hugoniot.core.compile_watch import compile_seconds
 
     return {
@@ -235,9 +218,7 @@ def _summary(problem: Problem, solver, outcome: Outcome, begun: float) -> dict[s
         "wall_seconds": time.perf_counter() - begun, "kernel_seconds": outcome.kernel_seconds,
         "compile_seconds": compile_seconds(begun),
         **{name: None if value != value else value for name, value in solver.errors().items()},
-        "voids_opened": getattr(solver, "voids_opened", 0), "voids_closed": getattr(solver, "voids_closed", 0),
-        "interfaces_parted": getattr(solver, "interfaces_parted", 0), "tension_cap_acted": getattr(solver, "capped", 0),
-        **getattr(solver, "results", dict)(), **_steady_numbers(problem),
+        **solver.counts(), **solver.results(), **_steady_numbers(problem),
     }
 
 
@@ -254,10 +235,9 @@ def _steady_numbers(problem: Problem) -> dict[str, float]:
     return {f"steady_{name}": found[name] for name in sizes} | {name: found[name] for name in others}
 
 
-def _note_extrapolation(folder: RunFolder, problem: Problem, solver, warned) -> None:
+def _note_extrapolation(folder: RunFolder, problem: Problem, solver: Solver, warned) -> None:
     """Warn once for each material driven beyond the particle velocities its equation of state was fitted to."""
-    highest = getattr(solver, "largest_velocity_jump", dict)()
-    for name, speed in highest.items():
+    for name, speed in solver.largest_velocity_jump().items():
         limit = problem.materials[name].valid_up_to
         foretold = any(f"data of '{name}'" in text for text in warned)
         if limit is not None and speed > limit and not foretold:
@@ -265,7 +245,7 @@ def _note_extrapolation(folder: RunFolder, problem: Problem, solver, warned) -> 
                          f"material '{name}' was driven to a particle velocity of {speed:.4g} m/s; its data reach {limit:.4g} m/s")
 
 
-def _doubts(problem: Problem, solver) -> list[str]:
+def _doubts(problem: Problem, solver: Solver) -> list[str]:
     """Warnings of a finished run of the hydrocode: tension that no solid carries, echoes of transmitting ends."""
     if problem.solver.kind != "lagrange1d":
         return []
@@ -284,7 +264,7 @@ def _meta(problem: Problem, solver) -> dict[str, Any]:
     left, right = solver.initial_nodes
     return {
         "solver": problem.solver.kind, "version": __version__, "viscosity": solver.viscosity,
-        "transport": getattr(solver, "transport", None),
+        "transport": solver.transport,
         "region": [problem.regions[k].name for k in solver.region_of], "mass": solver.state().zones["mass"],
         "centre": 0.5 * (left + right), "left": left, "right": right, "gauges": [gauge.name for gauge in problem.gauges],
     }

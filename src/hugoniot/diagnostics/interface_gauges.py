@@ -3,32 +3,14 @@
 A gauge `G` at "A/B" records position, velocity and stress; "G left" and "G right" record the zones of A and B that touch there.
 """
 
-import dataclasses
 from collections.abc import Sequence
 
 import numpy as np
 
-from hugoniot.problem.model import Gauge, Problem
+from hugoniot.problem.gauges import is_interface
+from hugoniot.problem.model import Gauge
 
 CONTINUOUS = ("position", "velocity", "stress")
-
-
-def is_interface(at) -> bool:
-    """Whether a gauge's place names the interface of two regions."""
-    return isinstance(at, str) and "/" in at
-
-
-def with_sides(problem: Problem) -> Problem:
-    """The problem with a gauge on each side of every gauge at an interface."""
-    names = {gauge.name for gauge in problem.gauges}
-    gauges: list[Gauge] = []
-    for gauge in problem.gauges:
-        gauges.append(gauge)
-        if is_interface(gauge.at):
-            a, b = (part.strip() for part in str(gauge.at).split("/", 1))
-            sides = (Gauge(f"{gauge.name} left", f"{a}:right"), Gauge(f"{gauge.name} right", f"{b}:left"))
-            gauges += [side for side in sides if side.name not in names]
-    return dataclasses.replace(problem, gauges=tuple(gauges))
 
 
 def sides(gauges: Sequence[dict]) -> dict[str, str]:

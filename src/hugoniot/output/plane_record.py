@@ -83,14 +83,12 @@ class PlaneRecorder:
     def snapshot(self, state):
         fields = state.fields()
         if self.hot:
-            phases = getattr(self.solver, "phases", lambda: None)()
-            fields["temperature"] = zone_temperature(state, self.problem.mesh.block_of, self.laws, phases)
+            fields["temperature"] = zone_temperature(state, self.problem.mesh.block_of, self.laws, self.solver.phases())
         fields.pop("mass")
         if self.kept:
             fields = {name: value for name, value in fields.items() if name in self.kept or name in NODAL}
         self.folder.snapshots([state.time], [state.cycle], {name: value[None, :] for name, value in fields.items()})
-        kinetic = getattr(self.solver, "kinetic_energy", lambda: None)()
-        parts = {name: value[None, :] for name, value in self.budget(state, kinetic).items()}
+        parts = {name: value[None, :] for name, value in self.budget(state, self.solver.kinetic_energy()).items()}
         whole = {name: np.array([value]) for name, value in {**self.solver.errors(), **self.solver.exchanges()}.items()}
         self.folder.budget([state.time], {**parts, **whole, "step": np.array([self.solver.step])})
 

@@ -12,10 +12,12 @@ from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.materials.material import Material
 from hugoniot.materials.read import from_library
+from hugoniot.problem.gauges import is_interface
 from hugoniot.problem.model import Gauge, Interface, Problem, Region
 from hugoniot.units import format_si
 
 MOST_ZONES = 10_000_000
+LONGEST_NAME = 60     # of a gauge
 _STATE = ("density", "pressure", "temperature", "energy")
 IONISED = 15e3      # m/s of particle velocity: 112 MJ/kg, 31 eV for an atom of aluminium, whose first two electrons take 25 eV
 _SAME = 1e-9  # of a zone: a gap below it is round-off of the user's arithmetic
@@ -207,6 +209,9 @@ def read_gauges(rows: Sequence, regions: tuple[Region, ...], collector: Collecto
             collector.add((*path, "name"), f"another gauge is called '{printable(row.name)}' too", "names must differ")
         elif row.name != row.name.strip() or not row.name.isprintable():
             collector.add((*path, "name"), f"'{printable(row.name)}' cannot be a name", "use printable characters, no blanks at the ends")
+        elif is_interface(row.at) and len(row.name) > LONGEST_NAME - len(" right"):
+            collector.add((*path, "name"), f"too long a name for a gauge at an interface: '{printable(row.name)}'",
+                          f"use up to {LONGEST_NAME - len(' right')} characters: the gauges on its two sides add ' left' and ' right'")
         if regions:
             wrong = None if row.at in known else _wrong_place(row.at, regions)
             if wrong:

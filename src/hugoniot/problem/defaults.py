@@ -1,4 +1,6 @@
-"""What the one-dimensional solver does where a deck is silent, by integrator; written out in every resolved deck.
+"""What a run does where a deck is silent: options of the solvers, snapshots and gauges; written out in every resolved deck.
+
+Of lagrange1d, by integrator:
 
 compatible   measured best over the standard problems of `problem.standard` with one set of numbers; where something burns, the jump of
              detonation products, (gamma + 1)/4 with gamma near 3, stands for that of a gas or a metal
@@ -8,19 +10,36 @@ wilkins      as printed: C0 = 2, CL = 1 with sqrt(P/rho), two thirds of the Cour
 import dataclasses
 from types import MappingProxyType
 
+from hugoniot.problem.gauges import with_automatic_gauges
 from hugoniot.problem.model import Problem
 
 COURANT = {"compatible": 0.5, "wilkins": 2.0 / 3.0}
 VISCOSITY = {"compatible": ("limited", {"quadratic": 2.0 / 3.0, "linear": 0.3}), "wilkins": ("wilkins", {"quadratic": 2.0, "linear": 1.0})}
 FOR_PRODUCTS = {"compatible": ("limited", {"quadratic": 1.0, "linear": 0.3}), "wilkins": VISCOSITY["wilkins"]}
 HEAT_FLUX = {"compatible": 0.5, "wilkins": 0.0}
+COURANT_OF_FLOW = 0.9   # of shock_structure
+SNAPSHOTS = 100         # intervals
+LAGRANGIAN = ("lagrange1d", "fronts")   # solvers of bodies with ends
 
 
 def completed(problem: Problem) -> Problem:
-    """A problem whose lagrange1d solver's options leave nothing open; problems of other solvers pass unchanged."""
+    """The whole problem that a run solves: no option left open, and the gauges recorded unasked; a complete one is returned as it is."""
+    problem = with_defaults(problem)
+    if isinstance(problem, Problem) and problem.output.snapshots is None:
+        output = dataclasses.replace(problem.output, snapshots=problem.stop_time / SNAPSHOTS)
+        problem = dataclasses.replace(problem, output=output)
+    return with_automatic_gauges(problem) if problem.solver.kind in LAGRANGIAN else problem
+
+
+def with_defaults(problem: Problem) -> Problem:
+    """A problem whose solver's options leave nothing open; problems of solvers not known here pass unchanged."""
+    if problem.solver.kind == "shock_structure":
+        return dataclasses.replace(problem, solver=dataclasses.replace(problem.solver, courant=problem.solver.courant or COURANT_OF_FLOW))
+    return _with_hydrocode_defaults(problem) if problem.solver.kind == "lagrange1d" else problem
+
+
+def _with_hydrocode_defaults(problem: Problem) -> Problem:
     options = problem.solver
-    if options.kind != "lagrange1d":
-        return problem
     burning = any(problem.materials[region.material].burn is not None for region in problem.regions)
     viscosity = (FOR_PRODUCTS if burning else VISCOSITY)[options.integrator]
     own = {"heat_flux": HEAT_FLUX[options.integrator], **options.options}

@@ -11,6 +11,7 @@ from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.materials.collect import Collector, printable
 from hugoniot.materials.material import Material
 from hugoniot.problem import checks, lagrangian
+from hugoniot.problem.defaults import completed
 from hugoniot.problem.lagrangian import (
     BoundaryTables,
     GaugeTable,
@@ -84,7 +85,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     problem = Problem(model.title, "planar", model.stop_time, regions, used, left, right, interfaces, gauges, options, output)
     for path, message in defects(problem):
         collector.add(path, message)
-    return (None if collector.problems else problem), warnings
+    return (None if collector.problems else completed(problem)), warnings
 
 
 def defects(problem: Problem) -> list[tuple[tuple, str]]:

@@ -14,7 +14,7 @@ from hugoniot.materials.material import Material
 from hugoniot.materials.tables import law_table, material_tables
 from hugoniot.problem import checks, explosives
 from hugoniot.problem.boundaries import boundary_schema, boundary_value, read_boundary
-from hugoniot.problem.defaults import completed
+from hugoniot.problem.defaults import SNAPSHOTS, completed
 from hugoniot.problem.model import Boundary, Lighting, OutputOptions, Problem, SolverOptions
 from hugoniot.problem.schema import Length, Pressure, Quantity, Table, Time, salvage, trouble
 from hugoniot.units import UnitError, parse
@@ -22,6 +22,7 @@ from hugoniot.units import UnitError, parse
 Positive = Annotated[float, Quantity("s", above=0.0, limit=1e15)]
 MOST_ZONES = 10_000_000
 MOST_SNAPSHOTS = 100_000
+MOST_GAUGES = 10_000
 
 
 def _velocity(value: Any) -> float | tuple[float, float]:
@@ -37,7 +38,7 @@ def _velocity(value: Any) -> float | tuple[float, float]:
 
 
 def _place(value: Any) -> float | str:
-    if isinstance(value, str) and not value.strip()[:1].isdigit() and value.strip()[:1] not in ("+", "-", "."):
+    if isinstance(value, str) and (":" in value or not value.strip()[:1].isdigit() and value.strip()[:1] not in ("+", "-", ".")):
         return " ".join(value.split()) if len(value) < 200 else printable(value)
     try:
         return parse(value, "m")
@@ -97,7 +98,7 @@ class InterfaceTable(Table):
 class GaugeTable(Table):
     """A Lagrangian gauge: it moves with the material."""
 
-    name: str = Field(min_length=1, max_length=60, description="column of gauges.csv and label of plots")
+    name: str = Field(min_length=1, max_length=checks.LONGEST_NAME, description="column of gauges.csv and label of plots")
     at: Annotated[Any, BeforeValidator(_place), WithJsonSchema({"type": ["number", "string"], "unit": "m"})] = Field(
         description="position at t = 0, or \"free surface left|right\", \"REGION/REGION\", \"REGION:left|right\"")
 
@@ -164,7 +165,7 @@ class Model(Table):
         default_factory=dict, description="materials of this deck, [material.NAME.eos] and so on")
     boundary: BoundaryTables = Field(default_factory=lambda: BoundaryTables(), description="the two ends")
     interface: list[InterfaceTable] = Field(default_factory=list, max_length=100_000, description="how neighbours hold together")
-    gauge: list[GaugeTable] = Field(default_factory=list, max_length=10_000, description="Lagrangian gauges")
+    gauge: list[GaugeTable] = Field(default_factory=list, max_length=MOST_GAUGES, description="Lagrangian gauges")
     lighting: list[LightingTable] = Field(default_factory=list, max_length=10_000, description="where programmed burns start")
     solver: SolverTable = Field(default_factory=SolverTable, description="how it is solved")  # type: ignore[arg-type]
     output: OutputTable = Field(default_factory=OutputTable, description="what is kept")  # type: ignore[arg-type]
@@ -195,6 +196,9 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     lighting = tuple(Lighting(row.at, row.time) for row in model.lighting)
     problem = completed(Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, solver,
                                 output, lighting))
+    if len(problem.gauges) > MOST_GAUGES:
+        collector.add(("gauge",), f"{len(problem.gauges)} gauges are too many, with those beside interfaces and on free surfaces",
+                      f"the limit is {MOST_GAUGES}")
     for defect in explosives.defects(problem):
         collector.add(*defect)
     if collector.problems:
@@ -246,7 +250,7 @@ def _output(raw: dict, collector: Collector) -> OutputOptions | None:
         return None
     path = ("output", "snapshots")
     if snapshots is None:
-        snapshots = stop / 100.0
+        snapshots = stop / SNAPSHOTS
     elif isinstance(snapshots, float) and stop > snapshots * MOST_SNAPSHOTS:
         collector.add(path, f"{stop / snapshots:.3g} snapshots up to stop_time are too many", f"the limit is {MOST_SNAPSHOTS}")
     elif isinstance(snapshots, tuple) and snapshots and not (snapshots[0] >= 0.0 and snapshots[-1] <= stop):

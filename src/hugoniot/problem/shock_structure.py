@@ -14,6 +14,7 @@ from hugoniot.materials.law_reader import read_law
 from hugoniot.materials.material import Material
 from hugoniot.materials.tables import law_table, material_tables
 from hugoniot.problem import checks
+from hugoniot.problem.defaults import completed
 from hugoniot.problem.lagrangian import OutputTable, Positive, RegionTable, _known, _output, _parts
 from hugoniot.problem.model import Boundary, Problem, SolverOptions
 from hugoniot.problem.schema import Length, Quantity, Table, salvage
@@ -93,7 +94,8 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     solver = SolverOptions("shock_structure", courant=model.solver.courant, largest_step=model.solver.largest_step,
                            max_cycles=model.solver.max_cycles, options=MappingProxyType(options))
     left, right = Boundary(model.boundary.left), Boundary(model.boundary.right)
-    return Problem(model.title, "planar", model.stop_time, regions, used, left, right, solver=solver, output=output), warnings
+    problem = Problem(model.title, "planar", model.stop_time, regions, used, left, right, solver=solver, output=output)
+    return completed(problem), warnings
 
 
 def _check_grid(regions, used, collector: Collector) -> None:

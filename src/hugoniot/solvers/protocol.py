@@ -1,8 +1,9 @@
-"""What every solver owes the time loop, the run, its report and its checkpoints: `Solver`, and `LineSolver` for one dimension.
+"""What every solver owes the time loop, the run, its report and its checkpoints: `Solver`; `LineSolver` and `PlaneSolver` add to it.
 
 A solver is made from a complete Problem (`problem.defaults`), owns its arrays and knows no files. The time loop (`solvers.run`) marches it
 from event to event; observers look at what it hands out, which are copies, and change nothing. Whoever writes a solver gives it every
 name below: nothing is asked for that may be missing, and a quantity that a solver does not have is empty, zero or None as said here.
+`NothingToAdd` says so for those that many solvers lack.
 
 Everything is in SI. Extensive quantities are those of the problem's geometry: per m^2 (planar), per m and radian (cylindrical), per
 steradian (spherical), per m (plane), per radian (axisymmetric).
@@ -103,6 +104,14 @@ class Solver(Protocol):
         """(times (n,) s, {field: (n, ngauge)}) recorded since the last call, which forgets them; no fields where there are no gauges."""
         ...
 
+    def phases(self) -> np.ndarray | None:
+        """Burn fraction, density (kg/m3) and energy (J/kg) of the reactants and of the products, (5, nzone); None where nothing burns."""
+        ...
+
+    def front_table(self) -> tuple[tuple[str, ...], list[str], np.ndarray] | None:
+        """(columns, kind of each front, rows (nfront, ncolumn), SI) of every front there was; None where waves are not followed."""
+        ...
+
     def peaks(self) -> dict[str, np.ndarray]:
         """Largest values every zone has seen, {"peak_...": (nzone,)}; tension positive. Empty where none are kept."""
         ...
@@ -174,6 +183,46 @@ class LineSolver(Solver, Protocol):
         """Index of the zone that each gauge of the records of `take_gauges` lies in now, (ngauge,)."""
         ...
 
-    def phases(self) -> np.ndarray | None:
-        """Burn fraction, density (kg/m3) and energy (J/kg) of the reactants and of the products, (5, nzone); None where nothing burns."""
+
+@runtime_checkable
+class PlaneSolver(Solver, Protocol):
+    """A run in two dimensions: its `state` is a `hugoniot.state.State2D`."""
+
+    def kinetic_energy(self) -> float | None:
+        """Kinetic energy of the nodes with the masses that the scheme gives them, J; None where it is the sum over the zones."""
         ...
+
+
+class NothingToAdd:
+    """What a solver says of things it does not have: solvers inherit it and override what they do have."""
+
+    viscosity: Any = None
+    transport: Any = None
+
+    def phases(self) -> np.ndarray | None:
+        """Nothing burns."""
+        return None
+
+    def front_table(self) -> tuple[tuple[str, ...], list[str], np.ndarray] | None:
+        """No waves are followed."""
+        return None
+
+    def counts(self) -> dict[str, int]:
+        """Nothing opens."""
+        return dict(NO_COUNTS)
+
+    def largest_velocity_jump(self) -> dict[str, float]:
+        """No material is judged."""
+        return {}
+
+    def results(self) -> dict[str, float]:
+        """No numbers beyond the accounts."""
+        return {}
+
+    def warnings(self) -> list[str]:
+        """Nothing to warn of."""
+        return []
+
+    def notes(self) -> list[tuple[str, str]]:
+        """Nothing to note."""
+        return []

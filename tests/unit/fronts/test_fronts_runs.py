@@ -132,7 +132,7 @@ def test_waves_left_out_are_counted_and_their_loss_is_reported():
     for weakest in ("1e-4", "1e-6"):
         solver = solver_of(FLUID.replace("1e-5", weakest))
         solver.march(2.0e-6, 10**9)
-        assert solver.line.cuts and solver.results()["waves_left_out"] > 0 and "cut into slices" in solver.unresolved()[0]
+        assert solver.line.cuts and solver.results()["waves_left_out"] > 0 and "cut into slices" in solver.warnings()[0]
         lost.append(solver.errors()["energy_error"])
     assert lost[1] < 0.1 * lost[0] < 1e-4
 

@@ -7,6 +7,7 @@ from hugoniot.output.plane_record import PlaneRecorder, plane_meta
 from hugoniot.output.run_folder import RunFolder
 from hugoniot.plotting import load
 from hugoniot.problem.deck import read_deck_text
+from hugoniot.solvers.protocol import NothingToAdd
 from hugoniot.state import State2D
 
 DECK = """\
@@ -68,7 +69,7 @@ def motion(mesh, time):
             "velocity_x": GROWTH * r, "velocity_y": STRETCH * z + TILT * r}
 
 
-class Moving:
+class Moving(NothingToAdd):
     """Stands for a solver: states, errors and exchanges of the motion."""
 
     def __init__(self, problem):

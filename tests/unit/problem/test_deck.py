@@ -35,7 +35,7 @@ def test_quantities_become_si_and_defaults_are_filled_in():
     eos = p.materials["al"].eos
     assert isinstance(eos, MieGruneisen) and eos[:4] == (2700.0, 5200.0, 1.5, 2.0)
     assert p.materials["al"].strength._asdict() == {"shear_modulus": 24.8e9, "yield_stress": 0.3e9}
-    assert p.gauges[-1] == Gauge("free surface", "free surface right")
+    assert p.gauges[-2:] == (Gauge("free surface", "free surface right"), Gauge("free surface left", "free surface left"))
     assert p.output.snapshots == 2e-8 and p.solver.integrator == "compatible"
 
 

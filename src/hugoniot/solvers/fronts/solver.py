@@ -4,21 +4,17 @@ Knows a problem's numbers and laws; never files, decks or plots. Between meeting
 """
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
 from hugoniot.errors import HugoniotError, UnphysicalState
-from hugoniot.laws.riemann.branch import State as Point
 from hugoniot.laws.riemann.branch import elastic, wave_speed_squared
-from hugoniot.laws.riemann.curve import Wave
-from hugoniot.laws.riemann.fan import Fan
 from hugoniot.problem.model import Problem
-from hugoniot.solvers.fronts import setup
-from hugoniot.solvers.fronts.line import Front, Piece
+from hugoniot.solvers.fronts import checkpoint, setup
 from hugoniot.solvers.fronts.material_points import Column
 from hugoniot.solvers.fronts.queue import Line
 from hugoniot.solvers.fronts.record import COLUMNS, Lives
+from hugoniot.solvers.protocol import NO_COUNTS, Event, NothingToAdd
 from hugoniot.state import State
 
 SAMPLES = 1000        # of the gauges over a run, where no interval is given
@@ -26,25 +22,13 @@ STUCK = 20_000        # meetings in one instant: fronts pile up
 GAUGE_FIELDS = ("position", "velocity", "density", "energy", "pressure", "deviator_radial", "deviator_hoop", "stress")
 
 
-@dataclass(frozen=True)
-class Event:
-    """Something that happened: kind, time (s), cycle, place (m), and a sentence."""
-
-    kind: str
-    time: float
-    cycle: int
-    position: float
-    text: str
-
-
-class Fronts:
-    """A run in progress.
+class Fronts(NothingToAdd):
+    """A run in progress: a `protocol.LineSolver`.
 
     Raises `OutOfRange` for a problem it does not solve (setup.refuse_what_is_not_solved).
     """
 
-    viscosity = None     # none is needed
-    voids_opened = voids_closed = capped = 0
+    voids_opened = voids_closed = 0
 
     def __init__(self, problem: Problem):
         setup.refuse_what_is_not_solved(problem)
@@ -175,6 +159,13 @@ class Fronts:
         self._times.append(self.time)
         self._rows.append(row)
 
+    @property
+    def gauge_zones(self) -> np.ndarray:
+        """Index of the zone that each gauge lies in, (ngauge,)."""
+        low, high = self.fractions
+        inside = [np.flatnonzero((self.region_of == region) & (low <= at) & (at <= high))[-1] for region, at in self.gauges]
+        return np.array(inside, dtype=np.int64)
+
     def take_gauges(self):
         """(times, {field: (n, ngauge)}) recorded since the last call."""
         times = np.array(self._times)
@@ -239,6 +230,10 @@ class Fronts:
         """No peak fields: the table of fronts holds every state there was."""
         return {}
 
+    def counts(self) -> dict[str, int]:
+        """Gaps that opened between bodies, and surfaces that met."""
+        return {**NO_COUNTS, "voids_opened": self.voids_opened, "voids_closed": self.voids_closed}
+
     def results(self) -> dict[str, float]:
         """What a summary adds: meetings, fans cut, waves left out, fronts at the end."""
         return {"meetings": float(self.line.meetings), "fans_cut": float(self.line.cuts), "waves_left_out": float(self.bench.dropped),
@@ -248,7 +243,7 @@ class Fronts:
         """(columns, kinds, rows) of every front there was (record.Lives)."""
         return (COLUMNS, *self.lives.table(self.line.fronts, self.time))
 
-    def unresolved(self) -> list[str]:
+    def warnings(self) -> list[str]:
         """Sentences about fans that were met: from there on the solution is one of slices."""
         if not self.line.cuts:
             return []
@@ -258,48 +253,11 @@ class Fronts:
     # -- checkpoints -------------------------------------------------------------------------------------------------
     def payload(self) -> dict:
         """Everything a bitwise restart needs."""
-        lives = self.lives
-        pieces = [{"kind": p.kind, "region": p.region, "state": list(p.state), "x0": p.x0, "t0": p.t0, "broken": p.broken,
-                   "wave": _wave_row(p.wave)} for p in self.line.pieces]
-        fronts = [{"kind": f.kind, "numbers": [f.x0, f.t0, f.speed, f.direction, f.strength, f.sliced], "born": lives.born[id(f)][1]}
-                  for f in self.line.fronts]
-        return {"pieces": pieces, "fronts": fronts, "time": self.time, "cycle": self.cycle, "step": self.step, "samples": self.samples,
-                "meetings": self.line.meetings, "cuts": self.line.cuts, "dropped": self.bench.dropped,
-                "work": self.line.work.copy(), "impulse": self.line.impulse.copy(),
-                "start_totals": self.start_totals.copy(), "start_size": self.start_size.copy(),
-                "walls": [[s, v] for s, v in self.bench.walls.items()], "pressures": [[s, v] for s, v in self.bench.pressures.items()],
-                "changed": [[s, k] for s, k in self._changed.items()], "voids": [self.voids_opened, self.voids_closed],
-                "life_kinds": list(lives.kinds), "life_rows": np.array(lives.rows, dtype=float).reshape(-1, len(COLUMNS)),
-                "jumps": [[k, v] for k, v in lives.jumps.items()]}
+        return checkpoint.payload(self)
 
     def restore(self, payload: dict) -> None:
         """Continue from a payload of the same problem."""
-        self.line.pieces = [self._piece(row) for row in payload["pieces"]]
-        self.line.fronts = [Front(row["kind"], *row["numbers"][:3], int(row["numbers"][3]), row["numbers"][4],
-                                   bool(row["numbers"][5])) for row in payload["fronts"]]
-        self.lives.born = {id(f): (f, list(row["born"])) for f, row in zip(self.line.fronts, payload["fronts"])}
-        self.lives.kinds, self.lives.rows = list(payload["life_kinds"]), [list(row) for row in payload["life_rows"].tolist()]
-        self.lives.jumps = {int(k): float(v) for k, v in payload["jumps"]}
-        self.line.time, self.cycle, self.step = float(payload["time"]), int(payload["cycle"]), float(payload["step"])
-        self.samples, self.line.meetings, self.line.cuts = (int(payload[name]) for name in ("samples", "meetings", "cuts"))
-        self.bench.dropped = int(payload["dropped"])
-        self.line.work, self.line.impulse = payload["work"].copy(), payload["impulse"].copy()
-        self.start_totals, self.start_size = payload["start_totals"].copy(), payload["start_size"].copy()
-        self.bench.walls = {int(s): float(v) for s, v in payload["walls"]}
-        self.bench.pressures = {int(s): float(v) for s, v in payload["pressures"]}
-        self._changed = {int(s): int(k) for s, k in payload["changed"]}
-        self.voids_opened, self.voids_closed = (int(n) for n in payload["voids"])
-        self._times, self._rows = [], []
-
-    def _piece(self, row: dict) -> Piece:
-        wave = None
-        if row["wave"] is not None:
-            n, matter = row["wave"]["numbers"], self.bench.matters[int(row["region"])]
-            ahead = Point(*row["wave"]["ahead"])
-            branch = elastic(matter, ahead)._replace(a=n[3], b=n[4])
-            wave = Wave("fan", bool(row["wave"]["elastic"]), int(n[0]), ahead, Point(*row["wave"]["behind"]), n[1], n[2],
-                        Fan(ahead, branch), n[5])
-        return Piece(row["kind"], int(row["region"]), Point(*row["state"]), wave, row["x0"], row["t0"], bool(row["broken"]))
+        checkpoint.restore(self, payload)
 
 
 class FrontState(State):
@@ -307,11 +265,3 @@ class FrontState(State):
 
     def fields(self) -> dict[str, np.ndarray]:
         return {name: value for name, value in super().fields().items() if name not in ("plastic_work", "viscous_work")}
-
-
-def _wave_row(wave: Wave | None) -> dict | None:
-    if wave is None:
-        return None
-    branch = wave.path.branch
-    return {"elastic": wave.elastic, "ahead": list(wave.ahead), "behind": list(wave.behind),
-            "numbers": [float(wave.direction), wave.head, wave.tail, branch.a, branch.b, wave.stiffness]}

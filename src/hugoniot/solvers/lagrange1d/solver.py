@@ -25,7 +25,7 @@ from hugoniot.solvers.lagrange1d.sharing import serve
 from hugoniot.solvers.lagrange1d.step import SCHEMES, Gauges, march
 from hugoniot.solvers.lagrange1d.tables import zone_table
 from hugoniot.solvers.lagrange1d.work import Arrays, Steps, enter, steps_of
-from hugoniot.solvers.protocol import Event
+from hugoniot.solvers.protocol import Event, NothingToAdd
 from hugoniot.state import State
 from hugoniot.zones.closure import remembers
 from hugoniot.zones.recipe import Recipe
@@ -39,10 +39,8 @@ GAUGE_CAPACITY = 2048
 WORTH_SHARING = 10_000
 
 
-class Lagrange1D:
+class Lagrange1D(NothingToAdd):
     """A run in progress: a `protocol.LineSolver`."""
-
-    transport = None     # physical viscosity and heat conduction: none
 
     def __init__(self, problem: Problem):
         self.problem = problem = with_defaults(problem)
@@ -219,10 +217,6 @@ class Lagrange1D:
     def peaks(self) -> dict[str, np.ndarray]:
         """Peak fields of every zone so far: stress and pressure in compression, tension positive."""
         return accounts.peaks(self.zones)
-
-    def results(self) -> dict[str, float]:
-        """Nothing beyond the accounts."""
-        return {}
 
     def warnings(self) -> list[str]:
         """Sentences about rates of burning that the mesh did not resolve, and about explosives stretched beyond what they can carry."""

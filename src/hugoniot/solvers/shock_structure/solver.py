@@ -14,7 +14,7 @@ from hugoniot.laws.transport import contract as transport_laws
 from hugoniot.laws.transport.contract import TRANSPORT
 from hugoniot.problem.defaults import with_defaults
 from hugoniot.problem.model import Problem
-from hugoniot.solvers.protocol import NO_COUNTS
+from hugoniot.solvers.protocol import NothingToAdd
 from hugoniot.solvers.shock_structure import layout as L
 from hugoniot.solvers.shock_structure.measure import thickness
 from hugoniot.solvers.shock_structure.setup import FEWEST_CELLS, NAME, cells_of_regions, end_kind, eos_of, grid_of, transport_of
@@ -32,14 +32,13 @@ class FlowState(State):
         return {name: value for name, value in super().fields().items() if name not in _SOLID}
 
 
-class ShockStructure:
+class ShockStructure(NothingToAdd):
     """A run in progress: a `protocol.LineSolver`.
 
     problem   planar, regions of one material that touch and have cells of one width; `solver.options["transport"]` a `Transport`
     start     (cells (3, n) of density, momentum, total energy; ends (2, 3) of the far fields), or None: from the regions' states
     """
 
-    viscosity = None     # artificial viscosity: none
 
     def __init__(self, problem: Problem, start=None):
         self.problem = problem = with_defaults(problem)
@@ -208,18 +207,10 @@ class ShockStructure:
         """Largest pressure and density of every cell after any step."""
         return {f"peak_{name}": value.copy() for name, value in zip(("pressure", "density"), self._peaks)}
 
-    def counts(self) -> dict[str, int]:
-        """Nothing opens in a fluid."""
-        return dict(NO_COUNTS)
-
     @property
     def gauge_zones(self) -> np.ndarray:
         """No gauges."""
         return np.empty(0, dtype=np.int64)
-
-    def phases(self) -> None:
-        """Nothing burns."""
-        return None
 
     def thickness(self) -> tuple[float, float]:
         """(density thickness, position), m, of the shock between the two far fields; `NoSolution` where they are equal."""
@@ -243,10 +234,6 @@ class ShockStructure:
             return []
         return [f"the shock has {found['cells_per_thickness']:.2g} cells in its thickness: below {FEWEST_CELLS} the thickness is the "
                 f"grid's rather than the shock's; take cells of at most 1/{FEWEST_CELLS} of the steady one (hugoniot structure profile)"]
-
-    def notes(self) -> list[tuple[str, str]]:
-        """None: nothing was chosen on the way."""
-        return []
 
     # -- checkpoints -----------------------------------------------------------------------------------------
     _KEPT = ("U", "rest", "passed", "passed_rest", "control", "counters", "start_totals", "ends")
