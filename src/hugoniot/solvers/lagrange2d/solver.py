@@ -30,6 +30,7 @@ from hugoniot.solvers.lagrange2d.assemble import (
 from hugoniot.solvers.lagrange2d.boundaries import boundary_tables
 from hugoniot.solvers.lagrange2d.march import ENTRIES, Options, Run, march, serve, start
 from hugoniot.solvers.lagrange2d.zone_step import passes_of
+from hugoniot.solvers.protocol import NO_COUNTS, NothingToAdd
 from hugoniot.state import State2D
 from hugoniot.zones.constants import Constants
 
@@ -42,7 +43,7 @@ WORTH_SHARING = 4_000        # zones
 LARGEST_COLLAPSE = 1e-12     # smallest useful step as a fraction of the stop time
 
 
-class Lagrange2D:
+class Lagrange2D(NothingToAdd):
     """A run in progress. `sampler(state) -> {field: (ngauge,)}` reads the gauges; without one none are recorded."""
 
     def __init__(self, problem: Problem2D, sampler=None):
@@ -171,7 +172,9 @@ class Lagrange2D:
         """How often the tension of a failing zone was held at its spall strength."""
         return int(self.counters[L.CAP_COUNT])
 
-    voids_opened = voids_closed = 0
+    def counts(self) -> dict[str, int]:
+        """How often the tension of a failing zone was held; no voids open."""
+        return {**NO_COUNTS, "tension_cap_acted": self.capped}
 
     def limiting(self) -> tuple[int, str]:
         """(zone, block name) with the shortest transit time."""
