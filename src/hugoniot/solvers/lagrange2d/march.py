@@ -19,7 +19,7 @@ from numba.extending import overload
 
 from hugoniot.core.passes import Entry, call_entry, record, row, rows
 from hugoniot.core.target import GUARD, INLINE
-from hugoniot.core.team import DISMISSED, Alone, await_call, call, gather_team, sign
+from hugoniot.core.team import DISMISSED, Alone, await_call, begin, gather_team, sign
 from hugoniot.solvers.lagrange2d import forces, node_step, zone_step
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.zones.constants import Constants
@@ -158,8 +158,8 @@ def _(command, run, options, team):
         do_share(command, run, options, 0, 1)
 
     def together(command, run, options, team):
-        call(team.board, command)
-        do_share(command, run, options, 0, team.threads)
+        for member in range(begin(team.board, command, team.threads)):
+            do_share(command, run, options, member, team.threads)
         gather_team(team.board, team.threads)
 
     return alone if team.instance_class is Alone else together
@@ -178,7 +178,7 @@ def do_share(command, run, options, share, of):
 def serve(member, phase, run, options, team):
     """What every other thread of a team does during a march: the leader's commands on its own share, until dismissed."""
     while True:
-        phase = await_call(team.board, phase)
+        phase = await_call(team.board, phase, member)
         command = team.board[1]
         if command != DISMISSED:
             do_share(command, run, options, member, team.threads)
