@@ -192,7 +192,7 @@ class Lagrange2D(NothingToAdd):
             code = L.GAUGE_DUE
             while code == L.GAUGE_DUE and self.cycle < end:
                 code = march(end - self.cycle, self.run, self.options, self.control, self.counters, self.team)
-                if self.sampler and code in (L.GAUGE_DUE, L.AT_EVENT):
+                if self.sampler is not None and code in (L.GAUGE_DUE, L.AT_EVENT):
                     self._read_gauges()
         finally:
             if members:
@@ -215,7 +215,7 @@ class Lagrange2D(NothingToAdd):
 
     def _read_gauges(self):
         self.gauge_times.append(self.time)
-        self.gauge_rows.append(self.sampler(self.state()))
+        self.gauge_rows.append(self.sampler(self.state()) if self.sampler is not None else ())
         interval = self.control[L.GAUGE_INTERVAL]
         while self.control[L.NEXT_GAUGE] <= self.time and interval > 0.0:
             self.control[L.NEXT_GAUGE] += interval
