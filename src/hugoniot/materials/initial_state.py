@@ -6,6 +6,7 @@ from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos.contract import EOS, density_limits, pressure, pressure_derivatives, reference_state, temperature
 
 _STEPS = 200
+COLD = 1e-12     # of a pressure that does not depend on the energy: what counts as the same
 
 
 def _bracketed(function, low, high, what):
@@ -35,12 +36,16 @@ def energy_at_pressure(rho, p, eos):
     A law that searches for its pressure (pores) answers with an error of its own; where steps no longer shrink, that is reached.
     """
     law = EOS.of(eos)
-    if "linear_in_energy" in law.flags and pressure_derivatives(rho, reference_state(eos)[1], eos)[1] == 0.0:
+    rest = reference_state(eos)[1]
+    if "linear_in_energy" in law.flags and pressure_derivatives(rho, rest, eos)[1] == 0.0:
+        cold = pressure(rho, rest, eos)
+        if abs(p - cold) <= COLD * (abs(p) + abs(cold)):
+            return rest      # the pressure of that density, whatever the energy
         raise OutOfRange(f"'{law.name}' gives a pressure that does not depend on the energy: density and pressure leave it open; "
                          "give the density and the energy")
     if "energy" in law.functions:
         return law.functions["energy"](rho, p, eos)
-    e, last = reference_state(eos)[1], math.inf
+    e, last = rest, math.inf
     for _ in range(60):
         miss, slope = p - pressure(rho, e, eos), pressure_derivatives(rho, e, eos)[1]
         if miss == 0.0:
