@@ -21,7 +21,6 @@ COARSE: dict[str, dict] = {
     "shell-implosion": {"block.shell.zones": [4, 8], "stop_time": "60 us"},
     "wall-impact": {"block.cylinder.zones": [8, 16], "stop_time": "2 us"},
     "flyer-disc": {"block.target.zones": [20, 24], "block.flyer.zones": [20, 12], "stop_time": "1.2 us"},
-    "triangles": {"block.loaded.zones": [10, 12], "block.free part.zones": [14, 12]},
     "cylinder-test": {},
 }
 QUICK = ("noh-plane",)

@@ -1,5 +1,6 @@
 """What a run will need of memory and disk, estimated before it starts."""
 
+import math
 from typing import NamedTuple
 
 from hugoniot.problem.model import Problem
@@ -25,7 +26,7 @@ class Cost(NamedTuple):
 
 def estimate(problem: Problem) -> Cost:
     """Memory and result of a run, to some tens of per cent; gauges, a few columns for each step, are not counted."""
-    zones = sum(region.zones for region in problem.regions)
+    zones = sum(math.prod(part.zones) if isinstance(part.zones, tuple) else part.zones for part in problem.regions)
     wanted = problem.output.snapshots
     if isinstance(wanted, tuple):
         snapshots = len(wanted) + 2

@@ -107,14 +107,12 @@ direction = [0, 2]
 
 [solver]
 kind = "lagrange2d"
-cells = "triangles"
-diagonal = "crossed"
-mean_pressure = true
+cells = "quads"
 courant = 0.3
 [solver.hourglass]
 subzonal_pressure = 0.5
 [solver.viscosity]
-kind = "edge"
+kind = "tensor"
 limited = false
 
 [output]
@@ -144,8 +142,8 @@ def test_every_key_is_read(everything):
     assert problem.gauges[1] == Gauge2D("face", "edge", on="box/quarter")
     assert problem.gauges[2] == Gauge2D("streak", "slit", (0.03, 0.0), "quarter.top", (0.0, 1.0))
     solver = problem.solver
-    assert (solver.cells, solver.diagonal, solver.mean_pressure, solver.courant) == ("triangles", "crossed", True, 0.3)
-    assert (solver.subzonal_pressure, solver.viscosity.kind, solver.viscosity.limited) == (0.5, "edge", False)
+    assert (solver.cells, solver.courant) == ("quads", 0.3)
+    assert (solver.subzonal_pressure, solver.viscosity.kind, solver.viscosity.limited) == (0.5, "tensor", False)
     assert problem.body_force == (0.0, -9.81)
 
 
@@ -175,7 +173,7 @@ def test_defaults_follow_the_mesh_and_the_geometry():
     sphere = BAR.replace('r = ["0 mm", "3.2 mm"]', 'shape = "sector"').replace('z = ["0 mm", "32.4 mm"]', 'radius = ["1 mm", "2 mm"]\n'
                          'angle = ["0 deg", "90 deg"]').replace('["0 m/s", "-227 m/s"]', '{radial = "-1 km/s"}')
     problem = read_deck_text(sphere).problem
-    assert problem.solver.scheme == "area_weighted" and problem.solver.viscosity.kind == "edge"
+    assert problem.solver.scheme == "area_weighted" and problem.solver.viscosity.kind == "tensor"
     assert isinstance(problem.blocks[0].shape, Sector) and problem.mesh.chains["bar.top"].on_axis
 
 
@@ -183,7 +181,7 @@ def test_the_schema_names_every_key_of_the_resolved_deck(everything):
     schema = json_schema("lagrange2d")
     assert {"title", "geometry", "block", "boundary", "gauge", "lighting", "body_force", "solver"} <= set(schema["properties"])
     solver = schema["$defs"]["SolverTable"]["properties"]
-    assert {"cells", "diagonal", "scheme", "viscosity", "hourglass", "courant", "threads"} <= set(solver)
+    assert {"cells", "scheme", "viscosity", "hourglass", "courant", "threads"} <= set(solver)
     block = schema["$defs"]["BlockTable"]["properties"]
     assert block["velocity"]["anyOf"][1]["properties"]["radial"]["unit"] == "m/s" and block["zones"]["items"]["type"] == "integer"
 
@@ -208,8 +206,8 @@ def test_the_schema_names_every_key_of_the_resolved_deck(everything):
     ('kind = "wall"', 'kind = "pressure"', 13, "boundary[1].pressure", "missing"),
     ('kind = "wall"', 'kind = "wall"\npressure = "1 GPa"', 16, "boundary[1].pressure", "no meaning"),
     ('kind = "wall"', 'kind = "wall"\ndirection = [0, 1]', 16, "boundary[1].direction", "no meaning"),
-    ('kind = "lagrange2d"', 'kind = "lagrange2d"\ndiagonal = "crossed"', 19, "solver.diagonal", "only triangles"),
-    ('kind = "lagrange2d"', 'kind = "lagrange2d"\nviscosity = {kind = "edgy"}', 19, "solver.viscosity.kind", "did you mean 'edge'"),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\ncells = "triangles"', 19, "solver.cells", "expected 'quads'"),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\nviscosity = {kind = "edgy"}', 19, "solver.viscosity.kind", "expected 'tensor'"),
     ('geometry = "axisymmetric"', 'geometry = "axisymmetric"\nbody_force = [1, 0]', 3, "body_force", "not uniform about the axis"),
     ("[solver]", '[[gauge]]\nname = "g"\nat = ["9 mm", 0]\n[solver]', 19, "gauge.g.at", "no material at"),
     ("[solver]", '[[gauge]]\nname = "g"\non = "bar.left"\nat = [0, 0]\n[solver]', 17, "gauge.g", "not at and on"),

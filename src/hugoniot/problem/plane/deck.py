@@ -124,21 +124,13 @@ def _solver(table: Any, axes, blocks, mesh: Blocks | None, collector: Collector)
     row = salvage(SolverTable, table)
     if row is None:
         return None
-    if row.cells == "quads":
-        for key in ("diagonal", "mean_pressure"):
-            if getattr(row, key) is not None:
-                collector.add(("solver", key), "only triangles have it", 'write cells = "triangles", or leave it out')
     if axes[0] == "x" and row.scheme is not None:
         collector.add(("solver", "scheme"), "only axisymmetric geometry has it", 'write geometry = "axisymmetric", or leave it out')
     polar = bool(blocks) and all(isinstance(block.shape, Sector) for block in blocks)
     about_axis = polar and all(block.shape.centre[0] == 0.0 for block in blocks)
     own = row.model_dump(exclude={"hourglass", "viscosity"}) | row.hourglass.model_dump()
-    own["diagonal"] = row.diagonal or Solver2D.diagonal
-    own["mean_pressure"] = bool(row.mean_pressure)
     own["scheme"] = row.scheme or ("area_weighted" if about_axis and axes[0] == "r" else "true_volume")
-    viscosity = row.viscosity.model_dump()
-    viscosity["kind"] = row.viscosity.kind or ("edge" if polar else "tensor")
-    return Solver2D(**own | {"viscosity": Viscosity2D(**viscosity)})
+    return Solver2D(**own | {"viscosity": Viscosity2D(**row.viscosity.model_dump())})
 
 
 # -- and back ----------------------------------------------------------------------------------------------------------
@@ -186,8 +178,6 @@ def _solver_table(problem: Problem2D) -> dict:
     solver = problem.solver
     row = {f.name: v for f in fields(solver) if (v := getattr(solver, f.name)) is not None and f.name != "viscosity"}
     row["hourglass"] = {key: row.pop(key) for key in ("subzonal_pressure", "flanagan_belytschko")}
-    if solver.cells == "quads":
-        del row["diagonal"], row["mean_pressure"]
     if problem.geometry == "plane":
         del row["scheme"]
     row["viscosity"] = {f.name: getattr(solver.viscosity, f.name) for f in fields(solver.viscosity)}

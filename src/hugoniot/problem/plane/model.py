@@ -27,10 +27,7 @@ from hugoniot.problem.model import OutputOptions, Pulse
 
 GEOMETRIES = ("plane", "axisymmetric")
 BOUNDARIES = ("free", "wall", "axis", "velocity", "pressure", "transmitting")
-CELLS = ("quads", "triangles")
-DIAGONALS = ("one_way", "alternating", "crossed")
 SCHEMES = ("true_volume", "area_weighted")
-VISCOSITIES = ("edge", "tensor")
 
 
 @dataclass(frozen=True)
@@ -129,25 +126,23 @@ class Lighting2D:
 class Viscosity2D:
     """Artificial viscosity: kind, whether limited, and its coefficients, for fluids and for materials with strength.
 
-    kind               "edge" (Caramana, Shashkov and Whalen) or "tensor" (corner quadrature, Kolev and Rieben)
+    kind               "tensor": both principal directions of the strain rate, each with its own length (corner quadrature)
     linear, quadratic  of a material without strength;  solid_linear, solid_quadratic of one with
     """
 
-    kind: str = "edge"
+    kind: str = "tensor"
     limited: bool = True
-    linear: float = 0.5
-    quadratic: float = 0.75
+    linear: float = 0.3
+    quadratic: float = 2.0 / 3.0
     solid_linear: float = 0.06
-    solid_quadratic: float = 0.75
+    solid_quadratic: float = 2.0 / 3.0
 
 
 @dataclass(frozen=True)
 class Solver2D:
     """How it is solved; every default is written out in the resolved deck.
 
-    cells        "quads", or "triangles": each zone is two, split by `diagonal`
-    diagonal     "one_way", "alternating" (in a chequerboard) or "crossed" (four triangles about the zone's centre)
-    mean_pressure   of triangles: the pressure is averaged over the triangles of a zone
+    cells        "quads"
     scheme       axisymmetric: "true_volume" (virtual work) or "area_weighted" (keeps spherical symmetry on polar meshes)
     subzonal_pressure    merit factor against hourglass modes of materials without strength; 0 is off
     flanagan_belytschko  viscous coefficient against hourglass modes of materials with strength; 0 is off
@@ -157,8 +152,6 @@ class Solver2D:
     kind: str = "lagrange2d"
     integrator: str = "compatible"
     cells: str = "quads"
-    diagonal: str = "alternating"
-    mean_pressure: bool = False
     scheme: str = "true_volume"
     viscosity: Viscosity2D = Viscosity2D()
     subzonal_pressure: float = 1.0

@@ -185,8 +185,7 @@ class LightingTable(Table):
 class ViscosityTable(Table):
     """Artificial viscosity."""
 
-    kind: Literal["edge", "tensor"] | None = Field(
-        None, description="edge or tensor (default: edge where all blocks are sectors, else tensor)")
+    kind: Literal["tensor"] = Field("tensor", description="along both principal directions of the strain rate, each with its own length")
     limited: bool = Field(Viscosity2D.limited, description="whether smooth flow is spared")
     linear: Plain = Field(Viscosity2D.linear, description="linear coefficient of materials without strength")
     quadratic: Plain = Field(Viscosity2D.quadratic, description="quadratic coefficient of materials without strength")
@@ -206,10 +205,7 @@ class SolverTable(Table):
 
     kind: Literal["lagrange2d"] = Field(description="the solver")
     integrator: Literal["compatible"] = Field("compatible", description="compatible closes the total energy to round-off")
-    cells: Literal["quads", "triangles"] = Field("quads", description="a zone is one quadrilateral, or split into triangles")
-    diagonal: Literal["one_way", "alternating", "crossed"] | None = Field(
-        None, description="triangles: one diagonal, alternating ones (default), or both (four triangles)")
-    mean_pressure: bool | None = Field(None, description="triangles: one pressure for the triangles of a zone (default false)")
+    cells: Literal["quads"] = Field("quads", description="a zone is one quadrilateral")
     scheme: Literal["true_volume", "area_weighted"] | None = Field(
         None, description="axisymmetric: true_volume (default), or area_weighted (default where all blocks are sectors about the axis)")
     courant: Annotated[float, Quantity("1", above=0.0, limit=1.0)] = Field(Solver2D.courant, description="Courant number")

@@ -25,8 +25,7 @@ def kind_of(problem: Problem2D) -> int:
     """Code of the geometry. OutOfRange for options this solver does not have."""
     options = problem.solver
     for name, value, known in (("cells", options.cells, "quads"), ("viscosity.kind", options.viscosity.kind, "tensor"),
-                               ("integrator", options.integrator, "compatible"),
-                               ("mean_pressure", getattr(options, "mean_pressure", False), False)):
+                               ("integrator", options.integrator, "compatible")):
         if value != known:
             raise OutOfRange(f"solver.{name} = {value!r} is not available in two dimensions yet; use {known!r}")
     if problem.geometry == "plane":
