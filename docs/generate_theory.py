@@ -27,6 +27,7 @@ TOOLS = {
     "characteristics": ("Characteristics with reaction", ("theory.characteristics",), "theory.characteristics", ()),
     "second_shock": ("Second shock", ("theory.second_shock",), "theory.second_shock", ("eos second-shock",)),
     "fits": ("Fits", ("theory.fits",), "theory.fits", ("eos fit", "eos fit-jwl", "eos fit-gamma")),
+    "stability": ("Stability of detonations", ("theory.stability",), "theory.stability", ("eos stability",)),
     "converters": ("From other data to Herrmann's series", ("laws.eos.converters",), "laws.eos.converters", ("eos convert",)),
 }
 TOLD = {"converters": "From Python: `from hugoniot.laws.eos import converters`.",

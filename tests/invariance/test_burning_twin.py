@@ -62,7 +62,7 @@ def state_after(problem, cycles):
 @pytest.mark.parametrize(("case", "material", "mixture", "tolerance"), [
     (noh, GAS, "thermal_isolation", 1e-12), (noh, GAS, "weighted_pressures", 1e-12),
     (impact, dataclasses.replace(METAL, strength=PerfectlyPlastic(27.6e9, 0.3e9), fracture=SpallStress(1e9)), "thermal_isolation", 1e-7),
-    (impact, dataclasses.replace(METAL, strength=LinearHardening(27.6e9, 0.3e9, 0.5e9)), "weighted_pressures", 1e-10),
+    (impact, dataclasses.replace(METAL, strength=LinearHardening(27.6e9, 0.3e9, 0.5e9)), "weighted_pressures", 1e-8),
 ], ids=["gas-isolated", "gas-weighted", "metal-spalling", "metal-hardening"])
 def test_what_does_not_burn_is_inert(case, material, mixture, tolerance, integrator, geometry):
     inert = state_after(*case(material, integrator, geometry))

@@ -232,21 +232,6 @@ def test_durations(seconds, text):
     assert duration(seconds) == text
 
 
-@pytest.mark.parametrize("quiet, told", [(False, 1), (True, 0)])
-def test_that_kernels_are_compiled_is_told_once_and_only_then(capsys, quiet, told):
-    import numba
-
-    from hugoniot.cli.progress import COMPILING, progress
-
-    new = [numba.njit(lambda x, k=k: x + k) for k in range(2)]
-    with progress(quiet):
-        assert COMPILING not in capsys.readouterr().err
-        assert [kernel(1) for kernel in new] == [1, 2]
-    assert capsys.readouterr().err.count(COMPILING) == told
-    new[0](1.0)
-    assert COMPILING not in capsys.readouterr().err
-
-
 def test_the_process_ends_with_the_commands_code_and_all_it_said():
     called = [sys.executable, "-m", "hugoniot.cli.main"]
     ended = subprocess.run([*called, "list", "eos"], capture_output=True, text=True, timeout=60)

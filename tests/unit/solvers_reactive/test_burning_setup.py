@@ -13,7 +13,6 @@ from hugoniot.laws.burn.threshold import Threshold
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.mixture import reference_state
-from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
 from hugoniot.materials import burning, library
 from hugoniot.materials.material import Material
 from hugoniot.problem.deck import read_deck_text
@@ -44,7 +43,6 @@ def test_closures_of_the_burn_laws():
 
 
 @pytest.mark.parametrize(("change", "words"), [
-    ({"strength": PerfectlyPlastic(1e9, 1e8)}, "strength"),
     ({"detonation_energy": None}, "no chemical energy"),
     ({"burn": Threshold(1e10)}, "unreacted"),
     ({"burn": Threshold(1e10), "mixture": "burned_products"}, "choose another mixture"),
@@ -108,7 +106,7 @@ def test_a_deck_keeps_lighting_and_explosive():
     ('lighting = [{at = 0.0}]', 'pressure = "1 GPa"', "region.charge.pressure"),
     ('lighting = [{at = 0.0}]', '[material.comp_b]\nbase = "comp_b"\nmixture = "thermal_isolaton"', "thermal_isolation"),
     ('lighting = [{at = 0.0}]', '[material.comp_b]\nbase = "comp_b"\ndetonation_energy = -1.0', "greater than 0"),
-    ('', '[material.comp_b]\nbase = "copper"\n[material.comp_b.burn]\nlaw = "threshold"\ninitiation_pressure = "20 GPa"', "strength"),
+    ('', '[material.comp_b]\nbase = "copper"\n[material.comp_b.burn]\nlaw = "threshold"\ninitiation_pressure = "20 GPa"', "unreacted"),
 ])
 def test_bad_decks_say_where_and_what(top, region, words):
     with pytest.raises(DeckError) as caught:
@@ -139,7 +137,7 @@ def test_a_deck_keeps_the_choice_of_the_reference_state():
 def test_a_reference_state_is_frozen_only_where_reactants_have_one(base, more, words):
     with pytest.raises(DeckError) as caught:
         read_deck_text(DECK.format(top="", region=FROZEN.format(base=base, more=more)).replace("comp_b\"", "x\"", 1))
-    assert words in str(caught.value) and "leave" in str(caught.value)
+    assert words in str(caught.value) and any(word in str(caught.value) for word in ("leave", "omit"))
 
 
 def test_an_unknown_reference_state_is_refused_in_decks_and_in_python():

@@ -19,10 +19,8 @@ Viscous part: sixth-order gradients of the conserved averages, turned into those
 """
 
 import numba as nb
-from numba.extending import overload
 
-from hugoniot.core.binder import bind_family, bind_module
-from hugoniot.core.mathematics import LAW
+from hugoniot.core.binder import bind_choice, bind_family, bind_module
 from hugoniot.core.ops import fmax, vsqrt
 from hugoniot.core.target import INLINE
 from hugoniot.laws.eos import contract as eos_contract
@@ -43,20 +41,17 @@ LEAST = 0.1     # of the signal speed: parts odd and even cells, which a central
 _PROBE = 1e-4   # relative step of the temperature's slope: its error is the square
 
 
-def _law_has(name):
-    def decorate(function):
-        def resolve(rho, e, par):
-            law = EOS.of_class(par.instance_class)
-            return law.functions.get(name) or function
-        overload(function, jit_options=LAW, strict=False)(resolve)
-        return function
-    return decorate
-
-
-@_law_has("temperature")
 def temperature_if_any(rho, e, par):
     """The law's temperature, K; 0 where it has none."""
+    law = EOS.of(par)
+    return law.functions["temperature"](rho, e, par) if "temperature" in law.functions else 0.0
+
+
+def no_temperature(rho, e, par):
     return 0.0
+
+
+bind_choice(temperature_if_any, lambda *classes: EOS.of_class(classes[-1]).functions.get("temperature") or no_temperature)
 
 
 @nb.njit(**INLINE)
