@@ -9,7 +9,7 @@ import numba as nb
 import pytest
 
 from hugoniot.core.inspection import packed
-from hugoniot.core.passes import ROW, Pass, _rows_type
+from hugoniot.core.passes import ROW, Pass, rows_type
 from hugoniot.core.target import PASS
 from hugoniot.laws.arrays import float_parameters
 from hugoniot.laws.fracture.spall_stress import SpallStress
@@ -18,8 +18,8 @@ from hugoniot.laws.viscosity.limited import Limited
 from hugoniot.laws.viscosity.wilkins import Wilkins
 from hugoniot.materials import burning, library
 from hugoniot.mesh.line import Planar, Spherical
-from hugoniot.solvers.lagrange1d import compatible, leapfrog, nodes, stress
-from hugoniot.zones import burn, closure, fracture, mixture, recipe, soundness, strength, viscosity
+from hugoniot.solvers.lagrange1d import compatible, leapfrog_passes, nodes, stress
+from hugoniot.zones import burn, closure, fracture, laws, mixture, soundness, strength, viscosity
 
 pytestmark = pytest.mark.skipif(platform.machine() not in ("x86_64", "AMD64"), reason="counts x86 instructions")
 
@@ -27,7 +27,7 @@ pytestmark = pytest.mark.skipif(platform.machine() not in ("x86_64", "AMD64"), r
 def compiled(each: Pass, law=None):
     """A pass compiled for a law."""
     kernel = nb.njit(**{**PASS, "cache": False, **({"fastmath": False} if each is soundness.look_over else {})})(each.function)
-    kernel.compile((nb.int64, _rows_type(each.rows), nb.float64, ROW, nb.types.TypeRef(nb.typeof(law))))
+    kernel.compile((nb.int64, rows_type(each.rows), nb.float64, ROW, nb.types.TypeRef(nb.typeof(law))))
     return kernel
 
 
@@ -38,8 +38,8 @@ CASES = [(closure.pressure_pass, METAL, 1, 3), (closure.state_pass, METAL, 1, 5)
          (viscosity.speeds_pass, Wilkins(), 0, 0), (stress.trial_pass, Planar(), 0, 2), (nodes.accelerate, Planar(), 0, 2),
          (nodes.move, Planar(), 0, 2), (nodes.leap, Planar(), 0, 2), (compatible.half_motion, Planar(), 2, 2),
          (compatible.end_motion, Planar(), 2, 1), (compatible.end_stress, Planar(), 0, 2), (compatible.heat_flux, Planar(), 0, 1),
-         (compatible.half_motion, Spherical(), 3, 4), (compatible.end_motion, Spherical(), 3, 8), (leapfrog.whole_motion, Planar(), 2, 0),
-         (leapfrog.whole_motion, Spherical(), 3, 3), (leapfrog.energy_target, Planar(), 0, 1), (leapfrog.end_stress, Planar(), 0, 3)]
+         (compatible.half_motion, Spherical(), 3, 4), (compatible.end_motion, Spherical(), 3, 8), (leapfrog_passes.whole_motion, Planar(), 2, 0),
+         (leapfrog_passes.whole_motion, Spherical(), 3, 3), (leapfrog_passes.energy_target, Planar(), 0, 1), (leapfrog_passes.end_stress, Planar(), 0, 3)]
 
 
 @pytest.mark.parametrize("each, law, divisions, fused", CASES, ids=[f"{c[0].__name__}-{type(c[1]).__name__}" for c in CASES])
@@ -61,7 +61,7 @@ def test_burning_material_is_packed_but_for_the_searches_left_over(closing):
     """Unburned and burned zones as inert ones; two trials of a search, each with four exponentials of the JWL pair, where both are."""
     import dataclasses
 
-    recipe.bind_burning()
+    laws.bind_burning()
     reactive = float_parameters(burning.reactive(dataclasses.replace(library.find("LX-17 reactive"), mixture=closing)))
     found = packed(compiled(mixture.solve_pass, reactive))
     assert found["div"] >= 10 and found["fmadd"] + found["fnmadd"] >= 2 * 6 * 12 + 2 * 26, found

@@ -8,7 +8,7 @@ from hugoniot.materials.material import Material
 from hugoniot.problem.model import Boundary, OutputOptions, Problem, Pulse, Region, SolverOptions
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d.layout import Z
-from hugoniot.solvers.lagrange1d.leapfrog import signal_squared
+from hugoniot.solvers.lagrange1d.leapfrog_passes import signal_squared
 
 
 def growth(courant, viscous):

@@ -53,9 +53,11 @@ def _run(deck, out, changes, materials, overwrite, report, quiet):
         typer.echo(f"warning: {warning}", err=True)
     folder = out or Path(f"{deck.stem}.run")
     from hugoniot import simulate
+    from hugoniot.core.compile_ahead import allow_helper
     from hugoniot.core.compile_watch import without_linear_algebra
 
     without_linear_algebra()
+    allow_helper()
     try:
         with progress(quiet) as display:
             return simulate.run(found, folder, progress=display, overwrite=overwrite, report=report), found.warnings

@@ -126,10 +126,9 @@ def _is_sound(path: Path) -> bool:
     return True
 
 
-def is_kept(function, signature: tuple) -> bool:
-    """Whether the code of a kernel's Python function for these argument types is in the folder, so that it need not be compiled."""
-    path = path_of(function, (signature, None, ("", "")))
-    return path is not None and path.exists()
+def kept_at(function, signature: tuple) -> Path | None:
+    """File in which the code of a kernel's Python function for these argument types is kept, or will be; None if it cannot be."""
+    return path_of(function, (signature, None, ("", "")))
 
 
 def path_of(function, key) -> Path | None:

@@ -47,6 +47,11 @@ def not_found(kernel: str) -> None:
             tell(news)
 
 
+def silence() -> None:
+    """Tell nobody of this process any more."""
+    _listeners.clear()
+
+
 def compile_seconds(since: float = 0.0) -> float:
     """Wall time spent compiling kernels in this process, s, of those begun after `since` (by `time.perf_counter`)."""
     return sum(spell.seconds for spell in list(_spells) if spell.began >= since)

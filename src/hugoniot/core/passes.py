@@ -12,6 +12,7 @@ nothing beside the loop.
 """
 
 import functools
+from typing import get_type_hints
 
 import numba as nb
 import numpy as np
@@ -21,6 +22,7 @@ from numba.core import cgutils
 from numba.extending import intrinsic
 
 from hugoniot.core.binder import bind_choice
+from hugoniot.core.compile_ahead import Job, job_of, job_of_types
 from hugoniot.core.registry import Registry
 from hugoniot.core.rows import ROW, record, row, row_at, rows, rows_apart
 from hugoniot.core.target import EXACT_PASS, GUARD, PASS
@@ -115,8 +117,10 @@ def _array(context, builder, kind, word):
 
 
 # -- passes ----------------------------------------------------------------------------------------------------------
-def _rows_type(cls):
-    return types.NamedTuple([ROW] * len(cls._fields), cls)
+def rows_type(cls):
+    """Compiled type of a NamedTuple of rows; fields whose annotation is a NamedTuple hold rows of their own."""
+    hints = get_type_hints(cls)
+    return types.NamedTuple([rows_type(hints[name]) if hasattr(hints.get(name), "_fields") else ROW for name in cls._fields], cls)
 
 
 class Pass:
@@ -135,11 +139,19 @@ class Pass:
         """Address of the pass compiled for the law whose parameters `par` are (None: for no law); compiled now unless it is on disk."""
         law = nb.typeof(par)
         if law not in self._addresses:
-            arguments = (types.int64, _rows_type(self.rows), types.float64, ROW, types.TypeRef(law))
+            arguments = self._arguments(law)
             self.compiled.compile(arguments)
             result = self.compiled.overloads[arguments]
             self._addresses[law] = result.library.get_pointer_to_function(result.fndesc.llvm_func_name)
         return self._addresses[law]
+
+    def job(self, par=None) -> Job | None:
+        """What is left to do for the law whose parameters `par` are; None if it is done."""
+        law = nb.typeof(par)
+        return None if law in self._addresses else job_of_types(self.compiled, self._arguments(law))
+
+    def _arguments(self, law):
+        return (types.int64, rows_type(self.rows), types.float64, ROW, types.TypeRef(law))
 
 
 def zone_pass(rows, exact: bool = False):
@@ -181,6 +193,10 @@ class Entry:
 
     def __init__(self, function):
         self.compiled = nb.njit(**GUARD)(function)
+
+    def job(self, *arguments) -> Job:
+        """What is left to do for arguments of these types."""
+        return job_of(self.compiled, arguments)
 
     def address(self, *arguments) -> int:
         """Address of the function compiled for arguments of these types; compiled now unless it is on disk."""

@@ -9,24 +9,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from hugoniot.core.binder import bind_family, bind_module
 from hugoniot.core.passes import numbers_of
 from hugoniot.laws.arrays import float_parameters
-from hugoniot.laws.burn import contract as burn_contract
-from hugoniot.laws.burn import depletion
 from hugoniot.laws.burn.contract import BURN, Reactive
-from hugoniot.laws.eos import contract as eos_contract
 from hugoniot.laws.eos.contract import reference_state
-from hugoniot.laws.fracture import contract as fracture_contract
 from hugoniot.laws.fracture.contract import FRACTURE
-from hugoniot.laws.mixture import contract as mixture_contract
-from hugoniot.laws.mixture.binding import bind_mixtures
-from hugoniot.laws.strength import contract as strength_contract
 from hugoniot.laws.strength.contract import STRENGTH
-from hugoniot.laws.viscosity import contract as viscosity_contract
 from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.zones import burn, closure, fracture, mixture, rows, soundness, strength, viscosity
 from hugoniot.zones.constants import Constants
+from hugoniot.zones.laws import bind_burning
 
 EXPLICIT, IMPLICIT = "explicit", "implicit"     # closures at a given energy, or with the energy
 
@@ -93,24 +85,6 @@ class Cookbook:
     recipes: np.ndarray
     constants: np.ndarray
     kept: list[Any] = field(default_factory=list)
-
-
-def bind_laws() -> None:
-    """Make every registered law callable from passes; once per process."""
-    for family, contract in ((eos_contract.EOS, eos_contract), (STRENGTH, strength_contract), (FRACTURE, fracture_contract),
-                             (VISCOSITY, viscosity_contract)):
-        bind_family(family, contract.GENERICS)
-
-
-def bind_burning() -> None:
-    """The same for burn laws and mixtures."""
-    bind_mixtures()
-    bind_family(BURN, burn_contract.GENERICS)
-    for module in (depletion, burn_contract, mixture_contract):
-        bind_module(module)
-
-
-bind_laws()
 
 
 class _Pantry:

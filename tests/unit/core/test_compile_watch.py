@@ -74,10 +74,10 @@ def test_what_is_kept_is_known_before_it_is_asked_for(tmp_path, monkeypatch):
     monkeypatch.setattr(code_files.sources, "changed_since_start", lambda paths: False)
     outer, _, _ = kernels()
     arguments = (nb.float64, nb.typeof(Slope(2.0)))
-    assert not code_files.is_kept(outer.py_func, arguments)
+    assert not code_files.kept_at(outer.py_func, arguments).exists()
     outer(3.0, Slope(2.0))
-    assert code_files.is_kept(outer.py_func, arguments)
-    assert not code_files.is_kept(outer.py_func, (nb.float32, arguments[1]))
+    assert code_files.kept_at(outer.py_func, arguments).exists()
+    assert not code_files.kept_at(outer.py_func, (nb.float32, arguments[1])).exists()
 
 
 @pytest.mark.parametrize("left, end", [(None, "f for A"), (0, "f for A, the last one"), (3, "f for A, 3 more after it")])

@@ -1,4 +1,4 @@
-"""From a Problem to the solver's arrays: zones, masses, initial states, laws as recipes, bodies, boundaries, gauges."""
+"""From a Problem to the solver's arrays: zones, masses, initial states, laws, bodies, boundaries, gauges."""
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.layout import B, H, Z
 from hugoniot.solvers.lagrange1d.tables import zone_table
-from hugoniot.zones.recipe import EXPLICIT, IMPLICIT, Cookbook, constants_of, cookbook
+from hugoniot.zones.laws import Laws, laws_of
 
 ROUND_OFF = 1e-9     # c^2 below minus this fraction of the largest speed squared is imaginary, not noise
 CODES = {"free": L.FREE, "fixed": L.FIXED, "velocity": L.VELOCITY, "pressure": L.PRESSURE, "transmitting": L.TRANSMITTING}
@@ -29,23 +29,22 @@ def viscosity_of(problem: Problem):
     return law.build(**{**law.defaults, **dict(values)})
 
 
-def recipes_of(problem: Problem) -> tuple[Cookbook, list[int]]:
-    """The recipes of a problem's materials, and which of them each region follows."""
+def laws_of_regions(problem: Problem) -> tuple[list[Laws], list[int]]:
+    """The laws of a problem's materials, and which of them each region follows."""
     viscosity = viscosity_of(problem)
     noise = ROUND_OFF * _speed_scale(problem) ** 2
-    found, keys, recipe_of = [], [], []
+    found: dict[str, Laws] = {}
     for region in problem.regions:
         material = problem.materials[region.material]
-        if region.material not in keys:
-            keys.append(region.material)
-            burns = material.burn is not None
-            laws = (burning.reactive(material) if burns else material.eos, material.strength or STRENGTH.get("none").example,
-                    material.fracture or FRACTURE.get("none").example, viscosity)
-            # what has not begun to burn may have no sound at all
-            own = reactive.constants(problem, region) if burns else {}
-            found.append((laws, constants_of(laws, noise + (1.0 if burns else 0.0), **own)))
-        recipe_of.append(keys.index(region.material))
-    return cookbook(found, IMPLICIT if problem.solver.integrator == "wilkins" else EXPLICIT), recipe_of
+        if region.material in found:
+            continue
+        burns = material.burn is not None
+        # what has not begun to burn may have no sound at all
+        own = {"noise": noise + 1.0, **reactive.constants(problem, region)} if burns else {"noise": noise}
+        found[region.material] = laws_of(burning.reactive(material) if burns else material.eos,
+                                         material.strength or STRENGTH.get("none").example,
+                                         material.fracture or FRACTURE.get("none").example, viscosity, **own)
+    return list(found.values()), [list(found).index(region.material) for region in problem.regions]
 
 
 def _speed_scale(problem: Problem) -> float:

@@ -12,16 +12,11 @@ Phys. 72 (1987) 78). Hence the q in H: it takes away what sigma, which multiplie
 
 from collections import namedtuple
 
-import numba as nb
-
 from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin
-from hugoniot.core.passes import call_pass, kind_of, named, row_at, rows_apart, zone_pass
-from hugoniot.core.target import INLINE
+from hugoniot.core.passes import kind_of, named, rows_apart, zone_pass
 from hugoniot.mesh.line import area, area_per_radius, hoops, mean_area, volume
 from hugoniot.solvers.lagrange1d.stress import deviators
-from hugoniot.zones import material
-from hugoniot.zones.closure import PressureRows, StateRows
 from hugoniot.zones.constants import Constants
 from hugoniot.zones.soundness import FOUND_IMPULSE, FOUND_RATE, wave_speed
 from hugoniot.zones.viscosity import resisted, smoothness
@@ -187,88 +182,42 @@ def heat_flux(count, z, dt, numbers, law):
 
 
 # -- the step ----------------------------------------------------------------------------------------------------------
-@nb.njit(**INLINE)
-def predict(count, at, steps, recipe, constants, dt):
-    """Stress in the middle of the step."""
-    z, b, h, w = at.z, at.b, at.h, at.w
-    call_pass(steps.half_motion, count, HalfMotionRows(h.r_half, h.u_mean, at.g, z.inverse_mass, z.e, z.sigma, z.hoop, w.e, w.v, w.rho,
-                                                       w.radial, w.hoop, w.dilation, w.smooth, w.squeeze), dt, constants)
-    solid, solid_v = w.rho, w.v
-    if recipe.relief != 0:
-        material.solid_volume(count, at, recipe)
-        solid, solid_v = w.solid, w.solid_v
-    if recipe.solve == 0:
-        call_pass(recipe.pressure, count, PressureRows(solid_v, w.e, z.compaction, w.p), dt, row_at(recipe.eos))
-        material.stiffness(count, at, recipe, solid, solid_v, w.e, w.p)
+def predict(s, geometry):
+    """Write how the stress in the middle of the step is found; s: `zones.steps.MaterialSteps` with the rows of `plan`."""
+    z, b, h, w = s.at.z, s.at.b, s.at.h, s.at.w
+    s.do(half_motion, HalfMotionRows(h.r_half, h.u_mean, s.at.g, z.inverse_mass, z.e, z.sigma, z.hoop, w.e, w.v, w.rho, w.radial, w.hoop,
+                                     w.dilation, w.smooth, w.squeeze), kind=geometry)
+    solid, solid_v = s.solid(w.rho)
+    if s.laws.burns:
+        s.burn(s.at.half, z.rho, z.rho, z.p, z.q, b.lam_half)
+        s.do(half_heat, HalfHeatRows(z.q, w.v, w.radial, w.heat))
+        s.close_half(solid)
     else:
-        close_half(count, at, steps, recipe, constants, solid, dt)
-    deviators(count, at, steps, recipe, solid, w.e, w.p, b.lam_half, 0.5 * dt)
-    material.relieve(count, at, recipe, solid)
-    material.viscous(count, recipe, w.v, z.c, w.p, w.squeeze, w.smooth, z.viscous_speed)
-    call_pass(steps.half_stress, count, HalfStressRows(h.r_half, solid, w.squeeze, z.viscous_speed, w.p, w.t1, w.t2, z.q, z.sigma_half,
-                                                       z.hoop_half), dt, constants)
-    if recipe.solve != 0:
-        keep_half(count, at, recipe)
+        s.pressure(solid_v, w.e, w.p)
+        s.stiffness(solid, solid_v, w.e, w.p)
+    deviators(s, geometry, solid, w.e, w.p, b.lam_half, s.at.half)
+    s.relieve(solid)
+    s.viscous(w.v, z.c, w.p, w.squeeze, w.smooth, z.viscous_speed)
+    s.do(half_stress, HalfStressRows(h.r_half, solid, w.squeeze, z.viscous_speed, w.p, w.t1, w.t2, z.q, z.sigma_half, z.hoop_half),
+         kind=geometry)
+    if s.laws.burns:
+        s.keep_half()
 
 
-@nb.njit(**INLINE)
-def correct(count, at, steps, recipe, constants, found, dt):
-    """State at the end of the step."""
-    z, b, h, w = at.z, at.b, at.h, at.w
-    call_pass(steps.end_motion, count, EndMotionRows(h.r_half, h.u_mean, h.r, h.u, at.g, z.inverse_mass, z.sigma_half, z.hoop_half, z.q,
-                                                     z.e, w.v, z.rho, w.radial, w.hoop, w.dilation, w.heat, z.viscous_work, found), dt,
-              constants)
-    solid, solid_v = z.rho, w.v
-    if recipe.relief != 0:
-        material.solid_volume(count, at, recipe)
-        solid, solid_v = w.solid, w.solid_v
-    if recipe.solve == 0:
-        call_pass(recipe.state, count, StateRows(solid_v, z.e, z.compaction, z.p, w.c2), dt, row_at(recipe.eos))
+def correct(s, geometry):
+    """Write how the state at the end of the step is found."""
+    z, b, h, w, found = s.at.z, s.at.b, s.at.h, s.at.w, s.at.found
+    s.do(end_motion, EndMotionRows(h.r_half, h.u_mean, h.r, h.u, s.at.g, z.inverse_mass, z.sigma_half, z.hoop_half, z.q, z.e, w.v, z.rho,
+                                   w.radial, w.hoop, w.dilation, w.heat, z.viscous_work, found), kind=geometry)
+    solid, solid_v = s.solid(z.rho)
+    if s.laws.burns:
+        s.close_end(solid)
     else:
-        close_end(count, at, recipe, constants, solid, dt)
-    deviators(count, at, steps, recipe, solid, z.e, z.p, b.lam, dt)
-    material.tear(count, at, recipe, constants, found, solid, dt)
-    material.harden(count, at, recipe, w.v)
-    call_pass(steps.end_stress, count, EndStressRows(h.r, solid_v, w.shear, w.c2, z.p, z.q, w.t1, w.t2, z.viscous_speed, z.inverse_mass,
-                                                     z.rho, z.c, z.s1, z.s2, z.sigma, z.hoop, w.inverse_width, found), dt, constants)
-    material.pace(count, at, recipe, constants, found, w.inverse_width)
-    material.look_over(count, at, recipe, found)
-
-
-# -- closures of burning material ------------------------------------------------------------------------------------
-@nb.njit(**INLINE)
-def close_half(count, at, steps, recipe, constants, solid, dt):
-    """Burn fraction and mixture in the middle of the step, by the pressure at its start."""
-    z, b, w = at.z, at.b, at.w
-    material.burn(count, at, recipe, 0.5 * dt, z.rho, z.rho, z.p, z.q, b.lam_half)
-    call_pass(steps.half_heat, count, HalfHeatRows(z.q, w.v, w.radial, w.heat), dt, constants)
-    material.share_old_heat(count, at, recipe, constants, w.heat)
-    material.mix(count, at, recipe, solid, w.e, b.lam_half, b.heat, w.p, b.status)
-    if recipe.bulk_first != 0:
-        material.mixture_slopes(count, at, recipe, solid, w.e, b.lam_half, w.p)
-
-
-@nb.njit(**INLINE)
-def keep_half(count, at, recipe):
-    """Keep density and pressure of the middle of the step, and twice the plastic heat of its first half: that of the whole."""
-    b, w = at.b, at.w
-    material.copy(count, recipe, w.rho, b.rho_half)
-    material.copy(count, recipe, w.p, b.p_half)
-    material.clear(count, recipe, b.heat)
-    material.add_plastic_heat(count, at, recipe, w.v, b.heat)
-    material.add_plastic_heat(count, at, recipe, w.v, b.heat)
-
-
-@nb.njit(**INLINE)
-def close_end(count, at, recipe, constants, solid, dt):
-    """Burn fraction and mixture at the end of the step, by the pressure in its middle; what burns at once, by that at its start."""
-    z, b, w = at.z, at.b, at.w
-    drive = z.p if recipe.instant != 0 else b.p_half
-    material.burn(count, at, recipe, dt, b.rho_half, b.rho_half, drive, z.q, w.lam)
-    material.add(count, recipe, b.heat, w.heat)
-    material.share_heat(count, at, recipe, constants, z.q, b.p_half, b.rho_half, w.heat)
-    material.lead_on(count, at, recipe, constants, w.lam, dt)
-    material.mix(count, at, recipe, solid, z.e, b.lam, b.heat, w.p, w.status)
-    material.keep_phases(count, at, recipe)
-    material.copy(count, recipe, w.p, z.p)
-    material.mixture_slopes(count, at, recipe, solid, z.e, b.lam, z.p)
+        s.state(solid_v)
+    deviators(s, geometry, solid, z.e, z.p, b.lam, s.at.whole)
+    s.tear(solid)
+    s.harden(w.v)
+    s.do(end_stress, EndStressRows(h.r, solid_v, w.shear, w.c2, z.p, z.q, w.t1, w.t2, z.viscous_speed, z.inverse_mass, z.rho, z.c, z.s1,
+                                   z.s2, z.sigma, z.hoop, w.inverse_width, found), kind=geometry)
+    s.pace(w.inverse_width)
+    s.look_over()

@@ -31,320 +31,92 @@ Source: 000 (Wilkins) B.2 items 2 and 5 to 9; 001 (KB codes) equations 1.8 to 1.
 002 (Herrmann) A.27 to A.30; 003 (Starkenberg) sections 3 to 5.
 """
 
-from collections import namedtuple
-
-import numba as nb
-
-from hugoniot.core.binder import bind
-from hugoniot.core.ops import fmax, vsqrt
-from hugoniot.core.passes import call_pass, kind_of, named, row_at, rows_apart, zone_pass
-from hugoniot.core.target import INLINE
-from hugoniot.mesh.line import area_per_radius, hoops, mean_area, volume
+from hugoniot.solvers.lagrange1d import leapfrog_passes as P
 from hugoniot.solvers.lagrange1d.stress import deviators
-from hugoniot.zones import material
-from hugoniot.zones.closure import SettleRows
-from hugoniot.zones.constants import Constants
-from hugoniot.zones.soundness import FOUND_RATE, wave_speed
-from hugoniot.zones.viscosity import resisted, smoothness
-
-SMALL = 1e-30
-# weights of c2 and w2 in `signal_squared`; 4/9 is the Courant factor 2/3 of W-7 squared, which this limit does not need as well
-SOUND_SHARE, VISCOUS_SHARE = 4.0 / 9.0 * (1.0 + 1.0 / 1.55), 4.0 / 9.0 * 5.5
-
-MotionRows = namedtuple("MotionRows", "r u inverse_mass v_old v dv v_half rho_half rho radial hoop dilation squeeze")
-TargetRows = namedtuple("TargetRows", "t1 t2 s1 s2 radial hoop v_half dv rho_half squeeze speed e q_old q heat target viscous_work")
-BeforeRows = namedtuple("BeforeRows", "t1 t2 s1 s2 radial hoop v_half dv e q_old target")
-StressRows = namedtuple("StressRows", "r inverse_mass rho v c2 shear t1 t2 p new_q speed weak_speed squeeze c s1 s2 q v_old sigma pull "
-                        "width inverse_width found")
-AtOnceRows = namedtuple("AtOnceRows", "r inverse_mass rho v dv c2 shear t1 t2 p speed squeeze c s1 s2 q v_old sigma pull width "
-                        "inverse_width viscous_work found")
-LookRows = namedtuple("LookRows", "r u node_mass mass smooth")
-DampRows = namedtuple("DampRows", "smooth row")
-ReliefRows = namedtuple("ReliefRows", "relief dv e")
-MeanRows = namedtuple("MeanRows", "one other mean")
-WorkRows = namedtuple("WorkRows", "target p_start p_end dv e")
-NewtonRows = namedtuple("NewtonRows", "expected led dv p_e e p e_r e_p")
 
 
-def signal_squared(c2, printed, viscous):
-    """Square of the speed a step is found from: the step is 2/3 of a zone's width over it (W-7), m2/s2.
-
-    c2        sound speed squared
-    printed   b of W-7, 8 (C0^2 + CL) |du|, m/s
-    viscous   w of q = rho |du| w, which acts on the nodes one step late
-
-    Linear waves of the leapfrog with q a step late, of wave number k, go on by the roots of x^2 - (2 - n s - m^2 s) x + 1 - n s = 0,
-    s = 4 sin^2(k dr/2), m = c dt/dr, n = w dt/dr. None is above 1 as long as m^2 + 2 n <= 1, which is dt <= dr/(w + root), root =
-    sqrt(w^2 + c^2). Its square holds 2 w root, at most k w^2 + root^2/k for any k, so (w + root)^2 is at most (1 + 1/k) c^2 +
-    (2 + k + 1/k) w^2, and no root has to be taken. k = 1.55 makes the two equal in a gas of 1.4 with CL = 1; with 5.5 for the 4.2 of the
-    second bracket its step is 0.91 of the limit.
-    """
-    sound = fmax(c2, 0.0)
-    return fmax(sound + printed * printed, SOUND_SHARE * sound + VISCOUS_SHARE * viscous * viscous)
-
-
-def deviator_work(t1, t2, s1, s2, radial, hoop, v_half, geometry):
-    """Work dZ of the deviators in a step, J/kg."""
-    return v_half * 0.5 * ((t1 + s1) * radial + hoops(geometry) * (t2 + s2) * hoop)
-
-
-bind(signal_squared)
-bind(deviator_work)
-
-
-# -- passes of the geometry ----------------------------------------------------------------------------------------
-@zone_pass(MotionRows)
-def whole_motion(count, z, dt, numbers, law):
-    """Specific volume at n+1, its change, mean density and strains of the step."""
-    rows_apart()
-    geometry, two_sided = kind_of(law), named(Constants, numbers).two_sided > 0.0
-    for j in range(count):
-        u1, u2, r1, r2 = z.u[j], z.u[j + 1], z.r[j], z.r[j + 1]
-        v = volume(r1, r2, geometry) * z.inverse_mass[j]
-        dv, v_half = v - z.v_old[j], 0.5 * (v + z.v_old[j])
-        rho_half = 1.0 / v_half
-        du, dr = u2 - u1, r2 - r1
-        radial = dv * rho_half     # dilation and radial strain are one number in planar flow
-        if hoops(geometry) > 0.0:
-            drift, stretch = dt * (u1 + u2), dt * du
-            across_half, width_half = r1 + r2 - 0.5 * drift + SMALL, dr - 0.5 * stretch
-            each = 1.0 / (across_half * width_half)     # one division for two
-            z.dilation[j] = radial
-            z.hoop[j] = drift * width_half * each
-            radial = stretch * across_half * each
-        z.radial[j] = radial
-        z.v[j] = v
-        z.dv[j] = dv
-        z.v_half[j] = v_half
-        z.rho_half[j] = rho_half
-        z.rho[j] = 1.0 / v
-        z.squeeze[j] = resisted(du, dv, two_sided)
-
-
-@zone_pass(TargetRows)
-def energy_target(count, z, dt, numbers, law):
-    """Viscous pressure q at n+1/2, its heat, and the energy before the pressure has worked: e + dZ - qbar dv."""
-    rows_apart()
-    geometry = kind_of(law)
-    for j in range(count):
-        hoop = z.hoop[j] if hoops(geometry) > 0.0 else 0.0
-        work = deviator_work(z.t1[j], z.t2[j], z.s1[j], z.s2[j], z.radial[j], hoop, z.v_half[j], geometry)
-        q = -z.rho_half[j] * z.squeeze[j] * z.speed[j]
-        heat = -0.5 * (q + z.q_old[j]) * z.dv[j]
-        z.q[j] = q
-        z.heat[j] = heat
-        z.target[j] = z.e[j] + work + heat
-        z.viscous_work[j] += heat
-
-
-@zone_pass(BeforeRows)
-def energy_before(count, z, dt, numbers, law):
-    """e + dZ - q dv with the viscous pressure that moved the nodes (KB codes)."""
-    rows_apart()
-    geometry = kind_of(law)
-    for j in range(count):
-        hoop = z.hoop[j] if hoops(geometry) > 0.0 else 0.0
-        work = deviator_work(z.t1[j], z.t2[j], z.s1[j], z.s2[j], z.radial[j], hoop, z.v_half[j], geometry)
-        z.target[j] = z.e[j] + work - z.q_old[j] * z.dv[j]
-
-
-def keep_stress(z, j, q, geometry):
-    """What pushes the nodes next, and what the next step looks back at."""
-    t1, t2 = z.t1[j], z.t2[j]
-    z.s1[j] = t1
-    z.s2[j] = t2
-    z.q[j] = q
-    z.v_old[j] = z.v[j]
-    z.sigma[j] = z.p[j] + q - t1
-    if hoops(geometry) > 0.0:
-        dr = z.r[j + 1] - z.r[j]
-        z.pull[j] = (t1 - t2) * dr * z.inverse_mass[j] * area_per_radius(z.r[j], z.r[j + 1], geometry)
-        z.width[j] = z.rho[j] * dr
-
-
-@zone_pass(StressRows)
-def end_stress(count, z, dt, numbers, law):
-    """Sound speed and stress at n+1; the largest signal rate, 1/s."""
-    rows_apart()
-    geometry, constants, fastest = kind_of(law), named(Constants, numbers), 0.0
-    for j in range(count):
-        q, c2 = z.new_q[j], z.c2[j] + (4.0 / 3.0) * z.shear[j] * z.v[j]
-        b2 = 8.0 * (z.weak_speed[j] + fmax(z.squeeze[j], -z.squeeze[j]))
-        inverse_width = mean_area(z.r[j], z.r[j + 1], geometry) * z.inverse_mass[j] * z.rho[j]     # without a division
-        signal = signal_squared(fmax(c2, constants.front * constants.front), b2, z.speed[j])
-        fastest = fmax(fastest, signal * (inverse_width * inverse_width))
-        z.inverse_width[j] = inverse_width
-        z.c[j] = wave_speed(c2, constants.noise)
-        keep_stress(z, j, q, geometry)
-    z.found[FOUND_RATE] = fmax(z.found[FOUND_RATE], vsqrt(fastest))
-
-
-@zone_pass(AtOnceRows)
-def end_stress_at_once(count, z, dt, numbers, law):
-    """The same of the KB codes' step: its viscous pressure is that of n+1."""
-    rows_apart()
-    geometry, constants, fastest = kind_of(law), named(Constants, numbers), z.found[FOUND_RATE]
-    for j in range(count):
-        q, c2 = -z.rho[j] * z.squeeze[j] * z.speed[j], z.c2[j] + (4.0 / 3.0) * z.shear[j] * z.v[j]
-        c, inverse_width = wave_speed(c2, constants.noise), 1.0 / (z.r[j + 1] - z.r[j])
-        fastest = fmax(fastest, (c + 4.0 * z.speed[j]) * inverse_width)
-        z.inverse_width[j] = inverse_width
-        z.c[j] = c
-        z.viscous_work[j] -= z.q[j] * z.dv[j]
-        keep_stress(z, j, q, geometry)
-    z.found[FOUND_RATE] = fastest
-
-
-@zone_pass(LookRows)
-def look_around(count, z, dt, numbers, law):
-    """Smoothness of the velocity field in every zone; beyond an end of its body the field goes on as inside."""
-    rows_apart()
-    for j in range(count):
-        own = (z.u[j + 1] - z.u[j]) / (z.r[j + 1] - z.r[j])
-        # the node at an end of a body has the half of one zone
-        left = own if z.node_mass[j] == 0.5 * z.mass[j] else (z.u[j] - z.u[j - 1]) / (z.r[j] - z.r[j - 1])
-        right = own if z.node_mass[j + 1] == 0.5 * z.mass[j] else (z.u[j + 2] - z.u[j + 1]) / (z.r[j + 2] - z.r[j + 1])
-        z.smooth[j] = smoothness(left, own, right)
-
-
-@zone_pass(DampRows)
-def damp(count, z, dt, numbers, law):
-    """A row of the viscosity as far as the velocity field is not smooth."""
-    rows_apart()
-    for j in range(count):
-        z.row[j] *= 1.0 - z.smooth[j]
-
-
-@zone_pass(ReliefRows)
-def take_relief(count, z, dt, numbers, law):
-    """The energy that the relieved part of the pressure did not give."""
-    rows_apart()
-    for j in range(count):
-        z.e[j] -= 0.5 * z.relief[j] * z.dv[j]
-
-
-@zone_pass(MeanRows)
-def mean(count, z, dt, numbers, law):
-    """Mean of two rows."""
-    rows_apart()
-    for j in range(count):
-        z.mean[j] = 0.5 * (z.one[j] + z.other[j])
-
-
-@zone_pass(WorkRows)
-def after_work(count, z, dt, numbers, law):
-    """Energy after the work of the mean pressure."""
-    rows_apart()
-    for j in range(count):
-        z.e[j] = z.target[j] - 0.5 * (z.p_start[j] + z.p_end[j]) * z.dv[j]
-
-
-@zone_pass(NewtonRows)
-def newton_step(count, z, dt, numbers, law):
-    """From the pressure expected, p', and the one it led to, p'', to that which agrees with its own work."""
-    rows_apart()
-    for j in range(count):
-        rest = 0.5 * (z.expected[j] - z.led[j]) * z.dv[j] / (1.0 + 0.5 * z.p_e[j] * z.dv[j])
-        z.e[j] += rest
-        z.p[j] = z.led[j] + z.p_e[j] * rest
-        z.e_r[j] += rest
-        z.e_p[j] += rest
-
-
-bind(keep_stress)
-
-
-# -- the step ----------------------------------------------------------------------------------------------------------
-@nb.njit(**INLINE)
-def advance(count, at, steps, recipe, constants, found, dt):
-    """State at n+1."""
-    z, b, h, w = at.z, at.b, at.h, at.w
-    call_pass(steps.whole_motion, count, MotionRows(h.r, h.u, z.inverse_mass, z.v, w.v, w.dv, w.v_half, w.rho, z.rho, w.radial, w.hoop,
-                                                    w.dilation, w.squeeze), dt, constants)
-    solid, solid_v = z.rho, w.v
-    if recipe.relief != 0:
-        material.solid_volume(count, at, recipe)
-        solid, solid_v = w.solid, w.solid_v
-    material.stiffness(count, at, recipe, solid, solid_v, z.e, z.p)
-    deviators(count, at, steps, recipe, solid, z.e, z.p, b.lam, dt)
-    if recipe.instant != 0:
-        close_at_once(count, at, steps, recipe, constants, solid, dt)
+def advance(s, geometry):
+    """Write how the state at n+1 is found; s: `zones.steps.MaterialSteps` with the rows of `plan`."""
+    z, b, h, w = s.at.z, s.at.b, s.at.h, s.at.w
+    s.do(P.whole_motion, P.MotionRows(h.r, h.u, z.inverse_mass, z.v, w.v, w.dv, w.v_half, w.rho, z.rho, w.radial, w.hoop, w.dilation,
+                                      w.squeeze), kind=geometry)
+    solid, solid_v = s.solid(z.rho)
+    s.stiffness(solid, solid_v, z.e, z.p)
+    deviators(s, geometry, solid, z.e, z.p, b.lam, s.at.whole)
+    if s.laws.burns_at_once:
+        close_at_once(s, geometry, solid)
     else:
-        resist(count, at, steps, recipe, constants)
-        if recipe.solve == 0:
-            call_pass(recipe.settle, count, SettleRows(solid_v, w.dv, w.target, z.e, z.p, z.compaction, w.c2), dt, row_at(recipe.eos))
+        resist(s, geometry)
+        if s.laws.burns:
+            close_gradually(s, solid)
         else:
-            close_gradually(count, at, steps, recipe, constants, solid, dt)
-    material.tear(count, at, recipe, constants, found, solid, dt)
-    if recipe.relief != 0:
-        call_pass(steps.take_relief, count, ReliefRows(w.relief, w.dv, z.e), dt, constants)
-    material.harden(count, at, recipe, w.v_half)
-    if recipe.instant != 0:
-        call_pass(steps.end_stress_at_once, count, AtOnceRows(h.r, z.inverse_mass, z.rho, w.v, w.dv, w.c2, w.shear, w.t1, w.t2, z.p,
-                                                              w.speed, w.squeeze, z.c, z.s1, z.s2, z.q, z.v, z.sigma, z.pull, z.width,
-                                                              w.inverse_width, z.viscous_work, found), dt, constants)
+            s.settle(solid_v)
+    s.tear(solid)
+    if s.laws.grows_voids:
+        s.do(P.take_relief, P.ReliefRows(w.relief, w.dv, z.e))
+    s.harden(w.v_half)
+    if s.laws.burns_at_once:
+        s.do(P.end_stress_at_once, P.AtOnceRows(h.r, z.inverse_mass, z.rho, w.v, w.dv, w.c2, w.shear, w.t1, w.t2, z.p, w.speed, w.squeeze,
+                                                z.c, z.s1, z.s2, z.q, z.v, z.sigma, z.pull, z.width, w.inverse_width, z.viscous_work,
+                                                s.at.found), kind=geometry)
     else:
-        call_pass(steps.end_stress, count, StressRows(h.r, z.inverse_mass, z.rho, w.v, w.c2, w.shear, w.t1, w.t2, z.p, w.q, w.speed,
-                                                      w.weak_speed, w.squeeze, z.c, z.s1, z.s2, z.q, z.v, z.sigma, z.pull, z.width,
-                                                      w.inverse_width, found), dt, constants)
-    material.pace(count, at, recipe, constants, found, w.inverse_width)
-    material.look_over(count, at, recipe, found)
+        s.do(P.end_stress, P.StressRows(h.r, z.inverse_mass, z.rho, w.v, w.c2, w.shear, w.t1, w.t2, z.p, w.q, w.speed, w.weak_speed,
+                                        w.squeeze, z.c, z.s1, z.s2, z.q, z.v, z.sigma, z.pull, z.width, w.inverse_width, s.at.found),
+             kind=geometry)
+    s.pace(w.inverse_width)
+    s.look_over()
 
 
-@nb.njit(**INLINE)
-def resist(count, at, steps, recipe, constants):
-    """Artificial viscosity at n+1/2; the P of its a = sqrt(P/rho) is the one at the start of the step."""
-    z, h, w = at.z, at.h, at.w
-    if recipe.bare != 0:
-        material.viscous(count, recipe, w.v, w.zero, w.zero, w.squeeze, w.zero, w.weak_speed)
-        call_pass(steps.look_around, count, LookRows(h.r, h.u, h.mass, z.mass, w.smooth), 0.0, constants)
-        material.viscous(count, recipe, w.v_half, w.zero, w.zero, w.squeeze, w.zero, w.speed)
-        call_pass(steps.damp, count, DampRows(w.smooth, w.speed), 0.0, constants)
-        call_pass(steps.damp, count, DampRows(w.smooth, w.weak_speed), 0.0, constants)
+def resist(s, geometry):
+    """Write the artificial viscosity at n+1/2; the P of its a = sqrt(P/rho) is the one at the start of the step."""
+    z, h, w = s.at.z, s.at.h, s.at.w
+    if s.laws.is_bare:
+        s.viscous(w.v, w.zero, w.zero, w.squeeze, w.zero, w.weak_speed)
+        s.do(P.look_around, P.LookRows(h.r, h.u, h.mass, z.mass, w.smooth))
+        s.viscous(w.v_half, w.zero, w.zero, w.squeeze, w.zero, w.speed)
+        s.do(P.damp, P.DampRows(w.smooth, w.speed))
+        s.do(P.damp, P.DampRows(w.smooth, w.weak_speed))
     else:
-        material.viscous_both(count, at, recipe, w.v_half, z.c, z.p)
-    call_pass(steps.energy_target, count, TargetRows(w.t1, w.t2, z.s1, z.s2, w.radial, w.hoop, w.v_half, w.dv, w.rho, w.squeeze, w.speed,
-                                                     z.e, z.q, w.q, w.heat, w.target, z.viscous_work), 0.0, constants)
-    if recipe.bare != 0:
-        call_pass(steps.damp, count, DampRows(w.smooth, w.squeeze), 0.0, constants)
+        s.viscous_both(w.v_half, z.c, z.p)
+    s.do(P.energy_target, P.TargetRows(w.t1, w.t2, z.s1, z.s2, w.radial, w.hoop, w.v_half, w.dv, w.rho, w.squeeze, w.speed, z.e, z.q, w.q,
+                                       w.heat, w.target, z.viscous_work), kind=geometry)
+    if s.laws.is_bare:
+        s.do(P.damp, P.DampRows(w.smooth, w.squeeze))
 
 
-@nb.njit(**INLINE)
-def close_gradually(count, at, steps, recipe, constants, solid, dt):
-    """Burn fraction and mixture at n+1 of what burns by rate or schedule, the burn fraction found twice."""
-    z, b, w = at.z, at.b, at.w
-    material.add_plastic_heat(count, at, recipe, w.v_half, w.heat)
-    material.burn(count, at, recipe, dt, w.rho, z.rho, z.p, z.q, w.lam)
-    material.share_old_heat(count, at, recipe, constants, w.heat)
-    call_pass(steps.after_work, count, WorkRows(w.target, z.p, z.p, w.dv, w.e), dt, constants)
-    material.mix(count, at, recipe, solid, w.e, w.lam, b.heat, w.p, b.status)
-    call_pass(steps.mean, count, MeanRows(z.p, w.p, b.p_half), dt, constants)
-    material.burn(count, at, recipe, dt, w.rho, z.rho, b.p_half, w.q, b.lam_half)
-    material.share_heat(count, at, recipe, constants, w.q, b.p_half, w.rho, w.heat)
-    material.lead_on(count, at, recipe, constants, b.lam_half, dt)
-    call_pass(steps.after_work, count, WorkRows(w.target, z.p, w.p, w.dv, z.e), dt, constants)
-    material.mix(count, at, recipe, solid, z.e, b.lam, b.heat, b.p_half, w.status)
-    material.mixture_slopes(count, at, recipe, solid, z.e, b.lam, b.p_half)
-    call_pass(steps.newton_step, count, NewtonRows(w.p, b.p_half, w.dv, w.p_e, z.e, z.p, w.e_r, w.e_p), dt, constants)
-    material.mixture_slopes(count, at, recipe, solid, z.e, b.lam, z.p)
-    material.keep_phases(count, at, recipe)
+def close_gradually(s, solid):
+    """Write burn fraction and mixture at n+1 of what burns by rate or schedule, the burn fraction found twice."""
+    z, b, w = s.at.z, s.at.b, s.at.w
+    s.add_plastic_heat(w.v_half, w.heat)
+    s.burn(s.at.whole, w.rho, z.rho, z.p, z.q, w.lam)
+    s.share_old_heat(w.heat)
+    s.do(P.after_work, P.WorkRows(w.target, z.p, z.p, w.dv, w.e))
+    s.mix(solid, w.e, w.lam, b.heat, w.p, b.status)
+    s.do(P.mean, P.MeanRows(z.p, w.p, b.p_half))
+    s.burn(s.at.whole, w.rho, z.rho, b.p_half, w.q, b.lam_half)
+    s.share_heat(w.q, b.p_half, w.rho, w.heat)
+    s.lead_on(b.lam_half)
+    s.do(P.after_work, P.WorkRows(w.target, z.p, w.p, w.dv, z.e))
+    s.mix(solid, z.e, b.lam, b.heat, b.p_half, w.status)
+    s.slopes(solid, z.e, b.lam, b.p_half)
+    s.do(P.newton_step, P.NewtonRows(w.p, b.p_half, w.dv, w.p_e, z.e, z.p, w.e_r, w.e_p))
+    s.slopes(solid, z.e, b.lam, z.p)
+    s.keep_phases()
 
 
-@nb.njit(**INLINE)
-def close_at_once(count, at, steps, recipe, constants, solid, dt):
-    """The step of the KB codes: mixture at n+1, and the viscosity that moves the nodes next."""
-    z, b, w = at.z, at.b, at.w
-    call_pass(steps.energy_before, count, BeforeRows(w.t1, w.t2, z.s1, z.s2, w.radial, w.hoop, w.v_half, w.dv, z.e, z.q, w.target), dt,
-              constants)
-    call_pass(steps.after_work, count, WorkRows(w.target, z.p, z.p, w.dv, w.e), dt, constants)
-    material.mix(count, at, recipe, solid, w.e, b.lam, w.zero, w.p, b.status)
-    call_pass(steps.after_work, count, WorkRows(w.target, z.p, w.p, w.dv, z.e), dt, constants)
-    material.mix(count, at, recipe, solid, z.e, b.lam, w.zero, b.p_half, w.status)
-    material.burn(count, at, recipe, dt, solid, solid, b.p_half, z.q, w.lam)
-    material.share_heat(count, at, recipe, constants, z.q, b.p_half, solid, w.zero)
-    material.lead_on(count, at, recipe, constants, w.lam, dt)
-    material.mix(count, at, recipe, solid, z.e, b.lam, w.zero, b.p_half, w.status)
-    material.mixture_slopes(count, at, recipe, solid, z.e, b.lam, b.p_half)
-    material.keep_phases(count, at, recipe)
-    material.copy(count, recipe, b.p_half, z.p)
-    material.viscous(count, recipe, w.v, z.c, z.p, w.squeeze, w.zero, w.speed)
+def close_at_once(s, geometry, solid):
+    """Write the step of the KB codes: mixture at n+1, and the viscosity that moves the nodes next."""
+    z, b, w = s.at.z, s.at.b, s.at.w
+    s.do(P.energy_before, P.BeforeRows(w.t1, w.t2, z.s1, z.s2, w.radial, w.hoop, w.v_half, w.dv, z.e, z.q, w.target), kind=geometry)
+    s.do(P.after_work, P.WorkRows(w.target, z.p, z.p, w.dv, w.e))
+    s.mix(solid, w.e, b.lam, w.zero, w.p, b.status)
+    s.do(P.after_work, P.WorkRows(w.target, z.p, w.p, w.dv, z.e))
+    s.mix(solid, z.e, b.lam, w.zero, b.p_half, w.status)
+    s.burn(s.at.whole, solid, solid, b.p_half, z.q, w.lam)
+    s.share_heat(z.q, b.p_half, solid, w.zero)
+    s.lead_on(w.lam)
+    s.mix(solid, z.e, b.lam, w.zero, b.p_half, w.status)
+    s.slopes(solid, z.e, b.lam, b.p_half)
+    s.keep_phases()
+    s.copy(b.p_half, z.p)
+    s.viscous(w.v, z.c, z.p, w.squeeze, w.zero, w.speed)

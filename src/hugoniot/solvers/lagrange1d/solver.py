@@ -10,26 +10,24 @@ import threading
 import numpy as np
 
 from hugoniot.core import team
+from hugoniot.core.compile_ahead import compile_all, job_of
 from hugoniot.mesh.line import GEOMETRY
 from hugoniot.problem.defaults import with_defaults
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.lagrange1d import accounts, reactive, start
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_pulse, recipes_of, viscosity_of
+from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_pulse, laws_of_regions, viscosity_of
 from hugoniot.solvers.lagrange1d.between_steps import events_of
 from hugoniot.solvers.lagrange1d.bodies import alike_ranges, faces, interface_table, run_table, set_node_masses, shares_of
 from hugoniot.solvers.lagrange1d.layout import H, WorkRows, Z
+from hugoniot.solvers.lagrange1d.plan import EMPTY, Planner, serve
 from hugoniot.solvers.lagrange1d.post_mortem import unphysical
 from hugoniot.solvers.lagrange1d.probes import probe_tables
-from hugoniot.solvers.lagrange1d.sharing import serve
-from hugoniot.solvers.lagrange1d.step import SCHEMES, Gauges, march
+from hugoniot.solvers.lagrange1d.step import SCHEMES, Arrays, Gauges, march
 from hugoniot.solvers.lagrange1d.tables import zone_table
-from hugoniot.solvers.lagrange1d.work import Arrays, Steps, enter, steps_of
 from hugoniot.solvers.protocol import Event, NothingToAdd
 from hugoniot.state import State
 from hugoniot.zones.closure import remembers
-from hugoniot.zones.recipe import Recipe
-from hugoniot.zones.soundness import FOUND_FLOATS
 
 NAME = "lagrange1d"
 ZONE_FIELDS = {"density": Z.rho, "energy": Z.e, "pressure": Z.p, "viscous_pressure": Z.q, "deviator_radial": Z.s1,
@@ -48,14 +46,17 @@ class Lagrange1D(NothingToAdd):
         self.scheme = SCHEMES[problem.solver.integrator]
         self.staggered = self.scheme.staggered
         self.team = self._team()
-        self.book, self.recipe_of = recipes_of(problem)
-        self.steps, self.flux = np.zeros((1, len(Steps._fields)), dtype=np.int64), np.zeros(2)
+        laws, self.laws_of_region = laws_of_regions(problem)
         self.viscosity = viscosity_of(problem)
         self.table, self.charge_table, self.nodes, self.gradient, self.segments, self.region_ranges = assemble(problem)
         self.zones = self.table[:, :self.region_ranges[-1][1]]
         self.burning = any(reactive.burns(problem, region) for region in problem.regions)
         self.charge = self.charge_table[:, :self.region_ranges[-1][1] if self.burning else 0]
+        self.node_table = zone_table(len(H), 2 * self.zones.shape[1])         # room for every zone on its own
+        self.gradient_table = np.zeros(3 * self.zones.shape[1])
         self.work = zone_table(len(WorkRows._fields), self.team.threads * L.PIECE)
+        self.planner = Planner((self.table, self.charge_table, self.node_table, self.gradient_table, self.work), laws, self.geometry,
+                               self.staggered, problem.solver.options["heat_flux"], self.team.threads)
         remembering = any(remembers(problem.materials[region.material].eos) for region in problem.regions)
         self.zone_fields = ZONE_FIELDS | ({"compaction": Z.compaction} if remembering else {})
         set_node_masses(self.zones, self.nodes, self.segments)
@@ -66,10 +67,10 @@ class Lagrange1D(NothingToAdd):
         self.region_of = np.repeat(np.arange(len(problem.regions)), [b - a for a, b in self.region_ranges])
         self.initial_nodes = self._faces(H.r)
         start.prepare(self)
-        self.renew_topology()
         self._new_buffer()
-        passes = steps_of(self.staggered, self.geometry, [Recipe(*line) for line in self.book.recipes])
-        self.steps[0] = enter(self._arrays(), passes, self.staggered)
+        self._renew_tables()
+        compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs()])
+        self.renew_topology()
         self.start_energy, self.start_mass, self.start_momentum = self.total_energy(), self.zones[Z.mass].sum(), self.momentum()
 
     # -- setting up ------------------------------------------------------------------------------------------
@@ -89,10 +90,14 @@ class Lagrange1D(NothingToAdd):
 
     def renew_topology(self) -> None:
         """Everything that depends on which zones are joined."""
+        self._renew_tables()
         regions, ranges = self.problem.regions, self.region_ranges
         alike = alike_ranges(regions, ranges, [reactive.burns(self.problem, region) for region in regions])
-        self.runs, self.spans, self.flux_ranges = shares_of(run_table(self.segments, ranges, self.recipe_of), self.segments, alike)
-        self.found, self.dts = np.zeros((len(self.runs) + 1, FOUND_FLOATS)), np.zeros(2)
+        self.plan = self.planner.plan(*shares_of(run_table(self.segments, ranges, self.laws_of_region), self.segments, alike))
+
+    def _renew_tables(self):
+        self.node_table[:, :self.nodes.shape[1]], self.gradient_table[:len(self.gradient)] = self.nodes, self.gradient
+        self.nodes, self.gradient = self.node_table[:, :self.nodes.shape[1]], self.gradient_table[:len(self.gradient)]
         self.interfaces = interface_table(self.segments, self.nodes)
         self.gauges, self.weights = probe_tables(self)
         self.segment_of = np.repeat(np.arange(len(self.segments)), self.segments[:, 1] - self.segments[:, 0])
@@ -130,11 +135,9 @@ class Lagrange1D(NothingToAdd):
         if until <= self.time:
             return []
         self.control[L.EVENT_TIME] = until
-        arrays = self._arrays()
-        members = self._assemble_team(arrays)
+        members = self._assemble_team()
         try:
-            code = march(cycles, arrays, self.scheme, self.geometry, self.boundaries, self.team,
-                         Gauges(self.gauges, self.weights, self.gauge_times, self.gauge_buffer))
+            code = march(*self._march_arguments(cycles, self.plan))
         finally:
             if members:
                 team.call(self.team.board, team.DISMISSED)
@@ -144,17 +147,18 @@ class Lagrange1D(NothingToAdd):
             raise unphysical(self, code)
         return events_of(self, code)
 
-    def _arrays(self) -> Arrays:
-        return Arrays(self.table, self.charge_table, self.nodes, self.gradient, self.work, self.steps, self.book.recipes,
-                      self.book.constants, self.flux, self.runs, self.spans, self.flux_ranges, self.found, self.dts, self.control,
-                      self.counters, self.segments, self.interfaces)
+    def _march_arguments(self, cycles, plan):
+        arrays = Arrays(self.table, self.charge_table, self.node_table, self.gradient_table, self.control, self.counters, self.segments,
+                        self.interfaces)
+        gauges = Gauges(self.gauges, self.weights, self.gauge_times, self.gauge_buffer)
+        return cycles, arrays, plan, self.scheme, self.geometry, self.boundaries, self.team, gauges
 
-    def _assemble_team(self, arrays):
+    def _assemble_team(self):
         """The other threads of this march, waiting at the board; none for a run of one thread."""
         if isinstance(self.team, team.Alone):
             return []
         phase = int(self.team.board[0])
-        members = [threading.Thread(target=serve, args=(k, phase, arrays, self.scheme, self.team), daemon=True)
+        members = [threading.Thread(target=serve, args=(k, phase, self.plan, self.team), daemon=True)
                    for k in range(1, self.team.threads)]
         for member in members:
             member.start()

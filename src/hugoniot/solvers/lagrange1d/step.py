@@ -9,9 +9,9 @@ compatible                                             wilkins (Wilkins B.2)
  6. zones: energy, stress, signal rate at the end
  7. heat flux, watch: soundness and peaks, failing zones, interfaces, gaps, gauges
 
-The zones' steps are lists of passes in `compatible` and `leapfrog`, shared out by `sharing`. A march returns when its cycles are done,
-an event time is reached, a gauge buffer is full, a void opens or closes, or a state is bad; the codes are in `layout`. The march knows
-no law: which passes a material takes stands in `recipes`, so that it is compiled once for an integrator and a geometry.
+What is done to zones and nodes stands in lists of passes (`compatible`, `leapfrog`), which the `plan` carries out. A march returns when
+its cycles are done, an event time is reached, a gauge buffer is full, a void opens or closes, or a state is bad; the codes are in
+`layout`. It knows no law, so that it is compiled once for an integrator and a geometry.
 """
 
 from typing import Any, NamedTuple
@@ -20,14 +20,12 @@ import numba as nb
 from numba.extending import overload
 
 from hugoniot.core.binder import bind_family
-from hugoniot.core.passes import call_pass, record, row, rows
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.mesh import line
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.compatible import FluxRows
-from hugoniot.solvers.lagrange1d.layout import ChargeRows, H, NodeRows, Z, ZoneRows
+from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.nodes import end_node, end_pull, leap_end
-from hugoniot.solvers.lagrange1d.sharing import ACCELERATE, ADVANCE, CORRECT, LEAP, MOVE, PREDICT, everyone, gather
+from hugoniot.solvers.lagrange1d.plan import ACCELERATE, ADVANCE, CORRECT, DT, DT_HALF, DT_MEAN, FLOW, LEAP, MOVE, PREDICT, everyone, gather
 from hugoniot.solvers.lagrange1d.watch import (
     cavity_closed,
     closing_time,
@@ -36,7 +34,6 @@ from hugoniot.solvers.lagrange1d.watch import (
     record_gauges,
     touching_gap,
 )
-from hugoniot.solvers.lagrange1d.work import Steps
 from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE, FOUND_IMPULSE, FOUND_RATE, FOUND_UNSOUND, first_unsound
 
 bind_family(line.GEOMETRY, line.GENERICS)
@@ -55,6 +52,19 @@ class Leapfrog(NamedTuple):
 
 
 SCHEMES = {"compatible": Compatible(), "wilkins": Leapfrog()}
+
+
+class Arrays(NamedTuple):
+    """What a march works on besides its plan: the tables of `layout`, control numbers, bodies and weak interfaces."""
+
+    zones: Any
+    charge: Any
+    nodes: Any
+    gradient: Any
+    control: Any
+    counters: Any
+    segments: Any
+    interfaces: Any
 
 
 class Gauges(NamedTuple):
@@ -128,51 +138,39 @@ def end_of(segments, end):
     return (segments[k, L.SEG_LAST] + k, segments[k, L.SEG_LAST] - 1, segments[k, L.SEG_RIGHT]), left
 
 
-def take_step(a, scheme, geometry, boundaries, team):
+def take_step(a, plan, scheme, geometry, boundaries, team):
     """Steps 2 to 6 of the scheme."""
     raise NotImplementedError("compiled only")
 
 
-def step_compatible(a, scheme, geometry, boundaries, team):
+def step_compatible(a, plan, scheme, geometry, boundaries, team):
     """Steps 2 to 6 of the compatible integrator, and the heat flux."""
-    dt, segments = a.dts[0], a.segments
+    dt, segments = plan.dts[DT], a.segments
     for stage in range(2):
         corrector = stage == 1
         if corrector:
             ghosts(a.gradient, segments)
-            everyone(a, PREDICT, scheme, team)
-        everyone(a, MOVE if corrector else ACCELERATE, scheme, team)
+            everyone(plan, PREDICT, team)
+        everyone(plan, MOVE if corrector else ACCELERATE, team)
         for end in range(2 * segments.shape[0]):
             ends, left = end_of(segments, end)
             end_node(a.zones, a.nodes, a.control, ends, left, corrector, dt, boundaries[0 if left else 1], geometry)
-    everyone(a, CORRECT, scheme, team)
-    if a.control[L.HEAT_FLUX] > 0.0:
-        for i in range(a.ranges.shape[0]):
-            conduct(a, i, dt)
+    everyone(plan, CORRECT, team)
+    everyone(plan, FLOW, team)
 
 
-@nb.njit(**INLINE)
-def conduct(a, i, dt):
-    """Artificial heat flux inside range i of zones."""
-    first, last, segment, burns = a.ranges[i, 0], a.ranges[i, 1], a.ranges[i, 2], a.ranges[i, 3]
-    z, b, h = rows(ZoneRows, a.zones, first), rows(ChargeRows, a.charge, first), rows(NodeRows, a.nodes, first + segment)
-    a.flux[0], a.flux[1] = a.control[L.HEAT_FLUX], burns
-    call_pass(record(Steps, a.steps, 0).heat_flux, last - first, FluxRows(h.r_half, h.u_mean, b.lam, z.q, z.rho, z.inverse_mass, z.e,
-                                                                          z.face_flux), dt, row(a.flux, 0))
-
-
-def step_wilkins(a, scheme, geometry, boundaries, team):
+def step_wilkins(a, plan, scheme, geometry, boundaries, team):
     """Steps 2 and 3 of the leapfrog."""
     segments = a.segments
-    everyone(a, LEAP, scheme, team)
+    everyone(plan, LEAP, team)
     for end in range(2 * segments.shape[0]):
         ends, left = end_of(segments, end)
-        leap_end(a.zones, a.nodes, a.control, ends, left, a.dts, boundaries[0 if left else 1], geometry)
-    everyone(a, ADVANCE, scheme, team)
+        leap_end(a.zones, a.nodes, a.control, ends, left, plan.dts, boundaries[0 if left else 1], geometry)
+    everyone(plan, ADVANCE, team)
 
 
 @overload(take_step, jit_options=INLINE)
-def _(a, scheme, geometry, boundaries, team):
+def _(a, plan, scheme, geometry, boundaries, team):
     return step_wilkins if scheme.instance_class is Leapfrog else step_compatible
 
 
@@ -201,19 +199,19 @@ def watch(zones, nodes, control, counters, segments, interfaces, unsound):
 
 
 @nb.njit(**GUARD)
-def march(cycles, a, scheme, geometry, boundaries, team, gauges):
+def march(cycles, a, plan, scheme, geometry, boundaries, team, gauges):
     """Take up to `cycles` steps; returns the code of `layout` that says why it came back."""
     control, counters, zone_count = a.control, a.counters, a.segments[-1, L.SEG_LAST]
-    totals, recording = a.found[a.found.shape[0] - 1], gauges.table.shape[0] > 0
+    totals, recording = plan.found[plan.found.shape[0] - 1], gauges.table.shape[0] > 0
     for _ in range(cycles):
         if recording and counters[L.GAUGE_ROWS] >= gauges.times.shape[0]:
             return L.BUFFER_FULL
         dt = choose_step(a.zones, a.nodes, control, a.segments, scheme.staggered, geometry)
         if not control[L.DT_NATURAL] > control[L.DT_SMALLEST]:
             return L.STEP_COLLAPSED
-        a.dts[0], a.dts[1] = dt, 0.5 * (dt + control[L.DT_OLD])
-        take_step(a, scheme, geometry, boundaries, team)
-        gather(a.found)
+        plan.dts[DT], plan.dts[DT_MEAN], plan.dts[DT_HALF] = dt, 0.5 * (dt + control[L.DT_OLD]), 0.5 * dt
+        take_step(a, plan, scheme, geometry, boundaries, team)
+        gather(plan.found)
         at_event = dt >= control[L.EVENT_TIME] - control[L.TIME]
         control[L.TIME] = control[L.EVENT_TIME] if at_event else control[L.TIME] + dt
         counters[L.CYCLE] += 1

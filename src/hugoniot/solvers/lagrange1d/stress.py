@@ -6,14 +6,10 @@ Wilkins B.2 items 5 and 6. In planar and spherical flow the two hoop directions 
 
 from typing import Any, NamedTuple
 
-import numba as nb
-
 from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin, late_over, vsqrt
-from hugoniot.core.passes import call_pass, kind_of, rows_apart, zone_pass
-from hugoniot.core.target import INLINE
+from hugoniot.core.passes import kind_of, rows_apart, zone_pass
 from hugoniot.mesh.line import hoops
-from hugoniot.zones import material
 
 NO_STRESS = 1e-30     # Pa2, beside which no stress squared counts
 
@@ -116,24 +112,21 @@ for _function in (trial_deviators, von_mises, radial_return, equivalent_rate):
     bind(_function)
 
 
-@nb.njit(**INLINE)
-def deviators(count, at, steps, recipe, solid, e, p, lam, dt):
-    """Deviators t1, t2 at the end of a strain, with `limit` and `flow`; zero for a fluid.
+def deviators(s, geometry, solid, e, p, lam, step):
+    """Write the deviators t1, t2 at the end of a strain, with `limit` and `flow`; zero for a fluid.
 
+    s           `zones.steps.MaterialSteps`
     e, p, lam   rows of the state whose modulus and yield count (lam: of burning material only); its c^2 is w.c2
+    step        the time of the strain
     """
-    z, w = at.z, at.w
-    if recipe.shear == 0:
-        material.clear(count, recipe, w.t1)
-        material.clear(count, recipe, w.t2)
-        material.clear(count, recipe, w.shear)
+    z, w = s.at.z, s.at.w
+    if not s.laws.is_strong:
+        s.clear(w.t1, w.t2, w.shear)
         return
-    hoop, dilation = w.hoop, w.dilation
-    if steps.curved == 0:      # dilation and radial strain are one number in planar flow
-        hoop, dilation = w.zero, w.radial
-    if recipe.needs_rate != 0:
-        call_pass(steps.rate, count, RateRows(w.radial, hoop, dilation, w.rate), dt, w.rate)
-    material.moduli(count, at, recipe, solid, e, p, lam)
-    call_pass(steps.trial, count, StressRows(z.s1, z.s2, w.radial, hoop, dilation, w.shear, w.t1, w.t2, w.equivalent), dt, w.t1)
-    material.flow(count, at, recipe, solid, p, lam)
-    call_pass(steps.back, count, ReturnRows(w.t1, w.t2, w.limit), dt, w.t1)
+    hoop, dilation = (w.hoop, w.dilation) if hoops(geometry) > 0.0 else (w.zero, w.radial)   # one number in planar flow
+    if s.laws.needs_rate:
+        s.do(rate_pass, RateRows(w.radial, hoop, dilation, w.rate), step)
+    s.moduli(solid, e, p, lam)
+    s.do(trial_pass, StressRows(z.s1, z.s2, w.radial, hoop, dilation, w.shear, w.t1, w.t2, w.equivalent), step, kind=geometry)
+    s.flow(solid, p, lam)
+    s.do(return_pass, ReturnRows(w.t1, w.t2, w.limit), kind=geometry)

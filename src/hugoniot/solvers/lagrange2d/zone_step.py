@@ -6,7 +6,6 @@ import numba as nb
 
 from hugoniot.core.passes import call_pass, row, row_at, rows
 from hugoniot.core.target import INLINE
-from hugoniot.solvers.lagrange1d.compatible import close_end, keep_half
 from hugoniot.solvers.lagrange2d import forces, geometry, smoothness, tensor, viscosity, zone_passes
 from hugoniot.solvers.lagrange2d import hourglass as filters
 from hugoniot.solvers.lagrange2d import layout as L
@@ -144,6 +143,32 @@ def close_half(passes, at, recipe, constants, solid, dt):
     material.mix(count, at, recipe, solid, w.e, b.lam_half, b.heat, w.p, b.status)
     if recipe.bulk_first != 0:
         material.mixture_slopes(count, at, recipe, solid, w.e, b.lam_half, w.p)
+
+
+@nb.njit(**INLINE)
+def keep_half(count, at, recipe):
+    """Keep density and pressure of the middle of the step, and twice the plastic heat of its first half: that of the whole."""
+    b, w = at.b, at.w
+    material.copy(count, recipe, w.rho, b.rho_half)
+    material.copy(count, recipe, w.p, b.p_half)
+    material.clear(count, recipe, b.heat)
+    material.add_plastic_heat(count, at, recipe, w.v, b.heat)
+    material.add_plastic_heat(count, at, recipe, w.v, b.heat)
+
+
+@nb.njit(**INLINE)
+def close_end(count, at, recipe, constants, solid, dt):
+    """Burn fraction and mixture at the end of the step, by the pressure in its middle; what burns at once, by that at its start."""
+    z, b, w = at.z, at.b, at.w
+    drive = z.p if recipe.instant != 0 else b.p_half
+    material.burn(count, at, recipe, dt, b.rho_half, b.rho_half, drive, z.q, w.lam)
+    material.add(count, recipe, b.heat, w.heat)
+    material.share_heat(count, at, recipe, constants, z.q, b.p_half, b.rho_half, w.heat)
+    material.lead_on(count, at, recipe, constants, w.lam, dt)
+    material.mix(count, at, recipe, solid, z.e, b.lam, b.heat, w.p, w.status)
+    material.keep_phases(count, at, recipe)
+    material.copy(count, recipe, w.p, z.p)
+    material.mixture_slopes(count, at, recipe, solid, z.e, b.lam, z.p)
 
 
 # -- the two halves of a step ---------------------------------------------------------------------------------------------------

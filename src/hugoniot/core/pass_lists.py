@@ -1,0 +1,153 @@
+"""Lists of passes: a step written down as data, and the loop that carries it out.
+
+A solver writes its step in Python, once, as a list of passes with the rows each works on. Written down in numbers (`write`) it needs no
+compiling of its own: one small loop, `carry_out`, compiled once on a machine, takes the passes of any list in order. Which passes a
+material needs is decided in plain Python while the list is made; nothing is decided while it runs.
+
+A row stands at a `Place`: its address for zone 0 and the number of the *origin* that moves it, so that one list serves every piece of
+zones. Whoever carries a list out says where the origins are, in bytes; origin `FIXED` stays at 0, for scratch and for constants.
+"""
+
+from collections.abc import Iterable, Iterator
+from typing import Any, NamedTuple
+
+import numba as nb
+import numpy as np
+from llvmlite import ir
+from numba import types
+from numba.core import cgutils
+from numba.extending import intrinsic
+
+from hugoniot.core.compile_ahead import Job
+from hugoniot.core.passes import Pass
+from hugoniot.core.rows import ROW, row_at
+from hugoniot.core.target import GUARD
+
+FIXED = 0            # the origin that never moves
+MOST_ROWS = 40       # that one pass may take
+ADDRESS, NUMBERS, STEP, ROWS, FIRST_ROW = range(5)      # columns of the table of operations
+
+
+class Place(NamedTuple):
+    """Where a row begins: the address of its element 0, and the origin that moves it."""
+
+    address: int
+    origin: int
+
+
+def place(array: np.ndarray, origin: int = FIXED) -> Place:
+    """The place of a contiguous row of float64. The array must outlive the lists that name it."""
+    return Place(array.ctypes.data, origin)
+
+
+def places(cls, table: np.ndarray, origin: int, first: int = 0) -> Any:
+    """The rows of a table (rows, n) from column `first` on, by the names of the NamedTuple class `cls`."""
+    return cls(*(Place(table.ctypes.data + k * table.strides[0] + first * table.strides[1], origin) for k in range(len(cls._fields))))
+
+
+class Operation(NamedTuple):
+    """A pass with what it works on: its law or geometry (None: none), rows (nested NamedTuples of `Place`), numbers, time step."""
+
+    of: Pass
+    law: Any
+    rows: tuple
+    numbers: np.ndarray
+    step: Place
+
+
+class Written(NamedTuple):
+    """Lists in numbers, as compiled code reads them.
+
+    operations             (n, 5): the columns ADDRESS to FIRST_ROW
+    addresses, origins     (m,) of their rows
+    moves                  (m,): -1 of rows that move with the zones, 0 of others
+    """
+
+    operations: np.ndarray
+    addresses: np.ndarray
+    origins: np.ndarray
+    moves: np.ndarray
+
+
+def jobs(lists: Iterable[list[Operation]]) -> list[Job]:
+    """The passes of lists that have yet to be compiled."""
+    each = {(operation.of, nb.typeof(operation.law)): operation for one in lists for operation in one}
+    return [job for operation in each.values() if (job := operation.of.job(operation.law)) is not None]
+
+
+def write(lists: Iterable[list[Operation]]) -> tuple[Written, list[tuple[int, int]]]:
+    """(the lists in numbers, first and last operation of each). The lists must outlive them; compiles the passes that are not on disk."""
+    lists = list(lists)
+    every = [operation for one in lists for operation in one]
+    operations, operands = np.zeros((len(every), 5), dtype=np.int64), [Place(0, FIXED)]
+    for line, operation in zip(operations, every):
+        rows = list(_flat(operation.rows))
+        if len(rows) > MOST_ROWS:
+            raise ValueError(f"{operation.of.__name__} takes {len(rows)} rows, more than {MOST_ROWS}")  # pyright: ignore
+        line[:] = operation.of.address(operation.law), operation.numbers.ctypes.data, operation.step.address, len(rows), len(operands)
+        operands += rows
+    ends = np.cumsum([0, *map(len, lists)]).tolist()
+    addresses, origins = np.array(operands, dtype=np.int64).T.copy()
+    written = Written(operations, addresses, origins, -(origins != FIXED).astype(np.int64))
+    return written, list(zip(ends[:-1], ends[1:]))
+
+
+def _flat(rows) -> Iterator[Place]:
+    for each in rows:
+        if isinstance(each, Place):
+            yield each
+        else:
+            yield from _flat(each)
+
+
+# -- carried out -------------------------------------------------------------------------------------------------------
+@intrinsic
+def _call(typingctx, address, count, rows, pointers, step, numbers):
+    """Call a pass over `count` zones with as many of `pointers` as it takes rows: one case for each number, as they are its arguments."""
+    def codegen(context, builder, sig, args):
+        start, number = context.make_array(sig.args[3])(context, builder, args[3]).data, ir.DoubleType().as_pointer()
+        given = builder.bitcast(start, number.as_pointer())
+        nothing = cgutils.get_null_value(context.get_value_type(types.voidptr))
+        done = builder.append_basic_block("done")
+        chosen = builder.switch(args[2], done)
+        for n in range(1, MOST_ROWS + 1):
+            case = builder.append_basic_block(f"rows{n}")
+            chosen.add_case(ir.IntType(64)(n), case)
+            builder.position_at_end(case)
+            kinds = (types.int64, *[ROW] * n, types.float64, ROW, types.voidptr)
+            function = builder.inttoptr(args[0], context.call_conv.get_function_type(types.none, kinds).as_pointer())
+            found = [builder.load(builder.gep(given, [ir.IntType(64)(i)])) for i in range(n)]
+            context.call_conv.call_function(builder, function, types.none, kinds, [args[1], *found, args[4], args[5], nothing])
+            builder.branch(done)
+        builder.position_at_end(done)
+        return context.get_dummy_value()
+
+    return types.void(types.int64, types.int64, types.int64, pointers, types.float64, ROW), codegen
+
+
+def most_rows(written: Written, ends: Iterable[tuple[int, int]]) -> int:
+    """Rows of the longest of some lists: the room `carry_out` needs."""
+    return max((int(written.operations[first:last, ROWS].sum()) for first, last in ends), default=1)
+
+
+@nb.njit(**GUARD)
+def carry_out(written, first, last, zones, piece, origins, pointers):
+    """Operations first to last - 1 of written lists over `zones` zones, `piece` of them at a time.
+
+    origins    (n,) of the first zone in bytes, with origins[FIXED] = 0
+    pointers   scratch, room for the rows of all these operations
+    """
+    rows, begin = 0, written.operations[first, FIRST_ROW]
+    for k in range(first, last):
+        rows += written.operations[k, ROWS]
+    for i in range(rows):
+        pointers[i] = written.addresses[begin + i] + origins[written.origins[begin + i]]
+    while zones > 0:
+        count = min(zones, piece)
+        for k in range(first, last):
+            operation = written.operations[k]
+            _call(operation[ADDRESS], count, operation[ROWS], pointers[operation[FIRST_ROW] - begin:], row_at(operation[STEP])[0],
+                  row_at(operation[NUMBERS]))
+        for i in range(rows):
+            pointers[i] += written.moves[begin + i] & (8 * count)
+        zones -= count

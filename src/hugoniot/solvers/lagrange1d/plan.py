@@ -1,0 +1,220 @@
+"""The plan of a march: for each command of the step the lists of passes that carry it out, and the shares of zones or nodes they take.
+
+Lists are written once for a run, one for each material and member of the team, whose scratch they use. Shares are laid out anew when
+bodies open or close. Every share is worked on by one thread, and totals are taken over the shares in their order, so that no bit of a
+result depends on the number of threads.
+"""
+
+from typing import Any, NamedTuple
+
+import numba as nb
+import numpy as np
+from numba.extending import overload
+
+from hugoniot.core.compile_ahead import Job
+from hugoniot.core.pass_lists import FIXED, Operation, Place, Written, carry_out, jobs, most_rows, place, places, write
+from hugoniot.core.passes import Entry, call_entry
+from hugoniot.core.target import GUARD, INLINE
+from hugoniot.core.team import DISMISSED, Alone, await_call, begin, gather_team, sign
+from hugoniot.solvers.lagrange1d import compatible, leapfrog, nodes
+from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.layout import ChargeRows, NodeRows, WorkRows, ZoneRows
+from hugoniot.zones.soundness import FOUND_FAILURE, FOUND_FLOATS, FOUND_IMPULSE, FOUND_RATE
+from hugoniot.zones.steps import MaterialSteps
+
+ACCELERATE, PREDICT, MOVE, CORRECT, FLOW, LEAP, ADVANCE = range(7)     # commands; FLOW is the artificial heat flux
+COMMANDS = 7
+AT_ZONES, AT_NODES, AT_GRADIENTS, ORIGINS = range(1, 5)                # origins of the lists
+FIRST, LAST, SEGMENT, PIECE, FROM, TO, FOUND = range(7)                # columns of the table of shares
+NOT_FOUND = -1
+DT, DT_MEAN, DT_HALF = range(3)                                        # of the row of time steps
+
+
+class LineRows(NamedTuple):
+    """Rows of a piece of zones: those of `zones.steps.Rows`, its nodes h, and velocity gradients g from the left neighbour's on."""
+
+    z: Any
+    b: Any
+    w: Any
+    h: Any
+    g: Place
+    found: Place
+    whole: Place
+    half: Place
+
+
+class Plan(NamedTuple):
+    """What compiled code carries out.
+
+    written    the lists of passes in numbers
+    commands   (command; first, last share)
+    shares     (share; columns FIRST to FOUND)
+    share_out  address of `do_share`
+    threads    members of the team
+    origins    (member, ORIGINS) in bytes
+    pointers   (member, rows): scratch of `carry_out`
+    seen       (member, FOUND_FLOATS): what passes find in a share
+    found      a row for each share that finds something, and the totals of a step behind them
+    dts        dt, mean of the last two, half of dt
+    """
+
+    written: Written
+    commands: Any
+    shares: Any
+    share_out: int
+    threads: int
+    origins: Any
+    pointers: Any
+    seen: Any
+    found: Any
+    dts: Any
+
+
+def _empty() -> Plan:
+    ints, table = np.zeros(1, dtype=np.int64), np.zeros((1, 1), dtype=np.int64)
+    return Plan(Written(table, ints, ints, ints), table, table, 0, 1, table, table, np.zeros((1, 1)), np.zeros((1, 1)), np.zeros(3))
+
+
+EMPTY = _empty()     # of the compiled type of every plan
+
+
+# -- writing -----------------------------------------------------------------------------------------------------------
+class Planner:
+    """Writes the lists of a run and lays out its shares.
+
+    tables    (zones, charge, nodes, gradient, scratch), which stay where they are as long as the run
+    laws      `zones.laws.Laws` of each material
+    """
+
+    def __init__(self, tables, laws, geometry, staggered: bool, heat_flux: float, threads: int):
+        self.threads, self.laws, self.geometry, self.staggered = threads, laws, geometry, staggered
+        self.dts, self.seen = np.zeros(3), np.zeros((threads, FOUND_FLOATS))
+        zones, charge, node_table, gradient, scratch = tables
+        self._at = [LineRows(places(ZoneRows, zones, AT_ZONES), places(ChargeRows, charge, AT_ZONES),
+                             places(WorkRows, scratch, FIXED, member * L.PIECE), places(NodeRows, node_table, AT_NODES),
+                             place(gradient, AT_GRADIENTS), place(self.seen[member]), place(self.dts[DT:]), place(self.dts[DT_HALF:]))
+                    for member in range(threads)]
+        self._heat_flux = heat_flux
+        self.written, self._ends = EMPTY.written, {}
+        self._lists = dict(self._of_materials()) | dict(self._of_nodes()) | dict(self._of_heat())
+
+    def jobs(self) -> list[Job]:
+        """What has yet to be compiled for the plan."""
+        return [DO_SHARE.job(EMPTY, 0, 0), *jobs(self._lists.values())]
+
+    def _of_materials(self):
+        """((command, material, member), list) of every material."""
+        commands = {ADVANCE: leapfrog.advance} if self.staggered else {PREDICT: compatible.predict, CORRECT: compatible.correct}
+        for command, add in commands.items():
+            for k, laws in enumerate(self.laws):
+                for member, at in enumerate(self._at):
+                    steps = MaterialSteps(laws, at, explicit=not self.staggered)
+                    add(steps, self.geometry)
+                    yield (command, k, member), steps.operations
+
+    def _of_nodes(self):
+        """((command, 0, 0), list) of every motion of inner nodes."""
+        z, h = self._at[0].z, self._at[0].h
+        if self.staggered:
+            motions = {LEAP: (nodes.leap, nodes.LeapRows(z.sigma, z.pull, z.width, h.inverse_mass, h.u, h.r))}
+        else:
+            motions = {ACCELERATE: (nodes.accelerate, nodes.AccelerateRows(z.sigma, z.hoop, h.r, h.u, h.inverse_mass, h.u_mean, h.r_half)),
+                       MOVE: (nodes.move, nodes.MoveRows(z.sigma_half, z.hoop_half, h.r_half, h.inverse_mass, h.u, h.u_mean, h.r))}
+        for command, (motion, rows) in motions.items():
+            yield (command, 0, 0), [Operation(motion, self.geometry, rows, self.dts[DT_MEAN:], self._at[0].whole)]
+
+    def _of_heat(self):
+        """((FLOW, whether it burns, 0), list) of the artificial heat flux."""
+        if self.staggered or not self._heat_flux > 0.0:
+            return
+        at = self._at[0]
+        z, b, h = at.z, at.b, at.h
+        rows = compatible.FluxRows(h.r_half, h.u_mean, b.lam, z.q, z.rho, z.inverse_mass, z.e, z.face_flux)
+        for burns in (0, 1):
+            numbers = np.array([self._heat_flux, burns])
+            yield (FLOW, burns, 0), [Operation(compatible.heat_flux, self.geometry, rows, numbers, at.whole)]
+
+    def plan(self, runs, spans, ranges) -> Plan:
+        """The plan for runs (first, last, segment, material), spans of nodes (first, last, segment) and ranges between which heat flows
+        (first, last, segment, whether they burn)."""
+        if self.written is EMPTY.written:
+            self.written, ends = write(self._lists.values())
+            self._ends = dict(zip(self._lists, ends))
+        inner = [(first, last - 1, segment, 0) for first, last, segment in spans.tolist()]    # a zone less has as many nodes inside
+        shares, commands = [], np.zeros((COMMANDS, 2), dtype=np.int64)
+        for command in range(COMMANDS):
+            rows = runs.tolist() if command in (PREDICT, CORRECT, ADVANCE) else ranges.tolist() if command == FLOW else inner
+            if not any(command == known for known, _, _ in self._ends):
+                rows = []
+            commands[command] = len(shares), len(shares) + len(rows)
+            finds = command in (CORRECT, ADVANCE)
+            scratch = finds or command == PREDICT
+            for i, (first, last, segment, k) in enumerate(rows):
+                ends = self._ends[command, k, i % self.threads if scratch else 0]
+                shares.append((first, last, segment, L.PIECE if scratch else last - first, *ends, i if finds else NOT_FOUND))
+        scratch = [np.zeros((self.threads, n), dtype=np.int64) for n in (ORIGINS, most_rows(self.written, self._ends.values()))]
+        plan = Plan(self.written, commands, np.array(shares, dtype=np.int64).reshape(-1, 7), 0, self.threads, *scratch, self.seen,
+                    np.zeros((len(runs) + 1, FOUND_FLOATS)), self.dts)
+        return plan._replace(share_out=DO_SHARE.address(plan, 0, 0))
+
+
+# -- carried out -------------------------------------------------------------------------------------------------------
+def do_share(plan, command, member):
+    """One command over one member's part of the shares."""
+    origins, seen = plan.origins[member], plan.seen[member]
+    for i in range(plan.commands[command, 0] + member, plan.commands[command, 1], plan.threads):
+        share = plan.shares[i]
+        first, segment = share[FIRST], share[SEGMENT]
+        for k in range(FOUND_FLOATS):
+            seen[k] = 0.0
+        origins[AT_ZONES], origins[AT_NODES], origins[AT_GRADIENTS] = 8 * first, 8 * (first + segment), 8 * (first + 2 * segment)
+        carry_out(plan.written, share[FROM], share[TO], share[LAST] - first, share[PIECE], origins, plan.pointers[member])
+        if share[FOUND] != NOT_FOUND:
+            for k in range(FOUND_FLOATS):
+                plan.found[share[FOUND], k] = seen[k]
+
+
+DO_SHARE = Entry(do_share)
+
+
+def everyone(plan, command, team):
+    """One command over all shares, by everyone if there is a team."""
+    raise NotImplementedError("compiled only")
+
+
+@overload(everyone, jit_options=INLINE)
+def _(plan, command, team):
+    def alone(plan, command, team):
+        call_entry(plan.share_out, plan, command, 0)
+
+    def together(plan, command, team):
+        for member in range(begin(team.board, command, team.threads)):
+            call_entry(plan.share_out, plan, command, member)
+        gather_team(team.board, team.threads)
+
+    return alone if team.instance_class is Alone else together
+
+
+@nb.njit(**GUARD)
+def serve(member, phase, plan, team):
+    """What every other thread of a team does during a march: the leader's commands on its own share, until dismissed."""
+    while True:
+        phase = await_call(team.board, phase, member)
+        command = team.board[1]
+        if command != DISMISSED:
+            call_entry(plan.share_out, plan, command, member)
+        sign(team.board, member, phase)
+        if command == DISMISSED:
+            return
+
+
+@nb.njit(**GUARD)
+def gather(found):
+    """Totals of one step over the shares, in their order, into the row behind theirs."""
+    totals = found[found.shape[0] - 1]
+    totals[:] = 0.0
+    for i in range(found.shape[0] - 1):
+        totals[FOUND_RATE] = max(totals[FOUND_RATE], found[i, FOUND_RATE])
+        totals[FOUND_FAILURE] = max(totals[FOUND_FAILURE], found[i, FOUND_FAILURE])
+        for k in range(FOUND_IMPULSE, FOUND_FLOATS):
+            totals[k] += found[i, k]

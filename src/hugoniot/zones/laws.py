@@ -1,0 +1,111 @@
+"""The laws of the zones of a material, and what they ask of a solver: known once for a material, not in every zone."""
+
+from typing import Any, NamedTuple
+
+from hugoniot.core.binder import bind_family, bind_module
+from hugoniot.laws.arrays import float_parameters
+from hugoniot.laws.burn import contract as burn_contract
+from hugoniot.laws.burn import depletion
+from hugoniot.laws.burn.contract import BURN, Reactive
+from hugoniot.laws.eos import contract as eos_contract
+from hugoniot.laws.eos.contract import reference_state
+from hugoniot.laws.fracture import contract as fracture_contract
+from hugoniot.laws.fracture.contract import FRACTURE
+from hugoniot.laws.mixture import contract as mixture_contract
+from hugoniot.laws.mixture.binding import bind_mixtures
+from hugoniot.laws.strength import contract as strength_contract
+from hugoniot.laws.strength.contract import STRENGTH
+from hugoniot.laws.viscosity import contract as viscosity_contract
+from hugoniot.laws.viscosity.contract import VISCOSITY
+from hugoniot.zones import closure, mixture
+from hugoniot.zones.constants import Constants
+
+
+class Laws(NamedTuple):
+    """Parameter tuples of a material's laws, and its constants; `eos` may be a `Reactive` pair of rate and mixture."""
+
+    eos: Any
+    strength: Any
+    fracture: Any
+    viscosity: Any
+    constants: Constants
+
+    @property
+    def burns(self) -> bool:
+        """Whether a mixture stands where inert material has an equation of state."""
+        return isinstance(self.eos, Reactive)
+
+    @property
+    def burns_at_once(self) -> bool:
+        """Whether it burns whole in the step in which it is lit."""
+        return self.burns and "instantaneous" in BURN.of(self.eos.rate).flags
+
+    @property
+    def is_bare(self) -> bool:
+        """Whether nothing stands for the explosive before it burns."""
+        return self.burns and mixture.bare(self.eos.mixture)
+
+    @property
+    def remembers(self) -> bool:
+        """Whether its equation of state has a history variable."""
+        return not self.burns and closure.remembers(self.eos)
+
+    @property
+    def is_strong(self) -> bool:
+        """Whether it has stress deviators."""
+        return "fluid" not in STRENGTH.of(self.strength).flags
+
+    @property
+    def needs_rate(self) -> bool:
+        """Whether its strength asks for a strain rate."""
+        return "needs_rate" in STRENGTH.of(self.strength).flags
+
+    @property
+    def needs_temperature(self) -> bool:
+        """Whether its strength asks for a temperature."""
+        return "needs_temperature" in STRENGTH.of(self.strength).flags
+
+    @property
+    def needs_bulk_modulus(self) -> bool:
+        """Whether its strength asks for the bulk modulus."""
+        return "needs_bulk_modulus" in STRENGTH.of(self.strength).flags
+
+    @property
+    def breaks(self) -> bool:
+        """Whether it has a fracture law."""
+        return "never" not in FRACTURE.of(self.fracture).flags
+
+    @property
+    def grows_voids(self) -> bool:
+        """Whether voids grow in it at the tension its fracture law caps."""
+        return "voids" in FRACTURE.of(self.fracture).flags
+
+
+def laws_of(eos, strength, fracture, viscosity, noise: float, per_rate: float = 0.0, front: float = 0.0, freezes: float = 0.0) -> Laws:
+    """The laws of a material, `eos` a parameter tuple or a `Reactive` pair; the numbers are fields of `Constants`."""
+    burns = isinstance(eos, Reactive)
+    if burns:
+        bind_burning()
+    rest = float(reference_state(eos.mixture.products if burns else eos)[0])
+    constants = Constants(rest, noise, float("two_sided" in VISCOSITY.of(viscosity).flags), per_rate, front,
+                          float(burns and mixture.isolates(eos.mixture)), freezes)
+    return Laws(*map(float_parameters, (eos, strength, fracture, viscosity)), constants)
+
+
+# -- laws in kernels ---------------------------------------------------------------------------------------------------
+def _bind_laws() -> None:
+    """Make every registered law callable from passes; once per process."""
+    for family, contract in ((eos_contract.EOS, eos_contract), (STRENGTH, strength_contract), (FRACTURE, fracture_contract),
+                             (VISCOSITY, viscosity_contract)):
+        bind_family(family, contract.GENERICS)
+
+
+def bind_burning() -> None:
+    """The same for burn laws and mixtures."""
+    bind_mixtures()
+    bind_family(BURN, burn_contract.GENERICS)
+    for module in (depletion, burn_contract, mixture_contract):
+        bind_module(module)
+
+
+_bind_laws()

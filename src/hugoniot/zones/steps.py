@@ -1,0 +1,265 @@
+"""What the material of zones does in a step, in the order in which it happens, written into a list of passes.
+
+A solver lends its rows under the names used here (`Rows`); which passes a material takes is decided here, once, by its laws. Nothing
+here knows a dimension: strains, the elastic trial and the return to the yield surface are the solver's, which writes them between
+`moduli` and `flow`.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from hugoniot.core.pass_lists import Operation, Place
+from hugoniot.core.passes import numbers_of
+from hugoniot.zones import burn, closure, fracture, mixture, rows, soundness, strength, viscosity
+from hugoniot.zones.laws import Laws
+
+
+class Rows(NamedTuple):
+    """Rows of the zones of a material, each a NamedTuple of `Place`, and what they share.
+
+    z        fields of zones
+    b        further fields of burning zones
+    w        scratch
+    found    what passes find (`soundness`)
+    whole    the time step
+    half     half of it
+    """
+
+    z: Any
+    b: Any
+    w: Any
+    found: Place
+    whole: Place
+    half: Place
+
+
+class MaterialSteps:
+    """Writes the passes of one material into the list `operations`."""
+
+    def __init__(self, laws: Laws, at: Rows, explicit: bool):
+        self.laws, self.at = laws, at
+        self.operations: list[Operation] = []
+        self.constants = np.array(laws.constants, dtype=float)
+        self._numbers: dict[int, np.ndarray] = {}
+        # c^2 is asked for before the state is known
+        self.bulk_first = laws.needs_bulk_modulus or (explicit and laws.grows_voids)
+
+    def do(self, of, given, step: Place | None = None, law=None, kind=None, numbers=None) -> None:
+        """Add a pass over the rows `given`.
+
+        step      the time step it takes; the whole one if not given
+        law       the law it is compiled for, and whose numbers it takes
+        kind      what it is compiled for (a geometry) where it takes the numbers of the material
+        numbers   other numbers than the material's constants
+        """
+        if law is not None:
+            numbers = self._numbers.setdefault(id(law), numbers_of(law))
+        self.operations.append(Operation(of, kind if law is None else law, given, self.constants if numbers is None else numbers,
+                                         step or self.at.whole))
+
+    # -- everywhere ----------------------------------------------------------------------------------------------------------
+    def clear(self, *which: Place) -> None:
+        """Zeros in rows."""
+        for row in which:
+            self.do(rows.clear_pass, rows.FillRows(row))
+
+    def copy(self, row: Place, to: Place) -> None:
+        """A row into another."""
+        self.do(rows.copy_pass, rows.CopyRows(row, to))
+
+    def add(self, more: Place, to: Place) -> None:
+        """A row added to another."""
+        self.do(rows.add_pass, rows.AddRows(more, to))
+
+    def look_over(self) -> None:
+        """Peaks, and how many zones are not sound."""
+        z = self.at.z
+        self.do(soundness.look_over, soundness.PeakRows(z.rho, z.c, z.sigma, z.p, z.peak_stress, z.peak_tension, z.peak_pressure,
+                                                        z.peak_density, self.at.found))
+
+    def viscous(self, v, c, p, squeeze, smooth, speed) -> None:
+        """Signal speed of the artificial viscosity."""
+        self.do(viscosity.speed_pass, viscosity.SpeedRows(v, c, p, squeeze, smooth, speed), law=self.laws.viscosity)
+
+    def viscous_both(self, v, c, p) -> None:
+        """The same of a leapfrog, with the speed of its quadratic part alone at the end of the step."""
+        w = self.at.w
+        self.do(viscosity.speeds_pass, viscosity.SpeedsRows(v, c, p, w.squeeze, w.v, w.speed, w.weak_speed), law=self.laws.viscosity)
+
+    # -- closure -------------------------------------------------------------------------------------------------------------
+    def pressure(self, solid_v, e, p) -> None:
+        """Pressure of inert material at a given energy."""
+        self.do(closure.pressure_pass, closure.PressureRows(solid_v, e, self.at.z.compaction, p), law=self.laws.eos)
+
+    def state(self, solid_v) -> None:
+        """Pressure and c^2 of inert material at the end of the step, at a given energy."""
+        z = self.at.z
+        self.do(closure.state_pass, closure.StateRows(solid_v, z.e, z.compaction, z.p, self.at.w.c2), law=self.laws.eos)
+
+    def settle(self, solid_v) -> None:
+        """Pressure, energy and c^2 of inert material together, from the energy before the pressure has worked."""
+        z, w = self.at.z, self.at.w
+        self.do(closure.settle_pass, closure.SettleRows(solid_v, w.dv, w.target, z.e, z.p, z.compaction, w.c2), law=self.laws.eos)
+
+    def stiffness(self, solid, solid_v, e, p) -> None:
+        """c^2 before the state is known, where it is asked for: of inert material, or of the phases of the step before."""
+        b, w = self.at.b, self.at.w
+        if self.bulk_first and not self.laws.burns:
+            self.do(closure.stiffness_pass, closure.StiffnessRows(solid_v, e, p, self.at.z.compaction, w.c2), law=self.laws.eos)
+        elif self.bulk_first:
+            self.do(mixture.slopes_pass, mixture.SlopeRows(solid, e, b.lam, p, b.rho_r, b.e_r, b.rho_p, b.e_p, w.c2, w.p_e),
+                    law=self.laws.eos)
+
+    # -- strength ------------------------------------------------------------------------------------------------------------
+    def _heat(self, solid, e) -> Place:
+        """The row of temperatures, for laws that ask for one."""
+        z, b, w = self.at.z, self.at.b, self.at.w
+        if not self.laws.needs_temperature:
+            return w.zero
+        if self.laws.burns:
+            self.do(mixture.mixture_temperature_pass,
+                    mixture.MixtureTemperatureRows(b.lam, z.p, b.rho_r, b.e_r, b.rho_p, b.e_p, w.temperature), law=self.laws.eos)
+        else:
+            self.do(closure.temperature_pass, closure.TemperatureRows(solid, e, z.compaction, w.temperature), law=self.laws.eos)
+        return w.temperature
+
+    def moduli(self, solid, e, p, lam) -> None:
+        """Shear modulus of a state, and its temperature for laws that ask for one; lam counts in burning material only."""
+        w, heat = self.at.w, self._heat(solid, e)
+        self.do(strength.shear_pass, strength.ShearRows(solid, p, heat, w.c2, w.shear), law=self.laws.strength)
+        if self.laws.burns:
+            self.do(strength.unburned_shear_pass, strength.UnburnedShearRows(lam, w.shear))
+
+    def flow(self, solid, p, lam) -> None:
+        """Flow stress and plastic strain that meet the equivalent stress of the elastic trial."""
+        w, laws = self.at.w, self.laws
+        heat = w.temperature if laws.needs_temperature else w.zero
+        rate = w.rate if laws.needs_rate else w.zero
+        self.do(strength.yield_pass, strength.YieldRows(solid, p, heat, rate, w.shear, w.equivalent, self.at.z.plastic_strain, w.limit,
+                                                        w.flow), law=laws.strength)
+        if laws.burns:
+            self.do(strength.unburned_limit_pass, strength.UnburnedLimitRows(lam, w.shear, w.equivalent, w.limit, w.flow))
+
+    def harden(self, v) -> None:
+        """Plastic strain and work of the step, of volume v per mass."""
+        z, w = self.at.z, self.at.w
+        if self.laws.is_strong:
+            self.do(strength.harden_pass, strength.HardenRows(w.limit, w.flow, v, z.plastic_work, z.plastic_strain))
+
+    def add_plastic_heat(self, v, heat) -> None:
+        """Plastic work of a strain, J/kg, added to a row."""
+        w = self.at.w
+        if self.laws.is_strong:
+            self.do(strength.plastic_heat_pass, strength.PlasticHeatRows(w.limit, w.flow, v, heat))
+
+    # -- fracture ------------------------------------------------------------------------------------------------------------
+    def solid(self, rho) -> tuple[Place, Place]:
+        """Rows of density and specific volume of the solid, of volume w.v and density `rho` with its voids."""
+        w = self.at.w
+        if not self.laws.grows_voids:
+            return rho, w.v
+        self.do(fracture.solid_pass, fracture.SolidRows(w.v, self.at.z.voids, w.solid, w.solid_v))
+        return w.solid, w.solid_v
+
+    def relieve(self, solid) -> None:
+        """Take off the pressure in the middle of a step what voids would take off now."""
+        w = self.at.w
+        if self.laws.grows_voids:
+            self.do(fracture.relief_pass, fracture.ReliefRows(w.t1, w.p, w.c2, solid, self.at.z.voids, w.relief),
+                    law=self.laws.fracture)
+            self.add(w.relief, w.p)
+
+    def tear(self, solid) -> None:
+        """Damage, failure and voids at the end of a step, the pressure relieved. t1 is the stress deviator along the tension."""
+        z, w, laws, found = self.at.z, self.at.w, self.laws, self.at.found
+        if not laws.breaks:
+            return
+        if laws.remembers:
+            self.do(closure.rest_pass, closure.RestRows(z.compaction, w.rest), law=laws.eos)
+        else:
+            self.do(rows.rest_pass, rows.FillRows(w.rest))
+        self.do(fracture.fracture_pass, fracture.FractureRows(w.t1, z.p, w.c2, solid, w.v, w.rest, z.damage, z.voids, z.failure, w.grown,
+                                                              w.relief), law=laws.fracture)
+        self.do(fracture.worst_pass, fracture.WorstRows(z.failure, found))
+        if laws.grows_voids:
+            self.do(fracture.hold_pass, fracture.HoldRows(solid, w.grown, w.relief, w.flow, z.p, found))
+
+    # -- burning -------------------------------------------------------------------------------------------------------------
+    def burn(self, step, rho, end_rho, drive, q, new) -> None:
+        """Burn fractions after a time step into the row `new`."""
+        z, b = self.at.z, self.at.b
+        self.do(burn.burn_pass, burn.BurnRows(b.lam, b.since, b.size, rho, end_rho, drive, q, z.p, b.rho_r, b.e_r, b.rho_p, b.e_p, new),
+                step, law=self.laws.eos)
+
+    def mix(self, solid, e, lam, heat, p, status) -> None:
+        """Pressure into the row p and phases into the scratch rows, from those of the step before warmed by `heat`."""
+        z, b, w = self.at.z, self.at.b, self.at.w
+        self.do(mixture.solve_pass, mixture.SolveRows(solid, e, lam, heat, z.p, b.rho_r, b.e_r, b.rho_p, b.e_p, p, w.rho_r, w.e_r, w.rho_p,
+                                                      w.e_p, status), law=self.laws.eos)
+
+    def slopes(self, solid, e, lam, p) -> None:
+        """c^2 and dp/de of the phases in the scratch rows."""
+        w = self.at.w
+        self.do(mixture.slopes_pass, mixture.SlopeRows(solid, e, lam, p, w.rho_r, w.e_r, w.rho_p, w.e_p, w.c2, w.p_e),
+                law=self.laws.eos)
+
+    def keep_phases(self) -> None:
+        """The phases in the scratch rows become those of the step."""
+        b, w = self.at.b, self.at.w
+        self.do(burn.keep_phases_pass, burn.KeepRows(w.rho_r, w.e_r, w.rho_p, w.e_p, w.status, b.rho_r, b.e_r, b.rho_p, b.e_p, b.status))
+
+    def share_old_heat(self, heat) -> None:
+        """What phases take of `heat`, as far as a shock was passing at the end of the step before, into b.heat."""
+        b, w = self.at.b, self.at.w
+        self.do(burn.was_passing_pass, burn.PassedRows(b.reference, w.shocked))
+        self.do(burn.share_heat_pass, burn.HeatRows(w.shocked, heat, b.heat))
+
+    def share_heat(self, q, p, rho, heat) -> None:
+        """The same, as far as a shock of viscous pressure q is passing now."""
+        b, w = self.at.b, self.at.w
+        self.do(burn.is_passing_pass, burn.PassingRows(q, p, rho, self.at.z.c, w.shocked))
+        self.do(burn.share_heat_pass, burn.HeatRows(w.shocked, heat, b.heat))
+
+    def lead_on(self, lam) -> None:
+        """Burn fractions, clock and code of the reference state at the end of the step; w.shocked says where a shock is passing."""
+        b = self.at.b
+        self.do(burn.lead_on_pass, burn.LeadRows(lam, self.at.w.shocked, b.lam, b.since, b.reference))
+
+    def pace(self, inverse_width) -> None:
+        """What burning asks of the time step, at the end of a step."""
+        z, b, w = self.at.z, self.at.b, self.at.w
+        if self.laws.burns:
+            self.do(burn.rates_pass, burn.RateRows(b.lam, z.rho, z.p, z.q, b.rho_r, b.e_r, b.rho_p, b.e_p, w.pace), law=self.laws.eos)
+            self.do(burn.pace_pass, burn.PaceRows(b.lam, w.pace, inverse_width, b.status, b.resolution, z.c, self.at.found))
+
+    # -- closures of burning material by a predictor and a corrector ---------------------------------------------------------
+    def close_half(self, solid) -> None:
+        """Burn fraction and mixture in the middle of the step, by the pressure at its start; w.heat is the viscous heat so far."""
+        b, w = self.at.b, self.at.w
+        self.share_old_heat(w.heat)
+        self.mix(solid, w.e, b.lam_half, b.heat, w.p, b.status)
+        if self.bulk_first:
+            self.slopes(solid, w.e, b.lam_half, w.p)
+
+    def keep_half(self) -> None:
+        """Keep density and pressure of the middle of the step, and twice the plastic heat of its first half: that of the whole."""
+        b, w = self.at.b, self.at.w
+        self.copy(w.rho, b.rho_half)
+        self.copy(w.p, b.p_half)
+        self.clear(b.heat)
+        self.add_plastic_heat(w.v, b.heat)
+        self.add_plastic_heat(w.v, b.heat)
+
+    def close_end(self, solid) -> None:
+        """Burn fraction and mixture at the end of the step, by the pressure in its middle; what burns at once, by that at its start."""
+        z, b, w = self.at.z, self.at.b, self.at.w
+        self.burn(self.at.whole, b.rho_half, b.rho_half, z.p if self.laws.burns_at_once else b.p_half, z.q, w.lam)
+        self.add(b.heat, w.heat)
+        self.share_heat(z.q, b.p_half, b.rho_half, w.heat)
+        self.lead_on(w.lam)
+        self.mix(solid, z.e, b.lam, b.heat, w.p, w.status)
+        self.keep_phases()
+        self.copy(w.p, z.p)
+        self.slopes(solid, z.e, b.lam, z.p)
+
