@@ -13,9 +13,9 @@ from numba.extending import intrinsic, overload
 from hugoniot.core import ops
 
 # the options of a scalar function, which becomes part of the kernel that calls it
-LAW = dict(fastmath=True, error_model="numpy", forceinline=True)
+LAW = dict(fastmath=True, error_model="numpy", forceinline=True, no_cfunc_wrapper=True)
 # fused multiply-add only (it rounds once where two roundings stood): exp and log keep their error and gain a factor 1.6
-EXACT_LAW = dict(fastmath={"contract"}, error_model="numpy", forceinline=True)
+EXACT_LAW = {**LAW, "fastmath": {"contract"}}
 
 
 def _select(operator):

@@ -25,7 +25,7 @@ from hugoniot.core.binder import bind_choice
 from hugoniot.core.compile_ahead import Job, job_of, job_of_types
 from hugoniot.core.registry import Registry
 from hugoniot.core.rows import ROW, record, row, row_at, rows, rows_apart
-from hugoniot.core.target import EXACT_PASS, GUARD, PASS
+from hugoniot.core.target import BY_ADDRESS, EXACT_PASS, PASS
 
 # whoever writes passes takes the words for rows and for passes from here
 __all__ = ["ROW", "Entry", "Pass", "bind_flag", "call_entry", "call_pass", "kind_of", "law_of", "named", "numbers_of", "record", "row",
@@ -192,7 +192,7 @@ class Entry:
     """A compiled function that others call by its address: it is not compiled once more into each of its callers."""
 
     def __init__(self, function):
-        self.compiled = nb.njit(**GUARD)(function)
+        self.compiled = nb.njit(**BY_ADDRESS)(function)
 
     def job(self, *arguments) -> Job:
         """What is left to do for arguments of these types."""

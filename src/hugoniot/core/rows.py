@@ -14,7 +14,7 @@ from numba.core.datamodel import models
 from numba.core.extending import register_model
 from numba.core.imputils import lower_builtin, lower_getattr_generic
 from numba.core.typing.templates import AbstractTemplate, AttributeTemplate, infer_getattr, infer_global, signature
-from numba.extending import intrinsic
+from numba.extending import intrinsic, overload
 
 
 class RowType(types.Type):
@@ -103,9 +103,13 @@ def _view(context, builder, view, start, pitch):
     return parts._getvalue()
 
 
-@intrinsic
-def rows(typingctx, cls, table, first):
+def rows(cls, table, first):
     """The rows of a table (rows, zones) from zone `first` on, by the names of the NamedTuple class `cls`: its k-th is the k-th row."""
+    return cls(*(row[first:] for row in table[:len(cls._fields)]))
+
+
+@intrinsic
+def _rows(typingctx, cls, table, first):
     view = ViewType("rows", cls.instance_class)
 
     def codegen(context, builder, sig, args):
@@ -113,6 +117,11 @@ def rows(typingctx, cls, table, first):
         return _view(context, builder, view, builder.gep(array.data, [args[2]]), builder.extract_value(array.strides, 0))
 
     return view(cls, table, types.intp), codegen
+
+
+@overload(rows, jit_options={"_nrt": False, "forceinline": True})
+def _(cls, table, first):
+    return lambda cls, table, first: _rows(cls, table, first)
 
 
 @intrinsic

@@ -14,10 +14,11 @@ from hugoniot.core import code_files, mathematics  # noqa: F401  (both set numba
 # Kernels own no arrays (_nrt=False): counting the references to every row a sweep takes would cost more than two hundred zones do.
 SWEEP = dict(_nrt=False, fastmath=True, error_model="numpy", cache=True, nogil=True, forceinline=True)
 # A law's pass stands alone: it is called by its address, never inlined.
-PASS = dict(_nrt=False, fastmath=True, error_model="numpy", cache=True, nogil=True)
+PASS = dict(_nrt=False, fastmath=True, error_model="numpy", cache=True, nogil=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
 EXACT_PASS = {**PASS, "fastmath": False}
-INLINE = dict(_nrt=False, error_model="numpy", forceinline=True)
+INLINE = dict(_nrt=False, error_model="numpy", forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
 GUARD = dict(_nrt=False, fastmath=False, error_model="numpy", cache=True, nogil=True)
+BY_ADDRESS = {**GUARD, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}   # what Python never calls itself
 CURVE = {**GUARD, "_nrt": True}   # of theory, whose searches keep short lists
 
 # A sweep touches some twenty rows of the same tables; the vectoriser proves at run time that they do not overlap and by

@@ -2,13 +2,11 @@
 
 from typing import Any, NamedTuple
 
-import numba as nb
 import numpy as np
 
 from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, vsqrt
 from hugoniot.core.passes import rows_apart, zone_pass
-from hugoniot.core.target import GUARD
 
 LIMIT = 1e12          # density (kg/m3) or sound speed (m/s) beyond which a state is no physics
 LIMIT_BITS = np.float64(LIMIT).view(np.uint64)
@@ -57,13 +55,10 @@ def look_over(count, z, dt, numbers, law):
     z.found[FOUND_UNSOUND] += bad
 
 
-@nb.njit(**GUARD)
-def first_unsound(rho, c, sigma):
-    """First of the zones `look_over` counts, or -1."""
-    for j in range(rho.shape[0]):
-        if not (0.0 <= rho[j] < LIMIT and 0.0 <= c[j] < LIMIT and abs(sigma[j]) * STRESS_SCALE < LIMIT):
-            return j
-    return -1
+def first_unsound(rho, c, sigma) -> int:
+    """First of the zones `look_over` counts, or -1; arrays of density, sound speed and stress."""
+    sound = (rho >= 0.0) & (rho < LIMIT) & (c >= 0.0) & (c < LIMIT) & (np.abs(sigma) * STRESS_SCALE < LIMIT)
+    return int(np.argmin(sound)) if not sound.all() else -1
 
 
 bind(wave_speed)

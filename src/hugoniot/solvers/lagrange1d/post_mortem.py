@@ -10,6 +10,7 @@ from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.bodies import faces
 from hugoniot.solvers.lagrange1d.layout import B, H, Z
 from hugoniot.units import format_si
+from hugoniot.zones.soundness import first_unsound
 
 NEAR = 8              # zones around a bad one in which its cause is looked for
 CRUSHED = 2.5         # times the density of rest: more than products bear that a front burned (CJ 1.4, reflected at a wall 1.8)
@@ -19,7 +20,7 @@ DENSE = 1e9           # times the density of rest: compressed to nothing
 def unphysical(solver, code: int) -> UnphysicalState:
     """The error with which a march ends, by the code it came back with: cause, remedy, the zone and its fields."""
     problem, zones = solver.problem, solver.zones
-    culprit = int(solver.counters[L.CULPRIT])
+    culprit = max(first_unsound(zones[Z.rho], zones[Z.c], zones[Z.sigma]), 0)
     left, right = faces(solver.nodes, solver.segments, H.r)
     if code == L.STEP_COLLAPSED:
         culprit = int(np.argmin((right - left) / np.maximum(zones[Z.c], 1e-30)))

@@ -34,7 +34,7 @@ from hugoniot.solvers.lagrange1d.watch import (
     record_gauges,
     touching_gap,
 )
-from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE, FOUND_IMPULSE, FOUND_RATE, FOUND_UNSOUND, first_unsound
+from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE, FOUND_IMPULSE, FOUND_RATE, FOUND_UNSOUND
 
 bind_family(line.GEOMETRY, line.GENERICS)
 
@@ -178,8 +178,6 @@ def _(a, plan, scheme, geometry, boundaries, team):
 def watch(zones, nodes, control, counters, segments, interfaces, unsound):
     """Step 7: why the march must stop here, or PAUSED."""
     if unsound:
-        count = segments[-1, L.SEG_LAST]
-        counters[L.CULPRIT] = first_unsound(zones[Z.rho, :count], zones[Z.c], zones[Z.sigma])
         return L.BAD_STATE
     if segments.shape[0] > 1:
         gap = touching_gap(zones, nodes, segments)

@@ -4,9 +4,11 @@ import math
 
 import numba as nb
 
-from hugoniot.core.target import GUARD
+from hugoniot.core.binder import bind
+from hugoniot.core.passes import rows
+from hugoniot.core.target import GUARD, INLINE
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.layout import B, H, Z
+from hugoniot.solvers.lagrange1d.layout import ChargeRows, NodeRows, Z, ZoneRows
 
 RELIEVED = 0.02       # a zone below this fraction of its failure limit is out of the tension that opened a void
 VOIDED = 1e-3         # void fraction from which a zone belongs to an older spall plane and opens none of its own
@@ -23,37 +25,37 @@ def failing_node(zones, segments, control, counters):
     law, and open no second void, until the release from the void has reached them; nor does a zone in which voids have grown.
     One spall plane is one void, and a later pulse is free to open another elsewhere (multiple spall of a decaying pulse).
     """
+    zone = rows(ZoneRows, zones, 0)
     worst_node, worst = -1, 0.0
     marked = 0
     for k in range(segments.shape[0]):
         first, last = segments[k, L.SEG_FIRST], segments[k, L.SEG_LAST]
         z = first
         while z < last:
-            if zones[Z.failure, z] < RELIEVED:
-                zones[Z.relieved, z] = 0.0
+            if zone.failure[z] < RELIEVED:
+                zone.relieved[z] = 0.0
                 z += 1
                 continue
             start, peak, at, tagged = z, 0.0, z, False
-            while z < last and zones[Z.failure, z] >= RELIEVED:
-                if zones[Z.relieved, z] > 0.0:
+            while z < last and zone.failure[z] >= RELIEVED:
+                if zone.relieved[z] > 0.0:
                     tagged = True
-                if zones[Z.failure, z] > peak:
-                    peak, at = zones[Z.failure, z], z
+                if zone.failure[z] > peak:
+                    peak, at = zone.failure[z], z
                 z += 1
             if tagged:
                 for i in range(start, z):
-                    zones[Z.relieved, i] = 1.0
+                    zone.relieved[i] = 1.0
                 marked += z - start
-            elif peak >= 1.0 and peak > worst and last - first > 1 and zones[Z.voids, at] * zones[Z.rho, at] < VOIDED:
+            elif peak >= 1.0 and peak > worst and last - first > 1 and zone.voids[at] * zone.rho[at] < VOIDED:
                 # an end of the body is no place to part, however hard its other side is compressed
-                leftward = at + 1 == last or (at > first and zones[Z.failure, at - 1] > zones[Z.failure, at + 1])
+                leftward = at + 1 == last or (at > first and zone.failure[at - 1] > zone.failure[at + 1])
                 worst, worst_node = peak, (at if leftward else at + 1) + k
                 counters[L.CULPRIT] = k
     counters[L.FRACTURING] = marked
     return worst_node
 
 
-@nb.njit(**GUARD)
 def mark_patch(zones, first, last, at):
     """Mark the failing patch around zone `at` as relieved by a void; its damage has become the void."""
     z = at
@@ -69,14 +71,16 @@ def mark_patch(zones, first, last, at):
 @nb.njit(**GUARD)
 def parting_interface(zones, nodes, interfaces):
     """Index of the first listed interface whose tension exceeds its bond, or -1; rows are (node, zone on the left)."""
+    zone = rows(ZoneRows, zones, 0)
+    h = rows(NodeRows, nodes, 0)
     for i in range(interfaces.shape[0]):
         node, z = interfaces[i, 0], interfaces[i, 1]
-        ml, mr = zones[Z.mass, z], zones[Z.mass, z + 1]
-        left = zones[Z.p, z] - zones[Z.s1, z]
-        right = zones[Z.p, z + 1] - zones[Z.s1, z + 1]
+        ml, mr = zone.mass[z], zone.mass[z + 1]
+        left = zone.p[z] - zone.s1[z]
+        right = zone.p[z + 1] - zone.s1[z + 1]
         traction = (left * mr + right * ml) / (ml + mr)
-        soft = min(zones[Z.rho, z] * zones[Z.c, z] ** 2, zones[Z.rho, z + 1] * zones[Z.c, z + 1] ** 2)
-        if -traction > nodes[H.bond, node] + CHATTER * soft:
+        soft = min(zone.rho[z] * zone.c[z] * zone.c[z], zone.rho[z + 1] * zone.c[z + 1] * zone.c[z + 1])
+        if -traction > h.bond[node] + CHATTER * soft:
             return i
     return -1
 
@@ -100,41 +104,47 @@ def closing_time(gap, approach, acceleration, dt_old):
     return 1e300
 
 
-@nb.njit(**GUARD)
 def touching_gap(zones, nodes, segments):
     """First gap (between segments k and k+1) that is closed and closing, or -1."""
+    h = rows(NodeRows, nodes, 0)
     for k in range(segments.shape[0] - 1):
         z = segments[k, L.SEG_LAST] - 1
         left, right = z + 1 + k, z + 1 + k + 1
-        gap = nodes[H.r, right] - nodes[H.r, left]
-        width = min(nodes[H.r, left] - nodes[H.r, left - 1], nodes[H.r, right + 1] - nodes[H.r, right])
-        if gap <= TOUCHING * width and (nodes[H.u, right] < nodes[H.u, left] or gap < 0.0):
+        gap = h.r[right] - h.r[left]
+        width = min(h.r[left] - h.r[left - 1], h.r[right + 1] - h.r[right])
+        if gap <= TOUCHING * width and (h.u[right] < h.u[left] or gap < 0.0):
             return k
     return -1
 
 
-@nb.njit(**GUARD)
 def cavity_closed(nodes, segments):
     """Whether the inner surface of a curved problem has reached the axis or the origin, where it stays."""
-    inner = nodes[H.r, 0]
-    return segments[0, L.SEG_LEFT] != L.FIXED and inner <= TOUCHING * (nodes[H.r, 1] - inner)
+    h = rows(NodeRows, nodes, 0)
+    inner = h.r[0]
+    return segments[0, L.SEG_LEFT] != L.FIXED and inner <= TOUCHING * (h.r[1] - inner)
 
 
 @nb.njit(**GUARD)
 def record_gauges(zones, charge, nodes, table, weights, out):
     """One gauge row: table (gauge; zone a, zone b, zone of the faces, left node of that zone), weights (of b; of the right face)."""
+    h = rows(NodeRows, nodes, 0)
+    burn = rows(ChargeRows, charge, 0)
     for i in range(table.shape[0]):
         a, b, node = table[i, 0], table[i, 1], table[i, 3]
         w, f = weights[i, 0], weights[i, 1]
-        out[i, 0] = (1.0 - f) * nodes[H.r, node] + f * nodes[H.r, node + 1]
-        out[i, 1] = (1.0 - f) * nodes[H.u, node] + f * nodes[H.u, node + 1]
+        out[i, 0] = (1.0 - f) * h.r[node] + f * h.r[node + 1]
+        out[i, 1] = (1.0 - f) * h.u[node] + f * h.u[node + 1]
         for k in range(len(L.GAUGE_ROWS_OF_ZONES)):
             field = L.GAUGE_ROWS_OF_ZONES[k]
             out[i, k + 2] = (1.0 - w) * zones[field, a] + w * zones[field, b]
         if out.shape[1] > L.GAUGE_BURN:
-            out[i, L.GAUGE_BURN] = (1.0 - w) * charge[B.lam, a] + w * charge[B.lam, b]
+            out[i, L.GAUGE_BURN] = (1.0 - w) * burn.lam[a] + w * burn.lam[b]
             out[i, L.GAUGE_SHARE] = w
-            out[i, L.GAUGE_REFERENCE] = charge[B.reference, a]
+            out[i, L.GAUGE_REFERENCE] = burn.reference[a]
             for k in range(len(L.PHASE_ROWS)):
                 out[i, L.GAUGE_PHASES + k] = charge[L.PHASE_ROWS[k], a]
                 out[i, L.GAUGE_PHASES + len(L.PHASE_ROWS) + k] = charge[L.PHASE_ROWS[k], b]
+
+
+bind(touching_gap, **INLINE)
+bind(cavity_closed, **INLINE)
