@@ -227,3 +227,30 @@ def test_a_folder_that_cannot_be_written(deck, tmp_path, inline):
     locked.chmod(0o500)
     with pytest.raises(FileTrouble, match="no permission to write"):
         swept(deck, locked / "s", inline, vary=[SPEEDS])
+
+
+def test_from_python(deck, tmp_path, inline, monkeypatch):
+    monkeypatch.setattr("hugoniot.campaign.ask.local", lambda workers, limit: inline)
+    found = hugoniot.sweep(deck, {"region.flyer.velocity": ["500 m/s", "0.7 km/s"], "region.flyer.material": ["al"], "region.flyer.zones": [6, 8]},
+                           out=tmp_path / "s", output=["*.peak_velocity"], report=False)
+    assert found["free surface.peak_velocity"].shape == (2, 1, 2)
+    assert found.sel({"region.flyer.velocity": 700.0})["free surface.peak_velocity"].values.max() == pytest.approx(700.0, rel=0.08)
+
+
+def test_the_command_shows_the_table_and_draws_it(deck, tmp_path, inline, monkeypatch, capsys):
+    from hugoniot.cli.main import main
+
+    monkeypatch.setattr("hugoniot.campaign.ask.local", lambda workers, limit: inline)
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit) as end:
+        main(["sweep", str(deck), "--vary", "region.flyer.velocity = 500..700 m/s : 2", "--plot", "a.png", "--output", "*.arrival"])
+    out, err = capsys.readouterr()
+    assert end.value.code == 0 and "free surface.arrival, ns" in out.replace("µs", "ns") and "2 cases in" in out
+    assert "2 of 2 cases" in err and (tmp_path / "a.png").stat().st_size > 5000 and (tmp_path / "flyer.sweep" / "report.html").is_file()
+    with pytest.raises(SystemExit) as end:
+        main(["sweep", str(deck), "--vary", "region.flyer.velocity = 500..700 m/s : 2", "--json", "-q", "--no-report"])
+    rows = json.loads(capsys.readouterr().out)
+    assert end.value.code == 0 and rows["cases"] == 2 and rows["units"]["free surface.arrival"] == "s"
+    with pytest.raises(SystemExit) as end:
+        main(["sweep", str(deck), "--vary", "region.flyer.velocity = 500..700 : 1000000000"])
+    assert end.value.code == 2 and "1 000 000 000 cases are too many" in capsys.readouterr().err
