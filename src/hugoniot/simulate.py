@@ -55,7 +55,7 @@ def _recorder(folder: RunFolder, problem, solver, progress, warned=()):
         return _Recorder(folder, problem, solver, progress, warned)
     from hugoniot.output.plane_record import PlaneRecorder
 
-    return PlaneRecorder(folder, problem, solver, progress, warned, _program)
+    return PlaneRecorder(folder, problem, solver, progress, warned, program)
 
 
 class _Recorder:
@@ -98,7 +98,7 @@ class _Recorder:
             self.show.update(report)
 
     def checkpoint(self, payload):
-        self.folder.checkpoint({**payload, "program": _program()})
+        self.folder.checkpoint({**payload, "program": program()})
 
 
 def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=None, overwrite: bool = False,
@@ -170,17 +170,17 @@ def _continued(place: RunFolder, progress, report: bool | Callable, restore_deck
 
 
 @functools.cache
-def _program() -> dict[str, str]:
+def program() -> dict[str, str]:
     """What computes: version of the package, hash of the sources behind its kernels (and of the compiler's version)."""
     from hugoniot.core.sources import source_hash
 
     return {"version": __version__, "sources": source_hash()}
 
 
-def _check_program(folder, program: Mapping[str, str]) -> None:
+def _check_program(folder, written: Mapping[str, str]) -> None:
     """Refuse a checkpoint whose run this program would not continue bit for bit."""
-    if program != _program():
-        raise FileTrouble(f"{folder}: its checkpoint was written by another hugoniot ({program.get('version', 'an early one')}), "
+    if written != program():
+        raise FileTrouble(f"{folder}: its checkpoint was written by another hugoniot ({written.get('version', 'an early one')}), "
                           f"Python or numba, whose bits this one would not continue; resume with that one, or start again in a new folder: "
                           f"hugoniot run {pathlib.Path(folder) / 'deck.toml'} --out NEW")
 

@@ -103,6 +103,25 @@ def parse(value, unit: str) -> float:
     return _to_float(number, found.factor, offset, value)
 
 
+def powers_of(text: str) -> tuple[float, tuple[int, ...]]:
+    """(SI value, powers of m, kg, s, K and mol) of a text such as "3.94 km/s", whatever its kind. Raises `UnitError`."""
+    number, name = _split(text, "1")
+    if name in _OFFSET:
+        return _to_float(number, Decimal(1), _OFFSET[name], text), _KELVIN
+    found = _read_unit(name) if name else _UNITS["1"]
+    return _to_float(number, found.factor, Decimal(0), text), found.powers
+
+
+def si_name(unit: str) -> str:
+    """The SI unit of the kind of a unit: "Pa" for "GPa", "kg/m^3" for "g/cm^3". Raises `UnitError`."""
+    powers = _KELVIN if unit in _OFFSET else _read_unit(unit).powers if unit else _NONE
+    named = next((si for si in _KINDS if _powers(si) == powers), None)
+    if named is not None:
+        return named
+    parts = [name if power == 1 else f"{name}^{power}" for name, power in zip(("m", "kg", "s", "K", "mol"), powers) if power]
+    return " ".join(parts)
+
+
 def convert(value: float, source: str, target: str) -> float:
     """A value in unit `source` expressed in unit `target`; both must be of one kind."""
     a, b = _read_unit(source), _read_unit(target)

@@ -29,6 +29,7 @@ COMMANDS: dict[str, str] = {
     "animate": "Write a film of a two-dimensional run.",
     "compare": "Compare two runs, or a run and measured data.",
     "report": "Write the report of a run again.",
+    "sweep": "Run a deck many times with some of its keys varied.",
     "verify": "Run the built-in verification problems.",
     "material": "Search and show the materials library.",
     "eos": "Hugoniots, isentropes and impedance matches without a mesh.",
@@ -61,6 +62,8 @@ def module_of(name: str) -> ModuleType:
             from hugoniot.cli import compare as module
         case "report":
             from hugoniot.cli import report as module
+        case "sweep":
+            from hugoniot.cli import sweep as module
         case "verify":
             from hugoniot.cli import verify as module
         case "material":

@@ -70,7 +70,8 @@ def fringes(time, velocity, delay: float, wavelength: float = 532e-9):
 def turning_points(values, least: float) -> list[int]:
     """Indices of successive maxima and minima whose swings exceed `least`, starting with the first maximum (zigzag filter)."""
     points, rising, best = [], True, 0
-    for k, value in enumerate(np.asarray(values, dtype=float).tolist()):
+    values = np.asarray(values, dtype=float).tolist()   # the loop looks up single numbers, which a list gives far faster
+    for k, value in enumerate(values):
         swing = values[best] - value if rising else value - values[best]
         if swing > least:
             points.append(best)

@@ -70,7 +70,12 @@ def read_deck_text(text: str, name: str = "deck", overrides: dict[str, Any] | No
 
     places, beside   where users' own materials are looked for: files and folders, and the deck's own folder
     """
-    raw = _parse(text, name)
+    return read_tables(parse_deck(text, name), text, name, overrides, places, beside)
+
+
+def read_tables(raw: dict, text: str, name: str, overrides: dict[str, Any] | None = None, places: Sequence[str | Path] = (),
+                beside: Path | None = None) -> Deck:
+    """As `read_deck_text`, for a caller that has parsed the text already (`parse_deck`); the overrides are put into `raw` itself."""
     collector = Collector([], name, line_finder(text), raw, beside)
     for key, value in (overrides or {}).items():
         _override(raw, key, value, collector)
@@ -96,7 +101,8 @@ def write_deck(problem: Any, kind: str | None = None) -> str:
     return "# Written by hugoniot: every default is written out, every number is SI.\n" + to_toml(solver_module(kind).write(problem))
 
 
-def _parse(text: str, name: str) -> dict:
+def parse_deck(text: str, name: str) -> dict:
+    """The tables of a deck's text, not looked at yet. Raises `DeckError` where it is not TOML."""
     if len(text) > LARGEST:
         raise DeckError.single(name, None, "deck", f"more than {LARGEST} characters are too many for a deck", "was another file meant?")
     long = _LONG_KEY.search(text)

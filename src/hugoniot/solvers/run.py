@@ -92,6 +92,10 @@ class _Hands:
     def __init__(self, observers):
         self.observers = observers
 
+    def wanted(self, hook) -> bool:
+        """Whether anybody looks: what nobody looks at need not be made."""
+        return any(getattr(observer, hook, None) is not None for observer in self.observers)
+
     def __call__(self, hook, *args):
         for observer in self.observers:
             method = getattr(observer, hook, None)
@@ -135,7 +139,8 @@ def march_to_end(solver: Solver, schedule: Schedule, observers=(), next_snapshot
                 tell("snapshot", solver.state())
                 next_snapshot += 1
             now = time.perf_counter()
-            tell("progress", _report(solver, schedule))
+            if tell.wanted("progress"):
+                tell("progress", _report(solver, schedule))
             if now - last_checkpoint > schedule.checkpoint_seconds or _due(solver, schedule, last_cycle):
                 tell("checkpoint", {"solver": solver.payload(), "next_snapshot": next_snapshot})
                 last_checkpoint, last_cycle = time.perf_counter(), solver.cycle

@@ -1,0 +1,53 @@
+"""`hugoniot.sweep` and its relatives: campaigns from Python, which give xarray Datasets."""
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from hugoniot.campaign.ask import Wishes, run_sweep
+from hugoniot.campaign.sweep import TABLE
+from hugoniot.output.sweep_file import open_sweep
+
+
+def texts(vary: Mapping[str, Any] | Sequence[str] | str) -> list[str]:
+    """What varies as texts: given as texts already, or as {key: "300..1200 m/s : 10"} or {key: [values]}."""
+    if isinstance(vary, str):
+        return [vary]
+    if not isinstance(vary, Mapping):
+        return list(vary)
+    return [f"{key} = {value}" if isinstance(value, str) else f"{key} = {_listed(value)}" for key, value in vary.items()]
+
+
+def _listed(values) -> str:
+    """Numbers (SI), quantities such as "1 GPa", or names."""
+    from hugoniot.units import UnitError, powers_of
+
+    def one(value) -> str:
+        if not isinstance(value, str):
+            return repr(float(value)) if not isinstance(value, int) else str(value)
+        try:
+            powers_of(value)
+        except UnitError:
+            return f'"{value}"'
+        return value
+
+    values = values.tolist() if hasattr(values, "tolist") else values
+    return ", ".join(one(value) for value in (values if isinstance(values, (list, tuple)) else [values]))
+
+
+def sweep(deck: str | os.PathLike | None = None, vary: Mapping[str, Any] | Sequence[str] | str = (), *, tie: Sequence[str] = (),
+          out: str | os.PathLike | None = None, workers: int | None = None, materials: Sequence = (), report: bool = True, **wishes):
+    """Run a deck with some of its keys varied, and give the table as an xarray Dataset with the parameters as coordinates.
+
+    deck       path of a deck, or of a file with a [sweep] table; None for a match
+    vary       {"region.flyer.velocity": "300..1200 m/s : 10", "material.al.fracture.strength": ["1 GPa", "2 GPa"]}, or texts
+    tie        texts such as "region.target.to = region.flyer.to + 4 mm"
+    out        folder (default: the deck's name with .sweep); what stands there is not run again
+    workers    processes (default: one for each processor)
+    wishes     design, samples, seed, match, output, record, keep, time_limit: see `campaign.ask.Wishes`
+
+    Results are SI, not-a-number where a case failed; `reason` says why. Raises `DeckError` and `FileTrouble`.
+    """
+    tie = [tie] if isinstance(tie, str) else list(tie)
+    swept = run_sweep(deck, Wishes(vary=texts(vary), tie=tie, **wishes), out, materials=materials, workers=workers, report=report)
+    return open_sweep(swept.folder / TABLE)

@@ -1,0 +1,167 @@
+"""From what a user says (command line, Python, [sweep] table) to a plan and its answer."""
+
+import os
+import pathlib
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, fields
+from typing import Any
+
+from hugoniot.campaign.designs import Design, design_of
+from hugoniot.campaign.plan import Plan, sweep_table, ties_of
+from hugoniot.campaign.pool import LocalPool
+from hugoniot.campaign.questions import Deck, Match
+from hugoniot.campaign.sweep import Progress, Swept, cores, sweep
+from hugoniot.campaign.variables import read_variable, refuse
+from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.materials.collect import nearest
+from hugoniot.report import write_or_note
+from hugoniot.version import __version__
+
+
+@dataclass
+class Wishes:
+    """What a sweep is asked for: the keys of a [sweep] table.
+
+    deck        path of the deck that is varied; match: names of the layers of an impedance match instead
+    vary        texts as of `variables.read_variable`; tie: as of `plan.ties_of`
+    design      "grid", "sobol", "lhs" or the path of a table of cases; samples, seed: of the sampled ones
+    output      patterns of the results wanted; record: "GAUGE.field" of which every case keeps a record
+    keep        keep the full run folders
+    time_limit  seconds a case may take (compiling apart)
+    """
+
+    deck: str | None = None
+    match: Sequence[str] | None = None
+    vary: Sequence[str] = ()
+    tie: Sequence[str] = ()
+    design: str = "grid"
+    samples: int | None = None
+    seed: int = 0
+    output: Sequence[str] = ()
+    record: Sequence[str] = ()
+    keep: bool = False
+    time_limit: float | None = None
+
+    def words(self) -> dict[str, Any]:
+        """As plain data; what was not asked for is left out."""
+        found = {f.name: getattr(self, f.name) for f in fields(self)}
+        return {key: list(value) if isinstance(value, (tuple, list)) else value for key, value in found.items()
+                if value not in (None, (), [])}
+
+
+_KINDS = {"deck": (str,), "match": (list,), "vary": (list,), "tie": (list,), "design": (str,), "samples": (int,), "seed": (int,),
+          "output": (list,), "record": (list,), "keep": (bool,), "time_limit": (int, float)}
+_NAMES = {str: "a text", list: "an array of texts", int: "a whole number", bool: "true or false", float: "a number"}
+
+
+def with_table(wishes: Wishes, table: Mapping[str, Any], name: str) -> Wishes:
+    """The wishes of a [sweep] table, over which those that were given otherwise take precedence. Raises `DeckError`."""
+    for key, value in table.items():
+        if key not in _KINDS:
+            raise DeckError.single(name, None, f"sweep.{key}", "unknown key", nearest(key, _KINDS))
+        texts = isinstance(value, list) and not all(isinstance(each, str) for each in value)
+        if not isinstance(value, _KINDS[key]) or texts or isinstance(value, bool) and bool not in _KINDS[key]:
+            raise DeckError.single(name, None, f"sweep.{key}", f"expected {_NAMES[_KINDS[key][0]]}")
+    default = Wishes()
+    changed = {f.name: getattr(wishes, f.name) for f in fields(wishes) if getattr(wishes, f.name) != getattr(default, f.name)}
+    return Wishes(**{**table, **changed})
+
+
+def read_asked(path, wishes: Wishes) -> tuple[Wishes, str | None, pathlib.Path | None]:
+    """(all wishes, text of the deck or None, its path) of a deck, or of a sweep file that names one. Raises `DeckError`, `FileTrouble`."""
+    if path is None:
+        return wishes, None, None
+    path = pathlib.Path(path)
+    text = _text(path)
+    table = sweep_table(text, path.name)
+    if table is None:
+        return wishes, text, path
+    if str(table.get("design", "")).lower().endswith(".csv"):
+        table = {**table, "design": str(path.parent / table["design"])}
+    found = with_table(wishes, table, path.name)
+    if found.match is not None:
+        return found, None, path
+    if "deck" not in table:
+        return found, text, path
+    deck = path.parent / str(found.deck)
+    return found, _text(deck), deck
+
+
+def _text(path: pathlib.Path) -> str:
+    from hugoniot.files import read_text
+
+    try:
+        return read_text(path)
+    except FileTrouble:
+        raise
+    except OSError as error:
+        raise FileTrouble(f"cannot read {path}: {error.strerror or error}; hugoniot init writes a deck to start from") from None
+    except UnicodeDecodeError:
+        raise DeckError.single(path.name, None, "deck", "not a text in UTF-8", "a deck is a TOML file") from None
+
+
+def question_for(wishes: Wishes, text: str | None, path: pathlib.Path | None, materials: Sequence = (), runs: pathlib.Path | None = None):
+    """The question that a deck or a match asks. Raises `DeckError`."""
+    places = [os.path.abspath(place) for place in materials]
+    if wishes.match is not None:
+        if wishes.keep or wishes.record:
+            raise refuse("--keep" if wishes.keep else "--record", "", "an impedance match has no run", "leave it out")
+        if len(wishes.match) < 2:
+            raise refuse("--match", ",".join(wishes.match), "an impact needs a flyer and a target", "write --match copper,aluminum")
+        return Match(wishes.match, places)
+    if text is None or path is None:
+        raise refuse("DECK", "", "no deck", "name one, or a match: --match copper,aluminum")
+    kept = None if runs is None else os.path.abspath(runs)
+    question = Deck(text, path.name, os.path.abspath(path.parent), places, wishes.record, runs=kept)
+    if wishes.record:
+        base = question.read({}).problem
+        question.until = base.stop_time
+        names = [gauge.name for gauge in base.gauges]
+        for name in wishes.record:
+            gauge, dot, _ = name.rpartition(".")
+            if not dot or gauge not in names:
+                raise refuse("--record", name, "no such gauge in the deck", f"write it like '{(names or ['GAUGE'])[0]}.velocity'; "
+                             f"there are: {', '.join(names) or 'none'}")
+    return question
+
+
+def plan_of(wishes: Wishes, question, design: Design | None = None) -> Plan:
+    """The plan of a question. Raises `DeckError`."""
+    if design is None:
+        variables = [read_variable(text) for text in wishes.vary]
+        design = design_of(variables, wishes.design, wishes.samples, wishes.seed)
+    return Plan(question, design, ties_of(wishes.tie, [variable.name for variable in design.variables]))
+
+
+def local(workers: int | None = None, time_limit: float | None = None) -> Callable:
+    """The engine of local processes: one for each processor unless a number is given."""
+    if workers is not None and workers < 1:
+        raise refuse("--workers", str(workers), "not a number of workers", "give 1 or more")
+    if time_limit is not None and not time_limit > 0.0:
+        raise refuse("--time-limit", str(time_limit), "not a time", "give seconds above 0")
+    return lambda question, known: LocalPool(question, workers or cores(), known, time_limit)
+
+
+def run_sweep(path, wishes: Wishes, out=None, *, engine: Callable | None = None, materials: Sequence = (), workers: int | None = None,
+              show: Callable[[Progress], None] | None = None, report: bool = True) -> Swept:
+    """Do what was wished for of a deck, a sweep file, or None for a match; writes the folder `out` (default: the deck's name and .sweep).
+
+    engine   as of `sweep.sweep`; local processes unless given
+    Raises `DeckError`, `FileTrouble`, and KeyboardInterrupt, after which the same call goes on.
+    """
+    wishes, text, source = read_asked(path, wishes)
+    folder = pathlib.Path(out or (f"{source.stem}.sweep" if source else "match.sweep"))
+    question = question_for(wishes, text, source, materials, folder / "runs" if wishes.keep else None)
+    plan = plan_of(wishes, question)
+    swept = sweep(plan, folder, engine=engine or local(workers, wishes.time_limit), outputs=wishes.output, show=show, words=wishes.words())
+    title = f"Sweep of {source.name}" if source and wishes.match is None else f"Impedance match of {', '.join(wishes.match or ())}"
+    asked = "\n".join([*wishes.vary, *wishes.tie, *([] if wishes.design in ("grid", "sobol", "lhs") else [f"cases of {wishes.design}"])])
+    if report:
+        write_or_note(folder, lambda place: _report(place, swept, title, asked))
+    return swept
+
+
+def _report(folder, swept: Swept, title: str, asked: str) -> None:
+    from hugoniot.report.sweep_page import write_sweep_report
+
+    write_sweep_report(folder, swept.table, title, asked, __version__)

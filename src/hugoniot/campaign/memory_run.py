@@ -1,0 +1,83 @@
+"""A run that keeps in memory what the numbers of a run are read from, and writes nothing: a case of a sweep.
+
+It gives `output.run_numbers` what a run folder gives it, so a case has the very numbers that `hugoniot run` prints for its deck.
+"""
+
+import json
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from hugoniot.diagnostics.interface_gauges import without_mixtures
+from hugoniot.output.plane_record import plane_record
+from hugoniot.output.setup_record import setup_record
+from hugoniot.simulate import make_solver
+from hugoniot.solvers.run import Schedule, march_to_end, snapshot_times
+
+_KEPT = ("velocity", "position_left", "position_right")     # of a snapshot: what the readings of a run look at
+
+
+class MemoryRun:
+    """A finished run of a problem, of which only the gauges, the events and the motion in the snapshots were kept.
+
+    `setup` as of a run folder; `summary` has cycles, time, errors and counts. Raises what a run raises.
+    """
+
+    def __init__(self, problem):
+        self.problem = replace(problem, solver=replace(problem.solver, threads=1)) if problem.solver.threads > 1 else problem
+        self._gauges: list[tuple[np.ndarray, dict]] = []
+        self._shots: list[dict] = []
+        self._events: list[dict] = []
+        solver = make_solver(self.problem)
+        times = snapshot_times(problem.stop_time, problem.output.snapshots)
+        outcome = march_to_end(solver, Schedule(problem.stop_time, times, max_cycles=problem.solver.max_cycles), (self,))
+        flat = problem.solver.kind == "lagrange2d"
+        meta = {"solver": problem.solver.kind, "viscosity": solver.viscosity, "transport": solver.transport}
+        self.setup = plane_record(problem, meta) if flat else setup_record(problem, meta)
+        self.summary: dict[str, Any] = {"status": outcome.status, "cycles": solver.cycle, "time": solver.time, **solver.errors(),
+                                        **solver.counts(), **solver.results()}
+        names = [block.name for block in problem.blocks] if flat else [region.name for region in problem.regions]
+        self._tables: dict[str, Mapping] = {"events": {name: [event[name] for event in self._events] for name in
+                                                       ("kind", "text", "time", "numbers")},
+                                            "snapshots": self._snapshots([names[k] for k in solver.region_of])}
+
+    # -- what the time loop hands over -------------------------------------------------------------------------------
+    def gauges(self, times, values) -> None:
+        """Keep gauge records."""
+        if len(times) and self.problem.gauges:
+            values = {name: value for name, value in values.items() if name not in ("share", "phases")}
+            flat = self.problem.solver.kind == "lagrange2d"
+            self._gauges.append((times, values if flat else without_mixtures(values, self.problem.gauges)))
+
+    def snapshot(self, state) -> None:
+        """Keep the motion."""
+        self._shots.append({"time": state.time, **{name: value for name, value in state.fields().items() if name.startswith(_KEPT)}})
+
+    def event(self, event) -> None:
+        """Keep what happened."""
+        self._events.append({"kind": event.kind, "text": event.text, "time": event.time,
+                             "numbers": json.dumps({"position": event.position}, sort_keys=True)})
+
+    # -- what the readings ask for -----------------------------------------------------------------------------------
+    def _snapshots(self, regions: list[str]) -> dict[str, np.ndarray]:
+        columns = {name: np.array([shot[name] for shot in self._shots]) for name in (self._shots[0] if self._shots else ())}
+        return {**columns, "region": np.array(regions, dtype=object)}
+
+    def arrays(self, group: str) -> Mapping:
+        """Columns of `gauges`, `snapshots` or `events`, SI."""
+        if group == "gauges" and group not in self._tables:
+            times, blocks = zip(*self._gauges) if self._gauges else ((np.empty(0),), ({},))
+            self._tables[group] = {"time": np.concatenate(times),
+                                   **{name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}}
+        return self._tables[group]
+
+    def gauge_names(self) -> list[str]:
+        """Names of the gauges, in the order of the deck."""
+        return [gauge.name for gauge in self.problem.gauges]
+
+    def gauge(self, field: str, name: str) -> tuple[np.ndarray, np.ndarray]:
+        """(time (n,) s, value (n,) SI) of one field at one gauge."""
+        rows = self.arrays("gauges")
+        return rows["time"], rows[field][:, self.gauge_names().index(name)]

@@ -1,0 +1,53 @@
+"""The numbers of one run as one flat row: those that the terminal shows, each under a name such as `free surface.arrival`."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from hugoniot.diagnostics.velocimetry import plateau
+from hugoniot.output.columns import describe
+from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, spall_numbers
+
+_SPALL_UNITS = {key: unit for key, _, unit in SPALL} | {"minimum_time": "s", "ringing_period": "s", "spall_strength_stepanov": "Pa"}
+_PLATEAUS = {"plateau_stress": "Pa", "plateau_velocity": "m/s"}
+_SUMMARY = ("cycles", "end_time", "mass_error", "momentum_error", "energy_error", "voids_opened", "voids_closed", "interfaces_parted")
+_OF_THE_CLOCK = ("wall_seconds", "kernel_seconds", "compile_seconds", "zone_updates", "run_log_bytes")
+
+
+def numbers_of(run: Any) -> dict[str, float]:
+    """Every number of a run (`Run` or `MemoryRun`), SI: per gauge `GAUGE.quantity`, `spall.quantity`, then errors, counts and results."""
+    found: dict[str, float] = {}
+    for row in gauge_rows(run):
+        name = row.pop("gauge")
+        found |= {f"{name}.{key}": float(value) for key, value in row.items()}
+        found |= {f"{name}.{key}": value for key, value in _plateaus(run, name).items()}
+    found |= {f"spall.{key}": float(value) for key, value in spall_numbers(run).items() if isinstance(value, (int, float))}
+    summary = {"end_time" if key == "time" else key: value for key, value in run.summary.items()
+               if isinstance(value, (int, float)) and not isinstance(value, bool)}
+    wanted = [*_SUMMARY, *(key for key in summary if key not in _SUMMARY)]
+    return found | {key: float(summary[key]) for key in wanted if key in summary and key not in _OF_THE_CLOCK}
+
+
+def _plateaus(run, name: str) -> dict[str, float]:
+    """The levels of the flat tops of a gauge's stress and velocity; the highest value where the top is not flat."""
+    rows, k = run.arrays("gauges"), run.gauge_names().index(name)
+    found = {}
+    for key, field in (("plateau_stress", "stress"), ("plateau_velocity", "velocity")):
+        if field in rows and len(rows["time"]):
+            values = np.asarray(rows[field][:, k], dtype=float)
+            sign = -1.0 if field == "velocity" and abs(values.min()) > abs(values.max()) else 1.0
+            found[key] = sign * plateau(rows["time"], sign * values) if np.isfinite(values).all() else math.nan
+    return found
+
+
+def unit_of(name: str) -> str:
+    """SI unit of a number of `numbers_of`; "1" for counts and ratios."""
+    owner, dot, key = name.rpartition(".")
+    if dot and owner == "spall":
+        return _SPALL_UNITS.get(key, describe(key)[0] or "1")
+    if dot and key in GAUGE_UNITS | _PLATEAUS:
+        return (GAUGE_UNITS | _PLATEAUS)[key]
+    if name == "end_time":
+        return "s"
+    return "1" if name in _SUMMARY else describe(key)[0] or "1"

@@ -1,0 +1,129 @@
+"""hugoniot sweep: a deck many times, with some of its keys varied."""
+
+import time
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from hugoniot.cli.progress import duration
+from hugoniot.cli.show import JSON, MATERIALS, echo_json, echo_table
+
+MOST_ROWS = 30
+MOST_COLUMNS = 5
+SECONDS_BETWEEN_LINES = 5.0
+
+_VARY = 'What varies, such as "region.flyer.velocity = 300..1200 m/s : 10"; repeatable.'
+
+
+def command(
+    deck: Annotated[Path | None, typer.Argument(help="The deck, or a file with a [sweep] table.", readable=False)] = None,
+    vary: Annotated[list[str] | None, typer.Option("--vary", "-v", help=_VARY)] = None,
+    tie: Annotated[list[str] | None, typer.Option("--tie", help='A key that follows: "region.target.from = region.flyer.to".')] = None,
+    design: Annotated[str, typer.Option("--design", help="grid, sobol, lhs, or a table of cases (.csv).")] = "grid",
+    samples: Annotated[int | None, typer.Option("--samples", "-n", help="Number of cases of sobol and lhs.")] = None,
+    seed: Annotated[int, typer.Option("--seed", help="Seed of sobol and lhs.")] = 0,
+    match: Annotated[str | None, typer.Option("--match", help="Vary an impedance match instead: FLYER,TARGET[,...].")] = None,
+    output: Annotated[list[str] | None, typer.Option("--output", help='Results in the table, such as "*.arrival"; default: all.')] = None,
+    record: Annotated[list[str] | None, typer.Option("--record", help='Keep a record of every case: "free surface.velocity".')] = None,
+    keep: Annotated[bool, typer.Option("--keep", help="Keep the run folder of every case.")] = False,
+    time_limit: Annotated[float | None, typer.Option("--time-limit", help="Seconds a case may take.")] = None,
+    workers: Annotated[int | None, typer.Option("--workers", "-w", help="Worker processes (default: one for each processor).")] = None,
+    out: Annotated[Path | None, typer.Option("--out", "-o", help="Folder to write (default: DECK.sweep).")] = None,
+    plot: Annotated[Path | None, typer.Option("--plot", help="Picture to write, such as sweep.png.")] = None,
+    materials: MATERIALS = None,
+    report: Annotated[bool, typer.Option("--report/--no-report", help="Write report.html at the end.")] = True,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Show no progress.")] = False,
+    as_json: JSON = False,
+) -> None:
+    """Run a deck many times with some of its keys varied, and collect the results in one table.
+
+    Writes cases.csv, sweep.h5 (opens as netCDF, parameters as coordinates) and report.html into the folder DECK.sweep. What has run is not
+    run again: after Ctrl-C, a kill or a larger --vary the same command goes on. A case that fails is a row with its reason.
+
+    \b
+    --vary takes   KEY = LOW..HIGH UNIT : COUNT      add "log" for equal ratios
+                   KEY = 1, 2, 5 GPa                 values
+                   KEY = "copper", "aluminum"        texts
+                   KEY = MEAN +- SIGMA UNIT          normal, for sobol and lhs
+    A name that is not a key of the deck can be varied too, for --tie to use.
+
+    Example: hugoniot sweep flyer.toml --vary "region.flyer.velocity = 300..1200 m/s : 10"
+    """
+    from hugoniot.campaign.ask import Wishes, run_sweep
+
+    wishes = Wishes(None, None if match is None else [part.strip() for part in match.split(",") if part.strip()], list(vary or ()),
+                    list(tie or ()), design, samples, seed, list(output or ()), list(record or ()), keep, time_limit)
+    if plot is not None:
+        from hugoniot.cli.plot import drawable
+
+        drawable(plot, "sweep", "--plot")
+    with _display(quiet or as_json) as show:
+        try:
+            swept = run_sweep(deck, wishes, out, materials=materials or (), workers=workers, show=show, report=report)
+        except KeyboardInterrupt:
+            typer.echo("interrupted; what has run is kept, the same command goes on", err=True)
+            raise typer.Exit(130) from None
+    if plot is not None:
+        from hugoniot.plotting.eos import save
+        from hugoniot.plotting.sweep import sweep_figure
+
+        save(sweep_figure(swept.table), plot)
+    echo_json(_record(swept)) if as_json else _echo(swept)
+
+
+def _record(swept) -> dict:
+    table = swept.table
+    columns = (*table.parameters, *table.results)
+    return {"folder": str(swept.folder), "cases": len(table), "failed": sum(map(bool, table.reasons)),
+            "units": {c.name: c.unit for c in columns}, "rows": [{**{c.name: c.values[k] for c in columns}, "reason": table.reasons[k]}
+                                                                 for k in range(len(table))]}
+
+
+def _echo(swept) -> None:
+    from hugoniot.plotting.sweep import scale, worth_drawing
+
+    table, progress = swept.table, swept.progress
+    columns = (*table.parameters, *worth_drawing(table, MOST_COLUMNS))
+    heads = [f"{c.name}, {scale(c)[0]}" if scale(c)[0] else c.name for c in columns]
+    rows = [[str(k + 1), *(_cell(c, k, scale(c)[1]) for c in columns), table.reasons[k]] for k in range(min(len(table), MOST_ROWS))]
+    echo_table(["case", *heads, "reason" if any(table.reasons) else ""], rows)
+    if len(table) > MOST_ROWS:
+        typer.echo(f"... and {len(table) - MOST_ROWS} more")
+    failed, page = sum(map(bool, table.reasons)), swept.folder / "report.html"
+    known = f", {progress.known} of them known from before" if progress.known else ""
+    typer.echo(f"\n{len(table)} cases in {duration(swept.seconds)}{known}" + (f"; {failed} failed" if failed else ""))
+    typer.echo(f"table in {swept.folder / 'cases.csv'} and sweep.h5" + (f", report: {page}" if page.is_file() else ""))
+
+
+def _cell(column, k: int, factor: float) -> str:
+    value = column.values[k]
+    if isinstance(value, str):
+        return value
+    return "-" if value != value else f"{value * factor:.5g}"
+
+
+class _display:
+    """A line that renews itself in a terminal; elsewhere a line every few seconds, on standard error; gives a function for the progress."""
+
+    def __init__(self, quiet: bool):
+        import sys
+
+        self.quiet, self.last, self.renewing = quiet, 0.0, sys.stderr.isatty()
+
+    def __enter__(self):
+        return None if self.quiet else self.show
+
+    def __exit__(self, *_):
+        if self.renewing and self.last:
+            typer.echo("", err=True)
+
+    def show(self, progress) -> None:
+        """Show how far it is."""
+        now = time.monotonic()
+        if now - self.last < (0.2 if self.renewing else SECONDS_BETWEEN_LINES) and progress.done < progress.total:
+            return
+        self.last = now
+        line = (f"{progress.done} of {progress.total} cases, {progress.rate:.3g} cases/s, {duration(progress.left)} left"
+                + (f", {progress.failed} failed" if progress.failed else "") + (f", {progress.known} known" if progress.known else ""))
+        typer.echo(f"\r\x1b[K{line}" if self.renewing else line, err=True, nl=not self.renewing)

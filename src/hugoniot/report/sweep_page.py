@@ -1,0 +1,68 @@
+"""report.html of a sweep: what was asked, pictures of the results, the table of cases, and why cases failed."""
+
+import collections
+import pathlib
+
+from hugoniot.output.atomic import write_whole
+from hugoniot.output.seal import sealed
+from hugoniot.output.sweep_file import Column, SweepTable
+from hugoniot.plotting.inline import svg
+from hugoniot.plotting.sweep import draw, draw_records, kind_of, worth_drawing
+from hugoniot.report.sections import cards, number, table, text
+
+MOST_ROWS = 400        # of the table on the page; cases.csv has all
+
+
+def page(swept: SweepTable, title: str, asked: str, version: str) -> str:
+    """The whole page as HTML text; `asked` says what was varied."""
+    css = (pathlib.Path(__file__).parent / "page.css").read_text(encoding="utf-8")
+    failed = [reason for reason in swept.reasons if reason]
+    numbers = cards([("cases", str(len(swept))), ("failed", str(len(failed))), ("design", text(swept.attributes.get("design", ""))),
+                     ("seed", text(swept.attributes.get("seed", "")))])
+    pictures = "".join(f"<figure>{picture}<figcaption>{text(words)}</figcaption></figure>" for picture, words in _pictures(swept))
+    reasons = collections.Counter(failed).most_common(20)
+    why = table(["cases", "reason"], [[str(count), text(reason)] for reason, count in reasons]) if reasons else ""
+    return "".join([
+        '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">',
+        f"<title>{text(title)}</title><style>{css}</style></head><body><main><h1>{text(title)}</h1>",
+        f"<p class=quiet>hugoniot {text(version)}</p><pre>{text(asked)}</pre>", numbers,
+        f"<section><h2>Results</h2>{pictures}</section>" if pictures else "",
+        f"<section><h2>Cases that failed</h2>{why}</section>" if why else "",
+        f"<section><h2>Cases</h2>{_rows(swept)}</section></main></body></html>\n"])
+
+
+def _pictures(swept: SweepTable) -> list[tuple[str, str]]:
+    flat = kind_of(swept) == "map"
+    found = []
+    for k, record in enumerate(swept.records):
+        found.append((svg(lambda ax, r=record: draw_records(ax, swept, r), f"record-{k}", 7.4, 3.2, (0.7, 0.5, 6.0, 2.3)),
+                      f"Records of {record.name}, one line for each case."))
+    for k, result in enumerate(worth_drawing(swept)):
+        rects = [(0.8, 0.5, 5.2, 2.5), (6.3, 0.5, 0.14, 2.5)] if flat else [(0.9, 0.5, 5.9, 2.4)]
+        picture = svg(lambda ax, bar=None, r=result: draw(ax, swept, r, bar), f"result-{k}", 7.4, 3.2, *rects)
+        found.append((picture, _caption(swept, result)))
+    return found
+
+
+def _caption(swept: SweepTable, result: Column) -> str:
+    return {"map": f"{result.name} over both parameters; blank or – where a case has no value.",
+            "line": f"{result.name}.", "points": f"{result.name}, a dot for each case."}[kind_of(swept)]
+
+
+def _rows(swept: SweepTable) -> str:
+    columns: tuple[Column, ...] = (*swept.parameters, *worth_drawing(swept, 8))
+    rows = [[str(k + 1), *(_cell(c, k) for c in columns), text(swept.reasons[k])] for k in range(min(len(swept), MOST_ROWS))]
+    more = f"<p class=quiet>The first {MOST_ROWS} of {len(swept)}; cases.csv has all.</p>" if len(swept) > MOST_ROWS else ""
+    return table(["case", *(c.name for c in columns), "reason"], rows) + more
+
+
+def _cell(column: Column, k: int) -> str:
+    value = column.values[k]
+    return number(float(f"{value:.5g}"), column.unit) if column.values.dtype.kind == "f" else text(value)
+
+
+def write_sweep_report(folder, swept: SweepTable, title: str, asked: str, version: str) -> pathlib.Path:
+    """Write report.html into the folder of a sweep; gives its path. Raises `FileTrouble`."""
+    path = pathlib.Path(folder) / "report.html"
+    write_whole(path, sealed(page(swept, title, asked, version), "<!-- ", " -->\n"), durable=False)
+    return path
