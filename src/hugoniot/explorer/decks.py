@@ -67,7 +67,7 @@ def check(text: str, work: Path | None) -> dict[str, Any]:
 
 def _drawing(problem) -> dict[str, Any]:
     """Regions along the axis, or outlines of blocks in the plane, in SI."""
-    if hasattr(problem, "regions"):
+    if not hasattr(problem, "blocks"):
         return {"plane": False, "geometry": getattr(problem, "geometry", "planar"),
                 "regions": [{"name": r.name, "material": r.material, "start": r.start, "end": r.end, "zones": r.zones,
                              "velocity": getattr(r, "velocity", 0.0)} for r in problem.regions],

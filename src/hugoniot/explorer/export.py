@@ -46,7 +46,7 @@ def export(places: Places, folder: Path, *, progress: Callable[[str], None] = la
         known[key] = name
         progress(key)
     _put(folder / "data" / "data.js", b"window.hugoniotFiles=" + encoded(known) + b";\n")
-    return len(known) + len(page.files()) + 2
+    return len(known) + len(page.files()) + 3
 
 
 def key_of(question: str, query: dict[str, Any]) -> str:
@@ -93,7 +93,8 @@ def _asked(places: Places) -> Iterator[tuple[str, dict]]:
 def _of_run(places: Places, k: int) -> Iterator[tuple[str, dict]]:
     found = run_data.description(places.run(k).path)
     fields = [f["name"] for f in found["fields"]]
-    gauges = ["time", *(f["name"] for f in found["gauge_fields"])] if found["gauge_times"] else []
+    where = [] if found["plane"] else ["position"]
+    gauges = ["time", *where, *(f["name"] for f in found["gauge_fields"])] if found["gauge_times"] else []
     yield from (("array", {"run": k, "group": "gauges", "name": name}) for name in gauges)
     if not found["plane"]:
         names = ["position_left", "position_right", *(f for f in _FIELDS if f in fields)] if len(found["times"]) else []

@@ -38,7 +38,7 @@ def description(path: Path) -> dict[str, Any]:
     """As `run_data.description`, of what is there; times are empty until the first checkpoint."""
     names = _columns(path, "snapshots")
     problem = _problem(path)
-    plane = problem is not None and not hasattr(problem, "regions")
+    plane = hasattr(problem, "blocks")
     gauge_names = [g.name for g in getattr(problem, "gauges", ())]
     wide = [n for n in names if names[n] == 2 and not n.startswith("position_")]
     faces = [n.removesuffix("_left") for n in wide if n.endswith("_left")]

@@ -12,6 +12,7 @@ from hugoniot.files import read_text
 
 LARGEST, MOST_ROWS, MOST_COLUMNS = 32_000_000, 20_000, 200
 RUN_COLUMNS = ("folder", "run", "case", "path", "name")     # columns that may name the run of a case
+NOTHING = ("", "nan", "inf", "-inf", "none", "null", "-")     # cells without a number in a column of numbers
 _HEAD = re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]*)[)\]]\s*$")
 
 
@@ -22,7 +23,7 @@ def table(path: Path) -> dict[str, Any]:
     for k, head in enumerate(heads):
         cells = [row[k].strip() if k < len(row) else "" for row in rows]
         numbers = [_number(cell) for cell in cells]
-        numeric = any(n is not None for n in numbers) and all(n is not None or not cell for n, cell in zip(numbers, cells))
+        numeric = any(n is not None for n in numbers) and all(n is not None or cell.lower() in NOTHING for n, cell in zip(numbers, cells))
         match = _HEAD.fullmatch(head)
         name, unit = (match["name"], match["unit"]) if match else (head, "")
         columns.append({"name": name, "unit": unit, "numeric": numeric, "cells": numbers if numeric else cells})

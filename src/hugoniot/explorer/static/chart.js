@@ -46,6 +46,7 @@ H.Chart = class {
     this.svg = H.s("svg", {tabindex: 0, role: "img", "aria-label": options.label, focusable: "true"});
     this.box = H.h("div", {class: "chart"}, this.canvas, this.svg);
     host.append(this.box);
+    this.box.chart = this;
     this.spec = {series: [], x: {}, y: {}};
     this.cursor = null;
     this.watch = new ResizeObserver(() => this.draw());
@@ -134,13 +135,13 @@ H.Chart = class {
       if (at - 3.6 * words.length > taken) { root.append(text(at, base + 17, words, p.text, size, "middle")); taken = at + 3.6 * words.length + 4; }
     }
     let above = Infinity;
-    for (const v of ys) {
+    for (const v of spec.y.bare ? [] : ys) {
       const at = f.y.at(v);
       if (!spec.bar && !spec.plain) root.append(H.s("line", {x1: f.left, x2: end, y1: at, y2: at, stroke: p.faint, "stroke-width": 0.5}));
       root.append(H.s("line", {x1: f.left - 4, x2: f.left, y1: at, y2: at, stroke: p.ink, "stroke-width": 0.9}));
       if (above - at > 13) { root.append(text(f.left - 7, at + 4, tickText(v, spec.y.log ? v : step(ys)), p.text, size, "end")); above = at; }
     }
-    root.append(H.s("path", {d: `M${f.left} ${f.top}V${base}H${end}`, fill: "none", stroke: p.ink, "stroke-width": 0.9}));
+    root.append(H.s("path", {d: spec.y.bare ? `M${f.left} ${base}H${end}` : `M${f.left} ${f.top}V${base}H${end}`, fill: "none", stroke: p.ink, "stroke-width": 0.9}));
     root.append(text((f.left + end) / 2, f.height - 6, spec.x.label, p.text, size + 0.7, "middle", {"data-axis": "x"}));
     root.append(text(0, 0, spec.y.label, p.text, size + 0.7, "middle", {transform: `translate(${f.narrow ? 11 : 13} ${(f.top + base) / 2}) rotate(-90)`, "data-axis": "y"}));
   }
@@ -172,7 +173,8 @@ H.Chart = class {
     if (m.kind === "error") { const up = f.y.at(m.y - m.sy), down = f.y.at(m.y + m.sy), l = f.x.at(m.x - m.sx), r = f.x.at(m.x + m.sx); line(x, up, x, down); line(l, y, r, y); }
     if (m.label) {
       const right = m.side === "left" || (x ?? f.x.at(m.x2)) > f.width - f.right - 8 * m.label.length;
-      plot.append(text((x ?? f.x.at(m.x2)) + (m.centre ? 0 : right ? -8 : 8), (y ?? f.y.at(m.y2)) + (m.below ? 15 : m.centre ? 4 : -6), m.label, this.colour({colour: m.ink || m.colour}, p), 11, m.centre ? "middle" : right ? "end" : "start", {}, p.paper));
+      const half = 3.5 * m.label.length, at = x ?? f.x.at(m.x2), kept = m.centre ? Math.min(Math.max(at, f.left + half), f.width - f.right - half) : at + (right ? -8 : 8);
+      plot.append(text(kept, (y ?? f.y.at(m.y2)) + (m.below ? 15 : m.centre ? 4 : -6), m.label, this.colour({colour: m.ink || m.colour}, p), 11, m.centre ? "middle" : right ? "end" : "start", {}, m.centre ? null : p.paper));
     }
   }
   _names(root, f, p) {        // each line is named where it ends

@@ -22,7 +22,7 @@
       if (options.sources && (axes === "us-up" || axes === "p-up")) for (const s of c.sources)
         found.push({kind: "line", id: "source", source: s, name: c.name, colour, faint: true, dash: "2 3", hover: false, x: times(s.up, 1e-3), y: axes === "us-up" ? times(s.us, 1e-3) : times(s.p, 1e-9)});
       if (known < h.particle_velocity.length) found.push(line("beyond", c, colour, part(Math.max(known - 1, 0)), axes, {dash: "5 4", hover: true, label: c.short}));
-      found.push(line("hugoniot", c, colour, part(0, known), axes, {hover: true, label: known < h.particle_velocity.length ? "" : c.title}));
+      found.push(line("hugoniot", c, colour, part(0, known), axes, {hover: true, label: c.short}));
       if (options.releases && axes !== "us-up") for (const r of [...c.releases, ...(c.pinned?.release ? [c.pinned.release] : [])])
         found.push(line("release", c, colour, r, axes, {faint: true, hover: true}));
       return found;

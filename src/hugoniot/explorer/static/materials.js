@@ -90,7 +90,10 @@
     command(names);
   }
   function cut(series, most) {       // what lies outside does not count for the height either
-    for (const s of series) { const n = s.x.findIndex(v => v > most); if (n > 0 && s.kind !== "points") { s.x = s.x.slice(0, n + 1); s.y = s.y.slice(0, n + 1); } }
+    for (const s of series) {
+      const n = s.x.findIndex(v => v > most);
+      if (n >= 0 && s.kind !== "points") { s.x = s.x.slice(0, n && n + 1); s.y = s.y.slice(0, n && n + 1); }
+    }
   }
   function hover(hit) {
     const s = chart.spec.series[hit.series], t = s.table;
