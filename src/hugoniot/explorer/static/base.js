@@ -97,6 +97,14 @@ H.latest = () => {
   };
 };
 
+// the library's own name for any accepted spelling of a material
+const spelling = text => text.toLowerCase().replace(/[\s_-]+/g, "");
+H.resolved = async name => {
+  const {materials, rows} = await H.askOnce("materials"), wanted = spelling(name);
+  if ([...materials, ...rows].some(m => m.name === name)) return name;
+  return materials.find(m => [m.name, m.title, ...m.also].some(t => spelling(t) === wanted))?.name || name;
+};
+
 // -- numbers ------------------------------------------------------------------------------------------------------------
 H.digits = (value, digits = 6) => {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";

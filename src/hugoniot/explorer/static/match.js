@@ -130,7 +130,7 @@
   // -- without a server: two materials, from the exported Hugoniots --------------------------------------------------------
   H.matchFromCurves = async (names, v) => {
     if (names.length > 2) throw new H.Refused("This exported page matches a flyer and one target; more layers need reshock and release from the server: hugoniot explore");
-    const [flyer, target] = await Promise.all(names.map(name => H.askOnce("material", {name})));
+    const [flyer, target] = await Promise.all(names.map(async name => H.askOnce("material", {name: await H.resolved(name)})));
     for (const c of [flyer, target]) if (!c.hugoniot) throw new H.Refused(`${c.name}: no Hugoniot from rest`);
     const at = (c, key, up) => smooth(c.hugoniot.particle_velocity, c.hugoniot[key], up);
     const end = c => c.hugoniot.particle_velocity.at(-1);

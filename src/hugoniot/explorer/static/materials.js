@@ -41,7 +41,9 @@
     for (const button of planes.children) button.setAttribute("aria-pressed", String(button.dataset.plane === plane()));
     for (const key of Object.keys(options)) options[key].checked = key === "measured" ? H.get(key) !== "0" : H.get(key) === "1";
     list.update().catch(H.failed);
-    const names = H.list("sel"), [by, value] = H.get("at").split(":");
+    const [by, value] = H.get("at").split(":"), names = await Promise.all(H.list("sel").map(H.resolved)).catch(() => H.list("sel"));
+    if (mine !== order) return;
+    if (names.join() !== H.list("sel").join()) H.set({sel: names.join(",")}, false);
     const results = await Promise.allSettled(names.map(name => H.askOnce("material", {name})));
     if (mine !== order) return;
     const known = results.map((r, k) => r.status === "fulfilled" ? {...r.value, name: names[k]} : null);

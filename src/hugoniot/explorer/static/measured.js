@@ -20,7 +20,7 @@
   };
   H.dropHere = (element, onFile) => {
     const take = async files => { for (const file of files) { if (file.size > 20e6) { H.say(`${file.name}: more than 20 MB`); continue; } try { onFile(H.readMeasured(file.name, await file.text())); H.say(`${file.name}: read`); } catch (error) { H.failed(error); } } };
-    const input = H.h("input", {type: "file", accept: ".csv,.txt,.dat", multiple: true, "aria-label": "Measured data, CSV", onchange: () => take(input.files)});
+    const input = H.h("input", {type: "file", accept: ".csv,.txt,.dat", multiple: true, "aria-label": "Measured data, CSV", onchange: async () => { await take([...input.files]); input.value = ""; }});
     element.append(H.h("span", {class: "small"}, "Measured data: drop a CSV file here (time [us], velocity [m/s]) or choose one: "), input);
     element.addEventListener("dragover", event => { event.preventDefault(); element.classList.add("over"); });
     element.addEventListener("dragleave", () => element.classList.remove("over"));
