@@ -37,6 +37,7 @@ COMMANDS: dict[str, str] = {
     "pop-plot": "Run distance to detonation against input pressure.",
     "fit-rate": "Calibrate burn-law constants to a measured Pop plot.",
     "structure": "The inner structure of a shock.",
+    "explore": "Explore materials, runs and decks in a browser.",
     "list": "List what a deck can use: laws, materials, fields, problems, solvers.",
 }
 
@@ -78,6 +79,8 @@ def module_of(name: str) -> ModuleType:
             from hugoniot.cli import fit_rate as module
         case "structure":
             from hugoniot.cli import structure as module
+        case "explore":
+            from hugoniot.cli import explore as module
         case "list":
             from hugoniot.cli import listing as module
         case _:

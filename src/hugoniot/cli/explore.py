@@ -1,0 +1,49 @@
+"""hugoniot explore: the library, impacts, runs, decks and sweeps in a browser, without a network."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from hugoniot.errors import DeckError
+
+
+def command(
+    what: Annotated[list[str] | None, typer.Argument(
+        metavar="[RUN|SWEEP|DECK|MATERIAL]...", help="Run folders, folders of runs, folders with cases.csv, tables (.csv), decks (.toml), "
+                                                     "materials of the library.")] = None,
+    work: Annotated[Path, typer.Option("--work", "-w", help="Folder for runs started from the page; made with the first "
+                                                            "one.")] = Path("explorer-runs"),
+    no_runs: Annotated[bool, typer.Option("--no-runs", help="Start no runs from the page.")] = False,
+    export: Annotated[Path | None, typer.Option("--export", help="Write the page with its data into this folder instead; it opens from "
+                                                                     "the disk.")] = None,
+    port: Annotated[int, typer.Option("--port", min=0, max=65535, help="Port on this machine; 0 takes a free one.")] = 0,
+    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page in the browser.")] = True,
+    view: Annotated[str, typer.Option("--view", help='Part of an address that says what to show, such as '
+                                                      '"#/match?layers=copper,pmma&v=800".')] = "",
+) -> None:
+    """Explore materials, impacts, runs, decks and sweeps in a browser.
+
+    Example: hugoniot explore flyer.run copper
+
+    The page is served to this machine alone, at an address with a token that changes with every start; Ctrl-C ends it.
+    """
+    from hugoniot.explorer.places import places_of
+
+    places = places_of(what or [], None if no_runs else work)
+    if export is not None:
+        _export(places, export)
+        return
+    try:
+        from hugoniot.explorer.serve import serve
+    except ModuleNotFoundError as error:
+        raise DeckError.single("explore", None, "package", f"'{error.name}' is not installed", "pip install 'hugoniot[explore]' installs "
+                               "what the server needs; --export FOLDER needs nothing more") from None
+    serve(places, port, browser=browser, view=view, told=lambda address: typer.echo(f"explorer at {address}\nCtrl-C ends it"))
+
+
+def _export(places, folder: Path) -> None:
+    from hugoniot.explorer.export import export
+
+    count = export(places, folder)
+    typer.echo(f"{count} files in {folder}; open {folder / 'index.html'} in a browser")

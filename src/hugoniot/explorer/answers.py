@@ -1,0 +1,105 @@
+"""What the page may ask without changing anything: one function per question, the same for the server and for an export."""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from hugoniot.errors import OutOfRange
+from hugoniot.explorer import catalogue, curves, decks, impact, run_data, tables
+from hugoniot.explorer.places import Places
+from hugoniot.version import __version__
+
+Query = Mapping[str, str]
+
+
+def start(places: Places, query: Query) -> Any:
+    """What is open."""
+    return {"version": __version__, "runs": run_data.listing(places), "sweeps": [{"name": s.name} for s in places.sweeps],
+            "decks": [{"name": d.name} for d in places.decks], "materials": places.materials, "may_run": places.work is not None}
+
+
+def materials(places: Places, query: Query) -> Any:
+    """The whole library, a line each."""
+    return catalogue.listing()
+
+
+def material(places: Places, query: Query) -> Any:
+    """The curves of one material."""
+    return curves.curves_of(text(query, "name"))
+
+
+def about(places: Places, query: Query) -> Any:
+    """Everything known about one material."""
+    return catalogue.about(text(query, "name"))
+
+
+def state(places: Places, query: Query) -> Any:
+    """One state of a principal Hugoniot."""
+    return curves.state_of(text(query, "name"), text(query, "by"), number(query, "value"))
+
+
+def match(places: Places, query: Query) -> Any:
+    """The states of an impact."""
+    names = [name for name in text(query, "layers").split(",") if name]
+    return impact.impact(names, number(query, "velocity"), number(query, "sigma", 0.0), query.get("bands") == "1")
+
+
+def match_deck(places: Places, query: Query) -> Any:
+    """The deck that runs an impact."""
+    return {"deck": impact.deck([name for name in text(query, "layers").split(",") if name], number(query, "velocity"))}
+
+
+def run(places: Places, query: Query) -> Any:
+    """What a run holds."""
+    return run_data.description(places.run(integer(query, "run")).path)
+
+
+def array(places: Places, query: Query) -> Any:
+    """One column of a run, as an array of doubles."""
+    which = {key: integer(query, key) for key in ("record", "zone") if key in query}
+    return run_data.column(places.run(integer(query, "run")).path, text(query, "group"), text(query, "name"), which)
+
+
+def sweep(places: Places, query: Query) -> Any:
+    """A table of cases."""
+    return tables.table(places.sweep(integer(query, "sweep")).path)
+
+
+def deck(places: Places, query: Query) -> Any:
+    """The text of a deck named at the start."""
+    place = places.deck(integer(query, "deck"))
+    return {"name": place.name, "text": decks.text_of(place.path)}
+
+
+def words(places: Places, query: Query) -> Any:
+    """What a deck of a solver may hold, for completion."""
+    return decks.words(query.get("kind", "lagrange1d"))
+
+
+QUESTIONS: dict[str, Callable[[Places, Query], Any]] = {
+    f.__name__: f for f in (start, materials, material, about, state, match, match_deck, run, array, sweep, deck, words)}
+
+
+def text(query: Query, key: str) -> str:
+    """A text of the query; `OutOfRange` where it is missing."""
+    if key not in query:
+        raise OutOfRange(f"the question names no {key}")
+    return query[key]
+
+
+def number(query: Query, key: str, otherwise: float | None = None) -> float:
+    """A finite number of the query; `OutOfRange` where it is none."""
+    try:
+        value = float(query[key]) if key in query or otherwise is None else otherwise
+    except (KeyError, ValueError):
+        raise OutOfRange(f"{key}: a number is needed") from None
+    if not abs(value) < 1e300:
+        raise OutOfRange(f"{key}: a finite number is needed")
+    return value
+
+
+def integer(query: Query, key: str) -> int:
+    """A whole number of the query, not negative; `OutOfRange` where it is none."""
+    value = query.get(key, "")
+    if not (value.isascii() and value.isdigit() and len(value) < 10):
+        raise OutOfRange(f"{key}: a whole number is needed")
+    return int(value)

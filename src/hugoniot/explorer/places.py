@@ -1,0 +1,98 @@
+"""What the explorer was started with: runs, sweeps, decks and materials, each known to the page by a number and never by a path."""
+
+import threading
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import NamedTuple
+
+from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.explorer.subjects import entry_of
+
+CASES = "cases.csv"
+
+
+class Place(NamedTuple):
+    """A run folder, a table of cases or a deck: its path, and what the page calls it."""
+
+    path: Path
+    name: str
+
+
+@dataclass
+class Places:
+    """Everything the page may read. `work` is the folder in which runs started from the page are made, None where none may be."""
+
+    runs: list[Place] = field(default_factory=list)
+    sweeps: list[Place] = field(default_factory=list)
+    decks: list[Place] = field(default_factory=list)
+    materials: list[str] = field(default_factory=list)
+    work: Path | None = None
+    _lock: threading.Lock = field(default_factory=threading.Lock)
+
+    def add_run(self, path: Path) -> int:
+        """The number of a run folder, which is added unless it is there."""
+        path = path.resolve()
+        with self._lock:
+            known = [place.path for place in self.runs]
+            if path not in known:
+                self.runs.append(Place(path, path.name))
+                return len(known)
+            return known.index(path)
+
+    def run(self, number: int) -> Place:
+        """A run by its number; `FileTrouble` for any other."""
+        return _numbered(self.runs, number, "run")
+
+    def sweep(self, number: int) -> Place:
+        """A table of cases by its number; `FileTrouble` for any other."""
+        return _numbered(self.sweeps, number, "sweep")
+
+    def deck(self, number: int) -> Place:
+        """A deck by its number; `FileTrouble` for any other."""
+        return _numbered(self.decks, number, "deck")
+
+
+def _numbered(places: list[Place], number: int, word: str) -> Place:
+    if not 0 <= number < len(places):
+        raise FileTrouble(f"no {word} {number} is open")
+    return places[number]
+
+
+def places_of(arguments: list[str], work: Path | None = None) -> Places:
+    """Sort the arguments of the command: run folders, folders with cases.csv or tables, decks, names of materials.
+
+    Raises `FileTrouble` for a path that holds none of these, `DeckError` for an unknown material.
+    """
+    found = Places(work=work.resolve() if work is not None else None)
+    for text in arguments:
+        path = Path(text)
+        if path.is_dir():
+            _add_folder(found, path)
+        elif path.suffix.lower() == ".csv" and path.is_file():
+            found.sweeps.append(Place(path.resolve(), path.name))
+        elif path.suffix.lower() == ".toml" and path.is_file():
+            found.decks.append(Place(path.resolve(), path.name))
+        elif path.suffix.lower() in (".toml", ".csv", ".run") or "/" in text:
+            raise FileTrouble(f"{path}: there is no such file or folder")
+        else:
+            found.materials.append(entry_of(text).name)
+    return found
+
+
+def _add_folder(found: Places, path: Path) -> None:
+    inner = [path / name for name in ("result.h5", "deck.toml", "run.log") if (path / name).is_file()]
+    if (path / CASES).is_file():
+        found.sweeps.append(Place((path / CASES).resolve(), path.resolve().name))
+    elif inner:
+        found.add_run(path)
+    else:
+        below = sorted(folder for folder in path.iterdir() if folder.is_dir() and (folder / "deck.toml").is_file())
+        if not below:
+            raise FileTrouble(f"{path}: neither a run folder nor a folder of runs, and no {CASES} in it")
+        for folder in below:
+            found.add_run(folder)
+
+
+def as_command(error: Exception) -> list[str]:
+    """The messages of an error, as the command line prints them."""
+    return [str(problem) for problem in error.problems] if isinstance(error, DeckError) else [str(error)]

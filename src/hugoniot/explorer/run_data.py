@@ -1,0 +1,164 @@
+"""What the page draws of a run: its record, its columns as arrays of doubles, and a run that is still in progress.
+
+A finished run is read from its result; one in progress from the pieces it has set down, which are whole or not there. Nothing is
+written, no lock is taken.
+"""
+
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from hugoniot.errors import FileTrouble, HugoniotError, OutOfRange
+from hugoniot.explorer import live
+from hugoniot.explorer.places import Places
+from hugoniot.output.run import Run
+from hugoniot.output.run_numbers import results
+
+MOST_BYTES = 64_000_000     # of one column of all records; of a longer one every second, third, ... record is sent
+_EDGES = ("position_left", "position_right", "position_x", "position_y")
+
+
+@lru_cache(maxsize=16)
+def _opened(path: Path, stamp: tuple) -> Run:
+    return Run(path)
+
+
+def _run(path: Path) -> Run:
+    """The finished run in a folder, opened once for as long as its result is the same."""
+    state = (path / "result.h5").stat()
+    return _opened(path, (state.st_ino, state.st_size, state.st_mtime_ns))
+
+
+def finished(path: Path) -> bool:
+    """Whether the run has written its summary, the last of its files."""
+    return (path / "summary.json").is_file() and (path / "result.h5").is_file()
+
+
+def listing(places: Places) -> list[dict]:
+    """The open runs, a line each."""
+    return [{"name": place.name, **_line(place.path)} for place in places.runs]
+
+
+def _line(path: Path) -> dict:
+    try:
+        if not finished(path):
+            return {"title": path.name, "status": live.status(path)}
+        summary = _run(path).summary
+        return {"title": summary["title"], "status": summary["status"]}
+    except (HugoniotError, OSError) as error:
+        return {"title": path.name, "status": str(error)}
+
+
+def description(path: Path) -> dict[str, Any]:
+    """Set-up, times, fields and gauges of a run, and its numbers if it is finished."""
+    if not finished(path):
+        return live.description(path)
+    run = _run(path)
+    rows, gauges = run.arrays("snapshots"), run.arrays("gauges")
+    plane = "axes" in run.setup
+    zones = len(rows["zone"]) if "zone" in rows else 0
+    every = _every(rows.shapes)
+    found = {
+        "title": run.summary["title"], "status": run.summary["status"], "live": False, "plane": plane, "summary": run.summary,
+        "geometry": run.setup["geometry"], "zones": zones, "every": every, "times": rows["time"][::every], "regions": _regions(run),
+        "fields": live.fields(_zone_fields(rows, plane)), "gauges": run.gauge_names(), "events": _events(run),
+        "gauge_fields": live.fields([n for n in gauges if len(gauges.shapes[n]) == 2 and n != "position"]) if len(gauges) else [],
+        "gauge_times": len(gauges["time"]) if "time" in gauges else 0, "numbers": _numbers(run),
+    }
+    if plane:
+        mesh = run.arrays("mesh")
+        found |= {"axes": run.setup["axes"], "zone_nodes": mesh["zone_nodes"], "block_of": mesh["block_of"]}
+    return found
+
+
+def _every(shapes: dict) -> int:
+    largest = max((int(np.prod(shape)) * 8 for shape in shapes.values() if len(shape) == 2), default=0)
+    return max(1, -(-largest // MOST_BYTES))
+
+
+def _zone_fields(rows, plane: bool) -> list[str]:
+    """Fields with a value in every zone; those of nodes under their own name."""
+    wide = [name for name in rows if len(rows.shapes[name]) == 2 and name not in _EDGES]
+    if plane:
+        extra = ["velocity_x", "velocity_y", "speed", *(["von_mises"] if "deviator_zz" in rows else [])]
+        return [*(n for n in wide if n not in extra), *extra]
+    faces = [n.removesuffix("_left") for n in wide if n.endswith("_left")]
+    return [*[n for n in wide if not n.endswith(("_left", "_right"))], *faces]
+
+
+def _regions(run: Run) -> list[dict]:
+    """Name, material and last zone of each region, in the order of the zones."""
+    names = [str(name) for name in run.arrays("snapshots")["region"]]
+    found: list[dict] = []
+    kept = {str(r["name"]): str(r.get("material", "")) for r in run.setup["regions"]}
+    for k, name in enumerate(names):
+        if not found or found[-1]["name"] != name:
+            found.append({"name": name, "material": kept.get(name, ""), "first": k})
+        found[-1]["last"] = k
+    return found
+
+
+def _events(run: Run) -> list[dict]:
+    events = run.arrays("events")
+    keys = ("time", "kind", "text")
+    return [dict(zip(keys, (float(t), str(k), str(w)))) for t, k, w in zip(*(events.get(key, ()) for key in keys))][:500]
+
+
+def _numbers(run: Run) -> dict:
+    """Gauges, spall and warnings; of a solver whose gauges are others only what there is."""
+    try:
+        return results(run)
+    except (HugoniotError, KeyError, ValueError):
+        return {}
+
+
+def column(path: Path, group: str, name: str, which: dict[str, int]) -> np.ndarray:
+    """A column of the groups `snapshots` or `gauges`, thinned as the description says; `which` picks one record or one zone.
+
+    Fields of nodes come as means over the zone, as `hugoniot plot` takes them. `OutOfRange` for what a run does not hold.
+    """
+    if group not in ("snapshots", "gauges"):
+        raise OutOfRange("columns are of snapshots or of gauges")
+    if not finished(path):
+        return live.column(path, group, name)
+    run = _run(path)
+    rows = run.arrays(group)
+    if group == "gauges":
+        return _double(rows, name, slice(None))
+    every = _every(rows.shapes)
+    if "axes" in run.setup:
+        return _plane_column(run, rows, name, which, every)
+    values = _double(rows, name, slice(None, None, every)) if name in rows else _between_faces(rows, name, every)
+    return values[:, _index(which["zone"], values.shape[1])] if "zone" in which else values
+
+
+def _between_faces(rows, name: str, every: int) -> np.ndarray:
+    return 0.5 * (_double(rows, f"{name}_left", slice(None, None, every)) + _double(rows, f"{name}_right", slice(None, None, every)))
+
+
+def _plane_column(run: Run, rows, name: str, which: dict[str, int], every: int) -> np.ndarray:
+    """One record of a field, or of a coordinate of the nodes; or the history of one zone."""
+    if name in ("time", "position_x", "position_y") and "zone" not in which:
+        values = _double(rows, name, slice(None, None, every))
+        return values if name == "time" else values[_index(which.get("record", 0), len(values))]
+    from hugoniot.plotting.plane import plane_field
+
+    if "zone" in which:
+        zone = _index(which["zone"], len(run.arrays("mesh")["zone_nodes"]))
+        records = range(0, len(rows["time"]), every)
+        return np.array([plane_field(run, name, k)[zone] for k in records], dtype=float)
+    return np.asarray(plane_field(run, name, _index(which.get("record", 0) * every, len(rows["time"]))), dtype=float)
+
+
+def _double(rows, name: str, part: slice) -> np.ndarray:
+    if name not in rows or rows[name].dtype.kind not in "fiu":
+        raise OutOfRange(f"the run holds no numbers called '{name[:60]}'")
+    return np.asarray(rows[name][part], dtype=float)
+
+
+def _index(k: int, count: int) -> int:
+    if not 0 <= k < count:
+        raise FileTrouble(f"there are {count} of these, number {k} is none of them")
+    return k

@@ -1,0 +1,46 @@
+"""Serves the explorer on this machine's own loopback address until it is interrupted."""
+
+import contextlib
+import socket
+import threading
+import webbrowser
+from collections.abc import Callable
+
+import uvicorn
+
+from hugoniot.errors import FileTrouble
+from hugoniot.explorer import catalogue
+from hugoniot.explorer.app import application
+from hugoniot.explorer.guard import new_token
+from hugoniot.explorer.jobs import Jobs
+from hugoniot.explorer.places import Places
+
+HOST = "127.0.0.1"
+
+
+def bound(port: int) -> socket.socket:
+    """A socket on the loopback address; port 0 takes a free one. `FileTrouble` where the port is taken."""
+    listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        listener.bind((HOST, port))
+    except OSError as error:
+        listener.close()
+        raise FileTrouble(f"port {port} of {HOST}: {error.strerror or error}; take another, or 0 for any that is free") from None
+    return listener
+
+
+def serve(places: Places, port: int = 0, *, browser: bool = True, view: str = "", told: Callable[[str], None] = lambda text: None) -> None:
+    """Serve until interrupted; `told` is given the address with its token, `view` the part of it that says what to show."""
+    listener, token = bound(port), new_token()
+    number = listener.getsockname()[1]
+    address = f"http://{HOST}:{number}/{token}/{view}"
+    with contextlib.closing(Jobs(places)) as jobs, listener:
+        app = application(places, jobs, token, (f"{HOST}:{number}", f"localhost:{number}"))
+        config = uvicorn.Config(app, log_level="error", access_log=False, lifespan="off", server_header=False, date_header=False,
+                                ws="none", timeout_keep_alive=15, timeout_graceful_shutdown=2)
+        threading.Thread(target=catalogue.listing, daemon=True).start()    # ready when the page asks
+        told(address)
+        if browser:
+            threading.Timer(0.3, webbrowser.open, (address,)).start()
+        uvicorn.Server(config).run(sockets=[listener])

@@ -1,0 +1,153 @@
+"use strict";
+// Impedance match: flyer and layers picked, the velocity dragged on the axis; the crossing is computed by the house's own theory.
+(() => {
+  const view = H.views.match = {}, asking = H.latest();
+  let chart, rows, slider, speed, sigma, bands, table, warnings, deckBox, deckText, editorLink, options, order = 0, settled = 0, shown = null, dragging = false;
+  const layers = () => H.list("layers").length > 1 ? H.list("layers") : ["copper", "aluminum"];
+  const velocity = () => Number(H.get("v")) > 0 ? Number(H.get("v")) : 1000;
+  const most = () => Number(H.get("vmax")) > 0 ? Number(H.get("vmax")) : 4000;
+
+  view.open = main => {
+    main.className = "split";
+    const left = H.h("div", {class: "column"}), right = H.h("div", {class: "column"}), host = H.h("div");
+    main.append(left, right);
+    options = H.h("datalist", {id: "match-materials"});
+    rows = H.h("div", {class: "column", style: {gap: "6px"}});
+    slider = H.h("input", {type: "range", min: 0, max: 4000, step: 1, "aria-label": "Impact velocity, m/s", style: {flex: "1", minWidth: "120px"}, oninput: () => drag(Number(slider.value)), onchange: drop});
+    speed = H.h("input", {type: "number", min: 1, step: "any", "aria-label": "Impact velocity in m/s", onchange: () => H.set({v: speed.value, vmax: Number(speed.value) > most() ? Math.ceil(speed.value / 500) * 500 : H.get("vmax")})});
+    sigma = H.h("input", {type: "number", min: 0, step: "any", "aria-label": "Standard deviation of the velocity in m/s", style: {width: "5.5em"}, onchange: () => H.set({sigma: Number(sigma.value) > 0 ? sigma.value : ""})});
+    bands = H.h("input", {type: "checkbox", onchange: () => H.set({bands: bands.checked ? "1" : ""})});
+    table = H.h("div");
+    warnings = H.h("div", {class: "small"});
+    deckText = H.h("pre", {class: "small scroll", tabindex: 0, style: {margin: 0, padding: "8px", maxHeight: "40vh"}});
+    editorLink = H.h("button", {type: "button", onclick: () => { sessionStorage.setItem("hugoniot-deck", deckText.textContent); H.go("decks", {from: "match"}); }}, "Open in the deck editor");
+    deckBox = H.h("details", {ontoggle: () => { if (deckBox.open) loadDeck(); }}, H.h("summary", {}, "The deck that runs this impact"),
+      H.h("div", {class: "bar", style: {margin: "6px 0"}}, H.h("button", {type: "button", onclick: () => H.copy(deckText.textContent, "deck")}, "Copy"), editorLink), deckText);
+    left.append(H.h("h2", {}, "Flyer and layers"), rows, options,
+      H.h("div", {class: "bar"}, H.h("button", {type: "button", onclick: () => H.set({layers: [...layers(), "pmma"].slice(0, 8).join(",")})}, "Add a layer"),
+        H.h("button", {type: "button", onclick: () => H.set({layers: [layers()[1], layers()[0], ...layers().slice(2)].join(",")})}, "Swap flyer and target")),
+      H.h("h3", {}, "impact velocity"), H.h("div", {class: "bar"}, slider, H.h("label", {}, speed, "m/s")),
+      H.h("h3", {}, "error bands, one standard deviation"), H.h("div", {class: "bar small"}, H.h("label", {}, "velocity ±", sigma, "m/s"), H.h("label", {}, bands, "fits of the library")), deckBox);
+    right.append(host, H.h("div", {class: "bar"}, H.h("span", {class: "quiet small"}, "Drag the flyer's velocity on the axis. Dashed: curve of the layer behind. Solid: Hugoniot of the layer ahead."), H.h("span", {class: "bar push"}, ...H.saveButtons(() => chart, () => `match-${layers().join("-")}`))), table, warnings);
+    chart = new H.Chart(host, {label: "Impedance match: pressure over particle velocity", height: 0.56, onHover: () => {}, onDrag: (id, x) => drag(Math.max(1, Math.round(x * 1000))), onDrop: drop});
+    chart.svg.addEventListener("keydown", event => {     // the handle with the keyboard
+      const step = {"[": -10, "]": 10, "{": -100, "}": 100}[event.key];
+      if (step) { drag(Math.max(1, velocity() + step)); drop(); event.preventDefault(); }
+    });
+    H.askOnce("materials").then(all => options.append(...all.materials.filter(m => m.alone).map(m => H.h("option", {value: m.name}, m.title)))).catch(H.failed);
+  };
+  view.close = () => chart.stop();
+  view.repaint = () => draw(shown);
+  view.update = () => {
+    fillRows();
+    sync();
+    bands.checked = H.get("bands") === "1";
+    if (document.activeElement !== sigma) sigma.value = H.get("sigma");
+    if (!deckBox.open && H.get("deck")) deckBox.open = true;
+    solve();
+  };
+  function sync() {
+    slider.max = Math.max(most(), velocity());
+    slider.value = velocity();
+    if (document.activeElement !== speed) speed.value = velocity();
+    command();
+  }
+  function fillRows() {
+    const names = layers();
+    if (rows.dataset.names === names.join()) return;
+    rows.dataset.names = names.join();
+    H.clear(rows).append(...names.map((name, k) => {
+      const word = k === 0 ? "flyer" : k === 1 ? "target" : k === names.length - 1 ? "window" : `layer ${k}`;
+      return H.h("div", {class: "bar"}, H.h("i", {style: {width: "12px", height: "12px", borderRadius: "3px", background: H.palette().lines[k % 8]}}), H.h("label", {style: {flex: 1}}, H.h("span", {style: {width: "4em"}}, word),
+        H.h("input", {list: "match-materials", value: name, "aria-label": `Material of the ${word}`, style: {flex: 1, minWidth: 0}, onchange: event => { const next = [...names]; next[k] = event.target.value.trim().replace(/,/g, " "); if (next[k]) H.set({layers: next.join(",")}); }})),
+        names.length > 2 && k > 0 ? H.h("button", {type: "button", "aria-label": `Remove ${word}`, onclick: () => H.set({layers: names.filter((_, i) => i !== k).join(",")})}, "×") : "");
+    }));
+  }
+  function drag(v) { dragging = true; H.set({v: String(v)}, false); sync(); solve(); }
+  function drop() { dragging = false; solve(); }
+  function solve() {
+    clearTimeout(settled);
+    const mine = ++order, names = layers(), v = velocity();
+    const wanted = {layers: names.join(","), velocity: v};
+    asking(async () => {
+      const begun = performance.now();
+      try {
+        const found = H.exported() ? await H.matchFromCurves(names, v) : await H.ask("match", wanted);
+        if (mine < order && !dragging) return;
+        found.took = performance.now() - begun;
+        shown = found;
+        draw(found);
+        if (!dragging) H.say("");
+      } catch (error) { H.clear(warnings).append(H.h("div", {class: "bad"}, error.message)); H.clear(table); shown = null; H.failed(error); }
+    });
+    const s = Number(H.get("sigma")), b = H.get("bands");
+    if (!H.exported() && (s > 0 || b)) settled = setTimeout(async () => {
+      try { const found = await H.ask("match", {...wanted, ...(s > 0 ? {sigma: s} : {}), ...(b ? {bands: 1} : {})}); if (mine === order) { shown = found; draw(found); } } catch (error) { H.failed(error); }
+    }, 120);
+    if (deckBox.open && !dragging) loadDeck();
+  }
+  function draw(found) {
+    if (!found) return;
+    const names = found.layers, series = [], marks = [], times = (values, factor) => values.map(v => v * factor);
+    found.curves.forEach((c, k) => {
+      series.push({kind: "line", colour: k, dash: "6 3", width: 1.4, x: times(c.behind.particle_velocity, 1e-3), y: times(c.behind.pressure, 1e-9), label: k === 0 ? `${names[0]}, ${H.digits(found.velocity, 5)} m/s` : ""});
+      series.push({kind: "line", colour: k + 1, x: times(c.ahead.particle_velocity, 1e-3), y: times(c.ahead.pressure, 1e-9), label: names[k + 1]});
+    });
+    found.states.forEach((s, k) => {
+      const x = s.particle_velocity * 1e-3, y = s.pressure * 1e-9, u = s.uncertainty;
+      if (u) marks.push({kind: "error", x, y, sx: u.particle_velocity * 1e-3, sy: u.pressure * 1e-9, colour: "ink", width: 1.3});
+      marks.push({kind: "dot", x, y, colour: "ink", label: `${H.digits(s.pressure * 1e-9, 4)} GPa, ${H.digits(s.particle_velocity, 4)} m/s`, below: k > 0});
+    });
+    const top = 1.28 * Math.max(...found.states.map(s => s.pressure)) * 1e-9, wide = 1.12 * Math.max(found.velocity, ...found.states.map(s => s.particle_velocity)) * 1e-3;
+    if (!dragging || !chart.held) chart.held = {x: {min: 0, max: wide}, y: {min: 0, max: top}};
+    const held = chart.held, grown = {x: {min: 0, max: Math.max(held.x.max, found.velocity * 1.02e-3)}, y: {min: 0, max: Math.max(held.y.max, top / 1.1)}};
+    chart.show({series, marks, x: {label: "particle velocity (km/s)", ...(dragging ? grown.x : held.x)}, y: {label: "pressure (GPa)", ...(dragging ? grown.y : held.y)}, handles: [{id: "velocity", x: found.velocity * 1e-3, y: 0, colour: 0}]});
+    const fields = ["pressure", "particle_velocity", "shock_velocity", "density", "temperature", "specific_internal_energy", "sound_speed"];
+    H.clear(table).append(H.h("div", {class: "scroll wide"}, H.h("table", {"data-table": "match"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "state on the right of"), found.states.map(s => H.h("th", {class: "number"}, s.interface)))),
+      H.h("tbody", {}, fields.filter(f => found.states.some(s => s[f] !== null && s[f] !== undefined)).map(f => {
+        const [words, unit, factor] = H.units[f], [name, by] = H.fits(found.states.map(s => s[f]), unit, factor);
+        return H.h("tr", {"data-field": f}, H.h("td", {}, H.labelled(words, name)), found.states.map(s => H.h("td", {class: "number"}, H.digits(s[f] === null || s[f] === undefined ? null : s[f] * by, found.digits || 6),
+          s.uncertainty?.[f] ? H.h("span", {class: "quiet"}, ` ± ${H.digits(s.uncertainty[f] * by, 2)}`) : "")));
+      }), H.h("tr", {}, H.h("td", {}, "goes back, goes on"), found.states.map(s => H.h("td", {class: "number"}, `${word(s.reflected)}, ${word(s.transmitted)}`)))))));
+    const notes = found.warnings.map(w => H.h("div", {class: "bad"}, w));
+    if (found.uncertain?.length) notes.push(H.h("div", {class: "quiet"}, `Uncertain: ${found.uncertain.join(", ")}; linear propagation${found.uncertain.length > 1 || found.uncertain[0] !== "velocity" ? ", with the covariance of each fit" : ""}.`));
+    else if (H.get("bands") && !dragging && !H.exported()) notes.push(H.h("div", {class: "quiet"}, "The library recomputes the fit of none of these materials, so it has no band for them."));
+    H.clear(warnings).append(...notes);
+    chart.box.dataset.took = found.took ?? "";
+  }
+  const word = kind => ({fan: "release", none: "nothing"}[kind] || kind);
+  async function loadDeck() {
+    try { const found = await H.ask("match_deck", {layers: layers().join(","), velocity: velocity()}); deckText.textContent = found.deck; editorLink.disabled = false; }
+    catch (error) { deckText.textContent = error.message; editorLink.disabled = true; }
+  }
+  function command() {
+    const names = layers(), v = velocity(), s = Number(H.get("sigma"));
+    const extra = s > 0 ? ` --error "velocity = ${s} m/s"` : "";
+    H.command({shell: `hugoniot eos match ${names.map(H.shell).join(" ")} --velocity "${v} m/s"${extra} --plot match.png`,
+      python: `from hugoniot.explorer.impact import impact\nprint(impact([${names.map(H.python).join(", ")}], ${v}.0, sigma=${s > 0 ? s : 0}, bands=${H.get("bands") ? "True" : "False"})["states"])`.replace(`${v}.0`, Number.isInteger(v) ? `${v}.0` : `${v}`)});
+  }
+
+  // -- without a server: two materials, from the exported Hugoniots --------------------------------------------------------
+  H.matchFromCurves = async (names, v) => {
+    if (names.length > 2) throw new H.Refused("This exported page matches a flyer and one target; more layers need reshock and release from the server: hugoniot explore");
+    const [flyer, target] = await Promise.all(names.map(async name => H.askOnce("material", {name: await H.resolved(name)})));
+    for (const c of [flyer, target]) if (!c.hugoniot) throw new H.Refused(`${c.name}: no Hugoniot from rest`);
+    const at = (c, key, up) => smooth(c.hugoniot.particle_velocity, c.hugoniot[key], up);
+    const end = c => c.hugoniot.particle_velocity.at(-1);
+    let low = Math.max(0, v - end(flyer)), high = Math.min(v, end(target));
+    const excess = u => at(target, "pressure", u) - at(flyer, "pressure", v - u);
+    if (!(low < high) || excess(low) > 0 || excess(high) < 0) throw new H.Refused("This impact lies beyond the exported curves; the server computes it: hugoniot explore");
+    for (let k = 0; k < 60; k++) { const middle = (low + high) / 2; if (excess(middle) > 0) high = middle; else low = middle; }
+    const state = Object.fromEntries(Object.keys(target.hugoniot).map(key => [key, key === "particle_velocity" ? low : target.hugoniot[key] ? at(target, key, low) : null]));
+    const of = (c, mirror) => ({particle_velocity: c.hugoniot.particle_velocity.map(u => mirror ? v - u : u), pressure: c.hugoniot.pressure});
+    return {layers: names, velocity: v, digits: 5, states: [{interface: names.join("/"), ...state, reflected: "shock", transmitted: "shock"}], curves: [{behind: of(flyer, true), ahead: of(target, false)}], uncertain: [],
+      warnings: ["Interpolated in the exported curves; states to five digits."]};
+  };
+  function smooth(xs, ys, x) {       // cubic through four neighbouring states
+    let k = xs.findIndex(v => v >= x);
+    k = Math.min(Math.max(k - 2, 0), xs.length - 4);
+    let sum = 0;
+    for (let i = k; i < k + 4; i++) { let w = ys[i]; for (let j = k; j < k + 4; j++) if (j !== i) w *= (x - xs[j]) / (xs[i] - xs[j]); sum += w; }
+    return sum;
+  }
+})();

@@ -1,0 +1,29 @@
+"use strict";
+// Measured histories from a CSV file dropped onto the page: read here, sent nowhere. Heads name quantity and unit: time [us], velocity (m/s).
+(() => {
+  const UNITS = {s: ["s", 1], ms: ["s", 1e-3], us: ["s", 1e-6], "µs": ["s", 1e-6], "μs": ["s", 1e-6], ns: ["s", 1e-9], ps: ["s", 1e-12], "m/s": ["m/s", 1], "km/s": ["m/s", 1e3], "mm/us": ["m/s", 1e3], "mm/µs": ["m/s", 1e3], "cm/s": ["m/s", 1e-2],
+    Pa: ["Pa", 1], kPa: ["Pa", 1e3], MPa: ["Pa", 1e6], GPa: ["Pa", 1e9], kbar: ["Pa", 1e8], bar: ["Pa", 1e5], Mbar: ["Pa", 1e11], m: ["m", 1], mm: ["m", 1e-3], um: ["m", 1e-6], "µm": ["m", 1e-6], K: ["K", 1], "kg/m^3": ["kg/m^3", 1], "g/cm^3": ["kg/m^3", 1e3]};
+  const SI = {time: "s", velocity: "m/s", particle_velocity: "m/s", stress: "Pa", pressure: "Pa", temperature: "K", density: "kg/m^3", position: "m"};
+  const cells = line => { const found = []; let cell = "", quoted = false; for (const c of line) { if (c === '"') quoted = !quoted; else if ((c === "," || c === ";" || c === "\t") && !quoted) { found.push(cell); cell = ""; } else cell += c; } return [...found, cell].map(t => t.trim()); };
+  H.readMeasured = (name, text) => {
+    const lines = text.split(/\r?\n/).filter(l => l.trim() && !l.startsWith("#")), heads = cells(lines[0] || "").map(head => {
+      const match = head.match(/^(.*?)\s*(?:[[(]\s*([^\])]*)\s*[\])])?\s*$/), word = match[1].trim().toLowerCase().replace(/\s+/g, "_"), unit = (match[2] || "").trim();
+      if (unit && !UNITS[unit]) throw new H.Refused(`${name}: unknown unit '${unit}'; known: ${Object.keys(UNITS).join(", ")}`);
+      return {word, unit: unit ? UNITS[unit][0] : SI[word] || "", factor: unit ? UNITS[unit][1] : 1};
+    });
+    if (lines.length < 3) throw new H.Refused(`${name}: a line of names, such as time [us], velocity [m/s], and at least two of numbers are needed`);
+    const at = heads.findIndex(h => h.unit === "s" || h.word === "t");
+    if (at < 0) throw new H.Refused(`${name}: no column of time; name it time [us]`);
+    const rows = lines.slice(1).map((line, k) => cells(line).map((c, j) => { const v = Number(c); if (c === "" || !Number.isFinite(v)) throw new H.Refused(`${name}:${k + 2}: '${c.slice(0, 30)}' is not a number`); return v * (heads[j]?.factor ?? 1); }));
+    const time = rows.map(r => r[at]);
+    return heads.map((h, j) => ({...h, j})).filter(h => h.j !== at && h.word).map(h => ({label: `${name}: ${h.word.replace(/_/g, " ")}`, unit: h.unit, time, values: rows.map(r => r[h.j] ?? NaN)}));
+  };
+  H.dropHere = (element, onFile) => {
+    const take = async files => { for (const file of files) { if (file.size > 20e6) { H.say(`${file.name}: more than 20 MB`); continue; } try { onFile(H.readMeasured(file.name, await file.text())); H.say(`${file.name}: read`); } catch (error) { H.failed(error); } } };
+    const input = H.h("input", {type: "file", accept: ".csv,.txt,.dat", multiple: true, "aria-label": "Measured data, CSV", onchange: async () => { await take([...input.files]); input.value = ""; }});
+    element.append(H.h("span", {class: "small"}, "Measured data: drop a CSV file here (time [us], velocity [m/s]) or choose one: "), input);
+    element.addEventListener("dragover", event => { event.preventDefault(); element.classList.add("over"); });
+    element.addEventListener("dragleave", () => element.classList.remove("over"));
+    element.addEventListener("drop", event => { event.preventDefault(); element.classList.remove("over"); take(event.dataTransfer.files); });
+  };
+})();

@@ -1,0 +1,196 @@
+"""What the explorer answers is what the package computes: the same functions, the same digits."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+from explorer_words import TOKEN
+from typer.testing import CliRunner
+
+import hugoniot
+from hugoniot.cli.main import build_app
+from hugoniot.explorer import catalogue, curves, impact, run_data
+from hugoniot.materials import library, schema
+from hugoniot.problem.deck import read_deck_text
+from hugoniot.theory.impedance import match
+
+
+def ask(client, question, **query):
+    answer = client.get(f"/{TOKEN}/api/{question}", params=query)
+    assert answer.status_code == 200, answer.text
+    return answer.json()
+
+
+def printed(*arguments):
+    result = CliRunner().invoke(build_app("eos"), ["eos", *arguments, "--json"])
+    assert result.exit_code == 0, result.output
+    return json.loads(result.output)
+
+
+# -- materials -------------------------------------------------------------------------------------------------------
+def test_the_list_holds_every_material_and_every_row_once(client):
+    found = ask(client, "materials")
+    names = [m["name"] for m in found["materials"] + found["rows"]]
+    assert len(names) == len(set(names)) and {row.id for row in schema.all_rows()} <= set(names) | {i for m in found["materials"] for i in _rows_of(m)}
+    assert set(library.index()) <= set(names) and found["points"] == len(schema.points())
+    copper = next(m for m in found["materials"] if m["name"] == "copper")
+    assert copper["density"] == 8930.0 and copper["bulk_sound_speed"] == 3940.0 and copper["curated"]
+    doubted = [m for m in found["materials"] if m["mark"]]
+    assert doubted and all(m["source"] for m in found["materials"])
+
+
+def _rows_of(material):
+    return library.index()[material["name"]].rows if material["curated"] else ()
+
+
+def test_a_state_is_that_of_the_command(client):
+    for name, by, value, unit in (("copper", "particle_velocity", 1500.0, "m/s"), ("water", "pressure", 5e9, "Pa"), ("pmma", "shock_velocity", 4000.0, "m/s")):
+        mine = ask(client, "state", name=name, by=by, value=value)["state"]
+        theirs = printed("hugoniot", name, "--at", f"{by} = {value} {unit}")
+        assert all(mine[key] == theirs[key] for key in ("pressure", "density", "particle_velocity", "shock_velocity", "specific_internal_energy", "temperature", "entropy"))
+
+
+def test_curves_are_sampled_at_round_velocities_and_hold_the_commands_numbers(client):
+    found = ask(client, "material", name="copper")
+    up, step = found["hugoniot"]["particle_velocity"], found["hugoniot"]["particle_velocity"][1]
+    assert len(up) <= curves.MOST + 1 and step == curves.round_step(up[-1]) and up[3] == pytest.approx(3 * step, rel=1e-11)
+    theirs = printed("hugoniot", "copper", "--at", f"particle_velocity = {up[7]} m/s")
+    assert all(found["hugoniot"][key][7] == pytest.approx(theirs[key], rel=2e-12) for key in ("pressure", "density", "shock_velocity", "temperature", "sound_speed", "entropy"))
+    assert sum(len(m["up"]) for m in found["measured"]) > 100 and found["sources"] and len(found["releases"]) == 4
+    for release in found["releases"]:
+        assert release["pressure"][-1] == 0.0 and release["particle_velocity"][-1] > release["particle_velocity"][0]
+
+
+@pytest.mark.parametrize("span", [0.3, 1.0, 1234.5, 3535.2, 9.99e5])
+def test_steps_are_round_and_few(span):
+    step = curves.round_step(span)
+    assert span / step <= curves.MOST * (1 + 1e-9) and span / step > curves.MOST / 2.6
+    assert round(step / 10 ** math.floor(math.log10(step) + 1e-9), 9) in (1.0, 2.0, 2.5, 5.0)
+
+
+def test_an_explosive_has_products_gurney_and_pop_plot(client):
+    found = ask(client, "material", name="comp_b")
+    theirs = printed("cj", "comp_b")
+    assert found["products"]["cj"]["pressure"] == theirs["pressure"] and found["products"]["cj"]["shock_velocity"] == theirs["detonation_velocity"]
+    falling = np.array(found["products"]["isentrope"]["pressure"])
+    assert falling[-1] == pytest.approx(1e5) and (np.diff(falling) < 0).all()
+    assert found["gurney"]["value"] == 2700.0 and found["gurney"]["velocity"]["cylinder"][20] == pytest.approx(2700.0 / math.sqrt(1.0 + 0.5))
+    assert found["pop"] and found["pop"][0]["pressure_high"] > found["pop"][0]["pressure_low"]
+
+
+def test_every_material_of_the_library_has_curves_or_says_why():
+    """A sample through the whole list; the export walks all of it."""
+    listed = [m for m in catalogue.listing()["materials"] if m["alone"]]
+    for material in listed[::60]:
+        found = curves.curves_of(material["name"])
+        assert found["hugoniot"] or found["products"] or found["notes"], material["name"]
+
+
+def test_unknown_names_are_refused_with_the_nearest(client):
+    answer = client.get(f"/{TOKEN}/api/material", params={"name": "coper"})
+    assert answer.status_code == 422 and "copper" in answer.json()["error"][0]
+    for query in ({"name": "copper", "by": "particle_velocity", "value": "nan"}, {"name": "copper", "by": "colour", "value": "1"}, {"name": "copper", "by": "pressure"},
+                  {"name": "copper", "by": "particle_velocity", "value": "1e400"}, {"name": "x" * 100, "by": "pressure", "value": "1e9"}):
+        assert client.get(f"/{TOKEN}/api/state", params=query).status_code == 422
+
+
+# -- impacts ---------------------------------------------------------------------------------------------------------
+def test_a_match_is_that_of_the_command(client):
+    mine = ask(client, "match", layers="tungsten,copper,pmma", velocity=800, sigma=5)
+    theirs = printed("match", "tungsten", "copper", "pmma", "--velocity", "800 m/s", "--error", "velocity = 5 m/s")
+    for own, other in zip(mine["states"], theirs["states"], strict=True):
+        assert own["interface"] == other["interface"]
+        for key in ("pressure", "particle_velocity", "shock_velocity", "density"):
+            assert own[key] == other[key] and own["uncertainty"][key] == other["uncertainty"][key]["sigma"]
+
+
+def test_the_drawn_curves_meet_in_the_states():
+    found = impact.impact(["tungsten", "copper", "pmma", "copper"], 800.0)
+    for curve in found["curves"]:
+        u, p = curve["state"]
+        for side in ("behind", "ahead"):
+            us, ps = (np.array(curve[side][key]) for key in ("particle_velocity", "pressure"))
+            order = np.argsort(ps)
+            assert np.interp(p, ps[order], us[order]) == pytest.approx(u, rel=2e-3, abs=0.5), side
+            assert (np.diff(ps) > 0).all() or (np.diff(ps) < 0).all()
+
+
+def test_bands_of_the_librarys_fits_count_with_their_covariance():
+    """Against Monte Carlo over the same covariance, by its own sampling."""
+    found = impact.impact(["iron", "water"], 1500.0, 0.0, True)
+    iron, water = library.find("iron"), library.find("water")
+    draws, draw = [], np.random.default_rng(5)
+    for _ in range(150):
+        layers = []
+        for material in (iron, water):
+            names, covariance = impact.known_bands(library.entry(material.name))
+            values = [getattr(material.eos, n) for n in names]
+            layers.append(material.eos._replace(**dict(zip(names, draw.multivariate_normal(values, covariance, method="svd").tolist()))))
+        draws.append(match(layers, 1500.0)[0].pressure)
+    assert found["states"][0]["uncertainty"]["pressure"] == pytest.approx(np.std(draws), rel=0.2)
+    assert set(found["uncertain"]) == {"iron", "water"} and impact.known_bands(library.entry("copper")) is None
+    assert "uncertainty" not in impact.impact(["copper", "aluminum"], 1500.0, 0.0, True)["states"][0]
+
+
+def test_the_deck_of_an_impact_is_valid_and_explosives_are_refused():
+    for names in (["copper", "aluminum"], ["Cu", "al", "pmma"], ["steel_4340", "copper", "lif", "pmma"]):
+        deck = read_deck_text(impact.deck(names, 812.5))
+        assert len(deck.problem.regions) == len(names) and deck.problem.regions[0].velocity == 812.5
+    with pytest.raises(hugoniot.errors.OutOfRange, match="burns in a run"):
+        impact.deck(["copper", "pbx_9501"], 800.0)
+    with pytest.raises(hugoniot.errors.OutOfRange):
+        impact.impact(["copper"], 800.0)
+
+
+# -- runs ------------------------------------------------------------------------------------------------------------
+def test_columns_of_a_run_are_those_of_its_file(client, tube):
+    run = hugoniot.load(tube)
+    said = ask(client, "run", run=0)
+    assert said["times"] == run.arrays("snapshots")["time"].tolist() and not said["plane"] and said["zones"] == 40
+    for name in [f["name"] for f in said["fields"]]:
+        answer = client.get(f"/{TOKEN}/api/array", params={"run": 0, "group": "snapshots", "name": name})
+        mine = np.frombuffer(answer.content, "<f8").reshape([int(n) for n in answer.headers["x-shape"].split(",")])
+        rows = run.arrays("snapshots")
+        theirs = rows[name] if name in rows else 0.5 * (rows[f"{name}_left"] + rows[f"{name}_right"])
+        assert np.array_equal(mine, theirs), name
+    time = np.frombuffer(client.get(f"/{TOKEN}/api/array", params={"run": 0, "group": "gauges", "name": "time"}).content, "<f8")
+    assert np.array_equal(time, run.arrays("gauges")["time"])
+    history = np.frombuffer(client.get(f"/{TOKEN}/api/array", params={"run": 0, "group": "snapshots", "name": "pressure", "zone": 7}).content, "<f8")
+    assert np.array_equal(history, run.arrays("snapshots")["pressure"][:, 7])
+    assert [r["last"] for r in said["regions"]] == [19, 39]
+
+
+def test_long_runs_are_thinned_and_say_so(tube, monkeypatch):
+    monkeypatch.setattr(run_data, "MOST_BYTES", 40 * 8 * 7)
+    said, whole = run_data.description(tube), hugoniot.load(tube).arrays("snapshots")
+    assert said["every"] == 3 and np.array_equal(said["times"], whole["time"][::3])
+    assert np.array_equal(run_data.column(tube, "snapshots", "pressure", {}), whole["pressure"][::3])
+
+
+# -- tables and the command ------------------------------------------------------------------------------------------
+def test_a_table_of_cases_keeps_numbers_words_and_units(client):
+    found = ask(client, "sweep", sweep=0)
+    assert [(c["name"], c["unit"], c["numeric"]) for c in found["columns"]] == [
+        ("case", "", False), ("velocity", "m/s", True), ("peak", "GPa", True), ("<b>note</b>", "", False)]
+    assert found["columns"][1]["cells"] == [100, 200, 300] and found["rows"] == 3 and found["runs"] == []
+
+
+def test_a_case_opens_the_run_beside_its_table(client, places, tube, tmp_path):
+    (tmp_path / "table" / "run1").symlink_to(tmp_path / "table" / "real")
+    (tmp_path / "table" / "real").mkdir()
+    (tmp_path / "table" / "real" / "deck.toml").write_text("title = 'x'")
+    assert ask(client, "sweep", sweep=0)["runs"] == [1]
+    assert client.post(f"/{TOKEN}/api/case?sweep=0&row=1").json() == {"run": 1}
+
+
+def test_arguments_of_the_command_are_sorted(places, tmp_path):
+    from hugoniot.errors import DeckError, FileTrouble
+    from hugoniot.explorer.places import places_of
+
+    assert [len(places.runs), len(places.sweeps), len(places.decks), places.materials] == [1, 1, 1, ["copper"]]
+    assert len(places_of([str(places.runs[0].path.parent)]).runs) == 1
+    for text, error in (("nowhere.run", FileTrouble), (str(tmp_path), FileTrouble), ("kopper", DeckError), ("no/such", FileTrouble)):
+        (tmp_path / "deck.toml").unlink(missing_ok=True)
+        with pytest.raises(error):
+            places_of([text])
