@@ -1,0 +1,99 @@
+"""After a step: fronts that met, bodies that part, shocks that have decayed, compressions that have steepened; the number of cells."""
+
+import numpy as np
+
+from hugoniot.solvers.fronts.cells.births import bear, collapse
+from hugoniot.solvers.fronts.cells.mesh import EMPTY, Mesh, adjust
+from hugoniot.solvers.fronts.cells.start import pieces_at
+from hugoniot.solvers.fronts.cells.step import Flow, met
+
+
+class Changes:
+    """What happens to the fronts of a run; counts of it, and the lines of the log.
+
+    log      called as log(kind, time, position, text)
+    ended    called as ended(front, time, position) for every front that is no more
+    most     number of fronts beyond which new waves are left to the cells
+    """
+
+    def __init__(self, flow: Flow, length: float, outside, most: int, log, ended):
+        self.flow, self.length, self.outside, self.most, self.log, self.ended = flow, length, outside, most, log, ended
+        self.meetings = self.captured = self.untracked = 0
+
+    def after_step(self, mesh: Mesh, time: float) -> bool:
+        """Do what the step calls for; whether fronts changed."""
+        runs = met(mesh, self.length)
+        parting = [mesh.x[f] for f in self.flow.parting]
+        self._release(mesh, time)
+        for first, last in reversed(runs):
+            self._meet(mesh, first, last, time)
+        for x in parting if not runs else ():
+            self._renew(mesh, int(np.flatnonzero(mesh.x == x)[0]), time, "parts")
+        changed = bool(runs or parting)
+        adjust(mesh, self.flow.spacing, lambda m, cell: split_slope(m, cell))
+        return changed
+
+    def _meet(self, mesh: Mesh, first: int, last: int, time: float) -> None:
+        inside = mesh.fronts[_order(mesh, first):_order(mesh, last) + 1]
+        ends = [f for f, front in zip((first, last), (inside[0], inside[-1])) if front.kind == "end"]
+        x = float(mesh.x[ends[0]] if ends else np.mean(mesh.x[first:last + 1]))
+        for front in inside:
+            self.ended(front, time, x)
+        kinds = [front.kind for front in inside]
+        face = collapse(mesh, first, last, x)
+        made, word = self._bear(mesh, face, time)
+        self.meetings += 1
+        self.log("meeting", time, x, f"{' with '.join(kinds)}: {', '.join(made) or 'nothing'} ({word})")
+
+    def renew_end(self, mesh: Mesh, side: int, time: float) -> None:
+        """The left (0) or right (1) end drives anew: solve its Riemann problem."""
+        self._renew(mesh, 0 if side == 0 else len(mesh.q), time, "changes")
+
+    def _renew(self, mesh: Mesh, face: int, time: float, verb: str) -> None:
+        front, x = mesh.fronts[_order(mesh, face)], float(mesh.x[face])
+        self.ended(front, time, x)
+        made, word = self._bear(mesh, face, time)
+        self.log("meeting", time, x, f"{front.kind} {verb}: {', '.join(made) or 'nothing'} ({word})")
+
+    def _bear(self, mesh: Mesh, face: int, time: float):
+        followed = len(mesh.fronts) < self.most
+        for side, (_, value) in zip((-1, 1), self.flow.ends):
+            if value is not None:
+                bench = self.flow.bench
+                (bench.walls if self.outside[(side + 1) // 2] == "wall" else bench.pressures)[side] = value(time)
+        left, right = pieces_at(mesh, face, self.flow.media, self.outside)
+        self.captured += not followed
+        return bear(mesh, face, left, right, time, self.flow.bench, followed)
+
+    def begin(self, mesh: Mesh) -> None:
+        """The waves that leave every line at t = 0."""
+        for face in reversed(mesh.faces().tolist()):
+            self._bear(mesh, face, 0.0)
+
+    def _release(self, mesh: Mesh, time: float) -> None:
+        for f in reversed(self.flow.released):
+            front = mesh.fronts[_order(mesh, f)]
+            self.ended(front, time, float(mesh.x[f]))
+            self.log("released", time, float(mesh.x[f]), f"{front.kind} has decayed and is followed no longer")
+            mesh.release(f)
+            self.untracked += 1
+        self.flow.released, self.flow.parting = [], []
+
+
+def _order(mesh: Mesh, face: int) -> int:
+    """Which of the fronts stands at a face."""
+    return int(np.count_nonzero(mesh.marked[:face]))
+
+
+def split_slope(mesh: Mesh, cell: int) -> np.ndarray:
+    """Slope of the densities of content in a cell, limited by its neighbours of the same interval; zero where it has none."""
+    volume = mesh.volume()
+    near = [k for k, face in ((cell - 1, cell), (cell + 1, cell + 1)) if not mesh.marked[face] and volume[k] > 0.0]
+    if not near or mesh.region[cell] == EMPTY:
+        return np.zeros(mesh.q.shape[1])
+    middle, own = mesh.middle, mesh.q[cell] / volume[cell]
+    slopes = [(mesh.q[k] / volume[k] - own) / (middle[k] - middle[cell]) for k in near]
+    if len(slopes) == 1:
+        return slopes[0]
+    a, b = slopes
+    return np.where(a * b > 0.0, np.sign(a) * np.minimum(np.minimum(2.0 * np.abs(a), 2.0 * np.abs(b)), 0.5 * np.abs(a + b)), 0.0)
