@@ -42,7 +42,7 @@ def collapse(mesh: Mesh, first: int, last: int, x: float) -> int:
     mesh.x, mesh.marked, mesh.given = mesh.x[keep], mesh.marked[keep], mesh.given[keep]
     mesh.x[first] = x
     mesh.q = np.delete(mesh.q, range(first, last), axis=0)
-    mesh.region = np.delete(mesh.region, range(first, last))
+    mesh.region, mesh.push = (np.delete(row, range(first, last)) for row in (mesh.region, mesh.push))
     return first
 
 
@@ -62,13 +62,15 @@ def bear(mesh: Mesh, face: int, left: Piece, right: Piece, time: float, bench: B
         mesh.given[face] = given[len(given) // 2] if given else np.nan
         return [], "nothing"
     kept, between = rows
-    marks, values, regions, made = [], [], [], []
+    marks, values, regions, push, made = [], [], [], [], []
     for k, (front, state) in enumerate(kept):
         if k:
             marks_in, values_in, count = _inside(between[k - 1], kept[k - 1][0], front, bench)
             marks += marks_in
             values += values_in
             regions += [between[k - 1].region if between[k - 1].kind != "vacuum" else EMPTY] * count
+            ends = np.array([kept[k - 1][1], *values_in, state])[:, 4]
+            push += [between[k - 1].state.sigma] if count == 1 else (0.5 * (ends[1:] + ends[:-1])).tolist()
             made[-1].least = count
         marks.append(True)
         values.append(state)
@@ -79,6 +81,7 @@ def bear(mesh: Mesh, face: int, left: Piece, right: Piece, time: float, bench: B
     mesh.marked = np.concatenate([mesh.marked[:face], np.array(marks, dtype=bool), mesh.marked[face + 1:]])
     mesh.given = np.concatenate([mesh.given[:face], np.array(values).reshape(-1, 5), mesh.given[face + 1:]])
     mesh.q = np.concatenate([mesh.q[:face], np.zeros((len(regions), mesh.q.shape[1])), mesh.q[face:]])
+    mesh.push = np.concatenate([mesh.push[:face], np.array(push), mesh.push[face:]])
     mesh.region = np.concatenate([mesh.region[:face], np.array(regions, dtype=mesh.region.dtype), mesh.region[face:]])
     word = "vacuum opens" if found.vacuum else f"{found.stress:.6g} Pa, {found.velocity[0]:.6g} m/s"
     return [front.kind for front in made], word

@@ -41,6 +41,7 @@ class Mesh:
     x (n+1,) m; q (n, 3 + scalars) contents; region (n,) index of the problem's region, EMPTY for a gap; marked (n+1,) whether a face is a
     front; fronts   of the marked faces, in their order; d   1 planar, 2 cylindrical, 3 spherical
     given (n+1, 5)  of faces that were just born: speed, density, velocity, energy, pressure there until the next step is over; else nan
+    push (n,)       pressure in cells that are to be born in the next step; else nan
     """
 
     x: np.ndarray
@@ -50,10 +51,12 @@ class Mesh:
     fronts: list[Front]
     d: int
     given: np.ndarray = field(default_factory=lambda: np.empty((0, 5)))
+    push: np.ndarray = field(default_factory=lambda: np.empty(0))
 
     def __post_init__(self):
         if len(self.given) != len(self.x):
             self.given = np.full((len(self.x), 5), np.nan)
+            self.push = np.full(len(self.q), np.nan)
 
     # -- geometry ----------------------------------------------------------------------------------------------------
     @property
@@ -70,7 +73,7 @@ class Mesh:
 
     def full(self) -> np.ndarray:
         """Whether a cell holds material: not a gap, and no cell that has yet to be born."""
-        return (self.region != EMPTY) & ((self.width > 0.0) | np.isnan(self.given[:-1, 0]) | np.isnan(self.given[1:, 0]))
+        return (self.region != EMPTY) & np.isnan(self.push)
 
     def faces(self) -> np.ndarray:
         """Indices of the faces that are fronts."""
@@ -90,6 +93,7 @@ class Mesh:
         self.q = np.insert(self.q, cell, left, axis=0)
         self.q[cell + 1] = right
         self.region = np.insert(self.region, cell, self.region[cell])
+        self.push = np.insert(self.push, cell, self.push[cell])
 
     def remove_face(self, face: int) -> None:
         """Join the two cells beside an inner face; a front there is dropped."""
@@ -97,7 +101,7 @@ class Mesh:
             del self.fronts[int(np.count_nonzero(self.marked[:face]))]
         self.q[face - 1] += self.q[face]
         self.q = np.delete(self.q, face, axis=0)
-        self.region = np.delete(self.region, face)
+        self.region, self.push = np.delete(self.region, face), np.delete(self.push, face)
         self.x, self.marked = np.delete(self.x, face), np.delete(self.marked, face)
         self.given = np.delete(self.given, face, axis=0)
 

@@ -167,11 +167,11 @@ def _move(mesh: Mesh, flow: Flow, half: Sides, face: Faces, dt: float) -> None:
     flux = fluxes(face) * (swept * dt)[:, None]
     mesh.q += flux[:-1] - flux[1:]
     if mesh.d > 1:
-        mesh.q[:, 1] += half.p[:, 2] * np.diff(swept) * dt
+        mesh.q[:, 1] += np.where(np.isnan(mesh.push), half.p[:, 2], mesh.push) * np.diff(swept) * dt
     flow.passed[0] += flux[0]
     flow.passed[1] -= flux[-1]
     mesh.x = new
-    mesh.given[:] = np.nan
+    mesh.given[:], mesh.push[:] = np.nan, np.nan
 
 
 def met(mesh: Mesh, length: float) -> list[tuple[int, int]]:
