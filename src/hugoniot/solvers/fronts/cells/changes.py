@@ -1,5 +1,7 @@
 """After a step: fronts that met, bodies that part, shocks that have decayed, compressions that have steepened; the number of cells."""
 
+import dataclasses
+
 import numpy as np
 
 from hugoniot.solvers.fronts.cells.births import bear, collapse
@@ -40,10 +42,25 @@ class Changes:
         for front in inside:
             self.ended(front, time, x)
         kinds = [front.kind for front in inside]
+        solid = [front for front in inside if not front.kind.startswith("fan")]
         face = collapse(mesh, first, last, x)
-        made, word = self._bear(mesh, face, time)
         self.meetings += 1
+        if len(solid) < 2:      # at the edge of a fan no state jumps: it ends where it meets anything, and what it meets goes on
+            self._pass(mesh, face, solid, time)
+            self.log("meeting", time, x, f"{' with '.join(kinds)}: {solid[0].kind if solid else 'nothing'}")
+            return
+        made, word = self._bear(mesh, face, time)
         self.log("meeting", time, x, f"{' with '.join(kinds)}: {', '.join(made) or 'nothing'} ({word})")
+
+    def _pass(self, mesh: Mesh, face: int, solid, time: float) -> None:
+        """Leave the one front that jumps, or none, at a face."""
+        if not solid:
+            mesh.release(face)
+            return
+        left, right = pieces_at(mesh, face, self.flow.media, self.outside)
+        k, old = _order(mesh, face), solid[0]
+        mesh.fronts[k] = dataclasses.replace(old, least=1, since=time, start=float(mesh.x[face]),
+                                             sides=(tuple(left.edge(1)), tuple(right.edge(-1))))
 
     def renew_end(self, mesh: Mesh, side: int, time: float) -> None:
         """The left (0) or right (1) end drives anew: solve its Riemann problem."""

@@ -218,7 +218,7 @@ def adjust(mesh: Mesh, spacing: Spacing, slope) -> None:
     moved = 0
     for k, (f, n, want) in enumerate(zip(first.tolist(), counts.tolist(), wanted.tolist())):
         f += moved
-        least = mesh.fronts[k].least
+        least = mesh.fronts[k].least if mesh.fronts[k].speed < mesh.fronts[k + 1].speed else 1    # a fan widens; what closes is no fan
         if mesh.region[f] == EMPTY:
             continue
         while n > max(FEWER * want + 0.5, least):
