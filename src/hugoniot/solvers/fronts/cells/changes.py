@@ -20,7 +20,7 @@ class Changes:
 
     def __init__(self, flow: Flow, length: float, outside, most: int, log, ended):
         self.flow, self.length, self.outside, self.most, self.log, self.ended = flow, length, outside, most, log, ended
-        self.meetings = self.captured = self.untracked = 0
+        self.meetings = self.captured = self.untracked = self.formed = 0
 
     def after_step(self, mesh: Mesh, time: float) -> bool:
         """Do what the step calls for; whether fronts changed."""

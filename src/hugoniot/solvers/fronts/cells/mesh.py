@@ -205,7 +205,7 @@ class Spacing:
         return np.diff(self.count(faces, h))
 
 
-FEWER, MORE = 1.4, 0.7
+FEWER, MORE = 1.25, 0.8
 
 
 def adjust(mesh: Mesh, spacing: Spacing, slope) -> None:
