@@ -181,7 +181,7 @@ class Spacing:
         return np.append(left, x_new[-1])
 
     def _count(self, r, start, h):
-        return np.where(start == 0.0, r / np.maximum(np.minimum(h, r / self.CENTRE), 1e-300), self.count(r, h))
+        return np.where(start == 0.0, r / np.maximum(np.minimum(h, r / self.CENTRE), self.FINEST * h), self.count(r, h))
 
     def _intervals(self, mesh: Mesh):
         at = mesh.faces()

@@ -143,9 +143,11 @@ def _state(mesh: Mesh, half: Sides, cell: int, edge: int):
 
 
 def _edge(front, half: Sides, f: int) -> float:
-    """Speed of the edge of a fan: u +- c, of the mean of both sides."""
+    """Speed of the edge of a fan: u +- c, of the side outside the fan."""
     d = front.direction
-    return float(0.5 * (half.w[f - 1, 1, 1] + half.w[f, 0, 1] + d * (half.c[f - 1, 1] + half.c[f, 0])))
+    on_left = (d < 0) == front.kind.endswith("head")
+    cell, edge = (f - 1, 1) if on_left else (f, 0)
+    return float(half.w[cell, edge, 1] + d * half.c[cell, edge])
 
 
 def _meeting_time(mesh: Mesh, speed, dt: float, longest: float) -> float:
