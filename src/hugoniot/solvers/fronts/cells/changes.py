@@ -5,9 +5,13 @@ import dataclasses
 import numpy as np
 
 from hugoniot.solvers.fronts.cells.births import bear, collapse
+from hugoniot.solvers.fronts.cells.flow import averages
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Mesh, adjust
 from hugoniot.solvers.fronts.cells.start import pieces_at
+from hugoniot.solvers.fronts.cells.steepening import candidates, track
 from hugoniot.solvers.fronts.cells.step import Flow, met
+
+FORMED = 2.0     # times the weakest wave: a shock that has formed is that strong
 
 
 class Changes:
@@ -22,8 +26,8 @@ class Changes:
         self.flow, self.length, self.outside, self.most, self.log, self.ended = flow, length, outside, most, log, ended
         self.meetings = self.captured = self.untracked = self.formed = 0
 
-    def after_step(self, mesh: Mesh, time: float) -> bool:
-        """Do what the step calls for; whether fronts changed."""
+    def after_step(self, mesh: Mesh, time: float) -> None:
+        """Do what the step calls for."""
         runs = met(mesh, self.length)
         parting = [mesh.x[f] for f in self.flow.parting]
         self._release(mesh, time)
@@ -31,9 +35,18 @@ class Changes:
             self._meet(mesh, first, last, time)
         for x in parting if not runs else ():
             self._renew(mesh, int(np.flatnonzero(mesh.x == x)[0]), time, "parts")
-        changed = bool(runs or parting)
-        adjust(mesh, self.flow.spacing, lambda m, cell: split_slope(m, cell))
-        return changed
+        adjust(mesh, self.flow.spacing, split_slope)
+
+    def steepen(self, mesh: Mesh, time: float) -> None:
+        """Follow the shocks that have formed among the cells."""
+        if len(mesh.fronts) >= self.most:
+            return
+        cells = averages(mesh, self.flow.media)
+        for cell, direction in reversed(candidates(mesh, cells, FORMED * self.flow.bench.weakest)):
+            x = float(mesh.middle[cell])
+            if track(mesh, cells, cell, direction, time):
+                self.formed += 1
+                self.log("formed", time, x, "a compression has become a shock, which is followed")
 
     def _meet(self, mesh: Mesh, first: int, last: int, time: float) -> None:
         inside = mesh.fronts[_order(mesh, first):_order(mesh, last) + 1]

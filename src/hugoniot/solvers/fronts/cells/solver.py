@@ -22,6 +22,7 @@ from hugoniot.solvers.fronts.reading import Reading
 from hugoniot.solvers.fronts.record import COLUMNS
 from hugoniot.solvers.protocol import NO_COUNTS, Event
 
+LOOK = 5              # steps between looks for shocks that have formed
 LINES = 400           # into which the paths of fronts are cut over a run
 SLOWEST = 1e-12       # of the stop time: a step shorter than this has no future
 STUCK = 200           # such steps in a row
@@ -90,6 +91,8 @@ class Cells(Reading):
                 self.time = goal if goal - self.time - dt <= 1e-15 * goal else self.time + dt
                 self.cycle += 1
                 self.changes.after_step(self.mesh, self.time)
+                if self.cycle % LOOK == 0 and np.isnan(self.mesh.push).all():
+                    self.changes.steepen(self.mesh, self.time)
         except UnphysicalState:
             raise
         except (HugoniotError, ArithmeticError, ValueError) as error:

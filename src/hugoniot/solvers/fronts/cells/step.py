@@ -135,6 +135,9 @@ def _at_fronts(mesh: Mesh, flow: Flow, half: Sides, face: Faces, time: float) ->
     born = np.flatnonzero(~np.isnan(mesh.given[:, 0]))
     face.speed[born], face.rho[born], face.u[born], face.p[born] = mesh.given[born][:, [0, 1, 2, 4]].T
     face.energy[born] = mesh.given[born, 3] + 0.5 * mesh.given[born, 2] ** 2
+    for f, (kind, value) in zip((0, n), flow.ends):
+        if kind == "wall" and mesh.fronts[0 if f == 0 else -1].kind == "end":      # a piston goes on as it is driven
+            mesh.fronts[0 if f == 0 else -1].speed = face.speed[f] = face.u[f] = value(time)
 
 
 def _state(mesh: Mesh, half: Sides, cell: int, edge: int):
