@@ -15,7 +15,7 @@ from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh
 from hugoniot.solvers.fronts.line import OUTSIDE, Piece
 from hugoniot.solvers.fronts.meeting import Bench, outgoing
 
-FAN_WEAKEST = 10.0    # times the weakest wave: a fan that is weaker has no edges to follow
+FAN_WEAKEST = 3.0    # times the weakest wave: a fan that is weaker has no edges to follow
 MOST_IN_FAN = 32
 
 

@@ -30,7 +30,8 @@ class Changes:
         """Do what the step calls for."""
         runs = met(mesh, self.length)
         parting = [mesh.x[f] for f in self.flow.parting]
-        self._release(mesh, time)
+        if not runs:
+            self._release(mesh, time)
         for first, last in reversed(runs):
             self._meet(mesh, first, last, time)
         for x in parting if not runs else ():
@@ -100,14 +101,22 @@ class Changes:
         for face in reversed(mesh.faces().tolist()):
             self._bear(mesh, face, 0.0)
 
+    def _crowded(self, mesh: Mesh) -> list[int]:
+        """Waves on both sides of the interval that asks for a step out of proportion."""
+        at = mesh.faces()
+        k = int(np.searchsorted(at, self.flow.limiting, side="right")) - 1
+        return [int(at[j]) for j in (k, k + 1) if mesh.fronts[j].direction]
+
     def _release(self, mesh: Mesh, time: float) -> None:
-        for f in reversed(self.flow.released):
+        crowd = self._crowded(mesh) if self.flow.crowded else []
+        self.captured += bool(crowd)
+        for f in sorted({*self.flow.released, *crowd}, reverse=True):
             front = mesh.fronts[_order(mesh, f)]
             self.ended(front, time, float(mesh.x[f]))
-            self.log("released", time, float(mesh.x[f]), f"{front.kind} has decayed and is followed no longer")
+            self.log("released", time, float(mesh.x[f]), f"{front.kind} is followed no longer: "
+                     + ("other waves are too close" if f in crowd else "it has decayed"))
             mesh.release(f)
             self.untracked += 1
-        self.flow.released, self.flow.parting = [], []
 
 
 def _order(mesh: Mesh, face: int) -> int:

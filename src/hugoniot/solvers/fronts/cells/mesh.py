@@ -129,7 +129,7 @@ class Spacing:
     A coordinate eta counts cells: faces of an interval stand at equal steps of eta.
     """
 
-    SLOPE = 0.1        # width over radius
+    SLOPE = 0.05       # width over radius
     FINEST = 1e-3      # of the region's width: where the slope ends
     CENTRE = 6         # cells, at least, of an interval that reaches the axis or origin (when it is narrower than six cells)
 
@@ -196,13 +196,13 @@ class Spacing:
             return (b - a) / h
         return self._count(b, a, h) - self._count(a, a, h)
 
-    def extents(self, mesh: Mesh, first: int, count: int) -> np.ndarray:
-        """eta each cell of an interval takes."""
-        faces = mesh.x[first:first + count + 1]
-        if self.d == 1 or faces[0] == 0.0:
-            return np.diff(faces)
-        h = self.widths(mesh)[first]
-        return np.diff(self.count(faces, h))
+    def extents(self, mesh: Mesh) -> np.ndarray:
+        """Cells of the width aimed at that every cell is wide."""
+        h = self.widths(mesh)
+        if self.d == 1:
+            return mesh.width / h
+        start = np.repeat(mesh.x[mesh.faces()[:-1]], np.diff(mesh.faces()))
+        return self._count(mesh.x[1:], start, h) - self._count(mesh.x[:-1], start, h)
 
 
 FEWER, MORE = 1.25, 0.8
@@ -222,12 +222,12 @@ def adjust(mesh: Mesh, spacing: Spacing, slope) -> None:
         if mesh.region[f] == EMPTY:
             continue
         while n > max(FEWER * want + 0.5, least):
-            size = spacing.extents(mesh, f, n)
+            size = spacing.extents(mesh)[f:f + n]
             j = int(np.argmin(size[1:] + size[:-1]))
             mesh.remove_face(f + j + 1)
             n, moved = n - 1, moved - 1
         while n < MORE * want - 0.25:
-            j = f + int(np.argmax(spacing.extents(mesh, f, n)))
+            j = f + int(np.argmax(spacing.extents(mesh)[f:f + n]))
             split(mesh, j, slope(mesh, j))
             n, moved = n + 1, moved + 1
 

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from hugoniot.laws.eos.contract import pressure
+from hugoniot.laws.eos.contract import pressure, sound_speed_squared
 from hugoniot.laws.riemann.branch import State
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.problem.model import Boundary, Problem, Pulse
-from hugoniot.solvers.fronts.cells.flow import Media, averages, reconstruct
+from hugoniot.solvers.fronts.cells.flow import COLD, Media, averages, reconstruct
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh, Spacing
 from hugoniot.solvers.fronts.line import Piece
 
@@ -100,6 +100,14 @@ def breaks(end: Boundary) -> list[float]:
     return [t for t in times if t > 0.0]
 
 
+def _sound(rho: float, u: float, e: float, law) -> bool:
+    """Whether a state has a pressure and a speed of sound."""
+    if not rho > 0.0:
+        return False
+    square = sound_speed_squared(rho, e, law)
+    return bool(np.isfinite(pressure(rho, e, law)) and square > -COLD * u * u)
+
+
 def pieces_at(mesh: Mesh, face: int, media: Media, outside) -> tuple[Piece, Piece]:
     """What stands on the left and right of a front: `outside` are the kinds of the two ends."""
     cells = averages(mesh, media)
@@ -111,13 +119,9 @@ def pieces_at(mesh: Mesh, face: int, media: Media, outside) -> tuple[Piece, Piec
         elif mesh.region[cell] == EMPTY:
             found.append(Piece("vacuum"))
         else:
-            rho, u, e = values[cell, :3].tolist()
             law = media.laws[mesh.region[cell]]
-            p = float(pressure(rho, e, law)) if rho > 0.0 else np.nan
-            if not (rho > 0.0 and np.isfinite(p)):
-                rho, u, e = cells.w[cell, :3].tolist()
-                p = float(cells.p[cell])
-            found.append(Piece("state", int(mesh.region[cell]), State(rho, u, e, p)))
+            rho, u, e = values[cell, :3].tolist() if _sound(*values[cell, :3].tolist(), law) else cells.w[cell, :3].tolist()
+            found.append(Piece("state", int(mesh.region[cell]), State(rho, u, e, float(pressure(rho, e, law)))))
     for piece, other, way in ((found[0], found[1], -1), (found[1], found[0], 1)):
         if piece.kind == "open":
             piece.state = other.edge(way)

@@ -21,6 +21,8 @@ from hugoniot.solvers.fronts.meeting import Bench
 
 SHIFT = 0.15       # of a cell: how far a step moves a face towards its place
 SQUEEZE = 0.5      # of its width: how much a step may close a cell
+AMPLE = 0.3        # of the width aimed at: cells no narrower set the step that is normal
+CROWDED = 0.01     # of the normal step: a step that small means waves too close to each other to be followed
 LONGER = 1.3       # a step may be this much longer to end in a meeting
 
 
@@ -30,6 +32,8 @@ class Flow:
 
     ends      ((kind, value(t)), (kind, value(t))) of the left and right end
     passed    contents that have come in through the left and right end, (2, nvar)
+    limiting, crowded   cell that limits the last step, and whether that is much shorter than the other cells ask
+    released, parting   faces of fronts that have decayed, and of contacts that open
     """
 
     media: Media
@@ -40,6 +44,7 @@ class Flow:
     passed: np.ndarray
     reaction: object = None
     limiting: int = 0
+    crowded: bool = False
     released: list[int] = field(default_factory=list)
     parting: list[int] = field(default_factory=list)
 
@@ -92,6 +97,8 @@ def _length(mesh: Mesh, flow: Flow, cells: Cells, known, longest: float) -> tupl
         dt = min(dt, float(own[late].min()))
     soonest = float(meets.min(initial=np.inf))
     flow.limiting = int(np.argmin(own))
+    ample = flow.spacing.extents(mesh) > AMPLE
+    flow.crowded = dt < CROWDED * min(float(own[ample].min(initial=np.inf)), longest)
     return (soonest, True) if soonest <= dt else (dt, False)
 
 
