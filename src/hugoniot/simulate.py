@@ -39,6 +39,9 @@ def make_solver(problem: Problem) -> Any:
         from hugoniot.solvers.shock_structure.solver import ShockStructure
         return ShockStructure(problem, shock_start(problem))
     if problem.solver.kind == "fronts":
+        if problem.solver.options.get("mode") == "cells":
+            from hugoniot.solvers.fronts.cells.solver import Cells
+            return Cells(problem)
         from hugoniot.solvers.fronts.solver import Fronts
         return Fronts(problem)
     if problem.solver.kind == "lagrange2d":

@@ -1,4 +1,7 @@
-"""The deck of the solver `fronts`: bodies, ends, interfaces and gauges as for `lagrange1d`; zones only say where fields are read out."""
+"""The deck of the solver `fronts`: bodies, ends, interfaces and gauges as for `lagrange1d`.
+
+Zones say where fields are read out; in the mode "cells" their number also says how fine the mesh is.
+"""
 
 from types import MappingProxyType
 from typing import Annotated, Any, Literal
@@ -32,19 +35,26 @@ NAME = "the solver fronts"
 class OptionsTable(Table):
     """Options of this solver alone."""
 
-    mode: Literal["algebraic"] = Field("algebraic", description="algebraic: constant states and centred fans, every meeting solved exactly")
+    mode: Literal["algebraic", "cells"] = Field(
+        "algebraic", description="algebraic: constant states and centred fans, every meeting solved exactly (planar); "
+        "cells: a moving mesh between the fronts, second order")
     fan_step: Annotated[float, Quantity("1", above=0.0, limit=1.0)] = Field(
-        0.1, description="velocity step, over the sound speed, of the slices into which a fan is cut when another wave reaches it")
-    weakest: Annotated[float, Quantity("1", least=0.0, limit=0.1)] = Field(
-        1e-6, description="strength (change of stress over the stiffness) below which a wave is not followed")
-    most_fronts: int = Field(400, ge=10, le=100_000, description="the run stops with a message when it would follow more fronts")
+        0.1, description="velocity step, over the sound speed, of the slices into which a fan is cut when another wave reaches it, or of "
+        "the cells that it starts with")
+    weakest: Annotated[float, Quantity("1", least=0.0, limit=0.1)] | None = Field(
+        None, description="strength (change of stress over the stiffness) below which a wave is not followed (default: 1e-6 algebraic, "
+        "0.01 cells)")
+    most_fronts: int = Field(400, ge=10, le=100_000, description="with more fronts to follow, the algebraic mode stops with a message, "
+                             "and the cells mode leaves new waves to the cells, with a warning")
 
 
 class SolverTable(Table):
     """How it is solved."""
 
     kind: Literal["fronts"] = Field(description="the solver")
-    max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after so many meetings of fronts (default: none)")
+    courant: Annotated[float, Quantity("1", above=0.0, limit=1.0)] | None = Field(
+        None, description="Courant number of the cells (default: 0.5); the algebraic mode takes no steps")
+    max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after so many meetings of fronts, or steps (default: none)")
     options: OptionsTable = Field(default_factory=OptionsTable, description="the solver's own options")  # type: ignore[arg-type]
 
 
@@ -52,7 +62,7 @@ class Model(Table):
     """A deck of the solver of tracked fronts."""
 
     title: str = Field("", max_length=200, description="title of report and plots (default: the deck's file name)")
-    geometry: Literal["planar"] = Field("planar", description="symmetry")
+    geometry: Literal["planar", "cylindrical", "spherical"] = Field("planar", description="symmetry (curved ones: mode \"cells\")")
     stop_time: Positive = Field(description="time at which the run ends, such as \"2.5 us\"")
     region: list[RegionTable] = Field(min_length=1, max_length=1000, description="the bodies, [[region]]; zones are where fields are read")
     material: dict[str, Annotated[Any, WithJsonSchema({"x-definition": "material"})]] = Field(
@@ -67,13 +77,14 @@ class Model(Table):
 def read(raw: dict, model: Model | None, materials: dict[str, Material | None], collector: Collector) -> tuple[Problem | None, list[str]]:
     """The problem, and warnings; the problem is None when anything was reported (see `problem.lagrangian.read`)."""
     warnings: list[str] = []
+    geometry = raw.get("geometry", "planar")
     tables = {name: _parts(kind, raw.get(name)) for name, kind in
               (("region", RegionTable), ("interface", InterfaceTable), ("gauge", GaugeTable))}
-    regions, used = checks.read_regions(tables["region"], raw.get("region"), "planar", materials, collector, warnings)
+    regions, used = checks.read_regions(tables["region"], raw.get("region"), geometry, materials, collector, warnings)
     broken = checks.unread(raw.get("region"), regions)
     interfaces = checks.read_interfaces(tables["interface"], regions, collector, broken)
     gauges = checks.read_gauges(tables["gauge"], () if broken else regions, collector)
-    left, right = _ends(raw, "planar", regions, collector)
+    left, right = _ends(raw, geometry, regions, collector)
     output = _output(raw, collector)
     for name in raw.get("material", {}) if isinstance(raw.get("material"), dict) else ():
         if name not in used and regions and not broken:
@@ -81,33 +92,62 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     solver = salvage(SolverTable, raw.get("solver", {}))
     if model is None or collector.problems or left is None or right is None or solver is None or output is None:
         return None, warnings
-    options = SolverOptions("fronts", max_cycles=solver.max_cycles, options=MappingProxyType(solver.options.model_dump()))
-    problem = Problem(model.title, "planar", model.stop_time, regions, used, left, right, interfaces, gauges, options, output)
+    options = SolverOptions("fronts", courant=solver.courant, max_cycles=solver.max_cycles,
+                            options=MappingProxyType(with_defaults(solver.options.model_dump())))
+    problem = Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, options, output)
     for path, message in defects(problem):
         collector.add(path, message)
     return (None if collector.problems else completed(problem)), warnings
 
 
+def with_defaults(options) -> dict:
+    """Options of this solver with nothing left open."""
+    given = {name: value for name, value in dict(options).items() if value is not None}
+    found = {**OptionsTable(weakest=None).model_dump(), **given}  # type: ignore[call-arg]
+    return found | {"weakest": found["weakest"] if found["weakest"] is not None else {"algebraic": 1e-6, "cells": 0.01}[found["mode"]]}
+
+
 def defects(problem: Problem) -> list[tuple[tuple, str]]:
-    """(place in the deck, message) of everything that constant states and exact waves cannot describe."""
+    """(place in the deck, message) of everything that the mode asked for cannot describe."""
     found: list[tuple[tuple, str]] = []
-    if problem.geometry != "planar":
-        found.append((("geometry",), f"{NAME} is planar: between {problem.geometry} fronts no state is constant; use lagrange1d"))
+    cells = with_defaults(problem.solver.options)["mode"] == "cells"
     if problem.solver.viscosity is not None:
         found.append((("solver", "viscosity"), f"{NAME} has no artificial viscosity: leave [solver.viscosity] out"))
-    for k, region in enumerate(problem.regions):
-        if isinstance(region.velocity, tuple) and region.velocity[0] != region.velocity[1]:
-            message = f"region '{region.name}' has a velocity profile; {NAME} needs constant initial states"
-            found.append((("region", k, "velocity"), message))
     for name, material in problem.materials.items():
         found += [(("material", name, *path), f"material '{name}' {message}") for path, message in _material_defects(material)]
+        if cells and _has_strength(material):
+            message = f"material '{name}' has strength, which the mode 'cells' of {NAME} does not follow"
+            found.append((("material", name, "strength"), f"{message}: take the mode 'algebraic' (planar), or lagrange1d"))
+    for side, end in (("left", problem.left), ("right", problem.right)):
+        if end.pulse is not None and end.kind == "pressure" and min(end.pulse.amplitude, *end.pulse.values, 0.0) < 0.0:
+            found.append((("boundary", side), f"a pressure below zero pulls; {NAME} takes none"))
+    return found if cells else found + _beyond_algebra(problem)
+
+
+def _beyond_algebra(problem: Problem) -> list[tuple[tuple, str]]:
+    """What constant states and exact waves cannot describe."""
+    found: list[tuple[tuple, str]] = []
+    if problem.geometry != "planar":
+        found.append((("geometry",), f"the mode 'algebraic' of {NAME} is planar: between {problem.geometry} fronts no state is constant; "
+                      "take solver.options.mode = \"cells\""))
+    if problem.solver.courant is not None:
+        found.append((("solver", "courant"), "the mode 'algebraic' takes no steps: leave courant out"))
+    for k, region in enumerate(problem.regions):
+        if isinstance(region.velocity, tuple) and region.velocity[0] != region.velocity[1]:
+            message = (f"region '{region.name}' has a velocity profile; the mode 'algebraic' of {NAME} needs constant initial states: take "
+                       "solver.options.mode = \"cells\"")
+            found.append((("region", k, "velocity"), message))
     for side, end in (("left", problem.left), ("right", problem.right)):
         if end.pulse is not None and end.pulse.shape not in ("constant", "square"):
-            message = f"a {end.pulse.shape} pulse sends out a fan of its own; {NAME} takes constant and square pulses"
+            message = (f"a {end.pulse.shape} pulse sends out a fan of its own; the mode 'algebraic' of {NAME} takes constant and square "
+                       "pulses, the mode 'cells' all")
             found.append((("boundary", side), message))
-        elif end.pulse is not None and end.kind == "pressure" and end.pulse.amplitude < 0.0:
-            found.append((("boundary", side), f"a pressure below zero pulls; {NAME} takes none"))
     return found
+
+
+def _has_strength(material: Material) -> bool:
+    strength = material.strength
+    return strength is not None and STRENGTH.of(strength).name != "none" and getattr(strength, "yield_stress", 1.0) > 0.0
 
 
 def _material_defects(material: Material) -> list[tuple[tuple, str]]:
@@ -128,8 +168,9 @@ def _material_defects(material: Material) -> list[tuple[tuple, str]]:
 def write(problem: Problem) -> dict:
     """Tables of a deck, every default written out, that reads back to exactly this problem."""
     deck = lagrangian.write(problem)
-    options = {**OptionsTable().model_dump(), **dict(problem.solver.options)}  # type: ignore[call-arg]
-    deck["solver"] = {"kind": "fronts", "options": options}
+    deck["solver"] = {"kind": "fronts", "options": with_defaults(problem.solver.options)}
+    if problem.solver.courant is not None:
+        deck["solver"]["courant"] = problem.solver.courant
     if problem.solver.max_cycles is not None:
         deck["solver"]["max_cycles"] = problem.solver.max_cycles
     return deck

@@ -116,6 +116,8 @@ def _root(gap, sigma: float, floor: float, scale: float, sides) -> float:
             return sigma
         low, high = (sigma, high) if value < 0.0 else (low, sigma)
         new = sigma - value / slope if slope > 0.0 and math.isfinite(slope) else math.nan
+        if abs(new - sigma) <= 4e-16 * abs(sigma):      # a step of rounding, which a bracket of rounding would only send astray
+            return sigma
         if not low < new < high:
             new = _inside(sigma, low, high, scale, value)
         moved = abs(new - sigma)

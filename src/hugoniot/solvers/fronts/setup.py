@@ -10,13 +10,12 @@ from hugoniot.laws.eos.contract import pressure
 from hugoniot.laws.riemann.branch import Matter, State
 from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.materials.initial_state import initial_state
-from hugoniot.problem.fronts import defects
+from hugoniot.problem.fronts import defects, with_defaults
 from hugoniot.problem.model import Boundary, Problem
 from hugoniot.solvers.fronts.line import Front, Piece
 from hugoniot.solvers.fronts.meeting import Bench, outgoing
 
-NAME = "fronts"
-DEFAULTS = {"mode": "algebraic", "weakest": 1e-6, "fan_step": 0.1, "most_fronts": 400}
+COURANT = 0.5         # of the cells mode, where none is given
 
 
 @dataclass
@@ -28,13 +27,11 @@ class Drive:
 
 def options_of(problem: Problem) -> dict:
     """The solver's own options with every default filled in."""
-    return {**DEFAULTS, **dict(problem.solver.options)}
+    return with_defaults(problem.solver.options)
 
 
 def refuse_what_is_not_solved(problem: Problem) -> None:
-    """Raise `OutOfRange` for the first thing the algebraic mode cannot do exactly (problem.fronts.defects)."""
-    if options_of(problem)["mode"] != "algebraic":
-        raise OutOfRange(f"the solver {NAME} has the mode 'algebraic' only, not '{options_of(problem)['mode']}'")
+    """Raise `OutOfRange` for the first thing that the mode asked for cannot do (problem.fronts.defects)."""
     for _, message in defects(problem):
         raise OutOfRange(message)
 
@@ -61,13 +58,18 @@ def drive_of(end: Boundary) -> Drive:
     return Drive([step for step in steps if step[0] >= 0.0])
 
 
+def grips_of(problem: Problem) -> list[float]:
+    """Stress (Pa) that holds each region to the next one."""
+    grip = {"bonded": math.inf, "separable": 0.0}
+    held = {i.left: i.strength if i.kind == "bond" else grip[i.kind] for i in problem.interfaces}
+    return [held.get(r.name, 0.0) for r in problem.regions]
+
+
 def bench_of(problem: Problem, drives: dict[int, Drive]) -> Bench:
     """Materials, grips and ends of the run's meetings."""
     options = options_of(problem)
-    grip = {"bonded": math.inf, "separable": 0.0}
-    held = {i.left: i.strength if i.kind == "bond" else grip[i.kind] for i in problem.interfaces}
-    bench = Bench([matter_of(problem.materials[r.material]) for r in problem.regions],
-                  [held.get(r.name, 0.0) for r in problem.regions], float(options["weakest"]), float(options["fan_step"]))
+    matters = [matter_of(problem.materials[r.material]) for r in problem.regions]
+    bench = Bench(matters, grips_of(problem), float(options["weakest"]), float(options["fan_step"]))
     for side, end in ((-1, problem.left), (1, problem.right)):
         value = drives[side].steps[0][1]
         (bench.pressures if end.kind == "pressure" else bench.walls)[side] = value

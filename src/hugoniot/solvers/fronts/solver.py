@@ -1,4 +1,4 @@
-"""The solver of tracked fronts: owns the line of pieces and fronts, marches it from meeting to meeting, hands out states and checkpoints.
+"""The algebraic mode of tracked fronts: the line of pieces and fronts, marched from meeting to meeting.
 
 Knows a problem's numbers and laws; never files, decks or plots. Between meetings nothing is integrated: every state is the exact one.
 """
@@ -8,48 +8,34 @@ import math
 import numpy as np
 
 from hugoniot.errors import HugoniotError, UnphysicalState
-from hugoniot.laws.riemann.branch import elastic, wave_speed_squared
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.fronts import checkpoint, setup
 from hugoniot.solvers.fronts.material_points import Column
 from hugoniot.solvers.fronts.queue import Line
+from hugoniot.solvers.fronts.reading import Reading
 from hugoniot.solvers.fronts.record import COLUMNS, Lives
-from hugoniot.solvers.protocol import NO_COUNTS, Event, NothingToAdd
-from hugoniot.state import State
+from hugoniot.solvers.protocol import NO_COUNTS, Event
 
-SAMPLES = 1000        # of the gauges over a run, where no interval is given
 STUCK = 20_000        # meetings in one instant: fronts pile up
-GAUGE_FIELDS = ("position", "velocity", "density", "energy", "pressure", "deviator_radial", "deviator_hoop", "stress")
 
 
-class Fronts(NothingToAdd):
+class Fronts(Reading):
     """A run in progress: a `protocol.LineSolver`.
 
     Raises `OutOfRange` for a problem it does not solve (setup.refuse_what_is_not_solved).
     """
 
-    voids_opened = voids_closed = 0
-
     def __init__(self, problem: Problem):
         setup.refuse_what_is_not_solved(problem)
-        self.problem = problem
-        left, right, self.region_of = setup.zone_faces(problem)
-        self.initial_nodes = left, right
-        starts, ends = (np.array([getattr(r, name) for r in problem.regions])[self.region_of] for name in ("start", "end"))
-        self.fractions = (left - starts) / (ends - starts), (right - starts) / (ends - starts)
+        super().__init__(problem)
         self.drives = {-1: setup.drive_of(problem.left), 1: setup.drive_of(problem.right)}
         self.bench = setup.bench_of(problem, self.drives)
-        self._events: list[Event] = []
-        self.cycle, self.step = 0, 0.0
-        length = problem.regions[-1].end - problem.regions[0].start
+        self.matters = self.bench.matters
         pieces, fronts = setup.first_line(problem, self.bench)
-        self.line = Line(pieces, fronts, self.bench, length, self._log, int(setup.options_of(problem)["most_fronts"]))
+        self.line = Line(pieces, fronts, self.bench, self.length, self._log, int(setup.options_of(problem)["most_fronts"]))
         self.lives = Lives()
         self.lives.note(self.line.fronts, self.line.pieces, 0.0)
         self._changed = {side: 1 for side in (-1, 1)}       # steps of the drives that have been set
-        self.gauges = np.array([self._place(gauge.at) for gauge in problem.gauges], dtype=float).reshape(-1, 2)
-        self.interval = problem.output.gauge_interval or problem.stop_time / SAMPLES
-        self.samples, self._rows, self._times = 0, [], []
         self.start_totals, self.start_size = self.line.totals(), self._size()
         self._sample()
 
@@ -57,6 +43,10 @@ class Fronts(NothingToAdd):
     @property
     def time(self) -> float:
         return self.line.time
+
+    def column(self, region: int) -> Column:
+        """The material of a region now."""
+        return Column(self.line.pieces, self.line.fronts, region, self.time)
 
     @property
     def zone_updates(self) -> int:
@@ -97,9 +87,6 @@ class Fronts(NothingToAdd):
                                   "raise solver.options.most_fronts, take a coarser fan_step or weakest, or stop earlier", None, "",
                                   None, self.time, self.cycle)
 
-    def _next_sample(self) -> float:
-        return self.samples * self.interval if len(self.gauges) else math.inf
-
     def _next_change(self) -> tuple[float, int]:
         """(time, side) of the next step of a driven end."""
         due = [(self.drives[s].steps[k][0], s) for s, k in self._changed.items() if k < len(self.drives[s].steps)]
@@ -112,13 +99,6 @@ class Fronts(NothingToAdd):
         if values[side] != value:
             values[side] = value
             self.line.redo_end((side + 1) // 2)
-
-    def _log(self, kind: str, time: float, position: float, text: str) -> None:
-        self._events.append(Event(kind, time, self.cycle, position, f"{text} at {position:.6g} m"))
-        if "vacuum opens" in text:
-            self.voids_opened += 1
-        if text.startswith("2 x surface"):
-            self.voids_closed += 1
 
     def _unphysical(self, error: Exception) -> UnphysicalState:
         when, k = self.line.next_meeting()
@@ -133,70 +113,7 @@ class Fronts(NothingToAdd):
         region = max(self.line.pieces[k + 1].region, 0)
         return int(np.searchsorted(self.region_of, region)), self.problem.regions[region].name
 
-    # -- gauges ------------------------------------------------------------------------------------------------------
-    def _place(self, at) -> tuple[float, float]:
-        """(region, fraction of its mass on the left) of a gauge."""
-        regions = self.problem.regions
-        names = [region.name for region in regions]
-        if not isinstance(at, str):
-            k = max(k for k, region in enumerate(regions) if region.start <= at)
-            return float(k), min((at - regions[k].start) / (regions[k].end - regions[k].start), 1.0)
-        if at.startswith("free surface"):
-            return (0.0, 0.0) if at.endswith("left") else (len(regions) - 1.0, 1.0)
-        if ":" in at:
-            name, side = (part.strip() for part in at.split(":", 1))
-            return float(names.index(name)), 0.0 if side == "left" else 1.0
-        return float(names.index(at.split("/", 1)[0].strip())), 1.0
-
-    def _sample(self) -> None:
-        self.samples += 1
-        row, columns = [], {}
-        for region, fraction in self.gauges:
-            k = int(region)
-            columns.setdefault(k, Column(self.line.pieces, self.line.fronts, k, self.time))
-            x, point = columns[k].at(fraction)
-            row.append([x, point.u, point.rho, point.e, point.pressure, point.s, -0.5 * point.s, point.sigma])
-        self._times.append(self.time)
-        self._rows.append(row)
-
-    @property
-    def gauge_zones(self) -> np.ndarray:
-        """Index of the zone that each gauge lies in, (ngauge,)."""
-        low, high = self.fractions
-        inside = [np.flatnonzero((self.region_of == region) & (low <= at) & (at <= high))[-1] for region, at in self.gauges]
-        return np.array(inside, dtype=np.int64)
-
-    def take_gauges(self):
-        """(times, {field: (n, ngauge)}) recorded since the last call."""
-        times = np.array(self._times)
-        block = np.array(self._rows, dtype=float).reshape(len(times), len(self.gauges), len(GAUGE_FIELDS))
-        self._times, self._rows = [], []
-        return times, {name: block[:, :, i] for i, name in enumerate(GAUGE_FIELDS)}
-
-    # -- what observers see ------------------------------------------------------------------------------------------
-    def state(self) -> State:
-        """The zones of the problem now: each follows its material; its fields are the exact ones at the middle of its mass."""
-        low, high = self.fractions
-        count = len(self.region_of)
-        rows = np.zeros((count, 8))
-        faces, speeds = np.zeros((2, count)), np.zeros((2, count))
-        masses = np.zeros(count)
-        for k in range(len(self.problem.regions)):
-            column = Column(self.line.pieces, self.line.fronts, k, self.time)
-            zones = np.flatnonzero(self.region_of == k)
-            masses[zones] = (high[zones] - low[zones]) * column.mass[-1]
-            matter = self.bench.matters[k]
-            ends = [column.at(f) for f in [*low[zones], high[zones[-1]]]]
-            for j, z in enumerate(zones):
-                faces[:, z], speeds[:, z] = (ends[j][0], ends[j + 1][0]), (ends[j][1].u, ends[j + 1][1].u)
-                _, point = column.at(0.5 * (low[z] + high[z]))
-                square = wave_speed_squared(point.rho, point.e, elastic(matter, point)) if point.rho > 0.0 else 0.0
-                rows[z] = (point.rho, point.e, point.pressure, point.s, -0.5 * point.s, point.sigma, math.sqrt(max(square, 0.0)), 0.0)
-        names = ("density", "energy", "pressure", "deviator_radial", "deviator_hoop", "stress", "sound_speed")
-        zones = {name: rows[:, i].copy() for i, name in enumerate(names)}
-        zones |= {"plastic_work": rows[:, 7].copy(), "viscous_work": rows[:, 7].copy(), "mass": masses}
-        return FrontState(self.time, self.cycle, zones, faces[0], faces[1], speeds[0], speeds[1])
-
+    # -- accounts ----------------------------------------------------------------------------------------------------
     def _size(self) -> np.ndarray:
         """Scale of each total: mass, momenta, energies without regard to sign."""
         size = np.zeros(3)
@@ -218,17 +135,6 @@ class Fronts(NothingToAdd):
         """Work (J/m2) and impulse (kg/(m s)) of the two ends so far."""
         (wl, wr), (il, ir) = self.line.work.tolist(), self.line.impulse.tolist()
         return {"work_left": wl, "work_right": wr, "impulse_left": il, "impulse_right": ir}
-
-    def largest_velocity_jump(self) -> dict[str, float]:
-        """Material -> largest change of velocity across a shock in it, m/s."""
-        found: dict[str, float] = {}
-        for k, region in enumerate(self.problem.regions):
-            found[region.material] = max(found.get(region.material, 0.0), self.lives.jumps.get(k, 0.0))
-        return found
-
-    def peaks(self) -> dict[str, np.ndarray]:
-        """No peak fields: the table of fronts holds every state there was."""
-        return {}
 
     def counts(self) -> dict[str, int]:
         """Gaps that opened between bodies, and surfaces that met."""
@@ -259,9 +165,3 @@ class Fronts(NothingToAdd):
         """Continue from a payload of the same problem."""
         checkpoint.restore(self, payload)
 
-
-class FrontState(State):
-    """A state whose file holds what exact waves have: no work of viscosity, no sum of plastic work."""
-
-    def fields(self) -> dict[str, np.ndarray]:
-        return {name: value for name, value in super().fields().items() if name not in ("plastic_work", "viscous_work")}

@@ -1,0 +1,159 @@
+"""What leaves a place where fronts meet, or where bodies touch at the start: new fronts, and between them cells that begin at no width.
+
+The waves are those of the algebraic mode (`meeting.outgoing`). A new cell has neither width nor content; its faces keep the states of the
+exact self-similar solution for one step, so that the fluxes through them give it its exact content. Waves too weak to be followed are
+left out: what they carry passes into the cells beside, and nothing is lost.
+"""
+
+import math
+
+import numpy as np
+
+from hugoniot.laws.riemann.branch import State
+from hugoniot.solvers.fronts import line
+from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh
+from hugoniot.solvers.fronts.line import OUTSIDE, Piece
+from hugoniot.solvers.fronts.meeting import Bench, outgoing
+
+FAN_WEAKEST = 3.0    # times the weakest wave: a fan that is weaker has no edges to follow
+MOST_IN_FAN = 32
+
+
+def collapse(mesh: Mesh, first: int, last: int, x: float) -> int:
+    """Remove the cells between the faces first and last, which meet at x; the face that is left there, a front.
+
+    What is left in the cells, an error of the method, goes to a neighbour of the same region.
+    """
+    n = len(mesh.q)
+    for cell in range(first, last):
+        region = mesh.region[cell]
+        if region == EMPTY:
+            continue
+        near = [k for k in (first - 1, last) if 0 <= k < n and mesh.region[k] == region]
+        if not near:
+            raise ArithmeticError("a body vanished between two fronts")
+        for k in near:
+            mesh.q[k] += mesh.q[cell] / len(near)
+    keep = np.ones(n + 1, dtype=bool)
+    keep[first + 1:last + 1] = False
+    order = np.cumsum(mesh.marked) - 1
+    gone = {int(order[f]) for f in range(first + 1, last + 1) if mesh.marked[f]}
+    mesh.fronts = [front for k, front in enumerate(mesh.fronts) if k not in gone]
+    mesh.x, mesh.marked, mesh.given = mesh.x[keep], mesh.marked[keep], mesh.given[keep]
+    mesh.x[first] = x
+    mesh.q = np.delete(mesh.q, range(first, last), axis=0)
+    mesh.region, mesh.push = (np.delete(row, range(first, last)) for row in (mesh.region, mesh.push))
+    return first
+
+
+def bear(mesh: Mesh, face: int, left: Piece, right: Piece, time: float, bench: Bench, followed: bool = True) -> tuple[list[str], str]:
+    """Replace the front at a face by what leaves there; (kinds of the new fronts, a word on the state between).
+
+    followed   False where no more waves can be followed: those that move with the material stay
+    """
+    x = float(mesh.x[face])
+    fronts, pieces, found = outgoing(left, right, x, time, bench)
+    given = [_given(front, [left, *pieces, right][k:k + 2]) for k, front in enumerate(fronts)]
+    rows = _without_the_weak(list(zip(fronts, given)), (left, right), pieces, bench, followed)
+    position = int(np.count_nonzero(mesh.marked[:face]))
+    if rows is None:                          # nothing is left to follow
+        del mesh.fronts[position]
+        mesh.marked[face] = False
+        mesh.given[face] = given[len(given) // 2] if given else np.nan
+        return [], "nothing"
+    kept, between = rows
+    marks, values, regions, push, made = [], [], [], [], []
+    for k, (front, state) in enumerate(kept):
+        if k:
+            marks_in, values_in, count = _inside(between[k - 1], kept[k - 1][0], front, bench)
+            marks += marks_in
+            values += values_in
+            regions += [between[k - 1].region if between[k - 1].kind != "vacuum" else EMPTY] * count
+            ends = np.array([kept[k - 1][1], *values_in, state])[:, 4]
+            push += [between[k - 1].state.sigma] if count == 1 else (0.5 * (ends[1:] + ends[:-1])).tolist()
+            made[-1].least = count
+        marks.append(True)
+        values.append(state)
+        sides = (tuple([left, *pieces][fronts.index(front)].edge(1)), tuple([*pieces, right][fronts.index(front)].edge(-1)))
+        made.append(Front(front.kind, front.speed, front.direction, front.strength, 1, time, x, sides))
+    mesh.fronts[position:position + 1] = made
+    mesh.x = np.concatenate([mesh.x[:face], np.full(len(marks), x), mesh.x[face + 1:]])
+    mesh.marked = np.concatenate([mesh.marked[:face], np.array(marks, dtype=bool), mesh.marked[face + 1:]])
+    mesh.given = np.concatenate([mesh.given[:face], np.array(values).reshape(-1, 5), mesh.given[face + 1:]])
+    mesh.q = np.concatenate([mesh.q[:face], np.zeros((len(regions), mesh.q.shape[1])), mesh.q[face:]])
+    mesh.push = np.concatenate([mesh.push[:face], np.array(push), mesh.push[face:]])
+    mesh.region = np.concatenate([mesh.region[:face], np.array(regions, dtype=mesh.region.dtype), mesh.region[face:]])
+    word = "vacuum opens" if found.vacuum else f"{found.stress:.6g} Pa, {found.velocity[0]:.6g} m/s"
+    return [front.kind for front in made], word
+
+
+def _given(front: line.Front, beside) -> list[float]:
+    """(speed, density, velocity, energy, pressure) at a newborn front."""
+    left, right = beside
+    if front.direction == 0:
+        material = right if left.kind in OUTSIDE else left
+        p = 0.0 if "vacuum" in (left.kind, right.kind) else material.edge(-1 if material is right else 1).sigma
+        return [front.speed, 0.0, front.speed, 0.0, p]
+    if "fan" in front.kind:
+        s = (left if left.kind == "fan" else right).edge(1 if left.kind == "fan" else -1)
+    else:
+        s = right.edge(-1) if front.direction > 0 else left.edge(1)
+    return [front.speed, s.rho, s.u, s.e, s.sigma]
+
+
+def _without_the_weak(rows, sides, pieces: list[Piece], bench: Bench, followed: bool):
+    """(fronts with their states, pieces between) that are followed; None if there are none."""
+    (left, right), rows, pieces = sides, list(rows), list(pieces)
+    contrasts = {id(front): _contrast(beside) for front, beside in zip((row[0] for row in rows), zip([left, *pieces], [*pieces, right]))}
+    k = 0
+    while k < len(rows):
+        front = rows[k][0]
+        is_fan = front.direction != 0 and k < len(pieces) and pieces[k].kind == "fan" and rows[k + 1][0].direction == front.direction
+        width = 2 if is_fan else 1
+        weak = front.kind == "contact" or front.direction != 0
+        if front.kind == "contact":
+            weak = contrasts[id(front)] < bench.weakest
+        elif weak:
+            weak = front.strength < bench.weakest * (FAN_WEAKEST if is_fan else 1.0)
+        weak = weak or (not followed and (front.kind == "contact" or front.direction != 0))
+        if not weak:
+            k += width
+            continue
+        # with a wave goes the piece behind it; with a contact one of the pieces beside it
+        inner = k + width - 1 if front.direction <= 0 else k - 1
+        del rows[k:k + width]
+        gone = [inner] if 0 <= inner < len(pieces) else []
+        if front.direction == 0 and not gone and k - 1 >= 0:
+            gone = [k - 1] if k - 1 < len(pieces) else []
+        if width == 2:
+            gone.append(k)
+        for j in sorted(gone, reverse=True):
+            del pieces[j]
+        bench.dropped += 1
+    return (rows, pieces) if rows else None
+
+
+def _contrast(beside) -> float:
+    """Difference of density between two pieces, over the larger; 1 beside a gap or an end."""
+    a, b = beside
+    if a.kind in OUTSIDE or b.kind in OUTSIDE:
+        return 1.0
+    low, high = a.edge(1).rho, b.edge(-1).rho
+    return abs(low - high) / max(low, high, 1e-300)
+
+
+def _inside(piece: Piece, left, right, bench: Bench):
+    """(marks, states) of the faces inside a new piece, and how many cells it is."""
+    if piece.kind != "fan":
+        return [], [], 1
+    wave = piece.wave
+    fall = abs(wave.behind.u - wave.ahead.u) / (bench.fan_step * abs(wave.head - wave.ahead.u))
+    count = min(max(math.ceil(fall), 2), MOST_IN_FAN)
+    speeds = np.linspace(left.speed, right.speed, count + 1)[1:-1].tolist()
+    states = [line.fan_state(piece, xi) for xi in speeds]
+    return [False] * (count - 1), [[xi, s.rho, s.u, s.e, s.sigma] for xi, s in zip(speeds, states)], count
+
+
+def piece_of(region: int, state: State) -> Piece:
+    """What the Riemann problem takes for a side."""
+    return Piece("state", region, state)

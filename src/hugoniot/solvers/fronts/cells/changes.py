@@ -1,0 +1,138 @@
+"""After a step: fronts that met, bodies that part, shocks that have decayed, compressions that have steepened; the number of cells."""
+
+import dataclasses
+
+import numpy as np
+
+from hugoniot.solvers.fronts.cells.births import bear, collapse
+from hugoniot.solvers.fronts.cells.flow import averages
+from hugoniot.solvers.fronts.cells.mesh import EMPTY, Mesh, adjust
+from hugoniot.solvers.fronts.cells.start import pieces_at
+from hugoniot.solvers.fronts.cells.steepening import candidates, track
+from hugoniot.solvers.fronts.cells.step import Flow, met
+
+FORMED = 2.0     # times the weakest wave: a shock that has formed is that strong
+
+
+class Changes:
+    """What happens to the fronts of a run; counts of it, and the lines of the log.
+
+    log      called as log(kind, time, position, text)
+    ended    called as ended(front, time, position) for every front that is no more
+    most     number of fronts beyond which new waves are left to the cells
+    """
+
+    def __init__(self, flow: Flow, length: float, outside, most: int, log, ended):
+        self.flow, self.length, self.outside, self.most, self.log, self.ended = flow, length, outside, most, log, ended
+        self.meetings = self.captured = self.untracked = self.formed = 0
+
+    def after_step(self, mesh: Mesh, time: float) -> None:
+        """Do what the step calls for."""
+        runs = met(mesh, self.length)
+        parting = [mesh.x[f] for f in self.flow.parting]
+        if not runs:
+            self._release(mesh, time)
+        for first, last in reversed(runs):
+            self._meet(mesh, first, last, time)
+        for x in parting if not runs else ():
+            self._renew(mesh, int(np.flatnonzero(mesh.x == x)[0]), time, "parts")
+        adjust(mesh, self.flow.spacing, split_slope)
+
+    def steepen(self, mesh: Mesh, time: float) -> None:
+        """Follow the shocks that have formed among the cells."""
+        if len(mesh.fronts) >= self.most:
+            return
+        cells = averages(mesh, self.flow.media)
+        for cell, direction in reversed(candidates(mesh, cells, FORMED * self.flow.bench.weakest)):
+            x = float(mesh.middle[cell])
+            if track(mesh, cells, cell, direction, time):
+                self.formed += 1
+                self.log("formed", time, x, "a compression has become a shock, which is followed")
+
+    def _meet(self, mesh: Mesh, first: int, last: int, time: float) -> None:
+        inside = mesh.fronts[_order(mesh, first):_order(mesh, last) + 1]
+        ends = [f for f, front in zip((first, last), (inside[0], inside[-1])) if front.kind == "end"]
+        x = float(mesh.x[ends[0]] if ends else np.mean(mesh.x[first:last + 1]))
+        for front in inside:
+            self.ended(front, time, x)
+        kinds = [front.kind for front in inside]
+        solid = [front for front in inside if not front.kind.startswith("fan")]
+        face = collapse(mesh, first, last, x)
+        self.meetings += 1
+        if len(solid) < 2:      # at the edge of a fan no state jumps: it ends where it meets anything, and what it meets goes on
+            self._pass(mesh, face, solid, time)
+            self.log("meeting", time, x, f"{' with '.join(kinds)}: {solid[0].kind if solid else 'nothing'}")
+            return
+        made, word = self._bear(mesh, face, time)
+        self.log("meeting", time, x, f"{' with '.join(kinds)}: {', '.join(made) or 'nothing'} ({word})")
+
+    def _pass(self, mesh: Mesh, face: int, solid, time: float) -> None:
+        """Leave the one front that jumps, or none, at a face."""
+        if not solid:
+            mesh.release(face)
+            return
+        left, right = pieces_at(mesh, face, self.flow.media, self.outside)
+        k, old = _order(mesh, face), solid[0]
+        mesh.fronts[k] = dataclasses.replace(old, least=1, since=time, start=float(mesh.x[face]),
+                                             sides=(tuple(left.edge(1)), tuple(right.edge(-1))))
+
+    def renew_end(self, mesh: Mesh, side: int, time: float) -> None:
+        """The left (0) or right (1) end drives anew: solve its Riemann problem."""
+        self._renew(mesh, 0 if side == 0 else len(mesh.q), time, "changes")
+
+    def _renew(self, mesh: Mesh, face: int, time: float, verb: str) -> None:
+        front, x = mesh.fronts[_order(mesh, face)], float(mesh.x[face])
+        self.ended(front, time, x)
+        made, word = self._bear(mesh, face, time)
+        self.log("meeting", time, x, f"{front.kind} {verb}: {', '.join(made) or 'nothing'} ({word})")
+
+    def _bear(self, mesh: Mesh, face: int, time: float):
+        followed = len(mesh.fronts) < self.most
+        for side, (_, value) in zip((-1, 1), self.flow.ends):
+            if value is not None:
+                bench = self.flow.bench
+                (bench.walls if self.outside[(side + 1) // 2] == "wall" else bench.pressures)[side] = value(time)
+        left, right = pieces_at(mesh, face, self.flow.media, self.outside)
+        self.captured += not followed
+        return bear(mesh, face, left, right, time, self.flow.bench, followed)
+
+    def begin(self, mesh: Mesh) -> None:
+        """The waves that leave every line at t = 0."""
+        for face in reversed(mesh.faces().tolist()):
+            self._bear(mesh, face, 0.0)
+
+    def _crowded(self, mesh: Mesh) -> list[int]:
+        """Waves on both sides of the interval that asks for a step out of proportion."""
+        at = mesh.faces()
+        k = int(np.searchsorted(at, self.flow.limiting, side="right")) - 1
+        return [int(at[j]) for j in (k, k + 1) if mesh.fronts[j].direction]
+
+    def _release(self, mesh: Mesh, time: float) -> None:
+        crowd = self._crowded(mesh) if self.flow.crowded else []
+        self.captured += bool(crowd)
+        for f in sorted({*self.flow.released, *crowd}, reverse=True):
+            front = mesh.fronts[_order(mesh, f)]
+            self.ended(front, time, float(mesh.x[f]))
+            self.log("released", time, float(mesh.x[f]), f"{front.kind} is followed no longer: "
+                     + ("other waves are too close" if f in crowd else "it has decayed"))
+            mesh.release(f)
+            self.untracked += 1
+
+
+def _order(mesh: Mesh, face: int) -> int:
+    """Which of the fronts stands at a face."""
+    return int(np.count_nonzero(mesh.marked[:face]))
+
+
+def split_slope(mesh: Mesh, cell: int) -> np.ndarray:
+    """Slope of the densities of content in a cell, limited by its neighbours of the same interval; zero where it has none."""
+    volume = mesh.volume()
+    near = [k for k, face in ((cell - 1, cell), (cell + 1, cell + 1)) if not mesh.marked[face] and volume[k] > 0.0]
+    if not near or mesh.region[cell] == EMPTY:
+        return np.zeros(mesh.q.shape[1])
+    middle, own = mesh.middle, mesh.q[cell] / volume[cell]
+    slopes = [(mesh.q[k] / volume[k] - own) / (middle[k] - middle[cell]) for k in near]
+    if len(slopes) == 1:
+        return slopes[0]
+    a, b = slopes
+    return np.where(a * b > 0.0, np.sign(a) * np.minimum(np.minimum(2.0 * np.abs(a), 2.0 * np.abs(b)), 0.5 * np.abs(a + b)), 0.0)

@@ -1,0 +1,43 @@
+"""Checkpoints of the cells mode: mesh, fronts and their record as numbers and words, and back."""
+
+import numpy as np
+
+from hugoniot.solvers.fronts.cells.mesh import Front, Mesh
+from hugoniot.solvers.fronts.record import COLUMNS
+
+_COUNTS = ("meetings", "captured", "untracked", "formed")
+
+
+def payload(solver) -> dict:
+    """Everything a bitwise restart needs."""
+    mesh, trace = solver.mesh, solver.trace
+    fronts = [{"kind": f.kind, "numbers": [f.speed, float(f.direction), f.strength, float(f.least), f.since, f.start],
+               "sides": np.array(f.sides, dtype=float)} for f in mesh.fronts]
+    return {"x": mesh.x.copy(), "q": mesh.q.copy(), "region": mesh.region.copy(), "marked": mesh.marked.copy(), "given": mesh.given.copy(),
+            "push": mesh.push.copy(), "fronts": fronts, "time": solver.time, "cycle": solver.cycle, "step": solver.step,
+            "samples": solver.samples, "numbers": [solver.updates, solver.lines, solver.slow, solver.flow.bench.dropped],
+            "changes": [getattr(solver.changes, name) for name in _COUNTS], "passed": solver.flow.passed.copy(),
+            "start_totals": solver.start_totals.copy(), "start_size": solver.start_size.copy(),
+            "voids": [solver.voids_opened, solver.voids_closed], "life_kinds": list(trace.kinds),
+            "life_rows": np.array(trace.rows, dtype=float).reshape(-1, len(COLUMNS)),
+            "jumps": [[k, v] for k, v in trace.jumps.items()]}
+
+
+def restore(solver, payload: dict) -> None:
+    """Continue from a payload of the same problem."""
+    fronts = [Front(row["kind"], row["numbers"][0], int(row["numbers"][1]), row["numbers"][2], int(row["numbers"][3]), *row["numbers"][4:],
+                    tuple(tuple(side) for side in row["sides"].tolist())) for row in payload["fronts"]]
+    solver.mesh = Mesh(payload["x"].copy(), payload["q"].copy(), payload["region"].copy(), payload["marked"].astype(bool), fronts,
+                       solver.problem.dimension, payload["given"].copy(), payload["push"].copy())
+    solver.time, solver.cycle, solver.step = float(payload["time"]), int(payload["cycle"]), float(payload["step"])
+    solver.samples = int(payload["samples"])
+    solver.updates, solver.lines, solver.slow, solver.flow.bench.dropped = (int(n) for n in payload["numbers"])
+    for name, value in zip(_COUNTS, payload["changes"]):
+        setattr(solver.changes, name, int(value))
+    solver.flow.passed = payload["passed"].copy()
+    solver.start_totals, solver.start_size = payload["start_totals"].copy(), payload["start_size"].copy()
+    solver.voids_opened, solver.voids_closed = (int(n) for n in payload["voids"])
+    trace = solver.trace
+    trace.kinds, trace.rows = list(payload["life_kinds"]), [list(row) for row in payload["life_rows"].tolist()]
+    trace.jumps = {int(k): float(v) for k, v in payload["jumps"]}
+    solver._times, solver._rows, solver._read_at = [], [], (-1, 0)

@@ -1,0 +1,47 @@
+"""The lives of fronts that bend: chains of short straight lines, each with the states on both sides where it begins."""
+
+import numpy as np
+
+from hugoniot.solvers.fronts.cells.flow import Media
+from hugoniot.solvers.fronts.cells.mesh import Front, Mesh
+from hugoniot.solvers.fronts.cells.start import pieces_at
+from hugoniot.solvers.fronts.record import COLUMNS
+
+
+class Trace:
+    """Lines of `record.COLUMNS`; `jumps` is the largest velocity change across a shock of each region."""
+
+    def __init__(self):
+        self.kinds: list[str] = []
+        self.rows: list[list[float]] = []
+        self.jumps: dict[int, float] = {}
+
+    def end(self, front: Front, time: float, x: float) -> None:
+        """A line of a front ends at a time and place."""
+        if time > front.since:
+            self.kinds.append(front.kind)
+            self.rows.append(_row(front, time, x))
+
+    def sample(self, mesh: Mesh, media: Media, outside, time: float) -> None:
+        """End the lines of all fronts and begin new ones."""
+        for front, f in zip(mesh.fronts, mesh.faces().tolist()):
+            self.end(front, time, float(mesh.x[f]))
+            left, right = pieces_at(mesh, f, media, outside)
+            front.since, front.start = time, float(mesh.x[f])
+            front.sides = (tuple(left.edge(1)), tuple(right.edge(-1)))
+            if front.kind == "shock":
+                region = int(max(mesh.region[f - 1], mesh.region[f]))
+                self.jumps[region] = max(self.jumps.get(region, 0.0), abs(left.edge(1).u - right.edge(-1).u))
+
+    def table(self, mesh: Mesh, time: float) -> tuple[list[str], np.ndarray]:
+        """(kinds, rows of COLUMNS) so far, in the order in which the lines began."""
+        now = [(front, float(x)) for front, x in zip(mesh.fronts, mesh.x[mesh.faces()]) if time > front.since]
+        kinds = [*self.kinds, *(front.kind for front, _ in now)]
+        found = np.array([*self.rows, *(_row(front, time, x) for front, x in now)], dtype=float).reshape(-1, len(COLUMNS))
+        order = np.lexsort((found[:, 1], found[:, 0]))
+        return [kinds[k] for k in order], found[order]
+
+
+def _row(front: Front, time: float, x: float) -> list[float]:
+    speed = (x - front.start) / (time - front.since)
+    return [front.since, front.start, time, x, speed, float(front.direction), front.strength, *front.sides[0], *front.sides[1]]

@@ -1,0 +1,141 @@
+"""Zones and gauges of a line of tracked fronts: material points, read off from whatever stands there.
+
+Both modes follow no zones: a zone, or a gauge, is a fraction of a region's mass, and a `Column` says where that is and in what state.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from hugoniot.laws.riemann.branch import elastic, wave_speed_squared
+from hugoniot.problem.model import Problem
+from hugoniot.solvers.fronts import setup
+from hugoniot.solvers.protocol import Event, NothingToAdd
+from hugoniot.state import State
+
+SAMPLES = 1000        # of the gauges over a run, where no interval is given
+GAUGE_FIELDS = ("position", "velocity", "density", "energy", "pressure", "deviator_radial", "deviator_hoop", "stress")
+ZONE_FIELDS = ("density", "energy", "pressure", "deviator_radial", "deviator_hoop", "stress", "sound_speed")
+
+
+class Reading(NothingToAdd):
+    """What both modes hand out; a mode gives `matters`, `time`, `cycle`, `column(region)`, `totals`, `exchanged`, `size` and `lives`."""
+
+    voids_opened = voids_closed = 0
+    time: Any
+    lives: Any
+    matters: list
+
+    def __init__(self, problem: Problem):
+        self.problem = problem
+        left, right, self.region_of = setup.zone_faces(problem)
+        self.initial_nodes = left, right
+        starts, ends = (np.array([getattr(r, name) for r in problem.regions])[self.region_of] for name in ("start", "end"))
+        d = problem.dimension
+        whole = ends**d - starts**d
+        self.fractions = (left**d - starts**d) / whole, (right**d - starts**d) / whole
+        self._events: list[Event] = []
+        self.cycle, self.step = 0, 0.0
+        self.length = problem.regions[-1].end - problem.regions[0].start
+        self.gauges = np.array([self._place(gauge.at) for gauge in problem.gauges], dtype=float).reshape(-1, 2)
+        self.interval = problem.output.gauge_interval or problem.stop_time / SAMPLES
+        self.samples, self._rows, self._times = 0, [], []
+
+    def column(self, region: int) -> Any:
+        """The material of a region now: `mass` (cumulated) and at(fraction of it) -> (position, state)."""
+        raise NotImplementedError
+
+    # -- gauges ------------------------------------------------------------------------------------------------------
+    def _place(self, at) -> tuple[float, float]:
+        """(region, fraction of its mass on the left) of a gauge."""
+        regions, d = self.problem.regions, self.problem.dimension
+        names = [region.name for region in regions]
+        if not isinstance(at, str):
+            k = max(k for k, region in enumerate(regions) if region.start <= at)
+            a, b = regions[k].start, regions[k].end
+            return float(k), min((at**d - a**d) / (b**d - a**d), 1.0)
+        if at.startswith("free surface"):
+            return (0.0, 0.0) if at.endswith("left") else (len(regions) - 1.0, 1.0)
+        if ":" in at:
+            name, side = (part.strip() for part in at.split(":", 1))
+            return float(names.index(name)), 0.0 if side == "left" else 1.0
+        return float(names.index(at.split("/", 1)[0].strip())), 1.0
+
+    def _next_sample(self) -> float:
+        return self.samples * self.interval if len(self.gauges) else math.inf
+
+    def _sample(self) -> None:
+        self.samples += 1
+        row, columns = [], {}
+        for region, fraction in self.gauges:
+            k = int(region)
+            if k not in columns:
+                columns[k] = self.column(k)
+            x, point = columns[k].at(fraction)
+            row.append([x, point.u, point.rho, point.e, point.pressure, point.s, -0.5 * point.s, point.sigma])
+        self._times.append(self.time)
+        self._rows.append(row)
+
+    @property
+    def gauge_zones(self) -> np.ndarray:
+        """Index of the zone that each gauge lies in, (ngauge,)."""
+        low, high = self.fractions
+        inside = [np.flatnonzero((self.region_of == region) & (low <= at) & (at <= high))[-1] for region, at in self.gauges]
+        return np.array(inside, dtype=np.int64)
+
+    def take_gauges(self):
+        """(times, {field: (n, ngauge)}) recorded since the last call."""
+        times = np.array(self._times)
+        block = np.array(self._rows, dtype=float).reshape(len(times), len(self.gauges), len(GAUGE_FIELDS))
+        self._times, self._rows = [], []
+        return times, {name: block[:, :, i] for i, name in enumerate(GAUGE_FIELDS)}
+
+    # -- what observers see ------------------------------------------------------------------------------------------
+    def state(self) -> State:
+        """The zones of the problem now: each follows its material; its fields are those at the middle of its mass."""
+        low, high = self.fractions
+        count = len(self.region_of)
+        rows = np.zeros((count, 8))
+        faces, speeds = np.zeros((2, count)), np.zeros((2, count))
+        masses = np.zeros(count)
+        for k in range(len(self.problem.regions)):
+            column = self.column(k)
+            zones = np.flatnonzero(self.region_of == k)
+            masses[zones] = (high[zones] - low[zones]) * column.mass[-1]
+            matter = self.matters[k]
+            ends = [column.at(f) for f in [*low[zones], high[zones[-1]]]]
+            for j, z in enumerate(zones):
+                faces[:, z], speeds[:, z] = (ends[j][0], ends[j + 1][0]), (ends[j][1].u, ends[j + 1][1].u)
+                _, point = column.at(0.5 * (low[z] + high[z]))
+                square = wave_speed_squared(point.rho, point.e, elastic(matter, point)) if point.rho > 0.0 else 0.0
+                rows[z] = (point.rho, point.e, point.pressure, point.s, -0.5 * point.s, point.sigma, math.sqrt(max(square, 0.0)), 0.0)
+        zones = {name: rows[:, i].copy() for i, name in enumerate(ZONE_FIELDS)}
+        zones |= {"plastic_work": rows[:, 7].copy(), "viscous_work": rows[:, 7].copy(), "mass": masses}
+        return FrontState(self.time, self.cycle, zones, faces[0], faces[1], speeds[0], speeds[1])
+
+    def largest_velocity_jump(self) -> dict[str, float]:
+        """Material -> largest change of velocity across a shock in it, m/s."""
+        found: dict[str, float] = {}
+        for k, region in enumerate(self.problem.regions):
+            found[region.material] = max(found.get(region.material, 0.0), self.lives.jumps.get(k, 0.0))
+        return found
+
+    def peaks(self) -> dict[str, np.ndarray]:
+        """No peak fields: the table of fronts holds every state there was."""
+        return {}
+
+    def _log(self, kind: str, time: float, position: float, text: str) -> None:
+        self._events.append(Event(kind, time, self.cycle, position, f"{text} at {position:.6g} m"))
+        if "vacuum opens" in text:
+            self.voids_opened += 1
+        if "surface with surface" in text or text.startswith("2 x surface"):
+            self.voids_closed += 1
+
+
+class FrontState(State):
+    """A state whose file holds what exact waves have: no work of viscosity, no sum of plastic work."""
+
+    def fields(self) -> dict[str, np.ndarray]:
+        return {name: value for name, value in super().fields().items() if name not in ("plastic_work", "viscous_work")}
+
