@@ -174,11 +174,11 @@ def axis_tables(numbering: Numbering, nodes, kind: int):
 
 
 # -- zones --------------------------------------------------------------------------------------------------------------------
-def viscosity_law(problem: Problem2D, solid: bool):
-    """Parameters of the viscous speed."""
+def viscosity_law(problem: Problem2D, material):
+    """Parameters of the viscous speed in a material."""
     given = problem.solver.viscosity
-    law = VISCOSITY.get("limited")
-    return law.build(quadratic=given.solid_quadratic if solid else given.quadratic, linear=given.solid_linear if solid else given.linear)
+    kind = "explosive_" if material.burn is not None else "solid_" if material.strength is not None else ""
+    return VISCOSITY.get("limited").build(quadratic=getattr(given, kind + "quadratic"), linear=getattr(given, kind + "linear"))
 
 
 def start_block(problem: Problem2D, block):
@@ -223,7 +223,7 @@ def recipes_of(problem: Problem2D, speed: float) -> tuple[Cookbook, list[int], n
             keys.append(block.material)
             solid, burns = material.strength is not None, material.burn is not None
             laws = (burning.reactive(material) if burns else material.eos, material.strength or STRENGTH.get("none").example,
-                    material.fracture or FRACTURE.get("none").example, viscosity_law(problem, solid))
+                    material.fracture or FRACTURE.get("none").example, viscosity_law(problem, material))
             own = reactive.constants(problem, block) if burns else {}
             found.append((laws, constants_of(laws, noise + (1.0 if burns else 0.0), **own)))
             filters.append((0.0, problem.solver.flanagan_belytschko) if solid else (problem.solver.subzonal_pressure, 0.0))

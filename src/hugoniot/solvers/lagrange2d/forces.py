@@ -11,6 +11,7 @@ from hugoniot.zones import material
 
 FORCES = L.Zones._fields.index("f0x")
 COMING = L.Zones._fields.index("nxx")
+AREA = L.SHAPE + L.Shape._fields.index("area")
 WEIGHTS = L.SHAPE + L.Shape._fields.index("w0")
 POWER = L.WORK + L.Work._fields.index("power")      # and, before the forces are known, rho c
 LEFT, RIGHT, BOTTOM, TOP = range(4)
@@ -119,7 +120,7 @@ def corner_viscosity(passes, piece, nodes, scratch, at, solid, recipe, limited, 
     m, smooth = spread(L.Metric, scratch[L.METRIC:], 0), spread(L.Smoothness, scratch[L.SMOOTH:], 0)
     c = spread(L.Closing, scratch[L.CLOSING:], 0)
     along = spread(L.Tensor, scratch[L.ALONG:], 0)
-    call_pass(passes.closing_along, total, viscosity.AlongOf(at.rates, m, smooth, c), 0.0, numbers)
+    call_pass(passes.closing_along, total, viscosity.AlongOf(at.rates, row(scratch[AREA], 0), m, smooth, c), 0.0, numbers)
     speeds(total, at, recipe, c, speed1, speed2)
     call_pass(passes.resist_along, total, viscosity.ResistAlongOf(solid, c, m, speed1, speed2, along, z.viscous_speed), 0.0, numbers)
     for k in range(4):
@@ -127,8 +128,9 @@ def corner_viscosity(passes, piece, nodes, scratch, at, solid, recipe, limited, 
             first, offset = piece[L.P_NODE] + r * stride, r * count
             given_corner = viscosity.ClosingOf(
                 middle(nodes, first + corner(k, stride)), middle(nodes, first + corner((k + 1) % 4, stride)),
-                middle(nodes, first + corner((k + 3) % 4, stride)), spread(L.Metric, scratch[L.METRIC:], offset),
-                spread(L.Smoothness, scratch[L.SMOOTH:], offset), spread(L.Closing, scratch[L.CLOSING:], offset))
+                middle(nodes, first + corner((k + 3) % 4, stride)), row(scratch[AREA], offset),
+                spread(L.Metric, scratch[L.METRIC:], offset), spread(L.Smoothness, scratch[L.SMOOTH:], offset),
+                spread(L.Closing, scratch[L.CLOSING:], offset))
             call_pass(passes.closing, count, given_corner, 0.0, numbers)
         speeds(total, at, recipe, c, speed1, speed2)
         resisting = viscosity.ResistOf(solid, c, speed1, speed2, along, corner_stress(scratch, k, 0), z.viscous_speed)
@@ -152,6 +154,8 @@ def forces_in_middle(passes, piece, nodes, zones, scratch, at, filters):
     call_pass(passes.pushing_stress, at.total, tensor.StartOf(w.p, at.new, at.coming, at.stress), 0.0, filters)
     corners = spread(L.Corners, zones[FORCES:], piece[L.P_ZONE])
     call_pass(passes.stress_forces, at.total, geometry.ForcesOf(at.shape, at.stress, corners), 0.0, filters)
+    if passes.straighten != 0:
+        call_pass(passes.straighten, at.total, geometry.StraightOf(at.shape, at.coming, corners), 0.0, filters)
     call_pass(passes.subzonal, at.total, hourglass.SubzonalOf(at.shape, z.t0, z.t1, w.stiffness, extra(scratch, 0, 0), extra(
         scratch, 1, 0), extra(scratch, 2, 0), extra(scratch, 3, 0)), 0.0, filters)
     for r in range(piece[L.P_ROWS]):

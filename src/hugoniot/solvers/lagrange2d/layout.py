@@ -252,14 +252,6 @@ class Closing(NamedTuple):
     apart: Any               # part of the viscosity along principal directions, the rest is along the edges of a slender zone
 
 
-class Plane(NamedTuple):
-    """Rows of one piece: zones, charge, scratch (under the names that the passes of material use)."""
-
-    z: Any
-    b: Any
-    w: Any
-
-
 PIECE = 192          # zones of a piece: its scratch rows stay in the first two levels of cache
 
 # -- first rows of the parts of a thread's scratch table ---------------------------------------------------------------------

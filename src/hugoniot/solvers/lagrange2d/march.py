@@ -247,8 +247,7 @@ def copy(table, to):
 def book_body_force(run, options, control, dt):
     """Work of the body force."""
     n = rows(L.Nodes, run.nodes, 0)
-    gx, gy = options.gx, options.gy
-    work = 0.0
+    gx, gy, work = options.gx, options.gy, 0.0
     for i in range(run.lines.shape[0]):
         for j in range(run.lines[i, L.N_COUNT]):
             k = run.lines[i, L.N_NODE] + j
@@ -262,17 +261,17 @@ def take_step(run, options, control, counters, team):
     run.steps[0] = choose_step(control)
     if not control[L.DT_NATURAL] > control[L.DT_SMALLEST]:
         return L.STEP_COLLAPSED
-    run.steps[1], tries = 1.0, 0
+    run.steps[1], tries, time = 1.0, 0, control[L.TIME]
     copy(run.chains, run.kept)
-    time = control[L.TIME]
-    node_step.axis_masses(run.nodes, run.axis, run.axis_ratio, options.near)
     while True:
         dt = run.steps[0]
+        node_step.axis_masses(run.nodes, run.axis, run.axis_ratio, options.near, False)
         everyone(PREDICT_NODES, run, options, team)
         hold_specials(run, options, time, dt, run.steps[1] > 0.0, node_step.GX, False)
         everyone(PREDICT_ZONES, run, options, team)
         wrong = total(run.found, L.FOUND_TANGLED)
         if wrong == 0.0:
+            node_step.axis_masses(run.nodes, run.axis, run.axis_ratio, options.near, True)
             everyone(MOVE_NODES, run, options, team)
             hold_specials(run, options, time, dt, True, node_step.FX, True)
             everyone(MOVE, run, options, team)
@@ -284,8 +283,7 @@ def take_step(run, options, control, counters, team):
             copy(run.kept, run.chains)
         tries += 1
         counters[L.REPEATED] += 1
-        run.steps[0], run.steps[1] = 0.5 * dt, 0.0
-        control[L.DT_NATURAL] = 0.5 * dt
+        run.steps[0], run.steps[1], control[L.DT_NATURAL] = 0.5 * dt, 0.0, 0.5 * dt
         if tries > MOST_TRIES:
             return L.TANGLED
     control[L.DT] = dt

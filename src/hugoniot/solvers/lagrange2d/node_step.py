@@ -165,12 +165,16 @@ def exchange(nodes, which, starts, members):
 
 
 @nb.njit(**GUARD)
-def axis_masses(nodes, axis, ratio, near):
-    """Area weighted: a node on the axis has the areal mass of its neighbour off the axis times the ratio of both at t = 0."""
+def axis_masses(nodes, axis, ratio, near, middle):
+    """Area weighted: a node on the axis has the areal mass of its neighbour off the axis times the ratio of both at t = 0.
+
+    middle: whether the neighbour's radius counts in the middle of the step, as for the forces there, or at its start.
+    """
     n = rows(L.Nodes, nodes, 0)
     for i in range(axis.shape[0]):
         node, beside = axis[i, 0], axis[i, 1]
-        n.im[node] = n.im[beside] * n.x[beside] / (near * ratio[i])
+        radius = n.xh[beside] if middle else n.x[beside]
+        n.im[node] = n.im[beside] * radius / (near * ratio[i])
 
 
 # -- special nodes: motion again, and what holds them ---------------------------------------------------------------------------------
