@@ -234,7 +234,7 @@ def recipes_of(problem: Problem2D, speed: float) -> tuple[Cookbook, list[int], n
 # -- pieces ---------------------------------------------------------------------------------------------------------------------
 def piece_table(mesh, numbering: Numbering, recipe_of):
     """Pieces of at most PIECE zones: whole rows of a block, or parts of one."""
-    found = []
+    found, edge = [], 0
     for k, block in enumerate(mesh.blocks):
         parts = -(-block.nj // L.PIECE)
         cuts = [block.nj * n // parts for n in range(parts + 1)]
@@ -242,9 +242,40 @@ def piece_table(mesh, numbering: Numbering, recipe_of):
         for i in range(0, block.ni, rows):
             for low, high in zip(cuts[:-1], cuts[1:]):
                 count = min(rows, block.ni - i)
+                beyond = edge + low, edge + block.nj + low, edge + 2 * block.nj + i, edge + 2 * block.nj + block.ni + i
                 found.append((block.first_zone + i * block.nj + low, numbering.local(k, i, low), count, high - low, block.nj + 1, i == 0,
-                              i + count == block.ni, low == 0, high == block.nj, recipe_of[k], k))
+                              i + count == block.ni, low == 0, high == block.nj, recipe_of[k], k, *beyond))
+        edge += 2 * (block.ni + block.nj)
     return np.array(found, dtype=np.int64)
+
+
+def beyond_table(mesh, numbering: Numbering):
+    """Nodes that lie beyond the edges of the blocks, (edges, 2): the other two of the zone on the far side, or -1 where there is none.
+
+    The edges of a block stand in the order of its zones: left, right, bottom, top.
+    """
+    corners = mesh.zone_nodes
+    owners: dict[tuple[int, int], list[tuple[int, int]]] = {}
+    for block in mesh.blocks:
+        for side in block_sides(block):
+            for zone, k in side:
+                a, b = int(corners[zone, k]), int(corners[zone, (k + 1) % 4])
+                owners.setdefault((min(a, b), max(a, b)), []).append((zone, k))
+    found = []
+    for block in mesh.blocks:
+        for side in block_sides(block):
+            for zone, k in side:
+                a, b = int(corners[zone, k]), int(corners[zone, (k + 1) % 4])
+                others = [(z, c) for z, c in owners[min(a, b), max(a, b)] if (z, c) != (zone, k)]
+                far = [corners[z, (c + n) % 4] for z, c in others[:1] for n in (2, 3)]
+                found.append([int(numbering.representative[node]) for node in far] or [-1, -1])
+    return np.array(found, dtype=np.int64)
+
+
+def block_sides(block):
+    """Zones along the left, right, bottom and top side of a block, each with the corner at which its edge on that side starts."""
+    number = block.first_zone + np.arange(block.ni * block.nj).reshape(block.ni, block.nj)
+    return [[(int(zone), k) for zone in zones] for zones, k in ((number[0], 3), (number[-1], 1), (number[:, 0], 0), (number[:, -1], 2))]
 
 
 def line_table(mesh, numbering: Numbering):

@@ -21,6 +21,7 @@ from hugoniot.solvers.lagrange2d.assemble import (
     Numbering,
     Z,
     axis_tables,
+    beyond_table,
     kind_of,
     line_table,
     node_tables,
@@ -91,7 +92,7 @@ class Lagrange2D(NothingToAdd):
         return Run(self.nodes, self.zones, self.charge, np.zeros((self.team.threads, L.SCRATCH_ROWS, L.SCRATCH_WIDTH)), pieces,
                    line_table(mesh, self.numbering), passes, np.zeros(len(ENTRIES), dtype=np.int64),
                    self.cookbook.recipes, self.cookbook.constants, np.array([float(self.problem.solver.viscosity.limited)]),
-                   np.array([self.options.near]), edges.mirrors, self.filters,
+                   np.array([self.options.near]), edges.mirrors, beyond_table(mesh, self.numbering), self.filters,
                    np.zeros((len(pieces) + 1, L.FOUND_COLUMNS)), np.zeros(2), edges.loads, np.zeros((len(edges.loads), 4)), edges.gates,
                    edges.gate_normals, edges.held, edges.held_normals, edges.pulses, edges.tables, starts, members, edges.special, axis,
                    ratio, self.chains, np.zeros_like(self.chains))

@@ -170,7 +170,7 @@ def predict(a, passes, limited, piece, scratch, recipe, constants, found, dt):
     deviators(passes, at, recipe, solid, w.e, w.p, b.lam_half, 0.5 * dt)
     material.relieve(count, at, recipe, solid)
     call_pass(passes.stiffnesses, count, zone_passes.StiffnessOf(w.rho, z.c, w.stiffness, w.power), dt, near)
-    forces.corner_viscosity(passes, piece, a.nodes, scratch, at, solid, recipe, limited, a.mirrors)
+    forces.corner_viscosity(passes, piece, a.nodes, scratch, at, solid, recipe, limited, a.mirrors, a.beyond)
     forces.forces_in_middle(passes, piece, a.nodes, a.zones, scratch, at, row(a.filters, 2 * piece[L.P_RECIPE]))
     if recipe.solve != 0:
         keep_half(count, at, recipe)
