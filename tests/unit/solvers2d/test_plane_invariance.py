@@ -144,15 +144,21 @@ def test_a_moving_and_a_turned_frame_change_nothing(solid):
         assert np.allclose(other.zones[Z.e], found[0].zones[Z.e], rtol=0, atol=1e-8 * scale)
 
 
-def test_blocks_that_share_nodes_are_one_block():
-    """Two blocks that meet, without a limiter (which does not look across): the run of the undivided block."""
-    options = dict(viscosity=Viscosity2D("tensor", False))
-    velocity = VelocityField(gradient=((-1.0, 0.3), (0.0, -0.2)))
+@pytest.mark.parametrize("cut", ["left and right", "below and above"])
+@pytest.mark.parametrize("limited", [True, False])
+def test_blocks_that_share_nodes_are_one_block(cut, limited):
+    """Two blocks that meet: the run of the undivided block; the limiter looks across."""
+    options = dict(viscosity=Viscosity2D("tensor", limited))
+    velocity = VelocityField(gradient=((-1.0, 0.3), (0.0, -0.2)), radial=-0.4)
     state = dict(density=1.0, pressure=0.3, velocity=velocity)
-    whole = ran(problem(box(8, 5, **state), gas(), 0.2, walls("b.left", "b.bottom"), **options))
-    halves = [box(4, 5, 0.5, 1.0, (0.5 * k, 0.0), name, **state) for k, name in enumerate("lr")]
-    parts = ran(problem(halves, gas(), 0.2, walls("l.left", "l.bottom", "r.bottom"), **options))
-    assert np.allclose(parts.zones[Z.rho], whole.zones[Z.rho], rtol=1e-12)
+    whole = ran(problem(box(8, 6, **state), gas(), 0.2, walls("b.left", "b.bottom"), **options))
+    across = cut == "left and right"
+    size, zones = ((0.5, 1.0), (4, 6)) if across else ((1.0, 0.5), (8, 3))
+    halves = [box(*zones, *size, (0.5 * k * across, 0.5 * k * (not across)), name, **state) for k, name in enumerate("lr")]
+    sides = walls("l.left", "l.bottom", *(("r.bottom",) if across else ("r.left",)))
+    parts = ran(problem(halves, gas(), 0.2, sides, **options))
+    field = parts.zones[Z.rho].reshape(2, *zones)
+    assert np.allclose(np.concatenate(field, axis=0 if across else 1), whole.zones[Z.rho].reshape(8, 6), rtol=1e-12)
     assert parts.errors()["energy_error"] < 1e-13
 
 
@@ -167,11 +173,15 @@ def test_a_step_that_would_turn_a_zone_inside_out_is_repeated_smaller():
     assert solver.errors()["energy_error"] < 1e-12
 
 
-def test_a_polar_mesh_keeps_its_symmetry():
-    """Noh's implosion on equal angles: rings stay rings, to round-off."""
-    block = Block2D("b", "gas", Sector((0.0, 0.0), (0.005, 1.0), (0.0, 0.5 * np.pi)), (24, 9), density=1.0, pressure=1e-10,
+@pytest.mark.parametrize("geometry, rings, exact", [("plane", 24, 16.0), ("axisymmetric", 40, 64.0)])
+def test_a_polar_mesh_keeps_its_symmetry(geometry, rings, exact):
+    """Noh's implosion on equal angles, in the plane and area weighted with the axis: rings stay rings, to round-off."""
+    block = Block2D("b", "gas", Sector((0.0, 0.0), (0.005, 1.0), (0.0, 0.5 * np.pi)), (rings, 9), density=1.0, pressure=1e-10,
                     velocity=VelocityField(radial=-1.0))
     hole = Boundary2D(("b.left",), "velocity", Pulse("constant", 0.0), slip=False)
-    solver = ran(problem(block, gas(), 0.6, (hole, *walls("b.bottom", "b.top"))))
-    radius = np.hypot(solver.nodes[N.x], solver.nodes[N.y]).reshape(25, 10)
+    sides = walls("b.bottom", "b.top") if geometry == "plane" else walls("b.bottom")
+    solver = ran(problem(block, gas(), 0.6, (hole, *sides), geometry, scheme="area_weighted"))
+    radius = np.hypot(solver.nodes[N.x], solver.nodes[N.y]).reshape(rings + 1, 10)
     assert np.ptp(radius, axis=1).max() < 1e-12
+    assert 0.5 * exact < solver.zones[Z.rho].max() < exact
+    assert solver.errors()["energy_error"] < 1e-12

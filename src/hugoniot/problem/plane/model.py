@@ -124,10 +124,11 @@ class Lighting2D:
 
 @dataclass(frozen=True)
 class Viscosity2D:
-    """Artificial viscosity: kind, whether limited, and its coefficients, for fluids and for materials with strength.
+    """Artificial viscosity: kind, whether limited, and its coefficients, for fluids, explosives and materials with strength.
 
     kind               "tensor": both principal directions of the strain rate, each with its own length (corner quadrature)
-    linear, quadratic  of a material without strength;  solid_linear, solid_quadratic of one with
+    linear, quadratic  of a material without strength;  solid_linear, solid_quadratic of one with;  explosive_linear,
+                       explosive_quadratic of one that burns, whose products are stiffer than a gas, as in one dimension
     """
 
     kind: str = "tensor"
@@ -136,6 +137,8 @@ class Viscosity2D:
     quadratic: float = 2.0 / 3.0
     solid_linear: float = 0.06
     solid_quadratic: float = 2.0 / 3.0
+    explosive_linear: float = 0.3
+    explosive_quadratic: float = 1.0
 
 
 @dataclass(frozen=True)

@@ -191,6 +191,8 @@ class ViscosityTable(Table):
     quadratic: Plain = Field(Viscosity2D.quadratic, description="quadratic coefficient of materials without strength")
     solid_linear: Plain = Field(Viscosity2D.solid_linear, description="linear coefficient of materials with strength")
     solid_quadratic: Plain = Field(Viscosity2D.solid_quadratic, description="quadratic coefficient of materials with strength")
+    explosive_linear: Plain = Field(Viscosity2D.explosive_linear, description="linear coefficient of materials that burn")
+    explosive_quadratic: Plain = Field(Viscosity2D.explosive_quadratic, description="quadratic coefficient of materials that burn")
 
 
 class HourglassTable(Table):

@@ -8,7 +8,7 @@ import numpy as np
 from hugoniot.laws.eos.contract import reference_state
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d import reactive
-from hugoniot.solvers.lagrange1d.layout import H, Z
+from hugoniot.solvers.lagrange1d.layout import B, H, Z
 
 ENDS = {"work_left": L.WORK_LEFT, "work_right": L.WORK_RIGHT, "impulse_left": L.IMPULSE_LEFT, "impulse_right": L.IMPULSE_RIGHT}
 
@@ -49,18 +49,18 @@ def exchanges(solver) -> dict[str, float]:
     """Work (J) and impulse (kg m/s) of the two ends so far and, where something burns, the chemical energy set free (J)."""
     found = {name: float(solver.control[row]) for name, row in ENDS.items()}
     if solver.burning:
-        found["released_heat"] = reactive.released_heat(solver.problem, solver.zones, solver.charge, solver.region_ranges)
+        found["released_heat"] = reactive.released_heat(solver.problem, solver.zones[Z.mass], solver.charge[B.lam], solver.region_ranges)
     return found
 
 
-def largest_velocity_jump(problem, zones, region_ranges) -> dict[str, float]:
-    """Material -> largest particle velocity of a shock it saw, from its peak pressure on the Rayleigh line, m/s."""
+def largest_velocity_jump(problem, peak_pressure, peak_density, region_ranges) -> dict[str, float]:
+    """Material -> largest particle velocity of a shock it saw, from its peak pressure on the Rayleigh line, m/s. Rows (nzone,)."""
     found: dict[str, float] = {}
     for region, (first, last) in zip(problem.regions, region_ranges):
         rho0 = float(reference_state(problem.materials[region.material].eos)[0])
-        peak = int(first + np.argmax(zones[Z.peak_pressure, first:last]))
-        squeeze = 1.0 - rho0 / max(zones[Z.peak_density, peak], rho0)
-        jump = float(np.sqrt(max(zones[Z.peak_pressure, peak], 0.0) * squeeze / rho0))
+        peak = int(first + np.argmax(peak_pressure[first:last]))
+        squeeze = 1.0 - rho0 / max(peak_density[peak], rho0)
+        jump = float(np.sqrt(max(peak_pressure[peak], 0.0) * squeeze / rho0))
         found[region.material] = max(found.get(region.material, 0.0), jump)
     return found
 

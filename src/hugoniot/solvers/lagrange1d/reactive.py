@@ -94,19 +94,19 @@ def gauge_columns(problem: Problem, block) -> dict[str, np.ndarray]:
     return codes | {"burn_fraction": block[:, :, L.GAUGE_BURN], "share": block[:, :, L.GAUGE_SHARE], "phases": phases}
 
 
-def released_heat(problem: Problem, zones, charge, ranges) -> float:
-    """Chemical energy set free so far, J per m^2, per m and radian, or per steradian."""
-    return float(sum(burning.heat_of(problem.materials[region.material]) * np.sum(zones[Z.mass, a:b] * charge[B.lam, a:b])
+def released_heat(problem: Problem, mass, burned, ranges) -> float:
+    """Chemical energy set free so far, J in the problem's geometry, from the masses and burn fractions of the zones."""
+    return float(sum(burning.heat_of(problem.materials[region.material]) * np.sum(mass[a:b] * burned[a:b])
                      for region, (a, b) in zip(problem.regions, ranges) if burns(problem, region)))
 
 
-def unresolved(problem: Problem, charge, ranges) -> list[str]:
-    """A sentence for every region whose rate was faster than its zones resolve."""
+def unresolved(problem: Problem, resolution, ranges) -> list[str]:
+    """A sentence for every region whose rate was faster than its zones resolve; resolution (nzone,): zones in a reaction length."""
     told = []
     for region, (a, b) in zip(problem.regions, ranges):
         if not burns(problem, region):
             continue
-        held = charge[B.resolution, a:b]
+        held = resolution[a:b]
         held = held[held < 1e299]
         if held.size and np.median(held) < ZONES_NEEDED:
             told.append(f"region '{region.name}' burned within {np.median(held):.3g} zones (median over its zones): its rate is not "
@@ -114,12 +114,15 @@ def unresolved(problem: Problem, charge, ranges) -> list[str]:
     return told
 
 
-def doubts(problem: Problem, zones, charge, ranges) -> list[str]:
-    """What a reader of the results has to know: rates that were not resolved, explosives pulled beyond what they bear."""
-    return unresolved(problem, charge, ranges) + pulled(problem, zones, ranges)
+def doubts(problem: Problem, resolution, peak_tension, ranges) -> list[str]:
+    """What a reader of the results has to know: rates that were not resolved, explosives pulled beyond what they bear.
+
+    Rows (nzone,) of any solver: zones in a reaction length, peak tension (Pa, positive); ranges: first and last zone of the regions.
+    """
+    return unresolved(problem, resolution, ranges) + pulled(problem, peak_tension, ranges)
 
 
-def pulled(problem: Problem, zones, ranges) -> list[str]:
+def pulled(problem: Problem, peak_tension, ranges) -> list[str]:
     """A sentence for every region whose unburned explosive was in tension and has no fracture law that would separate it."""
     told = []
     for region, (a, b) in zip(problem.regions, ranges):
@@ -127,7 +130,7 @@ def pulled(problem: Problem, zones, ranges) -> list[str]:
         if not burns(problem, region) or not burning.has_reactants(material) or material.fracture is not None:
             continue
         rho, e = reference_state(material.unreacted)
-        tension = -float(np.min(zones[Z.peak_tension, a:b]))
+        tension = float(np.max(peak_tension[a:b]))
         if tension > PULLED * rho * sound_speed_squared(rho, e, material.unreacted):
             told.append(f"region '{region.name}': its unburned explosive held a tension of up to {format_si(tension, 'Pa')} without "
                         "separating: give the material a fracture law, or limit the tension: [material.x.unreacted] "
@@ -135,12 +138,12 @@ def pulled(problem: Problem, zones, ranges) -> list[str]:
     return told
 
 
-def references(problem: Problem, charge, ranges) -> list[str]:
+def references(problem: Problem, codes, ranges) -> list[str]:
     """A sentence for every region whose reactants are isolated: in how many zones their reference state was found, and how."""
     told = []
     for region, alone, (a, b) in zip(problem.regions, isolated(problem), ranges):
         if alone:
             kind = problem.materials[region.material].reference_state or ROLLING
-            counts = ", ".join(f"{np.count_nonzero(charge[B.reference, a:b] == code)} {words}" for code, words in MEANING.items())
+            counts = ", ".join(f"{np.count_nonzero(codes[a:b] == code)} {words}" for code, words in MEANING.items())
             told.append(f"reference state of the reactants of region '{region.name}' ({kind}), by zones: {counts}")
     return told

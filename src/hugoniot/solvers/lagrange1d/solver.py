@@ -19,7 +19,7 @@ from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_pulse, laws_of_regions, viscosity_of
 from hugoniot.solvers.lagrange1d.between_steps import events_of
 from hugoniot.solvers.lagrange1d.bodies import alike_ranges, faces, interface_table, run_table, set_node_masses, shares_of
-from hugoniot.solvers.lagrange1d.layout import H, WorkRows, Z
+from hugoniot.solvers.lagrange1d.layout import B, H, WorkRows, Z
 from hugoniot.solvers.lagrange1d.plan import EMPTY, Planner, serve
 from hugoniot.solvers.lagrange1d.post_mortem import unphysical
 from hugoniot.solvers.lagrange1d.probes import probe_tables
@@ -216,7 +216,7 @@ class Lagrange1D(NothingToAdd):
 
     def largest_velocity_jump(self) -> dict[str, float]:
         """Material -> largest particle velocity of a shock it saw, from its peak pressure on the Rayleigh line, m/s."""
-        return accounts.largest_velocity_jump(self.problem, self.zones, self.region_ranges)
+        return accounts.largest_velocity_jump(self.problem, self.zones[Z.peak_pressure], self.zones[Z.peak_density], self.region_ranges)
 
     def peaks(self) -> dict[str, np.ndarray]:
         """Peak fields of every zone so far: stress and pressure in compression, tension positive."""
@@ -224,11 +224,13 @@ class Lagrange1D(NothingToAdd):
 
     def warnings(self) -> list[str]:
         """Sentences about rates of burning that the mesh did not resolve, and about explosives stretched beyond what they can carry."""
-        return reactive.doubts(self.problem, self.zones, self.charge, self.region_ranges) if self.burning else []
+        if not self.burning:
+            return []
+        return reactive.doubts(self.problem, self.charge[B.resolution], -self.zones[Z.peak_tension], self.region_ranges)
 
     def notes(self) -> list[tuple[str, str]]:
         """How the reference state of reactants in thermal isolation was found, by region."""
-        found = reactive.references(self.problem, self.charge, self.region_ranges) if self.burning else []
+        found = reactive.references(self.problem, self.charge[B.reference], self.region_ranges) if self.burning else []
         return [("reference_state", text) for text in found]
 
     # -- checkpoints -----------------------------------------------------------------------------------------

@@ -174,11 +174,11 @@ def axis_tables(numbering: Numbering, nodes, kind: int):
 
 
 # -- zones --------------------------------------------------------------------------------------------------------------------
-def viscosity_law(problem: Problem2D, solid: bool):
-    """Parameters of the viscous speed."""
+def viscosity_law(problem: Problem2D, material):
+    """Parameters of the viscous speed in a material."""
     given = problem.solver.viscosity
-    law = VISCOSITY.get("limited")
-    return law.build(quadratic=given.solid_quadratic if solid else given.quadratic, linear=given.solid_linear if solid else given.linear)
+    kind = "explosive_" if material.burn is not None else "solid_" if material.strength is not None else ""
+    return VISCOSITY.get("limited").build(quadratic=getattr(given, kind + "quadratic"), linear=getattr(given, kind + "linear"))
 
 
 def start_block(problem: Problem2D, block):
@@ -223,7 +223,7 @@ def recipes_of(problem: Problem2D, speed: float) -> tuple[Cookbook, list[int], n
             keys.append(block.material)
             solid, burns = material.strength is not None, material.burn is not None
             laws = (burning.reactive(material) if burns else material.eos, material.strength or STRENGTH.get("none").example,
-                    material.fracture or FRACTURE.get("none").example, viscosity_law(problem, solid))
+                    material.fracture or FRACTURE.get("none").example, viscosity_law(problem, material))
             own = reactive.constants(problem, block) if burns else {}
             found.append((laws, constants_of(laws, noise + (1.0 if burns else 0.0), **own)))
             filters.append((0.0, problem.solver.flanagan_belytschko) if solid else (problem.solver.subzonal_pressure, 0.0))
@@ -234,7 +234,7 @@ def recipes_of(problem: Problem2D, speed: float) -> tuple[Cookbook, list[int], n
 # -- pieces ---------------------------------------------------------------------------------------------------------------------
 def piece_table(mesh, numbering: Numbering, recipe_of):
     """Pieces of at most PIECE zones: whole rows of a block, or parts of one."""
-    found = []
+    found, edge = [], 0
     for k, block in enumerate(mesh.blocks):
         parts = -(-block.nj // L.PIECE)
         cuts = [block.nj * n // parts for n in range(parts + 1)]
@@ -242,9 +242,40 @@ def piece_table(mesh, numbering: Numbering, recipe_of):
         for i in range(0, block.ni, rows):
             for low, high in zip(cuts[:-1], cuts[1:]):
                 count = min(rows, block.ni - i)
+                beyond = edge + low, edge + block.nj + low, edge + 2 * block.nj + i, edge + 2 * block.nj + block.ni + i
                 found.append((block.first_zone + i * block.nj + low, numbering.local(k, i, low), count, high - low, block.nj + 1, i == 0,
-                              i + count == block.ni, low == 0, high == block.nj, recipe_of[k], k))
+                              i + count == block.ni, low == 0, high == block.nj, recipe_of[k], k, *beyond))
+        edge += 2 * (block.ni + block.nj)
     return np.array(found, dtype=np.int64)
+
+
+def beyond_table(mesh, numbering: Numbering):
+    """Nodes that lie beyond the edges of the blocks, (edges, 2): the other two of the zone on the far side, or -1 where there is none.
+
+    The edges of a block stand in the order of its zones: left, right, bottom, top.
+    """
+    corners = mesh.zone_nodes
+    owners: dict[tuple[int, int], list[tuple[int, int]]] = {}
+    for block in mesh.blocks:
+        for side in block_sides(block):
+            for zone, k in side:
+                a, b = int(corners[zone, k]), int(corners[zone, (k + 1) % 4])
+                owners.setdefault((min(a, b), max(a, b)), []).append((zone, k))
+    found = []
+    for block in mesh.blocks:
+        for side in block_sides(block):
+            for zone, k in side:
+                a, b = int(corners[zone, k]), int(corners[zone, (k + 1) % 4])
+                others = [(z, c) for z, c in owners[min(a, b), max(a, b)] if (z, c) != (zone, k)]
+                far = [corners[z, (c + n) % 4] for z, c in others[:1] for n in (2, 3)]
+                found.append([int(numbering.representative[node]) for node in far] or [-1, -1])
+    return np.array(found, dtype=np.int64)
+
+
+def block_sides(block):
+    """Zones along the left, right, bottom and top side of a block, each with the corner at which its edge on that side starts."""
+    number = block.first_zone + np.arange(block.ni * block.nj).reshape(block.ni, block.nj)
+    return [[(int(zone), k) for zone in zones] for zones, k in ((number[0], 3), (number[-1], 1), (number[:, 0], 0), (number[:, -1], 2))]
 
 
 def line_table(mesh, numbering: Numbering):

@@ -18,7 +18,7 @@ Caramana, Burton, Shashkov & Whalen, J. Comput. Phys. 146 (1998) 227; Caramana &
 from typing import Any, NamedTuple
 
 from hugoniot.core.passes import rows_apart
-from hugoniot.solvers.lagrange2d.layout import Corners, Points, Rates, Shape, Stress
+from hugoniot.solvers.lagrange2d.layout import Corners, Points, Rates, Shape, Stress, Tensor
 from hugoniot.solvers.lagrange2d.row_pass import row_pass
 
 PLANAR, TRUE_VOLUME, AREA_WEIGHTED = range(3)
@@ -47,6 +47,14 @@ class ForcesOf(NamedTuple):
 
     s: Shape
     t: Stress
+    f: Corners
+
+
+class StraightOf(NamedTuple):
+    """Shape and viscous stress -> added to corner forces."""
+
+    s: Shape
+    q: Tensor
     f: Corners
 
 
@@ -238,6 +246,26 @@ def stress_forces(count, given, dt, numbers, law):
         f.f2y[j] = -(s.b2x[j] * xy + s.b2y[j] * yy)
         f.f3x[j] = -(s.b3x[j] * xx + s.b3y[j] * xy + s.h3[j] * hoop)
         f.f3y[j] = -(s.b3x[j] * xy + s.b3y[j] * yy)
+
+
+@row_pass(StraightOf)
+def straighten(count, given, dt, numbers, law):
+    """Take the curvature out of the viscous part of the corner forces (area weighted): the planar force times the radius is left.
+
+    The curved terms q_rr/r and q_rz/r of neighbouring zones do not add up to a radial force in spherical flow; the planar ones do.
+    """
+    rows_apart()
+    s, q, f = given
+    for j in range(count):
+        xx, xy = q.xx[j], q.xy[j]
+        f.f0x[j] += s.h0[j] * xx
+        f.f0y[j] += s.h0[j] * xy
+        f.f1x[j] += s.h1[j] * xx
+        f.f1y[j] += s.h1[j] * xy
+        f.f2x[j] += s.h2[j] * xx
+        f.f2y[j] += s.h2[j] * xy
+        f.f3x[j] += s.h3[j] * xx
+        f.f3y[j] += s.h3[j] * xy
 
 
 @row_pass(PowerOf)

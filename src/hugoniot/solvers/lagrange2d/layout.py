@@ -252,14 +252,6 @@ class Closing(NamedTuple):
     apart: Any               # part of the viscosity along principal directions, the rest is along the edges of a slender zone
 
 
-class Plane(NamedTuple):
-    """Rows of one piece: zones, charge, scratch (under the names that the passes of material use)."""
-
-    z: Any
-    b: Any
-    w: Any
-
-
 PIECE = 192          # zones of a piece: its scratch rows stay in the first two levels of cache
 
 # -- first rows of the parts of a thread's scratch table ---------------------------------------------------------------------
@@ -279,10 +271,10 @@ SCRATCH_ROWS = GRADIENTS + 8
 SCRATCH_WIDTH = PIECE + 8                    # gradients along a row reach over both its ends
 
 # -- columns of the piece table (integers): a piece is whole rows of zones of a block, or a part of one -----------------------
-(P_ZONE, P_NODE, P_ROWS, P_COUNT, P_STRIDE, P_FIRST_ROW, P_LAST_ROW, P_FIRST, P_LAST, P_RECIPE, P_BLOCK) = range(11)
-PIECE_COLUMNS = 11
+(P_ZONE, P_NODE, P_ROWS, P_COUNT, P_STRIDE, P_FIRST_ROW, P_LAST_ROW, P_FIRST, P_LAST, P_RECIPE, P_BLOCK, P_LEFT, P_RIGHT, P_BOTTOM,
+ P_TOP) = range(15)
 # first zone, node at its corner 0, rows, zones of each row, nodes of a row of the block, whether its first and last row and its first
-# and last column are edges of the block, recipe, block
+# and last column are edges of the block, recipe, block, rows of the table of what lies beyond these edges
 
 # -- columns of the line table (integers): a row of nodes of a block --------------------------------------------------------------
 (N_NODE, N_COUNT, N_BEFORE, N_BEHIND) = range(4)      # first node, nodes, first zone of the rows of zones before and behind, or -1

@@ -4,7 +4,7 @@
  2. nodes: forces of the state at the start; mean velocity and position of the middle of the step
  3. zones: stress, viscosity and filters in the middle; their forces
  4. nodes: those forces; mean velocity, motion to the end of the step
- 5. tangled? back to 2 with half the step
+ 5. a zone tangled, or robbed of a third of its area? back to 2 with half the step
  6. zones: energy by the work of the forces that moved the nodes, state at the end, its forces, signal rate
 
 A march returns when its cycles are done, an event time is reached, a gauge is due or a state is bad; the codes are in `layout`. Threads
@@ -20,8 +20,8 @@ from numba.extending import overload
 from hugoniot.core.passes import Entry, call_entry, record, row, rows
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.core.team import DISMISSED, Alone, await_call, begin, gather_team, sign
-from hugoniot.solvers.lagrange2d import forces, node_step, zone_step
 from hugoniot.solvers.lagrange2d import layout as L
+from hugoniot.solvers.lagrange2d import node_step, zone_step
 from hugoniot.zones.constants import Constants
 from hugoniot.zones.recipe import Recipe
 from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE, FOUND_RATE, FOUND_UNSOUND
@@ -47,6 +47,7 @@ class Run(NamedTuple):
     limited: Any             # (1,) 1 where the viscosity has a limiter
     near: Any                # (1,) the same as in Options, for passes
     mirrors: Any             # (4 blocks, 2) normals of the walls at blocks' sides, 0 where there is none
+    beyond: Any              # (edges of blocks, 2) nodes on the far side, -1 where there are none
     filters: Any             # (recipe; merit of the subzonal pressure, coefficient of the viscous filter)
     found: Any               # (pieces + 1, FOUND_COLUMNS), the last row for totals
     steps: Any               # (dt, whether it is the first try)
@@ -121,8 +122,8 @@ def do_pieces(command, run, share, of):
         else:
             piece, bad = run.pieces[i], 0
             for r in range(piece[L.P_ROWS]):
-                first = piece[L.P_NODE] + r * piece[L.P_STRIDE]
-                bad += node_step.tangled(piece[L.P_COUNT], forces.now(run.nodes, first), forces.now(run.nodes, first + piece[L.P_STRIDE]))
+                first, stride = piece[L.P_NODE] + r * piece[L.P_STRIDE], piece[L.P_STRIDE]
+                bad += node_step.tangled(piece[L.P_COUNT], rows(L.Nodes, run.nodes, first), rows(L.Nodes, run.nodes, first + stride))
             run.found[i, L.FOUND_TANGLED] += bad
 
 
@@ -204,10 +205,10 @@ def choose_step(control):
 @nb.njit(**GUARD)
 def total(found, column):
     """Sum of a column over the pieces, in their order."""
-    found_so_far = 0.0
+    so_far = 0.0
     for i in range(found.shape[0] - 1):
-        found_so_far += found[i, column]
-    return found_so_far
+        so_far += found[i, column]
+    return so_far
 
 
 @nb.njit(**GUARD)
@@ -247,8 +248,7 @@ def copy(table, to):
 def book_body_force(run, options, control, dt):
     """Work of the body force."""
     n = rows(L.Nodes, run.nodes, 0)
-    gx, gy = options.gx, options.gy
-    work = 0.0
+    gx, gy, work = options.gx, options.gy, 0.0
     for i in range(run.lines.shape[0]):
         for j in range(run.lines[i, L.N_COUNT]):
             k = run.lines[i, L.N_NODE] + j
@@ -262,17 +262,17 @@ def take_step(run, options, control, counters, team):
     run.steps[0] = choose_step(control)
     if not control[L.DT_NATURAL] > control[L.DT_SMALLEST]:
         return L.STEP_COLLAPSED
-    run.steps[1], tries = 1.0, 0
+    run.steps[1], tries, time = 1.0, 0, control[L.TIME]
     copy(run.chains, run.kept)
-    time = control[L.TIME]
-    node_step.axis_masses(run.nodes, run.axis, run.axis_ratio, options.near)
     while True:
         dt = run.steps[0]
+        node_step.axis_masses(run.nodes, run.axis, run.axis_ratio, options.near, False)
         everyone(PREDICT_NODES, run, options, team)
         hold_specials(run, options, time, dt, run.steps[1] > 0.0, node_step.GX, False)
         everyone(PREDICT_ZONES, run, options, team)
         wrong = total(run.found, L.FOUND_TANGLED)
         if wrong == 0.0:
+            node_step.axis_masses(run.nodes, run.axis, run.axis_ratio, options.near, True)
             everyone(MOVE_NODES, run, options, team)
             hold_specials(run, options, time, dt, True, node_step.FX, True)
             everyone(MOVE, run, options, team)
@@ -284,8 +284,7 @@ def take_step(run, options, control, counters, team):
             copy(run.kept, run.chains)
         tries += 1
         counters[L.REPEATED] += 1
-        run.steps[0], run.steps[1] = 0.5 * dt, 0.0
-        control[L.DT_NATURAL] = 0.5 * dt
+        run.steps[0], run.steps[1], control[L.DT_NATURAL] = 0.5 * dt, 0.0, 0.5 * dt
         if tries > MOST_TRIES:
             return L.TANGLED
     control[L.DT] = dt

@@ -15,6 +15,7 @@ from hugoniot.solvers.lagrange2d.geometry import AREA_WEIGHTED, PLANAR
 from hugoniot.solvers.lagrange2d.row_pass import spread
 
 FX, GX = L.Nodes._fields.index("fx"), L.Nodes._fields.index("gx")
+LEAST_LEFT = 0.8     # of the area in the middle of a step; a step takes no more than a third of a zone's area
 CORNER_ROWS = L.Zones._fields.index("f0x")
 
 
@@ -165,12 +166,16 @@ def exchange(nodes, which, starts, members):
 
 
 @nb.njit(**GUARD)
-def axis_masses(nodes, axis, ratio, near):
-    """Area weighted: a node on the axis has the areal mass of its neighbour off the axis times the ratio of both at t = 0."""
+def axis_masses(nodes, axis, ratio, near, middle):
+    """Area weighted: a node on the axis has the areal mass of its neighbour off the axis times the ratio of both at t = 0.
+
+    middle: whether the neighbour's radius counts in the middle of the step, as for the forces there, or at its start.
+    """
     n = rows(L.Nodes, nodes, 0)
     for i in range(axis.shape[0]):
         node, beside = axis[i, 0], axis[i, 1]
-        n.im[node] = n.im[beside] * n.x[beside] / (near * ratio[i])
+        radius = n.xh[beside] if middle else n.x[beside]
+        n.im[node] = n.im[beside] * radius / (near * ratio[i])
 
 
 # -- special nodes: motion again, and what holds them ---------------------------------------------------------------------------------
@@ -260,11 +265,17 @@ def special_middle(nodes, special, dt):
         n.yh[k] = n.y[k] + 0.5 * dt * n.vm[k]
 
 
+@nb.njit(**INLINE)
+def doubled_area(j, lx, ly, hx, hy):
+    """Twice the area of zone j between two rows of nodes."""
+    return (hx[j + 1] - lx[j]) * (ly[j + 1] - hy[j]) - (hy[j + 1] - ly[j]) * (lx[j + 1] - hx[j])
+
+
 @nb.njit(**GUARD)
 def tangled(count, low, high):
-    """How many zones of a row have no positive area."""
+    """How many zones of a row the step has turned inside out, or has robbed of so much of their area that it was too long."""
     bad = 0
     for j in range(count):
-        area = (high.x[j + 1] - low.x[j]) * (low.y[j + 1] - high.y[j]) - (high.y[j + 1] - low.y[j]) * (low.x[j + 1] - high.x[j])
-        bad += 0 if area > 0.0 else 1
+        middle, area = doubled_area(j, low.xh, low.yh, high.xh, high.yh), doubled_area(j, low.x, low.y, high.x, high.y)
+        bad += 0 if area > LEAST_LEFT * middle and area > 0.0 else 1
     return bad

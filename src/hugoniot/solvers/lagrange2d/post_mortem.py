@@ -7,13 +7,18 @@ from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.assemble import N, Z
 from hugoniot.zones.soundness import first_unsound
 
+NO_NUMBER = ("a zone has a state or a motion that is no number",
+             "look at the zones around it in the post-mortem file; start with a smaller courant")
+
 
 def diagnose(solver, code) -> UnphysicalState:
     """The error that ends a march with `code`."""
     z = solver.zones
     x, y = solver._corners(N.x), solver._corners(N.y)
     area = 0.5 * ((x[2] - x[0]) * (y[3] - y[1]) - (y[2] - y[0]) * (x[3] - x[1]))
-    if code == L.BAD_STATE:
+    if (broken := _first_broken(solver)) is not None:
+        zone, (cause, remedy) = broken, NO_NUMBER
+    elif code == L.BAD_STATE:
         zone = max(int(first_unsound(z[Z.rho], z[Z.c], z[Z.sigma])), 0)
         cause, remedy = _unsound({"rho": z[Z.rho, zone], "c": z[Z.c, zone], "e": z[Z.e, zone]})
     else:
@@ -32,9 +37,15 @@ def diagnose(solver, code) -> UnphysicalState:
                            solver.time, solver.cycle, values)
 
 
+def _first_broken(solver) -> int | None:
+    """The first zone whose state is no number or, if there is none, the first with a node whose motion is none."""
+    bad = ~np.isfinite(solver.zones[[Z.rho, Z.e, Z.p, Z.c, Z.sigma]]).all(axis=0)
+    if not bad.any():
+        bad = ~np.isfinite([solver._corners(row) for row in (N.x, N.y, N.u, N.v)]).all(axis=(0, 1))
+    return int(np.argmax(bad)) if bad.any() else None
+
+
 def _unsound(values) -> tuple[str, str]:
-    if not all(np.isfinite(v) for v in values.values()):
-        return "a zone has a state that is no number", "look at the zones around it in the post-mortem file; start with a smaller courant"
     if values["rho"] <= 0.0:
         return "a zone has a negative density", "use a smaller courant, or a law that is defined in tension"
     return (f"the sound speed of a zone is imaginary, at {values['rho']:.6g} kg/m3 and {values['e']:.6g} J/kg",

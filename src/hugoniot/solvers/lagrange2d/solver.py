@@ -10,16 +10,18 @@ import numpy as np
 
 from hugoniot.core import team
 from hugoniot.core.ops import NO_LIMIT
-from hugoniot.errors import UnphysicalState
 from hugoniot.problem.plane.model import Problem2D
+from hugoniot.solvers.lagrange1d import reactive
+from hugoniot.solvers.lagrange2d import accounts, post_mortem
 from hugoniot.solvers.lagrange2d import geometry as G
 from hugoniot.solvers.lagrange2d import layout as L
-from hugoniot.solvers.lagrange2d import post_mortem
+from hugoniot.solvers.lagrange2d.accounts import B
 from hugoniot.solvers.lagrange2d.assemble import (
     N,
     Numbering,
     Z,
     axis_tables,
+    beyond_table,
     kind_of,
     line_table,
     node_tables,
@@ -38,7 +40,6 @@ NAME = "lagrange2d"
 ZONE_FIELDS = {"density": Z.rho, "energy": Z.e, "pressure": Z.p, "viscous_pressure": Z.q, "sound_speed": Z.c, "deviator_xx": Z.sxx,
                "deviator_yy": Z.syy, "deviator_xy": Z.sxy, "plastic_strain": Z.plastic_strain, "damage": Z.damage,
                "plastic_work": Z.plastic_work, "viscous_work": Z.viscous_work}
-B = L.Charge(*range(len(L.Charge._fields)))
 WORTH_SHARING = 4_000        # zones
 LARGEST_COLLAPSE = 1e-12     # smallest useful step as a fraction of the stop time
 
@@ -71,7 +72,8 @@ class Lagrange2D(NothingToAdd):
         self.control, self.counters = np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64)
         self.gauge_times, self.gauge_rows = [], []
         self._start()
-        self.start_energy, self.start_mass, self.start_momentum = self.total_energy(), self.zones[Z.mass].sum(), self.momentum()
+        self.start_energy, self.start_mass = accounts.total_energy(self.zones, self.nodes), self.zones[Z.mass].sum()
+        self.start_momentum = accounts.momentum(self.nodes)
         self.initial_nodes = self.nodes[[N.x, N.y]][:, numbering.representative].copy()
 
     # -- setting up ------------------------------------------------------------------------------------------
@@ -90,7 +92,7 @@ class Lagrange2D(NothingToAdd):
         return Run(self.nodes, self.zones, self.charge, np.zeros((self.team.threads, L.SCRATCH_ROWS, L.SCRATCH_WIDTH)), pieces,
                    line_table(mesh, self.numbering), passes, np.zeros(len(ENTRIES), dtype=np.int64),
                    self.cookbook.recipes, self.cookbook.constants, np.array([float(self.problem.solver.viscosity.limited)]),
-                   np.array([self.options.near]), edges.mirrors, self.filters,
+                   np.array([self.options.near]), edges.mirrors, beyond_table(mesh, self.numbering), self.filters,
                    np.zeros((len(pieces) + 1, L.FOUND_COLUMNS)), np.zeros(2), edges.loads, np.zeros((len(edges.loads), 4)), edges.gates,
                    edges.gate_normals, edges.held, edges.held_normals, edges.pulses, edges.tables, starts, members, edges.special, axis,
                    ratio, self.chains, np.zeros_like(self.chains))
@@ -200,7 +202,7 @@ class Lagrange2D(NothingToAdd):
                 for member in members:
                     member.join()
         if code in (L.BAD_STATE, L.STEP_COLLAPSED, L.TANGLED):
-            raise self._unphysical(code)
+            raise post_mortem.diagnose(self, code)
         return []
 
     def _assemble_team(self):
@@ -226,9 +228,6 @@ class Lagrange2D(NothingToAdd):
         self.gauge_times, self.gauge_rows = [], []
         return times, {name: np.array([row[name] for row in rows]) for name in (rows[0] if rows else {})}
 
-    def _unphysical(self, code) -> UnphysicalState:
-        return post_mortem.diagnose(self, code)
-
     # -- what observers see ----------------------------------------------------------------------------------
     def state(self) -> State2D:
         """Copies of all fields now."""
@@ -236,11 +235,16 @@ class Lagrange2D(NothingToAdd):
         zones["deviator_zz"] = -(zones["deviator_xx"] + zones["deviator_yy"])
         zones["mass"] = self.zones[Z.mass].copy()
         if self.burning:
-            zones["burn_fraction"] = self.charge[B.lam].copy()
+            zones |= self.burn_fields()
         at = self.numbering.representative
         nodes = {name: self.nodes[row, at] for name, row in (("position_x", N.x), ("position_y", N.y), ("velocity_x", N.u),
                                                              ("velocity_y", N.v))}
         return State2D(self.time, self.cycle, zones, nodes, self.problem.mesh.zone_nodes)
+
+    def burn_fields(self) -> dict[str, np.ndarray]:
+        """Burn fraction and, where reactants are in thermal isolation, the code of their reference state."""
+        codes = {"reference_state": self.charge[B.reference].copy()} if any(reactive.isolated(self.problem)) else {}
+        return {"burn_fraction": self.charge[B.lam].copy()} | codes
 
     def phases(self) -> np.ndarray | None:
         """Burn fraction, density and energy of the reactants and of the products, (5, nzone); None where nothing burns."""
@@ -248,42 +252,27 @@ class Lagrange2D(NothingToAdd):
 
     def kinetic_energy(self) -> float:
         """J per metre or per radian."""
-        return 0.5 * float(np.sum(self.nodes[N.own] * (self.nodes[N.u] ** 2 + self.nodes[N.v] ** 2)))
-
-    def total_energy(self) -> float:
-        """Kinetic and internal energy, J per metre or per radian."""
-        return self.kinetic_energy() + float(np.sum(self.zones[Z.mass] * self.zones[Z.e]))
-
-    def momentum(self) -> np.ndarray:
-        """(x, y), kg m/s per metre or per radian."""
-        return np.array([np.sum(self.nodes[N.own] * self.nodes[row]) for row in (N.u, N.v)])
+        return accounts.kinetic_energy(self.nodes)
 
     def errors(self) -> dict[str, float]:
-        """Relative mass, momentum and energy errors against the impulse and work of the boundaries.
-
-        In axisymmetric flow the hoop stress works on the radial momentum, which then has no balance (NaN); the area-weighted scheme
-        does not keep the axial one either, and its error is the drift.
-        """
-        work = float(self.chains[:, L.CHAIN_WORK].sum() + self.control[L.GRAVITY_WORK])
-        internal = float(np.sum(self.zones[Z.mass] * np.abs(self.zones[Z.e])))
-        scale = max(abs(self.start_energy), abs(work), self.kinetic_energy() + internal, 1e-300)
-        weight = float(self.nodes[N.own].sum()) * self.time
-        impulse = self.chains[:, [L.CHAIN_IMPULSE_X, L.CHAIN_IMPULSE_Y]].sum(axis=0) + weight * np.array(self.problem.body_force)
-        size = float(np.sum(self.nodes[N.own] * np.hypot(self.nodes[N.u], self.nodes[N.v])))
-        size = max(size, *np.abs(self.start_momentum), np.abs(self.chains[:, 1:]).max(initial=0.0), 1e-300)
-        drift = np.abs(self.momentum() - self.start_momentum - impulse) / size
-        if self.kind != G.PLANAR:
-            drift[0] = np.nan
-        return {"mass_error": float(abs(self.zones[Z.mass].sum() / self.start_mass - 1.0)), "momentum_error": float(np.nanmax(drift)),
-                "momentum_x_error": float(drift[0]), "momentum_y_error": float(drift[1]),
-                "energy_error": abs(self.total_energy() - self.start_energy - work) / scale}
+        """Relative mass, momentum and energy errors against the impulse and work of the boundaries (`accounts.errors`)."""
+        return accounts.errors(self)
 
     def exchanges(self) -> dict[str, float]:
-        """Work (J) and impulse (kg m/s) of every chain of boundary edges so far."""
-        found = {}
-        for name, (work, x, y) in zip(self.boundaries.chains, self.chains):
-            found |= {f"work {name}": float(work), f"impulse_x {name}": float(x), f"impulse_y {name}": float(y)}
-        return found
+        """Work (J) and impulse (kg m/s) of every chain of boundary edges so far and, where something burns, the heat set free (J)."""
+        return accounts.exchanges(self)
+
+    def largest_velocity_jump(self) -> dict[str, float]:
+        """Material -> largest particle velocity of a shock it saw, from its peak pressure on the Rayleigh line, m/s."""
+        return accounts.largest_velocity_jump(self.problem, self.zones)
+
+    def warnings(self) -> list[str]:
+        """Sentences about rates of burning that the mesh did not resolve, and about explosives stretched beyond what they can carry."""
+        return accounts.doubts(self)
+
+    def notes(self) -> list[tuple[str, str]]:
+        """How the reference state of reactants in thermal isolation was found, by block."""
+        return accounts.references(self)
 
     def results(self) -> dict[str, float]:
         """Further numbers for the summary."""
@@ -292,8 +281,7 @@ class Lagrange2D(NothingToAdd):
 
     def peaks(self) -> dict[str, np.ndarray]:
         """Peak fields of every zone so far: stress and pressure in compression, tension positive."""
-        return {"peak_stress": self.zones[Z.peak_stress].copy(), "peak_tension": -self.zones[Z.peak_tension],
-                "peak_pressure": self.zones[Z.peak_pressure].copy(), "peak_density": self.zones[Z.peak_density].copy()}
+        return accounts.peaks(self.zones)
 
     # -- checkpoints -----------------------------------------------------------------------------------------
     def payload(self) -> dict:

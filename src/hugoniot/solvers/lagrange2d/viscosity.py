@@ -13,8 +13,13 @@ then turn continuously into the mean of both, with the factor $\min(1, R/|\bar d
 symmetry of a polar mesh is kept. A direction that opened at the start of the step is no smooth flow: its psi is 0, as in one dimension.
 
 A principal direction that turns a little in a slender zone makes shear stress of the long direction's viscosity across the short edges,
-which an explicit step does not bear. From edges of ratio 4 on, wholly from 8 on, the closing along the mean edges themselves is
+which an explicit step does not bear. Where the longer mean edge is 4 times the height above it, wholly from 8 times on, be the zone
+slender or sheared flat, the closing along the mean edges themselves is
 resisted instead, $Q = \sum q\,t\otimes t$ with the unit edges t, which has no shear.
+
+The triangle of a corner that opens to a straight angle vanishes, and its gradient would grow beyond all bounds. The gradient is taken over
+a quarter of the zone's area at least: the force still opposes the very motion it is transposed from, so that its work stays positive,
+even where a corner points inward.
 
 The force is the transpose of the corner's gradient: $+\tfrac14 Q (e_{2y}, -e_{2x})$ on the next corner, and so on. The mean of Q over the
 zone goes with the stress, so that it keeps axial momentum; what the corners have besides acts with the weights of `layout.Shape`.
@@ -31,6 +36,7 @@ from hugoniot.solvers.lagrange2d.row_pass import row_pass
 
 SMALL = 1e-200
 NOISE = 1e-12
+FLAT = 0.25             # part of a parallelogram's corner below which a triangle that shrinks, or is turned over, has no larger gradients
 SLIGHT = 1e-4           # part of the other jump up to which one limits no time step
 SLENDER, NEEDLE = 4.0, 8.0
 
@@ -47,11 +53,12 @@ class MetricOf(NamedTuple):
 
 
 class ClosingOf(NamedTuple):
-    """A corner's node, the nodes next and before, counter-clockwise; metric and smoothness of the zone -> what closes."""
+    """A corner's node, the nodes next and before, counter-clockwise; area, metric and smoothness of the zone -> what closes."""
 
     at: Points
     after: Points
     before: Points
+    area: Any
     m: Metric
     smooth: Smoothness
     c: Closing
@@ -70,9 +77,10 @@ class ResistOf(NamedTuple):
 
 
 class AlongOf(NamedTuple):
-    """Strain rates, mean edges and smoothness of zones -> what closes along the edges."""
+    """Strain rates, area, mean edges and smoothness of zones -> what closes along the edges."""
 
     d: Rates
+    area: Any
     m: Metric
     smooth: Smoothness
     c: Closing
@@ -135,12 +143,12 @@ def metric(count, given, dt, numbers, law):
 def closing(count, given, dt, numbers, law):
     """What closes in one corner of a row of zones."""
     rows_apart()
-    at, after, before, m, smooth, c = given
+    at, after, before, area, m, smooth, c = given
     for j in range(count):
         e1x, e1y, e2x, e2y = after.x[j] - at.x[j], after.y[j] - at.y[j], before.x[j] - at.x[j], before.y[j] - at.y[j]
         u1, v1, u2, v2 = after.u[j] - at.u[j], after.v[j] - at.v[j], before.u[j] - at.u[j], before.v[j] - at.v[j]
         twice = e1x * e2y - e1y * e2x
-        inverse = 1.0 / (twice if twice > SMALL else SMALL)
+        inverse = 1.0 / fmax(twice, FLAT * area[j])
         dxx = (u1 * e2y - u2 * e1y) * inverse
         dyy = (v2 * e1x - v1 * e2x) * inverse
         dxy = 0.5 * (u2 * e1x - u1 * e2x + v1 * e2y - v2 * e1y) * inverse
@@ -189,7 +197,7 @@ def resist(count, given, dt, numbers, law):
 def closing_along(count, given, dt, numbers, law):
     """What closes along the mean edges of zones, and how slender they are."""
     rows_apart()
-    d, m, smooth, c = given
+    d, area, m, smooth, c = given
     for j in range(count):
         xi, eta = m.xixx[j] + m.xiyy[j], m.etaxx[j] + m.etayy[j]
         rate1 = (d.xx[j] * m.xixx[j] + d.yy[j] * m.xiyy[j] + 2.0 * d.xy[j] * m.xixy[j]) / xi
@@ -201,7 +209,7 @@ def closing_along(count, given, dt, numbers, law):
         c.du2[j] = rate2 * vsqrt(eta) if rate2 < least else 0.0
         c.psi1[j] = smooth.xi[j] if before1 < 0.0 else 0.0
         c.psi2[j] = smooth.eta[j] if before2 < 0.0 else 0.0
-        aspect = vsqrt(fmax(xi, eta) / fmin(xi, eta))
+        aspect = fmax(xi, eta) / area[j]
         part = fmax(0.0, fmin(1.0, (NEEDLE - aspect) / (NEEDLE - SLENDER)))
         c.apart[j] = part
 
@@ -225,13 +233,16 @@ def resist_along(count, given, dt, numbers, law):
 
 @row_pass(MeanOf)
 def mean_viscosity(count, given, dt, numbers, law):
-    """Mean of the corners' stresses over the zone, each with the area it stands for."""
+    """Mean of the corners' stresses over the zone, each with the area it stands for; a corner that points inward stands for none."""
     rows_apart()
     s, q0, q1, q2, q3, mean = given
     for j in range(count):
         over = 0.5 / s.area[j]
         w0, w1 = s.t0[j] * over, s.t1[j] * over
-        w2, w3 = 0.5 - w0, 0.5 - w1
+        w2, w3 = fmax(0.5 - w0, 0.0), fmax(0.5 - w1, 0.0)
+        w0, w1 = fmax(w0, 0.0), fmax(w1, 0.0)
+        inverse = 1.0 / (w0 + w1 + w2 + w3)
+        w0, w1, w2, w3 = w0 * inverse, w1 * inverse, w2 * inverse, w3 * inverse
         mean.xx[j] = w0 * q0.xx[j] + w1 * q1.xx[j] + w2 * q2.xx[j] + w3 * q3.xx[j]
         mean.yy[j] = w0 * q0.yy[j] + w1 * q1.yy[j] + w2 * q2.yy[j] + w3 * q3.yy[j]
         mean.xy[j] = w0 * q0.xy[j] + w1 * q1.xy[j] + w2 * q2.xy[j] + w3 * q3.xy[j]

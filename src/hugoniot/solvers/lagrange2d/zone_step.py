@@ -20,6 +20,7 @@ class Passes(NamedTuple):
     shape: int
     rates: int
     stress_forces: int
+    straighten: int          # 0 but in area-weighted geometry
     power: int
     rates_now: int
     gradient_along: int
@@ -57,7 +58,8 @@ def passes_of(kind: int) -> Passes:
     found = {"shape": shape, "rates": rates}
     for name in Passes._fields[2:]:
         found[name] = next(getattr(m, name) for m in (geometry, smoothness, viscosity, filters, tensor, zone_passes) if hasattr(m, name))
-    return Passes(**{name: chosen.address for name, chosen in found.items()})
+    addresses = {name: chosen.address for name, chosen in found.items() if name != "straighten" or kind == geometry.AREA_WEIGHTED}
+    return Passes(**{"straighten": 0} | addresses)
 
 
 class Rows(NamedTuple):
@@ -193,7 +195,7 @@ def predict(a, passes, limited, piece, scratch, recipe, constants, found, dt):
     deviators(passes, at, recipe, solid, w.e, w.p, b.lam_half, 0.5 * dt)
     material.relieve(count, at, recipe, solid)
     call_pass(passes.stiffnesses, count, zone_passes.StiffnessOf(w.rho, z.c, w.stiffness, w.power), dt, near)
-    forces.corner_viscosity(passes, piece, a.nodes, scratch, at, solid, recipe, limited, a.mirrors)
+    forces.corner_viscosity(passes, piece, a.nodes, scratch, at, solid, recipe, limited, a.mirrors, a.beyond)
     forces.forces_in_middle(passes, piece, a.nodes, a.zones, scratch, at, row(a.filters, 2 * piece[L.P_RECIPE]))
     if recipe.solve != 0:
         keep_half(count, at, recipe)
@@ -238,3 +240,5 @@ def push(a, passes, piece, at):
     call_pass(passes.pushing_stress, at.total, tensor.StartOf(at.z.p, at.deviators, at.viscous, at.stress), 0.0, at.z.p)
     f = spread(L.Corners, a.zones[forces.FORCES:], piece[L.P_ZONE])
     call_pass(passes.stress_forces, at.total, geometry.ForcesOf(at.shape, at.stress, f), 0.0, at.z.p)
+    if passes.straighten != 0:
+        call_pass(passes.straighten, at.total, geometry.StraightOf(at.shape, at.viscous, f), 0.0, at.z.p)
