@@ -173,9 +173,3 @@ def boundary_pulse(boundary: Boundary):
         return np.zeros(4), np.zeros((2, 1))
     table = np.array([pulse.times, pulse.values]) if pulse.shape == "table" else np.zeros((2, 1))
     return np.array([L.PULSES[pulse.shape], pulse.amplitude, pulse.start, pulse.duration], dtype=float), table
-
-
-def held_stresses(zones, nodes) -> tuple[float, float]:
-    """Stress behind the two ends, Pa, to which a transmitting one adds rho c u outwards: the state at t = 0, moving or not, stays."""
-    impedance, u = zones[Z.rho, [0, -1]] * zones[Z.c, [0, -1]], nodes[H.u, [0, -1]]
-    return float(zones[Z.sigma, 0] + impedance[0] * u[0]), float(zones[Z.sigma, -1] - impedance[1] * u[1])

@@ -132,8 +132,14 @@ RUN_FIRST, RUN_LAST, RUN_SEGMENT, RUN_MATERIAL = range(4)
 
 # -- control vector (floats) --------------------------------------------------------------------------------------
 (TIME, DT, DT_OLD, DT_NATURAL, EVENT_TIME, RATE, WORK_LEFT, WORK_RIGHT, IMPULSE_LEFT, IMPULSE_RIGHT, RADIAL_IMPULSE, COURANT,
- GROWTH, DT_LARGEST, DT_SMALLEST, WORST_FAILURE, NEXT_GAUGE, GAUGE_INTERVAL, REFERENCE_LEFT, REFERENCE_RIGHT, HEAT_FLUX) = range(21)
-CONTROL_FLOATS = 21
+ GROWTH, DT_LARGEST, DT_SMALLEST, WORST_FAILURE, NEXT_GAUGE, GAUGE_INTERVAL, HEAT_FLUX, END_LEFT) = range(20)
+# what a transmitting end knows (`transmitting`), from END_LEFT and from END_RIGHT on: the stress outside and that at t = 0 (Pa), impedance
+# (kg/m2/s), transit times of its zone in the last step, zones of the end's material (at most REACH), lead and excess (Pa), a memory
+(OUTSIDE, AMBIENT, IMPEDANCE, PASSED, ZONES, LEAD, EXCESS, MEMORY) = range(8)
+REACH, REMEMBERED = 6, 4          # zones from the end on; numbers kept of each
+END_FLOATS = MEMORY + REMEMBERED * REACH
+END_RIGHT = END_LEFT + END_FLOATS
+CONTROL_FLOATS = END_RIGHT + END_FLOATS
 
 # -- control vector (integers) ------------------------------------------------------------------------------------
 CYCLE, GAUGE_ROWS, CULPRIT, ZONE_STEPS, CAP_COUNT, FRACTURING = range(6)

@@ -10,6 +10,7 @@ from hugoniot.core.target import GUARD
 from hugoniot.mesh.line import area, hoops
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import H, Z
+from hugoniot.solvers.lagrange1d.transmitting import follow, settle
 
 AccelerateRows = namedtuple("AccelerateRows", "sigma hoop r u inverse_mass u_mean r_half")
 MoveRows = namedtuple("MoveRows", "sigma hoop r_half inverse_mass u u_mean r")
@@ -91,22 +92,20 @@ def pulse_value(time, pulse, table):
 
 
 @nb.njit(**GUARD)
-def outside_stress(code, time, reference, pulse, table):
-    """Stress a boundary applies, before what a transmitting one adds with the velocity."""
+def outside_stress(code, time, end, control, pulse, table):
+    """Stress that a boundary applies, Pa, before what a transmitting one adds as its velocity changes."""
     if code == L.PRESSURE:
         return pulse_value(time, pulse, table)
-    return reference if code == L.TRANSMITTING else 0.0
+    return control[end + L.OUTSIDE] + control[end + L.LEAD] if code == L.TRANSMITTING else 0.0
 
 
 @nb.njit(**GUARD)
-def answered(u, acceleration, dt, per_stress, impedance):
-    """Velocity after dt of an end that is pushed back with the impedance rho c (0: not at all), taken at the mean velocity.
+def opposed(u, acceleration, dt, per_stress, impedance):
+    """Velocity after dt of an end whose change of velocity is opposed with an impedance (0: not at all), taken at the mean velocity.
 
-    per_stress is the acceleration under a unit of stress, m2/kg. At the mean velocity it is stable at any step; with the old one alone
-    round-off grows.
+    per_stress is the acceleration under a unit of stress, m2/kg. At the mean velocity it is stable at any step.
     """
-    weight = 0.5 * dt * per_stress * impedance
-    return (u * (1.0 - weight) + dt * acceleration) / (1.0 + weight)
+    return u + dt * acceleration / (1.0 + 0.5 * dt * per_stress * impedance)
 
 
 @nb.njit(**GUARD)
@@ -145,11 +144,16 @@ def end_node(zones, nodes, control, ends, left, corrector, dt, boundary, geometr
         new = 0.0 if code == L.FIXED else pulse_value(time + dt, pulse, table)
         outer = (new - u) / (dt * inverse) - inner
     else:
-        reference = control[L.REFERENCE_LEFT] if left else control[L.REFERENCE_RIGHT]
-        push = -sign * face * outside_stress(code, time + 0.5 * dt, reference, pulse, table)
-        impedance = zones[Z.rho, zone] * zones[Z.c, zone] if code == L.TRANSMITTING else 0.0
-        new = answered(u, inverse * (inner + push), dt, inverse * face, impedance)
-        outer = push - impedance * face * 0.5 * (u + new)
+        end, impedance = L.END_LEFT if left else L.END_RIGHT, 0.0
+        if code == L.TRANSMITTING:
+            if not corrector:
+                follow(zones, control, zone, end, dt)
+            impedance = control[end + L.IMPEDANCE]
+        push = -sign * face * outside_stress(code, time + 0.5 * dt, end, control, pulse, table)
+        new = opposed(u, inverse * (inner + push), dt, inverse * face, impedance)
+        outer = push - impedance * face * 0.5 * (new - u)
+        if corrector and code == L.TRANSMITTING:
+            settle(zones, nodes, control, ends, end, new - u, dt, geometry)
     mean = 0.5 * (u + new)
     nodes[H.u_mean, node] = mean
     if corrector:
@@ -174,11 +178,15 @@ def leap_end(zones, nodes, control, ends, left, dts, boundary, geometry):
         new = 0.0 if code == L.FIXED else pulse_value(time + 0.5 * dt, pulse, table)
         outer = mass * ((new - u) / dt_mean - sign * zones[Z.sigma, zone] * per_stress - pull)
     else:
-        reference = control[L.REFERENCE_LEFT] if left else control[L.REFERENCE_RIGHT]
-        outside = outside_stress(code, time, reference, pulse, table)
-        impedance = zones[Z.rho, zone] * zones[Z.c, zone] if code == L.TRANSMITTING else 0.0
-        new = answered(u, sign * (zones[Z.sigma, zone] - outside) * per_stress + pull, dt_mean, per_stress, impedance)
-        outer = -sign * face * (outside + sign * impedance * 0.5 * (u + new))
+        end, impedance = L.END_LEFT if left else L.END_RIGHT, 0.0
+        if code == L.TRANSMITTING:
+            follow(zones, control, zone, end, dt_mean)
+            impedance = control[end + L.IMPEDANCE]
+        outside = outside_stress(code, time, end, control, pulse, table)
+        new = opposed(u, sign * (zones[Z.sigma, zone] - outside) * per_stress + pull, dt_mean, per_stress, impedance)
+        outer = -sign * face * (outside + sign * impedance * 0.5 * (new - u))
+        if code == L.TRANSMITTING:
+            settle(zones, nodes, control, ends, end, new - u, dt_mean, geometry)
     nodes[H.u, node] = new
     nodes[H.r, node] += dt * new
     book(control, left, dt * outer * new, dt_mean * outer)

@@ -14,7 +14,7 @@ from hugoniot.core.compile_ahead import compile_all, job_of
 from hugoniot.mesh.line import GEOMETRY
 from hugoniot.problem.defaults import with_defaults
 from hugoniot.problem.model import Problem
-from hugoniot.solvers.lagrange1d import accounts, reactive, start
+from hugoniot.solvers.lagrange1d import accounts, reactive, start, transmitting
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_pulse, laws_of_regions, viscosity_of
 from hugoniot.solvers.lagrange1d.between_steps import events_of
@@ -100,6 +100,7 @@ class Lagrange1D(NothingToAdd):
         self.nodes, self.gradient = self.node_table[:, :self.nodes.shape[1]], self.gradient_table[:len(self.gradient)]
         self.interfaces = interface_table(self.segments, self.nodes)
         self.gauges, self.weights = probe_tables(self)
+        transmitting.reach(self.control, self.segments, self.region_ranges)
         self.segment_of = np.repeat(np.arange(len(self.segments)), self.segments[:, 1] - self.segments[:, 0])
 
     def _faces(self, row):

@@ -4,8 +4,7 @@ import numpy as np
 
 from hugoniot.core.ops import NO_LIMIT
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d import reactive
-from hugoniot.solvers.lagrange1d.assemble import held_stresses
+from hugoniot.solvers.lagrange1d import reactive, transmitting
 from hugoniot.solvers.lagrange1d.bodies import faces
 from hugoniot.solvers.lagrange1d.layout import H, Z
 
@@ -22,7 +21,9 @@ def prepare(solver) -> None:
     control[L.DT_LARGEST] = options.largest_step or NO_LIMIT
     control[L.DT_SMALLEST] = LARGEST_COLLAPSE * problem.stop_time
     control[L.GAUGE_INTERVAL] = problem.output.gauge_interval
-    control[L.REFERENCE_LEFT], control[L.REFERENCE_RIGHT] = held_stresses(solver.zones, nodes)
+    for end, zone in ((L.END_LEFT, 0), (L.END_RIGHT, -1)):
+        control[end + L.OUTSIDE] = control[end + L.AMBIENT] = solver.zones[Z.sigma, zone]
+    transmitting.remember(control, solver.zones)
     for side, node in ((problem.left, 0), (problem.right, -1)):
         if side.kind == "velocity":
             nodes[H.u, node] = _pulse_at_zero(side.pulse)

@@ -26,6 +26,7 @@ from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.nodes import end_node, end_pull, leap_end
 from hugoniot.solvers.lagrange1d.plan import ACCELERATE, ADVANCE, CORRECT, DT, DT_HALF, DT_MEAN, FLOW, LEAP, MOVE, PREDICT, everyone, gather
+from hugoniot.solvers.lagrange1d.transmitting import ghosts
 from hugoniot.solvers.lagrange1d.watch import (
     cavity_closed,
     closing_time,
@@ -77,16 +78,6 @@ class Gauges(NamedTuple):
 
 
 # -- parts of the step -----------------------------------------------------------------------------------------------
-@nb.njit(**GUARD)
-def ghosts(gradient, segments):
-    """Step 3: beyond an end the field goes on as inside, so that a wall or a free surface is no extremum."""
-    for k in range(segments.shape[0]):
-        left = segments[k, L.SEG_FIRST] + 2 * k
-        right = segments[k, L.SEG_LAST] + 2 * k + 1
-        gradient[left] = gradient[left + 1]
-        gradient[right] = gradient[right - 1]
-
-
 @nb.njit(**GUARD)
 def gap_step(zones, nodes, segments, dt_old, staggered, geometry):
     """Shortest time in which a gap closes, from the accelerations of its two free surfaces."""
@@ -149,7 +140,7 @@ def step_compatible(a, plan, scheme, geometry, boundaries, team):
     for stage in range(2):
         corrector = stage == 1
         if corrector:
-            ghosts(a.gradient, segments)
+            ghosts(a.gradient, a.control, segments)
             everyone(plan, PREDICT, team)
         everyone(plan, MOVE if corrector else ACCELERATE, team)
         for end in range(2 * segments.shape[0]):

@@ -10,6 +10,7 @@ from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import B, H, Z
 from hugoniot.solvers.lagrange1d.solver import Lagrange1D
 from hugoniot.solvers.lagrange1d.start import plan_first_step, renew_gradients
+from hugoniot.solvers.lagrange1d.transmitting import remember
 
 OF_ZONES = {"energy": (Z.e,), "pressure": (Z.p, Z.sigma), "sound_speed": (Z.c,)}
 OF_CHARGE = {"burn_fraction": B.lam, "reactant_density": B.rho_r, "reactant_energy": B.e_r, "product_density": B.rho_p,
@@ -28,6 +29,7 @@ class Window:
         if len(problem.regions) > 1 or problem.dimension > 1 or region.ratio != 1.0 or solver.staggered:
             raise OutOfRange("a window moves over one planar region of equal zones with integrator \"compatible\"")
         self.solver, self.size = solver, (region.end - region.start) / region.zones
+        self._behind = 0.0
         self.mass = float(solver.zones[Z.mass, 0])
         self._zone, self._charge, self._node = solver.zones[:, -1].copy(), solver.charge[:, -1:].copy(), solver.nodes[:, 1].copy()
 
@@ -48,7 +50,8 @@ class Window:
                 zones[row, :len(values)] = values
             if name in OF_CHARGE:
                 solver.charge[OF_CHARGE[name], :len(values)] = values
-        solver.control[L.REFERENCE_LEFT] = behind
+        self._behind = behind
+        self._hold()
         plan_first_step(solver)
 
     def move_on(self, count: int) -> None:
@@ -64,4 +67,11 @@ class Window:
         nodes[H.mass], nodes[H.inverse_mass] = whole, 1.0 / whole
         for end in (0, -1):
             nodes[H.mass, end], nodes[H.inverse_mass, end] = 0.5 * whole, 2.0 / whole
+        self._hold()
         renew_gradients(self.solver)
+
+    def _hold(self) -> None:
+        """Let the left end hold against the state behind, which is at rest: p - rho c u of a wave that runs out there."""
+        zones, control = self.solver.zones, self.solver.control
+        control[L.END_LEFT + L.OUTSIDE] = self._behind - zones[Z.rho, 0] * zones[Z.c, 0] * self.solver.nodes[H.u, 0]
+        remember(control, zones)

@@ -1,0 +1,117 @@
+r"""A transmitting end: material beyond it that goes on as inside, so that waves run out.
+
+In a wave that runs to the right, shock or release, elastic or plastic, stress and velocity are tied by $d\sigma = Z\,du$ with the
+impedance of the path that the material takes,
+
+$$Z^2 = -\frac{d\sigma}{dv}, \qquad \sigma = p + q - s_1,$$
+
+$\rho c$ along an isentrope, $\rho_0 U_s$ along the Rayleigh line of a shock, where the artificial viscosity is part of the stress. Waves
+of either direction have the same Z, so an error does not feed on itself. $d\sigma$ and $dv$ are differences to the lagged means of the last
+zones: where a shock passes one of them, over many transit times of a zone, which gives the chord of the whole shock before it reaches
+the end; else over one transit of the zones nearest to the end, and so along the curve. The stress outside then follows the end's
+velocity, $T \mathrel{+}= Z\,(u - u_n)$.
+
+Zones have a width h. Of a wave that runs through them unchanged, the stress at the end is the mean of two zones, half a transit time
+$\tau = m/Z$ before and after, and $Zu$ the mean over the time between: $T = Zu + \tfrac{1}{12}Z\tau^2\ddot u$. With the end node's
+$\tfrac12 m\dot u = \sigma - T$ the second term is a lead $X = \tfrac16\tau\,d(\sigma - T)/dt$, here a high pass of $\sigma - Zu$.
+
+A wave that spreads from the axis or the origin also falls: for sound far from the centre
+$\partial_t p = \rho c\,\partial_t u - \tfrac12(d-1)\,c\,(p-p_0)/r$ (Bayliss and Turkel, Comm. Pure Appl. Math. 33 (1980) 707), and so
+does the stress outside the right end. What a spreading wave scatters back, and the stiffness of an elastic body around a sphere, are
+missing.
+"""
+
+import math
+
+import numba as nb
+import numpy as np
+
+from hugoniot.core.target import GUARD
+from hugoniot.mesh.line import hoops
+from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.layout import H, Z
+
+NOISE = 1e-6          # strain below which a zone is at rest, and the impedance is that of sound
+LONG, SHORT = 8.0, 1.0     # time constants of the lagged means, in transit times of the last zone
+FADING = 0.3          # weight of a zone to that of its outer neighbour, along the curve
+VISCOUS = 0.01        # part of the rise in stress from which viscosity makes it a shock
+SOFTEST, STIFFEST = 0.1, 9.0    # of Z^2, in units of the acoustic one
+SIXTH = 9.0           # rate of the high pass in transit times: 6, and half as much again for the stress's lag of half a step
+BEHIND = 0.4          # rate, in transit times, at which the velocity gradient beyond the end follows that in the last zone
+
+
+@nb.njit(**GUARD)
+def follow(zones, control, zone, end, dt):
+    """Impedance, lead and passed transit times of the step that begins, from the zones at its start."""
+    inward = 1 if end == L.END_LEFT else -1
+    acoustic, mass = zones[Z.rho, zone] * zones[Z.c, zone], zones[Z.mass, zone]
+    passed = dt * acoustic / mass
+    rest = (NOISE / zones[Z.rho, zone]) ** 2
+    far_top, far_bottom, near_top, near_bottom = rest * acoustic * acoustic, rest, rest * acoustic * acoustic, rest
+    weight, shocked, swelling = 1.0, False, False
+    for k in range(int(control[end + L.ZONES])):
+        z, at = zone + inward * k, end + L.MEMORY + L.REMEMBERED * k
+        sigma, v = zones[Z.sigma, z], 1.0 / zones[Z.rho, z]
+        rise, swell = sigma - control[at], v - control[at + 1]
+        far_top -= rise * swell
+        far_bottom += swell * swell
+        shocked = shocked or (zones[Z.q, z] > VISCOUS * abs(rise) and abs(swell) > NOISE * v)
+        rise, swell = sigma - control[at + 2], v - control[at + 3]
+        near_top -= weight * rise * swell
+        near_bottom += weight * swell * swell
+        swelling = swelling or (k == 0 and swell > NOISE * v)
+        weight *= FADING
+        for j in range(2):
+            share = min(passed / (LONG if j == 0 else SHORT), 1.0)
+            control[at + 2 * j] += share * (sigma - control[at + 2 * j])
+            control[at + 2 * j + 1] += share * (v - control[at + 2 * j + 1])
+    slope = far_top / far_bottom if shocked and not swelling else near_top / near_bottom
+    impedance = acoustic * math.sqrt(min(max(slope / (acoustic * acoustic), SOFTEST), STIFFEST))
+    control[end + L.IMPEDANCE], control[end + L.PASSED] = impedance, dt * impedance / mass
+    excess = zones[Z.sigma, zone] - control[end + L.OUTSIDE]
+    control[end + L.LEAD] = (control[end + L.LEAD] + excess - control[end + L.EXCESS]) / (1.0 + SIXTH * control[end + L.PASSED])
+    control[end + L.EXCESS] = excess
+
+
+@nb.njit(**GUARD)
+def settle(zones, nodes, control, ends, end, faster, dt, geometry):
+    """Stress outside after a step in which the end's velocity grew by `faster`, m/s."""
+    node, zone, _ = ends
+    outward, impedance = -1.0 if end == L.END_LEFT else 1.0, control[end + L.IMPEDANCE]
+    change = outward * impedance * faster
+    if hoops(geometry) > 0.0 and end == L.END_RIGHT:
+        fall = 0.5 * hoops(geometry) * impedance / (zones[Z.rho, zone] * nodes[H.r, node])
+        change -= dt * fall * (control[end + L.OUTSIDE] - control[end + L.AMBIENT])
+    control[end + L.OUTSIDE] += change
+
+
+@nb.njit(**GUARD)
+def ghosts(gradient, control, segments):
+    """Velocity gradients beyond the ends, which the viscosity's limiter looks at.
+
+    Beyond a wall or a free surface the field goes on as inside, so that it is no extremum; beyond a transmitting end it is what the
+    last zone had before.
+    """
+    for k in range(segments.shape[0]):
+        left, right = segments[k, L.SEG_FIRST] + 2 * k, segments[k, L.SEG_LAST] + 2 * k + 1
+        share = min(BEHIND * control[L.END_LEFT + L.PASSED], 1.0) if segments[k, L.SEG_LEFT] == L.TRANSMITTING else 1.0
+        gradient[left] += share * (gradient[left + 1] - gradient[left])
+        share = min(BEHIND * control[L.END_RIGHT + L.PASSED], 1.0) if segments[k, L.SEG_RIGHT] == L.TRANSMITTING else 1.0
+        gradient[right] += share * (gradient[right - 1] - gradient[right])
+
+
+def reach(control, segments, region_ranges) -> None:
+    """How many zones from an end on are of its material and body."""
+    control[L.END_LEFT + L.ZONES] = min(region_ranges[0][1], segments[0, L.SEG_LAST], L.REACH)
+    first, last = region_ranges[-1]
+    control[L.END_RIGHT + L.ZONES] = min(last - max(first, segments[-1, L.SEG_FIRST]), L.REACH)
+
+
+def remember(control, zones) -> None:
+    """Let the memory of both ends begin with what their zones hold, and their leads with nothing."""
+    count = min(L.REACH, zones.shape[1])
+    for end, found in ((L.END_LEFT, zones[:, :count]), (L.END_RIGHT, zones[:, ::-1][:, :count])):
+        memory = control[end + L.MEMORY:end + L.END_FLOATS].reshape(L.REACH, L.REMEMBERED)
+        memory[:count] = np.stack((found[Z.sigma], 1.0 / found[Z.rho]) * 2, axis=1)
+        control[end + L.LEAD] = 0.0
+        control[end + L.EXCESS] = found[Z.sigma, 0] - control[end + L.OUTSIDE]
