@@ -94,10 +94,10 @@ def ghosts(gradient, control, segments):
     """
     for k in range(segments.shape[0]):
         left, right = segments[k, L.SEG_FIRST] + 2 * k, segments[k, L.SEG_LAST] + 2 * k + 1
-        share = min(BEHIND * control[L.END_LEFT + L.PASSED], 1.0) if segments[k, L.SEG_LEFT] == L.TRANSMITTING else 1.0
-        gradient[left] += share * (gradient[left + 1] - gradient[left])
-        share = min(BEHIND * control[L.END_RIGHT + L.PASSED], 1.0) if segments[k, L.SEG_RIGHT] == L.TRANSMITTING else 1.0
-        gradient[right] += share * (gradient[right - 1] - gradient[right])
+        kept = 1.0 - min(BEHIND * control[L.END_LEFT + L.PASSED], 1.0) if segments[k, L.SEG_LEFT] == L.TRANSMITTING else 0.0
+        gradient[left] = gradient[left + 1] + kept * (gradient[left] - gradient[left + 1])
+        kept = 1.0 - min(BEHIND * control[L.END_RIGHT + L.PASSED], 1.0) if segments[k, L.SEG_RIGHT] == L.TRANSMITTING else 0.0
+        gradient[right] = gradient[right - 1] + kept * (gradient[right] - gradient[right - 1])
 
 
 def reach(control, segments, region_ranges) -> None:
