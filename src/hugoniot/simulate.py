@@ -101,7 +101,9 @@ class _Recorder:
             self.show.update(report)
 
     def checkpoint(self, payload):
-        self.folder.checkpoint({**payload, "program": program()})
+        from hugoniot.core.machine import machine
+
+        self.folder.checkpoint({**payload, "program": program(), "machine": machine()})
 
 
 def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=None, overwrite: bool = False,
@@ -168,6 +170,8 @@ def _continued(place: RunFolder, progress, report: bool | Callable, restore_deck
     else:
         _check_program(folder, payload.get("program", {}))
         solver.restore(payload["solver"])
+        if strange := _other_machine(payload.get("machine", {})):
+            place.event(solver.time, solver.cycle, "warning", strange)
         next_snapshot = int(payload["next_snapshot"])
     return _drive(recorder, next_snapshot, begun, report)
 
@@ -186,6 +190,17 @@ def _check_program(folder, written: Mapping[str, str]) -> None:
         raise FileTrouble(f"{folder}: its checkpoint was written by another hugoniot ({written.get('version', 'an early one')}), "
                           f"Python or numba, whose bits this one would not continue; resume with that one, or start again in a new folder: "
                           f"hugoniot run {pathlib.Path(folder) / 'deck.toml'} --out NEW")
+
+
+def _other_machine(written: Mapping[str, str]) -> str | None:
+    """A sentence where a checkpoint comes from a machine that may round otherwise; None where it does not."""
+    from hugoniot.core.machine import machine
+
+    changed = [f"{name} {was} (here {machine()[name]})" for name, was in written.items() if name in machine() and machine()[name] != was]
+    if not changed:
+        return None
+    return ("resumed on another machine than the one it was begun on, so that the last digits may differ from those of an uninterrupted "
+            f"run: {'; '.join(text if len(text) < 120 else text[:117] + '...' for text in changed)}")
 
 
 def _drive(recorder, next_snapshot: int, begun: float, report: bool | Callable) -> "Run":

@@ -13,6 +13,7 @@ import pytest
 from killed_runs import finish, same_bytes, start, wait_for_checkpoint
 
 from hugoniot import simulate
+from hugoniot.core import machine
 from hugoniot.errors import FileTrouble
 from hugoniot.output.run_folder import RunFolder
 from hugoniot.simulate import make_solver
@@ -244,7 +245,23 @@ def test_a_checkpoint_of_another_program_is_refused_and_not_touched(place, monke
     with pytest.raises(KeyboardInterrupt):
         simulate.run(deck(place), folder, progress=SimpleNamespace(update=stop))
     with monkeypatch.context() as other:
-        other.setattr(simulate, "_program", lambda: {"version": "0.0.9", "sources": "other"})
+        other.setattr(simulate, "program", lambda: {"version": "0.0.9", "sources": "other"})
         with pytest.raises(FileTrouble, match=r"another hugoniot .*start again in a new folder: hugoniot run .*deck\.toml"):
             simulate.resume(folder)
     assert simulate.resume(folder).summary["status"] == "done"
+
+
+def test_a_checkpoint_of_another_machine_is_continued_with_a_warning(place, monkeypatch):
+    folder = place / "elsewhere.run"
+
+    def stop(report):
+        if list((folder / "checkpoint").glob("[0-9]*.json")):
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        simulate.run(deck(place), folder, progress=SimpleNamespace(update=stop))
+    with monkeypatch.context() as other:
+        here = machine.machine()
+        other.setattr(machine, "machine", lambda: {**here, "cpu": "another"})
+        events = simulate.resume(folder).events
+    assert any(kind == "warning" and "another machine" in text and here["cpu"] in text for kind, text in zip(events["kind"].values, events["text"].values))

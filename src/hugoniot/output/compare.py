@@ -15,6 +15,7 @@ from hugoniot.core.fields import FIELDS
 from hugoniot.diagnostics.interface_gauges import CONTINUOUS, sides
 from hugoniot.diagnostics.norms import Difference, difference
 from hugoniot.errors import DeckError, DeckProblem
+from hugoniot.files import read_regular
 from hugoniot.output.atomic import legible
 from hugoniot.output.run import Run, load
 from hugoniot.output.spall_reading import hit_regions
@@ -98,7 +99,7 @@ def read_table(path) -> list[Record]:
     """The columns of a data file as records; the first column is the time. Raises `DeckError` (line and column), `FileTrouble`."""
     path = pathlib.Path(path)
     with legible(path, "no data can be read"):
-        text = path.read_text(encoding="utf-8-sig", errors="replace")
+        text = read_regular(path).decode("utf-8-sig", errors="replace")
     lines = [(n, row) for n, row in enumerate(csv.reader(text.splitlines()), 1) if row and not row[0].lstrip().startswith("#")]
     if not lines or len(lines[0][1]) < 2:
         raise _table_error(path, 1, "table", "needs a line of column headers, a time column and at least one more", _HEADS)

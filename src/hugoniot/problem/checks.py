@@ -20,6 +20,8 @@ MOST_ZONES = 10_000_000
 LONGEST_NAME = 60     # of a gauge
 _STATE = ("density", "pressure", "temperature", "energy")
 IONISED = 15e3      # m/s of particle velocity: 112 MJ/kg, 31 eV for an atom of aluminium, whose first two electrons take 25 eV
+LIGHT = 299_792_458.0    # m/s
+RELATIVISTIC = 0.01      # of it
 _SAME = 1e-9  # of a zone: a gap below it is round-off of the user's arithmetic
 
 
@@ -286,7 +288,17 @@ def advice(problem: Problem) -> list[str]:
             if limit is not None and abs(ua - ub) > 2.0 * limit:
                 told.append(f"'{a.name}' meets '{b.name}' at {abs(ua - ub):g} m/s, but the data of '{region.material}' "
                             f"end at a particle velocity of {limit:g} m/s")
-    return told + _beyond_atoms(problem)
+    return told + _beyond_atoms(problem) + _relativistic(problem)
+
+
+def _relativistic(problem: Problem) -> list[str]:
+    """Speeds at which the equations of motion, which are Newton's, are off by more than a part in ten thousand."""
+    speeds = {f"region '{region.name}'": max(abs(_end_speed(region, 0)), abs(_end_speed(region, 1))) for region in problem.regions}
+    for side, boundary in (("left", problem.left), ("right", problem.right)):
+        if boundary.kind == "velocity":
+            speeds[f"the {side} boundary"] = max(abs(boundary.pulse.amplitude), *map(abs, boundary.pulse.values), 0.0)
+    return [f"{name} moves at {speed:.3g} m/s, {speed / LIGHT:.2g} of the speed of light: the equations of motion are not relativistic; "
+            "was another unit meant?" for name, speed in speeds.items() if speed > RELATIVISTIC * LIGHT]
 
 
 def _beyond_atoms(problem: Problem) -> list[str]:

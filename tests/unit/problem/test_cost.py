@@ -61,3 +61,11 @@ def test_speeds_that_ionise_a_material_without_a_stated_range_are_warned_of(law,
     """50 km/s of aluminium give 312 MJ/kg, 87 eV for each atom."""
     warnings = read_deck_text(FAST.format(velocity=velocity) + law).warnings
     assert any("its atoms are ionised" in words for words in warnings) == warned
+
+
+
+@pytest.mark.parametrize("velocity, warned", [(1e8, True), (1e5, False)])
+def test_speeds_beside_that_of_light_are_warned_of(velocity, warned):
+    """A part of one body alone moves: nothing meets anything."""
+    warnings = read_deck_text(FAST.format(velocity=velocity) + GAS).warnings
+    assert any("not relativistic" in words for words in warnings) == warned
