@@ -4,6 +4,7 @@ Arrays are datasets; everything else stands in one JSON text, whose numbers Pyth
 """
 
 import contextlib
+import functools
 import io
 import json
 from collections.abc import Callable
@@ -67,13 +68,38 @@ def store(path, payload: dict, durable: bool = True):
     return write_hdf5(path, lambda file, check: _fill(file, document, arrays, check), size, durable)
 
 
+class Stored:
+    """An array in an open file, which is looked for only when something is asked of it."""
+
+    def __init__(self, group, name: str):
+        self._group, self._name = group, name
+
+    @functools.cached_property
+    def _data(self):
+        return self._group[self._name]
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return self._data.shape
+
+    @property
+    def dtype(self) -> np.dtype:
+        return self._data.dtype
+
+    def __len__(self) -> int:
+        return len(self._data)
+
+    def __getitem__(self, part):
+        return self._data[part]
+
+
 @contextlib.contextmanager
 def opened(source):
     """The payload in a file (its path, or its bytes), whose arrays are read only when they are indexed: `array[()]`, `array[3:9]`."""
     try:
         with h5py().File(io.BytesIO(source) if isinstance(source, bytes) else source, "r") as file:
             stored = file["arrays"]
-            yield _unpack(json.loads(file["document"].asstr()[()]), lambda name: stored[name])
+            yield _unpack(json.loads(file["document"].asstr()[()]), lambda name: Stored(stored, name))
     except (OSError, KeyError, ValueError, RuntimeError) as error:
         if isinstance(error, FileTrouble):
             raise
@@ -85,7 +111,7 @@ def _read(value: Any) -> Any:
         return {key: _read(inner) for key, inner in value.items()}
     if isinstance(value, list):
         return [_read(inner) for inner in value]
-    return value[()] if hasattr(value, "asstr") else value
+    return value[()] if isinstance(value, Stored) else value
 
 
 def decode(source) -> dict:

@@ -2,7 +2,8 @@
 
 A short run keeps its rows in memory and writes them once. A long one sets them down in piece files at every checkpoint,
 each whole or not at all; a checkpoint names the pieces that belong to it, so `resume` forgets the later ones. How the rows
-were cut into pieces leaves no trace in the result, and however many there are, one column of one piece is in memory at a time.
+were cut into pieces leaves no trace in the result. However many there are, no more than IN_MEMORY, or one column of one piece, is in
+memory at a time.
 """
 
 import contextlib
@@ -19,6 +20,7 @@ from hugoniot.output.codec import opened, store
 
 TABLES = ("snapshots", "gauges", "budget")
 SPILL_BYTES = 64_000_000
+IN_MEMORY = 2 * SPILL_BYTES     # pieces that are no more together are read once, and not anew for every column
 _PIECE = re.compile(r"\d{6,}\.h5|\.\d{6,}\.h5\.part")
 
 
@@ -129,6 +131,7 @@ class Series:
         """All rows, from the pieces and from memory, as {table: Table}, and all events. `FileTrouble` if a piece was changed."""
         sources: dict[str, list] = {name: [] for name in TABLES}
         events: list[dict] = []
+        small = sum(_size(self.folder / name) for name, _ in self.pieces) <= IN_MEMORY
         for name, wanted in self.pieces:
             path = self.folder / name
             if not self._sound(name, wanted):
@@ -136,7 +139,8 @@ class Series:
             with opened(path) as piece:
                 for table, columns in piece["tables"].items():
                     if columns:
-                        sources[table].append(_stored(path, table, columns))
+                        held = {column: values[()] for column, values in columns.items()} if small else {}
+                        sources[table].append(_held(held) if small else _stored(path, table, columns))
                 events += piece["events"]
         for table in TABLES:
             sources[table] += [_held(block) for block in self._blocks[table]]
@@ -146,6 +150,14 @@ class Series:
         """Remove the pieces from the disk, once their rows stand in the result."""
         self.keep([])
         remove_folder(self.folder)
+
+
+def _size(path: pathlib.Path) -> int:
+    """Bytes of a file; more than any memory where it cannot be looked at."""
+    try:
+        return path.stat().st_size
+    except OSError:
+        return 2**62
 
 
 def _described(columns: Mapping) -> tuple[dict, dict]:
