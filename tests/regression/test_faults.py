@@ -223,6 +223,39 @@ def test_refused_at_every_file_operation_the_run_says_so_and_can_be_resumed(whol
     check_refusals(whole, tmp_path, range(operations(tmp_path)), number)
 
 
+# -- memory that is refused ---------------------------------------------------------------------------------------------
+def check_refused_memory(whole, tmp_path, places):
+    """One request for memory is refused, the k-th from the start of the run: no crash, nothing lost."""
+    testing = pytest.importorskip("_testcapi", reason="this Python cannot refuse memory")
+
+    def begin_in_want(folder, k):
+        testing.set_nomemory(k, k + 1)
+        try:
+            begin(folder)
+        except (MemoryError, HugoniotError, SystemError):
+            return
+        finally:
+            testing.remove_mem_hooks()
+
+    for k in places:
+        folder = tmp_path / f"memory{k}"
+        status = in_a_copy_of_this_process(lambda: begin_in_want(folder, k))  # noqa: B023
+        assert not os.WIFSIGNALED(status), k
+        if folder.exists():
+            go_on(folder)
+            assert same_bytes(whole, folder), k
+            shutil.rmtree(folder)
+
+
+def test_refused_memory_at_some_places_the_run_can_be_resumed(whole, tmp_path):
+    check_refused_memory(whole, tmp_path, range(1000, 60_000, 12_000))
+
+
+@slow
+def test_refused_memory_at_a_thousand_places_the_run_can_be_resumed(whole, tmp_path):
+    check_refused_memory(whole, tmp_path, range(0, 100_000, 100))
+
+
 # -- flipped bits -----------------------------------------------------------------------------------------------------
 def check_flips_of_a_finished_run(whole, tmp_path, count):
     """Each is found by `verify`; one in the result or the summary stops its reading as well."""

@@ -152,6 +152,10 @@ def guarded(function: Callable) -> Callable:
             raise typer.Exit(0) from None
         except (typer.Exit, typer.Abort, SystemExit):
             raise
+        except MemoryError:
+            typer.echo("error: out of memory; take fewer zones or snapshots (hugoniot check estimates both). A run that has written a "
+                       "checkpoint can be resumed", err=True)
+            raise typer.Exit(4) from None
         except OSError as error:
             typer.echo(f"error: {error.filename or 'output'}: {error.strerror or error}", err=True)
             raise typer.Exit(4) from None

@@ -105,7 +105,7 @@ def test_a_mistyped_command_is_corrected(capsys):
 
 @pytest.mark.parametrize("error, code", [
     (DeckError.single("d.toml", 3, "x", "bad"), 2), (UnphysicalState("tangled"), 3), (FileTrouble("no such file"), 4), (PermissionError(13, "denied"), 4),
-    (KeyboardInterrupt(), 130), (ZeroDivisionError("oh"), 1),
+    (MemoryError(), 4), (KeyboardInterrupt(), 130), (ZeroDivisionError("oh"), 1),
 ])
 def test_every_error_ends_with_its_code_and_no_traceback(error, code, capsys, monkeypatch):
     def command():
