@@ -51,3 +51,31 @@ def sweep(deck: str | os.PathLike | None = None, vary: Mapping[str, Any] | Seque
     tie = [tie] if isinstance(tie, str) else list(tie)
     swept = run_sweep(deck, Wishes(vary=texts(vary), tie=tie, **wishes), out, materials=materials, workers=workers, report=report)
     return open_sweep(swept.folder / TABLE)
+
+
+def fit(deck: str | os.PathLike, to: Sequence[str] | str, free: Mapping[str, str] | Sequence[str] | str, *, tie: Sequence[str] = (),
+        out: Any = None, workers: int | None = None, materials: Sequence = (), **wishes):
+    """Find constants of a deck from measured records; a Dataset of the parameters with intervals and correlations.
+
+    to       files of measured records, or numbers such as "free surface.arrival = 0.69 +- 0.01 us"
+    free     {"material.ta.fracture.strength": "1..8 GPa"}, or texts
+    out      folder (default: the deck's name with .fit); False writes nothing
+    wishes   gauge, sigma, window, shift, scale, loss, starts, seed, profile, local: see `campaign.run_fit.FitWishes`
+
+    SI. The attributes hold the reduced chi-square, whether the model `matches`, and `doubts` to be read before a value is used; the
+    fitted deck is the attribute `deck`. Raises `DeckError`, `FileTrouble`, `NoSolution`.
+    """
+    import xarray
+
+    from hugoniot.campaign.run_fit import FitWishes, run_fit
+
+    asked = FitWishes([str(to)] if isinstance(to, (str, os.PathLike)) else [str(each) for each in to], texts(free),
+                      [tie] if isinstance(tie, str) else list(tie), **wishes)
+    found = run_fit(deck, asked, out, workers=workers, materials=materials)
+    rows = found.fit.parameters
+    columns = {name: ("parameter", [getattr(row, name) for row in rows])
+               for name in ("value", "sigma", "low", "high", "profile_low", "profile_high", "at_end", "unit")}
+    names = [row.name for row in rows]
+    return xarray.Dataset({**columns, "correlation": (("parameter", "other"), found.fit.correlation)}, {"parameter": names, "other": names},
+                          {"reduced_chi_square": found.fit.reduced, "degrees_of_freedom": found.fit.freedom, "runs": found.fit.runs,
+                           "matches": int(found.fit.matches), "doubts": "\n".join(found.fit.doubts), "deck": found.deck})
