@@ -142,6 +142,39 @@ def local(workers: int | None = None, time_limit: float | None = None) -> Callab
     return lambda question, known: LocalPool(question, workers or cores(), known, time_limit)
 
 
+def engine_of(name: str = "local", scheduler: str | None = None, workers: int | None = None, time_limit: float | None = None,
+              tell: Callable[[str], None] | None = None) -> Callable:
+    """The engine that is asked for: "local", or "dask" with the address of a scheduler or workers of this machine.
+
+    tell   given the address of the scheduler's dashboard
+    """
+    if name == "local":
+        if scheduler is not None:
+            raise refuse("--scheduler", scheduler, "local workers have no scheduler", "add --engine dask")
+        return local(workers, time_limit)
+    if name != "dask":
+        raise refuse("--engine", name, "unknown engine", "known: local, dask")
+    if time_limit is not None:
+        raise refuse("--time-limit", "", "the workers of a cluster are not ended at a time limit", "leave it out, or use --engine local")
+    if scheduler is not None and workers is not None:
+        raise refuse("--workers", str(workers), "a scheduler has its own workers", "leave out one of them")
+    local(workers)      # checks the number
+
+    def entered(question, known):
+        from hugoniot.campaign.dask_pool import DaskPool
+
+        class Told(DaskPool):
+            def __enter__(self):
+                super().__enter__()
+                if tell is not None and self.dashboard:
+                    tell(self.dashboard)
+                return self
+
+        return Told(question, workers or cores(), known, scheduler)
+
+    return entered
+
+
 def run_sweep(path, wishes: Wishes, out=None, *, engine: Callable | None = None, materials: Sequence = (), workers: int | None = None,
               show: Callable[[Progress], None] | None = None, report: bool = True) -> Swept:
     """Do what was wished for of a deck, a sweep file, or None for a match; writes the folder `out` (default: the deck's name and .sweep).

@@ -29,6 +29,8 @@ def command(
     keep: Annotated[bool, typer.Option("--keep", help="Keep the run folder of every case.")] = False,
     time_limit: Annotated[float | None, typer.Option("--time-limit", help="Seconds a case may take.")] = None,
     workers: Annotated[int | None, typer.Option("--workers", "-w", help="Worker processes (default: one for each processor).")] = None,
+    engine: Annotated[str, typer.Option("--engine", help="local, or dask for clusters.")] = "local",
+    scheduler: Annotated[str | None, typer.Option("--scheduler", help="Address of a Dask scheduler, such as tcp://10.0.0.1:8786.")] = None,
     out: Annotated[Path | None, typer.Option("--out", "-o", help="Folder to write (default: DECK.sweep).")] = None,
     plot: Annotated[Path | None, typer.Option("--plot", help="Picture to write, such as sweep.png.")] = None,
     materials: MATERIALS = None,
@@ -50,7 +52,7 @@ def command(
 
     Example: hugoniot sweep flyer.toml --vary "region.flyer.velocity = 300..1200 m/s : 10"
     """
-    from hugoniot.campaign.ask import Wishes, run_sweep
+    from hugoniot.campaign.ask import Wishes, engine_of, run_sweep
 
     wishes = Wishes(None, None if match is None else [part.strip() for part in match.split(",") if part.strip()], list(vary or ()),
                     list(tie or ()), design, samples, seed, list(output or ()), list(record or ()), keep, time_limit)
@@ -58,9 +60,10 @@ def command(
         from hugoniot.cli.plot import drawable
 
         drawable(plot, "sweep", "--plot")
+    chosen = None if engine == "local" and scheduler is None else engine_of(engine, scheduler, workers, time_limit, _tell_dashboard)
     with _display(quiet or as_json) as show:
         try:
-            swept = run_sweep(deck, wishes, out, materials=materials or (), workers=workers, show=show, report=report)
+            swept = run_sweep(deck, wishes, out, engine=chosen, materials=materials or (), workers=workers, show=show, report=report)
         except KeyboardInterrupt:
             typer.echo("interrupted; what has run is kept, the same command goes on", err=True)
             raise typer.Exit(130) from None
@@ -70,6 +73,10 @@ def command(
 
         save(sweep_figure(swept.table), plot)
     echo_json(_record(swept)) if as_json else _echo(swept)
+
+
+def _tell_dashboard(address: str) -> None:
+    typer.echo(f"dashboard of the cluster: {address}", err=True)
 
 
 def _record(swept) -> dict:
