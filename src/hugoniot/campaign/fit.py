@@ -25,6 +25,7 @@ import numpy as np
 from scipy import optimize, stats
 
 from hugoniot.campaign.plan import Plan
+from hugoniot.campaign.planes import RHO, WEIGHT, Minimum, Plane, through
 from hugoniot.campaign.targets import Target
 from hugoniot.campaign.variables import Variable
 from hugoniot.errors import NoSolution
@@ -32,24 +33,11 @@ from hugoniot.errors import NoSolution
 REACH = 0.06          # of a range: how far the first sample of a search goes
 LEAST_REACH = 2e-4    # of a range, the last one
 LEAST_SAMPLE = 10     # points of a sample
-TRUST = 8.0           # rise of the sum of squares for each parameter at which a point of a sample counts half
-RANGES_KNOWN = 3.0    # standard deviation, in ranges, of a parameter of which the data say nothing
 ROUNDS = 14           # of one search, at most
 POPULATION, GENERATIONS = 6, 25    # of differential evolution: members for each parameter
 PRIOR_ENDS = 5.0      # standard deviations of a prior within which is sought
 PER_PARAMETER = 8     # sampled starting points for each parameter
-LOSSES = ("linear", "soft_l1", "huber", "cauchy")
 SAME = 0.05           # of a range: minima that are nearer are one
-
-
-_RHO: dict[str, Callable] = {
-    "linear": lambda z: z, "soft_l1": lambda z: 2.0 * (np.sqrt(1.0 + z) - 1.0),
-    "huber": lambda z: np.where(z <= 1.0, z, 2.0 * np.sqrt(z) - 1.0), "cauchy": np.log1p,
-}
-WEIGHT: dict[str, Callable] = {
-    "linear": np.ones_like, "soft_l1": lambda z: 1.0 / np.sqrt(1.0 + z), "cauchy": lambda z: 1.0 / (1.0 + z),
-    "huber": lambda z: np.where(z <= 1.0, 1.0, 1.0 / np.sqrt(np.maximum(z, 1.0))),
-}
 
 
 @dataclass(frozen=True)
@@ -82,65 +70,6 @@ class Free:
             return None
         share = math.log(value / low) / math.log(high / low) if self.variable.kind == "log" else (value - low) / (high - low)
         return self.ends[0] + share * (self.ends[1] - self.ends[0])
-
-
-@dataclass(frozen=True)
-class Minimum:
-    """Where a search ended.
-
-    x        coordinates of all parameters; cost the sum of squares there
-    slopes   (nresidual, nparameter) of the residuals, `weight` (nresidual,) of the loss
-    rough    (npoint, nresidual) how residuals near by stray from a plane, weighted so that their squares add up to the mean square
-    """
-
-    x: np.ndarray
-    cost: float
-    slopes: np.ndarray
-    weight: np.ndarray
-    rough: np.ndarray
-    settled: bool
-
-
-
-def covariance(found: "Minimum | _Plane", inflated: float = 1.0) -> np.ndarray:
-    """Of the coordinates: from the noise of the data (its variance times `inflated`), and from the small jumps of the runs."""
-    count = found.slopes.shape[1]
-    # what the data say nothing about is known to a few ranges
-    normal = np.linalg.inv(found.slopes.T @ (found.weight[:, None] * found.slopes) + np.eye(count) / RANGES_KNOWN**2)
-    strayed = found.rough @ (found.weight[:, None] * found.slopes) @ normal
-    return inflated * normal + strayed.T @ strayed
-
-
-@dataclass(frozen=True)
-class _Plane:
-    """Residuals near a point as a plane: offset (nresidual,), slopes (nresidual, nparameter); weight and rough as of `Minimum`."""
-
-    offset: np.ndarray
-    slopes: np.ndarray
-    weight: np.ndarray
-    rough: np.ndarray
-
-    @classmethod
-    def nothing(cls, count: int) -> "_Plane":
-        return cls(np.zeros(0), np.zeros((0, count)), np.zeros(0), np.zeros((0, 0)))
-
-    def spread(self) -> np.ndarray:
-        """Standard deviations of the coordinates with the scatter of the residuals here, and with their jumps."""
-        scatter = float(np.sum(self.weight * self.offset**2)) / max(self.offset.size - self.slopes.shape[1], 1)
-        return np.sqrt(np.maximum(np.diag(covariance(self, max(scatter, 1.0))), 0.0))
-
-    def step(self, x: np.ndarray, ends: tuple[np.ndarray, np.ndarray], most: np.ndarray, fixed: Sequence[int]) -> np.ndarray:
-        """Where the plane has its least squares, within `most` of x and within the ends."""
-        moving = [k for k in range(len(x)) if k not in fixed]
-        step = np.zeros(len(x))
-        if not moving:
-            return step
-        root = np.sqrt(self.weight)
-        least, largest = np.maximum(ends[0] - x, -most)[moving], np.minimum(ends[1] - x, most)[moving]
-        found = optimize.lsq_linear(root[:, None] * self.slopes[:, moving], -root * self.offset,
-                                    (np.minimum(least, -1e-12), np.maximum(largest, 1e-12)))
-        step[moving] = found.x
-        return np.clip(x + step, *ends) - x
 
 
 @dataclass
@@ -220,10 +149,10 @@ class Problem:
     def cost(self, x: np.ndarray, answer: dict | None = None) -> float:
         """The sum of squares with the loss."""
         squares = self.residuals(x, answer) ** 2
-        return float(np.sum(_RHO[self.loss](squares)))
+        return float(np.sum(RHO[self.loss](squares)))
 
     # -- searches ------------------------------------------------------------------------------------------------------
-    def search(self, start: np.ndarray, fixed: Sequence[int] = (), rounds: int = ROUNDS, reach: np.ndarray | None = None) -> "Minimum":
+    def search(self, start: np.ndarray, fixed: Sequence[int] = (), rounds: int = ROUNDS, reach: np.ndarray | None = None) -> Minimum:
         """The minimum near a start; coordinates `fixed` stay. `reach` is how far the first sample goes (a share of the ranges by default).
 
         Each round samples the parameters round the best point, fits a plane to the residuals over the sample, and goes where that plane
@@ -234,7 +163,7 @@ class Problem:
         moving = np.array([k for k in range(count) if k not in fixed], dtype=int)
         x = np.array(start, dtype=float) if fixed else self.with_best_nuisance(np.array(start, dtype=float))
         reach = REACH * (high - low) if reach is None else np.array(reach)
-        best, quiet, plane = self.cost(x), 0, _Plane.nothing(len(x))
+        best, quiet, plane = self.cost(x), 0, Plane.nothing(len(x))
         for k in range(rounds):
             sample = self._sample(x, moving, reach, k)
             plane = self._plane(x, moving, sample)
@@ -273,27 +202,20 @@ class Problem:
         self.answers([x, *points])
         return points
 
-    def _plane(self, x: np.ndarray, moving: np.ndarray, sample: list[np.ndarray]) -> "_Plane":
+    def _plane(self, x: np.ndarray, moving: np.ndarray, sample: list[np.ndarray]) -> Plane:
         """The plane through the residuals of a sample round x; slopes in shifts and scales need no runs."""
         here = self.residuals(x)
         slopes = np.zeros((here.size, len(x)))
         offset, rough = here, np.zeros((0, here.size))
         if len(moving):
-            away = np.array([np.zeros(len(moving)), *(point[moving] - x[moving] for point in sample)])
-            found = np.array([here, *(self.residuals(point) for point in sample)])
-            excess = np.maximum(np.sum(found**2, axis=1) - np.min(np.sum(found**2, axis=1)), 0.0)
-            scatter = max(1.0, float(np.min(np.sum(found**2, axis=1))) / max(here.size, 1))
-            trust = 1.0 / (1.0 + excess / (TRUST * scatter * (len(moving) + 1)))       # what lies beyond a jump counts little
-            columns = np.sqrt(trust)[:, None] * np.column_stack([np.ones(len(away)), away])
-            solved = np.linalg.lstsq(columns, np.sqrt(trust)[:, None] * found, rcond=None)[0]
-            offset, slopes[:, moving] = solved[0], solved[1:].T
-            rough = np.sqrt(trust / np.sum(trust))[:, None] * (found - offset - away @ solved[1:])
+            away = np.array([point[moving] - x[moving] for point in sample])
+            offset, slopes[:, moving], rough = through(here, away, np.array([self.residuals(point) for point in sample]))
         answer = self.answers([x])[0]
         for k in range(len(self.free), len(x)):
             ahead, behind = _moved(x, k, x[k] + 1e-4), _moved(x, k, x[k] - 1e-4)
             slopes[:, k] = (self.residuals(ahead, answer) - self.residuals(behind, answer)) / 2e-4
         weight = WEIGHT[self.loss](offset**2)
-        return _Plane(offset, slopes, weight, rough)
+        return Plane(offset, slopes, weight, rough)
 
     def widely(self, starts: Sequence[np.ndarray], seed: int) -> np.ndarray:
         """The best point that differential evolution finds over the whole ranges, beginning with `starts` and a sample."""

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import stats
 
-from hugoniot.campaign.fit import WEIGHT, Minimum, Problem, covariance
+from hugoniot.campaign.fit import Problem
+from hugoniot.campaign.planes import WEIGHT, Minimum, covariance
 
 LEVEL = 0.95
 RISE = float(stats.chi2.ppf(LEVEL, 1))

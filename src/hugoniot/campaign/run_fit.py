@@ -17,9 +17,10 @@ import numpy as np
 
 from hugoniot.campaign.ask import Wishes, local, read_asked
 from hugoniot.campaign.designs import Design
-from hugoniot.campaign.fit import LOSSES, Free, Problem
+from hugoniot.campaign.fit import Free, Problem
 from hugoniot.campaign.fit_results import Fit, likely, weighed
 from hugoniot.campaign.plan import Plan, given, ties_of
+from hugoniot.campaign.planes import LOSSES
 from hugoniot.campaign.questions import Deck
 from hugoniot.campaign.targets import Target, read_targets
 from hugoniot.campaign.variables import read_variable, refuse
