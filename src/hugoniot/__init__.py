@@ -1,6 +1,7 @@
 """hugoniot: a shock-physics workbench.
 
-`run` runs a deck, `resume` continues a run, `load` opens a run folder, `sweep` runs a deck many times; `Run` and `Problem` are what they give and take. Tools without
+`run` runs a deck, `resume` continues a run, `load` opens a run folder, `sweep` runs a deck many times, `fit` finds constants of a deck from
+measured records; `Run` and `Problem` are what they give and take. Tools without
 a mesh stand in `hugoniot.theory`, materials in `hugoniot.materials.library`, exact solutions in `hugoniot.theory.exact`.
 """
 
@@ -9,12 +10,12 @@ from typing import TYPE_CHECKING
 from hugoniot.version import __version__
 
 if TYPE_CHECKING:
-    from hugoniot.campaign.api import sweep
+    from hugoniot.campaign.api import fit, sweep
     from hugoniot.plotting import Run, load
     from hugoniot.problem.model import Problem
     from hugoniot.simulate import resume, run
 
-__all__ = ["Problem", "Run", "__version__", "load", "resume", "run", "sweep"]
+__all__ = ["Problem", "Run", "__version__", "fit", "load", "resume", "run", "sweep"]
 
 
 def __getattr__(name: str):
@@ -23,7 +24,7 @@ def __getattr__(name: str):
         from hugoniot import simulate as holder
     elif name in ("Run", "load"):
         from hugoniot import plotting as holder
-    elif name == "sweep":
+    elif name in ("fit", "sweep"):
         from hugoniot.campaign import api as holder
     elif name == "Problem":
         from hugoniot.problem import model as holder

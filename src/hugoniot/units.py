@@ -7,6 +7,7 @@ name, never an expression, is looked up in `pint`, which is imported only then (
 """
 
 import difflib
+import functools
 import math
 import numbers
 import re
@@ -112,6 +113,7 @@ def powers_of(text: str) -> tuple[float, tuple[int, ...]]:
     return _to_float(number, found.factor, Decimal(0), text), found.powers
 
 
+@functools.lru_cache(maxsize=512)
 def si_name(unit: str) -> str:
     """The SI unit of the kind of a unit: "Pa" for "GPa", "kg/m^3" for "g/cm^3". Raises `UnitError`."""
     powers = _KELVIN if unit in _OFFSET else _read_unit(unit).powers if unit else _NONE
@@ -175,6 +177,7 @@ def _to_float(number: str, factor: Decimal, offset: Decimal, text: str) -> float
     return result
 
 
+@functools.lru_cache(maxsize=512)      # a deck names the same units over and over, and a sweep reads it thousands of times
 def _read_unit(text: str) -> Unit:
     """A unit expression: names with powers, joined by `*`, `·`, a space or `/`, with brackets."""
     tokens, position = [], 0

@@ -9,7 +9,8 @@ import pytest
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SCRIPTS = sorted(path.name for path in EXAMPLES.glob("plot_*.py"))
-HEAVY = ["plot_06_noh.py", "plot_20_pulsating_detonation.py"]     # compile what no other test of this folder needs
+# compile what no other test of this folder needs, or make hundreds of runs
+HEAVY = ["plot_06_noh.py", "plot_20_pulsating_detonation.py", "plot_22_spall_fit.py", "plot_23_sobol_flyer.py"]
 # what a script prints, by a pattern with one number, and where that number must lie
 PROMISED = {
     "plot_01_spalling_flyer.py": [(r"largest tension ([\d.]+) GPa", 0.99, 1.05), (r"voids (\d+)", 1, 1), (r"Kanel ([\d.]+) GPa", 0.8, 1.05)],
@@ -29,6 +30,11 @@ PROMISED = {
     "plot_17_open_sandwich.py": [(r"M/C 0.2 +(\d+) m/s", 3062, 3384), (r"M/C 1 +(\d+) m/s", 1423, 1573), (r"M/C 5 +(\d+) m/s", 401, 443)],
     "plot_18_overdriven.py": [(r"front +(\d+) m/s", 8458, 8508), (r"pressure ([\d.]+) GPa", 50.25, 50.75)],
     "plot_19_porous_loop.py": [(r"unloading: (\d+) m/s", 5200, 5500), (r"compaction ([\d.]+)", 0.684, 0.692), (r"curve ([\d.]+)", 0.684, 0.692)],
+    "plot_21_attenuation.py": [(r"1.2 km/s.*: (\S+) without", 0.80, 1.06), (r"1.2 km/s.* (\S+) with\n", 0.55, 0.90)],
+    "plot_22_spall_fit.py": [(r"chi-square ([\d.]+)", 0.8, 1.25), (r"velocity: .* away ([\d.]+) sigma", 0.0, 3.5),
+                             (r"fracture.strength: .* away ([\d.]+) sigma", 0.0, 3.5), (r"shift: .* away ([\d.]+) sigma", 0.0, 3.5)],
+    "plot_23_sobol_flyer.py": [(r"arrival at 2 mm: mostly material.al.eos.c0, total index ([\d.]+)", 0.6, 1.1),
+                               (r"free-surface velocity: mostly region.flyer.velocity, total index ([\d.]+)", 0.6, 1.15)],
     "plot_20_pulsating_detonation.py": [(r"period ([\d.]+)", 7.3, 7.5), (r"crests ([\d.]+)", 97.5, 99.7)],
 }
 

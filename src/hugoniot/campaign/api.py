@@ -4,7 +4,7 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from hugoniot.campaign.ask import Wishes, run_sweep
+from hugoniot.campaign.ask import Wishes, engine_of, run_sweep
 from hugoniot.campaign.sweep import TABLE
 from hugoniot.output.sweep_file import open_sweep
 
@@ -36,7 +36,8 @@ def _listed(values) -> str:
 
 
 def sweep(deck: str | os.PathLike | None = None, vary: Mapping[str, Any] | Sequence[str] | str = (), *, tie: Sequence[str] = (),
-          out: str | os.PathLike | None = None, workers: int | None = None, materials: Sequence = (), report: bool = True, **wishes):
+          out: str | os.PathLike | None = None, workers: int | None = None, engine: str = "local", scheduler: str | None = None,
+          materials: Sequence = (), report: bool = True, **wishes):
     """Run a deck with some of its keys varied, and give the table as an xarray Dataset with the parameters as coordinates.
 
     deck       path of a deck, or of a file with a [sweep] table; None for a match
@@ -44,10 +45,41 @@ def sweep(deck: str | os.PathLike | None = None, vary: Mapping[str, Any] | Seque
     tie        texts such as "region.target.to = region.flyer.to + 4 mm"
     out        folder (default: the deck's name with .sweep); what stands there is not run again
     workers    processes (default: one for each processor)
+    engine     "local", or "dask" with the address of a `scheduler` or workers of this machine
     wishes     design, samples, seed, match, output, record, keep, time_limit: see `campaign.ask.Wishes`
 
     Results are SI, not-a-number where a case failed; `reason` says why. Raises `DeckError` and `FileTrouble`.
     """
     tie = [tie] if isinstance(tie, str) else list(tie)
-    swept = run_sweep(deck, Wishes(vary=texts(vary), tie=tie, **wishes), out, materials=materials, workers=workers, report=report)
+    chosen = None if (engine, scheduler) == ("local", None) else engine_of(engine, scheduler, workers, wishes.get("time_limit"))
+    asked = Wishes(vary=texts(vary), tie=tie, **wishes)
+    swept = run_sweep(deck, asked, out, engine=chosen, materials=materials, workers=workers, report=report)
     return open_sweep(swept.folder / TABLE)
+
+
+def fit(deck: str | os.PathLike, to: Sequence[str] | str, free: Mapping[str, str] | Sequence[str] | str, *, tie: Sequence[str] = (),
+        out: Any = None, workers: int | None = None, materials: Sequence = (), **wishes):
+    """Find constants of a deck from measured records; a Dataset of the parameters with intervals and correlations.
+
+    to       files of measured records, or numbers such as "free surface.arrival = 0.69 +- 0.01 us"
+    free     {"material.ta.fracture.strength": "1..8 GPa"}, or texts
+    out      folder (default: the deck's name with .fit); False writes nothing
+    wishes   gauge, sigma, window, shift, scale, loss, starts, seed, profile, local: see `campaign.run_fit.FitWishes`
+
+    SI. The attributes hold the reduced chi-square, whether the model `matches`, and `doubts` to be read before a value is used; the
+    fitted deck is the attribute `deck`. Raises `DeckError`, `FileTrouble`, `NoSolution`.
+    """
+    import xarray
+
+    from hugoniot.campaign.run_fit import FitWishes, run_fit
+
+    asked = FitWishes([str(to)] if isinstance(to, (str, os.PathLike)) else [str(each) for each in to], texts(free),
+                      [tie] if isinstance(tie, str) else list(tie), **wishes)
+    found = run_fit(deck, asked, out, workers=workers, materials=materials)
+    rows = found.fit.parameters
+    columns = {name: ("parameter", [getattr(row, name) for row in rows])
+               for name in ("value", "sigma", "low", "high", "profile_low", "profile_high", "at_end", "unit")}
+    names = [row.name for row in rows]
+    return xarray.Dataset({**columns, "correlation": (("parameter", "other"), found.fit.correlation)}, {"parameter": names, "other": names},
+                          {"reduced_chi_square": found.fit.reduced, "degrees_of_freedom": found.fit.freedom, "runs": found.fit.runs,
+                           "matches": int(found.fit.matches), "doubts": "\n".join(found.fit.doubts), "deck": found.deck})

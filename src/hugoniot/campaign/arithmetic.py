@@ -31,9 +31,11 @@ class Number(NamedTuple):
     value: float
     powers: tuple[int, ...] | None = None
 
-    def text(self) -> float | str:
+    def text(self) -> float | int | str:
         """What a deck says for it: a bare number, or a text with base units."""
-        return self.value if self.powers is None or self.powers == _PLAIN else f"{self.value!r} {self._base()}"
+        if self.powers is not None and self.powers != _PLAIN:
+            return f"{self.value!r} {self._base()}"
+        return int(self.value) if self.value.is_integer() and abs(self.value) < 1e15 else self.value     # counts of zones are whole
 
     def unit(self) -> str:
         """Name of its SI unit; "1" for a bare number."""
@@ -125,7 +127,7 @@ class Expression:
         raise Trouble(f"'{printable(self.text, 60)}' has something that no expression here may have", EXAMPLE)
 
 
-EXAMPLE = "write it like region.flyer.to + 2 * thickness, with + - * / ** and " + ", ".join(("sqrt", "exp", "log", "abs", "min", "max"))
+EXAMPLE = "write it like region.flyer.to + 2 * thickness, with + - * / ** and sqrt, exp, log, abs, round, min, max"
 
 
 def _combined(op: ast.operator, a: Number, b: Number) -> Number:
@@ -194,7 +196,7 @@ FUNCTIONS: dict[str, Callable[[list[Number]], Number]] = {
     "abs": lambda given: Number(abs(given[0].value), given[0].powers),
     "exp": lambda given: Number(math.exp(_plain("exp", given[0]))),
     "log": lambda given: Number(math.log(_plain("log", given[0])) if _plain("log", given[0]) > 0.0 else math.nan),
-    "min": _extreme(min), "max": _extreme(max),
+    "min": _extreme(min), "max": _extreme(max), "round": lambda given: Number(float(round(_plain("round", given[0])))),
 }
 
 

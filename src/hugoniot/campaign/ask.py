@@ -1,12 +1,14 @@
 """From what a user says (command line, Python, [sweep] table) to a plan and its answer."""
 
+import contextlib
 import os
 import pathlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any
 
-from hugoniot.campaign.designs import Design, design_of
+from hugoniot.campaign.arithmetic import Trouble
+from hugoniot.campaign.designs import KINDS, Design, design_of
 from hugoniot.campaign.plan import Plan, sweep_table, ties_of
 from hugoniot.campaign.pool import LocalPool
 from hugoniot.campaign.questions import Deck, Match
@@ -15,6 +17,7 @@ from hugoniot.campaign.variables import read_variable, refuse
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.materials.collect import nearest
 from hugoniot.report import write_or_note
+from hugoniot.units import UnitError, parse
 from hugoniot.version import __version__
 
 
@@ -24,7 +27,7 @@ class Wishes:
 
     deck        path of the deck that is varied; match: names of the layers of an impedance match instead
     vary        texts as of `variables.read_variable`; tie: as of `plan.ties_of`
-    design      "grid", "sobol", "lhs" or the path of a table of cases; samples, seed: of the sampled ones
+    design      "grid", "sobol", "lhs", "saltelli", "morris" or the path of a table of cases; samples, seed: of the sampled ones
     output      patterns of the results wanted; record: "GAUGE.field" of which every case keeps a record
     keep        keep the full run folders
     time_limit  seconds a case may take (compiling apart)
@@ -142,6 +145,51 @@ def local(workers: int | None = None, time_limit: float | None = None) -> Callab
     return lambda question, known: LocalPool(question, workers or cores(), known, time_limit)
 
 
+def longest(plan: Plan, until: float) -> float:
+    """The latest stop_time of all cases where the sweep changes it, else that of the deck: how far records go."""
+    names = [variable.name for variable in plan.design.variables] + [tie.key for tie in plan.ties]
+    if "stop_time" not in names:
+        return until
+    found = []
+    for case in range(len(plan)):
+        with contextlib.suppress(Trouble, UnitError):
+            found.append(parse(plan.changes(case)["stop_time"], "s"))
+    return max(found, default=until)
+
+
+def engine_of(name: str = "local", scheduler: str | None = None, workers: int | None = None, time_limit: float | None = None,
+              tell: Callable[[str], None] | None = None) -> Callable:
+    """The engine that is asked for: "local", or "dask" with the address of a scheduler or workers of this machine.
+
+    tell   given the address of the scheduler's dashboard
+    """
+    if name == "local":
+        if scheduler is not None:
+            raise refuse("--scheduler", scheduler, "local workers have no scheduler", "add --engine dask")
+        return local(workers, time_limit)
+    if name != "dask":
+        raise refuse("--engine", name, "unknown engine", "known: local, dask")
+    if time_limit is not None:
+        raise refuse("--time-limit", "", "the workers of a cluster are not ended at a time limit", "leave it out, or use --engine local")
+    if scheduler is not None and workers is not None:
+        raise refuse("--workers", str(workers), "a scheduler has its own workers", "leave out one of them")
+    local(workers)      # checks the number
+
+    def entered(question, known):
+        from hugoniot.campaign.dask_pool import DaskPool
+
+        class Told(DaskPool):
+            def __enter__(self):
+                super().__enter__()
+                if tell is not None and self.dashboard:
+                    tell(self.dashboard)
+                return self
+
+        return Told(question, workers or cores(), known, scheduler)
+
+    return entered
+
+
 def run_sweep(path, wishes: Wishes, out=None, *, engine: Callable | None = None, materials: Sequence = (), workers: int | None = None,
               show: Callable[[Progress], None] | None = None, report: bool = True) -> Swept:
     """Do what was wished for of a deck, a sweep file, or None for a match; writes the folder `out` (default: the deck's name and .sweep).
@@ -153,9 +201,11 @@ def run_sweep(path, wishes: Wishes, out=None, *, engine: Callable | None = None,
     folder = pathlib.Path(out or (f"{source.stem}.sweep" if source else "match.sweep"))
     question = question_for(wishes, text, source, materials, folder / "runs" if wishes.keep else None)
     plan = plan_of(wishes, question)
+    if wishes.record and isinstance(question, Deck):
+        question.until = longest(plan, question.until)
     swept = sweep(plan, folder, engine=engine or local(workers, wishes.time_limit), outputs=wishes.output, show=show, words=wishes.words())
     title = f"Sweep of {source.name}" if source and wishes.match is None else f"Impedance match of {', '.join(wishes.match or ())}"
-    asked = "\n".join([*wishes.vary, *wishes.tie, *([] if wishes.design in ("grid", "sobol", "lhs") else [f"cases of {wishes.design}"])])
+    asked = "\n".join([*wishes.vary, *wishes.tie, *([] if wishes.design in KINDS else [f"cases of {wishes.design}"])])
     if report:
         write_or_note(folder, lambda place: _report(place, swept, title, asked))
     return swept
@@ -164,4 +214,4 @@ def run_sweep(path, wishes: Wishes, out=None, *, engine: Callable | None = None,
 def _report(folder, swept: Swept, title: str, asked: str) -> None:
     from hugoniot.report.sweep_page import write_sweep_report
 
-    write_sweep_report(folder, swept.table, title, asked, __version__)
+    write_sweep_report(folder, swept.table, title, asked, __version__, swept.analysis.sensitivity if swept.analysis else None)

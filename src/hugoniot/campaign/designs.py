@@ -1,4 +1,5 @@
-"""Which cases a sweep has: every combination (grid), samples of the ranges (sobol, lhs) or the rows of a table.
+"""Which cases a sweep has: every combination (grid), samples of the ranges (sobol, lhs), samples made for sensitivity indices (saltelli,
+morris) or the rows of a table.
 
 A design says what share of each variable's range a case has; seeds are kept, so the same design comes again. Source of the samples:
 `scipy.stats.qmc` (I. M. Sobol', USSR Comput. Math. Math. Phys. 7 (1967) 86; M. D. McKay, R. J. Beckman, W. J. Conover,
@@ -18,7 +19,7 @@ from hugoniot.campaign.variables import Variable, of_column, refuse
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.files import read_text
 
-KINDS = ("grid", "sobol", "lhs")
+KINDS = ("grid", "sobol", "lhs", "saltelli", "morris")
 MOST = 1_000_000     # cases of one sweep
 
 
@@ -26,7 +27,7 @@ MOST = 1_000_000     # cases of one sweep
 class Design:
     """The cases of a sweep.
 
-    kind        "grid", "sobol", "lhs", "table" or "shares"
+    kind        "grid", "sobol", "lhs", "saltelli", "morris", "table" or "shares"
     variables   in the order of the columns
     shape       of a grid: how many values each variable has
     shares      (ncase, nvariable) of the others: where in its range each variable is
@@ -56,8 +57,8 @@ class Design:
 def design_of(variables: Sequence[Variable], kind: str = "grid", samples: int | None = None, seed: int = 0) -> Design:
     """The design that is asked for.
 
-    kind      "grid", "sobol", "lhs" or the path of a table of cases (.csv), which has the variables as its columns
-    samples   how many cases a sampled design has
+    kind      one of KINDS, or the path of a table of cases (.csv), which has the variables as its columns
+    samples   how many cases a sample has; n of the n (d + 2) cases of saltelli and the n (d + 1) of morris
     Raises `DeckError`, and `FileTrouble` for a table that cannot be read.
     """
     if kind.lower().endswith(".csv"):
@@ -76,7 +77,7 @@ def design_of(variables: Sequence[Variable], kind: str = "grid", samples: int | 
 
 def _grid(variables: Sequence[Variable], samples: int | None) -> Design:
     if samples is not None:
-        raise refuse("--samples", str(samples), "a grid has as many cases as its values make", "give --design sobol or lhs")
+        raise refuse("--samples", str(samples), "a grid has as many cases as its values make", "give a sample such as --design sobol")
     for variable in variables:
         if variable.kind == "normal":
             raise refuse("--vary", variable.name, "a normal distribution is sampled, not put on a grid", "give --design sobol or lhs")
@@ -99,12 +100,18 @@ def _sampled(variables: Sequence[Variable], kind: str, samples: int | None, seed
         raise refuse("--samples", "", f"the design '{kind}' needs a number of cases", "write --samples 256")
     if samples < 1:
         raise refuse("--samples", str(samples), "not a number of cases")
-    _few_enough(samples)
+    each = {"saltelli": len(variables) + 2, "morris": len(variables) + 1}.get(kind, 1)
+    _few_enough(samples * each, f"{samples} x {each}" if each > 1 else "")
     from scipy.stats import qmc
 
-    if kind == "sobol" and samples & (samples - 1):
+    if kind in ("sobol", "saltelli") and samples & (samples - 1):
         raise refuse("--samples", str(samples), "Sobol' sequences are balanced at powers of two only",
                      f"take {1 << (samples.bit_length() - 1)} or {1 << samples.bit_length()}, or --design lhs")
+    if kind in ("saltelli", "morris"):
+        from hugoniot.campaign.sensitivity import morris_shares, saltelli_shares
+
+        make = saltelli_shares if kind == "saltelli" else morris_shares
+        return Design(kind, tuple(variables), shares=make(len(variables), samples, seed), seed=seed)
     engine = qmc.Sobol(len(variables), seed=seed) if kind == "sobol" else qmc.LatinHypercube(len(variables), seed=seed)
     return Design(kind, tuple(variables), shares=np.asarray(engine.random(samples)), seed=seed)
 

@@ -49,7 +49,7 @@ class Plan:
     def changes_of(self, values: Sequence[Any]) -> dict[str, Any]:
         """The same for values of the variables."""
         found = {variable.name: value for variable, value in zip(self.design.variables, values) if self.is_key(variable.name)}
-        known = self._known(values)
+        known = self._known(values) if self.ties else {}
         for tie in self.ties:
             known[tie.key] = tie.expression.value(lambda key: self._number(key, known))
             found[tie.key] = known[tie.key].text()

@@ -73,7 +73,7 @@ class LocalPool:
         self.count, self.time_limit = count, time_limit
         self.workers: list[_Worker] = []
         self.selector = selectors.DefaultSelector()
-        self.false_starts = 0
+        self.false_starts, self.warm = 0, False
 
     def __enter__(self):
         return self
@@ -98,12 +98,12 @@ class LocalPool:
     def run(self, tasks: Iterable[tuple[int, dict[str, Any]]]) -> Iterator[dict]:
         """The answers to tasks (case, changes), in the order in which they come.
 
-        The first case is finished before others begin, so that kernels are compiled once. A case whose worker died is tried again,
-        one that passes the time limit is not. Raises `HugoniotError` if workers cannot be started.
+        The very first case is finished before others begin, so that kernels are compiled once. Workers stay for the next call. A case
+        whose worker died is tried again, one that passes the time limit is not. Raises `HugoniotError` if workers cannot be started.
         """
         todo = _Todo(tasks)
         while todo.any():
-            while len(self.workers) < (self.count if todo.warm else 1) and (todo.waiting() or not self.workers):
+            while len(self.workers) < (self.count if self.warm else 1) and (todo.waiting() or not self.workers):
                 self._start()
             self._hand_out(todo)
             for worker, messages in self._news():
@@ -114,7 +114,7 @@ class LocalPool:
     def _hand_out(self, todo: "_Todo") -> None:
         """Give every idle worker a case."""
         for worker in self.workers:
-            if worker.ready and worker.case is None and (todo.warm or not todo.asked):
+            if worker.ready and worker.case is None and (self.warm or not todo.asked):
                 task = todo.next()
                 if task is None:
                     return
@@ -130,7 +130,7 @@ class LocalPool:
             return [{"case": lost, "late": self.time_limit}]
         found = [message for message in messages if "case" in message]
         for message in found:
-            todo.warm = True
+            self.warm = True
             todo.asked.pop(message["case"])
         return found
 
@@ -175,14 +175,13 @@ class LocalPool:
 
 
 class _Todo:
-    """The tasks: those still to come, those being worked on (`asked`), those to try again; `warm` once a case has been answered."""
+    """The tasks: those still to come, those being worked on (`asked`), those to try again."""
 
     def __init__(self, tasks: Iterable[tuple[int, dict]]):
         self.source, self.open = iter(tasks), True
         self.retried: collections.deque = collections.deque()
         self.deaths: collections.Counter = collections.Counter()
         self.asked: dict[int, tuple[int, dict]] = {}
-        self.warm = False
 
     def waiting(self) -> bool:
         """Whether there may be a task that nobody works on."""

@@ -82,23 +82,23 @@ class Asked:
 class Deck(Asked):
     """A deck: its text, the name messages call it, where users' materials are looked for, and what is kept of each case.
 
-    records   "GAUGE.field" of which each case keeps POINTS values from 0 to `until` (s)
+    records   "GAUGE.field" of which each case keeps `points` values from 0 to `until` (s)
     runs      folder for full run folders, or None
     """
 
     def __init__(self, text: str, name: str, beside: str | None = None, places: Sequence[str] = (), records: Sequence[str] = (),
-                 until: float = 0.0, runs: str | None = None):
+                 until: float = 0.0, runs: str | None = None, points: int = POINTS):
         from hugoniot.problem.deck import parse_deck
 
         self.text, self.name, self.beside, self.places = text, name, beside, tuple(places)
-        self.records, self.until, self.runs = tuple(records), until, runs
+        self.records, self.until, self.runs, self.points = tuple(records), until, runs, points
         self.raw = parse_deck(text, name)
         self.raw.pop("sweep", None)
         self.beside_path = None if beside is None else pathlib.Path(beside)
 
     def record(self) -> dict:
         return {"kind": "deck", "text": self.text, "name": self.name, "beside": self.beside, "places": list(self.places),
-                "records": list(self.records), "until": self.until, "runs": self.runs}
+                "records": list(self.records), "until": self.until, "runs": self.runs, "points": self.points}
 
     def read(self, changes: Mapping[str, Any]):
         """The deck with the changes; `DeckError` with every problem."""
@@ -118,7 +118,8 @@ class Deck(Asked):
 
     def prepared(self, changes):
         deck = self.read(changes)
-        return deck.resolved + "".join(f"# {name}\n" for name in self.records), lambda key: self._ran(deck, key)
+        kept = "".join(f"# {self.points} {self.until!r} {name}\n" for name in self.records)
+        return deck.resolved + kept, lambda key: self._ran(deck, key)
 
     def stands(self, key):
         return self.runs is None or (pathlib.Path(self.runs) / key / "summary.json").is_file()
@@ -137,7 +138,7 @@ class Deck(Asked):
         return {"numbers": numbers_of(found), **({"records": self._kept(found)} if self.records else {})}
 
     def _kept(self, found) -> dict[str, list[float]]:
-        times, kept = np.linspace(0.0, self.until, POINTS), {}
+        times, kept = np.linspace(0.0, self.until, self.points), {}
         for name in self.records:
             gauge, _, field = name.rpartition(".")
             time, values = found.gauge(field, gauge)

@@ -19,6 +19,7 @@ from typing import Any
 
 import numpy as np
 
+from hugoniot.campaign.analysis import FILES, Analysis, analysis_of, write_analysis
 from hugoniot.campaign.arithmetic import Trouble
 from hugoniot.campaign.journal import Journal
 from hugoniot.campaign.plan import Plan
@@ -31,7 +32,7 @@ from hugoniot.output.lock import Lock
 from hugoniot.output.sweep_file import Column, SweepTable, write_cases, write_table
 
 JOURNAL, TABLE, CASES, ASKED = "cases.jsonl", "sweep.h5", "cases.csv", "sweep.json"
-_OURS = (JOURNAL, TABLE, CASES, ASKED, "report.html", "runs", "run.log", ".lock")
+_OURS = (*FILES, JOURNAL, TABLE, CASES, ASKED, "report.html", "runs", "run.log", ".lock")
 
 
 @dataclass
@@ -48,12 +49,13 @@ class Progress:
 
 @dataclass(frozen=True)
 class Swept:
-    """A finished sweep: its table, where it is, and how it went."""
+    """A finished sweep: its table, where it is, how it went, and what a sample says about its parameters."""
 
     table: SweepTable
     folder: pathlib.Path
     progress: Progress
     seconds: float
+    analysis: Analysis | None = None
 
 
 def cores() -> int:
@@ -84,9 +86,11 @@ def sweep(plan: Plan, folder, *, engine: Callable, outputs: Sequence[str] = (), 
             table = _table(plan, journal, keys, reasons, outputs)
         write_cases(folder / CASES, table)
         write_table(folder / TABLE, table)
+        analysis = analysis_of(plan.design, table)
+        write_analysis(folder, analysis, table)
     finally:
         lock.release()
-    return Swept(table, folder, progress, time.perf_counter() - begun)
+    return Swept(table, folder, progress, time.perf_counter() - begun, analysis)
 
 
 def _claim(folder: pathlib.Path) -> None:

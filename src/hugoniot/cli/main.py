@@ -30,6 +30,7 @@ COMMANDS: dict[str, str] = {
     "compare": "Compare two runs, or a run and measured data.",
     "report": "Write the report of a run again.",
     "sweep": "Run a deck many times with some of its keys varied.",
+    "fit": "Find constants of a deck from measured records.",
     "verify": "Run the built-in verification problems.",
     "material": "Search and show the materials library.",
     "eos": "Hugoniots, isentropes and impedance matches without a mesh.",
@@ -65,6 +66,8 @@ def module_of(name: str) -> ModuleType:
             from hugoniot.cli import report as module
         case "sweep":
             from hugoniot.cli import sweep as module
+        case "fit":
+            from hugoniot.cli import fit as module
         case "verify":
             from hugoniot.cli import verify as module
         case "material":

@@ -20,15 +20,17 @@ def command(
     deck: Annotated[Path | None, typer.Argument(help="The deck, or a file with a [sweep] table.", readable=False)] = None,
     vary: Annotated[list[str] | None, typer.Option("--vary", "-v", help=_VARY)] = None,
     tie: Annotated[list[str] | None, typer.Option("--tie", help='A key that follows: "region.target.from = region.flyer.to".')] = None,
-    design: Annotated[str, typer.Option("--design", help="grid, sobol, lhs, or a table of cases (.csv).")] = "grid",
-    samples: Annotated[int | None, typer.Option("--samples", "-n", help="Number of cases of sobol and lhs.")] = None,
-    seed: Annotated[int, typer.Option("--seed", help="Seed of sobol and lhs.")] = 0,
+    design: Annotated[str, typer.Option("--design", help="grid, sobol, lhs, saltelli, morris, or a table of cases (.csv).")] = "grid",
+    samples: Annotated[int | None, typer.Option("--samples", "-n", help="Cases of a sample (base cases of saltelli, morris).")] = None,
+    seed: Annotated[int, typer.Option("--seed", help="Seed of a sample.")] = 0,
     match: Annotated[str | None, typer.Option("--match", help="Vary an impedance match instead: FLYER,TARGET[,...].")] = None,
     output: Annotated[list[str] | None, typer.Option("--output", help='Results in the table, such as "*.arrival"; default: all.')] = None,
     record: Annotated[list[str] | None, typer.Option("--record", help='Keep a record of every case: "free surface.velocity".')] = None,
     keep: Annotated[bool, typer.Option("--keep", help="Keep the run folder of every case.")] = False,
     time_limit: Annotated[float | None, typer.Option("--time-limit", help="Seconds a case may take.")] = None,
     workers: Annotated[int | None, typer.Option("--workers", "-w", help="Worker processes (default: one for each processor).")] = None,
+    engine: Annotated[str, typer.Option("--engine", help="local, or dask for clusters.")] = "local",
+    scheduler: Annotated[str | None, typer.Option("--scheduler", help="Address of a Dask scheduler, such as tcp://10.0.0.1:8786.")] = None,
     out: Annotated[Path | None, typer.Option("--out", "-o", help="Folder to write (default: DECK.sweep).")] = None,
     plot: Annotated[Path | None, typer.Option("--plot", help="Picture to write, such as sweep.png.")] = None,
     materials: MATERIALS = None,
@@ -45,12 +47,13 @@ def command(
     --vary takes   KEY = LOW..HIGH UNIT : COUNT      add "log" for equal ratios
                    KEY = 1, 2, 5 GPa                 values
                    KEY = "copper", "aluminum"        texts
-                   KEY = MEAN +- SIGMA UNIT          normal, for sobol and lhs
+                   KEY = MEAN +- SIGMA UNIT          normal, for samples
+    --design saltelli gives Sobol' indices with intervals, morris a screening of many parameters; every sample gives spreads and bands.
     A name that is not a key of the deck can be varied too, for --tie to use.
 
     Example: hugoniot sweep flyer.toml --vary "region.flyer.velocity = 300..1200 m/s : 10"
     """
-    from hugoniot.campaign.ask import Wishes, run_sweep
+    from hugoniot.campaign.ask import Wishes, engine_of, run_sweep
 
     wishes = Wishes(None, None if match is None else [part.strip() for part in match.split(",") if part.strip()], list(vary or ()),
                     list(tie or ()), design, samples, seed, list(output or ()), list(record or ()), keep, time_limit)
@@ -58,18 +61,24 @@ def command(
         from hugoniot.cli.plot import drawable
 
         drawable(plot, "sweep", "--plot")
+    chosen = None if engine == "local" and scheduler is None else engine_of(engine, scheduler, workers, time_limit, _tell_dashboard)
     with _display(quiet or as_json) as show:
         try:
-            swept = run_sweep(deck, wishes, out, materials=materials or (), workers=workers, show=show, report=report)
+            swept = run_sweep(deck, wishes, out, engine=chosen, materials=materials or (), workers=workers, show=show, report=report)
         except KeyboardInterrupt:
             typer.echo("interrupted; what has run is kept, the same command goes on", err=True)
             raise typer.Exit(130) from None
     if plot is not None:
         from hugoniot.plotting.eos import save
-        from hugoniot.plotting.sweep import sweep_figure
+        from hugoniot.plotting.sweep import sensitivity_figure, sweep_figure
 
-        save(sweep_figure(swept.table), plot)
+        sensitive = swept.analysis.sensitivity if swept.analysis else {}
+        save(sensitivity_figure(sensitive, swept.table) if sensitive else sweep_figure(swept.table), plot)
     echo_json(_record(swept)) if as_json else _echo(swept)
+
+
+def _tell_dashboard(address: str) -> None:
+    typer.echo(f"dashboard of the cluster: {address}", err=True)
 
 
 def _record(swept) -> dict:
@@ -93,7 +102,38 @@ def _echo(swept) -> None:
     failed, page = sum(map(bool, table.reasons)), swept.folder / "report.html"
     known = f", {progress.known} of them known from before" if progress.known else ""
     typer.echo(f"\n{len(table)} cases in {duration(swept.seconds)}{known}" + (f"; {failed} failed" if failed else ""))
+    _echo_analysis(swept)
     typer.echo(f"table in {swept.folder / 'cases.csv'} and sweep.h5" + (f", report: {page}" if page.is_file() else ""))
+
+
+def _echo_analysis(swept) -> None:
+    """Sensitivities or spreads of the results that are shown."""
+    from hugoniot.plotting.sweep import scale, worth_drawing
+
+    found = swept.analysis
+    if found is None:
+        return
+    shown = worth_drawing(swept.table, MOST_COLUMNS)
+    rows = [row for column in shown for row in found.sensitivity.get(column.name, ())]
+    typer.echo("")
+    if found.kind == "saltelli" and rows:
+        echo_table(["result", "parameter", "first order", "95 % interval", "total", "95 % interval"],
+                   [[r.result, r.parameter, f"{r.first:.3f}", f"{r.first_low:.3f} .. {r.first_high:.3f}", f"{r.total:.3f}",
+                     f"{r.total_low:.3f} .. {r.total_high:.3f}"] for r in rows])
+        lost = max(r.lost for r in rows)
+        if lost:
+            typer.echo(f"note: up to {lost} base cases have no value of these results and are left out")
+    elif found.kind == "morris" and rows:
+        units = {column.name: scale(column) for column in shown}
+        echo_table(["result", "parameter", "mean magnitude", "mean effect", "standard deviation", "unit"],
+                   [[r.result, r.parameter, *(f"{v * units[r.result][1]:.4g}" for v in (r.magnitude, r.mean, r.deviation)),
+                     units[r.result][0]] for r in rows])
+    elif found.spread:
+        spread = [(found.spread[column.name], *scale(column)) for column in shown]
+        echo_table(["result", "mean", "standard deviation", "2.5 %", "median", "97.5 %", "unit"],
+                   [[s.result, *(f"{v * factor:.5g}" for v in (s.mean, s.deviation, s.quantiles[0], s.quantiles[2], s.quantiles[4])), unit]
+                    for s, unit, factor in spread])
+    typer.echo("")
 
 
 def _cell(column, k: int, factor: float) -> str:

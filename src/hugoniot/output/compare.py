@@ -136,7 +136,7 @@ def run_records(run: Run) -> list[Record]:
 
 
 @dataclass(frozen=True)
-class _Choice:
+class Choice:
     """Which gauge of a run answers data that name none: the one asked for, or the only sensible one."""
 
     run: Run
@@ -145,6 +145,7 @@ class _Choice:
     notes: list[str]
 
     def counterpart(self, record: Record, mine: list[Record]) -> Record | None:
+        """Which of a run's own records answers a record of the data; None if none does. Raises `DeckError` where several could."""
         same = [own for own in mine if own.field == record.field]
         if record.gauge and self.asked is None:
             return next((own for own in same if own.gauge == record.gauge), None)
@@ -193,7 +194,7 @@ def compare(a, b, gauge: str | None = None) -> Comparison:
     if gauge is not None and not is_table:
         raise DeckError.single("compare", None, "--gauge", "two runs are compared gauge by gauge", "omit it")
     pairs, unmatched, notes = [], [], []
-    choice = _Choice(run, gauge, str(b), notes)
+    choice = Choice(run, gauge, str(b), notes)
     for other in others:
         own = choice.counterpart(other, mine)
         if own is None or own.time[-1] < other.time[0] or other.time[-1] < own.time[0]:

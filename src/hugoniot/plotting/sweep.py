@@ -10,6 +10,8 @@ from hugoniot.plotting.style import COLOURS, INK, QUIET, field_scale, label_line
 MOST_PANELS = 6
 MOST_LABELS = 7        # lines of a family that are named one by one; more are shown by colour
 MAP = "cividis"
+SAMPLED = ("sobol", "lhs")
+LEAST_FOR_BANDS = 10   # records of a sample that are worth bands
 _FIRST = ("pull_back", "spall_strength_acoustic", "peak_velocity", "plateau_stress", "peak_stress", "arrival", "pressure",
           "particle_velocity", "shock_velocity", "last_velocity")
 _UNITS = (("Pa", (("GPa", 1e-9), ("MPa", 1e-6), ("kPa", 1e-3))), ("m", (("mm", 1e3), ("µm", 1e6))), ("m/s", (("m/s", 1.0),)),
@@ -123,6 +125,9 @@ def draw_records(ax, table: SweepTable, record: Column) -> None:
 
     if table.times is None:
         return
+    if table.attributes.get("design") in SAMPLED and len(record.values) >= LEAST_FOR_BANDS:
+        draw_bands(ax, table.times, record)
+        return
     along = (table.steps or table.parameters)[0]
     along = table.column(along.name)
     unit, ft = time_scale(float(table.times[-1]))
@@ -151,6 +156,74 @@ def draw_records(ax, table: SweepTable, record: Column) -> None:
     bar = ax.get_figure().colorbar(shades, ax=ax)
     bar.set_label(axis_label(along) if numeric else words_of(along.name))
     bar.outline.set_visible(False)
+
+
+def draw_bands(ax, times, record: Column) -> None:
+    """The median of a sample's records over time, with the bands that hold 68 and 95 % of them."""
+    unit, ft = time_scale(float(times[-1]))
+    shown, fy, words = field_scale(record.name.rpartition(".")[2], record.values)
+    sound = np.isfinite(record.values).all(axis=0)
+    low, lower, middle, upper, high = np.quantile(record.values[:, sound], (0.025, 0.16, 0.5, 0.84, 0.975), axis=0) * fy
+    t = times[sound] * ft
+    ax.fill_between(t, low, high, color=COLOURS[0], alpha=0.18, linewidth=0, label="95 %")
+    ax.fill_between(t, lower, upper, color=COLOURS[0], alpha=0.38, linewidth=0, label="68 %")
+    ax.plot(t, middle, color=INK, linewidth=1.2, label="median")
+    ax.set_xlim(0.0, float(times[-1]) * ft)
+    ax.set_xlabel(labelled("time", unit))
+    ax.set_ylabel(labelled(words, shown))
+    ax.set_title(f"{record.name.rpartition('.')[0]}, {len(record.values)} cases", loc="left")
+    ax.legend(frameon=False, fontsize=8, loc="best")
+    quiet_grid(ax)
+
+
+def draw_indices(ax, rows) -> None:
+    """First-order and total indices of one result with their 95 % intervals: rows have parameter, first, total and their _low and _high."""
+    y = np.arange(len(rows))[::-1]
+    for shift, name, colour, words in ((0.17, "first", COLOURS[0], "first order"), (-0.17, "total", COLOURS[1], "total")):
+        value = np.array([getattr(row, name) for row in rows])
+        ends = np.array([[getattr(row, f"{name}_low"), getattr(row, f"{name}_high")] for row in rows]).T
+        away = np.maximum(np.stack([value - ends[0], ends[1] - value]), 0.0)
+        ax.barh(y + shift, value, 0.3, color=colour, alpha=0.85, label=words)
+        ax.errorbar(value, y + shift, xerr=away, fmt="none", ecolor=INK, elinewidth=0.9, capsize=2)
+    ax.set_yticks(y, [words_of(row.parameter) for row in rows])
+    ax.set_xlim(min(0.0, ax.get_xlim()[0]), max(1.0, ax.get_xlim()[1]))
+    ax.set_xlabel("part of the variance")
+    ax.set_title(words_of(rows[0].result), loc="left")
+    ax.legend(frameon=False, fontsize=8, loc="lower right", bbox_to_anchor=(1.0, 0.99), ncol=2, borderaxespad=0.0)
+
+
+def draw_effects(ax, rows, column: Column) -> None:
+    """Morris' effects on one result: mean magnitude across, standard deviation up, each parameter by its name."""
+    unit, factor = scale(column)
+    for k, row in enumerate(rows):
+        x, y = row.magnitude * factor, row.deviation * factor
+        ax.plot(x, y, "o", color=COLOURS[k % len(COLOURS)], markersize=5)
+        ax.annotate(words_of(row.parameter), (x, y), xytext=(5, 4), textcoords="offset points", fontsize=8, color=COLOURS[k % len(COLOURS)])
+    ax.set_xlabel(labelled("mean magnitude of the effects", unit))
+    ax.set_ylabel(labelled("standard deviation", unit))
+    ax.set_title(words_of(column.name), loc="left")
+    ax.margins(0.15)
+    quiet_grid(ax)
+
+
+@styled
+def sensitivity_figure(sensitivity, table: SweepTable):
+    """A figure of the sensitivities (of `campaign.analysis.Analysis`) of the results worth drawing."""
+    chosen = [column for column in worth_drawing(table) if column.name in sensitivity][:4]
+    axes = new_panels(max(1, -(-len(chosen) // 2)), min(2, max(1, len(chosen))), 9.6, 2.9 * max(1, -(-len(chosen) // 2))).ravel()
+    for ax, column in zip(axes, chosen):
+        draw_sensitivity(ax, sensitivity[column.name], column)
+    for ax in axes[len(chosen):]:
+        ax.set_visible(False)
+    return axes[0].get_figure()
+
+
+def draw_sensitivity(ax, rows, column: Column) -> None:
+    """Sobol' indices or Morris' effects, whichever the rows are."""
+    if hasattr(rows[0], "total"):
+        draw_indices(ax, rows)
+    else:
+        draw_effects(ax, rows, column)
 
 
 @styled

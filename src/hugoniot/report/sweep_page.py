@@ -7,14 +7,14 @@ from hugoniot.output.atomic import write_whole
 from hugoniot.output.seal import sealed
 from hugoniot.output.sweep_file import Column, SweepTable
 from hugoniot.plotting.inline import svg
-from hugoniot.plotting.sweep import draw, draw_records, kind_of, worth_drawing
+from hugoniot.plotting.sweep import draw, draw_records, draw_sensitivity, kind_of, worth_drawing
 from hugoniot.report.sections import cards, number, table, text
 
 MOST_ROWS = 400        # of the table on the page; cases.csv has all
 
 
-def page(swept: SweepTable, title: str, asked: str, version: str) -> str:
-    """The whole page as HTML text; `asked` says what was varied."""
+def page(swept: SweepTable, title: str, asked: str, version: str, sensitivity=None) -> str:
+    """The whole page as HTML text; `asked` says what was varied, `sensitivity` has rows of indices or effects by result."""
     css = (pathlib.Path(__file__).parent / "page.css").read_text(encoding="utf-8")
     failed = [reason for reason in swept.reasons if reason]
     numbers = cards([("cases", str(len(swept))), ("failed", str(len(failed))), ("design", text(swept.attributes.get("design", ""))),
@@ -26,9 +26,25 @@ def page(swept: SweepTable, title: str, asked: str, version: str) -> str:
         '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">',
         f"<title>{text(title)}</title><style>{css}</style></head><body><main><h1>{text(title)}</h1>",
         f"<p class=quiet>hugoniot {text(version)}</p><pre>{text(asked)}</pre>", numbers,
+        _sensitivities(swept, sensitivity or {}),
         f"<section><h2>Results</h2>{pictures}</section>" if pictures else "",
         f"<section><h2>Cases that failed</h2>{why}</section>" if why else "",
         f"<section><h2>Cases</h2>{_rows(swept)}</section></main></body></html>\n"])
+
+
+def _sensitivities(swept: SweepTable, sensitivity) -> str:
+    figures = []
+    for k, column in enumerate(worth_drawing(swept)):
+        rows = sensitivity.get(column.name)
+        if rows:
+            height = 0.42 * len(rows) + 0.4 if hasattr(rows[0], "total") else 2.6
+            picture = svg(lambda ax, r=rows, c=column: draw_sensitivity(ax, r, c), f"sensitivity-{k}", 7.4, height + 0.9,
+                          (2.3, 0.5, 4.6, height))
+            lost = f" {rows[0].lost} base cases failed and are left out." if rows[0].lost else ""
+            words = ("Sobol' indices with 95 % intervals." if hasattr(rows[0], "total") else
+                     "Morris' effects for the whole range of each parameter: to the right what matters, upwards what acts in curves.")
+            figures.append(f"<figure>{picture}<figcaption>{text(words + lost)}</figcaption></figure>")
+    return f"<section><h2>Sensitivity</h2>{''.join(figures)}</section>" if figures else ""
 
 
 def _pictures(swept: SweepTable) -> list[tuple[str, str]]:
@@ -61,8 +77,8 @@ def _cell(column: Column, k: int) -> str:
     return number(float(f"{value:.5g}"), column.unit) if column.values.dtype.kind == "f" else text(value)
 
 
-def write_sweep_report(folder, swept: SweepTable, title: str, asked: str, version: str) -> pathlib.Path:
+def write_sweep_report(folder, swept: SweepTable, title: str, asked: str, version: str, sensitivity=None) -> pathlib.Path:
     """Write report.html into the folder of a sweep; gives its path. Raises `FileTrouble`."""
     path = pathlib.Path(folder) / "report.html"
-    write_whole(path, sealed(page(swept, title, asked, version), "<!-- ", " -->\n"), durable=False)
+    write_whole(path, sealed(page(swept, title, asked, version, sensitivity), "<!-- ", " -->\n"), durable=False)
     return path

@@ -40,7 +40,9 @@ def test_a_value_goes_into_a_deck_with_its_unit():
     for text, unit in (("region.flyer.to + 4 mm", "m"), ("2700 kg/m^3 * speed ** 2", "Pa"), ("speed / region.flyer.to", "1/s"),
                        ("8 J/kg/K * 3", "J/kg/K")):
         assert parse(value(text).text(), unit) == value(text).value
-    assert value("ratio * 2").text() == 3.0
+    assert value("ratio * 3").text() == 4.5
+    zones = value("round(7.4 * ratio)").text()
+    assert zones == 11 and isinstance(zones, int)
 
 
 @pytest.mark.parametrize("text, words", [

@@ -50,6 +50,13 @@ def test_the_table_opens_with_parameters_as_coordinates(deck, tmp_path, inline):
     assert np.all(np.diff(faster, axis=0) < 0.0)      # a stronger shock comes sooner
 
 
+def test_records_go_as_far_as_the_longest_case(deck, tmp_path, inline):
+    table = swept(deck, tmp_path / "s", inline, vary=["stop_time = 1.2, 1.8 us"], record=["free surface.velocity"]).table
+    assert table.times[-1] == 1.8e-6
+    short, long = table.records[0].values
+    assert np.isnan(short[table.times > 1.2001e-6]).all() and np.isfinite(long).all()
+
+
 def test_the_table_of_cases_can_be_asked_again(deck, tmp_path, inline):
     swept(deck, tmp_path / "s", inline, vary=[SPEEDS], output=["free surface.arrival"])
     rows = list(csv.reader((tmp_path / "s" / CASES).open()))

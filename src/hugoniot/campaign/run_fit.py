@@ -1,0 +1,264 @@
+"""From what a user asks of a fit to its result: reads deck, data and parameters, runs the search on workers, writes the folder.
+
+    folder/fitted.toml    the deck with the values found, ready to run          residuals.csv   data, model, residual
+           fit.json       parameters, intervals, correlations, doubts           report.html
+"""
+
+import csv
+import io
+import json
+import os
+import pathlib
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+
+from hugoniot.campaign.ask import Wishes, local, read_asked
+from hugoniot.campaign.designs import Design
+from hugoniot.campaign.fit import Free, Problem
+from hugoniot.campaign.fit_results import Fit, likely, weighed
+from hugoniot.campaign.plan import Plan, given, ties_of
+from hugoniot.campaign.planes import LOSSES
+from hugoniot.campaign.questions import Deck
+from hugoniot.campaign.targets import Target, read_targets
+from hugoniot.campaign.variables import read_variable, refuse
+from hugoniot.errors import FileTrouble
+from hugoniot.output.atomic import explained, write_whole
+from hugoniot.units import UnitError, parse
+
+POINTS = 2000        # of a model's record
+_OURS = ("fitted.toml", "fit.json", "residuals.csv", "report.html", "run.log")
+
+
+@dataclass
+class FitWishes:
+    """What a fit is asked for.
+
+    to       files of measured records, or numbers "free surface.arrival = 0.69 +- 0.01 us"; free: texts of `variables.read_variable`
+    gauge    of columns that name none; sigma: uncertainty of records that bring none; window: times that count (`targets`)
+    shift    largest shift of the measured clock, such as "20 ns"; scale: largest relative error of the records' scale
+    loss     "linear", "soft_l1", "huber" or "cauchy"; starts: searches from different places; profile: limits by profiles
+    local    do not look further where no search matches the data
+    """
+
+    to: Sequence[str] = ()
+    free: Sequence[str] = ()
+    tie: Sequence[str] = ()
+    gauge: str | None = None
+    sigma: str | None = None
+    window: Sequence[str] = ()
+    shift: str | None = None
+    scale: str | None = None
+    loss: str = "linear"
+    starts: int = 2
+    seed: int = 0
+    profile: bool = False
+    local: bool = False
+
+
+@dataclass(frozen=True)
+class Fitted:
+    """A fit with its targets, what the model has for them, and where it is written (None: nowhere)."""
+
+    fit: Fit
+    targets: tuple[Target, ...]
+    models: tuple[np.ndarray, ...]
+    deck: str
+    notes: tuple[str, ...]
+    folder: pathlib.Path | None = None
+
+
+def run_fit(path, wishes: FitWishes, out=None, *, workers: int | None = None, engine: Callable | None = None, materials: Sequence = (),
+            show: Callable[[int], None] | None = None) -> Fitted:
+    """Fit a deck to data and write the result into `out` (default: the deck's name and .fit; False: nowhere).
+
+    show   told how many runs were made so far
+    Raises `DeckError`, `FileTrouble`, `NoSolution`.
+    """
+    _, text, source = read_asked(path, Wishes())
+    if text is None or source is None:
+        raise refuse("DECK", "", "a fit needs a deck")
+    if wishes.loss not in LOSSES:
+        raise refuse("--loss", wishes.loss, "unknown loss", f"known: {', '.join(LOSSES)}")
+    if wishes.starts < 1:
+        raise refuse("--starts", str(wishes.starts), "not a number of searches")
+    folder = None if out is False else _claimed(pathlib.Path(out or f"{source.stem}.fit"))
+    question = Deck(text, source.name, os.path.abspath(source.parent), [os.path.abspath(m) for m in materials], points=POINTS)
+    free = tuple(Free(_range(word)) for word in wishes.free)
+    if not free:
+        raise refuse("--free", "", "nothing is free", 'write --free "material.al.fracture.strength = 1..8 GPa"')
+    variables = tuple(f.variable for f in free)
+    plan = Plan(question, Design("shares", variables, shares=np.full((1, len(free)), 0.5)),
+                ties_of(wishes.tie, [v.name for v in variables]))
+    plan.check()
+    targets, notes = _targets(question, plan, wishes)
+    question.records = tuple(dict.fromkeys(t.name for t in targets if t.clock >= 0))
+    limits = [_limit(wishes.shift, "s", "--shift"), _limit(wishes.scale, "1", "--scale")]
+    clocks = 1 + max(t.clock for t in targets)
+    with (engine or local(workers))(question.record(), ()) as pool:
+        ask = _asking(pool, question, show)
+        problem = Problem(plan, free, tuple(targets), clocks, *(limits if clocks else (0.0, 0.0)), wishes.loss, ask)
+        fit = _searched(problem, wishes)
+        answer = problem.answers([fit.minimum.x])[0]
+        models = tuple(_of(problem, fit.minimum.x, t, answer) for t in targets)
+    deck = _fitted_deck(plan, problem, fit)
+    found = Fitted(fit, tuple(targets), models, deck, tuple(notes), folder)
+    if folder is not None:
+        _write(found, source.name)
+    return found
+
+
+def _claimed(folder: pathlib.Path) -> pathlib.Path:
+    with explained(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        foreign = sorted(path.name for path in folder.iterdir() if path.name not in _OURS and not path.name.endswith(".part"))
+    if foreign:
+        raise FileTrouble(f"{folder}: holds {foreign[0]} and is not the folder of a fit; choose another folder with --out")
+    return folder
+
+
+def _range(text: str):
+    variable = read_variable(text, "--free")
+    if variable.kind == "values":
+        raise refuse("--free", text, "a free parameter has a range, or a mean and an uncertainty",
+                     'write "KEY = 1..8 GPa" or "KEY = 5 +- 0.1 GPa"')
+    return variable
+
+
+def _limit(text: str | None, unit: str, option: str) -> float:
+    if text is None:
+        return 0.0
+    try:
+        found = parse(float(text) if unit == "1" and _is_number(text) else text, unit)
+    except UnitError as error:
+        raise refuse(option, text, error.message, error.hint) from None
+    if not found > 0.0:
+        raise refuse(option, text, "not above 0", "give the largest magnitude, such as '20 ns' or '2 %'")
+    return found
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def _targets(question: Deck, plan: Plan, wishes: FitWishes) -> tuple[list[Target], list[str]]:
+    """The targets, with a run in the middle of the ranges to say what gauges there are."""
+    from hugoniot.campaign.memory_run import MemoryRun
+
+    problem = question.read(plan.changes(0)).problem
+    question.until = problem.stop_time
+    run = MemoryRun(problem)
+    targets, notes = read_targets(wishes.to, run, gauge=wishes.gauge, sigma=wishes.sigma, windows=wishes.window)
+    return targets, list(dict.fromkeys(notes))
+
+
+def _asking(pool, question: Deck, show) -> Callable[[list[dict]], list[dict]]:
+    """Runs of the deck on workers, their records beside the times they are for."""
+    times = np.linspace(0.0, question.until, POINTS)
+    total = 0
+
+    def ask(changes: list[dict]) -> list[dict]:
+        nonlocal total
+        found: list[dict] = [{} for _ in changes]
+        for answer in pool.run(enumerate(changes)):
+            records = {name: _ended(times, np.array(values, dtype=float)) for name, values in answer.get("records", {}).items()}
+            found[answer["case"]] = {**answer, "records": records}
+            total += 1
+            if show is not None:
+                show(total)
+        return found
+
+    return ask
+
+
+def _ended(times: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    sound = np.isfinite(values)
+    return times[sound], values[sound]
+
+
+def _searched(problem: Problem, wishes: FitWishes) -> Fit:
+    own = _own_values(problem)
+    starts = problem.starts(own, wishes.starts, wishes.seed)
+    minima = sorted((problem.search(start) for start in starts), key=lambda m: m.cost)
+    if not wishes.local and not likely(problem, minima[0]):
+        minima = sorted([*minima, problem.search(problem.widely([m.x for m in minima], wishes.seed))], key=lambda m: m.cost)
+    return weighed(problem, minima, wishes.profile)
+
+
+def _own_values(problem: Problem) -> np.ndarray | None:
+    """The point at which the deck stands as it is; None where a parameter has no value there, or one outside its range."""
+    question, found = problem.plan.question, []
+    for f in problem.free:
+        value = given(question.raw, f.variable.name) if isinstance(question, Deck) else None
+        try:
+            c = None if value is None else f.coordinate(parse(value, f.variable.si))
+        except UnitError:
+            c = None
+        if c is None:
+            return None
+        found.append(c)
+    return np.array(found + [0.0] * (len(problem.names) - len(found)))
+
+
+def _of(problem: Problem, x: np.ndarray, target: Target, answer: dict) -> np.ndarray:
+    shifts, scales = problem.clock(x)
+    return target.model(answer, *((float(shifts[target.clock]), float(scales[target.clock])) if target.clock >= 0 else ()))
+
+
+def _fitted_deck(plan: Plan, problem: Problem, fit: Fit) -> str:
+    values = [f.given(c) for f, c in zip(problem.free, fit.minimum.x)]
+    question = plan.question
+    text = question.read(plan.changes_of(values)).resolved if isinstance(question, Deck) else ""
+    lines = [f"# {p.name} = {p.value:.6g} {p.unit}, standard deviation {p.sigma:.2g}" for p in fit.parameters]
+    return "\n".join(["# Fitted: reduced chi-square " + f"{fit.reduced:.3g}", *lines, text])
+
+
+# -- what is written ---------------------------------------------------------------------------------------------------
+def record_of(found: Fitted) -> dict[str, Any]:
+    """The fit as plain data."""
+    fit = found.fit
+    return {"parameters": [asdict(p) for p in fit.parameters], "correlation": fit.correlation.tolist(), "chi_square": fit.chi_square,
+            "degrees_of_freedom": fit.freedom, "reduced_chi_square": fit.reduced, "probability": fit.probability, "matches": fit.matches,
+            "others": [{"values": list(values), "chi_square": cost} for values, cost in fit.others], "doubts": list(fit.doubts),
+            "notes": list(found.notes), "runs": fit.runs,
+            "targets": [{"label": t.label, "name": t.name, "points": len(t.values)} for t in found.targets]}
+
+
+def _write(found: Fitted, name: str) -> None:
+    from hugoniot.report import write_or_note
+
+    folder = found.folder
+    if folder is None:
+        return
+    write_whole(folder / "fitted.toml", found.deck)
+    write_whole(folder / "fit.json", json.dumps(_finite(record_of(found)), indent=2) + "\n")
+    out = io.StringIO()
+    rows = csv.writer(out, lineterminator="\n")
+    rows.writerow(["target", "time [s]", "data", "model", "sigma", "residual"])
+    for t, model in zip(found.targets, found.models):
+        for k in range(len(t.values)):
+            residual = (model[k] - t.values[k]) / t.sigma[k]
+            rows.writerow([t.label, *(repr(float(v)) for v in (t.time[k], t.values[k], model[k], t.sigma[k], residual))])
+    write_whole(folder / "residuals.csv", out.getvalue())
+
+    def report(place) -> None:
+        from hugoniot.report.fit_page import write_fit_report
+
+        shown = [(t.label, t.name, t.unit, t.time, t.values, t.sigma, model) for t, model in zip(found.targets, found.models)]
+        write_fit_report(place, f"Fit of {name}", record_of(found), shown, found.deck)
+
+    write_or_note(folder, report)
+
+
+def _finite(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _finite(inner) for key, inner in value.items()}
+    if isinstance(value, list):
+        return [_finite(inner) for inner in value]
+    return None if isinstance(value, float) and not np.isfinite(value) else value

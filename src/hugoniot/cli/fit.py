@@ -1,0 +1,92 @@
+"""hugoniot fit: constants of a deck from measured records."""
+
+import time
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from hugoniot.cli.show import JSON, MATERIALS, echo_json, echo_table
+from hugoniot.units import format_si
+
+_TO = 'Measured records (.csv), or a number such as "free surface.arrival = 0.69 +- 0.01 us"; repeatable.'
+_FREE = 'What is sought, such as "material.ta.fracture.strength = 1..8 GPa"; repeatable.'
+
+
+def command(
+    deck: Annotated[Path, typer.Argument(help="The deck, a TOML file.", readable=False)],
+    to: Annotated[list[str] | None, typer.Option("--to", help=_TO)] = None,
+    free: Annotated[list[str] | None, typer.Option("--free", "-f", help=_FREE)] = None,
+    tie: Annotated[list[str] | None, typer.Option("--tie", help='A key that follows: "region.target.from = region.flyer.to".')] = None,
+    gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge of the columns that name none.")] = None,
+    sigma: Annotated[str | None, typer.Option("--sigma", help='Standard deviation of records that bring none, such as "5 m/s".')] = None,
+    window: Annotated[list[str] | None, typer.Option("--window", help='Times that count: "0.5..2 us", or "FILE = 0.5..2 us".')] = None,
+    shift: Annotated[str | None, typer.Option("--shift", help='Seek a shift of the measured clock up to, such as "20 ns".')] = None,
+    scale: Annotated[str | None, typer.Option("--scale", help='Seek a scale error of the records up to, such as "2 %".')] = None,
+    loss: Annotated[str, typer.Option("--loss", help="linear, soft_l1, huber or cauchy; the last three bear outliers.")] = "linear",
+    starts: Annotated[int, typer.Option("--starts", help="Searches from different places.")] = 2,
+    seed: Annotated[int, typer.Option("--seed", help="Seed of the sampled starting points.")] = 0,
+    profile: Annotated[bool, typer.Option("--profile", help="Find the 95 % limits by profiles too.")] = False,
+    local: Annotated[bool, typer.Option("--local", help="Do not search the whole ranges where no start matches.")] = False,
+    workers: Annotated[int | None, typer.Option("--workers", "-w", help="Worker processes (default: one for each processor).")] = None,
+    out: Annotated[Path | None, typer.Option("--out", "-o", help="Folder to write (default: DECK.fit).")] = None,
+    plot: Annotated[Path | None, typer.Option("--plot", help="Picture to write, such as fit.png.")] = None,
+    materials: MATERIALS = None,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Show no progress.")] = False,
+    as_json: JSON = False,
+) -> None:
+    """Find constants of a deck so that its runs agree with measured records, with intervals and correlations.
+
+    Data are columns with units in their headers, such as time [us], velocity [m/s], and velocity sigma [m/s] for the uncertainty. The
+    folder DECK.fit gets fitted.toml (the deck with the values found, ready to run), fit.json, residuals.csv and report.html.
+    A record that the model cannot match is reported as such: read the notes before using a value.
+
+    Example: hugoniot fit spall.toml --to visar.csv --free "material.ta.fracture.strength = 1..8 GPa" --shift "20 ns"
+    """
+    from hugoniot.campaign.run_fit import FitWishes, record_of, run_fit
+
+    if plot is not None:
+        from hugoniot.cli.plot import drawable
+
+        drawable(plot, "fit", "--plot")
+    wishes = FitWishes(list(to or ()), list(free or ()), list(tie or ()), gauge, sigma, list(window or ()), shift, scale, loss, starts,
+                       seed, profile, local)
+    found = run_fit(deck, wishes, out, workers=workers, materials=materials or (), show=None if quiet or as_json else _show())
+    if plot is not None:
+        from hugoniot.plotting.eos import save
+        from hugoniot.plotting.fit import fit_figure
+
+        save(fit_figure([(t.label, t.name, t.unit, t.time, t.values, t.sigma, m) for t, m in zip(found.targets, found.models)]), plot)
+    echo_json({"folder": str(found.folder), **record_of(found)}) if as_json else _echo(found)
+
+
+def _show():
+    last = [time.monotonic()]
+
+    def show(runs: int) -> None:
+        now = time.monotonic()
+        if now - last[0] > 2.0:
+            last[0] = now
+            typer.echo(f"{runs} runs", err=True)
+
+    return show
+
+
+def _echo(found) -> None:
+    fit = found.fit
+    for note in found.notes:
+        typer.echo(note)
+    rows = []
+    for p in fit.parameters:
+        cells = [p.name, format_si(p.value, p.unit, 5), format_si(p.sigma, p.unit, 2),
+                 f"{format_si(p.low, p.unit, 5)} .. {format_si(p.high, p.unit, 5)}"]
+        if p.profile_low == p.profile_low or p.profile_high == p.profile_high:
+            cells.append(" .. ".join("?" if v != v else format_si(v, p.unit, 5) for v in (p.profile_low, p.profile_high)))
+        rows.append(cells)
+    widest = max(len(row) for row in rows)
+    heads = ["parameter", "value", "standard deviation", "95 % interval", "95 % by profile"][:widest]
+    echo_table(heads, [row + ["?"] * (widest - len(row)) for row in rows])
+    typer.echo(f"\nreduced chi-square {fit.reduced:.4g} for {fit.freedom} degrees of freedom; {fit.runs} runs")
+    for doubt in fit.doubts:
+        typer.echo(f"note: {doubt}")
+    typer.echo(f"fitted deck in {found.folder / 'fitted.toml'}, report: {found.folder / 'report.html'}")

@@ -1,0 +1,259 @@
+"""Fits: truth recovered with honest intervals, shifts and scales, priors, outliers, wrong minima, and models that cannot match."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+import hugoniot
+from hugoniot.campaign.fit import Free, Problem
+from hugoniot.campaign.fit_results import weighed
+from hugoniot.campaign.memory_run import MemoryRun
+from hugoniot.campaign.questions import Deck
+from hugoniot.campaign.run_fit import FitWishes, run_fit
+from hugoniot.campaign.targets import Target, noise_of
+from hugoniot.campaign.variables import read_variable
+from hugoniot.errors import DeckError, FileTrouble, NoSolution
+
+TIMES = np.linspace(0.0, 1.0, 201)
+
+
+class Straight:
+    """A plan whose changes are the values themselves."""
+
+    def changes_of(self, values):
+        return {"values": [float(value) for value in values]}
+
+
+def problem(model, data, sigma, ranges, shift=0.0, scale=0.0, loss="linear"):
+    """A fit of model(times, *values) to data at TIMES without any deck."""
+    wide = np.linspace(-1.0, 2.0, 3001)
+
+    def ask(changes):
+        return [{"numbers": {}, "records": {"g.u": (wide, model(wide, *change["values"]))}} for change in changes]
+
+    target = Target("record", "g.u", "m/s", TIMES, data, np.full(TIMES.size, sigma), 0)
+    free = tuple(Free(read_variable(text)) for text in ranges)
+    return Problem(Straight(), free, (target,), 1, shift, scale, loss, ask)
+
+
+def line(t, a, b):
+    return a + b * t
+
+
+def test_a_straight_line_has_the_intervals_of_the_textbook():
+    data = line(TIMES, 0.3, 0.6) + 0.01 * np.random.default_rng(1).standard_normal(TIMES.size)
+    p = problem(line, data, 0.01, ["a = 0..1", "b = 0..1"])
+    fit = weighed(p, [p.search(p.starts(None, 1, 0)[0])], profiles=True)
+    design = np.column_stack([np.ones_like(TIMES), TIMES])
+    normal = np.linalg.inv(design.T @ design / 0.01**2)
+    exact = normal @ design.T @ data / 0.01**2
+    chi = float(np.sum(((design @ exact - data) / 0.01) ** 2))
+    factor = math.sqrt(max(1.0, chi / (TIMES.size - 2)))
+    for k, found in enumerate(fit.parameters):
+        assert found.value == pytest.approx(exact[k], abs=0.02 * math.sqrt(normal[k, k]))
+        assert found.sigma == pytest.approx(factor * math.sqrt(normal[k, k]), rel=1e-3)
+        assert found.high - found.value == pytest.approx(1.972 * found.sigma, rel=0.02)
+        assert found.profile_high - found.value == pytest.approx(1.960 * found.sigma, rel=0.05)     # quadratic: profile and interval agree
+        assert found.value - found.profile_low == pytest.approx(1.960 * found.sigma, rel=0.05)
+    assert fit.correlation[0, 1] == pytest.approx(normal[0, 1] / math.sqrt(normal[0, 0] * normal[1, 1]), abs=2e-3)
+    assert fit.matches and fit.reduced == pytest.approx(chi / (TIMES.size - 2), rel=1e-3)
+
+
+def test_small_jumps_of_the_runs_are_part_of_the_interval():
+    def stairs(t, a, b):
+        return line(t, round(a * 300) / 300, b)     # a run that knows its parameter to 0.0033 only: more than its sigma of 0.0014
+
+    away = []
+    for seed in range(16):
+        data = line(TIMES, 0.3 + 0.0002 * seed, 0.6) + 0.01 * np.random.default_rng(seed).standard_normal(TIMES.size)
+        p = problem(stairs, data, 0.01, ["a = 0..1", "b = 0..1"])
+        found = weighed(p, [p.search(p.starts(None, 1, 0)[0])]).parameters[0]
+        away.append((found.value - 0.3 - 0.0002 * seed) / found.sigma)
+    assert 0.3 < np.sqrt(np.mean(np.square(away))) < 1.5 and np.mean(np.abs(away) < 1.97) > 0.85
+
+
+def bump(t, height, width):
+    return height * np.exp(-0.5 * ((t - 0.5) / width) ** 2)
+
+
+def test_shift_and_scale_are_found_without_runs_of_their_own():
+    data = 1.03 * bump(TIMES - 0.04, 1.0, 0.1) + 0.005 * np.random.default_rng(3).standard_normal(TIMES.size)
+    p = problem(bump, data, 0.005, ["h = 1 +- 0.001", "w = 0.05..0.3"], shift=0.1, scale=0.1)
+    fit = weighed(p, [p.search(p.starts(None, 1, 0)[0])])
+    names = {q.name: q for q in fit.parameters}
+    assert list(names) == ["h", "w", "shift", "scale"]
+    for name, truth in (("h", 1.0), ("w", 0.1), ("shift", 0.04), ("scale", 0.03)):
+        assert abs(names[name].value - truth) < 3.5 * names[name].sigma
+    assert names["h"].sigma == pytest.approx(0.001, rel=0.05)      # the prior is all that is known of it
+
+
+def test_outliers_count_little_with_a_robust_loss():
+    data = line(TIMES, 0.3, 0.6) + 0.01 * np.random.default_rng(4).standard_normal(TIMES.size)
+    data[20:32] += 0.5
+    errors = {}
+    for loss in ("linear", "soft_l1", "huber", "cauchy"):
+        p = problem(line, data, 0.01, ["a = 0..1", "b = 0..1"], loss=loss)
+        errors[loss] = abs(p.search(p.starts(None, 1, 0)[0]).x[0] - 0.3)
+    assert errors["linear"] > 0.05 and max(errors[loss] for loss in ("soft_l1", "huber", "cauchy")) < 0.01
+
+
+def wave(t, f):
+    return np.sin(2.0 * np.pi * f * t)
+
+
+def test_a_wrong_minimum_is_noticed():
+    data = wave(TIMES, 7.3) + 0.05 * np.random.default_rng(5).standard_normal(TIMES.size)
+    p = problem(wave, data, 0.05, ["f = 1..12"])
+    stuck = p.search(np.array([(5.6 - 1.0) / 11.0]))
+    assert stuck.cost > 1000.0
+    best = p.search(p.widely([stuck.x], 0))
+    assert p.value(0, best.x[0]) == pytest.approx(7.3, abs=0.02)
+    fit = weighed(p, sorted([stuck, best], key=lambda m: m.cost))
+    assert fit.matches and len(fit.others) == 1 and fit.others[0][1] == stuck.cost
+
+
+def test_a_model_that_cannot_match_is_reported():
+    data = bump(TIMES, 1.0, 0.1)
+    p = problem(line, data, 0.01, ["a = 0..1", "b = -1..1"])
+    fit = weighed(p, [p.search(p.starts(None, 1, 0)[0])])
+    assert not fit.matches and fit.reduced > 100.0 and fit.doubts[0].startswith("the model does not match the data")
+
+
+def test_what_the_data_do_not_determine_is_reported():
+    def same(t, a, b):
+        return np.full_like(t, a + 1e-9 * b)
+
+    data = same(TIMES, 0.3, 0.0) + 0.01 * np.random.default_rng(6).standard_normal(TIMES.size)
+    p = problem(same, data, 0.01, ["a = 0..1", "b = 0..1"])
+    assert any(doubt.startswith("b ") for doubt in weighed(p, [p.search(p.starts(None, 1, 0)[0])]).doubts)
+    p = problem(line, line(TIMES, 1.2, 0.5), 0.01, ["a = 0..1", "b = 0.49..0.51"])
+    assert any("a lies at the end of its range" in doubt for doubt in weighed(p, [p.search(np.array([0.5, 0.5]))]).doubts)
+
+
+def test_no_run_that_succeeds_is_an_error():
+    p = problem(line, line(TIMES, 0.3, 0.6), 0.01, ["a = 0..1", "b = 0..1"])
+    p.ask = lambda changes: [{"reason": "negative density"} for _ in changes]
+    with pytest.raises(NoSolution, match="negative density"):
+        p.starts(None, 1, 0)
+
+
+def test_the_noise_of_a_record_is_found_in_it():
+    values = 700.0 / (1.0 + np.exp(-(TIMES - 0.5) / 0.02)) + 5.0 * np.random.default_rng(7).standard_normal(TIMES.size)
+    assert noise_of(values) == pytest.approx(5.0, rel=0.25)
+    assert noise_of(700.0 * TIMES) == pytest.approx(1.4)
+
+
+# -- with runs -----------------------------------------------------------------------------------------------------------
+TRUTH = {"region.flyer.velocity": "720 m/s", "material.al.fracture.strength": "0.9 GPa"}
+FREE = ["region.flyer.velocity = 600..850 m/s", "material.al.fracture.strength = 0.5..1.5 GPa"]
+
+
+def record(deck, changes=TRUTH, sigma=5.0, shift=8e-9, count=200):
+    run = MemoryRun(Deck(deck.read_text(), deck.name).read(changes).problem)
+    time, velocity = run.gauge("velocity", "free surface")
+    at = np.linspace(0.4e-6, 1.4e-6, count)
+    return at, np.interp(at - shift, time, velocity) + sigma * np.random.default_rng(11).standard_normal(count)
+
+
+def written(path, at, values, head="time [us], velocity [m/s]"):
+    path.write_text(head + "\n" + "".join(f"{t * 1e6!r}, {v!r}\n" for t, v in zip(at.tolist(), values.tolist())))
+    return str(path)
+
+
+def test_a_record_gives_its_constants_back(deck, tmp_path, inline):
+    data = written(tmp_path / "visar.csv", *record(deck))
+    found = run_fit(deck, FitWishes([data], FREE, gauge="free surface", sigma="5 m/s", shift="20 ns"), tmp_path / "f", engine=inline)
+    by_name = {p.name: p for p in found.fit.parameters}
+    for name, truth in (("region.flyer.velocity", 720.0), ("material.al.fracture.strength", 0.9e9), ("shift", 8e-9)):
+        assert abs(by_name[name].value - truth) < 4.0 * by_name[name].sigma, name
+    assert by_name["region.flyer.velocity"].sigma < 2.0 and by_name["shift"].sigma < 2e-9
+    assert found.fit.matches and 0.7 < found.fit.reduced < 1.4
+    folder = tmp_path / "f"
+    again = hugoniot.run(folder / "fitted.toml", tmp_path / "again.run", report=False)     # the fitted deck is ready to run
+    model = np.interp(found.targets[0].time - by_name["shift"].value, *again.gauge("velocity", "free surface"))
+    assert np.allclose(model, found.models[0], atol=2.0)
+    document = json.loads((folder / "fit.json").read_text())
+    assert document["matches"] is True and len(document["parameters"]) == 3
+    assert (folder / "residuals.csv").read_text().count("\n") == 201 and "<svg" in (folder / "report.html").read_text()
+
+
+def test_a_record_of_something_else_is_not_fitted_silently(deck, tmp_path, inline):
+    at, values = record(deck)
+    data = written(tmp_path / "visar.csv", at, 1.5 * values * (at < 1.0e-6))
+    wishes = FitWishes([data], FREE, gauge="free surface", sigma="5 m/s", local=True, starts=1)
+    found = run_fit(deck, wishes, False, engine=inline)
+    assert not found.fit.matches and "does not match the data" in found.fit.doubts[0] and found.folder is None
+
+
+def test_numbers_and_windows_and_uncertainties_of_the_file(deck, tmp_path, inline, monkeypatch):
+    at, values = record(deck)
+    path = tmp_path / "visar.csv"
+    path.write_text("time [us], free surface velocity [km/s], free surface velocity sigma [m/s]\n"
+                    + "".join(f"{t * 1e6!r}, {v * 1e-3!r}, 5\n" for t, v in zip(at.tolist(), values.tolist())))
+    monkeypatch.setattr("hugoniot.campaign.run_fit.local", lambda workers: inline)
+    found = hugoniot.fit(deck, [path, "free surface.peak_velocity = 720 +- 20 m/s"], {"region.flyer.velocity": "600..850 m/s"}, out=False,
+                         window=["0.39..0.9 us"], starts=1, shift="20 ns")
+    assert found["value"].sel(parameter="region.flyer.velocity") == pytest.approx(720.0, abs=6.0)
+    assert found.attrs["matches"] == 1 and found.attrs["degrees_of_freedom"] == 100 + 1 - 2 and "stop_time" in found.attrs["deck"]
+
+
+@pytest.mark.parametrize("wishes, words", [
+    ({"to": []}, "nothing to fit to"),
+    ({"free": []}, "nothing is free"),
+    ({"free": ["region.flyer.velocity = 1, 2 km/s"]}, "has a range, or a mean"),
+    ({"free": ["region.flyer.velocity = 1..2 mm"]}, "expected a velocity"),
+    ({"free": ["region.flyer.velocty = 1..2 km/s"]}, "unknown key"),
+    ({"sigma": "5 mm"}, "--sigma: expected a velocity"),
+    ({"sigma": "0 m/s"}, "above 0"),
+    ({"shift": "20 mm"}, "--shift '20 mm': expected a time"),
+    ({"scale": "-1 %"}, "--scale '-1 %': not above 0"),
+    ({"window": ["2..3 us"]}, "fewer than 3 points"),
+    ({"window": ["3 us"]}, "not a range of times"),
+    ({"window": ["other.csv = 0..1 us"]}, "no file of that name"),
+    ({"gauge": "surface"}, "no such gauge in the deck; did you mean 'free surface'"),
+    ({"loss": "quadratic"}, "unknown loss"),
+    ({"starts": 0}, "not a number of searches"),
+    ({"to": ["free surface.arival = 1 +- 0.1 us"]}, "did you mean 'free surface.arrival'"),
+    ({"to": ["free surface.arrival = 1 +- 0 us"]}, "must be above 0"),
+    ({"to": ["free surface.arrival = 1 +- 0.1 mm"]}, "expected a time"),
+])
+def test_what_cannot_be_fitted_is_refused_in_one_message(deck, tmp_path, inline, wishes, words):
+    data = written(tmp_path / "visar.csv", TIMES * 1.4e-6, 700.0 * TIMES)
+    asked = {"to": [data], "free": FREE[:1], "gauge": "free surface", **wishes}
+    with pytest.raises(DeckError, match=words) as found:
+        run_fit(deck, FitWishes(**asked), False, engine=inline)
+    assert len(found.value.problems) == 1
+
+
+def test_data_without_units_or_without_a_gauge_are_refused(deck, tmp_path, inline):
+    data = written(tmp_path / "visar.csv", TIMES * 1.4e-6, 700.0 * TIMES, "time, velocity")
+    with pytest.raises(DeckError, match="names no unit"):
+        run_fit(deck, FitWishes([data], FREE), False, engine=inline)
+    data = written(tmp_path / "visar.csv", TIMES * 1.4e-6, 300.0 + TIMES, "time [us], temperature [K]")
+    with pytest.raises(DeckError, match="no gauge of the deck has this"):
+        run_fit(deck, FitWishes([data], FREE), False, engine=inline)
+    with pytest.raises(FileTrouble):
+        run_fit(deck, FitWishes([str(tmp_path / "none.csv")], FREE), False, engine=inline)
+
+
+@pytest.mark.slow
+def test_intervals_of_four_parameters_cover_the_truth(deck, tmp_path, inline):
+    """Fifty records with noise: the mean lies within one standard deviation of the truth, 95 % intervals cover it 90 to 99 times in 100."""
+    deck.write_text(deck.read_text().replace("zones = 8", "zones = 50").replace("zones = 16", "zones = 100").replace('"0.5 us"', '"1.5 us"'))
+    truth = {"region.flyer.velocity": 720.0, "material.al.strength.yield_stress": 0.3e9, "material.al.fracture.strength": 1.0e9}
+    free = ["region.flyer.velocity = 650..800 m/s", "material.al.strength.yield_stress = 0.1..0.6 GPa",
+            "material.al.fracture.strength = 0.6..2.5 GPa"]
+    run = MemoryRun(Deck(deck.read_text(), deck.name).read(truth).problem)
+    at = np.linspace(0.5e-6, 1.45e-6, 300)
+    clean = np.interp(at - 7e-9, *run.gauge("velocity", "free surface"))
+    wanted, rows = np.array([*truth.values(), 7e-9]), []
+    for seed in range(50):
+        data = written(tmp_path / "visar.csv", at, clean + 5.0 * np.random.default_rng(seed).standard_normal(at.size))
+        wishes = FitWishes([data], free, gauge="free surface", sigma="5 m/s", shift="20 ns")
+        parameters = run_fit(deck, wishes, False, engine=inline).fit.parameters
+        rows.append([(p.value, p.sigma, p.low <= w <= p.high) for p, w in zip(parameters, wanted)])
+    values, sigmas, covered = np.moveaxis(np.array(rows), 2, 0)
+    assert np.all(np.abs(values.mean(axis=0) - wanted) < sigmas.mean(axis=0))
+    assert 0.90 <= covered.mean() <= 0.99
