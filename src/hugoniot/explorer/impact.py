@@ -7,7 +7,6 @@ import numpy as np
 
 from hugoniot.dossier import fits
 from hugoniot.errors import HugoniotError, OutOfRange
-from hugoniot.explorer.curves import columns
 from hugoniot.explorer.subjects import entry_of, inert
 from hugoniot.materials.entry import Entry
 from hugoniot.theory.hugoniot import Initial, shock
@@ -17,7 +16,7 @@ from hugoniot.theory.states import States
 from hugoniot.theory.uncertainty import matched, propagate
 
 MOST_LAYERS = 8
-ALONG = 24          # states of a drawn curve
+ALONG = 18          # states of a drawn curve
 ANSWERS = ("pressure", "particle_velocity", "shock_velocity", "density")
 _SLOPES = {1: ("c0", "s"), 2: ("c0", "s1", "s2")}   # parameters that a recorded fit of that degree gives a law
 
@@ -112,10 +111,10 @@ def _wave_curve(layer, start: States, top: float, direction: int) -> dict[str, l
     if start.pressure < top:
         span = start.pressure + (top - start.pressure) * np.linspace(0.0, 1.0, ALONG) ** 2
         parts.append(_tried(lambda p: shock(layer, Initial.of(start), direction=direction, pressure=p), span[1:]))
-    tables = [columns(states) for states in parts if states is not None]
-    here = {"particle_velocity": [start.particle_velocity], "pressure": [start.pressure]}
-    between = tables[:1] + [here] + tables[1:] if len(parts) == 2 else [here, *tables] if start.pressure <= floor + 1e-6 * top else tables
-    return {key: [v for t in between for v in t[key]] for key in ("particle_velocity", "pressure")}
+    drawn = [(s.particle_velocity.tolist(), s.pressure.tolist()) for s in parts if s is not None]
+    here = ([start.particle_velocity], [start.pressure])
+    places = [drawn[0], here, *drawn[1:]] if len(parts) == 2 and drawn else [here, *drawn]
+    return {key: [v for place in places for v in place[k]] for k, key in enumerate(("particle_velocity", "pressure"))}
 
 
 def _tried(function, pressures) -> States | None:

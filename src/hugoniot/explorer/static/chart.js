@@ -254,6 +254,7 @@ H.Chart = class {
     const x = c.px ?? (s && f.x.at(s.x[c.index])), y = c.py ?? (s && f.y.at(s.y[c.index]));
     if (!Number.isFinite(x) || !Number.isFinite(y)) return;
     this.top.append(H.s("path", {d: `M${f.left} ${r1(y)}H${f.width - f.right}M${r1(x)} ${f.top}V${f.height - f.bottom}`, stroke: p.quiet, "stroke-width": 0.8, "stroke-dasharray": "3 3", fill: "none"}),
+      s?.origin ? H.s("line", {x1: f.x.at(s.origin[0]), y1: f.y.at(s.origin[1]), x2: x, y2: y, stroke: this.colour(s, p), "stroke-width": 1.1, "stroke-dasharray": "4 3", "data-line": "rayleigh"}) : "",
       H.s("circle", {cx: x, cy: y, r: 5, fill: s ? this.colour(s, p) : "none", stroke: s ? p.paper : p.ink, "stroke-width": 1.4}));
   }
   point(hit) { this.cursor = hit; this._showCursor(); if (hit && this.options.onHover) this.options.onHover(hit); }

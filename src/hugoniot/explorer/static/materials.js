@@ -83,8 +83,9 @@
       names.length ? "" : H.h("span", {class: "quiet"}, "Choose materials from the list."));
     const notes = known.flatMap(c => c ? [...c.notes, ...(c.refused ? [c.refused] : [])] : []);
     if (silent.length) notes.push(`Not in this plane: ${silent.join(", ")}.`);
-    if (series.some(s => s.id === "beyond")) notes.push("Dashed: beyond the range of the data.");
+    if (series.some(s => s.id === "beyond")) notes.push("Dashed curve: beyond the range of the data.");
     if (series.some(s => s.id === "release") && plane() !== "expansion") notes.push("Thin: isentropes through states of the Hugoniot.");
+    if (["p-up", "p-v"].includes(plane())) notes.push("The dashed straight line to the pointer or to a pinned state is its Rayleigh line.");
     if (plane() === "isentropes") notes.push("Dashed: isentrope through the state at rest.");
     if (plane() === "detonation") notes.push("Dashed straight line: Rayleigh line to the CJ state; dashed curve: isentrope of the products through it.");
     hint.textContent = notes.join(" ");

@@ -36,14 +36,15 @@
     clearTimeout(timer);
     const mine = ++order;
     try {
-      const opened = H.exported() ? await H.askOnce("start") : await H.ask("start");
+      const fresh = !last.run || last.run.live || last.number !== chosen(), opened = fresh ? await H.ask("start") : last.opened;
       if (mine !== order) return;
       drawList(opened);
       if (!opened.runs.length) { H.clear(readout).append("No run is open. Start with: hugoniot explore flyer.run, or run a deck from the deck editor."); H.command({shell: "hugoniot explore flyer.run", python: 'import hugoniot\nrun = hugoniot.load("flyer.run")'}); return; }
-      const run = await H.ask("run", {run: chosen()});
+      const run = fresh ? await H.ask("run", {run: chosen()}) : last.run;
       if (mine !== order) return;
       const stamp = run.live ? `live ${run.times.length}` : `done ${run.status} ${run.times.length} ${run.summary?.deck_sha256}`;
       if (last.key !== `${chosen()} ${stamp}`) last = {key: `${chosen()} ${stamp}`, run: prepared(run), arrays: {}};
+      Object.assign(last, {number: chosen(), opened});
       await draw(last.run, mine);
       if (run.live && mine === order) timer = setTimeout(view.update, 1500);
     } catch (error) { H.failed(error); H.clear(readout).append(H.h("span", {class: "bad"}, error.message)); }
