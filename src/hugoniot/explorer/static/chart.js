@@ -173,8 +173,8 @@ H.Chart = class {
     if (m.kind === "error") { const up = f.y.at(m.y - m.sy), down = f.y.at(m.y + m.sy), l = f.x.at(m.x - m.sx), r = f.x.at(m.x + m.sx); line(x, up, x, down); line(l, y, r, y); }
     if (m.label) {
       const right = m.side === "left" || (x ?? f.x.at(m.x2)) > f.width - f.right - 8 * m.label.length;
-      const half = 3.5 * m.label.length, at = x ?? f.x.at(m.x2), kept = m.centre ? Math.min(Math.max(at, f.left + half), f.width - f.right - half) : at + (right ? -8 : 8);
-      plot.append(text(kept, (y ?? f.y.at(m.y2)) + (m.below ? 15 : m.centre ? 4 : -6), m.label, this.colour({colour: m.ink || m.colour}, p), 11, m.centre ? "middle" : right ? "end" : "start", {}, m.centre ? null : p.paper));
+      const half = 3.5 * m.label.length, at = x ?? f.x.at(m.x2), kept = m.centre ? Math.min(Math.max(at, f.left + half), f.width - f.right - half) : at + (right ? -11 : 11);
+      plot.append(text(kept, (y ?? f.y.at(m.y2)) + (m.below ? 22 : m.centre ? 4 : -6), m.label, this.colour({colour: m.ink || m.colour}, p), 11, m.centre ? "middle" : right ? "end" : "start", {}, m.centre ? null : p.paper));
     }
   }
   _names(root, f, p) {        // each line is named where it ends
@@ -182,9 +182,10 @@ H.Chart = class {
     for (const s of this.spec.series) {
       if (!s.label || s.kind === "band") continue;
       let last = null;
-      for (let i = s.x.length - 1; i >= 0 && !last; i--)
+      const from = s.named === "start" ? 0 : s.x.length - 1, step = s.named === "start" ? 1 : -1;
+      for (let i = from; i >= 0 && i < s.x.length && !last; i += step)
         if (usable(s.x[i], f.x) && usable(s.y[i], f.y) && inside(f.x, s.x[i]) && inside(f.y, s.y[i])) last = [f.x.at(s.x[i]), f.y.at(s.y[i])];
-      if (last) ends.push({label: s.label, colour: this.colour(s, p), x: last[0], y: last[1]});
+      if (last) ends.push({label: s.label, colour: this.colour(s, p), x: last[0], y: last[1] - (s.named === "start" ? 22 : 0)});
     }
     if (!ends.length) return;
     const edge = f.width - f.right, last = new Map();       // the parts of one line have one name, where the last of them ends
