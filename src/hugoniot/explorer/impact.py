@@ -105,16 +105,17 @@ def _curves(layers: Sequence, velocity: float, met: Sequence[Match]) -> list[dic
 def _wave_curve(layer, start: States, top: float, direction: int) -> dict[str, list]:
     """(particle velocity, pressure) of the states behind a wave into `start`: release below its pressure, shock above."""
     floor = max(min(float(reference(layer).pressure), start.pressure), 0.0)
-    parts = []
+    below, above = None, None
     if start.pressure > floor + 1e-6 * top:
-        parts.append(_tried(lambda p: unload(layer, start, direction=direction, pressure=p), np.linspace(floor, start.pressure, ALONG)))
+        below = _tried(lambda p: unload(layer, start, direction=direction, pressure=p), np.linspace(start.pressure, floor, ALONG)[1:])
     if start.pressure < top:
         span = start.pressure + (top - start.pressure) * np.linspace(0.0, 1.0, ALONG) ** 2
-        parts.append(_tried(lambda p: shock(layer, Initial.of(start), direction=direction, pressure=p), span[1:]))
-    drawn = [(s.particle_velocity.tolist(), s.pressure.tolist()) for s in parts if s is not None]
-    here = ([start.particle_velocity], [start.pressure])
-    places = [drawn[0], here, *drawn[1:]] if len(parts) == 2 and drawn else [here, *drawn]
-    return {key: [v for place in places for v in place[k]] for k, key in enumerate(("particle_velocity", "pressure"))}
+        above = _tried(lambda p: shock(layer, Initial.of(start), direction=direction, pressure=p), span[1:])
+    found = {}
+    for key in ("particle_velocity", "pressure"):
+        down, up = (getattr(part, key).tolist() if part is not None else [] for part in (below, above))
+        found[key] = [*reversed(down), getattr(start, key), *up]
+    return found
 
 
 def _tried(function, pressures) -> States | None:

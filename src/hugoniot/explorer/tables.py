@@ -94,8 +94,9 @@ def _kept(home: Path, columns: list[dict], count: int) -> dict[int, Path]:
         numbers = answer.get("numbers", {})
         if names is None and numbers:
             names = [c["name"] for c in columns if c["numeric"] and c["name"] in numbers]
-        folder = home / KEPT / str(answer.get("key", ""))
-        if names and _KEY.fullmatch(folder.name) and (folder / "deck.toml").is_file():
+        key = str(answer.get("key", ""))
+        folder = _below(home, f"{KEPT}/{key}") if names and _KEY.fullmatch(key) else None
+        if names and folder is not None:
             folders[tuple(_finite(numbers.get(name)) for name in names)] = folder
     by_name = {c["name"]: c["cells"] for c in columns}
     rows = {row: tuple(by_name[name][row] for name in names or ()) for row in range(count)}

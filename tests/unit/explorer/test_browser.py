@@ -261,7 +261,7 @@ def test_everything_is_reached_by_keys(visit):
     page.locator("ul[role=listbox]").focus()
     for press in ("ArrowDown", "Enter", "ArrowDown", "Enter"):
         page.keyboard.press(press)
-    until(page, "location.hash.split('sel=')[1].split(',').length === 2")
+    until(page, "location.hash.split('sel=')[1].split(',').length === 6")
     until(page, "document.querySelector('.chart').chart.spec.series.length >= 2")
     page.locator(".chart svg").first.focus()
     page.keyboard.press("ArrowRight")

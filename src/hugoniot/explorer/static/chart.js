@@ -76,8 +76,11 @@ H.Chart = class {
     const {spec} = this, narrow = width < 560, named = !narrow && spec.series.some(s => s.label);
     const widest = Math.max(0, ...spec.series.map(s => (s.label || "").length));
     const right = spec.bar ? 86 : named ? Math.min(24 + 6.6 * widest, 0.27 * width) : 14;
-    const left = narrow ? 50 : 62, bottom = 44, top = spec.heads ? 22 : 12;
+    let left = narrow ? 50 : 62;
+    const bottom = 44, top = spec.heads ? 22 : 12;
     const [x, y] = ["x", "y"].map(a => this._range(a));
+    const marks = spec.y.bare || spec.y.log ? [] : H.ticks(y[0], y[1], (height - top - bottom) / 55), step = marks.length > 1 ? marks[1] - marks[0] : 1;
+    left = Math.max(left, 26 + 7.2 * Math.max(0, ...marks.map(v => tickText(v, step).length)));
     if (spec.equal) {     // a plane: one scale for both axes
       const scale = Math.min((width - left - right) / (x[1] - x[0]), (height - top - bottom) / (y[1] - y[0]));
       for (const [r, room] of [[x, width - left - right], [y, height - top - bottom]]) {

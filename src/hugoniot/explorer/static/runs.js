@@ -77,7 +77,7 @@
     planeBar.hidden = !run.plane;
     for (const input of planeBar.querySelectorAll("input")) input.checked = input.dataset.key === "mesh" ? H.get("mesh") === "1" : H.get("mirror") !== "0";
     slider.max = Math.max(many - 1, 0);
-    const k = Math.min(H.get("k") === "" ? many - 1 : Number(H.get("k")) || 0, many - 1), [tUnit, ft] = H.timeUnit(run.times[many - 1] || 1e-6);
+    const k = Math.min(H.get("k") === "" ? many - 1 : Number(H.get("k")) || 0, many - 1), [tUnit, ft] = H.timeUnit(run.times[many - 1] || run.stop_time || 1e-6);
     slider.value = k;
     when.textContent = many ? `t = ${H.digits(run.times[k] * ft, 5)} ${tUnit}` : "";
     drawLive(run, tUnit, ft);
@@ -95,7 +95,7 @@
     const [left, right, values] = await Promise.all([array("snapshots", "position_left"), array("snapshots", "position_right"), array("snapshots", shown.name)]);
     const paths = run.gauge_times ? await gaugePaths(run).catch(() => []) : [];
     if (mine !== order) return;
-    const n = values.shape[1], [, ft] = H.timeUnit(run.times.at(-1) || 1e-6), z = H.get("z") === "" ? -1 : Number(H.get("z"));
+    const n = values.shape[1], [, ft] = H.timeUnit(run.times.at(-1) || run.stop_time || 1e-6), z = H.get("z") === "" ? -1 : Number(H.get("z"));
     run.zones = n;
     const regions = run.regions.length && run.regions.at(-1).last === n - 1 ? run.regions : [{name: "", first: 0, last: n - 1}];
     state.regions = regions;
