@@ -96,21 +96,29 @@ def _curves(layers: Sequence, velocity: float, met: Sequence[Match]) -> list[dic
     arriving, found = reference(layers[0], velocity), []
     for k, m in enumerate(met):
         ahead = reference(layers[k + 1])
-        found.append({"behind": _wave_curve(layers[k], arriving, top, -1), "ahead": _wave_curve(layers[k + 1], ahead, top, 1),
+        sides = ("behind", layers[k], arriving, -1), ("ahead", layers[k + 1], ahead, 1)
+        found.append({**{side: _wave_curve(layer, start, (m.pressure, top), direction) for side, layer, start, direction in sides},
                       "from": [arriving.particle_velocity, arriving.pressure], "state": [m.particle_velocity, m.pressure]})
         arriving = m.right
     return found
 
 
-def _wave_curve(layer, start: States, top: float, direction: int) -> dict[str, list]:
-    """(particle velocity, pressure) of the states behind a wave into `start`: release below its pressure, shock above."""
+def _wave_curve(layer, start: States, pressures: tuple[float, float], direction: int) -> dict[str, list]:
+    """(particle velocity, pressure) of the states behind a wave into `start`: release below its pressure, shock above.
+
+    pressures   one that is among them, and the highest
+    """
+    through, top = pressures
     floor = max(min(float(reference(layer).pressure), start.pressure), 0.0)
     below, above = None, None
     if start.pressure > floor + 1e-6 * top:
-        below = _tried(lambda p: unload(layer, start, direction=direction, pressure=p), np.linspace(start.pressure, floor, ALONG)[1:])
+        span = np.linspace(start.pressure, floor, ALONG)[1:]
+        span = np.sort(np.append(span, through))[::-1] if floor < through < start.pressure else span
+        below = _tried(lambda p: unload(layer, start, direction=direction, pressure=p), span)
     if start.pressure < top:
-        span = start.pressure + (top - start.pressure) * np.linspace(0.0, 1.0, ALONG) ** 2
-        above = _tried(lambda p: shock(layer, Initial.of(start), direction=direction, pressure=p), span[1:])
+        span = start.pressure + (top - start.pressure) * np.linspace(0.0, 1.0, ALONG)[1:] ** 2
+        span = np.sort(np.append(span, through)) if through > start.pressure else span
+        above = _tried(lambda p: shock(layer, Initial.of(start), direction=direction, pressure=p), span)
     found = {}
     for key in ("particle_velocity", "pressure"):
         down, up = (getattr(part, key).tolist() if part is not None else [] for part in (below, above))
