@@ -224,7 +224,7 @@ def test_the_pointer_on_a_run_reads_its_file(visit, tube):
     until(page, "location.hash.includes('z=')")
     zone = int(re.search(r"z=(\d+)", page.url).group(1))
     page.select_option("select[aria-label='Field of the histories']", "pressure")
-    until(page, f"[...document.querySelectorAll('.chart')].some(c => c.chart.spec.series.some(s => s.label === 'zone {zone}'))")
+    until(page, f"[...document.querySelectorAll('.chart')].some(c => c.chart.spec.y.label.startsWith('pressure') && c.chart.spec.series.some(s => s.label === 'zone {zone}'))")
     drawn = page.evaluate(f"[...document.querySelectorAll('.chart')].flatMap(c => c.chart.spec.series).find(s => s.label === 'zone {zone}').si[1]")
     assert np.array_equal(drawn, rows["pressure"][:, zone])
 

@@ -58,6 +58,7 @@ def ended(job, seconds=120.0):
     return job.shown()
 
 
+@pytest.mark.slow
 def test_a_run_is_started_reports_and_opens(tmp_path, tube):
     places = Places(work=tmp_path / "work")
     (tmp_path / "work" / "tube-of-gas.run").mkdir(parents=True)
