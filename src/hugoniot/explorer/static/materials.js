@@ -130,7 +130,7 @@
   }
   function command(names) {
     const some = names.length ? names : ["copper"], list = some.map(H.shell).join(" "), [by, value] = H.get("at").split(":");
-    const state = by ? `${by} = ${Number(value)} ${{particle_velocity: "m/s", shock_velocity: "m/s", pressure: "Pa"}[by] || ""}`.trim() : "", at = state ? ` --at "${state}"` : "";
+    const state = !by ? "" : by === "pressure" ? `pressure = ${Number((value * 1e-9).toPrecision(15))} GPa` : `${by} = ${Number(value)} m/s`, at = state ? ` --at "${state}"` : "";
     const finds = some.map(n => `find(${H.python(n)})`).join(", ");
     const head = "from hugoniot.materials.library import find\n";
     const shells = {isentropes: `hugoniot eos isentrope ${list}${at || ' --at "particle_velocity = 1000 m/s"'} --plot isentropes.png`, detonation: `hugoniot eos hugoniot ${list} --reaction --axes p-v --plot detonation.png`,
