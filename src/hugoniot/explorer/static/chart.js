@@ -127,7 +127,7 @@ H.Chart = class {
   }
   _axes(root, f, p) {
     const {spec} = this, base = f.height - f.bottom, end = f.width - f.right, size = f.narrow ? 10.5 : 11.5;
-    const xs = spec.x.log ? H.logTicks(f.x.low, f.x.high) : H.ticks(f.x.low, f.x.high, (end - f.left) / 90);
+    const xs = spec.x.log ? H.logTicks(f.x.low, f.x.high) : H.ticks(f.x.low, f.x.high, (end - f.left) / (f.narrow ? 60 : 90));
     const ys = spec.y.log ? H.logTicks(f.y.low, f.y.high) : H.ticks(f.y.low, f.y.high, (base - f.top) / 55);
     const step = values => values.length > 1 ? Math.abs(values[1] - values[0]) : 1;
     let taken = -Infinity;
