@@ -1,4 +1,5 @@
 # make demo    set everything up and run the spalling flyer plate
+# make explore the library, impacts and decks in a browser
 # make test    linter, layer contracts, type checker, tests
 # make verify  the long tests and the built-in verification problems
 # make docs    the documentation, in docs/_build/html
@@ -12,11 +13,11 @@ PYTHON ?= $(shell for p in python3.13 python3.12 python3.11 python3.14 python3 p
 WORKERS ?= 2
 RUNS := runs
 
-.PHONY: help demo lint test verify docs reference examples clean
+.PHONY: help demo explore lint test verify docs reference examples clean
 .DEFAULT_GOAL := help
 
 help:
-	@sed -n 's/^# //p' Makefile | head -5
+	@sed -n 's/^# //p' Makefile | head -6
 
 # one stamp for each set of requirements, older than pyproject.toml when it must be installed again
 $(BIN)/python:
@@ -26,6 +27,10 @@ $(BIN)/python:
 $(VENV)/.installed: pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --editable .
 	@touch $@
+
+$(VENV)/.installed-explore: pyproject.toml | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --editable '.[explore]'
+	@touch $@ $(VENV)/.installed
 
 $(VENV)/.installed-test: pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --editable '.[test]'
@@ -42,6 +47,9 @@ $(VENV)/.compiled: $(shell find src -name '*.py') | $(BIN)/python
 
 demo: $(VENV)/.installed $(VENV)/.compiled
 	$(BIN)/hugoniot run examples/flyer.toml --out $(RUNS)/flyer.run --overwrite
+
+explore: $(VENV)/.installed-explore $(VENV)/.compiled
+	$(BIN)/hugoniot explore --work $(RUNS)
 
 lint: $(VENV)/.installed-test
 	$(BIN)/ruff check .

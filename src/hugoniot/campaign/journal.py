@@ -20,6 +20,18 @@ HEAD = '{"format": "hugoniot-sweep-1"}\n'
 FLUSH_SECONDS = 2.0      # between requests to put lines on the disk: a power cut loses no more
 
 
+def kept_answers(path) -> Iterator[dict]:
+    """The sound answers in the file of a sweep, in the order in which they came. Reads only; raises `FileTrouble`."""
+    with explained(pathlib.Path(path)), os.fdopen(open_regular(path), "rb") as file:
+        if file.readline() != HEAD.encode():
+            return
+        for line in file:
+            found = _opened(line)
+            if found is None:
+                return
+            yield found
+
+
 class Journal:
     """The answers in a file. `places` maps the key of an answer to where its line begins.
 

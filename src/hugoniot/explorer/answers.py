@@ -65,9 +65,10 @@ def sweep(places: Places, query: Query) -> Any:
 
 
 def deck(places: Places, query: Query) -> Any:
-    """The text of a deck named at the start."""
+    """The text of a deck named at the start, and what there is to say about it."""
     place = places.deck(integer(query, "deck"))
-    return {"name": place.name, "text": decks.text_of(place.path)}
+    words = decks.text_of(place.path)
+    return {"name": place.name, "text": words, "checked": decks.check(words, place.path.parent)}
 
 
 def words(places: Places, query: Query) -> Any:

@@ -102,6 +102,6 @@ def _stopped(jobs: Jobs):
 def _case(places: Places):
     def send(request: Request) -> Response:
         query = request.query_params
-        folder = run_of_case(places.sweep(integer(query, "sweep")).path, integer(query, "row"))
-        return reply({"run": places.add_run(folder)})
+        place, row = places.sweep(integer(query, "sweep")), integer(query, "row")
+        return reply({"run": places.add_run(run_of_case(place.path, row), f"{place.name}, case {row + 1}")})
     return send

@@ -7,7 +7,6 @@ import numpy as np
 
 from hugoniot.dossier import fits
 from hugoniot.errors import HugoniotError, OutOfRange
-from hugoniot.explorer.curves import columns
 from hugoniot.explorer.subjects import entry_of, inert
 from hugoniot.materials.entry import Entry
 from hugoniot.theory.hugoniot import Initial, shock
@@ -17,7 +16,7 @@ from hugoniot.theory.states import States
 from hugoniot.theory.uncertainty import matched, propagate
 
 MOST_LAYERS = 8
-ALONG = 24          # states of a drawn curve
+ALONG = 18          # states of a drawn curve
 ANSWERS = ("pressure", "particle_velocity", "shock_velocity", "density")
 _SLOPES = {1: ("c0", "s"), 2: ("c0", "s1", "s2")}   # parameters that a recorded fit of that degree gives a law
 
@@ -97,25 +96,34 @@ def _curves(layers: Sequence, velocity: float, met: Sequence[Match]) -> list[dic
     arriving, found = reference(layers[0], velocity), []
     for k, m in enumerate(met):
         ahead = reference(layers[k + 1])
-        found.append({"behind": _wave_curve(layers[k], arriving, top, -1), "ahead": _wave_curve(layers[k + 1], ahead, top, 1),
+        sides = ("behind", layers[k], arriving, -1), ("ahead", layers[k + 1], ahead, 1)
+        found.append({**{side: _wave_curve(layer, start, (m.pressure, top), direction) for side, layer, start, direction in sides},
                       "from": [arriving.particle_velocity, arriving.pressure], "state": [m.particle_velocity, m.pressure]})
         arriving = m.right
     return found
 
 
-def _wave_curve(layer, start: States, top: float, direction: int) -> dict[str, list]:
-    """(particle velocity, pressure) of the states behind a wave into `start`: release below its pressure, shock above."""
+def _wave_curve(layer, start: States, pressures: tuple[float, float], direction: int) -> dict[str, list]:
+    """(particle velocity, pressure) of the states behind a wave into `start`: release below its pressure, shock above.
+
+    pressures   one that is among them, and the highest
+    """
+    through, top = pressures
     floor = max(min(float(reference(layer).pressure), start.pressure), 0.0)
-    parts = []
+    below, above = None, None
     if start.pressure > floor + 1e-6 * top:
-        parts.append(_tried(lambda p: unload(layer, start, direction=direction, pressure=p), np.linspace(floor, start.pressure, ALONG)))
+        span = np.linspace(start.pressure, floor, ALONG)[1:]
+        span = np.sort(np.append(span, through))[::-1] if floor < through < start.pressure else span
+        below = _tried(lambda p: unload(layer, start, direction=direction, pressure=p), span)
     if start.pressure < top:
-        span = start.pressure + (top - start.pressure) * np.linspace(0.0, 1.0, ALONG) ** 2
-        parts.append(_tried(lambda p: shock(layer, Initial.of(start), direction=direction, pressure=p), span[1:]))
-    tables = [columns(states) for states in parts if states is not None]
-    here = {"particle_velocity": [start.particle_velocity], "pressure": [start.pressure]}
-    between = tables[:1] + [here] + tables[1:] if len(parts) == 2 else [here, *tables] if start.pressure <= floor + 1e-6 * top else tables
-    return {key: [v for t in between for v in t[key]] for key in ("particle_velocity", "pressure")}
+        span = start.pressure + (top - start.pressure) * np.linspace(0.0, 1.0, ALONG)[1:] ** 2
+        span = np.sort(np.append(span, through)) if through > start.pressure else span
+        above = _tried(lambda p: shock(layer, Initial.of(start), direction=direction, pressure=p), span)
+    found = {}
+    for key in ("particle_velocity", "pressure"):
+        down, up = (getattr(part, key).tolist() if part is not None else [] for part in (below, above))
+        found[key] = [*reversed(down), getattr(start, key), *up]
+    return found
 
 
 def _tried(function, pressures) -> States | None:

@@ -14,6 +14,7 @@ from typing import Any
 from hugoniot.errors import FileTrouble
 from hugoniot.explorer.decks import read
 from hugoniot.explorer.places import Places
+from hugoniot.explorer.worker import COMMAND
 
 MOST_AT_ONCE = 2
 LINES = 40
@@ -26,7 +27,8 @@ class Job:
         self.folder, self.places, self.stopping, self.run = folder, places, False, None
         self.progress: dict[str, Any] = {}
         self.lines: deque[str] = deque(maxlen=LINES)
-        command = [sys.executable, "-m", "hugoniot.explorer.worker", str(folder)]
+        # -P: modules come from where Python has them, never from the folder of the runs
+        command = [sys.executable, "-P", "-c", COMMAND, str(folder)]
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                         encoding="utf-8", errors="replace", cwd=folder.parent)
         self.reader = threading.Thread(target=self._read, args=(text,), daemon=True)

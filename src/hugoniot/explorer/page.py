@@ -1,8 +1,9 @@
 """The page: its own files, named one by one, so that no other file can be asked for."""
 
 from functools import cache
-from importlib import resources
+from pathlib import Path
 
+STATIC = Path(__file__).parent / "static"
 STYLES = ("style.css",)
 SCRIPTS = ("base.js", "colours.js", "chart.js", "save.js", "material_list.js", "material_planes.js", "materials.js", "match.js",
            "raster.js", "run_xt.js", "run_plane.js", "run_lines.js", "measured.js", "runs.js",
@@ -14,14 +15,12 @@ KINDS = {"css": "text/css; charset=utf-8", "js": "text/javascript; charset=utf-8
 @cache
 def files() -> dict[str, bytes]:
     """Name -> contents of every file of the page but index.html."""
-    folder = resources.files("hugoniot.explorer") / "static"
-    return {name: (folder / name).read_bytes() for name in (*STYLES, *SCRIPTS, "icon.svg")}
+    return {name: (STATIC / name).read_bytes() for name in (*STYLES, *SCRIPTS, "icon.svg")}
 
 
 def index(exported: bool = False) -> bytes:
     """index.html; of an export with the policy in the page and the script that says where the data lie."""
-    folder = resources.files("hugoniot.explorer") / "static"
-    text = (folder / "index.html").read_text(encoding="utf-8")
+    text = (STATIC / "index.html").read_text(encoding="utf-8")
     policy = "default-src 'none'; script-src 'self' file:; style-src 'self' file:; img-src 'self' file: data: blob:"
     head = f'<meta http-equiv="Content-Security-Policy" content="{policy}">' if exported else ""
     scripts = (("data/data.js",) if exported else ()) + SCRIPTS

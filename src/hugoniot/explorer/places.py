@@ -29,13 +29,13 @@ class Places:
     work: Path | None = None
     _lock: threading.Lock = field(default_factory=threading.Lock)
 
-    def add_run(self, path: Path) -> int:
-        """The number of a run folder, which is added unless it is there."""
+    def add_run(self, path: Path, name: str = "") -> int:
+        """The number of a run folder, which is added unless it is there, under its own name or a given one."""
         path = path.resolve()
         with self._lock:
             known = [place.path for place in self.runs]
             if path not in known:
-                self.runs.append(Place(path, path.name))
+                self.runs.append(Place(path, name or path.name))
                 return len(known)
             return known.index(path)
 

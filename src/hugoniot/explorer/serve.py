@@ -14,6 +14,7 @@ from hugoniot.explorer.app import application
 from hugoniot.explorer.guard import new_token
 from hugoniot.explorer.jobs import Jobs
 from hugoniot.explorer.places import Places
+from hugoniot.signals import end_like_interrupt
 
 HOST = "127.0.0.1"
 
@@ -43,4 +44,5 @@ def serve(places: Places, port: int = 0, *, browser: bool = True, view: str = ""
         told(address)
         if browser:
             threading.Timer(0.3, webbrowser.open, (address,)).start()
-        uvicorn.Server(config).run(sockets=[listener])
+        with end_like_interrupt(), contextlib.suppress(KeyboardInterrupt):      # which is how it ends; runs keep a checkpoint
+            uvicorn.Server(config).run(sockets=[listener])

@@ -7,18 +7,38 @@ import re
 from pathlib import Path
 from typing import Any
 
+from hugoniot.campaign.journal import kept_answers
 from hugoniot.errors import FileTrouble
 from hugoniot.files import read_text
 
 LARGEST, MOST_ROWS, MOST_COLUMNS = 32_000_000, 20_000, 200
 RUN_COLUMNS = ("folder", "run", "case", "path", "name")     # columns that may name the run of a case
+KEPT, JOURNAL = "runs", "cases.jsonl"                       # what `hugoniot sweep --keep` writes
+_KEY = re.compile(r"[0-9a-f]{16,64}")
 NOTHING = ("", "nan", "inf", "-inf", "none", "null", "-")     # cells without a number in a column of numbers
 _HEAD = re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]*)[)\]]\s*$")
 
 
 def table(path: Path) -> dict[str, Any]:
-    """Columns of a CSV file: name, unit, whether all cells are numbers, cells. `FileTrouble` for a file that is no table."""
+    """Columns of a CSV file: name, unit, whether all cells are numbers, cells; `runs`: rows with a run beside the table.
+
+    Raises `FileTrouble` for a file that is no table.
+    """
     heads, rows = _read(path)
+    columns = _columns(heads, rows)
+    return {"columns": columns, "rows": len(rows), "runs": sorted(_runs(path, columns, len(rows)))}
+
+
+def run_of_case(path: Path, row: int) -> Path:
+    """The run folder of a row; `FileTrouble` where the table names none beside itself."""
+    heads, rows = _read(path)
+    folder = _runs(path, _columns(heads, rows), len(rows)).get(row)
+    if folder is None:
+        raise FileTrouble(f"{path.name}: row {row + 1} has no run folder beside the table")
+    return folder
+
+
+def _columns(heads: list[str], rows: list[list[str]]) -> list[dict]:
     columns = []
     for k, head in enumerate(heads):
         cells = [row[k].strip() if k < len(row) else "" for row in rows]
@@ -26,8 +46,8 @@ def table(path: Path) -> dict[str, Any]:
         numeric = any(n is not None for n in numbers) and all(n is not None or cell.lower() in NOTHING for n, cell in zip(numbers, cells))
         match = _HEAD.fullmatch(head)
         name, unit = (match["name"], match["unit"]) if match else (head, "")
-        columns.append({"name": name, "unit": unit, "numeric": numeric, "cells": numbers if numeric else cells})
-    return {"columns": columns, "rows": len(rows), "runs": [k for k in range(len(rows)) if _folder(path, heads, rows[k]) is not None]}
+        columns.append({"name": name, "unit": "" if unit == "1" else unit, "numeric": numeric, "cells": numbers if numeric else cells})
+    return columns
 
 
 def _read(path: Path) -> tuple[list[str], list[list[str]]]:
@@ -51,24 +71,46 @@ def _number(cell: str) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def _folder(path: Path, heads: list[str], row: list[str]) -> Path | None:
-    """The run of a case: a folder below that of the table which a column names, and nothing outside of it."""
-    home = path.parent.resolve()
-    for wanted in RUN_COLUMNS:
-        if wanted not in heads or heads.index(wanted) >= len(row):
-            continue
-        name = row[heads.index(wanted)].strip()
-        for candidate in (name, f"{name}.run", f"cases/{name}", f"cases/{name}.run", f"runs/{name}") if name else ():
-            folder = (home / candidate).resolve() if "\0" not in candidate else home
-            if folder != home and folder.is_relative_to(home) and (folder / "deck.toml").is_file():
-                return folder
+# -- the runs of the cases -------------------------------------------------------------------------------------------
+def _runs(path: Path, columns: list[dict], count: int) -> dict[int, Path]:
+    """Row -> run folder below the folder of the table: kept by `hugoniot sweep --keep`, or named by a column."""
+    found = _kept(path.parent.resolve(), columns, count)
+    named = [c["cells"] for c in columns if c["name"] in RUN_COLUMNS and not c["numeric"]]
+    for row in range(count):
+        for cells in named:
+            folder = _below(path.parent.resolve(), cells[row])
+            if folder is not None:
+                found.setdefault(row, folder)
+    return found
+
+
+def _kept(home: Path, columns: list[dict], count: int) -> dict[int, Path]:
+    """The runs a sweep kept: the row and the answer in its journal have the same results, to the last bit."""
+    if not (home / KEPT).is_dir() or not (home / JOURNAL).is_file():
+        return {}
+    folders: dict[tuple, Path] = {}
+    names: list[str] | None = None
+    for answer in kept_answers(home / JOURNAL):
+        numbers = answer.get("numbers", {})
+        if names is None and numbers:
+            names = [c["name"] for c in columns if c["numeric"] and c["name"] in numbers]
+        key = str(answer.get("key", ""))
+        folder = _below(home, f"{KEPT}/{key}") if names and _KEY.fullmatch(key) else None
+        if names and folder is not None:
+            folders[tuple(_finite(numbers.get(name)) for name in names)] = folder
+    by_name = {c["name"]: c["cells"] for c in columns}
+    rows = {row: tuple(by_name[name][row] for name in names or ()) for row in range(count)}
+    return {row: folders[values] for row, values in rows.items() if values in folders}
+
+
+def _finite(value) -> float | None:
+    return value if isinstance(value, (int, float)) and math.isfinite(value) else None
+
+
+def _below(home: Path, name: str) -> Path | None:
+    """A run folder of that name below `home`; None for any other place."""
+    for candidate in (name, f"{name}.run", f"runs/{name}", f"runs/{name}.run") if name and "\0" not in name else ():
+        folder = (home / candidate).resolve()
+        if folder != home and folder.is_relative_to(home) and (folder / "deck.toml").is_file():
+            return folder
     return None
-
-
-def run_of_case(path: Path, row: int) -> Path:
-    """The run folder of a row; `FileTrouble` where the table names none beside itself."""
-    heads, rows = _read(path)
-    folder = _folder(path, heads, rows[row]) if 0 <= row < len(rows) else None
-    if folder is None:
-        raise FileTrouble(f"{path.name}: row {row + 1} names no run folder beside the table")
-    return folder

@@ -1,7 +1,5 @@
 """The process of a run started from the page: a deck on standard input, its progress as lines of JSON on standard output.
 
-    python -m hugoniot.explorer.worker FOLDER
-
 Exit codes as of `hugoniot run`.
 """
 
@@ -15,6 +13,7 @@ from hugoniot.errors import HugoniotError
 from hugoniot.explorer.decks import LARGEST, read
 
 BETWEEN = 0.2   # s
+COMMAND = "import sys; from hugoniot.explorer.worker import main; sys.exit(main(sys.argv[1]))"
 
 
 def tell(**news) -> None:
@@ -58,7 +57,3 @@ def main(folder: str) -> int:
         tell(message=f"stopped; hugoniot resume {folder} goes on from the checkpoint")
         return 130
     return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main(sys.argv[1]))

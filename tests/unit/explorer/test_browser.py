@@ -6,13 +6,17 @@ Chromium is looked for on PATH; where there is none these tests are skipped. Scr
 import json
 import re
 import shutil
+import socket
 import subprocess
 import sys
 import time
 import xml.etree.ElementTree as ET
+from concurrent.futures import ThreadPoolExecutor
 
+import httpx
 import numpy as np
 import pytest
+from explorer_words import LONG, TUBE
 from typer.testing import CliRunner
 
 import hugoniot
@@ -220,7 +224,7 @@ def test_the_pointer_on_a_run_reads_its_file(visit, tube):
     until(page, "location.hash.includes('z=')")
     zone = int(re.search(r"z=(\d+)", page.url).group(1))
     page.select_option("select[aria-label='Field of the histories']", "pressure")
-    until(page, f"[...document.querySelectorAll('.chart')].some(c => c.chart.spec.series.some(s => s.label === 'zone {zone}'))")
+    until(page, f"[...document.querySelectorAll('.chart')].some(c => c.chart.spec.y.label.startsWith('pressure') && c.chart.spec.series.some(s => s.label === 'zone {zone}'))")
     drawn = page.evaluate(f"[...document.querySelectorAll('.chart')].flatMap(c => c.chart.spec.series).find(s => s.label === 'zone {zone}').si[1]")
     assert np.array_equal(drawn, rows["pressure"][:, zone])
 
@@ -257,7 +261,7 @@ def test_everything_is_reached_by_keys(visit):
     page.locator("ul[role=listbox]").focus()
     for press in ("ArrowDown", "Enter", "ArrowDown", "Enter"):
         page.keyboard.press(press)
-    until(page, "location.hash.split('sel=')[1].split(',').length === 2")
+    until(page, "location.hash.split('sel=')[1].split(',').length === 6")
     until(page, "document.querySelector('.chart').chart.spec.series.length >= 2")
     page.locator(".chart svg").first.focus()
     page.keyboard.press("ArrowRight")
@@ -354,3 +358,32 @@ def test_an_export_opens_from_the_disk(visit, tube, arguments, tmp_path):
     page.wait_for_selector("text=reshock and release from the server")
     for view in ("#/materials?sel=copper,aluminum&at=particle_velocity:1500", "#/sweeps?sweep=0", "#/decks?deck=0"):
         here.go(view).wait_for_load_state("networkidle")
+
+
+def test_many_requests_and_a_client_that_never_reads_do_not_stop_it(address):
+    host, port = re.match(r"http://([^:/]+):(\d+)/", address).groups()
+    deaf = [socket.create_connection((host, int(port))) for _ in range(3)]
+    for client in deaf:
+        client.sendall(f"GET /{address.split('/')[3]}/api/materials HTTP/1.1\r\nHost: {host}:{port}\r\n\r\n".encode() * 30)
+
+    def asked(k):
+        with httpx.Client(timeout=60.0) as client:
+            return client.get(f"{address}api/state", params={"name": "copper", "by": "particle_velocity", "value": 500 + k}).json()["state"]["particle_velocity"]
+
+    with ThreadPoolExecutor(100) as pool:
+        assert list(pool.map(asked, range(300))) == [500 + k for k in range(300)]
+    assert httpx.get(address).status_code == 200 and httpx.get(address, headers={"host": "evil.example"}).status_code == 404
+    for client in deaf:
+        client.close()
+
+
+def test_the_end_of_the_server_is_the_end_of_its_runs_with_a_checkpoint(tmp_path):
+    with subprocess.Popen([sys.executable, "-m", "hugoniot.cli.main", "explore", "--no-browser", "--work", str(tmp_path)], stdout=subprocess.PIPE, text=True) as server:
+        address = re.search(r"http://\S+", server.stdout.readline()).group(0)
+        httpx.post(f"{address}api/job", content=TUBE.replace('"20 us"', LONG))
+        end = time.monotonic() + 60
+        while httpx.get(f"{address}api/job/0").json()["progress"].get("cycle", 0) < 10 and time.monotonic() < end:
+            time.sleep(0.1)
+        server.terminate()
+        assert server.wait(30) == 0
+    assert list((tmp_path / "tube-of-gas.run" / "checkpoint").glob("[0-9]*.json")) and not (tmp_path / "tube-of-gas.run" / ".lock").exists()

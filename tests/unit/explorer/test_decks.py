@@ -3,7 +3,7 @@
 import time
 
 import pytest
-from explorer_words import TOKEN
+from explorer_words import LONG, TOKEN, TUBE
 
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.explorer import decks, jobs, live, run_data
@@ -50,34 +50,6 @@ def test_words_name_every_table_with_units_and_laws():
     assert "material.*" in found["tables"] and "boundary" in found["tables"]
 
 
-TUBE = """title = "Tube / of \\"gas\\""
-stop_time = "20 us"
-[[region]]
-name = "left"
-material = "gas"
-from = "0 mm"
-to = "10 mm"
-zones = 20
-pressure = "2 bar"
-density = "1 kg/m^3"
-[[region]]
-name = "right"
-material = "gas"
-from = "10 mm"
-to = "20 mm"
-zones = 20
-pressure = "1 bar"
-density = "1 kg/m^3"
-[material.gas.eos]
-law = "ideal_gas"
-gamma = 1.4
-[output]
-report = false
-checkpoint_cycles = 10
-snapshots = "1 us"
-"""
-
-
 def ended(job, seconds=120.0):
     until = time.monotonic() + seconds
     while job.running and time.monotonic() < until:
@@ -86,6 +58,7 @@ def ended(job, seconds=120.0):
     return job.shown()
 
 
+@pytest.mark.slow
 def test_a_run_is_started_reports_and_opens(tmp_path, tube):
     places = Places(work=tmp_path / "work")
     (tmp_path / "work" / "tube-of-gas.run").mkdir(parents=True)
@@ -101,7 +74,7 @@ def test_a_stopped_run_leaves_a_checkpoint_that_the_page_shows(tmp_path, tube):
     """The folder of an unfinished run is read as it stands: its pieces, its log, nothing written."""
     places = Places(work=tmp_path)
     started = jobs.Jobs(places)
-    job = started.job(started.start(TUBE.replace('"20 us"', '"20 ms"'))["job"])
+    job = started.job(started.start(TUBE.replace('"20 us"', LONG))["job"])
     until = time.monotonic() + 120.0
     while not live.column(job.folder, "snapshots", "time").size and job.running and time.monotonic() < until:
         time.sleep(0.05)

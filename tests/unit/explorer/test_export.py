@@ -53,6 +53,5 @@ def test_an_export_replaces_its_own_folder_and_no_other(places, tmp_path):
 
 
 def test_the_files_of_the_page_are_small_and_all_named():
-    folder = page.resources.files("hugoniot.explorer") / "static"
-    assert {p.name for p in folder.iterdir()} == {*page.files(), "index.html"}
+    assert {p.name for p in page.STATIC.iterdir()} == {*page.files(), "index.html"}
     assert sum(len(data) for data in page.files().values()) < 250_000

@@ -114,4 +114,4 @@ def test_a_deck_from_the_page_names_no_file_elsewhere(client, name):
 def test_a_case_opens_no_folder_outside_the_table(client):
     for row in (0, 2, 7):
         answer = client.post(f"/{TOKEN}/api/case?sweep=0&row={row}")
-        assert answer.status_code == 422 and "names no run folder beside the table" in answer.json()["error"][0]
+        assert answer.status_code == 422 and "has no run folder beside the table" in answer.json()["error"][0]

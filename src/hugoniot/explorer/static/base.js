@@ -37,6 +37,7 @@ H.set = (changes, draw = true) => {
     if (value === null || value === "" || value === undefined) query.delete(key); else query.set(key, value);
   }
   history.replaceState(null, "", H.address(view, query));
+  H.remember?.(view, query);
   if (draw) H.views[view].update();
 };
 H.go = (view, values = {}) => { location.hash = H.address(view, new URLSearchParams(Object.entries(values).filter(([, v]) => v !== ""))); };

@@ -76,8 +76,11 @@ H.Chart = class {
     const {spec} = this, narrow = width < 560, named = !narrow && spec.series.some(s => s.label);
     const widest = Math.max(0, ...spec.series.map(s => (s.label || "").length));
     const right = spec.bar ? 86 : named ? Math.min(24 + 6.6 * widest, 0.27 * width) : 14;
-    const left = narrow ? 50 : 62, bottom = 44, top = spec.heads ? 22 : 12;
+    let left = narrow ? 50 : 62;
+    const bottom = 44, top = spec.heads ? 22 : 12;
     const [x, y] = ["x", "y"].map(a => this._range(a));
+    const marks = spec.y.bare || spec.y.log ? [] : H.ticks(y[0], y[1], (height - top - bottom) / 55), step = marks.length > 1 ? marks[1] - marks[0] : 1;
+    left = Math.max(left, 26 + 7.2 * Math.max(0, ...marks.map(v => tickText(v, step).length)));
     if (spec.equal) {     // a plane: one scale for both axes
       const scale = Math.min((width - left - right) / (x[1] - x[0]), (height - top - bottom) / (y[1] - y[0]));
       for (const [r, room] of [[x, width - left - right], [y, height - top - bottom]]) {
@@ -124,7 +127,7 @@ H.Chart = class {
   }
   _axes(root, f, p) {
     const {spec} = this, base = f.height - f.bottom, end = f.width - f.right, size = f.narrow ? 10.5 : 11.5;
-    const xs = spec.x.log ? H.logTicks(f.x.low, f.x.high) : H.ticks(f.x.low, f.x.high, (end - f.left) / 90);
+    const xs = spec.x.log ? H.logTicks(f.x.low, f.x.high) : H.ticks(f.x.low, f.x.high, (end - f.left) / (f.narrow ? 60 : 90));
     const ys = spec.y.log ? H.logTicks(f.y.low, f.y.high) : H.ticks(f.y.low, f.y.high, (base - f.top) / 55);
     const step = values => values.length > 1 ? Math.abs(values[1] - values[0]) : 1;
     let taken = -Infinity;
@@ -173,8 +176,8 @@ H.Chart = class {
     if (m.kind === "error") { const up = f.y.at(m.y - m.sy), down = f.y.at(m.y + m.sy), l = f.x.at(m.x - m.sx), r = f.x.at(m.x + m.sx); line(x, up, x, down); line(l, y, r, y); }
     if (m.label) {
       const right = m.side === "left" || (x ?? f.x.at(m.x2)) > f.width - f.right - 8 * m.label.length;
-      const half = 3.5 * m.label.length, at = x ?? f.x.at(m.x2), kept = m.centre ? Math.min(Math.max(at, f.left + half), f.width - f.right - half) : at + (right ? -8 : 8);
-      plot.append(text(kept, (y ?? f.y.at(m.y2)) + (m.below ? 15 : m.centre ? 4 : -6), m.label, this.colour({colour: m.ink || m.colour}, p), 11, m.centre ? "middle" : right ? "end" : "start", {}, m.centre ? null : p.paper));
+      const half = 3.5 * m.label.length, at = x ?? f.x.at(m.x2), kept = m.centre ? Math.min(Math.max(at, f.left + half), f.width - f.right - half) : at + (right ? -11 : 11);
+      plot.append(text(kept, (y ?? f.y.at(m.y2)) + (m.below ? 22 : m.centre ? 4 : -6), m.label, this.colour({colour: m.ink || m.colour}, p), 11, m.centre ? "middle" : right ? "end" : "start", {}, m.centre ? null : p.paper));
     }
   }
   _names(root, f, p) {        // each line is named where it ends
@@ -182,9 +185,10 @@ H.Chart = class {
     for (const s of this.spec.series) {
       if (!s.label || s.kind === "band") continue;
       let last = null;
-      for (let i = s.x.length - 1; i >= 0 && !last; i--)
+      const from = s.named === "start" ? 0 : s.x.length - 1, step = s.named === "start" ? 1 : -1;
+      for (let i = from; i >= 0 && i < s.x.length && !last; i += step)
         if (usable(s.x[i], f.x) && usable(s.y[i], f.y) && inside(f.x, s.x[i]) && inside(f.y, s.y[i])) last = [f.x.at(s.x[i]), f.y.at(s.y[i])];
-      if (last) ends.push({label: s.label, colour: this.colour(s, p), x: last[0], y: last[1]});
+      if (last) ends.push({label: s.label, colour: this.colour(s, p), x: last[0], y: last[1] - (s.named === "start" ? 22 : 0)});
     }
     if (!ends.length) return;
     const edge = f.width - f.right, last = new Map();       // the parts of one line have one name, where the last of them ends
@@ -254,6 +258,7 @@ H.Chart = class {
     const x = c.px ?? (s && f.x.at(s.x[c.index])), y = c.py ?? (s && f.y.at(s.y[c.index]));
     if (!Number.isFinite(x) || !Number.isFinite(y)) return;
     this.top.append(H.s("path", {d: `M${f.left} ${r1(y)}H${f.width - f.right}M${r1(x)} ${f.top}V${f.height - f.bottom}`, stroke: p.quiet, "stroke-width": 0.8, "stroke-dasharray": "3 3", fill: "none"}),
+      s?.origin ? H.s("line", {x1: f.x.at(s.origin[0]), y1: f.y.at(s.origin[1]), x2: x, y2: y, stroke: this.colour(s, p), "stroke-width": 1.1, "stroke-dasharray": "4 3", "data-line": "rayleigh"}) : "",
       H.s("circle", {cx: x, cy: y, r: 5, fill: s ? this.colour(s, p) : "none", stroke: s ? p.paper : p.ink, "stroke-width": 1.4}));
   }
   point(hit) { this.cursor = hit; this._showCursor(); if (hit && this.options.onHover) this.options.onHover(hit); }

@@ -33,6 +33,6 @@ H.scaleOf = (low, high) => {
     const top = Math.max(-low, high);
     return {ramp: H.ramps.stress, low: -top, high: top};
   }
-  return {ramp: H.ramps.rising, low, high: high > low ? high : low + Math.max(Math.abs(low) * 1e-6, 1e-300)};
+  return {ramp: H.ramps.rising, low, high: high > low ? high : low + (Math.abs(low) * 1e-6 || 1)};
 };
 H.css = abgr => `rgb(${abgr & 255},${abgr >> 8 & 255},${abgr >> 16 & 255})`;

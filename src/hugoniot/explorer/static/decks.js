@@ -28,7 +28,7 @@ at = "flyer/target"
 name = "free surface"
 at = "free surface right"
 `;
-  let area, numbers, offers, problems, drawing, chart, jobBox, runButton, words, materials = [], timer = 0, poll = 0, open = null, chosen = 0, wrong = [], source, kind = "lagrange1d", mayRun = false, current;
+  let area, numbers, offers, problems, drawing, chart, jobBox, runButton, words, materials = [], timer = 0, poll = 0, open = null, chosen = 0, wrong = [], source, kind = "lagrange1d", mayRun = false, current, known = null;
 
   view.open = main => {
     const left = H.h("div", {class: "column"}), right = H.h("div", {class: "column"});
@@ -62,7 +62,7 @@ at = "free surface right"
     const number = H.get("deck");
     if (H.get("text")) { area.value = decoded(H.get("text")); source.textContent = "from the address"; }
     else if (H.get("from") === "match" && sessionStorage.getItem("hugoniot-deck")) { area.value = sessionStorage.getItem("hugoniot-deck"); source.textContent = "from the impedance match"; }
-    else if (number !== "" && opened.decks.length) { const deck = await H.ask("deck", {deck: number}); area.value = deck.text; source.textContent = deck.name; }
+    else if (number !== "" && opened.decks.length) { const deck = await H.ask("deck", {deck: number}); area.value = deck.text; source.textContent = deck.name; known = deck; }
     else { area.value = START; source.textContent = "an example"; }
     changed(false);
   }
@@ -83,6 +83,7 @@ at = "free surface right"
     numbers.scrollTop = area.scrollTop;
   }
   function check() {
+    if (H.exported() && known && known.text === area.value) { show(known.checked); return; }
     if (H.exported()) { H.clear(problems).append(H.h("p", {class: "quiet"}, "This exported page shows the deck; hugoniot explore checks and runs it.")); command(); return; }
     checking(async () => {
       const text = area.value;

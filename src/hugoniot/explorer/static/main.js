@@ -5,6 +5,8 @@
   const names = {materials: "Materials", match: "Impedance match", runs: "Runs", decks: "Deck", sweeps: "Sweeps"};
   const preferred = matchMedia("(prefers-color-scheme: dark)");
 
+  H.remember = (view, query) => { document.querySelector(`#views a[data-view=${view}]`).href = H.address(view, query); };      // a view is found as it was left
+
   H.command = commands => {       // {shell, python} of what is shown
     H.commands = commands;
     document.getElementById("command").textContent = commands[form];
@@ -30,6 +32,7 @@
     for (const link of document.querySelectorAll("#views a")) {
       if (link.dataset.view === view) link.setAttribute("aria-current", "page"); else link.removeAttribute("aria-current");
     }
+    H.remember(view, query);
     document.title = `${names[view]} · hugoniot`;
     if (current !== view) {
       if (current) H.views[current].close?.();
@@ -51,14 +54,15 @@
     preferred.addEventListener("change", () => { setTheme(); H.views[current].repaint?.(); });
     addEventListener("hashchange", show);
     addEventListener("keydown", event => {
-      if (event.altKey && /^[1-5]$/.test(event.key)) { location.hash = `#/${Object.keys(names)[event.key - 1]}`; event.preventDefault(); }
+      if (event.altKey && /^[1-5]$/.test(event.key)) { location.hash = document.querySelectorAll("#views a")[event.key - 1].hash; event.preventDefault(); }
     });
     H.opened = H.askOnce("start");
     H.opened.then(opened => {
+      H.remember("materials", new URLSearchParams({sel: (opened.materials.length ? opened.materials : ["copper", "aluminum_6061", "iron", "pmma"]).join(",")}));
       if (!location.hash && opened.runs.length) location.hash = "#/runs?run=0";
       else if (!location.hash && opened.sweeps.length) location.hash = "#/sweeps?sweep=0";
       else if (!location.hash && opened.decks.length) location.hash = "#/decks?deck=0";
-      else if (!location.hash && opened.materials.length) location.hash = `#/materials?sel=${opened.materials.join(",")}`;
+      else if (!location.hash) location.hash = document.querySelector("#views a").hash;
       else show();
     }).catch(error => { show(); H.failed(error); });
   }

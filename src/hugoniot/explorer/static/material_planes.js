@@ -10,6 +10,7 @@
     "us-up": [{label: "particle velocity (km/s)", min: 0}, {label: "shock velocity (km/s)"}], "p-up": [{label: "particle velocity (km/s)", min: 0}, {label: "pressure (GPa)", min: 0}],
     "p-v": [{label: "specific volume (cm³/g)"}, {label: "pressure (GPa)", min: 0}], "t-p": [{label: "pressure (GPa)", min: 0}, {label: "temperature (K)", zero: true}],
   };
+  const rayleigh = {"p-up": a => [0, a.pressure * 1e-9], "p-v": a => [1e3 / a.density, a.pressure * 1e-9]};      // where a Rayleigh line starts
   const line = (id, c, colour, table, axes, more) => { const [x, y] = columnsOf[axes](table); return {id, name: c.name, table, x, y, colour, ...more}; };
 
   function hugoniots(axes) {
@@ -22,7 +23,8 @@
       if (options.sources && (axes === "us-up" || axes === "p-up")) for (const s of c.sources)
         found.push({kind: "line", id: "source", source: s, name: c.name, colour, faint: true, dash: "2 3", hover: false, x: times(s.up, 1e-3), y: axes === "us-up" ? times(s.us, 1e-3) : times(s.p, 1e-9)});
       if (known < h.particle_velocity.length) found.push(line("beyond", c, colour, part(Math.max(known - 1, 0)), axes, {dash: "5 4", hover: true, label: c.short}));
-      found.push(line("hugoniot", c, colour, part(0, known), axes, {hover: true, label: c.short}));
+      for (const s of found) if (s.id === "beyond" && rayleigh[axes]) s.origin = rayleigh[axes](c.ahead);
+      found.push(line("hugoniot", c, colour, part(0, known), axes, {hover: true, origin: rayleigh[axes]?.(c.ahead), label: c.short}));
       if (options.releases && axes !== "us-up") for (const r of [...c.releases, ...(c.pinned?.release ? [c.pinned.release] : [])])
         found.push(line("release", c, colour, r, axes, {faint: true, hover: true}));
       return found;

@@ -83,8 +83,9 @@
       names.length ? "" : H.h("span", {class: "quiet"}, "Choose materials from the list."));
     const notes = known.flatMap(c => c ? [...c.notes, ...(c.refused ? [c.refused] : [])] : []);
     if (silent.length) notes.push(`Not in this plane: ${silent.join(", ")}.`);
-    if (series.some(s => s.id === "beyond")) notes.push("Dashed: beyond the range of the data.");
+    if (series.some(s => s.id === "beyond")) notes.push("Dashed curve: beyond the range of the data.");
     if (series.some(s => s.id === "release") && plane() !== "expansion") notes.push("Thin: isentropes through states of the Hugoniot.");
+    if (["p-up", "p-v"].includes(plane())) notes.push("The dashed straight line to the pointer or to a pinned state is its Rayleigh line.");
     if (plane() === "isentropes") notes.push("Dashed: isentrope through the state at rest.");
     if (plane() === "detonation") notes.push("Dashed straight line: Rayleigh line to the CJ state; dashed curve: isentrope of the products through it.");
     hint.textContent = notes.join(" ");
@@ -129,7 +130,7 @@
   }
   function command(names) {
     const some = names.length ? names : ["copper"], list = some.map(H.shell).join(" "), [by, value] = H.get("at").split(":");
-    const state = by ? `${by} = ${Number(value)} ${{particle_velocity: "m/s", shock_velocity: "m/s", pressure: "Pa"}[by] || ""}`.trim() : "", at = state ? ` --at "${state}"` : "";
+    const state = !by ? "" : by === "pressure" ? `pressure = ${Number((value * 1e-9).toPrecision(15))} GPa` : `${by} = ${Number(value)} m/s`, at = state ? ` --at "${state}"` : "";
     const finds = some.map(n => `find(${H.python(n)})`).join(", ");
     const head = "from hugoniot.materials.library import find\n";
     const shells = {isentropes: `hugoniot eos isentrope ${list}${at || ' --at "particle_velocity = 1000 m/s"'} --plot isentropes.png`, detonation: `hugoniot eos hugoniot ${list} --reaction --axes p-v --plot detonation.png`,

@@ -33,21 +33,27 @@ H.WaveField = class {
         while (k > 0 && times[k] > t) k--;
         const next = Math.min(k + 1, last), w = next > k ? (t - times[k]) / (times[next] - times[k]) : 0, a = k * n, b = next * n;
         const between = high * (times[next] - times[k]) / (tAxis.high - tAxis.low) > 1.5 && next > k, move = between ? this._moves(k) : null, near = w < 0.5 ? a : b;
-        let z = 0;
-        for (let col = 0; col < wide; col++) {
-          const x = xAxis.low + (col + 0.5) / wide * (xAxis.high - xAxis.low);
-          while (z < n - 1 && (1 - w) * left[a + z + 1] + w * left[b + z + 1] <= x) z++;
-          if (x < (1 - w) * left[a + z] + w * left[b + z] || x > (1 - w) * right[a + z] + w * right[b + z]) continue;
+        const from = xAxis.low, per = wide / (xAxis.high - xAxis.low), line = row * wide;
+        for (let z = this._firstSeen(a, xAxis.low, n); z < n; z++) {
+          const start = Math.max(0, Math.ceil(((1 - w) * left[a + z] + w * left[b + z] - from) * per - 0.5)), end = Math.min(wide - 1, Math.floor(((1 - w) * right[a + z] + w * right[b + z] - from) * per - 0.5));
+          if (start >= wide) break;
+          if (end < start) continue;
           let v;
           if (!between) v = values[near + z];
           else {
-            const way = 2 * move.shift[z], from = Math.min(Math.max(z - Math.round(way * w), move.first[z]), move.last[z]), to = Math.min(Math.max(z + Math.round(way * (1 - w)), move.first[z]), move.last[z]);
-            v = (1 - w) * values[a + from] + w * values[b + to];
+            const way = 2 * move.shift[z], before = Math.min(Math.max(z - Math.round(way * w), move.first[z]), move.last[z]), behind = Math.min(Math.max(z + Math.round(way * (1 - w)), move.first[z]), move.last[z]);
+            v = (1 - w) * values[a + before] + w * values[b + behind];
           }
-          pixels[row * wide + col] = table[Math.min(Math.max(Math.round((v - scale.low) * factor), 0), 255)];
+          const colour = table[Math.min(Math.max(Math.round((v - scale.low) * factor), 0), 255)];
+          for (let col = start; col <= end; col++) pixels[line + col] = colour;
         }
       }
     };
+  }
+  _firstSeen(at, x, n) {      // some zones before the first that reaches x: between two records faces move
+    let a = 0, b = n - 1;
+    while (b > a) { const m = (a + b) >> 1; if (this.right[at + m] < x) a = m + 1; else b = m; }
+    return Math.max(0, a - 40);
   }
   _moves(k) {       // of the interval after record k: by how many zones the field around each zone moves, half of it, body by body
     if (this.shifts[k]) return this.shifts[k];
@@ -93,8 +99,10 @@ H.PlaneField = class {
         for (let c = 0, d = 3; c < 4; d = c++) {
           const y1 = py[d], y2 = py[c];
           if ((y1 < row && y2 < row) || (y1 > row && y2 > row)) continue;
-          const cut = y1 === y2 ? [px[d], px[c]] : [px[d] + (row - y1) / (y2 - y1) * (px[c] - px[d])];
-          for (const v of cut) { if (v < from) from = v; if (v > to) to = v; }
+          const v = y1 === y2 ? px[d] : px[d] + (row - y1) / (y2 - y1) * (px[c] - px[d]);
+          if (v < from) from = v;
+          if (v > to) to = v;
+          if (y1 === y2) { if (px[c] < from) from = px[c]; if (px[c] > to) to = px[c]; }
         }
         for (let col = Math.max(0, Math.ceil(from)); col <= Math.min(wide - 1, Math.floor(to)); col++) ids[row * wide + col] = z;
       }

@@ -11,7 +11,7 @@ H.XtMap = class {
     const wave = this.wave?.source === values ? this.wave : new H.WaveField(times, left.data, right.data, values.data);
     wave.source = values;
     this.wave = wave;
-    const [xUnit, fx] = H.lengthUnit(this._extent(left.data, right.data, n).reduce((a, b) => b - a)), [tUnit, ft] = H.timeUnit(times.at(-1));
+    const [xUnit, fx] = H.lengthUnit(this._extent(left.data, right.data, n).reduce((a, b) => b - a)), [tUnit, ft] = H.timeUnit(times.at(-1) || run.stop_time || 1e-6);
     const scale = H.scaleOf(wave.low, wave.high), [unit, factor] = field.unit === "Pa" ? H.fits([wave.low, wave.high], "GPa", 1e-9) : [field.shown, field.factor];
     Object.assign(this, {fx, ft, xUnit, tUnit, unit, factor, field});
     const [low, high] = this._extent(left.data, right.data, n), series = [], zoom = H.get("xt").split(",").map(Number);

@@ -36,14 +36,15 @@
     clearTimeout(timer);
     const mine = ++order;
     try {
-      const opened = H.exported() ? await H.askOnce("start") : await H.ask("start");
+      const fresh = !last.run || last.run.live || last.number !== chosen(), opened = fresh ? await H.ask("start") : last.opened;
       if (mine !== order) return;
       drawList(opened);
       if (!opened.runs.length) { H.clear(readout).append("No run is open. Start with: hugoniot explore flyer.run, or run a deck from the deck editor."); H.command({shell: "hugoniot explore flyer.run", python: 'import hugoniot\nrun = hugoniot.load("flyer.run")'}); return; }
-      const run = await H.ask("run", {run: chosen()});
+      const run = fresh ? await H.ask("run", {run: chosen()}) : last.run;
       if (mine !== order) return;
       const stamp = run.live ? `live ${run.times.length}` : `done ${run.status} ${run.times.length} ${run.summary?.deck_sha256}`;
       if (last.key !== `${chosen()} ${stamp}`) last = {key: `${chosen()} ${stamp}`, run: prepared(run), arrays: {}};
+      Object.assign(last, {number: chosen(), opened});
       await draw(last.run, mine);
       if (run.live && mine === order) timer = setTimeout(view.update, 1500);
     } catch (error) { H.failed(error); H.clear(readout).append(H.h("span", {class: "bad"}, error.message)); }
@@ -76,7 +77,7 @@
     planeBar.hidden = !run.plane;
     for (const input of planeBar.querySelectorAll("input")) input.checked = input.dataset.key === "mesh" ? H.get("mesh") === "1" : H.get("mirror") !== "0";
     slider.max = Math.max(many - 1, 0);
-    const k = Math.min(H.get("k") === "" ? many - 1 : Number(H.get("k")) || 0, many - 1), [tUnit, ft] = H.timeUnit(run.times[many - 1] || 1e-6);
+    const k = Math.min(H.get("k") === "" ? many - 1 : Number(H.get("k")) || 0, many - 1), [tUnit, ft] = H.timeUnit(run.times[many - 1] || run.stop_time || 1e-6);
     slider.value = k;
     when.textContent = many ? `t = ${H.digits(run.times[k] * ft, 5)} ${tUnit}` : "";
     drawLive(run, tUnit, ft);
@@ -94,7 +95,7 @@
     const [left, right, values] = await Promise.all([array("snapshots", "position_left"), array("snapshots", "position_right"), array("snapshots", shown.name)]);
     const paths = run.gauge_times ? await gaugePaths(run).catch(() => []) : [];
     if (mine !== order) return;
-    const n = values.shape[1], [, ft] = H.timeUnit(run.times.at(-1) || 1e-6), z = H.get("z") === "" ? -1 : Number(H.get("z"));
+    const n = values.shape[1], [, ft] = H.timeUnit(run.times.at(-1) || run.stop_time || 1e-6), z = H.get("z") === "" ? -1 : Number(H.get("z"));
     run.zones = n;
     const regions = run.regions.length && run.regions.at(-1).last === n - 1 ? run.regions : [{name: "", first: 0, last: n - 1}];
     state.regions = regions;

@@ -31,25 +31,37 @@
       if (!opened.sweeps.length) { H.clear(readout).append("No table is open. Start with: hugoniot explore SWEEP, a folder with cases.csv, or any table.csv with a line of names."); H.command({shell: "hugoniot explore sweep/", python: 'import csv\nrows = list(csv.DictReader(open("sweep/cases.csv")))'}); return; }
       const found = await H.askOnce("sweep", {sweep: H.get("sweep", "0")});
       if (mine !== order) return;
-      data = found;
+      data = inWords(found);
       select.value = H.get("sweep", "0");
       draw(opened);
     } catch (error) { H.failed(error); H.clear(readout).append(H.h("span", {class: "bad"}, error.message)); }
   };
+  // SI columns in the units people use
+  function inWords(found) {
+    if (found.inWords) return found.inWords;
+    const columns = found.columns.map(c => {
+      const name = c.name.replace(/_/g, " "), top = c.numeric ? c.cells.reduce((m, v) => Math.max(m, Math.abs(v) || 0), 0) : 0;
+      const [unit, factor] = !top ? [c.unit, 1] : c.unit === "Pa" ? H.fits([top], "GPa", 1e-9) : c.unit === "s" ? H.timeUnit(top) : c.unit === "m" ? H.lengthUnit(top) : [c.unit, 1];
+      return {...c, name, unit, cells: factor === 1 ? c.cells : c.cells.map(v => v === null ? null : v * factor)};
+    });
+    return found.inWords = {...found, columns};
+  }
+  const ASIDE = /(^case$| error$|^cycles$|^end time$|^voids |^interfaces |acted$)/, GIVEN = /^(region|material|block|solver|boundary|gauge|output|stop time|velocity$|flyer|target)/;
   const numeric = () => data.columns.map((c, k) => ({...c, k})).filter(c => c.numeric);
   const varying = () => numeric().filter(c => new Set(c.cells.filter(v => v !== null)).size > 1);
-  const shownColumns = () => { const own = H.get("cols"); return own ? numeric().filter(c => own.split(".").includes(String(c.k))) : varying().slice(0, 10); };
+  const shownColumns = () => { const own = H.get("cols"); return own ? numeric().filter(c => own.split(".").includes(String(c.k))) : varying().filter(c => !ASIDE.test(c.name)).slice(0, 10); };
   const brushes = () => Object.fromEntries(H.get("brush").split(";").filter(Boolean).map(b => { const [k, low, high] = b.split(":").map(Number); return [k, [low, high]]; }));
   const kept = () => { const b = Object.entries(brushes()); return Array.from({length: data.rows}, (_, r) => b.every(([k, [low, high]]) => { const v = data.columns[k]?.cells[r]; return v !== null && v >= low && v <= high; })); };
   const named = c => H.labelled(c.name, c.unit);
 
   function draw(opened) {
-    const able = varying().length > 1 ? varying() : numeric(), fill = (s, wanted, fallback, none) => {
+    const able = varying().length > 1 ? varying() : numeric(), first = able.filter(c => !ASIDE.test(c.name)), result = first.slice(1).find(c => !GIVEN.test(c.name)) || first[1] || able.at(-1), fill = (s, wanted, fallback, none) => {
       H.clear(s).append(...(none ? [H.h("option", {value: "none"}, none)] : []), ...able.map(c => H.h("option", {value: String(c.k)}, named(c))));
       s.value = [...s.options].some(o => o.value === wanted) ? wanted : fallback;
     };
     if (!able.length) { H.clear(readout).append("This table has no numbers to draw."); drawTable(kept()); return; }
-    fill(xSelect, H.get("x"), String(able[0].k)); fill(ySelect, H.get("y"), String(able.at(-1).k)); fill(cSelect, H.get("c"), able.length > 2 ? String(able[1].k) : "none", "no colour");
+    const third = first.find(c => c !== first[0] && c !== result);
+    fill(xSelect, H.get("x"), String((first[0] || able[0]).k)); fill(ySelect, H.get("y"), String(result.k)); fill(cSelect, H.get("c"), third ? String(third.k) : "none", "no colour");
     const own = shownColumns().map(c => c.k);
     const isOpen = columnsBox.open;
     H.clear(columnsBox).append(H.h("summary", {}, `${own.length} of ${numeric().length} columns with numbers are shown`), H.h("div", {class: "bar"}, numeric().map(c => H.h("label", {}, H.h("input", {type: "checkbox", checked: own.includes(c.k),
@@ -92,8 +104,8 @@
     for (let r = 0; r < data.rows; r += many) if (keep[r]) draw(r, ramp ? ramp.colour(c.cells[r]) : p.lines[0], data.rows > 300 ? 0.4 : 0.8);
     const words = (x, y, t, anchor, size = 11) => H.s("text", {x, y, fill: p.text, "font-size": size, "font-family": FONT, "text-anchor": anchor, stroke: p.paper, "stroke-width": 3, "paint-order": "stroke"}, t);
     columns.forEach((col, k) => {
-      const room = (width - left - right) / (columns.length - 1), most = Math.max(Math.floor(room / 6.6), 5), name = named(col), anchor = k === 0 ? "start" : k === columns.length - 1 ? "end" : "middle", at0 = k === 0 ? 4 : k === columns.length - 1 ? width - 4 : xs[k];
-      parallel.append(H.s("line", {x1: xs[k], x2: xs[k], y1: top, y2: height - bottom, stroke: p.ink, "stroke-width": 1}), words(at0, k % 2 && room < 120 ? 12 : 24, name.length > most * 1.6 ? `${name.slice(0, Math.floor(most * 1.6))}…` : name, anchor),
+      const room = (width - left - right) / (columns.length - 1), most = Math.max(Math.floor(2 * room / 6.4) - 1, 8), name = named(col), anchor = k === 0 ? "start" : k === columns.length - 1 ? "end" : "middle", at0 = k === 0 ? 4 : k === columns.length - 1 ? width - 4 : xs[k];
+      parallel.append(H.s("line", {x1: xs[k], x2: xs[k], y1: top, y2: height - bottom, stroke: p.ink, "stroke-width": 1}), words(at0, k % 2 ? 12 : 26, name.length > most ? `${name.slice(0, most - 1)}…` : name, anchor),
         words(xs[k] - 5, top + 4, H.digits(ranges[k][1], 4), "end", 10), words(xs[k] - 5, height - bottom, H.digits(ranges[k][0], 4), "end", 10));
       const brush = b[col.k];
       if (brush) parallel.append(H.s("rect", {x: xs[k] - 6, width: 12, y: Math.min(at(k, brush[1]), height), height: Math.max(Math.abs(at(k, brush[0]) - at(k, brush[1])), 2), fill: p.lines[1], opacity: 0.35, stroke: p.lines[1]}));

@@ -1,0 +1,132 @@
+"""How fast the explorer answers: first paint, a dragged match, panning a long run, drawing a fine mesh, many requests at once.
+
+    python benchmarks/explorer_speed.py            # needs chromium on PATH and hugoniot[test]
+
+Numbers are of this machine as it is: quote ratios, or the medians of a quiet one.
+"""
+
+import asyncio
+import re
+import shutil
+import socket
+import statistics
+import subprocess
+import sys
+import time
+
+import httpx
+import numpy as np
+from playwright.sync_api import sync_playwright
+
+FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking"]
+DRAG = """async () => {
+  const times = [], chart = document.querySelector('.chart').chart;
+  for (let v = 500; v < 1500; v += 20) {
+    const begun = performance.now(), was = chart.spec;
+    chart.options.onDrag('velocity', v / 1000);
+    while (chart.spec === was) await new Promise(done => setTimeout(done, 0));
+    times.push(performance.now() - begun);
+  }
+  return times;
+}"""
+WAVES = """() => {
+  const nt = 5000, n = 600, [left, right, values] = [0, 1, 2].map(() => new Float64Array(nt * n)), found = [];
+  const times = Array.from({length: nt}, (_, k) => k * 1e-9), pixels = new Uint32Array(800 * 500);
+  for (let k = 0; k < nt; k++) for (let z = 0; z < n; z++) {
+    left[k * n + z] = z * 1e-5 + k * 2e-7;
+    right[k * n + z] = (z + 1) * 1e-5 + k * 2e-7;
+    values[k * n + z] = 1e9 * Math.exp(-(((z - k / 8) / 20) ** 2));
+  }
+  const paint = new H.WaveField(times, left, right, values).paint({ramp: H.ramps.rising, low: 0, high: 1e9});
+  for (let i = 0; i < 40; i++) {
+    const begun = performance.now();
+    const from = i * 1e-8, to = from + (i % 2 ? 4e-6 : 4e-8);
+    const time = {low: from, high: to, from: 500, to: 0, value: at => from + (500 - at) / 500 * (to - from)};
+    paint(pixels, 800, 500, {low: 0, high: 8e-3}, time);
+    found.push(performance.now() - begun);
+  }
+  return found;
+}"""
+MESH = """() => {
+  const ni = 250, nj = 400, x = new Float64Array((ni + 1) * (nj + 1)), y = x.slice(), corners = new Int32Array(4 * ni * nj), found = [];
+  const values = Float64Array.from({length: ni * nj}, (_, z) => Math.sin(z / 8000) * Math.cos(z % nj / 30));
+  for (let i = 0; i <= ni; i++) for (let j = 0; j <= nj; j++) {
+    const k = i * (nj + 1) + j;
+    x[k] = i + 0.3 * Math.sin(j / 9);
+    y[k] = j + 0.3 * Math.cos(i / 7);
+    if (i < ni && j < nj) corners.set([k, k + nj + 1, k + nj + 2, k + 1], 4 * (i * nj + j));
+  }
+  const paint = new H.PlaneField(corners, x, y, false).paint(values, H.scaleOf(-1, 1), true, new Int32Array(ni * nj));
+  for (let i = 0; i < 10; i++) {
+    const begun = performance.now();
+    paint(new Uint32Array(1200 * 900), 1200, 900, {low: 0, high: ni}, {low: 0, high: nj}, H.palettes.light);
+    found.push(performance.now() - begun);
+  }
+  return found;
+}"""
+
+
+def report(words, milliseconds):
+    """One line: median and worst."""
+    print(f"{words:58s} median {statistics.median(milliseconds):8.1f} ms, worst {max(milliseconds):8.1f} ms")
+
+
+def in_browser(address):
+    with sync_playwright() as driver:
+        browser = driver.chromium.launch(executable_path=shutil.which("chromium") or shutil.which("google-chrome"), args=FLAGS)
+        paints = []
+        for _ in range(5):
+            page = browser.new_page()
+            page.goto(address + "#/materials?sel=copper,aluminum,iron")
+            page.wait_for_selector("ul[role=listbox] li")
+            paints.append(page.evaluate("performance.getEntriesByName('first-contentful-paint')[0].startTime"))
+        report("first paint, whole library", paints)
+        page.goto(address + "#/match?layers=copper,aluminum&v=1000")
+        page.wait_for_selector("[data-table=match]")
+        report("dragged match, two metals, until it is drawn", page.evaluate(DRAG))
+        report("x-t map, 600 zones x 5000 records, a frame of 800 x 500", page.evaluate(WAVES)[1:])
+        report("plane of 100 000 zones with mesh, 1200 x 900", page.evaluate(MESH))
+        browser.close()
+
+
+async def many(address):
+    """A thousand requests at once while two clients ask for much and never read."""
+    host, port = re.match(r"http://([^:/]+):(\d+)/", address).groups()
+    deaf = []
+    for _ in range(2):
+        deaf.append(socket.create_connection((host, int(port))))
+        deaf[-1].sendall(f"GET /{address.split('/')[3]}/api/materials HTTP/1.1\r\nHost: {host}:{port}\r\n\r\n".encode() * 20)
+    async with httpx.AsyncClient(timeout=120, limits=httpx.Limits(max_connections=1000)) as client:
+        begun = time.perf_counter()
+        answers = await asyncio.gather(*(client.get(f"{address}api/match?layers=copper,aluminum&velocity={500 + k}") for k in range(1000)))
+        spent = time.perf_counter() - begun
+    assert {a.status_code for a in answers} == {200} and len({a.json()["states"][0]["pressure"] for a in answers}) == 1000
+    print(f"1000 matches asked at once, two clients never reading: {spent:.1f} s, all answered")
+    for client in deaf:
+        client.close()
+
+
+def main():
+    command = [sys.executable, "-m", "hugoniot.cli.main", "explore", "--no-browser", "--no-runs"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
+        address = re.search(r"http://\S+", server.stdout.readline()).group(0)
+        plain, least = [], []
+        with httpx.Client() as client:
+            client.get(f"{address}api/materials")
+            for _ in range(60):
+                begun = time.perf_counter()
+                client.get(f"{address}icon.svg")
+                least.append(1e3 * (time.perf_counter() - begun))
+            for velocity in np.linspace(500, 1500, 60):
+                begun = time.perf_counter()
+                client.get(f"{address}api/match?layers=copper,aluminum&velocity={velocity}")
+                plain.append(1e3 * (time.perf_counter() - begun))
+        report("a file of 500 bytes, asked and answered", least)
+        report("match of two metals, asked and answered", plain)
+        asyncio.run(many(address))
+        in_browser(address)
+        server.terminate()
+
+
+if __name__ == "__main__":
+    main()
