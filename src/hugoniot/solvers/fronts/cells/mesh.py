@@ -201,11 +201,14 @@ class Spacing:
         h = self.widths(mesh)
         if self.d == 1:
             return mesh.width / h
-        start = np.repeat(mesh.x[mesh.faces()[:-1]], np.diff(mesh.faces()))
-        return self._count(mesh.x[1:], start, h) - self._count(mesh.x[:-1], start, h)
+        at = mesh.faces()
+        start, end = (np.repeat(mesh.x[row], np.diff(at)) for row in (at[:-1], at[1:]))
+        graded = self.count(mesh.x[1:], h) - self.count(mesh.x[:-1], h)
+        return np.where(start == 0.0, mesh.width / np.maximum(end, 1e-300) * self._count(end, start, h), graded)
 
 
-FEWER, MORE = 1.25, 0.8
+FEWER, MORE = 1.25, 0.8      # cells over those wanted beyond which they are merged and split
+SLIVER = 0.2                 # of the mean of an interval: narrower cells are merged
 
 
 def adjust(mesh: Mesh, spacing: Spacing, slope) -> None:
@@ -221,11 +224,12 @@ def adjust(mesh: Mesh, spacing: Spacing, slope) -> None:
         least = mesh.fronts[k].least if mesh.fronts[k].speed < mesh.fronts[k + 1].speed else 1    # a fan widens; what closes is no fan
         if mesh.region[f] == EMPTY:
             continue
-        while n > max(FEWER * want + 0.5, least):
-            size = spacing.extents(mesh)[f:f + n]
+        size = spacing.extents(mesh)[f:f + n]
+        while n > max(FEWER * want + 0.5, least) or n > least and size.min() < SLIVER * size.mean():
             j = int(np.argmin(size[1:] + size[:-1]))
             mesh.remove_face(f + j + 1)
             n, moved = n - 1, moved - 1
+            size = spacing.extents(mesh)[f:f + n]
         while n < MORE * want - 0.25:
             j = f + int(np.argmax(spacing.extents(mesh)[f:f + n]))
             split(mesh, j, slope(mesh, j))

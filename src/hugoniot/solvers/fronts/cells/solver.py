@@ -168,8 +168,8 @@ class Cells(Reading):
         """Sentences about waves that were left to the cells."""
         if not self.changes.captured:
             return []
-        return [f"{self.changes.captured} times waves were left to the cells, where a shock is smeared over two or three of them: they came "
-                f"too close to each other, or more than {self.changes.most} fronts were followed already (solver.options.most_fronts)"]
+        return [f"{self.changes.captured} times waves were left to the cells, where a shock is smeared over two or three of them: they "
+                f"were too close to each other, or {self.changes.most} fronts were followed already (solver.options.most_fronts)"]
 
     # -- checkpoints -------------------------------------------------------------------------------------------------
     def payload(self) -> dict:

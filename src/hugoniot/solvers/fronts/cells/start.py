@@ -23,7 +23,8 @@ def first_mesh(problem: Problem, spacing: Spacing) -> Mesh:
             region.append(EMPTY)
             marked.append(True)
         faces = np.linspace(r.start, r.end, r.zones + 1)[1:]
-        if spacing.d > 1:
+        inwards = r.velocity[0] if isinstance(r.velocity, tuple) else r.velocity
+        if spacing.d > 1 and (r.start > 0.0 or inwards < 0.0):      # a wave will leave the axis or origin
             faces = _graded(r.start, r.end, r.zones, spacing)
         x += faces.tolist()
         region += [k] * len(faces)

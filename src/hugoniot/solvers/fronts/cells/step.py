@@ -23,6 +23,7 @@ SHIFT = 0.15       # of a cell: how far a step moves a face towards its place
 SQUEEZE = 0.5      # of its width: how much a step may close a cell
 AMPLE = 0.3        # of the width aimed at: cells no narrower set the step that is normal
 CROWDED = 0.01     # of the normal step: a step that small means waves too close to each other to be followed
+GROWS = 0.01       # growth per step of an interval that soon makes room for longer steps
 LONGER = 1.3       # a step may be this much longer to end in a meeting
 
 
@@ -98,7 +99,10 @@ def _length(mesh: Mesh, flow: Flow, cells: Cells, known, longest: float) -> tupl
     soonest = float(meets.min(initial=np.inf))
     flow.limiting = int(np.argmin(own))
     ample = flow.spacing.extents(mesh) > AMPLE
-    flow.crowded = dt < CROWDED * min(float(own[ample].min(initial=np.inf)), longest)
+    at = mesh.faces()
+    k = int(np.searchsorted(at, flow.limiting, side="right")) - 1
+    wide, opening = mesh.x[at[k + 1]] - mesh.x[at[k]], known[at[k + 1]] - known[at[k]]
+    flow.crowded = dt < CROWDED * min(float(own[ample].min(initial=np.inf)), longest) and opening * dt < GROWS * wide
     return (soonest, True) if soonest <= dt else (dt, False)
 
 
