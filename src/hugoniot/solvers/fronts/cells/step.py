@@ -102,7 +102,7 @@ def _length(mesh: Mesh, flow: Flow, cells: Cells, known, longest: float) -> tupl
     at = mesh.faces()
     k = int(np.searchsorted(at, flow.limiting, side="right")) - 1
     wide, opening = mesh.x[at[k + 1]] - mesh.x[at[k]], known[at[k + 1]] - known[at[k]]
-    flow.crowded = dt < CROWDED * min(float(own[ample].min(initial=np.inf)), longest) and opening * dt < GROWS * wide
+    flow.crowded = bool(np.isnan(mesh.push).all()) and dt < CROWDED * min(float(own[ample].min(initial=np.inf)), longest) and opening * dt < GROWS * wide
     return (soonest, True) if soonest <= dt else (dt, False)
 
 
