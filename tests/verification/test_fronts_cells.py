@@ -7,17 +7,20 @@ from types import MappingProxyType
 import numpy as np
 import pytest
 
+from hugoniot.errors import UnphysicalState
+from hugoniot.laws.burn.programmed import Programmed
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.eos.stiffened_gas import StiffenedGas
 from hugoniot.materials.material import Material
-from hugoniot.problem.model import Boundary, Problem, Pulse, Region, SolverOptions
+from hugoniot.problem.model import Boundary, Lighting, Problem, Pulse, Region, SolverOptions
 from hugoniot.problem.standard import gases
 from hugoniot.problem.standard.parts import gas, simple
 from hugoniot.solvers.fronts.cells.flow import averages
 from hugoniot.solvers.fronts.cells.solver import Cells
 from hugoniot.solvers.fronts.solver import Fronts
 from hugoniot.theory import riemann as reference
+from hugoniot.theory.exact.mader import mader
 from hugoniot.theory.isentrope import state as reference_state
 
 FIXED, FREE = Boundary("fixed"), Boundary("free")
@@ -231,3 +234,76 @@ def test_both_modes_agree_until_fans_meet():
     solver = run(problem)
     wanted = [f.at(0.1) for f in exact.line.fronts if "shock" in f.kind or f.kind == "interface"]
     assert places(solver, "shock", "interface") == pytest.approx(wanted, abs=1e-9)
+
+
+# -- detonations -----------------------------------------------------------------------------------------------------------
+D, HEAT = 8000.0, 8000.0**2 / 16.0       # of products of gamma = 3
+
+
+def charge(zones, lit, stop, left=FIXED, geometry="planar", **more):
+    explosive = Material("he", IdealGas(3.0, rho0=1875.0), burn=Programmed(D), detonation_energy=HEAT)
+    regions = (Region("charge", "he", 0.0, 0.05, zones, density=1875.0),)
+    return Problem("charge", geometry, stop, regions, {"he": explosive}, left, FREE, lighting=tuple(Lighting(*point) for point in lit), **more)
+
+
+def test_a_detonation_is_followed_by_its_taylor_wave():
+    errors = []
+    for zones in (50, 200):
+        solver = run(charge(zones, [(0.0,)], 6e-6))
+        assert places(solver, "detonation") == pytest.approx([6e-6 * D], rel=1e-10)
+        assert places(solver, "fan tail") == pytest.approx([3e-6 * D], rel=2e-3)
+        mesh = solver.mesh
+        inside = mesh.middle < 6e-6 * D
+        exact = mader(D, 1875.0, 3.0).profile(mesh.middle, 6e-6)["pressure"]
+        errors.append(np.abs(averages(mesh, solver.flow.media).p - exact)[inside].mean() / (1875.0 * D * D / 4.0))
+        assert closed(solver)
+    assert errors[0] < 6e-4 and errors[1] < 2e-4
+
+
+def test_a_detonation_lit_inside_and_later_runs_both_ways():
+    solver = run(charge(60, [(0.02, 5e-7)], 2e-6))
+    assert places(solver, "detonation") == pytest.approx([0.02 - 1.5e-6 * D, 0.02 + 1.5e-6 * D], rel=1e-9)
+    assert abs(places(solver, "contact")[0] - 0.02) < 1e-6 and closed(solver)
+
+
+def test_a_spherical_detonation_keeps_its_speed():
+    solver = run(charge(40, [(0.0,)], 5e-6, geometry="spherical"))
+    assert places(solver, "detonation") == pytest.approx([5e-6 * D], rel=1e-10)
+    assert closed(solver)
+
+
+def test_a_detonation_drives_a_plate():
+    """The first state of the plate is that of the exact Riemann problem between Chapman-Jouguet products and the metal."""
+    problem = charge(60, [(0.0,)], 7.5e-6)
+    law = MieGruneisen(2700.0, 5200.0, 1.5, 2.0)
+    plate = Region("plate", "al", 0.05, 0.07, 40, density=2700.0)
+    problem = dataclasses.replace(problem, regions=(*problem.regions, plate), materials={**problem.materials, "al": Material("al", law)})
+    solver = run(problem, until=6.27e-6)
+    products = reference_state(IdealGas(3.0), density=2500.0, velocity=2000.0, pressure=1875.0 * D * D / 4.0)
+    exact = reference.riemann(IdealGas(3.0), products, law, reference_state(law, density=2700.0, energy=0.0))
+    shock = [f for f in solver.mesh.fronts if f.kind == "shock"][-1]
+    assert solver.column(1).at(0.0)[1].sigma == pytest.approx(exact.pressure, rel=1e-2)
+    assert shock.speed == pytest.approx(exact.right.head, rel=1e-2)
+    assert closed(solver)
+
+
+def test_a_strong_detonation_is_faster():
+    """A piston that takes up behind the Chapman-Jouguet front: a shock catches the front, which goes on at the overdriven speed."""
+    piston = Boundary("velocity", Pulse("square", 3500.0, 5e-7, 1.0))
+    problem = dataclasses.replace(charge(60, [(0.0,)], 6e-6, left=piston), stop_time=5.4e-6)
+    solver = run(problem)
+    front = next(f for f in solver.mesh.fronts if f.kind == "detonation")
+    # rho0 D u = p = (gamma - 1) rho (e + q) - with u^2/2 the jump of energy - and rho (D - u) = rho0 D: D = u + (gamma - 1)(q/u + u/2)
+    edge = int(solver.mesh.faces()[solver.mesh.fronts.index(front)])
+    u = averages(solver.mesh, solver.flow.media).w[edge - 1, 1]
+    assert 3300.0 < u < 3500.0 and front.speed == pytest.approx(u + 2.0 * (HEAT / u + 0.5 * u), rel=2e-3)
+    assert closed(solver)
+
+
+def test_a_wave_that_reaches_unburned_explosive_is_refused():
+    problem = charge(40, [(0.0, 1e-3)], 5e-6)
+    plate = Region("plate", "al", 0.05, 0.06, 20, velocity=-500.0, density=2700.0)
+    law = Material("al", MieGruneisen(2700.0, 5200.0, 1.5, 2.0))
+    problem = dataclasses.replace(problem, regions=(*problem.regions, plate), materials={**problem.materials, "al": law})
+    with pytest.raises(UnphysicalState, match="before its detonation"):
+        run(problem)

@@ -140,9 +140,9 @@ class Spacing:
         """Width (m) aimed at in every cell, before the radius is looked at."""
         ends = np.zeros(len(self.zones))
         inside = mesh.region >= 0
-        np.add.at(ends, mesh.region[inside], mesh.width[inside])
-        found = ends / self.zones
-        return np.where(inside, found[mesh.region], 1.0)
+        own = mesh.region % len(self.zones)                  # unburned explosive counts with its products
+        np.add.at(ends, own[inside], mesh.width[inside])
+        return np.where(inside, (ends / self.zones)[own], 1.0)
 
     def count(self, r, h):
         """eta(r): cells from the origin."""

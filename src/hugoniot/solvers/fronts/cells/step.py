@@ -102,7 +102,8 @@ def _length(mesh: Mesh, flow: Flow, cells: Cells, known, longest: float) -> tupl
     at = mesh.faces()
     k = int(np.searchsorted(at, flow.limiting, side="right")) - 1
     wide, opening = mesh.x[at[k + 1]] - mesh.x[at[k]], known[at[k + 1]] - known[at[k]]
-    flow.crowded = bool(np.isnan(mesh.push).all()) and dt < CROWDED * min(float(own[ample].min(initial=np.inf)), longest) and opening * dt < GROWS * wide
+    normal = min(float(own[ample].min(initial=np.inf)), longest)
+    flow.crowded = bool(np.isnan(mesh.push).all()) and dt < CROWDED * normal and opening * dt < GROWS * wide
     return (soonest, True) if soonest <= dt else (dt, False)
 
 
@@ -129,7 +130,9 @@ def _at_fronts(mesh: Mesh, flow: Flow, half: Sides, face: Faces, time: float) ->
             continue
         left = None if f == 0 or mesh.region[f - 1] == EMPTY else _state(mesh, half, f - 1, 1)
         right = None if f == n or mesh.region[f] == EMPTY else _state(mesh, half, f, 0)
-        if left is not None and right is not None:
+        if any(side is not None and side[0] >= flow.bench.unburned for side in (left, right)):
+            moved = tracked.explosive(front, left, right, flow.bench)
+        elif left is not None and right is not None:
             moved = tracked.between(front, left, right, flow.bench)
         else:
             region, state = left or right
