@@ -293,7 +293,7 @@ def test_a_strong_detonation_is_faster():
     problem = dataclasses.replace(charge(60, [(0.0,)], 6e-6, left=piston), stop_time=5.4e-6)
     solver = run(problem)
     front = next(f for f in solver.mesh.fronts if f.kind == "detonation")
-    # rho0 D u = p = (gamma - 1) rho (e + q) - with u^2/2 the jump of energy - and rho (D - u) = rho0 D: D = u + (gamma - 1)(q/u + u/2)
+    # rho0 D u = p = (gamma - 1) rho (q + u^2/2) and rho (D - u) = rho0 D give D = u + (gamma - 1)(q/u + u/2)
     edge = int(solver.mesh.faces()[solver.mesh.fronts.index(front)])
     u = averages(solver.mesh, solver.flow.media).w[edge - 1, 1]
     assert 3300.0 < u < 3500.0 and front.speed == pytest.approx(u + 2.0 * (HEAT / u + 0.5 * u), rel=2e-3)
