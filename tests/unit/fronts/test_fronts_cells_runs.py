@@ -119,3 +119,62 @@ def test_a_crowd_of_waves_is_left_to_the_cells_with_a_warning():
     solver.march(0.3, 10**9)
     assert solver.changes.captured > 0 and "left to the cells" in solver.warnings()[0]
     assert solver.errors()["energy_error"] < 1e-12
+
+
+CHARGE = """
+title = "Charge on a plate"
+stop_time = "3 us"
+[[region]]
+name = "charge"
+material = "comp_b"
+from = "0 cm"
+to = "2 cm"
+zones = 20
+[[region]]
+name = "plate"
+material = "al"
+from = "2 cm"
+to = "2.3 cm"
+zones = 6
+[material.al.eos]
+law = "mie_gruneisen"
+rho0 = "2700 kg/m^3"
+c0 = "5200 m/s"
+s = 1.5
+gamma0 = 2.0
+[[lighting]]
+at = "0 cm"
+[solver]
+kind = "fronts"
+[solver.options]
+mode = "cells"
+"""
+
+
+def test_a_deck_of_a_charge_runs_to_the_plate(tmp_path):
+    deck = read_deck_text(CHARGE)
+    assert read_deck_text(deck.resolved).problem == deck.problem
+    path = tmp_path / "charge.toml"
+    path.write_text(CHARGE)
+    run = hugoniot.run(path, tmp_path / "charge.run", report=False)
+    rows = [row for row in csv.DictReader((run.folder / "fronts.csv").open()) if row["kind"] == "detonation"]
+    assert float(rows[-1]["end_position"]) == pytest.approx(0.02, abs=1e-9)
+    summary = json.loads((run.folder / "summary.json").read_text())
+    assert summary["status"] == "done" and summary["energy_error"] < 1e-12
+    assert run.gauges["velocity"].values.max() > 2000.0                # the free surface of the plate
+
+
+@pytest.mark.parametrize("change, words", [
+    (('[[lighting]]\nat = "0 cm"', ""), "needs a lighting point"),
+    (('mode = "cells"', 'mode = "algebraic"'), "in the mode 'cells' only"),
+    (('[material.al.eos]', '[material.al.burn]\nlaw = "programmed"\ndetonation_velocity = 8000\n[material.al.eos]'), "chemical energy"),
+])
+def test_a_charge_that_cannot_be_followed_is_refused(change, words):
+    with pytest.raises(DeckError, match=words):
+        read_deck_text(CHARGE.replace(*change))
+
+
+def test_a_programmed_speed_that_the_products_do_not_drive_is_refused():
+    wrong = CHARGE + '\n[material.comp_b]\nbase = "comp_b"\n[material.comp_b.burn]\nlaw = "programmed"\ndetonation_velocity = "9 km/s"\n'
+    with pytest.raises(DeckError, match="give burn.detonation_velocity"):
+        read_deck_text(wrong)

@@ -8,7 +8,7 @@ from hugoniot.errors import OutOfRange
 from hugoniot.solvers.fronts.cells.births import bear, collapse, ignite
 from hugoniot.solvers.fronts.cells.detonations import UNLIT, light_face
 from hugoniot.solvers.fronts.cells.flow import averages
-from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh, adjust
+from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh, adjust, mean_area
 from hugoniot.solvers.fronts.cells.start import pieces_at
 from hugoniot.solvers.fronts.cells.steepening import candidates, track
 from hugoniot.solvers.fronts.cells.step import Flow, met
@@ -155,14 +155,21 @@ def _order(mesh: Mesh, face: int) -> int:
 
 
 def split_slope(mesh: Mesh, cell: int) -> np.ndarray:
-    """Slope of the densities of content in a cell, limited by its neighbours of the same interval; zero where it has none."""
-    volume = mesh.volume()
-    near = [k for k, face in ((cell - 1, cell), (cell + 1, cell + 1)) if not mesh.marked[face] and volume[k] > 0.0]
+    """Slopes of density, velocity and energy in a cell, limited by its neighbours of the same interval; zero where it has none."""
+    near = [k for k, face in ((cell - 1, cell), (cell + 1, cell + 1)) if not mesh.marked[face] and np.isnan(mesh.push[k])]
     if not near or mesh.region[cell] == EMPTY:
-        return np.zeros(mesh.q.shape[1])
-    middle, own = mesh.middle, mesh.q[cell] / volume[cell]
-    slopes = [(mesh.q[k] / volume[k] - own) / (middle[k] - middle[cell]) for k in near]
+        return np.zeros(3)
+    own, middle = _primitive(mesh, cell), mesh.middle
+    slopes = [(_primitive(mesh, k) - own) / (middle[k] - middle[cell]) for k in near]
     if len(slopes) == 1:
         return slopes[0]
     a, b = slopes
     return np.where(a * b > 0.0, np.sign(a) * np.minimum(np.minimum(2.0 * np.abs(a), 2.0 * np.abs(b)), 0.5 * np.abs(a + b)), 0.0)
+
+
+def _primitive(mesh: Mesh, cell: int) -> np.ndarray:
+    """Density, velocity and energy of one cell."""
+    mass, momentum, energy = mesh.q[cell, :3]
+    width = mesh.x[cell + 1] - mesh.x[cell]
+    u = momentum / mass
+    return np.array([mass / (width * mean_area(mesh.x[cell], mesh.x[cell + 1], mesh.d)), u, energy / mass - 0.5 * u * u])

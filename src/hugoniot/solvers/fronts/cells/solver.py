@@ -116,6 +116,8 @@ class Cells(Reading):
     def _drive(self, side: int) -> None:
         """Send out a wave where an end's drive has jumped."""
         history = self.histories[side]
+        if history is None:
+            return
         before, after = history(self.time * (1.0 - 1e-12)), history(self.time)
         if abs(after - before) > 1e-6 * max(abs(after), abs(before)):
             self.changes.renew_end(self.mesh, side, self.time)

@@ -135,7 +135,7 @@ def _at_fronts(mesh: Mesh, flow: Flow, half: Sides, face: Faces, time: float) ->
         elif left is not None and right is not None:
             moved = tracked.between(front, left, right, flow.bench)
         else:
-            region, state = left or right
+            region, state = next(material for material in (left, right) if material is not None)
             at_end = f in (0, n)
             kind, value = flow.ends[0 if f == 0 else 1] if at_end else ("vacuum", None)
             moved = tracked.end(kind, front, region, state, 1 if left is None else -1, value(time) if value else 0.0, flow.bench)
