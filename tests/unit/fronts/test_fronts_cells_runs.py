@@ -36,6 +36,7 @@ pressure = 1.0
 [material.gas.eos]
 law = "ideal_gas"
 gamma = 1.4
+specific_heat = "718 J/kg/K"
 [boundary]
 left = "fixed"
 right = {pressure = {times = [0.0, 0.1, 1.0], values = [1.0, 3.0, 3.0]}}
@@ -79,6 +80,9 @@ def test_a_run_of_cells_leaves_what_every_run_leaves(tmp_path):
     record = run.gauges["pressure"].sel(gauge="probe").values
     assert record[0] == pytest.approx(1.0, rel=1e-12) and record.max() > 1.5
     assert len(run.gauges["time"]) > 50
+    heat = run.snapshots["energy"].values / 718.0
+    np.testing.assert_allclose(run.snapshots["temperature"].values, heat, rtol=1e-12)
+    assert np.isfinite(run.gauges["temperature"].values).all()
 
 
 def test_resuming_cells_in_mid_interaction_gives_the_same_bits():
