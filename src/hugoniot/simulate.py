@@ -17,6 +17,7 @@ from hugoniot.diagnostics.temperature import gauge_temperature, laws_with_temper
 from hugoniot.errors import DeckError, FileTrouble, UnphysicalState
 from hugoniot.output.run_folder import RunFolder
 from hugoniot.problem.defaults import completed
+from hugoniot.problem.explosives import burns
 from hugoniot.problem.model import Problem
 from hugoniot.problem.plane.model import Problem2D
 from hugoniot.report import write_or_note
@@ -69,7 +70,9 @@ class _Recorder:
         self.fields = set(problem.output.fields)
         self.budget = RegionBudget(problem, solver.region_of, solver.state())
         self.warned = warned
-        self.laws = laws_with_temperature(problem) if problem.solver.kind == "lagrange1d" else []
+        self.laws = laws_with_temperature(problem) if problem.solver.kind in ("lagrange1d", "fronts") else []
+        if problem.solver.kind == "fronts":      # whose burning regions have no phases to take a temperature from
+            self.laws = [None if burns(problem, region) else law for region, law in zip(problem.regions, self.laws)]
         self.hot = any(law is not None for law in self.laws)
 
     def gauges(self, times, values):

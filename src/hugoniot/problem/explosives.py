@@ -29,6 +29,12 @@ def front_speed(problem: Problem, region) -> float:
     return float(rate.detonation_velocity) if rate is not None and "programmed" in BURN.of(rate).flags else 0.0
 
 
+def ideal_speed(problem: Problem, region) -> float | None:
+    """Chapman-Jouguet speed of a programmed region's products from its own start, m/s; None where nothing is programmed or none exists."""
+    point = _own_state(problem.materials[region.material], region) if front_speed(problem, region) > 0.0 else None
+    return None if point is None else float(point.detonation_velocity)
+
+
 def programmed_bodies(problem: Problem) -> list[list[int]]:
     """Stretches of touching regions with programmed burn, by index: a front runs through all of one."""
     bodies: list[list[int]] = []

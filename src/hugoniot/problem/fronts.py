@@ -8,17 +8,20 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, WithJsonSchema
 
+from hugoniot.laws.burn.contract import BURN
 from hugoniot.laws.eos.contract import flagged
 from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.laws.strength.contract import STRENGTH
+from hugoniot.materials import burning
 from hugoniot.materials.collect import Collector, printable
 from hugoniot.materials.material import Material
-from hugoniot.problem import checks, lagrangian
+from hugoniot.problem import checks, explosives, lagrangian
 from hugoniot.problem.defaults import completed
 from hugoniot.problem.lagrangian import (
     BoundaryTables,
     GaugeTable,
     InterfaceTable,
+    LightingTable,
     OutputTable,
     Positive,
     RegionTable,
@@ -26,10 +29,11 @@ from hugoniot.problem.lagrangian import (
     _output,
     _parts,
 )
-from hugoniot.problem.model import Problem, SolverOptions
+from hugoniot.problem.model import Lighting, Problem, SolverOptions
 from hugoniot.problem.schema import Quantity, Table, salvage
 
 NAME = "the solver fronts"
+SAME_SPEED = 0.01     # between a programmed front and the one its products drive
 
 
 class OptionsTable(Table):
@@ -69,6 +73,7 @@ class Model(Table):
         default_factory=dict, description="materials of this deck, [material.NAME.eos] and so on")
     boundary: BoundaryTables = Field(default_factory=lambda: BoundaryTables(), description="the two ends")
     interface: list[InterfaceTable] = Field(default_factory=list, max_length=1000, description="how neighbours hold together")
+    lighting: list[LightingTable] = Field(default_factory=list, max_length=10_000, description="where programmed burns start (cells)")
     gauge: list[GaugeTable] = Field(default_factory=list, max_length=10_000, description="Lagrangian gauges")
     solver: SolverTable = Field(description="how it is solved")
     output: OutputTable = Field(default_factory=OutputTable, description="what is kept")  # type: ignore[arg-type]
@@ -94,7 +99,11 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
         return None, warnings
     options = SolverOptions("fronts", courant=solver.courant, max_cycles=solver.max_cycles,
                             options=MappingProxyType(with_defaults(solver.options.model_dump())))
-    problem = Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, options, output)
+    lighting = tuple(Lighting(row.at, row.time) for row in model.lighting)
+    problem = Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, options, output,
+                      lighting)
+    for defect in explosives.defects(problem):
+        collector.add(*defect)
     for path, message in defects(problem):
         collector.add(path, message)
     return (None if collector.problems else completed(problem)), warnings
@@ -114,10 +123,12 @@ def defects(problem: Problem) -> list[tuple[tuple, str]]:
     if problem.solver.viscosity is not None:
         found.append((("solver", "viscosity"), f"{NAME} has no artificial viscosity: leave [solver.viscosity] out"))
     for name, material in problem.materials.items():
-        found += [(("material", name, *path), f"material '{name}' {message}") for path, message in _material_defects(material)]
+        found += [(("material", name, *path), f"material '{name}' {message}") for path, message in _material_defects(material, cells)]
         if cells and _has_strength(material):
             message = f"material '{name}' has strength, which the mode 'cells' of {NAME} does not follow"
             found.append((("material", name, "strength"), f"{message}: take the mode 'algebraic' (planar), or lagrange1d"))
+    if cells:
+        found += _front_defects(problem)
     for side, end in (("left", problem.left), ("right", problem.right)):
         if end.pulse is not None and end.kind == "pressure" and min(end.pulse.amplitude, *end.pulse.values, 0.0) < 0.0:
             found.append((("boundary", side), f"a pressure below zero pulls; {NAME} takes none"))
@@ -145,15 +156,33 @@ def _beyond_algebra(problem: Problem) -> list[tuple[tuple, str]]:
     return found
 
 
+def _front_defects(problem: Problem) -> list[tuple[tuple, str]]:
+    """Programmed speeds that are not those of the products: a tracked front runs at its own."""
+    found: list[tuple[tuple, str]] = []
+    for region in problem.regions:
+        speed = explosives.front_speed(problem, region)
+        own = explosives.ideal_speed(problem, region)
+        if speed > 0.0 and own is None:
+            found.append((("material", region.material, "burn"), f"material '{region.material}': its products drive no detonation"))
+        elif own is not None and abs(speed / own - 1.0) > SAME_SPEED:
+            message = (f"material '{region.material}': the programmed front runs at {speed:.5g} m/s, and {NAME} follows the one that the "
+                       f"products drive, {own:.6g} m/s; give burn.detonation_velocity = {own:.6g}")
+            found.append((("material", region.material, "burn", "detonation_velocity"), message))
+    return list(dict.fromkeys(found))
+
+
 def _has_strength(material: Material) -> bool:
     strength = material.strength
     return strength is not None and STRENGTH.of(strength).name != "none" and getattr(strength, "yield_stress", 1.0) > 0.0
 
 
-def _material_defects(material: Material) -> list[tuple[tuple, str]]:
+def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]]:
     found: list[tuple[tuple, str]] = []
-    if material.burn is not None or material.unreacted is not None:
-        found.append((("burn",), f"burns; {NAME} follows inert materials: use lagrange1d"))
+    if material.burn is not None and not cells:
+        found.append((("burn",), f"burns, which {NAME} follows in the mode 'cells' only"))
+    elif material.burn is not None and (BURN.of(material.burn).name != "programmed" or burning.closure(material) != "burned_products"):
+        message = f"burns by '{BURN.of(material.burn).name}' with '{burning.closure(material)}'"
+        found.append((("burn",), f"{message}; {NAME} follows the fronts of 'programmed' with 'burned_products': use lagrange1d"))
     if material.fracture is not None and FRACTURE.of(material.fracture).name != "none":
         found.append((("fracture",), f"has a fracture law; {NAME} opens no new surfaces inside a body: leave it out"))
     if flagged(material.eos, "remembers"):

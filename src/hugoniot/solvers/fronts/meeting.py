@@ -19,6 +19,7 @@ class Bench:
     grips        stress (Pa) that holds each region to the next one: inf bonded, 0 separable, a bond's strength
     weakest      strength below which a wave inside one material is not followed
     fan_step     change of velocity over the sound speed below which a release is one jump
+    unburned     number from which on regions are unburned explosive (cells mode); ideal  Chapman-Jouguet fronts found so far
     walls        velocity of the left and right wall; pressures  at the left and right end
     """
 
@@ -29,6 +30,8 @@ class Bench:
     walls: dict[int, float] = field(default_factory=dict)
     pressures: dict[int, float] = field(default_factory=dict)
     dropped: int = 0
+    unburned: int = 1 << 60
+    ideal: dict = field(default_factory=dict)
 
 
 def solve(left: Piece, right: Piece, bench: Bench, sliced: bool) -> exact.Solution:

@@ -108,11 +108,15 @@ class Reading(NothingToAdd):
             for j, z in enumerate(zones):
                 faces[:, z], speeds[:, z] = (ends[j][0], ends[j + 1][0]), (ends[j][1].u, ends[j + 1][1].u)
                 _, point = column.at(0.5 * (low[z] + high[z]))
-                square = wave_speed_squared(point.rho, point.e, elastic(matter, point)) if point.rho > 0.0 else 0.0
+                square = wave_speed_squared(point.rho, point.e, elastic(matter, point)) if self._answers(k, point) else 0.0
                 rows[z] = (point.rho, point.e, point.pressure, point.s, -0.5 * point.s, point.sigma, math.sqrt(max(square, 0.0)), 0.0)
         zones = {name: rows[:, i].copy() for i, name in enumerate(ZONE_FIELDS)}
         zones |= {"plastic_work": rows[:, 7].copy(), "viscous_work": rows[:, 7].copy(), "mass": masses}
         return FrontState(self.time, self.cycle, zones, faces[0], faces[1], speeds[0], speeds[1])
+
+    def _answers(self, region: int, point) -> bool:
+        """Whether the law of a region answers for a state: not for nothing at all, nor for unburned explosive."""
+        return point.rho > 0.0 and (self.problem.materials[self.problem.regions[region].material].burn is None or point.sigma != 0.0)
 
     def largest_velocity_jump(self) -> dict[str, float]:
         """Material -> largest change of velocity across a shock in it, m/s."""

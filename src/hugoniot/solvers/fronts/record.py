@@ -21,8 +21,9 @@ class Lives:
     def note(self, fronts: list[Front], pieces: list[Piece], time: float) -> None:
         """Look at the fronts after a meeting: some are new, some are gone."""
         here = {id(front): k for k, front in enumerate(fronts)}
-        for key in [key for key in self.born if key not in here]:
-            front, states = self.born.pop(key)
+        gone = [(key, front) for key, (front, _) in self.born.items() if key not in here]
+        for key, front in sorted(gone, key=lambda pair: (pair[1].t0, pair[1].x0, pair[1].speed)):    # whatever order they are kept in
+            _, states = self.born.pop(key)
             self._end(front, states, time)
         for key, k in here.items():
             if key not in self.born:

@@ -11,6 +11,7 @@ import numpy as np
 
 from hugoniot.laws.riemann.branch import State
 from hugoniot.solvers.fronts import line
+from hugoniot.solvers.fronts.cells import detonations
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh
 from hugoniot.solvers.fronts.line import OUTSIDE, Piece
 from hugoniot.solvers.fronts.meeting import Bench, outgoing
@@ -19,7 +20,7 @@ FAN_WEAKEST = 3.0    # times the weakest wave: a fan that is weaker has no edges
 MOST_IN_FAN = 32
 
 
-def collapse(mesh: Mesh, first: int, last: int, x: float) -> int:
+def collapse(mesh: Mesh, first: int, last: int, x: float, unburned: int) -> int:
     """Remove the cells between the faces first and last, which meet at x; the face that is left there, a front.
 
     What is left in the cells, an error of the method, goes to a neighbour of the same region.
@@ -29,7 +30,7 @@ def collapse(mesh: Mesh, first: int, last: int, x: float) -> int:
         region = mesh.region[cell]
         if region == EMPTY:
             continue
-        near = [k for k in (first - 1, last) if 0 <= k < n and mesh.region[k] == region]
+        near = [k for k in (first - 1, last) if 0 <= k < n and mesh.region[k] != EMPTY and mesh.region[k] % unburned == region % unburned]
         if not near:
             raise ArithmeticError("a body vanished between two fronts")
         for k in near:
@@ -51,8 +52,7 @@ def bear(mesh: Mesh, face: int, left: Piece, right: Piece, time: float, bench: B
 
     followed   False where no more waves can be followed: those that move with the material stay
     """
-    x = float(mesh.x[face])
-    fronts, pieces, found = outgoing(left, right, x, time, bench)
+    fronts, pieces, found = outgoing(left, right, float(mesh.x[face]), time, bench)
     given = [_given(front, [left, *pieces, right][k:k + 2]) for k, front in enumerate(fronts)]
     rows = _without_the_weak(list(zip(fronts, given)), (left, right), pieces, bench, followed)
     position = int(np.count_nonzero(mesh.marked[:face]))
@@ -61,7 +61,19 @@ def bear(mesh: Mesh, face: int, left: Piece, right: Piece, time: float, bench: B
         mesh.marked[face] = False
         mesh.given[face] = given[len(given) // 2] if given else np.nan
         return [], "nothing"
-    kept, between = rows
+    kinds = place(mesh, face, (left, right), (fronts, pieces), rows, time, bench)
+    word = "vacuum opens" if found.vacuum else f"{found.stress:.6g} Pa, {found.velocity[0]:.6g} m/s"
+    return kinds, word
+
+
+def place(mesh: Mesh, face: int, outer, whole, rows, time: float, bench: Bench) -> list[str]:
+    """Put new fronts and the cells between them in the place of a front; their kinds.
+
+    outer   the pieces left and right; whole   (fronts, pieces between) of all waves that leave
+    rows    ([(front, its state)], pieces between) of those that are followed
+    """
+    (left, right), (fronts, pieces), (kept, between) = outer, whole, rows
+    x, position = float(mesh.x[face]), int(np.count_nonzero(mesh.marked[:face]))
     marks, values, regions, push, made = [], [], [], [], []
     for k, (front, state) in enumerate(kept):
         if k:
@@ -83,8 +95,15 @@ def bear(mesh: Mesh, face: int, left: Piece, right: Piece, time: float, bench: B
     mesh.q = np.concatenate([mesh.q[:face], np.zeros((len(regions), mesh.q.shape[1])), mesh.q[face:]])
     mesh.push = np.concatenate([mesh.push[:face], np.array(push), mesh.push[face:]])
     mesh.region = np.concatenate([mesh.region[:face], np.array(regions, dtype=mesh.region.dtype), mesh.region[face:]])
-    word = "vacuum opens" if found.vacuum else f"{found.stress:.6g} Pa, {found.velocity[0]:.6g} m/s"
-    return [front.kind for front in made], word
+    return [front.kind for front in made]
+
+
+def ignite(mesh: Mesh, face: int, left: Piece, right: Piece, time: float, bench: Bench) -> tuple[list[str], str]:
+    """The same where unburned explosive is lit; all waves are followed."""
+    fronts, pieces, found = detonations.lit(left, right, float(mesh.x[face]), time, bench)
+    given = [_given(front, [left, *pieces, right][k:k + 2]) for k, front in enumerate(fronts)]
+    kinds = place(mesh, face, (left, right), (fronts, pieces), (list(zip(fronts, given)), pieces), time, bench)
+    return kinds, f"{found.stress:.6g} Pa, {found.velocity[0]:.6g} m/s"
 
 
 def _given(front: line.Front, beside) -> list[float]:

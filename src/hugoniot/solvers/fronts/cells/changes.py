@@ -4,9 +4,11 @@ import dataclasses
 
 import numpy as np
 
-from hugoniot.solvers.fronts.cells.births import bear, collapse
+from hugoniot.errors import OutOfRange
+from hugoniot.solvers.fronts.cells.births import bear, collapse, ignite
+from hugoniot.solvers.fronts.cells.detonations import UNLIT, light_face
 from hugoniot.solvers.fronts.cells.flow import averages
-from hugoniot.solvers.fronts.cells.mesh import EMPTY, Mesh, adjust
+from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh, adjust, mean_area
 from hugoniot.solvers.fronts.cells.start import pieces_at
 from hugoniot.solvers.fronts.cells.steepening import candidates, track
 from hugoniot.solvers.fronts.cells.step import Flow, met
@@ -57,13 +59,13 @@ class Changes:
             self.ended(front, time, x)
         kinds = [front.kind for front in inside]
         solid = [front for front in inside if not front.kind.startswith("fan")]
-        face = collapse(mesh, first, last, x)
+        face = collapse(mesh, first, last, x, self.flow.bench.unburned)
         self.meetings += 1
         if len(solid) < 2:      # at the edge of a fan no state jumps: it ends where it meets anything, and what it meets goes on
             self._pass(mesh, face, solid, time)
             self.log("meeting", time, x, f"{' with '.join(kinds)}: {solid[0].kind if solid else 'nothing'}")
             return
-        made, word = self._bear(mesh, face, time)
+        made, word = self._bear(mesh, face, time, "detonation" in kinds)
         self.log("meeting", time, x, f"{' with '.join(kinds)}: {', '.join(made) or 'nothing'} ({word})")
 
     def _pass(self, mesh: Mesh, face: int, solid, time: float) -> None:
@@ -86,26 +88,54 @@ class Changes:
         made, word = self._bear(mesh, face, time)
         self.log("meeting", time, x, f"{front.kind} {verb}: {', '.join(made) or 'nothing'} ({word})")
 
-    def _bear(self, mesh: Mesh, face: int, time: float):
+    def _bear(self, mesh: Mesh, face: int, time: float, burning: bool = False):
         followed = len(mesh.fronts) < self.most
         for side, (_, value) in zip((-1, 1), self.flow.ends):
             if value is not None:
                 bench = self.flow.bench
                 (bench.walls if self.outside[(side + 1) // 2] == "wall" else bench.pressures)[side] = value(time)
         left, right = pieces_at(mesh, face, self.flow.media, self.outside)
+        if any(piece.region >= self.flow.bench.unburned for piece in (left, right)):
+            if not burning:
+                raise OutOfRange(UNLIT)
+            return ignite(mesh, face, left, right, time, self.flow.bench)
         self.captured += not followed
         return bear(mesh, face, left, right, time, self.flow.bench, followed)
 
-    def begin(self, mesh: Mesh) -> None:
-        """The waves that leave every line at t = 0."""
+    def begin(self, mesh: Mesh, lit: list[float]) -> None:
+        """The waves that leave every line at t = 0, and the explosive at the places `lit`."""
+        fired = {self._mark(mesh, x) for x in lit}
+        fired = {float(mesh.x[f]) for f in range(len(mesh.x)) if float(mesh.x[f]) in fired}
         for face in reversed(mesh.faces().tolist()):
-            self._bear(mesh, face, 0.0)
+            if float(mesh.x[face]) in fired:
+                self._bear(mesh, face, 0.0, True)
+            elif not self._beside_explosive(mesh, face):
+                self._bear(mesh, face, 0.0)
+
+    def light(self, mesh: Mesh, x: float, time: float) -> None:
+        """Fire a detonator; in products it does nothing."""
+        cell = min(max(int(np.searchsorted(mesh.x, x, side="right")) - 1, 0), len(mesh.q) - 1)
+        if mesh.region[cell] >= self.flow.bench.unburned:
+            place = self._mark(mesh, x)
+            self._bear(mesh, int(np.argmin(np.abs(mesh.x - place))), time, True)
+            self.log("lighting", time, x, "a detonator fires")
+
+    def _mark(self, mesh: Mesh, x: float) -> float:
+        """Make a place a front, if it is none; where that front is."""
+        face = light_face(mesh, x)
+        if not mesh.marked[face]:
+            mesh.marked[face] = True
+            mesh.fronts.insert(_order(mesh, face), Front("contact", 0.0))
+        return float(mesh.x[face])
+
+    def _beside_explosive(self, mesh: Mesh, face: int) -> bool:
+        return bool((mesh.region[max(face - 1, 0):face + 1] >= self.flow.bench.unburned).any())
 
     def _crowded(self, mesh: Mesh) -> list[int]:
         """Waves on both sides of the interval that asks for a step out of proportion."""
         at = mesh.faces()
         k = int(np.searchsorted(at, self.flow.limiting, side="right")) - 1
-        return [int(at[j]) for j in (k, k + 1) if mesh.fronts[j].direction]
+        return [int(at[j]) for j in (k, k + 1) if mesh.fronts[j].direction and mesh.fronts[j].kind != "detonation"]
 
     def _release(self, mesh: Mesh, time: float) -> None:
         crowd = self._crowded(mesh) if self.flow.crowded else []
@@ -125,14 +155,21 @@ def _order(mesh: Mesh, face: int) -> int:
 
 
 def split_slope(mesh: Mesh, cell: int) -> np.ndarray:
-    """Slope of the densities of content in a cell, limited by its neighbours of the same interval; zero where it has none."""
-    volume = mesh.volume()
-    near = [k for k, face in ((cell - 1, cell), (cell + 1, cell + 1)) if not mesh.marked[face] and volume[k] > 0.0]
+    """Slopes of density, velocity and energy in a cell, limited by its neighbours of the same interval; zero where it has none."""
+    near = [k for k, face in ((cell - 1, cell), (cell + 1, cell + 1)) if not mesh.marked[face] and np.isnan(mesh.push[k])]
     if not near or mesh.region[cell] == EMPTY:
-        return np.zeros(mesh.q.shape[1])
-    middle, own = mesh.middle, mesh.q[cell] / volume[cell]
-    slopes = [(mesh.q[k] / volume[k] - own) / (middle[k] - middle[cell]) for k in near]
+        return np.zeros(3)
+    own, middle = _primitive(mesh, cell), mesh.middle
+    slopes = [(_primitive(mesh, k) - own) / (middle[k] - middle[cell]) for k in near]
     if len(slopes) == 1:
         return slopes[0]
     a, b = slopes
     return np.where(a * b > 0.0, np.sign(a) * np.minimum(np.minimum(2.0 * np.abs(a), 2.0 * np.abs(b)), 0.5 * np.abs(a + b)), 0.0)
+
+
+def _primitive(mesh: Mesh, cell: int) -> np.ndarray:
+    """Density, velocity and energy of one cell."""
+    mass, momentum, energy = mesh.q[cell, :3]
+    width = mesh.x[cell + 1] - mesh.x[cell]
+    u = momentum / mass
+    return np.array([mass / (width * mean_area(mesh.x[cell], mesh.x[cell + 1], mesh.d)), u, energy / mass - 0.5 * u * u])

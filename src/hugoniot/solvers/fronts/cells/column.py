@@ -5,7 +5,7 @@ import numpy as np
 from hugoniot.laws.eos.contract import pressure
 from hugoniot.laws.riemann.branch import State
 from hugoniot.solvers.fronts.cells.flow import Media, averages, reconstruct
-from hugoniot.solvers.fronts.cells.mesh import Mesh, mean_area
+from hugoniot.solvers.fronts.cells.mesh import EMPTY, Mesh, mean_area
 
 
 class Readable:
@@ -22,8 +22,9 @@ class CellColumn:
     """The cells of one region at one time, from left to right: `mass`, cumulated, and at(fraction)."""
 
     def __init__(self, flow: Readable, region: int):
-        self.flow, self.law = flow, flow.media.laws[region]
-        self.cells = np.flatnonzero((flow.mesh.region == region) & flow.full)
+        self.flow, self.laws = flow, flow.media.laws
+        own = flow.mesh.region % (len(self.laws) // 2)
+        self.cells = np.flatnonzero((own == region) & (flow.mesh.region != EMPTY) & flow.full)
         self.mass = np.concatenate([[0.0], np.cumsum(flow.mesh.q[self.cells, 0])])
 
     def at(self, fraction: float) -> tuple[float, State]:
@@ -42,7 +43,10 @@ class CellColumn:
     def _state(self, cell: int, x: float, s: float):
         low, high, mean = (row[cell, :3] for row in (self.flow.left, self.flow.right, self.flow.mean))
         bend = 6.0 * (mean - 0.5 * (low + high))
+        law = self.laws[self.flow.mesh.region[cell]]
+        if law is None:
+            return x, State(*mean.tolist(), 0.0)
         rho, u, e = (low + s * (high - low + bend * (1.0 - s))).tolist()
-        if not (rho > 0.0 and np.isfinite(pressure(rho, e, self.law))):
+        if not (rho > 0.0 and np.isfinite(pressure(rho, e, law))):
             rho, u, e = mean.tolist()
-        return x, State(rho, u, e, float(pressure(rho, e, self.law)))
+        return x, State(rho, u, e, float(pressure(rho, e, law)))

@@ -26,10 +26,10 @@ COLD = 1e-10      # c^2 over u^2 below which a negative square is rounding
 
 
 class Media:
-    """Equations of state of the regions, asked for rows of states."""
+    """Equations of state of the regions, asked for rows of states; None for unburned explosive, which has no pressure."""
 
     def __init__(self, laws):
-        self.laws = [float_parameters(law) for law in laws]
+        self.laws = [None if law is None else float_parameters(law) for law in laws]
 
     def __call__(self, region, rho, e):
         """(p, dp/drho, dp/de) for states (n,) or (n, m) of cells in the given regions; a gap has none (0)."""
@@ -38,7 +38,7 @@ class Media:
         found = np.zeros((3, *rho.shape))
         cuts = [0, *(np.flatnonzero(np.diff(region)) + 1).tolist(), len(region)]
         for a, b in zip(cuts, cuts[1:]):
-            if region[a] != EMPTY:
+            if region[a] != EMPTY and self.laws[region[a]] is not None:
                 out = [np.empty(rho[a:b].size) for _ in range(3)]
                 states(rho[a:b].ravel(), e[a:b].ravel(), self.laws[region[a]], *out)
                 for row, values in zip(found, out):

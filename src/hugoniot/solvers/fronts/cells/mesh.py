@@ -140,9 +140,9 @@ class Spacing:
         """Width (m) aimed at in every cell, before the radius is looked at."""
         ends = np.zeros(len(self.zones))
         inside = mesh.region >= 0
-        np.add.at(ends, mesh.region[inside], mesh.width[inside])
-        found = ends / self.zones
-        return np.where(inside, found[mesh.region], 1.0)
+        own = mesh.region % len(self.zones)                  # unburned explosive counts with its products
+        np.add.at(ends, own[inside], mesh.width[inside])
+        return np.where(inside, (ends / self.zones)[own], 1.0)
 
     def count(self, r, h):
         """eta(r): cells from the origin."""
@@ -201,17 +201,21 @@ class Spacing:
         h = self.widths(mesh)
         if self.d == 1:
             return mesh.width / h
-        start = np.repeat(mesh.x[mesh.faces()[:-1]], np.diff(mesh.faces()))
-        return self._count(mesh.x[1:], start, h) - self._count(mesh.x[:-1], start, h)
+        at = mesh.faces()
+        start, end = (np.repeat(mesh.x[row], np.diff(at)) for row in (at[:-1], at[1:]))
+        graded = self.count(mesh.x[1:], h) - self.count(mesh.x[:-1], h)
+        return np.where(start == 0.0, mesh.width / np.maximum(end, 1e-300) * self._count(end, start, h), graded)
 
 
-FEWER, MORE = 1.25, 0.8
+FEWER, MORE = 1.25, 0.8      # cells over those wanted beyond which they are merged and split
+CALM = 0.1                   # of its heat: how much a cell that is split may turn into motion of its halves
+SLIVER = 0.2                 # of the mean of an interval: narrower cells are merged
 
 
 def adjust(mesh: Mesh, spacing: Spacing, slope) -> None:
     """Split and merge cells until every interval has about the number it should have.
 
-    slope   slope(mesh, cell) -> (content densities' slope per m, (nvar,)) for conservative splitting
+    slope   slope(mesh, cell) -> slopes of density, velocity and energy per m, (3,)
     """
     wanted = spacing.wanted(mesh)
     first, counts = mesh.intervals()
@@ -221,11 +225,12 @@ def adjust(mesh: Mesh, spacing: Spacing, slope) -> None:
         least = mesh.fronts[k].least if mesh.fronts[k].speed < mesh.fronts[k + 1].speed else 1    # a fan widens; what closes is no fan
         if mesh.region[f] == EMPTY:
             continue
-        while n > max(FEWER * want + 0.5, least):
-            size = spacing.extents(mesh)[f:f + n]
+        size = spacing.extents(mesh)[f:f + n]
+        while n > max(FEWER * want + 0.5, least) or n > least and size.min() < SLIVER * size.mean():
             j = int(np.argmin(size[1:] + size[:-1]))
             mesh.remove_face(f + j + 1)
             n, moved = n - 1, moved - 1
+            size = spacing.extents(mesh)[f:f + n]
         while n < MORE * want - 0.25:
             j = f + int(np.argmax(spacing.extents(mesh)[f:f + n]))
             split(mesh, j, slope(mesh, j))
@@ -233,11 +238,22 @@ def adjust(mesh: Mesh, spacing: Spacing, slope) -> None:
 
 
 def split(mesh: Mesh, cell: int, slope) -> None:
-    """Halve a cell, its content distributed with a given slope of the densities."""
+    """Halve a cell with slopes (per m) of density, velocity and energy; mass, momentum and total energy stay what they are."""
     a, b = mesh.x[cell], mesh.x[cell + 1]
     m = 0.5 * (a + b)
     left, right = (m - a) * mean_area(a, m, mesh.d), (b - m) * mean_area(m, b, mesh.d)
-    whole, q = left + right, mesh.q[cell]
-    # centroids of the halves are half a width apart, to the order of the method
-    shift = slope * 0.5 * (b - a) * left * right / whole
-    mesh.insert_face(cell, m, q * (left / whole) - shift, q * (right / whole) + shift)
+    whole, q, away = left + right, mesh.q[cell], 0.5 * (b - a)      # the middles of the halves are half a width apart
+    lean = np.clip(slope[0] * away * right / q[0], -0.5, 0.5)       # neither half is left nearly empty
+    mass = q[0] * left / whole * (1.0 - lean)
+    low, high = mass / q[0], 1.0 - mass / q[0]
+    u, jump = q[1] / q[0], slope[1] * away
+    e = q[2] / q[0] - 0.5 * u * u
+    most = 2.0 * CALM * max(e, 0.0) / (low * high)                  # what the halves' motion apart may take of the heat
+    jump = np.sign(jump) * min(abs(jump), np.sqrt(most))
+    e -= 0.5 * low * high * jump * jump
+    rise = slope[2] * away
+    rows = []
+    for share, other, way in ((low, high, -1.0), (high, low, 1.0)):
+        v = u + way * other * jump
+        rows.append(q[0] * share * np.array([1.0, v, e + way * other * rise + 0.5 * v * v, *(q[3:] / q[0])]))
+    mesh.insert_face(cell, m, rows[0], q - rows[0])

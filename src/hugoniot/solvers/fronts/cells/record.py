@@ -30,7 +30,7 @@ class Trace:
             front.since, front.start = time, float(mesh.x[f])
             front.sides = (tuple(left.edge(1)), tuple(right.edge(-1)))
             if front.kind == "shock":
-                region = int(max(mesh.region[f - 1], mesh.region[f]))
+                region = int(max(mesh.region[f - 1], mesh.region[f])) % (len(media.laws) // 2)
                 self.jumps[region] = max(self.jumps.get(region, 0.0), abs(left.edge(1).u - right.edge(-1).u))
 
     def table(self, mesh: Mesh, time: float) -> tuple[list[str], np.ndarray]:

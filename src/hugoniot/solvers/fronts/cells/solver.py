@@ -36,12 +36,13 @@ class Cells(Reading):
         super().__init__(problem)
         options = setup.options_of(problem)
         self.matters = [setup.matter_of(problem.materials[r.material]) for r in problem.regions]
-        bench = Bench(self.matters, setup.grips_of(problem), float(options["weakest"]), float(options["fan_step"]))
+        count = len(problem.regions)
+        bench = Bench(2 * self.matters, 2 * setup.grips_of(problem), float(options["weakest"]), float(options["fan_step"]), unburned=count)
         ends = problem.left, problem.right
         self.outside = tuple(start.OUTSIDE[end.kind] for end in ends)
         self.histories = [start.history(end) for end in ends]
         spacing = Spacing(problem.dimension, np.array([float(r.zones) for r in problem.regions]))
-        media = Media([matter.par for matter in self.matters])
+        media = Media([matter.par for matter in self.matters] + [None] * count)
         self.flow = Flow(media, bench, spacing, tuple(zip(self.outside, self.histories)), problem.solver.courant or setup.COURANT,
                          np.zeros((2, 3)))
         self.trace = self.lives = Trace()
@@ -49,7 +50,7 @@ class Cells(Reading):
         self.mesh = start.first_mesh(problem, spacing)
         self.start_totals, self.start_size = self.mesh.q.sum(axis=0), self._size()
         self.time, self.updates, self.lines, self.slow = 0.0, 0, 0, 0
-        self.changes.begin(self.mesh)
+        self.changes.begin(self.mesh, [point.position for point in problem.lighting if point.time <= 0.0])
         self._sample_first()
 
     def _sample_first(self) -> None:
@@ -70,11 +71,14 @@ class Cells(Reading):
         done = 0
         while self.time < until and done < cycles:
             change, side = self._next_change()
-            goal = min(until, change, self._next_sample() if self.problem.output.gauge_interval else math.inf)
+            shot = min((point.time for point in self.problem.lighting if point.time > self.time), default=math.inf)
+            goal = min(until, change, shot, self._next_sample() if self.problem.output.gauge_interval else math.inf)
             self._step(goal)
             done += 1
             if self.time >= change:
                 self._drive(side)
+            if self.time >= shot:
+                self._fire()
             if self.time >= self._next_sample():
                 self._sample()
             if self.time * LINES >= (self.lines + 1) * self.problem.stop_time and np.isnan(self.mesh.push).all():
@@ -112,14 +116,24 @@ class Cells(Reading):
     def _drive(self, side: int) -> None:
         """Send out a wave where an end's drive has jumped."""
         history = self.histories[side]
+        if history is None:
+            return
         before, after = history(self.time * (1.0 - 1e-12)), history(self.time)
         if abs(after - before) > 1e-6 * max(abs(after), abs(before)):
             self.changes.renew_end(self.mesh, side, self.time)
 
+    def _fire(self) -> None:
+        """The detonators that go off now, where the explosive has moved to."""
+        for point in self.problem.lighting:
+            if point.time == self.time:
+                region = next(r for r in self.problem.regions if r.start <= point.position <= r.end)
+                u = region.velocity[0] if isinstance(region.velocity, tuple) else region.velocity
+                self.changes.light(self.mesh, point.position + u * self.time, self.time)
+
     def limiting(self) -> tuple[int, str]:
         """(zone, region name) of the cell that limits the step."""
         region = int(self.mesh.region[min(self.flow.limiting, len(self.mesh.q) - 1)])
-        region = max(region, 0)
+        region = max(region, 0) % len(self.problem.regions)
         return int(np.searchsorted(self.region_of, region)), self.problem.regions[region].name
 
     def column(self, region: int) -> CellColumn:
@@ -168,8 +182,8 @@ class Cells(Reading):
         """Sentences about waves that were left to the cells."""
         if not self.changes.captured:
             return []
-        return [f"{self.changes.captured} times waves were left to the cells, where a shock is smeared over two or three of them: they came "
-                f"too close to each other, or more than {self.changes.most} fronts were followed already (solver.options.most_fronts)"]
+        return [f"{self.changes.captured} times waves were left to the cells, where a shock is smeared over two or three of them: they "
+                f"were too close to each other, or {self.changes.most} fronts were followed already (solver.options.most_fronts)"]
 
     # -- checkpoints -------------------------------------------------------------------------------------------------
     def payload(self) -> dict:

@@ -4,6 +4,7 @@ import numpy as np
 
 from hugoniot.laws.eos.contract import pressure, sound_speed_squared
 from hugoniot.laws.riemann.branch import State
+from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.problem.model import Boundary, Problem, Pulse
 from hugoniot.solvers.fronts.cells.flow import COLD, Media, averages, reconstruct
@@ -23,14 +24,17 @@ def first_mesh(problem: Problem, spacing: Spacing) -> Mesh:
             region.append(EMPTY)
             marked.append(True)
         faces = np.linspace(r.start, r.end, r.zones + 1)[1:]
-        if spacing.d > 1:
+        inwards = r.velocity[0] if isinstance(r.velocity, tuple) else r.velocity
+        if spacing.d > 1 and (r.start > 0.0 or inwards < 0.0):      # a wave will leave the axis or origin
             faces = _graded(r.start, r.end, r.zones, spacing)
         x += faces.tolist()
         region += [k] * len(faces)
         marked += [False] * (len(faces) - 1) + [True]
     mesh = Mesh(np.array(x), np.zeros((len(region), 3)), np.array(region), np.array(marked), [], spacing.d)
     for k, r in enumerate(problem.regions):
-        _fill(mesh, np.flatnonzero(mesh.region == k), r, problem.materials[r.material].eos)
+        _fill(mesh, np.flatnonzero(mesh.region == k), r, problem.materials[r.material])
+        if problem.materials[r.material].burn is not None:
+            mesh.region[mesh.region == k] += len(problem.regions)
     at = mesh.faces()
     mesh.fronts = [_first_front(mesh, f) for f in at.tolist()]
     return mesh
@@ -52,9 +56,10 @@ def _first_front(mesh: Mesh, face: int) -> Front:
     return Front("surface" if EMPTY in (mesh.region[face - 1], mesh.region[face]) else "interface", 0.0)
 
 
-def _fill(mesh: Mesh, cells, region, law) -> None:
+def _fill(mesh: Mesh, cells, region, material) -> None:
     """Contents of a region's cells: constant density and energy, a velocity that is constant or linear."""
-    rho, e = initial_state(law, region.density, region.pressure, region.temperature, region.energy)
+    start = (region.density, region.pressure, region.temperature, region.energy)
+    rho, e = initial_state(material.eos, *start) if material.burn is None else burning.start_state(material, *start)
     ends = region.velocity if isinstance(region.velocity, tuple) else (region.velocity, region.velocity)
     a, h = mesh.x[cells], mesh.width[cells]
     for node, weight in zip(*_GAUSS):
@@ -120,6 +125,9 @@ def pieces_at(mesh: Mesh, face: int, media: Media, outside) -> tuple[Piece, Piec
             found.append(Piece("vacuum"))
         else:
             law = media.laws[mesh.region[cell]]
+            if law is None:
+                found.append(Piece("state", int(mesh.region[cell]), State(*cells.w[cell, :3].tolist(), 0.0)))
+                continue
             rho, u, e = values[cell, :3].tolist() if _sound(*values[cell, :3].tolist(), law) else cells.w[cell, :3].tolist()
             found.append(Piece("state", int(mesh.region[cell]), State(rho, u, e, float(pressure(rho, e, law)))))
     for piece, other, way in ((found[0], found[1], -1), (found[1], found[0], 1)):

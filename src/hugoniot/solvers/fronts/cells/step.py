@@ -23,6 +23,7 @@ SHIFT = 0.15       # of a cell: how far a step moves a face towards its place
 SQUEEZE = 0.5      # of its width: how much a step may close a cell
 AMPLE = 0.3        # of the width aimed at: cells no narrower set the step that is normal
 CROWDED = 0.01     # of the normal step: a step that small means waves too close to each other to be followed
+GROWS = 0.01       # growth per step of an interval that soon makes room for longer steps
 LONGER = 1.3       # a step may be this much longer to end in a meeting
 
 
@@ -98,7 +99,11 @@ def _length(mesh: Mesh, flow: Flow, cells: Cells, known, longest: float) -> tupl
     soonest = float(meets.min(initial=np.inf))
     flow.limiting = int(np.argmin(own))
     ample = flow.spacing.extents(mesh) > AMPLE
-    flow.crowded = dt < CROWDED * min(float(own[ample].min(initial=np.inf)), longest)
+    at = mesh.faces()
+    k = int(np.searchsorted(at, flow.limiting, side="right")) - 1
+    wide, opening = mesh.x[at[k + 1]] - mesh.x[at[k]], known[at[k + 1]] - known[at[k]]
+    normal = min(float(own[ample].min(initial=np.inf)), longest)
+    flow.crowded = bool(np.isnan(mesh.push).all()) and dt < CROWDED * normal and opening * dt < GROWS * wide
     return (soonest, True) if soonest <= dt else (dt, False)
 
 
@@ -125,10 +130,12 @@ def _at_fronts(mesh: Mesh, flow: Flow, half: Sides, face: Faces, time: float) ->
             continue
         left = None if f == 0 or mesh.region[f - 1] == EMPTY else _state(mesh, half, f - 1, 1)
         right = None if f == n or mesh.region[f] == EMPTY else _state(mesh, half, f, 0)
-        if left is not None and right is not None:
+        if any(side is not None and side[0] >= flow.bench.unburned for side in (left, right)):
+            moved = tracked.explosive(front, left, right, flow.bench)
+        elif left is not None and right is not None:
             moved = tracked.between(front, left, right, flow.bench)
         else:
-            region, state = left or right
+            region, state = next(material for material in (left, right) if material is not None)
             at_end = f in (0, n)
             kind, value = flow.ends[0 if f == 0 else 1] if at_end else ("vacuum", None)
             moved = tracked.end(kind, front, region, state, 1 if left is None else -1, value(time) if value else 0.0, flow.bench)

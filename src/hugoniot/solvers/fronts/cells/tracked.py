@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from hugoniot.laws.riemann import solver as exact
 from hugoniot.laws.riemann.branch import Branch, State, wave_speed_squared
 from hugoniot.laws.riemann.curve import Curve
+from hugoniot.solvers.fronts.cells import detonations
 from hugoniot.solvers.fronts.cells.mesh import Front
 from hugoniot.solvers.fronts.meeting import Bench
 
@@ -73,6 +74,21 @@ def _shock(d: int, found: exact.Solution, a: Curve, b: Curve) -> Moved:
     s = waves[0].behind if waves else ahead
     speed = waves[0].tail if waves else s.u + d * (a if d < 0 else b).c
     return Moved(speed, (s.rho, s.u, s.e + 0.5 * s.u * s.u, s.sigma), 0.0)
+
+
+def explosive(front: Front, left, right, bench: Bench) -> Moved:
+    """A front beside unburned explosive: a detonation, or a face at rest with it."""
+    sides = {-1: left, 1: right}
+    d = front.direction
+    if front.kind == "detonation":
+        region, state = sides[-d]
+        found = detonations.driven(bench, d, (region, warm(state, bench, region)), sides[d])
+        return Moved(found.speed, detonations.passed(found), 1.0)
+    unburned = next(side for side in (left, right) if side is not None and side[0] >= bench.unburned)
+    for way, other in sides.items():
+        if other is not None and other[0] < bench.unburned:
+            return _moving(detonations.beside(side(bench, *other, way), unburned[1]), 0.0)
+    return _moving(unburned[1].u, 0.0)
 
 
 def end(kind: str, front: Front, region: int, state: State, d: int, value: float, bench: Bench) -> Moved:

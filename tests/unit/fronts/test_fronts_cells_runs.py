@@ -1,0 +1,184 @@
+"""Decks of the cells mode of tracked fronts: what is read, what is refused, run folders, resuming in mid-interaction."""
+
+import csv
+import json
+
+import numpy as np
+import pytest
+
+import hugoniot
+from hugoniot.errors import DeckError
+from hugoniot.output.codec import decode, encode
+from hugoniot.problem.deck import read_deck_text
+from hugoniot.simulate import make_solver
+
+DECK = """
+title = "Bubble"
+geometry = "spherical"
+stop_time = "0.2 s"
+[[region]]
+name = "hot"
+material = "gas"
+from = 0.2
+to = 0.4
+zones = 6
+density = 1.0
+pressure = 5.0
+velocity = [0.0, 0.1]
+[[region]]
+name = "cold"
+material = "gas"
+from = 0.4
+to = 1.0
+zones = 10
+density = 1.0
+pressure = 1.0
+[material.gas.eos]
+law = "ideal_gas"
+gamma = 1.4
+specific_heat = "718 J/kg/K"
+[boundary]
+left = "fixed"
+right = {pressure = {times = [0.0, 0.1, 1.0], values = [1.0, 3.0, 3.0]}}
+[[gauge]]
+name = "probe"
+at = 0.6
+[solver]
+kind = "fronts"
+courant = 0.4
+[solver.options]
+mode = "cells"
+[output]
+snapshots = "0.1 s"
+gauge_interval = "2 ms"
+"""
+
+
+def solver_of(text):
+    return make_solver(read_deck_text(text).problem)
+
+
+def test_a_deck_of_cells_reads_back_with_its_defaults():
+    deck = read_deck_text(DECK)
+    assert deck.problem.solver.options["weakest"] == 0.01 and deck.problem.solver.courant == 0.4
+    assert deck.problem.geometry == "spherical"
+    assert read_deck_text(deck.resolved).problem == deck.problem
+
+
+def test_a_run_of_cells_leaves_what_every_run_leaves(tmp_path):
+    path = tmp_path / "bubble.toml"
+    path.write_text(DECK)
+    run = hugoniot.run(path, tmp_path / "bubble.run", report=False)
+    rows = list(csv.DictReader((run.folder / "fronts.csv").open()))
+    shocks = [row for row in rows if row["kind"] == "shock" and row["direction"] == "1.0"]
+    assert shocks[0]["time"] == "0.0" and float(shocks[0]["position"]) == 0.4
+    fluxes = [[float(row[f"density_{k}"]) * (float(row["velocity"]) - float(row[f"velocity_{k}"])) for k in ("left", "right")] for row in shocks]
+    left, right = np.array(fluxes).T             # mass through the front is the same on both sides
+    assert abs(left[0] / right[0] - 1.0) < 1e-9 and np.abs(left[:10] / right[:10] - 1.0).max() < 1e-2
+    summary = json.loads((run.folder / "summary.json").read_text())
+    assert summary["status"] == "done" and summary["energy_error"] < 1e-12 and summary["mass_error"] < 1e-12
+    record = run.gauges["pressure"].sel(gauge="probe").values
+    assert record[0] == pytest.approx(1.0, rel=1e-12) and record.max() > 1.5
+    assert len(run.gauges["time"]) > 50
+    heat = run.snapshots["energy"].values / 718.0
+    np.testing.assert_allclose(run.snapshots["temperature"].values, heat, rtol=1e-12)
+    assert np.isfinite(run.gauges["temperature"].values).all()
+
+
+def test_resuming_cells_in_mid_interaction_gives_the_same_bits():
+    whole = solver_of(DECK)
+    whole.march(0.2, 10**9)
+    assert whole.changes.meetings > 0
+    broken = solver_of(DECK)
+    broken.march(0.2, whole.cycle // 2)
+    broken.take_gauges()
+    again = solver_of(DECK)
+    again.restore(decode(encode(broken.payload())))
+    again.march(0.2, 10**9)
+    assert again.cycle == whole.cycle and np.array_equal(again.mesh.q, whole.mesh.q) and np.array_equal(again.mesh.x, whole.mesh.x)
+    mine, theirs = again.front_table(), whole.front_table()
+    assert mine[1] == theirs[1] and np.array_equal(mine[2], theirs[2])
+    state, other = again.state(), whole.state()
+    for name, value in other.zones.items():
+        assert np.array_equal(state.zones[name], value), name
+
+
+STRENGTH = '[material.gas.strength]\nlaw = "perfectly_plastic"\nshear_modulus = "1 GPa"\nyield_stress = "0.1 GPa"\n[boundary]'
+
+
+@pytest.mark.parametrize("change, words", [
+    (("[boundary]", STRENGTH), "strength, which the mode 'cells'"),
+    (("times = [0.0, 0.1, 1.0], values = [1.0, 3.0, 3.0]", "times = [0.0, 1.0], values = [1.0, -3.0]"), "below zero pulls"),
+    (('mode = "cells"', 'mode = "algebraic"'), "planar"),
+    (('mode = "cells"', 'mode = "cell"'), "mode"),
+])
+def test_what_the_cells_do_not_follow_is_refused_with_the_reason(change, words):
+    with pytest.raises(DeckError, match=words):
+        read_deck_text(DECK.replace(*change))
+
+
+def test_a_crowd_of_waves_is_left_to_the_cells_with_a_warning():
+    solver = solver_of(DECK.replace('mode = "cells"', 'mode = "cells"\nmost_fronts = 10\nweakest = 1e-4'))
+    solver.changes.most = 3
+    solver.march(0.3, 10**9)
+    assert solver.changes.captured > 0 and "left to the cells" in solver.warnings()[0]
+    assert solver.errors()["energy_error"] < 1e-12
+
+
+CHARGE = """
+title = "Charge on a plate"
+stop_time = "3 us"
+[[region]]
+name = "charge"
+material = "comp_b"
+from = "0 cm"
+to = "2 cm"
+zones = 20
+[[region]]
+name = "plate"
+material = "al"
+from = "2 cm"
+to = "2.3 cm"
+zones = 6
+[material.al.eos]
+law = "mie_gruneisen"
+rho0 = "2700 kg/m^3"
+c0 = "5200 m/s"
+s = 1.5
+gamma0 = 2.0
+[[lighting]]
+at = "0 cm"
+[solver]
+kind = "fronts"
+[solver.options]
+mode = "cells"
+"""
+
+
+def test_a_deck_of_a_charge_runs_to_the_plate(tmp_path):
+    deck = read_deck_text(CHARGE)
+    assert read_deck_text(deck.resolved).problem == deck.problem
+    path = tmp_path / "charge.toml"
+    path.write_text(CHARGE)
+    run = hugoniot.run(path, tmp_path / "charge.run", report=False)
+    rows = [row for row in csv.DictReader((run.folder / "fronts.csv").open()) if row["kind"] == "detonation"]
+    assert float(rows[-1]["end_position"]) == pytest.approx(0.02, abs=1e-9)
+    summary = json.loads((run.folder / "summary.json").read_text())
+    assert summary["status"] == "done" and summary["energy_error"] < 1e-12
+    assert run.gauges["velocity"].values.max() > 2000.0                # the free surface of the plate
+
+
+@pytest.mark.parametrize("change, words", [
+    (('[[lighting]]\nat = "0 cm"', ""), "needs a lighting point"),
+    (('mode = "cells"', 'mode = "algebraic"'), "in the mode 'cells' only"),
+    (('[material.al.eos]', '[material.al.burn]\nlaw = "programmed"\ndetonation_velocity = 8000\n[material.al.eos]'), "chemical energy"),
+])
+def test_a_charge_that_cannot_be_followed_is_refused(change, words):
+    with pytest.raises(DeckError, match=words):
+        read_deck_text(CHARGE.replace(*change))
+
+
+def test_a_programmed_speed_that_the_products_do_not_drive_is_refused():
+    wrong = CHARGE + '\n[material.comp_b]\nbase = "comp_b"\n[material.comp_b.burn]\nlaw = "programmed"\ndetonation_velocity = "9 km/s"\n'
+    with pytest.raises(DeckError, match="give burn.detonation_velocity"):
+        read_deck_text(wrong)
