@@ -165,6 +165,8 @@ def corner_viscosity(passes, piece, nodes, scratch, at, solid, recipe, limited, 
     given = viscosity.MeanOf(at.shape, corner_stress(scratch, 0, 0), corner_stress(scratch, 1, 0), corner_stress(scratch, 2, 0),
                              corner_stress(scratch, 3, 0), at.coming)
     call_pass(passes.mean_viscosity, total, given, 0.0, numbers)
+    if passes.hoop_viscosity != 0:
+        call_pass(passes.hoop_viscosity, total, viscosity.HoopOf(at.rates, at.coming), 0.0, numbers)
 
 
 @nb.njit(**INLINE)
@@ -181,8 +183,6 @@ def forces_in_middle(passes, piece, nodes, zones, scratch, at, filters):
     call_pass(passes.pushing_stress, at.total, tensor.StartOf(w.p, at.new, at.coming, at.stress), 0.0, filters)
     corners = spread(L.Corners, zones[FORCES:], piece[L.P_ZONE])
     call_pass(passes.stress_forces, at.total, geometry.ForcesOf(at.shape, at.stress, corners), 0.0, filters)
-    if passes.straighten != 0:
-        call_pass(passes.straighten, at.total, geometry.StraightOf(at.shape, at.coming, corners), 0.0, filters)
     call_pass(passes.subzonal, at.total, hourglass.SubzonalOf(at.shape, z.t0, z.t1, w.stiffness, extra(scratch, 0, 0), extra(
         scratch, 1, 0), extra(scratch, 2, 0), extra(scratch, 3, 0)), 0.0, filters)
     for r in range(piece[L.P_ROWS]):
@@ -200,7 +200,7 @@ def forces_in_middle(passes, piece, nodes, zones, scratch, at, filters):
             after, before = (k + 1) % 4, (k + 3) % 4
             given = viscosity.CornerForcesOf(
                 middle(nodes, first + corner(k, stride)), middle(nodes, first + corner(after, stride)),
-                middle(nodes, first + corner(before, stride)), corner_stress(scratch, k, offset), spread(L.Tensor, zones[COMING:], zone),
+                middle(nodes, first + corner(before, stride)), corner_stress(scratch, k, offset), spread(L.Stress, zones[COMING:], zone),
                 extra(scratch, k, offset), weight(scratch, k, offset), weight(scratch, after, offset), weight(scratch, before, offset),
                 corner_force(zones, k, zone), corner_force(zones, after, zone), corner_force(zones, before, zone))
             call_pass(passes.corner_forces, count, given, 0.0, filters)

@@ -8,9 +8,11 @@ $F_{ky} = -(b_{kx}\sigma_{xy} + b_{ky}\sigma_{yy})$ (virtual work). The coeffici
 * true volume (per radian, x the radius): means over the true volume with bilinear velocities, $b_{kx} = \int \partial_x N_k\,x\,dA$,
   $b_{ky} = \int \partial_y N_k\,x\,dA = \partial V/\partial y_k$, $h_k = \int N_k\,dA = (A + T_k)/6$ with the corner's triangle $T_k$;
   $b_{kx} + h_k = \partial V/\partial x_k$, so pressure does exactly p dV, and the axial momentum is kept.
-* area weighted: the planar force times the corner's radius, with $h_k = A_k$, a quarter-like share of the area:
-  $b_{kx} = r_k a_{kx} - A_k$, $b_{ky} = r_k a_{ky}$. Divided by the constant node mass this is the planar acceleration with the terms
-  $(s_{rr} - s_{\theta\theta})/r$ and $s_{rz}/r$ of the curved equations. Symmetric on polar meshes; pressure does p dV to second order.
+* area weighted: the planar force times the corner's radius, with $h_k = A_k r_k/\bar r$, $A_k$ a quarter-like share of the area and
+  $\bar r$ the mean radius of the corners: $b_{kx} = r_k a_{kx} - h_k$, $b_{ky} = r_k a_{ky}$. Divided by the constant node mass this is
+  the planar acceleration with the terms $(s_{rr} - s_{\theta\theta})/r$ and $s_{rz}/r$ of the curved equations. Since these act as the
+  zone's own $1/\bar r$ times the weight of the corner, they are radial in spherical flow on equal angles as the planar force is:
+  symmetry is kept with viscosity and strength. Pressure does p dV to second order.
 
 Caramana, Burton, Shashkov & Whalen, J. Comput. Phys. 146 (1998) 227; Caramana & Whalen, J. Comput. Phys. 141 (1998) 174.
 """
@@ -18,7 +20,7 @@ Caramana, Burton, Shashkov & Whalen, J. Comput. Phys. 146 (1998) 227; Caramana &
 from typing import Any, NamedTuple
 
 from hugoniot.core.passes import rows_apart
-from hugoniot.solvers.lagrange2d.layout import Corners, Points, Rates, Shape, Stress, Tensor
+from hugoniot.solvers.lagrange2d.layout import Corners, Points, Rates, Shape, Stress
 from hugoniot.solvers.lagrange2d.row_pass import row_pass
 
 PLANAR, TRUE_VOLUME, AREA_WEIGHTED = range(3)
@@ -47,14 +49,6 @@ class ForcesOf(NamedTuple):
 
     s: Shape
     t: Stress
-    f: Corners
-
-
-class StraightOf(NamedTuple):
-    """Shape and viscous stress -> added to corner forces."""
-
-    s: Shape
-    q: Tensor
     f: Corners
 
 
@@ -159,14 +153,14 @@ def area_weighted(count, given, dt, numbers, law):
         e2 = (y3 - y2) * (x2 * x2 + x2 * x3 + x3 * x3)
         e3 = (y0 - y3) * (x3 * x3 + x3 * x0 + x0 * x0)
         volume = (e0 + e1 + e2 + e3) * (1.0 / 6.0)
-        # on the axis the weight is `near` instead of the radius, and s_rz / r that of the zone's middle
-        share = 4.0 * near / (x0 + x1 + x2 + x3)
+        # on the axis the weight is `near` instead of the radius
+        share = 4.0 / (x0 + x1 + x2 + x3)
         r0, r1 = x0 if x0 > near else near, x1 if x1 > near else near
         r2, r3 = x2 if x2 > near else near, x3 if x3 > near else near
-        h0 = (0.125 * area + 0.25 * t0) * (1.0 if x0 > near else share)
-        h1 = (0.125 * area + 0.25 * t1) * (1.0 if x1 > near else share)
-        h2 = (0.375 * area - 0.25 * t0) * (1.0 if x2 > near else share)
-        h3 = (0.375 * area - 0.25 * t1) * (1.0 if x3 > near else share)
+        h0 = (0.125 * area + 0.25 * t0) * (share * r0)
+        h1 = (0.125 * area + 0.25 * t1) * (share * r1)
+        h2 = (0.375 * area - 0.25 * t0) * (share * r2)
+        h3 = (0.375 * area - 0.25 * t1) * (share * r3)
         s.volume[j] = volume
         s.area[j] = area
         s.t0[j] = t0
@@ -246,26 +240,6 @@ def stress_forces(count, given, dt, numbers, law):
         f.f2y[j] = -(s.b2x[j] * xy + s.b2y[j] * yy)
         f.f3x[j] = -(s.b3x[j] * xx + s.b3y[j] * xy + s.h3[j] * hoop)
         f.f3y[j] = -(s.b3x[j] * xy + s.b3y[j] * yy)
-
-
-@row_pass(StraightOf)
-def straighten(count, given, dt, numbers, law):
-    """Take the curvature out of the viscous part of the corner forces (area weighted): the planar force times the radius is left.
-
-    The curved terms q_rr/r and q_rz/r of neighbouring zones do not add up to a radial force in spherical flow; the planar ones do.
-    """
-    rows_apart()
-    s, q, f = given
-    for j in range(count):
-        xx, xy = q.xx[j], q.xy[j]
-        f.f0x[j] += s.h0[j] * xx
-        f.f0y[j] += s.h0[j] * xy
-        f.f1x[j] += s.h1[j] * xx
-        f.f1y[j] += s.h1[j] * xy
-        f.f2x[j] += s.h2[j] * xx
-        f.f2y[j] += s.h2[j] * xy
-        f.f3x[j] += s.h3[j] * xx
-        f.f3y[j] += s.h3[j] * xy
 
 
 @row_pass(PowerOf)

@@ -44,9 +44,11 @@ class Zones(NamedTuple):
     qxx: Any                 # mean viscous stress of the last step
     qyy: Any
     qxy: Any
+    qhoop: Any
     nxx: Any                 # the same of a step that may yet have to be repeated
     nyy: Any
     nxy: Any
+    nhoop: Any
     filter_power: Any        # W/kg that the viscous filter took in the middle of the step
     c: Any                   # longitudinal sound speed; -1 where it is imaginary
     viscous_speed: Any

@@ -26,7 +26,7 @@ class StartOf(NamedTuple):
 
     p: Any
     s: Tensor
-    q: Tensor
+    q: Stress
     t: Stress
 
 
@@ -60,7 +60,7 @@ class KeepOf(NamedTuple):
     """Pressure, mean viscous stress and deviators found -> those of the state, the principal stress of largest size."""
 
     p: Any
-    q: Tensor
+    q: Stress
     new: Tensor
     s: Tensor
     sigma: Any
@@ -68,7 +68,7 @@ class KeepOf(NamedTuple):
 
 @row_pass(StartOf)
 def pushing_stress(count, given, dt, numbers, law):
-    """Stress that pushes: pressure, viscous stress and deviators. The viscosity has no hoop part."""
+    """Stress that pushes: pressure, viscous stress and deviators."""
     rows_apart()
     p_, s, q, t = given
     for j in range(count):
@@ -76,7 +76,7 @@ def pushing_stress(count, given, dt, numbers, law):
         t.xx[j] = xx - p - q.xx[j]
         t.yy[j] = yy - p - q.yy[j]
         t.xy[j] = s.xy[j] - q.xy[j]
-        t.hoop[j] = -(xx + yy) - p
+        t.hoop[j] = -(xx + yy) - p - q.hoop[j]
 
 
 @row_pass(TrialOf)

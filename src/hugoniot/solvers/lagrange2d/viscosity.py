@@ -31,7 +31,7 @@ from typing import Any, NamedTuple
 
 from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.core.passes import rows_apart
-from hugoniot.solvers.lagrange2d.layout import Closing, Metric, Points, Rates, Shape, Smoothness, Tensor, Vector
+from hugoniot.solvers.lagrange2d.layout import Closing, Metric, Points, Rates, Shape, Smoothness, Stress, Tensor, Vector
 from hugoniot.solvers.lagrange2d.row_pass import row_pass
 
 SMALL = 1e-200
@@ -106,7 +106,14 @@ class MeanOf(NamedTuple):
     q1: Tensor
     q2: Tensor
     q3: Tensor
-    mean: Tensor
+    mean: Stress
+
+
+class HoopOf(NamedTuple):
+    """Strain rates, mean viscous stress -> its hoop part."""
+
+    d: Rates
+    mean: Stress
 
 
 class CornerForcesOf(NamedTuple):
@@ -116,7 +123,7 @@ class CornerForcesOf(NamedTuple):
     after: Points
     before: Points
     q: Tensor
-    mean: Tensor
+    mean: Stress
     extra: Any
     w0: Any
     w1: Any
@@ -246,6 +253,23 @@ def mean_viscosity(count, given, dt, numbers, law):
         mean.xx[j] = w0 * q0.xx[j] + w1 * q1.xx[j] + w2 * q2.xx[j] + w3 * q3.xx[j]
         mean.yy[j] = w0 * q0.yy[j] + w1 * q1.yy[j] + w2 * q2.yy[j] + w3 * q3.yy[j]
         mean.xy[j] = w0 * q0.xy[j] + w1 * q1.xy[j] + w2 * q2.xy[j] + w3 * q3.xy[j]
+
+
+@row_pass(HoopOf)
+def hoop_viscosity(count, given, dt, numbers, law):
+    """What resists the closing around the axis: the viscous stress along the principal direction that closes most nearly as fast.
+
+    In spherical flow that is the tangential one, so that both tangential directions are resisted alike, and the curved terms of the
+    viscous stress are radial; in a shock that runs along the axis or toward it, it is the direction along the front, which nothing resists.
+    """
+    rows_apart()
+    d, q = given
+    for j in range(count):
+        mean, dev, xy, around = 0.5 * (d.xx[j] + d.yy[j]), 0.5 * (d.xx[j] - d.yy[j]), d.xy[j], d.hoop[j]
+        size = vsqrt(dev * dev + xy * xy)
+        half, part = 0.5 * (q.xx[j] + q.yy[j]), (0.5 * (q.xx[j] - q.yy[j]) * dev + q.xy[j] * xy) / (size + SMALL)
+        found = half + part if around > mean else half - part
+        q.hoop[j] = found if around < 0.0 else 0.0
 
 
 @row_pass(CornerForcesOf)

@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 from hugoniot.core.ops import fmax, vsqrt
 from hugoniot.core.passes import named, rows_apart
-from hugoniot.solvers.lagrange2d.layout import Points, Rates, Stress, Tensor
+from hugoniot.solvers.lagrange2d.layout import Points, Rates, Stress
 from hugoniot.solvers.lagrange2d.row_pass import row_pass
 from hugoniot.zones.constants import Constants
 from hugoniot.zones.soundness import FOUND_RATE, wave_speed
@@ -28,7 +28,7 @@ class HeatOf(NamedTuple):
     """Specific volume, mean viscous stress, strain rates -> heat, J/kg."""
 
     v: Any
-    q: Tensor
+    q: Stress
     d: Rates
     heat: Any
 
@@ -85,9 +85,9 @@ class StiffnessOf(NamedTuple):
 class KeptViscosity(NamedTuple):
     """Mean viscous stress and power of the filter -> those of the state, the trace, work of the filter (led on)."""
 
-    mean: Tensor
+    mean: Stress
     power: Any
-    q: Tensor
+    q: Stress
     trace: Any
     work: Any
 
@@ -114,7 +114,7 @@ def viscous_heat(count, given, dt, numbers, law):
     rows_apart()
     v, q, d, heat = given
     for j in range(count):
-        heat[j] = -dt * v[j] * (q.xx[j] * d.xx[j] + q.yy[j] * d.yy[j] + 2.0 * q.xy[j] * d.xy[j])
+        heat[j] = -dt * v[j] * (q.xx[j] * d.xx[j] + q.yy[j] * d.yy[j] + 2.0 * q.xy[j] * d.xy[j] + q.hoop[j] * d.hoop[j])
 
 
 @row_pass(EnergyOf)
@@ -184,5 +184,6 @@ def keep_viscosity(count, given, dt, numbers, law):
         q.xx[j] = mean.xx[j]
         q.yy[j] = mean.yy[j]
         q.xy[j] = mean.xy[j]
-        trace[j] = mean.xx[j] + mean.yy[j]
+        q.hoop[j] = mean.hoop[j]
+        trace[j] = mean.xx[j] + mean.yy[j] + mean.hoop[j]
         work[j] += dt * power[j]

@@ -20,7 +20,6 @@ class Passes(NamedTuple):
     shape: int
     rates: int
     stress_forces: int
-    straighten: int          # 0 but in area-weighted geometry
     power: int
     rates_now: int
     gradient_along: int
@@ -32,6 +31,7 @@ class Passes(NamedTuple):
     closing_along: int
     resist_along: int
     mean_viscosity: int
+    hoop_viscosity: int      # 0 but in area-weighted geometry
     corner_forces: int
     subzonal: int
     subzonal_mean: int
@@ -58,8 +58,8 @@ def passes_of(kind: int) -> Passes:
     found = {"shape": shape, "rates": rates}
     for name in Passes._fields[2:]:
         found[name] = next(getattr(m, name) for m in (geometry, smoothness, viscosity, filters, tensor, zone_passes) if hasattr(m, name))
-    addresses = {name: chosen.address for name, chosen in found.items() if name != "straighten" or kind == geometry.AREA_WEIGHTED}
-    return Passes(**{"straighten": 0} | addresses)
+    addresses = {name: chosen.address for name, chosen in found.items() if name != "hoop_viscosity" or kind == geometry.AREA_WEIGHTED}
+    return Passes(**{"hoop_viscosity": 0} | addresses)
 
 
 class Rows(NamedTuple):
@@ -83,7 +83,7 @@ def rows_of(a, piece, scratch):
     """`Rows` of a piece; a: march.Run."""
     first = piece[L.P_ZONE]
     return Rows(rows(L.Zones, a.zones, first), rows(L.Charge, a.charge, first), rows(L.Work, scratch, 0),
-                spread(L.Tensor, a.zones[SXX:], first), spread(L.Tensor, a.zones[QXX:], first), spread(L.Tensor, a.zones[NXX:], first),
+                spread(L.Tensor, a.zones[SXX:], first), spread(L.Stress, a.zones[QXX:], first), spread(L.Stress, a.zones[NXX:], first),
                 spread(L.Tensor, scratch[TXX:], 0), spread(L.Shape, scratch[L.SHAPE:], 0), spread(L.Rates, scratch[L.RATES:], 0),
                 spread(L.Stress, scratch[L.STRESS:], 0), piece[L.P_ROWS] * piece[L.P_COUNT])
 
@@ -240,5 +240,3 @@ def push(a, passes, piece, at):
     call_pass(passes.pushing_stress, at.total, tensor.StartOf(at.z.p, at.deviators, at.viscous, at.stress), 0.0, at.z.p)
     f = spread(L.Corners, a.zones[forces.FORCES:], piece[L.P_ZONE])
     call_pass(passes.stress_forces, at.total, geometry.ForcesOf(at.shape, at.stress, f), 0.0, at.z.p)
-    if passes.straighten != 0:
-        call_pass(passes.straighten, at.total, geometry.StraightOf(at.shape, at.viscous, f), 0.0, at.z.p)
