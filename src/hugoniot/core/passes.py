@@ -6,7 +6,7 @@ A *pass* is a function
 
 of the number of zones, a NamedTuple of rows (`core.rows`), the time step, a row of numbers (the law's parameters), and the type of the
 law's parameter tuple. `Pass.address` compiles it for one law, keeps the machine code on disk, and gives its address. Whoever calls it
-(`call_pass`) knows the rows but not the law, so that one compiled march serves every law and every combination of laws. Passes of the
+(`core.pass_lists`) knows the rows but not the law, so that one compiled march serves every law and every combination of laws. Passes of the
 geometry are made for a geometry instead of a law, others for none. Entered once for a piece of some hundred zones, a call costs
 nothing beside the loop.
 """
@@ -28,7 +28,7 @@ from hugoniot.core.rows import ROW, record, row, row_at, rows, rows_apart
 from hugoniot.core.target import BY_ADDRESS, EXACT_PASS, PASS
 
 # whoever writes passes takes the words for rows and for passes from here
-__all__ = ["ROW", "Entry", "Pass", "bind_flag", "call_entry", "call_pass", "kind_of", "law_of", "named", "numbers_of", "record", "row",
+__all__ = ["ROW", "Entry", "Pass", "bind_flag", "call_entry", "kind_of", "law_of", "named", "numbers_of", "record", "row",
            "row_at", "rows", "rows_apart", "zone_pass"]
 
 
@@ -157,21 +157,6 @@ class Pass:
 def zone_pass(rows, exact: bool = False):
     """Decorator: make a `Pass` over rows of the NamedTuple class `rows`; `exact` where a NaN must stay one (no fast-math)."""
     return lambda function: functools.update_wrapper(Pass(function, rows, exact), function)
-
-
-@intrinsic
-def call_pass(typingctx, address, count, given, dt, numbers):
-    """Call the pass that stands at `address` with the NamedTuple of rows `given`."""
-    arguments = (types.int64, given, types.float64, ROW, types.voidptr)     # the law itself is known to the pass alone
-
-    def codegen(context, builder, sig, args):
-        kind = context.call_conv.get_function_type(types.none, arguments)
-        function = builder.inttoptr(args[0], kind.as_pointer())
-        nothing = cgutils.get_null_value(context.get_value_type(types.voidptr))
-        context.call_conv.call_function(builder, function, types.none, arguments, [*args[1:], nothing])
-        return context.get_dummy_value()
-
-    return types.void(types.int64, types.int64, given, types.float64, ROW), codegen
 
 
 def _yes(par):

@@ -11,6 +11,7 @@ from hugoniot.errors import OutOfRange
 from hugoniot.laws.fracture.spall_stress import SpallStress
 from hugoniot.problem.plane.model import VelocityField
 from hugoniot.solvers.lagrange2d.assemble import N, Z
+from hugoniot.solvers.lagrange2d.plan import CORRECT, carry_out_alone
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
 
 
@@ -68,13 +69,14 @@ def test_stress_turns_with_a_spinning_square():
     z[Z.sxx], z[Z.syy], z[Z.sxy] = size, -size, 0.3 * size
     angle = turn / steps
     start = n[[N.x, N.y]].copy()
-    solver.run.steps[0] = 1e-12      # the strain of a turn is 0 whatever the step: it is told by the mean velocity
+    step = 1e-12      # the strain of a turn is 0 whatever the step: the mean velocity says how far it turns
+    solver.plan.dts[:] = step, 0.5 * step, -step
     for k in range(steps):
         def place(a):
             c, s = np.cos(a), np.sin(a)
             return np.array([[c, -s], [s, c]]) @ start
         before, after = place(k * angle), place((k + 1) * angle)
-        n[[N.xh, N.yh]], n[[N.um, N.vm]] = 0.5 * (before + after), (after - before) / solver.run.steps[0]
+        n[[N.xh, N.yh]], n[[N.um, N.vm]] = 0.5 * (before + after), (after - before) / step
         n[[N.x, N.y]] = after
         for row in range(Z.f0x, Z.f3y + 1):
             z[row] = 0.0
@@ -88,5 +90,4 @@ def test_stress_turns_with_a_spinning_square():
 
 def correct(solver):
     """The second half of a step of all zones."""
-    from hugoniot.solvers.lagrange2d.march import CORRECT_ZONES, do_share
-    do_share(CORRECT_ZONES, solver.run, solver.options, 0, 1)
+    carry_out_alone(solver.plan, CORRECT)

@@ -30,7 +30,7 @@ def check(problem: Problem) -> None:
 
 
 def constants(problem: Problem, region) -> dict[str, float]:
-    """What the zones of a burning region know besides their laws, as fields of `zones.recipe.Constants`."""
+    """What the zones of a burning region know besides their laws, as fields of `zones.constants.Constants`."""
     return {"per_rate": (problem.solver.courant or 0.0) / STEP_SHARE, "front": front_speed(problem, region),
             "freezes": float(problem.materials[region.material].reference_state == FROZEN)}
 

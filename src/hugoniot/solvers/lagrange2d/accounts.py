@@ -4,8 +4,8 @@ import numpy as np
 
 from hugoniot.solvers.lagrange1d import accounts as line
 from hugoniot.solvers.lagrange1d import reactive
-from hugoniot.solvers.lagrange2d import geometry as G
 from hugoniot.solvers.lagrange2d import layout as L
+from hugoniot.solvers.lagrange2d import quads as G
 from hugoniot.solvers.lagrange2d.assemble import N, Z
 
 B = L.Charge(*range(len(L.Charge._fields)))

@@ -12,9 +12,9 @@ from hugoniot.materials.initial_state import initial_state
 from hugoniot.problem.plane.model import Problem2D
 from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.assemble import ROUND_OFF, longitudinal_speed, start_compaction
-from hugoniot.solvers.lagrange2d import geometry as G
 from hugoniot.solvers.lagrange2d import layout as L
-from hugoniot.zones.recipe import EXPLICIT, Cookbook, constants_of, cookbook
+from hugoniot.solvers.lagrange2d import quads as G
+from hugoniot.zones.laws import laws_of
 
 N = L.Nodes(*range(len(L.Nodes._fields)))
 Z = L.Zones(*range(len(L.Zones._fields)))
@@ -213,76 +213,18 @@ def zone_tables(problem: Problem2D, kind: int):
     return zones
 
 
-def recipes_of(problem: Problem2D, speed: float) -> tuple[Cookbook, list[int], np.ndarray]:
-    """(recipes, which of them each block follows, (recipe; merit of the subzonal pressure, coefficient of the viscous filter))."""
-    found, keys, recipe_of, filters = [], [], [], []
-    noise = ROUND_OFF * speed**2
+def materials_of(problem: Problem2D, speed: float, near: float):
+    """(laws, numbers behind their constants included, whether it is a fluid) of each material, and which of them each block follows."""
+    found, noise = {}, ROUND_OFF * speed**2
     for block in problem.blocks:
-        if block.material not in keys:
-            material = problem.materials[block.material]
-            keys.append(block.material)
-            solid, burns = material.strength is not None, material.burn is not None
-            laws = (burning.reactive(material) if burns else material.eos, material.strength or STRENGTH.get("none").example,
-                    material.fracture or FRACTURE.get("none").example, viscosity_law(problem, material))
-            own = reactive.constants(problem, block) if burns else {}
-            found.append((laws, constants_of(laws, noise + (1.0 if burns else 0.0), **own)))
-            filters.append((0.0, problem.solver.flanagan_belytschko) if solid else (problem.solver.subzonal_pressure, 0.0))
-        recipe_of.append(keys.index(block.material))
-    return cookbook(found, EXPLICIT), recipe_of, np.array(filters)
-
-
-# -- pieces ---------------------------------------------------------------------------------------------------------------------
-def piece_table(mesh, numbering: Numbering, recipe_of):
-    """Pieces of at most PIECE zones: whole rows of a block, or parts of one."""
-    found, edge = [], 0
-    for k, block in enumerate(mesh.blocks):
-        parts = -(-block.nj // L.PIECE)
-        cuts = [block.nj * n // parts for n in range(parts + 1)]
-        rows = max(1, L.PIECE // block.nj)
-        for i in range(0, block.ni, rows):
-            for low, high in zip(cuts[:-1], cuts[1:]):
-                count = min(rows, block.ni - i)
-                beyond = edge + low, edge + block.nj + low, edge + 2 * block.nj + i, edge + 2 * block.nj + block.ni + i
-                found.append((block.first_zone + i * block.nj + low, numbering.local(k, i, low), count, high - low, block.nj + 1, i == 0,
-                              i + count == block.ni, low == 0, high == block.nj, recipe_of[k], k, *beyond))
-        edge += 2 * (block.ni + block.nj)
-    return np.array(found, dtype=np.int64)
-
-
-def beyond_table(mesh, numbering: Numbering):
-    """Nodes that lie beyond the edges of the blocks, (edges, 2): the other two of the zone on the far side, or -1 where there is none.
-
-    The edges of a block stand in the order of its zones: left, right, bottom, top.
-    """
-    corners = mesh.zone_nodes
-    owners: dict[tuple[int, int], list[tuple[int, int]]] = {}
-    for block in mesh.blocks:
-        for side in block_sides(block):
-            for zone, k in side:
-                a, b = int(corners[zone, k]), int(corners[zone, (k + 1) % 4])
-                owners.setdefault((min(a, b), max(a, b)), []).append((zone, k))
-    found = []
-    for block in mesh.blocks:
-        for side in block_sides(block):
-            for zone, k in side:
-                a, b = int(corners[zone, k]), int(corners[zone, (k + 1) % 4])
-                others = [(z, c) for z, c in owners[min(a, b), max(a, b)] if (z, c) != (zone, k)]
-                far = [corners[z, (c + n) % 4] for z, c in others[:1] for n in (2, 3)]
-                found.append([int(numbering.representative[node]) for node in far] or [-1, -1])
-    return np.array(found, dtype=np.int64)
-
-
-def block_sides(block):
-    """Zones along the left, right, bottom and top side of a block, each with the corner at which its edge on that side starts."""
-    number = block.first_zone + np.arange(block.ni * block.nj).reshape(block.ni, block.nj)
-    return [[(int(zone), k) for zone in zones] for zones, k in ((number[0], 3), (number[-1], 1), (number[:, 0], 0), (number[:, -1], 2))]
-
-
-def line_table(mesh, numbering: Numbering):
-    """Rows of nodes with the rows of zones on both sides."""
-    found = []
-    for k, block in enumerate(mesh.blocks):
-        for i in range(block.ni + 1):
-            found.append((numbering.local(k, i, 0), block.nj + 1, block.first_zone + (i - 1) * block.nj if i > 0 else -1,
-                          block.first_zone + i * block.nj if i < block.ni else -1))
-    return np.array(found, dtype=np.int64)
+        if block.material in found:
+            continue
+        material = problem.materials[block.material]
+        fluid, burns = material.strength is None, material.burn is not None
+        own = reactive.constants(problem, block) if burns else {}
+        laws = laws_of(burning.reactive(material) if burns else material.eos, material.strength or STRENGTH.get("none").example,
+                       material.fracture or FRACTURE.get("none").example, viscosity_law(problem, material),
+                       noise=noise + (1.0 if burns else 0.0), **own)
+        coefficient = problem.solver.subzonal_pressure if fluid else problem.solver.flanagan_belytschko
+        found[block.material] = laws, np.array([*laws.constants, near, coefficient]), fluid
+    return list(found.values()), [list(found).index(block.material) for block in problem.blocks]

@@ -10,7 +10,7 @@ from hugoniot.problem.model import Pulse
 from hugoniot.problem.plane.model import Problem2D
 from hugoniot.solvers.lagrange1d.layout import PULSES
 from hugoniot.solvers.lagrange2d.assemble import Numbering, Z
-from hugoniot.solvers.lagrange2d.geometry import AREA_WEIGHTED, PLANAR
+from hugoniot.solvers.lagrange2d.quads import AREA_WEIGHTED, PLANAR
 
 PARALLEL = 1e-6       # sine of the angle below which two directions are one
 

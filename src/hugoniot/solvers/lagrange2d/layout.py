@@ -7,6 +7,7 @@ radius and y the axial coordinate, and everything is per radian; otherwise per m
 
 from typing import Any, NamedTuple
 
+from hugoniot.zones.constants import Constants
 from hugoniot.zones.soundness import FOUND_FLOATS
 
 
@@ -44,9 +45,11 @@ class Zones(NamedTuple):
     qxx: Any                 # mean viscous stress of the last step
     qyy: Any
     qxy: Any
+    qhoop: Any
     nxx: Any                 # the same of a step that may yet have to be repeated
     nyy: Any
     nxy: Any
+    nhoop: Any
     filter_power: Any        # W/kg that the viscous filter took in the middle of the step
     c: Any                   # longitudinal sound speed; -1 where it is imaginary
     viscous_speed: Any
@@ -103,6 +106,13 @@ class Points(NamedTuple):
     v: Any
 
 
+class Positions(NamedTuple):
+    """Positions of one row of nodes."""
+
+    x: Any
+    y: Any
+
+
 class Corners(NamedTuple):
     """Forces of zones on their four corners."""
 
@@ -130,9 +140,6 @@ class Work(NamedTuple):
     temperature: Any
     shear: Any
     t1: Any                  # largest principal deviator, at which a material tears
-    txx: Any                 # deviators after the step
-    tyy: Any
-    txy: Any
     equivalent: Any
     limit: Any
     flow: Any
@@ -149,39 +156,8 @@ class Work(NamedTuple):
     status: Any
     p_e: Any
     pace: Any
-    power: Any               # that the corner forces put into a zone, W
-    stiffness: Any           # rho c^2, Pa
     inverse_length: Any      # longest edge over area, 1/m
     zero: Any
-
-
-class Shape(NamedTuple):
-    """What geometry finds for a piece: volume, area, corner triangles, gradient and hoop coefficients, weights of planar forces.
-
-    The mean of a gradient over the zone is sum(b_k u_k) / volume, of u/r sum(h_k u_k) / volume, and the force of a stress is its
-    transpose. t0, t1: areas of the triangles at corners 0 and 1 (those at 2 and 3 are the area less them).
-    """
-
-    volume: Any
-    area: Any
-    t0: Any
-    t1: Any
-    b0x: Any
-    b0y: Any
-    b1x: Any
-    b1y: Any
-    b2x: Any
-    b2y: Any
-    b3x: Any
-    b3y: Any
-    h0: Any
-    h1: Any
-    h2: Any
-    h3: Any
-    w0: Any
-    w1: Any
-    w2: Any
-    w3: Any
 
 
 class Rates(NamedTuple):
@@ -229,64 +205,27 @@ class Smoothness(NamedTuple):
     xy: Any
 
 
-class Metric(NamedTuple):
-    """Mean edges of each zone along the second (xi) and the first (eta) logical direction, as tensors e (x) e, m^2."""
+PIECE = 128          # zones of a piece: its scratch rows stay in the first two levels of cache
 
-    xixx: Any
-    xiyy: Any
-    xixy: Any
-    etaxx: Any
-    etayy: Any
-    etaxy: Any
+# -- scratch of a member: rows of Work, Tensor (deviators found), Rates, Smoothness, Corners (viscous forces of the corners) -------------
+NEW = len(Work._fields)
+RATES = NEW + len(Tensor._fields)
+SMOOTH = RATES + len(Rates._fields)
+REST = SMOOTH + len(Smoothness._fields)
+SCRATCH_ROWS = REST + len(Corners._fields)
 
-
-class Closing(NamedTuple):
-    """Velocity jumps (<= 0) and smoothness of the two principal directions of a corner; n (x) n = (1 -+ m)/2."""
-
-    du1: Any
-    psi1: Any
-    du2: Any
-    psi2: Any
-    mxx: Any
-    mxy: Any
-    apart: Any               # part of the viscosity along principal directions, the rest is along the edges of a slender zone
-
-
-PIECE = 192          # zones of a piece: its scratch rows stay in the first two levels of cache
-
-# -- first rows of the parts of a thread's scratch table ---------------------------------------------------------------------
-WORK = 0
-SHAPE = WORK + len(Work._fields)
-RATES = SHAPE + len(Shape._fields)
-STRESS = RATES + len(Rates._fields)
-SMOOTH = STRESS + len(Stress._fields)
-METRIC = SMOOTH + len(Smoothness._fields)
-CLOSING = METRIC + len(Metric._fields)
-SPEEDS = CLOSING + len(Closing._fields)      # viscous speeds of the two directions
-CORNERS = SPEEDS + 2                         # viscous stress of the four corners
-ALONG = CORNERS + 12                         # viscous stress along the mean edges
-EXTRA = ALONG + 3                            # half the subzonal pressure of the four corners
-GRADIENTS = EXTRA + 4                        # velocity differences per length: along rows, and across them before, here and behind
-SCRATCH_ROWS = GRADIENTS + 8
-SCRATCH_WIDTH = PIECE + 8                    # gradients along a row reach over both its ends
-
-# -- columns of the piece table (integers): a piece is whole rows of zones of a block, or a part of one -----------------------
-(P_ZONE, P_NODE, P_ROWS, P_COUNT, P_STRIDE, P_FIRST_ROW, P_LAST_ROW, P_FIRST, P_LAST, P_RECIPE, P_BLOCK, P_LEFT, P_RIGHT, P_BOTTOM,
- P_TOP) = range(15)
-# first zone, node at its corner 0, rows, zones of each row, nodes of a row of the block, whether its first and last row and its first
-# and last column are edges of the block, recipe, block, rows of the table of what lies beyond these edges
-
-# -- columns of the line table (integers): a row of nodes of a block --------------------------------------------------------------
-(N_NODE, N_COUNT, N_BEFORE, N_BEHIND) = range(4)      # first node, nodes, first zone of the rows of zones before and behind, or -1
+# -- numbers of a material behind its constants: radius that stands for the axis, coefficient of its filter -----------------------------
+NEAR = len(Constants._fields)
+FILTER = NEAR + 1
 
 # -- control vector (floats) --------------------------------------------------------------------------------------
-(TIME, DT, DT_NATURAL, EVENT_TIME, RATE, COURANT, GROWTH, DT_LARGEST, DT_SMALLEST, WORST_FAILURE, NEAR_AXIS, GRAVITY_X, GRAVITY_Y,
- GRAVITY_WORK, NEXT_GAUGE, GAUGE_INTERVAL) = range(16)
-CONTROL_FLOATS = 16
+(TIME, DT, DT_NATURAL, EVENT_TIME, RATE, COURANT, GROWTH, DT_LARGEST, DT_SMALLEST, WORST_FAILURE, GRAVITY_WORK, NEXT_GAUGE,
+ GAUGE_INTERVAL) = range(13)
+CONTROL_FLOATS = 13
 
 # -- control vector (integers) ------------------------------------------------------------------------------------
-CYCLE, GAUGE_ROWS, CULPRIT, ZONE_STEPS, CAP_COUNT, REPEATED = range(6)
-CONTROL_INTS = 6
+CYCLE, ZONES, ZONE_STEPS, CAP_COUNT, REPEATED = range(5)
+CONTROL_INTS = 5
 
 FOUND_TANGLED = FOUND_FLOATS      # column of the table of findings behind those of `zones.soundness`: volumes that are not positive
 FOUND_COLUMNS = FOUND_FLOATS + 1

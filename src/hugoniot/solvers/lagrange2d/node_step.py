@@ -1,90 +1,138 @@
-"""What nodes do in a step: forces gathered from their zones, motion; and nodes on boundaries, shared by blocks or on the axis.
+"""Rows of nodes in a step: forces gathered from their zones, motion; and what it has done to the zones between them.
 
-The nodes of a block move by their own zones' forces first. Then the special ones are done again: loads on edges are added, the forces of
-nodes that several blocks share are summed in a fixed order and given to each, and what holds a node (walls, axis, driven edges) takes its
-part of the velocity away. Its impulse and its work are booked for the chain it belongs to.
+The nodes of a block move by their own zones' forces first. Then the special ones are done again (`special_nodes`).
 """
 
-import numba as nb
+from typing import Any, NamedTuple
 
-from hugoniot.core.passes import rows, rows_apart
-from hugoniot.core.target import GUARD, INLINE, SWEEP
-from hugoniot.solvers.lagrange1d.nodes import pulse_value
+from hugoniot.core.binder import bind
+from hugoniot.core.passes import rows_apart, zone_pass
 from hugoniot.solvers.lagrange2d import layout as L
-from hugoniot.solvers.lagrange2d.geometry import AREA_WEIGHTED, PLANAR
-from hugoniot.solvers.lagrange2d.row_pass import spread
 
 FX, GX = L.Nodes._fields.index("fx"), L.Nodes._fields.index("gx")
 LEAST_LEFT = 0.8     # of the area in the middle of a step; a step takes no more than a third of a zone's area
-CORNER_ROWS = L.Zones._fields.index("f0x")
 
 
-# -- gathering and moving a row of nodes -----------------------------------------------------------------------------------------
-@nb.njit(**SWEEP)
-def from_behind(count, f0, f3, total):
-    """Forces of the row of zones behind a row of `count` nodes: corner 0 of the zone on one side, 3 of that on the other."""
-    rows_apart()
-    last = count - 1
-    total.x[0], total.y[0] = f0.x[0], f0.y[0]
+# -- rows of nodes ----------------------------------------------------------------------------------------------------------------
+class Behind(NamedTuple):
+    """Forces of the row of zones behind a row of nodes on it: on corner 0 of the zone on one side, 3 of that on the other."""
+
+    f0: L.Vector
+    f3: L.Vector
+
+
+class Before(NamedTuple):
+    """Forces of the row of zones before it."""
+
+    f1: L.Vector
+    f2: L.Vector
+
+
+class PredictOf(NamedTuple):
+    """Corner forces, motion at the start -> whole force, mean velocity, position in the middle of the step."""
+
+    behind: Behind
+    before: Before
+    x: Any
+    y: Any
+    u: Any
+    v: Any
+    im: Any
+    force: L.Vector
+    um: Any
+    vm: Any
+    xh: Any
+    yh: Any
+
+
+class MeanOf(NamedTuple):
+    """Corner forces in the middle of the step, velocity at its start -> whole force, mean velocity."""
+
+    behind: Behind
+    before: Before
+    u: Any
+    v: Any
+    im: Any
+    force: L.Vector
+    um: Any
+    vm: Any
+
+
+class AgainOf(NamedTuple):
+    """Whole force and motion at the start -> mean velocity, position in the middle of the step."""
+
+    x: Any
+    y: Any
+    u: Any
+    v: Any
+    im: Any
+    force: L.Vector
+    um: Any
+    vm: Any
+    xh: Any
+    yh: Any
+
+
+class MoveOf(NamedTuple):
+    """Motion at the start and mean velocity -> motion at the end."""
+
+    x: Any
+    y: Any
+    u: Any
+    v: Any
+    um: Any
+    vm: Any
+
+
+def gather(count, behind, before, force):
+    """Forces on a row of nodes."""
+    f0, f3, f1, f2, last = behind.f0, behind.f3, before.f1, before.f2, count - 1
+    force.x[0], force.y[0] = f0.x[0] + f1.x[0], f0.y[0] + f1.y[0]
     for j in range(1, last):
-        total.x[j] = f0.x[j] + f3.x[j - 1]
-        total.y[j] = f0.y[j] + f3.y[j - 1]
-    total.x[last], total.y[last] = f3.x[last - 1], f3.y[last - 1]
+        force.x[j] = f0.x[j] + f3.x[j - 1] + (f1.x[j] + f2.x[j - 1])
+        force.y[j] = f0.y[j] + f3.y[j - 1] + (f1.y[j] + f2.y[j - 1])
+    force.x[last], force.y[last] = f3.x[last - 1] + f2.x[last - 1], f3.y[last - 1] + f2.y[last - 1]
 
 
-@nb.njit(**SWEEP)
-def and_before(count, f1, f2, total):
-    """Add those of the row of zones before it."""
+bind(gather)
+
+
+@zone_pass(PredictOf)
+def predict(count, n, dt, numbers, law):
+    """Forces at the start of the step, mean velocity and the position in its middle; numbers: a body force per mass."""
     rows_apart()
-    last = count - 1
-    total.x[0] += f1.x[0]
-    total.y[0] += f1.y[0]
-    for j in range(1, last):
-        total.x[j] += f1.x[j] + f2.x[j - 1]
-        total.y[j] += f1.y[j] + f2.y[j - 1]
-    total.x[last] += f2.x[last - 1]
-    total.y[last] += f2.y[last - 1]
-
-
-@nb.njit(**INLINE)
-def gather(line, nodes, zones, which):
-    """Forces on a row of nodes into the rows `which` (FX or GX) and the one after."""
-    total = spread(L.Vector, nodes[which:], line[L.N_NODE])
-    if line[L.N_BEHIND] >= 0:
-        first = line[L.N_BEHIND]
-        from_behind(line[L.N_COUNT], spread(L.Vector, zones[CORNER_ROWS:], first), spread(L.Vector, zones[CORNER_ROWS + 6:], first), total)
-    else:
-        for j in range(line[L.N_COUNT]):
-            total.x[j] = 0.0
-            total.y[j] = 0.0
-    if line[L.N_BEFORE] >= 0:
-        first = line[L.N_BEFORE]
-        f1, f2 = spread(L.Vector, zones[CORNER_ROWS + 2:], first), spread(L.Vector, zones[CORNER_ROWS + 4:], first)
-        and_before(line[L.N_COUNT], f1, f2, total)
-
-
-@nb.njit(**SWEEP)
-def mean_motion(count, n, f, dt, gx, gy):
-    """Mean velocity of the step from the forces `f` and a body force per mass; the position in its middle."""
-    rows_apart()
-    half = 0.5 * dt
+    gather(count, n.behind, n.before, n.force)
+    half, gx, gy = 0.5 * dt, numbers[0], numbers[1]
     for j in range(count):
-        um = n.u[j] + half * (f.x[j] * n.im[j] + gx)
-        vm = n.v[j] + half * (f.y[j] * n.im[j] + gy)
-        n.um[j] = um
-        n.vm[j] = vm
+        um, vm = n.u[j] + half * (n.force.x[j] * n.im[j] + gx), n.v[j] + half * (n.force.y[j] * n.im[j] + gy)
+        n.um[j], n.vm[j] = um, vm
+        n.xh[j], n.yh[j] = n.x[j] + half * um, n.y[j] + half * vm
 
 
-@nb.njit(**SWEEP)
-def middle_position(count, n, dt):
+@zone_pass(AgainOf)
+def predict_again(count, n, dt, numbers, law):
+    """The same for a shorter step, with the forces found before."""
     rows_apart()
+    half, gx, gy = 0.5 * dt, numbers[0], numbers[1]
     for j in range(count):
-        n.xh[j] = n.x[j] + 0.5 * dt * n.um[j]
-        n.yh[j] = n.y[j] + 0.5 * dt * n.vm[j]
+        um, vm = n.u[j] + half * (n.force.x[j] * n.im[j] + gx), n.v[j] + half * (n.force.y[j] * n.im[j] + gy)
+        n.um[j], n.vm[j] = um, vm
+        n.xh[j], n.yh[j] = n.x[j] + half * um, n.y[j] + half * vm
 
 
-@nb.njit(**SWEEP)
-def move(count, n, dt):
+@zone_pass(MeanOf)
+def mean_motion(count, n, dt, numbers, law):
+    """Forces in the middle of the step, and the mean velocity they give."""
+    rows_apart()
+    gather(count, n.behind, n.before, n.force)
+    half, gx, gy = 0.5 * dt, numbers[0], numbers[1]
+    for j in range(count):
+        n.um[j] = n.u[j] + half * (n.force.x[j] * n.im[j] + gx)
+        n.vm[j] = n.v[j] + half * (n.force.y[j] * n.im[j] + gy)
+
+
+@zone_pass(MoveOf)
+def move(count, n, dt, numbers, law):
     """To the end of the step; a negative dt takes it back."""
     rows_apart()
     for j in range(count):
@@ -94,188 +142,30 @@ def move(count, n, dt):
         n.v[j] = 2.0 * n.vm[j] - n.v[j]
 
 
-# -- loads on edges ---------------------------------------------------------------------------------------------------------------
-@nb.njit(**GUARD)
-def edge_force(x1, y1, x2, y2, kind, near):
-    """Derivatives of the volume to the left of an edge from 1 to 2 by x1, y1, x2, y2: the force of a unit pressure inside."""
-    dx, dy = x2 - x1, y2 - y1
-    if kind == PLANAR:
-        return 0.5 * dy, -0.5 * dx, 0.5 * dy, -0.5 * dx
-    if kind == AREA_WEIGHTED:
-        r1, r2 = max(x1, near), max(x2, near)
-        return 0.5 * dy * r1, -0.5 * dx * r1, 0.5 * dy * r2, -0.5 * dx * r2
-    square = (x1 * x1 + x1 * x2 + x2 * x2) / 6.0
-    return dy * (2.0 * x1 + x2) / 6.0, -square, dy * (x1 + 2.0 * x2) / 6.0, square
+class LookOf(NamedTuple):
+    """Rows of nodes at the end and in the middle of the step -> how many zones are tangled."""
+
+    low: L.Positions
+    high: L.Positions
+    middle_low: L.Positions
+    middle_high: L.Positions
+    tangled: Any
 
 
-@nb.njit(**GUARD)
-def load(nodes, loads, given, pulses, time, at_start, geometry):
-    """Add the pressure on loaded edges to the forces of their nodes, and keep it in `given` (edge, 4) for the booking of its work.
-
-    A transmitting edge holds the stress that stood behind it at t = 0; what the motion adds is `transmit`.
-    """
-    n = rows(L.Nodes, nodes, 0)
-    numbers, tables = pulses
-    kind, near = geometry
-    for i in range(loads.shape[0]):
-        a, b, sign = loads[i, L.LOAD_A], loads[i, L.LOAD_B], loads[i, L.LOAD_OUTWARD]
-        if at_start:
-            force = edge_force(n.x[a], n.y[a], n.x[b], n.y[b], kind, near)
-        else:
-            force = edge_force(n.xh[a], n.yh[a], n.xh[b], n.yh[b], kind, near)
-        pressure = pulse_value(time, numbers[loads[i, L.LOAD_PULSE]], tables[loads[i, L.LOAD_PULSE]])
-        push = -sign * pressure
-        for k in range(4):
-            given[i, k] = push * force[k]
-        if at_start:
-            n.gx[a] += given[i, 0]
-            n.gy[a] += given[i, 1]
-            n.gx[b] += given[i, 2]
-            n.gy[b] += given[i, 3]
-        else:
-            n.fx[a] += given[i, 0]
-            n.fy[a] += given[i, 1]
-            n.fx[b] += given[i, 2]
-            n.fy[b] += given[i, 3]
-
-
-@nb.njit(**GUARD)
-def book_loads(nodes, loads, given, chains, dt):
-    """Impulse and work of the loaded edges in this step."""
-    n = rows(L.Nodes, nodes, 0)
-    for i in range(loads.shape[0]):
-        a, b, chain = loads[i, L.LOAD_A], loads[i, L.LOAD_B], loads[i, L.LOAD_CHAIN]
-        work = given[i, 0] * n.um[a] + given[i, 1] * n.vm[a] + given[i, 2] * n.um[b] + given[i, 3] * n.vm[b]
-        chains[chain, L.CHAIN_WORK] += dt * work
-        chains[chain, L.CHAIN_IMPULSE_X] += dt * (given[i, 0] + given[i, 2])
-        chains[chain, L.CHAIN_IMPULSE_Y] += dt * (given[i, 1] + given[i, 3])
-
-
-# -- nodes that blocks share --------------------------------------------------------------------------------------------------------
-@nb.njit(**GUARD)
-def exchange(nodes, which, starts, members):
-    """Sum the two rows `which` and the one after over every group of nodes that are one, in fixed order, and give the sum to each."""
-    for k in range(starts.shape[0] - 1):
-        x, y = 0.0, 0.0
-        for m in range(starts[k], starts[k + 1]):
-            x += nodes[which, members[m]]
-            y += nodes[which + 1, members[m]]
-        for m in range(starts[k], starts[k + 1]):
-            nodes[which, members[m]] = x
-            nodes[which + 1, members[m]] = y
-
-
-@nb.njit(**GUARD)
-def axis_masses(nodes, axis, ratio, near, middle):
-    """Area weighted: a node on the axis has the areal mass of its neighbour off the axis times the ratio of both at t = 0.
-
-    middle: whether the neighbour's radius counts in the middle of the step, as for the forces there, or at its start.
-    """
-    n = rows(L.Nodes, nodes, 0)
-    for i in range(axis.shape[0]):
-        node, beside = axis[i, 0], axis[i, 1]
-        radius = n.xh[beside] if middle else n.x[beside]
-        n.im[node] = n.im[beside] * radius / (near * ratio[i])
-
-
-# -- special nodes: motion again, and what holds them ---------------------------------------------------------------------------------
-@nb.njit(**GUARD)
-def free_motion(nodes, special, which, dt, gx, gy):
-    """Mean velocity of the special nodes from their whole forces."""
-    n = rows(L.Nodes, nodes, 0)
-    for i in range(special.shape[0]):
-        k = special[i]
-        n.um[k] = n.u[k] + 0.5 * dt * (nodes[which, k] * n.im[k] + gx)
-        n.vm[k] = n.v[k] + 0.5 * dt * (nodes[which + 1, k] * n.im[k] + gy)
-
-
-@nb.njit(**GUARD)
-def transmit(nodes, gates, normals, chains, dt, book):
-    """What a transmitting boundary answers: its impedance times the velocity along its normal, stable at any step.
-
-    gates: (node, chain, booked); normals: (x, y) whose length is the impedance, rho c times the area, kg/s.
-    """
-    n = rows(L.Nodes, nodes, 0)
-    for i in range(gates.shape[0]):
-        k = gates[i, 0]
-        impedance = (normals[i, 0] ** 2 + normals[i, 1] ** 2) ** 0.5
-        if impedance == 0.0:
-            continue
-        nx, ny = normals[i, 0] / impedance, normals[i, 1] / impedance
-        weight = 0.5 * dt * n.im[k] * impedance
-        speed = n.um[k] * nx + n.vm[k] * ny
-        taken = speed * weight / (1.0 + weight)
-        n.um[k] -= taken * nx
-        n.vm[k] -= taken * ny
-        if book and gates[i, 2] == 1:
-            mean = speed - taken
-            chain = gates[i, 1]
-            chains[chain, L.CHAIN_WORK] -= dt * impedance * mean * mean
-            chains[chain, L.CHAIN_IMPULSE_X] -= dt * impedance * mean * nx
-            chains[chain, L.CHAIN_IMPULSE_Y] -= dt * impedance * mean * ny
-
-
-@nb.njit(**GUARD)
-def hold(nodes, held, normals, pulses, tables, chains, time, book):
-    """Take from the mean velocity what walls, the axis and driven edges do not allow; book their impulse and work.
-
-    held: integers of `layout` HOLD_*; normals: (n1x, n1y, n2x, n2y) of unit directions along which the velocity at the end of the step
-    is that of the pulse (none: 0). Two directions are independent.
-    """
-    n = rows(L.Nodes, nodes, 0)
-    for i in range(held.shape[0]):
-        k = held[i, L.HOLD_NODE]
-        ax, ay, bx, by = normals[i, 0], normals[i, 1], normals[i, 2], normals[i, 3]
-        u, v = 2.0 * n.um[k] - n.u[k], 2.0 * n.vm[k] - n.v[k]
-        first = -(u * ax + v * ay)
-        if held[i, L.HOLD_PULSE_1] >= 0:
-            first += pulse_value(time, pulses[held[i, L.HOLD_PULSE_1]], tables[held[i, L.HOLD_PULSE_1]])
-        second = 0.0
-        if held[i, L.HOLD_CHAIN_2] >= 0:
-            second = -(u * bx + v * by)
-            if held[i, L.HOLD_PULSE_2] >= 0:
-                second += pulse_value(time, pulses[held[i, L.HOLD_PULSE_2]], tables[held[i, L.HOLD_PULSE_2]])
-            overlap = ax * bx + ay * by
-            over = 1.0 / (1.0 - overlap * overlap)
-            first, second = (first - overlap * second) * over, (second - overlap * first) * over
-        n.um[k] += 0.5 * (first * ax + second * bx)
-        n.vm[k] += 0.5 * (first * ay + second * by)
-        if book and held[i, L.HOLD_BOOKED] == 1:
-            mass = 1.0 / n.im[k]
-            book_hold(chains, held[i, L.HOLD_CHAIN_1], mass * first, ax, ay, n.um[k], n.vm[k])
-            if held[i, L.HOLD_CHAIN_2] >= 0:
-                book_hold(chains, held[i, L.HOLD_CHAIN_2], mass * second, bx, by, n.um[k], n.vm[k])
-
-
-@nb.njit(**INLINE)
-def book_hold(chains, chain, impulse, nx, ny, u, v):
-    """Impulse of a hold along (nx, ny), and its work at the mean velocity."""
-    chains[chain, L.CHAIN_WORK] += impulse * (nx * u + ny * v)
-    chains[chain, L.CHAIN_IMPULSE_X] += impulse * nx
-    chains[chain, L.CHAIN_IMPULSE_Y] += impulse * ny
-
-
-@nb.njit(**GUARD)
-def special_middle(nodes, special, dt):
-    """Positions of the special nodes in the middle of the step."""
-    n = rows(L.Nodes, nodes, 0)
-    for i in range(special.shape[0]):
-        k = special[i]
-        n.xh[k] = n.x[k] + 0.5 * dt * n.um[k]
-        n.yh[k] = n.y[k] + 0.5 * dt * n.vm[k]
-
-
-@nb.njit(**INLINE)
-def doubled_area(j, lx, ly, hx, hy):
+def doubled_area(j, low, high):
     """Twice the area of zone j between two rows of nodes."""
-    return (hx[j + 1] - lx[j]) * (ly[j + 1] - hy[j]) - (hy[j + 1] - ly[j]) * (lx[j + 1] - hx[j])
+    return (high.x[j + 1] - low.x[j]) * (low.y[j + 1] - high.y[j]) - (high.y[j + 1] - low.y[j]) * (low.x[j + 1] - high.x[j])
 
 
-@nb.njit(**GUARD)
-def tangled(count, low, high):
+bind(doubled_area)
+
+
+@zone_pass(LookOf, exact=True)
+def look(count, z, dt, numbers, law):
     """How many zones of a row the step has turned inside out, or has robbed of so much of their area that it was too long."""
-    bad = 0
+    rows_apart()
+    bad = 0.0
     for j in range(count):
-        middle, area = doubled_area(j, low.xh, low.yh, high.xh, high.yh), doubled_area(j, low.x, low.y, high.x, high.y)
-        bad += 0 if area > LEAST_LEFT * middle and area > 0.0 else 1
-    return bad
+        middle, area = doubled_area(j, z.middle_low, z.middle_high), doubled_area(j, z.low, z.high)
+        bad += 0.0 if area > LEAST_LEFT * middle and area > 0.0 else 1.0
+    z.tangled[0] += bad

@@ -5,103 +5,118 @@ With $g$ the velocity difference across a zone per length, a vector, and $g_l$, 
 $$\psi = \max(0, \min(1, \tfrac12(r_l + r_r), 2 r_l, 2 r_r)),\qquad r = g_{l,r}\cdot g / g^2 :$$
 
 1 in a linear field, 0 at a shock or an extremum, and where there is nothing but round-off to compare. Vectors are compared, not
-components, so that turning the frame changes nothing. Behind a wall stands the mirror image; at other edges of a block the field goes on
-as inside.
+components, so that turning the frame changes nothing. Beyond a joint stand the zones of the other block, behind a wall the mirror image;
+at other edges of a block the field goes on as inside.
+
+The vectors stand in a table with a line of cells around each block, which `fill_ghosts` fills.
 
 Caramana, Shashkov & Whalen, J. Comput. Phys. 144 (1998) 70, equations 10 to 14.
 """
 
 from typing import Any, NamedTuple
 
+import numba as nb
+
+from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin, vsqrt
-from hugoniot.core.passes import rows_apart
-from hugoniot.solvers.lagrange2d.layout import Points, Smoothness, Vector
-from hugoniot.solvers.lagrange2d.row_pass import row_pass
+from hugoniot.core.passes import rows, rows_apart, zone_pass
+from hugoniot.core.target import GUARD
+from hugoniot.solvers.lagrange2d.layout import Nodes, Points, Smoothness, Vector
 
 SMALL = 1e-200
 NOISE = 1e-12     # part of the whole gradient, squared, beside which one direction's has no neighbours to compare with
+GHOST, OWN, DIRECTION, NODE_A, NODE_B, FAR_A, FAR_B = range(7)     # integer columns of the table of ghosts
+NORMAL_X, NORMAL_Y, WAY = range(3)                                 # and columns of numbers
 
 
+class Gradients(NamedTuple):
+    """Velocity differences per length along the second (xi) and the first (eta) logical direction."""
+
+    xix: Any
+    xiy: Any
+    etax: Any
+    etay: Any
 
 
-class GradientOf(NamedTuple):
-    """Two rows of nodes -> velocity differences per length."""
+class GradientsOf(NamedTuple):
+    """Two rows of nodes -> velocity differences of the zones between them."""
 
     low: Points
     high: Points
-    g: Vector
+    g: Gradients
 
 
-class Compared(NamedTuple):
-    """Differences of the neighbours, of the zones themselves, and of these along the other direction -> psi."""
+class ComparedOf(NamedTuple):
+    """Two rows of nodes, differences of the zones between them, of their neighbours in the row, and in the rows on both sides -> psi and
+    strain rates."""
 
+    low: Points
+    high: Points
+    g: Gradients
     left: Vector
-    middle: Vector
     right: Vector
-    other: Vector
-    psi: Any
-
-
-class RatesNow(NamedTuple):
-    """Two rows of nodes -> strain rates."""
-
-    low: Points
-    high: Points
+    before: Vector
+    behind: Vector
     smooth: Smoothness
 
 
-
-@row_pass(GradientOf)
-def gradient_along(count, given, dt, numbers, law):
-    """Velocity difference per length along the rows of nodes, for a row of zones."""
+@zone_pass(GradientsOf)
+def gradients(count, z, dt, numbers, law):
+    """Velocity differences per length along the rows of nodes and from one to the next."""
     rows_apart()
-    low, high, g = given
+    low, high, g = z.low, z.high, z.g
     for j in range(count):
-        ex = low.x[j + 1] - low.x[j] + high.x[j + 1] - high.x[j]
-        ey = low.y[j + 1] - low.y[j] + high.y[j + 1] - high.y[j]
+        ex, ey = low.x[j + 1] - low.x[j] + high.x[j + 1] - high.x[j], low.y[j + 1] - low.y[j] + high.y[j + 1] - high.y[j]
         inverse = 1.0 / vsqrt(ex * ex + ey * ey)
-        g.x[j] = (low.u[j + 1] - low.u[j] + high.u[j + 1] - high.u[j]) * inverse
-        g.y[j] = (low.v[j + 1] - low.v[j] + high.v[j + 1] - high.v[j]) * inverse
-
-
-@row_pass(GradientOf)
-def gradient_across(count, given, dt, numbers, law):
-    """Velocity difference per length from one row of nodes to the next."""
-    rows_apart()
-    low, high, g = given
-    for j in range(count):
-        ex = high.x[j] - low.x[j] + high.x[j + 1] - low.x[j + 1]
-        ey = high.y[j] - low.y[j] + high.y[j + 1] - low.y[j + 1]
+        g.xix[j] = (low.u[j + 1] - low.u[j] + high.u[j + 1] - high.u[j]) * inverse
+        g.xiy[j] = (low.v[j + 1] - low.v[j] + high.v[j + 1] - high.v[j]) * inverse
+        ex, ey = high.x[j] - low.x[j] + high.x[j + 1] - low.x[j + 1], high.y[j] - low.y[j] + high.y[j + 1] - low.y[j + 1]
         inverse = 1.0 / vsqrt(ex * ex + ey * ey)
-        g.x[j] = (high.u[j] - low.u[j] + high.u[j + 1] - low.u[j + 1]) * inverse
-        g.y[j] = (high.v[j] - low.v[j] + high.v[j + 1] - low.v[j + 1]) * inverse
+        g.etax[j] = (high.u[j] - low.u[j] + high.u[j + 1] - low.u[j + 1]) * inverse
+        g.etay[j] = (high.v[j] - low.v[j] + high.v[j + 1] - low.v[j + 1]) * inverse
 
 
-@row_pass(Compared)
-def compare(count, given, dt, numbers, law):
-    """psi of a row of zones from the vectors g of the zones and of their neighbours."""
+def smooth(lx, ly, gx, gy, rx, ry, other):
+    """psi from the vectors of the left neighbour, the zone and the right neighbour; other: the square of its other vector."""
+    size = gx * gx + gy * gy
+    inverse = 1.0 / (size + NOISE * (size + other) + SMALL)
+    before, behind = (lx * gx + ly * gy) * inverse, (rx * gx + ry * gy) * inverse
+    return fmax(0.0, fmin(fmin(0.5 * (before + behind), 1.0), 2.0 * fmin(before, behind)))
+
+
+bind(smooth)
+
+
+@zone_pass(ComparedOf)
+def compare(count, z, dt, numbers, law):
+    """psi along both directions, and strain rates in the plane at the start of the step."""
     rows_apart()
-    left, middle, right, other, psi = given
+    low, high, g, found = z.low, z.high, z.g, z.smooth
     for j in range(count):
-        gx, gy = middle.x[j], middle.y[j]
-        size = gx * gx + gy * gy
-        inverse = 1.0 / (size + NOISE * (size + other.x[j] * other.x[j] + other.y[j] * other.y[j]) + SMALL)
-        l = (left.x[j] * gx + left.y[j] * gy) * inverse
-        r = (right.x[j] * gx + right.y[j] * gy) * inverse
-        psi[j] = fmax(0.0, fmin(fmin(0.5 * (l + r), 1.0), 2.0 * fmin(l, r)))
-
-
-@row_pass(RatesNow)
-def rates_now(count, given, dt, numbers, law):
-    """Strain rates in the plane at the start of the step, of a row of zones."""
-    rows_apart()
-    low, high, smooth = given
-    for j in range(count):
-        ax, ay = high.x[j + 1] - low.x[j], high.y[j + 1] - low.y[j]
-        bx, by = low.x[j + 1] - high.x[j], low.y[j + 1] - high.y[j]
-        au, av = high.u[j + 1] - low.u[j], high.v[j + 1] - low.v[j]
-        bu, bv = low.u[j + 1] - high.u[j], low.v[j + 1] - high.v[j]
+        ax, ay, bx, by = high.x[j + 1] - low.x[j], high.y[j + 1] - low.y[j], low.x[j + 1] - high.x[j], low.y[j + 1] - high.y[j]
+        au, av, bu, bv = high.u[j + 1] - low.u[j], high.v[j + 1] - low.v[j], low.u[j + 1] - high.u[j], low.v[j + 1] - high.v[j]
         inverse = 1.0 / (ax * by - ay * bx)
-        smooth.xx[j] = (au * by - bu * ay) * inverse
-        smooth.yy[j] = (ax * bv - bx * av) * inverse
-        smooth.xy[j] = 0.5 * (ax * bu - bx * au + av * by - bv * ay) * inverse
+        found.xx[j] = (au * by - bu * ay) * inverse
+        found.yy[j] = (ax * bv - bx * av) * inverse
+        found.xy[j] = 0.5 * (ax * bu - bx * au + av * by - bv * ay) * inverse
+        xx, xy, ex, ey = g.xix[j], g.xiy[j], g.etax[j], g.etay[j]
+        found.xi[j] = smooth(z.left.x[j], z.left.y[j], xx, xy, z.right.x[j], z.right.y[j], ex * ex + ey * ey)
+        found.eta[j] = smooth(z.before.x[j], z.before.y[j], ex, ey, z.behind.x[j], z.behind.y[j], xx * xx + xy * xy)
+
+
+@nb.njit(**GUARD)
+def fill_ghosts(table, nodes, ghosts, numbers):
+    """Fill the cells around the blocks: from beyond a joint, as the mirror image behind a wall, or like the zone inside."""
+    n = rows(Nodes, nodes, 0)
+    for i in range(ghosts.shape[0]):
+        row, ghost, own, c, d = ghosts[i, DIRECTION], ghosts[i, GHOST], ghosts[i, OWN], ghosts[i, FAR_A], ghosts[i, FAR_B]
+        x, y, nx, ny = table[row, own], table[row + 1, own], numbers[i, NORMAL_X], numbers[i, NORMAL_Y]
+        if c >= 0:
+            a, b = ghosts[i, NODE_A], ghosts[i, NODE_B]
+            ex, ey = n.x[c] + n.x[d] - n.x[a] - n.x[b], n.y[c] + n.y[d] - n.y[a] - n.y[b]
+            inverse = numbers[i, WAY] / (ex * ex + ey * ey) ** 0.5
+            x, y = (n.u[c] + n.u[d] - n.u[a] - n.u[b]) * inverse, (n.v[c] + n.v[d] - n.v[a] - n.v[b]) * inverse
+        elif nx != 0.0 or ny != 0.0:
+            along = 2.0 * (x * nx + y * ny)
+            x, y = along * nx - x, along * ny - y
+        table[row, ghost], table[row + 1, ghost] = x, y

@@ -9,32 +9,23 @@ import threading
 import numpy as np
 
 from hugoniot.core import team
+from hugoniot.core.compile_ahead import compile_all, job_of
 from hugoniot.core.ops import NO_LIMIT
 from hugoniot.problem.plane.model import Problem2D
 from hugoniot.solvers.lagrange1d import reactive
+from hugoniot.solvers.lagrange1d.tables import zone_table
 from hugoniot.solvers.lagrange2d import accounts, post_mortem
-from hugoniot.solvers.lagrange2d import geometry as G
 from hugoniot.solvers.lagrange2d import layout as L
+from hugoniot.solvers.lagrange2d import quads as G
 from hugoniot.solvers.lagrange2d.accounts import B
-from hugoniot.solvers.lagrange2d.assemble import (
-    N,
-    Numbering,
-    Z,
-    axis_tables,
-    beyond_table,
-    kind_of,
-    line_table,
-    node_tables,
-    piece_table,
-    recipes_of,
-    zone_tables,
-)
+from hugoniot.solvers.lagrange2d.assemble import N, Numbering, Z, axis_tables, kind_of, materials_of, node_tables, zone_tables
 from hugoniot.solvers.lagrange2d.boundaries import boundary_tables
-from hugoniot.solvers.lagrange2d.march import ENTRIES, Options, Run, march, serve, start
-from hugoniot.solvers.lagrange2d.zone_step import passes_of
+from hugoniot.solvers.lagrange2d.march import Options, Run, hold_at_start, march
+from hugoniot.solvers.lagrange2d.plan import EMPTY, START, Planner, carry_out_alone, serve
+from hugoniot.solvers.lagrange2d.rows_of_blocks import cells, ghost_tables, node_rows, zone_rows
+from hugoniot.solvers.lagrange2d.smoothness import Gradients
 from hugoniot.solvers.protocol import NO_COUNTS, NothingToAdd
 from hugoniot.state import State2D
-from hugoniot.zones.constants import Constants
 
 NAME = "lagrange2d"
 ZONE_FIELDS = {"density": Z.rho, "energy": Z.e, "pressure": Z.p, "viscous_pressure": Z.q, "sound_speed": Z.c, "deviator_xx": Z.sxx,
@@ -51,25 +42,29 @@ class Lagrange2D(NothingToAdd):
         self.problem, self.sampler, mesh = problem, sampler, problem.mesh
         self.kind = kind_of(problem)
         self.numbering = numbering = Numbering(mesh)
-        self.zones = zone_tables(problem, self.kind)
-        self.nodes, heat = node_tables(problem, numbering, self.kind, self.zones)
+        count, zones = len(mesh.zone_nodes), zone_tables(problem, self.kind)
+        nodes, heat = node_tables(problem, numbering, self.kind, zones)
+        self._zones, self._nodes = zone_table(len(Z), count), zone_table(len(N), numbering.total)
+        self.zones, self.nodes = self._zones[:, :count], self._nodes[:, :numbering.total]
+        self.zones[:], self.nodes[:] = zones, nodes
         self.zones[Z.e] += heat
         self.burning = any(problem.materials[block.material].burn is not None for block in problem.blocks)
-        self.charge = np.zeros((len(B), self.zones.shape[1] if self.burning else 1))
+        self._charge = zone_table(len(B), count if self.burning else 1)
+        self.charge = self._charge[:, :count if self.burning else 1]
         if self.burning:
             self._prepare_charge()
         self.region_of = mesh.block_of
         pulses = [b.pulse for b in problem.boundaries if b.kind == "velocity" and b.pulse]
         speed = max(float(self.zones[Z.c].max()), float(np.hypot(self.nodes[N.u], self.nodes[N.v]).max()),
                     *(abs(v) for pulse in pulses for v in (pulse.amplitude, *pulse.values)))
-        self.cookbook, recipe_of, self.filters = recipes_of(problem, speed)
         self.boundaries = boundary_tables(problem, numbering, self.zones, self.kind)
         self.chains = np.zeros((len(self.boundaries.chains) + 1, 3))
         self.team = self._team()
         self.options = Options(self.kind, G.AXIS_RADIUS * float(np.abs(self.nodes[N.x]).max()), *map(float, problem.body_force))
-        self.run = self._run(mesh, recipe_of)
-        self.run.entries[:] = [entry.address(self.run, 0, 0) for entry in ENTRIES]
         self.control, self.counters = np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64)
+        self.counters[L.ZONES] = count
+        self.run = self._run(mesh)
+        self.plan, self.fronts = self._plan(mesh, speed)
         self.gauge_times, self.gauge_rows = [], []
         self._start()
         self.start_energy, self.start_mass = accounts.total_energy(self.zones, self.nodes), self.zones[Z.mass].sum()
@@ -83,19 +78,29 @@ class Lagrange2D(NothingToAdd):
             return team.Alone()
         return team.Together(threads, team.board(threads))
 
-    def _run(self, mesh, recipe_of) -> Run:
+    def _run(self, mesh) -> Run:
         edges = self.boundaries
-        pieces = piece_table(mesh, self.numbering, recipe_of)
+        ghosts = ghost_tables(mesh, self.numbering, edges.mirrors) if self.problem.solver.viscosity.limited else (
+            np.zeros((0, 7), dtype=np.int64), np.zeros((0, 3)))
         axis, ratio = axis_tables(self.numbering, self.nodes, self.kind)
         starts, members = self.numbering.shared()
-        passes = np.array([passes_of(self.kind)], dtype=np.int64)
-        return Run(self.nodes, self.zones, self.charge, np.zeros((self.team.threads, L.SCRATCH_ROWS, L.SCRATCH_WIDTH)), pieces,
-                   line_table(mesh, self.numbering), passes, np.zeros(len(ENTRIES), dtype=np.int64),
-                   self.cookbook.recipes, self.cookbook.constants, np.array([float(self.problem.solver.viscosity.limited)]),
-                   np.array([self.options.near]), edges.mirrors, beyond_table(mesh, self.numbering), self.filters,
-                   np.zeros((len(pieces) + 1, L.FOUND_COLUMNS)), np.zeros(2), edges.loads, np.zeros((len(edges.loads), 4)), edges.gates,
-                   edges.gate_normals, edges.held, edges.held_normals, edges.pulses, edges.tables, starts, members, edges.special, axis,
-                   ratio, self.chains, np.zeros_like(self.chains))
+        gradients = zone_table(len(Gradients._fields), int(cells(mesh)[-1]))
+        return Run(self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates, edges.gate_normals,
+                   edges.held, edges.held_normals, edges.pulses, edges.tables, starts, members, edges.special, axis, ratio, self.chains,
+                   np.zeros_like(self.chains))
+
+    def _plan(self, mesh, speed):
+        """(plan of the march, largest speed of a programmed front)."""
+        materials, material_of = materials_of(self.problem, speed, self.options.near)
+        tables = self._zones, self._charge, self._nodes, self.run.gradients
+        self.planner = Planner(tables, materials, G.KINDS[self.kind], self.problem.solver.viscosity.limited, self.problem.body_force,
+                               self.team.threads, max(block.nj for block in mesh.blocks))
+        compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs()])
+        plan = self.planner.plan(zone_rows(mesh, self.numbering, material_of), node_rows(mesh, self.numbering))
+        return plan, max(laws.constants.front for laws, _, _ in materials)
+
+    def _march_arguments(self, cycles, plan):
+        return cycles, self.run, plan, self.options, self.control, self.counters, self.team
 
     def _prepare_charge(self):
         """Burning zones unburned, with the clock of their lighting."""
@@ -125,8 +130,7 @@ class Lagrange2D(NothingToAdd):
                 length = np.hypot(dx, dy)
                 closing = -((u[b] - u[a]) * dx + (v[b] - v[a]) * dy) / np.where(length > 0.0, length, 1.0)
                 jump = np.maximum(jump, np.where(length > 0.0, closing, 0.0))
-        fronts = self.cookbook.constants[:, Constants._fields.index("front")][np.array(self.run.pieces[:, L.P_RECIPE])].max()
-        rate = float(np.max((np.maximum(self.zones[Z.c], fronts) + 4.0 * jump) * self._inverse_altitudes()))
+        rate = float(np.max((np.maximum(self.zones[Z.c], self.fronts) + 4.0 * jump) * self._inverse_altitudes()))
         return rate if rate > 0.0 else 1e3 / self.problem.stop_time
 
     def _start(self):
@@ -136,20 +140,11 @@ class Lagrange2D(NothingToAdd):
         control[L.DT_SMALLEST] = LARGEST_COLLAPSE * self.problem.stop_time
         control[L.GAUGE_INTERVAL] = self.problem.output.gauge_interval
         control[L.NEXT_GAUGE] = 0.0 if self.sampler else NO_LIMIT
-        self._hold_at_start()
+        hold_at_start(self.run)
         control[L.RATE] = self._signal_rate()
         first = options.initial_step or 0.1 * control[L.COURANT] / control[L.RATE]
         control[L.DT_NATURAL] = first / control[L.GROWTH]
-        start(self.run, self.options)
-
-    def _hold_at_start(self):
-        """Velocities of held nodes at t = 0."""
-        from hugoniot.solvers.lagrange2d.node_step import hold
-        n, edges = self.nodes, self.boundaries
-        n[N.um], n[N.vm] = n[N.u], n[N.v]
-        hold(n, edges.held, edges.held_normals, edges.pulses, edges.tables, self.chains, 0.0, False)
-        n[N.u], n[N.v] = 2.0 * n[N.um] - n[N.u], 2.0 * n[N.vm] - n[N.v]
-        n[N.um], n[N.vm] = n[N.u], n[N.v]
+        carry_out_alone(self.plan, START)
 
     # -- marching --------------------------------------------------------------------------------------------
     @property
@@ -193,7 +188,7 @@ class Lagrange2D(NothingToAdd):
         try:
             code = L.GAUGE_DUE
             while code == L.GAUGE_DUE and self.cycle < end:
-                code = march(end - self.cycle, self.run, self.options, self.control, self.counters, self.team)
+                code = march(*self._march_arguments(end - self.cycle, self.plan))
                 if self.sampler is not None and code in (L.GAUGE_DUE, L.AT_EVENT):
                     self._read_gauges()
         finally:
@@ -209,7 +204,7 @@ class Lagrange2D(NothingToAdd):
         if isinstance(self.team, team.Alone):
             return []
         phase = int(self.team.board[0])
-        members = [threading.Thread(target=serve, args=(k, phase, self.run, self.options, self.team), daemon=True)
+        members = [threading.Thread(target=serve, args=(k, phase, self.plan, self.team), daemon=True)
                    for k in range(1, self.team.threads)]
         for member in members:
             member.start()

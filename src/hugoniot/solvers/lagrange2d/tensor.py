@@ -14,20 +14,10 @@ Source: Herrmann, WL-TR-64-107, B.16 to B.32.
 from typing import Any, NamedTuple
 
 from hugoniot.core.ops import fmax, fmin, late_over, vsqrt
-from hugoniot.core.passes import rows_apart
+from hugoniot.core.passes import rows_apart, zone_pass
 from hugoniot.solvers.lagrange2d.layout import Rates, Stress, Tensor
-from hugoniot.solvers.lagrange2d.row_pass import row_pass
 
 NO_STRESS = 1e-30     # Pa2, beside which no stress squared counts
-
-
-class StartOf(NamedTuple):
-    """Pressure, deviators and mean viscous stress of the state -> the stress that pushes."""
-
-    p: Any
-    s: Tensor
-    q: Tensor
-    t: Stress
 
 
 class TrialOf(NamedTuple):
@@ -56,30 +46,16 @@ class RateOf(NamedTuple):
     rate: Any
 
 
-class KeepOf(NamedTuple):
-    """Pressure, mean viscous stress and deviators found -> those of the state, the principal stress of largest size."""
+class HeatOf(NamedTuple):
+    """Specific volume, mean viscous stress, strain rates -> heat, J/kg."""
 
-    p: Any
-    q: Tensor
-    new: Tensor
-    s: Tensor
-    sigma: Any
-
-
-@row_pass(StartOf)
-def pushing_stress(count, given, dt, numbers, law):
-    """Stress that pushes: pressure, viscous stress and deviators. The viscosity has no hoop part."""
-    rows_apart()
-    p_, s, q, t = given
-    for j in range(count):
-        p, xx, yy = p_[j], s.xx[j], s.yy[j]
-        t.xx[j] = xx - p - q.xx[j]
-        t.yy[j] = yy - p - q.yy[j]
-        t.xy[j] = s.xy[j] - q.xy[j]
-        t.hoop[j] = -(xx + yy) - p
+    v: Any
+    q: Stress
+    d: Rates
+    heat: Any
 
 
-@row_pass(TrialOf)
+@zone_pass(TrialOf)
 def trial(count, given, dt, numbers, law):
     """Deviators of the elastic trial after dt, turned with the zone, and their equivalent stress sqrt(3/2 s:s)."""
     rows_apart()
@@ -104,7 +80,7 @@ def trial(count, given, dt, numbers, law):
         equivalent[j] = vsqrt(3.0 * (txx * txx + tyy * tyy + txx * tyy + txy * txy))
 
 
-@row_pass(ReturnOf)
+@zone_pass(ReturnOf)
 def return_to_yield(count, given, dt, numbers, law):
     """Deviators back on the yield surface of `limit`, radially, and the largest principal one."""
     rows_apart()
@@ -120,7 +96,7 @@ def return_to_yield(count, given, dt, numbers, law):
         largest[j] = fmax(0.5 * (xx + yy) + vsqrt(half * half + xy * xy), -(xx + yy))
 
 
-@row_pass(RateOf)
+@zone_pass(RateOf)
 def strain_rates(count, given, dt, numbers, law):
     """Equivalent deviatoric strain rate sqrt(2/3 e':e'), 1/s."""
     rows_apart()
@@ -132,19 +108,10 @@ def strain_rates(count, given, dt, numbers, law):
         rate[j] = vsqrt((2.0 / 3.0) * (xx * xx + yy * yy + zz * zz + 2.0 * xy * xy))
 
 
-@row_pass(KeepOf)
-def keep(count, given, dt, numbers, law):
-    """The deviators become those of the state; the principal stress of largest size, compression positive, goes with it."""
+@zone_pass(HeatOf)
+def viscous_heat(count, given, dt, numbers, law):
+    """Work of the mean viscous stress."""
     rows_apart()
-    p_, q, new, s, sigma = given
+    v, q, d, heat = given
     for j in range(count):
-        xx, yy, xy = new.xx[j], new.yy[j], new.xy[j]
-        s.xx[j] = xx
-        s.yy[j] = yy
-        s.xy[j] = xy
-        x, y, p = xx - q.xx[j], yy - q.yy[j], p_[j]
-        shear = xy - q.xy[j]
-        half = 0.5 * (x - y)
-        size = vsqrt(half * half + shear * shear)
-        low, high = p - 0.5 * (x + y) - size, p - 0.5 * (x + y) + size
-        sigma[j] = high if high > -low else low
+        heat[j] = -dt * v[j] * (q.xx[j] * d.xx[j] + q.yy[j] * d.yy[j] + 2.0 * q.xy[j] * d.xy[j] + q.hoop[j] * d.hoop[j])

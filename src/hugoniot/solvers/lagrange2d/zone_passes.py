@@ -1,188 +1,249 @@
-"""Small passes of a step over zones: density, energy, viscous heat, altitudes, sound speed, filters' stiffness."""
+"""Passes of zones in a step: motion to its middle and its end, energy by the work of forces, corner forces, the state that stands.
+
+    strain       motion to the middle: strain rates, density, energy by the stress at the start
+    push_fluid, push_solid   corner forces of stress, viscosity and filters in the middle
+    settle       motion to the end: strain rates, energy by the work of those forces
+    shape        volume and smallest altitude at the end
+    stand        the state that stands: stress, sound speed, corner forces at the start of the next step
+    start        corner forces of the state at t = 0
+"""
 
 from typing import Any, NamedTuple
 
+from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, vsqrt
-from hugoniot.core.passes import named, rows_apart
-from hugoniot.solvers.lagrange2d.layout import Points, Rates, Stress, Tensor
-from hugoniot.solvers.lagrange2d.row_pass import row_pass
+from hugoniot.core.passes import kind_of, named, rows_apart, zone_pass
+from hugoniot.solvers.lagrange2d import hourglass
+from hugoniot.solvers.lagrange2d.forces import add_forces, stress_forces
+from hugoniot.solvers.lagrange2d.layout import FILTER, NEAR, Corners, Points, Positions, Rates, Stress, Tensor
+from hugoniot.solvers.lagrange2d.quads import coefficients, quad, strains, volume
 from hugoniot.zones.constants import Constants
 from hugoniot.zones.soundness import FOUND_RATE, wave_speed
 
 
-class HalfOf(NamedTuple):
-    """Volume, inverse mass, energy, strain rates and stress at the start -> v, rho, e in the middle of the step; volumes not positive."""
+class StrainOf(NamedTuple):
+    """Rows of nodes in the middle of the step, state at its start -> strain rates, specific volume, density, energy."""
 
-    volume: Any
+    low: Points
+    high: Points
     inverse_mass: Any
     e: Any
+    p: Any
+    s: Tensor
+    q: Stress
     d: Rates
-    t: Stress
     v: Any
     rho: Any
     new_e: Any
     tangled: Any
 
 
-class HeatOf(NamedTuple):
-    """Specific volume, mean viscous stress, strain rates -> heat, J/kg."""
-
-    v: Any
-    q: Tensor
-    d: Rates
-    heat: Any
-
-
-class EnergyOf(NamedTuple):
-    """Inverse mass, power, viscous heat -> energy and viscous work, led on."""
-
-    inverse_mass: Any
-    power: Any
-    heat: Any
-    e: Any
-    viscous_work: Any
-
-
-class DensityOf(NamedTuple):
-    """Volume, inverse mass -> specific volume and density."""
-
-    volume: Any
-    inverse_mass: Any
-    v: Any
-    rho: Any
-
-
-class AltitudeOf(NamedTuple):
-    """Two rows of nodes, area -> longest edge over area, 1/m: the inverse of the smallest altitude."""
+class PushOf(NamedTuple):
+    """Nodes, pressure, deviators, viscous stress, forces of its rest, shape at t = 0, rho, c -> corner forces, filter's power."""
 
     low: Points
     high: Points
-    area: Any
+    p: Any
+    s: Tensor
+    q: Stress
+    g: Corners
+    t0: Any
+    t1: Any
+    rho: Any
+    c: Any
+    inverse_mass: Any
+    f: Corners
+    power: Any
+
+
+class SettleOf(NamedTuple):
+    """Nodes in the middle, corner forces, viscous stress and filter's power of the step -> strain rates, energy, viscous heat, works."""
+
+    low: Points
+    high: Points
+    f: Corners
+    inverse_mass: Any
+    mean: Stress
+    filter_power: Any
+    d: Rates
+    e: Any
+    heat: Any
+    viscous_work: Any
+    filter_work: Any
+    q: Stress
+    trace: Any
+
+
+class ShapeOf(NamedTuple):
+    """Nodes at the end, inverse mass -> specific volume, density, inverse of the smallest altitude."""
+
+    low: Positions
+    high: Positions
+    inverse_mass: Any
+    v: Any
+    rho: Any
     inverse: Any
 
 
-class SpeedOf(NamedTuple):
-    """c2 of the bulk, shear, specific volume of the solid, viscous speed, inverse altitude -> c; found[FOUND_RATE]."""
+class StandOf(NamedTuple):
+    """Nodes, pressure, viscous stress, deviators found, stiffness -> deviators of the state, largest principal stress, c, corner forces."""
 
+    low: Positions
+    high: Positions
+    p: Any
+    q: Stress
+    new: Tensor
     c2: Any
     shear: Any
     solid_v: Any
     speed: Any
     inverse: Any
+    s: Tensor
+    sigma: Any
     c: Any
+    f: Corners
     found: Any
 
 
-class StiffnessOf(NamedTuple):
-    """rho, c -> rho c^2, rho c."""
+class StartOf(NamedTuple):
+    """Nodes, pressure, viscous stress and deviators of the state -> corner forces."""
 
-    rho: Any
-    c: Any
-    stiffness: Any
-    impedance: Any
-
-
-class KeptViscosity(NamedTuple):
-    """Mean viscous stress and power of the filter -> those of the state, the trace, work of the filter (led on)."""
-
-    mean: Tensor
-    power: Any
-    q: Tensor
-    trace: Any
-    work: Any
+    low: Positions
+    high: Positions
+    p: Any
+    q: Stress
+    s: Tensor
+    f: Corners
 
 
-@row_pass(HalfOf)
-def half_motion(count, given, dt, numbers, law):
-    """Density and energy in the middle of the step, by the stress at its start."""
+@zone_pass(StrainOf)
+def strain(count, z, dt, numbers, law):
+    """Strain rates with the predicted mean velocity; density and energy in the middle of the step."""
     rows_apart()
-    volume, inverse_mass, e, d, t, v_, rho, new_e, tangled = given
-    half, bad = 0.5 * dt, 0.0
+    geometry, near, half, bad = kind_of(law), numbers[NEAR], 0.5 * dt, 0.0
     for j in range(count):
-        power = t.xx[j] * d.xx[j] + t.yy[j] * d.yy[j] + 2.0 * t.xy[j] * d.xy[j] + t.hoop[j] * d.hoop[j]
-        v = volume[j] * inverse_mass[j]
-        v_[j] = v
-        rho[j] = 1.0 / v
-        new_e[j] = e[j] + half * v * power
+        at = quad(z.low, z.high, j)
+        d = strains(at, z.low, z.high, j, near, geometry)
+        xx, yy, p = z.s.xx[j], z.s.yy[j], z.p[j]
+        power = (xx - p - z.q.xx[j]) * d.xx + (yy - p - z.q.yy[j]) * d.yy + 2.0 * (z.s.xy[j] - z.q.xy[j]) * d.xy
+        power -= (xx + yy + p + z.q.hoop[j]) * d.hoop
+        v = volume(at, geometry) * z.inverse_mass[j]
+        z.d.xx[j], z.d.yy[j], z.d.xy[j], z.d.spin[j], z.d.hoop[j], z.d.dilation[j] = d.xx, d.yy, d.xy, d.spin, d.hoop, d.dilation
+        z.v[j] = v
+        z.rho[j] = 1.0 / v
+        z.new_e[j] = z.e[j] + half * v * power
         bad += 0.0 if v > 0.0 else 1.0
-    tangled[0] += bad
+    z.tangled[0] += bad
 
 
-@row_pass(HeatOf)
-def viscous_heat(count, given, dt, numbers, law):
-    """Work of the mean viscous stress."""
+def with_mean(z, j, b):
+    """Corner forces of the stress and the mean viscous stress of zone j."""
+    stress_forces(z.f, j, b, z.p[j], z.s.xx[j], z.s.yy[j], z.s.xy[j], z.q.xx[j], z.q.yy[j], z.q.xy[j], z.q.hoop[j])
+
+
+def with_viscosity(z, j, b):
+    """The same, and what the corners' viscous stress has beyond its mean."""
+    with_mean(z, j, b)
+    g = z.g
+    add_forces(z.f, j, b, g.f0x[j], g.f0y[j], g.f1x[j], g.f1y[j], g.f2x[j], g.f2y[j], g.f3x[j], g.f3y[j])
+
+
+@zone_pass(PushOf)
+def push_fluid(count, z, dt, numbers, law):
+    """Corner forces of stress, viscosity and subzonal pressure in the middle of the step."""
     rows_apart()
-    v, q, d, heat = given
+    geometry, near, merit = kind_of(law), numbers[NEAR], numbers[FILTER]
     for j in range(count):
-        heat[j] = -dt * v[j] * (q.xx[j] * d.xx[j] + q.yy[j] * d.yy[j] + 2.0 * q.xy[j] * d.xy[j])
+        at = quad(z.low, z.high, j)
+        b = coefficients(at, near, geometry)
+        with_viscosity(z, j, b)
+        x0, y0, x1, y1, x2, y2, x3, y3 = hourglass.subzonal(at, z.t0[j], z.t1[j], merit * z.rho[j] * z.c[j] * z.c[j])
+        add_forces(z.f, j, b, x0, y0, x1, y1, x2, y2, x3, y3)
+        z.power[j] = 0.0
 
 
-@row_pass(EnergyOf)
-def end_energy(count, given, dt, numbers, law):
-    """Energy at the end of the step, by the work of the corner forces."""
+@zone_pass(PushOf)
+def push_solid(count, z, dt, numbers, law):
+    """Corner forces of stress, viscosity and viscous filter in the middle of the step."""
     rows_apart()
-    inverse_mass, power, heat, e, viscous_work = given
+    geometry, near, coefficient = kind_of(law), numbers[NEAR], numbers[FILTER]
     for j in range(count):
-        e[j] += dt * inverse_mass[j] * power[j]
-        viscous_work[j] += heat[j]
+        at = quad(z.low, z.high, j)
+        b = coefficients(at, near, geometry)
+        with_viscosity(z, j, b)
+        x0, y0, x1, y1, x2, y2, x3, y3, power = hourglass.viscous(at, z.low, z.high, j, coefficient * z.rho[j] * z.c[j])
+        add_forces(z.f, j, b, x0, y0, x1, y1, x2, y2, x3, y3)
+        z.power[j] = power * 0.25 * (b.w0 + b.w1 + b.w2 + b.w3) * z.inverse_mass[j]
 
 
-@row_pass(DensityOf)
-def density(count, given, dt, numbers, law):
-    """Specific volume and density."""
+@zone_pass(SettleOf)
+def settle(count, z, dt, numbers, law):
+    """Strain rates with the mean velocity of the step; energy by the work of the forces, -sum F.u; the viscosity goes with the state."""
     rows_apart()
-    volume, inverse_mass, v_, rho = given
+    geometry, near, f, low, high = kind_of(law), numbers[NEAR], z.f, z.low, z.high
     for j in range(count):
-        v = volume[j] * inverse_mass[j]
-        v_[j] = v
-        rho[j] = 1.0 / v
+        at = quad(low, high, j)
+        d = strains(at, low, high, j, near, geometry)
+        work = f.f0x[j] * low.u[j] + f.f0y[j] * low.v[j] + f.f1x[j] * high.u[j] + f.f1y[j] * high.v[j]
+        work += f.f2x[j] * high.u[j + 1] + f.f2y[j] * high.v[j + 1] + f.f3x[j] * low.u[j + 1] + f.f3y[j] * low.v[j + 1]
+        inverse_mass, xx, yy, xy, hoop = z.inverse_mass[j], z.mean.xx[j], z.mean.yy[j], z.mean.xy[j], z.mean.hoop[j]
+        heat = -dt * volume(at, geometry) * inverse_mass * (xx * d.xx + yy * d.yy + 2.0 * xy * d.xy + hoop * d.hoop)
+        z.d.xx[j], z.d.yy[j], z.d.xy[j], z.d.spin[j], z.d.hoop[j], z.d.dilation[j] = d.xx, d.yy, d.xy, d.spin, d.hoop, d.dilation
+        z.e[j] -= dt * inverse_mass * work
+        z.heat[j] = heat
+        z.viscous_work[j] += heat
+        z.filter_work[j] += dt * z.filter_power[j]
+        z.q.xx[j], z.q.yy[j], z.q.xy[j], z.q.hoop[j] = xx, yy, xy, hoop
+        z.trace[j] = xx + yy + hoop
 
 
-@row_pass(AltitudeOf)
-def altitudes(count, given, dt, numbers, law):
-    """Inverse of the smallest altitude of each zone."""
+@zone_pass(ShapeOf)
+def shape(count, z, dt, numbers, law):
+    """Volume and smallest altitude at the end of the step."""
     rows_apart()
-    low, high, area, inverse = given
+    geometry = kind_of(law)
     for j in range(count):
-        ax, ay, bx, by = high.x[j] - low.x[j], high.y[j] - low.y[j], high.x[j + 1] - high.x[j], high.y[j + 1] - high.y[j]
-        cx, cy = low.x[j + 1] - high.x[j + 1], low.y[j + 1] - high.y[j + 1]
-        dx, dy = low.x[j] - low.x[j + 1], low.y[j] - low.y[j + 1]
-        longest = fmax(fmax(ax * ax + ay * ay, bx * bx + by * by), fmax(cx * cx + cy * cy, dx * dx + dy * dy))
-        inverse[j] = vsqrt(longest) / area[j]
+        at = quad(z.low, z.high, j)
+        a, b = (at.x1 - at.x0) * (at.x1 - at.x0) + (at.y1 - at.y0) * (at.y1 - at.y0), at.x2 - at.x1
+        b, c = b * b + (at.y2 - at.y1) * (at.y2 - at.y1), at.x3 - at.x2
+        c, d = c * c + (at.y3 - at.y2) * (at.y3 - at.y2), at.x0 - at.x3
+        d = d * d + (at.y0 - at.y3) * (at.y0 - at.y3)
+        v = volume(at, geometry) * z.inverse_mass[j]
+        z.v[j] = v
+        z.rho[j] = 1.0 / v
+        z.inverse[j] = vsqrt(fmax(fmax(a, b), fmax(c, d))) / at.area
 
 
-@row_pass(SpeedOf)
-def end_speed(count, given, dt, numbers, law):
-    """Sound speed at the end of the step; the largest signal rate, 1/s. `numbers` are the material's constants."""
+@zone_pass(StandOf)
+def stand(count, z, dt, numbers, law):
+    """The state that stands at the end of the step, and its corner forces, which push at the start of the next one."""
     rows_apart()
-    c2, shear, solid_v, speed, inverse, c_, found = given
-    constants = named(Constants, numbers)
-    fastest = found[FOUND_RATE]
+    geometry, near, constants, fastest = kind_of(law), numbers[NEAR], named(Constants, numbers), z.found[FOUND_RATE]
     for j in range(count):
-        c = wave_speed(c2[j] + (4.0 / 3.0) * shear[j] * solid_v[j], constants.noise)
-        fastest = fmax(fastest, (fmax(c, constants.front) + 2.0 * speed[j]) * inverse[j])
-        c_[j] = c
-    found[FOUND_RATE] = fastest
+        at = quad(z.low, z.high, j)
+        p, xx, yy, xy = z.p[j], z.new.xx[j], z.new.yy[j], z.new.xy[j]
+        qxx, qyy, qxy, hoop = z.q.xx[j], z.q.yy[j], z.q.xy[j], z.q.hoop[j]
+        stress_forces(z.f, j, coefficients(at, near, geometry), p, xx, yy, xy, qxx, qyy, qxy, hoop)
+        z.s.xx[j], z.s.yy[j], z.s.xy[j] = xx, yy, xy
+        x, y, shear = xx - qxx, yy - qyy, xy - qxy
+        half = 0.5 * (x - y)
+        size = vsqrt(half * half + shear * shear)
+        least, most = p - 0.5 * (x + y) - size, p - 0.5 * (x + y) + size
+        z.sigma[j] = most if most > -least else least
+        c = wave_speed(z.c2[j] + (4.0 / 3.0) * z.shear[j] * z.solid_v[j], constants.noise)
+        fastest = fmax(fastest, (fmax(c, constants.front) + 2.0 * z.speed[j]) * z.inverse[j])
+        z.c[j] = c
+    z.found[FOUND_RATE] = fastest
 
 
-@row_pass(StiffnessOf)
-def stiffnesses(count, given, dt, numbers, law):
-    """What the filters push with."""
+@zone_pass(StartOf)
+def start(count, z, dt, numbers, law):
+    """Corner forces of a state at t = 0."""
     rows_apart()
-    rho, c, stiffness, impedance = given
+    geometry, near = kind_of(law), numbers[NEAR]
     for j in range(count):
-        impedance[j] = rho[j] * c[j]
-        stiffness[j] = rho[j] * c[j] * c[j]
+        with_mean(z, j, coefficients(quad(z.low, z.high, j), near, geometry))
 
 
-@row_pass(KeptViscosity)
-def keep_viscosity(count, given, dt, numbers, law):
-    """The mean viscous stress of a step that stands goes with the state."""
-    rows_apart()
-    mean, power, q, trace, work = given
-    for j in range(count):
-        q.xx[j] = mean.xx[j]
-        q.yy[j] = mean.yy[j]
-        q.xy[j] = mean.xy[j]
-        trace[j] = mean.xx[j] + mean.yy[j]
-        work[j] += dt * power[j]
+bind(with_mean)
+bind(with_viscosity)

@@ -1,0 +1,284 @@
+"""The plan of a march: for each command of the step the lists of passes that carry it out, and the rows of zones or nodes they take.
+
+Lists are written once for a run, one for each material and member of the team, whose scratch they use. A share is one row of zones or of
+nodes of a block; every member takes its part of the rows, and totals are taken over the shares in their order, so that no bit of a result
+depends on the number of threads.
+"""
+
+from typing import Any, NamedTuple
+
+import numba as nb
+import numpy as np
+from numba.extending import overload
+
+from hugoniot.core.compile_ahead import Job
+from hugoniot.core.pass_lists import FIXED, Operation, Place, Written, carry_out, jobs, most_rows, place, places, write
+from hugoniot.core.passes import Entry, call_entry
+from hugoniot.core.target import GUARD, INLINE
+from hugoniot.core.team import DISMISSED, Alone, await_call, begin, gather_team, sign
+from hugoniot.solvers.lagrange1d.tables import zone_table
+from hugoniot.solvers.lagrange2d import layout as L
+from hugoniot.solvers.lagrange2d import node_step, smoothness, zone_passes, zone_step
+from hugoniot.zones.soundness import FOUND_FAILURE, FOUND_RATE
+from hugoniot.zones.steps import MaterialSteps
+
+GRADIENTS, PREDICT, CORRECT, START, LOOK, ACCELERATE, ACCELERATE_AGAIN, PUSH, MOVE, TAKE_BACK = range(10)     # commands
+COMMANDS = 10
+OF_NODES = (ACCELERATE, ACCELERATE_AGAIN, PUSH, MOVE, TAKE_BACK)
+# origins: a row of zones and the one before it, the rows of nodes on both its sides, its gradients and those of the rows beside it
+AT_ZONES, AT_BEFORE, AT_LOW, AT_HIGH, AT_GRADIENTS, AT_GRADIENTS_BEFORE, AT_GRADIENTS_BEHIND = range(1, 8)
+ORIGINS = 8
+FIRST, LAST, COUNT, PIECE, ORIGIN = range(5)                  # columns of the table of shares, the last one the first of the origins
+DT, DT_HALF, DT_BACK = range(3)                               # of the row of time steps
+BOTH, BEHIND_ONLY, BEFORE_ONLY = range(3)                     # rows of zones beside a row of nodes
+
+
+class PlaneRows(NamedTuple):
+    """Rows of a row of zones: those of `zones.steps.Rows`, its nodes now and in the middle of the step, and its own."""
+
+    z: Any
+    b: Any
+    w: Any
+    now_low: Any
+    now_high: Any
+    mid_low: Any
+    mid_high: Any
+    s: Any               # deviators of the state
+    q: Any               # mean viscous stress of the state
+    coming: Any          # the same of the step that is being taken
+    f: Any               # corner forces
+    d: Any               # strain rates
+    new: Any             # deviators found
+    smooth: Any
+    rest: Any            # forces of what the corners' viscous stress has beyond the mean
+    found: Place
+    tangled: Place
+    whole: Place
+    half: Place
+
+    @property
+    def low(self):
+        """Positions of the nodes on one side now."""
+        return L.Positions(self.now_low.x, self.now_low.y)
+
+    @property
+    def high(self):
+        """Positions of the nodes on the other side now."""
+        return L.Positions(self.now_high.x, self.now_high.y)
+
+
+class Plan(NamedTuple):
+    """What compiled code carries out.
+
+    written    the lists of passes in numbers
+    commands   (command; first, last share)
+    shares     (share; columns FIRST to ORIGIN and the origins, in bytes)
+    share_out  address of `do_share`
+    threads    members of the team
+    pointers   (member, rows): scratch of `carry_out`
+    seen       (member, FOUND_COLUMNS): what passes find in a share
+    found      a row for each share of a command, and the totals behind them
+    dts        dt, half of it, minus dt
+    """
+
+    written: Written
+    commands: Any
+    shares: Any
+    share_out: int
+    threads: int
+    pointers: Any
+    seen: Any
+    found: Any
+    dts: Any
+
+
+def _empty() -> Plan:
+    ints, table, floats = np.zeros(1, dtype=np.int64), np.zeros((1, 1), dtype=np.int64), np.zeros((1, 1))
+    return Plan(Written(table, ints, ints, ints), table, table, 0, 1, table, floats, floats, np.zeros(3))
+
+
+EMPTY = _empty()     # of the compiled type of every plan
+
+
+# -- writing -----------------------------------------------------------------------------------------------------------
+class Planner:
+    """Writes the lists of a run.
+
+    tables     (zones, charge, nodes, gradients), which stay where they are as long as the run
+    materials  (laws, numbers, whether it is a fluid) of each material
+    """
+
+    def __init__(self, tables, materials, geometry, limited: bool, body_force, threads: int, longest: int):
+        self.tables, self.geometry, self.limited, self.threads = tables, geometry, limited, threads
+        self.dts, self.seen = np.zeros(3), np.zeros((threads, L.FOUND_COLUMNS))
+        self._scratch = zone_table(L.SCRATCH_ROWS, threads * L.PIECE)
+        self._body_force, self._nothing = np.array(body_force, dtype=float), np.zeros(longest + 2)
+        self._at = [self._rows(member) for member in range(threads)]
+        self._lists = dict(self._of_materials(materials)) | dict(self._of_zones()) | dict(self._of_nodes())
+        self.written, self._ends = EMPTY.written, {}
+
+    def jobs(self) -> list[Job]:
+        """What has yet to be compiled for the plan."""
+        return [DO_SHARE.job(EMPTY, 0, 0), *jobs(self._lists.values())]
+
+    def _rows(self, member) -> PlaneRows:
+        zones, charge, nodes, _ = self.tables
+        z = places(L.Zones, zones, AT_ZONES)
+        low, high = places(L.Nodes, nodes, AT_LOW), places(L.Nodes, nodes, AT_HIGH)
+
+        def scratch(cls, first):
+            return places(cls, self._scratch[first:], FIXED, member * L.PIECE)
+
+        return PlaneRows(
+            z, places(L.Charge, charge, AT_ZONES), scratch(L.Work, 0),
+            L.Points(low.x, low.y, low.u, low.v), L.Points(high.x, high.y, high.u, high.v),
+            L.Points(low.xh, low.yh, low.um, low.vm), L.Points(high.xh, high.yh, high.um, high.vm),
+            L.Tensor(z.sxx, z.syy, z.sxy), L.Stress(z.qxx, z.qyy, z.qxy, z.qhoop), L.Stress(z.nxx, z.nyy, z.nxy, z.nhoop),
+            L.Corners(*z[L.Zones._fields.index("f0x"):]), scratch(L.Rates, L.RATES), scratch(L.Tensor, L.NEW),
+            scratch(L.Smoothness, L.SMOOTH), scratch(L.Corners, L.REST), place(self.seen[member]),
+            place(self.seen[member, L.FOUND_TANGLED:]), place(self.dts[DT:]), place(self.dts[DT_HALF:]))
+
+    def _of_materials(self, materials):
+        """((command, material, member), list) of every material."""
+        for k, (laws, numbers, fluid) in enumerate(materials):
+            for member, at in enumerate(self._at):
+                predict, correct = MaterialSteps(laws, at, explicit=True), MaterialSteps(laws, at, explicit=True)
+                if self.limited:
+                    self._compare(predict)
+                zone_step.predict(predict, self.geometry, numbers, fluid)
+                zone_step.correct(correct, self.geometry, numbers)
+                yield (PREDICT, k, member), predict.operations
+                yield (CORRECT, k, member), correct.operations
+                rows = zone_passes.StartOf(at.low, at.high, at.z.p, at.q, at.s, at.f)
+                yield (START, k, member), [Operation(zone_passes.start, self.geometry, rows, numbers, at.whole)]
+
+    def _compare(self, s):
+        """Write how smooth the velocity field is."""
+        at, table = s.at, self.tables[3]
+        here, before, behind = (places(smoothness.Gradients, table, origin)
+                                for origin in (AT_GRADIENTS, AT_GRADIENTS_BEFORE, AT_GRADIENTS_BEHIND))
+
+        def beside(row, cells):
+            return Place(row.address + 8 * cells, row.origin)
+
+        s.do(smoothness.compare, smoothness.ComparedOf(
+            at.now_low, at.now_high, here, L.Vector(beside(here.xix, -1), beside(here.xiy, -1)),
+            L.Vector(beside(here.xix, 1), beside(here.xiy, 1)), L.Vector(before.etax, before.etay), L.Vector(behind.etax, behind.etay),
+            at.smooth))
+
+    def _of_zones(self):
+        """((command, 0, member), list) of what zones do whatever their material."""
+        for member, at in enumerate(self._at):
+            if self.limited:
+                rows = smoothness.GradientsOf(at.now_low, at.now_high, places(smoothness.Gradients, self.tables[3], AT_GRADIENTS))
+                yield (GRADIENTS, 0, member), [Operation(smoothness.gradients, None, rows, self.dts, at.whole)]
+            rows = node_step.LookOf(at.low, at.high, *(L.Positions(line.x, line.y) for line in (at.mid_low, at.mid_high)), at.tangled)
+            yield (LOOK, 0, member), [Operation(node_step.look, None, rows, self.dts, at.whole)]
+
+    def _of_nodes(self):
+        """((command, rows of zones beside, 0), list) of the motions of a row of nodes."""
+        zones, _, nodes, _ = self.tables
+        n, f, g = places(L.Nodes, nodes, AT_LOW), places(L.Zones, zones, AT_ZONES), places(L.Zones, zones, AT_BEFORE)
+        none, whole = L.Vector(place(self._nothing), place(self._nothing)), place(self.dts[DT:])
+        for beside in (BOTH, BEHIND_ONLY, BEFORE_ONLY):
+            behind, before = node_step.Behind(none, none), node_step.Before(none, none)
+            if beside != BEFORE_ONLY:
+                behind = node_step.Behind(L.Vector(f.f0x, f.f0y), L.Vector(f.f3x, f.f3y))
+            if beside != BEHIND_ONLY:
+                before = node_step.Before(L.Vector(g.f1x, g.f1y), L.Vector(g.f2x, g.f2y))
+            first, force = L.Vector(n.gx, n.gy), L.Vector(n.fx, n.fy)
+            motions = {
+                ACCELERATE: (node_step.predict,
+                             node_step.PredictOf(behind, before, n.x, n.y, n.u, n.v, n.im, first, n.um, n.vm, n.xh, n.yh)),
+                ACCELERATE_AGAIN: (node_step.predict_again,
+                                   node_step.AgainOf(n.x, n.y, n.u, n.v, n.im, first, n.um, n.vm, n.xh, n.yh)),
+                PUSH: (node_step.mean_motion, node_step.MeanOf(behind, before, n.u, n.v, n.im, force, n.um, n.vm)),
+                MOVE: (node_step.move, node_step.MoveOf(n.x, n.y, n.u, n.v, n.um, n.vm))}
+            for command, (motion, rows) in motions.items():
+                yield (command, beside, 0), [Operation(motion, None, rows, self._body_force, whole)]
+            yield (TAKE_BACK, beside, 0), [Operation(node_step.move, None, motions[MOVE][1], self._body_force, place(self.dts[DT_BACK:]))]
+
+    def plan(self, zone_rows, node_rows) -> Plan:
+        """The plan for rows of zones (count, material, origins...) and rows of nodes (count, rows of zones beside it, origins...)."""
+        self.written, ends = write(self._lists.values())
+        self._ends = dict(zip(self._lists, ends))
+        shares, commands = [], np.zeros((COMMANDS, 2), dtype=np.int64)
+        for command in range(COMMANDS):
+            of_nodes = command in OF_NODES
+            rows = node_rows if of_nodes else zone_rows
+            if not any(command == known for known, _, _ in self._ends):
+                rows = []
+            commands[command] = len(shares), len(shares) + len(rows)
+            for i, (count, kind, *origins) in enumerate(rows):
+                member = next(m for m in range(self.threads) if i < len(rows) * (m + 1) // self.threads)
+                key = (command, kind, 0) if of_nodes else (command, kind if command in (PREDICT, CORRECT, START) else 0, member)
+                shares.append((*self._ends[key], count, count if of_nodes else L.PIECE, 0, *origins))
+        pointers = np.zeros((self.threads, most_rows(self.written, self._ends.values())), dtype=np.int64)
+        plan = Plan(self.written, commands, np.array(shares, dtype=np.int64), 0, self.threads, pointers, self.seen,
+                    np.zeros((len(zone_rows) + 1, L.FOUND_COLUMNS)), self.dts)
+        return plan._replace(share_out=DO_SHARE.address(plan, 0, 0))
+
+
+# -- carried out -------------------------------------------------------------------------------------------------------
+def do_share(plan, command, member):
+    """One command over one member's part of the rows."""
+    seen, start, end = plan.seen[member], plan.commands[command, 0], plan.commands[command, 1]
+    first, last = (end - start) * member // plan.threads, (end - start) * (member + 1) // plan.threads
+    for i in range(first, last):
+        share = plan.shares[start + i]
+        seen[:] = 0.0
+        carry_out(plan.written, share[FIRST], share[LAST], share[COUNT], share[PIECE], share[ORIGIN:], plan.pointers[member])
+        if command < ACCELERATE:
+            for k in range(seen.shape[0]):
+                plan.found[i, k] = seen[k]
+
+
+DO_SHARE = Entry(do_share)
+
+
+def everyone(plan, command, team):
+    """One command over all rows, by everyone if there is a team."""
+    raise NotImplementedError("compiled only")
+
+
+@overload(everyone, jit_options=INLINE)
+def _(plan, command, team):
+    def alone(plan, command, team):
+        call_entry(plan.share_out, plan, command, 0)
+
+    def together(plan, command, team):
+        for member in range(begin(team.board, command, team.threads)):
+            call_entry(plan.share_out, plan, command, member)
+        gather_team(team.board, team.threads)
+
+    return alone if team.instance_class is Alone else together
+
+
+@nb.njit(**GUARD)
+def carry_out_alone(plan, command):
+    """One command over all rows, by the calling thread."""
+    for member in range(plan.threads):
+        call_entry(plan.share_out, plan, command, member)
+
+
+@nb.njit(**GUARD)
+def serve(member, phase, plan, team):
+    """What every other thread of a team does during a march: the leader's commands on its own part, until dismissed."""
+    while True:
+        phase = await_call(team.board, phase, member)
+        command = team.board[1]
+        if command != DISMISSED:
+            call_entry(plan.share_out, plan, command, member)
+        sign(team.board, member, phase)
+        if command == DISMISSED:
+            return
+
+
+@nb.njit(**GUARD)
+def gather(found):
+    """Totals of a command over its shares, in their order, into the row behind theirs."""
+    totals = found[found.shape[0] - 1]
+    totals[:] = 0.0
+    for i in range(found.shape[0] - 1):
+        for k in range(totals.shape[0]):
+            totals[k] = max(totals[k], found[i, k]) if k in (FOUND_RATE, FOUND_FAILURE) else totals[k] + found[i, k]

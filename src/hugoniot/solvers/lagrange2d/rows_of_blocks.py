@@ -1,0 +1,73 @@
+"""Rows of zones and of nodes of the blocks, where they stand in the tables, and the cells around the blocks."""
+
+import numpy as np
+
+from hugoniot.solvers.lagrange2d import plan
+from hugoniot.solvers.lagrange2d.assemble import Numbering
+from hugoniot.solvers.lagrange2d.smoothness import Gradients
+
+XI, ETA = Gradients._fields.index("xix"), Gradients._fields.index("etax")
+WORD = 8      # bytes of a number
+
+
+def cells(mesh):
+    """First cell of each block in the table of gradients, which has a line of cells around every block; the last one is the size."""
+    return np.concatenate(([0], np.cumsum([(block.ni + 2) * (block.nj + 2) for block in mesh.blocks])))
+
+
+def zone_rows(mesh, numbering: Numbering, material_of):
+    """(count, material, origins in the order of `plan`) of every row of zones."""
+    found, start = [], cells(mesh)
+    for k, block in enumerate(mesh.blocks):
+        for i in range(block.ni):
+            zone, node = block.first_zone + i * block.nj, int(numbering.local(k, i, 0))
+            cell = int(start[k]) + (i + 1) * (block.nj + 2) + 1
+            places = zone, zone, node, node + block.nj + 1, cell, cell - block.nj - 2, cell + block.nj + 2
+            found.append((block.nj, material_of[k], *(WORD * place for place in places)))
+    return found
+
+
+def node_rows(mesh, numbering: Numbering):
+    """(count, rows of zones beside it, origins) of every row of nodes."""
+    found = []
+    for k, block in enumerate(mesh.blocks):
+        for i in range(block.ni + 1):
+            beside = plan.BEHIND_ONLY if i == 0 else plan.BEFORE_ONLY if i == block.ni else plan.BOTH
+            behind, before = block.first_zone + min(i, block.ni - 1) * block.nj, block.first_zone + max(i - 1, 0) * block.nj
+            places = behind, before, int(numbering.local(k, i, 0)), 0, 0, 0, 0
+            found.append((block.nj + 1, beside, *(WORD * place for place in places)))
+    return found
+
+
+def block_sides(block):
+    """Zones along the left, right, bottom and top side of a block, each with the corner at which its edge on that side starts."""
+    number = block.first_zone + np.arange(block.ni * block.nj).reshape(block.ni, block.nj)
+    return [[(int(zone), k) for zone in zones] for zones, k in ((number[0], 3), (number[-1], 1), (number[:, 0], 0), (number[:, -1], 2))]
+
+
+def ghost_tables(mesh, numbering: Numbering, mirrors):
+    """The cells around the blocks (columns of `smoothness`): integers, and normals of walls with the way to the cell.
+
+    mirrors: (4 blocks, 2) normals of the walls that are whole sides of blocks, 0 elsewhere.
+    """
+    owners: dict[tuple[int, int], list[tuple[int, int]]] = {}
+    corners, start = mesh.zone_nodes, cells(mesh)
+    for block in mesh.blocks:
+        for zone, k in (edge for side in block_sides(block) for edge in side):
+            owners.setdefault(tuple(sorted((corners[zone, k], corners[zone, (k + 1) % 4]))), []).append((zone, k))
+    places, numbers = [], []
+    for n, block in enumerate(mesh.blocks):
+        for side, edges in enumerate(block_sides(block)):
+            direction, way = (ETA, XI)[side // 2], (-1.0, 1.0)[side % 2]
+            step = (block.nj + 2 if direction == ETA else 1) * int(way)
+            for zone, k in edges:
+                i, j = divmod(zone - block.first_zone, block.nj)
+                own = int(start[n]) + (i + 1) * (block.nj + 2) + j + 1
+                ends = corners[zone, k], corners[zone, (k + 1) % 4]
+                others = [(z, c) for z, c in owners[tuple(sorted(ends))] if (z, c) != (zone, k)]
+                far = [corners[z, (c + m) % 4] for z, c in others[:1] for m in (2, 3)]
+                nodes = [int(numbering.representative[node]) for node in (*ends, *far)]
+                places.append((own + step, own, direction, *nodes, *([-1, -1] if not far else [])))
+                numbers.append((*mirrors[4 * n + side], way))
+    return np.array(places, dtype=np.int64), np.array(numbers)
+

@@ -1,0 +1,185 @@
+"""Nodes on boundaries, shared by blocks or on the axis, which something besides their own zones acts on.
+
+Loads on edges are added to the forces of their nodes, the forces of nodes that several blocks share are summed in a fixed order and given
+to each, and what holds a node (walls, axis, driven edges) takes its part of the velocity away. Its impulse and its work are booked for the
+chain it belongs to.
+"""
+
+import numba as nb
+
+from hugoniot.core.passes import rows
+from hugoniot.core.target import GUARD, INLINE
+from hugoniot.solvers.lagrange1d.nodes import pulse_value
+from hugoniot.solvers.lagrange2d import layout as L
+from hugoniot.solvers.lagrange2d.quads import AREA_WEIGHTED, PLANAR
+
+
+# -- loads on edges ---------------------------------------------------------------------------------------------------------------
+@nb.njit(**GUARD)
+def edge_force(x1, y1, x2, y2, kind, near):
+    """Derivatives of the volume to the left of an edge from 1 to 2 by x1, y1, x2, y2: the force of a unit pressure inside."""
+    dx, dy = x2 - x1, y2 - y1
+    if kind == PLANAR:
+        return 0.5 * dy, -0.5 * dx, 0.5 * dy, -0.5 * dx
+    if kind == AREA_WEIGHTED:
+        r1, r2 = max(x1, near), max(x2, near)
+        return 0.5 * dy * r1, -0.5 * dx * r1, 0.5 * dy * r2, -0.5 * dx * r2
+    square = (x1 * x1 + x1 * x2 + x2 * x2) / 6.0
+    return dy * (2.0 * x1 + x2) / 6.0, -square, dy * (x1 + 2.0 * x2) / 6.0, square
+
+
+@nb.njit(**GUARD)
+def load(nodes, loads, given, pulses, time, at_start, geometry):
+    """Add the pressure on loaded edges to the forces of their nodes, and keep it in `given` (edge, 4) for the booking of its work.
+
+    A transmitting edge holds the stress that stood behind it at t = 0; what the motion adds is `transmit`.
+    """
+    n = rows(L.Nodes, nodes, 0)
+    numbers, tables = pulses
+    kind, near = geometry
+    for i in range(loads.shape[0]):
+        a, b, sign = loads[i, L.LOAD_A], loads[i, L.LOAD_B], loads[i, L.LOAD_OUTWARD]
+        if at_start:
+            force = edge_force(n.x[a], n.y[a], n.x[b], n.y[b], kind, near)
+        else:
+            force = edge_force(n.xh[a], n.yh[a], n.xh[b], n.yh[b], kind, near)
+        pressure = pulse_value(time, numbers[loads[i, L.LOAD_PULSE]], tables[loads[i, L.LOAD_PULSE]])
+        push = -sign * pressure
+        for k in range(4):
+            given[i, k] = push * force[k]
+        if at_start:
+            n.gx[a] += given[i, 0]
+            n.gy[a] += given[i, 1]
+            n.gx[b] += given[i, 2]
+            n.gy[b] += given[i, 3]
+        else:
+            n.fx[a] += given[i, 0]
+            n.fy[a] += given[i, 1]
+            n.fx[b] += given[i, 2]
+            n.fy[b] += given[i, 3]
+
+
+@nb.njit(**GUARD)
+def book_loads(nodes, loads, given, chains, dt):
+    """Impulse and work of the loaded edges in this step."""
+    n = rows(L.Nodes, nodes, 0)
+    for i in range(loads.shape[0]):
+        a, b, chain = loads[i, L.LOAD_A], loads[i, L.LOAD_B], loads[i, L.LOAD_CHAIN]
+        work = given[i, 0] * n.um[a] + given[i, 1] * n.vm[a] + given[i, 2] * n.um[b] + given[i, 3] * n.vm[b]
+        chains[chain, L.CHAIN_WORK] += dt * work
+        chains[chain, L.CHAIN_IMPULSE_X] += dt * (given[i, 0] + given[i, 2])
+        chains[chain, L.CHAIN_IMPULSE_Y] += dt * (given[i, 1] + given[i, 3])
+
+
+# -- nodes that blocks share --------------------------------------------------------------------------------------------------------
+@nb.njit(**GUARD)
+def exchange(nodes, which, starts, members):
+    """Sum the two rows `which` and the one after over every group of nodes that are one, in fixed order, and give the sum to each."""
+    for k in range(starts.shape[0] - 1):
+        x, y = 0.0, 0.0
+        for m in range(starts[k], starts[k + 1]):
+            x += nodes[which, members[m]]
+            y += nodes[which + 1, members[m]]
+        for m in range(starts[k], starts[k + 1]):
+            nodes[which, members[m]] = x
+            nodes[which + 1, members[m]] = y
+
+
+@nb.njit(**GUARD)
+def axis_masses(nodes, axis, ratio, near, middle):
+    """Area weighted: a node on the axis has the areal mass of its neighbour off the axis times the ratio of both at t = 0.
+
+    middle: whether the neighbour's radius counts in the middle of the step, as for the forces there, or at its start.
+    """
+    n = rows(L.Nodes, nodes, 0)
+    for i in range(axis.shape[0]):
+        node, beside = axis[i, 0], axis[i, 1]
+        radius = n.xh[beside] if middle else n.x[beside]
+        n.im[node] = n.im[beside] * radius / (near * ratio[i])
+
+
+# -- special nodes: motion again, and what holds them ---------------------------------------------------------------------------------
+@nb.njit(**GUARD)
+def free_motion(nodes, special, which, dt, gx, gy):
+    """Mean velocity of the special nodes from their whole forces."""
+    n = rows(L.Nodes, nodes, 0)
+    for i in range(special.shape[0]):
+        k = special[i]
+        n.um[k] = n.u[k] + 0.5 * dt * (nodes[which, k] * n.im[k] + gx)
+        n.vm[k] = n.v[k] + 0.5 * dt * (nodes[which + 1, k] * n.im[k] + gy)
+
+
+@nb.njit(**GUARD)
+def transmit(nodes, gates, normals, chains, dt, book):
+    """What a transmitting boundary answers: its impedance times the velocity along its normal, stable at any step.
+
+    gates: (node, chain, booked); normals: (x, y) whose length is the impedance, rho c times the area, kg/s.
+    """
+    n = rows(L.Nodes, nodes, 0)
+    for i in range(gates.shape[0]):
+        k = gates[i, 0]
+        impedance = (normals[i, 0] ** 2 + normals[i, 1] ** 2) ** 0.5
+        if impedance == 0.0:
+            continue
+        nx, ny = normals[i, 0] / impedance, normals[i, 1] / impedance
+        weight = 0.5 * dt * n.im[k] * impedance
+        speed = n.um[k] * nx + n.vm[k] * ny
+        taken = speed * weight / (1.0 + weight)
+        n.um[k] -= taken * nx
+        n.vm[k] -= taken * ny
+        if book and gates[i, 2] == 1:
+            mean = speed - taken
+            chain = gates[i, 1]
+            chains[chain, L.CHAIN_WORK] -= dt * impedance * mean * mean
+            chains[chain, L.CHAIN_IMPULSE_X] -= dt * impedance * mean * nx
+            chains[chain, L.CHAIN_IMPULSE_Y] -= dt * impedance * mean * ny
+
+
+@nb.njit(**GUARD)
+def hold(nodes, held, normals, pulses, tables, chains, time, book):
+    """Take from the mean velocity what walls, the axis and driven edges do not allow; book their impulse and work.
+
+    held: integers of `layout` HOLD_*; normals: (n1x, n1y, n2x, n2y) of unit directions along which the velocity at the end of the step
+    is that of the pulse (none: 0). Two directions are independent.
+    """
+    n = rows(L.Nodes, nodes, 0)
+    for i in range(held.shape[0]):
+        k = held[i, L.HOLD_NODE]
+        ax, ay, bx, by = normals[i, 0], normals[i, 1], normals[i, 2], normals[i, 3]
+        u, v = 2.0 * n.um[k] - n.u[k], 2.0 * n.vm[k] - n.v[k]
+        first = -(u * ax + v * ay)
+        if held[i, L.HOLD_PULSE_1] >= 0:
+            first += pulse_value(time, pulses[held[i, L.HOLD_PULSE_1]], tables[held[i, L.HOLD_PULSE_1]])
+        second = 0.0
+        if held[i, L.HOLD_CHAIN_2] >= 0:
+            second = -(u * bx + v * by)
+            if held[i, L.HOLD_PULSE_2] >= 0:
+                second += pulse_value(time, pulses[held[i, L.HOLD_PULSE_2]], tables[held[i, L.HOLD_PULSE_2]])
+            overlap = ax * bx + ay * by
+            over = 1.0 / (1.0 - overlap * overlap)
+            first, second = (first - overlap * second) * over, (second - overlap * first) * over
+        n.um[k] += 0.5 * (first * ax + second * bx)
+        n.vm[k] += 0.5 * (first * ay + second * by)
+        if book and held[i, L.HOLD_BOOKED] == 1:
+            mass = 1.0 / n.im[k]
+            book_hold(chains, held[i, L.HOLD_CHAIN_1], mass * first, ax, ay, n.um[k], n.vm[k])
+            if held[i, L.HOLD_CHAIN_2] >= 0:
+                book_hold(chains, held[i, L.HOLD_CHAIN_2], mass * second, bx, by, n.um[k], n.vm[k])
+
+
+@nb.njit(**INLINE)
+def book_hold(chains, chain, impulse, nx, ny, u, v):
+    """Impulse of a hold along (nx, ny), and its work at the mean velocity."""
+    chains[chain, L.CHAIN_WORK] += impulse * (nx * u + ny * v)
+    chains[chain, L.CHAIN_IMPULSE_X] += impulse * nx
+    chains[chain, L.CHAIN_IMPULSE_Y] += impulse * ny
+
+
+@nb.njit(**GUARD)
+def special_middle(nodes, special, dt):
+    """Positions of the special nodes in the middle of the step."""
+    n = rows(L.Nodes, nodes, 0)
+    for i in range(special.shape[0]):
+        k = special[i]
+        n.xh[k] = n.x[k] + 0.5 * dt * n.um[k]
+        n.yh[k] = n.y[k] + 0.5 * dt * n.vm[k]
