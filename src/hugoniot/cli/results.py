@@ -28,7 +28,7 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
         _echo_structure(run)
     else:
         typer.echo(f"relative errors: {', '.join(errors)}; voids opened {s.get('voids_opened', 0)}, "
-                   f"closed {s.get('voids_closed', 0)}, interfaces separated {s.get('interfaces_parted', 0)}")
+                   f"closed {s.get('voids_closed', 0)}, interfaces separated {s.get('interfaces_separated', 0)}")
     rows = gauge_rows(run)
     if rows:
         typer.echo("")

@@ -116,8 +116,8 @@ def plateau(time, velocity) -> float:
 def flat_top(time, values) -> float:
     """The level of a record's flat top, free of a short overshoot at its front; NaN if the top is not flat.
 
-    time (n,) s, values (n,), n >= 1. The height of the record is what it exceeds for a twentieth of the time that it spends above half of its
-    highest value; its top is what lies within 5 % of that height. The top is flat if half of its time lies within 0.5 % of the height,
+    time (n,) s, values (n,), n >= 1. The height of the record is what it exceeds for a twentieth of the time that it spends above half of
+    its highest value; its top is what lies within 5 % of that height. The top is flat if half of its time lies within 0.5 % of the height,
     and the level is then the median over time.
     """
     time, values = np.asarray(time, dtype=float), np.asarray(values, dtype=float)

@@ -39,8 +39,8 @@ def gauge_rows(run: Run) -> list[dict]:
             stress = table["stress"][:, k]
             row |= {"peak_stress": float(stress.max()), "plateau_stress": flat_top(time, stress), "lowest_stress": float(stress.min())}
         highest = float(velocity[np.argmax(np.abs(velocity))])
-        row |= {"peak_velocity": highest, "plateau_velocity": np.copysign(1.0, highest) * flat_top(time, np.copysign(1.0, highest) * velocity),
-                "last_velocity": float(velocity[-1])}
+        way = float(np.copysign(1.0, highest))
+        row |= {"peak_velocity": highest, "plateau_velocity": way * flat_top(time, way * velocity), "last_velocity": float(velocity[-1])}
         rows.append(row)
     return rows
 
