@@ -10,6 +10,9 @@ from hugoniot.output.run import Run
 from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, spall_numbers, warnings_of
 from hugoniot.units import format_si
 
+# heads of columns that follow the peak of the same field
+SHORT = {"plateau_stress": "plateau", "lowest_stress": "lowest", "plateau_velocity": "plateau", "last_velocity": "last"}
+
 
 def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
     """Print the summary, the gauges and the warnings but those `shown` already."""
@@ -25,12 +28,12 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
         _echo_structure(run)
     else:
         typer.echo(f"relative errors: {', '.join(errors)}; voids opened {s.get('voids_opened', 0)}, "
-                   f"closed {s.get('voids_closed', 0)}, interfaces separated {s.get('interfaces_parted', 0)}")
+                   f"closed {s.get('voids_closed', 0)}, interfaces separated {s.get('interfaces_separated', 0)}")
     rows = gauge_rows(run)
     if rows:
         typer.echo("")
         heads = [key for key in rows[0] if key != "gauge"]
-        echo_table(["gauge", *[h.replace("_", " ") for h in heads]],
+        echo_table(["gauge", *[SHORT.get(h, h.replace("_", " ")) for h in heads]],
                    [[r["gauge"], *["none" if np.isnan(r[h]) else format_si(r[h], GAUGE_UNITS[h], 5) for h in heads]] for r in rows])
     _echo_spall(run)
     typer.echo("")

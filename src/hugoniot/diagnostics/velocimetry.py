@@ -105,21 +105,35 @@ def pull_back(time, velocity, least: float = 0.02) -> PullBack | None:
 
 
 def plateau(time, velocity) -> float:
-    """The level of a record's flat top, m/s: free of a short overshoot at its front. The highest velocity if the top is not flat.
+    """The level of a record's flat top, m/s (see `flat_top`); the highest velocity if the top is not flat.
 
-    time (n,) s, velocity (n,) m/s, n >= 1. The top is what lies within 5 % of the highest velocity; it is flat if the level holds
-    within 0.5 % over half of its time, and the level is then the median over time.
+    time (n,) s, velocity (n,) m/s, n >= 1.
     """
-    time, velocity = np.asarray(time, dtype=float), np.asarray(velocity, dtype=float)
-    highest = float(np.max(velocity))
-    if len(velocity) < 3:
-        return highest
-    top = velocity >= 0.95 * highest
-    weight = np.gradient(time)[top]
-    order = np.argsort(velocity[top])
-    share = (np.cumsum(weight[order]) - 0.5 * weight[order]) / np.sum(weight)
-    low, middle, high = np.interp([0.25, 0.5, 0.75], share, velocity[top][order])
-    return float(middle) if high - low < 0.005 * highest else highest
+    level = flat_top(time, velocity)
+    return level if np.isfinite(level) else float(np.max(velocity))
+
+
+def flat_top(time, values) -> float:
+    """The level of a record's flat top, free of a short overshoot at its front; NaN if the top is not flat.
+
+    time (n,) s, values (n,), n >= 1. The height of the record is what it exceeds for a twentieth of the time that it spends above half of
+    its highest value; its top is what lies within 5 % of that height. The top is flat if half of its time lies within 0.5 % of the height,
+    and the level is then the median over time.
+    """
+    time, values = np.asarray(time, dtype=float), np.asarray(values, dtype=float)
+    highest = float(np.max(values))
+    if len(values) < 3 or not highest > 0.0:
+        return float("nan")
+    weight = np.gradient(time)
+
+    def lasting(chosen, shares):
+        order = np.argsort(values[chosen])
+        share = np.cumsum(weight[chosen][order]) - 0.5 * weight[chosen][order]
+        return np.interp(shares, share / np.sum(weight[chosen]), values[chosen][order])
+
+    height = float(lasting(values >= 0.5 * highest, [0.95])[0])
+    low, middle, high = lasting(np.abs(values - height) <= 0.05 * height, [0.25, 0.5, 0.75])
+    return float(middle) if high - low < 0.005 * height else float("nan")
 
 
 def ringing_period(time, velocity, after: float, least: float = 0.01) -> float:

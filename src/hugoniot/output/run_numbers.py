@@ -4,11 +4,13 @@ import numpy as np
 
 from hugoniot.diagnostics.arrival import first_crossing
 from hugoniot.diagnostics.interface_gauges import sides
+from hugoniot.diagnostics.velocimetry import flat_top
 from hugoniot.output.run import Run
 from hugoniot.output.spall_reading import spall_reading
 
 NOISE = 1e-6   # of the largest speed of a run: what a gauge sees of a wave that has not come yet is less
-GAUGE_UNITS = {"arrival": "s", "peak_stress": "Pa", "lowest_stress": "Pa", "peak_velocity": "m/s", "last_velocity": "m/s"}
+GAUGE_UNITS = {"arrival": "s", "peak_stress": "Pa", "plateau_stress": "Pa", "lowest_stress": "Pa", "peak_velocity": "m/s",
+               "plateau_velocity": "m/s", "last_velocity": "m/s"}
 SPALL = (("peak_velocity", "velocity before the pull-back", "m/s"), ("pull_back", "pull-back", "m/s"),
          ("spall_strength_acoustic", "spall strength, acoustic", "Pa"),
          ("spall_strength_kanel", "spall strength with Kanel's correction", "Pa"),
@@ -16,7 +18,10 @@ SPALL = (("peak_velocity", "velocity before the pull-back", "m/s"), ("pull_back"
 
 
 def gauge_rows(run: Run) -> list[dict]:
-    """Per gauge, SI: first arrival (half of the peak velocity change; NaN where nothing came), peak stress, peak and last velocity."""
+    """Per gauge, SI: first arrival (half of the peak velocity change; NaN where nothing came), stress and velocity: peak, plateau, end.
+
+    A peak may be the short overshoot of a numerical shock; the plateau is the level of a flat top without it, NaN where there is none.
+    """
     rows = []
     table = run.arrays("gauges") if run.gauge_names() else {}
     noise = NOISE * _largest_velocity(run)
@@ -32,8 +37,10 @@ def gauge_rows(run: Run) -> list[dict]:
         row["arrival"] = first_crossing(time, velocity, velocity[0] + 0.5 * peak) if abs(peak) > noise else float("nan")
         if "stress" in table:
             stress = table["stress"][:, k]
-            row |= {"peak_stress": float(stress.max()), "lowest_stress": float(stress.min())}
-        row |= {"peak_velocity": float(velocity[np.argmax(np.abs(velocity))]), "last_velocity": float(velocity[-1])}
+            row |= {"peak_stress": float(stress.max()), "plateau_stress": flat_top(time, stress), "lowest_stress": float(stress.min())}
+        highest = float(velocity[np.argmax(np.abs(velocity))])
+        way = float(np.copysign(1.0, highest))
+        row |= {"peak_velocity": highest, "plateau_velocity": way * flat_top(time, way * velocity), "last_velocity": float(velocity[-1])}
         rows.append(row)
     return rows
 

@@ -37,8 +37,8 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
             rows.append((name, number(float(f"{spall[key]:.4g}"), unit)))
     if summary["voids_opened"] or summary["voids_closed"]:
         rows.append(("voids opened / closed", f"{summary['voids_opened']} / {summary['voids_closed']}"))
-    if summary.get("interfaces_parted"):
-        rows.append(("interfaces separated", str(summary["interfaces_parted"])))
+    if summary.get("interfaces_separated"):
+        rows.append(("interfaces separated", str(summary["interfaces_separated"])))
     for name in ("mass", "momentum", "energy"):
         error = summary[f"{name}_error"]
         rows.append((f"{name} error", f"{error:.1e}" if error else "0"))

@@ -14,7 +14,7 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
-COUNTS = ("voids_opened", "voids_closed", "interfaces_parted", "tension_cap_acted")
+COUNTS = ("voids_opened", "voids_closed", "interfaces_separated", "tension_cap_acted")
 NO_COUNTS = dict.fromkeys(COUNTS, 0)
 
 
@@ -22,7 +22,7 @@ NO_COUNTS = dict.fromkeys(COUNTS, 0)
 class Event:
     """Something that happened between two steps.
 
-    kind       one word for programs: void_opened, void_closed, interface_parted
+    kind       one word for programs: void_opened, void_closed, interface_separated
     time       s
     cycle      steps taken before it
     position   m, along the line or from the axis or the origin

@@ -1,5 +1,6 @@
 """Voids: when a gap closes (Wilkins B.4 b, W-9, with the corrected sign W-E2), and what opening and joining keep."""
 
+import dataclasses
 import math
 
 import lagrange_builders as build
@@ -48,6 +49,17 @@ def test_gaps_that_never_close():
     assert closing(1e-3, -1.0, 1e6, 0.0) == 1e300         # turned back before touching
     assert closing(1e-3, 5.0, -1e6, 0.0) > 0.0            # flies apart first, falls back later
     assert closing(0.0, -1.0, 0.0, 0.0) == 0.0
+
+
+@pytest.mark.parametrize("approach, counted", [(1e-5, 0), (1.0, 1)])
+def test_a_contact_of_round_off_is_joined_but_not_counted(approach, counted):
+    """Two plates that fly at 500 m/s, less than a part in 1e12 of their kinetic energy apart in velocity."""
+    base = build.flyer((20, 20), speed=0.0, spall=9e9)
+    regions = (Region("left", "al", 0.0, 2e-3, 20, velocity=500.0 + approach), Region("right", "al", 2e-3 + 1e-12, 4e-3, 20, velocity=500.0))
+    solver = make_solver(dataclasses.replace(base, regions=regions, interfaces=(), gauges=()))
+    events = solver.march(1e-6, 1000)
+    assert len(events) == solver.counts()["voids_closed"] == counted
+    assert len(solver.segments) == 1 and solver.errors()["energy_error"] < 1e-13
 
 
 def gap_solver(geometry, integrator="compatible"):

@@ -206,7 +206,7 @@ class _ClosedFan(Fan):
 
     def at_stress(self, sigma: float):
         if not sigma + self.stiffness > 0.0:
-            raise OutOfRange(f"law '{EOS.of(self.branch.par).name}' bears no stress of {sigma:.6g} Pa")
+            raise OutOfRange(f"law '{EOS.of(self.branch.par).name}' cannot support a stress of {sigma:.6g} Pa")
         return self._node(math.log((sigma + self.stiffness) / (self.ahead.sigma + self.stiffness)) / self.gamma)
 
     def at_density(self, rho: float):

@@ -36,7 +36,7 @@ def volume_drop(sigma: float, ahead: State, branch: Branch) -> float:
         g, stiff = branch.par.gamma, getattr(branch.par, "p_infinity", 0.0)
         under = (g + 1.0) * (sigma + stiff) + (g - 1.0) * (ahead.sigma + stiff)
         if not sigma + stiff >= 0.0:
-            raise OutOfRange(f"law '{EOS.of(branch.par).name}' bears no stress of {sigma:.6g} Pa")
+            raise OutOfRange(f"law '{EOS.of(branch.par).name}' cannot support a stress of {sigma:.6g} Pa")
         return 2.0 * rise * v0 / under if rise else 0.0
     if abs(rise) <= FEEBLE * ahead.rho * square:
         return rise / (ahead.rho * ahead.rho * square)

@@ -1,4 +1,4 @@
-"""Why a run cannot go on: the cause of a bad state and the way out, told from the state that is left."""
+"""Why a run cannot go on: the cause of a bad state and the way out, found from the state that is left."""
 
 import numpy as np
 
@@ -46,7 +46,7 @@ def _place(left, right, culprit: int) -> float:
 
 
 def crushed_zone(problem, zones, region_of, culprit: int) -> tuple[int, str, str] | None:
-    """(zone, cause, remedy) where a zone beside the bad one was pressed harder than its law bears at any density, or None.
+    """(zone, cause, remedy) where a zone beside the bad one was pressed harder than its law can support at any density, or None.
 
     Laws with a compression limit stiffen without bound before it. Others, such as a truncated cold curve or the Hugoniot of a powder with
     a slope below 1, have a finite pressure at no volume at all: pressed harder, a zone collapses (004 section 5.1; J-E16).
@@ -59,9 +59,9 @@ def crushed_zone(problem, zones, region_of, culprit: int) -> tuple[int, str, str
         material = problem.materials[region.material]
         if material.burn is not None or np.isfinite(density_limits(material.eos)[1]):
             continue
-        bears = float(pressure(DENSE * float(reference_state(material.eos)[0]), energy, material.eos))
-        if 0.0 < bears < pressed:
-            cause = (f"the zone was compressed to nothing: its equation of state bears at most {format_si(bears, 'Pa')}, however dense the "
+        supported = float(pressure(DENSE * float(reference_state(material.eos)[0]), energy, material.eos))
+        if 0.0 < supported < pressed:
+            cause = (f"zone collapsed: its equation of state cannot support more than {format_si(supported, 'Pa')}, however dense the "
                      f"material becomes, and the stress there reached {format_si(pressed, 'Pa')}.")
             return (j, cause, "use an equation of state that stiffens without bound: of a powder, grain_contact around this law, or "
                     "p_alpha or snow_plough over the law of its solid; otherwise the exact cold curve (mie_gruneisen_cold) instead of "
@@ -113,27 +113,27 @@ def torn_reactants(problem, zones, charge, region_of, culprit: int) -> tuple[str
 def diagnose(code, values, left, right, breaks: bool) -> tuple[str, str]:
     """(cause, remedy) of a bad state; `breaks` says whether the material there has a fracture law."""
     if code == L.STEP_COLLAPSED:
-        return ("the time step collapsed below a 1e-12 part of the stop time.",
+        return ("the time step collapsed below 1e-12 of the stop time.",
                 "use coarser or better graded zones there, or stop the run earlier.")
     if values.get("mixture_status", 0.0) != 0.0:
         return ("reactants and products have no common pressure there: the search for the state of the mixture failed at a burn fraction "
                 f"of {values['burn_fraction']:.6g}.",
-                "lower [solver] courant, take finer zones, or another mixture of the material.")
+                "lower [solver] courant, use finer zones, or choose another mixture law for the material.")
     if np.isnan(left + right):
-        return ("a field is not a number: the state left the range of a law, or a boundary gave no number.",
+        return ("a field is not a number (NaN): the state left the range of a law, or a boundary returned NaN.",
                 "check the initial state, the boundaries and the impact conditions against the laws' limits, or lower [solver] courant.")
     if 0.0 < values.get("burn_fraction", 0.0) < 1.0:
-        return (f"a zone that is burning (burn fraction {values['burn_fraction']:.3g}) was crushed: the explosive behind it drives a "
+        return (f"a burning zone (burn fraction {values['burn_fraction']:.3g}) collapsed: the explosive behind it drives a "
                 "faster front than the burn law allows, as in converging geometry.",
-                "take the burn law programmed_beta, which lets compression burn a zone ahead of its schedule, or a rate law.")
+                "use the burn law programmed_beta, in which compression can burn a zone ahead of its schedule, or a rate law.")
     if not right > left:
-        return ("the zone turned inside out (its faces crossed).",
-                "lower [solver] courant, or give the artificial viscosity more strength.")
+        return ("zone inverted (negative volume).",
+                "lower [solver] courant, or increase the artificial viscosity.")
     if not values["density"] > 0.0:
-        return ("density is not positive.", "lower [solver] courant.")
+        return ("negative or zero density.", "lower [solver] courant.")
     if values["pressure"] < 0.0:
-        return ("the sound speed became imaginary in tension: the material is stretched beyond what its law can carry.",
-                "let it break at less ([material.x.fracture]), or take an equation of state that expands." if breaks
-                else "give the material a fracture law ([material.x.fracture]).")
+        return ("the sound speed became imaginary in tension: the material is stretched beyond the range of its equation of state.",
+                "lower the spall strength ([material.x.fracture]), or use an equation of state that is valid in expansion." if breaks
+                else "add a fracture law to the material ([material.x.fracture]).")
     return ("the sound speed is not a number: the state left the range of its equation of state.",
             "check the impact conditions against the law's compression limit, lower [solver] courant, or use another equation of state.")

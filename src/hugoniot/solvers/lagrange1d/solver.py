@@ -63,7 +63,7 @@ class Lagrange1D(NothingToAdd):
         self.boundaries = (boundary_pulse(problem.left), boundary_pulse(problem.right))
         self.control = np.zeros(L.CONTROL_FLOATS)
         self.counters = np.zeros(L.CONTROL_INTS, dtype=np.int64)
-        self.voids_opened = self.voids_closed = self.interfaces_parted = 0
+        self.voids_opened = self.voids_closed = self.interfaces_separated = 0
         self.region_of = np.repeat(np.arange(len(problem.regions)), [b - a for a, b in self.region_ranges])
         self.initial_nodes = self._faces(H.r)
         start.prepare(self)
@@ -211,8 +211,8 @@ class Lagrange1D(NothingToAdd):
         return accounts.exchanges(self)
 
     def counts(self) -> dict[str, int]:
-        """Voids opened and closed, interfaces that parted, and how often the tension of a failing zone was held at its spall strength."""
-        return {"voids_opened": self.voids_opened, "voids_closed": self.voids_closed, "interfaces_parted": self.interfaces_parted,
+        """Voids opened and closed, separated interfaces, and how often the tension of a failing zone was held at its spall strength."""
+        return {"voids_opened": self.voids_opened, "voids_closed": self.voids_closed, "interfaces_separated": self.interfaces_separated,
                 "tension_cap_acted": int(self.counters[L.CAP_COUNT])}
 
     def largest_velocity_jump(self) -> dict[str, float]:
@@ -238,7 +238,7 @@ class Lagrange1D(NothingToAdd):
     def payload(self) -> dict:
         """Everything a bitwise restart needs."""
         names = ("zones", "charge", "nodes", "gradient", "segments", "control", "counters")
-        numbers = ("voids_opened", "voids_closed", "interfaces_parted", "start_energy", "start_momentum")
+        numbers = ("voids_opened", "voids_closed", "interfaces_separated", "start_energy", "start_momentum")
         return {name: getattr(self, name).copy() for name in names} | {name: getattr(self, name) for name in numbers}
 
     def restore(self, payload: dict) -> None:
@@ -246,7 +246,7 @@ class Lagrange1D(NothingToAdd):
         self.zones[:], self.charge[:] = payload["zones"], payload["charge"]
         for name in ("nodes", "gradient", "segments", "control", "counters"):
             setattr(self, name, np.ascontiguousarray(payload[name]).copy())
-        for name in ("voids_opened", "voids_closed", "interfaces_parted"):
+        for name in ("voids_opened", "voids_closed", "interfaces_separated"):
             setattr(self, name, int(payload[name]))
         self.start_energy, self.start_momentum = float(payload["start_energy"]), float(payload["start_momentum"])
         self.renew_topology()

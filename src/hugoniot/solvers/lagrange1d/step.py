@@ -31,8 +31,8 @@ from hugoniot.solvers.lagrange1d.watch import (
     cavity_closed,
     closing_time,
     failing_node,
-    parting_interface,
     record_gauges,
+    separating_interface,
     touching_gap,
 )
 from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE, FOUND_IMPULSE, FOUND_RATE, FOUND_UNSOUND
@@ -180,9 +180,9 @@ def watch(zones, nodes, control, counters, segments, interfaces, unsound):
         if node >= 0:
             counters[L.CULPRIT] = node
             return L.VOID_OPENS
-    parting = parting_interface(zones, nodes, interfaces)
-    if parting >= 0:
-        counters[L.CULPRIT] = parting
+    separating = separating_interface(zones, nodes, interfaces)
+    if separating >= 0:
+        counters[L.CULPRIT] = separating
         return L.INTERFACE_OPENS
     return L.PAUSED
 

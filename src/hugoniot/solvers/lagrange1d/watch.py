@@ -10,9 +10,9 @@ from hugoniot.core.target import GUARD, INLINE
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import ChargeRows, NodeRows, Z, ZoneRows
 
-RELIEVED = 0.02       # a zone below this fraction of its failure limit is out of the tension that opened a void
+RELIEVED = 0.3        # a zone below this fraction of its failure limit is out of the tension that opened a void, also in its smeared tail
 VOIDED = 1e-3         # void fraction from which a zone belongs to an older spall plane and opens none of its own
-CHATTER = 1e-4        # tension, in units of rho c^2, a strengthless interface bears: the noise a release leaves (Herrmann A.7)
+CHATTER = 1e-4        # tension, in units of rho c^2, a strengthless interface supports: the noise a release leaves (Herrmann A.7)
 TOUCHING = 1e-6       # gap, in units of the neighbouring zones, that counts as closed
 
 
@@ -48,7 +48,7 @@ def failing_node(zones, segments, control, counters):
                     zone.relieved[i] = 1.0
                 marked += z - start
             elif peak >= 1.0 and peak > worst and last - first > 1 and zone.voids[at] * zone.rho[at] < VOIDED:
-                # an end of the body is no place to part, however hard its other side is compressed
+                # an end of the body is no place to break, however hard its other side is compressed
                 leftward = at + 1 == last or (at > first and zone.failure[at - 1] > zone.failure[at + 1])
                 worst, worst_node = peak, (at if leftward else at + 1) + k
                 counters[L.CULPRIT] = k
@@ -69,7 +69,7 @@ def mark_patch(zones, first, last, at):
 
 
 @nb.njit(**GUARD)
-def parting_interface(zones, nodes, interfaces):
+def separating_interface(zones, nodes, interfaces):
     """Index of the first listed interface whose tension exceeds its bond, or -1; rows are (node, zone on the left)."""
     zone = rows(ZoneRows, zones, 0)
     h = rows(NodeRows, nodes, 0)

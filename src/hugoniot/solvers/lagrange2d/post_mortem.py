@@ -26,8 +26,8 @@ def diagnose(solver, code) -> UnphysicalState:
                             - (np.roll(y, -k, 0)[1] - np.roll(y, -k, 0)[0]) * (np.roll(x, -k, 0)[3] - np.roll(x, -k, 0)[0])
                             for k in range(4)], axis=0)
         zone = int(np.argmin(triangles / np.maximum(np.abs(area), 1e-300)))
-        cause = "the mesh is tangled: a zone would turn inside out, however small the step" if code == L.TANGLED else (
-            "the time step has become useless: a zone is nearly flat")
+        cause = "the mesh is tangled: a zone would invert (negative volume) at any time step" if code == L.TANGLED else (
+            "the time step has collapsed: a zone is nearly flat")
         remedy = "stop earlier, use a finer or differently shaped mesh there, or raise the hourglass coefficients"
     block = solver.problem.mesh.blocks[solver.region_of[zone]]
     i, j = divmod(zone - block.first_zone, block.nj)

@@ -1,0 +1,54 @@
+"""Symmetric impact of plates without strength: the plateau that a run reports is that of the jump conditions, whatever its peak overshoots."""
+
+import numpy as np
+import pytest
+
+from hugoniot import run
+from hugoniot.diagnostics.velocimetry import flat_top, plateau
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.materials.material import Material
+from hugoniot.output.run_numbers import gauge_rows
+from hugoniot.problem.model import Gauge, OutputOptions, Problem, Region
+from hugoniot.theory.hugoniot import shock
+from hugoniot.theory.impedance import free_surface
+
+LAWS = {"copper": MieGruneisen(8930.0, 3940.0, 1.489, 1.99), "LiF": MieGruneisen(2640.0, 5150.0, 1.35, 1.6)}
+
+
+@pytest.mark.parametrize("material, speed", [("copper", 200.0), ("copper", 1000.0), ("copper", 2000.0), ("LiF", 1000.0)])
+def test_the_plateaus_of_an_impact(tmp_path, material, speed):
+    """rho0 (c0 + s v/2) v/2 and v/2 inside, by hand; at the surface that of the release from there."""
+    law, thick = LAWS[material], 5e-3
+    regions = (Region("flyer", "m", -thick, 0.0, 100, velocity=speed), Region("target", "m", 0.0, thick, 100))
+    stop = 1.35 * thick / (law.c0 + law.s * speed / 2)
+    problem = Problem("impact", "planar", stop, regions, {"m": Material("m", law)}, gauges=(Gauge("inside", 2e-3), Gauge("surface", thick)),
+                      output=OutputOptions(report=False))
+    rows = {row["gauge"]: row for row in gauge_rows(run(problem, tmp_path / "run"))}
+    jump = law.rho0 * (law.c0 + law.s * speed / 2) * speed / 2
+    assert rows["inside"]["plateau_stress"] == pytest.approx(jump, rel=1e-3)
+    surface = rows["surface"]["plateau_velocity"]
+    assert surface == pytest.approx(float(free_surface(law, shock(law, particle_velocity=speed / 2)).particle_velocity), rel=2e-3)
+    # the peak is reported beside it, as it was computed
+    assert surface <= rows["surface"]["peak_velocity"] < 1.15 * surface
+
+
+def top(overshoot):
+    """A front at t = 1, an overshoot that rings out over 0.2, a top of 7 until t = 3 and a fall to 2."""
+    time = np.linspace(0.0, 4.0, 2001)
+    since = np.maximum(time - 1.0, 0.0)
+    values = np.where(time < 1.0, 0.0, 7.0 * (1.0 + overshoot * np.exp(-since / 0.02) * np.cos(100.0 * since)))
+    return time, np.where(time > 3.0, 2.0, values)
+
+
+@pytest.mark.parametrize("overshoot", [0.0, 0.02, 0.1, 0.3])
+def test_an_overshoot_does_not_move_the_level(overshoot):
+    assert flat_top(*top(overshoot)) == pytest.approx(7.0, rel=1e-4)
+    assert plateau(*top(overshoot)) == flat_top(*top(overshoot))
+
+
+def test_what_has_no_flat_top_has_no_level():
+    time = np.linspace(0.0, 1.0, 500)
+    for values in (time, np.sin(3.0 * time), np.exp(-5.0 * time), np.zeros(500)):
+        assert np.isnan(flat_top(time, values))
+    assert plateau(time, np.sin(3.0 * time)) == pytest.approx(1.0, rel=1e-4)
+    assert np.isnan(flat_top([0.0, 1.0], [1.0, 1.0]))
