@@ -6,13 +6,12 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, WithJsonSchema
 
-from hugoniot.core.fields import FIELDS
 from hugoniot.laws.viscosity.contract import VISCOSITY
-from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.materials.collect import Collector, printable
 from hugoniot.materials.law_reader import read_law
 from hugoniot.materials.material import Material
 from hugoniot.materials.tables import law_table, material_tables
-from hugoniot.problem import checks, explosives, terms
+from hugoniot.problem import checks, explosives, output_fields, terms
 from hugoniot.problem.boundaries import boundary_schema, boundary_value, read_boundary
 from hugoniot.problem.defaults import SNAPSHOTS, completed
 from hugoniot.problem.model import Boundary, Lighting, OutputOptions, Problem, SolverOptions
@@ -200,7 +199,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     if len(problem.gauges) > MOST_GAUGES:
         collector.add(("gauge",), f"{len(problem.gauges)} gauges are too many, with those beside interfaces and on free surfaces",
                       f"the limit is {MOST_GAUGES}")
-    for defect in (*explosives.defects(problem), *terms.defects(problem)):
+    for defect in (*explosives.defects(problem), *terms.defects(problem), *output_fields.defects(problem)):
         collector.add(*defect)
     if collector.problems:
         return None, warnings
@@ -242,8 +241,8 @@ def _output(raw: dict, collector: Collector) -> OutputOptions | None:
     if model is None:
         return None
     for i, name in enumerate(model.fields):
-        if name not in FIELDS:
-            collector.add(("output", "fields", i), f"unknown field '{printable(name)}'", nearest(name, FIELDS))
+        if (wrong := output_fields.trouble_with(name, raw)) is not None:
+            collector.add(("output", "fields", i), *wrong)
     snapshots = model.snapshots
     try:
         stop = parse(raw.get("stop_time"), "s")
