@@ -72,7 +72,7 @@ def keys(schema: dict) -> str:
 
 def target(entry: dict, schema: dict) -> dict | None:
     """The definition a key of the deck refers to, if it is a table of its own."""
-    for part in (entry, entry.get("items", {}), entry.get("additionalProperties", {})):
+    for part in (entry, entry.get("items", {}), entry.get("additionalProperties", {}), *entry.get("anyOf", ())):
         reference = part.get("$ref") if isinstance(part, dict) else None
         if reference:
             return schema["$defs"][reference.rpartition("/")[2]]
@@ -86,7 +86,7 @@ def solver_section(kind: str) -> str:
     for name, entry in schema["properties"].items():
         found = target(entry, schema)
         if found and name != "material":
-            head = f"[[{name}]]" if entry.get("type") == "array" else f"[{name}]"
+            head = f"[[{name}]]" if entry.get("type") == "array" else f"[{name}.MATERIAL]" if name == "transport" else f"[{name}]"
             text += [f"### {head}\n", found.get("description", "") + "\n", keys(found)]
             for inner, part in found.get("properties", {}).items():
                 if (deeper := target(part, schema)) and "properties" in deeper:

@@ -13,6 +13,7 @@ import numpy as np
 
 from hugoniot.diagnostics.budgets import RegionBudget
 from hugoniot.diagnostics.interface_gauges import without_mixtures
+from hugoniot.diagnostics.line_fields import LineFields
 from hugoniot.diagnostics.temperature import gauge_temperature, laws_with_temperature, zone_temperature
 from hugoniot.errors import DeckError, FileTrouble, UnphysicalState
 from hugoniot.output.run_folder import RunFolder
@@ -69,6 +70,7 @@ class _Recorder:
         self.folder, self.problem, self.solver, self.show = folder, problem, solver, progress
         self.fields = set(problem.output.fields)
         self.budget = RegionBudget(problem, solver.region_of, solver.state())
+        self.derived = LineFields(self.fields, problem, solver.region_of, solver.state())
         self.warned = warned
         self.laws = laws_with_temperature(problem) if problem.solver.kind in ("lagrange1d", "fronts") else []
         if problem.solver.kind == "fronts":      # whose burning regions have no phases to take a temperature from
@@ -84,13 +86,13 @@ class _Recorder:
             self.folder.gauges(times, without_mixtures(values, self.problem.gauges))
 
     def snapshot(self, state):
-        fields = state.fields()
+        fields = {**state.fields(), **self.derived(state)}
         if self.hot:
             fields["temperature"] = zone_temperature(state, self.solver.region_of, self.laws, self.solver.phases())
         if self.fields:
             faces = {"position_left", "position_right", "velocity_left", "velocity_right"}
             fields = {name: value for name, value in fields.items() if name in self.fields | faces}
-        fields.pop("mass", None)
+        fields.pop("mass", None)     # it stands in the result once
         self.folder.snapshots([state.time], [state.cycle], {name: value[None, :] for name, value in fields.items()})
         parts = {name: value[None, :] for name, value in self.budget(state).items()}
         whole = {name: np.array([value]) for name, value in {**self.solver.errors(), **self.solver.exchanges()}.items()}

@@ -49,7 +49,7 @@ class DaskPool:
 
     def __init__(self, question: dict, count: int, known: Iterable[str] = (), scheduler: str | None = None):
         try:
-            import distributed
+            import distributed  # pyright: ignore[reportMissingImports]
         except ImportError:
             raise DeckError.single("command line", None, "--engine dask", "dask.distributed is not installed",
                                    "pip install 'hugoniot[cluster]'") from None

@@ -115,6 +115,13 @@ def transport_record(transport) -> dict:
             "bulk_ratio": transport.bulk_ratio, "bulk_viscosity": transport.bulk_viscosity}
 
 
+def _with_transport(record: dict, table: Any) -> dict:
+    """A material's record with the laws of its own physical viscosity and conduction (`problem.terms`), where it has any."""
+    laws = [law_record(family, family.get(table[key]["law"]).build(**{k: v for k, v in table[key].items() if k != "law"}))
+            for key, family in (("viscosity", TRANSPORT), ("conduction", CONDUCTION)) if table and key in table]
+    return {**record, "laws": record["laws"] + laws}
+
+
 def _viscosity_record(problem, meta: dict) -> dict | None:
     par = meta.get("viscosity")
     if hasattr(par, "_fields"):
@@ -159,7 +166,8 @@ def setup_record(problem, meta: dict) -> dict:
         "boundaries": {"left": plain(problem.left), "right": plain(problem.right)},
         "interfaces": [plain(interface) for interface in problem.interfaces],
         "gauges": [plain(gauge) for gauge in problem.gauges],
-        "materials": {name: material_record(problem.materials[name]) for name in sorted({r.material for r in problem.regions})},
+        "materials": {name: _with_transport(material_record(problem.materials[name]), getattr(problem, "transport", {}).get(name))
+                      for name in sorted({r.material for r in problem.regions})},
         "viscosity": _viscosity_record(problem, meta),
         "transport": transport_record(meta["transport"]) if meta.get("transport") else None,
     }

@@ -182,7 +182,8 @@ def peaks(run, field: str = "stress", ax=None):
 
 _PARTS = (("kinetic_energy", "kinetic"), ("internal_energy", "internal"), ("elastic_volume_energy", "elastic, volume"),
           ("elastic_deviator_energy", "elastic, shear"), ("plastic_work", "plastic work"), ("viscous_work", "viscous work"),
-          ("boundary_work", "boundary work"), ("released_heat", "heat released"))
+          ("boundary_work", "boundary work"), ("released_heat", "heat released"),
+          ("supplied_heat", "heat supplied"), ("force_work", "work of the body force"))
 _WHOLE = ("kinetic", "internal", "boundary work")
 
 

@@ -6,13 +6,12 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, WithJsonSchema
 
-from hugoniot.core.fields import FIELDS
 from hugoniot.laws.viscosity.contract import VISCOSITY
-from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.materials.collect import Collector, printable
 from hugoniot.materials.law_reader import read_law
 from hugoniot.materials.material import Material
 from hugoniot.materials.tables import law_table, material_tables
-from hugoniot.problem import checks, explosives
+from hugoniot.problem import checks, explosives, output_fields, terms
 from hugoniot.problem.boundaries import boundary_schema, boundary_value, read_boundary
 from hugoniot.problem.defaults import SNAPSHOTS, completed
 from hugoniot.problem.model import Boundary, Lighting, OutputOptions, Problem, SolverOptions
@@ -154,7 +153,7 @@ class OutputTable(Table):
     report: bool = Field(True, description="write report.html at the end")
 
 
-class Model(Table):
+class Model(terms.TermTables):
     """A deck of the one-dimensional Lagrangian hydrocode."""
 
     title: str = Field("", max_length=200, description="title of report and plots (default: the deck's file name)")
@@ -188,6 +187,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     left, right = _ends(raw, geometry, regions, collector)
     solver = _solver(raw.get("solver", {}), collector)
     output = _output(raw, collector)
+    more = terms.read_terms(raw, collector)
     for name in raw.get("material", {}) if isinstance(raw.get("material"), dict) else ():
         if name not in used and regions and not broken:
             warnings.append(f"material '{printable(name)}' of the deck is not used by any region")
@@ -195,11 +195,11 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
         return None, warnings
     lighting = tuple(Lighting(row.at, row.time) for row in model.lighting)
     problem = completed(Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, solver,
-                                output, lighting))
+                                output, lighting, **more))
     if len(problem.gauges) > MOST_GAUGES:
         collector.add(("gauge",), f"{len(problem.gauges)} gauges are too many, with those beside interfaces and on free surfaces",
                       f"the limit is {MOST_GAUGES}")
-    for defect in explosives.defects(problem):
+    for defect in (*explosives.defects(problem), *terms.defects(problem), *output_fields.defects(problem)):
         collector.add(*defect)
     if collector.problems:
         return None, warnings
@@ -241,8 +241,8 @@ def _output(raw: dict, collector: Collector) -> OutputOptions | None:
     if model is None:
         return None
     for i, name in enumerate(model.fields):
-        if name not in FIELDS:
-            collector.add(("output", "fields", i), f"unknown field '{printable(name)}'", nearest(name, FIELDS))
+        if (wrong := output_fields.trouble_with(name, raw)) is not None:
+            collector.add(("output", "fields", i), *wrong)
     snapshots = model.snapshots
     try:
         stop = parse(raw.get("stop_time"), "s")
@@ -270,6 +270,7 @@ def write(problem: Problem) -> dict:
     gauges = [{"name": g.name, "at": g.at} for g in problem.gauges]
     lighting = [{"at": point.position, "time": point.time} for point in problem.lighting]
     deck |= {key: rows for key, rows in (("interface", interfaces), ("gauge", gauges), ("lighting", lighting)) if rows}
+    deck |= terms.write_terms(problem)
     solver = _known(problem.solver)
     if problem.solver.viscosity is not None:
         law, values = problem.solver.viscosity

@@ -129,7 +129,39 @@ class OutputOptions:
 
 
 @dataclass(frozen=True)
+class BodyForce:
+    """A force on every mass, as an acceleration (m/s2, towards larger positions) over time.
+
+    exponent, radius   of curved geometry: the field is acceleration (r/radius)^exponent; None in planar geometry, where it is uniform
+    """
+
+    acceleration: Pulse
+    exponent: float | None = None
+    radius: float | None = None
+
+
+@dataclass(frozen=True)
+class HeatSource:
+    """Energy supplied to a region from outside.
+
+    kind                "power", W/kg where the profile is 1, or "intensity", W/m2 through the face of the region on `side`
+    absorption_length   m: the intensity falls by 1/e in it; None: spread evenly over the mass, or as the table says
+    depths, weights     energy per mass at depths below that face at t = 0 (m), linear between, nothing beyond
+    """
+
+    region: str
+    kind: str
+    pulse: Pulse
+    side: str = "left"
+    absorption_length: float | None = None
+    depths: tuple[float, ...] = ()
+    weights: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True)
 class Problem:
+    """A whole problem; `transport` is {material: {"viscosity", "conduction", "bulk_ratio", "bulk_viscosity"}} of `problem.terms`."""
+
     title: str
     geometry: str
     stop_time: float
@@ -142,6 +174,9 @@ class Problem:
     solver: SolverOptions = SolverOptions()
     output: OutputOptions = OutputOptions()
     lighting: tuple[Lighting, ...] = ()
+    body_force: BodyForce | None = None
+    heat_sources: tuple[HeatSource, ...] = ()
+    transport: MappingProxyType = field(default_factory=lambda: MappingProxyType({}))
 
     @property
     def dimension(self) -> int:

@@ -1,5 +1,6 @@
 """The deck of the solver `shock_structure`: viscous flow of one material through a fixed grid, with or without a shock placed in it."""
 
+from dataclasses import replace
 from types import MappingProxyType
 from typing import Annotated, Any, Literal
 
@@ -81,6 +82,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     warnings: list[str] = []
     regions, used = checks.read_regions(_parts(RegionTable, raw.get("region")), raw.get("region"), "planar", materials, collector, warnings)
     _check_grid(regions, used, collector)
+    used = {name: _as_fluid(name, material, raw.get("material"), collector, warnings) for name, material in used.items()}
     table = raw.get("solver")
     table = table if isinstance(table, dict) else {}
     transport = _read_transport(table.get("transport"), used, collector)
@@ -96,6 +98,26 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     left, right = Boundary(model.boundary.left), Boundary(model.boundary.right)
     problem = Problem(model.title, "planar", model.stop_time, regions, used, left, right, solver=solver, output=output)
     return completed(problem), warnings
+
+
+def _as_fluid(name: str, material: Material, tables: Any, collector: Collector, warnings: list[str]) -> Material:
+    """The material as the fluid this solver flows.
+
+    Strength, fracture and burning are refused where the deck asks for them; what comes with a name of the library is left out with a
+    warning, but for burning, without which an explosive is another material.
+    """
+    own = tables.get(name) if isinstance(tables, dict) else None
+    shown = printable(name)
+    for family in ("strength", "fracture", "burn"):
+        if getattr(material, family) is None:
+            continue
+        path = ("material", name, family) if isinstance(own, dict) and family in own else None
+        if path or family == "burn":
+            collector.add(path or ("material", name), f"'{shown}': {family} has no effect in shock_structure, which flows a viscous fluid",
+                          "use solver kind lagrange1d, or leave the table out")
+        else:
+            warnings.append(f"'{shown}' flows as a fluid: shock_structure leaves out its {family} of the library")
+    return replace(material, strength=None, fracture=None)
 
 
 def _check_grid(regions, used, collector: Collector) -> None:

@@ -63,6 +63,28 @@ def test_one_fault(old, new, words):
     assert re.search(words, told(text.replace(old, new)))
 
 
+@pytest.mark.parametrize("table", [
+    '[material.argon.strength]\nlaw = "perfectly_plastic"\nshear_modulus = "1 GPa"\nyield_stress = "1 MPa"\n',
+    '[material.argon.fracture]\nlaw = "spall_stress"\nstrength = "1 GPa"\n',
+], ids=["strength", "fracture"])
+def test_a_solids_laws_are_refused(table):
+    family = table.split("]")[0].split(".")[-1]
+    message = told(EXAMPLE.read_text().replace("[solver]\n", table + "\n[solver]\n", 1))
+    assert f"material.argon.{family}: " in message and f"{family} has no effect in shock_structure" in message
+
+
+def test_what_the_library_says_of_a_solid_is_left_out_with_a_warning():
+    text = EXAMPLE.read_text()
+    start, end = text.index("[material.argon.eos]"), text.index("[solver]")
+    text = (text[:start] + text[end:]).replace('"argon"', '"copper, OFHC"').replace('density = "1.62 kg/m^3"\n', "")
+    text = text.replace("mach = 9.0", "mach = 1.5")
+    deck = read_deck_text(text.replace('{law = "power_law", shear_viscosity = "2.27e-5 Pa s", exponent = 0.81, reference_temperature = "300 K"}',
+                                       '{law = "constant", shear_viscosity = "10 Pa s"}').replace("conduction = {", "# {"), "deck.toml")
+    (material,) = deck.problem.materials.values()
+    assert material.strength is None and any("leaves out its strength" in warning for warning in deck.warnings)
+    assert read_deck_text(deck.resolved, "deck.toml").problem.materials == deck.problem.materials
+
+
 def test_domain_too_short_is_an_error_of_the_deck(tmp_path):
     with pytest.raises(DeckError, match="too short.*at least .* m"):
         hugoniot.run(EXAMPLE, out=tmp_path / "run", **{"region.gas.to": "0.1 um"})

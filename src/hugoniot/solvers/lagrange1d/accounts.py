@@ -31,13 +31,14 @@ def momentum(nodes) -> float:
 def errors(solver) -> dict[str, float]:
     """Relative mass, momentum and energy errors against the boundary's impulse and work; of momentum NaN for the curved leapfrog."""
     control, zones, nodes = solver.control, solver.zones, solver.nodes
-    work = control[L.WORK_LEFT] + control[L.WORK_RIGHT]
+    work = control[L.WORK_LEFT] + control[L.WORK_RIGHT] + control[L.FORCE_WORK] + control[L.SUPPLIED]
     internal = float(np.sum(zones[Z.mass] * np.abs(zones[Z.e])))
     scale = max(abs(solver.start_energy), abs(work), float(kinetic_energy(nodes)) + internal, 1e-300)
-    impulse = control[L.IMPULSE_LEFT] + control[L.IMPULSE_RIGHT] + control[L.RADIAL_IMPULSE]
+    impulse = control[L.IMPULSE_LEFT] + control[L.IMPULSE_RIGHT] + control[L.RADIAL_IMPULSE] + control[L.FORCE_IMPULSE]
     kept = not solver.staggered or solver.problem.dimension == 1     # else accelerations are no forces over the nodes' masses
     size = float(np.sum(nodes[H.mass] * np.abs(nodes[H.u])))
-    size = max(size, abs(solver.start_momentum), abs(control[L.IMPULSE_LEFT]), abs(control[L.IMPULSE_RIGHT]), 1e-300)
+    size = max(size, abs(solver.start_momentum), abs(control[L.IMPULSE_LEFT]), abs(control[L.IMPULSE_RIGHT]), abs(control[L.FORCE_IMPULSE]),
+               1e-300)
     return {
         "mass_error": float(abs(zones[Z.mass].sum() / solver.start_mass - 1.0)),
         "momentum_error": abs(momentum(nodes) - solver.start_momentum - impulse) / size if kept else float("nan"),
@@ -46,8 +47,12 @@ def errors(solver) -> dict[str, float]:
 
 
 def exchanges(solver) -> dict[str, float]:
-    """Work (J) and impulse (kg m/s) of the two ends so far and, where something burns, the chemical energy set free (J)."""
+    """Work (J) and impulse (kg m/s) of the two ends so far, of a body force and of heat sources, and the chemical energy set free (J)."""
     found = {name: float(solver.control[row]) for name, row in ENDS.items()}
+    if solver.problem.body_force is not None:
+        found |= {"force_work": float(solver.control[L.FORCE_WORK]), "force_impulse": float(solver.control[L.FORCE_IMPULSE])}
+    if solver.problem.heat_sources:
+        found["supplied_heat"] = float(solver.control[L.SUPPLIED])
     if solver.burning:
         found["released_heat"] = reactive.released_heat(solver.problem, solver.zones[Z.mass], solver.charge[B.lam], solver.region_ranges)
     return found

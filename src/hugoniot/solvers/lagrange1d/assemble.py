@@ -11,7 +11,7 @@ from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.mesh.line import GEOMETRY, graded_nodes, volume
-from hugoniot.problem.model import Boundary, Problem
+from hugoniot.problem.model import Boundary, Problem, Pulse
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.layout import B, H, Z
@@ -168,7 +168,11 @@ def _weld(problem, zones, body, ranges, r, u, weight, bond):
 
 def boundary_pulse(boundary: Boundary):
     """(pulse numbers, table) of a boundary as the sweeps take them."""
-    pulse = boundary.pulse
+    return history(boundary.pulse)
+
+
+def history(pulse: Pulse | None):
+    """(pulse numbers, table) of a history as the sweeps take it."""
     if pulse is None:
         return np.zeros(4), np.zeros((2, 1))
     table = np.array([pulse.times, pulse.values]) if pulse.shape == "table" else np.zeros((2, 1))

@@ -15,10 +15,13 @@ from collections import namedtuple
 from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin
 from hugoniot.core.passes import kind_of, named, rows_apart, zone_pass
-from hugoniot.mesh.line import area, area_per_radius, hoops, mean_area, volume
-from hugoniot.solvers.lagrange1d.stress import deviators
+from hugoniot.mesh.line import area, hoops, mean_area, volume
+from hugoniot.solvers.lagrange1d.friction import rub_end, rub_half
+from hugoniot.solvers.lagrange1d.sources import supply
+from hugoniot.solvers.lagrange1d.stress import deviators, hoop_force
 from hugoniot.zones.constants import Constants
 from hugoniot.zones.soundness import FOUND_IMPULSE, FOUND_RATE, wave_speed
+from hugoniot.zones.transport import find_conductivity
 from hugoniot.zones.viscosity import resisted, smoothness
 
 SMALL = 1e-30
@@ -34,11 +37,6 @@ HalfHeatRows = namedtuple("HalfHeatRows", "q v radial heat")
 FluxRows = namedtuple("FluxRows", "r u lam q rho inverse_mass e flux")
 
 
-def hoop_force(r1, r2, t1, t2, q, geometry):
-    """Force of the hoop stress on each node of a zone."""
-    return 0.5 * hoops(geometry) * (r2 - r1) * area_per_radius(r1, r2, geometry) * (t2 + q - t1)
-
-
 def shrinking(r1, r2, u1, u2, geometry):
     """Speed with which a zone closes along the motion, or shrinks, if that is more, m/s."""
     closing = u1 - u2
@@ -47,7 +45,6 @@ def shrinking(r1, r2, u1, u2, geometry):
     return closing
 
 
-bind(hoop_force)
 bind(shrinking)
 
 
@@ -187,6 +184,7 @@ def predict(s, geometry):
     z, b, h, w = s.at.z, s.at.b, s.at.h, s.at.w
     s.do(half_motion, HalfMotionRows(h.r_half, h.u_mean, s.at.g, z.inverse_mass, z.e, z.sigma, z.hoop, w.e, w.v, w.rho, w.radial, w.hoop,
                                      w.dilation, w.smooth, w.squeeze), kind=geometry)
+    supply(s, w.e, half=True)
     solid, solid_v = s.solid(w.rho)
     if s.laws.burns:
         s.burn(s.at.half, z.rho, z.rho, z.p, z.q, b.lam_half)
@@ -200,6 +198,7 @@ def predict(s, geometry):
     s.viscous(w.v, z.c, w.p, w.squeeze, w.smooth, z.viscous_speed)
     s.do(half_stress, HalfStressRows(h.r_half, solid, w.squeeze, z.viscous_speed, w.p, w.t1, w.t2, z.q, z.sigma_half, z.hoop_half),
          kind=geometry)
+    rub_half(s, geometry, solid)
     if s.laws.burns:
         s.keep_half()
 
@@ -209,6 +208,7 @@ def correct(s, geometry):
     z, b, h, w, found = s.at.z, s.at.b, s.at.h, s.at.w, s.at.found
     s.do(end_motion, EndMotionRows(h.r_half, h.u_mean, h.r, h.u, s.at.g, z.inverse_mass, z.sigma_half, z.hoop_half, z.q, z.e, w.v, z.rho,
                                    w.radial, w.hoop, w.dilation, w.heat, z.viscous_work, found), kind=geometry)
+    supply(s, z.e)
     solid, solid_v = s.solid(z.rho)
     if s.laws.burns:
         s.close_end(solid)
@@ -219,5 +219,7 @@ def correct(s, geometry):
     s.harden(w.v)
     s.do(end_stress, EndStressRows(h.r, solid_v, w.shear, w.c2, z.p, z.q, w.t1, w.t2, z.viscous_speed, z.inverse_mass, z.rho, z.c, z.s1,
                                    z.s2, z.sigma, z.hoop, w.inverse_width, found), kind=geometry)
+    rub_end(s, geometry, solid)
     s.pace(w.inverse_width)
     s.look_over()
+    find_conductivity(s, solid)

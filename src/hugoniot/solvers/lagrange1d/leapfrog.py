@@ -32,7 +32,10 @@ Source: 000 (Wilkins) B.2 items 2 and 5 to 9; 001 (KB codes) equations 1.8 to 1.
 """
 
 from hugoniot.solvers.lagrange1d import leapfrog_passes as P
+from hugoniot.solvers.lagrange1d.friction import rub_leaping, rub_leapt
+from hugoniot.solvers.lagrange1d.sources import supply
 from hugoniot.solvers.lagrange1d.stress import deviators
+from hugoniot.zones.transport import find_conductivity
 
 
 def advance(s, geometry):
@@ -50,6 +53,8 @@ def advance(s, geometry):
         if s.laws.burns:
             close_gradually(s, solid)
         else:
+            supply(s, w.target)
+            rub_leaping(s, geometry)
             s.settle(solid_v)
     s.tear(solid)
     if s.laws.grows_voids:
@@ -63,8 +68,10 @@ def advance(s, geometry):
         s.do(P.end_stress, P.StressRows(h.r, z.inverse_mass, z.rho, w.v, w.c2, w.shear, w.t1, w.t2, z.p, w.q, w.speed, w.weak_speed,
                                         w.squeeze, z.c, z.s1, z.s2, z.q, z.v, z.sigma, z.pull, z.width, w.inverse_width, s.at.found),
              kind=geometry)
+    rub_leapt(s, geometry)
     s.pace(w.inverse_width)
     s.look_over()
+    find_conductivity(s, solid)
 
 
 def resist(s, geometry):

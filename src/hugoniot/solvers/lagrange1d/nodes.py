@@ -9,6 +9,7 @@ from hugoniot.core.passes import kind_of, rows_apart, zone_pass
 from hugoniot.core.target import GUARD
 from hugoniot.mesh.line import area, hoops
 from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.field import field_at
 from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.transmitting import follow, settle
 
@@ -126,12 +127,12 @@ def book(control, left, work, impulse):
 
 @nb.njit(**GUARD)
 def end_node(zones, nodes, control, ends, left, corrector, dt, boundary, geometry):
-    """One end of a segment; `ends` = (node, zone, boundary code), `boundary` = (pulse, table) of the deck's boundary.
+    """One end of a segment; `ends` = (node, zone, boundary code), `boundary` = (pulse, table, field): of the deck, and of a body force.
 
     In the corrector the work and the impulse of what stands outside are booked.
     """
     node, zone, code = ends
-    pulse, table = boundary
+    pulse, table, field = boundary
     u, r, time = nodes[H.u, node], nodes[H.r, node], control[L.TIME]
     face = area(nodes[H.r_half, node] if corrector else r, geometry)
     sigma = zones[Z.sigma_half, zone] if corrector else zones[Z.sigma, zone]
@@ -139,7 +140,7 @@ def end_node(zones, nodes, control, ends, left, corrector, dt, boundary, geometr
     if hoops(geometry) > 0.0:
         hoop = zones[Z.hoop_half, zone] if corrector else zones[Z.hoop, zone]
     sign, inverse = -1.0 if left else 1.0, nodes[H.inverse_mass, node]
-    inner = sign * face * sigma - hoop
+    inner = sign * face * sigma - hoop + nodes[H.mass, node] * field_at(nodes[H.r_half, node] if corrector else r, field)
     if code == L.FIXED or code == L.VELOCITY:
         new = 0.0 if code == L.FIXED else pulse_value(time + dt, pulse, table)
         outer = (new - u) / (dt * inverse) - inner
@@ -168,11 +169,12 @@ def end_node(zones, nodes, control, ends, left, corrector, dt, boundary, geometr
 def leap_end(zones, nodes, control, ends, left, dts, boundary, geometry):
     """One end of a segment in the leapfrog: acceleration under the outside stress, or the prescribed velocity; `dts` = (dt, mean dt)."""
     node, zone, code = ends
-    pulse, table = boundary
+    pulse, table, field = boundary
     dt, dt_mean = dts[0], dts[1]
     sign = -1.0 if left else 1.0
     u, time = nodes[H.u, node], control[L.TIME]
     per_stress, pull = end_pull(zones, nodes, ends, geometry)
+    pull += field_at(nodes[H.r, node], field)
     face, mass = area(nodes[H.r, node], geometry), nodes[H.mass, node]
     if code == L.FIXED or code == L.VELOCITY:
         new = 0.0 if code == L.FIXED else pulse_value(time + 0.5 * dt, pulse, table)

@@ -16,7 +16,7 @@ from hugoniot.core.pass_lists import FIXED, Operation, Place, Written, carry_out
 from hugoniot.core.passes import Entry, call_entry
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.core.team import DISMISSED, Alone, await_call, begin, gather_team, sign
-from hugoniot.solvers.lagrange1d import compatible, leapfrog, nodes
+from hugoniot.solvers.lagrange1d import compatible, leapfrog, nodes, sources
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import ChargeRows, NodeRows, WorkRows, ZoneRows
 from hugoniot.zones.soundness import FOUND_FAILURE, FOUND_FLOATS, FOUND_IMPULSE, FOUND_RATE
@@ -31,7 +31,11 @@ DT, DT_MEAN, DT_HALF = range(3)                                        # of the 
 
 
 class LineRows(NamedTuple):
-    """Rows of a piece of zones: those of `zones.steps.Rows`, its nodes h, and velocity gradients g from the left neighbour's on."""
+    """Rows of a piece of zones: those of `zones.steps.Rows`, its nodes h, and velocity gradients g from the left neighbour's on.
+
+    t           rows of `zones.transport`, of a material with the laws `transport`; `bulk` its numbers of bulk viscosity
+    supplied    (weights of the zones, amounts) of every heat source of the material
+    """
 
     z: Any
     b: Any
@@ -41,6 +45,10 @@ class LineRows(NamedTuple):
     found: Place
     whole: Place
     half: Place
+    t: Any = None
+    transport: Any = None
+    bulk: Any = None
+    supplied: tuple = ()
 
 
 class Plan(NamedTuple):
@@ -84,10 +92,11 @@ class Planner:
 
     tables    (zones, charge, nodes, gradient, scratch), which stay where they are as long as the run
     laws      `zones.laws.Laws` of each material
+    terms     `terms.Terms` of the run
     """
 
-    def __init__(self, tables, laws, geometry, staggered: bool, heat_flux: float, threads: int):
-        self.threads, self.laws, self.geometry, self.staggered = threads, laws, geometry, staggered
+    def __init__(self, tables, laws, terms, geometry, staggered: bool, heat_flux: float, threads: int):
+        self.threads, self.laws, self.geometry, self.staggered, self.terms = threads, laws, geometry, staggered, terms
         self.dts, self.seen = np.zeros(3), np.zeros((threads, FOUND_FLOATS))
         zones, charge, node_table, gradient, scratch = tables
         self._at = [LineRows(places(ZoneRows, zones, AT_ZONES), places(ChargeRows, charge, AT_ZONES),
@@ -108,20 +117,28 @@ class Planner:
         for command, add in commands.items():
             for k, laws in enumerate(self.laws):
                 for member, at in enumerate(self._at):
-                    steps = MaterialSteps(laws, at, explicit=not self.staggered)
+                    steps = MaterialSteps(laws, self.terms.rows(at, k, AT_ZONES), explicit=not self.staggered)
                     add(steps, self.geometry)
                     yield (command, k, member), steps.operations
 
     def _of_nodes(self):
         """((command, 0, 0), list) of every motion of inner nodes."""
-        z, h = self._at[0].z, self._at[0].h
+        z, h, forced = self._at[0].z, self._at[0].h, self.terms.forced
+        mean, field = place(self.dts[DT_MEAN:]), self.terms.force.field
         if self.staggered:
             motions = {LEAP: (nodes.leap, nodes.LeapRows(z.sigma, z.pull, z.width, h.inverse_mass, h.u, h.r))}
         else:
             motions = {ACCELERATE: (nodes.accelerate, nodes.AccelerateRows(z.sigma, z.hoop, h.r, h.u, h.inverse_mass, h.u_mean, h.r_half)),
                        MOVE: (nodes.move, nodes.MoveRows(z.sigma_half, z.hoop_half, h.r_half, h.inverse_mass, h.u, h.u_mean, h.r))}
         for command, (motion, rows) in motions.items():
-            yield (command, 0, 0), [Operation(motion, self.geometry, rows, self.dts[DT_MEAN:], self._at[0].whole)]
+            steps = [Operation(motion, self.geometry, rows, self.dts[DT_MEAN:], self._at[0].whole)]
+            if forced and command == LEAP:
+                steps.insert(0, Operation(sources.kick, None, sources.KickRows(h.r, h.u), field, mean))
+            elif forced and command == ACCELERATE:
+                steps.append(Operation(sources.drift, None, sources.DriftRows(h.r, h.u_mean, h.r_half), field, self._at[0].whole))
+            elif forced:
+                steps.append(Operation(sources.fall, None, sources.FallRows(h.r_half, h.u, h.u_mean, h.r), field, self._at[0].whole))
+            yield (command, 0, 0), steps
 
     def _of_heat(self):
         """((FLOW, whether it burns, 0), list) of the artificial heat flux."""

@@ -25,6 +25,7 @@ from hugoniot.solvers.lagrange1d.post_mortem import unphysical
 from hugoniot.solvers.lagrange1d.probes import probe_tables
 from hugoniot.solvers.lagrange1d.step import SCHEMES, Arrays, Gauges, march
 from hugoniot.solvers.lagrange1d.tables import zone_table
+from hugoniot.solvers.lagrange1d.terms import terms_of
 from hugoniot.solvers.protocol import Event, NothingToAdd
 from hugoniot.state import State
 from hugoniot.zones.closure import remembers
@@ -55,12 +56,13 @@ class Lagrange1D(NothingToAdd):
         self.node_table = zone_table(len(H), 2 * self.zones.shape[1])         # room for every zone on its own
         self.gradient_table = np.zeros(3 * self.zones.shape[1])
         self.work = zone_table(len(WorkRows._fields), self.team.threads * L.PIECE)
-        self.planner = Planner((self.table, self.charge_table, self.node_table, self.gradient_table, self.work), laws, self.geometry,
-                               self.staggered, problem.solver.options["heat_flux"], self.team.threads)
+        self.terms = terms_of(problem, self.zones, faces(self.nodes, self.segments, H.r), self.region_ranges)
+        self.planner = Planner((self.table, self.charge_table, self.node_table, self.gradient_table, self.work), laws, self.terms,
+                               self.geometry, self.staggered, problem.solver.options["heat_flux"], self.team.threads)
         remembering = any(remembers(problem.materials[region.material].eos) for region in problem.regions)
         self.zone_fields = ZONE_FIELDS | ({"compaction": Z.compaction} if remembering else {})
         set_node_masses(self.zones, self.nodes, self.segments)
-        self.boundaries = (boundary_pulse(problem.left), boundary_pulse(problem.right))
+        self.boundaries = tuple((*boundary_pulse(end), self.terms.force.field) for end in (problem.left, problem.right))
         self.control = np.zeros(L.CONTROL_FLOATS)
         self.counters = np.zeros(L.CONTROL_INTS, dtype=np.int64)
         self.voids_opened = self.voids_closed = self.interfaces_separated = 0
@@ -152,7 +154,7 @@ class Lagrange1D(NothingToAdd):
         arrays = Arrays(self.table, self.charge_table, self.node_table, self.gradient_table, self.control, self.counters, self.segments,
                         self.interfaces)
         gauges = Gauges(self.gauges, self.weights, self.gauge_times, self.gauge_buffer)
-        return cycles, arrays, plan, self.scheme, self.geometry, self.boundaries, self.team, gauges
+        return cycles, arrays, plan, self.scheme, self.geometry, self.boundaries, self.team, gauges, self.terms.marching
 
     def _assemble_team(self):
         """The other threads of this march, waiting at the board; none for a run of one thread."""

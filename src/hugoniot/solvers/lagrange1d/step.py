@@ -7,7 +7,7 @@ compatible                                             wilkins (Wilkins B.2)
  4. zones: stress in the middle of the step              4. watch
  5. corrector: move nodes, ends, book boundary work
  6. zones: energy, stress, signal rate at the end
- 7. heat flux, watch: soundness and peaks, failing zones, interfaces, gaps, gauges
+ 7. heat flux, conduction, watch: soundness and peaks, failing zones, interfaces, gaps, gauges
 
 What is done to zones and nodes stands in lists of passes (`compatible`, `leapfrog`), which the `plan` carries out. A march returns when
 its cycles are done, an event time is reached, a gauge buffer is full, a void opens or closes, or a state is bad; the codes are in
@@ -23,9 +23,11 @@ from hugoniot.core.binder import bind_family
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.mesh import line
 from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.conduction import conduct
 from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.nodes import end_node, end_pull, leap_end
 from hugoniot.solvers.lagrange1d.plan import ACCELERATE, ADVANCE, CORRECT, DT, DT_HALF, DT_MEAN, FLOW, LEAP, MOVE, PREDICT, everyone, gather
+from hugoniot.solvers.lagrange1d.sources import book_force, book_supply, heated_step, measure_force
 from hugoniot.solvers.lagrange1d.transmitting import ghosts
 from hugoniot.solvers.lagrange1d.watch import (
     cavity_closed,
@@ -188,18 +190,30 @@ def watch(zones, nodes, control, counters, segments, interfaces, unsound):
 
 
 @nb.njit(**GUARD)
-def march(cycles, a, plan, scheme, geometry, boundaries, team, gauges):
+def march(cycles, a, plan, scheme, geometry, boundaries, team, gauges, terms):
     """Take up to `cycles` steps; returns the code of `layout` that says why it came back."""
     control, counters, zone_count = a.control, a.counters, a.segments[-1, L.SEG_LAST]
     totals, recording = plan.found[plan.found.shape[0] - 1], gauges.table.shape[0] > 0
+    force, supplies, conduction = terms
+    forced, supplied, conducting = force.pulse[0] >= 0.0, supplies.sums.shape[0] > 0, conduction.scratch.shape[1] > 0
     for _ in range(cycles):
         if recording and counters[L.GAUGE_ROWS] >= gauges.times.shape[0]:
             return L.BUFFER_FULL
         dt = choose_step(a.zones, a.nodes, control, a.segments, scheme.staggered, geometry)
         if not control[L.DT_NATURAL] > control[L.DT_SMALLEST]:
             return L.STEP_COLLAPSED
+        if supplied:
+            dt = heated_step(a.nodes, control, a.segments, supplies)
+        if forced:
+            measure_force(control[L.TIME], dt, scheme.staggered, force)
         plan.dts[DT], plan.dts[DT_MEAN], plan.dts[DT_HALF] = dt, 0.5 * (dt + control[L.DT_OLD]), 0.5 * dt
         take_step(a, plan, scheme, geometry, boundaries, team)
+        if forced:
+            book_force(a.nodes, control, plan.dts, scheme.staggered, force)
+        if supplied:
+            book_supply(control, supplies)
+        if conducting:
+            conduct(a.zones, a.nodes, a.segments, dt, conduction, geometry)
         gather(plan.found)
         at_event = dt >= control[L.EVENT_TIME] - control[L.TIME]
         control[L.TIME] = control[L.EVENT_TIME] if at_event else control[L.TIME] + dt

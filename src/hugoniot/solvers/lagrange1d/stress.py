@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin, late_over, vsqrt
 from hugoniot.core.passes import kind_of, rows_apart, zone_pass
-from hugoniot.mesh.line import hoops
+from hugoniot.mesh.line import area_per_radius, hoops
 
 NO_STRESS = 1e-30     # Pa2, beside which no stress squared counts
 
@@ -70,6 +70,11 @@ def radial_return(s1, s2, limit, geometry):
     return s1, -0.5 * s1
 
 
+def hoop_force(r1, r2, t1, t2, q, geometry):
+    """Force of the hoop stress on each node of a zone, of stresses t1, t2 and the viscous pressure q along the motion."""
+    return 0.5 * hoops(geometry) * (r2 - r1) * area_per_radius(r1, r2, geometry) * (t2 + q - t1)
+
+
 def equivalent_rate(radial, hoop, dilation, dt):
     """Equivalent deviatoric strain rate sqrt(2/3 e':e'), 1/s."""
     third = dilation * (1.0 / 3.0)
@@ -108,7 +113,7 @@ def rate_pass(count, z, dt, numbers, law):
         z.rate[j] = equivalent_rate(z.radial[j], z.hoop[j], z.dilation[j], dt)
 
 
-for _function in (trial_deviators, von_mises, radial_return, equivalent_rate):
+for _function in (trial_deviators, von_mises, radial_return, equivalent_rate, hoop_force):
     bind(_function)
 
 

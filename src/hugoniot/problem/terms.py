@@ -1,0 +1,218 @@
+"""Further terms of motion and energy in a deck of `lagrange1d`: body force, heat sources, transport of the materials."""
+
+from types import MappingProxyType
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field, WithJsonSchema
+
+from hugoniot.errors import OutOfRange
+from hugoniot.laws import transport as _transport  # noqa: F401  (enrols the transport laws)
+from hugoniot.laws.eos.contract import has_temperature
+from hugoniot.laws.transport.contract import CONDUCTION, TRANSPORT, Transport, conducts, make, needs_temperature
+from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.materials.law_reader import read_law
+from hugoniot.materials.tables import law_table
+from hugoniot.problem.boundaries import pulse_schema, pulse_value, read_pulse
+from hugoniot.problem.model import BodyForce, HeatSource, Problem
+from hugoniot.problem.schema import Quantity, Table, salvage, trouble
+from hugoniot.units import UnitError, parse
+
+_LAW = {"type": "object", "required": ["law"]}
+LONGEST_PROFILE = 10_000
+
+
+def _depths(value: Any) -> tuple[float, ...]:
+    if not isinstance(value, list) or not 2 <= len(value) <= LONGEST_PROFILE:
+        raise trouble(f"expected an array of 2 to {LONGEST_PROFILE} depths")
+    try:
+        found = tuple(parse(v, "m") for v in value)
+    except UnitError as error:
+        raise trouble(error.message, error.hint) from None
+    if found[0] < 0.0 or any(b <= a for a, b in zip(found, found[1:])):
+        raise trouble("depths must not be negative, and must increase")
+    return found
+
+
+def _weights(value: Any) -> tuple[float, ...]:
+    if not isinstance(value, list) or not all(isinstance(v, (int, float)) and not isinstance(v, bool) and 0.0 <= v < 1e30 for v in value):
+        raise trouble("expected an array of numbers, none of them negative")
+    if not any(value):
+        raise trouble("nothing is deposited: every weight is 0")
+    return tuple(float(v) for v in value)
+
+
+class BodyForceTable(Table):
+    """A force on every mass: gravity, or a field about the axis or the centre."""
+
+    acceleration: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "m/s^2"})] = Field(
+        description="towards larger positions: a number, a named pulse or a table over time")
+    exponent: Annotated[float, Quantity("1", limit=10.0)] | None = Field(
+        None, description="curved geometry: the field is acceleration (r/radius)^exponent, -2 for a point mass, 1 for rotation")
+    radius: Annotated[float, Quantity("m", above=0.0)] | None = Field(
+        None, description="curved geometry: where the acceleration is as given")
+
+
+class HeatSourceTable(Table):
+    """Energy supplied to a region from outside: a deposited X-ray, laser or electron pulse, or any heating."""
+
+    region: str = Field(description="name of the heated region")
+    power: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "W/kg"})] = Field(
+        None, description="per mass, where the profile is 1: a number, a named pulse or a table over time (this or intensity)")
+    intensity: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "W/m^2"})] = Field(
+        None, description="through the face on `side`: a number, a named pulse or a table over time (this or power)")
+    side: Literal["left", "right"] = Field("left", description="face of the region from which depth counts")
+    absorption_length: Annotated[float, Quantity("m", above=0.0)] | None = Field(
+        None, description="depth in which the intensity falls to 1/e; what the region does not absorb leaves it")
+    depths: Annotated[Any, BeforeValidator(_depths), WithJsonSchema({"type": "array", "unit": "m"})] = Field(
+        None, description="depths of a profile given as a table, linear between, nothing beyond")
+    weights: Annotated[Any, BeforeValidator(_weights), WithJsonSchema({"type": "array", "items": {"type": "number"}})] = Field(
+        None, description="energy per mass at those depths, relative to each other with `intensity`, as factors with `power`")
+
+
+class MaterialTransportTable(Table):
+    """Physical viscosity and heat conduction of one material."""
+
+    viscosity: Annotated[Any, WithJsonSchema(_LAW)] = Field(None, description="table {law = ...} of shear viscosity, or none (default)")
+    conduction: Annotated[Any, WithJsonSchema(_LAW)] = Field(None, description="table {law = ...} of heat conduction, or none (default)")
+    bulk_ratio: Annotated[float, Quantity("1", least=0.0)] = Field(0.0, description="bulk over shear viscosity")
+    bulk_viscosity: Annotated[float, Quantity("Pa s", least=0.0)] = Field(0.0, description="bulk viscosity added to that, Pa s")
+
+
+class TermTables(Table):
+    """The terms a deck may add."""
+
+    body_force: BodyForceTable | None = Field(None, description="[body_force]: gravity or another force on every mass")
+    heat_source: list[HeatSourceTable] = Field(default_factory=list, max_length=100, description="energy supplied, [[heat_source]]")
+    transport: dict[str, MaterialTransportTable] = Field(
+        default_factory=dict, description="[transport.MATERIAL]: physical viscosity and heat conduction")
+
+
+# -- reading -----------------------------------------------------------------------------------------------------------
+def read_terms(raw: dict, collector: Collector) -> dict[str, Any]:
+    """{"body_force", "heat_sources", "transport"} of a `Problem`, as far as they could be read; what is wrong is reported."""
+    return {"body_force": _body_force(raw.get("body_force"), collector), "heat_sources": _heat_sources(raw.get("heat_source"), collector),
+            "transport": MappingProxyType(_transports(raw.get("transport"), collector))}
+
+
+def _body_force(raw: Any, collector: Collector) -> BodyForce | None:
+    table = salvage(BodyForceTable, raw)
+    if table is None:
+        return None
+    pulse = read_pulse(table.acceleration, "m/s^2", collector, ("body_force", "acceleration"))
+    return None if pulse is None else BodyForce(pulse, table.exponent, table.radius)
+
+
+def _heat_sources(raw: Any, collector: Collector) -> tuple[HeatSource, ...]:
+    found = []
+    for k, row in enumerate(raw if isinstance(raw, list) else []):
+        table, path = salvage(HeatSourceTable, row), ("heat_source", k)
+        if table is None:
+            continue
+        given = [(name, unit) for name, unit in (("power", "W/kg"), ("intensity", "W/m^2")) if getattr(table, name) is not None]
+        if len(given) != 1:
+            collector.add(path, "a heat source has one of power and intensity", "power in W/kg, or intensity in W/m^2 through a face")
+            continue
+        if (table.depths is None) != (table.weights is None) or table.depths and len(table.depths) != len(table.weights):
+            collector.add((*path, "depths"), "a profile has as many weights as depths")
+            continue
+        if table.absorption_length is not None and (table.depths is not None or given[0][0] == "power"):
+            collector.add((*path, "absorption_length"), "goes with an intensity, and without depths",
+                          "give intensity and absorption_length, or depths and weights")
+            continue
+        pulse = read_pulse(getattr(table, given[0][0]), given[0][1], collector, (*path, given[0][0]))
+        if pulse is not None:
+            found.append(HeatSource(table.region, given[0][0], pulse, table.side, table.absorption_length, table.depths or (),
+                                    table.weights or ()))
+    return tuple(found)
+
+
+def _transports(raw: Any, collector: Collector) -> dict[str, Any]:
+    """Material -> {"viscosity": {law, parameters} or absent, ...} in SI."""
+    found: dict[str, Any] = {}
+    for name, row in (raw.items() if isinstance(raw, dict) else ()):
+        table, path = salvage(MaterialTransportTable, row), ("transport", name)
+        if table is None:
+            continue
+        own: dict[str, Any] = {"bulk_ratio": table.bulk_ratio, "bulk_viscosity": table.bulk_viscosity}
+        for key, family in (("viscosity", TRANSPORT), ("conduction", CONDUCTION)):
+            if getattr(table, key) is None:
+                continue
+            par = read_law(family, getattr(table, key), collector, (*path, key))
+            if par is not None:
+                own[key] = law_table(family, par)
+        try:
+            transport_of(own)
+            found[name] = own
+        except OutOfRange as error:
+            collector.add(path, printable(str(error), 300))
+    return found
+
+
+def transport_of(table: dict) -> Transport:
+    """The checked laws of one material; `shear` is None where it has no viscosity. Raises `OutOfRange`."""
+    if "viscosity" in table:
+        return make(table["viscosity"], table.get("conduction"), table["bulk_ratio"], table["bulk_viscosity"])
+    if table["bulk_ratio"] > 0.0 or table["bulk_viscosity"] > 0.0:
+        raise OutOfRange("a bulk viscosity needs a shear viscosity beside it; give viscosity = {law = ...}")
+    if table.get("conduction", {"law": "none"})["law"] in ("none", "prandtl"):
+        raise OutOfRange("neither viscosity nor heat conduction is given, or a Prandtl number without a viscosity")
+    return make(TRANSPORT.get("constant").example, table["conduction"])._replace(shear=None)
+
+
+# -- checks ------------------------------------------------------------------------------------------------------------
+def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
+    """(place in the deck, message, way out) of every term that the problem cannot have."""
+    found: list[tuple[tuple, str, str]] = []
+    force, curved = problem.body_force, problem.dimension > 1
+    if force is not None and curved and (force.exponent is None or force.radius is None):
+        found.append((("body_force",), f"a uniform force is not {problem.geometry}",
+                      "give exponent and radius of a field about the axis or the centre"))
+    if force is not None and not curved and (force.exponent is not None or force.radius is not None):
+        found.append((("body_force",), "exponent and radius belong to curved geometry", "in planar geometry the field is uniform"))
+    regions = {region.name: region for region in problem.regions}
+    for k, source in enumerate(problem.heat_sources):
+        region = regions.get(source.region)
+        if region is None:
+            found.append((("heat_source", k, "region"), f"no region '{printable(source.region)}'", nearest(source.region, regions)))
+        elif problem.materials[region.material].burn is not None:
+            found.append((("heat_source", k, "region"), f"'{source.region}' burns: how reactants and products share the heat is unknown",
+                          "heat an inert region"))
+        elif source.depths and source.depths[0] >= region.end - region.start:
+            found.append((("heat_source", k, "depths"), f"the profile begins beyond '{source.region}'", "depth counts from its face"))
+        elif source.kind == "intensity" and curved and source.side == "left" and region.start == 0.0:
+            found.append((("heat_source", k, "side"), "nothing passes through the axis or the centre", 'take side = "right", or power'))
+    for name, table in problem.transport.items():
+        found += _transport_defects(problem, name, table)
+    return found
+
+
+def _transport_defects(problem: Problem, name: str, table: dict) -> list[tuple[tuple, str, str]]:
+    path, material = ("transport", name), problem.materials.get(name)
+    if material is None:
+        return [(path, f"no region is made of '{printable(name)}'", nearest(name, problem.materials))]
+    if material.burn is not None:
+        return [(path, f"'{name}' burns: transport in a mixture of reactants and products is unknown", "leave it out")]
+    made = transport_of(table)
+    needs = conducts(made) if made.shear is None else needs_temperature(made)
+    if needs and not has_temperature(material.eos):
+        return [(path, f"needs a temperature, which the equation of state of '{printable(name)}' does not give",
+                 "give it a specific_heat, or a constant viscosity without conduction")]
+    return []
+
+
+# -- writing -----------------------------------------------------------------------------------------------------------
+def write_terms(problem: Problem) -> dict[str, Any]:
+    """Tables of a deck that read back to the same terms."""
+    deck: dict[str, Any] = {}
+    if (force := problem.body_force) is not None:
+        deck["body_force"] = _given(acceleration=pulse_value(force.acceleration), exponent=force.exponent, radius=force.radius)
+    if problem.heat_sources:
+        deck["heat_source"] = [_given(region=s.region, side=s.side, absorption_length=s.absorption_length, depths=list(s.depths) or None,
+                                      weights=list(s.weights) or None, **{s.kind: pulse_value(s.pulse)}) for s in problem.heat_sources]
+    if problem.transport:
+        deck["transport"] = {name: dict(table) for name, table in problem.transport.items()}
+    return deck
+
+
+def _given(**values: Any) -> dict[str, Any]:
+    return {name: value for name, value in values.items() if value is not None}

@@ -1,0 +1,16 @@
+"""The field of a body force in space: uniform, or a power of the radius about the axis or the centre."""
+
+from hugoniot.core.binder import bind
+from hugoniot.core.ops import vpow
+
+AMOUNT, PER_RADIUS, EXPONENT = range(3)     # of the row `field`: acceleration now (m/s2), 1/R, n
+
+
+def field_at(r, field):
+    """Acceleration at r, m/s2; 0 on the axis and in the centre, where it has no direction."""
+    if field[EXPONENT] == 0.0:
+        return field[AMOUNT]
+    return field[AMOUNT] * vpow(r * field[PER_RADIUS], field[EXPONENT]) if r > 0.0 else 0.0
+
+
+bind(field_at)

@@ -1,0 +1,141 @@
+r"""Physical viscosity in one dimension: viscous stresses from the strains of a step, and what they do to nodes and energies.
+
+$$\tau_r = 2\mu\left(\dot\epsilon_r - \tfrac13\dot\vartheta\right) + \zeta\dot\vartheta, \qquad
+  \tau_h = 2\mu\left(\dot\epsilon_h - \tfrac13\dot\vartheta\right) + \zeta\dot\vartheta, \qquad \zeta = r_b\mu + \zeta_0$$
+
+with $\dot\vartheta$ the rate of volume strain. They join the stress that moves the nodes, so that the compatible integrator's work is their
+dissipation to round-off; the leapfrog adds their work over the step to the energy before the pressure works. Explicit: a step is at most
+half the time in which a zone's velocity spreads over its width.
+
+Source: 002 (Herrmann) equations 3.1 to 3.5; 004 (Jordan) chapter 2 (4/3 mu + zeta along the motion).
+"""
+
+from collections import namedtuple
+
+from hugoniot.core.ops import fmax
+from hugoniot.core.passes import kind_of, rows_apart, zone_pass
+from hugoniot.mesh.line import area_per_radius, hoops, mean_area
+from hugoniot.solvers.lagrange1d.stress import hoop_force
+from hugoniot.zones.soundness import FOUND_RATE
+from hugoniot.zones.transport import find_viscosity
+
+FrictionRows = namedtuple("FrictionRows", "viscosity strain hoop_strain dilation radial around")
+PushRows = namedtuple("PushRows", "r radial around sigma hoop")
+PullRows = namedtuple("PullRows", "r radial around inverse_mass sigma pull")
+HastenRows = namedtuple("HastenRows", "viscosity v c speed inverse_width found")
+SlowRows = namedtuple("SlowRows", "r inverse_mass viscosity v speed")
+WorkRows = namedtuple("WorkRows", "radial around strain hoop_strain v target")
+
+
+# -- passes ------------------------------------------------------------------------------------------------------------
+@zone_pass(FrictionRows)
+def friction_pass(count, z, dt, numbers, law):
+    """Viscous stresses; `numbers` are bulk ratio and bulk viscosity."""
+    rows_apart()
+    ratio, bulk, per_time = numbers[0], numbers[1], 1.0 / dt
+    for j in range(count):
+        mu, dilation = z.viscosity[j], z.dilation[j]
+        third, whole = dilation * (1.0 / 3.0), (ratio * mu + bulk) * dilation
+        z.radial[j] = (2.0 * mu * (z.strain[j] - third) + whole) * per_time
+        z.around[j] = (2.0 * mu * (z.hoop_strain[j] - third) + whole) * per_time
+
+
+@zone_pass(PushRows)
+def push_pass(count, z, dt, numbers, law):
+    """What pushes the nodes, with the viscous stress."""
+    rows_apart()
+    geometry = kind_of(law)
+    for j in range(count):
+        z.sigma[j] -= z.radial[j]
+        if hoops(geometry) > 0.0:
+            z.hoop[j] += hoop_force(z.r[j], z.r[j + 1], z.radial[j], z.around[j], 0.0, geometry)
+
+
+@zone_pass(PullRows)
+def pull_pass(count, z, dt, numbers, law):
+    """The same of the leapfrog."""
+    rows_apart()
+    geometry = kind_of(law)
+    for j in range(count):
+        z.sigma[j] -= z.radial[j]
+        if hoops(geometry) > 0.0:
+            dr = z.r[j + 1] - z.r[j]
+            z.pull[j] += (z.radial[j] - z.around[j]) * dr * z.inverse_mass[j] * area_per_radius(z.r[j], z.r[j + 1], geometry)
+
+
+@zone_pass(HastenRows)
+def hasten_pass(count, z, dt, numbers, law):
+    """The largest signal rate with the physical viscosity, whose kinematic one over a zone's width is a speed as the artificial's."""
+    rows_apart()
+    ratio, bulk, fastest = numbers[0], numbers[1], z.found[FOUND_RATE]
+    for j in range(count):
+        along = ((4.0 / 3.0 + ratio) * z.viscosity[j] + bulk) * z.v[j] * z.inverse_width[j]
+        fastest = fmax(fastest, (z.c[j] + 2.0 * (z.speed[j] + along)) * z.inverse_width[j])
+    z.found[FOUND_RATE] = fastest
+
+
+@zone_pass(SlowRows)
+def slow_pass(count, z, dt, numbers, law):
+    """That speed added to the artificial viscosity's, from which the leapfrog finds its step."""
+    rows_apart()
+    geometry, ratio, bulk = kind_of(law), numbers[0], numbers[1]
+    for j in range(count):
+        inverse_width = mean_area(z.r[j], z.r[j + 1], geometry) * z.inverse_mass[j] / z.v[j]
+        z.speed[j] += ((4.0 / 3.0 + ratio) * z.viscosity[j] + bulk) * z.v[j] * inverse_width
+
+
+@zone_pass(WorkRows)
+def work_pass(count, z, dt, numbers, law):
+    """Work of the viscous stresses over the strains of a step, J/kg."""
+    rows_apart()
+    geometry = kind_of(law)
+    for j in range(count):
+        z.target[j] += z.v[j] * (z.radial[j] * z.strain[j] + hoops(geometry) * z.around[j] * z.hoop_strain[j])
+
+
+# -- written into a step -----------------------------------------------------------------------------------------------
+def acts(s) -> bool:
+    """Whether a material has a physical viscosity; s: `zones.steps.MaterialSteps` with the rows of `plan`."""
+    return s.at.transport is not None and s.at.transport.shear is not None
+
+
+def _strained(s, geometry, rho, e, step):
+    """Write the viscous stresses of the strains of a time `step`, at density and energy `rho`, `e`."""
+    t, w = s.at.t, s.at.w
+    find_viscosity(s, rho, e)
+    hoop, dilation = (w.hoop, w.dilation) if hoops(geometry) > 0.0 else (w.zero, w.radial)   # one number in planar flow
+    s.do(friction_pass, FrictionRows(t.viscosity, w.radial, hoop, dilation, t.radial, t.around), step, numbers=s.at.bulk)
+
+
+def rub_half(s, geometry, solid) -> None:
+    """Write what viscosity adds to the stress in the middle of a step."""
+    if acts(s):
+        z, t = s.at.z, s.at.t
+        _strained(s, geometry, solid, s.at.w.e, s.at.half)
+        s.do(push_pass, PushRows(s.at.h.r_half, t.radial, t.around, z.sigma_half, z.hoop_half), kind=geometry)
+
+
+def rub_end(s, geometry, solid) -> None:
+    """Write what it adds to the stress at the end of a step, and to the signal rate."""
+    if acts(s):
+        z, t, w = s.at.z, s.at.t, s.at.w
+        _strained(s, geometry, solid, z.e, s.at.whole)
+        s.do(push_pass, PushRows(s.at.h.r, t.radial, t.around, z.sigma, z.hoop), kind=geometry)
+        s.do(hasten_pass, HastenRows(t.viscosity, w.v, z.c, z.viscous_speed, w.inverse_width, s.at.found), numbers=s.at.bulk)
+
+
+def rub_leaping(s, geometry) -> None:
+    """Write the leapfrog's viscous stress at n+1/2, its work and what it asks of the step; `rub_leapt` lets it pull the nodes."""
+    if acts(s):
+        z, h, t, w = s.at.z, s.at.h, s.at.t, s.at.w
+        _strained(s, geometry, w.rho, z.e, s.at.whole)
+        hoop = w.hoop if hoops(geometry) > 0.0 else w.zero
+        s.do(work_pass, WorkRows(t.radial, t.around, w.radial, hoop, w.v_half, w.target), kind=geometry)
+        s.do(slow_pass, SlowRows(h.r, z.inverse_mass, t.viscosity, w.v, w.speed), kind=geometry, numbers=s.at.bulk)
+
+
+def rub_leapt(s, geometry) -> None:
+    """Write what the viscous stress adds to what moves the nodes next."""
+    if acts(s):
+        z, t = s.at.z, s.at.t
+        s.do(pull_pass, PullRows(s.at.h.r, t.radial, t.around, z.inverse_mass, z.sigma, z.pull), kind=geometry)
