@@ -2,9 +2,11 @@
 
 import math
 from collections import namedtuple
+from typing import Any, NamedTuple
 
 import numba as nb
 
+from hugoniot.core.binder import bind_choice
 from hugoniot.core.passes import kind_of, rows_apart, zone_pass
 from hugoniot.core.target import GUARD
 from hugoniot.mesh.line import area, hoops
@@ -66,6 +68,25 @@ def leap(count, z, dt, numbers, law):
         z.r[j + 1] += dt * new
 
 
+class End(NamedTuple):
+    """An end of the run: pulse and table of the deck's boundary, field of a body force.
+
+    For an `End` nothing of a transmitting one is compiled.
+    """
+
+    pulse: Any
+    table: Any
+    field: Any
+
+
+class OpenEnd(NamedTuple):
+    """The same, of a run that has a transmitting end."""
+
+    pulse: Any
+    table: Any
+    field: Any
+
+
 # -- boundaries --------------------------------------------------------------------------------------------------------
 @nb.njit(**GUARD)
 def pulse_value(time, pulse, table):
@@ -125,14 +146,42 @@ def book(control, left, work, impulse):
     control[L.IMPULSE_LEFT if left else L.IMPULSE_RIGHT] += impulse
 
 
+def answer(zones, control, zone, end, dt, boundary):
+    """`transmitting.follow`, in a run that has such an end."""
+
+
+def hold(zones, nodes, control, ends, end, faster, dt, geometry, boundary):
+    """`transmitting.settle`, in a run that has such an end."""
+
+
+def _answer(zones, control, zone, end, dt, boundary):
+    follow(zones, control, zone, end, dt)
+
+
+def _hold(zones, nodes, control, ends, end, faster, dt, geometry, boundary):
+    settle(zones, nodes, control, ends, end, faster, dt, geometry)
+
+
+def _nothing(zones, control, zone, end, dt, boundary):
+    pass
+
+
+def _nothing_held(zones, nodes, control, ends, end, faster, dt, geometry, boundary):
+    pass
+
+
+bind_choice(answer, lambda *classes: _answer if classes[-1] is OpenEnd else _nothing)
+bind_choice(hold, lambda *classes: _hold if classes[-1] is OpenEnd else _nothing_held)
+
+
 @nb.njit(**GUARD)
 def end_node(zones, nodes, control, ends, left, corrector, dt, boundary, geometry):
-    """One end of a segment; `ends` = (node, zone, boundary code), `boundary` = (pulse, table, field): of the deck, and of a body force.
+    """One end of a segment; `ends` = (node, zone, boundary code), `boundary` an `End` or `OpenEnd`.
 
     In the corrector the work and the impulse of what stands outside are booked.
     """
     node, zone, code = ends
-    pulse, table, field = boundary
+    pulse, table, field = boundary.pulse, boundary.table, boundary.field
     u, r, time = nodes[H.u, node], nodes[H.r, node], control[L.TIME]
     face = area(nodes[H.r_half, node] if corrector else r, geometry)
     sigma = zones[Z.sigma_half, zone] if corrector else zones[Z.sigma, zone]
@@ -148,13 +197,13 @@ def end_node(zones, nodes, control, ends, left, corrector, dt, boundary, geometr
         end, impedance = L.END_LEFT if left else L.END_RIGHT, 0.0
         if code == L.TRANSMITTING:
             if not corrector:
-                follow(zones, control, zone, end, dt)
+                answer(zones, control, zone, end, dt, boundary)
             impedance = control[end + L.IMPEDANCE]
         push = -sign * face * outside_stress(code, time + 0.5 * dt, end, control, pulse, table)
         new = opposed(u, inverse * (inner + push), dt, inverse * face, impedance)
         outer = push - impedance * face * 0.5 * (new - u)
         if corrector and code == L.TRANSMITTING:
-            settle(zones, nodes, control, ends, end, new - u, dt, geometry)
+            hold(zones, nodes, control, ends, end, new - u, dt, geometry, boundary)
     mean = 0.5 * (u + new)
     nodes[H.u_mean, node] = mean
     if corrector:
@@ -169,7 +218,7 @@ def end_node(zones, nodes, control, ends, left, corrector, dt, boundary, geometr
 def leap_end(zones, nodes, control, ends, left, dts, boundary, geometry):
     """One end of a segment in the leapfrog: acceleration under the outside stress, or the prescribed velocity; `dts` = (dt, mean dt)."""
     node, zone, code = ends
-    pulse, table, field = boundary
+    pulse, table, field = boundary.pulse, boundary.table, boundary.field
     dt, dt_mean = dts[0], dts[1]
     sign = -1.0 if left else 1.0
     u, time = nodes[H.u, node], control[L.TIME]
@@ -182,13 +231,13 @@ def leap_end(zones, nodes, control, ends, left, dts, boundary, geometry):
     else:
         end, impedance = L.END_LEFT if left else L.END_RIGHT, 0.0
         if code == L.TRANSMITTING:
-            follow(zones, control, zone, end, dt_mean)
+            answer(zones, control, zone, end, dt_mean, boundary)
             impedance = control[end + L.IMPEDANCE]
         outside = outside_stress(code, time, end, control, pulse, table)
         new = opposed(u, sign * (zones[Z.sigma, zone] - outside) * per_stress + pull, dt_mean, per_stress, impedance)
         outer = -sign * face * (outside + sign * impedance * 0.5 * (new - u))
         if code == L.TRANSMITTING:
-            settle(zones, nodes, control, ends, end, new - u, dt_mean, geometry)
+            hold(zones, nodes, control, ends, end, new - u, dt_mean, geometry, boundary)
     nodes[H.u, node] = new
     nodes[H.r, node] += dt * new
     book(control, left, dt * outer * new, dt_mean * outer)

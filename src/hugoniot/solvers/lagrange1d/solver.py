@@ -20,6 +20,7 @@ from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_pulse, laws_
 from hugoniot.solvers.lagrange1d.between_steps import events_of
 from hugoniot.solvers.lagrange1d.bodies import alike_ranges, faces, interface_table, run_table, set_node_masses, shares_of
 from hugoniot.solvers.lagrange1d.layout import B, H, WorkRows, Z
+from hugoniot.solvers.lagrange1d.nodes import End, OpenEnd
 from hugoniot.solvers.lagrange1d.plan import EMPTY, Planner, serve
 from hugoniot.solvers.lagrange1d.post_mortem import unphysical
 from hugoniot.solvers.lagrange1d.probes import probe_tables
@@ -62,7 +63,9 @@ class Lagrange1D(NothingToAdd):
         remembering = any(remembers(problem.materials[region.material].eos) for region in problem.regions)
         self.zone_fields = ZONE_FIELDS | ({"compaction": Z.compaction} if remembering else {})
         set_node_masses(self.zones, self.nodes, self.segments)
-        self.boundaries = tuple((*boundary_pulse(end), self.terms.force.field) for end in (problem.left, problem.right))
+        ends = problem.left, problem.right
+        kind = OpenEnd if any(end.kind == "transmitting" for end in ends) else End
+        self.boundaries = tuple(kind(*boundary_pulse(end), self.terms.force.field) for end in ends)
         self.control = np.zeros(L.CONTROL_FLOATS)
         self.counters = np.zeros(L.CONTROL_INTS, dtype=np.int64)
         self.voids_opened = self.voids_closed = self.interfaces_separated = 0

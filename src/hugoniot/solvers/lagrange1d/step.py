@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numba as nb
 from numba.extending import overload
 
-from hugoniot.core.binder import bind_family
+from hugoniot.core.binder import bind_choice, bind_family
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.mesh import line
 from hugoniot.solvers.lagrange1d import layout as L
@@ -28,6 +28,7 @@ from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.nodes import end_node, end_pull, leap_end
 from hugoniot.solvers.lagrange1d.plan import ACCELERATE, ADVANCE, CORRECT, DT, DT_HALF, DT_MEAN, FLOW, LEAP, MOVE, PREDICT, everyone, gather
 from hugoniot.solvers.lagrange1d.sources import book_force, book_supply, heated_step, measure_force
+from hugoniot.solvers.lagrange1d.terms import NoTerms
 from hugoniot.solvers.lagrange1d.transmitting import ghosts
 from hugoniot.solvers.lagrange1d.watch import (
     cavity_closed,
@@ -189,31 +190,59 @@ def watch(zones, nodes, control, counters, segments, interfaces, unsound):
     return L.PAUSED
 
 
+def begin_terms(dt, a, scheme, terms):
+    """Force and heat of the step that begins; the time step they allow."""
+    return dt
+
+
+def end_terms(a, plan, scheme, geometry, terms):
+    """What body force and heat sources have done in the step, booked; conduction."""
+
+
+def _begin_terms(dt, a, scheme, terms):
+    if terms.supply.sums.shape[0] > 0:
+        dt = heated_step(a.nodes, a.control, a.segments, terms.supply)
+    if terms.force.pulse[0] >= 0.0:
+        measure_force(a.control[L.TIME], dt, scheme.staggered, terms.force)
+    return dt
+
+
+def _end_terms(a, plan, scheme, geometry, terms):
+    if terms.force.pulse[0] >= 0.0:
+        book_force(a.nodes, a.control, plan.dts, scheme.staggered, terms.force)
+    if terms.supply.sums.shape[0] > 0:
+        book_supply(a.control, terms.supply)
+    if terms.conduction.scratch.shape[1] > 0:
+        conduct(a.zones, a.nodes, a.segments, plan.dts[DT], terms.conduction, geometry)
+
+
+def _same_step(dt, a, scheme, terms):
+    return dt
+
+
+def _no_end(a, plan, scheme, geometry, terms):
+    pass
+
+
+bind_choice(begin_terms, lambda *classes: _same_step if classes[-1] is NoTerms else _begin_terms)
+bind_choice(end_terms, lambda *classes: _no_end if classes[-1] is NoTerms else _end_terms)
+
+
 @nb.njit(**GUARD)
 def march(cycles, a, plan, scheme, geometry, boundaries, team, gauges, terms):
     """Take up to `cycles` steps; returns the code of `layout` that says why it came back."""
     control, counters, zone_count = a.control, a.counters, a.segments[-1, L.SEG_LAST]
     totals, recording = plan.found[plan.found.shape[0] - 1], gauges.table.shape[0] > 0
-    force, supplies, conduction = terms
-    forced, supplied, conducting = force.pulse[0] >= 0.0, supplies.sums.shape[0] > 0, conduction.scratch.shape[1] > 0
     for _ in range(cycles):
         if recording and counters[L.GAUGE_ROWS] >= gauges.times.shape[0]:
             return L.BUFFER_FULL
         dt = choose_step(a.zones, a.nodes, control, a.segments, scheme.staggered, geometry)
         if not control[L.DT_NATURAL] > control[L.DT_SMALLEST]:
             return L.STEP_COLLAPSED
-        if supplied:
-            dt = heated_step(a.nodes, control, a.segments, supplies)
-        if forced:
-            measure_force(control[L.TIME], dt, scheme.staggered, force)
+        dt = begin_terms(dt, a, scheme, terms)
         plan.dts[DT], plan.dts[DT_MEAN], plan.dts[DT_HALF] = dt, 0.5 * (dt + control[L.DT_OLD]), 0.5 * dt
         take_step(a, plan, scheme, geometry, boundaries, team)
-        if forced:
-            book_force(a.nodes, control, plan.dts, scheme.staggered, force)
-        if supplied:
-            book_supply(control, supplies)
-        if conducting:
-            conduct(a.zones, a.nodes, a.segments, dt, conduction, geometry)
+        end_terms(a, plan, scheme, geometry, terms)
         gather(plan.found)
         at_event = dt >= control[L.EVENT_TIME] - control[L.TIME]
         control[L.TIME] = control[L.EVENT_TIME] if at_event else control[L.TIME] + dt

@@ -22,6 +22,12 @@ class Marching(NamedTuple):
     conduction: Conduction
 
 
+class NoTerms(NamedTuple):
+    """What compiled code takes of a run that has none: nothing is compiled for it."""
+
+    none: int = 0
+
+
 class Terms(NamedTuple):
     """The terms of a run; `transports` and `heated` (indices of heat sources) by material, `rows_table` the table of transport rows."""
 
@@ -34,9 +40,10 @@ class Terms(NamedTuple):
     rows_table: Any
 
     @property
-    def marching(self) -> Marching:
+    def marching(self) -> Marching | NoTerms:
         """Its compiled part."""
-        return Marching(self.force, self.supply, self.conduction)
+        any_of_them = self.forced or self.supply.sums.size or self.conduction.scratch.size
+        return Marching(self.force, self.supply, self.conduction) if any_of_them else NoTerms()
 
     def rows(self, at, k: int, origin: int):
         """Rows `at` of material k (a `plan.LineRows`) with those of its terms, which the given origin moves."""
