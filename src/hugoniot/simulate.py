@@ -241,11 +241,11 @@ def _summary(problem: Problem, solver: Solver, outcome: Outcome, begun: float) -
         "wall_seconds": time.perf_counter() - begun, "kernel_seconds": outcome.kernel_seconds,
         "compile_seconds": compile_seconds(begun),
         **{name: None if value != value else value for name, value in solver.errors().items()},
-        **solver.counts(), **solver.results(), **_steady_numbers(problem),
+        **solver.counts(), **solver.results(), **steady_numbers(problem),
     }
 
 
-def _steady_numbers(problem: Problem) -> dict[str, float]:
+def steady_numbers(problem: Problem) -> dict[str, float]:
     """What the steady wave of a shock-structure run has, beside which the run's own thickness is told."""
     if not getattr(problem.solver, "options", {}).get("shock"):
         return {}

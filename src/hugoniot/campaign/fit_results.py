@@ -155,7 +155,8 @@ def _doubts(problem, best, parameters, correlation, chi_square, freedom, probabi
     for j in range(len(parameters)):
         for k in range(j):
             if abs(correlation[j, k]) > 0.95:
-                found.append(f"{parameters[k].name} and {parameters[j].name} cannot be told apart (correlation {correlation[j, k]:+.3f})")
+                pair = f"{parameters[k].name} and {parameters[j].name}"
+                found.append(f"{pair} cannot be separated by these data (correlation {correlation[j, k]:+.3f})")
     if not best.settled:
         found.append("the search ended before it settled")
     near = [cost for _, cost in others if cost < best.cost + 10.0 * max(1.0, best.cost / max(freedom, 1))]

@@ -13,7 +13,7 @@ import numpy as np
 from hugoniot.diagnostics.interface_gauges import without_mixtures
 from hugoniot.output.plane_record import plane_record
 from hugoniot.output.setup_record import setup_record
-from hugoniot.simulate import make_solver
+from hugoniot.simulate import make_solver, steady_numbers
 from hugoniot.solvers.run import Schedule, march_to_end, snapshot_times
 
 _KEPT = ("velocity", "position_left", "position_right")     # of a snapshot: what the readings of a run look at
@@ -37,7 +37,7 @@ class MemoryRun:
         meta = {"solver": problem.solver.kind, "viscosity": solver.viscosity, "transport": solver.transport}
         self.setup = plane_record(problem, meta) if flat else setup_record(problem, meta)
         self.summary: dict[str, Any] = {"status": outcome.status, "cycles": solver.cycle, "time": solver.time, **solver.errors(),
-                                        **solver.counts(), **solver.results()}
+                                        **solver.counts(), **solver.results(), **steady_numbers(self.problem)}
         names = [block.name for block in problem.blocks] if flat else [region.name for region in problem.regions]
         self._tables: dict[str, Mapping] = {"events": {name: [event[name] for event in self._events] for name in
                                                        ("kind", "text", "time", "numbers")},

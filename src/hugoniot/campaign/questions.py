@@ -112,7 +112,7 @@ class Deck(Asked):
     def warm(self):
         from hugoniot.campaign import memory_run, numbers  # noqa: F401  (loads them)
 
-        with contextlib.suppress(HugoniotError):      # what is wrong with the deck itself is told by its cases
+        with contextlib.suppress(HugoniotError):      # what is wrong with the deck itself is the reason its cases give
             solver = make_solver(self.read({}).problem)
             solver.march(solver.problem.stop_time, 1)
 

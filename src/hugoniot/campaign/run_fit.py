@@ -74,7 +74,7 @@ def run_fit(path, wishes: FitWishes, out=None, *, workers: int | None = None, en
             show: Callable[[int], None] | None = None) -> Fitted:
     """Fit a deck to data and write the result into `out` (default: the deck's name and .fit; False: nowhere).
 
-    show   told how many runs were made so far
+    show   called with the number of runs made so far
     Raises `DeckError`, `FileTrouble`, `NoSolution`.
     """
     _, text, source = read_asked(path, Wishes())

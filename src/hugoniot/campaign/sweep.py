@@ -69,7 +69,7 @@ def sweep(plan: Plan, folder, *, engine: Callable, outputs: Sequence[str] = (), 
 
     engine    engine(question record, known keys) gives a pool such as `pool.LocalPool`
     outputs   patterns such as "*.arrival" of the results that the table has; all, if there are none
-    show      told the progress after every case
+    show      called with the progress after every case
     words     what was asked, kept in sweep.json
 
     Raises `DeckError` for a plan that cannot be asked, `FileTrouble` for a folder that cannot be used.

@@ -6,7 +6,7 @@ $$r = \frac{(1 + s)\,m(t - \tau) - d(t)}{\sigma(t)}$$
 
 with the model m, the data d, a shift $\tau$ of the measured clock and a scale s, both shared by the columns of one file. The uncertainty
 $\sigma$ is a column of the file (`velocity sigma [m/s]`), or given for all, or else estimated from the record itself: for data with
-independent noise the second differences have the standard deviation $\sqrt6\,\sigma$; their median tells it from what is signal.
+independent noise the second differences have the standard deviation $\sqrt6\,\sigma$; their median separates it from the signal.
 """
 
 import pathlib

@@ -23,7 +23,7 @@ def command(
     window: Annotated[list[str] | None, typer.Option("--window", help='Times that count: "0.5..2 us", or "FILE = 0.5..2 us".')] = None,
     shift: Annotated[str | None, typer.Option("--shift", help='Seek a shift of the measured clock up to, such as "20 ns".')] = None,
     scale: Annotated[str | None, typer.Option("--scale", help='Seek a scale error of the records up to, such as "2 %".')] = None,
-    loss: Annotated[str, typer.Option("--loss", help="linear, soft_l1, huber or cauchy; the last three bear outliers.")] = "linear",
+    loss: Annotated[str, typer.Option("--loss", help="linear; soft_l1, huber or cauchy for data with outliers.")] = "linear",
     starts: Annotated[int, typer.Option("--starts", help="Searches from different places.")] = 2,
     seed: Annotated[int, typer.Option("--seed", help="Seed of the sampled starting points.")] = 0,
     profile: Annotated[bool, typer.Option("--profile", help="Find the 95 % limits by profiles too.")] = False,

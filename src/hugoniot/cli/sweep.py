@@ -48,6 +48,7 @@ def command(
                    KEY = 1, 2, 5 GPa                 values
                    KEY = "copper", "aluminum"        texts
                    KEY = MEAN +- SIGMA UNIT          normal, for samples
+
     --design saltelli gives Sobol' indices with intervals, morris a screening of many parameters; every sample gives spreads and bands.
     A name that is not a key of the deck can be varied too, for --tie to use.
 

@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import pathlib
 import shutil
 
 import numpy as np
@@ -15,6 +16,7 @@ from hugoniot.campaign.sweep import CASES, JOURNAL, TABLE
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.output.sweep_file import open_sweep
 
+EXAMPLES = pathlib.Path(__file__).parents[3] / "examples"
 SPEEDS = "region.flyer.velocity = 500..900 m/s : 3"
 
 
@@ -147,15 +149,21 @@ def test_a_match_is_varied_too(tmp_path, inline):
     assert np.diff(stiffer.table.column("pressure").values) > 0.0
 
 
-def test_other_solvers_are_varied_too(tmp_path, inline):
-    import pathlib
+@pytest.mark.parametrize("name, kind, stop", [
+    ("sod.toml", "fronts", None),
+    pytest.param("flyer-disc.toml", None, "0.1 us", marks=pytest.mark.slow),        # compiles two dimensions
+    pytest.param("argon-mach9.toml", None, "0.02 ns", marks=pytest.mark.slow),      # and viscous flow
+])
+def test_every_solver_gives_the_numbers_of_its_runs(name, kind, stop, tmp_path, inline):
+    from hugoniot.problem.deck import read_deck
 
-    examples = pathlib.Path(__file__).parents[3] / "examples"
-    fronts = tmp_path / "fronts.toml"
-    text = (examples / "sod.toml").read_text()
-    fronts.write_text(text + '\n[solver]\nkind = "fronts"\n' if "[solver]" not in text else text)
-    found = swept(fronts, tmp_path / "f", inline, vary=["stop_time = 0.1, 0.15 s" if "0.2 s" in text else "stop_time = 50, 60 us"])
-    assert all(reason == "" for reason in found.table.reasons), found.table.reasons
+    deck = tmp_path / name
+    deck.write_text((EXAMPLES / name).read_text() + (f'\n[solver]\nkind = "{kind}"\n' if kind else ""))
+    stop = stop or f"{0.5 * read_deck(deck).problem.stop_time!r} s"
+    table = swept(deck, tmp_path / "s", inline, vary=[f"stop_time = {stop}"]).table
+    assert table.reasons == ("",)
+    alone = numbers_of(hugoniot.run(deck, tmp_path / "one.run", report=False, stop_time=stop))
+    assert {c.name: c.values[0] for c in table.results if c.values[0] == c.values[0]} == {k: v for k, v in alone.items() if v == v}
 
 
 def test_sweeps_can_stand_in_files(deck, tmp_path, inline):
