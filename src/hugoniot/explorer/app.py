@@ -24,7 +24,7 @@ JSON = "application/json"
 
 def application(places: Places, jobs: Jobs, token: str, hosts: tuple[str, ...]) -> Guard:
     """The guarded application for these places."""
-    routes = [Route("/", lambda request: Response(page.index(), media_type=page.KINDS["html"])),
+    routes = [Route("/", _index),
               *(Route(f"/{name}", _file(name)) for name in page.files()),
               *(Route(f"/api/{name}", _question(places, answer)) for name, answer in QUESTIONS.items()),
               Route("/api/check", _checked(places), methods=["POST"]),
@@ -39,8 +39,12 @@ def application(places: Places, jobs: Jobs, token: str, hosts: tuple[str, ...]) 
     return Guard(app, token, hosts)
 
 
+async def _index(request: Request) -> Response:
+    return Response(page.index(), media_type=page.KINDS["html"])
+
+
 def _file(name: str):
-    def send(request: Request) -> Response:
+    async def send(request: Request) -> Response:
         return Response(page.files()[name], media_type=page.KINDS[name.rpartition(".")[2]])
     return send
 

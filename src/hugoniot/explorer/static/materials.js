@@ -68,7 +68,7 @@
     known.forEach((c, k) => {
       if (!c) return;
       const found = definition.series(c, k, shown);
-      if (!found.length) silent.push(c.title);
+      if (!found.some(s => s.x.length)) silent.push(c.title);
       series.push(...found);
       marks.push(...definition.marks(c, k));
     });
@@ -86,6 +86,8 @@
     if (series.some(s => s.id === "beyond")) notes.push("Dashed curve: beyond the range of the data.");
     if (series.some(s => s.id === "release") && plane() !== "expansion") notes.push("Thin: isentropes through states of the Hugoniot.");
     if (["p-up", "p-v"].includes(plane())) notes.push("The dashed straight line to the pointer or to a pinned state is its Rayleigh line.");
+    if (plane() === "pop" && series.length) notes.push("Band: one standard deviation of the line's constant, where its source states one.");
+    if (plane() === "gurney" && series.length) notes.push("M of the sandwich counts both plates.");
     if (plane() === "isentropes") notes.push("Dashed: isentrope through the state at rest.");
     if (plane() === "detonation") notes.push("Dashed straight line: Rayleigh line to the CJ state; dashed curve: isentrope of the products through it.");
     hint.textContent = notes.join(" ");

@@ -24,7 +24,7 @@
     gauges = H.h("span", {class: "bar small"});
     state.profileTitle = H.h("h3", {}, "profile at the time of the slider");
     right.append(liveBox, H.h("div", {class: "bar"}, field, slider, when, planeBar, H.h("span", {class: "bar push"}, ...H.saveButtons(() => map.chart, () => `run-${H.get("f") || "map"}`))), mapHost, readout,
-      H.h("h3", {}, "histories"), H.h("div", {class: "bar"}, gaugeField, gauges, H.h("span", {class: "bar push"}, ...H.saveButtons(() => lines.histories, () => "histories"))), historyHost, state.profileTitle, profileHost);
+      state.historyBox = H.h("div", {class: "column"}, H.h("h3", {}, "histories"), H.h("div", {class: "bar"}, gaugeField, gauges, H.h("span", {class: "bar push"}, ...H.saveButtons(() => lines.histories, () => "histories"))), historyHost), state.profileTitle, profileHost);
     lines = new H.RunLines(historyHost, profileHost, {onTime: hit => timeRead(hit), onPickTime: hit => setTime(hit.x / lines.ft), onPlace: hit => placeRead(hit)});
     map = null;
   };
@@ -131,11 +131,12 @@
       const same = picked.map(k => second.gauges.indexOf(run.gauges[k])).filter(k => k >= 0);
       if (shown) lineList.push(...await gaugeLines(second, other, shown.name, same, ` · run ${other}`, ["7 3", "2 3", "9 3 2 3"][i % 3]));
     } catch (error) { H.failed(error); }
-    const z = H.get("z") === "" ? -1 : Number(H.get("z")), mapped = run.fields.find(f => f.name === (shown?.name || ""));
+    const z = H.get("z") === "" ? -1 : Number(H.get("z")), mapped = shown ? run.fields.find(f => f.name === shown.name) : state.shown;
     if (z >= 0 && mapped) try { const v = await zoneHistory(run, mapped.name, z); lineList.push({label: `zone ${z}`, time: run.times, values: v, colour: 4, dash: "5 2"}); } catch (error) { H.failed(error); }
     for (const m of measured) if (!shown || !m.unit || m.unit === shown.unit) lineList.push({label: m.label, time: m.time, values: m.values, colour: 7, points: m.time.length < 200});
     if (mine !== order) return;
-    lines.showHistories(lineList, shown || {unit: "", words: "value", shown: "", factor: 1}, at);
+    state.historyBox.hidden = !lineList.length;
+    if (lineList.length) lines.showHistories(lineList, shown || mapped || {unit: "", words: "value", shown: "", factor: 1}, at);
   }
   async function gaugeLines(run, number, name, picked, suffix, dash) {
     if (!run.gauge_times || !run.gauge_fields.some(f => f.name === name)) return [];
