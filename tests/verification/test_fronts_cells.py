@@ -118,6 +118,7 @@ def blasts(zones):
     return places(solver, "interface")
 
 
+@pytest.mark.slow
 def test_interacting_blasts_at_a_hundred_zones():
     assert blasts(100) == pytest.approx([0.59389, 0.79811], abs=1e-3)
 
@@ -182,10 +183,11 @@ def test_a_shock_that_decays_is_released():
     assert closed(solver)
 
 
+@pytest.mark.slow
 def test_gaps_close_and_open():
     law = MieGruneisen(2700.0, 5200.0, 1.5, 2.0)
-    regions = (Region("flyer", "al", 0.0, 2e-3, 20, velocity=700.0, density=2700.0), Region("target", "al", 2.1e-3, 6e-3, 40, density=2700.0))
-    solver = run(Problem("plates", "planar", 1.0e-6, regions, {"al": Material("al", law)}))
+    regions = (Region("flyer", "al", 0.0, 2e-3, 10, velocity=700.0, density=2700.0), Region("target", "al", 2.1e-3, 6e-3, 20, density=2700.0))
+    solver = run(Problem("plates", "planar", 9.0e-7, regions, {"al": Material("al", law)}))
     assert solver.voids_closed >= 1 and closed(solver)
     column = solver.column(1)
     assert column.at(1.0)[1].u == pytest.approx(700.0, rel=2e-3)      # the free surface goes on with the flyer's velocity
@@ -209,12 +211,13 @@ def random_problem(rng):
     return Problem("random", "planar", 3e-4, tuple(regions), materials, *ends)
 
 
-@pytest.mark.parametrize("seed", [*range(3), *(pytest.param(k, marks=pytest.mark.slow) for k in range(3, 40))])
+@pytest.mark.parametrize("seed", [1, *(pytest.param(k, marks=pytest.mark.slow) for k in (0, *range(2, 40)))])
 def test_random_problems_close_their_budgets(seed):
     solver = run(random_problem(np.random.default_rng(seed)), until=1e-4)
     assert closed(solver)
 
 
+@pytest.mark.slow
 def test_a_mirrored_problem_has_the_mirrored_answer():
     problem = random_problem(np.random.default_rng(2))
     length = problem.regions[-1].end
@@ -250,18 +253,16 @@ def charge(zones, lit, stop, left=FIXED, geometry="planar", **more):
     return Problem("charge", geometry, stop, regions, {"he": explosive}, left, FREE, lighting=tuple(Lighting(*point) for point in lit), **more)
 
 
-def test_a_detonation_is_followed_by_its_taylor_wave():
-    errors = []
-    for zones in (50, 100):
-        solver = run(charge(zones, [(0.0,)], 6e-6))
-        assert places(solver, "detonation") == pytest.approx([6e-6 * D], rel=1e-10)
-        assert places(solver, "fan tail") == pytest.approx([3e-6 * D], rel=2e-3)
-        mesh = solver.mesh
-        inside = mesh.middle < 6e-6 * D
-        exact = mader(D, 1875.0, 3.0).profile(mesh.middle, 6e-6)["pressure"]
-        errors.append(np.abs(averages(mesh, solver.flow.media).p - exact)[inside].mean() / (1875.0 * D * D / 4.0))
-        assert closed(solver)
-    assert errors[0] < 6e-4 and errors[1] < 3.5e-4
+@pytest.mark.parametrize("zones, bound", [(50, 6e-4), pytest.param(200, 2e-4, marks=pytest.mark.slow)])
+def test_a_detonation_is_followed_by_its_taylor_wave(zones, bound):
+    solver = run(charge(zones, [(0.0,)], 6e-6))
+    assert places(solver, "detonation") == pytest.approx([6e-6 * D], rel=1e-10)
+    assert places(solver, "fan tail") == pytest.approx([3e-6 * D], rel=2e-3)
+    mesh = solver.mesh
+    inside = mesh.middle < 6e-6 * D
+    exact = mader(D, 1875.0, 3.0).profile(mesh.middle, 6e-6)["pressure"]
+    error = np.abs(averages(mesh, solver.flow.media).p - exact)[inside].mean() / (1875.0 * D * D / 4.0)
+    assert error < bound and closed(solver)
 
 
 def test_a_detonation_lit_inside_and_later_runs_both_ways():
