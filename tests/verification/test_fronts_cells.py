@@ -211,7 +211,7 @@ def random_problem(rng):
     return Problem("random", "planar", 3e-4, tuple(regions), materials, *ends)
 
 
-@pytest.mark.parametrize("seed", [1, *(pytest.param(k, marks=pytest.mark.slow) for k in (0, *range(2, 40)))])
+@pytest.mark.parametrize("seed", [1, *(pytest.param(k, marks=pytest.mark.slow) for k in (0, *range(2, 10)))])
 def test_random_problems_close_their_budgets(seed):
     solver = run(random_problem(np.random.default_rng(seed)), until=1e-4)
     assert closed(solver)
