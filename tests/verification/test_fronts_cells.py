@@ -97,7 +97,7 @@ def test_any_law_in_a_tube():
     assert closed(solver)
 
 
-@pytest.mark.parametrize("geometry", ["planar", "cylindrical", "spherical"])
+@pytest.mark.parametrize("geometry", ["planar", *(pytest.param(name, marks=pytest.mark.slow) for name in ("cylindrical", "spherical"))])
 def test_noh_is_right_in_every_zone(geometry):
     """No wall heating, and no start-up error at the origin: density 4, 16, 64 in every cell and every zone behind the shock."""
     solver = run(gases.build_noh(geometry, 40))
@@ -118,6 +118,7 @@ def blasts(zones):
     return places(solver, "interface")
 
 
+@pytest.mark.slow
 def test_interacting_blasts_at_a_hundred_zones():
     assert blasts(100) == pytest.approx([0.59389, 0.79811], abs=1e-3)
 
@@ -127,6 +128,7 @@ def test_interacting_blasts_at_four_hundred_zones():
     assert blasts(400) == pytest.approx([0.59389, 0.79811], abs=2e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("geometry, exponent", [("spherical", 0.71717450), ("cylindrical", 0.83532320)])
 def test_a_converging_shock_has_the_exponent_of_guderley(geometry, exponent):
     regions = (Region("g", "gas", 0.0, 1.0, 150, density=1.0, pressure=1e-8),)
@@ -150,6 +152,7 @@ def behind_a_fitted_shock(zones):
     return np.array([[x, s.u, s.sigma] for x, s in states])
 
 
+@pytest.mark.slow
 def test_the_flow_behind_a_fitted_shock_is_of_second_order():
     """A captured shock allows the first order. Differences to the run of four times the zones, over those to the next."""
     runs = [behind_a_fitted_shock(n) for n in (25, 50, 100, 200)]
@@ -169,6 +172,7 @@ def test_a_compression_that_steepens_is_followed():
     assert closed(solver)
 
 
+@pytest.mark.slow
 def test_a_shock_that_decays_is_released():
     """A short tap on the inside of a thick spherical shell of gas."""
     regions = (Region("g", "gas", 1.0, 7.0, 120, density=1.4, pressure=1.0),)
@@ -179,10 +183,11 @@ def test_a_shock_that_decays_is_released():
     assert closed(solver)
 
 
+@pytest.mark.slow
 def test_gaps_close_and_open():
     law = MieGruneisen(2700.0, 5200.0, 1.5, 2.0)
-    regions = (Region("flyer", "al", 0.0, 2e-3, 20, velocity=700.0, density=2700.0), Region("target", "al", 2.1e-3, 6e-3, 40, density=2700.0))
-    solver = run(Problem("plates", "planar", 1.0e-6, regions, {"al": Material("al", law)}))
+    regions = (Region("flyer", "al", 0.0, 2e-3, 10, velocity=700.0, density=2700.0), Region("target", "al", 2.1e-3, 6e-3, 20, density=2700.0))
+    solver = run(Problem("plates", "planar", 9.0e-7, regions, {"al": Material("al", law)}))
     assert solver.voids_closed >= 1 and closed(solver)
     column = solver.column(1)
     assert column.at(1.0)[1].u == pytest.approx(700.0, rel=2e-3)      # the free surface goes on with the flyer's velocity
@@ -206,12 +211,13 @@ def random_problem(rng):
     return Problem("random", "planar", 3e-4, tuple(regions), materials, *ends)
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", [1, *(pytest.param(k, marks=pytest.mark.slow) for k in (0, *range(2, 10)))])
 def test_random_problems_close_their_budgets(seed):
     solver = run(random_problem(np.random.default_rng(seed)), until=1e-4)
     assert closed(solver)
 
 
+@pytest.mark.slow
 def test_a_mirrored_problem_has_the_mirrored_answer():
     problem = random_problem(np.random.default_rng(2))
     length = problem.regions[-1].end
@@ -223,6 +229,7 @@ def test_a_mirrored_problem_has_the_mirrored_answer():
     assert places(one, *kinds) == pytest.approx([length - x for x in places(two, *kinds)][::-1], abs=1e-5 * length)
 
 
+@pytest.mark.slow
 def test_both_modes_agree_until_fans_meet():
     """F2: a Mach 3 shock on a heavier gas. Fronts of both modes are at the same places."""
     regions = (Region("driven", "gas", 0.0, 0.5, 50, density=27.0 / 7.0, velocity=2.6293687924887, pressure=31.0 / 3.0),
@@ -246,18 +253,16 @@ def charge(zones, lit, stop, left=FIXED, geometry="planar", **more):
     return Problem("charge", geometry, stop, regions, {"he": explosive}, left, FREE, lighting=tuple(Lighting(*point) for point in lit), **more)
 
 
-def test_a_detonation_is_followed_by_its_taylor_wave():
-    errors = []
-    for zones in (50, 200):
-        solver = run(charge(zones, [(0.0,)], 6e-6))
-        assert places(solver, "detonation") == pytest.approx([6e-6 * D], rel=1e-10)
-        assert places(solver, "fan tail") == pytest.approx([3e-6 * D], rel=2e-3)
-        mesh = solver.mesh
-        inside = mesh.middle < 6e-6 * D
-        exact = mader(D, 1875.0, 3.0).profile(mesh.middle, 6e-6)["pressure"]
-        errors.append(np.abs(averages(mesh, solver.flow.media).p - exact)[inside].mean() / (1875.0 * D * D / 4.0))
-        assert closed(solver)
-    assert errors[0] < 6e-4 and errors[1] < 2e-4
+@pytest.mark.parametrize("zones, bound", [(50, 6e-4), pytest.param(200, 2e-4, marks=pytest.mark.slow)])
+def test_a_detonation_is_followed_by_its_taylor_wave(zones, bound):
+    solver = run(charge(zones, [(0.0,)], 6e-6))
+    assert places(solver, "detonation") == pytest.approx([6e-6 * D], rel=1e-10)
+    assert places(solver, "fan tail") == pytest.approx([3e-6 * D], rel=2e-3)
+    mesh = solver.mesh
+    inside = mesh.middle < 6e-6 * D
+    exact = mader(D, 1875.0, 3.0).profile(mesh.middle, 6e-6)["pressure"]
+    error = np.abs(averages(mesh, solver.flow.media).p - exact)[inside].mean() / (1875.0 * D * D / 4.0)
+    assert error < bound and closed(solver)
 
 
 def test_a_detonation_lit_inside_and_later_runs_both_ways():
@@ -266,6 +271,7 @@ def test_a_detonation_lit_inside_and_later_runs_both_ways():
     assert abs(places(solver, "contact")[0] - 0.02) < 1e-6 and closed(solver)
 
 
+@pytest.mark.slow
 def test_a_spherical_detonation_keeps_its_speed():
     solver = run(charge(40, [(0.0,)], 5e-6, geometry="spherical"))
     assert places(solver, "detonation") == pytest.approx([5e-6 * D], rel=1e-10)
@@ -287,6 +293,7 @@ def test_a_detonation_drives_a_plate():
     assert closed(solver)
 
 
+@pytest.mark.slow
 def test_a_strong_detonation_is_faster():
     """A piston that takes up behind the Chapman-Jouguet front: a shock catches the front, which goes on at the overdriven speed."""
     piston = Boundary("velocity", Pulse("square", 3500.0, 5e-7, 1.0))

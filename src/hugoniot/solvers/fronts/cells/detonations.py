@@ -30,10 +30,18 @@ def slowest(bench: Bench, region: int, state: State, direction: int) -> detonati
     return bench.ideal[key]._replace(ahead=state)
 
 
-def driven(bench: Bench, direction: int, follower: tuple[int, State], ahead: tuple[int, State]) -> detonation.Front:
-    """The front in the step: `follower` and `ahead` are (region, state) behind and ahead of it."""
-    base = slowest(bench, *ahead, direction)
-    return detonation.driven(base, Curve(bench.matters[follower[0]], follower[1], -direction), bench.matters[follower[0]].par)
+def driven(bench: Bench, direction: int, followers: list[tuple[int, State]], ahead: tuple[int, State]) -> detonation.Front:
+    """The front in the step: `ahead` is (region, state) ahead of it, `followers` those at the front and in the middle of the cell behind.
+
+    A front is driven only if both drive it: at the head of a Taylor wave what is extrapolated may press a little too hard.
+    """
+    base = found = slowest(bench, *ahead, direction)
+    for region, state in followers[::-1]:
+        par = bench.matters[region].par
+        found = detonation.driven(base, Curve(bench.matters[region], state, -direction), par)
+        if found is base:
+            break
+    return found
 
 
 def beside(curve: Curve, unburned: State) -> float:

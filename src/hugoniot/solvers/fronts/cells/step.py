@@ -131,7 +131,8 @@ def _at_fronts(mesh: Mesh, flow: Flow, half: Sides, face: Faces, time: float) ->
         left = None if f == 0 or mesh.region[f - 1] == EMPTY else _state(mesh, half, f - 1, 1)
         right = None if f == n or mesh.region[f] == EMPTY else _state(mesh, half, f, 0)
         if any(side is not None and side[0] >= flow.bench.unburned for side in (left, right)):
-            moved = tracked.explosive(front, left, right, flow.bench)
+            behind = f - 1 if front.direction > 0 else min(f, n - 1)
+            moved = tracked.explosive(front, left, right, _state(mesh, half, behind, 2)[1], flow.bench)
         elif left is not None and right is not None:
             moved = tracked.between(front, left, right, flow.bench)
         else:

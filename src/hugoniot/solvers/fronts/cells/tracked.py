@@ -76,13 +76,13 @@ def _shock(d: int, found: exact.Solution, a: Curve, b: Curve) -> Moved:
     return Moved(speed, (s.rho, s.u, s.e + 0.5 * s.u * s.u, s.sigma), 0.0)
 
 
-def explosive(front: Front, left, right, bench: Bench) -> Moved:
-    """A front beside unburned explosive: a detonation, or a face at rest with it."""
+def explosive(front: Front, left, right, mean: State, bench: Bench) -> Moved:
+    """A front beside unburned explosive: a detonation (`mean` is the middle of the cell behind it), or a face at rest with it."""
     sides = {-1: left, 1: right}
     d = front.direction
     if front.kind == "detonation":
         region, state = sides[-d]
-        found = detonations.driven(bench, d, (region, warm(state, bench, region)), sides[d])
+        found = detonations.driven(bench, d, [(region, warm(s, bench, region)) for s in (state, mean)], sides[d])
         return Moved(found.speed, detonations.passed(found), 1.0)
     unburned = next(side for side in (left, right) if side is not None and side[0] >= bench.unburned)
     for way, other in sides.items():
