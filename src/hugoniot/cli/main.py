@@ -91,10 +91,13 @@ def module_of(name: str) -> ModuleType:
     return module
 
 
+COMPLETE = "_HUGONIOT_COMPLETE"
+
+
 def build_app(wanted: str | None) -> typer.Typer:
     """The application with the module of one command loaded and the others present by name only."""
     app = typer.Typer(
-        name="hugoniot", no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None,
+        name="hugoniot", no_args_is_help=True, add_completion=True, pretty_exceptions_enable=False, rich_markup_mode=None,
         help="A shock-physics workbench. First steps: hugoniot init flyer, then hugoniot run flyer.toml",
         epilog="Each command has --help with an example.", context_settings={"help_option_names": ["-h", "--help"]})
     app.callback()(_options)
@@ -221,7 +224,9 @@ def main(arguments: list[str] | None = None) -> None:
 
 
 def _called(arguments: list[str]) -> None:
-    wanted = next((a for a in arguments if not a.startswith("-")), None)
+    # a shell that asks for completions passes the words typed so far, the program's name first
+    typed = os.environ.get("COMP_WORDS", os.environ.get("_TYPER_COMPLETE_ARGS", "")).split()[1:] if COMPLETE in os.environ else arguments
+    wanted = next((a for a in typed if not a.startswith("-")), None)
     try:
         app = build_app(wanted)
     except Exception as error:  # a command whose module cannot even be imported
