@@ -33,6 +33,7 @@ COMMANDS: dict[str, str] = {
     "fit": "Find constants of a deck from measured records.",
     "verify": "Run the built-in verification problems.",
     "material": "Search and show the materials library.",
+    "import": "Turn material cards of LS-DYNA into a table of a deck.",
     "eos": "Hugoniots, isentropes and impedance matches without a mesh.",
     "exact": "Exact solutions: Riemann, Noh, Sedov, Guderley, detonations and more.",
     "pop-plot": "Run distance to detonation against input pressure.",
@@ -72,6 +73,8 @@ def module_of(name: str) -> ModuleType:
             from hugoniot.cli import verify as module
         case "material":
             from hugoniot.cli import material as module
+        case "import":
+            from hugoniot.cli import import_cards as module
         case "eos":
             from hugoniot.cli.eos import app as module
         case "exact":

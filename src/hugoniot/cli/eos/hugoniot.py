@@ -13,6 +13,7 @@ from hugoniot.dossier.fits import library_points
 from hugoniot.errors import DeckError, OutOfRange
 from hugoniot.theory.fits import read_points
 from hugoniot.theory.hugoniot import Initial, curve, shock
+from hugoniot.theory.split import split_range, split_wave
 from hugoniot.theory.states import States
 
 SMOOTH = 60     # states with which a curve looks like one
@@ -106,7 +107,7 @@ def report(found: list[Answer], single: bool, kind: str, as_json, as_csv, plot) 
         save(hugoniots(curves, kind, points=[_points(f, kind) for f in found],
                        mark=marks if single or all(m is not None for m in marks) else None), plot)
     # a detonation obeys its products' own range, not that of the shocks of the unreacted explosive
-    told = [notes(f.subject, 0.0 if f.cj else _strongest(f.states)) for f in found]
+    told = [[*_splits(f, single), *notes(f.subject, 0.0 if f.cj else _strongest(f.states))] for f in found]
     more = [{"chapman_jouguet": row_of(f.cj.table())} if f.cj else {} for f in found]
     tables = [(f.subject.material.name, f.states.table("entropy")) for f in found]
     if not deliver(tables, as_json=as_json, as_csv=as_csv, told=told, more=more):
@@ -118,6 +119,23 @@ def report(found: list[Answer], single: bool, kind: str, as_json, as_csv, plot) 
             typer.echo(f"with complete reaction; CJ point at {point[0]}, {point[1]}, front {point[2]}")
         echo_states(f.states)
         echo_notes(said)
+
+
+def _splits(f: Answer, single: bool) -> list[str]:
+    """What to say where no single shock leads to a state: the wave splits in two."""
+    if f.cj:
+        return []
+    if not single:
+        between = split_range(f.subject.material, f.ahead, float(np.max(f.states.particle_velocity)) - f.ahead.velocity)
+        return [] if between is None else [
+            f"from {cell('particle_velocity', between[0])} to {cell('particle_velocity', between[1])} a single jump is no answer: a faster "
+            "precursor runs ahead; --at gives the states behind both waves"]
+    found = split_wave(f.subject.material, f.ahead, f.states)
+    if found is None:
+        return []
+    first, second = ([cell(name, getattr(state, name)) for name in ("pressure", "shock_velocity", "density")] for state in found)
+    return [f"a single jump is no answer here: a precursor to {first[0]} runs ahead at {first[1]}; behind it a second shock at {second[1]} "
+            f"leads to {second[0]} and {second[2]} at the same particle velocity"]
 
 
 def _from(f: Answer) -> str:

@@ -1,0 +1,63 @@
+r"""Hugoniots that a single shock cannot follow: the wave splits into a precursor and a slower second shock.
+
+A shock to a state behind is stable only if no state between the two runs faster: its Rayleigh line must not cut the Hugoniot. Where the
+shock velocity has a maximum at a lower particle velocity (a solid's pores begin to crush, a phase changes), the wave that stands at that
+maximum runs ahead, and the second shock starts from the state behind it. Both together reach the same particle velocity at another
+pressure than the single jump.
+
+Source: Zel'dovich and Raizer, Physics of Shock Waves, chapter XI, sections 4 and 19; Herrmann, J. Appl. Phys. 40 (1969) 2490 (P-alpha).
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import minimize_scalar
+
+from hugoniot.errors import HugoniotError
+from hugoniot.theory.hugoniot import Initial, curve, shock
+from hugoniot.theory.states import States
+
+SAMPLES = 201
+NOTICED = 1e-3     # of the shock velocity, by which the precursor must be faster
+
+
+class Split(NamedTuple):
+    """The states behind the precursor and behind the second shock."""
+
+    precursor: States
+    behind: States
+
+
+def split_wave(material, ahead: Initial, single: States) -> Split | None:
+    """The two waves that reach the particle velocity of the single shock `single` from `ahead`; None where that shock holds together."""
+    up, us = float(single.particle_velocity) - ahead.velocity, float(single.shock_velocity) - ahead.velocity
+    if not up > 0.0 or ahead.heat:
+        return None
+    found = curve(material, ahead, points=SAMPLES, up_to=up)
+    jumps, speeds = found.particle_velocity - ahead.velocity, found.shock_velocity - ahead.velocity
+    k = 1 + int(np.argmax(speeds[1:]))
+    if k in (1, SAMPLES - 1) or speeds[k] <= us * (1.0 + NOTICED):
+        return None
+
+    def slowness(x):
+        return ahead.velocity - float(shock(material, ahead, particle_velocity=ahead.velocity + x).shock_velocity)
+
+    best = minimize_scalar(slowness, bounds=(jumps[k - 1], jumps[k + 1]), method="bounded", options={"xatol": 1e-9 * up})
+    precursor = shock(material, ahead, particle_velocity=ahead.velocity + float(best.x))
+    try:
+        behind = shock(material, Initial.of(precursor), particle_velocity=float(single.particle_velocity))
+    except HugoniotError:
+        return None
+    return Split(precursor, behind) if float(behind.shock_velocity) < float(precursor.shock_velocity) else None
+
+
+def split_range(material, ahead: Initial, up_to: float) -> tuple[float, float] | None:
+    """Lowest and highest particle velocity jump of the states up to `up_to` that a faster, weaker shock would outrun; None: no state is."""
+    states = curve(material, ahead, points=5 * SAMPLES, up_to=up_to)
+    speeds = states.shock_velocity[1:] - ahead.velocity
+    outrun = np.maximum.accumulate(speeds) > speeds * (1.0 + NOTICED)
+    # a curve that falls from its foot has no precursor of finite strength
+    if not outrun.any() or not np.argmax(speeds[:np.argmax(outrun) + 1]) > 0:
+        return None
+    up = states.particle_velocity[1:][outrun] - ahead.velocity
+    return float(up.min()), float(up.max())

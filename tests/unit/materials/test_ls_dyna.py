@@ -1,0 +1,84 @@
+"""LS-DYNA cards: the same pressures as its own formula, units, fields by columns and by commas, and what is refused."""
+
+import tomllib
+
+import pytest
+
+from hugoniot.cli import main as front
+from hugoniot.errors import DeckError
+from hugoniot.laws.eos.contract import pressure
+from hugoniot.materials.ls_dyna import material_tables, read_cards, scale_of
+from hugoniot.materials.read import build_material
+
+
+def columns(*fields):
+    """A card of fields ten columns wide."""
+    return "".join(f"{field:>10}" for field in fields) + "\n"
+
+
+STEEL = ("*KEYWORD\n*MAT_JOHNSON_COOK_TITLE\n4340 steel\n$      mid        ro         g\n" + columns(1, 7.83, 0.818)
+         + columns("0.00792", "0.0051", 0.26, 0.014, 1.03, 1793.0, 294.0, "1e-6")
+         + columns("4.77e-6", "-9.0", 2.0, 0.0, 0.05, 3.44, -2.12, 0.002) + columns(0.61)
+         + "*EOS_GRUNEISEN\n1,0.4569,1.49,0.3,-0.2,2.17,0.46,0.0\n1.0\n*END\n")
+TNT = "*MAT_008\n1,1.63,0.693,0.21\n*EOS_002\n1,3.712,0.03231,4.15,0.95,0.3,0.07,1.0\n"
+
+
+def built(text, units="g cm us", **more):
+    tables, left = material_tables(read_cards(text, "m.k"), scale_of(units), "m.k", **more)
+    problems = []
+    made = build_material("m", tables, problems, "m.k", lambda path: None)
+    assert problems == []
+    return made, left
+
+
+def test_the_pressure_is_that_of_the_manuals_formula():
+    """Compressed, in Mbar and per initial volume, with every constant at work."""
+    steel, left = built(STEEL)
+    c, s1, s2, s3, g, a = 0.4569, 1.49, 0.3, -0.2, 2.17, 0.46
+    for mu, energy in ((0.02, 0.0), (0.1, 0.004), (0.25, 0.03)):
+        below = 1.0 - (s1 - 1.0) * mu - s2 * mu**2 / (mu + 1.0) - s3 * mu**3 / (mu + 1.0) ** 2
+        printed = 7.83 * c**2 * mu * (1.0 + (1.0 - 0.5 * g) * mu - 0.5 * a * mu**2) / below**2 + (g + a * mu) * energy
+        assert float(pressure(7830.0 * (1.0 + mu), energy * 1e11 / 7830.0, steel.eos)) == pytest.approx(printed * 1e11, rel=1e-9)
+    assert steel.strength.yield_stress == pytest.approx(0.792e9) and steel.strength.shear_modulus == pytest.approx(81.8e9)
+    assert steel.strength.reference_rate == pytest.approx(1.0) and steel.eos.specific_heat == pytest.approx(477.0)
+    assert any("D1 to D5" in text for text in left) and any("PC" in text for text in left)
+
+
+def test_two_systems_of_units_give_one_material():
+    cards = "*MAT_HIGH_EXPLOSIVE_BURN\n1,{},{}\n*EOS_JWL\n1,{},{},4.15,0.95,0.3,{},1.0\n"
+    one, _ = built(cards.format("1.63", "0.693", "3.712", "0.03231", "0.07"))
+    two, left = built(cards.format("1.63e-9", "6.93e6", "371200.0", "3231.0", "7000.0"), "tonne mm s")
+    assert two.eos == pytest.approx(one.eos, rel=1e-12, nan_ok=True)
+    assert any("6930 m/s" in text for text in left)
+
+
+def test_numbers_of_keywords_and_a_density_of_the_user():
+    assert built(TNT)[0].eos.rho0 == pytest.approx(1630.0)
+    alone = TNT[TNT.index("*EOS"):]
+    assert built(alone, density=1630.0)[0].eos.e0 == pytest.approx(7e9)
+    with pytest.raises(DeckError, match="the density is not given"):
+        built(alone)
+
+
+@pytest.mark.parametrize("text, words", [
+    ("*MAT_ELASTIC\n1,7.8\n", "one equation of state is needed"),
+    (STEEL + TNT[TNT.index("*EOS"):], "not two"),
+    (STEEL.replace("0.4569", "&cs"), "parameters"),
+    (STEEL.replace(",0.46,0.0", ",0.46,0.1"), "belongs to a region"),
+    (STEEL + STEEL, "stands twice"),
+])
+def test_files_that_are_no_single_material(text, words):
+    with pytest.raises(DeckError, match=words):
+        built(text)
+
+
+def test_the_command_writes_a_table_that_a_deck_takes(tmp_path, capsys):
+    (tmp_path / "steel.k").write_text(STEEL)
+    with pytest.raises(SystemExit) as ended:
+        front.main(["import", str(tmp_path / "steel.k"), "--units", "g cm us", "--name", "steel"])
+    out, err = capsys.readouterr()
+    assert not ended.value.code and "left out" in err
+    assert tomllib.loads(out)["material"]["steel"]["eos"]["gamma_slope"] == 0.46
+    with pytest.raises(SystemExit) as ended:
+        front.main(["import", str(tmp_path / "steel.k"), "--units", "g cm"])
+    assert ended.value.code == 2
