@@ -24,11 +24,11 @@ from numba.extending import intrinsic
 from hugoniot.core.binder import bind_choice
 from hugoniot.core.compile_ahead import Job, job_of, job_of_types
 from hugoniot.core.registry import Registry
-from hugoniot.core.rows import ROW, record, row, row_at, rows, rows_apart
+from hugoniot.core.rows import ROW, row_at, rows, rows_apart
 from hugoniot.core.target import BY_ADDRESS, EXACT_PASS, PASS
 
 # whoever writes passes takes the words for rows and for passes from here
-__all__ = ["ROW", "Entry", "Pass", "bind_flag", "call_entry", "kind_of", "law_of", "named", "numbers_of", "record", "row",
+__all__ = ["ROW", "Entry", "Pass", "bind_flag", "call_entry", "kind_of", "law_of", "named", "numbers_of",
            "row_at", "rows", "rows_apart", "zone_pass"]
 
 

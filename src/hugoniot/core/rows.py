@@ -125,29 +125,6 @@ def _(cls, table, first):
 
 
 @intrinsic
-def record(typingctx, cls, table, line):
-    """The numbers in line `line` of a contiguous table, by the names of the NamedTuple class `cls`."""
-    view = ViewType("record", cls.instance_class, table.dtype)
-
-    def codegen(context, builder, sig, args):
-        array = context.make_array(sig.args[1])(context, builder, args[1])
-        start = builder.gep(array.data, [builder.mul(args[2], context.get_constant(types.intp, len(view.cls._fields)))])
-        return _view(context, builder, view, start, context.get_constant(types.intp, 8))
-
-    return view(cls, table, types.intp), codegen
-
-
-@intrinsic
-def row(typingctx, array, first):
-    """The row that begins at element `first` of a contiguous 1-D array."""
-    def codegen(context, builder, sig, args):
-        data = context.make_array(sig.args[0])(context, builder, args[0]).data
-        return builder.gep(data, [args[1]])
-
-    return ROW(array, types.intp), codegen
-
-
-@intrinsic
 def row_at(typingctx, address):
     """The row at an address (an integer)."""
     return ROW(types.intp), lambda context, builder, sig, args: builder.inttoptr(args[0], ir.DoubleType().as_pointer())
