@@ -10,17 +10,24 @@ GENERATORS = ("generate_deck_reference.py", "generate_laws.py", "generate_theory
 project = "hugoniot"
 author = "The hugoniot developers"
 copyright = "the hugoniot developers"
-extensions = ["myst_nb", "sphinx_gallery.gen_gallery", "sphinx.ext.mathjax"]
+extensions = ["myst_nb", "sphinx_gallery.gen_gallery", "sphinx.ext.autodoc", "sphinx.ext.mathjax", "sphinx-mathjax-offline",
+              "sphinx_copybutton", "sphinx_design"]
 myst_enable_extensions = ["dollarmath", "colon_fence"]
 myst_heading_anchors = 3
 nb_execution_mode = "off"
 exclude_patterns = ["_build", "**/generate*.py", "generate*.py", "verification_numbers.md", "theory/shock_structure_numbers.md",
                     "auto_examples/*.ipynb",
                     "auto_examples/*.py", "auto_examples/*.zip", "auto_examples/*.json", "**/sg_execution_times.rst"]
-html_theme = "alabaster"
+autodoc_typehints = "signature"
+autodoc_member_order = "bysource"
+copybutton_prompt_text = r"\$ |>>> "
+copybutton_prompt_is_regexp = True
+html_theme = "pydata_sphinx_theme"
 html_title = "hugoniot"
-html_theme_options = {"description": "a shock-physics workbench", "page_width": "1080px", "sidebar_width": "230px",
-                      "fixed_sidebar": True, "show_powered_by": False, "body_max_width": "none"}
+html_theme_options = {"logo": {"text": "hugoniot"}, "navbar_align": "left", "show_toc_level": 2, "navigation_with_keys": False,
+                      "show_prev_next": False, "secondary_sidebar_items": ["page-toc"], "footer_start": ["copyright"], "footer_end": []}
+# a page without pages below it has nothing to list beside it
+html_sidebars = {"*": [], "theory/*": []}
 html_static_path = ["_static"]
 html_css_files = ["house.css"]
 html_show_sourcelink = False
@@ -36,6 +43,7 @@ sphinx_gallery_conf = {
     "abort_on_example_error": True,
     "write_computation_times": False,
     "min_reported_time": 1e9,
+    "capture_repr": (),
     "image_scrapers": ("matplotlib",),
 }
 
@@ -46,5 +54,16 @@ def generate(app) -> None:
         subprocess.run([sys.executable, str(HERE / name)], check=True, stdout=subprocess.DEVNULL)
 
 
+def plain_docstring(app, what, name, obj, options, lines) -> None:
+    """The house's docstrings are plain text: the first paragraph stays one, tables of parameters and the rest keep their lines."""
+    text = "\n".join(lines).strip("\n")
+    head, _, rest = text.partition("\n\n")
+    shown = [head.replace("\n", " ").replace("*", r"\*").replace("|", r"\|"), ""]
+    if rest.strip():
+        shown += [".. code-block:: text", "", *(f"   {line}" for line in rest.splitlines()), ""]
+    lines[:] = shown
+
+
 def setup(app):
+    app.connect("autodoc-process-docstring", plain_docstring)
     app.connect("builder-inited", generate, priority=100)
