@@ -10,8 +10,8 @@ GENERATORS = ("generate_deck_reference.py", "generate_laws.py", "generate_theory
 project = "hugoniot"
 author = "The hugoniot developers"
 copyright = "the hugoniot developers"
-extensions = ["myst_nb", "sphinx_gallery.gen_gallery", "sphinx.ext.autodoc", "sphinx.ext.mathjax", "sphinx-mathjax-offline", "sphinx_copybutton",
-              "sphinx_design"]
+extensions = ["myst_nb", "sphinx_gallery.gen_gallery", "sphinx.ext.autodoc", "sphinx.ext.mathjax", "sphinx-mathjax-offline",
+              "sphinx_copybutton", "sphinx_design"]
 myst_enable_extensions = ["dollarmath", "colon_fence"]
 myst_heading_anchors = 3
 nb_execution_mode = "off"
