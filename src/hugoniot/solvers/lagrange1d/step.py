@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numba as nb
 from numba.extending import overload
 
-from hugoniot.core.binder import bind_choice, bind_family
+from hugoniot.core.binder import bind_choice
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.mesh import line
 from hugoniot.solvers.lagrange1d import layout as L
@@ -39,8 +39,6 @@ from hugoniot.solvers.lagrange1d.watch import (
     touching_gap,
 )
 from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE, FOUND_IMPULSE, FOUND_RATE, FOUND_UNSOUND
-
-bind_family(line.GEOMETRY, line.GENERICS)
 
 
 class Compatible(NamedTuple):

@@ -6,10 +6,12 @@ Wilkins B.2 items 5 and 6. In planar and spherical flow the two hoop directions 
 
 from typing import Any, NamedTuple
 
-from hugoniot.core.binder import bind
+from hugoniot.core.binder import bind, bind_family
 from hugoniot.core.ops import fmax, fmin, late_over, vsqrt
 from hugoniot.core.passes import kind_of, rows_apart, zone_pass
-from hugoniot.mesh.line import area_per_radius, hoops
+from hugoniot.mesh.line import GENERICS, GEOMETRY, area_per_radius, hoops
+
+bind_family(GEOMETRY, GENERICS)     # geometry in kernels: every list of the solver's passes takes this module
 
 NO_STRESS = 1e-30     # Pa2, beside which no stress squared counts
 
