@@ -115,11 +115,12 @@ class ShockStructure(NothingToAdd):
 
     def march(self, until: float, cycles: int) -> list:
         """Step until the time `until` (hit exactly) or `cycles` steps; no events. Raises `UnphysicalState`."""
-        from hugoniot.solvers.shock_structure.step import march
+        from hugoniot.solvers.shock_structure.step import Cells, Flow, march
 
         self.control[L.EVENT_TIME] = until
-        code = march(cycles, self.U, *self._work, self.rest, self._peaks, self.passed, self.passed_rest, self.h, self.control,
-                     self.counters, self.kinds, self.ends, self.eos, self.transport, transport_laws.conducts(self.transport))
+        cells = Cells(self.U, *self._work, self.rest, self._peaks, self.passed, self.passed_rest, self.h, self.kinds, self.ends)
+        code = march(cycles, cells, self.control, self.counters,
+                     Flow(self.eos, self.transport, transport_laws.conducts(self.transport)))
         if code == L.BAD_STATE:
             raise self._unphysical()
         return []

@@ -19,6 +19,8 @@ the next L.ROUGH_STEPS steps; only an unresolved strong jump at the start needs 
 state before the step in place.
 """
 
+from typing import Any, NamedTuple
+
 import numba as nb
 
 from hugoniot.core.target import GUARD, INLINE
@@ -28,17 +30,50 @@ from hugoniot.solvers.shock_structure.kernels import account, all_sound, fill_gh
 DIFFUSION_LIMIT = 0.41   # of D dt/h^2: below the third-order Runge-Kutta limit 2.51/(272/45) of the sixth-order gradient
 
 
+class Cells(NamedTuple):
+    """The cells of a run and what is booked about them.
+
+    U, V                 conserved averages and those of a stage, (3, cells and ghosts)
+    F0, F1               mean flux of the step, flux of a stage, (3, faces)
+    rest                 what rounding took from U
+    peaks                largest values of every field so far
+    passed, passed_rest  what passed the ends, and what rounding took from it
+    h                    width of a cell, m
+    kinds, ends          kind of each end and the state beyond it
+    """
+
+    U: Any
+    V: Any
+    F0: Any
+    F1: Any
+    rest: Any
+    peaks: Any
+    passed: Any
+    passed_rest: Any
+    h: float
+    kinds: Any
+    ends: Any
+
+
+class Flow(NamedTuple):
+    """Parameter tuples of the laws, and whether heat is conducted."""
+
+    eos: Any
+    transport: Any
+    conducting: bool
+
+
 @nb.njit(**INLINE)
-def fluxes_of_step(U, V, F0, F1, h, rough, shorter, control, counters, kinds, ends, eos, transport, conducting):
-    """Items 1 to 5: the step's mean fluxes in F0 and its length (negative: no sound step), and whether it ends at the event time."""
+def fluxes_of_step(a, rough, shorter, control, counters, flow):
+    """Items 1 to 5: the step's mean fluxes in a.F0 and its length (negative: no sound step), and whether it ends at the event time."""
     dt, last = 0.0, False
     for k in range(3):
-        W = U if k == 0 else V
-        fill_ghosts(W, kinds, ends, eos)
-        if not flux_sweep(W, F1, h, rough, control, counters, eos, transport, conducting):
+        W = a.U if k == 0 else a.V
+        fill_ghosts(W, a.kinds, a.ends, flow.eos)
+        if not flux_sweep(W, a.F1, a.h, rough, control, counters, flow.eos, flow.transport, flow.conducting):
             return -1.0, False
         if k == 0:
-            rate = control[L.ADVECTIVE] / h + control[L.DIFFUSIVE] / (DIFFUSION_LIMIT * h * h)
+            rate = control[L.ADVECTIVE] / a.h + control[L.DIFFUSIVE] / (DIFFUSION_LIMIT * a.h * a.h)
             dt = min(control[L.COURANT] / rate, control[L.DT_LARGEST]) * shorter
             left = control[L.EVENT_TIME] - control[L.TIME]
             last = dt >= left * (1.0 - 1e-12)
@@ -46,21 +81,20 @@ def fluxes_of_step(U, V, F0, F1, h, rough, shorter, control, counters, kinds, en
                 dt = left
             elif dt > 0.5 * left:
                 dt = 0.5 * left   # two even steps rather than a whole and a sliver
-        gather(F0, F1, k)
-        stage(U, V, F0, (0.25 if k == 1 else 1.0) * dt / h)
-    return (dt, last) if all_sound(V, F1, counters, eos) else (-1.0, False)
+        gather(a.F0, a.F1, k)
+        stage(a.U, a.V, a.F0, (0.25 if k == 1 else 1.0) * dt / a.h)
+    return (dt, last) if all_sound(a.V, a.F1, counters, flow.eos) else (-1.0, False)
 
 
 @nb.njit(**GUARD)
-def march(cycles, U, V, F0, F1, rest, peaks, passed, passed_rest, h, control, counters, kinds, ends, eos, transport, conducting):
+def march(cycles, a, control, counters, flow):
     """Take up to `cycles` steps, or until the event time; L.RUNNING or L.BAD_STATE (state of the last sound step kept)."""
     for _ in range(cycles):
         if control[L.TIME] >= control[L.EVENT_TIME]:
             break
         dt, last, shorter = -1.0, False, 1.0
         for _ in range(L.RETRIES + 1):
-            dt, last = fluxes_of_step(U, V, F0, F1, h, counters[L.ROUGH] > 0, shorter, control, counters, kinds, ends, eos, transport,
-                                      conducting)
+            dt, last = fluxes_of_step(a, counters[L.ROUGH] > 0, shorter, control, counters, flow)
             if dt >= 0.0:
                 break
             counters[L.ROUGH] = L.ROUGH_STEPS
@@ -68,9 +102,9 @@ def march(cycles, U, V, F0, F1, rest, peaks, passed, passed_rest, h, control, co
         if dt < 0.0:
             return L.BAD_STATE
         counters[L.ROUGH] -= counters[L.ROUGH] > 0
-        update(U, rest, F0, dt / h)
-        keep_peaks(peaks, U, F1)
-        account(passed, passed_rest, F0, dt)
+        update(a.U, a.rest, a.F0, dt / a.h)
+        keep_peaks(a.peaks, a.U, a.F1)
+        account(a.passed, a.passed_rest, a.F0, dt)
         control[L.TIME] = control[L.EVENT_TIME] if last else control[L.TIME] + dt
         control[L.DT] = dt
         counters[L.CYCLE] += 1
