@@ -22,6 +22,7 @@ FAMILIES = (EOS, STRENGTH, FRACTURE, VISCOSITY, BURN)
 LAWS = [law for family in FAMILIES for law in family]
 LONGEST, LONGEST_OF_SOLVERS = 400, 300
 BY_THE_STEP = {"solvers", "zones", "core"}     # the rooms whose code runs in every step
+MOST_ARGUMENTS = 12            # of a function in these rooms
 RULES = {"threshold"}     # a rule (pressure above a limit), no equation
 
 
@@ -55,6 +56,8 @@ def test_a_source_file_keeps_the_house_rules(path):
     longest = LONGEST_OF_SOLVERS if place.parts[0] in BY_THE_STEP else LONGEST
     assert len(text.splitlines()) <= longest
     for node in ast.walk(tree):
+        if isinstance(node, ast.FunctionDef) and place.parts[0] in BY_THE_STEP:
+            assert len(node.args.args) + len(node.args.kwonlyargs) <= MOST_ARGUMENTS, node.name
         if isinstance(node, ast.ImportFrom):
             assert all(name.name != "*" for name in node.names), "star import"
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):

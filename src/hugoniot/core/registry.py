@@ -9,7 +9,7 @@ import importlib
 import math
 import pkgutil
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from types import ModuleType
 from typing import Any
@@ -51,11 +51,17 @@ class Law:
     box: Mapping[str, tuple[float, float]]
     references: tuple[str, ...]
     build: Callable
-    flags: frozenset[str] = frozenset()
+    flags: Collection[str] = frozenset()
     defaults: Mapping[str, float] = field(default_factory=dict)
     line: str = ""
     above: Mapping[str, float] = field(default_factory=dict)
     least: Mapping[str, float] = field(default_factory=dict)
+
+    def __post_init__(self):
+        """Copies, so that nobody changes a law by changing what it was made of."""
+        for name in ("units", "meaning", "box", "defaults", "above", "least"):
+            object.__setattr__(self, name, dict(getattr(self, name)))
+        object.__setattr__(self, "flags", frozenset(self.flags))
 
     @property
     def module(self) -> ModuleType:
@@ -81,8 +87,7 @@ class Registry:
         self._by_name: dict[str, Law] = {}
         self._by_class: dict[type, Law] = {}
 
-    def add(self, name, parameters, *, functions, example, units, meaning, box, references, build=None, flags=(), defaults=None, line="",
-            above=None, least=None):
+    def add(self, name, parameters, *, functions, units, meaning, references, build=None, **others):
         """Enrol a law; every argument is a field of `Law`. Refuses a duplicate name and a law that does not keep the contract."""
         if name in self._by_name or parameters in self._by_class:
             raise ValueError(f"{self.family}: '{name}' is registered already")
@@ -96,9 +101,8 @@ class Registry:
                 raise ValueError(f"{self.family}: '{name}' {what} {', '.join(problem)}")
         if not references:
             raise ValueError(f"{self.family}: '{name}' names no source")
-        law = Law(self.family, name, parameters, {**self.derived, **given}, example, dict(units), dict(meaning), dict(box),
-                  tuple(references), build or parameters, frozenset(flags), dict(defaults or {}), line,
-                  dict(above or {}), dict(least or {}))
+        law = Law(self.family, name, parameters, {**self.derived, **given}, units=units, meaning=meaning, references=tuple(references),
+                  build=build or parameters, **others)
         self._by_name[name] = law
         self._by_class[parameters] = law
         _name_apart(parameters)
