@@ -24,6 +24,7 @@ _PER_MASS = {
     "plastic_work": ("J/kg", "plastic work done per unit mass"),
     "viscous_work": ("J/kg", "work of the artificial viscosity per unit mass"),
 }
+_OF_BUDGETS = {"kinetic_energy", "momentum", "elastic_volume_energy", "elastic_deviator_energy"}     # and fields of zones per unit mass
 PER_AREA = {"planar": "/m^2", "cylindrical": "/m/rad", "spherical": "/sr", "plane": "/m", "axisymmetric": "/rad"}
 
 
@@ -41,7 +42,7 @@ def describe(name: str, geometry: str = "", given: dict | None = None) -> tuple[
         return _PER_MASS[name]
     if name in _FACES:
         return _FACES[name]
-    if name in FIELDS:
+    if name in FIELDS and not (geometry and name in _OF_BUDGETS):
         return FIELDS[name].unit, FIELDS[name].long_name
     if name.startswith("time_of_"):
         return "s", words
