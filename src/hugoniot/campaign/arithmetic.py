@@ -71,7 +71,7 @@ def quantity(value) -> Number:
 class Expression:
     """An expression ready to be worked out: `keys` are the names it asks for; `value(lookup)` is its number.
 
-    Raises `Trouble` if it is none.
+    Raises `Trouble` if it is not one.
     """
 
     def __init__(self, text: str):

@@ -13,12 +13,12 @@ from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import H, Z
 
 
-def run_table(segments, region_ends, recipe_of):
-    """Runs (first, last, segment, recipe): the pieces of every region in every segment, like neighbours merged."""
+def run_table(segments, region_ends, laws_of):
+    """Runs (first, last, segment, laws): the pieces of every region in every segment, like neighbours merged."""
     rows: list[list[int]] = []
     for k, (first, last, _, _) in enumerate(segments.tolist()):
         for region, (a, b) in enumerate(region_ends):
-            lo, hi, same = max(first, a), min(last, b), [k, recipe_of[region]]
+            lo, hi, same = max(first, a), min(last, b), [k, laws_of[region]]
             if lo >= hi:
                 continue
             if rows and rows[-1][1] == lo and rows[-1][2:] == same:

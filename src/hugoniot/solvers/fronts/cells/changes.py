@@ -121,7 +121,7 @@ class Changes:
             self.log("lighting", time, x, "a detonator fires")
 
     def _mark(self, mesh: Mesh, x: float) -> float:
-        """Make a place a front, if it is none; where that front is."""
+        """Make a place a front unless it is one already; gives where that front is."""
         face = light_face(mesh, x)
         if not mesh.marked[face]:
             mesh.marked[face] = True
