@@ -36,10 +36,10 @@ from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.solvers.lagrange2d.layout import Corners, Points, Rates, Smoothness, Stress, Tensor
 from hugoniot.solvers.lagrange2d.quads import quad
 
-SMALL = 1e-200
-NOISE = 1e-12
+SMALL = 1e-60
 FLAT = 0.25             # part of a parallelogram's corner below which a triangle that shrinks, or is turned over, has no larger gradients
-SLIGHT = 1e-4           # part of the other jump up to which one limits no time step
+SLIGHT, FAINT = 1e-4, 1e-6    # parts of the other jump and of the sound speed below which a jump limits the time step in proportion
+STEADY = 1e-3           # part of the rate now below which one at the start of the step keeps the limiter in proportion
 SLENDER, NEEDLE = 4.0, 8.0
 
 
@@ -86,6 +86,7 @@ class Around(NamedTuple):
 
     xi: float
     eta: float
+    share: float
     xx: float
     yy: float
     xy: float
@@ -102,6 +103,16 @@ def metric_of(q):
     return Metric(bx * bx, by * by, bx * by, ax * ax, ay * ay, ax * ay, FLAT * q.area)
 
 
+def kept(psi, before, now):
+    """Smoothness along a direction that closes at the rate `now`: psi if it closed at the start of the step too, 0 if it opened."""
+    return psi * fmax(0.0, fmin(1.0, before / (STEADY * now - SMALL)))
+
+
+def counted(w, du, other, c):
+    """What a jump du <= 0 with the viscous speed w asks of the time step, beside the jump `other` of the other direction."""
+    return w * fmin(1.0, du / (SLIGHT * other - FAINT * c - SMALL))
+
+
 def along_edges(m, d, a, area, viscosity):
     """(viscous stress along the mean edges (xx, yy, xy), largest speed, part of the corners' own stress, 1 in zones that are not slender).
 
@@ -113,13 +124,12 @@ def along_edges(m, d, a, area, viscosity):
     rate2 = (xx * m.etaxx + yy * m.etayy + 2.0 * xy * m.etaxy) / eta
     before1 = a.xx * m.xixx + a.yy * m.xiyy + 2.0 * a.xy * m.xixy
     before2 = a.xx * m.etaxx + a.yy * m.etayy + 2.0 * a.xy * m.etaxy
-    least = -NOISE * vsqrt(xx * xx + yy * yy + xy * xy)
-    du1, du2 = rate1 * vsqrt(xi) if rate1 < least else 0.0, rate2 * vsqrt(eta) if rate2 < least else 0.0
-    w1 = viscous_speed(a.v, a.c, a.p, du1, a.xi if before1 < 0.0 else 0.0, viscosity)
-    w2 = viscous_speed(a.v, a.c, a.p, du2, a.eta if before2 < 0.0 else 0.0, viscosity)
-    w1, w2 = w1 if du1 < 0.0 else 0.0, w2 if du2 < 0.0 else 0.0
+    before1, before2 = before1 / xi, before2 / eta
+    du1, du2 = fmin(rate1, 0.0) * vsqrt(xi), fmin(rate2, 0.0) * vsqrt(eta)
+    w1 = viscous_speed(a.v, a.c, a.p, du1, kept(a.xi / fmax(a.share, SMALL), before1, fmin(rate1, 0.0)), viscosity)
+    w2 = viscous_speed(a.v, a.c, a.p, du2, kept(a.eta / fmax(1.0 - a.share, SMALL), before2, fmin(rate2, 0.0)), viscosity)
     q1, q2 = -a.rho * du1 * w1 / xi, -a.rho * du2 * w2 / eta
-    fast = fmax(w1 if du1 < SLIGHT * du2 else 0.0, w2 if du2 < SLIGHT * du1 else 0.0)
+    fast = fmax(counted(w1, du1, du2, a.c), counted(w2, du2, du1, a.c))
     part = fmax(0.0, fmin(1.0, (NEEDLE - fmax(xi, eta) / area) * (1.0 / (NEEDLE - SLENDER))))
     return q1 * m.xixx + q2 * m.etaxx, q1 * m.xiyy + q2 * m.etayy, q1 * m.xixy + q2 * m.etaxy, fast, part
 
@@ -141,15 +151,15 @@ def in_corner(e1x, e1y, e2x, e2y, u1, v1, u2, v2, m, a, viscosity):
     etam = half * ((m.etaxx - m.etayy) * mxx + 2.0 * m.etaxy * mxy)
     square1, square2 = xi - xim + eta - etam, xi + xim + eta + etam
     before_mean, before_dev = 0.5 * (a.xx + a.yy), 0.5 * (a.xx - a.yy) * mxx + a.xy * mxy
-    psi1 = ((xi - xim) * a.xi + (eta - etam) * a.eta) / square1 if before_mean - before_dev < 0.0 else 0.0
-    psi2 = ((xi + xim) * a.xi + (eta + etam) * a.eta) / square2 if before_mean + before_dev < 0.0 else 0.0
-    least = -NOISE * (size + fmax(mean, -mean))      # round-off closes nothing
-    du1 = (mean - size) * vsqrt(square1) if mean - size < least else 0.0
-    du2 = (mean + size) * vsqrt(square2) if mean + size < least else 0.0
+    rate1, rate2 = fmin(mean - size, 0.0), fmin(mean + size, 0.0)
+    left = 1.0 - a.share
+    psi1 = ((xi - xim) * a.xi + (eta - etam) * a.eta) / fmax((xi - xim) * a.share + (eta - etam) * left, SMALL)
+    psi2 = ((xi + xim) * a.xi + (eta + etam) * a.eta) / fmax((xi + xim) * a.share + (eta + etam) * left, SMALL)
+    psi1, psi2 = kept(psi1, before_mean - before_dev, rate1), kept(psi2, before_mean + before_dev, rate2)
+    du1, du2 = rate1 * vsqrt(square1), rate2 * vsqrt(square2)
     w1, w2 = viscous_speed(a.v, a.c, a.p, du1, psi1, viscosity), viscous_speed(a.v, a.c, a.p, du2, psi2, viscosity)
-    w1, w2 = w1 if du1 < 0.0 else 0.0, w2 if du2 < 0.0 else 0.0
     q1, q2 = -a.rho * du1 * w1, -a.rho * du2 * w2
-    fast = fmax(w1 if du1 < SLIGHT * du2 else 0.0, w2 if du2 < SLIGHT * du1 else 0.0)
+    fast = fmax(counted(w1, du1, du2, a.c), counted(w2, du2, du1, a.c))
     half, dev = 0.5 * (q1 + q2), 0.5 * (q2 - q1)
     return half + dev * mxx, half - dev * mxx, dev * mxy, fast
 
@@ -168,7 +178,7 @@ def resist(count, z, dt, numbers, law):
     for j in range(count):
         q = quad(low, high, j)
         m, d = metric_of(q), (z.rates.xx[j], z.rates.yy[j], z.rates.xy[j])
-        a = Around(smooth.xi[j], smooth.eta[j], smooth.xx[j], smooth.yy[j], smooth.xy[j], z.v[j], z.c[j], z.p[j], z.rho[j])
+        a = Around(smooth.xi[j], smooth.eta[j], smooth.share[j], smooth.xx[j], smooth.yy[j], smooth.xy[j], z.v[j], z.c[j], z.p[j], z.rho[j])
         lxx, lyy, lxy, fast, part = along_edges(m, d, a, q.area, viscosity)
         rest = 1.0 - part
         lxx, lyy, lxy = lxx * rest, lyy * rest, lxy * rest
@@ -212,8 +222,9 @@ def hoop_viscosity(count, given, dt, numbers, law):
         mean, dev, xy, around = 0.5 * (d.xx[j] + d.yy[j]), 0.5 * (d.xx[j] - d.yy[j]), d.xy[j], d.hoop[j]
         size = vsqrt(dev * dev + xy * xy)
         half, part = 0.5 * (q.xx[j] + q.yy[j]), (0.5 * (q.xx[j] - q.yy[j]) * dev + q.xy[j] * xy) / (size + SMALL)
-        found = half + part if around > mean else half - part
-        q.hoop[j] = found if around < 0.0 else 0.0
+        between = fmax(-1.0, fmin(1.0, (around - mean) / (size + SMALL)))
+        closing = fmax(0.0, fmin(1.0, -around / (STEADY * (size + fmax(mean, -mean)) + SMALL)))
+        q.hoop[j] = closing * (half + between * part)
 
 
 def write(s, solid):
@@ -223,5 +234,5 @@ def write(s, solid):
                           Tensor(at.coming.xx, at.coming.yy, at.coming.xy), at.rest, z.viscous_speed), law=s.laws.viscosity)
 
 
-for _function in (metric_of, along_edges, in_corner, corner_force):
+for _function in (metric_of, kept, counted, along_edges, in_corner, corner_force):
     bind(_function)
