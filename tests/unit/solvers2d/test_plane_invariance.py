@@ -49,10 +49,10 @@ def test_a_linear_velocity_field_gives_its_own_rates(turn):
     assert np.allclose(rate, 0.8, rtol=0, atol=2e-6)
 
 
-def strip_1d(n, material, stop, left, right, **state):
+def strip_1d(n, material, stop, left, right, steps, **state):
     region = Region("b", material.name, 0.0, 1.0, n, **state)
     given = Problem("strip", "planar", stop, (region,), {material.name: material}, left, right, output=OutputOptions(report=False),
-                    solver=SolverOptions(courant=0.4, options={"heat_flux": 0.0}))
+                    solver=SolverOptions(courant=0.4, options={"heat_flux": 0.0}, **steps))
     solver = Lagrange1D(given)
     while solver.time < stop:
         solver.march(stop, 1000)
@@ -62,16 +62,20 @@ def strip_1d(n, material, stop, left, right, **state):
 @pytest.mark.parametrize("geometry", ["plane", "axisymmetric"])
 @pytest.mark.parametrize("solid", [False, True])
 def test_a_strip_is_the_one_dimensional_solver(geometry, solid):
-    """A shock along y, in the plane and as a slab of a cylinder: the one-dimensional run, zone by zone."""
+    """A shock along y, in the plane and as a slab of a cylinder: the one-dimensional run, zone by zone.
+
+    The solid takes steps of given length: in one dimension the foot of a wave, however faint, limits the step, in two in proportion only.
+    """
     n, material = 40, aluminium() if solid else gas(1.4)
     state = {} if solid else {"density": 1.0, "pressure": 1.0}
     speed, stop = (300.0, 2.5e-5) if solid else (1.0, 0.15)
-    one = strip_1d(n, material, stop, Boundary("velocity", Pulse("constant", speed)), Boundary("fixed"), **state)
+    steps = dict(initial_step=2e-7, largest_step=2e-7) if solid else {}
+    one = strip_1d(n, material, stop, Boundary("velocity", Pulse("constant", speed)), Boundary("fixed"), steps, **state)
     shape = dict(width=0.3, height=1.0, material=material.name, **state)
     driven = Boundary2D(("b.bottom",), "velocity", Pulse("constant", speed), direction=(0.0, 1.0))
     coefficients = Viscosity2D("tensor", True, 0.3, 2.0 / 3.0, 0.3, 2.0 / 3.0)
     given = problem(box(3, n, **shape), material, stop, (driven, *walls("b.top", "b.right"), *(walls("b.left") if geometry == "plane" else ())),
-                    geometry, viscosity=coefficients)
+                    geometry, viscosity=coefficients, **steps)
     solver = ran(given)
     assert solver.cycle == one.cycle
     state = one.state()
@@ -111,16 +115,20 @@ def test_energy_and_momentum_are_kept(geometry, scheme, kind):
         assert solver.capped > 0
 
 
-def test_mirror_image():
-    """The mirrored problem gives the mirrored run, with the numbering of the zones reversed: round-off that differs grows to 2e-8."""
-    shear = ((0.0, 0.4), (0.0, 0.0))
+@pytest.mark.parametrize("solid", [False, True])
+def test_mirror_image(solid):
+    """The mirrored problem gives the mirrored run, with the numbering of the zones reversed: round-off decides nothing."""
+    material, speed = (aluminium(), 300.0) if solid else (gas(), 1.0)
+    state = {} if solid else {"density": 1.0, "pressure": 0.1}
     ways = []
     for sign in (1.0, -1.0):
-        velocity = VelocityField(base=(0.3 * sign, 0.1), gradient=((0.0, sign * shear[0][1]), (0.0, 0.0)))
-        given = problem(box(9, 6, origin=(-0.5, 0.0), density=1.0, pressure=0.1, velocity=velocity), gas(), 0.3,
-                        walls("b.left", "b.right", "b.bottom"))
-        ways.append(ran(given).zones[Z.rho].reshape(9, 6))
-    assert np.allclose(ways[0], ways[1][::-1], rtol=1e-7)
+        velocity = VelocityField(base=(0.3 * sign * speed, 0.1 * speed), gradient=((0.0, sign * 0.4 * speed), (0.0, 0.0)))
+        block = box(18, 12, origin=(-0.5, 0.0), material=material.name, velocity=velocity, **state)
+        ways.append(ran(problem(block, material, 3e-4 if solid else 0.3, walls("b.left", "b.right", "b.bottom"))))
+    for row in (Z.rho, Z.e):
+        one, other = (way.zones[row].reshape(18, 12) for way in ways)
+        assert np.abs(one - other[::-1]).max() < 1e-12 * np.abs(one).max()
+    assert ways[0].cycle == ways[1].cycle
 
 
 @pytest.mark.parametrize("solid", [False, True])
@@ -173,15 +181,15 @@ def test_a_step_that_would_turn_a_zone_inside_out_is_repeated_smaller():
     assert solver.errors()["energy_error"] < 1e-12
 
 
-@pytest.mark.parametrize("geometry, rings, exact, bound", [("plane", 24, 16.0, 1e-12), ("axisymmetric", 40, 64.0, 1e-5)])
-def test_a_polar_mesh_keeps_its_symmetry(geometry, rings, exact, bound):
-    """Noh's implosion on equal angles: rings stay rings, to round-off in the plane, nearly so area weighted with the axis."""
+@pytest.mark.parametrize("geometry, rings, exact", [("plane", 24, 16.0), ("axisymmetric", 40, 64.0)])
+def test_a_polar_mesh_keeps_its_symmetry(geometry, rings, exact):
+    """Noh's implosion on equal angles: rings stay rings, to round-off, in the plane and area weighted with the axis."""
     block = Block2D("b", "gas", Sector((0.0, 0.0), (0.005, 1.0), (0.0, 0.5 * np.pi)), (rings, 9), density=1.0, pressure=1e-10,
                     velocity=VelocityField(radial=-1.0))
     hole = Boundary2D(("b.left",), "velocity", Pulse("constant", 0.0), slip=False)
     sides = walls("b.bottom", "b.top") if geometry == "plane" else walls("b.bottom")
     solver = ran(problem(block, gas(), 0.6, (hole, *sides), geometry, scheme="area_weighted"))
     radius = np.hypot(solver.nodes[N.x], solver.nodes[N.y]).reshape(rings + 1, 10)
-    assert np.ptp(radius, axis=1).max() < bound
+    assert np.ptp(radius, axis=1).max() < 1e-12
     assert 0.5 * exact < solver.zones[Z.rho].max() < exact
     assert solver.errors()["energy_error"] < 1e-12

@@ -1,6 +1,6 @@
 """What the zones of a material do in a step, written into lists of passes: stress and forces in its middle, state and forces at its end."""
 
-from hugoniot.solvers.lagrange2d import tensor, viscosity
+from hugoniot.solvers.lagrange2d import hoop_viscosity, tensor, viscosity
 from hugoniot.solvers.lagrange2d import zone_passes as passes
 from hugoniot.solvers.lagrange2d.quads import AreaWeighted
 
@@ -42,7 +42,7 @@ def predict(s, geometry, numbers, fluid):
     s.relieve(solid)
     viscosity.write(s, solid)
     if isinstance(geometry, AreaWeighted):
-        s.do(viscosity.hoop_viscosity, viscosity.HoopOf(at.d, at.coming))
+        s.do(hoop_viscosity.hoop_viscosity, hoop_viscosity.HoopOf(at.d, w.rate, at.coming, at.rest))
     push = passes.push_fluid if fluid else passes.push_solid
     s.do(push, passes.PushOf(at.mid_low, at.mid_high, w.p, at.new, at.coming, at.rest, z.t0, z.t1, w.rho, z.c, z.inverse_mass, at.f,
                              z.filter_power), kind=geometry, numbers=numbers)
