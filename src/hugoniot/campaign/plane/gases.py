@@ -83,7 +83,7 @@ def sedov_front(solver):
 
 # -- Saltzman -------------------------------------------------------------------------------------------------------------
 def saltzman(n, asked):
-    """A piston into 10 n / 100 rows of skewed zones."""
+    """A piston into n / 10 rows of skewed zones."""
     rows = n // 10
     driven = Boundary2D(("b.left",), "velocity", Pulse("constant", 1.0), direction=(1.0, 0.0))
     sides = (driven, *walls("b.right", "b.bottom", "b.top"))
@@ -128,13 +128,15 @@ PROBLEMS = (
     PlaneProblem("noh_sphere_polar", "Noh's spherical implosion on a polar mesh, area weighted, 100 x 30",
                  partial(noh_polar, "axisymmetric", lambda n: n * 3 // 10), 0.6, partial(noh_round, 64.0, 2),
                  (Bar("density_l1", 100, goal=0.035, peer=0.0383), Bar("asymmetry", 100, goal=1e-10, peer=2e-7)), (100,)),
-    PlaneProblem("sedov_square", "Sedov's cylindrical blast wave on square zones", partial(sedov, "plane", 0.984074 / 4.0), 1.0, sedov_front,
-                 (Bar("peak_density", 45, goal=5.5, peer=5.31, sense="above"), Bar("peak_density", 90, goal=5.5, peer=5.67, sense="above"),
+    PlaneProblem("sedov_square", "Sedov's cylindrical blast wave on square zones", partial(sedov, "plane", 0.984074 / 4.0), 1.0,
+                 sedov_front,
+                 (Bar("peak_density", 45, goal=5.5, sense="above"), Bar("peak_density", 90, goal=5.5, sense="above"),
                   Bar("densest_zone", 45, goal=6.1), Bar("densest_zone", 90, goal=6.1),
                   Bar("peak_scatter", 45, goal=0.02, peer=0.05), Bar("peak_scatter", 90, goal=0.02, peer=0.05),
                   Bar("shock_position", 45, goal=0.01), Bar("shock_position", 90, goal=0.005)), (45, 90)),
-    PlaneProblem("sedov_sphere", "Sedov's spherical blast wave on square zones", partial(sedov, "axisymmetric", 0.851072 / (4.0 * np.pi)), 1.0,
-                 sedov_front, (Bar("shock_position", 45, goal=0.005, peer=0.021), Bar("shock_position", 90, goal=0.005)), (45, 90)),
+    PlaneProblem("sedov_sphere", "Sedov's spherical blast wave on square zones",
+                 partial(sedov, "axisymmetric", 0.851072 / (4.0 * np.pi)), 1.0, sedov_front,
+                 (Bar("shock_position", 45, goal=0.005, peer=0.021), Bar("shock_position", 90, goal=0.005)), (45, 90)),
     PlaneProblem("saltzman_skewed", "Saltzman's piston into skewed zones, at t = 0.6", saltzman, 0.6, saltzman_front,
                  (Bar("density_l1", 100, goal=0.09, peer=0.300), Bar("front_rms", 100, goal=1e-3, peer=1e-3),
                   Bar("velocity_across", 100, goal=0.05, peer=0.116)), (100,)),

@@ -26,8 +26,7 @@ class PlaneProblem(NamedTuple):
     stop       when it is measured
     measure    solver at the stop time -> {measure: value}
     bars       numbers to beat
-    zones      grids: zones along the first direction
-    limits     {measure: the value it must stay above}; all others must stay below their bars
+    zones      grids: zones along the first direction; of `noh_ring` and the like what its description says
     """
 
     name: str

@@ -64,8 +64,8 @@ def squeezed(solver):
     """Radii of both surfaces beside the exact ones, roundness, and how much of the energy the viscosity has made."""
     radius = np.hypot(solver.nodes[N.x], solver.nodes[N.y]).reshape(-1, 2, ANGLES + 1)
     scale, z = np.sqrt(1.0 - PART**2), solver.zones
-    return {"inner_radius": float(abs(radius[0, 0].mean() / (0.9 * scale) - 1.0)), "outer_radius": float(abs(radius[-1, 1].mean() / scale - 1.0)),
-            "asymmetry": float(np.ptp(radius, axis=2).max()),
+    return {"inner_radius": float(abs(radius[0, 0].mean() / (0.9 * scale) - 1.0)),
+            "outer_radius": float(abs(radius[-1, 1].mean() / scale - 1.0)), "asymmetry": float(np.ptp(radius, axis=2).max()),
             "viscous_work": float(abs(np.sum(z[Z.mass] * z[Z.viscous_work])) / np.sum(z[Z.mass] * z[Z.e]))}
 
 
