@@ -36,6 +36,19 @@ def test_uniform_pressure_held_from_outside_moves_nothing(geometry, scheme):
     assert solver.errors()["energy_error"] < 1e-14
 
 
+@pytest.mark.parametrize("geometry, scheme", SCHEMES)
+def test_a_pressure_on_one_face_pushes_along_the_axis(geometry, scheme):
+    """A plate under pressure on its lower face gains pressure times area times time, and every node of the face the same speed at first."""
+    plate = problem(box(4, 3, 0.8, 0.3, density=1.0, pressure=0.01), gas(), 1e-3,
+                    (Boundary2D(("b.bottom",), "pressure", Pulse("constant", 2.0)), *(walls("b.left") if geometry == "plane" else ())),
+                    geometry, scheme=scheme)
+    solver = ran(plate)
+    area = 0.8 if geometry == "plane" else 0.5 * 0.8**2
+    gained = np.sum(solver.nodes[N.own] * solver.nodes[N.v])
+    assert gained == pytest.approx(2.0 * area * 1e-3, rel=1e-6)
+    assert np.ptp(solver.nodes[N.v].reshape(5, 4)[:, 0]) < 1e-7
+
+
 @pytest.mark.parametrize("turn", [0.0, np.radians(37.0)])
 def test_a_linear_velocity_field_gives_its_own_rates(turn):
     """Strain rates and spin of a linear field are exact in the first step; so is the volume rate, to the order of the step."""
