@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from plane_builders import Boundary2D, Pulse, Viscosity2D, aluminium, box, gas, problem, ran, walls
 
+from hugoniot.errors import OutOfRange
 from hugoniot.laws.fracture.spall_stress import SpallStress
 from hugoniot.mesh.shapes import Curve, Edges, Sector
 from hugoniot.problem.model import Boundary, OutputOptions, Problem, Region, SolverOptions
@@ -112,12 +113,16 @@ def moving(material, **options):
     return problem(block, material, stop, sides, **options)
 
 
+EDGE, HERRMANN = Viscosity2D("edge"), Viscosity2D("herrmann", limited=False)
+
+
 @pytest.mark.parametrize("geometry, scheme", SCHEMES)
-@pytest.mark.parametrize("kind", ["gas", "solid", "spall"])
+@pytest.mark.parametrize("kind", ["gas", "solid", "spall", "edge", "herrmann"])
 def test_energy_and_momentum_are_kept(geometry, scheme, kind):
-    """To round-off in every geometry, with viscosity, filters, strength and failure; the area-weighted scheme keeps no axial momentum."""
-    material = {"gas": gas(), "solid": aluminium(), "spall": aluminium(fracture=SpallStress(0.5e9))}[kind]
-    solver = ran(moving(material, geometry=geometry, scheme=scheme))
+    """To round-off in every geometry, with each viscosity, filters, strength and failure; the area-weighted scheme keeps no axial momentum."""
+    material = {"gas": gas(), "spall": aluminium(fracture=SpallStress(0.5e9))}.get(kind) or aluminium()
+    viscosity = {"edge": EDGE, "herrmann": HERRMANN}.get(kind, Viscosity2D())
+    solver = ran(moving(material, geometry=geometry, scheme=scheme, viscosity=viscosity))
     errors = solver.errors()
     assert solver.cycle > 10
     assert errors["energy_error"] < 1e-12
@@ -144,8 +149,9 @@ def test_mirror_image(solid):
     assert ways[0].cycle == ways[1].cycle
 
 
+@pytest.mark.parametrize("kind", ["tensor", "edge"])
 @pytest.mark.parametrize("solid", [False, True])
-def test_a_moving_and_a_turned_frame_change_nothing(solid):
+def test_a_moving_and_a_turned_frame_change_nothing(solid, kind):
     """Galilean shift and a frame turned by 37 degrees: the same densities and energies, free boundaries and a pressure."""
     material = aluminium() if solid else gas()
     speed, stop = (300.0, 8e-5) if solid else (1.0, 0.2)
@@ -158,7 +164,8 @@ def test_a_moving_and_a_turned_frame_change_nothing(solid):
         velocity = VelocityField(base=base, gradient=tuple(map(tuple, gradient)))
         block = twisted(material.name, turn=turn, velocity=velocity, **state)
         pressure = Boundary2D(("b.top",), "pressure", Pulse("constant", 2e9 if solid else 0.8))
-        found.append(ran(problem(block, material, stop, (pressure,), initial_step=stop / 400, largest_step=stop / 300)))
+        found.append(ran(problem(block, material, stop, (pressure,), initial_step=stop / 400, largest_step=stop / 300,
+                                 viscosity=Viscosity2D(kind))))
     scale = found[0].zones[Z.e].max()
     for other in found[1:]:
         assert np.allclose(other.zones[Z.rho], found[0].zones[Z.rho], rtol=1e-9)
@@ -181,6 +188,34 @@ def test_blocks_that_share_nodes_are_one_block(cut, limited):
     field = parts.zones[Z.rho].reshape(2, *zones)
     assert np.allclose(np.concatenate(field, axis=0 if across else 1), whole.zones[Z.rho].reshape(8, 6), rtol=1e-12)
     assert parts.errors()["energy_error"] < 1e-13
+
+
+def test_herrmanns_viscosity_knows_the_axes_of_the_frame():
+    """A pure shear rate at 45 degrees is resisted twice as much as along the axes: the quadratic terms of B.20; it has no limiter."""
+    works = []
+    for gradient in (((-1.0, 0.0), (0.0, 1.0)), ((0.0, 1.0), (1.0, 0.0))):
+        block = box(4, 4, density=1.0, pressure=1e-6, velocity=VelocityField(gradient=gradient))
+        quadratic = Viscosity2D("herrmann", limited=False, linear=0.0)
+        works.append(ran(problem(block, gas(), 1e-3, viscosity=quadratic, initial_step=1e-3, largest_step=1e-3)))
+    axes, diagonal = (np.sum(work.zones[Z.mass] * work.zones[Z.viscous_work]) for work in works)
+    assert axes > 0.0 and diagonal / axes == pytest.approx(2.0, rel=0.01)
+    with pytest.raises(OutOfRange, match="no limiter"):
+        Lagrange2D(problem(box(2, 2, density=1.0, pressure=1.0), gas(), 1.0, viscosity=Viscosity2D("herrmann")))
+    with pytest.raises(OutOfRange, match="'tensor' or 'edge' or 'herrmann'"):
+        Lagrange2D(problem(box(2, 2, density=1.0, pressure=1.0), gas(), 1.0, viscosity=Viscosity2D("kb")))
+
+
+def test_the_edge_viscosity_keeps_a_polar_mesh_round():
+    """Noh's implosion on equal angles, in the plane and about the axis: rings stay rings."""
+    for geometry, plateau in (("plane", 16.0), ("axisymmetric", 64.0)):
+        block = Block2D("b", "gas", Sector((0.0, 0.0), (0.005, 1.0), (0.0, 0.5 * np.pi)), (40, 9), density=1.0, pressure=1e-10,
+                        velocity=VelocityField(radial=-1.0))
+        hole = Boundary2D(("b.left",), "velocity", Pulse("constant", 0.0), slip=False)
+        sides = walls("b.bottom", "b.top") if geometry == "plane" else walls("b.bottom")
+        solver = ran(problem(block, gas(), 0.6, (hole, *sides), geometry, scheme="area_weighted", viscosity=EDGE))
+        radius = np.hypot(solver.nodes[N.x], solver.nodes[N.y]).reshape(41, 10)
+        assert np.ptp(radius, axis=1).max() < 1e-10
+        assert 0.8 * plateau < solver.zones[Z.rho].max() < 1.05 * plateau
 
 
 def test_a_step_that_would_turn_a_zone_inside_out_is_repeated_smaller():

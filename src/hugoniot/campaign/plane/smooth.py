@@ -8,7 +8,7 @@ from hugoniot.problem.plane.model import Boundary2D, VelocityField
 from hugoniot.theory.exact.coggeshall import coggeshall
 from hugoniot.theory.exact.kidder import kidder
 
-ANGLES = 12
+ANGLES = 24
 COLLAPSE, PART = kidder().numbers["tau"], 0.9
 
 

@@ -91,7 +91,7 @@ class Lagrange2D(NothingToAdd):
         """(plan of the march, largest speed of a programmed front)."""
         materials, material_of = materials_of(self.problem, speed, self.options.near)
         tables = self._zones, self._charge, self._nodes, self.run.gradients
-        self.planner = Planner(tables, materials, G.KINDS[self.kind], self.problem.solver.viscosity.limited, self.problem.body_force,
+        self.planner = Planner(tables, materials, G.KINDS[self.kind], self.problem.solver.viscosity, self.problem.body_force,
                                self.team.threads, max(block.nj for block in mesh.blocks))
         compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs()])
         plan = self.planner.plan(zone_rows(mesh, self.numbering, material_of), node_rows(mesh, self.numbering))

@@ -214,12 +214,5 @@ def resist(count, z, dt, numbers, law):
         z.g.f3x[j], z.g.f3y[j] = n2x + p0x - n3x - p3x, n2y + p0y - n3y - p3y
 
 
-def write(s, solid):
-    """Write how the viscous stress in the middle of the step is found, from the density row `solid`."""
-    z, w, at = s.at.z, s.at.w, s.at
-    s.do(resist, ResistOf(at.mid_low, at.mid_high, Tensor(at.d.xx, at.d.yy, at.d.xy), at.smooth, w.v, z.c, w.p, solid,
-                          Tensor(at.coming.xx, at.coming.yy, at.coming.xy), at.rest, z.viscous_speed, w.rate), law=s.laws.viscosity)
-
-
 for _function in (metric_of, kept, counted, along_edges, in_corner, corner_force):
     bind(_function)
