@@ -51,7 +51,7 @@ class MemoryRun:
             flat = self.problem.solver.kind == "lagrange2d"
             self._gauges.append((times, values if flat else without_mixtures(values, self.problem.gauges)))
 
-    def snapshot(self, state) -> None:
+    def motion(self, state) -> None:
         """Keep the motion."""
         self._shots.append({"time": state.time, **{name: value for name, value in state.fields().items() if name.startswith(_KEPT)}})
 
