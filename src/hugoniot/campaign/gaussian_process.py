@@ -45,11 +45,11 @@ class Process:
 
     def mean(self, at: np.ndarray) -> np.ndarray:
         """The expected values (m,) at points (m, d)."""
-        return self.middle + self.scale * (_smooth(self.theta, at, self.points)[0] @ self.alpha)
+        return self.middle + self.scale * (_smooth(self.theta, at, self.points) @ self.alpha)
 
     def deviation(self, at: np.ndarray) -> np.ndarray:
         """Standard deviation (m,) of what a run would answer at points (m, d), jumps included."""
-        towards = _smooth(self.theta, at, self.points)[0]
+        towards = _smooth(self.theta, at, self.points)
         height, jump = np.exp(2.0 * self.theta[-2:])
         own = STRAIGHT**2 * (1.0 + np.sum(at**2, axis=1)) + height + jump
         known = np.sum(linalg.solve_triangular(self.lower, towards.T, lower=True) ** 2, axis=0)
@@ -75,22 +75,21 @@ def process_through(points: np.ndarray, values: np.ndarray) -> Process:
     return Process(points, middle, scale, found.x, lower, linalg.cho_solve((lower, True), wanted))
 
 
-def _smooth(theta: np.ndarray, here: np.ndarray, there: np.ndarray):
-    """(covariance without jumps (m, n), Matern's part of it, its derivative to the logarithm of each length (d, m, n))."""
-    lengths, height = np.exp(theta[:-2]), np.exp(2.0 * theta[-2])
-    apart = (here[:, None, :] - there[None, :, :]) / lengths
-    squares = np.moveaxis(apart**2, 2, 0)
-    r = np.sqrt(squares.sum(axis=0))
-    fall = height * np.exp(-_ROOT5 * r)
-    matern = fall * (1.0 + _ROOT5 * r + 5.0 / 3.0 * r**2)
-    return STRAIGHT**2 * (1.0 + here @ there.T) + matern, matern, 5.0 / 3.0 * fall * (1.0 + _ROOT5 * r) * squares
+def _smooth(theta: np.ndarray, here: np.ndarray, there: np.ndarray) -> np.ndarray:
+    """The covariance without jumps between points (m, d) and (n, d), (m, n)."""
+    apart = (here[:, None, :] - there) * np.exp(-theta[:-2])
+    r = np.sqrt(5.0 * np.einsum("mnd,mnd->mn", apart, apart))
+    return STRAIGHT**2 * (1.0 + here @ there.T) + math.exp(2.0 * theta[-2]) * (1.0 + r + r**2 / 3.0) * np.exp(-r)
 
 
 def _covariance(theta: np.ndarray, points: np.ndarray):
     """(covariance of the values (n, n), its derivatives to theta (d + 2, n, n))."""
-    smooth, matern, slopes = _smooth(theta, points, points)
-    jumps = math.exp(2.0 * theta[-1]) * np.eye(len(points))
-    return smooth + jumps, np.concatenate([slopes, [2.0 * matern, 2.0 * jumps]])
+    squares = 5.0 * np.moveaxis(((points[:, None, :] - points) * np.exp(-theta[:-2])) ** 2, 2, 0)
+    r = np.sqrt(squares.sum(axis=0))
+    fall = math.exp(2.0 * theta[-2]) * np.exp(-r)
+    matern, jumps = fall * (1.0 + r + r**2 / 3.0), math.exp(2.0 * theta[-1]) * np.eye(len(points))
+    slopes = fall * (1.0 + r) / 3.0 * squares
+    return STRAIGHT**2 * (1.0 + points @ points.T) + matern + jumps, np.concatenate([slopes, [2.0 * matern, 2.0 * jumps]])
 
 
 def _surprise(theta: np.ndarray, points: np.ndarray, wanted: np.ndarray) -> tuple[float, np.ndarray]:

@@ -17,7 +17,7 @@ from hugoniot.campaign.gaussian_process import Process, process_through
 from hugoniot.errors import NoSolution
 
 REACH = 4.0            # standard deviations to each side of the minimum
-KEPT = 1e-6            # of a record's variance over the sample, that may be left out with the smaller shapes
+LEFT_OUT = 0.02        # of the data's standard deviation: what the shapes that are left out may add up to, root mean square
 MOST_SHAPES = 12
 GOOD_ENOUGH = 0.5      # of the logarithm of the probability: its error, root mean square, where the probability is not small
 RUNS_PER_PARAMETER = 24
@@ -79,7 +79,11 @@ def surrogate_of(problem: Problem, best: np.ndarray, covariance: np.ndarray, run
     axes = REACH * narrowed[:, None] * np.linalg.cholesky(covariance[:count, :count])
     z, answers = _sampled(problem, best, axes, runs or RUNS_PER_PARAMETER * count, seed)
     numbers = {t.name: process_through(z, np.array([a["numbers"][t.name] for a in answers])) for t in problem.targets if t.clock < 0}
-    records = {name: _shapes(z, answers, name) for name in dict.fromkeys(t.name for t in problem.targets if t.clock >= 0)}
+    finest: dict[str, float] = {}
+    for t in problem.targets:
+        if t.clock >= 0:
+            finest[t.name] = min(finest.get(t.name, math.inf), float(t.sigma.min()))
+    records = {name: _shapes(z, answers, name, LEFT_OUT * sigma) for name, sigma in finest.items()}
     away = z @ axes.T
     clocks = np.linalg.solve(covariance[:count, :count], covariance[:count, count:])     # how shifts and scales follow the constants
     points = np.clip(best + np.hstack([away, away @ clocks]), *problem.ends)
@@ -108,13 +112,14 @@ def _sampled(problem: Problem, best: np.ndarray, axes: np.ndarray, runs: int, se
     return z[sound], [answers[k] for k in sound]
 
 
-def _shapes(z: np.ndarray, answers: list[dict], name: str) -> _Shapes:
+def _shapes(z: np.ndarray, answers: list[dict], name: str, left_out: float) -> _Shapes:
+    """What stands for one record; the smaller shapes, which add up to `left_out`, are not kept."""
     times = min((a["records"][name][0] for a in answers), key=len)
     values = np.array([np.interp(times, *a["records"][name]) for a in answers])
     mean = values.mean(axis=0)
     left, size, shapes = np.linalg.svd(values - mean, full_matrices=False)
-    rest = 1.0 - np.cumsum(size**2) / max(float(np.sum(size**2)), 1e-300)
-    kept = min(int(np.argmax(rest < KEPT)) + 1, MOST_SHAPES)
+    rest = np.append(np.cumsum(size[::-1] ** 2)[::-1], 0.0) / values.size
+    kept = int(np.clip(np.argmax(rest <= left_out**2), 1, MOST_SHAPES))
     return _Shapes(times, mean, shapes[:kept], tuple(process_through(z, left[:, k] * size[k]) for k in range(kept)))
 
 

@@ -104,6 +104,21 @@ def test_a_straight_line_has_the_posterior_of_the_textbook(straight, kind, runs)
     assert width[0] > 0.8 and width[1] < 6.0 * 0.01 / np.sqrt(TIMES.size) * np.sqrt(2.0)
 
 
+def test_every_pair_is_drawn_and_what_runs_predict(straight, tmp_path):
+    from hugoniot.plotting.eos import save
+    from hugoniot.plotting.posterior import corner_figure, draw_predictive
+    from hugoniot.plotting.style import new_panels
+
+    p = found(straight[0], "surrogate", 24)
+    figure = corner_figure(p)
+    assert [ax.get_visible() for ax in figure.axes] == [True, False, True, True]
+    save(figure, tmp_path / "corner.png")
+    axes = new_panels(1, 1, 4.0, 3.0)
+    sigma = np.full(TIMES.size, 0.01)
+    draw_predictive(axes[0, 0], ("record", "g.velocity", "m/s", TIMES, straight[0], sigma, straight[0]), p.prior[0], p.predicted[0])
+    assert (tmp_path / "corner.png").stat().st_size > 5000 and axes[0, 0].get_ylabel() == "particle velocity (m/s)"
+
+
 def test_draws_come_again_with_their_seed(straight):
     assert np.array_equal(found(straight[0], "surrogate", 24).draws, found(straight[0], "surrogate", 24).draws)
 
@@ -151,6 +166,7 @@ def test_a_short_walk_and_a_cut_range_are_reported(straight):
 
 
 # -- with runs -----------------------------------------------------------------------------------------------------------
+@pytest.mark.slow
 def test_a_record_over_a_surrogate(deck, tmp_path, inline, monkeypatch):
     deck.write_text(deck.read_text().replace('"0.5 us"', '"1.5 us"'))
     data = written(tmp_path / "visar.csv", *record(deck, sigma=25.0))
@@ -176,6 +192,7 @@ def test_a_record_over_a_surrogate(deck, tmp_path, inline, monkeypatch):
     assert "<h2>Posterior</h2>" in page and "predictive-0" in page
 
 
+@pytest.mark.slow
 def test_a_spall_strength_over_the_runs(deck, tmp_path, inline):
     """A sharp criterion answers in jumps: a surrogate would smooth them, and refuses; the runs themselves do not."""
     deck.write_text(deck.read_text().replace('"0.5 us"', '"1.5 us"'))
