@@ -2,6 +2,7 @@
 
 import json
 import math
+import pathlib
 
 import numpy as np
 import pytest
@@ -151,6 +152,24 @@ def test_numbers_and_windows_and_uncertainties_of_the_file(deck, tmp_path, inlin
                          window=["0.39..0.9 us"], starts=1, shift="20 ns")
     assert found["value"].sel(parameter="region.flyer.velocity") == pytest.approx(720.0, abs=6.0)
     assert found.attrs["matches"] == 1 and found.attrs["degrees_of_freedom"] == 100 + 1 - 2 and "stop_time" in found.attrs["deck"]
+
+
+@pytest.mark.slow
+def test_a_wall_seen_by_a_streak_camera_gives_the_tube_back(tmp_path, inline):
+    """A record of two dimensions: a short cylinder test, and the density of its tube from the place of the wall."""
+    text = (pathlib.Path(__file__).parents[3] / "examples" / "cylinder-test.toml").read_text()
+    for old, new in (("220 mm", "40 mm"), ("[8, 140]", "[4, 20]"), ("[3, 140]", "[2, 20]"), ("27.5 us", "10 us"), ("100 mm", "20 mm")):
+        text = text.replace(old, new)
+    deck = tmp_path / "cylinder.toml"
+    deck.write_text(text)
+    run = MemoryRun(Deck(text, deck.name).read({"material.tube.eos.rho0": "9200 kg/m^3"}).problem)
+    time, place = run.gauge("line_position", "streak at 20 mm")
+    late = time > 2e-6
+    seen = place[late] + 2e-5 * np.random.default_rng(0).standard_normal(int(late.sum()))
+    data = written(tmp_path / "streak.csv", time[late], 1e3 * seen, "time [us], streak at 20 mm line_position [mm]")
+    fit = run_fit(deck, FitWishes([data], ["material.tube.eos.rho0 = 8.5..9.8 g/cm^3"], sigma="0.02 mm", starts=1, local=True), False,
+                  engine=inline).fit
+    assert abs(fit.parameters[0].value - 9200.0) < 4.0 * fit.parameters[0].sigma < 60.0 and fit.matches
 
 
 @pytest.mark.parametrize("wishes, words", [
