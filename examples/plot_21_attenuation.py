@@ -69,6 +69,6 @@ axes[0].set_ylim(0.6, 1.1)
 for speed in SPEEDS:
     thick = velocity.sel({"region.flyer.velocity": 1000.0 * speed, "thickness": 13.0}) / (1000.0 * speed)
     soft, hard = (float(thick.sel({"material.al.strength.yield_stress": strength})) for strength in (0.0, 0.276e9))
-    print(f"{speed} km/s: caught at {caught(speed, False):.2f} flyers without strength, {caught(speed, True):.2f} with")
+    print(f"{speed} km/s: the release catches the shock at {caught(speed, False):.2f} flyers, an elastic one at {caught(speed, True):.2f}")
     print(f"{speed} km/s, target 13 flyers thick: {soft:.3f} without strength, {hard:.3f} with")
 assert np.isfinite(velocity).all()
