@@ -48,7 +48,7 @@ def test_a_cluster_gives_the_table_of_one_process(deck, tmp_path, inline):
     wishes = Wishes(vary=["region.flyer.velocity = 400..900 m/s : 12"])
     run_sweep(deck, wishes, tmp_path / "inline", engine=inline, report=False)
     wanted = [(tmp_path / "inline" / name).read_bytes() for name in (CASES, TABLE)]
-    for workers in (1, 2):
+    for workers in (1, 2, 4):
         out = tmp_path / str(workers)
         run_sweep(deck, wishes, out, engine=engine_of("dask", workers=workers), report=False)
         assert [(out / name).read_bytes() for name in (CASES, TABLE)] == wanted
