@@ -17,13 +17,13 @@ BONDED, SLIDING, SEPARABLE = range(3)
 LAW_KIND, LAW_FRICTION, LAW_STRENGTH, LAW_TIES = range(4)                      # ties: whether the point's side is the one that is tied
 PAIR_POINT, PAIR_EDGE, PAIR_ACTIVE = range(3)
 # impulses along the normal and the tangent; share of the edge; normal; least normal velocity, tangential aim; inverse masses; gap at the
-# start of the step; impulses of the last step
-(LAMBDA, TAU, SHARE, NX, NY, LEAST, AIM, WN, WT, GAP, LAST, LAST_TAU) = range(12)
-PAIR_FLOATS = 12
+# start of the step; impulses of the last step; of a relaxation: impulses before a sweep, direction of search
+(LAMBDA, TAU, SHARE, NX, NY, LEAST, AIM, WN, WT, GAP, LAST, LAST_TAU, OLD, OLD_TAU, WAY, WAY_TAU) = range(16)
+PAIR_FLOATS = 16
 OFF, ON, FRESH = range(3)      # PAIR_ACTIVE
 FREE, BOUND, BROKEN = range(3)
 BOND_STATE, BOND_EDGE = range(2)
-BOND_SHARE, BOND_X, BOND_Y, BOND_AIM_X, BOND_AIM_Y = range(5)
+BOND_SHARE, BOND_X, BOND_Y, BOND_AIM_X, BOND_AIM_Y, BOND_OLD_X, BOND_OLD_Y, BOND_WAY_X, BOND_WAY_Y, BOND_WX, BOND_WY = range(11)
 # of a point: force of the last step, distance slid
 FORCE_X, FORCE_Y, SLID = range(3)
 # numbers: reach of the search, mean edge, heat of closing, work of friction, deepest place of a node behind a surface over the edge

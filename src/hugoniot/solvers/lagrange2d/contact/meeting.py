@@ -15,6 +15,7 @@ DEEP = 0.05          # of an edge: a point that was deeper behind it at the star
 FACING = -0.1        # cosine between the outward normals of point and edge
 BEYOND = 0.5         # of an edge: how far it bounds the free space beyond a hollow corner
 EDGE_END = 1e-6
+OVERHANG = 0.1       # of an edge: how far beyond its ends forces may act on it, so that they have no moment
 KEPT_DEPTH = 0.9     # of the depth at the start of a step may be left at its end
 CLOSED = 1e-3        # of an edge: a gap that a bond bridges
 
@@ -169,7 +170,7 @@ def ask_closing(c, nodes, dt):
         if c.pairs[k, C.PAIR_ACTIVE] == C.ON:
             p, e, q = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE], c.pair_numbers[k]
             gap, share, q[C.NX], q[C.NY], _ = seen(c, nodes, p, e, 0, C.U, 0.0)
-            q[C.SHARE] = min(max(share, 0.0), 1.0)
+            q[C.SHARE] = min(max(share, -OVERHANG), 1.0 + OVERHANG)
             q[C.LEAST], q[C.AIM] = -max(gap, 0.0) / dt, 0.0
             weigh(c, p, e, q)
 
@@ -182,7 +183,7 @@ def ask_mean(c, nodes, dt):
             p, e, q = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE], c.pair_numbers[k]
             gap, _, _, _, _ = seen(c, nodes, p, e, 0, C.U, dt)
             _, share, q[C.NX], q[C.NY], _ = seen(c, nodes, p, e, 0, C.U, 0.5 * dt)
-            q[C.SHARE] = min(max(share, 0.0), 1.0)
+            q[C.SHARE] = min(max(share, -OVERHANG), 1.0 + OVERHANG)
             u, v = relative(c, p, e, q[C.SHARE], C.U, C.V)
             wanted = KEPT_DEPTH * min(q[C.GAP], 0.0)
             q[C.LEAST] = u * q[C.NX] + v * q[C.NY] + (wanted - gap) / dt

@@ -23,6 +23,7 @@ from hugoniot.solvers.lagrange2d.contact.search import needed, search
 READY, CLOSE, PUSH_MIDDLE, PUSH, MOVE, TAKE_BACK, ACCEPT = range(7)
 X, U, XH, UM, IM = 0, 2, 4, 6, 12      # rows of the node table
 ROUNDS = 4                             # of finding who meets and what follows
+TURNS = 3
 NEGLIGIBLE = 1e-14                     # of the mean edge in a step: velocities below are round-off
 
 
@@ -88,6 +89,10 @@ def solve(c, nodes, dt, closing):
             ask_mean(c, nodes, dt)
         restart(c, part)
         relax(c, part, least)
+    if touched and not closing:
+        for again in range(TURNS):      # directions of the middle of the step as it has come out: forces without moment
+            ask_mean(c, nodes, dt)
+            restart(c, part)
     return touched
 
 

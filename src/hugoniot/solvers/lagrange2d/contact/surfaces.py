@@ -161,7 +161,7 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
     totals[C.MEAN_EDGE] = surfaces.mean
     return C.Contact(
         points, edges, movers, numbers, sizes.astype(np.int64), np.array([k for c in surfaces.copies for k in c], dtype=np.int64), law_of, laws,
-        np.zeros((room, 3), dtype=np.int64), np.zeros((room, C.PAIR_FLOATS)), np.zeros((count, 2), dtype=np.int64), np.zeros((count, 5)),
+        np.zeros((room, 3), dtype=np.int64), np.zeros((room, C.PAIR_FLOATS)), np.zeros((count, 2), dtype=np.int64), np.zeros((count, 11)),
         np.zeros((count, 3)), np.zeros(4 * len(edges) + 17, dtype=np.int64), np.zeros(len(edges), dtype=np.int64), np.zeros((count, 2)),
         totals, np.zeros(6, dtype=np.int64), zones, speeds, tables)
 
