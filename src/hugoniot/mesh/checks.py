@@ -9,7 +9,6 @@ from hugoniot.errors import HugoniotError
 from hugoniot.mesh import joining
 from hugoniot.mesh.shapes import SIDES
 
-
 TOUCHING = 0.02     # of an edge: a node of a curved surface this near the other body's polygon touches it
 
 

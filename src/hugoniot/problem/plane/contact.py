@@ -6,6 +6,8 @@ import numpy as np
 
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.mesh.blocks import Blocks
+from hugoniot.mesh.checks import TOUCHING
+from hugoniot.mesh.joining import distance_to_edges, inside
 from hugoniot.problem.boundaries import pulse_value, read_pulse
 from hugoniot.problem.plane.contact_model import Contact2D, Rigid2D
 from hugoniot.problem.plane.edges import unit_vector
@@ -22,7 +24,8 @@ def read_contacts(rows: Sequence, blocks: Sequence[str], rigid: Sequence[str], c
             if row.kind == "separable":
                 collector.add((*path, "strength"), "missing", 'such as strength = "50 MPa"')
             else:
-                collector.add((*path, "strength"), f"has no meaning in contact of kind {row.kind}", 'write kind = "separable", or leave it out')
+                hint = 'write kind = "separable", or leave it out'
+                collector.add((*path, "strength"), f"has no meaning in contact of kind {row.kind}", hint)
         if row.kind == "bonded" and row.friction > 0.0:
             collector.add((*path, "friction"), "has no meaning in contact of kind bonded, which does not slide", "leave it out")
         for name in row.between or ():
@@ -66,7 +69,8 @@ def read_rigid(rows: Sequence, axes, blocks: Sequence[str], collector: Collector
             continue
         path, before = ("rigid", i), len(collector.problems)
         if row.name in names or row.name != row.name.strip() or not row.name.isprintable():
-            collector.add((*path, "name"), f"'{printable(row.name)}' is taken or cannot be a name", "names of blocks and rigid bodies differ")
+            message = f"'{printable(row.name)}' is taken or cannot be a name"
+            collector.add((*path, "name"), message, "names of blocks and rigid bodies differ")
         names.add(row.name)
         if len(set(row.points)) < len(row.points):
             collector.add((*path, "points"), "has a point twice", "closed = true joins the last point to the first")
@@ -82,6 +86,25 @@ def read_rigid(rows: Sequence, axes, blocks: Sequence[str], collector: Collector
                 direction = (0.0, 1.0)
             found.append(Rigid2D(row.name, row.points, row.closed, pulse, row.mass, row.start or (0.0, 0.0), direction))
     return tuple(found)
+
+
+def check_overlap(rigid: Sequence[Rigid2D], mesh: Blocks | None, collector: Collector) -> None:
+    """Report closed rigid bodies with material inside them, or inside of material."""
+    for i, body in enumerate(rigid if mesh is not None else ()):
+        if not body.closed:
+            continue
+        ring = np.array(body.points).T
+        for block in mesh.blocks:
+            around = np.concatenate([a[:-1] for a in (block.nodes[:, 0], block.nodes[-1], block.nodes[::-1, -1], block.nodes[0, ::-1])])
+            own = mesh.nodes[:, around]
+            for points, polygon in ((own, ring), (ring, own)):
+                away, _ = distance_to_edges(points, polygon, np.roll(polygon, -1, axis=1))
+                covered = inside(points, polygon) & (away > TOUCHING)
+                if covered.any():
+                    x, y = points[:, covered][:, 0]
+                    collector.add(("rigid", i, "points"), f"overlaps block '{block.name}' near ({x:.6g}, {y:.6g}) m",
+                                  "bodies may touch at the start")
+                    break
 
 
 def _check_motion(row, axes, collector: Collector, path: tuple) -> None:
@@ -103,7 +126,7 @@ def contact_tables(contacts: Sequence[Contact2D]) -> list[dict]:
     """Tables [[contact]] of a deck."""
     rows = [{"between": None if c.between is None else list(c.between), "kind": c.kind, "friction": c.friction, "strength": c.strength}
             for c in contacts]
-    return [{key: value for key, value in row.items() if value is not None and (key != "friction" or row["kind"] != "bonded")} for row in rows]
+    return [{key: value for key, value in row.items() if value is not None and (key, row["kind"]) != ("friction", "bonded")} for row in rows]
 
 
 def rigid_tables(rigid: Sequence[Rigid2D]) -> list[dict]:

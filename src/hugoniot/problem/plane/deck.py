@@ -13,7 +13,7 @@ from hugoniot.problem.boundaries import pulse_value
 from hugoniot.problem.lagrangian import MOST_ZONES, _output
 from hugoniot.problem.model import OutputOptions
 from hugoniot.problem.plane import explosives, geometry
-from hugoniot.problem.plane.contact import check_bodies, contact_tables, read_contacts, read_rigid, rigid_tables
+from hugoniot.problem.plane.contact import check_bodies, check_overlap, contact_tables, read_contacts, read_rigid, rigid_tables
 from hugoniot.problem.plane.contact_model import apart
 from hugoniot.problem.plane.edges import read_boundaries, read_gauges, read_lighting
 from hugoniot.problem.plane.model import Block2D, Problem2D, Solver2D, Viscosity2D
@@ -46,6 +46,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     contacts = read_contacts(rows, names, [body.name for body in rigid], collector)
     mesh = _mesh(blocks, axes, contacts, collector) if complete else None
     check_bodies(contacts, rows, mesh, rigid, collector)
+    check_overlap(rigid, mesh, collector)
     boundaries = read_boundaries(_parts(BoundaryTable, raw.get("boundary")), mesh, collector)
     gauges = read_gauges(_parts(GaugeTable, raw.get("gauge")), mesh, collector)
     lighting = read_lighting(_parts(LightingTable, raw.get("lighting")), axes, collector)

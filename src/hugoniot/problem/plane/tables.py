@@ -198,7 +198,8 @@ class ContactTable(Table):
     kind: Literal["sliding", "bonded", "separable"] = Field(
         "sliding", description="sliding; bonded for good where they touch; or bonded up to a strength and sliding then")
     friction: Plain = Field(Contact2D.friction, description="Coulomb coefficient of what slides")
-    strength: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(None, description="of kind separable: tension at which a bond breaks")
+    strength: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(
+        None, description="of kind separable: tension at which a bond breaks")
 
 
 class RigidTable(Table):
@@ -210,7 +211,7 @@ class RigidTable(Table):
     velocity: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "m/s"})] = Field(
         None, description="driven along direction: a value or a pulse (default: at rest)")
     mass: Annotated[float, Quantity("kg", above=0.0)] | None = Field(
-        None, description="free to move, without turning: kg per metre of depth in the plane, kg of the whole ring in axisymmetric geometry")
+        None, description="free, but does not turn: kg per metre of depth in the plane, kg of the whole ring in axisymmetric geometry")
     start: Speeds | None = Field(None, description="velocity at t = 0 of a body with mass")
     direction: Direction | None = Field(None, description="along which it moves, or is guided if it has a mass (default: any)")
 

@@ -124,7 +124,7 @@ def accept(c, nodes, dt, options):
         m = c.points[p, C.POINT_MOVER]
         if c.movers[m, C.MOVER_RIGID] < 0:
             c.of_points[p, C.FORCE_X], c.of_points[p, C.FORCE_Y] = c.mover_numbers[m, C.JX] / dt, c.mover_numbers[m, C.JY] / dt
-    remember(c)
+    remember(c, dt)
     break_bonds(c, nodes, dt, options)
 
 

@@ -7,7 +7,8 @@ an edge of another stretch of surface that it may meet.
 
 from typing import Any, NamedTuple
 
-POINT_NODE, POINT_MOVER, POINT_PART, POINT_BEFORE, POINT_AFTER = range(5)      # node column; edges that end and start there (-1: none)
+# node column; edges that end and start there (-1: none); the first of its pairs, after the last search
+POINT_NODE, POINT_MOVER, POINT_PART, POINT_BEFORE, POINT_AFTER, POINT_FIRST = range(6)
 EDGE_A, EDGE_B, EDGE_PART, EDGE_ZONE = range(4)                                # points; block, or blocks + rigid body; zone behind (-1: none)
 MOVER_NODE, MOVER_RIGID, MOVER_CHAIN_1, MOVER_CHAIN_2, MOVER_PULSE = range(5)  # rigid body (-1: a node); chains that hold it; what drives it
 # inverse mass; the directions that hold it (unit, 0: none) and the projector on what they leave; velocity, the one before; impulse
@@ -23,12 +24,12 @@ PAIR_FLOATS = 16
 OFF, ON, FRESH = range(3)      # PAIR_ACTIVE
 FREE, BOUND, BROKEN = range(3)
 BOND_STATE, BOND_EDGE = range(2)
-BOND_SHARE, BOND_X, BOND_Y, BOND_AIM_X, BOND_AIM_Y, BOND_OLD_X, BOND_OLD_Y, BOND_WAY_X, BOND_WAY_Y, BOND_WX, BOND_WY = range(11)
+BOND_SHARE, BOND_X, BOND_Y, BOND_AIM_X, BOND_AIM_Y, BOND_OLD_X, BOND_OLD_Y, BOND_WAY_X, BOND_WAY_Y, BOND_WX, BOND_WY, BOND_LAST_X, BOND_LAST_Y = range(13)
 # of a point: force of the last step, distance slid
 FORCE_X, FORCE_Y, SLID = range(3)
 # numbers: reach of the search, mean edge, heat of closing, work of friction, deepest place of a node behind a surface over the edge
-REACH, MEAN_EDGE, HEAT, FRICTION, DEEPEST = range(5)
-PAIRS, SEARCHES, SWEEPS, MEETINGS, BROKEN_BONDS, FULL = range(6)
+REACH, MEAN_EDGE, HEAT, FRICTION, DEEPEST, LAST_STEP = range(6)
+PAIRS, SEARCHES, SWEEPS, MEETINGS, BROKEN_BONDS, FULL, OLD_PAIRS = range(7)
 
 
 class Contact(NamedTuple):
@@ -36,6 +37,7 @@ class Contact(NamedTuple):
 
     copies_start, copies   node columns that are one with each mover's
     law_of                 (part, part): index of the law between them
+    old_pairs, old_numbers   the pairs before the last search
     cells, sorted_edges    of the search: first edge of each cell, edges by cell
     since                  (point, 2): where points stood at the last search
     zones                  table of zones, for the heat
@@ -52,6 +54,8 @@ class Contact(NamedTuple):
     laws: Any
     pairs: Any
     pair_numbers: Any
+    old_pairs: Any
+    old_numbers: Any
     bonds: Any
     bond_numbers: Any
     of_points: Any
@@ -71,4 +75,4 @@ class Nowhere(NamedTuple):
     none: int = 0
 
 
-KEPT = ("pairs", "pair_numbers", "bonds", "bond_numbers", "of_points", "since", "numbers", "counts")      # in checkpoints
+KEPT = ("points", "pairs", "pair_numbers", "bonds", "bond_numbers", "of_points", "since", "numbers", "counts")      # in checkpoints

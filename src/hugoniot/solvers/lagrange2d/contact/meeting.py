@@ -7,20 +7,23 @@ bound the space that is free, beyond the corner too.
 
 import numba as nb
 
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import GUARD, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.impulses import inverse_mass, movers, relative
 
+SLACK = 1e-7         # of an edge: what closes by less in a step is left to the forces
+SAME_PLACE = 1e-6    # of an edge
+STRAIGHT = 0.999     # cosine between edges that bound the same half of the plane
 DEEP = 0.05          # of an edge: a point that was deeper behind it at the start of a step did not come through it
 FACING = -0.1        # cosine between the outward normals of point and edge
 BEYOND = 0.5         # of an edge: how far it bounds the free space beyond a hollow corner
 EDGE_END = 1e-6
-OVERHANG = 0.1       # of an edge: how far beyond its ends forces may act on it, so that they have no moment
+OVERHANG = 0.5       # of an edge: how far beyond its ends forces may act on it, so that they have no moment
 KEPT_DEPTH = 0.9     # of the depth at the start of a step may be left at its end
 CLOSED = 1e-3        # of an edge: a gap that a bond bridges
 
 
-@nb.njit(**GUARD)
+@nb.njit(**INLINE)
 def seen(c, nodes, p, e, row, drift_row, dt):
     """(gap, share, normal, length) of a point and an edge, from positions in `row` moved by dt times the velocities in `drift_row`."""
     k, a, b = (c.points[p, C.POINT_NODE], c.points[c.edges[e, C.EDGE_A], C.POINT_NODE], c.points[c.edges[e, C.EDGE_B], C.POINT_NODE])
@@ -94,11 +97,14 @@ def tied(c, p, e):
 
 
 @nb.njit(**GUARD)
-def meets(c, nodes, k, dt):
-    """Whether the pair k, with the velocities found so far, is behind its edge at the end of the step; keeps the gap at its start."""
+def meets(c, nodes, k, dt, slack):
+    """Whether the pair k, with the velocities found so far, is behind its edge at the end of the step by more than `slack` of the edge.
+
+    Keeps the gap at the start of the step, and the share of the edge at its end.
+    """
     p, e = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE]
     gap, share, _, _, length = seen(c, nodes, p, e, 0, C.U, dt)
-    if gap >= 0.0:
+    if gap >= -slack * length:
         return False
     before, _, nx, ny, _ = seen(c, nodes, p, e, 0, C.U, 0.0)
     if before < -DEEP * length or not over_edge(c, nodes, e, share) or tied(c, p, e):
@@ -106,8 +112,38 @@ def meets(c, nodes, k, dt):
     x, y = point_normal(c, nodes, p)
     if x * nx + y * ny > FACING:
         return False
-    c.pair_numbers[k, C.GAP] = before
+    c.pair_numbers[k, C.GAP], c.pair_numbers[k, C.SHARE] = before, share
     return True
+
+
+@nb.njit(**INLINE)
+def faced(c, k):
+    """The point at the end of an edge that the point of pair k faces exactly; -1 if none."""
+    e, share = c.pairs[k, C.PAIR_EDGE], c.pair_numbers[k, C.SHARE]
+    return c.edges[e, C.EDGE_A] if abs(share) < SAME_PLACE else c.edges[e, C.EDGE_B] if abs(share - 1.0) < SAME_PLACE else -1
+
+
+@nb.njit(**GUARD)
+def said_already(c, nodes, k, first):
+    """Whether a pair of two nodes that face each other exactly stands in the list: with the next edge, or from the other side."""
+    p, other = c.pairs[k, C.PAIR_POINT], faced(c, k)
+    if other < 0:
+        return False
+    ax, ay = edge_way(c, nodes, c.pairs[k, C.PAIR_EDGE])
+    for m in range(first, k):
+        if c.pairs[m, C.PAIR_ACTIVE] != C.OFF and faced(c, m) == other:
+            bx, by = edge_way(c, nodes, c.pairs[m, C.PAIR_EDGE])
+            if ax * bx + ay * by > STRAIGHT:
+                return True
+    if other < p:
+        m = c.points[other, C.POINT_FIRST]
+        while m < k and c.pairs[m, C.PAIR_POINT] == other:
+            if c.pairs[m, C.PAIR_ACTIVE] != C.OFF and faced(c, m) == p:
+                bx, by = edge_way(c, nodes, c.pairs[m, C.PAIR_EDGE])
+                if ax * bx + ay * by < -STRAIGHT:
+                    return True
+            m += 1
+    return False
 
 
 @nb.njit(**GUARD)
@@ -130,11 +166,11 @@ def other_way(c, nodes, k, first):
 @nb.njit(**GUARD)
 def activate(c, nodes, dt, closing):
     """Add pairs that meet to those that are active, with their impulses of the last step unless it is `closing`; whether there were any."""
-    found, k, last = False, 0, c.counts[C.PAIRS]
+    found, k, last, slack = False, 0, c.counts[C.PAIRS], SLACK if closing else 0.0
     while k < last:
         p, first, fresh = c.pairs[k, C.PAIR_POINT], k, False
         while k < last and c.pairs[k, C.PAIR_POINT] == p:
-            if c.pairs[k, C.PAIR_ACTIVE] == C.OFF and meets(c, nodes, k, dt):
+            if c.pairs[k, C.PAIR_ACTIVE] == C.OFF and meets(c, nodes, k, dt, slack) and not said_already(c, nodes, k, first):
                 q, c.pairs[k, C.PAIR_ACTIVE], fresh = c.pair_numbers[k], C.FRESH, True
                 q[C.LAMBDA], q[C.TAU] = (0.0, 0.0) if closing else (q[C.LAST], q[C.LAST_TAU])
             k += 1
@@ -156,8 +192,12 @@ def forget(c):
 
 
 @nb.njit(**GUARD)
-def remember(c):
+def remember(c, dt):
     """Keep the impulses of this step for the next one."""
+    c.numbers[C.LAST_STEP] = dt
+    for p in range(c.bonds.shape[0]):
+        q = c.bond_numbers[p]
+        q[C.BOND_LAST_X], q[C.BOND_LAST_Y] = q[C.BOND_X], q[C.BOND_Y]
     for k in range(c.counts[C.PAIRS]):
         q, on = c.pair_numbers[k], c.pairs[k, C.PAIR_ACTIVE] == C.ON
         q[C.LAST], q[C.LAST_TAU] = (q[C.LAMBDA], q[C.TAU]) if on else (0.0, 0.0)

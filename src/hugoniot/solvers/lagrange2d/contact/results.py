@@ -19,6 +19,8 @@ class ContactResults:
         self.count = problem.mesh.nodes.shape[1]
         points, edges = np.array(surfaces.points, dtype=np.int64), np.array(surfaces.edges, dtype=np.int64)
         self.columns, self.starts, self.ends = points[:, C.POINT_NODE], edges[:, C.EDGE_A], edges[:, C.EDGE_B]
+        first = [columns[0] for columns in surfaces.copies[len(surfaces.nodes):]]
+        self.rigid_start = nodes[[N.x, N.y]][:, first].copy()
         body = np.concatenate([bodies(problem.mesh), len(problem.blocks) + np.arange(len(problem.rigid))])
         self.body_of_edge, self.body_of_point = body[edges[:, C.EDGE_PART]], body[points[:, C.POINT_PART]]
 
@@ -72,18 +74,32 @@ class ContactResults:
         found = {"contact_heat": float(n[C.HEAT]), "friction_work": float(n[C.FRICTION]), "contact_depth": float(n[C.DEEPEST]),
                  "contact_sweeps": int(counts[C.SWEEPS]), "contact_searches": int(counts[C.SEARCHES]),
                  "bonds_broken": int(counts[C.BROKEN_BONDS])}
+        return found
+
+    def exchanges(self, contact: C.Contact) -> dict[str, float]:
+        """Heat and work of friction so far, J; how far each rigid body has moved, m."""
+        found = {"contact_heat": float(contact.numbers[C.HEAT]), "friction_work": float(contact.numbers[C.FRICTION])}
         for k, body in enumerate(self.problem.rigid):
             column = contact.movers[len(self.globals) + k, C.MOVER_NODE]
-            for name, row in (("position_x", N.x), ("position_y", N.y), ("velocity_x", N.u), ("velocity_y", N.v)):
-                found[f"{name} {body.name}"] = float(self.nodes[row, column])
+            for n, (axis, row) in enumerate((("x", N.x), ("y", N.y))):
+                found[f"moved_{axis} {body.name}"] = float(self.nodes[row, column] - self.rigid_start[n, k])
         return found
+
+    def rigid_velocity(self, contact: C.Contact) -> dict[str, tuple[float, float]]:
+        """Velocity of each rigid body, m/s."""
+        columns = contact.movers[len(self.globals):, C.MOVER_NODE]
+        return {body.name: (float(self.nodes[N.u, k]), float(self.nodes[N.v, k])) for body, k in zip(self.problem.rigid, columns)}
 
 
 def larger(contact: C.Contact, room: int | None = None) -> C.Contact:
     """The same tables with room for `room` pairs, twice as many as before if not said."""
     room = room or 2 * len(contact.pairs)
-    pairs, numbers = np.zeros((room, 3), dtype=np.int64), np.zeros((room, C.PAIR_FLOATS))
-    return contact._replace(pairs=pairs, pair_numbers=numbers)
+    made = {}
+    for name in ("pairs", "pair_numbers", "old_pairs", "old_numbers"):
+        table = getattr(contact, name)
+        made[name] = np.zeros((room, table.shape[1]), dtype=table.dtype)
+        made[name][:min(room, len(table))] = table[:room]
+    return contact._replace(**made)
 
 
 def payload(contact: C.Contact) -> dict:

@@ -93,15 +93,48 @@ def neighbours(c, p, e):
 
 
 @nb.njit(**GUARD)
+def set_aside(c):
+    """Keep the list of pairs, by point, for what the next one takes over from it."""
+    for k in range(c.counts[C.PAIRS]):
+        for n in range(c.pairs.shape[1]):
+            c.old_pairs[k, n] = c.pairs[k, n]
+        for n in range(c.pair_numbers.shape[1]):
+            c.old_numbers[k, n] = c.pair_numbers[k, n]
+    c.counts[C.OLD_PAIRS] = c.counts[C.PAIRS]
+
+
+@nb.njit(**GUARD)
+def take_over(c, count, old):
+    """Give the pair `count` what it had before the search, impulses of the last step above all; `old`: where to look in the old list.
+
+    Returns where its point begins there.
+    """
+    p, e, last = c.pairs[count, C.PAIR_POINT], c.pairs[count, C.PAIR_EDGE], c.counts[C.OLD_PAIRS]
+    c.pair_numbers[count, :] = 0.0
+    while old < last and c.old_pairs[old, C.PAIR_POINT] < p:
+        old += 1
+    k = old
+    while k < last and c.old_pairs[k, C.PAIR_POINT] == p:
+        if c.old_pairs[k, C.PAIR_EDGE] == e:
+            for n in range(c.pair_numbers.shape[1]):
+                c.pair_numbers[count, n] = c.old_numbers[k, n]
+            return old
+        k += 1
+    return old
+
+
+@nb.njit(**GUARD)
 def search(c, nodes):
     """List the pairs within reach, by point; False where the table is too short for them, which then is empty."""
     x, y = nodes[0], nodes[1]
     left, bottom, cell, columns, rows = grid(c, x, y)
     sort_edges(c, x, y, left, bottom, cell, columns, rows)
-    reach, count = c.numbers[C.REACH] ** 2, 0
+    if c.counts[C.FULL] == 0:
+        set_aside(c)
+    reach, count, old = c.numbers[C.REACH] ** 2, 0, 0
     for p in range(c.points.shape[0]):
         k, part = c.points[p, C.POINT_NODE], c.points[p, C.POINT_PART]
-        px, py = x[k], y[k]
+        px, py, c.points[p, C.POINT_FIRST] = x[k], y[k], count
         i, j = int((px - left) / cell), int((py - bottom) / cell)
         for m in range(max(i - 1, 0), min(i + 2, columns)):
             for n in range(max(j - 1, 0), min(j + 2, rows)):
@@ -116,7 +149,8 @@ def search(c, nodes):
                         c.counts[C.PAIRS], c.counts[C.FULL] = 0, 1
                         return False
                     c.pairs[count, C.PAIR_POINT], c.pairs[count, C.PAIR_EDGE] = p, e
-                    c.pair_numbers[count, C.LAST], c.pair_numbers[count, C.LAST_TAU] = 0.0, 0.0
+                    c.pairs[count, C.PAIR_ACTIVE] = C.OFF
+                    old = take_over(c, count, old)
                     count += 1
         c.since[p, 0], c.since[p, 1] = px, py
     c.counts[C.PAIRS], c.counts[C.FULL] = count, 0

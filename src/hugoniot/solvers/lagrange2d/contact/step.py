@@ -2,7 +2,8 @@
 
     READY     before the step: pairs that may meet; False where there is no room for them
     CLOSE     at its start: surfaces that would pass each other come no nearer than their gap, the kinetic energy lost is heat
-    PUSH_MIDDLE, PUSH   mean velocities of the half step and of the step: no point ends behind an edge, no surface pulls
+    PUSH_MIDDLE         mean velocities of the half step, by the forces of contact of the last step
+    PUSH      mean velocities of the step: no point ends behind an edge, no surface pulls
     MOVE, TAKE_BACK     rigid bodies
     ACCEPT    after it: heat and work of friction into zones, forces, bonds that break
 
@@ -23,7 +24,7 @@ from hugoniot.solvers.lagrange2d.contact.search import needed, search
 READY, CLOSE, PUSH_MIDDLE, PUSH, MOVE, TAKE_BACK, ACCEPT = range(7)
 X, U, XH, UM, IM = 0, 2, 4, 6, 12      # rows of the node table
 ROUNDS = 4                             # of finding who meets and what follows
-TURNS = 3
+TURNS = 1                              # of directions after it
 NEGLIGIBLE = 1e-14                     # of the mean edge in a step: velocities below are round-off
 
 
@@ -63,6 +64,7 @@ def aim_bonds(c, nodes, closing):
             q, standing = c.bond_numbers[p], True
             q[C.BOND_X], q[C.BOND_Y], q[C.BOND_AIM_X], q[C.BOND_AIM_Y] = 0.0, 0.0, 0.0, 0.0
             if not closing:
+                q[C.BOND_X], q[C.BOND_Y] = q[C.BOND_LAST_X], q[C.BOND_LAST_Y]
                 s, a, b = movers(c, p, c.bonds[p, C.BOND_EDGE])
                 u, v = start_velocity(c, nodes, s, a, b, q[C.BOND_SHARE])
                 q[C.BOND_AIM_X], q[C.BOND_AIM_Y] = 0.5 * u, 0.5 * v
@@ -94,6 +96,21 @@ def solve(c, nodes, dt, closing):
             ask_mean(c, nodes, dt)
             restart(c, part)
     return touched
+
+
+@nb.njit(**GUARD)
+def as_before(c, dt):
+    """Mean velocities of the half step by the forces of contact of the last step."""
+    ratio = dt / c.numbers[C.LAST_STEP] if c.numbers[C.LAST_STEP] > 0.0 else 0.0
+    for k in range(c.counts[C.PAIRS]):
+        q = c.pair_numbers[k]
+        q[C.LAMBDA], q[C.TAU] = ratio * q[C.LAST], ratio * q[C.LAST_TAU]
+        c.pairs[k, C.PAIR_ACTIVE] = C.ON if q[C.LAMBDA] > 0.0 else C.OFF
+    for p in range(c.bonds.shape[0]):
+        if c.bonds[p, C.BOND_STATE] == C.BOUND:
+            q = c.bond_numbers[p]
+            q[C.BOND_X], q[C.BOND_Y] = ratio * q[C.BOND_LAST_X], ratio * q[C.BOND_LAST_Y]
+    restart(c, 0.5)
 
 
 @nb.njit(**GUARD)
@@ -143,13 +160,18 @@ def of_step(c, run, options, time, dt, moment):
             book_heat(c, 1.0, dt)
             book_holds(c, run.chains, 1.0)
             give(c, run.nodes, U, 0.0)
-    elif moment == PUSH_MIDDLE or moment == PUSH:
+    elif moment == PUSH_MIDDLE:
+        drive(c, run, options, time, dt)
+        take(c, run.nodes, UM)
+        if c.counts[C.PAIRS] > 0:
+            as_before(c, dt)
+            give(c, run.nodes, UM, dt)
+    elif moment == PUSH:
         drive(c, run, options, time, dt)
         take(c, run.nodes, UM)
         if solve(c, run.nodes, dt, False):
-            if moment == PUSH:
-                book_holds(c, run.chains, 0.0)
-            give(c, run.nodes, UM, dt if moment == PUSH_MIDDLE else 0.0)
+            book_holds(c, run.chains, 0.0)
+            give(c, run.nodes, UM, 0.0)
     return True
 
 

@@ -32,7 +32,13 @@ def surface_edges(problem: Problem2D, shut_nodes):
         for (a, b), zone in zip(chain.edges.tolist(), chain.zones.tolist()):
             if a not in shut_nodes and b not in shut_nodes:
                 found.append((a, b, chain.block, zone) if chain.outward > 0 else (b, a, chain.block, zone))
-    return found
+    return sorted(found, key=lambda row: _place(mesh.nodes, row))
+
+
+def _place(nodes, row):
+    """What edges are sorted by: their middle, then their direction. The order of the blocks plays no part in how contact is found."""
+    (ax, ay), (bx, by) = nodes[:, row[0]], nodes[:, row[1]]
+    return ax + bx, ay + by, bx - ax, by - ay
 
 
 def rigid_polyline(body, mesh, longest):
@@ -148,7 +154,7 @@ def _at_start(pulse) -> float:
 
 def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering, zones) -> C.Contact:
     """The tables of a run; chains of rigid bodies stand behind those of the edges."""
-    points = np.full((len(surfaces.points), 5), -1, dtype=np.int64)
+    points = np.full((len(surfaces.points), 6), -1, dtype=np.int64)
     points[:, :3] = np.array(surfaces.points, dtype=np.int64).reshape(-1, 3)
     edges = np.array(surfaces.edges, dtype=np.int64).reshape(-1, 4)
     for e, (a, b, _, _) in enumerate(edges.tolist()):
@@ -157,13 +163,13 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
     law_of, laws = law_tables(problem, [*surfaces.lengths, *[np.inf] * len(problem.rigid)])
     count, room = len(points), PAIRS_OF_A_POINT * len(points) + 16
     sizes = np.concatenate(([0], np.cumsum([len(c) for c in surfaces.copies])))
-    totals = np.zeros(5)
+    totals, counts = np.zeros(6), np.zeros(7, dtype=np.int64)
     totals[C.MEAN_EDGE] = surfaces.mean
     return C.Contact(
         points, edges, movers, numbers, sizes.astype(np.int64), np.array([k for c in surfaces.copies for k in c], dtype=np.int64), law_of, laws,
-        np.zeros((room, 3), dtype=np.int64), np.zeros((room, C.PAIR_FLOATS)), np.zeros((count, 2), dtype=np.int64), np.zeros((count, 11)),
+        *(np.zeros((room, n), dtype=kind) for _ in range(2) for n, kind in ((3, np.int64), (C.PAIR_FLOATS, float))), np.zeros((count, 2), dtype=np.int64), np.zeros((count, 13)),
         np.zeros((count, 3)), np.zeros(4 * len(edges) + 17, dtype=np.int64), np.zeros(len(edges), dtype=np.int64), np.zeros((count, 2)),
-        totals, np.zeros(6, dtype=np.int64), zones, speeds, tables)
+        totals, counts, zones, speeds, tables)
 
 
 def _movers(problem: Problem2D, surfaces: Surfaces, boundaries, numbering):
