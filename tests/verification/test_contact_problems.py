@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from contact_builders import Boundary2D, Contact2D, MieGruneisen, N, al, mean_velocity, meeting, ran, strip
+from contact_builders import Boundary2D, Contact2D, MieGruneisen, N, Rigid2D, al, mean_velocity, meeting, ran, strip
 from plane_builders import box
 
 from hugoniot.laws.strength.linear_hardening import LinearHardening
@@ -58,8 +58,9 @@ def test_a_flyer_over_a_gap_equals_the_run_in_one_dimension(across):
     plane = Lagrange2D(strip(3, across, along=40, viscosity=AS_IN_A_LINE, courant=0.5))
     target, flyer = plane.problem.mesh.blocks
     pressures, surfaces = [], []
-    for time in 1e-3 / 700.0 + np.array([0.4, 0.5, 0.6, 0.65, 0.85, 0.95, 1.2, 1.3]) * 1e-6:
-        line.march(time, 10**6)
+    for time in 1e-3 / 700.0 + np.array([0.4, 0.5, 0.6, 0.65, 1.2, 1.3]) * 1e-6:
+        while line.time < time:      # it comes back where the gap closes
+            line.march(time, 10**6)
         plane.march(time, 10**6)
         one, two = line.state(), plane.state()
         pressures.append((two.zones["pressure"][40], one.zones["pressure"][40]))
@@ -71,11 +72,13 @@ def test_a_flyer_over_a_gap_equals_the_run_in_one_dimension(across):
     assert plane.results()["contact_depth"] < 1e-3
 
 
-def leaning(origin, way, name, length=24e-3, thick=4e-3, zones=(96, 16)):
+LEAN, FLIGHT = math.radians(6.0), 2000.0
+
+
+def leaning(way, name, length=32e-3, thick=4e-3, zones=(160, 20), angle=LEAN):
     """A plate that leans on y = 0 by an angle and flies toward it at 2 km/s, above (way 1) or below (-1)."""
-    angle = math.radians(10.0)
     along, across = np.array([math.cos(angle), way * math.sin(angle)]), np.array([-math.sin(angle), way * math.cos(angle)])
-    a = np.array([0.0, way * origin])
+    a = np.array([0.0, way * 1e-6])
     b, c, d = a + length * along, a + length * along + thick * across, a + thick * across
     low, high = ((a, b), (d, c)) if way > 0 else ((d, c), (a, b))
 
@@ -83,36 +86,78 @@ def leaning(origin, way, name, length=24e-3, thick=4e-3, zones=(96, 16)):
         return Curve("line", tuple((float(x), float(y)) for x, y in ends))
 
     shape = Edges(line((low[0], high[0])), line((low[1], high[1])), line(low), line(high))
-    return Block2D(name, "al", shape, zones, velocity=VelocityField(base=(0.0, -2000.0 * way)))
+    return Block2D(name, "al", shape, zones, velocity=VelocityField(base=(0.0, -FLIGHT * way)))
 
 
 def test_oblique_symmetric_impact_follows_the_shock_polar():
-    """Two plates at 10 degrees: pressure behind the shocks that run with the point of impact, and their angle."""
+    """Two plates at 6 degrees: pressure behind the shocks that run with the point of impact, and their angle.
+
+    At 10 degrees the shock all but detaches (it does at 10.30), and what the start has disturbed stays near the point of impact.
+    """
     par = MieGruneisen(2700.0, 5200.0, 1.5, 2.0)
-    angle = math.radians(10.0)
-    stream = Stream(par, state_of(par, pressure=0.0, density=2700.0), 2000.0 / math.sin(angle))
+    stream = Stream(par, state_of(par, pressure=0.0, density=2700.0), FLIGHT / math.sin(LEAN))
     low, high = 1e9, stream.detachment[0]
     for _ in range(80):
         middle = 0.5 * (low + high)
-        low, high = (middle, high) if stream.deflection(middle) < angle else (low, middle)
-    wanted, front = low, stream.shock_angle(low) - angle
-    solver = ran(meeting([leaning(1e-6, 1.0, "above"), leaning(1e-6, -1.0, "below")], 1.6e-6, material=Material("al", par)))
+        low, high = (middle, high) if stream.deflection(middle) < LEAN else (low, middle)
+    wanted, front, point = low, stream.shock_angle(low) - LEAN, 20e-3
+    solver = ran(meeting([leaning(1.0, "above"), leaning(-1.0, "below")], point * math.tan(LEAN) / FLIGHT, material=Material("al", par)))
     state = solver.state()
     x, y = (state.nodes[f"position_{a}"][state.zone_nodes].mean(axis=1) for a in "xy")
-    point = 2000.0 / math.tan(angle) * 1.6e-6
     p = state.zones["pressure"]
-    inside = (np.abs(y) < 0.6e-3) & (x > point - 6e-3) & (x < point - 4e-3)
+    inside = (np.abs(y) < 0.5e-3) & (x > point - 8e-3) & (x < point - 3e-3)
     assert p[inside].mean() == pytest.approx(wanted, rel=5e-3)
-    places = []
-    for row in np.linspace(0.8e-3, 1.8e-3, 6):
-        near = (np.abs(y - row) < 0.15e-3) & (x > point - 9e-3)
-        order = np.argsort(x[near])
-        xs, ps = x[near][order], p[near][order]
-        k = np.flatnonzero(ps > 0.5 * wanted)[-1]
-        places.append((xs[k] + (xs[k + 1] - xs[k]) * (ps[k] - 0.5 * wanted) / (ps[k] - ps[k + 1]), row))
-    slope = np.polyfit(*np.array(places).T, 1)[0]
-    assert math.degrees(math.atan(-slope)) == pytest.approx(math.degrees(front), abs=0.8)
+    places = np.array([(crossing(x, np.abs(y), p, row, 0.5 * wanted), row) for row in np.linspace(0.6e-3, 1.6e-3, 11)])
+    assert math.degrees(math.atan(-1.0 / np.polyfit(places[:, 1], places[:, 0], 1)[0])) == pytest.approx(math.degrees(front), abs=0.2)
     assert solver.errors()["momentum_error"] < 1e-12
+    assert solver.results()["contact_depth"] < 1e-3
+
+
+def crossing(x, y, p, row, level, half=0.12e-3):
+    """The largest x at which the pressure of zones about y = row rises through a level."""
+    near = np.abs(y - row) < half
+    order = np.argsort(x[near])
+    xs, ps = x[near][order], p[near][order]
+    k = np.flatnonzero(ps > level)[-1]
+    return xs[k] + (xs[k + 1] - xs[k]) * (ps[k] - level) / (ps[k] - ps[k + 1])
+
+
+CHARGE = """
+stop_time = "8 us"
+[[block]]
+name = "charge"
+material = "comp_b"
+x = ["0 mm", "1 mm"]
+y = ["0 mm", "20 mm"]
+zones = [2, 120]
+[[block]]
+name = "plate"
+material = "copper"
+x = ["0 mm", "1 mm"]
+y = ["20 mm", "23 mm"]
+zones = [{across}, 20]
+[[boundary]]
+on = ["charge.left", "charge.right", "plate.left", "plate.right", "charge.bottom"]
+kind = "wall"
+[[lighting]]
+at = ["0 mm", "0 mm"]
+to = ["1 mm", "0 mm"]
+[solver]
+kind = "lagrange2d"
+"""
+
+
+def test_a_charge_drives_a_plate_that_is_not_glued_to_it():
+    """As it drives one of common nodes, with the same nodes and three against two."""
+    cut = '[[contact]]\nbetween = ["charge", "plate"]\n'
+    speeds = []
+    for across, extra in ((2, ""), (2, cut), (3, cut)):
+        solver = ran(read_deck_text(CHARGE.format(across=across) + extra, "charge.toml").problem)
+        speeds.append(mean_velocity(solver, 1)[1])
+        assert solver.errors()["energy_error"] < 1e-10
+    assert speeds[0] > 500.0
+    assert speeds[1] == pytest.approx(speeds[0], rel=5e-3)
+    assert speeds[2] == pytest.approx(speeds[0], rel=5e-3)
 
 
 COPPER = Material("cu", MieGruneisen(8930.0, 3940.0, 1.49, 2.0), LinearHardening(43.3e9, 0.4e9, 0.1e9, 0.7e9))
@@ -123,9 +168,12 @@ def rod(name, start, speed, radius=3.2e-3, length=32.4e-3, zones=(5, 50)):
 
 
 def test_two_equal_rods_are_each_a_taylor_bar_at_half_the_speed():
-    """A rod at 454 m/s on its like at rest: what either is in the end, a rod at 227 m/s on a rigid wall is too."""
-    stop = 60e-6
-    wall = ran(meeting([rod("bar", 0.0, -227.0)], stop, (Boundary2D(("bar.bottom",), "wall"),), "axisymmetric", material=COPPER))
+    """A rod at 454 m/s on its like at rest: what either is in the end, a rod at 227 m/s on a rigid body is too.
+
+    A boundary of kind wall does not let the rim of the foot lift off, as a body does.
+    """
+    stop, floor = 60e-6, Rigid2D("floor", ((0.0, 0.0), (12e-3, 0.0)))
+    wall = ran(meeting([rod("bar", 0.0, -227.0)], stop, (), "axisymmetric", rigid=(floor,), material=COPPER))
     pair = ran(meeting([rod("anvil", -32.4e-3, 0.0), rod("bar", 0.0, -454.0)], stop, (), "axisymmetric",
                        contacts=(Contact2D(("anvil", "bar")),), material=COPPER))
 
@@ -136,8 +184,8 @@ def test_two_equal_rods_are_each_a_taylor_bar_at_half_the_speed():
     reference = measured(wall, 0)
     for block in (0, 1):
         length, foot = measured(pair, block)
-        assert length == pytest.approx(reference[0], rel=2e-3)
-        assert foot == pytest.approx(reference[1], rel=5e-3)
+        assert length == pytest.approx(reference[0], rel=1e-3)
+        assert foot == pytest.approx(reference[1], rel=1e-3)
     errors = pair.errors()
     assert errors["momentum_y_error"] < 1e-12
     assert errors["energy_error"] < 1e-10
