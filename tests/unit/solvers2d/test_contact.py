@@ -174,6 +174,18 @@ def test_discs_meet_on_the_axis(scheme):
     assert -500.0 < axis < -100.0
 
 
+def test_a_body_meets_itself():
+    """A fork whose prongs are driven together: joined at the root, they meet at the tips and go no farther."""
+    blocks = [al(2, 6, 2e-3, 6e-3, name="root"), al(8, 2, 8e-3, 2e-3, (2e-3, 0.0), "low", (0.0, 100.0)),
+              al(8, 2, 8e-3, 2e-3, (2e-3, 4e-3), "high", (0.0, -100.0))]
+    solver = ran(meeting(blocks, 14e-6, contacts=(Contact2D(("low", "high")),)))
+    first = solver.numbering.first
+    low, high = (solver.nodes[N.y, first[k]:first[k + 1]].reshape(9, 3) for k in (1, 2))
+    assert (high[:, 0] - low[:, -1]).min() > -1e-3 * 1e-3
+    assert solver.results()["contact_heat"] > 0.0
+    assert solver.errors()["momentum_error"] < 1e-12
+
+
 def test_a_body_slides_past_the_end_of_another():
     blocks = [al(8, 3, 8e-3, 3e-3, name="base"), al(4, 4, 4e-3, 4e-3, (6e-3, 3e-3), "rider", (400.0, -20.0))]
     solver = ran(meeting(blocks, 6e-6, contacts=(Contact2D(("base", "rider")),)))

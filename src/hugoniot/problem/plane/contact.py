@@ -126,7 +126,8 @@ def contact_tables(contacts: Sequence[Contact2D]) -> list[dict]:
     """Tables [[contact]] of a deck."""
     rows = [{"between": None if c.between is None else list(c.between), "kind": c.kind, "friction": c.friction, "strength": c.strength}
             for c in contacts]
-    return [{key: value for key, value in row.items() if value is not None and (key, row["kind"]) != ("friction", "bonded")} for row in rows]
+    return [{key: value for key, value in row.items() if value is not None and (key, row["kind"]) != ("friction", "bonded")}
+            for row in rows]
 
 
 def rigid_tables(rigid: Sequence[Rigid2D]) -> list[dict]:

@@ -9,8 +9,10 @@ from typing import Any, NamedTuple
 
 # node column; edges that end and start there (-1: none); the first of its pairs, after the last search
 POINT_NODE, POINT_MOVER, POINT_PART, POINT_BEFORE, POINT_AFTER, POINT_FIRST = range(6)
-EDGE_A, EDGE_B, EDGE_PART, EDGE_ZONE = range(4)                                # points; block, or blocks + rigid body; zone behind (-1: none)
-MOVER_NODE, MOVER_RIGID, MOVER_CHAIN_1, MOVER_CHAIN_2, MOVER_PULSE = range(5)  # rigid body (-1: a node); chains that hold it; what drives it
+# points; block, or number of blocks + rigid body; zone behind (-1: none)
+EDGE_A, EDGE_B, EDGE_PART, EDGE_ZONE = range(4)
+# a column of the nodes; rigid body (-1: a node); chains that hold it; what drives it
+MOVER_NODE, MOVER_RIGID, MOVER_CHAIN_1, MOVER_CHAIN_2, MOVER_PULSE = range(5)
 # inverse mass; the directions that hold it (unit, 0: none) and the projector on what they leave; velocity, the one before; impulse
 (IM, H1X, H1Y, H2X, H2Y, PXX, PXY, PYY, U, V, U0, V0, JX, JY) = range(14)
 MOVER_FLOATS = 14
@@ -24,12 +26,16 @@ PAIR_FLOATS = 16
 OFF, ON, FRESH = range(3)      # PAIR_ACTIVE
 FREE, BOUND, BROKEN = range(3)
 BOND_STATE, BOND_EDGE = range(2)
-BOND_SHARE, BOND_X, BOND_Y, BOND_AIM_X, BOND_AIM_Y, BOND_OLD_X, BOND_OLD_Y, BOND_WAY_X, BOND_WAY_Y, BOND_WX, BOND_WY, BOND_LAST_X, BOND_LAST_Y = range(13)
+# share of the edge; impulse; velocity aimed at; impulse before a sweep, direction of search, inverse masses, impulse of the last step
+(BOND_SHARE, BOND_X, BOND_Y, BOND_AIM_X, BOND_AIM_Y, BOND_OLD_X, BOND_OLD_Y, BOND_WAY_X, BOND_WAY_Y, BOND_WX, BOND_WY, BOND_LAST_X,
+ BOND_LAST_Y) = range(13)
+BOND_FLOATS = 13
 # of a point: force of the last step, distance slid
 FORCE_X, FORCE_Y, SLID = range(3)
-# numbers: reach of the search, mean edge, heat of closing, work of friction, deepest place of a node behind a surface over the edge
+# numbers: reach of the search, mean edge, heat of closing, work of friction, deepest place of a node behind a surface over the
+# edge, the last step
 REACH, MEAN_EDGE, HEAT, FRICTION, DEEPEST, LAST_STEP = range(6)
-PAIRS, SEARCHES, SWEEPS, MEETINGS, BROKEN_BONDS, FULL, OLD_PAIRS = range(7)
+PAIRS, SEARCHES, SWEEPS, BROKEN_BONDS, FULL, OLD_PAIRS = range(6)
 
 
 class Contact(NamedTuple):

@@ -91,6 +91,15 @@ class ContactResults:
         return {body.name: (float(self.nodes[N.u, k]), float(self.nodes[N.v, k])) for body, k in zip(self.problem.rigid, columns)}
 
 
+class NothingMeets:
+    """What there is to say of a run without contact: nothing."""
+
+    def fields(self, contact) -> dict:
+        return {}
+
+    summary = exchanges = fields
+
+
 def larger(contact: C.Contact, room: int | None = None) -> C.Contact:
     """The same tables with room for `room` pairs, twice as many as before if not said."""
     room = room or 2 * len(contact.pairs)
@@ -102,13 +111,15 @@ def larger(contact: C.Contact, room: int | None = None) -> C.Contact:
     return contact._replace(**made)
 
 
-def payload(contact: C.Contact) -> dict:
+def payload(contact: C.Contact | C.Nowhere) -> dict:
     """What a bitwise restart needs of contact."""
-    return {f"contact_{name}": getattr(contact, name).copy() for name in C.KEPT}
+    return {} if isinstance(contact, C.Nowhere) else {f"contact_{name}": getattr(contact, name).copy() for name in C.KEPT}
 
 
-def restored(contact: C.Contact, kept: dict) -> C.Contact:
+def restored(contact: C.Contact | C.Nowhere, kept: dict) -> C.Contact | C.Nowhere:
     """The tables as they were kept."""
+    if isinstance(contact, C.Nowhere):
+        return contact
     contact = larger(contact, len(kept["contact_pairs"]))
     for name in C.KEPT:
         getattr(contact, name)[...] = kept[f"contact_{name}"]

@@ -92,7 +92,7 @@ def solve(c, nodes, dt, closing):
         restart(c, part)
         relax(c, part, least)
     if touched and not closing:
-        for again in range(TURNS):      # directions of the middle of the step as it has come out: forces without moment
+        for _ in range(TURNS):      # directions of the middle of the step as it has come out: forces without moment
             ask_mean(c, nodes, dt)
             restart(c, part)
     return touched
@@ -150,7 +150,7 @@ def of_step(c, run, options, time, dt, moment):
     """One of the moments at the top of the file."""
     if moment == READY:
         return not needed(c, run.nodes, dt) or search(c, run.nodes)
-    if moment == MOVE or moment == TAKE_BACK:
+    if moment in (MOVE, TAKE_BACK):
         move_rigid(c, run.nodes, dt)
     elif moment == ACCEPT:
         accept(c, run.nodes, dt, options)

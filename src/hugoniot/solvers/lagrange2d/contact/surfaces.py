@@ -130,8 +130,10 @@ class Surfaces:
         self.extra = np.concatenate(extra).T if extra else np.zeros((2, 0))
 
 
-def with_rigid(problem: Problem2D, surfaces: Surfaces, nodes):
+def with_rigid(problem: Problem2D, surfaces: Surfaces | None, nodes):
     """The table of nodes with the vertices of rigid bodies behind those of the blocks; they have no mass there."""
+    if surfaces is None:
+        return nodes
     table = np.zeros((len(N), nodes.shape[1] + surfaces.extra.shape[1]))
     table[:, :nodes.shape[1]] = nodes
     table[[N.x, N.y], nodes.shape[1]:] = table[[N.xh, N.yh], nodes.shape[1]:] = surfaces.extra
@@ -163,13 +165,19 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
     law_of, laws = law_tables(problem, [*surfaces.lengths, *[np.inf] * len(problem.rigid)])
     count, room = len(points), PAIRS_OF_A_POINT * len(points) + 16
     sizes = np.concatenate(([0], np.cumsum([len(c) for c in surfaces.copies])))
-    totals, counts = np.zeros(6), np.zeros(7, dtype=np.int64)
+    totals = np.zeros(6)
     totals[C.MEAN_EDGE] = surfaces.mean
+
+    def of_pairs():
+        return np.zeros((room, 3), dtype=np.int64), np.zeros((room, C.PAIR_FLOATS))
+
+    ints = np.int64
+    copies = np.array([k for group in surfaces.copies for k in group], dtype=ints)
     return C.Contact(
-        points, edges, movers, numbers, sizes.astype(np.int64), np.array([k for c in surfaces.copies for k in c], dtype=np.int64), law_of, laws,
-        *(np.zeros((room, n), dtype=kind) for _ in range(2) for n, kind in ((3, np.int64), (C.PAIR_FLOATS, float))), np.zeros((count, 2), dtype=np.int64), np.zeros((count, 13)),
-        np.zeros((count, 3)), np.zeros(4 * len(edges) + 17, dtype=np.int64), np.zeros(len(edges), dtype=np.int64), np.zeros((count, 2)),
-        totals, counts, zones, speeds, tables)
+        points, edges, movers, numbers, sizes.astype(ints), copies, law_of, laws, *of_pairs(), *of_pairs(),
+        np.zeros((count, 2), dtype=ints), np.zeros((count, C.BOND_FLOATS)), np.zeros((count, 3)),
+        np.zeros(4 * len(edges) + 17, dtype=ints), np.zeros(len(edges), dtype=ints), np.zeros((count, 2)), totals,
+        np.zeros(6, dtype=ints), zones, speeds, tables)
 
 
 def _movers(problem: Problem2D, surfaces: Surfaces, boundaries, numbering):
