@@ -22,6 +22,7 @@ COARSE: dict[str, dict] = {
     "wall-impact": {"block.cylinder.zones": [8, 16], "stop_time": "2 us"},
     "flyer-disc": {"block.target.zones": [20, 24], "block.flyer.zones": [20, 12], "stop_time": "1.2 us"},
     "cylinder-test": {},
+    "gap-disc": {"block.target.zones": [20, 20], "block.flyer.zones": [25, 10], "stop_time": "2.4 us"},
 }
 QUICK = ("noh-plane",)
 

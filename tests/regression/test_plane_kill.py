@@ -52,6 +52,13 @@ snapshots = "0.1 us"
 checkpoint_cycles = 5
 report = false
 """
+# the flyer tied to nothing, across another mesh, sliding with friction
+SLIDING = DECK.replace("zones = [6, 4]", "zones = [4, 4]").replace('[0, "700 m/s"]', '["10 m/s", "700 m/s"]').replace(
+    'geometry = "axisymmetric"', 'geometry = "plane"').replace("r = ", "x = ").replace("z = ", "y = ") + """
+[[contact]]
+between = ["flyer", "target"]
+friction = 0.2
+"""
 CHILD = """
 import os, signal, sys
 from hugoniot import simulate
@@ -71,10 +78,11 @@ def same_bytes(a, b):
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="kill -9 is a Unix matter")
-@pytest.mark.parametrize("moments", [2, pytest.param(30, marks=pytest.mark.slow)])
-def test_a_killed_run_ends_in_the_same_bytes(tmp_path, moments):
+@pytest.mark.parametrize("text, moments", [(DECK, 2), pytest.param(DECK, 30, marks=pytest.mark.slow),
+                                           pytest.param(SLIDING, 6, marks=pytest.mark.slow)])
+def test_a_killed_run_ends_in_the_same_bytes(tmp_path, text, moments):
     deck = tmp_path / "plates.toml"
-    deck.write_text(DECK)
+    deck.write_text(text)
     whole = simulate.run(deck, tmp_path / "whole", report=False)
     chance = random.Random(20)
     for k in range(moments):

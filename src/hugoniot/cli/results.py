@@ -29,6 +29,9 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
     else:
         typer.echo(f"relative errors: {', '.join(errors)}; voids opened {s.get('voids_opened', 0)}, "
                    f"closed {s.get('voids_closed', 0)}, interfaces separated {s.get('interfaces_separated', 0)}")
+    if "contact_heat" in s:
+        typer.echo(f"contact: heat of closing {format_si(s['contact_heat'], 'J')}, work of friction {format_si(s['friction_work'], 'J')}, "
+                   f"deepest node {s['contact_depth']:.1e} of an edge, bonds broken {s['bonds_broken']}")
     rows = gauge_rows(run)
     if rows:
         typer.echo("")

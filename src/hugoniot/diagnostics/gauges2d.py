@@ -10,6 +10,7 @@ from hugoniot.problem.plane.model import Gauge2D, Problem2D
 from hugoniot.state import State2D
 
 NODAL = ("position_x", "position_y", "velocity_x", "velocity_y")
+OF_SURFACES = ("contact_pressure", "gap", "sliding_distance")      # of nodes, in runs in which bodies may meet; NaN inside
 OF_LINES = ("line_position", "line_velocity")
 _KEPT_OUT = ("mass",)
 
@@ -44,9 +45,9 @@ class Sampler:
         lines = [self._slit(k, state) if k in self.chains else None for k in range(len(self.gauges))]
         read = [self.fixed[k] if line is None else line for k, line in enumerate(lines)]
         found = {}
-        for name in (*NODAL, *names):
-            values = (state.nodes if name in NODAL else state.zones)[name]
-            place = 0 if name in NODAL else 2
+        for name in (*state.nodes, *names):
+            values = (state.nodes if name in state.nodes else state.zones)[name]
+            place = 0 if name in state.nodes else 2
             found[name] = np.array([_mean(values, table[place : place + 2]) for table in read])
         if self.slits:
             for n, name in enumerate(OF_LINES):

@@ -7,7 +7,7 @@ Zones are numbered block by block, (i, j) in C order: zone = block.first_zone + 
 (i + 1, j + 1), (i, j + 1): counter-clockwise.
 """
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -129,8 +129,11 @@ class Blocks:
         return normal / np.hypot(*normal)
 
 
-def build(shapes: Sequence[BlockShape], axisymmetric: bool = False) -> Blocks:
-    """The mesh of some blocks. Raises `MeshError` with everything that is wrong with it."""
+def build(shapes: Sequence[BlockShape], axisymmetric: bool = False, apart: Collection[tuple[int, int]] = ()) -> Blocks:
+    """The mesh of some blocks. Raises `MeshError` with everything that is wrong with it.
+
+    apart   pairs (lower, higher) of blocks that are not joined where they touch
+    """
     made: list[np.ndarray | None] = []
     defects: list[MeshDefect] = []
     for k, block in enumerate(shapes):
@@ -146,14 +149,14 @@ def build(shapes: Sequence[BlockShape], axisymmetric: bool = False) -> Blocks:
     sound = [nodes for nodes in made if nodes is not None]
     if defects or len(sound) < len(shapes):
         raise MeshError(defects)
-    maps, nodes = joining.join(sound)
+    maps, nodes = joining.join(sound, apart)
     blocks, first = [], 0
     for block, numbers in zip(shapes, maps):
         ni, nj = block.zones
         blocks.append(Block(block.name, ni, nj, first, nodes[0, numbers], nodes[1, numbers], numbers))
         first += ni * nj
     sides = [_side_edges(block) for block in blocks]
-    check_neighbours([b.name for b in blocks], maps, nodes, sides)
+    check_neighbours([b.name for b in blocks], maps, nodes, sides, apart)
     chains, joints = _chains_and_joints(blocks, sides, nodes, axisymmetric)
     starts, shared = joining.shared_nodes(maps, nodes.shape[1])
     block_of = np.repeat(np.arange(len(blocks)), [b.ni * b.nj for b in blocks])

@@ -1,6 +1,6 @@
 """Which nodes of several blocks are one: blocks join where the nodes of their sides coincide, whatever way their indices run."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 
@@ -29,24 +29,28 @@ def shortest_edges(nodes: np.ndarray) -> np.ndarray:
     return shortest
 
 
-def join(positions: Sequence[np.ndarray]) -> tuple[list[np.ndarray], np.ndarray]:
+def join(positions: Sequence[np.ndarray], apart: Collection[tuple[int, int]] = ()) -> tuple[list[np.ndarray], np.ndarray]:
     """Global node numbers of every block, and the coordinates of the nodes.
 
     positions   node positions (2, ni + 1, nj + 1) of the blocks
+    apart       pairs (lower, higher) of blocks that are not joined
     Returns the maps (ni + 1, nj + 1) from local to global number, counted in block order, i major, and nodes (2, nnode): where blocks
     share a node, the first block's position stands.
     """
     counts = [p[0].size for p in positions]
     starts = np.concatenate(([0], np.cumsum(counts)))
     label = np.arange(starts[-1])
-    where, flat, near = [], [], []
-    for start, p in zip(starts, positions):
+    where, flat, near, block = [], [], [], []
+    for k, (start, p) in enumerate(zip(starts, positions)):
         local = rim(p.shape[1] - 1, p.shape[2] - 1)
         where.append(p[:, local[:, 0], local[:, 1]])
         flat.append(start + local[:, 0] * p.shape[2] + local[:, 1])
         near.append(SAME * shortest_edges(p)[local[:, 0], local[:, 1]])
+        block += [k] * len(local)
     where, flat, near = np.concatenate(where, axis=1), np.concatenate(flat), np.concatenate(near)
     for a, b in _close_pairs(where, near):
+        if (min(block[a], block[b]), max(block[a], block[b])) in apart:
+            continue
         low, high = sorted((_root(label, flat[a]), _root(label, flat[b])))
         label[high] = low
     label[flat] = [_root(label, k) for k in flat]

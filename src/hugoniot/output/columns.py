@@ -57,7 +57,7 @@ def _budget_unit(name: str, per: str) -> str:
     if name.endswith(("error", "fraction", "count")) or name in ("cycle", "segments"):
         return "1"
     for words, unit in ((("momentum", "impulse"), "kg m/s"), (("energy", "work", "heat", "dissipat"), "J"), (("mass",), "kg"),
-                        (("pressure", "stress"), "Pa"), (("velocity",), "m/s"), (("time",), "s")):
+                        (("pressure", "stress"), "Pa"), (("velocity",), "m/s"), (("time",), "s"), (("moved",), "m")):
         if any(word in name for word in words):
             return unit + (per if unit in ("kg m/s", "J", "kg") else "")
     return ""

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from hugoniot.diagnostics.budgets2d import PlaneBudget
-from hugoniot.diagnostics.gauges2d import NODAL, blocks_of
+from hugoniot.diagnostics.gauges2d import NODAL, OF_SURFACES, blocks_of
 from hugoniot.diagnostics.temperature import gauge_temperature, laws_with_temperature, zone_temperature
 from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.output.setup_record import material_record, plain, references_of
@@ -34,6 +34,7 @@ def plane_record(problem, meta: dict) -> dict:
         "regions": [plain(block) for block in problem.blocks],
         "boundaries": {name: plain(boundary) for name, boundary in problem.chain_boundaries().items()},
         "chains": {name: plain(problem.mesh.nodes[:, chain.edges].transpose(1, 2, 0)) for name, chain in problem.mesh.chains.items()},
+        "contacts": [plain(contact) for contact in problem.contacts], "rigid": [plain(body) for body in problem.rigid],
         "interfaces": [], "joints": list(problem.mesh.joints), "body_force": list(problem.body_force),
         "gauges": [plain(gauge) for gauge in problem.gauges], "lighting": [plain(point) for point in problem.lighting],
         "materials": {name: material_record(problem.materials[name]) for name in sorted({b.material for b in problem.blocks})},
@@ -53,7 +54,8 @@ def plane_meta(problem, solver, version: str) -> dict[str, Any]:
         "solver": problem.solver.kind, "version": version, "region": [problem.blocks[k].name for k in mesh.block_of],
         "mass": solver.state().zones["mass"], "centre_x": centres[0], "centre_y": centres[1],
         "gauges": [gauge.name for gauge in problem.gauges],
-        "mesh": {"zone_nodes": mesh.zone_nodes, "block_of": mesh.block_of, "node_count": mesh.nodes.shape[1], "node_fields": NODAL},
+        "mesh": {"zone_nodes": mesh.zone_nodes, "block_of": mesh.block_of, "node_count": mesh.nodes.shape[1],
+                 "node_fields": (*NODAL, *OF_SURFACES)},
     }
 
 

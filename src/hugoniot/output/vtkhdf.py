@@ -13,6 +13,7 @@ from hugoniot.output.hdf5 import h5py, image_bytes, new_image
 
 _QUAD = 9          # VTK_QUAD
 _NODAL = ("position_x", "position_y", "velocity_x", "velocity_y")
+_OF_SURFACES = ("contact_pressure", "gap", "sliding_distance")
 
 
 def vtkhdf_bytes(snapshots: dict[str, np.ndarray], zone_nodes: np.ndarray, block_of: np.ndarray) -> bytes:
@@ -61,6 +62,10 @@ def _write_fields(root, steps, snapshots, block_of, count, zero) -> None:
         point_offsets["velocity"] = count * u.shape[1]
     for name, values in snapshots.items():
         if name in ("time", "cycle", *_NODAL):
+            continue
+        if name in _OF_SURFACES:
+            _dataset(points, name, values.ravel(), describe(name)[0])
+            point_offsets[name] = count * values.shape[1]
             continue
         _dataset(cells, name, values.ravel(), describe(name)[0])
         cell_offsets[name] = count * values.shape[1]

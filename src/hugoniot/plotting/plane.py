@@ -13,6 +13,7 @@ from hugoniot.plotting.style import COLOURS, INK, QUIET, field_scale, labelled, 
 from hugoniot.plotting.xt import colours_of
 
 _NODAL = ("velocity_x", "velocity_y", "speed")
+_OF_SURFACES = ("contact_pressure", "gap", "sliding_distance")
 MESH_LINES = 2_000       # zones: the lines of a finer mesh would hide what they bound
 MOST_VECTORS = 20_000    # zones drawn one by one in files that keep lines as lines
 
@@ -31,6 +32,10 @@ def plane_field(run, field: str, k) -> np.ndarray:
         return np.hypot(rows["velocity_x"][k], rows["velocity_y"][k])[..., corners].mean(axis=-1)
     if field in DERIVED and "deviator_zz" in rows:
         return derived_field(field, {name: values[k] for name, values in rows.items() if name.startswith("deviator")})
+    if field in _OF_SURFACES and field in rows:      # known on surfaces only: the mean of those corners of a zone that lie there
+        values = rows[field][k][..., corners]
+        known = np.isfinite(values)
+        return np.where(known.any(axis=-1), np.where(known, values, 0.0).sum(axis=-1) / np.maximum(known.sum(axis=-1), 1), np.nan)
     if field in _NODAL and field in rows:
         return rows[field][k][..., corners].mean(axis=-1)
     known = [name for name, values in rows.items() if values.ndim == 2 and values.shape[1] == len(corners)]
@@ -123,7 +128,22 @@ def _draw_zones(run, ax, k, values, field, mesh, mirror, limits):
         outline, interface = borders(corners, topology["block_of"])
         ax.add_collection(LineCollection(part[outline], colors=INK, linewidths=0.8))
         ax.add_collection(LineCollection(part[interface], colors=INK, linewidths=0.8))
+    _draw_rigid(run, ax, k, mirror)
     return image, factor
+
+
+def _draw_rigid(run, ax, k, mirror) -> None:
+    """Rigid bodies of snapshot k; the budget has how far they have moved."""
+    budget, (_, fx) = run.arrays("budget"), _scale(run)
+    for body in run.setup.get("rigid", ()):
+        n = min(int(np.abs(budget["time"] - run.arrays("snapshots")["time"][k]).argmin()), len(budget["time"]) - 1)
+        moved = np.array([budget[f"moved_{axis} {body['name']}"][n] for axis in "xy"])
+        places = (np.array(body["points"]) + moved) * fx
+        for side in _halves(run, mirror):
+            if body["closed"]:
+                ax.fill(side * places[:, 0], places[:, 1], facecolor=QUIET, edgecolor=INK, linewidth=0.8, alpha=0.5)
+            else:
+                ax.plot(side * places[:, 0], places[:, 1], color=QUIET, linewidth=2.5)
 
 
 def _draw_contours(run, ax, k, values, count, mirror):

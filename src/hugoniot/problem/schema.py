@@ -16,7 +16,8 @@ from hugoniot.laws import mixture, viscosity  # noqa: F401  (enrols the laws)
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.units import UnitError, parse
 
-_ARRAYS = ("region", "block", "boundary", "gauge", "interface", "lighting", "heat_source")   # tables that a deck may repeat
+# tables that a deck may repeat
+_ARRAYS = ("region", "block", "boundary", "gauge", "interface", "lighting", "heat_source", "contact", "rigid")
 
 
 class Table(BaseModel):

@@ -39,6 +39,8 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
         rows.append(("voids opened / closed", f"{summary['voids_opened']} / {summary['voids_closed']}"))
     if summary.get("interfaces_separated"):
         rows.append(("interfaces separated", str(summary["interfaces_separated"])))
+    if "contact_heat" in summary:
+        rows += [("heat of contact", number(summary["contact_heat"], "J")), ("work of friction", number(summary["friction_work"], "J"))]
     for name in ("mass", "momentum", "energy"):
         error = summary[f"{name}_error"]
         rows.append((f"{name} error", f"{error:.1e}" if error else "0"))

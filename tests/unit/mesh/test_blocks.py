@@ -178,14 +178,21 @@ def test_where_transfinite_interpolation_folds_winslow_does_not():
     ([box("a", (0.0, 1.0), (0.0, 1.0), (3, 2)), box("b", (1.0, 2.0), (0.0, 1.0), (4, 3))], 0, "their nodes do not meet"),
     ([box("a", (0.0, 1.0), (0.0, 1.0), (3, 2)), box("b", (0.9, 2.0), (0.1, 0.8), (4, 3))], 1, "overlaps block 'a'"),
     ([box("a", (0.0, 1.0), (0.0, 1.0), (3, 2)), box("b", (0.0, 1.0), (0.0, 1.0), (3, 2))], 1, "overlaps block 'a'"),
-    ([box("a", (0.0, 1.0), (0.0, 1.0), (3, 2)), box("b", (1.1, 2.0), (0.0, 1.0), (3, 2))], 1, "joined to no edge"),
-    ([box("a", (0.0, 1.0), (0.0, 1.0), (3, 2)), box("b", (1.0, 2.0), (1.0, 2.0), (3, 2))], 1, "joined to no edge"),
     ([BlockShape("a", Sector((0.0, 0.0), (1.0, 2.0), (1.0, 0.0)), (3, 2))], 0, "runs clockwise"),
 ])
 def test_blocks_that_make_no_mesh(shapes, block, words):
     with pytest.raises(MeshError, match=words) as caught:
         build(shapes)
     assert block in {defect.block for defect in caught.value.defects} and all(d.hint for d in caught.value.defects)
+
+
+def test_blocks_apart_are_bodies_of_their_own():
+    shapes = [box("a", (0.0, 1.0), (0.0, 1.0), (3, 2)), box("b", (1.1, 2.0), (0.0, 1.0), (3, 2))]
+    assert not build(shapes).joints
+    touching = [box("a", (0.0, 1.0), (0.0, 1.0), (3, 2)), box("b", (1.0, 2.0), (0.0, 1.0), (3, 5))]
+    assert not build(touching, apart={(0, 1)}).joints
+    with pytest.raises(MeshError, match="overlaps"):
+        build([touching[0], box("b", (0.9, 2.0), (0.0, 1.0), (3, 5))], apart={(0, 1)})
 
 
 def test_a_node_beyond_the_axis_is_refused():

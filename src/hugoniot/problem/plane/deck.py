@@ -13,9 +13,20 @@ from hugoniot.problem.boundaries import pulse_value
 from hugoniot.problem.lagrangian import MOST_ZONES, _output
 from hugoniot.problem.model import OutputOptions
 from hugoniot.problem.plane import explosives, geometry
+from hugoniot.problem.plane.contact import check_bodies, check_overlap, contact_tables, read_contacts, read_rigid, rigid_tables
+from hugoniot.problem.plane.contact_model import apart
 from hugoniot.problem.plane.edges import read_boundaries, read_gauges, read_lighting
 from hugoniot.problem.plane.model import Block2D, Problem2D, Solver2D, Viscosity2D
-from hugoniot.problem.plane.tables import BlockTable, BoundaryTable, GaugeTable, LightingTable, Model, SolverTable
+from hugoniot.problem.plane.tables import (
+    BlockTable,
+    BoundaryTable,
+    ContactTable,
+    GaugeTable,
+    LightingTable,
+    Model,
+    RigidTable,
+    SolverTable,
+)
 from hugoniot.problem.schema import Table, salvage
 
 __all__ = ["Model", "read", "write"]
@@ -29,7 +40,13 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     warnings: list[str] = []
     axes = ("r", "z") if raw.get("geometry", "plane") == "axisymmetric" else ("x", "y")
     blocks, used, complete = _read_blocks(raw, axes, materials, collector)
-    mesh = _mesh(blocks, axes, collector) if complete else None
+    names = [row.name for row in _parts(BlockTable, raw.get("block")) if row is not None]
+    rigid = read_rigid(_parts(RigidTable, raw.get("rigid")), axes, names, collector)
+    rows = _parts(ContactTable, raw.get("contact"))
+    contacts = read_contacts(rows, names, [body.name for body in rigid], collector)
+    mesh = _mesh(blocks, axes, contacts, collector) if complete else None
+    check_bodies(contacts, rows, mesh, rigid, collector)
+    check_overlap(rigid, mesh, collector)
     boundaries = read_boundaries(_parts(BoundaryTable, raw.get("boundary")), mesh, collector)
     gauges = read_gauges(_parts(GaugeTable, raw.get("gauge")), mesh, collector)
     lighting = read_lighting(_parts(LightingTable, raw.get("lighting")), axes, collector)
@@ -41,8 +58,8 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     if model is None or collector.problems or solver is None or output is None:
         return None, warnings
     output = _sparing(output, raw.get("output", {}), model.stop_time, sum(block.zones[0] * block.zones[1] for block in blocks))
-    problem = Problem2D(model.title, model.geometry, model.stop_time, blocks, used, boundaries, gauges, lighting, model.body_force, solver,
-                        output)
+    problem = Problem2D(model.title, model.geometry, model.stop_time, blocks, used, boundaries, gauges, lighting, contacts, rigid,
+                        model.body_force, solver, output)
     problem.__dict__["mesh"] = mesh   # built already: what the cached property would build again
     if axes[0] == "r" and model.body_force[0] != 0.0:
         collector.add(("body_force",), "a radial force is not uniform about the axis", "leave the first number 0")
@@ -99,9 +116,10 @@ def _read_blocks(raw, axes, own, collector: Collector) -> tuple[tuple[Block2D, .
     return tuple(found), used, bool(rows) and len(found) == len(rows)
 
 
-def _mesh(blocks, axes, collector: Collector) -> Blocks | None:
+def _mesh(blocks, axes, contacts, collector: Collector) -> Blocks | None:
     try:
-        return build([BlockShape(b.name, b.shape, b.zones, b.ratio) for b in blocks], axes[0] == "r")
+        shapes = [BlockShape(b.name, b.shape, b.zones, b.ratio) for b in blocks]
+        return build(shapes, axes[0] == "r", apart(contacts, [b.name for b in blocks]))
     except MeshError as error:
         for defect in error.defects:
             collector.add(("block", defect.block, defect.key), defect.message, defect.hint)
@@ -148,7 +166,8 @@ def write(problem: Problem2D) -> dict:
         if gauge.kind == "slit":
             row["through"] = row.pop("at")
     lighting = [_listed({"at": point.at, "to": point.to, "time": point.time}) for point in problem.lighting]
-    deck |= {key: rows for key, rows in (("boundary", boundaries), ("gauge", gauges), ("lighting", lighting)) if rows}
+    deck |= {key: rows for key, rows in (("boundary", boundaries), ("gauge", gauges), ("lighting", lighting),
+                                       ("contact", contact_tables(problem.contacts)), ("rigid", rigid_tables(problem.rigid))) if rows}
     deck["solver"] = _solver_table(problem)
     output = {f.name: v for f in fields(problem.output) if (v := getattr(problem.output, f.name)) is not None}
     deck["output"] = output | {"fields": list(problem.output.fields)}

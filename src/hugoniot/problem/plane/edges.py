@@ -17,7 +17,8 @@ _EXAMPLES = {"velocity": '"100 m/s"', "pressure": '"1 GPa"'}
 _SLIDING = ("wall", "velocity")
 
 
-def _unit(direction, collector: Collector, path: tuple) -> tuple[float, float] | None:
+def unit_vector(direction, collector: Collector, path: tuple) -> tuple[float, float] | None:
+    """A direction with the length 1; None, reported, where it has none."""
     length = math.hypot(*direction)
     if length == 0.0:
         collector.add(path, "has no length")
@@ -78,7 +79,7 @@ def _boundary(row, collector: Collector, path: tuple) -> Boundary2D | None:
         collector.add((*path, "slip"), f"has no meaning on a boundary of kind {row.kind}", "a wall and a driven velocity have it")
     if len(collector.problems) > before:
         return None
-    direction = None if row.direction is None else _unit(row.direction, collector, (*path, "direction"))
+    direction = None if row.direction is None else unit_vector(row.direction, collector, (*path, "direction"))
     pulse = None
     if row.kind in _DRIVEN:
         pulse = read_pulse(getattr(row, row.kind), _DRIVEN[row.kind], collector, (*path, row.kind))
@@ -127,7 +128,7 @@ def _gauge(row, collector: Collector, path: tuple) -> Gauge2D | None:
     if given == {"on"}:
         return Gauge2D(row.name, "edge", on=" ".join(row.on.split()))
     if given == {"on", "through", "direction"}:
-        direction = _unit(row.direction, collector, (*path, "direction"))
+        direction = unit_vector(row.direction, collector, (*path, "direction"))
         return None if direction is None else Gauge2D(row.name, "slit", row.through, " ".join(row.on.split()), direction)
     has = f", not {' and '.join(sorted(given))}" if given else ""
     collector.add(path, f"a gauge has at (material point), on (mean over a chain), or on, through and direction (line of sight){has}")

@@ -7,6 +7,8 @@
       boundaries  what happens on named chains of boundary edges; a chain no entry names is free, or the axis where it lies on r = 0
       gauges      material points, means over a chain, lines of sight
       lighting    detonators of programmed burns
+      contacts    what surfaces do that meet: Contact2D
+      rigid       rigid bodies: Rigid2D
       body_force  acceleration (x, y) in m/s2, constant
       solver      Solver2D
       output      as in one dimension
@@ -24,6 +26,7 @@ from hugoniot.materials.material import Material
 from hugoniot.mesh.blocks import Blocks, BlockShape, build
 from hugoniot.mesh.shapes import Point, Shape
 from hugoniot.problem.model import OutputOptions, Pulse
+from hugoniot.problem.plane.contact_model import Contact2D, Rigid2D, apart
 
 GEOMETRIES = ("plane", "axisymmetric")
 BOUNDARIES = ("free", "wall", "axis", "velocity", "pressure", "transmitting")
@@ -182,6 +185,8 @@ class Problem2D:
     boundaries: tuple[Boundary2D, ...] = ()
     gauges: tuple[Gauge2D, ...] = ()
     lighting: tuple[Lighting2D, ...] = ()
+    contacts: tuple[Contact2D, ...] = ()
+    rigid: tuple[Rigid2D, ...] = ()
     body_force: Point = (0.0, 0.0)
     solver: Solver2D = Solver2D()
     output: OutputOptions = field(default_factory=OutputOptions)
@@ -200,7 +205,7 @@ class Problem2D:
     def mesh(self) -> Blocks:
         """Blocks, node numbers and chains at t = 0. Raises `mesh.blocks.MeshError` where the shapes do not make a mesh."""
         shapes = tuple(BlockShape(block.name, block.shape, block.zones, block.ratio) for block in self.blocks)
-        return build(shapes, axisymmetric=self.geometry == "axisymmetric")
+        return build(shapes, self.geometry == "axisymmetric", apart(self.contacts, [block.name for block in self.blocks]))
 
     def velocities(self):
         """Initial velocity of every block's own nodes: arrays (2, ni + 1, nj + 1). Nodes that blocks share are the solver's to unite."""

@@ -7,6 +7,7 @@ from pydantic import BeforeValidator, Field, WithJsonSchema
 from hugoniot.problem.boundaries import pulse_schema
 from hugoniot.problem.lagrangian import OutputTable, Positive, Snapshots
 from hugoniot.problem.model import SolverOptions
+from hugoniot.problem.plane.contact_model import Contact2D
 from hugoniot.problem.plane.model import Solver2D, Viscosity2D
 from hugoniot.problem.schema import Pressure, Quantity, Table, Time, trouble
 from hugoniot.units import UnitError, parse
@@ -61,6 +62,12 @@ def _names(value: Any) -> tuple[str, ...]:
     return tuple(" ".join(name.split()) for name in names)
 
 
+def _pair(value: Any) -> tuple[str, str]:
+    if not isinstance(value, (list, tuple)) or len(value) != 2 or not all(isinstance(name, str) for name in value):
+        raise trouble("expected two names", 'such as ["flyer", "target"]')
+    return value[0].strip(), value[1].strip()
+
+
 def _counts(value: Any) -> tuple[int, int]:
     if not isinstance(value, (list, tuple)) or len(value) != 2 or not all(isinstance(n, int) and not isinstance(n, bool) for n in value):
         raise trouble("expected two whole numbers", "zones along i and along j, such as [20, 200]")
@@ -90,6 +97,7 @@ Chains = Annotated[Any, BeforeValidator(_names), WithJsonSchema({"anyOf": [_TEXT
 _WHOLE = {"type": "array", "items": {"type": "integer"}, "minItems": 2, "maxItems": 2}
 Counts = Annotated[Any, BeforeValidator(_counts), WithJsonSchema(_WHOLE)]
 Plain = Annotated[float, Quantity("1", least=0.0, limit=1e3)]
+Pair = Annotated[Any, BeforeValidator(_pair), WithJsonSchema({"type": "array", "items": _TEXT, "minItems": 2, "maxItems": 2})]
 
 
 class CurveTable(Table):
@@ -182,6 +190,32 @@ class LightingTable(Table):
     time: Time = Field(0.0, description="when it fires")
 
 
+class ContactTable(Table):
+    """What surfaces do that meet."""
+
+    between: Pair | None = Field(None, description="two blocks or rigid bodies; blocks that touch at the start are not joined then "
+                                 "(default: all that no other [[contact]] names)")
+    kind: Literal["sliding", "bonded", "separable"] = Field(
+        "sliding", description="sliding; bonded for good where they touch; or bonded up to a strength and sliding then")
+    friction: Plain = Field(Contact2D.friction, description="Coulomb coefficient of what slides")
+    strength: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(
+        None, description="of kind separable: tension at which a bond breaks")
+
+
+class RigidTable(Table):
+    """A rigid body: a wall or a punch."""
+
+    name: str = Field(min_length=1, max_length=60, description="what contact and results call it")
+    points: PointList = Field(description="its surface, a polyline")
+    closed: bool = Field(False, description="whether the last point is joined to the first")
+    velocity: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "m/s"})] = Field(
+        None, description="driven along direction: a value or a pulse (default: at rest)")
+    mass: Annotated[float, Quantity("kg", above=0.0)] | None = Field(
+        None, description="free, but does not turn: kg per metre of depth in the plane, kg of the whole ring in axisymmetric geometry")
+    start: Speeds | None = Field(None, description="velocity at t = 0 of a body with mass")
+    direction: Direction | None = Field(None, description="along which it moves, or is guided if it has a mass (default: any)")
+
+
 class ViscosityTable(Table):
     """Artificial viscosity."""
 
@@ -244,6 +278,8 @@ class Model(Table):
     boundary: list[BoundaryTable] = Field(default_factory=list, max_length=10_000, description="what happens at the edges, [[boundary]]")
     gauge: list[GaugeTable] = Field(default_factory=list, max_length=10_000, description="gauges, [[gauge]]")
     lighting: list[LightingTable] = Field(default_factory=list, max_length=10_000, description="where programmed burns start, [[lighting]]")
+    contact: list[ContactTable] = Field(default_factory=list, max_length=10_000, description="surfaces that meet, [[contact]]")
+    rigid: list[RigidTable] = Field(default_factory=list, max_length=1000, description="rigid bodies, [[rigid]]")
     body_force: Acceleration = Field((0.0, 0.0), description="acceleration of everything")
     solver: SolverTable = Field(description="how it is solved")
     output: PlaneOutputTable = Field(default_factory=PlaneOutputTable, description="what is kept")  # type: ignore[arg-type]

@@ -53,11 +53,26 @@ def errors(solver) -> dict[str, float]:
             "energy_error": abs(total_energy(zones, nodes) - solver.start_energy - work) / scale}
 
 
+def signal_rate(solver) -> float:
+    """Largest (c + 4 du) / altitude, du the fastest closing of two corners: guards the first step."""
+    x, y, u, v = (solver._corners(row) for row in (N.x, N.y, N.u, N.v))
+    jump = np.zeros(solver.zones.shape[1])
+    for a in range(4):
+        for b in range(a + 1, 4):
+            dx, dy = x[b] - x[a], y[b] - y[a]
+            length = np.hypot(dx, dy)
+            closing = -((u[b] - u[a]) * dx + (v[b] - v[a]) * dy) / np.where(length > 0.0, length, 1.0)
+            jump = np.maximum(jump, np.where(length > 0.0, closing, 0.0))
+    rate = float(np.max((np.maximum(solver.zones[Z.c], solver.fronts) + 4.0 * jump) * solver._inverse_altitudes()))
+    return rate if rate > 0.0 else 1e3 / solver.problem.stop_time
+
+
 def exchanges(solver) -> dict[str, float]:
     """Work (J) and impulse (kg m/s) of every chain of boundary edges so far and, where something burns, the heat set free (J)."""
     found = {}
     for name, (work, x, y) in zip(solver.boundaries.chains, solver.chains):
         found |= {f"work {name}": float(work), f"impulse_x {name}": float(x), f"impulse_y {name}": float(y)}
+    found |= solver.contact.exchanges(solver.run.contact)
     if solver.burning:
         found["released_heat"] = reactive.released_heat(solver.problem, solver.zones[Z.mass], solver.charge[B.lam], ranges(solver.problem))
     return found

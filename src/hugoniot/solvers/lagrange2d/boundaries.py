@@ -48,7 +48,7 @@ class _Hold:
             self.directions.append((direction, pulse, chain))
 
 
-class _Pulses:
+class Pulses:
     """Pulses of a problem as numbers."""
 
     def __init__(self):
@@ -74,7 +74,7 @@ class _Pulses:
 def boundary_tables(problem: Problem2D, numbering: Numbering, zones, kind: int) -> Tables:
     """Tables of all chains. OutOfRange where a wall is not straight."""
     mesh, given = problem.mesh, problem.chain_boundaries()
-    pulses, holds, loads, gates = _Pulses(), {}, [], {}
+    pulses, holds, loads, gates = Pulses(), {}, [], {}
     for index, (name, boundary) in enumerate(given.items()):
         chain = mesh.chains[name]
         if boundary.kind == "wall":

@@ -19,6 +19,8 @@ from hugoniot.core.passes import rows
 from hugoniot.core.target import GUARD
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import special_nodes
+from hugoniot.solvers.lagrange2d.contact import step as contact_step
+from hugoniot.solvers.lagrange2d.contact.step import touch
 from hugoniot.solvers.lagrange2d.node_step import FX, GX
 from hugoniot.solvers.lagrange2d.plan import (
     ACCELERATE,
@@ -64,6 +66,7 @@ class Run(NamedTuple):
     axis_ratio: Any
     chains: Any              # (chains, 3): work and impulse of what stands outside
     kept: Any                # the same at the start of the step
+    contact: Any             # `contact.layout.Contact` or `Nowhere`
 
 
 class Options(NamedTuple):
@@ -102,7 +105,8 @@ def hold_specials(run, options, time, dt, first, which, book):
     special_nodes.hold(run.nodes, run.held, run.held_normals, run.pulses, run.tables, run.chains, time + dt, book)
     if at_start:
         special_nodes.special_middle(run.nodes, run.special, dt)
-    elif book:
+    touch(run.contact, run, options, time, dt, contact_step.PUSH if book else contact_step.PUSH_MIDDLE)
+    if book:
         special_nodes.book_loads(run.nodes, run.loads, run.given, run.chains, dt)
 
 
@@ -145,11 +149,13 @@ def try_step(run, plan, options, control, first, team):
     everyone(plan, PUSH, team)
     hold_specials(run, options, time, dt, True, FX, True)
     everyone(plan, MOVE, team)
+    touch(run.contact, run, options, time, dt, contact_step.MOVE)
     everyone(plan, LOOK, team)
     gather(plan.found)
     wrong = plan.found[-1, L.FOUND_TANGLED]
     if wrong > 0.0:
         everyone(plan, TAKE_BACK, team)
+        touch(run.contact, run, options, time, -dt, contact_step.TAKE_BACK)
         copy(run.kept, run.chains)
     return wrong
 
@@ -157,10 +163,13 @@ def try_step(run, plan, options, control, first, team):
 @nb.njit(**GUARD)
 def take_step(run, plan, options, control, counters, team):
     """Steps 1 to 6; the code of `layout` that says how it went."""
+    if not touch(run.contact, run, options, control[L.TIME], control[L.GROWTH] * control[L.DT_NATURAL], contact_step.READY):
+        return L.NO_ROOM
     dt, tries, time = choose_step(control), 0, control[L.TIME]
     if not control[L.DT_NATURAL] > control[L.DT_SMALLEST]:
         return L.STEP_COLLAPSED
     set_step(plan, dt)
+    touch(run.contact, run, options, time, dt, contact_step.CLOSE)
     copy(run.chains, run.kept)
     everyone(plan, GRADIENTS, team)
     fill_ghosts(run.gradients, run.nodes, run.ghosts, run.ghost_numbers)
@@ -173,6 +182,7 @@ def take_step(run, plan, options, control, counters, team):
         if tries > MOST_TRIES:
             return L.TANGLED
     control[L.DT] = dt
+    touch(run.contact, run, options, time, dt, contact_step.ACCEPT)
     if options.gx != 0.0 or options.gy != 0.0:
         book_body_force(run, options, control, dt)
     everyone(plan, CORRECT, team)
@@ -193,7 +203,7 @@ def march(cycles, run, plan, options, control, counters, team):
     """Take up to `cycles` steps; returns the code of `layout` that says why it came back."""
     for _ in range(cycles):
         code = take_step(run, plan, options, control, counters, team)
-        if code == L.STEP_COLLAPSED or code == L.TANGLED:
+        if code == L.STEP_COLLAPSED or code == L.TANGLED or code == L.NO_ROOM:
             return code
         counters[L.ZONE_STEPS] += counters[L.ZONES]
         if code != L.PAUSED:

@@ -20,6 +20,10 @@ from hugoniot.solvers.lagrange2d import quads as G
 from hugoniot.solvers.lagrange2d.accounts import B
 from hugoniot.solvers.lagrange2d.assemble import N, Numbering, Z, axis_tables, kind_of, materials_of, node_tables, zone_tables
 from hugoniot.solvers.lagrange2d.boundaries import boundary_tables
+from hugoniot.solvers.lagrange2d.contact import results
+from hugoniot.solvers.lagrange2d.contact.layout import Nowhere
+from hugoniot.solvers.lagrange2d.contact.results import ContactResults, NothingMeets
+from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, contact_tables, has_contact, with_rigid
 from hugoniot.solvers.lagrange2d.march import Options, Run, hold_at_start, march
 from hugoniot.solvers.lagrange2d.plan import EMPTY, START, Planner, carry_out_alone, serve
 from hugoniot.solvers.lagrange2d.rows_of_blocks import cells, ghost_tables, node_rows, zone_rows
@@ -44,8 +48,11 @@ class Lagrange2D(NothingToAdd):
         self.numbering = numbering = Numbering(mesh)
         count, zones = len(mesh.zone_nodes), zone_tables(problem, self.kind)
         nodes, heat = node_tables(problem, numbering, self.kind, zones)
-        self._zones, self._nodes = zone_table(len(Z), count), zone_table(len(N), numbering.total)
-        self.zones, self.nodes = self._zones[:, :count], self._nodes[:, :numbering.total]
+        self.boundaries = boundary_tables(problem, numbering, zones, self.kind)
+        surfaces = Surfaces(problem, numbering, self.boundaries) if has_contact(problem) else None
+        nodes = with_rigid(problem, surfaces, nodes)
+        self._zones, self._nodes = zone_table(len(Z), count), zone_table(len(N), nodes.shape[1])
+        self.zones, self.nodes = self._zones[:, :count], self._nodes[:, :nodes.shape[1]]
         self.zones[:], self.nodes[:] = zones, nodes
         self.zones[Z.e] += heat
         self.burning = any(problem.materials[block.material].burn is not None for block in problem.blocks)
@@ -57,13 +64,15 @@ class Lagrange2D(NothingToAdd):
         pulses = [b.pulse for b in problem.boundaries if b.kind == "velocity" and b.pulse]
         speed = max(float(self.zones[Z.c].max()), float(np.hypot(self.nodes[N.u], self.nodes[N.v]).max()),
                     *(abs(v) for pulse in pulses for v in (pulse.amplitude, *pulse.values)))
-        self.boundaries = boundary_tables(problem, numbering, self.zones, self.kind)
+        self.boundaries.chains.extend(f"rigid {body.name}" for body in problem.rigid)
         self.chains = np.zeros((len(self.boundaries.chains) + 1, 3))
         self.team = self._team()
         self.options = Options(self.kind, G.AXIS_RADIUS * float(np.abs(self.nodes[N.x]).max()), *map(float, problem.body_force))
         self.control, self.counters = np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64)
         self.counters[L.ZONES] = count
-        self.run = self._run(mesh)
+        self.contact = NothingMeets() if surfaces is None else ContactResults(problem, surfaces, self.nodes, self.kind)
+        contact = Nowhere() if surfaces is None else contact_tables(problem, surfaces, self.boundaries, numbering, self._zones)
+        self.run = self._run(mesh, contact)
         self.plan, self.fronts = self._plan(mesh, speed)
         self.gauge_times, self.gauge_rows = [], []
         self.begin()
@@ -76,16 +85,16 @@ class Lagrange2D(NothingToAdd):
             return team.Alone()
         return team.Together(threads, team.board(threads))
 
-    def _run(self, mesh) -> Run:
+    def _run(self, mesh, contact) -> Run:
         edges = self.boundaries
         ghosts = ghost_tables(mesh, self.numbering, edges.mirrors) if self.problem.solver.viscosity.limited else (
             np.zeros((0, 7), dtype=np.int64), np.zeros((0, 3)))
-        axis, ratio = axis_tables(self.numbering, self.nodes, self.kind)
+        axis, ratio = axis_tables(self.numbering, self.nodes[:, :self.numbering.total], self.kind)
         starts, members = self.numbering.shared()
         gradients = zone_table(len(Gradients._fields), int(cells(mesh)[-1]))
         return Run(self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates, edges.gate_normals,
                    edges.held, edges.held_normals, edges.pulses, edges.tables, starts, members, edges.special, axis, ratio, self.chains,
-                   np.zeros_like(self.chains))
+                   np.zeros_like(self.chains), contact)
 
     def _plan(self, mesh, speed):
         """(plan of the march, largest speed of a programmed front)."""
@@ -118,19 +127,6 @@ class Lagrange2D(NothingToAdd):
         edges = np.hypot(np.roll(x, -1, 0) - x, np.roll(y, -1, 0) - y)
         return edges.max(axis=0) / area
 
-    def _signal_rate(self):
-        """Largest (c + 4 du) / altitude, du the fastest closing of two corners: guards the first step."""
-        x, y, u, v = (self._corners(row) for row in (N.x, N.y, N.u, N.v))
-        jump = np.zeros(self.zones.shape[1])
-        for a in range(4):
-            for b in range(a + 1, 4):
-                dx, dy = x[b] - x[a], y[b] - y[a]
-                length = np.hypot(dx, dy)
-                closing = -((u[b] - u[a]) * dx + (v[b] - v[a]) * dy) / np.where(length > 0.0, length, 1.0)
-                jump = np.maximum(jump, np.where(length > 0.0, closing, 0.0))
-        rate = float(np.max((np.maximum(self.zones[Z.c], self.fronts) + 4.0 * jump) * self._inverse_altitudes()))
-        return rate if rate > 0.0 else 1e3 / self.problem.stop_time
-
     def begin(self) -> None:
         """Take the state as it stands, which a test may have written into the tables, for that at t = 0."""
         options, control = self.problem.solver, self.control
@@ -140,7 +136,7 @@ class Lagrange2D(NothingToAdd):
         control[L.GAUGE_INTERVAL] = self.problem.output.gauge_interval
         control[L.NEXT_GAUGE] = 0.0 if self.sampler else NO_LIMIT
         hold_at_start(self.run)
-        control[L.RATE] = self._signal_rate()
+        control[L.RATE] = accounts.signal_rate(self)
         first = options.initial_step or 0.1 * control[L.COURANT] / control[L.RATE]
         control[L.DT_NATURAL] = first / control[L.GROWTH]
         carry_out_alone(self.plan, START)
@@ -188,8 +184,10 @@ class Lagrange2D(NothingToAdd):
         members = self._assemble_team()
         try:
             code = L.GAUGE_DUE
-            while code == L.GAUGE_DUE and self.cycle < end:
+            while code in (L.GAUGE_DUE, L.NO_ROOM) and self.cycle < end:
                 code = march(*self._march_arguments(end - self.cycle, self.plan))
+                if code == L.NO_ROOM:
+                    self.run = self.run._replace(contact=results.larger(self.run.contact))
                 if self.sampler is not None and code in (L.GAUGE_DUE, L.AT_EVENT):
                     self._read_gauges()
         finally:
@@ -235,7 +233,7 @@ class Lagrange2D(NothingToAdd):
         at = self.numbering.representative
         nodes = {name: self.nodes[row, at] for name, row in (("position_x", N.x), ("position_y", N.y), ("velocity_x", N.u),
                                                              ("velocity_y", N.v))}
-        return State2D(self.time, self.cycle, zones, nodes, self.problem.mesh.zone_nodes)
+        return State2D(self.time, self.cycle, zones, nodes | self.contact.fields(self.run.contact), self.problem.mesh.zone_nodes)
 
     def burn_fields(self) -> dict[str, np.ndarray]:
         """Burn fraction and, where reactants are in thermal isolation, the code of their reference state."""
@@ -273,7 +271,7 @@ class Lagrange2D(NothingToAdd):
     def results(self) -> dict[str, float]:
         """Further numbers for the summary."""
         work = float(np.sum(self.zones[Z.mass] * self.zones[Z.filter_work]))
-        return {"steps_repeated": int(self.counters[L.REPEATED]), "filter_work": work}
+        return {"steps_repeated": int(self.counters[L.REPEATED]), "filter_work": work} | self.contact.summary(self.run.contact)
 
     def peaks(self) -> dict[str, np.ndarray]:
         """Peak fields of every zone so far: stress and pressure in compression, tension positive."""
@@ -284,13 +282,14 @@ class Lagrange2D(NothingToAdd):
         """Everything a bitwise restart needs."""
         names = ("zones", "nodes", "charge", "control", "counters", "chains")
         start = {"start_energy": self.start_energy, "start_momentum": self.start_momentum}
-        return {name: getattr(self, name).copy() for name in names} | start
+        return {name: getattr(self, name).copy() for name in names} | start | results.payload(self.run.contact)
 
     def restore(self, payload: dict) -> None:
         """Continue from a payload of the same problem."""
         for name in ("zones", "nodes", "charge", "control", "counters", "chains"):
             getattr(self, name)[...] = payload[name]
         self.start_energy, self.start_momentum = float(payload["start_energy"]), np.array(payload["start_momentum"])
+        self.run = self.run._replace(contact=results.restored(self.run.contact, payload))
         if self.sampler is None:
             self.control[L.NEXT_GAUGE] = NO_LIMIT
 

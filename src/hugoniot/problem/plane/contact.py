@@ -1,0 +1,145 @@
+"""What a deck says of contact: laws between bodies, and rigid bodies; checked against the blocks, and written back."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.mesh.blocks import Blocks
+from hugoniot.mesh.checks import TOUCHING
+from hugoniot.mesh.joining import distance_to_edges, inside
+from hugoniot.problem.boundaries import pulse_value, read_pulse
+from hugoniot.problem.plane.contact_model import Contact2D, Rigid2D
+from hugoniot.problem.plane.edges import unit_vector
+
+
+def read_contacts(rows: Sequence, blocks: Sequence[str], rigid: Sequence[str], collector: Collector) -> tuple[Contact2D, ...]:
+    """Laws of contact between blocks and rigid bodies that exist, each pair once."""
+    known, seen, found = [*blocks, *rigid], {}, []
+    for i, row in enumerate(rows):
+        if row is None:
+            continue
+        path, before = ("contact", i), len(collector.problems)
+        if (row.strength is not None) != (row.kind == "separable"):
+            if row.kind == "separable":
+                collector.add((*path, "strength"), "missing", 'such as strength = "50 MPa"')
+            else:
+                hint = 'write kind = "separable", or leave it out'
+                collector.add((*path, "strength"), f"has no meaning in contact of kind {row.kind}", hint)
+        if row.kind == "bonded" and row.friction > 0.0:
+            collector.add((*path, "friction"), "has no meaning in contact of kind bonded, which does not slide", "leave it out")
+        for name in row.between or ():
+            if name not in known:
+                collector.add((*path, "between"), f"no block or rigid body '{printable(name)}'", nearest(name, known))
+        if row.between and all(name in rigid for name in row.between):
+            collector.add((*path, "between"), "rigid bodies do not meet each other", "name a block")
+        key = None if row.between is None else tuple(sorted(row.between))
+        if key in seen:
+            collector.add((*path, "between") if key else path, f"is said by contact {seen[key] + 1} already", "each pair has one law")
+        seen.setdefault(key, i)
+        if len(collector.problems) == before:
+            found.append(Contact2D(row.between, row.kind, row.friction, row.strength))
+    return tuple(found)
+
+
+def check_bodies(contacts: Sequence[Contact2D], rows: Sequence, mesh: Blocks | None, rigid: Sequence, collector: Collector) -> None:
+    """Report a law of contact in a deck whose blocks are one body: there is nothing to meet."""
+    if mesh is None or len(contacts) != len(rows):
+        return
+    for i, contact in enumerate(contacts):
+        if contact.between is None and not rigid and bodies(mesh).max() == 0 and len(contacts) == 1:
+            collector.add(("contact", i), "all blocks are joined to one body, which meets nothing",
+                          'name two blocks with between = ["A", "B"], or leave it out')
+
+
+def bodies(mesh: Blocks) -> np.ndarray:
+    """Number of the body of every block: blocks that share nodes are one body."""
+    group = np.arange(len(mesh.blocks))
+    for joint in mesh.joints.values():
+        low, high = sorted(group[list(joint.blocks)])
+        group[group == high] = low
+    return np.unique(group, return_inverse=True)[1]
+
+
+def read_rigid(rows: Sequence, axes, blocks: Sequence[str], collector: Collector) -> tuple[Rigid2D, ...]:
+    """Rigid bodies, each at rest, driven, or free with a mass."""
+    found, names = [], set(blocks)
+    for i, row in enumerate(rows):
+        if row is None:
+            continue
+        path, before = ("rigid", i), len(collector.problems)
+        if row.name in names or row.name != row.name.strip() or not row.name.isprintable():
+            message = f"'{printable(row.name)}' is taken or cannot be a name"
+            collector.add((*path, "name"), message, "names of blocks and rigid bodies differ")
+        names.add(row.name)
+        if len(set(row.points)) < len(row.points):
+            collector.add((*path, "points"), "has a point twice", "closed = true joins the last point to the first")
+        elif row.closed and len(row.points) < 3:
+            collector.add((*path, "points"), "a closed body has three points or more")
+        if axes[0] == "r" and min(x for x, _ in row.points) < 0.0:
+            collector.add((*path, "points"), "has a negative radius", "radii are not negative; the axis is r = 0")
+        _check_motion(row, axes, collector, path)
+        direction = None if row.direction is None else unit_vector(row.direction, collector, (*path, "direction"))
+        pulse = None if row.velocity is None else read_pulse(row.velocity, "m/s", collector, (*path, "velocity"))
+        if len(collector.problems) == before:
+            if row.mass is not None and axes[0] == "r":
+                direction = (0.0, 1.0)
+            found.append(Rigid2D(row.name, row.points, row.closed, pulse, row.mass, row.start or (0.0, 0.0), direction))
+    return tuple(found)
+
+
+def check_overlap(rigid: Sequence[Rigid2D], mesh: Blocks | None, collector: Collector) -> None:
+    """Report closed rigid bodies with material inside them, or inside of material."""
+    for i, body in enumerate(rigid if mesh is not None else ()):
+        if not body.closed:
+            continue
+        ring = np.array(body.points).T
+        for block in mesh.blocks:
+            around = np.concatenate([a[:-1] for a in (block.nodes[:, 0], block.nodes[-1], block.nodes[::-1, -1], block.nodes[0, ::-1])])
+            own = mesh.nodes[:, around]
+            for points, polygon in ((own, ring), (ring, own)):
+                away, _ = distance_to_edges(points, polygon, np.roll(polygon, -1, axis=1))
+                covered = inside(points, polygon) & (away > TOUCHING)
+                if covered.any():
+                    x, y = points[:, covered][:, 0]
+                    collector.add(("rigid", i, "points"), f"overlaps block '{block.name}' near ({x:.6g}, {y:.6g}) m",
+                                  "bodies may touch at the start")
+                    break
+
+
+def _check_motion(row, axes, collector: Collector, path: tuple) -> None:
+    if row.velocity is not None and row.mass is not None:
+        collector.add((*path, "mass"), "has no meaning for a body that is driven", "leave out velocity or mass")
+    if row.start is not None and row.mass is None:
+        collector.add((*path, "start"), "has no meaning without a mass", "give it a mass, or drive it with velocity")
+    if row.velocity is not None and row.direction is None:
+        collector.add((*path, "direction"), "missing", "such as direction = [0, -1]")
+    if row.direction is not None and row.velocity is None and row.mass is None:
+        collector.add((*path, "direction"), "has no meaning for a body at rest", "give velocity or mass, or leave it out")
+    moving = [v for v in (row.direction, row.start) if v is not None]
+    if axes[0] == "r" and any(v[0] != 0.0 for v in moving):
+        collector.add((*path, "direction" if row.direction is not None else "start"), "a rigid ring moves along the axis only",
+                      "leave the first number 0")
+
+
+def contact_tables(contacts: Sequence[Contact2D]) -> list[dict]:
+    """Tables [[contact]] of a deck."""
+    rows = [{"between": None if c.between is None else list(c.between), "kind": c.kind, "friction": c.friction, "strength": c.strength}
+            for c in contacts]
+    return [{key: value for key, value in row.items() if value is not None and (key, row["kind"]) != ("friction", "bonded")}
+            for row in rows]
+
+
+def rigid_tables(rigid: Sequence[Rigid2D]) -> list[dict]:
+    """Tables [[rigid]] of a deck."""
+    found = []
+    for body in rigid:
+        row = {"name": body.name, "points": [list(p) for p in body.points], "closed": body.closed}
+        if body.pulse is not None:
+            row["velocity"] = pulse_value(body.pulse)
+        if body.mass is not None:
+            row |= {"mass": body.mass, "start": list(body.start)}
+        if body.direction is not None:
+            row["direction"] = list(body.direction)
+        found.append(row)
+    return found

@@ -1,0 +1,1 @@
+"""Contact between bodies: surfaces that meet, slide and separate, by Gauss's principle of least constraint."""

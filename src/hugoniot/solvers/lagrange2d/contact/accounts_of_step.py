@@ -1,0 +1,143 @@
+"""What contact books in a step: heat and friction into zones, impulses on what holds movers, forces, bonds that break."""
+
+import numba as nb
+
+from hugoniot.core.target import GUARD
+from hugoniot.solvers.lagrange2d import layout as L
+from hugoniot.solvers.lagrange2d.contact import layout as C
+from hugoniot.solvers.lagrange2d.contact.impulses import relative
+from hugoniot.solvers.lagrange2d.contact.meeting import point_normal, remember, seen
+from hugoniot.solvers.lagrange2d.quads import AREA_WEIGHTED, PLANAR
+
+E, INVERSE_MASS = 3, 1      # rows of the zone table
+
+
+@nb.njit(**GUARD)
+def warm(c, p, e, heat):
+    """Give heat to the zones on both sides of a pair in equal halves, all of it to one side where the other is rigid."""
+    behind, before, after = c.edges[e, C.EDGE_ZONE], c.points[p, C.POINT_BEFORE], c.points[p, C.POINT_AFTER]
+    first = c.edges[before, C.EDGE_ZONE] if before >= 0 else -1
+    second = c.edges[after, C.EDGE_ZONE] if after >= 0 else -1
+    first, second = (second if first < 0 else first), (first if second < 0 else second)
+    sides = (1.0 if behind >= 0 else 0.0) + (1.0 if first >= 0 else 0.0)
+    if sides == 0.0:
+        return
+    heat /= sides
+    if behind >= 0:
+        c.zones[E, behind] += heat * c.zones[INVERSE_MASS, behind]
+    if first >= 0:
+        c.zones[E, first] += 0.5 * heat * c.zones[INVERSE_MASS, first]
+        c.zones[E, second] += 0.5 * heat * c.zones[INVERSE_MASS, second]
+
+
+@nb.njit(**GUARD)
+def book_heat(c, start, dt):
+    """Heat and friction of all pairs and bonds; start: 1 where velocities jumped from those before (their mean counts), 0 for mean ones."""
+    old, new = 0.5 * start, 1.0 - 0.5 * start
+    for k in range(c.counts[C.PAIRS]):
+        q = c.pair_numbers[k]
+        if c.pairs[k, C.PAIR_ACTIVE] == C.OFF or (q[C.LAMBDA] == 0.0 and q[C.TAU] == 0.0):
+            continue
+        p, e = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE]
+        u, v = relative(c, p, e, q[C.SHARE], C.U, C.V)
+        u0, v0 = relative(c, p, e, q[C.SHARE], C.U0, C.V0)
+        u, v = old * u0 + new * u, old * v0 + new * v
+        heat, friction = -q[C.LAMBDA] * (u * q[C.NX] + v * q[C.NY]), -q[C.TAU] * (v * q[C.NX] - u * q[C.NY])
+        c.numbers[C.HEAT] += heat
+        c.numbers[C.FRICTION] += friction
+        warm(c, p, e, heat + friction)
+    for p in range(c.bonds.shape[0]):
+        if c.bonds[p, C.BOND_STATE] == C.BOUND:
+            q, e = c.bond_numbers[p], c.bonds[p, C.BOND_EDGE]
+            u, v = relative(c, p, e, q[C.BOND_SHARE], C.U, C.V)
+            u0, v0 = relative(c, p, e, q[C.BOND_SHARE], C.U0, C.V0)
+            heat = -(q[C.BOND_X] * (old * u0 + new * u) + q[C.BOND_Y] * (old * v0 + new * v))
+            c.numbers[C.HEAT] += heat
+            warm(c, p, e, heat)
+
+
+@nb.njit(**GUARD)
+def book_holds(c, chains, start):
+    """Impulse and work of walls, axis, driven edges and rigid bodies against contact."""
+    old, new = 0.5 * start, 1.0 - 0.5 * start
+    for m in range(c.movers.shape[0]):
+        q, first, second = c.mover_numbers[m], c.movers[m, C.MOVER_CHAIN_1], c.movers[m, C.MOVER_CHAIN_2]
+        if first < 0 or (q[C.JX] == 0.0 and q[C.JY] == 0.0):
+            continue
+        u, v = old * q[C.U0] + new * q[C.U], old * q[C.V0] + new * q[C.V]
+        if c.movers[m, C.MOVER_RIGID] >= 0:
+            book(chains, first, -q[C.JX], -q[C.JY], u, v)
+            continue
+        x = q[C.JX] - (q[C.PXX] * q[C.JX] + q[C.PXY] * q[C.JY])
+        y = q[C.JY] - (q[C.PXY] * q[C.JX] + q[C.PYY] * q[C.JY])
+        a, b = x * q[C.H1X] + y * q[C.H1Y], 0.0
+        if second >= 0:
+            b, overlap = x * q[C.H2X] + y * q[C.H2Y], q[C.H1X] * q[C.H2X] + q[C.H1Y] * q[C.H2Y]
+            over = 1.0 / (1.0 - overlap * overlap)
+            a, b = (a - overlap * b) * over, (b - overlap * a) * over
+            book(chains, second, -b * q[C.H2X], -b * q[C.H2Y], u, v)
+        book(chains, first, -a * q[C.H1X], -a * q[C.H1Y], u, v)
+
+
+@nb.njit(**GUARD)
+def book(chains, chain, x, y, u, v):
+    """An impulse on the material, and its work."""
+    chains[chain, L.CHAIN_WORK] += x * u + y * v
+    chains[chain, L.CHAIN_IMPULSE_X] += x
+    chains[chain, L.CHAIN_IMPULSE_Y] += y
+
+
+@nb.njit(**GUARD)
+def area(c, nodes, p, kind):
+    """Area of the surface that belongs to a point: half of its edges, times the radius in axisymmetric flow."""
+    found, k = 0.0, c.points[p, C.POINT_NODE]
+    for column in (C.POINT_BEFORE, C.POINT_AFTER):
+        e = c.points[p, column]
+        if e >= 0:
+            a, b = c.points[c.edges[e, C.EDGE_A], C.POINT_NODE], c.points[c.edges[e, C.EDGE_B], C.POINT_NODE]
+            length = ((nodes[0, a] - nodes[0, b]) ** 2 + (nodes[1, a] - nodes[1, b]) ** 2) ** 0.5
+            other = nodes[0, a] + nodes[0, b] - nodes[0, k]
+            radius = 1.0 if kind == PLANAR else nodes[0, k] if kind == AREA_WEIGHTED else (2.0 * nodes[0, k] + other) / 3.0
+            found += 0.5 * length * radius
+    return found
+
+
+@nb.njit(**GUARD)
+def accept(c, nodes, dt, options):
+    """Book the step that was taken."""
+    c.of_points[:, C.FORCE_X] = 0.0
+    c.of_points[:, C.FORCE_Y] = 0.0
+    book_heat(c, 0.0, dt)
+    last = -1
+    for k in range(c.counts[C.PAIRS]):
+        q = c.pair_numbers[k]
+        if c.pairs[k, C.PAIR_ACTIVE] == C.OFF or q[C.LAMBDA] == 0.0:
+            continue
+        p, e = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE]
+        gap, _, _, _, length = seen(c, nodes, p, e, 0, C.U, 0.0)
+        c.numbers[C.DEEPEST] = max(c.numbers[C.DEEPEST], -gap / length)
+        if p != last:
+            u, v = relative(c, p, e, q[C.SHARE], C.U, C.V)
+            c.of_points[p, C.SLID] += dt * abs(v * q[C.NX] - u * q[C.NY])
+            last = p
+    for p in range(c.points.shape[0]):
+        m = c.points[p, C.POINT_MOVER]
+        if c.movers[m, C.MOVER_RIGID] < 0:
+            c.of_points[p, C.FORCE_X], c.of_points[p, C.FORCE_Y] = c.mover_numbers[m, C.JX] / dt, c.mover_numbers[m, C.JY] / dt
+    remember(c, dt)
+    break_bonds(c, nodes, dt, options)
+
+
+@nb.njit(**GUARD)
+def break_bonds(c, nodes, dt, options):
+    """Bonds whose tension over the area of their point exceeds their strength."""
+    for p in range(c.bonds.shape[0]):
+        if c.bonds[p, C.BOND_STATE] != C.BOUND:
+            continue
+        e, q = c.bonds[p, C.BOND_EDGE], c.bond_numbers[p]
+        law = c.law_of[c.points[p, C.POINT_PART], c.edges[e, C.EDGE_PART]]
+        if int(c.laws[law, C.LAW_KIND]) == C.SEPARABLE:
+            x, y = point_normal(c, nodes, p)
+            if q[C.BOND_X] * x + q[C.BOND_Y] * y > c.laws[law, C.LAW_STRENGTH] * area(c, nodes, p, options.kind) * dt:
+                c.bonds[p, C.BOND_STATE] = C.BROKEN
+                c.counts[C.BROKEN_BONDS] += 1

@@ -1,0 +1,84 @@
+"""Where the numbers of contact stand: columns of its tables, and the tables themselves.
+
+A surface is a chain of boundary edges, each from point a to point b with the material on its left. A point is a node of a surface or a
+vertex of a rigid body. What moves independently is a mover: each node of a surface, and each rigid body as a whole. A pair is a point and
+an edge of another stretch of surface that it may meet.
+"""
+
+from typing import Any, NamedTuple
+
+# node column; edges that end and start there (-1: none); the first of its pairs, after the last search
+POINT_NODE, POINT_MOVER, POINT_PART, POINT_BEFORE, POINT_AFTER, POINT_FIRST = range(6)
+# points; block, or number of blocks + rigid body; zone behind (-1: none)
+EDGE_A, EDGE_B, EDGE_PART, EDGE_ZONE = range(4)
+# a column of the nodes; rigid body (-1: a node); chains that hold it; what drives it
+MOVER_NODE, MOVER_RIGID, MOVER_CHAIN_1, MOVER_CHAIN_2, MOVER_PULSE = range(5)
+# inverse mass; the directions that hold it (unit, 0: none) and the projector on what they leave; velocity, the one before; impulse
+(IM, H1X, H1Y, H2X, H2Y, PXX, PXY, PYY, U, V, U0, V0, JX, JY) = range(14)
+MOVER_FLOATS = 14
+BONDED, SLIDING, SEPARABLE = range(3)
+LAW_KIND, LAW_FRICTION, LAW_STRENGTH, LAW_TIES = range(4)                      # ties: whether the point's side is the one that is tied
+PAIR_POINT, PAIR_EDGE, PAIR_ACTIVE = range(3)
+# impulses along the normal and the tangent; share of the edge; normal; least normal velocity, tangential aim; inverse masses; gap at the
+# start of the step; impulses of the last step; of a relaxation: impulses before a sweep, direction of search
+(LAMBDA, TAU, SHARE, NX, NY, LEAST, AIM, WN, WT, GAP, LAST, LAST_TAU, OLD, OLD_TAU, WAY, WAY_TAU) = range(16)
+PAIR_FLOATS = 16
+OFF, ON, FRESH = range(3)      # PAIR_ACTIVE
+FREE, BOUND, BROKEN = range(3)
+BOND_STATE, BOND_EDGE = range(2)
+# share of the edge; impulse; velocity aimed at; impulse before a sweep, direction of search, inverse masses, impulse of the last step
+(BOND_SHARE, BOND_X, BOND_Y, BOND_AIM_X, BOND_AIM_Y, BOND_OLD_X, BOND_OLD_Y, BOND_WAY_X, BOND_WAY_Y, BOND_WX, BOND_WY, BOND_LAST_X,
+ BOND_LAST_Y) = range(13)
+BOND_FLOATS = 13
+# of a point: force of the last step, distance slid
+FORCE_X, FORCE_Y, SLID = range(3)
+# numbers: reach of the search, mean edge, heat of closing, work of friction, deepest place of a node behind a surface over the
+# edge, the last step
+REACH, MEAN_EDGE, HEAT, FRICTION, DEEPEST, LAST_STEP = range(6)
+PAIRS, SEARCHES, SWEEPS, BROKEN_BONDS, FULL, OLD_PAIRS = range(6)
+
+
+class Contact(NamedTuple):
+    """Tables of the contact of a run; columns are above.
+
+    copies_start, copies   node columns that are one with each mover's
+    law_of                 (part, part): index of the law between them
+    old_pairs, old_numbers   the pairs before the last search
+    cells, sorted_edges    of the search: first edge of each cell, edges by cell
+    since                  (point, 2): where points stood at the last search
+    zones                  table of zones, for the heat
+    speeds                 pulses that drive rigid bodies, as `march.Run` has them: numbers and tables
+    """
+
+    points: Any
+    edges: Any
+    movers: Any
+    mover_numbers: Any
+    copies_start: Any
+    copies: Any
+    law_of: Any
+    laws: Any
+    pairs: Any
+    pair_numbers: Any
+    old_pairs: Any
+    old_numbers: Any
+    bonds: Any
+    bond_numbers: Any
+    of_points: Any
+    cells: Any
+    sorted_edges: Any
+    since: Any
+    numbers: Any
+    counts: Any
+    zones: Any
+    speeds: Any
+    speed_tables: Any
+
+
+class Nowhere(NamedTuple):
+    """No contact in this run."""
+
+    none: int = 0
+
+
+KEPT = ("points", "pairs", "pair_numbers", "bonds", "bond_numbers", "of_points", "since", "numbers", "counts")      # in checkpoints

@@ -1,0 +1,126 @@
+"""What a run with contact hands out: fields of nodes, numbers of the summary, accounts of rigid bodies, what is kept and restored."""
+
+import numpy as np
+
+from hugoniot.problem.plane.contact import bodies
+from hugoniot.solvers.lagrange2d.assemble import N
+from hugoniot.solvers.lagrange2d.contact import layout as C
+from hugoniot.solvers.lagrange2d.quads import AREA_WEIGHTED, PLANAR
+
+NEAREST = 8      # edges that are looked at for the gap of a point
+
+
+class ContactResults:
+    """Reads the tables of contact, which it does not change."""
+
+    def __init__(self, problem, surfaces, nodes, kind: int):
+        self.nodes, self.problem, self.kind = nodes, problem, kind
+        self.globals = np.array(surfaces.nodes, dtype=np.int64)
+        self.count = problem.mesh.nodes.shape[1]
+        points, edges = np.array(surfaces.points, dtype=np.int64), np.array(surfaces.edges, dtype=np.int64)
+        self.columns, self.starts, self.ends = points[:, C.POINT_NODE], edges[:, C.EDGE_A], edges[:, C.EDGE_B]
+        first = [columns[0] for columns in surfaces.copies[len(surfaces.nodes):]]
+        self.rigid_start = nodes[[N.x, N.y]][:, first].copy()
+        body = np.concatenate([bodies(problem.mesh), len(problem.blocks) + np.arange(len(problem.rigid))])
+        self.body_of_edge, self.body_of_point = body[edges[:, C.EDGE_PART]], body[points[:, C.POINT_PART]]
+
+    def fields(self, contact: C.Contact) -> dict[str, np.ndarray]:
+        """Contact pressure (Pa, the normal force on a node over its area), gap (m) and distance slid (m) of every node; NaN inside."""
+        found = {name: np.full(self.count, np.nan) for name in ("contact_pressure", "gap", "sliding_distance")}
+        places, own = self.nodes[[N.x, N.y]][:, self.columns], len(self.globals)
+        normal, area = self._normals(places)
+        force = contact.of_points[:, [C.FORCE_X, C.FORCE_Y]].T
+        with np.errstate(invalid="ignore", divide="ignore"):
+            pressure = np.where(area > 0.0, -(force * normal).sum(axis=0) / area, 0.0)
+        found["contact_pressure"][self.globals] = pressure[:own]
+        found["sliding_distance"][self.globals] = contact.of_points[:own, C.SLID]
+        found["gap"][self.globals] = self._gaps(places)[:own]
+        return found
+
+    def _normals(self, places):
+        """(unit outward normal (2, n), area (n,)) of every point."""
+        a, b = self.starts, self.ends
+        along = places[:, b] - places[:, a]
+        length = np.hypot(*along)
+        normal, area = np.zeros_like(places), np.zeros(places.shape[1])
+        for this, other in ((a, b), (b, a)):
+            radius = np.ones(len(a)) if self.kind == PLANAR else places[0, this] if self.kind == AREA_WEIGHTED else (
+                2.0 * places[0, this] + places[0, other]) / 3.0
+            np.add.at(area, this, 0.5 * length * radius)
+            for k, part in enumerate((along[1], -along[0])):
+                np.add.at(normal[k], this, part / length)
+        size = np.hypot(*normal)
+        return normal / np.where(size > 0.0, size, 1.0), area
+
+    def _gaps(self, places):
+        """Distance of every point to the nearest edge of another body, NaN where there is none."""
+        from scipy.spatial import cKDTree
+
+        found, start, end = np.full(places.shape[1], np.nan), places[:, self.starts], places[:, self.ends]
+        for body in np.unique(self.body_of_point):
+            others, mine = np.flatnonzero(self.body_of_edge != body), np.flatnonzero(self.body_of_point == body)
+            if not len(others) or not len(mine):
+                continue
+            near = cKDTree(0.5 * (start + end)[:, others].T).query(places[:, mine].T, k=min(NEAREST, len(others)))[1].reshape(len(mine), -1)
+            a, along = start[:, others[near]], (end - start)[:, others[near]]
+            offset = places[:, mine][:, :, None] - a
+            share = np.clip((offset * along).sum(axis=0) / (along**2).sum(axis=0), 0.0, 1.0)
+            found[mine] = np.hypot(*(offset - share * along)).min(axis=1)
+        return found
+
+    def summary(self, contact: C.Contact) -> dict[str, float]:
+        """Heat of surfaces that closed and work of friction, J; largest depth of a node behind a surface over the length of its edge."""
+        n, counts = contact.numbers, contact.counts
+        found = {"contact_heat": float(n[C.HEAT]), "friction_work": float(n[C.FRICTION]), "contact_depth": float(n[C.DEEPEST]),
+                 "contact_sweeps": int(counts[C.SWEEPS]), "contact_searches": int(counts[C.SEARCHES]),
+                 "bonds_broken": int(counts[C.BROKEN_BONDS])}
+        return found
+
+    def exchanges(self, contact: C.Contact) -> dict[str, float]:
+        """Heat and work of friction so far, J; how far each rigid body has moved, m."""
+        found = {"contact_heat": float(contact.numbers[C.HEAT]), "friction_work": float(contact.numbers[C.FRICTION])}
+        for k, body in enumerate(self.problem.rigid):
+            column = contact.movers[len(self.globals) + k, C.MOVER_NODE]
+            for n, (axis, row) in enumerate((("x", N.x), ("y", N.y))):
+                found[f"moved_{axis} {body.name}"] = float(self.nodes[row, column] - self.rigid_start[n, k])
+        return found
+
+    def rigid_velocity(self, contact: C.Contact) -> dict[str, tuple[float, float]]:
+        """Velocity of each rigid body, m/s."""
+        columns = contact.movers[len(self.globals):, C.MOVER_NODE]
+        return {body.name: (float(self.nodes[N.u, k]), float(self.nodes[N.v, k])) for body, k in zip(self.problem.rigid, columns)}
+
+
+class NothingMeets:
+    """What there is to say of a run without contact: nothing."""
+
+    def fields(self, contact) -> dict:
+        return {}
+
+    summary = exchanges = fields
+
+
+def larger(contact: C.Contact, room: int | None = None) -> C.Contact:
+    """The same tables with room for `room` pairs, twice as many as before if not said."""
+    room = room or 2 * len(contact.pairs)
+    made = {}
+    for name in ("pairs", "pair_numbers", "old_pairs", "old_numbers"):
+        table = getattr(contact, name)
+        made[name] = np.zeros((room, table.shape[1]), dtype=table.dtype)
+        made[name][:min(room, len(table))] = table[:room]
+    return contact._replace(**made)
+
+
+def payload(contact: C.Contact | C.Nowhere) -> dict:
+    """What a bitwise restart needs of contact."""
+    return {} if isinstance(contact, C.Nowhere) else {f"contact_{name}": getattr(contact, name).copy() for name in C.KEPT}
+
+
+def restored(contact: C.Contact | C.Nowhere, kept: dict) -> C.Contact | C.Nowhere:
+    """The tables as they were kept."""
+    if isinstance(contact, C.Nowhere):
+        return contact
+    contact = larger(contact, len(kept["contact_pairs"]))
+    for name in C.KEPT:
+        getattr(contact, name)[...] = kept[f"contact_{name}"]
+    return contact

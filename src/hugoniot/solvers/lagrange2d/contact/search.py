@@ -1,0 +1,158 @@
+"""Which points may meet which edges: edges sorted into square cells, points look into the nine cells around theirs."""
+
+import numba as nb
+
+from hugoniot.core.target import GUARD
+from hugoniot.solvers.lagrange2d.contact import layout as C
+
+LOOK_AHEAD = 2.0     # two surfaces that move toward each other
+
+
+@nb.njit(**GUARD)
+def needed(c, nodes, dt):
+    """Whether points have moved, or will in this step, so far that the last search is worth nothing."""
+    x, y, u, v = nodes[0], nodes[1], nodes[2], nodes[3]
+    moved, fastest = 0.0, 0.0
+    for p in range(c.points.shape[0]):
+        k = c.points[p, C.POINT_NODE]
+        moved = max(moved, (x[k] - c.since[p, 0]) ** 2 + (y[k] - c.since[p, 1]) ** 2)
+        fastest = max(fastest, u[k] * u[k] + v[k] * v[k])
+    ahead = LOOK_AHEAD * fastest**0.5 * dt
+    if c.counts[C.SEARCHES] > 0 and c.counts[C.FULL] == 0 and LOOK_AHEAD * moved**0.5 + 2.0 * ahead <= c.numbers[C.REACH]:
+        return False
+    c.numbers[C.REACH] = max(0.5 * c.numbers[C.MEAN_EDGE], 3.0 * ahead)
+    return True
+
+
+@nb.njit(**GUARD)
+def distance(x, y, ax, ay, bx, by):
+    """Square of the distance from a point to the stretch from a to b."""
+    dx, dy = bx - ax, by - ay
+    length = dx * dx + dy * dy
+    t = ((x - ax) * dx + (y - ay) * dy) / length if length > 0.0 else 0.0
+    t = min(max(t, 0.0), 1.0)
+    return (x - ax - t * dx) ** 2 + (y - ay - t * dy) ** 2
+
+
+@nb.njit(**GUARD)
+def grid(c, x, y):
+    """(left, bottom, cell, columns, rows) of cells as wide as the reach and half the longest edge, or wider where there are too many."""
+    left, bottom, right, top, longest = 1e300, 1e300, -1e300, -1e300, 0.0
+    for e in range(c.edges.shape[0]):
+        a, b = c.points[c.edges[e, C.EDGE_A], C.POINT_NODE], c.points[c.edges[e, C.EDGE_B], C.POINT_NODE]
+        left, bottom = min(left, x[a], x[b]), min(bottom, y[a], y[b])
+        right, top = max(right, x[a], x[b]), max(top, y[a], y[b])
+        longest = max(longest, (x[a] - x[b]) ** 2 + (y[a] - y[b]) ** 2)
+    cell = c.numbers[C.REACH] + 0.5 * longest**0.5
+    most = c.cells.shape[0] - 1
+    while int((right - left) / cell + 1.0) * int((top - bottom) / cell + 1.0) > most:
+        cell *= 1.5
+    return left, bottom, cell, int((right - left) / cell + 1.0), int((top - bottom) / cell + 1.0)
+
+
+@nb.njit(**GUARD)
+def sort_edges(c, x, y, left, bottom, cell, columns, rows):
+    """Edges by the cell of their middle, in their order within a cell."""
+    count = columns * rows
+    c.cells[:count + 1] = 0
+    for again in range(2):
+        for e in range(c.edges.shape[0]):
+            a, b = c.points[c.edges[e, C.EDGE_A], C.POINT_NODE], c.points[c.edges[e, C.EDGE_B], C.POINT_NODE]
+            i = min(int((0.5 * (x[a] + x[b]) - left) / cell), columns - 1)
+            j = min(int((0.5 * (y[a] + y[b]) - bottom) / cell), rows - 1)
+            at = i * rows + j
+            if again == 0:
+                c.cells[at + 1] += 1
+            else:
+                c.sorted_edges[c.cells[at]] = e
+                c.cells[at] += 1
+        if again == 0:
+            for k in range(count):
+                c.cells[k + 1] += c.cells[k]
+    for k in range(count, 0, -1):      # each start has run on to the next one
+        c.cells[k] = c.cells[k - 1]
+    c.cells[0] = 0
+
+
+@nb.njit(**GUARD)
+def neighbours(c, p, e):
+    """Whether edge e holds point p or a point beside it."""
+    a, b = c.edges[e, C.EDGE_A], c.edges[e, C.EDGE_B]
+    if a == p or b == p:
+        return True
+    before, after = c.points[p, C.POINT_BEFORE], c.points[p, C.POINT_AFTER]
+    if before >= 0:
+        q = c.edges[before, C.EDGE_A]
+        if a == q or b == q:
+            return True
+    if after >= 0:
+        q = c.edges[after, C.EDGE_B]
+        if a == q or b == q:
+            return True
+    return False
+
+
+@nb.njit(**GUARD)
+def set_aside(c):
+    """Keep the list of pairs, by point, for what the next one takes over from it."""
+    for k in range(c.counts[C.PAIRS]):
+        for n in range(c.pairs.shape[1]):
+            c.old_pairs[k, n] = c.pairs[k, n]
+        for n in range(c.pair_numbers.shape[1]):
+            c.old_numbers[k, n] = c.pair_numbers[k, n]
+    c.counts[C.OLD_PAIRS] = c.counts[C.PAIRS]
+
+
+@nb.njit(**GUARD)
+def take_over(c, count, old):
+    """Give the pair `count` what it had before the search, impulses of the last step above all; `old`: where to look in the old list.
+
+    Returns where its point begins there.
+    """
+    p, e, last = c.pairs[count, C.PAIR_POINT], c.pairs[count, C.PAIR_EDGE], c.counts[C.OLD_PAIRS]
+    c.pair_numbers[count, :] = 0.0
+    while old < last and c.old_pairs[old, C.PAIR_POINT] < p:
+        old += 1
+    k = old
+    while k < last and c.old_pairs[k, C.PAIR_POINT] == p:
+        if c.old_pairs[k, C.PAIR_EDGE] == e:
+            for n in range(c.pair_numbers.shape[1]):
+                c.pair_numbers[count, n] = c.old_numbers[k, n]
+            return old
+        k += 1
+    return old
+
+
+@nb.njit(**GUARD)
+def search(c, nodes):
+    """List the pairs within reach, by point; False where the table is too short for them, which then is empty."""
+    x, y = nodes[0], nodes[1]
+    left, bottom, cell, columns, rows = grid(c, x, y)
+    sort_edges(c, x, y, left, bottom, cell, columns, rows)
+    if c.counts[C.FULL] == 0:
+        set_aside(c)
+    reach, count, old = c.numbers[C.REACH] ** 2, 0, 0
+    for p in range(c.points.shape[0]):
+        k, part = c.points[p, C.POINT_NODE], c.points[p, C.POINT_PART]
+        px, py, c.points[p, C.POINT_FIRST] = x[k], y[k], count
+        i, j = int((px - left) / cell), int((py - bottom) / cell)
+        for m in range(max(i - 1, 0), min(i + 2, columns)):
+            for n in range(max(j - 1, 0), min(j + 2, rows)):
+                for q in range(c.cells[m * rows + n], c.cells[m * rows + n + 1]):
+                    e = c.sorted_edges[q]
+                    if c.law_of[part, c.edges[e, C.EDGE_PART]] < 0 or neighbours(c, p, e):
+                        continue
+                    a, b = c.points[c.edges[e, C.EDGE_A], C.POINT_NODE], c.points[c.edges[e, C.EDGE_B], C.POINT_NODE]
+                    if distance(px, py, x[a], y[a], x[b], y[b]) > reach:
+                        continue
+                    if count == c.pairs.shape[0]:
+                        c.counts[C.PAIRS], c.counts[C.FULL] = 0, 1
+                        return False
+                    c.pairs[count, C.PAIR_POINT], c.pairs[count, C.PAIR_EDGE] = p, e
+                    c.pairs[count, C.PAIR_ACTIVE] = C.OFF
+                    old = take_over(c, count, old)
+                    count += 1
+        c.since[p, 0], c.since[p, 1] = px, py
+    c.counts[C.PAIRS], c.counts[C.FULL] = count, 0
+    c.counts[C.SEARCHES] += 1
+    return True

@@ -1,0 +1,191 @@
+"""What contact does in a step, at the places `march` calls it.
+
+    READY     before the step: pairs that may meet; False where there is no room for them
+    CLOSE     at its start: surfaces that would pass each other come no nearer than their gap, the kinetic energy lost is heat
+    PUSH_MIDDLE         mean velocities of the half step, by the forces of contact of the last step
+    PUSH      mean velocities of the step: no point ends behind an edge, no surface pulls
+    MOVE, TAKE_BACK     rigid bodies
+    ACCEPT    after it: heat and work of friction into zones, forces, bonds that break
+
+Contact is the leader's alone, so that no bit depends on the number of threads.
+"""
+
+import numba as nb
+from numba.extending import overload
+
+from hugoniot.core.target import GUARD, INLINE
+from hugoniot.solvers.lagrange1d.nodes import pulse_value
+from hugoniot.solvers.lagrange2d.contact import layout as C
+from hugoniot.solvers.lagrange2d.contact.accounts_of_step import accept, book_heat, book_holds
+from hugoniot.solvers.lagrange2d.contact.impulses import movers, relax, restart
+from hugoniot.solvers.lagrange2d.contact.meeting import activate, ask_closing, ask_mean, bind_points, forget, start_velocity
+from hugoniot.solvers.lagrange2d.contact.search import needed, search
+
+READY, CLOSE, PUSH_MIDDLE, PUSH, MOVE, TAKE_BACK, ACCEPT = range(7)
+X, U, XH, UM, IM = 0, 2, 4, 6, 12      # rows of the node table
+ROUNDS = 4                             # of finding who meets and what follows
+TURNS = 1                              # of directions after it
+NEGLIGIBLE = 1e-14                     # of the mean edge in a step: velocities below are round-off
+
+
+@nb.njit(**GUARD)
+def take(c, nodes, row):
+    """Velocities of movers from two rows of the nodes."""
+    n = c.mover_numbers
+    for m in range(n.shape[0]):
+        k = c.movers[m, C.MOVER_NODE]
+        n[m, C.U], n[m, C.V] = nodes[row, k], nodes[row + 1, k]
+        n[m, C.U0], n[m, C.V0] = n[m, C.U], n[m, C.V]
+        n[m, C.JX], n[m, C.JY] = 0.0, 0.0
+        if c.movers[m, C.MOVER_RIGID] < 0:
+            n[m, C.IM] = nodes[IM, k]
+
+
+@nb.njit(**GUARD)
+def give(c, nodes, row, dt):
+    """Velocities of movers back into two rows of the nodes that are one with them; with dt, their positions in the middle too."""
+    n = c.mover_numbers
+    for m in range(n.shape[0]):
+        if n[m, C.JX] == 0.0 and n[m, C.JY] == 0.0:
+            continue
+        for i in range(c.copies_start[m], c.copies_start[m + 1]):
+            k = c.copies[i]
+            nodes[row, k], nodes[row + 1, k] = n[m, C.U], n[m, C.V]
+            if dt > 0.0:
+                nodes[XH, k], nodes[XH + 1, k] = nodes[X, k] + 0.5 * dt * n[m, C.U], nodes[X + 1, k] + 0.5 * dt * n[m, C.V]
+
+
+@nb.njit(**GUARD)
+def aim_bonds(c, nodes, closing):
+    """Bonds start without impulse; both ends move alike at the end of the step."""
+    standing = False
+    for p in range(c.bonds.shape[0]):
+        if c.bonds[p, C.BOND_STATE] == C.BOUND:
+            q, standing = c.bond_numbers[p], True
+            q[C.BOND_X], q[C.BOND_Y], q[C.BOND_AIM_X], q[C.BOND_AIM_Y] = 0.0, 0.0, 0.0, 0.0
+            if not closing:
+                q[C.BOND_X], q[C.BOND_Y] = q[C.BOND_LAST_X], q[C.BOND_LAST_Y]
+                s, a, b = movers(c, p, c.bonds[p, C.BOND_EDGE])
+                u, v = start_velocity(c, nodes, s, a, b, q[C.BOND_SHARE])
+                q[C.BOND_AIM_X], q[C.BOND_AIM_Y] = 0.5 * u, 0.5 * v
+    return standing
+
+
+@nb.njit(**GUARD)
+def solve(c, nodes, dt, closing):
+    """Velocities of movers that contact allows; whether anything touched."""
+    part, least = 1.0 if closing else 0.5, NEGLIGIBLE * c.numbers[C.MEAN_EDGE] / dt
+    forget(c)
+    if closing:
+        bind_points(c, nodes)
+    if c.counts[C.PAIRS] == 0:
+        return False
+    touched = aim_bonds(c, nodes, closing)
+    for again in range(ROUNDS):
+        if not activate(c, nodes, dt, closing) and (again > 0 or not touched):
+            break
+        touched = True
+        if closing:
+            ask_closing(c, nodes, dt)
+        else:
+            ask_mean(c, nodes, dt)
+        restart(c, part)
+        relax(c, part, least)
+    if touched and not closing:
+        for _ in range(TURNS):      # directions of the middle of the step as it has come out: forces without moment
+            ask_mean(c, nodes, dt)
+            restart(c, part)
+    return touched
+
+
+@nb.njit(**GUARD)
+def as_before(c, dt):
+    """Mean velocities of the half step by the forces of contact of the last step."""
+    ratio = dt / c.numbers[C.LAST_STEP] if c.numbers[C.LAST_STEP] > 0.0 else 0.0
+    for k in range(c.counts[C.PAIRS]):
+        q = c.pair_numbers[k]
+        q[C.LAMBDA], q[C.TAU] = ratio * q[C.LAST], ratio * q[C.LAST_TAU]
+        c.pairs[k, C.PAIR_ACTIVE] = C.ON if q[C.LAMBDA] > 0.0 else C.OFF
+    for p in range(c.bonds.shape[0]):
+        if c.bonds[p, C.BOND_STATE] == C.BOUND:
+            q = c.bond_numbers[p]
+            q[C.BOND_X], q[C.BOND_Y] = ratio * q[C.BOND_LAST_X], ratio * q[C.BOND_LAST_Y]
+    restart(c, 0.5)
+
+
+@nb.njit(**GUARD)
+def drive(c, run, options, time, dt):
+    """Mean velocity of rigid bodies without contact."""
+    for m in range(c.movers.shape[0]):
+        if c.movers[m, C.MOVER_RIGID] < 0:
+            continue
+        k, pulse, q = c.movers[m, C.MOVER_NODE], c.movers[m, C.MOVER_PULSE], c.mover_numbers[m]
+        u, v = run.nodes[U, k], run.nodes[U + 1, k]
+        if pulse >= 0:
+            speed = pulse_value(time + dt, c.speeds[pulse], c.speed_tables[pulse])
+            u, v = 0.5 * (u + speed * q[C.H1X]), 0.5 * (v + speed * q[C.H1Y])
+        elif q[C.IM] > 0.0:
+            gx, gy = 0.5 * dt * options.gx, 0.5 * dt * options.gy
+            u, v = u + q[C.PXX] * gx + q[C.PXY] * gy, v + q[C.PXY] * gx + q[C.PYY] * gy
+        for i in range(c.copies_start[m], c.copies_start[m + 1]):
+            k = c.copies[i]
+            run.nodes[UM, k], run.nodes[UM + 1, k] = u, v
+            run.nodes[XH, k], run.nodes[XH + 1, k] = run.nodes[X, k] + 0.5 * dt * u, run.nodes[X + 1, k] + 0.5 * dt * v
+
+
+@nb.njit(**GUARD)
+def move_rigid(c, nodes, dt):
+    """Rigid bodies to the end of the step; a negative dt takes them back."""
+    for m in range(c.movers.shape[0]):
+        if c.movers[m, C.MOVER_RIGID] >= 0:
+            for i in range(c.copies_start[m], c.copies_start[m + 1]):
+                k = c.copies[i]
+                for d in range(2):
+                    nodes[X + d, k] += dt * nodes[UM + d, k]
+                    nodes[U + d, k] = 2.0 * nodes[UM + d, k] - nodes[U + d, k]
+
+
+@nb.njit(**GUARD)
+def of_step(c, run, options, time, dt, moment):
+    """One of the moments at the top of the file."""
+    if moment == READY:
+        return not needed(c, run.nodes, dt) or search(c, run.nodes)
+    if moment in (MOVE, TAKE_BACK):
+        move_rigid(c, run.nodes, dt)
+    elif moment == ACCEPT:
+        accept(c, run.nodes, dt, options)
+    elif moment == CLOSE and c.counts[C.PAIRS] > 0:
+        take(c, run.nodes, U)
+        if solve(c, run.nodes, dt, True):
+            book_heat(c, 1.0, dt)
+            book_holds(c, run.chains, 1.0)
+            give(c, run.nodes, U, 0.0)
+    elif moment == PUSH_MIDDLE:
+        drive(c, run, options, time, dt)
+        take(c, run.nodes, UM)
+        if c.counts[C.PAIRS] > 0:
+            as_before(c, dt)
+            give(c, run.nodes, UM, dt)
+    elif moment == PUSH:
+        drive(c, run, options, time, dt)
+        take(c, run.nodes, UM)
+        if solve(c, run.nodes, dt, False):
+            book_holds(c, run.chains, 0.0)
+            give(c, run.nodes, UM, 0.0)
+    return True
+
+
+def touch(contact, run, options, time, dt, moment):
+    """What contact does at a moment of the step; False where it has no room for its pairs."""
+    raise NotImplementedError("compiled only")
+
+
+@overload(touch, jit_options=INLINE)
+def _(contact, run, options, time, dt, moment):
+    def nothing(contact, run, options, time, dt, moment):
+        return True
+
+    def something(contact, run, options, time, dt, moment):
+        return of_step(contact, run, options, time, dt, moment)
+
+    return nothing if contact.instance_class is C.Nowhere else something

@@ -1,0 +1,49 @@
+"""Problems in which bodies meet."""
+
+import dataclasses
+
+import numpy as np
+from plane_builders import aluminium, box, problem, ran, walls
+
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.materials.material import Material
+from hugoniot.problem.model import Pulse
+from hugoniot.problem.plane.contact_model import Contact2D, Rigid2D
+from hugoniot.problem.plane.model import Boundary2D, VelocityField
+from hugoniot.solvers.lagrange2d.assemble import N, Z
+
+
+def meeting(blocks, stop, boundaries=(), geometry="plane", contacts=(), rigid=(), material=None, **options):
+    """A problem with laws of contact and rigid bodies."""
+    made = problem(blocks, material or aluminium(), stop, boundaries, geometry, **options)
+    return dataclasses.replace(made, contacts=tuple(contacts), rigid=tuple(rigid))
+
+
+def al(nx, ny, width, height, origin=(0.0, 0.0), name="a", velocity=(0.0, 0.0)):
+    """A box of aluminium."""
+    return box(nx, ny, width, height, origin, name, "al", velocity=VelocityField(base=velocity))
+
+
+def strip(across_target=3, across_flyer=3, gap=1e-3, along=40, stop=1.2e-6, **options):
+    """A flyer of 2 mm at 700 m/s and a target of 4 mm between walls, so that the motion is one-dimensional."""
+    blocks = [al(across_target, 2 * along, 0.5e-3, 4e-3, (0.0, -4e-3), "target"),
+              al(across_flyer, along, 0.5e-3, 2e-3, (0.0, gap), "flyer", (0.0, -700.0))]
+    sides = walls("target.left", "target.right", "flyer.left", "flyer.right")
+    return meeting(blocks, stop + gap / 700.0, sides, **options)
+
+
+def angular_momentum(solver):
+    """About the origin, kg m2/s per metre."""
+    n = solver.nodes
+    return float(np.sum(n[N.own] * (n[N.x] * n[N.v] - n[N.y] * n[N.u])))
+
+
+def mean_velocity(solver, block):
+    """Mass mean of the velocity of a block."""
+    part = slice(solver.numbering.first[block], solver.numbering.first[block + 1])
+    mass = solver.nodes[N.own, part]
+    return np.array([np.sum(mass * solver.nodes[row, part]) / mass.sum() for row in (N.u, N.v)])
+
+
+__all__ = ["Boundary2D", "Contact2D", "Material", "MieGruneisen", "N", "Pulse", "Rigid2D", "Z", "al", "angular_momentum", "mean_velocity",
+           "meeting", "ran", "strip", "walls"]

@@ -1,0 +1,195 @@
+"""Bodies that meet in the plane: what is conserved, what friction and bonds do, what a resumed run and other threads give."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from contact_builders import Boundary2D, Contact2D, N, Pulse, Rigid2D, al, angular_momentum, mean_velocity, meeting, ran, strip, walls
+
+from hugoniot.core import team
+from hugoniot.solvers.lagrange2d.contact import layout as C
+from hugoniot.solvers.lagrange2d.solver import Lagrange2D
+
+
+def askew(swapped=False, **options):
+    """Two boxes of different meshes that strike each other off centre."""
+    blocks = [al(4, 6, 4e-3, 6e-3, name="a"), al(5, 7, 4e-3, 6e-3, (4.2e-3, 3.1e-3), "b", (-300.0, 20.0))]
+    return meeting(blocks[::-1] if swapped else blocks, 9e-6, **options)
+
+
+def slider(friction, stop, floor=True):
+    """A block on an incline of 30 degrees, in 1e6 m/s2."""
+    rigid = (Rigid2D("floor", ((-10e-3, 0.0), (30e-3, 0.0))),)
+    return meeting([al(6, 4, 6e-3, 4e-3)], stop, rigid=rigid, contacts=(Contact2D(None, "sliding", friction),),
+                   body_force=(0.5e6, -np.sqrt(0.75) * 1e6))
+
+
+def test_momentum_and_energy_are_exact_and_bodies_separate():
+    solver = Lagrange2D(askew())
+    turning = angular_momentum(solver)
+    solver.march(9e-6, 10**6)
+    errors, results = solver.errors(), solver.results()
+    assert errors["momentum_error"] < 1e-13
+    assert errors["energy_error"] < 1e-13
+    assert results["contact_heat"] > 0.0
+    assert results["contact_depth"] < 1e-3
+    assert abs(angular_momentum(solver) - turning) < 1e-6 * abs(turning)
+    assert not solver.run.contact.of_points[:, C.FORCE_X].any()
+    assert np.nanmin(solver.state().nodes["gap"]) > 0.0
+
+
+def test_exchanging_the_bodies_changes_nothing_that_matters():
+    one, other = ran(askew()), ran(askew(swapped=True))
+    difference = [np.abs(mean_velocity(one, k) - mean_velocity(other, 1 - k)).max() for k in (0, 1)]
+    assert max(difference) < 1e-9 * 300.0
+
+
+@pytest.mark.parametrize("across", [3, 5])
+def test_a_flyer_over_a_gap_does_what_it_does_when_it_touches(across):
+    """One-dimensional between walls; matched nodes, and five against three."""
+    joined = ran(strip(gap=0.0, along=20, stop=1.1e-6))
+    apart = ran(strip(across_flyer=across, along=20, gap=1e-3, stop=1.1e-6))
+    height = apart.problem.mesh.blocks[1]
+    momentum = [mean_velocity(s, 0)[1] for s in (joined, apart)]
+    surface = [s.state().nodes["velocity_y"][height.nodes[0, -1]] if s is apart else s.state().nodes["velocity_y"][
+        joined.problem.mesh.blocks[1].nodes[0, -1]] for s in (joined, apart)]
+    assert momentum[1] == pytest.approx(momentum[0], rel=4e-3)
+    assert surface[1] == pytest.approx(surface[0], abs=0.01 * 700.0)
+    assert apart.errors()["momentum_y_error"] < 1e-12
+    assert apart.results()["contact_depth"] < 1e-3
+
+
+def test_a_plate_cut_by_a_frictionless_line_is_as_one():
+    """Pressure at one end, walls at the sides: the cut lies across the load."""
+    found = []
+    for contacts in ((), (Contact2D(("a", "b")),)):
+        blocks = [al(4, 20, 1e-3, 4e-3), al(4, 10, 1e-3, 2e-3, (0.0, 4e-3), "b")]
+        sides = (*walls("a.left", "b.left", "a.right", "b.right"), Boundary2D(("b.top",), "pressure", Pulse("constant", 2e9)))
+        found.append(ran(meeting(blocks, 0.9e-6, sides, contacts=contacts)).state().zones["pressure"])
+    assert np.abs(found[1] - found[0]).max() < 0.01 * found[0].max()
+
+
+def test_a_block_slides_down_an_incline_as_coulomb_says():
+    solver = Lagrange2D(slider(0.2, 60e-6))
+    solver.march(20e-6, 10**6)
+    start, impulse = mean_velocity(solver, 0), solver.exchanges()
+    solver.march(60e-6, 10**6)
+    along = (mean_velocity(solver, 0) - start)[0] / 40e-6
+    pushed = {axis: solver.exchanges()[f"impulse_{axis} rigid floor"] - impulse[f"impulse_{axis} rigid floor"] for axis in "xy"}
+    assert pushed["x"] == pytest.approx(-0.2 * pushed["y"], rel=1e-6)
+    assert along == pytest.approx(1e6 * (0.5 - 0.2 * np.sqrt(0.75)), rel=5e-3)
+    assert solver.results()["friction_work"] > 0.0
+    assert solver.errors()["energy_error"] < 1e-10
+
+
+def test_friction_beyond_the_slope_holds_the_block():
+    """It quivers by less than a hundredth of what it would have slid."""
+    solver = ran(slider(3.0, 40e-6))
+    x = solver.nodes[N.x, : solver.numbering.total]
+    assert abs(x.mean() - 3e-3) < 0.01 * 0.5 * 0.5e6 * 40e-6**2
+
+
+def test_two_bars_rebound():
+    """Equal bars exchange their velocities; contact lasts while a wave runs to the free end and back, 2 L / c."""
+    bars = [al(1, 40, 1e-3, 20e-3), al(1, 40, 1e-3, 20e-3, (0.0, 20.001e-3), "b", (0.0, -20.0))]
+    solver = Lagrange2D(meeting(bars, 12e-6, walls("a.left", "a.right", "b.left", "b.right")))
+    touching = []
+    while solver.time < 12e-6:
+        solver.march(12e-6, 1)
+        if np.abs(solver.run.contact.of_points[:, C.FORCE_Y]).max() > 1e3:
+            touching.append(solver.time)
+    c = np.sqrt((2700.0 * 5200.0**2 + 4.0 / 3.0 * 24.8e9) / 2700.0)
+    assert touching[-1] - touching[0] == pytest.approx(2.0 * 20e-3 / c, rel=0.02)
+    assert (mean_velocity(solver, 1) - mean_velocity(solver, 0))[1] == pytest.approx(20.0, rel=0.04)
+
+
+@pytest.mark.parametrize("across", [4, 7])
+def test_bonds_hold_pull_and_break(across):
+    def pulled(kind, **law):
+        blocks = [al(4, 8, 2e-3, 4e-3, velocity=(0.0, -30.0)), al(across, 8, 2e-3, 4e-3, (0.0, 4e-3), "b", (0.0, 30.0))]
+        return ran(meeting(blocks, 2e-6, contacts=(Contact2D(("a", "b"), kind, **law),)))
+
+    joined = ran(meeting([al(4, 8, 2e-3, 4e-3, velocity=(0.0, -30.0)), al(4, 8, 2e-3, 4e-3, (0.0, 4e-3), "b", (0.0, 30.0))], 2e-6))
+    bonded, weak, loose = pulled("bonded"), pulled("separable", strength=0.1e9), pulled("sliding")
+    assert mean_velocity(bonded, 1)[1] == pytest.approx(mean_velocity(joined, 1)[1], rel=5e-3)
+    assert bonded.results()["bonds_broken"] == 0
+    assert weak.results()["bonds_broken"] > 0
+    assert mean_velocity(loose, 1)[1] == pytest.approx(30.0, rel=1e-12)
+    assert max(s.errors()["energy_error"] for s in (bonded, weak, loose)) < 1e-12
+
+
+def test_a_free_punch_gives_what_the_material_takes():
+    punch = Rigid2D("punch", ((8e-3, 11e-3), (8e-3, 10.1e-3), (12e-3, 10.1e-3), (12e-3, 11e-3)), True, mass=0.1, start=(0.0, -200.0))
+    solver = ran(meeting([al(20, 10, 20e-3, 10e-3)], 6e-6, walls("a.bottom"), rigid=(punch,)))
+    taken, speed = solver.exchanges(), solver.contact.rigid_velocity(solver.run.contact)["punch"]
+    assert taken["impulse_y rigid punch"] == pytest.approx(-0.1 * (speed[1] + 200.0), rel=1e-12)
+    assert taken["work rigid punch"] == pytest.approx(0.05 * (200.0**2 - speed[0] ** 2 - speed[1] ** 2), rel=1e-12)
+    assert solver.errors()["energy_error"] < 1e-12
+    assert abs(speed[0]) < 1e-3 * 200.0
+    assert taken["moved_y punch"] < -0.4e-3
+
+
+def test_a_driven_punch_stays_on_its_way():
+    drive = Rigid2D("punch", ((8e-3, 11e-3), (8e-3, 10.1e-3), (12e-3, 10.1e-3), (12e-3, 11e-3)), True, Pulse("constant", 100.0),
+                    direction=(0.0, -1.0))
+    solver = ran(meeting([al(10, 5, 20e-3, 10e-3)], 4e-6, walls("a.bottom"), rigid=(drive,)))
+    assert solver.exchanges()["moved_y punch"] == pytest.approx(-0.4e-3, rel=1e-9)
+    assert solver.exchanges()["work rigid punch"] > 0.0
+    assert solver.errors()["energy_error"] < 1e-12
+
+
+def test_a_run_resumed_while_it_slides_has_the_same_bits():
+    given = dataclasses.replace(slider(0.2, 20e-6))
+    whole, first = ran(given), ran(given, cycles=151)
+    assert first.run.contact.of_points[:, C.FORCE_X].any()
+    rest = Lagrange2D(given)
+    rest.restore(first.payload())
+    while rest.time < given.stop_time:
+        rest.march(given.stop_time, 13)
+    assert rest.cycle == whole.cycle
+    for name in ("zones", "nodes", "chains"):
+        assert np.array_equal(getattr(rest, name), getattr(whole, name))
+    assert rest.results() == whole.results()
+
+
+@pytest.mark.skipif(not team.possible(), reason="no threads that share a march here")
+def test_two_threads_give_the_same_bits(monkeypatch):
+    monkeypatch.setattr("hugoniot.solvers.lagrange2d.solver.WORTH_SHARING", 1)
+    monkeypatch.setattr("os.cpu_count", lambda: 2)
+    one, two = ran(askew()), ran(askew(threads=2))
+    assert two.team.threads == 2
+    assert np.array_equal(one.zones, two.zones)
+    assert np.array_equal(one.nodes[N.x], two.nodes[N.x])
+
+
+@pytest.mark.parametrize("scheme", ["true_volume", "area_weighted"])
+def test_discs_meet_on_the_axis(scheme):
+    blocks = [al(8, 8, 4e-3, 4e-3, name="target"), al(11, 5, 4e-3, 2e-3, (0.0, 4.05e-3), "flyer", (0.0, -500.0))]
+    solver = ran(meeting(blocks, 1e-6, geometry="axisymmetric", scheme=scheme))
+    errors = solver.errors()
+    assert errors["energy_error"] < 1e-12
+    assert errors["momentum_y_error"] < (1e-12 if scheme == "true_volume" else 1e-5)
+    assert solver.results()["contact_depth"] < 1e-3
+    axis = solver.state().nodes["velocity_y"][solver.problem.mesh.blocks[0].nodes[0, -1]]
+    assert -500.0 < axis < -100.0
+
+
+def test_a_body_meets_itself():
+    """A fork whose prongs are driven together: joined at the root, they meet at the tips and go no farther."""
+    blocks = [al(2, 6, 2e-3, 6e-3, name="root"), al(8, 2, 8e-3, 2e-3, (2e-3, 0.0), "low", (0.0, 100.0)),
+              al(8, 2, 8e-3, 2e-3, (2e-3, 4e-3), "high", (0.0, -100.0))]
+    solver = ran(meeting(blocks, 14e-6, contacts=(Contact2D(("low", "high")),)))
+    first = solver.numbering.first
+    low, high = (solver.nodes[N.y, first[k]:first[k + 1]].reshape(9, 3) for k in (1, 2))
+    assert (high[:, 0] - low[:, -1]).min() > -1e-3 * 1e-3
+    assert solver.results()["contact_heat"] > 0.0
+    assert solver.errors()["momentum_error"] < 1e-12
+
+
+def test_a_body_slides_past_the_end_of_another():
+    blocks = [al(8, 3, 8e-3, 3e-3, name="base"), al(4, 4, 4e-3, 4e-3, (6e-3, 3e-3), "rider", (400.0, -20.0))]
+    solver = ran(meeting(blocks, 6e-6, contacts=(Contact2D(("base", "rider")),)))
+    x = solver.nodes[N.x, solver.numbering.first[1]:solver.numbering.first[2]]
+    assert x.min() > 8e-3
+    assert solver.results()["contact_depth"] < 1e-3
+    assert solver.errors()["energy_error"] < 1e-12
