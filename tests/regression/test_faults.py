@@ -8,6 +8,7 @@ test_fuzzed_input.py.
 import errno
 import os
 import random
+import resource
 import shutil
 import signal
 import sys
@@ -181,6 +182,7 @@ def in_a_copy_of_this_process(work):
     if child == 0:
         status = 1
         try:
+            resource.setrlimit(resource.RLIMIT_CPU, (600, 600))     # only for what never ends
             work()
             status = 0
         finally:

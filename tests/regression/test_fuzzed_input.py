@@ -48,6 +48,7 @@ def in_a_fork(work):
     if child == 0:
         status = 1
         try:
+            resource.setrlimit(resource.RLIMIT_CPU, (600, 600))     # only for what never ends
             before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
             work()
             grown = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1024.0

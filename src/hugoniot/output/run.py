@@ -17,7 +17,7 @@ import numpy as np
 
 from hugoniot.diagnostics.interface_gauges import CONTINUOUS, sides
 from hugoniot.errors import FileTrouble
-from hugoniot.files import read_regular, read_text
+from hugoniot.files import hdf5_texts_end, read_regular, read_text
 from hugoniot.output.atomic import digest, legible
 from hugoniot.output.codec import decode
 from hugoniot.output.hdf5 import h5py
@@ -121,7 +121,11 @@ class Run:
         path = self.folder / "result.h5"
         self._check("result.h5")
         try:
+            if self.partial and not hdf5_texts_end(path):
+                raise FileTrouble(f"{path}: cannot be read as a result (its texts have no end)")
             return h5py().File(path, "r")
+        except FileTrouble:
+            raise
         except PermissionError as error:
             raise FileTrouble(f"{path}: no permission to read it") from error
         except (OSError, RuntimeError) as error:
