@@ -60,8 +60,8 @@ def main() -> None:
     finally:
         for process in busy:
             process.kill()
-    print(f"{asked.zones} zones beside {asked.others} busy processes: two threads take {statistics.median(walls):.2f} of the time of one and "
-          f"{statistics.median(used):.2f} of its processor time (medians)")
+    print(f"{asked.zones} zones beside {asked.others} busy processes: two threads take {statistics.median(walls):.2f} of the time "
+          f"of one and {statistics.median(used):.2f} of its processor time (medians)")
 
 
 if __name__ == "__main__":
