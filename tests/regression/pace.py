@@ -30,15 +30,15 @@ def in_loops(work, rounds=5):
 
 
 def in_starts(arguments, reference, rounds=4, **how):
-    """Processor time of a Python process with `arguments` over that of one with `reference` (lists), the best of some rounds of each."""
-    best = [float("inf")] * 2
+    """Processor time of Python processes, each with a list of `arguments`, over that of one with `reference`: the best of some rounds."""
+    best = [float("inf")] * (1 + len(arguments))
     for _ in range(rounds):
-        for k, words in enumerate((arguments, reference)):
+        for k, words in enumerate((reference, *arguments)):
             before = resource.getrusage(resource.RUSAGE_CHILDREN)
             subprocess.run([sys.executable, *words], capture_output=True, **how)
             after = resource.getrusage(resource.RUSAGE_CHILDREN)
             best[k] = min(best[k], after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
-    return best[0] / best[1]
+    return [one / best[0] for one in best[1:]]
 
 
 def calls(work):

@@ -220,10 +220,13 @@ def test_the_command_ends_with_code_two(name, tmp_path, capsys, monkeypatch):
     assert not (tmp_path / "deck.run").exists()
 
 
-@pytest.mark.parametrize("name", ["unknown unit", "arrays nested without end", "power tower", "missing material"])
-def test_the_answer_takes_no_longer_than_reading_a_sound_deck(name, tmp_path):
+def test_the_answer_takes_no_longer_than_reading_a_sound_deck(tmp_path):
     """Three times at the most: `run` gets ready to draw a report meanwhile. Seconds are measured by benchmarks/answers.py."""
-    (tmp_path / "deck.toml").write_text(BROKEN[name][0], encoding="utf-8")
     (tmp_path / "sound.toml").write_text(SOUND, encoding="utf-8")
     command = ["-c", "import sys; from hugoniot.cli.main import main; main(sys.argv[1:])"]
-    assert in_starts([*command, "run", "deck.toml"], [*command, "check", "sound.toml"], rounds=3, cwd=tmp_path, timeout=120) < 3.0
+    names = ["unknown unit", "arrays nested without end", "power tower", "missing material"]
+    for k, name in enumerate(names):
+        (tmp_path / f"deck{k}.toml").write_text(BROKEN[name][0], encoding="utf-8")
+    others = [[*command, "run", f"deck{k}.toml"] for k in range(len(names))]
+    times = in_starts(others, [*command, "check", "sound.toml"], rounds=2, cwd=tmp_path, timeout=120)
+    assert max(times) < 3.0, dict(zip(names, times))

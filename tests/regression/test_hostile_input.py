@@ -13,6 +13,7 @@ from test_broken_decks import SOUND
 
 from hugoniot.cli.main import main
 from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.files import hdf5_texts_end
 from hugoniot.materials import tables_io
 from hugoniot.materials.table_hdf5 import read_table, write_table
 from hugoniot.materials.users import read_materials
@@ -111,6 +112,21 @@ def test_strange_settings_are_refused_in_words(tmp_path, capsys, setting):
     assert ended.value.code == 2 and "unexpected" not in told and len(told) < 1000
 
 
+def test_what_two_blocks_of_one_name_lack_is_missed_in_both():
+    """The second finding has the words of the first, is not listed twice, and counts all the same."""
+    block = '[[block]]\nname = "a"\nmaterial = "copper"\nx = ["0 mm", "1 mm"]\nzones = [3, 3]\n'
+    with pytest.raises(DeckError, match=r"block\.a\.y: missing"):
+        read_deck_text('stop_time = "1 us"\n' + block + block + '[solver]\nkind = "lagrange2d"\n')
+
+
+def test_a_direction_of_length_one_is_not_divided_by_its_length_again():
+    """0.7071067811865475 twice has the length 0.9999999999999998, and divided by that it would be another number each time it is read."""
+    deck = ('stop_time = "1 us"\n[[block]]\nname = "a"\nmaterial = "copper"\nx = ["0 mm", "1 mm"]\ny = ["0 mm", "1 mm"]\nzones = [3, 3]\n'
+            '[[boundary]]\non = "a.left"\nkind = "velocity"\nvelocity = "1 m/s"\ndirection = [1.0, 1.0]\n[solver]\nkind = "lagrange2d"\n')
+    first = read_deck_text(deck).resolved
+    assert read_deck_text(first).resolved == first and "direction" in first
+
+
 def test_hints_hold_no_escape_characters():
     names = SOUND.replace("[material.al.", '[material."a\\u001b[31ml".').replace('material = "al"', 'material = "a[31ml"')
     with pytest.raises(DeckError) as caught:
@@ -167,6 +183,21 @@ def test_a_changed_number_in_a_table_is_noticed(table, tmp_path):
     place = data.find(np.float64(600.0).tobytes())
     data[place + 4] ^= 1
     (tmp_path / "gas.h5").write_bytes(data)
+    with pytest.raises(DeckError, match="damaged"):
+        read_table(tmp_path / "gas.h5")
+
+
+@unix
+@pytest.mark.parametrize("size", [0, 2**64 - 16, 2**40])
+def test_texts_without_an_end_are_not_begun_with(table, tmp_path, size):
+    """With a size that wraps round to 0 the library went from an object to itself for ever; met by chance among ten thousand mutated tables."""
+    data = bytearray(table.read_bytes())
+    heap = data.find(b"GCOL\x01")
+    assert heap > 0 and hdf5_texts_end(table)
+    data[heap + 24:heap + 32] = size.to_bytes(8, "little")
+    data[heap + 16:heap + 18] = (0 if size == 0 else 1).to_bytes(2, "little")
+    (tmp_path / "gas.h5").write_bytes(data)
+    assert not hdf5_texts_end(tmp_path / "gas.h5")
     with pytest.raises(DeckError, match="damaged"):
         read_table(tmp_path / "gas.h5")
 

@@ -37,7 +37,7 @@ def assembled(name: str, tables: Any, base: Material | None, collector: Collecto
 
     tables   as of `materials.read.build_material`; their key `base`, if there is one, was looked up by the caller
     """
-    before = len(collector.problems)
+    before = collector.findings
     if not isinstance(tables, dict):
         collector.add(path, "a material is a table", f"write [{collector.key(path)}.eos] and under it law = \"...\"")
         return None
@@ -55,16 +55,16 @@ def assembled(name: str, tables: Any, base: Material | None, collector: Collecto
         collector.add(path, "no equation of state", hint)
     valid, sources, warnings = _facts(tables, collector, path, _without_replaced(base, tables))
     unreacted, mixture, heat, reference = _explosive(tables, collector, path, base)
-    if len(collector.problems) > before or built["eos"] is None or (base is None and "base" in tables):
+    if collector.findings > before or built["eos"] is None or (base is None and "base" in tables):
         return None     # the caller reported a name that it looked up in vain
     _check_sound(built, collector, path)
-    if len(collector.problems) > before:
+    if collector.findings > before:
         return None
     if reference == FROZEN and "reference_state" in tables and built.get("burn") is None:
         collector.add((*path, "reference_state"), "what does not burn has no reference state", "omit it, or add a burn law")
         return None
     _check_memory(built["eos"], built.get("burn") is not None, collector, path)
-    if len(collector.problems) > before:
+    if collector.findings > before:
         return None
     if unreacted is not None and flagged(unreacted, "remembers"):
         warnings = tuple(dict.fromkeys((*warnings, PORES_REOPEN)))

@@ -42,13 +42,18 @@ class Collector:
 
     raw      the parsed file, from which array elements get the name shown in a message (`region.flyer.from`)
     folder   where data files that this one names are looked for; by default the folder of `file`
+
+    `findings` counts every finding, one that is worded like an earlier one too (two blocks of one name lack the same key): whoever wants to
+    know whether a part of the file was found sound compares it, as `problems` holds each wording once.
     """
 
     def __init__(self, problems: list[DeckProblem], file: str, line_of: LineOf, raw: dict | None = None, folder: Path | None = None):
         self.problems, self.file, self.line_of, self.raw = problems, file, line_of, raw or {}
         self.folder = Path(file).parent if folder is None else folder
+        self.findings = len(problems)
 
     def add(self, path: tuple, message: str, hint: str = "") -> None:
+        self.findings += 1
         problem = DeckProblem(self.file, self.line_of(path), self.key(path), message, hint)
         if problem in self.problems:
             return

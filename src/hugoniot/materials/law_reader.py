@@ -59,7 +59,7 @@ def _read_parameters(registry: Registry, law: Law, table: dict, collector: Colle
             return None
         names = list(law.parameters._fields)
         required = [n for n in names if n not in law.parameters._field_defaults]
-    before = len(collector.problems)
+    before = collector.findings
     values = {} if direct else {k: v for k, v in law.defaults.items() if k in names}
     for key, value in table.items():
         if key in names:
@@ -72,7 +72,7 @@ def _read_parameters(registry: Registry, law: Law, table: dict, collector: Colle
             meaning = law.meaning.get(key, "")
             collector.add((*path, key), f"missing: {meaning or 'needed'}" + (f" ({unit})" if unit not in ("1", "text") else ""))
     lost = any(value is None and EOS.knows(getattr(law.example, key, None)) for key, value in values.items())
-    if lost or len(collector.problems) > before:
+    if lost or collector.findings > before:
         return None
     try:
         par = law.parameters(**_as_arrays(law, values)) if direct else law.build(**values)

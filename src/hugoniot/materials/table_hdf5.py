@@ -14,7 +14,7 @@ import h5py
 import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble
-from hugoniot.files import open_regular
+from hugoniot.files import hdf5_texts_end
 
 UNITS = {"density": "kg/m^3", "temperature": "K", "pressure": "Pa", "energy": "J/kg"}
 _LONG = {"density": "densities of the grid", "temperature": "temperatures of the grid", "pressure": "pressure, row by density",
@@ -51,7 +51,8 @@ def read_table(path) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     DeckError for a file that is no HDF5, lacks a dataset, or gives one with a wrong shape or unit; the law judges the values.
     """
     try:
-        os.close(open_regular(path))
+        if not hdf5_texts_end(path):
+            raise RuntimeError("its texts have no end")
         with h5py.File(path, "r") as file:
             grid = [_dataset(file, name, path) for name in UNITS]
     except FileTrouble:

@@ -30,7 +30,7 @@ _SUFFIXES = (".csv", ".h5", ".hdf5", ".ses", ".301", ".txt")
 
 def read_table_law(table: dict, collector: Collector, path: tuple) -> Any:
     """The parameters of a law table with the key `file`; None after reporting to the collector what is wrong."""
-    before, given = len(collector.problems), {}
+    before, given = collector.findings, {}
     for key, value in table.items():
         if key in ("law", "file"):
             continue
@@ -47,12 +47,13 @@ def read_table_law(table: dict, collector: Collector, path: tuple) -> Any:
     file = table["file"]
     if not isinstance(file, str) or not file.strip() or not file.isprintable():
         collector.add((*path, "file"), "expected the name of a file", MEANING["file"])
-    if len(collector.problems) > before:
+    if collector.findings > before:
         return None
     try:
         return tables_io.load(collector.folder / file, **given)
     except DeckError as error:
         collector.problems += [p for p in error.problems if p not in collector.problems]
+        collector.findings += len(error.problems)
     except FileTrouble:
         sought = collector.folder / file
         collector.add((*path, "file"), f"no table can be read at '{printable(sought, 200)}'", _others(sought))

@@ -62,8 +62,9 @@ class Lock:
         if not _same_file(handle, self.path):   # its holder has just ended and taken the file away
             os.close(handle)
             return
-        os.ftruncate(handle, 0)
-        os.pwrite(handle, f"process {os.getpid()} on {socket.gethostname()}\n".encode(), 0)
+        with contextlib.suppress(OSError):      # the lock holds without the holder's name, which a full disk does not take
+            os.ftruncate(handle, 0)
+            os.pwrite(handle, f"process {os.getpid()} on {socket.gethostname()}\n".encode(), 0)
         self.handle, self.held = handle, True
 
     def release(self) -> None:

@@ -17,7 +17,7 @@ import numpy as np
 
 from hugoniot.diagnostics.interface_gauges import CONTINUOUS, sides
 from hugoniot.errors import FileTrouble
-from hugoniot.files import read_regular
+from hugoniot.files import hdf5_texts_end, read_regular, read_text
 from hugoniot.output.atomic import digest, legible
 from hugoniot.output.codec import decode
 from hugoniot.output.hdf5 import h5py
@@ -39,7 +39,8 @@ class Run:
     plot: Any   # the pictures of this run: the room `plotting`, a layer above, puts it here
 
     def __init__(self, folder, partial: bool = False):
-        self.folder, self.partial, self._looked_at = pathlib.Path(folder), partial, None
+        self.folder, self.partial = pathlib.Path(folder), partial
+        self._looked_at: dict[str, tuple] = {}
         if not self.folder.is_dir():
             raise FileTrouble(f"{self.folder}: there is no such run folder")
         if not (self.folder / "result.h5").is_file() or not (self.folder / "summary.json").is_file():
@@ -67,14 +68,18 @@ class Run:
         """Columns of fronts.csv, SI: `kind` as texts, the others as numbers; empty for a solver that tracks none."""
         path = self.folder / "fronts.csv"
         if not path.is_file():
+            if "fronts.csv" in self.summary.get("sha256", {}):
+                raise FileTrouble(f"{path}: missing, and the run had written it")
             return {}
-        with legible(path):
-            head, *lines = path.read_text(encoding="utf-8").splitlines()
-        names, rows = head.split(","), [line.split(",") for line in lines]
-        if any(len(row) != len(names) for row in rows):
-            raise FileTrouble(f"{path}: not the fronts of a run")
-        columns = dict(zip(names, zip(*rows))) if rows else dict.fromkeys(names, ())
-        return {name: np.array(values) if name == "kind" else np.array(values, dtype=float) for name, values in columns.items()}
+        self._check("fronts.csv")
+        try:
+            with legible(path):
+                head, *lines = read_text(path).splitlines()
+            names, rows = head.split(","), [line.split(",") for line in lines]
+            columns = dict(zip(names, zip(*rows, strict=True), strict=True)) if rows else dict.fromkeys(names, ())
+            return {name: np.array(values) if name == "kind" else np.array(values, dtype=float) for name, values in columns.items()}
+        except ValueError as error:     # only a damaged file that is read on demand
+            raise FileTrouble(f"{path}: not the fronts of a run ({error})") from error
 
     @cached_property
     def _setup(self) -> tuple[dict, str]:
@@ -95,28 +100,32 @@ class Run:
         """The resolved deck, every default written out."""
         return self._setup[1]
 
-    def _check(self) -> None:
-        """Raise `FileTrouble` unless result.h5 has the SHA-256 the summary remembers; once for a file that stays as it is."""
-        path = self.folder / "result.h5"
-        wanted = self.summary.get("sha256", {}).get("result.h5")
+    def _check(self, name: str) -> None:
+        """Raise `FileTrouble` unless a file has the SHA-256 the summary remembers; once for a file that stays as it is."""
+        path = self.folder / name
+        wanted = self.summary.get("sha256", {}).get(name)
         if self.partial or wanted is None:      # an early run has none
             return
         with legible(path):
             now = os.stat(path)
             state = now.st_ino, now.st_size, now.st_mtime_ns
-            if state == self._looked_at:
+            if state == self._looked_at.get(name):
                 return
             found = digest(path).sha256
         if found != wanted:
             raise FileTrouble(f"{path}: changed since the run ended (its SHA-256 does not agree with summary.json), and not read; "
                               f"what can still be read: `hugoniot info {shlex.quote(str(self.folder))} --verify`")
-        self._looked_at = state
+        self._looked_at[name] = state
 
     def _open(self):
         path = self.folder / "result.h5"
-        self._check()
+        self._check("result.h5")
         try:
+            if self.partial and not hdf5_texts_end(path):
+                raise FileTrouble(f"{path}: cannot be read as a result (its texts have no end)")
             return h5py().File(path, "r")
+        except FileTrouble:
+            raise
         except PermissionError as error:
             raise FileTrouble(f"{path}: no permission to read it") from error
         except (OSError, RuntimeError) as error:

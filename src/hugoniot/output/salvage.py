@@ -5,6 +5,7 @@ import os
 import subprocess
 import sys
 
+from hugoniot.files import hdf5_texts_end
 from hugoniot.output.hdf5 import h5py
 
 PATIENCE = 300.0    # seconds; damage may send HDF5 round in circles
@@ -32,6 +33,8 @@ def serve() -> None:
 def _look(path: str) -> dict[str, str]:
     found: dict[str, str] = {}
     try:
+        if not hdf5_texts_end(path):
+            return found
         with h5py().File(path, "r") as file:
             for group in file:
                 try:

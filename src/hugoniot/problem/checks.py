@@ -45,12 +45,12 @@ def read_regions(rows: Sequence, raw: Any, geometry: Any, own: dict[str, Materia
             continue
         check_name(row.name, seen, i, collector, path)
         look_up(row.material, own, used, failed, collector, (*path, "material"))
-        before = len(collector.problems)
+        before = collector.findings
         zones = _zones(row, collector, path)
         if geometry in ("cylindrical", "spherical") and row.start < 0.0:
             collector.add((*path, "from"), f"in {geometry} geometry positions are radii and must not be negative, got {row.start:g} m")
         check_state(row, used.get(row.material), collector, path)
-        if zones is not None and len(collector.problems) == before:
+        if zones is not None and collector.findings == before:
             values = row.model_dump(exclude={"zone_size", "zones"})
             found.append((Region(**values, zones=zones), i))
     found.sort(key=lambda pair: pair[0].start)

@@ -98,7 +98,7 @@ def _read_blocks(raw, axes, own, collector: Collector) -> tuple[tuple[Block2D, .
             if isinstance(name, str):
                 checks.look_up(name, own, dict(used), failed, collector, (*path, "material"))
             continue
-        before = len(collector.problems)
+        before = collector.findings
         checks.check_name(row.name, seen, i, collector, path, kept="/.")
         checks.look_up(row.material, own, used, failed, collector, (*path, "material"))
         checks.check_state(row, used.get(row.material), collector, path)
@@ -106,7 +106,7 @@ def _read_blocks(raw, axes, own, collector: Collector) -> tuple[tuple[Block2D, .
             collector.add((*path, "ratio"), f"must be greater than 0, got {min(row.ratio):g}")
         shape = geometry.read_shape(row, axes, collector, path)
         motion = geometry.read_velocity(row, axes, collector, path)
-        if shape is not None and motion is not None and len(collector.problems) == before:
+        if shape is not None and motion is not None and collector.findings == before:
             found.append(Block2D(row.name, row.material, shape, row.zones, row.ratio, motion, row.density, row.pressure, row.temperature,
                                  row.energy))
     total = sum(block.zones[0] * block.zones[1] for block in found)

@@ -18,12 +18,15 @@ _SLIDING = ("wall", "velocity")
 
 
 def unit_vector(direction, collector: Collector, path: tuple) -> tuple[float, float] | None:
-    """A direction with the length 1; None, reported, where it has none."""
+    """The direction with length 1; None, reported, where it has none.
+
+    One that has it to the last digits stays as it is, so that a resolved deck resolves to itself.
+    """
     length = math.hypot(*direction)
     if length == 0.0:
         collector.add(path, "has no length")
         return None
-    return direction[0] / length, direction[1] / length
+    return direction if abs(length - 1.0) < 1e-15 else (direction[0] / length, direction[1] / length)
 
 
 def _unknown_chain(name: str, mesh: Blocks, joints: bool = False) -> tuple[str, str]:
@@ -65,7 +68,7 @@ def read_boundaries(rows: Sequence, mesh: Blocks | None, collector: Collector) -
 
 
 def _boundary(row, collector: Collector, path: tuple) -> Boundary2D | None:
-    before = len(collector.problems)
+    before = collector.findings
     for key in _DRIVEN:
         if (getattr(row, key) is not None) != (row.kind == key):
             if row.kind == key:
@@ -77,13 +80,13 @@ def _boundary(row, collector: Collector, path: tuple) -> Boundary2D | None:
         collector.add((*path, "direction"), f"has no meaning on a boundary of kind {row.kind}", "only a driven velocity has one")
     if row.slip is not None and row.kind not in _SLIDING:
         collector.add((*path, "slip"), f"has no meaning on a boundary of kind {row.kind}", "a wall and a driven velocity have it")
-    if len(collector.problems) > before:
+    if collector.findings > before:
         return None
     direction = None if row.direction is None else unit_vector(row.direction, collector, (*path, "direction"))
     pulse = None
     if row.kind in _DRIVEN:
         pulse = read_pulse(getattr(row, row.kind), _DRIVEN[row.kind], collector, (*path, row.kind))
-    if len(collector.problems) > before:
+    if collector.findings > before:
         return None
     return Boundary2D(row.on, row.kind, pulse, direction, True if row.slip is None else row.slip)
 

@@ -19,7 +19,7 @@ _FULL_TURN = 2.0 * math.pi
 def read_shape(row: BlockTable, axes: tuple[str, str], collector: Collector, path: tuple) -> Shape | None:
     """The shape a block's table describes; None after reporting what is wrong."""
     mine = axes if row.shape == "box" else _KEYS[row.shape]
-    before = len(collector.problems)
+    before = collector.findings
     for key in ("x", "y", "r", "z", *_KEYS["sector"], *_KEYS["edges"]):
         if getattr(row, key) is not None and key not in mine:
             other = key in ("x", "y", "r", "z") and row.shape == "box"
@@ -29,7 +29,7 @@ def read_shape(row: BlockTable, axes: tuple[str, str], collector: Collector, pat
     for key in needed:
         if getattr(row, key) is None:
             collector.add((*path, key), "missing", f"a {row.shape} has: {', '.join(mine)}")
-    if len(collector.problems) > before:
+    if collector.findings > before:
         return None
     if row.shape == "box":
         return _box(row, axes, collector, path)
