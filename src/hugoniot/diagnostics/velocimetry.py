@@ -132,7 +132,10 @@ def flat_top(time, values) -> float:
         return np.interp(shares, share / np.sum(weight[chosen]), values[chosen][order])
 
     height = float(lasting(values >= 0.5 * highest, [0.95])[0])
-    low, middle, high = lasting(np.abs(values - height) <= 0.05 * height, [0.25, 0.5, 0.75])
+    top = np.abs(values - height) <= 0.05 * height
+    if not top.any():     # the height lies between the points of a coarse record
+        return float("nan")
+    low, middle, high = lasting(top, [0.25, 0.5, 0.75])
     return float(middle) if high - low < 0.005 * height else float("nan")
 
 
