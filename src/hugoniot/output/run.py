@@ -233,3 +233,9 @@ def _what_is_there(folder: pathlib.Path) -> str:
     if (folder / "checkpoint").is_dir() or (folder / "pieces").is_dir():
         return f"the run is unfinished; continue with `{again}`"
     return "this is not a run folder (no result.h5)"
+
+
+def largest_value(run, field: str) -> float:
+    """The largest size of a field, or of its components, in the gauges and snapshots of a run, SI."""
+    known = [values for group in ("gauges", "snapshots") for name, values in run.arrays(group).items() if name.startswith(field)]
+    return max((float(np.max(np.abs(values))) for values in known if values.size), default=0.0)

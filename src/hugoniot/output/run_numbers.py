@@ -5,8 +5,8 @@ import numpy as np
 from hugoniot.diagnostics.arrival import first_crossing
 from hugoniot.diagnostics.interface_gauges import sides
 from hugoniot.diagnostics.velocimetry import flat_top
-from hugoniot.output.run import Run
-from hugoniot.output.spall_reading import NOISE, largest_value, spall_reading
+from hugoniot.output.run import Run, largest_value
+from hugoniot.output.spall_reading import NOISE, spall_reading
 
 ROUND_OFF = 1e-12     # of the largest value of a run: what is smaller is the round-off of a state at rest
 GAUGE_UNITS = {"arrival": "s", "peak_stress": "Pa", "plateau_stress": "Pa", "lowest_stress": "Pa", "peak_velocity": "m/s",
@@ -62,9 +62,10 @@ def _velocity(table: dict, k: int) -> np.ndarray:
 
 
 def spall_numbers(run: Run) -> dict:
-    """The spall reading: gauge, kind of surface, region, window, numbers (SI), and the reason where no strength is given."""
+    """The spall reading: gauge, kind of surface, region, window, numbers (SI), the reason where no strength is given,
+    a note on what limits it."""
     reading = spall_reading(run)
-    why = {"reason": reading.reason} if reading.reason else {}
+    why = {key: words for key, words in (("reason", reading.reason), ("note", reading.note)) if words}
     record = reading.record if reading.numbers else None
     where = {"gauge": record.gauge, "surface": record.kind, "region": record.region, "window": record.window} if record else {}
     return {**where, **reading.numbers, **why}

@@ -16,9 +16,11 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from hugoniot.diagnostics.velocimetry import PullBack, kanel_correction, pull_back, ringing_period, spall_strength, spall_thickness
+from hugoniot.output.run import largest_value
 
 LEAST_SIGNAL = 0.4      # part of Z (u1 - u2) that the correction for a window must leave: errors of a velocity grow by its inverse
 LARGEST_MISS = 0.1      # of the pull-back: by how much the minimum may lie below the lowest record
+LARGEST_LOSS = 1.0      # of the pull-back: Kanel's correction takes the slopes of the record as constant over what was lost
 NOISE = 1e-6            # of the largest speed of a run: what a gauge sees of a wave that has not come yet is less
 SURFACE, WINDOW = "free surface", "window interface"
 
@@ -42,10 +44,14 @@ class Record:
 
 @dataclass(frozen=True)
 class Reading:
-    """numbers (SI; empty if there is no reading) and, if something broke but no strength can be read, the reason."""
+    """numbers (SI; empty if there is no reading) and, if something broke but no strength can be read, the reason.
+
+    note   what limits the strength that is given
+    """
 
     numbers: dict[str, float] = field(default_factory=dict)
     reason: str = ""
+    note: str = ""
     record: Record | None = None
     found: PullBack | None = None
 
@@ -164,12 +170,6 @@ def spalled_regions(run) -> dict[str, float]:
     return {name: time for name, time in found.items() if name}
 
 
-def largest_value(run, field: str) -> float:
-    """The largest size of a field, or of its components, in the gauges and snapshots of a run, SI."""
-    known = [values for group in ("gauges", "snapshots") for name, values in run.arrays(group).items() if name.startswith(field)]
-    return max((float(np.max(np.abs(values))) for values in known if values.size), default=0.0)
-
-
 def _region_at(run, time: float, numbers: str) -> str:
     """The region at the place of an event, from the snapshot nearest in time; "" if the event has no place."""
     place = re.search(r'"position": ([-+.\deE]+)', numbers)
@@ -236,7 +236,7 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
     if (missed := _missed(record, found)) > LARGEST_MISS:
         reason = (f"the records at {record.source} are too far apart: between two of them the velocity may fall by another {missed:.0%} of "
                   f"the pull-back, and a sound reading needs less than {LARGEST_MISS:.0%}; reduce gauge_interval")
-        return Reading({"peak_velocity": found.peak}, reason, record)
+        return Reading({"peak_velocity": found.peak}, reason, record=record)
     window = constants_of(run, record.window) if record.window else None
     if window == {}:
         return Reading(reason=f"the impedance of the window '{record.window}' is not known", record=record, found=found)
@@ -249,8 +249,17 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
             reason = (f"the stress that the window '{record.window}' holds outweighs the pull-back: {max(left, 0.0):.0%} of it would be "
                       f"left for the strength, and {LEAST_SIGNAL:.0%} are needed for a sound reading")
             numbers = {key: value for key, value in numbers.items() if not key.startswith("spall_strength")}
-            return Reading(numbers, reason, record, found)
-    return Reading(numbers, "", record, found)
+            return Reading(numbers, reason, record=record, found=found)
+    return Reading(numbers, "", _eroded(numbers), record, found)
+
+
+def _eroded(numbers: dict[str, float]) -> str:
+    """A note where the elastic front took so much of the pull-back that no correction gives it back."""
+    if not numbers.get("pull_back_lost", 0.0) > LARGEST_LOSS * numbers["pull_back"]:
+        return ""
+    part = numbers["pull_back_lost"] / numbers["pull_back"]
+    return (f"the acoustic strength is a lower bound: on the way through the spalled layer the elastic front took up to {part:.0%} of the "
+            f"pull-back that is left, and Kanel's correction is sound below {LARGEST_LOSS:.0%}")
 
 
 def _missed(record: Record, found: PullBack) -> float:
@@ -276,7 +285,9 @@ def reading_of(time, velocity, found: PullBack, constants: dict, window: dict | 
         thickness = result["spall_thickness"] = spall_thickness(period, c_long)
         if c_long > c_bulk:
             lost = kanel_correction(time, velocity, found, thickness, c_bulk, c_long)
-            result["spall_strength_kanel"] = through_window(found.peak, found.minimum - lost, rho0 * c_bulk, window)
+            result["pull_back_lost"] = lost
+            if lost <= LARGEST_LOSS * found.drop:
+                result["spall_strength_kanel"] = through_window(found.peak, found.minimum - lost, rho0 * c_bulk, window)
     return result
 
 
