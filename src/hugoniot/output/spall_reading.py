@@ -258,8 +258,8 @@ def _eroded(numbers: dict[str, float]) -> str:
     if not numbers.get("pull_back_lost", 0.0) > LARGEST_LOSS * numbers["pull_back"]:
         return ""
     part = numbers["pull_back_lost"] / numbers["pull_back"]
-    return (f"the acoustic strength is a lower bound: on the way through the spalled layer the elastic front took up to {part:.0%} of the "
-            f"pull-back that is left, and Kanel's correction is sound below {LARGEST_LOSS:.0%}")
+    return ("the acoustic strength is a lower bound: "
+            f"the elastic front eroded up to {part:.0%} of the pull-back, too much for Kanel's correction")
 
 
 def _missed(record: Record, found: PullBack) -> float:
