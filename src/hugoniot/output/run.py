@@ -237,5 +237,6 @@ def _what_is_there(folder: pathlib.Path) -> str:
 
 def largest_value(run, field: str) -> float:
     """The largest size of a field, or of its components, in the gauges and snapshots of a run, SI."""
-    known = [values for group in ("gauges", "snapshots") for name, values in run.arrays(group).items() if name.startswith(field)]
-    return max((float(np.max(np.abs(values))) for values in known if values.size), default=0.0)
+    tables = [run.arrays(group) for group in ("gauges", "snapshots")]
+    known = [table[name] for table in tables for name in table if name.startswith(field)]
+    return max((max(float(np.max(values)), -float(np.min(values))) for values in known if values.size), default=0.0)
