@@ -107,7 +107,7 @@ def orders() -> list[str]:
 
 # -- the source's grid -------------------------------------------------------------------------------------------------------
 def on_spacing(case, spacing, first_order=False) -> tuple[float, float]:
-    """(thickness by 004 eq. 6.2.5 on 600 cells of a spacing, steady thickness), m."""
+    """(thickness by Jordan eq. 6.2.5 on 600 cells of a spacing, steady thickness), m."""
     keywords = dict(material=case.eos(), transport=case.transport(), particle_velocity=case.particle_velocity)
     true = steady(**keywords).thickness()
     many = 300.0 * spacing / true
@@ -119,7 +119,7 @@ def on_spacing(case, spacing, first_order=False) -> tuple[float, float]:
 
 
 def by_central_differences(case, widths=5.0, alpha=1e-3) -> float:
-    """Thickness, m, by 004 eq. 6.2.5 on its 600 cells from a step, by its scheme as eqs 2.4.1.7 to 2.4.1.19 print it, without conduction.
+    """Thickness, m, by Jordan eq. 6.2.5 on its 600 cells from a step, by the scheme of its eqs 2.4.1.7 to 2.4.1.19, without conduction.
 
     Explicit steps alpha h/c0 of averages at the faces: no dissipation but the fluid's own. Lengths in h, rho in rho0, velocities in c0.
     widths   time in h/c0; the ripples that the scheme makes take the stronger shock apart between 10 and 20
@@ -151,17 +151,18 @@ def spacings() -> list[str]:
         row, true, label = [], 0.0, name.replace("_", " ")
         for spacing in WATER_SPACINGS:
             shown, true = on_spacing(case, spacing)
-            row.append(f"{shown * 1e9:.4g}" + (f" (004's grid; it prints {case.printed[0] * 1e9:.0f})" if spacing == case.spacing else ""))
+            printed = f" (Jordan's grid; printed {case.printed[0] * 1e9:.0f})" if spacing == case.spacing else ""
+            row.append(f"{shown * 1e9:.4g}" + printed)
         rows.append([label, *row, f"{true * 1e9:.4g}"])
         found = (on_spacing(case, case.spacing)[0], on_spacing(case, case.spacing, True)[0], by_central_differences(case))
         schemes.append([label, *(f"{f * 1e9:.3g} nm, {f / case.spacing:.2g} cells" for f in found),
                         f"{case.printed[0] * 1e9:.0f} nm, {case.printed[0] / case.spacing:.0f} cells"])
-    return ["Thickness, nm, by 004 eq. 6.2.5 on 600 cells of the spacing in the head of the column:", "",
+    return ["Thickness, nm, by Jordan eq. 6.2.5 on 600 cells of the spacing in the head of the column:", "",
             *table(("", *(f"{s * 1e9:.3g} nm" for s in WATER_SPACINGS), "steady"), rows),
-            "The same on 004's own spacings by three schemes: ours; ours to first order (local Lax-Friedrichs); and the central "
-            "differences of 004 as its section 2.4.1 prints them, five sound times of a cell after the step, before its ripples steepen it "
+            "The same on Jordan's own spacings by three schemes: ours; ours to first order (local Lax-Friedrichs); and the central "
+            "differences of Jordan's section 2.4.1, five sound times of a cell after the step, before its ripples steepen it "
             "further:", "",
-            *table(("", "ours", "first order", "central differences", "004 prints"), schemes)]
+            *table(("", "ours", "first order", "central differences", "Jordan prints"), schemes)]
 
 
 # -- speed -----------------------------------------------------------------------------------------------------------------
@@ -194,7 +195,7 @@ def speed() -> list[str]:
                    f"{solver.zone_updates / 1e6:.2g} million cell updates; {100 * error:.2g} % from the steady thickness")
     share = 5e7 * 19200 / solver.zone_updates
     return [*table(("", "s of one core"), rows),
-            f"004 took 5e7 steps on 19 200 cells, 9.6e11 cell updates, per case: {share:.0f} times as many."]
+            f"Jordan took 5e7 steps on 19 200 cells, 9.6e11 cell updates, per case: {share:.0f} times as many."]
 
 
 PARTS = {"Every law of the bench": matrix, "Order of the transient": orders, "Water on the source's grid": spacings, "Speed": speed}

@@ -2,7 +2,7 @@
 A burning mixture along an adiabat
 ==================================
 
-An explosive shocked to 20 GPa expands while it burns (source 003, section 5.7): reactants and products share the
+An explosive shocked to 20 GPa expands while it burns (Starkenberg, section 5.7): reactants and products share the
 pressure, the reactants stay on their isentrope, and all the heat goes to the products. The dashed line is the same
 expansion without burning.
 """

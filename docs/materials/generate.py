@@ -87,26 +87,40 @@ def draw(entry, target: Path) -> str | None:
     return f"{entry.name}.png"
 
 
-def index(entries: list) -> str:
-    """The list of all pages with the counts of the library."""
+def index(entries: list, laws: dict[str, dict]) -> str:
+    """The table of all pages with the counts of the library; laws {material: {family: law}}."""
     counts = summary()
     lines = ["# The materials", "", f"{counts['curated_materials']} curated materials, {counts['searchable_materials']} searchable, "
              f"{counts['rows']} rows, {counts['measured_states']} measured states. "
              f"{counts['rows_unverified_against_print']} rows are unverified against print and say so wherever they appear.", ""]
-    for category in dict.fromkeys(e.category for e in entries):
-        group = [e for e in entries if e.category == category]
-        lines += [f"## {category.capitalize()}", "", "```{toctree}", ":maxdepth: 1", "", *(e.name for e in group), "```", ""]
+    heads = ("material", "kind", "density, kg/m³", "c0, m/s", "s", "strength", "spall strength", "state law")
+    lines += ["Click on a heading to sort; type to filter.", "",
+              "```{raw} html", '<input class="filter" type="search" placeholder="filter, such as metal or steinberg" '
+              'aria-label="Filter the materials">', "```", "",
+              *table(list(heads), [row(e, laws[e.name]) for e in entries]),
+              "```{toctree}", ":hidden:", "", *(e.name for e in entries), "```", ""]
     return "\n".join(lines)
+
+
+def row(entry, laws: dict) -> tuple:
+    """A material's line in the table of all."""
+    def constant(law, *names):
+        return next((f"{getattr(law, name):.5g}" for name in names if isinstance(getattr(law, name, None), float)), "")
+
+    eos, spall = entry.material.eos, getattr(entry.material.fracture, "strength", None)
+    return (f"[{cell(entry.name)}]({entry.name}.md)", entry.category, constant(eos, "rho0"), constant(eos, "c0"), constant(eos, "s", "s1"),
+            cell(laws.get("strength", "")), f"{spall / 1e9:.3g} GPa" if spall else "", cell(laws.get("eos", "")))
 
 
 def main(names: list[str]) -> None:
     """Write the pages of the named materials, or of all."""
     TARGET.mkdir(parents=True, exist_ok=True)
     entries = library.find_all()
+    about = {entry.name: described(entry) for entry in entries}
     for entry in entries:
         if not names or entry.name in names:
-            (TARGET / f"{entry.name}.md").write_text(page(described(entry), draw(entry, TARGET)), encoding="utf-8")
-    (TARGET / "index.md").write_text(index(entries), encoding="utf-8")
+            (TARGET / f"{entry.name}.md").write_text(page(about[entry.name], draw(entry, TARGET)), encoding="utf-8")
+    (TARGET / "index.md").write_text(index(entries, {name: found["laws"] for name, found in about.items()}), encoding="utf-8")
     sys.stdout.write(f"wrote {TARGET}\n")
 
 

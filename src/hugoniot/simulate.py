@@ -269,14 +269,16 @@ def _note_extrapolation(folder: RunFolder, problem: Problem, solver: Solver, war
 
 
 def _doubts(problem: Problem, solver: Solver) -> list[str]:
-    """Warnings of a finished run of the hydrocode: tension that no solid carries, echoes of transmitting ends."""
+    """Warnings of a finished run of the hydrocode: tension that no solid carries, echoes of transmitting ends, coarse spall planes."""
     if problem.solver.kind != "lagrange1d":
         return []
+    from hugoniot.diagnostics.spall_planes import unresolved
     from hugoniot.diagnostics.tension import overstretched
     from hugoniot.diagnostics.transmitting import measured
 
     peaks = solver.peaks()
-    return overstretched(problem, solver.region_of, peaks["peak_tension"]) + measured(problem, peaks["peak_stress"])
+    return [*overstretched(problem, solver.region_of, peaks["peak_tension"]), *measured(problem, peaks["peak_stress"]),
+            *unresolved(problem, solver.segments, solver.region_of)]
 
 
 def _meta(problem: Problem, solver) -> dict[str, Any]:

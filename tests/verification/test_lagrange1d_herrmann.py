@@ -32,7 +32,7 @@ def impact(eos, strength, speed, thickness, stop):
     regions = (Region("driver", "al", 0.0, DRIVER, round(DRIVER / WIDTH), velocity=speed),
                Region("target", "al", DRIVER, end, round((end - DRIVER) / WIDTH)))
     gauges = (Gauge("inside", DRIVER + 1e-3), Gauge("deeper", DRIVER + 2e-3), Gauge("surface", "free surface right"))
-    problem = Problem("002", "planar", stop, regions, {"al": Material("al", eos, strength)}, gauges=gauges, output=OutputOptions(report=False))
+    problem = Problem("Herrmann", "planar", stop, regions, {"al": Material("al", eos, strength)}, gauges=gauges, output=OutputOptions(report=False))
     return build.run(problem)
 
 

@@ -113,7 +113,7 @@ def test_printed_product_energy_slopes_are_wrong(pair):
 
 @pytest.mark.parametrize("pair", PAIRS)
 def test_sound_speed_gruneisen_and_exponent_saturate(pair):
-    """003 sections 5.4 and 5.5: 1/i^2, (v/c)^2 and v/gamma are sums over the phases; Gamma = gamma/gamma_p Gamma_p."""
+    """Starkenberg sections 5.4 and 5.5: 1/i^2, (v/c)^2 and v/gamma are sums over the phases; Gamma = gamma/gamma_p Gamma_p."""
     par, v, e, lam, reference = states(pair, "thermal_isolation", 50)
     s = tool.solve(1.0 / v, e, lam, par, reference)
     i_r = np.array([contract.impedance_squared(r, x - Q, par.reactants) for r, x in zip(s.reactant_density, s.reactant_energy)])

@@ -1,4 +1,4 @@
-"""The search for the state of a mixture: where it ends, what it leaves to others, what it refuses (003 sections 5.1 to 5.9)."""
+"""The search for the state of a mixture: where it ends, what it leaves to others, what it refuses (Starkenberg sections 5.1 to 5.9)."""
 
 import numpy as np
 import pytest

@@ -105,7 +105,7 @@ def second_shock(kind):
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_second_shock_thaws_the_reference_and_leaves_the_reactants_on_their_own_hugoniot(kind):
-    """e_r - e_ru = (p + p_u)(v_ru - v_r)/2 (003 5.8) across the later shock, where an isentrope that stayed frozen gains too little."""
+    """e_r - e_ru = (p + p_u)(v_ru - v_r)/2 (Starkenberg 5.8) across the later shock, where an isentrope that stayed frozen gains too little."""
     code, p, fraction, rho, e = second_shock(kind)[:, :5].T
     changes = np.flatnonzero(np.diff(code, prepend=-1.0))
     first, begin, end = changes[0], changes[-2] - 1, changes[-1]     # what lies between is the ringing behind the first shock

@@ -1,4 +1,4 @@
-"""Source 004's tables for argon, water and silica against the steady structure: verification A5, with the source's errors J-E1 to J-E16."""
+"""Jordan's tables for argon, water and silica against the steady structure: verification A5, with the source's errors J-E1 to J-E16."""
 
 import pytest
 

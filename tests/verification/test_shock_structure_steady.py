@@ -164,7 +164,7 @@ def test_width_of_the_middle_and_tails():
 
 @pytest.mark.parametrize("law", ["constant", "power_law", "sutherland", "hard_sphere", "maxwell_molecules"])
 def test_no_more_than_three_hundred_nodes(law):
-    """B30; 004 had 19 200 cells."""
+    """B30; Jordan had 19 200 cells."""
     for mach in (1.001, 1.01, 1.03, 1.05, 1.07, 1.1, 1.2, *MACHS, 20.0):
         assert argon(mach, law).steps <= 300
 

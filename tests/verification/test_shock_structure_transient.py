@@ -228,9 +228,9 @@ def test_light_silica_resolved(name, cells, width, times, tolerance):
 
 
 def test_thickness_on_the_source_grid_is_the_grid():
-    """600 cells of 7.75 and 15.5 nm, as 004: the thickness goes with the spacing until the spacing is below the true one, 3.6 and 1.6 nm.
+    """600 cells of 7.75 and 15.5 nm, as Jordan: the thickness goes with the spacing until the spacing is below the true one, 3.6 and 1.6 nm.
 
-    004 prints 310 and 868 nm: exactly 40 and 56 of its cells.
+    Jordan prints 310 and 868 nm: exactly 40 and 56 of its cells.
     """
     for name, printed_cells in (("water_387", 40.0), ("water_858", 56.0)):
         case = jordan.CONDENSED[name]

@@ -1,4 +1,4 @@
-"""Silica powder between PMMA plates (source 004, chapters 4 and 5): what each order of the cold curve bears, the first shock, the ring-up.
+"""Silica powder between PMMA plates (source Jordan, chapters 4 and 5): what each order of the cold curve bears, the first shock, the ring-up.
 
 Impedance matching by hand: the front plate releases from the state of equal plates on impact until the powder's p = rho0 (c0 + s u) u meets it;
 at the end of the ring-up it has been shocked again, against the back plate, and the powder between them has their pressure.
@@ -117,7 +117,7 @@ def test_the_exact_curve_carries_the_first_shock_at_every_speed_and_density(rho0
 
 @pytest.mark.parametrize("speed, expected", [(900.0, 1.7468e9), (1100.0, 2.2315e9)])
 def test_the_plates_ring_the_lightest_powder_up_to_their_own_pressure(speed, expected):
-    """Denser than its grains; at 1100 m/s the back gauge of 004 reads 2.25 GPa, where the fit alone bears 1.8 GPa at no volume at all."""
+    """Denser than its grains; at 1100 m/s the back gauge of Jordan reads 2.25 GPa, where the fit alone bears 1.8 GPa at no volume at all."""
     solver = make_solver(sandwich(100.0, speed, "grains", crossings=2.2))
     found = march_to(solver, solver.problem.stop_time)
     here = slice(BEGIN, BEGIN + 200)
@@ -135,7 +135,7 @@ def as_004_had_it(deck):
 
 
 def test_order_3_collapses_in_the_first_powder_zones_and_says_why(tmp_path):
-    """004 at 0.10 g/cm3 and 405 m/s: volumes of cells go to zero at the first silica cells, of which zone 600 is the first. Exit code 3,
+    """Jordan at 0.10 g/cm3 and 405 m/s: volumes of cells go to zero at the first silica cells, of which zone 600 is the first. Exit code 3,
     the zone, cause and way out."""
     (tmp_path / "silica.toml").write_text(as_004_had_it(catalogue.deck_text("silica-powder")), encoding="utf-8")
     found = CliRunner().invoke(build_app("run"), ["run", str(tmp_path / "silica.toml"), "--out", str(tmp_path / "silica.run")])

@@ -7,7 +7,8 @@ from typing import Any
 from hugoniot.output.columns import describe
 from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, spall_numbers
 
-_SPALL_UNITS = {key: unit for key, _, unit in SPALL} | {"minimum_time": "s", "ringing_period": "s", "spall_strength_stepanov": "Pa"}
+_SPALL_UNITS = {key: unit for key, _, unit in SPALL} | {
+    "pull_back_lost": "m/s", "minimum_time": "s", "ringing_period": "s", "spall_strength_stepanov": "Pa"}
 _PLATEAUS = {"plateau_stress": "Pa", "plateau_velocity": "m/s"}
 _SUMMARY = ("cycles", "end_time", "mass_error", "momentum_error", "energy_error", "voids_opened", "voids_closed", "interfaces_separated")
 _OF_THE_CLOCK = ("wall_seconds", "kernel_seconds", "compile_seconds", "zone_updates", "run_log_bytes")

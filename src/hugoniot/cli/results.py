@@ -92,3 +92,5 @@ def _echo_spall(run: Run) -> None:
                 typer.echo(f"  {words:38s} {format_si(found[key], unit, 4)}")
     if "reason" in found:
         typer.echo(f"spall strength: not given, {found['reason']}")
+    if "note" in found:
+        typer.echo(f"  {found['note']}")

@@ -10,7 +10,7 @@ elastic_volume_energy    A.38 per mass: the rest of the internal energy since th
 entropy                  of the material's own law, up to a constant of the material; nan where the law has none, and in what burns
 von_mises, lode_angle    of the stress deviators, as in two dimensions (`stress2d`); along the motion and around it they are principal
 
-plastic_work (A.43) and viscous_work (A.39) are the solver's. Source: 002 (Herrmann) A.34 to A.44, 3.31 and 3.32.
+plastic_work (A.43) and viscous_work (A.39) are the solver's. Source: Herrmann A.34 to A.44, 3.31 and 3.32.
 """
 
 import numpy as np

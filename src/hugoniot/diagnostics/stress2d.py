@@ -5,7 +5,7 @@ $$\sigma_e = \sqrt{\tfrac32\left(s_{xx}^2 + s_{yy}^2 + s_{zz}^2 + 2 s_{xy}^2\rig
   \tan\theta = \frac{2 s_2 - s_1 - s_3}{\sqrt3\,(s_1 - s_3)}$$
 
 with the principal deviators $s_1 \ge s_2 \ge s_3$; theta is -30 degrees in uniaxial tension, 0 in pure shear, 30 degrees in uniaxial
-compression. Source: 002 (Herrmann WL-TR-64-107) B.33 to B.35, whose printed angles are corrected (docs: source errors, H-E1 and H-E2);
+compression. Source: Herrmann WL-TR-64-107 B.33 to B.35, whose printed angles are corrected (docs: source errors, H-E1 and H-E2);
 his Lode angle is minus this one where the stress out of the plane is the middle one.
 """
 

@@ -136,7 +136,10 @@ def flat_top(time, values) -> float:
         return np.interp(shares, share / np.sum(weight[chosen]), values[chosen][order])
 
     height = float(lasting(values >= 0.5 * highest, [0.95])[0])
-    low, middle, high = lasting(np.abs(values - height) <= 0.05 * height, [0.25, 0.5, 0.75])
+    top = np.abs(values - height) <= 0.05 * height
+    if not top.any():     # the height lies between the points of a coarse record
+        return float("nan")
+    low, middle, high = lasting(top, [0.25, 0.5, 0.75])
     return float(middle) if high - low < 0.005 * height else float("nan")
 
 
@@ -170,7 +173,7 @@ def spall_strength(drop: float, rho0: float, c_bulk: float, c_long: float | None
 def kanel_correction(time, velocity, found: PullBack, thickness: float, c_bulk: float, c_long: float) -> float:
     """What the elastic front took from the pull-back on its way through `thickness` (m), m/s; 0 where the body has no strength.
 
-    time (n,) s and velocity (n,) m/s of the record in which `found` was found. The slopes are those between 20 and 80 percent of
+    time (n,) s and velocity (n,) m/s of the record in which `found` was found. The slopes are those between 20 and 50 percent of
     the drop and of the rebound.
     """
     time, velocity = np.asarray(time, dtype=float), np.asarray(velocity, dtype=float)
@@ -179,8 +182,8 @@ def kanel_correction(time, velocity, found: PullBack, thickness: float, c_bulk: 
         height = (found.peak if end < start else found.rebound) - found.minimum
         inside = (time >= min(start, end)) & (time <= max(start, end))
         t, u = (time[inside], velocity[inside]) if end > start else (time[inside][::-1], velocity[inside][::-1])
-        # the times at which the record last stood at 20 and first at 80 percent, going away from the minimum
-        high = int(np.argmax(u >= found.minimum + 0.8 * height))
+        # the times at which the record last stood at 20 and first at 50 percent, going away from the minimum
+        high = int(np.argmax(u >= found.minimum + 0.5 * height))
         low = int(np.flatnonzero(u[: high + 1] <= found.minimum + 0.2 * height)[-1])
         slopes.append(abs(u[high] - u[low]) / abs(t[high] - t[low]) if high > low else np.inf)
     down, up = slopes

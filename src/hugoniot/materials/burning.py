@@ -1,7 +1,7 @@
 """What a burning material is made of: which closure joins reactants and products, the heat it holds, the state it rests in.
 
 `Material.eos` are the products, `Material.unreacted` the explosive before it burns, `Material.mixture` the name of a closure of
-`laws.mixture`. A burning zone's energy counts the chemical energy from the start, so that nothing is added while it burns (003
+`laws.mixture`. A burning zone's energy counts the chemical energy from the start, so that nothing is added while it burns (Starkenberg
 section 3); see `docs/theory/mixtures.md`.
 """
 

@@ -242,3 +242,10 @@ def _what_is_there(folder: pathlib.Path) -> str:
     if (folder / "checkpoint").is_dir() or (folder / "pieces").is_dir():
         return f"the run is unfinished; continue with `{again}`"
     return "this is not a run folder (no result.h5)"
+
+
+def largest_value(run, field: str) -> float:
+    """The largest size of a field, or of its components, in the gauges and snapshots of a run, SI."""
+    tables = [run.arrays(group) for group in ("gauges", "snapshots")]
+    known = [table[name] for table in tables for name in table if name.startswith(field)]
+    return max((max(float(np.max(values)), -float(np.min(values))) for values in known if values.size), default=0.0)

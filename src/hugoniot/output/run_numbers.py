@@ -5,10 +5,10 @@ import numpy as np
 from hugoniot.diagnostics.arrival import first_crossing
 from hugoniot.diagnostics.interface_gauges import sides
 from hugoniot.diagnostics.velocimetry import flat_top
-from hugoniot.output.run import Run
-from hugoniot.output.spall_reading import spall_reading
+from hugoniot.output.run import Run, largest_value
+from hugoniot.output.spall_reading import NOISE, spall_reading
 
-NOISE = 1e-6   # of the largest speed of a run: what a gauge sees of a wave that has not come yet is less
+ROUND_OFF = 1e-12     # of the largest value of a run: what is smaller is the round-off of a state at rest
 GAUGE_UNITS = {"arrival": "s", "peak_stress": "Pa", "plateau_stress": "Pa", "lowest_stress": "Pa", "peak_velocity": "m/s",
                "plateau_velocity": "m/s", "last_velocity": "m/s"}
 SPALL = (("peak_velocity", "velocity before the pull-back", "m/s"), ("pull_back", "pull-back", "m/s"),
@@ -24,11 +24,12 @@ def gauge_rows(run: Run) -> list[dict]:
     """
     rows = []
     table = run.arrays("gauges") if run.gauge_names() else {}
-    noise = NOISE * _largest_velocity(run)
+    largest = {name: largest_value(run, name) for name in ("velocity", "stress")}
+    noise = NOISE * largest["velocity"]
     names = run.gauge_names()
     side_of = sides(run.setup["gauges"])
     for k, name in enumerate(names):
-        time, velocity = table["time"], _velocity(table, k)
+        time, velocity = table["time"], without_round_off(_velocity(table, k), largest["velocity"])
         if name in side_of and np.array_equal(velocity, table["velocity"][:, names.index(side_of[name])]):
             continue     # the interface gauge has it
         row: dict = {"gauge": name}
@@ -36,13 +37,18 @@ def gauge_rows(run: Run) -> list[dict]:
         peak = change[np.argmax(np.abs(change))]
         row["arrival"] = first_crossing(time, velocity, velocity[0] + 0.5 * peak) if abs(peak) > noise else float("nan")
         if "stress" in table:
-            stress = table["stress"][:, k]
+            stress = without_round_off(table["stress"][:, k], largest["stress"])
             row |= {"peak_stress": float(stress.max()), "plateau_stress": flat_top(time, stress), "lowest_stress": float(stress.min())}
         highest = float(velocity[np.argmax(np.abs(velocity))])
         way = float(np.copysign(1.0, highest))
         row |= {"peak_velocity": highest, "plateau_velocity": way * flat_top(time, way * velocity), "last_velocity": float(velocity[-1])}
         rows.append(row)
     return rows
+
+
+def without_round_off(values: np.ndarray, largest: float) -> np.ndarray:
+    """Values with zeros for those that are round-off beside the largest of their run."""
+    return np.where(np.abs(values) > ROUND_OFF * largest, values, 0.0)
 
 
 def _velocity(table: dict, k: int) -> np.ndarray:
@@ -55,17 +61,11 @@ def _velocity(table: dict, k: int) -> np.ndarray:
     return np.hypot(table["velocity_x"][:, k], table["velocity_y"][:, k])
 
 
-def _largest_velocity(run: Run) -> float:
-    """The largest speed in the gauges and snapshots of a run, m/s."""
-    tables = [run.arrays(group) for group in ("gauges", "snapshots")]
-    known = [table[name] for table in tables for name in table if name.startswith("velocity")]
-    return max((max(float(np.max(values)), -float(np.min(values))) for values in known if values.size), default=0.0)
-
-
 def spall_numbers(run: Run) -> dict:
-    """The spall reading: gauge, kind of surface, region, window, numbers (SI), and the reason where no strength is given."""
+    """The spall reading: gauge, kind of surface, region, window, numbers (SI), the reason where no strength is given,
+    a note on what limits it."""
     reading = spall_reading(run)
-    why = {"reason": reading.reason} if reading.reason else {}
+    why = {key: words for key, words in (("reason", reading.reason), ("note", reading.note)) if words}
     record = reading.record if reading.numbers else None
     where = {"gauge": record.gauge, "surface": record.kind, "region": record.region, "window": record.window} if record else {}
     return {**where, **reading.numbers, **why}

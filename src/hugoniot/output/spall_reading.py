@@ -16,8 +16,12 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from hugoniot.diagnostics.velocimetry import PullBack, kanel_correction, pull_back, ringing_period, spall_strength, spall_thickness
+from hugoniot.output.run import largest_value
 
 LEAST_SIGNAL = 0.4      # part of Z (u1 - u2) that the correction for a window must leave: errors of a velocity grow by its inverse
+LARGEST_MISS = 0.1      # of the pull-back: by how much the minimum may lie below the lowest record
+LARGEST_LOSS = 1.0      # of the pull-back: Kanel's correction takes the slopes of the record as constant over what was lost
+NOISE = 1e-6            # of the largest speed of a run: what a gauge sees of a wave that has not come yet is less
 SURFACE, WINDOW = "free surface", "window interface"
 
 
@@ -40,10 +44,14 @@ class Record:
 
 @dataclass(frozen=True)
 class Reading:
-    """numbers (SI; empty if there is no reading) and, if something broke but no strength can be read, the reason."""
+    """numbers (SI; empty if there is no reading) and, if something broke but no strength can be read, the reason.
+
+    note   what limits the strength that is given
+    """
 
     numbers: dict[str, float] = field(default_factory=dict)
     reason: str = ""
+    note: str = ""
     record: Record | None = None
     found: PullBack | None = None
 
@@ -149,16 +157,17 @@ def surface_record(run, name: str | None = None) -> Record:
                   source="the snapshots only; a gauge at 'free surface right' would be finer")
 
 
-def spalled_regions(run) -> list[str]:
-    """The regions in which a void opened, in the order of the events."""
+def spalled_regions(run) -> dict[str, float]:
+    """When the first void opened (s), by region, in the order of the events."""
     rows = run.arrays("events")
     names = [region["name"] for region in run.setup["regions"]]
-    found = []
+    found: dict[str, float] = {}
     for kind, text, time, numbers in zip(rows["kind"], rows["text"], rows["time"], rows["numbers"]):
         if kind == "void_opened":
             inside = re.search(r" in '(.*)' at ", str(text))
-            found.append(inside[1] if inside and inside[1] in names else _region_at(run, float(time), str(numbers)))
-    return list(dict.fromkeys(name for name in found if name))
+            name = inside[1] if inside and inside[1] in names else _region_at(run, float(time), str(numbers))
+            found.setdefault(name, float(time))
+    return {name: time for name, time in found.items() if name}
 
 
 def _region_at(run, time: float, numbers: str) -> str:
@@ -191,7 +200,7 @@ def spall_reading(run, name: str | None = None) -> Reading:
 
     name   gauge to read; default the one on the free surface or window interface of a region that was hit and broke
     """
-    broken = [] if "axes" in run.setup else spalled_regions(run)
+    broken = {} if "axes" in run.setup else spalled_regions(run)
     if not broken:
         return Reading()
     hit = [region for region in broken if region in hit_regions(run.setup)]
@@ -205,7 +214,7 @@ def spall_reading(run, name: str | None = None) -> Reading:
         hint = f"; add one at {_listed(places)}" if places and name is None else ""
         where = "no gauge is" if name is None else f"gauge '{name}' is not"
         return Reading(reason=f"{where} on a free surface or window interface of {_listed(hit)}, where the void opened{hint}")
-    read = [read_record(run, record) for record in seen]
+    read = [read_record(run, record, broken[record.region]) for record in seen]
     return next((reading for reading in read if reading.numbers), read[0])
 
 
@@ -213,12 +222,21 @@ def _listed(names) -> str:
     return ", ".join(f"'{name}'" for name in names)
 
 
-def read_record(run, record: Record) -> Reading:
-    """The numbers of one record of a region that broke, or why there are none."""
+def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
+    """The numbers of one record of a region that broke at the time `opened` (s), or why there are none."""
+    if not np.max(record.velocity, initial=0.0) > NOISE * largest_value(run, "velocity"):
+        return Reading(reason=f"no wave reached {record.source} before the end of the run", record=record)
     found = pull_back(record.time, record.velocity)
     if found is None:
         reason = f"the velocity at {record.source} shows no pull-back (a drop and a rebound above 2 % of its peak)"
         return Reading(reason=reason, record=record)
+    if found.rebound_time <= opened:
+        reason = f"the pull-back at {record.source} came before the first void of '{record.region}' opened, so no void sent it"
+        return Reading(reason=reason, record=record)
+    if (missed := _missed(record, found)) > LARGEST_MISS:
+        reason = (f"the records at {record.source} are too far apart: between two of them the velocity may fall by another {missed:.0%} of "
+                  f"the pull-back, and a sound reading needs less than {LARGEST_MISS:.0%}; reduce gauge_interval")
+        return Reading({"peak_velocity": found.peak}, reason, record=record)
     window = constants_of(run, record.window) if record.window else None
     if window == {}:
         return Reading(reason=f"the impedance of the window '{record.window}' is not known", record=record, found=found)
@@ -231,8 +249,24 @@ def read_record(run, record: Record) -> Reading:
             reason = (f"the stress that the window '{record.window}' holds outweighs the pull-back: {max(left, 0.0):.0%} of it would be "
                       f"left for the strength, and {LEAST_SIGNAL:.0%} are needed for a sound reading")
             numbers = {key: value for key, value in numbers.items() if not key.startswith("spall_strength")}
-            return Reading(numbers, reason, record, found)
-    return Reading(numbers, "", record, found)
+            return Reading(numbers, reason, record=record, found=found)
+    return Reading(numbers, "", _eroded(numbers), record, found)
+
+
+def _eroded(numbers: dict[str, float]) -> str:
+    """A note where the elastic front took so much of the pull-back that no correction gives it back."""
+    if not numbers.get("pull_back_lost", 0.0) > LARGEST_LOSS * numbers["pull_back"]:
+        return ""
+    part = numbers["pull_back_lost"] / numbers["pull_back"]
+    return ("the acoustic strength is a lower bound: "
+            f"the elastic front eroded up to {part:.0%} of the pull-back, too much for Kanel's correction")
+
+
+def _missed(record: Record, found: PullBack) -> float:
+    """How much lower the velocity may have fallen before the next record, at the slope it had, in parts of the pull-back."""
+    k = int(np.searchsorted(record.time, found.minimum_time))
+    before, after = record.time[k] - record.time[k - 1], record.time[k + 1] - record.time[k]
+    return float((record.velocity[k - 1] - record.velocity[k]) * after / before / found.drop)
 
 
 def reading_of(time, velocity, found: PullBack, constants: dict, window: dict | None = None) -> dict[str, float]:
@@ -251,7 +285,9 @@ def reading_of(time, velocity, found: PullBack, constants: dict, window: dict | 
         thickness = result["spall_thickness"] = spall_thickness(period, c_long)
         if c_long > c_bulk:
             lost = kanel_correction(time, velocity, found, thickness, c_bulk, c_long)
-            result["spall_strength_kanel"] = through_window(found.peak, found.minimum - lost, rho0 * c_bulk, window)
+            result["pull_back_lost"] = lost
+            if lost <= LARGEST_LOSS * found.drop:
+                result["spall_strength_kanel"] = through_window(found.peak, found.minimum - lost, rho0 * c_bulk, window)
     return result
 
 

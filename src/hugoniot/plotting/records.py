@@ -99,9 +99,9 @@ def free_surface(run, name: str | None = None, delay: float = 0.0, ax=None):
     ax.set_ylabel(labelled(words, unit))
     quiet_grid(ax)
     ax.margins(y=0.08)
-    if reading.numbers:
+    if "pull_back" in reading.numbers:
         seen = read_record(run, replace(record, time=time, velocity=velocity))     # through the delay
-        if seen.numbers:
+        if "pull_back" in seen.numbers:
             _mark_pull_back(ax, seen.found, seen.numbers, ft, fu, unit)
     return ax
 

@@ -24,7 +24,7 @@ def profile_picture(profile: Profile, title: str = ""):
 
 
 def draw_profile(axes, profile: Profile) -> None:
-    """Fill six axes with what 004's figures 6.4 to 6.7 show, and more.
+    """Fill six axes with what Jordan's figures 6.4 to 6.7 show, and more.
 
     Fields as parts of their jumps; energy per volume, kinetic and internal (figs 6.6); stress and heat flux (6.7); the terms of momentum
     (6.4) and of energy (6.5); entropy and its production by viscosity and conduction. Terms are made dimensionless with the state ahead and
@@ -64,7 +64,7 @@ def _part(profile: Profile, fields, name):
 
 
 def _energies(fields, unit) -> dict:
-    """Energies per volume in the frame of the shock, in units of `unit` (004 figures 6.6): total, kinetic, internal."""
+    """Energies per volume in the frame of the shock, in units of `unit` (Jordan figures 6.6): total, kinetic, internal."""
     kinetic, internal = 0.5 * fields["density"] * fields["velocity"] ** 2 / unit, fields["density"] * fields["energy"] / unit
     return {"total": kinetic + internal, "kinetic": kinetic, "internal": internal}
 
@@ -110,7 +110,7 @@ def draw_cells(ax, profile: Profile, centres, fields) -> None:
 
 @styled
 def thickness_picture(curves: Sequence[tuple[str, Sequence[float], Sequence[float]]], ylabel: str, ax=None):
-    """Reciprocal thickness over Mach number (004 fig. 6.2.1.2); curves: (name, Mach numbers, values). Gives the axes."""
+    """Reciprocal thickness over Mach number (Jordan fig. 6.2.1.2); curves: (name, Mach numbers, values). Gives the axes."""
     ax = ax if ax is not None else new_axes(5.6, 3.8)
     for k, (name, machs, values) in enumerate(curves):
         ax.plot(machs, values, color=COLOURS[k % len(COLOURS)], label=name)

@@ -3,7 +3,8 @@
 Of lagrange1d, by integrator:
 
 compatible   measured best over the standard problems of `problem.standard` with one set of numbers; where something burns, the jump of
-             detonation products, (gamma + 1)/4 with gamma near 3, stands for that of a gas or a metal
+             detonation products, (gamma + 1)/4 with gamma near 3, stands for that of a gas or a metal, and burn laws were calibrated
+             with one thickness of shock
 wilkins      as printed: C0 = 2, CL = 1 with sqrt(P/rho), two thirds of the Courant step (Wilkins B.2 items 7 and 9)
 """
 
@@ -14,8 +15,9 @@ from hugoniot.problem.gauges import with_automatic_gauges
 from hugoniot.problem.model import Problem
 
 COURANT = {"compatible": 0.5, "wilkins": 2.0 / 3.0}
-VISCOSITY = {"compatible": ("limited", {"quadratic": 2.0 / 3.0, "linear": 0.3}), "wilkins": ("wilkins", {"quadratic": 2.0, "linear": 1.0})}
-FOR_PRODUCTS = {"compatible": ("limited", {"quadratic": 1.0, "linear": 0.3}), "wilkins": VISCOSITY["wilkins"]}
+VISCOSITY = {"compatible": ("limited", {"quadratic": 2.0 / 3.0, "linear": 0.3, "linear_condensed": 1.0}),
+             "wilkins": ("wilkins", {"quadratic": 2.0, "linear": 1.0})}
+FOR_PRODUCTS = {"compatible": ("limited", {"quadratic": 1.0, "linear": 0.3, "linear_condensed": 0.3}), "wilkins": VISCOSITY["wilkins"]}
 HEAT_FLUX = {"compatible": 0.5, "wilkins": 0.0}
 COURANT_OF_FLOW = 0.9   # of shock_structure
 SNAPSHOTS = 100         # intervals

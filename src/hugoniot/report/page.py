@@ -86,8 +86,10 @@ def _spall_words(spall: dict) -> str:
     if not spall:
         return ""
     window = f", corrected for the impedance of the window '{spall['window']}'" if spall["window"] else ""
-    return (f"Spall strength of '{spall['region']}' from the pull-back: acoustic (Novikov 1966){window}, and with Kanel's (2001) "
-            "correction for the erosion of the spall pulse by its elastic front.")
+    corrected = "spall_strength_kanel" in spall
+    kanel = ", and with Kanel's (2001) correction for the erosion of the spall pulse by its elastic front" if corrected else ""
+    note = f" Note: {spall['note']}." if "note" in spall else ""
+    return f"Spall strength of '{spall['region']}' from the pull-back: acoustic (Novikov 1966){window}{kanel}.{note}"
 
 
 def _section(title: str, *parts: str) -> str:

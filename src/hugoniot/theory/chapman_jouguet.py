@@ -6,7 +6,7 @@ $$F(x) = \rho^2 c^2\,x - (p - p_0) = 0, \qquad D = v_0\sqrt{(p - p_0)/x},$$
 
 the point of least detonation velocity. F is negative near constant volume and changes sign once; the search scans for the change,
 then closes in. No gamma-law formula enters. Chemical energy stands either in the energy of the upstream state (JWL: e0/rho0) or in
-`Initial.heat`. Source: 001 (KB codes) section 4 with K-E4 corrected; 003 A-5.
+`Initial.heat`. Source: KB codes section 4 with K-E4 corrected; Starkenberg A-5.
 """
 
 import math

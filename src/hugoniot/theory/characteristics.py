@@ -9,7 +9,7 @@ bracket times rho is p_lambda at constant volume and energy for every closure in
 v and e are sums over the phases; where pressures are weighted instead, p_lambda itself is taken. The last
 term (geometry: d = 1 planar, 2 cylindrical, 3 spherical) is added to the source.
 
-Source: 003 (Starkenberg ARL-TR-2161) section 6.
+Source: Starkenberg ARL-TR-2161 section 6.
 """
 
 import numpy as np

@@ -1,14 +1,14 @@
 r"""Fits: shock against particle velocity with error bars, JWL from a CJ state and an expansion curve, the repaired Gamma.
 
 **Us-up.** Least squares of $U_s = \sum_k a_k u_p^k$, linear or quadratic, with the standard deviation of the points about the curve
-and the highest measured $u_p$, beyond which the fit extrapolates (001, KB codes, section 3), and the covariance of the coefficients.
+and the highest measured $u_p$, beyond which the fit extrapolates (KB codes, section 3), and the covariance of the coefficients.
 
 **JWL.** On the isentrope through the CJ point, with V = v/v0,
 $p = A e^{-R_1V} + B e^{-R_2V} + C V^{-1-\omega}$. For any $R_1, R_2, \omega$ the CJ pressure, the tangency $-dp/dV = p/(1-V)$ and
 the energy $E(V_{CJ}) = E_0 + p(1-V)/2$ are three linear equations for A, B, C, so every trial closes on the CJ state exactly; the
 exponents alone are fitted to the expansion curve, in $\ln p$. Source: Lee, Hornig and Kury, UCRL-50422, for the form.
 
-**Gamma that meets the jump** (004 eq. 7.1.31, lost in the scan and recovered): see `adjusted_gamma`.
+**Gamma that meets the jump** (Jordan eq. 7.1.31, lost in the scan and recovered): see `adjusted_gamma`.
 """
 
 import csv
@@ -241,12 +241,12 @@ def fit_jwl(rho0: float, velocity: float, pressure: float, energy: float, volume
 
 # -- the Gamma that makes a truncated law meet the jump ----------------------------------------------------------
 def adjusted_gamma(rho0: float, c0: float, s: float, up: float, gamma: float, *, pressure: float = 101325.0) -> float:
-    r"""Grüneisen parameter with which the truncated cubic law of 004 passes through a shock state.
+    r"""Grüneisen parameter with which the truncated cubic law of Jordan passes through a shock state.
 
     $$g = \frac{P_s - \rho_0c_0^2(x + 2sx^2 + 3s^2x^3)}{\rho_se_s - \rho_0c_0^2(x^2/2 + sx^3)}, \qquad x = u_p/U_s, \quad
       P_s = \rho_0U_su_p + P_0, \quad e_s = \frac{P_0}{g_{lit}\rho_0} + \frac{(P_s + P_0)x}{2\rho_0}$$
 
-    rho0 kg/m3, c0 and up m/s, `gamma` the value of the literature, `pressure` P0 ahead, Pa. Source: 004 eq. 7.1.31, recovered.
+    rho0 kg/m3, c0 and up m/s, `gamma` the value of the literature, `pressure` P0 ahead, Pa. Source: Jordan eq. 7.1.31, recovered.
     A law whose reference curve is the exact Hugoniot meets its shock states for any Gamma and needs no adjustment.
     """
     us, behind, density, energy = shocked_state(rho0, c0, s, up, gamma, pressure)
@@ -266,6 +266,6 @@ def shocked_state(rho0: float, c0: float, s: float, up: float, gamma: float, pre
 
 
 def truncated_pressure(rho0: float, c0: float, s: float, gamma: float, density: float, energy: float) -> float:
-    """Pressure of 004's truncated law: the cubic of the cold curve with Gamma rho e, Pa."""
+    """Pressure of Jordan's truncated law: the cubic of the cold curve with Gamma rho e, Pa."""
     x = 1.0 - rho0 / density
     return rho0 * c0 * c0 * (x + (2.0 * s - 0.5 * gamma) * x**2 + s * (3.0 * s - gamma) * x**3) + gamma * density * energy

@@ -71,7 +71,7 @@ def shock(material, initial: Initial | None = None, *, direction: int = 1, guess
     direction   +1: the shock runs towards +x, -1: towards -x
     guess       first v0 - v to try, m3/kg; tells the strong from the weak branch of a detonation given its velocity
     Returns `States` of the shape of the input. Raises `OutOfRange` with the limit, or `NoSolution`.
-    Source: 001 (KB codes) eqs 2.7 to 2.13 with K-E1 corrected; 003 A-5.
+    Source: KB codes eqs 2.7 to 2.13 with K-E1 corrected; Starkenberg A-5.
     """
     par = law_of(material)
     ahead = initial or Initial.at_rest(par)
@@ -113,7 +113,7 @@ def curve(material, initial: Initial | None = None, *, points: int = 101, up_to:
 def rayleigh_line(initial: Initial, shock_velocity: float, points: int = 2, particle_velocity: float | None = None):
     """(particle velocity, pressure) along the Rayleigh line p = p0 + rho0 (Us - u0)(u - u0), from the upstream state.
 
-    particle_velocity   where the line ends (default: at u = Us). Source: 001 eq. 2.8.
+    particle_velocity   where the line ends (default: at u = Us). Source: KB codes eq. 2.8.
     """
     end = shock_velocity if particle_velocity is None else particle_velocity
     u = np.linspace(initial.velocity, end, points)
@@ -124,7 +124,7 @@ def limit(material, initial: Initial | None = None) -> States:
     """The end of the Hugoniot: the state of highest density that the law allows a single shock to reach.
 
     A density limit of the law (the pole of a linear shock-particle velocity fit), or where 1 - (dp/de)(v0 - v)/2 vanishes
-    (Segletes' stability limit, 003 A-5): there the Hugoniot stands upright, as any pressure meets the law and the jump conditions.
+    (Segletes' stability limit, Starkenberg A-5): there the Hugoniot stands upright, as any pressure meets the law and the jump conditions.
     Pressure or particle velocity are infinite at the end, or finite for a fit with s < 1 (J-E16) and at the edge of a table.
     """
     par = law_of(material)

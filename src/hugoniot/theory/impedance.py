@@ -8,7 +8,7 @@ the principal Hugoniot:
 $$u_A - \phi_A(p) = u_B + \phi_B(p), \qquad \phi_k(p) = \begin{cases}\sqrt{(p - p_k)(v_k - v_H(p))} & p > p_k\\[2pt]
   \int_{p_k}^{p} dp/(\rho c) & p < p_k\end{cases}$$
 
-with A the layer behind and B the one ahead. Source: 001 (KB codes) section 2; Meyers, Dynamic Behavior of Materials, ch. 7, for the method.
+with A the layer behind and B the one ahead. Source: KB codes section 2; Meyers, Dynamic Behavior of Materials, ch. 7, for the method.
 """
 
 from collections.abc import Sequence

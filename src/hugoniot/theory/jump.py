@@ -13,7 +13,7 @@ Newton's method keeps inside a bracket and halves it where it would leave.
 The functions are plain scalar code, so that `theory.kernels` compiles this same source for arrays. They return a status and
 never raise; `theory.hugoniot` turns a status into an error that states the limit.
 
-Source: 001 (KB codes) eqs 2.7 to 2.13 with the energy sign corrected (K-E1), 4.3 for the heat; 003 (Starkenberg) A-5.
+Source: KB codes eqs 2.7 to 2.13 with the energy sign corrected (K-E1), 4.3 for the heat; Starkenberg A-5.
 """
 
 import math
@@ -51,7 +51,7 @@ def misfit(mode, target, x, v0, p0, e0, par):
 
 
 def beyond_stability(mode, target, x, v0, p0, e0, par):
-    """Whether x lies beyond Segletes' limit (003 A-5), 1 - (dp/de) x/2 = 0, at which the Hugoniot stands upright and ends.
+    """Whether x lies beyond Segletes' limit (Starkenberg A-5), 1 - (dp/de) x/2 = 0, at which the Hugoniot stands upright and ends.
 
     Past it the misfit has changed its sign once more without meeting a root.
     """

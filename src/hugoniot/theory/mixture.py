@@ -1,7 +1,7 @@
 r"""Reacting mixtures of any two equations of state: states, slopes, limits, adiabats and frozen Hugoniots.
 
 Three closures (`laws/mixture`): "thermal_isolation" (equal pressures, the reactant on its isentrope), "thermal_equilibrium" (equal
-pressures and temperatures) and "weighted_pressures" (for comparison). Source: 003 (Starkenberg ARL-TR-2161) sections 3 to 5 and
+pressures and temperatures) and "weighted_pressures" (for comparison). Source: Starkenberg ARL-TR-2161 sections 3 to 5 and
 appendix B, with the corrections S-E1 to S-E3 and S-E13 of docs/theory/source_errors.md.
 """
 
@@ -125,7 +125,7 @@ def solve(density, energy, burn_fraction, par, reference=None) -> MixtureState:
     """Both phases and the slopes of the pressure at every (density, energy, burn fraction), broadcast together.
 
     reference   (density, energy) of a point of the reactant's isentrope, energy on the mixture's scale (with Q); needed by
-                "thermal_isolation" only: the state just behind the last shock (003 section 4.3)
+                "thermal_isolation" only: the state just behind the last shock (Starkenberg section 4.3)
     Few states are solved as they are, many compiled. Raises NoSolution with the first state that has none, OutOfRange for input outside
     0..1 or not positive.
     """
@@ -211,7 +211,7 @@ class VanishingSeries:
 
 
 def vanishing_series(density: float, energy: float, par) -> VanishingSeries:
-    """Expansion about burn fraction 0 at constant volume and energy in thermal isolation (003 section 5.9, corrected: S-E3).
+    """Expansion about burn fraction 0 at constant volume and energy in thermal isolation (Starkenberg section 5.9, corrected: S-E3).
 
     The reactant's isentrope passes through (density, energy - Q), as the limit demands. Raises NoSolution without nascent products.
     """
@@ -228,7 +228,7 @@ def vanishing_series(density: float, energy: float, par) -> VanishingSeries:
 
 
 def adiabat(start: MixtureState, volumes, burn_fraction: Callable[[float], float] | None = None) -> MixtureState:
-    """States along the mixture adiabat de + p dv = 0 from a single solved state (003 section 5.7).
+    """States along the mixture adiabat de + p dv = 0 from a single solved state (Starkenberg section 5.7).
 
     volumes         specific volumes to visit, monotone, m3/kg
     burn_fraction   burn fraction as a function of volume; None: frozen, and the adiabat is an isentrope
@@ -294,7 +294,7 @@ class FrozenHugoniot:
 
 
 def frozen_hugoniot(upstream: MixtureState, pressures) -> FrozenHugoniot:
-    """Each phase on its own Hugoniot from the upstream state to one pressure (003 section 5.8); velocities relative to upstream.
+    """Each phase on its own Hugoniot from the upstream state to one pressure (Starkenberg section 5.8); velocities relative to upstream.
 
     The reactant state found is the reference state of its isentrope downstream. Raises NoSolution beyond a compression limit.
     """

@@ -7,7 +7,7 @@ solver. Newton's method in p, with slopes $d/(\rho c)$ on the fan and the differ
 inside a bracket. A law with a memory (pores that stay crushed) is released on its elastic branch, as far compacted as the loading
 to the given state left it; the states behind keep that history.
 
-Source: 003 (Starkenberg) sec. 6 for the host method; Courant and Friedrichs, Supersonic Flow and Shock Waves.
+Source: Starkenberg sec. 6 for the host method; Courant and Friedrichs, Supersonic Flow and Shock Waves.
 """
 
 import math

@@ -9,7 +9,7 @@ interfaces and free surfaces move with the material. When two fronts meet, the R
 gives what leaves. Shocks and their interactions are thus exact; fans converge with the number of steps (errors of second order in the
 step). Bodies part where tension would hold them together, and may meet again.
 
-Source: Wave-front tracking after Dafermos, J. Math. Anal. Appl. 38 (1972) 33; 003 (Starkenberg) section 6 for the local solutions.
+Source: Wave-front tracking after Dafermos, J. Math. Anal. Appl. 38 (1972) 33; Starkenberg section 6 for the local solutions.
 """
 
 import math

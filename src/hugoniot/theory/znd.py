@@ -6,7 +6,7 @@ between the states; no ordinary differential equation is stepped, so stiffness c
 taken over $s = -\ln(1-\lambda)$, and near $\lambda = 0$ over $\lambda^{1/9}$: rates that begin as a power of $\lambda$ below 1 and end
 as one of $1-\lambda$ are then smooth.
 
-Source: 003 (Starkenberg ARL-TR-2161) section 6; Fickett and Davis, Detonation.
+Source: Starkenberg ARL-TR-2161 section 6; Fickett and Davis, Detonation.
 """
 
 import math

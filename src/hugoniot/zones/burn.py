@@ -3,7 +3,7 @@
     burn     burn fractions at the end of a step, by schedule and by rate
     rates    rates of burning
 
-Source: 003 (Starkenberg ARL-TR-2161) sections 3 to 5; 002 (Herrmann WL-TR-64-107) A.27 to A.30.
+Source: Starkenberg ARL-TR-2161 sections 3 to 5; Herrmann WL-TR-64-107 A.27 to A.30.
 """
 
 from collections import namedtuple

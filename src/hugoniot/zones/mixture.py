@@ -12,7 +12,7 @@ nothing of a mixture is left in it, and it is packed like that of inert zones.
 The state a search starts from is that of the step before, warmed by the share of the step's heat its phases take (`heat`). A search
 that fails leaves its status.
 
-Source: 003 (Starkenberg ARL-TR-2161) sections 3 to 5; `docs/theory/mixtures.md`.
+Source: Starkenberg ARL-TR-2161 sections 3 to 5; `docs/theory/mixtures.md`.
 """
 
 from typing import Any, NamedTuple

@@ -5,17 +5,33 @@ where a long pulse of pressure is released: behind an impact the steep release l
 """
 
 import json
+from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from hugoniot import run
 from hugoniot.cli.main import main
+from hugoniot.diagnostics.velocimetry import pull_back
 from hugoniot.errors import DeckError
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.fracture.spall_stress import SpallStress
 from hugoniot.materials.material import Material
 from hugoniot.output.compare import compare
-from hugoniot.output.spall_reading import hit_regions, spall_reading, surface_record, through_window
+from hugoniot.output.run_numbers import spall_numbers
+from hugoniot.output.spall_reading import (
+    hit_regions,
+    read_record,
+    reading_of,
+    records,
+    spall_reading,
+    spalled_regions,
+    surface_record,
+    through_window,
+)
+from hugoniot.plotting.records import free_surface as free_surface_velocity
+from hugoniot.problem import catalogue
+from hugoniot.problem.deck import read_deck_text
 from hugoniot.problem.model import Boundary, Gauge, OutputOptions, Problem, Pulse, Region
 from hugoniot.report import write_report
 from hugoniot.theory.impedance import free_surface, match
@@ -102,6 +118,67 @@ def test_no_strength_is_read_off_the_flyers_rear_or_through_too_stiff_a_window(r
     assert surface_record(ran("stiff window")).gauge == "Ta/LiF"
     broken = spall_reading(ran("impactor"))
     assert not broken.numbers and "only in the impactor ('flyer')" in broken.reason
+
+
+@pytest.mark.parametrize("apart, given", [(0.0, True), (60e-9, True), (200e-9, False), (1e-6, False)])
+def test_records_too_far_apart_give_no_strength(tmp_path, apart, given):
+    """A coarse record misses the minimum: whatever strength is given is right, and no record ends the reading with a defect."""
+    problem = plates(TARGET, left=pulse(), stop=2.4e-6)
+    few = run(replace(problem, output=OutputOptions(report=False, gauge_interval=apart, snapshots=2)), tmp_path / "run")
+    reading = spall_reading(few)
+    assert ("spall_strength_acoustic" in reading.numbers) == given
+    assert reading.numbers.get("spall_strength_acoustic", STRENGTH) == pytest.approx(STRENGTH, rel=0.1)
+    assert given or reading.reason and "pull_back" not in reading.numbers
+    free_surface_velocity(few)
+
+
+@pytest.mark.parametrize("kink", [0.6, 0.75, 0.9])
+@pytest.mark.parametrize("fall, corrected", [(0.2e-6, True), (0.02e-6, False)])
+def test_kanels_correction_by_hand(kink, fall, corrected):
+    """Down 100 m/s and up in the same slope to a kink, then slowly: the slopes beside the minimum count, half of one together."""
+    times = np.array([0.0, 1.0e-6, 1.0e-6 + fall, 1.0e-6 + (1.0 + kink) * fall, 1.5e-6, 1.7e-6, 1.9e-6, 2.2e-6, 2.4e-6])
+    heights = np.array([0.0, 300.0, 200.0, 200.0 + 100.0 * kink, 300.0, 200.0, 200.0, 300.0, 250.0])
+    time = np.linspace(0.0, 2.4e-6, 9601)
+    velocity = np.interp(time, times, heights)
+    numbers = reading_of(time, velocity, pull_back(time, velocity), {"rho0": 2700.0, "c_bulk": 5200.0, "c_long": 6200.0})
+    lost = numbers["spall_thickness"] * (1.0 / 5200.0 - 1.0 / 6200.0) * 0.5 * 100.0 / fall
+    assert numbers["pull_back_lost"] == pytest.approx(lost, rel=0.03)
+    assert ("spall_strength_kanel" in numbers) == corrected
+    if corrected:
+        assert numbers["spall_strength_kanel"] == pytest.approx(0.5 * 2700.0 * 5200.0 * (100.0 + lost), rel=0.01)
+
+
+def test_a_pull_back_eroded_beyond_correction_is_a_lower_bound(tmp_path):
+    """The flyer of the templates: its strength of 1 GPa cannot be had back from a third of it."""
+    deck = read_deck_text(catalogue.deck_text("flyer"), "flyer.toml", {"region.flyer.zones": 150, "region.target.zones": 300})
+    shown = spall_numbers(run(deck.problem, tmp_path / "run", report=False))
+    assert 0.2e9 < shown["spall_strength_acoustic"] < 1e9
+    assert "spall_strength_kanel" not in shown and "lower bound" in shown["note"]
+
+
+def test_any_record_of_a_few_points_is_read_without_a_defect():
+    rng = np.random.default_rng(5)
+    for _ in range(3000):
+        points = rng.integers(1, 10)
+        time, velocity = np.cumsum(rng.uniform(0.1, 1.0, points)), rng.choice([-0.5, 0.0, 0.3, 0.6, 0.98, 1.0], points)
+        found = pull_back(time, velocity)
+        if found:
+            numbers = reading_of(time, velocity, found, {"rho0": 2700.0, "c_bulk": 5200.0, "c_long": 6200.0, "s": 1.5})
+            assert np.isfinite(list(numbers.values())).all()
+
+
+def test_no_strength_is_read_where_no_wave_or_only_an_earlier_one_has_come(ran, tmp_path):
+    """At the right-hand surface of a target that broke, and at a wave that came before the void did."""
+    early = run(plates(FLYER, ("target", ALUMINIUM, STRENGTH, 0, 4, 0.0), ("backing", ALUMINIUM, STRENGTH, 4, 9, 0.0),
+                       gauges=[("rear", "free surface right")], stop=1.3e-6), tmp_path / "run")
+    record = next(record for record in records(early) if record.gauge == "rear")
+    assert not read_record(early, record, 1e-6).numbers and "no wave reached" in read_record(early, record, 1e-6).reason
+    driven = ran("driven")
+    record = records(driven)[0]
+    opened = spalled_regions(driven)["target"]
+    assert "spall_strength_acoustic" in read_record(driven, record, opened).numbers
+    late = read_record(driven, record, float(record.time[-1]))
+    assert not late.numbers and "before the first void" in late.reason
 
 
 def test_a_missing_gauge_is_named(ran):

@@ -288,7 +288,7 @@ def test_bad_input(capsys, arguments, words, code):
 # -- the picture -------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name, rises", [("argon", True), ("water_387", False)])
 def test_energies_of_the_picture(name, rises):
-    """004 figures 6.6 and 7.1.6: total energy per volume rises through a shock of argon and falls in water, where kinetic energy stays the most."""
+    """Jordan figures 6.6 and 7.1.6: total energy per volume rises through a shock of argon and falls in water, where kinetic energy stays the most."""
     from hugoniot.plotting.structure import profile_picture
     from hugoniot.theory.structure import jordan, steady
     if name == "argon":

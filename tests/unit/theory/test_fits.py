@@ -1,4 +1,4 @@
-"""Fits: Us-up with its statistics, files of points, JWL that closes on its CJ state, the Gamma of 004 eq. 7.1.31."""
+"""Fits: Us-up with its statistics, files of points, JWL that closes on its CJ state, the Gamma of Jordan eq. 7.1.31."""
 
 import numpy as np
 import pytest

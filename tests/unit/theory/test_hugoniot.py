@@ -37,7 +37,7 @@ def test_gas_by_pressure_is_the_rankine_hugoniot_formula(gamma):
 @pytest.mark.parametrize("s", [0.4045, 0.9736, 1.0, 1.489, 2.5])
 @pytest.mark.parametrize("gamma0", [0.1, 1.0, 1.99])
 def test_solid_returns_its_measured_line_for_any_gamma(s, gamma0):
-    """The exact law passes through every measured shock state whatever Gamma is (the lesson of 004 eq. 7.1.31)."""
+    """The exact law passes through every measured shock state whatever Gamma is (the lesson of Jordan eq. 7.1.31)."""
     c0 = 2000.0
     law = MieGruneisen(1000.0, c0, s, gamma0)
     # below both limits of the law: Us = up for s < 1, and 1 - Gamma0 x / 2 = 0
@@ -123,7 +123,7 @@ def test_heat_of_reaction_enters_the_energy():
     gas, ahead = IdealGas(3.0), Initial(1770.0, 0.0, 0.0, heat=6.27e6)
     up = 3000.0
     found = shock(gas, ahead, particle_velocity=up)
-    assert found.pressure == pytest.approx(0.5 * 1770.0 * 4.0 * up**2 + 1770.0 * 6.27e6 * 2.0, rel=1e-12)  # 001 eq. 4.6
+    assert found.pressure == pytest.approx(0.5 * 1770.0 * 4.0 * up**2 + 1770.0 * 6.27e6 * 2.0, rel=1e-12)  # KB codes eq. 4.6
 
 
 def test_compiled_curve_equals_the_plain_one():
@@ -155,7 +155,7 @@ def test_limit_is_the_compression_limit(law, density):
 
 
 def test_segletes_limit():
-    """Gamma0 > 2 s: the Hugoniot factor 1 - Gamma0 eta/2 vanishes before the pole, at eta = 2/Gamma0 (003 A-5)."""
+    """Gamma0 > 2 s: the Hugoniot factor 1 - Gamma0 eta/2 vanishes before the pole, at eta = 2/Gamma0 (Starkenberg A-5)."""
     law = MieGruneisen(8930.0, 3940.0, 1.0, 3.0)
     assert limit(law).density == pytest.approx(3 * 8930.0, rel=1e-6)
 

@@ -30,7 +30,7 @@ def test_symmetric_impact_and_quadratic_formula():
 
 
 def test_copper_pmma_copper_of_the_source():
-    """004 fig. 4.2.3: plateau 1.989 GPa and 499.8 m/s, reshock 4.198 GPa and 114.4 m/s, ring-up to 10.79 GPa."""
+    """Jordan fig. 4.2.3: plateau 1.989 GPa and 499.8 m/s, reshock 4.198 GPa and 114.4 m/s, ring-up to 10.79 GPa."""
     met = ring_up([CU, PMMA, CU], 555.0, bounces=30)
     assert (met[0].pressure, met[0].particle_velocity) == pytest.approx((1.989e9, 499.8), rel=1e-3)
     assert (met[1].pressure, met[1].particle_velocity) == pytest.approx((4.198e9, 114.4), rel=1e-3)

@@ -44,7 +44,7 @@ def test_entropy_is_constant_and_temperature_follows_the_source():
     start = shock(COPPER, pressure=60e9)
     found = release(COPPER, start, points=30)
     assert found.entropy == pytest.approx(np.full(30, start.entropy), rel=1e-11)
-    # 003 A-4: T = T1 exp(Gamma0 rho0 (v1 - v)) for rho Gamma constant
+    # Starkenberg A-4: T = T1 exp(Gamma0 rho0 (v1 - v)) for rho Gamma constant
     expected = start.temperature * np.exp(1.99 * 8930.0 * (1 / start.density - 1 / found.density))
     assert found.temperature == pytest.approx(expected, rel=1e-10)
 

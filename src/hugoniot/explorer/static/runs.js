@@ -194,6 +194,7 @@
       s.energy_error === undefined ? "" : H.h("p", {class: "small quiet", style: {margin: "0 0 6px"}}, `relative errors: ${["mass", "momentum", "energy"].map(w => `${w} ${s[`${w}_error`] === null ? "–" : Number(s[`${w}_error`]).toExponential(1)}`).join(", ")}`),
       rows.length ? H.h("div", {class: "scroll wide"}, H.h("table", {class: "small"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "gauge"), heads.map(k => H.h("th", {class: "number"}, H.labelled(units[k][0], units[k][1]))))), H.h("tbody", {}, rows.map(r => H.h("tr", {}, H.h("td", {}, r.gauge), heads.map(k => H.h("td", {class: "number"}, H.digits(r[k] === null ? null : r[k] * units[k][2], 5)))))))) : "",
       ...[["pull_back", "pull-back", "m/s", 1], ["spall_strength_acoustic", "spall strength, acoustic", "GPa", 1e-9], ["spall_strength_kanel", "with Kanel's correction", "GPa", 1e-9]].filter(([k]) => spall[k]).map(([k, w, u, f]) => H.h("div", {class: "small"}, `${w}: ${H.digits(spall[k] * f, 4)} ${u}`)),
+      spall.reason ? H.h("div", {class: "small"}, `spall strength: not given, ${spall.reason}`) : "", spall.note ? H.h("div", {class: "small"}, spall.note) : "",
       run.events.length ? H.h("details", {}, H.h("summary", {class: "small"}, `${run.events.length} events`), H.h("div", {class: "scroll wide small"}, run.events.map(e => H.h("div", {style: {padding: "2px 8px"}}, `${H.digits(e.time * 1e6, 5)} µs: ${e.text}`)))) : "");
   }
   function command(run, shown, k) {

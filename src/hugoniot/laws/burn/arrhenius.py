@@ -5,7 +5,7 @@ $$\dot\lambda = Z\,(1-\lambda)^m \exp(-T_a/T)$$
 Exact at constant temperature; what the heating does to the rate within a step is the solver's to resolve (its time step knows the rate).
 
 Source: Fickett and Davis, Detonation (1979), chapter 2; C. L. Mader, Numerical Modeling of Detonation (1979). Temperature of the mixture:
-003 (Starkenberg ARL-TR-2161) section 5.6.
+Starkenberg ARL-TR-2161 section 5.6.
 """
 
 from typing import NamedTuple

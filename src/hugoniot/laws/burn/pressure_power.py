@@ -5,7 +5,7 @@ $$\dot\lambda = k\left(\frac{p}{p_0}\right)^n (1-\lambda)^m$$
 above the pressure `pressure_threshold`, 0 below. Covers the simple-depletion
 model of Fickett and Rivard (n = 0, m = 1/2: $\lambda = \tau(2-\tau)$). Exact at constant pressure.
 
-Source: 003 (Starkenberg ARL-TR-2161) section 3 takes any rate of state; Fickett and Davis, Detonation (1979), chapter 2.
+Source: Starkenberg ARL-TR-2161 section 3 takes any rate of state; Fickett and Davis, Detonation (1979), chapter 2.
 """
 
 from typing import NamedTuple

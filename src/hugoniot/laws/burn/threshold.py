@@ -13,7 +13,7 @@ km/s) behind a piston at the CJ velocity, P_init of 1, 5, 10, 20, 30, 40 GPa:
 
 Between 5 and 40 GPa it is right to 3 %.
 
-Source: 001 (KB codes) section 4; K-E4, K-E11.
+Source: KB codes section 4; K-E4, K-E11.
 """
 
 from typing import NamedTuple

@@ -5,7 +5,7 @@ The functions below give $(k_0', k_1', k_2')$ from the usual fits; `series` join
 $\Gamma = \Gamma_0(1 + \gamma_1\eta + \gamma_2\eta^2 + \gamma_3\eta^3)$ (C.13) and makes the law herrmann_series (C.16);
 `wilkins_cubic` is the cubic Mie-Grüneisen form of the KO codes.
 
-Source: 002 (Herrmann) C.4 to C.16, with C.11 corrected (H-E6); C.17 corrected (H-E5) in `elastic_wave_speed`.
+Source: Herrmann C.4 to C.16, with C.11 corrected (H-E6); C.17 corrected (H-E5) in `elastic_wave_speed`.
 """
 
 import math

@@ -7,7 +7,7 @@ $$e_s = e_c\frac{D^{a/n}}{w^{k-1+a}}, \quad p_s = \frac{e_s}{v}(k - 1 + F), \qua
 $$p = p_s + \frac{\Gamma}{v}(e - e_s), \quad \Gamma = k - 1 + (1-b)F, \quad T = T_s + \frac{e - e_s}{c_v}, \quad
   T_s = T_c\frac{D^{(a/n)(1-b)}}{w^{k-1+a(1-b)}},\; T_c = \frac{2^{-ab/n}}{k-1+a}\frac{p_cv_c}{c_v}.$$
 
-Source: Wescott, Stewart and Davis, J. Appl. Phys. 98, 053514 (2005), eq. 1 to 9; Davis 1993, as quoted by 003 (Starkenberg) A-1.
+Source: Wescott, Stewart and Davis, J. Appl. Phys. 98, 053514 (2005), eq. 1 to 9; Davis 1993, as quoted by Starkenberg A-1.
 """
 
 import math

@@ -9,7 +9,7 @@ Temperature (constant $c_v$): $T = T_0\varphi + (e - e_S)/c_v$, $\ln\varphi = \f
 $e_S = \varphi\int_0^\eta f_1/(\rho_0\varphi)\,dt$, $f_1$ the part of p without e, by 16 Gauss points (the
 integrand is entire: exact to rounding).
 
-Source: 002 (Herrmann) eq. 3.6, A.12, C.1, C.16.
+Source: Herrmann eq. 3.6, A.12, C.1, C.16.
 """
 
 import math

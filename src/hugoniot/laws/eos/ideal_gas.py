@@ -4,7 +4,7 @@ $$p = (\gamma - 1)\,\rho e, \qquad T = e / c_v, \qquad s = c_v \ln\left(p\,\rho^
 
 At rest it has the density rho0 and 298.15 K.
 
-Source: 003 (Starkenberg) A-7, polytropic gas; 001 eq. 4.4 with the corrected density (K-E4: rho, not rho0).
+Source: Starkenberg A-7, polytropic gas; KB codes eq. 4.4 with the corrected density (K-E4: rho, not rho0).
 """
 
 from typing import NamedTuple

@@ -7,7 +7,7 @@ $$c^2 = \omega(\omega+1)\left[e_1\left(\frac{(R_1V)^2}{\omega(\omega+1)} - 1\rig
   \quad e_1 = \frac{A}{R_1\rho_0},\; e_2 = \frac{B}{R_2\rho_0}$$
 
 (the prefactor corrected: S-E10). The isentropes are $e_S = e_1e^{-R_1V} + e_2e^{-R_2V} + a\,V^{-\omega}$. Temperature:
-$T = (e - e_C)/c_v$ on the cold isentrope with $a$ = `cold_constant` (0 unless a temperature of the products is known, 003 A-4).
+$T = (e - e_C)/c_v$ on the cold isentrope with $a$ = `cold_constant` (0 unless a temperature of the products is known, Starkenberg A-4).
 
 **B < 0**, as in sets of unreacted explosives: the cold pressure $f = Ae^{-R_1V} + Be^{-R_2V}$ falls to its greatest tension at
 
@@ -17,7 +17,7 @@ and would rise again beyond, with an imaginary sound speed in what is torn there
 pressure keeps $f(V_t)$ from there on, its energy growing by $-f(V_t)(V - V_t)/\rho_0$: smooth to the first derivative, the same isentropes
 in V^-omega beside it, and $c^2 = \omega(\omega+1)(e - e_C) > 0$ at any temperature above zero.
 
-Source: 003 (Starkenberg) A-9 after Lee and Hornig.
+Source: Starkenberg A-9 after Lee and Hornig.
 """
 
 import math
@@ -75,7 +75,7 @@ def energy(rho, p, par):
 
 
 def reference_isentrope(rho, par):
-    """The exponential terms alone (003 A-9.2); energies beside them grow as V^-omega."""
+    """The exponential terms alone (Starkenberg A-9.2); energies beside them grow as V^-omega."""
     whole = par.rho0 / rho
     v = fitted(whole, par)
     first, second = par.a * vexp(-par.r1 * v), par.b * vexp(-par.r2 * v)

@@ -9,7 +9,7 @@ the rest state is (rho0, e) at zero pressure. Hugoniot
 $\Delta p_H = [p_\Gamma - p_u + \rho_\Gamma(e_u + p_u\Delta v)]/(1 - \tfrac12\rho_\Gamma\Delta v)$. Temperature (constant $c_v$):
 $T = T_0e^{\Gamma_0(1-V)} + (e - e_S)/c_v$ on the isentrope through the rest state.
 
-Source: 003 (Starkenberg) A-10.
+Source: Starkenberg A-10.
 """
 
 import math

@@ -8,7 +8,7 @@ $A e^{-R_1} + B e^{-R_2} + \omega\rho_0c_vT_0 \approx 0$) meet within some 10 MP
 $T = T_0V^{-\omega} + (e - e_S)/c_v$ on the isentrope through the rest state, $e_S = h_S(V) + [e_0 - h_S(1)]V^{-\omega}$,
 $h_S = (A/R_1\,e^{-R_1V} + B/R_2\,e^{-R_2V})/\rho_0$.
 
-Source: 003 (Starkenberg) A-9 and A-10.1 (Lee and Tarver 1980 for reactants).
+Source: Starkenberg A-9 and A-10.1 (Lee and Tarver 1980 for reactants).
 """
 
 import math

@@ -16,15 +16,16 @@ This value of a makes pressure, slope and curvature continue those of the Hugoni
 positive at every expansion, so c^2 > 0 wherever e >= e_R, and the tension of the cold solid is bounded by 3 rho0 c0^2 / (8 s), about the
 ideal strength of a metal.
 
-Temperature (constant $c_v$, 003 A-4 with w = 1): $T = T_0 e^{\Gamma_0\eta} + (e - e_S)/c_v$ where $e_S$ is the isentrope through the
-reference state. In tension $e_S = e_R$; in compression it solves $e_S' - \Gamma_0 e_S = c_0^2\eta(1 - \Gamma_0\eta/2)/(1 - s\eta)^2$, whose
-exact solution holds the exponential integral (004 eq. 5.1.9; J-E8: not an error function). With $y = 1 - s\eta$, $\beta = \Gamma_0/s$:
+Temperature (constant $c_v$, Starkenberg A-4 with w = 1): $T = T_0 e^{\Gamma_0\eta} + (e - e_S)/c_v$ where $e_S$ is the isentrope through
+the reference state. In tension $e_S = e_R$; in compression it solves $e_S' - \Gamma_0 e_S = c_0^2\eta(1 - \Gamma_0\eta/2)/(1 - s\eta)^2$,
+whose exact solution holds the exponential integral (Jordan eq. 5.1.9; J-E8: not an error function). With $y = 1 - s\eta$, $\beta =
+\Gamma_0/s$:
 
 $$e_S = \frac{c_0^2}{s^2}\Big\{\left(1-\tfrac{\beta}{2}\right)\left(\tfrac1y - e^{\beta(1-y)}\right) 
  + \tfrac12\left(1 - e^{\beta(1-y)}\right)
  - \left(1 - 2\beta + \tfrac{\beta^2}{2}\right) e^{-\beta y}\,[\mathrm{Ei}(\beta) - \mathrm{Ei}(\beta y)]\Big\}.$$
 
-Source: 003 (Starkenberg) A-6.2 and A-11; 002 (Herrmann) C.5, C.6, C.12; 004 (Jordan) 5.1.4 to 5.1.10.
+Source: Starkenberg A-6.2 and A-11; Herrmann C.5, C.6, C.12; Jordan 5.1.4 to 5.1.10.
 For the other forms of Gamma and of the Hugoniot see mie_gruneisen_linear_gamma, mie_gruneisen_quadratic, mie_gruneisen_cubic.
 """
 

@@ -8,7 +8,7 @@ Substituting it gives $p = \rho_0(S + \Gamma_0e)$, the Hugoniot-referenced law: 
 Gamma0, and only the temperature, $T = (e - E_c)/c_v$, knows E00 (= $-c_vT_0$ when the rest state is at T0 and e = 0).
 Truncations of E_c at orders 3 to 6 are the law mie_gruneisen_cold_series.
 
-Source: 004 (Jordan) eq. 5.1.1 to 5.1.13, whose 5.1.10 is restored here.
+Source: Jordan eq. 5.1.1 to 5.1.13, whose 5.1.10 is restored here.
 """
 
 import math

@@ -9,7 +9,7 @@ The truncation is what the source used: its error grows with
 strain (copper, order 3: 21 % of E_c at eta = 0.3); mie_gruneisen_cold has none. The series is used as it stands in tension.
 The example is that of mie_gruneisen_cold at order 4.
 
-Source: 004 (Jordan) eq. 5.1.11 to 5.1.13 (deleted from the source, recovered).
+Source: Jordan eq. 5.1.11 to 5.1.13 (deleted from the source, recovered).
 """
 
 import math

@@ -7,7 +7,7 @@ $$p = p_H + \rho\Gamma\,(e - e_H), \quad \rho\Gamma = \rho_0(\Gamma_0 + b\mu), \
 Below rho0 the isentrope of bounded tension of mie_gruneisen takes over. Temperature as in mie_gruneisen_linear_gamma, by 16 Gauss points
 in eta (error below 1e-12 of e up to 70 % of the limiting strain).
 
-Source: Steinberg, Cochran and Guinan 1980 as quoted by 003 (Starkenberg) A-6; 003 A-11.
+Source: Steinberg, Cochran and Guinan 1980 as quoted by Starkenberg A-6; Starkenberg A-11.
 """
 
 import math

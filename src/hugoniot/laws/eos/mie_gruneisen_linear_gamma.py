@@ -4,7 +4,8 @@ $$p = p_R(\eta) + \rho\Gamma\,[e - e_R(\eta)], \qquad \rho\Gamma = \rho_0(\Gamma
   \Gamma = \frac{\Gamma_0 + b\mu}{1+\mu}, \quad \mu = \rho/\rho_0 - 1, \quad \eta = 1 - \rho_0/\rho$$
 
 with the reference curves of mie_gruneisen: the principal Hugoniot $\rho_0c_0^2\eta/(1-s\eta)^2$ in compression, an isentrope of bounded
-tension below rho0. b = 0 is rho Gamma constant, b = gamma0 is Gamma constant; 003's $\Gamma_o + \rho_{\Gamma o}v$ is b = $\Gamma_o$.
+tension below rho0. b = 0 is rho Gamma constant, b = gamma0 is Gamma constant; Starkenberg's $\Gamma_o + \rho_{\Gamma o}v$ is b =
+$\Gamma_o$.
 
 Temperature (constant $c_v$): $T = T_0\varphi + (e - e_S)/c_v$ with $\varphi = e^{(\Gamma_0-b)\eta}(1-\eta)^{-b}$ and the isentrope energy
 
@@ -13,7 +14,7 @@ $$e_S = \varphi \int_0^\eta \frac{c_0^2\,t\,(1 - \tfrac12 t\,[\Gamma_0 + b\,t/(1
 evaluated by 10 Gauss points in $\sigma = -\ln(1 - st)$, in which the integrand has no pole: the error is below 1e-13 of e up to 80 % of
 the limiting strain 1/s and 1e-9 at 95 %.
 
-Source: Steinberg, Cochran and Guinan 1980 as quoted by 003 (Starkenberg) A-6; 003 A-11; 002 (Herrmann) C.12.
+Source: Steinberg, Cochran and Guinan 1980 as quoted by Starkenberg A-6; Starkenberg A-11; Herrmann C.12.
 """
 
 import math

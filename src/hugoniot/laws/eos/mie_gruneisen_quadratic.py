@@ -11,7 +11,7 @@ For s2 > 0 the root ends at $u_p = \sqrt{c_0/s_2}$, the strain $1/(s_1 + 2\sqrt{
 highest Us, $u_p = s_1/(2|s_2|)$, or where Us has fallen to up. Temperature as in mie_gruneisen_linear_gamma, by 16 Gauss points in eta
 (error below 1e-12 of e up to 70 % of the limiting strain).
 
-Source: 003 (Starkenberg) A-11 (any $U_H(u)$ that can be solved); Hugoniot form as in compilations of shock data (Marsh 1980).
+Source: Starkenberg A-11 (any $U_H(u)$ that can be solved); Hugoniot form as in compilations of shock data (Marsh 1980).
 """
 
 import math

@@ -7,7 +7,7 @@ $$p_c = \frac{K_0}{n}\left(X^n - 1\right), \qquad e_c = \frac{K_0}{n\rho_0}\left
 The curve is taken as the isentrope through the rest state (e = 0, T0), so that $T = T_0\varphi + (e - e_c)/c_v$ with constant $c_v$ and
 $\ln\varphi = (\Gamma_0 - b)\eta - b\ln(1 - \eta)$, $\eta = 1 - \rho_0/\rho$. b = 0: rho Gamma constant; b = gamma0: Gamma constant.
 
-Source: 002 (Herrmann) C.8 (with A = K0/n, exponent n); Murnaghan 1944.
+Source: Herrmann C.8 (with A = K0/n, exponent n); Murnaghan 1944.
 """
 
 import math

@@ -5,7 +5,7 @@ $$p = \chi\rho^\beta + \Gamma\rho e, \qquad \chi = p_1\rho_1^{-\beta}\left(1 - \
 The isentrope through (rho1, p1), usually the CJ state, is $p_i = p_1(\rho/\rho_1)^\beta$, $e_i = p_i/(\rho(\beta-1))$.
 Temperature (constant $c_v$): $T = T_1(\rho/\rho_1)^\Gamma + (e - e_i)/c_v$ with T1 the temperature at (rho1, p1).
 
-Source: 002 (Herrmann) C.19 to C.23 (in the pentolite example "p_i = 2.77" is beta: H-E12).
+Source: Herrmann C.19 to C.23 (in the pentolite example "p_i = 2.77" is beta: H-E12).
 """
 
 import math

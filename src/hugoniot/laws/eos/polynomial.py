@@ -10,7 +10,7 @@ $$e_S = \frac{X^d}{\rho_0}\sum_{n=0}^{3} c_n \frac{X^{n-1-d} - 1}{n-1-d}, \qquad
 
 (the logarithm where the exponent vanishes).
 
-Source: 000 (Wilkins) B.1 item 6 and A.1.
+Source: Wilkins B.1 item 6 and A.1.
 """
 
 import math

@@ -6,7 +6,7 @@ The energy does not enter: a shock heats the material without consequence, and w
 first pressure. Waves of sound and rarefactions are those of the gas; for shocks take `ideal_gas`. There is no temperature, and no energy
 follows from density and pressure.
 
-Source: 001 (KB codes) eq. 2.5 and 2.6.
+Source: KB codes eq. 2.5 and 2.6.
 """
 
 from typing import NamedTuple

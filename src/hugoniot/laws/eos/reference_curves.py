@@ -12,7 +12,7 @@ $$p = \rho_0P + \rho\Gamma\,(e - E), \qquad \rho\Gamma = \rho_0(\Gamma_0 + b\mu)
 With the isentrope $e_S$ through the rest state (e = 0, T0) and constant $c_v$: $T = T_0\varphi + (e - e_S)/c_v$,
 $\ln\varphi = (\Gamma_0 - b)\eta - b\ln(1 - \eta)$.
 
-Source: 003 (Starkenberg) A-1, A-4, A-6, A-11; the tension curve is derived in mie_gruneisen.
+Source: Starkenberg A-1, A-4, A-6, A-11; the tension curve is derived in mie_gruneisen.
 """
 
 import math

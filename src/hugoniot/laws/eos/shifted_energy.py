@@ -4,7 +4,7 @@ $$p(\rho, e) = p_{\text{base}}(\rho, e + \Delta e)$$
 
 so that laws of one problem (an explosive and its products, two phases) count energy from one origin.
 
-Source: 003 (Starkenberg) A-1 (the energy of an equation of state is defined up to a constant).
+Source: Starkenberg A-1 (the energy of an equation of state is defined up to a constant).
 """
 
 from typing import Any, NamedTuple

@@ -11,7 +11,7 @@ $c = \tfrac{\rho_0}{\rho}\sqrt{U_s\,(c_0 + 2su_p + 3s_2u_p^2)}$, $c_0$ at rest. 
 where the last factor vanishes; there the speed of sound is no longer real, and a run stops. The slope
 $p_e = \rho_0(c_0/u_p + 2s + 3s_2u_p)$ is infinite at rest, so $u_p$ is at least REST, which leaves 3e-3 Pa in a metal.
 
-Source: 001 (KB codes) equations 3.1, 3.6 and 3.7.
+Source: KB codes equations 3.1, 3.6 and 3.7.
 """
 
 from typing import NamedTuple

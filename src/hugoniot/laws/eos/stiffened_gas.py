@@ -6,7 +6,7 @@ $$p = (\gamma - 1)\rho e - \gamma P_\infty, \qquad T = \frac{e - P_\infty/\rho}{
 $P_\infty > 0$ is minus the $p_\infty$ of the source, whose sign is the opposite (S-E8); adiabatic exponent $\gamma(p + P_\infty)/p$ (S-E6).
 T0 is the temperature at rest: rho0 under zero pressure.
 
-Source: 003 (Starkenberg) A-8.
+Source: Starkenberg A-8.
 """
 
 import math
@@ -50,7 +50,7 @@ def entropy(rho, e, par):
 
 
 def reference_isentrope(rho, par):
-    """The one at zero temperature (003 A-8: de = P dv at p = -P)."""
+    """The one at zero temperature (Starkenberg A-8: de = P dv at p = -P)."""
     return par.p_infinity / rho, (par.gamma - 1.0) * vlog(rho / par.rho0)
 
 

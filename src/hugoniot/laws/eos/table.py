@@ -10,7 +10,7 @@ the pressure is not negative, a corner of a cell with c^2 <= 0. `from_law` tabul
 the nearest cell is continued; `check_state` refuses such states. The law has no entropy: bilinear p and e obey the identity
 $e_v = T p_T - p$ only as far as the table resolves them, so no function s has ds = (de + p dv)/T exactly.
 
-Source: 001 (KB codes), section 3 (tables in density and temperature); Lyon and Johnson, LA-UR-92-3407 (SESAME 301).
+Source: KB codes, section 3 (tables in density and temperature); Lyon and Johnson, LA-UR-92-3407 (SESAME 301).
 """
 
 import math

@@ -6,7 +6,7 @@ Where the cut acts both derivatives are 0 (and so is the sound speed if p_cut = 
 pressure. It recovers by recompression to the density at which the cut began. The base law's temperature is kept; an entropy is not
 given, as the base law's no longer has T ds = de + p dv where the cut acts.
 
-Source: 000 (Wilkins) B.2 (pressure limit of materials that spall); a minimum-pressure model as in every hydrocode.
+Source: Wilkins B.2 (pressure limit of materials that spall); a minimum-pressure model as in every hydrocode.
 """
 
 from typing import Any, NamedTuple

@@ -11,7 +11,7 @@ IN_A_RUN = 1e-3
 
 
 def detonation_energy(reactants, products) -> float:
-    """Q = -(heat of detonation), J/kg: energy of the products' law in the unburned state less the reactants' own (003 section 3).
+    """Q = -(heat of detonation), J/kg: energy of the products' law in the unburned state less the reactants' own (Starkenberg section 3).
 
     Both laws answer with their reference state; a JWL's is E0/rho0 at its rho0.
     """

@@ -138,7 +138,7 @@ def volume_slopes(rho, e, par):
 
 
 def impedance_squared(rho, e, par):
-    """Square of the acoustic impedance of one phase, i^2 = p p_e - p_v = (rho c)^2 (003 section 5.3)."""
+    """Square of the acoustic impedance of one phase, i^2 = p p_e - p_v = (rho c)^2 (Starkenberg section 5.3)."""
     p_v, p_e = volume_slopes(rho, e, par)
     return pressure(rho, e, par) * p_e - p_v
 

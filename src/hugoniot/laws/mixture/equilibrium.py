@@ -11,7 +11,7 @@ compressibilities are positive), so w is found in an outer one. Nothing is singu
 The slopes of the temperature follow from the pressure: $(\partial T/\partial v)_e = p/c_v - T p_e$ and $(\partial T/\partial e)_v =
 1/c_v$; so both laws must give a temperature and a specific heat that belong to their pressure.
 
-Source: 003 (Starkenberg ARL-TR-2161) section 4.2 and appendix B-1, B-2 (general determinant).
+Source: Starkenberg ARL-TR-2161 section 4.2 and appendix B-1, B-2 (general determinant).
 """
 
 from typing import NamedTuple

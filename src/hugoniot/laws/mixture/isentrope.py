@@ -10,7 +10,7 @@ $$e - e_0 = -\frac{1}{\varphi(v)}\int_{v_0}^{v}\varphi\,p(v', e_0)\,dv', \qquad 
 taken by Gauss-Legendre rules, apart above and below the density at rest, where such laws change branch, and in pieces so short that the
 integrand's last Legendre coefficient is negligible. The rest is marched.
 
-Source: 003 (Starkenberg) A-2. The march uses Butcher's seven-stage sixth-order Runge-Kutta method (J. C. Butcher, J. Austral. Math.
+Source: Starkenberg A-2. The march uses Butcher's seven-stage sixth-order Runge-Kutta method (J. C. Butcher, J. Austral. Math.
 Soc. 4 (1964) 179) over sub-steps that change the volume by at most 1.25 %; short ways take cheaper formulas of the same accuracy.
 """
 

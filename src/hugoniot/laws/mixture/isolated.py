@@ -7,13 +7,13 @@ With $w = v_r - v_p$ and $z = e_r - e_p$ the saturation conditions hold identica
 isentrope gives $\lambda z = e_{Sr} + Q - e$, and one equation is left, $F(w) = p_r - p_p = 0$, whose slope is $-I^2$ with
 $I^2 = \lambda i_r^2 + (1-\lambda) i_p^2 > 0$: F falls monotonically, so the root is unique, and nothing is singular as burning begins
 or ends. The products' energy is the difference (e - (1 - lambda) e_r)/lambda: below `nascent_limit` any error of the mixture's energy
-would be multiplied beyond sense, so the reactant's isentrope is then taken through the mixture state itself (the limit of 003 section
-5.9). For energies exact to round-off 1e-6 is right; a solver, whose step leaves an error of 1e-4 in a shock, needs about 1e-3.
+would be multiplied beyond sense, so the reactant's isentrope is then taken through the mixture state itself (the limit of Starkenberg
+section 5.9). For energies exact to round-off 1e-6 is right; a solver, whose step leaves an error of 1e-4 in a shock, needs about 1e-3.
 
 Newton's method runs inside a bracket that only shrinks; what leaves it is bisected. In a step of a run two trials nearly always do:
 `attempt` makes just these, for many zones at a time, and leaves the rest to the search.
 
-Source: 003 (Starkenberg ARL-TR-2161) sections 5.1 to 5.9 and appendix B-2 with corrections S-E2, S-E3, S-E13.
+Source: Starkenberg ARL-TR-2161 sections 5.1 to 5.9 and appendix B-2 with corrections S-E2, S-E3, S-E13.
 """
 
 from typing import NamedTuple
@@ -183,7 +183,7 @@ def attempt(rho, e, burn_fraction, before, par):
 
 
 def slopes(rho, e, burn_fraction, mixed, par):
-    r"""$p_v = (i_r^2/I^2)\,p_{p,v}$, $p_e = (i_r^2/I^2)\,p_{p,e}$ (003 section 5.3); $p_\lambda = (v_r-v_p)p_v + (e_r-e_p)p_e$ (B-2).
+    r"""$p_v = (i_r^2/I^2)\,p_{p,v}$, $p_e = (i_r^2/I^2)\,p_{p,e}$ (Starkenberg 5.3); $p_\lambda = (v_r-v_p)p_v + (e_r-e_p)p_e$ (B-2).
 
     Before any burning the slopes are the reactant's own: the source's limit for vanishing lambda, in which all heat goes into the
     products, is another number (its jump at lambda = 0 is real; the sound speed has none). Where `solve` left a phase unknown the slope
@@ -224,14 +224,14 @@ def phase_slopes(burn_fraction, mixed, par):
 
 
 def mixture_temperature(burn_fraction, mixed, par):
-    """The products' temperature (003 section 5.6); the reactant's before any burning."""
+    """The products' temperature (Starkenberg section 5.6); the reactant's before any burning."""
     if burn_fraction <= 0.0 or mixed.rho_p <= 0.0:
         return temperature(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants)
     return temperature(mixed.rho_p, mixed.e_p, par.products)
 
 
 def mixture_specific_heat(burn_fraction, mixed, par):
-    r"""$C_v = \lambda I^2 c_{vp} / [I^2 - (1-\lambda) c_{vp} T_p (\Gamma_p/v_p)^2]$ (003 section 5.6)."""
+    r"""$C_v = \lambda I^2 c_{vp} / [I^2 - (1-\lambda) c_{vp} T_p (\Gamma_p/v_p)^2]$ (Starkenberg section 5.6)."""
     if burn_fraction <= 0.0 or mixed.rho_p <= 0.0:
         return specific_heat(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants)
     i_r = impedance_squared(mixed.rho_r, mixed.e_r - par.detonation_energy, par.reactants)

@@ -1,7 +1,7 @@
 r"""When a smeared shock has passed a zone, and so which isentrope the reactants keep in thermal isolation.
 
-003 takes the reference state of a zone behind the last shock. A tracked front knows it; artificial viscosity smears the front over zones,
-so a detector has to say when it has passed. A shock is passing a zone while
+Starkenberg takes the reference state of a zone behind the last shock. A tracked front knows it; artificial viscosity smears the front
+over zones, so a detector has to say when it has passed. A shock is passing a zone while
 
 $$q > 0.01\,(|p| + 10^{-4}\rho c^2),$$
 
@@ -12,7 +12,7 @@ explosive. A later shock begins anew.
 A reference that is *frozen* takes its share of the viscous heat only while a shock is passing: the isentrope through the reactants of
 the step before is then the one through the state taken. One that *rolls* takes its share of every heat.
 
-Source: 003 (Starkenberg ARL-TR-2161) section 4.3 for the reference state; the detector is this program's.
+Source: Starkenberg ARL-TR-2161 section 4.3 for the reference state; the detector is this program's.
 """
 
 PASSED = 0.01      # of the pressure, up to which a zone's viscous pressure is that of no shock

@@ -6,7 +6,7 @@ With equal phase densities the volume fraction equals the mass fraction, so this
 equilibrium with the other and the sum has no thermodynamic meaning; it is kept for comparison, and because with lambda of 0 or 1 only it
 is the threshold burn of the KB codes. `BurnedProducts` is the case without reactant pressure, p = lambda p_p (programmed burn).
 
-Source: 002 (Herrmann WL-TR-64-107) A.29; 001 (KB codes) section 4; compare 003 section 4.4.
+Source: Herrmann WL-TR-64-107 A.29; KB codes section 4; compare Starkenberg section 4.4.
 """
 
 from typing import NamedTuple

@@ -2,7 +2,7 @@ r"""Constant shear viscosity.
 
 $$\mu = \mu_0$$
 
-Source: 004 (Jordan) section 6.2, "constant viscosity".
+Source: Jordan section 6.2, "constant viscosity".
 """
 
 from typing import NamedTuple

@@ -5,8 +5,9 @@ $$q = (1 - \psi)\,\rho\,|\Delta u|\left(c_2 |\Delta u| + \sqrt{c_2^2\,\Delta u^2
 With $c_2 = (\gamma + 1)/4$ and $c_1 = 1$ the bracket is the mass flux speed of an ideal-gas shock with velocity jump du: q is
 then the exact jump of pressure. For a solid with $U_s = c_0 + s u_p$ the same holds with $c_2 \approx s/2$. The default,
 2/3, is that of a monatomic gas and of most metals (s = 1.3); diatomic gases have 0.6. More than the jump itself widens strong
-shocks and serves nothing. $c_1 = 0.3$ instead of 1 keeps weak shocks and elastic precursors thin (W-E4). psi is the
-smoothness of the velocity field supplied by the solver: 1 where velocity is linear, 0 at a shock or an extremum.
+shocks and serves nothing. $c_1 = 0.3$ instead of 1 keeps elastic precursors, and the weak shocks of gases, thin (W-E4). Condensed
+material without strength has neither, and nothing but q damps the ringing of its shocks: there `linear_condensed` is c_1, and is 1.
+psi is the smoothness of the velocity field supplied by the solver: 1 where velocity is linear, 0 at a shock or an extremum.
 
 Source: Kuropatenko (1967); Caramana, Shashkov & Whalen, J. Comput. Phys. 144 (1998) 70, equations 10 to 14.
 """
@@ -20,6 +21,7 @@ from hugoniot.laws.viscosity.contract import VISCOSITY
 class Limited(NamedTuple):
     quadratic: float = 2.0 / 3.0
     linear: float = 0.3
+    linear_condensed: float = 1.0
 
 
 def viscous_speed(v, c, p, du, psi, par):
@@ -32,11 +34,12 @@ VISCOSITY.add(
     "limited", Limited,
     functions=[viscous_speed],
     example=Limited(),
-    units={"quadratic": "1", "linear": "1"},
-    meaning={"quadratic": "c2, (gamma + 1)/4 for an ideal gas", "linear": "c1, weight of the sound speed"},
-    defaults={"quadratic": 2.0 / 3.0, "linear": 0.3},
+    units={"quadratic": "1", "linear": "1", "linear_condensed": "1"},
+    meaning={"quadratic": "c2, (gamma + 1)/4 for an ideal gas", "linear": "c1, weight of the sound speed",
+             "linear_condensed": "c1 in solids and liquids without strength and pores"},
+    defaults={"quadratic": 2.0 / 3.0, "linear": 0.3, "linear_condensed": 1.0},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
-    least={"quadratic": 0.0, "linear": 0.0},
+    least={"quadratic": 0.0, "linear": 0.0, "linear_condensed": 0.0},
     references=("Caramana, Shashkov & Whalen, J. Comput. Phys. 144 (1998) 70", "Kuropatenko (1967)"),
     flags=("limited",),
 )

@@ -4,7 +4,17 @@ import numpy as np
 
 from hugoniot.core.ops import NO_LIMIT
 from hugoniot.errors import OutOfRange
-from hugoniot.laws.eos.contract import compacted, density_limits, pressure, remembered, sound_speed_squared, unloading
+from hugoniot.laws.eos.contract import (
+    compacted,
+    density_limits,
+    flagged,
+    gives,
+    pressure,
+    reference_state,
+    remembered,
+    sound_speed_squared,
+    unloading,
+)
 from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.laws.strength.contract import STRENGTH, shear_modulus
 from hugoniot.laws.viscosity.contract import VISCOSITY
@@ -19,6 +29,7 @@ from hugoniot.solvers.lagrange1d.tables import zone_table
 from hugoniot.zones.laws import Laws, laws_of
 
 ROUND_OFF = 1e-9     # c^2 below minus this fraction of the largest speed squared is imaginary, not noise
+LEAST_STIFFNESS = 20.0     # of what is no gas, rho c^2 / p at rest
 CODES = {"free": L.FREE, "fixed": L.FIXED, "velocity": L.VELOCITY, "pressure": L.PRESSURE, "transmitting": L.TRANSMITTING}
 
 
@@ -27,6 +38,21 @@ def viscosity_of(problem: Problem):
     name, values = problem.solver.viscosity
     law = VISCOSITY.get(name)
     return law.build(**{**law.defaults, **dict(values)})
+
+
+def viscosity_in(material, viscosity):
+    """The viscosity as a material has it: condensed ones without strength have a linear coefficient of their own."""
+    if "linear_condensed" not in viscosity._fields or material.strength is not None or not is_condensed(material.eos):
+        return viscosity
+    return viscosity._replace(linear=viscosity.linear_condensed)
+
+
+def is_condensed(eos) -> bool:
+    """Whether a material without pores holds together at rest: rho c^2 far above its pressure, which in a gas is rho c^2 / gamma."""
+    if flagged(eos, "remembers") or not gives(eos, "reference_state"):
+        return False
+    rho, e = reference_state(eos)
+    return rho * sound_speed_squared(rho, e, eos) > LEAST_STIFFNESS * abs(pressure(rho, e, eos))
 
 
 def laws_of_regions(problem: Problem) -> tuple[list[Laws], list[int]]:
@@ -43,7 +69,7 @@ def laws_of_regions(problem: Problem) -> tuple[list[Laws], list[int]]:
         own = {"noise": noise + 1.0, **reactive.constants(problem, region)} if burns else {"noise": noise}
         found[region.material] = laws_of(burning.reactive(material) if burns else material.eos,
                                          material.strength or STRENGTH.get("none").example,
-                                         material.fracture or FRACTURE.get("none").example, viscosity, **own)
+                                         material.fracture or FRACTURE.get("none").example, viscosity_in(material, viscosity), **own)
     return list(found.values()), [list(found).index(region.material) for region in problem.regions]
 
 

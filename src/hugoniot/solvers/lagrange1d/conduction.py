@@ -10,7 +10,7 @@ temperature would leave the range that its body had, the step is taken by the ba
 specific heat are those at the start of the conduction, first order in time where they vary. Ends and gaps are insulated.
 
 Source: Bank et al., IEEE Trans. Electron Devices 32 (1985) 1992, section III; Hosea and Shampine, Appl. Numer. Math. 20 (1996) 21;
-the energy equation with conduction: 002 (Herrmann) 2.16 and 3.4.
+the energy equation with conduction: Herrmann 2.16 and 3.4.
 """
 
 from typing import Any, NamedTuple

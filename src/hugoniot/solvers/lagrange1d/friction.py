@@ -7,7 +7,7 @@ with $\dot\vartheta$ the rate of volume strain. They join the stress that moves 
 dissipation to round-off; the leapfrog adds their work over the step to the energy before the pressure works. Explicit: a step is at most
 half the time in which a zone's velocity spreads over its width.
 
-Source: 002 (Herrmann) equations 3.1 to 3.5; 004 (Jordan) chapter 2 (4/3 mu + zeta along the motion).
+Source: Herrmann equations 3.1 to 3.5; Jordan chapter 2 (4/3 mu + zeta along the motion).
 """
 
 from collections import namedtuple

@@ -27,8 +27,8 @@ quadratic part of the viscosity acts, and only as far as the velocity field is n
 
 The energy is not that of the motion to round-off, as in every leapfrog of its kind (W-E6).
 
-Source: 000 (Wilkins) B.2 items 2 and 5 to 9; 001 (KB codes) equations 1.8 to 1.11 with the viscous term of K-E5, and section 4;
-002 (Herrmann) A.27 to A.30; 003 (Starkenberg) sections 3 to 5.
+Source: Wilkins B.2 items 2 and 5 to 9; KB codes equations 1.8 to 1.11 with the viscous term of K-E5, and section 4;
+Herrmann A.27 to A.30; Starkenberg sections 3 to 5.
 """
 
 from hugoniot.solvers.lagrange1d import leapfrog_passes as P

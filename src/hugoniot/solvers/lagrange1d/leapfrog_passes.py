@@ -1,6 +1,6 @@
 """Passes of the leapfrog of Wilkins B.2: motion and strains of a step, its viscous pressure, and the stress at its end.
 
-Source: 000 (Wilkins) B.2 items 2 and 5 to 9; 001 (KB codes) equations 1.8 to 1.11; the step and its corrections in `leapfrog`.
+Source: Wilkins B.2 items 2 and 5 to 9; KB codes equations 1.8 to 1.11; the step and its corrections in `leapfrog`.
 """
 
 from collections import namedtuple

@@ -49,7 +49,7 @@ def crushed_zone(problem, zones, region_of, culprit: int) -> tuple[int, str, str
     """(zone, cause, remedy) where a zone beside the bad one was pressed harder than its law can support at any density, or None.
 
     Laws with a compression limit stiffen without bound before it. Others, such as a truncated cold curve or the Hugoniot of a powder with
-    a slope below 1, have a finite pressure at no volume at all: pressed harder, a zone collapses (004 section 5.1; J-E16).
+    a slope below 1, have a finite pressure at no volume at all: pressed harder, a zone collapses (Jordan section 5.1; J-E16).
     """
     near = range(max(0, culprit - NEAR), min(zones.shape[1], culprit + NEAR + 1))
     pressed = max(float(zones[Z.peak_stress, j]) for j in near)

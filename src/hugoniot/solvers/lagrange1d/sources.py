@@ -5,7 +5,7 @@ gives zone j the energy $w_j\int f\,dt$ per mass in a step, with the exact integ
 depend on the steps. The weights $w_j$ hold the profile in depth, in Lagrangian coordinates: through a face of area A enters the power
 A f, of which the zone between depths $d_1, d_2$ absorbs $e^{-d_1/\delta} - e^{-d_2/\delta}$ (Beer's law along the radius).
 
-Source: 002 (Herrmann) 2.3 and 2.4 (body force), 2.16 and 2.18 (energy supply).
+Source: Herrmann 2.3 and 2.4 (body force), 2.16 and 2.18 (energy supply).
 """
 
 import math

@@ -1,7 +1,7 @@
 r"""Thickness of a shock from cell averages.
 
 The running mass $M(x) = \int\rho\,dx$ is known exactly at the faces; a quintic spline through it has the density as its slope, so that the
-steepest gradient is found between the cells and to high order. (004 eq. 6.2.5 takes central differences at the cells: second order.)
+steepest gradient is found between the cells and to high order. (Jordan eq. 6.2.5 takes central differences at the cells: second order.)
 """
 
 import numpy as np
@@ -47,5 +47,5 @@ def _shock_faces(velocity):
 
 
 def thickness_by_differences(spacing, density, low: float, high: float) -> float:
-    """004 eq. 6.2.5 as it stands: |jump| over the largest central difference of neighbouring cells, m. Never below `spacing`."""
+    """Jordan eq. 6.2.5 as it stands: |jump| over the largest central difference of neighbouring cells, m. Never below `spacing`."""
     return abs(high - low) / float(np.abs(density[2:] - density[:-2]).max() / (2.0 * spacing))

@@ -1,7 +1,7 @@
 r"""The structure of a steady shock: viscosity and heat conduction resolve the jump that ideal theory leaves.
 
 `steady(...)` gives the profile of a shock in any equation of state with any transport law; `analytic` the closed solutions;
-`jordan` the cases of source 004. Derivation and results: docs/theory/shock_structure.md.
+`jordan` the cases of Jordan. Derivation and results: docs/theory/shock_structure.md.
 """
 
 from hugoniot.theory.structure.ends import Ends, find_ends

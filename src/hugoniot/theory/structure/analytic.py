@@ -7,9 +7,9 @@ $$\frac{(1-\phi)}{(\phi-\alpha)^{\alpha}} = \exp\!\left[\beta(1-\alpha)\,\mathrm
 $$\alpha = \frac{\gamma-1}{\gamma+1}+\frac{2}{(\gamma+1)\mathrm{Ma}^2}, \qquad \beta = \frac98(\gamma+1)\sqrt{\frac{\pi}{8\gamma}},
   \qquad \zeta = x/\lambda_{\rm bsl}.$$
 
-Source: 004 (Jordan) eq. 6.3.1, lost in the scan and restored (A5), after Bird, Stewart and Lightfoot, Transport Phenomena; Becker,
+Source: Jordan eq. 6.3.1, lost in the scan and restored (A5), after Bird, Stewart and Lightfoot, Transport Phenomena; Becker,
 Z. Phys. 8 (1922) 321 (B29).
-004's table 6.2.1.2 lists the velocity thickness of this solution under the heading of density thicknesses (J-E3).
+Jordan's table 6.2.1.2 lists the velocity thickness of this solution under the heading of density thicknesses (J-E3).
 """
 
 import math
@@ -74,7 +74,7 @@ class BeckerShock:
         return (1.0 / a - 1.0) / (-self.slope(phi) / phi**2)
 
     def entropy_jump(self, gas_constant: float) -> float:
-        """Entropy gained, J/(kg K): R/(gamma-1) log(p2/p1) - gamma R/(gamma-1) log(rho2/rho1) (004 eq. 6.2.4, in J: J-E1)."""
+        """Entropy gained, J/(kg K): R/(gamma-1) log(p2/p1) - gamma R/(gamma-1) log(rho2/rho1) (Jordan eq. 6.2.4, in J: J-E1)."""
         g = self.gamma
         pressures = 1.0 + 2.0 * g / (g + 1.0) * (self.mach**2 - 1.0)
         return gas_constant / (g - 1.0) * (math.log(pressures) + g * math.log(self.alpha))

@@ -4,8 +4,8 @@ In the frame of the shock the mass flux $m = \rho u$ is constant and the states 
 
 $$p = p_1 + m^2 (v_1 - v), \qquad e_R(v) = e_1 + p_1 (v_1 - v) + \tfrac12 m^2 (v_1 - v)^2 .$$
 
-Both ends satisfy $p_{law}(v, e_R(v)) = p$; no constant of the law is bent to make it so (004 eq. 7.1.31 bends Gamma), and it holds for any
-equation of state to round-off.
+Both ends satisfy $p_{law}(v, e_R(v)) = p$; no constant of the law is bent to make it so (Jordan eq. 7.1.31 bends Gamma), and it holds for
+any equation of state to round-off.
 """
 
 import math

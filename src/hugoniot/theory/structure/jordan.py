@@ -1,6 +1,6 @@
-r"""The cases of source 004 (Jordan 2011): argon, water and silica powders, with the readings of verification A5.
+r"""The cases of Jordan 2011: argon, water and silica powders, with the readings of verification A5.
 
-004 bends the Grüneisen parameter until its truncated equation of state
+Jordan bends the Grüneisen parameter until its truncated equation of state
 
 $$p = \rho_0c_0^2\,(x + 2s x^2 + 3 s^2 x^3) + g\,[\rho e - \rho_0 c_0^2 (x^2/2 + s x^3)], \qquad x = 1 - \rho_0/\rho,$$
 
@@ -19,7 +19,7 @@ from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.transport import contract as transport_laws
 from hugoniot.theory.hugoniot import Initial
 
-GAS_CONSTANT, ARGON_DENSITY, ARGON_TEMPERATURE = 208.1, 1.62, 300.0  # 004 section 6.3; 300 K is the temperature of mu (A5)
+GAS_CONSTANT, ARGON_DENSITY, ARGON_TEMPERATURE = 208.1, 1.62, 300.0  # Jordan section 6.3; 300 K is the temperature of mu (A5)
 ARGON_VISCOSITY, ARGON_EXPONENT, ARGON_PRANDTL = 2.27e-5, 0.81, 2.0 / 3.0
 ARGON_MACHS = (1.55, 3.38, 9.0)
 AMBIENT = 101325.0
@@ -34,7 +34,7 @@ TABLE_7_2_2_ARGON = (419e-9, 184e-9, 228e-9)
 
 
 def argon() -> tuple[IdealGas, Initial]:
-    """Ideal-gas law of 004's argon (gamma 5/3, R 208.1) and its state ahead of the shock (1.62 kg/m3, 300 K)."""
+    """Ideal-gas law of Jordan's argon (gamma 5/3, R 208.1) and its state ahead of the shock (1.62 kg/m3, 300 K)."""
     gamma = 5.0 / 3.0
     heat = GAS_CONSTANT / (gamma - 1.0)
     law = IdealGas(gamma, heat, ARGON_DENSITY)
@@ -60,7 +60,7 @@ def argon_transport(law: str = "power_law", prandtl: float = ARGON_PRANDTL):
 
 @dataclass(frozen=True)
 class CondensedCase:
-    """A row of 004's tables 7.1.1 and 7.2.1 with its slips corrected (J-E10): SI; `bent` is the source's adjusted Grüneisen parameter,
+    """A row of Jordan's tables 7.1.1 and 7.2.1 with its slips corrected (J-E10): SI; `bent` is the source's adjusted Grüneisen parameter,
     `spacing` its h_x times its length unit, m, `printed` the thickness it gives, m (low and high)."""
 
     name: str
@@ -98,7 +98,7 @@ CONDENSED = {case.name: case for case in (
 
 
 def adjusted_gruneisen(density, sound_speed, slope, literature, particle_velocity, ambient=AMBIENT) -> float:
-    """The Grüneisen parameter 004 would use to make its truncated law meet the jump (eq. 7.1.31, restored; see the module)."""
+    """The Grüneisen parameter Jordan would use to make its truncated law meet the jump (eq. 7.1.31, restored; see the module)."""
     shock = sound_speed + slope * particle_velocity
     p = density * shock * particle_velocity + ambient
     x = particle_velocity / shock

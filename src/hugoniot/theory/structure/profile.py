@@ -1,7 +1,7 @@
 r"""The steady profile: every field through the shock, its thicknesses, and where its entropy comes from.
 
-Thickness by the steepest gradient of a field f: $\delta_f = |f_2 - f_1| / \max|df/dx|$ (004 eq. 6.2.5 with f = density); widths between
-10 % and 90 % of the jump. The entropy gained follows from the corrected integral (J-E2: 004 eq. 2.4.1.20 lacks $1/(\rho u)$)
+Thickness by the steepest gradient of a field f: $\delta_f = |f_2 - f_1| / \max|df/dx|$ (Jordan eq. 6.2.5 with f = density); widths between
+10 % and 90 % of the jump. The entropy gained follows from the corrected integral (J-E2: Jordan eq. 2.4.1.20 lacks $1/(\rho u)$)
 
 $$\Delta s = \frac1m\int\left[\frac{\tau\,u_x}{T} + \frac{(kT_x)_x}{T}\right]dx
  = \frac1m\int\left[\frac{(\frac43\mu+\zeta)\,u_x^2}{T} + \frac{k\,T_x^2}{T^2}\right]dx,$$
@@ -104,11 +104,11 @@ class Profile:
         return {"density": -rho * rho * v_x, "velocity": eq.m * v_x, "energy": e_x, "temperature": T_x,
                 "pressure": -p_rho * rho * rho * v_x + p_e * e_x}
 
-    # -- terms of the balances, as 004 figures 6.4.1 to 6.7.3 plot them ---------------------------------------------------
+    # -- terms of the balances, as Jordan figures 6.4.1 to 6.7.3 plot them ---------------------------------------------------
     def balance_terms(self, x) -> dict[str, np.ndarray]:
         """The right-hand sides of the momentum (N/m3) and energy (W/m3) equations at positions x; each set sums to zero.
 
-        momentum_*: d tau/dx, -d(j u)/dx, -dp/dx (004 eq. 6.4.1); energy_*: d(tau u)/dx, -d(j H)/dx, -dq/dx (eq. 6.5.1), with H the total
+        momentum_*: d tau/dx, -d(j u)/dx, -dp/dx (Jordan eq. 6.4.1); energy_*: d(tau u)/dx, -d(j H)/dx, -dq/dx (eq. 6.5.1), with H the total
         enthalpy e + p/rho + u^2/2.
         """
         m = self._equations.m
@@ -168,7 +168,7 @@ class Profile:
         return self.entropy_viscous + self.entropy_conductive
 
     def entropy_literal(self) -> float:
-        """004 eq. 2.4.1.20 as printed, without 1/(rho u), in units of 004's scaled variables (J-E2); the wrong one."""
+        """Jordan eq. 2.4.1.20 as printed, without 1/(rho u), in units of Jordan's scaled variables (J-E2); the wrong one."""
         fine = np.linspace(*self.extent(1e-8), 4001)
         terms, s = self.balance_terms(fine), self.at(fine)
         with np.errstate(all="ignore"):

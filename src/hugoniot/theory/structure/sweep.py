@@ -1,4 +1,4 @@
-"""Thickness over Mach number: the reciprocal-thickness curve of the literature, its minimum, and 004's tables beside ours."""
+"""Thickness over Mach number: the reciprocal-thickness curve of the literature, its minimum, and Jordan's tables beside ours."""
 
 from scipy.optimize import minimize_scalar
 
@@ -36,7 +36,7 @@ def thinnest(material, transport, upstream=None, low: float = 1.5, high: float =
 
 
 def argon_rows() -> list[dict]:
-    """004's tables 6.2.1.1, 6.2.1.2 and 7.2.2 for argon: what it prints and what the equations give."""
+    """Jordan's tables 6.2.1.1, 6.2.1.2 and 7.2.2 for argon: what it prints and what the equations give."""
     law, ahead = jordan.argon()
     rows = []
     profiles = {(v, m): steady(law, jordan.argon_transport(v), ahead, mach=m)
@@ -63,7 +63,7 @@ def argon_rows() -> list[dict]:
 
 
 def condensed_rows() -> list[dict]:
-    """004's water and silica of table 7.2.2, nm: printed (low end), with its bent Grüneisen parameter and with the literature's."""
+    """Jordan's water and silica of table 7.2.2, nm: printed (low end), with its bent Grüneisen parameter and with the literature's."""
     rows = []
     for case in jordan.CONDENSED.values():
         bent, plain = (steady(case.eos(g), case.transport(), particle_velocity=case.particle_velocity)

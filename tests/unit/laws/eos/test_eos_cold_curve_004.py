@@ -1,4 +1,4 @@
-"""Source 004, cold curve: verification.md A5 (values and truncation errors), exact integral by independent quadrature."""
+"""Jordan, cold curve: verification.md A5 (values and truncation errors), exact integral by independent quadrature."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Source 002, appendix C: converters (H-11, H-E6), the non-ideal gas (H-5) and the cubic of the KO codes (B31)."""
+"""Source Herrmann, appendix C: converters (H-11, H-E6), the non-ideal gas (H-5) and the cubic of the KO codes (B31)."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Source 003, appendix A, laws A-7 to A-10 in the corrected forms (S-E6 to S-E14), and published CJ states (A6)."""
+"""Source Starkenberg, appendix A, laws A-7 to A-10 in the corrected forms (S-E6 to S-E14), and published CJ states (A6)."""
 
 import math
 

@@ -17,7 +17,7 @@ UNREACTED = JWL(7.781e13, -5.031e9, 11.3, 1.13, 0.8938, 1895.0, 0.0, 1312.4)
 
 
 def jwl_energy(v0, e0, v1, par):
-    """003 A-9.2, with the greatest cold tension kept beyond its volume."""
+    """Starkenberg A-9.2, with the greatest cold tension kept beyond its volume."""
     torn = np.log(-par.a * par.r1 / (par.b * par.r2)) / (par.r1 - par.r2)
 
     def h(v):
