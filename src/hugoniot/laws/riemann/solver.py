@@ -10,9 +10,9 @@ import math
 from dataclasses import dataclass
 
 from hugoniot.errors import NoSolution
-from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.riemann.branch import Matter, State
 from hugoniot.laws.riemann.curve import Curve, Wave
+from hugoniot.laws.riemann.medium import name_of
 
 
 @dataclass(frozen=True)
@@ -126,7 +126,7 @@ def _root(gap, sigma: float, floor: float, scale: float, sides) -> float:
         last, sigma = moved, new
     if last <= 1e-10 * max(abs(sigma), scale):
         return sigma
-    names = " and ".join(f"'{EOS.of(side.matter.par).name}'" for side in sides)
+    names = " and ".join(f"'{name_of(side.matter.par)}'" for side in sides)
     raise NoSolution(f"the wave curves of {names} did not meet between {low:.6g} and {high:.6g} Pa")
 
 
