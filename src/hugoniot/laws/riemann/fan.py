@@ -17,7 +17,7 @@ from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.stiffened_gas import StiffenedGas
 from hugoniot.laws.riemann.branch import Branch, State, stress_and_slopes, wave_speed_squared
-from hugoniot.laws.riemann.medium import limits_of, name_of
+from hugoniot.laws.riemann.medium import Frozen, limits_of, name_of
 
 LARGEST, SMALLEST = 0.4, 1e-4    # steps in ln(rho)
 TOLERANCE = 1e-14
@@ -178,14 +178,22 @@ class Fan:
         return self.nodes[-1][2]
 
     def _ideal_tail(self) -> float | None:
-        """What is left of w, 2c/Gamma, once p = Gamma rho e has held at two thin states in a row; None before."""
+        """What is left of w, 2c/Gamma, once p = Gamma rho (e - e0) has held at two thin states in a row; None before.
+
+        e0 is zero, or the chemical energy of what has not burned.
+        """
         if len(self.nodes) < 3 or self.nodes[-2][0] > math.log(0.1):
             return None
+        rest = []
         for node, sigma in zip(self.nodes[-2:], self.sigmas[-2:]):
             rho = self.ahead.rho * math.exp(node[0])
             gamma = stress_and_slopes(rho, node[1], self.branch)[2] / rho
-            if not (gamma > 0.0 and abs(sigma - gamma * rho * node[1]) <= 1e-13 * sigma):
+            if not gamma > 0.0:
                 return None
+            rest.append(node[1] - sigma / (gamma * rho))
+        heat = getattr(self.branch.par, "energy", 0.0) if isinstance(self.branch.par, Frozen) else 0.0
+        if max(map(abs, rest)) > 1e-13 * (sigma / (gamma * rho)) and abs(rest[1] - rest[0]) > 1e-14 * abs(heat):
+            return None
         return 2.0 * self.speed(self.nodes[-1]) / gamma
 
 

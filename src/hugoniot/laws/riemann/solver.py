@@ -59,7 +59,7 @@ def contact(left: Curve, right: Curve, bonded: bool = False) -> Solution:
 def wall(side: Curve, velocity: float, bonded: bool = True) -> Solution:
     """A material against a wall or piston of given velocity; unless bonded it separates from one that runs away."""
     d = side.direction     # the waves run away from the wall: d = +1 for a wall on the left
-    if not bonded:
+    if not bonded and (side.state.u - velocity) * d > 0.0:      # a wall that is pushed against is not left
         edge, waves = side.surface()
         if (edge - velocity) * d > 0.0:
             return _one_sided(side, waves, edge, 0.0, True)

@@ -56,4 +56,5 @@ class CellColumn:
             p = float(stress(rho, e, Branch(matter.par))) if rho > 0.0 else np.nan
             if np.isfinite(p):
                 break
-        return x, State(rho, u, e, p), matter, min(max(values[LAM], 0.0), 1.0)
+        burned = float(flow.programmed[region]) if not flow.burns_by_rate[region] else min(max(values[LAM], 0.0), 1.0)
+        return x, State(rho, u, e, p), matter, burned

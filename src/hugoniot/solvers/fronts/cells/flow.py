@@ -44,6 +44,9 @@ class Flow:
         self.laws = [law_of_region(problem.materials[r.material]) for r in problem.regions]
         self.burns = any(isinstance(law, Reactive) for law in self.laws)
         self.variables = 6 if self.burns else 3
+        self.burns_by_rate = [isinstance(law, Reactive) for law in self.laws]
+        burnt = [problem.materials[r.material].burn is not None for r in problem.regions]
+        self.programmed = [one and not rate for one, rate in zip(burnt, self.burns_by_rate)]      # products of programmed fronts
         self._numbers = [numbers_of(law) for law in self.laws]
         self.spacing = Spacing(problem.dimension, np.array([float(r.zones) for r in problem.regions]))
         self.rules = self._rules(options, courant)

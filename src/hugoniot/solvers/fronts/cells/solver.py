@@ -36,6 +36,7 @@ class Cells(Reading):
         bench = Bench(2 * self.matters, 2 * setup.grips_of(problem), float(options["weakest"]), float(options["fan_step"]), unburned=count)
         outside = tuple(start.OUTSIDE[end.kind] for end in (problem.left, problem.right))
         self.flow = Flow(problem, bench, outside, options, problem.solver.courant or setup.COURANT)
+        self.burning = any(material.burn is not None for material in problem.materials.values())
         self.trace = self.lives = Trace()
         self.changes = Changes(self.flow, self.length, int(options["most_fronts"]), self._log, self.trace.end)
         self.mesh = start.first_mesh(problem, self.flow.spacing, self.flow.variables)
@@ -122,6 +123,9 @@ class Cells(Reading):
         region = int(self.mesh.region[min(int(self.flow.work.numbers[tables.LIMITING]), len(self.mesh.q) - 1)])
         region = max(region, 0) % len(self.problem.regions)
         return int(np.searchsorted(self.region_of, region)), self.problem.regions[region].name
+
+    def _point(self, region: int, column: CellColumn, fraction: float):
+        return column.point(fraction)[1:]
 
     def column(self, region: int) -> CellColumn:
         """The material of a region now."""
