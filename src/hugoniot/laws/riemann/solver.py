@@ -32,8 +32,8 @@ class Solution:
     vacuum: bool = False
 
 
-def contact(left: Curve, right: Curve, bonded: bool = False) -> Solution:
-    """Solve for the stress and velocity at which the two sides meet; `NoSolution` where the curves do not."""
+def contact(left: Curve, right: Curve, bonded: bool = False, start: float | None = None) -> Solution:
+    """Solve for the stress and velocity at which the two sides meet; `NoSolution` where the curves do not. start: a guess of the stress."""
     zl, zr = left.state.rho * left.c, right.state.rho * right.c
     floor = -math.inf if bonded else 0.0
     if not bonded and (apart := _apart(left, right)) is not None:
@@ -44,8 +44,9 @@ def contact(left: Curve, right: Curve, bonded: bool = False) -> Solution:
         b, slope_b, _ = right.at(sigma)
         return b.u - a.u, slope_a + slope_b
 
-    start = 0.5 * (left.state.sigma + right.state.sigma) if zl + zr == 0.0 else (
-        zr * left.state.sigma + zl * right.state.sigma + zl * zr * (left.state.u - right.state.u)) / (zl + zr)
+    if not start or start <= 0.0:
+        start = 0.5 * (left.state.sigma + right.state.sigma) if zl + zr == 0.0 else (
+            zr * left.state.sigma + zl * right.state.sigma + zl * zr * (left.state.u - right.state.u)) / (zl + zr)
     thrust = min(left.state.rho, right.state.rho) * (left.state.u - right.state.u) ** 2
     scale = max(left.stiffness, right.stiffness, thrust)
     start = start if start > 0.0 or zl * zr > 0.0 else thrust      # cold gases have no sound to guess by

@@ -65,8 +65,8 @@ def wave_to(rules, work, side, region, p):
 
 
 @nb.njit(**GUARD)
-def meet(rules, work, left, right, bonded):
-    """(pressure, velocity) between two sides; nan where they part or are not found."""
+def meet(rules, work, left, right, bonded, start):
+    """(pressure, velocity) between two sides; nan where they part or are not found. start: a first guess, nan for the acoustic one."""
     a, b = work.io[0], work.io[1]
     za, zb = a[1] * math.sqrt(a[4]), b[1] * math.sqrt(b[4])
     closing, lowest = a[11] - b[11], min(a[3], b[3])
@@ -77,6 +77,7 @@ def meet(rules, work, left, right, bonded):
     scale = max(a[1] * a[4], b[1] * b[4], thrust)
     p = acoustic / (za + zb) if za + zb > 0.0 else 0.5 * (a[3] + b[3])
     p = p if p > 0.0 or za * zb > 0.0 else thrust
+    p = start if start > 0.0 else p
     low, high, last = -1e300 if bonded else 0.0, 1e300, 1e300
     if not p > low:
         p = 0.5 * lowest if lowest > 0.0 else 1e-6 * scale
@@ -182,7 +183,8 @@ def between(rules, work, front, f, left, right):
     grip = math.inf if left == right else rules.traits[left, 1]
     if rules.traits[left, 2] > 0.0 or rules.traits[right, 2] > 0.0:
         grip = 0.0
-    p, u = meet(rules, work, left, right, d != 0.0 or grip > 0.0)
+    start = math.nan if d == 0.0 else work.io[0 if d > 0.0 else 1, 3]      # behind a shock the pressure is nearly that of the meeting
+    p, u = meet(rules, work, left, right, d != 0.0 or grip > 0.0, start)
     if p != p or (d == 0.0 and grip > 0.0 and p < -grip):
         return False
     if d != 0.0:

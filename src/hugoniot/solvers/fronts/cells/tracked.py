@@ -133,7 +133,8 @@ def between(front: Front, left: Side, right: Side, bench: Bench) -> Moved:
     """A front between two materials."""
     a, b = left.curve(-1), right.curve(1)
     if front.direction:
-        return _shock(front.direction, exact.contact(a, b, bonded=True), a, b)
+        behind = left if front.direction > 0 else right
+        return _shock(front.direction, exact.contact(a, b, bonded=True, start=behind.state.sigma), a, b)
     grip = math.inf if left.region == right.region else bench.grips[left.region]
     if a.gas or b.gas:
         grip = 0.0
