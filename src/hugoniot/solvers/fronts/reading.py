@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from hugoniot.laws.riemann.branch import elastic, wave_speed_squared
+from hugoniot.laws.riemann.medium import Frozen, mixed_phases
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.fronts import setup
 from hugoniot.solvers.protocol import Event, NothingToAdd
@@ -75,7 +76,7 @@ class Reading(NothingToAdd):
                 columns[k] = self.column(k)
             x, point = columns[k].at(fraction)
             found = [x, point.u, point.rho, point.e, point.pressure, point.s, -0.5 * point.s, point.sigma]
-            row.append([*found, self._point(k, columns[k], fraction)[2]] if self.burning else found)
+            row.append([*found, *_phases(*self._point(k, columns[k], fraction))] if self.burning else found)
         self._times.append(self.time)
         self._rows.append(row)
 
@@ -89,10 +90,14 @@ class Reading(NothingToAdd):
     def take_gauges(self):
         """(times, {field: (n, ngauge)}) recorded since the last call."""
         times = np.array(self._times)
-        names = (*GAUGE_FIELDS, "burn_fraction") if self.burning else GAUGE_FIELDS
-        block = np.array(self._rows, dtype=float).reshape(len(times), len(self.gauges), len(names))
+        first = len(GAUGE_FIELDS)
+        block = np.array(self._rows, dtype=float).reshape(len(times), len(self.gauges), first + 5 * self.burning)
         self._times, self._rows = [], []
-        return times, {name: block[:, :, i] for i, name in enumerate(names)}
+        found = {name: block[:, :, i] for i, name in enumerate(GAUGE_FIELDS)}
+        if self.burning:
+            phases = np.repeat(block[:, :, None, first:], 2, axis=2)
+            found |= {"burn_fraction": block[:, :, first], "share": np.zeros(block.shape[:2]), "phases": phases}
+        return times, found
 
     # -- what observers see ------------------------------------------------------------------------------------------
     def state(self) -> State:
@@ -117,6 +122,15 @@ class Reading(NothingToAdd):
         if self.burning:
             zones["burn_fraction"] = rows[:, 7].copy()
         return FrontState(self.time, self.cycle, zones, faces[0], faces[1], speeds[0], speeds[1])
+
+    def phases(self) -> np.ndarray | None:
+        """Burn fraction, density and energy of reactants and of products in the middle of every zone, (5, nzone), where something burns."""
+        if not self.burning:
+            return None
+        low, high = self.fractions
+        columns = [self.column(k) for k in range(len(self.problem.regions))]
+        rows = [_phases(*self._point(k, columns[k], 0.5 * (low[z] + high[z]))) for z, k in enumerate(self.region_of)]
+        return np.array(rows).T
 
     def _point(self, region: int, column, fraction: float):
         """(state, what it is made of, burn fraction) of a material point."""
@@ -143,6 +157,14 @@ class Reading(NothingToAdd):
             self.voids_opened += 1
         if "surface with surface" in text or text.startswith("2 x surface"):
             self.voids_closed += 1
+
+
+def _phases(point, matter, burned: float) -> list[float]:
+    """Burn fraction, rho_r, e_r, rho_p, e_p of a material point; of what is no mixture both phases are as the whole."""
+    if isinstance(matter.par, Frozen):
+        mixed = mixed_phases(point.rho, point.e, burned, matter.par.volume, matter.par.energy, matter.par.mixture)
+        return [burned, mixed.rho_r, mixed.e_r, mixed.rho_p, mixed.e_p]
+    return [burned, point.rho, point.e, point.rho, point.e]
 
 
 class FrontState(State):
