@@ -9,6 +9,7 @@ import typer
 from hugoniot.errors import DeckError
 
 INTEGRATORS = ("compatible", "wilkins")
+SOLVERS = ("lagrange1d", "fronts")
 FEWEST_ZONES = 10
 
 
@@ -16,6 +17,7 @@ def verify(
     problems: Annotated[list[str] | None, typer.Argument(help="Names of standard problems (default: all).")] = None,
     zones: Annotated[list[int] | None, typer.Option("--zones", "-n", help="Zones, instead of the standard grids; repeatable.")] = None,
     integrator: Annotated[str, typer.Option(help="compatible or wilkins.")] = "compatible",
+    solver: Annotated[str, typer.Option(help="lagrange1d or fronts (tracked fronts, mode cells).")] = "lagrange1d",
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of tables.")] = False,
 ) -> None:
     """Run the built-in standard problems and print errors, the bars they are held to, and the observed order.
@@ -26,7 +28,7 @@ def verify(
 
     Example: hugoniot verify sod noh_planar
     """
-    from hugoniot.campaign.verify import LINE, PROBLEMS, verify_problem
+    from hugoniot.campaign.verify import FRONTS, LINE, PROBLEMS, verify_problem
     from hugoniot.materials.collect import nearest, printable
 
     if integrator not in INTEGRATORS:
@@ -34,8 +36,13 @@ def verify(
         raise DeckError.single("verify", None, "--integrator", unknown, nearest(integrator, INTEGRATORS))
     if few := [n for n in zones or () if n < FEWEST_ZONES]:
         raise DeckError.single("verify", None, "--zones", f"{few[0]} zones are too few", f"use {FEWEST_ZONES} or more")
+    if solver not in SOLVERS:
+        raise DeckError.single("verify", None, "--solver", f"unknown solver '{printable(solver)}'", nearest(solver, SOLVERS))
+    names = problems or list(LINE if zones or integrator != "compatible" or solver == FRONTS else PROBLEMS)
+    if solver == FRONTS:
+        names, integrator = _taken_by_fronts(names, bool(problems)), FRONTS
     results = []
-    for name in problems or list(LINE if zones or integrator != "compatible" else PROBLEMS):
+    for name in names:
         found = verify_problem(name, zones or None, integrator)
         results.append(found)
         if not as_json:
@@ -46,6 +53,22 @@ def verify(
         typer.echo(json.dumps(rows, indent=2))
     else:
         _total(results)
+
+
+def _taken_by_fronts(names: list[str], asked: bool) -> list[str]:
+    """The problems that tracked fronts take; one that was asked for by name and is not among them is refused, others are named."""
+    from hugoniot.campaign.verify import PROBLEMS, beyond_fronts
+
+    taken = []
+    for name in names:
+        why = beyond_fronts(name) if name in PROBLEMS else ""
+        if why and asked:
+            raise DeckError.single("verify", None, "problem", f"'{name}': {why}", "leave out --solver")
+        if why:
+            typer.echo(f"left out: {name}: {why}", err=True)
+        else:
+            taken.append(name)
+    return taken
 
 
 def _mark(value, beaten):

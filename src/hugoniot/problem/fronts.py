@@ -11,6 +11,7 @@ from pydantic import Field, WithJsonSchema
 from hugoniot.laws.burn.contract import BURN
 from hugoniot.laws.eos.contract import flagged
 from hugoniot.laws.fracture.contract import FRACTURE
+from hugoniot.laws.mixture.reference_state import ROLLING
 from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.materials import burning
 from hugoniot.materials.collect import Collector, printable
@@ -180,9 +181,8 @@ def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]
     found: list[tuple[tuple, str]] = []
     if material.burn is not None and not cells:
         found.append((("burn",), f"burns, which {NAME} follows in the mode 'cells' only"))
-    elif material.burn is not None and (BURN.of(material.burn).name != "programmed" or burning.closure(material) != "burned_products"):
-        message = f"burns by '{BURN.of(material.burn).name}' with '{burning.closure(material)}'"
-        found.append((("burn",), f"{message}; {NAME} follows the fronts of 'programmed' with 'burned_products': use lagrange1d"))
+    elif material.burn is not None:
+        found += _burn_defects(material)
     if material.fracture is not None and FRACTURE.of(material.fracture).name != "none":
         found.append((("fracture",), f"has a fracture law; {NAME} opens no new surfaces inside a body: leave it out"))
     if flagged(material.eos, "remembers"):
@@ -191,6 +191,26 @@ def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]
         law = STRENGTH.of(material.strength).name
         found.append((("strength", "law"), f"has no constant yield stress ('{law}'); the waves of {NAME} are exact for perfectly_plastic "
                       "(or none) only"))
+    return found
+
+
+def _burn_defects(material: Material) -> list[tuple[tuple, str]]:
+    """Programmed fronts burn into products alone; rates are resolved behind tracked shocks; what burns at once is neither."""
+    law, closure = BURN.of(material.burn), burning.closure(material)
+    if "programmed" in law.flags:
+        if closure == "burned_products":
+            return []
+        return [(("burn",), f"burns by '{law.name}' with '{closure}'; {NAME} follows programmed fronts into 'burned_products' only, for a "
+                 "front into a mixture would have a shock of its own")]
+    if "instantaneous" in law.flags or not burning.has_reactants(material):
+        return [(("burn",), f"burns by '{law.name}' with '{closure}': behind a tracked shock {NAME} resolves a rate, and this has none; "
+                 "take 'programmed', whose front is tracked, or a rate law")]
+    found: list[tuple[tuple, str]] = []
+    if material.reference_state == ROLLING:
+        found.append((("reference_state",), f"lets the reactants' reference state roll; {NAME} knows the state behind its shocks and "
+                      "freezes it: leave reference_state out, or take \"frozen\""))
+    if material.unreacted is not None and flagged(material.unreacted, "remembers"):
+        found.append((("unreacted",), f"keeps the pores of its unreacted explosive crushed, which {NAME} does not follow: use lagrange1d"))
     return found
 
 

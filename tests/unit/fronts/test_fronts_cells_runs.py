@@ -182,3 +182,46 @@ def test_a_programmed_speed_that_the_products_do_not_drive_is_refused():
     wrong = CHARGE + '\n[material.comp_b]\nbase = "comp_b"\n[material.comp_b.burn]\nlaw = "programmed"\ndetonation_velocity = "9 km/s"\n'
     with pytest.raises(DeckError, match="give burn.detonation_velocity"):
         read_deck_text(wrong)
+
+
+BURNING = """
+title = "Shock into an explosive"
+stop_time = "0.3 us"
+[[region]]
+name = "charge"
+material = "lx17"
+from = "0 mm"
+to = "4 mm"
+zones = 20
+[material.lx17]
+base = "LX-17 reactive"
+[boundary]
+left = {velocity = "1400 m/s"}
+[[gauge]]
+name = "probe"
+at = "0.5 mm"
+[solver]
+kind = "fronts"
+[solver.options]
+mode = "cells"
+[output]
+snapshots = "0.1 us"
+gauge_interval = "10 ns"
+"""
+
+
+def test_a_run_with_a_rate_records_burn_fractions_and_resumes_to_the_same_bits(tmp_path):
+    path = tmp_path / "burning.toml"
+    path.write_text(BURNING)
+    run = hugoniot.run(path, tmp_path / "burning.run", report=False)
+    summary = json.loads((run.folder / "summary.json").read_text())
+    assert summary["status"] == "done" and summary["energy_error"] < 1e-12 and summary["mass_error"] < 1e-12
+    burned = run.gauges["burn_fraction"].sel(gauge="probe").values
+    assert burned[0] == 0.0 and 0.1 < burned[-1] <= 1.0 and np.diff(burned).min() > -0.02
+    whole, broken, again = (solver_of(BURNING) for _ in range(3))
+    whole.march(3e-7, 10**9)
+    broken.march(3e-7, whole.cycle // 2)
+    broken.take_gauges()
+    again.restore(decode(encode(broken.payload())))
+    again.march(3e-7, 10**9)
+    assert again.cycle == whole.cycle and np.array_equal(again.mesh.q, whole.mesh.q) and np.array_equal(again.mesh.x, whole.mesh.x)

@@ -12,11 +12,11 @@ Source: Wilkins B.1 items 5 and 9 with conservation of mass, momentum and energy
 import math
 from typing import Any, NamedTuple
 
-from hugoniot.laws.eos import contract
+from hugoniot.laws.riemann import medium
 
 
 class Branch(NamedTuple):
-    """par   parameters of an equation of state; a, b   Pa"""
+    """par   parameters of an equation of state, or a `medium.Frozen` mixture; a, b   Pa"""
 
     par: Any
     a: float = 0.0
@@ -51,12 +51,12 @@ EMPTY = State(0.0, 0.0, 0.0, 0.0)
 def stress(rho: float, e: float, branch: Branch) -> float:
     """Longitudinal stress, Pa."""
     shear = branch.b * math.log(rho) if branch.b else 0.0
-    return contract.pressure(rho, e, branch.par) + branch.a + shear
+    return medium.respond(rho, e, branch.par)[0] + branch.a + shear
 
 
 def stress_and_slopes(rho: float, e: float, branch: Branch) -> tuple[float, float, float]:
     """(sigma, dsigma/drho at e, dsigma/de at rho)."""
-    p, p_rho, p_e = contract.pressure_and_derivatives(rho, e, branch.par)
+    p, p_rho, p_e = medium.respond(rho, e, branch.par)
     if branch.b:
         return p + branch.a + branch.b * math.log(rho), p_rho + branch.b / rho, p_e
     return p + branch.a, p_rho, p_e

@@ -11,10 +11,10 @@ import math
 from dataclasses import dataclass
 
 from hugoniot.errors import OutOfRange
-from hugoniot.laws.eos.contract import EOS, flagged
 from hugoniot.laws.riemann import jump
 from hugoniot.laws.riemann.branch import Branch, Matter, State, elastic, plastic, wave_speed_squared, yield_density
 from hugoniot.laws.riemann.fan import Fan
+from hugoniot.laws.riemann.medium import is_gas, name_of
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class Curve:
         if not square >= 0.0:
             side = "left" if direction < 0 else "right"
             raise OutOfRange(f"the {side} state ({state.rho:.6g} kg/m3, {state.e:.6g} J/kg) is no sound state of law "
-                             f"'{EOS.of(matter.par).name}': c^2 = {square:.4g} m2/s2")
+                             f"'{name_of(matter.par)}': c^2 = {square:.4g} m2/s2")
         self.c = math.sqrt(square)
         self.stiffness = state.rho * square
         self._limits: dict[int, tuple[State, float]] = {}
@@ -142,7 +142,7 @@ class Curve:
     @property
     def gas(self) -> bool:
         """Whether the material expands without bound."""
-        return flagged(self.matter.par, "gas")
+        return is_gas(self.matter.par)
 
     def surface(self) -> tuple[float, list[Wave]]:
         """(velocity, waves) of the surface towards nothing: zero stress, or for a gas the complete expansion."""

@@ -14,10 +14,10 @@ import math
 import numpy as np
 
 from hugoniot.errors import NoSolution, OutOfRange
-from hugoniot.laws.eos.contract import EOS, density_limits
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.stiffened_gas import StiffenedGas
 from hugoniot.laws.riemann.branch import Branch, State, stress_and_slopes, wave_speed_squared
+from hugoniot.laws.riemann.medium import Frozen, limits_of, name_of
 
 LARGEST, SMALLEST = 0.4, 1e-4    # steps in ln(rho)
 TOLERANCE = 1e-14
@@ -58,7 +58,7 @@ class Fan:
         sigma, by_rho, by_e = stress_and_slopes(rho, e, self.branch)
         square = by_rho + sigma * by_e / (rho * rho)
         if not square >= 0.0:
-            raise OutOfRange(f"law '{EOS.of(self.branch.par).name}' becomes unstable on release at {rho:.6g} kg/m3: "
+            raise OutOfRange(f"law '{name_of(self.branch.par)}' becomes unstable on release at {rho:.6g} kg/m3: "
                              f"c^2 = {square:.4g} m2/s2")
         return sigma / rho, math.sqrt(square)
 
@@ -109,9 +109,9 @@ class Fan:
         k = 0
         while value(self.nodes[-1]) > target:
             before = self.nodes[-1]
-            lowest = density_limits(self.branch.par)[0]
+            lowest = limits_of(self.branch.par)[0]
             if before[0] < math.log(NOTHING_LEFT) or self.ahead.rho * math.exp(before[0]) <= lowest:
-                raise OutOfRange(f"law '{EOS.of(self.branch.par).name}' has no state on this release beyond "
+                raise OutOfRange(f"law '{name_of(self.branch.par)}' has no state on this release beyond "
                                  f"{self.ahead.rho * math.exp(before[0]):.6g} kg/m3")
             self._extend()
         while k + 1 < len(self.nodes) and value(self.nodes[k + 1]) > target:
@@ -128,7 +128,7 @@ class Fan:
             last, here = moved, self._step(base, s - base[0]) if s != base[0] else base
         if last <= 1e-9:
             return here
-        raise NoSolution(f"no state of the fan of '{EOS.of(self.branch.par).name}' has the value {target:.6g}")
+        raise NoSolution(f"no state of the fan of '{name_of(self.branch.par)}' has the value {target:.6g}")
 
     def at_stress(self, sigma: float):
         """The node of a stress below the one ahead."""
@@ -178,14 +178,22 @@ class Fan:
         return self.nodes[-1][2]
 
     def _ideal_tail(self) -> float | None:
-        """What is left of w, 2c/Gamma, once p = Gamma rho e has held at two thin states in a row; None before."""
+        """What is left of w, 2c/Gamma, once p = Gamma rho (e - e0) has held at two thin states in a row; None before.
+
+        e0 is zero, or the chemical energy of what has not burned.
+        """
         if len(self.nodes) < 3 or self.nodes[-2][0] > math.log(0.1):
             return None
+        rest = []
         for node, sigma in zip(self.nodes[-2:], self.sigmas[-2:]):
             rho = self.ahead.rho * math.exp(node[0])
             gamma = stress_and_slopes(rho, node[1], self.branch)[2] / rho
-            if not (gamma > 0.0 and abs(sigma - gamma * rho * node[1]) <= 1e-13 * sigma):
+            if not gamma > 0.0:
                 return None
+            rest.append(node[1] - sigma / (gamma * rho))
+        heat = getattr(self.branch.par, "energy", 0.0) if isinstance(self.branch.par, Frozen) else 0.0
+        if max(map(abs, rest)) > 1e-13 * (sigma / (gamma * rho)) and abs(rest[1] - rest[0]) > 1e-14 * abs(heat):
+            return None
         return 2.0 * self.speed(self.nodes[-1]) / gamma
 
 
@@ -206,7 +214,7 @@ class _ClosedFan(Fan):
 
     def at_stress(self, sigma: float):
         if not sigma + self.stiffness > 0.0:
-            raise OutOfRange(f"law '{EOS.of(self.branch.par).name}' cannot support a stress of {sigma:.6g} Pa")
+            raise OutOfRange(f"law '{name_of(self.branch.par)}' cannot support a stress of {sigma:.6g} Pa")
         return self._node(math.log((sigma + self.stiffness) / (self.ahead.sigma + self.stiffness)) / self.gamma)
 
     def at_density(self, rho: float):

@@ -15,11 +15,10 @@ Source: Courant and Friedrichs, Supersonic Flow and Shock Waves, sections 54 and
 import math
 
 from hugoniot.errors import NoSolution, OutOfRange
-from hugoniot.laws.eos import contract
-from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.stiffened_gas import StiffenedGas
 from hugoniot.laws.riemann.branch import Branch, State, stress, stress_and_slopes, wave_speed_squared
+from hugoniot.laws.riemann.medium import limits_of, name_of
 
 FEEBLE = 3e-8      # rise over rho c^2 below which a jump is acoustic to round-off
 _STEPS = 200
@@ -29,18 +28,18 @@ def volume_drop(sigma: float, ahead: State, branch: Branch) -> float:
     """x = v0 - v behind a jump to the stress sigma; `OutOfRange` where the law has no such state."""
     square = wave_speed_squared(ahead.rho, ahead.e, branch)
     if not square > 0.0 and not (square == 0.0 and sigma > ahead.sigma):
-        raise OutOfRange(f"law '{EOS.of(branch.par).name}' is unstable at {ahead.rho:.6g} kg/m3 and {ahead.e:.6g} J/kg: "
+        raise OutOfRange(f"law '{name_of(branch.par)}' is unstable at {ahead.rho:.6g} kg/m3 and {ahead.e:.6g} J/kg: "
                          f"c^2 = {square:.4g} m2/s2")
     v0, rise = 1.0 / ahead.rho, sigma - ahead.sigma
     if isinstance(branch.par, (IdealGas, StiffenedGas)) and not branch.a and not branch.b:
         g, stiff = branch.par.gamma, getattr(branch.par, "p_infinity", 0.0)
         under = (g + 1.0) * (sigma + stiff) + (g - 1.0) * (ahead.sigma + stiff)
         if not sigma + stiff >= 0.0:
-            raise OutOfRange(f"law '{EOS.of(branch.par).name}' cannot support a stress of {sigma:.6g} Pa")
+            raise OutOfRange(f"law '{name_of(branch.par)}' cannot support a stress of {sigma:.6g} Pa")
         return 2.0 * rise * v0 / under if rise else 0.0
     if abs(rise) <= FEEBLE * ahead.rho * square:
         return rise / (ahead.rho * ahead.rho * square)
-    rest, highest = contract.density_limits(branch.par)
+    rest, highest = limits_of(branch.par)
     ends = (0.0, v0 - 1.0 / highest) if rise > 0.0 else (v0 - 1.0 / max(rest, 1e-12 * ahead.rho), 0.0)
     x = rise / (ahead.rho * ahead.rho * square) if square > 0.0 else math.inf
     x = x if ends[0] < x < ends[1] and abs(x) < 0.5 * v0 else (0.5 * ends[1] if rise > 0.0 else max(0.5 * ends[0], -v0))
@@ -73,7 +72,7 @@ def _newton(x, sigma, ahead: State, branch: Branch, ends) -> float:
         best, last, x = (new, moved, new)
     if last <= 1e-9 * abs(x):
         return x
-    raise NoSolution(f"no jump of '{EOS.of(branch.par).name}' from {ahead.sigma:.6g} Pa reaches {sigma:.6g} Pa")
+    raise NoSolution(f"no jump of '{name_of(branch.par)}' from {ahead.sigma:.6g} Pa reaches {sigma:.6g} Pa")
 
 
 def behind(sigma: float, ahead: State, branch: Branch, direction: int, deviator: float | None = None) -> tuple[State, float]:

@@ -10,9 +10,9 @@ import math
 from dataclasses import dataclass
 
 from hugoniot.errors import NoSolution
-from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.riemann.branch import Matter, State
 from hugoniot.laws.riemann.curve import Curve, Wave
+from hugoniot.laws.riemann.medium import name_of
 
 
 @dataclass(frozen=True)
@@ -32,8 +32,8 @@ class Solution:
     vacuum: bool = False
 
 
-def contact(left: Curve, right: Curve, bonded: bool = False) -> Solution:
-    """Solve for the stress and velocity at which the two sides meet; `NoSolution` where the curves do not."""
+def contact(left: Curve, right: Curve, bonded: bool = False, start: float | None = None) -> Solution:
+    """Solve for the stress and velocity at which the two sides meet; `NoSolution` where the curves do not. start: a guess of the stress."""
     zl, zr = left.state.rho * left.c, right.state.rho * right.c
     floor = -math.inf if bonded else 0.0
     if not bonded and (apart := _apart(left, right)) is not None:
@@ -44,8 +44,9 @@ def contact(left: Curve, right: Curve, bonded: bool = False) -> Solution:
         b, slope_b, _ = right.at(sigma)
         return b.u - a.u, slope_a + slope_b
 
-    start = 0.5 * (left.state.sigma + right.state.sigma) if zl + zr == 0.0 else (
-        zr * left.state.sigma + zl * right.state.sigma + zl * zr * (left.state.u - right.state.u)) / (zl + zr)
+    if not start or start <= 0.0:
+        start = 0.5 * (left.state.sigma + right.state.sigma) if zl + zr == 0.0 else (
+            zr * left.state.sigma + zl * right.state.sigma + zl * zr * (left.state.u - right.state.u)) / (zl + zr)
     thrust = min(left.state.rho, right.state.rho) * (left.state.u - right.state.u) ** 2
     scale = max(left.stiffness, right.stiffness, thrust)
     start = start if start > 0.0 or zl * zr > 0.0 else thrust      # cold gases have no sound to guess by
@@ -59,7 +60,7 @@ def contact(left: Curve, right: Curve, bonded: bool = False) -> Solution:
 def wall(side: Curve, velocity: float, bonded: bool = True) -> Solution:
     """A material against a wall or piston of given velocity; unless bonded it separates from one that runs away."""
     d = side.direction     # the waves run away from the wall: d = +1 for a wall on the left
-    if not bonded:
+    if not bonded and (side.state.u - velocity) * d > 0.0:      # a wall that is pushed against is not left
         edge, waves = side.surface()
         if (edge - velocity) * d > 0.0:
             return _one_sided(side, waves, edge, 0.0, True)
@@ -126,7 +127,7 @@ def _root(gap, sigma: float, floor: float, scale: float, sides) -> float:
         last, sigma = moved, new
     if last <= 1e-10 * max(abs(sigma), scale):
         return sigma
-    names = " and ".join(f"'{EOS.of(side.matter.par).name}'" for side in sides)
+    names = " and ".join(f"'{name_of(side.matter.par)}'" for side in sides)
     raise NoSolution(f"the wave curves of {names} did not meet between {low:.6g} and {high:.6g} Pa")
 
 

@@ -49,6 +49,7 @@ class Piece:
     state   of a constant piece; of a fan the one ahead; of an open end the one that stands there
     wave    of a fan: the `Wave`, centred at (x0, t0)
     broken  whether it is the last slice of a cut fan before a vacuum: what is left of its release is one jump
+    matter  what it is made of where its region does not say: a mixture that burns
     """
 
     kind: str
@@ -58,6 +59,7 @@ class Piece:
     x0: float = 0.0
     t0: float = 0.0
     broken: bool = False
+    matter: Any = None
 
     def edge(self, side: int) -> State:
         """The state at the left (-1) or right (+1) end of the piece."""

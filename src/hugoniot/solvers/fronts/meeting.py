@@ -33,6 +33,10 @@ class Bench:
     unburned: int = 1 << 60
     ideal: dict = field(default_factory=dict)
 
+    def of(self, piece: Piece) -> Matter:
+        """What a piece is made of."""
+        return piece.matter or self.matters[piece.region]
+
 
 def solve(left: Piece, right: Piece, bench: Bench, sliced: bool) -> exact.Solution:
     """The Riemann problem of two neighbouring pieces (states or outsides); `sliced`: among slices of a fan, whose releases are jumps."""
@@ -52,7 +56,7 @@ def _feeble(waves: list[Wave], bench: Bench) -> bool:
 def _solved(left: Piece, right: Piece, bench: Bench, jumps) -> exact.Solution:
     if left.kind in OUTSIDE or right.kind in OUTSIDE:
         inner, outer, d = (right, left, 1) if left.kind in OUTSIDE else (left, right, -1)
-        side = Curve(bench.matters[inner.region], inner.edge(-d), d, jumps[(d + 1) // 2])
+        side = Curve(bench.of(inner), inner.edge(-d), d, jumps[(d + 1) // 2])
         if outer.kind == "vacuum":
             return exact.surface(side, 0.0)
         if outer.kind == "pressure":
@@ -61,8 +65,8 @@ def _solved(left: Piece, right: Piece, bench: Bench, jumps) -> exact.Solution:
             return exact.wall(side, bench.walls[-d], bonded=not side.gas)
         state = inner.edge(-d)
         return exact.Solution([], [], (state.u, state.u), state.sigma)
-    a = Curve(bench.matters[left.region], left.edge(1), -1, jumps[0])
-    b = Curve(bench.matters[right.region], right.edge(-1), 1, jumps[1])
+    a = Curve(bench.of(left), left.edge(1), -1, jumps[0])
+    b = Curve(bench.of(right), right.edge(-1), 1, jumps[1])
     grip = float("inf") if left.region == right.region else bench.grips[left.region]
     if a.gas or b.gas:
         grip = 0.0

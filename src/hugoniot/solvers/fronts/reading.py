@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from hugoniot.laws.riemann.branch import elastic, wave_speed_squared
+from hugoniot.laws.riemann.medium import Frozen, mixed_phases
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.fronts import setup
 from hugoniot.solvers.protocol import Event, NothingToAdd
@@ -26,6 +27,7 @@ class Reading(NothingToAdd):
     time: Any
     lives: Any
     matters: list
+    burning = False      # whether something burns: then a burn fraction is recorded
 
     def __init__(self, problem: Problem):
         self.problem = problem
@@ -73,7 +75,8 @@ class Reading(NothingToAdd):
             if k not in columns:
                 columns[k] = self.column(k)
             x, point = columns[k].at(fraction)
-            row.append([x, point.u, point.rho, point.e, point.pressure, point.s, -0.5 * point.s, point.sigma])
+            found = [x, point.u, point.rho, point.e, point.pressure, point.s, -0.5 * point.s, point.sigma]
+            row.append([*found, *_phases(*self._point(k, columns[k], fraction))] if self.burning else found)
         self._times.append(self.time)
         self._rows.append(row)
 
@@ -87,9 +90,14 @@ class Reading(NothingToAdd):
     def take_gauges(self):
         """(times, {field: (n, ngauge)}) recorded since the last call."""
         times = np.array(self._times)
-        block = np.array(self._rows, dtype=float).reshape(len(times), len(self.gauges), len(GAUGE_FIELDS))
+        first = len(GAUGE_FIELDS)
+        block = np.array(self._rows, dtype=float).reshape(len(times), len(self.gauges), first + 5 * self.burning)
         self._times, self._rows = [], []
-        return times, {name: block[:, :, i] for i, name in enumerate(GAUGE_FIELDS)}
+        found = {name: block[:, :, i] for i, name in enumerate(GAUGE_FIELDS)}
+        if self.burning:
+            phases = np.repeat(block[:, :, None, first:], 2, axis=2)
+            found |= {"burn_fraction": block[:, :, first], "share": np.zeros(block.shape[:2]), "phases": phases}
+        return times, found
 
     # -- what observers see ------------------------------------------------------------------------------------------
     def state(self) -> State:
@@ -103,16 +111,30 @@ class Reading(NothingToAdd):
             column = self.column(k)
             zones = np.flatnonzero(self.region_of == k)
             masses[zones] = (high[zones] - low[zones]) * column.mass[-1]
-            matter = self.matters[k]
             ends = [column.at(f) for f in [*low[zones], high[zones[-1]]]]
             for j, z in enumerate(zones):
                 faces[:, z], speeds[:, z] = (ends[j][0], ends[j + 1][0]), (ends[j][1].u, ends[j + 1][1].u)
-                _, point = column.at(0.5 * (low[z] + high[z]))
+                point, matter, burned = self._point(k, column, 0.5 * (low[z] + high[z]))
                 square = wave_speed_squared(point.rho, point.e, elastic(matter, point)) if self._answers(k, point) else 0.0
-                rows[z] = (point.rho, point.e, point.pressure, point.s, -0.5 * point.s, point.sigma, math.sqrt(max(square, 0.0)), 0.0)
+                rows[z] = (point.rho, point.e, point.pressure, point.s, -0.5 * point.s, point.sigma, math.sqrt(max(square, 0.0)), burned)
         zones = {name: rows[:, i].copy() for i, name in enumerate(ZONE_FIELDS)}
-        zones |= {"plastic_work": rows[:, 7].copy(), "viscous_work": rows[:, 7].copy(), "mass": masses}
+        zones |= {"plastic_work": np.zeros(count), "viscous_work": np.zeros(count), "mass": masses}
+        if self.burning:
+            zones["burn_fraction"] = rows[:, 7].copy()
         return FrontState(self.time, self.cycle, zones, faces[0], faces[1], speeds[0], speeds[1])
+
+    def phases(self) -> np.ndarray | None:
+        """Burn fraction, density and energy of reactants and of products in the middle of every zone, (5, nzone), where something burns."""
+        if not self.burning:
+            return None
+        low, high = self.fractions
+        columns = [self.column(k) for k in range(len(self.problem.regions))]
+        rows = [_phases(*self._point(k, columns[k], 0.5 * (low[z] + high[z]))) for z, k in enumerate(self.region_of)]
+        return np.array(rows).T
+
+    def _point(self, region: int, column, fraction: float):
+        """(state, what it is made of, burn fraction) of a material point."""
+        return column.at(fraction)[1], self.matters[region], 0.0
 
     def _answers(self, region: int, point) -> bool:
         """Whether the law of a region answers for a state: not for nothing at all, nor for unburned explosive."""
@@ -135,6 +157,14 @@ class Reading(NothingToAdd):
             self.voids_opened += 1
         if "surface with surface" in text or text.startswith("2 x surface"):
             self.voids_closed += 1
+
+
+def _phases(point, matter, burned: float) -> list[float]:
+    """Burn fraction, rho_r, e_r, rho_p, e_p of a material point; of what is no mixture both phases are as the whole."""
+    if isinstance(matter.par, Frozen):
+        mixed = mixed_phases(point.rho, point.e, burned, matter.par.volume, matter.par.energy, matter.par.mixture)
+        return [burned, mixed.rho_r, mixed.e_r, mixed.rho_p, mixed.e_p]
+    return [burned, point.rho, point.e, point.rho, point.e]
 
 
 class FrontState(State):

@@ -9,7 +9,11 @@ import math
 
 import numpy as np
 
-from hugoniot.laws.riemann.branch import State
+from hugoniot.laws.burn.contract import Reactive
+from hugoniot.laws.eos.contract import density_limits
+from hugoniot.laws.riemann.branch import Branch, wave_speed_squared
+from hugoniot.laws.riemann.medium import Frozen, mixture_limit
+from hugoniot.laws.riemann.wave import Side, jumps
 from hugoniot.solvers.fronts import line
 from hugoniot.solvers.fronts.cells import detonations
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh
@@ -54,6 +58,7 @@ def bear(mesh: Mesh, face: int, left: Piece, right: Piece, time: float, bench: B
     """
     fronts, pieces, found = outgoing(left, right, float(mesh.x[face]), time, bench)
     given = [_given(front, [left, *pieces, right][k:k + 2]) for k, front in enumerate(fronts)]
+    given = _with_scalars(mesh, left, right, fronts, given)
     rows = _without_the_weak(list(zip(fronts, given)), (left, right), pieces, bench, followed)
     position = int(np.count_nonzero(mesh.marked[:face]))
     if rows is None:                          # nothing is left to follow
@@ -77,7 +82,7 @@ def place(mesh: Mesh, face: int, outer, whole, rows, time: float, bench: Bench) 
     marks, values, regions, push, made = [], [], [], [], []
     for k, (front, state) in enumerate(kept):
         if k:
-            marks_in, values_in, count = _inside(between[k - 1], kept[k - 1][0], front, bench)
+            marks_in, values_in, count = _inside(between[k - 1], kept[k - 1], kept[k], bench)
             marks += marks_in
             values += values_in
             regions += [between[k - 1].region if between[k - 1].kind != "vacuum" else EMPTY] * count
@@ -91,7 +96,7 @@ def place(mesh: Mesh, face: int, outer, whole, rows, time: float, bench: Bench) 
     mesh.fronts[position:position + 1] = made
     mesh.x = np.concatenate([mesh.x[:face], np.full(len(marks), x), mesh.x[face + 1:]])
     mesh.marked = np.concatenate([mesh.marked[:face], np.array(marks, dtype=bool), mesh.marked[face + 1:]])
-    mesh.given = np.concatenate([mesh.given[:face], np.array(values).reshape(-1, 5), mesh.given[face + 1:]])
+    mesh.given = np.concatenate([mesh.given[:face], np.array(values).reshape(-1, mesh.given.shape[1]), mesh.given[face + 1:]])
     mesh.q = np.concatenate([mesh.q[:face], np.zeros((len(regions), mesh.q.shape[1])), mesh.q[face:]])
     mesh.push = np.concatenate([mesh.push[:face], np.array(push), mesh.push[face:]])
     mesh.region = np.concatenate([mesh.region[:face], np.array(regions, dtype=mesh.region.dtype), mesh.region[face:]])
@@ -102,6 +107,7 @@ def ignite(mesh: Mesh, face: int, left: Piece, right: Piece, time: float, bench:
     """The same where unburned explosive is lit; all waves are followed."""
     fronts, pieces, found = detonations.lit(left, right, float(mesh.x[face]), time, bench)
     given = [_given(front, [left, *pieces, right][k:k + 2]) for k, front in enumerate(fronts)]
+    given = _with_scalars(mesh, left, right, fronts, given)
     kinds = place(mesh, face, (left, right), (fronts, pieces), (list(zip(fronts, given)), pieces), time, bench)
     return kinds, f"{found.stress:.6g} Pa, {found.velocity[0]:.6g} m/s"
 
@@ -161,8 +167,9 @@ def _contrast(beside) -> float:
     return abs(low - high) / max(low, high, 1e-300)
 
 
-def _inside(piece: Piece, left, right, bench: Bench):
-    """(marks, states) of the faces inside a new piece, and how many cells it is."""
+def _inside(piece: Piece, before, after, bench: Bench):
+    """(marks, states) of the faces inside a new piece, and how many cells it is; (front, its state) on both sides."""
+    left, right = before[0], after[0]
     if piece.kind != "fan":
         return [], [], 1
     wave = piece.wave
@@ -170,9 +177,39 @@ def _inside(piece: Piece, left, right, bench: Bench):
     count = min(max(math.ceil(fall), 2), MOST_IN_FAN)
     speeds = np.linspace(left.speed, right.speed, count + 1)[1:-1].tolist()
     states = [line.fan_state(piece, xi) for xi in speeds]
-    return [False] * (count - 1), [[xi, s.rho, s.u, s.e, s.sigma] for xi, s in zip(speeds, states)], count
+    scalars = (before if left.direction else after)[1][5:]
+    return [False] * (count - 1), [[xi, s.rho, s.u, s.e, s.sigma, *scalars] for xi, s in zip(speeds, states)], count
 
 
-def piece_of(region: int, state: State) -> Piece:
-    """What the Riemann problem takes for a side."""
-    return Piece("state", region, state)
+def _with_scalars(mesh: Mesh, left: Piece, right: Piece, fronts, given):
+    """The states at newborn fronts, with what goes with the mass behind them: a shock gives isolated reactants a new reference state."""
+    if mesh.given.shape[1] == 5:
+        return given
+    rows = []
+    for front, state in zip(fronts, given):
+        scalars, piece = [0.0, 0.0, 0.0], left if front.direction < 0 else right
+        par = piece.matter.par if piece.matter is not None else None
+        if front.direction and isinstance(par, Frozen):
+            scalars = [par.burned, par.volume, par.energy]
+            if "shock" in front.kind:
+                scalars[1:] = _new_reference(par, state, front)
+        rows.append([*state, *scalars])
+    return rows
+
+
+def _new_reference(par: Frozen, state, front) -> tuple[float, float]:
+    """Volume and energy of the reactants behind a shock of known speed."""
+    _, rho, u, e, p = state
+    square = wave_speed_squared(rho, e, Branch(par))
+    flux = rho * abs(front.speed - u)
+    side = Side(rho, e, p, square, par.burned, par.volume, par.energy, mixture_limit(par.burned, par.mixture),
+                density_limits(par.mixture.reactants)[1], density_limits(par.mixture.products)[1])
+    # the pressure behind: where the flux of the jump is that of the front, which rises with it
+    low, high = p, p + flux * flux / rho
+    for _ in range(200):
+        middle = 0.5 * (low + high)
+        if not low < middle < high:
+            break
+        x = jumps(middle, side, Reactive(None, par.mixture))[0]
+        low, high = (middle, high) if x > 0.0 and middle - p < flux * flux * x else (low, middle)
+    return jumps(0.5 * (low + high), side, Reactive(None, par.mixture))[1:]

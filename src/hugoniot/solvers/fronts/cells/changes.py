@@ -5,15 +5,13 @@ import dataclasses
 import numpy as np
 
 from hugoniot.errors import OutOfRange
+from hugoniot.solvers.fronts.cells import tables
 from hugoniot.solvers.fronts.cells.births import bear, collapse, ignite
 from hugoniot.solvers.fronts.cells.detonations import UNLIT, light_face
-from hugoniot.solvers.fronts.cells.flow import averages
+from hugoniot.solvers.fronts.cells.flow import Flow
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh, adjust, mean_area
 from hugoniot.solvers.fronts.cells.start import pieces_at
-from hugoniot.solvers.fronts.cells.steepening import candidates, track
-from hugoniot.solvers.fronts.cells.step import Flow, met
-
-FORMED = 2.0     # times the weakest wave: a shock that has formed is that strong
+from hugoniot.solvers.fronts.cells.steepening import track
 
 
 class Changes:
@@ -24,32 +22,30 @@ class Changes:
     most     number of fronts beyond which new waves are left to the cells
     """
 
-    def __init__(self, flow: Flow, length: float, outside, most: int, log, ended):
-        self.flow, self.length, self.outside, self.most, self.log, self.ended = flow, length, outside, most, log, ended
+    def __init__(self, flow: Flow, length: float, most: int, log, ended):
+        self.flow, self.length, self.most, self.log, self.ended = flow, length, most, log, ended
         self.meetings = self.captured = self.untracked = self.formed = 0
 
     def after_step(self, mesh: Mesh, time: float) -> None:
         """Do what the step calls for."""
         runs = met(mesh, self.length)
-        parting = [mesh.x[f] for f in self.flow.parting]
+        parting = [mesh.x[f] for f in self.flow.flagged(1, mesh)]
         if not runs:
             self._release(mesh, time)
         for first, last in reversed(runs):
             self._meet(mesh, first, last, time)
         for x in parting if not runs else ():
             self._renew(mesh, int(np.flatnonzero(mesh.x == x)[0]), time, "parts")
+        self.flow.clear()
         adjust(mesh, self.flow.spacing, split_slope)
 
     def steepen(self, mesh: Mesh, time: float) -> None:
         """Follow the shocks that have formed among the cells."""
-        if len(mesh.fronts) >= self.most:
-            return
-        cells = averages(mesh, self.flow.media)
-        for cell, direction in reversed(candidates(mesh, cells, FORMED * self.flow.bench.weakest)):
-            x = float(mesh.middle[cell])
-            if track(mesh, cells, cell, direction, time):
-                self.formed += 1
-                self.log("formed", time, x, "a compression has become a shock, which is followed")
+        cell, direction = self.flow.steep(mesh)
+        x = float(mesh.middle[cell])
+        if cell >= 0 and track(mesh, self.flow.work.w, cell, direction, time):
+            self.formed += 1
+            self.log("formed", time, x, "a compression has become a shock, which is followed")
 
     def _meet(self, mesh: Mesh, first: int, last: int, time: float) -> None:
         inside = mesh.fronts[_order(mesh, first):_order(mesh, last) + 1]
@@ -73,7 +69,7 @@ class Changes:
         if not solid:
             mesh.release(face)
             return
-        left, right = pieces_at(mesh, face, self.flow.media, self.outside)
+        left, right = pieces_at(self.flow, mesh, face)
         k, old = _order(mesh, face), solid[0]
         mesh.fronts[k] = dataclasses.replace(old, least=1, since=time, start=float(mesh.x[face]),
                                              sides=(tuple(left.edge(1)), tuple(right.edge(-1))))
@@ -90,17 +86,17 @@ class Changes:
 
     def _bear(self, mesh: Mesh, face: int, time: float, burning: bool = False):
         followed = len(mesh.fronts) < self.most
-        for side, (_, value) in zip((-1, 1), self.flow.ends):
-            if value is not None:
-                bench = self.flow.bench
-                (bench.walls if self.outside[(side + 1) // 2] == "wall" else bench.pressures)[side] = value(time)
-        left, right = pieces_at(mesh, face, self.flow.media, self.outside)
+        bench = self.flow.bench
+        for k, side in enumerate((-1, 1)):
+            if self.flow.outside[k] in ("wall", "pressure"):
+                (bench.walls if self.flow.outside[k] == "wall" else bench.pressures)[side] = self.flow.drive(k, time)
+        left, right = pieces_at(self.flow, mesh, face)
         if any(piece.region >= self.flow.bench.unburned for piece in (left, right)):
             if not burning:
                 raise OutOfRange(UNLIT)
-            return ignite(mesh, face, left, right, time, self.flow.bench)
+            return ignite(mesh, face, left, right, time, bench)
         self.captured += not followed
-        return bear(mesh, face, left, right, time, self.flow.bench, followed)
+        return bear(mesh, face, left, right, time, bench, followed)
 
     def begin(self, mesh: Mesh, lit: list[float]) -> None:
         """The waves that leave every line at t = 0, and the explosive at the places `lit`."""
@@ -134,13 +130,13 @@ class Changes:
     def _crowded(self, mesh: Mesh) -> list[int]:
         """Waves on both sides of the interval that asks for a step out of proportion."""
         at = mesh.faces()
-        k = int(np.searchsorted(at, self.flow.limiting, side="right")) - 1
+        k = int(np.searchsorted(at, self.flow.work.numbers[tables.LIMITING], side="right")) - 1
         return [int(at[j]) for j in (k, k + 1) if mesh.fronts[j].direction and mesh.fronts[j].kind != "detonation"]
 
     def _release(self, mesh: Mesh, time: float) -> None:
-        crowd = self._crowded(mesh) if self.flow.crowded else []
+        crowd = self._crowded(mesh) if self.flow.work.numbers[tables.CROWDED] > 0.0 else []
         self.captured += bool(crowd)
-        for f in sorted({*self.flow.released, *crowd}, reverse=True):
+        for f in sorted({*self.flow.flagged(0, mesh), *crowd}, reverse=True):
             front = mesh.fronts[_order(mesh, f)]
             self.ended(front, time, float(mesh.x[f]))
             self.log("released", time, float(mesh.x[f]), f"{front.kind} is followed no longer: "
@@ -149,16 +145,29 @@ class Changes:
             self.untracked += 1
 
 
+def met(mesh: Mesh, length: float) -> list[tuple[int, int]]:
+    """Runs of fronts (first face, last face) that have met."""
+    first, counts = mesh.intervals()
+    closed = [f for f, n in zip(first.tolist(), counts.tolist()) if n == 1 and mesh.x[f + 1] - mesh.x[f] <= tables.TOUCHING * length]
+    runs: list[list[int]] = []
+    for f in closed:
+        if runs and runs[-1][1] == f:
+            runs[-1][1] = f + 1
+        else:
+            runs.append([f, f + 1])
+    return [(a, b) for a, b in runs]
+
+
 def _order(mesh: Mesh, face: int) -> int:
     """Which of the fronts stands at a face."""
     return int(np.count_nonzero(mesh.marked[:face]))
 
 
 def split_slope(mesh: Mesh, cell: int) -> np.ndarray:
-    """Slopes of density, velocity and energy in a cell, limited by its neighbours of the same interval; zero where it has none."""
+    """Slopes of density, velocity, energy and scalars in a cell, limited by its neighbours of the same interval; zero where it has none."""
     near = [k for k, face in ((cell - 1, cell), (cell + 1, cell + 1)) if not mesh.marked[face] and np.isnan(mesh.push[k])]
     if not near or mesh.region[cell] == EMPTY:
-        return np.zeros(3)
+        return np.zeros(mesh.q.shape[1])
     own, middle = _primitive(mesh, cell), mesh.middle
     slopes = [(_primitive(mesh, k) - own) / (middle[k] - middle[cell]) for k in near]
     if len(slopes) == 1:
@@ -168,8 +177,9 @@ def split_slope(mesh: Mesh, cell: int) -> np.ndarray:
 
 
 def _primitive(mesh: Mesh, cell: int) -> np.ndarray:
-    """Density, velocity and energy of one cell."""
+    """Density, velocity, energy and scalars of one cell."""
     mass, momentum, energy = mesh.q[cell, :3]
     width = mesh.x[cell + 1] - mesh.x[cell]
     u = momentum / mass
-    return np.array([mass / (width * mean_area(mesh.x[cell], mesh.x[cell + 1], mesh.d)), u, energy / mass - 0.5 * u * u])
+    rho = mass / (width * mean_area(mesh.x[cell], mesh.x[cell + 1], mesh.d))
+    return np.array([rho, u, energy / mass - 0.5 * u * u, *(mesh.q[cell, 3:] / mass)])

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from hugoniot.solvers.fronts.cells import tables
 from hugoniot.solvers.fronts.cells.mesh import Front, Mesh
 from hugoniot.solvers.fronts.record import COLUMNS
 
@@ -14,9 +15,9 @@ def payload(solver) -> dict:
     fronts = [{"kind": f.kind, "numbers": [f.speed, float(f.direction), f.strength, float(f.least), f.since, f.start],
                "sides": np.array(f.sides, dtype=float)} for f in mesh.fronts]
     return {"x": mesh.x.copy(), "q": mesh.q.copy(), "region": mesh.region.copy(), "marked": mesh.marked.copy(), "given": mesh.given.copy(),
-            "push": mesh.push.copy(), "fronts": fronts, "time": solver.time, "cycle": solver.cycle, "step": solver.step,
-            "samples": solver.samples, "numbers": [solver.updates, solver.lines, solver.slow, solver.flow.bench.dropped],
-            "changes": [getattr(solver.changes, name) for name in _COUNTS], "passed": solver.flow.passed.copy(),
+            "push": mesh.push.copy(), "fronts": fronts, "samples": solver.samples, "numbers": solver.flow.work.numbers.copy(),
+            "dropped": solver.flow.bench.dropped,
+            "changes": [getattr(solver.changes, name) for name in _COUNTS], "passed": solver.flow.work.passed.copy(),
             "start_totals": solver.start_totals.copy(), "start_size": solver.start_size.copy(),
             "voids": [solver.voids_opened, solver.voids_closed], "life_kinds": list(trace.kinds),
             "life_rows": np.array(trace.rows, dtype=float).reshape(-1, len(COLUMNS)),
@@ -29,12 +30,13 @@ def restore(solver, payload: dict) -> None:
                     tuple(tuple(side) for side in row["sides"].tolist())) for row in payload["fronts"]]
     solver.mesh = Mesh(payload["x"].copy(), payload["q"].copy(), payload["region"].copy(), payload["marked"].astype(bool), fronts,
                        solver.problem.dimension, payload["given"].copy(), payload["push"].copy())
-    solver.time, solver.cycle, solver.step = float(payload["time"]), int(payload["cycle"]), float(payload["step"])
+    work = solver.flow.work
+    work.numbers[:], work.passed[:] = payload["numbers"], payload["passed"]
+    solver.cycle, solver.step = int(work.numbers[tables.CYCLE]), float(work.numbers[tables.STEP])
     solver.samples = int(payload["samples"])
-    solver.updates, solver.lines, solver.slow, solver.flow.bench.dropped = (int(n) for n in payload["numbers"])
+    solver.flow.bench.dropped = int(payload["dropped"])
     for name, value in zip(_COUNTS, payload["changes"]):
         setattr(solver.changes, name, int(value))
-    solver.flow.passed = payload["passed"].copy()
     solver.start_totals, solver.start_size = payload["start_totals"].copy(), payload["start_size"].copy()
     solver.voids_opened, solver.voids_closed = (int(n) for n in payload["voids"])
     trace = solver.trace

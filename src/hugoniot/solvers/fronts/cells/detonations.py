@@ -30,13 +30,13 @@ def slowest(bench: Bench, region: int, state: State, direction: int) -> detonati
     return bench.ideal[key]._replace(ahead=state)
 
 
-def driven(bench: Bench, direction: int, followers: list[tuple[int, State]], ahead: tuple[int, State]) -> detonation.Front:
+def driven(bench: Bench, direction: int, region: int, followers: list[State], ahead: tuple[int, State]) -> detonation.Front:
     """The front in the step: `ahead` is (region, state) ahead of it, `followers` those at the front and in the middle of the cell behind.
 
     A front is driven only if both drive it: at the head of a Taylor wave what is extrapolated may press a little too hard.
     """
     base = found = slowest(bench, *ahead, direction)
-    for region, state in followers[::-1]:
+    for state in followers[::-1]:
         par = bench.matters[region].par
         found = detonation.driven(base, Curve(bench.matters[region], state, -direction), par)
         if found is base:
@@ -80,11 +80,11 @@ def lit(left: Piece, right: Piece, x: float, t: float, bench: Bench):
 def _solved(left: Piece, right: Piece, bench: Bench) -> exact.Solution:
     if left.kind in OUTSIDE or right.kind in OUTSIDE:
         inner, outer, d = (right, left, 1) if left.kind in OUTSIDE else (left, right, -1)
-        side = Curve(bench.matters[inner.region], inner.state, d)
+        side = Curve(bench.of(inner), inner.state, d)
         if outer.kind == "wall":
             return exact.wall(side, bench.walls[-d], bonded=not side.gas)
         return exact.surface(side, bench.pressures[-d] if outer.kind == "pressure" else 0.0)
-    return exact.contact(Curve(bench.matters[left.region], left.state, -1), Curve(bench.matters[right.region], right.state, 1))
+    return exact.contact(Curve(bench.of(left), left.state, -1), Curve(bench.of(right), right.state, 1))
 
 
 def _overdriven(sides, d: int, found: exact.Solution, front: detonation.Front, bench: Bench):
@@ -92,7 +92,7 @@ def _overdriven(sides, d: int, found: exact.Solution, front: detonation.Front, b
     follower = sides[0 if d > 0 else 1]
     if follower.kind in OUTSIDE:
         raise OutOfRange("a piston drives a detonation beyond Chapman-Jouguet from its start; begin slower, or take lagrange1d")
-    curve = Curve(bench.matters[follower.region], follower.state, -d)
+    curve = Curve(bench.of(follower), follower.state, -d)
     own = sides[1 if d > 0 else 0]
     strong = detonation.driven(front, curve, bench.matters[own.region].par)
     after, _, waves = curve.at(strong.behind.sigma)

@@ -1,261 +1,176 @@
-r"""Between the fronts: states in the cells and at their faces, second order in space and time, without any viscosity.
+"""The compiled march seen from Python: laws and ends as numbers, scratch, mesh and fronts as arrays and back."""
 
-Density, velocity and energy are parabolas with the averages of three cells; beside a front the stencil is one-sided, and no stencil reaches
-across. Increments to a face are limited by the differences to the neighbours, but where curvature is smooth. Face states move half a step
-on with the flow equations (d = 1, 2, 3),
-
-$$\rho_t = -u\rho_x - \rho\left(u_x + \tfrac{d-1}{r}u\right), \quad u_t = -uu_x - p_x/\rho, \quad
-  e_t = -ue_x - \tfrac{p}{\rho}\left(u_x + \tfrac{d-1}{r}u\right),$$
-
-and with their own face (velocity w): $q + \tfrac12\Delta t\,(q_t + w q_x)$. The two states at a face meet in an HLLC problem, read
-off at w.
-
-Sources: van Leer, J. Comput. Phys. 32 (1979) 101 (MUSCL, Hancock's predictor); Toro, Riemann Solvers, 10.4 and 14.4; Colella and
-Woodward, J. Comput. Phys. 54 (1984) 174 (parabolas).
-"""
-
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 
+from hugoniot.core.passes import numbers_of
 from hugoniot.errors import UnphysicalState
 from hugoniot.laws.arrays import float_parameters
-from hugoniot.solvers.fronts.cells.mesh import EMPTY, Mesh
+from hugoniot.laws.burn.contract import BURN, Reactive
+from hugoniot.laws.eos.contract import density_limits, flagged
+from hugoniot.laws.riemann.branch import Matter, State
+from hugoniot.laws.riemann.medium import Frozen, mixture_limit
+from hugoniot.materials import burning
+from hugoniot.problem.model import Problem
+from hugoniot.solvers.fronts.cells import march, parabolas, steepening, tables, tracked
+from hugoniot.solvers.fronts.cells.gas import averages
+from hugoniot.solvers.fronts.cells.mesh import Mesh
+from hugoniot.solvers.fronts.cells.passes import burn_pass, pace_pass, states_pass, wave_pass
+from hugoniot.solvers.fronts.cells.spacing import Spacing
+from hugoniot.solvers.fronts.cells.tables import Grid, Rules
+from hugoniot.solvers.fronts.meeting import Bench
 
-COLD = 1e-10      # c^2 over u^2 below which a negative square is rounding
-
-
-class Media:
-    """Equations of state of the regions, asked for rows of states; None for unburned explosive, which has no pressure."""
-
-    def __init__(self, laws):
-        self.laws = [None if law is None else float_parameters(law) for law in laws]
-
-    def __call__(self, region, rho, e):
-        """(p, dp/drho, dp/de) for states (n,) or (n, m) of cells in the given regions; a gap has none (0)."""
-        from hugoniot.solvers.fronts.cells.kernels import states
-
-        found = np.zeros((3, *rho.shape))
-        cuts = [0, *(np.flatnonzero(np.diff(region)) + 1).tolist(), len(region)]
-        for a, b in zip(cuts, cuts[1:]):
-            if region[a] != EMPTY and self.laws[region[a]] is not None:
-                out = [np.empty(rho[a:b].size) for _ in range(3)]
-                states(rho[a:b].ravel(), e[a:b].ravel(), self.laws[region[a]], *out)
-                for row, values in zip(found, out):
-                    row[a:b] = values.reshape(rho[a:b].shape)
-        return found
+EXACT = 1e-4       # burn fraction from which isolated reactants keep the isentrope behind their shock, which is exact here
+NO_DRIVE = ("none", 0.0, 0.0, 1.0)
+SHAPES = ("square", "constant", "half_sine", "ramp", "exponential", "table", "none")
 
 
-class Cells(NamedTuple):
-    """Averages: w (n, 3 + scalars) density, velocity, energy and what goes with the mass; p, c, and p's slopes."""
-
-    w: np.ndarray
-    p: np.ndarray
-    c: np.ndarray
-    p_rho: np.ndarray
-    p_e: np.ndarray
-
-
-def sound(p, p_rho, p_e, rho, u):
-    """c from the slopes; nan where c^2 is negative by more than rounding."""
-    square = p_rho + p * p_e / np.maximum(rho * rho, 1e-300)
-    square = np.where((square < 0.0) & (square > -COLD * (u * u)), 0.0, square)
-    with np.errstate(invalid="ignore"):
-        return np.sqrt(square)
+def law_of_region(material) -> Any:
+    """What the cells ask: the equation of state, or rate and mixture of a material that burns by a rate."""
+    if material.burn is None or "programmed" in BURN.of(material.burn).flags:
+        return float_parameters(material.eos)
+    pair = burning.reactive(material)
+    if hasattr(pair.mixture, "nascent_limit"):
+        pair = pair._replace(mixture=pair.mixture._replace(nascent_limit=EXACT))
+    return float_parameters(pair)
 
 
-def averages(mesh: Mesh, media: Media) -> Cells:
-    """States of the cells; those of a gap, and of cells about to be born, are zero."""
-    full = mesh.full()
-    w = np.zeros_like(mesh.q)
-    w[:, 0] = mesh.q[:, 0] / np.where(full, mesh.volume(), 1.0)
-    w[:, 1:] = mesh.q[:, 1:] / np.where(full, mesh.q[:, 0], 1.0)[:, None]
-    w[:, 2] -= 0.5 * w[:, 1] ** 2
-    w[~full] = 0.0
-    p, p_rho, p_e = media(mesh.region, w[:, 0], w[:, 2])
-    return Cells(w, p, sound(p, p_rho, p_e, w[:, 0], w[:, 1]), p_rho, p_e)
+class Flow:
+    """What a step needs beside the mesh: `bench` for the exact Riemann problems, `spacing`, the ends, and the tables of the march."""
 
+    def __init__(self, problem: Problem, bench: Bench, outside, options: dict, courant: float):
+        self.bench, self.outside, self.problem = bench, outside, problem
+        self.laws = [law_of_region(problem.materials[r.material]) for r in problem.regions]
+        self.burns = any(isinstance(law, Reactive) for law in self.laws)
+        self.variables = 6 if self.burns else 3
+        self.burns_by_rate = [isinstance(law, Reactive) for law in self.laws]
+        burnt = [problem.materials[r.material].burn is not None for r in problem.regions]
+        self.programmed = [one and not rate for one, rate in zip(burnt, self.burns_by_rate)]      # products of programmed fronts
+        self._numbers = [numbers_of(law) for law in self.laws]
+        self.spacing = Spacing(problem.dimension, np.array([float(r.zones) for r in problem.regions]))
+        self.rules = self._rules(options, courant)
+        self.work = tables.make_work(64, self.variables, len(self.laws))
+        self.work.numbers[tables.RESOLUTION] = 1e300
 
-def check(mesh: Mesh, cells: Cells, time: float, cycle: int) -> None:
-    """Raise `UnphysicalState` for the first cell without a sound state."""
-    bad = mesh.full() & ~((cells.w[:, 0] > 0.0) & (cells.c >= 0.0) & np.isfinite(cells.p) & (mesh.width > 0.0))
-    if bad.any():
-        k = int(np.argmax(bad))
-        rho, u, e = cells.w[k, :3]
+    def _rules(self, options: dict, courant: float) -> Rules:
+        problem, count = self.problem, len(self.laws)
+        passes, words = np.zeros((2 * count, 4), dtype=np.int64), np.zeros(2 * count, dtype=np.int64)
+        limits, traits = np.zeros((2 * count, 3)), np.zeros((count, 3))
+        for k, law in enumerate(self.laws):
+            burns = isinstance(law, Reactive)
+            passes[k] = (states_pass.address(law), wave_pass.address(law), *((burn_pass.address(law), pace_pass.address(law)) if burns else
+                                                                            (0, 0)))
+            words[k] = self._numbers[k].ctypes.data
+            if burns:
+                whole = min(mixture_limit(0.0, law.mixture), mixture_limit(1.0, law.mixture))
+                limits[k] = whole, density_limits(law.mixture.reactants)[1], density_limits(law.mixture.products)[1]
+            else:
+                limits[k] = density_limits(law)[1]
+            gas = flagged(law.mixture.products, "gas") and flagged(law.mixture.reactants, "gas") if burns else flagged(law, "gas")
+            traits[k] = problem.regions[k].zones, min(self.bench.grips[k], 1e300), gas
+        np.minimum(limits, 1e30, out=limits)
+        ends, lists = np.zeros((2, 5)), []
+        for row, end, kind in zip(ends, (problem.left, problem.right), self.outside):
+            pulse = end.pulse
+            shape, *rest = NO_DRIVE if pulse is None else (pulse.shape, pulse.amplitude, pulse.start, pulse.duration)
+            row[:] = tables.OUTSIDE[kind], SHAPES.index(shape), *rest
+            lists.append((pulse.times, pulse.values) if pulse is not None and shape == "table" else ((0.0,), (0.0,)))
+        longest = max(len(times) for times, _ in lists)
+        padded = [np.array([[*row, *[row[-1]] * (longest - len(row))] for row in rows], dtype=float) for rows in zip(*lists)]
+        length = problem.regions[-1].end - problem.regions[0].start
+        numbers = np.array([problem.dimension, courant, float(options["weakest"]), length, problem.stop_time, self.burns,
+                            self.bench.unburned, int(options["most_fronts"])], dtype=float)
+        return Rules(passes, words, limits, traits, ends, *padded, numbers)
+
+    # -- arrays --------------------------------------------------------------------------------------------------------
+    def grid(self, mesh: Mesh) -> Grid:
+        """The arrays of the mesh, and room for them in the scratch."""
+        n = len(mesh.q)
+        if n + 2 > self.work.w.shape[1]:
+            more = tables.make_work(2 * n + 2, self.variables, len(self.laws))
+            self.work = more._replace(trace=self.work.trace, passed=self.work.passed, numbers=self.work.numbers)
+        return Grid(*(np.ascontiguousarray(row) for row in (mesh.x, mesh.q, mesh.region, mesh.marked, mesh.given, mesh.push)))
+
+    def look(self, mesh: Mesh) -> np.ndarray:
+        """The table with the averages of the cells and their values at the faces (blocks MEAN, LOW, HIGH)."""
+        grid, n = self.grid(mesh), len(mesh.q)
+        averages(grid, self.rules, self.work, n, mesh.d)
+        parabolas.reconstruct(grid, self.work.w, n, mesh.d, self.variables)
+        return self.work.w
+
+    def drive(self, side: int, time: float) -> float:
+        """What the left (0) or right (1) end is driven with, m/s or Pa."""
+        return float(march.drive(self.rules.ends[side], self.rules.times[side], self.rules.values[side], time))
+
+    def matter(self, region: int, burned: float, volume: float, energy: float) -> Matter:
+        """The material of a region, of a mixture the one that is frozen at a burn fraction."""
+        law = self.laws[region % len(self.laws)]
+        if isinstance(law, Reactive):
+            return Matter(Frozen(law.mixture, min(max(burned, 0.0), 1.0), volume, energy))
+        return self.bench.matters[region]
+
+    # -- marching --------------------------------------------------------------------------------------------------------
+    def march(self, mesh: Mesh, goal: float, cycles: int) -> int:
+        """Steps until a time or number of cycles, or until something happens: why the march came back (march.DONE and so on)."""
+        grid, numbers = self.grid(mesh), self.work.numbers
+        rows = self._rows(mesh)
+        while True:
+            before = numbers[tables.CYCLE]
+            why = march.march(grid, self.rules, self.work, rows, len(rows), goal, cycles)
+            cycles -= int(numbers[tables.CYCLE] - before)
+            if why != march.ASK_PYTHON:
+                break
+            why = self._by_python(mesh, grid, rows, goal)
+            cycles -= 1
+            if why != march.DONE or cycles <= 0:
+                break
+        mesh.x, mesh.q, mesh.given, mesh.push = grid.x, grid.q, grid.given, grid.push
+        for front, row in zip(mesh.fronts, rows):
+            front.speed, front.strength = float(row[tables.SPEED_OF]), float(row[tables.STRENGTH])
+        if why == march.UNSOUND:
+            self._refuse(mesh)
+        return why
+
+    @staticmethod
+    def _rows(mesh: Mesh) -> np.ndarray:
+        """The table of fronts."""
+        return np.array([[f, tables.KINDS.index(front.kind), front.speed, front.direction, front.strength, front.least]
+                         for f, front in zip(mesh.faces().tolist(), mesh.fronts)], dtype=float)
+
+    def _by_python(self, mesh: Mesh, grid: Grid, rows: np.ndarray, goal: float) -> int:
+        """The rest of a step whose fronts the compiled march left to Python."""
+        numbers = self.work.numbers
+        dt, longest = float(numbers[tables.PENDING]), goal - float(numbers[tables.TIME])
+        tracked.at_fronts(self, grid, mesh, rows, float(numbers[tables.TIME]) + 0.5 * dt)
+        march.close_step(grid, self.rules, self.work, rows, len(rows), dt, longest if numbers[tables.MEETS] else dt, goal)
+        return march.CHANGE if march.calls_for_change(grid, self.rules, self.work, rows, len(rows)) else march.DONE
+
+    def _refuse(self, mesh: Mesh) -> None:
+        k, w = int(self.work.numbers[tables.LIMITING]), self.work.w
+        rho, u, e = w[:3, k]
         raise UnphysicalState(f"a cell of density {rho:.6g} kg/m3 and energy {e:.6g} J/kg has no sound state (velocity {u:.6g} m/s)",
                               "stay inside the range of the equation of state, take more zones or a smaller solver.options.courant",
-                              k, "", float(mesh.middle[k]), time, cycle)
+                              k, "", float(mesh.middle[k]), float(self.work.numbers[tables.TIME]), int(self.work.numbers[tables.CYCLE]))
+
+    def steep(self, mesh: Mesh) -> tuple[int, int]:
+        """(cell, direction) of a shock among the cells; (-1, 0) if there is none."""
+        cell = steepening.steep_cell(self.grid(mesh), self.rules, self.work, self._rows(mesh), len(mesh.fronts))
+        return int(cell), int(self.work.numbers[tables.STEEP_WAY])
+
+    def flagged(self, row: int, mesh: Mesh) -> list[int]:
+        """Faces of the fronts that are to be released (row 0) or that part (row 1)."""
+        return [f for k, f in enumerate(mesh.faces().tolist()) if self.work.flags[row, k] > 0.0]
+
+    def clear(self) -> None:
+        """What was flagged has been seen to."""
+        self.work.flags[:] = 0.0
+        self.work.numbers[tables.CROWDED] = 0.0
 
 
-# -- parabolas -----------------------------------------------------------------------------------------------------------
-def _moments(mesh: Mesh):
-    """(m, first, second): middle of each cell, and the averages over its volume of x - m and (x - m)^2."""
-    m, h = mesh.middle, mesh.width
-    if mesh.d == 1:
-        return m, np.zeros_like(m), h * h / 12.0
-    if mesh.d == 2:
-        return m, h * h / (12.0 * m), h * h / 12.0
-    volume = m * m + h * h / 12.0
-    return m, m * h * h / (6.0 * volume), (m * m * h * h / 12.0 + h**4 / 80.0) / volume
+def state_of(w: np.ndarray, block: int, cell: int) -> State:
+    """A state of the table with its pressure."""
+    rho, u, e = w[block:block + 3, cell].tolist()
+    return State(rho, u, e, float(w[block + tables.P, cell]))
 
 
-def _about(moments, k, i):
-    """Averages over cells i of (x - x_k) and its square, x_k the middle of cells k."""
-    m, first, second = moments
-    away = m[i] - m[k]
-    return away + first[i], away * away + 2.0 * away * first[i] + second[i]
-
-
-def reconstruct(mesh: Mesh, w: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(left, right) values of every cell at its faces, (n, nvar) each."""
-    n = len(w)
-    full = mesh.full()
-    has_left, has_right = ~mesh.marked[:-1] & full, ~mesh.marked[1:] & full
-    i = np.arange(n)
-    both = has_left & has_right
-    k = np.clip(i + (~has_left & has_right) - (has_left & ~has_right), 0, n - 1)
-    moments = _moments(mesh)
-    slope, curve = _parabolas(w, both, moments)
-    inside = both[k]
-    one, two = _about(moments, k, i)
-    values = []
-    for x in (mesh.x[:-1], mesh.x[1:]):
-        s = x - moments[0][k]
-        step = slope[k] * (s - one)[:, None] + curve[k] * (s * s - two)[:, None]
-        values.append(np.where(inside[:, None], step, 0.0))
-    # intervals of two cells: straight lines
-    pair = ~inside & (has_left | has_right)
-    if pair.any():
-        j = np.where(has_right, i + 1, i - 1)[pair]
-        p = i[pair]
-        gradient = (w[j] - w[p]) / (moments[0][j] + moments[1][j] - moments[0][p] - moments[1][p])[:, None]
-        centre = (moments[0] + moments[1])[p]
-        values[0][pair] = gradient * (mesh.x[:-1][pair] - centre)[:, None]
-        values[1][pair] = gradient * (mesh.x[1:][pair] - centre)[:, None]
-    _limit(w, values, has_left, has_right, _smooth(curve, both)[k] & inside[:, None])
-    return w + values[0], w + values[1]
-
-
-def _parabolas(w, both, moments):
-    """Slope and curvature (half the second derivative) at the middles of cells with two neighbours; zero elsewhere."""
-    slope, curve = np.zeros_like(w), np.zeros_like(w)
-    k = np.flatnonzero(both)
-    if len(k):
-        one, two = _about(moments, k, k)
-        (right1, right2), (left1, left2) = _about(moments, k, k + 1), _about(moments, k, k - 1)
-        a, b, c, d = right1 - one, right2 - two, left1 - one, left2 - two
-        up, down = w[k + 1] - w[k], w[k - 1] - w[k]
-        det = (a * d - c * b)[:, None]
-        slope[k] = (up * d[:, None] - down * b[:, None]) / det
-        curve[k] = (a[:, None] * down - c[:, None] * up) / det
-    return slope, curve
-
-
-def _smooth(curve, both):
-    """Whether the curvature is about the same in a cell and its neighbours: then an extremum is one of the flow, and kept."""
-    size, sign = np.abs(curve), np.sign(curve)
-    result = np.repeat(both[:, None], curve.shape[1], axis=1)
-    lone = np.ones_like(both)
-    for near in (-1, 1):
-        other = np.roll(both, -near) & both
-        c, s = np.roll(size, -near, axis=0), np.roll(sign, -near, axis=0)
-        alike = (s == sign) & (c < 3.0 * size) & (size < 3.0 * c)
-        result &= alike | ~other[:, None]
-        lone &= ~other
-    return result & ~lone[:, None]
-
-
-def _limit(w, values, has_left, has_right, smooth) -> None:
-    """Limit the increments to both faces by the differences to the neighbours, in place."""
-    up = np.zeros_like(w)
-    up[:-1] = w[1:] - w[:-1]
-    down = np.zeros_like(w)
-    down[1:] = up[:-1]
-    up = np.where(has_right[:, None], up, down)
-    down = np.where(has_left[:, None], down, up)
-    most = np.where(up * down > 0.0, np.minimum(np.abs(up), np.abs(down)), 0.0)
-    sign = np.sign(up)
-    for value, way in zip(values, (-1.0, 1.0)):
-        held = way * sign * np.clip(way * sign * value, 0.0, most)
-        value[:] = np.where(smooth, value, held)
-
-
-# -- Hancock's half step ---------------------------------------------------------------------------------------------------
-def predict(mesh: Mesh, cells: Cells, left, right, speed, dt: float, sources=None):
-    """(left, right, middle) states after half a step at both faces, which move at `speed` (n+1,), and in the middle of every cell."""
-    full = mesh.full()
-    slope = (right - left) / np.where(full, mesh.width, 1.0)[:, None]
-    rho, u, _ = cells.w[:, :3].T
-    bulge = 0.0 if mesh.d == 1 else (mesh.d - 1) * u / mesh.middle
-    rate = -u[:, None] * slope
-    with np.errstate(all="ignore"):
-        rate[:, 0] -= rho * (slope[:, 1] + bulge)
-        rate[:, 1] -= (cells.p_rho * slope[:, 0] + cells.p_e * slope[:, 2]) / rho
-        rate[:, 2] -= cells.p / rho * (slope[:, 1] + bulge)
-    if sources is not None:
-        rate += sources
-    rate[~full] = 0.0
-    half = 0.5 * dt
-    return (left + half * (rate + speed[:-1, None] * slope), right + half * (rate + speed[1:, None] * slope), cells.w + half * rate)
-
-
-class Sides(NamedTuple):
-    """States of every cell at its left and right face and in its middle, (n, 3, nvar), with their p and c (n, 3)."""
-
-    w: np.ndarray
-    p: np.ndarray
-    c: np.ndarray
-
-
-def sides(mesh: Mesh, cells: Cells, media: Media, predicted) -> Sides:
-    """The predicted states with their pressures; a cell in which one is not sound keeps its average."""
-    w = np.stack(predicted, axis=1)
-    p, p_rho, p_e = media(mesh.region, w[:, :, 0], w[:, :, 2])
-    c = sound(p, p_rho, p_e, w[:, :, 0], w[:, :, 1])
-    bad = ~((w[:, :, 0] > 0.0) & (c >= 0.0) & np.isfinite(p)).all(axis=1)
-    if bad.any():
-        w[bad], p[bad], c[bad] = cells.w[bad][:, None], cells.p[bad][:, None], cells.c[bad][:, None]
-    return Sides(w, p, c)
-
-
-# -- faces ---------------------------------------------------------------------------------------------------------------
-class Faces(NamedTuple):
-    """At every face (n+1,): its speed w, and density, velocity, total energy per mass and pressure there; scalars (n+1, k)."""
-
-    speed: np.ndarray
-    rho: np.ndarray
-    u: np.ndarray
-    energy: np.ndarray
-    p: np.ndarray
-    scalars: np.ndarray
-
-
-def hllc(side: Sides, speed: np.ndarray) -> Faces:
-    """The HLLC state at inner faces that move at `speed`; the outermost two faces are left at zero."""
-    wl, wr = side.w[:-1, 1], side.w[1:, 0]
-    pl, pr, cl, cr = side.p[:-1, 1], side.p[1:, 0], side.c[:-1, 1], side.c[1:, 0]
-    (rl, ul, el), (rr, ur, er) = wl[:, :3].T, wr[:, :3].T
-    at = speed[1:-1]
-    low, high = np.minimum(ul - cl, ur - cr), np.maximum(ul + cl, ur + cr)
-    ml, mr = rl * (low - ul), rr * (high - ur)           # mass fluxes into the waves, negative and positive
-    gap = mr - ml
-    with np.errstate(all="ignore"):
-        star = np.where(gap > 0.0, (pl - pr + mr * ur - ml * ul) / gap, 0.5 * (ul + ur))
-        p = np.where(gap > 0.0, 0.5 * (pl + ml * (star - ul) + pr + mr * (star - ur)), 0.5 * (pl + pr))
-    left = at <= star
-    rho, u, e, p0, m, edge = (np.where(left, a, b) for a, b in ((rl, rr), (ul, ur), (el, er), (pl, pr), (ml, mr), (low, high)))
-    outside = np.where(left, at <= low, at >= high) | (m == 0.0)
-    whole = e + 0.5 * u * u
-    with np.errstate(all="ignore"):
-        inner = (m / (edge - star), star, whole + (p * star - p0 * u) / m, p)
-    found = [np.where(outside, a, b) for a, b in zip((rho, u, whole, p0), inner)]
-    scalars = np.where(left[:, None], wl[:, 3:], wr[:, 3:])
-    ends = [np.pad(row, 1) for row in found]
-    return Faces(speed.copy(), *ends, np.pad(scalars, ((1, 1), (0, 0))))
-
-
-def fluxes(face: Faces) -> np.ndarray:
-    """Of mass, momentum, total energy and scalars through moving faces, per area, (n+1, nvar)."""
-    mass = face.rho * (face.u - face.speed)
-    rows = [mass, mass * face.u + face.p, mass * face.energy + face.p * face.u]
-    return np.column_stack([*rows, mass[:, None] * face.scalars])

@@ -9,7 +9,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-EMPTY = -1           # region of a gap between bodies
+from hugoniot.solvers.fronts.cells.spacing import Spacing
+from hugoniot.solvers.fronts.cells.tables import EMPTY, FEWER, MORE, SLIVER
+
 EMPTY_STATE = (0.0,) * 5
 
 
@@ -40,7 +42,8 @@ class Mesh:
 
     x (n+1,) m; q (n, 3 + scalars) contents; region (n,) index of the problem's region, EMPTY for a gap; marked (n+1,) whether a face is a
     front; fronts   of the marked faces, in their order; d   1 planar, 2 cylindrical, 3 spherical
-    given (n+1, 5)  of faces that were just born: speed, density, velocity, energy, pressure there until the next step is over; else nan
+    given (n+1, 5 + scalars)   of faces that were just born: speed, density, velocity, energy, pressure there (and what goes with the
+                    mass behind a wave) until the next step is over; else nan
     push (n,)       pressure in cells that are to be born in the next step; else nan
     """
 
@@ -55,7 +58,7 @@ class Mesh:
 
     def __post_init__(self):
         if len(self.given) != len(self.x):
-            self.given = np.full((len(self.x), 5), np.nan)
+            self.given = np.full((len(self.x), 2 + self.q.shape[1]), np.nan)
             self.push = np.full(len(self.q), np.nan)
 
     # -- geometry ----------------------------------------------------------------------------------------------------
@@ -118,127 +121,36 @@ def mean_area(a, b, d: int):
     return 0.5 * (a + b) if d == 2 else (a * a + a * b + b * b) / 3.0
 
 
-def area(x, d: int):
-    """Area of a face."""
-    return x ** (d - 1)
-
-
-class Spacing:
-    """The mesh that is aimed at: cells of a region's own width, in curved geometry no wider than SLOPE times their radius.
-
-    A coordinate eta counts cells: faces of an interval stand at equal steps of eta.
-    """
-
-    SLOPE = 0.05       # width over radius
-    FINEST = 1e-3      # of the region's width: where the slope ends
-    CENTRE = 6         # cells, at least, of an interval that reaches the axis or origin (when it is narrower than six cells)
-
-    def __init__(self, d: int, zones: np.ndarray):
-        self.d, self.zones = d, zones
-
-    def widths(self, mesh: Mesh) -> np.ndarray:
-        """Width (m) aimed at in every cell, before the radius is looked at."""
-        ends = np.zeros(len(self.zones))
-        inside = mesh.region >= 0
-        own = mesh.region % len(self.zones)                  # unburned explosive counts with its products
-        np.add.at(ends, own[inside], mesh.width[inside])
-        return np.where(inside, (ends / self.zones)[own], 1.0)
-
-    def count(self, r, h):
-        """eta(r): cells from the origin."""
-        if self.d == 1:
-            return r / h
-        floor = self.FINEST * h
-        near, far = floor / self.SLOPE, h / self.SLOPE
-        logs = (1.0 + np.log(np.maximum(r, near) / near)) / self.SLOPE
-        whole = (1.0 + np.log(far / near)) / self.SLOPE
-        return np.where(r <= near, r / floor, np.where(r <= far, logs, whole + (r - far) / h))
-
-    def place(self, eta, h):
-        """The radius of a count."""
-        if self.d == 1:
-            return eta * h
-        floor = self.FINEST * h
-        near, far = floor / self.SLOPE, h / self.SLOPE
-        start, whole = 1.0 / self.SLOPE, (1.0 + np.log(far / near)) / self.SLOPE
-        logs = near * np.exp(np.minimum(eta, whole) * self.SLOPE - 1.0)
-        return np.where(eta <= start, eta * floor, np.where(eta <= whole, logs, far + (eta - whole) * h))
-
-    def targets(self, mesh: Mesh, x_new: np.ndarray) -> np.ndarray:
-        """Where faces between the fronts should stand, given where the fronts will be (x_new at the marked faces)."""
-        at, first, counts, h = self._intervals(mesh)
-        a, b = x_new[at[:-1]], x_new[at[1:]]
-        own = np.repeat(np.arange(len(first)), counts)
-        steps = (np.arange(len(own)) - first[own]) / counts[own]
-        if self.d == 1:
-            left = a[own] + steps * (b - a)[own]
-        else:
-            low, high = self._count(a, a, h), self._count(b, a, h)
-            central = a == 0.0
-            graded = self.place(low[own] + steps * (high - low)[own], h[own])
-            left = np.where(central[own], steps * b[own], graded)
-            left[first] = a
-        return np.append(left, x_new[-1])
-
-    def _count(self, r, start, h):
-        return np.where(start == 0.0, r / np.maximum(np.minimum(h, r / self.CENTRE), self.FINEST * h), self.count(r, h))
-
-    def _intervals(self, mesh: Mesh):
-        at = mesh.faces()
-        first, counts = at[:-1], np.diff(at)
-        return at, first, counts, self.widths(mesh)[first]
-
-    def wanted(self, mesh: Mesh) -> np.ndarray:
-        """Number of cells (a real number) each interval should have."""
-        at, _, _, h = self._intervals(mesh)
-        a, b = mesh.x[at[:-1]], mesh.x[at[1:]]
-        if self.d == 1:
-            return (b - a) / h
-        return self._count(b, a, h) - self._count(a, a, h)
-
-    def extents(self, mesh: Mesh) -> np.ndarray:
-        """Cells of the width aimed at that every cell is wide."""
-        h = self.widths(mesh)
-        if self.d == 1:
-            return mesh.width / h
-        at = mesh.faces()
-        start, end = (np.repeat(mesh.x[row], np.diff(at)) for row in (at[:-1], at[1:]))
-        graded = self.count(mesh.x[1:], h) - self.count(mesh.x[:-1], h)
-        return np.where(start == 0.0, mesh.width / np.maximum(end, 1e-300) * self._count(end, start, h), graded)
-
-
-FEWER, MORE = 1.25, 0.8      # cells over those wanted beyond which they are merged and split
 CALM = 0.1                   # of its heat: how much a cell that is split may turn into motion of its halves
-SLIVER = 0.2                 # of the mean of an interval: narrower cells are merged
 
 
 def adjust(mesh: Mesh, spacing: Spacing, slope) -> None:
     """Split and merge cells until every interval has about the number it should have.
 
-    slope   slope(mesh, cell) -> slopes of density, velocity and energy per m, (3,)
+    slope   slope(mesh, cell) -> slopes of density, velocity, energy and scalars per m, (nvar,)
     """
-    wanted = spacing.wanted(mesh)
+    wanted, widths = spacing.wanted(mesh), spacing.widths(mesh)
     first, counts = mesh.intervals()
-    moved = 0
-    for k, (f, n, want) in enumerate(zip(first.tolist(), counts.tolist(), wanted.tolist())):
+    moved, heights = 0, [float(widths[f]) for f in first]
+    for k, (f, n, want, h) in enumerate(zip(first.tolist(), counts.tolist(), wanted, heights)):
         f += moved
         least = mesh.fronts[k].least if mesh.fronts[k].speed < mesh.fronts[k + 1].speed else 1    # a fan widens; what closes is no fan
         if mesh.region[f] == EMPTY:
             continue
-        size = spacing.extents(mesh)[f:f + n]
+        size = spacing.extents(mesh, f, n, h)
         while n > max(FEWER * want + 0.5, least) or n > least and size.min() < SLIVER * size.mean():
             j = int(np.argmin(size[1:] + size[:-1]))
             mesh.remove_face(f + j + 1)
             n, moved = n - 1, moved - 1
-            size = spacing.extents(mesh)[f:f + n]
+            size = spacing.extents(mesh, f, n, h)
         while n < MORE * want - 0.25:
-            j = f + int(np.argmax(spacing.extents(mesh)[f:f + n]))
+            j = f + int(np.argmax(spacing.extents(mesh, f, n, h)))
             split(mesh, j, slope(mesh, j))
             n, moved = n + 1, moved + 1
 
 
 def split(mesh: Mesh, cell: int, slope) -> None:
-    """Halve a cell with slopes (per m) of density, velocity and energy; mass, momentum and total energy stay what they are."""
+    """Halve a cell with slopes (per m) of density, velocity, energy and scalars; mass, momentum and total energy stay what they are."""
     a, b = mesh.x[cell], mesh.x[cell + 1]
     m = 0.5 * (a + b)
     left, right = (m - a) * mean_area(a, m, mesh.d), (b - m) * mean_area(m, b, mesh.d)
@@ -255,5 +167,6 @@ def split(mesh: Mesh, cell: int, slope) -> None:
     rows = []
     for share, other, way in ((low, high, -1.0), (high, low, 1.0)):
         v = u + way * other * jump
-        rows.append(q[0] * share * np.array([1.0, v, e + way * other * rise + 0.5 * v * v, *(q[3:] / q[0])]))
+        scalars = np.clip(q[3:] / q[0] + way * other * slope[3:] * away, 0.0, None)
+        rows.append(q[0] * share * np.array([1.0, v, e + way * other * rise + 0.5 * v * v, *scalars]))
     mesh.insert_face(cell, m, rows[0], q - rows[0])

@@ -2,9 +2,8 @@
 
 import numpy as np
 
-from hugoniot.solvers.fronts.cells.flow import Media
+from hugoniot.solvers.fronts.cells import tables
 from hugoniot.solvers.fronts.cells.mesh import Front, Mesh
-from hugoniot.solvers.fronts.cells.start import pieces_at
 from hugoniot.solvers.fronts.record import COLUMNS
 
 
@@ -22,16 +21,22 @@ class Trace:
             self.kinds.append(front.kind)
             self.rows.append(_row(front, time, x))
 
-    def sample(self, mesh: Mesh, media: Media, outside, time: float) -> None:
-        """End the lines of all fronts and begin new ones."""
-        for front, f in zip(mesh.fronts, mesh.faces().tolist()):
-            self.end(front, time, float(mesh.x[f]))
-            left, right = pieces_at(mesh, f, media, outside)
-            front.since, front.start = time, float(mesh.x[f])
-            front.sides = (tuple(left.edge(1)), tuple(right.edge(-1)))
+    def drain(self, mesh: Mesh, work: tables.Work, regions: int) -> None:
+        """Take over what the march has noted: the lines of all fronts end there, and new ones begin.
+
+        The fronts are those of the mesh, unchanged since the march began.
+        """
+        rows = work.trace[:int(work.numbers[tables.SAMPLED])].tolist()
+        work.numbers[tables.SAMPLED] = 0.0
+        faces = mesh.faces()
+        for time, k, x, strength, *states in rows:
+            front, f = mesh.fronts[int(k)], int(faces[int(k)])
+            front.strength = strength
+            self.end(front, time, x)
+            front.since, front.start, front.sides = time, x, (tuple(states[:5]), tuple(states[5:10]))
             if front.kind == "shock":
-                region = int(max(mesh.region[f - 1], mesh.region[f])) % (len(media.laws) // 2)
-                self.jumps[region] = max(self.jumps.get(region, 0.0), abs(left.edge(1).u - right.edge(-1).u))
+                region = int(max(mesh.region[f - 1], mesh.region[f])) % regions
+                self.jumps[region] = max(self.jumps.get(region, 0.0), abs(states[1] - states[6]))
 
     def table(self, mesh: Mesh, time: float) -> tuple[list[str], np.ndarray]:
         """(kinds, rows of COLUMNS) so far, in the order in which the lines began."""

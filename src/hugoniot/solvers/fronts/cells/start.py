@@ -2,20 +2,21 @@
 
 import numpy as np
 
-from hugoniot.laws.eos.contract import pressure, sound_speed_squared
-from hugoniot.laws.riemann.branch import State
+from hugoniot.laws.burn.contract import BURN
+from hugoniot.laws.riemann.branch import Branch, State, stress, wave_speed_squared
 from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
-from hugoniot.problem.model import Boundary, Problem, Pulse
-from hugoniot.solvers.fronts.cells.flow import COLD, Media, averages, reconstruct
-from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh, Spacing
+from hugoniot.problem.model import Boundary, Problem
+from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh
+from hugoniot.solvers.fronts.cells.spacing import Spacing, count, place
+from hugoniot.solvers.fronts.cells.tables import COLD, HIGH, LAM, LOW, MEAN
 from hugoniot.solvers.fronts.line import Piece
 
 OUTSIDE = {"free": "vacuum", "fixed": "wall", "velocity": "wall", "pressure": "pressure", "transmitting": "open"}
 _GAUSS = (0.5 - np.sqrt(0.15), 0.5, 0.5 + np.sqrt(0.15)), (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
 
 
-def first_mesh(problem: Problem, spacing: Spacing) -> Mesh:
+def first_mesh(problem: Problem, spacing: Spacing, variables: int) -> Mesh:
     """The cells at t = 0, with a front on every line between regions and at both ends; no wave has left yet."""
     x, region, marked = [problem.regions[0].start], [], [True]
     for k, r in enumerate(problem.regions):
@@ -30,10 +31,10 @@ def first_mesh(problem: Problem, spacing: Spacing) -> Mesh:
         x += faces.tolist()
         region += [k] * len(faces)
         marked += [False] * (len(faces) - 1) + [True]
-    mesh = Mesh(np.array(x), np.zeros((len(region), 3)), np.array(region), np.array(marked), [], spacing.d)
+    mesh = Mesh(np.array(x), np.zeros((len(region), variables)), np.array(region), np.array(marked), [], spacing.d)
     for k, r in enumerate(problem.regions):
         _fill(mesh, np.flatnonzero(mesh.region == k), r, problem.materials[r.material])
-        if problem.materials[r.material].burn is not None:
+        if _programmed(problem.materials[r.material]):
             mesh.region[mesh.region == k] += len(problem.regions)
     at = mesh.faces()
     mesh.fronts = [_first_front(mesh, f) for f in at.tolist()]
@@ -43,8 +44,8 @@ def first_mesh(problem: Problem, spacing: Spacing) -> Mesh:
 def _graded(start: float, end: float, zones: int, spacing: Spacing) -> np.ndarray:
     """Inner faces and the end of a region in curved geometry: finer towards the axis or origin, where waves leave it."""
     h = (end - start) / zones
-    low, high = float(spacing.count(start, h)), float(spacing.count(end, h))
-    faces = spacing.place(np.linspace(low, high, max(round(high - low), 1) + 1)[1:], h)
+    low, high = float(count(start, h, spacing.d)), float(count(end, h, spacing.d))
+    faces = np.array([place(eta, h, spacing.d) for eta in np.linspace(low, high, max(round(high - low), 1) + 1)[1:]])
     faces[-1] = end
     return faces
 
@@ -67,31 +68,12 @@ def _fill(mesh: Mesh, cells, region, material) -> None:
         u = ends[0] + (ends[1] - ends[0]) * (x - region.start) / (region.end - region.start)
         mass = weight * h * x ** (mesh.d - 1) * rho
         mesh.q[cells, :3] += np.column_stack([mass, mass * u, mass * (e + 0.5 * u * u)])
+    if mesh.q.shape[1] > 3:       # nothing has burned; reactants are on the isentrope they rest on
+        mesh.q[cells, 4], mesh.q[cells, 5] = mesh.q[cells, 0] / rho, mesh.q[cells, 0] * e
 
 
-def history(end: Boundary):
-    """value(t) of a driven end; None for one that is not driven."""
-    if end.kind == "fixed":
-        return lambda t: 0.0
-    return None if end.pulse is None else lambda t, pulse=end.pulse: pulse_value(pulse, t)
-
-
-def pulse_value(pulse: Pulse, t: float) -> float:
-    """A driven quantity at a time; at a jump the value after it."""
-    if pulse.shape == "table":
-        return float(np.interp(t, pulse.times, pulse.values))
-    s = t - pulse.start
-    if s < 0.0:
-        return 0.0
-    if pulse.shape == "constant":
-        return pulse.amplitude
-    if pulse.shape == "exponential":
-        return pulse.amplitude * float(np.exp(-s / pulse.duration))
-    if pulse.shape == "ramp":
-        return pulse.amplitude * min(s / pulse.duration, 1.0)
-    if s >= pulse.duration:
-        return 0.0
-    return pulse.amplitude * (float(np.sin(np.pi * s / pulse.duration)) if pulse.shape == "half_sine" else 1.0)
+def _programmed(material) -> bool:
+    return material.burn is not None and "programmed" in BURN.of(material.burn).flags
 
 
 def breaks(end: Boundary) -> list[float]:
@@ -105,32 +87,30 @@ def breaks(end: Boundary) -> list[float]:
     return [t for t in times if t > 0.0]
 
 
-def _sound(rho: float, u: float, e: float, law) -> bool:
-    """Whether a state has a pressure and a speed of sound."""
-    if not rho > 0.0:
-        return False
-    square = sound_speed_squared(rho, e, law)
-    return bool(np.isfinite(pressure(rho, e, law)) and square > -COLD * u * u)
-
-
-def pieces_at(mesh: Mesh, face: int, media: Media, outside) -> tuple[Piece, Piece]:
-    """What stands on the left and right of a front: `outside` are the kinds of the two ends."""
-    cells = averages(mesh, media)
-    left, right = reconstruct(mesh, cells.w)
-    found = []
-    for cell, values, end in ((face - 1, right, 0), (face, left, 1)):
+def pieces_at(flow, mesh: Mesh, face: int) -> tuple[Piece, Piece]:
+    """What stands on the left and right of a front."""
+    w, found = flow.look(mesh), []
+    for cell, block, end in ((face - 1, HIGH, 0), (face, LOW, 1)):
         if not 0 <= cell < len(mesh.q):
-            found.append(Piece(outside[end]))
+            found.append(Piece(flow.outside[end]))
         elif mesh.region[cell] == EMPTY:
             found.append(Piece("vacuum"))
+        elif mesh.region[cell] >= flow.bench.unburned:
+            found.append(Piece("state", int(mesh.region[cell]), State(*w[MEAN:MEAN + 3, cell].tolist(), 0.0)))
         else:
-            law = media.laws[mesh.region[cell]]
-            if law is None:
-                found.append(Piece("state", int(mesh.region[cell]), State(*cells.w[cell, :3].tolist(), 0.0)))
-                continue
-            rho, u, e = values[cell, :3].tolist() if _sound(*values[cell, :3].tolist(), law) else cells.w[cell, :3].tolist()
-            found.append(Piece("state", int(mesh.region[cell]), State(rho, u, e, float(pressure(rho, e, law)))))
+            found.append(_piece(flow, w, block, cell, int(mesh.region[cell])))
     for piece, other, way in ((found[0], found[1], -1), (found[1], found[0], 1)):
         if piece.kind == "open":
             piece.state = other.edge(way)
     return found[0], found[1]
+
+
+def _piece(flow, w, block: int, cell: int, region: int) -> Piece:
+    """The state at a face of a cell, or its average where that is not sound."""
+    for rows in (block, MEAN):
+        rho, u, e, *mixed = w[rows:rows + LAM + 3, cell].tolist()
+        matter = flow.matter(region, *mixed)
+        branch = Branch(matter.par)
+        if rho > 0.0 and wave_speed_squared(rho, e, branch) > -COLD * u * u:
+            break
+    return Piece("state", region, State(rho, u, e, float(stress(rho, e, branch))), matter=matter)

@@ -5,37 +5,48 @@ between two of them (Colella and Woodward's measure, $|p_{i+1}-p_{i-1}| > 0.8\,|
 two: the state ahead on one side, and behind it what is left of mass, momentum and energy, the front placed by the mass.
 """
 
+import numba as nb
 import numpy as np
 
+from hugoniot.core.target import GUARD
 from hugoniot.laws.riemann.branch import State
-from hugoniot.solvers.fronts.cells.flow import Cells
-from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh, mean_area
+from hugoniot.solvers.fronts.cells.gas import averages
+from hugoniot.solvers.fronts.cells.mesh import Front, Mesh, mean_area
+from hugoniot.solvers.fronts.cells.tables import DIMENSION, FACE, RHO, STEEP_WAY, WEAKEST, C, P, U
 
 STEEP = 0.8
+FORMED = 2.0      # times the weakest wave: a shock that has formed is that strong
 ROOM = 4          # cells between a new front and the next one
 
 
-def candidates(mesh: Mesh, cells: Cells, weakest: float) -> list[tuple[int, int]]:
-    """(cell, direction) of shocks among the cells, stronger than `weakest`, the strongest of each interval."""
-    p, u = cells.p, cells.w[:, 1]
-    stiffness = cells.w[:, 0] * cells.c**2
-    found = []
-    first, counts = mesh.intervals()
-    for f, n in zip(first.tolist(), counts.tolist()):
-        if n < 2 * ROOM + 2 or mesh.region[f] == EMPTY:
+@nb.njit(**GUARD)
+def steep_cell(grid, rules, work, fronts, count):
+    """The last cell, from left to right, that holds a shock stronger than twice the weakest wave; the strongest of its interval, else -1.
+
+    `work.numbers` says in which direction it runs (STEEP_WAY).
+    """
+    n, w = len(grid.q), work.w
+    averages(grid, rules, work, n, int(rules.numbers[DIMENSION]))
+    found = -1
+    for k in range(count - 1):
+        a, b = int(fronts[k, FACE]), int(fronts[k + 1, FACE])
+        if b - a < 2 * ROOM + 2 or grid.region[a] < 0:
             continue
-        i = np.arange(f + ROOM, f + n - ROOM)
-        near, far = p[i + 1] - p[i - 1], p[i + 2] - p[i - 2]
-        jump = np.abs(near) / np.maximum(np.maximum(np.abs(p[i - 1]), np.abs(p[i + 1])), np.maximum(stiffness[i - 1], stiffness[i + 1]))
-        shocked = (np.abs(near) > STEEP * np.abs(far)) & (near * far > 0.0) & (u[i - 1] > u[i + 1]) & (jump > weakest)
-        if shocked.any():
-            k = int(np.argmax(np.where(shocked, jump, 0.0)))
-            found.append((int(i[k]), -1 if near[k] > 0.0 else 1))
+        best, cell = FORMED * rules.numbers[WEAKEST], -1
+        for i in range(a + ROOM, b - ROOM):
+            near, far = w[P, i + 1] - w[P, i - 1], w[P, i + 2] - w[P, i - 2]
+            if abs(near) > STEEP * abs(far) and near * far > 0.0 and w[U, i - 1] > w[U, i + 1]:
+                size = max(abs(w[P, i - 1]), abs(w[P, i + 1]), w[RHO, i - 1] * w[C, i - 1] ** 2, w[RHO, i + 1] * w[C, i + 1] ** 2)
+                if abs(near) > best * size:
+                    best, cell = abs(near) / size, i
+        if cell >= 0:
+            found = cell
+            work.numbers[STEEP_WAY] = -1.0 if w[P, cell + 1] > w[P, cell - 1] else 1.0
     return found
 
 
-def track(mesh: Mesh, cells: Cells, cell: int, direction: int, time: float) -> bool:
-    """Make a captured shock around a cell a front; False where its cells allow none."""
+def track(mesh: Mesh, w: np.ndarray, cell: int, direction: int, time: float) -> bool:
+    """Make a captured shock around a cell a front; False where its cells allow none. w: the table, with the averages of the cells."""
     a, b = cell - 1, cell + 2                                   # the cells that are to become two: a to b
     ahead, behind = (b + 1, a - 1) if direction > 0 else (a - 1, b + 1)
     volume = mesh.volume()
@@ -53,13 +64,13 @@ def track(mesh: Mesh, cells: Cells, cell: int, direction: int, time: float) -> b
     x, end, d = float(mesh.x[a]), float(mesh.x[b + 1]), mesh.d
     place = x + inner * (end - x) if d == 1 else (x**d + inner * d * (end - x) * float(mean_area(x, end, d))) ** (1.0 / d)
     speed = float((far[1] - near[1]) / (far[0] - near[0]))      # by mass
-    states = [State(*cells.w[k, :3].tolist(), float(cells.p[k])) for k in (a - 1, b + 1)]
+    states = [State(*w[:3, k].tolist(), float(w[P, k])) for k in (a - 1, b + 1)]
     for _ in range(3):
         mesh.remove_face(a + 1)
     mesh.insert_face(a, place, left, right)
     mesh.marked[a + 1] = True
     strength = abs(states[0].sigma - states[1].sigma) / max(abs(states[0].sigma), abs(states[1].sigma),
-                                                            float(cells.w[ahead, 0] * cells.c[ahead] ** 2))
+                                                            float(w[RHO, ahead] * w[C, ahead] ** 2))
     front = Front("shock", speed, direction, strength, 1, time, place, (tuple(states[0]), tuple(states[1])))
     mesh.fronts.insert(int(np.count_nonzero(mesh.marked[:a + 1])), front)
     return True

@@ -1,13 +1,34 @@
-"""Where a front goes in a step and what passes it: the exact Riemann problem of the states on both sides, half a step on."""
+"""Where a front goes in a step and what passes it, in Python: for what the compiled march leaves to it (exact.py).
+
+These are detonations, gaps that open, expansions to nothing, and searches that fail there. The exact Riemann problem of the states on
+both sides, half a step on, answers.
+"""
 
 import math
 from dataclasses import dataclass
 
 from hugoniot.laws.riemann import solver as exact
-from hugoniot.laws.riemann.branch import Branch, State, wave_speed_squared
+from hugoniot.laws.riemann.branch import Branch, Matter, State, wave_speed_squared
 from hugoniot.laws.riemann.curve import Curve
 from hugoniot.solvers.fronts.cells import detonations
-from hugoniot.solvers.fronts.cells.mesh import Front
+from hugoniot.solvers.fronts.cells import exact as compiled
+from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front
+from hugoniot.solvers.fronts.cells.tables import (
+    F_E,
+    F_P,
+    F_RHO,
+    F_U,
+    INTO_LEFT,
+    INTO_RIGHT,
+    LAM,
+    LEFT,
+    MIDDLE,
+    RIGHT,
+    SPEED,
+    SPEED_OF,
+    STRENGTH,
+    P,
+)
 from hugoniot.solvers.fronts.meeting import Bench
 
 
@@ -24,9 +45,22 @@ class Moved:
     parts: bool = False
 
 
-def warm(state: State, bench: Bench, region: int) -> State:
+@dataclass(frozen=True)
+class Side:
+    """What stands on one side of a front: region, state, matter."""
+
+    region: int
+    state: State
+    matter: Matter
+
+    def curve(self, direction: int) -> Curve:
+        """Its wave curve."""
+        return Curve(self.matter, warm(self.state, self.matter), direction)
+
+
+def warm(state: State, matter: Matter) -> State:
     """The state, lifted by rounding where rounding has made it colder than cold: c^2 < 0."""
-    branch = Branch(bench.matters[region].par)
+    branch = Branch(matter.par)
     for share in (0.0, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12):
         e = state.e + share * (state.u * state.u + abs(state.e))
         if wave_speed_squared(state.rho, e, branch) >= 0.0:
@@ -34,17 +68,74 @@ def warm(state: State, bench: Bench, region: int) -> State:
     return state
 
 
-def side(bench: Bench, region: int, state: State, direction: int) -> Curve:
-    """The wave curve of one side of a front."""
-    return Curve(bench.matters[region], warm(state, bench, region), direction)
+def at_fronts(flow, grid, mesh, rows, time: float) -> None:
+    """Put the speeds and states of all fronts, and of newborn faces, into the table of the march; `rows` is the table of fronts."""
+    w, n, flags = flow.work.w, len(grid.q), flow.work.flags
+    flags[:, :len(rows)] = 0.0
+    compiled.newborn(grid, flow.work, n)
+    for k, (front, f) in enumerate(zip(mesh.fronts, mesh.faces().tolist())):
+        if grid.given[f, 0] == grid.given[f, 0]:
+            continue
+        if front.kind.startswith("fan"):
+            compiled.edge(flow.work, rows[k], f)
+            rows[k, SPEED_OF] = w[SPEED, f]
+            continue
+        moved = _moved(flow, grid, front, f, n, time)
+        if front.kind not in ("detonation",) and front.direction:
+            _scalars(flow, grid, front.direction, f)
+        rows[k, SPEED_OF], rows[k, STRENGTH], w[SPEED, f] = moved.speed, moved.strength, moved.speed
+        w[F_RHO, f], w[F_U, f], w[F_E, f], w[F_P, f] = moved.state
+        flags[1, k] = float(moved.parts)
+        flags[0, k] = float(bool(front.direction) and moved.strength < 0.5 * flow.bench.weakest)
+    for j, f in ((0, 0), (-1, n)):
+        if flow.outside[j] == "wall" and mesh.fronts[j].kind == "end":      # a piston goes on as it is driven
+            rows[j, SPEED_OF] = w[SPEED, f] = w[F_U, f] = flow.drive(j % 2, time)
 
 
-def between(front: Front, left, right, bench: Bench) -> Moved:
-    """A front between two materials; left, right: (region, state)."""
-    a, b = side(bench, *left, -1), side(bench, *right, 1)
+def _moved(flow, grid, front: Front, f: int, n: int, time: float) -> Moved:
+    bench = flow.bench
+    left = None if f == 0 or grid.region[f - 1] == EMPTY else _side(flow, grid, RIGHT, f - 1)
+    right = None if f == n or grid.region[f] == EMPTY else _side(flow, grid, LEFT, f)
+    if any(side is not None and side.region >= bench.unburned for side in (left, right)):
+        behind = f - 1 if front.direction > 0 else min(f, n - 1)
+        return explosive(front, left, right, _side(flow, grid, MIDDLE, behind).state, bench)
+    if left is not None and right is not None:
+        return between(front, left, right, bench)
+    side = left or right
+    at = 0 if f == 0 else 1
+    kind = flow.outside[at] if f in (0, n) else "vacuum"
+    return end(kind, front, side, 1 if left is None else -1, flow.drive(at, time) if kind in ("wall", "pressure") else 0.0)
+
+
+def _side(flow, grid, block: int, cell: int) -> Side:
+    w, region = flow.work.w, int(grid.region[cell])
+    rho, u, e, burned, volume, energy, p = w[block:block + P + 1, cell].tolist()
+    return Side(region, State(rho, u, e, p), flow.matter(region, burned, volume, energy))
+
+
+def _scalars(flow, grid, d: int, f: int) -> None:
+    """What goes with the mass that passes a shock: as the compiled march has it, from the wave to the pressure behind."""
+    w, side = flow.work.w, 0 if d < 0 else 1
+    cell, block = (f - 1, RIGHT) if d < 0 else (f, LEFT)
+    for into in (INTO_LEFT, INTO_RIGHT):
+        w[into:into + 3, f] = w[block + LAM:block + LAM + 3, cell]
+    region = int(grid.region[cell])
+    if flow.burns and flow.rules.passes[region, 2]:
+        compiled.take_side(flow.rules, flow.work, side, region, block, cell)
+        behind, inner = (f, LEFT) if d < 0 else (f - 1, RIGHT)
+        p = max(float(w[inner + P, behind]), float(w[block + P, cell]))
+        compiled.wave_to(flow.rules, flow.work, side, region, p)
+        into = INTO_RIGHT if d < 0 else INTO_LEFT
+        w[into + 1:into + 3, f] = flow.work.io[side, compiled.VOLUME_B:compiled.ENERGY_B + 1]
+
+
+def between(front: Front, left: Side, right: Side, bench: Bench) -> Moved:
+    """A front between two materials."""
+    a, b = left.curve(-1), right.curve(1)
     if front.direction:
-        return _shock(front.direction, exact.contact(a, b, bonded=True), a, b)
-    grip = math.inf if left[0] == right[0] else bench.grips[left[0]]
+        behind = left if front.direction > 0 else right
+        return _shock(front.direction, exact.contact(a, b, bonded=True, start=behind.state.sigma), a, b)
+    grip = math.inf if left.region == right.region else bench.grips[left.region]
     if a.gas or b.gas:
         grip = 0.0
     found = exact.contact(a, b, bonded=grip > 0.0)
@@ -81,24 +172,25 @@ def explosive(front: Front, left, right, mean: State, bench: Bench) -> Moved:
     sides = {-1: left, 1: right}
     d = front.direction
     if front.kind == "detonation":
-        region, state = sides[-d]
-        found = detonations.driven(bench, d, [(region, warm(s, bench, region)) for s in (state, mean)], sides[d])
+        behind, ahead = sides[-d], sides[d]
+        states = [warm(s, behind.matter) for s in (behind.state, mean)]
+        found = detonations.driven(bench, d, behind.region, states, (ahead.region, ahead.state))
         return Moved(found.speed, detonations.passed(found), 1.0)
-    unburned = next(side for side in (left, right) if side is not None and side[0] >= bench.unburned)
+    unburned = next(side for side in (left, right) if side is not None and side.region >= bench.unburned)
     for way, other in sides.items():
-        if other is not None and other[0] < bench.unburned:
-            return _moving(detonations.beside(side(bench, *other, way), unburned[1]), 0.0)
-    return _moving(unburned[1].u, 0.0)
+        if other is not None and other.region < bench.unburned:
+            return _moving(detonations.beside(other.curve(way), unburned.state), 0.0)
+    return _moving(unburned.state.u, 0.0)
 
 
-def end(kind: str, front: Front, region: int, state: State, d: int, value: float, bench: Bench) -> Moved:
+def end(kind: str, front: Front, side: Side, d: int, value: float) -> Moved:
     """The end of a body (d: the direction of waves from there: +1 at a left end).
 
     kind   "vacuum", "wall" (value: its velocity, m/s), "pressure" (value: Pa), "open"
     """
     if kind == "open":
-        return _moving(state.u, state.sigma)
-    curve = side(bench, region, state, d)
+        return _moving(side.state.u, side.state.sigma)
+    curve = side.curve(d)
     if kind == "wall":
         found = exact.wall(curve, value, bonded=not curve.gas)
         return _moving(value, found.stress, parts=found.vacuum)

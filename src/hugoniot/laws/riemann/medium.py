@@ -1,0 +1,96 @@
+r"""What a Riemann problem asks of a material: a plain law, or a mixture whose burn fraction stands still while waves pass.
+
+A mixture is frozen at a burn fraction lambda; reactants in thermal isolation are on the isentrope through the reference state
+$(v_k, e_k)$ (e_k with the chemical energy, as e of the mixture). Behind a shock that state is a new one: each phase obeys the jump
+relations by itself, and the volumes and energies of the phases add,
+
+$$x = (1-\lambda)\,x_r + \lambda\,x_p, \qquad e_{r} - e_{r0} = \tfrac12(p + p_0)\,x_r, \qquad v_k = v_r,\ e_k = e_r$$
+
+which satisfies the relations of the mixture, because they are linear in the volumes and energies at given pressures.
+
+Source: 003 (Starkenberg ARL-TR-2161) sections 4.3 (the reference state behind a tracked shock is exact) and 5.8.
+"""
+
+import math
+from typing import Any, NamedTuple
+
+from hugoniot.laws.burn.contract import Reactive
+from hugoniot.laws.eos import contract
+from hugoniot.laws.eos.contract import EOS, flagged, pressure_and_derivatives
+from hugoniot.laws.mixture.contract import MIXTURE, Mixed, slopes, solve
+from hugoniot.laws.mixture.search import NASCENT
+
+
+class Frozen(NamedTuple):
+    """A mixture of burn fraction `burned`; (volume, energy): reference state of its reactants, where they are isolated."""
+
+    mixture: Any
+    burned: float
+    volume: float
+    energy: float
+
+
+# -- scalars that kernels know too -------------------------------------------------------------------------------------
+def mixed_phases(rho, e, burned, volume, energy, mixture):
+    """`Mixed` of a frozen mixture."""
+    return solve(rho, e, min(max(burned, 0.0), 1.0), Mixed(0.0, 1.0 / volume if volume > 0.0 else rho, energy, 0.0, 0.0, 0.0), mixture)
+
+
+def mixed_answer(rho, e, burned, volume, energy, mixture):
+    """(p, dp/drho at e, dp/de at rho) of a frozen mixture; nan where its phases find no equilibrium."""
+    mixed = mixed_phases(rho, e, burned, volume, energy, mixture)
+    slope = slopes(rho, e, min(max(burned, 0.0), 1.0), mixed, mixture)
+    p = mixed.pressure if mixed.status == 0.0 else math.nan
+    return p, -slope.by_volume / (rho * rho), slope.by_energy
+
+
+def answer(rho, e, burned, volume, energy, par):
+    """(p, dp/drho, dp/de) of a law, or of the mixture of a `Reactive` pair."""
+    if isinstance(par, Reactive):
+        return reactive_answer(rho, e, burned, volume, energy, par)
+    return plain_answer(rho, e, burned, volume, energy, par)
+
+
+def plain_answer(rho, e, burned, volume, energy, par):
+    return pressure_and_derivatives(rho, e, par)
+
+
+def reactive_answer(rho, e, burned, volume, energy, par):
+    return mixed_answer(rho, e, burned, volume, energy, par.mixture)
+
+
+# -- what the Riemann problems of Python ask --------------------------------------------------------------------------
+def respond(rho, e, par) -> tuple[float, float, float]:
+    """(p, dp/drho at e, dp/de at rho) of a law or a `Frozen` mixture."""
+    if isinstance(par, Frozen):
+        return mixed_answer(rho, e, par.burned, par.volume, par.energy, par.mixture)
+    return pressure_and_derivatives(rho, e, par)
+
+
+def name_of(par) -> str:
+    """What messages call it."""
+    return MIXTURE.of(par.mixture).name if isinstance(par, Frozen) else EOS.of(par).name
+
+
+def limits_of(par) -> tuple[float, float]:
+    """(lowest, highest) density, kg/m3."""
+    if not isinstance(par, Frozen):
+        return contract.density_limits(par)
+    return 0.0, mixture_limit(par.burned, par.mixture)
+
+
+def mixture_limit(burned: float, mixture) -> float:
+    """Highest density of a mixture: both phases at their own, or one density for both where their pressures are weighted."""
+    highest = [contract.density_limits(getattr(mixture, phase))[1] if hasattr(mixture, phase) else math.inf
+               for phase in ("reactants", "products")]
+    if "no_equilibrium" in MIXTURE.of(mixture).flags:
+        return min(highest)
+    least = (1.0 - burned) / highest[0] + burned / highest[1]
+    return 1.0 / least if least > 0.0 else math.inf
+
+
+def is_gas(par) -> bool:
+    """Whether it expands without bound."""
+    if not isinstance(par, Frozen):
+        return flagged(par, "gas")
+    return flagged(par.mixture.products if par.burned > NASCENT else par.mixture.reactants, "gas")

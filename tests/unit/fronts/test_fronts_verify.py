@@ -1,0 +1,24 @@
+"""`hugoniot verify --solver fronts`: the standard problems with tracked fronts, and which of them it leaves out."""
+
+import pytest
+from typer.testing import CliRunner
+
+from hugoniot.campaign.verify import PROBLEMS, beyond_fronts, verify_problem
+from hugoniot.cli.main import build_app
+
+
+def test_a_standard_problem_runs_with_tracked_fronts():
+    (error,) = [j.value for j in verify_problem("collision", [20], "fronts").judged if j.measure == "density_l1"]
+    assert error < 1e-10                    # captured shocks leave wall heating of some per cent
+
+
+def test_what_fronts_do_not_take_says_why():
+    left_out = {name: why for name in PROBLEMS if (why := beyond_fronts(name))}
+    assert {"verney", "kidder", "guderley"} <= set(left_out) and not {"sod", "noh_spherical", "sedov_planar"} & set(left_out)
+    assert "strength" in left_out["verney"]
+
+
+@pytest.mark.parametrize("arguments, words", [(["verney", "--solver", "fronts"], "strength"), (["--solver", "front"], "fronts")])
+def test_the_command_refuses_with_the_reason(arguments, words):
+    found = CliRunner().invoke(build_app("verify"), ["verify", *arguments])
+    assert found.exit_code != 0 and words in found.output + str(found.exception)

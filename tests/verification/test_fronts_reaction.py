@@ -1,0 +1,157 @@
+"""Burning behind tracked shocks: the steady zone of an overdriven wave, the exact reference state of isolated reactants, conservation."""
+
+import dataclasses
+from types import MappingProxyType
+
+import numpy as np
+import pytest
+
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.burn.arrhenius import Arrhenius
+from hugoniot.laws.burn.contract import Reactive
+from hugoniot.laws.burn.ignition_growth import IgnitionGrowth
+from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.laws.riemann.branch import Matter, State
+from hugoniot.laws.riemann.curve import Curve
+from hugoniot.laws.riemann.medium import Frozen, mixed_answer, mixed_phases
+from hugoniot.laws.riemann.wave import Side, jumps, reach
+from hugoniot.materials import burning, library
+from hugoniot.materials.material import Material
+from hugoniot.problem.model import Boundary, Problem, Pulse, Region, SolverOptions
+from hugoniot.simulate import make_solver
+from hugoniot.theory.hugoniot import Initial, shock
+from hugoniot.theory.stability import Wave
+
+CELLS = SolverOptions("fronts", options=MappingProxyType({"mode": "cells"}))
+LX17 = dataclasses.replace(library.find("LX-17 reactive"), name="lx-17")
+REST = Initial.at_rest(LX17.unreacted)
+
+
+def marched(problem):
+    solver = make_solver(problem)
+    solver.march(problem.stop_time, 10**9)
+    assert max(solver.errors().values()) < 1e-12
+    return solver
+
+
+# -- the steady zone ---------------------------------------------------------------------------------------------------
+WAVE = Wave(1.2, 50.0, 20.0, 1.6)      # of a low activation energy: no mode grows
+
+
+def zone(burned):
+    """(time since the shock, distance, velocity in the laboratory, pressure) where these fractions have burned."""
+    rho, u, p = np.array([WAVE.state(b) for b in burned]).T
+    per_s = 1.0 / (WAVE.rate_constant * np.exp(-WAVE.activation * rho / p))      # dt/ds, s = -ln(1 - lambda)
+    s = -np.log1p(-burned)
+    time = np.concatenate([[0.0], np.cumsum(0.5 * (per_s[1:] + per_s[:-1]) * np.diff(s))])
+    flow = -u * per_s
+    return time, np.concatenate([[0.0], np.cumsum(0.5 * (flow[1:] + flow[:-1]) * np.diff(s))]), WAVE.velocity + u, p
+
+
+def overdriven(per_half_length, stop):
+    """A piston that moves as the material behind the steady front."""
+    time, _, u, _ = zone(-np.expm1(-np.concatenate([[0.0], np.geomspace(1e-5, 24.0, 300)])))
+    gas = IdealGas(1.2, 5.0, 1.0)
+    material = Material("gas", gas, burn=Arrhenius(WAVE.rate_constant, WAVE.activation), unreacted=gas, mixture="weighted_pressures",
+                        detonation_energy=WAVE.heat)
+    length = WAVE.velocity * stop + 2.0
+    region = Region("gas", "gas", 0.0, length, round(per_half_length * length), density=1.0, pressure=1.0)
+    keep = time < 2.0 * stop
+    pulse = Pulse("table", times=tuple(time[keep]), values=tuple(u[keep]))
+    return Problem("overdriven", "planar", stop, (region,), {"gas": material}, Boundary("velocity", pulse), Boundary("fixed"), solver=CELLS)
+
+
+def zone_errors(per_half_length):
+    """(of the front's place over its way, of the pressure in three half lengths behind it over that of the spike)."""
+    solver = marched(overdriven(per_half_length, 1.0))
+    mesh = solver.mesh
+    front = float(mesh.x[mesh.faces()[1]])
+    _, distance, _, p = zone(-np.expm1(-np.linspace(0.0, 14.0, 4000)))
+    behind = front - mesh.middle
+    inside = (behind > 0.0) & (behind < 3.0)
+    found = solver.flow.look(mesh)[6, :len(inside)][inside]
+    return abs(front / WAVE.velocity - 1.0), float(np.abs(found - np.interp(behind[inside], distance, p)).mean() / p[0])
+
+
+def test_the_reaction_zone_of_an_overdriven_wave_has_no_viscous_width():
+    place, pressure = zone_errors(10)
+    assert place < 6e-4 and pressure < 1.5e-3
+
+
+@pytest.mark.slow
+def test_the_reaction_zone_converges():
+    coarse, fine = zone_errors(10), zone_errors(40)
+    assert np.log2(coarse[1] / fine[1]) / 2.0 > 1.2 and fine[1] < 2e-4 and fine[0] < 1.5e-4
+
+
+# -- the reference state -------------------------------------------------------------------------------------------------
+def slow_burn(per_mm, rate):
+    """LX-17 behind a shock of 15 GPa that burns at an even rate (1/s): products' energy at four material points, J/kg."""
+    behind = shock(LX17.unreacted, REST, pressure=15e9)
+    law = IgnitionGrowth(1905.0, 0.0, 0.0, 0.0, 1.0, rate / 15e9, 0.0, 0.0, 1.0)
+    material = dataclasses.replace(LX17, burn=law)
+    pulse = Pulse("constant", float(behind.particle_velocity))
+    region = Region("charge", "lx-17", 0.0, 4e-3, 4 * per_mm)
+    solver = marched(Problem("slow", "planar", 0.6e-6, (region,), {"lx-17": material}, Boundary("velocity", pulse), Boundary("free"), solver=CELLS))
+    found = []
+    for fraction in (0.1, 0.2, 0.3, 0.4):
+        _, state, matter, burned = solver.column(0).point(fraction)
+        par = matter.par
+        mixed = mixed_phases(state.rho, state.e, burned, par.volume, par.energy, par.mixture)
+        found.append((burned, mixed.e_p, par.volume, par.energy))
+    return np.array(found), behind, solver
+
+
+@pytest.mark.parametrize("rate", [5e3, pytest.param(1e5, marks=pytest.mark.slow)])
+def test_the_products_energy_behind_a_tracked_shock_is_independent_of_the_mesh(rate):
+    """003 section 4.3: where a few thousandths have burned the products' energy is a difference that a smeared shock spoils."""
+    coarse, fine = slow_burn(5, rate)[0], slow_burn(20, rate)[0]
+    assert 1e-3 < fine[:, 0].min() < fine[:, 0].max() < 0.1
+    assert coarse[:, 1] == pytest.approx(fine[:, 1], rel=1e-3)
+
+
+def test_the_reference_state_is_the_exact_state_behind_the_shock():
+    found, behind, _ = slow_burn(10, 5e3)
+    assert found[0, 2] == pytest.approx(1.0 / float(behind.density), rel=2e-4)
+    assert found[0, 3] - burning.heat_of(LX17) == pytest.approx(float(behind.specific_internal_energy), rel=2e-3)
+
+
+def partly_burned():
+    """(pair, side, Frozen) of LX-17 at 10 GPa, a third of it burned."""
+    mixture = burning.reactive(LX17).mixture._replace(nascent_limit=1e-6)
+    first = shock(LX17.unreacted, REST, pressure=10e9)
+    v, e = 1.0 / float(first.density), float(first.specific_internal_energy) + mixture.detonation_energy
+    rho, burned = 1.0 / (v * 1.05), 0.3
+    p, p_rho, p_e = mixed_answer(rho, e, burned, v, e, mixture)
+    square = p_rho + p * p_e / rho**2
+    return Reactive(None, mixture), Side(rho, e, p, square, burned, v, e, 1e30, 1e30, 1e30), Frozen(mixture, burned, v, e)
+
+
+def test_a_shock_on_partly_burned_explosive_obeys_the_jump_and_gives_its_reactants_their_own():
+    pair, side, _ = partly_burned()
+    target = side.p + 15e9
+    found = reach(target, side, pair)
+    x, volume, energy = jumps(target, side, pair)
+    p = mixed_answer(found.rho, found.e, side.burned, volume, energy, pair.mixture)[0]
+    assert p == pytest.approx(target, rel=1e-9)                  # the closure, on the new isentrope, has the pressure of the jump
+    assert found.e - side.e == pytest.approx(0.5 * (target + side.p) * (1.0 / side.rho - 1.0 / found.rho), rel=1e-12)
+    before = mixed_phases(side.rho, side.e, side.burned, side.volume, side.energy, pair.mixture)
+    assert energy - before.e_r == pytest.approx(0.5 * (target + side.p) * (1.0 / before.rho_r - volume), rel=1e-9)
+    assert found.flux == pytest.approx(np.sqrt((target - side.p) / x), rel=1e-12)
+
+
+def test_the_compiled_release_is_that_of_the_exact_solver():
+    pair, side, frozen = partly_burned()
+    curve = Curve(Matter(frozen), State(side.rho, 0.0, side.e, side.p), 1)
+    for target in (0.9 * side.p, 0.3 * side.p):
+        mine, (theirs, slope, _) = reach(target, side, pair), curve.at(target)
+        assert (mine.rho, mine.e, mine.rise) == pytest.approx((theirs.rho, theirs.e, theirs.u), rel=1e-9)
+        assert mine.slope == pytest.approx(slope, rel=1e-9)
+
+
+# -- what is not resolved --------------------------------------------------------------------------------------------------
+def test_a_reference_state_that_rolls_is_refused():
+    material = dataclasses.replace(LX17, reference_state="rolling")
+    region = Region("charge", "lx-17", 0.0, 4e-3, 20)
+    with pytest.raises(OutOfRange, match="freezes it"):
+        make_solver(Problem("rolling", "planar", 1e-6, (region,), {"lx-17": material}, solver=CELLS))
