@@ -19,7 +19,7 @@ LAWS = sorted(EOS, key=lambda law: law.name)
 EXPECTED = {"ideal_gas", "stiffened_gas", "jwl", "jwl_proportional", "jwl_unreacted", "mie_gruneisen", "mie_gruneisen_linear_gamma", "mie_gruneisen_quadratic",
             "mie_gruneisen_cubic", "polynomial", "herrmann_series", "mie_gruneisen_cold", "mie_gruneisen_cold_series", "nonideal_gas",
             "tillotson", "murnaghan", "tait", "vinet", "birch_murnaghan", "davis_reactants", "davis_products", "p_alpha", "p_lambda",
-            "snow_plough", "grain_contact", "shifted_energy", "tension_cutoff", "table"}
+            "snow_plough", "grain_contact", "shifted_energy", "tension_cutoff", "table", "wilkins_cubic"}
 
 
 def states(law, count, seed=7):

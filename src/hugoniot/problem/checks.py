@@ -194,6 +194,9 @@ def read_interfaces(rows: Sequence, regions: tuple[Region, ...], collector: Coll
             collector.add((*path, "between"), f"'{row.between[0]}' and '{row.between[1]}' are not neighbours")
         elif (a, b) in found:
             collector.add((*path, "between"), f"'{row.between[0]}' and '{row.between[1]}' are described twice")
+        elif row.kind == "bond" and regions[b].start > regions[a].end:
+            collector.add((*path, "between"), f"'{regions[a].name}' and '{regions[b].name}' do not touch: a bond holds from the start",
+                          'kind = "bonded" sticks as they meet')
         else:
             found[a, b] = Interface(regions[a].name, regions[b].name, row.kind, row.strength or 0.0)
     return tuple(found[key] for key in sorted(found))

@@ -90,7 +90,8 @@ class InterfaceTable(Table):
 
     between: list[str] = Field(min_length=2, max_length=2, description="the names of the two regions")
     kind: Literal["bonded", "separable", "bond"] = Field(
-        "separable", description="bonded never opens, separable opens under any tension, bond opens beyond its strength")
+        "separable", description="bonded never opens (over a gap: sticks as they meet), separable opens under any tension, "
+                                 "bond opens beyond its strength")
     strength: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(None, description="tension a bond carries")
 
 
