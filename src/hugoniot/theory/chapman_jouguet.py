@@ -98,8 +98,8 @@ def _refuse_unreacted(par, ahead: Initial) -> None:
     held = float(contract.pressure(ahead.density, ahead.energy, par)) - ahead.pressure
     stiffness = ahead.density * float(contract.sound_speed_squared(ahead.density, ahead.energy, par))
     if abs(held) < NO_CHARGE * stiffness:
-        raise OutOfRange(f"law '{EOS.of(par).name}' is that of an unreacted explosive: at its density and energy it holds {held:.3g} Pa, and "
-                         "nothing is released; take the explosive's products")
+        raise OutOfRange(f"law '{EOS.of(par).name}' is that of an unreacted explosive: at its density and energy it holds {held:.3g} Pa, "
+                         "and nothing is released; take the explosive's products")
 
 
 def overdriven(material, initial: Initial | None = None, *, branch: str = "strong", **given) -> States:

@@ -4,9 +4,9 @@ $$T = T_0\varphi\left[1 + \frac{e - e_S(v)}{w\,c_{v0}T_0\varphi}\right]^w, \qqua
   c_v = c_{v0}\left(\frac{T}{T_0\varphi}\right)^{(1-w)/w}, \qquad
   s = w\,c_{v0}\,\frac{y^{1-w} - 1}{1-w}, \quad y = 1 + \frac{y_1 - 1}{w}, \quad y_1 = e^{s_1/c_{v0}}$$
 
-with $\varphi = T_S/T_0$ on the isentrope $e_S$ through the state at rest, and $s_1$, $T_1 = T_0\varphi y_1$ those of the base (w = 1). It is
-the source's $T = (\Gamma_0T_0/f_S)\{[e - e_S(v; v_\infty, e_\infty)]f_S/RT_0\}^w$ with $\varphi = 1/f_S$ and the cold curve where the bracket
-above vanishes. Temperature and specific heat at rest are the base's; with w < 1 the specific heat grows on heating, which the
+with $\varphi = T_S/T_0$ on the isentrope $e_S$ through the state at rest, and $s_1$, $T_1 = T_0\varphi y_1$ those of the base (w = 1).
+It is the source's $T = (\Gamma_0T_0/f_S)\{[e - e_S(v; v_\infty, e_\infty)]f_S/RT_0\}^w$ with $\varphi = 1/f_S$ and the cold curve where
+the bracket above vanishes. Temperature and specific heat at rest are the base's; with w < 1 the specific heat grows on heating, which the
 source calls inconsistent with quantum statistics at high temperature. The pressure is the base's.
 
 Source: 003 (Starkenberg) A-4.
@@ -89,7 +89,8 @@ def build(base, exponent):
     """Parameters; the base needs a constant specific heat, a temperature and an entropy."""
     functions = EOS.of(base).functions
     if not {"temperature", "entropy", "specific_heat", "energy"} <= set(functions) or not has_temperature(base):
-        raise OutOfRange(f"temperature_power: '{EOS.of(base).name}' has no temperature with a constant specific heat here; give a specific_heat")
+        raise OutOfRange(f"temperature_power: '{EOS.of(base).name}' has no temperature with a constant specific heat here; "
+                         "give a specific_heat")
     if not (0.0 < exponent < math.inf):
         raise OutOfRange(f"temperature_power: exponent = {exponent:g} must be positive; 1 is a constant specific heat")
     return TemperaturePower(base, exponent)
@@ -102,7 +103,8 @@ EOS.add(
     example=TemperaturePower(JWLProportional(77810e9, -5.031e9, 11.3, 1.13, 0.8938, 1717.0, 1000.0), 0.7),
     build=build,
     units={"base": "law", "exponent": "1"},
-    meaning={"base": "the law whose temperature is changed, with a constant specific heat", "exponent": "w; 1 leaves the base's temperature"},
+    meaning={"base": "the law whose temperature is changed, with a constant specific heat",
+             "exponent": "w; 1 leaves the base's temperature"},
     box={"rho": (1717.0, 2600.0), "e": (1e6, 5e6)},
     references=("Starkenberg, ARL-TR-2161, A-4",),
 )
