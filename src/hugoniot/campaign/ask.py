@@ -7,7 +7,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any
 
-from hugoniot.campaign.arithmetic import Trouble
 from hugoniot.campaign.designs import KINDS, Design, design_of
 from hugoniot.campaign.plan import Plan, sweep_table, ties_of
 from hugoniot.campaign.pool import LocalPool
@@ -16,6 +15,7 @@ from hugoniot.campaign.sweep import Progress, Swept, cores, sweep
 from hugoniot.campaign.variables import read_variable, refuse
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.materials.collect import nearest
+from hugoniot.problem.arithmetic import Trouble
 from hugoniot.report import write_or_note
 from hugoniot.units import UnitError, parse
 from hugoniot.version import __version__

@@ -10,12 +10,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from hugoniot.campaign.arithmetic import Expression, Number, Trouble, quantity
 from hugoniot.campaign.designs import Design
 from hugoniot.campaign.questions import Deck, Match
 from hugoniot.campaign.variables import refuse
 from hugoniot.errors import DeckError
 from hugoniot.materials.collect import nearest, printable
+from hugoniot.problem.arithmetic import Expression, Number, Trouble, quantity
 from hugoniot.problem.schema import keys_of
 from hugoniot.problem.solver_kinds import available_solvers, solver_module
 

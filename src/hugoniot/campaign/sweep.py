@@ -20,7 +20,6 @@ from typing import Any
 import numpy as np
 
 from hugoniot.campaign.analysis import FILES, Analysis, analysis_of, write_analysis
-from hugoniot.campaign.arithmetic import Trouble
 from hugoniot.campaign.journal import Journal
 from hugoniot.campaign.plan import Plan
 from hugoniot.campaign.questions import MATCHED, POINTS, Deck
@@ -30,6 +29,7 @@ from hugoniot.output.atomic import explained, write_whole
 from hugoniot.output.columns import describe
 from hugoniot.output.lock import Lock
 from hugoniot.output.sweep_file import Column, SweepTable, write_cases, write_table
+from hugoniot.problem.arithmetic import Trouble
 
 JOURNAL, TABLE, CASES, ASKED = "cases.jsonl", "sweep.h5", "cases.csv", "sweep.json"
 _OURS = (*FILES, JOURNAL, TABLE, CASES, ASKED, "report.html", "runs", "run.log", ".lock")

@@ -13,9 +13,9 @@ from typing import Any
 
 from scipy.special import ndtri
 
-from hugoniot.campaign.arithmetic import Number
 from hugoniot.errors import DeckError
 from hugoniot.materials.collect import printable
+from hugoniot.problem.arithmetic import Number
 from hugoniot.units import UnitError, convert, parse, powers_of, si_name
 
 EXAMPLE = 'write it like "region.flyer.velocity = 300..1200 m/s : 10"'

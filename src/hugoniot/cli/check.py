@@ -69,7 +69,7 @@ def _tell(deck: Deck, warnings: list[str]) -> None:
     rows = []
     for region in getattr(problem, "regions", ()):
         extent = _block_extent(problem, region) if hasattr(region, "shape") else (
-            f"{format_si(region.start, 'm')} to {format_si(region.end, 'm')}", f"{region.zones} zones", _speed(region.velocity))
+            f"{format_si(region.start, 'm')} to {format_si(region.end, 'm')}", f"{region.zones} zones", _speed(region))
         rows.append((region.name, *extent, region.material, _laws(problem.materials[region.material])))
     echo_table(["region", "extent", "", "velocity", "material", "laws"], rows)
     cost = estimate(problem)
@@ -107,7 +107,10 @@ def _laws(material) -> str:
     return f"{before}{laws['eos']}, {burning.closure(material)}, {laws['burn']}"
 
 
-def _speed(velocity) -> str:
+def _speed(region) -> str:
+    velocity, profile = region.velocity, getattr(region, "profile", None)
+    if profile is not None and "velocity" in dict(profile.fields):
+        return "profile"
     if isinstance(velocity, tuple):
         return " to ".join(format_si(v, "m/s") for v in velocity)
     return format_si(velocity, "m/s")

@@ -1,4 +1,4 @@
-"""hugoniot import: a material of another program as a table of a deck."""
+"""hugoniot import: a material or a deck of another program as a table or a deck of this one."""
 
 from pathlib import Path
 from typing import Annotated
@@ -11,27 +11,78 @@ from hugoniot.materials.ls_dyna import material_tables, read_cards, scale_of
 from hugoniot.materials.read import build_material
 from hugoniot.problem.write import to_toml
 
+LARGEST = 20_000_000     # bytes of a file that is read
+
 
 def command(
-    file: Annotated[Path, typer.Argument(help="LS-DYNA keyword file with the cards of one material.")],
-    units: Annotated[str, typer.Option(help='Units of mass, length and time of the file: "g cm us", "tonne mm s".')],
-    name: Annotated[str, typer.Option(help="What the deck calls the material.")] = "imported",
-    density: Annotated[str | None, typer.Option(help='Where no MAT card gives it: "7.85 g/cm^3".')] = None,
+    file: Annotated[Path, typer.Argument(help="Deck of pyKO (.yml), deck of KO (.in), or LS-DYNA keyword file of one material.")],
+    units: Annotated[str | None, typer.Option(help='LS-DYNA: units of mass, length and time: "g cm us", "tonne mm s".')] = None,
+    name: Annotated[str, typer.Option(help="LS-DYNA: what the deck calls the material.")] = "imported",
+    density: Annotated[str | None, typer.Option(help='LS-DYNA, where no MAT card gives it: "7.85 g/cm^3".')] = None,
+    out: Annotated[Path | None, typer.Option("--out", "-o", help="File to write (default: print it).")] = None,
 ) -> None:
-    """The table of a material for a deck, in SI, from *EOS_GRUNEISEN or *EOS_JWL and *MAT_JOHNSON_COOK; checked as a deck would be.
+    """A deck from one of pyKO (.yml, .yaml) or KO (.in), ready to run; or a material's table from LS-DYNA cards.
+
+    Decks of pyKO and KO become SI, with the integrator, viscosity and step of those codes. LS-DYNA: *EOS_GRUNEISEN or *EOS_JWL and
+    *MAT_JOHNSON_COOK; checked as a deck would be.
+
+    Example: hugoniot import impact.yml --out impact.toml
 
     Example: hugoniot import steel.k --units "g cm us" --name steel
     """
+    text = _text(file)
+    kind = file.suffix.lower()
+    if kind in (".yml", ".yaml", ".in"):
+        if units or density or name != "imported":
+            raise DeckError.single("command line", None, "--units, --name, --density", "belong to LS-DYNA cards", "omit them")
+        shown, left = _deck(text, file.name, kind)
+    elif units is None:
+        raise DeckError.single("command line", None, "--units", "the units of LS-DYNA cards are not given", 'write --units "g cm us"')
+    else:
+        given = quantity(density, "kg/m^3", "--density") if density else None
+        tables, left = material_tables(read_cards(text, file.name), scale_of(units), file.name, given)
+        problems: list[DeckProblem] = []
+        build_material(name, tables, problems, file.name, lambda path: None)
+        if problems:
+            raise DeckError(problems)
+        shown = to_toml({"material": {name: tables}})
+    if out is None:
+        typer.echo(shown.strip())
+    else:
+        _write(out, shown)
+    for sentence in left:
+        typer.echo(f"note: {sentence}", err=True)
+
+
+def _deck(text: str, file: str, kind: str) -> tuple[str, list[str]]:
+    """A deck that this program has read back, and what is left out."""
+    from hugoniot.problem.deck import read_deck_text
+    from hugoniot.problem.ko_columns import read_columns
+    from hugoniot.problem.ko_decks import deck_tables
+    from hugoniot.problem.ko_yaml import read_yaml
+
+    source = read_columns(text, file) if kind == ".in" else read_yaml(text, file)
+    tables, left = deck_tables(source, file)
+    shown = f"# From {file}, every number in SI.\n" + to_toml(tables)
+    read_deck_text(shown, file)
+    return shown, left
+
+
+def _text(file: Path) -> str:
     try:
-        text = file.read_text(encoding="utf-8", errors="replace")
+        if file.stat().st_size > LARGEST:
+            raise FileTrouble(f"{file} is too large for a deck or for cards")
+        return file.read_text(encoding="utf-8", errors="replace")
     except OSError as error:
         raise FileTrouble(f"cannot read {file}: {error.strerror or error}") from None
-    given = quantity(density, "kg/m^3", "--density") if density else None
-    tables, left = material_tables(read_cards(text, file.name), scale_of(units), file.name, given)
-    problems: list[DeckProblem] = []
-    build_material(name, tables, problems, file.name, lambda path: None)
-    if problems:
-        raise DeckError(problems)
-    typer.echo(to_toml({"material": {name: tables}}).strip())
-    for text in left:
-        typer.echo(f"note: {text}", err=True)
+
+
+def _write(out: Path, text: str) -> None:
+    try:
+        with out.open("x", encoding="utf-8") as target:
+            target.write(text)
+    except FileExistsError:
+        raise FileTrouble(f"{out} exists; choose another name or remove it") from None
+    except OSError as error:
+        raise FileTrouble(f"cannot write {out}: {error.strerror or error}") from None
+    typer.echo(f"wrote {out}", err=True)

@@ -33,7 +33,7 @@ COMMANDS: dict[str, str] = {
     "fit": "Find constants of a deck from measured records.",
     "verify": "Run the built-in verification problems.",
     "material": "Search and show the materials library.",
-    "import": "Turn material cards of LS-DYNA into a table of a deck.",
+    "import": "Turn decks of pyKO and KO, and cards of LS-DYNA, into decks of this program.",
     "eos": "Hugoniots, isentropes and impedance matches without a mesh.",
     "exact": "Exact solutions: Riemann, Noh, Sedov, Guderley, detonations and more.",
     "pop-plot": "Run distance to detonation against input pressure.",

@@ -27,7 +27,8 @@ _PARAMETERS = {
 def card(row: Row, family: str = "") -> Card:
     """The law table of a row: `law` and its parameters; ValueError where no law of the package takes the row as it stands.
 
-    family   what an ignition-and-growth row is asked for: "burn" its rate, "eos" its products, else its unreacted explosive
+    family   what an ignition-and-growth row is asked for: "burn" its rate, "eos" its products, else its unreacted explosive; "eos" of a
+             row of unreacted JWL is an inert solid
     """
     if row.table == "ignition_growth" and family in ("burn", "eos"):
         return _rate(row) if family == "burn" else _products_of_set(row)
@@ -35,7 +36,10 @@ def card(row: Row, family: str = "") -> Card:
               "compression": static_compression.card}
     if row.table not in makers:
         raise ValueError(f"row {row.id} of the table {row.table} is not the table of one law")
-    return makers[row.table](row)
+    found = makers[row.table](row)
+    if row.table == "jwl" and row["role"] == "unreacted" and family == "eos":    # by itself an inert solid, that drives nothing
+        return {name: value for name, value in found.items() if name != "e0"} | {"law": "jwl_unreacted"}
+    return found
 
 
 def _us_up(row: Row) -> Card:

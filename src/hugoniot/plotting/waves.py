@@ -10,6 +10,7 @@ from hugoniot.theory import second_shock as second
 from hugoniot.theory.hugoniot import Initial, curve
 from hugoniot.theory.isentrope import isentrope, release
 from hugoniot.theory.riemann import Riemann
+from hugoniot.theory.shock_lines import ShockLines
 from hugoniot.theory.states import States
 
 DASHED = (0, (4, 2))
@@ -175,6 +176,26 @@ def expansion_fit(name: str, volumes, pressures, cj: tuple[float, float], par, c
     ax.set_xticks(ticks, [f"{t:g}" for t in ticks])
     ax.set_xticks([], minor=True)
     ax.set(xlabel="relative volume V = v/v0", ylabel="pressure (GPa)")
+    ax.set_title(name, loc="left", fontsize=9)
+    quiet_grid(ax)
+    return ax
+
+
+@styled
+def shock_lines_picture(name: str, found: ShockLines):
+    """Rayleigh line, Fanno line and Hugoniot of a shock over density, and its two states; gives the axes."""
+    ax = new_axes(5.4, 3.8)
+    drawn = (("Hugoniot", found.hugoniot_pressure, "-"), ("Rayleigh line", found.rayleigh_pressure, DASHED),
+             ("Fanno line", found.fanno_pressure, (0, (1, 1.5))))
+    for i, (text, pressure, style) in enumerate(drawn):
+        ax.plot(found.density, pressure * 1e-9, color=COLOURS[i], ls=style)
+        ax.annotate(text, (0.03, 0.95 - 0.07 * i), xycoords="axes fraction", color=COLOURS[i], fontsize=8.5, va="top")
+    states = ((found.initial.density, found.initial.pressure, "ahead"),
+              (float(found.behind.density), float(found.behind.pressure), "behind"))
+    for density, pressure, text in states:
+        ax.plot(density, pressure * 1e-9, "o", color=INK, ms=4)
+        ax.annotate(text, (density, pressure * 1e-9), xytext=(6, -10), textcoords="offset points", color=INK, fontsize=8.5)
+    ax.set(xlabel="density (kg/m³)", ylabel="pressure (GPa)")
     ax.set_title(name, loc="left", fontsize=9)
     quiet_grid(ax)
     return ax

@@ -9,11 +9,11 @@ from hugoniot.problem.model import Boundary, Pulse
 from hugoniot.problem.schema import Quantity, Table, Time, validate
 from hugoniot.units import UnitError, parse
 
-PLAIN = ("free", "fixed", "transmitting")
+PLAIN = ("free", "fixed", "transmitting", "periodic")
 DRIVEN = {"velocity": "m/s", "pressure": "Pa"}
 SHAPES = ("exponential", "half_sine", "square", "ramp")
 LONGEST_TABLE = 100_000
-_FORMS = "write \"free\", \"fixed\", \"transmitting\", {velocity = ...} or {pressure = ...}"
+_FORMS = "write \"free\", \"fixed\", \"transmitting\", \"periodic\", {velocity = ...} or {pressure = ...}"
 
 
 class PulseTable(Table):

@@ -3,7 +3,10 @@
 import math
 from collections.abc import Sequence, Set
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
+
+import numpy as np
 
 from hugoniot.errors import HugoniotError
 from hugoniot.laws.eos.contract import EOS, density_limits, reference_state, sound_speed_squared
@@ -13,7 +16,8 @@ from hugoniot.materials.initial_state import initial_state
 from hugoniot.materials.material import Material
 from hugoniot.materials.read import from_library
 from hugoniot.problem.gauges import is_interface
-from hugoniot.problem.model import Gauge, Interface, Problem, Region
+from hugoniot.problem.model import Gauge, Interface, Problem, Profile, Region
+from hugoniot.problem.profiles import read_profile, values_at
 from hugoniot.units import format_si
 
 MOST_ZONES = 10_000_000
@@ -50,11 +54,42 @@ def read_regions(rows: Sequence, raw: Any, geometry: Any, own: dict[str, Materia
         if geometry in ("cylindrical", "spherical") and row.start < 0.0:
             collector.add((*path, "from"), f"in {geometry} geometry positions are radii and must not be negative, got {row.start:g} m")
         check_state(row, used.get(row.material), collector, path)
+        profile = checked_profile(row, used.get(row.material), collector, path)
         if zones is not None and collector.findings == before:
-            values = row.model_dump(exclude={"zone_size", "zones"})
-            found.append((Region(**values, zones=zones), i))
+            values = row.model_dump(exclude={"zone_size", "zones", "profile"})
+            found.append((Region(**values, zones=zones, profile=profile), i))
     found.sort(key=lambda pair: pair[0].start)
     return _without_overlap(found, collector, warnings), used
+
+
+def checked_profile(row: Any, material: Material | None, collector: Collector, path: tuple) -> Profile | None:
+    """The profile of a region's row, after reporting states that its material cannot be in."""
+    if row.profile is None or not row.end > row.start:
+        return None
+    path = (*path, "profile")
+    profile = read_profile(row.profile, row.start, row.end, collector, path)
+    if profile is None:
+        return None
+    names = {name for name, _ in profile.fields}
+    for name in sorted(names & {key for key in _STATE if getattr(row, key) is not None}):
+        collector.add((*path, name), "stands in the region and in its profile", "give it once")
+    if "velocity" in names and row.velocity != 0.0:
+        collector.add((*path, "velocity"), "stands in the region and in its profile", "give it once")
+    if material is None or names == {"velocity"} or collector.reported(path):
+        return profile
+    if material.burn is not None:
+        collector.add(path, f"'{material.name}' burns: only its velocity may have a profile", "cut the region where the state changes")
+        return profile
+    places = np.linspace(row.start, row.end, 9)
+    given = {name: values_at(profile, name, places) for name in names - {"velocity"}}
+    for k, place in enumerate(places):
+        before = len(collector.problems)
+        state = {key: float(given[key][k]) if key in given else getattr(row, key) for key in _STATE}
+        check_state(SimpleNamespace(**state), material, collector, path)
+        if len(collector.problems) > before:
+            collector.add(path, f"so at {format_si(place, 'm')}")
+            break
+    return profile
 
 
 def look_up(name: str, own: dict[str, Material | None], used: dict[str, Material], failed: set[str], collector: Collector,
@@ -194,6 +229,9 @@ def read_interfaces(rows: Sequence, regions: tuple[Region, ...], collector: Coll
             collector.add((*path, "between"), f"'{row.between[0]}' and '{row.between[1]}' are not neighbours")
         elif (a, b) in found:
             collector.add((*path, "between"), f"'{row.between[0]}' and '{row.between[1]}' are described twice")
+        elif row.kind == "bond" and regions[b].start > regions[a].end:
+            collector.add((*path, "between"), f"'{regions[a].name}' and '{regions[b].name}' do not touch: a bond holds from the start",
+                          'kind = "bonded" sticks as they meet')
         else:
             found[a, b] = Interface(regions[a].name, regions[b].name, row.kind, row.strength or 0.0)
     return tuple(found[key] for key in sorted(found))

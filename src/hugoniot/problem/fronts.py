@@ -130,7 +130,12 @@ def defects(problem: Problem) -> list[tuple[tuple, str]]:
             found.append((("material", name, "strength"), f"{message}: take the mode 'algebraic' (planar), or lagrange1d"))
     if cells:
         found += _front_defects(problem)
+    for k, region in enumerate(problem.regions):
+        if region.profile is not None:
+            found.append((("region", k, "profile"), f"{NAME} starts from states that do not vary along a region: use lagrange1d"))
     for side, end in (("left", problem.left), ("right", problem.right)):
+        if end.kind == "periodic":
+            found.append((("boundary", side), f"{NAME} has no periodic ends: use lagrange1d"))
         if end.pulse is not None and end.kind == "pressure" and min(end.pulse.amplitude, *end.pulse.values, 0.0) < 0.0:
             found.append((("boundary", side), f"a pressure below zero pulls; {NAME} takes none"))
     return found if cells else found + _beyond_algebra(problem)

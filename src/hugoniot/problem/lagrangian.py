@@ -11,10 +11,11 @@ from hugoniot.materials.collect import Collector, printable
 from hugoniot.materials.law_reader import read_law
 from hugoniot.materials.material import Material
 from hugoniot.materials.tables import law_table, material_tables
-from hugoniot.problem import checks, explosives, output_fields, terms
+from hugoniot.problem import checks, explosives, output_fields, periodic, terms
 from hugoniot.problem.boundaries import boundary_schema, boundary_value, read_boundary
 from hugoniot.problem.defaults import SNAPSHOTS, completed
 from hugoniot.problem.model import Boundary, Lighting, OutputOptions, Problem, SolverOptions
+from hugoniot.problem.profiles import ProfileTable, profile_value
 from hugoniot.problem.schema import Length, Pressure, Quantity, Table, Time, salvage, trouble
 from hugoniot.units import UnitError, parse
 
@@ -83,6 +84,7 @@ class RegionTable(Table):
     pressure: Pressure | None = Field(None, description="initial pressure")
     temperature: Annotated[float, Quantity("K", above=0.0, limit=1e12)] | None = Field(None, description="initial temperature")
     energy: Annotated[float, Quantity("J/kg")] | None = Field(None, description="initial specific internal energy")
+    profile: ProfileTable | None = Field(None, description="[region.profile]: a state that varies along the region")
 
 
 class InterfaceTable(Table):
@@ -90,7 +92,8 @@ class InterfaceTable(Table):
 
     between: list[str] = Field(min_length=2, max_length=2, description="the names of the two regions")
     kind: Literal["bonded", "separable", "bond"] = Field(
-        "separable", description="bonded never opens, separable opens under any tension, bond opens beyond its strength")
+        "separable", description="bonded never opens (over a gap: sticks as they meet), separable opens under any tension, "
+                                 "bond opens beyond its strength")
     strength: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(None, description="tension a bond carries")
 
 
@@ -199,7 +202,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     if len(problem.gauges) > MOST_GAUGES:
         collector.add(("gauge",), f"{len(problem.gauges)} gauges are too many, with those beside interfaces and on free surfaces",
                       f"the limit is {MOST_GAUGES}")
-    for defect in (*explosives.defects(problem), *terms.defects(problem), *output_fields.defects(problem)):
+    for defect in (*explosives.defects(problem), *periodic.defects(problem), *terms.defects(problem), *output_fields.defects(problem)):
         collector.add(*defect)
     if collector.problems:
         return None, warnings
@@ -262,7 +265,8 @@ def write(problem: Problem) -> dict:
     """Tables of a deck, every default written out, that reads back to exactly this problem."""
     deck: dict[str, Any] = {"title": problem.title, "geometry": problem.geometry, "stop_time": problem.stop_time}
     names = {"start": "from", "end": "to"}
-    deck["region"] = [{names.get(k, k): list(v) if isinstance(v, tuple) else v for k, v in _known(r).items()} for r in problem.regions]
+    deck["region"] = [{names.get(k, k): list(v) if isinstance(v, tuple) else v for k, v in _known(r).items()}
+                      | ({"profile": profile_value(r.profile)} if r.profile else {}) for r in problem.regions]
     deck["material"] = {name: material_tables(m) for name, m in problem.materials.items()}
     deck["boundary"] = {"left": boundary_value(problem.left), "right": boundary_value(problem.right)}
     interfaces = [{"between": [i.left, i.right], "kind": i.kind} | ({"strength": i.strength} if i.kind == "bond" else {})

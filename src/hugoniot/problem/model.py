@@ -13,6 +13,18 @@ GEOMETRIES = {"planar": 1, "cylindrical": 2, "spherical": 3}
 
 
 @dataclass(frozen=True)
+class Profile:
+    """An initial state that varies along a region.
+
+    positions   m, increasing; () where the fields are expressions in x
+    fields      (name, values at the positions in SI, or an expression) of velocity, density, pressure, temperature, energy
+    """
+
+    positions: tuple[float, ...]
+    fields: tuple[tuple[str, tuple[float, ...] | str], ...]
+
+
+@dataclass(frozen=True)
 class Region:
     """A contiguous piece of one material at t = 0, divided into zones.
 
@@ -34,6 +46,7 @@ class Region:
     pressure: float | None = None
     temperature: float | None = None
     energy: float | None = None
+    profile: Profile | None = None
 
 
 @dataclass(frozen=True)
@@ -57,7 +70,7 @@ class Pulse:
 
 @dataclass(frozen=True)
 class Boundary:
-    """kind: "free", "fixed", "velocity", "pressure" (with a pulse) or "transmitting"."""
+    """kind: "free", "fixed", "velocity", "pressure" (with a pulse), "transmitting", or "periodic" (both ends)."""
 
     kind: str = "free"
     pulse: Pulse | None = None

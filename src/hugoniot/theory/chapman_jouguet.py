@@ -23,6 +23,8 @@ from hugoniot.theory import jump
 from hugoniot.theory.hugoniot import Initial, _interval, shock
 from hugoniot.theory.states import States, law_of
 
+NO_CHARGE = 1e-3     # of the stiffness: less pressure at constant volume is round-off of an energy at rest
+
 
 @dataclass(frozen=True)
 class Detonation:
@@ -70,6 +72,7 @@ def cj(material, initial: Initial | None = None) -> Detonation:
     par = law_of(material)
     ahead = initial or explosive(par)
     v0, least, most = _interval(par, ahead)
+    _refuse_unreacted(par, ahead)
     with np.errstate(all="ignore"):
         x = _tangency(par, ahead, v0, max(least, 1e-4 * v0), most)
         _, p, _ = _slack(x, par, ahead, v0)
@@ -82,6 +85,21 @@ def cj(material, initial: Initial | None = None) -> Detonation:
         raise NoSolution(f"the tangency of the Rayleigh line is met to {tangency:.2g} only (law '{EOS.of(par).name}'): "
                          "the law is not smooth near its CJ point")
     return Detonation(state, ahead, tangency)
+
+
+def _refuse_unreacted(par, ahead: Initial) -> None:
+    """Raise `OutOfRange` where a law of products holds no pressure at the explosive's own density and energy: then it is the explosive's.
+
+    Sets of unreacted explosives have the form of products (JWL) and about zero pressure at rest; the tangency would answer with an
+    acoustic wave.
+    """
+    if ahead.heat != 0.0 or "reacted" not in EOS.of(par).flags:
+        return
+    held = float(contract.pressure(ahead.density, ahead.energy, par)) - ahead.pressure
+    stiffness = ahead.density * float(contract.sound_speed_squared(ahead.density, ahead.energy, par))
+    if abs(held) < NO_CHARGE * stiffness:
+        raise OutOfRange(f"law '{EOS.of(par).name}' is that of an unreacted explosive: at its density and energy it holds {held:.3g} Pa, "
+                         "and nothing is released; take the explosive's products")
 
 
 def overdriven(material, initial: Initial | None = None, *, branch: str = "strong", **given) -> States:

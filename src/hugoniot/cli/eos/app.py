@@ -8,6 +8,7 @@ import typer
 from hugoniot.cli.eos.convert import convert
 from hugoniot.cli.eos.detonation import cj, mixture, znd
 from hugoniot.cli.eos.input import find_inert, find_material
+from hugoniot.cli.eos.lines import gurney, lines
 from hugoniot.cli.eos.options import AT, CSV, HEAT, MATERIAL, MATERIALS, PLOT, POINTS
 from hugoniot.cli.eos.second_shock import second_shock
 from hugoniot.cli.eos.stability import stability
@@ -128,6 +129,8 @@ app.command()(cj)
 app.command()(znd)
 app.command()(mixture)
 app.command()(stability)
+app.command()(lines)
+app.command()(gurney)
 app.command("second-shock")(second_shock)
 app.command()(convert)
 
@@ -141,6 +144,8 @@ def fit(
     as_toml: Annotated[bool, typer.Option("--toml", help="Print a material table for a deck.")] = False,
     density: Annotated[str | None, typer.Option("--density", help="Density at rest, for --toml (default: the library's).")] = None,
     gruneisen: Annotated[float | None, typer.Option("--gruneisen", help="Gruneisen parameter, for --toml (default: 2 s - 1).")] = None,
+    solid_jwl: Annotated[bool, typer.Option("--jwl-proportional", help="Fit the JWL alternative for solids; with --density and --gruneisen "
+                                                                       "prints its table for a deck.")] = False,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
     """Fit shock velocity against particle velocity, with standard deviations and the range of the points.
@@ -150,6 +155,9 @@ def fit(
     from hugoniot.cli.eos import fit as eos_fit
 
     low, high = quantity(least, "m/s", "--from") if least else 0.0, quantity(highest, "m/s", "--to") if highest else float("inf")
+    if solid_jwl:
+        eos_fit.solid_table(points, low, high, quantity(density, "kg/m^3", "--density") if density else None, gruneisen, as_json)
+        return
     if as_toml:
         rest = quantity(density, "kg/m^3", "--density") if density else None
         eos_fit.deck_table(points, 2 if quadratic else 1, low, high, rest, gruneisen)

@@ -9,7 +9,7 @@ from hugoniot.cli.eos.options import AHEAD, CSV, DENSITY, EXPLOSIVE, HEAT, MATER
 from hugoniot.cli.eos.output import cell, deliver, echo_notes, notes, row_of, words
 from hugoniot.cli.show import JSON, echo_table
 
-CLOSURE = "How reactants and products share the zone: thermal_isolation, thermal_equilibrium or weighted_pressures"
+CLOSURE = "How reactants and products share the zone: thermal_isolation, thermal_equilibrium, weighted_pressures or two_state"
 
 
 def cj(
@@ -74,7 +74,9 @@ def mixture(
                                                                   '"1 g/cm^3".')] = None,
     burn_to: Annotated[float | None, typer.Option("--burn-to", min=0.0, max=1.0, help="Burn fraction at the end of the adiabat, reached in "
                                                                                     "proportion to the volume; default: frozen.")] = None,
-    frozen: Annotated[str | None, typer.Option("--hugoniot", help='Shocks without reaction, up to "40 GPa".')] = None,
+    frozen: Annotated[str | None, typer.Option("--hugoniot", help='Shocks up to "40 GPa", without reaction in them or with '
+                                                                "--reacted.")] = None,
+    reacted: Annotated[float, typer.Option("--reacted", min=0.0, max=1.0, help="Mass fraction that burns inside the shock.")] = 0.0,
     series: Annotated[bool, typer.Option("--series", help="The expansion for vanishing burn fraction instead.")] = False,
     heat: Annotated[str | None, typer.Option("--heat", help='Chemical energy, "5 MJ/kg"; default: from the laws.')] = None,
     points: Annotated[int, typer.Option("--points", min=2, max=10000, help="States along an adiabat or Hugoniot.")] = 41,
@@ -88,5 +90,6 @@ def mixture(
     """
     from hugoniot.cli.eos import mixture as eos_mixture
 
-    asked = eos_mixture.Question(at, shocked, fractions, closure or [], adiabat, burn_to, frozen, series, heat, points)
+    asked = eos_mixture.Question(at, shocked, fractions, closure or [], adiabat, burn_to, frozen, series, heat, points,
+                                   reacted)
     eos_mixture.report(explosive, asked, as_json, as_csv, plot)

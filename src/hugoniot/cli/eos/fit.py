@@ -41,6 +41,29 @@ def deck_table(name: str, degree: int, least: float, highest: float, density: fl
     typer.echo(f"gamma0 = {gamma:.6g}{why}")
 
 
+def solid_table(name: str, least: float, highest: float, density: float | None, gruneisen: float | None, as_json: bool) -> None:
+    """Print the JWL alternative for solids fitted to points, as the table of a material."""
+    from hugoniot.theory.solid_fits import fit_solid
+
+    up, us = _points(name)
+    kept = (up >= least) & (up <= highest)
+    rest = _density_at_rest(name) if density is None else density
+    try:
+        gamma = 2.0 * us_up(up[kept], us[kept], 1).coefficients[1] - 1.0 if gruneisen is None else gruneisen
+        found = fit_solid(rest, gamma, up[kept], us[kept])
+    except OutOfRange as error:
+        raise DeckError.single(name, None, "points", str(error), "measure more, or widen --from and --to") from None
+    values = {n: float(getattr(found.par, n)) for n in ("a", "b", "r1", "r2", "gamma0", "rho0")}
+    if as_json:
+        echo_json({"source": name, "law": "jwl_proportional", **values, "deviation": found.deviation, "worst": found.worst,
+                   "highest_particle_velocity": found.highest})
+        return
+    words = re.sub(r"[^A-Za-z0-9_]+", "_", Path(name).stem).strip("_") or "fitted"
+    typer.echo(f"# {name}: pressures met to {100.0 * found.deviation:.3g} % (root mean square), {100.0 * found.worst:.3g} % at worst\n"
+               f"[material.{words}]\nvalid_up_to = \"{found.highest:.6g} m/s\"\n\n[material.{words}.eos]\nlaw = \"jwl_proportional\"\n"
+               + "\n".join(f"{n} = {v:.8g}" for n, v in values.items()))
+
+
 def _density_at_rest(name: str) -> float:
     """Of a material of the library, kg/m3."""
     if Path(name).suffix.lower() in (".csv", ".txt", ".dat") or Path(name).exists():

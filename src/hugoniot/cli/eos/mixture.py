@@ -10,8 +10,10 @@ from hugoniot.cli.eos.input import Subject, find_material, one_state, several_st
 from hugoniot.cli.eos.output import cell, deliver, echo_columns, echo_notes, notes, plain, write_csv
 from hugoniot.cli.show import echo_json, echo_table, quantity
 from hugoniot.errors import DeckError, HugoniotError, NoSolution, OutOfRange
+from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.theory import mixture as tool
 from hugoniot.theory.hugoniot import Initial, shock
+from hugoniot.theory.mixture_shocks import chemical_potential, reacting_hugoniot
 
 EQUILIBRIA = ("thermal_isolation", "thermal_equilibrium")
 SHOWN = ("burn_fraction", "pressure", "density", "particle_velocity", "shock_velocity", "specific_internal_energy", "temperature",
@@ -31,6 +33,7 @@ class Question(NamedTuple):
     series: bool
     heat: str | None
     points: int
+    reacted: float = 0.0
 
 
 class Case(NamedTuple):
@@ -46,6 +49,8 @@ class Case(NamedTuple):
 
 def report(name: str, asked: Question, as_json, as_csv, plot) -> None:
     """Solve for every closure; print, write and draw what is asked."""
+    if asked.reacted and asked.hugoniot is None:
+        raise DeckError.single("command line", None, "--reacted", "belongs to --hugoniot", 'add --hugoniot "40 GPa"')
     if sum((asked.adiabat is not None, asked.hugoniot is not None, asked.series)) > 1:
         raise DeckError.single("command line", None, "mixture", "--adiabat, --hugoniot and --series are three questions", "ask one of them")
     subject = find_material(name)
@@ -72,7 +77,7 @@ def report(name: str, asked: Question, as_json, as_csv, plot) -> None:
         return
     if plot:
         _draw(subject, cases, answers, asked, plot)
-    tables = [(f"{subject.material.name}, {c.kind}", a.table()) for c, a in zip(cases, answers)]
+    tables = [(f"{subject.material.name}, {c.kind}", {**a.table(), **_potential(a)}) for c, a in zip(cases, answers)]
     if not deliver(tables, as_json=as_json, as_csv=as_csv, told=[told] * len(tables),
                    more=[{"closure": c.kind, "detonation_energy": c.par.detonation_energy, "energy_at_rest": c.rest} for c in cases]):
         return
@@ -84,6 +89,15 @@ def report(name: str, asked: Question, as_json, as_csv, plot) -> None:
         typer.echo("")
     typer.echo("--json and --csv also give the states of both phases" + ("" if asked.hugoniot else " and the slopes of the pressure"))
     echo_notes(told)
+
+
+def _potential(answer) -> dict[str, Any]:
+    """The chemical potential of mixture states in equilibrium, where both laws have an entropy."""
+    try:
+        equal = isinstance(answer, tool.MixtureState) and "no_equilibrium" not in MIXTURE.of(answer.par).flags
+        return {"chemical_potential": chemical_potential(answer)} if equal else {}
+    except OutOfRange:
+        return {}
 
 
 def _fraction(text: str) -> float:
@@ -130,13 +144,25 @@ def _answer(case: Case, fractions: list[float], asked: Question):
         if not top > float(start.pressure):
             raise DeckError.single("command line", None, "--hugoniot", f"the mixture is at {cell('pressure', start.pressure)} already",
                                    "give a higher pressure")
-        return tool.frozen_hugoniot(start, np.linspace(float(start.pressure), top, asked.points))
+        pressures = np.linspace(float(start.pressure), top, asked.points)
+        return _reacting(start, pressures[1:], asked.reacted) if asked.reacted else tool.frozen_hugoniot(start, pressures)
     v0, v1 = 1.0 / case.state[0], 1.0 / quantity(asked.adiabat or "", "kg/m^3", "--adiabat")
     if v1 == v0:
         raise DeckError.single("command line", None, "--adiabat", "the mixture has that density already", "give another one")
     last = first if asked.burn_to is None else asked.burn_to
     way = np.linspace(v0, v1, asked.points)
     return tool.adiabat(start, way, None if last == first else lambda v: min(1.0, max(0.0, first + (last - first) * (v - v0) / (v1 - v0))))
+
+
+def _reacting(start, pressures, reacted: float):
+    """The reacting Hugoniot from the least of the pressures on that a shock holds: below, the burning part would expand the explosive."""
+    for k in range(len(pressures)):
+        try:
+            return reacting_hugoniot(start, pressures[k:], reacted)
+        except NoSolution:
+            if k == len(pressures) - 1:
+                raise
+    raise NoSolution("no pressure is asked for")
 
 
 def _series(subject: Subject, case: Case, as_json, as_csv, plot) -> None:

@@ -27,7 +27,8 @@ SHOWN = {"pressure": ("GPa", 1e-9, "10.5g"), "density": ("kg/m3", 1.0, "9.2f"), 
          "half_reaction_length": ("um", 1e6, "10.5g"), "reaction_zone_length": ("um", 1e6, "10.5g"),
          "half_reaction_time": ("ns", 1e9, "10.5g")}
 SHOWN |= dict.fromkeys(("principal_pressure", "principal_series", "second_pressure", "second_series", "difference", "leading_difference",
-                        "stress", "truncated_pressure", "adjusted_pressure"), ("GPa", 1e-9, "10.6g"))
+                        "stress", "truncated_pressure", "adjusted_pressure", "rayleigh_pressure", "fanno_pressure",
+                        "hugoniot_pressure"), ("GPa", 1e-9, "10.6g"))
 WORDS = {"specific_internal_energy": "internal energy", "gruneisen": "Grüneisen parameter",
          "adjusted_gruneisen": "adjusted Grüneisen parameter"}
 

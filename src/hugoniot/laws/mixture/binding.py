@@ -28,13 +28,13 @@ def bind_mixtures() -> None:
     """
     from hugoniot.core import binder
     from hugoniot.laws.eos import contract as eos_contract
-    from hugoniot.laws.mixture import contract, equilibrium, isentrope, isolated
+    from hugoniot.laws.mixture import contract, equilibrium, isentrope, isolated, two_state
 
     binder.bind_family(eos_contract.EOS, eos_contract.GENERICS)
     binder.bind_module(eos_contract)
     search = dict(fastmath=False, error_model="numpy")
     for function in (isentrope.stride, isentrope.marched_energy, isentrope.integrated_energy, isolated.equilibrate,
-                     equilibrium.share_energy, equilibrium.coupled, equilibrium.nested, equilibrium.equilibrate):
+                     equilibrium.share_energy, equilibrium.coupled, equilibrium.nested, equilibrium.equilibrate, two_state.shared):
         binder.bind(function, **search)
     for function in (equilibrium.pull, equilibrium.reach):
         binder.bind(function, **search, forceinline=True)

@@ -22,15 +22,19 @@ from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.mesh.line import GEOMETRY, graded_nodes, volume
 from hugoniot.problem.model import Boundary, Problem, Pulse
+from hugoniot.problem.profiles import values_at
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.layout import B, H, Z
+from hugoniot.solvers.lagrange1d.nodes import End, OpenEnd
+from hugoniot.solvers.lagrange1d.ring import RingEnd, joined_seam, weld_ends
 from hugoniot.solvers.lagrange1d.tables import zone_table
 from hugoniot.zones.laws import Laws, laws_of
 
 ROUND_OFF = 1e-9     # c^2 below minus this fraction of the largest speed squared is imaginary, not noise
 LEAST_STIFFNESS = 20.0     # of what is no gas, rho c^2 / p at rest
-CODES = {"free": L.FREE, "fixed": L.FIXED, "velocity": L.VELOCITY, "pressure": L.PRESSURE, "transmitting": L.TRANSMITTING}
+CODES = {"free": L.FREE, "fixed": L.FIXED, "velocity": L.VELOCITY, "pressure": L.PRESSURE, "transmitting": L.TRANSMITTING,
+         "periodic": L.PERIODIC}
 
 
 def viscosity_of(problem: Problem):
@@ -75,9 +79,9 @@ def laws_of_regions(problem: Problem) -> tuple[list[Laws], list[int]]:
 
 def _speed_scale(problem: Problem) -> float:
     """Largest speed of a problem at its start, sound, body or boundary, m/s."""
-    speeds = [start_region(problem, region)[3] for region in problem.regions]
-    for region in problem.regions:
-        speeds += [abs(u) for u in (region.velocity if isinstance(region.velocity, tuple) else (region.velocity,))]
+    starts = [start_region(problem, region) for region in problem.regions]
+    speeds = [float(np.max(start[3])) for start in starts]
+    speeds += [float(np.max(np.abs(start_velocities(region, start[0])))) for region, start in zip(problem.regions, starts)]
     for boundary in (problem.left, problem.right):
         if boundary.kind == "velocity":
             speeds += [abs(boundary.pulse.amplitude), *(abs(u) for u in boundary.pulse.values)]
@@ -100,17 +104,43 @@ def start_compaction(eos, rho, e) -> float:
     return float(compacted(0.0, rho, e, pressure(rho, e, eos), eos))
 
 
+def start_velocities(region, place):
+    """Velocities of the nodes of a region at t = 0, m/s."""
+    if region.profile is not None and "velocity" in dict(region.profile.fields):
+        return values_at(region.profile, "velocity", place)
+    speed = region.velocity if isinstance(region.velocity, tuple) else (region.velocity, region.velocity)
+    return speed[0] + (speed[1] - speed[0]) * ((place - place[0]) / (place[-1] - place[0]))
+
+
 def start_region(problem, region):
-    """(node positions, rho, e, longitudinal sound speed) of a region at t = 0."""
+    """(node positions, rho, e, longitudinal sound speed) of a region at t = 0; arrays over the zones where a profile gives the state."""
     material = problem.materials[region.material]
+    if region.profile is not None and set(dict(region.profile.fields)) != {"velocity"}:
+        place = graded_nodes(region.start, region.end, region.zones, region.ratio)
+        states = np.array([start_state(material, region, **state) for state in profile_states(region, place)])
+        return place, *states.T
     if material.burn is not None:
         rho, e, _, c = reactive.start_region(material, region)
         return graded_nodes(region.start, region.end, region.zones, region.ratio), rho, e, c
-    rho, e = initial_state(material.eos, region.density, region.pressure, region.temperature, region.energy)
+    state = start_state(material, region, region.density, region.pressure, region.temperature, region.energy)
+    return graded_nodes(region.start, region.end, region.zones, region.ratio), *state
+
+
+def profile_states(region, place):
+    """Density, pressure, temperature and energy of every zone as a region and its profile give them, at the middles of the zones."""
+    middles = 0.5 * (place[:-1] + place[1:])
+    given = {name: values_at(region.profile, name, middles) for name, _ in region.profile.fields if name != "velocity"}
+    names = ("density", "pressure", "temperature", "energy")
+    return [{name: float(given[name][k]) if name in given else getattr(region, name) for name in names} for k in range(len(middles))]
+
+
+def start_state(material, region, density, pressure, temperature, energy):
+    """(rho, e, longitudinal sound speed) of material that starts in a state."""
+    rho, e = initial_state(material.eos, density, pressure, temperature, energy)
     low, high = density_limits(material.eos)
     if not low < rho < high:
         raise OutOfRange(f"region '{region.name}' starts at {rho:g} kg/m3, outside {low:g} to {high:g} where its law is defined")
-    return graded_nodes(region.start, region.end, region.zones, region.ratio), rho, e, longitudinal_speed(material, rho, e)
+    return rho, e, longitudinal_speed(material, rho, e)
 
 
 def touching(left, right):
@@ -149,15 +179,13 @@ def assemble(problem: Problem):
             mass = rho * np.array([volume(x, y, geometry) for x, y in zip(place[:-1], place[1:])])
             zones[Z.mass, a:b], zones[Z.rho, a:b], zones[Z.e, a:b], zones[Z.c, a:b] = mass, rho, e, c
             material = problem.materials[region.material]
-            p = pressure(rho, e, material.eos) if material.burn is None else reactive.start_region(material, region)[2]
+            states = np.broadcast_arrays(rho, e) if material.burn is None else ()
+            p = [pressure(*state, material.eos) for state in zip(*map(np.atleast_1d, states))] or reactive.start_region(material, region)[2]
             zones[Z.p, a:b] = zones[Z.sigma, a:b] = p
-            zones[Z.compaction, a:b] = start_compaction(material.eos, rho, e) if material.burn is None else 0.0
+            zones[Z.compaction, a:b] = [start_compaction(material.eos, *state) for state in zip(*map(np.atleast_1d, states))] or 0.0
             zones[Z.v, a:b] = 1.0 / rho
             zones[Z.width, a:b] = rho * np.diff(place)
-            speed = region.velocity if isinstance(region.velocity, tuple) else (region.velocity, region.velocity)
-            fraction = (place - place[0]) / (place[-1] - place[0])
-            velocity = speed[0] + (speed[1] - speed[0]) * fraction
-            r.append(place), u.append(velocity), weight.append(mass)
+            r.append(place), u.append(start_velocities(region, place)), weight.append(mass)
             bond.append(np.full(len(place), NO_LIMIT))
         node_parts.append(_weld(problem, zones, body, ranges, r, u, weight, bond))
         segments.append((ranges[body[0]][0], ranges[body[-1]][1], L.FREE, L.FREE))
@@ -167,6 +195,8 @@ def assemble(problem: Problem):
     nodes[[H.r, H.u, H.bond]] = np.concatenate(node_parts, axis=1)
     if problem.dimension > 1 and nodes[H.r, 0] == 0.0:
         segments[0, L.SEG_LEFT], nodes[H.u, 0] = L.FIXED, 0.0
+    if problem.left.kind == "periodic":
+        weld_ends(zones, nodes)
     zones[Z.inverse_mass] = 1.0 / zones[Z.mass]
     if burning_run:
         reactive.prepare(problem, zones, charge, [start[0] for start in starts], ranges)
@@ -190,6 +220,15 @@ def _weld(problem, zones, body, ranges, r, u, weight, bond):
         velocity = np.concatenate((velocity, u[i][1:]))
         bonds = np.concatenate((bonds, bond[i][1:]))
     return np.stack((position, velocity, bonds))
+
+
+def boundary_end(problem: Problem, boundary: Boundary, field):
+    """An end as the sweeps take it; its class says what is compiled."""
+    pulse, table = boundary_pulse(boundary)
+    kinds = problem.left.kind, problem.right.kind
+    if "periodic" in kinds:
+        return RingEnd(pulse, table, field, joined_seam(problem.regions), sum(region.zones for region in problem.regions) - 1)
+    return (OpenEnd if "transmitting" in kinds else End)(pulse, table, field)
 
 
 def boundary_pulse(boundary: Boundary):

@@ -5,8 +5,10 @@ Each changes the topology of the run, keeps its momentum and books its energy, a
 
 import numpy as np
 
+from hugoniot.core.ops import NO_LIMIT
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.accounts import kinetic_energy
+from hugoniot.solvers.lagrange1d.assemble import interface_bond, touching
 from hugoniot.solvers.lagrange1d.bodies import join, split
 from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.start import signal_rate
@@ -56,6 +58,7 @@ def close_gaps(solver) -> list[Event]:
     while (k := touching_gap(solver.table, solver.nodes, solver.segments)) >= 0:
         last = int(solver.segments[k, 1])
         solver.nodes, solver.gradient, solver.segments, heat = join(solver.zones, solver.nodes, solver.gradient, solver.segments, k)
+        solver.nodes[H.bond, last + k] = contact_bond(solver.problem, *(int(solver.region_of[zone]) for zone in (last - 1, last)))
         if heat > TOUCH * kinetic_energy(solver.nodes):
             solver.voids_closed += 1
             place = float(solver.nodes[H.r, last + k])
@@ -65,6 +68,13 @@ def close_gaps(solver) -> list[Event]:
         solver.renew_topology()
         _shorten_step(solver, [last - 1, last])
     return events
+
+
+def contact_bond(problem, one: int, two: int) -> float:
+    """Tension that a new contact of two regions carries, Pa: none, but where they are declared bonded and a gap lay between them."""
+    left, right = problem.regions[one], problem.regions[two]
+    sticks = two == one + 1 and not touching(left, right) and interface_bond(problem, left, right) == NO_LIMIT
+    return NO_LIMIT if sticks else 0.0
 
 
 def close_cavity(solver) -> Event:

@@ -125,7 +125,7 @@ PIECE = 128      # zones of a piece: what its passes touch stays in the first-le
 
 # -- columns of the segment table (integers) ----------------------------------------------------------------------
 SEG_FIRST, SEG_LAST, SEG_LEFT, SEG_RIGHT = range(4)          # zones first..last-1; boundary codes of the two ends
-FREE, FIXED, VELOCITY, PRESSURE, TRANSMITTING = range(5)
+FREE, FIXED, VELOCITY, PRESSURE, TRANSMITTING, PERIODIC = range(6)
 
 # -- columns of the run table: a run is a stretch of zones of one material in one segment --------------------------
 RUN_FIRST, RUN_LAST, RUN_SEGMENT, RUN_MATERIAL = range(4)
@@ -133,7 +133,7 @@ RUN_FIRST, RUN_LAST, RUN_SEGMENT, RUN_MATERIAL = range(4)
 # -- control vector (floats) --------------------------------------------------------------------------------------
 (TIME, DT, DT_OLD, DT_NATURAL, EVENT_TIME, RATE, WORK_LEFT, WORK_RIGHT, IMPULSE_LEFT, IMPULSE_RIGHT, RADIAL_IMPULSE, COURANT,
  GROWTH, DT_LARGEST, DT_SMALLEST, WORST_FAILURE, NEXT_GAUGE, GAUGE_INTERVAL, HEAT_FLUX, FORCE_WORK, FORCE_IMPULSE, SUPPLIED,
- END_LEFT) = range(23)
+ LAST_NODE, END_LEFT) = range(24)
 # what a transmitting end knows (`transmitting`), from END_LEFT and from END_RIGHT on: the stress outside and that at t = 0 (Pa), impedance
 # (kg/m2/s), transit times of its zone in the last step, zones of the end's material (at most REACH), lead and excess (Pa), a memory
 (OUTSIDE, AMBIENT, IMPEDANCE, PASSED, ZONES, LEAD, EXCESS, MEMORY) = range(8)

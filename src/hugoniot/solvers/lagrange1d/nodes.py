@@ -13,6 +13,7 @@ from hugoniot.mesh.line import area, hoops
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.field import field_at
 from hugoniot.solvers.lagrange1d.layout import H, Z
+from hugoniot.solvers.lagrange1d.ring import ring_pull
 from hugoniot.solvers.lagrange1d.transmitting import follow, settle
 
 AccelerateRows = namedtuple("AccelerateRows", "sigma hoop r u inverse_mass u_mean r_half")
@@ -190,8 +191,10 @@ def end_node(zones, nodes, control, ends, left, corrector, dt, boundary, geometr
         hoop = zones[Z.hoop_half, zone] if corrector else zones[Z.hoop, zone]
     sign, inverse = -1.0 if left else 1.0, nodes[H.inverse_mass, node]
     inner = sign * face * sigma - hoop + nodes[H.mass, node] * field_at(nodes[H.r_half, node] if corrector else r, field)
-    if code == L.FIXED or code == L.VELOCITY:
+    if code == L.FIXED or code == L.VELOCITY or code == L.PERIODIC:
         new = 0.0 if code == L.FIXED else pulse_value(time + dt, pulse, table)
+        if code == L.PERIODIC:
+            new = u + dt * ring_pull(zones, nodes, control, corrector, boundary)
         outer = (new - u) / (dt * inverse) - inner
     else:
         end, impedance = L.END_LEFT if left else L.END_RIGHT, 0.0
@@ -225,8 +228,10 @@ def leap_end(zones, nodes, control, ends, left, dts, boundary, geometry):
     per_stress, pull = end_pull(zones, nodes, ends, geometry)
     pull += field_at(nodes[H.r, node], field)
     face, mass = area(nodes[H.r, node], geometry), nodes[H.mass, node]
-    if code == L.FIXED or code == L.VELOCITY:
+    if code == L.FIXED or code == L.VELOCITY or code == L.PERIODIC:
         new = 0.0 if code == L.FIXED else pulse_value(time + 0.5 * dt, pulse, table)
+        if code == L.PERIODIC:
+            new = u + dt_mean * ring_pull(zones, nodes, control, False, boundary)
         outer = mass * ((new - u) / dt_mean - sign * zones[Z.sigma, zone] * per_stress - pull)
     else:
         end, impedance = L.END_LEFT if left else L.END_RIGHT, 0.0

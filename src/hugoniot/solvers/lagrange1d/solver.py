@@ -16,11 +16,10 @@ from hugoniot.problem.defaults import with_defaults
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.lagrange1d import accounts, reactive, start, transmitting
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_pulse, laws_of_regions, viscosity_of
+from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_end, laws_of_regions, viscosity_of
 from hugoniot.solvers.lagrange1d.between_steps import events_of
 from hugoniot.solvers.lagrange1d.bodies import alike_ranges, interface_table, left_nodes, run_table, set_node_masses, shares_of
 from hugoniot.solvers.lagrange1d.layout import B, H, WorkRows, Z
-from hugoniot.solvers.lagrange1d.nodes import End, OpenEnd
 from hugoniot.solvers.lagrange1d.plan import EMPTY, Planner, serve
 from hugoniot.solvers.lagrange1d.post_mortem import unphysical
 from hugoniot.solvers.lagrange1d.probes import probe_tables
@@ -65,8 +64,7 @@ class Lagrange1D(NothingToAdd):
         self.zone_fields = ZONE_FIELDS | ({"compaction": Z.compaction} if remembering else {})
         set_node_masses(self.zones, self.nodes, self.segments)
         ends = problem.left, problem.right
-        kind = OpenEnd if any(end.kind == "transmitting" for end in ends) else End
-        self.boundaries = tuple(kind(*boundary_pulse(end), self.terms.force.field) for end in ends)
+        self.boundaries = tuple(boundary_end(problem, end, self.terms.force.field) for end in ends)
         self.control = np.zeros(L.CONTROL_FLOATS)
         self.counters = np.zeros(L.CONTROL_INTS, dtype=np.int64)
         self.voids_opened = self.voids_closed = self.interfaces_separated = 0
@@ -109,6 +107,7 @@ class Lagrange1D(NothingToAdd):
         self.left_nodes = left_nodes(self.segments)
         self.interfaces = interface_table(self.segments, self.nodes)
         self.gauges, self.weights = probe_tables(self)
+        self.control[L.LAST_NODE] = self.nodes.shape[1] - 1
         transmitting.reach(self.control, self.segments, self.region_ranges)
         self.segment_of = np.repeat(np.arange(len(self.segments)), self.segments[:, 1] - self.segments[:, 0])
 

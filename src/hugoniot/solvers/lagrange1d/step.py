@@ -28,6 +28,7 @@ from hugoniot.solvers.lagrange1d.conduction import conduct
 from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.nodes import end_node, end_pull, leap_end
 from hugoniot.solvers.lagrange1d.plan import ACCELERATE, ADVANCE, CORRECT, DT, DT_HALF, DT_MEAN, FLOW, LEAP, MOVE, PREDICT, everyone, gather
+from hugoniot.solvers.lagrange1d.ring import mix_seam, ring_ghosts, seam_flux
 from hugoniot.solvers.lagrange1d.sources import book_force, book_supply, heated_step, measure_force
 from hugoniot.solvers.lagrange1d.terms import NoTerms
 from hugoniot.solvers.lagrange1d.transmitting import ghosts
@@ -144,13 +145,16 @@ def step_compatible(a, plan, scheme, geometry, boundaries, team):
         corrector = stage == 1
         if corrector:
             ghosts(a.gradient, a.control, segments)
+            ring_ghosts(a.gradient, segments)
             everyone(plan, PREDICT, team)
         everyone(plan, MOVE if corrector else ACCELERATE, team)
         for end in range(2 * segments.shape[0]):
             ends, left = end_of(segments, end)
             end_node(a.zones, a.nodes, a.control, ends, left, corrector, dt, boundaries[0 if left else 1], geometry)
     everyone(plan, CORRECT, team)
+    through = seam_flux(a.zones, a.nodes, a.control, dt, boundaries[0])
     everyone(plan, FLOW, team)
+    mix_seam(a.zones, through, boundaries[0])
 
 
 def step_wilkins(a, plan, scheme, geometry, boundaries, team):

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from hugoniot.campaign.arithmetic import Expression, Number, Trouble
+from hugoniot.problem.arithmetic import Expression, Number, Trouble
 
 KNOWN = {"region.flyer.to": Number(0.002, (1, 0, 0, 0, 0)), "region.back plate.to": Number(0.007, (1, 0, 0, 0, 0)),
          "speed": Number(700.0, (1, 0, -1, 0, 0)), "ratio": Number(1.5)}

@@ -1,4 +1,4 @@
-r"""Arithmetic between the keys of a deck: `region.flyer.to + 2 * 1.5 mm`, read with units and worked out without running any code.
+r"""Arithmetic in decks, between their keys, `region.flyer.to + 2 * 1.5 mm`, or of a position: with units, and without running any code.
 
 An expression has numbers, quantities (a number and a unit), keys of the deck, the names of what is varied, + - * / and **, brackets, and
 the functions of `FUNCTIONS`. Python's own parser makes a tree of it; only the nodes named here are worked out, each by this module. Units
@@ -127,7 +127,7 @@ class Expression:
         raise Trouble(f"'{printable(self.text, 60)}' has something that no expression here may have", EXAMPLE)
 
 
-EXAMPLE = "write it like region.flyer.to + 2 * thickness, with + - * / ** and sqrt, exp, log, abs, round, min, max"
+EXAMPLE = "write it like region.flyer.to + 2 * thickness, with + - * / ** and sqrt, exp, log, sin, cos, tanh, abs, round, min, max"
 
 
 def _combined(op: ast.operator, a: Number, b: Number) -> Number:
@@ -196,6 +196,8 @@ FUNCTIONS: dict[str, Callable[[list[Number]], Number]] = {
     "abs": lambda given: Number(abs(given[0].value), given[0].powers),
     "exp": lambda given: Number(math.exp(_plain("exp", given[0]))),
     "log": lambda given: Number(math.log(_plain("log", given[0])) if _plain("log", given[0]) > 0.0 else math.nan),
+    "sin": lambda given: Number(math.sin(_plain("sin", given[0]))), "cos": lambda given: Number(math.cos(_plain("cos", given[0]))),
+    "tanh": lambda given: Number(math.tanh(_plain("tanh", given[0]))),
     "min": _extreme(min), "max": _extreme(max), "round": lambda given: Number(float(round(_plain("round", given[0])))),
 }
 

@@ -1,0 +1,74 @@
+"""hugoniot eos lines, gurney: Rayleigh and Fanno lines of a shock; metal driven by the explosives of the library."""
+
+from typing import Annotated
+
+import numpy as np
+import typer
+
+from hugoniot.cli.eos.input import find_inert, one_state
+from hugoniot.cli.eos.options import CSV, MATERIAL, PLOT
+from hugoniot.cli.eos.output import deliver, echo_columns, echo_notes, notes
+from hugoniot.cli.show import JSON, echo_json, echo_table, quantity
+from hugoniot.errors import DeckError
+
+SHAPES = ("open", "symmetric", "cylinder", "sphere")
+
+
+def lines(
+    material: MATERIAL, at: Annotated[str, typer.Option("--at", help='The shock, "particle_velocity = 858 m/s".')],
+    points: Annotated[int, typer.Option("--points", min=3, max=10000, help="States along each line.")] = 41,
+    as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
+) -> None:
+    """The Rayleigh line (mass, momentum), the Fanno line (mass, energy) and the Hugoniot of a shock: they meet in its two states.
+
+    Example: hugoniot eos lines copper --at "particle_velocity = 1 km/s" --plot lines.png
+    """
+    from hugoniot.theory.shock_lines import shock_lines
+
+    subject = find_inert(material)
+    found = shock_lines(subject.material, points=points, **one_state(at))
+    if plot:
+        from hugoniot.plotting.eos import save
+        from hugoniot.plotting.waves import shock_lines_picture
+
+        save(shock_lines_picture(subject.material.name, found), plot)
+    told = notes(subject, float(found.behind.particle_velocity))
+    if not deliver([(subject.material.name, found.table())], as_json=as_json, as_csv=as_csv, told=[told]):
+        return
+    typer.echo(f"{subject.title or subject.material.name}: shock of {float(found.behind.shock_velocity):.6g} m/s to "
+               f"{float(found.behind.density):.6g} kg/m3, {float(found.behind.pressure) * 1e-9:.6g} GPa")
+    echo_columns(found.table())
+    echo_notes(told)
+
+
+def gurney(
+    explosives: Annotated[list[str] | None, typer.Argument(metavar="[EXPLOSIVE]...", help="Default: all that are known.")] = None,
+    ratio: Annotated[str, typer.Option("--ratio", help="Mass of metal over mass of explosive, with commas.")] = "1",
+    velocity: Annotated[str | None, typer.Option("--velocity", help='Gurney velocity sqrt(2E) of your own, "2.7 km/s".')] = None,
+    as_json: JSON = False,
+) -> None:
+    """Gurney's velocity of metal: open and symmetric sandwich, cylinder, sphere.
+
+    Example: hugoniot eos gurney comp_b tnt --ratio "0.5, 1, 2"
+    """
+    from hugoniot.dossier.gurney import gurney_velocities
+    from hugoniot.theory.exact.plate_push import gurney as metal_velocity
+
+    ratios = [quantity(part.strip(), "1", "--ratio") for part in ratio.split(",")]
+    if velocity is not None:
+        if explosives:
+            raise DeckError.single("command line", None, "--velocity", "stands beside named explosives", "give one or the other")
+        known = [("given", quantity(velocity, "m/s", "--velocity"), "command line")]
+    else:
+        known = gurney_velocities(explosives or [])
+    rows = [{"explosive": name, "gurney_velocity": speed, "source": source, "mass_ratio": m,
+             **{shape: metal_velocity(shape, m, speed) for shape in SHAPES}} for name, speed, source in known for m in ratios]
+    if as_json:
+        echo_json(rows)
+        return
+    echo_table(["explosive", "sqrt(2E), m/s", "M/C", *(f"{shape}, m/s" for shape in SHAPES)],
+               [(r["explosive"], f"{r['gurney_velocity']:.0f}", f"{r['mass_ratio']:g}", *(f"{r[shape]:.1f}" for shape in SHAPES))
+                for r in rows])
+    echo_notes(sorted({f"Gurney velocities: {r['source']}" for r in rows} | {"the velocities of metal are good to about 10 %"}))
+    if np.max(ratios) > 10.0 or np.min(ratios) < 0.1:
+        echo_notes(["Gurney's profile of velocity is tried for M/C between 0.1 and 10"])

@@ -1,0 +1,96 @@
+r"""A law whose Hugoniot starts from a stated upstream state: ambient pressure and energy, or the state behind a first shock.
+
+$$p(\rho, e) = p_a + p_{\text{base}}(\rho, e'), \qquad e' = e - e_a - p_a\,(v_a - v), \qquad v_a = 1/\rho_0$$
+
+with the base at rest at $\rho_0$, $e' = 0$, p = 0. Shocks from the upstream state have the base's shock and particle velocities: the jump
+$e - e_a = \tfrac12(p + p_a)(v_a - v)$ is $e' = \tfrac12(p - p_a)(v_a - v)$. Isentropes, temperature and sound speed are the base's at e'.
+For a linear base,
+
+$$p_H = p_a + \frac{c_a^2\,(v_a - v)}{[v_a - s_a(v_a - v)]^2}, \qquad
+  \Delta p_H(v; p_u, v_u) = \frac{f_H(v; v_a)\,p_H - [1 - f_H(v; v_a)]\,p_a + [1 - f_H(v; v_u)]\,p_u + \rho_\Gamma(e_u - e_a)}{f_H(v; v_u)}
+  - p_u, \qquad f_H(v; v_a) = 1 - \tfrac12\rho_\Gamma(v_a - v) .$$
+
+The source would take the Hugoniot of the most recent upstream state as reference for material that is shocked again, and adds that such
+data are seldom measured; where they are, this law has their state as (rho0, pressure, energy) and their line as base.
+
+Source: 003 (Starkenberg) A-11.1, A-11.2 and A-11.5.
+"""
+
+from typing import Any, NamedTuple
+
+from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.contract import density_limits as base_density_limits
+from hugoniot.laws.eos.contract import energy as base_energy
+from hugoniot.laws.eos.contract import entropy as base_entropy
+from hugoniot.laws.eos.contract import particle_velocity_limit as base_velocity_limit
+from hugoniot.laws.eos.contract import pressure as base_pressure
+from hugoniot.laws.eos.contract import pressure_derivatives as base_derivatives
+from hugoniot.laws.eos.contract import reference_state as base_reference_state
+from hugoniot.laws.eos.contract import specific_heat as base_specific_heat
+from hugoniot.laws.eos.contract import temperature as base_temperature
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+
+
+class Ambient(NamedTuple):
+    base: Any
+    pressure: float
+    energy: float = 0.0
+
+
+def own_energy(rho, e, par):
+    """e', the base's energy, J/kg."""
+    rho0, e0 = base_reference_state(par.base)
+    return e0 + e - par.energy - par.pressure * (1.0 / rho0 - 1.0 / rho)
+
+
+def pressure(rho, e, par):
+    return par.pressure + base_pressure(rho, own_energy(rho, e, par), par.base)
+
+
+def pressure_derivatives(rho, e, par):
+    p_rho, p_e = base_derivatives(rho, own_energy(rho, e, par), par.base)
+    return p_rho - p_e * par.pressure / (rho * rho), p_e
+
+
+def energy(rho, p, par):
+    rho0, e0 = base_reference_state(par.base)
+    return base_energy(rho, p - par.pressure, par.base) - e0 + par.energy + par.pressure * (1.0 / rho0 - 1.0 / rho)
+
+
+def temperature(rho, e, par):
+    return base_temperature(rho, own_energy(rho, e, par), par.base)
+
+
+def specific_heat(rho, e, par):
+    return base_specific_heat(rho, own_energy(rho, e, par), par.base)
+
+
+def entropy(rho, e, par):
+    return base_entropy(rho, own_energy(rho, e, par), par.base)
+
+
+def reference_state(par):
+    return base_reference_state(par.base)[0], par.energy
+
+
+def density_limits(par):
+    return base_density_limits(par.base)
+
+
+def particle_velocity_limit(par):
+    return base_velocity_limit(par.base)
+
+
+EOS.add(
+    "ambient", Ambient,
+    functions=[pressure, pressure_derivatives, energy, temperature, specific_heat, entropy, reference_state, density_limits,
+               particle_velocity_limit],
+    example=Ambient(MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), 5e9, 2e5),
+    units={"base": "law", "pressure": "Pa", "energy": "J/kg"},
+    meaning={"base": "the law of the line, its density at rest that of the upstream state", "pressure": "p_a, of the upstream state",
+             "energy": "e_a, of the upstream state"},
+    defaults={"energy": 0.0},
+    box={"rho": (2400.0, 6500.0), "e": (2.5e6, 2e7)},
+    references=("Starkenberg, ARL-TR-2161, A-11",),
+    flags=("loaded",),     # at rest under pressure
+)

@@ -1,0 +1,155 @@
+"""Decks of pyKO (YAML) as decks of this package: layers of MGR, IDG and TIL with HYDRO, VM and SG strength, gaps, fracture, gravity.
+
+Format: pyKO v0.6 to v0.8, S. T. Stewart and others, github.com/ImpactsWiki/pyko, whose decks state the unit of every kind of quantity.
+Tables (SES) are refused with what to do instead.
+"""
+
+import re
+from typing import Any
+
+import yaml
+
+from hugoniot.errors import DeckError
+from hugoniot.materials.collect import printable
+from hugoniot.problem.ko_decks import GEOMETRIES, KoDeck, Layer, fracture_table
+from hugoniot.units import UnitError, parse
+
+LARGEST = 1_000_000      # characters
+_KINDS = {"time": "s", "length": "m", "velocity": "m/s", "density": "kg/m^3", "pressure": "Pa", "temperature": "K", "sp_energy": "J/kg",
+          "sp_heat_cap": "J/kg/K", "gravity": "m/s^2"}
+_LONG = re.compile(r"\b(giga|mega|kilo|centi|milli|micro|nano|)(pascal|bar|meter|metre|second|gram|joule|kelvin)s?\b")
+_PREFIX = {"giga": "G", "mega": "M", "kilo": "k", "centi": "c", "milli": "m", "micro": "u", "nano": "n", "": ""}
+_SYMBOL = {"pascal": "Pa", "bar": "bar", "meter": "m", "metre": "m", "second": "s", "gram": "g", "joule": "J", "kelvin": "K"}
+_CODE_PRESSURE = 1e11    # Pa: Mbar, in which the pressure coefficient of SG is given whatever the units of the deck
+
+
+def read_yaml(text: str, file: str) -> KoDeck:
+    """The deck in a text of YAML. Raises `DeckError`."""
+    if len(text) > LARGEST:
+        raise DeckError.single(file, None, "deck", f"more than {LARGEST} characters are too many for a deck")
+    try:
+        raw = yaml.safe_load(text)
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        words = printable(str(getattr(error, "problem", None) or "not readable"), 100)
+        raise DeckError.single(file, mark.line + 1 if mark else None, "deck", f"not YAML: {words}") from None
+    except (RecursionError, ValueError):
+        raise DeckError.single(file, None, "deck", "not YAML of a deck") from None
+    return _Reader(raw, file).deck()
+
+
+class _Reader:
+    def __init__(self, raw: Any, file: str):
+        self.file, self.raw = file, self.table(raw, "deck")
+        self.units = {name: _LONG.sub(lambda m: _PREFIX[m[1]] + _SYMBOL[m[2]], str(unit))
+                      for name, unit in self.table(raw.get("units"), "units").items()}
+
+    def deck(self) -> KoDeck:
+        keys = [key for key in self.raw if re.fullmatch(r"mat\w*", str(key))]
+        if not keys:
+            raise self.wrong("mat1", "no layer is given")
+        ends = self.table(self.raw.get("boundaries"), "boundaries")
+        left: list[str] = []
+        layers = tuple(self.layer(key, left) for key in keys)
+        geometry = self.raw.get("geometry", "PLA")
+        if geometry not in ("PLA", "CYL", "SPH"):
+            raise self.wrong("geometry", f"'{printable(str(geometry), 30)}' is not PLA, CYL or SPH")
+        if self.raw.get("pvoid"):
+            left.append("pvoid is left out: a void has no pressure")
+        return KoDeck(str(self.raw.get("name", "")), GEOMETRIES[geometry], self.number(self.raw, "tstop", "time"), layers,
+                      (self.end(ends, "ibc", "ip0"), self.end(ends, "obc", "op0")), self.number(self.raw, "dtoutput", "time", 0.0) or None,
+                      self.number(self.raw, "dtstart", "time", 0.0) or None, self.number(self.raw, "gravity", "gravity", 0.0), left)
+
+    def layer(self, key: str, left: list[str]) -> Layer:
+        here = self.table(self.raw[key], key)
+        mesh, start = self.table(here.get("mesh"), f"{key}.mesh"), self.table(here.get("init"), f"{key}.init")
+        eos = self.table(here.get("eos"), f"{key}.eos")
+        density = self.number(start, "rho0", "density", where=key)
+        tables: dict[str, Any] = {"eos": self.eos(eos, start, density, key)}
+        if (strength := self.strength(self.table(here.get("str"), f"{key}.str"), eos, density, key)) is not None:
+            tables["strength"] = strength
+        breaks = here.get("frac")
+        if breaks is not None and tables["eos"]["law"] != "ideal_gas":
+            table = self.table(breaks, f"{key}.frac")
+            least = self.number(table, "nrhomin", None, 0.8, where=key)
+            if (fracture := fracture_table(self.number(table, "pfrac", "pressure", where=key), least)) is not None:
+                tables["fracture"] = fracture
+        if "gravity" in here:
+            left.append(f"{key}: a start in equilibrium with gravity is left out; [region.profile] can give the pressure over position")
+        return Layer(str(eos.get("name", key)), self.number(mesh, "xstart", "length", where=key),
+                     self.number(mesh, "length", "length", where=key), round(self.number(mesh, "cells", None, where=key)),
+                     self.number(start, "up0", "velocity", 0.0, where=key), density, self.number(start, "e0", "sp_energy", 0.0, where=key),
+                     self.number(start, "p0", "pressure", 0.0, where=key), tables)
+
+    def eos(self, eos: dict, start: dict, density: float, key: str) -> dict[str, Any]:
+        kind = eos.get("type")
+        heat = self.number(eos, "cv", "sp_heat_cap", 0.0, where=key)
+        if kind == "IDG":
+            gas = {"law": "ideal_gas", "gamma": self.number(eos, "gamma", None, where=key), "rho0": density}
+            return gas | ({"specific_heat": heat} if heat > 0.0 else {})
+        if kind == "MGR":
+            if self.number(eos, "s2", None, 0.0, where=key):
+                raise self.wrong(f"{key}.eos.s2", "a quadratic term is not part of pyKO's MGR", "set it to 0")
+            table = {"law": "wilkins_cubic", "rho0": self.number(eos, "rhoref", "density", where=key),
+                     "c0": self.number(eos, "c0", "velocity", where=key), "s": self.number(eos, "s1", None, where=key),
+                     "gamma0": self.number(eos, "gamma0", None, where=key)}
+            warm = {"specific_heat": heat, "reference_temperature": self.number(start, "t0", "temperature", 298.15, where=key)}
+            return table | (warm if heat > 0.0 else {})
+        if kind == "TIL":
+            return {"law": "tillotson", "rho0": self.number(eos, "rhoref", "density", where=key)} | {
+                name: self.number(eos, theirs, unit, where=key) for name, theirs, unit in (
+                    ("a", "a", None), ("b", "b", None), ("bulk_a", "AA", "pressure"), ("bulk_b", "BB", "pressure"),
+                    ("alpha", "alpha", None), ("beta", "beta", None), ("e0", "E0", "sp_energy"), ("e_incipient", "EIV", "sp_energy"),
+                    ("e_complete", "ECV", "sp_energy"))}
+        hint = "give the table as [material.NAME.eos] law = \"table\"" if kind == "SES" else "known: IDG, MGR, TIL"
+        raise self.wrong(f"{key}.eos.type", f"'{printable(str(kind), 30)}' is not read here", hint)
+
+    def strength(self, table: dict, eos: dict, density: float, key: str) -> dict[str, Any] | None:
+        kind = table.get("type")
+        if kind == "HYDRO":
+            return None
+        if kind == "VM":
+            shear, flow = (self.number(table, name, "pressure", where=key) for name in ("gmod", "ys"))
+            return {"law": "perfectly_plastic", "shear_modulus": shear, "yield_stress": flow} if shear > 0.0 else None
+        if kind == "SG":
+            gamma = sum(self.number(eos, name, None, where=key) for name in (("gamma0",) if eos.get("type") == "MGR" else ("a", "b")))
+            return {"law": "steinberg_guinan", "rho0": density, "shear_modulus": self.number(table, "mu0", "pressure", where=key),
+                    "yield_stress": self.number(table, "Y0", "pressure", where=key),
+                    "hardening_coefficient": self.number(table, "beta", None, where=key),
+                    "hardening_exponent": self.number(table, "n", None, where=key),
+                    "largest_yield_stress": self.number(table, "Ymax", "pressure", where=key),
+                    "pressure_coefficient": self.number(table, "b", None, where=key) / _CODE_PRESSURE,
+                    "temperature_coefficient": self.number(table, "h", None, where=key),
+                    "melt_temperature": self.number(table, "Tm0", "temperature", where=key), "melt_gruneisen": gamma, "melt_a": gamma}
+        raise self.wrong(f"{key}.str.type", f"'{printable(str(kind), 30)}' is not read here", "known: HYDRO, VM, SG")
+
+    def end(self, ends: dict, kind: str, pressure: str) -> Any:
+        if ends.get(kind) == "FIXED":
+            return "fixed"
+        if ends.get(kind) == "FREE":
+            outside = self.number(ends, pressure, "pressure", 0.0, where="boundaries")
+            return {"pressure": outside} if outside else "free"
+        raise self.wrong(f"boundaries.{kind}", f"'{printable(str(ends.get(kind)), 30)}' is not FREE or FIXED")
+
+    def number(self, table: dict, name: str, kind: str | None, default: float | None = None, where: str = "") -> float:
+        """A number of their deck in SI: a text such as 1E20 counts, as YAML reads it as one."""
+        path = f"{where}.{name}" if where else name
+        value = table.get(name, default)
+        if value is None:
+            raise self.wrong(path, "is not given")
+        try:
+            number = float(value) if not isinstance(value, bool) else float("nan")
+            unit = self.units.get(kind, _KINDS[kind]) if kind else "1"
+            return parse(f"{number!r} {unit}", _KINDS[kind]) if kind else parse(number, "1")
+        except UnitError as error:
+            raise self.wrong(path, error.message, error.hint) from None
+        except (TypeError, ValueError):
+            raise self.wrong(path, f"'{printable(str(value), 30)}' is no number") from None
+
+    def table(self, value: Any, name: str) -> dict:
+        if not isinstance(value, dict):
+            raise DeckError.single(self.file, None, name, "is not given" if value is None else "must be a table")
+        return value
+
+    def wrong(self, key: str, message: str, hint: str = "") -> DeckError:
+        return DeckError.single(self.file, None, key, message, hint)

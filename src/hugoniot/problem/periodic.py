@@ -1,0 +1,26 @@
+"""What periodic ends cannot have."""
+
+from hugoniot.problem.model import Problem
+
+
+def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
+    """(place in the deck, message, way out) of everything that does not go with periodic ends."""
+    kinds = {"left": problem.left.kind, "right": problem.right.kind}
+    if "periodic" not in kinds.values():
+        return []
+    found: list[tuple[tuple, str, str]] = []
+    for side, kind in kinds.items():
+        if kind != "periodic":
+            found.append((("boundary", side), "one end is periodic, the other is not", 'write "periodic" for both'))
+    if problem.dimension > 1:
+        found.append((("geometry",), f"periodic ends are planar, not {problem.geometry}", "radii do not repeat"))
+    for k, (one, two) in enumerate(zip(problem.regions, problem.regions[1:]), start=1):
+        if two.start > one.end:
+            found.append((("region", k, "from"), f"a gap before '{two.name}': between periodic ends there is one body", "close the gap"))
+    for region in problem.regions:
+        if problem.materials[region.material].burn is not None:
+            found.append((("boundary",), f"'{region.name}' burns: a front that leaves at one end would enter at the other",
+                          'take "free", "fixed" or "transmitting"'))
+    if any("conduction" in table for table in problem.transport.values()):
+        found.append((("transport",), "heat conduction does not pass periodic ends", "leave conduction out, or take other ends"))
+    return found

@@ -1,0 +1,175 @@
+"""An initial state that varies along a region, [region.profile]: expressions in the position x, arrays, or a file of columns.
+
+    [region.profile]
+    velocity = "10 m/s * sin(2 * pi * x / 5 mm)"
+    pressure = "1 GPa + 0.1 GPa * cos(2 * pi * x / 5 mm)"
+
+or `positions` with an array for each field, or `file = "start.csv"` beside the deck, whose first line reads like
+`position [mm], velocity [m/s], density [g/cm^3]`; between its lines values are linear. Velocities are taken at the nodes, the state (any
+two of density, pressure, temperature and energy) in the middle of every zone.
+"""
+
+import csv
+import math
+from typing import Annotated, Any
+
+import numpy as np
+from pydantic import Field, WithJsonSchema
+
+from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.files import read_regular
+from hugoniot.materials.collect import Collector, nearest, printable
+from hugoniot.problem.arithmetic import Expression, Number, Trouble
+from hugoniot.problem.model import Profile
+from hugoniot.problem.schema import Table
+from hugoniot.units import UnitError, parse, powers_of
+
+UNITS = {"velocity": "m/s", "density": "kg/m^3", "pressure": "Pa", "temperature": "K", "energy": "J/kg"}
+LONGEST = 1_000_000      # values of a table
+_ENTRY = WithJsonSchema({"anyOf": [{"type": "number"}, {"type": "string"}, {"type": "array", "items": {"type": ["number", "string"]}}]})
+
+
+class ProfileTable(Table):
+    """A state that varies along a region: expressions in x, or arrays over positions, or a file of columns."""
+
+    file: str | None = Field(None, max_length=1000, description="columns such as position [mm], velocity [m/s]; beside the deck")
+    positions: list[Any] | None = Field(None, max_length=LONGEST, description="increasing positions of the arrays")
+    velocity: Annotated[Any, _ENTRY] = Field(None, description="expression in x, or an array over positions")
+    density: Annotated[Any, _ENTRY] = Field(None, description="the same of the density")
+    pressure: Annotated[Any, _ENTRY] = Field(None, description="the same of the pressure")
+    temperature: Annotated[Any, _ENTRY] = Field(None, description="the same of the temperature")
+    energy: Annotated[Any, _ENTRY] = Field(None, description="the same of the specific internal energy")
+
+
+def values_at(profile: Profile, field: str, places: np.ndarray) -> np.ndarray:
+    """SI values of one field at positions (m). Raises `Trouble` for an expression without a value there."""
+    given = dict(profile.fields)[field]
+    if not isinstance(given, str):
+        return np.interp(places, profile.positions, given)
+    expression, wanted = Expression(given), powers_of(f"1 {UNITS[field]}")[1]
+    found = np.empty(len(places))
+    for k, x in enumerate(places):
+        number = expression.value(lambda name, x=float(x): _named(name, x))
+        if number.powers is not None and tuple(number.powers) != tuple(wanted):
+            raise Trouble(f"the profile of {field} has the unit {number.unit()}", f"wanted is {UNITS[field]}")
+        found[k] = number.value
+    return found
+
+
+def _named(name: str, x: float) -> Number:
+    if name == "x":
+        return Number(x, (1, 0, 0, 0, 0))
+    if name == "pi":
+        return Number(math.pi)
+    raise Trouble(f"unknown name '{printable(name, 40)}'", "a profile knows x, the position, and pi")
+
+
+def read_profile(table: ProfileTable | None, start: float, end: float, collector: Collector, path: tuple) -> Profile | None:
+    """The profile of a region from start to end (m), after reporting what is wrong with it; None where nothing is left of it."""
+    if table is None:
+        return None
+    given = {name: value for name in UNITS if (value := getattr(table, name)) is not None}
+    before = len(collector.problems)
+    if table.file is not None:
+        if given or table.positions is not None:
+            collector.add((*path, "file"), "stands beside other keys", "give the file, or positions and arrays, or expressions")
+        profile = _of_file(table.file, collector, (*path, "file")) if len(collector.problems) == before else None
+    elif not given:
+        collector.add(path, "says nothing", "give velocity, density, pressure, temperature or energy")
+        return None
+    elif table.positions is not None:
+        places = _numbers(table.positions, "m", collector, (*path, "positions"))
+        fields = tuple((name, tuple(_numbers(value, UNITS[name], collector, (*path, name)))) for name, value in given.items())
+        profile = Profile(tuple(places), fields)
+    else:
+        profile = Profile((), tuple((name, _expression(value, collector, (*path, name))) for name, value in given.items()))
+    if profile is None or len(collector.problems) > before:
+        return None
+    if profile.positions:
+        _check_table(profile, start, end, collector, path)
+    elif (wrong := _first_trouble(profile, start, end)) is not None:
+        collector.add((*path, wrong[0]), wrong[1].message, wrong[1].hint)
+    return profile if len(collector.problems) == before else None
+
+
+def _expression(value: Any, collector: Collector, path: tuple) -> str:
+    text = str(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else value
+    try:
+        if not isinstance(text, str):
+            raise Trouble("expected an expression in x", 'such as "10 m/s * sin(2 * pi * x / 5 mm)"; arrays need positions')
+        Expression(text)
+    except Trouble as error:
+        collector.add(path, error.message, error.hint)
+        return ""
+    return text
+
+
+def _first_trouble(profile: Profile, start: float, end: float) -> tuple[str, Trouble] | None:
+    for name, _ in profile.fields:
+        try:
+            values_at(profile, name, np.linspace(start, end, 9))
+        except Trouble as error:
+            return name, error
+    return None
+
+
+def _numbers(values: Any, unit: str, collector: Collector, path: tuple) -> list[float]:
+    if not isinstance(values, list):
+        collector.add(path, "expected an array", "positions and the arrays over them belong together")
+        return []
+    try:
+        return [parse(value, unit) for value in values]
+    except UnitError as error:
+        collector.add(path, error.message, error.hint)
+        return []
+
+
+def _check_table(profile: Profile, start: float, end: float, collector: Collector, path: tuple) -> None:
+    places = profile.positions
+    for name, values in profile.fields:
+        if len(values) != len(places):
+            collector.add((*path, name), f"{len(values)} values over {len(places)} positions", "each position needs one")
+    if len(places) < 2 or any(not b > a for a, b in zip(places, places[1:])):
+        collector.add((*path, "positions"), "positions must increase, two at least")
+    elif places[0] > start + 1e-9 * (end - start) or places[-1] < end - 1e-9 * (end - start):
+        collector.add((*path, "positions"), f"reach from {places[0]:g} to {places[-1]:g} m, the region from {start:g} to {end:g} m",
+                      "a profile covers its region")
+
+
+def _of_file(name: str, collector: Collector, path: tuple) -> Profile | None:
+    """The columns of a file beside the deck."""
+    try:
+        text = read_regular(collector.folder / name).decode("utf-8-sig", errors="replace")
+    except (OSError, FileTrouble, DeckError) as error:
+        collector.add(path, f"cannot read '{printable(name)}': {printable(str(error), 120)}")
+        return None
+    rows = [row for row in csv.reader(text.splitlines()) if row and not row[0].lstrip().startswith("#")]
+    if len(rows) < 3:
+        collector.add(path, "needs a line of headings and two lines of values", "such as: position [mm], velocity [m/s]")
+        return None
+    columns: dict[str, tuple[float, ...]] = {}
+    for k, head in enumerate(rows[0]):
+        field, _, unit = (part.strip() for part in head.strip().rstrip("])").replace("(", "[").partition("["))
+        if field not in ("position", *UNITS):
+            collector.add(path, f"unknown column '{printable(field)}'", nearest(field, ("position", *UNITS)))
+            return None
+        try:
+            values = [float(row[k]) for row in rows[1:]]
+            columns[field] = tuple(parse(f"{value!r} {unit}" if unit else value, UNITS.get(field, "m")) for value in values)
+        except UnitError as error:
+            collector.add(path, f"column '{field}': {error.message}", error.hint)
+            return None
+        except (ValueError, IndexError):
+            collector.add(path, f"column '{field}' holds something that is no number")
+            return None
+    places = columns.pop("position", None)
+    if places is None or not columns:
+        collector.add(path, "needs a column position and another", "such as: position [mm], velocity [m/s]")
+        return None
+    return Profile(places, tuple(columns.items()))
+
+
+def profile_value(profile: Profile) -> dict[str, Any]:
+    """What a resolved deck writes."""
+    places = {"positions": list(profile.positions)} if profile.positions else {}
+    return places | {name: value if isinstance(value, str) else list(value) for name, value in profile.fields}

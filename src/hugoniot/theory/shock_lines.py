@@ -1,0 +1,88 @@
+r"""Rayleigh and Fanno lines of a shock, in any law: the states that two of the three balances allow.
+
+In the frame of the shock, mass flux $m = \rho_0U_s$,
+
+$$\text{Rayleigh (mass, momentum):}\quad p = p_0 + m^2(v_0 - v), \qquad
+  \text{Fanno (mass, energy):}\quad e + p(\rho, e)\,v + \tfrac12m^2v^2 = e_0 + p_0v_0 + \tfrac12m^2v_0^2 .$$
+
+They meet where all three balances hold, in the states ahead of and behind the shock, which are therefore on the Hugoniot too. In
+between, the states of a shock resolved by viscosity alone lie on the Rayleigh line with its viscous stress, those of one resolved by
+conduction alone on it without; on neither is the entropy highest at the end: along Fanno's it is where the flow is sonic.
+
+Source: 004 (Jordan) figures 7.1.1 and following.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from scipy.optimize import brentq
+
+from hugoniot.errors import NoSolution
+from hugoniot.laws.eos import contract
+from hugoniot.theory.hugoniot import Initial, shock
+from hugoniot.theory.states import States, law_of
+
+WIDEST = 1e12     # J/kg: how far the energy of a Fanno state is searched
+
+
+@dataclass(frozen=True)
+class ShockLines:
+    """Both lines over density, from the state ahead to a tenth of the compression beyond the shock; SI. `behind` is the shocked state."""
+
+    initial: Initial
+    behind: States
+    density: np.ndarray
+    rayleigh_pressure: np.ndarray
+    fanno_pressure: np.ndarray
+    hugoniot_pressure: np.ndarray
+    rayleigh_energy: np.ndarray
+    fanno_energy: np.ndarray
+
+    def table(self) -> dict[str, Any]:
+        """Columns by name, SI."""
+        return {"density": self.density, "rayleigh_pressure": self.rayleigh_pressure, "fanno_pressure": self.fanno_pressure,
+                "hugoniot_pressure": self.hugoniot_pressure}
+
+
+def shock_lines(material, initial: Initial | None = None, points: int = 101, **strength) -> ShockLines:
+    """Lines of the shock with the given strength (as of `hugoniot.shock`). Raises NoSolution where a line has no state."""
+    par = law_of(material)
+    ahead = initial or Initial.at_rest(par)
+    behind = shock(par, ahead, **strength)
+    v0, v1 = 1.0 / ahead.density, 1.0 / float(behind.density)
+    flux = ahead.density * (float(behind.shock_velocity) - ahead.velocity)
+    v = np.linspace(v0, max(v1 - 0.1 * (v0 - v1), 1.02 / float(contract.density_limits(par)[1])), points)
+    v[np.argmin(np.abs(v - v1))] = v1
+    total = ahead.energy + ahead.pressure * v0 + 0.5 * (flux * v0) ** 2
+    energies = np.array([_fanno_energy(x, total - 0.5 * (flux * x) ** 2, par) for x in v])
+    line = ahead.pressure + flux**2 * (v0 - v)
+    on_line = np.array([_energy(x, p, par) for x, p in zip(v, line)])
+    hugoniot = np.array([ahead.pressure if x == v0 else _hugoniot_pressure(x, ahead, par) for x in v])
+    fanno = np.array([float(contract.pressure(1.0 / x, e, par)) for x, e in zip(v, energies)])
+    return ShockLines(ahead, behind, 1.0 / v, line, fanno, hugoniot, on_line, energies)
+
+
+def _fanno_energy(v: float, enthalpy: float, par) -> float:
+    """e with e + p(1/v, e) v = enthalpy, J/kg."""
+    return _root(lambda e: e + float(contract.pressure(1.0 / v, e, par)) * v - enthalpy, enthalpy, v)
+
+
+def _energy(v: float, p: float, par) -> float:
+    return _root(lambda e: float(contract.pressure(1.0 / v, e, par)) - p, p * v, v)
+
+
+def _hugoniot_pressure(v: float, ahead: Initial, par) -> float:
+    try:
+        return float(shock(par, ahead, density=1.0 / v).pressure)
+    except (NoSolution, ValueError):
+        return float("nan")
+
+
+def _root(function, near: float, v: float) -> float:
+    width = max(abs(near), 1e3)
+    while width < WIDEST:
+        if function(near - width) < 0.0 < function(near + width):
+            return float(brentq(function, near - width, near + width, xtol=1e-12 * width, rtol=8.9e-16))
+        width *= 2.0
+    raise NoSolution(f"no energy closes the balance at {1.0 / v:.6g} kg/m3")

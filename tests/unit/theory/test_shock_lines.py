@@ -1,0 +1,62 @@
+"""Rayleigh and Fanno lines meet in the two states of the shock, in solids and gases; Gurney's command answers as the equation."""
+
+import json
+
+import numpy as np
+import pytest
+
+from hugoniot.cli import main as front
+from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.theory.hugoniot import Initial
+from hugoniot.theory.shock_lines import shock_lines
+
+GAS = IdealGas(1.4, 717.5, 1.2)
+
+
+@pytest.mark.parametrize("material, ahead, strength", [
+    (MieGruneisen(8930.0, 3940.0, 1.489, 1.99, 385.0), None, {"particle_velocity": 1000.0}),
+    (GAS, Initial(1.2, 1e5, 1e5 / (0.4 * 1.2)), {"particle_velocity": 600.0}),
+])
+def test_the_lines_and_the_hugoniot_meet_in_both_states_and_nowhere_else(material, ahead, strength):
+    found = shock_lines(material, ahead, points=101, **strength)
+    end = int(np.argmin(np.abs(found.density - float(found.behind.density))))
+    scale = float(found.behind.pressure)
+    for k in (0, end):
+        assert found.fanno_pressure[k] == pytest.approx(found.rayleigh_pressure[k], abs=1e-9 * scale)
+        assert found.hugoniot_pressure[k] == pytest.approx(found.rayleigh_pressure[k], abs=1e-9 * scale)
+    inside = slice(1, end)
+    assert np.all(found.rayleigh_pressure[inside] > found.hugoniot_pressure[inside])
+    gap = (found.fanno_pressure - found.rayleigh_pressure)[inside]
+    assert np.all(gap > 0.0) or np.all(gap < 0.0)
+
+
+def test_fannos_entropy_is_largest_where_the_flow_is_sonic():
+    ahead = Initial(1.2, 1e5, 1e5 / (0.4 * 1.2))
+    found = shock_lines(GAS, ahead, points=2001, particle_velocity=600.0)
+    entropy = np.log(found.fanno_pressure * found.density**-1.4)
+    top = int(np.argmax(entropy))
+    flow = 1.2 * float(found.behind.shock_velocity) / found.density[top]
+    assert flow == pytest.approx(np.sqrt(1.4 * found.fanno_pressure[top] / found.density[top]), rel=2e-3)
+
+
+def answer(capsys, *words):
+    with pytest.raises(SystemExit) as done:
+        front.main(list(words))
+    return done.value.code, capsys.readouterr().out
+
+
+def test_gurney_answers_for_every_explosive_of_the_library(capsys):
+    code, out = answer(capsys, "eos", "gurney", "--json")
+    rows = json.loads(out)
+    assert not code and len(rows) >= 9 and all(2000.0 < r["gurney_velocity"] < 3200.0 and r["source"] for r in rows)
+    code, out = answer(capsys, "eos", "gurney", "--velocity", "2.7 km/s", "--json")
+    one = json.loads(out)[0]
+    assert [one[k] for k in ("open", "symmetric", "cylinder", "sphere")] == pytest.approx([1478.9, 2338.3, 2204.5, 2134.5], abs=0.1)
+    code, _ = answer(capsys, "eos", "gurney", "copper")
+    assert code == 2
+
+
+def test_the_lines_command(capsys, tmp_path):
+    code, out = answer(capsys, "eos", "lines", "copper", "--at", "particle_velocity = 1 km/s", "--plot", str(tmp_path / "l.png"))
+    assert not code and "fanno" in out and (tmp_path / "l.png").stat().st_size > 10_000
