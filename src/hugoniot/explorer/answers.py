@@ -4,8 +4,9 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from hugoniot.errors import OutOfRange
-from hugoniot.explorer import catalogue, curves, decks, impact, run_data, tables
+from hugoniot.explorer import catalogue, curves, decks, impact, tables
 from hugoniot.explorer.places import Places
+from hugoniot.page import run_data
 from hugoniot.version import __version__
 
 Query = Mapping[str, str]
@@ -13,7 +14,7 @@ Query = Mapping[str, str]
 
 def start(places: Places, query: Query) -> Any:
     """What is open."""
-    return {"version": __version__, "runs": run_data.listing(places), "sweeps": [{"name": s.name} for s in places.sweeps],
+    return {"version": __version__, "runs": [{"name": r.name, **run_data.line(r.path)} for r in places.runs], "sweeps": [{"name": s.name} for s in places.sweeps],
             "decks": [{"name": d.name} for d in places.decks], "materials": places.materials, "may_run": places.work is not None}
 
 

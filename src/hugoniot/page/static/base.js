@@ -21,8 +21,23 @@ H.clear = element => { element.replaceChildren(); return element; };
 H.say = text => { document.getElementById("said").textContent = text; };
 
 // -- the state of a view is the part of the address behind the # --------------------------------------------------------
+let unwritten = null, written = 0, writing = 0;      // browsers refuse an address that changes more than a few times a second
+const write = () => {
+  clearTimeout(writing);
+  if (unwritten !== null) history.replaceState(null, "", unwritten);
+  unwritten = null;
+  written = performance.now();
+};
+const writeSoon = address => {
+  unwritten = address;
+  clearTimeout(writing);
+  const rest = 320 - (performance.now() - written);
+  if (rest <= 0) write(); else writing = setTimeout(write, rest);
+};
+addEventListener("pagehide", write);
+addEventListener("hashchange", () => { unwritten = null; });      // what the reader typed goes before what was not written yet
 H.read = () => {
-  const [view, query] = location.hash.replace(/^#\/?/, "").split("?");
+  const [view, query] = (unwritten ?? location.hash).replace(/^#\/?/, "").split("?");
   return {view: H.views[view] ? view : "materials", query: new URLSearchParams(query || "")};
 };
 H.get = (key, otherwise = "") => H.read().query.get(key) ?? otherwise;
@@ -36,11 +51,11 @@ H.set = (changes, draw = true) => {
   for (const [key, value] of Object.entries(changes)) {
     if (value === null || value === "" || value === undefined) query.delete(key); else query.set(key, value);
   }
-  history.replaceState(null, "", H.address(view, query));
+  writeSoon(H.address(view, query));
   H.remember?.(view, query);
   if (draw) H.views[view].update();
 };
-H.go = (view, values = {}) => { location.hash = H.address(view, new URLSearchParams(Object.entries(values).filter(([, v]) => v !== ""))); };
+H.go = (view, values = {}) => { write(); location.hash = H.address(view, new URLSearchParams(Object.entries(values).filter(([, v]) => v !== ""))); };
 
 // -- questions ----------------------------------------------------------------------------------------------------------
 H.exported = () => window.hugoniotFiles !== undefined;

@@ -11,8 +11,7 @@ from typing import Any
 import numpy as np
 
 from hugoniot.errors import FileTrouble, HugoniotError, OutOfRange
-from hugoniot.explorer import live
-from hugoniot.explorer.places import Places
+from hugoniot.page import live
 from hugoniot.output.run import Run
 from hugoniot.output.run_numbers import results
 
@@ -36,12 +35,8 @@ def finished(path: Path) -> bool:
     return (path / "summary.json").is_file() and (path / "result.h5").is_file()
 
 
-def listing(places: Places) -> list[dict]:
-    """The open runs, a line each."""
-    return [{"name": place.name, **_line(place.path)} for place in places.runs]
-
-
-def _line(path: Path) -> dict:
+def line(path: Path) -> dict:
+    """Title and status of a run, in a list."""
     try:
         if not finished(path):
             return {"title": path.name, "status": live.status(path)}

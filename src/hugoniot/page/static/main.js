@@ -54,7 +54,7 @@
     preferred.addEventListener("change", () => { setTheme(); H.views[current].repaint?.(); });
     addEventListener("hashchange", show);
     addEventListener("keydown", event => {
-      if (event.altKey && /^[1-5]$/.test(event.key)) { location.hash = document.querySelectorAll("#views a")[event.key - 1].hash; event.preventDefault(); }
+      if (event.altKey && /^[1-5]$/.test(event.key)) { document.querySelectorAll("#views a")[event.key - 1]?.click(); event.preventDefault(); }
     });
     H.opened = H.askOnce("start");
     H.opened.then(opened => {
