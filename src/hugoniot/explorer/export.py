@@ -83,10 +83,13 @@ def _asked(places: Places) -> Iterator[tuple[str, dict]]:
     for name in dict.fromkeys(places.materials) if places.materials else listed:
         yield "material", {"name": name}
         yield "about", {"name": name}
+        if places.materials:
+            yield from (("surface", {"name": name}), ("surface", {"name": name, "at": ""}))
     for k in range(len(places.runs)):
         yield "run", {"run": k}
         yield from _of_run(places, k)
     yield from (("sweep", {"sweep": k}) for k in range(len(places.sweeps)))
+    yield from (("fit", {"fit": k}) for k in range(len(places.fits)))
     yield from (("deck", {"deck": k}) for k in range(len(places.decks)))
 
 

@@ -82,7 +82,7 @@ Object.assign(H.Chart.prototype, {
     if (!ends.length) return;
     const edge = f.width - f.right, last = new Map();       // the parts of one line have one name, where the last of them ends
     for (const e of ends) if (!last.has(e.label) || last.get(e.label).x < e.x) last.set(e.label, e);
-    const beside = [...last.values()].filter(e => f.named && e.x > edge - 60), within = [...last.values()].filter(e => !beside.includes(e));
+    const beside = [...last.values()].filter(e => f.named && !this.spec.bar && e.x > edge - 60), within = [...last.values()].filter(e => !beside.includes(e));
     apart(beside, 14);
     for (const e of beside) {
       const most = Math.floor((f.right - 12) / 6.4), label = e.label.length > most ? e.label.slice(0, most - 1) + "…" : e.label;

@@ -5,7 +5,7 @@ Object.assign(H.Chart.prototype, {
     const {spec, frame: f} = this;
     if (spec.readings) {
       if (px < f.left || px > f.width - f.right || py < f.top || py > f.height - f.bottom) return null;
-      return {...spec.readings(f.x.value(px), f.y.value(py)), px, py};
+      return {px, py, ...spec.readings(f.x.value(px), f.y.value(py))};      // what is read may have a place of its own
     }
     let best = null;
     spec.series.forEach((s, series) => {
@@ -98,8 +98,9 @@ Object.assign(H.Chart.prototype, {
   _step(name, step) {
     const f = this.frame, c = this.cursor;
     if (this.spec.readings) {
-      const px = (c?.px ?? (f.left + f.width - f.right) / 2) + (name === "ArrowRight" ? 2 * step : name === "ArrowLeft" ? -2 * step : 0);
-      const py = (c?.py ?? (f.top + f.height - f.bottom) / 2) + (name === "ArrowDown" ? 2 * step : name === "ArrowUp" ? -2 * step : 0);
+      const [across, along] = c?.step || [2, 2];
+      const px = (c?.px ?? (f.left + f.width - f.right) / 2) + (name === "ArrowRight" ? across * step : name === "ArrowLeft" ? -across * step : 0);
+      const py = (c?.py ?? (f.top + f.height - f.bottom) / 2) + (name === "ArrowDown" ? along * step : name === "ArrowUp" ? -along * step : 0);
       this.point(this.hit(Math.min(Math.max(px, f.left), f.width - f.right), Math.min(Math.max(py, f.top), f.height - f.bottom)));
       return;
     }

@@ -2,7 +2,7 @@
 // Which view is shown, light or dark, the command of a view, keys that work everywhere.
 (() => {
   let current = null, form = "shell", chosen = "";
-  const names = {materials: "Materials", match: "Impedance match", runs: "Runs", decks: "Deck", sweeps: "Sweeps"};
+  const names = {materials: "Materials", match: "Impedance match", runs: "Runs", decks: "Deck", sweeps: "Sweeps", fits: "Fits"};
   const preferred = matchMedia("(prefers-color-scheme: dark)");
 
   H.remember = (view, query) => { document.querySelector(`#views a[data-view=${view}]`).href = H.address(view, query); };      // a view is found as it was left
@@ -54,13 +54,15 @@
     preferred.addEventListener("change", () => { setTheme(); H.views[current].repaint?.(); });
     addEventListener("hashchange", show);
     addEventListener("keydown", event => {
-      if (event.altKey && /^[1-5]$/.test(event.key)) { document.querySelectorAll("#views a")[event.key - 1]?.click(); event.preventDefault(); }
+      if (event.altKey && /^[1-6]$/.test(event.key)) { document.querySelectorAll("#views a")[event.key - 1]?.click(); event.preventDefault(); }
     });
     H.opened = H.askOnce("start");
     H.opened.then(opened => {
+      H.files = opened.files || {};
       H.remember("materials", new URLSearchParams({sel: (opened.materials.length ? opened.materials : ["copper", "aluminum_6061", "iron", "pmma"]).join(",")}));
       if (!location.hash && opened.runs.length) location.hash = "#/runs?run=0";
       else if (!location.hash && opened.sweeps.length) location.hash = "#/sweeps?sweep=0";
+      else if (!location.hash && opened.fits.length) location.hash = "#/fits?fit=0";
       else if (!location.hash && opened.decks.length) location.hash = "#/decks?deck=0";
       else if (!location.hash) location.hash = document.querySelector("#views a").hash;
       else show();

@@ -123,7 +123,7 @@
   function command() {
     const names = layers(), v = velocity(), s = Number(H.get("sigma"));
     const extra = s > 0 ? ` --error "velocity = ${s} m/s"` : "";
-    H.command({shell: `hugoniot eos match ${names.map(H.shell).join(" ")} --velocity "${v} m/s"${extra} --plot match.png`,
+    H.command({shell: `hugoniot eos match ${names.map(H.subject).join(" ")} --velocity "${v} m/s"${extra} --plot match.png`,
       python: `from hugoniot.explorer.impact import impact\nprint(impact([${names.map(H.python).join(", ")}], ${v}.0, sigma=${s > 0 ? s : 0}, bands=${H.get("bands") ? "True" : "False"})["states"])`.replace(`${v}.0`, Number.isInteger(v) ? `${v}.0` : `${v}`)});
   }
 
