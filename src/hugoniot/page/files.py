@@ -6,7 +6,7 @@ from pathlib import Path
 STATIC = Path(__file__).parent / "static"
 STYLES = ("style.css",)
 SCRIPTS = ("base.js", "colours.js", "axis.js", "chart.js", "chart_drawing.js", "chart_pointer.js", "save.js", "material_list.js", "surface.js",
-           "material_planes.js", "material_about.js", "material_commands.js", "materials.js", "match.js",
+           "material_planes.js", "material_about.js", "material_commands.js", "materials.js", "match_curves.js", "match.js",
            "raster.js", "run_xt.js", "run_plane.js", "run_lines.js", "measured.js", "runs.js",
            "deck_words.js", "decks.js", "sweeps.js", "fits.js", "main.js")
 KINDS = {"css": "text/css; charset=utf-8", "js": "text/javascript; charset=utf-8", "html": "text/html; charset=utf-8",
