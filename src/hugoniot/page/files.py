@@ -8,7 +8,9 @@ STYLES = ("style.css",)
 SCRIPTS = ("base.js", "colours.js", "axis.js", "chart.js", "chart_drawing.js", "chart_pointer.js", "save.js", "material_list.js", "surface.js",
            "material_planes.js", "material_about.js", "material_commands.js", "materials.js", "match_curves.js", "match.js",
            "raster.js", "run_xt.js", "run_plane.js", "run_lines.js", "measured.js", "runs.js",
-           "deck_words.js", "decks.js", "sweeps.js", "fits.js", "main.js")
+           "deck_words.js", "decks.js", "sweeps.js", "fits.js", "report.js", "main.js")
+OF_A_RUN = ("base.js", "colours.js", "axis.js", "chart.js", "chart_drawing.js", "chart_pointer.js", "save.js", "raster.js", "run_xt.js", "run_plane.js",
+            "run_lines.js", "measured.js", "runs.js", "report.js", "main.js")
 KINDS = {"css": "text/css; charset=utf-8", "js": "text/javascript; charset=utf-8", "html": "text/html; charset=utf-8",
          "svg": "image/svg+xml"}
 
@@ -27,3 +29,23 @@ def index(exported: bool = False) -> bytes:
     scripts = (("data/data.js",) if exported else ()) + SCRIPTS
     return text.replace("<!-- policy -->", head).replace(
         "<!-- scripts -->", "\n".join(f'<script src="{name}" defer></script>' for name in scripts)).encode()
+
+
+@cache
+def report_script() -> str:
+    """The scripts of the views that a report has, as one; it holds nothing that ends a script."""
+    text = "\n".join(files()[name].decode() for name in OF_A_RUN)
+    if "</script" in text or "<!--" in text:
+        raise ValueError("a script of the page would end the script it stands in")
+    return text
+
+
+@cache
+def frame() -> str:
+    """What stands around the views, hidden until the scripts run: of index.html the parts in its body, without the picture it fetches."""
+    text = (STATIC / "index.html").read_text(encoding="utf-8")
+    body = text[text.index("<header>"):text.index("</body>")]
+    start, end = body.index('<main id="main"'), body.index("</main>") + len("</main>")
+    picture = body.index("<img "), body.index(">", body.index("<img ")) + 1
+    head = body[:picture[0]] + body[picture[1]:start]
+    return head.replace("<header>", "<header hidden>") + '<main id="main" tabindex="-1" hidden></main>' + body[end:].replace("<footer>", "<footer hidden>")

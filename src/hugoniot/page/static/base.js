@@ -38,7 +38,7 @@ addEventListener("pagehide", write);
 addEventListener("hashchange", () => { unwritten = null; });      // what the reader typed goes before what was not written yet
 H.read = () => {
   const [view, query] = (unwritten ?? location.hash).replace(/^#\/?/, "").split("?");
-  return {view: H.views[view] ? view : "materials", query: new URLSearchParams(query || "")};
+  return {view: H.views[view] ? view : H.views.report ? "report" : "materials", query: new URLSearchParams(query || "")};
 };
 H.get = (key, otherwise = "") => H.read().query.get(key) ?? otherwise;
 H.list = key => H.get(key).split(",").filter(Boolean);
@@ -65,9 +65,14 @@ const keyOf = (question, query) => question + Object.keys(query).sort().map(k =>
 class Refused extends Error {}
 H.Refused = Refused;
 
+const inlined = document.getElementById("answers");        // of a report, whose data stand in the page itself
+const inlineAnswers = inlined ? JSON.parse(inlined.textContent) : {};
+if (inlined) window.hugoniotFiles = Object.fromEntries(Object.keys(inlineAnswers).map(key => [key, true]));
+
 function fromExport(key) {
+  if (inlineAnswers[key] !== undefined) return Promise.resolve(inlineAnswers[key]);
   const file = window.hugoniotFiles[key];
-  if (!file) return Promise.reject(new Refused("This exported page does not hold that. Start it with: hugoniot explore"));
+  if (!file) return Promise.reject(new Refused(inlined ? "This report does not hold that; the run does: hugoniot explore RUN" : "This exported page does not hold that. Start it with: hugoniot explore"));
   return new Promise((done, failed) => {
     (waiting[key] ||= []).push(done);
     document.head.append(H.h("script", {src: file, onerror: () => failed(new Refused(`${file} is missing beside this page`))}));
@@ -91,9 +96,17 @@ async function fromServer(question, query, options) {
 }
 function unpacked(value) {
   if (value && value.error) throw new Refused(value.error);
+  if (value?.deflated) return inflated(value);
   if (!value || value.doubles === undefined) return value;
   const bytes = Uint8Array.from(atob(value.doubles), c => c.charCodeAt(0));
   return {shape: value.shape, data: new Float64Array(bytes.buffer)};
+}
+H.inflated = inflated;
+async function inflated({shape, deflated}) {       // doubles, sorted by the places of their bytes
+  const packed = Uint8Array.from(atob(deflated), c => c.charCodeAt(0)), stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
+  const places = new Uint8Array(await new Response(stream).arrayBuffer()), n = places.length / 8, bytes = new Uint8Array(places.length);
+  for (let k = 0; k < 8; k++) for (let i = 0; i < n; i++) bytes[8 * i + k] = places[k * n + i];
+  return {shape, data: new Float64Array(bytes.buffer)};
 }
 H.ask = (question, query = {}, options) => H.exported() ? fromExport(keyOf(question, query)).then(unpacked) : fromServer(question, query, options);
 H.askOnce = (question, query = {}) => {        // answers that do not change

@@ -43,14 +43,15 @@
       const run = fresh ? await H.ask("run", {run: chosen()}) : last.run;
       if (mine !== order) return;
       const stamp = run.live ? `live ${run.times.length}` : `done ${run.status} ${run.times.length} ${run.summary?.deck_sha256}`;
-      if (last.key !== `${chosen()} ${stamp}`) last = {key: `${chosen()} ${stamp}`, run: prepared(run), arrays: {}};
+      if (last.key !== `${chosen()} ${stamp}`) last = {key: `${chosen()} ${stamp}`, run: await prepared(run), arrays: {}};
       Object.assign(last, {number: chosen(), opened});
       await draw(last.run, mine);
       if (run.live && mine === order) timer = setTimeout(view.update, 1500);
     } catch (error) { H.failed(error); H.clear(readout).append(H.h("span", {class: "bad"}, error.message)); }
   };
-  function prepared(run) {
-    if (run.plane && run.zone_nodes) { run.corners = Int32Array.from(run.zone_nodes.flat()); run.blocks = Int32Array.from(run.block_of); }
+  async function prepared(run) {
+    const whole = async list => Int32Array.from(list.deflated ? (await H.inflated(list)).data : list.flat());
+    if (run.plane && run.zone_nodes) { run.corners = await whole(run.zone_nodes); run.blocks = await whole(run.block_of); }
     return run;
   }
   function drawList(opened) {
@@ -144,6 +145,11 @@
     return picked.filter(k => k < n).map(k => ({label: run.gauges[k] + suffix, colour: k, dash, time: time.data, values: Float64Array.from({length: time.data.length}, (_, i) => values.data[i * n + k])}));
   }
   async function zoneHistory(run, name, z) {
+    if (run.plane && H.exported()) {       // from the records that are there
+      const values = new Float64Array(run.times.length).fill(NaN);
+      for (const k of run.times.keys()) if (window.hugoniotFiles[`array&group=snapshots&name=${name}&record=${k}&run=${chosen()}`]) values[k] = (await array("snapshots", name, {record: k})).data[z];
+      return values;
+    }
     if (run.plane) return (await H.ask("array", {run: chosen(), group: "snapshots", name, zone: z})).data;
     const values = await array("snapshots", name), n = values.shape[1];
     return Array.from(run.times, (_, k) => values.data[k * n + z]);
