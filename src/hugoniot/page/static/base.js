@@ -108,13 +108,19 @@ async function inflated({shape, deflated}) {       // doubles, sorted by the pla
   for (let k = 0; k < 8; k++) for (let i = 0; i < n; i++) bytes[8 * i + k] = places[k * n + i];
   return {shape, data: new Float64Array(bytes.buffer)};
 }
-H.ask = (question, query = {}, options) => H.exported() ? fromExport(keyOf(question, query)).then(unpacked) : fromServer(question, query, options);
+let unanswered = 0;      // questions that wait for their answer: readers of the screen are told that the view is not whole yet
+const counted = asked => {
+  const main = document.getElementById("main"), change = by => { unanswered += by; if (unanswered) main.setAttribute("aria-busy", "true"); else main.removeAttribute("aria-busy"); };
+  change(1);
+  return asked.finally(() => setTimeout(() => change(-1)));
+};
+H.ask = (question, query = {}, options) => counted(H.exported() ? fromExport(keyOf(question, query)).then(unpacked) : fromServer(question, query, options));
 H.askOnce = (question, query = {}) => {        // answers that do not change
   const key = keyOf(question, query);
   answers[key] ||= H.ask(question, query).catch(error => { delete answers[key]; throw error; });
   return answers[key];
 };
-H.send = (question, body = "", query = {}) => fromServer(question, query, {method: "POST", body, headers: {"content-type": "text/plain"}});
+H.send = (question, body = "", query = {}) => counted(fromServer(question, query, {method: "POST", body, headers: {"content-type": "text/plain"}}));
 // only the last of many questions is of interest, and one at a time is asked
 H.latest = () => {
   let busy = false, next = null;

@@ -7,7 +7,7 @@
 
   view.open = main => {
     select = H.h("select", {"aria-label": "Fit", onchange: () => H.set({fit: select.value, x: "", y: ""})});
-    facts = H.h("div"); table = H.h("div"); host = H.h("div", {class: "column"});
+    facts = H.h("div", {class: "readout"}); table = H.h("div"); host = H.h("div", {class: "column"});
     const pick = (label, key) => H.h("select", {"aria-label": label, onchange: event => H.set({[key]: event.target.value})});
     xSelect = pick("Parameter across", "x"); ySelect = pick("Parameter up", "y");
     pairHost = H.h("div", {class: "fits"});
@@ -46,7 +46,7 @@
     H.clear(facts).append(H.numbers([["reduced χ²", H.digits(fit.reduced_chi_square, 4)], ["degrees of freedom", String(fit.degrees_of_freedom)], ["runs", String(fit.runs)], ["the model matches the data", fit.matches ? "yes" : "no"]]),
       ...fit.doubts.map(t => H.h("p", {class: "bad small"}, t)), ...fit.notes.map(t => H.h("p", {class: "small quiet"}, t)));
     const rows = fit.parameters.map(p => { const [unit, f] = shown(p), n = (v, d = 5) => known(v) ? H.digits(v * f, d) : "–"; return [p.name, unit, n(p.value, 6), n(p.sigma, 3), `${n(p.low)} to ${n(p.high)}`, known(p.profile_low) || known(p.profile_high) ? `${n(p.profile_low)} to ${n(p.profile_high)}` : "–"]; });
-    H.clear(table).append(H.h("div", {class: "scroll wide", tabindex: 0, role: "region", "aria-label": "Parameters"}, H.h("table", {"data-table": "parameters"}, H.h("thead", {}, H.h("tr", {}, ["parameter", "unit", "value", "standard deviation", "95 % interval", "95 % by profile"].map((t, k) => H.h("th", {class: k > 1 ? "number" : ""}, t)))),
+    H.clear(table).append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Parameters"}, H.h("table", {"data-table": "parameters"}, H.h("thead", {}, H.h("tr", {}, ["parameter", "unit", "value", "standard deviation", "95 % interval", "95 % by profile"].map((t, k) => H.h("th", {class: k > 1 ? "number" : ""}, t)))),
       H.h("tbody", {}, rows.map((r, j) => H.h("tr", {"data-parameter": fit.parameters[j].name}, r.map((t, k) => H.h("td", {class: k > 1 ? "number" : ""}, t))))))));
   }
   function drawTargets(targets) {
@@ -54,8 +54,8 @@
     charts = [];
     H.clear(host);
     const single = targets.filter(t => t.time.length === 1);
-    if (single.length) host.append(H.h("div", {class: "scroll wide", tabindex: 0, role: "region", "aria-label": "Numbers"}, H.h("table", {}, H.h("thead", {}, H.h("tr", {}, ["number", "measured", "± σ", "model", "residual / σ"].map((t, k) => H.h("th", {class: k ? "number" : ""}, t)))),
-      H.h("tbody", {}, single.map(t => H.h("tr", {}, H.h("td", {}, t.label), [t.data[0], t.sigma[0], t.model[0]].map(v => H.h("td", {class: "number"}, `${H.digits(known(v) ? v * t.factor : v)} ${t.shown}`)), H.h("td", {class: "number"}, H.digits(t.residual[0], 3))))))));
+    if (single.length) host.append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Numbers"}, H.h("table", {}, H.h("thead", {}, H.h("tr", {}, ["number", "measured", "± σ", "model", "residual / σ"].map((t, k) => H.h("th", {class: k ? "number" : ""}, t)))),
+      H.h("tbody", {}, single.map(t => { const [unit, f] = t.unit === "s" ? H.timeUnit(Math.abs(t.data[0])) : [t.shown, t.factor]; return H.h("tr", {}, H.h("td", {}, t.label), [t.data[0], t.sigma[0], t.model[0]].map(v => H.h("td", {class: "number"}, `${H.digits(known(v) ? v * f : v)} ${unit}`)), H.h("td", {class: "number"}, H.digits(t.residual[0], 3))); })))));
     for (const t of targets.filter(t => t.time.length > 1)) {
       const box = H.h("div"), above = H.h("div"), below = H.h("div"), [tUnit, ft] = H.timeUnit(t.time.at(-1) || 1e-6), top = t.data.reduce((m, v) => Math.max(m, Math.abs(v) || 0), 0), [unit, factor] = t.unit === "Pa" ? H.fits([top], "GPa", 1e-9) : [t.shown, t.factor];
       host.append(H.h("h3", {}, t.label), box);
@@ -64,7 +64,7 @@
       const data = new H.Chart(above, {label: `Data and model: ${t.label}`, height: 0.3, most: 320, least: 220, keep: true, onHover: hit => say(data, hit)}), rest = new H.Chart(below, {label: `Residuals: ${t.label}`, height: 0.16, most: 180, least: 150, keep: true, onHover: hit => say(rest, hit)});
       charts.push(data, rest);
       data.show({series: [{kind: "band", colour: "quiet", x, y: sides[0], y2: sides[1]}, {kind: "points", id: "data", colour: "ink", size: 1.8, x, y: y(t.data), hover: true}, {kind: "line", id: "model", label: "model", colour: 1, x, y: y(t.model), hover: true}], x: {label: H.labelled("time", tUnit)}, y: {label: H.labelled(t.words, unit)}});
-      rest.show({series: [{kind: "band", colour: "quiet", x: [x[0], x.at(-1)], y: [-2, -2], y2: [2, 2]}, {kind: "line", id: "residual", colour: 1, x, y: t.residual, hover: true, width: 1.1}], marks: [{kind: "hline", y: 0, colour: "quiet"}], x: {label: H.labelled("time", tUnit)}, y: {label: "residual (σ)"}});
+      rest.show({series: [{kind: "band", colour: "quiet", x: [x[0], x.at(-1)], y: [-2, -2], y2: [2, 2]}, {kind: "line", id: "residual", label: "model − data", colour: 1, x, y: t.residual, hover: true, width: 1.1}], marks: [{kind: "hline", y: 0, colour: "quiet"}], x: {label: H.labelled("time", tUnit)}, y: {label: "residual (σ)"}});
       host.append(H.h("p", {class: "small quiet", style: {margin: 0}}, "Dots: data. Band: two standard deviations of the data. Line: the model with the values found."));
     }
   }

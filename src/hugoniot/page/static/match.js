@@ -113,7 +113,7 @@
     const held = chart.held, grown = {x: {min: 0, max: Math.max(held.x.max, found.velocity * 1.02e-3)}, y: {min: 0, max: Math.max(held.y.max, top / 1.1)}};
     chart.show({series, marks, x: {label: "particle velocity (km/s)", ...(dragging ? grown.x : held.x)}, y: {label: "pressure (GPa)", ...(dragging ? grown.y : held.y)}, handles: [{id: "velocity", x: found.velocity * 1e-3, y: 0, colour: 0}]});
     const fields = ["pressure", "particle_velocity", "shock_velocity", "density", "temperature", "specific_internal_energy", "sound_speed"];
-    H.clear(table).append(H.h("div", {class: "scroll wide"}, H.h("table", {"data-table": "match"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "state on the right of"), found.states.map(s => H.h("th", {class: "number"}, s.interface)))),
+    H.clear(table).append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {"data-table": "match"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "state on the right of"), found.states.map(s => H.h("th", {class: "number"}, s.interface)))),
       H.h("tbody", {}, fields.filter(f => found.states.some(s => s[f] !== null && s[f] !== undefined)).map(f => {
         const [words, unit, factor] = H.units[f], [name, by] = H.fits(found.states.map(s => s[f]), unit, factor);
         return H.h("tr", {"data-field": f}, H.h("td", {}, H.labelled(words, name)), found.states.map(s => H.h("td", {class: "number"}, H.digits(s[f] === null || s[f] === undefined ? null : s[f] * by, found.digits || 6),

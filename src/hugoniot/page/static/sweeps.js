@@ -14,7 +14,7 @@
     xSelect = pick("Across", "x"); ySelect = pick("Up", "y"); cSelect = pick("Colour", "c");
     columnsBox = H.h("details", {class: "small"});
     const scatterHost = H.h("div");
-    table = H.h("div", {class: "scroll wide"});
+    table = H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"});
     readout = H.h("div", {class: "readout", "aria-live": "polite"});
     main.append(H.h("div", {class: "column"}, H.h("div", {class: "bar"}, select, count, H.h("span", {class: "push"}, H.h("button", {type: "button", onclick: () => H.set({brush: ""})}, "Clear the brushes"))), columnsBox, host,
       H.h("div", {class: "bar small"}, H.h("label", {}, "across", xSelect), H.h("label", {}, "up", ySelect), H.h("label", {}, "colour", cSelect), H.h("span", {class: "bar push"}, ...H.saveButtons(() => scatter, () => "sweep"))), scatterHost, readout, table));
