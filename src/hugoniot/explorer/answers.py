@@ -15,8 +15,10 @@ Query = Mapping[str, str]
 
 def start(places: Places, query: Query) -> Any:
     """What is open."""
-    return {"version": __version__, "runs": [{"name": r.name, **run_data.line(r.path)} for r in places.runs], "sweeps": [{"name": s.name} for s in places.sweeps], "fits": [{"name": f.name} for f in places.fits],
-            "files": {name: Path(entry.file).name for name, entry in subjects.own.items()}, "decks": [{"name": d.name} for d in places.decks], "materials": places.materials, "may_run": places.work is not None}
+    named = {key: [{"name": place.name} for place in getattr(places, key)] for key in ("sweeps", "fits", "decks")}
+    return {"version": __version__, "runs": [{"name": r.name, **run_data.line(r.path)} for r in places.runs], **named,
+            "materials": places.materials, "files": {name: Path(entry.file).name for name, entry in subjects.own.items()},
+            "may_run": places.work is not None}
 
 
 def materials(places: Places, query: Query) -> Any:

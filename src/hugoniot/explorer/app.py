@@ -10,14 +10,14 @@ from starlette.responses import JSONResponse, PlainTextResponse, Response
 from starlette.routing import Route
 
 from hugoniot.errors import HugoniotError
-from hugoniot.page import files
 from hugoniot.explorer.answers import QUESTIONS, integer
 from hugoniot.explorer.decks import check
 from hugoniot.explorer.guard import Guard, TooLarge
 from hugoniot.explorer.jobs import Jobs
 from hugoniot.explorer.places import Places, as_command
-from hugoniot.page.reply import encoded
 from hugoniot.explorer.tables import run_of_case
+from hugoniot.page import files
+from hugoniot.page.reply import encoded
 
 JSON = "application/json"
 

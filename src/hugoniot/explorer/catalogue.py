@@ -18,8 +18,8 @@ COLUMNS = ("bulk_sound_speed", "gruneisen", "hugoniot_elastic_limit", "cj_veloci
 
 def listing() -> dict[str, Any]:
     """`materials`: one dictionary each, SI, those of the user's files first; `rows`: every row that makes no material by itself."""
-    mine = [{"name": entry.name, "title": entry.title, "category": f"of {Path(entry.file).name}", "curated": False, "also": []} | _known(entry)
-            for entry in own.values()]
+    mine = [{"name": entry.name, "title": entry.title, "category": f"of {Path(entry.file).name}", "curated": False, "also": [],
+             **_known(entry)} for entry in own.values()]
     return _library() | {"materials": mine + _library()["materials"]}
 
 

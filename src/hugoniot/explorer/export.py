@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 
 from hugoniot.errors import FileTrouble, HugoniotError
-from hugoniot.page import files, run_data
 from hugoniot.explorer.answers import QUESTIONS
 from hugoniot.explorer.places import Places
-from hugoniot.page.reply import encoded
 from hugoniot.output.atomic import explained
+from hugoniot.page import files, run_data
+from hugoniot.page.reply import encoded
 
 MARK = "hugoniot-explorer.txt"
 MOST_RECORDS = 60       # of a two-dimensional run

@@ -5,12 +5,12 @@ from pathlib import Path
 
 STATIC = Path(__file__).parent / "static"
 STYLES = ("style.css",)
-SCRIPTS = ("base.js", "colours.js", "axis.js", "chart.js", "chart_drawing.js", "chart_pointer.js", "save.js", "material_list.js", "surface.js",
-           "material_planes.js", "material_about.js", "material_commands.js", "materials.js", "match_curves.js", "match.js",
-           "raster.js", "run_xt.js", "run_plane.js", "run_lines.js", "measured.js", "runs.js",
-           "deck_words.js", "decks.js", "sweeps.js", "fits.js", "report.js", "main.js")
-OF_A_RUN = ("base.js", "colours.js", "axis.js", "chart.js", "chart_drawing.js", "chart_pointer.js", "save.js", "raster.js", "run_xt.js", "run_plane.js",
-            "run_lines.js", "measured.js", "runs.js", "report.js", "main.js")
+_BASE = ("base.js", "colours.js", "axis.js", "chart.js", "chart_drawing.js", "chart_pointer.js", "save.js")
+_RUNS = ("raster.js", "run_xt.js", "run_plane.js", "run_lines.js", "measured.js", "runs.js")
+_MATERIALS = ("material_list.js", "surface.js", "material_planes.js", "material_about.js", "material_commands.js", "materials.js")
+SCRIPTS = (*_BASE, *_MATERIALS, "match_curves.js", "match.js", *_RUNS, "deck_words.js", "decks.js", "sweeps.js", "fits.js", "report.js",
+           "main.js")
+OF_A_RUN = (*_BASE, *_RUNS, "report.js", "main.js")
 KINDS = {"css": "text/css; charset=utf-8", "js": "text/javascript; charset=utf-8", "html": "text/html; charset=utf-8",
          "svg": "image/svg+xml"}
 
@@ -47,5 +47,6 @@ def frame() -> str:
     body = text[text.index("<header>"):text.index("</body>")]
     start, end = body.index('<main id="main"'), body.index("</main>") + len("</main>")
     picture = body.index("<img "), body.index(">", body.index("<img ")) + 1
-    head = body[:picture[0]] + body[picture[1]:start]
-    return head.replace("<header>", "<header hidden>") + '<main id="main" tabindex="-1" hidden></main>' + body[end:].replace("<footer>", "<footer hidden>")
+    head, foot = body[:picture[0]] + body[picture[1]:start], body[end:]
+    return "".join([head.replace("<header>", "<header hidden>"), '<main id="main" tabindex="-1" hidden></main>',
+                    foot.replace("<footer>", "<footer hidden>")])

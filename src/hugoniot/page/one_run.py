@@ -6,7 +6,6 @@ second ones), deflated: so a browser reads the digits of the run.
 
 import base64
 import hashlib
-import json
 import zlib
 from html import escape
 from pathlib import Path
@@ -34,11 +33,13 @@ def shell(folder: Path, name: str, body: str, style: str) -> str | None:
         return None
     script = files.report_script()
     allowed = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
-    policy = f"default-src 'none'; script-src 'sha256-{allowed}'; style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; form-action 'none'"
+    policy = (f"default-src 'none'; script-src 'sha256-{allowed}'; style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; "
+              "form-action 'none'")
+    dress = files.files()["style.css"].decode()
     return "".join([
-        '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
-        f'<meta http-equiv="Content-Security-Policy" content="{policy}"><title>{escape(name)}</title>'
-        f'<style id="of-report">{style}</style><style id="of-page" media="not all">{files.files()["style.css"].decode()}</style></head><body>',
+        '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">',
+        f'<meta http-equiv="Content-Security-Policy" content="{policy}"><title>{escape(name)}</title>',
+        f'<style id="of-report">{style}</style><style id="of-page" media="not all">{dress}</style></head><body>',
         files.frame(), f'<main id="report">{body}</main>',
         f'<script type="application/json" id="{KEY}">{json_text(known)}</script><script>{script}</script></body></html>\n'])
 

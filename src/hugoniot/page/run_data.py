@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from hugoniot.errors import FileTrouble, HugoniotError, OutOfRange
-from hugoniot.page import live
 from hugoniot.output.run import Run
 from hugoniot.output.run_numbers import results
+from hugoniot.page import live
 
 MOST_BYTES = 64_000_000     # of one column of all records; of a longer one every second, third, ... record is sent
 
@@ -54,10 +54,11 @@ def description(path: Path) -> dict[str, Any]:
     plane = "axes" in run.setup
     zones = len(rows["zone"]) if "zone" in rows else 0
     every = _every(rows.shapes)
+    names = live.zone_fields({name: len(rows.shapes[name]) for name in rows}, plane)
     found = {
         "title": run.summary["title"], "status": run.summary["status"], "live": False, "plane": plane, "summary": run.summary,
         "geometry": run.setup["geometry"], "zones": zones, "every": every, "times": rows["time"][::every], "regions": _regions(run),
-        "fields": live.fields(live.zone_fields({name: len(rows.shapes[name]) for name in rows}, plane)), "gauges": run.gauge_names(), "events": _events(run),
+        "fields": live.fields(names), "gauges": run.gauge_names(), "events": _events(run),
         "gauge_fields": live.fields([n for n in gauges if len(gauges.shapes[n]) == 2 and n != "position"]) if len(gauges) else [],
         "gauge_times": len(gauges["time"]) if "time" in gauges else 0, "numbers": _numbers(run),
     }

@@ -10,7 +10,7 @@ CHROMIUM = next((found for name in ("chromium", "chromium-browser", "google-chro
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update",
          "--disable-sync", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"]
 QUIET = "document.readyState === 'complete' && !document.querySelector('#main').hasAttribute('aria-busy')"
-DRAWN = "!document.querySelector('.chart') || [...document.querySelectorAll('.chart')].some(c => c.querySelectorAll('svg path, svg polygon').length > 1)"
+DRAWN = "!document.querySelector('.chart') || [...document.querySelectorAll('.chart')].some(c => c.querySelectorAll('svg path, svg polygon').length > 1 || c.querySelector('canvas')?.width > 10)"
 LOOPBACK = re.compile(r"http://127\.0\.0\.1:\d+/|file:|blob:|data:")
 
 

@@ -7,8 +7,8 @@ from explorer_words import LONG, TOKEN, TUBE
 
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.explorer import decks, jobs
-from hugoniot.page import live, run_data
 from hugoniot.explorer.places import Places, places_of
+from hugoniot.page import live, run_data
 from hugoniot.problem.catalogue import deck_text, problems
 from hugoniot.problem.deck import read_deck_text
 

@@ -9,8 +9,8 @@ import pytest
 
 import hugoniot
 from hugoniot.errors import FileTrouble
-from hugoniot.page import files
 from hugoniot.explorer.export import export, key_of
+from hugoniot.page import files
 
 
 def answers(folder):

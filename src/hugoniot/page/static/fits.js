@@ -20,7 +20,7 @@
     one = new H.Chart(right, {label: "Posterior of one parameter", height: 0.7, most: 460, keep: true, onHover: hit => say(one, hit)});
     shownKey = "";
   };
-  view.close = () => { for (const c of [...charts, pair, one]) c.stop(); charts = []; };
+  view.close = () => { order++; for (const c of [...charts, pair, one]) c.stop(); charts = []; };
   view.repaint = () => { for (const c of [...charts, pair, one]) c.draw(); };
   view.update = async () => {
     const mine = ++order;

@@ -38,7 +38,7 @@
     H.opened.then(opened => { runButton.hidden = !opened.may_run || H.exported(); }).catch(H.failed);
     H.askOnce("materials").then(all => options.append(...all.materials.filter(m => m.alone).map(m => H.h("option", {value: m.name}, m.title)))).catch(H.failed);
   };
-  view.close = () => chart.stop();
+  view.close = () => { order++; clearTimeout(settled); chart.stop(); };
   view.repaint = () => draw(shown);
   view.update = () => {
     fillRows();

@@ -37,7 +37,7 @@
       if (s.table?.particle_velocity && ["hugoniot", "beyond"].includes(s.id)) H.set({at: `particle_velocity:${s.table.particle_velocity[hit.index]}`});
     }, onZoom: zoom => H.set({zoom: zoom ? [...zoom.x, ...zoom.y].map(v => v.toPrecision(6)).join(",") : ""}, false)});
   };
-  view.close = () => { chart.stop(); };
+  view.close = () => { order++; chart.stop(); };
   view.repaint = () => view.update();
   const plane = () => H.planes[H.get("plane")] ? H.get("plane") : "us-up";
 

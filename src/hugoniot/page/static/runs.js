@@ -28,7 +28,7 @@
     lines = new H.RunLines(historyHost, profileHost, {onTime: hit => timeRead(hit), onPickTime: hit => setTime(hit.x / lines.ft), onPlace: hit => placeRead(hit)});
     map = null;
   };
-  view.close = () => { clearTimeout(timer); if (map) map.chart.stop(); map = null; lines.stop(); last = {}; };
+  view.close = () => { order++; clearTimeout(timer); if (map) map.chart.stop(); map = null; lines.stop(); last = {}; };
   view.repaint = () => { map?.chart.draw(); lines.histories.draw(); lines.profile.draw(); };
   const chosen = () => Number(H.get("run", "0")) || 0;
 

@@ -21,7 +21,7 @@
     scatter = new H.Chart(scatterHost, {label: "Cases", height: 0.42, most: 430, keep: true, onHover: hit => read(scatter.spec.series[hit.series].rows[hit.index]), onPick: hit => openRun(scatter.spec.series[hit.series].rows[hit.index])});
     new ResizeObserver(() => { if (data) drawParallel(); }).observe(host);
   };
-  view.close = () => { scatter.stop(); data = null; };
+  view.close = () => { order++; scatter.stop(); data = null; };
   view.repaint = () => view.update();
   view.update = async () => {
     const mine = ++order;
