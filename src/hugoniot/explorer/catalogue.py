@@ -58,7 +58,7 @@ def _numbers(entry: Entry) -> dict:
 
 
 def _source(entry: Entry) -> str:
-    return schema.row(entry.rows[0]).source if entry.rows else entry.file
+    return schema.row(entry.rows[0]).source if entry.rows else Path(entry.file).name
 
 
 def _mark(entry: Entry) -> str:

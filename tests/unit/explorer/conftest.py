@@ -53,6 +53,15 @@ def tube(tmp_path_factory):
     return hugoniot.run(read_deck_text(TUBE), tmp_path_factory.mktemp("runs") / "tube.run").folder
 
 
+@pytest.fixture(autouse=True)
+def _no_files_of_others():
+    """Materials of files are known for the life of a process: here for that of a test."""
+    from hugoniot.explorer import subjects
+
+    yield
+    subjects.own.clear()
+
+
 @pytest.fixture
 def places(tube, tmp_path):
     from hugoniot.explorer.places import places_of

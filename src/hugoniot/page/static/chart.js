@@ -97,6 +97,7 @@ H.Chart = class {
   // -- the raster -------------------------------------------------------------------------------------------------------
   _paint(canvas, f, p) {
     this.bitmap = null;
+    canvas.hidden = !this.spec.paint;
     if (!this.spec.paint) { canvas.width = canvas.height = 0; return; }
     const ratio = Math.min(window.devicePixelRatio || 1, 2), w = f.width - f.left - f.right, h = f.height - f.top - f.bottom;
     Object.assign(canvas.style, {left: `${f.left}px`, top: `${f.top}px`, width: `${w}px`, height: `${h}px`});
