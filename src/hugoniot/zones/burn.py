@@ -113,6 +113,14 @@ def short_fraction(z, j, dt, par):
     return end if done else SUBCYCLED
 
 
+def pace(z, j, par):
+    """Rate of a zone that burns, 1/s; 0 of one that has nearly ended."""
+    lam, drive = z.lam[j], z.p[j] + z.q[j] if counts_viscosity(par.rate) else z.p[j]
+    # a term that ends at a small burn fraction (ignition) is looked past: it cannot burn more than the share of a step
+    found = rate(fmax(lam, STEP_SHARE), z.rho[j], drive, burn_temperature(lam, phases(z, j), par.mixture, par.rate), par.rate)
+    return found if lam < NEARLY else 0.0
+
+
 @zone_pass(BurnRows)
 def burn_pass(count, z, dt, numbers, law):
     rows_apart()
@@ -139,14 +147,15 @@ def burn_pass(count, z, dt, numbers, law):
 @zone_pass(RateRows)
 def rates_pass(count, z, dt, numbers, law):
     rows_apart()
-    par = law_of(law, numbers)
-    for j in range(count):
-        lam, pace = z.lam[j], 0.0
-        if 0.0 < lam < NEARLY:   # what has not begun has no rate
-            # a term that ends at a small burn fraction (ignition) is looked past: it cannot burn more than the share of a step
-            drive = z.p[j] + z.q[j] if counts_viscosity(par.rate) else z.p[j]
-            pace = rate(fmax(lam, STEP_SHARE), z.rho[j], drive, burn_temperature(lam, phases(z, j), par.mixture, par.rate), par.rate)
-        z.pace[j] = pace
+    par, start = law_of(law, numbers), 0
+    while start < count:
+        known, stop = whole(z.lam[start]), end_of_stretch(z.lam, start, count)
+        for j in range(start, stop):
+            z.pace[j] = 0.0
+        if known == PARTLY:
+            for j in range(start, stop):
+                z.pace[j] = pace(z, j, par)
+        start = stop
 
 
 @zone_pass(PaceRows)
@@ -219,5 +228,5 @@ bind_module(reference_state)
 bind_choice(burn_temperature, _asks("temperature_driven", its_temperature, no_temperature))
 bind_flag(counts_viscosity, BURN, "includes_viscosity")
 bind_flag(subcycles, BURN, "subcycled")
-for _function in (no_temperature, its_temperature, phases, driving_pressure, fraction, short_fraction):
+for _function in (no_temperature, its_temperature, phases, driving_pressure, fraction, short_fraction, pace):
     bind(_function)

@@ -39,7 +39,10 @@ UNBURNED, PARTLY, BURNED = 0.0, -1.0, 1.0
 
 
 class SolveRows(NamedTuple):
-    """rho, e, lam (burn fraction), heat (J/kg), the phases before (p, rho_r, e_r, rho_p, e_p) -> the phases now (new_...) and status."""
+    """rho, e, lam (burn fraction), heat (J/kg), the phases before (p, rho_r, e_r, rho_p, e_p) -> the phases now (new_...) and status.
+
+    Of what has burned nothing or whole also c2 and p_e (`SlopeRows`): they share the exponentials of its pressure.
+    """
 
     rho: Any
     e: Any
@@ -56,6 +59,8 @@ class SolveRows(NamedTuple):
     new_rho_p: Any
     new_e_p: Any
     status: Any
+    c2: Any
+    p_e: Any
 
 
 class SlopeRows(NamedTuple):
@@ -113,11 +118,15 @@ def mixed_now(z, j):
 @nb.njit(**SWEEP)
 def end_of_stretch(lam, start, count):
     """Where the zones from `start` on that have all burned nothing, all burned whole, or all burned a part, end."""
-    known = whole(lam[start])
-    for j in range(start + 1, count):
-        if whole(lam[j]) != known:
-            return j
-    return count
+    known, others = whole(lam[start]), 0
+    for j in range(start + 1, count):     # mostly none, which a packed loop finds soonest
+        others += whole(lam[j]) != known
+    if others == 0:
+        return count
+    stop = start + 1
+    while whole(lam[stop]) == known:
+        stop += 1
+    return stop
 
 
 @nb.njit(**SWEEP)
@@ -131,11 +140,20 @@ def keep(z, j, mixed):
 
 
 @nb.njit(**SWEEP)
+def keep_slopes(z, j, mixed, lam, mixture):
+    slope = slopes(z.rho[j], z.e[j], lam, mixed, mixture)
+    z.c2[j] = sound_speed_squared(z.rho[j], mixed.pressure, slope)
+    z.p_e[j] = slope.by_energy
+
+
+@nb.njit(**SWEEP)
 def solve_pure(z, start, stop, known, mixture):
     """Zones that have burned nothing, or whole."""
     for j in range(start, stop):
         phases = heated(at_rest(z.rho_r[j], z.e_r[j]), z.heat[j]) if known == UNBURNED else before(z, j)
-        keep(z, j, solve(z.rho[j], z.e[j], known, phases, mixture))
+        mixed = solve(z.rho[j], z.e[j], known, phases, mixture)
+        keep(z, j, mixed)
+        keep_slopes(z, j, mixed, known, mixture)
 
 
 @zone_pass(SolveRows)
@@ -158,11 +176,15 @@ def solve_pass(count, z, dt, numbers, law):
 
 
 @nb.njit(**SWEEP)
-def slope_stretch(z, start, stop, known, mixture):
+def slopes_of_pure(z, start, stop, known, mixture):
     for j in range(start, stop):
-        slope = slopes(z.rho[j], z.e[j], z.lam[j] if known == PARTLY else known, mixed_now(z, j), mixture)
-        z.c2[j] = sound_speed_squared(z.rho[j], z.p[j], slope)
-        z.p_e[j] = slope.by_energy
+        keep_slopes(z, j, mixed_now(z, j), known, mixture)
+
+
+@nb.njit(**SWEEP)
+def slopes_of_mixed(z, start, stop, mixture):
+    for j in range(start, stop):
+        keep_slopes(z, j, mixed_now(z, j), z.lam[j], mixture)
 
 
 @zone_pass(SlopeRows)
@@ -172,11 +194,23 @@ def slopes_pass(count, z, dt, numbers, law):
     while start < count:
         known, stop = whole(z.lam[start]), end_of_stretch(z.lam, start, count)
         if known == UNBURNED:
-            slope_stretch(z, start, stop, UNBURNED, mixture)
+            slopes_of_pure(z, start, stop, UNBURNED, mixture)
         elif known == BURNED:
-            slope_stretch(z, start, stop, BURNED, mixture)
+            slopes_of_pure(z, start, stop, BURNED, mixture)
         else:
-            slope_stretch(z, start, stop, PARTLY, mixture)
+            slopes_of_mixed(z, start, stop, mixture)
+        start = stop
+
+
+@zone_pass(SlopeRows)
+def mixed_slopes_pass(count, z, dt, numbers, law):
+    """The slopes of what has burned a part; `solve_pass` has found those of the rest."""
+    rows_apart()
+    mixture, start = law_of(law, numbers).mixture, 0
+    while start < count:
+        known, stop = whole(z.lam[start]), end_of_stretch(z.lam, start, count)
+        if known == PARTLY:
+            slopes_of_mixed(z, start, stop, mixture)
         start = stop
 
 

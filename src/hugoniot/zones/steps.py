@@ -44,6 +44,10 @@ class MaterialSteps:
         self._numbers: dict[int, np.ndarray] = {}
         # c^2 is asked for before the state is known
         self.bulk_first = laws.needs_bulk_modulus or (explicit and laws.grows_voids)
+        # density and pressure in the middle of a step: burning zones are asked for them at its end
+        self.rho_half, self.p_half = (at.b.rho_half, at.b.p_half) if laws.burns else (at.w.rho, at.w.p)
+        # deviator along the tension, and modulus: nobody writes those of a fluid
+        self.t1, self.shear = (at.w.t1, at.w.shear) if laws.is_strong else (at.w.zero, at.w.zero)
 
     def do(self, of, given, step: Place | None = None, law=None, kind=None, numbers=None) -> None:
         """Add a pass over the rows `given`.
@@ -166,12 +170,12 @@ class MaterialSteps:
         """Take off the pressure in the middle of a step what voids would take off now."""
         w = self.at.w
         if self.laws.grows_voids:
-            self.do(fracture.relief_pass, fracture.ReliefRows(w.t1, w.p, w.c2, solid, self.at.z.voids, w.relief),
+            self.do(fracture.relief_pass, fracture.ReliefRows(self.t1, self.p_half, w.c2, solid, self.at.z.voids, w.relief),
                     law=self.laws.fracture)
-            self.add(w.relief, w.p)
+            self.add(w.relief, self.p_half)
 
     def tear(self, solid) -> None:
-        """Damage, failure and voids at the end of a step, the pressure relieved. t1 is the stress deviator along the tension."""
+        """Damage, failure and voids at the end of a step, the pressure relieved."""
         z, w, laws, found = self.at.z, self.at.w, self.laws, self.at.found
         if not laws.breaks:
             return
@@ -179,7 +183,7 @@ class MaterialSteps:
             self.do(closure.rest_pass, closure.RestRows(z.compaction, w.rest), law=laws.eos)
         else:
             self.do(rows.rest_pass, rows.FillRows(w.rest))
-        self.do(fracture.fracture_pass, fracture.FractureRows(w.t1, z.p, w.c2, solid, w.v, w.rest, z.damage, z.voids, z.failure, w.grown,
+        self.do(fracture.fracture_pass, fracture.FractureRows(self.t1, z.p, w.c2, solid, w.v, w.rest, z.damage, z.voids, z.failure, w.grown,
                                                               w.relief), law=laws.fracture)
         self.do(fracture.worst_pass, fracture.WorstRows(z.failure, found))
         if laws.grows_voids:
@@ -193,15 +197,15 @@ class MaterialSteps:
                 step, law=self.laws.eos)
 
     def mix(self, solid, e, lam, heat, p, status) -> None:
-        """Pressure into the row p and phases into the scratch rows, from those of the step before warmed by `heat`."""
+        """Pressure into the row p and phases into the scratch rows, from those of the step before warmed by `heat`; slopes of the pure."""
         z, b, w = self.at.z, self.at.b, self.at.w
         self.do(mixture.solve_pass, mixture.SolveRows(solid, e, lam, heat, z.p, b.rho_r, b.e_r, b.rho_p, b.e_p, p, w.rho_r, w.e_r, w.rho_p,
-                                                      w.e_p, status), law=self.laws.eos)
+                                                      w.e_p, status, w.c2, w.p_e), law=self.laws.eos)
 
-    def slopes(self, solid, e, lam, p) -> None:
-        """c^2 and dp/de of the phases in the scratch rows."""
+    def slopes(self, solid, e, lam, p, by=mixture.mixed_slopes_pass) -> None:
+        """c^2 and dp/de of the phases in the scratch rows: what `mix` has left, or by `mixture.slopes_pass` all of them."""
         w = self.at.w
-        self.do(mixture.slopes_pass, mixture.SlopeRows(solid, e, lam, p, w.rho_r, w.e_r, w.rho_p, w.e_p, w.c2, w.p_e),
+        self.do(by, mixture.SlopeRows(solid, e, lam, p, w.rho_r, w.e_r, w.rho_p, w.e_p, w.c2, w.p_e),
                 law=self.laws.eos)
 
     def keep_phases(self) -> None:
@@ -238,24 +242,24 @@ class MaterialSteps:
         """Burn fraction and mixture in the middle of the step, by the pressure at its start; w.heat is the viscous heat so far."""
         b, w = self.at.b, self.at.w
         self.share_old_heat(w.heat)
-        self.mix(solid, w.e, b.lam_half, b.heat, w.p, b.status)
+        self.mix(solid, w.e, b.lam_half, b.heat, self.p_half, b.status)
         if self.bulk_first:
-            self.slopes(solid, w.e, b.lam_half, w.p)
+            self.slopes(solid, w.e, b.lam_half, self.p_half)
 
     def keep_half(self) -> None:
-        """Keep density and pressure of the middle of the step, and twice the plastic heat of its first half: that of the whole."""
-        b, w = self.at.b, self.at.w
-        self.copy(w.rho, b.rho_half)
-        self.copy(w.p, b.p_half)
-        self.clear(b.heat)
-        self.add_plastic_heat(w.v, b.heat)
-        self.add_plastic_heat(w.v, b.heat)
+        """Keep twice the plastic heat of the first half of the step: that of the whole."""
+        if self.laws.is_strong:
+            heat = self.at.b.heat
+            self.clear(heat)
+            self.add_plastic_heat(self.at.w.v, heat)
+            self.add_plastic_heat(self.at.w.v, heat)
 
     def close_end(self, solid) -> None:
         """Burn fraction and mixture at the end of the step, by the pressure in its middle; what burns at once, by that at its start."""
         z, b, w = self.at.z, self.at.b, self.at.w
         self.burn(self.at.whole, b.rho_half, b.rho_half, z.p if self.laws.burns_at_once else b.p_half, z.q, w.lam)
-        self.add(b.heat, w.heat)
+        if self.laws.is_strong:
+            self.add(b.heat, w.heat)
         self.share_heat(z.q, b.p_half, b.rho_half, w.heat)
         self.lead_on(w.lam)
         self.mix(solid, z.e, b.lam, b.heat, w.p, w.status)

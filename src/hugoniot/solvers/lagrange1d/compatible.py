@@ -182,21 +182,21 @@ def heat_flux(count, z, dt, numbers, law):
 def predict(s, geometry):
     """Write how the stress in the middle of the step is found; s: `zones.steps.MaterialSteps` with the rows of `plan`."""
     z, b, h, w = s.at.z, s.at.b, s.at.h, s.at.w
-    s.do(half_motion, HalfMotionRows(h.r_half, h.u_mean, s.at.g, z.inverse_mass, z.e, z.sigma, z.hoop, w.e, w.v, w.rho, w.radial, w.hoop,
-                                     w.dilation, w.smooth, w.squeeze), kind=geometry)
+    s.do(half_motion, HalfMotionRows(h.r_half, h.u_mean, s.at.g, z.inverse_mass, z.e, z.sigma, z.hoop, w.e, w.v, s.rho_half, w.radial,
+                                     w.hoop, w.dilation, w.smooth, w.squeeze), kind=geometry)
     supply(s, w.e, half=True)
-    solid, solid_v = s.solid(w.rho)
+    solid, solid_v = s.solid(s.rho_half)
     if s.laws.burns:
         s.burn(s.at.half, z.rho, z.rho, z.p, z.q, b.lam_half)
         s.do(half_heat, HalfHeatRows(z.q, w.v, w.radial, w.heat))
         s.close_half(solid)
     else:
-        s.pressure(solid_v, w.e, w.p)
-        s.stiffness(solid, solid_v, w.e, w.p)
-    deviators(s, geometry, solid, w.e, w.p, b.lam_half, s.at.half)
+        s.pressure(solid_v, w.e, s.p_half)
+        s.stiffness(solid, solid_v, w.e, s.p_half)
+    t1, t2 = deviators(s, geometry, solid, w.e, s.p_half, b.lam_half, s.at.half)
     s.relieve(solid)
-    s.viscous(w.v, z.c, w.p, w.squeeze, w.smooth, z.viscous_speed)
-    s.do(half_stress, HalfStressRows(h.r_half, solid, w.squeeze, z.viscous_speed, w.p, w.t1, w.t2, z.q, z.sigma_half, z.hoop_half),
+    s.viscous(w.v, z.c, s.p_half, w.squeeze, w.smooth, z.viscous_speed)
+    s.do(half_stress, HalfStressRows(h.r_half, solid, w.squeeze, z.viscous_speed, s.p_half, t1, t2, z.q, z.sigma_half, z.hoop_half),
          kind=geometry)
     rub_half(s, geometry, solid)
     if s.laws.burns:
@@ -214,10 +214,10 @@ def correct(s, geometry):
         s.close_end(solid)
     else:
         s.state(solid_v)
-    deviators(s, geometry, solid, z.e, z.p, b.lam, s.at.whole)
+    t1, t2 = deviators(s, geometry, solid, z.e, z.p, b.lam, s.at.whole)
     s.tear(solid)
     s.harden(w.v)
-    s.do(end_stress, EndStressRows(h.r, solid_v, w.shear, w.c2, z.p, z.q, w.t1, w.t2, z.viscous_speed, z.inverse_mass, z.rho, z.c, z.s1,
+    s.do(end_stress, EndStressRows(h.r, solid_v, s.shear, w.c2, z.p, z.q, t1, t2, z.viscous_speed, z.inverse_mass, z.rho, z.c, z.s1,
                                    z.s2, z.sigma, z.hoop, w.inverse_width, found), kind=geometry)
     rub_end(s, geometry, solid)
     s.pace(w.inverse_width)

@@ -143,8 +143,8 @@ END_RIGHT = END_LEFT + END_FLOATS
 CONTROL_FLOATS = END_RIGHT + END_FLOATS
 
 # -- control vector (integers) ------------------------------------------------------------------------------------
-CYCLE, GAUGE_ROWS, CULPRIT, ZONE_STEPS, CAP_COUNT, FRACTURING = range(6)
-CONTROL_INTS = 6
+CYCLE, GAUGE_ROWS, CULPRIT, ZONE_STEPS, CAP_COUNT, FRACTURING, STOP = range(7)
+CONTROL_INTS = 7
 
 # -- why the march came back ---------------------------------------------------------------------------------------
 PAUSED, AT_EVENT, VOID_OPENS, VOID_CLOSES, BAD_STATE, BUFFER_FULL, STEP_COLLAPSED, INTERFACE_OPENS = range(8)

@@ -35,6 +35,7 @@ from hugoniot.solvers.lagrange1d import leapfrog_passes as P
 from hugoniot.solvers.lagrange1d.friction import rub_leaping, rub_leapt
 from hugoniot.solvers.lagrange1d.sources import supply
 from hugoniot.solvers.lagrange1d.stress import deviators
+from hugoniot.zones.mixture import slopes_pass
 from hugoniot.zones.transport import find_conductivity
 
 
@@ -45,11 +46,11 @@ def advance(s, geometry):
                                       w.squeeze), kind=geometry)
     solid, solid_v = s.solid(z.rho)
     s.stiffness(solid, solid_v, z.e, z.p)
-    deviators(s, geometry, solid, z.e, z.p, b.lam, s.at.whole)
+    t = deviators(s, geometry, solid, z.e, z.p, b.lam, s.at.whole)
     if s.laws.burns_at_once:
-        close_at_once(s, geometry, solid)
+        close_at_once(s, geometry, solid, t)
     else:
-        resist(s, geometry)
+        resist(s, geometry, t)
         if s.laws.burns:
             close_gradually(s, solid)
         else:
@@ -61,11 +62,11 @@ def advance(s, geometry):
         s.do(P.take_relief, P.ReliefRows(w.relief, w.dv, z.e))
     s.harden(w.v_half)
     if s.laws.burns_at_once:
-        s.do(P.end_stress_at_once, P.AtOnceRows(h.r, z.inverse_mass, z.rho, w.v, w.dv, w.c2, w.shear, w.t1, w.t2, z.p, w.speed, w.squeeze,
+        s.do(P.end_stress_at_once, P.AtOnceRows(h.r, z.inverse_mass, z.rho, w.v, w.dv, w.c2, s.shear, *t, z.p, w.speed, w.squeeze,
                                                 z.c, z.s1, z.s2, z.q, z.v, z.sigma, z.pull, z.width, w.inverse_width, z.viscous_work,
                                                 s.at.found), kind=geometry)
     else:
-        s.do(P.end_stress, P.StressRows(h.r, z.inverse_mass, z.rho, w.v, w.c2, w.shear, w.t1, w.t2, z.p, w.q, w.speed, w.weak_speed,
+        s.do(P.end_stress, P.StressRows(h.r, z.inverse_mass, z.rho, w.v, w.c2, s.shear, *t, z.p, w.q, w.speed, w.weak_speed,
                                         w.squeeze, z.c, z.s1, z.s2, z.q, z.v, z.sigma, z.pull, z.width, w.inverse_width, s.at.found),
              kind=geometry)
     rub_leapt(s, geometry)
@@ -74,8 +75,8 @@ def advance(s, geometry):
     find_conductivity(s, solid)
 
 
-def resist(s, geometry):
-    """Write the artificial viscosity at n+1/2; the P of its a = sqrt(P/rho) is the one at the start of the step."""
+def resist(s, geometry, t):
+    """Write the artificial viscosity at n+1/2; the P of its a = sqrt(P/rho) is the one at the start of the step. t: rows of deviators."""
     z, h, w = s.at.z, s.at.h, s.at.w
     if s.laws.is_bare:
         s.viscous(w.v, w.zero, w.zero, w.squeeze, w.zero, w.weak_speed)
@@ -85,7 +86,7 @@ def resist(s, geometry):
         s.do(P.damp, P.DampRows(w.smooth, w.weak_speed))
     else:
         s.viscous_both(w.v_half, z.c, z.p)
-    s.do(P.energy_target, P.TargetRows(w.t1, w.t2, z.s1, z.s2, w.radial, w.hoop, w.v_half, w.dv, w.rho, w.squeeze, w.speed, z.e, z.q, w.q,
+    s.do(P.energy_target, P.TargetRows(*t, z.s1, z.s2, w.radial, w.hoop, w.v_half, w.dv, w.rho, w.squeeze, w.speed, z.e, z.q, w.q,
                                        w.heat, w.target, z.viscous_work), kind=geometry)
     if s.laws.is_bare:
         s.do(P.damp, P.DampRows(w.smooth, w.squeeze))
@@ -107,14 +108,14 @@ def close_gradually(s, solid):
     s.mix(solid, z.e, b.lam, b.heat, b.p_half, w.status)
     s.slopes(solid, z.e, b.lam, b.p_half)
     s.do(P.newton_step, P.NewtonRows(w.p, b.p_half, w.dv, w.p_e, z.e, z.p, w.e_r, w.e_p))
-    s.slopes(solid, z.e, b.lam, z.p)
+    s.slopes(solid, z.e, b.lam, z.p, slopes_pass)
     s.keep_phases()
 
 
-def close_at_once(s, geometry, solid):
+def close_at_once(s, geometry, solid, t):
     """Write the step of the KB codes: mixture at n+1, and the viscosity that moves the nodes next."""
     z, b, w = s.at.z, s.at.b, s.at.w
-    s.do(P.energy_before, P.BeforeRows(w.t1, w.t2, z.s1, z.s2, w.radial, w.hoop, w.v_half, w.dv, z.e, z.q, w.target), kind=geometry)
+    s.do(P.energy_before, P.BeforeRows(*t, z.s1, z.s2, w.radial, w.hoop, w.v_half, w.dv, z.e, z.q, w.target), kind=geometry)
     s.do(P.after_work, P.WorkRows(w.target, z.p, z.p, w.dv, w.e))
     s.mix(solid, w.e, b.lam, w.zero, w.p, b.status)
     s.do(P.after_work, P.WorkRows(w.target, z.p, w.p, w.dv, z.e))

@@ -24,7 +24,7 @@ from hugoniot.solvers.lagrange1d.nodes import End, OpenEnd
 from hugoniot.solvers.lagrange1d.plan import EMPTY, Planner, serve
 from hugoniot.solvers.lagrange1d.post_mortem import unphysical
 from hugoniot.solvers.lagrange1d.probes import probe_tables
-from hugoniot.solvers.lagrange1d.step import SCHEMES, Arrays, Gauges, march
+from hugoniot.solvers.lagrange1d.step import SCHEMES, WATCH, Arrays, Gauges, march
 from hugoniot.solvers.lagrange1d.tables import zone_table
 from hugoniot.solvers.lagrange1d.terms import terms_of
 from hugoniot.solvers.protocol import Event, NothingToAdd
@@ -74,7 +74,9 @@ class Lagrange1D(NothingToAdd):
         start.prepare(self)
         self._new_buffer()
         self._renew_tables()
-        compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs()])
+        self.watching, watched = 0, (self._arrays(), self.geometry, EMPTY.dts)
+        compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs(), WATCH.job(*watched)])
+        self.watching = WATCH.address(*watched)
         self.renew_topology()
         self.start_energy, self.start_mass, self.start_momentum = self.total_energy(), self.zones[Z.mass].sum(), self.momentum()
 
@@ -154,10 +156,13 @@ class Lagrange1D(NothingToAdd):
         return events_of(self, code)
 
     def _march_arguments(self, cycles, plan):
-        arrays = Arrays(self.table, self.charge_table, self.node_table, self.gradient_table, self.control, self.counters, self.segments,
-                        self.interfaces)
+        arrays = self._arrays(self.watching)
         gauges = Gauges(self.gauges, self.weights, self.gauge_times, self.gauge_buffer)
         return cycles, arrays, plan, self.scheme, self.geometry, self.boundaries, self.team, gauges, self.terms.marching
+
+    def _arrays(self, watching=0):
+        return Arrays(self.table, self.charge_table, self.node_table, self.gradient_table, self.control, self.counters, self.segments,
+                      self.interfaces, watching)
 
     def _assemble_team(self):
         """The other threads of this march, waiting at the board; none for a run of one thread."""

@@ -20,6 +20,7 @@ import numba as nb
 from numba.extending import overload
 
 from hugoniot.core.binder import bind_choice
+from hugoniot.core.passes import Entry, call_entry
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.mesh import line
 from hugoniot.solvers.lagrange1d import layout as L
@@ -57,7 +58,7 @@ SCHEMES = {"compatible": Compatible(), "wilkins": Leapfrog()}
 
 
 class Arrays(NamedTuple):
-    """What a march works on besides its plan: the tables of `layout`, control numbers, bodies and weak interfaces."""
+    """What a march works on besides its plan: the tables of `layout`, control numbers, bodies and weak interfaces; address of `watch`."""
 
     zones: Any
     charge: Any
@@ -67,6 +68,7 @@ class Arrays(NamedTuple):
     counters: Any
     segments: Any
     interfaces: Any
+    watching: int
 
 
 class Gauges(NamedTuple):
@@ -167,25 +169,37 @@ def _(a, plan, scheme, geometry, boundaries, team):
 
 
 @nb.njit(**GUARD)
-def watch(zones, nodes, control, counters, segments, interfaces, unsound):
-    """Step 7: why the march must stop here, or PAUSED."""
-    if unsound:
-        return L.BAD_STATE
+def event_of(zones, nodes, control, counters, segments, interfaces):
+    """(what happens to the bodies now, where), or (PAUSED, -1)."""
     if segments.shape[0] > 1:
         gap = touching_gap(zones, nodes, segments)
         if gap >= 0:
-            counters[L.CULPRIT] = gap
-            return L.VOID_CLOSES
+            return L.VOID_CLOSES, gap
     if control[L.WORST_FAILURE] >= 1.0 or counters[L.FRACTURING] > 0:
         node = failing_node(zones, segments, control, counters)
         if node >= 0:
-            counters[L.CULPRIT] = node
-            return L.VOID_OPENS
+            return L.VOID_OPENS, node
     separating = separating_interface(zones, nodes, interfaces)
-    if separating >= 0:
-        counters[L.CULPRIT] = separating
-        return L.INTERFACE_OPENS
-    return L.PAUSED
+    return (L.INTERFACE_OPENS, separating) if separating >= 0 else (L.PAUSED, -1)
+
+
+def watch(a, geometry, found):
+    """Step 7: why the march must stop here, or PAUSED, into counters[STOP]; found: totals of the step.
+
+    Called by its address, and so compiled beside the march, not inside it.
+    """
+    counters = a.counters
+    if found[FOUND_UNSOUND] > 0.0:
+        counters[L.STOP] = L.BAD_STATE
+        return
+    code, culprit = event_of(a.zones, a.nodes, a.control, counters, a.segments, a.interfaces)
+    if culprit >= 0:
+        counters[L.CULPRIT] = culprit
+    hollow = line.hoops(geometry) > 0.0 and cavity_closed(a.nodes, a.segments)
+    counters[L.STOP] = L.VOID_CLOSES if hollow else code
+
+
+WATCH = Entry(watch)
 
 
 def begin_terms(dt, a, scheme, terms):
@@ -249,9 +263,7 @@ def march(cycles, a, plan, scheme, geometry, boundaries, team, gauges, terms):
         control[L.RATE], control[L.WORST_FAILURE] = totals[FOUND_RATE], totals[FOUND_FAILURE]
         control[L.RADIAL_IMPULSE] += dt * totals[FOUND_IMPULSE]
         counters[L.CAP_COUNT] += int(totals[FOUND_CAPPED])
-        code = watch(a.zones, a.nodes, control, counters, a.segments, a.interfaces, totals[FOUND_UNSOUND] > 0.0)
-        if line.hoops(geometry) > 0.0 and code != L.BAD_STATE and cavity_closed(a.nodes, a.segments):
-            code = L.VOID_CLOSES
+        call_entry(a.watching, a, geometry, totals)
         if recording and (control[L.TIME] >= control[L.NEXT_GAUGE] or at_event):
             at = counters[L.GAUGE_ROWS]
             gauges.times[at] = control[L.TIME]
@@ -259,8 +271,8 @@ def march(cycles, a, plan, scheme, geometry, boundaries, team, gauges, terms):
             counters[L.GAUGE_ROWS] = at + 1
             while control[L.NEXT_GAUGE] <= control[L.TIME] and control[L.GAUGE_INTERVAL] > 0.0:
                 control[L.NEXT_GAUGE] += control[L.GAUGE_INTERVAL]
-        if code != L.PAUSED:
-            return code
+        if counters[L.STOP] != L.PAUSED:
+            return counters[L.STOP]
         if at_event:
             return L.AT_EVENT
     return L.PAUSED

@@ -120,7 +120,7 @@ for _function in (trial_deviators, von_mises, radial_return, equivalent_rate, ho
 
 
 def deviators(s, geometry, solid, e, p, lam, step):
-    """Write the deviators t1, t2 at the end of a strain, with `limit` and `flow`; zero for a fluid.
+    """Write the deviators at the end of a strain, with `limit` and `flow`; gives their rows (along the motion, around it).
 
     s           `zones.steps.MaterialSteps`
     e, p, lam   rows of the state whose modulus and yield count (lam: of burning material only); its c^2 is w.c2
@@ -128,8 +128,7 @@ def deviators(s, geometry, solid, e, p, lam, step):
     """
     z, w = s.at.z, s.at.w
     if not s.laws.is_strong:
-        s.clear(w.t1, w.t2, w.shear)
-        return
+        return w.zero, w.zero
     hoop, dilation = (w.hoop, w.dilation) if hoops(geometry) > 0.0 else (w.zero, w.radial)   # one number in planar flow
     if s.laws.needs_rate:
         s.do(rate_pass, RateRows(w.radial, hoop, dilation, w.rate), step)
@@ -137,3 +136,4 @@ def deviators(s, geometry, solid, e, p, lam, step):
     s.do(trial_pass, StressRows(z.s1, z.s2, w.radial, hoop, dilation, w.shear, w.t1, w.t2, w.equivalent), step, kind=geometry)
     s.flow(solid, p, lam)
     s.do(return_pass, ReturnRows(w.t1, w.t2, w.limit), kind=geometry)
+    return w.t1, w.t2

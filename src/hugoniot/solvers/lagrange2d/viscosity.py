@@ -219,7 +219,7 @@ def hoop_viscosity(count, given, dt, numbers, law):
 def write(s, solid):
     """Write how the viscous stress in the middle of the step is found, from the density row `solid`."""
     z, w, at = s.at.z, s.at.w, s.at
-    s.do(resist, ResistOf(at.mid_low, at.mid_high, Tensor(at.d.xx, at.d.yy, at.d.xy), at.smooth, w.v, z.c, w.p, solid,
+    s.do(resist, ResistOf(at.mid_low, at.mid_high, Tensor(at.d.xx, at.d.yy, at.d.xy), at.smooth, w.v, z.c, s.p_half, solid,
                           Tensor(at.coming.xx, at.coming.yy, at.coming.xy), at.rest, z.viscous_speed), law=s.laws.viscosity)
 
 

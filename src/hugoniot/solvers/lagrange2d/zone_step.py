@@ -14,7 +14,7 @@ def deviators(s, solid, e, p, lam, step):
     """
     w, at = s.at.w, s.at
     if not s.laws.is_strong:
-        s.clear(*at.new, w.t1, w.shear)
+        s.clear(*at.new)
         return
     if s.laws.needs_rate:
         s.do(tensor.strain_rates, tensor.RateOf(at.d, w.rate), step)
@@ -28,24 +28,25 @@ def predict(s, geometry, numbers, fluid):
     """Write how stress and forces in the middle of the step are found; numbers: the material's constants and
     those of `layout` behind them."""
     z, b, w, at = s.at.z, s.at.b, s.at.w, s.at
-    s.do(passes.strain, passes.StrainOf(at.mid_low, at.mid_high, z.inverse_mass, z.e, z.p, at.s, at.q, at.d, w.v, w.rho, w.e, at.tangled),
+    s.do(passes.strain, passes.StrainOf(at.mid_low, at.mid_high, z.inverse_mass, z.e, z.p, at.s, at.q, at.d, w.v, s.rho_half, w.e,
+                                           at.tangled),
          kind=geometry, numbers=numbers)
-    solid, solid_v = s.solid(w.rho)
+    solid, solid_v = s.solid(s.rho_half)
     if s.laws.burns:
         s.burn(at.half, z.rho, z.rho, z.p, z.q, b.lam_half)
         s.do(tensor.viscous_heat, tensor.HeatOf(w.v, at.q, at.d, w.heat), at.half)
         s.close_half(solid)
     else:
-        s.pressure(solid_v, w.e, w.p)
-        s.stiffness(solid, solid_v, w.e, w.p)
-    deviators(s, solid, w.e, w.p, b.lam_half, at.half)
+        s.pressure(solid_v, w.e, s.p_half)
+        s.stiffness(solid, solid_v, w.e, s.p_half)
+    deviators(s, solid, w.e, s.p_half, b.lam_half, at.half)
     s.relieve(solid)
     viscosity.write(s, solid)
     if isinstance(geometry, AreaWeighted):
         s.do(viscosity.hoop_viscosity, viscosity.HoopOf(at.d, at.coming))
     push = passes.push_fluid if fluid else passes.push_solid
-    s.do(push, passes.PushOf(at.mid_low, at.mid_high, w.p, at.new, at.coming, at.rest, z.t0, z.t1, w.rho, z.c, z.inverse_mass, at.f,
-                             z.filter_power), kind=geometry, numbers=numbers)
+    s.do(push, passes.PushOf(at.mid_low, at.mid_high, s.p_half, at.new, at.coming, at.rest, z.t0, z.t1, s.rho_half, z.c, z.inverse_mass,
+                             at.f, z.filter_power), kind=geometry, numbers=numbers)
     if s.laws.burns:
         s.keep_half()
 
@@ -64,7 +65,7 @@ def correct(s, geometry, numbers):
     deviators(s, solid, z.e, z.p, b.lam, at.whole)
     s.tear(solid)
     s.harden(w.v)
-    s.do(passes.stand, passes.StandOf(at.low, at.high, z.p, at.q, at.new, w.c2, w.shear, solid_v, z.viscous_speed, w.inverse_length, at.s,
+    s.do(passes.stand, passes.StandOf(at.low, at.high, z.p, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s,
                                       z.sigma, z.c, at.f, at.found), kind=geometry, numbers=numbers)
     s.pace(w.inverse_length)
     s.look_over()
