@@ -52,7 +52,7 @@ def test_an_isotherm_obeys_the_identity_of_energy():
     slope = np.array([(at_temperature(par, r, 301.0)[0] - at_temperature(par, r, 299.0)[0]) / 2.0 for r in rho])
     p = np.array([at_temperature(par, r, 300.0)[0] for r in rho])
     work = 0.5 * 1500.0 * float(np.sum(weights * (p - 300.0 * slope) / rho**2))
-    assert end[1] - start[1] == pytest.approx(work, rel=1e-3)
+    assert end[1] - start[1] == pytest.approx(work, rel=1e-11)
 
 
 def test_surfaces_that_a_law_has_not_are_refused():
