@@ -121,7 +121,7 @@ def test_a_deck_is_completed_checked_run_and_opened(visit):
     area.press("Enter")
     assert area.input_value().endswith('integrator = "compatible"')
     area.type("\ncourantt = 0.3")
-    page.wait_for_selector("ol.problems li")
+    page.wait_for_selector("ol.problems li:has-text('courantt')")
     line = area.input_value().count("\n") + 1
     assert page.text_content("ol.problems li").startswith(f"deck.toml:{line}: solver.courantt: unknown key")
     assert page.text_content(".editor pre b").strip() == f"▸{line}"

@@ -117,7 +117,7 @@
     if (mine !== order) return;
     profileHost.hidden = state.profileTitle.hidden = true;
     if (H.exported()) when.textContent += record.record === k ? "" : ` (record ${record.record} is exported)`;
-    map.show({...run, block_of: run.blocks}, {x: x.data, y: y.data, values: values.data, field: shown});
+    map.show({...run, block_of: run.blocks}, {x: x.data, y: y.data, values: values.data, field: shown, record: record.record});
   }
   const nearestExported = (run, shown, k) => { for (let d = 0; d < run.times.length; d++) for (const r of [k - d, k + d]) if (window.hugoniotFiles[`array&group=snapshots&name=${shown.name}&record=${r}&run=${chosen()}`]) return r; return k; };
   // -- histories ---------------------------------------------------------------------------------------------------------
@@ -173,7 +173,7 @@
     if (!hit || hit.zone === undefined) return;
     H.clear(readout).append(H.numbers([[state.run.axes[0], `${H.digits(hit.x * map.f, 5)} ${map.lengthUnit}`], [state.run.axes[1], `${H.digits(hit.y * map.f, 5)} ${map.lengthUnit}`], ["zone", hit.zone < 0 ? "no material" : String(hit.zone)],
       [state.shown.words, hit.value === null ? "–" : `${H.digits(hit.value * map.factor)} ${map.unit}`]]));
-    readout.dataset.zone = hit.zone; readout.dataset.record = state.k;
+    readout.dataset.zone = hit.zone; readout.dataset.record = hit.record;
   }
   function timeRead(hit) {
     const s = lines.histories.spec.series[hit.series];
