@@ -66,6 +66,9 @@ def fit(deck: str | os.PathLike, to: Sequence[str] | str, free: Mapping[str, str
     out      folder (default: the deck's name with .fit); False writes nothing
     wishes   gauge, sigma, window, shift, scale, loss, starts, seed, profile, local: see `campaign.run_fit.FitWishes`
 
+    With posterior="surrogate" or "runs" there are `draws` (draw, parameter) of the posterior besides, its `quantiles`, and the bands
+    `prior_predictive` and `posterior_predictive` (level, point) of all data in their order.
+
     SI. The attributes hold the reduced chi-square, whether the model `matches`, and `doubts` to be read before a value is used; the
     fitted deck is the attribute `deck`. Raises `DeckError`, `FileTrouble`, `NoSolution`.
     """
@@ -80,6 +83,19 @@ def fit(deck: str | os.PathLike, to: Sequence[str] | str, free: Mapping[str, str
     columns = {name: ("parameter", [getattr(row, name) for row in rows])
                for name in ("value", "sigma", "low", "high", "profile_low", "profile_high", "at_end", "unit")}
     names = [row.name for row in rows]
-    return xarray.Dataset({**columns, "correlation": (("parameter", "other"), found.fit.correlation)}, {"parameter": names, "other": names},
+    drawn, about = _posterior(found.posterior) if found.posterior is not None else ({}, {})
+    return xarray.Dataset({**columns, "correlation": (("parameter", "other"), found.fit.correlation), **drawn},
+                          {"parameter": names, "other": names},
                           {"reduced_chi_square": found.fit.reduced, "degrees_of_freedom": found.fit.freedom, "runs": found.fit.runs,
-                           "matches": int(found.fit.matches), "doubts": "\n".join(found.fit.doubts), "deck": found.deck})
+                           "matches": int(found.fit.matches), "doubts": "\n".join(found.fit.doubts), "deck": found.deck, **about})
+
+
+def _posterior(p) -> tuple[dict[str, Any], dict[str, Any]]:
+    """(columns, attributes) of a posterior."""
+    import numpy as np
+
+    columns = {"draws": (("draw", "parameter"), p.draws), "quantiles": (("quantile", "parameter"), p.quantiles),
+               "prior_predictive": (("level", "point"), np.hstack(p.prior)),
+               "posterior_predictive": (("level", "point"), np.hstack(p.predicted))}
+    about = {"effective_draws": p.effective, "posterior_doubts": "\n".join(p.doubts)}
+    return columns, about | ({} if p.surrogate is None else {"surrogate_log_error": p.surrogate.log_error})

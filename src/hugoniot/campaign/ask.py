@@ -169,11 +169,9 @@ def engine_of(name: str = "local", scheduler: str | None = None, workers: int | 
         return local(workers, time_limit)
     if name != "dask":
         raise refuse("--engine", name, "unknown engine", "known: local, dask")
-    if time_limit is not None:
-        raise refuse("--time-limit", "", "the workers of a cluster are not ended at a time limit", "leave it out, or use --engine local")
     if scheduler is not None and workers is not None:
         raise refuse("--workers", str(workers), "a scheduler has its own workers", "leave out one of them")
-    local(workers)      # checks the number
+    local(workers, time_limit)      # checks the numbers
 
     def entered(question, known):
         from hugoniot.campaign.dask_pool import DaskPool
@@ -185,7 +183,7 @@ def engine_of(name: str = "local", scheduler: str | None = None, workers: int | 
                     tell(self.dashboard)
                 return self
 
-        return Told(question, workers or cores(), known, scheduler)
+        return Told(question, workers or cores(), known, scheduler, time_limit)
 
     return entered
 

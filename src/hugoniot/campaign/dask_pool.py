@@ -2,27 +2,33 @@
 
 Only texts (JSON) travel. Every worker process answers one case at a time with one thread, whatever it was started with: Dask limits the
 threads of OpenMP and BLAS, not those of Numba. A worker that dies is the scheduler's to replace; what was answered stands in the journal.
+With a time limit, a worker has a process of its own for the cases (`campaign.pool`), which can be ended where the worker could not.
 """
 
+import atexit
 import json
 import os
 import threading
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from hugoniot.campaign.pool import LocalPool
 from hugoniot.campaign.worker import ONE_THREAD
 from hugoniot.errors import DeckError, HugoniotError
 
 IN_FLIGHT = 4            # cases handed out for each worker thread: enough that none waits, few enough that memory stays flat
 START_SECONDS = 20.0     # for a scheduler to answer
+LOST = "the scheduler was lost; what has run is kept, and the same command goes on once it is back"
 
 _one_at_a_time = threading.Lock()
-_questions: dict[str, Any] = {}     # of this process, made once
+_questions: dict[Any, Any] = {}     # of this process, made once
 
 
-def answer(hello: str, changes: str) -> str:
+def answer(hello: str, changes: str, time_limit: float | None = None) -> str:
     """The answer of a worker to a case, as JSON: what `worker.serve` does, for processes that Dask has started."""
     with _one_at_a_time:
+        if time_limit is not None:
+            return json.dumps(_limited(hello, time_limit, json.loads(changes)))
         for name in ONE_THREAD:
             os.environ.setdefault(name, "1")
         import numba
@@ -39,22 +45,36 @@ def answer(hello: str, changes: str) -> str:
         return json.dumps({**question.answer(json.loads(changes), known), "threads": numba.get_num_threads()})
 
 
+def _limited(hello: str, time_limit: float, changes: dict) -> dict:
+    """The answer of the process that this worker keeps for its cases; `late` where it had to be ended."""
+    if (hello, time_limit) not in _questions:
+        for pool in [each for each in _questions.values() if isinstance(each, LocalPool)]:
+            pool.__exit__()
+        _questions.clear()
+        record = json.loads(hello)
+        pool = _questions[hello, time_limit] = LocalPool(record["question"], 1, record["known"], time_limit)
+        atexit.register(pool.__exit__)
+    return next(iter(_questions[hello, time_limit].run([(0, changes)])))
+
+
 class DaskPool:
     """As `pool.LocalPool`, over the workers of a scheduler.
 
     count       workers of a cluster on this machine, if no scheduler is given
     scheduler   address such as tcp://10.0.0.1:8786
+    time_limit  seconds a case may take
     Raises `DeckError` where dask.distributed is missing, `HugoniotError` for a scheduler that does not answer.
     """
 
-    def __init__(self, question: dict, count: int, known: Iterable[str] = (), scheduler: str | None = None):
+    def __init__(self, question: dict, count: int, known: Iterable[str] = (), scheduler: str | None = None,
+                 time_limit: float | None = None):
         try:
             import distributed  # pyright: ignore[reportMissingImports]
         except ImportError:
             raise DeckError.single("command line", None, "--engine dask", "dask.distributed is not installed",
                                    "pip install 'hugoniot[cluster]'") from None
         self.hello = json.dumps({"question": question, "known": sorted(known)})
-        self.distributed, self.count, self.scheduler = distributed, count, scheduler
+        self.distributed, self.count, self.scheduler, self.time_limit = distributed, count, scheduler, time_limit
         self.cluster = self.client = None
         self.warm = False
 
@@ -95,17 +115,24 @@ class DaskPool:
         waiting = self.distributed.as_completed([self._submitted(first)])
         for future in waiting:
             yield self._answer(future)
-            room = IN_FLIGHT * max(1, sum(self.client.nthreads().values())) if self.client is not None else 1
+            room = IN_FLIGHT * self._threads()
             for _ in range(max(1, room - waiting.count())):
                 task = next(source, None)
                 if task is None:
                     break
                 waiting.add(self._submitted(task))
 
+    def _threads(self) -> int:
+        """Of all workers now, one at least."""
+        try:
+            return max(1, sum(self.client.nthreads().values())) if self.client is not None else 1
+        except (OSError, TimeoutError):
+            raise HugoniotError(LOST) from None
+
     def _submitted(self, task: tuple[int, dict[str, Any]]):
         if self.client is None:
             raise HugoniotError("the cluster has not been entered")
-        future = self.client.submit(answer, self.hello, json.dumps(task[1]), pure=False)
+        future = self.client.submit(answer, self.hello, json.dumps(task[1]), self.time_limit, pure=False)
         future.case = task[0]       # type: ignore[attr-defined]
         return future
 
@@ -113,10 +140,10 @@ class DaskPool:
         case = future.case
         if future.status == "finished":
             found = json.loads(future.result())
-            found.pop("threads")
-            return {"case": case, **found}
+            found.pop("threads", None)
+            return {**found, "case": case}
         if future.status == "error" and type(future.exception()).__name__ == "KilledWorker":
             return {"case": case, "died": "its worker died each time it was tried"}
         if future.status == "error":
             raise HugoniotError(f"a worker of the cluster could not answer: {future.exception()}")
-        raise HugoniotError("the scheduler was lost; what has run is kept, and the same command goes on once it is back")
+        raise HugoniotError(LOST)

@@ -125,6 +125,11 @@ class Problem:
         scales = self.scale * rest[-self.clocks:] if self.scale else np.zeros(self.clocks)
         return shifts, scales
 
+    def model(self, x: np.ndarray, target: Target, answer: dict) -> np.ndarray:
+        """What an answer has for a target with the shift and the scale of a point."""
+        shifts, scales = self.clock(x)
+        return target.model(answer, *((float(shifts[target.clock]), float(scales[target.clock])) if target.clock >= 0 else ()))
+
     # -- runs --------------------------------------------------------------------------------------------------------
     def answers(self, points: Sequence[np.ndarray]) -> list[dict]:
         """What the deck answers at some points; each is run once."""

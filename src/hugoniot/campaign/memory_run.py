@@ -4,7 +4,7 @@ It gives `output.run_numbers` what a run folder gives it, so a case has the very
 """
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -17,6 +17,26 @@ from hugoniot.simulate import make_solver, steady_numbers
 from hugoniot.solvers.run import Schedule, march_to_end, snapshot_times
 
 _KEPT = ("velocity", "position_left", "position_right")     # of a snapshot: what the readings of a run look at
+
+
+class _Columns(Mapping):
+    """Columns that are put together when somebody asks for them: most of those of a case nobody does."""
+
+    def __init__(self, names: Sequence[str], make: Callable[[str], np.ndarray]):
+        self.names, self.make, self.made = names, make, {}
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        if name not in self.names:
+            raise KeyError(name)
+        if name not in self.made:
+            self.made[name] = self.make(name)
+        return self.made[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.names)
+
+    def __len__(self) -> int:
+        return len(self.names)
 
 
 class MemoryRun:
@@ -51,7 +71,7 @@ class MemoryRun:
             flat = self.problem.solver.kind == "lagrange2d"
             self._gauges.append((times, values if flat else without_mixtures(values, self.problem.gauges)))
 
-    def snapshot(self, state) -> None:
+    def motion(self, state) -> None:
         """Keep the motion."""
         self._shots.append({"time": state.time, **{name: value for name, value in state.fields().items() if name.startswith(_KEPT)}})
 
@@ -61,16 +81,17 @@ class MemoryRun:
                              "numbers": json.dumps({"position": event.position}, sort_keys=True)})
 
     # -- what the readings ask for -----------------------------------------------------------------------------------
-    def _snapshots(self, regions: list[str]) -> dict[str, np.ndarray]:
-        columns = {name: np.array([shot[name] for shot in self._shots]) for name in (self._shots[0] if self._shots else ())}
-        return {**columns, "region": np.array(regions, dtype=object)}
+    def _snapshots(self, regions: list[str]) -> Mapping:
+        names = [*(self._shots[0] if self._shots else ()), "region"]
+        return _Columns(names, lambda name: np.array(regions, dtype=object) if name == "region" else
+                        np.array([shot[name] for shot in self._shots]))
 
     def arrays(self, group: str) -> Mapping:
         """Columns of `gauges`, `snapshots` or `events`, SI."""
         if group == "gauges" and group not in self._tables:
             times, blocks = zip(*self._gauges) if self._gauges else ((np.empty(0),), ({},))
-            self._tables[group] = {"time": np.concatenate(times),
-                                   **{name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}}
+            self._tables[group] = _Columns(["time", *blocks[0]], lambda name: np.concatenate(
+                times if name == "time" else [block[name] for block in blocks]))
         return self._tables[group]
 
     def gauge_names(self) -> list[str]:

@@ -1,11 +1,9 @@
 """The numbers of one run as one flat row: those that the terminal shows, each under a name such as `free surface.arrival`."""
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
-
-from hugoniot.diagnostics.velocimetry import plateau
 from hugoniot.output.columns import describe
 from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, spall_numbers
 
@@ -21,7 +19,7 @@ def numbers_of(run: Any) -> dict[str, float]:
     for row in gauge_rows(run):
         name = row.pop("gauge")
         found |= {f"{name}.{key}": float(value) for key, value in row.items()}
-        found |= {f"{name}.{key}": value for key, value in _plateaus(run, name).items()}
+        found |= {f"{name}.{key}": value for key, value in _plateaus(run, row).items()}
     found |= {f"spall.{key}": float(value) for key, value in spall_numbers(run).items() if isinstance(value, (int, float))}
     summary = {"end_time" if key == "time" else key: value for key, value in run.summary.items()
                if isinstance(value, (int, float)) and not isinstance(value, bool)}
@@ -29,16 +27,11 @@ def numbers_of(run: Any) -> dict[str, float]:
     return found | {key: float(summary[key]) for key in wanted if key in summary and key not in _OF_THE_CLOCK}
 
 
-def _plateaus(run, name: str) -> dict[str, float]:
+def _plateaus(run, row: Mapping[str, float]) -> dict[str, float]:
     """The levels of the flat tops of a gauge's stress and velocity; the highest value where the top is not flat."""
-    rows, k = run.arrays("gauges"), run.gauge_names().index(name)
-    found = {}
-    for key, field in (("plateau_stress", "stress"), ("plateau_velocity", "velocity")):
-        if field in rows and len(rows["time"]):
-            values = np.asarray(rows[field][:, k], dtype=float)
-            sign = -1.0 if field == "velocity" and abs(values.min()) > abs(values.max()) else 1.0
-            found[key] = sign * plateau(rows["time"], sign * values) if np.isfinite(values).all() else math.nan
-    return found
+    rows = run.arrays("gauges")
+    return {f"plateau_{field}": row[f"plateau_{field}"] if math.isfinite(row[f"plateau_{field}"]) else row[f"peak_{field}"]
+            for field in ("stress", "velocity") if field in rows and len(rows["time"])}
 
 
 def unit_of(name: str) -> str:

@@ -2,34 +2,32 @@
 
     folder/fitted.toml    the deck with the values found, ready to run          residuals.csv   data, model, residual
            fit.json       parameters, intervals, correlations, doubts           report.html
+           posterior.csv, predictive.csv   where a posterior was asked for
 """
 
-import csv
-import io
-import json
 import os
 import pathlib
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 
 from hugoniot.campaign.ask import Wishes, local, read_asked
 from hugoniot.campaign.designs import Design
 from hugoniot.campaign.fit import Free, Problem
+from hugoniot.campaign.fit_files import OURS, write_fit
 from hugoniot.campaign.fit_results import Fit, likely, weighed
 from hugoniot.campaign.plan import Plan, given, ties_of
 from hugoniot.campaign.planes import LOSSES
+from hugoniot.campaign.posterior import Posterior, checked, posterior_of
 from hugoniot.campaign.questions import Deck
 from hugoniot.campaign.targets import Target, read_targets
 from hugoniot.campaign.variables import read_variable, refuse
 from hugoniot.errors import FileTrouble
-from hugoniot.output.atomic import explained, write_whole
+from hugoniot.output.atomic import explained
 from hugoniot.units import UnitError, parse
 
 POINTS = 2000        # of a model's record
-_OURS = ("fitted.toml", "fit.json", "residuals.csv", "report.html", "run.log")
 
 
 @dataclass
@@ -41,6 +39,7 @@ class FitWishes:
     shift    largest shift of the measured clock, such as "20 ns"; scale: largest relative error of the records' scale
     loss     "linear", "soft_l1", "huber" or "cauchy"; starts: searches from different places; profile: limits by profiles
     local    do not look further where no search matches the data
+    posterior       "surrogate" or "runs": draw a sample of the posterior too; posterior_runs: how many runs for it
     """
 
     to: Sequence[str] = ()
@@ -56,11 +55,13 @@ class FitWishes:
     seed: int = 0
     profile: bool = False
     local: bool = False
+    posterior: str | None = None
+    posterior_runs: int | None = None
 
 
 @dataclass(frozen=True)
 class Fitted:
-    """A fit with its targets, what the model has for them, and where it is written (None: nowhere)."""
+    """A fit with its targets, what the model has for them, where it is written (None: nowhere), and the posterior that was asked for."""
 
     fit: Fit
     targets: tuple[Target, ...]
@@ -68,6 +69,7 @@ class Fitted:
     deck: str
     notes: tuple[str, ...]
     folder: pathlib.Path | None = None
+    posterior: Posterior | None = None
 
 
 def run_fit(path, wishes: FitWishes, out=None, *, workers: int | None = None, engine: Callable | None = None, materials: Sequence = (),
@@ -84,6 +86,10 @@ def run_fit(path, wishes: FitWishes, out=None, *, workers: int | None = None, en
         raise refuse("--loss", wishes.loss, "unknown loss", f"known: {', '.join(LOSSES)}")
     if wishes.starts < 1:
         raise refuse("--starts", str(wishes.starts), "not a number of searches")
+    if wishes.posterior is not None:
+        checked(wishes.posterior)
+    if wishes.posterior_runs is not None and wishes.posterior_runs < 8:
+        raise refuse("--posterior-runs", str(wishes.posterior_runs), "too few runs for a posterior", "give some hundred")
     folder = None if out is False else _claimed(pathlib.Path(out or f"{source.stem}.fit"))
     question = Deck(text, source.name, os.path.abspath(source.parent), [os.path.abspath(m) for m in materials], points=POINTS)
     free = tuple(Free(_range(word)) for word in wishes.free)
@@ -102,18 +108,20 @@ def run_fit(path, wishes: FitWishes, out=None, *, workers: int | None = None, en
         problem = Problem(plan, free, tuple(targets), clocks, *(limits if clocks else (0.0, 0.0)), wishes.loss, ask)
         fit = _searched(problem, wishes)
         answer = problem.answers([fit.minimum.x])[0]
-        models = tuple(_of(problem, fit.minimum.x, t, answer) for t in targets)
-    deck = _fitted_deck(plan, problem, fit)
-    found = Fitted(fit, tuple(targets), models, deck, tuple(notes), folder)
+        models = tuple(problem.model(fit.minimum.x, t, answer) for t in targets)
+        drawn = None
+        if wishes.posterior is not None:
+            drawn = posterior_of(problem, fit.minimum, wishes.posterior, wishes.posterior_runs, wishes.seed)
+    found = Fitted(fit, tuple(targets), models, _fitted_deck(plan, problem, fit), tuple(notes), folder, drawn)
     if folder is not None:
-        _write(found, source.name)
+        write_fit(folder, found, source.name)
     return found
 
 
 def _claimed(folder: pathlib.Path) -> pathlib.Path:
     with explained(folder):
         folder.mkdir(parents=True, exist_ok=True)
-        foreign = sorted(path.name for path in folder.iterdir() if path.name not in _OURS and not path.name.endswith(".part"))
+        foreign = sorted(path.name for path in folder.iterdir() if path.name not in OURS and not path.name.endswith(".part"))
     if foreign:
         raise FileTrouble(f"{folder}: holds {foreign[0]} and is not the folder of a fit; choose another folder with --out")
     return folder
@@ -206,59 +214,9 @@ def _own_values(problem: Problem) -> np.ndarray | None:
     return np.array(found + [0.0] * (len(problem.names) - len(found)))
 
 
-def _of(problem: Problem, x: np.ndarray, target: Target, answer: dict) -> np.ndarray:
-    shifts, scales = problem.clock(x)
-    return target.model(answer, *((float(shifts[target.clock]), float(scales[target.clock])) if target.clock >= 0 else ()))
-
-
 def _fitted_deck(plan: Plan, problem: Problem, fit: Fit) -> str:
     values = [f.given(c) for f, c in zip(problem.free, fit.minimum.x)]
     question = plan.question
     text = question.read(plan.changes_of(values)).resolved if isinstance(question, Deck) else ""
     lines = [f"# {p.name} = {p.value:.6g} {p.unit}, standard deviation {p.sigma:.2g}" for p in fit.parameters]
     return "\n".join(["# Fitted: reduced chi-square " + f"{fit.reduced:.3g}", *lines, text])
-
-
-# -- what is written ---------------------------------------------------------------------------------------------------
-def record_of(found: Fitted) -> dict[str, Any]:
-    """The fit as plain data."""
-    fit = found.fit
-    return {"parameters": [asdict(p) for p in fit.parameters], "correlation": fit.correlation.tolist(), "chi_square": fit.chi_square,
-            "degrees_of_freedom": fit.freedom, "reduced_chi_square": fit.reduced, "probability": fit.probability, "matches": fit.matches,
-            "others": [{"values": list(values), "chi_square": cost} for values, cost in fit.others], "doubts": list(fit.doubts),
-            "notes": list(found.notes), "runs": fit.runs,
-            "targets": [{"label": t.label, "name": t.name, "points": len(t.values)} for t in found.targets]}
-
-
-def _write(found: Fitted, name: str) -> None:
-    from hugoniot.report import write_or_note
-
-    folder = found.folder
-    if folder is None:
-        return
-    write_whole(folder / "fitted.toml", found.deck)
-    write_whole(folder / "fit.json", json.dumps(_finite(record_of(found)), indent=2) + "\n")
-    out = io.StringIO()
-    rows = csv.writer(out, lineterminator="\n")
-    rows.writerow(["target", "time [s]", "data", "model", "sigma", "residual"])
-    for t, model in zip(found.targets, found.models):
-        for k in range(len(t.values)):
-            residual = (model[k] - t.values[k]) / t.sigma[k]
-            rows.writerow([t.label, *(repr(float(v)) for v in (t.time[k], t.values[k], model[k], t.sigma[k], residual))])
-    write_whole(folder / "residuals.csv", out.getvalue())
-
-    def report(place) -> None:
-        from hugoniot.report.fit_page import write_fit_report
-
-        shown = [(t.label, t.name, t.unit, t.time, t.values, t.sigma, model) for t, model in zip(found.targets, found.models)]
-        write_fit_report(place, f"Fit of {name}", record_of(found), shown, found.deck)
-
-    write_or_note(folder, report)
-
-
-def _finite(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {key: _finite(inner) for key, inner in value.items()}
-    if isinstance(value, list):
-        return [_finite(inner) for inner in value]
-    return None if isinstance(value, float) and not np.isfinite(value) else value

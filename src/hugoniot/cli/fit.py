@@ -28,6 +28,8 @@ def command(
     seed: Annotated[int, typer.Option("--seed", help="Seed of the sampled starting points.")] = 0,
     profile: Annotated[bool, typer.Option("--profile", help="Find the 95 % limits by profiles too.")] = False,
     local: Annotated[bool, typer.Option("--local", help="Do not search the whole ranges where no start matches.")] = False,
+    posterior: Annotated[str | None, typer.Option("--posterior", help="Draw from the posterior: surrogate, or runs.")] = None,
+    posterior_runs: Annotated[int | None, typer.Option("--posterior-runs", help="Runs for the posterior.")] = None,
     workers: Annotated[int | None, typer.Option("--workers", "-w", help="Worker processes (default: one for each processor).")] = None,
     out: Annotated[Path | None, typer.Option("--out", "-o", help="Folder to write (default: DECK.fit).")] = None,
     plot: Annotated[Path | None, typer.Option("--plot", help="Picture to write, such as fit.png.")] = None,
@@ -43,14 +45,15 @@ def command(
 
     Example: hugoniot fit spall.toml --to visar.csv --free "material.ta.fracture.strength = 1..8 GPa" --shift "20 ns"
     """
-    from hugoniot.campaign.run_fit import FitWishes, record_of, run_fit
+    from hugoniot.campaign.fit_files import record_of
+    from hugoniot.campaign.run_fit import FitWishes, run_fit
 
     if plot is not None:
         from hugoniot.cli.plot import drawable
 
         drawable(plot, "fit", "--plot")
     wishes = FitWishes(list(to or ()), list(free or ()), list(tie or ()), gauge, sigma, list(window or ()), shift, scale, loss, starts,
-                       seed, profile, local)
+                       seed, profile, local, posterior, posterior_runs)
     found = run_fit(deck, wishes, out, workers=workers, materials=materials or (), show=None if quiet or as_json else _show())
     if plot is not None:
         from hugoniot.plotting.eos import save
@@ -89,4 +92,21 @@ def _echo(found) -> None:
     typer.echo(f"\nreduced chi-square {fit.reduced:.4g} for {fit.freedom} degrees of freedom; {fit.runs} runs")
     for doubt in fit.doubts:
         typer.echo(f"note: {doubt}")
+    if found.posterior is not None:
+        _echo_posterior(found.posterior)
     typer.echo(f"fitted deck in {found.folder / 'fitted.toml'}, report: {found.folder / 'report.html'}")
+
+
+def _echo_posterior(p) -> None:
+    where = "a surrogate" if p.surrogate else "the runs"
+    typer.echo(f"\nposterior over {where}: {len(p.draws)} draws, worth {p.effective:.0f} independent ones")
+    if p.surrogate:
+        missed = ", ".join(f"{name} {error:.2g} sigma" for name, error in p.surrogate.errors.items())
+        typer.echo(f"leaving runs out, the surrogate misses the logarithm of the probability by {p.surrogate.log_error:.2g}; {missed}")
+    echo_table(["parameter", "mean", "standard deviation", "median", "95 % interval", "autocorrelation"],
+               [[name, format_si(p.mean[k], unit, 5), format_si(p.deviation[k], unit, 2), format_si(p.quantiles[2, k], unit, 5),
+                 f"{format_si(p.quantiles[0, k], unit, 5)} .. {format_si(p.quantiles[-1, k], unit, 5)}",
+                 f"{p.autocorrelation[k]:.0f} steps"]
+                for k, (name, unit) in enumerate(zip(p.names, p.units))])
+    for doubt in p.doubts:
+        typer.echo(f"note: {doubt}")

@@ -28,10 +28,11 @@ class Job(NamedTuple):
 
     file: Path | None
     compile: Callable[[], object]
+    done: bool = False      # compiled in this process
 
     def is_kept(self) -> bool:
         """Whether it need not be compiled."""
-        return self.file is not None and self.file.exists()
+        return self.done or self.file is not None and self.file.exists()
 
 
 def job_of(kernel, arguments: tuple) -> Job:
@@ -41,6 +42,8 @@ def job_of(kernel, arguments: tuple) -> Job:
 
 def job_of_types(kernel, kinds: tuple) -> Job:
     """The job for a kernel and argument types."""
+    if kinds in kernel.overloads:
+        return Job(None, lambda: None, True)
     return Job(kept_at(kernel.py_func, kinds), lambda: kernel.compile(kinds))
 
 

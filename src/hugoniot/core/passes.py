@@ -178,6 +178,7 @@ class Entry:
 
     def __init__(self, function):
         self.compiled = nb.njit(**BY_ADDRESS)(function)
+        self._addresses: dict = {}
 
     def job(self, *arguments) -> Job:
         """What is left to do for arguments of these types."""
@@ -186,9 +187,11 @@ class Entry:
     def address(self, *arguments) -> int:
         """Address of the function compiled for arguments of these types; compiled now unless it is on disk."""
         kinds = tuple(nb.typeof(argument) for argument in arguments)
-        self.compiled.compile(kinds)
-        result = self.compiled.overloads[kinds]
-        return result.library.get_pointer_to_function(result.fndesc.llvm_func_name)
+        if kinds not in self._addresses:
+            self.compiled.compile(kinds)
+            result = self.compiled.overloads[kinds]
+            self._addresses[kinds] = result.library.get_pointer_to_function(result.fndesc.llvm_func_name)
+        return self._addresses[kinds]
 
 
 @intrinsic

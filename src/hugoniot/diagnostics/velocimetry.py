@@ -70,8 +70,12 @@ def fringes(time, velocity, delay: float, wavelength: float = 532e-9):
 def turning_points(values, least: float) -> list[int]:
     """Indices of successive maxima and minima whose swings exceed `least`, starting with the first maximum (zigzag filter)."""
     points, rising, best = [], True, 0
-    values = np.asarray(values, dtype=float).tolist()   # the loop looks up single numbers, which a list gives far faster
-    for k, value in enumerate(values):
+    values = np.asarray(values, dtype=float)
+    # swings end where a climb or a fall does: at the first of equal values, or at the end of the record
+    changed = np.append(0, np.flatnonzero(np.diff(values)) + 1) if len(values) else np.zeros(0, dtype=int)
+    ways = np.sign(np.diff(values[changed]))
+    extremes = changed[np.append(np.append(True, ways[1:] != ways[:-1]), True)] if len(changed) > 1 else changed
+    for k, value in zip(extremes.tolist(), values[extremes].tolist()):
         swing = values[best] - value if rising else value - values[best]
         if swing > least:
             points.append(best)

@@ -57,8 +57,9 @@ def _velocity(table: dict, k: int) -> np.ndarray:
 
 def _largest_velocity(run: Run) -> float:
     """The largest speed in the gauges and snapshots of a run, m/s."""
-    known = [values for group in ("gauges", "snapshots") for name, values in run.arrays(group).items() if name.startswith("velocity")]
-    return max((float(np.max(np.abs(values))) for values in known if values.size), default=0.0)
+    tables = [run.arrays(group) for group in ("gauges", "snapshots")]
+    known = [table[name] for table in tables for name in table if name.startswith("velocity")]
+    return max((max(float(np.max(values)), -float(np.min(values))) for values in known if values.size), default=0.0)
 
 
 def spall_numbers(run: Run) -> dict:

@@ -2,16 +2,19 @@
 
 import pathlib
 
+import numpy as np
+
 from hugoniot.output.atomic import write_whole
 from hugoniot.output.seal import sealed
 from hugoniot.plotting.fit import draw_correlation, draw_target
 from hugoniot.plotting.inline import svg
+from hugoniot.plotting.posterior import draw_corner, draw_predictive
 from hugoniot.report.sections import cards, number, table, text
 from hugoniot.version import __version__
 
 
-def page(title: str, fit: dict, records, deck: str) -> str:
-    """The whole page as HTML text; fit as in fit.json, records as of `plotting.fit.draw_target`."""
+def page(title: str, fit: dict, records, deck: str, posterior=None) -> str:
+    """The whole page as HTML text; fit as in fit.json, records as of `plotting.fit.draw_target`, posterior a `Posterior` or None."""
     css = (pathlib.Path(__file__).parent / "page.css").read_text(encoding="utf-8")
     doubts = "".join(f'<p class="warning">{text(words)}</p>' for words in fit["doubts"])
     facts = cards([("reduced chi-square", number(float(f"{fit['reduced_chi_square']:.4g}"))),
@@ -36,6 +39,7 @@ def page(title: str, fit: dict, records, deck: str) -> str:
         f"<p class=quiet>hugoniot {text(__version__)}</p>", doubts, facts,
         f"<section><h2>Parameters</h2>{_parameters(fit)}</section>",
         f"<section><h2>Data and model</h2>{pictures}{numbers}</section>",
+        "" if posterior is None else f"<section><h2>Posterior</h2>{_posterior(fit['posterior'], posterior, records)}</section>",
         f"<section><h2>Fitted deck</h2><pre>{text(deck)}</pre></section></main></body></html>\n"])
 
 
@@ -52,8 +56,31 @@ def _parameters(fit: dict) -> str:
     return table(heads, rows) if profiled else table(heads[:-1], [row[:-1] for row in rows])
 
 
-def write_fit_report(folder, title: str, fit: dict, records, deck: str) -> pathlib.Path:
+def _posterior(record: dict, posterior, records) -> str:
+    """Quantiles, how good the draws and what they were drawn over are, every pair of parameters, and what prior and posterior predict."""
+    def shown(value, unit):
+        return number(float(f"{value:.5g}"), unit)
+
+    rows = [[text(p["name"]), *(shown(v, p["unit"]) for v in (p["mean"], p["deviation"], p["quantiles"][2])),
+             f"{shown(p['quantiles'][0], p['unit'])} to {shown(p['quantiles'][-1], p['unit'])}"] for p in record["parameters"]]
+    facts = [("draws", str(record["draws"])), ("worth independent draws", f"{record['effective']:.0f}")]
+    if "surrogate" in record:
+        facts.append(("error of the surrogate in log probability, leaving runs out", f"{record['surrogate']['log_error']:.2g}"))
+    doubts = "".join(f'<p class="warning">{text(words)}</p>' for words in record["doubts"])
+    count = len(posterior.names)
+    side = 1.35 * count
+    pictures = [svg(lambda *axes: draw_corner(np.array(axes).reshape(count, count), posterior), "corner", side + 1.2, side + 0.8,
+                    *((0.9 + 1.35 * j, 0.6 + 1.35 * (count - 1 - i), 1.25, 1.25) for i in range(count) for j in range(count)))]
+    for k, shown in enumerate(records):
+        if len(shown[3]) > 1:
+            pictures.append(svg(lambda ax, k=k, s=shown: draw_predictive(ax, s, posterior.prior[k], posterior.predicted[k]),
+                                f"predictive-{k}", 7.4, 3.2, (0.8, 0.5, 6.3, 2.4)))
+    heads = ["parameter", "mean", "standard deviation", "median", "95 % interval"]
+    return doubts + cards(facts) + table(heads, rows) + "".join(f"<figure>{picture}</figure>" for picture in pictures)
+
+
+def write_fit_report(folder, title: str, fit: dict, records, deck: str, posterior=None) -> pathlib.Path:
     """Write report.html into the folder of a fit; gives its path. Raises `FileTrouble`."""
     path = pathlib.Path(folder) / "report.html"
-    write_whole(path, sealed(page(title, fit, records, deck), "<!-- ", " -->\n"), durable=False)
+    write_whole(path, sealed(page(title, fit, records, deck, posterior), "<!-- ", " -->\n"), durable=False)
     return path

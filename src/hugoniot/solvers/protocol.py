@@ -100,6 +100,10 @@ class Solver(Protocol):
         """Copies of all fields now; `zones["mass"]` (nzone,), kg, and `zones["energy"]`, J/kg, are always among them."""
         ...
 
+    def motion(self) -> SolverState:
+        """A state of which `fields` has at least the places and the velocities: cheaper than `state` where nothing else is wanted."""
+        ...
+
     def take_gauges(self) -> tuple[np.ndarray, dict[str, np.ndarray]]:
         """(times (n,) s, {field: (n, ngauge)}) recorded since the last call, which forgets them; no fields where there are no gauges."""
         ...
@@ -198,6 +202,14 @@ class NothingToAdd:
 
     viscosity: Any = None
     transport: Any = None
+
+    def state(self) -> SolverState:
+        """Left to the solver."""
+        raise NotImplementedError
+
+    def motion(self) -> SolverState:
+        """The whole state."""
+        return self.state()
 
     def phases(self) -> np.ndarray | None:
         """Nothing burns."""

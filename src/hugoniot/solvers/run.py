@@ -1,10 +1,10 @@
 """The only time loop: marches a solver from event to event and hands what happens to observers.
 
-Observers are objects with any of `gauges(times, values)`, `snapshot(state)`, `event(event)`, `progress(report)` and
-`checkpoint(payload)`; they look, and change nothing. What the loop decides from the wall clock (how long a burst of cycles
-lasts, when to checkpoint, when to report) never changes a result: bursts end on whole cycles and every step is chosen by
-the state alone. An interrupt (Ctrl-C) waits for the end of a burst and of what it caused, so that the checkpoint it leaves
-holds neither half a snapshot nor a void that was noticed but not opened.
+Observers are objects with any of `gauges(times, values)`, `snapshot(state)`, `motion(state)` (places and velocities of a
+snapshot), `event(event)`, `progress(report)` and `checkpoint(payload)`; they look, and change nothing. What the loop decides
+from the wall clock (how long a burst of cycles lasts, when to checkpoint, when to report) never changes a result: bursts end on
+whole cycles and every step is chosen by the state alone. An interrupt (Ctrl-C) waits for the end of a burst and of what it
+caused, so that the checkpoint it leaves holds neither half a snapshot nor a void that was noticed but not opened.
 """
 
 import math
@@ -116,7 +116,7 @@ def march_to_end(solver: Solver, schedule: Schedule, observers=(), next_snapshot
     last_cycle, kernel, burst, first = solver.cycle, 0.0, FIRST_BURST, True
     with _Interrupts() as interrupts:
         if next_snapshot == 0 and solver.time >= times[0]:
-            tell("snapshot", solver.state())
+            _look(solver, tell)
             next_snapshot = 1
         while solver.time < schedule.stop_time:
             if interrupts.asked:
@@ -136,7 +136,7 @@ def march_to_end(solver: Solver, schedule: Schedule, observers=(), next_snapshot
             for event in events:
                 tell("event", event)
             if solver.time >= times[next_snapshot]:
-                tell("snapshot", solver.state())
+                _look(solver, tell)
                 next_snapshot += 1
             now = time.perf_counter()
             if tell.wanted("progress"):
@@ -145,6 +145,14 @@ def march_to_end(solver: Solver, schedule: Schedule, observers=(), next_snapshot
                 tell("checkpoint", {"solver": solver.payload(), "next_snapshot": next_snapshot})
                 last_checkpoint, last_cycle = time.perf_counter(), solver.cycle
     return Outcome("done", kernel)
+
+
+def _look(solver: Solver, tell: _Hands) -> None:
+    """Hand out a snapshot, and only what somebody looks at of it."""
+    if tell.wanted("snapshot"):
+        tell("snapshot", solver.state())
+    if tell.wanted("motion"):
+        tell("motion", solver.motion())
 
 
 def _allowance(solver: Solver, schedule, burst, last_cycle):

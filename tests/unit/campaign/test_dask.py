@@ -16,7 +16,7 @@ from hugoniot.errors import DeckError, HugoniotError
 @pytest.mark.parametrize("asked, words", [
     ({"name": "ray"}, "unknown engine"),
     ({"name": "local", "scheduler": "tcp://127.0.0.1:1"}, "add --engine dask"),
-    ({"name": "dask", "time_limit": 3.0}, "not ended at a time limit"),
+    ({"name": "dask", "time_limit": 0.0}, "not a time"),
     ({"name": "dask", "scheduler": "tcp://127.0.0.1:1", "workers": 2}, "has its own workers"),
     ({"name": "dask", "workers": 0}, "not a number of workers"),
 ])
@@ -48,7 +48,7 @@ def test_a_cluster_gives_the_table_of_one_process(deck, tmp_path, inline):
     wishes = Wishes(vary=["region.flyer.velocity = 400..900 m/s : 12"])
     run_sweep(deck, wishes, tmp_path / "inline", engine=inline, report=False)
     wanted = [(tmp_path / "inline" / name).read_bytes() for name in (CASES, TABLE)]
-    for workers in (1, 2):
+    for workers in (1, 2, 4):
         out = tmp_path / str(workers)
         run_sweep(deck, wishes, out, engine=engine_of("dask", workers=workers), report=False)
         assert [(out / name).read_bytes() for name in (CASES, TABLE)] == wanted
@@ -66,3 +66,65 @@ def test_a_cluster_gives_the_table_of_one_process(deck, tmp_path, inline):
         address = cluster.scheduler_address
     with pytest.raises(HugoniotError, match="does not answer"):
         run_sweep(deck, wishes, tmp_path / "lost", engine=engine_of("dask", address), report=False)
+
+
+def test_a_case_that_hangs_is_ended_inside_a_worker(deck):
+    """What a worker of a cluster calls: the process it keeps for its cases is ended at the limit, and the next case has another."""
+    from hugoniot.campaign import dask_pool
+    from hugoniot.campaign.questions import Deck
+
+    slow = deck.read_text().replace("zones = 16", "zones = 16000")
+    hello = json.dumps({"question": Deck(slow, deck.name).record(), "known": []})
+    try:
+        answers = [json.loads(dask_pool.answer(hello, json.dumps(changes), 0.5)) for changes in
+                   ({"region.target.zones": 16}, {}, {"region.target.zones": 12})]
+    finally:
+        for pool in dask_pool._questions.values():
+            pool.__exit__()
+        dask_pool._questions.clear()
+    assert ["numbers" in a for a in answers] == [True, False, True] and answers[1]["late"] == 0.5
+
+
+def _started(module, *arguments):
+    return subprocess.Popen([sys.executable, "-m", f"distributed.cli.{module}", *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                            env=os.environ | {"DASK_DISTRIBUTED__SCHEDULER__WORKER_TTL": "10s"})
+
+
+@pytest.mark.slow
+def test_a_sweep_goes_on_when_its_scheduler_is_back(deck, tmp_path, inline):
+    pytest.importorskip("distributed")
+    import socket
+
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    address = f"tcp://127.0.0.1:{port}"
+    wishes = Wishes(vary=["region.flyer.velocity = 400..900 m/s : 40"])
+    run_sweep(deck, wishes, tmp_path / "inline", engine=inline, report=False)
+    wanted, out = [(tmp_path / "inline" / name).read_bytes() for name in (CASES, TABLE)], tmp_path / "s"
+
+    def cluster():
+        scheduler = _started("dask_scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard")
+        return scheduler, [_started("dask_worker", address, "--nthreads", "1", "--no-dashboard", "--death-timeout", "20") for _ in range(2)]
+
+    began = cluster()
+
+    def kill_it(progress):
+        if progress.done == 5:
+            began[0].kill()
+
+    try:
+        with pytest.raises(HugoniotError, match="the scheduler was lost"):
+            run_sweep(deck, wishes, out, engine=engine_of("dask", address), show=kill_it, report=False)
+    finally:
+        for process in (began[0], *began[1]):
+            process.kill()
+            process.wait()
+    again = cluster()
+    try:
+        found = run_sweep(deck, wishes, out, engine=engine_of("dask", address), report=False)
+    finally:
+        for process in (again[0], *again[1]):
+            process.kill()
+            process.wait()
+    assert found.progress.known >= 5 and [(out / name).read_bytes() for name in (CASES, TABLE)] == wanted

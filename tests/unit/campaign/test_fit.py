@@ -2,44 +2,19 @@
 
 import json
 import math
+import pathlib
 
 import numpy as np
 import pytest
+from fit_problems import FREE, TIMES, bump, line, problem, record, written
 
 import hugoniot
-from hugoniot.campaign.fit import Free, Problem
 from hugoniot.campaign.fit_results import weighed
 from hugoniot.campaign.memory_run import MemoryRun
 from hugoniot.campaign.questions import Deck
 from hugoniot.campaign.run_fit import FitWishes, run_fit
-from hugoniot.campaign.targets import Target, noise_of
-from hugoniot.campaign.variables import read_variable
+from hugoniot.campaign.targets import noise_of
 from hugoniot.errors import DeckError, FileTrouble, NoSolution
-
-TIMES = np.linspace(0.0, 1.0, 201)
-
-
-class Straight:
-    """A plan whose changes are the values themselves."""
-
-    def changes_of(self, values):
-        return {"values": [float(value) for value in values]}
-
-
-def problem(model, data, sigma, ranges, shift=0.0, scale=0.0, loss="linear"):
-    """A fit of model(times, *values) to data at TIMES without any deck."""
-    wide = np.linspace(-1.0, 2.0, 3001)
-
-    def ask(changes):
-        return [{"numbers": {}, "records": {"g.u": (wide, model(wide, *change["values"]))}} for change in changes]
-
-    target = Target("record", "g.u", "m/s", TIMES, data, np.full(TIMES.size, sigma), 0)
-    free = tuple(Free(read_variable(text)) for text in ranges)
-    return Problem(Straight(), free, (target,), 1, shift, scale, loss, ask)
-
-
-def line(t, a, b):
-    return a + b * t
 
 
 def test_a_straight_line_has_the_intervals_of_the_textbook():
@@ -72,10 +47,6 @@ def test_small_jumps_of_the_runs_are_part_of_the_interval():
         found = weighed(p, [p.search(p.starts(None, 1, 0)[0])]).parameters[0]
         away.append((found.value - 0.3 - 0.0002 * seed) / found.sigma)
     assert 0.3 < np.sqrt(np.mean(np.square(away))) < 1.5 and np.mean(np.abs(away) < 1.97) > 0.85
-
-
-def bump(t, height, width):
-    return height * np.exp(-0.5 * ((t - 0.5) / width) ** 2)
 
 
 def test_shift_and_scale_are_found_without_runs_of_their_own():
@@ -146,22 +117,6 @@ def test_the_noise_of_a_record_is_found_in_it():
 
 
 # -- with runs -----------------------------------------------------------------------------------------------------------
-TRUTH = {"region.flyer.velocity": "720 m/s", "material.al.fracture.strength": "0.9 GPa"}
-FREE = ["region.flyer.velocity = 600..850 m/s", "material.al.fracture.strength = 0.5..1.5 GPa"]
-
-
-def record(deck, changes=TRUTH, sigma=5.0, shift=8e-9, count=200):
-    run = MemoryRun(Deck(deck.read_text(), deck.name).read(changes).problem)
-    time, velocity = run.gauge("velocity", "free surface")
-    at = np.linspace(0.4e-6, 1.4e-6, count)
-    return at, np.interp(at - shift, time, velocity) + sigma * np.random.default_rng(11).standard_normal(count)
-
-
-def written(path, at, values, head="time [us], velocity [m/s]"):
-    path.write_text(head + "\n" + "".join(f"{t * 1e6!r}, {v!r}\n" for t, v in zip(at.tolist(), values.tolist())))
-    return str(path)
-
-
 def test_a_record_gives_its_constants_back(deck, tmp_path, inline):
     data = written(tmp_path / "visar.csv", *record(deck))
     found = run_fit(deck, FitWishes([data], FREE, gauge="free surface", sigma="5 m/s", shift="20 ns"), tmp_path / "f", engine=inline)
@@ -197,6 +152,24 @@ def test_numbers_and_windows_and_uncertainties_of_the_file(deck, tmp_path, inlin
                          window=["0.39..0.9 us"], starts=1, shift="20 ns")
     assert found["value"].sel(parameter="region.flyer.velocity") == pytest.approx(720.0, abs=6.0)
     assert found.attrs["matches"] == 1 and found.attrs["degrees_of_freedom"] == 100 + 1 - 2 and "stop_time" in found.attrs["deck"]
+
+
+@pytest.mark.slow
+def test_a_wall_seen_by_a_streak_camera_gives_the_tube_back(tmp_path, inline):
+    """A record of two dimensions: a short cylinder test, and the density of its tube from the place of the wall."""
+    text = (pathlib.Path(__file__).parents[3] / "examples" / "cylinder-test.toml").read_text()
+    for old, new in (("220 mm", "40 mm"), ("[8, 140]", "[4, 20]"), ("[3, 140]", "[2, 20]"), ("27.5 us", "10 us"), ("100 mm", "20 mm")):
+        text = text.replace(old, new)
+    deck = tmp_path / "cylinder.toml"
+    deck.write_text(text)
+    run = MemoryRun(Deck(text, deck.name).read({"material.tube.eos.rho0": "9200 kg/m^3"}).problem)
+    time, place = run.gauge("line_position", "streak at 20 mm")
+    late = time > 2e-6
+    seen = place[late] + 2e-5 * np.random.default_rng(0).standard_normal(int(late.sum()))
+    data = written(tmp_path / "streak.csv", time[late], 1e3 * seen, "time [us], streak at 20 mm line_position [mm]")
+    fit = run_fit(deck, FitWishes([data], ["material.tube.eos.rho0 = 8.5..9.8 g/cm^3"], sigma="0.02 mm", starts=1, local=True), False,
+                  engine=inline).fit
+    assert abs(fit.parameters[0].value - 9200.0) < 4.0 * fit.parameters[0].sigma < 60.0 and fit.matches
 
 
 @pytest.mark.parametrize("wishes, words", [

@@ -113,6 +113,6 @@ def test_a_sweep_killed_twenty_times_loses_nothing(deck, tmp_path, inline):
 @pytest.mark.slow
 def test_four_workers_give_the_table_of_one(deck, tmp_path, inline):
     wishes = Wishes(vary=[SPEEDS.format(12)])
-    for workers in (1, 4):
+    for workers in (1, 2, 4):
         run_sweep(deck, wishes, tmp_path / str(workers), workers=workers, report=False)
-    assert bytes_of(tmp_path / "1") == bytes_of(tmp_path / "4")
+    assert bytes_of(tmp_path / "1") == bytes_of(tmp_path / "2") == bytes_of(tmp_path / "4")

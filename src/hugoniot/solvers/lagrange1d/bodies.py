@@ -46,9 +46,14 @@ def alike_ranges(regions, ranges, burns):
     return merged
 
 
+def left_nodes(segments) -> np.ndarray:
+    """The node at the left face of every zone, (nzone,)."""
+    return np.concatenate([np.arange(a, b) + k for k, (a, b, _, _) in enumerate(segments)])
+
+
 def faces(nodes, segments, row):
     """A node row at the left and at the right face of every zone, (nzone,) each."""
-    left = np.concatenate([np.arange(a, b) + k for k, (a, b, _, _) in enumerate(segments)])
+    left = left_nodes(segments)
     return nodes[row, left], nodes[row, left + 1]
 
 

@@ -18,7 +18,7 @@ from hugoniot.solvers.lagrange1d import accounts, reactive, start, transmitting
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_pulse, laws_of_regions, viscosity_of
 from hugoniot.solvers.lagrange1d.between_steps import events_of
-from hugoniot.solvers.lagrange1d.bodies import alike_ranges, faces, interface_table, run_table, set_node_masses, shares_of
+from hugoniot.solvers.lagrange1d.bodies import alike_ranges, interface_table, left_nodes, run_table, set_node_masses, shares_of
 from hugoniot.solvers.lagrange1d.layout import B, H, WorkRows, Z
 from hugoniot.solvers.lagrange1d.nodes import End, OpenEnd
 from hugoniot.solvers.lagrange1d.plan import EMPTY, Planner, serve
@@ -57,7 +57,8 @@ class Lagrange1D(NothingToAdd):
         self.node_table = zone_table(len(H), 2 * self.zones.shape[1])         # room for every zone on its own
         self.gradient_table = np.zeros(3 * self.zones.shape[1])
         self.work = zone_table(len(WorkRows._fields), self.team.threads * L.PIECE)
-        self.terms = terms_of(problem, self.zones, faces(self.nodes, self.segments, H.r), self.region_ranges)
+        self.left_nodes = left_nodes(self.segments)
+        self.terms = terms_of(problem, self.zones, self._faces(H.r), self.region_ranges)
         self.planner = Planner((self.table, self.charge_table, self.node_table, self.gradient_table, self.work), laws, self.terms,
                                self.geometry, self.staggered, problem.solver.options["heat_flux"], self.team.threads)
         remembering = any(remembers(problem.materials[region.material].eos) for region in problem.regions)
@@ -105,6 +106,7 @@ class Lagrange1D(NothingToAdd):
     def _renew_tables(self):
         self.node_table[:, :self.nodes.shape[1]], self.gradient_table[:len(self.gradient)] = self.nodes, self.gradient
         self.nodes, self.gradient = self.node_table[:, :self.nodes.shape[1]], self.gradient_table[:len(self.gradient)]
+        self.left_nodes = left_nodes(self.segments)
         self.interfaces = interface_table(self.segments, self.nodes)
         self.gauges, self.weights = probe_tables(self)
         transmitting.reach(self.control, self.segments, self.region_ranges)
@@ -112,7 +114,7 @@ class Lagrange1D(NothingToAdd):
 
     def _faces(self, row):
         """A node row at the left and right face of every zone."""
-        return faces(self.nodes, self.segments, row)
+        return self.nodes[row, self.left_nodes], self.nodes[row, self.left_nodes + 1]
 
     # -- marching --------------------------------------------------------------------------------------------
     @property
@@ -193,6 +195,10 @@ class Lagrange1D(NothingToAdd):
         left, right = self._faces(H.r)
         ul, ur = self._faces(H.u)
         return State(self.time, self.cycle, zones, left, right, ul, ur)
+
+    def motion(self) -> State:
+        """Places and velocities alone: a sixth of the work of `state`."""
+        return State(self.time, self.cycle, {}, *self._faces(H.r), *self._faces(H.u))
 
     @property
     def gauge_zones(self) -> np.ndarray:
