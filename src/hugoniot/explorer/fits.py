@@ -12,6 +12,7 @@ from hugoniot.files import read_text
 from hugoniot.page.live import fields
 
 LARGEST = 64_000_000
+DRAWS = 1500     # of a posterior that are drawn
 COLUMNS = ("time", "data", "model", "sigma", "residual")
 
 
@@ -32,12 +33,21 @@ def fit(path: Path) -> dict[str, Any]:
         first += points
         columns = {key: [_number(row[k + 1], path) for row in part] for k, key in enumerate(COLUMNS)}
         targets.append({**fields([name.rpartition(".")[2] or name])[0], "label": label, "name": name, **columns})
-    return {"fit": found, "targets": targets, "deck": deck}
+    return {"fit": found, "targets": targets, "deck": deck, "draws": _draws(path, len(found.get("parameters", ())))}
+
+
+def _draws(path: Path, count: int) -> list[list[float | None]]:
+    """Draws of the posterior, a list for each parameter, thinned to `DRAWS`; empty where none was asked for."""
+    if not (path / "posterior.csv").is_file():
+        return []
+    rows = list(csv.reader(io.StringIO(read_text(path / "posterior.csv", LARGEST))))[1:]
+    rows = [row for row in rows[::max(1, len(rows) // DRAWS)] if len(row) == count]
+    return [[_number(row[k], path) for row in rows] for k in range(count)]
 
 
 def _number(cell: str, path: Path) -> float | None:
     try:
         value = float(cell)
     except ValueError:
-        raise FileTrouble(f"{path.name}: residuals.csv: '{cell[:30]}' is not a number") from None
+        raise FileTrouble(f"{path.name}: '{cell[:30]}' is not a number") from None
     return value if math.isfinite(value) else None

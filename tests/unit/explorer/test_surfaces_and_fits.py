@@ -95,6 +95,9 @@ def test_a_fit_is_read_from_its_folder(tmp_path):
     found = fits.fit(places.fit(0).path)
     assert found["fit"] == fit and [t["name"] for t in found["targets"]] == ["free surface.velocity", "free surface.arrival"]
     assert found["targets"][0]["data"] == data and found["targets"][0]["unit"] == "m/s" and found["targets"][1]["data"] == [6.9e-7]
+    assert found["draws"] == []
+    (tmp_path / "spall.fit" / "posterior.csv").write_text("a [Pa],b [s]\n" + "".join(f"{5e9 + k},{1e-9 * k}\n" for k in range(9)))
+    assert fits.fit(places.fit(0).path)["draws"] == [[5e9 + k for k in range(9)], [1e-9 * k for k in range(9)]]
     (tmp_path / "spall.fit" / "residuals.csv").write_text("target,time [s],data,model,sigma,residual\na,1,2,3,4,5\n")
     with pytest.raises(FileTrouble, match="does not hold the points"):
         fits.fit(places.fit(0).path)

@@ -34,7 +34,7 @@
       const name = opened.fits[Number(number)]?.name || "fit";
       H.command({shell: `python -m json.tool ${H.shell(`${name}/fit.json`)}\nhugoniot run ${H.shell(`${name}/fitted.toml`)}`, python: `import json\nfit = json.load(open(${H.python(`${name}/fit.json`)}))\nfor p in fit["parameters"]:\n    print(p["name"], p["value"], p["sigma"], p["unit"])` });
       if (shownKey !== number) { shownKey = number; drawFacts(found.fit); drawTargets(found.targets); }
-      drawPosterior(found.fit);
+      drawPosterior(found.fit, found.draws || []);
       if (!readout.childNodes.length) H.clear(readout).append(H.h("span", {class: "quiet"}, "Point at the data, the model or a residual, or focus a picture and use the arrow keys."));
     } catch (error) { H.failed(error); H.clear(readout).append(H.h("span", {class: "bad"}, error.message)); }
   };
@@ -68,7 +68,7 @@
       host.append(H.h("p", {class: "small quiet", style: {margin: 0}}, "Dots: data. Band: two standard deviations of the data. Line: the model with the values found."));
     }
   }
-  function drawPosterior(fit) {
+  function drawPosterior(fit, draws) {
     const usable = fit.parameters.map((p, k) => ({...p, k})).filter(p => known(p.value) && p.sigma > 0), fill = (s, wanted, otherwise) => { H.clear(s).append(...usable.map(p => H.h("option", {value: String(p.k)}, p.name))); s.value = usable.some(p => String(p.k) === wanted) ? wanted : otherwise; };
     pairHost.hidden = !usable.length;
     if (!usable.length) return;
@@ -80,6 +80,7 @@
     if (other) {
       const b = fit.parameters[ySelect.value], [, fb] = shown(b), r = fit.correlation[xSelect.value][ySelect.value], turn = Array.from({length: 121}, (_, k) => 2 * Math.PI * k / 120);
       const series = ELLIPSES.map(([share, square], k) => { const s = Math.sqrt(square), x = turn.map(t => (a.value + s * a.sigma * Math.cos(t)) * fa), y = turn.map(t => (b.value + s * b.sigma * (r * Math.cos(t) + Math.sqrt(Math.max(1 - r * r, 0)) * Math.sin(t))) * fb); return {kind: "line", id: `${(100 * share).toFixed(1)} %`, label: `${(100 * share).toFixed(1)} %`, colour: k, hover: true, x, y}; });
+      if (draws.length) series.unshift({kind: "points", id: "draw", colour: "quiet", size: 1.4, filled: true, faint: true, x: draws[xSelect.value].map(v => v * fa), y: draws[ySelect.value].map(v => v * fb)});
       const others = (fit.others || []).map(o => [o.values[xSelect.value] * fa, o.values[ySelect.value] * fb]);
       if (others.length) series.push({kind: "points", id: "other minimum", colour: 3, filled: true, outside: true, x: others.map(o => o[0]), y: others.map(o => o[1]), hover: true});
       pair.show({series, marks: [{kind: "dot", x: a.value * fa, y: b.value * fb, colour: "ink", label: `correlation ${r.toFixed(2)}`}], x: {label: words(a)}, y: {label: words(b)}});
