@@ -7,6 +7,7 @@ import json
 import sys
 from pathlib import Path
 
+from hugoniot.campaign.plane import PlaneProblem
 from hugoniot.campaign.verify import PROBLEMS
 
 TARGET = Path(__file__).parent / "verification_numbers.md"
@@ -36,13 +37,15 @@ def section(found: dict) -> list[str]:
     problem = PROBLEMS[found["problem"]]
     closed = f"Energy closed to {found['energy_error']:.0e}, momentum to {found['momentum_error']:.0e}."
     lines = [f"### {problem.name}", "", f"{problem.description}. {closed}", ""]
-    lines += ["| measure | zones | value | KO | G2 | goal | order |", "|---|---|---|---|---|---|---|"]
+    bars = {"peer": "open codes", "goal": "goal"} if isinstance(problem, PlaneProblem) else {"ko": "KO", "g2": "G2", "goal": "goal"}
+    lines += ["| measure | zones | value | " + " | ".join(bars.values()) + " | order |", "|---" * (len(bars) + 4) + "|"]
     last = None
-    for row in sorted(found["measures"], key=lambda m: [x.key for x in problem.measure].index(m["measure"])):
+    keys = list(dict.fromkeys(row["measure"] for row in found["measures"]))
+    for row in sorted(found["measures"], key=lambda m: keys.index(m["measure"])):
         order = found["orders"].get(row["measure"])
         shown = f"{order:.2f}" if order is not None and row["measure"] != last and row["sense"] == "below" else ""
         words = WORDS.get(row["measure"], row["measure"].replace("_", " ")) if row["measure"] != last else ""
-        marks = " | ".join(bar(row[key], beats(row, key)) for key in ("ko", "g2", "goal"))
+        marks = " | ".join(bar(row[key], beats(row, key)) for key in bars)
         lines.append(f"| {words} | {row['zones']} | {row['value']:.4g} | {marks} | {shown} |")
         last = row["measure"]
     return [*lines, ""]
@@ -52,7 +55,7 @@ def main(path: str) -> None:
     found = json.loads(Path(path).read_text())
     rows = [row for problem in found for row in problem["measures"]]
     lines = []
-    for key, words in (("ko", "KO"), ("g2", "second-order Godunov"), ("goal", "goals")):
+    for key, words in (("ko", "KO"), ("g2", "second-order Godunov"), ("peer", "open codes"), ("goal", "goals")):
         marks = [beats(row, key) for row in rows if row[key] is not None]
         lines.append(f"{sum(marks)} of {len(marks)} {words}")
     seconds = sum(p["seconds"] for p in found)

@@ -96,7 +96,7 @@ def test_a_vortex_keeps_its_speed_and_energy():
     without any viscosity; the motion has lost less than 2 % of its energy."""
     solver = gresho(40, 0.1)
     before = solver.kinetic_energy()
-    solver._start()
+    solver.begin()
     while solver.time < 0.1:
         solver.march(0.1, 1000)
     assert np.hypot(solver.nodes[N.u], solver.nodes[N.v]).max() > 0.90

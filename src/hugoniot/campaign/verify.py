@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from hugoniot.campaign.guderley import GUDERLEY, arrival_error, exponent_error, shock_radius
+from hugoniot.campaign.plane import PLANE, PlaneProblem, run_plane
 from hugoniot.errors import DeckError
 from hugoniot.problem.standard import STANDARD, Bar, Measure, StandardProblem
 from hugoniot.simulate import make_solver
@@ -19,7 +20,9 @@ from hugoniot.solvers.run import Schedule, march_to_end, snapshot_times
 from hugoniot.theory.exact import SOLUTIONS
 
 SNAPSHOTS = 50
-PROBLEMS = {**STANDARD, GUDERLEY.name: GUDERLEY}
+NO_ORDER = ("asymmetry", "densest_zone", "peak_scatter", "time_reached", "filter_work", "velocity_across", "front_rms")
+LINE = {**STANDARD, GUDERLEY.name: GUDERLEY}
+PROBLEMS: dict[str, StandardProblem | PlaneProblem] = {**LINE, **PLANE}
 
 
 @dataclass(frozen=True)
@@ -34,6 +37,7 @@ class Judged:
     g2: float | None = None
     goal: float | None = None
     sense: str = "below"
+    peer: float | None = None
 
     def beats(self, bar: float | None) -> bool | None:
         """Whether the value is at least as good as a bar; None where there is no bar."""
@@ -46,7 +50,7 @@ class Judged:
 class Verified:
     """A problem over its grids: judged values, observed orders {measure: slope}, seconds, worst conservation errors."""
 
-    problem: StandardProblem
+    problem: StandardProblem | PlaneProblem
     judged: list[Judged]
     orders: dict[str, float]
     seconds: float
@@ -177,6 +181,8 @@ def verify_problem(name: str, zones: Iterable[int] | None = None, integrator: st
     if name not in PROBLEMS:
         raise DeckError.single("verify", None, "problem", f"unknown problem '{name}'", f"known: {', '.join(PROBLEMS)}")
     problem = PROBLEMS[name]
+    if isinstance(problem, PlaneProblem):
+        return _verify_plane(problem, tuple(zones or problem.zones), integrator, solver_options)
     exact = SOLUTIONS[problem.solution](**problem.arguments) if problem.solution else None
     begun, judged, energy, momentum = time.perf_counter(), [], 0.0, 0.0
     grids = tuple(zones or problem.zones)
@@ -188,10 +194,32 @@ def verify_problem(name: str, zones: Iterable[int] | None = None, integrator: st
         energy, momentum = max(energy, errors["energy_error"]), float(np.maximum(momentum, errors["momentum_error"]))
         for measure in problem.measure:
             value = _self_l1(measure, solver, fine[measure.exact]) if measure.kind == "self_l1" else judge(measure, view)
-            bar = next((b for b in problem.bars if b.measure == measure.key and b.zones == count), Bar(measure.key, count))
-            sense = next((b.sense for b in problem.bars if b.measure == measure.key), "below")
-            judged.append(Judged(name, measure.key, count, value, bar.ko, bar.g2, bar.goal, sense))
+            judged.append(_held_to(problem, measure.key, count, value))
     orders = {m.key: slope for m in problem.measure if (slope := observed_order(judged, m.key)) is not None}
+    return Verified(problem, judged, orders, time.perf_counter() - begun, energy, momentum)
+
+
+def _held_to(problem: StandardProblem | PlaneProblem, key: str, count: int, value: float) -> Judged:
+    """A value beside the bars of its measure on its grid."""
+    bar = next((b for b in problem.bars if b.measure == key and b.zones == count), Bar(key, count))
+    sense = next((b.sense for b in problem.bars if b.measure == key), "below")
+    return Judged(problem.name, key, count, value, bar.ko, bar.g2, bar.goal, sense, bar.peer)
+
+
+def _verify_plane(problem: PlaneProblem, grids: tuple[int, ...], integrator: str, options: dict) -> Verified:
+    """The same for a problem in two dimensions. Of the momentum that of axisymmetric flow is not closed, and not judged."""
+    if integrator != "compatible":
+        raise DeckError.single("verify", None, "--integrator", f"'{problem.name}' has no integrator '{integrator}'", "use compatible")
+    begun, judged, energy, momentum = time.perf_counter(), [], 0.0, 0.0
+    for count in grids:
+        solver = run_plane(problem, count, **options)
+        errors = solver.errors()
+        energy = max(energy, errors["energy_error"])
+        if solver.problem.geometry == "plane":
+            momentum = max(momentum, errors["momentum_error"])
+        judged += [_held_to(problem, key, count, value) for key, value in problem.measure(solver).items()]
+    keys = dict.fromkeys(row.measure for row in judged)
+    orders = {key: slope for key in keys if key not in NO_ORDER and (slope := observed_order(judged, key)) is not None}
     return Verified(problem, judged, orders, time.perf_counter() - begun, energy, momentum)
 
 

@@ -45,7 +45,7 @@ def test_two_threads_give_the_same_bits(monkeypatch):
     assert np.array_equal(one.zones, two.zones)
 
 
-@pytest.mark.parametrize("options", [{"cells": "triangles"}, {"viscosity": dataclasses.replace(TENSOR, kind="edge")}])
+@pytest.mark.parametrize("options", [{"cells": "triangles"}, {"viscosity": dataclasses.replace(TENSOR, kind="kb")}])
 def test_what_it_does_not_have_is_refused(options):
     with pytest.raises(OutOfRange, match="not available"):
         Lagrange2D(noh(4, **options))

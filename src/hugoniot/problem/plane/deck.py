@@ -126,6 +126,8 @@ def _solver(table: Any, axes, blocks, mesh: Blocks | None, collector: Collector)
         return None
     if axes[0] == "x" and row.scheme is not None:
         collector.add(("solver", "scheme"), "only axisymmetric geometry has it", 'write geometry = "axisymmetric", or leave it out')
+    if row.viscosity.kind == "herrmann" and row.viscosity.limited:
+        collector.add(("solver", "viscosity"), "the viscosity of Herrmann has no limiter", "write limited = false beside its kind")
     polar = bool(blocks) and all(isinstance(block.shape, Sector) for block in blocks)
     about_axis = polar and all(block.shape.centre[0] == 0.0 for block in blocks)
     own = row.model_dump(exclude={"hourglass", "viscosity"}) | row.hourglass.model_dump()

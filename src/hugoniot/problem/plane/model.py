@@ -28,6 +28,7 @@ from hugoniot.problem.model import OutputOptions, Pulse
 GEOMETRIES = ("plane", "axisymmetric")
 BOUNDARIES = ("free", "wall", "axis", "velocity", "pressure", "transmitting")
 SCHEMES = ("true_volume", "area_weighted")
+VISCOSITIES = ("tensor", "edge", "herrmann")
 
 
 @dataclass(frozen=True)
@@ -126,7 +127,9 @@ class Lighting2D:
 class Viscosity2D:
     """Artificial viscosity: kind, whether limited, and its coefficients, for fluids, explosives and materials with strength.
 
-    kind               "tensor": both principal directions of the strain rate, each with its own length (corner quadrature)
+    kind               "tensor": both principal directions of the strain rate, each with its own length (corner quadrature);
+                       "edge": the edges that close; "herrmann": bulk and deviators along the axes of the frame, for comparison
+    limited            whether smooth flow is spared; "herrmann" has no limiter
     linear, quadratic  of a material without strength;  solid_linear, solid_quadratic of one with;  explosive_linear,
                        explosive_quadratic of one that burns, whose products are stiffer than a gas, as in one dimension
     """

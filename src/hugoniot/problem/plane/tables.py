@@ -185,8 +185,10 @@ class LightingTable(Table):
 class ViscosityTable(Table):
     """Artificial viscosity."""
 
-    kind: Literal["tensor"] = Field("tensor", description="along both principal directions of the strain rate, each with its own length")
-    limited: bool = Field(Viscosity2D.limited, description="whether smooth flow is spared")
+    kind: Literal["tensor", "edge", "herrmann"] = Field("tensor", description="tensor: along both principal directions of the strain rate, "
+                                                        "each with its own length; edge: along the edges that close; herrmann: bulk and "
+                                                        "deviators along the axes of the frame, for comparison")
+    limited: bool = Field(Viscosity2D.limited, description="whether smooth flow is spared; herrmann has no limiter: write false")
     linear: Plain = Field(Viscosity2D.linear, description="linear coefficient of materials without strength")
     quadratic: Plain = Field(Viscosity2D.quadratic, description="quadratic coefficient of materials without strength")
     solid_linear: Plain = Field(Viscosity2D.solid_linear, description="linear coefficient of materials with strength")

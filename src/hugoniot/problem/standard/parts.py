@@ -43,6 +43,7 @@ class Bar(NamedTuple):
     """Bars of one measure on one grid, from the verification table: "KO" scheme, second-order Godunov scheme ("G2"), the goal.
 
     sense   "below": smaller is better; "above": larger is better
+    peer    the best of the open two-dimensional codes
     """
 
     measure: str
@@ -51,6 +52,7 @@ class Bar(NamedTuple):
     g2: float | None = None
     goal: float | None = None
     sense: str = "below"
+    peer: float | None = None
 
 
 class StandardProblem(NamedTuple):

@@ -9,7 +9,7 @@ from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
-from hugoniot.problem.plane.model import Problem2D
+from hugoniot.problem.plane.model import VISCOSITIES, Problem2D
 from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.assemble import ROUND_OFF, longitudinal_speed, start_compaction
 from hugoniot.solvers.lagrange2d import layout as L
@@ -24,10 +24,12 @@ _GAUSS = (np.array([-np.sqrt(0.6), 0.0, np.sqrt(0.6)]), np.array([5.0, 8.0, 5.0]
 def kind_of(problem: Problem2D) -> int:
     """Code of the geometry. OutOfRange for options this solver does not have."""
     options = problem.solver
-    for name, value, known in (("cells", options.cells, "quads"), ("viscosity.kind", options.viscosity.kind, "tensor"),
-                               ("integrator", options.integrator, "compatible")):
-        if value != known:
-            raise OutOfRange(f"solver.{name} = {value!r} is not available in two dimensions yet; use {known!r}")
+    for name, value, known in (("cells", options.cells, ("quads",)), ("viscosity.kind", options.viscosity.kind, VISCOSITIES),
+                               ("integrator", options.integrator, ("compatible",))):
+        if value not in known:
+            raise OutOfRange(f"solver.{name} = {value!r} is not available in two dimensions; use {' or '.join(map(repr, known))}")
+    if options.viscosity.kind == "herrmann" and options.viscosity.limited:
+        raise OutOfRange("Herrmann's viscosity has no limiter; use solver.viscosity.limited = false")
     if problem.geometry == "plane":
         return G.PLANAR
     return G.AREA_WEIGHTED if problem.solver.scheme == "area_weighted" else G.TRUE_VOLUME
@@ -178,7 +180,10 @@ def viscosity_law(problem: Problem2D, material):
     """Parameters of the viscous speed in a material."""
     given = problem.solver.viscosity
     kind = "explosive_" if material.burn is not None else "solid_" if material.strength is not None else ""
-    return VISCOSITY.get("limited").build(quadratic=getattr(given, kind + "quadratic"), linear=getattr(given, kind + "linear"))
+    quadratic, linear = getattr(given, kind + "quadratic"), getattr(given, kind + "linear")
+    if given.kind == "herrmann":      # B1 enters squared; a strong shock is resisted as by the others
+        return VISCOSITY.get("herrmann").build(quadratic=float(np.sqrt(2.0 * quadratic)), linear=linear)
+    return VISCOSITY.get("limited").build(quadratic=quadratic, linear=linear)
 
 
 def start_block(problem: Problem2D, block):

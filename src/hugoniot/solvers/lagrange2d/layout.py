@@ -196,10 +196,12 @@ class Tensor(NamedTuple):
 
 
 class Smoothness(NamedTuple):
-    """psi along the second (xi) and the first (eta) logical direction, and the strain rates at the start of the step, 1/s."""
+    """psi along the second (xi) and the first (eta) logical direction, each times its part of the square of the velocity gradient; the
+    part of xi; the strain rates at the start of the step, 1/s."""
 
     xi: Any
     eta: Any
+    share: Any
     xx: Any
     yy: Any
     xy: Any

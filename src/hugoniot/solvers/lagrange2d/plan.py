@@ -106,10 +106,11 @@ class Planner:
 
     tables     (zones, charge, nodes, gradients), which stay where they are as long as the run
     materials  (laws, numbers, whether it is a fluid) of each material
+    viscosity  `problem.plane.model.Viscosity2D`
     """
 
-    def __init__(self, tables, materials, geometry, limited: bool, body_force, threads: int, longest: int):
-        self.tables, self.geometry, self.limited, self.threads = tables, geometry, limited, threads
+    def __init__(self, tables, materials, geometry, viscosity, body_force, threads: int, longest: int):
+        self.tables, self.geometry, self.viscosity, self.threads = tables, geometry, viscosity, threads
         self.dts, self.seen = np.zeros(3), np.zeros((threads, L.FOUND_COLUMNS))
         self._scratch = zone_table(L.SCRATCH_ROWS, threads * L.PIECE)
         self._body_force, self._nothing = np.array(body_force, dtype=float), np.zeros(longest + 2)
@@ -143,9 +144,9 @@ class Planner:
         for k, (laws, numbers, fluid) in enumerate(materials):
             for member, at in enumerate(self._at):
                 predict, correct = MaterialSteps(laws, at, explicit=True), MaterialSteps(laws, at, explicit=True)
-                if self.limited:
+                if self.viscosity.limited:
                     self._compare(predict)
-                zone_step.predict(predict, self.geometry, numbers, fluid)
+                zone_step.predict(predict, self.geometry, numbers, fluid, self.viscosity.kind)
                 zone_step.correct(correct, self.geometry, numbers)
                 yield (PREDICT, k, member), predict.operations
                 yield (CORRECT, k, member), correct.operations
@@ -169,7 +170,7 @@ class Planner:
     def _of_zones(self):
         """((command, 0, member), list) of what zones do whatever their material."""
         for member, at in enumerate(self._at):
-            if self.limited:
+            if self.viscosity.limited:
                 rows = smoothness.GradientsOf(at.now_low, at.now_high, places(smoothness.Gradients, self.tables[3], AT_GRADIENTS))
                 yield (GRADIENTS, 0, member), [Operation(smoothness.gradients, None, rows, self.dts, at.whole)]
             rows = node_step.LookOf(at.low, at.high, *(L.Positions(line.x, line.y) for line in (at.mid_low, at.mid_high)), at.tangled)

@@ -23,8 +23,7 @@ from hugoniot.core.passes import rows, rows_apart, zone_pass
 from hugoniot.core.target import GUARD
 from hugoniot.solvers.lagrange2d.layout import Nodes, Points, Smoothness, Vector
 
-SMALL = 1e-200
-NOISE = 1e-12     # part of the whole gradient, squared, beside which one direction's has no neighbours to compare with
+SMALL = 1e-60
 GHOST, OWN, DIRECTION, NODE_A, NODE_B, FAR_A, FAR_B = range(7)     # integer columns of the table of ghosts
 NORMAL_X, NORMAL_Y, WAY = range(3)                                 # and columns of numbers
 
@@ -76,10 +75,9 @@ def gradients(count, z, dt, numbers, law):
         g.etay[j] = (high.v[j] - low.v[j] + high.v[j + 1] - low.v[j + 1]) * inverse
 
 
-def smooth(lx, ly, gx, gy, rx, ry, other):
-    """psi from the vectors of the left neighbour, the zone and the right neighbour; other: the square of its other vector."""
-    size = gx * gx + gy * gy
-    inverse = 1.0 / (size + NOISE * (size + other) + SMALL)
+def smooth(lx, ly, gx, gy, rx, ry):
+    """psi from the vectors of the left neighbour, the zone and the right neighbour."""
+    inverse = 1.0 / (gx * gx + gy * gy + SMALL)
     before, behind = (lx * gx + ly * gy) * inverse, (rx * gx + ry * gy) * inverse
     return fmax(0.0, fmin(fmin(0.5 * (before + behind), 1.0), 2.0 * fmin(before, behind)))
 
@@ -100,8 +98,10 @@ def compare(count, z, dt, numbers, law):
         found.yy[j] = (ax * bv - bx * av) * inverse
         found.xy[j] = 0.5 * (ax * bu - bx * au + av * by - bv * ay) * inverse
         xx, xy, ex, ey = g.xix[j], g.xiy[j], g.etax[j], g.etay[j]
-        found.xi[j] = smooth(z.left.x[j], z.left.y[j], xx, xy, z.right.x[j], z.right.y[j], ex * ex + ey * ey)
-        found.eta[j] = smooth(z.before.x[j], z.before.y[j], ex, ey, z.behind.x[j], z.behind.y[j], xx * xx + xy * xy)
+        share = (xx * xx + xy * xy) / (xx * xx + xy * xy + ex * ex + ey * ey + SMALL)
+        found.xi[j] = smooth(z.left.x[j], z.left.y[j], xx, xy, z.right.x[j], z.right.y[j]) * share
+        found.eta[j] = smooth(z.before.x[j], z.before.y[j], ex, ey, z.behind.x[j], z.behind.y[j]) * (1.0 - share)
+        found.share[j] = share
 
 
 @nb.njit(**GUARD)

@@ -66,9 +66,7 @@ class Lagrange2D(NothingToAdd):
         self.run = self._run(mesh)
         self.plan, self.fronts = self._plan(mesh, speed)
         self.gauge_times, self.gauge_rows = [], []
-        self._start()
-        self.start_energy, self.start_mass = accounts.total_energy(self.zones, self.nodes), self.zones[Z.mass].sum()
-        self.start_momentum = accounts.momentum(self.nodes)
+        self.begin()
         self.initial_nodes = self.nodes[[N.x, N.y]][:, numbering.representative].copy()
 
     # -- setting up ------------------------------------------------------------------------------------------
@@ -93,7 +91,7 @@ class Lagrange2D(NothingToAdd):
         """(plan of the march, largest speed of a programmed front)."""
         materials, material_of = materials_of(self.problem, speed, self.options.near)
         tables = self._zones, self._charge, self._nodes, self.run.gradients
-        self.planner = Planner(tables, materials, G.KINDS[self.kind], self.problem.solver.viscosity.limited, self.problem.body_force,
+        self.planner = Planner(tables, materials, G.KINDS[self.kind], self.problem.solver.viscosity, self.problem.body_force,
                                self.team.threads, max(block.nj for block in mesh.blocks))
         compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs()])
         plan = self.planner.plan(zone_rows(mesh, self.numbering, material_of), node_rows(mesh, self.numbering))
@@ -133,7 +131,8 @@ class Lagrange2D(NothingToAdd):
         rate = float(np.max((np.maximum(self.zones[Z.c], self.fronts) + 4.0 * jump) * self._inverse_altitudes()))
         return rate if rate > 0.0 else 1e3 / self.problem.stop_time
 
-    def _start(self):
+    def begin(self) -> None:
+        """Take the state as it stands, which a test may have written into the tables, for that at t = 0."""
         options, control = self.problem.solver, self.control
         control[L.COURANT], control[L.GROWTH] = options.courant, options.growth
         control[L.DT_LARGEST] = options.largest_step or NO_LIMIT
@@ -145,6 +144,8 @@ class Lagrange2D(NothingToAdd):
         first = options.initial_step or 0.1 * control[L.COURANT] / control[L.RATE]
         control[L.DT_NATURAL] = first / control[L.GROWTH]
         carry_out_alone(self.plan, START)
+        self.start_energy, self.start_mass = accounts.total_energy(self.zones, self.nodes), self.zones[Z.mass].sum()
+        self.start_momentum = accounts.momentum(self.nodes)
 
     # -- marching --------------------------------------------------------------------------------------------
     @property

@@ -17,15 +17,19 @@ from hugoniot.solvers.lagrange2d.quads import AREA_WEIGHTED, PLANAR
 # -- loads on edges ---------------------------------------------------------------------------------------------------------------
 @nb.njit(**GUARD)
 def edge_force(x1, y1, x2, y2, kind, near):
-    """Derivatives of the volume to the left of an edge from 1 to 2 by x1, y1, x2, y2: the force of a unit pressure inside."""
+    """Force (x1, y1, x2, y2) of a unit pressure to the left of an edge from 1 to 2 on its ends.
+
+    Around a body these are the derivatives of its volume. An edge by itself gets what acts on it, the integral of N_k x along it: the
+    derivative of one term of the volume would give a chain that is not closed no axial force.
+    """
     dx, dy = x2 - x1, y2 - y1
     if kind == PLANAR:
         return 0.5 * dy, -0.5 * dx, 0.5 * dy, -0.5 * dx
     if kind == AREA_WEIGHTED:
         r1, r2 = max(x1, near), max(x2, near)
         return 0.5 * dy * r1, -0.5 * dx * r1, 0.5 * dy * r2, -0.5 * dx * r2
-    square = (x1 * x1 + x1 * x2 + x2 * x2) / 6.0
-    return dy * (2.0 * x1 + x2) / 6.0, -square, dy * (x1 + 2.0 * x2) / 6.0, square
+    first, second = (2.0 * x1 + x2) / 6.0, (x1 + 2.0 * x2) / 6.0
+    return dy * first, -dx * first, dy * second, -dx * second
 
 
 @nb.njit(**GUARD)

@@ -8,9 +8,15 @@ $\ell^2 = (n\cdot e_\xi)^2 + (n\cdot e_\eta)^2$, and
 $$Q = \rho \sum_{\lambda_k < 0} |\Delta u_k|\,w(\Delta u_k, \psi_k)\; n_k \otimes n_k ,$$
 
 w the viscous speed of the viscosity's law. psi is the mean of those of the two logical directions (`smoothness`), weighted by their parts
-of $\ell^2$. Where the two rates are equal, as in flow that converges from all sides, the directions are anyone's: lengths and weights
-then turn continuously into the mean of both, with the factor $\min(1, R/|\bar d|)$, so that no direction is chosen by round-off and the
-symmetry of a polar mesh is kept. A direction that opened at the start of the step is no smooth flow: its psi is 0, as in one dimension.
+of $\ell^2$ and of the square of the velocity gradient, so that a direction along which nothing changes has no say.
+
+The stress is a continuous function of the rates, and nothing is decided by round-off:
+
+* Where the two rates are equal, as in flow that converges from all sides, the directions are anyone's. Lengths and weights turn
+  continuously into the mean of both, with the factor $\min(1, R/|\bar d|)$.
+* A direction that opened at the start of the step is no smooth flow: its psi is 0, as in one dimension. Between, where it closed at less
+  than `STEADY` of the rate now, psi falls in proportion.
+* A jump counts for the time step in proportion, where it is faint beside the sound speed or the motion along the other direction.
 
 A principal direction that turns a little in a slender zone makes shear stress of the long direction's viscosity across the short edges,
 which an explicit step does not bear. Where the longer mean edge is 4 times the height above it, wholly from 8 times on, be the zone
@@ -33,19 +39,19 @@ from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.laws.viscosity.contract import viscous_speed
-from hugoniot.solvers.lagrange2d.layout import Corners, Points, Rates, Smoothness, Stress, Tensor
+from hugoniot.solvers.lagrange2d.layout import Corners, Points, Smoothness, Tensor
 from hugoniot.solvers.lagrange2d.quads import quad
 
-SMALL = 1e-200
-NOISE = 1e-12
+SMALL = 1e-60
 FLAT = 0.25             # part of a parallelogram's corner below which a triangle that shrinks, or is turned over, has no larger gradients
-SLIGHT = 1e-4           # part of the other jump up to which one limits no time step
+SLIGHT, FAINT = 1e-4, 1e-6    # parts of the other jump and of the sound speed below which a jump limits the time step in proportion
+STEADY = 1e-3           # part of the rate now below which one at the start of the step keeps the limiter in proportion
 SLENDER, NEEDLE = 4.0, 8.0
 
 
 class ResistOf(NamedTuple):
     """Nodes in the middle, strain rates, smoothness, state, density of the solid -> mean viscous stress, corner forces of what the
-    corners' stresses have beyond it, largest viscous speed."""
+    corners' stresses have beyond it, largest viscous speed, heat per volume and time."""
 
     low: Points
     high: Points
@@ -58,13 +64,7 @@ class ResistOf(NamedTuple):
     mean: Tensor
     g: Corners
     fastest: Any
-
-
-class HoopOf(NamedTuple):
-    """Strain rates, mean viscous stress -> its hoop part."""
-
-    d: Rates
-    mean: Stress
+    paid: Any
 
 
 class Metric(NamedTuple):
@@ -86,6 +86,7 @@ class Around(NamedTuple):
 
     xi: float
     eta: float
+    share: float
     xx: float
     yy: float
     xy: float
@@ -102,6 +103,16 @@ def metric_of(q):
     return Metric(bx * bx, by * by, bx * by, ax * ax, ay * ay, ax * ay, FLAT * q.area)
 
 
+def kept(psi, before, now):
+    """Smoothness along a direction that closes at the rate `now`: psi if it closed at the start of the step too, 0 if it opened."""
+    return psi * fmax(0.0, fmin(1.0, before / (STEADY * now - SMALL)))
+
+
+def counted(w, du, other, c):
+    """What a jump du <= 0 with the viscous speed w asks of the time step, beside the size `other` of that of the other direction."""
+    return w * fmin(1.0, -du / (SLIGHT * other + FAINT * c + SMALL))
+
+
 def along_edges(m, d, a, area, viscosity):
     """(viscous stress along the mean edges (xx, yy, xy), largest speed, part of the corners' own stress, 1 in zones that are not slender).
 
@@ -113,20 +124,21 @@ def along_edges(m, d, a, area, viscosity):
     rate2 = (xx * m.etaxx + yy * m.etayy + 2.0 * xy * m.etaxy) / eta
     before1 = a.xx * m.xixx + a.yy * m.xiyy + 2.0 * a.xy * m.xixy
     before2 = a.xx * m.etaxx + a.yy * m.etayy + 2.0 * a.xy * m.etaxy
-    least = -NOISE * vsqrt(xx * xx + yy * yy + xy * xy)
-    du1, du2 = rate1 * vsqrt(xi) if rate1 < least else 0.0, rate2 * vsqrt(eta) if rate2 < least else 0.0
-    w1 = viscous_speed(a.v, a.c, a.p, du1, a.xi if before1 < 0.0 else 0.0, viscosity)
-    w2 = viscous_speed(a.v, a.c, a.p, du2, a.eta if before2 < 0.0 else 0.0, viscosity)
-    w1, w2 = w1 if du1 < 0.0 else 0.0, w2 if du2 < 0.0 else 0.0
+    before1, before2 = before1 / xi, before2 / eta
+    du1, du2 = rate1 * vsqrt(xi), rate2 * vsqrt(eta)
+    size1, size2 = fmax(du1, -du1), fmax(du2, -du2)
+    du1, du2 = fmin(du1, 0.0), fmin(du2, 0.0)
+    w1 = viscous_speed(a.v, a.c, a.p, du1, kept(a.xi / fmax(a.share, SMALL), before1, fmin(rate1, 0.0)), viscosity)
+    w2 = viscous_speed(a.v, a.c, a.p, du2, kept(a.eta / fmax(1.0 - a.share, SMALL), before2, fmin(rate2, 0.0)), viscosity)
     q1, q2 = -a.rho * du1 * w1 / xi, -a.rho * du2 * w2 / eta
-    fast = fmax(w1 if du1 < SLIGHT * du2 else 0.0, w2 if du2 < SLIGHT * du1 else 0.0)
+    fast = fmax(counted(w1, du1, size2, a.c), counted(w2, du2, size1, a.c))
     part = fmax(0.0, fmin(1.0, (NEEDLE - fmax(xi, eta) / area) * (1.0 / (NEEDLE - SLENDER))))
     return q1 * m.xixx + q2 * m.etaxx, q1 * m.xiyy + q2 * m.etayy, q1 * m.xixy + q2 * m.etaxy, fast, part
 
 
 def in_corner(e1x, e1y, e2x, e2y, u1, v1, u2, v2, m, a, viscosity):
-    """(viscous stress (xx, yy, xy), largest speed) of the corner with the edges e1 to the next corner and e2 to the one before, along
-    which the velocities differ by (u1, v1) and (u2, v2)."""
+    """(viscous stress (xx, yy, xy), largest speed, heat per volume and time) of the corner with the edges e1 to the next corner
+    and e2 to the one before, along which the velocities differ by (u1, v1) and (u2, v2)."""
     inverse = 1.0 / fmax(e1x * e2y - e1y * e2x, m.least)
     dxx, dyy = (u1 * e2y - u2 * e1y) * inverse, (v2 * e1x - v1 * e2x) * inverse
     dxy = 0.5 * (u2 * e1x - u1 * e2x + v1 * e2y - v2 * e1y) * inverse
@@ -141,17 +153,19 @@ def in_corner(e1x, e1y, e2x, e2y, u1, v1, u2, v2, m, a, viscosity):
     etam = half * ((m.etaxx - m.etayy) * mxx + 2.0 * m.etaxy * mxy)
     square1, square2 = xi - xim + eta - etam, xi + xim + eta + etam
     before_mean, before_dev = 0.5 * (a.xx + a.yy), 0.5 * (a.xx - a.yy) * mxx + a.xy * mxy
-    psi1 = ((xi - xim) * a.xi + (eta - etam) * a.eta) / square1 if before_mean - before_dev < 0.0 else 0.0
-    psi2 = ((xi + xim) * a.xi + (eta + etam) * a.eta) / square2 if before_mean + before_dev < 0.0 else 0.0
-    least = -NOISE * (size + fmax(mean, -mean))      # round-off closes nothing
-    du1 = (mean - size) * vsqrt(square1) if mean - size < least else 0.0
-    du2 = (mean + size) * vsqrt(square2) if mean + size < least else 0.0
+    length1, length2 = vsqrt(square1), vsqrt(square2)
+    most = fmax(mean, -mean) + size
+    rate1, rate2 = fmin(mean - size, 0.0), fmin(mean + size, 0.0)
+    left = 1.0 - a.share
+    psi1 = ((xi - xim) * a.xi + (eta - etam) * a.eta) / fmax((xi - xim) * a.share + (eta - etam) * left, SMALL)
+    psi2 = ((xi + xim) * a.xi + (eta + etam) * a.eta) / fmax((xi + xim) * a.share + (eta + etam) * left, SMALL)
+    psi1, psi2 = kept(psi1, before_mean - before_dev, rate1), kept(psi2, before_mean + before_dev, rate2)
+    du1, du2 = rate1 * length1, rate2 * length2
     w1, w2 = viscous_speed(a.v, a.c, a.p, du1, psi1, viscosity), viscous_speed(a.v, a.c, a.p, du2, psi2, viscosity)
-    w1, w2 = w1 if du1 < 0.0 else 0.0, w2 if du2 < 0.0 else 0.0
     q1, q2 = -a.rho * du1 * w1, -a.rho * du2 * w2
-    fast = fmax(w1 if du1 < SLIGHT * du2 else 0.0, w2 if du2 < SLIGHT * du1 else 0.0)
+    fast = fmax(counted(w1, du1, most * length2, a.c), counted(w2, du2, most * length1, a.c))
     half, dev = 0.5 * (q1 + q2), 0.5 * (q2 - q1)
-    return half + dev * mxx, half - dev * mxx, dev * mxy, fast
+    return half + dev * mxx, half - dev * mxx, dev * mxy, fast, -(q1 * rate1 + q2 * rate2)
 
 
 def corner_force(xx, yy, xy, e1x, e1y, e2x, e2y):
@@ -168,7 +182,7 @@ def resist(count, z, dt, numbers, law):
     for j in range(count):
         q = quad(low, high, j)
         m, d = metric_of(q), (z.rates.xx[j], z.rates.yy[j], z.rates.xy[j])
-        a = Around(smooth.xi[j], smooth.eta[j], smooth.xx[j], smooth.yy[j], smooth.xy[j], z.v[j], z.c[j], z.p[j], z.rho[j])
+        a = Around(smooth.xi[j], smooth.eta[j], smooth.share[j], smooth.xx[j], smooth.yy[j], smooth.xy[j], z.v[j], z.c[j], z.p[j], z.rho[j])
         lxx, lyy, lxy, fast, part = along_edges(m, d, a, q.area, viscosity)
         rest = 1.0 - part
         lxx, lyy, lxy = lxx * rest, lyy * rest, lxy * rest
@@ -177,10 +191,10 @@ def resist(count, z, dt, numbers, law):
         cx, cy, dx, dy = q.x3 - q.x2, q.y3 - q.y2, q.x0 - q.x3, q.y0 - q.y3
         au, av, bu, bv = high.u[j] - low.u[j], high.v[j] - low.v[j], high.u[j + 1] - high.u[j], high.v[j + 1] - high.v[j]
         cu, cv, du, dv = low.u[j + 1] - high.u[j + 1], low.v[j + 1] - high.v[j + 1], low.u[j] - low.u[j + 1], low.v[j] - low.v[j + 1]
-        xx0, yy0, xy0, fast0 = in_corner(ax, ay, -dx, -dy, au, av, -du, -dv, m, a, viscosity)
-        xx1, yy1, xy1, fast1 = in_corner(bx, by, -ax, -ay, bu, bv, -au, -av, m, a, viscosity)
-        xx2, yy2, xy2, fast2 = in_corner(cx, cy, -bx, -by, cu, cv, -bu, -bv, m, a, viscosity)
-        xx3, yy3, xy3, fast3 = in_corner(dx, dy, -cx, -cy, du, dv, -cu, -cv, m, a, viscosity)
+        xx0, yy0, xy0, fast0, heat0 = in_corner(ax, ay, -dx, -dy, au, av, -du, -dv, m, a, viscosity)
+        xx1, yy1, xy1, fast1, heat1 = in_corner(bx, by, -ax, -ay, bu, bv, -au, -av, m, a, viscosity)
+        xx2, yy2, xy2, fast2, heat2 = in_corner(cx, cy, -bx, -by, cu, cv, -bu, -bv, m, a, viscosity)
+        xx3, yy3, xy3, fast3, heat3 = in_corner(dx, dy, -cx, -cy, du, dv, -cu, -cv, m, a, viscosity)
         z.fastest[j] = fmax(fast, fmax(fmax(fast0, fast1), fmax(fast2, fast3)))
         # the mean, each corner with the area it stands for; one that points inward stands for none
         w0, w1, w2, w3 = fmax(q.t0, 0.0), fmax(q.t1, 0.0), fmax(q.area - q.t0, 0.0), fmax(q.area - q.t1, 0.0)
@@ -189,6 +203,7 @@ def resist(count, z, dt, numbers, law):
         yy = (w0 * yy0 + w1 * yy1 + w2 * yy2 + w3 * yy3) * inverse
         xy = (w0 * xy0 + w1 * xy1 + w2 * xy2 + w3 * xy3) * inverse
         z.mean.xx[j], z.mean.yy[j], z.mean.xy[j] = part * xx + lxx, part * yy + lyy, part * xy + lxy
+        z.paid[j] = part * (w0 * heat0 + w1 * heat1 + w2 * heat2 + w3 * heat3) * inverse - (lxx * d[0] + lyy * d[1] + 2.0 * lxy * d[2])
         n0x, n0y, p0x, p0y = corner_force(part * (xx0 - xx), part * (yy0 - yy), part * (xy0 - xy), ax, ay, -dx, -dy)
         n1x, n1y, p1x, p1y = corner_force(part * (xx1 - xx), part * (yy1 - yy), part * (xy1 - xy), bx, by, -ax, -ay)
         n2x, n2y, p2x, p2y = corner_force(part * (xx2 - xx), part * (yy2 - yy), part * (xy2 - xy), cx, cy, -bx, -by)
@@ -199,29 +214,5 @@ def resist(count, z, dt, numbers, law):
         z.g.f3x[j], z.g.f3y[j] = n2x + p0x - n3x - p3x, n2y + p0y - n3y - p3y
 
 
-@zone_pass(HoopOf)
-def hoop_viscosity(count, given, dt, numbers, law):
-    """What resists the closing around the axis: the viscous stress along the principal direction that closes most nearly as fast.
-
-    In spherical flow that is the tangential one, so that both tangential directions are resisted alike, and the curved terms of the
-    viscous stress are radial; in a shock that runs along the axis or toward it, it is the direction along the front, which nothing resists.
-    """
-    rows_apart()
-    d, q = given
-    for j in range(count):
-        mean, dev, xy, around = 0.5 * (d.xx[j] + d.yy[j]), 0.5 * (d.xx[j] - d.yy[j]), d.xy[j], d.hoop[j]
-        size = vsqrt(dev * dev + xy * xy)
-        half, part = 0.5 * (q.xx[j] + q.yy[j]), (0.5 * (q.xx[j] - q.yy[j]) * dev + q.xy[j] * xy) / (size + SMALL)
-        found = half + part if around > mean else half - part
-        q.hoop[j] = found if around < 0.0 else 0.0
-
-
-def write(s, solid):
-    """Write how the viscous stress in the middle of the step is found, from the density row `solid`."""
-    z, w, at = s.at.z, s.at.w, s.at
-    s.do(resist, ResistOf(at.mid_low, at.mid_high, Tensor(at.d.xx, at.d.yy, at.d.xy), at.smooth, w.v, z.c, s.p_half, solid,
-                          Tensor(at.coming.xx, at.coming.yy, at.coming.xy), at.rest, z.viscous_speed), law=s.laws.viscosity)
-
-
-for _function in (metric_of, along_edges, in_corner, corner_force):
+for _function in (metric_of, kept, counted, along_edges, in_corner, corner_force):
     bind(_function)

@@ -1,7 +1,8 @@
 """What the zones of a material do in a step, written into lists of passes: stress and forces in its middle, state and forces at its end."""
 
-from hugoniot.solvers.lagrange2d import tensor, viscosity
+from hugoniot.solvers.lagrange2d import edge_viscosity, herrmann_viscosity, hoop_viscosity, tensor, viscosity
 from hugoniot.solvers.lagrange2d import zone_passes as passes
+from hugoniot.solvers.lagrange2d.layout import Tensor
 from hugoniot.solvers.lagrange2d.quads import AreaWeighted
 
 
@@ -24,9 +25,23 @@ def deviators(s, solid, e, p, lam, step):
     s.do(tensor.return_to_yield, tensor.ReturnOf(w.equivalent, w.limit, at.new, w.t1), step)
 
 
-def predict(s, geometry, numbers, fluid):
+def resist(s, geometry, solid, kind):
+    """Write how the viscous stress in the middle of the step is found, from the density row `solid`; kind: of the viscosity."""
+    z, w, at = s.at.z, s.at.w, s.at
+    if kind == "herrmann":
+        s.do(herrmann_viscosity.resist_along_axes, herrmann_viscosity.HerrmannOf(
+            at.mid_low, at.mid_high, at.d, w.v, z.c, s.p_half, solid, at.coming, at.rest, z.viscous_speed), law=s.laws.viscosity)
+        return
+    rows = viscosity.ResistOf(at.mid_low, at.mid_high, Tensor(at.d.xx, at.d.yy, at.d.xy), at.smooth, w.v, z.c, s.p_half, solid,
+                              Tensor(at.coming.xx, at.coming.yy, at.coming.xy), at.rest, z.viscous_speed, w.rate)
+    s.do(edge_viscosity.resist_edges if kind == "edge" else viscosity.resist, rows, law=s.laws.viscosity)
+    if isinstance(geometry, AreaWeighted):
+        s.do(hoop_viscosity.hoop_viscosity, hoop_viscosity.HoopOf(at.d, w.rate, at.coming, at.rest))
+
+
+def predict(s, geometry, numbers, fluid, kind):
     """Write how stress and forces in the middle of the step are found; numbers: the material's constants and
-    those of `layout` behind them."""
+    those of `layout` behind them; kind: of the viscosity."""
     z, b, w, at = s.at.z, s.at.b, s.at.w, s.at
     s.do(passes.strain, passes.StrainOf(at.mid_low, at.mid_high, z.inverse_mass, z.e, z.p, at.s, at.q, at.d, w.v, s.rho_half, w.e,
                                            at.tangled),
@@ -41,9 +56,7 @@ def predict(s, geometry, numbers, fluid):
         s.stiffness(solid, solid_v, w.e, s.p_half)
     deviators(s, solid, w.e, s.p_half, b.lam_half, at.half)
     s.relieve(solid)
-    viscosity.write(s, solid)
-    if isinstance(geometry, AreaWeighted):
-        s.do(viscosity.hoop_viscosity, viscosity.HoopOf(at.d, at.coming))
+    resist(s, geometry, solid, kind)
     push = passes.push_fluid if fluid else passes.push_solid
     s.do(push, passes.PushOf(at.mid_low, at.mid_high, s.p_half, at.new, at.coming, at.rest, z.t0, z.t1, s.rho_half, z.c, z.inverse_mass,
                              at.f, z.filter_power), kind=geometry, numbers=numbers)
