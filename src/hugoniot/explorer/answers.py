@@ -1,11 +1,13 @@
 """What the page may ask without changing anything: one function per question, the same for the server and for an export."""
 
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any
 
 from hugoniot.errors import OutOfRange
-from hugoniot.explorer import catalogue, curves, decks, impact, run_data, tables
+from hugoniot.explorer import catalogue, curves, decks, fits, impact, subjects, surfaces, tables
 from hugoniot.explorer.places import Places
+from hugoniot.page import run_data
 from hugoniot.version import __version__
 
 Query = Mapping[str, str]
@@ -13,8 +15,10 @@ Query = Mapping[str, str]
 
 def start(places: Places, query: Query) -> Any:
     """What is open."""
-    return {"version": __version__, "runs": run_data.listing(places), "sweeps": [{"name": s.name} for s in places.sweeps],
-            "decks": [{"name": d.name} for d in places.decks], "materials": places.materials, "may_run": places.work is not None}
+    named = {key: [{"name": place.name} for place in getattr(places, key)] for key in ("sweeps", "fits", "decks")}
+    return {"version": __version__, "runs": [{"name": r.name, **run_data.line(r.path)} for r in places.runs], **named,
+            "materials": places.materials, "files": {name: Path(entry.file).name for name, entry in subjects.own.items()},
+            "may_run": places.work is not None}
 
 
 def materials(places: Places, query: Query) -> Any:
@@ -35,6 +39,13 @@ def about(places: Places, query: Query) -> Any:
 def state(places: Places, query: Query) -> Any:
     """One state of a principal Hugoniot."""
     return curves.state_of(text(query, "name"), text(query, "by"), number(query, "value"))
+
+
+def surface(places: Places, query: Query) -> Any:
+    """Pressure and energy over density and temperature; isotherms with `at` instead of `temperatures`."""
+    points = integer(query, "points") if "points" in query else surfaces.POINTS
+    at = "at" in query
+    return surfaces.surface(text(query, "name"), numbers(query, "densities"), numbers(query, "at" if at else "temperatures"), points, at)
 
 
 def match(places: Places, query: Query) -> Any:
@@ -64,6 +75,11 @@ def sweep(places: Places, query: Query) -> Any:
     return tables.table(places.sweep(integer(query, "sweep")).path)
 
 
+def fit(places: Places, query: Query) -> Any:
+    """The fit of a deck: parameters, correlations, data, model and residuals."""
+    return fits.fit(places.fit(integer(query, "fit")).path)
+
+
 def deck(places: Places, query: Query) -> Any:
     """The text of a deck named at the start, and what there is to say about it."""
     place = places.deck(integer(query, "deck"))
@@ -77,7 +93,8 @@ def words(places: Places, query: Query) -> Any:
 
 
 QUESTIONS: dict[str, Callable[[Places, Query], Any]] = {
-    f.__name__: f for f in (start, materials, material, about, state, match, match_deck, run, array, sweep, deck, words)}
+    f.__name__: f for f in (start, materials, material, about, state, surface, match, match_deck, run, array, sweep, fit, deck,
+                        words)}
 
 
 def text(query: Query, key: str) -> str:
@@ -96,6 +113,11 @@ def number(query: Query, key: str, otherwise: float | None = None) -> float:
     if not abs(value) < 1e300:
         raise OutOfRange(f"{key}: a finite number is needed")
     return value
+
+
+def numbers(query: Query, key: str) -> tuple[float, ...]:
+    """Numbers with commas between them; none where the query has none. `OutOfRange` where one is no number."""
+    return tuple(number({key: part}, key) for part in query.get(key, "").split(",") if part.strip())
 
 
 def integer(query: Query, key: str) -> int:

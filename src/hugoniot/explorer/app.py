@@ -10,14 +10,14 @@ from starlette.responses import JSONResponse, PlainTextResponse, Response
 from starlette.routing import Route
 
 from hugoniot.errors import HugoniotError
-from hugoniot.explorer import page
 from hugoniot.explorer.answers import QUESTIONS, integer
 from hugoniot.explorer.decks import check
 from hugoniot.explorer.guard import Guard, TooLarge
 from hugoniot.explorer.jobs import Jobs
 from hugoniot.explorer.places import Places, as_command
-from hugoniot.explorer.reply import encoded
 from hugoniot.explorer.tables import run_of_case
+from hugoniot.page import files
+from hugoniot.page.reply import encoded
 
 JSON = "application/json"
 
@@ -25,7 +25,7 @@ JSON = "application/json"
 def application(places: Places, jobs: Jobs, token: str, hosts: tuple[str, ...]) -> Guard:
     """The guarded application for these places."""
     routes = [Route("/", _index),
-              *(Route(f"/{name}", _file(name)) for name in page.files()),
+              *(Route(f"/{name}", _file(name)) for name in files.files()),
               *(Route(f"/api/{name}", _question(places, answer)) for name, answer in QUESTIONS.items()),
               Route("/api/check", _checked(places), methods=["POST"]),
               Route("/api/job", _started(jobs), methods=["POST"]),
@@ -40,12 +40,12 @@ def application(places: Places, jobs: Jobs, token: str, hosts: tuple[str, ...]) 
 
 
 async def _index(request: Request) -> Response:
-    return Response(page.index(), media_type=page.KINDS["html"])
+    return Response(files.index(), media_type=files.KINDS["html"])
 
 
 def _file(name: str):
     async def send(request: Request) -> Response:
-        return Response(page.files()[name], media_type=page.KINDS[name.rpartition(".")[2]])
+        return Response(files.files()[name], media_type=files.KINDS[name.rpartition(".")[2]])
     return send
 
 

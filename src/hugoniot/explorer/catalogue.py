@@ -1,12 +1,13 @@
 """The list of the whole library: one line per curated material and per row that is a material by itself."""
 
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 from hugoniot.dossier.derived import derived_quantities
 from hugoniot.dossier.describe import described, described_row
 from hugoniot.errors import DeckError, HugoniotError
-from hugoniot.explorer.subjects import entry_of
+from hugoniot.explorer.subjects import entry_of, own
 from hugoniot.laws.eos.contract import reference_state
 from hugoniot.materials import library, schema
 from hugoniot.materials.entry import Entry
@@ -15,9 +16,15 @@ from hugoniot.materials.marks import marks
 COLUMNS = ("bulk_sound_speed", "gruneisen", "hugoniot_elastic_limit", "cj_velocity", "cj_pressure")
 
 
-@cache
 def listing() -> dict[str, Any]:
-    """`materials`: one dictionary each, SI; `rows`: every row of the library that makes no material by itself."""
+    """`materials`: one dictionary each, SI, those of the user's files first; `rows`: every row that makes no material by itself."""
+    mine = [{"name": entry.name, "title": entry.title, "category": f"of {Path(entry.file).name}", "curated": False, "also": [],
+             **_known(entry)} for entry in own.values()]
+    return _library() | {"materials": mine + _library()["materials"]}
+
+
+@cache
+def _library() -> dict[str, Any]:
     found, alone = [], set()
     for line in library.listings():
         for name in (line.name,) if line.curated else line.rows:
@@ -34,7 +41,11 @@ def _material(line, name: str) -> dict:
     except DeckError as error:      # a row that serves for comparison only
         row = schema.row(name)
         return shown | {"source": row.source, "density": row.get("rho0"), "mark": str(error.problems[0].message), "alone": False}
-    return shown | _numbers(entry) | {"source": _source(entry), "mark": _mark(entry), "laws": entry.material.laws(), "alone": True}
+    return shown | _known(entry)
+
+
+def _known(entry: Entry) -> dict:
+    return _numbers(entry) | {"source": _source(entry), "mark": _mark(entry), "laws": entry.material.laws(), "alone": True}
 
 
 def _numbers(entry: Entry) -> dict:
@@ -47,7 +58,7 @@ def _numbers(entry: Entry) -> dict:
 
 
 def _source(entry: Entry) -> str:
-    return schema.row(entry.rows[0]).source if entry.rows else entry.file
+    return schema.row(entry.rows[0]).source if entry.rows else Path(entry.file).name
 
 
 def _mark(entry: Entry) -> str:

@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 
 from hugoniot.errors import FileTrouble, HugoniotError
-from hugoniot.explorer import page, run_data
 from hugoniot.explorer.answers import QUESTIONS
 from hugoniot.explorer.places import Places
-from hugoniot.explorer.reply import encoded
 from hugoniot.output.atomic import explained
+from hugoniot.page import files, run_data
+from hugoniot.page.reply import encoded
 
 MARK = "hugoniot-explorer.txt"
 MOST_RECORDS = 60       # of a two-dimensional run
@@ -31,8 +31,8 @@ def export(places: Places, folder: Path, *, progress: Callable[[str], None] = la
     holds something else.
     """
     _claim(folder)
-    _put(folder / "index.html", page.index(exported=True))
-    for name, data in page.files().items():
+    _put(folder / "index.html", files.index(exported=True))
+    for name, data in files.files().items():
         _put(folder / name, data)
     known: dict[str, str] = {}
     for question, query in _asked(places):
@@ -46,7 +46,7 @@ def export(places: Places, folder: Path, *, progress: Callable[[str], None] = la
         known[key] = name
         progress(key)
     _put(folder / "data" / "data.js", b"window.hugoniotFiles=" + encoded(known) + b";\n")
-    return len(known) + len(page.files()) + 3
+    return len(known) + len(files.files()) + 3
 
 
 def key_of(question: str, query: dict[str, Any]) -> str:
@@ -83,10 +83,13 @@ def _asked(places: Places) -> Iterator[tuple[str, dict]]:
     for name in dict.fromkeys(places.materials) if places.materials else listed:
         yield "material", {"name": name}
         yield "about", {"name": name}
+        if places.materials:
+            yield from (("surface", {"name": name}), ("surface", {"name": name, "at": ""}))
     for k in range(len(places.runs)):
         yield "run", {"run": k}
         yield from _of_run(places, k)
     yield from (("sweep", {"sweep": k}) for k in range(len(places.sweeps)))
+    yield from (("fit", {"fit": k}) for k in range(len(places.fits)))
     yield from (("deck", {"deck": k}) for k in range(len(places.decks)))
 
 

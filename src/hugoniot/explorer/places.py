@@ -1,18 +1,19 @@
-"""What the explorer was started with: runs, sweeps, decks and materials, each known to the page by a number and never by a path."""
+"""What the explorer was started with: runs, sweeps, fits, decks and materials, each known to the page by a number, never by a path."""
 
 import threading
+import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
 from hugoniot.errors import DeckError, FileTrouble
-from hugoniot.explorer.subjects import entry_of
+from hugoniot.explorer.subjects import admit, entry_of
 
-CASES = "cases.csv"
+CASES, FIT = "cases.csv", "fit.json"
 
 
 class Place(NamedTuple):
-    """A run folder, a table of cases or a deck: its path, and what the page calls it."""
+    """A run folder, a table of cases, the folder of a fit or a deck: its path, and what the page calls it."""
 
     path: Path
     name: str
@@ -24,6 +25,7 @@ class Places:
 
     runs: list[Place] = field(default_factory=list)
     sweeps: list[Place] = field(default_factory=list)
+    fits: list[Place] = field(default_factory=list)
     decks: list[Place] = field(default_factory=list)
     materials: list[str] = field(default_factory=list)
     work: Path | None = None
@@ -47,6 +49,10 @@ class Places:
         """A table of cases by its number; `FileTrouble` for any other."""
         return _numbered(self.sweeps, number, "sweep")
 
+    def fit(self, number: int) -> Place:
+        """The folder of a fit by its number; `FileTrouble` for any other."""
+        return _numbered(self.fits, number, "fit")
+
     def deck(self, number: int) -> Place:
         """A deck by its number; `FileTrouble` for any other."""
         return _numbered(self.decks, number, "deck")
@@ -59,7 +65,7 @@ def _numbered(places: list[Place], number: int, word: str) -> Place:
 
 
 def places_of(arguments: list[str], work: Path | None = None) -> Places:
-    """Sort the arguments of the command: run folders, folders with cases.csv or tables, decks, names of materials.
+    """Sort the arguments of the command: run folders, folders with cases.csv or tables, fits, decks, materials by name or file.
 
     Raises `FileTrouble` for a path that holds none of these, `DeckError` for an unknown material.
     """
@@ -70,6 +76,8 @@ def places_of(arguments: list[str], work: Path | None = None) -> Places:
             _add_folder(found, path)
         elif path.suffix.lower() == ".csv" and path.is_file():
             found.sweeps.append(Place(path.resolve(), path.name))
+        elif path.suffix.lower() == ".toml" and path.is_file() and _only_materials(path):
+            found.materials += admit(path)
         elif path.suffix.lower() == ".toml" and path.is_file():
             found.decks.append(Place(path.resolve(), path.name))
         elif path.suffix.lower() in (".toml", ".csv", ".run") or "/" in text:
@@ -79,16 +87,27 @@ def places_of(arguments: list[str], work: Path | None = None) -> Places:
     return found
 
 
+def _only_materials(path: Path) -> bool:
+    """Whether a file holds the tables of materials and nothing that makes a deck; a file that cannot be read counts as a deck."""
+    try:
+        tables = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return False
+    return bool({"eos", "material"} & set(tables)) and not {"region", "block", "solver", "geometry", "stop_time"} & set(tables)
+
+
 def _add_folder(found: Places, path: Path) -> None:
     inner = [path / name for name in ("result.h5", "deck.toml", "run.log") if (path / name).is_file()]
     if (path / CASES).is_file():
         found.sweeps.append(Place((path / CASES).resolve(), path.resolve().name))
+    elif (path / FIT).is_file():
+        found.fits.append(Place(path.resolve(), path.resolve().name))
     elif inner:
         found.add_run(path)
     else:
         below = sorted(folder for folder in path.iterdir() if folder.is_dir() and (folder / "deck.toml").is_file())
         if not below:
-            raise FileTrouble(f"{path}: neither a run folder nor a folder of runs, and no {CASES} in it")
+            raise FileTrouble(f"{path}: neither a run folder nor a folder of runs, and no {CASES} or {FIT} in it")
         for folder in below:
             found.add_run(folder)
 

@@ -1,22 +1,42 @@
-"""Materials as the explorer takes them: by name or row of the library; an explosive has an unreacted self and products."""
+"""Materials as the explorer takes them: by name or row of the library, or of a file named on the command line.
+
+An explosive has an unreacted self and products.
+"""
 
 from dataclasses import replace
 from functools import lru_cache
+from pathlib import Path
 
 from hugoniot.errors import DeckError
 from hugoniot.laws.eos.contract import EOS
-from hugoniot.materials import library
+from hugoniot.materials import library, schema
 from hugoniot.materials.entry import Entry
 from hugoniot.materials.material import Material
+from hugoniot.materials.users import read_materials
 
 MOST = 80     # characters of a name
+own: dict[str, Entry] = {}      # materials of files that the command line named, for the life of the process
+
+
+def admit(path: Path) -> list[str]:
+    """The names of the materials of a file, which `entry_of` answers for from now on; `DeckError` where one is the library's."""
+    found = read_materials(path)
+    for name, entry in found.items():
+        if library.curated_name(name) is not None or schema.is_row(name.strip().upper()):
+            raise DeckError.single(path, None, name, "the library has a material of that name", "give the one of the file another name")
+        own[name] = entry
+    return list(found)
+
+
+def entry_of(name: str) -> Entry:
+    """Everything known about a name; `DeckError` for an unknown one."""
+    if len(name) > MOST:
+        raise DeckError.single("explorer", None, "material", "no material has a name as long as that")
+    return own[name] if name in own else _of_library(name)
 
 
 @lru_cache(maxsize=512)
-def entry_of(name: str) -> Entry:
-    """Everything the library knows about a name; `DeckError` for an unknown one."""
-    if len(name) > MOST:
-        raise DeckError.single("explorer", None, "material", "no material has a name as long as that")
+def _of_library(name: str) -> Entry:
     return library.entry(name)
 
 

@@ -81,6 +81,7 @@ def energy_at_temperature(rho, t, eos):
     now = temperature(rho, e, eos)
     if not math.isfinite(now):
         raise OutOfRange(f"the equation of state '{law.name}' needs a specific_heat before a temperature can be set")
+    last = math.inf
     for _ in range(60):
         step = 1e-6 * (abs(e) + 1e3)
         slope = (temperature(rho, e + step, eos) - now) / step
@@ -89,8 +90,10 @@ def energy_at_temperature(rho, t, eos):
         change = (t - now) / slope
         e += change
         now = temperature(rho, e, eos)
-        if abs(now - t) <= 1e-13 * abs(t):
+        # near 0 K the round-off of the energy is more than any part of t: there the steps no longer shrink
+        if abs(now - t) <= 1e-13 * abs(t) or (abs(change) >= 0.5 * last and abs(change) <= 1e-12 * (abs(e) + 1e3)):
             return e
+        last = abs(change)
     raise OutOfRange(f"no energy gives {t:g} K at {rho:g} kg/m3 in the law '{law.name}'")
 
 

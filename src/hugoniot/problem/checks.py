@@ -83,10 +83,10 @@ def checked_profile(row: Any, material: Material | None, collector: Collector, p
     places = np.linspace(row.start, row.end, 9)
     given = {name: values_at(profile, name, places) for name in names - {"velocity"}}
     for k, place in enumerate(places):
-        before = len(collector.problems)
+        before = collector.findings
         state = {key: float(given[key][k]) if key in given else getattr(row, key) for key in _STATE}
         check_state(SimpleNamespace(**state), material, collector, path)
-        if len(collector.problems) > before:
+        if collector.findings > before:
             collector.add(path, f"so at {format_si(place, 'm')}")
             break
     return profile

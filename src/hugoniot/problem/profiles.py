@@ -69,11 +69,11 @@ def read_profile(table: ProfileTable | None, start: float, end: float, collector
     if table is None:
         return None
     given = {name: value for name in UNITS if (value := getattr(table, name)) is not None}
-    before = len(collector.problems)
+    before = collector.findings
     if table.file is not None:
         if given or table.positions is not None:
             collector.add((*path, "file"), "stands beside other keys", "give the file, or positions and arrays, or expressions")
-        profile = _of_file(table.file, collector, (*path, "file")) if len(collector.problems) == before else None
+        profile = _of_file(table.file, collector, (*path, "file")) if collector.findings == before else None
     elif not given:
         collector.add(path, "says nothing", "give velocity, density, pressure, temperature or energy")
         return None
@@ -83,13 +83,13 @@ def read_profile(table: ProfileTable | None, start: float, end: float, collector
         profile = Profile(tuple(places), fields)
     else:
         profile = Profile((), tuple((name, _expression(value, collector, (*path, name))) for name, value in given.items()))
-    if profile is None or len(collector.problems) > before:
+    if profile is None or collector.findings > before:
         return None
     if profile.positions:
         _check_table(profile, start, end, collector, path)
     elif (wrong := _first_trouble(profile, start, end)) is not None:
         collector.add((*path, wrong[0]), wrong[1].message, wrong[1].hint)
-    return profile if len(collector.problems) == before else None
+    return profile if collector.findings == before else None
 
 
 def _expression(value: Any, collector: Collector, path: tuple) -> str:

@@ -10,6 +10,7 @@ from hugoniot.output.run import Run, load
 from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, spall_numbers
 from hugoniot.output.seal import sealed
 from hugoniot.output.spall_reading import SURFACE, surface_record
+from hugoniot.page import one_run
 from hugoniot.plotting.inline import picture_tasks
 from hugoniot.report import sections
 from hugoniot.report.sections import number, text
@@ -103,7 +104,7 @@ def one_by_one(tasks: dict[str, Callable[[], str]]) -> dict[str, str]:
 
 
 def page(run: Run, drawn: Callable = one_by_one) -> str:
-    """The whole page as HTML text; `drawn` does the tasks that draw its pictures."""
+    """The whole page as HTML text, with the run to walk through where scripts run; `drawn` does the tasks that draw its pictures."""
     setup, summary, pictures = run.setup, run.summary, drawn(picture_tasks(run))
     seen = surface_record(run)
     css = (pathlib.Path(__file__).parent / "page.css").read_text(encoding="utf-8")
@@ -113,9 +114,7 @@ def page(run: Run, drawn: Callable = one_by_one) -> str:
     solver = setup["solver"]["kind"] + (f" ({setup['solver']['integrator']})" if setup["solver"]["kind"].startswith("lagrange") else "")
     intro = (f"{text(setup['geometry'])}, solver {text(solver)}, "
              f"hugoniot {text(setup['version'])}; status: {text(summary['status'])}")
-    return "".join([
-        f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<title>{title}</title><style>{css}</style></head><body><main>",
+    body = "".join([
         f"<h1>{title}</h1><p class=quiet>{intro}</p>", cautions, sections.cards(key_numbers(run)),
         _section("At the gauges", sections.gauges(gauge_rows(run), GAUGE_UNITS)),
         _section("Set-up", _figure(pictures, "setup")),
@@ -131,8 +130,10 @@ def page(run: Run, drawn: Callable = one_by_one) -> str:
         _section("Numerics", sections.numerics(setup)),
         _section("Sources", sections.bibliography(setup)),
         _section("Deck with every default written out", deck),
-        "</main></body></html>\n",
     ])
+    return one_run.shell(run.folder, setup["title"], body, css) or (
+        '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
+        f"<title>{title}</title><style>{css}</style></head><body><main>{body}</main></body></html>\n")
 
 
 def write_report(folder, drawn: Callable = one_by_one) -> pathlib.Path:

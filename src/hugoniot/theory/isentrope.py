@@ -13,7 +13,7 @@ import numpy as np
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
-from hugoniot.materials.initial_state import energy_at_pressure, initial_state
+from hugoniot.materials.initial_state import energy_at_pressure, energy_at_temperature, initial_state
 from hugoniot.theory import expansion
 from hugoniot.theory.states import States, density_at, density_range, evaluate, law_of
 
@@ -116,11 +116,19 @@ def expansion_to(material, start: States, to: float, points: int) -> States:
     return isentrope(material, start, pressure=span, direction=-1)
 
 
+def at_temperature(material, density: float, temperature: float) -> tuple[float, float]:
+    """(pressure Pa, energy J/kg) at a density and a temperature; 0 K is the law's cold curve. `OutOfRange` where there is no such state."""
+    par = law_of(material)
+    if not temperature >= 0.0:
+        raise OutOfRange(f"a temperature of {temperature:.6g} K is no state")
+    e = energy_at_temperature(density, temperature, par)
+    return float(contract.pressure(density, e, par)), float(e)
+
+
 def grid(material, densities, temperatures) -> tuple[np.ndarray, np.ndarray]:
     """(pressure Pa, energy J/kg), each (n, m), at n densities (kg/m3) and m temperatures (K), as the law `table` holds them."""
-    found = [[state(material, density=float(rho), temperature=float(t)) for t in temperatures] for rho in densities]
-    p, e = ([[getattr(s, name) for s in row] for row in found] for name in ("pressure", "specific_internal_energy"))
-    return np.array(p), np.array(e)
+    found = np.array([[at_temperature(material, float(rho), float(t)) for t in temperatures] for rho in densities])
+    return found[..., 0], found[..., 1]
 
 
 def history(material, start: States) -> Any:

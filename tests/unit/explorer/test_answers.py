@@ -10,8 +10,9 @@ from typer.testing import CliRunner
 
 import hugoniot
 from hugoniot.cli.main import build_app
-from hugoniot.explorer import catalogue, curves, impact, run_data
+from hugoniot.explorer import catalogue, curves, impact
 from hugoniot.materials import library, schema
+from hugoniot.page import run_data
 from hugoniot.problem.deck import read_deck_text
 from hugoniot.theory.impedance import match
 

@@ -6,8 +6,9 @@ import pytest
 from explorer_words import LONG, TOKEN, TUBE
 
 from hugoniot.errors import DeckError, FileTrouble
-from hugoniot.explorer import decks, jobs, live, run_data
+from hugoniot.explorer import decks, jobs
 from hugoniot.explorer.places import Places, places_of
+from hugoniot.page import live, run_data
 from hugoniot.problem.catalogue import deck_text, problems
 from hugoniot.problem.deck import read_deck_text
 
@@ -66,7 +67,7 @@ def test_a_run_is_started_reports_and_opens(tmp_path, tube):
     said = ended(started.job(started.start(TUBE)["job"]))
     assert said["state"] == "done" and said["progress"]["time"] == pytest.approx(20e-6) and said["progress"]["cycle"] > 10
     assert [p.name for p in places.runs] == ["tube-of-gas-2.run"]
-    assert run_data.listing(places)[0]["status"] == "done" and run_data.finished(places.runs[0].path)
+    assert run_data.line(places.runs[0].path)["status"] == "done" and run_data.finished(places.runs[0].path)
     started.close()
 
 
@@ -86,7 +87,7 @@ def test_a_stopped_run_leaves_a_checkpoint_that_the_page_shows(tmp_path, tube):
     job.stop()
     said = ended(job)
     assert said["state"] == "stopped" and said["code"] in (130, -15) and any((job.folder / "checkpoint").glob("[0-9]*.json"))
-    assert run_data.listing(places_of([str(job.folder)]))[0]["status"] == "unfinished"
+    assert run_data.line(places_of([str(job.folder)]).runs[0].path)["status"] == "unfinished"
     before = sorted((p.name, p.stat().st_mtime_ns) for p in job.folder.rglob("*"))
     run_data.description(job.folder)
     run_data.column(job.folder, "snapshots", "velocity", {})

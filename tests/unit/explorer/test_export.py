@@ -9,8 +9,8 @@ import pytest
 
 import hugoniot
 from hugoniot.errors import FileTrouble
-from hugoniot.explorer import page
 from hugoniot.explorer.export import export, key_of
+from hugoniot.page import files
 
 
 def answers(folder):
@@ -37,7 +37,7 @@ def test_an_export_holds_page_materials_and_runs(places, tube, tmp_path):
     assert key_of("sweep", {"sweep": 0}) in found and key_of("deck", {"deck": 0}) in found
     index = (folder / "index.html").read_text()
     assert "Content-Security-Policy" in index and index.index("data/data.js") < index.index("main.js")
-    assert all((folder / name).read_bytes() == data for name, data in page.files().items())
+    assert all((folder / name).read_bytes() == data for name, data in files.files().items())
 
 
 def test_an_export_replaces_its_own_folder_and_no_other(places, tmp_path):
@@ -53,5 +53,5 @@ def test_an_export_replaces_its_own_folder_and_no_other(places, tmp_path):
 
 
 def test_the_files_of_the_page_are_small_and_all_named():
-    assert {p.name for p in page.STATIC.iterdir()} == {*page.files(), "index.html"}
-    assert sum(len(data) for data in page.files().values()) < 250_000
+    assert {p.name for p in files.STATIC.iterdir()} == {*files.files(), "index.html"}
+    assert sum(len(data) for data in files.files().values()) < 250_000

@@ -7,7 +7,8 @@ import random
 import pytest
 from explorer_words import HOST, TOKEN
 
-from hugoniot.explorer import guard, page
+from hugoniot.explorer import guard
+from hugoniot.page import files
 
 
 def get(client, path, **headers):
@@ -15,7 +16,7 @@ def get(client, path, **headers):
 
 
 def test_the_page_and_its_files_come_with_their_policy(client):
-    for path in ("", *page.files()):
+    for path in ("", *files.files()):
         answer = get(client, path)
         assert answer.status_code == 200 and answer.headers["content-security-policy"] == guard.POLICY
         assert answer.headers["x-content-type-options"] == "nosniff" and answer.headers["referrer-policy"] == "no-referrer"
@@ -23,7 +24,7 @@ def test_the_page_and_its_files_come_with_their_policy(client):
 
 
 def test_the_page_asks_nothing_of_other_hosts():
-    for name, data in {**page.files(), "index.html": page.index()}.items():
+    for name, data in {**files.files(), "index.html": files.index()}.items():
         text = data.decode()
         for scheme in ("http://", "https://", "//cdn"):
             assert all(w in ("http://www.w3.org/2000/svg",) for w in (text[i:i + 26] for i in range(len(text)) if text.startswith(scheme, i))), name

@@ -202,8 +202,8 @@ def fit_gamma(
 def table(
     material: MATERIAL,
     densities: Annotated[str, typer.Option("--densities", help='Range, "8 g/cm^3, 14 g/cm^3"; default 0.9 to 1.5 of rest.')] = "",
-    temperatures: Annotated[str, typer.Option("--temperatures", help='Range of temperature, "200 K, 3000 K", with the one at rest '
-                                                                     'inside.')] = "200 K, 3000 K",
+    temperatures: Annotated[str, typer.Option("--temperatures", help='Range of temperature, "200 K, 3000 K", or three and more values; '
+                                                                     '0 K is the cold curve.')] = "200 K, 3000 K",
     points: Annotated[int, typer.Option("--points", min=2, max=1000, help="Values of each.")] = 21,
     as_json: JSON = False, as_csv: CSV = None,
     hdf5: Annotated[Path | None, typer.Option("--hdf5", help="Write the grid to this HDF5 file.")] = None, plot: PLOT = None,

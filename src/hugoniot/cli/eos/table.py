@@ -23,7 +23,7 @@ def report(subject: Subject, densities: str, temperatures: str, points: int, as_
     if not least <= low < high < most:
         raise OutOfRange(f"the law '{EOS.of(subject.material.eos).name}' holds for densities from {max(least, 1e-6):.6g} to {most:.6g} "
                          f"kg/m3: --densities asks for {low:.6g} to {high:.6g}")
-    rho, t = np.linspace(low, high, points), np.linspace(*_range(temperatures, "K", "--temperatures"), points)
+    rho, t = np.linspace(low, high, points), _temperatures(temperatures, points)
     p, e = grid(subject.material, rho, t)
     if as_csv:
         _write(as_csv, rho, t, p, e)
@@ -40,11 +40,11 @@ def report(subject: Subject, densities: str, temperatures: str, points: int, as_
         echo_json({"material": subject.material.name, "density": rho, "temperature": t, "pressure": p, "specific_internal_energy": e})
         return
     typer.echo(f"{subject.title or subject.material.name}: pressure in GPa at density (down) and temperature (across)")
-    chosen = np.unique(np.linspace(0, points - 1, min(points, 7)).round().astype(int))
-    rows = [[f"{rho[i]:.1f}", *[f"{p[i, j] * 1e-9:.4g}" for j in chosen]] for i in chosen]
-    echo_table(["kg/m3", *[f"{t[j]:.6g} K" for j in chosen]], rows)
+    down, across = (np.unique(np.linspace(0, n - 1, min(n, 7)).round().astype(int)) for n in (rho.size, t.size))
+    rows = [[f"{rho[i]:.1f}", *[f"{p[i, j] * 1e-9:.4g}" for j in across]] for i in down]
+    echo_table(["kg/m3", *[f"{t[j]:.6g} K" for j in across]], rows)
     if as_csv is None and as_hdf5 is None:
-        typer.echo(f"{points} x {points} values; --csv FILE or --hdf5 FILE writes them all, with energies, as the law 'table' reads them")
+        typer.echo(f"{rho.size} x {t.size} values; --csv FILE or --hdf5 FILE writes them all, with energies, as the law 'table' reads them")
 
 
 def _write(path, rho, t, p, e) -> None:
@@ -58,11 +58,21 @@ def _write(path, rho, t, p, e) -> None:
         raise FileTrouble(f"cannot write {path}: {error.strerror or error}") from None
 
 
-def _range(text: str, unit: str, option: str) -> tuple[float, float]:
+def _temperatures(text: str, points: int) -> np.ndarray:
+    """A range in as many values as of the density, or three and more values as they are; 0 K is the law's cold curve."""
+    if text.count(",") < 2:
+        return np.linspace(*_range(text, "K", "--temperatures", lowest=0.0), points)
+    values = np.array([quantity(part.strip(), "K", "--temperatures") for part in text.split(",")])
+    if values[0] < 0.0 or not (np.diff(values) > 0.0).all():
+        raise DeckError.single("command line", None, "--temperatures", f"'{text[:60]}' does not rise from 0 K", "write rising temperatures")
+    return values
+
+
+def _range(text: str, unit: str, option: str, lowest: float | None = None) -> tuple[float, float]:
     parts = text.split(",")
     if len(parts) != 2:
         raise DeckError.single("command line", None, option, f"'{text[:60]}' is no range", 'write two values, such as "300 K, 3000 K"')
     low, high = (quantity(p.strip(), unit, option) for p in parts)
-    if not 0.0 < low < high:
+    if not low < high or low < 0.0 or low == 0.0 != lowest:
         raise DeckError.single("command line", None, option, f"'{text[:60]}' does not rise", "write the lower value first")
     return low, high

@@ -19,7 +19,7 @@ def read_contacts(rows: Sequence, blocks: Sequence[str], rigid: Sequence[str], c
     for i, row in enumerate(rows):
         if row is None:
             continue
-        path, before = ("contact", i), len(collector.problems)
+        path, before = ("contact", i), collector.findings
         if (row.strength is not None) != (row.kind == "separable"):
             if row.kind == "separable":
                 collector.add((*path, "strength"), "missing", 'such as strength = "50 MPa"')
@@ -37,7 +37,7 @@ def read_contacts(rows: Sequence, blocks: Sequence[str], rigid: Sequence[str], c
         if key in seen:
             collector.add((*path, "between") if key else path, f"is said by contact {seen[key] + 1} already", "each pair has one law")
         seen.setdefault(key, i)
-        if len(collector.problems) == before:
+        if collector.findings == before:
             found.append(Contact2D(row.between, row.kind, row.friction, row.strength))
     return tuple(found)
 
@@ -67,7 +67,7 @@ def read_rigid(rows: Sequence, axes, blocks: Sequence[str], collector: Collector
     for i, row in enumerate(rows):
         if row is None:
             continue
-        path, before = ("rigid", i), len(collector.problems)
+        path, before = ("rigid", i), collector.findings
         if row.name in names or row.name != row.name.strip() or not row.name.isprintable():
             message = f"'{printable(row.name)}' is taken or cannot be a name"
             collector.add((*path, "name"), message, "names of blocks and rigid bodies differ")
@@ -81,7 +81,7 @@ def read_rigid(rows: Sequence, axes, blocks: Sequence[str], collector: Collector
         _check_motion(row, axes, collector, path)
         direction = None if row.direction is None else unit_vector(row.direction, collector, (*path, "direction"))
         pulse = None if row.velocity is None else read_pulse(row.velocity, "m/s", collector, (*path, "velocity"))
-        if len(collector.problems) == before:
+        if collector.findings == before:
             if row.mass is not None and axes[0] == "r":
                 direction = (0.0, 1.0)
             found.append(Rigid2D(row.name, row.points, row.closed, pulse, row.mass, row.start or (0.0, 0.0), direction))

@@ -14,14 +14,14 @@
     xSelect = pick("Across", "x"); ySelect = pick("Up", "y"); cSelect = pick("Colour", "c");
     columnsBox = H.h("details", {class: "small"});
     const scatterHost = H.h("div");
-    table = H.h("div", {class: "scroll wide"});
+    table = H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"});
     readout = H.h("div", {class: "readout", "aria-live": "polite"});
     main.append(H.h("div", {class: "column"}, H.h("div", {class: "bar"}, select, count, H.h("span", {class: "push"}, H.h("button", {type: "button", onclick: () => H.set({brush: ""})}, "Clear the brushes"))), columnsBox, host,
       H.h("div", {class: "bar small"}, H.h("label", {}, "across", xSelect), H.h("label", {}, "up", ySelect), H.h("label", {}, "colour", cSelect), H.h("span", {class: "bar push"}, ...H.saveButtons(() => scatter, () => "sweep"))), scatterHost, readout, table));
     scatter = new H.Chart(scatterHost, {label: "Cases", height: 0.42, most: 430, keep: true, onHover: hit => read(scatter.spec.series[hit.series].rows[hit.index]), onPick: hit => openRun(scatter.spec.series[hit.series].rows[hit.index])});
     new ResizeObserver(() => { if (data) drawParallel(); }).observe(host);
   };
-  view.close = () => { scatter.stop(); data = null; };
+  view.close = () => { order++; scatter.stop(); data = null; };
   view.repaint = () => view.update();
   view.update = async () => {
     const mine = ++order;

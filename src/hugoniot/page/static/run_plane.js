@@ -20,6 +20,6 @@ H.PlaneMap = class {
     this.chart.show({series: [], equal: true, plain: true, x: {label: H.labelled(mirror ? "radius" : run.axes[0], lengthUnit), min: (x0 - room) * f, max: (x1 + room) * f}, y: {label: H.labelled(run.axes[1], lengthUnit), min: (y0 - room) * f, max: (y1 + room) * f},
       zoom: zoom.length === 4 && zoom.every(Number.isFinite) ? {x: zoom.slice(0, 2), y: zoom.slice(2)} : null, bar: {scale, factor, label: H.labelled(field.words, unit)},
       paint: (pixels, wide, tall, ax, ay, p) => { const begun = performance.now(); painter(pixels, wide, tall, inSi(ax), inSi(ay), p); this.chart.box.dataset.painted = (performance.now() - begun).toFixed(1); },
-      readings: (px, py) => { const zone = plane.zoneAt(px / f, py / f); return {zone, x: px / f, y: py / f, value: zone < 0 ? null : values[zone]}; }});
+      readings: (px, py) => { const zone = plane.zoneAt(px / f, py / f); return {zone, record: data.record, x: px / f, y: py / f, value: zone < 0 ? null : values[zone]}; }});
   }
 };

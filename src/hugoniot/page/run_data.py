@@ -11,13 +11,11 @@ from typing import Any
 import numpy as np
 
 from hugoniot.errors import FileTrouble, HugoniotError, OutOfRange
-from hugoniot.explorer import live
-from hugoniot.explorer.places import Places
 from hugoniot.output.run import Run
 from hugoniot.output.run_numbers import results
+from hugoniot.page import live
 
 MOST_BYTES = 64_000_000     # of one column of all records; of a longer one every second, third, ... record is sent
-_EDGES = ("position_left", "position_right", "position_x", "position_y")
 
 
 @lru_cache(maxsize=16)
@@ -36,12 +34,8 @@ def finished(path: Path) -> bool:
     return (path / "summary.json").is_file() and (path / "result.h5").is_file()
 
 
-def listing(places: Places) -> list[dict]:
-    """The open runs, a line each."""
-    return [{"name": place.name, **_line(place.path)} for place in places.runs]
-
-
-def _line(path: Path) -> dict:
+def line(path: Path) -> dict:
+    """Title and status of a run, in a list."""
     try:
         if not finished(path):
             return {"title": path.name, "status": live.status(path)}
@@ -60,10 +54,11 @@ def description(path: Path) -> dict[str, Any]:
     plane = "axes" in run.setup
     zones = len(rows["zone"]) if "zone" in rows else 0
     every = _every(rows.shapes)
+    names = live.zone_fields({name: len(rows.shapes[name]) for name in rows}, plane)
     found = {
         "title": run.summary["title"], "status": run.summary["status"], "live": False, "plane": plane, "summary": run.summary,
         "geometry": run.setup["geometry"], "zones": zones, "every": every, "times": rows["time"][::every], "regions": _regions(run),
-        "fields": live.fields(_zone_fields(rows, plane)), "gauges": run.gauge_names(), "events": _events(run),
+        "fields": live.fields(names), "gauges": run.gauge_names(), "events": _events(run),
         "gauge_fields": live.fields([n for n in gauges if len(gauges.shapes[n]) == 2 and n != "position"]) if len(gauges) else [],
         "gauge_times": len(gauges["time"]) if "time" in gauges else 0, "numbers": _numbers(run),
     }
@@ -76,16 +71,6 @@ def description(path: Path) -> dict[str, Any]:
 def _every(shapes: dict) -> int:
     largest = max((int(np.prod(shape)) * 8 for shape in shapes.values() if len(shape) == 2), default=0)
     return max(1, -(-largest // MOST_BYTES))
-
-
-def _zone_fields(rows, plane: bool) -> list[str]:
-    """Fields with a value in every zone; those of nodes under their own name."""
-    wide = [name for name in rows if len(rows.shapes[name]) == 2 and name not in _EDGES]
-    if plane:
-        extra = ["velocity_x", "velocity_y", "speed", *(["von_mises"] if "deviator_zz" in rows else [])]
-        return [*(n for n in wide if n not in extra), *extra]
-    faces = [n.removesuffix("_left") for n in wide if n.endswith("_left")]
-    return [*[n for n in wide if not n.endswith(("_left", "_right"))], *faces]
 
 
 def _regions(run: Run) -> list[dict]:
@@ -122,7 +107,8 @@ def column(path: Path, group: str, name: str, which: dict[str, int]) -> np.ndarr
     if group not in ("snapshots", "gauges"):
         raise OutOfRange("columns are of snapshots or of gauges")
     if not finished(path):
-        return live.column(path, group, name)
+        plane = group == "snapshots" and name != "time" and which
+        return live.plane_column(path, name, which) if plane else live.column(path, group, name)
     run = _run(path)
     rows = run.arrays(group)
     if group == "gauges":

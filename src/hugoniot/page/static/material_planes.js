@@ -76,8 +76,8 @@
       return [...found, {kind: "line", id: `Pop plot ${r.row}`, name: c.name, colour, x: p, y: x, hover: true, label: `${r.label} (${r.row})`, table: {pressure: p.map(q => q * 1e9), run_distance: x.map(v => v * 1e-3)}}];
     }), marks: () => []};
 
-  H.planes = {"us-up": ["Us–up", hugoniots("us-up")], "p-up": ["p–up", hugoniots("p-up")], "p-v": ["p–v", hugoniots("p-v")], "t-p": ["T–p", hugoniots("t-p")], isentropes: ["Isentropes", isentropes],
+  H.planes = {"us-up": ["Us–up", hugoniots("us-up")], "p-up": ["p–up", hugoniots("p-up")], "p-v": ["p–v", hugoniots("p-v")], "t-p": ["T–p", hugoniots("t-p")], isentropes: ["Isentropes", isentropes], isotherms: ["Isotherms", H.isothermPlane], surface: ["Surface", {axes: [{}, {}], series: () => [], marks: () => []}],
               detonation: ["Detonation", detonation], expansion: ["Expansion", expansion], gurney: ["Gurney", gurney], pop: ["Pop plot", pop]};
   H.ofExplosives = ["detonation", "expansion", "gurney", "pop"];
-  H.curveWords = {hugoniot: "Hugoniot", beyond: "Hugoniot, beyond the range of the data", release: "isentrope", isentrope: "isentrope from rest", products: "detonation Hugoniot", unreacted: "Hugoniot of the unreacted explosive"};
+  H.curveWords = {isotherm: "isotherm", "cold curve": "cold curve: the isotherm at 0 K", hugoniot: "Hugoniot", beyond: "Hugoniot, beyond the range of the data", release: "isentrope", isentrope: "isentrope from rest", products: "detonation Hugoniot", unreacted: "Hugoniot of the unreacted explosive"};
 })();

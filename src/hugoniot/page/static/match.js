@@ -2,7 +2,7 @@
 // Impedance match: flyer and layers picked, the velocity dragged on the axis; the crossing is computed by the house's own theory.
 (() => {
   const view = H.views.match = {}, asking = H.latest();
-  let chart, rows, slider, speed, sigma, bands, table, warnings, deckBox, deckText, editorLink, options, order = 0, settled = 0, shown = null, dragging = false;
+  let chart, rows, slider, speed, sigma, bands, table, warnings, deckBox, deckText, editorLink, runButton, options, order = 0, settled = 0, shown = null, dragging = false;
   const layers = () => H.list("layers").length > 1 ? H.list("layers") : ["copper", "aluminum"];
   const velocity = () => Number(H.get("v")) > 0 ? Number(H.get("v")) : 1000;
   const most = () => Number(H.get("vmax")) > 0 ? Number(H.get("vmax")) : 4000;
@@ -20,9 +20,10 @@
     table = H.h("div");
     warnings = H.h("div", {class: "small"});
     deckText = H.h("pre", {class: "small scroll", tabindex: 0, style: {margin: 0, padding: "8px", maxHeight: "40vh"}});
+    runButton = H.h("button", {type: "button", hidden: true, onclick: runDeck}, "Run");
     editorLink = H.h("button", {type: "button", onclick: () => { sessionStorage.setItem("hugoniot-deck", deckText.textContent); H.go("decks", {from: "match"}); }}, "Open in the deck editor");
     deckBox = H.h("details", {ontoggle: () => { if (deckBox.open) loadDeck(); }}, H.h("summary", {}, "The deck that runs this impact"),
-      H.h("div", {class: "bar", style: {margin: "6px 0"}}, H.h("button", {type: "button", onclick: () => H.copy(deckText.textContent, "deck")}, "Copy"), editorLink), deckText);
+      H.h("div", {class: "bar", style: {margin: "6px 0"}}, H.h("button", {type: "button", onclick: () => H.copy(deckText.textContent, "deck")}, "Copy"), runButton, editorLink), deckText);
     left.append(H.h("h2", {}, "Flyer and layers"), rows, options,
       H.h("div", {class: "bar"}, H.h("button", {type: "button", onclick: () => H.set({layers: [...layers(), "pmma"].slice(0, 8).join(",")})}, "Add a layer"),
         H.h("button", {type: "button", onclick: () => H.set({layers: [layers()[1], layers()[0], ...layers().slice(2)].join(",")})}, "Swap flyer and target")),
@@ -34,9 +35,10 @@
       const step = {"[": -10, "]": 10, "{": -100, "}": 100}[event.key];
       if (step) { drag(Math.max(1, velocity() + step)); drop(); event.preventDefault(); }
     });
+    H.opened.then(opened => { runButton.hidden = !opened.may_run || H.exported(); }).catch(H.failed);
     H.askOnce("materials").then(all => options.append(...all.materials.filter(m => m.alone).map(m => H.h("option", {value: m.name}, m.title)))).catch(H.failed);
   };
-  view.close = () => chart.stop();
+  view.close = () => { order++; clearTimeout(settled); chart.stop(); };
   view.repaint = () => draw(shown);
   view.update = () => {
     fillRows();
@@ -45,6 +47,7 @@
     if (document.activeElement !== sigma) sigma.value = H.get("sigma");
     if (!deckBox.open && H.get("deck")) deckBox.open = true;
     solve();
+    if (!H.exported() && layers().length === 2) for (const name of layers()) H.resolved(name).then(name => H.askOnce("material", {name})).catch(() => {});      // ready when the drag begins
   };
   function sync() {
     slider.max = Math.max(most(), velocity());
@@ -69,11 +72,19 @@
     clearTimeout(settled);
     const mine = ++order, names = layers(), v = velocity();
     const wanted = {layers: names.join(","), velocity: v};
+    if (dragging && names.length === 2 && !H.exported()) {      // at once from the curves of both; the server's digits when the hand rests
+      const begun = performance.now();
+      H.matchFromCurves(names, v).then(found => { if (mine === order) { found.took = performance.now() - begun; shown = found; draw(found); } }, () => exact(mine, names, v, wanted));
+      settled = setTimeout(() => exact(mine, names, v, wanted), 90);
+    } else exact(mine, names, v, wanted);
+    if (deckBox.open && !dragging) loadDeck();
+  }
+  function exact(mine, names, v, wanted) {
     asking(async () => {
       const begun = performance.now();
       try {
         const found = H.exported() ? await H.matchFromCurves(names, v) : await H.ask("match", wanted);
-        if (mine < order && !dragging) return;
+        if (mine < order && !(dragging && names.length > 2)) return;
         found.took = performance.now() - begun;
         shown = found;
         draw(found);
@@ -81,10 +92,9 @@
       } catch (error) { H.clear(warnings).append(H.h("div", {class: "bad"}, error.message)); H.clear(table); shown = null; H.failed(error); }
     });
     const s = Number(H.get("sigma")), b = H.get("bands");
-    if (!H.exported() && (s > 0 || b)) settled = setTimeout(async () => {
+    if (!H.exported() && !dragging && (s > 0 || b)) settled = setTimeout(async () => {
       try { const found = await H.ask("match", {...wanted, ...(s > 0 ? {sigma: s} : {}), ...(b ? {bands: 1} : {})}); if (mine === order) { shown = found; draw(found); } } catch (error) { H.failed(error); }
     }, 120);
-    if (deckBox.open && !dragging) loadDeck();
   }
   function draw(found) {
     if (!found) return;
@@ -103,7 +113,7 @@
     const held = chart.held, grown = {x: {min: 0, max: Math.max(held.x.max, found.velocity * 1.02e-3)}, y: {min: 0, max: Math.max(held.y.max, top / 1.1)}};
     chart.show({series, marks, x: {label: "particle velocity (km/s)", ...(dragging ? grown.x : held.x)}, y: {label: "pressure (GPa)", ...(dragging ? grown.y : held.y)}, handles: [{id: "velocity", x: found.velocity * 1e-3, y: 0, colour: 0}]});
     const fields = ["pressure", "particle_velocity", "shock_velocity", "density", "temperature", "specific_internal_energy", "sound_speed"];
-    H.clear(table).append(H.h("div", {class: "scroll wide"}, H.h("table", {"data-table": "match"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "state on the right of"), found.states.map(s => H.h("th", {class: "number"}, s.interface)))),
+    H.clear(table).append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {"data-table": "match"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "state on the right of"), found.states.map(s => H.h("th", {class: "number"}, s.interface)))),
       H.h("tbody", {}, fields.filter(f => found.states.some(s => s[f] !== null && s[f] !== undefined)).map(f => {
         const [words, unit, factor] = H.units[f], [name, by] = H.fits(found.states.map(s => s[f]), unit, factor);
         return H.h("tr", {"data-field": f}, H.h("td", {}, H.labelled(words, name)), found.states.map(s => H.h("td", {class: "number"}, H.digits(s[f] === null || s[f] === undefined ? null : s[f] * by, found.digits || 6),
@@ -117,37 +127,20 @@
   }
   const word = kind => ({fan: "release", none: "nothing"}[kind] || kind);
   async function loadDeck() {
-    try { const found = await H.ask("match_deck", {layers: layers().join(","), velocity: velocity()}); deckText.textContent = found.deck; editorLink.disabled = false; }
-    catch (error) { deckText.textContent = error.message; editorLink.disabled = true; }
+    try { const found = await H.ask("match_deck", {layers: layers().join(","), velocity: velocity()}); deckText.textContent = found.deck; editorLink.disabled = runButton.disabled = false; }
+    catch (error) { deckText.textContent = error.message; editorLink.disabled = runButton.disabled = true; }
+  }
+  async function runDeck() {       // the editor shows the deck and the progress of the run
+    try {
+      const text = deckText.textContent, started = await H.send("job", text);
+      sessionStorage.setItem("hugoniot-deck", text);
+      H.go("decks", {from: "match", job: String(started.job)});
+    } catch (error) { H.failed(error); }
   }
   function command() {
     const names = layers(), v = velocity(), s = Number(H.get("sigma"));
     const extra = s > 0 ? ` --error "velocity = ${s} m/s"` : "";
-    H.command({shell: `hugoniot eos match ${names.map(H.shell).join(" ")} --velocity "${v} m/s"${extra} --plot match.png`,
+    H.command({shell: `hugoniot eos match ${names.map(H.subject).join(" ")} --velocity "${v} m/s"${extra} --plot match.png`,
       python: `from hugoniot.explorer.impact import impact\nprint(impact([${names.map(H.python).join(", ")}], ${v}.0, sigma=${s > 0 ? s : 0}, bands=${H.get("bands") ? "True" : "False"})["states"])`.replace(`${v}.0`, Number.isInteger(v) ? `${v}.0` : `${v}`)});
-  }
-
-  // -- without a server: two materials, from the exported Hugoniots --------------------------------------------------------
-  H.matchFromCurves = async (names, v) => {
-    if (names.length > 2) throw new H.Refused("This exported page matches a flyer and one target; more layers need reshock and release from the server: hugoniot explore");
-    const [flyer, target] = await Promise.all(names.map(async name => H.askOnce("material", {name: await H.resolved(name)})));
-    for (const c of [flyer, target]) if (!c.hugoniot) throw new H.Refused(`${c.name}: no Hugoniot from rest`);
-    const at = (c, key, up) => smooth(c.hugoniot.particle_velocity, c.hugoniot[key], up);
-    const end = c => c.hugoniot.particle_velocity.at(-1);
-    let low = Math.max(0, v - end(flyer)), high = Math.min(v, end(target));
-    const excess = u => at(target, "pressure", u) - at(flyer, "pressure", v - u);
-    if (!(low < high) || excess(low) > 0 || excess(high) < 0) throw new H.Refused("This impact lies beyond the exported curves; the server computes it: hugoniot explore");
-    for (let k = 0; k < 60; k++) { const middle = (low + high) / 2; if (excess(middle) > 0) high = middle; else low = middle; }
-    const state = Object.fromEntries(Object.keys(target.hugoniot).map(key => [key, key === "particle_velocity" ? low : target.hugoniot[key] ? at(target, key, low) : null]));
-    const of = (c, mirror) => ({particle_velocity: c.hugoniot.particle_velocity.map(u => mirror ? v - u : u), pressure: c.hugoniot.pressure});
-    return {layers: names, velocity: v, digits: 5, states: [{interface: names.join("/"), ...state, reflected: "shock", transmitted: "shock"}], curves: [{behind: of(flyer, true), ahead: of(target, false)}], uncertain: [],
-      warnings: ["Interpolated in the exported curves; states to five digits."]};
-  };
-  function smooth(xs, ys, x) {       // cubic through four neighbouring states
-    let k = xs.findIndex(v => v >= x);
-    k = Math.min(Math.max(k - 2, 0), xs.length - 4);
-    let sum = 0;
-    for (let i = k; i < k + 4; i++) { let w = ys[i]; for (let j = k; j < k + 4; j++) if (j !== i) w *= (x - xs[j]) / (xs[i] - xs[j]); sum += w; }
-    return sum;
   }
 })();

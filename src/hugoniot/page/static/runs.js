@@ -28,7 +28,7 @@
     lines = new H.RunLines(historyHost, profileHost, {onTime: hit => timeRead(hit), onPickTime: hit => setTime(hit.x / lines.ft), onPlace: hit => placeRead(hit)});
     map = null;
   };
-  view.close = () => { clearTimeout(timer); if (map) map.chart.stop(); map = null; lines.stop(); last = {}; };
+  view.close = () => { order++; clearTimeout(timer); if (map) map.chart.stop(); map = null; lines.stop(); last = {}; };
   view.repaint = () => { map?.chart.draw(); lines.histories.draw(); lines.profile.draw(); };
   const chosen = () => Number(H.get("run", "0")) || 0;
 
@@ -43,14 +43,15 @@
       const run = fresh ? await H.ask("run", {run: chosen()}) : last.run;
       if (mine !== order) return;
       const stamp = run.live ? `live ${run.times.length}` : `done ${run.status} ${run.times.length} ${run.summary?.deck_sha256}`;
-      if (last.key !== `${chosen()} ${stamp}`) last = {key: `${chosen()} ${stamp}`, run: prepared(run), arrays: {}};
+      if (last.key !== `${chosen()} ${stamp}`) last = {key: `${chosen()} ${stamp}`, run: await prepared(run), arrays: {}};
       Object.assign(last, {number: chosen(), opened});
       await draw(last.run, mine);
       if (run.live && mine === order) timer = setTimeout(view.update, 1500);
     } catch (error) { H.failed(error); H.clear(readout).append(H.h("span", {class: "bad"}, error.message)); }
   };
-  function prepared(run) {
-    if (run.plane && run.zone_nodes) { run.corners = Int32Array.from(run.zone_nodes.flat()); run.blocks = Int32Array.from(run.block_of); }
+  async function prepared(run) {
+    const whole = async list => Int32Array.from(list.deflated ? (await H.inflated(list)).data : list.flat());
+    if (run.plane && run.zone_nodes) { run.corners = await whole(run.zone_nodes); run.blocks = await whole(run.block_of); }
     return run;
   }
   function drawList(opened) {
@@ -116,7 +117,7 @@
     if (mine !== order) return;
     profileHost.hidden = state.profileTitle.hidden = true;
     if (H.exported()) when.textContent += record.record === k ? "" : ` (record ${record.record} is exported)`;
-    map.show({...run, block_of: run.blocks}, {x: x.data, y: y.data, values: values.data, field: shown});
+    map.show({...run, block_of: run.blocks}, {x: x.data, y: y.data, values: values.data, field: shown, record: record.record});
   }
   const nearestExported = (run, shown, k) => { for (let d = 0; d < run.times.length; d++) for (const r of [k - d, k + d]) if (window.hugoniotFiles[`array&group=snapshots&name=${shown.name}&record=${r}&run=${chosen()}`]) return r; return k; };
   // -- histories ---------------------------------------------------------------------------------------------------------
@@ -144,6 +145,11 @@
     return picked.filter(k => k < n).map(k => ({label: run.gauges[k] + suffix, colour: k, dash, time: time.data, values: Float64Array.from({length: time.data.length}, (_, i) => values.data[i * n + k])}));
   }
   async function zoneHistory(run, name, z) {
+    if (run.plane && H.exported()) {       // from the records that are there
+      const values = new Float64Array(run.times.length).fill(NaN);
+      for (const k of run.times.keys()) if (window.hugoniotFiles[`array&group=snapshots&name=${name}&record=${k}&run=${chosen()}`]) values[k] = (await array("snapshots", name, {record: k})).data[z];
+      return values;
+    }
     if (run.plane) return (await H.ask("array", {run: chosen(), group: "snapshots", name, zone: z})).data;
     const values = await array("snapshots", name), n = values.shape[1];
     return Array.from(run.times, (_, k) => values.data[k * n + z]);
@@ -167,7 +173,7 @@
     if (!hit || hit.zone === undefined) return;
     H.clear(readout).append(H.numbers([[state.run.axes[0], `${H.digits(hit.x * map.f, 5)} ${map.lengthUnit}`], [state.run.axes[1], `${H.digits(hit.y * map.f, 5)} ${map.lengthUnit}`], ["zone", hit.zone < 0 ? "no material" : String(hit.zone)],
       [state.shown.words, hit.value === null ? "–" : `${H.digits(hit.value * map.factor)} ${map.unit}`]]));
-    readout.dataset.zone = hit.zone; readout.dataset.record = state.k;
+    readout.dataset.zone = hit.zone; readout.dataset.record = hit.record;
   }
   function timeRead(hit) {
     const s = lines.histories.spec.series[hit.series];
@@ -192,10 +198,10 @@
     const heads = Object.keys(units).filter(key => rows.some(r => r[key] !== undefined && r[key] !== null)), spall = n.spall || {}, s = run.summary || {};
     H.clear(facts).append(H.h("h2", {}, run.title), H.h("p", {class: "small quiet", style: {margin: "0 0 6px"}}, [run.geometry, s.solver, run.zones ? `${run.zones} zones` : "", s.cycles ? `${s.cycles} cycles` : "", run.every > 1 ? `every ${run.every}th record is sent` : ""].filter(Boolean).join(", ")),
       s.energy_error === undefined ? "" : H.h("p", {class: "small quiet", style: {margin: "0 0 6px"}}, `relative errors: ${["mass", "momentum", "energy"].map(w => `${w} ${s[`${w}_error`] === null ? "–" : Number(s[`${w}_error`]).toExponential(1)}`).join(", ")}`),
-      rows.length ? H.h("div", {class: "scroll wide"}, H.h("table", {class: "small"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "gauge"), heads.map(k => H.h("th", {class: "number"}, H.labelled(units[k][0], units[k][1]))))), H.h("tbody", {}, rows.map(r => H.h("tr", {}, H.h("td", {}, r.gauge), heads.map(k => H.h("td", {class: "number"}, H.digits(r[k] === null ? null : r[k] * units[k][2], 5)))))))) : "",
+      rows.length ? H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {class: "small"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "gauge"), heads.map(k => H.h("th", {class: "number"}, H.labelled(units[k][0], units[k][1]))))), H.h("tbody", {}, rows.map(r => H.h("tr", {}, H.h("td", {}, r.gauge), heads.map(k => H.h("td", {class: "number"}, H.digits(r[k] === null ? null : r[k] * units[k][2], 5)))))))) : "",
       ...[["pull_back", "pull-back", "m/s", 1], ["spall_strength_acoustic", "spall strength, acoustic", "GPa", 1e-9], ["spall_strength_kanel", "with Kanel's correction", "GPa", 1e-9]].filter(([k]) => spall[k]).map(([k, w, u, f]) => H.h("div", {class: "small"}, `${w}: ${H.digits(spall[k] * f, 4)} ${u}`)),
       spall.reason ? H.h("div", {class: "small"}, `spall strength: not given, ${spall.reason}`) : "", spall.note ? H.h("div", {class: "small"}, spall.note) : "",
-      run.events.length ? H.h("details", {}, H.h("summary", {class: "small"}, `${run.events.length} events`), H.h("div", {class: "scroll wide small"}, run.events.map(e => H.h("div", {style: {padding: "2px 8px"}}, `${H.digits(e.time * 1e6, 5)} µs: ${e.text}`)))) : "");
+      run.events.length ? H.h("details", {}, H.h("summary", {class: "small"}, `${run.events.length} events`), H.h("div", {class: "scroll wide small", tabindex: 0, role: "group", "aria-label": "Events"}, run.events.map(e => H.h("div", {style: {padding: "2px 8px"}}, `${H.digits(e.time * 1e6, 5)} µs: ${e.text}`)))) : "");
   }
   function command(run, shown, k) {
     const name = document.querySelectorAll("input[name=run]")[chosen()]?.parentElement.querySelector("small")?.textContent.split(",")[0] || "RUN", time = run.times[k];

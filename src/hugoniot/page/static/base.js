@@ -21,9 +21,24 @@ H.clear = element => { element.replaceChildren(); return element; };
 H.say = text => { document.getElementById("said").textContent = text; };
 
 // -- the state of a view is the part of the address behind the # --------------------------------------------------------
+let unwritten = null, written = 0, writing = 0;      // browsers refuse an address that changes more than a few times a second
+const write = () => {
+  clearTimeout(writing);
+  if (unwritten !== null) history.replaceState(null, "", unwritten);
+  unwritten = null;
+  written = performance.now();
+};
+const writeSoon = address => {
+  unwritten = address;
+  clearTimeout(writing);
+  const rest = 320 - (performance.now() - written);
+  if (rest <= 0) write(); else writing = setTimeout(write, rest);
+};
+addEventListener("pagehide", write);
+addEventListener("hashchange", () => { unwritten = null; });      // what the reader typed goes before what was not written yet
 H.read = () => {
-  const [view, query] = location.hash.replace(/^#\/?/, "").split("?");
-  return {view: H.views[view] ? view : "materials", query: new URLSearchParams(query || "")};
+  const [view, query] = (unwritten ?? location.hash).replace(/^#\/?/, "").split("?");
+  return {view: H.views[view] ? view : H.views.report ? "report" : "materials", query: new URLSearchParams(query || "")};
 };
 H.get = (key, otherwise = "") => H.read().query.get(key) ?? otherwise;
 H.list = key => H.get(key).split(",").filter(Boolean);
@@ -36,11 +51,11 @@ H.set = (changes, draw = true) => {
   for (const [key, value] of Object.entries(changes)) {
     if (value === null || value === "" || value === undefined) query.delete(key); else query.set(key, value);
   }
-  history.replaceState(null, "", H.address(view, query));
+  writeSoon(H.address(view, query));
   H.remember?.(view, query);
   if (draw) H.views[view].update();
 };
-H.go = (view, values = {}) => { location.hash = H.address(view, new URLSearchParams(Object.entries(values).filter(([, v]) => v !== ""))); };
+H.go = (view, values = {}) => { write(); location.hash = H.address(view, new URLSearchParams(Object.entries(values).filter(([, v]) => v !== ""))); };
 
 // -- questions ----------------------------------------------------------------------------------------------------------
 H.exported = () => window.hugoniotFiles !== undefined;
@@ -50,9 +65,14 @@ const keyOf = (question, query) => question + Object.keys(query).sort().map(k =>
 class Refused extends Error {}
 H.Refused = Refused;
 
+const inlined = document.getElementById("answers");        // of a report, whose data stand in the page itself
+const inlineAnswers = inlined ? JSON.parse(inlined.textContent) : {};
+if (inlined) window.hugoniotFiles = Object.fromEntries(Object.keys(inlineAnswers).map(key => [key, true]));
+
 function fromExport(key) {
+  if (inlineAnswers[key] !== undefined) return Promise.resolve(inlineAnswers[key]);
   const file = window.hugoniotFiles[key];
-  if (!file) return Promise.reject(new Refused("This exported page does not hold that. Start it with: hugoniot explore"));
+  if (!file) return Promise.reject(new Refused(inlined ? "This report does not hold that; the run does: hugoniot explore RUN" : "This exported page does not hold that. Start it with: hugoniot explore"));
   return new Promise((done, failed) => {
     (waiting[key] ||= []).push(done);
     document.head.append(H.h("script", {src: file, onerror: () => failed(new Refused(`${file} is missing beside this page`))}));
@@ -76,17 +96,31 @@ async function fromServer(question, query, options) {
 }
 function unpacked(value) {
   if (value && value.error) throw new Refused(value.error);
+  if (value?.deflated) return inflated(value);
   if (!value || value.doubles === undefined) return value;
   const bytes = Uint8Array.from(atob(value.doubles), c => c.charCodeAt(0));
   return {shape: value.shape, data: new Float64Array(bytes.buffer)};
 }
-H.ask = (question, query = {}, options) => H.exported() ? fromExport(keyOf(question, query)).then(unpacked) : fromServer(question, query, options);
+H.inflated = inflated;
+async function inflated({shape, deflated}) {       // doubles, sorted by the places of their bytes
+  const packed = Uint8Array.from(atob(deflated), c => c.charCodeAt(0)), stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
+  const places = new Uint8Array(await new Response(stream).arrayBuffer()), n = places.length / 8, bytes = new Uint8Array(places.length);
+  for (let k = 0; k < 8; k++) for (let i = 0; i < n; i++) bytes[8 * i + k] = places[k * n + i];
+  return {shape, data: new Float64Array(bytes.buffer)};
+}
+let unanswered = 0;      // questions that wait for their answer: readers of the screen are told that the view is not whole yet
+const counted = asked => {
+  const main = document.getElementById("main"), change = by => { unanswered += by; if (unanswered) main.setAttribute("aria-busy", "true"); else main.removeAttribute("aria-busy"); };
+  change(1);
+  return asked.finally(() => setTimeout(() => change(-1)));
+};
+H.ask = (question, query = {}, options) => counted(H.exported() ? fromExport(keyOf(question, query)).then(unpacked) : fromServer(question, query, options));
 H.askOnce = (question, query = {}) => {        // answers that do not change
   const key = keyOf(question, query);
   answers[key] ||= H.ask(question, query).catch(error => { delete answers[key]; throw error; });
   return answers[key];
 };
-H.send = (question, body = "", query = {}) => fromServer(question, query, {method: "POST", body, headers: {"content-type": "text/plain"}});
+H.send = (question, body = "", query = {}) => counted(fromServer(question, query, {method: "POST", body, headers: {"content-type": "text/plain"}}));
 // only the last of many questions is of interest, and one at a time is asked
 H.latest = () => {
   let busy = false, next = null;
@@ -130,6 +164,11 @@ H.lengthUnit = span => span >= 2 ? ["m", 1] : span >= 2e-4 ? ["mm", 1e3] : span 
 H.labelled = (words, unit) => unit ? `${words} (${unit})` : words;
 H.shell = text => /^[\w@%+=:,./-]+$/.test(text) ? text : `'${text.replace(/'/g, `'\\''`)}'`;
 H.python = text => JSON.stringify(text);
+// materials of the user's own files are called by the file
+H.files = {};
+H.subject = name => H.shell(H.files[name] ? (H.files[name].replace(/\.toml$/, "") === name ? H.files[name] : `${H.files[name]}:${name}`) : name);
+H.find = name => H.files[name] ? `read_materials(${H.python(H.files[name])})[${H.python(name)}].material` : `find(${H.python(name)})`;
+H.finder = names => [names.some(n => H.files[n]) ? "from hugoniot.materials.users import read_materials\n" : "", names.some(n => !H.files[n]) ? "from hugoniot.materials.library import find\n" : ""].join("");
 H.numbers = pairs => H.h("dl", {}, pairs.map(([word, value]) => H.h("div", {}, H.h("dt", {}, word), H.h("dd", {}, value))));
 H.failed = error => {
   if (error.name === "AbortError") return;

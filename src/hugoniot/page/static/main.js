@@ -2,10 +2,11 @@
 // Which view is shown, light or dark, the command of a view, keys that work everywhere.
 (() => {
   let current = null, form = "shell", chosen = "";
-  const names = {materials: "Materials", match: "Impedance match", runs: "Runs", decks: "Deck", sweeps: "Sweeps"};
+  const all = {report: "Report", materials: "Materials", match: "Impedance match", runs: "Runs", decks: "Deck", sweeps: "Sweeps", fits: "Fits"}, names = Object.fromEntries(Object.entries(all).filter(([view]) => H.views[view]));
+  if (H.views.report) names.runs = "Run";
   const preferred = matchMedia("(prefers-color-scheme: dark)");
 
-  H.remember = (view, query) => { document.querySelector(`#views a[data-view=${view}]`).href = H.address(view, query); };      // a view is found as it was left
+  H.remember = (view, query) => { const link = document.querySelector(`#views a[data-view=${view}]`); if (link) link.href = H.address(view, query); };      // a view is found as it was left
 
   H.command = commands => {       // {shell, python} of what is shown
     H.commands = commands;
@@ -54,13 +55,16 @@
     preferred.addEventListener("change", () => { setTheme(); H.views[current].repaint?.(); });
     addEventListener("hashchange", show);
     addEventListener("keydown", event => {
-      if (event.altKey && /^[1-5]$/.test(event.key)) { location.hash = document.querySelectorAll("#views a")[event.key - 1].hash; event.preventDefault(); }
+      if (event.altKey && /^[1-6]$/.test(event.key)) { document.querySelectorAll("#views a")[event.key - 1]?.click(); event.preventDefault(); }
     });
     H.opened = H.askOnce("start");
     H.opened.then(opened => {
+      H.files = opened.files || {};
       H.remember("materials", new URLSearchParams({sel: (opened.materials.length ? opened.materials : ["copper", "aluminum_6061", "iron", "pmma"]).join(",")}));
-      if (!location.hash && opened.runs.length) location.hash = "#/runs?run=0";
+      if (!location.hash && H.views.report) location.hash = "#/report";
+      else if (!location.hash && opened.runs.length) location.hash = "#/runs?run=0";
       else if (!location.hash && opened.sweeps.length) location.hash = "#/sweeps?sweep=0";
+      else if (!location.hash && opened.fits.length) location.hash = "#/fits?fit=0";
       else if (!location.hash && opened.decks.length) location.hash = "#/decks?deck=0";
       else if (!location.hash) location.hash = document.querySelector("#views a").hash;
       else show();

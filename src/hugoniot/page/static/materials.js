@@ -2,7 +2,7 @@
 // Materials side by side: curves in one plane, the state under the pointer, a pinned state with its Rayleigh line, what is known.
 (() => {
   const view = H.views.materials = {}, MOST = 8;
-  let list, chart, chips, planes, options, readout, table, about, hint, order = 0;
+  let list, chart, chips, planes, options, readout, table, about, hint, surfaceBar, isothermBar, densityBar, extras = {}, order = 0;
 
   view.open = main => {
     main.className = "split";
@@ -23,7 +23,12 @@
     table = H.h("div");
     about = H.h("div");
     hint = H.h("p", {class: "quiet small"});
-    right.append(chips, planes, host, H.h("div", {class: "bar"}, option("measured", "measured states"), option("sources", "other sources"), option("releases", "releases"),
+    const field = (key, words, wide, placeholder) => H.h("label", {class: "small"}, words, extras[key] = H.h("input", {placeholder, style: {width: wide}, onchange: () => H.set({[key]: extras[key].value.replace(/[^0-9.,eE+-]/g, "")})}));
+    surfaceBar = H.h("div", {class: "bar"}, extras.quantity = H.h("select", {"aria-label": "Quantity of the surface", onchange: () => H.set({quantity: extras.quantity.value})}, Object.entries(H.surfaceFields).map(([k, [w]]) => H.h("option", {value: k}, w))),
+      H.h("label", {class: "small"}, extras.walk = H.h("input", {type: "checkbox", onchange: () => H.set({walk: extras.walk.checked ? "" : "0"})}), "pointer walks the curves"), field("hot", "temperatures, K", "8em", "from, to"));
+    isothermBar = H.h("div", {class: "bar"}, field("iso", "isotherms, K (0: cold curve)", "14em", "0, 300, 1000, 2000"));
+    densityBar = H.h("div", {class: "bar"}, field("rho", "densities, kg/m³", "10em", "from, to"));
+    right.append(chips, planes, H.h("div", {class: "bar"}, surfaceBar, isothermBar, densityBar), host, H.h("div", {class: "bar"}, option("measured", "measured states"), option("sources", "other sources"), option("releases", "releases"),
         H.h("span", {class: "bar push"}, H.h("label", {class: "small"}, "state at", by), at, H.h("button", {type: "button", onclick: pin}, "Pin"),
           H.h("button", {type: "button", onclick: () => H.set({at: ""})}, "Unpin"), ...H.saveButtons(() => chart, () => `${H.list("sel").join("-") || "materials"}-${plane()}`))),
       readout, table, hint, about);
@@ -32,7 +37,7 @@
       if (s.table?.particle_velocity && ["hugoniot", "beyond"].includes(s.id)) H.set({at: `particle_velocity:${s.table.particle_velocity[hit.index]}`});
     }, onZoom: zoom => H.set({zoom: zoom ? [...zoom.x, ...zoom.y].map(v => v.toPrecision(6)).join(",") : ""}, false)});
   };
-  view.close = () => { chart.stop(); };
+  view.close = () => { order++; chart.stop(); };
   view.repaint = () => view.update();
   const plane = () => H.planes[H.get("plane")] ? H.get("plane") : "us-up";
 
@@ -48,6 +53,8 @@
     if (mine !== order) return;
     const known = results.map((r, k) => r.status === "fulfilled" ? {...r.value, name: names[k]} : null);
     results.filter(r => r.status === "rejected").forEach(r => H.failed(r.reason));
+    await addSurfaces(known);
+    if (mine !== order) return;
     draw(names, known);
     drawAbout(names);
     if (!by) { drawTable(known); return; }
@@ -56,6 +63,19 @@
     draw(names, known);
     drawTable(known);
   };
+  async function addSurfaces(known) {       // surfaces take a second to compute: only where they are looked at
+    for (const bar of [surfaceBar, isothermBar, densityBar]) bar.hidden = true;
+    for (const c of known) if (c) delete c.refused;
+    const isotherms = plane() === "isotherms";
+    if (!isotherms && plane() !== "surface") return;
+    (isotherms ? isothermBar : surfaceBar).hidden = densityBar.hidden = false;
+    for (const key of ["iso", "rho", "hot"]) if (document.activeElement !== extras[key]) extras[key].value = H.get(key);
+    extras.quantity.value = H.surfaceFields[H.get("quantity")] ? H.get("quantity") : "pressure";
+    extras.walk.checked = H.get("walk") !== "0";
+    if (H.get("iso") && H.list("iso").length < 3) { H.say("Three temperatures or more are needed."); return; }
+    const some = isotherms ? known : known.filter(c => c).slice(0, 1), key = isotherms ? "isotherms" : "surface";
+    await Promise.all(some.map(async c => { if (c) { delete c[key]; try { c[key] = await H.askOnce("surface", isotherms ? H.isothermQuery(c.name) : H.surfaceQuery(c.name)); } catch (error) { c.refused = error.message; } } }));
+  }
   async function stateAt(c, by, value) {
     if (!H.exported()) return H.askOnce("state", {name: c.name, by, value});
     const h = c.hugoniot, column = h[by], k = column.reduce((best, v, i) => Math.abs(v - value) < Math.abs(column[best] - value) ? i : best, 0);
@@ -67,8 +87,8 @@
     known.forEach((c, k) => { if (c) c.short = brief.filter(b => b === brief[k]).length > 1 ? c.title : brief[k]; });
     known.forEach((c, k) => {
       if (!c) return;
-      const found = definition.series(c, k, shown);
-      if (!found.some(s => s.x.length)) silent.push(c.title);
+      const found = definition.series(c, k, shown, known.filter(Boolean).length > 1);
+      if (plane() !== "surface" && !found.some(s => s.x.length)) silent.push(c.title);
       series.push(...found);
       marks.push(...definition.marks(c, k));
     });
@@ -77,7 +97,8 @@
     const zoom = H.get("zoom").split(",").map(Number), [x, y] = definition.axes;
     const close = ["us-up", "p-up"].includes(plane()) && all[0] > all[1], top = close ? {max: all[1]} : {};
     if (close) cut(series, all[1]);
-    chart.show({series, marks, x: {...x, ...top}, y, zoom: zoom.length === 4 && zoom.every(Number.isFinite) ? {x: zoom.slice(0, 2), y: zoom.slice(2)} : null});
+    const surface = plane() === "surface" && known.find(c => c?.surface);
+    chart.show({...(surface ? H.surfaceSpec(surface, chart) : {series, marks, x: {...x, ...top}, y}), zoom: zoom.length === 4 && zoom.every(Number.isFinite) ? {x: zoom.slice(0, 2), y: zoom.slice(2)} : null});
     H.clear(chips).append(...names.map((name, k) => H.h("span", {class: "chip"}, H.h("i", {style: {background: H.palette().lines[k % 8]}}), known[k]?.title || name,
       H.h("button", {type: "button", "aria-label": `Remove ${name}`, onclick: () => H.set({sel: names.filter(n => n !== name).join(",")})}, "×"))),
       names.length ? "" : H.h("span", {class: "quiet"}, "Choose materials from the list."));
@@ -88,11 +109,13 @@
     if (["p-up", "p-v"].includes(plane())) notes.push("The dashed straight line to the pointer or to a pinned state is its Rayleigh line.");
     if (plane() === "pop" && series.length) notes.push("Band: one standard deviation of the line's constant, where its source states one.");
     if (plane() === "gurney" && series.length) notes.push("M of the sandwich counts both plates.");
+    if (surface) notes.push(`${surface.title}: computed at ${surface.surface.density.length} densities and as many temperatures; between them the picture is blended, and the pointer reads computed states.${names.length > 1 ? " The first of the chosen materials is shown." : ""}`);
     if (plane() === "isentropes") notes.push("Dashed: isentrope through the state at rest.");
     if (plane() === "detonation") notes.push("Dashed straight line: Rayleigh line to the CJ state; dashed curve: isentrope of the products through it.");
     hint.textContent = notes.join(" ");
     if (!readout.childNodes.length || !names.length) H.clear(readout).append(H.h("span", {class: "quiet"}, names.length ? "Point at a curve, or focus the picture and use the arrow keys. Enter pins a state; + − 0 and dragging zoom." : ""));
-    command(names);
+    const asked = plane() === "surface" ? known.find(c => c?.surface)?.surface : plane() === "isotherms" ? known.find(c => c?.isotherms)?.isotherms : null;
+    H.command(H.materialCommands(names, plane(), asked));
   }
   function cut(series, most) {       // what lies outside does not count for the height either
     for (const s of series) {
@@ -101,6 +124,7 @@
     }
   }
   function hover(hit) {
+    if (hit.node) { H.clear(readout).append(H.h("strong", {}, "state of the surface"), H.numbers(Object.entries(hit.node).map(([key, v]) => v === null ? [key.replace(/_/g, " "), "no such state"] : reading(key, v)))); return; }
     const s = chart.spec.series[hit.series], t = s.table;
     if (!t) return;
     const rows = Object.entries(t).filter(([, v]) => v && v[hit.index] !== null && v[hit.index] !== undefined).map(([key, v]) => reading(key, v[hit.index]));
@@ -116,7 +140,7 @@
     H.clear(table);
     const grid = (heads, columns, words) => {
       const keys = [...new Set(columns.flatMap(c => Object.keys(c)))].filter(k => columns.some(c => c[k] !== null && c[k] !== undefined));
-      table.append(H.h("div", {class: "scroll wide"}, H.h("table", {"data-table": words}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, words), heads.map(h => H.h("th", {class: "number"}, h)))),
+      table.append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {"data-table": words}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, words), heads.map(h => H.h("th", {class: "number"}, h)))),
         H.h("tbody", {}, keys.map(key => {
           const [name, unit, factor] = H.units[key] || [key.replace(/_/g, " "), "", 1], [shown, by] = H.fits(columns.map(c => c[key]), unit, factor);
           return H.h("tr", {"data-field": key}, H.h("td", {}, H.labelled(name, shown)), columns.map(c => H.h("td", {class: "number"}, H.digits(c[key] === null || c[key] === undefined ? null : c[key] * by))));
@@ -130,32 +154,4 @@
     if (!name) { H.clear(about); return; }
     try { const known = await H.askOnce("about", {name}); if (H.list("sel").slice(-1)[0] === name) H.clear(about).append(H.aboutMaterial(known)); } catch (error) { H.failed(error); }
   }
-  function command(names) {
-    const some = names.length ? names : ["copper"], list = some.map(H.shell).join(" "), [by, value] = H.get("at").split(":");
-    const state = !by ? "" : by === "pressure" ? `pressure = ${Number((value * 1e-9).toPrecision(15))} GPa` : `${by} = ${Number(value)} m/s`, at = state ? ` --at "${state}"` : "";
-    const finds = some.map(n => `find(${H.python(n)})`).join(", ");
-    const head = "from hugoniot.materials.library import find\n";
-    const shells = {isentropes: `hugoniot eos isentrope ${list}${at || ' --at "particle_velocity = 1000 m/s"'} --plot isentropes.png`, detonation: `hugoniot eos hugoniot ${list} --reaction --axes p-v --plot detonation.png`,
-      expansion: `hugoniot eos isentrope ${list} --csv expansion.csv`, gurney: `hugoniot material show ${H.shell(some[0])}`, pop: `hugoniot material show ${H.shell(some[0])}`};
-    const pythons = {isentropes: `from hugoniot.theory.hugoniot import shock\nfrom hugoniot.theory.isentrope import release\nfor m in (${finds},):\n    print(release(m, shock(m, ${by || "particle_velocity"}=${Number(value) || 1000}), points=25).table())`,
-      detonation: `from hugoniot.theory.chapman_jouguet import cj, detonation_hugoniot\nfor m in (${finds},):\n    print(cj(m).table(), detonation_hugoniot(m).table())`,
-      expansion: `from hugoniot.theory.chapman_jouguet import cj\nfrom hugoniot.theory.isentrope import expansion_to\nfor m in (${finds},):\n    print(expansion_to(m, cj(m).state, 1e5, 50).table())`,
-      gurney: `from hugoniot.materials.library import entry\nprint(entry(${H.python(some[0])}).detonation)`, pop: `from hugoniot.materials.library import pop_lines\nprint(pop_lines(${H.python(some[0])}))`};
-    const shell = shells[plane()] || `hugoniot eos hugoniot ${list}${at} --axes ${plane()} --plot hugoniots.png`;
-    const python = pythons[plane()] || `from hugoniot.theory.hugoniot import ${by ? "shock" : "curve"}\nfor m in (${finds},):\n    print(${by ? `shock(m, ${by}=${Number(value)})` : "curve(m)"}.table())`;
-    H.command({shell, python: ["gurney", "pop"].includes(plane()) ? python : head + python});
-  }
-  H.aboutMaterial = known => {
-    const sources = [], number = c => { const key = `${c.source}|${c.via}`; if (!sources.includes(key)) sources.push(key); return sources.indexOf(key) + 1; };
-    const rows = known.constants.map(c => H.h("tr", {}, H.h("td", {}, c.quantity), H.h("td", {class: "number"}, typeof c.value === "number" ? H.digits(c.value) : String(c.value)), H.h("td", {}, c.unit === "1" || c.unit === "text" ? "" : c.unit),
-      H.h("td", {}, c.status === "default" ? "" : `[${number(c)}]`), H.h("td", {class: c.mark ? "bad" : ""}, c.mark)));
-    const lines = (head, items) => items.length ? [H.h("h3", {}, head), ...items.map(t => H.h("div", {class: "small"}, t))] : [];
-    return H.h("details", {open: false}, H.h("summary", {}, H.h("strong", {}, known.title), H.h("span", {class: "quiet"}, ` ${known.name}: constants, sources, marks`)),
-      ...known.warnings.map(w => H.h("p", {class: "bad small"}, w)),
-      H.h("div", {class: "scroll wide"}, H.h("table", {class: "small"}, H.h("thead", {}, H.h("tr", {}, ["constant", "value", "unit (SI)", "source", "mark"].map((t, k) => H.h("th", {class: k === 1 ? "number" : ""}, t)))), H.h("tbody", {}, rows))),
-      ...lines("derived", Object.entries(known.derived).map(([k, q]) => `${k.replace(/_/g, " ")}: ${H.digits(q.value)} ${q.unit === "1" ? "" : q.unit} (${q.meaning})`)),
-      ...lines("choices", Object.entries(known.reasons).map(([k, t]) => `${k}: ${t}`)), ...lines("missing", known.missing), ...lines("notes", known.notes), ...lines("fits of measured states", known.fits),
-      ...lines("other sources", known.others.map(o => `${o.row} (${o.family}) ${o.summary}: ${o.source}`)),
-      ...lines("sources", sources.map((s, k) => `[${k + 1}] ${s.split("|")[0]}`)));
-  };
 })();

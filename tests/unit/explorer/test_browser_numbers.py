@@ -1,0 +1,190 @@
+"""The digits of the page are those of the package: under the pointer, in its tables, and by the command and the Python it names."""
+
+import csv
+import json
+import re
+import shlex
+
+import numpy as np
+import pytest
+from browsing import shown, until
+from typer.testing import CliRunner
+
+from hugoniot.cli.main import build_app
+from hugoniot.materials import library
+from hugoniot.theory.impedance import match
+
+pytestmark = pytest.mark.slow
+
+
+def printed(command, *more):
+    """What a command of the page prints as JSON."""
+    words = shlex.split(command)
+    result = CliRunner().invoke(build_app(words[1]), [*words[1:], *more])
+    assert result.exit_code == 0, result.output
+    return json.loads(result.output) if "--json" in more else result.output
+
+
+def computed(page):
+    """What the Python of the page prints, as objects."""
+    page.click("#as-python")
+    found = []
+    exec(page.text_content("#command"), {"print": lambda *values: found.append(values if len(values) > 1 else values[0])})
+    page.click("#as-shell")
+    return found
+
+
+def test_the_state_under_the_pointer_is_that_of_the_command(visit):
+    here = visit()
+    page = here.go("#/materials?sel=copper,aluminum&plane=p-up")
+    box = page.locator(".chart svg").first.bounding_box()
+    for across, up in ((0.3, 0.6), (0.45, 0.5), (0.5, 0.2)):
+        page.mouse.move(box["x"] + across * box["width"], box["y"] + up * box["height"])
+        said, name = here.readout(), page.text_content("[data-readout] strong")
+        result = CliRunner().invoke(build_app("eos"), ["eos", "hugoniot", name, "--at", f"particle_velocity = {said['particle velocity']}", "--json"])
+        theirs = json.loads(result.output)
+        for word, key, factor, unit in (("pressure", "pressure", 1e-9, "GPa"), ("density", "density", 1, "kg/m³"), ("shock velocity", "shock_velocity", 1, "m/s"),
+                                        ("temperature", "temperature", 1, "K"), ("internal energy", "specific_internal_energy", 1e-3, "kJ/kg"), ("entropy", "entropy", 1, "J/kg/K")):
+            assert said[word] == f"{shown(theirs[key] * factor)} {unit}"
+
+
+def test_a_pinned_state_stands_in_the_address_and_has_a_command_that_gives_it(visit):
+    here = visit()
+    page = here.go("#/materials?sel=copper&at=particle_velocity:1234.5", "[data-table='state on the Hugoniot']")
+    number = page.text_content("tr[data-field=pressure] td.number")
+    words = page.text_content("#command")
+    state = re.fullmatch(r'hugoniot eos hugoniot copper --at "([^"]+)" --axes us-up --plot hugoniots.png', words).group(1)
+    result = CliRunner().invoke(build_app("eos"), ["eos", "hugoniot", "copper", "--at", state, "--json"])
+    assert number == shown(json.loads(result.output)["pressure"] * 1e-9)
+    page.fill("input[aria-label='Value of the state']", "2000")
+    page.get_by_role("button", name="Pin", exact=True).click()
+    until(page, "location.hash.includes('particle_velocity:2000')")
+    page.click("#as-python")
+    assert "shock(m, particle_velocity=2000)" in page.text_content("#command")
+
+
+@pytest.mark.parametrize("axes", ["us-up", "p-up", "p-v", "t-p"])
+def test_command_and_python_of_a_hugoniot_give_the_table(visit, axes, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    page = visit().go(f"#/materials?sel=copper,aluminum&plane={axes}&at=pressure:2e10", "[data-table='state on the Hugoniot']")
+    cells = {field: page.locator(f"tr[data-field={field}] td.number").all_text_contents() for field in ("particle_velocity", "density", "temperature")}
+    theirs, mine = printed(page.text_content("#command"), "--json")["materials"], computed(page)
+    for field, found in cells.items():
+        assert found == [shown(float(m[field])) for m in theirs] == [shown(float(m[field])) for m in mine]
+    assert (tmp_path / "hugoniots.png").stat().st_size > 5000
+
+
+def test_command_and_python_of_isentropes_surfaces_and_cold_curves(visit, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    here = visit()
+    page = here.go("#/materials?sel=copper&plane=isentropes&at=particle_velocity:1500", "[data-table='state on the Hugoniot']")
+    drawn = page.evaluate("document.querySelector('.chart').chart.spec.series.filter(s => s.id === 'release').at(-1).table")
+    theirs, mine = printed(page.text_content("#command"), "--json"), computed(page)[0]
+    for key in ("particle_velocity", "density", "temperature"):
+        assert drawn[key][0] == pytest.approx(theirs[key][0], rel=1e-11) and drawn[key][-1] == pytest.approx(theirs[key][-1], rel=1e-9)
+        assert drawn[key] == pytest.approx(list(mine[key]), rel=1e-11)
+    page = here.go("#/materials?sel=copper&plane=surface&walk=0")
+    here.point(0.5, 0.4)
+    said = here.readout()
+    printed(page.text_content("#command"))
+    rows = [{k: float(v) for k, v in row.items()} for row in csv.DictReader((tmp_path / "surface.csv").open())]
+    found = [r for r in rows if shown(r["density"]) == said["density"].split()[0] and shown(r["temperature"]) == said["temperature"].split()[0]]
+    assert len(found) == 1 and len(rows) == 61 * 61
+    assert said["pressure"] == f"{shown(found[0]['pressure'] * 1e-9)} GPa" and said["internal energy"] == f"{shown(found[0]['energy'] * 1e-3)} kJ/kg"
+    p, e = computed(page)[0]
+    assert p.ravel().tolist() == [r["pressure"] for r in rows] and e.ravel().tolist() == [r["energy"] for r in rows]
+    page = here.go("#/materials?sel=copper&plane=isotherms")
+    cold = page.evaluate("document.querySelector('.chart').chart.spec.series.find(s => s.id === 'cold curve').table")
+    printed(page.text_content("#command"))
+    rows = [{k: float(v) for k, v in row.items()} for row in csv.DictReader((tmp_path / "isotherms.csv").open())]
+    assert cold["pressure"] == [r["pressure"] for r in rows if r["temperature"] == 0.0] and len(cold["pressure"]) == 61
+    assert np.array_equal(computed(page)[0][0][:, 0], cold["pressure"])
+
+
+def test_the_pointer_walks_the_curves_of_a_surface(visit):
+    here = visit()
+    page = here.go("#/materials?sel=copper&plane=surface")
+    page.locator(".chart svg").first.focus()
+    page.keyboard.press("ArrowRight")
+    said = here.readout()
+    theirs = printed(f'hugoniot eos hugoniot copper --at "density = {said["density"].replace("kg/m³", "kg/m^3")}"', "--json")
+    assert page.text_content("[data-readout]").startswith("copper Hugoniot") and float(said["pressure"].split()[0]) == pytest.approx(theirs["pressure"] * 1e-9, rel=1e-4)
+    page.keyboard.press("ArrowDown")
+    assert "isentrope" in page.text_content("[data-readout]")
+
+
+def test_command_and_python_of_explosives(visit, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    here = visit()
+    page = here.go("#/materials?sel=comp_b&plane=detonation", "[data-table='CJ state']")
+    cell = page.text_content("tr[data-field=pressure] td.number")
+    theirs, (point, _) = printed(page.text_content("#command"), "--json"), computed(page)[0]
+    assert cell == shown(theirs["chapman_jouguet"]["pressure"] * 1e-9) == shown(float(point["pressure"]) * 1e-9)
+    page = here.go("#/materials?sel=comp_b&plane=expansion")
+    drawn = page.evaluate("document.querySelector('.chart').chart.spec.series[0].table")
+    printed(page.text_content("#command"))
+    rows = list(csv.DictReader((tmp_path / "expansion.csv").open()))
+    assert float(next(v for k, v in rows[0].items() if k.startswith("pressure"))) == pytest.approx(drawn["pressure"][0], rel=1e-11)
+    assert computed(page)[0]["density"].tolist() == pytest.approx(drawn["density"], rel=1e-11)
+    page = here.go("#/materials?sel=comp_b&plane=gurney")
+    assert "2700" in printed(page.text_content("#command")) and computed(page)[0]["gurney_velocity"].value == 2700.0
+    page = here.go("#/materials?sel=comp_b&plane=pop")
+    row = page.evaluate("document.querySelector('.chart').chart.spec.series.find(s => s.kind === 'line').id").split()[-1]
+    assert row in [r.id for r in computed(page)[0]] and row in printed(page.text_content("#command"))
+
+
+def test_the_flyer_is_dragged_and_the_match_follows(visit):
+    here = visit()
+    page = here.go("#/match?layers=copper,aluminum&v=1000", "[data-table=match]")
+    handle = page.locator("[data-handle=velocity]").bounding_box()
+    page.mouse.move(handle["x"] + handle["width"] / 2, handle["y"] + handle["height"] / 2)
+    page.mouse.down()
+    for step in range(1, 16):
+        page.mouse.move(handle["x"] + handle["width"] / 2 - 12 * step, handle["y"] + handle["height"] / 2)
+    page.mouse.up()
+    page.wait_for_timeout(400)
+    here.settled()
+    velocity = float(re.search(r"v=(\d+)", page.url).group(1))
+    assert 300 < velocity < 900 and page.input_value("input[aria-label='Impact velocity in m/s']") == f"{velocity:g}"
+    met = match([library.find("copper"), library.find("aluminum")], velocity)[0]
+    assert page.text_content("[data-table=match] tr[data-field=pressure] td.number") == shown(met.pressure * 1e-9)
+    assert page.text_content("[data-table=match] tr[data-field=particle_velocity] td.number") == shown(met.particle_velocity)
+    assert f'--velocity "{velocity:g} m/s"' in page.text_content("#command")
+    page.click("summary:has-text('The deck')")
+    until(page, "document.querySelector('details pre')?.textContent.includes('[[region]]')")
+    page.click("text=Open in the deck editor")
+    page.wait_for_selector("text=The deck is valid")
+
+
+def test_what_is_shown_while_dragging_holds_the_digits_it_shows(visit):
+    """From the sampled curves of both metals, at once; three layers are asked of the server."""
+    page = visit().go("#/match?layers=tungsten,pmma&v=900", "[data-table=match]")
+    for layers, velocities in (("tungsten,pmma", (37.0, 450.0, 1111.0)), ("copper,aluminum", (60.0, 777.7, 2900.0)), ("iron,water", (300.0, 1500.0))):
+        for v in velocities:
+            digits, p, u = page.evaluate(f"H.matchFromCurves({layers.split(',')!r}, {v}).then(f => [f.digits, f.states[0].pressure, f.states[0].particle_velocity])")
+            met = match([library.find(name) for name in layers.split(",")], v)[0]
+            assert digits >= 4 and abs(p / met.pressure - 1) < 10.0 ** -digits and abs(u / met.particle_velocity - 1) < 10.0 ** -digits
+
+
+def test_command_and_python_of_a_match_give_its_table(visit, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    page = visit().go("#/match?layers=tungsten,copper,pmma&v=800&sigma=5", "[data-table=match]")
+    until(page, "document.querySelector('[data-table=match] tr[data-field=pressure] .quiet')")
+    rows = {field: page.locator(f"[data-table=match] tr[data-field={field}] td.number").all_text_contents() for field in ("pressure", "particle_velocity")}
+    states, mine = printed(page.text_content("#command"), "--json")["states"], computed(page)[0]
+    for field, factor in (("pressure", 1e-9), ("particle_velocity", 1)):
+        for cell, theirs, own in zip(rows[field], states, mine, strict=True):
+            spread = theirs["uncertainty"][field]["sigma"]
+            assert cell == f"{shown(theirs[field] * factor)} ± {shown(spread * factor, 2)}" == f"{shown(own[field] * factor)} ± {shown(own['uncertainty'][field] * factor, 2)}"
+
+
+def test_the_deck_of_a_match_runs_with_one_click(visit):
+    here = visit()
+    page = here.go("#/match?layers=copper,aluminum&v=500", "[data-table=match]")
+    page.click("summary:has-text('The deck')")
+    until(page, "document.querySelector('details pre')?.textContent.includes('[[region]]')")
+    page.click("details button:has-text('Run')")
+    page.wait_for_selector("[data-state]", timeout=60_000)
+    assert re.search(r"job=\d+", page.url) and "Aluminium" in page.input_value(".editor textarea")
+    page.locator("button:has-text('Stop'), [data-state=done]").first.click(timeout=120_000)
+    page.wait_for_selector("[data-state=stopped], [data-state=done]", timeout=120_000)
