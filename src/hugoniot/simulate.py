@@ -270,6 +270,11 @@ def _note_extrapolation(folder: RunFolder, problem: Problem, solver: Solver, war
 
 def _doubts(problem: Problem, solver: Solver) -> list[str]:
     """Warnings of a finished run of the hydrocode: tension that no solid carries, echoes of transmitting ends, coarse spall planes."""
+    pulled = getattr(solver, "tensions", None)      # of tracked fronts, by regions
+    if pulled is not None:
+        from hugoniot.diagnostics.tension import overstretched
+
+        return overstretched(problem, np.arange(len(pulled)), pulled)
     if problem.solver.kind != "lagrange1d":
         return []
     from hugoniot.diagnostics.spall_planes import unresolved

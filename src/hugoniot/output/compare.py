@@ -178,6 +178,26 @@ class Choice:
         return None
 
 
+_SET_UP = ("geometry", "stop_time", "regions", "boundaries", "interfaces", "gauges", "materials")
+
+
+def _solver(run: Run) -> str:
+    """The solver of a run, and the mode where it has several."""
+    solver = run.setup["solver"]
+    mode = (solver.get("options") or {}).get("mode")
+    return f"{solver['kind']} ({mode})" if mode else str(solver["kind"])
+
+
+def _of_two_runs(a: Run, b: Run) -> list[str]:
+    """Which solvers stand beside each other, where they differ, and what else the two decks differ in."""
+    solvers = _solver(a), _solver(b)
+    if solvers[0] == solvers[1]:
+        return []
+    apart = [name.replace("_", " ") for name in _SET_UP if a.setup.get(name) != b.setup.get(name)]
+    other = f"the decks also differ in: {', '.join(apart)}" if apart else "otherwise the same problem"
+    return [f"a by {solvers[0]}; b by {solvers[1]}; {other}"]
+
+
 def compare(a, b, gauge: str | None = None) -> Comparison:
     """Compare run `a` with run or data file `b` (paths or `Run`s).
 
@@ -195,6 +215,8 @@ def compare(a, b, gauge: str | None = None) -> Comparison:
     if gauge is not None and not is_table:
         raise DeckError.single("compare", None, "--gauge", "two runs are compared gauge by gauge", "omit it")
     pairs, unmatched, notes = [], [], []
+    if not is_table:
+        notes += _of_two_runs(run, b if isinstance(b, Run) else load(b))
     choice = Choice(run, gauge, str(b), notes)
     for other in others:
         own = choice.counterpart(other, mine)
@@ -202,6 +224,9 @@ def compare(a, b, gauge: str | None = None) -> Comparison:
             unmatched.append(f"{other.gauge} {other.field}".strip())
             continue
         pairs.append(Pair(own, other, difference(own.time, own.values, other.time, other.values)))
+    if not is_table:
+        there = {(other.gauge, other.field) for other in others}
+        unmatched += [f"{own.gauge} {own.field}" for own in mine if (own.gauge, own.field) not in there]
     name_b = str(b.folder if isinstance(b, Run) else b)
     if not pairs:
         known = ", ".join(sorted({f"{r.gauge} {r.field}" for r in mine})[:8])

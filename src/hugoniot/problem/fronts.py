@@ -122,22 +122,26 @@ def defects(problem: Problem) -> list[tuple[tuple, str]]:
     found: list[tuple[tuple, str]] = []
     cells = with_defaults(problem.solver.options)["mode"] == "cells"
     if problem.solver.viscosity is not None:
-        found.append((("solver", "viscosity"), f"{NAME} has no artificial viscosity: leave [solver.viscosity] out"))
+        found.append((("solver", "viscosity"), f"{NAME} has no artificial viscosity, its shocks are jumps: leave [solver.viscosity] out"))
     for name, material in problem.materials.items():
         found += [(("material", name, *path), f"material '{name}' {message}") for path, message in _material_defects(material, cells)]
         if cells and _has_strength(material):
-            message = f"material '{name}' has strength, which the mode 'cells' of {NAME} does not follow"
-            found.append((("material", name, "strength"), f"{message}: take the mode 'algebraic' (planar), or lagrange1d"))
+            message = (f"material '{name}' has strength, which the mode 'cells' of {NAME} does not follow: a deviator that turns from "
+                       "loading to unloading inside a cell is a front of its own (the elastic release head), which one stress branch in a "
+                       "cell would smear; take the mode 'algebraic' (planar, constant states), or lagrange1d")
+            found.append((("material", name, "strength"), message))
     if cells:
         found += _front_defects(problem)
     for k, region in enumerate(problem.regions):
         if region.profile is not None:
-            found.append((("region", k, "profile"), f"{NAME} starts from states that do not vary along a region: use lagrange1d"))
+            found.append((("region", k, "profile"), f"{NAME} starts from one state along a region, which only waves change: "
+                          "split the region into several of constant state, or use lagrange1d"))
     for side, end in (("left", problem.left), ("right", problem.right)):
         if end.kind == "periodic":
-            found.append((("boundary", side), f"{NAME} has no periodic ends: use lagrange1d"))
+            found.append((("boundary", side), f"{NAME} has no periodic ends, for a front ends at an end of the line: use lagrange1d"))
         if end.pulse is not None and end.kind == "pressure" and min(end.pulse.amplitude, *end.pulse.values, 0.0) < 0.0:
-            found.append((("boundary", side), f"a pressure below zero pulls; {NAME} takes none"))
+            message = f"a pressure below zero pulls; {NAME} takes none, for its surfaces open in tension: give zero or more"
+            found.append((("boundary", side), message))
     return found if cells else found + _beyond_algebra(problem)
 
 
@@ -148,7 +152,8 @@ def _beyond_algebra(problem: Problem) -> list[tuple[tuple, str]]:
         found.append((("geometry",), f"the mode 'algebraic' of {NAME} is planar: between {problem.geometry} fronts no state is constant; "
                       "take solver.options.mode = \"cells\""))
     if problem.solver.courant is not None:
-        found.append((("solver", "courant"), "the mode 'algebraic' takes no steps: leave courant out"))
+        message = f"the mode 'algebraic' of {NAME} goes from meeting to meeting and takes no steps: leave courant out"
+        found.append((("solver", "courant"), message))
     for k, region in enumerate(problem.regions):
         if isinstance(region.velocity, tuple) and region.velocity[0] != region.velocity[1]:
             message = (f"region '{region.name}' has a velocity profile; the mode 'algebraic' of {NAME} needs constant initial states: take "
@@ -157,7 +162,7 @@ def _beyond_algebra(problem: Problem) -> list[tuple[tuple, str]]:
     for side, end in (("left", problem.left), ("right", problem.right)):
         if end.pulse is not None and end.pulse.shape not in ("constant", "square"):
             message = (f"a {end.pulse.shape} pulse sends out a fan of its own; the mode 'algebraic' of {NAME} takes constant and square "
-                       "pulses, the mode 'cells' all")
+                       "pulses: give one of these, or take solver.options.mode = \"cells\"")
             found.append((("boundary", side), message))
     return found
 
@@ -169,7 +174,9 @@ def _front_defects(problem: Problem) -> list[tuple[tuple, str]]:
         speed = explosives.front_speed(problem, region)
         own = explosives.ideal_speed(problem, region)
         if speed > 0.0 and own is None:
-            found.append((("material", region.material, "burn"), f"material '{region.material}': its products drive no detonation"))
+            message = (f"material '{region.material}': its products drive no detonation, and a tracked front runs at the speed that they "
+                       "drive; give products that release energy (an equation of state of products), or use lagrange1d")
+            found.append((("material", region.material, "burn"), message))
         elif own is not None and abs(speed / own - 1.0) > SAME_SPEED:
             message = (f"material '{region.material}': the programmed front runs at {speed:.5g} m/s, and {NAME} follows the one that the "
                        f"products drive, {own:.6g} m/s; give burn.detonation_velocity = {own:.6g}")
@@ -185,17 +192,19 @@ def _has_strength(material: Material) -> bool:
 def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]]:
     found: list[tuple[tuple, str]] = []
     if material.burn is not None and not cells:
-        found.append((("burn",), f"burns, which {NAME} follows in the mode 'cells' only"))
+        found.append((("burn",), f"burns, which {NAME} follows in the mode 'cells' only, for behind a detonation no state is constant: "
+                      "take solver.options.mode = \"cells\""))
     elif material.burn is not None:
         found += _burn_defects(material)
     if material.fracture is not None and FRACTURE.of(material.fracture).name != "none":
-        found.append((("fracture",), f"has a fracture law; {NAME} opens no new surfaces inside a body: leave it out"))
+        found.append((("fracture",), f"has a fracture law; {NAME} opens no new surfaces inside a body, whose place it does not know "
+                      "beforehand: leave the law out (nothing spalls then), or use lagrange1d"))
     if flagged(material.eos, "remembers"):
-        found.append((("eos",), f"keeps its pores crushed, which {NAME} does not follow: use lagrange1d"))
+        found.append((("eos",), f"keeps its pores crushed: its release is not the isentrope that {NAME} follows; use lagrange1d"))
     if material.strength is not None and STRENGTH.of(material.strength).name not in ("none", "perfectly_plastic"):
         law = STRENGTH.of(material.strength).name
         found.append((("strength", "law"), f"has no constant yield stress ('{law}'); the waves of {NAME} are exact for perfectly_plastic "
-                      "(or none) only"))
+                      "(or none) only: take one of these with the mode 'algebraic', or use lagrange1d"))
     return found
 
 
@@ -206,7 +215,7 @@ def _burn_defects(material: Material) -> list[tuple[tuple, str]]:
         if closure == "burned_products":
             return []
         return [(("burn",), f"burns by '{law.name}' with '{closure}'; {NAME} follows programmed fronts into 'burned_products' only, for a "
-                 "front into a mixture would have a shock of its own")]
+                 "front into a mixture would have a shock of its own; take that closure, a rate law, or lagrange1d")]
     if "instantaneous" in law.flags or not burning.has_reactants(material):
         return [(("burn",), f"burns by '{law.name}' with '{closure}': behind a tracked shock {NAME} resolves a rate, and this has none; "
                  "take 'programmed', whose front is tracked, or a rate law")]
@@ -215,7 +224,8 @@ def _burn_defects(material: Material) -> list[tuple[tuple, str]]:
         found.append((("reference_state",), f"lets the reactants' reference state roll; {NAME} knows the state behind its shocks and "
                       "freezes it: leave reference_state out, or take \"frozen\""))
     if material.unreacted is not None and flagged(material.unreacted, "remembers"):
-        found.append((("unreacted",), f"keeps the pores of its unreacted explosive crushed, which {NAME} does not follow: use lagrange1d"))
+        found.append((("unreacted",), f"keeps the pores of its unreacted explosive crushed, which {NAME} does not follow, for their "
+                      "release is not an isentrope of the law: use lagrange1d"))
     return found
 
 

@@ -22,3 +22,9 @@ def test_what_fronts_do_not_take_says_why():
 def test_the_command_refuses_with_the_reason(arguments, words):
     found = CliRunner().invoke(build_app("verify"), ["verify", *arguments])
     assert found.exit_code != 0 and words in found.output + str(found.exception)
+
+
+def test_a_body_of_one_zone_gets_cells_enough_to_expand():
+    """The spark of the point explosion is one zone: as one cell, with one velocity, it holds 8 % too much pressure (density_l1 0.17)."""
+    found = {j.measure: j.value for j in verify_problem("sedov_planar", [100], "fronts").judged}
+    assert found["density_l1"] < 0.03 and found["shock_position"] < 0.004

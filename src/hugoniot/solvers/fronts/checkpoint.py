@@ -24,7 +24,7 @@ def payload(solver) -> dict:
             "walls": [[s, v] for s, v in solver.bench.walls.items()], "pressures": [[s, v] for s, v in solver.bench.pressures.items()],
             "changed": [[s, k] for s, k in solver._changed.items()], "voids": [solver.voids_opened, solver.voids_closed],
             "life_kinds": list(lives.kinds), "life_rows": np.array(lives.rows, dtype=float).reshape(-1, len(COLUMNS)),
-            "jumps": [[k, v] for k, v in lives.jumps.items()]}
+            "jumps": [[k, v] for k, v in lives.jumps.items()], "tensions": [[k, v] for k, v in lives.tensions.items()]}
 
 
 def restore(solver, payload: dict) -> None:
@@ -34,7 +34,7 @@ def restore(solver, payload: dict) -> None:
                                bool(row["numbers"][5])) for row in payload["fronts"]]
     solver.lives.born = {id(f): (f, list(row["born"])) for f, row in zip(solver.line.fronts, payload["fronts"])}
     solver.lives.kinds, solver.lives.rows = list(payload["life_kinds"]), [list(row) for row in payload["life_rows"].tolist()]
-    solver.lives.jumps = {int(k): float(v) for k, v in payload["jumps"]}
+    solver.lives.jumps, solver.lives.tensions = ({int(k): float(v) for k, v in payload[name]} for name in ("jumps", "tensions"))
     solver.line.time, solver.cycle, solver.step = float(payload["time"]), int(payload["cycle"]), float(payload["step"])
     solver.samples, solver.line.meetings, solver.line.cuts = (int(payload[name]) for name in ("samples", "meetings", "cuts"))
     solver.bench.dropped = int(payload["dropped"])

@@ -151,6 +151,11 @@ class Reading(NothingToAdd):
         """No peak fields: the table of fronts holds every state there was."""
         return {}
 
+    @property
+    def tensions(self) -> np.ndarray:
+        """Largest tension (Pa) that every region met, (regions,)."""
+        return np.array([self.lives.tensions.get(k, 0.0) for k in range(len(self.problem.regions))])
+
     def _log(self, kind: str, time: float, position: float, text: str) -> None:
         self._events.append(Event(kind, time, self.cycle, position, f"{text} at {position:.6g} m"))
         if "vacuum opens" in text:

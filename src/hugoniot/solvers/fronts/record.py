@@ -17,6 +17,7 @@ class Lives:
         self.rows: list[list[float]] = []
         self.born: dict[int, tuple[Front, list[float]]] = {}
         self.jumps: dict[int, float] = {}         # region -> largest velocity change across a shock in it
+        self.tensions: dict[int, float] = {}      # region -> largest tension in it, Pa: every state stands beside a front when it arises
 
     def note(self, fronts: list[Front], pieces: list[Piece], time: float) -> None:
         """Look at the fronts after a meeting: some are new, some are gone."""
@@ -29,6 +30,9 @@ class Lives:
             if key not in self.born:
                 left, right = pieces[k].edge(1), pieces[k + 1].edge(-1)
                 self.born[key] = fronts[k], [*left, *right]
+                for piece, state in ((pieces[k], left), (pieces[k + 1], right)):
+                    if piece.region >= 0 and state.sigma < 0.0:
+                        self.tensions[piece.region] = max(self.tensions.get(piece.region, 0.0), -state.sigma)
                 if "shock" in fronts[k].kind:
                     region = max(pieces[k].region, pieces[k + 1].region)
                     self.jumps[region] = max(self.jumps.get(region, 0.0), abs(left.u - right.u))

@@ -21,7 +21,7 @@ def payload(solver) -> dict:
             "start_totals": solver.start_totals.copy(), "start_size": solver.start_size.copy(),
             "voids": [solver.voids_opened, solver.voids_closed], "life_kinds": list(trace.kinds),
             "life_rows": np.array(trace.rows, dtype=float).reshape(-1, len(COLUMNS)),
-            "jumps": [[k, v] for k, v in trace.jumps.items()]}
+            "jumps": [[k, v] for k, v in trace.jumps.items()], "tensions": [[k, v] for k, v in trace.tensions.items()]}
 
 
 def restore(solver, payload: dict) -> None:
@@ -41,5 +41,5 @@ def restore(solver, payload: dict) -> None:
     solver.voids_opened, solver.voids_closed = (int(n) for n in payload["voids"])
     trace = solver.trace
     trace.kinds, trace.rows = list(payload["life_kinds"]), [list(row) for row in payload["life_rows"].tolist()]
-    trace.jumps = {int(k): float(v) for k, v in payload["jumps"]}
+    trace.jumps, trace.tensions = ({int(k): float(v) for k, v in payload[name]} for name in ("jumps", "tensions"))
     solver._times, solver._rows, solver._read_at = [], [], (-1, 0)

@@ -5,7 +5,7 @@ import numpy as np
 from hugoniot.laws.riemann.branch import Branch, Matter, State, stress
 from hugoniot.solvers.fronts.cells.flow import Flow
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Mesh, mean_area
-from hugoniot.solvers.fronts.cells.tables import HIGH, LAM, LOW, MEAN, STATE
+from hugoniot.solvers.fronts.cells.tables import HIGH, LAM, LOW, MEAN, STATE, P
 
 
 class Readable:
@@ -16,6 +16,7 @@ class Readable:
         w, n = flow.look(mesh), len(mesh.q)
         self.mean, self.left, self.right = (w[block:block + STATE, :n].T.copy() for block in (MEAN, LOW, HIGH))
         self.full = mesh.full()
+        self.pressure = w[MEAN + P, :n].copy()
 
 
 class CellColumn:

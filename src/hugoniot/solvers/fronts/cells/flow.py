@@ -17,7 +17,7 @@ from hugoniot.solvers.fronts.cells import march, parabolas, steepening, tables, 
 from hugoniot.solvers.fronts.cells.gas import averages
 from hugoniot.solvers.fronts.cells.mesh import Mesh
 from hugoniot.solvers.fronts.cells.passes import burn_pass, pace_pass, states_pass, wave_pass
-from hugoniot.solvers.fronts.cells.spacing import Spacing
+from hugoniot.solvers.fronts.cells.spacing import Spacing, cells_of
 from hugoniot.solvers.fronts.cells.tables import Grid, Rules
 from hugoniot.solvers.fronts.meeting import Bench
 
@@ -48,7 +48,7 @@ class Flow:
         burnt = [problem.materials[r.material].burn is not None for r in problem.regions]
         self.programmed = [one and not rate for one, rate in zip(burnt, self.burns_by_rate)]      # products of programmed fronts
         self._numbers = [numbers_of(law) for law in self.laws]
-        self.spacing = Spacing(problem.dimension, np.array([float(r.zones) for r in problem.regions]))
+        self.spacing = Spacing(problem.dimension, np.array(cells_of(problem), dtype=float))
         self.rules = self._rules(options, courant)
         self.work = tables.make_work(64, self.variables, len(self.laws))
         self.work.numbers[tables.RESOLUTION] = 1e300
@@ -68,7 +68,7 @@ class Flow:
             else:
                 limits[k] = density_limits(law)[1]
             gas = flagged(law.mixture.products, "gas") and flagged(law.mixture.reactants, "gas") if burns else flagged(law, "gas")
-            traits[k] = problem.regions[k].zones, min(self.bench.grips[k], 1e300), gas
+            traits[k] = self.spacing.zones[k], min(self.bench.grips[k], 1e300), gas
         np.minimum(limits, 1e30, out=limits)
         ends, lists = np.zeros((2, 5)), []
         for row, end, kind in zip(ends, (problem.left, problem.right), self.outside):

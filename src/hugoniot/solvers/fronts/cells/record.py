@@ -8,12 +8,22 @@ from hugoniot.solvers.fronts.record import COLUMNS
 
 
 class Trace:
-    """Lines of `record.COLUMNS`; `jumps` is the largest velocity change across a shock of each region."""
+    """Lines of `record.COLUMNS`; `jumps` is the largest velocity change across a shock of each region.
+
+    tensions   region -> largest tension (Pa) in the middle of its cells, at the times of gauges and snapshots
+    """
 
     def __init__(self):
         self.kinds: list[str] = []
         self.rows: list[list[float]] = []
         self.jumps: dict[int, float] = {}
+        self.tensions: dict[int, float] = {}
+
+    def pulled(self, region: np.ndarray, pressure: np.ndarray) -> None:
+        """Note the tension in cells, given the region and pressure (Pa) of each."""
+        for cell in np.flatnonzero(pressure < 0.0).tolist():
+            k = int(region[cell])
+            self.tensions[k] = max(self.tensions.get(k, 0.0), float(-pressure[cell]))
 
     def end(self, front: Front, time: float, x: float) -> None:
         """A line of a front ends at a time and place."""

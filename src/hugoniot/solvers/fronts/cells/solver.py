@@ -131,6 +131,8 @@ class Cells(Reading):
         """The material of a region now."""
         if self._read_at != (self.cycle, id(self.mesh)):
             self._read_at, self._read = (self.cycle, id(self.mesh)), Readable(self.mesh, self.flow)
+            solid = np.flatnonzero(self._read.full & (self.mesh.region >= 0) & (self.mesh.region < self.flow.bench.unburned))
+            self.trace.pulled(self.mesh.region[solid], self._read.pressure[solid])
         return CellColumn(self._read, region)
 
     _read_at: tuple = (-1, 0)

@@ -12,6 +12,7 @@ from hugoniot.core.target import GUARD
 
 SLOPE = 0.05       # width over radius
 FINEST = 1e-3      # of the region's width: where the slope ends
+LEAST = 8          # cells of a region with fewer zones: one cell has a single velocity, and holds energy back when it expands
 CENTRE = 6.0       # cells, at least, of an interval that reaches the axis or origin (when it is narrower than six cells)
 
 
@@ -109,8 +110,15 @@ def wanted(start, end, h, d):
     return (end - start) / h if d == 1 else central_count(end, start, h, d) - central_count(start, start, h, d)
 
 
+def cells_of(problem) -> list[int]:
+    """Cells aimed at in every region: its zones, or LEAST where it has fewer (or the mean zones of a region, where that is less)."""
+    counts = [region.zones for region in problem.regions]
+    least = min(LEAST, sum(counts) // len(counts))
+    return [max(count, least) for count in counts]
+
+
 class Spacing:
-    """The mesh that is aimed at. zones (regions,)"""
+    """The mesh that is aimed at. zones (regions,): the cells of every region (`cells_of`)."""
 
     def __init__(self, d: int, zones: np.ndarray):
         self.d, self.zones = d, zones

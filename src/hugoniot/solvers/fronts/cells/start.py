@@ -8,7 +8,7 @@ from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.problem.model import Boundary, Problem
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh
-from hugoniot.solvers.fronts.cells.spacing import Spacing, count, place
+from hugoniot.solvers.fronts.cells.spacing import Spacing, cells_of, count, place
 from hugoniot.solvers.fronts.cells.tables import COLD, HIGH, LAM, LOW, MEAN
 from hugoniot.solvers.fronts.line import Piece
 
@@ -19,15 +19,16 @@ _GAUSS = (0.5 - np.sqrt(0.15), 0.5, 0.5 + np.sqrt(0.15)), (5.0 / 18.0, 8.0 / 18.
 def first_mesh(problem: Problem, spacing: Spacing, variables: int) -> Mesh:
     """The cells at t = 0, with a front on every line between regions and at both ends; no wave has left yet."""
     x, region, marked = [problem.regions[0].start], [], [True]
+    cells = cells_of(problem)
     for k, r in enumerate(problem.regions):
         if k and r.start > x[-1]:
             x.append(r.start)
             region.append(EMPTY)
             marked.append(True)
-        faces = np.linspace(r.start, r.end, r.zones + 1)[1:]
+        faces = np.linspace(r.start, r.end, cells[k] + 1)[1:]
         inwards = r.velocity[0] if isinstance(r.velocity, tuple) else r.velocity
         if spacing.d > 1 and (r.start > 0.0 or inwards < 0.0):      # a wave will leave the axis or origin
-            faces = _graded(r.start, r.end, r.zones, spacing)
+            faces = _graded(r.start, r.end, cells[k], spacing)
         x += faces.tolist()
         region += [k] * len(faces)
         marked += [False] * (len(faces) - 1) + [True]
@@ -41,9 +42,9 @@ def first_mesh(problem: Problem, spacing: Spacing, variables: int) -> Mesh:
     return mesh
 
 
-def _graded(start: float, end: float, zones: int, spacing: Spacing) -> np.ndarray:
+def _graded(start: float, end: float, cells: int, spacing: Spacing) -> np.ndarray:
     """Inner faces and the end of a region in curved geometry: finer towards the axis or origin, where waves leave it."""
-    h = (end - start) / zones
+    h = (end - start) / cells
     low, high = float(count(start, h, spacing.d)), float(count(end, h, spacing.d))
     faces = np.array([place(eta, h, spacing.d) for eta in np.linspace(low, high, max(round(high - low), 1) + 1)[1:]])
     faces[-1] = end

@@ -1,0 +1,87 @@
+"""A run of tracked fronts beside one of `lagrange1d` of the same deck: compared gauge by gauge, and warned of the same tension."""
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import hugoniot
+from hugoniot.cli.main import build_app
+from hugoniot.errors import DeckError
+
+DECK = """
+title = "Plate on plate"
+stop_time = "1.2 us"
+[[region]]
+name = "flyer"
+material = "al"
+from = "0 mm"
+to = "2 mm"
+zones = 20
+velocity = "700 m/s"
+[[region]]
+name = "target"
+material = "al"
+from = "2 mm"
+to = "6 mm"
+zones = 40
+[material.al.eos]
+law = "mie_gruneisen"
+rho0 = "2700 kg/m^3"
+c0 = "5200 m/s"
+s = 1.5
+gamma0 = 2.0
+[[gauge]]
+name = "mid-target"
+at = "4 mm"
+[solver]
+kind = "KIND"
+"""
+KINDS = {"algebraic": "fronts", "cells": 'fronts"\noptions = {mode = "cells"}\n#"', "lagrange1d": "lagrange1d"}
+
+
+@pytest.fixture(scope="module")
+def runs(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("beside")
+    found = {}
+    for name, kind in KINDS.items():
+        path = folder / f"{name}.toml"
+        path.write_text(DECK.replace("KIND", kind))
+        found[name] = hugoniot.run(path, folder / f"{name}.run", report=False)
+    return found
+
+
+def warned(run):
+    events = run.arrays("events")
+    return [str(text) for kind, text in zip(events["kind"], events["text"]) if kind == "warning" and "under a tension of" in str(text)]
+
+
+def test_tension_without_a_fracture_law_is_warned_of_by_both_solvers(runs):
+    assert len(warned(runs["lagrange1d"])) == 1 and "add [material.al.fracture]" in warned(runs["lagrange1d"])[0]
+    for mode in ("algebraic", "cells"):
+        assert len(warned(runs[mode])) == 1 and "run it with lagrange1d and [material.al.fracture]" in warned(runs[mode])[0]
+        tension = [float(warned(runs[name])[0].split("tension of ")[1].split(" GPa")[0]) for name in (mode, "lagrange1d")]
+        assert tension[0] == pytest.approx(tension[1], rel=0.04)
+
+
+@pytest.mark.parametrize("mode", ["algebraic", "cells"])
+def test_a_picture_of_peaks_is_refused_with_what_there_is_instead(runs, mode):
+    with pytest.raises(DeckError, match="no peaks of zones.*\n?.*take a gauge picture"):
+        runs[mode].plot.peaks()
+
+
+@pytest.mark.parametrize("mode", ["algebraic", "cells"])
+def test_gauges_and_surfaces_are_compared_with_those_of_lagrange1d(runs, mode):
+    found = CliRunner().invoke(build_app("compare"), ["compare", str(runs[mode].folder), str(runs["lagrange1d"].folder)])
+    assert found.exit_code == 0, found.output
+    assert f"a by fronts ({mode}); b by lagrange1d; otherwise the same" in found.output
+    from hugoniot.output.compare import compare
+
+    pairs = compare(runs[mode], runs["lagrange1d"])
+    rows = {(row["gauge"], row["field"]): row for row in pairs.rows()}
+    for gauge in ("mid-target", "free surface left", "free surface right"):
+        row = rows[gauge, "velocity"]
+        assert row["l1_relative"] < 0.06 and abs(row["arrival_shift"]) < 0.05 * 4e-3 / 5200.0
+        assert rows[gauge, "position"]["linf"] < 0.2e-3 / 2
+    assert not any(np.isnan(row["l1"]) for row in rows.values())
+    back = compare(runs["lagrange1d"], runs[mode])
+    assert set(back.unmatched) == set(pairs.unmatched) and "mid-target damage" in back.unmatched
