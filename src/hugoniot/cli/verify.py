@@ -38,6 +38,8 @@ def verify(
         raise DeckError.single("verify", None, "--zones", f"{few[0]} zones are too few", f"use {FEWEST_ZONES} or more")
     if solver not in SOLVERS:
         raise DeckError.single("verify", None, "--solver", f"unknown solver '{printable(solver)}'", nearest(solver, SOLVERS))
+    if solver == FRONTS and integrator != "compatible":
+        raise DeckError.single("verify", None, "--integrator", "fronts has no integrator", "leave out --integrator or --solver")
     names = problems or list(LINE if zones or integrator != "compatible" or solver == FRONTS else PROBLEMS)
     if solver == FRONTS:
         names, integrator = _taken_by_fronts(names, bool(problems)), FRONTS

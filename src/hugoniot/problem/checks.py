@@ -15,16 +15,16 @@ from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.materials.material import Material
 from hugoniot.materials.read import from_library
+from hugoniot.mesh.line import graded_nodes
 from hugoniot.problem.gauges import is_interface
 from hugoniot.problem.model import Gauge, Interface, Problem, Profile, Region
-from hugoniot.problem.profiles import read_profile, values_at
+from hugoniot.problem.profiles import LIGHT, read_profile, values_at
 from hugoniot.units import format_si
 
 MOST_ZONES = 10_000_000
 LONGEST_NAME = 60     # of a gauge
 _STATE = ("density", "pressure", "temperature", "energy")
 IONISED = 15e3      # m/s of particle velocity: 112 MJ/kg, 31 eV for an atom of aluminium, whose first two electrons take 25 eV
-LIGHT = 299_792_458.0    # m/s
 RELATIVISTIC = 0.01      # of it
 _SAME = 1e-9  # of a zone: a gap below it is round-off of the user's arithmetic
 
@@ -54,7 +54,7 @@ def read_regions(rows: Sequence, raw: Any, geometry: Any, own: dict[str, Materia
         if geometry in ("cylindrical", "spherical") and row.start < 0.0:
             collector.add((*path, "from"), f"in {geometry} geometry positions are radii and must not be negative, got {row.start:g} m")
         check_state(row, used.get(row.material), collector, path)
-        profile = checked_profile(row, used.get(row.material), collector, path)
+        profile = checked_profile(row, zones, used.get(row.material), collector, path)
         if zones is not None and collector.findings == before:
             values = row.model_dump(exclude={"zone_size", "zones", "profile"})
             found.append((Region(**values, zones=zones, profile=profile), i))
@@ -62,12 +62,12 @@ def read_regions(rows: Sequence, raw: Any, geometry: Any, own: dict[str, Materia
     return _without_overlap(found, collector, warnings), used
 
 
-def checked_profile(row: Any, material: Material | None, collector: Collector, path: tuple) -> Profile | None:
+def checked_profile(row: Any, zones: int | None, material: Material | None, collector: Collector, path: tuple) -> Profile | None:
     """The profile of a region's row, after reporting states that its material cannot be in."""
-    if row.profile is None or not row.end > row.start:
+    if row.profile is None or zones is None:
         return None
     path = (*path, "profile")
-    profile = read_profile(row.profile, row.start, row.end, collector, path)
+    profile = read_profile(row.profile, graded_nodes(row.start, row.end, zones, row.ratio), collector, path)
     if profile is None:
         return None
     names = {name for name, _ in profile.fields}
@@ -87,7 +87,7 @@ def checked_profile(row: Any, material: Material | None, collector: Collector, p
         state = {key: float(given[key][k]) if key in given else getattr(row, key) for key in _STATE}
         check_state(SimpleNamespace(**state), material, collector, path)
         if collector.findings > before:
-            collector.add(path, f"so at {format_si(place, 'm')}")
+            collector.add(path, f"at {format_si(place, 'm')} it gives a state in which '{material.name}' cannot be")
             break
     return profile
 

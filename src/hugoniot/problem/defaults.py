@@ -11,6 +11,8 @@ wilkins      as printed: C0 = 2, CL = 1 with sqrt(P/rho), two thirds of the Cour
 import dataclasses
 from types import MappingProxyType
 
+from hugoniot.laws import viscosity as _laws  # noqa: F401  (enrols the laws)
+from hugoniot.laws.viscosity.contract import VISCOSITY as LAWS
 from hugoniot.problem.gauges import with_automatic_gauges
 from hugoniot.problem.model import Problem
 
@@ -46,5 +48,16 @@ def _with_hydrocode_defaults(problem: Problem) -> Problem:
     viscosity = (FOR_PRODUCTS if burning else VISCOSITY)[options.integrator]
     own = {"heat_flux": HEAT_FLUX[options.integrator], **options.options}
     return dataclasses.replace(problem, solver=dataclasses.replace(
-        options, courant=options.courant or COURANT[options.integrator], viscosity=options.viscosity or viscosity,
+        options, courant=options.courant or COURANT[options.integrator], viscosity=whole_viscosity(*(options.viscosity or viscosity)),
         options=MappingProxyType(own)))
+
+
+def whole_viscosity(name: str, given) -> tuple[str, dict[str, float]]:
+    """(law, every parameter of it) of an artificial viscosity: what is not given has the law's default.
+
+    A linear coefficient that is given alone holds in every material, so that of condensed ones without strength follows it.
+    """
+    preset, given = LAWS.get(name).defaults, dict(given)
+    if "linear_condensed" in preset and "linear" in given:
+        given.setdefault("linear_condensed", given["linear"])
+    return name, {**preset, **given}

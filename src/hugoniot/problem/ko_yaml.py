@@ -15,11 +15,13 @@ from hugoniot.problem.ko_decks import GEOMETRIES, KoDeck, Layer, fracture_table
 from hugoniot.units import UnitError, parse
 
 LARGEST = 1_000_000      # characters
+MOST_VALUES = 100_000
 _KINDS = {"time": "s", "length": "m", "velocity": "m/s", "density": "kg/m^3", "pressure": "Pa", "temperature": "K", "sp_energy": "J/kg",
           "sp_heat_cap": "J/kg/K", "gravity": "m/s^2"}
 _LONG = re.compile(r"\b(giga|mega|kilo|centi|milli|micro|nano|)(pascal|bar|meter|metre|second|gram|joule|kelvin)s?\b")
 _PREFIX = {"giga": "G", "mega": "M", "kilo": "k", "centi": "c", "milli": "m", "micro": "u", "nano": "n", "": ""}
 _SYMBOL = {"pascal": "Pa", "bar": "bar", "meter": "m", "metre": "m", "second": "s", "gram": "g", "joule": "J", "kelvin": "K"}
+_UNREAD = ("name", "outputfilename", "units")     # keys without weight for the physics
 _CODE_PRESSURE = 1e11    # Pa: Mbar, in which the pressure coefficient of SG is given whatever the units of the deck
 
 
@@ -35,12 +37,37 @@ def read_yaml(text: str, file: str) -> KoDeck:
         raise DeckError.single(file, mark.line + 1 if mark else None, "deck", f"not YAML: {words}") from None
     except (RecursionError, ValueError):
         raise DeckError.single(file, None, "deck", "not YAML of a deck") from None
+    if _values(raw) > MOST_VALUES:
+        raise DeckError.single(file, None, "deck", f"more than {MOST_VALUES} values, its aliases written out, are too many for a deck")
     return _Reader(raw, file).deck()
+
+
+def _values(raw: Any) -> int:
+    """How many values a text holds with its aliases written out, which a few lines can make millions; counted up to `MOST_VALUES`."""
+    waiting, count = [raw], 0
+    while waiting and count <= MOST_VALUES:
+        value = waiting.pop()
+        count += 1
+        waiting += value.values() if isinstance(value, dict) else value if isinstance(value, (list, tuple, set)) else ()
+    return count
+
+
+class _Given(dict):
+    """A table of theirs that remembers which of its keys were asked for."""
+
+    def __init__(self, table: dict):
+        super().__init__(table)
+        self.asked: set = set()
+
+    def get(self, key, default=None):
+        self.asked.add(key)
+        return super().get(key, default)
 
 
 class _Reader:
     def __init__(self, raw: Any, file: str):
-        self.file, self.raw = file, self.table(raw, "deck")
+        self.file, self.tables = file, {}
+        self.raw = self.table(raw, "deck")
         self.units = {name: _LONG.sub(lambda m: _PREFIX[m[1]] + _SYMBOL[m[2]], str(unit))
                       for name, unit in self.table(raw.get("units"), "units").items()}
 
@@ -56,28 +83,46 @@ class _Reader:
             raise self.wrong("geometry", f"'{printable(str(geometry), 30)}' is not PLA, CYL or SPH")
         if self.raw.get("pvoid"):
             left.append("pvoid is left out: a void has no pressure")
-        return KoDeck(str(self.raw.get("name", "")), GEOMETRIES[geometry], self.number(self.raw, "tstop", "time"), layers,
+        deck = KoDeck(str(self.raw.get("name", "")), GEOMETRIES[geometry], self.number(self.raw, "tstop", "time"), layers,
                       (self.end(ends, "ibc", "ip0"), self.end(ends, "obc", "op0")), self.number(self.raw, "dtoutput", "time", 0.0) or None,
                       self.number(self.raw, "dtstart", "time", 0.0) or None, self.number(self.raw, "gravity", "gravity", 0.0), left)
+        if unused := self.unused(keys):
+            left.append(f"not used: {', '.join(unused[:20])}" + (" and more" if len(unused) > 20 else ""))
+        return deck
+
+    def unused(self, layers: list[str]) -> list[str]:
+        """Keys of their deck that mean nothing here; a key misspelt is one of them."""
+        found = []
+        for name, table in self.tables.items():
+            if name == "units":
+                continue      # of kinds that this deck may not have
+            known = {*table.asked, *(_UNREAD if name == "deck" else ()), *(layers if name == "deck" else ())}
+            found += [printable(str(key) if name == "deck" else f"{name}.{key}", 60) for key in table if key not in known]
+        return found
 
     def layer(self, key: str, left: list[str]) -> Layer:
         here = self.table(self.raw[key], key)
         mesh, start = self.table(here.get("mesh"), f"{key}.mesh"), self.table(here.get("init"), f"{key}.init")
         eos = self.table(here.get("eos"), f"{key}.eos")
         density = self.number(start, "rho0", "density", where=key)
+        if not density > 0.0:
+            raise self.wrong(f"{key}.init.rho0", f"{density:g} kg/m^3 is no density")
         tables: dict[str, Any] = {"eos": self.eos(eos, start, density, key)}
         if (strength := self.strength(self.table(here.get("str"), f"{key}.str"), eos, density, key)) is not None:
             tables["strength"] = strength
         breaks = here.get("frac")
         if breaks is not None and tables["eos"]["law"] != "ideal_gas":
             table = self.table(breaks, f"{key}.frac")
-            least = self.number(table, "nrhomin", None, 0.8, where=key)
-            if (fracture := fracture_table(self.number(table, "pfrac", "pressure", where=key), least)) is not None:
+            least, limit = self.number(table, "nrhomin", None, 0.8, where=key), self.number(table, "pfrac", "pressure", where=key)
+            for name, value in (("nrhomin", least), ("pfrac", limit)):
+                if value < 0.0 or name == "nrhomin" and value == 0.0:
+                    raise self.wrong(f"{key}.frac.{name}", f"{value:g} is no limit", "a tension and a density over rho0, both positive")
+            if (fracture := fracture_table(limit, least)) is not None:
                 tables["fracture"] = fracture
-        if "gravity" in here:
+        if here.get("gravity") is not None:
             left.append(f"{key}: a start in equilibrium with gravity is left out; [region.profile] can give the pressure over position")
         return Layer(str(eos.get("name", key)), self.number(mesh, "xstart", "length", where=key),
-                     self.number(mesh, "length", "length", where=key), round(self.number(mesh, "cells", None, where=key)),
+                     self.number(mesh, "length", "length", where=key), self.cells(mesh, key),
                      self.number(start, "up0", "velocity", 0.0, where=key), density, self.number(start, "e0", "sp_energy", 0.0, where=key),
                      self.number(start, "p0", "pressure", 0.0, where=key), tables)
 
@@ -103,6 +148,12 @@ class _Reader:
                     ("e_complete", "ECV", "sp_energy"))}
         hint = "give the table as [material.NAME.eos] law = \"table\"" if kind == "SES" else "known: IDG, MGR, TIL"
         raise self.wrong(f"{key}.eos.type", f"'{printable(str(kind), 30)}' is not read here", hint)
+
+    def cells(self, mesh: dict, key: str) -> int:
+        number = self.number(mesh, "cells", None, where=key)
+        if not (number.is_integer() and number >= 1.0):
+            raise self.wrong(f"{key}.mesh.cells", f"{number:g} is no number of cells", "a whole number above 0")
+        return int(number)
 
     def strength(self, table: dict, eos: dict, density: float, key: str) -> dict[str, Any] | None:
         kind = table.get("type")
@@ -139,17 +190,18 @@ class _Reader:
             raise self.wrong(path, "is not given")
         try:
             number = float(value) if not isinstance(value, bool) else float("nan")
-            unit = self.units.get(kind, _KINDS[kind]) if kind else "1"
-            return parse(f"{number!r} {unit}", _KINDS[kind]) if kind else parse(number, "1")
+            if kind and kind not in self.units and number != 0.0:
+                raise self.wrong(f"units.{kind}", f"is not given, and {path} needs it", f'such as {kind}: "{_KINDS[kind]}"')
+            return parse(f"{number!r} {self.units.get(kind, _KINDS[kind])}", _KINDS[kind]) if kind else parse(number, "1")
         except UnitError as error:
             raise self.wrong(path, error.message, error.hint) from None
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             raise self.wrong(path, f"'{printable(str(value), 30)}' is no number") from None
 
     def table(self, value: Any, name: str) -> dict:
         if not isinstance(value, dict):
             raise DeckError.single(self.file, None, name, "is not given" if value is None else "must be a table")
-        return value
+        return self.tables.setdefault(name, _Given(value))
 
     def wrong(self, key: str, message: str, hint: str = "") -> DeckError:
         return DeckError.single(self.file, None, key, message, hint)

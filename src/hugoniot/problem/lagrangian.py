@@ -13,7 +13,7 @@ from hugoniot.materials.material import Material
 from hugoniot.materials.tables import law_table, material_tables
 from hugoniot.problem import checks, explosives, output_fields, periodic, terms
 from hugoniot.problem.boundaries import boundary_schema, boundary_value, read_boundary
-from hugoniot.problem.defaults import SNAPSHOTS, completed
+from hugoniot.problem.defaults import SNAPSHOTS, completed, whole_viscosity
 from hugoniot.problem.model import Boundary, Lighting, OutputOptions, Problem, SolverOptions
 from hugoniot.problem.profiles import ProfileTable, profile_value
 from hugoniot.problem.schema import Length, Pressure, Quantity, Table, Time, salvage, trouble
@@ -228,10 +228,12 @@ def _ends(raw: dict, geometry: Any, regions: tuple, collector: Collector) -> tup
 def _solver(table: Any, collector: Collector) -> SolverOptions | None:
     viscosity = None
     if isinstance(table, dict) and "viscosity" in table:
-        par = read_law(VISCOSITY, table["viscosity"], collector, ("solver", "viscosity"))
+        given = table["viscosity"]
+        par = read_law(VISCOSITY, given, collector, ("solver", "viscosity"))
         if par is not None:
             values = law_table(VISCOSITY, par)
-            viscosity = (values.pop("law"), values)
+            given = given.get("parameters", given)
+            viscosity = whole_viscosity(values.pop("law"), {key: value for key, value in values.items() if key in given})
     model = salvage(SolverTable, table)
     if model is None:
         return None

@@ -19,13 +19,15 @@ from pydantic import Field, WithJsonSchema
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.files import read_regular
 from hugoniot.materials.collect import Collector, nearest, printable
-from hugoniot.problem.arithmetic import Expression, Number, Trouble
+from hugoniot.problem.arithmetic import EXAMPLE, FUNCTIONS, Expression, Number, Trouble
 from hugoniot.problem.model import Profile
 from hugoniot.problem.schema import Table
 from hugoniot.units import UnitError, parse, powers_of
 
 UNITS = {"velocity": "m/s", "density": "kg/m^3", "pressure": "Pa", "temperature": "K", "energy": "J/kg"}
 LONGEST = 1_000_000      # values of a table
+LIGHT = 299_792_458.0    # m/s
+_EXAMPLE = 'write it like "10 m/s * sin(2 * pi * x / 5 mm)", with + - * / ** and ' + ", ".join(FUNCTIONS)
 _ENTRY = WithJsonSchema({"anyOf": [{"type": "number"}, {"type": "string"}, {"type": "array", "items": {"type": ["number", "string"]}}]})
 
 
@@ -64,8 +66,8 @@ def _named(name: str, x: float) -> Number:
     raise Trouble(f"unknown name '{printable(name, 40)}'", "a profile knows x, the position, and pi")
 
 
-def read_profile(table: ProfileTable | None, start: float, end: float, collector: Collector, path: tuple) -> Profile | None:
-    """The profile of a region from start to end (m), after reporting what is wrong with it; None where nothing is left of it."""
+def read_profile(table: ProfileTable | None, nodes: np.ndarray, collector: Collector, path: tuple) -> Profile | None:
+    """The profile of a region with nodes (m), after reporting what is wrong with it; None where nothing is left of it."""
     if table is None:
         return None
     given = {name: value for name in UNITS if (value := getattr(table, name)) is not None}
@@ -85,10 +87,10 @@ def read_profile(table: ProfileTable | None, start: float, end: float, collector
         profile = Profile((), tuple((name, _expression(value, collector, (*path, name))) for name, value in given.items()))
     if profile is None or collector.findings > before:
         return None
-    if profile.positions:
-        _check_table(profile, start, end, collector, path)
-    elif (wrong := _first_trouble(profile, start, end)) is not None:
-        collector.add((*path, wrong[0]), wrong[1].message, wrong[1].hint)
+    if table.file is not None or table.positions is not None:
+        _check_table(profile, float(nodes[0]), float(nodes[-1]), collector, path)
+    if collector.findings == before and (wrong := _first_trouble(profile, nodes)) is not None:
+        collector.add((*path, wrong[0] if table.file is None else "file"), wrong[1].message, wrong[1].hint)
     return profile if collector.findings == before else None
 
 
@@ -99,17 +101,20 @@ def _expression(value: Any, collector: Collector, path: tuple) -> str:
             raise Trouble("expected an expression in x", 'such as "10 m/s * sin(2 * pi * x / 5 mm)"; arrays need positions')
         Expression(text)
     except Trouble as error:
-        collector.add(path, error.message, error.hint)
+        collector.add(path, error.message, _EXAMPLE if error.hint == EXAMPLE else error.hint)
         return ""
     return text
 
 
-def _first_trouble(profile: Profile, start: float, end: float) -> tuple[str, Trouble] | None:
+def _first_trouble(profile: Profile, nodes: np.ndarray) -> tuple[str, Trouble] | None:
+    """The first field that has no value, or no possible one, at a place where a run asks for it."""
     for name, _ in profile.fields:
         try:
-            values_at(profile, name, np.linspace(start, end, 9))
+            values = values_at(profile, name, nodes if name == "velocity" else 0.5 * (nodes[:-1] + nodes[1:]))
         except Trouble as error:
-            return name, error
+            return name, Trouble(error.message, _EXAMPLE if error.hint == EXAMPLE else error.hint)
+        if name == "velocity" and (fastest := float(np.max(np.abs(values)))) > LIGHT:
+            return name, Trouble(f"unreasonably large: {fastest:g} m/s is faster than light")
     return None
 
 
@@ -143,7 +148,7 @@ def _of_file(name: str, collector: Collector, path: tuple) -> Profile | None:
     except (OSError, FileTrouble, DeckError) as error:
         collector.add(path, f"cannot read '{printable(name)}': {printable(str(error), 120)}")
         return None
-    rows = [row for row in csv.reader(text.splitlines()) if row and not row[0].lstrip().startswith("#")]
+    rows = [row for row in csv.reader(text.splitlines()) if any(map(str.strip, row)) and not row[0].lstrip().startswith("#")]
     if len(rows) < 3:
         collector.add(path, "needs a line of headings and two lines of values", "such as: position [mm], velocity [m/s]")
         return None
@@ -152,6 +157,9 @@ def _of_file(name: str, collector: Collector, path: tuple) -> Profile | None:
         field, _, unit = (part.strip() for part in head.strip().rstrip("])").replace("(", "[").partition("["))
         if field not in ("position", *UNITS):
             collector.add(path, f"unknown column '{printable(field)}'", nearest(field, ("position", *UNITS)))
+            return None
+        if field in columns:
+            collector.add(path, f"column '{field}' stands twice")
             return None
         try:
             values = [float(row[k]) for row in rows[1:]]

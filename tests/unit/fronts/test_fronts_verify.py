@@ -18,7 +18,8 @@ def test_what_fronts_do_not_take_says_why():
     assert "strength" in left_out["verney"]
 
 
-@pytest.mark.parametrize("arguments, words", [(["verney", "--solver", "fronts"], "strength"), (["--solver", "front"], "fronts")])
+@pytest.mark.parametrize("arguments, words", [(["verney", "--solver", "fronts"], "strength"),
+                                              (["sod", "--solver", "fronts", "--integrator", "wilkins"], "no integrator"), (["--solver", "front"], "fronts")])
 def test_the_command_refuses_with_the_reason(arguments, words):
     found = CliRunner().invoke(build_app("verify"), ["verify", *arguments])
     assert found.exit_code != 0 and words in found.output + str(found.exception)

@@ -110,3 +110,21 @@ def test_surfaces_that_overlap_at_the_start_are_refused():
 def test_a_rigid_body_is_at_rest_driven_or_free(motion, words):
     with pytest.raises(DeckError, match=words):
         read(f'[[rigid]]\nname = "w"\npoints = [["0 mm", "9 mm"], ["4 mm", "9 mm"]]\n{motion}\n')
+
+
+@pytest.mark.parametrize("points", ['[["1 mm", "2 mm"], ["3 mm", "2 mm"]]', '[["-1 mm", "1 mm"], ["5 mm", "3 mm"]]', '[["2 mm", "-1 mm"], ["2 mm", "8 mm"]]'])
+def test_an_open_rigid_line_through_material_is_refused(points):
+    with pytest.raises(DeckError, match="rigid.*points: overlaps block 'target'"):
+        read(f'[[rigid]]\nname = "plate"\npoints = {points}\n')
+
+
+@pytest.mark.parametrize("points", ['[["-1 mm", "0 mm"], ["5 mm", "0 mm"]]', '[["-1 mm", "4.5 mm"], ["5 mm", "4.5 mm"]]', '[["0 mm", "-1 mm"], ["0 mm", "8 mm"]]'])
+def test_an_open_rigid_line_may_touch_material_and_lie_between_bodies(points):
+    assert len(read(f'[[rigid]]\nname = "plate"\npoints = {points}\n').rigid) == 1
+
+
+def test_a_rigid_body_that_is_wrong_is_no_second_mistake_in_its_contact():
+    extra = '[[rigid]]\nname = "plate"\npoints = [["0 mm", "0 mm"], ["0 mm", "0 mm"]]\n[[contact]]\nbetween = ["target", "plate"]\n'
+    with pytest.raises(DeckError) as caught:
+        read(extra)
+    assert len(caught.value.problems) == 1 and "has a point twice" in str(caught.value)

@@ -13,6 +13,7 @@ from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.materials import library
 from hugoniot.problem import catalogue
 from hugoniot.problem.deck import read_deck, read_deck_text, write_deck
+from hugoniot.problem.defaults import completed
 from hugoniot.problem.model import Boundary, Gauge, Interface, Pulse
 
 REGION = '[[region]]\nname = "a"\nmaterial = "m"\nfrom = 0.0\nto = {to}\n{more}\n'
@@ -208,3 +209,29 @@ def test_a_run_that_burns_takes_the_viscosity_of_detonation_products():
         whole = read_deck_text(catalogue.deck_text(template)).problem
         assert whole.solver.viscosity == ("limited", {"quadratic": quadratic, "linear": 0.3, "linear_condensed": condensed})
         assert read_deck_text(write_deck(whole)).problem.solver.viscosity == whole.solver.viscosity
+
+
+@pytest.mark.parametrize(("given", "linear", "condensed"), [
+    ("linear = 0.1", 0.1, 0.1), ("linear = 0.1\nlinear_condensed = 0.7", 0.1, 0.7), ("linear_condensed = 0.7", 0.3, 0.7), ("", 0.3, 1.0),
+    ("parameters = {linear = 0.1}", 0.1, 0.1)])
+@pytest.mark.parametrize("integrator", ["compatible", "wilkins"])
+def test_a_linear_viscosity_given_alone_holds_in_every_material(given, linear, condensed, integrator):
+    text = deck(end=f'[solver]\nintegrator = "{integrator}"\n[solver.viscosity]\nlaw = "limited"\n{given}\n')
+    whole = read_deck_text(text)
+    assert dict(whole.problem.solver.viscosity[1]) == {"quadratic": 2.0 / 3.0, "linear": linear, "linear_condensed": condensed}
+    assert read_deck_text(whole.resolved, "deck.toml").resolved == whole.resolved
+
+
+def test_a_linear_viscosity_of_a_problem_made_in_python_holds_in_every_material():
+    whole = read_deck_text(catalogue.deck_text("flyer")).problem
+    given = dataclasses.replace(whole, solver=dataclasses.replace(whole.solver, viscosity=("limited", {"linear": 0.1})))
+    assert completed(given).solver.viscosity[1]["linear_condensed"] == 0.1
+    assert completed(completed(given)) == completed(given)
+
+
+@pytest.mark.parametrize("solver", ['kind = "lagrange1d"\n[solver.viscosity]\nlaw = "wilkins"',
+                                    'integrator = "wilkins"\n[solver.viscosity]\nlaw = "landshoff"',
+                                    '[solver.viscosity]\nlaw = "kb"', 'kind = "fronts"\n[solver.viscosity]\nlaw = "limited"'])
+def test_only_the_limited_viscosity_has_a_coefficient_of_condensed_material(solver):
+    with pytest.raises(DeckError, match="unknown key"):
+        read_deck_text(deck(end=f"[solver]\n{solver}\nlinear_condensed = 0.5\n"))

@@ -166,7 +166,7 @@ def test_steinberg_guinan_and_tillotson_keep_their_meaning():
     ("c0: 5.328, ", "", "mat1.c0: is not given"),
     ("ys: 0.3}", "ys: 0.3", "not YAML"),
     ("length: millimeter", "length: parsnip", "unknown unit"),
-    ("cells: 25", "cells: 0", "zones"),
+    ("cells: 25", "cells: 0", "0 is no number of cells"),
 ])
 def test_what_a_deck_of_theirs_lacks_is_said_with_its_key(old, new, words):
     with pytest.raises(DeckError, match=words):
@@ -186,3 +186,30 @@ def test_the_command_writes_a_deck_once(tmp_path, capsys):
     with pytest.raises(SystemExit) as done:
         front.main([*arguments[:2], "--units", "g cm us"])
     assert done.value.code == 2
+
+
+@pytest.mark.parametrize(("old", "new", "message"), [
+    ("cells: 25", "cells: 25.4", "mat1.mesh.cells: 25.4 is no number of cells"),
+    ("cells: 25", "cells: 1" + "0" * 400, "mat1.cells: '10+...' is no number"),
+    ("rho0: 2.785", "rho0: 0.0", "mat1.init.rho0: 0 kg/m.3 is no density"),
+    ("nrhomin: 0.9", "nrhomin: 0.0", "mat2.frac.nrhomin: 0 is no limit"),
+    ("pfrac: 1E20", "pfrac: -1.0", "mat2.frac.pfrac: -1e.09 is no limit"),
+    ("time: microsecond, ", "", "units.time: is not given, and tstop needs it"),
+    ("units: {", "units: !!python/object/apply:os.getcwd {", "not YAML: could not determine a constructor"),
+    ("name: own plates", "a: &a {b: *a}", "aliases written out")])
+def test_a_wrong_deck_of_theirs_is_refused(old, new, message):
+    assert old in PLATES
+    with pytest.raises(DeckError, match=message):
+        tables_of(PLATES.replace(old, new, 1), read_yaml)
+
+
+def test_aliases_that_stand_for_millions_of_values_are_counted_not_written_out():
+    rows = "a0: &a0 [x, x, x, x, x, x, x, x]\n" + "".join(f"a{k}: &a{k} [{', '.join([f'*a{k - 1}'] * 8)}]\n" for k in range(1, 12))
+    with pytest.raises(DeckError, match="aliases written out"):
+        read_yaml(rows + PLATES.replace("name: own plates", "name: *a11"), "own")
+
+
+def test_keys_of_theirs_that_mean_nothing_here_are_named():
+    _, left = tables_of(PLATES.replace("up0: 0.5", "upO: 0.5").replace("gravity: 0.0", "gravitty: 9.81"), read_yaml)
+    assert left == ["not used: gravitty, mat1.init.upO"]
+    assert tables_of(PLATES, read_yaml)[1] == []

@@ -158,7 +158,7 @@ def test_the_state_of_a_profile_is_that_of_its_material(tmp_path):
     ('velocity = "0.1 m/s"', 'positions = [0.0, 0.5]\nvelocity = [0.0, 1.0]', "a profile covers its region"),
     ('velocity = "0.1 m/s"', 'positions = [0.0, 0.5, 1.0]\nvelocity = [0.0, 1.0]', "2 values over 3 positions"),
     ('velocity = "0.1 m/s"', 'density = "1 kg/m^3"', "stands in the region and in its profile"),
-    ('velocity = "0.1 m/s"', 'pressure = "0.5 Pa - 1 Pa * x / 1 m"', "so at"),
+    ('velocity = "0.1 m/s"', 'pressure = "0.5 Pa - 1 Pa * x / 1 m"', "at 500 mm it gives a state"),
     ('velocity = "0.1 m/s"', 'file = "nowhere.csv"', "cannot read"),
     ('velocity = "0.1 m/s"', "", "says nothing"),
     ('integrator = "compatible"', 'kind = "fronts"', "fronts has no periodic ends"),
@@ -170,3 +170,24 @@ def test_what_cannot_be_is_refused(old, new, words):
                        solver="", more="")
     with pytest.raises(DeckError, match=words):
         read_deck_text(text.replace(old, new, 1), "wave.toml")
+
+
+@pytest.mark.parametrize(("given", "message"), [
+    ('velocity = "1e-3 m^2/s / (x - 0.25 m)"', "has no finite value"),                   # a node of 64 zones, none of a coarser sample
+    ('pressure = "1 Pa * 1 m / abs(x - 0.2578125 m)"', "has no finite value"),           # the middle of a zone
+    ('velocity = "1e9 m/s"', "faster than light"),
+    ('positions = []\nvelocity = []', "two at least"),
+    ('positions = [0, 1]\nvelocity = [0, 1e12]', "faster than light"),
+    ('file = "twice.csv"', "column 'velocity' stands twice"),
+    ('file = "fast.csv"', "profile.file: unreasonably large")])
+def test_a_profile_is_asked_where_the_run_asks_for_it(given, message, tmp_path):
+    (tmp_path / "twice.csv").write_text("position [m], velocity [m/s], velocity [m/s]\n0, 1, 2\n1, 1, 2\n")
+    (tmp_path / "fast.csv").write_text("position [m], velocity [m/s]\n0, 1\n\n1, 1e9\n")
+    text = DECK.format(profile=given, integrator="compatible", zones=64, stop=0.2, state="density = 1.0", gamma=1.4, solver="", more="")
+    with pytest.raises(DeckError, match=message):
+        read_deck_text(text, "wave.toml", beside=tmp_path)
+
+
+def test_a_periodic_end_is_no_free_surface():
+    with pytest.raises(DeckError, match="gauge.end.at: a periodic end is no free surface right"):
+        deck('velocity = "1 m/s"', "compatible", more='[[gauge]]\nname = "end"\nat = "free surface right"')

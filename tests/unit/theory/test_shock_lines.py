@@ -60,3 +60,16 @@ def test_gurney_answers_for_every_explosive_of_the_library(capsys):
 def test_the_lines_command(capsys, tmp_path):
     code, out = answer(capsys, "eos", "lines", "copper", "--at", "particle_velocity = 1 km/s", "--plot", str(tmp_path / "l.png"))
     assert not code and "fanno" in out and (tmp_path / "l.png").stat().st_size > 10_000
+
+
+@pytest.mark.parametrize("velocity", ["-1 m/s", "0 m/s", "1e9 m/s"])
+def test_a_velocity_that_no_explosive_has_is_refused(capsys, velocity):
+    code, _ = answer(capsys, "eos", "gurney", f"--velocity={velocity}")
+    assert code == 2
+
+
+def test_the_example_of_the_help_runs(capsys):
+    from hugoniot.cli.eos.lines import gurney
+
+    example = gurney.__doc__.split("Example: hugoniot ")[1].split(" --ratio")[0]
+    assert not answer(capsys, *example.split(), "--json")[0]

@@ -11,6 +11,7 @@ from hugoniot.cli.eos.output import deliver, echo_columns, echo_notes, notes
 from hugoniot.cli.show import JSON, echo_json, echo_table, quantity
 from hugoniot.errors import DeckError
 
+FASTEST = 1e5      # m/s: 5 GJ/kg, a thousand explosives
 SHAPES = ("open", "symmetric", "cylinder", "sphere")
 
 
@@ -49,7 +50,7 @@ def gurney(
 ) -> None:
     """Gurney's velocity of metal: open and symmetric sandwich, cylinder, sphere.
 
-    Example: hugoniot eos gurney comp_b tnt --ratio "0.5, 1, 2"
+    Example: hugoniot eos gurney pbx9404 petn --ratio "0.5, 1, 2"
     """
     from hugoniot.dossier.gurney import gurney_velocities
     from hugoniot.theory.exact.plate_push import gurney as metal_velocity
@@ -58,7 +59,10 @@ def gurney(
     if velocity is not None:
         if explosives:
             raise DeckError.single("command line", None, "--velocity", "stands beside named explosives", "give one or the other")
-        known = [("given", quantity(velocity, "m/s", "--velocity"), "command line")]
+        speed = quantity(velocity, "m/s", "--velocity")
+        if not 0.0 < speed < FASTEST:
+            raise DeckError.single("command line", None, "--velocity", f"{speed:g} m/s is no Gurney velocity", 'such as "2.7 km/s"')
+        known = [("given", speed, "command line")]
     else:
         known = gurney_velocities(explosives or [])
     rows = [{"explosive": name, "gurney_velocity": speed, "source": source, "mass_ratio": m,

@@ -6,7 +6,8 @@ With $c_2 = (\gamma + 1)/4$ and $c_1 = 1$ the bracket is the mass flux speed of 
 then the exact jump of pressure. For a solid with $U_s = c_0 + s u_p$ the same holds with $c_2 \approx s/2$. The default,
 2/3, is that of a monatomic gas and of most metals (s = 1.3); diatomic gases have 0.6. More than the jump itself widens strong
 shocks and serves nothing. $c_1 = 0.3$ instead of 1 keeps elastic precursors, and the weak shocks of gases, thin (W-E4). Condensed
-material without strength has neither, and nothing but q damps the ringing of its shocks: there `linear_condensed` is c_1, and is 1.
+material without strength has neither, and nothing but q damps the ringing of its shocks: there `linear_condensed` is c_1:
+1, or `linear` in a deck that gives `linear` alone.
 psi is the smoothness of the velocity field supplied by the solver: 1 where velocity is linear, 0 at a shock or an extremum.
 
 Source: Kuropatenko (1967); Caramana, Shashkov & Whalen, J. Comput. Phys. 144 (1998) 70, equations 10 to 14.
@@ -36,7 +37,7 @@ VISCOSITY.add(
     example=Limited(),
     units={"quadratic": "1", "linear": "1", "linear_condensed": "1"},
     meaning={"quadratic": "c2, (gamma + 1)/4 for an ideal gas", "linear": "c1, weight of the sound speed",
-             "linear_condensed": "c1 in solids and liquids without strength and pores"},
+             "linear_condensed": "c1 in solids and liquids without strength and pores; a deck that gives linear alone gives both"},
     defaults={"quadratic": 2.0 / 3.0, "linear": 0.3, "linear_condensed": 1.0},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
     least={"quadratic": 0.0, "linear": 0.0, "linear_condensed": 0.0},

@@ -12,6 +12,8 @@ from hugoniot.problem.boundaries import pulse_value, read_pulse
 from hugoniot.problem.plane.contact_model import Contact2D, Rigid2D
 from hugoniot.problem.plane.edges import unit_vector
 
+CHORDS = 0.1     # of an edge: how deep an open line may run in material, as the chords of one curve do that is divided twice
+
 
 def read_contacts(rows: Sequence, blocks: Sequence[str], rigid: Sequence[str], collector: Collector) -> tuple[Contact2D, ...]:
     """Laws of contact between blocks and rigid bodies that exist, each pair once."""
@@ -89,22 +91,34 @@ def read_rigid(rows: Sequence, axes, blocks: Sequence[str], collector: Collector
 
 
 def check_overlap(rigid: Sequence[Rigid2D], mesh: Blocks | None, collector: Collector) -> None:
-    """Report closed rigid bodies with material inside them, or inside of material."""
+    """Report closed rigid bodies with material inside them, and rigid bodies inside of material."""
     for i, body in enumerate(rigid if mesh is not None else ()):
-        if not body.closed:
-            continue
-        ring = np.array(body.points).T
+        line = np.array(body.points).T
         for block in mesh.blocks:
             around = np.concatenate([a[:-1] for a in (block.nodes[:, 0], block.nodes[-1], block.nodes[::-1, -1], block.nodes[0, ::-1])])
             own = mesh.nodes[:, around]
-            for points, polygon in ((own, ring), (ring, own)):
+            for points, polygon in (((own, line), (line, own)) if body.closed else ((_between_crossings(line, own), own),)):
                 away, _ = distance_to_edges(points, polygon, np.roll(polygon, -1, axis=1))
-                covered = inside(points, polygon) & (away > TOUCHING)
+                covered = inside(points, polygon) & (away > (TOUCHING if body.closed else CHORDS))
                 if covered.any():
                     x, y = points[:, covered][:, 0]
                     collector.add(("rigid", i, "points"), f"overlaps block '{block.name}' near ({x:.6g}, {y:.6g}) m",
                                   "bodies may touch at the start")
                     break
+
+
+def _between_crossings(line: np.ndarray, polygon: np.ndarray) -> np.ndarray:
+    """A point of every piece (2, n) into which the edges of a polygon cut a polyline: inside, outside or on them as the whole piece is."""
+    start, along = polygon, np.roll(polygon, -1, axis=1) - polygon
+    found = []
+    for a, b in zip(line.T, line.T[1:]):
+        way, off = (b - a)[:, None], start - a[:, None]
+        across = way[0] * along[1] - way[1] * along[0]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            t, s = ((off[0] * v[1] - off[1] * v[0]) / across for v in (along, way))
+        cuts = np.sort(np.concatenate(([0.0], t[(t > 0.0) & (t < 1.0) & (s >= 0.0) & (s <= 1.0)], [1.0])))
+        found.append(a[:, None] + way * 0.5 * (cuts[1:] + cuts[:-1]))
+    return np.concatenate(found, axis=1)
 
 
 def _check_motion(row, axes, collector: Collector, path: tuple) -> None:

@@ -41,9 +41,10 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     axes = ("r", "z") if raw.get("geometry", "plane") == "axisymmetric" else ("x", "y")
     blocks, used, complete = _read_blocks(raw, axes, materials, collector)
     names = [row.name for row in _parts(BlockTable, raw.get("block")) if row is not None]
-    rigid = read_rigid(_parts(RigidTable, raw.get("rigid")), axes, names, collector)
+    solids = _parts(RigidTable, raw.get("rigid"))
+    rigid = read_rigid(solids, axes, names, collector)
     rows = _parts(ContactTable, raw.get("contact"))
-    contacts = read_contacts(rows, names, [body.name for body in rigid], collector)
+    contacts = read_contacts(rows, names, [row.name for row in solids if row is not None], collector)
     mesh = _mesh(blocks, axes, contacts, collector) if complete else None
     check_bodies(contacts, rows, mesh, rigid, collector)
     check_overlap(rigid, mesh, collector)
