@@ -26,7 +26,7 @@ DENSITY = Annotated[str | None, typer.Option("--density", help='Density ahead, "
 TEMPERATURE = Annotated[str | None, typer.Option("--temperature", help='Temperature ahead, "300 K".')]
 PRESSURE = Annotated[str | None, typer.Option("--pressure", help='Pressure ahead, "1 bar".')]
 UNIT = Annotated[str, typer.Option("--mean-free-path", help="Unit of reciprocal thickness: bsl, chapman_enskog, viscous, vhs.")]
-BENT = Annotated[bool, typer.Option("--bent", help="Water, silica of Jordan 2011: the Grüneisen parameter it bends to meet the jump.")]
+BENT = Annotated[bool, typer.Option("--bent", help="Water, silica of Jordan 2011: the Grüneisen parameter adjusted there to satisfy the jump.")]
 CSV = Annotated[Path | None, typer.Option("--csv", help="Write SI numbers to this file.")]
 PLOT = Annotated[Path | None, typer.Option("--plot", help="Draw the picture into this file (.png, .pdf, .svg).")]
 

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from hugoniot.cli.progress import duration
+from hugoniot.cli.progress import duration, time_left
 from hugoniot.cli.show import JSON, MATERIALS, echo_json, echo_table
 
 MOST_ROWS = 30
@@ -165,6 +165,6 @@ class _display:
         if now - self.last < (0.2 if self.renewing else SECONDS_BETWEEN_LINES) and progress.done < progress.total:
             return
         self.last = now
-        line = (f"{progress.done} of {progress.total} cases, {progress.rate:.3g} cases/s, {duration(progress.left)} left"
+        line = (f"{progress.done} of {progress.total} cases, {progress.rate:.3g} cases/s, {time_left(progress.left)}"
                 + (f", {progress.failed} failed" if progress.failed else "") + (f", {progress.known} known" if progress.known else ""))
         typer.echo(f"\r\x1b[K{line}" if self.renewing else line, err=True, nl=not self.renewing)
