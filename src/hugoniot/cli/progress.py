@@ -47,7 +47,7 @@ def time_left(seconds: float) -> str:
 def end_interrupted(folder) -> NoReturn:
     """End the command with exit code 130, saying how an interrupted run goes on."""
     kept = any((pathlib.Path(folder) / "checkpoint").glob("[0-9]*.json"))
-    state = "a checkpoint is kept, go on with" if kept else "there was nothing to keep yet, start it again with"
+    state = "a checkpoint is kept; continue with" if kept else "there was nothing to keep yet; start again with"
     typer.echo(f"interrupted; {state}: hugoniot resume {shlex.quote(str(folder))}", err=True)
     raise typer.Exit(130) from None
 

@@ -48,7 +48,7 @@ def check_bodies(contacts: Sequence[Contact2D], rows: Sequence, mesh: Blocks | N
         return
     for i, contact in enumerate(contacts):
         if contact.between is None and not rigid and bodies(mesh).max() == 0 and len(contacts) == 1:
-            collector.add(("contact", i), "all blocks are joined to one body, which meets nothing",
+            collector.add(("contact", i), "all blocks are joined into one body, which touches nothing else",
                           'name two blocks with between = ["A", "B"], or leave it out')
 
 

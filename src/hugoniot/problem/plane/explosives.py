@@ -33,7 +33,7 @@ def _lighting_defects(problem: Problem2D) -> list[tuple[tuple, str, str]]:
                               f"move it into {names}" if names else "no material of this problem has a programmed burn law"))
     for body in unlit(problem, lit) if not found else ():
         names = ", ".join(f"'{problem.blocks[k].name}'" for k in body.blocks)
-        hint = "add [[lighting]] there, or let it touch an explosive that is lit"
+        hint = "add [[lighting]] there, or let it touch a lit explosive"
         found.append((("lighting",), f"no detonation front reaches {names}", hint))
     return found
 

@@ -98,7 +98,7 @@ CONDENSED = {case.name: case for case in (
 
 
 def adjusted_gruneisen(density, sound_speed, slope, literature, particle_velocity, ambient=AMBIENT) -> float:
-    """The Grüneisen parameter Jordan would use to make the truncated law satisfy the jump conditions (eq. 7.1.31, restored; see the module)."""
+    """The Grüneisen parameter Jordan would use to make the truncated law fit the jump (eq. 7.1.31, restored; see the module)."""
     shock = sound_speed + slope * particle_velocity
     p = density * shock * particle_velocity + ambient
     x = particle_velocity / shock
