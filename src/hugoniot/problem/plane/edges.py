@@ -97,7 +97,7 @@ def _wrong_kind(boundary: Boundary2D, name: str, mesh: Blocks) -> tuple[str, str
         return None if boundary.kind == "axis" else (f"'{name}' lies on the axis, where no other boundary is possible", "leave it out")
     if boundary.kind == "axis":
         wanted = "lie on r = 0" if mesh.axisymmetric else "exist in axisymmetric geometry only"
-        return f"'{name}' is not on the axis: those {wanted}", 'a plane of symmetry is kind = "wall"'
+        return f"'{name}' is not an axis: axes {wanted}", 'a plane of symmetry is kind = "wall"'
     if boundary.kind == "wall" and mesh.straight_normal(chain) is None:
         return f"'{name}' is not straight, and a rigid wall is", 'take kind = "velocity" with velocity = 0 and slip = false to clamp it'
     return None
