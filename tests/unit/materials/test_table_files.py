@@ -173,7 +173,7 @@ def test_hdf5_files_keep_their_units_and_shapes(tmp_path, solid):
 
 
 @pytest.mark.parametrize("change, message", [
-    (('file = "al.csv"', 'file = "cu.csv"'), "deck.toml:14: material.al.eos.file: no table can be read at"), (('file = "al.csv"', "file = 3"), "expected the name of a file"),
+    (('file = "al.csv"', 'file = "cu.csv"'), "deck.toml:14: material.al.eos.file: no readable table at"), (('file = "al.csv"', "file = 3"), "expected the name of a file"),
     (('density_range = ["2.6 g/cm^3", "4.0 g/cm^3"]', 'density_range = ["4 g/cm^3", "2 g/cm^3"]'), "deck.toml:16: material.al.eos.density_range: does not rise"),
     (('["2.6 g/cm^3", "4.0 g/cm^3"]', '["9 g/cm^3", "14 g/cm^3"]'), "0 densities and 9 temperatures are left"),
     (("rho0", "rho_0"), "did you mean 'rho0'?"), (('"2785 kg/m^3"', '"2785 K"'), "eos.rho0")])

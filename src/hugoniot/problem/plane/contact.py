@@ -32,10 +32,10 @@ def read_contacts(rows: Sequence, blocks: Sequence[str], rigid: Sequence[str], c
             if name not in known:
                 collector.add((*path, "between"), f"no block or rigid body '{printable(name)}'", nearest(name, known))
         if row.between and all(name in rigid for name in row.between):
-            collector.add((*path, "between"), "rigid bodies do not meet each other", "name a block")
+            collector.add((*path, "between"), "contact between two rigid bodies is not computed", "name a block")
         key = None if row.between is None else tuple(sorted(row.between))
         if key in seen:
-            collector.add((*path, "between") if key else path, f"is said by contact {seen[key] + 1} already", "each pair has one law")
+            collector.add((*path, "between") if key else path, f"is already given by contact {seen[key] + 1}", "each pair has one law")
         seen.setdefault(key, i)
         if collector.findings == before:
             found.append(Contact2D(row.between, row.kind, row.friction, row.strength))
