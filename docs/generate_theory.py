@@ -26,6 +26,8 @@ TOOLS = {
     "mixtures": ("Mixtures of reactants and products", ("theory.mixture",), "theory.mixture", ("eos mixture",)),
     "characteristics": ("Characteristics with reaction", ("theory.characteristics",), "theory.characteristics", ()),
     "second_shock": ("Second shock", ("theory.second_shock",), "theory.second_shock", ("eos second-shock",)),
+    "shock_lines": ("Rayleigh and Fanno lines", ("theory.shock_lines",), "theory.shock_lines", ("eos lines",)),
+    "gurney": ("Metal driven by explosives", ("theory.exact.plate_push",), "theory.exact.plate_push", ("eos gurney",)),
     "fits": ("Fits", ("theory.fits",), "theory.fits", ("eos fit", "eos fit-jwl", "eos fit-gamma")),
     "stability": ("Stability of detonations", ("theory.stability",), "theory.stability", ("eos stability",)),
     "converters": ("From other data to Herrmann's series", ("laws.eos.converters",), "laws.eos.converters", ("eos convert",)),
@@ -88,7 +90,7 @@ def tool(key: str) -> str:
     title, shown, home, commands = TOOLS[key]
     lines = [f"# {title}", "", *equations(shown)]
     if commands:
-        lines += ["On the command line: " + ", ".join(f"`hugoniot {c}`" for c in commands) + "; what it prints is told under "
+        lines += ["On the command line: " + ", ".join(f"`hugoniot {c}`" for c in commands) + "; what it prints is described under "
                   "[questions answered without a mesh](../../theory/eos_tools.md).", ""]
     if key in TOLD:
         lines += [TOLD[key], ""]

@@ -71,11 +71,11 @@ def miss(zones, conductivity, stop, integrator):
 
 @pytest.mark.parametrize("conductivity, stop, integrator", [(1e5, 5e-4, "compatible"), (1e7, 5e-6, "compatible"), (1e7, 5e-6, "wilkins")])
 def test_conduction_follows_the_error_function_in_second_order(conductivity, stop, integrator):
-    """Bound: 0.1 %; 1e7 W/m/K would ask an explicit scheme for 400 steps on the finest grid."""
+    """Bound: 0.1 %; 1e7 W/m/K would ask an explicit scheme for 400 steps on the finest grid, the viscosity of a fluid at rest for 66."""
     (coarse, _), (middle, _), (fine, steps) = (miss(zones, conductivity, stop, integrator) for zones in (25, 50, 100))
     assert fine < 1e-4 and middle < 1e-3
     assert np.log2(coarse / middle) > 1.9 and np.log2(middle / fine) > 1.9
-    assert conductivity < 1e7 or steps < 50
+    assert conductivity < 1e7 or steps < 80
 
 
 def test_conduction_in_a_sphere_keeps_the_heat_and_the_range_of_temperatures():

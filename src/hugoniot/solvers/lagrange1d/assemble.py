@@ -46,14 +46,15 @@ def viscosity_of(problem: Problem):
 
 def viscosity_in(material, viscosity):
     """The viscosity as a material has it: condensed ones without strength have a linear coefficient of their own."""
-    if "linear_condensed" not in viscosity._fields or material.strength is not None or not is_condensed(material.eos):
+    strong = material.strength is not None and "fluid" not in STRENGTH.of(material.strength).flags
+    if "linear_condensed" not in viscosity._fields or strong or not is_condensed(material.eos):
         return viscosity
     return viscosity._replace(linear=viscosity.linear_condensed)
 
 
 def is_condensed(eos) -> bool:
     """Whether a material without pores holds together at rest: rho c^2 far above its pressure, which in a gas is rho c^2 / gamma."""
-    if flagged(eos, "remembers") or not gives(eos, "reference_state"):
+    if flagged(eos, "remembers") or flagged(eos, "grains") or not gives(eos, "reference_state"):
         return False
     rho, e = reference_state(eos)
     return rho * sound_speed_squared(rho, e, eos) > LEAST_STIFFNESS * abs(pressure(rho, e, eos))
