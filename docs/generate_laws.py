@@ -45,7 +45,7 @@ TARGET = Path(__file__).parent / "generated" / "laws"
 HEADS = {
     "eos": (EOS, "Equations of state", "`[material.NAME.eos] law = ...`. State is density and specific internal energy."),
     "strength": (STRENGTH, "Strength", "`[material.NAME.strength] law = ...`: shear modulus and flow stress."),
-    "fracture": (FRACTURE, "Fracture", "`[material.NAME.fracture] law = ...`: when a material parts, and what tension it bears."),
+    "fracture": (FRACTURE, "Fracture", "`[material.NAME.fracture] law = ...`: when a material fails in tension, and the largest tension."),
     "viscosity": (VISCOSITY, "Artificial viscosity", "`[solver.viscosity] law = ...`: $q = \\rho|\\Delta u|w$ in compression."),
     "burn": (BURN, "Burning", "Rates at which an explosive becomes products, by schedule or by state."),
     "mixture": (MIXTURE, "Mixtures", "How reactants and products share a zone; see [the theory](../../theory/mixtures.md)."),

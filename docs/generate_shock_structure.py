@@ -160,7 +160,7 @@ def spacings() -> list[str]:
     return ["Thickness, nm, by Jordan eq. 6.2.5 on 600 cells of the spacing in the head of the column:", "",
             *table(("", *(f"{s * 1e9:.3g} nm" for s in WATER_SPACINGS), "steady"), rows),
             "The same on Jordan's own spacings by three schemes: ours; ours to first order (local Lax-Friedrichs); and the central "
-            "differences of Jordan's section 2.4.1, five sound times of a cell after the step, before its ripples steepen it "
+            "differences of Jordan's section 2.4.1, five sound times of a cell after the step, before the ripples steepen it "
             "further:", "",
             *table(("", "ours", "first order", "central differences", "Jordan prints"), schemes)]
 

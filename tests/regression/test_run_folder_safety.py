@@ -229,7 +229,7 @@ def test_what_lies_behind_a_linked_folder_is_left_alone(tube, tmp_path, name):
     folder = shutil.copytree(tube / "tube.run", tmp_path / "run")
     (folder / name).symlink_to(behind)
     for call in (lambda: simulate.run(tube / "tube.toml", folder, overwrite=True), lambda: simulate.resume(folder)):
-        with pytest.raises(FileTrouble, match=f"{name}: a link stands here"):
+        with pytest.raises(FileTrouble, match=f"{name}: this is a link"):
             call()
     assert [(behind / file).read_text() for file in sorted(os.listdir(behind))] == ["precious"] * 3
 
@@ -244,7 +244,7 @@ def test_log_and_lock_are_plain_files_or_the_run_is_refused(tmp_path, make, name
         acoustic_flyer.run(tmp_path / "run", checkpoint_every=40, after_step=lambda flyer: interrupt(flyer, 100), **SMALL)
     (tmp_path / "run" / name).unlink(missing_ok=True)
     make(tmp_path / "run" / name, victim)
-    with pytest.raises(FileTrouble, match=f"{name}: (a link stands here|not a regular file|No such device)"):
+    with pytest.raises(FileTrouble, match=f"{name}: (this is a link|not a regular file|No such device)"):
         acoustic_flyer.run(tmp_path / "run", resume=True, **SMALL)
     assert victim.read_text() == "precious"
 
@@ -270,7 +270,7 @@ def test_a_deck_that_is_not_the_runs_own_is_not_replaced(whole, tmp_path, edit):
     deck = folder / "deck.toml"
     deck.write_text(edit if "own" in edit else deck.read_text() + edit)
     before = deck.read_text()
-    with pytest.raises(FileTrouble, match="not the deck of the run that stands here"):
+    with pytest.raises(FileTrouble, match="not the deck of the run in this folder"):
         RunFolder(folder, overwrite=True)
     assert deck.read_text() == before and (folder / "result.h5").exists()
 

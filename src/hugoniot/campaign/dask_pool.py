@@ -18,7 +18,7 @@ from hugoniot.errors import DeckError, HugoniotError
 
 IN_FLIGHT = 4            # cases handed out for each worker thread: enough that none waits, few enough that memory stays flat
 START_SECONDS = 20.0     # for a scheduler to answer
-LOST = "the scheduler was lost; what has run is kept, and the same command goes on once it is back"
+LOST = "the scheduler was lost; finished cases are kept, and the same command continues once it is back"
 
 _one_at_a_time = threading.Lock()
 _questions: dict[Any, Any] = {}     # of this process, made once

@@ -137,19 +137,19 @@ def _profile(problem: Problem, best: Minimum, k: int, spread: float, spread_of: 
 def _doubts(problem, best, parameters, correlation, chi_square, freedom, probability, others) -> list[str]:
     found = []
     if freedom < 1:
-        found.append(f"{len(best.x)} parameters and no more data than that: the fit says nothing about whether the model matches")
+        found.append(f"{len(best.x)} parameters and no more data than parameters: the fit cannot show whether the model matches")
     elif probability < UNLIKELY:
         found.append("the model does not match the data within their uncertainty: reduced chi-square "
                      f"{chi_square / freedom:.3g} for {freedom} degrees of freedom. "
                      "Look at the residuals before using a value; the intervals are widened by the misfit, "
-                     "which is no substitute for a model that matches")
+                     "but that does not replace a model that matches")
     estimated = [t.label for t in problem.targets if t.estimated]
     if estimated:
         sigmas = ", ".join(f"{float(t.sigma[0]):.3g} {t.unit}" for t in problem.targets if t.estimated)
         found.append(f"no uncertainty was given for {', '.join(estimated)}: taken from the noise of the record itself ({sigmas})")
     for p in parameters:
         if p.at_end:
-            found.append(f"{p.name} lies at the end of its range: the data ask for more than was allowed, or do not depend on it")
+            found.append(f"{p.name} lies at the end of its range: the data call for a value beyond it, or do not depend on it")
         elif p.sigma > 0.3 * abs(_width(problem, p.name)):
             found.append(f"{p.name} is not determined by these data: its standard deviation is a third of its range or more")
     for j in range(len(parameters)):

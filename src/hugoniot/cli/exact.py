@@ -9,13 +9,13 @@ from hugoniot.cli.show import JSON, echo_json, echo_table
 
 
 def command(
-    name: Annotated[str, typer.Argument(metavar="[SOLUTION]", help="One of the list that the command prints without it.")] = "",
+    name: Annotated[str, typer.Argument(metavar="[SOLUTION]", help="Name of a solution; without it the command lists them.")] = "",
     settings: Annotated[list[str] | None, typer.Argument(metavar="[PARAMETER=VALUE]...", help='As gamma=1.4, "speed=2 km/s".')] = None,
-    times: Annotated[list[str] | None, typer.Option("--time", help='Time of the fields, "2 us"; as often as wanted.')] = None,
+    times: Annotated[list[str] | None, typer.Option("--time", help='Time of the fields, "2 us"; repeatable.')] = None,
     at: Annotated[str, typer.Option("--at", help='Positions, "1 mm, 2 mm"; pairs or triples with semicolons, "0, 4 m; 3 m, 2 m".')] = "",
     start: Annotated[str | None, typer.Option("--from", help="First position; default 0.")] = None,
-    end: Annotated[str | None, typer.Option("--to", help="Last position; default: somewhat beyond the outermost front.")] = None,
-    points: Annotated[int, typer.Option("--points", min=2, max=1000000, help="Positions; jumps get two of their own.")] = 201,
+    end: Annotated[str | None, typer.Option("--to", help="Last position; default: a little beyond the outermost front.")] = None,
+    points: Annotated[int, typer.Option("--points", min=2, max=1000000, help="Number of positions; each jump adds two.")] = 201,
     as_json: JSON = False,
     as_csv: Annotated[Path | None, typer.Option("--csv", help="Write fields in SI numbers to this file.")] = None,
     plot: Annotated[Path | None, typer.Option("--plot", help="Draw the fields into this file (.png, .pdf, .svg).")] = None,

@@ -26,7 +26,7 @@ def parameters_of(function: Callable, settings: list[str], skip: tuple[str, ...]
     for text in settings:
         key, equals, value = (part.strip() for part in text.partition("="))
         if not equals:
-            raise DeckError.single("command line", None, text[:40], "is no parameter", "write PARAMETER=VALUE, such as gamma=1.4")
+            raise DeckError.single("command line", None, text[:40], "is not a parameter", "write PARAMETER=VALUE, such as gamma=1.4")
         if key in known and _is_record(known[key]):
             typed |= _solid(key, value)
         elif key not in flat:
@@ -62,7 +62,7 @@ def points_of(text: str, where: str, width: int | None) -> np.ndarray:
     rows = [[quantity(part.strip(), "m", where) for part in point.split(",")] for point in text.split(";")]
     size = width or len(rows[0])
     if any(len(row) != size for row in rows) or size not in (2, 3):
-        raise DeckError.single("command line", None, where, f"'{text[:60]}' is no list of points of {size} coordinates each",
+        raise DeckError.single("command line", None, where, f"'{text[:60]}' is not a list of points of {size} coordinates each",
                                'write "0, 4 m; 3 m, 2 m"')
     return np.array(rows)
 
@@ -107,7 +107,7 @@ def _read(key: str, text: str, default: Any, geometry: str) -> Any:
     value = quantity(text, unit, key)
     if isinstance(default, int):
         if value != int(value):
-            raise DeckError.single("command line", None, key, f"'{text[:40]}' is no whole number", f"write {key}={default}")
+            raise DeckError.single("command line", None, key, f"'{text[:40]}' is not a whole number", f"write {key}={default}")
         return int(value)
     return value
 

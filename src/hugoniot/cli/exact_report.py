@@ -99,7 +99,7 @@ def _problems() -> list[str]:
         usual = {k: p.default for k, p in inspect.signature(function).parameters.items() if k != "points"}
         lines.append(f"problem={number}  {inspect.cleandoc(function.__doc__ or '').splitlines()[0]}")
         lines.append("           " + ", ".join(f"{k}={v}" for k, v in usual.items()))
-    return [*lines, '', 'burn times are asked at points, --at "0, 4 m; 3 m, 2 m", or drawn with --plot burn.png']
+    return [*lines, '', 'burn times need points, --at "0, 4 m; 3 m, 2 m", or drawn with --plot burn.png']
 
 
 def _tell(name: str, solution: Solution, given: dict, states: list[dict]) -> None:
@@ -146,7 +146,7 @@ def _state(name: str, solution: Solution, time: float, low: float, high: float, 
     if grid.at:
         places = points_of(grid.at, "--at", 2 if name == "coggeshall" else 1)
         if solution.geometry in ("cylindrical", "spherical") and not (places > 0.0).all():
-            raise DeckError.single("command line", None, "--at", f"{float(places.min()):g} m is no radius", "give positive ones")
+            raise DeckError.single("command line", None, "--at", f"{float(places.min()):g} m is not a radius", "give positive values")
     else:
         line = np.linspace(low, high, grid.points)
         gap = 1e-9 * max(high - low, 1e-300)
@@ -235,7 +235,7 @@ def _burn_times(settings: list[str], grid: Grid, as_json, as_csv, plot) -> None:
         side = np.linspace(-reach, reach, min(grid.points, 401))
         places = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
     elif settings or as_csv:
-        raise DeckError.single("command line", None, "--at", "burn times are asked at points", 'give --at "0, 4 m; 3 m, 2 m", or --plot')
+        raise DeckError.single("command line", None, "--at", "burn times need points", 'give --at "0, 4 m; 3 m, 2 m", or --plot')
     else:
         _introduce("kenamond", as_json)
         return

@@ -12,14 +12,14 @@ def command(
     what: Annotated[list[str] | None, typer.Argument(
         metavar="[RUN|SWEEP|DECK|MATERIAL]...", help="Run folders, folders of runs, folders with cases.csv, tables (.csv), decks (.toml), "
                                                      "materials of the library.")] = None,
-    work: Annotated[Path, typer.Option("--work", "-w", help="Folder for runs started from the page; made with the first "
+    work: Annotated[Path, typer.Option("--work", "-w", help="Folder for runs started from the page; created with the first "
                                                             "one.")] = Path("explorer-runs"),
     no_runs: Annotated[bool, typer.Option("--no-runs", help="Start no runs from the page.")] = False,
     export: Annotated[Path | None, typer.Option("--export", help="Write the page with its data into this folder instead; it opens from "
                                                                      "the disk.")] = None,
     port: Annotated[int, typer.Option("--port", min=0, max=65535, help="Port on this machine; 0 takes a free one.")] = 0,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page in the browser.")] = True,
-    view: Annotated[str, typer.Option("--view", help='Part of an address that says what to show, such as '
+    view: Annotated[str, typer.Option("--view", help='View to open, the part of an address from # on: '
                                                       '"#/match?layers=copper,pmma&v=800".')] = "",
 ) -> None:
     """Explore materials, impacts, runs, decks and sweeps in a browser.

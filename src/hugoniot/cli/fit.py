@@ -10,24 +10,24 @@ from hugoniot.cli.show import JSON, MATERIALS, echo_json, echo_table
 from hugoniot.units import format_si
 
 _TO = 'Measured records (.csv), or a number such as "free surface.arrival = 0.69 +- 0.01 us"; repeatable.'
-_FREE = 'What is sought, such as "material.ta.fracture.strength = 1..8 GPa"; repeatable.'
+_FREE = 'Constant to find and its range, such as "material.ta.fracture.strength = 1..8 GPa"; repeatable.'
 
 
 def command(
     deck: Annotated[Path, typer.Argument(help="The deck, a TOML file.", readable=False)],
     to: Annotated[list[str] | None, typer.Option("--to", help=_TO)] = None,
     free: Annotated[list[str] | None, typer.Option("--free", "-f", help=_FREE)] = None,
-    tie: Annotated[list[str] | None, typer.Option("--tie", help='A key that follows: "region.target.from = region.flyer.to".')] = None,
-    gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge of the columns that name none.")] = None,
-    sigma: Annotated[str | None, typer.Option("--sigma", help='Standard deviation of records that bring none, such as "5 m/s".')] = None,
-    window: Annotated[list[str] | None, typer.Option("--window", help='Times that count: "0.5..2 us", or "FILE = 0.5..2 us".')] = None,
-    shift: Annotated[str | None, typer.Option("--shift", help='Seek a shift of the measured clock up to, such as "20 ns".')] = None,
-    scale: Annotated[str | None, typer.Option("--scale", help='Seek a scale error of the records up to, such as "2 %".')] = None,
+    tie: Annotated[list[str] | None, typer.Option("--tie", help='Key tied to others: "region.target.from = region.flyer.to".')] = None,
+    gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge for columns that do not name one.")] = None,
+    sigma: Annotated[str | None, typer.Option("--sigma", help='Standard deviation of records that give none, such as "5 m/s".')] = None,
+    window: Annotated[list[str] | None, typer.Option("--window", help='Times used in the fit: "0.5..2 us", or "FILE = 0.5..2 us".')] = None,
+    shift: Annotated[str | None, typer.Option("--shift", help='Fit a shift of the measured clock too, within this limit: "20 ns".')] = None,
+    scale: Annotated[str | None, typer.Option("--scale", help='Fit a scale error of the records too, within this limit: "2 %".')] = None,
     loss: Annotated[str, typer.Option("--loss", help="linear; soft_l1, huber or cauchy for data with outliers.")] = "linear",
-    starts: Annotated[int, typer.Option("--starts", help="Searches from different places.")] = 2,
+    starts: Annotated[int, typer.Option("--starts", help="Number of searches, from different starting points.")] = 2,
     seed: Annotated[int, typer.Option("--seed", help="Seed of the sampled starting points.")] = 0,
-    profile: Annotated[bool, typer.Option("--profile", help="Find the 95 % limits by profiles too.")] = False,
-    local: Annotated[bool, typer.Option("--local", help="Do not search the whole ranges where no start matches.")] = False,
+    profile: Annotated[bool, typer.Option("--profile", help="Also find the 95 % limits by profile likelihood.")] = False,
+    local: Annotated[bool, typer.Option("--local", help="Do not search the whole ranges when no start matches.")] = False,
     posterior: Annotated[str | None, typer.Option("--posterior", help="Draw from the posterior: surrogate, or runs.")] = None,
     posterior_runs: Annotated[int | None, typer.Option("--posterior-runs", help="Runs for the posterior.")] = None,
     workers: Annotated[int | None, typer.Option("--workers", "-w", help="Worker processes (default: one for each processor).")] = None,
@@ -40,7 +40,7 @@ def command(
     """Find constants of a deck so that its runs agree with measured records, with intervals and correlations.
 
     Data are columns with units in their headers, such as time [us], velocity [m/s], and velocity sigma [m/s] for the uncertainty. The
-    folder DECK.fit gets fitted.toml (the deck with the values found, ready to run), fit.json, residuals.csv and report.html.
+    folder DECK.fit receives fitted.toml (the deck with the values found, ready to run), fit.json, residuals.csv and report.html.
     A record that the model cannot match is reported as such: read the notes before using a value.
 
     Example: hugoniot fit spall.toml --to visar.csv --free "material.ta.fracture.strength = 1..8 GPa" --shift "20 ns"

@@ -10,20 +10,20 @@ from hugoniot.errors import DeckError, OutOfRange
 
 def command(
     material: Annotated[str, typer.Argument(help='The explosive to start from: "PBX-9404 reactive", a set (G014), or your own.')],
-    to: Annotated[str, typer.Option("--to", help="Explosive of the library whose measured line is wanted, or its row (R001).")] = "",
+    to: Annotated[str, typer.Option("--to", help="Explosive of the library whose measured line to fit, or its row (R001).")] = "",
     line: Annotated[str, typer.Option("--line", help='Your own line instead: "a, b" of log10(p/GPa) = a + b log10(x/mm).')] = "",
     adjust: Annotated[str, typer.Option("--adjust", help="Constants of the burn law to change.")] = "g1, y",
     start: Annotated[str, typer.Option("--start", help='Constants to set before the search, in SI: "y = 2.5, g1 = 8e-19, g2 = 0".')] = "",
     pressures: Annotated[str, typer.Option("--pressures", "-p", help='Input pressures: "3..15 GPa", or "8, 11, 15 GPa".')] = "3..15 GPa",
-    points: Annotated[int, typer.Option("--points", min=2, max=50, help="Runs in a range, spaced by equal ratios.")] = 5,
-    zones: Annotated[int, typer.Option("--zones", min=50, max=5000, help="Zones in a run distance while the search goes on.")] = 200,
+    points: Annotated[int, typer.Option("--points", min=2, max=50, help="Number of runs over a range, at equal ratios of pressure.")] = 5,
+    zones: Annotated[int, typer.Option("--zones", min=50, max=5000, help="Zones per run distance during the search.")] = 200,
     jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, max=256, help="Runs at a time.")] = 1,
     materials: MATERIALS = None, as_json: JSON = False,
 ) -> None:
     """Calibrate a few constants of a burn law to a measured Pop plot.
 
-    All other constants and both equations of state stay. At the end every run is repeated with zones half the size, and the table of the
-    burn law is printed for a deck. Some minutes.
+    All other constants and both equations of state are kept. At the end every run is repeated with zones half the size, and the table of
+    the burn law is printed for a deck. Takes some minutes.
 
     Example: hugoniot fit-rate "PBX-9502 reactive" --adjust "g2, z" --pressures "10..15 GPa"
     """
@@ -61,7 +61,7 @@ def _started(material, text: str):
         try:
             given[name] = float(value)
         except ValueError:
-            raise DeckError.single("command line", None, "--start", f"'{part.strip()[:40]}' is no constant with a number",
+            raise DeckError.single("command line", None, "--start", f"'{part.strip()[:40]}' is not a constant with a number",
                                    'write "y = 2.5, g1 = 8e-19"') from None
     if not given:
         return material
@@ -83,7 +83,7 @@ def _line(name: str, own: str):
         try:
             a, b = (float(part) for part in own.split(","))
         except ValueError:
-            raise DeckError.single("command line", None, "--line", f"'{own[:40]}' is no line", 'write "1.11, -0.66"') from None
+            raise DeckError.single("command line", None, "--line", f"'{own[:40]}' is not a line", 'write "1.11, -0.66"') from None
         if not b < 0.0:
             raise DeckError.single("command line", None, "--line", f"a run distance falls with pressure: b must be negative; got {b:g}")
         return PopLine(a, b), f"log10(p/GPa) = {a:g} {b:+g} log10(x/mm)"

@@ -17,7 +17,7 @@ LARGEST = 20_000_000     # bytes of a file that is read
 def command(
     file: Annotated[Path, typer.Argument(help="Deck of pyKO (.yml), deck of KO (.in), or LS-DYNA keyword file of one material.")],
     units: Annotated[str | None, typer.Option(help='LS-DYNA: units of mass, length and time: "g cm us", "tonne mm s".')] = None,
-    name: Annotated[str, typer.Option(help="LS-DYNA: what the deck calls the material.")] = "imported",
+    name: Annotated[str, typer.Option(help="LS-DYNA: name of the material in the deck.")] = "imported",
     density: Annotated[str | None, typer.Option(help='LS-DYNA, where no MAT card gives it: "7.85 g/cm^3".')] = None,
     out: Annotated[Path | None, typer.Option("--out", "-o", help="File to write (default: print it).")] = None,
 ) -> None:

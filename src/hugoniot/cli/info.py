@@ -16,14 +16,14 @@ def command(
     folder: Annotated[Path, typer.Argument(help="The run folder.")],
     events: Annotated[bool, typer.Option("--events", help="List the events: voids opened and closed, bodies joined.")] = False,
     deck: Annotated[bool, typer.Option("--deck", help="Print the deck that ran, every default written out.")] = False,
-    verify: Annotated[bool, typer.Option("--verify", help="Compare every file with the checksums the run has left.")] = False,
+    verify: Annotated[bool, typer.Option("--verify", help="Compare every file with the checksums of the run.")] = False,
     as_json: JSON = False,
 ) -> None:
     """Summarise a run: status, errors, gauges, spall reading, events.
 
     Example: hugoniot info flyer.run --events
 
-    With --verify: whether every file is as the run has left it; exit code 4 if one is not.
+    With --verify: whether every file is as the run left it; exit code 4 if one is not.
     """
     if verify:
         _verify(folder, as_json)

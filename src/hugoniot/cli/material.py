@@ -16,9 +16,9 @@ SHOWN = {"Pa": (1e9, "GPa"), "J/m^3": (1e9, "GJ/m^3"), "1/Pa": (1e-9, "1/GPa")}
 @app.command("list")
 def list_materials(
     category: Annotated[str, typer.Argument(help="Only this category, such as metal, polymer, rock, gas, explosive.")] = "",
-    everything: Annotated[bool, typer.Option("--all", help="Also the rows of the tables that nobody has curated.")] = False,
-    summary: Annotated[bool, typer.Option("--summary", help="Only counts: materials, rows, rows unverified against print.")] = False,
-    counts: Annotated[bool, typer.Option("--counts", help="Only numbers of materials by kind, and of rows by source.")] = False,
+    everything: Annotated[bool, typer.Option("--all", help="Also rows of the tables that have not been curated.")] = False,
+    summary: Annotated[bool, typer.Option("--summary", help="Only totals: materials, rows, rows unverified against print.")] = False,
+    counts: Annotated[bool, typer.Option("--counts", help="Only counts of materials by kind, and of rows by source.")] = False,
     materials: MATERIALS = None,
     as_json: JSON = False,
 ) -> None:
@@ -44,7 +44,7 @@ def list_materials(
 
 @app.command()
 def search(
-    text: Annotated[str, typer.Argument(help="Words of a name, an alias, a category, or the id of a row.")],
+    text: Annotated[str, typer.Argument(help="Part of a name, an alias, a category, or the id of a row.")],
     as_json: JSON = False,
 ) -> None:
     """Search curated materials and every row of the tables.
@@ -110,7 +110,7 @@ def compare(
         drawable(output, "material compare", "--output")
     limit = quantity(up_max, "m/s", "--up") if up_max else None
     if limit is not None and not limit > 0.0:
-        raise DeckError.single("command line", None, "--up", f"{up_max} is no velocity behind a shock", 'give a positive one, "3 km/s"')
+        raise DeckError.single("command line", None, "--up", f"{up_max} is not a velocity behind a shock", 'give a positive one, "3 km/s"')
     chosen = comparison([_entry(name, materials) for name in names], limit)
     if as_json:
         echo_json(chosen.table())
@@ -131,7 +131,7 @@ def compare(
 def check(
     files: Annotated[list[Path] | None, typer.Argument(help="Files or folders of your own materials.", readable=False)] = None,
     everything: Annotated[bool, typer.Option("--all", help="Every row, measured state and material of the library.")] = False,
-    verbose: Annotated[bool, typer.Option("--verbose", "-v", help="Every mark, not only misfits found by computing.")] = False,
+    verbose: Annotated[bool, typer.Option("--verbose", "-v", help="Every remark, not only misfits found by computation.")] = False,
     as_json: JSON = False,
 ) -> None:
     """Check material files, or the whole library, by the same rules.

@@ -22,7 +22,7 @@ def command(
     field: Annotated[str, typer.Argument(help="Field of an xt, map, gauge, profile or peaks picture, such as pressure.")] = "",
     gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge of a gauge or free_surface picture.")] = None,
     time: Annotated[str | None, typer.Option("--time", help="Time of a map or profile, such as \"1.2 us\" (default: the last).")] = None,
-    delay: Annotated[str | None, typer.Option("--delay", help="Show the free surface through a VISAR of this delay.")] = None,
+    delay: Annotated[str | None, typer.Option("--delay", help="Show the free surface as a VISAR with this delay would record it.")] = None,
     x: Annotated[str | None, typer.Option("--x", help="Positions to show in an xt, profile, peaks or setup picture: \"0..5 mm\".")] = None,
     t: Annotated[str | None, typer.Option("--t", help="Times to show in an xt, gauge, free_surface, budget or errors picture.")] = None,
     shown: Annotated[str | None, typer.Option("--range", help="Values to show, such as \"-1..6 GPa\"; colours of an xt picture.")] = None,
@@ -72,7 +72,7 @@ def _limits(kind: str, field: str, x: str | None, t: str | None, shown: str | No
 
     for option, text, kinds in (("--x", x, WITH_X), ("--t", t, WITH_T), ("--range", shown, WITH_VALUES)):
         if text is not None and kind not in kinds:
-            raise DeckError.single("plot", None, option, f"a {kind} picture has no such axis", f"it goes with {', '.join(kinds)}")
+            raise DeckError.single("plot", None, option, f"a {kind} picture has no such axis", f"it applies to {', '.join(kinds)}")
     unit = "m/s" if kind == "free_surface" else describe(field or ("pressure" if kind == "map" else "stress"))[0]
     return [None if text is None else span(text, kind_of, option)
             for option, text, kind_of in (("--x", x, "m"), ("--t", t, "s"), ("--range", shown, unit))]
@@ -94,7 +94,7 @@ def _options(kind: str, field: str, gauge: str | None, time: str | None, delay: 
         if not value:
             continue
         if kind not in kinds:
-            raise DeckError.single("plot", None, shown, f"a {kind} picture takes none", f"it goes with {', '.join(kinds)}")
+            raise DeckError.single("plot", None, shown, f"a {kind} picture does not take it", f"it applies to {', '.join(kinds)}")
         options[name] = quantity(value, "s", shown) if name in ("time", "delay") else value
     return options
 
@@ -103,7 +103,7 @@ def _of_the_plane(kind: str, plane: bool, line: str | None, layers: str | None) 
     """The options that only pictures of two dimensions have."""
     for option, text, wanted in (("--line", line, "profile"), ("--layers", layers, "map")):
         if text is not None and (kind != wanted or not plane):
-            raise DeckError.single("plot", None, option, f"this {kind} picture takes none", f"it goes with a {wanted} of two dimensions")
+            raise DeckError.single("plot", None, option, f"this {kind} picture does not take it", f"for a {wanted} in two dimensions")
     options: dict[str, Any] = {}
     if line is not None:
         ends = [end.split(",") for end in line.split("..")]

@@ -17,7 +17,7 @@ COLUMNS = {"pressure": "Pa", "piston_velocity": "m/s", "shock_velocity": "m/s", 
 def command(
     material: Annotated[str, typer.Argument(help='An explosive with its rate: "LX-17 reactive", a set (G014), or your own.')],
     pressures: Annotated[str, typer.Option("--pressures", "-p", help='Input pressures: "3..15 GPa", or "8, 11, 15 GPa".')] = "3..15 GPa",
-    points: Annotated[int, typer.Option("--points", min=2, max=200, help="Runs in a range, spaced by equal ratios.")] = 6,
+    points: Annotated[int, typer.Option("--points", min=2, max=200, help="Number of runs over a range, at equal ratios of pressure.")] = 6,
     zone_size: Annotated[str, typer.Option("--zone-size", help="Size of the zones.")] = "20 um",
     longest: Annotated[str, typer.Option("--longest", help="Longest charge tried.")] = "60 mm",
     mixture: Annotated[str, typer.Option("--mixture", help="Closure of reactants and products, instead of the material's.")] = "",
@@ -98,7 +98,7 @@ def pressure_list(text: str, points: int) -> list[float]:
     if ".." not in text:
         return values
     if len(values) != 2 or not values[0] < values[1]:
-        raise DeckError.single("command line", None, "--pressures", f"'{text[:40]}' is no range", 'write "3..15 GPa", the lower one first')
+        raise DeckError.single("command line", None, "--pressures", f"'{text[:40]}' is not a range", 'write "3..15 GPa", lower one first')
     low, high = values
     return [low * (high / low) ** (k / (points - 1)) for k in range(points)]
 

@@ -29,9 +29,9 @@ def progress(quiet: bool = False):
 
 
 def duration(seconds: float) -> str:
-    """A wall time as people say it: "12 s", "3:05", "2:10:00"; "?" while unknown."""
+    """A wall time as people say it: "12 s", "3:05", "2:10:00"; "unknown" for infinity."""
     if not math.isfinite(seconds):
-        return "?"
+        return "unknown"
     whole = round(seconds)
     if whole < 60:
         return f"{whole} s"
@@ -39,10 +39,15 @@ def duration(seconds: float) -> str:
     return f"{hours}:{rest // 60:02}:{rest % 60:02}" if hours else f"{rest // 60}:{rest % 60:02}"
 
 
+def time_left(seconds: float) -> str:
+    """The end of a progress line: "12 s left", or "time left unknown"."""
+    return f"{duration(seconds)} left" if math.isfinite(seconds) else "time left unknown"
+
+
 def end_interrupted(folder) -> NoReturn:
     """End the command with exit code 130, saying how an interrupted run goes on."""
     kept = any((pathlib.Path(folder) / "checkpoint").glob("[0-9]*.json"))
-    state = "a checkpoint is kept, go on with" if kept else "there was nothing to keep yet, start it again with"
+    state = "a checkpoint is kept; continue with" if kept else "there was nothing to keep yet; start again with"
     typer.echo(f"interrupted; {state}: hugoniot resume {shlex.quote(str(folder))}", err=True)
     raise typer.Exit(130) from None
 
@@ -64,7 +69,7 @@ def compiling_words(news) -> str:
 class Silent:
     """Shows nothing; the others are made of it.
 
-    What is left is reckoned from the first report on, because the time before it may have gone into compiling kernels.
+    The time left is estimated from the first report on, because the time before it may have gone into compiling kernels.
     """
 
     first: tuple[float, float] | None = None
@@ -103,7 +108,7 @@ class Lines(Silent):
             return
         self.last = now
         share = report.time / report.stop_time
-        typer.echo(f"{share:4.0%}  {words(report)}, {duration(left)} left", err=True)
+        typer.echo(f"{share:4.0%}  {words(report)}, {time_left(left)}", err=True)
 
     def compiling(self, news) -> None:
         now = time.monotonic()
@@ -132,7 +137,7 @@ class Bar(Silent):
 
     def update(self, report) -> None:
         self.display.update(self.task, completed=report.time / report.stop_time,
-                            description=f"{words(report)}, {duration(self.left(report))} left")
+                            description=f"{words(report)}, {time_left(self.left(report))}")
 
     def compiling(self, news) -> None:
         self.display.update(self.task, description=compiling_words(news))

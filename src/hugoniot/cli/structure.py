@@ -21,12 +21,12 @@ VISCOSITY = Annotated[str | None, typer.Option(
     "--viscosity", help='Shear viscosity "22.7 uPa s", the name of a law for argon-jordan, or a table {law = "power_law", ...}.')]
 CONDUCTION = Annotated[str | None, typer.Option("--conduction", help='Heat conductivity "0.02 W/m/K", or a table {law = ...}.')]
 PRANDTL = Annotated[float | None, typer.Option("--prandtl", help="Prandtl number, instead of --conduction.")]
-BULK = Annotated[float | None, typer.Option("--bulk-ratio", help="Bulk over shear viscosity.")]
+BULK = Annotated[float | None, typer.Option("--bulk-ratio", help="Ratio of bulk to shear viscosity.")]
 DENSITY = Annotated[str | None, typer.Option("--density", help='Density ahead, "1.62 kg/m^3".')]
 TEMPERATURE = Annotated[str | None, typer.Option("--temperature", help='Temperature ahead, "300 K".')]
 PRESSURE = Annotated[str | None, typer.Option("--pressure", help='Pressure ahead, "1 bar".')]
 UNIT = Annotated[str, typer.Option("--mean-free-path", help="Unit of reciprocal thickness: bsl, chapman_enskog, viscous, vhs.")]
-BENT = Annotated[bool, typer.Option("--bent", help="Water, silica of Jordan 2011: the Grüneisen parameter it bends to meet the jump.")]
+BENT = Annotated[bool, typer.Option("--bent", help="Water, silica of Jordan 2011: the Grüneisen parameter adjusted to fit the jump.")]
 CSV = Annotated[Path | None, typer.Option("--csv", help="Write SI numbers to this file.")]
 PLOT = Annotated[Path | None, typer.Option("--plot", help="Draw the picture into this file (.png, .pdf, .svg).")]
 
@@ -184,7 +184,7 @@ def _deck(path: str) -> dict:
 
     problem = read_deck(path).problem
     if problem.solver.kind != "shock_structure":
-        raise DeckError.single(path, None, "solver.kind", f"'{problem.solver.kind}' has no viscosity of its own",
+        raise DeckError.single(path, None, "solver.kind", f"'{problem.solver.kind}' has no physical viscosity",
                                'give a deck with kind = "shock_structure" (examples/argon-mach9.toml), or --viscosity')
     eos, transport, ahead = setting(problem)
     shock = problem.solver.options.get("shock") or {}

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from hugoniot.cli.progress import duration
+from hugoniot.cli.progress import duration, time_left
 from hugoniot.cli.show import JSON, MATERIALS, echo_json, echo_table
 
 MOST_ROWS = 30
@@ -19,15 +19,15 @@ _VARY = 'What varies, such as "region.flyer.velocity = 300..1200 m/s : 10"; repe
 def command(
     deck: Annotated[Path | None, typer.Argument(help="The deck, or a file with a [sweep] table.", readable=False)] = None,
     vary: Annotated[list[str] | None, typer.Option("--vary", "-v", help=_VARY)] = None,
-    tie: Annotated[list[str] | None, typer.Option("--tie", help='A key that follows: "region.target.from = region.flyer.to".')] = None,
+    tie: Annotated[list[str] | None, typer.Option("--tie", help='Key tied to others: "region.target.from = region.flyer.to".')] = None,
     design: Annotated[str, typer.Option("--design", help="grid, sobol, lhs, saltelli, morris, or a table of cases (.csv).")] = "grid",
-    samples: Annotated[int | None, typer.Option("--samples", "-n", help="Cases of a sample (base cases of saltelli, morris).")] = None,
+    samples: Annotated[int | None, typer.Option("--samples", "-n", help="Number of cases (base cases for saltelli, morris).")] = None,
     seed: Annotated[int, typer.Option("--seed", help="Seed of a sample.")] = 0,
     match: Annotated[str | None, typer.Option("--match", help="Vary an impedance match instead: FLYER,TARGET[,...].")] = None,
-    output: Annotated[list[str] | None, typer.Option("--output", help='Results in the table, such as "*.arrival"; default: all.')] = None,
-    record: Annotated[list[str] | None, typer.Option("--record", help='Keep a record of every case: "free surface.velocity".')] = None,
+    output: Annotated[list[str] | None, typer.Option("--output", help='Results to tabulate, such as "*.arrival" (default: all).')] = None,
+    record: Annotated[list[str] | None, typer.Option("--record", help='Keep this record of every case: "free surface.velocity".')] = None,
     keep: Annotated[bool, typer.Option("--keep", help="Keep the run folder of every case.")] = False,
-    time_limit: Annotated[float | None, typer.Option("--time-limit", help="Seconds a case may take.")] = None,
+    time_limit: Annotated[float | None, typer.Option("--time-limit", help="Longest wall time of a case, in seconds.")] = None,
     workers: Annotated[int | None, typer.Option("--workers", "-w", help="Worker processes (default: one for each processor).")] = None,
     engine: Annotated[str, typer.Option("--engine", help="local, or dask for clusters.")] = "local",
     scheduler: Annotated[str | None, typer.Option("--scheduler", help="Address of a Dask scheduler, such as tcp://10.0.0.1:8786.")] = None,
@@ -40,8 +40,8 @@ def command(
 ) -> None:
     """Run a deck many times with some of its keys varied, and collect the results in one table.
 
-    Writes cases.csv, sweep.h5 (opens as netCDF, parameters as coordinates) and report.html into the folder DECK.sweep. What has run is not
-    run again: after Ctrl-C, a kill or a larger --vary the same command goes on. A case that fails is a row with its reason.
+    Writes cases.csv, sweep.h5 (opens as netCDF, parameters as coordinates) and report.html into the folder DECK.sweep. Finished cases are
+    not run again: after Ctrl-C, a kill or with a larger --vary the same command continues. A case that fails is a row with its reason.
 
     \b
     --vary takes   KEY = LOW..HIGH UNIT : COUNT      add "log" for equal ratios
@@ -67,7 +67,7 @@ def command(
         try:
             swept = run_sweep(deck, wishes, out, engine=chosen, materials=materials or (), workers=workers, show=show, report=report)
         except KeyboardInterrupt:
-            typer.echo("interrupted; what has run is kept, the same command goes on", err=True)
+            typer.echo("interrupted; finished cases are kept, and the same command continues", err=True)
             raise typer.Exit(130) from None
     if plot is not None:
         from hugoniot.plotting.eos import save
@@ -165,6 +165,6 @@ class _display:
         if now - self.last < (0.2 if self.renewing else SECONDS_BETWEEN_LINES) and progress.done < progress.total:
             return
         self.last = now
-        line = (f"{progress.done} of {progress.total} cases, {progress.rate:.3g} cases/s, {duration(progress.left)} left"
+        line = (f"{progress.done} of {progress.total} cases, {progress.rate:.3g} cases/s, {time_left(progress.left)}"
                 + (f", {progress.failed} failed" if progress.failed else "") + (f", {progress.known} known" if progress.known else ""))
         typer.echo(f"\r\x1b[K{line}" if self.renewing else line, err=True, nl=not self.renewing)

@@ -55,7 +55,7 @@ def cache_folder() -> pathlib.Path | None:
 
 def not_kept(reason: str) -> None:
     """Warn that compiled code is not kept."""
-    warnings.warn(f"compiled kernels are not kept, so that every start compiles them anew: {reason}", CacheWarning, stacklevel=2)
+    warnings.warn(f"compiled kernels cannot be kept, so every start recompiles them: {reason}", CacheWarning, stacklevel=2)
 
 
 def _is_own(folder: pathlib.Path) -> bool:

@@ -102,8 +102,18 @@ def _flat(rows) -> Iterator[Place]:
 
 # -- carried out -------------------------------------------------------------------------------------------------------
 @intrinsic
-def _call(typingctx, address, count, rows, pointers, step, numbers):
-    """Call a pass over `count` zones with as many of `pointers` as it takes rows: one case for each number, as they are its arguments."""
+def call_pass(typingctx, address, count, rows, pointers, step, numbers):
+    """Call a compiled pass by its address, from compiled code.
+
+    address    of the pass, as `addresses` of a written list holds it
+    count      zones it works on
+    rows       rows it takes, 1 to MOST_ROWS; nothing is called for any other number
+    pointers   (rows,) or longer: address of the first zone of each row, in bytes
+    step       the time step, s
+    numbers    the pass's own numbers
+
+    A pass takes its rows as separate arguments, so each number of rows is a call of its own.
+    """
     def codegen(context, builder, sig, args):
         start, number = context.make_array(sig.args[3])(context, builder, args[3]).data, ir.DoubleType().as_pointer()
         given = builder.bitcast(start, number.as_pointer())
@@ -146,7 +156,7 @@ def carry_out(written, first, last, zones, piece, origins, pointers):
         count = min(zones, piece)
         for k in range(first, last):
             operation = written.operations[k]
-            _call(operation[ADDRESS], count, operation[ROWS], pointers[operation[FIRST_ROW] - begin:], row_at(operation[STEP])[0],
+            call_pass(operation[ADDRESS], count, operation[ROWS], pointers[operation[FIRST_ROW] - begin:], row_at(operation[STEP])[0],
                   row_at(operation[NUMBERS]))
         for i in range(rows):
             pointers[i] += written.moves[begin + i] & (8 * count)

@@ -53,7 +53,7 @@ def reactive(material: Material) -> Reactive:
     if material.reference_state not in (None, *CHOICES):
         raise OutOfRange(f"{here}: unknown reference_state '{material.reference_state}'; take one of {', '.join(CHOICES)}")
     if material.reference_state == FROZEN and not keeps_isentrope(material):
-        why = (f"'{kind}' keeps the reactants on no isentrope" if "follows_isentrope" not in MIXTURE.get(kind).flags
+        why = (f"'{kind}' does not keep the reactants on an isentrope" if "follows_isentrope" not in MIXTURE.get(kind).flags
                else f"the burn law '{law.name}' leaves no reactants behind a shock")
         raise OutOfRange(f"{here} has no reference state to freeze: {why}; leave out reference_state, or take mixture = "
                          "\"thermal_isolation\" with a rate law")
@@ -62,7 +62,7 @@ def reactive(material: Material) -> Reactive:
             raise OutOfRange(f"{here}: the burn law '{law.name}' is driven by the state of the unburned explosive, which '{kind}' does not "
                              "have; choose another mixture")
         if material.detonation_energy is None and "reacted" not in EOS.of(material.eos).flags:
-            raise OutOfRange(f"{here}: its products ('{EOS.of(material.eos).name}') hold no chemical energy; give detonation_energy")
+            raise OutOfRange(f"{here}: its products ('{EOS.of(material.eos).name}') contain no chemical energy; give detonation_energy")
         return Reactive(material.burn, build.mixture(kind, None, material.eos))
     if material.unreacted is None:
         raise OutOfRange(f"{here}: the burn law '{law.name}' with '{kind}' needs the explosive before it burns; give it an [unreacted] "

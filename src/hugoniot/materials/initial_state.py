@@ -138,7 +138,7 @@ def initial_state(eos, density=None, pressure_=None, temperature_=None, energy=N
         raise OutOfRange("at most two of density, pressure, temperature and energy fix a state")
     for name, value, unit in (("density", density, "kg/m3"), ("temperature", temperature_, "K")):
         if value is not None and not 0.0 < value < math.inf:
-            raise OutOfRange(f"a {name} of {value:g} {unit} is no state: give a positive one")
+            raise OutOfRange(f"a {name} of {value:g} {unit} is not a valid state: give a positive value")
     if given == 0:
         return rho0, e0
     if density is None and given == 1:

@@ -35,7 +35,7 @@ def read_law(registry: Registry, table: Any, collector: Collector, path: tuple, 
     if name is None and inherited is not None:
         name = registry.of(inherited).name
     if not isinstance(name, str):
-        message = "missing" if name is None else "a law is named by a text"
+        message = "missing" if name is None else "a law is given by its name, a string"
         collector.add((*path, "law"), message, f"known: {', '.join(registry.names())}")
         return None
     try:

@@ -99,7 +99,7 @@ def _fields(line: str, names, file: str, number: int) -> list[float]:
             values.append(0.0 if not word or name in ("EOSID", "MID") else float(word))
         except ValueError:
             hint = "parameters (&NAME) must be replaced by their numbers" if word.startswith("&") else "fields are ten columns wide"
-            raise DeckError.single(file, number, name, f"'{printable(word, 30)}' is no number", hint) from None
+            raise DeckError.single(file, number, name, f"'{printable(word, 30)}' is not a number", hint) from None
     return values
 
 

@@ -25,7 +25,7 @@ class Source:
 PORES_REOPEN = ("the porous law of the unreacted explosive keeps no memory of crushing: on release before it burns, its pores reopen along "
                 "the curve on which they closed; trust the shocks that start the burning, not the release behind them")
 
-GRAINS_OVER_SERIES = ("grain_contact lies over a truncated cold curve, too soft for the first shock: the powder is swept up to its grains "
+GRAINS_OVER_SERIES = ("grain_contact lies over a truncated cold curve, too soft for the first shock: the powder is compacted to its grains "
                       "where the exact curve would resist; take mie_gruneisen_cold as its base")
 
 

@@ -70,7 +70,7 @@ def _named_inside(table: Any, inherited: Any, collector: Collector, path: tuple)
 def from_library(name: Any, collector: Collector, path: tuple, others: tuple[str, ...] = ()) -> Material | None:
     """A material of the library by name; `others` are names the hint should offer too."""
     if not isinstance(name, str):
-        collector.add(path, "a material is named by a text")
+        collector.add(path, "a material is given by its name, a string")
         return None
     try:
         return library.find(name[:200])

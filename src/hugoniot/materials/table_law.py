@@ -56,7 +56,7 @@ def read_table_law(table: dict, collector: Collector, path: tuple) -> Any:
         collector.findings += len(error.problems)
     except FileTrouble:
         sought = collector.folder / file
-        collector.add((*path, "file"), f"no table can be read at '{printable(sought, 200)}'", _others(sought))
+        collector.add((*path, "file"), f"no readable table at '{printable(sought, 200)}'", _others(sought))
     return None
 
 

@@ -108,10 +108,10 @@ def _row(line: str, place: list[int], count: int, name: str, line_number: int) -
         try:
             found.append(float(cells[k]))
         except ValueError:
-            shown = f"'{cells[k][:40]}' is no number" if cells[k] else "a hole: no value"
+            shown = f"'{cells[k][:40]}' is not a number" if cells[k] else "a hole: no value"
             raise DeckError.single(name, line_number, column, shown, "write a number in SI" if cells[k] else _FILL) from None
     if not (0.0 < found[0] < math.inf and 0.0 <= found[1] < math.inf):
-        raise DeckError.single(name, line_number, "row", f"density {found[0]:.6g} kg/m3, temperature {found[1]:.6g} K is no state",
+        raise DeckError.single(name, line_number, "row", f"density {found[0]:.6g} kg/m3, temperature {found[1]:.6g} K is not a valid state",
                                "densities are positive, temperatures not negative")
     return found
 

@@ -39,7 +39,7 @@ def trouble(path, error: OSError, kept: str = "nothing that was there before is 
     if error.errno in _FORBIDDEN:
         return FileTrouble(f"{path}: no permission to write here; choose another folder with --out, or change its permissions")
     if error.errno == errno.ELOOP:
-        return FileTrouble(f"{path}: a link stands here, and a run writes through none; remove it or choose another folder with --out")
+        return FileTrouble(f"{path}: this is a link, and a run does not write through links; remove it or choose another folder with --out")
     if error.errno in (errno.ENOTDIR, errno.EEXIST, errno.EISDIR):
         return FileTrouble(f"{path}: a file of that name is in the way; choose another folder with --out")
     return FileTrouble(f"{path}: {error.strerror or error}; {kept}")

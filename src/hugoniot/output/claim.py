@@ -28,7 +28,7 @@ def refuse_foreign(folder: pathlib.Path, overwrite: bool, checkpoints: Checkpoin
     if not overwrite:
         raise FileTrouble(f"{folder}: holds {standing[0]} already; choose another folder with --out, or --overwrite the run")
     if not _is_log(folder / "run.log"):
-        raise FileTrouble(f"{folder}: holds {standing[0]} but no run.log of a run, so it is no run folder; give another folder with --out")
+        raise FileTrouble(f"{folder}: holds {standing[0]} but no run.log of a run, so it is not a run folder; choose another with --out")
     _refuse_foreign_deck(folder, checkpoints)
 
 
@@ -54,7 +54,7 @@ def _refuse_foreign_deck(folder: pathlib.Path, checkpoints: Checkpoints) -> None
     known = _known_deck(folder, checkpoints)
     if path.is_symlink() or (known is not None and hashlib.sha256(data).hexdigest() not in known) or (
             known is None and not data.startswith(b"# Written by hugoniot")):
-        raise FileTrouble(f"{path}: not the deck of the run that stands here (changed since, or somebody's own); it would be lost. "
+        raise FileTrouble(f"{path}: not the deck of the run in this folder (changed since, or put there by hand); it would be lost. "
                           f"Move it elsewhere, or give another folder with --out")
 
 

@@ -52,7 +52,7 @@ def read_sealed(path, data: bytes, wanted: tuple[str, ...] = ()) -> dict:
     try:
         document = json.loads(text)
         if not isinstance(document, dict):
-            raise ValueError("it is no table")
+            raise ValueError("it is not a table")
         if sound is None and any(key in document for key in wanted):
             raise ValueError("its SHA-256 is missing")
     except (ValueError, RecursionError) as error:

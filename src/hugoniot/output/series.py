@@ -185,7 +185,7 @@ def _joined(blocks: list[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
 def own_folder(folder: pathlib.Path) -> None:
     """Raise `FileTrouble` if what stands there is a link: a run makes none, and follows none."""
     if folder.is_symlink():
-        raise FileTrouble(f"{folder}: a link stands here, and a run writes and removes nothing behind one; remove it")
+        raise FileTrouble(f"{folder}: this is a link, and a run does not write or remove anything through a link; remove it")
 
 
 def remove_files(folder: pathlib.Path, wanted) -> None:

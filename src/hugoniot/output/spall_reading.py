@@ -205,7 +205,7 @@ def spall_reading(run, name: str | None = None) -> Reading:
         return Reading()
     hit = [region for region in broken if region in hit_regions(run.setup)]
     if not hit:
-        return Reading(reason=f"voids opened only in the impactor ({_listed(broken)}), not in a body that was hit")
+        return Reading(reason=f"voids opened only in the impactor ({_listed(broken)}), not in a target")
     seen = [record for record in records(run) if record.region in hit and name in (None, record.gauge)]
     if not seen and name is None:
         seen = [record for record in (surface_record(run),) if record.region in hit and len(record.time)]
@@ -231,11 +231,11 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
         reason = f"the velocity at {record.source} shows no pull-back (a drop and a rebound above 2 % of its peak)"
         return Reading(reason=reason, record=record)
     if found.rebound_time <= opened:
-        reason = f"the pull-back at {record.source} came before the first void of '{record.region}' opened, so no void sent it"
+        reason = f"the pull-back at {record.source} came before the first void of '{record.region}' opened, so it is not a spall signal"
         return Reading(reason=reason, record=record)
     if (missed := _missed(record, found)) > LARGEST_MISS:
         reason = (f"the records at {record.source} are too far apart: between two of them the velocity may fall by another {missed:.0%} of "
-                  f"the pull-back, and a sound reading needs less than {LARGEST_MISS:.0%}; reduce gauge_interval")
+                  f"the pull-back, and a reliable reading needs less than {LARGEST_MISS:.0%}; reduce gauge_interval")
         return Reading({"peak_velocity": found.peak}, reason, record=record)
     window = constants_of(run, record.window) if record.window else None
     if window == {}:
@@ -247,7 +247,7 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
         left = 2.0 * numbers["spall_strength_acoustic"] / signal
         if left < LEAST_SIGNAL:
             reason = (f"the stress that the window '{record.window}' holds outweighs the pull-back: {max(left, 0.0):.0%} of it would be "
-                      f"left for the strength, and {LEAST_SIGNAL:.0%} are needed for a sound reading")
+                      f"left for the strength, and {LEAST_SIGNAL:.0%} are needed for a reliable reading")
             numbers = {key: value for key, value in numbers.items() if not key.startswith("spall_strength")}
             return Reading(numbers, reason, record=record, found=found)
     return Reading(numbers, "", _eroded(numbers), record, found)

@@ -146,5 +146,5 @@ def _double(rows, name: str, part: slice) -> np.ndarray:
 
 def _index(k: int, count: int) -> int:
     if not 0 <= k < count:
-        raise FileTrouble(f"there are {count} of these, number {k} is none of them")
+        raise FileTrouble(f"there are {count} of these; there is no number {k}")
     return k

@@ -22,7 +22,7 @@ def save(axes, path) -> None:
     figure = axes.get_figure()
     known = figure.canvas.get_supported_filetypes()
     if path.suffix.lstrip(".").lower() not in known:
-        raise DeckError.single("command line", None, "--plot", f"'{path.name}' is no kind of picture", "end the name in .png, .pdf or .svg")
+        raise DeckError.single("command line", None, "--plot", f"'{path.name}' is not a picture file", "end the name in .png, .pdf or .svg")
     try:
         figure.savefig(path, bbox_inches="tight")
     except OSError as error:

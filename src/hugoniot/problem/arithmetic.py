@@ -124,7 +124,7 @@ class Expression:
                 return _combined(op, self._work_out(left, lookup), self._work_out(right, lookup))
             case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]) if name in FUNCTIONS:
                 return _call(name, [self._work_out(each, lookup) for each in arguments])
-        raise Trouble(f"'{printable(self.text, 60)}' has something that no expression here may have", EXAMPLE)
+        raise Trouble(f"'{printable(self.text, 60)}' has something that is not allowed in an expression here", EXAMPLE)
 
 
 EXAMPLE = "write it like region.flyer.to + 2 * thickness, with + - * / ** and sqrt, exp, log, sin, cos, tanh, abs, round, min, max"
@@ -141,7 +141,7 @@ def _combined(op: ast.operator, a: Number, b: Number) -> Number:
         return Number(value, _checked(tuple(x + sign * y for x, y in zip(a.powers or _PLAIN, b.powers or _PLAIN))))
     if isinstance(op, ast.Pow):
         return _raised(a, b)
-    raise Trouble("an operator that no expression here may have", EXAMPLE)
+    raise Trouble("an operator that is not allowed in an expression here", EXAMPLE)
 
 
 def _same(a: Number, b: Number) -> tuple[int, ...] | None:
@@ -164,13 +164,13 @@ def _raised(a: Number, b: Number) -> Number:
         return Number(value, a.powers)
     powers = tuple(power * b.value for power in a.powers or _PLAIN)
     if not all(float(power).is_integer() for power in powers):
-        raise Trouble("a power that leaves half a unit")
+        raise Trouble("a power that gives a fractional unit")
     return Number(value, _checked(tuple(int(power) for power in powers)))
 
 
 def _plain(name: str, x: Number) -> float:
     if x.powers not in (None, _PLAIN):
-        raise Trouble(f"{name} is asked of a quantity with a unit", "divide it by a quantity of its kind first")
+        raise Trouble(f"{name} of a quantity with a unit", "divide it by a quantity of its kind first")
     return x.value
 
 

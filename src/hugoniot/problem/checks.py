@@ -72,9 +72,9 @@ def checked_profile(row: Any, zones: int | None, material: Material | None, coll
         return None
     names = {name for name, _ in profile.fields}
     for name in sorted(names & {key for key in _STATE if getattr(row, key) is not None}):
-        collector.add((*path, name), "stands in the region and in its profile", "give it once")
+        collector.add((*path, name), "is given both in the region and in its profile", "give it once")
     if "velocity" in names and row.velocity != 0.0:
-        collector.add((*path, "velocity"), "stands in the region and in its profile", "give it once")
+        collector.add((*path, "velocity"), "is given both in the region and in its profile", "give it once")
     if material is None or names == {"velocity"} or collector.reported(path):
         return profile
     if material.burn is not None:
@@ -300,7 +300,7 @@ def _forgotten_units(problem: Problem) -> list[str]:
             value = par.get(key)
             if isinstance(value, float) and 0.0 < value < least:
                 found.append(f"material '{name}': {key} = {value:g} {unit} for a solid or liquid? A bare number is SI; "
-                             f"write \"{value:g} {better}\" if that is meant")
+                             f"write \"{value:g} {better}\" if that is what you mean")
     return found
 
 
@@ -336,7 +336,7 @@ def _relativistic(problem: Problem) -> list[str]:
         if boundary.kind == "velocity":
             speeds[f"the {side} boundary"] = max(abs(boundary.pulse.amplitude), *map(abs, boundary.pulse.values), 0.0)
     return [f"{name} moves at {speed:.3g} m/s, {speed / LIGHT:.2g} of the speed of light: the equations of motion are not relativistic; "
-            "was another unit meant?" for name, speed in speeds.items() if speed > RELATIVISTIC * LIGHT]
+            "is the unit right?" for name, speed in speeds.items() if speed > RELATIVISTIC * LIGHT]
 
 
 def _beyond_atoms(problem: Problem) -> list[str]:

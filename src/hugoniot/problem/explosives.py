@@ -74,7 +74,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
 def advice(problem: Problem) -> list[str]:
     """What is allowed but seldom meant: fronts products would not drive, burn laws of another density, lighting that comes too late."""
     said = material_advice(problem)
-    said += [f"lighting point {k + 1} is lit at {format_si(point.time, 's')}, after the run has ended" for k, point in
+    said += [f"lighting point {k + 1} fires at {format_si(point.time, 's')}, after the run has ended" for k, point in
              enumerate(problem.lighting) if point.time > problem.stop_time]
     said += [text for body in programmed_bodies(problem) if (text := _converging_advice(problem, body))]
     for region in problem.regions:
@@ -116,9 +116,9 @@ def _front_advice(problem: Problem, region) -> str | None:
         return None
     ideal = point.detonation_velocity
     excess = speed / ideal - 1.0
-    effect = ("its zones are compressed from behind, in the end crushed" if excess < 0.0 else
-              f"behind it the pressure stays up to {100.0 * (2.0 * excess) ** 0.5:.2g} % low" if excess < 0.1 else
-              "behind it nothing comes near the CJ pressure")
+    effect = ("its zones are compressed from behind, and finally crushed" if excess < 0.0 else
+              f"behind it the pressure stays up to {100.0 * (2.0 * excess) ** 0.5:.2g} % too low" if excess < 0.1 else
+              "behind it the pressure stays far below CJ")
     return (f"material '{region.material}': the programmed front runs at {speed:.5g} m/s, its products would drive one at {ideal:.5g} m/s "
             f"(Chapman-Jouguet): {effect}; give burn.detonation_velocity = {ideal:.6g}")
 
@@ -143,7 +143,7 @@ def _converging_advice(problem: Problem, body: list[int]) -> str | None:
     if problem.geometry == "planar" or region is None or not lit or min(lit) <= CONVERGING * inner:
         return None
     return (f"the programmed front of '{region.name}' runs inward from {format_si(min(lit), 'm')} to {format_si(inner, 'm')}: converging, "
-            f"it wants to run faster than its schedule and crushes what is not lit; take [material.{region.material}.burn] "
+            f"a real front would outrun its schedule, so unlit zones are crushed; use [material.{region.material}.burn] "
             f"{with_compression(problem.materials[region.material], region)}")
 
 
@@ -154,8 +154,8 @@ def _density_advice(problem: Problem, region) -> str | None:
     start = _start(material, region)
     if counted is None or start is None or abs(start[0] / counted - 1.0) <= SAME_DENSITY:
         return None
-    return (f"region '{region.name}' starts at {start[0]:.6g} kg/m3, and its burn law '{BURN.of(material.burn).name}' counts compression "
-            f"from rho0 = {counted:.6g} kg/m3: what is denser than that counts as shocked; give burn.rho0 = {start[0]:.6g} and constants "
+    return (f"region '{region.name}' starts at {start[0]:.6g} kg/m3, and its burn law '{BURN.of(material.burn).name}' measures compression "
+            f"from rho0 = {counted:.6g} kg/m3: denser material counts as shocked; give burn.rho0 = {start[0]:.6g} and constants "
             "for that density")
 
 

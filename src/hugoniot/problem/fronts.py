@@ -41,7 +41,7 @@ class OptionsTable(Table):
     """Options of this solver alone."""
 
     mode: Literal["algebraic", "cells"] = Field(
-        "algebraic", description="algebraic: constant states and centred fans, every meeting solved exactly (planar); "
+        "algebraic", description="algebraic: constant states and centred fans, every interaction solved exactly (planar); "
         "cells: a moving mesh between the fronts, second order")
     fan_step: Annotated[float, Quantity("1", above=0.0, limit=1.0)] = Field(
         0.1, description="velocity step, over the sound speed, of the slices into which a fan is cut when another wave reaches it, or of "
@@ -58,8 +58,8 @@ class SolverTable(Table):
 
     kind: Literal["fronts"] = Field(description="the solver")
     courant: Annotated[float, Quantity("1", above=0.0, limit=1.0)] | None = Field(
-        None, description="Courant number of the cells (default: 0.5); the algebraic mode takes no steps")
-    max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after so many meetings of fronts, or steps (default: none)")
+        None, description="Courant number of the cells (default: 0.5); the algebraic mode has no time step")
+    max_cycles: int | None = Field(None, ge=1, le=10**15, description="limit on interactions of fronts, or on steps (default: none)")
     options: OptionsTable = Field(default_factory=OptionsTable, description="the solver's own options")  # type: ignore[arg-type]
 
 
@@ -140,7 +140,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str]]:
         if end.kind == "periodic":
             found.append((("boundary", side), f"{NAME} has no periodic ends, for a front ends at an end of the line: use lagrange1d"))
         if end.pulse is not None and end.kind == "pressure" and min(end.pulse.amplitude, *end.pulse.values, 0.0) < 0.0:
-            message = f"a pressure below zero pulls; {NAME} takes none, for its surfaces open in tension: give zero or more"
+            message = f"a pressure below zero is tension, in which the surfaces of {NAME} open: give zero or more"
             found.append((("boundary", side), message))
     return found if cells else found + _beyond_algebra(problem)
 
@@ -152,8 +152,7 @@ def _beyond_algebra(problem: Problem) -> list[tuple[tuple, str]]:
         found.append((("geometry",), f"the mode 'algebraic' of {NAME} is planar: between {problem.geometry} fronts no state is constant; "
                       "take solver.options.mode = \"cells\""))
     if problem.solver.courant is not None:
-        message = f"the mode 'algebraic' of {NAME} goes from meeting to meeting and takes no steps: leave courant out"
-        found.append((("solver", "courant"), message))
+        found.append((("solver", "courant"), "the mode 'algebraic' has no time step: leave courant out"))
     for k, region in enumerate(problem.regions):
         if isinstance(region.velocity, tuple) and region.velocity[0] != region.velocity[1]:
             message = (f"region '{region.name}' has a velocity profile; the mode 'algebraic' of {NAME} needs constant initial states: take "

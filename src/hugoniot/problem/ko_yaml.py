@@ -196,7 +196,7 @@ class _Reader:
         except UnitError as error:
             raise self.wrong(path, error.message, error.hint) from None
         except (TypeError, ValueError, OverflowError):
-            raise self.wrong(path, f"'{printable(str(value), 30)}' is no number") from None
+            raise self.wrong(path, f"'{printable(str(value), 30)}' is not a number") from None
 
     def table(self, value: Any, name: str) -> dict:
         if not isinstance(value, dict):

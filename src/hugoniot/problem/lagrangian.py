@@ -71,13 +71,13 @@ Snapshots = Annotated[Any, BeforeValidator(_times), WithJsonSchema(_one_or_more 
 class RegionTable(Table):
     """A contiguous piece of one material at t = 0, divided into zones."""
 
-    name: str = Field(min_length=1, max_length=60, description="what gauges, messages and plots call it")
+    name: str = Field(min_length=1, max_length=60, description="name used in gauges, messages and plots")
     material: str = Field(min_length=1, max_length=200, description="a table [material.NAME] of the deck, or a name of the library")
     start: Length = Field(alias="from", description="position of the left end at t = 0")
-    end: Length = Field(alias="to", description="position of the right end at t = 0; a gap to the next region closes as bodies meet")
+    end: Length = Field(alias="to", description="position of the right end at t = 0; a gap to the next one closes on impact")
     zones: int | None = Field(None, ge=1, le=MOST_ZONES, description="number of zones (this or zone_size)")
     zone_size: Annotated[float, Quantity("m", above=0.0)] | None = Field(None, description="width of the first zone (this or zones)")
-    ratio: Annotated[float, Quantity("1", above=0.0, limit=10.0)] = Field(1.0, description="width of each zone over the one before")
+    ratio: Annotated[float, Quantity("1", above=0.0, limit=10.0)] = Field(1.0, description="width of each zone over that of the one before")
     velocity: Annotated[Any, BeforeValidator(_velocity), WithJsonSchema(_one_or_more | {"unit": "m/s"})] = Field(
         0.0, description="initial velocity, or [at start, at end] for a linear profile")
     density: Annotated[float, Quantity("kg/m^3", above=0.0)] | None = Field(None, description="initial density")
@@ -92,7 +92,7 @@ class InterfaceTable(Table):
 
     between: list[str] = Field(min_length=2, max_length=2, description="the names of the two regions")
     kind: Literal["bonded", "separable", "bond"] = Field(
-        "separable", description="bonded never opens (over a gap: sticks as they meet), separable opens under any tension, "
+        "separable", description="bonded never opens (over a gap: sticks on contact), separable opens under any tension, "
                                  "bond opens beyond its strength")
     strength: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(None, description="tension a bond carries")
 
@@ -137,8 +137,8 @@ class SolverTable(Table):
     growth: Annotated[float, Quantity("1", least=1.0, limit=10.0)] = Field(1.1, description="largest growth of the time step per cycle")
     initial_step: Positive | None = Field(None, description="first time step (default: from the Courant condition)")
     largest_step: Positive | None = Field(None, description="largest time step (default: none)")
-    threads: int = Field(1, ge=1, le=1024, description="threads; they change no bit of the result")
-    max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after so many cycles (default: none)")
+    threads: int = Field(1, ge=1, le=1024, description="threads; the result does not depend on them, to the last bit")
+    max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after this many cycles (default: no limit)")
     viscosity: Any = Field(None, description="table [solver.viscosity] with law = ... and its parameters (default: the solver's)",
                            json_schema_extra={"x-definition": "viscosity_law"})
     options: OptionsTable = Field(default_factory=lambda: OptionsTable(heat_flux=None), description="the solver's own options")

@@ -34,13 +34,13 @@ _ENTRY = WithJsonSchema({"anyOf": [{"type": "number"}, {"type": "string"}, {"typ
 class ProfileTable(Table):
     """A state that varies along a region: expressions in x, or arrays over positions, or a file of columns."""
 
-    file: str | None = Field(None, max_length=1000, description="columns such as position [mm], velocity [m/s]; beside the deck")
+    file: str | None = Field(None, max_length=1000, description="file beside the deck, columns such as position [mm], velocity [m/s]")
     positions: list[Any] | None = Field(None, max_length=LONGEST, description="increasing positions of the arrays")
     velocity: Annotated[Any, _ENTRY] = Field(None, description="expression in x, or an array over positions")
-    density: Annotated[Any, _ENTRY] = Field(None, description="the same of the density")
-    pressure: Annotated[Any, _ENTRY] = Field(None, description="the same of the pressure")
-    temperature: Annotated[Any, _ENTRY] = Field(None, description="the same of the temperature")
-    energy: Annotated[Any, _ENTRY] = Field(None, description="the same of the specific internal energy")
+    density: Annotated[Any, _ENTRY] = Field(None, description="the same for the density")
+    pressure: Annotated[Any, _ENTRY] = Field(None, description="the same for the pressure")
+    temperature: Annotated[Any, _ENTRY] = Field(None, description="the same for the temperature")
+    energy: Annotated[Any, _ENTRY] = Field(None, description="the same for the specific internal energy")
 
 
 def values_at(profile: Profile, field: str, places: np.ndarray) -> np.ndarray:
@@ -53,7 +53,7 @@ def values_at(profile: Profile, field: str, places: np.ndarray) -> np.ndarray:
     for k, x in enumerate(places):
         number = expression.value(lambda name, x=float(x): _named(name, x))
         if number.powers is not None and tuple(number.powers) != tuple(wanted):
-            raise Trouble(f"the profile of {field} has the unit {number.unit()}", f"wanted is {UNITS[field]}")
+            raise Trouble(f"the profile of {field} has the unit {number.unit()}", f"expected {UNITS[field]}")
         found[k] = number.value
     return found
 
@@ -63,7 +63,7 @@ def _named(name: str, x: float) -> Number:
         return Number(x, (1, 0, 0, 0, 0))
     if name == "pi":
         return Number(math.pi)
-    raise Trouble(f"unknown name '{printable(name, 40)}'", "a profile knows x, the position, and pi")
+    raise Trouble(f"unknown name '{printable(name, 40)}'", "the names in a profile are x, the position, and pi")
 
 
 def read_profile(table: ProfileTable | None, nodes: np.ndarray, collector: Collector, path: tuple) -> Profile | None:
@@ -74,7 +74,7 @@ def read_profile(table: ProfileTable | None, nodes: np.ndarray, collector: Colle
     before = collector.findings
     if table.file is not None:
         if given or table.positions is not None:
-            collector.add((*path, "file"), "stands beside other keys", "give the file, or positions and arrays, or expressions")
+            collector.add((*path, "file"), "cannot be combined with other keys", "give the file, or positions and arrays, or expressions")
         profile = _of_file(table.file, collector, (*path, "file")) if collector.findings == before else None
     elif not given:
         collector.add(path, "says nothing", "give velocity, density, pressure, temperature or energy")
@@ -168,7 +168,7 @@ def _of_file(name: str, collector: Collector, path: tuple) -> Profile | None:
             collector.add(path, f"column '{field}': {error.message}", error.hint)
             return None
         except (ValueError, IndexError):
-            collector.add(path, f"column '{field}' holds something that is no number")
+            collector.add(path, f"column '{field}' holds something that is not a number")
             return None
     places = columns.pop("position", None)
     if places is None or not columns:

@@ -29,7 +29,7 @@ class TransportTable(Table):
     viscosity: Annotated[Any, WithJsonSchema(_LAW)] = Field(description="table {law = ...} of shear viscosity (hugoniot list transport)")
     conduction: Annotated[Any, WithJsonSchema(_LAW)] = Field(None, description="table {law = ...} of heat conduction, or none (default)")
     bulk_ratio: Annotated[float, Quantity("1", least=0.0)] = Field(0.0, description="bulk over shear viscosity")
-    bulk_viscosity: Annotated[float, Quantity("Pa s", least=0.0)] = Field(0.0, description="bulk viscosity added to that")
+    bulk_viscosity: Annotated[float, Quantity("Pa s", least=0.0)] = Field(0.0, description="constant bulk viscosity added to it")
 
 
 class ShockTable(Table):
@@ -39,7 +39,7 @@ class ShockTable(Table):
     shock_velocity: Annotated[float, Quantity("m/s", above=0.0)] | None = Field(None, description="speed into the material ahead")
     particle_velocity: Annotated[float, Quantity("m/s", above=0.0)] | None = Field(None, description="velocity jump")
     pressure: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(None, description="pressure behind")
-    at: Length | None = Field(None, description="where it stands at t = 0 (default: the middle)")
+    at: Length | None = Field(None, description="position of the shock at t = 0 (default: the middle)")
     start: Literal["step", "steady"] = Field("step", description="start as a step, or from the steady profile")
     frame: Literal["standing", "moving"] = Field(
         "standing", description="standing: the frame of the shock; moving: the gas ahead has its region's velocity and the shock runs left")
@@ -51,7 +51,7 @@ class SolverTable(Table):
     kind: Literal["shock_structure"] = Field(description="the solver")
     courant: Annotated[float, Quantity("1", above=0.0, limit=1.0)] | None = Field(None, description="Courant number (default 0.9)")
     largest_step: Positive | None = Field(None, description="largest time step (default: none)")
-    max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after so many cycles (default: none)")
+    max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after this many cycles (default: no limit)")
     transport: TransportTable = Field(description="[solver.transport]: viscosity and conduction")
     shock: ShockTable | None = Field(None, description="[solver.shock]: a shock at t = 0 (default: the regions' own states)")
 
@@ -122,7 +122,7 @@ def _as_fluid(name: str, material: Material, tables: Any, collector: Collector, 
 
 def _check_grid(regions, used, collector: Collector) -> None:
     if len(used) > 1:
-        collector.add(("region", 1, "material"), f"this solver flows one material through a fixed grid, not {len(used)}",
+        collector.add(("region", 1, "material"), f"this solver treats one material on a fixed grid, not {len(used)}",
                       "use solver kind lagrange1d for several")
     for k, (a, b) in enumerate(zip(regions, regions[1:])):
         if a.end != b.start:

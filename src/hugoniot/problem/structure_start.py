@@ -136,4 +136,4 @@ def _require_room(problem, profile: Profile, left, right, at, boost):
     run = f" and runs {abs(path):.4g} m until stop_time" if path else ""
     raise DeckError.single("deck", None, f"region.{name}", f"the domain from {left:.4g} m to {right:.4g} m is too short: the shock "
                            f"at {at:.4g} m needs {-ahead:.4g} m ahead of it and {behind:.4g} m behind{run}",
-                           f"let the region reach from {first:.4g} m or less to {last:.4g} m or more, at least {last - first:.4g} m")
+                           f"extend the region from {first:.4g} m or less to {last:.4g} m or more, at least {last - first:.4g} m")

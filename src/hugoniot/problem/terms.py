@@ -37,7 +37,7 @@ def _weights(value: Any) -> tuple[float, ...]:
     if not isinstance(value, list) or not all(isinstance(v, (int, float)) and not isinstance(v, bool) and 0.0 <= v < 1e30 for v in value):
         raise trouble("expected an array of numbers, none of them negative")
     if not any(value):
-        raise trouble("nothing is deposited: every weight is 0")
+        raise trouble("no energy is deposited: every weight is 0")
     return tuple(float(v) for v in value)
 
 
@@ -49,7 +49,7 @@ class BodyForceTable(Table):
     exponent: Annotated[float, Quantity("1", limit=10.0)] | None = Field(
         None, description="curved geometry: the field is acceleration (r/radius)^exponent, -2 for a point mass, 1 for rotation")
     radius: Annotated[float, Quantity("m", above=0.0)] | None = Field(
-        None, description="curved geometry: where the acceleration is as given")
+        None, description="curved geometry: radius at which acceleration has the value given")
 
 
 class HeatSourceTable(Table):
@@ -62,11 +62,11 @@ class HeatSourceTable(Table):
         None, description="through the face on `side`: a number, a named pulse or a table over time (this or power)")
     side: Literal["left", "right"] = Field("left", description="face of the region from which depth counts")
     absorption_length: Annotated[float, Quantity("m", above=0.0)] | None = Field(
-        None, description="depth in which the intensity falls to 1/e; what the region does not absorb leaves it")
+        None, description="depth over which the intensity falls to 1/e; what the region does not absorb passes through it")
     depths: Annotated[Any, BeforeValidator(_depths), WithJsonSchema({"type": "array", "unit": "m"})] = Field(
-        None, description="depths of a profile given as a table, linear between, nothing beyond")
+        None, description="depths of a tabulated profile; linear in between, zero beyond")
     weights: Annotated[Any, BeforeValidator(_weights), WithJsonSchema({"type": "array", "items": {"type": "number"}})] = Field(
-        None, description="energy per mass at those depths, relative to each other with `intensity`, as factors with `power`")
+        None, description="energy per mass at those depths: relative weights with `intensity`, factors with `power`")
 
 
 class MaterialTransportTable(Table):
@@ -75,7 +75,7 @@ class MaterialTransportTable(Table):
     viscosity: Annotated[Any, WithJsonSchema(_LAW)] = Field(None, description="table {law = ...} of shear viscosity, or none (default)")
     conduction: Annotated[Any, WithJsonSchema(_LAW)] = Field(None, description="table {law = ...} of heat conduction, or none (default)")
     bulk_ratio: Annotated[float, Quantity("1", least=0.0)] = Field(0.0, description="bulk over shear viscosity")
-    bulk_viscosity: Annotated[float, Quantity("Pa s", least=0.0)] = Field(0.0, description="bulk viscosity added to that, Pa s")
+    bulk_viscosity: Annotated[float, Quantity("Pa s", least=0.0)] = Field(0.0, description="constant bulk viscosity added to it, Pa s")
 
 
 class TermTables(Table):

@@ -59,7 +59,7 @@ def explosive(material, density: float | None = None, heat: float = 0.0) -> Init
     gas_at_rest = "reacted" not in EOS.of(par).flags
     p0 = float(contract.pressure(rho0, e0, par)) if gas_at_rest else 0.0
     if density is not None and not density > 0.0:
-        raise OutOfRange(f"an explosive of {density:.6g} kg/m3 is no state: give a positive density")
+        raise OutOfRange(f"an explosive of {density:.6g} kg/m3 is not a valid state: give a positive density")
     return Initial(density or rho0, p0, e0, heat=heat)
 
 

@@ -168,7 +168,7 @@ def _number(path, line, name, cells, index, factor, unit):
     except ValueError:
         value = np.nan
     if not np.isfinite(value) or value < 0.0:
-        raise DeckError.single(path, line, name, f"'{cells[index].strip()[:40]}' is no {_KIND[unit]}", "give a number that is not negative")
+        raise DeckError.single(path, line, name, f"'{cells[index].strip()[:40]}' is not a {_KIND[unit]}", "give a positive number or zero")
     return value
 
 
@@ -259,7 +259,7 @@ def shocked_state(rho0: float, c0: float, s: float, up: float, gamma: float, pre
     us = c0 + s * up
     x = up / us
     if not 0.0 < x < 1.0:
-        raise OutOfRange(f"a particle velocity of {up:.6g} m/s in a shock of {us:.6g} m/s is no compression "
+        raise OutOfRange(f"a particle velocity of {up:.6g} m/s in a shock of {us:.6g} m/s is not a compression "
                          "(fits with s < 1 end at c0/(1 - s))")
     behind = rho0 * us * up + pressure
     return us, behind, rho0 / (1.0 - x), pressure / (gamma * rho0) + 0.5 * (behind + pressure) * x / rho0

@@ -48,7 +48,7 @@ class Initial:
         if abs(p0) < 1e-12 * rho0 * abs(contract.sound_speed_squared(rho0, e0, par)):
             p0 = 0.0
         if density is not None and not density > 0.0:
-            raise OutOfRange(f"an initial density of {density:.6g} kg/m3 is no state: give a positive one")
+            raise OutOfRange(f"an initial density of {density:.6g} kg/m3 is not a valid state: give a positive density")
         if density is not None and p0 > 0.0 and "gas" in EOS.of(par).flags:
             p0 = float(contract.pressure(float(density), e0, par))
         elif density is not None and density > rho0 * (1.0 + 1e-12):
@@ -217,7 +217,7 @@ def _check_fit(par, ahead: Initial, up) -> None:
     fastest = _fastest(par, ahead)
     if np.max(up) > fastest * (1.0 + 1e-9):
         raise OutOfRange(f"particle velocity {np.max(up):.6g} m/s is beyond the fit of law '{EOS.of(par).name}': the Hugoniot ends at "
-                         f"particle velocity {fastest:.6g} m/s, where the fitted shock velocity rises no longer or meets it")
+                         f"particle velocity {fastest:.6g} m/s, where the fitted shock velocity stops rising or falls to it")
 
 
 def _targets(name, value, ahead: Initial, direction: int):
@@ -339,7 +339,7 @@ def _refuse(status, mode, name, target, ahead: Initial, par):
     if mode == jump.BY_DENSITY and target > ahead.density and not distended(par, ahead):
         status = jump.BEYOND_LIMIT
     if status == jump.NOT_COMPRESSIVE:
-        raise OutOfRange(f"{asked} is no compression of the state ahead ({ahead.density:.6g} kg/m3, {ahead.pressure:.6g} Pa; law '{law}')")
+        raise OutOfRange(f"{asked} does not compress the state ahead ({ahead.density:.6g} kg/m3, {ahead.pressure:.6g} Pa; law '{law}')")
     if status == jump.BEYOND_LIMIT:
         end = limit(par, ahead)
         reach = (f"density {end.density:.6g} kg/m3" if math.isfinite(end.density) else

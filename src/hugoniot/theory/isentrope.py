@@ -120,7 +120,7 @@ def at_temperature(material, density: float, temperature: float) -> tuple[float,
     """(pressure Pa, energy J/kg) at a density and a temperature; 0 K is the law's cold curve. `OutOfRange` where there is no such state."""
     par = law_of(material)
     if not temperature >= 0.0:
-        raise OutOfRange(f"a temperature of {temperature:.6g} K is no state")
+        raise OutOfRange(f"a temperature of {temperature:.6g} K is not a valid state")
     e = energy_at_temperature(density, temperature, par)
     return float(contract.pressure(density, e, par)), float(e)
 

@@ -200,7 +200,7 @@ def later(report, **changes):
     return SimpleNamespace(**{**vars(report), **changes})
 
 
-def test_what_is_left_is_reckoned_from_the_first_report_on(monkeypatch):
+def test_the_time_left_is_estimated_from_the_first_report_on(monkeypatch):
     wall = iter([100.0, 103.0])  # whatever came before the first report was compilation
     monkeypatch.setattr("hugoniot.cli.progress.time.monotonic", lambda: next(wall))
     display = Silent()
@@ -212,7 +212,7 @@ def test_progress_without_a_terminal_is_a_line_now_and_then(capsys):
     lines = Lines(interval=0.0)
     lines.update(REPORT)
     told = capsys.readouterr().err
-    for part in ("25%", "1 us", "cycle 500", "zone 7 of flyer", "3.0e-16", "? left"):
+    for part in ("25%", "1 us", "cycle 500", "zone 7 of flyer", "3.0e-16", "time left unknown"):
         assert part in told
     slow = Lines(interval=1000.0)
     slow.update(REPORT)
@@ -224,10 +224,10 @@ def test_the_bar_shows_time_step_zone_error_and_what_is_left():
     bar = Bar()
     bar.update(REPORT)
     task = bar.display.tasks[0]
-    assert task.percentage == 25.0 and words(REPORT) in task.description and "? left" in task.description
+    assert task.percentage == 25.0 and words(REPORT) in task.description and "time left unknown" in task.description
 
 
-@pytest.mark.parametrize("seconds, text", [(0.4, "0 s"), (59.0, "59 s"), (61.0, "1:01"), (3723.0, "1:02:03"), (float("inf"), "?")])
+@pytest.mark.parametrize("seconds, text", [(0.4, "0 s"), (59.0, "59 s"), (61.0, "1:01"), (3723.0, "1:02:03"), (float("inf"), "unknown")])
 def test_durations(seconds, text):
     assert duration(seconds) == text
 

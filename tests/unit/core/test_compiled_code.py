@@ -185,7 +185,7 @@ def test_a_folder_or_link_of_another_user_is_not_trusted(tmp_path, monkeypatch):
 
 def test_a_folder_that_cannot_be_made_costs_only_a_warning(users):
     (users.folder / "file").write_text("")
-    assert users("law", folder=users.folder / "file", warned="compiled kernels are not kept") == [(60.0, 0, 1)]
+    assert users("law", folder=users.folder / "file", warned="compiled kernels cannot be kept") == [(60.0, 0, 1)]
 
 
 def test_the_machine_is_described():

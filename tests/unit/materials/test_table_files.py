@@ -134,7 +134,7 @@ def broken_rows(solid, what):
 @pytest.mark.parametrize("what, message", [
     ("gap", "a hole: no row gives density"), ("empty", "pressure: a hole: no value; a table gives every density"), ("nan", "a hole in energy at density"),
     ("falls", "energy must rise with temperature"), ("pressure", r"c^2 <= 0"), ("word", "5 values, but the header names 4 columns"),
-    ("twice", "is given twice, first on line 14"), ("negative", "is no state; densities are positive")])
+    ("twice", "is given twice, first on line 14"), ("negative", "is not a valid state; densities are positive")])
 def test_a_bad_row_is_told_with_its_line(tmp_path, solid, what, message):
     rows, line = broken_rows(solid, what)
     write_csv(tmp_path / "al.csv", rows)
@@ -173,7 +173,7 @@ def test_hdf5_files_keep_their_units_and_shapes(tmp_path, solid):
 
 
 @pytest.mark.parametrize("change, message", [
-    (('file = "al.csv"', 'file = "cu.csv"'), "deck.toml:14: material.al.eos.file: no table can be read at"), (('file = "al.csv"', "file = 3"), "expected the name of a file"),
+    (('file = "al.csv"', 'file = "cu.csv"'), "deck.toml:14: material.al.eos.file: no readable table at"), (('file = "al.csv"', "file = 3"), "expected the name of a file"),
     (('density_range = ["2.6 g/cm^3", "4.0 g/cm^3"]', 'density_range = ["4 g/cm^3", "2 g/cm^3"]'), "deck.toml:16: material.al.eos.density_range: does not rise"),
     (('["2.6 g/cm^3", "4.0 g/cm^3"]', '["9 g/cm^3", "14 g/cm^3"]'), "0 densities and 9 temperatures are left"),
     (("rho0", "rho_0"), "did you mean 'rho0'?"), (('"2785 kg/m^3"', '"2785 K"'), "eos.rho0")])

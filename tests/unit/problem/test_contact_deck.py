@@ -93,7 +93,7 @@ def test_a_wrong_contact_is_refused_with_its_line(words):
 
 
 def test_a_contact_of_one_body_is_refused():
-    with pytest.raises(DeckError, match="meets nothing"):
+    with pytest.raises(DeckError, match="touches nothing else"):
         read("[[contact]]\nfriction = 0.1\n", start=4)
 
 

@@ -73,7 +73,7 @@ def test_any_problem_survives_being_saved(numbers, zones, title, name):
     try:
         again = read_deck_text(write_deck(saved)).problem
     except DeckError as error:
-        assert "squared sound speed" in str(error) or "does not reach" in str(error) or "no state" in str(error), error
+        assert "squared sound speed" in str(error) or "does not reach" in str(error) or "not a valid state" in str(error), error
         return
     assert again == saved
 

@@ -161,7 +161,7 @@ def test_steinberg_guinan_and_tillotson_keep_their_meaning():
 @pytest.mark.parametrize("old, new, words", [
     ("type: MGR, rhoref: 2.785", "type: SES, rhoref: 2.785", "table"),
     ("geometry: PLA", "geometry: CUBE", "PLA, CYL or SPH"),
-    ("tstop: 0.8002734725840855", "tstop: soon", "no number"),
+    ("tstop: 0.8002734725840855", "tstop: soon", "not a number"),
     ("ibc: FREE", "ibc: OPEN", "FREE or FIXED"),
     ("c0: 5.328, ", "", "mat1.c0: is not given"),
     ("ys: 0.3}", "ys: 0.3", "not YAML"),

@@ -202,7 +202,7 @@ def test_the_schema_names_every_key_of_the_resolved_deck(everything):
     ('"bar.bottom"', '"bar.botom"', 14, "boundary[1].on", "did you mean 'bar.bottom'"),
     ('"bar.bottom"', '["bar.bottom", "bar.bottom"]', 14, "boundary[1].on", "twice"),
     ('"bar.bottom"', '"bar.left"', 15, "boundary[1].kind", "lies on the axis"),
-    ('kind = "wall"', 'kind = "axis"', 15, "boundary[1].kind", "is no axis"),
+    ('kind = "wall"', 'kind = "axis"', 15, "boundary[1].kind", "is not an axis"),
     ('kind = "wall"', 'kind = "pressure"', 13, "boundary[1].pressure", "missing"),
     ('kind = "wall"', 'kind = "wall"\npressure = "1 GPa"', 16, "boundary[1].pressure", "no meaning"),
     ('kind = "wall"', 'kind = "wall"\ndirection = [0, 1]', 16, "boundary[1].direction", "no meaning"),

@@ -138,5 +138,5 @@ def test_an_interface_gauge_reads_the_traction_its_node_feels():
 
 
 def test_a_gauge_where_nothing_stands_is_refused():
-    with pytest.raises(OutOfRange, match="no material stands at 0.009 m"):
+    with pytest.raises(OutOfRange, match="there is no material at 0.009 m"):
         make_solver(with_gauges(9e-3))

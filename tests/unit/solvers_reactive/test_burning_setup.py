@@ -124,10 +124,10 @@ def test_a_deck_keeps_the_choice_of_the_reference_state():
 
 
 @pytest.mark.parametrize(("base", "more", "words"), [
-    ("LX-17 reactive", 'mixture = "thermal_equilibrium"', "keeps the reactants on no isentrope"),
-    ("LX-17 reactive", 'mixture = "weighted_pressures"', "keeps the reactants on no isentrope"),
-    ("comp_b", "", "'burned_products' keeps the reactants on no isentrope"),
-    ("LX-17 reactive", '[material.x.burn]\nlaw = "threshold"\ninitiation_pressure = "20 GPa"', "keeps the reactants on no isentrope"),
+    ("LX-17 reactive", 'mixture = "thermal_equilibrium"', "does not keep the reactants on an isentrope"),
+    ("LX-17 reactive", 'mixture = "weighted_pressures"', "does not keep the reactants on an isentrope"),
+    ("comp_b", "", "'burned_products' does not keep the reactants on an isentrope"),
+    ("LX-17 reactive", '[material.x.burn]\nlaw = "threshold"\ninitiation_pressure = "20 GPa"', "does not keep the reactants on an isentrope"),
     ("LX-17 reactive", 'mixture = "thermal_isolation"\n[material.x.burn]\nlaw = "threshold"\ninitiation_pressure = "20 GPa"',
      "leaves no reactants behind a shock"),
     ("LX-17 reactive", 'mixture = "thermal_isolation"\n[material.x.burn]\nlaw = "programmed"\ndetonation_velocity = "7.6 km/s"',
@@ -181,7 +181,7 @@ def test_a_front_slower_than_its_products_is_told():
     warnings = read_deck_text(DECK.format(top="lighting = [{at = 0.0}]", region=slow)).warnings
     assert any("programmed front runs at 7000" in text and "7979" in text and "crushed" in text for text in warnings)
     fast = read_deck_text(DECK.format(top="lighting = [{at = 0.0}]", region="").replace("comp_b", "pbx_9502")).warnings
-    assert any("7607.8" in text and "4.8 % low" in text for text in fast)
+    assert any("7607.8" in text and "4.8 % too low" in text for text in fast)
     assert read_deck_text(DECK.format(top="lighting = [{at = 0.0}]", region="")).warnings == ()
 
 
@@ -192,10 +192,10 @@ GASEOUS = '[material.x.eos]\nlaw = "ideal_gas"\ngamma = 3.0\nrho0 = 1600.0\n[mat
 
 @pytest.mark.parametrize(("top", "region", "words"), [
     ("lighting = [{at = 0.0}]", PRESSED, "runs at 7980 m/s, its products would drive one at 7167.7"),       # pressed to another density
-    ("lighting = [{at = 0.0}]", '[material.comp_b]\nbase = "comp_b"\n[material.comp_b.burn]\ndetonation_velocity = "70 km/s"', "nothing comes near the CJ"),
-    ('lighting = [{at = 0.0}, {at = 0.0, time = "5 us"}]', "", "lighting point 2 is lit at 5 us, after the run has ended"),
-    ("", 'density = "1800 kg/m^3"\n' + BETA, "starts at 1800 kg/m3, and its burn law 'beta' counts compression from rho0 = 1717"),
-    ("", '[material.x]\nbase = "LX-17 reactive"\n[material.x.unreacted]\nlaw = "ideal_gas"\ngamma = 1.4', "'ignition_growth' counts compression from rho0 = 1905"),
+    ("lighting = [{at = 0.0}]", '[material.comp_b]\nbase = "comp_b"\n[material.comp_b.burn]\ndetonation_velocity = "70 km/s"', "far below CJ"),
+    ('lighting = [{at = 0.0}, {at = 0.0, time = "5 us"}]', "", "lighting point 2 fires at 5 us, after the run has ended"),
+    ("", 'density = "1800 kg/m^3"\n' + BETA, "starts at 1800 kg/m3, and its burn law 'beta' measures compression from rho0 = 1717"),
+    ("", '[material.x]\nbase = "LX-17 reactive"\n[material.x.unreacted]\nlaw = "ideal_gas"\ngamma = 1.4', "'ignition_growth' measures compression from rho0 = 1905"),
     ("", '[material.x]\nbase = "LX-17 reactive"\ndetonation_energy = "5e12 J/kg"', "its equations of state hold"),
     ("", GASEOUS, "has no burn law: detonation_energy of it is not used"),
     ("", '[material.x]\nbase = "copper"\nmixture = "thermal_isolation"', "has no burn law: mixture of it is not used"),
@@ -209,7 +209,7 @@ def test_what_is_allowed_but_seldom_meant_is_told(top, region, words):
 @pytest.mark.parametrize(("geometry", "lit", "told"), [("spherical", "1 cm", True), ("cylindrical", "7 mm", True), ("spherical", "5 mm", False), ("planar", "1 cm", False)])
 def test_a_front_that_is_programmed_to_converge_is_told_with_the_law_to_take(geometry, lit, told):
     text = DECK.format(top=f'geometry = "{geometry}"\nlighting = [{{at = "{lit}"}}]', region="").replace('from = "0 cm"', 'from = "5 mm"')
-    found = [warning for warning in read_deck_text(text).warnings if "converging, it wants to run faster" in warning]
+    found = [warning for warning in read_deck_text(text).warnings if "converging, a real front would outrun" in warning]
     assert len(found) == told
     assert not told or 'law = "programmed_beta", rho0 = 1717, rho_cj = 2351' in found[0]
     with_beta = '[material.comp_b]\nbase = "comp_b"\n[material.comp_b.burn]\nlaw = "programmed_beta"\nrho0 = 1717.0\nrho_cj = 2351.4\ndetonation_velocity = "7980 m/s"\n'

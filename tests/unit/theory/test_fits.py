@@ -54,8 +54,8 @@ def test_columns_and_units(tmp_path, head):
 
 @pytest.mark.parametrize(("text", "words"), [
     ("up,speed\n1,2\n", r"points.csv:1: shock_velocity: no column"), ("up,us\n1,2\n3\n", r"points.csv:3: shock_velocity: the line has 1 cells"),
-    ("up,us\n1,fast\n", r"points.csv:2: shock_velocity: 'fast' is no velocity"), ("", "empty"), ("up,us\n", "no points"),
-    ("up (furlong),us\n1,2\n", r"points.csv:1: particle_velocity"), ("up,us\n1,-3\n", "not negative"), ("up,us\n1,nan\n", "no velocity")])
+    ("up,us\n1,fast\n", r"points.csv:2: shock_velocity: 'fast' is not a velocity"), ("", "empty"), ("up,us\n", "no points"),
+    ("up (furlong),us\n1,2\n", r"points.csv:1: particle_velocity"), ("up,us\n1,-3\n", "positive number or zero"), ("up,us\n1,nan\n", "not a velocity")])
 def test_bad_files_are_told_with_the_line(tmp_path, text, words):
     path = tmp_path / "points.csv"
     path.write_text(text, encoding="utf-8")
@@ -128,5 +128,5 @@ def test_adjusted_law_passes_through_the_shock_state_and_no_other_does():
     good = adjusted_gamma(rho0, c0, s, up, 0.15)
     assert truncated_pressure(rho0, c0, s, good, rho0 / (1 - x), e) == pytest.approx(behind, rel=1e-13)
     assert abs(truncated_pressure(rho0, c0, s, 0.15, rho0 / (1 - x), e) / behind - 1) > 0.05
-    with pytest.raises(OutOfRange, match="no compression"):
+    with pytest.raises(OutOfRange, match="not a compression"):
         adjusted_gamma(100.0, 121.0, 0.9736, 5000.0, 0.3)

@@ -80,5 +80,5 @@ def test_attenuation_begins_where_the_release_catches_the_shock():
 def test_impossible_input():
     with pytest.raises(OutOfRange, match="positive thickness"):
         wave_diagram([AL, AL], [1e-3, -1e-3], 100.0, 1e-6)
-    with pytest.raises(OutOfRange, match="meetings of waves"):
+    with pytest.raises(OutOfRange, match="interactions of waves"):
         wave_diagram([AL, AL], [H, L], V, 1e-3, most_events=30)

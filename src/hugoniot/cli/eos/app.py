@@ -23,7 +23,7 @@ app = typer.Typer(no_args_is_help=True, help=(
 
 @app.command()
 def show(material: MATERIAL, at: AT = None, as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None) -> None:
-    """The law, its parameters, its state at rest and, with --at, on the Hugoniot.
+    """The law, its parameters, its state at rest and, with --at, a state on the Hugoniot.
 
     Example: hugoniot eos show copper --at "pressure = 10 GPa"
     """
@@ -75,15 +75,15 @@ def isentrope(
 
 @app.command()
 def match(
-    materials: Annotated[list[str], typer.Argument(metavar="FLYER TARGET...", help="Flyer first, then the layers it meets.")],
+    materials: Annotated[list[str], typer.Argument(metavar="FLYER TARGET...", help="Flyer first, then the layers in order.")],
     velocity: Annotated[str, typer.Option("--velocity", help='Velocity of the flyer, "1 km/s".')],
     error: Annotated[list[str] | None, typer.Option("--error", help='One standard deviation of an input: "velocity = 5 m/s" or '
-                                                                    '"copper.c0 = 20 m/s"; as often as needed.')] = None,
+                                                                    '"copper.c0 = 20 m/s"; repeatable.')] = None,
     samples: Annotated[int, typer.Option("--samples", min=0, max=1000000, help="Monte Carlo samples instead of linear error bars.")] = 0,
-    ring_up: Annotated[int, typer.Option("--ring-up", min=0, max=1000, help="Further meetings while the first layer rings up.")] = 0,
-    thickness: Annotated[list[str] | None, typer.Option("--thickness", help="Of each layer, flyer first: follows all "
+    ring_up: Annotated[int, typer.Option("--ring-up", min=0, max=1000, help="Further reverberations while the first layer rings up.")] = 0,
+    thickness: Annotated[list[str] | None, typer.Option("--thickness", help="Thickness of each layer, flyer first: follows all "
                                                                             "waves to --until; --plot draws them.")] = None,
-    until: Annotated[str, typer.Option("--until", help='Last time of the wave diagram, "2 us".')] = "1 us",
+    until: Annotated[str, typer.Option("--until", help='End time of the wave diagram, "2 us".')] = "1 us",
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
     """Pressures and velocities at every interface of an impact, in the order in which the waves arrive.
@@ -168,7 +168,7 @@ def fit(
 @app.command("fit-jwl")
 def fit_jwl(
     curve: Annotated[str, typer.Argument(metavar="CURVE", help="A CSV file of the expansion: columns volume (V = v/v0) and pressure.")],
-    density: Annotated[str, typer.Option("--density", help='Of the explosive, "1.717 g/cm^3".')],
+    density: Annotated[str, typer.Option("--density", help='Density of the explosive, "1.717 g/cm^3".')],
     velocity: Annotated[str, typer.Option("--velocity", help='Detonation velocity, "7.98 km/s".')],
     pressure: Annotated[str, typer.Option("--pressure", help='CJ pressure, "29.5 GPa".')],
     energy: Annotated[str, typer.Option("--energy", help='E0 per volume of explosive, "8.5 GJ/m^3" or "85 kbar".')],
@@ -186,7 +186,7 @@ def fit_jwl(
 
 @app.command("fit-gamma")
 def fit_gamma(
-    material: MATERIAL, at: Annotated[str, typer.Option("--at", help='The shock state to meet, "particle_velocity = 500 m/s".')],
+    material: MATERIAL, at: Annotated[str, typer.Option("--at", help='The shock state to fit, "particle_velocity = 500 m/s".')],
     ambient: Annotated[str, typer.Option("--ambient", help="Pressure ahead of the shock.")] = "1 atm", as_json: JSON = False,
 ) -> None:
     """The Grüneisen parameter with which a truncated (third-order) law passes through a shock state.
@@ -201,10 +201,10 @@ def fit_gamma(
 @app.command()
 def table(
     material: MATERIAL,
-    densities: Annotated[str, typer.Option("--densities", help='Range, "8 g/cm^3, 14 g/cm^3"; default 0.9 to 1.5 of rest.')] = "",
-    temperatures: Annotated[str, typer.Option("--temperatures", help='Range of temperature, "200 K, 3000 K", or three and more values; '
+    densities: Annotated[str, typer.Option("--densities", help='Range, "8 g/cm^3, 14 g/cm^3"; default 0.9 to 1.5 times rest.')] = "",
+    temperatures: Annotated[str, typer.Option("--temperatures", help='Temperatures: range "200 K, 3000 K", or three or more values; '
                                                                      '0 K is the cold curve.')] = "200 K, 3000 K",
-    points: Annotated[int, typer.Option("--points", min=2, max=1000, help="Values of each.")] = 21,
+    points: Annotated[int, typer.Option("--points", min=2, max=1000, help="Number of values of each.")] = 21,
     as_json: JSON = False, as_csv: CSV = None,
     hdf5: Annotated[Path | None, typer.Option("--hdf5", help="Write the grid to this HDF5 file.")] = None, plot: PLOT = None,
 ) -> None:

@@ -9,14 +9,14 @@ from hugoniot.cli.eos.options import AHEAD, CSV, DENSITY, EXPLOSIVE, HEAT, MATER
 from hugoniot.cli.eos.output import cell, deliver, echo_notes, notes, row_of, words
 from hugoniot.cli.show import JSON, echo_table
 
-CLOSURE = "How reactants and products share the zone: thermal_isolation, thermal_equilibrium, weighted_pressures or two_state"
+CLOSURE = "How reactants and products share a zone: thermal_isolation, thermal_equilibrium, weighted_pressures or two_state"
 
 
 def cj(
     materials: MATERIALS, density: DENSITY = None, heat: HEAT = None, ahead: AHEAD = "", as_json: JSON = False, as_csv: CSV = None,
     plot: PLOT = None,
 ) -> None:
-    """The Chapman-Jouguet state, by tangency of the Rayleigh line for whatever law the products have.
+    """The Chapman-Jouguet state, by tangency of the Rayleigh line, for any law of the products.
 
     Example: hugoniot eos cj comp_b tnt --json
     """
@@ -68,7 +68,7 @@ def mixture(
                                                  "chemical one is added.")] = "",
     shocked: Annotated[str, typer.Option("--shocked", help='A shock through the reactants first, "pressure = 20 GPa": gives their '
                                                            "isentrope and, without --at, the state.")] = "",
-    fractions: Annotated[str, typer.Option("--burn-fraction", help="Burn fractions, with commas.")] = "0, 0.25, 0.5, 0.75, 1",
+    fractions: Annotated[str, typer.Option("--burn-fraction", help="Burn fractions, separated by commas.")] = "0, 0.25, 0.5, 0.75, 1",
     closure: Annotated[list[str] | None, typer.Option("--closure", help=CLOSURE + "; default: both equilibria.")] = None,
     adiabat: Annotated[str | None, typer.Option("--adiabat", help='Follow the adiabat from the first burn fraction to this density, '
                                                                   '"1 g/cm^3".')] = None,
@@ -77,7 +77,7 @@ def mixture(
     frozen: Annotated[str | None, typer.Option("--hugoniot", help='Shocks up to "40 GPa", without reaction in them or with '
                                                                 "--reacted.")] = None,
     reacted: Annotated[float, typer.Option("--reacted", min=0.0, max=1.0, help="Mass fraction that burns inside the shock.")] = 0.0,
-    series: Annotated[bool, typer.Option("--series", help="The expansion for vanishing burn fraction instead.")] = False,
+    series: Annotated[bool, typer.Option("--series", help="Give the series for small burn fraction instead.")] = False,
     heat: Annotated[str | None, typer.Option("--heat", help='Chemical energy, "5 MJ/kg"; default: from the laws.')] = None,
     points: Annotated[int, typer.Option("--points", min=2, max=10000, help="States along an adiabat or Hugoniot.")] = 41,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,

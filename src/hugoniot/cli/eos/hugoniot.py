@@ -128,13 +128,13 @@ def _splits(f: Answer, single: bool) -> list[str]:
     if not single:
         between = split_range(f.subject.material, f.ahead, float(np.max(f.states.particle_velocity)) - f.ahead.velocity)
         return [] if between is None else [
-            f"from {cell('particle_velocity', between[0])} to {cell('particle_velocity', between[1])} a single jump is no answer: a faster "
+            f"from {cell('particle_velocity', between[0])} to {cell('particle_velocity', between[1])} no single jump exists: a faster "
             "precursor runs ahead; --at gives the states behind both waves"]
     found = split_wave(f.subject.material, f.ahead, f.states)
     if found is None:
         return []
     first, second = ([cell(name, getattr(state, name)) for name in ("pressure", "shock_velocity", "density")] for state in found)
-    return [f"a single jump is no answer here: a precursor to {first[0]} runs ahead at {first[1]}; behind it a second shock at {second[1]} "
+    return [f"no single jump exists here: a precursor to {first[0]} runs ahead at {first[1]}; behind it a second shock at {second[1]} "
             f"leads to {second[0]} and {second[2]} at the same particle velocity"]
 
 

@@ -158,7 +158,7 @@ def error_bars(texts: list[str] | None) -> dict[str, str]:
     for text in texts or ():
         name, equals, value = (piece.strip() for piece in text.partition("="))
         if not equals:
-            raise DeckError.single("command line", None, "--error", f"'{text[:60]}' is no error bar",
+            raise DeckError.single("command line", None, "--error", f"'{text[:60]}' is not an error bar",
                                    'write "velocity = 5 m/s" or "copper.c0 = 20 m/s"')
         found[name] = value
     return found

@@ -43,8 +43,8 @@ def lines(
 
 
 def gurney(
-    explosives: Annotated[list[str] | None, typer.Argument(metavar="[EXPLOSIVE]...", help="Default: all that are known.")] = None,
-    ratio: Annotated[str, typer.Option("--ratio", help="Mass of metal over mass of explosive, with commas.")] = "1",
+    explosives: Annotated[list[str] | None, typer.Argument(metavar="[EXPLOSIVE]...", help="Default: all of the library.")] = None,
+    ratio: Annotated[str, typer.Option("--ratio", help="Ratios of metal mass to explosive mass, separated by commas.")] = "1",
     velocity: Annotated[str | None, typer.Option("--velocity", help='Gurney velocity sqrt(2E) of your own, "2.7 km/s".')] = None,
     as_json: JSON = False,
 ) -> None:
@@ -58,10 +58,10 @@ def gurney(
     ratios = [quantity(part.strip(), "1", "--ratio") for part in ratio.split(",")]
     if velocity is not None:
         if explosives:
-            raise DeckError.single("command line", None, "--velocity", "stands beside named explosives", "give one or the other")
+            raise DeckError.single("command line", None, "--velocity", "cannot be combined with named explosives", "give one or the other")
         speed = quantity(velocity, "m/s", "--velocity")
         if not 0.0 < speed < FASTEST:
-            raise DeckError.single("command line", None, "--velocity", f"{speed:g} m/s is no Gurney velocity", 'such as "2.7 km/s"')
+            raise DeckError.single("command line", None, "--velocity", f"{speed:g} m/s is not a Gurney velocity", 'such as "2.7 km/s"')
         known = [("given", speed, "command line")]
     else:
         known = gurney_velocities(explosives or [])

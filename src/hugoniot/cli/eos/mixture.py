@@ -103,7 +103,7 @@ def _potential(answer) -> dict[str, Any]:
 def _fraction(text: str) -> float:
     value = quantity(text.strip(), "1", "--burn-fraction")
     if not 0.0 <= value <= 1.0:
-        raise DeckError.single("command line", None, "--burn-fraction", f"{value:g} is no fraction of the mass", "write 0 to 1")
+        raise DeckError.single("command line", None, "--burn-fraction", f"{value:g} is not a mass fraction", "write 0 to 1")
     return value
 
 

@@ -9,7 +9,7 @@ from hugoniot.cli.show import JSON
 
 
 def second_shock(
-    material: Annotated[str, typer.Argument(metavar="[MATERIAL]", help="Gives a, b and c by its state at rest: modulus, curvature of the "
+    material: Annotated[str, typer.Argument(metavar="[MATERIAL]", help="Takes a, b and c from its state at rest: modulus, curvature of the "
                                                                        "Hugoniot, Gamma.")] = "",
     a: Annotated[str | None, typer.Option("--a", help='P = a mu + b mu^2 + c (1 + mu) E, "0.73 Mbar".')] = None,
     b: Annotated[str | None, typer.Option("--b", help='"1.72 Mbar".')] = None,

@@ -12,7 +12,7 @@ def stability(
     heat: Annotated[float, typer.Option("--heat", help="Heat release over pressure/density ahead.")] = 50.0,
     activation: Annotated[float, typer.Option("--activation", help="Activation energy over pressure/density ahead.")] = 50.0,
     overdrive: Annotated[float, typer.Option("--overdrive", help="f = (D/D_CJ)^2, at least 1.0005; CJ is the limit from above.")] = 1.6,
-    highest: Annotated[float, typer.Option("--highest", help="Highest frequency to search, in radians.")] = 3.0,
+    highest: Annotated[float, typer.Option("--highest", help="Highest frequency to search, in radians per unit time.")] = 3.0,
     as_json: JSON = False,
 ) -> None:
     """Normal modes of a plane ZND wave of an ideal gas with one Arrhenius step.

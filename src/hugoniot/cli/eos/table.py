@@ -71,7 +71,7 @@ def _temperatures(text: str, points: int) -> np.ndarray:
 def _range(text: str, unit: str, option: str, lowest: float | None = None) -> tuple[float, float]:
     parts = text.split(",")
     if len(parts) != 2:
-        raise DeckError.single("command line", None, option, f"'{text[:60]}' is no range", 'write two values, such as "300 K, 3000 K"')
+        raise DeckError.single("command line", None, option, f"'{text[:60]}' is not a range", 'write two values, such as "300 K, 3000 K"')
     low, high = (quantity(p.strip(), unit, option) for p in parts)
     if not low < high or low < 0.0 or low == 0.0 != lowest:
         raise DeckError.single("command line", None, option, f"'{text[:60]}' does not rise", "write the lower value first")

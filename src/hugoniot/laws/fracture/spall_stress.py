@@ -1,12 +1,12 @@
-r"""Spall at a critical normal stress, with the growth of voids around the plane that parts.
+r"""Spall at a critical normal stress, with the growth of voids around the spall plane.
 
 $$\text{failure} = \frac{\sigma_t}{\sigma_{spall}}, \qquad \sigma_t = s_1 - p, \qquad
   \sigma_t \le \sigma_{spall}\left(1 - \phi/\phi_c\right)$$
 
-sigma_t is the longitudinal tensile stress (viscous pressure excluded). Where it first reaches the strength the material parts: one
-plane, one void. Until the release from that void arrives, the zones around would go on into tensions the material cannot carry;
-there voids grow instead (volume fraction phi), at the strength, which falls to nothing when they coalesce at phi_c. They close
-again at zero longitudinal stress. A zone with voids in it opens no second plane.
+sigma_t is the longitudinal tensile stress (viscous pressure excluded). Where it first reaches the strength the material separates: one
+plane, one void. Until the release from that void arrives, the surrounding zones would reach tensions the material cannot carry;
+there voids grow instead (volume fraction phi), at the strength, which falls to zero when they coalesce at phi_c. They close
+again at zero longitudinal stress. A zone that contains voids opens no second plane.
 
 Source: Herrmann WL-TR-64-107, section VI (spall at a critical tensile stress); Wilkins B.4 (a) names such criteria. The growth of
 voids at the strength, and its linear fall with their fraction, close the model here; neither source prints a rule for it.
@@ -51,7 +51,7 @@ FRACTURE.add(
     example=SpallStress(1.0e9),
     build=build,
     units={"strength": "Pa", "coalescence": "1"},
-    meaning={"strength": "longitudinal tension at which the material parts",
+    meaning={"strength": "longitudinal tension at which the material spalls",
              "coalescence": "void fraction at which a zone has lost its strength"},
     defaults={"coalescence": 0.1},
     box={"tension": (-1e11, 1e10), "p": (-1e10, 1e11), "v": (0.3, 1.5), "damage": (0.0, 1.0)},

@@ -60,7 +60,7 @@ class Curve:
         square = wave_speed_squared(state.rho, state.e, self.branch) if state.rho > 0.0 else math.nan
         if not square >= 0.0:
             side = "left" if direction < 0 else "right"
-            raise OutOfRange(f"the {side} state ({state.rho:.6g} kg/m3, {state.e:.6g} J/kg) is no sound state of law "
+            raise OutOfRange(f"the {side} state ({state.rho:.6g} kg/m3, {state.e:.6g} J/kg) is not a valid state of law "
                              f"'{name_of(matter.par)}': c^2 = {square:.4g} m2/s2")
         self.c = math.sqrt(square)
         self.stiffness = state.rho * square

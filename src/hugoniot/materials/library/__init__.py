@@ -172,7 +172,7 @@ def _of_row(identity: str) -> Entry:
     if row.table == "ignition_growth":
         return _of_set(row)
     if row.table not in MAKE_MATERIALS:
-        raise DeckError.single("library", None, identity, f"a row of the table {row.table} is no material by itself")
+        raise DeckError.single("library", None, identity, f"a row of the table {row.table} is not a material by itself")
     try:
         cards.card(row)
     except ValueError as error:
@@ -183,7 +183,7 @@ def _of_row(identity: str) -> Entry:
     elif row.table == "compression" and (limit := static_compression.reach(row)):
         tables["valid_up_to"] = limit
     made = make_entry(identity, tables, f"row {identity}", category=str(row.get("category", "")))
-    warnings = [f"row {identity} of the library as it stands: not a curated material, no strength, no fracture"]
+    warnings = [f"row {identity} of the library, unedited: not a curated material, no strength, no fracture"]
     if row.table == "compression":
         warnings.append(f"{identity} ({row.material}): from slow compression of one phase; a shock strong enough to transform or melt it "
                         "follows another Hugoniot")

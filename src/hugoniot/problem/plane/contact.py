@@ -34,10 +34,10 @@ def read_contacts(rows: Sequence, blocks: Sequence[str], rigid: Sequence[str], c
             if name not in known:
                 collector.add((*path, "between"), f"no block or rigid body '{printable(name)}'", nearest(name, known))
         if row.between and all(name in rigid for name in row.between):
-            collector.add((*path, "between"), "rigid bodies do not meet each other", "name a block")
+            collector.add((*path, "between"), "contact between two rigid bodies is not computed", "name a block")
         key = None if row.between is None else tuple(sorted(row.between))
         if key in seen:
-            collector.add((*path, "between") if key else path, f"is said by contact {seen[key] + 1} already", "each pair has one law")
+            collector.add((*path, "between") if key else path, f"is already given by contact {seen[key] + 1}", "each pair has one law")
         seen.setdefault(key, i)
         if collector.findings == before:
             found.append(Contact2D(row.between, row.kind, row.friction, row.strength))
@@ -50,7 +50,7 @@ def check_bodies(contacts: Sequence[Contact2D], rows: Sequence, mesh: Blocks | N
         return
     for i, contact in enumerate(contacts):
         if contact.between is None and not rigid and bodies(mesh).max() == 0 and len(contacts) == 1:
-            collector.add(("contact", i), "all blocks are joined to one body, which meets nothing",
+            collector.add(("contact", i), "all blocks are joined into one body, which touches nothing else",
                           'name two blocks with between = ["A", "B"], or leave it out')
 
 

@@ -144,9 +144,9 @@ def _solver(table: Any, axes, blocks, mesh: Blocks | None, collector: Collector)
     if row is None:
         return None
     if axes[0] == "x" and row.scheme is not None:
-        collector.add(("solver", "scheme"), "only axisymmetric geometry has it", 'write geometry = "axisymmetric", or leave it out')
+        collector.add(("solver", "scheme"), "applies to axisymmetric geometry only", 'write geometry = "axisymmetric", or leave it out')
     if row.viscosity.kind == "herrmann" and row.viscosity.limited:
-        collector.add(("solver", "viscosity"), "the viscosity of Herrmann has no limiter", "write limited = false beside its kind")
+        collector.add(("solver", "viscosity"), "Herrmann's viscosity has no limiter", "write limited = false with this kind")
     polar = bool(blocks) and all(isinstance(block.shape, Sector) for block in blocks)
     about_axis = polar and all(block.shape.centre[0] == 0.0 for block in blocks)
     own = row.model_dump(exclude={"hourglass", "viscosity"}) | row.hourglass.model_dump()

@@ -35,7 +35,7 @@ def _unknown_chain(name: str, mesh: Blocks, joints: bool = False) -> tuple[str, 
     known = [*mesh.chains, *(mesh.joints if joints else ())]
     if block in {b.name for b in mesh.blocks} and side in SIDES:
         others = ", ".join(f"'{joint}'" for joint in mesh.joints if block in joint.split("/"))
-        return f"'{printable(name)}' is joined to another block all along", f"its joints: {others}" if joints else "boundaries lie outside"
+        return f"'{printable(name)}' is wholly joined to other blocks", f"its joints: {others}" if joints else "boundaries lie outside"
     if name in mesh.joints:
         a, b = name.split("/")
         return f"'{printable(name)}' is a joint inside the material", f"boundaries lie outside; '{a}' and '{b}' are joined there"
@@ -77,9 +77,9 @@ def _boundary(row, collector: Collector, path: tuple) -> Boundary2D | None:
                 hint = f'write kind = "{key}", or leave it out'
                 collector.add((*path, key), f"has no meaning on a boundary of kind {row.kind}", hint)
     if row.direction is not None and row.kind != "velocity":
-        collector.add((*path, "direction"), f"has no meaning on a boundary of kind {row.kind}", "only a driven velocity has one")
+        collector.add((*path, "direction"), f"has no meaning on a boundary of kind {row.kind}", "it applies to a driven velocity only")
     if row.slip is not None and row.kind not in _SLIDING:
-        collector.add((*path, "slip"), f"has no meaning on a boundary of kind {row.kind}", "a wall and a driven velocity have it")
+        collector.add((*path, "slip"), f"has no meaning on a boundary of kind {row.kind}", "it applies to a wall or a driven velocity")
     if collector.findings > before:
         return None
     direction = None if row.direction is None else unit_vector(row.direction, collector, (*path, "direction"))
@@ -94,10 +94,10 @@ def _boundary(row, collector: Collector, path: tuple) -> Boundary2D | None:
 def _wrong_kind(boundary: Boundary2D, name: str, mesh: Blocks) -> tuple[str, str] | None:
     chain = mesh.chains[name]
     if chain.on_axis:
-        return None if boundary.kind == "axis" else (f"'{name}' lies on the axis, where nothing else can be asked", "leave it out")
+        return None if boundary.kind == "axis" else (f"'{name}' lies on the axis, where no other boundary is possible", "leave it out")
     if boundary.kind == "axis":
         wanted = "lie on r = 0" if mesh.axisymmetric else "exist in axisymmetric geometry only"
-        return f"'{name}' is no axis: those {wanted}", 'a plane of symmetry is kind = "wall"'
+        return f"'{name}' is not an axis: axes {wanted}", 'a plane of symmetry is kind = "wall"'
     if boundary.kind == "wall" and mesh.straight_normal(chain) is None:
         return f"'{name}' is not straight, and a rigid wall is", 'take kind = "velocity" with velocity = 0 and slip = false to clamp it'
     return None

@@ -33,7 +33,7 @@ def _lighting_defects(problem: Problem2D) -> list[tuple[tuple, str, str]]:
                               f"move it into {names}" if names else "no material of this problem has a programmed burn law"))
     for body in unlit(problem, lit) if not found else ():
         names = ", ".join(f"'{problem.blocks[k].name}'" for k in body.blocks)
-        hint = "add [[lighting]] there, or let it touch an explosive that is lit"
+        hint = "add [[lighting]] there, or let it touch a lit explosive"
         found.append((("lighting",), f"no detonation front reaches {names}", hint))
     return found
 
@@ -41,7 +41,7 @@ def _lighting_defects(problem: Problem2D) -> list[tuple[tuple, str, str]]:
 def advice(problem: Problem2D) -> list[str]:
     """What is allowed but seldom meant, as `problem.explosives.advice`."""
     said = material_advice(problem)
-    said += [f"lighting point {k + 1} is lit at {format_si(point.time, 's')}, after the run has ended" for k, point in
+    said += [f"lighting point {k + 1} fires at {format_si(point.time, 's')}, after the run has ended" for k, point in
              enumerate(problem.lighting) if point.time > problem.stop_time]
     for block in problem.blocks:
         if burns(problem, block):

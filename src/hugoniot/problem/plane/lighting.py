@@ -64,7 +64,7 @@ def node_lighting_times(problem) -> np.ndarray:
     mesh, found = problem.mesh, bodies(problem)
     for body in unlit(problem, found):
         names = ", ".join(f"'{problem.blocks[k].name}'" for k in body.blocks)
-        raise OutOfRange(f"no detonation front reaches {names}: add [[lighting]] there, or let it touch an explosive that is lit")
+        raise OutOfRange(f"no detonation front reaches {names}: add [[lighting]] there, or let it touch a lit explosive")
     times = np.full(mesh.nodes.shape[1], np.inf)
     sources = _started(problem, found)
     waiting = [k for k in range(len(found)) if sources[k]]
@@ -119,7 +119,7 @@ def _started(problem, found: list[Body]) -> list[list[tuple[np.ndarray, float]]]
                     started[k].append((place, point.time))
                     anywhere = True
         if not anywhere:
-            raise OutOfRange(f"the detonator at ({point.at[0]:g}, {point.at[1]:g}) m stands in no explosive that burns by programme")
+            raise OutOfRange(f"the detonator at ({point.at[0]:g}, {point.at[1]:g}) m is not inside an explosive with a programmed burn")
     return started
 
 

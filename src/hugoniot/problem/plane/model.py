@@ -62,7 +62,7 @@ class Block2D:
     name, material   as a region's in one dimension
     shape            `mesh.shapes.Box | Sector | Edges`
     zones            (ni, nj)
-    ratio            width of each zone over the one before, along i and along j
+    ratio            width of each zone over that of the one before, along i and along j
     velocity         `VelocityField`
     density, pressure, temperature, energy   as a region's in one dimension: any two fix the initial state
     """

@@ -104,12 +104,12 @@ class CurveTable(Table):
     """One edge of a block: line, arc, polyline or csv."""
 
     line: PointList | None = Field(None, description="two points")
-    arc: PointList | None = Field(None, description="three points of a circle: one end, one between, the other end")
+    arc: PointList | None = Field(None, description="three points of a circle: one end, one in between, the other end")
     polyline: PointList | None = Field(None, description="two points or more")
-    csv: str | None = Field(None, min_length=1, max_length=4000, description="file beside the deck: one point per line, two columns")
-    unit: str = Field("m", max_length=20, description="unit of length of the columns of csv")
+    csv: str | None = Field(None, min_length=1, max_length=4000, description="file in the deck's folder: one point per line, two columns")
+    unit: str = Field("m", max_length=20, description="length unit of the csv columns")
     spacing: Literal["length", "points"] = Field(
-        "length", description="length divides the curve by arc length and ratio; points takes the points of a polyline for the nodes")
+        "length", description="length divides the curve by arc length and ratio; points uses the points of a polyline as nodes")
 
 
 class VelocityTable(Table):
@@ -120,7 +120,7 @@ class VelocityTable(Table):
     gradient: Annotated[Any, BeforeValidator(_matrix), WithJsonSchema({"type": "array", "items": _array("1/s"), "unit": "1/s"})] = Field(
         ((0.0, 0.0), (0.0, 0.0)), description="[[dvx/dx, dvx/dy], [dvy/dx, dvy/dy]], times the distance from the centre")
     radial: Annotated[float, Quantity("m/s", limit=LIGHT)] = Field(0.0, description="speed away from the centre")
-    radius: Annotated[float, Quantity("m", above=0.0)] = Field(1.0, description="distance at which radial holds")
+    radius: Annotated[float, Quantity("m", above=0.0)] = Field(1.0, description="distance at which the speed equals radial")
     power: Annotated[float, Quantity("1", limit=20.0)] = Field(0.0, description="radial part at distance d: radial (d / radius)^power")
     rotation: Annotated[float, Quantity("rad/s")] = Field(0.0, description="rate of rotation, counter-clockwise (plane only)")
 
@@ -132,11 +132,11 @@ VelocityField = Annotated[Any, BeforeValidator(_velocity), WithJsonSchema(_FIELD
 class BlockTable(Table):
     """A logically rectangular piece of one material: i runs along x (r, radius, left to right), j along y (z, angle, bottom to top)."""
 
-    name: str = Field(min_length=1, max_length=60, description="what chains, gauges, messages and plots call it")
+    name: str = Field(min_length=1, max_length=60, description="name used in chains, gauges, messages and plots")
     material: str = Field(min_length=1, max_length=200, description="a table [material.NAME] of the deck, or a name of the library")
     shape: Literal["box", "sector", "edges"] = Field("box", description="box, sector of a ring or sphere, or four edges")
     zones: Counts = Field(description="zones along i and along j")
-    ratio: Ratios = Field((1.0, 1.0), description="width of each zone over the one before, along i and j")
+    ratio: Ratios = Field((1.0, 1.0), description="width of each zone over that of the one before, along i and j")
     x: Place | None = Field(None, description="box in the plane: from, to")
     y: Place | None = Field(None, description="box in the plane: from, to")
     r: Place | None = Field(None, description="box in axisymmetric geometry: radii from, to")
@@ -165,9 +165,9 @@ class BoundaryTable(Table):
     kind: Literal["free", "wall", "axis", "velocity", "pressure", "transmitting"] = Field(
         description="free, rigid straight wall, axis r = 0, driven velocity, pressure over time, or transmitting")
     velocity: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "m/s"})] = Field(
-        None, description="of kind velocity: a value or a pulse")
+        None, description="for kind velocity: a value or a pulse")
     pressure: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "Pa"})] = Field(
-        None, description="of kind pressure: a value or a pulse")
+        None, description="for kind pressure: a value or a pulse")
     direction: Direction | None = Field(None, description="of kind velocity: direction of the motion (default: into the material)")
     slip: bool | None = Field(None, description="wall, velocity: nodes may slide along (default true); false: the other component is 0")
 
@@ -251,8 +251,8 @@ class SolverTable(Table):
         SolverOptions.growth, description="largest growth of the step per cycle")
     initial_step: Positive | None = Field(None, description="first time step (default: from the Courant condition)")
     largest_step: Positive | None = Field(None, description="largest time step (default: none)")
-    threads: int = Field(1, ge=1, le=1024, description="threads; they change no bit of the result")
-    max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after so many cycles (default: none)")
+    threads: int = Field(1, ge=1, le=1024, description="threads; the result does not depend on them, to the last bit")
+    max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after this many cycles (default: no limit)")
     viscosity: ViscosityTable = Field(default_factory=ViscosityTable, description="artificial viscosity")  # type: ignore[arg-type]
     hourglass: HourglassTable = Field(default_factory=HourglassTable, description="hourglass filters")  # type: ignore[arg-type]
 

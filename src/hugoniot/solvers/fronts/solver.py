@@ -81,8 +81,8 @@ class Fronts(Reading):
 
     def _check(self, here: int) -> None:
         if self.line.full or here > STUCK:
-            fronts = f"{len(self.line.fronts)} fronts are more than {self.line.most}"
-            count = fronts if self.line.full else f"{here} meetings in one instant"
+            fronts = f"{len(self.line.fronts)} fronts, more than {self.line.most}"
+            count = fronts if self.line.full else f"{here} interactions at one instant"
             raise UnphysicalState(f"{count}: too many waves to follow exactly",
                                   "raise solver.options.most_fronts, take a coarser fan_step or weakest, or stop earlier", None, "",
                                   None, self.time, self.cycle)
@@ -153,7 +153,7 @@ class Fronts(Reading):
         """Sentences about fans that were met: from there on the solution is one of slices."""
         if not self.line.cuts:
             return []
-        return [f"{self.line.cuts} fans were met by other waves and cut into slices of at most {self.bench.fan_step:g} sound speeds: "
+        return [f"{self.line.cuts} fans were reached by other waves and cut into slices of at most {self.bench.fan_step:g} sound speeds: "
                 "behind them states are accurate to the square of that step"]
 
     # -- checkpoints -------------------------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""Why a run cannot go on: the cause of a bad state and the way out, found from the state that is left."""
+"""Why a run cannot go on: the cause of a bad state and a remedy, found from the state at the end."""
 
 import numpy as np
 
@@ -63,7 +63,7 @@ def crushed_zone(problem, zones, region_of, culprit: int) -> tuple[int, str, str
         if 0.0 < supported < pressed:
             cause = (f"zone collapsed: its equation of state cannot support more than {format_si(supported, 'Pa')}, however dense the "
                      f"material becomes, and the stress there reached {format_si(pressed, 'Pa')}.")
-            return (j, cause, "use an equation of state that stiffens without bound: of a powder, grain_contact around this law, or "
+            return (j, cause, "use an equation of state that stiffens without bound: for a powder, grain_contact around this law, or "
                     "p_alpha or snow_plough over the law of its solid; otherwise the exact cold curve (mie_gruneisen_cold) instead of "
                     "a series; or a slower impact.")
     return None
@@ -86,7 +86,7 @@ def overrun(problem, zones, region_of, culprit: int) -> tuple[str, str] | None:
         return None
     return (f"zones were crushed, to {densest:.4g} kg/m3, before the programmed front lit them: the explosive behind drives a faster front "
             "than the burn law allows, as in converging geometry.",
-            f"let compression burn a zone ahead of its schedule: {with_compression(material, region)}; or take a rate law.")
+            f"allow compression to burn a zone ahead of its schedule: {with_compression(material, region)}; or take a rate law.")
 
 
 def torn_reactants(problem, zones, charge, region_of, culprit: int) -> tuple[str, str] | None:
@@ -106,7 +106,7 @@ def torn_reactants(problem, zones, charge, region_of, culprit: int) -> tuple[str
     burned = charge[B.lam, culprit]
     return (f"the explosive that has not burned (burn fraction {burned:.3g}) is stretched to {rho:.4g} kg/m3, where the mixture has no "
             f"sound speed: its law, {law}, is fitted to compression.",
-            "stop the run before the release comes in, hold the free surface with an inert tamper, or give the material an unreacted law "
+            "stop the run before the release arrives, cover the free surface with an inert tamper, or give the material an unreacted law "
             "that expands ([material.x.unreacted] law = \"mie_gruneisen\"; after a weak shock tension_cutoff over its own law will do).")
 
 

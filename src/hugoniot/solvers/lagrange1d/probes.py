@@ -30,7 +30,7 @@ def _point(solver, place):
     span = right[-1] - left[0]
     inside = np.flatnonzero((left <= place + 1e-12 * span) & (place <= right + 1e-12 * span))
     if inside.size == 0:
-        raise OutOfRange(f"no material stands at {place:g} m at t = 0")
+        raise OutOfRange(f"there is no material at {place:g} m at t = 0")
     z = int(inside[-1])
     f = min(max((place**d - left[z]**d) / (right[z]**d - left[z]**d), 0.0), 1.0)
     other = z + 1 if f >= 0.5 else z - 1

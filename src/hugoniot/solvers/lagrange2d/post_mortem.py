@@ -7,8 +7,8 @@ from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.assemble import N, Z
 from hugoniot.zones.soundness import first_unsound
 
-NO_NUMBER = ("a zone has a state or a motion that is no number",
-             "look at the zones around it in the post-mortem file; start with a smaller courant")
+NO_NUMBER = ("a zone has a state or a motion that is not a number",
+             "look at the zones around it in the post-mortem file; use a smaller courant from the start")
 
 
 def diagnose(solver, code) -> UnphysicalState:

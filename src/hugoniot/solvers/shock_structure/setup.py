@@ -16,7 +16,7 @@ FEWEST_CELLS = 8
 def eos_of(problem: Problem):
     names = {region.material for region in problem.regions}
     if len(names) != 1:
-        raise OutOfRange(f"the solver {NAME} flows one material through a fixed grid, not {len(names)}: use lagrange1d for several")
+        raise OutOfRange(f"the solver {NAME} treats one material on a fixed grid, not {len(names)}: use lagrange1d for several")
     if problem.geometry != "planar":
         raise OutOfRange(f"the solver {NAME} is planar; geometry '{problem.geometry}' needs lagrange1d")
     return problem.materials[names.pop()].eos

@@ -72,7 +72,7 @@ class ShockStructure(NothingToAdd):
         for rho, j, total in self.ends.tolist():
             steepness = eos_laws.pressure_derivatives(rho, total / rho - 0.5 * (j / rho) ** 2, self.eos)[1] / rho
             if steepness > STEEPEST:
-                raise OutOfRange(f"the solver {NAME} cannot flow law '{EOS.of(self.eos).name}': at rest its pressure rises with the energy "
+                raise OutOfRange(f"solver {NAME} cannot treat law '{EOS.of(self.eos).name}': at rest its pressure rises with the energy "
                                  f"without bound (Grüneisen parameter {steepness:.3g}), and a cell's energy is the small difference of "
                                  "total and kinetic energy; take mie_gruneisen, or the steady wave (hugoniot structure profile)")
 
@@ -138,7 +138,7 @@ class ShockStructure(NothingToAdd):
         rho, j, total = (float(v) for v in self.cells[:, zone])
         values = {"density": rho, "velocity": j / rho if rho else math.nan, "total_energy": total}
         return UnphysicalState(
-            f"density {rho:.4g} kg/m3 and total energy {total:.4g} J/m3 are no state of law '{EOS.of(self.eos).name}'",
+            f"density {rho:.4g} kg/m3 and total energy {total:.4g} J/m3 are not a valid state of law '{EOS.of(self.eos).name}'",
             "refine the cells (at least four in a shock's thickness), lower solver.courant, or start from the steady profile",
             zone, self.problem.regions[self.region_of[zone]].name, 0.5 * float(self.faces[zone] + self.faces[zone + 1]), self.time,
             self.cycle, values)

@@ -1,6 +1,6 @@
 r"""The cases of Jordan 2011: argon, water and silica powders, with the readings of verification A5.
 
-Jordan bends the Grüneisen parameter until its truncated equation of state
+Jordan bends the Grüneisen parameter until the truncated equation of state
 
 $$p = \rho_0c_0^2\,(x + 2s x^2 + 3 s^2 x^3) + g\,[\rho e - \rho_0 c_0^2 (x^2/2 + s x^3)], \qquad x = 1 - \rho_0/\rho,$$
 
@@ -98,7 +98,7 @@ CONDENSED = {case.name: case for case in (
 
 
 def adjusted_gruneisen(density, sound_speed, slope, literature, particle_velocity, ambient=AMBIENT) -> float:
-    """The Grüneisen parameter Jordan would use to make its truncated law meet the jump (eq. 7.1.31, restored; see the module)."""
+    """The Grüneisen parameter Jordan would use to make the truncated law fit the jump (eq. 7.1.31, restored; see the module)."""
     shock = sound_speed + slope * particle_velocity
     p = density * shock * particle_velocity + ambient
     x = particle_velocity / shock

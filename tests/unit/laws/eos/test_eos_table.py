@@ -162,7 +162,7 @@ def test_csv_round_trip(solid_table, tmp_path):
 
 @pytest.mark.parametrize("spoil, message", [
     (lambda t: t.replace("energy,pressure", "energy,presure"), r"al.csv:2: header: needs exactly one column 'pressure'"),
-    (lambda t: t.replace("\n150", "\nx150", 1), r"al.csv:3: temperature: 'x150.0' is no number"), (lambda t: t + "\n" + t.splitlines()[2], "given twice"),
+    (lambda t: t.replace("\n150", "\nx150", 1), r"al.csv:3: temperature: 'x150.0' is not a number"), (lambda t: t + "\n" + t.splitlines()[2], "given twice"),
     (lambda t: "\n".join(t.splitlines()[:-1]), "a hole: no row gives density 4600 kg/m3 at temperature 20000 K"), (lambda t: "", "no rows")])
 def test_bad_csv_names_the_line(solid_table, spoil, message):
     text = csv_text(solid_table)

@@ -155,7 +155,7 @@ def test_two_gases_that_part_leave_a_vacuum_and_a_bond_bears_tension():
 
 def test_a_law_that_ends_says_so():
     lead = State(1.0, 0.0, -1e3, -400.0)
-    with pytest.raises(OutOfRange, match="no sound state"):
+    with pytest.raises(OutOfRange, match="not a valid state"):
         Curve(Matter(AIR), lead, 1)
 
 

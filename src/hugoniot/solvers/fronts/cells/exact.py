@@ -8,7 +8,7 @@ import math
 
 import numba as nb
 
-from hugoniot.core.pass_lists import _call
+from hugoniot.core.pass_lists import call_pass
 from hugoniot.core.rows import row_at
 from hugoniot.core.target import GUARD
 from hugoniot.solvers.fronts.cells.tables import (
@@ -61,7 +61,7 @@ def wave_to(rules, work, side, region, p):
     work.io[side, 0] = p
     start = work.io.ctypes.data + 8 * side * work.io.shape[1]
     work.pointers[0], work.pointers[1] = start, start + 8 * RISE
-    _call(rules.passes[region, 1], 1, 2, work.pointers, 0.0, row_at(rules.words[region]))
+    call_pass(rules.passes[region, 1], 1, 2, work.pointers, 0.0, row_at(rules.words[region]))
 
 
 @nb.njit(**GUARD)

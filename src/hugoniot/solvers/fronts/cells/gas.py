@@ -15,7 +15,7 @@ import math
 
 import numba as nb
 
-from hugoniot.core.pass_lists import _call
+from hugoniot.core.pass_lists import call_pass
 from hugoniot.core.rows import row_at
 from hugoniot.core.target import GUARD
 from hugoniot.solvers.fronts.cells.spacing import path_mean
@@ -58,7 +58,7 @@ def ask(rules, work, which, region, rows, first, count, dt):
     base = w.ctypes.data
     for i in range(len(rows)):
         work.pointers[i] = base + 8 * (rows[i] * pitch + first)
-    _call(rules.passes[region, which], count, len(rows), work.pointers, dt, row_at(rules.words[region]))
+    call_pass(rules.passes[region, which], count, len(rows), work.pointers, dt, row_at(rules.words[region]))
 
 
 @nb.njit(**GUARD)

@@ -175,7 +175,7 @@ class Cells(Reading):
         """Sentences about waves that were left to the cells."""
         if not self.changes.captured:
             return []
-        return [f"{self.changes.captured} times waves were left to the cells, where a shock is smeared over two or three of them: they "
+        return [f"waves were left to the cells {self.changes.captured} times; a shock is then smeared over two or three cells: the waves "
                 f"were too close to each other, or {self.changes.most} fronts were followed already (solver.options.most_fronts)"]
 
     # -- checkpoints -------------------------------------------------------------------------------------------------
