@@ -128,3 +128,10 @@ def test_a_rigid_body_that_is_wrong_is_no_second_mistake_in_its_contact():
     with pytest.raises(DeckError) as caught:
         read(extra)
     assert len(caught.value.problems) == 1 and "has a point twice" in str(caught.value)
+
+
+def test_bodies_do_not_meet_on_the_axis_with_area_weighted():
+    text = BODIES.replace('"plane"', '"axisymmetric"').replace("\nx = [", "\nr = [").replace("\ny = [", "\nz = [").format(start=5, across=4)
+    with pytest.raises(DeckError, match="bodies cannot meet on the axis"):
+        read_deck_text(text + 'scheme = "area_weighted"\n', "deck.toml")
+    assert read_deck_text(text, "deck.toml").problem.solver.scheme == "true_volume"

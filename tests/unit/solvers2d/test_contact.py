@@ -7,6 +7,7 @@ import pytest
 from contact_builders import Boundary2D, Contact2D, N, Pulse, Rigid2D, al, angular_momentum, mean_velocity, meeting, ran, strip, walls
 
 from hugoniot.core import team
+from hugoniot.errors import OutOfRange
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
 
@@ -162,16 +163,26 @@ def test_two_threads_give_the_same_bits(monkeypatch):
     assert np.array_equal(one.nodes[N.x], two.nodes[N.x])
 
 
-@pytest.mark.parametrize("scheme", ["true_volume", "area_weighted"])
-def test_discs_meet_on_the_axis(scheme):
-    blocks = [al(8, 8, 4e-3, 4e-3, name="target"), al(11, 5, 4e-3, 2e-3, (0.0, 4.05e-3), "flyer", (0.0, -500.0))]
-    solver = ran(meeting(blocks, 1e-6, geometry="axisymmetric", scheme=scheme))
+def discs(inner, scheme, across=11):
+    blocks = [al(8, 8, 4e-3, 4e-3, (inner, 0.0), "target"), al(across, 5, 4e-3, 2e-3, (inner, 4.05e-3), "flyer", (0.0, -500.0))]
+    return meeting(blocks, 1e-6, geometry="axisymmetric", scheme=scheme)
+
+
+@pytest.mark.parametrize("across", [8, 11])
+@pytest.mark.parametrize("inner, scheme", [(0.0, "true_volume"), (1e-3, "true_volume"), (1e-3, "area_weighted")])
+def test_discs_meet_on_the_axis_and_off_it(inner, scheme, across):
+    solver = ran(discs(inner, scheme, across))
     errors = solver.errors()
     assert errors["energy_error"] < 1e-12
     assert errors["momentum_y_error"] < (1e-12 if scheme == "true_volume" else 1e-5)
     assert solver.results()["contact_depth"] < 1e-3
-    axis = solver.state().nodes["velocity_y"][solver.problem.mesh.blocks[0].nodes[0, -1]]
-    assert -500.0 < axis < -100.0
+    struck = solver.state().nodes["velocity_y"][solver.problem.mesh.blocks[0].nodes[0, -1]]
+    assert -500.0 < struck < -100.0
+
+
+def test_area_weighted_bodies_do_not_meet_on_the_axis():
+    with pytest.raises(OutOfRange, match="bodies cannot meet on the axis"):
+        Lagrange2D(discs(0.0, "area_weighted"))
 
 
 def test_a_body_meets_itself():

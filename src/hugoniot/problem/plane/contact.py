@@ -63,6 +63,21 @@ def bodies(mesh: Blocks) -> np.ndarray:
     return np.unique(group, return_inverse=True)[1]
 
 
+def may_meet(problem) -> bool:
+    """Whether anything in a problem may meet: several bodies, a rigid one, or blocks that a contact keeps apart."""
+    return bool(problem.contacts or problem.rigid) or int(bodies(problem.mesh).max()) > 0
+
+
+def trouble_on_the_axis(problem) -> str:
+    """Why bodies of a problem cannot meet on the axis; empty where they can.
+
+    With `area_weighted` a node on the axis has no mass per radian of its own, so that an impulse shared with it has no bound.
+    """
+    if problem.geometry == "plane" or problem.solver.scheme != "area_weighted" or not may_meet(problem):
+        return ""
+    return "bodies cannot meet on the axis with \"area_weighted\"" if any(c.on_axis for c in problem.mesh.chains.values()) else ""
+
+
 def read_rigid(rows: Sequence, axes, blocks: Sequence[str], collector: Collector) -> tuple[Rigid2D, ...]:
     """Rigid bodies, each at rest, driven, or free with a mass."""
     found, names = [], set(blocks)

@@ -13,7 +13,15 @@ from hugoniot.problem.boundaries import pulse_value
 from hugoniot.problem.lagrangian import MOST_ZONES, _output
 from hugoniot.problem.model import OutputOptions
 from hugoniot.problem.plane import explosives, geometry
-from hugoniot.problem.plane.contact import check_bodies, check_overlap, contact_tables, read_contacts, read_rigid, rigid_tables
+from hugoniot.problem.plane.contact import (
+    check_bodies,
+    check_overlap,
+    contact_tables,
+    read_contacts,
+    read_rigid,
+    rigid_tables,
+    trouble_on_the_axis,
+)
 from hugoniot.problem.plane.contact_model import apart
 from hugoniot.problem.plane.edges import read_boundaries, read_gauges, read_lighting
 from hugoniot.problem.plane.model import Block2D, Problem2D, Solver2D, Viscosity2D
@@ -65,6 +73,8 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     if axes[0] == "r" and model.body_force[0] != 0.0:
         collector.add(("body_force",), "a radial force is not uniform about the axis", "leave the first number 0")
     _check_axis_velocity(problem, collector)
+    if wrong := trouble_on_the_axis(problem):
+        collector.add(("solver", "scheme"), wrong, 'write scheme = "true_volume"')
     for defect in explosives.defects(problem):
         collector.add(*defect)
     if collector.problems:

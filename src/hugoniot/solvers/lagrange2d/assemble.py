@@ -9,6 +9,7 @@ from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
+from hugoniot.problem.plane.contact import trouble_on_the_axis
 from hugoniot.problem.plane.model import VISCOSITIES, Problem2D
 from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.assemble import ROUND_OFF, longitudinal_speed, start_compaction
@@ -30,6 +31,8 @@ def kind_of(problem: Problem2D) -> int:
             raise OutOfRange(f"solver.{name} = {value!r} is not available in two dimensions; use {' or '.join(map(repr, known))}")
     if options.viscosity.kind == "herrmann" and options.viscosity.limited:
         raise OutOfRange("Herrmann's viscosity has no limiter; use solver.viscosity.limited = false")
+    if wrong := trouble_on_the_axis(problem):
+        raise OutOfRange(f'{wrong}; use solver.scheme = "true_volume"')
     if problem.geometry == "plane":
         return G.PLANAR
     return G.AREA_WEIGHTED if problem.solver.scheme == "area_weighted" else G.TRUE_VOLUME

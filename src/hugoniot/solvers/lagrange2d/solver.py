@@ -11,6 +11,7 @@ import numpy as np
 from hugoniot.core import team
 from hugoniot.core.compile_ahead import compile_all, job_of
 from hugoniot.core.ops import NO_LIMIT
+from hugoniot.problem.plane.contact import may_meet
 from hugoniot.problem.plane.model import Problem2D
 from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.tables import zone_table
@@ -23,7 +24,7 @@ from hugoniot.solvers.lagrange2d.boundaries import boundary_tables
 from hugoniot.solvers.lagrange2d.contact import results
 from hugoniot.solvers.lagrange2d.contact.layout import Nowhere
 from hugoniot.solvers.lagrange2d.contact.results import ContactResults, NothingMeets
-from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, contact_tables, has_contact, with_rigid
+from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, contact_tables, with_rigid
 from hugoniot.solvers.lagrange2d.march import Options, Run, hold_at_start, march
 from hugoniot.solvers.lagrange2d.plan import EMPTY, START, Planner, carry_out_alone, serve
 from hugoniot.solvers.lagrange2d.rows_of_blocks import cells, ghost_tables, node_rows, zone_rows
@@ -49,7 +50,7 @@ class Lagrange2D(NothingToAdd):
         count, zones = len(mesh.zone_nodes), zone_tables(problem, self.kind)
         nodes, heat = node_tables(problem, numbering, self.kind, zones)
         self.boundaries = boundary_tables(problem, numbering, zones, self.kind)
-        surfaces = Surfaces(problem, numbering, self.boundaries) if has_contact(problem) else None
+        surfaces = Surfaces(problem, numbering, self.boundaries) if may_meet(problem) else None
         nodes = with_rigid(problem, surfaces, nodes)
         self._zones, self._nodes = zone_table(len(Z), count), zone_table(len(N), nodes.shape[1])
         self.zones, self.nodes = self._zones[:, :count], self._nodes[:, :nodes.shape[1]]

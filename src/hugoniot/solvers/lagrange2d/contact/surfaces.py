@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from hugoniot.problem.plane.contact import bodies
 from hugoniot.problem.plane.contact_model import Contact2D
 from hugoniot.problem.plane.model import Problem2D
 from hugoniot.solvers.lagrange1d.nodes import pulse_value
@@ -15,11 +14,6 @@ CLOSED_TO_CONTACT = ("wall", "axis", "transmitting")      # boundaries that stan
 KINDS = {"bonded": C.BONDED, "sliding": C.SLIDING, "separable": C.SEPARABLE}
 PAIRS_OF_A_POINT = 4      # room at the start
 PIECES = 4.0              # mean edges: how long an edge of a rigid body may be
-
-
-def has_contact(problem: Problem2D) -> bool:
-    """Whether anything in a problem may meet: several bodies, a rigid one, or blocks that a contact keeps apart."""
-    return bool(problem.contacts or problem.rigid) or int(bodies(problem.mesh).max()) > 0
 
 
 def surface_edges(problem: Problem2D, shut_nodes):
