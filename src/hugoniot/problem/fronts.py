@@ -140,7 +140,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str]]:
         if end.kind == "periodic":
             found.append((("boundary", side), f"{NAME} has no periodic ends, for a front ends at an end of the line: use lagrange1d"))
         if end.pulse is not None and end.kind == "pressure" and min(end.pulse.amplitude, *end.pulse.values, 0.0) < 0.0:
-            message = f"a pressure below zero is tension, in which the surfaces of {NAME} open: give zero or more"
+            message = f"a pressure below zero is tension, and the surfaces of {NAME} open in tension: give zero or more"
             found.append((("boundary", side), message))
     return found if cells else found + _beyond_algebra(problem)
 

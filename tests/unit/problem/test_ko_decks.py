@@ -190,7 +190,7 @@ def test_the_command_writes_a_deck_once(tmp_path, capsys):
 
 @pytest.mark.parametrize(("old", "new", "message"), [
     ("cells: 25", "cells: 25.4", "mat1.mesh.cells: 25.4 is no number of cells"),
-    ("cells: 25", "cells: 1" + "0" * 400, "mat1.cells: '10+...' is no number"),
+    ("cells: 25", "cells: 1" + "0" * 400, "mat1.cells: '10+...' is not a number"),
     ("rho0: 2.785", "rho0: 0.0", "mat1.init.rho0: 0 kg/m.3 is no density"),
     ("nrhomin: 0.9", "nrhomin: 0.0", "mat2.frac.nrhomin: 0 is no limit"),
     ("pfrac: 1E20", "pfrac: -1.0", "mat2.frac.pfrac: -1e.09 is no limit"),
