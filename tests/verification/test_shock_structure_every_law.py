@@ -42,6 +42,7 @@ NO_SHOCK = {
     ("mie_gruneisen_cubic", False): ((20.0,), "has no such shock.*beyond the fit"),
     ("mie_gruneisen_cubic", True): ((5.0, 20.0), "has no such shock.*(c_p is negative|beyond the fit)"),
     ("p_lambda", True): ((20.0,), "has no such shock with this heat conduction.*no single stable state"),
+    ("temperature_power", True): ((20.0,), "has no such shock with this heat conduction.*no single stable state"),
     ("table", False): ((2.0, 5.0, 20.0), "has no such shock.*the Hugoniot ends at density 4300"),
     ("table", True): ((2.0, 5.0, 20.0), "has no such shock.*the Hugoniot ends at density 4300"),
     ("tait", False): ((20.0,), "has no such shock.*compression limit"),

@@ -54,7 +54,7 @@ def viscosity_in(material, viscosity):
 
 def is_condensed(eos) -> bool:
     """Whether a material without pores holds together at rest: rho c^2 far above its pressure, which in a gas is rho c^2 / gamma."""
-    if flagged(eos, "remembers") or flagged(eos, "grains") or not gives(eos, "reference_state"):
+    if flagged(eos, "remembers") or not gives(eos, "reference_state"):
         return False
     rho, e = reference_state(eos)
     return rho * sound_speed_squared(rho, e, eos) > LEAST_STIFFNESS * abs(pressure(rho, e, eos))
