@@ -20,7 +20,7 @@ from hugoniot.laws.eos.contract import pressure, pressure_derivatives
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.materials.material import Material
 from hugoniot.problem import catalogue
-from hugoniot.problem.model import OutputOptions, Problem, Region
+from hugoniot.problem.model import OutputOptions, Problem, Region, SolverOptions
 from hugoniot.simulate import make_solver
 from hugoniot.theory.hugoniot import shock
 
@@ -183,13 +183,14 @@ def test_the_table_of_densities_speeds_and_orders(rho0, order):
 @pytest.mark.slow
 @pytest.mark.parametrize("rho0", POWDERS)
 def test_the_contact_of_the_grains_leaves_the_first_shock_alone(rho0):
-    """To round-off, which grows to 5e-9 in the zones of the impact."""
+    """To round-off, with the thin shock: the limiter of the wide one (`linear_condensed` = 1) lets it grow to some 1e-5 near the front."""
+    thin = SolverOptions(viscosity=("limited", {"linear": 0.3, "linear_condensed": 0.3}))
     for speed in SPEEDS:
-        bare, contact = (make_solver(sandwich(rho0, speed, order, crossings=0.95)) for order in ("exact", "grains"))
+        bare, contact = (make_solver(replace(sandwich(rho0, speed, order, crossings=0.95), solver=thin)) for order in ("exact", "grains"))
         one, two = (march_to(solver, solver.problem.stop_time) for solver in (bare, contact))
         for name in ("pressure", "density", "energy"):
             scale = np.abs(one.zones[name]).max()
-            assert np.abs(one.zones[name] - two.zones[name]).max() < 1e-8 * scale, (speed, name)
+            assert np.abs(one.zones[name] - two.zones[name]).max() < 1e-9 * scale, (speed, name)
 
 
 @pytest.mark.slow
