@@ -159,19 +159,19 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
     law_of, laws = law_tables(problem, [*surfaces.lengths, *[np.inf] * len(problem.rigid)])
     count, room = len(points), PAIRS_OF_A_POINT * len(points) + 16
     sizes = np.concatenate(([0], np.cumsum([len(c) for c in surfaces.copies])))
-    totals = np.zeros(6)
+    totals = np.zeros(7)
     totals[C.MEAN_EDGE] = surfaces.mean
 
     def of_pairs():
-        return np.zeros((room, 3), dtype=np.int64), np.zeros((room, C.PAIR_FLOATS))
+        return np.zeros((room, C.PAIR_INTS), dtype=np.int64), np.zeros((room, C.PAIR_FLOATS))
 
     ints = np.int64
     copies = np.array([k for group in surfaces.copies for k in group], dtype=ints)
     return C.Contact(
-        points, edges, movers, numbers, sizes.astype(ints), copies, law_of, laws, *of_pairs(), *of_pairs(),
+        points, edges, movers, numbers, sizes.astype(ints), copies, law_of, laws, *of_pairs(), *of_pairs(), np.zeros(room, dtype=ints),
         np.zeros((count, 2), dtype=ints), np.zeros((count, C.BOND_FLOATS)), np.zeros((count, 3)),
         np.zeros(4 * len(edges) + 17, dtype=ints), np.zeros(len(edges), dtype=ints), np.zeros((count, 2)), totals,
-        np.zeros(6, dtype=ints), zones, speeds, tables)
+        np.zeros(7, dtype=ints), zones, speeds, tables)
 
 
 def _movers(problem: Problem2D, surfaces: Surfaces, boundaries, numbering):
