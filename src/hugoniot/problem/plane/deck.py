@@ -24,7 +24,7 @@ from hugoniot.problem.plane.contact import (
 )
 from hugoniot.problem.plane.contact_model import apart
 from hugoniot.problem.plane.edges import read_boundaries, read_gauges, read_lighting
-from hugoniot.problem.plane.model import Block2D, Problem2D, Solver2D, Viscosity2D
+from hugoniot.problem.plane.model import Block2D, Erosion2D, Problem2D, Solver2D, Viscosity2D
 from hugoniot.problem.plane.tables import (
     BlockTable,
     BoundaryTable,
@@ -159,9 +159,13 @@ def _solver(table: Any, axes, blocks, mesh: Blocks | None, collector: Collector)
         collector.add(("solver", "viscosity"), "Herrmann's viscosity has no limiter", "write limited = false with this kind")
     polar = bool(blocks) and all(isinstance(block.shape, Sector) for block in blocks)
     about_axis = polar and all(block.shape.centre[0] == 0.0 for block in blocks)
-    own = row.model_dump(exclude={"hourglass", "viscosity"}) | row.hourglass.model_dump()
+    own = row.model_dump(exclude={"hourglass", "viscosity", "erosion"}) | row.hourglass.model_dump()
     own["scheme"] = row.scheme or ("area_weighted" if about_axis and axes[0] == "r" else "true_volume")
-    return Solver2D(**own | {"viscosity": Viscosity2D(**row.viscosity.model_dump())})
+    if row.erosion is not None and row.erosion.plastic_strain is None and row.erosion.smallest_step is None:
+        collector.add(("solver", "erosion"), "does not say when a zone leaves",
+                      'such as plastic_strain = 1.5, or smallest_step = "0.1 ns"')
+    erosion = None if row.erosion is None else Erosion2D(**row.erosion.model_dump())
+    return Solver2D(**own | {"viscosity": Viscosity2D(**row.viscosity.model_dump()), "erosion": erosion})
 
 
 # -- and back ----------------------------------------------------------------------------------------------------------
@@ -208,7 +212,9 @@ def _boundary_table(boundary) -> dict:
 
 def _solver_table(problem: Problem2D) -> dict:
     solver = problem.solver
-    row = {f.name: v for f in fields(solver) if (v := getattr(solver, f.name)) is not None and f.name != "viscosity"}
+    row = {f.name: v for f in fields(solver) if (v := getattr(solver, f.name)) is not None and f.name not in ("viscosity", "erosion")}
+    if solver.erosion is not None:
+        row["erosion"] = _listed({f.name: getattr(solver.erosion, f.name) for f in fields(solver.erosion)})
     row["hourglass"] = {key: row.pop(key) for key in ("subzonal_pressure", "flanagan_belytschko")}
     if problem.geometry == "plane":
         del row["scheme"]

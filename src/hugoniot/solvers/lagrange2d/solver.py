@@ -25,6 +25,7 @@ from hugoniot.solvers.lagrange2d.contact import results
 from hugoniot.solvers.lagrange2d.contact.layout import Nowhere
 from hugoniot.solvers.lagrange2d.contact.results import ContactResults, NothingMeets
 from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, contact_tables, with_rigid
+from hugoniot.solvers.lagrange2d.erosion import Erosion, NoErosion
 from hugoniot.solvers.lagrange2d.march import Options, Run, hold_at_start, march
 from hugoniot.solvers.lagrange2d.plan import EMPTY, START, Planner, carry_out_alone, serve
 from hugoniot.solvers.lagrange2d.rows_of_blocks import cells, ghost_tables, node_rows, zone_rows
@@ -33,10 +34,8 @@ from hugoniot.solvers.protocol import NO_COUNTS, NothingToAdd
 from hugoniot.state import State2D
 
 NAME = "lagrange2d"
-ZONE_FIELDS = {"density": Z.rho, "energy": Z.e, "pressure": Z.p, "viscous_pressure": Z.q, "sound_speed": Z.c, "deviator_xx": Z.sxx,
-               "deviator_yy": Z.syy, "deviator_xy": Z.sxy, "plastic_strain": Z.plastic_strain, "damage": Z.damage,
-               "plastic_work": Z.plastic_work, "viscous_work": Z.viscous_work}
 WORTH_SHARING = 4_000        # zones
+KEPT = ("zones", "nodes", "charge", "control", "counters", "chains")      # in checkpoints
 LARGEST_COLLAPSE = 1e-12     # smallest useful step as a fraction of the stop time
 
 
@@ -62,9 +61,6 @@ class Lagrange2D(NothingToAdd):
         if self.burning:
             self._prepare_charge()
         self.region_of = mesh.block_of
-        pulses = [b.pulse for b in problem.boundaries if b.kind == "velocity" and b.pulse]
-        speed = max(float(self.zones[Z.c].max()), float(np.hypot(self.nodes[N.u], self.nodes[N.v]).max()),
-                    *(abs(v) for pulse in pulses for v in (pulse.amplitude, *pulse.values)))
         self.boundaries.chains.extend(f"rigid {body.name}" for body in problem.rigid)
         self.chains = np.zeros((len(self.boundaries.chains) + 1, 3))
         self.team = self._team()
@@ -74,7 +70,8 @@ class Lagrange2D(NothingToAdd):
         self.contact = NothingMeets() if surfaces is None else ContactResults(problem, surfaces, self.nodes, self.kind)
         contact = Nowhere() if surfaces is None else contact_tables(problem, surfaces, self.boundaries, numbering, self._zones)
         self.run = self._run(mesh, contact)
-        self.plan, self.fronts = self._plan(mesh, speed)
+        self.plan, self.fronts = self._plan(mesh, accounts.largest_speed(problem, self.zones, self.nodes))
+        self.erosion = Erosion(self, surfaces) if problem.solver.erosion else NoErosion()
         self.gauge_times, self.gauge_rows = [], []
         self.begin()
         self.initial_nodes = self.nodes[[N.x, N.y]][:, numbering.representative].copy()
@@ -99,13 +96,17 @@ class Lagrange2D(NothingToAdd):
 
     def _plan(self, mesh, speed):
         """(plan of the march, largest speed of a programmed front)."""
-        materials, material_of = materials_of(self.problem, speed, self.options.near)
+        materials, self.material_of = materials_of(self.problem, speed, self.options.near)
         tables = self._zones, self._charge, self._nodes, self.run.gradients
         self.planner = Planner(tables, materials, G.KINDS[self.kind], self.problem.solver.viscosity, self.problem.body_force,
                                self.team.threads, max(block.nj for block in mesh.blocks))
         compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs()])
-        plan = self.planner.plan(zone_rows(mesh, self.numbering, material_of), node_rows(mesh, self.numbering))
-        return plan, max(laws.constants.front for laws, _, _ in materials)
+        return self.plan_of(None), max(laws.constants.front for laws, _, _ in materials)
+
+    def plan_of(self, live):
+        """The plan of a march whose zones are live, all of them if None."""
+        mesh = self.problem.mesh
+        return self.planner.plan(zone_rows(mesh, self.numbering, self.material_of, live), node_rows(mesh, self.numbering))
 
     def _march_arguments(self, cycles, plan):
         return cycles, self.run, plan, self.options, self.control, self.counters, self.team
@@ -181,21 +182,21 @@ class Lagrange2D(NothingToAdd):
         if until <= self.time:
             return []
         self.control[L.EVENT_TIME] = until
-        end = self.cycle + cycles
+        end, code = self.cycle + cycles, L.PAUSED
         members = self._assemble_team()
         try:
-            code = L.GAUGE_DUE
-            while code in (L.GAUGE_DUE, L.NO_ROOM) and self.cycle < end:
-                code = march(*self._march_arguments(end - self.cycle, self.plan))
+            while code in (L.PAUSED, L.GAUGE_DUE, L.NO_ROOM) and self.cycle < end:
+                code = march(*self._march_arguments(self.erosion.pause(end) - self.cycle, self.plan))
                 if code == L.NO_ROOM:
                     self.run = self.run._replace(contact=results.larger(self.run.contact))
                 if self.sampler is not None and code in (L.GAUGE_DUE, L.AT_EVENT):
                     self._read_gauges()
+                if self.erosion.act(code):
+                    code = code if code == L.AT_EVENT else L.PAUSED
+                    self._dismiss(members)      # they hold the plan that was
+                    members = self._assemble_team()
         finally:
-            if members:
-                team.call(self.team.board, team.DISMISSED)
-                for member in members:
-                    member.join()
+            self._dismiss(members)
         if code in (L.BAD_STATE, L.STEP_COLLAPSED, L.TANGLED):
             raise post_mortem.diagnose(self, code)
         return []
@@ -209,6 +210,12 @@ class Lagrange2D(NothingToAdd):
         for member in members:
             member.start()
         return members
+
+    def _dismiss(self, members):
+        if members:
+            team.call(self.team.board, team.DISMISSED)
+            for member in members:
+                member.join()
 
     def _read_gauges(self):
         self.gauge_times.append(self.time)
@@ -226,11 +233,7 @@ class Lagrange2D(NothingToAdd):
     # -- what observers see ----------------------------------------------------------------------------------
     def state(self) -> State2D:
         """Copies of all fields now."""
-        zones = {name: self.zones[row].copy() for name, row in ZONE_FIELDS.items()}
-        zones["deviator_zz"] = -(zones["deviator_xx"] + zones["deviator_yy"])
-        zones["mass"] = self.zones[Z.mass].copy()
-        if self.burning:
-            zones |= self.burn_fields()
+        zones = self.erosion.seen(accounts.zone_fields(self.zones) | (self.burn_fields() if self.burning else {}))
         at = self.numbering.representative
         nodes = {name: self.nodes[row, at] for name, row in (("position_x", N.x), ("position_y", N.y), ("velocity_x", N.u),
                                                              ("velocity_y", N.v))}
@@ -272,7 +275,8 @@ class Lagrange2D(NothingToAdd):
     def results(self) -> dict[str, float]:
         """Further numbers for the summary."""
         work = float(np.sum(self.zones[Z.mass] * self.zones[Z.filter_work]))
-        return {"steps_repeated": int(self.counters[L.REPEATED]), "filter_work": work} | self.contact.summary(self.run.contact)
+        return {"steps_repeated": int(self.counters[L.REPEATED]), "filter_work": work} | self.contact.summary(
+            self.run.contact) | self.erosion.results()
 
     def peaks(self) -> dict[str, np.ndarray]:
         """Peak fields of every zone so far: stress and pressure in compression, tension positive."""
@@ -281,15 +285,15 @@ class Lagrange2D(NothingToAdd):
     # -- checkpoints -----------------------------------------------------------------------------------------
     def payload(self) -> dict:
         """Everything a bitwise restart needs."""
-        names = ("zones", "nodes", "charge", "control", "counters", "chains")
         start = {"start_energy": self.start_energy, "start_momentum": self.start_momentum}
-        return {name: getattr(self, name).copy() for name in names} | start | results.payload(self.run.contact)
+        return {name: getattr(self, name).copy() for name in KEPT} | start | self.erosion.payload() | results.payload(self.run.contact)
 
     def restore(self, payload: dict) -> None:
         """Continue from a payload of the same problem."""
-        for name in ("zones", "nodes", "charge", "control", "counters", "chains"):
+        for name in KEPT:
             getattr(self, name)[...] = payload[name]
         self.start_energy, self.start_momentum = float(payload["start_energy"]), np.array(payload["start_momentum"])
+        self.erosion.restore(payload)
         self.run = self.run._replace(contact=results.restored(self.run.contact, payload))
         if self.sampler is None:
             self.control[L.NEXT_GAUGE] = NO_LIMIT

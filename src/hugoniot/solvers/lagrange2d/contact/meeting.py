@@ -117,7 +117,7 @@ def meets(c, nodes, k, dt, slack, depth):
     if before < -DEEP * length or not over_edge(c, nodes, e, share) or tied(c, p, e):
         return False
     x, y = point_normal(c, nodes, p)
-    if x * nx + y * ny > FACING:
+    if x * nx + y * ny > FACING and (c.points[p, C.POINT_BEFORE] >= 0 or c.points[p, C.POINT_AFTER] >= 0):
         return False
     c.pair_numbers[k, C.GAP], c.pair_numbers[k, C.SHARE] = before, share
     return True
