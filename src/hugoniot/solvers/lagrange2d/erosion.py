@@ -17,7 +17,7 @@ from hugoniot.solvers.lagrange2d.rows_of_blocks import cells
 EVERY = 10      # cycles between two looks at the zones
 FORCES = slice(Z.f0x, Z.f3y + 1)
 NOTHING = (Z.p, Z.q, Z.sxx, Z.syy, Z.sxy, Z.qxx, Z.qyy, Z.qxy, Z.qhoop, Z.c, Z.viscous_speed, Z.sigma)
-MASS, MOMENTUM_X, MOMENTUM_Y, ENERGY = range(4)
+WEIGHTLESS = 1e-200      # kg: of a node whose zones have all been dropped, on which nothing acts
 
 
 class Erosion:
@@ -97,7 +97,7 @@ class Erosion:
         z[Z.mass, zones] = 0.0
         left = whole - part
         n[N.own, :numbering.total] = (left / numbering.copies)[numbering.nodes]
-        n[N.im, :numbering.total] = (1.0 / np.where(left > 0.0, left, np.inf))[numbering.nodes]
+        n[N.im, :numbering.total] = (1.0 / np.where(left > 0.0, left, WEIGHTLESS))[numbering.nodes]
 
     def take_out(self):
         """Give the march its lists, loads and surfaces without the zones that have left."""

@@ -19,6 +19,7 @@ BEYOND = 0.5         # of an edge: how far it bounds the free space beyond a hol
 EDGE_END = 1e-6
 OVERHANG = 0.5       # of an edge: how far beyond its ends forces may act on it, so that they have no moment
 KEPT_DEPTH = 0.9     # of the depth at the start of a step may be left at its end
+RISE = 1e-2          # of the change of velocity that contact made in the last step: what is behind rises no faster
 CLOSED = 1e-3        # of an edge: a gap that a bond bridges
 
 
@@ -250,7 +251,7 @@ def ask_mean(c, nodes, dt):
         _, share, q[C.NX], q[C.NY], _ = seen(c, nodes, k, 0.5 * dt)
         q[C.SHARE] = min(max(share, -OVERHANG), 1.0 + OVERHANG)
         u, v = relative(c, s, a, b, q[C.SHARE], C.U, C.V)
-        wanted = KEPT_DEPTH * min(q[C.GAP], 0.0)
+        wanted = min(q[C.GAP] + min((KEPT_DEPTH - 1.0) * q[C.GAP], RISE * c.numbers[C.CHANGE] * dt), 0.0)
         q[C.LEAST] = u * q[C.NX] + v * q[C.NY] + (wanted - gap) / dt
         if q[C.COULOMB] > 0.0:
             u, v = start_velocity(c, nodes, s, a, b, q[C.SHARE])

@@ -79,12 +79,11 @@ def solve(c, nodes, dt, closing):
     part, least, change = 1.0 if closing else 0.5, NEGLIGIBLE * c.numbers[C.MEAN_EDGE] / dt, 0.0
     if closing:
         least = max(least, CLOSING_ENOUGH * c.numbers[C.CHANGE])
-    else:
-        c.numbers[C.CHANGE] = 0.0
     forget(c)
     if closing:
         bind_points(c, nodes)
     if c.counts[C.PAIRS] == 0:
+        c.numbers[C.CHANGE] = 0.0
         return False
     touched = aim_bonds(c, nodes, closing)
     for again in range(1 if closing else ROUNDS):
@@ -102,7 +101,7 @@ def solve(c, nodes, dt, closing):
         if not closing:      # directions of the middle of the step as it has come out: forces without moment
             ask_mean(c, nodes, dt)
         restart(c, part)
-    if touched and not closing:
+    if not closing:
         c.numbers[C.CHANGE] = change
     return touched
 
