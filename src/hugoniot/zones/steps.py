@@ -81,14 +81,9 @@ class MaterialSteps:
         self.do(soundness.look_over, soundness.PeakRows(z.rho, z.c, z.sigma, z.p, z.peak_stress, z.peak_tension, z.peak_pressure,
                                                         z.peak_density, self.at.found))
 
-    def viscous(self, v, c, p, squeeze, smooth, speed) -> None:
-        """Signal speed of the artificial viscosity."""
-        self.do(viscosity.speed_pass, viscosity.SpeedRows(v, c, p, squeeze, smooth, speed), law=self.laws.viscosity)
-
-    def viscous_both(self, v, c, p) -> None:
-        """The same of a leapfrog, with the speed of its quadratic part alone at the end of the step."""
-        w = self.at.w
-        self.do(viscosity.speeds_pass, viscosity.SpeedsRows(v, c, p, w.squeeze, w.v, w.speed, w.weak_speed), law=self.laws.viscosity)
+    def resisting(self, geometry) -> viscosity.Resisting:
+        """What a pass of artificial viscosity is compiled for, in the geometry of the solver."""
+        return viscosity.Resisting(self.laws.viscosity, geometry)
 
     # -- closure -------------------------------------------------------------------------------------------------------------
     def pressure(self, solid_v, e, p) -> None:

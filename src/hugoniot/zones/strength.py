@@ -107,11 +107,15 @@ def unburned(lam, material):
 
 @zone_pass(HardenRows)
 def harden_pass(count, z, dt, numbers, law):
-    """Plastic strain and work of the step."""
+    """Plastic strain and work of the step; nothing is written where no zone of the piece flows."""
     rows_apart()
+    most = 0.0
     for j in range(count):
-        z.plastic_work[j] += z.limit[j] * z.flow[j] * z.v[j]
-        z.plastic_strain[j] += z.flow[j]
+        most = fmax(most, z.flow[j])
+    if most > 0.0:
+        for j in range(count):
+            z.plastic_work[j] += z.limit[j] * z.flow[j] * z.v[j]
+            z.plastic_strain[j] += z.flow[j]
 
 
 @zone_pass(PlasticHeatRows)
