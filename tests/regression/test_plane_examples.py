@@ -23,6 +23,7 @@ COARSE: dict[str, dict] = {
     "flyer-disc": {"block.target.zones": [20, 24], "block.flyer.zones": [20, 12], "stop_time": "1.2 us"},
     "cylinder-test": {},
     "gap-disc": {"block.target.zones": [20, 20], "block.flyer.zones": [25, 10], "stop_time": "2.4 us"},
+    "rod": {"block.target.zones": [6, 32], "block.around.zones": [8, 32], "block.rod.zones": [2, 24], "stop_time": "10 us"},
 }
 QUICK = ("noh-plane",)
 
