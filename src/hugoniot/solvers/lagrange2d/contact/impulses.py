@@ -15,7 +15,7 @@ import numba as nb
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
 
-MOST_SWEEPS = 8
+ENOUGH_SWEEPS, MOST_SWEEPS = 8, 40      # the more only where nodes would end far behind surfaces
 CLOSE_ENOUGH = 5e-4      # of the largest change that contact makes to a velocity
 
 
@@ -216,15 +216,18 @@ def largest(c):
 
 
 @nb.njit(**GUARD)
-def relax(c, part, least):
-    """Satisfy all active pairs and all bonds; changes of velocity below `least` do not count. The largest change that contact makes."""
+def relax(c, part, least, enough):
+    """Satisfy all active pairs and all bonds; changes of velocity below `least` do not count. The largest change that contact makes.
+
+    After some sweeps changes of velocity below `enough` will do.
+    """
     before = whole = 0.0
     weigh_bonds(c)
     for sweep in range(MOST_SWEEPS):
         change, square = sweep_once(c, part, sweep % 2 == 0)
         if sweep == 0:
             whole = largest(c)
-        if change <= max(least, CLOSE_ENOUGH * whole) or sweep == MOST_SWEEPS - 1:
+        if change <= max(least, CLOSE_ENOUGH * whole) or (sweep >= ENOUGH_SWEEPS - 1 and change <= enough) or sweep == MOST_SWEEPS - 1:
             break
         go_on(c, part, square / before if sweep > 0 and square <= before else 0.0)
         before = square

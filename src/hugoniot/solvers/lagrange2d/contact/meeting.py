@@ -18,7 +18,7 @@ FACING = -0.1        # cosine between the outward normals of point and edge
 BEYOND = 0.5         # of an edge: how far it bounds the free space beyond a hollow corner
 EDGE_END = 1e-6
 OVERHANG = 0.5       # of an edge: how far beyond its ends forces may act on it, so that they have no moment
-KEPT_DEPTH = 0.5     # of the depth at the start of a step may be left at its end
+KEPT_DEPTH = 0.9     # of the depth at the start of a step may be left at its end
 RISE = 1e-2          # of the change of velocity that contact made in the last step: what is behind rises no faster
 CLOSED = 1e-3        # of an edge: a gap that a bond bridges
 

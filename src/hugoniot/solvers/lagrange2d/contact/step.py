@@ -26,6 +26,7 @@ X, U, XH, UM, IM = 0, 2, 4, 6, 12      # rows of the node table
 ROUNDS = 2                             # of finding who meets and what follows; one at the start of a step
 SLACK = 1e-7                           # of an edge: what closes by less in a step is left to the forces
 SMALL = 1e-5                           # of an edge: what would be behind by less after a round is left to the next step
+DEPTH = 2e-4                           # of the mean edge: how far behind surfaces nodes may end for sweeps to stop early
 CLOSING_ENOUGH = 5e-3                  # of the change that contact made to a velocity in the last step: what surfaces that touch close by
 NEGLIGIBLE = 1e-14                     # of the mean edge in a step: velocities below are round-off
 
@@ -96,7 +97,7 @@ def solve(c, nodes, dt, closing):
         else:
             ask_mean(c, nodes, dt)
         restart(c, part)
-        change = relax(c, part, least)
+        change = relax(c, part, least, 1e300 if closing else DEPTH * c.numbers[C.MEAN_EDGE] / dt)
     if touched:
         if not closing:      # directions of the middle of the step as it has come out: forces without moment
             ask_mean(c, nodes, dt)
