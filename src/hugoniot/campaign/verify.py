@@ -8,15 +8,13 @@ import dataclasses
 import time
 from collections.abc import Iterable
 from dataclasses import dataclass
-from types import MappingProxyType
 
 import numpy as np
 
 from hugoniot.campaign.guderley import GUDERLEY, arrival_error, exponent_error, shock_radius
 from hugoniot.campaign.plane import PLANE, PlaneProblem, run_plane
+from hugoniot.campaign.tracked import FRONTS, with_fronts
 from hugoniot.errors import DeckError
-from hugoniot.problem.fronts import defects as fronts_defects
-from hugoniot.problem.model import Problem, SolverOptions
 from hugoniot.problem.standard import STANDARD, Bar, Measure, StandardProblem
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.run import Schedule, march_to_end, snapshot_times
@@ -26,29 +24,6 @@ SNAPSHOTS = 50
 NO_ORDER = ("asymmetry", "densest_zone", "peak_scatter", "time_reached", "filter_work", "velocity_across", "front_rms")
 LINE = {**STANDARD, GUDERLEY.name: GUDERLEY}
 PROBLEMS: dict[str, StandardProblem | PlaneProblem] = {**LINE, **PLANE}
-FRONTS = "fronts"
-NOT_FOR_FRONTS = {
-    "kidder": "both its ends follow long tables, and tracked fronts end a step at every point of a table",
-    "guderley": "the gas ahead is so cold that rounding leaves it no speed of sound where fronts are born",
-}
-
-
-def with_fronts(asked: Problem) -> Problem:
-    """The same problem for tracked fronts, in the mode with cells."""
-    return dataclasses.replace(asked, solver=SolverOptions(FRONTS, options=MappingProxyType({"mode": "cells"})))
-
-
-def beyond_fronts(name: str) -> str:
-    """Why tracked fronts do not take a standard problem; empty where they do."""
-    if name in NOT_FOR_FRONTS:
-        return NOT_FOR_FRONTS[name]
-    problem = LINE.get(name)
-    if problem is None:
-        return "it is two-dimensional"
-    found = fronts_defects(with_fronts(problem.build(problem.zones[0])))
-    return found[0][1] if found else ""
-
-
 @dataclass(frozen=True)
 class Judged:
     """One measure of one run: the value, the bars it is held to, and which of them it beats."""

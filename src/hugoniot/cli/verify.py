@@ -59,11 +59,12 @@ def verify(
 
 def _taken_by_fronts(names: list[str], asked: bool) -> list[str]:
     """The problems that tracked fronts take; one that was asked for by name and is not among them is refused, others are named."""
-    from hugoniot.campaign.verify import PROBLEMS, beyond_fronts
+    from hugoniot.campaign.tracked import beyond_fronts
+    from hugoniot.campaign.verify import LINE, PROBLEMS
 
     taken = []
     for name in names:
-        why = beyond_fronts(name) if name in PROBLEMS else ""
+        why = beyond_fronts(LINE.get(name)) if name in PROBLEMS else ""
         if why and asked:
             raise DeckError.single("verify", None, "problem", f"'{name}': {why}", "leave out --solver")
         if why:
