@@ -153,9 +153,9 @@ def _table(plan: Plan, journal: Journal, keys: list[str], reasons: dict[int, str
         why[case] = answer.get("reason", "")
         for name, value in answer.get("numbers", {}).items():
             if not outputs or any(fnmatch.fnmatchcase(name, pattern) for pattern in outputs):
-                columns.setdefault(name, np.full(len(keys), np.nan))[case] = value
+                _column(columns, name, len(keys))[case] = value
         for name, values in answer.get("records", {}).items():
-            records.setdefault(name, np.full((len(keys), POINTS), np.nan))[case] = values
+            _column(records, name, len(keys), POINTS)[case] = values
     if outputs and not columns and any(not reason for reason in why):
         _unknown_outputs(journal, keys, answered, outputs)
     parameters = _parameters(plan)
@@ -166,6 +166,13 @@ def _table(plan: Plan, journal: Journal, keys: list[str], reasons: dict[int, str
         plan.design.shape if grid else (), _steps(plan) if grid else (),
         tuple(Column(name, describe(name.rpartition(".")[2])[0], values) for name, values in records.items()), times,
         {"design": plan.design.kind, "seed": plan.design.seed, "parameters": "\n".join(column.name for column in parameters)})
+
+
+def _column(columns: dict[str, np.ndarray], name: str, *shape: int) -> np.ndarray:
+    """A column of the table, begun with not-a-number where it is not there yet."""
+    if name not in columns:
+        columns[name] = np.full(shape, np.nan)
+    return columns[name]
 
 
 def _unknown_outputs(journal: Journal, keys: list[str], answered: list[int], outputs: Sequence[str]) -> None:

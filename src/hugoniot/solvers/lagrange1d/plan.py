@@ -104,7 +104,7 @@ class Planner:
                              place(gradient, AT_GRADIENTS), place(self.seen[member]), place(self.dts[DT:]), place(self.dts[DT_HALF:]))
                     for member in range(threads)]
         self._heat_flux = heat_flux
-        self.written, self._ends, self._share_out = EMPTY.written, {}, 0
+        self.written, self._ends, self._most_rows, self._share_out = EMPTY.written, {}, 1, 0
         self._lists = dict(self._of_materials()) | dict(self._of_nodes()) | dict(self._of_heat())
 
     def jobs(self) -> list[Job]:
@@ -157,7 +157,7 @@ class Planner:
         if self.written is EMPTY.written:
             self.written, ends = write(self._lists.values())
             self._share_out = DO_SHARE.address(EMPTY, 0, 0)
-            self._ends = dict(zip(self._lists, ends))
+            self._ends, self._most_rows = dict(zip(self._lists, ends)), most_rows(self.written, ends)
         inner = [(first, last - 1, segment, 0) for first, last, segment in spans.tolist()]    # a zone less has as many nodes inside
         shares, commands = [], np.zeros((COMMANDS, 2), dtype=np.int64)
         for command in range(COMMANDS):
@@ -170,7 +170,7 @@ class Planner:
             for i, (first, last, segment, k) in enumerate(rows):
                 ends = self._ends[command, k, i % self.threads if scratch else 0]
                 shares.append((first, last, segment, L.PIECE if scratch else last - first, *ends, i if finds else NOT_FOUND))
-        scratch = [np.zeros((self.threads, n), dtype=np.int64) for n in (ORIGINS, most_rows(self.written, self._ends.values()))]
+        scratch = [np.zeros((self.threads, n), dtype=np.int64) for n in (ORIGINS, self._most_rows)]
         return Plan(self.written, commands, np.array(shares, dtype=np.int64).reshape(-1, 7), self._share_out, self.threads, *scratch,
                     self.seen, np.zeros((len(runs) + 1, FOUND_FLOATS)), self.dts)
 
