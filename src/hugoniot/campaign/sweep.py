@@ -14,12 +14,12 @@ import os
 import pathlib
 import time
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from hugoniot.campaign.analysis import FILES, Analysis, analysis_of, write_analysis
+from hugoniot.campaign.analysis import CONSTANTS, FILES, Analysis, analysis_of, write_analysis
 from hugoniot.campaign.journal import Journal
 from hugoniot.campaign.plan import Plan
 from hugoniot.campaign.questions import MATCHED, POINTS, Deck
@@ -32,7 +32,7 @@ from hugoniot.output.sweep_file import Column, SweepTable, write_cases, write_ta
 from hugoniot.problem.arithmetic import Trouble
 
 JOURNAL, TABLE, CASES, ASKED = "cases.jsonl", "sweep.h5", "cases.csv", "sweep.json"
-_OURS = (*FILES, JOURNAL, TABLE, CASES, ASKED, "report.html", "runs", "run.log", ".lock")
+_OURS = (*FILES, CONSTANTS, JOURNAL, TABLE, CASES, ASKED, "report.html", "runs", "run.log", ".lock")
 
 
 @dataclass
@@ -49,13 +49,15 @@ class Progress:
 
 @dataclass(frozen=True)
 class Swept:
-    """A finished sweep: its table, where it is, how it went, and what a sample says about its parameters."""
+    """A finished sweep: its table, where it is, how it went, what a sample says about its parameters, and lines of
+    `uncertain.rows_of` where constants varied by their uncertainty in the library."""
 
     table: SweepTable
     folder: pathlib.Path
     progress: Progress
     seconds: float
     analysis: Analysis | None = None
+    constants: list[list[str]] = field(default_factory=list)
 
 
 def cores() -> int:
