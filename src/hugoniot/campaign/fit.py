@@ -78,6 +78,7 @@ class Problem:
     """A fit: parameters, targets, and a function that runs the deck at several points (see `answers`).
 
     shift, scale   largest magnitude of the shift (s) and the scale of each file, 0 for none
+    smooth         the runs answer without jumps: a plane needs few of them
     ask            ask(changes of each case) -> answers, with "records" {name: (times, values)} or a "reason"
     """
 
@@ -91,6 +92,7 @@ class Problem:
     ask: Callable[[list[dict]], list[dict]]
     runs: int = 0
     seen: dict[tuple, dict] = field(default_factory=dict)
+    smooth: bool = False
 
     # -- coordinates -------------------------------------------------------------------------------------------------
     @property
@@ -191,8 +193,7 @@ class Problem:
             if quiet >= 2:
                 break
         sample = self._sample(x, moving, reach, rounds)
-        if not fixed:
-            x, sample = self._middle(x, moving, reach)
+        x, sample = (x, sample) if fixed else self._middle(x, moving, reach)
         plane = self._plane(x, moving, sample)
         return Minimum(x, self.cost(x), plane.slopes, plane.weight, plane.rough, quiet >= 1, best)
 
@@ -216,7 +217,7 @@ class Problem:
         if not len(moving):
             return []
         low, high = self.ends
-        size = max(2 * len(moving) + 4, LEAST_SAMPLE)
+        size = 2 * len(moving) + 1 if self.smooth else max(2 * len(moving) + 4, LEAST_SAMPLE)
         shares = 2.0 * stats.qmc.LatinHypercube(len(moving), seed=seed).random(size) - 1.0
         points = []
         for share in shares:
