@@ -86,6 +86,13 @@ class Solver(Protocol):
         """
         ...
 
+    def pass_through(self, times) -> bool:
+        """Hit these times (sorted, s) exactly on the way of a march without coming back; False where the solver cannot.
+
+        For runs of which no snapshot is kept, with the steps of one of which they are: `seen_in_passing` gives what they ask for.
+        """
+        ...
+
     def limiting(self) -> tuple[int, str]:
         """(zone, name of its region) that limits the step."""
         ...
@@ -210,6 +217,10 @@ class NothingToAdd:
     def motion(self) -> SolverState:
         """The whole state."""
         return self.state()
+
+    def pass_through(self, times) -> bool:
+        """It comes back at every time."""
+        return False
 
     def phases(self) -> np.ndarray | None:
         """Nothing burns."""

@@ -26,6 +26,7 @@ from hugoniot.solvers.lagrange1d.probes import probe_tables
 from hugoniot.solvers.lagrange1d.step import SCHEMES, WATCH, Arrays, Gauges, march
 from hugoniot.solvers.lagrange1d.tables import zone_table
 from hugoniot.solvers.lagrange1d.terms import terms_of
+from hugoniot.solvers.lagrange1d.watch import pass_times
 from hugoniot.solvers.protocol import Event, NothingToAdd
 from hugoniot.state import State
 from hugoniot.zones.closure import remembers
@@ -67,6 +68,7 @@ class Lagrange1D(NothingToAdd):
         self.boundaries = tuple(boundary_end(problem, end, self.terms.force.field) for end in ends)
         self.control = np.zeros(L.CONTROL_FLOATS)
         self.counters = np.zeros(L.CONTROL_INTS, dtype=np.int64)
+        self.passed = np.zeros((0, L.PASS_FLOATS))
         self.voids_opened = self.voids_closed = self.interfaces_separated = 0
         self.region_of = np.repeat(np.arange(len(problem.regions)), [b - a for a, b in self.region_ranges])
         self.initial_nodes = self._faces(H.r)
@@ -143,7 +145,8 @@ class Lagrange1D(NothingToAdd):
         """Step until the time `until` (hit exactly), `cycles` steps, a full gauge buffer or an event; the events that happened."""
         if until <= self.time:
             return []
-        self.control[L.EVENT_TIME] = until
+        self.control[L.UNTIL] = until
+        self._pass_times()
         members = self._assemble_team()
         try:
             code = march(*self._march_arguments(cycles, self.plan))
@@ -154,7 +157,25 @@ class Lagrange1D(NothingToAdd):
                     member.join()
         if code in (L.BAD_STATE, L.STEP_COLLAPSED):
             raise unphysical(self, code)
-        return events_of(self, code)
+        events = events_of(self, code)
+        self._pass_times()
+        return events
+
+    def pass_through(self, times) -> bool:
+        """March through these times (sorted, s) without coming back; they are hit exactly."""
+        self.passed = np.zeros((len(times), L.PASS_FLOATS))
+        self.passed[:, L.PASS_TIME] = times
+        self.counters[L.PASSED_TIMES] = 0
+        return True
+
+    def seen_in_passing(self) -> dict[str, np.ndarray]:
+        """At the times of `pass_through` that are reached: `time` (n,) s, largest size of `velocity` (m/s) and `stress` (Pa),
+        `velocity_right` of the right end."""
+        return dict(zip(("time", "velocity", "stress", "velocity_right"), self.passed[:int(self.counters[L.PASSED_TIMES])].T.copy()))
+
+    def _pass_times(self) -> None:
+        last = self.zones.shape[1] - 1, self.nodes.shape[1] - 1
+        pass_times.py_func(self.table, self.node_table, self.control, self.counters, self.passed, last)
 
     def _march_arguments(self, cycles, plan):
         arrays = self._arrays(self.watching)
@@ -163,7 +184,7 @@ class Lagrange1D(NothingToAdd):
 
     def _arrays(self, watching=0):
         return Arrays(self.table, self.charge_table, self.node_table, self.gradient_table, self.control, self.counters, self.segments,
-                      self.interfaces, watching)
+                      self.interfaces, self.passed, watching)
 
     def _assemble_team(self):
         """The other threads of this march, waiting at the board; none for a run of one thread."""
