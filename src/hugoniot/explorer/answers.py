@@ -51,7 +51,8 @@ def surface(places: Places, query: Query) -> Any:
 def match(places: Places, query: Query) -> Any:
     """The states of an impact."""
     names = [name for name in text(query, "layers").split(",") if name]
-    return impact.impact(names, number(query, "velocity"), number(query, "sigma", 0.0), query.get("bands") == "1")
+    bands, draft = (query.get(key) == "1" for key in ("bands", "draft"))
+    return impact.impact(names, number(query, "velocity"), number(query, "sigma", 0.0), bands, draft)
 
 
 def match_deck(places: Places, query: Query) -> Any:

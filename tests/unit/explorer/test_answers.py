@@ -19,7 +19,7 @@ from hugoniot.theory.impedance import match
 
 def ask(client, question, **query):
     answer = client.get(f"/{TOKEN}/api/{question}", params=query)
-    assert answer.status_code == 200, answer.text
+    assert answer.status_code == 200 and "error" not in answer.json(), answer.text
     return answer.json()
 
 
@@ -90,10 +90,10 @@ def test_every_material_of_the_library_has_curves_or_says_why():
 
 def test_unknown_names_are_refused_with_the_nearest(client):
     answer = client.get(f"/{TOKEN}/api/material", params={"name": "coper"})
-    assert answer.status_code == 422 and "copper" in answer.json()["error"][0]
+    assert answer.status_code == 200 and "copper" in answer.json()["error"][0]
     for query in ({"name": "copper", "by": "particle_velocity", "value": "nan"}, {"name": "copper", "by": "colour", "value": "1"}, {"name": "copper", "by": "pressure"},
                   {"name": "copper", "by": "particle_velocity", "value": "1e400"}, {"name": "x" * 100, "by": "pressure", "value": "1e9"}):
-        assert client.get(f"/{TOKEN}/api/state", params=query).status_code == 422
+        assert list(client.get(f"/{TOKEN}/api/state", params=query).json()) == ["error"]
 
 
 # -- impacts ---------------------------------------------------------------------------------------------------------

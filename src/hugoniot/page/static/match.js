@@ -72,9 +72,10 @@
     clearTimeout(settled);
     const mine = ++order, names = layers(), v = velocity();
     const wanted = {layers: names.join(","), velocity: v};
-    if (dragging && names.length === 2 && !H.exported()) {      // at once from the curves of both; the server's digits when the hand rests
+    if (dragging && !H.exported()) {      // at once, from the curves of both metals or with fewer states a curve; all of it when the hand rests
       const begun = performance.now();
-      H.matchFromCurves(names, v).then(found => { if (mine === order) { found.took = performance.now() - begun; shown = found; draw(found); } }, () => exact(mine, names, v, wanted));
+      if (names.length > 2) exact(mine, names, v, {...wanted, draft: 1});
+      else H.matchFromCurves(names, v).then(found => { if (mine === order) { found.took = performance.now() - begun; shown = found; draw(found); } }, () => exact(mine, names, v, wanted));
       settled = setTimeout(() => exact(mine, names, v, wanted), 90);
     } else exact(mine, names, v, wanted);
     if (deckBox.open && !dragging) loadDeck();
