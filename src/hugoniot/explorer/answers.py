@@ -15,8 +15,9 @@ Query = Mapping[str, str]
 
 def start(places: Places, query: Query) -> Any:
     """What is open."""
-    named = {key: [{"name": place.name} for place in getattr(places, key)] for key in ("sweeps", "fits", "decks")}
-    return {"version": __version__, "runs": [{"name": r.name, **run_data.line(r.path)} for r in places.runs], **named,
+    named = {key: [{"name": p.name, "typed": p.typed} for p in getattr(places, key)] for key in ("runs", "sweeps", "fits", "decks")}
+    runs = [entry | run_data.line(place.path) for entry, place in zip(named["runs"], places.runs)]
+    return {"version": __version__, **named, "runs": runs,
             "materials": places.materials, "files": {name: Path(entry.file).name for name, entry in subjects.own.items()},
             "may_run": places.work is not None}
 

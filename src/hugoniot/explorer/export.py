@@ -6,6 +6,7 @@ A browser lets a page from the disk read scripts beside it, not files; so each a
 import base64
 import json
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -38,7 +39,7 @@ def export(places: Places, folder: Path, *, progress: Callable[[str], None] = la
     for question, query in _asked(places):
         key = key_of(question, query)
         try:
-            answer = QUESTIONS[question](places, {k: str(v) for k, v in query.items()})
+            answer = QUESTIONS[question](known_by_name(places), {k: str(v) for k, v in query.items()})
         except HugoniotError as error:
             answer = {"error": str(error)}
         name = f"data/{len(known):04d}.js"
@@ -47,6 +48,12 @@ def export(places: Places, folder: Path, *, progress: Callable[[str], None] = la
         progress(key)
     _put(folder / "data" / "data.js", b"window.hugoniotFiles=" + encoded(known) + b";\n")
     return len(known) + len(files.files()) + 3
+
+
+def known_by_name(places: Places) -> Places:
+    """The same places without the folders of this machine, which are nobody's business elsewhere."""
+    named = {key: [p._replace(typed=p.name) for p in getattr(places, key)] for key in ("runs", "sweeps", "fits", "decks")}
+    return replace(places, **named)
 
 
 def key_of(question: str, query: dict[str, Any]) -> str:

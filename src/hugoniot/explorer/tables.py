@@ -20,7 +20,7 @@ _HEAD = re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]*)[)\]]\s*$")
 
 
 def table(path: Path) -> dict[str, Any]:
-    """Columns of a CSV file: name, unit, whether all cells are numbers, cells; `runs`: rows with a run beside the table.
+    """Columns of a CSV file: head, name and unit in it, whether all cells are numbers, cells; `runs`: rows with a run beside the table.
 
     Raises `FileTrouble` for a file that is no table.
     """
@@ -46,7 +46,8 @@ def _columns(heads: list[str], rows: list[list[str]]) -> list[dict]:
         numeric = any(n is not None for n in numbers) and all(n is not None or cell.lower() in NOTHING for n, cell in zip(numbers, cells))
         match = _HEAD.fullmatch(head)
         name, unit = (match["name"], match["unit"]) if match else (head, "")
-        columns.append({"name": name, "unit": "" if unit == "1" else unit, "numeric": numeric, "cells": numbers if numeric else cells})
+        columns.append({"head": head, "name": name, "unit": "" if unit == "1" else unit, "numeric": numeric,
+                        "cells": numbers if numeric else cells})
     return columns
 
 

@@ -117,6 +117,26 @@ def test_the_drawn_curves_meet_in_the_states():
             assert (np.diff(ps) >= 0).all()
 
 
+def test_the_curves_of_a_drag_are_those_of_the_answer_with_fewer_states():
+    """Each of their states lies on the isentrope or the Hugoniot found by its pressure; the states at the interfaces are the same."""
+    from hugoniot.theory.hugoniot import Initial, shock
+    from hugoniot.theory.isentrope import reference, release
+
+    names = ["tungsten", "copper", "pmma", "copper"]
+    full, draft = (impact.impact(names, 800.0, draft=draft) for draft in (False, True))
+    assert draft["states"] == full["states"]
+    assert [len(c["ahead"]["pressure"]) for c in draft["curves"]] < [len(c["ahead"]["pressure"]) for c in full["curves"]]
+    copper, hit = library.find("copper"), match([library.find(name) for name in names], 800.0)
+    u, p = (np.array(draft["curves"][1]["behind"][key]) for key in ("particle_velocity", "pressure"))
+    below = p < hit[0].pressure * (1 - 1e-12)
+    assert below.sum() > 5 and p[below].min() < 1e-3 * hit[0].pressure
+    found = [release(copper, hit[0].right, float(q), direction=-1).particle_velocity for q in p[below]]
+    assert u[below] == pytest.approx(found, rel=1e-10)
+    u, p = (np.array(draft["curves"][1]["ahead"][key][1:]) for key in ("particle_velocity", "pressure"))
+    pmma = library.find("pmma")
+    assert u == pytest.approx(shock(pmma, Initial.of(reference(pmma)), pressure=p).particle_velocity, rel=1e-10)
+
+
 def test_bands_of_the_librarys_fits_count_with_their_covariance():
     """Against Monte Carlo over the same covariance, by its own sampling."""
     found = impact.impact(["iron", "water"], 1500.0, 0.0, True)

@@ -31,7 +31,7 @@
       const number = H.get("fit", "0"), found = await H.askOnce("fit", {fit: number});
       if (mine !== order) return;
       select.value = number;
-      const name = opened.fits[Number(number)]?.name || "fit";
+      const name = opened.fits[Number(number)].typed;
       H.command({shell: `python -m json.tool ${H.shell(`${name}/fit.json`)}\nhugoniot run ${H.shell(`${name}/fitted.toml`)}`, python: `import json\nfit = json.load(open(${H.python(`${name}/fit.json`)}))\nfor p in fit["parameters"]:\n    print(p["name"], p["value"], p["sigma"], p["unit"])` });
       if (shownKey !== number) { shownKey = number; drawFacts(found.fit); drawTargets(found.targets); }
       drawPosterior(found.fit, found.draws || []);

@@ -204,7 +204,7 @@
       run.events.length ? H.h("details", {}, H.h("summary", {class: "small"}, `${run.events.length} events`), H.h("div", {class: "scroll wide small", tabindex: 0, role: "group", "aria-label": "Events"}, run.events.map(e => H.h("div", {style: {padding: "2px 8px"}}, `${H.digits(e.time * 1e6, 5)} µs: ${e.text}`)))) : "");
   }
   function command(run, shown, k) {
-    const name = document.querySelectorAll("input[name=run]")[chosen()]?.parentElement.querySelector("small")?.textContent.split(",")[0] || "RUN", time = run.times[k];
+    const place = last.opened.runs[chosen()], name = place.typed || place.name, time = run.times[k];
     const f = shown?.name || "stress", [unit, factor] = H.timeUnit(run.times.at(-1) || 1e-6), ascii = unit.replace("µ", "u");
     if (run.live) { H.command({shell: `hugoniot explore ${H.shell(name)}`, python: "# a run in progress is read when it has ended:\nimport hugoniot\nrun = hugoniot.load(" + H.python(name) + ")"}); return; }
     H.command(run.plane ? {shell: `hugoniot plot ${H.shell(name)} map ${f} --time "${H.digits(time * factor, 6)} ${ascii}"`, python: `import hugoniot\nrun = hugoniot.load(${H.python(name)})\nrun.plot.map(${H.python(f)}, time=${time})`}

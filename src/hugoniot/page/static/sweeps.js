@@ -42,7 +42,7 @@
     const columns = found.columns.map(c => {
       const name = c.name.replace(/_/g, " "), top = c.numeric ? c.cells.reduce((m, v) => Math.max(m, Math.abs(v) || 0), 0) : 0;
       const [unit, factor] = !top ? [c.unit, 1] : c.unit === "Pa" ? H.fits([top], "GPa", 1e-9) : c.unit === "s" ? H.timeUnit(top) : c.unit === "m" ? H.lengthUnit(top) : [c.unit, 1];
-      return {...c, name, unit, cells: factor === 1 ? c.cells : c.cells.map(v => v === null ? null : v * factor)};
+      return {...c, name, unit, factor, cells: factor === 1 ? c.cells : c.cells.map(v => v === null ? null : v * factor)};
     });
     return found.inWords = {...found, columns};
   }
@@ -73,8 +73,16 @@
     drawScatter(keep);
     drawTable(keep);
     if (!readout.childNodes.length) H.clear(readout).append(H.h("span", {class: "quiet"}, "Point at a case. Drag along an axis above to keep a range; a click on a case opens its run."));
-    const name = opened.sweeps[Number(select.value)]?.name || "sweep";
-    H.command({shell: `hugoniot explore ${H.shell(name)}`, python: `import csv\nwith open(${H.python(name.endsWith(".csv") ? name : `${name}/cases.csv`)}) as file:\n    rows = list(csv.DictReader(file))`});
+    const name = opened.sweeps[Number(select.value)].typed;
+    H.command({shell: `hugoniot explore ${H.shell(name)} --view ${H.shell(H.address("sweeps", withoutNumber()))}`, python: inPython(name.endsWith(".csv") ? name : `${name}/cases.csv`)});
+  }
+  const withoutNumber = () => { const {query} = H.read(); query.delete("sweep"); return query; };      // of the one table that the command opens
+  function inPython(file) {       // the cases within the brushes: their number, and the scatter
+    const value = (c, row) => `value(${row}, ${H.python(c.head)})${c.factor === 1 ? "" : ` * ${c.factor}`}`;
+    const within = Object.entries(brushes()).map(([k, [low, high]]) => `${low} <= ${value(data.columns[k], "r")} <= ${high}`).join(" and ");
+    return `import csv\n\ndef value(row, head):\n    try:\n        return float(row[head])\n    except ValueError:\n        return float("nan")\n\nwith open(${H.python(file)}, newline="") as file:\n` +
+      `    rows = list(csv.DictReader((line for line in file if not line.startswith("#")), skipinitialspace=True))\nkept = [r for r in rows${within && ` if ${within}`}]\n` +
+      `print(len(kept), [(${value(data.columns[xSelect.value], "r")}, ${value(data.columns[ySelect.value], "r")}) for r in kept])`;
   }
   const rampOf = cells => { const known = cells.filter(v => v !== null), low = Math.min(...known), high = Math.max(...known), scale = {ramp: H.ramps.rising, low, high: high > low ? high : low + 1}; return {scale, colour: v => v === null ? H.palette().quiet : H.css(scale.ramp[Math.round(235 * (v - scale.low) / (scale.high - scale.low))])}; };
   function drawScatter(keep) {
