@@ -102,7 +102,7 @@ QUESTIONS: dict[str, Callable[[Places, Query], Any]] = {
 def text(query: Query, key: str) -> str:
     """A text of the query; `OutOfRange` where it is missing."""
     if key not in query:
-        raise OutOfRange(f"the question names no {key}")
+        raise OutOfRange(f"the parameter {key} is missing")
     return query[key]
 
 
@@ -111,9 +111,9 @@ def number(query: Query, key: str, otherwise: float | None = None) -> float:
     try:
         value = float(query[key]) if key in query or otherwise is None else otherwise
     except (KeyError, ValueError):
-        raise OutOfRange(f"{key}: a number is needed") from None
+        raise OutOfRange(f"{key}: must be a number") from None
     if not abs(value) < 1e300:
-        raise OutOfRange(f"{key}: a finite number is needed")
+        raise OutOfRange(f"{key}: must be a finite number")
     return value
 
 
@@ -126,5 +126,5 @@ def integer(query: Query, key: str) -> int:
     """A whole number of the query, not negative; `OutOfRange` where it is none."""
     value = query.get(key, "")
     if not (value.isascii() and value.isdigit() and len(value) < 10):
-        raise OutOfRange(f"{key}: a whole number is needed")
+        raise OutOfRange(f"{key}: must be a whole number")
     return int(value)

@@ -69,7 +69,7 @@ def _refusal(request: Request, error: Exception) -> Response:
 
 
 def _defect(request: Request, error: Exception) -> Response:
-    return JSONResponse({"error": [f"unexpected {type(error).__name__}: a defect of hugoniot"]}, 500)
+    return JSONResponse({"error": [f"unexpected {type(error).__name__}: a bug in hugoniot; please report it"]}, 500)
 
 
 def _checked(places: Places):

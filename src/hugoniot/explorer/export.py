@@ -63,7 +63,7 @@ def key_of(question: str, query: dict[str, Any]) -> str:
 
 def _claim(folder: Path) -> None:
     if folder.exists() and any(folder.iterdir()) and not (folder / MARK).is_file():
-        raise FileTrouble(f"{folder}: not empty, and nothing exported by hugoniot; give a new folder")
+        raise FileTrouble(f"{folder}: not empty, and not an earlier export; choose a new folder")
     with explained(folder):
         (folder / "data").mkdir(parents=True, exist_ok=True)
         for old in (folder / "data").glob("*.js"):

@@ -15,7 +15,7 @@ CASES, FIT = "cases.csv", "fit.json"
 class Place(NamedTuple):
     """A run folder, a table of cases, the folder of a fit or a deck: its path, and what the page calls it.
 
-    typed   what a command names it by, from the folder in which the explorer was started
+    typed   what to call it in a command, from the folder in which the explorer was started
     """
 
     path: Path

@@ -58,7 +58,7 @@ def _read(path: Path) -> tuple[list[str], list[list[str]]]:
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise FileTrouble(f"{path.name}: cannot be read as a table ({error})") from None
     if len(lines) < 2 or len(lines[0]) > MOST_COLUMNS:
-        raise FileTrouble(f"{path.name}: a table has a line of names and at least one of values, and up to {MOST_COLUMNS} columns")
+        raise FileTrouble(f"{path.name}: a table needs a header line, at least one line of values, and at most {MOST_COLUMNS} columns")
     if len(lines) > MOST_ROWS + 1:
         raise FileTrouble(f"{path.name}: more than {MOST_ROWS} rows")
     return [head.strip() for head in lines[0]], lines[1:]

@@ -93,7 +93,7 @@ def test_runs_lie_over_each_other(visit, tube, opened):
     """The same gauge of a second run is drawn beside that of the first."""
     here = visit()
     page = here.go("#/sweeps?sweep=0")
-    page.wait_for_selector("text=40 of 40 cases, 1 with a run")
+    page.wait_for_selector("text=40 of 40 cases, 1 with a run to open")
     page.locator("button[title='Open the run']").click()
     until(page, "/^#\\/runs\\?run=[2-9]/.test(location.hash)")      # after those that other tests have run
     here.settled()

@@ -45,7 +45,7 @@ at = "free surface right"
     jobBox = H.h("div", {class: "column", style: {gap: "6px"}});
     drawing = H.h("div");
     left.append(H.h("div", {class: "bar"}, H.h("h2", {style: {margin: 0}}, "Deck"), source, H.h("span", {class: "bar push"}, runButton, H.h("button", {type: "button", onclick: () => H.copy(area.value, "deck")}, "Copy"), H.h("button", {type: "button", onclick: () => H.saveText(area.value, file.split("/").at(-1))}, "Save"))), box,
-      H.h("p", {class: "quiet small", id: "deck-keys", style: {margin: 0}}, "Ctrl+Space offers keys and values, Enter takes one, Escape closes. Tab leaves the editor."));
+      H.h("p", {class: "quiet small", id: "deck-keys", style: {margin: 0}}, "Ctrl+Space lists keys and values; Enter accepts, Escape closes. Tab leaves the editor."));
     right.append(problems, drawing, jobBox);
     chart = new H.Chart(drawing, {label: "The set-up to scale", height: 0.34, least: 220, most: 420});
     H.askOnce("materials").then(all => { materials = all.materials.filter(m => m.alone).map(m => [m.name, m.title]); }).catch(H.failed);
@@ -73,7 +73,7 @@ at = "free surface right"
   function changed(own = true) {
     lineNumbers();
     clearTimeout(timer);
-    if (own && !source.textContent.includes("edited")) { source.textContent += ", edited: save it to run it by command"; file = file.split("/").at(-1); }
+    if (own && !source.textContent.includes("edited")) { source.textContent += ", edited; save it to run it from the command line"; file = file.split("/").at(-1); }
     timer = setTimeout(() => {
       if (own && area.value.length < 60000) { H.set({text: encodedText(area.value), deck: "", from: ""}, false); current = `||${H.get("text")}`; }
       check();
@@ -86,7 +86,7 @@ at = "free surface right"
   }
   function check() {
     if (H.exported() && known && known.text === area.value) { show(known.checked); return; }
-    if (H.exported()) { H.clear(problems).append(H.h("p", {class: "quiet"}, "This exported page shows the deck; hugoniot explore checks and runs it.")); command(); return; }
+    if (H.exported()) { H.clear(problems).append(H.h("p", {class: "quiet"}, "An exported page only shows decks; hugoniot explore checks and runs them.")); command(); return; }
     checking(async () => {
       const text = area.value;
       try { const found = await H.send("check", text); if (text === area.value) show(found); } catch (error) { H.failed(error); }

@@ -22,7 +22,7 @@
     readout = H.h("div", {class: "readout", "aria-live": "polite", "data-readout": "pointer"});
     gaugeField = H.h("select", {"aria-label": "Field of the histories", onchange: () => H.set({gf: gaugeField.value})});
     gauges = H.h("span", {class: "bar small"});
-    state.profileTitle = H.h("h3", {}, "profile at the time of the slider");
+    state.profileTitle = H.h("h3", {}, "profile at the selected time");
     right.append(liveBox, H.h("div", {class: "bar"}, field, slider, when, planeBar, H.h("span", {class: "bar push"}, ...H.saveButtons(() => map.chart, () => `run-${H.get("f") || "map"}`))), mapHost, readout,
       state.historyBox = H.h("div", {class: "column"}, H.h("h3", {}, "histories"), H.h("div", {class: "bar"}, gaugeField, gauges, H.h("span", {class: "bar push"}, ...H.saveButtons(() => lines.histories, () => "histories"))), historyHost), state.profileTitle, profileHost);
     lines = new H.RunLines(historyHost, profileHost, {onTime: hit => timeRead(hit), onPickTime: hit => setTime(hit.x / lines.ft), onPlace: hit => placeRead(hit)});
@@ -39,7 +39,7 @@
       const fresh = !last.run || last.run.live || last.number !== chosen(), opened = fresh ? await H.ask("start") : last.opened;
       if (mine !== order) return;
       drawList(opened);
-      if (!opened.runs.length) { H.clear(readout).append("No run is open. Start with: hugoniot explore flyer.run, or run a deck from the deck editor."); H.command({shell: "hugoniot explore flyer.run", python: 'import hugoniot\nrun = hugoniot.load("flyer.run")'}); return; }
+      if (!opened.runs.length) { H.clear(readout).append("No run is open. Open one with: hugoniot explore flyer.run, or run a deck in the deck editor."); H.command({shell: "hugoniot explore flyer.run", python: 'import hugoniot\nrun = hugoniot.load("flyer.run")'}); return; }
       const run = fresh ? await H.ask("run", {run: chosen()}) : last.run;
       if (mine !== order) return;
       const stamp = run.live ? `live ${run.times.length}` : `done ${run.status} ${run.times.length} ${run.summary?.deck_sha256}`;
@@ -58,7 +58,7 @@
     const over = H.list("over").map(Number);
     H.clear(list).append(...opened.runs.map((r, k) => H.h("div", {class: "bar"}, H.h("label", {style: {flex: 1}}, H.h("input", {type: "radio", name: "run", checked: k === chosen(), onchange: () => H.set({run: String(k), k: "", z: "", xt: "", map: "", g: "", over: over.filter(o => o !== k).join(",")})}),
       H.h("span", {}, r.title, H.h("small", {class: "quiet", style: {display: "block"}}, `${r.name}, ${r.status}`))),
-      k === chosen() || opened.runs.length < 2 ? "" : H.h("label", {class: "small"}, H.h("input", {type: "checkbox", checked: over.includes(k), onchange: event => H.set({over: (event.target.checked ? [...over, k] : over.filter(o => o !== k)).join(",")})}), "over"))));
+      k === chosen() || opened.runs.length < 2 ? "" : H.h("label", {class: "small"}, H.h("input", {type: "checkbox", checked: over.includes(k), onchange: event => H.set({over: (event.target.checked ? [...over, k] : over.filter(o => o !== k)).join(",")})}), "overlay"))));
   }
   const array = (group, name, more = {}, number = chosen()) => {       // of one description, each column once
     const key = [number, group, name, JSON.stringify(more)].join();
@@ -90,7 +90,7 @@
     if (shown && many) await (run.plane ? drawPlane(run, shown, k, mine) : drawXt(run, shown, k, mine));
     if (mine !== order) return;
     await drawHistories(run, mine, many ? run.times[k] : null);
-    if (!readout.childNodes.length) H.clear(readout).append(H.h("span", {class: "quiet"}, "Point at the picture, or focus it and use the arrow keys. A click or Enter picks zone and time; drag to move, + − to zoom, 0 for all."));
+    if (!readout.childNodes.length) H.clear(readout).append(H.h("span", {class: "quiet"}, "Point at the plot, or focus it and use the arrow keys. A click or Enter picks a zone and a time; drag to pan, + and − zoom, 0 shows everything."));
   }
   async function drawXt(run, shown, k, mine) {
     const [left, right, values] = await Promise.all([array("snapshots", "position_left"), array("snapshots", "position_right"), array("snapshots", shown.name)]);
@@ -189,14 +189,14 @@
     H.clear(liveBox);
     if (!run.live) return;
     const at = run.times.at(-1) || 0;
-    liveBox.append(H.h("div", {class: "bar"}, H.h("strong", {}, `This run is ${run.status}.`), run.stop_time ? H.h("progress", {max: run.stop_time, value: at, "aria-label": "Time set down so far"}) : "",
-      H.h("span", {class: "small"}, run.times.length ? `set down to ${H.digits(at * ft, 4)} ${tUnit}` : "nothing set down yet: the first checkpoint comes after half a minute")),
+    liveBox.append(H.h("div", {class: "bar"}, H.h("strong", {}, `This run is ${run.status}.`), run.stop_time ? H.h("progress", {max: run.stop_time, value: at, "aria-label": "Time recorded so far"}) : "",
+      H.h("span", {class: "small"}, run.times.length ? `recorded to ${H.digits(at * ft, 4)} ${tUnit}` : "nothing recorded yet: the first checkpoint is written after 30 s")),
       H.h("details", {}, H.h("summary", {class: "small"}, "run.log"), H.h("pre", {class: "small scroll", tabindex: 0, style: {padding: "6px"}}, (run.log || []).join("\n"))));
   }
   function drawFacts(run) {
     const n = run.numbers || {}, rows = n.gauges || [], units = {arrival: ["arrival", "µs", 1e6], peak_stress: ["peak stress", "GPa", 1e-9], peak_velocity: ["peak velocity", "m/s", 1]};
     const heads = Object.keys(units).filter(key => rows.some(r => r[key] !== undefined && r[key] !== null)), spall = n.spall || {}, s = run.summary || {};
-    H.clear(facts).append(H.h("h2", {}, run.title), H.h("p", {class: "small quiet", style: {margin: "0 0 6px"}}, [run.geometry, s.solver, run.zones ? `${run.zones} zones` : "", s.cycles ? `${s.cycles} cycles` : "", run.every > 1 ? `every ${run.every}th record is sent` : ""].filter(Boolean).join(", ")),
+    H.clear(facts).append(H.h("h2", {}, run.title), H.h("p", {class: "small quiet", style: {margin: "0 0 6px"}}, [run.geometry, s.solver, run.zones ? `${run.zones} zones` : "", s.cycles ? `${s.cycles} cycles` : "", run.every > 1 ? `1 record in ${run.every} is shown` : ""].filter(Boolean).join(", ")),
       s.energy_error === undefined ? "" : H.h("p", {class: "small quiet", style: {margin: "0 0 6px"}}, `relative errors: ${["mass", "momentum", "energy"].map(w => `${w} ${s[`${w}_error`] === null ? "–" : Number(s[`${w}_error`]).toExponential(1)}`).join(", ")}`),
       rows.length ? H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {class: "small"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "gauge"), heads.map(k => H.h("th", {class: "number"}, H.labelled(units[k][0], units[k][1]))))), H.h("tbody", {}, rows.map(r => H.h("tr", {}, H.h("td", {}, r.gauge), heads.map(k => H.h("td", {class: "number"}, H.digits(r[k] === null ? null : r[k] * units[k][2], 5)))))))) : "",
       ...[["pull_back", "pull-back", "m/s", 1], ["spall_strength_acoustic", "spall strength, acoustic", "GPa", 1e-9], ["spall_strength_kanel", "with Kanel's correction", "GPa", 1e-9]].filter(([k]) => spall[k]).map(([k, w, u, f]) => H.h("div", {class: "small"}, `${w}: ${H.digits(spall[k] * f, 4)} ${u}`)),
@@ -206,7 +206,7 @@
   function command(run, shown, k) {
     const place = last.opened.runs[chosen()], name = place.typed || place.name, time = run.times[k];
     const f = shown?.name || "stress", [unit, factor] = H.timeUnit(run.times.at(-1) || 1e-6), ascii = unit.replace("µ", "u");
-    if (run.live) { H.command({shell: `hugoniot explore ${H.shell(name)}`, python: "# a run in progress is read when it has ended:\nimport hugoniot\nrun = hugoniot.load(" + H.python(name) + ")"}); return; }
+    if (run.live) { H.command({shell: `hugoniot explore ${H.shell(name)}`, python: "# a run in progress is loaded once it has ended:\nimport hugoniot\nrun = hugoniot.load(" + H.python(name) + ")"}); return; }
     H.command(run.plane ? {shell: `hugoniot plot ${H.shell(name)} map ${f} --time "${H.digits(time * factor, 6)} ${ascii}"`, python: `import hugoniot\nrun = hugoniot.load(${H.python(name)})\nrun.plot.map(${H.python(f)}, time=${time})`}
       : {shell: `hugoniot plot ${H.shell(name)} xt ${f}\nhugoniot plot ${H.shell(name)} profile ${f} --time "${H.digits(time * factor, 6)} ${ascii}"`, python: `import hugoniot\nrun = hugoniot.load(${H.python(name)})\nrun.plot.xt(${H.python(f)}).figure.savefig("xt.png")\nrun.snapshots[${H.python(f)}].isel(time=${k * run.every})`});
   }

@@ -35,7 +35,7 @@ H.savePng = (chart, name) => {
   picture.src = source;
 };
 H.saveButtons = (chart, name) => [
-  H.h("button", {type: "button", onclick: () => H.saveSvg(chart(), name()), title: "Save the picture as SVG"}, "SVG"),
-  H.h("button", {type: "button", onclick: () => H.savePng(chart(), name()), title: "Save the picture as PNG"}, "PNG"),
+  H.h("button", {type: "button", onclick: () => H.saveSvg(chart(), name()), title: "Save the plot as SVG"}, "SVG"),
+  H.h("button", {type: "button", onclick: () => H.savePng(chart(), name()), title: "Save the plot as PNG"}, "PNG"),
 ];
 H.saveText = (text, name) => download(new Blob([text], {type: "text/plain"}), name);

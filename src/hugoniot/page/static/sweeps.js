@@ -11,13 +11,13 @@
     parallel = H.s("svg", {role: "img", "aria-label": "Parallel coordinates", tabindex: 0});
     host.append(parallel);
     const pick = (label, key) => H.h("select", {"aria-label": label, onchange: event => H.set({[key]: event.target.value})});
-    xSelect = pick("Across", "x"); ySelect = pick("Up", "y"); cSelect = pick("Colour", "c");
+    xSelect = pick("x axis", "x"); ySelect = pick("y axis", "y"); cSelect = pick("Colour", "c");
     columnsBox = H.h("details", {class: "small"});
     const scatterHost = H.h("div");
     table = H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"});
     readout = H.h("div", {class: "readout", "aria-live": "polite"});
     main.append(H.h("div", {class: "column"}, H.h("div", {class: "bar"}, select, count, H.h("span", {class: "push"}, H.h("button", {type: "button", onclick: () => H.set({brush: ""})}, "Clear the brushes"))), columnsBox, host,
-      H.h("div", {class: "bar small"}, H.h("label", {}, "across", xSelect), H.h("label", {}, "up", ySelect), H.h("label", {}, "colour", cSelect), H.h("span", {class: "bar push"}, ...H.saveButtons(() => scatter, () => "sweep"))), scatterHost, readout, table));
+      H.h("div", {class: "bar small"}, H.h("label", {}, "x axis", xSelect), H.h("label", {}, "y axis", ySelect), H.h("label", {}, "colour", cSelect), H.h("span", {class: "bar push"}, ...H.saveButtons(() => scatter, () => "sweep"))), scatterHost, readout, table));
     scatter = new H.Chart(scatterHost, {label: "Cases", height: 0.42, most: 430, keep: true, onHover: hit => read(scatter.spec.series[hit.series].rows[hit.index]), onPick: hit => openRun(scatter.spec.series[hit.series].rows[hit.index])});
     new ResizeObserver(() => { if (data) drawParallel(); }).observe(host);
   };
@@ -28,7 +28,7 @@
     try {
       const opened = await H.opened;
       if (!select.options.length) select.append(...opened.sweeps.map((s, k) => H.h("option", {value: String(k)}, s.name)));
-      if (!opened.sweeps.length) { H.clear(readout).append("No table is open. Start with: hugoniot explore SWEEP, a folder with cases.csv, or any table.csv with a line of names."); H.command({shell: "hugoniot explore sweep/", python: 'import csv\nrows = list(csv.DictReader(open("sweep/cases.csv")))'}); return; }
+      if (!opened.sweeps.length) { H.clear(readout).append("No table is open. Open one with: hugoniot explore SWEEP (a folder with cases.csv, or any CSV table with a header line)"); H.command({shell: "hugoniot explore sweep/", python: 'import csv\nrows = list(csv.DictReader(open("sweep/cases.csv")))'}); return; }
       const found = await H.askOnce("sweep", {sweep: H.get("sweep", "0")});
       if (mine !== order) return;
       data = inWords(found);
@@ -64,15 +64,15 @@
     fill(xSelect, H.get("x"), String((first[0] || able[0]).k)); fill(ySelect, H.get("y"), String(result.k)); fill(cSelect, H.get("c"), third ? String(third.k) : "none", "no colour");
     const own = shownColumns().map(c => c.k);
     const isOpen = columnsBox.open;
-    H.clear(columnsBox).append(H.h("summary", {}, `${own.length} of ${numeric().length} columns with numbers are shown`), H.h("div", {class: "bar"}, numeric().map(c => H.h("label", {}, H.h("input", {type: "checkbox", checked: own.includes(c.k),
+    H.clear(columnsBox).append(H.h("summary", {}, `${own.length} of ${numeric().length} numeric columns are shown`), H.h("div", {class: "bar"}, numeric().map(c => H.h("label", {}, H.h("input", {type: "checkbox", checked: own.includes(c.k),
       onchange: event => H.set({cols: (event.target.checked ? [...own, c.k] : own.filter(k => k !== c.k)).join(".")})}), named(c)))));
     columnsBox.open = isOpen;
     const keep = kept();
-    count.textContent = `${keep.filter(Boolean).length} of ${data.rows} cases, ${data.runs.length} with a run beside the table`;
+    count.textContent = `${keep.filter(Boolean).length} of ${data.rows} cases, ${data.runs.length} with a run to open`;
     drawParallel();
     drawScatter(keep);
     drawTable(keep);
-    if (!readout.childNodes.length) H.clear(readout).append(H.h("span", {class: "quiet"}, "Point at a case. Drag along an axis above to keep a range; a click on a case opens its run."));
+    if (!readout.childNodes.length) H.clear(readout).append(H.h("span", {class: "quiet"}, "Point at a case. Drag along an axis above to select a range; click a case to open its run."));
     const name = opened.sweeps[Number(select.value)].typed;
     H.command({shell: `hugoniot explore ${H.shell(name)} --view ${H.shell(H.address("sweeps", withoutNumber()))}`, python: inPython(name.endsWith(".csv") ? name : `${name}/cases.csv`)});
   }
@@ -142,6 +142,6 @@
     H.clear(table).append(H.h("table", {class: "small", "data-table": "cases"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {class: "number"}, "case"), data.columns.map(c => H.h("th", {class: c.numeric ? "number" : ""}, named(c))))),
       H.h("tbody", {}, rows.map(r => H.h("tr", {class: "pick", onpointerenter: () => read(r)}, H.h("td", {class: "number"}, data.runs.includes(r) && !H.exported() ? H.h("button", {type: "button", title: "Open the run", onclick: () => openRun(r)}, String(r + 1)) : String(r + 1)),
         data.columns.map(c => H.h("td", {class: c.numeric ? "number" : ""}, c.numeric ? H.digits(c.cells[r]) : c.cells[r])))))));
-    if (keep.filter(Boolean).length > rows.length) table.append(H.h("p", {class: "quiet small"}, "The first 500 are listed."));
+    if (keep.filter(Boolean).length > rows.length) table.append(H.h("p", {class: "quiet small"}, "Only the first 500 are listed."));
   }
 })();
