@@ -105,6 +105,10 @@ def test_runs_lie_over_each_other(visit, tube, opened):
     page.locator(".chart svg").nth(1).focus()
     page.keyboard.press("ArrowRight")
     assert "middle" in page.text_content("[data-readout] strong")
+    profiles = "document.querySelectorAll('.chart')[2].chart.spec.series"
+    until(page, f"{profiles}.length === 4")      # two regions of either run, of the same run here
+    drawn = page.evaluate(f"{profiles}.map(s => [s.label, s.si])")
+    assert [d[1] for d in drawn[:2]] == [d[1] for d in drawn[2:]] and all(d[0].endswith("tube.run") for d in drawn[2:])
 
 
 def test_a_deck_is_completed_checked_run_and_opened(visit):

@@ -6,9 +6,9 @@
   const ELLIPSES = [[0.683, 2.2957], [0.954, 6.1582]];      // of two parameters: probability and the chi-square that encloses it
 
   view.open = main => {
-    select = H.h("select", {"aria-label": "Fit", onchange: () => H.set({fit: select.value, x: "", y: ""})});
+    select = H.h("select", {"aria-label": "Fit", onchange: () => H.go("fits", {fit: select.value})});
     facts = H.h("div", {class: "readout"}); table = H.h("div"); host = H.h("div", {class: "column"});
-    const pick = (label, key) => H.h("select", {"aria-label": label, onchange: event => H.set({[key]: event.target.value})});
+    const pick = (label, key) => H.h("select", {"aria-label": label, onchange: event => H.set({[key]: event.target.value, pz: "", oz: ""})});
     xSelect = pick("Parameter on the x axis", "x"); ySelect = pick("Parameter on the y axis", "y");
     pairHost = H.h("div", {class: "fits"});
     readout = H.h("div", {class: "readout", "aria-live": "polite", "data-readout": "pointer"});
@@ -16,8 +16,8 @@
       H.h("div", {class: "bar small"}, H.h("label", {}, "x axis", xSelect), H.h("label", {}, "y axis", ySelect), H.h("span", {class: "bar push"}, ...H.saveButtons(() => pair, () => "posterior"))), pairHost));
     const left = H.h("div"), right = H.h("div");
     pairHost.append(left, right);
-    pair = new H.Chart(left, {label: "Posterior of two parameters", height: 0.7, most: 460, keep: true, onHover: hit => say(pair, hit)});
-    one = new H.Chart(right, {label: "Posterior of one parameter", height: 0.7, most: 460, keep: true, onHover: hit => say(one, hit)});
+    pair = new H.Chart(left, {label: "Posterior of two parameters", height: 0.7, most: 460, keep: true, zoomKey: "pz", onHover: hit => say(pair, hit)});
+    one = new H.Chart(right, {label: "Posterior of one parameter", height: 0.7, most: 460, keep: true, zoomKey: "oz", onHover: hit => say(one, hit)});
     shownKey = "";
   };
   view.close = () => { order++; for (const c of [...charts, pair, one]) c.stop(); charts = []; };
@@ -61,7 +61,7 @@
       host.append(H.h("h3", {}, t.label), box);
       box.append(above, below);
       const x = t.time.map(v => v * ft), y = v => v.map(n => n === null ? null : n * factor), sides = [-2, 2].map(k => t.data.map((v, i) => known(v) && known(t.sigma[i]) ? (v + k * t.sigma[i]) * factor : null));
-      const data = new H.Chart(above, {label: `Data and model: ${t.label}`, height: 0.3, most: 320, least: 220, keep: true, onHover: hit => say(data, hit)}), rest = new H.Chart(below, {label: `Residuals: ${t.label}`, height: 0.16, most: 180, least: 150, keep: true, onHover: hit => say(rest, hit)});
+      const data = new H.Chart(above, {label: `Data and model: ${t.label}`, height: 0.3, most: 320, least: 220, keep: true, zoomKey: `d${charts.length / 2}`, onHover: hit => say(data, hit)}), rest = new H.Chart(below, {label: `Residuals: ${t.label}`, height: 0.16, most: 180, least: 150, keep: true, zoomKey: `r${charts.length / 2}`, onHover: hit => say(rest, hit)});
       charts.push(data, rest);
       data.show({series: [{kind: "band", colour: "quiet", x, y: sides[0], y2: sides[1]}, {kind: "points", id: "data", colour: "ink", size: 1.8, x, y: y(t.data), hover: true}, {kind: "line", id: "model", label: "model", colour: 1, x, y: y(t.model), hover: true}], x: {label: H.labelled("time", tUnit)}, y: {label: H.labelled(t.words, unit)}});
       rest.show({series: [{kind: "band", colour: "quiet", x: [x[0], x.at(-1)], y: [-2, -2], y2: [2, 2]}, {kind: "line", id: "residual", label: "model − data", colour: 1, x, y: t.residual, hover: true, width: 1.1}], marks: [{kind: "hline", y: 0, colour: "quiet"}], x: {label: H.labelled("time", tUnit)}, y: {label: "residual (σ)"}});

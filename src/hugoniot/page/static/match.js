@@ -4,6 +4,7 @@
   const view = H.views.match = {}, asking = H.latest();
   let chart, rows, slider, speed, sigma, bands, table, warnings, deckBox, deckText, editorLink, runButton, options, order = 0, settled = 0, shown = null, dragging = false;
   const layers = () => H.list("layers").length > 1 ? H.list("layers") : ["copper", "aluminum"];
+  const setLayers = names => H.set({layers: names.join(","), mz: ""});
   const velocity = () => Number(H.get("v")) > 0 ? Number(H.get("v")) : 1000;
   const most = () => Number(H.get("vmax")) > 0 ? Number(H.get("vmax")) : 4000;
 
@@ -22,15 +23,15 @@
     deckText = H.h("pre", {class: "small scroll", tabindex: 0, style: {margin: 0, padding: "8px", maxHeight: "40vh"}});
     runButton = H.h("button", {type: "button", hidden: true, onclick: runDeck}, "Run");
     editorLink = H.h("button", {type: "button", onclick: () => { sessionStorage.setItem("hugoniot-deck", deckText.textContent); H.go("decks", {from: "match"}); }}, "Open in the deck editor");
-    deckBox = H.h("details", {ontoggle: () => { if (deckBox.open) loadDeck(); }}, H.h("summary", {}, "The deck for this impact"),
+    deckBox = H.h("details", {ontoggle: () => { H.set({deck: deckBox.open ? "1" : ""}, false); if (deckBox.open) loadDeck(); }}, H.h("summary", {}, "The deck for this impact"),
       H.h("div", {class: "bar", style: {margin: "6px 0"}}, H.h("button", {type: "button", onclick: () => H.copy(deckText.textContent, "deck")}, "Copy"), runButton, editorLink), deckText);
     left.append(H.h("h2", {}, "Flyer and layers"), rows, options,
-      H.h("div", {class: "bar"}, H.h("button", {type: "button", onclick: () => H.set({layers: [...layers(), "pmma"].slice(0, 8).join(",")})}, "Add a layer"),
-        H.h("button", {type: "button", onclick: () => H.set({layers: [layers()[1], layers()[0], ...layers().slice(2)].join(",")})}, "Swap flyer and target")),
+      H.h("div", {class: "bar"}, H.h("button", {type: "button", onclick: () => setLayers([...layers(), "pmma"].slice(0, 8))}, "Add a layer"),
+        H.h("button", {type: "button", onclick: () => setLayers([layers()[1], layers()[0], ...layers().slice(2)])}, "Swap flyer and target")),
       H.h("h3", {}, "impact velocity"), H.h("div", {class: "bar"}, slider, H.h("label", {}, speed, "m/s")),
       H.h("h3", {}, "error bands, one standard deviation"), H.h("div", {class: "bar small"}, H.h("label", {}, "velocity ±", sigma, "m/s"), H.h("label", {}, bands, "library fits")), deckBox);
     right.append(host, H.h("div", {class: "bar"}, H.h("span", {class: "quiet small"}, "Drag the impact velocity along the axis. Dashed: release and reshock of the layer behind; solid: Hugoniot of the layer ahead."), H.h("span", {class: "bar push"}, ...H.saveButtons(() => chart, () => `match-${layers().join("-")}`))), table, warnings);
-    chart = new H.Chart(host, {label: "Impedance match: pressure over particle velocity", height: 0.56, onHover: () => {}, onDrag: (id, x) => drag(Math.max(1, Math.round(x * 1000))), onDrop: drop});
+    chart = new H.Chart(host, {label: "Impedance match: pressure over particle velocity", height: 0.56, zoomKey: "mz", onHover: () => {}, onDrag: (id, x) => drag(Math.max(1, Math.round(x * 1000))), onDrop: drop});
     chart.svg.addEventListener("keydown", event => {     // the handle with the keyboard
       const step = {"[": -10, "]": 10, "{": -100, "}": 100}[event.key];
       if (step) { drag(Math.max(1, velocity() + step)); drop(); event.preventDefault(); }
@@ -62,8 +63,8 @@
     H.clear(rows).append(...names.map((name, k) => {
       const word = k === 0 ? "flyer" : k === 1 ? "target" : k === names.length - 1 ? "window" : `layer ${k}`;
       return H.h("div", {class: "bar"}, H.h("i", {style: {width: "12px", height: "12px", borderRadius: "3px", background: H.palette().lines[k % 8]}}), H.h("label", {style: {flex: 1}}, H.h("span", {style: {width: "4em"}}, word),
-        H.h("input", {list: "match-materials", value: name, "aria-label": `Material of the ${word}`, style: {flex: 1, minWidth: 0}, onchange: event => { const next = [...names]; next[k] = event.target.value.trim().replace(/,/g, " "); if (next[k]) H.set({layers: next.join(",")}); }})),
-        names.length > 2 && k > 0 ? H.h("button", {type: "button", "aria-label": `Remove ${word}`, onclick: () => H.set({layers: names.filter((_, i) => i !== k).join(",")})}, "×") : "");
+        H.h("input", {list: "match-materials", value: name, "aria-label": `Material of the ${word}`, style: {flex: 1, minWidth: 0}, onchange: event => { const next = [...names]; next[k] = event.target.value.trim().replace(/,/g, " "); if (next[k]) setLayers(next); }})),
+        names.length > 2 && k > 0 ? H.h("button", {type: "button", "aria-label": `Remove ${word}`, onclick: () => setLayers(names.filter((_, i) => i !== k))}, "×") : "");
     }));
   }
   function drag(v) { dragging = true; H.set({v: String(v)}, false); sync(); solve(); }

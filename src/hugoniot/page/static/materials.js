@@ -32,10 +32,10 @@
         H.h("span", {class: "bar push"}, H.h("label", {class: "small"}, "state at", by), at, H.h("button", {type: "button", onclick: pin}, "Pin"),
           H.h("button", {type: "button", onclick: () => H.set({at: ""})}, "Unpin"), ...H.saveButtons(() => chart, () => `${H.list("sel").join("-") || "materials"}-${plane()}`))),
       readout, table, hint, about);
-    chart = new H.Chart(host, {label: "Curves of the selected materials", height: 0.6, keep: true, onHover: hover, onPick: hit => {
+    chart = new H.Chart(host, {label: "Curves of the selected materials", height: 0.6, keep: true, zoomKey: "zoom", onHover: hover, onPick: hit => {
       const s = chart.spec.series[hit.series];
       if (s.table?.particle_velocity && ["hugoniot", "beyond"].includes(s.id)) H.set({at: `particle_velocity:${s.table.particle_velocity[hit.index]}`});
-    }, onZoom: zoom => H.set({zoom: zoom ? [...zoom.x, ...zoom.y].map(v => v.toPrecision(6)).join(",") : ""}, false)});
+    }});
   };
   view.close = () => { order++; chart.stop(); };
   view.repaint = () => view.update();
@@ -94,11 +94,11 @@
     });
     const ends = known.filter(c => c?.hugoniot).map(c => c.hugoniot.particle_velocity.at(-1) * 1e-3);
     const all = [Math.max(...ends), 2.5 * Math.min(...ends)];      // a curve that goes much further than the others does not make them small
-    const zoom = H.get("zoom").split(",").map(Number), [x, y] = definition.axes;
+    const [x, y] = definition.axes;
     const close = ["us-up", "p-up"].includes(plane()) && all[0] > all[1], top = close ? {max: all[1]} : {};
     if (close) cut(series, all[1]);
     const surface = plane() === "surface" && known.find(c => c?.surface);
-    chart.show({...(surface ? H.surfaceSpec(surface, chart) : {series, marks, x: {...x, ...top}, y}), zoom: zoom.length === 4 && zoom.every(Number.isFinite) ? {x: zoom.slice(0, 2), y: zoom.slice(2)} : null});
+    chart.show({...(surface ? H.surfaceSpec(surface, chart) : {series, marks, x: {...x, ...top}, y})});
     H.clear(chips).append(...names.map((name, k) => H.h("span", {class: "chip"}, H.h("i", {style: {background: H.palette().lines[k % 8]}}), known[k]?.title || name,
       H.h("button", {type: "button", "aria-label": `Remove ${name}`, onclick: () => H.set({sel: names.filter(n => n !== name).join(",")})}, "×"))),
       names.length ? "" : H.h("span", {class: "quiet"}, "Select materials in the list."));

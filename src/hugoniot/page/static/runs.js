@@ -1,7 +1,7 @@
 "use strict";
 // Runs: x-t map or plane, histories and profiles linked to it; other runs and measured data over them; a run in progress.
 (() => {
-  const view = H.views.runs = {}, state = {};
+  const view = H.views.runs = {}, state = {}, DASHES = ["7 3", "2 3", "9 3 2 3"];
   let list, field, gaugeField, gauges, slider, when, mapHost, map, lines, readout, facts, historyHost, profileHost, planeBar, liveBox, order = 0, timer = 0, measured = [], last = {};
 
   view.open = main => {
@@ -13,14 +13,14 @@
     const drop = H.h("div", {class: "drop"});
     H.dropHere(drop, found => { measured.push(...found); view.update(); });
     left.append(H.h("h2", {}, "Runs"), list, drop, facts);
-    field = H.h("select", {"aria-label": "Field of the map", onchange: () => H.set({f: field.value})});
+    field = H.h("select", {"aria-label": "Field of the map", onchange: () => H.set({f: field.value, pz: ""})});
     slider = H.h("input", {type: "range", min: 0, value: 0, step: 1, "aria-label": "Record", style: {flex: 1, minWidth: "140px"}, oninput: () => H.set({k: slider.value})});
     when = H.h("span", {class: "small", style: {minWidth: "8.5em"}});
     planeBar = H.h("span", {class: "bar small"}, ["mesh", "mirror"].map(key => H.h("label", {}, H.h("input", {type: "checkbox", "data-key": key, onchange: event => H.set({[key]: key === "mesh" ? event.target.checked ? "1" : "" : event.target.checked ? "" : "0"})}), key)));
     mapHost = H.h("div"); historyHost = H.h("div"); profileHost = H.h("div");
     liveBox = H.h("div");
     readout = H.h("div", {class: "readout", "aria-live": "polite", "data-readout": "pointer"});
-    gaugeField = H.h("select", {"aria-label": "Field of the histories", onchange: () => H.set({gf: gaugeField.value})});
+    gaugeField = H.h("select", {"aria-label": "Field of the histories", onchange: () => H.set({gf: gaugeField.value, hz: ""})});
     gauges = H.h("span", {class: "bar small"});
     state.profileTitle = H.h("h3", {}, "profile at the selected time");
     right.append(liveBox, H.h("div", {class: "bar"}, field, slider, when, planeBar, H.h("span", {class: "bar push"}, ...H.saveButtons(() => map.chart, () => `run-${H.get("f") || "map"}`))), mapHost, readout,
@@ -56,7 +56,7 @@
   }
   function drawList(opened) {
     const over = H.list("over").map(Number);
-    H.clear(list).append(...opened.runs.map((r, k) => H.h("div", {class: "bar"}, H.h("label", {style: {flex: 1}}, H.h("input", {type: "radio", name: "run", checked: k === chosen(), onchange: () => H.set({run: String(k), k: "", z: "", xt: "", map: "", g: "", over: over.filter(o => o !== k).join(",")})}),
+    H.clear(list).append(...opened.runs.map((r, k) => H.h("div", {class: "bar"}, H.h("label", {style: {flex: 1}}, H.h("input", {type: "radio", name: "run", checked: k === chosen(), onchange: () => H.set({run: String(k), k: "", z: "", xt: "", map: "", hz: "", pz: "", g: "", over: over.filter(o => o !== k).join(",")})}),
       H.h("span", {}, r.title, H.h("small", {class: "quiet", style: {display: "block"}}, `${r.name}, ${r.status}`))),
       k === chosen() || opened.runs.length < 2 ? "" : H.h("label", {class: "small"}, H.h("input", {type: "checkbox", checked: over.includes(k), onchange: event => H.set({over: (event.target.checked ? [...over, k] : over.filter(o => o !== k)).join(",")})}), "overlay"))));
   }
@@ -105,8 +105,22 @@
     if (z >= 0 && z < n) map.chart.spec.series.push({kind: "line", colour: 4, width: 1.6, hover: false, x: Array.from(run.times, (_, r) => 0.5 * (left.data[r * n + z] + right.data[r * n + z]) * map.fx), y: Array.from(run.times, t => t * map.ft)}), map.chart.draw();
     const centre = Array.from({length: n}, (_, i) => 0.5 * (left.data[k * n + i] + right.data[k * n + i]));
     profileHost.hidden = state.profileTitle.hidden = false;
-    lines.showProfile(centre, Array.from(values.data.slice(k * n, (k + 1) * n)), shown, regions, run.times[k]);
+    const others = await otherProfiles(shown, run.times[k]);
+    if (mine !== order) return;
+    lines.showProfile(centre, Array.from(values.data.slice(k * n, (k + 1) * n)), shown, regions, run.times[k], others);
   }
+  async function otherProfiles(shown, time) {       // of the runs that lie over this one, each at its record nearest in time
+    const found = [];
+    for (const [i, other] of H.list("over").map(Number).filter(o => o !== chosen()).entries()) try {
+      const run = await H.ask("run", {run: other});
+      if (run.plane || !run.times.length || !run.fields.some(f => f.name === shown.name)) continue;
+      const [left, right, values] = await Promise.all(["position_left", "position_right", shown.name].map(name => array("snapshots", name, {}, other))), n = values.shape[1], k = nearest(run.times, time);
+      const x = Float64Array.from({length: n}, (_, z) => 0.5 * (left.data[k * n + z] + right.data[k * n + z])), regions = run.regions.length && run.regions.at(-1).last === n - 1 ? run.regions : [{name: "", first: 0, last: n - 1}];
+      found.push({x, values: values.data.slice(k * n, (k + 1) * n), regions, suffix: ` · ${last.opened.runs[other]?.name}`, dash: DASHES[i % 3]});
+    } catch (error) { H.failed(error); }
+    return found;
+  }
+  const nearest = (times, t) => times.reduce((best, v, i) => Math.abs(v - t) < Math.abs(times[best] - t) ? i : best, 0);
   async function gaugePaths(run) {
     const [time, position] = await Promise.all([array("gauges", "time"), array("gauges", "position")]), n = position.shape[1], every = Math.max(1, Math.floor(time.data.length / 300));
     return Array.from({length: Math.min(n, 8)}, (_, g) => { const t = [], x = []; for (let i = 0; i < time.data.length; i += every) { t.push(time.data[i]); x.push(position.data[i * n + g]); } return {time: t, position: x}; });
@@ -130,7 +144,7 @@
     for (const [i, other] of others.entries()) try {
       const second = await H.ask("run", {run: other});
       const same = picked.map(k => second.gauges.indexOf(run.gauges[k])).filter(k => k >= 0);
-      if (shown) lineList.push(...await gaugeLines(second, other, shown.name, same, ` · run ${other}`, ["7 3", "2 3", "9 3 2 3"][i % 3]));
+      if (shown) lineList.push(...await gaugeLines(second, other, shown.name, same, ` · ${last.opened.runs[other]?.name}`, DASHES[i % 3]));
     } catch (error) { H.failed(error); }
     const z = H.get("z") === "" ? -1 : Number(H.get("z")), mapped = shown ? run.fields.find(f => f.name === shown.name) : state.shown;
     if (z >= 0 && mapped) try { const v = await zoneHistory(run, mapped.name, z); lineList.push({label: `zone ${z}`, time: run.times, values: v, colour: 4, dash: "5 2"}); } catch (error) { H.failed(error); }
@@ -156,8 +170,7 @@
   }
   // -- the pointer -------------------------------------------------------------------------------------------------------
   function setTime(t, zone) {
-    const {run} = state, k = run.times.reduce((best, v, i) => Math.abs(v - t) < Math.abs(run.times[best] - t) ? i : best, 0);
-    H.set({k: String(k), ...(zone !== undefined && zone >= 0 ? {z: String(zone)} : {})});
+    H.set({k: String(nearest(state.run.times, t)), ...(zone !== undefined && zone >= 0 ? {z: String(zone)} : {})});
   }
   const pickZone = hit => { if (hit.zone >= 0) H.set({z: String(hit.zone)}); };
   const regionOf = z => state.regions?.find(r => z >= r.first && z <= r.last)?.name || "";

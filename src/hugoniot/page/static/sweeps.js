@@ -5,12 +5,12 @@
   let select, host, parallel, scatter, xSelect, ySelect, cSelect, table, count, data, readout, order = 0, columnsBox;
 
   view.open = main => {
-    select = H.h("select", {"aria-label": "Table", onchange: () => H.set({sweep: select.value, x: "", y: "", c: "", brush: "", cols: ""})});
+    select = H.h("select", {"aria-label": "Table", onchange: () => H.set({sweep: select.value, x: "", y: "", c: "", brush: "", cols: "", sz: ""})});
     count = H.h("span", {class: "quiet small", "aria-live": "polite"});
     host = H.h("div", {class: "chart", style: {height: "300px"}});
     parallel = H.s("svg", {role: "img", "aria-label": "Parallel coordinates", tabindex: 0});
     host.append(parallel);
-    const pick = (label, key) => H.h("select", {"aria-label": label, onchange: event => H.set({[key]: event.target.value})});
+    const pick = (label, key) => H.h("select", {"aria-label": label, onchange: event => H.set({[key]: event.target.value, sz: ""})});
     xSelect = pick("x axis", "x"); ySelect = pick("y axis", "y"); cSelect = pick("Colour", "c");
     columnsBox = H.h("details", {class: "small"});
     const scatterHost = H.h("div");
@@ -18,7 +18,7 @@
     readout = H.h("div", {class: "readout", "aria-live": "polite"});
     main.append(H.h("div", {class: "column"}, H.h("div", {class: "bar"}, select, count, H.h("span", {class: "push"}, H.h("button", {type: "button", onclick: () => H.set({brush: ""})}, "Clear the brushes"))), columnsBox, host,
       H.h("div", {class: "bar small"}, H.h("label", {}, "x axis", xSelect), H.h("label", {}, "y axis", ySelect), H.h("label", {}, "colour", cSelect), H.h("span", {class: "bar push"}, ...H.saveButtons(() => scatter, () => "sweep"))), scatterHost, readout, table));
-    scatter = new H.Chart(scatterHost, {label: "Cases", height: 0.42, most: 430, keep: true, onHover: hit => read(scatter.spec.series[hit.series].rows[hit.index]), onPick: hit => openRun(scatter.spec.series[hit.series].rows[hit.index])});
+    scatter = new H.Chart(scatterHost, {label: "Cases", height: 0.42, most: 430, keep: true, zoomKey: "sz", onHover: hit => read(scatter.spec.series[hit.series].rows[hit.index]), onPick: hit => openRun(scatter.spec.series[hit.series].rows[hit.index])});
     new ResizeObserver(() => { if (data) drawParallel(); }).observe(host);
   };
   view.close = () => { order++; scatter.stop(); data = null; };
