@@ -41,7 +41,7 @@ def pop_picture(found, lines=(), ax=None):
 
 
 def _number(axis, ratio: float) -> None:
-    """Plain numbers along a logarithmic axis: those beginning with 1, 2 or 5; over many decades powers of ten, over less than one equal steps."""
+    """Plain numbers along a logarithmic axis: with 1, 2 or 5 in front, powers of ten over many decades, equal steps within one."""
     axis.set_major_formatter("{x:g}")
     if ratio <= 8.0:
         axis.set_major_locator(MaxNLocator(nbins=6, steps=[1, 2, 2.5, 5, 10]))
