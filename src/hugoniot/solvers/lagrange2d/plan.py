@@ -57,14 +57,14 @@ class PlaneRows(NamedTuple):
     half: Place
 
     @property
-    def low(self):
-        """Positions of the nodes on one side now."""
-        return L.Positions(self.now_low.x, self.now_low.y)
+    def mid(self):
+        """Corners in the middle of the step."""
+        return L.Sides(self.mid_low, self.mid_high)
 
     @property
-    def high(self):
-        """Positions of the nodes on the other side now."""
-        return L.Positions(self.now_high.x, self.now_high.y)
+    def now(self):
+        """Corners now."""
+        return L.SidesNow(L.Positions(self.now_low.x, self.now_low.y), L.Positions(self.now_high.x, self.now_high.y))
 
 
 class Plan(NamedTuple):
@@ -150,7 +150,7 @@ class Planner:
                 zone_step.correct(correct, self.geometry, numbers)
                 yield (PREDICT, k, member), predict.operations
                 yield (CORRECT, k, member), correct.operations
-                rows = zone_passes.StartOf(at.low, at.high, at.z.p, at.q, at.s, at.f)
+                rows = zone_passes.StartOf(at.now, at.z.p, at.q, at.s, at.f)
                 yield (START, k, member), [Operation(zone_passes.start, self.geometry, rows, numbers, at.whole)]
 
     def _compare(self, s):
@@ -173,7 +173,7 @@ class Planner:
             if self.viscosity.limited:
                 rows = smoothness.GradientsOf(at.now_low, at.now_high, places(smoothness.Gradients, self.tables[3], AT_GRADIENTS))
                 yield (GRADIENTS, 0, member), [Operation(smoothness.gradients, None, rows, self.dts, at.whole)]
-            rows = node_step.LookOf(at.low, at.high, *(L.Positions(line.x, line.y) for line in (at.mid_low, at.mid_high)), at.tangled)
+            rows = node_step.LookOf(*at.now, *(L.Positions(line.x, line.y) for line in at.mid), at.tangled)
             yield (LOOK, 0, member), [Operation(node_step.look, None, rows, self.dts, at.whole)]
 
     def _of_nodes(self):
