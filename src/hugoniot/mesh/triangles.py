@@ -30,6 +30,11 @@ def ways(ni: int, nj: int, diagonal: str) -> np.ndarray:
     return {"one_way": np.ones((ni, nj), dtype=bool), "alternating": j % 2 == 0, "crossed": (i + j) % 2 == 0}[diagonal]
 
 
+def corners_of(way: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Corners (n, 3) of their cells that lower and upper triangles have, from which way (n,) the diagonals run."""
+    return _LOWER[way.astype(int)], _UPPER[way.astype(int)]
+
+
 def by_rows(lower: np.ndarray, upper: np.ndarray, block: Block) -> np.ndarray:
     """Values (ni nj, ...) of the lower and the upper triangles of a block in the order of its zones."""
     shape = (block.ni, 1, block.nj, *lower.shape[1:])
@@ -42,7 +47,7 @@ def divided(cells: Blocks, diagonal: str) -> Blocks:
     for block in cells.blocks:
         of_block = ways(block.ni, block.nj, diagonal).ravel()
         quads = cells.zone_nodes[block.first_zone : block.first_zone + block.zones]
-        lower, upper = (np.take_along_axis(quads, which[of_block.astype(int)], axis=1) for which in (_LOWER, _UPPER))
+        lower, upper = (np.take_along_axis(quads, which, axis=1) for which in corners_of(of_block))
         new = replace(block, first_zone=first, per_cell=2)
         corners.append(by_rows(lower, upper, block))
         blocks.append(new)

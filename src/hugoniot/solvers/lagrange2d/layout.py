@@ -79,6 +79,14 @@ class Zones(NamedTuple):
     f3y: Any
 
 
+class OfTriangles(NamedTuple):
+    """Further fields of zones, in runs with triangles."""
+
+    way: Any                 # 1 where the diagonal of the cell runs from its corner 0 to 2, 0 where from 1 to 3
+    back: Any                # 1 less this
+    p_half: Any              # pressure in the middle of a step, where both triangles of a cell share it
+
+
 class Charge(NamedTuple):
     """Further fields of zones, in runs in which something burns. Energies hold the chemical one."""
 
