@@ -160,8 +160,8 @@ class Solver2D:
     diagonal     which way (`mesh.triangles`): "one_way", "alternating" or "crossed"
     average_pressure   whether both triangles of a cell share their pressure, in materials with strength
     scheme       axisymmetric: "true_volume" (virtual work) or "area_weighted" (keeps spherical symmetry on polar meshes)
-    subzonal_pressure    merit factor against hourglass modes of materials without strength; 0 is off
-    flanagan_belytschko  viscous coefficient against hourglass modes of materials with strength; 0 is off
+    subzonal_pressure    of quads: merit factor against hourglass modes of materials without strength; 0 is off
+    flanagan_belytschko  of quads: viscous coefficient against hourglass modes of materials with strength; 0 is off
     courant, growth, initial_step, largest_step, threads, max_cycles   as in one dimension
     """
 
@@ -169,7 +169,7 @@ class Solver2D:
     integrator: str = "compatible"
     cells: str = "quads"
     diagonal: str = "one_way"
-    average_pressure: bool = False
+    average_pressure: bool = True
     scheme: str = "true_volume"
     viscosity: Viscosity2D = Viscosity2D()
     subzonal_pressure: float = 1.0
