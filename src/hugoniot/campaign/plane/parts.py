@@ -13,8 +13,8 @@ from hugoniot.problem.model import OutputOptions, Pulse
 from hugoniot.problem.plane.model import Block2D, Boundary2D, Problem2D, Solver2D
 from hugoniot.problem.standard.parts import Bar
 from hugoniot.solvers.lagrange2d.assemble import N, Z
-from hugoniot.solvers.lagrange2d.assemble import areas as zone_areas
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
+from hugoniot.solvers.lagrange2d.zone_shapes import areas as zone_areas
 
 QUARTER = (0.0, 0.5 * np.pi)
 HOLE = 0.005           # radius of the hole of a polar mesh, in units of its outer radius

@@ -49,7 +49,8 @@ def bodies(problem) -> list[Body]:
 def _body(mesh: Blocks, members: list[int], speed: float) -> Body:
     zones = np.flatnonzero(np.isin(mesh.block_of, members))
     corners = mesh.zone_nodes[zones]
-    edges = np.concatenate([corners[:, [k, (k + 1) % corners.shape[1]]] for k in range(corners.shape[1])])     # counter-clockwise: the explosive on the left
+    sides = range(corners.shape[1])
+    edges = np.concatenate([corners[:, [k, (k + 1) % len(sides)]] for k in sides])     # counter-clockwise: the explosive on the left
     ordered = np.sort(edges, axis=1)
     _, first, count = np.unique(ordered, axis=0, return_index=True, return_counts=True)
     outline = edges[first[count == 1]]

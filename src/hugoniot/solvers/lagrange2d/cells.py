@@ -133,6 +133,6 @@ for _generic, _choose in ((cell, _by_corners), (volume, _volume), (coefficients,
                           (inverse_altitude, _inverse_altitude), (stress_forces, _stress_forces)):
     bind_choice(_generic, _choose)
 for _function in (triangle, triangles.plane_area, triangles.ring_volume, triangles.plane_weights, triangles.ring_weights,
-                  triangles.area_weights, triangles.plane_rates, triangles.ring_rates, triangles._rates, quad_of, quad_volume, quad_coefficients, quad_strains, quad_power,
-                  quad_inverse_altitude, triangle_power, triangle_inverse_altitude):
+                  triangles.area_weights, triangles.plane_rates, triangles.ring_rates, triangles._rates, quad_of, quad_volume,
+                  quad_coefficients, quad_strains, quad_power, quad_inverse_altitude, triangle_power, triangle_inverse_altitude):
     bind(_function)

@@ -12,59 +12,31 @@ import numpy as np
 from numba.extending import overload
 
 from hugoniot.core.compile_ahead import Job
-from hugoniot.core.pass_lists import FIXED, Operation, Place, Written, carry_out, jobs, most_rows, place, places, write
+from hugoniot.core.pass_lists import Operation, Place, Written, carry_out, jobs, most_rows, place, places, write
 from hugoniot.core.passes import Entry, call_entry
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.core.team import DISMISSED, Alone, await_call, begin, gather_team, sign
-from hugoniot.solvers.lagrange1d.tables import zone_table
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import node_step, smoothness, triangle_passes, triangle_step, zone_passes, zone_step
+from hugoniot.solvers.lagrange2d.plane_rows import (
+    AT_GRADIENTS,
+    AT_GRADIENTS_BEFORE,
+    AT_GRADIENTS_BEHIND,
+    AT_LOW,
+    BEFORE_ONLY,
+    BEHIND_ONLY,
+    BOTH,
+    DT,
+    DT_BACK,
+    RowsOfRun,
+)
 from hugoniot.zones.soundness import FOUND_FAILURE, FOUND_RATE
 from hugoniot.zones.steps import MaterialSteps
 
 GRADIENTS, PREDICT, CORRECT, START, LOOK, ACCELERATE, ACCELERATE_AGAIN, PUSH, MOVE, TAKE_BACK = range(10)     # commands
 COMMANDS = 10
 OF_NODES = (ACCELERATE, ACCELERATE_AGAIN, PUSH, MOVE, TAKE_BACK)
-# origins: a row of zones and the one before it, the rows of nodes on both its sides, its gradients and those of the rows beside it
-# and, of triangles, the upper ones of the rows of cells whose lower ones are the zones
-(AT_ZONES, AT_BEFORE, AT_LOW, AT_HIGH, AT_GRADIENTS, AT_GRADIENTS_BEFORE, AT_GRADIENTS_BEHIND, AT_UPPER, AT_UPPER_BEFORE) = range(1, 10)
 FIRST, LAST, COUNT, PIECE, ORIGIN = range(5)                  # columns of the table of shares, the last one the first of the origins
-DT, DT_HALF, DT_BACK = range(3)                               # of the row of time steps
-BOTH, BEHIND_ONLY, BEFORE_ONLY = range(3)                     # rows of zones beside a row of nodes
-
-
-class PlaneRows(NamedTuple):
-    """Rows of a row of zones: those of `zones.steps.Rows`, its nodes now and in the middle of the step, and its own."""
-
-    z: Any
-    b: Any
-    w: Any
-    now_low: Any
-    now_high: Any
-    mid_low: Any
-    mid_high: Any
-    s: Any               # deviators of the state
-    q: Any               # mean viscous stress of the state
-    coming: Any          # the same of the step that is being taken
-    f: Any               # corner forces
-    d: Any               # strain rates
-    new: Any             # deviators found
-    smooth: Any
-    rest: Any            # forces of what the corners' viscous stress has beyond the mean
-    found: Place
-    tangled: Place
-    whole: Place
-    half: Place
-
-    @property
-    def mid(self):
-        """Corners in the middle of the step."""
-        return L.Sides(self.mid_low, self.mid_high)
-
-    @property
-    def now(self):
-        """Corners now."""
-        return L.SidesNow(L.Positions(self.now_low.x, self.now_low.y), L.Positions(self.now_high.x, self.now_high.y))
 
 
 class Plan(NamedTuple):
@@ -110,11 +82,10 @@ class Planner:
     """
 
     def __init__(self, tables, materials, geometry, viscosity, body_force, threads: int, longest: int):
-        self.tables, self._own, self.geometry, self.viscosity, self.threads = tables[:4], tables[4], geometry, viscosity, threads
-        self.dts, self.seen = np.zeros(3), np.zeros((threads, L.FOUND_COLUMNS))
-        self._scratch = zone_table(L.SCRATCH_ROWS, threads * L.PIECE * (1 if self._own is None else 2))
-        self._body_force, self._nothing = np.array(body_force, dtype=float), np.zeros(longest + 2)
-        self._at = [self._rows(member, member) for member in range(threads)]
+        self.places, self.geometry, self.viscosity, self.threads = RowsOfRun(tables, threads, longest), geometry, viscosity, threads
+        self.dts, self.seen, self.triangles = self.places.dts, self.places.seen, self.places.own is not None
+        self._body_force = np.array(body_force, dtype=float)
+        self._at = [self.places.rows(member, member) for member in range(threads)]
         self._lists = dict(self._of_materials(materials)) | dict(self._of_zones()) | dict(self._of_nodes())
         self.written, self._ends = EMPTY.written, {}
 
@@ -122,29 +93,11 @@ class Planner:
         """What has yet to be compiled for the plan."""
         return [DO_SHARE.job(EMPTY, 0, 0), *jobs(self._lists.values())]
 
-    def _rows(self, member, room, origin=AT_ZONES) -> PlaneRows:
-        """Rows of a member, with the scratch number `room`."""
-        zones, charge, nodes, _ = self.tables
-        z = places(L.Zones, zones, origin)
-        low, high = places(L.Nodes, nodes, AT_LOW), places(L.Nodes, nodes, AT_HIGH)
-
-        def scratch(cls, first):
-            return places(cls, self._scratch[first:], FIXED, room * L.PIECE)
-
-        return PlaneRows(
-            z, places(L.Charge, charge, origin), scratch(L.Work, 0),
-            L.Points(low.x, low.y, low.u, low.v), L.Points(high.x, high.y, high.u, high.v),
-            L.Points(low.xh, low.yh, low.um, low.vm), L.Points(high.xh, high.yh, high.um, high.vm),
-            L.Tensor(z.sxx, z.syy, z.sxy), L.Stress(z.qxx, z.qyy, z.qxy, z.qhoop), L.Stress(z.nxx, z.nyy, z.nxy, z.nhoop),
-            L.Corners(*z[L.Zones._fields.index("f0x"):]), scratch(L.Rates, L.RATES), scratch(L.Tensor, L.NEW),
-            scratch(L.Smoothness, L.SMOOTH), scratch(L.Corners, L.REST), place(self.seen[member]),
-            place(self.seen[member, L.FOUND_TANGLED:]), place(self.dts[DT:]), place(self.dts[DT_HALF:]))
-
     def _of_materials(self, materials):
         """((command, material, member), list) of every material."""
         for k, (laws, numbers, fluid, shared) in enumerate(materials):
             for member, at in enumerate(self._at):
-                if self._own is not None:
+                if self.triangles:
                     yield from self._of_cells(k, member, laws, numbers, shared)
                     continue
                 predict, correct = MaterialSteps(laws, at, explicit=True), MaterialSteps(laws, at, explicit=True)
@@ -159,7 +112,7 @@ class Planner:
 
     def _of_cells(self, k, member, laws, numbers, shared):
         """The same of a material in triangles."""
-        pair = self._pair(member)
+        pair = self.places.pair(member)
         predict, correct, start = (triangle_step.Cell(laws, pair, self.geometry, numbers, shared) for _ in range(3))
         if self.viscosity.limited:
             self._compare(predict.steps[0])
@@ -169,18 +122,9 @@ class Planner:
         for command, cell in ((PREDICT, predict), (CORRECT, correct), (START, start)):
             yield (command, k, member), cell.operations
 
-    def _pair(self, member):
-        """Rows of the lower and the upper triangles of a row of cells."""
-        def triangles(upper):
-            origin, room = AT_UPPER if upper else AT_ZONES, member + upper * self.threads
-            third = places(L.Points, self._scratch[L.THIRD:], FIXED, room * L.PIECE)
-            return triangle_step.Triangles(self._rows(member, room, origin), places(L.OfTriangles, self._own, origin), third, upper)
-
-        return triangles(False), triangles(True)
-
     def _compare(self, s):
         """Write how smooth the velocity field is."""
-        at, table = s.at, self.tables[3]
+        at, table = s.at, self.places.gradients
         here, before, behind = (places(smoothness.Gradients, table, origin)
                                 for origin in (AT_GRADIENTS, AT_GRADIENTS_BEFORE, AT_GRADIENTS_BEHIND))
 
@@ -196,21 +140,21 @@ class Planner:
         """((command, 0, member), list) of what zones do whatever their material."""
         for member, at in enumerate(self._at):
             if self.viscosity.limited:
-                rows = smoothness.GradientsOf(at.now_low, at.now_high, places(smoothness.Gradients, self.tables[3], AT_GRADIENTS))
+                rows = smoothness.GradientsOf(at.now_low, at.now_high, places(smoothness.Gradients, self.places.gradients, AT_GRADIENTS))
                 yield (GRADIENTS, 0, member), [Operation(smoothness.gradients, None, rows, self.dts, at.whole)]
             look, rows = node_step.look, node_step.LookOf(*at.now, *(L.Positions(line.x, line.y) for line in at.mid), at.tangled)
-            if self._own is not None:
-                look, rows = triangle_passes.look, triangle_step.look_rows(self._pair(member)[0])
+            if self.triangles:
+                look, rows = triangle_passes.look, triangle_step.look_rows(self.places.pair(member)[0])
             yield (LOOK, 0, member), [Operation(look, None, rows, self.dts, at.whole)]
 
     def _of_nodes(self):
         """((command, rows of zones beside, 0), list) of the motions of a row of nodes."""
-        n, whole = places(L.Nodes, self.tables[2], AT_LOW), place(self.dts[DT:])
+        n, whole = places(L.Nodes, self.places.nodes, AT_LOW), place(self.dts[DT:])
         predict, mean_motion = node_step.predict, node_step.mean_motion
-        if self._own is not None:
+        if self.triangles:
             predict, mean_motion = triangle_passes.predict_nodes, triangle_passes.mean_motion
         for beside in (BOTH, BEHIND_ONLY, BEFORE_ONLY):
-            behind, before = self._beside(beside)
+            behind, before = self.places.beside(beside)
             first, force = L.Vector(n.gx, n.gy), L.Vector(n.fx, n.fy)
             motions = {
                 ACCELERATE: (predict,
@@ -222,28 +166,6 @@ class Planner:
             for command, (motion, rows) in motions.items():
                 yield (command, beside, 0), [Operation(motion, None, rows, self._body_force, whole)]
             yield (TAKE_BACK, beside, 0), [Operation(node_step.move, None, motions[MOVE][1], self._body_force, place(self.dts[DT_BACK:]))]
-
-    def _beside(self, beside):
-        """Corner forces of the rows of zones behind and before a row of nodes."""
-        none = L.Vector(place(self._nothing), place(self._nothing))
-        f, g = (places(L.Zones, self.tables[0], origin) for origin in (AT_ZONES, AT_BEFORE))
-        if self._own is not None:
-            behind = before = node_step.OfPairs(none, none, none, none, *none)
-            if beside != BEFORE_ONLY:
-                upper, own = places(L.Zones, self.tables[0], AT_UPPER), places(L.OfTriangles, self._own, AT_ZONES)
-                behind = node_step.OfPairs(L.Vector(f.f0x, f.f0y), L.Vector(upper.f1x, upper.f1y), L.Vector(f.f2x, f.f2y),
-                                           L.Vector(upper.f2x, upper.f2y), own.way, own.back)
-            if beside != BEHIND_ONLY:
-                upper, own = places(L.Zones, self.tables[0], AT_UPPER_BEFORE), places(L.OfTriangles, self._own, AT_BEFORE)
-                before = node_step.OfPairs(L.Vector(g.f1x, g.f1y), L.Vector(upper.f0x, upper.f0y), L.Vector(g.f2x, g.f2y),
-                                           L.Vector(upper.f2x, upper.f2y), own.back, own.way)
-            return behind, before
-        behind, before = node_step.Behind(none, none), node_step.Before(none, none)
-        if beside != BEFORE_ONLY:
-            behind = node_step.Behind(L.Vector(f.f0x, f.f0y), L.Vector(f.f3x, f.f3y))
-        if beside != BEHIND_ONLY:
-            before = node_step.Before(L.Vector(g.f1x, g.f1y), L.Vector(g.f2x, g.f2y))
-        return behind, before
 
     def plan(self, zone_rows, node_rows) -> Plan:
         """The plan for rows of zones (count, material, origins...) and rows of nodes (count, rows of zones beside it, origins...)."""

@@ -4,7 +4,8 @@ import numpy as np
 
 from hugoniot.errors import UnphysicalState
 from hugoniot.solvers.lagrange2d import layout as L
-from hugoniot.solvers.lagrange2d.assemble import N, Z, areas
+from hugoniot.solvers.lagrange2d.assemble import N, Z
+from hugoniot.solvers.lagrange2d.zone_shapes import areas
 from hugoniot.zones.soundness import first_unsound
 
 NO_NUMBER = ("a zone has a state or a motion that is not a number",

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from hugoniot.solvers.lagrange2d import plan
+from hugoniot.solvers.lagrange2d import plane_rows
 from hugoniot.solvers.lagrange2d.assemble import Numbering
 from hugoniot.solvers.lagrange2d.smoothness import Gradients
 
@@ -16,7 +16,7 @@ def cells(mesh):
 
 
 def zone_rows(mesh, numbering: Numbering, material_of):
-    """(count, material, origins in the order of `plan`) of every row of cells."""
+    """(count, material, origins in the order of `plane_rows`) of every row of cells."""
     found, start = [], cells(mesh)
     for k, block in enumerate(mesh.blocks):
         for i in range(block.ni):
@@ -42,7 +42,7 @@ def node_rows(mesh, numbering: Numbering):
     found = []
     for k, block in enumerate(mesh.blocks):
         for i in range(block.ni + 1):
-            beside = plan.BEHIND_ONLY if i == 0 else plan.BEFORE_ONLY if i == block.ni else plan.BOTH
+            beside = plane_rows.BEHIND_ONLY if i == 0 else plane_rows.BEFORE_ONLY if i == block.ni else plane_rows.BOTH
             behind, before = _row_of_zones(block, min(i, block.ni - 1)), _row_of_zones(block, max(i - 1, 0))
             places = behind, before, int(numbering.local(k, i, 0)), 0, 0, 0, 0, _upper(block, behind), _upper(block, before)
             found.append((block.nj + 1, beside, *(WORD * place for place in places)))

@@ -19,18 +19,7 @@ from hugoniot.solvers.lagrange2d import accounts, post_mortem
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import quads as G
 from hugoniot.solvers.lagrange2d.accounts import B
-from hugoniot.solvers.lagrange2d.assemble import (
-    N,
-    Numbering,
-    Z,
-    axis_tables,
-    diagonal_table,
-    inverse_altitudes,
-    kind_of,
-    materials_of,
-    node_tables,
-    zone_tables,
-)
+from hugoniot.solvers.lagrange2d.assemble import N, Numbering, Z, axis_tables, kind_of, materials_of, node_tables, zone_tables
 from hugoniot.solvers.lagrange2d.boundaries import boundary_tables
 from hugoniot.solvers.lagrange2d.contact import results
 from hugoniot.solvers.lagrange2d.contact.layout import Nowhere
@@ -40,6 +29,7 @@ from hugoniot.solvers.lagrange2d.march import Options, Run, hold_at_start, march
 from hugoniot.solvers.lagrange2d.plan import EMPTY, START, Planner, carry_out_alone, serve
 from hugoniot.solvers.lagrange2d.rows_of_blocks import cells, ghost_tables, node_rows, zone_rows
 from hugoniot.solvers.lagrange2d.smoothness import Gradients
+from hugoniot.solvers.lagrange2d.zone_shapes import diagonal_table, inverse_altitudes
 from hugoniot.solvers.protocol import NO_COUNTS, NothingToAdd
 from hugoniot.state import State2D
 
@@ -111,11 +101,7 @@ class Lagrange2D(NothingToAdd):
     def _plan(self, mesh, speed):
         """(plan of the march, largest speed of a programmed front)."""
         materials, material_of = materials_of(self.problem, speed, self.options.near)
-        own = None
-        if mesh.quads is not None:
-            own = zone_table(len(L.OfTriangles._fields), len(mesh.zone_nodes))
-            own[:, :len(mesh.zone_nodes)] = diagonal_table(mesh)
-        tables = self._zones, self._charge, self._nodes, self.run.gradients, own
+        tables = self._zones, self._charge, self._nodes, self.run.gradients, diagonal_table(mesh)
         self.planner = Planner(tables, materials, G.KINDS[self.kind], self.problem.solver.viscosity, self.problem.body_force,
                                self.team.threads, max(block.nj for block in mesh.blocks))
         compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs()])

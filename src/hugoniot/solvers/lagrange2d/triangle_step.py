@@ -27,7 +27,7 @@ def ahead(points: L.Points) -> L.Points:
 class Triangles(NamedTuple):
     """Rows of the lower or the upper triangles of a row of cells.
 
-    at      `plan.PlaneRows`
+    at      `plane_rows.PlaneRows`
     own     what triangles have besides
     third   scratch for the third corners
     upper   whether they are the upper ones

@@ -83,7 +83,8 @@ def resist_triangles(count, z, dt, numbers, law):
         ax, ay, au, av = n.b.x[j] - n.a.x[j], n.b.y[j] - n.a.y[j], n.b.u[j] - n.a.u[j], n.b.v[j] - n.a.v[j]
         bx, by, bu, bv = n.c.x[j] - n.a.x[j], n.c.y[j] - n.a.y[j], n.c.u[j] - n.a.u[j], n.c.v[j] - n.a.v[j]
         ex, ey = (bx - ax, by - ay) if z.way[j] > 0.5 else (bx, by)
-        m, a, d = Metric(ex * ex, ey * ey, ex * ey, ax * ax, ay * ay, ax * ay, SMALL), around(z, j), (z.rates.xx[j], z.rates.yy[j], z.rates.xy[j])
+        m, a = Metric(ex * ex, ey * ey, ex * ey, ax * ax, ay * ay, ax * ay, SMALL), around(z, j)
+        d = (z.rates.xx[j], z.rates.yy[j], z.rates.xy[j])
         lxx, lyy, lxy, fast, part = along_edges(m, d, a, ax * by - ay * bx, viscosity)
         rest = 1.0 - part
         lxx, lyy, lxy = lxx * rest, lyy * rest, lxy * rest
