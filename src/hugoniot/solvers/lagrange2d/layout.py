@@ -84,7 +84,10 @@ class OfTriangles(NamedTuple):
 
     way: Any                 # 1 where the diagonal of the cell runs from its corner 0 to 2, 0 where from 1 to 3
     back: Any                # 1 less this
-    p_half: Any              # pressure in the middle of a step, where both triangles of a cell share it
+    p_half: Any              # pressure and deviators in the middle of a step, where its work is divided anew in a cell
+    sxx: Any
+    syy: Any
+    sxy: Any
 
 
 class Charge(NamedTuple):

@@ -10,8 +10,10 @@ from hugoniot.core.binder import bind
 from hugoniot.core.passes import Pass, kind_of, rows_apart, zone_pass
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import node_step, zone_passes
-from hugoniot.solvers.lagrange2d.cells import cell, coefficients, volume
+from hugoniot.solvers.lagrange2d.cells import cell, coefficients, power, volume
 from hugoniot.solvers.lagrange2d.node_step import LEAST_LEFT
+from hugoniot.solvers.lagrange2d.quads import Strains
+from hugoniot.solvers.lagrange2d.zone_passes import stress_power
 
 _INSTEAD = {L.Sides: L.Vertices, L.SidesNow: L.VerticesNow, L.Corners: L.VertexForces, node_step.Behind: node_step.OfPairs,
             node_step.Before: node_step.OfPairs}
@@ -116,7 +118,33 @@ def look(count, z, dt, numbers, law):
     z.tangled[0] += bad
 
 
-# -- pairs that share their pressure ------------------------------------------------------------------------------------------
+# -- work divided anew between both triangles of a cell -----------------------------------------------------------------------
+class OwnWorkOf(NamedTuple):
+    """Corners, forces, strain rates, stress in the middle of the step -> energy by the work of the stress, and what that is beyond the
+    work of the forces, J."""
+
+    corners: L.Vertices
+    f: L.VertexForces
+    d: L.Rates
+    p: Any
+    s: L.Tensor
+    q: L.Stress
+    inverse_mass: Any
+    e: Any
+    beyond: Any
+
+
+class GiveBackOf(NamedTuple):
+    """Inverse masses, and work beyond that of the forces, of both triangles of a cell -> their energies."""
+
+    im1: Any
+    im2: Any
+    beyond1: Any
+    beyond2: Any
+    e1: Any
+    e2: Any
+
+
 class WorkOf(NamedTuple):
     """Positions, inverse masses, pressures and volume rates (over volume) of both triangles of a cell -> their energies."""
 
@@ -146,6 +174,28 @@ class DensityOf(NamedTuple):
 
     v: Any
     rho: Any
+
+
+@zone_pass(OwnWorkOf)
+def take_own_work(count, z, dt, numbers, law):
+    """The work of a triangle's stress on its own strain in place of that of its forces."""
+    rows_apart()
+    geometry = kind_of(law)
+    for j in range(count):
+        d = Strains(z.d.xx[j], z.d.yy[j], z.d.xy[j], z.d.spin[j], z.d.hoop[j], z.d.dilation[j])
+        beyond = dt * (volume(cell(z.corners, j), geometry) * stress_power(z, j, d) + power(z.f, z.corners, j))
+        z.e[j] += z.inverse_mass[j] * beyond
+        z.beyond[j] = beyond
+
+
+@zone_pass(GiveBackOf)
+def give_back(count, z, dt, numbers, law):
+    """What both triangles of a cell have taken beyond the work of their forces, given back by mass: the cell has that work again."""
+    rows_apart()
+    for j in range(count):
+        each = (z.beyond1[j] + z.beyond2[j]) / (1.0 / z.im1[j] + 1.0 / z.im2[j])
+        z.e1[j] -= each
+        z.e2[j] -= each
 
 
 @zone_pass(WorkOf)

@@ -121,8 +121,7 @@ class Cell:
         solid = [state_in_middle(s) for s in self.steps]
         if self.shared:
             self._average(*(s.p_half for s in self.steps))
-            for part, s in zip(self.pair, self.steps):
-                s.copy(s.p_half, part.own.p_half)
+        self._keep_stress()
         for part, s, rho in zip(self.pair, self.steps, solid):
             self._resist(part, s, rho, kind)
             at = part.at
@@ -156,6 +155,8 @@ class Cell:
             self.do(passes.gather_thirds, part.thirds(*at.mid))
             self.do(passes.settle, SettleOf(part.mid, part.f, z.inverse_mass, at.coming, z.filter_power, at.d, z.e,  # pyright: ignore
                                             at.w.heat, z.viscous_work, z.filter_work, at.q, z.q))
+        if isinstance(self.geometry, AreaWeighted):
+            self._divide_work()
         if self.shared:
             self._share_work([part.own.p_half for part in self.pair], [part.at.z.e for part in self.pair], self.pair[0].at.whole)
         for part in self.pair:
@@ -173,6 +174,31 @@ class Cell:
                                           w.inverse_length, at.s, z.sigma, z.c, part.f, at.found))
             s.pace(w.inverse_length)
             s.look_over()
+
+    # -- area weighted -------------------------------------------------------------------------------------------------------
+    def _keep_stress(self) -> None:
+        """Keep what the division of the work of the forces asks for at the end of the step."""
+        for part, s in zip(self.pair, self.steps):
+            own, at = part.own, part.at
+            if self.shared or isinstance(self.geometry, AreaWeighted):
+                s.copy(s.p_half, own.p_half)
+            if isinstance(self.geometry, AreaWeighted):
+                for row, kept in zip(at.new, (own.sxx, own.syy, own.sxy)):
+                    s.copy(row, kept)
+
+    def _divide_work(self) -> None:
+        """Divide the work of the forces as the stresses of both triangles do it.
+
+        Forces weighted with the radius of each node do the work of the pressure to second order in a cell, to first order only in a
+        triangle: of two triangles beside the axis one would get half too much and the other nothing.
+        """
+        for part in self.pair:
+            at, own, z = part.at, part.own, part.at.z
+            self.do(passes.gather_thirds, part.thirds(*at.mid))
+            self.do(passes.take_own_work, passes.OwnWorkOf(part.mid, part.f, at.d, own.p_half, L.Tensor(own.sxx, own.syy, own.sxy), at.q,
+                                                           z.inverse_mass, z.e, at.w.pace))
+        self.do(passes.give_back, passes.GiveBackOf(*self._masses(), *(part.at.w.pace for part in self.pair),
+                                                    *(part.at.z.e for part in self.pair)))
 
     # -- what both share -----------------------------------------------------------------------------------------------------
     def _masses(self) -> list[Place]:

@@ -3,8 +3,9 @@ r"""Viscosity of triangles: `tensor`, `edge` and `herrmann` as they are for quad
 * `tensor`: the stress of a corner (`viscosity`) with the gradient of the triangle. The logical directions are the two sides that are no
   diagonal, one along i, one along j; lengths along principal directions follow from them, so that in a rectangle divided by its diagonal
   a plane shock along either direction has the width it has without the diagonal. One stress acts in the whole triangle: there is no rest.
-* `edge`: from the middle of each side leads the segment to the centroid. The diagonal has the smoothness of both logical directions, by
-  their parts of the velocity gradient.
+* `edge`: the two sides that are no diagonal resist; between their middles and the middle of the diagonal, the centre of the cell, stand
+  the segments. Their velocity differences hold the whole gradient. A diagonal that resisted too would push nodes beside a wall that a
+  plane shock along it passes, since such nodes have diagonals on one side only.
 * `herrmann`: the extents of the triangle, and for the bulk part the area of the parallelogram of which it is half.
 
 Smoothness is that of the cell (`smoothness`), which both of its triangles share.
@@ -96,25 +97,29 @@ def resist_triangles(count, z, dt, numbers, law):
 
 @zone_pass(EdgesOf)
 def resist_triangle_edges(count, z, dt, numbers, law):
-    """Viscous forces of the three sides of triangles: their mean stress, and the planar forces beyond it."""
+    """Viscous forces of the two sides of triangles that are no diagonals: their mean stress, and the planar forces beyond it."""
     rows_apart()
     viscosity, n = law_of(law, numbers), z.corners
     for j in range(count):
         t, a = triangle(n, j), around(z, j)
-        xi, eta, both = a.xi / fmax(a.share, SMALL), a.eta / fmax(1.0 - a.share, SMALL), a.xi + a.eta
-        over = z.way[j] > 0.5                  # whether the diagonal joins c and a, or else b and c
-        cx, cy = (t.x0 + t.x1 + t.x2) * (1.0 / 3.0), (t.y0 + t.y1 + t.y2) * (1.0 / 3.0)
+        xi, eta, over = a.xi / fmax(a.share, SMALL), a.eta / fmax(1.0 - a.share, SMALL), z.way[j] > 0.5
         u0, v0, u1, v1, u2, v2 = n.a.u[j], n.a.v[j], n.b.u[j], n.b.v[j], n.c.u[j], n.c.v[j]
+        # the middle of the diagonal, from c to a or from b to c; the other side runs from b to c or from c to a
+        cx, cy = 0.5 * (t.x2 + (t.x0 if over else t.x1)), 0.5 * (t.y2 + (t.y0 if over else t.y1))
         ax, ay, fast0, heat0 = along_edge(t.x1 - t.x0, t.y1 - t.y0, cx - 0.5 * (t.x0 + t.x1), cy - 0.5 * (t.y0 + t.y1), u1 - u0, v1 - v0,
                                           eta, a, viscosity)
-        bx, by, fast1, heat1 = along_edge(t.x2 - t.x1, t.y2 - t.y1, cx - 0.5 * (t.x1 + t.x2), cy - 0.5 * (t.y1 + t.y2), u2 - u1, v2 - v1,
-                                          xi if over else both, a, viscosity)
-        dx, dy, fast2, heat2 = along_edge(t.x0 - t.x2, t.y0 - t.y2, cx - 0.5 * (t.x2 + t.x0), cy - 0.5 * (t.y2 + t.y0), u0 - u2, v0 - v2,
-                                          both if over else xi, a, viscosity)
-        z.fastest[j] = fmax(fast0, fmax(fast1, fast2))
+        ex, ey, mx, my = t.x2 - t.x1, t.y2 - t.y1, 0.5 * (t.x1 + t.x2), 0.5 * (t.y1 + t.y2)
+        eu, ev = u2 - u1, v2 - v1
+        if not over:
+            ex, ey, mx, my = t.x0 - t.x2, t.y0 - t.y2, 0.5 * (t.x2 + t.x0), 0.5 * (t.y2 + t.y0)
+            eu, ev = u0 - u2, v0 - v2
+        bx, by, fast1, heat1 = along_edge(ex, ey, cx - mx, cy - my, eu, ev, xi, a, viscosity)
+        z.fastest[j] = fmax(fast0, fast1)
         inverse = 1.0 / t.area
-        z.paid[j] = (heat0 + heat1 + heat2) * inverse
-        f0x, f0y, f1x, f1y, f2x, f2y = dx - ax, dy - ay, ax - bx, ay - by, bx - dx, by - dy
+        z.paid[j] = (heat0 + heat1) * inverse
+        f0x, f0y, f1x, f1y, f2x, f2y = -ax, -ay, ax - bx, ay - by, bx, by
+        if not over:
+            f0x, f0y, f1x, f1y, f2x, f2y = bx - ax, by - ay, ax, ay, -bx, -by
         xx, yy = (f0x * t.x0 + f1x * t.x1 + f2x * t.x2) * inverse, (f0y * t.y0 + f1y * t.y1 + f2y * t.y2) * inverse
         xy = 0.5 * (f0x * t.y0 + f1x * t.y1 + f2x * t.y2 + f0y * t.x0 + f1y * t.x1 + f2y * t.x2) * inverse
         z.mean.xx[j], z.mean.yy[j], z.mean.xy[j] = xx, yy, xy

@@ -112,6 +112,13 @@ class StartOf(NamedTuple):
     f: Corners
 
 
+def stress_power(z, j, d):
+    """Power of the stress of zone j (pressure, deviators and viscous stress) on strain rates, per volume."""
+    xx, yy, p = z.s.xx[j], z.s.yy[j], z.p[j]
+    rate = (xx - p - z.q.xx[j]) * d.xx + (yy - p - z.q.yy[j]) * d.yy + 2.0 * (z.s.xy[j] - z.q.xy[j]) * d.xy
+    return rate - (xx + yy + p + z.q.hoop[j]) * d.hoop
+
+
 @zone_pass(StrainOf)
 def strain(count, z, dt, numbers, law):
     """Strain rates with the predicted mean velocity; density and energy in the middle of the step."""
@@ -120,9 +127,7 @@ def strain(count, z, dt, numbers, law):
     for j in range(count):
         at = cell(z.corners, j)
         d = strains(at, z.corners, j, near, geometry)
-        xx, yy, p = z.s.xx[j], z.s.yy[j], z.p[j]
-        rate = (xx - p - z.q.xx[j]) * d.xx + (yy - p - z.q.yy[j]) * d.yy + 2.0 * (z.s.xy[j] - z.q.xy[j]) * d.xy
-        rate -= (xx + yy + p + z.q.hoop[j]) * d.hoop
+        rate = stress_power(z, j, d)
         v = volume(at, geometry) * z.inverse_mass[j]
         z.d.xx[j], z.d.yy[j], z.d.xy[j], z.d.spin[j], z.d.hoop[j], z.d.dilation[j] = d.xx, d.yy, d.xy, d.spin, d.hoop, d.dilation
         z.v[j] = v
@@ -236,5 +241,6 @@ def start(count, z, dt, numbers, law):
         with_mean(z, j, coefficients(cell(z.corners, j), near, geometry))
 
 
+bind(stress_power)
 bind(with_mean)
 bind(with_viscosity)
