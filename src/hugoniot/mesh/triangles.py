@@ -16,6 +16,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from hugoniot.errors import OutOfRange
 from hugoniot.mesh.blocks import Block, Blocks, Chain, Joint
 from hugoniot.mesh.checks import MeshDefect, MeshError
 
@@ -25,7 +26,9 @@ _UPPER = np.array([(2, 3, 1), (2, 3, 0)])
 
 
 def ways(ni: int, nj: int, diagonal: str) -> np.ndarray:
-    """Whether the diagonal of each cell (ni, nj) runs from corner 0 to corner 2."""
+    """Whether the diagonal of each cell (ni, nj) runs from corner 0 to corner 2. Raises OutOfRange for a pattern there is not."""
+    if diagonal not in DIAGONALS:
+        raise OutOfRange(f"there is no pattern of diagonals {diagonal!r}; use {' or '.join(map(repr, DIAGONALS))}")
     i, j = np.indices((ni, nj))
     return {"one_way": np.ones((ni, nj), dtype=bool), "alternating": j % 2 == 0, "crossed": (i + j) % 2 == 0}[diagonal]
 

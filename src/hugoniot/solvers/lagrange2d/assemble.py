@@ -10,7 +10,7 @@ from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.problem.plane.contact import trouble_on_the_axis
-from hugoniot.problem.plane.model import CELLS, DIAGONALS, VISCOSITIES, Problem2D
+from hugoniot.problem.plane.model import CELLS, VISCOSITIES, Problem2D
 from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.assemble import ROUND_OFF, longitudinal_speed, start_compaction
 from hugoniot.solvers.lagrange2d import layout as L
@@ -25,8 +25,7 @@ Z = L.Zones(*range(len(L.Zones._fields)))
 def kind_of(problem: Problem2D) -> int:
     """Code of the geometry. OutOfRange for options this solver does not have."""
     options = problem.solver
-    for name, value, known in (("cells", options.cells, CELLS), ("diagonal", options.diagonal, DIAGONALS),
-                               ("viscosity.kind", options.viscosity.kind, VISCOSITIES),
+    for name, value, known in (("cells", options.cells, CELLS), ("viscosity.kind", options.viscosity.kind, VISCOSITIES),
                                ("integrator", options.integrator, ("compatible",))):
         if value not in known:
             raise OutOfRange(f"solver.{name} = {value!r} is not available in two dimensions; use {' or '.join(map(repr, known))}")
