@@ -4,7 +4,21 @@ import dataclasses
 
 import numpy as np
 import pytest
-from contact_builders import Boundary2D, Contact2D, N, Pulse, Rigid2D, al, angular_momentum, askew, mean_velocity, meeting, ran, strip, walls
+from contact_builders import (
+    Boundary2D,
+    Contact2D,
+    N,
+    Pulse,
+    Rigid2D,
+    al,
+    angular_momentum,
+    askew,
+    mean_velocity,
+    meeting,
+    ran,
+    strip,
+    walls,
+)
 
 from hugoniot.core import team
 from hugoniot.errors import OutOfRange
