@@ -34,7 +34,8 @@ _BAR = partial(bar, copper(), 227.0, LENGTH / RADIUS)
 PROBLEMS = (
     PlaneProblem("noh_triangles", "Noh's cylindrical implosion on triangles, n x n cells", partial(divided, _NOH), 0.6,
                  partial(noh_error, 16.0, 1),
-                 (Bar("density_l1", 50, peer=0.0533), Bar("shock_position", 50, peer=0.0763), Bar("densest_zone", 50, peer=28.9)), (50, 100)),
+                 (Bar("density_l1", 50, peer=0.0533), Bar("shock_position", 50, peer=0.0763), Bar("densest_zone", 50, peer=28.9)),
+                 (50, 100)),
     PlaneProblem("sedov_triangles", "Sedov's cylindrical blast wave on triangles, n x n cells", partial(divided, _SEDOV), 1.0, sedov_front,
                  (), (45, 90)),
     PlaneProblem("taylor_triangles", "Taylor bar of copper on triangles beside the same of quadrilaterals", partial(divided, _BAR), 80e-6,
