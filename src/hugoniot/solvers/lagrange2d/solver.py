@@ -29,7 +29,7 @@ from hugoniot.solvers.lagrange2d.march import Options, Run, hold_at_start, march
 from hugoniot.solvers.lagrange2d.plan import EMPTY, START, Planner, carry_out_alone, serve
 from hugoniot.solvers.lagrange2d.rows_of_blocks import cells, ghost_tables, node_rows, zone_rows
 from hugoniot.solvers.lagrange2d.smoothness import Gradients
-from hugoniot.solvers.lagrange2d.zone_shapes import diagonal_table, inverse_altitudes
+from hugoniot.solvers.lagrange2d.zone_shapes import diagonal_table, inverse_altitudes, widths
 from hugoniot.solvers.protocol import NO_COUNTS, NothingToAdd
 from hugoniot.state import State2D
 
@@ -115,7 +115,7 @@ class Lagrange2D(NothingToAdd):
         """Burning zones unburned, with the clock of their lighting."""
         from hugoniot.problem.plane.lighting import zone_lighting_times
         self.charge[B.rho_r], self.charge[B.e_r] = self.zones[Z.rho], self.zones[Z.e]
-        self.charge[B.size] = 1.0 / self._inverse_altitudes()
+        self.charge[B.size] = widths(self.problem.mesh)
         self.charge[B.resolution] = 1e300
         self.charge[B.since] = -zone_lighting_times(self.problem)
 

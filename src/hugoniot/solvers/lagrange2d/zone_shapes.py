@@ -48,6 +48,15 @@ def inverse_altitudes(x, y):
     return edges.max(axis=0) / ((5 - len(x)) * areas(x, y))
 
 
+def widths(mesh):
+    """Widths of zones in which a programmed front burns them: smallest altitudes, of triangles that of their cell."""
+    found = []
+    for block in mesh.blocks:
+        width = 1.0 / inverse_altitudes(*quad_corners(block))
+        found.append(width if mesh.quads is None else triangles.by_rows(width, width, block))
+    return np.concatenate(found)
+
+
 def volumes(x, y, kind):
     """Volume of zones, corners (4 or 3, n): area, or the true volume per radian."""
     if kind == G.PLANAR:
