@@ -49,8 +49,9 @@ def plane_field(run, field: str, k) -> np.ndarray:
 
 def borders(corners: np.ndarray, block_of: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Node pairs (n, 2) of the outline, and of the interfaces between blocks."""
-    edges = np.concatenate([corners[:, [k, (k + 1) % 4]] for k in range(4)])
-    owner = np.tile(block_of, 4)
+    sides = corners.shape[1]
+    edges = np.concatenate([corners[:, [k, (k + 1) % sides]] for k in range(sides)])
+    owner = np.tile(block_of, sides)
     order = np.lexsort(np.sort(edges, axis=1).T[::-1])
     ordered, owner = np.sort(edges, axis=1)[order], owner[order]
     twin = (ordered[1:] == ordered[:-1]).all(axis=1)
@@ -153,8 +154,8 @@ def _draw_contours(run, ax, k, values, count, mirror):
     rows, corners = run.arrays("snapshots"), run.arrays("mesh")["zone_nodes"]
     _, fx = _scale(run)
     about = np.bincount(corners.ravel(), minlength=rows["position_x"].shape[1])
-    nodal = np.bincount(corners.ravel(), weights=np.repeat(values, 4), minlength=len(about)) / np.maximum(about, 1)
-    triangles = np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])
+    nodal = np.bincount(corners.ravel(), weights=np.repeat(values, corners.shape[1]), minlength=len(about)) / np.maximum(about, 1)
+    triangles = corners if corners.shape[1] == 3 else np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])
     if not np.isfinite(nodal).all() or np.ptp(nodal) == 0.0:
         return
     levels = np.linspace(nodal.min(), nodal.max(), count + 2)[1:-1]
@@ -240,10 +241,11 @@ def plane_setup(run, ax=None):
         ax.add_collection(PolyCollection(places[corners[mine]], facecolors=colour, edgecolors=INK if mine.sum() <= MESH_LINES else "face",
                                          linewidths=0.15, alpha=0.38))
         ni, nj = region["zones"]
-        label = f"{region['name']}: {region['material']}, {ni} x {nj} zones"
+        per_cell = int(mine.sum()) // (ni * nj)
+        label = f"{region['name']}: {region['material']}, {ni} x {nj} {'zones' if per_cell == 1 else 'cells of two triangles'}"
         ax.plot([], [], marker="s", linestyle="", color=colour, alpha=0.5, label=label)
         if len(record["regions"]) > 1:
-            middle = places[corners[mine].reshape(ni, nj, 4)[ni // 2, nj // 2]].mean(axis=0)
+            middle = places[corners[mine].reshape(per_cell * ni, nj, -1)[per_cell * ni // 2, nj // 2]].mean(axis=0)
             paper = {"facecolor": "white", "alpha": 0.6, "linewidth": 0.0}
             ax.text(*middle, region["name"], ha="center", va="center", fontsize=8, bbox=paper)
     outline, interface = borders(corners, block_of)

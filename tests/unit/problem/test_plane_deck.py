@@ -206,7 +206,12 @@ def test_the_schema_names_every_key_of_the_resolved_deck(everything):
     ('kind = "wall"', 'kind = "pressure"', 13, "boundary[1].pressure", "missing"),
     ('kind = "wall"', 'kind = "wall"\npressure = "1 GPa"', 16, "boundary[1].pressure", "no meaning"),
     ('kind = "wall"', 'kind = "wall"\ndirection = [0, 1]', 16, "boundary[1].direction", "no meaning"),
-    ('kind = "lagrange2d"', 'kind = "lagrange2d"\ncells = "triangles"', 19, "solver.cells", "expected 'quads'"),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\ncells = "hexagons"', 19, "solver.cells", "expected 'quads' or 'triangles'"),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\ndiagonal = "crossed"', 19, "solver.diagonal", "triangles only"),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\naverage_pressure = false', 19, "solver.average_pressure", "triangles only"),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\ncells = "triangles"\ndiagonal = "both"', 20, "solver.diagonal", "expected 'one_way'"),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\ncells = "triangles"\nhourglass = {subzonal_pressure = 0.5}', 20, "solver.hourglass",
+     "no hourglass modes"),
     ('kind = "lagrange2d"', 'kind = "lagrange2d"\nviscosity = {kind = "edgy"}', 19, "solver.viscosity.kind", "expected 'tensor', 'edge' or 'herrmann'"),
     ('kind = "lagrange2d"', 'kind = "lagrange2d"\nviscosity = {kind = "herrmann"}', 19, "solver.viscosity", "no limiter"),
     ('geometry = "axisymmetric"', 'geometry = "axisymmetric"\nbody_force = [1, 0]', 3, "body_force", "not uniform about the axis"),
@@ -259,3 +264,15 @@ def test_large_meshes_keep_fewer_snapshots_unless_asked():
     assert small.gauge_interval == pytest.approx(80e-6 / 2000)
     asked = read_deck_text(BAR.replace("[4, 30]", "[100, 101]") + '[output]\nsnapshots = "1 us"\ngauge_interval = 0\n').problem.output
     assert asked.snapshots == 1e-6 and asked.gauge_interval == 0.0
+
+
+@pytest.mark.parametrize("more", ["", '\ndiagonal = "alternating"\naverage_pressure = false'])
+def test_a_deck_of_triangles_is_written_out_and_reads_back(more):
+    """Every default of triangles, and none of quadrilaterals."""
+    deck = read_deck_text(BAR.replace('kind = "lagrange2d"', 'kind = "lagrange2d"\ncells = "triangles"' + more))
+    again = read_deck_text(deck.resolved)
+    assert again.problem == deck.problem and "hourglass" not in deck.resolved
+    assert again.problem.mesh.zone_nodes.shape == (240, 3)
+    assert again.problem.solver.average_pressure is not bool(more)
+    plain = read_deck_text(BAR)
+    assert not any(word in plain.resolved for word in ("diagonal", "average_pressure"))

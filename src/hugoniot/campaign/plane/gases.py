@@ -59,14 +59,14 @@ def noh_round(plateau, power, solver):
 
 # -- Sedov ----------------------------------------------------------------------------------------------------------------
 def sedov(geometry, energy, n, asked):
-    """`energy` in the corner zone of a quadrant of 1.2 x 1.2, per metre of depth or per radian."""
+    """`energy` in the corner cell of a quadrant of 1.2 x 1.2, per metre of depth or per radian."""
     block = box((n, n), (0.0, 1.2), (0.0, 1.2), density=1.0, energy=1e-9)
     sides = walls("b.left", "b.bottom") if geometry == "plane" else walls("b.bottom")
     solver = solver_of("Sedov", geometry, 1.0, block, [gas(1.4)], sides, asked, initial_step=1e-7)
-    z = solver.zones
-    z[Z.e, 0] = energy / z[Z.mass, 0]
-    z[Z.p, 0] = 0.4 * z[Z.rho, 0] * z[Z.e, 0]
-    z[Z.c, 0] = np.sqrt(1.4 * z[Z.p, 0] / z[Z.rho, 0])
+    z, corner = solver.zones, [k * n for k in range(solver.problem.mesh.blocks[0].per_cell)]
+    z[Z.e, corner] = energy / z[Z.mass, corner].sum()
+    z[Z.p, corner] = 0.4 * z[Z.rho, corner] * z[Z.e, corner]
+    z[Z.c, corner] = np.sqrt(1.4 * z[Z.p, corner] / z[Z.rho, corner])
     solver.begin()
     return solver
 

@@ -14,6 +14,7 @@ from hugoniot.problem.plane.model import Block2D, Boundary2D, Problem2D, Solver2
 from hugoniot.problem.standard.parts import Bar
 from hugoniot.solvers.lagrange2d.assemble import N, Z
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
+from hugoniot.solvers.lagrange2d.zone_shapes import areas as zone_areas
 
 QUARTER = (0.0, 0.5 * np.pi)
 HOLE = 0.005           # radius of the hole of a polar mesh, in units of its outer radius
@@ -75,14 +76,13 @@ def solver_of(title: str, geometry: str, stop: float, blocks, materials, boundar
 
 # -- measuring ------------------------------------------------------------------------------------------------------------
 def at_corners(solver: Lagrange2D, row: int) -> np.ndarray:
-    """A row of nodes at the four corners of every zone, (4, zones)."""
+    """A row of nodes at the corners of every zone, (4, zones), or (3, zones) of triangles."""
     return solver.nodes[row, solver.numbering.representative][solver.problem.mesh.zone_nodes.T]
 
 
 def areas(solver: Lagrange2D) -> np.ndarray:
     """Area of every zone, m2."""
-    x, y = at_corners(solver, N.x), at_corners(solver, N.y)
-    return 0.5 * ((x[2] - x[0]) * (y[3] - y[1]) - (y[2] - y[0]) * (x[3] - x[1]))
+    return zone_areas(at_corners(solver, N.x), at_corners(solver, N.y))
 
 
 def centres(solver: Lagrange2D) -> tuple[np.ndarray, np.ndarray]:

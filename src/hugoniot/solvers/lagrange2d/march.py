@@ -26,9 +26,6 @@ from hugoniot.solvers.lagrange2d.plan import (
     ACCELERATE,
     ACCELERATE_AGAIN,
     CORRECT,
-    DT,
-    DT_BACK,
-    DT_HALF,
     GRADIENTS,
     LOOK,
     MOVE,
@@ -38,6 +35,7 @@ from hugoniot.solvers.lagrange2d.plan import (
     everyone,
     gather,
 )
+from hugoniot.solvers.lagrange2d.plane_rows import DT, DT_BACK, DT_HALF
 from hugoniot.solvers.lagrange2d.smoothness import fill_ghosts
 from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE, FOUND_RATE, FOUND_UNSOUND
 

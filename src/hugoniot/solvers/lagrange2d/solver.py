@@ -29,6 +29,7 @@ from hugoniot.solvers.lagrange2d.march import Options, Run, hold_at_start, march
 from hugoniot.solvers.lagrange2d.plan import EMPTY, START, Planner, carry_out_alone, serve
 from hugoniot.solvers.lagrange2d.rows_of_blocks import cells, ghost_tables, node_rows, zone_rows
 from hugoniot.solvers.lagrange2d.smoothness import Gradients
+from hugoniot.solvers.lagrange2d.zone_shapes import diagonal_table, inverse_altitudes, widths
 from hugoniot.solvers.protocol import NO_COUNTS, NothingToAdd
 from hugoniot.state import State2D
 
@@ -90,7 +91,7 @@ class Lagrange2D(NothingToAdd):
         edges = self.boundaries
         ghosts = ghost_tables(mesh, self.numbering, edges.mirrors) if self.problem.solver.viscosity.limited else (
             np.zeros((0, 7), dtype=np.int64), np.zeros((0, 3)))
-        axis, ratio = axis_tables(self.numbering, self.nodes[:, :self.numbering.total], self.kind)
+        axis, ratio = axis_tables(self.problem, self.numbering, self.nodes[:, :self.numbering.total], self.kind)
         starts, members = self.numbering.shared()
         gradients = zone_table(len(Gradients._fields), int(cells(mesh)[-1]))
         return Run(self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates, edges.gate_normals,
@@ -100,12 +101,12 @@ class Lagrange2D(NothingToAdd):
     def _plan(self, mesh, speed):
         """(plan of the march, largest speed of a programmed front)."""
         materials, material_of = materials_of(self.problem, speed, self.options.near)
-        tables = self._zones, self._charge, self._nodes, self.run.gradients
+        tables = self._zones, self._charge, self._nodes, self.run.gradients, diagonal_table(mesh)
         self.planner = Planner(tables, materials, G.KINDS[self.kind], self.problem.solver.viscosity, self.problem.body_force,
                                self.team.threads, max(block.nj for block in mesh.blocks))
         compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs()])
         plan = self.planner.plan(zone_rows(mesh, self.numbering, material_of), node_rows(mesh, self.numbering))
-        return plan, max(laws.constants.front for laws, _, _ in materials)
+        return plan, max(material[0].constants.front for material in materials)
 
     def _march_arguments(self, cycles, plan):
         return cycles, self.run, plan, self.options, self.control, self.counters, self.team
@@ -114,19 +115,16 @@ class Lagrange2D(NothingToAdd):
         """Burning zones unburned, with the clock of their lighting."""
         from hugoniot.problem.plane.lighting import zone_lighting_times
         self.charge[B.rho_r], self.charge[B.e_r] = self.zones[Z.rho], self.zones[Z.e]
-        self.charge[B.size] = 1.0 / self._inverse_altitudes()
+        self.charge[B.size] = widths(self.problem.mesh)
         self.charge[B.resolution] = 1e300
         self.charge[B.since] = -zone_lighting_times(self.problem)
 
     def _corners(self, row):
-        """A node row at the four corners of every zone, (4, nzone)."""
+        """A node row at the corners of every zone, (4, nzone), or (3, nzone) of triangles."""
         return self.nodes[row, self.numbering.representative][self.problem.mesh.zone_nodes.T]
 
     def _inverse_altitudes(self):
-        x, y = self._corners(N.x), self._corners(N.y)
-        area = 0.5 * ((x[2] - x[0]) * (y[3] - y[1]) - (y[2] - y[0]) * (x[3] - x[1]))
-        edges = np.hypot(np.roll(x, -1, 0) - x, np.roll(y, -1, 0) - y)
-        return edges.max(axis=0) / area
+        return inverse_altitudes(self._corners(N.x), self._corners(N.y))
 
     def begin(self) -> None:
         """Take the state as it stands, which a test may have written into the tables, for that at t = 0."""
