@@ -227,7 +227,8 @@ CONTROL_FLOATS = 13
 
 # -- control vector (integers) ------------------------------------------------------------------------------------
 CYCLE, ZONES, ZONE_STEPS, CAP_COUNT, REPEATED = range(5)
-CONTROL_INTS = 5
+LEFT_RANGE, TRIES, LAST_TRIED = range(5, 8)      # steps repeated because they left the range of a law; `rewind`
+CONTROL_INTS = 8
 
 FOUND_TANGLED = FOUND_FLOATS      # column of the table of findings behind those of `zones.soundness`: volumes that are not positive
 FOUND_COLUMNS = FOUND_FLOATS + 1

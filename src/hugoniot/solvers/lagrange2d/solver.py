@@ -3,13 +3,10 @@
 Knows a problem's numbers and laws; never files, decks or plots. The words are those of `solvers.lagrange1d.solver`.
 """
 
-import os
-import threading
-
 import numpy as np
 
-from hugoniot.core import team
 from hugoniot.core.compile_ahead import compile_all, job_of
+from hugoniot.core.crew import at_work, crew
 from hugoniot.core.ops import NO_LIMIT
 from hugoniot.problem.plane.contact import may_meet
 from hugoniot.problem.plane.model import Problem2D
@@ -27,9 +24,10 @@ from hugoniot.solvers.lagrange2d.contact.results import ContactResults, NothingM
 from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, contact_tables, with_rigid
 from hugoniot.solvers.lagrange2d.march import Options, Run, hold_at_start, march
 from hugoniot.solvers.lagrange2d.plan import EMPTY, START, Planner, carry_out_alone, serve
+from hugoniot.solvers.lagrange2d.rewind import Rewind
 from hugoniot.solvers.lagrange2d.rows_of_blocks import cells, ghost_tables, node_rows, zone_rows
 from hugoniot.solvers.lagrange2d.smoothness import Gradients
-from hugoniot.solvers.protocol import NO_COUNTS, NothingToAdd
+from hugoniot.solvers.protocol import NO_COUNTS, Event, NothingToAdd
 from hugoniot.state import State2D
 
 NAME = "lagrange2d"
@@ -67,7 +65,7 @@ class Lagrange2D(NothingToAdd):
                     *(abs(v) for pulse in pulses for v in (pulse.amplitude, *pulse.values)))
         self.boundaries.chains.extend(f"rigid {body.name}" for body in problem.rigid)
         self.chains = np.zeros((len(self.boundaries.chains) + 1, 3))
-        self.team = self._team()
+        self.team = crew(problem.solver.threads, count >= WORTH_SHARING)
         self.options = Options(self.kind, G.AXIS_RADIUS * float(np.abs(self.nodes[N.x]).max()), *map(float, problem.body_force))
         self.control, self.counters = np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64)
         self.counters[L.ZONES] = count
@@ -76,16 +74,11 @@ class Lagrange2D(NothingToAdd):
         self.run = self._run(mesh, contact)
         self.plan, self.fronts = self._plan(mesh, speed)
         self.gauge_times, self.gauge_rows = [], []
+        self.rewind = Rewind()
         self.begin()
         self.initial_nodes = self.nodes[[N.x, N.y]][:, numbering.representative].copy()
 
     # -- setting up ------------------------------------------------------------------------------------------
-    def _team(self):
-        threads = min(self.problem.solver.threads, os.cpu_count() or 1)
-        if threads < 2 or self.zones.shape[1] < WORTH_SHARING or not team.possible():
-            return team.Alone()
-        return team.Together(threads, team.board(threads))
-
     def _run(self, mesh, contact) -> Run:
         edges = self.boundaries
         ghosts = ghost_tables(mesh, self.numbering, edges.mirrors) if self.problem.solver.viscosity.limited else (
@@ -131,6 +124,7 @@ class Lagrange2D(NothingToAdd):
     def begin(self) -> None:
         """Take the state as it stands, which a test may have written into the tables, for that at t = 0."""
         options, control = self.problem.solver, self.control
+        self.rewind.forget()
         control[L.COURANT], control[L.GROWTH] = options.courant, options.growth
         control[L.DT_LARGEST] = options.largest_step or NO_LIMIT
         control[L.DT_SMALLEST] = LARGEST_COLLAPSE * self.problem.stop_time
@@ -176,43 +170,44 @@ class Lagrange2D(NothingToAdd):
         zone = int(np.argmax((self.zones[Z.c] + 2.0 * self.zones[Z.viscous_speed]) * self._inverse_altitudes()))
         return zone, self.problem.blocks[self.region_of[zone]].name
 
-    def march(self, until: float, cycles: int) -> list:
-        """Step until the time `until` (hit exactly) or `cycles` steps; gauges are read on the way."""
+    def march(self, until: float, cycles: int) -> list[Event]:
+        """Step until the time `until` (hit exactly) or `cycles` steps; gauges are read on the way.
+
+        A step after which a law is asked for a state outside its range is repeated smaller: the events returned.
+        """
         if until <= self.time:
             return []
         self.control[L.EVENT_TIME] = until
-        end = self.cycle + cycles
-        members = self._assemble_team()
-        try:
-            code = L.GAUGE_DUE
-            while code in (L.GAUGE_DUE, L.NO_ROOM) and self.cycle < end:
-                code = march(*self._march_arguments(end - self.cycle, self.plan))
-                if code == L.NO_ROOM:
-                    self.run = self.run._replace(contact=results.larger(self.run.contact))
-                if self.sampler is not None and code in (L.GAUGE_DUE, L.AT_EVENT):
-                    self._read_gauges()
-        finally:
-            if members:
-                team.call(self.team.board, team.DISMISSED)
-                for member in members:
-                    member.join()
-        if code in (L.BAD_STATE, L.STEP_COLLAPSED, L.TANGLED):
+        self.rewind.begin(self, until)
+        end, events = self.cycle + cycles, []
+        with at_work(self.team, serve, self.plan):
+            while (code := self._carry_on(end, self._read_gauges)) == L.BAD_STATE:
+                fault = post_mortem.diagnose(self, code)
+                event = self.rewind.again(self, fault, lambda cycle: self._carry_on(cycle, self._next_gauge))
+                if event is None:
+                    raise fault
+                events.append(event)
+        if code in (L.STEP_COLLAPSED, L.TANGLED):
             raise post_mortem.diagnose(self, code)
-        return []
+        return events
 
-    def _assemble_team(self):
-        if isinstance(self.team, team.Alone):
-            return []
-        phase = int(self.team.board[0])
-        members = [threading.Thread(target=serve, args=(k, phase, self.plan, self.team), daemon=True)
-                   for k in range(1, self.team.threads)]
-        for member in members:
-            member.start()
-        return members
+    def _carry_on(self, end: int, at_gauge) -> int:
+        """March to the cycle `end` or the event time; the code of why it came back. at_gauge(): what is done where gauges are due."""
+        code = L.GAUGE_DUE
+        while code in (L.GAUGE_DUE, L.NO_ROOM) and self.cycle < end:
+            code = march(*self._march_arguments(end - self.cycle, self.plan))
+            if code == L.NO_ROOM:
+                self.run = self.run._replace(contact=results.larger(self.run.contact))
+            if self.sampler is not None and code in (L.GAUGE_DUE, L.AT_EVENT):
+                at_gauge()
+        return code
 
     def _read_gauges(self):
         self.gauge_times.append(self.time)
         self.gauge_rows.append(self.sampler(self.state()) if self.sampler is not None else ())
+        self._next_gauge()
+
+    def _next_gauge(self):
         interval = self.control[L.GAUGE_INTERVAL]
         while self.control[L.NEXT_GAUGE] <= self.time and interval > 0.0:
             self.control[L.NEXT_GAUGE] += interval
@@ -272,7 +267,8 @@ class Lagrange2D(NothingToAdd):
     def results(self) -> dict[str, float]:
         """Further numbers for the summary."""
         work = float(np.sum(self.zones[Z.mass] * self.zones[Z.filter_work]))
-        return {"steps_repeated": int(self.counters[L.REPEATED]), "filter_work": work} | self.contact.summary(self.run.contact)
+        repeated = int(self.counters[L.REPEATED] + self.counters[L.LEFT_RANGE])
+        return {"steps_repeated": repeated, "filter_work": work} | self.contact.summary(self.run.contact)
 
     def peaks(self) -> dict[str, np.ndarray]:
         """Peak fields of every zone so far: stress and pressure in compression, tension positive."""
@@ -291,6 +287,7 @@ class Lagrange2D(NothingToAdd):
             getattr(self, name)[...] = payload[name]
         self.start_energy, self.start_momentum = float(payload["start_energy"]), np.array(payload["start_momentum"])
         self.run = self.run._replace(contact=results.restored(self.run.contact, payload))
+        self.rewind.forget()
         if self.sampler is None:
             self.control[L.NEXT_GAUGE] = NO_LIMIT
 
