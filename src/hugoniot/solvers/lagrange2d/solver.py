@@ -124,7 +124,6 @@ class Lagrange2D(NothingToAdd):
     def begin(self) -> None:
         """Take the state as it stands, which a test may have written into the tables, for that at t = 0."""
         options, control = self.problem.solver, self.control
-        self.rewind.forget()
         control[L.COURANT], control[L.GROWTH] = options.courant, options.growth
         control[L.DT_LARGEST] = options.largest_step or NO_LIMIT
         control[L.DT_SMALLEST] = LARGEST_COLLAPSE * self.problem.stop_time
@@ -134,9 +133,14 @@ class Lagrange2D(NothingToAdd):
         control[L.RATE] = accounts.signal_rate(self)
         first = options.initial_step or 0.1 * control[L.COURANT] / control[L.RATE]
         control[L.DT_NATURAL] = first / control[L.GROWTH]
-        carry_out_alone(self.plan, START)
+        self.take_over()
         self.start_energy, self.start_mass = accounts.total_energy(self.zones, self.nodes), self.zones[Z.mass].sum()
         self.start_momentum = accounts.momentum(self.nodes)
+
+    def take_over(self) -> None:
+        """Find the forces of a state that was changed from outside, between two steps."""
+        self.rewind.forget()
+        carry_out_alone(self.plan, START)
 
     # -- marching --------------------------------------------------------------------------------------------
     @property
