@@ -23,7 +23,8 @@ from hugoniot.solvers.run import Schedule, march_to_end, snapshot_times
 from hugoniot.theory.exact import SOLUTIONS
 
 SNAPSHOTS = 50
-NO_ORDER = ("asymmetry", "densest_zone", "peak_scatter", "time_reached", "filter_work", "velocity_across", "front_rms")
+NO_ORDER = ("asymmetry", "densest_zone", "peak_scatter", "time_reached", "filter_work", "velocity_across", "front_rms",
+            "speed_6mm", "speed_19mm", "contact_depth", "stress_drift", "angle_error")
 LINE = {**STANDARD, GUDERLEY.name: GUDERLEY}
 PROBLEMS: dict[str, StandardProblem | PlaneProblem] = {**LINE, **PLANE}
 FRONTS = "fronts"

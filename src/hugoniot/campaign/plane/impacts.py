@@ -1,12 +1,16 @@
-"""Bodies that turn or strike: the spinning stressed square, a disc on a target, an oblique impact."""
+"""Bodies that turn or strike: a stressed square, a disc on a target, plates that meet at an angle."""
 
 import numpy as np
+from scipy.optimize import brentq
 
-from hugoniot.campaign.plane.parts import Bar, N, PlaneProblem, Z, box, solver_of, walls
+from hugoniot.campaign.plane.parts import Bar, N, PlaneProblem, Z, box, centres, solver_of, walls
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
 from hugoniot.materials.material import Material
-from hugoniot.problem.plane.model import VelocityField
+from hugoniot.mesh.shapes import Curve, Edges
+from hugoniot.problem.plane.model import Block2D, VelocityField
+from hugoniot.theory.isentrope import state
+from hugoniot.theory.shock_polar import Stream
 
 ALUMINIUM = Material("al", MieGruneisen(2700.0, 5200.0, 1.5, 2.0), PerfectlyPlastic(24.8e9, 0.30e9))
 
@@ -94,6 +98,61 @@ def released(solver):
             "release_arrival": float(abs(arrival * speed / way - 1.0))}
 
 
+# -- an oblique impact --------------------------------------------------------------------------------------------------------
+LEAN, FLIGHT = np.radians(6.0), 2000.0     # at 10.3 degrees the shock detaches
+LONG, THIN, POINT = 32e-3, 4e-3, 20e-3     # m: of a plate; where the point of impact is in the end
+FLUID = MieGruneisen(2700.0, 5200.0, 1.5, 2.0)
+
+
+def leaning(way, name, zones):
+    """A plate that leans on y = 0 and flies toward it, from above (way 1) or from below (-1)."""
+    along, across = np.array([np.cos(LEAN), way * np.sin(LEAN)]), np.array([-np.sin(LEAN), way * np.cos(LEAN)])
+    a = np.array([0.0, way * 1e-6])
+    b, c, d = a + LONG * along, a + LONG * along + THIN * across, a + THIN * across
+    low, high = ((a, b), (d, c)) if way > 0 else ((d, c), (a, b))
+
+    def line(ends):
+        return Curve("line", tuple((float(x), float(y)) for x, y in ends))
+
+    shape = Edges(line((low[0], high[0])), line((low[1], high[1])), line(low), line(high))
+    return Block2D(name, "al", shape, zones, velocity=VelocityField(base=(0.0, -FLIGHT * way)))
+
+
+def plates_that_meet(n, asked):
+    """Two plates of n zones across."""
+    plates = [leaning(way, name, (8 * n, n)) for way, name in ((1.0, "above"), (-1.0, "below"))]
+    return solver_of("oblique impact", "plane", MEETING, plates, [Material("al", FLUID)], (), asked)
+
+
+def shocked():
+    """(pressure, angle to the plane of symmetry) of the shock that runs with the point of impact: Courant and Friedrichs' polar."""
+    stream = Stream(FLUID, state(FLUID, pressure=0.0, density=2700.0), FLIGHT / np.sin(LEAN))
+    p = brentq(lambda p: stream.deflection(p) - LEAN, 1e9, stream.detachment[0])
+    return p, stream.shock_angle(p) - LEAN
+
+
+def behind(solver):
+    """Pressure on the plane of symmetry behind the shock and the angle of the shock in degrees, beside the polar's."""
+    pressure, angle = shocked()
+    x, y = centres(solver)
+    p, y = solver.zones[Z.p], np.abs(y)
+    inside = (y < 0.5e-3) & (x > POINT - 8e-3) & (x < POINT - 3e-3)
+    rows = np.linspace(0.6e-3, 1.6e-3, 11)
+    places = [crossing(x, p, np.abs(y - row) < 0.12e-3 * 20 / solver.problem.blocks[0].zones[1], 0.5 * pressure) for row in rows]
+    found = np.arctan(-1.0 / np.polyfit(rows, places, 1)[0])
+    return {"pressure": float(abs(p[inside].mean() / pressure - 1.0)), "shock_angle": float(np.degrees(abs(found - angle))),
+            "contact_depth": solver.results()["contact_depth"]}
+
+
+def crossing(x, p, near, level):
+    """The largest x at which the pressure of the zones `near` rises through a level."""
+    order = np.argsort(x[near])
+    xs, ps = x[near][order], p[near][order]
+    k = np.flatnonzero(ps > level)[-1]
+    return xs[k] + (xs[k + 1] - xs[k]) * (ps[k] - level) / (ps[k] - ps[k + 1])
+
+
+MEETING = POINT * np.tan(LEAN) / FLIGHT
 PROBLEMS = (
     PlaneProblem("spinning_square", "a stressed square carried through one turn in so many steps", square, TURN, turned,
                  (*(Bar(measure, n, goal=goal) for measure, goal in (("stress_drift", 1e-6), ("angle_error", 1e-5)) for n in (100, 400)),),
@@ -101,4 +160,7 @@ PROBLEMS = (
     PlaneProblem("disc_impact", "aluminium disc on aluminium, 700 m/s, until the release from its edge is near the axis", disc, 1.4e-6,
                  released, (*(Bar(measure, n, goal=goal) for measure, goal in (("axis_pressure", 1e-3), ("release_arrival", 0.02))
                               for n in (16, 24)),), (16, 24)),
+    PlaneProblem("oblique_impact", "two plates that meet at 6 degrees to the plane of symmetry, 2 km/s, beside the shock polar",
+                 plates_that_meet, MEETING, behind,
+                 (Bar("pressure", 20, goal=5e-3), Bar("shock_angle", 20, goal=0.2), Bar("contact_depth", 20, goal=1e-3)), (20,)),
 )
