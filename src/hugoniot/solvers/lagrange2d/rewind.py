@@ -21,7 +21,7 @@ CLEAR = 4 * MOST_TRIES     # steps without trouble after which it counts as over
 NOT_LED_ON = {"mass", "inverse_mass", "nxx", "nyy", "nxy", "nhoop", "filter_power", "t0", "t1"}     # constants and scratch of a step
 ZONE_ROWS = np.array([k for k, name in enumerate(Z._fields) if name not in NOT_LED_ON])
 NODE_ROWS = np.array([N.x, N.y, N.u, N.v, N.im])
-WHOLE = ("control", "counters", "chains")
+WHOLE = ("control", "counters", "chains", "ends")
 
 
 class Kept(NamedTuple):

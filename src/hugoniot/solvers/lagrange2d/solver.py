@@ -12,7 +12,7 @@ from hugoniot.problem.plane.contact import may_meet
 from hugoniot.problem.plane.model import Problem2D
 from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.tables import zone_table
-from hugoniot.solvers.lagrange2d import accounts, post_mortem
+from hugoniot.solvers.lagrange2d import accounts, post_mortem, transmitting
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import quads as G
 from hugoniot.solvers.lagrange2d.accounts import B
@@ -34,6 +34,7 @@ NAME = "lagrange2d"
 ZONE_FIELDS = {"density": Z.rho, "energy": Z.e, "pressure": Z.p, "viscous_pressure": Z.q, "sound_speed": Z.c, "deviator_xx": Z.sxx,
                "deviator_yy": Z.syy, "deviator_xy": Z.sxy, "plastic_strain": Z.plastic_strain, "damage": Z.damage,
                "plastic_work": Z.plastic_work, "viscous_work": Z.viscous_work}
+KEPT = ("zones", "nodes", "charge", "control", "counters", "chains", "ends")      # in checkpoints
 WORTH_SHARING = 4_000        # zones
 LARGEST_COLLAPSE = 1e-12     # smallest useful step as a fraction of the stop time
 
@@ -47,7 +48,7 @@ class Lagrange2D(NothingToAdd):
         self.numbering = numbering = Numbering(mesh)
         count, zones = len(mesh.zone_nodes), zone_tables(problem, self.kind)
         nodes, heat = node_tables(problem, numbering, self.kind, zones)
-        self.boundaries = boundary_tables(problem, numbering, zones, self.kind)
+        self.boundaries = boundary_tables(problem, numbering)
         surfaces = Surfaces(problem, numbering, self.boundaries) if may_meet(problem) else None
         nodes = with_rigid(problem, surfaces, nodes)
         self._zones, self._nodes = zone_table(len(Z), count), zone_table(len(N), nodes.shape[1])
@@ -72,6 +73,7 @@ class Lagrange2D(NothingToAdd):
         self.contact = NothingMeets() if surfaces is None else ContactResults(problem, surfaces, self.nodes, self.kind)
         contact = Nowhere() if surfaces is None else contact_tables(problem, surfaces, self.boundaries, numbering, self._zones)
         self.run = self._run(mesh, contact)
+        self.ends = self.run.ends
         self.plan, self.fronts = self._plan(mesh, speed)
         self.gauge_times, self.gauge_rows = [], []
         self.rewind = Rewind()
@@ -86,7 +88,8 @@ class Lagrange2D(NothingToAdd):
         axis, ratio = axis_tables(self.numbering, self.nodes[:, :self.numbering.total], self.kind)
         starts, members = self.numbering.shared()
         gradients = zone_table(len(Gradients._fields), int(cells(mesh)[-1]))
-        return Run(self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates, edges.gate_normals,
+        ends = transmitting.tables(edges, ghosts[0], self.numbering)
+        return Run(self._zones, self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates, *ends,
                    edges.held, edges.held_normals, edges.pulses, edges.tables, starts, members, edges.special, axis, ratio, self.chains,
                    np.zeros_like(self.chains), contact)
 
@@ -133,6 +136,7 @@ class Lagrange2D(NothingToAdd):
         control[L.RATE] = accounts.signal_rate(self)
         first = options.initial_step or 0.1 * control[L.COURANT] / control[L.RATE]
         control[L.DT_NATURAL] = first / control[L.GROWTH]
+        transmitting.begin(self.run, self.kind, self.options.near)
         self.take_over()
         self.start_energy, self.start_mass = accounts.total_energy(self.zones, self.nodes), self.zones[Z.mass].sum()
         self.start_momentum = accounts.momentum(self.nodes)
@@ -281,13 +285,12 @@ class Lagrange2D(NothingToAdd):
     # -- checkpoints -----------------------------------------------------------------------------------------
     def payload(self) -> dict:
         """Everything a bitwise restart needs."""
-        names = ("zones", "nodes", "charge", "control", "counters", "chains")
         start = {"start_energy": self.start_energy, "start_momentum": self.start_momentum}
-        return {name: getattr(self, name).copy() for name in names} | start | results.payload(self.run.contact)
+        return {name: getattr(self, name).copy() for name in KEPT} | start | results.payload(self.run.contact)
 
     def restore(self, payload: dict) -> None:
         """Continue from a payload of the same problem."""
-        for name in ("zones", "nodes", "charge", "control", "counters", "chains"):
+        for name in KEPT:
             getattr(self, name)[...] = payload[name]
         self.start_energy, self.start_momentum = float(payload["start_energy"]), np.array(payload["start_momentum"])
         self.run = self.run._replace(contact=results.restored(self.run.contact, payload))
