@@ -203,6 +203,8 @@ def _boundary_table(boundary) -> dict:
         row["direction"] = list(boundary.direction)
     if boundary.kind in ("wall", "velocity"):
         row["slip"] = boundary.slip
+    if boundary.separable:
+        row["separable"] = True
     return row | ({} if boundary.pulse is None else {boundary.kind: pulse_value(boundary.pulse)})
 
 

@@ -80,6 +80,11 @@ def _boundary(row, collector: Collector, path: tuple) -> Boundary2D | None:
         collector.add((*path, "direction"), f"has no meaning on a boundary of kind {row.kind}", "it applies to a driven velocity only")
     if row.slip is not None and row.kind not in _SLIDING:
         collector.add((*path, "slip"), f"has no meaning on a boundary of kind {row.kind}", "it applies to a wall or a driven velocity")
+    if row.separable is not None and row.kind != "wall":
+        collector.add((*path, "separable"), f"has no meaning on a boundary of kind {row.kind}", "it applies to a wall")
+    if row.separable and row.slip is False:
+        collector.add((*path, "slip"), "a separable wall cannot hold nodes along itself",
+                      "leave it out, or take a [[rigid]] body and [[contact]] with friction")
     if collector.findings > before:
         return None
     direction = None if row.direction is None else unit_vector(row.direction, collector, (*path, "direction"))
@@ -88,7 +93,7 @@ def _boundary(row, collector: Collector, path: tuple) -> Boundary2D | None:
         pulse = read_pulse(getattr(row, row.kind), _DRIVEN[row.kind], collector, (*path, row.kind))
     if collector.findings > before:
         return None
-    return Boundary2D(row.on, row.kind, pulse, direction, True if row.slip is None else row.slip)
+    return Boundary2D(row.on, row.kind, pulse, direction, True if row.slip is None else row.slip, bool(row.separable))
 
 
 def _wrong_kind(boundary: Boundary2D, name: str, mesh: Blocks) -> tuple[str, str] | None:

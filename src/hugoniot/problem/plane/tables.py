@@ -170,6 +170,7 @@ class BoundaryTable(Table):
         None, description="for kind pressure: a value or a pulse")
     direction: Direction | None = Field(None, description="of kind velocity: direction of the motion (default: into the material)")
     slip: bool | None = Field(None, description="wall, velocity: nodes may slide along (default true); false: the other component is 0")
+    separable: bool | None = Field(None, description="wall: material may leave it and come back (default false: it holds tension)")
 
 
 class GaugeTable(Table):

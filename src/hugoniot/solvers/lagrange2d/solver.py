@@ -10,13 +10,14 @@ from hugoniot.core.crew import at_work, crew
 from hugoniot.core.ops import NO_LIMIT
 from hugoniot.problem.plane.contact import may_meet
 from hugoniot.problem.plane.model import Problem2D
+from hugoniot.problem.plane.walls import with_walls
 from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.tables import zone_table
 from hugoniot.solvers.lagrange2d import accounts, post_mortem, transmitting
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import quads as G
 from hugoniot.solvers.lagrange2d.accounts import B
-from hugoniot.solvers.lagrange2d.assemble import N, Numbering, Z, axis_tables, kind_of, materials_of, node_tables, zone_tables
+from hugoniot.solvers.lagrange2d.assemble import N, Numbering, Z, axis_tables, kind_of, materials_of, node_tables, unburned, zone_tables
 from hugoniot.solvers.lagrange2d.boundaries import boundary_tables
 from hugoniot.solvers.lagrange2d.contact import results
 from hugoniot.solvers.lagrange2d.contact.layout import Nowhere
@@ -43,7 +44,8 @@ class Lagrange2D(NothingToAdd):
     """A run in progress. `sampler(state) -> {field: (ngauge,)}` reads the gauges; without one none are recorded."""
 
     def __init__(self, problem: Problem2D, sampler=None):
-        self.problem, self.sampler, mesh = problem, sampler, problem.mesh
+        self.problem = problem = with_walls(problem)
+        self.sampler, mesh = sampler, problem.mesh
         self.kind = kind_of(problem)
         self.numbering = numbering = Numbering(mesh)
         count, zones = len(mesh.zone_nodes), zone_tables(problem, self.kind)
@@ -59,7 +61,7 @@ class Lagrange2D(NothingToAdd):
         self._charge = zone_table(len(B), count if self.burning else 1)
         self.charge = self._charge[:, :count if self.burning else 1]
         if self.burning:
-            self._prepare_charge()
+            unburned(problem, self.charge, self.zones, 1.0 / self._inverse_altitudes())
         self.region_of = mesh.block_of
         pulses = [b.pulse for b in problem.boundaries if b.kind == "velocity" and b.pulse]
         speed = max(float(self.zones[Z.c].max()), float(np.hypot(self.nodes[N.u], self.nodes[N.v]).max()),
@@ -105,14 +107,6 @@ class Lagrange2D(NothingToAdd):
 
     def _march_arguments(self, cycles, plan):
         return cycles, self.run, plan, self.options, self.control, self.counters, self.team
-
-    def _prepare_charge(self):
-        """Burning zones unburned, with the clock of their lighting."""
-        from hugoniot.problem.plane.lighting import zone_lighting_times
-        self.charge[B.rho_r], self.charge[B.e_r] = self.zones[Z.rho], self.zones[Z.e]
-        self.charge[B.size] = 1.0 / self._inverse_altitudes()
-        self.charge[B.resolution] = 1e300
-        self.charge[B.since] = -zone_lighting_times(self.problem)
 
     def _corners(self, row):
         """A node row at the four corners of every zone, (4, nzone)."""
