@@ -43,10 +43,16 @@ GAUGE_SAMPLES = 2000                 # of each gauge, and snapshots, in a run wh
 LARGE, FEW_SNAPSHOTS = 10_000, 20    # zones beyond which there are so few snapshots; else a hundred
 
 
+def _have_radii(blocks) -> bool:
+    """Whether blocks are written for axisymmetric geometry, which a deck then means whatever it calls it."""
+    return isinstance(blocks, list) and any(isinstance(block, dict) and "r" in block for block in blocks)
+
+
 def read(raw: dict, model: Model | None, materials: dict[str, Material | None], collector: Collector) -> tuple[Problem2D | None, list[str]]:
     """The problem, and warnings; the problem is None when anything was reported (see `problem.lagrangian.read`)."""
     warnings: list[str] = []
-    axes = ("r", "z") if raw.get("geometry", "plane") == "axisymmetric" else ("x", "y")
+    radial = raw.get("geometry", "plane") == "axisymmetric" or raw.get("geometry", "plane") != "plane" and _have_radii(raw.get("block"))
+    axes = ("r", "z") if radial else ("x", "y")
     blocks, used, complete = _read_blocks(raw, axes, materials, collector)
     names = [row.name for row in _parts(BlockTable, raw.get("block")) if row is not None]
     solids = _parts(RigidTable, raw.get("rigid"))

@@ -24,7 +24,7 @@ def unit_vector(direction, collector: Collector, path: tuple) -> tuple[float, fl
     """
     length = math.hypot(*direction)
     if length == 0.0:
-        collector.add(path, "has no length")
+        collector.add(path, "has no length", "such as [1, 0]")
         return None
     return direction if abs(length - 1.0) < 1e-15 else (direction[0] / length, direction[1] / length)
 
@@ -53,7 +53,7 @@ def read_boundaries(rows: Sequence, mesh: Blocks | None, collector: Collector) -
         for name in row.on:
             if name in seen:
                 where = "twice here" if seen[name] == i else f"by boundary {seen[name] + 1} already"
-                collector.add((*path, "on"), f"'{printable(name)}' is named {where}")
+                collector.add((*path, "on"), f"'{printable(name)}' is named {where}", "each edge has one boundary")
             seen.setdefault(name, i)
         boundary = _boundary(row, collector, path)
         if boundary is None:
@@ -139,7 +139,8 @@ def _gauge(row, collector: Collector, path: tuple) -> Gauge2D | None:
         direction = unit_vector(row.direction, collector, (*path, "direction"))
         return None if direction is None else Gauge2D(row.name, "slit", row.through, " ".join(row.on.split()), direction)
     has = f", not {' and '.join(sorted(given))}" if given else ""
-    collector.add(path, f"a gauge has at (material point), on (mean over a chain), or on, through and direction (line of sight){has}")
+    collector.add(path, f"a gauge has at (material point), on (mean over a chain), or on, through and direction (line of sight){has}",
+                  'such as at = ["1 mm", "2 mm"]')
     return None
 
 
