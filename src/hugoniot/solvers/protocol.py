@@ -22,7 +22,7 @@ NO_COUNTS = dict.fromkeys(COUNTS, 0)
 class Event:
     """Something that happened between two steps.
 
-    kind       one word for programs: void_opened, void_closed, interface_separated
+    kind       one word for programs: void_opened, void_closed, interface_separated, step_repeated
     time       s
     cycle      steps taken before it
     position   m, along the line or from the axis or the origin

@@ -28,6 +28,7 @@ class PlaneProblem(NamedTuple):
     measure    solver at the stop time -> {measure: value}
     bars       numbers to beat
     zones      grids: zones along the first direction; of `noh_ring` and the like what its description says
+    before_step   solver -> None, called before every step: what the problem asks for and the solver does not have
     """
 
     name: str
@@ -37,12 +38,13 @@ class PlaneProblem(NamedTuple):
     measure: Callable[[Lagrange2D], dict[str, float]]
     bars: tuple[Bar, ...]
     zones: tuple[int, ...]
+    before_step: Callable[[Lagrange2D], None] | None = None
 
 
 # -- building -----------------------------------------------------------------------------------------------------------
-def gas(gamma: float) -> Material:
+def gas(gamma: float, name: str = "gas") -> Material:
     """A dimensionless ideal gas."""
-    return Material("gas", IdealGas(gamma, 1.0, 1.0))
+    return Material(name, IdealGas(gamma, 1.0, 1.0))
 
 
 def box(zones, x, y, name="b", material="gas", **state) -> Block2D:
@@ -66,12 +68,16 @@ def still(name: str) -> Boundary2D:
 
 
 def solver_of(title: str, geometry: str, stop: float, blocks, materials, boundaries, asked: Mapping[str, Any], **more) -> Lagrange2D:
-    """A solver at t = 0; `asked` are options of `Solver2D` that go before the problem's own in `more`."""
+    """A solver at t = 0; `asked` are options of `Solver2D` that go before the problem's own in `more`.
+
+    `sampler` and `interval` in `more`: what is read of a state, and how often (s).
+    """
+    sampler, output = more.pop("sampler", None), OutputOptions(report=False, gauge_interval=more.pop("interval", 0.0))
     blocks = blocks if isinstance(blocks, (list, tuple)) else (blocks,)
     names = {material.name: material for material in materials}
     options = replace(Solver2D(), **{**more, **asked})
     return Lagrange2D(Problem2D(title, geometry, stop, tuple(blocks), names, tuple(boundaries), solver=options,
-                                output=OutputOptions(report=False)))
+                                output=output), sampler)
 
 
 # -- measuring ------------------------------------------------------------------------------------------------------------

@@ -46,10 +46,16 @@ NO_FILTERS = {"subzonal_pressure": 0.0, "flanagan_belytschko": 0.0}
 LARGE, FEW_SNAPSHOTS = 10_000, 20    # zones beyond which there are so few snapshots; else a hundred
 
 
+def _have_radii(blocks) -> bool:
+    """Whether blocks are written for axisymmetric geometry, which a deck then means whatever it calls it."""
+    return isinstance(blocks, list) and any(isinstance(block, dict) and "r" in block for block in blocks)
+
+
 def read(raw: dict, model: Model | None, materials: dict[str, Material | None], collector: Collector) -> tuple[Problem2D | None, list[str]]:
     """The problem, and warnings; the problem is None when anything was reported (see `problem.lagrangian.read`)."""
     warnings: list[str] = []
-    axes = ("r", "z") if raw.get("geometry", "plane") == "axisymmetric" else ("x", "y")
+    radial = raw.get("geometry", "plane") == "axisymmetric" or raw.get("geometry", "plane") != "plane" and _have_radii(raw.get("block"))
+    axes = ("r", "z") if radial else ("x", "y")
     blocks, used, complete = _read_blocks(raw, axes, materials, collector)
     names = [row.name for row in _parts(BlockTable, raw.get("block")) if row is not None]
     solids = _parts(RigidTable, raw.get("rigid"))
@@ -223,6 +229,8 @@ def _boundary_table(boundary) -> dict:
         row["direction"] = list(boundary.direction)
     if boundary.kind in ("wall", "velocity"):
         row["slip"] = boundary.slip
+    if boundary.separable:
+        row["separable"] = True
     return row | ({} if boundary.pulse is None else {boundary.kind: pulse_value(boundary.pulse)})
 
 

@@ -94,6 +94,7 @@ class Boundary2D:
     pulse       of "velocity" (m/s) and "pressure" (Pa): amplitude over time, `problem.model.Pulse`
     direction   of "velocity": unit vector (x, y) of the motion; None: the inward normal of each node (mean of its edges, as at t = 0)
     slip        True: only the component along the normal (wall) or the direction (velocity) is prescribed; False: the other one is zero
+    separable   of "wall": it holds no tension; material may leave it and come back (`problem.plane.walls`)
     """
 
     on: tuple[str, ...]
@@ -101,6 +102,7 @@ class Boundary2D:
     pulse: Pulse | None = None
     direction: Point | None = None
     slip: bool = True
+    separable: bool = False
 
 
 @dataclass(frozen=True)

@@ -72,7 +72,7 @@ def _counts(value: Any) -> tuple[int, int]:
     if not isinstance(value, (list, tuple)) or len(value) != 2 or not all(isinstance(n, int) and not isinstance(n, bool) for n in value):
         raise trouble("expected two whole numbers", "zones along i and along j, such as [20, 200]")
     if min(value) < 1 or max(value) > 20_000:
-        raise trouble("a block has from 1 to 20 000 zones in each direction")
+        raise trouble("a block has from 1 to 20 000 zones in each direction", "such as [20, 200]")
     return value[0], value[1]
 
 
@@ -170,6 +170,7 @@ class BoundaryTable(Table):
         None, description="for kind pressure: a value or a pulse")
     direction: Direction | None = Field(None, description="of kind velocity: direction of the motion (default: into the material)")
     slip: bool | None = Field(None, description="wall, velocity: nodes may slide along (default true); false: the other component is 0")
+    separable: bool | None = Field(None, description="wall: material may leave it and come back (default false: it holds tension)")
 
 
 class GaugeTable(Table):

@@ -216,3 +216,13 @@ def materials_of(problem: Problem2D, speed: float, near: float):
         coefficient = problem.solver.subzonal_pressure if fluid else problem.solver.flanagan_belytschko
         found[block.material] = laws, np.array([*laws.constants, near, coefficient]), fluid, shares_pressure(problem, block)
     return list(found.values()), [list(found).index(block.material) for block in problem.blocks]
+
+
+def unburned(problem: Problem2D, charge, zones, size) -> None:
+    """Fill the table of burning zones at t = 0: nothing burned, the clock of their lighting; size: width of every zone, m."""
+    from hugoniot.problem.plane.lighting import zone_lighting_times
+
+    rows = L.Charge(*charge)
+    rows.rho_r[:], rows.e_r[:], rows.size[:] = zones[Z.rho], zones[Z.e], size
+    rows.resolution[:] = 1e300
+    rows.since[:] = -zone_lighting_times(problem)
