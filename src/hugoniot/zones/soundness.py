@@ -38,7 +38,7 @@ def wave_speed(c2, noise):
 def look_over(count, z, dt, numbers, law):
     """Counts zones with a density that is not positive or a sound speed that is not a finite number; records the peaks on the way."""
     rows_apart()
-    bad = 0
+    bad, higher = 0, 0
     for j in range(count):
         # a negative number, an infinity and what is no number have larger bits than any finite positive one: one comparison does
         # for the three, where a compiled comparison of numbers costs as much as a store
@@ -48,10 +48,15 @@ def look_over(count, z, dt, numbers, law):
         bits = of_speed if of_speed > bits else bits
         bits = of_stress if of_stress > bits else bits
         bad += 0 if bits < LIMIT_BITS else 1
-        z.peak_stress[j] = sigma if sigma > z.peak_stress[j] else z.peak_stress[j]
-        z.peak_tension[j] = sigma if sigma < z.peak_tension[j] else z.peak_tension[j]
-        z.peak_pressure[j] = p if p > z.peak_pressure[j] else z.peak_pressure[j]
-        z.peak_density[j] = rho if rho > z.peak_density[j] else z.peak_density[j]
+        beyond = (sigma > z.peak_stress[j]) | (sigma < z.peak_tension[j]) | (p > z.peak_pressure[j]) | (rho > z.peak_density[j])
+        higher += 1 if beyond else 0
+    if higher > 0:     # in most pieces, most of the time, no peak is new
+        for j in range(count):
+            rho, sigma, p = z.rho[j], z.sigma[j], z.p[j]
+            z.peak_stress[j] = sigma if sigma > z.peak_stress[j] else z.peak_stress[j]
+            z.peak_tension[j] = sigma if sigma < z.peak_tension[j] else z.peak_tension[j]
+            z.peak_pressure[j] = p if p > z.peak_pressure[j] else z.peak_pressure[j]
+            z.peak_density[j] = rho if rho > z.peak_density[j] else z.peak_density[j]
     z.found[FOUND_UNSOUND] += bad
 
 

@@ -48,7 +48,7 @@ SLIGHT, FAINT = 1e-4, 1e-6    # parts of the other jump and of the sound speed b
 STEADY = 1e-3           # part of the rate now below which one at the start of the step keeps the limiter in proportion
 SLENDER, NEEDLE = 4.0, 8.0
 LESS = 1.0 - 1e-15      # so that no length is the root of a negative number by round-off
-NOTHING = 1e-15        # jump, in units of the sound speed, whose viscous stress is beyond the digits of any other
+NOTHING = 1e-15        # part of a position that is lost in its digits
 STRETCH = 32            # zones of a piece that are looked at together
 
 
@@ -103,15 +103,15 @@ def metric_of(q):
     """`Metric` of a quadrilateral."""
     ax, ay = 0.5 * (q.x1 - q.x0 + q.x2 - q.x3), 0.5 * (q.y1 - q.y0 + q.y2 - q.y3)
     bx, by = 0.5 * (q.x3 - q.x0 + q.x2 - q.x1), 0.5 * (q.y3 - q.y0 + q.y2 - q.y1)
+    axx, ayy, axy, bxx, byy, bxy = ax * ax, ay * ay, LESS * ax * ay, bx * bx, by * by, LESS * bx * by
     half = 0.5 * LESS
-    return Metric(0.5 * (bx * bx + by * by), half * (bx * bx - by * by), LESS * bx * by, 0.5 * (ax * ax + ay * ay), half * (ax * ax - ay * ay),
-                  LESS * ax * ay, FLAT * q.area)
+    return Metric(0.5 * (bxx + byy), half * (bxx - byy), bxy, 0.5 * (axx + ayy), half * (axx - ayy), axy, FLAT * q.area)
 
 
 def around(z, j):
     """`Around` of zone j."""
-    smooth, xx, yy = z.smooth, z.smooth.xx[j], z.smooth.yy[j]
-    return Around(smooth.xi[j], smooth.eta[j], smooth.share[j], 0.5 * (xx + yy), 0.5 * (xx - yy), smooth.xy[j], z.v[j], z.c[j], z.p[j], z.rho[j])
+    s, xx, yy = z.smooth, z.smooth.xx[j], z.smooth.yy[j]
+    return Around(s.xi[j], s.eta[j], s.share[j], 0.5 * (xx + yy), 0.5 * (xx - yy), s.xy[j], z.v[j], z.c[j], z.p[j], z.rho[j])
 
 
 def kept(psi, before, now):
@@ -156,7 +156,7 @@ def along_edges(m, d, a, viscosity):
 
 
 def in_corner(e1x, e1y, e2x, e2y, u1, v1, u2, v2, m, a, viscosity):
-    """(viscous stress (xx, yy, xy), largest speed, heat per volume and time; stress and heat per density) of the corner with the edges e1 to the next corner
+    """(viscous stress over density (xx, yy, xy), largest speed, heat per mass and time) of the corner with the edges e1 to the next corner
     and e2 to the one before, along which the velocities differ by (u1, v1) and (u2, v2)."""
     area = fmax(e1x * e2y - e1y * e2x, m.least)
     gxx, gyy, shear = u1 * e2y - u2 * e1y, v2 * e1x - v1 * e2x, u2 * e1x - u1 * e2x + v1 * e2y - v2 * e1y
@@ -253,7 +253,7 @@ def closes(e1x, e1y, e2x, e2y, u1, v1, u2, v2):
 
 
 def closing(z, j):
-    """Positive where a corner of zone j closes, and beyond round-off of its sound speed."""
+    """Positive where a corner of zone j closes by more, in the time sound takes across the zone, than the last digits of its position."""
     low, high = z.low, z.high
     x0, y0, x1, y1 = low.x[j], low.y[j], high.x[j], high.y[j]
     x2, y2, x3, y3 = high.x[j + 1], high.y[j + 1], low.x[j + 1], low.y[j + 1]
@@ -263,7 +263,7 @@ def closing(z, j):
     most = fmax(closes(ax, ay, -dx, -dy, au, av, -du, -dv), closes(bx, by, -ax, -ay, bu, bv, -au, -av))
     most = fmax(most, fmax(closes(cx, cy, -bx, -by, cu, cv, -bu, -bv), closes(dx, dy, -cx, -cy, du, dv, -cu, -cv)))
     c = NOTHING * z.c[j]
-    return most - c * c * ((x2 - x0) * (y3 - y1) - (y2 - y0) * (x3 - x1))
+    return most - c * c * (x0 * x0 + y0 * y0 + x2 * x2 + y2 * y2)
 
 
 @zone_pass(ResistOf)
