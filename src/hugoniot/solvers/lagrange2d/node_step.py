@@ -211,8 +211,8 @@ bind(doubled_area)
 def look(count, z, dt, numbers, law):
     """How many zones of a row the step has turned inside out, or has robbed of so much of their area that it was too long."""
     rows_apart()
-    bad = 0.0
+    bad = 0
     for j in range(count):
         middle, area = doubled_area(j, z.middle_low, z.middle_high), doubled_area(j, z.low, z.high)
-        bad += 0.0 if area > LEAST_LEFT * middle and area > 0.0 else 1.0
+        bad += 0 if (area > LEAST_LEFT * middle) & (area > 0.0) else 1     # whole numbers: a sum of others is taken one by one here
     z.tangled[0] += bad
