@@ -28,6 +28,7 @@ from hugoniot.solvers.lagrange2d.plane_rows import (
     BOTH,
     DT,
     DT_BACK,
+    ORIGINS,
     RowsOfRun,
 )
 from hugoniot.zones.soundness import FOUND_FAILURE, FOUND_RATE
