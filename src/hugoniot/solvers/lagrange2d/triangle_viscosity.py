@@ -20,7 +20,7 @@ from hugoniot.solvers.lagrange2d.edge_viscosity import along_edge
 from hugoniot.solvers.lagrange2d.herrmann_viscosity import resisted
 from hugoniot.solvers.lagrange2d.layout import Rates, Smoothness, Stress, Tensor, VertexForces, Vertices
 from hugoniot.solvers.lagrange2d.triangles import triangle
-from hugoniot.solvers.lagrange2d.viscosity import SMALL, Around, Metric, along_edges, in_corner
+from hugoniot.solvers.lagrange2d.viscosity import SLIGHT, SMALL, along_edges, around, in_corner, metric, slenderness
 
 
 class TensorOf(NamedTuple):
@@ -69,12 +69,6 @@ class AxesOf(NamedTuple):
     fastest: Any
 
 
-def around(z, j):
-    """`viscosity.Around` of zone j."""
-    s = z.smooth
-    return Around(s.xi[j], s.eta[j], s.share[j], s.xx[j], s.yy[j], s.xy[j], z.v[j], z.c[j], z.p[j], z.rho[j])
-
-
 @zone_pass(TensorOf)
 def resist_triangles(count, z, dt, numbers, law):
     """Viscous stress of triangles."""
@@ -84,14 +78,15 @@ def resist_triangles(count, z, dt, numbers, law):
         ax, ay, au, av = n.b.x[j] - n.a.x[j], n.b.y[j] - n.a.y[j], n.b.u[j] - n.a.u[j], n.b.v[j] - n.a.v[j]
         bx, by, bu, bv = n.c.x[j] - n.a.x[j], n.c.y[j] - n.a.y[j], n.c.u[j] - n.a.u[j], n.c.v[j] - n.a.v[j]
         ex, ey = (bx - ax, by - ay) if z.way[j] > 0.5 else (bx, by)
-        m, a = Metric(ex * ex, ey * ey, ex * ey, ax * ax, ay * ay, ax * ay, SMALL), around(z, j)
+        m, a = metric(ax, ay, ex, ey, SMALL), around(z, j)
         d = (z.rates.xx[j], z.rates.yy[j], z.rates.xy[j])
-        lxx, lyy, lxy, fast, part = along_edges(m, d, a, ax * by - ay * bx, viscosity)
-        rest = 1.0 - part
-        lxx, lyy, lxy = lxx * rest, lyy * rest, lxy * rest
+        along = slenderness(ax * by - ay * bx, m)
+        part = (1.0 - along) * a.rho
+        lxx, lyy, lxy, fast = along_edges(m, d, a, viscosity)
+        lxx, lyy, lxy = lxx * along, lyy * along, lxy * along
         xx, yy, xy, faster, heat = in_corner(ax, ay, bx, by, au, av, bu, bv, m, a, viscosity)
         z.mean.xx[j], z.mean.yy[j], z.mean.xy[j] = part * xx + lxx, part * yy + lyy, part * xy + lxy
-        z.fastest[j] = fmax(fast, faster)
+        z.fastest[j] = fmax(fast * fmin(1.0, along * (1.0 / SLIGHT)), faster)
         z.paid[j] = part * heat - (lxx * d[0] + lyy * d[1] + 2.0 * lxy * d[2])
 
 
@@ -149,5 +144,4 @@ def resist_triangles_along_axes(count, z, dt, numbers, law):
         z.fastest[j] = fast + fmax(fmax(fast_x, fast_y), fast_xy)
 
 
-bind(around)
 bind(triangle)
