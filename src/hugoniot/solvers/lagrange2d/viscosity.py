@@ -301,6 +301,6 @@ def resist(count, z, dt, numbers, law):
         first = end
 
 
-for _function in (metric, metric_of, around, kept, counted, both_kept, both_counted, along_edges, in_corner, corner_force, in_corners, slenderness,
-                  in_slender, closes, closing):
+for _function in (metric, metric_of, around, kept, counted, both_kept, both_counted, along_edges, in_corner, corner_force, in_corners,
+                  slenderness, in_slender, closes, closing):
     bind(_function)
