@@ -12,6 +12,7 @@ from hugoniot.solvers.lagrange2d import node_step, triangle_step
 # origins: a row of zones and the one before it, the rows of nodes on both its sides, its gradients and those of the rows beside it
 # and, of triangles, the upper ones of the rows of cells whose lower ones are the zones
 (AT_ZONES, AT_BEFORE, AT_LOW, AT_HIGH, AT_GRADIENTS, AT_GRADIENTS_BEFORE, AT_GRADIENTS_BEHIND, AT_UPPER, AT_UPPER_BEFORE) = range(1, 10)
+ORIGINS = 10
 DT, DT_HALF, DT_BACK = range(3)                               # of the row of time steps
 BOTH, BEHIND_ONLY, BEFORE_ONLY = range(3)                     # rows of zones beside a row of nodes
 
