@@ -12,8 +12,7 @@ MISSED = {("noh_square", "shock_position", 50), ("noh_square", "densest_zone", 1
           ("gresho", "peak_speed", 40), ("taylor_copper", "plastic_strain", 20)}
 QUICK = {"noh_square": (50,), "sedov_square": (45,), "saltzman_skewed": (100,), "coggeshall_rz": (20, 40), "gresho": (20, 40, 80),
          "howell_ring": (20,), "verney_sphere": (20,), "kenamond_1": (20,), "kenamond_2": (20,), "kenamond_3": (20,),
-         "spinning_square": (100,), "disc_impact": (16,), "oblique_impact": (20,), "noh_triangles": (50,), "sedov_triangles": (45,),
-         "taylor_triangles": (5,)}
+         "spinning_square": (100,), "disc_impact": (16,), "oblique_impact": (20,), "noh_triangles": (50,), "sedov_triangles": (45,)}
 
 
 def missed(found):

@@ -7,6 +7,7 @@ nodes of one row of nodes each; which node is c depends on the diagonal, so it i
 from typing import Any, NamedTuple, get_type_hints
 
 from hugoniot.core.binder import bind
+from hugoniot.core.ops import fmax
 from hugoniot.core.passes import Pass, kind_of, rows_apart, zone_pass
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import node_step, zone_passes
@@ -15,6 +16,7 @@ from hugoniot.solvers.lagrange2d.node_step import LEAST_LEFT
 from hugoniot.solvers.lagrange2d.quads import Strains
 from hugoniot.solvers.lagrange2d.zone_passes import stress_power
 
+LEAST_ENERGY = 1e-30      # J/kg, beside which no energy of a zone counts
 _INSTEAD = {L.Sides: L.Vertices, L.SidesNow: L.VerticesNow, L.Corners: L.VertexForces, node_step.Behind: node_step.OfPairs,
             node_step.Before: node_step.OfPairs}
 
@@ -190,12 +192,14 @@ def take_own_work(count, z, dt, numbers, law):
 
 @zone_pass(GiveBackOf)
 def give_back(count, z, dt, numbers, law):
-    """What both triangles of a cell have taken beyond the work of their forces, given back by mass: the cell has that work again."""
+    """What both triangles of a cell have taken beyond the work of their forces, given back by their energies, so that a cold one does not
+    pay for a hot one: the cell has that work again."""
     rows_apart()
     for j in range(count):
-        each = (z.beyond1[j] + z.beyond2[j]) / (1.0 / z.im1[j] + 1.0 / z.im2[j])
-        z.e1[j] -= each
-        z.e2[j] -= each
+        e1, e2 = fmax(z.e1[j], -z.e1[j]) + LEAST_ENERGY, fmax(z.e2[j], -z.e2[j]) + LEAST_ENERGY
+        part = (z.beyond1[j] + z.beyond2[j]) / (e1 / z.im1[j] + e2 / z.im2[j])
+        z.e1[j] -= part * e1
+        z.e2[j] -= part * e2
 
 
 @zone_pass(WorkOf)
