@@ -33,5 +33,4 @@ def test_a_taylor_bar_converges(name):
         limit = fine + (fine - middle) / (ratio - 1.0)
         order, error = math.log2(ratio), abs(fine / limit - 1.0)
         row = f"{name} {key}: {coarse:.6g} {middle:.6g} {fine:.6g}, order {order:.2f}, limit {limit:.6g}, error {error:.2%}"
-        print(row)
         assert error < bound, row
