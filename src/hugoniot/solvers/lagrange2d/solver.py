@@ -3,14 +3,11 @@
 Knows a problem's numbers and laws; never files, decks or plots. The words are those of `solvers.lagrange1d.solver`.
 """
 
-import os
-import threading
-
 import numpy as np
 
-from hugoniot.core import team
 from hugoniot.core.compile_ahead import compile_all, job_of
 from hugoniot.core.ops import NO_LIMIT
+from hugoniot.core.team import at_work, team_of
 from hugoniot.problem.plane.contact import may_meet
 from hugoniot.problem.plane.model import Problem2D
 from hugoniot.solvers.lagrange1d import reactive
@@ -67,7 +64,7 @@ class Lagrange2D(NothingToAdd):
                     *(abs(v) for pulse in pulses for v in (pulse.amplitude, *pulse.values)))
         self.boundaries.chains.extend(f"rigid {body.name}" for body in problem.rigid)
         self.chains = np.zeros((len(self.boundaries.chains) + 1, 3))
-        self.team = self._team()
+        self.team = team_of(problem.solver.threads, self.zones.shape[1], WORTH_SHARING)
         self.options = Options(self.kind, G.AXIS_RADIUS * float(np.abs(self.nodes[N.x]).max()), *map(float, problem.body_force))
         self.control, self.counters = np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64)
         self.counters[L.ZONES] = count
@@ -80,12 +77,6 @@ class Lagrange2D(NothingToAdd):
         self.initial_nodes = self.nodes[[N.x, N.y]][:, numbering.representative].copy()
 
     # -- setting up ------------------------------------------------------------------------------------------
-    def _team(self):
-        threads = min(self.problem.solver.threads, os.cpu_count() or 1)
-        if threads < 2 or self.zones.shape[1] < WORTH_SHARING or not team.possible():
-            return team.Alone()
-        return team.Together(threads, team.board(threads))
-
     def _run(self, mesh, contact) -> Run:
         edges = self.boundaries
         ghosts = ghost_tables(mesh, self.numbering, edges.mirrors) if self.problem.solver.viscosity.limited else (
@@ -182,8 +173,7 @@ class Lagrange2D(NothingToAdd):
             return []
         self.control[L.EVENT_TIME] = until
         end = self.cycle + cycles
-        members = self._assemble_team()
-        try:
+        with at_work(self.team, serve, self.plan):
             code = L.GAUGE_DUE
             while code in (L.GAUGE_DUE, L.NO_ROOM) and self.cycle < end:
                 code = march(*self._march_arguments(end - self.cycle, self.plan))
@@ -191,24 +181,9 @@ class Lagrange2D(NothingToAdd):
                     self.run = self.run._replace(contact=results.larger(self.run.contact))
                 if self.sampler is not None and code in (L.GAUGE_DUE, L.AT_EVENT):
                     self._read_gauges()
-        finally:
-            if members:
-                team.call(self.team.board, team.DISMISSED)
-                for member in members:
-                    member.join()
         if code in (L.BAD_STATE, L.STEP_COLLAPSED, L.TANGLED):
             raise post_mortem.diagnose(self, code)
         return []
-
-    def _assemble_team(self):
-        if isinstance(self.team, team.Alone):
-            return []
-        phase = int(self.team.board[0])
-        members = [threading.Thread(target=serve, args=(k, phase, self.plan, self.team), daemon=True)
-                   for k in range(1, self.team.threads)]
-        for member in members:
-            member.start()
-        return members
 
     def _read_gauges(self):
         self.gauge_times.append(self.time)
