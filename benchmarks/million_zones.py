@@ -32,8 +32,9 @@ zones = {many}
 [output]
 snapshots = "{every} s"
 """
-STEP_PER_ZONE = 1.2e-10 / 1e-6      # time step of these plates over the width of a zone, s/m
-WIDTH = 1e-6                        # of a zone, m
+STEP_PER_ZONE = 0.48e-10 / 1e-6         # time step of these plates over the width of a zone, s/m
+WIDTH = 1e-6                           # of a zone, m
+LOOK = 0.2                             # seconds between two looks at the memory
 
 
 def memory(root: int) -> dict[int, tuple[int, int]]:
@@ -74,7 +75,7 @@ def main() -> None:
             now = memory(process.pid)
             most = max(most, sum(held for held, _ in now.values()))
             peaks |= {one: max(peak, peaks.get(one, 0)) for one, (_, peak) in now.items()}
-            time.sleep(0.02)
+            time.sleep(LOOK)
         took = time.perf_counter() - began
         if process.returncode:
             sys.exit(f"the run ended with exit code {process.returncode}")
