@@ -2,9 +2,9 @@
 
     python benchmarks/million_zones.py [--zones 1000000] [--snapshots 100] [--steps 3] [--folder FOLDER]
 
-A plate of copper hits another. The run ends after `--steps` steps for each snapshot or so: memory depends on zones and snapshots, not on how
-far the waves come. Printed: the largest sum of the memory of all its processes at one time and the peak of each (Linux), the size of the
-result and the times of running it and of reading one snapshot of it back.
+A plate of copper hits another. The run ends after some `--steps` steps for each snapshot: memory depends on zones and snapshots, not on how
+far the waves come. Printed: the largest sum of the memory of all its processes at one time and the peak of each (Linux), the size of
+the result and the times of running it and of reading one snapshot of it back.
 """
 
 import argparse
