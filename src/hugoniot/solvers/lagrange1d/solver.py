@@ -7,7 +7,7 @@ starts stands in `start`, what happens between steps in `between_steps`, what we
 import numpy as np
 
 from hugoniot.core.compile_ahead import compile_all, job_of
-from hugoniot.core.crew import at_work, crew
+from hugoniot.core.team import at_work, team_of
 from hugoniot.mesh.line import GEOMETRY
 from hugoniot.problem.defaults import with_defaults
 from hugoniot.problem.model import Problem
@@ -33,7 +33,7 @@ ZONE_FIELDS = {"density": Z.rho, "energy": Z.e, "pressure": Z.p, "viscous_pressu
                "deviator_hoop": Z.s2, "stress": Z.sigma, "sound_speed": Z.c, "plastic_strain": Z.plastic_strain, "damage": Z.damage,
                "plastic_work": Z.plastic_work, "viscous_work": Z.viscous_work}
 GAUGE_CAPACITY = 2048
-WORTH_SHARING = 10_000
+WORTH_SHARING = 10_000      # zones; below, sharing costs more than it gives
 
 
 class Lagrange1D(NothingToAdd):
@@ -44,7 +44,7 @@ class Lagrange1D(NothingToAdd):
         self.geometry = GEOMETRY.get(problem.geometry).example
         self.scheme = SCHEMES[problem.solver.integrator]
         self.staggered = self.scheme.staggered
-        self.team = crew(problem.solver.threads, sum(region.zones for region in problem.regions) >= WORTH_SHARING)
+        self.team = team_of(problem.solver.threads, sum(region.zones for region in problem.regions), WORTH_SHARING)
         laws, self.laws_of_region = laws_of_regions(problem)
         self.viscosity = viscosity_of(problem)
         self.table, self.charge_table, self.nodes, self.gradient, self.segments, self.region_ranges = assemble(problem)

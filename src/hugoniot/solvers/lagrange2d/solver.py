@@ -6,8 +6,8 @@ Knows a problem's numbers and laws; never files, decks or plots. The words are t
 import numpy as np
 
 from hugoniot.core.compile_ahead import compile_all, job_of
-from hugoniot.core.crew import at_work, crew
 from hugoniot.core.ops import NO_LIMIT
+from hugoniot.core.team import at_work, team_of
 from hugoniot.problem.plane.contact import may_meet
 from hugoniot.problem.plane.model import Problem2D
 from hugoniot.problem.plane.walls import with_walls
@@ -69,7 +69,7 @@ class Lagrange2D(NothingToAdd):
                     *(abs(v) for pulse in pulses for v in (pulse.amplitude, *pulse.values)))
         self.boundaries.chains.extend(f"rigid {body.name}" for body in problem.rigid)
         self.chains = np.zeros((len(self.boundaries.chains) + 1, 3))
-        self.team = crew(problem.solver.threads, count >= WORTH_SHARING)
+        self.team = team_of(problem.solver.threads, count, WORTH_SHARING)
         self.options = Options(self.kind, G.AXIS_RADIUS * float(np.abs(self.nodes[N.x]).max()), *map(float, problem.body_force))
         self.control, self.counters = np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64)
         self.counters[L.ZONES] = count
