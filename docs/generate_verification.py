@@ -72,7 +72,8 @@ def table(found: list[dict], more: str = "") -> list[str]:
 def main(path: str, fronts: str | None = None) -> None:
     text = table(json.loads(Path(path).read_text()))
     if fronts:
-        text += ["## With tracked fronts", "", "The same problems with `hugoniot verify --solver fronts`, on the same grids and held to the same bars.", "",
+        text += ["## With tracked fronts", "",
+                 "The same problems with `hugoniot verify --solver fronts`, on the same grids and held to the same bars.", "",
                  *table(json.loads(Path(fronts).read_text()), ", tracked fronts")]
     TARGET.write_text("\n".join(text), encoding="utf-8")
 
