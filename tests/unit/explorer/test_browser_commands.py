@@ -56,6 +56,12 @@ def test_command_and_python_of_a_deck_give_the_run_of_the_page(visit, opened, tm
     page = visit().go("#/decks", ".editor textarea")
     page.locator(".editor textarea").fill(DECK)
     page.wait_for_selector("text=Quick, 10 zones")
+    end = "document.querySelector('.chart').chart.spec.marks.filter(m => m.kind === 'polygon').map(m => Math.max(...m.xs)).join()"
+    until(page, f"{end} === '10'")
+    page.locator(".editor textarea").fill(DECK.replace('"1 cm"', '"2 cm"'))
+    until(page, f"{end} === '20'")      # the set-up follows what is typed
+    page.locator(".editor textarea").fill(DECK)
+    until(page, f"{end} === '10'")
     with page.expect_download() as waiting:
         page.get_by_role("button", name="Save", exact=True).click()
     assert waiting.value.suggested_filename == "deck.toml"
