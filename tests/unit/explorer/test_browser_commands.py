@@ -56,6 +56,12 @@ def test_command_and_python_of_a_deck_give_the_run_of_the_page(visit, opened, tm
     page = visit().go("#/decks", ".editor textarea")
     page.locator(".editor textarea").fill(DECK)
     page.wait_for_selector("text=Quick, 10 zones")
+    end = "document.querySelector('.chart').chart.spec.marks.filter(m => m.kind === 'polygon').map(m => Math.max(...m.xs)).join()"
+    until(page, f"{end} === '10'")
+    page.locator(".editor textarea").fill(DECK.replace('"1 cm"', '"2 cm"'))
+    until(page, f"{end} === '20'")      # the set-up follows what is typed
+    page.locator(".editor textarea").fill(DECK)
+    until(page, f"{end} === '10'")
     with page.expect_download() as waiting:
         page.get_by_role("button", name="Save", exact=True).click()
     assert waiting.value.suggested_filename == "deck.toml"
@@ -117,6 +123,32 @@ def test_python_of_a_sweep_in_si_counts_in_the_units_shown(visit, browser, tmp_p
     count, scatter = executed(page)[1][0]
     drawn = page.evaluate("document.querySelectorAll('.chart')[1].chart.spec.series.filter(s => s.hover).flatMap(s => s.rows.map((r, i) => [r, s.x[i], s.y[i]])).sort((a, b) => a[0] - b[0])")
     assert count == 7 and [s for s in scatter if s[1] == s[1]] == [(x, y) for _, x, y in drawn] and drawn[0][1:] == [0.5, 1e-6 / 3 * 1e6]
+
+
+def commanded(page):
+    """Every line of the command of the page, executed here."""
+    for line in page.text_content("#command").splitlines():
+        words = shlex.split(line)
+        if words[0] == "python":
+            assert subprocess.run([sys.executable, *words[1:]], capture_output=True, check=True).stdout
+            continue
+        result = CliRunner().invoke(build_app(words[1]), words[1:])
+        assert words[0] == "hugoniot" and result.exit_code == 0, (line, result.output)
+
+
+def test_commands_of_runs_and_fits_are_obeyed_and_give_the_record_that_is_shown(visit, opened, plane, monkeypatch):
+    monkeypatch.chdir(opened[0])
+    here = visit()
+    page = here.go("#/runs?run=0&f=pressure&k=7", ".chart canvas")
+    commanded(page)
+    page = here.go("#/runs?run=1&f=pressure&k=3", ".chart canvas")
+    until(page, "document.querySelector('#command').textContent.includes('plane.run map pressure')")
+    commanded(page)
+    names, _ = executed(page)
+    drawn = next(c.get_array() for c in names["run"].plot.map("pressure", time=names["run"].arrays("snapshots")["time"][3]).collections if c.get_array() is not None)
+    assert np.allclose(np.unique(drawn), np.unique(hugoniot.load(plane).arrays("snapshots")["pressure"][3]) * (np.max(drawn) / np.max(hugoniot.load(plane).arrays("snapshots")["pressure"][3])))
+    page = here.go("#/fits?fit=0", "[data-table=parameters]")
+    commanded(page)
 
 
 def test_a_dragged_match_of_three_layers_shows_the_states_of_the_theory(visit):

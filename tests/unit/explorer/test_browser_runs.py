@@ -158,6 +158,14 @@ def test_brushing_a_table_keeps_its_cases(visit):
     expected = sum(low <= 100 + 7 * k <= high for k in range(40))
     page.wait_for_selector(f"text={expected} of 40 cases")
     assert 10 < expected < 30 and page.locator("[data-table=cases] tbody tr").count() == expected
+    page.locator("rect[data-brush='1']").focus()
+    page.keyboard.press("Delete")
+    page.wait_for_selector("text=40 of 40 cases")
+    page.keyboard.press("ArrowUp")      # the middle half of 100 to 373
+    page.wait_for_selector(f"text={sum(168.25 <= 100 + 7 * k <= 304.75 for k in range(40))} of 40 cases")
+    page.keyboard.press("Shift+ArrowDown")
+    page.wait_for_selector(f"text={sum(168.25 <= 100 + 7 * k <= 304.75 - 0.05 * 273 for k in range(40))} of 40 cases")
+    assert page.evaluate("document.activeElement.getAttribute('aria-valuetext')") == "168.3 to 291.1"
 
 
 def test_a_fit_shows_values_residuals_and_posterior(visit, opened, monkeypatch):

@@ -76,7 +76,7 @@
   async function draw(run, mine) {
     const shown = fillSelect(field, run.fields, H.get("f"), run.plane ? ["pressure"] : ["stress", "pressure"]), many = run.times.length;
     planeBar.hidden = !run.plane;
-    for (const input of planeBar.querySelectorAll("input")) input.checked = input.dataset.key === "mesh" ? H.get("mesh") === "1" : H.get("mirror") !== "0";
+    for (const input of planeBar.querySelectorAll("input")) { input.checked = input.dataset.key === "mesh" ? H.get("mesh") === "1" : H.get("mirror") !== "0"; input.parentElement.hidden = input.dataset.key === "mirror" && run.geometry !== "axisymmetric"; }
     slider.max = Math.max(many - 1, 0);
     const k = Math.min(H.get("k") === "" ? many - 1 : Number(H.get("k")) || 0, many - 1), [tUnit, ft] = H.timeUnit(run.times[many - 1] || run.stop_time || 1e-6);
     slider.value = k;

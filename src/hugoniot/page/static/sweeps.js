@@ -8,7 +8,7 @@
     select = H.h("select", {"aria-label": "Table", onchange: () => H.set({sweep: select.value, x: "", y: "", c: "", brush: "", cols: "", sz: ""})});
     count = H.h("span", {class: "quiet small", "aria-live": "polite"});
     host = H.h("div", {class: "chart", style: {height: "300px"}});
-    parallel = H.s("svg", {role: "img", "aria-label": "Parallel coordinates", tabindex: 0});
+    parallel = H.s("svg", {role: "group", "aria-label": "Parallel coordinates"});
     host.append(parallel);
     const pick = (label, key) => H.h("select", {"aria-label": label, onchange: event => H.set({[key]: event.target.value, sz: ""})});
     xSelect = pick("x axis", "x"); ySelect = pick("y axis", "y"); cSelect = pick("Colour", "c");
@@ -72,7 +72,7 @@
     drawParallel();
     drawScatter(keep);
     drawTable(keep);
-    if (!readout.childNodes.length) H.clear(readout).append(H.h("span", {class: "quiet"}, "Point at a case. Drag along an axis above to select a range; click a case to open its run."));
+    if (!readout.childNodes.length) H.clear(readout).append(H.h("span", {class: "quiet"}, "Point at a case. Drag along an axis above to select a range, or focus it and use the arrow keys (Shift: its upper end, Delete: all); click a case to open its run."));
     const name = opened.sweeps[Number(select.value)].typed;
     H.command({shell: `hugoniot explore ${H.shell(name)} --view ${H.shell(H.address("sweeps", withoutNumber()))}`, python: inPython(name.endsWith(".csv") ? name : `${name}/cases.csv`)});
   }
@@ -98,6 +98,7 @@
   // -- parallel coordinates ------------------------------------------------------------------------------------------------
   function drawParallel() {
     const columns = shownColumns(), width = host.clientWidth, height = width < 560 ? 240 : 300, p = H.palette(), keep = kept(), b = brushes(), left = 50, right = 50, top = 40, bottom = 14;
+    const focused = parallel.contains(document.activeElement) ? document.activeElement.getAttribute("data-brush") : null;
     host.style.height = `${height}px`;
     H.clear(parallel).setAttribute("viewBox", `0 0 ${width} ${height}`);
     if (columns.length < 2) return;
@@ -117,17 +118,31 @@
         words(xs[k] - 5, top + 4, H.digits(ranges[k][1], 4), "end", 10), words(xs[k] - 5, height - bottom, H.digits(ranges[k][0], 4), "end", 10));
       const brush = b[col.k];
       if (brush) parallel.append(H.s("rect", {x: xs[k] - 6, width: 12, y: Math.min(at(k, brush[1]), height), height: Math.max(Math.abs(at(k, brush[0]) - at(k, brush[1])), 2), fill: p.lines[1], opacity: 0.35, stroke: p.lines[1]}));
-      const grip = H.s("rect", {x: xs[k] - 12, width: 24, y: top - 6, height: height - top - bottom + 12, fill: "transparent", cursor: "ns-resize"});
+      const [least, greatest] = ranges[k], span = greatest - least, between = brush || [least, greatest];
+      const grip = H.s("rect", {x: xs[k] - 12, width: 24, y: top - 6, height: height - top - bottom + 12, fill: "transparent", cursor: "ns-resize", tabindex: 0, role: "slider", "data-brush": col.k, "aria-label": `Range of ${name}`,
+        "aria-valuemin": least, "aria-valuemax": greatest, "aria-valuenow": 0.5 * (between[0] + between[1]), "aria-valuetext": brush ? `${H.digits(brush[0], 4)} to ${H.digits(brush[1], 4)}` : "all"});
+      grip.addEventListener("keydown", event => {      // a first press keeps the middle half, further ones move it, with Shift its upper end
+        const step = {ArrowUp: 0.05, ArrowDown: -0.05}[event.key] * span;
+        if (["Delete", "Backspace", "Escape"].includes(event.key)) setBrush(col.k, null);
+        else if (!step) return;
+        else if (!brush) setBrush(col.k, [least + 0.25 * span, greatest - 0.25 * span]);
+        else setBrush(col.k, event.shiftKey ? [brush[0], Math.max(brush[1] + step, brush[0])] : brush.map(v => v + step));
+        event.preventDefault();
+      });
       let from = null;
       const value = event => { const box = parallel.getBoundingClientRect(), y = (event.clientY - box.top) * height / box.height; return ranges[k][0] + (height - bottom - y) / (height - top - bottom) * (ranges[k][1] - ranges[k][0]); };
       grip.addEventListener("pointerdown", event => { from = value(event); grip.setPointerCapture(event.pointerId); });
       grip.addEventListener("pointerup", event => {
-        const to = value(event), all = {...brushes()}, span = ranges[k][1] - ranges[k][0];
-        if (Math.abs(to - from) < 0.01 * span) delete all[col.k]; else all[col.k] = [Math.min(from, to), Math.max(from, to)];
-        H.set({brush: Object.entries(all).map(([n, [l, h]]) => `${n}:${l.toPrecision(6)}:${h.toPrecision(6)}`).join(";")});
+        const to = value(event);
+        setBrush(col.k, Math.abs(to - from) < 0.01 * span ? null : [Math.min(from, to), Math.max(from, to)]);
       });
       parallel.append(grip);
+      if (focused === String(col.k)) grip.focus();
     });
+  }
+  function setBrush(column, range) {
+    const all = {...brushes(), [column]: range};
+    H.set({brush: Object.entries(all).filter(([, r]) => r).map(([n, [l, h]]) => `${n}:${l.toPrecision(6)}:${h.toPrecision(6)}`).join(";")});
   }
   function read(r) {
     H.clear(readout).append(H.h("strong", {}, `case ${r + 1}`), H.numbers(data.columns.map(c => [c.name, c.numeric ? `${H.digits(c.cells[r])} ${c.unit}` : c.cells[r] || "–"])));
