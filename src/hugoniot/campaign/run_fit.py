@@ -155,8 +155,8 @@ def _targets(question: Deck, plan: Plan, wishes: FitWishes) -> tuple[list[Target
     problem = question.read(plan.changes(0)).problem
     question.until = problem.stop_time
     files = [text for text in wishes.to if "=" not in text and is_pop_plot(text)]
-    told: list[str] = []
-    pops = [read_pop_plot(path, k, wishes.sigma if len(files) == len(wishes.to) else None, told) for k, path in enumerate(files, 1)]
+    own: list[str] = []
+    pops = [read_pop_plot(path, k, wishes.sigma if len(files) == len(wishes.to) else None, own) for k, path in enumerate(files, 1)]
     question.pops = [[pop.time.tolist(), pop.values.tolist()] for pop in pops]
     question.run = len(files) < len(wishes.to) or not files
     if pops:
@@ -164,10 +164,10 @@ def _targets(question: Deck, plan: Plan, wishes: FitWishes) -> tuple[list[Target
     if not question.run:
         if wishes.shift or wishes.scale or wishes.window or wishes.gauge:
             raise refuse("--to", files[0], "a Pop plot has no clock, no scale, no window and no gauge", "leave these options out")
-        return list(pops), told
+        return list(pops), own
     others = [text for text in wishes.to if text not in files]
     targets, notes = read_targets(others, MemoryRun(problem), gauge=wishes.gauge, sigma=wishes.sigma, windows=wishes.window)
-    return [*targets, *pops], list(dict.fromkeys([*notes, *told]))
+    return [*targets, *pops], list(dict.fromkeys([*notes, *own]))
 
 
 def _asking(pool, question: Deck, show) -> Callable[[list[dict]], list[dict]]:

@@ -89,7 +89,7 @@ class Solver(Protocol):
     def pass_through(self, times) -> bool:
         """Hit these times (sorted, s) exactly on the way of a march without coming back; False where the solver cannot.
 
-        For runs of which no snapshot is kept, with the steps of one of which they are: `seen_in_passing` gives what they ask for.
+        A run of which no snapshot is kept takes the same steps in this way; `seen_in_passing` gives the extremes at those times.
         """
         ...
 
