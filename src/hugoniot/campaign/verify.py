@@ -23,7 +23,7 @@ from hugoniot.theory.exact import SOLUTIONS
 
 SNAPSHOTS = 50
 NO_ORDER = ("asymmetry", "densest_zone", "peak_scatter", "time_reached", "filter_work", "velocity_across", "front_rms", "contacts",
-            "front_position")
+            "front_position", "speed_6mm", "speed_19mm", "contact_depth", "stress_drift", "angle_error")
 LINE = {**STANDARD, GUDERLEY.name: GUDERLEY}
 PROBLEMS: dict[str, StandardProblem | PlaneProblem | TrackedProblem] = {**LINE, **PLANE, **TRACKED}
 @dataclass(frozen=True)
