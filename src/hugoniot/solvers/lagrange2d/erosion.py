@@ -7,6 +7,7 @@ no zone is left around a node, it flies on by itself. Or it is dropped, and book
 
 import numpy as np
 
+from hugoniot.errors import OutOfRange
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.assemble import N, Z, corner_shares, quad_corners
 from hugoniot.solvers.lagrange2d.contact import layout as C
@@ -30,6 +31,10 @@ class Erosion:
     def __init__(self, solver, surfaces):
         self.solver, self.law, self.surfaces = solver, solver.problem.solver.erosion, surfaces
         mesh = solver.problem.mesh
+        if solver.problem.solver.cells != "quads":
+            raise OutOfRange("erosion is computed for quads only; use solver.cells = 'quads'")
+        if any(boundary.kind == "transmitting" for boundary in solver.problem.boundaries):
+            raise OutOfRange("erosion and transmitting edges are not computed together: zones behind them may leave; use another boundary")
         self.live, self.dropped = np.ones(len(mesh.zone_nodes), dtype=bool), np.zeros(4)
         self.shares = np.concatenate([corner_shares(*quad_corners(block), solver.kind) for block in mesh.blocks], axis=1)
         start = cells(mesh)

@@ -4,7 +4,7 @@ import numpy as np
 
 
 def _keys(mesh):
-    """A number for every face of every zone (4, zones) that is the same for the two zones that have it."""
+    """A number for every face of every zone (faces of a zone, zones) that is the same for the two zones that have it."""
     corners = mesh.zone_nodes.T
     ends = np.sort(np.stack([corners, np.roll(corners, -1, axis=0)]), axis=0)
     return ends[0] * np.int64(mesh.nodes.shape[1]) + ends[1]
@@ -38,14 +38,14 @@ def surface_faces(mesh, live, closed, shut_nodes):
 
 def _place(mesh, zone, k):
     """What faces are sorted by: their middle at t = 0, then their direction; the order of the blocks plays no part."""
-    (ax, ay), (bx, by) = mesh.nodes[:, mesh.zone_nodes[zone, k]], mesh.nodes[:, mesh.zone_nodes[zone, (k + 1) % 4]]
+    (ax, ay), (bx, by) = mesh.nodes[:, mesh.zone_nodes[zone, k]], mesh.nodes[:, mesh.zone_nodes[zone, (k + 1) % mesh.zone_nodes.shape[1]]]
     return ax + bx, ay + by, bx - ax, by - ay
 
 
 def _following(zone, k, alone, keys, owners, number):
     """The face after the end of a face: around that node through the zones that hang together there."""
     while True:
-        k = (k + 1) % 4
+        k = (k + 1) % len(keys)
         if alone[k, zone]:
             return number.get((zone, k), -1)
         zone, k = next(face for face in owners[int(keys[k, zone])] if face != (zone, k))

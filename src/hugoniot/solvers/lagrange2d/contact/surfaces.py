@@ -87,7 +87,8 @@ class Surfaces:
         shut = np.array([int(numbering.nodes[k]) for k in boundaries.gates[:, 0]], dtype=np.int64)
         outside = [mesh.chains[name].edges for name, b in problem.chain_boundaries().items() if b.kind in CLOSED_TO_CONTACT]
         faces, follows = surface_faces(mesh, live, np.concatenate([np.zeros((0, 2), dtype=np.int64), *outside]), shut)
-        ends = np.array([(mesh.zone_nodes[z, k], mesh.zone_nodes[z, (k + 1) % 4]) for z, k in faces], dtype=np.int64).reshape(-1, 2)
+        ahead = np.roll(mesh.zone_nodes, -1, axis=1)
+        ends = np.array([(mesh.zone_nodes[face], ahead[face]) for face in faces], dtype=np.int64).reshape(-1, 2)
         lengths = np.hypot(*(mesh.nodes[:, ends[:, 1]] - mesh.nodes[:, ends[:, 0]]))
         self.mean = before.mean if before else float(lengths.mean()) if len(lengths) else 1.0
         parts = mesh.block_of[[zone for zone, _ in faces]] if faces else np.zeros(0, dtype=np.int64)
