@@ -23,6 +23,9 @@ WORDS = {"density_l1": "L1 of density", "energy_l1": "L1 of energy", "velocity_l
          "elastic_limit": "elastic limit, relative error", "plastic_stress": "stress behind, relative error",
          "stop_radius": "radius at stop, relative error", "energy_minimum": "least energy", 
          "reference_density": "density at reference points, largest relative difference",
+         "fronts": "places and times of fronts, largest relative difference", "states": "states between them, largest relative difference",
+         "speeds": "speeds of fronts, largest relative difference", "contacts": "places of both contacts, error",
+         "front_position": "place of the front, relative error", "pressure_l1": "mean error of the pressure / spike",
          "exponent": "exponent of the converging shock, relative error", "arrival": "arrival of the reflected shock, relative error"}
 
 

@@ -19,6 +19,7 @@ from numba.core import cgutils
 from numba.extending import intrinsic
 
 from hugoniot.core.compile_ahead import Job
+from hugoniot.core.kinds import kind_of_value
 from hugoniot.core.passes import Pass
 from hugoniot.core.rows import ROW, row_at
 from hugoniot.core.target import GUARD
@@ -68,7 +69,7 @@ class Written(NamedTuple):
 
 def jobs(lists: Iterable[list[Operation]]) -> list[Job]:
     """The passes of lists that have yet to be compiled."""
-    each = {(operation.of, nb.typeof(operation.law)): operation for one in lists for operation in one}
+    each = {(operation.of, kind_of_value(operation.law)): operation for one in lists for operation in one}
     return [job for operation in each.values() if (job := operation.of.job(operation.law)) is not None]
 
 
@@ -140,6 +141,8 @@ def _words(context, builder, sig, args, k):
 def _call_with(context, builder, address, count, rows, pointer, step, numbers):
     """Call the pass with `rows` pointers; it takes its rows as separate arguments, so each number of rows is a call of its own."""
     nothing = cgutils.get_null_value(context.get_value_type(types.voidptr))
+    # where a compiled function puts its result and its exception: passes have neither, and one place does for the calls of all lengths
+    unused = [cgutils.alloca_once(builder, kind.pointee) for kind in context.call_conv.get_function_type(types.none, ()).args[:2]]
     done = builder.append_basic_block("done")
     chosen = builder.switch(rows, done)
     for n in range(1, MOST_ROWS + 1):
@@ -149,7 +152,7 @@ def _call_with(context, builder, address, count, rows, pointer, step, numbers):
         kinds = (types.int64, *[ROW] * n, types.float64, ROW, types.voidptr)
         function = builder.inttoptr(address, context.call_conv.get_function_type(types.none, kinds).as_pointer())
         found = [builder.inttoptr(pointer(i), ir.DoubleType().as_pointer()) for i in range(n)]
-        context.call_conv.call_function(builder, function, types.none, kinds, [count, *found, step, numbers, nothing])
+        builder.call(function, [*unused, count, *found, step, numbers, nothing])
         builder.branch(done)
     builder.position_at_end(done)
     return context.get_dummy_value()

@@ -38,7 +38,7 @@ def split_wave(material, ahead: Initial, single: States) -> Split | None:
     if k in (1, SAMPLES - 1) or speeds[k] <= us * (1.0 + NOTICED):
         return None
 
-    from scipy.optimize import minimize_scalar      # slow to load, and few curves split
+    from scipy.optimize import minimize_scalar  # slow to load, and few curves split
 
     def slowness(x):
         return ahead.velocity - float(shock(material, ahead, particle_velocity=ahead.velocity + x).shock_velocity)

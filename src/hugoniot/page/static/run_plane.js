@@ -5,7 +5,7 @@ H.PlaneMap = class {
     this.chart = new H.Chart(host, {label: "Field over the plane", height: 0.75, most: 640, keep: true, zoomKey: "map", onHover: hooks.onHover, onPick: hooks.onPick});
   }
   show(run, data) {
-    const {x, y, values, field, limits} = data, mirror = run.geometry === "axisymmetric" && H.get("mirror") !== "0", plane = new H.PlaneField(run.corners, x, y, mirror);
+    const {x, y, values, field, limits} = data, mirror = run.geometry === "axisymmetric" && H.get("mirror") !== "0", plane = new H.PlaneField(run.corners, run.corners.length / run.block_of.length, x, y, mirror);
     let [low, high] = limits || [Infinity, -Infinity];
     if (!limits) for (const v of values) { if (v < low) low = v; if (v > high) high = v; }
     const scale = H.scaleOf(low, high), [unit, factor] = field.unit === "Pa" ? H.fits([low, high], "GPa", 1e-9) : [field.shown, field.factor];

@@ -17,7 +17,7 @@ from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.solvers.lagrange2d.quads import quad
-from hugoniot.solvers.lagrange2d.viscosity import SMALL, Around, ResistOf, counted, kept
+from hugoniot.solvers.lagrange2d.viscosity import SMALL, ResistOf, around, counted, kept
 
 
 def along_edge(ex, ey, tx, ty, u, v, psi, a, viscosity):
@@ -25,7 +25,7 @@ def along_edge(ex, ey, tx, ty, u, v, psi, a, viscosity):
     along which the velocity differs by (u, v)."""
     speed, square = vsqrt(u * u + v * v), ex * ex + ey * ey
     closing = fmin(u * ty - v * tx, 0.0)
-    before = (a.xx * ex * ex + a.yy * ey * ey + 2.0 * a.xy * ex * ey) / square
+    before = a.mean + (a.dev * (ex * ex - ey * ey) + 2.0 * a.xy * ex * ey) / square
     w = viscous_speed(a.v, a.c, a.p, -speed, kept(psi, before, fmin((u * ex + v * ey) / square, 0.0)), viscosity)
     size = a.rho * w * closing / fmax(speed, SMALL)
     fast = counted(w, closing / vsqrt(tx * tx + ty * ty), 0.0, a.c)
@@ -36,10 +36,10 @@ def along_edge(ex, ey, tx, ty, u, v, psi, a, viscosity):
 def resist_edges(count, z, dt, numbers, law):
     """Viscous forces of the four edges of zones: their mean stress, and the planar forces beyond it."""
     rows_apart()
-    viscosity, low, high, smooth = law_of(law, numbers), z.low, z.high, z.smooth
+    viscosity, low, high = law_of(law, numbers), z.low, z.high
     for j in range(count):
         q = quad(low, high, j)
-        a = Around(smooth.xi[j], smooth.eta[j], smooth.share[j], smooth.xx[j], smooth.yy[j], smooth.xy[j], z.v[j], z.c[j], z.p[j], z.rho[j])
+        a = around(z, j)
         xi, eta = a.xi / fmax(a.share, SMALL), a.eta / fmax(1.0 - a.share, SMALL)
         cx, cy = 0.25 * (q.x0 + q.x1 + q.x2 + q.x3), 0.25 * (q.y0 + q.y1 + q.y2 + q.y3)
         u0, v0, u1, v1 = low.u[j], low.v[j], high.u[j], high.v[j]

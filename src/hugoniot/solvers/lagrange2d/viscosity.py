@@ -47,6 +47,9 @@ FLAT = 0.25             # part of a parallelogram's corner below which a triangl
 SLIGHT, FAINT = 1e-4, 1e-6    # parts of the other jump and of the sound speed below which a jump limits the time step in proportion
 STEADY = 1e-3           # part of the rate now below which one at the start of the step keeps the limiter in proportion
 SLENDER, NEEDLE = 4.0, 8.0
+LESS = 1.0 - 1e-15      # so that no length is the root of a negative number by round-off
+NOTHING = 1e-15        # part of a position that is lost in its digits
+STRETCH = 32            # zones of a piece that are looked at together
 
 
 class ResistOf(NamedTuple):
@@ -68,27 +71,27 @@ class ResistOf(NamedTuple):
 
 
 class Metric(NamedTuple):
-    """Of a zone: mean edges along the second (xi) and the first (eta) logical direction as tensors e (x) e (m^2), least doubled area of a
-    corner's triangle."""
+    """Of a zone: mean edges along the second (xi) and the first (eta) logical direction as tensors e (x) e (m^2), each as half its trace,
+    half the difference of its diagonal, and its shear; least doubled area of a corner's triangle."""
 
-    xixx: float
-    xiyy: float
+    xi: float
+    xidev: float
     xixy: float
-    etaxx: float
-    etayy: float
+    eta: float
+    etadev: float
     etaxy: float
     least: float
 
 
 class Around(NamedTuple):
-    """Of a zone: smoothness along both logical directions and strain rates at the start of the step; volume, sound speed, pressure,
-    density of the solid."""
+    """Of a zone: smoothness along both logical directions; strain rates at the start of the step (mean and half difference of the
+    diagonal, shear); volume, sound speed, pressure, density of the solid."""
 
     xi: float
     eta: float
     share: float
-    xx: float
-    yy: float
+    mean: float
+    dev: float
     xy: float
     v: float
     c: float
@@ -96,11 +99,24 @@ class Around(NamedTuple):
     rho: float
 
 
+def metric(ax, ay, bx, by, least):
+    """`Metric` of the mean edges a along the first logical direction and b along the second."""
+    axx, ayy, axy, bxx, byy, bxy = ax * ax, ay * ay, LESS * ax * ay, bx * bx, by * by, LESS * bx * by
+    half = 0.5 * LESS
+    return Metric(0.5 * (bxx + byy), half * (bxx - byy), bxy, 0.5 * (axx + ayy), half * (axx - ayy), axy, least)
+
+
 def metric_of(q):
     """`Metric` of a quadrilateral."""
     ax, ay = 0.5 * (q.x1 - q.x0 + q.x2 - q.x3), 0.5 * (q.y1 - q.y0 + q.y2 - q.y3)
     bx, by = 0.5 * (q.x3 - q.x0 + q.x2 - q.x1), 0.5 * (q.y3 - q.y0 + q.y2 - q.y1)
-    return Metric(bx * bx, by * by, bx * by, ax * ax, ay * ay, ax * ay, FLAT * q.area)
+    return metric(ax, ay, bx, by, FLAT * q.area)
+
+
+def around(z, j):
+    """`Around` of zone j."""
+    s, xx, yy = z.smooth, z.smooth.xx[j], z.smooth.yy[j]
+    return Around(s.xi[j], s.eta[j], s.share[j], 0.5 * (xx + yy), 0.5 * (xx - yy), s.xy[j], z.v[j], z.c[j], z.p[j], z.rho[j])
 
 
 def kept(psi, before, now):
@@ -113,106 +129,178 @@ def counted(w, du, other, c):
     return w * fmin(1.0, -du / (SLIGHT * other + FAINT * c + SMALL))
 
 
-def along_edges(m, d, a, area, viscosity):
-    """(viscous stress along the mean edges (xx, yy, xy), largest speed, part of the corners' own stress, 1 in zones that are not slender).
+def both_kept(part1, whole1, before1, now1, part2, whole2, before2, now2):
+    """`kept` of two directions whose psi are part / whole. One division does for both: no factor is below SMALL, nor their product 0."""
+    least1, least2 = SMALL - STEADY * now1, SMALL - STEADY * now2
+    over1, over2 = fmax(whole1, SMALL) * least1, fmax(whole2, SMALL) * least2
+    inverse = 1.0 / (over1 * over2)
+    part1, part2 = part1 * fmax(0.0, fmin(-before1, least1)), part2 * fmax(0.0, fmin(-before2, least2))
+    return part1 * (over2 * inverse), part2 * (over1 * inverse)
 
-    d: strain rates (xx, yy, xy).
-    """
-    xx, yy, xy = d
-    xi, eta = m.xixx + m.xiyy, m.etaxx + m.etayy
-    rate1 = (xx * m.xixx + yy * m.xiyy + 2.0 * xy * m.xixy) / xi
-    rate2 = (xx * m.etaxx + yy * m.etayy + 2.0 * xy * m.etaxy) / eta
-    before1 = a.xx * m.xixx + a.yy * m.xiyy + 2.0 * a.xy * m.xixy
-    before2 = a.xx * m.etaxx + a.yy * m.etayy + 2.0 * a.xy * m.etaxy
-    before1, before2 = before1 / xi, before2 / eta
-    du1, du2 = rate1 * vsqrt(xi), rate2 * vsqrt(eta)
+
+def both_counted(w1, du1, other1, w2, du2, other2, c):
+    """The larger of what `counted` finds for two directions."""
+    over1, over2 = SLIGHT * other1 + FAINT * c + SMALL, SLIGHT * other2 + FAINT * c + SMALL
+    return fmax(w1 * fmin(over1, -du1) * over2, w2 * fmin(over2, -du2) * over1) / (over1 * over2)
+
+
+def along_edges(m, d, a, viscosity):
+    """(viscous stress along the mean edges (xx, yy, xy), largest speed); d: strain rates (xx, yy, xy)."""
+    mean, dev, xy = 0.5 * (d[0] + d[1]), 0.5 * (d[0] - d[1]), d[2]
+    over1, over2 = 1.0 / m.xi, 1.0 / m.eta
+    rate1, rate2 = mean + (dev * m.xidev + xy * m.xixy) * over1, mean + (dev * m.etadev + xy * m.etaxy) * over2
+    before1, before2 = a.mean + (a.dev * m.xidev + a.xy * m.xixy) * over1, a.mean + (a.dev * m.etadev + a.xy * m.etaxy) * over2
+    du1, du2 = rate1 * vsqrt(2.0 * m.xi), rate2 * vsqrt(2.0 * m.eta)
     size1, size2 = fmax(du1, -du1), fmax(du2, -du2)
     du1, du2 = fmin(du1, 0.0), fmin(du2, 0.0)
-    w1 = viscous_speed(a.v, a.c, a.p, du1, kept(a.xi / fmax(a.share, SMALL), before1, fmin(rate1, 0.0)), viscosity)
-    w2 = viscous_speed(a.v, a.c, a.p, du2, kept(a.eta / fmax(1.0 - a.share, SMALL), before2, fmin(rate2, 0.0)), viscosity)
-    q1, q2 = -a.rho * du1 * w1 / xi, -a.rho * du2 * w2 / eta
-    fast = fmax(counted(w1, du1, size2, a.c), counted(w2, du2, size1, a.c))
-    part = fmax(0.0, fmin(1.0, (NEEDLE - fmax(xi, eta) / area) * (1.0 / (NEEDLE - SLENDER))))
-    return q1 * m.xixx + q2 * m.etaxx, q1 * m.xiyy + q2 * m.etayy, q1 * m.xixy + q2 * m.etaxy, fast, part
+    psi1, psi2 = both_kept(a.xi, a.share, before1, fmin(rate1, 0.0), a.eta, 1.0 - a.share, before2, fmin(rate2, 0.0))
+    w1, w2 = viscous_speed(a.v, a.c, a.p, du1, psi1, viscosity), viscous_speed(a.v, a.c, a.p, du2, psi2, viscosity)
+    q1, q2 = -0.5 * a.rho * du1 * w1 * over1, -0.5 * a.rho * du2 * w2 * over2
+    half, dev = q1 * m.xi + q2 * m.eta, q1 * m.xidev + q2 * m.etadev
+    return half + dev, half - dev, q1 * m.xixy + q2 * m.etaxy, both_counted(w1, du1, size2, w2, du2, size1, a.c)
 
 
 def in_corner(e1x, e1y, e2x, e2y, u1, v1, u2, v2, m, a, viscosity):
-    """(viscous stress (xx, yy, xy), largest speed, heat per volume and time) of the corner with the edges e1 to the next corner
+    """(viscous stress over density (xx, yy, xy), largest speed, heat per mass and time) of the corner with the edges e1 to the next corner
     and e2 to the one before, along which the velocities differ by (u1, v1) and (u2, v2)."""
-    inverse = 1.0 / fmax(e1x * e2y - e1y * e2x, m.least)
-    dxx, dyy = (u1 * e2y - u2 * e1y) * inverse, (v2 * e1x - v1 * e2x) * inverse
-    dxy = 0.5 * (u2 * e1x - u1 * e2x + v1 * e2y - v2 * e1y) * inverse
-    mean, dev = 0.5 * (dxx + dyy), 0.5 * (dxx - dyy)
-    size = vsqrt(dev * dev + dxy * dxy)
-    over = 1.0 / (size + SMALL)
-    mxx, mxy = dev * over, dxy * over
-    half = 0.5 * fmin(1.0, size / (fmax(mean, -mean) + SMALL))
+    area = fmax(e1x * e2y - e1y * e2x, m.least)
+    gxx, gyy, shear = u1 * e2y - u2 * e1y, v2 * e1x - v1 * e2x, u2 * e1x - u1 * e2x + v1 * e2y - v2 * e1y
+    # of twice the gradient times the area: its deviator and the larger of that and its trace; one division does for three
+    total, dev, area = gxx + gyy, gxx - gyy, area + area
+    size = vsqrt(dev * dev + shear * shear) + SMALL
+    larger = fmax(size, fmax(total, -total))
+    wide, both = larger * area, size * larger
+    inverse = 1.0 / (size * wide)
+    over, within, unit = wide * inverse, size * area * inverse, both * inverse
+    mxx, mxy, pxx, pxy = dev * over, shear * over, dev * within, shear * within
+    mean, size = total * unit, size * unit
     # tensors contracted with n1 (x) n1 and n2 (x) n2
-    xi, eta = 0.5 * (m.xixx + m.xiyy), 0.5 * (m.etaxx + m.etayy)
-    xim = half * ((m.xixx - m.xiyy) * mxx + 2.0 * m.xixy * mxy)
-    etam = half * ((m.etaxx - m.etayy) * mxx + 2.0 * m.etaxy * mxy)
-    square1, square2 = xi - xim + eta - etam, xi + xim + eta + etam
-    before_mean, before_dev = 0.5 * (a.xx + a.yy), 0.5 * (a.xx - a.yy) * mxx + a.xy * mxy
-    length1, length2 = vsqrt(square1), vsqrt(square2)
+    xim, etam = m.xidev * pxx + m.xixy * pxy, m.etadev * pxx + m.etaxy * pxy
+    xi1, xi2, eta1, eta2 = m.xi - xim, m.xi + xim, m.eta - etam, m.eta + etam
+    before = a.dev * mxx + a.xy * mxy
+    length1, length2 = vsqrt(xi1 + eta1), vsqrt(xi2 + eta2)
     most = fmax(mean, -mean) + size
     rate1, rate2 = fmin(mean - size, 0.0), fmin(mean + size, 0.0)
     left = 1.0 - a.share
-    psi1 = ((xi - xim) * a.xi + (eta - etam) * a.eta) / fmax((xi - xim) * a.share + (eta - etam) * left, SMALL)
-    psi2 = ((xi + xim) * a.xi + (eta + etam) * a.eta) / fmax((xi + xim) * a.share + (eta + etam) * left, SMALL)
-    psi1, psi2 = kept(psi1, before_mean - before_dev, rate1), kept(psi2, before_mean + before_dev, rate2)
+    psi1, psi2 = both_kept(xi1 * a.xi + eta1 * a.eta, xi1 * a.share + eta1 * left, a.mean - before, rate1,
+                           xi2 * a.xi + eta2 * a.eta, xi2 * a.share + eta2 * left, a.mean + before, rate2)
     du1, du2 = rate1 * length1, rate2 * length2
     w1, w2 = viscous_speed(a.v, a.c, a.p, du1, psi1, viscosity), viscous_speed(a.v, a.c, a.p, du2, psi2, viscosity)
-    q1, q2 = -a.rho * du1 * w1, -a.rho * du2 * w2
-    fast = fmax(counted(w1, du1, most * length2, a.c), counted(w2, du2, most * length1, a.c))
+    q1, q2 = -du1 * w1, -du2 * w2
+    fast = both_counted(w1, du1, most * length2, w2, du2, most * length1, a.c)
     half, dev = 0.5 * (q1 + q2), 0.5 * (q2 - q1)
     return half + dev * mxx, half - dev * mxx, dev * mxy, fast, -(q1 * rate1 + q2 * rate2)
 
 
 def corner_force(xx, yy, xy, e1x, e1y, e2x, e2y):
-    """Planar force of a corner's stress (compression positive) on the next corner (x, y) and on the one before (x, y)."""
-    xx, yy, xy = 0.25 * xx, 0.25 * yy, 0.25 * xy
+    """Planar force of a quarter of a corner's stress (compression positive) on the next corner (x, y) and on the one before (x, y)."""
     return xx * e2y - xy * e2x, xy * e2y - yy * e2x, xy * e1x - xx * e1y, yy * e1x - xy * e1y
+
+
+def in_corners(z, j, viscosity):
+    """Write what the four corners of zone j resist."""
+    low, high = z.low, z.high
+    q = quad(low, high, j)
+    m, a, rho = metric_of(q), around(z, j), z.rho[j]
+    # edges from corner to corner, and the differences of velocity along them
+    ax, ay, bx, by = q.x1 - q.x0, q.y1 - q.y0, q.x2 - q.x1, q.y2 - q.y1
+    cx, cy, dx, dy = q.x3 - q.x2, q.y3 - q.y2, q.x0 - q.x3, q.y0 - q.y3
+    au, av, bu, bv = high.u[j] - low.u[j], high.v[j] - low.v[j], high.u[j + 1] - high.u[j], high.v[j + 1] - high.v[j]
+    cu, cv, du, dv = low.u[j + 1] - high.u[j + 1], low.v[j + 1] - high.v[j + 1], low.u[j] - low.u[j + 1], low.v[j] - low.v[j + 1]
+    xx0, yy0, xy0, fast0, heat0 = in_corner(ax, ay, -dx, -dy, au, av, -du, -dv, m, a, viscosity)
+    xx1, yy1, xy1, fast1, heat1 = in_corner(bx, by, -ax, -ay, bu, bv, -au, -av, m, a, viscosity)
+    xx2, yy2, xy2, fast2, heat2 = in_corner(cx, cy, -bx, -by, cu, cv, -bu, -bv, m, a, viscosity)
+    xx3, yy3, xy3, fast3, heat3 = in_corner(dx, dy, -cx, -cy, du, dv, -cu, -cv, m, a, viscosity)
+    z.fastest[j] = fmax(fmax(fast0, fast1), fmax(fast2, fast3))
+    # the mean, each corner with the area it stands for; one that points inward stands for none
+    w0, w1, w2, w3 = fmax(q.t0, 0.0), fmax(q.t1, 0.0), fmax(q.area - q.t0, 0.0), fmax(q.area - q.t1, 0.0)
+    inverse, quarter = 1.0 / (w0 + w1 + w2 + w3), 0.25 * rho
+    xx = (w0 * xx0 + w1 * xx1 + w2 * xx2 + w3 * xx3) * inverse
+    yy = (w0 * yy0 + w1 * yy1 + w2 * yy2 + w3 * yy3) * inverse
+    xy = (w0 * xy0 + w1 * xy1 + w2 * xy2 + w3 * xy3) * inverse
+    z.mean.xx[j], z.mean.yy[j], z.mean.xy[j] = rho * xx, rho * yy, rho * xy
+    z.paid[j] = rho * (w0 * heat0 + w1 * heat1 + w2 * heat2 + w3 * heat3) * inverse
+    n0x, n0y, p0x, p0y = corner_force(quarter * (xx0 - xx), quarter * (yy0 - yy), quarter * (xy0 - xy), ax, ay, -dx, -dy)
+    n1x, n1y, p1x, p1y = corner_force(quarter * (xx1 - xx), quarter * (yy1 - yy), quarter * (xy1 - xy), bx, by, -ax, -ay)
+    n2x, n2y, p2x, p2y = corner_force(quarter * (xx2 - xx), quarter * (yy2 - yy), quarter * (xy2 - xy), cx, cy, -bx, -by)
+    n3x, n3y, p3x, p3y = corner_force(quarter * (xx3 - xx), quarter * (yy3 - yy), quarter * (xy3 - xy), dx, dy, -cx, -cy)
+    z.g.f0x[j], z.g.f0y[j] = n3x + p1x - n0x - p0x, n3y + p1y - n0y - p0y
+    z.g.f1x[j], z.g.f1y[j] = n0x + p2x - n1x - p1x, n0y + p2y - n1y - p1y
+    z.g.f2x[j], z.g.f2y[j] = n1x + p3x - n2x - p2x, n1y + p3y - n2y - p2y
+    z.g.f3x[j], z.g.f3y[j] = n2x + p0x - n3x - p3x, n2y + p0y - n3y - p3y
+
+
+def slenderness(area, m):
+    """Part of the viscous stress that is along the mean edges: 0 in zones that are not slender."""
+    return fmax(0.0, fmin(1.0, (2.0 * fmax(m.xi, m.eta) / area - SLENDER) * (1.0 / (NEEDLE - SLENDER))))
+
+
+def in_slender(z, j, viscosity):
+    """Put what is resisted along the mean edges of zone j in the place of what the corners resist, as far as it is slender."""
+    q = quad(z.low, z.high, j)
+    m, d, g = metric_of(q), (z.rates.xx[j], z.rates.yy[j], z.rates.xy[j]), z.g
+    along = slenderness(q.area, m)
+    rest = 1.0 - along
+    xx, yy, xy, fast = along_edges(m, d, around(z, j), viscosity)
+    z.fastest[j] = fmax(z.fastest[j], fast * fmin(1.0, along * (1.0 / SLIGHT)))
+    xx, yy, xy = xx * along, yy * along, xy * along
+    z.mean.xx[j], z.mean.yy[j], z.mean.xy[j] = rest * z.mean.xx[j] + xx, rest * z.mean.yy[j] + yy, rest * z.mean.xy[j] + xy
+    z.paid[j] = rest * z.paid[j] - (xx * d[0] + yy * d[1] + 2.0 * xy * d[2])
+    g.f0x[j], g.f0y[j], g.f1x[j], g.f1y[j] = rest * g.f0x[j], rest * g.f0y[j], rest * g.f1x[j], rest * g.f1y[j]
+    g.f2x[j], g.f2y[j], g.f3x[j], g.f3y[j] = rest * g.f2x[j], rest * g.f2y[j], rest * g.f3x[j], rest * g.f3y[j]
+
+
+def closes(e1x, e1y, e2x, e2y, u1, v1, u2, v2):
+    """Positive where a principal direction of a corner closes: about the square of its rate times the doubled area."""
+    gxx, gyy, gxy = u1 * e2y - u2 * e1y, v2 * e1x - v1 * e2x, u2 * e1x - u1 * e2x + v1 * e2y - v2 * e1y
+    total, difference = gxx + gyy, gxx - gyy
+    return difference * difference + gxy * gxy - total * fmax(total, -total)
+
+
+def closing(z, j):
+    """Positive where a corner of zone j closes by more, in the time sound takes across the zone, than the last digits of its position."""
+    low, high = z.low, z.high
+    x0, y0, x1, y1 = low.x[j], low.y[j], high.x[j], high.y[j]
+    x2, y2, x3, y3 = high.x[j + 1], high.y[j + 1], low.x[j + 1], low.y[j + 1]
+    au, av, bu, bv = high.u[j] - low.u[j], high.v[j] - low.v[j], high.u[j + 1] - high.u[j], high.v[j + 1] - high.v[j]
+    cu, cv, du, dv = low.u[j + 1] - high.u[j + 1], low.v[j + 1] - high.v[j + 1], low.u[j] - low.u[j + 1], low.v[j] - low.v[j + 1]
+    ax, ay, bx, by, cx, cy, dx, dy = x1 - x0, y1 - y0, x2 - x1, y2 - y1, x3 - x2, y3 - y2, x0 - x3, y0 - y3
+    most = fmax(closes(ax, ay, -dx, -dy, au, av, -du, -dv), closes(bx, by, -ax, -ay, bu, bv, -au, -av))
+    most = fmax(most, fmax(closes(cx, cy, -bx, -by, cu, cv, -bu, -bv), closes(dx, dy, -cx, -cy, du, dv, -cu, -cv)))
+    c = NOTHING * z.c[j]
+    return most - c * c * (x0 * x0 + y0 * y0 + x2 * x2 + y2 * y2)
 
 
 @zone_pass(ResistOf)
 def resist(count, z, dt, numbers, law):
-    """Viscous stress of the four corners of zones: its mean, and the planar forces of what each has beyond the mean."""
+    """Viscous stress of the four corners of zones: its mean, and the planar forces of what each has beyond the mean.
+
+    Stretches of zones in which nothing closes are passed over.
+    """
     rows_apart()
-    viscosity, low, high, smooth = law_of(law, numbers), z.low, z.high, z.smooth
-    for j in range(count):
-        q = quad(low, high, j)
-        m, d = metric_of(q), (z.rates.xx[j], z.rates.yy[j], z.rates.xy[j])
-        a = Around(smooth.xi[j], smooth.eta[j], smooth.share[j], smooth.xx[j], smooth.yy[j], smooth.xy[j], z.v[j], z.c[j], z.p[j], z.rho[j])
-        lxx, lyy, lxy, fast, part = along_edges(m, d, a, q.area, viscosity)
-        rest = 1.0 - part
-        lxx, lyy, lxy = lxx * rest, lyy * rest, lxy * rest
-        # edges from corner to corner, and the differences of velocity along them
-        ax, ay, bx, by = q.x1 - q.x0, q.y1 - q.y0, q.x2 - q.x1, q.y2 - q.y1
-        cx, cy, dx, dy = q.x3 - q.x2, q.y3 - q.y2, q.x0 - q.x3, q.y0 - q.y3
-        au, av, bu, bv = high.u[j] - low.u[j], high.v[j] - low.v[j], high.u[j + 1] - high.u[j], high.v[j + 1] - high.v[j]
-        cu, cv, du, dv = low.u[j + 1] - high.u[j + 1], low.v[j + 1] - high.v[j + 1], low.u[j] - low.u[j + 1], low.v[j] - low.v[j + 1]
-        xx0, yy0, xy0, fast0, heat0 = in_corner(ax, ay, -dx, -dy, au, av, -du, -dv, m, a, viscosity)
-        xx1, yy1, xy1, fast1, heat1 = in_corner(bx, by, -ax, -ay, bu, bv, -au, -av, m, a, viscosity)
-        xx2, yy2, xy2, fast2, heat2 = in_corner(cx, cy, -bx, -by, cu, cv, -bu, -bv, m, a, viscosity)
-        xx3, yy3, xy3, fast3, heat3 = in_corner(dx, dy, -cx, -cy, du, dv, -cu, -cv, m, a, viscosity)
-        z.fastest[j] = fmax(fast, fmax(fmax(fast0, fast1), fmax(fast2, fast3)))
-        # the mean, each corner with the area it stands for; one that points inward stands for none
-        w0, w1, w2, w3 = fmax(q.t0, 0.0), fmax(q.t1, 0.0), fmax(q.area - q.t0, 0.0), fmax(q.area - q.t1, 0.0)
-        inverse = 1.0 / (w0 + w1 + w2 + w3)
-        xx = (w0 * xx0 + w1 * xx1 + w2 * xx2 + w3 * xx3) * inverse
-        yy = (w0 * yy0 + w1 * yy1 + w2 * yy2 + w3 * yy3) * inverse
-        xy = (w0 * xy0 + w1 * xy1 + w2 * xy2 + w3 * xy3) * inverse
-        z.mean.xx[j], z.mean.yy[j], z.mean.xy[j] = part * xx + lxx, part * yy + lyy, part * xy + lxy
-        z.paid[j] = part * (w0 * heat0 + w1 * heat1 + w2 * heat2 + w3 * heat3) * inverse - (lxx * d[0] + lyy * d[1] + 2.0 * lxy * d[2])
-        n0x, n0y, p0x, p0y = corner_force(part * (xx0 - xx), part * (yy0 - yy), part * (xy0 - xy), ax, ay, -dx, -dy)
-        n1x, n1y, p1x, p1y = corner_force(part * (xx1 - xx), part * (yy1 - yy), part * (xy1 - xy), bx, by, -ax, -ay)
-        n2x, n2y, p2x, p2y = corner_force(part * (xx2 - xx), part * (yy2 - yy), part * (xy2 - xy), cx, cy, -bx, -by)
-        n3x, n3y, p3x, p3y = corner_force(part * (xx3 - xx), part * (yy3 - yy), part * (xy3 - xy), dx, dy, -cx, -cy)
-        z.g.f0x[j], z.g.f0y[j] = n3x + p1x - n0x - p0x, n3y + p1y - n0y - p0y
-        z.g.f1x[j], z.g.f1y[j] = n0x + p2x - n1x - p1x, n0y + p2y - n1y - p1y
-        z.g.f2x[j], z.g.f2y[j] = n1x + p3x - n2x - p2x, n1y + p3y - n2y - p2y
-        z.g.f3x[j], z.g.f3y[j] = n2x + p0x - n3x - p3x, n2y + p0y - n3y - p3y
+    viscosity, first = law_of(law, numbers), 0
+    while first < count:
+        end = min(first + STRETCH, count)
+        most, slender = 0.0, 0.0
+        for j in range(first, end):
+            most = fmax(most, closing(z, j))
+        if most > 0.0:
+            for j in range(first, end):
+                in_corners(z, j, viscosity)
+            for j in range(first, end):
+                q = quad(z.low, z.high, j)
+                slender = fmax(slender, slenderness(q.area, metric_of(q)))
+            if slender > 0.0:
+                for j in range(first, end):
+                    in_slender(z, j, viscosity)
+        else:
+            for j in range(first, end):
+                z.mean.xx[j], z.mean.yy[j], z.mean.xy[j], z.fastest[j], z.paid[j] = 0.0, 0.0, 0.0, 0.0, 0.0
+                z.g.f0x[j], z.g.f0y[j], z.g.f1x[j], z.g.f1y[j], z.g.f2x[j], z.g.f2y[j] = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+                z.g.f3x[j], z.g.f3y[j] = 0.0, 0.0
+        first = end
 
 
-for _function in (metric_of, kept, counted, along_edges, in_corner, corner_force):
+for _function in (metric, metric_of, around, kept, counted, both_kept, both_counted, along_edges, in_corner, corner_force, in_corners,
+                  slenderness, in_slender, closes, closing):
     bind(_function)
