@@ -155,6 +155,21 @@ class Viscosity2D:
 
 
 @dataclass(frozen=True)
+class Erosion2D:
+    """When zones leave the mesh; a zone that the mesh would tangle in leaves it too.
+
+    plastic_strain  equivalent plastic strain at which they do; None: whatever it is
+    smallest_step   Courant step of a zone at which it does, s; None: whatever it is
+    mass            "kept": its nodes keep the mass of the zone, and fly on by themselves where no zone is left around them;
+                    "dropped": it leaves with its momentum and energy, which are booked
+    """
+
+    plastic_strain: float | None = None
+    smallest_step: float | None = None
+    mass: str = "kept"
+
+
+@dataclass(frozen=True)
 class Solver2D:
     """How it is solved; every default is written out in the resolved deck.
 
@@ -164,6 +179,7 @@ class Solver2D:
     scheme       axisymmetric: "true_volume" (virtual work) or "area_weighted" (keeps spherical symmetry on polar meshes)
     subzonal_pressure    of quads: merit factor against hourglass modes of materials without strength; 0 is off
     flanagan_belytschko  of quads: viscous coefficient against hourglass modes of materials with strength; 0 is off
+    erosion      when zones leave the mesh, of quads; None: never
     courant, growth, initial_step, largest_step, threads, max_cycles   as in one dimension
     """
 
@@ -182,6 +198,7 @@ class Solver2D:
     largest_step: float | None = None
     threads: int = 1
     max_cycles: int | None = None
+    erosion: Erosion2D | None = None
 
 
 @dataclass(frozen=True)

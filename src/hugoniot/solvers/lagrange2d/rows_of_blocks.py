@@ -15,15 +15,16 @@ def cells(mesh):
     return np.concatenate(([0], np.cumsum([(block.ni + 2) * (block.nj + 2) for block in mesh.blocks])))
 
 
-def zone_rows(mesh, numbering: Numbering, material_of):
-    """(count, material, origins in the order of `plane_rows`) of every row of cells."""
+def zone_rows(mesh, numbering: Numbering, material_of, live=None):
+    """(count, material, origins in the order of `plane_rows`) of every row of cells, or of every stretch of it that is live."""
     found, start = [], cells(mesh)
     for k, block in enumerate(mesh.blocks):
         for i in range(block.ni):
             zone, node = _row_of_zones(block, i), int(numbering.local(k, i, 0))
             cell, upper = int(start[k]) + (i + 1) * (block.nj + 2) + 1, _upper(block, zone)
             places = zone, zone, node, node + block.nj + 1, cell, cell - block.nj - 2, cell + block.nj + 2, upper, upper
-            found.append((block.nj, material_of[k], *(WORD * place for place in places)))
+            for first, last in [(0, block.nj)] if live is None else stretches(live[zone:zone + block.nj]):
+                found.append((last - first, material_of[k], *(WORD * (place + first) for place in places)))
     return found
 
 
@@ -35,6 +36,12 @@ def _row_of_zones(block, i: int) -> int:
 def _upper(block, zone: int) -> int:
     """First upper triangle of the row of cells whose first zone is `zone`."""
     return zone + (block.per_cell - 1) * block.nj
+
+
+def stretches(live) -> list[tuple[int, int]]:
+    """(first, one after the last) of every run of true values."""
+    turns = np.flatnonzero(np.diff(np.concatenate(([False], live, [False])).astype(np.int8)))
+    return list(zip(turns[::2].tolist(), turns[1::2].tolist()))
 
 
 def node_rows(mesh, numbering: Numbering):
