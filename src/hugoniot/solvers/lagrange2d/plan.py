@@ -17,8 +17,8 @@ from hugoniot.core.passes import Entry, call_entry
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.core.team import DISMISSED, Alone, await_call, begin, gather_team, sign
 from hugoniot.solvers.lagrange1d.tables import zone_table
+from hugoniot.solvers.lagrange2d import heat_flux, node_step, smoothness, zone_passes, zone_step
 from hugoniot.solvers.lagrange2d import layout as L
-from hugoniot.solvers.lagrange2d import node_step, smoothness, zone_passes, zone_step
 from hugoniot.zones.soundness import FOUND_FAILURE, FOUND_RATE
 from hugoniot.zones.steps import MaterialSteps
 
@@ -115,6 +115,8 @@ class Planner:
         self._scratch = zone_table(L.SCRATCH_ROWS, threads * L.PIECE)
         self._body_force, self._nothing = np.array(body_force, dtype=float), np.zeros(longest + 2)
         self._at = [self._rows(member) for member in range(threads)]
+        self._some_conduct = any(self.conducts(laws, fluid) for laws, _, fluid in materials)
+        self._coefficient = np.array([viscosity.heat_flux])
         self._lists = dict(self._of_materials(materials)) | dict(self._of_zones()) | dict(self._of_nodes())
         self.written, self._ends = EMPTY.written, {}
 
@@ -147,7 +149,7 @@ class Planner:
                 if self.viscosity.limited:
                     self._compare(predict)
                 zone_step.predict(predict, self.geometry, numbers, fluid, self.viscosity.kind)
-                zone_step.correct(correct, self.geometry, numbers)
+                zone_step.correct(correct, self.geometry, numbers, self._conduction(at) if self.conducts(laws, fluid) else None)
                 yield (PREDICT, k, member), predict.operations
                 yield (CORRECT, k, member), correct.operations
                 rows = zone_passes.StartOf(at.low, at.high, at.z.p, at.q, at.s, at.f)
@@ -167,12 +169,32 @@ class Planner:
             L.Vector(beside(here.xix, 1), beside(here.xiy, 1)), L.Vector(before.etax, before.etay), L.Vector(behind.etax, behind.etay),
             at.smooth))
 
+    def conducts(self, laws, fluid) -> bool:
+        """Whether artificial heat flows between the zones of a material: a gas or liquid that does not burn."""
+        return fluid and not laws.burns and self.viscosity.heat_flux > 0.0
+
+    def _conduction(self, at):
+        """(rows, coefficient) of the artificial heat flux."""
+        table, first = self.tables[3], len(smoothness.Gradients._fields)
+        here, before, behind = (places(heat_flux.Carried, table[first:], origin)
+                                for origin in (AT_GRADIENTS, AT_GRADIENTS_BEFORE, AT_GRADIENTS_BEHIND))
+        left, right = (heat_flux.Carried(*(Place(row.address + way, row.origin) for row in here)) for way in (-8, 8))
+        low, high = (L.Positions(line.x, line.y) for line in (at.mid_low, at.mid_high))
+        return heat_flux.ConductOf(low, high, here, left, right, before, behind, at.z.inverse_mass, at.z.e), self._coefficient
+
     def _of_zones(self):
         """((command, 0, member), list) of what zones do whatever their material."""
         for member, at in enumerate(self._at):
+            table, seen = self.tables[3], []
             if self.viscosity.limited:
-                rows = smoothness.GradientsOf(at.now_low, at.now_high, places(smoothness.Gradients, self.tables[3], AT_GRADIENTS))
-                yield (GRADIENTS, 0, member), [Operation(smoothness.gradients, None, rows, self.dts, at.whole)]
+                rows = smoothness.GradientsOf(at.now_low, at.now_high, places(smoothness.Gradients, table, AT_GRADIENTS))
+                seen.append(Operation(smoothness.gradients, None, rows, self.dts, at.whole))
+            if self._some_conduct:
+                cells = places(heat_flux.Carried, table[len(smoothness.Gradients._fields):], AT_GRADIENTS)
+                rows = heat_flux.CarryOf(at.z.e, at.z.rho, at.z.q, at.z.viscous_speed, cells)
+                seen.append(Operation(heat_flux.carry, None, rows, self.dts, at.whole))
+            if seen:
+                yield (GRADIENTS, 0, member), seen
             rows = node_step.LookOf(at.low, at.high, *(L.Positions(line.x, line.y) for line in (at.mid_low, at.mid_high)), at.tangled)
             yield (LOOK, 0, member), [Operation(node_step.look, None, rows, self.dts, at.whole)]
 

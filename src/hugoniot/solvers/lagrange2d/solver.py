@@ -25,6 +25,7 @@ from hugoniot.solvers.lagrange2d.contact import results
 from hugoniot.solvers.lagrange2d.contact.layout import Nowhere
 from hugoniot.solvers.lagrange2d.contact.results import ContactResults, NothingMeets
 from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, contact_tables, with_rigid
+from hugoniot.solvers.lagrange2d.heat_flux import Carried
 from hugoniot.solvers.lagrange2d.march import Options, Run, hold_at_start, march
 from hugoniot.solvers.lagrange2d.plan import EMPTY, START, Planner, carry_out_alone, serve
 from hugoniot.solvers.lagrange2d.rows_of_blocks import cells, ghost_tables, node_rows, zone_rows
@@ -88,14 +89,19 @@ class Lagrange2D(NothingToAdd):
 
     def _run(self, mesh, contact) -> Run:
         edges = self.boundaries
-        ghosts = ghost_tables(mesh, self.numbering, edges.mirrors) if self.problem.solver.viscosity.limited else (
-            np.zeros((0, 7), dtype=np.int64), np.zeros((0, 3)))
+        ghosts = ghost_tables(mesh, self.numbering, edges.mirrors, self._alike)
         axis, ratio = axis_tables(self.numbering, self.nodes[:, :self.numbering.total], self.kind)
         starts, members = self.numbering.shared()
-        gradients = zone_table(len(Gradients._fields), int(cells(mesh)[-1]))
+        gradients = zone_table(len(Gradients._fields) + len(Carried._fields), int(cells(mesh)[-1]))
         return Run(self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates, edges.gate_normals,
                    edges.held, edges.held_normals, edges.pulses, edges.tables, starts, members, edges.special, axis, ratio, self.chains,
                    np.zeros_like(self.chains), contact)
+
+    def _alike(self, zone, other) -> bool:
+        """Whether two zones are of one material and start alike."""
+        blocks, rows = self.problem.blocks, self.zones[[Z.rho, Z.e]]
+        same = blocks[self.region_of[zone]].material == blocks[self.region_of[other]].material
+        return same and np.allclose(rows[:, zone], rows[:, other], rtol=1e-9, atol=0.0)
 
     def _plan(self, mesh, speed):
         """(plan of the march, largest speed of a programmed front)."""
