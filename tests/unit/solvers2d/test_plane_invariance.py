@@ -87,7 +87,7 @@ def test_a_strip_is_the_one_dimensional_solver(geometry, solid):
     one = strip_1d(n, material, stop, Boundary("velocity", Pulse("constant", speed)), Boundary("fixed"), steps, **state)
     shape = dict(width=0.3, height=1.0, material=material.name, **state)
     driven = Boundary2D(("b.bottom",), "velocity", Pulse("constant", speed), direction=(0.0, 1.0))
-    coefficients = Viscosity2D("tensor", True, 0.3, 2.0 / 3.0, 0.3, 2.0 / 3.0)
+    coefficients = Viscosity2D("tensor", True, 0.3, 2.0 / 3.0, 0.3, 2.0 / 3.0, heat_flux=0.0)
     given = problem(box(3, n, **shape), material, stop, (driven, *walls("b.top", "b.right"), *(walls("b.left") if geometry == "plane" else ())),
                     geometry, viscosity=coefficients, **steps)
     solver = ran(given)

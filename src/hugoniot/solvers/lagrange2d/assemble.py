@@ -236,3 +236,14 @@ def materials_of(problem: Problem2D, speed: float, near: float):
         coefficient = problem.solver.subzonal_pressure if fluid else problem.solver.flanagan_belytschko
         found[block.material] = laws, np.array([*laws.constants, near, coefficient]), fluid
     return list(found.values()), [list(found).index(block.material) for block in problem.blocks]
+
+
+def alike(problem: Problem2D, zones):
+    """What says whether two zones are of one material and start alike."""
+    blocks, number, start = problem.blocks, problem.mesh.block_of, zones[[Z.rho, Z.e]].copy()
+
+    def answer(zone, other) -> bool:
+        same = blocks[number[zone]].material == blocks[number[other]].material
+        return same and np.allclose(start[:, zone], start[:, other], rtol=1e-9, atol=0.0)
+
+    return answer

@@ -2,11 +2,12 @@ r"""Artificial heat flux: spreads the excess heat that a shock leaves where it s
 
 Through the face A between two zones of a gas flows
 
-$$\Phi = h\,A\,\min(\rho_L,\rho_R)\,\max(\dot\ell_L,\dot\ell_R)\,(e_L - e_R),\qquad
+$$\Phi = h\,A\,\min(\rho_L,\rho_R)\,\min(\dot\ell_L,\dot\ell_R)\,(e_L - e_R),\qquad
   \dot\ell = \min\left(\frac{q}{\rho w}, \sqrt{q/\rho}\right),$$
 
 q the trace of the viscous stress and w the viscous speed of the step before: q/(rho w) is the jump with which the zone closes, the root
-its part where the limiter spares it. What leaves one zone enters the next. Faces at the edge of a block have a cell without density beyond
+its part where the limiter spares it. The lesser of both sides counts: nothing flows out of hot gas behind a shock into the shock, which
+would thin the peak of a blast wave. What leaves one zone enters the next. Faces at the edge of a block have a cell without density beyond
 them and let nothing through, but for joints of one material that starts alike on both sides (`smoothness.fill_ghosts`).
 
 Noh, J. Comput. Phys. 72 (1987) 78, section on artificial heat conduction.
@@ -84,7 +85,7 @@ def width(x1, x2, geometry):
 def through(x1, y1, x2, y2, own, other, j, geometry):
     """Heat per time and unit of the coefficient that enters zone j of `own` through the face between two nodes from that of `other`."""
     x, y = x2 - x1, y2 - y1
-    carried = fmin(own.rho[j], other.rho[j]) * fmax(own.speed[j], other.speed[j])
+    carried = fmin(own.rho[j], other.rho[j]) * fmin(own.speed[j], other.speed[j])
     return vsqrt(x * x + y * y) * width(x1, x2, geometry) * carried * (other.e[j] - own.e[j])
 
 

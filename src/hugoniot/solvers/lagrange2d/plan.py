@@ -157,17 +157,16 @@ class Planner:
 
     def _compare(self, s):
         """Write how smooth the velocity field is."""
-        at, table = s.at, self.tables[3]
-        here, before, behind = (places(smoothness.Gradients, table, origin)
-                                for origin in (AT_GRADIENTS, AT_GRADIENTS_BEFORE, AT_GRADIENTS_BEHIND))
-
-        def beside(row, cells):
-            return Place(row.address + 8 * cells, row.origin)
-
+        here, left, right, before, behind = self._cells(smoothness.Gradients, 0)
         s.do(smoothness.compare, smoothness.ComparedOf(
-            at.now_low, at.now_high, here, L.Vector(beside(here.xix, -1), beside(here.xiy, -1)),
-            L.Vector(beside(here.xix, 1), beside(here.xiy, 1)), L.Vector(before.etax, before.etay), L.Vector(behind.etax, behind.etay),
-            at.smooth))
+            s.at.now_low, s.at.now_high, here, L.Vector(left.xix, left.xiy), L.Vector(right.xix, right.xiy),
+            L.Vector(before.etax, before.etay), L.Vector(behind.etax, behind.etay), s.at.smooth))
+
+    def _cells(self, cls, first):
+        """Rows of the table with cells around the blocks, from row `first` on: of a row of zones and of its four neighbours."""
+        here, before, behind = (places(cls, self.tables[3][first:], at) for at in (AT_GRADIENTS, AT_GRADIENTS_BEFORE, AT_GRADIENTS_BEHIND))
+        left, right = (cls(*(Place(row.address + way, row.origin) for row in here)) for way in (-8, 8))
+        return here, left, right, before, behind
 
     def conducts(self, laws, fluid) -> bool:
         """Whether artificial heat flows between the zones of a material: a gas or liquid that does not burn."""
@@ -175,22 +174,18 @@ class Planner:
 
     def _conduction(self, at):
         """(rows, coefficient) of the artificial heat flux."""
-        table, first = self.tables[3], len(smoothness.Gradients._fields)
-        here, before, behind = (places(heat_flux.Carried, table[first:], origin)
-                                for origin in (AT_GRADIENTS, AT_GRADIENTS_BEFORE, AT_GRADIENTS_BEHIND))
-        left, right = (heat_flux.Carried(*(Place(row.address + way, row.origin) for row in here)) for way in (-8, 8))
-        low, high = (L.Positions(line.x, line.y) for line in (at.mid_low, at.mid_high))
-        return heat_flux.ConductOf(low, high, here, left, right, before, behind, at.z.inverse_mass, at.z.e), self._coefficient
+        nodes, cells = (L.Positions(line.x, line.y) for line in (at.mid_low, at.mid_high)), self._cells(heat_flux.Carried, smoothness.CARRIED)
+        return heat_flux.ConductOf(*nodes, *cells, at.z.inverse_mass, at.z.e), self._coefficient
 
     def _of_zones(self):
         """((command, 0, member), list) of what zones do whatever their material."""
         for member, at in enumerate(self._at):
-            table, seen = self.tables[3], []
+            seen = []
             if self.viscosity.limited:
-                rows = smoothness.GradientsOf(at.now_low, at.now_high, places(smoothness.Gradients, table, AT_GRADIENTS))
+                rows = smoothness.GradientsOf(at.now_low, at.now_high, self._cells(smoothness.Gradients, 0)[0])
                 seen.append(Operation(smoothness.gradients, None, rows, self.dts, at.whole))
             if self._some_conduct:
-                cells = places(heat_flux.Carried, table[len(smoothness.Gradients._fields):], AT_GRADIENTS)
+                cells = self._cells(heat_flux.Carried, smoothness.CARRIED)[0]
                 rows = heat_flux.CarryOf(at.z.e, at.z.rho, at.z.q, at.z.viscous_speed, cells)
                 seen.append(Operation(heat_flux.carry, None, rows, self.dts, at.whole))
             if seen:

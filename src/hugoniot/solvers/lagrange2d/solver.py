@@ -19,7 +19,7 @@ from hugoniot.solvers.lagrange2d import accounts, post_mortem
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import quads as G
 from hugoniot.solvers.lagrange2d.accounts import B
-from hugoniot.solvers.lagrange2d.assemble import N, Numbering, Z, axis_tables, kind_of, materials_of, node_tables, zone_tables
+from hugoniot.solvers.lagrange2d.assemble import N, Numbering, Z, alike, axis_tables, kind_of, materials_of, node_tables, zone_tables
 from hugoniot.solvers.lagrange2d.boundaries import boundary_tables
 from hugoniot.solvers.lagrange2d.contact import results
 from hugoniot.solvers.lagrange2d.contact.layout import Nowhere
@@ -89,19 +89,13 @@ class Lagrange2D(NothingToAdd):
 
     def _run(self, mesh, contact) -> Run:
         edges = self.boundaries
-        ghosts = ghost_tables(mesh, self.numbering, edges.mirrors, self._alike)
+        ghosts = ghost_tables(mesh, self.numbering, edges.mirrors, alike(self.problem, self.zones))
         axis, ratio = axis_tables(self.numbering, self.nodes[:, :self.numbering.total], self.kind)
         starts, members = self.numbering.shared()
         gradients = zone_table(len(Gradients._fields) + len(Carried._fields), int(cells(mesh)[-1]))
         return Run(self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates, edges.gate_normals,
                    edges.held, edges.held_normals, edges.pulses, edges.tables, starts, members, edges.special, axis, ratio, self.chains,
                    np.zeros_like(self.chains), contact)
-
-    def _alike(self, zone, other) -> bool:
-        """Whether two zones are of one material and start alike."""
-        blocks, rows = self.problem.blocks, self.zones[[Z.rho, Z.e]]
-        same = blocks[self.region_of[zone]].material == blocks[self.region_of[other]].material
-        return same and np.allclose(rows[:, zone], rows[:, other], rtol=1e-9, atol=0.0)
 
     def _plan(self, mesh, speed):
         """(plan of the march, largest speed of a programmed front)."""

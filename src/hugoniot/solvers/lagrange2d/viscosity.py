@@ -103,8 +103,7 @@ def metric_of(q):
     """`Metric` of a quadrilateral."""
     ax, ay = 0.5 * (q.x1 - q.x0 + q.x2 - q.x3), 0.5 * (q.y1 - q.y0 + q.y2 - q.y3)
     bx, by = 0.5 * (q.x3 - q.x0 + q.x2 - q.x1), 0.5 * (q.y3 - q.y0 + q.y2 - q.y1)
-    axx, ayy, axy, bxx, byy, bxy = ax * ax, ay * ay, LESS * ax * ay, bx * bx, by * by, LESS * bx * by
-    half = 0.5 * LESS
+    axx, ayy, axy, bxx, byy, bxy, half = ax * ax, ay * ay, LESS * ax * ay, bx * bx, by * by, LESS * bx * by, 0.5 * LESS
     return Metric(0.5 * (bxx + byy), half * (bxx - byy), bxy, 0.5 * (axx + ayy), half * (axx - ayy), axy, FLAT * q.area)
 
 
