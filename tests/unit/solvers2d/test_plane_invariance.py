@@ -190,6 +190,19 @@ def test_blocks_that_share_nodes_are_one_block(cut, limited):
     assert parts.errors()["energy_error"] < 1e-13
 
 
+@pytest.mark.parametrize("geometry", ["plane", "axisymmetric"])
+def test_the_heat_flux_cools_the_wall_and_keeps_the_energy(geometry):
+    """A gas against a wall: the first zone comes nearer to the density behind the shock, 4, and nothing of the energy is lost."""
+    first = []
+    for coefficient in (0.0, 0.75):
+        block = box(3, 40, 0.1, 1.0, density=1.0, energy=1e-6, velocity=VelocityField(base=(0.0, -1.0)))
+        sides = walls("b.bottom", "b.right", *(("b.left",) if geometry == "plane" else ()))
+        solver = ran(problem(block, gas(), 1.0, sides, geometry, viscosity=Viscosity2D(heat_flux=coefficient)))
+        assert solver.errors()["energy_error"] < 1e-13
+        first.append(solver.zones[Z.rho].reshape(3, 40)[:, 0].mean())
+    assert first[0] < 3.4 and first[1] > first[0] + 0.15
+
+
 def test_herrmanns_viscosity_knows_the_axes_of_the_frame():
     """A pure shear rate at 45 degrees is resisted twice as much as along the axes: the quadratic terms of B.20; it has no limiter."""
     works = []

@@ -146,7 +146,7 @@ class Viscosity2D:
     solid_quadratic: float = 2.0 / 3.0
     explosive_linear: float = 0.3
     explosive_quadratic: float = 1.0
-    heat_flux: float = 1.0
+    heat_flux: float = 0.75
 
 
 @dataclass(frozen=True)

@@ -2,13 +2,13 @@ r"""Artificial heat flux: spreads the excess heat that a shock leaves where it s
 
 Through the face A between two zones of a gas flows
 
-$$\Phi = h\,A\,\min(\rho_L,\rho_R)\,\min(\dot\ell_L,\dot\ell_R)\,(e_L - e_R),\qquad
-  \dot\ell = \min\left(\frac{q}{\rho w}, \sqrt{q/\rho}\right),$$
+$$\Phi = h\,A\,\frac{\min(q_L,q_R)}{\max(w_L + c_L/3,\; w_R + c_R/3)}\,(e_L - e_R),$$
 
-q the trace of the viscous stress and w the viscous speed of the step before: q/(rho w) is the jump with which the zone closes, the root
-its part where the limiter spares it. The lesser of both sides counts: nothing flows out of hot gas behind a shock into the shock, which
-would thin the peak of a blast wave. What leaves one zone enters the next. Faces at the edge of a block have a cell without density beyond
-them and let nothing through, but for joints of one material that starts alike on both sides (`smoothness.fill_ghosts`).
+q the trace of the viscous stress and w the viscous speed of the step before: q/w is the density times the jump with which a zone closes,
+less where the limiter spares it. The sound speed c makes a faint motion carry in proportion to itself. The lesser q counts: nothing flows
+out of hot gas behind a shock into the shock, which would thin the peak of a blast wave. What leaves one zone enters the next. Faces at the
+edge of a block have a cell without q beyond them and let nothing through, but for joints of one material that starts alike on both sides
+(`smoothness.fill_ghosts`).
 
 Noh, J. Comput. Phys. 72 (1987) 78, section on artificial heat conduction.
 """
@@ -22,13 +22,14 @@ from hugoniot.solvers.lagrange2d.layout import Positions
 from hugoniot.solvers.lagrange2d.quads import Planar
 
 SMALL = 1e-60
+WARM = 1.0 / 3.0
 
 
 class Carried(NamedTuple):
-    """Energy, density, speed with which the zone closes where a shock is."""
+    """Energy, trace of the viscous stress, w + c/3."""
 
     e: Any
-    rho: Any
+    q: Any
     speed: Any
 
 
@@ -36,9 +37,9 @@ class CarryOf(NamedTuple):
     """State at the start of the step -> the table with cells around the blocks."""
 
     e: Any
-    rho: Any
     q: Any
     viscous_speed: Any
+    c: Any
     cells: Carried
 
 
@@ -61,10 +62,9 @@ def carry(count, z, dt, numbers, law):
     """What neighbours see of a zone."""
     rows_apart()
     for j in range(count):
-        q, rho = fmax(z.q[j], 0.0), z.rho[j]
         z.cells.e[j] = z.e[j]
-        z.cells.rho[j] = rho
-        z.cells.speed[j] = fmin(q / (rho * z.viscous_speed[j] + SMALL), vsqrt(q / rho))
+        z.cells.q[j] = fmax(z.q[j], 0.0)
+        z.cells.speed[j] = z.viscous_speed[j] + WARM * fmax(z.c[j], 0.0)
 
 
 def in_plane(x1, x2, geometry):
@@ -85,7 +85,7 @@ def width(x1, x2, geometry):
 def through(x1, y1, x2, y2, own, other, j, geometry):
     """Heat per time and unit of the coefficient that enters zone j of `own` through the face between two nodes from that of `other`."""
     x, y = x2 - x1, y2 - y1
-    carried = fmin(own.rho[j], other.rho[j]) * fmin(own.speed[j], other.speed[j])
+    carried = fmin(own.q[j], other.q[j]) / (fmax(own.speed[j], other.speed[j]) + SMALL)
     return vsqrt(x * x + y * y) * width(x1, x2, geometry) * carried * (other.e[j] - own.e[j])
 
 

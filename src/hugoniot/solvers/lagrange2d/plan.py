@@ -115,8 +115,7 @@ class Planner:
         self._scratch = zone_table(L.SCRATCH_ROWS, threads * L.PIECE)
         self._body_force, self._nothing = np.array(body_force, dtype=float), np.zeros(longest + 2)
         self._at = [self._rows(member) for member in range(threads)]
-        self._some_conduct = any(self.conducts(laws, fluid) for laws, _, fluid in materials)
-        self._coefficient = np.array([viscosity.heat_flux])
+        self._some_conduct, self._coefficient = any(self.conducts(m[0], m[2]) for m in materials), np.array([viscosity.heat_flux])
         self._lists = dict(self._of_materials(materials)) | dict(self._of_zones()) | dict(self._of_nodes())
         self.written, self._ends = EMPTY.written, {}
 
@@ -128,10 +127,8 @@ class Planner:
         zones, charge, nodes, _ = self.tables
         z = places(L.Zones, zones, AT_ZONES)
         low, high = places(L.Nodes, nodes, AT_LOW), places(L.Nodes, nodes, AT_HIGH)
-
         def scratch(cls, first):
             return places(cls, self._scratch[first:], FIXED, member * L.PIECE)
-
         return PlaneRows(
             z, places(L.Charge, charge, AT_ZONES), scratch(L.Work, 0),
             L.Points(low.x, low.y, low.u, low.v), L.Points(high.x, high.y, high.u, high.v),
@@ -174,8 +171,9 @@ class Planner:
 
     def _conduction(self, at):
         """(rows, coefficient) of the artificial heat flux."""
-        nodes, cells = (L.Positions(line.x, line.y) for line in (at.mid_low, at.mid_high)), self._cells(heat_flux.Carried, smoothness.CARRIED)
-        return heat_flux.ConductOf(*nodes, *cells, at.z.inverse_mass, at.z.e), self._coefficient
+        nodes = (L.Positions(line.x, line.y) for line in (at.mid_low, at.mid_high))
+        rows = heat_flux.ConductOf(*nodes, *self._cells(heat_flux.Carried, smoothness.CARRIED), at.z.inverse_mass, at.z.e)
+        return rows, self._coefficient
 
     def _of_zones(self):
         """((command, 0, member), list) of what zones do whatever their material."""
@@ -186,7 +184,7 @@ class Planner:
                 seen.append(Operation(smoothness.gradients, None, rows, self.dts, at.whole))
             if self._some_conduct:
                 cells = self._cells(heat_flux.Carried, smoothness.CARRIED)[0]
-                rows = heat_flux.CarryOf(at.z.e, at.z.rho, at.z.q, at.z.viscous_speed, cells)
+                rows = heat_flux.CarryOf(at.z.e, at.z.q, at.z.viscous_speed, at.z.c, cells)
                 seen.append(Operation(heat_flux.carry, None, rows, self.dts, at.whole))
             if seen:
                 yield (GRADIENTS, 0, member), seen
