@@ -17,8 +17,9 @@ from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
 from hugoniot.laws.viscosity.limited import Limited
 from hugoniot.laws.viscosity.wilkins import Wilkins
 from hugoniot.materials import burning, library
-from hugoniot.mesh.line import Planar, Spherical
+from hugoniot.mesh.line import Cylindrical, Planar, Spherical
 from hugoniot.solvers.lagrange1d import compatible, leapfrog_passes, nodes, stress
+from hugoniot.solvers.lagrange2d import tensor
 from hugoniot.zones import burn, closure, fracture, laws, mixture, soundness, strength, viscosity
 
 pytestmark = pytest.mark.skipif(platform.machine() not in ("x86_64", "AMD64"), reason="counts x86 instructions")
@@ -31,15 +32,18 @@ def compiled(each: Pass, law=None):
     return kernel
 
 
+HARDENING = library.find("iron").strength
 METAL, SOLID, SPALL = library.find("copper").eos, PerfectlyPlastic(27.6e9, 0.3e9), SpallStress(1e9)
 CASES = [(closure.pressure_pass, METAL, 1, 3), (closure.state_pass, METAL, 1, 5), (closure.settle_pass, METAL, 2, 6),
-         (closure.stiffness_pass, METAL, 1, 3), (strength.yield_pass, SOLID, 1, 0), (strength.harden_pass, None, 0, 1),
-         (fracture.fracture_pass, SPALL, 1, 1), (fracture.hold_pass, None, 0, 1), (viscosity.speed_pass, Limited(), 0, 1),
-         (viscosity.speeds_pass, Wilkins(), 0, 0), (stress.trial_pass, Planar(), 0, 2), (nodes.accelerate, Planar(), 0, 2),
+         (closure.stiffness_pass, METAL, 1, 3), (strength.harden_pass, None, 0, 1),
+         (fracture.fracture_pass, SPALL, 1, 1), (fracture.hold_pass, None, 0, 1),
+         (compatible.half_stress, viscosity.Resisting(Limited(), Planar()), 0, 2), (stress.strain_solid, strength.Strong(SOLID, strength.Inert(), Planar()), 0, 2),
+         (stress.strain_solid, strength.Strong(HARDENING, strength.Burning(), Cylindrical()), 4, 20),
+         (tensor.strain_solid, strength.Strong(HARDENING, strength.Inert(), ()), 4, 20), (nodes.accelerate, Planar(), 0, 2),
          (nodes.move, Planar(), 0, 2), (nodes.leap, Planar(), 0, 2), (compatible.half_motion, Planar(), 2, 2),
          (compatible.end_motion, Planar(), 2, 1), (compatible.end_stress, Planar(), 0, 2), (compatible.heat_flux, Planar(), 0, 1),
          (compatible.half_motion, Spherical(), 3, 4), (compatible.end_motion, Spherical(), 3, 8), (leapfrog_passes.whole_motion, Planar(), 2, 0),
-         (leapfrog_passes.whole_motion, Spherical(), 3, 3), (leapfrog_passes.energy_target, Planar(), 0, 1), (leapfrog_passes.end_stress, Planar(), 0, 3)]
+         (leapfrog_passes.whole_motion, Spherical(), 3, 3), (leapfrog_passes.energy_target, viscosity.Resisting(Wilkins(), Planar()), 0, 1), (leapfrog_passes.end_stress, Planar(), 0, 3)]
 
 
 @pytest.mark.parametrize("each, law, divisions, fused", CASES, ids=[f"{c[0].__name__}-{type(c[1]).__name__}" for c in CASES])

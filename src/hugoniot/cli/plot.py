@@ -10,7 +10,7 @@ from hugoniot.errors import DeckError
 from hugoniot.materials.collect import nearest, printable
 
 WITH_FIELD = ("xt", "gauge", "profile", "peaks", "map")
-WITH_X, WITH_T = ("xt", "profile", "peaks", "setup", "map"), ("xt", "gauge", "free_surface", "budget", "errors")
+WITH_X, WITH_T = ("xt", "profile", "peaks", "setup", "map"), ("xt", "gauge", "pi_plane", "free_surface", "budget", "errors")
 WITH_VALUES = ("xt", "gauge", "free_surface", "profile", "peaks", "map")
 LAYERS = {"mesh": ("mesh", True), "no mesh": ("mesh", False), "one half": ("mirror", False), "contours": ("contours", 8)}   # of a map
 SUFFIXES = (".png", ".pdf", ".svg")
@@ -18,13 +18,14 @@ SUFFIXES = (".png", ".pdf", ".svg")
 
 def command(
     folder: Annotated[Path, typer.Argument(help="The run folder.")],
-    kind: Annotated[str, typer.Argument(help="Picture: xt, map, gauge, free_surface, profile, peaks, budget, errors or setup.")] = "",
+    kind: Annotated[str, typer.Argument(
+        help="Picture: xt, map, gauge, pi_plane, free_surface, profile, peaks, budget, errors or setup.")] = "",
     field: Annotated[str, typer.Argument(help="Field of an xt, map, gauge, profile or peaks picture, such as pressure.")] = "",
-    gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge of a gauge or free_surface picture.")] = None,
+    gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge of a gauge, pi_plane or free_surface picture.")] = None,
     time: Annotated[str | None, typer.Option("--time", help="Time of a map or profile, such as \"1.2 us\" (default: the last).")] = None,
     delay: Annotated[str | None, typer.Option("--delay", help="Show the free surface as a VISAR with this delay would record it.")] = None,
     x: Annotated[str | None, typer.Option("--x", help="Positions to show in an xt, profile, peaks or setup picture: \"0..5 mm\".")] = None,
-    t: Annotated[str | None, typer.Option("--t", help="Times to show in an xt, gauge, free_surface, budget or errors picture.")] = None,
+    t: Annotated[str | None, typer.Option("--t", help="Times to show in a picture over time, or of a pi_plane picture.")] = None,
     shown: Annotated[str | None, typer.Option("--range", help="Values to show, such as \"-1..6 GPa\"; colours of an xt picture.")] = None,
     line: Annotated[str | None, typer.Option("--line", help="Line of a profile in two dimensions: \"0 mm, 0 mm .. 0 mm, 30 mm\".")] = None,
     layers: Annotated[str | None, typer.Option("--layers", help="Of a map: \"mesh\", \"no mesh\", \"contours\", \"one half\".")] = None,
@@ -53,11 +54,11 @@ def command(
     drawable(path, "plot", "--out")
     options = _options(kind, field, gauge, time, delay) | _of_the_plane(kind, plane, line, layers)
     limits = _limits(kind, field, x, t, shown)
-    if kind in ("xt", "gauge", "map"):
-        taken = {"xt": ("window", "times", "limits"), "gauge": ("", "times"), "map": ("window", "", "limits")}[kind]
+    if kind in ("xt", "gauge", "pi_plane", "map"):
+        taken = {"xt": ("window", "times", "limits"), "map": ("window", "", "limits")}.get(kind, ("", "times"))
         options |= {name: value for name, value in zip(taken, limits) if value is not None}
     axes = getattr(run.plot, kind)(**options)
-    if kind not in ("xt", "map"):
+    if kind not in ("xt", "map", "pi_plane"):
         from hugoniot.plotting.style import show_only
 
         show_only(axes, *(limits[:1] if kind in WITH_X else limits[1:2]), limits[2])
@@ -86,8 +87,9 @@ def drawable(path: Path, command: str, option: str) -> None:
 
 def _options(kind: str, field: str, gauge: str | None, time: str | None, delay: str | None) -> dict[str, Any]:
     """The options of one picture; an option that it does not have is an error."""
+    asked = "name" if kind == "free_surface" else "names"
     wanted: list[tuple[str, Any, tuple[str, ...], str]] = [
-        ("field", field, WITH_FIELD, "field"), ("--gauge", gauge, ("gauge", "free_surface"), "names" if kind == "gauge" else "name"),
+        ("field", field, WITH_FIELD, "field"), ("--gauge", gauge, ("gauge", "pi_plane", "free_surface"), asked),
         ("--time", time, ("profile", "map"), "time"), ("--delay", delay, ("free_surface",), "delay")]
     options: dict[str, Any] = {}
     for shown, value, kinds, name in wanted:

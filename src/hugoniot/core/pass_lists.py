@@ -58,15 +58,12 @@ class Operation(NamedTuple):
 class Written(NamedTuple):
     """Lists in numbers, as compiled code reads them.
 
-    operations             (n, 5): the columns ADDRESS to FIRST_ROW
-    addresses, origins     (m,) of their rows
-    moves                  (m,): -1 of rows that move with the zones, 0 of others
+    operations   (n, 5): the columns ADDRESS to FIRST_ROW
+    operands     (m, 2): the `Place` of each of their rows
     """
 
     operations: np.ndarray
-    addresses: np.ndarray
-    origins: np.ndarray
-    moves: np.ndarray
+    operands: np.ndarray
 
 
 def jobs(lists: Iterable[list[Operation]]) -> list[Job]:
@@ -87,9 +84,7 @@ def write(lists: Iterable[list[Operation]]) -> tuple[Written, list[tuple[int, in
         line[:] = operation.of.address(operation.law), operation.numbers.ctypes.data, operation.step.address, len(rows), len(operands)
         operands += rows
     ends = np.cumsum([0, *map(len, lists)]).tolist()
-    addresses, origins = np.array(operands, dtype=np.int64).T.copy()
-    written = Written(operations, addresses, origins, -(origins != FIXED).astype(np.int64))
-    return written, list(zip(ends[:-1], ends[1:]))
+    return Written(operations, np.array(operands, dtype=np.int64)), list(zip(ends[:-1], ends[1:]))
 
 
 def _flat(rows) -> Iterator[Place]:
@@ -105,62 +100,75 @@ def _flat(rows) -> Iterator[Place]:
 def call_pass(typingctx, address, count, rows, pointers, step, numbers):
     """Call a compiled pass by its address, from compiled code.
 
-    address    of the pass, as `addresses` of a written list holds it
+    address    of the pass, as `operations` of a written list holds it
     count      zones it works on
     rows       rows it takes, 1 to MOST_ROWS; nothing is called for any other number
     pointers   (rows,) or longer: address of the first zone of each row, in bytes
     step       the time step, s
     numbers    the pass's own numbers
-
-    A pass takes its rows as separate arguments, so each number of rows is a call of its own.
     """
     def codegen(context, builder, sig, args):
-        start, number = context.make_array(sig.args[3])(context, builder, args[3]).data, ir.DoubleType().as_pointer()
-        given = builder.bitcast(start, number.as_pointer())
-        nothing = cgutils.get_null_value(context.get_value_type(types.voidptr))
-        # where a compiled function puts its result and its exception: passes have neither, and one place does for the calls of all lengths
-        shape = context.call_conv.get_function_type(types.none, ())
-        unused = [cgutils.alloca_once(builder, kind.pointee) for kind in shape.args[:2]]
-        done = builder.append_basic_block("done")
-        chosen = builder.switch(args[2], done)
-        for n in range(1, MOST_ROWS + 1):
-            case = builder.append_basic_block(f"rows{n}")
-            chosen.add_case(ir.IntType(64)(n), case)
-            builder.position_at_end(case)
-            kinds = (types.int64, *[ROW] * n, types.float64, ROW, types.voidptr)
-            function = builder.inttoptr(args[0], context.call_conv.get_function_type(types.none, kinds).as_pointer())
-            found = [builder.load(builder.gep(given, [ir.IntType(64)(i)])) for i in range(n)]
-            builder.call(function, [*unused, args[1], *found, args[4], args[5], nothing])
-            builder.branch(done)
-        builder.position_at_end(done)
-        return context.get_dummy_value()
+        given = _words(context, builder, sig, args, 3)
+
+        def pointer(i):
+            return builder.load(builder.gep(given, [ir.IntType(64)(i)]))
+
+        return _call_with(context, builder, args[0], args[1], args[2], pointer, args[4], args[5])
 
     return types.void(types.int64, types.int64, types.int64, pointers, types.float64, ROW), codegen
 
 
-def most_rows(written: Written, ends: Iterable[tuple[int, int]]) -> int:
-    """Rows of the longest of some lists: the room `carry_out` needs."""
-    return max((int(written.operations[first:last, ROWS].sum()) for first, last in ends), default=1)
+@intrinsic
+def call_moved(typingctx, address, count, rows, operands, origins, step, numbers):
+    """The same with rows that stand at places: operands (rows, 2) or longer, their `Place`s; origins (n,) in bytes."""
+    def codegen(context, builder, sig, args):
+        given, moved = _words(context, builder, sig, args, 3), _words(context, builder, sig, args, 4)
+
+        def pointer(i):
+            at, origin = (builder.load(builder.gep(given, [ir.IntType(64)(2 * i + k)])) for k in range(2))
+            return builder.add(at, builder.load(builder.gep(moved, [origin])))
+
+        return _call_with(context, builder, args[0], args[1], args[2], pointer, args[5], args[6])
+
+    return types.void(types.int64, types.int64, types.int64, operands, origins, types.float64, ROW), codegen
+
+
+def _words(context, builder, sig, args, k):
+    return context.make_array(sig.args[k])(context, builder, args[k]).data
+
+
+def _call_with(context, builder, address, count, rows, pointer, step, numbers):
+    """Call the pass with `rows` pointers; it takes its rows as separate arguments, so each number of rows is a call of its own."""
+    nothing = cgutils.get_null_value(context.get_value_type(types.voidptr))
+    # where a compiled function puts its result and its exception: passes have neither, and one place does for the calls of all lengths
+    unused = [cgutils.alloca_once(builder, kind.pointee) for kind in context.call_conv.get_function_type(types.none, ()).args[:2]]
+    done = builder.append_basic_block("done")
+    chosen = builder.switch(rows, done)
+    for n in range(1, MOST_ROWS + 1):
+        case = builder.append_basic_block(f"rows{n}")
+        chosen.add_case(ir.IntType(64)(n), case)
+        builder.position_at_end(case)
+        kinds = (types.int64, *[ROW] * n, types.float64, ROW, types.voidptr)
+        function = builder.inttoptr(address, context.call_conv.get_function_type(types.none, kinds).as_pointer())
+        found = [builder.inttoptr(pointer(i), ir.DoubleType().as_pointer()) for i in range(n)]
+        builder.call(function, [*unused, count, *found, step, numbers, nothing])
+        builder.branch(done)
+    builder.position_at_end(done)
+    return context.get_dummy_value()
 
 
 @nb.njit(**GUARD)
-def carry_out(written, first, last, zones, piece, origins, pointers):
+def carry_out(written, first, last, zones, piece, origins):
     """Operations first to last - 1 of written lists over `zones` zones, `piece` of them at a time.
 
-    origins    (n,) of the first zone in bytes, with origins[FIXED] = 0
-    pointers   scratch, room for the rows of all these operations
+    origins    (n,) of the first zone in bytes, with origins[FIXED] = 0; they are moved on
     """
-    rows, begin = 0, written.operations[first, FIRST_ROW]
-    for k in range(first, last):
-        rows += written.operations[k, ROWS]
-    for i in range(rows):
-        pointers[i] = written.addresses[begin + i] + origins[written.origins[begin + i]]
     while zones > 0:
         count = min(zones, piece)
         for k in range(first, last):
             operation = written.operations[k]
-            call_pass(operation[ADDRESS], count, operation[ROWS], pointers[operation[FIRST_ROW] - begin:], row_at(operation[STEP])[0],
-                  row_at(operation[NUMBERS]))
-        for i in range(rows):
-            pointers[i] += written.moves[begin + i] & (8 * count)
+            call_moved(operation[ADDRESS], count, operation[ROWS], written.operands[operation[FIRST_ROW]:], origins,
+                       row_at(operation[STEP])[0], row_at(operation[NUMBERS]))
+        for i in range(FIXED + 1, origins.shape[0]):
+            origins[i] += 8 * count
         zones -= count

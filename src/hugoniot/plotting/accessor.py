@@ -3,6 +3,7 @@
 from hugoniot.plotting import plane, records
 from hugoniot.plotting.setup import setup
 from hugoniot.plotting.xt import xt
+from hugoniot.plotting.yield_plane import pi_plane
 
 
 class RunPlots:
@@ -18,6 +19,10 @@ class RunPlots:
     def gauge(self, field: str = "stress", names=None, **options):
         """A field at the gauges over time."""
         return records.gauge(self._run, field, names if names is None or isinstance(names, (list, tuple)) else [names], **options)
+
+    def pi_plane(self, names=None, **options):
+        """Stress deviators at the gauges in the pi-plane, where the yield surface is a circle."""
+        return pi_plane(self._run, names if names is None or isinstance(names, (list, tuple)) else [names], **options)
 
     def free_surface(self, name: str | None = None, **options):
         """Free-surface velocity with the pull-back marked; `delay` (s) shows it through a VISAR."""
@@ -52,5 +57,5 @@ class RunPlots:
         return setup(self._run, **options)
 
 
-PICTURES = ("xt", "gauge", "free_surface", "profile", "peaks", "budget", "errors", "setup")
-PLANE_PICTURES = ("map", "gauge", "profile", "budget", "errors", "setup")     # of runs of two dimensions
+PICTURES = ("xt", "gauge", "pi_plane", "free_surface", "profile", "peaks", "budget", "errors", "setup")
+PLANE_PICTURES = ("map", "gauge", "pi_plane", "profile", "budget", "errors", "setup")     # of runs of two dimensions

@@ -11,7 +11,6 @@ Source: Zel'dovich and Raizer, Physics of Shock Waves, chapter XI, sections 4 an
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import minimize_scalar
 
 from hugoniot.errors import HugoniotError
 from hugoniot.theory.hugoniot import Initial, curve, shock
@@ -38,6 +37,8 @@ def split_wave(material, ahead: Initial, single: States) -> Split | None:
     k = 1 + int(np.argmax(speeds[1:]))
     if k in (1, SAMPLES - 1) or speeds[k] <= us * (1.0 + NOTICED):
         return None
+
+    from scipy.optimize import minimize_scalar  # slow to load, and few curves split
 
     def slowness(x):
         return ahead.velocity - float(shock(material, ahead, particle_velocity=ahead.velocity + x).shock_velocity)

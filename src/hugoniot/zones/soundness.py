@@ -36,9 +36,12 @@ def wave_speed(c2, noise):
 
 @zone_pass(PeakRows, exact=True)
 def look_over(count, z, dt, numbers, law):
-    """Counts zones with a density that is not positive or a sound speed that is not a finite number; records the peaks on the way."""
+    """Counts zones with a density that is not positive or a sound speed that is not a finite number; records the peaks on the way.
+
+    Peaks are written only where a piece has a new one: most have none, and rows that are only read need not go back to memory.
+    """
     rows_apart()
-    bad, higher = 0, 0
+    bad = new = 0
     for j in range(count):
         # a negative number, an infinity and what is no number have larger bits than any finite positive one: one comparison does
         # for the three, where a compiled comparison of numbers costs as much as a store
@@ -48,16 +51,18 @@ def look_over(count, z, dt, numbers, law):
         bits = of_speed if of_speed > bits else bits
         bits = of_stress if of_stress > bits else bits
         bad += 0 if bits < LIMIT_BITS else 1
-        beyond = (sigma > z.peak_stress[j]) | (sigma < z.peak_tension[j]) | (p > z.peak_pressure[j]) | (rho > z.peak_density[j])
-        higher += 1 if beyond else 0
-    if higher > 0:     # in most pieces, most of the time, no peak is new
+        new += 1 if sigma > z.peak_stress[j] else 0
+        new += 1 if sigma < z.peak_tension[j] else 0
+        new += 1 if p > z.peak_pressure[j] else 0
+        new += 1 if rho > z.peak_density[j] else 0
+    z.found[FOUND_UNSOUND] += bad
+    if new > 0:
         for j in range(count):
             rho, sigma, p = z.rho[j], z.sigma[j], z.p[j]
             z.peak_stress[j] = sigma if sigma > z.peak_stress[j] else z.peak_stress[j]
             z.peak_tension[j] = sigma if sigma < z.peak_tension[j] else z.peak_tension[j]
             z.peak_pressure[j] = p if p > z.peak_pressure[j] else z.peak_pressure[j]
             z.peak_density[j] = rho if rho > z.peak_density[j] else z.peak_density[j]
-    z.found[FOUND_UNSOUND] += bad
 
 
 def first_unsound(rho, c, sigma) -> int:

@@ -1,8 +1,7 @@
 """What the material of zones does in a step, in the order in which it happens, written into a list of passes.
 
 A solver lends its rows under the names used here (`Rows`); which passes a material takes is decided here, once, by its laws. Nothing
-here knows a dimension: strains, the elastic trial and the return to the yield surface are the solver's, which writes them between
-`moduli` and `flow`.
+here knows a dimension: strains, the elastic trial and the return to the yield surface are the solver's.
 """
 
 from typing import Any, NamedTuple
@@ -41,7 +40,7 @@ class MaterialSteps:
         self.laws, self.at = laws, at
         self.operations: list[Operation] = []
         self.constants = np.array(laws.constants, dtype=float)
-        self._numbers: dict[int, np.ndarray] = {}
+        self._numbers: dict[int, tuple[Any, np.ndarray]] = {}
         # c^2 is asked for before the state is known
         self.bulk_first = laws.needs_bulk_modulus or (explicit and laws.grows_voids)
         # density and pressure in the middle of a step: burning zones are asked for them at its end
@@ -58,7 +57,7 @@ class MaterialSteps:
         numbers   other numbers than the material's constants
         """
         if law is not None:
-            numbers = self._numbers.setdefault(id(law), numbers_of(law))
+            numbers = self._numbers.setdefault(id(law), (law, numbers_of(law)))[1]     # the law kept, so that its id stays its own
         self.operations.append(Operation(of, kind if law is None else law, given, self.constants if numbers is None else numbers,
                                          step or self.at.whole))
 
@@ -82,14 +81,9 @@ class MaterialSteps:
         self.do(soundness.look_over, soundness.PeakRows(z.rho, z.c, z.sigma, z.p, z.peak_stress, z.peak_tension, z.peak_pressure,
                                                         z.peak_density, self.at.found))
 
-    def viscous(self, v, c, p, squeeze, smooth, speed) -> None:
-        """Signal speed of the artificial viscosity."""
-        self.do(viscosity.speed_pass, viscosity.SpeedRows(v, c, p, squeeze, smooth, speed), law=self.laws.viscosity)
-
-    def viscous_both(self, v, c, p) -> None:
-        """The same of a leapfrog, with the speed of its quadratic part alone at the end of the step."""
-        w = self.at.w
-        self.do(viscosity.speeds_pass, viscosity.SpeedsRows(v, c, p, w.squeeze, w.v, w.speed, w.weak_speed), law=self.laws.viscosity)
+    def resisting(self, geometry) -> viscosity.Resisting:
+        """What a pass of artificial viscosity is compiled for, in the geometry of the solver."""
+        return viscosity.Resisting(self.laws.viscosity, geometry)
 
     # -- closure -------------------------------------------------------------------------------------------------------------
     def pressure(self, solid_v, e, p) -> None:
@@ -116,7 +110,7 @@ class MaterialSteps:
                     law=self.laws.eos)
 
     # -- strength ------------------------------------------------------------------------------------------------------------
-    def _heat(self, solid, e) -> Place:
+    def _temperature(self, solid, e) -> Place:
         """The row of temperatures, for laws that ask for one."""
         z, b, w = self.at.z, self.at.b, self.at.w
         if not self.laws.needs_temperature:
@@ -128,22 +122,14 @@ class MaterialSteps:
             self.do(closure.temperature_pass, closure.TemperatureRows(solid, e, z.compaction, w.temperature), law=self.laws.eos)
         return w.temperature
 
-    def moduli(self, solid, e, p, lam) -> None:
-        """Shear modulus of a state, and its temperature for laws that ask for one; lam counts in burning material only."""
-        w, heat = self.at.w, self._heat(solid, e)
-        self.do(strength.shear_pass, strength.ShearRows(solid, p, heat, w.c2, w.shear), law=self.laws.strength)
-        if self.laws.burns:
-            self.do(strength.unburned_shear_pass, strength.UnburnedShearRows(lam, w.shear))
+    def asked(self, solid, e, p, lam) -> strength.Solid:
+        """Rows of the state whose shear modulus and yield count; lam: of burning material only."""
+        z, w = self.at.z, self.at.w
+        return strength.Solid(solid, p, self._temperature(solid, e), w.c2, lam if self.laws.burns else w.zero, z.plastic_strain)
 
-    def flow(self, solid, p, lam) -> None:
-        """Flow stress and plastic strain that meet the equivalent stress of the elastic trial."""
-        w, laws = self.at.w, self.laws
-        heat = w.temperature if laws.needs_temperature else w.zero
-        rate = w.rate if laws.needs_rate else w.zero
-        self.do(strength.yield_pass, strength.YieldRows(solid, p, heat, rate, w.shear, w.equivalent, self.at.z.plastic_strain, w.limit,
-                                                        w.flow), law=laws.strength)
-        if laws.burns:
-            self.do(strength.unburned_limit_pass, strength.UnburnedLimitRows(lam, w.shear, w.equivalent, w.limit, w.flow))
+    def strong(self, geometry) -> strength.Strong:
+        """What a pass of strength is compiled for, in the geometry of the solver's tensor."""
+        return strength.Strong(self.laws.strength, strength.Burning() if self.laws.burns else strength.Inert(), geometry)
 
     def harden(self, v) -> None:
         """Plastic strain and work of the step, of volume v per mass."""

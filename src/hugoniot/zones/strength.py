@@ -1,7 +1,8 @@
 """Strength of a zone: shear modulus, and the flow stress with the plastic strain that meets it.
 
-The elastic trial and the return to the yield surface belong to the tensor of a dimension (`stress`); what passes between them is the
-equivalent stress sqrt(3/2 s:s) of the trial state.
+The elastic trial and the return to the yield surface belong to the tensor of a dimension; a solver writes them around `modulus` and
+`yielding` into one pass (`stress`, `tensor`), compiled for a law and a tensor. What passes between them is the equivalent stress
+sqrt(3/2 s:s) of the trial state.
 
 Source: Wilkins B.2 items 5 and 6; Herrmann A.18.
 """
@@ -9,47 +10,58 @@ Source: Wilkins B.2 items 5 and 6; Herrmann A.18.
 from collections import namedtuple
 from typing import Any, NamedTuple
 
-from hugoniot.core.binder import bind
+from hugoniot.core.binder import bind, bind_choice
 from hugoniot.core.ops import fmax
-from hugoniot.core.passes import bind_flag, law_of, rows_apart, zone_pass
+from hugoniot.core.passes import bind_flag, rows_apart, zone_pass
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
 
 TINY = 1e-300
 
 
-class ShearRows(NamedTuple):
-    """rho (kg/m3), p (Pa), temperature (K), c2 (bulk, m2/s2) -> shear (Pa)."""
+class Inert(NamedTuple):
+    """Zones that keep their strength."""
+
+
+class Burning(NamedTuple):
+    """Zones whose burned mass fraction has none."""
+
+
+class Strong(NamedTuple):
+    """What a pass of strength is compiled for.
+
+    law         parameters of the strength law
+    material    Inert() or Burning()
+    geometry    that of the solver's tensor
+    """
+
+    law: Any
+    material: Any
+    geometry: Any
+
+
+class Solid(NamedTuple):
+    """Rows of what a strength law is asked with: rho (kg/m3), p (Pa), temperature (K), c2 (bulk, m2/s2), burn fraction, plastic strain."""
 
     rho: Any
     p: Any
     temperature: Any
     c2: Any
-    shear: Any
-
-
-class YieldRows(NamedTuple):
-    """rho, p, temperature, rate (1/s), shear, equivalent (Pa), plastic_strain -> limit (Pa), flow (plastic strain of the step)."""
-
-    rho: Any
-    p: Any
-    temperature: Any
-    rate: Any
-    shear: Any
-    equivalent: Any
+    lam: Any
     plastic_strain: Any
-    limit: Any
-    flow: Any
 
 
 HardenRows = namedtuple("HardenRows", "limit flow v plastic_work plastic_strain")
-UnburnedShearRows = namedtuple("UnburnedShearRows", "lam shear")
-UnburnedLimitRows = namedtuple("UnburnedLimitRows", "lam shear equivalent limit flow")
 PlasticHeatRows = namedtuple("PlasticHeatRows", "limit flow v heat")
 
 
 def hardens(strength) -> bool:
     """Whether the flow stress depends on the plastic strain."""
     return "hardens" in STRENGTH.of(strength).flags
+
+
+def needs_rate(strength) -> bool:
+    """Whether the flow stress depends on the strain rate."""
+    return "needs_rate" in STRENGTH.of(strength).flags
 
 
 def yield_at(equivalent, shear, state, plastic_strain, strength):
@@ -71,50 +83,39 @@ def yield_at(equivalent, shear, state, plastic_strain, strength):
     return limit, increment
 
 
-@zone_pass(ShearRows)
-def shear_pass(count, z, dt, numbers, law):
-    rows_apart()
-    strength = law_of(law, numbers)
-    for j in range(count):
-        z.shear[j] = shear_modulus(z.rho[j], z.p[j], z.temperature[j], z.rho[j] * z.c2[j], strength)
+def modulus(state, c2, lam, strong):
+    """Shear modulus, Pa; products have none, so that of the unburned mass fraction. `state` as in `yield_at`."""
+    rho, p, heat, _ = state
+    return shear_modulus(rho, p, heat, rho * c2, strong.law) * unburned(lam, strong.material)
 
 
-@zone_pass(YieldRows)
-def yield_pass(count, z, dt, numbers, law):
-    rows_apart()
-    strength = law_of(law, numbers)
-    for j in range(count):
-        state = (z.rho[j], z.p[j], z.temperature[j], z.rate[j])
-        z.limit[j], z.flow[j] = yield_at(z.equivalent[j], z.shear[j], state, z.plastic_strain[j], strength)
+def yielding(equivalent, shear, state, plastic_strain, lam, strong):
+    """(flow stress, plastic strain increment) as `yield_at`, the flow stress that of the unburned mass fraction."""
+    limit, increment = yield_at(equivalent, shear, state, plastic_strain, strong.law)
+    part = unburned(lam, strong.material)
+    if part < 1.0:
+        limit *= part
+        excess = fmax(equivalent - limit, 0.0)
+        increment = excess / fmax(3.0 * shear, TINY) if 3.0 * shear > excess else 0.0
+    return limit, increment
+
+
+def unburned(lam, material):
+    """Mass fraction that has not burned."""
+    return 1.0 - lam if isinstance(material, Burning) else 1.0
 
 
 @zone_pass(HardenRows)
 def harden_pass(count, z, dt, numbers, law):
-    """Plastic strain and work of the step."""
+    """Plastic strain and work of the step; nothing is written where no zone of the piece flows."""
     rows_apart()
+    most = 0.0
     for j in range(count):
-        z.plastic_work[j] += z.limit[j] * z.flow[j] * z.v[j]
-        z.plastic_strain[j] += z.flow[j]
-
-
-@zone_pass(UnburnedShearRows)
-def unburned_shear_pass(count, z, dt, numbers, law):
-    """Products have no strength: the modulus is that of the unburned mass fraction."""
-    rows_apart()
-    for j in range(count):
-        z.shear[j] *= 1.0 - z.lam[j]
-
-
-@zone_pass(UnburnedLimitRows)
-def unburned_limit_pass(count, z, dt, numbers, law):
-    """The same for the flow stress, with the plastic strain that meets it."""
-    rows_apart()
-    for j in range(count):
-        if z.lam[j] > 0.0:
-            limit, stiffness = z.limit[j] * (1.0 - z.lam[j]), 3.0 * z.shear[j]
-            excess = fmax(z.equivalent[j] - limit, 0.0)
-            z.limit[j] = limit
-            z.flow[j] = excess / fmax(stiffness, TINY) if stiffness > excess else 0.0
+        most = fmax(most, z.flow[j])
+    if most > 0.0:
+        for j in range(count):
+            z.plastic_work[j] += z.limit[j] * z.flow[j] * z.v[j]
+            z.plastic_strain[j] += z.flow[j]
 
 
 @zone_pass(PlasticHeatRows)
@@ -125,5 +126,16 @@ def plastic_heat_pass(count, z, dt, numbers, law):
         z.heat[j] += z.limit[j] * z.flow[j] * z.v[j]
 
 
+def _rest(lam, material):
+    return 1.0 - lam
+
+
+def _all(lam, material):
+    return 1.0
+
+
 bind_flag(hardens, STRENGTH, "hardens")
-bind(yield_at)
+bind_flag(needs_rate, STRENGTH, "needs_rate")
+bind_choice(unburned, lambda *classes: _rest if classes[-1] is Burning else _all)
+for _function in (yield_at, modulus, yielding):
+    bind(_function)

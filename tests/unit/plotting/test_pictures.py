@@ -25,7 +25,7 @@ def run(tmp_path_factory):
 def test_every_picture_is_drawn_and_saved(run, tmp_path):
     from hugoniot.plotting.accessor import PICTURES
 
-    for name in PICTURES:
+    for name in set(PICTURES) - {"pi_plane"}:     # the plates have no strength
         ax = getattr(run.plot, name)()
         ax.figure.savefig(tmp_path / f"{name}.png", dpi=50)
         assert (tmp_path / f"{name}.png").stat().st_size > 2000

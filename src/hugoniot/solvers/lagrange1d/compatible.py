@@ -14,7 +14,7 @@ from collections import namedtuple
 
 from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin
-from hugoniot.core.passes import kind_of, named, rows_apart, zone_pass
+from hugoniot.core.passes import kind_of, law_of, named, rows_apart, zone_pass
 from hugoniot.mesh.line import area, hoops, mean_area, volume
 from hugoniot.solvers.lagrange1d.friction import rub_end, rub_half
 from hugoniot.solvers.lagrange1d.sources import supply
@@ -22,13 +22,13 @@ from hugoniot.solvers.lagrange1d.stress import deviators, hoop_force
 from hugoniot.zones.constants import Constants
 from hugoniot.zones.soundness import FOUND_IMPULSE, FOUND_RATE, wave_speed
 from hugoniot.zones.transport import find_conductivity
-from hugoniot.zones.viscosity import resisted, smoothness
+from hugoniot.zones.viscosity import resisted, resisting_speed, smoothness
 
 SMALL = 1e-30
 
 HalfMotionRows = namedtuple("HalfMotionRows", "r u gradient inverse_mass e sigma hoop_force end_e v rho radial hoop dilation smooth "
                             "squeeze")
-HalfStressRows = namedtuple("HalfStressRows", "r solid squeeze speed p t1 t2 q sigma hoop_force")
+HalfStressRows = namedtuple("HalfStressRows", "r solid v c p squeeze smooth t1 t2 speed q sigma hoop_force")
 EndMotionRows = namedtuple("EndMotionRows", "r_half u_mean r u gradient inverse_mass sigma hoop_force q e v rho radial hoop dilation heat "
                            "viscous_work found")
 EndStressRows = namedtuple("EndStressRows", "r solid_v shear c2 p q t1 t2 speed inverse_mass rho c s1 s2 sigma hoop_force inverse_width "
@@ -78,11 +78,14 @@ def half_motion(count, z, dt, numbers, law):
 
 @zone_pass(HalfStressRows)
 def half_stress(count, z, dt, numbers, law):
-    """Viscous pressure, and what pushes the nodes in the middle of the step."""
+    """Viscous pressure, and what pushes the nodes in the middle of the step; `law` is a `zones.viscosity.Resisting`."""
     rows_apart()
-    geometry = kind_of(law)
+    resisting = law_of(law, numbers)
+    geometry = resisting.geometry
     for j in range(count):
-        q = -z.solid[j] * z.squeeze[j] * z.speed[j]
+        speed = resisting_speed(z.v[j], z.c[j], z.p[j], z.squeeze[j], z.smooth[j], resisting.law)
+        q = -z.solid[j] * z.squeeze[j] * speed
+        z.speed[j] = speed
         z.q[j] = q
         z.sigma[j] = z.p[j] + q - z.t1[j]
         if hoops(geometry) > 0.0:
@@ -195,9 +198,8 @@ def predict(s, geometry):
         s.stiffness(solid, solid_v, w.e, s.p_half)
     t1, t2 = deviators(s, geometry, solid, w.e, s.p_half, b.lam_half, s.at.half)
     s.relieve(solid)
-    s.viscous(w.v, z.c, s.p_half, w.squeeze, w.smooth, z.viscous_speed)
-    s.do(half_stress, HalfStressRows(h.r_half, solid, w.squeeze, z.viscous_speed, s.p_half, t1, t2, z.q, z.sigma_half, z.hoop_half),
-         kind=geometry)
+    s.do(half_stress, HalfStressRows(h.r_half, solid, w.v, z.c, s.p_half, w.squeeze, w.smooth, t1, t2, z.viscous_speed, z.q, z.sigma_half,
+                                     z.hoop_half), law=s.resisting(geometry))
     rub_half(s, geometry, solid)
     if s.laws.burns:
         s.keep_half()

@@ -90,7 +90,6 @@ class WorkRows(NamedTuple):
     radial: Any              # strains of the step
     hoop: Any
     dilation: Any
-    rate: Any                # 1/s
     squeeze: Any             # velocity jump that the viscosity resists, m/s
     smooth: Any
     speed: Any
@@ -100,7 +99,6 @@ class WorkRows(NamedTuple):
     shear: Any
     t1: Any
     t2: Any
-    equivalent: Any
     limit: Any
     flow: Any
     rest: Any

@@ -31,6 +31,7 @@ Source: Wilkins B.2 items 2 and 5 to 9; KB codes equations 1.8 to 1.11 with the 
 Herrmann A.27 to A.30; Starkenberg sections 3 to 5.
 """
 
+from hugoniot.core.pass_lists import place
 from hugoniot.solvers.lagrange1d import leapfrog_passes as P
 from hugoniot.solvers.lagrange1d.friction import rub_leaping, rub_leapt
 from hugoniot.solvers.lagrange1d.sources import supply
@@ -62,9 +63,9 @@ def advance(s, geometry):
         s.do(P.take_relief, P.ReliefRows(w.relief, w.dv, z.e))
     s.harden(w.v_half)
     if s.laws.burns_at_once:
-        s.do(P.end_stress_at_once, P.AtOnceRows(h.r, z.inverse_mass, z.rho, w.v, w.dv, w.c2, s.shear, *t, z.p, w.speed, w.squeeze,
-                                                z.c, z.s1, z.s2, z.q, z.v, z.sigma, z.pull, z.width, w.inverse_width, z.viscous_work,
-                                                s.at.found), kind=geometry)
+        s.do(P.end_stress_at_once, P.AtOnceRows(h.r, z.inverse_mass, z.rho, w.v, w.dv, w.c2, s.shear, *t, z.p, w.squeeze, z.c, z.s1, z.s2,
+                                                z.q, z.v, z.sigma, z.pull, z.width, w.inverse_width, z.viscous_work, place(s.constants),
+                                                s.at.found), law=s.resisting(geometry))
     else:
         s.do(P.end_stress, P.StressRows(h.r, z.inverse_mass, z.rho, w.v, w.c2, s.shear, *t, z.p, w.q, w.speed, w.weak_speed,
                                         w.squeeze, z.c, z.s1, z.s2, z.q, z.v, z.sigma, z.pull, z.width, w.inverse_width, s.at.found),
@@ -79,15 +80,10 @@ def resist(s, geometry, t):
     """Write the artificial viscosity at n+1/2; the P of its a = sqrt(P/rho) is the one at the start of the step. t: rows of deviators."""
     z, h, w = s.at.z, s.at.h, s.at.w
     if s.laws.is_bare:
-        s.viscous(w.v, w.zero, w.zero, w.squeeze, w.zero, w.weak_speed)
         s.do(P.look_around, P.LookRows(h.r, h.u, h.mass, z.mass, w.smooth))
-        s.viscous(w.v_half, w.zero, w.zero, w.squeeze, w.zero, w.speed)
-        s.do(P.damp, P.DampRows(w.smooth, w.speed))
-        s.do(P.damp, P.DampRows(w.smooth, w.weak_speed))
-    else:
-        s.viscous_both(w.v_half, z.c, z.p)
-    s.do(P.energy_target, P.TargetRows(*t, z.s1, z.s2, w.radial, w.hoop, w.v_half, w.dv, w.rho, w.squeeze, w.speed, z.e, z.q, w.q,
-                                       w.heat, w.target, z.viscous_work), kind=geometry)
+    c, p, smooth = (w.zero, w.zero, w.smooth) if s.laws.is_bare else (z.c, z.p, w.zero)
+    s.do(P.energy_target, P.TargetRows(*t, z.s1, z.s2, w.radial, w.hoop, w.v, w.v_half, w.dv, w.rho, c, p, w.squeeze, smooth, z.e, z.q,
+                                       w.speed, w.weak_speed, w.q, w.heat, w.target, z.viscous_work), law=s.resisting(geometry))
     if s.laws.is_bare:
         s.do(P.damp, P.DampRows(w.smooth, w.squeeze))
 
@@ -127,4 +123,3 @@ def close_at_once(s, geometry, solid, t):
     s.slopes(solid, z.e, b.lam, b.p_half)
     s.keep_phases()
     s.copy(b.p_half, z.p)
-    s.viscous(w.v, z.c, z.p, w.squeeze, w.zero, w.speed)

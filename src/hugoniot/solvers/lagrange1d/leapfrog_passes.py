@@ -7,23 +7,24 @@ from collections import namedtuple
 
 from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, vsqrt
-from hugoniot.core.passes import kind_of, named, rows_apart, zone_pass
+from hugoniot.core.passes import kind_of, law_of, named, rows_apart, zone_pass
 from hugoniot.mesh.line import area_per_radius, hoops, mean_area, volume
 from hugoniot.zones.constants import Constants
 from hugoniot.zones.soundness import FOUND_RATE, wave_speed
-from hugoniot.zones.viscosity import resisted, smoothness
+from hugoniot.zones.viscosity import resisted, resisting_speed, smoothness
 
 SMALL = 1e-30
 # weights of c2 and w2 in `signal_squared`; 4/9 is the Courant factor 2/3 of W-7 squared, which this limit does not need as well
 SOUND_SHARE, VISCOUS_SHARE = 4.0 / 9.0 * (1.0 + 1.0 / 1.55), 4.0 / 9.0 * 5.5
 
 MotionRows = namedtuple("MotionRows", "r u inverse_mass v_old v dv v_half rho_half rho radial hoop dilation squeeze")
-TargetRows = namedtuple("TargetRows", "t1 t2 s1 s2 radial hoop v_half dv rho_half squeeze speed e q_old q heat target viscous_work")
+TargetRows = namedtuple("TargetRows", "t1 t2 s1 s2 radial hoop v v_half dv rho_half c p squeeze smooth e q_old speed weak_speed q heat "
+                        "target viscous_work")
 BeforeRows = namedtuple("BeforeRows", "t1 t2 s1 s2 radial hoop v_half dv e q_old target")
 StressRows = namedtuple("StressRows", "r inverse_mass rho v c2 shear t1 t2 p new_q speed weak_speed squeeze c s1 s2 q v_old sigma pull "
                         "width inverse_width found")
-AtOnceRows = namedtuple("AtOnceRows", "r inverse_mass rho v dv c2 shear t1 t2 p speed squeeze c s1 s2 q v_old sigma pull width "
-                        "inverse_width viscous_work found")
+AtOnceRows = namedtuple("AtOnceRows", "r inverse_mass rho v dv c2 shear t1 t2 p squeeze c s1 s2 q v_old sigma pull width "
+                        "inverse_width viscous_work constants found")
 LookRows = namedtuple("LookRows", "r u node_mass mass smooth")
 DampRows = namedtuple("DampRows", "smooth row")
 ReliefRows = namedtuple("ReliefRows", "relief dv e")
@@ -89,14 +90,23 @@ def whole_motion(count, z, dt, numbers, law):
 
 @zone_pass(TargetRows)
 def energy_target(count, z, dt, numbers, law):
-    """Viscous pressure q at n+1/2, its heat, and the energy before the pressure has worked: e + dZ - qbar dv."""
+    """Viscous pressure q at n+1/2, its heat, and the energy before the pressure has worked: e + dZ - qbar dv.
+
+    `weak_speed` is that of the quadratic part alone at the end of the step. `law` is a `zones.viscosity.Resisting`; `smooth` is 0 but
+    where the viscosity acts only as far as the velocity field is not smooth.
+    """
     rows_apart()
-    geometry = kind_of(law)
+    resisting = law_of(law, numbers)
+    geometry = resisting.geometry
     for j in range(count):
         hoop = z.hoop[j] if hoops(geometry) > 0.0 else 0.0
         work = deviator_work(z.t1[j], z.t2[j], z.s1[j], z.s2[j], z.radial[j], hoop, z.v_half[j], geometry)
-        q = -z.rho_half[j] * z.squeeze[j] * z.speed[j]
+        squeeze, uneven = z.squeeze[j], 1.0 - z.smooth[j]
+        speed = uneven * resisting_speed(z.v_half[j], z.c[j], z.p[j], squeeze, 0.0, resisting.law)
+        q = -z.rho_half[j] * squeeze * speed
         heat = -0.5 * (q + z.q_old[j]) * z.dv[j]
+        z.speed[j] = speed
+        z.weak_speed[j] = uneven * resisting_speed(z.v[j], 0.0, 0.0, squeeze, 0.0, resisting.law)
         z.q[j] = q
         z.heat[j] = heat
         z.target[j] = z.e[j] + work + heat
@@ -147,17 +157,19 @@ def end_stress(count, z, dt, numbers, law):
 
 @zone_pass(AtOnceRows)
 def end_stress_at_once(count, z, dt, numbers, law):
-    """The same of the KB codes' step: its viscous pressure is that of n+1."""
+    """The same of the KB codes' step: its viscous pressure is that of n+1. `law` is a `zones.viscosity.Resisting`."""
     rows_apart()
-    geometry, constants, fastest = kind_of(law), named(Constants, numbers), z.found[FOUND_RATE]
+    resisting, constants, fastest = law_of(law, numbers), named(Constants, z.constants), z.found[FOUND_RATE]
     for j in range(count):
-        q, c2 = -z.rho[j] * z.squeeze[j] * z.speed[j], z.c2[j] + (4.0 / 3.0) * z.shear[j] * z.v[j]
+        v, squeeze = z.v[j], z.squeeze[j]
+        speed = resisting_speed(v, z.c[j], z.p[j], squeeze, 0.0, resisting.law)
+        q, c2 = -z.rho[j] * squeeze * speed, z.c2[j] + (4.0 / 3.0) * z.shear[j] * v
         c, inverse_width = wave_speed(c2, constants.noise), 1.0 / (z.r[j + 1] - z.r[j])
-        fastest = fmax(fastest, (c + 4.0 * z.speed[j]) * inverse_width)
+        fastest = fmax(fastest, (c + 4.0 * speed) * inverse_width)
         z.inverse_width[j] = inverse_width
         z.c[j] = c
         z.viscous_work[j] -= z.q[j] * z.dv[j]
-        keep_stress(z, j, q, geometry)
+        keep_stress(z, j, q, resisting.geometry)
     z.found[FOUND_RATE] = fastest
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from numba.extending import overload
 
 from hugoniot.core.compile_ahead import Job
-from hugoniot.core.pass_lists import FIXED, Operation, Place, Written, carry_out, jobs, most_rows, place, places, write
+from hugoniot.core.pass_lists import FIXED, Operation, Place, Written, carry_out, jobs, place, places, write
 from hugoniot.core.passes import Entry, call_entry
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.core.team import DISMISSED, Alone, await_call, begin, gather_team, sign
@@ -60,7 +60,6 @@ class Plan(NamedTuple):
     share_out  address of `do_share`
     threads    members of the team
     origins    (member, ORIGINS) in bytes
-    pointers   (member, rows): scratch of `carry_out`
     seen       (member, FOUND_FLOATS): what passes find in a share
     found      a row for each share that finds something, and the totals of a step behind them
     dts        dt, mean of the last two, half of dt
@@ -72,15 +71,14 @@ class Plan(NamedTuple):
     share_out: int
     threads: int
     origins: Any
-    pointers: Any
     seen: Any
     found: Any
     dts: Any
 
 
 def _empty() -> Plan:
-    ints, table = np.zeros(1, dtype=np.int64), np.zeros((1, 1), dtype=np.int64)
-    return Plan(Written(table, ints, ints, ints), table, table, 0, 1, table, table, np.zeros((1, 1)), np.zeros((1, 1)), np.zeros(3))
+    table = np.zeros((1, 1), dtype=np.int64)
+    return Plan(Written(table, table), table, table, 0, 1, table, np.zeros((1, 1)), np.zeros((1, 1)), np.zeros(3))
 
 
 EMPTY = _empty()     # of the compiled type of every plan
@@ -170,9 +168,8 @@ class Planner:
             for i, (first, last, segment, k) in enumerate(rows):
                 ends = self._ends[command, k, i % self.threads if scratch else 0]
                 shares.append((first, last, segment, L.PIECE if scratch else last - first, *ends, i if finds else NOT_FOUND))
-        scratch = [np.zeros((self.threads, n), dtype=np.int64) for n in (ORIGINS, most_rows(self.written, self._ends.values()))]
-        return Plan(self.written, commands, np.array(shares, dtype=np.int64).reshape(-1, 7), self._share_out, self.threads, *scratch,
-                    self.seen, np.zeros((len(runs) + 1, FOUND_FLOATS)), self.dts)
+        return Plan(self.written, commands, np.array(shares, dtype=np.int64).reshape(-1, 7), self._share_out, self.threads,
+                    np.zeros((self.threads, ORIGINS), dtype=np.int64), self.seen, np.zeros((len(runs) + 1, FOUND_FLOATS)), self.dts)
 
 
 # -- carried out -------------------------------------------------------------------------------------------------------
@@ -185,7 +182,7 @@ def do_share(plan, command, member):
         for k in range(FOUND_FLOATS):
             seen[k] = 0.0
         origins[AT_ZONES], origins[AT_NODES], origins[AT_GRADIENTS] = 8 * first, 8 * (first + segment), 8 * (first + 2 * segment)
-        carry_out(plan.written, share[FROM], share[TO], share[LAST] - first, share[PIECE], origins, plan.pointers[member])
+        carry_out(plan.written, share[FROM], share[TO], share[LAST] - first, share[PIECE], origins)
         if share[FOUND] != NOT_FOUND:
             for k in range(FOUND_FLOATS):
                 plan.found[share[FOUND], k] = seen[k]

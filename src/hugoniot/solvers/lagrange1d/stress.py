@@ -8,17 +8,19 @@ from typing import Any, NamedTuple
 
 from hugoniot.core.binder import bind, bind_family
 from hugoniot.core.ops import fmax, fmin, late_over, vsqrt
-from hugoniot.core.passes import kind_of, rows_apart, zone_pass
+from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.mesh.line import GENERICS, GEOMETRY, area_per_radius, hoops
+from hugoniot.zones.strength import Solid, modulus, needs_rate, yielding
 
 bind_family(GEOMETRY, GENERICS)     # geometry in kernels: every list of the solver's passes takes this module
 
 NO_STRESS = 1e-30     # Pa2, beside which no stress squared counts
 
 
-class StressRows(NamedTuple):
-    """s1, s2 at the start; radial and hoop strains and dilation of the step; shear -> t1, t2, equivalent."""
+class StrengthRows(NamedTuple):
+    """State; s1, s2 at the start; radial and hoop strains and dilation of the step -> shear, t1, t2, limit, flow."""
 
+    solid: Solid
     s1: Any
     s2: Any
     radial: Any
@@ -27,24 +29,8 @@ class StressRows(NamedTuple):
     shear: Any
     t1: Any
     t2: Any
-    equivalent: Any
-
-
-class ReturnRows(NamedTuple):
-    """t1, t2 and limit -> t1, t2."""
-
-    t1: Any
-    t2: Any
     limit: Any
-
-
-class RateRows(NamedTuple):
-    """radial and hoop strains, dilation -> rate (1/s)."""
-
-    radial: Any
-    hoop: Any
-    dilation: Any
-    rate: Any
+    flow: Any
 
 
 def trial_deviators(s1, s2, radial, hoop, dilation, shear):
@@ -86,33 +72,23 @@ def equivalent_rate(radial, hoop, dilation, dt):
     return vsqrt((2.0 / 3.0) * (e1 * e1 + e2 * e2 + e3 * e3)) / dt
 
 
-@zone_pass(StressRows)
-def trial_pass(count, z, dt, numbers, law):
-    """t1, t2 and the equivalent stress of the elastic trial; `law` is the geometry."""
+@zone_pass(StrengthRows)
+def strain_solid(count, z, dt, numbers, law):
+    """Elastic trial, flow stress, plastic strain and return of a step; `law` is a `zones.strength.Strong`."""
     rows_apart()
-    geometry = kind_of(law)
+    strong = law_of(law, numbers)
+    geometry, solid = strong.geometry, z.solid
     for j in range(count):
-        t1, t2 = trial_deviators(z.s1[j], z.s2[j], z.radial[j], z.hoop[j], z.dilation[j], z.shear[j])
-        z.t1[j] = t1
-        z.t2[j] = t2
-        z.equivalent[j] = von_mises(t1, t2, geometry)
-
-
-@zone_pass(ReturnRows)
-def return_pass(count, z, dt, numbers, law):
-    """t1, t2 back on the yield surface of `limit`."""
-    rows_apart()
-    geometry = kind_of(law)
-    for j in range(count):
-        z.t1[j], z.t2[j] = radial_return(z.t1[j], z.t2[j], z.limit[j], geometry)
-
-
-@zone_pass(RateRows)
-def rate_pass(count, z, dt, numbers, law):
-    """Equivalent strain rate of a step."""
-    rows_apart()
-    for j in range(count):
-        z.rate[j] = equivalent_rate(z.radial[j], z.hoop[j], z.dilation[j], dt)
+        radial, hoop, dilation, lam = z.radial[j], z.hoop[j], z.dilation[j], solid.lam[j]
+        rate = equivalent_rate(radial, hoop, dilation, dt) if needs_rate(strong.law) else 0.0
+        state = (solid.rho[j], solid.p[j], solid.temperature[j], rate)
+        shear = modulus(state, solid.c2[j], lam, strong)
+        t1, t2 = trial_deviators(z.s1[j], z.s2[j], radial, hoop, dilation, shear)
+        limit, flow = yielding(von_mises(t1, t2, geometry), shear, state, solid.plastic_strain[j], lam, strong)
+        z.t1[j], z.t2[j] = radial_return(t1, t2, limit, geometry)
+        z.shear[j] = shear
+        z.limit[j] = limit
+        z.flow[j] = flow
 
 
 for _function in (trial_deviators, von_mises, radial_return, equivalent_rate, hoop_force):
@@ -130,10 +106,6 @@ def deviators(s, geometry, solid, e, p, lam, step):
     if not s.laws.is_strong:
         return w.zero, w.zero
     hoop, dilation = (w.hoop, w.dilation) if hoops(geometry) > 0.0 else (w.zero, w.radial)   # one number in planar flow
-    if s.laws.needs_rate:
-        s.do(rate_pass, RateRows(w.radial, hoop, dilation, w.rate), step)
-    s.moduli(solid, e, p, lam)
-    s.do(trial_pass, StressRows(z.s1, z.s2, w.radial, hoop, dilation, w.shear, w.t1, w.t2, w.equivalent), step, kind=geometry)
-    s.flow(solid, p, lam)
-    s.do(return_pass, ReturnRows(w.t1, w.t2, w.limit), kind=geometry)
+    s.do(strain_solid, StrengthRows(s.asked(solid, e, p, lam), z.s1, z.s2, w.radial, hoop, dilation, w.shear, w.t1, w.t2, w.limit, w.flow),
+         step, law=s.strong(geometry))
     return w.t1, w.t2

@@ -136,11 +136,10 @@ class Work(NamedTuple):
     e: Any
     p: Any
     c2: Any
-    rate: Any                # equivalent strain rate, 1/s
+    rate: Any                # of closing, 1/s
     temperature: Any
     shear: Any
     t1: Any                  # largest principal deviator, at which a material tears
-    equivalent: Any
     limit: Any
     flow: Any
     rest: Any

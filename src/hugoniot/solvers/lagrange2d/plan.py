@@ -12,7 +12,7 @@ import numpy as np
 from numba.extending import overload
 
 from hugoniot.core.compile_ahead import Job
-from hugoniot.core.pass_lists import FIXED, Operation, Place, Written, carry_out, jobs, most_rows, place, places, write
+from hugoniot.core.pass_lists import FIXED, Operation, Place, Written, carry_out, jobs, place, places, write
 from hugoniot.core.passes import Entry, call_entry
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.core.team import DISMISSED, Alone, await_call, begin, gather_team, sign
@@ -75,7 +75,7 @@ class Plan(NamedTuple):
     shares     (share; columns FIRST to ORIGIN and the origins, in bytes)
     share_out  address of `do_share`
     threads    members of the team
-    pointers   (member, rows): scratch of `carry_out`
+    origins    (member, ORIGINS) in bytes: where the member is
     seen       (member, FOUND_COLUMNS): what passes find in a share
     found      a row for each share of a command, and the totals behind them
     dts        dt, half of it, minus dt
@@ -86,15 +86,15 @@ class Plan(NamedTuple):
     shares: Any
     share_out: int
     threads: int
-    pointers: Any
+    origins: Any
     seen: Any
     found: Any
     dts: Any
 
 
 def _empty() -> Plan:
-    ints, table, floats = np.zeros(1, dtype=np.int64), np.zeros((1, 1), dtype=np.int64), np.zeros((1, 1))
-    return Plan(Written(table, ints, ints, ints), table, table, 0, 1, table, floats, floats, np.zeros(3))
+    table, floats = np.zeros((1, 1), dtype=np.int64), np.zeros((1, 1))
+    return Plan(Written(table, table), table, table, 0, 1, table, floats, floats, np.zeros(3))
 
 
 EMPTY = _empty()     # of the compiled type of every plan
@@ -171,9 +171,8 @@ class Planner:
 
     def _conduction(self, at):
         """(rows, coefficient) of the artificial heat flux."""
-        nodes = (L.Positions(line.x, line.y) for line in (at.mid_low, at.mid_high))
-        rows = heat_flux.ConductOf(*nodes, *self._cells(heat_flux.Carried, smoothness.CARRIED), at.z.inverse_mass, at.z.e)
-        return rows, self._coefficient
+        nodes, cells = (at.mid_low, at.mid_high), self._cells(heat_flux.Carried, smoothness.CARRIED)
+        return heat_flux.ConductOf(*(L.Positions(line.x, line.y) for line in nodes), *cells, at.z.inverse_mass, at.z.e), self._coefficient
 
     def _of_zones(self):
         """((command, 0, member), list) of what zones do whatever their material."""
@@ -229,8 +228,8 @@ class Planner:
                 member = next(m for m in range(self.threads) if i < len(rows) * (m + 1) // self.threads)
                 key = (command, kind, 0) if of_nodes else (command, kind if command in (PREDICT, CORRECT, START) else 0, member)
                 shares.append((*self._ends[key], count, count if of_nodes else L.PIECE, 0, *origins))
-        pointers = np.zeros((self.threads, most_rows(self.written, self._ends.values())), dtype=np.int64)
-        plan = Plan(self.written, commands, np.array(shares, dtype=np.int64), 0, self.threads, pointers, self.seen,
+        origins = np.zeros((self.threads, ORIGINS), dtype=np.int64)
+        plan = Plan(self.written, commands, np.array(shares, dtype=np.int64), 0, self.threads, origins, self.seen,
                     np.zeros((len(zone_rows) + 1, L.FOUND_COLUMNS)), self.dts)
         return plan._replace(share_out=DO_SHARE.address(plan, 0, 0))
 
@@ -238,12 +237,14 @@ class Planner:
 # -- carried out -------------------------------------------------------------------------------------------------------
 def do_share(plan, command, member):
     """One command over one member's part of the rows."""
-    seen, start, end = plan.seen[member], plan.commands[command, 0], plan.commands[command, 1]
+    seen, origins, start, end = plan.seen[member], plan.origins[member], plan.commands[command, 0], plan.commands[command, 1]
     first, last = (end - start) * member // plan.threads, (end - start) * (member + 1) // plan.threads
     for i in range(first, last):
         share = plan.shares[start + i]
         seen[:] = 0.0
-        carry_out(plan.written, share[FIRST], share[LAST], share[COUNT], share[PIECE], share[ORIGIN:], plan.pointers[member])
+        for k in range(ORIGINS):
+            origins[k] = share[ORIGIN + k]
+        carry_out(plan.written, share[FIRST], share[LAST], share[COUNT], share[PIECE], origins)
         if command < ACCELERATE:
             for k in range(seen.shape[0]):
                 plan.found[i, k] = seen[k]

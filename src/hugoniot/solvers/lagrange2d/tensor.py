@@ -13,37 +13,26 @@ Source: Herrmann, WL-TR-64-107, B.16 to B.32.
 
 from typing import Any, NamedTuple
 
+from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin, late_over, vsqrt
-from hugoniot.core.passes import rows_apart, zone_pass
+from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.solvers.lagrange2d.layout import Rates, Stress, Tensor
+from hugoniot.zones.strength import Solid, modulus, needs_rate, yielding
 
 NO_STRESS = 1e-30     # Pa2, beside which no stress squared counts
 
 
-class TrialOf(NamedTuple):
-    """Deviators, shear modulus and strain rates -> elastic deviators and their equivalent stress."""
+class StrengthOf(NamedTuple):
+    """State, deviators and strain rates -> shear, deviators after the step, the largest principal one, limit, flow."""
 
+    solid: Solid
     s: Tensor
-    shear: Any
     d: Rates
-    new: Tensor
-    equivalent: Any
-
-
-class ReturnOf(NamedTuple):
-    """Equivalent and flow stress; deviators are led on -> the largest principal one."""
-
-    equivalent: Any
-    limit: Any
+    shear: Any
     new: Tensor
     largest: Any
-
-
-class RateOf(NamedTuple):
-    """Strain rates -> equivalent rate."""
-
-    d: Rates
-    rate: Any
+    limit: Any
+    flow: Any
 
 
 class HeatOf(NamedTuple):
@@ -55,57 +44,61 @@ class HeatOf(NamedTuple):
     heat: Any
 
 
-@zone_pass(TrialOf)
-def trial(count, given, dt, numbers, law):
-    """Deviators of the elastic trial after dt, turned with the zone, and their equivalent stress sqrt(3/2 s:s)."""
-    rows_apart()
-    s, shear_modulus, d, new, equivalent = given
-    for j in range(count):
-        half = 0.5 * dt * d.spin[j]
-        a = 2.0 * half / (1.0 - half * half)
-        double = 2.0 * shear_modulus[j] * dt
-        third = d.dilation[j] * (1.0 / 3.0)
-        xx, yy, xy = s.xx[j], s.yy[j], s.xy[j]
-        difference, shear = xx - yy, 2.0 * xy
-        d_difference, d_shear = double * (d.xx[j] - d.yy[j]), 2.0 * double * d.xy[j]
-        over = 1.0 / (1.0 + a * a)
-        same = 1.0 - a * a
-        total = 0.5 * (xx + yy + double * (d.xx[j] + d.yy[j] - 2.0 * third))
-        turned = 0.5 * over * (same * difference - 2.0 * a * shear + d_difference - a * d_shear)
-        txy = 0.5 * over * (same * shear + 2.0 * a * difference + d_shear + a * d_difference)
-        txx, tyy = total + turned, total - turned
-        new.xx[j] = txx
-        new.yy[j] = tyy
-        new.xy[j] = txy
-        equivalent[j] = vsqrt(3.0 * (txx * txx + tyy * tyy + txx * tyy + txy * txy))
+def trial_deviators(s, rates, double):
+    """Deviators (xx, yy, xy) of the elastic trial, turned with the zone.
+
+    s        those before
+    rates    (xx, yy, xy, dilation) of the strain in 1/s, and the a of the turn
+    double   2 G dt
+    """
+    xx, yy, xy = s
+    d_xx, d_yy, d_xy, dilation, a = rates
+    difference, shear = xx - yy, 2.0 * xy
+    d_difference, d_shear = double * (d_xx - d_yy), 2.0 * double * d_xy
+    over, same = 0.5 / (1.0 + a * a), 1.0 - a * a
+    total = 0.5 * (xx + yy + double * (d_xx + d_yy - (2.0 / 3.0) * dilation))
+    turned = over * (same * difference - 2.0 * a * shear + d_difference - a * d_shear)
+    return total + turned, total - turned, over * (same * shear + 2.0 * a * difference + d_shear + a * d_difference)
 
 
-@zone_pass(ReturnOf)
-def return_to_yield(count, given, dt, numbers, law):
-    """Deviators back on the yield surface of `limit`, radially, and the largest principal one."""
+def equivalent_rate(xx, yy, xy, dilation):
+    """Equivalent deviatoric strain rate sqrt(2/3 e':e'), 1/s."""
+    third = dilation * (1.0 / 3.0)
+    xx, yy = xx - third, yy - third
+    zz = -(xx + yy)
+    return vsqrt((2.0 / 3.0) * (xx * xx + yy * yy + zz * zz + 2.0 * xy * xy))
+
+
+@zone_pass(StrengthOf)
+def strain_solid(count, given, dt, numbers, law):
+    """Elastic trial, flow stress, plastic strain and radial return of a step; `law` is a `zones.strength.Strong`."""
     rows_apart()
-    equivalent, limit, new, largest = given
+    strong = law_of(law, numbers)
+    solid, s, d, new = given.solid, given.s, given.d, given.new
     for j in range(count):
-        square = equivalent[j] * equivalent[j]
-        scale = fmin(1.0, late_over(limit[j] * equivalent[j], square + NO_STRESS))
-        xx, yy, xy = new.xx[j] * scale, new.yy[j] * scale, new.xy[j] * scale
+        lam, half = solid.lam[j], 0.5 * dt * d.spin[j]
+        rate = equivalent_rate(d.xx[j], d.yy[j], d.xy[j], d.dilation[j]) if needs_rate(strong.law) else 0.0
+        state = (solid.rho[j], solid.p[j], solid.temperature[j], rate)
+        shear = modulus(state, solid.c2[j], lam, strong)
+        rates = (d.xx[j], d.yy[j], d.xy[j], d.dilation[j], 2.0 * half / (1.0 - half * half))
+        xx, yy, xy = trial_deviators((s.xx[j], s.yy[j], s.xy[j]), rates, 2.0 * shear * dt)
+        square = 3.0 * (xx * xx + yy * yy + xx * yy + xy * xy)
+        equivalent = vsqrt(square)
+        limit, flow = yielding(equivalent, shear, state, solid.plastic_strain[j], lam, strong)
+        scale = fmin(1.0, late_over(limit * equivalent, square + NO_STRESS))
+        xx, yy, xy = xx * scale, yy * scale, xy * scale
+        apart = 0.5 * (xx - yy)
         new.xx[j] = xx
         new.yy[j] = yy
         new.xy[j] = xy
-        half = 0.5 * (xx - yy)
-        largest[j] = fmax(0.5 * (xx + yy) + vsqrt(half * half + xy * xy), -(xx + yy))
+        given.largest[j] = fmax(0.5 * (xx + yy) + vsqrt(apart * apart + xy * xy), -(xx + yy))
+        given.shear[j] = shear
+        given.limit[j] = limit
+        given.flow[j] = flow
 
 
-@zone_pass(RateOf)
-def strain_rates(count, given, dt, numbers, law):
-    """Equivalent deviatoric strain rate sqrt(2/3 e':e'), 1/s."""
-    rows_apart()
-    d, rate = given
-    for j in range(count):
-        third = d.dilation[j] * (1.0 / 3.0)
-        xx, yy, xy = d.xx[j] - third, d.yy[j] - third, d.xy[j]
-        zz = -(xx + yy)
-        rate[j] = vsqrt((2.0 / 3.0) * (xx * xx + yy * yy + zz * zz + 2.0 * xy * xy))
+bind(trial_deviators)
+bind(equivalent_rate)
 
 
 @zone_pass(HeatOf)

@@ -17,12 +17,8 @@ def deviators(s, solid, e, p, lam, step):
     if not s.laws.is_strong:
         s.clear(*at.new)
         return
-    if s.laws.needs_rate:
-        s.do(tensor.strain_rates, tensor.RateOf(at.d, w.rate), step)
-    s.moduli(solid, e, p, lam)
-    s.do(tensor.trial, tensor.TrialOf(at.s, w.shear, at.d, at.new, w.equivalent), step)
-    s.flow(solid, p, lam)
-    s.do(tensor.return_to_yield, tensor.ReturnOf(w.equivalent, w.limit, at.new, w.t1), step)
+    solid_rows = s.asked(solid, e, p, lam)
+    s.do(tensor.strain_solid, tensor.StrengthOf(solid_rows, at.s, at.d, w.shear, at.new, w.t1, w.limit, w.flow), step, law=s.strong(()))
 
 
 def resist(s, geometry, solid, kind):
