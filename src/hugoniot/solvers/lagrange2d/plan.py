@@ -185,8 +185,7 @@ class Planner:
                 cells = self._cells(heat_flux.Carried, smoothness.CARRIED)[0]
                 rows = heat_flux.CarryOf(at.z.e, at.z.q, at.z.viscous_speed, at.z.c, cells)
                 seen.append(Operation(heat_flux.carry, None, rows, self.dts, at.whole))
-            if seen:
-                yield (GRADIENTS, 0, member), seen
+            yield from [((GRADIENTS, 0, member), seen)] if seen else []
             rows = node_step.LookOf(at.low, at.high, *(L.Positions(line.x, line.y) for line in (at.mid_low, at.mid_high)), at.tangled)
             yield (LOOK, 0, member), [Operation(node_step.look, None, rows, self.dts, at.whole)]
 
