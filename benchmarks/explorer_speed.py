@@ -6,6 +6,7 @@ Numbers are of this machine as it is: quote ratios, or the medians of a quiet on
 """
 
 import asyncio
+import contextlib
 import re
 import shutil
 import socket
@@ -22,16 +23,19 @@ FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-
   "--disable-component-update",
          "--disable-sync"]
 DRAG = """async () => {
-  const times = [], chart = document.querySelector('.chart').chart;
+  const times = [], chart = document.querySelector('.chart').chart, show = chart.show;
+  let drawn = () => {};
+  chart.show = spec => { show.call(chart, spec); drawn(); };
   for (let v = 500; v < 1500; v += 20) {
-    const begun = performance.now(), was = chart.spec;
+    const begun = performance.now(), shown = new Promise(done => { drawn = () => { if (chart.spec.handles[0].x === v * 1e-3) done(); }; });
     chart.options.onDrag('velocity', v / 1000);
-    while (chart.spec === was) await new Promise(done => { const c = new MessageChannel(); c.port1.onmessage = done;
-      c.port2.postMessage(0); });
+    await shown;
     document.body.getBoundingClientRect();
     times.push(performance.now() - begun);
     await new Promise(requestAnimationFrame);
   }
+  chart.show = show;
+  chart.options.onDrop();
   return times;
 }"""
 ASK = """async () => {
@@ -77,6 +81,8 @@ MESH = """() => {
   }
   return times.slice(1);
 }"""
+DRAGGED = (("two metals", "copper,aluminum"), ("three layers", "tungsten,copper,pmma"),
+           ("eight layers", "copper,aluminum,lif,pmma,tungsten,water,iron,pmma"))
 FRAMES = """() => { window.frames_ = []; let last = performance.now();
   const tick = () => { const now = performance.now(); window.frames_.push(now - last); last = now;
     if (window.frames_.length < 4000) requestAnimationFrame(tick); }; requestAnimationFrame(tick); }"""
@@ -97,10 +103,12 @@ def in_browser(address):
             page.wait_for_selector("ul[role=listbox] li")
             paints.append(page.evaluate("performance.getEntriesByName('first-contentful-paint')[0].startTime"))
         report("first paint, whole library", paints)
-        page.goto(address + "#/match?layers=copper,aluminum&v=1000")
-        page.wait_for_selector("[data-table=match]")
-        page.wait_for_load_state("networkidle")
-        report("dragged match, two metals, until it is drawn", page.evaluate(DRAG))
+        for words, layers in DRAGGED:
+            page.goto(f"{address}#/match?layers={layers}&v=1000")
+            page.wait_for_selector("[data-table=match]")
+            page.wait_for_load_state("networkidle")
+            page.wait_for_timeout(500)
+            report(f"dragged match, {words}, until it is drawn", page.evaluate(DRAG))
         report("match of three layers, asked from the page", page.evaluate(ASK))
         page.evaluate(WAVES)
         panned(page, "x-t map, 600 zones x 5000 records")
@@ -144,10 +152,11 @@ async def many(address):
 
 def main():
     command = [sys.executable, "-m", "hugoniot.cli.main", "explore", "--no-browser", "--no-runs"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server, contextlib.ExitStack() as last:
+        last.callback(server.terminate)
         address = re.search(r"http://\S+", server.stdout.readline()).group(0)
         plain, least = [], []
-        with httpx.Client() as client:
+        with httpx.Client(timeout=120) as client:
             client.get(f"{address}api/materials")
             for _ in range(60):
                 begun = time.perf_counter()
@@ -161,7 +170,6 @@ def main():
         report("match of two metals, asked and answered", plain)
         asyncio.run(many(address))
         in_browser(address)
-        server.terminate()
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
-from hugoniot.plotting.eos import impedance_match
+from hugoniot.plotting.matches import impedance_match
 from hugoniot.plotting.style import COLOURS, INK, QUIET, RC
 from hugoniot.theory.impedance import match
 from hugoniot.theory.uncertainty import propagate

@@ -31,10 +31,10 @@ class State2D:
     """A state of the two-dimensional hydrocode.
 
     time (s), cycle
-    zones        fields (nzone,) by name: blocks in order, (i, j) of each in C order, zone = block.first_zone + i * nj + j
+    zones        fields (nzone,) by name, numbered as in `mesh.blocks`, or in `mesh.triangles`
     nodes        fields (nnode,) by name, one value per global node: position_x, position_y, velocity_x, velocity_y at least
                  (x and y are r and z in axisymmetric geometry)
-    zone_nodes   (nzone, 4) nodes of each zone, counter-clockwise; the same array in every state of a run
+    zone_nodes   (nzone, 4) nodes of each zone, counter-clockwise, or (nzone, 3) of triangles; the same array in every state of a run
     """
 
     time: float

@@ -22,9 +22,10 @@ COARSE: dict[str, dict] = {
     "wall-impact": {"block.cylinder.zones": [8, 16], "stop_time": "2 us"},
     "flyer-disc": {"block.target.zones": [20, 24], "block.flyer.zones": [20, 12], "stop_time": "1.2 us"},
     "cylinder-test": {},
+    "kb2": {"block.base.zones": [12, 4], "block.cover.zones": [12, 4]},
     "gap-disc": {"block.target.zones": [20, 20], "block.flyer.zones": [25, 10], "stop_time": "2.4 us"},
 }
-QUICK = ("noh-plane",)
+QUICK = ("noh-plane", "kb2")
 
 
 @pytest.fixture(scope="module")
@@ -51,6 +52,22 @@ def test_an_example_runs_and_keeps_its_energy(name, ran):
     summary = ran(name).summary
     assert summary["status"] == "done"
     assert abs(summary["mass_error"]) < 1e-12 and abs(summary["energy_error"]) < 1e-12
+
+
+def test_pressure_on_a_curved_surface_pushes_with_the_width_of_the_body(ran):
+    """100 N s down, to round-off, on zones of three nodes; both triangles of a cell at one pressure."""
+    run = ran("kb2")
+    rows, budget = run.arrays("snapshots"), run.arrays("budget")
+    corners = run.arrays("mesh")["zone_nodes"]
+    assert corners.shape == (2 * (12 * 4 + 12 * 4), 3)
+    assert budget["impulse_y cover.top"][-1] == pytest.approx(-100.0, rel=1e-12)
+    assert budget["momentum_y_error"][-1] < 1e-12
+    mass = run.arrays("peaks")["mass"]
+    speed = np.sum(mass * rows["velocity_y"][-1][corners].mean(axis=1)) / mass.sum()
+    assert speed == pytest.approx(-100.0 / mass.sum(), rel=1e-3)
+    assert mass.sum() == pytest.approx(1.89, rel=0.01)
+    lower, upper = rows["pressure"][-1][: 2 * 12 * 4].reshape(12, 2, 4).transpose(1, 0, 2)
+    assert np.array_equal(lower, upper)
 
 
 def test_noh_is_round(ran):

@@ -11,6 +11,7 @@ import lagrange_builders as build
 import numpy as np
 import pytest
 from killed_runs import finish, same_bytes, start, wait_for_checkpoint
+from solver_decks import FLYER
 
 from hugoniot import simulate
 from hugoniot.core import machine
@@ -19,53 +20,10 @@ from hugoniot.output.run_folder import RunFolder
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.run import Schedule, march_to_end, snapshot_times
 
-DECK = """title = "spalling flyer"
-geometry = "planar"
-stop_time = "2.2 us"
-[[region]]
-name = "flyer"
-material = "al"
-from = "0 mm"
-to = "2 mm"
-zones = {flyer}
-velocity = "700 m/s"
-[[region]]
-name = "target"
-material = "al"
-from = "2.01 mm"
-to = "6.01 mm"
-zones = {target}
-[material.al.eos]
-law = "mie_gruneisen"
-rho0 = "2700 kg/m^3"
-c0 = "5200 m/s"
-s = 1.5
-gamma0 = 2.0
-[material.al.strength]
-law = "perfectly_plastic"
-shear_modulus = "24.8 GPa"
-yield_stress = "0.30 GPa"
-[material.al.fracture]
-law = "spall_stress"
-strength = "1.0 GPa"
-[[gauge]]
-name = "middle"
-at = "4 mm"
-[[gauge]]
-name = "surface"
-at = "free surface right"
-[solver]
-integrator = "{integrator}"
-[output]
-snapshots = "0.1 us"
-report = false
-checkpoint_cycles = {every}
-"""
-
 
 def deck(folder, flyer=100, target=200, integrator="compatible", every=37):
     path = folder / f"flyer_{flyer}_{integrator}_{every}.toml"
-    path.write_text(DECK.format(flyer=flyer, target=target, integrator=integrator, every=every))
+    path.write_text(FLYER.format(flyer=flyer, target=target, integrator=integrator, every=every))
     return path
 
 

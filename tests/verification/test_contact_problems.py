@@ -1,5 +1,6 @@
 """Bodies that meet, against answers that do not come from a mesh, or come from runs without contact."""
 
+
 import math
 
 import numpy as np
@@ -14,8 +15,6 @@ from hugoniot.problem.deck import read_deck_text
 from hugoniot.problem.plane.model import Block2D, VelocityField, Viscosity2D
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
-from hugoniot.theory.isentrope import state as state_of
-from hugoniot.theory.shock_polar import Stream
 
 pytestmark = pytest.mark.slow
 
@@ -70,56 +69,6 @@ def test_a_flyer_over_a_gap_equals_the_run_in_one_dimension(across):
     assert np.abs(np.diff(surfaces)).max() < 0.002 * 700.0
     assert plane.errors()["momentum_y_error"] < 1e-12
     assert plane.results()["contact_depth"] < 1e-3
-
-
-LEAN, FLIGHT = math.radians(6.0), 2000.0
-
-
-def leaning(way, name, length=32e-3, thick=4e-3, zones=(160, 20), angle=LEAN):
-    """A plate that leans on y = 0 by an angle and flies toward it at 2 km/s, above (way 1) or below (-1)."""
-    along, across = np.array([math.cos(angle), way * math.sin(angle)]), np.array([-math.sin(angle), way * math.cos(angle)])
-    a = np.array([0.0, way * 1e-6])
-    b, c, d = a + length * along, a + length * along + thick * across, a + thick * across
-    low, high = ((a, b), (d, c)) if way > 0 else ((d, c), (a, b))
-
-    def line(ends):
-        return Curve("line", tuple((float(x), float(y)) for x, y in ends))
-
-    shape = Edges(line((low[0], high[0])), line((low[1], high[1])), line(low), line(high))
-    return Block2D(name, "al", shape, zones, velocity=VelocityField(base=(0.0, -FLIGHT * way)))
-
-
-def test_oblique_symmetric_impact_follows_the_shock_polar():
-    """Two plates at 6 degrees: pressure behind the shocks that run with the point of impact, and their angle.
-
-    At 10 degrees the shock all but detaches (it does at 10.30), and what the start has disturbed stays near the point of impact.
-    """
-    par = MieGruneisen(2700.0, 5200.0, 1.5, 2.0)
-    stream = Stream(par, state_of(par, pressure=0.0, density=2700.0), FLIGHT / math.sin(LEAN))
-    low, high = 1e9, stream.detachment[0]
-    for _ in range(80):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if stream.deflection(middle) < LEAN else (low, middle)
-    wanted, front, point = low, stream.shock_angle(low) - LEAN, 20e-3
-    solver = ran(meeting([leaning(1.0, "above"), leaning(-1.0, "below")], point * math.tan(LEAN) / FLIGHT, material=Material("al", par)))
-    state = solver.state()
-    x, y = (state.nodes[f"position_{a}"][state.zone_nodes].mean(axis=1) for a in "xy")
-    p = state.zones["pressure"]
-    inside = (np.abs(y) < 0.5e-3) & (x > point - 8e-3) & (x < point - 3e-3)
-    assert p[inside].mean() == pytest.approx(wanted, rel=5e-3)
-    places = np.array([(crossing(x, np.abs(y), p, row, 0.5 * wanted), row) for row in np.linspace(0.6e-3, 1.6e-3, 11)])
-    assert math.degrees(math.atan(-1.0 / np.polyfit(places[:, 1], places[:, 0], 1)[0])) == pytest.approx(math.degrees(front), abs=0.2)
-    assert solver.errors()["momentum_error"] < 1e-12
-    assert solver.results()["contact_depth"] < 1e-3
-
-
-def crossing(x, y, p, row, level, half=0.12e-3):
-    """The largest x at which the pressure of zones about y = row rises through a level."""
-    near = np.abs(y - row) < half
-    order = np.argsort(x[near])
-    xs, ps = x[near][order], p[near][order]
-    k = np.flatnonzero(ps > level)[-1]
-    return xs[k] + (xs[k + 1] - xs[k]) * (ps[k] - level) / (ps[k] - ps[k + 1])
 
 
 CHARGE = """

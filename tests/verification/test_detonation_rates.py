@@ -68,9 +68,14 @@ def test_a_rate_too_fast_for_the_mesh_is_told():
 
 @pytest.mark.slow
 def test_isolation_and_weighting_agree_for_one_law():
-    """Reactants and products of one gas law: every closure that solves for a common pressure is the same mixture."""
-    plain, isolated = (run(supported_zone(50, mixture))[1].states[-1].zones["pressure"]
-                       for mixture in ("weighted_pressures", "thermal_isolation"))
+    """Reactants and products of one gas law: every closure that solves for a common pressure is the same mixture.
+
+    The gas is cold and burns from the first step inside the smeared shock. The first products, half a per cent of a zone, get what the energy
+    of the zone and that of its reactants differ by after a step: at this Courant number the lowest energy they are given is 0.93 MJ/kg, at
+    half of it 1.24, at a quarter 1.34, and at 0.4 there is none left for them.
+    """
+    plain, isolated = (run(dataclasses.replace(problem, solver=SolverOptions(courant=0.25)))[1].states[-1].zones["pressure"]
+                       for problem in (supported_zone(50, mixture) for mixture in ("weighted_pressures", "thermal_isolation")))
     assert isolated == pytest.approx(plain, rel=1e-8, abs=1.0)
 
 

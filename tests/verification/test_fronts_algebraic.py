@@ -271,8 +271,8 @@ def survives(seed: int, meetings: int) -> str:
     try:
         solver.march(problem.stop_time, meetings)
     except UnphysicalState as error:
-        assert str(error) and error.remedy
-        ended = "stopped"
+        assert error.remedy and "fronts, more than 120" in str(error), f"seed {seed}: {error}"      # no law's range is left
+        ended = "too many fronts"
     except HugoniotError as error:      # anything else the package raises on purpose would be a gap in the solver's own messages
         raise AssertionError(f"seed {seed}: {error}") from error
     line = solver.line
@@ -290,6 +290,6 @@ def test_random_problems_lose_nothing(seed):
 
 @pytest.mark.slow
 def test_three_hundred_random_problems():
-    """Up to forty meetings each: nothing is lost, and few stop for want of a law's range or for too many fronts."""
+    """Up to forty meetings each: nothing is lost; what stops has more fronts than it was to follow, and says so."""
     ended = [survives(seed, 40) for seed in range(300)]
-    assert ended.count("done") > 280
+    assert ended.count("done") >= 298 and ended.count("outside a law") == 0

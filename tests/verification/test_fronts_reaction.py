@@ -1,28 +1,24 @@
 """Burning behind tracked shocks: the steady zone of an overdriven wave, the exact reference state of isolated reactants, conservation."""
 
 import dataclasses
-from types import MappingProxyType
 
 import numpy as np
 import pytest
+from steady_zone import CELLS, SteadyZone, grown, material_of, zone_errors
 
 from hugoniot.errors import OutOfRange
-from hugoniot.laws.burn.arrhenius import Arrhenius
 from hugoniot.laws.burn.contract import Reactive
 from hugoniot.laws.burn.ignition_growth import IgnitionGrowth
-from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.riemann.branch import Matter, State
 from hugoniot.laws.riemann.curve import Curve
 from hugoniot.laws.riemann.medium import Frozen, mixed_answer, mixed_phases
 from hugoniot.laws.riemann.wave import Side, jumps, reach
 from hugoniot.materials import burning, library
-from hugoniot.materials.material import Material
-from hugoniot.problem.model import Boundary, Problem, Pulse, Region, SolverOptions
+from hugoniot.problem.model import Boundary, Problem, Pulse, Region
 from hugoniot.simulate import make_solver
 from hugoniot.theory.hugoniot import Initial, shock
 from hugoniot.theory.stability import Wave
 
-CELLS = SolverOptions("fronts", options=MappingProxyType({"mode": "cells"}))
 LX17 = dataclasses.replace(library.find("LX-17 reactive"), name="lx-17")
 REST = Initial.at_rest(LX17.unreacted)
 
@@ -35,53 +31,63 @@ def marched(problem):
 
 
 # -- the steady zone ---------------------------------------------------------------------------------------------------
-WAVE = Wave(1.2, 50.0, 20.0, 1.6)      # of a low activation energy: no mode grows
+CALM, PULSATING = SteadyZone(Wave(1.2, 50.0, 20.0, 1.6)), SteadyZone(Wave(1.2, 50.0, 50.0, 1.6))
 
 
-def zone(burned):
-    """(time since the shock, distance, velocity in the laboratory, pressure) where these fractions have burned."""
-    rho, u, p = np.array([WAVE.state(b) for b in burned]).T
-    per_s = 1.0 / (WAVE.rate_constant * np.exp(-WAVE.activation * rho / p))      # dt/ds, s = -ln(1 - lambda)
-    s = -np.log1p(-burned)
-    time = np.concatenate([[0.0], np.cumsum(0.5 * (per_s[1:] + per_s[:-1]) * np.diff(s))])
-    flow = -u * per_s
-    return time, np.concatenate([[0.0], np.cumsum(0.5 * (flow[1:] + flow[:-1]) * np.diff(s))]), WAVE.velocity + u, p
+@pytest.mark.parametrize("zone", [CALM, pytest.param(PULSATING, marks=pytest.mark.slow)])
+def test_the_reaction_zone_is_of_second_order(zone):
+    """Started from the steady zone: errors of the front's place, of density, velocity and burn fraction in eight half-reaction lengths."""
+    coarse, fine = (zone_errors(zone, n) for n in (10, 20))
+    assert (np.log2(coarse / fine) > 1.9).all()
+    assert (fine < (2.5e-5, 2.5e-5, 2.5e-5, 5e-5)).all()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("wave, guess, behind, stop, sharp", [(PULSATING.wave, 0.12 + 0.88j, 21.0, 10.0, 2e-3),
+                                                              (Wave(1.2, 50.0, 28.0, 1.0005), 0.13 + 0.49j, 9.0, 14.0, 5e-3)])
+def test_a_normal_mode_grows_as_it_should(wave, guess, behind, stop, sharp):
+    """f = 1.6 and E = 50, and E = 28 near Chapman-Jouguet: growth to 1 %, frequency to 0.5 %, at ten zones in a half-reaction length.
+
+    The piston stands so far behind that its sound does not reach the front.
+    """
+    mode = wave.mode(guess)
+    growth, frequency = grown(SteadyZone(wave), mode, 10, behind, stop)
+    assert growth == pytest.approx(mode.growth, rel=1e-2) and frequency == pytest.approx(mode.frequency, rel=sharp)
 
 
 def overdriven(per_half_length, stop):
     """A piston that moves as the material behind the steady front."""
-    time, _, u, _ = zone(-np.expm1(-np.concatenate([[0.0], np.geomspace(1e-5, 24.0, 300)])))
-    gas = IdealGas(1.2, 5.0, 1.0)
-    material = Material("gas", gas, burn=Arrhenius(WAVE.rate_constant, WAVE.activation), unreacted=gas, mixture="weighted_pressures",
-                        detonation_energy=WAVE.heat)
-    length = WAVE.velocity * stop + 2.0
+    wave = CALM.wave
+    kept = np.unique(np.searchsorted(CALM.s, np.geomspace(1e-3, 24.0, 800)))
+    kept = np.concatenate([[0], kept[CALM.time[kept] < 2.0 * stop]])
+    length = wave.velocity * stop + 2.0
     region = Region("gas", "gas", 0.0, length, round(per_half_length * length), density=1.0, pressure=1.0)
-    keep = time < 2.0 * stop
-    pulse = Pulse("table", times=tuple(time[keep]), values=tuple(u[keep]))
-    return Problem("overdriven", "planar", stop, (region,), {"gas": material}, Boundary("velocity", pulse), Boundary("fixed"), solver=CELLS)
+    pulse = Pulse("table", times=tuple(CALM.time[kept]), values=tuple(CALM.velocity[kept]))
+    return Problem("overdriven", "planar", stop, (region,), {"gas": material_of(wave)}, Boundary("velocity", pulse), Boundary("fixed"),
+                   solver=CELLS)
 
 
-def zone_errors(per_half_length):
+def driven_errors(per_half_length):
     """(of the front's place over its way, of the pressure in three half lengths behind it over that of the spike)."""
     solver = marched(overdriven(per_half_length, 1.0))
     mesh = solver.mesh
     front = float(mesh.x[mesh.faces()[1]])
-    _, distance, _, p = zone(-np.expm1(-np.linspace(0.0, 14.0, 4000)))
     behind = front - mesh.middle
     inside = (behind > 0.0) & (behind < 3.0)
     found = solver.flow.look(mesh)[6, :len(inside)][inside]
-    return abs(front / WAVE.velocity - 1.0), float(np.abs(found - np.interp(behind[inside], distance, p)).mean() / p[0])
+    error = np.abs(found - np.interp(behind[inside], CALM.y, CALM.pressure)).mean() / CALM.pressure[0]
+    return np.array([abs(front / CALM.wave.velocity - 1.0), float(error)])
 
 
-def test_the_reaction_zone_of_an_overdriven_wave_has_no_viscous_width():
-    place, pressure = zone_errors(10)
-    assert place < 6e-4 and pressure < 1.5e-3
+def test_a_driven_reaction_zone_has_no_viscous_width():
+    place, pressure = driven_errors(10)
+    assert place < 2e-5 and pressure < 1.5e-4
 
 
 @pytest.mark.slow
-def test_the_reaction_zone_converges():
-    coarse, fine = zone_errors(10), zone_errors(40)
-    assert np.log2(coarse[1] / fine[1]) / 2.0 > 1.2 and fine[1] < 2e-4 and fine[0] < 1.5e-4
+def test_a_driven_reaction_zone_converges():
+    coarse, fine = driven_errors(10), driven_errors(40)
+    assert np.log2(coarse[1] / fine[1]) / 2.0 > 1.8 and fine[1] < 1e-5
 
 
 # -- the reference state -------------------------------------------------------------------------------------------------
@@ -108,6 +114,26 @@ def test_the_products_energy_behind_a_tracked_shock_is_independent_of_the_mesh(r
     coarse, fine = slow_burn(5, rate)[0], slow_burn(20, rate)[0]
     assert 1e-3 < fine[:, 0].min() < fine[:, 0].max() < 0.1
     assert coarse[:, 1] == pytest.approx(fine[:, 1], rel=1e-3)
+
+
+def initiated(per_mm):
+    """LX-17 behind a shock of 20 GPa with its own rate, when the shock has become a detonation: products' energy, J/kg."""
+    behind = shock(LX17.unreacted, REST, pressure=20e9)
+    piston = Boundary("velocity", Pulse("constant", float(behind.particle_velocity)))
+    region = Region("charge", "lx-17", 0.0, 4e-3, 4 * per_mm)
+    solver = marched(Problem("initiated", "planar", 0.4e-6, (region,), {"lx-17": LX17}, piston, Boundary("free"), solver=CELLS))
+    found = []
+    for fraction in (0.05, 0.15, 0.25, 0.35, 0.45):
+        _, state, matter, burned = solver.column(0).point(fraction)
+        found.append(mixed_phases(state.rho, state.e, burned, matter.par.volume, matter.par.energy, matter.par.mixture).e_p)
+    return np.array(found)
+
+
+@pytest.mark.slow
+def test_the_products_energy_of_an_initiation_is_independent_of_the_mesh():
+    """The fast reaction behind the detonation is 0.15 mm wide: three cells of the coarse mesh."""
+    fine = initiated(80)
+    assert initiated(20) == pytest.approx(fine, rel=1e-2) and initiated(40) == pytest.approx(fine, rel=6e-3)
 
 
 def test_the_reference_state_is_the_exact_state_behind_the_shock():

@@ -13,6 +13,7 @@ from hugoniot.output.atomic import write_whole
 from hugoniot.output.sweep_file import SweepTable
 
 FILES = ("sensitivity.csv", "spread.csv", "bands.csv")
+CONSTANTS = "constants.csv"
 
 
 @dataclass(frozen=True)
@@ -66,6 +67,15 @@ def write_analysis(folder, found: Analysis | None, table: SweepTable) -> None:
             write_whole(folder / name, text)
         else:
             (folder / name).unlink(missing_ok=True)
+
+
+def write_constants(folder, rows: list[list[str]]) -> None:
+    """Write the standard deviations of the library's constants that a sweep used, or remove those of an earlier one."""
+    path = pathlib.Path(folder) / CONSTANTS
+    if rows:
+        write_whole(path, _csv(["material", "constant", "value", "unit", "standard deviation", "sources, or why it is held"], rows))
+    else:
+        path.unlink(missing_ok=True)
 
 
 def _csv(heads, rows) -> str:

@@ -46,7 +46,7 @@ def sweep(deck: str | os.PathLike | None = None, vary: Mapping[str, Any] | Seque
     out        folder (default: the deck's name with .sweep); what stands there is not run again
     workers    processes (default: one for each processor)
     engine     "local", or "dask" with the address of a `scheduler` or workers of this machine
-    wishes     design, samples, seed, match, output, record, keep, time_limit: see `campaign.ask.Wishes`
+    wishes     design, samples, seed, match, output, record, keep, time_limit, uncertain: see `campaign.ask.Wishes`
 
     Results are SI, not-a-number where a case failed; `reason` says why. Raises `DeckError` and `FileTrouble`.
     """

@@ -4,14 +4,16 @@ import contextlib
 import os
 import pathlib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
-from hugoniot.campaign.designs import KINDS, Design, design_of
+from hugoniot.campaign.analysis import write_constants
+from hugoniot.campaign.designs import KINDS, design_of
 from hugoniot.campaign.plan import Plan, sweep_table, ties_of
 from hugoniot.campaign.pool import LocalPool
 from hugoniot.campaign.questions import Deck, Match
 from hugoniot.campaign.sweep import Progress, Swept, cores, sweep
+from hugoniot.campaign.uncertain import SAMPLES, Known, records_of, rows_of, uncertain
 from hugoniot.campaign.variables import read_variable, refuse
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.materials.collect import nearest
@@ -31,6 +33,7 @@ class Wishes:
     output      patterns of the results wanted; record: "GAUGE.field" of which every case keeps a record
     keep        keep the full run folders
     time_limit  seconds a case may take (compiling apart)
+    uncertain   "library": the constants vary by what the library knows of their uncertainty (`campaign.uncertain`)
     """
 
     deck: str | None = None
@@ -44,6 +47,7 @@ class Wishes:
     record: Sequence[str] = ()
     keep: bool = False
     time_limit: float | None = None
+    uncertain: str | None = None
 
     def words(self) -> dict[str, Any]:
         """As plain data; what was not asked for is left out."""
@@ -53,7 +57,7 @@ class Wishes:
 
 
 _KINDS = {"deck": (str,), "match": (list,), "vary": (list,), "tie": (list,), "design": (str,), "samples": (int,), "seed": (int,),
-          "output": (list,), "record": (list,), "keep": (bool,), "time_limit": (int, float)}
+          "output": (list,), "record": (list,), "keep": (bool,), "time_limit": (int, float), "uncertain": (str,)}
 _NAMES = {str: "a text", list: "an array of texts", int: "a whole number", bool: "true or false", float: "a number"}
 
 
@@ -128,12 +132,19 @@ def question_for(wishes: Wishes, text: str | None, path: pathlib.Path | None, ma
     return question
 
 
-def plan_of(wishes: Wishes, question, design: Design | None = None) -> Plan:
-    """The plan of a question. Raises `DeckError`."""
-    if design is None:
-        variables = [read_variable(text) for text in wishes.vary]
-        design = design_of(variables, wishes.design, wishes.samples, wishes.seed)
-    return Plan(question, design, ties_of(wishes.tie, [variable.name for variable in design.variables]))
+def plan_of(wishes: Wishes, question) -> tuple[Plan, list[Known]]:
+    """(the plan of a question, what the library knows of its materials where that was asked for). Raises `DeckError`."""
+    variables, ties, known = [read_variable(text) for text in wishes.vary], [], []
+    kind, samples = wishes.design, wishes.samples
+    if wishes.uncertain is not None:
+        own, ties, known = uncertain(question, wishes.uncertain)
+        variables += own
+        if kind == "grid":
+            kind, samples = "sobol", samples or SAMPLES
+    design = design_of(variables, kind, samples, wishes.seed)
+    given = [variable.name for variable in design.variables]
+    taken = {*given, *(text.partition("=")[0].strip() for text in wishes.tie)}       # what is varied by hand is not the library's
+    return Plan(question, design, (*ties_of(wishes.tie, given), *(tie for tie in ties if tie.key not in taken))), known
 
 
 def local(workers: int | None = None, time_limit: float | None = None) -> Callable:
@@ -196,20 +207,27 @@ def run_sweep(path, wishes: Wishes, out=None, *, engine: Callable | None = None,
     Raises `DeckError`, `FileTrouble`, and KeyboardInterrupt, after which the same call goes on.
     """
     wishes, text, source = read_asked(path, wishes)
+    if wishes.uncertain is not None and not wishes.record and text is not None and source is not None:
+        wishes = replace(wishes, record=records_of(Deck(text, source.name, os.path.abspath(source.parent),
+                                                        [os.path.abspath(place) for place in materials])))
     folder = pathlib.Path(out or (f"{source.stem}.sweep" if source else "match.sweep"))
     question = question_for(wishes, text, source, materials, folder / "runs" if wishes.keep else None)
-    plan = plan_of(wishes, question)
+    plan, known = plan_of(wishes, question)
     if wishes.record and isinstance(question, Deck):
         question.until = longest(plan, question.until)
     swept = sweep(plan, folder, engine=engine or local(workers, wishes.time_limit), outputs=wishes.output, show=show, words=wishes.words())
     title = f"Sweep of {source.name}" if source and wishes.match is None else f"Impedance match of {', '.join(wishes.match or ())}"
-    asked = "\n".join([*wishes.vary, *wishes.tie, *([] if wishes.design in KINDS else [f"cases of {wishes.design}"])])
+    asked = "\n".join([*wishes.vary, *wishes.tie, *(["constants of the library by their uncertainty"] if known else []),
+                       *([] if wishes.design in KINDS else [f"cases of {wishes.design}"])])
+    rows = list(rows_of(known))
+    write_constants(folder, rows)
     if report:
-        write_or_note(folder, lambda place: _report(place, swept, title, asked))
-    return swept
+        write_or_note(folder, lambda place: _report(place, swept, title, asked, rows))
+    return replace(swept, constants=rows)
 
 
-def _report(folder, swept: Swept, title: str, asked: str) -> None:
+def _report(folder, swept: Swept, title: str, asked: str, constants: list[list[str]]) -> None:
     from hugoniot.report.sweep_page import write_sweep_report
 
-    write_sweep_report(folder, swept.table, title, asked, __version__, swept.analysis.sensitivity if swept.analysis else None)
+    sensitivity = swept.analysis.sensitivity if swept.analysis else None
+    write_sweep_report(folder, swept.table, title, asked, __version__, sensitivity, constants)

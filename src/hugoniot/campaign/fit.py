@@ -38,6 +38,7 @@ POPULATION, GENERATIONS = 6, 25    # of differential evolution: members for each
 PRIOR_ENDS = 5.0      # standard deviations of a prior within which is sought
 PER_PARAMETER = 8     # sampled starting points for each parameter
 SAME = 0.05           # of a range: minima that are nearer are one
+JUMPS = 1.0           # rise of the sum of squares for each parameter that jumps of the runs may cost the middle of a plane
 
 
 @dataclass(frozen=True)
@@ -77,6 +78,7 @@ class Problem:
     """A fit: parameters, targets, and a function that runs the deck at several points (see `answers`).
 
     shift, scale   largest magnitude of the shift (s) and the scale of each file, 0 for none
+    smooth         the runs answer without jumps: a plane needs few of them
     ask            ask(changes of each case) -> answers, with "records" {name: (times, values)} or a "reason"
     """
 
@@ -90,6 +92,7 @@ class Problem:
     ask: Callable[[list[dict]], list[dict]]
     runs: int = 0
     seen: dict[tuple, dict] = field(default_factory=dict)
+    smooth: bool = False
 
     # -- coordinates -------------------------------------------------------------------------------------------------
     @property
@@ -189,15 +192,32 @@ class Problem:
             quiet = quiet + 1 if moved < 0.5 and fits else 0
             if quiet >= 2:
                 break
-        plane = self._plane(x, moving, self._sample(x, moving, reach, rounds))
-        return Minimum(x, self.cost(x), plane.slopes, plane.weight, plane.rough, quiet >= 1)
+        sample = self._sample(x, moving, reach, rounds)
+        x, sample = (x, sample) if fixed else self._middle(x, moving, reach)
+        plane = self._plane(x, moving, sample)
+        return Minimum(x, self.cost(x), plane.slopes, plane.weight, plane.rough, quiet >= 1, best)
+
+    def _middle(self, x: np.ndarray, moving: np.ndarray, reach: np.ndarray) -> tuple[np.ndarray, list[np.ndarray]]:
+        """(where the plane through all runs near the best point has its least squares, those runs).
+
+        Where the runs answer in jumps, the best one is best by chance, anywhere on its step; the plane takes the mean over the steps, and
+        it is for its least squares that the covariance holds. The best point stays where that place fits worse than jumps explain.
+        """
+        count = len(self.free)
+        near = [np.array(key) for key in self.seen if np.all(np.abs(np.array(key) - x[:count]) <= 1.001 * reach[:count])]
+        sample = [np.concatenate([key, x[count:]]) for key in near if not np.array_equal(key, x[:count])]
+        plane = self._plane(x, moving, sample)
+        middle = x + plane.step(x, self.ends, reach, ())
+        middle = self.with_best_nuisance(middle) if "numbers" in self.answers([middle])[0] else x
+        scatter = max(self.cost(x) / max(plane.offset.size - len(x), 1), 1.0)
+        return (middle if self.cost(middle) - self.cost(x) <= JUMPS * len(x) * scatter else x), sample
 
     def _sample(self, x: np.ndarray, moving: np.ndarray, reach: np.ndarray, seed: int) -> list[np.ndarray]:
         """Points round x, each run."""
         if not len(moving):
             return []
         low, high = self.ends
-        size = max(2 * len(moving) + 4, LEAST_SAMPLE)
+        size = 2 * len(moving) + 1 if self.smooth else max(2 * len(moving) + 4, LEAST_SAMPLE)
         shares = 2.0 * stats.qmc.LatinHypercube(len(moving), seed=seed).random(size) - 1.0
         points = []
         for share in shares:

@@ -10,22 +10,38 @@ from typing import Any
 
 import numpy as np
 
+from hugoniot.campaign.fit_results import Fit
 from hugoniot.campaign.posterior import QUANTILES, Posterior
-from hugoniot.output.atomic import write_whole
+from hugoniot.errors import FileTrouble
+from hugoniot.output.atomic import explained, write_whole
 
 OURS = ("fitted.toml", "fit.json", "residuals.csv", "posterior.csv", "predictive.csv", "report.html", "run.log")
 MOST_DRAWS = 10_000      # that are written
 
 
+def claimed(folder: pathlib.Path) -> pathlib.Path:
+    """A folder that a fit may write into, made if it is not there. Raises `FileTrouble`."""
+    with explained(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        foreign = sorted(path.name for path in folder.iterdir() if path.name not in OURS and not path.name.endswith(".part"))
+    if foreign:
+        raise FileTrouble(f"{folder}: holds {foreign[0]} and is not the folder of a fit; choose another folder with --out")
+    return folder
+
+
 def record_of(found) -> dict[str, Any]:
     """A `run_fit.Fitted` as plain data."""
-    fit = found.fit
     drawn = {} if found.posterior is None else {"posterior": posterior_record(found.posterior)}
+    return {**fit_record(found.fit), "notes": list(found.notes),
+            "targets": [{"label": t.label, "name": t.name, "points": len(t.values)} for t in found.targets], **drawn}
+
+
+def fit_record(fit: Fit) -> dict[str, Any]:
+    """A fit as plain data."""
     return {"parameters": [asdict(p) for p in fit.parameters], "correlation": fit.correlation.tolist(), "chi_square": fit.chi_square,
             "degrees_of_freedom": fit.freedom, "reduced_chi_square": fit.reduced, "probability": fit.probability, "matches": fit.matches,
             "others": [{"values": list(values), "chi_square": cost} for values, cost in fit.others], "doubts": list(fit.doubts),
-            "notes": list(found.notes), "runs": fit.runs,
-            "targets": [{"label": t.label, "name": t.name, "points": len(t.values)} for t in found.targets], **drawn}
+            "runs": fit.runs}
 
 
 def posterior_record(p: Posterior) -> dict[str, Any]:
@@ -45,9 +61,9 @@ def write_fit(folder: pathlib.Path, found, name: str) -> None:
 
     write_whole(folder / "fitted.toml", found.deck)
     write_whole(folder / "fit.json", json.dumps(_finite(record_of(found)), indent=2) + "\n")
-    rows = ([t.label, *(repr(float(v)) for v in (t.time[k], t.values[k], model[k], t.sigma[k], (model[k] - t.values[k]) / t.sigma[k]))]
-            for t, model in zip(found.targets, found.models) for k in range(len(t.values)))
-    _write_rows(folder / "residuals.csv", ["target", "time [s]", "data", "model", "sigma", "residual"], rows)
+    rows = ([t.label, *(repr(float(v)) for v in (t.time[k], t.values[k], model[k], t.sigma[k], beside[k]))]
+            for t, model in zip(found.targets, found.models) for beside in [t.beside(model)] for k in range(len(t.values)))
+    _write_rows(folder / "residuals.csv", ["target", "time [s] or input pressure [Pa]", "data", "model", "sigma", "residual"], rows)
     if found.posterior is None:
         for stale in ("posterior.csv", "predictive.csv"):     # of an earlier fit of the folder
             (folder / stale).unlink(missing_ok=True)

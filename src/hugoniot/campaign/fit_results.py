@@ -1,8 +1,10 @@
 r"""What a fit has found: values, intervals, correlations, whether the model matches at all, and profiles.
 
-An interval is the value with the 97.5 % point of Student's distribution times the standard deviation on both sides. A profile goes
-further: the parameter is held, all others are sought anew, and the 95 % limits are where $\chi^2$ has risen by 3.84 (times the reduced
-$\chi^2$ where that is above one). Limits of a profile need not be symmetric; one that meets the end of a range is not known.
+An interval is the value with the 97.5 % point of Student's distribution times the standard deviation on both sides, and further where
+a run that was made beyond it has a $\chi^2$ within 3.84 of the least: a model may answer in steps, one void a time step later, and a step
+that the data allow belongs to the interval as far as it goes. A profile goes further: the parameter is held, all others are sought anew,
+and the 95 % limits are where $\chi^2$ has risen by 3.84 (times the reduced $\chi^2$ where that is above one). Limits of a profile need
+not be symmetric; one that meets the end of a range is not known.
 """
 
 import math
@@ -80,7 +82,8 @@ def weighed(problem: Problem, minima: Sequence[Minimum], profiles: bool = False)
     spread_of = covariance(best, inflated)
     spread = np.sqrt(np.maximum(np.diag(spread_of), 0.0))
     student = float(stats.t.ppf(0.5 + 0.5 * LEVEL, max(freedom, 1)))
-    parameters = tuple(_parameter(problem, best, k, spread[k], student,
+    reached = _reached(problem, best, inflated)
+    parameters = tuple(_parameter(problem, best, k, (spread[k], student, reached[:, k]),
                                   _profile(problem, best, k, spread[k], spread_of, inflated) if profiles else (math.nan, math.nan))
                        for k in range(len(best.x)))
     scale = np.where(spread > 0.0, spread, 1.0)
@@ -103,13 +106,28 @@ def _apart(problem: Problem, best: Minimum, other: Minimum) -> bool:
     return bool(np.max(np.abs(best.x - other.x) / (high - low)) > 0.05)
 
 
-def _parameter(problem: Problem, best: Minimum, k: int, spread: float, student: float, profile: tuple[float, float]) -> Parameter:
+def _reached(problem: Problem, best: Minimum, inflated: float) -> np.ndarray:
+    """(lowest, highest) coordinates of the runs made so far whose sum of squares is within the 95 % limit of the least, (2, nparameter).
+
+    In a model that answers smoothly they lie inside the intervals of the covariance; where it answers in steps, a step that the data
+    allow may reach further.
+    """
+    count = len(problem.free)
+    points = [np.concatenate([key, best.x[count:]]) for key, answer in problem.seen.items() if "numbers" in answer]
+    costs = np.array([problem.cost(x) for x in points])
+    inside = np.array(points)[costs <= min(best.cost, best.least) + RISE * inflated]
+    return np.array([inside.min(axis=0), inside.max(axis=0)]) if len(inside) else np.array([best.x, best.x])
+
+
+def _parameter(problem: Problem, best: Minimum, k: int, width: tuple[float, float, np.ndarray], profile: tuple[float, float]) -> Parameter:
+    spread, student, reached = width
     low, high = (ends[k] for ends in problem.ends)
     c = best.x[k]
     step = 1e-4 * (high - low)
     slope = (problem.value(k, min(c + step, high)) - problem.value(k, max(c - step, low))) / (min(c + step, high) - max(c - step, low))
     at_end = bool(min(c - low, high - c) < _NEAR * (high - low))
-    limits = [problem.value(k, float(np.clip(c + sign * student * spread, low, high))) for sign in (-1.0, 1.0)]
+    ends = min(c - student * spread, reached[0]), max(c + student * spread, reached[1])
+    limits = [problem.value(k, float(np.clip(end, low, high))) for end in ends]
     return Parameter(problem.names[k], problem.units[k], problem.value(k, c), abs(slope) * spread, limits[0], limits[1], at_end, *profile)
 
 

@@ -13,8 +13,9 @@ import numpy as np
 from hugoniot.diagnostics.interface_gauges import without_mixtures
 from hugoniot.output.plane_record import plane_record
 from hugoniot.output.setup_record import setup_record
+from hugoniot.output.spall_reading import region_named
 from hugoniot.simulate import make_solver, steady_numbers
-from hugoniot.solvers.run import Schedule, march_to_end, snapshot_times
+from hugoniot.solvers.run import Outcome, Schedule, march_to_end, snapshot_times
 
 _KEPT = ("velocity", "position_left", "position_right")     # of a snapshot: what the readings of a run look at
 
@@ -40,28 +41,37 @@ class _Columns(Mapping):
 
 
 class MemoryRun:
-    """A finished run of a problem, of which only the gauges, the events and the motion in the snapshots were kept.
+    """A finished run of a problem, of which only the gauges, the events and what readings ask of the snapshots were kept.
 
     `setup` as of a run folder; `summary` has cycles, time, errors and counts. Raises what a run raises.
     """
 
     def __init__(self, problem):
         self.problem = replace(problem, solver=replace(problem.solver, threads=1)) if problem.solver.threads > 1 else problem
-        self._gauges: list[tuple[np.ndarray, dict]] = []
-        self._shots: list[dict] = []
-        self._events: list[dict] = []
-        solver = make_solver(self.problem)
-        times = snapshot_times(problem.stop_time, problem.output.snapshots)
-        outcome = march_to_end(solver, Schedule(problem.stop_time, times, max_cycles=problem.solver.max_cycles), (self,))
         flat = problem.solver.kind == "lagrange2d"
+        self._names = [block.name for block in problem.blocks] if flat else [region.name for region in problem.regions]
+        solver, outcome, snapshots = self._marched(passing=True)
+        if any(event["kind"] == "void_opened" and not region_named(event["text"], self._names) for event in self._events):
+            solver, outcome, snapshots = self._marched(passing=False)     # which region broke is then read from the places in snapshots
         meta = {"solver": problem.solver.kind, "viscosity": solver.viscosity, "transport": solver.transport}
         self.setup = plane_record(problem, meta) if flat else setup_record(problem, meta)
         self.summary: dict[str, Any] = {"status": outcome.status, "cycles": solver.cycle, "time": solver.time, **solver.errors(),
                                         **solver.counts(), **solver.results(), **steady_numbers(self.problem)}
-        names = [block.name for block in problem.blocks] if flat else [region.name for region in problem.regions]
         self._tables: dict[str, Mapping] = {"events": {name: [event[name] for event in self._events] for name in
-                                                       ("kind", "text", "time", "numbers")},
-                                            "snapshots": self._snapshots([names[k] for k in solver.region_of])}
+                                                       ("kind", "text", "time", "numbers")}, "snapshots": snapshots}
+
+    def _marched(self, passing: bool) -> tuple[Any, Outcome, Mapping]:
+        """(solver at the end, outcome, columns of the snapshots): their extremes alone where the solver can pass through their times."""
+        self._gauges: list[tuple[np.ndarray, dict]] = []
+        self._shots: list[dict] = []
+        self._events: list[dict] = []
+        problem, solver = self.problem, make_solver(self.problem)
+        times = snapshot_times(problem.stop_time, problem.output.snapshots)
+        passing = passing and solver.pass_through(times)
+        self.motion = None if passing else self._keep_motion
+        looks = [times[0], times[-1]] if passing else times
+        outcome = march_to_end(solver, Schedule(problem.stop_time, looks, max_cycles=problem.solver.max_cycles), (self,))
+        return solver, outcome, self._extremes(solver) if passing else self._snapshots([self._names[k] for k in solver.region_of])
 
     # -- what the time loop hands over -------------------------------------------------------------------------------
     def gauges(self, times, values) -> None:
@@ -71,8 +81,7 @@ class MemoryRun:
             flat = self.problem.solver.kind == "lagrange2d"
             self._gauges.append((times, values if flat else without_mixtures(values, self.problem.gauges)))
 
-    def motion(self, state) -> None:
-        """Keep the motion."""
+    def _keep_motion(self, state) -> None:
         self._shots.append({"time": state.time, **{name: value for name, value in state.fields().items() if name.startswith(_KEPT)}})
 
     def event(self, event) -> None:
@@ -81,6 +90,13 @@ class MemoryRun:
                              "numbers": json.dumps({"position": event.position}, sort_keys=True)})
 
     # -- what the readings ask for -----------------------------------------------------------------------------------
+    def _extremes(self, solver) -> Mapping:
+        found = solver.seen_in_passing()
+        fields = self.problem.output.fields
+        if fields and "stress" not in fields:       # of which a run's snapshots have none
+            found.pop("stress")
+        return {**found, "velocity_right": found["velocity_right"][:, None]}
+
     def _snapshots(self, regions: list[str]) -> Mapping:
         names = [*(self._shots[0] if self._shots else ()), "region"]
         return _Columns(names, lambda name: np.array(regions, dtype=object) if name == "region" else

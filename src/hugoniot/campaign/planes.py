@@ -3,6 +3,7 @@
 The losses are those of `scipy.optimize.least_squares`, as functions of the squared residual, with the weights of iterated least squares.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -30,6 +31,7 @@ class Minimum:
     x        coordinates of all parameters; cost the sum of squares there
     slopes   (nresidual, nparameter) of the residuals, `weight` (nresidual,) of the loss
     rough    (npoint, nresidual) how residuals near by stray from a plane, weighted so that their squares add up to the mean square
+    least    the smallest sum of squares of any run near by: below `cost` where the runs answer in jumps
     """
 
     x: np.ndarray
@@ -38,7 +40,7 @@ class Minimum:
     weight: np.ndarray
     rough: np.ndarray
     settled: bool
-
+    least: float = math.nan
 
 
 def covariance(found: "Minimum | Plane", inflated: float = 1.0) -> np.ndarray:

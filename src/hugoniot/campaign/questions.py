@@ -84,20 +84,24 @@ class Deck(Asked):
 
     records   "GAUGE.field" of which each case keeps `points` values from 0 to `until` (s)
     runs      folder for full run folders, or None
+    pops      (input pressures in Pa, distances in m that they are wanted to have) of each Pop plot asked for besides
+    run       whether the deck itself is run: its numbers and records
     """
 
     def __init__(self, text: str, name: str, beside: str | None = None, places: Sequence[str] = (), records: Sequence[str] = (),
-                 until: float = 0.0, runs: str | None = None, points: int = POINTS):
+                 until: float = 0.0, runs: str | None = None, points: int = POINTS, pops: Sequence = (), run: bool = True):
         from hugoniot.problem.deck import parse_deck
 
         self.text, self.name, self.beside, self.places = text, name, beside, tuple(places)
         self.records, self.until, self.runs, self.points = tuple(records), until, runs, points
+        self.pops, self.run = [list(map(list, pop)) for pop in pops], run
         self.raw = parse_deck(text, name)
         self.raw.pop("sweep", None)
         self.beside_path = None if beside is None else pathlib.Path(beside)
 
     def record(self) -> dict:
-        return {"kind": "deck", "text": self.text, "name": self.name, "beside": self.beside, "places": list(self.places),
+        pops = {"pops": self.pops, "run": self.run}
+        return {"kind": "deck", "text": self.text, "name": self.name, "beside": self.beside, "places": list(self.places), **pops,
                 "records": list(self.records), "until": self.until, "runs": self.runs, "points": self.points}
 
     def read(self, changes: Mapping[str, Any]):
@@ -119,6 +123,7 @@ class Deck(Asked):
     def prepared(self, changes):
         deck = self.read(changes)
         kept = "".join(f"# {self.points} {self.until!r} {name}\n" for name in self.records)
+        kept += "".join(f"# pop plot {pop!r}\n" for pop in self.pops) + ("" if self.run else "# not run\n")
         return deck.resolved + kept, lambda key: self._ran(deck, key)
 
     def stands(self, key):
@@ -128,6 +133,9 @@ class Deck(Asked):
         from hugoniot.campaign.memory_run import MemoryRun
         from hugoniot.campaign.numbers import numbers_of
 
+        popped = {f"pop plot {k}.distance": self._popped(deck.problem, pop) for k, pop in enumerate(self.pops, 1)}
+        if not self.run:
+            return {"numbers": {}, "records": popped}
         if self.runs is None:
             found: Any = MemoryRun(deck.problem)
         else:
@@ -135,7 +143,14 @@ class Deck(Asked):
             if folder.is_dir() and not (folder / "summary.json").is_file():
                 shutil.rmtree(folder)     # what a killed worker began; its name is ours alone
             found = run(deck, folder, report=False, overwrite=True)
-        return {"numbers": numbers_of(found), **({"records": self._kept(found)} if self.records else {})}
+        records = {**(self._kept(found) if self.records else {}), **popped}
+        return {"numbers": numbers_of(found), **({"records": records} if records else {})}
+
+    @staticmethod
+    def _popped(problem, pop) -> list[float]:
+        from hugoniot.campaign.pop_target import distances, explosive_of
+
+        return distances(explosive_of(problem), *pop)
 
     def _kept(self, found) -> dict[str, list[float]]:
         times, kept = np.linspace(0.0, self.until, self.points), {}

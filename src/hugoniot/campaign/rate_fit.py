@@ -1,34 +1,35 @@
 r"""Constants of a rate from a Pop plot: run distances of pistons brought to a line $\log_{10} p = a + b\log_{10} x^*$.
 
 A few constants of the burn law are changed until the run distances agree with the line in the sense of least squares of
-$\ln(x/x^*)$; all others, and both equations of state, stay. Constants with a unit are sought by their logarithm, powers as they are,
-and a coefficient of a power of pressure by its rate at the middle of the pressures (else both would be nearly the same unknown). The
-search is that of Levenberg and Marquardt, its slopes by differences of run distances. Each run has a fixed number of zones in the run
-distance it is meant to have, so all pressures are read equally well; at the end every run is repeated with zones half the size.
-
-Source of the search: D. W. Marquardt, J. Soc. Indust. Appl. Math. 11 (1963) 431.
+$\ln(x/x^*)$; all others, and both equations of state, stay. This is a fit as any other (`campaign.fit`): the run distances of the line are
+a Pop plot (`campaign.pop_target`), the covariance and the intervals are those of the fit, and so is what they mean. Constants with a
+unit are sought by their logarithm, powers as they are, and a coefficient of a power of pressure by its rate at the middle of the
+pressures (else both would be nearly the same unknown). The search begins at the constants given, and run distances answer smoothly, so
+that a few runs make a plane. Each run has a fixed number of zones in the run distance it is meant to have, so all pressures are read
+equally well; at the end every run is repeated with zones half the size.
 """
 
 import math
+import pathlib
 import re
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from hugoniot.campaign.pop_plot import Initiation, charge_of, initiation
+from hugoniot.campaign.fit import Free, Problem
+from hugoniot.campaign.fit_results import Fit, weighed
+from hugoniot.campaign.pop_plot import Initiation, charge_of
+from hugoniot.campaign.pop_target import RELATIVE_SIGMA, ROOM, PopTarget, initiations, run_distance
+from hugoniot.campaign.run_fit import Fitted
+from hugoniot.campaign.variables import Variable
 from hugoniot.diagnostics.detonation import PopLine
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.burn.contract import BURN
 from hugoniot.materials.material import Material
 
-ROOM = 8.0            # charge, in run distances of the line; what has not turned within it counts as that long
-DIFFERENCE = 0.05     # of an unknown, for slopes: well above what the mesh does to a reading, 0.3 %
-LONGEST_STEP = 1.0    # of an unknown
-SETTLED = 2e-3        # step of all unknowns at which the search ends
-ITERATIONS = 12
-GIVE_UP = 1e3         # damping at which no shorter step helps
+WIDTH = 4.0           # of the range of an unknown on both sides of its start: a factor of e^4 for what is sought by its logarithm
+TARGET = "pop plot 1.distance"
 
 
 @dataclass(frozen=True)
@@ -41,6 +42,9 @@ class RateFit:
     ratios     run distances over those of the line; `refined` the same with zones half the size
     zones      in a run distance
     runs       how many were made
+    fit        of the unknowns: values, standard deviations, intervals, correlations, chi-square, doubts; the uncertainty of the line's
+               distances is taken as RELATIVE_SIGMA
+    target, model   the line as a Pop plot, and the run distances beside it, m
     """
 
     material: Material
@@ -51,6 +55,9 @@ class RateFit:
     refined: tuple[float, ...]
     zones: int
     runs: int
+    fit: Fit
+    target: PopTarget
+    model: np.ndarray
 
 
 def fit_rate(material: Material, line: PopLine, pressures: Sequence[float], adjust: Sequence[str] = ("g1", "y"), zones: int = 200,
@@ -64,39 +71,41 @@ def fit_rate(material: Material, line: PopLine, pressures: Sequence[float], adju
     charge_of(material)
     unknowns = _Unknowns(material, adjust, pressures)
     wanted = np.array([float(line.distance(p)) for p in unknowns.pressures])
-    runs = 0
+    made: dict[tuple, list[Initiation]] = {}
 
-    def misfit(values, fine=1):
-        nonlocal runs
-        runs += wanted.size
-        charge = charge_of(unknowns.material(values))
+    def points_of(values, fine=1):
+        return initiations(charge_of(unknowns.material(values)), unknowns.pressures, wanted, zones, jobs, fine)
 
-        def one(task):
-            pressure, distance = task
-            return initiation(charge, pressure, distance / (fine * zones), ROOM * distance, int(2.6 * fine * zones))
+    def ask(changes: list[dict]) -> list[dict]:
+        found = []
+        for each in changes:
+            points = made[tuple(each["values"])] = points_of(each["values"])
+            found.append({"numbers": {}, "records": {TARGET: (None, [run_distance(p, x) for p, x in zip(points, wanted)])}})
+        return found
 
-        with ThreadPoolExecutor(max_workers=max(1, jobs)) as pool:
-            points = [*pool.map(one, zip(unknowns.pressures, wanted))]
-        return np.log([_distance(p, x) / x for p, x in zip(points, wanted)]), points
-
-    values = unknowns.start()
-    found, points = misfit(values)
-    if not any(math.isfinite(p.distance) for p in points):
+    target = PopTarget("line", TARGET, "m", np.array(unknowns.pressures), wanted, RELATIVE_SIGMA * wanted)
+    problem: Problem = Problem(unknowns, unknowns.free(), (target,), 0, 0.0, 0.0, "linear", ask, smooth=True)     # pyright: ignore
+    start = np.full(len(unknowns.names), 0.5)
+    problem.answers([start])
+    first = made[tuple(f.given(0.5) for f in problem.free)]
+    if not any(math.isfinite(p.distance) for p in first):
         raise OutOfRange(f"with the constants it starts from no run turned within {ROOM:g} run distances of the line, or all did at once; "
-                         f"start from constants that are nearer ({points[-1].note})")
-    values, found, points = _search(lambda v: misfit(v), values, found, points)
-    refined, _ = misfit(values, 2)
+                         f"start from constants that are nearer ({first[-1].note})")
+    fit = weighed(problem, [problem.search(start)])
+    values = [f.given(c) for f, c in zip(problem.free, fit.minimum.x)]
+    model = target.model(problem.answers([fit.minimum.x])[0])
+    finer = points_of(values, 2)
     after = unknowns.material(values)
-    burn = dict(zip(adjust, (float(getattr(after.burn, name)) for name in adjust)))
-    return RateFit(after, {name: float(getattr(material.burn, name)) for name in adjust}, burn, tuple(points),
-                   tuple(float(math.exp(v)) for v in found), tuple(float(math.exp(v)) for v in refined), zones, runs)
+    burn = {name: float(getattr(after.burn, name)) for name in adjust}
+    refined = tuple(run_distance(p, x) / x for p, x in zip(finer, wanted))
+    runs = (len(made) + 1) * wanted.size
+    return RateFit(after, {name: float(getattr(material.burn, name)) for name in adjust}, burn, tuple(made[tuple(values)]),
+                   tuple(float(v) for v in model / wanted), refined, zones, runs, fit, target, model)
 
 
-def _distance(point: Initiation, wanted: float) -> float:
-    """The run distance; where there is none, the room of the charge or, where it turned at once, an eighth of what is wanted."""
-    if math.isfinite(point.distance):
-        return point.distance
-    return wanted / ROOM if point.note.startswith("turned") else wanted * ROOM
+def as_fitted(found: RateFit, deck: str, note: str, folder: pathlib.Path | None = None) -> Fitted:
+    """The same as `hugoniot fit` has it, with the table of the burn law for a deck: what `fit_files.write_fit` writes."""
+    return Fitted(found.fit, (found.target,), (found.model,), deck, (note,), folder)
 
 
 class _Unknowns:
@@ -133,33 +142,23 @@ class _Unknowns:
         return np.array([math.log(getattr(burn, name) * self._scale(name, burn)) if log else getattr(burn, name)
                          for name, log in zip(self.names, self.logarithmic)])
 
+    def free(self) -> tuple[Free, ...]:
+        """The unknowns as parameters of a fit, the start in the middle of their ranges."""
+        return tuple(Free(Variable(self.word(name), "range", "", v - WIDTH, v + WIDTH)) for name, v in zip(self.names, self.start()))
+
+    def word(self, name: str) -> str:
+        """What is sought for a constant."""
+        if name in self.power:
+            return f"ln of the rate of {name} at {self.middle * 1e-9:.3g} GPa"
+        return f"ln {name}" if self.logarithmic[self.names.index(name)] else name
+
+    @staticmethod
+    def changes_of(values) -> dict:
+        """What a run is asked for."""
+        return {"values": [float(value) for value in values]}
+
     def material(self, values) -> Material:
         plain = {name: max(float(v), 0.0) for name, v, log in zip(self.names, values, self.logarithmic) if not log}
         burn = self.base.burn._replace(**plain)
         return replace(self.base, burn=burn._replace(**{name: math.exp(v) / self._scale(name, burn)
                                                         for name, v, log in zip(self.names, values, self.logarithmic) if log}))
-
-
-def _search(misfit, values, found, points):
-    """Levenberg and Marquardt from `values`, where misfit(values) is (found, points)."""
-    damping = 1e-3
-    for _ in range(ITERATIONS):
-        slopes = np.empty((found.size, values.size))
-        for k in range(values.size):
-            ahead = values.copy()
-            ahead[k] += DIFFERENCE
-            slopes[:, k] = (misfit(ahead)[0] - found) / DIFFERENCE
-        square = slopes.T @ slopes
-        while True:
-            step = -np.linalg.solve(square + damping * np.diag(np.diag(square) + 1e-12), slopes.T @ found)
-            step *= min(1.0, LONGEST_STEP / np.abs(step).max())
-            there, its_points = misfit(values + step)
-            if there @ there < found @ found:
-                break
-            damping *= 10.0
-            if damping > GIVE_UP or np.abs(step).max() < SETTLED:
-                return values, found, points
-        values, found, points, damping = values + step, there, its_points, 0.1 * damping
-        if np.abs(step).max() < SETTLED:
-            break
-    return values, found, points

@@ -15,16 +15,16 @@ import numpy as np
 from hugoniot.campaign.ask import Wishes, local, read_asked
 from hugoniot.campaign.designs import Design
 from hugoniot.campaign.fit import Free, Problem
-from hugoniot.campaign.fit_files import OURS, write_fit
+from hugoniot.campaign.fit_files import claimed, write_fit
 from hugoniot.campaign.fit_results import Fit, likely, weighed
 from hugoniot.campaign.plan import Plan, given, ties_of
 from hugoniot.campaign.planes import LOSSES
+from hugoniot.campaign.pop_plot import charge_of
+from hugoniot.campaign.pop_target import explosive_of, is_pop_plot, read_pop_plot
 from hugoniot.campaign.posterior import Posterior, checked, posterior_of
 from hugoniot.campaign.questions import Deck
 from hugoniot.campaign.targets import Target, read_targets
 from hugoniot.campaign.variables import read_variable, refuse
-from hugoniot.errors import FileTrouble
-from hugoniot.output.atomic import explained
 from hugoniot.units import UnitError, parse
 
 POINTS = 2000        # of a model's record
@@ -92,7 +92,7 @@ def run_fit(path, wishes: FitWishes, out=None, *, workers: int | None = None, en
         raise refuse("--posterior-runs", str(wishes.posterior_runs), "no posterior is asked for", "write --posterior surrogate, or runs")
     if wishes.posterior_runs is not None and wishes.posterior_runs < 8:
         raise refuse("--posterior-runs", str(wishes.posterior_runs), "too few runs for a posterior", "give some hundred")
-    folder = None if out is False else _claimed(pathlib.Path(out or f"{source.stem}.fit"))
+    folder = None if out is False else claimed(pathlib.Path(out or f"{source.stem}.fit"))
     question = Deck(text, source.name, os.path.abspath(source.parent), [os.path.abspath(m) for m in materials], points=POINTS)
     free = tuple(Free(_range(word)) for word in wishes.free)
     if not free:
@@ -118,15 +118,6 @@ def run_fit(path, wishes: FitWishes, out=None, *, workers: int | None = None, en
     if folder is not None:
         write_fit(folder, found, source.name)
     return found
-
-
-def _claimed(folder: pathlib.Path) -> pathlib.Path:
-    with explained(folder):
-        folder.mkdir(parents=True, exist_ok=True)
-        foreign = sorted(path.name for path in folder.iterdir() if path.name not in OURS and not path.name.endswith(".part"))
-    if foreign:
-        raise FileTrouble(f"{folder}: holds {foreign[0]} and is not the folder of a fit; choose another folder with --out")
-    return folder
 
 
 def _range(text: str):
@@ -158,14 +149,25 @@ def _is_number(text: str) -> bool:
 
 
 def _targets(question: Deck, plan: Plan, wishes: FitWishes) -> tuple[list[Target], list[str]]:
-    """The targets, with a run in the middle of the ranges to say what gauges there are."""
+    """The targets, with a run in the middle of the ranges to say what gauges there are; Pop plots need none."""
     from hugoniot.campaign.memory_run import MemoryRun
 
     problem = question.read(plan.changes(0)).problem
     question.until = problem.stop_time
-    run = MemoryRun(problem)
-    targets, notes = read_targets(wishes.to, run, gauge=wishes.gauge, sigma=wishes.sigma, windows=wishes.window)
-    return targets, list(dict.fromkeys(notes))
+    files = [text for text in wishes.to if "=" not in text and is_pop_plot(text)]
+    own: list[str] = []
+    pops = [read_pop_plot(path, k, wishes.sigma if len(files) == len(wishes.to) else None, own) for k, path in enumerate(files, 1)]
+    question.pops = [[pop.time.tolist(), pop.values.tolist()] for pop in pops]
+    question.run = len(files) < len(wishes.to) or not files
+    if pops:
+        charge_of(explosive_of(problem))      # says what is missing
+    if not question.run:
+        if wishes.shift or wishes.scale or wishes.window or wishes.gauge:
+            raise refuse("--to", files[0], "a Pop plot has no clock, no scale, no window and no gauge", "leave these options out")
+        return list(pops), own
+    others = [text for text in wishes.to if text not in files]
+    targets, notes = read_targets(others, MemoryRun(problem), gauge=wishes.gauge, sigma=wishes.sigma, windows=wishes.window)
+    return [*targets, *pops], list(dict.fromkeys([*notes, *own]))
 
 
 def _asking(pool, question: Deck, show) -> Callable[[list[dict]], list[dict]]:
@@ -177,7 +179,8 @@ def _asking(pool, question: Deck, show) -> Callable[[list[dict]], list[dict]]:
         nonlocal total
         found: list[dict] = [{} for _ in changes]
         for answer in pool.run(enumerate(changes)):
-            records = {name: _ended(times, np.array(values, dtype=float)) for name, values in answer.get("records", {}).items()}
+            records = {name: (None, values) if name.startswith("pop plot ") else _ended(times, np.array(values, dtype=float))
+                       for name, values in answer.get("records", {}).items()}
             found[answer["case"]] = {**answer, "records": records}
             total += 1
             if show is not None:

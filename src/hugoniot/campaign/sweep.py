@@ -14,12 +14,12 @@ import os
 import pathlib
 import time
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from hugoniot.campaign.analysis import FILES, Analysis, analysis_of, write_analysis
+from hugoniot.campaign.analysis import CONSTANTS, FILES, Analysis, analysis_of, write_analysis
 from hugoniot.campaign.journal import Journal
 from hugoniot.campaign.plan import Plan
 from hugoniot.campaign.questions import MATCHED, POINTS, Deck
@@ -32,7 +32,7 @@ from hugoniot.output.sweep_file import Column, SweepTable, write_cases, write_ta
 from hugoniot.problem.arithmetic import Trouble
 
 JOURNAL, TABLE, CASES, ASKED = "cases.jsonl", "sweep.h5", "cases.csv", "sweep.json"
-_OURS = (*FILES, JOURNAL, TABLE, CASES, ASKED, "report.html", "runs", "run.log", ".lock")
+_OURS = (*FILES, CONSTANTS, JOURNAL, TABLE, CASES, ASKED, "report.html", "runs", "run.log", ".lock")
 
 
 @dataclass
@@ -49,13 +49,15 @@ class Progress:
 
 @dataclass(frozen=True)
 class Swept:
-    """A finished sweep: its table, where it is, how it went, and what a sample says about its parameters."""
+    """A finished sweep: its table, where it is, how it went, what a sample says about its parameters, and lines of
+    `uncertain.rows_of` where constants varied by their uncertainty in the library."""
 
     table: SweepTable
     folder: pathlib.Path
     progress: Progress
     seconds: float
     analysis: Analysis | None = None
+    constants: list[list[str]] = field(default_factory=list)
 
 
 def cores() -> int:
@@ -153,9 +155,9 @@ def _table(plan: Plan, journal: Journal, keys: list[str], reasons: dict[int, str
         why[case] = answer.get("reason", "")
         for name, value in answer.get("numbers", {}).items():
             if not outputs or any(fnmatch.fnmatchcase(name, pattern) for pattern in outputs):
-                columns.setdefault(name, np.full(len(keys), np.nan))[case] = value
+                _column(columns, name, len(keys))[case] = value
         for name, values in answer.get("records", {}).items():
-            records.setdefault(name, np.full((len(keys), POINTS), np.nan))[case] = values
+            _column(records, name, len(keys), POINTS)[case] = values
     if outputs and not columns and any(not reason for reason in why):
         _unknown_outputs(journal, keys, answered, outputs)
     parameters = _parameters(plan)
@@ -166,6 +168,13 @@ def _table(plan: Plan, journal: Journal, keys: list[str], reasons: dict[int, str
         plan.design.shape if grid else (), _steps(plan) if grid else (),
         tuple(Column(name, describe(name.rpartition(".")[2])[0], values) for name, values in records.items()), times,
         {"design": plan.design.kind, "seed": plan.design.seed, "parameters": "\n".join(column.name for column in parameters)})
+
+
+def _column(columns: dict[str, np.ndarray], name: str, *shape: int) -> np.ndarray:
+    """A column of the table, begun with not-a-number where it is not there yet."""
+    if name not in columns:
+        columns[name] = np.full(shape, np.nan)
+    return columns[name]
 
 
 def _unknown_outputs(journal: Journal, keys: list[str], answered: list[int], outputs: Sequence[str]) -> None:

@@ -54,8 +54,12 @@ class Target:
         return (1.0 + scale) * np.interp(self.time - shift, times, values)
 
     def residuals(self, answer: Mapping, shift: float = 0.0, scale: float = 0.0) -> np.ndarray:
-        """(model - data) / sigma; where the model has nothing, as if it said zero."""
-        return (np.nan_to_num(self.model(answer, shift, scale)) - self.values) / self.sigma
+        """`beside` the data; where the model has nothing, as if it said zero."""
+        return self.beside(np.nan_to_num(self.model(answer, shift, scale)))
+
+    def beside(self, model: np.ndarray) -> np.ndarray:
+        """(model - data) / sigma."""
+        return (model - self.values) / self.sigma
 
 
 def read_targets(texts: Sequence[str], run, *, gauge: str | None = None, sigma: str | None = None,

@@ -8,47 +8,24 @@ import dataclasses
 import time
 from collections.abc import Iterable
 from dataclasses import dataclass
-from types import MappingProxyType
 
 import numpy as np
 
 from hugoniot.campaign.guderley import GUDERLEY, arrival_error, exponent_error, shock_radius
 from hugoniot.campaign.plane import PLANE, PlaneProblem, run_plane
+from hugoniot.campaign.tracked import FRONTS, with_fronts
+from hugoniot.campaign.tracked_problems import TRACKED, TrackedProblem, run_tracked
 from hugoniot.errors import DeckError
-from hugoniot.problem.fronts import defects as fronts_defects
-from hugoniot.problem.model import Problem, SolverOptions
 from hugoniot.problem.standard import STANDARD, Bar, Measure, StandardProblem
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.run import Schedule, march_to_end, snapshot_times
 from hugoniot.theory.exact import SOLUTIONS
 
 SNAPSHOTS = 50
-NO_ORDER = ("asymmetry", "densest_zone", "peak_scatter", "time_reached", "filter_work", "velocity_across", "front_rms")
+NO_ORDER = ("asymmetry", "densest_zone", "peak_scatter", "time_reached", "filter_work", "velocity_across", "front_rms", "contacts",
+            "front_position", "speed_6mm", "speed_19mm", "contact_depth", "stress_drift", "angle_error")
 LINE = {**STANDARD, GUDERLEY.name: GUDERLEY}
-PROBLEMS: dict[str, StandardProblem | PlaneProblem] = {**LINE, **PLANE}
-FRONTS = "fronts"
-NOT_FOR_FRONTS = {
-    "kidder": "both its ends follow long tables, and tracked fronts end a step at every point of a table",
-    "guderley": "the gas ahead is so cold that rounding leaves it no speed of sound where fronts are born",
-}
-
-
-def with_fronts(asked: Problem) -> Problem:
-    """The same problem for tracked fronts, in the mode with cells."""
-    return dataclasses.replace(asked, solver=SolverOptions(FRONTS, options=MappingProxyType({"mode": "cells"})))
-
-
-def beyond_fronts(name: str) -> str:
-    """Why tracked fronts do not take a standard problem; empty where they do."""
-    if name in NOT_FOR_FRONTS:
-        return NOT_FOR_FRONTS[name]
-    problem = LINE.get(name)
-    if problem is None:
-        return "it is two-dimensional"
-    found = fronts_defects(with_fronts(problem.build(problem.zones[0])))
-    return found[0][1] if found else ""
-
-
+PROBLEMS: dict[str, StandardProblem | PlaneProblem | TrackedProblem] = {**LINE, **PLANE, **TRACKED}
 @dataclass(frozen=True)
 class Judged:
     """One measure of one run: the value, the bars it is held to, and which of them it beats."""
@@ -74,7 +51,7 @@ class Judged:
 class Verified:
     """A problem over its grids: judged values, observed orders {measure: slope}, seconds, worst conservation errors."""
 
-    problem: StandardProblem | PlaneProblem
+    problem: StandardProblem | PlaneProblem | TrackedProblem
     judged: list[Judged]
     orders: dict[str, float]
     seconds: float
@@ -208,8 +185,8 @@ def verify_problem(name: str, zones: Iterable[int] | None = None, integrator: st
     if name not in PROBLEMS:
         raise DeckError.single("verify", None, "problem", f"unknown problem '{name}'", f"known: {', '.join(PROBLEMS)}")
     problem = PROBLEMS[name]
-    if isinstance(problem, PlaneProblem):
-        return _verify_plane(problem, tuple(zones or problem.zones), integrator, solver_options)
+    if isinstance(problem, PlaneProblem | TrackedProblem):
+        return _verify_own(problem, tuple(zones or problem.zones), integrator, solver_options)
     exact = SOLUTIONS[problem.solution](**problem.arguments) if problem.solution else None
     begun, judged, energy, momentum = time.perf_counter(), [], 0.0, 0.0
     grids = tuple(zones or problem.zones)
@@ -226,23 +203,24 @@ def verify_problem(name: str, zones: Iterable[int] | None = None, integrator: st
     return Verified(problem, judged, orders, time.perf_counter() - begun, energy, momentum)
 
 
-def _held_to(problem: StandardProblem | PlaneProblem, key: str, count: int, value: float) -> Judged:
+def _held_to(problem: StandardProblem | PlaneProblem | TrackedProblem, key: str, count: int, value: float) -> Judged:
     """A value beside the bars of its measure on its grid."""
     bar = next((b for b in problem.bars if b.measure == key and b.zones == count), Bar(key, count))
     sense = next((b.sense for b in problem.bars if b.measure == key), "below")
     return Judged(problem.name, key, count, value, bar.ko, bar.g2, bar.goal, sense, bar.peer)
 
 
-def _verify_plane(problem: PlaneProblem, grids: tuple[int, ...], integrator: str, options: dict) -> Verified:
-    """The same for a problem in two dimensions. Of the momentum that of axisymmetric flow is not closed, and not judged."""
-    if integrator != "compatible":
+def _verify_own(problem: PlaneProblem | TrackedProblem, grids: tuple[int, ...], integrator: str, options: dict) -> Verified:
+    """The same for a problem that measures itself. Of the momentum that of axisymmetric flow is not closed, and not judged."""
+    tracks = isinstance(problem, TrackedProblem)
+    if integrator not in ("compatible", FRONTS if tracks else "compatible"):
         raise DeckError.single("verify", None, "--integrator", f"'{problem.name}' has no integrator '{integrator}'", "use compatible")
     begun, judged, energy, momentum = time.perf_counter(), [], 0.0, 0.0
     for count in grids:
-        solver = run_plane(problem, count, **options)
+        solver = run_tracked(problem, count) if tracks else run_plane(problem, count, **options)
         errors = solver.errors()
         energy = max(energy, errors["energy_error"])
-        if solver.problem.geometry == "plane":
+        if solver.problem.geometry in ("plane", "planar"):
             momentum = max(momentum, errors["momentum_error"])
         judged += [_held_to(problem, key, count, value) for key, value in problem.measure(solver).items()]
     keys = dict.fromkeys(row.measure for row in judged)

@@ -3,6 +3,7 @@
 It loads compiled code once, computes with one thread, and ends as soon as whoever started it is gone.
 """
 
+import gc
 import json
 import os
 import queue
@@ -13,6 +14,8 @@ import threading
 from hugoniot.errors import HugoniotError
 
 ONE_THREAD = ("NUMBA_NUM_THREADS", "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+# keep the memory of a case for the next one: else the records of each come as new pages from the system (glibc)
+KEPT_MEMORY = {"MALLOC_MMAP_THRESHOLD_": str(2**28), "MALLOC_TRIM_THRESHOLD_": str(2**29)}
 COMMAND = "from hugoniot.campaign.worker import serve; serve()"
 
 
@@ -28,7 +31,7 @@ def single_threaded() -> int:
 
 def environment() -> dict[str, str]:
     """The variables a worker starts with."""
-    return os.environ | dict.fromkeys(ONE_THREAD, "1")
+    return KEPT_MEMORY | os.environ | dict.fromkeys(ONE_THREAD, "1")
 
 
 def serve() -> None:
@@ -54,6 +57,7 @@ def serve() -> None:
     question, known = question_of(hello["question"]), set(hello.get("known", ()))
     with when_compiling(lambda news: say({"compiling": news.kernel})):
         question.warm()
+        gc.freeze()     # what is loaded stays: nobody need look whether it is still in use
         say({"ready": os.getpid(), "threads": single_threaded()})
         while True:
             task = json.loads(asked.get())

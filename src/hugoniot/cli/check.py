@@ -87,7 +87,7 @@ def _block_extent(problem, block) -> tuple[str, str, str]:
              for axis, values in zip(problem.axes, (part.x, part.y))]
     uniform = block.velocity == type(block.velocity)(base=block.velocity.base)
     speed = ", ".join(format_si(v, "m/s") for v in block.velocity.base) if uniform else "a field"
-    return ", ".join(spans), f"{part.ni} x {part.nj} zones", speed
+    return ", ".join(spans), f"{part.ni} x {part.nj} " + ("zones" if part.per_cell == 1 else "cells of two triangles"), speed
 
 
 def _bytes(count: float) -> str:

@@ -13,11 +13,11 @@ def command(
         metavar="[RUN|SWEEP|DECK|MATERIAL]...", help="Run folders, folders of runs, folders with cases.csv, tables (.csv), decks (.toml), "
                                                      "materials of the library.")] = None,
     work: Annotated[Path, typer.Option("--work", "-w", help="Folder for runs started from the page; created with the first "
-                                                            "one.")] = Path("explorer-runs"),
+                                                            "run.")] = Path("explorer-runs"),
     no_runs: Annotated[bool, typer.Option("--no-runs", help="Start no runs from the page.")] = False,
     export: Annotated[Path | None, typer.Option("--export", help="Write the page with its data into this folder instead; it opens from "
                                                                      "the disk.")] = None,
-    port: Annotated[int, typer.Option("--port", min=0, max=65535, help="Port on this machine; 0 takes a free one.")] = 0,
+    port: Annotated[int, typer.Option("--port", min=0, max=65535, help="Port on this machine; 0 for any free one.")] = 0,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page in the browser.")] = True,
     view: Annotated[str, typer.Option("--view", help='View to open, the part of an address from # on: '
                                                       '"#/match?layers=copper,pmma&v=800".')] = "",
@@ -38,8 +38,8 @@ def command(
         from hugoniot.explorer.serve import serve
     except ModuleNotFoundError as error:
         raise DeckError.single("explore", None, "package", f"'{error.name}' is not installed", "pip install 'hugoniot[explore]' installs "
-                               "what the server needs; --export FOLDER needs nothing more") from None
-    serve(places, port, browser=browser, view=view, told=lambda address: typer.echo(f"explorer at {address}\nCtrl-C ends it"))
+                               "what the server needs; --export FOLDER works without it") from None
+    serve(places, port, browser=browser, view=view, announce=lambda address: typer.echo(f"explorer at {address}\nCtrl-C ends it"))
 
 
 def _export(places, folder: Path) -> None:

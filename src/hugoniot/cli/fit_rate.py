@@ -1,5 +1,6 @@
 """hugoniot fit-rate: constants of a burn law calibrated to a measured Pop plot."""
 
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -18,29 +19,35 @@ def command(
     points: Annotated[int, typer.Option("--points", min=2, max=50, help="Number of runs over a range, at equal ratios of pressure.")] = 5,
     zones: Annotated[int, typer.Option("--zones", min=50, max=5000, help="Zones per run distance during the search.")] = 200,
     jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, max=256, help="Runs at a time.")] = 1,
+    out: Annotated[Path | None, typer.Option("--out", "-o", help="Folder for fit.json, residuals.csv and report.html.")] = None,
     materials: MATERIALS = None, as_json: JSON = False,
 ) -> None:
     """Calibrate a few constants of a burn law to a measured Pop plot.
 
-    All other constants and both equations of state are kept. At the end every run is repeated with zones half the size, and the table of
-    the burn law is printed for a deck. Takes some minutes.
+    All other constants and both equations of state are kept. This is `hugoniot fit` with a Pop plot for its record: the same search, with
+    standard deviations, intervals and notes, and with --out the same files. At the end every run is repeated with zones half the size, and
+    the table of the burn law is printed for a deck. Takes some minutes.
 
     Example: hugoniot fit-rate "PBX-9502 reactive" --adjust "g2, z" --pressures "10..15 GPa"
     """
-    from hugoniot.campaign.rate_fit import fit_rate
+    from hugoniot.campaign.fit_files import claimed, fit_record, write_fit
+    from hugoniot.campaign.rate_fit import as_fitted, fit_rate
     from hugoniot.cli.pop_plot import material_named, pressure_list
 
     chosen = _started(material_named(material, materials), start)
     wanted, told = _line(to or material, line)
+    folder = None if out is None else claimed(out)
     names = [name.strip() for name in adjust.split(",") if name.strip()]
     try:
         found = fit_rate(chosen, wanted, pressure_list(pressures, points), names, zones, jobs)
     except OutOfRange as error:
         message, _, hint = str(error).partition("; ")
         raise DeckError.single("command line", None, "fit-rate", message, hint) from None
+    if folder is not None:
+        write_fit(folder, as_fitted(found, _toml(found, material), f"calibrated to {told}", folder), material)
     if as_json:
         echo_json({"material": chosen.name, "line": told, "before": found.before, "after": found.after, "zones": found.zones,
-                   "runs": found.runs, "burn": _table(found.material.burn), "points": [
+                   "runs": found.runs, "burn": _table(found.material.burn), "fit": fit_record(found.fit), "points": [
                        {"pressure": p.pressure, "distance": p.distance, "ratio": coarse, "refined_ratio": fine, "note": p.note}
                        for p, coarse, fine in zip(found.points, found.ratios, found.refined)]})
         return
@@ -104,15 +111,23 @@ def _table(burn) -> dict:
     return {"law": BURN.of(burn).name, **{name: float(value) for name, value in burn._asdict().items()}}
 
 
-def _tell(found, told: str, material: str) -> None:
+def _toml(found, material: str) -> str:
     from hugoniot.problem.write import to_toml
+    return to_toml({"material": {"fitted": {"base": material, "burn": _table(found.material.burn)}}})
+
+
+def _tell(found, told: str, material: str) -> None:
     typer.echo(f"{material} calibrated to {told}: {found.runs} runs, {found.zones} zones in a run distance")
     echo_table(["constant", "before", "after"], [[name, f"{found.before[name]:.6g}", f"{found.after[name]:.6g}"] for name in found.after])
+    echo_table(["sought", "value", "standard deviation", "95 % interval"],
+               [[p.name, f"{p.value:.5g}", f"{p.sigma:.2g}", f"{p.low:.5g} .. {p.high:.5g}"] for p in found.fit.parameters])
     echo_table(["pressure, GPa", "run distance, mm", "over the line", "zones half the size"],
                [[f"{p.pressure * 1e-9:.4g}", f"{p.distance * 1e3:.4g}", f"{coarse:.3f}", f"{fine:.3f}"]
                 for p, coarse, fine in zip(found.points, found.ratios, found.refined)])
+    for doubt in found.fit.doubts:
+        typer.echo(f"note: {doubt}", err=True)
     off, mesh = (max(abs(v - 1.0) for v in values) for values in (found.refined, [f / c for f, c in zip(found.refined, found.ratios)]))
     typer.echo(f"with zones half the size within {100 * off:.1f} % of the line; they changed run distances by up to {100 * mesh:.1f} %")
     if not off < 0.1:
         typer.echo("note: these constants alone do not bring the run distances to the line; adjust others, or start elsewhere", err=True)
-    typer.echo(to_toml({"material": {"fitted": {"base": material, "burn": _table(found.material.burn)}}}))
+    typer.echo(_toml(found, material))

@@ -26,6 +26,7 @@ def command(
     match: Annotated[str | None, typer.Option("--match", help="Vary an impedance match instead: FLYER,TARGET[,...].")] = None,
     output: Annotated[list[str] | None, typer.Option("--output", help='Results to tabulate, such as "*.arrival" (default: all).')] = None,
     record: Annotated[list[str] | None, typer.Option("--record", help='Keep this record of every case: "free surface.velocity".')] = None,
+    uncertain: Annotated[str | None, typer.Option("--uncertain", help="library: vary constants by their uncertainty there.")] = None,
     keep: Annotated[bool, typer.Option("--keep", help="Keep the run folder of every case.")] = False,
     time_limit: Annotated[float | None, typer.Option("--time-limit", help="Longest wall time of a case, in seconds.")] = None,
     workers: Annotated[int | None, typer.Option("--workers", "-w", help="Worker processes (default: one for each processor).")] = None,
@@ -50,6 +51,7 @@ def command(
                    KEY = MEAN +- SIGMA UNIT          normal, for samples
 
     --design saltelli gives Sobol' indices with intervals, morris a screening of many parameters; every sample gives spreads and bands.
+    --uncertain library varies the constants of the library's materials by what its sources say of them, and draws bands at the gauges.
     A name that is not a key of the deck can be varied too, for --tie to use.
 
     Example: hugoniot sweep flyer.toml --vary "region.flyer.velocity = 300..1200 m/s : 10"
@@ -57,7 +59,7 @@ def command(
     from hugoniot.campaign.ask import Wishes, engine_of, run_sweep
 
     wishes = Wishes(None, None if match is None else [part.strip() for part in match.split(",") if part.strip()], list(vary or ()),
-                    list(tie or ()), design, samples, seed, list(output or ()), list(record or ()), keep, time_limit)
+                    list(tie or ()), design, samples, seed, list(output or ()), list(record or ()), keep, time_limit, uncertain)
     if plot is not None:
         from hugoniot.cli.plot import drawable
 
@@ -71,10 +73,12 @@ def command(
             raise typer.Exit(130) from None
     if plot is not None:
         from hugoniot.plotting.eos import save
-        from hugoniot.plotting.sweep import sensitivity_figure, sweep_figure
+        from hugoniot.plotting.sweep import sensitivity_figure, sweep_figure, uncertainty_figure
 
         sensitive = swept.analysis.sensitivity if swept.analysis else {}
-        save(sensitivity_figure(sensitive, swept.table) if sensitive else sweep_figure(swept.table), plot)
+        banded = swept.constants and swept.table.records and swept.analysis and swept.analysis.bands
+        save(sensitivity_figure(sensitive, swept.table) if sensitive else uncertainty_figure(swept.table) if banded else
+             sweep_figure(swept.table), plot)
     echo_json(_record(swept)) if as_json else _echo(swept)
 
 
@@ -97,13 +101,15 @@ def _echo(swept) -> None:
     columns = (*table.parameters, *worth_drawing(table, MOST_COLUMNS))
     heads = [f"{c.name}, {scale(c)[0]}" if scale(c)[0] else c.name for c in columns]
     rows = [[str(k + 1), *(_cell(c, k, scale(c)[1]) for c in columns), table.reasons[k]] for k in range(min(len(table), MOST_ROWS))]
-    echo_table(["case", *heads, "reason" if any(table.reasons) else ""], rows)
-    if len(table) > MOST_ROWS:
+    if not swept.constants:     # of which there are many, and no case says anything by itself
+        echo_table(["case", *heads, "reason" if any(table.reasons) else ""], rows)
+    if len(table) > MOST_ROWS and not swept.constants:
         typer.echo(f"... and {len(table) - MOST_ROWS} more")
     failed, page = sum(map(bool, table.reasons)), swept.folder / "report.html"
     known = f", {progress.known} of them known from before" if progress.known else ""
     typer.echo(f"\n{len(table)} cases in {duration(swept.seconds)}{known}" + (f"; {failed} failed" if failed else ""))
     _echo_analysis(swept)
+    _echo_constants(swept.constants)
     typer.echo(f"table in {swept.folder / 'cases.csv'} and sweep.h5" + (f", report: {page}" if page.is_file() else ""))
 
 
@@ -134,6 +140,19 @@ def _echo_analysis(swept) -> None:
         echo_table(["result", "mean", "standard deviation", "2.5 %", "median", "97.5 %", "unit"],
                    [[s.result, *(f"{v * factor:.5g}" for v in (s.mean, s.deviation, s.quantiles[0], s.quantiles[2], s.quantiles[4])), unit]
                     for s, unit, factor in spread])
+    typer.echo("")
+
+
+def _echo_constants(rows) -> None:
+    """The constants that varied by their uncertainty in the library, and how many it knows none of."""
+    if not rows:
+        return
+    moved = [[material, name, f"{float(value):.6g}", deviation, unit, words]
+             for material, name, value, unit, deviation, words in rows if deviation]
+    echo_table(["material", "constant", "value", "standard deviation", "unit", "rows of the library"], moved)
+    held = sum(1 for row in rows if row[1] and not row[4])
+    if held:
+        typer.echo(f"{held} further constants were held: the library knows no uncertainty of them (constants.csv)")
     typer.echo("")
 
 

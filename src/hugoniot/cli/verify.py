@@ -23,12 +23,12 @@ def verify(
     """Run the built-in standard problems and print errors, the bars they are held to, and the observed order.
 
     The bars are the errors of the KO scheme and of a second-order Godunov scheme on the same grid (in two dimensions: of the best open
-    code), and the goal of this package. Problems in two dimensions are left out where --zones or --integrator is given, unless
-    they are named.
+    code), and the goal of this package. Problems in two dimensions, and those with tracked fronts of their own, are left out where --zones
+    or --integrator is given, unless they are named.
 
     Example: hugoniot verify sod noh_planar
     """
-    from hugoniot.campaign.verify import FRONTS, LINE, PROBLEMS, verify_problem
+    from hugoniot.campaign.verify import FRONTS, LINE, PROBLEMS, TRACKED, verify_problem
     from hugoniot.materials.collect import nearest, printable
 
     if integrator not in INTEGRATORS:
@@ -40,7 +40,10 @@ def verify(
         raise DeckError.single("verify", None, "--solver", f"unknown solver '{printable(solver)}'", nearest(solver, SOLVERS))
     if solver == FRONTS and integrator != "compatible":
         raise DeckError.single("verify", None, "--integrator", "fronts has no integrator", "leave out --integrator or --solver")
-    names = problems or list(LINE if zones or integrator != "compatible" or solver == FRONTS else PROBLEMS)
+    if solver == FRONTS:
+        names = problems or [*LINE, *(() if zones else TRACKED)]
+    else:
+        names = problems or list(LINE if zones or integrator != "compatible" else PROBLEMS)
     if solver == FRONTS:
         names, integrator = _taken_by_fronts(names, bool(problems)), FRONTS
     results = []
@@ -59,11 +62,12 @@ def verify(
 
 def _taken_by_fronts(names: list[str], asked: bool) -> list[str]:
     """The problems that tracked fronts take; one that was asked for by name and is not among them is refused, others are named."""
-    from hugoniot.campaign.verify import PROBLEMS, beyond_fronts
+    from hugoniot.campaign.tracked import beyond_fronts
+    from hugoniot.campaign.verify import LINE, PLANE
 
     taken = []
     for name in names:
-        why = beyond_fronts(name) if name in PROBLEMS else ""
+        why = beyond_fronts(LINE.get(name)) if name in LINE or name in PLANE else ""
         if why and asked:
             raise DeckError.single("verify", None, "problem", f"'{name}': {why}", "leave out --solver")
         if why:

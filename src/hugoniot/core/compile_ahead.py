@@ -13,10 +13,9 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-import numba as nb
-
 from hugoniot.core import compile_watch
 from hugoniot.core.code_files import kept_at
+from hugoniot.core.kinds import kinds_of
 
 WORTH_HELP = 6          # kernels
 PATIENCE = 5.0          # seconds a helper is given to finish the kernel it is at
@@ -37,7 +36,7 @@ class Job(NamedTuple):
 
 def job_of(kernel, arguments: tuple) -> Job:
     """The job for a kernel and arguments like these."""
-    return job_of_types(kernel, tuple(nb.typeof(argument) for argument in arguments))
+    return job_of_types(kernel, kinds_of(arguments))
 
 
 def job_of_types(kernel, kinds: tuple) -> Job:

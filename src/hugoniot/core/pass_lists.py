@@ -19,6 +19,7 @@ from numba.core import cgutils
 from numba.extending import intrinsic
 
 from hugoniot.core.compile_ahead import Job
+from hugoniot.core.kinds import kind_of_value
 from hugoniot.core.passes import Pass
 from hugoniot.core.rows import ROW, row_at
 from hugoniot.core.target import GUARD
@@ -68,7 +69,7 @@ class Written(NamedTuple):
 
 def jobs(lists: Iterable[list[Operation]]) -> list[Job]:
     """The passes of lists that have yet to be compiled."""
-    each = {(operation.of, nb.typeof(operation.law)): operation for one in lists for operation in one}
+    each = {(operation.of, kind_of_value(operation.law)): operation for one in lists for operation in one}
     return [job for operation in each.values() if (job := operation.of.job(operation.law)) is not None]
 
 

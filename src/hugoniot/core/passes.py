@@ -23,6 +23,7 @@ from numba.extending import intrinsic
 
 from hugoniot.core.binder import bind_choice
 from hugoniot.core.compile_ahead import Job, job_of, job_of_types
+from hugoniot.core.kinds import kind_of_value, kinds_of
 from hugoniot.core.registry import Registry
 from hugoniot.core.rows import ROW, row_at, rows, rows_apart
 from hugoniot.core.target import BY_ADDRESS, EXACT_PASS, PASS
@@ -137,7 +138,7 @@ class Pass:
 
     def address(self, par=None) -> int:
         """Address of the pass compiled for the law whose parameters `par` are (None: for no law); compiled now unless it is on disk."""
-        law = nb.typeof(par)
+        law = kind_of_value(par)
         if law not in self._addresses:
             arguments = self._arguments(law)
             self.compiled.compile(arguments)
@@ -147,7 +148,7 @@ class Pass:
 
     def job(self, par=None) -> Job | None:
         """What is left to do for the law whose parameters `par` are; None if it is done."""
-        law = nb.typeof(par)
+        law = kind_of_value(par)
         return None if law in self._addresses else job_of_types(self.compiled, self._arguments(law))
 
     def _arguments(self, law):
@@ -186,7 +187,7 @@ class Entry:
 
     def address(self, *arguments) -> int:
         """Address of the function compiled for arguments of these types; compiled now unless it is on disk."""
-        kinds = tuple(nb.typeof(argument) for argument in arguments)
+        kinds = kinds_of(arguments)
         if kinds not in self._addresses:
             self.compiled.compile(kinds)
             result = self.compiled.overloads[kinds]

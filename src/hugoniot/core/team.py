@@ -9,15 +9,20 @@ On a machine that is busy with other work a member may lose its core in the midd
 milliseconds where a phase takes a hundredth of one. Therefore nobody waits at full speed for longer than PATIENCE, and the leader keeps an
 account of the time that phases of the team take beside the time it takes for the same commands alone. When the account is overdrawn, the
 leader does all shares itself for REST times as long as was lost, and tries again: a team costs at most about 1/REST more time than one
-thread.
+thread. Where trying again fails as well, the rest is doubled, up to LONGEST_REST, until the team has gained its CREDIT: on a machine that
+stays busy hardly anything is lost. A march that begins during a rest has no other threads at all (`at_work`): threads that only sleep
+and look would still take some hundredths of the leader's time.
 
-Words of the board, in lines of 8 (cache lines): line 0: phase, command; line 1, the leader's: account (ns), when to share again (ns), when
-this phase began (ns), whether it is shared, its command, their number; line m + 1, of member m: its signature; words 6 and 7 of these
+Words of the board, in lines of 8 (cache lines): line 0: phase, command, rest; line 1, the leader's: account (ns), when to share again (ns),
+when this phase began (ns), whether it is shared, its command, their number; line m + 1, of member m: its signature; words 6 and 7 of these
 lines are for reading the clock; last two lines: how long each command takes alone (ns).
 """
 
 import os
+import threading
 import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import NamedTuple
 
 import numba as nb
@@ -36,7 +41,10 @@ PATIENCE = 100_000          # ns of waiting before a thread sleeps
 SHORTEST_SLEEP, LONGEST_SLEEP = 50, 1000     # microseconds
 OVERDRAWN, CREDIT = -500_000, 5_000_000     # ns: bounds of the account
 REST = 10
+LONGEST_REST = 1_000_000_000      # ns, or REST times what was lost if that is longer
+NEVER = 2**62
 COMPARES = 251              # each such phase is done alone, to know how long it takes; a prime, so that it meets every command
+RESTING = 2                 # by how much longer than what was lost the next rest is
 ACCOUNT, SHARE_AGAIN, BEGAN, SHARED, COMMAND, PHASES = range(LINE, LINE + 6)
 COMMANDS = 2 * LINE          # counted apart
 FORGETS = 64                # share by which a known time grows while longer ones are met
@@ -57,12 +65,45 @@ class Together(NamedTuple):
 
 def board(threads: int) -> np.ndarray:
     """A fresh board for a team."""
-    return np.zeros((threads + 1) * LINE + COMMANDS, dtype=np.int64)
+    fresh = np.zeros((threads + 1) * LINE + COMMANDS, dtype=np.int64)
+    fresh[RESTING] = REST
+    return fresh
 
 
 def possible() -> bool:
     """Whether this system has what a team needs (POSIX yield, sleep and clock)."""
     return os.name == "posix"
+
+
+def team_of(threads: int, zones: int, worth_sharing: int) -> Alone | Together:
+    """A team of at most `threads`, or one thread where there are fewer zones than are worth sharing."""
+    threads = min(threads, os.cpu_count() or 1)
+    return Together(threads, board(threads)) if threads > 1 and zones >= worth_sharing and possible() else Alone()
+
+
+@contextmanager
+def at_work(team: Alone | Together, serve: Callable, plan) -> Iterator[None]:
+    """The other threads of a team during a march, each in `serve(member, phase, plan, team)`; none while the team rests."""
+    if isinstance(team, Alone):
+        yield
+        return
+    phase, again = int(team.board[0]), int(team.board[SHARE_AGAIN])
+    if again > time.clock_gettime_ns(time.CLOCK_MONOTONIC):
+        team.board[SHARE_AGAIN] = NEVER
+        try:
+            yield
+        finally:
+            team.board[SHARE_AGAIN] = again
+        return
+    members = [threading.Thread(target=serve, args=(k, phase, plan, team), daemon=True) for k in range(1, team.threads)]
+    for member in members:
+        member.start()
+    try:
+        yield
+    finally:
+        call(team.board, DISMISSED)
+        for member in members:
+            member.join()
 
 
 @intrinsic
@@ -155,8 +196,12 @@ def gather_team(board, threads):
         return
     now = _clock(board, 1)
     board[ACCOUNT] = min(board[ACCOUNT] + board[known] - (now - board[BEGAN]), CREDIT)
-    if board[ACCOUNT] < OVERDRAWN:
-        board[SHARE_AGAIN] = now - REST * board[ACCOUNT]
+    if board[ACCOUNT] == CREDIT:
+        board[RESTING] = REST
+    elif board[ACCOUNT] < OVERDRAWN:
+        lost = -board[ACCOUNT]
+        board[SHARE_AGAIN] = now + max(REST * lost, min(board[RESTING] * lost, LONGEST_REST))
+        board[RESTING] = min(2 * board[RESTING], LONGEST_REST // -OVERDRAWN)
         board[ACCOUNT] = 0
 
 

@@ -5,7 +5,7 @@ from typing import cast
 import numpy as np
 
 from hugoniot.errors import OutOfRange
-from hugoniot.mesh.locate import bilinear_weights, find_zone
+from hugoniot.mesh.locate import bilinear_weights, find_zone, linear_weights
 from hugoniot.problem.plane.model import Gauge2D, Problem2D
 from hugoniot.state import State2D
 
@@ -80,7 +80,7 @@ def _mean(values: np.ndarray, table: tuple) -> float:
 
 
 def _place(gauge: Gauge2D, mesh) -> tuple[int, float, float]:
-    """(zone, a, b) of a point gauge at t = 0, a and b its logical place in the zone. Raises OutOfRange where there is no material."""
+    """(zone, a, b) of a point gauge at t = 0, a and b its place in the zone. Raises OutOfRange where there is no material."""
     found = find_zone(mesh.nodes, mesh.zone_nodes, gauge.at)
     if found is None:
         raise OutOfRange(f"gauge '{gauge.name}': no material at {gauge.at} m at t = 0")
@@ -91,7 +91,8 @@ def _weights(gauge: Gauge2D, mesh) -> tuple:
     """(nodes, weights, zones, weights) of a point or an edge."""
     if gauge.kind == "point":
         zone, a, b = _place(gauge, mesh)
-        return mesh.zone_nodes[zone], bilinear_weights(a, b), np.array([zone]), np.ones(1)
+        weights = linear_weights(a, b) if mesh.zone_nodes.shape[1] == 3 else bilinear_weights(a, b)
+        return mesh.zone_nodes[zone], weights, np.array([zone]), np.ones(1)
     edges, zones = (mesh.chains[gauge.on].edges, mesh.chains[gauge.on].zones[:, None]) if gauge.on in mesh.chains else (
         mesh.joints[gauge.on].edges, mesh.joints[gauge.on].zones)
     ends = mesh.nodes[:, edges]

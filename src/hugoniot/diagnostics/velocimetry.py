@@ -131,9 +131,10 @@ def flat_top(time, values) -> float:
     weight = np.gradient(time)
 
     def lasting(chosen, shares):
-        order = np.argsort(values[chosen])
-        share = np.cumsum(weight[chosen][order]) - 0.5 * weight[chosen][order]
-        return np.interp(shares, share / np.sum(weight[chosen]), values[chosen][order])
+        those, own = values[chosen], weight[chosen]
+        order = np.argsort(those)
+        ordered = own[order]
+        return np.interp(shares, (np.cumsum(ordered) - 0.5 * ordered) / np.sum(own), those[order])
 
     height = float(lasting(values >= 0.5 * highest, [0.95])[0])
     top = np.abs(values - height) <= 0.05 * height

@@ -15,8 +15,9 @@ Query = Mapping[str, str]
 
 def start(places: Places, query: Query) -> Any:
     """What is open."""
-    named = {key: [{"name": place.name} for place in getattr(places, key)] for key in ("sweeps", "fits", "decks")}
-    return {"version": __version__, "runs": [{"name": r.name, **run_data.line(r.path)} for r in places.runs], **named,
+    named = {key: [{"name": p.name, "typed": p.typed} for p in getattr(places, key)] for key in ("runs", "sweeps", "fits", "decks")}
+    runs = [entry | run_data.line(place.path) for entry, place in zip(named["runs"], places.runs)]
+    return {"version": __version__, **named, "runs": runs,
             "materials": places.materials, "files": {name: Path(entry.file).name for name, entry in subjects.own.items()},
             "may_run": places.work is not None}
 
@@ -51,7 +52,8 @@ def surface(places: Places, query: Query) -> Any:
 def match(places: Places, query: Query) -> Any:
     """The states of an impact."""
     names = [name for name in text(query, "layers").split(",") if name]
-    return impact.impact(names, number(query, "velocity"), number(query, "sigma", 0.0), query.get("bands") == "1")
+    bands, draft = (query.get(key) == "1" for key in ("bands", "draft"))
+    return impact.impact(names, number(query, "velocity"), number(query, "sigma", 0.0), bands, draft)
 
 
 def match_deck(places: Places, query: Query) -> Any:
@@ -100,7 +102,7 @@ QUESTIONS: dict[str, Callable[[Places, Query], Any]] = {
 def text(query: Query, key: str) -> str:
     """A text of the query; `OutOfRange` where it is missing."""
     if key not in query:
-        raise OutOfRange(f"the question names no {key}")
+        raise OutOfRange(f"the parameter {key} is missing")
     return query[key]
 
 
@@ -109,9 +111,9 @@ def number(query: Query, key: str, otherwise: float | None = None) -> float:
     try:
         value = float(query[key]) if key in query or otherwise is None else otherwise
     except (KeyError, ValueError):
-        raise OutOfRange(f"{key}: a number is needed") from None
+        raise OutOfRange(f"{key}: must be a number") from None
     if not abs(value) < 1e300:
-        raise OutOfRange(f"{key}: a finite number is needed")
+        raise OutOfRange(f"{key}: must be a finite number")
     return value
 
 
@@ -124,5 +126,5 @@ def integer(query: Query, key: str) -> int:
     """A whole number of the query, not negative; `OutOfRange` where it is none."""
     value = query.get(key, "")
     if not (value.isascii() and value.isdigit() and len(value) < 10):
-        raise OutOfRange(f"{key}: a whole number is needed")
+        raise OutOfRange(f"{key}: must be a whole number")
     return int(value)

@@ -64,11 +64,12 @@ def reply(value: Any) -> Response:
 
 
 def _refusal(request: Request, error: Exception) -> Response:
-    return JSONResponse({"error": as_command(error)}, 422)
+    # with status 200: browsers write every other one to their console, where only defects should stand
+    return JSONResponse({"error": as_command(error)})
 
 
 def _defect(request: Request, error: Exception) -> Response:
-    return JSONResponse({"error": [f"unexpected {type(error).__name__}: a defect of hugoniot"]}, 500)
+    return JSONResponse({"error": [f"unexpected {type(error).__name__}: a bug in hugoniot; please report it"]}, 500)
 
 
 def _checked(places: Places):

@@ -163,10 +163,10 @@ def state_of(name: str, by: str, value: float) -> dict[str, Any]:
     Raises `OutOfRange` with the limit of the law, `DeckError` for an unknown name or field.
     """
     if by not in BY:
-        raise OutOfRange(f"a state is named by one of {', '.join(BY)}")
+        raise OutOfRange(f"a state is given by one of {', '.join(BY)}")
     material = inert_or_none(entry_of(name))
     if material is None:
-        raise OutOfRange(f"{name}: the library gives detonation products only, which no shock from rest meets")
+        raise OutOfRange(f"{name}: the library has only its detonation products, which no shock from rest reaches")
     ahead = Initial.at_rest(material)
     found = shock(material, ahead, **{by: value})
     return {"state": found.table(*_MORE), "ahead": {"density": ahead.density, "pressure": ahead.pressure},

@@ -48,7 +48,7 @@ def _refuse_far_files(text: str) -> None:
         for key in _FILES:
             name = value.get(key)
             if isinstance(name, str) and (PurePosixPath(name).name != name or PureWindowsPath(name).name != name):
-                raise DeckError.single(NAME, None, key, "a deck in the explorer names files that lie in its folder, without a path",
+                raise DeckError.single(NAME, None, key, "a deck in the explorer may only name files in its own folder, without a path",
                                        "run this deck with hugoniot run")
 
 

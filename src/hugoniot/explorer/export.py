@@ -6,6 +6,7 @@ A browser lets a page from the disk read scripts beside it, not files; so each a
 import base64
 import json
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -38,7 +39,7 @@ def export(places: Places, folder: Path, *, progress: Callable[[str], None] = la
     for question, query in _asked(places):
         key = key_of(question, query)
         try:
-            answer = QUESTIONS[question](places, {k: str(v) for k, v in query.items()})
+            answer = QUESTIONS[question](known_by_name(places), {k: str(v) for k, v in query.items()})
         except HugoniotError as error:
             answer = {"error": str(error)}
         name = f"data/{len(known):04d}.js"
@@ -49,6 +50,12 @@ def export(places: Places, folder: Path, *, progress: Callable[[str], None] = la
     return len(known) + len(files.files()) + 3
 
 
+def known_by_name(places: Places) -> Places:
+    """The same places without the folders of this machine, which are nobody's business elsewhere."""
+    named = {key: [p._replace(typed=p.name) for p in getattr(places, key)] for key in ("runs", "sweeps", "fits", "decks")}
+    return replace(places, **named)
+
+
 def key_of(question: str, query: dict[str, Any]) -> str:
     """The name of an answer: the question with its words in the order of the alphabet, as the page makes it."""
     return question + "".join(f"&{key}={query[key]}" for key in sorted(query))
@@ -56,7 +63,7 @@ def key_of(question: str, query: dict[str, Any]) -> str:
 
 def _claim(folder: Path) -> None:
     if folder.exists() and any(folder.iterdir()) and not (folder / MARK).is_file():
-        raise FileTrouble(f"{folder}: not empty, and nothing exported by hugoniot; give a new folder")
+        raise FileTrouble(f"{folder}: not empty, and not an earlier export; choose a new folder")
     with explained(folder):
         (folder / "data").mkdir(parents=True, exist_ok=True)
         for old in (folder / "data").glob("*.js"):

@@ -16,27 +16,29 @@ from hugoniot.theory.states import States
 from hugoniot.theory.uncertainty import matched, propagate
 
 MOST_LAYERS = 8
-ALONG = 18          # states of a drawn curve
+ALONG, ALONG_DRAFT = 18, 7     # states of a drawn curve; of one that the next step of a drag replaces
 ANSWERS = ("pressure", "particle_velocity", "shock_velocity", "density")
 _SLOPES = {1: ("c0", "s"), 2: ("c0", "s1", "s2")}   # parameters that a recorded fit of that degree gives a law
 
 
-def impact(names: Sequence[str], velocity: float, sigma: float = 0.0, bands: bool = False) -> dict[str, Any]:
+def impact(names: Sequence[str], velocity: float, sigma: float = 0.0, bands: bool = False, draft: bool = False) -> dict[str, Any]:
     """The states at every interface of the stack, flyer first, SI; `uncertainty` of each where anything is uncertain.
 
     sigma   standard deviation of the velocity, m/s
     bands   whether the covariance of the library's own fits counts as well
+    draft   curves with fewer states between, for a picture that changes at once; the states at the interfaces are the same
     Raises `OutOfRange` or `NoSolution` with the limit, `DeckError` for an unknown material.
     """
     if not 2 <= len(names) <= MOST_LAYERS:
-        raise OutOfRange(f"an impact is of a flyer on 1 to {MOST_LAYERS - 1} layers, got {len(names)} materials")
+        raise OutOfRange(f"an impact needs a flyer and 1 to {MOST_LAYERS - 1} layers, got {len(names)} materials")
     entries = [entry_of(name) for name in names]
     layers = [inert(entry) for entry in entries]
     met = match(layers, velocity)
     spreads, used = _spreads(entries, layers, velocity, sigma, bands)
     rows = [_row(m, names, [s for s in spreads if s[0] == i]) for i, m in enumerate(met)]
-    return {"layers": list(names), "velocity": velocity, "states": rows, "curves": _curves(layers, velocity, met),
-            "uncertain": used, "warnings": _warnings(layers, velocity, met)}
+    curves = _curves(layers, velocity, met, ALONG_DRAFT if draft else ALONG)
+    return {"layers": list(names), "velocity": velocity, "states": rows, "curves": curves, "uncertain": used,
+            "warnings": _warnings(layers, velocity, met)}
 
 
 def _row(m: Match, names: Sequence[str], spreads: list) -> dict:
@@ -90,50 +92,64 @@ def _spreads(entries, layers, velocity: float, sigma: float, bands: bool) -> tup
 
 
 # -- the drawn curves ------------------------------------------------------------------------------------------------
-def _curves(layers: Sequence, velocity: float, met: Sequence[Match]) -> list[dict]:
+def _curves(layers: Sequence, velocity: float, met: Sequence[Match], along: int) -> list[dict]:
     """Per interface the curve of the layer behind, which the reflected wave follows, and that of the layer ahead."""
     top = 1.3 * max(m.pressure for m in met)
     arriving, found = reference(layers[0], velocity), []
     for k, m in enumerate(met):
         ahead = reference(layers[k + 1])
-        sides = ("behind", layers[k], arriving, -1), ("ahead", layers[k + 1], ahead, 1)
-        found.append({**{side: _wave_curve(layer, start, (m.pressure, top), direction) for side, layer, start, direction in sides},
+        sides = ("behind", layers[k], arriving, m.left, -1), ("ahead", layers[k + 1], ahead, m.right, 1)
+        found.append({**{side: _wave_curve(layer, start, (through, top), direction, along)
+                         for side, layer, start, through, direction in sides},
                       "from": [arriving.particle_velocity, arriving.pressure], "state": [m.particle_velocity, m.pressure]})
         arriving = m.right
     return found
 
 
-def _wave_curve(layer, start: States, pressures: tuple[float, float], direction: int) -> dict[str, list]:
+def _wave_curve(layer, start: States, ends: tuple[States, float], direction: int, along: int) -> dict[str, list]:
     """(particle velocity, pressure) of the states behind a wave into `start`: release below its pressure, shock above.
 
-    pressures   one that is among them, and the highest
+    ends   a state of the curve that is among those drawn, and the highest pressure
     """
-    through, top = pressures
+    through, top = ends
     floor = max(min(float(reference(layer).pressure), start.pressure), 0.0)
-    below, above = None, None
+    below, above = [], []
     if start.pressure > floor + 1e-6 * top:
-        span = np.linspace(start.pressure, floor, ALONG)[1:]
-        span = np.sort(np.append(span, through))[::-1] if floor < through < start.pressure else span
-        below = _tried(lambda p: unload(layer, start, direction=direction, pressure=p), span)
+        below = _tried(lambda share: _released(layer, start, through, (floor, share), direction, along))
     if start.pressure < top:
-        span = start.pressure + (top - start.pressure) * np.linspace(0.0, 1.0, ALONG)[1:] ** 2
-        span = np.sort(np.append(span, through)) if through > start.pressure else span
-        above = _tried(lambda p: shock(layer, Initial.of(start), direction=direction, pressure=p), span)
-    found = {}
-    for key in ("particle_velocity", "pressure"):
-        down, up = (getattr(part, key).tolist() if part is not None else [] for part in (below, above))
-        found[key] = [*reversed(down), getattr(start, key), *up]
-    return found
+        above = _tried(lambda share: _shocked(layer, start, through, (top, share), direction, along))
+    drawn = [*reversed(below), (start.particle_velocity, start.pressure), *above]
+    return {"particle_velocity": [u for u, _ in drawn], "pressure": [p for _, p in drawn]}
 
 
-def _tried(function, pressures) -> States | None:
+def _released(layer, start: States, through: States, way: tuple[float, float], direction: int, along: int) -> list[tuple[float, float]]:
+    """States on the release from `start` over a share of the way to a pressure, named by their densities: those need no search."""
+    goal, bend = start.pressure + way[1] * (way[0] - start.pressure), float(reference(layer).density)
+    near = unload(layer, start, direction=direction, density=bend) if start.density > bend else start
+    end = unload(layer, near if near.pressure > goal else start, direction=direction, pressure=goal)
+    # at its density at rest a law may bend, and an integrator that steps across has to look for the place
+    between = [rho for rho in (through.density, bend) if end.density < rho < start.density]
+    span = np.unique(np.append(np.linspace(end.density, start.density, along)[:-1], between))[::-1]
+    found = unload(layer, start, direction=direction, density=span)
+    return list(zip(found.particle_velocity.tolist(), found.pressure.tolist()))
+
+
+def _shocked(layer, start: States, through: States, way: tuple[float, float], direction: int, along: int) -> list[tuple[float, float]]:
+    """States behind shocks into `start` over a share of the way up to a pressure, closer together where they are weak."""
+    span = start.pressure + way[1] * (way[0] - start.pressure) * np.linspace(0.0, 1.0, along)[1:] ** 2
+    span = np.sort(np.append(span, through.pressure)) if start.pressure < through.pressure < span[-1] else span
+    found = shock(layer, Initial.of(start), direction=direction, pressure=span)
+    return list(zip(found.particle_velocity.tolist(), found.pressure.tolist()))
+
+
+def _tried(states_over) -> list[tuple[float, float]]:
     """The states as far as the law goes."""
-    for count in (len(pressures), 3 * len(pressures) // 4, len(pressures) // 2, len(pressures) // 4):
+    for share in (1.0, 0.75, 0.5, 0.25):
         try:
-            return function(pressures[:count]) if pressures[0] >= 0.0 else None
+            return states_over(share)
         except HugoniotError:
             continue
-    return None
+    return []
 
 
 # -- the deck --------------------------------------------------------------------------------------------------------

@@ -89,7 +89,7 @@ class Jobs:
         found = read(text, work)
         with self._lock:
             if sum(job.running for job in self.jobs) >= MOST_AT_ONCE:
-                raise FileTrouble(f"{MOST_AT_ONCE} runs are in progress: wait for the end of one, or stop it")
+                raise FileTrouble(f"{MOST_AT_ONCE} runs are in progress: wait for one to end, or stop it")
             work.mkdir(parents=True, exist_ok=True)
             self.jobs.append(Job(text, _free_folder(work, found.problem.title), self.places))
             return {"job": len(self.jobs) - 1}

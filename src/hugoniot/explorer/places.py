@@ -13,10 +13,14 @@ CASES, FIT = "cases.csv", "fit.json"
 
 
 class Place(NamedTuple):
-    """A run folder, a table of cases, the folder of a fit or a deck: its path, and what the page calls it."""
+    """A run folder, a table of cases, the folder of a fit or a deck: its path, and what the page calls it.
+
+    typed   what to call it in a command, from the folder in which the explorer was started
+    """
 
     path: Path
     name: str
+    typed: str = ""
 
 
 @dataclass
@@ -31,13 +35,13 @@ class Places:
     work: Path | None = None
     _lock: threading.Lock = field(default_factory=threading.Lock)
 
-    def add_run(self, path: Path, name: str = "") -> int:
+    def add_run(self, path: Path, name: str = "", typed: str = "") -> int:
         """The number of a run folder, which is added unless it is there, under its own name or a given one."""
         path = path.resolve()
         with self._lock:
             known = [place.path for place in self.runs]
             if path not in known:
-                self.runs.append(Place(path, name or path.name))
+                self.runs.append(Place(path, name or path.name, typed or as_typed(path)))
                 return len(known)
             return known.index(path)
 
@@ -58,6 +62,12 @@ class Places:
         return _numbered(self.decks, number, "deck")
 
 
+def as_typed(path: Path) -> str:
+    """A path as the command line takes it here: from this folder on where it lies below, whole elsewhere."""
+    here = Path.cwd()
+    return str(path.relative_to(here)) if path.is_relative_to(here) else str(path)
+
+
 def _numbered(places: list[Place], number: int, word: str) -> Place:
     if not 0 <= number < len(places):
         raise FileTrouble(f"no {word} {number} is open")
@@ -75,11 +85,11 @@ def places_of(arguments: list[str], work: Path | None = None) -> Places:
         if path.is_dir():
             _add_folder(found, path)
         elif path.suffix.lower() == ".csv" and path.is_file():
-            found.sweeps.append(Place(path.resolve(), path.name))
+            found.sweeps.append(Place(path.resolve(), path.name, str(path)))
         elif path.suffix.lower() == ".toml" and path.is_file() and _only_materials(path):
             found.materials += admit(path)
         elif path.suffix.lower() == ".toml" and path.is_file():
-            found.decks.append(Place(path.resolve(), path.name))
+            found.decks.append(Place(path.resolve(), path.name, str(path)))
         elif path.suffix.lower() in (".toml", ".csv", ".run") or "/" in text:
             raise FileTrouble(f"{path}: there is no such file or folder")
         else:
@@ -99,17 +109,17 @@ def _only_materials(path: Path) -> bool:
 def _add_folder(found: Places, path: Path) -> None:
     inner = [path / name for name in ("result.h5", "deck.toml", "run.log") if (path / name).is_file()]
     if (path / CASES).is_file():
-        found.sweeps.append(Place((path / CASES).resolve(), path.resolve().name))
+        found.sweeps.append(Place((path / CASES).resolve(), path.resolve().name, str(path)))
     elif (path / FIT).is_file():
-        found.fits.append(Place(path.resolve(), path.resolve().name))
+        found.fits.append(Place(path.resolve(), path.resolve().name, str(path)))
     elif inner:
-        found.add_run(path)
+        found.add_run(path, typed=str(path))
     else:
         below = sorted(folder for folder in path.iterdir() if folder.is_dir() and (folder / "deck.toml").is_file())
         if not below:
             raise FileTrouble(f"{path}: neither a run folder nor a folder of runs, and no {CASES} or {FIT} in it")
         for folder in below:
-            found.add_run(folder)
+            found.add_run(folder, typed=str(folder))
 
 
 def as_command(error: Exception) -> list[str]:

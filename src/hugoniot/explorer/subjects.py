@@ -23,7 +23,7 @@ def admit(path: Path) -> list[str]:
     found = read_materials(path)
     for name, entry in found.items():
         if library.curated_name(name) is not None or schema.is_row(name.strip().upper()):
-            raise DeckError.single(path, None, name, "the library has a material of that name", "give the one of the file another name")
+            raise DeckError.single(path, None, name, "the library has a material of that name", "rename the one in the file")
         own[name] = entry
     return list(found)
 
@@ -31,7 +31,7 @@ def admit(path: Path) -> list[str]:
 def entry_of(name: str) -> Entry:
     """Everything known about a name; `DeckError` for an unknown one."""
     if len(name) > MOST:
-        raise DeckError.single("explorer", None, "material", "no material has a name as long as that")
+        raise DeckError.single("explorer", None, "material", "this name is too long for a material")
     return own[name] if name in own else _of_library(name)
 
 
@@ -50,8 +50,8 @@ def inert(entry: Entry) -> Material:
     if not reacted(entry):
         return entry.material
     if entry.unreacted is None:
-        raise DeckError.single("explorer", None, entry.name, "the library gives detonation products only, no unreacted explosive",
-                               "take a material with an inert equation of state")
+        raise DeckError.single("explorer", None, entry.name, "the library has only the detonation products, not the unreacted explosive",
+                               "choose a material with an inert equation of state")
     return replace(entry.material, eos=entry.unreacted)
 
 

@@ -31,7 +31,7 @@ def surface(name: str, densities: tuple[float, ...] = (), temperatures: tuple[fl
     material = inert_or_none(entry) or entry.material
     require_temperature(material.eos)
     if not 2 <= points <= MOST_POINTS:
-        raise OutOfRange(f"a surface has 2 to {MOST_POINTS} points each way")
+        raise OutOfRange(f"a surface has 2 to {MOST_POINTS} points in each direction")
     low, high, hottest = _ranges(material)
     low, high = _pair(densities, "densities") if densities else (low, high)
     least, most = density_range(material.eos)
@@ -45,7 +45,7 @@ def surface(name: str, densities: tuple[float, ...] = (), temperatures: tuple[fl
 
 def _pair(values: tuple[float, ...], words: str) -> tuple[float, float]:
     if len(values) != 2 or not 0.0 <= values[0] < values[1]:
-        raise OutOfRange(f"{words}: two rising numbers are needed")
+        raise OutOfRange(f"{words}: give two increasing numbers")
     return values[0], values[1]
 
 
@@ -53,7 +53,7 @@ def _temperatures(material, given: tuple[float, ...], hottest: float, points: in
     if isotherms:
         values = np.array(sorted(set(given or ISOTHERMS)))
         if not 1 <= len(values) <= 24 or values[0] < 0.0:
-            raise OutOfRange("isotherms are of up to 24 temperatures, none below 0 K")
+            raise OutOfRange("give up to 24 temperatures for the isotherms, none below 0 K")
         if isinstance(material.eos, Table):
             grid = material.eos.temperatures
             values = values[(values >= grid[0]) & (values <= grid[-1])]

@@ -20,7 +20,7 @@ _HEAD = re.compile(r"(?P<name>.*?)\s*[(\[](?P<unit>[^()\[\]]*)[)\]]\s*$")
 
 
 def table(path: Path) -> dict[str, Any]:
-    """Columns of a CSV file: name, unit, whether all cells are numbers, cells; `runs`: rows with a run beside the table.
+    """Columns of a CSV file: head, name and unit in it, whether all cells are numbers, cells; `runs`: rows with a run beside the table.
 
     Raises `FileTrouble` for a file that is no table.
     """
@@ -46,7 +46,8 @@ def _columns(heads: list[str], rows: list[list[str]]) -> list[dict]:
         numeric = any(n is not None for n in numbers) and all(n is not None or cell.lower() in NOTHING for n, cell in zip(numbers, cells))
         match = _HEAD.fullmatch(head)
         name, unit = (match["name"], match["unit"]) if match else (head, "")
-        columns.append({"name": name, "unit": "" if unit == "1" else unit, "numeric": numeric, "cells": numbers if numeric else cells})
+        columns.append({"head": head, "name": name, "unit": "" if unit == "1" else unit, "numeric": numeric,
+                        "cells": numbers if numeric else cells})
     return columns
 
 
@@ -57,7 +58,7 @@ def _read(path: Path) -> tuple[list[str], list[list[str]]]:
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise FileTrouble(f"{path.name}: cannot be read as a table ({error})") from None
     if len(lines) < 2 or len(lines[0]) > MOST_COLUMNS:
-        raise FileTrouble(f"{path.name}: a table has a line of names and at least one of values, and up to {MOST_COLUMNS} columns")
+        raise FileTrouble(f"{path.name}: a table needs a header line, at least one line of values, and at most {MOST_COLUMNS} columns")
     if len(lines) > MOST_ROWS + 1:
         raise FileTrouble(f"{path.name}: more than {MOST_ROWS} rows")
     return [head.strip() for head in lines[0]], lines[1:]

@@ -54,6 +54,6 @@ def main(folder: str) -> int:
         tell(message="\n".join(str(p) for p in getattr(error, "problems", [error])))
         return error.exit_code
     except KeyboardInterrupt:
-        tell(message=f"stopped; hugoniot resume {folder} goes on from the checkpoint")
+        tell(message=f"stopped; hugoniot resume {folder} continues from the checkpoint")
         return 130
     return 0

@@ -1,5 +1,6 @@
 """Laws and materials as tables of SI numbers, the form decks and material files have; `materials.law_reader` reads it back."""
 
+import functools
 import inspect
 import math
 from dataclasses import asdict
@@ -24,7 +25,7 @@ def families() -> dict[str, Registry]:
 
 def accepted(law: Law) -> tuple[list[str], list[str]]:
     """(names a table may give, names it must give) of a law, from the signature that builds its parameters."""
-    signature = inspect.signature(law.build).parameters.values()
+    signature = _signature(law.build)
     named = [p for p in signature if p.kind in (p.POSITIONAL_OR_KEYWORD, p.KEYWORD_ONLY)]
     names, required = [p.name for p in named], [p.name for p in named if p.default is p.empty]
     if any(p.kind is p.VAR_KEYWORD for p in signature):
@@ -32,6 +33,11 @@ def accepted(law: Law) -> tuple[list[str], list[str]]:
         names = list(dict.fromkeys([*names, *getattr(law.parameters, "_fields", ())]))
         required = [n for n in names if n in required or (n not in preset and n in law.parameters._fields)]
     return names, [n for n in required if n not in law.defaults]
+
+
+@functools.cache
+def _signature(build) -> tuple[inspect.Parameter, ...]:
+    return tuple(inspect.signature(build).parameters.values())
 
 
 def law_table(registry: Registry, par: Any) -> dict:

@@ -4,7 +4,7 @@
 that blocks share, the chains of boundary edges and the joints between blocks. All lengths in m.
 
 Zones are numbered block by block, (i, j) in C order: zone = block.first_zone + i * nj + j. Its nodes are (i, j), (i + 1, j),
-(i + 1, j + 1), (i, j + 1): counter-clockwise.
+(i + 1, j + 1), (i, j + 1): counter-clockwise. `mesh.triangles` divides them.
 """
 
 from collections.abc import Collection, Sequence
@@ -34,7 +34,10 @@ class BlockShape:
 
 @dataclass(frozen=True, eq=False)
 class Block:
-    """One block: zones ni by nj, first_zone its first zone's number, x and y (ni + 1, nj + 1) of its nodes, nodes their global numbers."""
+    """One block: cells ni by nj, first_zone its first zone's number, x and y (ni + 1, nj + 1) of its nodes, nodes their global numbers.
+
+    per_cell   zones in a cell: 1, or 2 triangles
+    """
 
     name: str
     ni: int
@@ -43,6 +46,17 @@ class Block:
     x: np.ndarray
     y: np.ndarray
     nodes: np.ndarray
+    per_cell: int = 1
+
+    @property
+    def zones(self) -> int:
+        """How many zones it has."""
+        return self.per_cell * self.ni * self.nj
+
+    def place(self, zone: int) -> tuple[int, int]:
+        """Cell (i, j) of a zone of the block."""
+        row, j = divmod(zone - self.first_zone, self.nj)
+        return row // self.per_cell, j
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,13 +101,14 @@ class Blocks:
 
     blocks         in the order given
     nodes          (2, nnode) coordinates, one column per node
-    zone_nodes     (nzone, 4) nodes of every zone, counter-clockwise
+    zone_nodes     (nzone, 4) nodes of every zone, counter-clockwise; (nzone, 3) where zones are triangles (`mesh.triangles`)
     block_of       (nzone,) block of every zone
     shared_start, shared   local nodes that are one: members shared[shared_start[k]:shared_start[k + 1]] = (block, i, j) of group k, in
                    fixed order (groups by global number, members by block, i, j)
     chains         boundary edges by name, "<block>.<side>"; sides that are joined all along have none
     joints         shared edges by name, "<block>/<block>" in block order
     axisymmetric   whether the first coordinate is a radius
+    quads, ways    of triangles: the mesh of the cells they divide, and whether each cell's diagonal runs from its corner 0 to 2
     """
 
     blocks: tuple[Block, ...]
@@ -105,6 +120,13 @@ class Blocks:
     chains: dict[str, Chain]
     joints: dict[str, Joint]
     axisymmetric: bool = False
+    quads: "Blocks | None" = None
+    ways: np.ndarray | None = None
+
+    @property
+    def cells(self) -> "Blocks":
+        """The mesh of the quadrilaterals: this one, or the one that triangles divide."""
+        return self if self.quads is None else self.quads
 
     def outward_normals(self, chain: Chain) -> np.ndarray:
         """Unit outward normal (2, n) of each edge of a chain at t = 0."""

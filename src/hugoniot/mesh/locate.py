@@ -1,4 +1,4 @@
-"""Where a point lies in a mesh of quadrilaterals: its zone and its logical place in it."""
+"""Where a point lies in a mesh of quadrilaterals or triangles: its zone and its place in it."""
 
 import numpy as np
 
@@ -27,18 +27,30 @@ def logical_place(corners: np.ndarray, point: np.ndarray) -> tuple[float, float]
     return min(max(a, 0.0), 1.0), min(max(b, 0.0), 1.0)
 
 
+def place_in_triangle(corners: np.ndarray, point: np.ndarray) -> tuple[float, float] | None:
+    """(a, b) with point = corners (2, 3) weighted by 1 - a - b, a and b, none negative; None if outside."""
+    first, along, up = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    area, gap = along[0] * up[1] - along[1] * up[0], point - first
+    if area == 0.0:
+        return None
+    a, b = (gap[0] * up[1] - gap[1] * up[0]) / area, (along[0] * gap[1] - along[1] * gap[0]) / area
+    return (a, b) if min(a, b, 1.0 - a - b) >= -_EDGE else None
+
+
 def find_zone(nodes: np.ndarray, zone_nodes: np.ndarray, point) -> tuple[int, float, float] | None:
     """(zone, a, b) of the first zone that holds a point; None if none does.
 
-    nodes (2, nnode), zone_nodes (nzone, 4); a runs along i, b along j, from 0 to 1
+    nodes (2, nnode), zone_nodes (nzone, 4) or (nzone, 3); in a quadrilateral a runs along i, b along j, from 0 to 1, in a triangle
+    they are the weights of the second and the third corner
     """
+    place_in = logical_place if zone_nodes.shape[1] == 4 else place_in_triangle
     point = np.asarray(point, dtype=float)
     corners = nodes[:, zone_nodes]
     low, high = corners.min(axis=2), corners.max(axis=2)
     margin = _EDGE * (high - low).max(axis=0)
     near = ((point[:, None] >= low - margin) & (point[:, None] <= high + margin)).all(axis=0)
     for zone in np.flatnonzero(near):
-        place = logical_place(corners[:, zone], point)
+        place = place_in(corners[:, zone], point)
         if place is not None:
             return int(zone), *place
     return None
@@ -47,6 +59,11 @@ def find_zone(nodes: np.ndarray, zone_nodes: np.ndarray, point) -> tuple[int, fl
 def bilinear_weights(a: float, b: float) -> np.ndarray:
     """Weights (4,) of the corners, counter-clockwise from a = b = 0."""
     return np.array([(1 - a) * (1 - b), a * (1 - b), a * b, (1 - a) * b])
+
+
+def linear_weights(a: float, b: float) -> np.ndarray:
+    """Weights (3,) of the corners of a triangle."""
+    return np.array([1.0 - a - b, a, b])
 
 
 def crossings(points: np.ndarray, edges: np.ndarray, through, direction) -> np.ndarray:

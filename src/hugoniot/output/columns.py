@@ -16,6 +16,7 @@ _FACES = {
     "line_velocity": ("m/s", "velocity of the surface along the line of sight"),
     "mass": ("kg", FIELDS["mass"].long_name),
     "particle_velocity": ("m/s", "particle velocity"),
+    "speed": ("m/s", "speed of the material"),
     "strain_rate": ("1/s", "strain rate"),
     "time_step": ("s", "time step"),
     "step": ("s", "time step"),

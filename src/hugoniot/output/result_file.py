@@ -116,7 +116,7 @@ def _write_tables(file, tables: dict, peaks: dict, setup: dict, check):
     if mesh:
         w = writer("mesh")
         w.axis("zone", np.arange(zone_count))
-        w.axis("corner", np.arange(4))
+        w.axis("corner", np.arange(mesh["zone_nodes"].shape[1]))
         w.column("zone_nodes", mesh["zone_nodes"], "zone", "corner")
         w.column("block_of", mesh["block_of"], "zone")
 

@@ -6,7 +6,7 @@ from hugoniot.diagnostics.arrival import first_crossing
 from hugoniot.diagnostics.interface_gauges import sides
 from hugoniot.diagnostics.velocimetry import flat_top
 from hugoniot.output.run import Run, largest_value
-from hugoniot.output.spall_reading import NOISE, spall_reading
+from hugoniot.output.spall_reading import NOISE, SURFACE, spall_reading, surface_record
 
 ROUND_OFF = 1e-12     # of the largest value of a run: what is smaller is the round-off of a state at rest
 GAUGE_UNITS = {"arrival": "s", "peak_stress": "Pa", "plateau_stress": "Pa", "lowest_stress": "Pa", "peak_velocity": "m/s",
@@ -71,6 +71,25 @@ def spall_numbers(run: Run) -> dict:
     return {**where, **reading.numbers, **why}
 
 
+def highest(run: Run) -> dict:
+    """Highest stress (else pressure) and tension of any zone at any time, Pa, and of the surface that is seen its velocity, m/s.
+
+    `surface` is the gauge of that velocity, or "free surface". A field that the run does not have is left out, and so is a tension that
+    never came; the velocity is that of the spall reading where there is one.
+    """
+    peaks, found = run.arrays("peaks"), {}
+    name = next((n for n in ("stress", "peak_stress", "pressure", "peak_pressure") if n in peaks and len(peaks[n])), None)
+    if name:
+        found[name.removeprefix("peak_")] = float(np.max(peaks[name]))
+    tension = next((np.abs(peaks[n]) for n in ("tension", "peak_tension", "least_stress") if n in peaks), None)
+    if tension is not None and len(tension) and np.max(tension) > 0:
+        found["tension"] = float(np.max(tension))
+    seen = surface_record(run)
+    if len(seen.time) and "peak_velocity" not in spall_numbers(run):
+        found |= {"surface": "free surface" if seen.kind == SURFACE else seen.gauge, "surface_velocity": float(np.max(seen.velocity))}
+    return found
+
+
 def warnings_of(run: Run) -> list[str]:
     """Texts of the warnings among a run's events."""
     events = run.arrays("events")
@@ -78,5 +97,7 @@ def warnings_of(run: Run) -> list[str]:
 
 
 def results(run: Run) -> dict:
-    """Everything of the above for programs: gauges, spall, warnings."""
-    return {"gauges": gauge_rows(run), "spall": spall_numbers(run), "warnings": warnings_of(run)}
+    """Everything of the above for programs: zones, gauges, highest values, spall, warnings; of a resolved shock its transport laws."""
+    transport = {"transport": run.setup["transport"]} if run.setup.get("transport") else {}
+    return {"zones": len(run.arrays("peaks").get("zone", ())), "gauges": gauge_rows(run), "highest": highest(run),
+            "spall": spall_numbers(run), **transport, "warnings": warnings_of(run)}

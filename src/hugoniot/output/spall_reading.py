@@ -164,10 +164,15 @@ def spalled_regions(run) -> dict[str, float]:
     found: dict[str, float] = {}
     for kind, text, time, numbers in zip(rows["kind"], rows["text"], rows["time"], rows["numbers"]):
         if kind == "void_opened":
-            inside = re.search(r" in '(.*)' at ", str(text))
-            name = inside[1] if inside and inside[1] in names else _region_at(run, float(time), str(numbers))
+            name = region_named(str(text), names) or _region_at(run, float(time), str(numbers))
             found.setdefault(name, float(time))
     return {name: time for name, time in found.items() if name}
+
+
+def region_named(text: str, names) -> str:
+    """The region in which a void opened, from the text of its event; "" where that names two or none."""
+    inside = re.search(r" in '(.*)' at ", text)
+    return inside[1] if inside and inside[1] in names else ""
 
 
 def _region_at(run, time: float, numbers: str) -> str:

@@ -1,4 +1,4 @@
-"""result.vtkhdf of a two-dimensional run: a temporal UnstructuredGrid of quadrilaterals that ParaView and pyvista open.
+"""result.vtkhdf of a two-dimensional run: a temporal UnstructuredGrid of quadrilaterals or triangles that ParaView and pyvista open.
 
 Layout: VTKHDF 2.2, type UnstructuredGrid, group Steps (VTK file formats, section "VTKHDF"). The cells are written once and every step
 points at them; positions and fields are written step after step. Points have three coordinates, (x, y, 0) in the plane and (r, z, 0) in
@@ -11,7 +11,7 @@ import numpy as np
 from hugoniot.output.columns import describe
 from hugoniot.output.hdf5 import h5py, image_bytes, new_image
 
-_QUAD = 9          # VTK_QUAD
+_TYPES = {3: 5, 4: 9}      # VTK_TRIANGLE, VTK_QUAD
 _NODAL = ("position_x", "position_y", "velocity_x", "velocity_y")
 _OF_SURFACES = ("contact_pressure", "gap", "sliding_distance")
 
@@ -20,7 +20,7 @@ def vtkhdf_bytes(snapshots: dict[str, np.ndarray], zone_nodes: np.ndarray, block
     """The bytes of the file.
 
     snapshots    time (nt,), node fields (nt, nnode), zone fields (nt, nzone); position_x and position_y needed
-    zone_nodes   (nzone, 4), counter-clockwise
+    zone_nodes   (nzone, 4) or, of triangles, (nzone, 3), counter-clockwise
     block_of     (nzone,) number of the block
     """
     times = np.asarray(snapshots["time"], dtype=float)
@@ -45,12 +45,12 @@ def vtkhdf_bytes(snapshots: dict[str, np.ndarray], zone_nodes: np.ndarray, block
 
 
 def _write_cells(root, zone_nodes: np.ndarray, node_count: int) -> None:
-    zones = len(zone_nodes)
+    zones, corners = zone_nodes.shape
     root["NumberOfPoints"], root["NumberOfCells"] = np.array([node_count]), np.array([zones])
-    root["NumberOfConnectivityIds"] = np.array([4 * zones])
+    root["NumberOfConnectivityIds"] = np.array([corners * zones])
     root["Connectivity"] = np.asarray(zone_nodes, dtype=np.int64).ravel()
-    root["Offsets"] = np.arange(0, 4 * zones + 1, 4, dtype=np.int64)
-    root["Types"] = np.full(zones, _QUAD, dtype=np.uint8)
+    root["Offsets"] = np.arange(0, corners * zones + 1, corners, dtype=np.int64)
+    root["Types"] = np.full(zones, _TYPES[corners], dtype=np.uint8)
 
 
 def _write_fields(root, steps, snapshots, block_of, count, zero) -> None:

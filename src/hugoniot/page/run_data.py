@@ -105,7 +105,7 @@ def column(path: Path, group: str, name: str, which: dict[str, int]) -> np.ndarr
     Fields of nodes come as means over the zone, as `hugoniot plot` takes them. `OutOfRange` for what a run does not hold.
     """
     if group not in ("snapshots", "gauges"):
-        raise OutOfRange("columns are of snapshots or of gauges")
+        raise OutOfRange("the groups of a run are snapshots and gauges")
     if not finished(path):
         plane = group == "snapshots" and name != "time" and which
         return live.plane_column(path, name, which) if plane else live.column(path, group, name)
@@ -140,11 +140,11 @@ def _plane_column(run: Run, rows, name: str, which: dict[str, int], every: int) 
 
 def _double(rows, name: str, part: slice) -> np.ndarray:
     if name not in rows or rows[name].dtype.kind not in "fiu":
-        raise OutOfRange(f"the run holds no numbers called '{name[:60]}'")
+        raise OutOfRange(f"the run has no numbers called '{name[:60]}'")
     return np.asarray(rows[name][part], dtype=float)
 
 
 def _index(k: int, count: int) -> int:
     if not 0 <= k < count:
-        raise FileTrouble(f"there are {count} of these; there is no number {k}")
+        raise FileTrouble(f"there are only {count}; no number {k}")
     return k

@@ -1,4 +1,4 @@
-"""Pictures of equations of state: P-up with Rayleigh lines, Us-up with the measured points, P-V, T-P, release paths, matches."""
+"""Pictures of equations of state: P-up with Rayleigh lines, Us-up with the measured points, P-V, T-P, release paths."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -8,9 +8,8 @@ import numpy as np
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.plotting.style import COLOURS, INK, QUIET, fit_pressure, halo, label_lines, new_axes, quiet_grid, styled
 from hugoniot.theory.hugoniot import Initial, curve
-from hugoniot.theory.impedance import Match
 from hugoniot.theory.isentrope import isentrope
-from hugoniot.theory.states import States, law_of
+from hugoniot.theory.states import States
 
 KINDS = {"p-up": ("particle velocity (km/s)", "pressure (GPa)"), "us-up": ("particle velocity (km/s)", "shock velocity (km/s)"),
          "p-v": ("specific volume (cm³/g)", "pressure (GPa)"), "t-p": ("pressure (GPa)", "temperature (K)")}
@@ -115,40 +114,6 @@ def releases(paths: Sequence[tuple[str, States | None, States]], ax=None):
             hx, hy = columns_of("p-up", shocked)
             k = int(np.searchsorted(hy, 0.45 * np.max(y)))
             ax.annotate("Hugoniot", (hx[k], hy[k]), xytext=(-8, 2), textcoords="offset points", color=QUIET, fontsize=8, ha="right")
-    return ax
-
-
-@styled
-def impedance_match(layers: Sequence, velocity: float, met: Sequence[Match], ax=None):
-    """The construction of an impact in the P-up plane: target Hugoniots, the flyer's curve, reshock or release, and the states."""
-    ax = ax if ax is not None else new_axes(5.4, 3.8)
-    names = [getattr(layer, "name", f"layer {i}") for i, layer in enumerate(layers)]
-    top = 1.25 * max(m.pressure for m in met)
-    for k, m in enumerate(met[: len(layers) - 1]):
-        par = law_of(layers[k + 1])
-        colour = COLOURS[(k + 1) % len(COLOURS)]
-        reach = curve(par, up_to=max(1.3 * m.particle_velocity, 0.05 * velocity))
-        inside = reach.pressure <= top
-        ax.plot(reach.particle_velocity[inside] * 1e-3, reach.pressure[inside] * 1e-9, color=colour)
-        last = np.flatnonzero(inside)[-1]
-        ax.annotate(f"{names[k + 1]}", (reach.particle_velocity[last] * 1e-3, reach.pressure[last] * 1e-9), xytext=(3, 3),
-                    textcoords="offset points", color=colour, fontsize=8.5)
-        arriving = _flyer_side(layers, velocity, met, k)
-        u, p = _reflected(law_of(layers[k]), arriving, m)
-        ax.plot(u * 1e-3, p * 1e-9, color=COLOURS[k % len(COLOURS)], ls=(0, (4, 2)), lw=1.1)
-        if k == 0:
-            ax.annotate(f"{names[0]} at {velocity:.5g} m/s", (u[0] * 1e-3, p[0] * 1e-9), xytext=(-8, 7), textcoords="offset points",
-                        color=COLOURS[0], fontsize=8.5, ha="right")
-        ax.plot(m.particle_velocity * 1e-3, m.pressure * 1e-9, "o", color=INK, ms=4.5, zorder=5)
-        ax.annotate(f"{m.pressure * 1e-9:.3g} GPa, {m.particle_velocity:.4g} m/s", (m.particle_velocity * 1e-3, m.pressure * 1e-9),
-                    xytext=(8, -3 if k == 0 else 3), textcoords="offset points", fontsize=8, color=INK, va="top" if k == 0 else "bottom",
-                    path_effects=halo(), zorder=6)
-    rung = [(m.particle_velocity * 1e-3, m.pressure * 1e-9) for m in met[len(layers) - 2:]]
-    if len(rung) > 1:  # the first layer rings up between its neighbours
-        ax.plot(*zip(*rung), color=QUIET, lw=0.8, marker="o", ms=3.2, zorder=4)
-        ax.annotate(f"{rung[-1][1]:.4g} GPa", rung[-1], xytext=(-6, 4), textcoords="offset points", fontsize=8, color=QUIET, ha="right")
-    finish(ax, "p-up")
-    ax.set_ylim(0.0, top * 1e-9)
     return ax
 
 
@@ -283,23 +248,6 @@ def _chord(ax, ahead: Initial, state: States, colour):
             ls=(0, (4, 3)), alpha=0.8)
 
 
-def _flyer_side(layers, velocity, met, k) -> States:
-    from hugoniot.theory.isentrope import reference
-
-    return reference(layers[0], velocity) if k == 0 else met[k - 1].right
-
-
-def _reflected(par, arriving: States, m: Match, count: int = 40):
-    """(u, p) along the curve of the layer behind, from its arriving state to the match."""
-    if m.pressure >= arriving.pressure:
-        from hugoniot.theory.hugoniot import shock
-
-        path = shock(par, Initial.of(arriving), pressure=np.linspace(arriving.pressure, m.pressure, count), direction=-1)
-    else:
-        path = isentrope(par, arriving, pressure=np.linspace(arriving.pressure, m.pressure, count), direction=-1)
-    return path.particle_velocity, path.pressure
-
-
 def finish(ax, kind: str) -> None:
     """Labels, origin and grid of one of the planes of the field; pressures of gases in MPa or kPa."""
     ax.set_xlabel(KINDS[kind][0])
@@ -314,4 +262,4 @@ def finish(ax, kind: str) -> None:
     quiet_grid(ax)
 
 
-__all__ = ["columns_of", "detonations", "finish", "hugoniots", "impedance_match", "releases", "save", "us_up_fit", "waves_in_time"]
+__all__ = ["columns_of", "detonations", "finish", "hugoniots", "releases", "save", "us_up_fit", "waves_in_time"]

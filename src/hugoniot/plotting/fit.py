@@ -6,8 +6,12 @@ from hugoniot.plotting.style import COLOURS, INK, QUIET, field_scale, labelled, 
 
 
 def draw_target(above, below, shown) -> None:
-    """One record: `shown` is (label, name, unit, time (n,), data (n,), sigma (n,), model (n,)), SI."""
+    """One record: `shown` is (label, name, unit, time (n,), data (n,), sigma (n,), model (n,)), SI; of a
+    Pop plot input pressures take the place of times."""
     label, name, _, time, values, sigma, model = shown
+    if name.startswith("pop plot "):
+        draw_pop_plot(above, below, shown)
+        return
     unit, factor, words = field_scale(name.rpartition(".")[2], values)
     unit_t, ft = time_scale(float(time[-1]) if len(time) else 1.0)
     above.fill_between(time * ft, (values - 2 * sigma) * factor, (values + 2 * sigma) * factor, color=QUIET, alpha=0.25, linewidth=0)
@@ -25,6 +29,40 @@ def draw_target(above, below, shown) -> None:
     below.set_xlim(above.get_xlim())
     for ax in (above, below):
         quiet_grid(ax)
+
+
+def draw_pop_plot(above, below, shown) -> None:
+    """Run distances over input pressure, both logarithmic; residuals are those of the logarithm."""
+    label, _, _, pressure, values, sigma, model = shown
+    p, ticks = pressure * 1e-9, _few(pressure * 1e-9)
+    above.errorbar(p, values * 1e3, 2e3 * sigma, fmt="o", color=INK, markersize=3.5, linewidth=1.0, capsize=2,
+                   label="data, ± 2 standard deviations")
+    above.plot(p, model * 1e3, color=COLOURS[1], linewidth=1.4, label="model")
+    above.set_yscale("log")
+    above.set_ylabel("run distance (mm)")
+    above.set_title(label, loc="left")
+    above.legend(frameon=False, fontsize=8, loc="best")
+    below.axhspan(-2.0, 2.0, color=QUIET, alpha=0.18, linewidth=0)
+    below.axhline(0.0, color=QUIET, linewidth=0.6)
+    below.plot(p, np.log(model / values) * values / sigma, "o", color=COLOURS[1], markersize=3.5)
+    below.set_xlabel("input pressure (GPa)")
+    below.set_ylabel("residual / σ")
+    for ax in (above, below):
+        ax.set_xscale("log")
+        ax.set_xticks(ticks, [f"{tick:.3g}" for tick in ticks])
+        ax.minorticks_off()
+        quiet_grid(ax)
+    levels = _few(values * 1e3)
+    above.set_yticks(levels, [f"{level:.3g}" for level in levels])
+    above.minorticks_off()
+    above.tick_params(labelbottom=False)
+    below.set_xlim(above.get_xlim())
+
+
+def _few(values: np.ndarray, most: int = 6) -> np.ndarray:
+    """A few of the values, the ends among them, to stand beside a logarithmic axis."""
+    ordered = np.unique(values)
+    return ordered[np.unique(np.linspace(0, len(ordered) - 1, min(most, len(ordered))).round().astype(int))]
 
 
 @styled

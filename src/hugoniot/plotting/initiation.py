@@ -1,6 +1,7 @@
 """Pictures of shock initiation: the Pop plot."""
 
 import numpy as np
+from matplotlib.ticker import MaxNLocator, NullFormatter, NullLocator
 
 from hugoniot.diagnostics.detonation import PopLine
 from hugoniot.plotting.style import COLOURS, FAINT, INK, QUIET, new_axes, styled
@@ -30,11 +31,22 @@ def pop_picture(found, lines=(), ax=None):
     ax.set_ylabel("run distance to detonation (mm)", color=INK)
     ax.grid(which="both", color=FAINT, linewidth=0.4)
     ax.set_axisbelow(True)
-    for axis in (ax.xaxis, ax.yaxis):
-        axis.set_major_formatter("{x:g}")
-        axis.set_minor_formatter(lambda value, _: f"{value:g}" if f"{value:.0e}"[0] in "25" else "")
+    for axis, (low, high) in ((ax.xaxis, ax.get_xlim()), (ax.yaxis, ax.get_ylim())):
+        _number(axis, high / low)
     ax.tick_params(which="both", length=3.0)
     slope = f", slope {found.line.b:.3f}" if found.line else ""
     ax.set_title(f"{found.material}{slope}", loc="left", color=INK)
     ax.text(1.0, 1.01, f"zones {found.zone_size * 1e6:g} µm", transform=ax.transAxes, ha="right", color=QUIET, fontsize=8)
     return ax
+
+
+def _number(axis, ratio: float) -> None:
+    """Plain numbers along a logarithmic axis: with 1, 2 or 5 in front, powers of ten over many decades, equal steps within one."""
+    axis.set_major_formatter("{x:g}")
+    if ratio <= 8.0:
+        axis.set_major_locator(MaxNLocator(nbins=6, steps=[1, 2, 2.5, 5, 10]))
+        axis.set_minor_locator(NullLocator())
+    elif ratio < 2000.0:
+        axis.set_minor_formatter(lambda value, _: f"{value:g}" if f"{value:.0e}"[0] in "25" else "")
+    else:
+        axis.set_minor_formatter(NullFormatter())

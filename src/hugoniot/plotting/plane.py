@@ -15,6 +15,10 @@ from hugoniot.plotting.xt import colours_of
 _NODAL = ("velocity_x", "velocity_y", "speed")
 _OF_SURFACES = ("contact_pressure", "gap", "sliding_distance")
 MESH_LINES = 2_000       # zones: the lines of a finer mesh would hide what they bound
+ROOM = 0.15              # width of a block over the extent of all, from which its name finds room in it
+BESIDE = 0.05            # difference in height of two gauges over that extent, up to which their labels are stacked
+EDGES = {"axis": (QUIET, (0, (8, 3, 1, 3))), "wall": (INK, "-"), "velocity": (COLOURS[3], "-"), "pressure": (COLOURS[2], "-"),
+         "transmitting": (COLOURS[4], (0, (2, 1)))}
 MOST_VECTORS = 20_000    # zones drawn one by one in files that keep lines as lines
 
 
@@ -49,8 +53,9 @@ def plane_field(run, field: str, k) -> np.ndarray:
 
 def borders(corners: np.ndarray, block_of: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Node pairs (n, 2) of the outline, and of the interfaces between blocks."""
-    edges = np.concatenate([corners[:, [k, (k + 1) % 4]] for k in range(4)])
-    owner = np.tile(block_of, 4)
+    sides = corners.shape[1]
+    edges = np.concatenate([corners[:, [k, (k + 1) % sides]] for k in range(sides)])
+    owner = np.tile(block_of, sides)
     order = np.lexsort(np.sort(edges, axis=1).T[::-1])
     ordered, owner = np.sort(edges, axis=1)[order], owner[order]
     twin = (ordered[1:] == ordered[:-1]).all(axis=1)
@@ -126,6 +131,8 @@ def _draw_zones(run, ax, k, values, field, mesh, mirror, limits):
         image.set_clim(ends[0] * factor, ends[1] * factor)
         ax.add_collection(image)
         outline, interface = borders(corners, topology["block_of"])
+        if len(_halves(run, mirror)) == 2:      # where both halves meet there is no surface
+            outline = outline[(part[outline, 0] != 0.0).any(axis=1)]
         ax.add_collection(LineCollection(part[outline], colors=INK, linewidths=0.8))
         ax.add_collection(LineCollection(part[interface], colors=INK, linewidths=0.8))
     _draw_rigid(run, ax, k, mirror)
@@ -153,8 +160,8 @@ def _draw_contours(run, ax, k, values, count, mirror):
     rows, corners = run.arrays("snapshots"), run.arrays("mesh")["zone_nodes"]
     _, fx = _scale(run)
     about = np.bincount(corners.ravel(), minlength=rows["position_x"].shape[1])
-    nodal = np.bincount(corners.ravel(), weights=np.repeat(values, 4), minlength=len(about)) / np.maximum(about, 1)
-    triangles = np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])
+    nodal = np.bincount(corners.ravel(), weights=np.repeat(values, corners.shape[1]), minlength=len(about)) / np.maximum(about, 1)
+    triangles = corners if corners.shape[1] == 3 else np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])
     if not np.isfinite(nodal).all() or np.ptp(nodal) == 0.0:
         return
     levels = np.linspace(nodal.min(), nodal.max(), count + 2)[1:-1]
@@ -240,15 +247,16 @@ def plane_setup(run, ax=None):
         ax.add_collection(PolyCollection(places[corners[mine]], facecolors=colour, edgecolors=INK if mine.sum() <= MESH_LINES else "face",
                                          linewidths=0.15, alpha=0.38))
         ni, nj = region["zones"]
-        label = f"{region['name']}: {region['material']}, {ni} x {nj} zones"
+        per_cell = int(mine.sum()) // (ni * nj)
+        label = f"{region['name']}: {region['material']}, {ni} x {nj} {'zones' if per_cell == 1 else 'cells of two triangles'}"
         ax.plot([], [], marker="s", linestyle="", color=colour, alpha=0.5, label=label)
-        if len(record["regions"]) > 1:
-            middle = places[corners[mine].reshape(ni, nj, 4)[ni // 2, nj // 2]].mean(axis=0)
+        middle = places[corners[mine].reshape(per_cell * ni, nj, -1)[per_cell * ni // 2, nj // 2]].mean(axis=0)
+        if len(record["regions"]) > 1 and np.ptp(places[corners[mine], 0]) > ROOM * np.ptp(places, axis=0).max():
             paper = {"facecolor": "white", "alpha": 0.6, "linewidth": 0.0}
             ax.text(*middle, region["name"], ha="center", va="center", fontsize=8, bbox=paper)
     outline, interface = borders(corners, block_of)
     ax.add_collection(LineCollection(places[np.concatenate([outline, interface])], colors=INK, linewidths=0.8))
-    _mark_edges_and_places(ax, record, fx)
+    _mark_edges_and_places(ax, record, fx, np.ptp(places, axis=0).max())
     ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), frameon=False, fontsize=8, handletextpad=0.3)
     ax.set_aspect("equal")
     ax.autoscale_view()
@@ -257,22 +265,23 @@ def plane_setup(run, ax=None):
     return ax
 
 
-def _mark_edges_and_places(ax, record, fx) -> None:
-    """Boundaries that are not free, gauges and detonators."""
-    for name, boundary in record["boundaries"].items():
-        if boundary["kind"] != "free":
-            edges = np.array(record["chains"][name]) * fx
-            axis = boundary["kind"] == "axis"
-            style = {"colors": QUIET, "linestyles": (0, (8, 3, 1, 3))} if axis else {"colors": COLOURS[1]}
-            ax.add_collection(LineCollection(edges, linewidths=2.0, **style))
-            ax.annotate(boundary["kind"], edges[len(edges) // 2].mean(axis=0), fontsize=7.5, color=QUIET, ha="center", va="bottom")
-    for gauge in record["gauges"]:
+def _mark_edges_and_places(ax, record, fx, extent) -> None:
+    """Boundaries that are not free, gauges and detonators. Lines are named in the legend, labels of gauges beside each other stacked."""
+    kinds = {name: boundary["kind"] for name, boundary in record["boundaries"].items() if boundary["kind"] != "free"}
+    for kind in dict.fromkeys(kinds.values()):
+        edges = np.concatenate([np.array(record["chains"][name]) for name in kinds if kinds[name] == kind]) * fx
+        colour, dashes = EDGES.get(kind, (COLOURS[3], "-"))
+        ax.add_collection(LineCollection(edges, linewidths=2.5, colors=colour, linestyles=[dashes], zorder=2.5))
+        ax.plot([], [], linewidth=2.5, color=colour, linestyle=dashes, label=kind)
+    heights = []
+    for gauge in (gauge for gauge in record["gauges"] if gauge["at"] is not None):
+        at = np.array(gauge["at"]) * fx
         if gauge["kind"] == "slit":
-            ax.axline(np.array(gauge["at"]) * fx, np.array(gauge["at"]) * fx + gauge["direction"], color=INK, linewidth=0.7,
-                      linestyle=(0, (4, 3)))
-            ax.annotate(gauge["name"], np.array(gauge["at"]) * fx, xytext=(4, 3), textcoords="offset points", fontsize=7.5)
-        elif gauge["at"] is not None:
-            ax.plot(*(np.array(gauge["at"]) * fx), marker="^", color=INK, markersize=4)
-            ax.annotate(gauge["name"], np.array(gauge["at"]) * fx, xytext=(4, 3), textcoords="offset points", fontsize=7.5)
+            ax.axline(at, at + gauge["direction"], color=INK, linewidth=0.7, linestyle=(0, (4, 3)))
+        else:
+            ax.plot(*at, marker="^", color=INK, markersize=4)
+        above = sum(abs(height - at[1]) < BESIDE * extent for height in heights)
+        ax.annotate(gauge["name"], at, xytext=(4, 3 + 9 * above), textcoords="offset points", fontsize=7.5)
+        heights.append(at[1])
     for point in record["lighting"]:
-        ax.plot(*(np.array(point["at"]) * fx), marker="*", color=COLOURS[1], markersize=8)
+        ax.plot(*(np.array(point["at"]) * fx), marker="*", color=COLOURS[1], markersize=8, zorder=3)

@@ -176,6 +176,34 @@ def draw_bands(ax, times, record: Column) -> None:
     quiet_grid(ax)
 
 
+def draw_spread(ax, times, record: Column) -> None:
+    """How far the records of a sample lie from their median: the bands that hold 68 and 95 % of them."""
+    unit, ft = time_scale(float(times[-1]))
+    sound = np.isfinite(record.values).all(axis=0)
+    away = record.values[:, sound] - np.median(record.values[:, sound], axis=0)
+    shown, fy, words = field_scale(record.name.rpartition(".")[2], away)
+    low, lower, upper, high = np.quantile(away, (0.025, 0.16, 0.84, 0.975), axis=0) * fy
+    t = times[sound] * ft
+    ax.fill_between(t, low, high, color=COLOURS[0], alpha=0.18, linewidth=0)
+    ax.fill_between(t, lower, upper, color=COLOURS[0], alpha=0.38, linewidth=0)
+    ax.axhline(0.0, color=INK, linewidth=0.8)
+    ax.set_xlim(0.0, float(times[-1]) * ft)
+    ax.set_xlabel(labelled("time", unit))
+    ax.set_ylabel(labelled("from the median", shown))
+    ax.set_title(f"{record.name.rpartition('.')[0]}: spread of the {words}", loc="left")
+    quiet_grid(ax)
+
+
+@styled
+def uncertainty_figure(table: SweepTable):
+    """Of every record its bands, and beside it how far they lie from the median."""
+    axes = new_panels(len(table.records), 2, 9.6, 2.9 * len(table.records)).reshape(-1, 2)
+    for (ax, beside), record in zip(axes, table.records):
+        draw_bands(ax, table.times, record)
+        draw_spread(beside, table.times, record)
+    return axes[0, 0].get_figure()
+
+
 def draw_indices(ax, rows) -> None:
     """First-order and total indices of one result with their 95 % intervals: rows have parameter, first, total and their _low and _high."""
     y = np.arange(len(rows))[::-1]

@@ -27,6 +27,7 @@ class Cost(NamedTuple):
 def estimate(problem: Problem) -> Cost:
     """Memory and result of a run, to some tens of per cent; gauges, a few columns for each step, are not counted."""
     zones = sum(math.prod(part.zones) if isinstance(part.zones, tuple) else part.zones for part in problem.regions)
+    zones *= 2 if getattr(problem.solver, "cells", "quads") == "triangles" else 1
     wanted = problem.output.snapshots
     if isinstance(wanted, tuple):
         snapshots = len(wanted) + 2

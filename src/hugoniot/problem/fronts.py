@@ -132,10 +132,6 @@ def defects(problem: Problem) -> list[tuple[tuple, str]]:
             found.append((("material", name, "strength"), message))
     if cells:
         found += _front_defects(problem)
-    for k, region in enumerate(problem.regions):
-        if region.profile is not None:
-            found.append((("region", k, "profile"), f"{NAME} starts from one state along a region, which only waves change: "
-                          "split the region into several of constant state, or use lagrange1d"))
     for side, end in (("left", problem.left), ("right", problem.right)):
         if end.kind == "periodic":
             found.append((("boundary", side), f"{NAME} has no periodic ends, for a front ends at an end of the line: use lagrange1d"))
@@ -154,6 +150,9 @@ def _beyond_algebra(problem: Problem) -> list[tuple[tuple, str]]:
     if problem.solver.courant is not None:
         found.append((("solver", "courant"), "the mode 'algebraic' has no time step: leave courant out"))
     for k, region in enumerate(problem.regions):
+        if region.profile is not None:
+            found.append((("region", k, "profile"), f"the mode 'algebraic' of {NAME} starts from one state along a region: take "
+                          "solver.options.mode = \"cells\", or split the region into several of constant state"))
         if isinstance(region.velocity, tuple) and region.velocity[0] != region.velocity[1]:
             message = (f"region '{region.name}' has a velocity profile; the mode 'algebraic' of {NAME} needs constant initial states: take "
                        "solver.options.mode = \"cells\"")

@@ -56,7 +56,8 @@ class Quantity:
         if self.least is not None and not number >= self.least:
             raise trouble(f"must not be less than {self.least:g}, got {printable(value)!r}")
         if abs(number) > self.limit:
-            raise trouble(f"unreasonably large: {printable(value)!r} is {number:g} {self.unit}", f"the limit is {self.limit:g} {self.unit}")
+            unit = "" if self.unit == "1" else f" {self.unit}"
+            raise trouble(f"unreasonably large: {printable(value)!r} is {number:g}{unit}", f"the limit is {self.limit:g}{unit}")
         return number
 
 

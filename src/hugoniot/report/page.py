@@ -3,11 +3,9 @@
 import pathlib
 from collections.abc import Callable
 
-import numpy as np
-
 from hugoniot.output.atomic import write_whole
 from hugoniot.output.run import Run, load
-from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, spall_numbers
+from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, highest, spall_numbers
 from hugoniot.output.seal import sealed
 from hugoniot.output.spall_reading import SURFACE, surface_record
 from hugoniot.page import one_run
@@ -19,20 +17,12 @@ from hugoniot.report.sections import number, text
 def key_numbers(run: Run) -> list[tuple[str, str]]:
     """(name, HTML text) of the numbers a reader looks for first."""
     summary = run.summary
-    rows = [("simulated time", number(summary["time"], "s")), ("zones", str(len(run.arrays("peaks")["zone"]))),
+    rows = [("simulated time", number(summary["time"], "s")), ("zones", str(len(run.arrays("peaks").get("zone", ())))),
             ("cycles", f"{summary['cycles']:,}".replace(",", "\u202f")), ("wall time", f"{summary['wall_seconds']:.2f} s")]
-    peaks = run.arrays("peaks")
-    for name in ("stress", "peak_stress", "pressure", "peak_pressure"):
-        if name in peaks and len(peaks[name]):
-            rows.append((f"highest {name.removeprefix('peak_')}", number(float(np.max(peaks[name])), "Pa")))
-            break
-    tension = next((np.abs(peaks[n]) for n in ("tension", "peak_tension", "least_stress") if n in peaks), None)
-    if tension is not None and len(tension) and np.max(tension) > 0:
-        rows.append(("highest tension", number(float(np.max(tension)), "Pa")))
-    seen, spall = surface_record(run), spall_numbers(run)
-    if len(seen.time) and "peak_velocity" not in spall:
-        words = "free-surface velocity" if seen.kind == SURFACE else f"velocity at {seen.gauge}"
-        rows.append((f"{words}, highest", number(float(np.max(seen.velocity)), "m/s")))
+    top, spall = highest(run), spall_numbers(run)
+    rows += [(f"highest {name}", number(float(f"{top[name]:.5g}"), "Pa")) for name in ("stress", "pressure", "tension") if name in top]
+    if "surface_velocity" in top:
+        rows.append((f"highest velocity, {top['surface']}", number(float(f"{top['surface_velocity']:.5g}"), "m/s")))
     for key, name, unit in SPALL:
         if key in spall:
             rows.append((name, number(float(f"{spall[key]:.4g}"), unit)))

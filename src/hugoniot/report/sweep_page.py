@@ -7,19 +7,30 @@ from hugoniot.output.atomic import write_whole
 from hugoniot.output.seal import sealed
 from hugoniot.output.sweep_file import Column, SweepTable
 from hugoniot.plotting.inline import svg
-from hugoniot.plotting.sweep import draw, draw_records, draw_sensitivity, kind_of, worth_drawing
+from hugoniot.plotting.sweep import (
+    LEAST_FOR_BANDS,
+    draw,
+    draw_bands,
+    draw_records,
+    draw_sensitivity,
+    draw_spread,
+    kind_of,
+    worth_drawing,
+)
 from hugoniot.report.sections import cards, number, table, text
 
 MOST_ROWS = 400        # of the table on the page; cases.csv has all
 
 
-def page(swept: SweepTable, title: str, asked: str, version: str, sensitivity=None) -> str:
-    """The whole page as HTML text; `asked` says what was varied, `sensitivity` has rows of indices or effects by result."""
+def page(swept: SweepTable, title: str, asked: str, version: str, sensitivity=None, constants=()) -> str:
+    """The whole page as HTML text; `asked` says what was varied, `sensitivity` has rows of indices or effects by result, `constants` those
+    of materials: name, constant, value, unit, standard deviation, sources."""
     css = (pathlib.Path(__file__).parent / "page.css").read_text(encoding="utf-8")
     failed = [reason for reason in swept.reasons if reason]
     numbers = cards([("cases", str(len(swept))), ("failed", str(len(failed))), ("design", text(swept.attributes.get("design", ""))),
                      ("seed", text(swept.attributes.get("seed", "")))])
-    pictures = "".join(f"<figure>{picture}<figcaption>{text(words)}</figcaption></figure>" for picture, words in _pictures(swept))
+    drawn = _spreads(swept) if constants else _pictures(swept)
+    pictures = "".join(f"<figure>{picture}<figcaption>{text(words)}</figcaption></figure>" for picture, words in drawn)
     reasons = collections.Counter(failed).most_common(20)
     why = table(["cases", "reason"], [[str(count), text(reason)] for reason, count in reasons]) if reasons else ""
     return "".join([
@@ -28,6 +39,7 @@ def page(swept: SweepTable, title: str, asked: str, version: str, sensitivity=No
         f"<p class=quiet>hugoniot {text(version)}</p><pre>{text(asked)}</pre>", numbers,
         _sensitivities(swept, sensitivity or {}),
         f"<section><h2>Results</h2>{pictures}</section>" if pictures else "",
+        _constants(constants),
         f"<section><h2>Cases that failed</h2>{why}</section>" if why else "",
         f"<section><h2>Cases</h2>{_rows(swept)}</section></main></body></html>\n"])
 
@@ -60,9 +72,36 @@ def _pictures(swept: SweepTable) -> list[tuple[str, str]]:
     return found
 
 
+def _spreads(swept: SweepTable) -> list[tuple[str, str]]:
+    """The records of a sample of constants, and how far apart they lie."""
+    if swept.times is None or len(swept.records[0].values) < LEAST_FOR_BANDS:
+        return _pictures(swept)
+    found = []
+    for k, record in enumerate(swept.records):
+        for name, draw_one, words in (
+                ("record", draw_bands, "the median, with the bands that hold 68 and 95 % of the cases"),
+                ("spread", draw_spread, "the same bands, from the median")):
+            picture = svg(lambda ax, d=draw_one, r=record: d(ax, swept.times, r), f"{name}-{k}", 7.4, 3.2, (0.8, 0.5, 6.0, 2.3))
+            found.append((picture, f"{record.name}: {words}."))
+    return found
+
+
 def _caption(swept: SweepTable, result: Column) -> str:
     return {"map": f"{result.name} over both parameters; blank or – where a case has no value.",
             "line": f"{result.name}.", "points": f"{result.name}, a dot for each case."}[kind_of(swept)]
+
+
+def _constants(rows) -> str:
+    """The constants that varied, and in how many others the library knows no uncertainty."""
+    if not rows:
+        return ""
+    shown = [[text(material), text(name), number(float(value), unit), number(float(deviation), unit) if deviation else "",
+              text(words)] for material, name, value, unit, deviation, words in rows if deviation]
+    held = [f"{material}: {name} ({words})" for material, name, _, _, deviation, words in rows if name and not deviation]
+    others = f"<details><summary>{len(held)} constants held, of which the library knows no uncertainty</summary><p>"\
+             f"{text('; '.join(held))}</p></details>" if held else ""
+    return (f"<section><h2>Constants of the library</h2>{table(['material', 'constant', 'value', 'standard deviation', 'rows'], shown)}"
+            f"{others}</section>")
 
 
 def _rows(swept: SweepTable) -> str:
@@ -77,8 +116,8 @@ def _cell(column: Column, k: int) -> str:
     return number(float(f"{value:.5g}"), column.unit) if column.values.dtype.kind == "f" else text(value)
 
 
-def write_sweep_report(folder, swept: SweepTable, title: str, asked: str, version: str, sensitivity=None) -> pathlib.Path:
+def write_sweep_report(folder, swept: SweepTable, title: str, asked: str, version: str, sensitivity=None, constants=()) -> pathlib.Path:
     """Write report.html into the folder of a sweep; gives its path. Raises `FileTrouble`."""
     path = pathlib.Path(folder) / "report.html"
-    write_whole(path, sealed(page(swept, title, asked, version, sensitivity), "<!-- ", " -->\n"), durable=False)
+    write_whole(path, sealed(page(swept, title, asked, version, sensitivity, constants), "<!-- ", " -->\n"), durable=False)
     return path

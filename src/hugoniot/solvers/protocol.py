@@ -22,7 +22,7 @@ NO_COUNTS = dict.fromkeys(COUNTS, 0)
 class Event:
     """Something that happened between two steps.
 
-    kind       one word for programs: void_opened, void_closed, interface_separated
+    kind       one word for programs: void_opened, void_closed, interface_separated, step_repeated
     time       s
     cycle      steps taken before it
     position   m, along the line or from the axis or the origin
@@ -83,6 +83,13 @@ class Solver(Protocol):
         """Take steps until the time `until` (hit exactly), `cycles` steps, a full gauge buffer or an event; the events that happened.
 
         Raises `UnphysicalState` in the cycle it arises, the state left as it was found then.
+        """
+        ...
+
+    def pass_through(self, times) -> bool:
+        """Hit these times (sorted, s) exactly on the way of a march without coming back; False where the solver cannot.
+
+        A run of which no snapshot is kept takes the same steps in this way; `seen_in_passing` gives the extremes at those times.
         """
         ...
 
@@ -210,6 +217,10 @@ class NothingToAdd:
     def motion(self) -> SolverState:
         """The whole state."""
         return self.state()
+
+    def pass_through(self, times) -> bool:
+        """It comes back at every time."""
+        return False
 
     def phases(self) -> np.ndarray | None:
         """Nothing burns."""

@@ -49,6 +49,21 @@ def test_small_jumps_of_the_runs_are_part_of_the_interval():
     assert 0.3 < np.sqrt(np.mean(np.square(away))) < 1.5 and np.mean(np.abs(away) < 1.97) > 0.85
 
 
+def test_a_step_wider_than_the_noise_belongs_to_the_interval():
+    """A run that knows its parameter to 0.01 only, the truth near the end of a step: the noise alone would tell it to 0.0014."""
+    def stairs(t, a, b):
+        return line(t, round(a * 100) / 100, b)
+
+    truth, covered, widths = 0.3045, [], []
+    for seed in range(24):
+        data = stairs(TIMES, truth, 0.6) + 0.01 * np.random.default_rng(seed).standard_normal(TIMES.size)
+        p = problem(stairs, data, 0.01, ["a = 0..1", "b = 0..1"])
+        found = weighed(p, [p.search(p.starts(None, 1, 0)[0])]).parameters[0]
+        covered.append(found.low <= truth <= found.high)
+        widths.append(found.high - found.low)
+    assert np.mean(covered) >= 0.9 and 0.006 < np.median(widths) < 0.03
+
+
 def test_shift_and_scale_are_found_without_runs_of_their_own():
     data = 1.03 * bump(TIMES - 0.04, 1.0, 0.1) + 0.005 * np.random.default_rng(3).standard_normal(TIMES.size)
     p = problem(bump, data, 0.005, ["h = 1 +- 0.001", "w = 0.05..0.3"], shift=0.1, scale=0.1)
@@ -230,3 +245,4 @@ def test_intervals_of_four_parameters_cover_the_truth(deck, tmp_path, inline):
     values, sigmas, covered = np.moveaxis(np.array(rows), 2, 0)
     assert np.all(np.abs(values.mean(axis=0) - wanted) < sigmas.mean(axis=0))
     assert 0.90 <= covered.mean() <= 0.99
+    assert covered[:, 2].mean() >= 0.90       # the spall strength, in whose steps of 27 to 44 MPa the record answers

@@ -35,6 +35,10 @@ def test_the_constant_behind_a_line_is_found_again():
     assert found.after["g1"] == pytest.approx(LX17.burn.g1, rel=0.05) and found.before["g1"] == 0.6 * LX17.burn.g1
     assert found.ratios == pytest.approx((1.0, 1.0), abs=0.03) and found.refined == pytest.approx((1.0, 1.0), abs=0.05)
     assert found.material.burn._replace(g1=0.0) == LX17.burn._replace(g1=0.0)
+    sought = found.fit.parameters[0]      # a fit as any other
+    assert sought.low < sought.value < sought.high and found.fit.matches and found.fit.freedom == 1
+    rise = np.log(found.after["g1"]) - np.log(0.6 * LX17.burn.g1)
+    assert sought.name.startswith("ln of the rate of g1 at 16") and 0.0 < sought.sigma < 0.2 * rise
 
 
 LINE = PopLine(1.39, -0.31, *(np.nan,) * 3)
@@ -55,12 +59,17 @@ def test_a_start_that_never_turns_is_told():
         fit_rate(with_rate(g1=1e-40, g2=0.0), LINE, (15e9,), ("g1",), zones=50)
 
 
-def test_the_command_gives_a_table_for_a_deck(capsys):
-    arguments = ("LX-17 reactive", "--line", "1.37, -0.23", "-p", "15, 18 GPa", "--adjust", "g1", "--start", "g2 = 1e-4", "--zones", "50")
+def test_the_command_gives_a_table_for_a_deck(capsys, tmp_path):
+    arguments = ("LX-17 reactive", "--line", "1.37, -0.23", "-p", "15, 18 GPa", "--adjust", "g1", "--start", "g2 = 1e-4", "--zones", "50", "--out",
+                 str(tmp_path / "rate"))
     code, out, _ = call(capsys, *arguments, "--json")
     told = json.loads(out)
     assert code == 0 and told["burn"]["law"] == "ignition_growth" and told["burn"]["g2"] == 1e-4
     assert told["burn"]["g1"] == told["after"]["g1"] != told["before"]["g1"] == 4.5e-24 and len(told["points"]) == 2
+    record = json.loads((tmp_path / "rate" / "fit.json").read_text())      # the files of any fit
+    assert record["parameters"] == told["fit"]["parameters"] and "run distance" in (tmp_path / "rate" / "report.html").read_text()
+    rows = (tmp_path / "rate" / "residuals.csv").read_text().splitlines()
+    assert "input pressure" in rows[0] and len(rows) == 3 and "ignition_growth" in (tmp_path / "rate" / "fitted.toml").read_text()
 
 
 @pytest.mark.parametrize(("arguments", "words"), [

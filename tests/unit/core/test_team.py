@@ -91,3 +91,53 @@ def test_waiting_within_credit_is_borne():
     team.sign(board, 1, board[0])
     team.gather_team(board, 2)
     assert board[team.SHARE_AGAIN] == 0 and board[team.ACCOUNT] == team.CREDIT
+
+
+def lose(board, nanoseconds):
+    """A shared phase that takes so much longer than it does alone."""
+    team.call(board, 0)
+    board[team.BEGAN] = time.clock_gettime_ns(time.CLOCK_MONOTONIC) - nanoseconds
+    team.sign(board, 1, board[0])
+    team.gather_team(board, 2)
+
+
+def test_each_rest_without_a_gain_between_is_twice_as_long():
+    board, loss = team.board(2), 4_000_000
+    rests = []
+    for _ in range(8):
+        lose(board, loss)
+        rests.append((board[team.SHARE_AGAIN] - board[team.BEGAN]) / loss - 1.0)
+    for k, rest in enumerate(rests):      # however long the machine kept this test from going on, that much longer the rest is
+        assert rest >= min(team.REST * 2**k, team.LONGEST_REST / loss)
+    lose(board, -2 * team.CREDIT)
+    assert board[team.ACCOUNT] == team.CREDIT and board[team.RESTING] == team.REST
+    lose(board, 10**10)                   # ten seconds: more than the longest rest, which it is
+    assert board[team.SHARE_AGAIN] - board[team.BEGAN] >= (team.REST + 1) * 10**10 - team.REST * team.CREDIT
+
+
+def test_a_march_during_a_rest_has_no_other_threads():
+    one = team.team_of(2, 10, 10)
+    if isinstance(one, team.Alone):
+        pytest.skip("one processor")
+    seen = []
+
+    def stand_by(member, phase, plan, crew):
+        seen.append(member)
+        serve(plan, crew.board, member, crew.threads)
+
+    row = np.ones(3000)
+    with team.at_work(one, stand_by, row):
+        assert lead(row, one.board, 30, 2) < 30
+    assert seen == [1]
+    again = one.board[team.SHARE_AGAIN] = team.NEVER - 1
+    with team.at_work(one, stand_by, row):
+        assert lead(row, one.board, 30, 2) == 30
+    assert seen == [1] and one.board[team.SHARE_AGAIN] == again
+    alone = np.ones(3000)
+    for _ in range(60):
+        work(alone, 0, 1)
+    assert np.array_equal(row, alone)
+
+
+def test_few_zones_or_one_thread_make_no_team():
+    assert isinstance(team.team_of(1, 10**6, 10), team.Alone) and isinstance(team.team_of(8, 9, 10), team.Alone)

@@ -134,3 +134,24 @@ def test_the_address_is_the_state_of_a_view(visit):
     other = again.go(page.url[page.url.index("#"):])
     until(other, "document.querySelector('.chart')?.chart.spec.bar")
     assert other.evaluate(state) == page.evaluate(state)
+
+
+@pytest.mark.parametrize(("view", "key"), [("#/runs?run=0&f=pressure", "xt"), ("#/runs?run=0&f=pressure", "hz"), ("#/runs?run=0&f=pressure", "pz"),
+                                           ("#/runs?run=1&f=pressure", "map"), ("#/match?layers=copper,aluminum&v=900", "mz"), ("#/sweeps?sweep=0", "sz"),
+                                           ("#/fits?fit=0", "d0"), ("#/fits?fit=0", "r0"), ("#/fits?fit=0", "pz"), ("#/fits?fit=0", "oz")])
+def test_the_zoom_of_every_plot_stands_in_the_address(visit, view, key):
+    """Another window with the address shows the same part, and the same form of the command."""
+    here = visit()
+    page, zoom = here.go(view), f"[...document.querySelectorAll('.chart')].map(c => c.chart).find(c => c?.options.zoomKey === '{key}').spec.zoom"
+    page.evaluate(zoom.replace(".spec.zoom", ".svg.focus()"))
+    page.keyboard.press("+")
+    until(page, f"/[?&]{key}=/.test(location.hash)")
+    page.click("#as-python")
+    until(page, "location.hash.includes('as=python')")
+    other = visit().go(page.url[page.url.index("#"):])
+    until(other, f"document.querySelector('.chart') && {zoom}")
+    mine, theirs = page.evaluate(zoom), other.evaluate(zoom)
+    assert all(theirs[axis] == pytest.approx(mine[axis], rel=1e-5) for axis in "xy") and other.text_content("#command") == page.text_content("#command")
+    page.evaluate(zoom.replace(".spec.zoom", ".svg.focus()"))
+    page.keyboard.press("0")
+    until(page, f"!/[?&]{key}=/.test(location.hash)")

@@ -37,7 +37,7 @@ def test_an_export_opens_from_the_disk(visit, tube, opened, tmp_path):
     met = match([library.find("copper"), library.find("aluminum")], 1000.0)[0]
     assert page.text_content("[data-table=match] tr[data-field=pressure] td.number") == shown(met.pressure * 1e-9, 5)
     page.evaluate("location.hash = '#/match?layers=copper,aluminum,comp_b&v=1000'")
-    page.wait_for_selector("text=reshock and release from the server")
+    page.wait_for_selector("text=the reshock and release of further layers")
     for view in ("#/materials?sel=copper,aluminum&at=particle_velocity:1500", "#/sweeps?sweep=0", "#/decks?deck=0", "#/fits?fit=0", "#/runs?run=1&f=pressure&z=5",
                  "#/materials?sel=copper&plane=surface", "#/materials?sel=copper&plane=isotherms"):
         here.go(view)

@@ -1,6 +1,7 @@
 """Decks of the two-dimensional hydrocode: every key round trip, every mistake at once with line and way out."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -206,7 +207,12 @@ def test_the_schema_names_every_key_of_the_resolved_deck(everything):
     ('kind = "wall"', 'kind = "pressure"', 13, "boundary[1].pressure", "missing"),
     ('kind = "wall"', 'kind = "wall"\npressure = "1 GPa"', 16, "boundary[1].pressure", "no meaning"),
     ('kind = "wall"', 'kind = "wall"\ndirection = [0, 1]', 16, "boundary[1].direction", "no meaning"),
-    ('kind = "lagrange2d"', 'kind = "lagrange2d"\ncells = "triangles"', 19, "solver.cells", "expected 'quads'"),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\ncells = "hexagons"', 19, "solver.cells", "expected 'quads' or 'triangles'"),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\ndiagonal = "crossed"', 19, "solver.diagonal", "triangles only"),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\naverage_pressure = false', 19, "solver.average_pressure", "triangles only"),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\ncells = "triangles"\ndiagonal = "both"', 20, "solver.diagonal", "expected 'one_way'"),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\ncells = "triangles"\nhourglass = {subzonal_pressure = 0.5}', 20, "solver.hourglass",
+     "no hourglass modes"),
     ('kind = "lagrange2d"', 'kind = "lagrange2d"\nviscosity = {kind = "edgy"}', 19, "solver.viscosity.kind", "expected 'tensor', 'edge' or 'herrmann'"),
     ('kind = "lagrange2d"', 'kind = "lagrange2d"\nviscosity = {kind = "herrmann"}', 19, "solver.viscosity", "no limiter"),
     ('geometry = "axisymmetric"', 'geometry = "axisymmetric"\nbody_force = [1, 0]', 3, "body_force", "not uniform about the axis"),
@@ -215,6 +221,36 @@ def test_the_schema_names_every_key_of_the_resolved_deck(everything):
     ("[solver]", '[[gauge]]\nname = "g"\non = "bar.right"\nthrough = [0, 1]\ndirection = [1, 0]\n[solver]', 19, "gauge.g.on",
      "does not cross"),
     ("[solver]", '[[lighting]]\nat = [0, 0]\n[solver]', 18, "lighting[1].at", "no explosive with programmed burn"),
+    ('kind = "wall"', 'kind = "walls"', 15, 'boundary[1].kind', "did you mean 'wall'"),
+    ('kind = "wall"', 'kind = "velocity"', 13, 'boundary[1].velocity', 'such as velocity'),
+    ('kind = "wall"', 'kind = "velocity"\nvelocity = "5 kg"', 16, 'boundary[1].velocity', 'expected a velocity, got a mass'),
+    ('kind = "wall"', 'kind = "velocity"\nvelocity = "5 m/s"\ndirection = [0, 0]', 17, 'boundary[1].direction', 'such as [1, 0]'),
+    ('kind = "wall"', 'kind = "pressure"\npressure = {times = [0, 1e-6], values = [1]}', 16, 'boundary[1].pressure', 'as many times as values'),
+    ('zones = [4, 30]', 'zones = [4, 30]\nshape = "ring"', 11, 'block.bar.shape', "expected 'box', 'sector' or 'edges'"),
+    ('zones = [4, 30]', 'zones = [4, 30, 2]', 10, 'block.bar.zones', 'such as [20, 200]'),
+    ('zones = [4, 30]', 'zones = [20000, 20000]', 5, 'block', 'the limit is'),
+    ('r = ["0 mm", "3.2 mm"]\n', '', 5, 'block.bar.r', 'the shape box has: r, z'),
+    ('z = ["0 mm", "32.4 mm"]', 'z = ["32.4 mm", "0 mm"]', 9, 'block.bar.z', 'exchange them'),
+    ('z = ["0 mm", "32.4 mm"]', 'z = ["0 mm", "0 mm"]', 9, 'block.bar.z', 'such as'),
+    ('"32.4 mm"]', 'inf]', 9, 'block.bar.z', 'expected a finite number'),
+    ('name = "bar"', 'name = "bar/foot"', 6, 'block.bar/foot.name', "no '/' or '.'"),
+    ('"-227 m/s"]', '"-227 m/s"]\ndensity = "3 g/cm^3"\npressure = "1 GPa"\nenergy = 3', 14, 'block.bar.energy', 'at most two'),
+    ('[solver]', '[[block]]\nname = "bar"\nmaterial = "copper"\nr = [0, "1 mm"]\nz = ["40 mm", "41 mm"]\nzones = [2, 2]\n[solver]', 18, 'block.bar.name', 'names must differ'),
+    ('[solver]', '[[block]]\nname = "cap"\nmaterial = "copper"\nr = [0, "1 mm"]\nz = ["30 mm", "41 mm"]\nzones = [2, 2]\n[solver]', 22, 'block.cap.zones', '[[contact]]'),
+    ('[solver]', '[[block]]\nname = "cap"\nmaterial = "copper"\nshape = "sector"\nradius = ["1 mm", "0.5 mm"]\nangle = ["0 deg", "90 deg"]\nzones = [3, 2]\n[solver]', 21, 'block.cap.radius', 'exchange them'),
+    ('[solver]', '[[block]]\nname = "cap"\nmaterial = "copper"\nshape = "edges"\nzones = [3, 2]\n[block.left]\nline = [[0, 1], [0, 2]]\n[solver]', 17, 'block.cap.right', 'the shape edges has'),
+    ('[solver]', '[[block]]\nname = "cap"\nmaterial = "copper"\nshape = "edges"\nzones = [3, 2]\nleft = {line = [[2, 1], [2, 2]]}\nright = {line = [[1, 1], [1, 2]]}\nbottom = {line = [[1, 1], [2, 1]]}\ntop = {line = [[1, 2], [2, 2]]}\n[solver]', 20, 'block.cap.shape', 'runs clockwise'),
+    ('[solver]', '[[block]]\nname = "cap"\nmaterial = "copper"\nshape = "edges"\nzones = [3, 2]\nleft = {line = [[1, 1], [1, 2]]}\nright = {line = [[2, 1], [2, 2]]}\nbottom = {line = [[1, 1], [2, 1]]}\ntop = {line = [[1, 2], [2, 2.5]]}\n[solver]', 25, 'block.cap.top', 'does not meet'),
+    ('[solver]', '[[block]]\nname = "cap"\nmaterial = "copper"\nshape = "edges"\nzones = [4, 4]\nleft = {polyline = [[1, 1], [3.8, 1.5], [1, 2]]}\nright = {line = [[2, 1], [2, 2]]}\nbottom = {line = [[1, 1], [2, 1]]}\ntop = {line = [[1, 2], [2, 2]]}\n[solver]', 20, 'block.cap.shape', 'folded corner'),
+    ('[solver]', '[[gauge]]\nname = "g"\non = "bar.rigt"\n[solver]', 19, 'gauge.g.on', "did you mean 'bar.right'"),
+    ('[solver]', '[[gauge]]\nname = "g"\n[solver]', 17, 'gauge.g', 'such as at'),
+    ('[solver]', '[[rigid]]\nname = "floor"\npoints = [["0 mm", "1 mm"], ["5 mm", "1 mm"]]\n[solver]', 19, 'rigid[1].points', 'bodies may touch at the start'),
+    ('[solver]', '[[region]]\nname = "a"\n[solver]', 17, 'region', 'known: block'),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\nscheme = "aw"', 19, 'solver.scheme', "expected 'true_volume' or 'area_weighted'"),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\ncourant = 3', 19, 'solver.courant', 'the limit is 1'),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\nhourglass = {subzonal_pressure = -1}', 19, 'solver.hourglass.subzonal_pressure', 'must not be less than 0'),
+    ('geometry = "axisymmetric"', 'geometry = "cylinder"', 2, 'geometry', "expected 'plane' or 'axisymmetric'"),
+    ('stop_time = "80 us"', 'stop_time = "-80 us"', 3, 'stop_time', 'must be greater than 0'),
 ])
 def test_a_mistake_is_answered_with_line_key_and_way_out(old, new, line, key, words):
     with pytest.raises(DeckError) as caught:
@@ -222,6 +258,9 @@ def test_a_mistake_is_answered_with_line_key_and_way_out(old, new, line, key, wo
     problem = next((p for p in caught.value.problems if p.key == key), None)
     assert problem is not None, [str(p) for p in caught.value.problems]
     assert problem.line == line and words in f"{problem.message}; {problem.hint}"
+    assert problem.hint or re.search("expected|must|over-determine|as many", problem.message)       # what would be right
+    if key == "geometry":
+        assert len(caught.value.problems) == 1      # what follows from it is not counted
 
 
 def test_mistakes_of_several_blocks_come_at_once():
@@ -259,3 +298,15 @@ def test_large_meshes_keep_fewer_snapshots_unless_asked():
     assert small.gauge_interval == pytest.approx(80e-6 / 2000)
     asked = read_deck_text(BAR.replace("[4, 30]", "[100, 101]") + '[output]\nsnapshots = "1 us"\ngauge_interval = 0\n').problem.output
     assert asked.snapshots == 1e-6 and asked.gauge_interval == 0.0
+
+
+@pytest.mark.parametrize("more", ["", '\ndiagonal = "alternating"\naverage_pressure = false'])
+def test_a_deck_of_triangles_is_written_out_and_reads_back(more):
+    """Every default of triangles, and none of quadrilaterals."""
+    deck = read_deck_text(BAR.replace('kind = "lagrange2d"', 'kind = "lagrange2d"\ncells = "triangles"' + more))
+    again = read_deck_text(deck.resolved)
+    assert again.problem == deck.problem and "hourglass" not in deck.resolved
+    assert again.problem.mesh.zone_nodes.shape == (240, 3)
+    assert again.problem.solver.average_pressure is not bool(more)
+    plain = read_deck_text(BAR)
+    assert not any(word in plain.resolved for word in ("diagonal", "average_pressure"))

@@ -32,6 +32,12 @@ def strip(across_target=3, across_flyer=3, gap=1e-3, along=40, stop=1.2e-6, **op
     return meeting(blocks, stop + gap / 700.0, sides, **options)
 
 
+def askew(swapped=False, **options):
+    """Two boxes of different meshes that strike each other off centre."""
+    blocks = [al(4, 6, 4e-3, 6e-3, name="a"), al(5, 7, 4e-3, 6e-3, (4.2e-3, 3.1e-3), "b", (-300.0, 20.0))]
+    return meeting(blocks[::-1] if swapped else blocks, 9e-6, **options)
+
+
 def angular_momentum(solver):
     """About the origin, kg m2/s per metre."""
     n = solver.nodes
@@ -45,5 +51,5 @@ def mean_velocity(solver, block):
     return np.array([np.sum(mass * solver.nodes[row, part]) / mass.sum() for row in (N.u, N.v)])
 
 
-__all__ = ["Boundary2D", "Contact2D", "Material", "MieGruneisen", "N", "Pulse", "Rigid2D", "Z", "al", "angular_momentum", "mean_velocity",
+__all__ = ["Boundary2D", "Contact2D", "Material", "MieGruneisen", "N", "Pulse", "Rigid2D", "Z", "al", "angular_momentum", "askew", "mean_velocity",
            "meeting", "ran", "strip", "walls"]

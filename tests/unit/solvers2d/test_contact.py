@@ -4,18 +4,26 @@ import dataclasses
 
 import numpy as np
 import pytest
-from contact_builders import Boundary2D, Contact2D, N, Pulse, Rigid2D, al, angular_momentum, mean_velocity, meeting, ran, strip, walls
+from contact_builders import (
+    Boundary2D,
+    Contact2D,
+    N,
+    Pulse,
+    Rigid2D,
+    al,
+    angular_momentum,
+    askew,
+    mean_velocity,
+    meeting,
+    ran,
+    strip,
+    walls,
+)
 
 from hugoniot.core import team
 from hugoniot.errors import OutOfRange
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
-
-
-def askew(swapped=False, **options):
-    """Two boxes of different meshes that strike each other off centre."""
-    blocks = [al(4, 6, 4e-3, 6e-3, name="a"), al(5, 7, 4e-3, 6e-3, (4.2e-3, 3.1e-3), "b", (-300.0, 20.0))]
-    return meeting(blocks[::-1] if swapped else blocks, 9e-6, **options)
 
 
 def slider(friction, stop, floor=True):

@@ -23,6 +23,7 @@ def test_a_state_that_is_no_number_ends_the_run_in_its_cycle(table, row, column,
     """The zone is named, or the first one at the node whose motion is no number."""
     solver = at_rest()
     getattr(solver, table)[row, column] = np.nan
+    solver.begin()
     with pytest.raises(UnphysicalState, match="not a number") as caught:
         solver.march(1.0, 5)
     assert caught.value.zone == zone and caught.value.region == "b"

@@ -1,4 +1,4 @@
-"""Shocks in gases: Noh's implosion, Sedov's blast wave, Saltzman's piston."""
+"""Shocks in gases: Noh's implosion, Sedov's blast wave, Saltzman's piston, the triple point."""
 
 from functools import partial
 
@@ -59,14 +59,14 @@ def noh_round(plateau, power, solver):
 
 # -- Sedov ----------------------------------------------------------------------------------------------------------------
 def sedov(geometry, energy, n, asked):
-    """`energy` in the corner zone of a quadrant of 1.2 x 1.2, per metre of depth or per radian."""
+    """`energy` in the corner cell of a quadrant of 1.2 x 1.2, per metre of depth or per radian."""
     block = box((n, n), (0.0, 1.2), (0.0, 1.2), density=1.0, energy=1e-9)
     sides = walls("b.left", "b.bottom") if geometry == "plane" else walls("b.bottom")
     solver = solver_of("Sedov", geometry, 1.0, block, [gas(1.4)], sides, asked, initial_step=1e-7)
-    z = solver.zones
-    z[Z.e, 0] = energy / z[Z.mass, 0]
-    z[Z.p, 0] = 0.4 * z[Z.rho, 0] * z[Z.e, 0]
-    z[Z.c, 0] = np.sqrt(1.4 * z[Z.p, 0] / z[Z.rho, 0])
+    z, corner = solver.zones, [k * n for k in range(solver.problem.mesh.blocks[0].per_cell)]
+    z[Z.e, corner] = energy / z[Z.mass, corner].sum()
+    z[Z.p, corner] = 0.4 * z[Z.rho, corner] * z[Z.e, corner]
+    z[Z.c, corner] = np.sqrt(1.4 * z[Z.p, corner] / z[Z.rho, corner])
     solver.begin()
     return solver
 
@@ -112,6 +112,34 @@ def reached(solver):
     return {"time_reached": solver.time}
 
 
+# -- the triple point ---------------------------------------------------------------------------------------------------------
+def triple_point(n, asked):
+    """Shocked gas beside two layers of different gases at rest, with n zones to the unit length."""
+    half, driver, rest = 3 * n // 2, dict(density=1.0, pressure=1.0), dict(pressure=0.1)
+    blocks = [box((n, half), (0.0, 1.0), (0.0, 1.5), "a", "light", **driver),
+              box((n, half), (0.0, 1.0), (1.5, 3.0), "b", "light", **driver),
+              box((6 * n, half), (1.0, 7.0), (0.0, 1.5), "c", "heavy", density=1.0, **rest),
+              box((6 * n, half), (1.0, 7.0), (1.5, 3.0), "d", "light", density=0.125, **rest)]
+    sides = walls("a.left", "b.left", "a.bottom", "c.bottom", "b.top", "d.top", "c.right", "d.right")
+    gases = [gas(1.5, "light"), gas(1.4, "heavy")]
+    return solver_of("triple point", "plane", 3.0, blocks, gases, sides, asked)
+
+
+def layers(solver):
+    """Length of the line between the two layers, which rolls up."""
+    block = solver.problem.mesh.blocks[2]
+    x, y = (solver.nodes[row, solver.numbering.representative][block.nodes[:, -1]] for row in (N.x, N.y))
+    return float(np.hypot(np.diff(x), np.diff(y)).sum())
+
+
+def rolled(solver):
+    """The same beside that of a mesh twice as fine, and how far the run came."""
+    finer = triple_point(2 * solver.problem.blocks[0].zones[0], {})
+    while finer.time < solver.time:
+        finer.march(solver.time, 10_000)
+    return {"interface_length": abs(layers(solver) / layers(finer) - 1.0), "time_reached": solver.time}
+
+
 PROBLEMS = (
     PlaneProblem("noh_square", "Noh's cylindrical implosion on square zones", partial(noh_square, "plane", "true_volume"), 0.6,
                  partial(noh_error, 16.0, 1),
@@ -142,4 +170,7 @@ PROBLEMS = (
                   Bar("velocity_across", 100, goal=0.05, peer=0.116)), (100,)),
     PlaneProblem("saltzman_reflected", "the same until after the second reflection", saltzman, 0.94, reached,
                  (Bar("time_reached", 100, goal=0.94, peer=0.907, sense="above"),), (100,)),
+    PlaneProblem("triple_point", "the triple point to t = 3, beside a mesh twice as fine", triple_point, 3.0, rolled,
+                 (*(Bar("interface_length", n, goal=0.05) for n in (4, 8)),
+                  *(Bar("time_reached", n, goal=3.0, sense="above") for n in (4, 8))), (4, 8)),
 )

@@ -14,6 +14,7 @@ from hugoniot.problem.plane.model import Block2D, Boundary2D, Problem2D, Solver2
 from hugoniot.problem.standard.parts import Bar
 from hugoniot.solvers.lagrange2d.assemble import N, Z
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
+from hugoniot.solvers.lagrange2d.zone_shapes import areas as zone_areas
 
 QUARTER = (0.0, 0.5 * np.pi)
 HOLE = 0.005           # radius of the hole of a polar mesh, in units of its outer radius
@@ -27,6 +28,7 @@ class PlaneProblem(NamedTuple):
     measure    solver at the stop time -> {measure: value}
     bars       numbers to beat
     zones      grids: zones along the first direction; of `noh_ring` and the like what its description says
+    before_step   solver -> None, called before every step: what the problem asks for and the solver does not have
     """
 
     name: str
@@ -36,12 +38,13 @@ class PlaneProblem(NamedTuple):
     measure: Callable[[Lagrange2D], dict[str, float]]
     bars: tuple[Bar, ...]
     zones: tuple[int, ...]
+    before_step: Callable[[Lagrange2D], None] | None = None
 
 
 # -- building -----------------------------------------------------------------------------------------------------------
-def gas(gamma: float) -> Material:
+def gas(gamma: float, name: str = "gas") -> Material:
     """A dimensionless ideal gas."""
-    return Material("gas", IdealGas(gamma, 1.0, 1.0))
+    return Material(name, IdealGas(gamma, 1.0, 1.0))
 
 
 def box(zones, x, y, name="b", material="gas", **state) -> Block2D:
@@ -65,24 +68,27 @@ def still(name: str) -> Boundary2D:
 
 
 def solver_of(title: str, geometry: str, stop: float, blocks, materials, boundaries, asked: Mapping[str, Any], **more) -> Lagrange2D:
-    """A solver at t = 0; `asked` are options of `Solver2D` that go before the problem's own in `more`."""
+    """A solver at t = 0; `asked` are options of `Solver2D` that go before the problem's own in `more`.
+
+    `sampler` and `interval` in `more`: what is read of a state, and how often (s).
+    """
+    sampler, output = more.pop("sampler", None), OutputOptions(report=False, gauge_interval=more.pop("interval", 0.0))
     blocks = blocks if isinstance(blocks, (list, tuple)) else (blocks,)
     names = {material.name: material for material in materials}
     options = replace(Solver2D(), **{**more, **asked})
     return Lagrange2D(Problem2D(title, geometry, stop, tuple(blocks), names, tuple(boundaries), solver=options,
-                                output=OutputOptions(report=False)))
+                                output=output), sampler)
 
 
 # -- measuring ------------------------------------------------------------------------------------------------------------
 def at_corners(solver: Lagrange2D, row: int) -> np.ndarray:
-    """A row of nodes at the four corners of every zone, (4, zones)."""
+    """A row of nodes at the corners of every zone, (4, zones), or (3, zones) of triangles."""
     return solver.nodes[row, solver.numbering.representative][solver.problem.mesh.zone_nodes.T]
 
 
 def areas(solver: Lagrange2D) -> np.ndarray:
     """Area of every zone, m2."""
-    x, y = at_corners(solver, N.x), at_corners(solver, N.y)
-    return 0.5 * ((x[2] - x[0]) * (y[3] - y[1]) - (y[2] - y[0]) * (x[3] - x[1]))
+    return zone_areas(at_corners(solver, N.x), at_corners(solver, N.y))
 
 
 def centres(solver: Lagrange2D) -> tuple[np.ndarray, np.ndarray]:

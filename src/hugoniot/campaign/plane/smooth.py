@@ -1,10 +1,13 @@
-"""Flows without shocks: Coggeshall's and Kidder's compressions, Gresho's vortex. What they lose is the scheme's own dissipation."""
+"""Flows without shocks: Coggeshall's and Kidder's compressions, Gresho's and Taylor and Green's vortices.
+
+What they lose is the scheme's own dissipation.
+"""
 
 import numpy as np
 
 from hugoniot.campaign.plane.parts import Bar, N, PlaneProblem, Z, box, centres, gas, quarter_ring, solver_of, walls
 from hugoniot.problem.model import Pulse
-from hugoniot.problem.plane.model import Boundary2D, VelocityField
+from hugoniot.problem.plane.model import Boundary2D, VelocityField, Viscosity2D
 from hugoniot.theory.exact.coggeshall import coggeshall
 from hugoniot.theory.exact.kidder import kidder
 
@@ -94,6 +97,42 @@ def loss(solver):
     return {"peak_speed": float(1.0 - speed.max()), "speed_l2": float(np.sqrt(np.mean((speed - exact) ** 2)))}
 
 
+# -- Taylor and Green --------------------------------------------------------------------------------------------------------
+def heat(solver):
+    """Set free the heat that keeps the vortices steady, between two steps that of half of each, which are nearly equal."""
+    z, (x, y) = solver.zones, np.pi * np.array(centres(solver))
+    time = solver.step if solver.cycle else 0.5 * solver.problem.solver.initial_step
+    set_free = time * 0.375 * np.pi * (np.cos(3.0 * x) * np.cos(y) - np.cos(x) * np.cos(3.0 * y))
+    solver.start_energy += float(np.sum(z[Z.mass] * set_free))
+    set_pressure(solver, z[Z.p] + 2.0 / 3.0 * z[Z.rho] * set_free, 5.0 / 3.0)
+    solver.take_over()
+
+
+def vortices(n, asked):
+    """Taylor and Green's vortices in the unit square, without viscosity."""
+    options = {"viscosity": Viscosity2D(linear=0.0, quadratic=0.0), "initial_step": 0.05 / n, "largest_step": 0.05 / n, **asked}
+    sides = walls("b.left", "b.right", "b.bottom", "b.top")
+    block = box((n, n), (0.0, 1.0), (0.0, 1.0), density=1.0, pressure=1.0)
+    solver = solver_of("Taylor and Green", "plane", 0.5, block, [gas(5.0 / 3.0)], sides, options)
+    solver.nodes[N.u], solver.nodes[N.v] = green(solver.nodes[N.x], solver.nodes[N.y])
+    x, y = np.pi * np.array(centres(solver))
+    set_pressure(solver, 1.0 + 0.25 * (np.cos(2.0 * x) + np.cos(2.0 * y)), 5.0 / 3.0)
+    solver.begin()
+    return solver
+
+
+def green(x, y):
+    """The steady velocity (u, v)."""
+    return np.sin(np.pi * x) * np.cos(np.pi * y), -np.cos(np.pi * x) * np.sin(np.pi * y)
+
+
+def turned(solver):
+    """L2 of the velocity of the nodes, by mass."""
+    n = solver.nodes
+    u, v = green(n[N.x], n[N.y])
+    return {"velocity_l2": float(np.sqrt(np.sum(n[N.own] * ((n[N.u] - u) ** 2 + (n[N.v] - v) ** 2)) / n[N.own].sum()))}
+
+
 PROBLEMS = (
     PlaneProblem("coggeshall_rz", "Coggeshall's compression of a cylinder of gas, t = 0.8", compressed, 0.8, uniform,
                  (Bar("density", 20, goal=0.005), Bar("density", 40, goal=0.005)), (20, 40)),
@@ -102,4 +141,6 @@ PROBLEMS = (
                   Bar("viscous_work", 100, goal=1e-3)), (25, 50, 100)),
     PlaneProblem("gresho", "Gresho's vortex after half a radian", vortex, 0.1, loss,
                  (Bar("peak_speed", 40, goal=0.05),), (20, 40, 80)),
+    PlaneProblem("taylor_green", "Taylor and Green's vortices, kept steady by heat, t = 0.5, no viscosity", vortices, 0.5, turned,
+                 (), (16, 32, 64), heat),
 )

@@ -22,7 +22,8 @@ def report(subjects: list[Subject], velocity, error, samples, ring_up, as_json, 
     rows = [_row(m, names, spreads[i] if spreads and i < len(spreads) else None) for i, m in enumerate(met)]
     told = _told(subjects, velocity, met)
     if plot:
-        from hugoniot.plotting.eos import impedance_match, save
+        from hugoniot.plotting.eos import save
+        from hugoniot.plotting.matches import impedance_match
 
         save(impedance_match(layers, velocity, met), plot)
     if as_csv:
@@ -33,8 +34,8 @@ def report(subjects: list[Subject], velocity, error, samples, ring_up, as_json, 
     if as_json:
         echo_json({"flyer": names[0], "targets": names[1:], "velocity": velocity, "states": rows, "warnings": told})
         return
-    typer.echo(f"{names[0]} at {velocity:.6g} m/s onto {', '.join(names[1:])}; states on the right of each interface, in order of time")
-    heads = ["interface", "pressure, GPa", "particle velocity, m/s", "shock velocity, m/s", "density, kg/m3", "goes back", "goes on"]
+    typer.echo(f"{names[0]} at {velocity:.6g} m/s onto {', '.join(names[1:])}; states to the right of each interface, in order of time")
+    heads = ["interface", "pressure, GPa", "particle velocity, m/s", "shock velocity, m/s", "density, kg/m3", "reflected", "transmitted"]
     echo_table(heads, [[r["interface"], *(_with_error(k, r) for k in ANSWERS[:4]), r["reflected"], r["transmitted"]] for r in rows])
     echo_notes(told)
 

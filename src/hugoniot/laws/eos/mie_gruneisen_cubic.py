@@ -11,6 +11,7 @@ Source: Steinberg, Cochran and Guinan 1980 as quoted by Starkenberg A-6; Starken
 """
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -40,7 +41,8 @@ def hugoniot_curve(eta, par):
     return u * u * eta, u * u * (1.0 + 2.0 * eta * r * (par.s1 + eta * (2.0 * par.s2 + 3.0 * par.s3 * eta)))
 
 
-def _first(coefficients) -> float:
+@lru_cache(maxsize=1024)       # asked with every state that is searched for
+def _first(*coefficients: float) -> float:
     """Smallest root between 0 and 1 of a polynomial (highest power first), else 1."""
     roots = np.roots(np.trim_zeros(coefficients, "f"))
     real = roots.real[(abs(roots.imag) < 1e-9 * abs(roots)) & (roots.real > 0.0)]
@@ -49,7 +51,7 @@ def _first(coefficients) -> float:
 
 def _pole(par):
     """Smallest strain below 1 at which the Hugoniot is singular, else 1."""
-    return _first([-par.s3, -par.s2, -par.s1, 1.0])
+    return _first(-par.s3, -par.s2, -par.s1, 1.0)
 
 
 def _strain_limit(par):
@@ -57,7 +59,7 @@ def _strain_limit(par):
 
     d(up)/d(eta) vanishes with 1 + s2 eta^2 + 2 s3 eta^3. Beyond it the fit would turn back to weaker shocks.
     """
-    return min(_pole(par), _first([2.0 * par.s3, par.s2, 0.0, 1.0]))
+    return min(_pole(par), _first(2.0 * par.s3, par.s2, 0.0, 1.0))
 
 
 def density_limits(par):

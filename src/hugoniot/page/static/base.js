@@ -72,10 +72,10 @@ if (inlined) window.hugoniotFiles = Object.fromEntries(Object.keys(inlineAnswers
 function fromExport(key) {
   if (inlineAnswers[key] !== undefined) return Promise.resolve(inlineAnswers[key]);
   const file = window.hugoniotFiles[key];
-  if (!file) return Promise.reject(new Refused(inlined ? "This report does not hold that; the run does: hugoniot explore RUN" : "This exported page does not hold that. Start it with: hugoniot explore"));
+  if (!file) return Promise.reject(new Refused(inlined ? "Not included in this report; open the run itself with: hugoniot explore RUN" : "Not included in this exported page; start the explorer with: hugoniot explore"));
   return new Promise((done, failed) => {
     (waiting[key] ||= []).push(done);
-    document.head.append(H.h("script", {src: file, onerror: () => failed(new Refused(`${file} is missing beside this page`))}));
+    document.head.append(H.h("script", {src: file, onerror: () => failed(new Refused(`${file} is missing from the folder of this page`))}));
   });
 }
 async function fromServer(question, query, options) {
@@ -83,13 +83,13 @@ async function fromServer(question, query, options) {
   let answer;
   try { answer = await fetch(`api/${question}${words ? "?" + words : ""}`, options); } catch (error) {
     if (error.name === "AbortError") throw error;
-    throw new Refused("The server does not answer: was hugoniot explore stopped?");
+    throw new Refused("No answer from the server. Has hugoniot explore been stopped?");
   }
   if (answer.headers.get("content-type") === "application/octet-stream") {
     const shape = answer.headers.get("x-shape").split(",").map(Number);
     return {shape, data: new Float64Array(await answer.arrayBuffer())};
   }
-  if (!(answer.headers.get("content-type") || "").startsWith("application/json")) throw new Refused(`the server refused (${answer.status})`);
+  if (!(answer.headers.get("content-type") || "").startsWith("application/json")) throw new Refused(`The server refused the request (status ${answer.status})`);
   const value = await answer.json();
   if (value && value.error) throw new Refused(value.error.join("\n"));
   return value;
@@ -108,7 +108,7 @@ async function inflated({shape, deflated}) {       // doubles, sorted by the pla
   for (let k = 0; k < 8; k++) for (let i = 0; i < n; i++) bytes[8 * i + k] = places[k * n + i];
   return {shape, data: new Float64Array(bytes.buffer)};
 }
-let unanswered = 0;      // questions that wait for their answer: readers of the screen are told that the view is not whole yet
+let unanswered = 0;      // questions that wait for their answer: screen readers announce that the view is not complete yet
 const counted = asked => {
   const main = document.getElementById("main"), change = by => { unanswered += by; if (unanswered) main.setAttribute("aria-busy", "true"); else main.removeAttribute("aria-busy"); };
   change(1);

@@ -2,7 +2,7 @@
 // A chart: its size and ranges, and what is shown. How it is drawn stands in chart_drawing.js, pointer and keys in chart_pointer.js.
 // A raster (x-t map, plane, surface) is painted on a canvas behind the SVG.
 H.Chart = class {
-  // options: label, height (of the width), most (highest), onHover(hit), onPick(hit), onZoom(zoom), paint(context), describe(hit), readings(x, y)
+  // options: label, height (of the width), most (highest), onHover(hit), onPick(hit), zoomKey (of the address), paint(context), describe(hit), readings(x, y)
   constructor(host, options) {
     this.options = {height: 0.62, most: 620, least: 280, ...options};
     this.host = host;
@@ -17,7 +17,11 @@ H.Chart = class {
     this.watch.observe(this.box);
     this._listen();
   }
-  show(spec) { this.spec = spec; if (this.cursor && !spec.series[this.cursor.series]) this.cursor = null; this.draw(); }
+  show(spec) {
+    this.spec = this.options.zoomKey ? {...spec, zoom: this._zoomOfAddress()} : spec;
+    if (this.cursor && !spec.series[this.cursor.series]) this.cursor = null;
+    this.draw();
+  }
   size() {
     const width = Math.max(this.box.clientWidth || 600, 200);
     const height = Math.min(Math.max(width * this.options.height, this.options.least), this.options.most);

@@ -66,7 +66,8 @@ Object.assign(H.Chart.prototype, {
     if (m.label) {
       const right = m.side === "left" || (x ?? f.x.at(m.x2)) > f.width - f.right - 8 * m.label.length;
       const half = 3.5 * m.label.length, at = x ?? f.x.at(m.x2), kept = m.centre ? Math.min(Math.max(at, f.left + half), f.width - f.right - half) : at + (right ? -11 : 11);
-      plot.append(text(kept, (y ?? f.y.at(m.y2)) + (m.below ? 22 : m.centre ? 4 : -6), m.label, this.colour({colour: m.ink || m.colour}, p), 11, m.centre ? "middle" : right ? "end" : "start", {}, m.centre ? null : p.paper));
+      const low = m.below && f.height - f.bottom - y > 44;      // near the axis there is no room below
+      plot.append(text(kept, (y ?? f.y.at(m.y2)) + (low ? 22 : m.centre ? 4 : -6), m.label, this.colour({colour: m.ink || m.colour}, p), 11, m.centre ? "middle" : right ? "end" : "start", {}, m.centre ? null : p.paper));
     }
   },
   _names(root, f, p) {        // each line is named where it ends
@@ -91,7 +92,7 @@ Object.assign(H.Chart.prototype, {
     for (const e of within) e.y = Math.min(Math.max(e.y, f.top + 6), f.height - f.bottom - 8);
     apart(within, 14);
     for (const e of within) {
-      const after = e.x + 8 + 6.4 * e.label.length < f.width - 4;
+      const after = e.x + 8 + 6.4 * e.label.length < (this.spec.bar ? edge : f.width - 4);
       root.append(text(e.x + (after ? 8 : -4), e.y + (after ? 4 : -6), e.label, e.colour, 11.5, after ? "start" : "end", {}, p.paper));
     }
   },

@@ -84,7 +84,14 @@ Object.assign(H.Chart.prototype, {
     this.zoomTo({x: about(f.x, px ?? (f.left + f.width - f.right) / 2), y: about(f.y, py ?? (f.top + f.height - f.bottom) / 2)});
   },
   zoomTo(zoom) { this.spec.zoom = zoom; this.draw(); this._zoomed(); },
-  _zoomed() { if (this.options.onZoom) this.options.onZoom(this.spec.zoom); },
+  _zoomed() {
+    const {zoomKey} = this.options, {zoom} = this.spec;
+    if (zoomKey) H.set({[zoomKey]: zoom ? [...zoom.x, ...zoom.y].map(v => v.toPrecision(6)).join(",") : ""}, false);
+  },
+  _zoomOfAddress() {
+    const four = H.get(this.options.zoomKey).split(",").map(Number);
+    return four.length === 4 && four.every(Number.isFinite) ? {x: four.slice(0, 2), y: four.slice(2)} : null;
+  },
   _key(event) {
     const step = event.shiftKey ? 10 : 1, name = event.key;
     if (name === "+" || name === "=") this.zoomBy(0.8);

@@ -28,7 +28,7 @@ at = "flyer/target"
 name = "free surface"
 at = "free surface right"
 `;
-  let area, numbers, offers, problems, drawing, chart, jobBox, runButton, words, materials = [], timer = 0, poll = 0, open = null, chosen = 0, wrong = [], source, kind = "lagrange1d", mayRun = false, current, known = null;
+  let area, numbers, offers, problems, drawing, chart, jobBox, runButton, words, materials = [], timer = 0, poll = 0, open = null, chosen = 0, wrong = [], source, kind = "lagrange1d", mayRun = false, current, known = null, file = "deck.toml";
 
   view.open = main => {
     const left = H.h("div", {class: "column"}), right = H.h("div", {class: "column"});
@@ -44,8 +44,8 @@ at = "free surface right"
     runButton = H.h("button", {type: "button", onclick: run}, "Run");
     jobBox = H.h("div", {class: "column", style: {gap: "6px"}});
     drawing = H.h("div");
-    left.append(H.h("div", {class: "bar"}, H.h("h2", {style: {margin: 0}}, "Deck"), source, H.h("span", {class: "bar push"}, runButton, H.h("button", {type: "button", onclick: () => H.copy(area.value, "deck")}, "Copy"))), box,
-      H.h("p", {class: "quiet small", id: "deck-keys", style: {margin: 0}}, "Ctrl+Space offers keys and values, Enter takes one, Escape closes. Tab leaves the editor."));
+    left.append(H.h("div", {class: "bar"}, H.h("h2", {style: {margin: 0}}, "Deck"), source, H.h("span", {class: "bar push"}, runButton, H.h("button", {type: "button", onclick: () => H.copy(area.value, "deck")}, "Copy"), H.h("button", {type: "button", onclick: () => H.saveText(area.value, file.split("/").at(-1))}, "Save"))), box,
+      H.h("p", {class: "quiet small", id: "deck-keys", style: {margin: 0}}, "Ctrl+Space lists keys and values; Enter accepts, Escape closes. Tab leaves the editor."));
     right.append(problems, drawing, jobBox);
     chart = new H.Chart(drawing, {label: "The set-up to scale", height: 0.34, least: 220, most: 420});
     H.askOnce("materials").then(all => { materials = all.materials.filter(m => m.alone).map(m => [m.name, m.title]); }).catch(H.failed);
@@ -60,9 +60,10 @@ at = "free surface right"
   };
   async function load(opened) {
     const number = H.get("deck");
+    file = "deck.toml";
     if (H.get("text")) { area.value = decoded(H.get("text")); source.textContent = "from the address"; }
     else if (H.get("from") === "match" && sessionStorage.getItem("hugoniot-deck")) { area.value = sessionStorage.getItem("hugoniot-deck"); source.textContent = "from the impedance match"; }
-    else if (number !== "" && opened.decks.length) { const deck = await H.ask("deck", {deck: number}); area.value = deck.text; source.textContent = deck.name; known = deck; }
+    else if (number !== "" && opened.decks.length) { const deck = await H.ask("deck", {deck: number}); area.value = deck.text; source.textContent = deck.name; file = opened.decks[number].typed; known = deck; }
     else { area.value = START; source.textContent = "an example"; }
     changed(false);
   }
@@ -72,6 +73,7 @@ at = "free surface right"
   function changed(own = true) {
     lineNumbers();
     clearTimeout(timer);
+    if (own && !source.textContent.includes("edited")) { source.textContent += ", edited; save it to run it from the command line"; file = file.split("/").at(-1); }
     timer = setTimeout(() => {
       if (own && area.value.length < 60000) { H.set({text: encodedText(area.value), deck: "", from: ""}, false); current = `||${H.get("text")}`; }
       check();
@@ -84,7 +86,7 @@ at = "free surface right"
   }
   function check() {
     if (H.exported() && known && known.text === area.value) { show(known.checked); return; }
-    if (H.exported()) { H.clear(problems).append(H.h("p", {class: "quiet"}, "This exported page shows the deck; hugoniot explore checks and runs it.")); command(); return; }
+    if (H.exported()) { H.clear(problems).append(H.h("p", {class: "quiet"}, "An exported page only shows decks; hugoniot explore checks and runs them.")); command(); return; }
     checking(async () => {
       const text = area.value;
       try { const found = await H.send("check", text); if (text === area.value) show(found); } catch (error) { H.failed(error); }
@@ -192,7 +194,6 @@ at = "free surface right"
     } catch (error) { H.failed(error); }
   }
   function command() {
-    const name = source.textContent.endsWith(".toml") ? source.textContent : "deck.toml";
-    H.command({shell: `hugoniot check ${H.shell(name)}\nhugoniot run ${H.shell(name)}`, python: `import hugoniot\nrun = hugoniot.run(${H.python(name)})\nprint(run.summary)`});
+    H.command({shell: `hugoniot check ${H.shell(file)}\nhugoniot run ${H.shell(file)}`, python: `import hugoniot\nrun = hugoniot.run(${H.python(file)})\nprint(run.summary)`});
   }
 })();

@@ -6,18 +6,18 @@
   const ELLIPSES = [[0.683, 2.2957], [0.954, 6.1582]];      // of two parameters: probability and the chi-square that encloses it
 
   view.open = main => {
-    select = H.h("select", {"aria-label": "Fit", onchange: () => H.set({fit: select.value, x: "", y: ""})});
+    select = H.h("select", {"aria-label": "Fit", onchange: () => H.go("fits", {fit: select.value})});
     facts = H.h("div", {class: "readout"}); table = H.h("div"); host = H.h("div", {class: "column"});
-    const pick = (label, key) => H.h("select", {"aria-label": label, onchange: event => H.set({[key]: event.target.value})});
-    xSelect = pick("Parameter across", "x"); ySelect = pick("Parameter up", "y");
+    const pick = (label, key) => H.h("select", {"aria-label": label, onchange: event => H.set({[key]: event.target.value, pz: "", oz: ""})});
+    xSelect = pick("Parameter on the x axis", "x"); ySelect = pick("Parameter on the y axis", "y");
     pairHost = H.h("div", {class: "fits"});
     readout = H.h("div", {class: "readout", "aria-live": "polite", "data-readout": "pointer"});
     main.append(H.h("div", {class: "column"}, H.h("div", {class: "bar"}, select), facts, table, H.h("h2", {}, "Data and model"), host, readout, H.h("h2", {}, "Posterior"),
-      H.h("div", {class: "bar small"}, H.h("label", {}, "across", xSelect), H.h("label", {}, "up", ySelect), H.h("span", {class: "bar push"}, ...H.saveButtons(() => pair, () => "posterior"))), pairHost));
+      H.h("div", {class: "bar small"}, H.h("label", {}, "x axis", xSelect), H.h("label", {}, "y axis", ySelect), H.h("span", {class: "bar push"}, ...H.saveButtons(() => pair, () => "posterior"))), pairHost));
     const left = H.h("div"), right = H.h("div");
     pairHost.append(left, right);
-    pair = new H.Chart(left, {label: "Posterior of two parameters", height: 0.7, most: 460, keep: true, onHover: hit => say(pair, hit)});
-    one = new H.Chart(right, {label: "Posterior of one parameter", height: 0.7, most: 460, keep: true, onHover: hit => say(one, hit)});
+    pair = new H.Chart(left, {label: "Posterior of two parameters", height: 0.7, most: 460, keep: true, zoomKey: "pz", onHover: hit => say(pair, hit)});
+    one = new H.Chart(right, {label: "Posterior of one parameter", height: 0.7, most: 460, keep: true, zoomKey: "oz", onHover: hit => say(one, hit)});
     shownKey = "";
   };
   view.close = () => { order++; for (const c of [...charts, pair, one]) c.stop(); charts = []; };
@@ -27,15 +27,15 @@
     try {
       const opened = await H.opened;
       if (!select.options.length) select.append(...opened.fits.map((f, k) => H.h("option", {value: String(k)}, f.name)));
-      if (!opened.fits.length) { H.clear(readout).append("No fit is open. Start with: hugoniot explore DECK.fit, the folder that hugoniot fit writes."); H.command({shell: "hugoniot explore spall.fit", python: 'import json\nfit = json.load(open("spall.fit/fit.json"))'}); return; }
+      if (!opened.fits.length) { H.clear(readout).append("No fit is open. Open one with: hugoniot explore DECK.fit (the folder that hugoniot fit writes)"); H.command({shell: "hugoniot explore spall.fit", python: 'import json\nfit = json.load(open("spall.fit/fit.json"))'}); return; }
       const number = H.get("fit", "0"), found = await H.askOnce("fit", {fit: number});
       if (mine !== order) return;
       select.value = number;
-      const name = opened.fits[Number(number)]?.name || "fit";
+      const name = opened.fits[Number(number)].typed;
       H.command({shell: `python -m json.tool ${H.shell(`${name}/fit.json`)}\nhugoniot run ${H.shell(`${name}/fitted.toml`)}`, python: `import json\nfit = json.load(open(${H.python(`${name}/fit.json`)}))\nfor p in fit["parameters"]:\n    print(p["name"], p["value"], p["sigma"], p["unit"])` });
       if (shownKey !== number) { shownKey = number; drawFacts(found.fit); drawTargets(found.targets); }
       drawPosterior(found.fit, found.draws || []);
-      if (!readout.childNodes.length) H.clear(readout).append(H.h("span", {class: "quiet"}, "Point at the data, the model or a residual, or focus a picture and use the arrow keys."));
+      if (!readout.childNodes.length) H.clear(readout).append(H.h("span", {class: "quiet"}, "Point at the data, the model or a residual, or focus a plot and use the arrow keys."));
     } catch (error) { H.failed(error); H.clear(readout).append(H.h("span", {class: "bad"}, error.message)); }
   };
   const known = v => v !== null && v !== undefined && Number.isFinite(v);
@@ -43,7 +43,7 @@
   const words = p => H.labelled(p.name.replace(/_/g, " "), shown(p)[0]);
 
   function drawFacts(fit) {
-    H.clear(facts).append(H.numbers([["reduced χ²", H.digits(fit.reduced_chi_square, 4)], ["degrees of freedom", String(fit.degrees_of_freedom)], ["runs", String(fit.runs)], ["the model matches the data", fit.matches ? "yes" : "no"]]),
+    H.clear(facts).append(H.numbers([["reduced χ²", H.digits(fit.reduced_chi_square, 4)], ["degrees of freedom", String(fit.degrees_of_freedom)], ["runs", String(fit.runs)], ["model consistent with the data", fit.matches ? "yes" : "no"]]),
       ...fit.doubts.map(t => H.h("p", {class: "bad small"}, t)), ...fit.notes.map(t => H.h("p", {class: "small quiet"}, t)));
     const rows = fit.parameters.map(p => { const [unit, f] = shown(p), n = (v, d = 5) => known(v) ? H.digits(v * f, d) : "–"; return [p.name, unit, n(p.value, 6), n(p.sigma, 3), `${n(p.low)} to ${n(p.high)}`, known(p.profile_low) || known(p.profile_high) ? `${n(p.profile_low)} to ${n(p.profile_high)}` : "–"]; });
     H.clear(table).append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Parameters"}, H.h("table", {"data-table": "parameters"}, H.h("thead", {}, H.h("tr", {}, ["parameter", "unit", "value", "standard deviation", "95 % interval", "95 % by profile"].map((t, k) => H.h("th", {class: k > 1 ? "number" : ""}, t)))),
@@ -61,11 +61,11 @@
       host.append(H.h("h3", {}, t.label), box);
       box.append(above, below);
       const x = t.time.map(v => v * ft), y = v => v.map(n => n === null ? null : n * factor), sides = [-2, 2].map(k => t.data.map((v, i) => known(v) && known(t.sigma[i]) ? (v + k * t.sigma[i]) * factor : null));
-      const data = new H.Chart(above, {label: `Data and model: ${t.label}`, height: 0.3, most: 320, least: 220, keep: true, onHover: hit => say(data, hit)}), rest = new H.Chart(below, {label: `Residuals: ${t.label}`, height: 0.16, most: 180, least: 150, keep: true, onHover: hit => say(rest, hit)});
+      const data = new H.Chart(above, {label: `Data and model: ${t.label}`, height: 0.3, most: 320, least: 220, keep: true, zoomKey: `d${charts.length / 2}`, onHover: hit => say(data, hit)}), rest = new H.Chart(below, {label: `Residuals: ${t.label}`, height: 0.16, most: 180, least: 150, keep: true, zoomKey: `r${charts.length / 2}`, onHover: hit => say(rest, hit)});
       charts.push(data, rest);
       data.show({series: [{kind: "band", colour: "quiet", x, y: sides[0], y2: sides[1]}, {kind: "points", id: "data", colour: "ink", size: 1.8, x, y: y(t.data), hover: true}, {kind: "line", id: "model", label: "model", colour: 1, x, y: y(t.model), hover: true}], x: {label: H.labelled("time", tUnit)}, y: {label: H.labelled(t.words, unit)}});
       rest.show({series: [{kind: "band", colour: "quiet", x: [x[0], x.at(-1)], y: [-2, -2], y2: [2, 2]}, {kind: "line", id: "residual", label: "model − data", colour: 1, x, y: t.residual, hover: true, width: 1.1}], marks: [{kind: "hline", y: 0, colour: "quiet"}], x: {label: H.labelled("time", tUnit)}, y: {label: "residual (σ)"}});
-      host.append(H.h("p", {class: "small quiet", style: {margin: 0}}, "Dots: data. Band: two standard deviations of the data. Line: the model with the values found."));
+      host.append(H.h("p", {class: "small quiet", style: {margin: 0}}, "Dots: data. Band: two standard deviations of the data. Line: model with the fitted values."));
     }
   }
   function drawPosterior(fit, draws) {

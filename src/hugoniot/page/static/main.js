@@ -12,8 +12,9 @@
     H.commands = commands;
     document.getElementById("command").textContent = commands[form];
   };
-  function setForm(name) {
+  function setForm(name, chosen = true) {
     form = name;
+    if (chosen) H.set({as: name === "python" ? "python" : ""}, false);
     for (const id of ["shell", "python"]) document.getElementById(`as-${id}`).setAttribute("aria-pressed", String(id === name));
     document.getElementById("command").textContent = H.commands ? H.commands[form] : "";
   }
@@ -30,6 +31,7 @@
   function show() {
     const {view, query} = H.read(), main = document.getElementById("main");
     setTheme();
+    if (H.get("as") === "python") setForm("python", false);
     for (const link of document.querySelectorAll("#views a")) {
       if (link.dataset.view === view) link.setAttribute("aria-current", "page"); else link.removeAttribute("aria-current");
     }

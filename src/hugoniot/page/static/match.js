@@ -1,9 +1,10 @@
 "use strict";
-// Impedance match: flyer and layers picked, the velocity dragged on the axis; the crossing is computed by the house's own theory.
+// Impedance match: flyer and layers picked, the velocity dragged on the axis; the crossing is computed by the package's own theory.
 (() => {
   const view = H.views.match = {}, asking = H.latest();
   let chart, rows, slider, speed, sigma, bands, table, warnings, deckBox, deckText, editorLink, runButton, options, order = 0, settled = 0, shown = null, dragging = false;
   const layers = () => H.list("layers").length > 1 ? H.list("layers") : ["copper", "aluminum"];
+  const setLayers = names => H.set({layers: names.join(","), mz: ""});
   const velocity = () => Number(H.get("v")) > 0 ? Number(H.get("v")) : 1000;
   const most = () => Number(H.get("vmax")) > 0 ? Number(H.get("vmax")) : 4000;
 
@@ -22,15 +23,15 @@
     deckText = H.h("pre", {class: "small scroll", tabindex: 0, style: {margin: 0, padding: "8px", maxHeight: "40vh"}});
     runButton = H.h("button", {type: "button", hidden: true, onclick: runDeck}, "Run");
     editorLink = H.h("button", {type: "button", onclick: () => { sessionStorage.setItem("hugoniot-deck", deckText.textContent); H.go("decks", {from: "match"}); }}, "Open in the deck editor");
-    deckBox = H.h("details", {ontoggle: () => { if (deckBox.open) loadDeck(); }}, H.h("summary", {}, "The deck that runs this impact"),
+    deckBox = H.h("details", {ontoggle: () => { H.set({deck: deckBox.open ? "1" : ""}, false); if (deckBox.open) loadDeck(); }}, H.h("summary", {}, "The deck for this impact"),
       H.h("div", {class: "bar", style: {margin: "6px 0"}}, H.h("button", {type: "button", onclick: () => H.copy(deckText.textContent, "deck")}, "Copy"), runButton, editorLink), deckText);
     left.append(H.h("h2", {}, "Flyer and layers"), rows, options,
-      H.h("div", {class: "bar"}, H.h("button", {type: "button", onclick: () => H.set({layers: [...layers(), "pmma"].slice(0, 8).join(",")})}, "Add a layer"),
-        H.h("button", {type: "button", onclick: () => H.set({layers: [layers()[1], layers()[0], ...layers().slice(2)].join(",")})}, "Swap flyer and target")),
+      H.h("div", {class: "bar"}, H.h("button", {type: "button", onclick: () => setLayers([...layers(), "pmma"].slice(0, 8))}, "Add a layer"),
+        H.h("button", {type: "button", onclick: () => setLayers([layers()[1], layers()[0], ...layers().slice(2)])}, "Swap flyer and target")),
       H.h("h3", {}, "impact velocity"), H.h("div", {class: "bar"}, slider, H.h("label", {}, speed, "m/s")),
-      H.h("h3", {}, "error bands, one standard deviation"), H.h("div", {class: "bar small"}, H.h("label", {}, "velocity ±", sigma, "m/s"), H.h("label", {}, bands, "fits of the library")), deckBox);
-    right.append(host, H.h("div", {class: "bar"}, H.h("span", {class: "quiet small"}, "Drag the flyer's velocity on the axis. Dashed: curve of the layer behind. Solid: Hugoniot of the layer ahead."), H.h("span", {class: "bar push"}, ...H.saveButtons(() => chart, () => `match-${layers().join("-")}`))), table, warnings);
-    chart = new H.Chart(host, {label: "Impedance match: pressure over particle velocity", height: 0.56, onHover: () => {}, onDrag: (id, x) => drag(Math.max(1, Math.round(x * 1000))), onDrop: drop});
+      H.h("h3", {}, "error bands, one standard deviation"), H.h("div", {class: "bar small"}, H.h("label", {}, "velocity ±", sigma, "m/s"), H.h("label", {}, bands, "library fits")), deckBox);
+    right.append(host, H.h("div", {class: "bar"}, H.h("span", {class: "quiet small"}, "Drag the impact velocity along the axis. Dashed: release and reshock of the layer behind; solid: Hugoniot of the layer ahead."), H.h("span", {class: "bar push"}, ...H.saveButtons(() => chart, () => `match-${layers().join("-")}`))), table, warnings);
+    chart = new H.Chart(host, {label: "Impedance match: pressure over particle velocity", height: 0.56, zoomKey: "mz", onHover: () => {}, onDrag: (id, x) => drag(Math.max(1, Math.round(x * 1000))), onDrop: drop});
     chart.svg.addEventListener("keydown", event => {     // the handle with the keyboard
       const step = {"[": -10, "]": 10, "{": -100, "}": 100}[event.key];
       if (step) { drag(Math.max(1, velocity() + step)); drop(); event.preventDefault(); }
@@ -62,8 +63,8 @@
     H.clear(rows).append(...names.map((name, k) => {
       const word = k === 0 ? "flyer" : k === 1 ? "target" : k === names.length - 1 ? "window" : `layer ${k}`;
       return H.h("div", {class: "bar"}, H.h("i", {style: {width: "12px", height: "12px", borderRadius: "3px", background: H.palette().lines[k % 8]}}), H.h("label", {style: {flex: 1}}, H.h("span", {style: {width: "4em"}}, word),
-        H.h("input", {list: "match-materials", value: name, "aria-label": `Material of the ${word}`, style: {flex: 1, minWidth: 0}, onchange: event => { const next = [...names]; next[k] = event.target.value.trim().replace(/,/g, " "); if (next[k]) H.set({layers: next.join(",")}); }})),
-        names.length > 2 && k > 0 ? H.h("button", {type: "button", "aria-label": `Remove ${word}`, onclick: () => H.set({layers: names.filter((_, i) => i !== k).join(",")})}, "×") : "");
+        H.h("input", {list: "match-materials", value: name, "aria-label": `Material of the ${word}`, style: {flex: 1, minWidth: 0}, onchange: event => { const next = [...names]; next[k] = event.target.value.trim().replace(/,/g, " "); if (next[k]) setLayers(next); }})),
+        names.length > 2 && k > 0 ? H.h("button", {type: "button", "aria-label": `Remove ${word}`, onclick: () => setLayers(names.filter((_, i) => i !== k))}, "×") : "");
     }));
   }
   function drag(v) { dragging = true; H.set({v: String(v)}, false); sync(); solve(); }
@@ -72,13 +73,14 @@
     clearTimeout(settled);
     const mine = ++order, names = layers(), v = velocity();
     const wanted = {layers: names.join(","), velocity: v};
-    if (dragging && names.length === 2 && !H.exported()) {      // at once from the curves of both; the server's digits when the hand rests
+    if (dragging && !H.exported()) {      // at once, from the curves of both metals or with fewer states a curve; all of it when the drag pauses
       const begun = performance.now();
-      H.matchFromCurves(names, v).then(found => { if (mine === order) { found.took = performance.now() - begun; shown = found; draw(found); } }, () => exact(mine, names, v, wanted));
-      settled = setTimeout(() => exact(mine, names, v, wanted), 90);
+      if (names.length > 2) exact(mine, names, v, {...wanted, draft: 1});
+      else H.matchFromCurves(names, v).then(found => { if (mine === order) { found.took = performance.now() - begun; shown = found; draw(found); settle(mine, names, v, wanted); } }, () => exact(mine, names, v, wanted));
     } else exact(mine, names, v, wanted);
     if (deckBox.open && !dragging) loadDeck();
   }
+  function settle(mine, names, v, wanted) { if (mine === order) settled = setTimeout(() => exact(mine, names, v, wanted), 90); }
   function exact(mine, names, v, wanted) {
     asking(async () => {
       const begun = performance.now();
@@ -89,6 +91,7 @@
         shown = found;
         draw(found);
         if (!dragging) H.say("");
+        if (wanted.draft) settle(mine, names, v, {layers: wanted.layers, velocity: v});
       } catch (error) { H.clear(warnings).append(H.h("div", {class: "bad"}, error.message)); H.clear(table); shown = null; H.failed(error); }
     });
     const s = Number(H.get("sigma")), b = H.get("bands");
@@ -113,19 +116,19 @@
     const held = chart.held, grown = {x: {min: 0, max: Math.max(held.x.max, found.velocity * 1.02e-3)}, y: {min: 0, max: Math.max(held.y.max, top / 1.1)}};
     chart.show({series, marks, x: {label: "particle velocity (km/s)", ...(dragging ? grown.x : held.x)}, y: {label: "pressure (GPa)", ...(dragging ? grown.y : held.y)}, handles: [{id: "velocity", x: found.velocity * 1e-3, y: 0, colour: 0}]});
     const fields = ["pressure", "particle_velocity", "shock_velocity", "density", "temperature", "specific_internal_energy", "sound_speed"];
-    H.clear(table).append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {"data-table": "match"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "state on the right of"), found.states.map(s => H.h("th", {class: "number"}, s.interface)))),
+    H.clear(table).append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {"data-table": "match"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "state to the right of"), found.states.map(s => H.h("th", {class: "number"}, s.interface)))),
       H.h("tbody", {}, fields.filter(f => found.states.some(s => s[f] !== null && s[f] !== undefined)).map(f => {
         const [words, unit, factor] = H.units[f], [name, by] = H.fits(found.states.map(s => s[f]), unit, factor);
         return H.h("tr", {"data-field": f}, H.h("td", {}, H.labelled(words, name)), found.states.map(s => H.h("td", {class: "number"}, H.digits(s[f] === null || s[f] === undefined ? null : s[f] * by, found.digits || 6),
           s.uncertainty?.[f] ? H.h("span", {class: "quiet"}, ` ± ${H.digits(s.uncertainty[f] * by, 2)}`) : "")));
-      }), H.h("tr", {}, H.h("td", {}, "goes back, goes on"), found.states.map(s => H.h("td", {class: "number"}, `${word(s.reflected)}, ${word(s.transmitted)}`)))))));
+      }), H.h("tr", {}, H.h("td", {}, "reflected, transmitted wave"), found.states.map(s => H.h("td", {class: "number"}, `${word(s.reflected)}, ${word(s.transmitted)}`)))))));
     const notes = found.warnings.map(w => H.h("div", {class: "bad"}, w));
-    if (found.uncertain?.length) notes.push(H.h("div", {class: "quiet"}, `Uncertain: ${found.uncertain.join(", ")}; linear propagation${found.uncertain.length > 1 || found.uncertain[0] !== "velocity" ? ", with the covariance of each fit" : ""}.`));
-    else if (H.get("bands") && !dragging && !H.exported()) notes.push(H.h("div", {class: "quiet"}, "The library recomputes the fit of none of these materials, so it has no band for them."));
+    if (found.uncertain?.length) notes.push(H.h("div", {class: "quiet"}, `Uncertain inputs: ${found.uncertain.join(", ")}; linear propagation${found.uncertain.length > 1 || found.uncertain[0] !== "velocity" ? ", with the covariance of each fit" : ""}.`));
+    else if (H.get("bands") && !dragging && !H.exported()) notes.push(H.h("div", {class: "quiet"}, "No error band: the library has fitted the Hugoniot of none of these materials itself."));
     H.clear(warnings).append(...notes);
     chart.box.dataset.took = found.took ?? "";
   }
-  const word = kind => ({fan: "release", none: "nothing"}[kind] || kind);
+  const word = kind => ({fan: "release"}[kind] || kind);
   async function loadDeck() {
     try { const found = await H.ask("match_deck", {layers: layers().join(","), velocity: velocity()}); deckText.textContent = found.deck; editorLink.disabled = runButton.disabled = false; }
     catch (error) { deckText.textContent = error.message; editorLink.disabled = runButton.disabled = true; }

@@ -2,14 +2,14 @@
 // A flyer on one target, from the sampled Hugoniots of both: while the velocity is dragged, and where there is no server.
 // Cubics through four samples cross in the answer; how far other four samples move it says how many digits hold (few near a bend).
 H.matchFromCurves = async (names, v) => {
-  if (names.length > 2) throw new H.Refused("This exported page matches a flyer and one target; more layers need reshock and release from the server: hugoniot explore");
+  if (names.length > 2) throw new H.Refused("An exported page matches a flyer and one target; hugoniot explore also computes the reshock and release of further layers");
   const [flyer, target] = await Promise.all(names.map(async name => H.askOnce("material", {name: await H.resolved(name)})));
-  for (const c of [flyer, target]) if (!c.hugoniot) throw new H.Refused(`${c.name}: no Hugoniot from rest`);
+  for (const c of [flyer, target]) if (!c.hugoniot) throw new H.Refused(`${c.name}has no Hugoniot from rest`);
   const up = c => c.hugoniot.particle_velocity, most = Math.min(v, up(target).at(-1)), least = Math.max(0, v - up(flyer).at(-1));
   const crossing = (flyerWay, targetWay) => {
     const excess = u => targetWay(up(target), target.hugoniot.pressure, u) - flyerWay(up(flyer), flyer.hugoniot.pressure, v - u);
     let low = least, high = most;
-    if (!(low < high) || excess(low) > 0 || excess(high) < 0) throw new H.Refused("This impact lies beyond the sampled curves; the server computes it: hugoniot explore");
+    if (!(low < high) || excess(low) > 0 || excess(high) < 0) throw new H.Refused("This impact is beyond the sampled curves; hugoniot explore computes it");
     for (let k = 0; k < 60; k++) { const middle = (low + high) / 2; if (excess(middle) > 0) high = middle; else low = middle; }
     return low;
   };
@@ -18,7 +18,7 @@ H.matchFromCurves = async (names, v) => {
   const state = Object.fromEntries(Object.keys(target.hugoniot).map(key => [key, key === "particle_velocity" ? u : target.hugoniot[key] ? cubic(up(target), target.hugoniot[key], u) : null]));
   const of = (c, mirror) => ({particle_velocity: mirror ? up(c).map(w => v - w) : up(c), pressure: c.hugoniot.pressure});
   return {layers: names, velocity: v, digits, states: [{interface: names.join("/"), ...state, reflected: "shock", transmitted: "shock"}], curves: [{behind: of(flyer, true), ahead: of(target, false)}], uncertain: [],
-    warnings: H.exported() ? [`Interpolated in the exported curves; states to ${digits} digits.`] : []};
+    warnings: H.exported() ? [`Interpolated from the exported curves, to ${digits} digits.`] : []};
 };
 const piece = (xs, x) => { let a = 0, b = xs.length - 1; while (b - a > 1) { const m = (a + b) >> 1; if (xs[m] <= x) a = m; else b = m; } return a; };
 function cubic(xs, ys, x, aside = 0) {       // through four neighbouring states, or those one further

@@ -31,7 +31,7 @@ H.MaterialList = class {
   _kinds() {
     const kinds = [...new Set(this.all.materials.map(m => m.category))].sort();
     this.kind.append(H.h("option", {value: ""}, "all materials"), H.h("option", {value: "curated"}, "curated only"), ...kinds.map(k => H.h("option", {value: k}, k)),
-                     H.h("option", {value: "rows"}, "other rows of the tables"));
+                     H.h("option", {value: "rows"}, "other table rows"));
   }
   _shown() {
     const kind = H.get("kind"), words = H.get("q").toLowerCase().split(/\s+/).filter(Boolean), key = H.get("sort") || "name", sign = H.get("down") ? -1 : 1;
@@ -45,8 +45,8 @@ H.MaterialList = class {
   _fill() {
     const found = this._shown(), key = H.get("sort") || "name", [, unit, factor] = this.keys[key] || this.keys.name, shown = key === "name" ? "density" : key;
     H.clear(this.list).append(...found.map(m => H.h("li", {role: "option", "data-name": m.name, "aria-selected": "false", title: [m.source, m.mark].filter(Boolean).join("\n")},
-      H.h("span", {class: "what"}, m.title, m.mark ? H.h("span", {class: "bad", title: m.mark, "aria-label": "with a doubt"}, " ⚑") : null,
-        H.h("small", {}, `${m.name} · ${m.category}${m.curated ? "" : m.alone ? " · row as it stands" : " · no material by itself"}`)),
+      H.h("span", {class: "what"}, m.title, m.mark ? H.h("span", {class: "bad", title: m.mark, "aria-label": "with a caveat"}, " ⚑") : null,
+        H.h("small", {}, `${m.name} · ${m.category}${m.curated ? "" : m.alone ? " · a single table row" : " · data only, no complete material"}`)),
       H.h("span", {class: "number"}, m[shown] ? `${H.digits(m[shown] * (key === "name" ? 1 : factor), 4)} ${key === "name" ? "kg/m³" : unit}` : ""))));
     this.count.textContent = `${found.length} of ${this.all.materials.length} materials, ${this.all.rows.length} further rows, ${this.all.points} measured states`;
     this.at = -1;

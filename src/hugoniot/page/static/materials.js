@@ -9,7 +9,7 @@
     const left = H.h("div", {class: "column"}), right = H.h("div", {class: "column"});
     main.append(left, right);
     list = new H.MaterialList(left, chosen => H.set({sel: chosen.slice(-MOST).join(",")}));
-    chips = H.h("div", {class: "bar", "aria-label": "Chosen materials"});
+    chips = H.h("div", {class: "bar", "aria-label": "Selected materials"});
     planes = H.h("div", {class: "bar", role: "group", "aria-label": "Plane"}, Object.entries(H.planes).map(([key, [name]]) =>
       H.h("button", {type: "button", "data-plane": key, onclick: () => H.set({plane: key, zoom: ""})}, name)));
     options = {};
@@ -25,17 +25,17 @@
     hint = H.h("p", {class: "quiet small"});
     const field = (key, words, wide, placeholder) => H.h("label", {class: "small"}, words, extras[key] = H.h("input", {placeholder, style: {width: wide}, onchange: () => H.set({[key]: extras[key].value.replace(/[^0-9.,eE+-]/g, "")})}));
     surfaceBar = H.h("div", {class: "bar"}, extras.quantity = H.h("select", {"aria-label": "Quantity of the surface", onchange: () => H.set({quantity: extras.quantity.value})}, Object.entries(H.surfaceFields).map(([k, [w]]) => H.h("option", {value: k}, w))),
-      H.h("label", {class: "small"}, extras.walk = H.h("input", {type: "checkbox", onchange: () => H.set({walk: extras.walk.checked ? "" : "0"})}), "pointer walks the curves"), field("hot", "temperatures, K", "8em", "from, to"));
+      H.h("label", {class: "small"}, extras.walk = H.h("input", {type: "checkbox", onchange: () => H.set({walk: extras.walk.checked ? "" : "0"})}), "pointer follows the curves"), field("hot", "temperatures, K", "8em", "from, to"));
     isothermBar = H.h("div", {class: "bar"}, field("iso", "isotherms, K (0: cold curve)", "14em", "0, 300, 1000, 2000"));
     densityBar = H.h("div", {class: "bar"}, field("rho", "densities, kg/m³", "10em", "from, to"));
     right.append(chips, planes, H.h("div", {class: "bar"}, surfaceBar, isothermBar, densityBar), host, H.h("div", {class: "bar"}, option("measured", "measured states"), option("sources", "other sources"), option("releases", "releases"),
         H.h("span", {class: "bar push"}, H.h("label", {class: "small"}, "state at", by), at, H.h("button", {type: "button", onclick: pin}, "Pin"),
           H.h("button", {type: "button", onclick: () => H.set({at: ""})}, "Unpin"), ...H.saveButtons(() => chart, () => `${H.list("sel").join("-") || "materials"}-${plane()}`))),
       readout, table, hint, about);
-    chart = new H.Chart(host, {label: "Curves of the chosen materials", height: 0.6, keep: true, onHover: hover, onPick: hit => {
+    chart = new H.Chart(host, {label: "Curves of the selected materials", height: 0.6, keep: true, zoomKey: "zoom", onHover: hover, onPick: hit => {
       const s = chart.spec.series[hit.series];
       if (s.table?.particle_velocity && ["hugoniot", "beyond"].includes(s.id)) H.set({at: `particle_velocity:${s.table.particle_velocity[hit.index]}`});
-    }, onZoom: zoom => H.set({zoom: zoom ? [...zoom.x, ...zoom.y].map(v => v.toPrecision(6)).join(",") : ""}, false)});
+    }});
   };
   view.close = () => { order++; chart.stop(); };
   view.repaint = () => view.update();
@@ -72,7 +72,7 @@
     for (const key of ["iso", "rho", "hot"]) if (document.activeElement !== extras[key]) extras[key].value = H.get(key);
     extras.quantity.value = H.surfaceFields[H.get("quantity")] ? H.get("quantity") : "pressure";
     extras.walk.checked = H.get("walk") !== "0";
-    if (H.get("iso") && H.list("iso").length < 3) { H.say("Three temperatures or more are needed."); return; }
+    if (H.get("iso") && H.list("iso").length < 3) { H.say("Give three temperatures or more."); return; }
     const some = isotherms ? known : known.filter(c => c).slice(0, 1), key = isotherms ? "isotherms" : "surface";
     await Promise.all(some.map(async c => { if (c) { delete c[key]; try { c[key] = await H.askOnce("surface", isotherms ? H.isothermQuery(c.name) : H.surfaceQuery(c.name)); } catch (error) { c.refused = error.message; } } }));
   }
@@ -94,26 +94,26 @@
     });
     const ends = known.filter(c => c?.hugoniot).map(c => c.hugoniot.particle_velocity.at(-1) * 1e-3);
     const all = [Math.max(...ends), 2.5 * Math.min(...ends)];      // a curve that goes much further than the others does not make them small
-    const zoom = H.get("zoom").split(",").map(Number), [x, y] = definition.axes;
+    const [x, y] = definition.axes;
     const close = ["us-up", "p-up"].includes(plane()) && all[0] > all[1], top = close ? {max: all[1]} : {};
     if (close) cut(series, all[1]);
     const surface = plane() === "surface" && known.find(c => c?.surface);
-    chart.show({...(surface ? H.surfaceSpec(surface, chart) : {series, marks, x: {...x, ...top}, y}), zoom: zoom.length === 4 && zoom.every(Number.isFinite) ? {x: zoom.slice(0, 2), y: zoom.slice(2)} : null});
+    chart.show({...(surface ? H.surfaceSpec(surface, chart) : {series, marks, x: {...x, ...top}, y})});
     H.clear(chips).append(...names.map((name, k) => H.h("span", {class: "chip"}, H.h("i", {style: {background: H.palette().lines[k % 8]}}), known[k]?.title || name,
       H.h("button", {type: "button", "aria-label": `Remove ${name}`, onclick: () => H.set({sel: names.filter(n => n !== name).join(",")})}, "×"))),
-      names.length ? "" : H.h("span", {class: "quiet"}, "Choose materials from the list."));
+      names.length ? "" : H.h("span", {class: "quiet"}, "Select materials in the list."));
     const notes = known.flatMap(c => c ? [...c.notes, ...(c.refused ? [c.refused] : [])] : []);
-    if (silent.length) notes.push(`Not in this plane: ${silent.join(", ")}.`);
+    if (silent.length) notes.push(`No curve in this plane: ${silent.join(", ")}.`);
     if (series.some(s => s.id === "beyond")) notes.push("Dashed curve: beyond the range of the data.");
-    if (series.some(s => s.id === "release") && plane() !== "expansion") notes.push("Thin: isentropes through states of the Hugoniot.");
-    if (["p-up", "p-v"].includes(plane())) notes.push("The dashed straight line to the pointer or to a pinned state is its Rayleigh line.");
+    if (series.some(s => s.id === "release") && plane() !== "expansion") notes.push("Thin lines: release isentropes from states on the Hugoniot.");
+    if (["p-up", "p-v"].includes(plane())) notes.push("Dashed straight line: Rayleigh line to the pointer or to a pinned state.");
     if (plane() === "pop" && series.length) notes.push("Band: one standard deviation of the line's constant, where its source states one.");
-    if (plane() === "gurney" && series.length) notes.push("M of the sandwich counts both plates.");
-    if (surface) notes.push(`${surface.title}: computed at ${surface.surface.density.length} densities and as many temperatures; between them the picture is blended, and the pointer reads computed states.${names.length > 1 ? " The first of the chosen materials is shown." : ""}`);
+    if (plane() === "gurney" && series.length) notes.push("For the sandwich, M is the mass of both plates.");
+    if (surface) notes.push(`${surface.title}: computed at ${surface.surface.density.length} densities and as many temperatures; colours in between are interpolated, the pointer reads computed states only.${names.length > 1 ? " Only the first selected material is shown." : ""}`);
     if (plane() === "isentropes") notes.push("Dashed: isentrope through the state at rest.");
     if (plane() === "detonation") notes.push("Dashed straight line: Rayleigh line to the CJ state; dashed curve: isentrope of the products through it.");
     hint.textContent = notes.join(" ");
-    if (!readout.childNodes.length || !names.length) H.clear(readout).append(H.h("span", {class: "quiet"}, names.length ? "Point at a curve, or focus the picture and use the arrow keys. Enter pins a state; + − 0 and dragging zoom." : ""));
+    if (!readout.childNodes.length || !names.length) H.clear(readout).append(H.h("span", {class: "quiet"}, names.length ? "Point at a curve, or focus the plot and use the arrow keys. Enter pins a state; + and − zoom, 0 shows everything, dragging pans." : ""));
     const asked = plane() === "surface" ? known.find(c => c?.surface)?.surface : plane() === "isotherms" ? known.find(c => c?.isotherms)?.isotherms : null;
     H.command(H.materialCommands(names, plane(), asked));
   }

@@ -11,15 +11,15 @@
       if (unit && !UNITS[unit]) throw new H.Refused(`${name}: unknown unit '${unit}'; known: ${Object.keys(UNITS).join(", ")}`);
       return {word, unit: unit ? UNITS[unit][0] : SI[word] || "", factor: unit ? UNITS[unit][1] : 1};
     });
-    if (lines.length < 3) throw new H.Refused(`${name}: a line of names, such as time [us], velocity [m/s], and at least two of numbers are needed`);
+    if (lines.length < 3) throw new H.Refused(`${name}: needs a header line, such as time [us], velocity [m/s], and at least two lines of numbers`);
     const at = heads.findIndex(h => h.unit === "s" || h.word === "t");
-    if (at < 0) throw new H.Refused(`${name}: no column of time; name it time [us]`);
+    if (at < 0) throw new H.Refused(`${name}: no time column; use a header such as time [us]`);
     const rows = lines.slice(1).map((line, k) => cells(line).map((c, j) => { const v = Number(c); if (c === "" || !Number.isFinite(v)) throw new H.Refused(`${name}:${k + 2}: '${c.slice(0, 30)}' is not a number`); return v * (heads[j]?.factor ?? 1); }));
     const time = rows.map(r => r[at]);
     return heads.map((h, j) => ({...h, j})).filter(h => h.j !== at && h.word).map(h => ({label: `${name}: ${h.word.replace(/_/g, " ")}`, unit: h.unit, time, values: rows.map(r => r[h.j] ?? NaN)}));
   };
   H.dropHere = (element, onFile) => {
-    const take = async files => { for (const file of files) { if (file.size > 20e6) { H.say(`${file.name}: more than 20 MB`); continue; } try { onFile(H.readMeasured(file.name, await file.text())); H.say(`${file.name}: read`); } catch (error) { H.failed(error); } } };
+    const take = async files => { for (const file of files) { if (file.size > 20e6) { H.say(`${file.name}: more than 20 MB`); continue; } try { onFile(H.readMeasured(file.name, await file.text())); H.say(`${file.name}: loaded`); } catch (error) { H.failed(error); } } };
     const input = H.h("input", {type: "file", accept: ".csv,.txt,.dat", multiple: true, "aria-label": "Measured data, CSV", onchange: async () => { await take([...input.files]); input.value = ""; }});
     element.append(H.h("span", {class: "small"}, "Measured data: drop a CSV file here (time [us], velocity [m/s]) or choose one: "), input);
     element.addEventListener("dragover", event => { event.preventDefault(); element.classList.add("over"); });

@@ -80,23 +80,23 @@ H.WaveField = class {
   }
 };
 
-// Quadrilaterals (nzone, 4) of nodes in the plane: which zone each pixel belongs to.
+// Zones in the plane, `sides` nodes each: which zone each pixel belongs to.
 H.PlaneField = class {
-  constructor(corners, x, y, mirror) { Object.assign(this, {corners, x, y, mirror}); }
+  constructor(corners, sides, x, y, mirror) { Object.assign(this, {corners, sides, x, y, mirror}); }
   zonesOf(wide, high, xAxis, yAxis) {
-    const ids = new Int32Array(wide * high).fill(-1), {corners, x, y} = this, sx = wide / (xAxis.high - xAxis.low), sy = high / (yAxis.high - yAxis.low);
-    const px = new Float64Array(4), py = new Float64Array(4), count = corners.length / 4;
+    const ids = new Int32Array(wide * high).fill(-1), {corners, sides, x, y} = this, sx = wide / (xAxis.high - xAxis.low), sy = high / (yAxis.high - yAxis.low);
+    const px = new Float64Array(sides), py = new Float64Array(sides), count = corners.length / sides;
     for (const side of this.mirror ? [1, -1] : [1]) for (let z = 0; z < count; z++) {
       let low = Infinity, top = -Infinity;
-      for (let c = 0; c < 4; c++) {
-        const node = corners[4 * z + c];
+      for (let c = 0; c < sides; c++) {
+        const node = corners[sides * z + c];
         px[c] = (side * x[node] - xAxis.low) * sx - 0.5; py[c] = (yAxis.high - y[node]) * sy - 0.5;
         if (py[c] < low) low = py[c];
         if (py[c] > top) top = py[c];
       }
       for (let row = Math.max(0, Math.ceil(low)); row <= Math.min(high - 1, Math.floor(top)); row++) {
         let from = Infinity, to = -Infinity;
-        for (let c = 0, d = 3; c < 4; d = c++) {
+        for (let c = 0, d = sides - 1; c < sides; d = c++) {
           const y1 = py[d], y2 = py[c];
           if ((y1 < row && y2 < row) || (y1 > row && y2 > row)) continue;
           const v = y1 === y2 ? px[d] : px[d] + (row - y1) / (y2 - y1) * (px[c] - px[d]);

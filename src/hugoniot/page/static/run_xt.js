@@ -3,8 +3,7 @@
 H.XtMap = class {
   constructor(host, hooks) {
     this.hooks = hooks;
-    this.chart = new H.Chart(host, {label: "Field over position and time", height: 0.62, most: 600, keep: true, onHover: hit => hooks.onHover(hit), onPick: hit => hooks.onPick(hit),
-      onZoom: zoom => H.set({xt: zoom ? [...zoom.x, ...zoom.y].map(v => v.toPrecision(6)).join(",") : ""}, false)});
+    this.chart = new H.Chart(host, {label: "Field over position and time", height: 0.62, most: 600, keep: true, zoomKey: "xt", onHover: hit => hooks.onHover(hit), onPick: hit => hooks.onPick(hit)});
   }
   show(run, data) {
     const {times, left, right, values, field} = data, n = values.shape[1];
@@ -14,7 +13,7 @@ H.XtMap = class {
     const [xUnit, fx] = H.lengthUnit(this._extent(left.data, right.data, n).reduce((a, b) => b - a)), [tUnit, ft] = H.timeUnit(times.at(-1) || run.stop_time || 1e-6);
     const scale = H.scaleOf(wave.low, wave.high), [unit, factor] = field.unit === "Pa" ? H.fits([wave.low, wave.high], "GPa", 1e-9) : [field.shown, field.factor];
     Object.assign(this, {fx, ft, xUnit, tUnit, unit, factor, field});
-    const [low, high] = this._extent(left.data, right.data, n), series = [], zoom = H.get("xt").split(",").map(Number);
+    const [low, high] = this._extent(left.data, right.data, n), series = [];
     const edge = (array, zone) => ({kind: "line", colour: "ink", width: 0.9, hover: false, x: Array.from(times, (_, k) => array[k * n + zone] * fx), y: Array.from(times, t => t * ft)});
     for (const r of run.regions) series.push(edge(left.data, r.first), edge(right.data, r.last));
     for (const g of data.gauges || []) series.push({kind: "line", colour: "ink", dash: "1.5 3", width: 1, hover: false, x: g.position.map(v => v * fx), y: g.time.map(t => t * ft)});
@@ -23,7 +22,7 @@ H.XtMap = class {
     const inSi = (axis, f) => ({low: axis.low / f, high: axis.high / f, from: axis.from, to: axis.to, value: at => axis.value(at) / f});
     const painter = wave.paint(scale);
     this.chart.show({series, marks: [...(data.marks || [])], heads: spaced(heads, (high - low) * fx), plain: true, x: {label: H.labelled("position", xUnit), min: low * fx, max: high * fx}, y: {label: H.labelled("time", tUnit), min: times[0] * ft, max: times.at(-1) * ft || 1},
-      zoom: zoom.length === 4 && zoom.every(Number.isFinite) ? {x: zoom.slice(0, 2), y: zoom.slice(2)} : null, bar: {scale, factor, label: H.labelled(field.words, unit)},
+      bar: {scale, factor, label: H.labelled(field.words, unit)},
       paint: (pixels, wide, tall, x, y, p) => painter(pixels, wide, tall, inSi(x, fx), inSi(y, ft), p),
       readings: (x, y) => { const record = wave.record(y / ft), zone = wave.zoneAt(record, x / fx); return {record, zone, x: x / fx, t: times[record], value: zone < 0 ? null : values.data[record * n + zone]}; }});
   }

@@ -1,7 +1,7 @@
 "use strict";
 // Runs: x-t map or plane, histories and profiles linked to it; other runs and measured data over them; a run in progress.
 (() => {
-  const view = H.views.runs = {}, state = {};
+  const view = H.views.runs = {}, state = {}, DASHES = ["7 3", "2 3", "9 3 2 3"];
   let list, field, gaugeField, gauges, slider, when, mapHost, map, lines, readout, facts, historyHost, profileHost, planeBar, liveBox, order = 0, timer = 0, measured = [], last = {};
 
   view.open = main => {
@@ -13,16 +13,16 @@
     const drop = H.h("div", {class: "drop"});
     H.dropHere(drop, found => { measured.push(...found); view.update(); });
     left.append(H.h("h2", {}, "Runs"), list, drop, facts);
-    field = H.h("select", {"aria-label": "Field of the map", onchange: () => H.set({f: field.value})});
+    field = H.h("select", {"aria-label": "Field of the map", onchange: () => H.set({f: field.value, pz: ""})});
     slider = H.h("input", {type: "range", min: 0, value: 0, step: 1, "aria-label": "Record", style: {flex: 1, minWidth: "140px"}, oninput: () => H.set({k: slider.value})});
     when = H.h("span", {class: "small", style: {minWidth: "8.5em"}});
     planeBar = H.h("span", {class: "bar small"}, ["mesh", "mirror"].map(key => H.h("label", {}, H.h("input", {type: "checkbox", "data-key": key, onchange: event => H.set({[key]: key === "mesh" ? event.target.checked ? "1" : "" : event.target.checked ? "" : "0"})}), key)));
     mapHost = H.h("div"); historyHost = H.h("div"); profileHost = H.h("div");
     liveBox = H.h("div");
     readout = H.h("div", {class: "readout", "aria-live": "polite", "data-readout": "pointer"});
-    gaugeField = H.h("select", {"aria-label": "Field of the histories", onchange: () => H.set({gf: gaugeField.value})});
+    gaugeField = H.h("select", {"aria-label": "Field of the histories", onchange: () => H.set({gf: gaugeField.value, hz: ""})});
     gauges = H.h("span", {class: "bar small"});
-    state.profileTitle = H.h("h3", {}, "profile at the time of the slider");
+    state.profileTitle = H.h("h3", {}, "profile at the selected time");
     right.append(liveBox, H.h("div", {class: "bar"}, field, slider, when, planeBar, H.h("span", {class: "bar push"}, ...H.saveButtons(() => map.chart, () => `run-${H.get("f") || "map"}`))), mapHost, readout,
       state.historyBox = H.h("div", {class: "column"}, H.h("h3", {}, "histories"), H.h("div", {class: "bar"}, gaugeField, gauges, H.h("span", {class: "bar push"}, ...H.saveButtons(() => lines.histories, () => "histories"))), historyHost), state.profileTitle, profileHost);
     lines = new H.RunLines(historyHost, profileHost, {onTime: hit => timeRead(hit), onPickTime: hit => setTime(hit.x / lines.ft), onPlace: hit => placeRead(hit)});
@@ -39,7 +39,7 @@
       const fresh = !last.run || last.run.live || last.number !== chosen(), opened = fresh ? await H.ask("start") : last.opened;
       if (mine !== order) return;
       drawList(opened);
-      if (!opened.runs.length) { H.clear(readout).append("No run is open. Start with: hugoniot explore flyer.run, or run a deck from the deck editor."); H.command({shell: "hugoniot explore flyer.run", python: 'import hugoniot\nrun = hugoniot.load("flyer.run")'}); return; }
+      if (!opened.runs.length) { H.clear(readout).append("No run is open. Open one with: hugoniot explore flyer.run, or run a deck in the deck editor."); H.command({shell: "hugoniot explore flyer.run", python: 'import hugoniot\nrun = hugoniot.load("flyer.run")'}); return; }
       const run = fresh ? await H.ask("run", {run: chosen()}) : last.run;
       if (mine !== order) return;
       const stamp = run.live ? `live ${run.times.length}` : `done ${run.status} ${run.times.length} ${run.summary?.deck_sha256}`;
@@ -56,9 +56,9 @@
   }
   function drawList(opened) {
     const over = H.list("over").map(Number);
-    H.clear(list).append(...opened.runs.map((r, k) => H.h("div", {class: "bar"}, H.h("label", {style: {flex: 1}}, H.h("input", {type: "radio", name: "run", checked: k === chosen(), onchange: () => H.set({run: String(k), k: "", z: "", xt: "", map: "", g: "", over: over.filter(o => o !== k).join(",")})}),
+    H.clear(list).append(...opened.runs.map((r, k) => H.h("div", {class: "bar"}, H.h("label", {style: {flex: 1}}, H.h("input", {type: "radio", name: "run", checked: k === chosen(), onchange: () => H.set({run: String(k), k: "", z: "", xt: "", map: "", hz: "", pz: "", g: "", over: over.filter(o => o !== k).join(",")})}),
       H.h("span", {}, r.title, H.h("small", {class: "quiet", style: {display: "block"}}, `${r.name}, ${r.status}`))),
-      k === chosen() || opened.runs.length < 2 ? "" : H.h("label", {class: "small"}, H.h("input", {type: "checkbox", checked: over.includes(k), onchange: event => H.set({over: (event.target.checked ? [...over, k] : over.filter(o => o !== k)).join(",")})}), "over"))));
+      k === chosen() || opened.runs.length < 2 ? "" : H.h("label", {class: "small"}, H.h("input", {type: "checkbox", checked: over.includes(k), onchange: event => H.set({over: (event.target.checked ? [...over, k] : over.filter(o => o !== k)).join(",")})}), "overlay"))));
   }
   const array = (group, name, more = {}, number = chosen()) => {       // of one description, each column once
     const key = [number, group, name, JSON.stringify(more)].join();
@@ -76,7 +76,7 @@
   async function draw(run, mine) {
     const shown = fillSelect(field, run.fields, H.get("f"), run.plane ? ["pressure"] : ["stress", "pressure"]), many = run.times.length;
     planeBar.hidden = !run.plane;
-    for (const input of planeBar.querySelectorAll("input")) input.checked = input.dataset.key === "mesh" ? H.get("mesh") === "1" : H.get("mirror") !== "0";
+    for (const input of planeBar.querySelectorAll("input")) { input.checked = input.dataset.key === "mesh" ? H.get("mesh") === "1" : H.get("mirror") !== "0"; input.parentElement.hidden = input.dataset.key === "mirror" && run.geometry !== "axisymmetric"; }
     slider.max = Math.max(many - 1, 0);
     const k = Math.min(H.get("k") === "" ? many - 1 : Number(H.get("k")) || 0, many - 1), [tUnit, ft] = H.timeUnit(run.times[many - 1] || run.stop_time || 1e-6);
     slider.value = k;
@@ -90,7 +90,7 @@
     if (shown && many) await (run.plane ? drawPlane(run, shown, k, mine) : drawXt(run, shown, k, mine));
     if (mine !== order) return;
     await drawHistories(run, mine, many ? run.times[k] : null);
-    if (!readout.childNodes.length) H.clear(readout).append(H.h("span", {class: "quiet"}, "Point at the picture, or focus it and use the arrow keys. A click or Enter picks zone and time; drag to move, + − to zoom, 0 for all."));
+    if (!readout.childNodes.length) H.clear(readout).append(H.h("span", {class: "quiet"}, "Point at the plot, or focus it and use the arrow keys. A click or Enter picks a zone and a time; drag to pan, + and − zoom, 0 shows everything."));
   }
   async function drawXt(run, shown, k, mine) {
     const [left, right, values] = await Promise.all([array("snapshots", "position_left"), array("snapshots", "position_right"), array("snapshots", shown.name)]);
@@ -105,8 +105,22 @@
     if (z >= 0 && z < n) map.chart.spec.series.push({kind: "line", colour: 4, width: 1.6, hover: false, x: Array.from(run.times, (_, r) => 0.5 * (left.data[r * n + z] + right.data[r * n + z]) * map.fx), y: Array.from(run.times, t => t * map.ft)}), map.chart.draw();
     const centre = Array.from({length: n}, (_, i) => 0.5 * (left.data[k * n + i] + right.data[k * n + i]));
     profileHost.hidden = state.profileTitle.hidden = false;
-    lines.showProfile(centre, Array.from(values.data.slice(k * n, (k + 1) * n)), shown, regions, run.times[k]);
+    const others = await otherProfiles(shown, run.times[k]);
+    if (mine !== order) return;
+    lines.showProfile(centre, Array.from(values.data.slice(k * n, (k + 1) * n)), shown, regions, run.times[k], others);
   }
+  async function otherProfiles(shown, time) {       // of the runs that lie over this one, each at its record nearest in time
+    const found = [];
+    for (const [i, other] of H.list("over").map(Number).filter(o => o !== chosen()).entries()) try {
+      const run = await H.ask("run", {run: other});
+      if (run.plane || !run.times.length || !run.fields.some(f => f.name === shown.name)) continue;
+      const [left, right, values] = await Promise.all(["position_left", "position_right", shown.name].map(name => array("snapshots", name, {}, other))), n = values.shape[1], k = nearest(run.times, time);
+      const x = Float64Array.from({length: n}, (_, z) => 0.5 * (left.data[k * n + z] + right.data[k * n + z])), regions = run.regions.length && run.regions.at(-1).last === n - 1 ? run.regions : [{name: "", first: 0, last: n - 1}];
+      found.push({x, values: values.data.slice(k * n, (k + 1) * n), regions, suffix: ` · ${last.opened.runs[other]?.name}`, dash: DASHES[i % 3]});
+    } catch (error) { H.failed(error); }
+    return found;
+  }
+  const nearest = (times, t) => times.reduce((best, v, i) => Math.abs(v - t) < Math.abs(times[best] - t) ? i : best, 0);
   async function gaugePaths(run) {
     const [time, position] = await Promise.all([array("gauges", "time"), array("gauges", "position")]), n = position.shape[1], every = Math.max(1, Math.floor(time.data.length / 300));
     return Array.from({length: Math.min(n, 8)}, (_, g) => { const t = [], x = []; for (let i = 0; i < time.data.length; i += every) { t.push(time.data[i]); x.push(position.data[i * n + g]); } return {time: t, position: x}; });
@@ -130,7 +144,7 @@
     for (const [i, other] of others.entries()) try {
       const second = await H.ask("run", {run: other});
       const same = picked.map(k => second.gauges.indexOf(run.gauges[k])).filter(k => k >= 0);
-      if (shown) lineList.push(...await gaugeLines(second, other, shown.name, same, ` · run ${other}`, ["7 3", "2 3", "9 3 2 3"][i % 3]));
+      if (shown) lineList.push(...await gaugeLines(second, other, shown.name, same, ` · ${last.opened.runs[other]?.name}`, DASHES[i % 3]));
     } catch (error) { H.failed(error); }
     const z = H.get("z") === "" ? -1 : Number(H.get("z")), mapped = shown ? run.fields.find(f => f.name === shown.name) : state.shown;
     if (z >= 0 && mapped) try { const v = await zoneHistory(run, mapped.name, z); lineList.push({label: `zone ${z}`, time: run.times, values: v, colour: 4, dash: "5 2"}); } catch (error) { H.failed(error); }
@@ -156,8 +170,7 @@
   }
   // -- the pointer -------------------------------------------------------------------------------------------------------
   function setTime(t, zone) {
-    const {run} = state, k = run.times.reduce((best, v, i) => Math.abs(v - t) < Math.abs(run.times[best] - t) ? i : best, 0);
-    H.set({k: String(k), ...(zone !== undefined && zone >= 0 ? {z: String(zone)} : {})});
+    H.set({k: String(nearest(state.run.times, t)), ...(zone !== undefined && zone >= 0 ? {z: String(zone)} : {})});
   }
   const pickZone = hit => { if (hit.zone >= 0) H.set({z: String(hit.zone)}); };
   const regionOf = z => state.regions?.find(r => z >= r.first && z <= r.last)?.name || "";
@@ -189,14 +202,14 @@
     H.clear(liveBox);
     if (!run.live) return;
     const at = run.times.at(-1) || 0;
-    liveBox.append(H.h("div", {class: "bar"}, H.h("strong", {}, `This run is ${run.status}.`), run.stop_time ? H.h("progress", {max: run.stop_time, value: at, "aria-label": "Time set down so far"}) : "",
-      H.h("span", {class: "small"}, run.times.length ? `set down to ${H.digits(at * ft, 4)} ${tUnit}` : "nothing set down yet: the first checkpoint comes after half a minute")),
+    liveBox.append(H.h("div", {class: "bar"}, H.h("strong", {}, `This run is ${run.status}.`), run.stop_time ? H.h("progress", {max: run.stop_time, value: at, "aria-label": "Time recorded so far"}) : "",
+      H.h("span", {class: "small"}, run.times.length ? `recorded to ${H.digits(at * ft, 4)} ${tUnit}` : "nothing recorded yet: the first checkpoint is written after 30 s")),
       H.h("details", {}, H.h("summary", {class: "small"}, "run.log"), H.h("pre", {class: "small scroll", tabindex: 0, style: {padding: "6px"}}, (run.log || []).join("\n"))));
   }
   function drawFacts(run) {
     const n = run.numbers || {}, rows = n.gauges || [], units = {arrival: ["arrival", "µs", 1e6], peak_stress: ["peak stress", "GPa", 1e-9], peak_velocity: ["peak velocity", "m/s", 1]};
     const heads = Object.keys(units).filter(key => rows.some(r => r[key] !== undefined && r[key] !== null)), spall = n.spall || {}, s = run.summary || {};
-    H.clear(facts).append(H.h("h2", {}, run.title), H.h("p", {class: "small quiet", style: {margin: "0 0 6px"}}, [run.geometry, s.solver, run.zones ? `${run.zones} zones` : "", s.cycles ? `${s.cycles} cycles` : "", run.every > 1 ? `every ${run.every}th record is sent` : ""].filter(Boolean).join(", ")),
+    H.clear(facts).append(H.h("h2", {}, run.title), H.h("p", {class: "small quiet", style: {margin: "0 0 6px"}}, [run.geometry, s.solver, run.zones ? `${run.zones} zones` : "", s.cycles ? `${s.cycles} cycles` : "", run.every > 1 ? `1 record in ${run.every} is shown` : ""].filter(Boolean).join(", ")),
       s.energy_error === undefined ? "" : H.h("p", {class: "small quiet", style: {margin: "0 0 6px"}}, `relative errors: ${["mass", "momentum", "energy"].map(w => `${w} ${s[`${w}_error`] === null ? "–" : Number(s[`${w}_error`]).toExponential(1)}`).join(", ")}`),
       rows.length ? H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {class: "small"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "gauge"), heads.map(k => H.h("th", {class: "number"}, H.labelled(units[k][0], units[k][1]))))), H.h("tbody", {}, rows.map(r => H.h("tr", {}, H.h("td", {}, r.gauge), heads.map(k => H.h("td", {class: "number"}, H.digits(r[k] === null ? null : r[k] * units[k][2], 5)))))))) : "",
       ...[["pull_back", "pull-back", "m/s", 1], ["spall_strength_acoustic", "spall strength, acoustic", "GPa", 1e-9], ["spall_strength_kanel", "with Kanel's correction", "GPa", 1e-9]].filter(([k]) => spall[k]).map(([k, w, u, f]) => H.h("div", {class: "small"}, `${w}: ${H.digits(spall[k] * f, 4)} ${u}`)),
@@ -204,9 +217,9 @@
       run.events.length ? H.h("details", {}, H.h("summary", {class: "small"}, `${run.events.length} events`), H.h("div", {class: "scroll wide small", tabindex: 0, role: "group", "aria-label": "Events"}, run.events.map(e => H.h("div", {style: {padding: "2px 8px"}}, `${H.digits(e.time * 1e6, 5)} µs: ${e.text}`)))) : "");
   }
   function command(run, shown, k) {
-    const name = document.querySelectorAll("input[name=run]")[chosen()]?.parentElement.querySelector("small")?.textContent.split(",")[0] || "RUN", time = run.times[k];
+    const place = last.opened.runs[chosen()], name = place.typed || place.name, time = run.times[k];
     const f = shown?.name || "stress", [unit, factor] = H.timeUnit(run.times.at(-1) || 1e-6), ascii = unit.replace("µ", "u");
-    if (run.live) { H.command({shell: `hugoniot explore ${H.shell(name)}`, python: "# a run in progress is read when it has ended:\nimport hugoniot\nrun = hugoniot.load(" + H.python(name) + ")"}); return; }
+    if (run.live) { H.command({shell: `hugoniot explore ${H.shell(name)}`, python: "# a run in progress is loaded once it has ended:\nimport hugoniot\nrun = hugoniot.load(" + H.python(name) + ")"}); return; }
     H.command(run.plane ? {shell: `hugoniot plot ${H.shell(name)} map ${f} --time "${H.digits(time * factor, 6)} ${ascii}"`, python: `import hugoniot\nrun = hugoniot.load(${H.python(name)})\nrun.plot.map(${H.python(f)}, time=${time})`}
       : {shell: `hugoniot plot ${H.shell(name)} xt ${f}\nhugoniot plot ${H.shell(name)} profile ${f} --time "${H.digits(time * factor, 6)} ${ascii}"`, python: `import hugoniot\nrun = hugoniot.load(${H.python(name)})\nrun.plot.xt(${H.python(f)}).figure.savefig("xt.png")\nrun.snapshots[${H.python(f)}].isel(time=${k * run.every})`});
   }

@@ -35,11 +35,7 @@ H.savePng = (chart, name) => {
   picture.src = source;
 };
 H.saveButtons = (chart, name) => [
-  H.h("button", {type: "button", onclick: () => H.saveSvg(chart(), name()), title: "Save the picture as SVG"}, "SVG"),
-  H.h("button", {type: "button", onclick: () => H.savePng(chart(), name()), title: "Save the picture as PNG"}, "PNG"),
+  H.h("button", {type: "button", onclick: () => H.saveSvg(chart(), name()), title: "Save the plot as SVG"}, "SVG"),
+  H.h("button", {type: "button", onclick: () => H.savePng(chart(), name()), title: "Save the plot as PNG"}, "PNG"),
 ];
-H.saveCsv = (name, heads, columns) => {
-  const lines = [heads.join(",")], count = Math.max(...columns.map(c => c.length));
-  for (let i = 0; i < count; i++) lines.push(columns.map(c => c[i] ?? "").join(","));
-  download(new Blob([lines.join("\n") + "\n"], {type: "text/csv"}), `${name}.csv`);
-};
+H.saveText = (text, name) => download(new Blob([text], {type: "text/plain"}), name);

@@ -5,20 +5,20 @@
   let select, host, parallel, scatter, xSelect, ySelect, cSelect, table, count, data, readout, order = 0, columnsBox;
 
   view.open = main => {
-    select = H.h("select", {"aria-label": "Table", onchange: () => H.set({sweep: select.value, x: "", y: "", c: "", brush: "", cols: ""})});
+    select = H.h("select", {"aria-label": "Table", onchange: () => H.set({sweep: select.value, x: "", y: "", c: "", brush: "", cols: "", sz: ""})});
     count = H.h("span", {class: "quiet small", "aria-live": "polite"});
     host = H.h("div", {class: "chart", style: {height: "300px"}});
-    parallel = H.s("svg", {role: "img", "aria-label": "Parallel coordinates", tabindex: 0});
+    parallel = H.s("svg", {role: "group", "aria-label": "Parallel coordinates"});
     host.append(parallel);
-    const pick = (label, key) => H.h("select", {"aria-label": label, onchange: event => H.set({[key]: event.target.value})});
-    xSelect = pick("Across", "x"); ySelect = pick("Up", "y"); cSelect = pick("Colour", "c");
+    const pick = (label, key) => H.h("select", {"aria-label": label, onchange: event => H.set({[key]: event.target.value, sz: ""})});
+    xSelect = pick("x axis", "x"); ySelect = pick("y axis", "y"); cSelect = pick("Colour", "c");
     columnsBox = H.h("details", {class: "small"});
     const scatterHost = H.h("div");
     table = H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"});
     readout = H.h("div", {class: "readout", "aria-live": "polite"});
     main.append(H.h("div", {class: "column"}, H.h("div", {class: "bar"}, select, count, H.h("span", {class: "push"}, H.h("button", {type: "button", onclick: () => H.set({brush: ""})}, "Clear the brushes"))), columnsBox, host,
-      H.h("div", {class: "bar small"}, H.h("label", {}, "across", xSelect), H.h("label", {}, "up", ySelect), H.h("label", {}, "colour", cSelect), H.h("span", {class: "bar push"}, ...H.saveButtons(() => scatter, () => "sweep"))), scatterHost, readout, table));
-    scatter = new H.Chart(scatterHost, {label: "Cases", height: 0.42, most: 430, keep: true, onHover: hit => read(scatter.spec.series[hit.series].rows[hit.index]), onPick: hit => openRun(scatter.spec.series[hit.series].rows[hit.index])});
+      H.h("div", {class: "bar small"}, H.h("label", {}, "x axis", xSelect), H.h("label", {}, "y axis", ySelect), H.h("label", {}, "colour", cSelect), H.h("span", {class: "bar push"}, ...H.saveButtons(() => scatter, () => "sweep"))), scatterHost, readout, table));
+    scatter = new H.Chart(scatterHost, {label: "Cases", height: 0.42, most: 430, keep: true, zoomKey: "sz", onHover: hit => read(scatter.spec.series[hit.series].rows[hit.index]), onPick: hit => openRun(scatter.spec.series[hit.series].rows[hit.index])});
     new ResizeObserver(() => { if (data) drawParallel(); }).observe(host);
   };
   view.close = () => { order++; scatter.stop(); data = null; };
@@ -28,7 +28,7 @@
     try {
       const opened = await H.opened;
       if (!select.options.length) select.append(...opened.sweeps.map((s, k) => H.h("option", {value: String(k)}, s.name)));
-      if (!opened.sweeps.length) { H.clear(readout).append("No table is open. Start with: hugoniot explore SWEEP, a folder with cases.csv, or any table.csv with a line of names."); H.command({shell: "hugoniot explore sweep/", python: 'import csv\nrows = list(csv.DictReader(open("sweep/cases.csv")))'}); return; }
+      if (!opened.sweeps.length) { H.clear(readout).append("No table is open. Open one with: hugoniot explore SWEEP (a folder with cases.csv, or any CSV table with a header line)"); H.command({shell: "hugoniot explore sweep/", python: 'import csv\nrows = list(csv.DictReader(open("sweep/cases.csv")))'}); return; }
       const found = await H.askOnce("sweep", {sweep: H.get("sweep", "0")});
       if (mine !== order) return;
       data = inWords(found);
@@ -42,7 +42,7 @@
     const columns = found.columns.map(c => {
       const name = c.name.replace(/_/g, " "), top = c.numeric ? c.cells.reduce((m, v) => Math.max(m, Math.abs(v) || 0), 0) : 0;
       const [unit, factor] = !top ? [c.unit, 1] : c.unit === "Pa" ? H.fits([top], "GPa", 1e-9) : c.unit === "s" ? H.timeUnit(top) : c.unit === "m" ? H.lengthUnit(top) : [c.unit, 1];
-      return {...c, name, unit, cells: factor === 1 ? c.cells : c.cells.map(v => v === null ? null : v * factor)};
+      return {...c, name, unit, factor, cells: factor === 1 ? c.cells : c.cells.map(v => v === null ? null : v * factor)};
     });
     return found.inWords = {...found, columns};
   }
@@ -64,17 +64,25 @@
     fill(xSelect, H.get("x"), String((first[0] || able[0]).k)); fill(ySelect, H.get("y"), String(result.k)); fill(cSelect, H.get("c"), third ? String(third.k) : "none", "no colour");
     const own = shownColumns().map(c => c.k);
     const isOpen = columnsBox.open;
-    H.clear(columnsBox).append(H.h("summary", {}, `${own.length} of ${numeric().length} columns with numbers are shown`), H.h("div", {class: "bar"}, numeric().map(c => H.h("label", {}, H.h("input", {type: "checkbox", checked: own.includes(c.k),
+    H.clear(columnsBox).append(H.h("summary", {}, `${own.length} of ${numeric().length} numeric columns are shown`), H.h("div", {class: "bar"}, numeric().map(c => H.h("label", {}, H.h("input", {type: "checkbox", checked: own.includes(c.k),
       onchange: event => H.set({cols: (event.target.checked ? [...own, c.k] : own.filter(k => k !== c.k)).join(".")})}), named(c)))));
     columnsBox.open = isOpen;
     const keep = kept();
-    count.textContent = `${keep.filter(Boolean).length} of ${data.rows} cases, ${data.runs.length} with a run beside the table`;
+    count.textContent = `${keep.filter(Boolean).length} of ${data.rows} cases, ${data.runs.length} with a run to open`;
     drawParallel();
     drawScatter(keep);
     drawTable(keep);
-    if (!readout.childNodes.length) H.clear(readout).append(H.h("span", {class: "quiet"}, "Point at a case. Drag along an axis above to keep a range; a click on a case opens its run."));
-    const name = opened.sweeps[Number(select.value)]?.name || "sweep";
-    H.command({shell: `hugoniot explore ${H.shell(name)}`, python: `import csv\nwith open(${H.python(name.endsWith(".csv") ? name : `${name}/cases.csv`)}) as file:\n    rows = list(csv.DictReader(file))`});
+    if (!readout.childNodes.length) H.clear(readout).append(H.h("span", {class: "quiet"}, "Point at a case. Drag along an axis above to select a range, or focus it and use the arrow keys (Shift: its upper end, Delete: all); click a case to open its run."));
+    const name = opened.sweeps[Number(select.value)].typed;
+    H.command({shell: `hugoniot explore ${H.shell(name)} --view ${H.shell(H.address("sweeps", withoutNumber()))}`, python: inPython(name.endsWith(".csv") ? name : `${name}/cases.csv`)});
+  }
+  const withoutNumber = () => { const {query} = H.read(); query.delete("sweep"); return query; };      // of the one table that the command opens
+  function inPython(file) {       // the cases within the brushes: their number, and the scatter
+    const value = (c, row) => `value(${row}, ${H.python(c.head)})${c.factor === 1 ? "" : ` * ${c.factor}`}`;
+    const within = Object.entries(brushes()).map(([k, [low, high]]) => `${low} <= ${value(data.columns[k], "r")} <= ${high}`).join(" and ");
+    return `import csv\n\ndef value(row, head):\n    try:\n        return float(row[head])\n    except ValueError:\n        return float("nan")\n\nwith open(${H.python(file)}, newline="") as file:\n` +
+      `    rows = list(csv.DictReader((line for line in file if not line.startswith("#")), skipinitialspace=True))\nkept = [r for r in rows${within && ` if ${within}`}]\n` +
+      `print(len(kept), [(${value(data.columns[xSelect.value], "r")}, ${value(data.columns[ySelect.value], "r")}) for r in kept])`;
   }
   const rampOf = cells => { const known = cells.filter(v => v !== null), low = Math.min(...known), high = Math.max(...known), scale = {ramp: H.ramps.rising, low, high: high > low ? high : low + 1}; return {scale, colour: v => v === null ? H.palette().quiet : H.css(scale.ramp[Math.round(235 * (v - scale.low) / (scale.high - scale.low))])}; };
   function drawScatter(keep) {
@@ -90,6 +98,7 @@
   // -- parallel coordinates ------------------------------------------------------------------------------------------------
   function drawParallel() {
     const columns = shownColumns(), width = host.clientWidth, height = width < 560 ? 240 : 300, p = H.palette(), keep = kept(), b = brushes(), left = 50, right = 50, top = 40, bottom = 14;
+    const focused = parallel.contains(document.activeElement) ? document.activeElement.getAttribute("data-brush") : null;
     host.style.height = `${height}px`;
     H.clear(parallel).setAttribute("viewBox", `0 0 ${width} ${height}`);
     if (columns.length < 2) return;
@@ -109,17 +118,31 @@
         words(xs[k] - 5, top + 4, H.digits(ranges[k][1], 4), "end", 10), words(xs[k] - 5, height - bottom, H.digits(ranges[k][0], 4), "end", 10));
       const brush = b[col.k];
       if (brush) parallel.append(H.s("rect", {x: xs[k] - 6, width: 12, y: Math.min(at(k, brush[1]), height), height: Math.max(Math.abs(at(k, brush[0]) - at(k, brush[1])), 2), fill: p.lines[1], opacity: 0.35, stroke: p.lines[1]}));
-      const grip = H.s("rect", {x: xs[k] - 12, width: 24, y: top - 6, height: height - top - bottom + 12, fill: "transparent", cursor: "ns-resize"});
+      const [least, greatest] = ranges[k], span = greatest - least, between = brush || [least, greatest];
+      const grip = H.s("rect", {x: xs[k] - 12, width: 24, y: top - 6, height: height - top - bottom + 12, fill: "transparent", cursor: "ns-resize", tabindex: 0, role: "slider", "data-brush": col.k, "aria-label": `Range of ${name}`,
+        "aria-valuemin": least, "aria-valuemax": greatest, "aria-valuenow": 0.5 * (between[0] + between[1]), "aria-valuetext": brush ? `${H.digits(brush[0], 4)} to ${H.digits(brush[1], 4)}` : "all"});
+      grip.addEventListener("keydown", event => {      // a first press keeps the middle half, further ones move it, with Shift its upper end
+        const step = {ArrowUp: 0.05, ArrowDown: -0.05}[event.key] * span;
+        if (["Delete", "Backspace", "Escape"].includes(event.key)) setBrush(col.k, null);
+        else if (!step) return;
+        else if (!brush) setBrush(col.k, [least + 0.25 * span, greatest - 0.25 * span]);
+        else setBrush(col.k, event.shiftKey ? [brush[0], Math.max(brush[1] + step, brush[0])] : brush.map(v => v + step));
+        event.preventDefault();
+      });
       let from = null;
       const value = event => { const box = parallel.getBoundingClientRect(), y = (event.clientY - box.top) * height / box.height; return ranges[k][0] + (height - bottom - y) / (height - top - bottom) * (ranges[k][1] - ranges[k][0]); };
       grip.addEventListener("pointerdown", event => { from = value(event); grip.setPointerCapture(event.pointerId); });
       grip.addEventListener("pointerup", event => {
-        const to = value(event), all = {...brushes()}, span = ranges[k][1] - ranges[k][0];
-        if (Math.abs(to - from) < 0.01 * span) delete all[col.k]; else all[col.k] = [Math.min(from, to), Math.max(from, to)];
-        H.set({brush: Object.entries(all).map(([n, [l, h]]) => `${n}:${l.toPrecision(6)}:${h.toPrecision(6)}`).join(";")});
+        const to = value(event);
+        setBrush(col.k, Math.abs(to - from) < 0.01 * span ? null : [Math.min(from, to), Math.max(from, to)]);
       });
       parallel.append(grip);
+      if (focused === String(col.k)) grip.focus();
     });
+  }
+  function setBrush(column, range) {
+    const all = {...brushes(), [column]: range};
+    H.set({brush: Object.entries(all).filter(([, r]) => r).map(([n, [l, h]]) => `${n}:${l.toPrecision(6)}:${h.toPrecision(6)}`).join(";")});
   }
   function read(r) {
     H.clear(readout).append(H.h("strong", {}, `case ${r + 1}`), H.numbers(data.columns.map(c => [c.name, c.numeric ? `${H.digits(c.cells[r])} ${c.unit}` : c.cells[r] || "–"])));
@@ -134,6 +157,6 @@
     H.clear(table).append(H.h("table", {class: "small", "data-table": "cases"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {class: "number"}, "case"), data.columns.map(c => H.h("th", {class: c.numeric ? "number" : ""}, named(c))))),
       H.h("tbody", {}, rows.map(r => H.h("tr", {class: "pick", onpointerenter: () => read(r)}, H.h("td", {class: "number"}, data.runs.includes(r) && !H.exported() ? H.h("button", {type: "button", title: "Open the run", onclick: () => openRun(r)}, String(r + 1)) : String(r + 1)),
         data.columns.map(c => H.h("td", {class: c.numeric ? "number" : ""}, c.numeric ? H.digits(c.cells[r]) : c.cells[r])))))));
-    if (keep.filter(Boolean).length > rows.length) table.append(H.h("p", {class: "quiet small"}, "The first 500 are listed."));
+    if (keep.filter(Boolean).length > rows.length) table.append(H.h("p", {class: "quiet small"}, "Only the first 500 are listed."));
   }
 })();

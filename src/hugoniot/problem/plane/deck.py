@@ -8,6 +8,7 @@ from hugoniot.materials.material import Material
 from hugoniot.materials.tables import material_tables
 from hugoniot.mesh.blocks import Blocks, BlockShape, MeshError, build
 from hugoniot.mesh.shapes import Sector
+from hugoniot.mesh.triangles import divided
 from hugoniot.problem import checks
 from hugoniot.problem.boundaries import pulse_value
 from hugoniot.problem.lagrangian import MOST_ZONES, _output
@@ -40,20 +41,28 @@ from hugoniot.problem.schema import Table, salvage
 __all__ = ["Model", "read", "write"]
 
 GAUGE_SAMPLES = 2000                 # of each gauge, and snapshots, in a run whose deck does not say otherwise
+OF_TRIANGLES = ("diagonal", "average_pressure")
+NO_FILTERS = {"subzonal_pressure": 0.0, "flanagan_belytschko": 0.0}
 LARGE, FEW_SNAPSHOTS = 10_000, 20    # zones beyond which there are so few snapshots; else a hundred
+
+
+def _have_radii(blocks) -> bool:
+    """Whether blocks are written for axisymmetric geometry, which a deck then means whatever it calls it."""
+    return isinstance(blocks, list) and any(isinstance(block, dict) and "r" in block for block in blocks)
 
 
 def read(raw: dict, model: Model | None, materials: dict[str, Material | None], collector: Collector) -> tuple[Problem2D | None, list[str]]:
     """The problem, and warnings; the problem is None when anything was reported (see `problem.lagrangian.read`)."""
     warnings: list[str] = []
-    axes = ("r", "z") if raw.get("geometry", "plane") == "axisymmetric" else ("x", "y")
+    radial = raw.get("geometry", "plane") == "axisymmetric" or raw.get("geometry", "plane") != "plane" and _have_radii(raw.get("block"))
+    axes = ("r", "z") if radial else ("x", "y")
     blocks, used, complete = _read_blocks(raw, axes, materials, collector)
     names = [row.name for row in _parts(BlockTable, raw.get("block")) if row is not None]
     solids = _parts(RigidTable, raw.get("rigid"))
     rigid = read_rigid(solids, axes, names, collector)
     rows = _parts(ContactTable, raw.get("contact"))
     contacts = read_contacts(rows, names, [row.name for row in solids if row is not None], collector)
-    mesh = _mesh(blocks, axes, contacts, collector) if complete else None
+    mesh = _mesh(blocks, axes, contacts, salvage(SolverTable, raw.get("solver")), collector) if complete else None
     check_bodies(contacts, rows, mesh, rigid, collector)
     check_overlap(rigid, mesh, collector)
     boundaries = read_boundaries(_parts(BoundaryTable, raw.get("boundary")), mesh, collector)
@@ -66,7 +75,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
             warnings.append(f"material '{printable(name)}' of the deck is not used by any block")
     if model is None or collector.problems or solver is None or output is None:
         return None, warnings
-    output = _sparing(output, raw.get("output", {}), model.stop_time, sum(block.zones[0] * block.zones[1] for block in blocks))
+    output = _sparing(output, raw.get("output", {}), model.stop_time, 0 if mesh is None else len(mesh.zone_nodes))
     problem = Problem2D(model.title, model.geometry, model.stop_time, blocks, used, boundaries, gauges, lighting, contacts, rigid,
                         model.body_force, solver, output)
     problem.__dict__["mesh"] = mesh   # built already: what the cached property would build again
@@ -127,10 +136,12 @@ def _read_blocks(raw, axes, own, collector: Collector) -> tuple[tuple[Block2D, .
     return tuple(found), used, bool(rows) and len(found) == len(rows)
 
 
-def _mesh(blocks, axes, contacts, collector: Collector) -> Blocks | None:
+def _mesh(blocks, axes, contacts, solver: SolverTable | None, collector: Collector) -> Blocks | None:
     try:
         shapes = [BlockShape(b.name, b.shape, b.zones, b.ratio) for b in blocks]
-        return build(shapes, axes[0] == "r", apart(contacts, [b.name for b in blocks]))
+        mesh = build(shapes, axes[0] == "r", apart(contacts, [b.name for b in blocks]))
+        triangles = solver is not None and solver.cells == "triangles"
+        return divided(mesh, solver.diagonal or Solver2D.diagonal) if triangles else mesh
     except MeshError as error:
         for defect in error.defects:
             collector.add(("block", defect.block, defect.key), defect.message, defect.hint)
@@ -157,11 +168,26 @@ def _solver(table: Any, axes, blocks, mesh: Blocks | None, collector: Collector)
         collector.add(("solver", "scheme"), "applies to axisymmetric geometry only", 'write geometry = "axisymmetric", or leave it out')
     if row.viscosity.kind == "herrmann" and row.viscosity.limited:
         collector.add(("solver", "viscosity"), "Herrmann's viscosity has no limiter", "write limited = false with this kind")
+    _check_cells(row, table, collector)
     polar = bool(blocks) and all(isinstance(block.shape, Sector) for block in blocks)
     about_axis = polar and all(block.shape.centre[0] == 0.0 for block in blocks)
     own = row.model_dump(exclude={"hourglass", "viscosity"}) | row.hourglass.model_dump()
+    if row.cells == "triangles":
+        own |= NO_FILTERS
+    own |= {key: getattr(Solver2D, key) for key in OF_TRIANGLES if own[key] is None}
     own["scheme"] = row.scheme or ("area_weighted" if about_axis and axes[0] == "r" else "true_volume")
     return Solver2D(**own | {"viscosity": Viscosity2D(**row.viscosity.model_dump())})
+
+
+def _check_cells(row: SolverTable, table: dict, collector: Collector) -> None:
+    """Report keys of one kind of cell where the other is asked for."""
+    if row.cells == "quads":
+        for key in OF_TRIANGLES:
+            if getattr(row, key) is not None:
+                collector.add(("solver", key), "applies to triangles only", 'write cells = "triangles", or leave it out')
+    elif "hourglass" in table:
+        collector.add(("solver", "hourglass"), "triangles have no hourglass modes: they have one velocity gradient each",
+                      "leave the table out, or write cells = \"quads\"")
 
 
 # -- and back ----------------------------------------------------------------------------------------------------------
@@ -203,13 +229,17 @@ def _boundary_table(boundary) -> dict:
         row["direction"] = list(boundary.direction)
     if boundary.kind in ("wall", "velocity"):
         row["slip"] = boundary.slip
+    if boundary.separable:
+        row["separable"] = True
     return row | ({} if boundary.pulse is None else {boundary.kind: pulse_value(boundary.pulse)})
 
 
 def _solver_table(problem: Problem2D) -> dict:
     solver = problem.solver
     row = {f.name: v for f in fields(solver) if (v := getattr(solver, f.name)) is not None and f.name != "viscosity"}
-    row["hourglass"] = {key: row.pop(key) for key in ("subzonal_pressure", "flanagan_belytschko")}
+    row["hourglass"] = {key: row.pop(key) for key in NO_FILTERS}
+    for key in OF_TRIANGLES if solver.cells == "quads" else ("hourglass",):
+        del row[key]
     if problem.geometry == "plane":
         del row["scheme"]
     row["viscosity"] = {f.name: getattr(solver.viscosity, f.name) for f in fields(solver.viscosity)}

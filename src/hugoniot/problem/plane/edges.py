@@ -24,7 +24,7 @@ def unit_vector(direction, collector: Collector, path: tuple) -> tuple[float, fl
     """
     length = math.hypot(*direction)
     if length == 0.0:
-        collector.add(path, "has no length")
+        collector.add(path, "has no length", "such as [1, 0]")
         return None
     return direction if abs(length - 1.0) < 1e-15 else (direction[0] / length, direction[1] / length)
 
@@ -53,7 +53,7 @@ def read_boundaries(rows: Sequence, mesh: Blocks | None, collector: Collector) -
         for name in row.on:
             if name in seen:
                 where = "twice here" if seen[name] == i else f"by boundary {seen[name] + 1} already"
-                collector.add((*path, "on"), f"'{printable(name)}' is named {where}")
+                collector.add((*path, "on"), f"'{printable(name)}' is named {where}", "each edge has one boundary")
             seen.setdefault(name, i)
         boundary = _boundary(row, collector, path)
         if boundary is None:
@@ -80,6 +80,11 @@ def _boundary(row, collector: Collector, path: tuple) -> Boundary2D | None:
         collector.add((*path, "direction"), f"has no meaning on a boundary of kind {row.kind}", "it applies to a driven velocity only")
     if row.slip is not None and row.kind not in _SLIDING:
         collector.add((*path, "slip"), f"has no meaning on a boundary of kind {row.kind}", "it applies to a wall or a driven velocity")
+    if row.separable is not None and row.kind != "wall":
+        collector.add((*path, "separable"), f"has no meaning on a boundary of kind {row.kind}", "it applies to a wall")
+    if row.separable and row.slip is False:
+        collector.add((*path, "slip"), "a separable wall cannot hold nodes along itself",
+                      "leave it out, or take a [[rigid]] body and [[contact]] with friction")
     if collector.findings > before:
         return None
     direction = None if row.direction is None else unit_vector(row.direction, collector, (*path, "direction"))
@@ -88,7 +93,7 @@ def _boundary(row, collector: Collector, path: tuple) -> Boundary2D | None:
         pulse = read_pulse(getattr(row, row.kind), _DRIVEN[row.kind], collector, (*path, row.kind))
     if collector.findings > before:
         return None
-    return Boundary2D(row.on, row.kind, pulse, direction, True if row.slip is None else row.slip)
+    return Boundary2D(row.on, row.kind, pulse, direction, True if row.slip is None else row.slip, bool(row.separable))
 
 
 def _wrong_kind(boundary: Boundary2D, name: str, mesh: Blocks) -> tuple[str, str] | None:
@@ -134,7 +139,8 @@ def _gauge(row, collector: Collector, path: tuple) -> Gauge2D | None:
         direction = unit_vector(row.direction, collector, (*path, "direction"))
         return None if direction is None else Gauge2D(row.name, "slit", row.through, " ".join(row.on.split()), direction)
     has = f", not {' and '.join(sorted(given))}" if given else ""
-    collector.add(path, f"a gauge has at (material point), on (mean over a chain), or on, through and direction (line of sight){has}")
+    collector.add(path, f"a gauge has at (material point), on (mean over a chain), or on, through and direction (line of sight){has}",
+                  'such as at = ["1 mm", "2 mm"]')
     return None
 
 

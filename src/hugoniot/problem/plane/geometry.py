@@ -23,12 +23,12 @@ def read_shape(row: BlockTable, axes: tuple[str, str], collector: Collector, pat
     for key in ("x", "y", "r", "z", *_KEYS["sector"], *_KEYS["edges"]):
         if getattr(row, key) is not None and key not in mine:
             other = key in ("x", "y", "r", "z") and row.shape == "box"
-            hint = f"here the coordinates are {axes[0]} and {axes[1]}" if other else f"a {row.shape} has: {', '.join(mine)}"
+            hint = f"here the coordinates are {axes[0]} and {axes[1]}" if other else f"the shape {row.shape} has: {', '.join(mine)}"
             collector.add((*path, key), f"has no meaning for a {row.shape} in {_word(axes)}", hint)
     needed = [key for key in mine if key not in ("centre", "fill")]
     for key in needed:
         if getattr(row, key) is None:
-            collector.add((*path, key), "missing", f"a {row.shape} has: {', '.join(mine)}")
+            collector.add((*path, key), "missing", f"the shape {row.shape} has: {', '.join(mine)}")
     if collector.findings > before:
         return None
     if row.shape == "box":
@@ -44,7 +44,8 @@ def _box(row, axes, collector, path) -> Box | None:
     for key in axes:
         low, high = getattr(row, key)
         if not high > low:
-            collector.add((*path, key), f"must run from the smaller value to the larger, got {low:g} m to {high:g} m")
+            collector.add((*path, key), f"must run from the smaller value to the larger, got {low:g} m to {high:g} m",
+                          "exchange them" if low > high else 'such as ["0 mm", "5 mm"]')
             return None
     return Box(getattr(row, axes[0]), getattr(row, axes[1]))
 
@@ -53,10 +54,12 @@ def _sector(row, collector, path) -> Sector | None:
     (inner, outer), (start, end) = row.radius, row.angle
     if not 0.0 < inner < outer:
         collector.add((*path, "radius"), f"needs 0 < inner < outer radius, got {inner:g} m and {outer:g} m",
-                      "zones would meet in a point at the centre: leave a small hole, or put a box there" if inner == 0.0 else "")
+                      "zones would meet in a point at the centre: leave a small hole, or put a box there" if inner == 0.0 else
+                      "exchange them" if inner > outer > 0.0 else 'such as ["8 cm", "10 cm"]')
         return None
     if not 0.0 < end - start <= _FULL_TURN * (1.0 + 1e-12):
-        collector.add((*path, "angle"), f"must rise by at most a full turn, got {math.degrees(start):g} to {math.degrees(end):g} degrees")
+        collector.add((*path, "angle"), f"must rise by at most a full turn, got {math.degrees(start):g} to {math.degrees(end):g} degrees",
+                      'such as ["0 deg", "90 deg"]')
         return None
     return Sector(row.centre or (0.0, 0.0), row.radius, row.angle)
 

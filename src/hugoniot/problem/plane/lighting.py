@@ -3,7 +3,7 @@
 Zones of one detonation velocity that hang together are one body; within it fronts take the shortest path (`laws.burn.paths`). A front
 that comes to the border of another body starts there anew from every node of the border (Huygens), which lights the other body, and
 perhaps this one again where the other is faster; this is repeated until nothing comes earlier. A zone is lit when the front reaches
-the first of its four nodes, as in one dimension it is when the front reaches its nearer face.
+the first of its nodes, as in one dimension it is when the front reaches its nearer face.
 """
 
 from dataclasses import dataclass
@@ -49,7 +49,8 @@ def bodies(problem) -> list[Body]:
 def _body(mesh: Blocks, members: list[int], speed: float) -> Body:
     zones = np.flatnonzero(np.isin(mesh.block_of, members))
     corners = mesh.zone_nodes[zones]
-    edges = np.concatenate([corners[:, [k, (k + 1) % 4]] for k in range(4)])     # counter-clockwise: the explosive on the left
+    sides = range(corners.shape[1])
+    edges = np.concatenate([corners[:, [k, (k + 1) % len(sides)]] for k in sides])     # counter-clockwise: the explosive on the left
     ordered = np.sort(edges, axis=1)
     _, first, count = np.unique(ordered, axis=0, return_index=True, return_counts=True)
     outline = edges[first[count == 1]]

@@ -25,12 +25,17 @@ import numpy as np
 from hugoniot.materials.material import Material
 from hugoniot.mesh.blocks import Blocks, BlockShape, build
 from hugoniot.mesh.shapes import Point, Shape
+from hugoniot.mesh.triangles import DIAGONALS, divided
 from hugoniot.problem.model import OutputOptions, Pulse
 from hugoniot.problem.plane.contact_model import Contact2D, Rigid2D, apart
+
+__all__ = ["BOUNDARIES", "CELLS", "DIAGONALS", "GEOMETRIES", "SCHEMES", "VISCOSITIES", "Block2D", "Boundary2D", "Gauge2D", "Lighting2D",
+           "Problem2D", "Solver2D", "VelocityField", "Viscosity2D", "velocity_at"]
 
 GEOMETRIES = ("plane", "axisymmetric")
 BOUNDARIES = ("free", "wall", "axis", "velocity", "pressure", "transmitting")
 SCHEMES = ("true_volume", "area_weighted")
+CELLS = ("quads", "triangles")
 VISCOSITIES = ("tensor", "edge", "herrmann")
 
 
@@ -89,6 +94,7 @@ class Boundary2D:
     pulse       of "velocity" (m/s) and "pressure" (Pa): amplitude over time, `problem.model.Pulse`
     direction   of "velocity": unit vector (x, y) of the motion; None: the inward normal of each node (mean of its edges, as at t = 0)
     slip        True: only the component along the normal (wall) or the direction (velocity) is prescribed; False: the other one is zero
+    separable   of "wall": it holds no tension; material may leave it and come back (`problem.plane.walls`)
     """
 
     on: tuple[str, ...]
@@ -96,6 +102,7 @@ class Boundary2D:
     pulse: Pulse | None = None
     direction: Point | None = None
     slip: bool = True
+    separable: bool = False
 
 
 @dataclass(frozen=True)
@@ -135,7 +142,7 @@ class Viscosity2D:
     limited            whether smooth flow is spared; "herrmann" has no limiter
     linear, quadratic  of a material without strength;  solid_linear, solid_quadratic of one with;  explosive_linear,
                        explosive_quadratic of one that burns, whose products are stiffer than a gas, as in one dimension
-    heat_flux          coefficient of the artificial heat flux of materials without strength that do not burn; 0: none
+    heat_flux          coefficient of the artificial heat flux between quadrilaterals of materials without strength that do not burn
     """
 
     kind: str = "tensor"
@@ -153,16 +160,20 @@ class Viscosity2D:
 class Solver2D:
     """How it is solved; every default is written out in the resolved deck.
 
-    cells        "quads"
+    cells        "quads", or "triangles": every cell of a block divided by a diagonal
+    diagonal     which way (`mesh.triangles`): "one_way", "alternating" or "crossed"
+    average_pressure   whether both triangles of a cell share their pressure, in materials with strength
     scheme       axisymmetric: "true_volume" (virtual work) or "area_weighted" (keeps spherical symmetry on polar meshes)
-    subzonal_pressure    merit factor against hourglass modes of materials without strength; 0 is off
-    flanagan_belytschko  viscous coefficient against hourglass modes of materials with strength; 0 is off
+    subzonal_pressure    of quads: merit factor against hourglass modes of materials without strength; 0 is off
+    flanagan_belytschko  of quads: viscous coefficient against hourglass modes of materials with strength; 0 is off
     courant, growth, initial_step, largest_step, threads, max_cycles   as in one dimension
     """
 
     kind: str = "lagrange2d"
     integrator: str = "compatible"
     cells: str = "quads"
+    diagonal: str = "one_way"
+    average_pressure: bool = True
     scheme: str = "true_volume"
     viscosity: Viscosity2D = Viscosity2D()
     subzonal_pressure: float = 1.0
@@ -207,7 +218,8 @@ class Problem2D:
     def mesh(self) -> Blocks:
         """Blocks, node numbers and chains at t = 0. Raises `mesh.blocks.MeshError` where the shapes do not make a mesh."""
         shapes = tuple(BlockShape(block.name, block.shape, block.zones, block.ratio) for block in self.blocks)
-        return build(shapes, self.geometry == "axisymmetric", apart(self.contacts, [block.name for block in self.blocks]))
+        mesh = build(shapes, self.geometry == "axisymmetric", apart(self.contacts, [block.name for block in self.blocks]))
+        return divided(mesh, self.solver.diagonal) if self.solver.cells == "triangles" else mesh
 
     def velocities(self):
         """Initial velocity of every block's own nodes: arrays (2, ni + 1, nj + 1). Nodes that blocks share are the solver's to unite."""

@@ -72,7 +72,7 @@ def _counts(value: Any) -> tuple[int, int]:
     if not isinstance(value, (list, tuple)) or len(value) != 2 or not all(isinstance(n, int) and not isinstance(n, bool) for n in value):
         raise trouble("expected two whole numbers", "zones along i and along j, such as [20, 200]")
     if min(value) < 1 or max(value) > 20_000:
-        raise trouble("a block has from 1 to 20 000 zones in each direction")
+        raise trouble("a block has from 1 to 20 000 zones in each direction", "such as [20, 200]")
     return value[0], value[1]
 
 
@@ -170,6 +170,7 @@ class BoundaryTable(Table):
         None, description="for kind pressure: a value or a pulse")
     direction: Direction | None = Field(None, description="of kind velocity: direction of the motion (default: into the material)")
     slip: bool | None = Field(None, description="wall, velocity: nodes may slide along (default true); false: the other component is 0")
+    separable: bool | None = Field(None, description="wall: material may leave it and come back (default false: it holds tension)")
 
 
 class GaugeTable(Table):
@@ -229,12 +230,12 @@ class ViscosityTable(Table):
     solid_quadratic: Plain = Field(Viscosity2D.solid_quadratic, description="quadratic coefficient of materials with strength")
     explosive_linear: Plain = Field(Viscosity2D.explosive_linear, description="linear coefficient of materials that burn")
     explosive_quadratic: Plain = Field(Viscosity2D.explosive_quadratic, description="quadratic coefficient of materials that burn")
-    heat_flux: Plain = Field(Viscosity2D.heat_flux, description="coefficient of the artificial heat flux in shocks, of materials without "
-                                                                "strength that do not burn; 0: none")
+    heat_flux: Plain = Field(Viscosity2D.heat_flux, description="coefficient of the artificial heat flux in shocks, between quadrilaterals of "
+                                                                "materials without strength that do not burn; 0: none")
 
 
 class HourglassTable(Table):
-    """What works against hourglass modes; 0 is off."""
+    """What works against hourglass modes of quadrilaterals; 0 is off."""
 
     subzonal_pressure: Plain = Field(Solver2D.subzonal_pressure, description="merit factor, materials without strength")
     flanagan_belytschko: Plain = Field(Solver2D.flanagan_belytschko, description="viscous coefficient, materials with strength")
@@ -245,7 +246,11 @@ class SolverTable(Table):
 
     kind: Literal["lagrange2d"] = Field(description="the solver")
     integrator: Literal["compatible"] = Field("compatible", description="compatible closes the total energy to round-off")
-    cells: Literal["quads"] = Field("quads", description="a zone is one quadrilateral")
+    cells: Literal["quads", "triangles"] = Field("quads", description="a cell of a block is one quadrilateral zone, or two triangles")
+    diagonal: Literal["one_way", "alternating", "crossed"] | None = Field(
+        None, description="triangles: all diagonals one way (default), turned from row to row along j, or turned from cell to cell")
+    average_pressure: bool | None = Field(None, description="triangles: whether both of a cell share their pressure, in materials with "
+                                          "strength (default true); on their own they are too stiff in plastic flow")
     scheme: Literal["true_volume", "area_weighted"] | None = Field(
         None, description="axisymmetric: true_volume (default), or area_weighted (default where all blocks are sectors about the axis)")
     courant: Annotated[float, Quantity("1", above=0.0, limit=1.0)] = Field(Solver2D.courant, description="Courant number")

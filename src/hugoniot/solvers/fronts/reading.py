@@ -15,6 +15,7 @@ from hugoniot.solvers.fronts import setup
 from hugoniot.solvers.protocol import Event, NothingToAdd
 from hugoniot.state import State
 
+SLICES = 8            # of a zone, for the mass of a region whose density varies
 SAMPLES = 1000        # of the gauges over a run, where no interval is given
 GAUGE_FIELDS = ("position", "velocity", "density", "energy", "pressure", "deviator_radial", "deviator_hoop", "stress")
 ZONE_FIELDS = ("density", "energy", "pressure", "deviator_radial", "deviator_hoop", "stress", "sound_speed")
@@ -33,10 +34,9 @@ class Reading(NothingToAdd):
         self.problem = problem
         left, right, self.region_of = setup.zone_faces(problem)
         self.initial_nodes = left, right
-        starts, ends = (np.array([getattr(r, name) for r in problem.regions])[self.region_of] for name in ("start", "end"))
-        d = problem.dimension
-        whole = ends**d - starts**d
-        self.fractions = (left**d - starts**d) / whole, (right**d - starts**d) / whole
+        self._masses: dict[int, tuple[np.ndarray, np.ndarray]] = {}
+        ends = zip(left, right, self.region_of.tolist())
+        self.fractions = tuple(np.array(row) for row in zip(*((self._share(k, a), self._share(k, b)) for a, b, k in ends)))
         self._events: list[Event] = []
         self.cycle, self.step = 0, 0.0
         self.length = problem.regions[-1].end - problem.regions[0].start
@@ -48,15 +48,27 @@ class Reading(NothingToAdd):
         """The material of a region now: `mass` (cumulated) and at(fraction of it) -> (position, state)."""
         raise NotImplementedError
 
+    def _share(self, k: int, x: float) -> float:
+        """How much of a region's mass is on the left of a place at t = 0; volumes, where its density does not vary."""
+        r, d = self.problem.regions[k], self.problem.dimension
+        share = min((x**d - r.start**d) / (r.end**d - r.start**d), 1.0)
+        if r.profile is None:
+            return share
+        if k not in self._masses:
+            faces = np.linspace(r.start, r.end, SLICES * r.zones + 1)
+            rho, _ = setup.start_states(r, self.problem.materials[r.material], 0.5 * (faces[1:] + faces[:-1]))
+            mass = np.concatenate([[0.0], np.cumsum(rho * np.diff(faces**d))])
+            self._masses[k] = (faces**d, mass / mass[-1])
+        return float(np.interp(x**d, *self._masses[k]))
+
     # -- gauges ------------------------------------------------------------------------------------------------------
     def _place(self, at) -> tuple[float, float]:
         """(region, fraction of its mass on the left) of a gauge."""
-        regions, d = self.problem.regions, self.problem.dimension
+        regions = self.problem.regions
         names = [region.name for region in regions]
         if not isinstance(at, str):
             k = max(k for k, region in enumerate(regions) if region.start <= at)
-            a, b = regions[k].start, regions[k].end
-            return float(k), min((at**d - a**d) / (b**d - a**d), 1.0)
+            return float(k), self._share(k, at)
         if at.startswith("free surface"):
             return (0.0, 0.0) if at.endswith("left") else (len(regions) - 1.0, 1.0)
         if ":" in at:

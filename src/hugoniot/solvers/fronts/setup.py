@@ -9,12 +9,15 @@ from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos.contract import pressure
 from hugoniot.laws.riemann.branch import Matter, State
 from hugoniot.laws.strength.contract import STRENGTH
+from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.problem.fronts import defects, with_defaults
 from hugoniot.problem.model import Boundary, Problem
+from hugoniot.problem.profiles import values_at
 from hugoniot.solvers.fronts.line import Front, Piece
 from hugoniot.solvers.fronts.meeting import Bench, outgoing
 
+STATE_FIELDS = ("density", "pressure", "temperature", "energy")
 COURANT = 0.5         # of the cells mode, where none is given
 
 
@@ -111,6 +114,26 @@ def first_line(problem: Problem, bench: Bench) -> tuple[list[Piece], list[Front]
         fronts += some
         pieces += between
     return [*pieces, before[-1]], fronts
+
+
+def start_states(region, material, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(density, energy) of a region at t = 0 at some places, from its state or its profile."""
+    varying = {} if region.profile is None else {name: values_at(region.profile, name, places) for name, _ in region.profile.fields
+                                                 if name != "velocity"}
+    found = []
+    for k in range(len(places) if varying else 1):
+        given = [float(varying[name][k]) if name in varying else getattr(region, name) for name in STATE_FIELDS]
+        found.append(initial_state(material.eos, *given) if material.burn is None else burning.start_state(material, *given))
+    rho, e = np.array(found, dtype=float).T
+    return np.broadcast_to(rho, len(places)), np.broadcast_to(e, len(places))
+
+
+def start_velocities(region, places: np.ndarray) -> np.ndarray:
+    """Velocity at t = 0 at some places: constant, linear, or from a profile."""
+    if region.profile is not None and "velocity" in dict(region.profile.fields):
+        return values_at(region.profile, "velocity", places)
+    ends = region.velocity if isinstance(region.velocity, tuple) else (region.velocity, region.velocity)
+    return ends[0] + (ends[1] - ends[0]) * (places - region.start) / (region.end - region.start)
 
 
 def zone_faces(problem: Problem) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

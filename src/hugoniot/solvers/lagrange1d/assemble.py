@@ -177,7 +177,7 @@ def assemble(problem: Problem):
         for i in body:
             region, (place, rho, e, c) = problem.regions[i], starts[i]
             a, b = ranges[i]
-            mass = rho * np.array([volume(x, y, geometry) for x, y in zip(place[:-1], place[1:])])
+            mass = rho * volume(place[:-1], place[1:], geometry)
             zones[Z.mass, a:b], zones[Z.rho, a:b], zones[Z.e, a:b], zones[Z.c, a:b] = mass, rho, e, c
             material = problem.materials[region.material]
             states = np.broadcast_arrays(rho, e) if material.burn is None else ()

@@ -131,7 +131,7 @@ RUN_FIRST, RUN_LAST, RUN_SEGMENT, RUN_MATERIAL = range(4)
 # -- control vector (floats) --------------------------------------------------------------------------------------
 (TIME, DT, DT_OLD, DT_NATURAL, EVENT_TIME, RATE, WORK_LEFT, WORK_RIGHT, IMPULSE_LEFT, IMPULSE_RIGHT, RADIAL_IMPULSE, COURANT,
  GROWTH, DT_LARGEST, DT_SMALLEST, WORST_FAILURE, NEXT_GAUGE, GAUGE_INTERVAL, HEAT_FLUX, FORCE_WORK, FORCE_IMPULSE, SUPPLIED,
- LAST_NODE, END_LEFT) = range(24)
+ LAST_NODE, UNTIL, END_LEFT) = range(25)
 # what a transmitting end knows (`transmitting`), from END_LEFT and from END_RIGHT on: the stress outside and that at t = 0 (Pa), impedance
 # (kg/m2/s), transit times of its zone in the last step, zones of the end's material (at most REACH), lead and excess (Pa), a memory
 (OUTSIDE, AMBIENT, IMPEDANCE, PASSED, ZONES, LEAD, EXCESS, MEMORY) = range(8)
@@ -141,8 +141,12 @@ END_RIGHT = END_LEFT + END_FLOATS
 CONTROL_FLOATS = END_RIGHT + END_FLOATS
 
 # -- control vector (integers) ------------------------------------------------------------------------------------
-CYCLE, GAUGE_ROWS, CULPRIT, ZONE_STEPS, CAP_COUNT, FRACTURING, STOP = range(7)
-CONTROL_INTS = 7
+CYCLE, GAUGE_ROWS, CULPRIT, ZONE_STEPS, CAP_COUNT, FRACTURING, STOP, PASSED_TIMES = range(8)
+CONTROL_INTS = 8
+
+# -- columns of the table of times that a march passes without coming back: the time, and what was found there ------
+PASS_TIME, PASS_VELOCITY, PASS_STRESS, PASS_RIGHT = range(4)   # largest sizes of velocity and stress; velocity of the right end
+PASS_FLOATS = 4
 
 # -- why the march came back ---------------------------------------------------------------------------------------
 PAUSED, AT_EVENT, VOID_OPENS, VOID_CLOSES, BAD_STATE, BUFFER_FULL, STEP_COLLAPSED, INTERFACE_OPENS = range(8)

@@ -156,7 +156,9 @@ def hold(zones, nodes, control, ends, end, faster, dt, geometry, boundary):
 
 
 def _answer(zones, control, zone, end, dt, boundary):
-    follow(zones, control, zone, end, dt)
+    inward = 1 if end == L.END_LEFT else -1
+    follow(control[end:end + L.END_FLOATS], zones, (Z.sigma, Z.rho, Z.q), zone, inward, zones[Z.rho, zone] * zones[Z.c, zone],
+           zones[Z.mass, zone], dt)
 
 
 def _hold(zones, nodes, control, ends, end, faster, dt, geometry, boundary):

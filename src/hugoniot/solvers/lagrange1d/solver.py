@@ -4,13 +4,10 @@ Knows a problem's numbers and laws; never files, decks or plots. `march` takes s
 starts stands in `start`, what happens between steps in `between_steps`, what went wrong in `post_mortem`, the sums in `accounts`.
 """
 
-import os
-import threading
-
 import numpy as np
 
-from hugoniot.core import team
 from hugoniot.core.compile_ahead import compile_all, job_of
+from hugoniot.core.team import at_work, team_of
 from hugoniot.mesh.line import GEOMETRY
 from hugoniot.problem.defaults import with_defaults
 from hugoniot.problem.model import Problem
@@ -26,6 +23,7 @@ from hugoniot.solvers.lagrange1d.probes import probe_tables
 from hugoniot.solvers.lagrange1d.step import SCHEMES, WATCH, Arrays, Gauges, march
 from hugoniot.solvers.lagrange1d.tables import zone_table
 from hugoniot.solvers.lagrange1d.terms import terms_of
+from hugoniot.solvers.lagrange1d.watch import pass_times
 from hugoniot.solvers.protocol import Event, NothingToAdd
 from hugoniot.state import State
 from hugoniot.zones.closure import remembers
@@ -35,7 +33,7 @@ ZONE_FIELDS = {"density": Z.rho, "energy": Z.e, "pressure": Z.p, "viscous_pressu
                "deviator_hoop": Z.s2, "stress": Z.sigma, "sound_speed": Z.c, "plastic_strain": Z.plastic_strain, "damage": Z.damage,
                "plastic_work": Z.plastic_work, "viscous_work": Z.viscous_work}
 GAUGE_CAPACITY = 2048
-WORTH_SHARING = 10_000
+WORTH_SHARING = 10_000      # zones; below, sharing costs more than it gives
 
 
 class Lagrange1D(NothingToAdd):
@@ -46,7 +44,7 @@ class Lagrange1D(NothingToAdd):
         self.geometry = GEOMETRY.get(problem.geometry).example
         self.scheme = SCHEMES[problem.solver.integrator]
         self.staggered = self.scheme.staggered
-        self.team = self._team()
+        self.team = team_of(problem.solver.threads, sum(region.zones for region in problem.regions), WORTH_SHARING)
         laws, self.laws_of_region = laws_of_regions(problem)
         self.viscosity = viscosity_of(problem)
         self.table, self.charge_table, self.nodes, self.gradient, self.segments, self.region_ranges = assemble(problem)
@@ -67,6 +65,7 @@ class Lagrange1D(NothingToAdd):
         self.boundaries = tuple(boundary_end(problem, end, self.terms.force.field) for end in ends)
         self.control = np.zeros(L.CONTROL_FLOATS)
         self.counters = np.zeros(L.CONTROL_INTS, dtype=np.int64)
+        self.passed = np.zeros((0, L.PASS_FLOATS))
         self.voids_opened = self.voids_closed = self.interfaces_separated = 0
         self.region_of = np.repeat(np.arange(len(problem.regions)), [b - a for a, b in self.region_ranges])
         self.initial_nodes = self._faces(H.r)
@@ -80,14 +79,6 @@ class Lagrange1D(NothingToAdd):
         self.start_energy, self.start_mass, self.start_momentum = self.total_energy(), self.zones[Z.mass].sum(), self.momentum()
 
     # -- setting up ------------------------------------------------------------------------------------------
-    def _team(self):
-        """The threads that share the work: alone below 10 000 zones, where sharing costs more than it gives."""
-        zones = sum(region.zones for region in self.problem.regions)
-        threads = min(self.problem.solver.threads, os.cpu_count() or 1)
-        if threads < 2 or zones < WORTH_SHARING or not team.possible():
-            return team.Alone()
-        return team.Together(threads, team.board(threads))
-
     def _new_buffer(self):
         self.gauge_times = np.zeros(GAUGE_CAPACITY)
         columns = L.BURNING_GAUGE_COLUMNS if self.burning else len(L.GAUGE_FIELDS)
@@ -143,18 +134,31 @@ class Lagrange1D(NothingToAdd):
         """Step until the time `until` (hit exactly), `cycles` steps, a full gauge buffer or an event; the events that happened."""
         if until <= self.time:
             return []
-        self.control[L.EVENT_TIME] = until
-        members = self._assemble_team()
-        try:
+        self.control[L.UNTIL] = until
+        self._pass_times()
+        with at_work(self.team, serve, self.plan):
             code = march(*self._march_arguments(cycles, self.plan))
-        finally:
-            if members:
-                team.call(self.team.board, team.DISMISSED)
-                for member in members:
-                    member.join()
         if code in (L.BAD_STATE, L.STEP_COLLAPSED):
             raise unphysical(self, code)
-        return events_of(self, code)
+        events = events_of(self, code)
+        self._pass_times()
+        return events
+
+    def pass_through(self, times) -> bool:
+        """March through these times (sorted, s) without coming back; they are hit exactly."""
+        self.passed = np.zeros((len(times), L.PASS_FLOATS))
+        self.passed[:, L.PASS_TIME] = times
+        self.counters[L.PASSED_TIMES] = 0
+        return True
+
+    def seen_in_passing(self) -> dict[str, np.ndarray]:
+        """At the times of `pass_through` that are reached: `time` (n,) s, largest size of `velocity` (m/s) and `stress` (Pa),
+        `velocity_right` of the right end."""
+        return dict(zip(("time", "velocity", "stress", "velocity_right"), self.passed[:int(self.counters[L.PASSED_TIMES])].T.copy()))
+
+    def _pass_times(self) -> None:
+        last = self.zones.shape[1] - 1, self.nodes.shape[1] - 1
+        pass_times.py_func(self.table, self.node_table, self.control, self.counters, self.passed, last)
 
     def _march_arguments(self, cycles, plan):
         arrays = self._arrays(self.watching)
@@ -163,18 +167,7 @@ class Lagrange1D(NothingToAdd):
 
     def _arrays(self, watching=0):
         return Arrays(self.table, self.charge_table, self.node_table, self.gradient_table, self.control, self.counters, self.segments,
-                      self.interfaces, watching)
-
-    def _assemble_team(self):
-        """The other threads of this march, waiting at the board; none for a run of one thread."""
-        if isinstance(self.team, team.Alone):
-            return []
-        phase = int(self.team.board[0])
-        members = [threading.Thread(target=serve, args=(k, phase, self.plan, self.team), daemon=True)
-                   for k in range(1, self.team.threads)]
-        for member in members:
-            member.start()
-        return members
+                      self.interfaces, self.passed, watching)
 
     def take_gauges(self):
         """(times, {field: (n, ngauge)}) recorded since the last call; with what `reactive.gauge_columns` adds where something burns."""

@@ -36,6 +36,7 @@ from hugoniot.solvers.lagrange1d.watch import (
     cavity_closed,
     closing_time,
     failing_node,
+    pass_times,
     record_gauges,
     separating_interface,
     touching_gap,
@@ -59,7 +60,8 @@ SCHEMES = {"compatible": Compatible(), "wilkins": Leapfrog()}
 
 
 class Arrays(NamedTuple):
-    """What a march works on besides its plan: the tables of `layout`, control numbers, bodies and weak interfaces; address of `watch`."""
+    """What a march works on besides its plan: the tables of `layout`, control numbers, bodies and weak interfaces, times it passes;
+    address of `watch`."""
 
     zones: Any
     charge: Any
@@ -69,6 +71,7 @@ class Arrays(NamedTuple):
     counters: Any
     segments: Any
     interfaces: Any
+    passed: Any
     watching: int
 
 
@@ -277,6 +280,7 @@ def march(cycles, a, plan, scheme, geometry, boundaries, team, gauges, terms):
                 control[L.NEXT_GAUGE] += control[L.GAUGE_INTERVAL]
         if counters[L.STOP] != L.PAUSED:
             return counters[L.STOP]
-        if at_event:
+        last = (zone_count - 1, zone_count + a.segments.shape[0] - 1)
+        if at_event and not pass_times(a.zones, a.nodes, control, counters, a.passed, last):
             return L.AT_EVENT
     return L.PAUSED

@@ -41,48 +41,57 @@ BEHIND = 0.4          # rate, in transit times, at which the velocity gradient b
 
 
 @nb.njit(**GUARD)
-def follow(zones, control, zone, end, dt):
-    """Impedance, lead and passed transit times of the step that begins, from the zones at its start."""
-    inward = 1 if end == L.END_LEFT else -1
-    acoustic, mass = zones[Z.rho, zone] * zones[Z.c, zone], zones[Z.mass, zone]
+def follow(memory, seen, which, first, inward, acoustic, mass, dt):
+    """Impedance, lead and passed transit times of the step that begins, from the zones at its start.
+
+    memory          of the end: columns OUTSIDE to MEMORY of `layout`
+    seen, which     a table of zones, and its rows of stress, density and viscous pressure along the wave
+    first, inward   column of the end's zone in it, and the way to the next one
+    acoustic, mass  rho c (kg/m2/s) and mass over area (kg/m2) of the end's zone
+    """
+    stress, density, viscous = which
     passed = dt * acoustic / mass
-    rest = (NOISE / zones[Z.rho, zone]) ** 2
+    rest = (NOISE / seen[density, first]) ** 2
     far_top, far_bottom, near_top, near_bottom = rest * acoustic * acoustic, rest, rest * acoustic * acoustic, rest
     weight, shocked, swelling = 1.0, False, False
-    for k in range(int(control[end + L.ZONES])):
-        z, at = zone + inward * k, end + L.MEMORY + L.REMEMBERED * k
-        sigma, v = zones[Z.sigma, z], 1.0 / zones[Z.rho, z]
-        rise, swell = sigma - control[at], v - control[at + 1]
+    for k in range(int(memory[L.ZONES])):
+        z, at = first + inward * k, L.MEMORY + L.REMEMBERED * k
+        sigma, v = seen[stress, z], 1.0 / seen[density, z]
+        rise, swell = sigma - memory[at], v - memory[at + 1]
         far_top -= rise * swell
         far_bottom += swell * swell
-        shocked = shocked or (zones[Z.q, z] > VISCOUS * abs(rise) and abs(swell) > NOISE * v)
-        rise, swell = sigma - control[at + 2], v - control[at + 3]
+        shocked = shocked or (seen[viscous, z] > VISCOUS * abs(rise) and abs(swell) > NOISE * v)
+        rise, swell = sigma - memory[at + 2], v - memory[at + 3]
         near_top -= weight * rise * swell
         near_bottom += weight * swell * swell
         swelling = swelling or (k == 0 and swell > NOISE * v)
         weight *= FADING
         for j in range(2):
             share = min(passed / (LONG if j == 0 else SHORT), 1.0)
-            control[at + 2 * j] += share * (sigma - control[at + 2 * j])
-            control[at + 2 * j + 1] += share * (v - control[at + 2 * j + 1])
+            memory[at + 2 * j] += share * (sigma - memory[at + 2 * j])
+            memory[at + 2 * j + 1] += share * (v - memory[at + 2 * j + 1])
     slope = far_top / far_bottom if shocked and not swelling else near_top / near_bottom
     impedance = acoustic * math.sqrt(min(max(slope / (acoustic * acoustic), SOFTEST), STIFFEST))
-    control[end + L.IMPEDANCE], control[end + L.PASSED] = impedance, dt * impedance / mass
-    excess = zones[Z.sigma, zone] - control[end + L.OUTSIDE]
-    control[end + L.LEAD] = (control[end + L.LEAD] + excess - control[end + L.EXCESS]) / (1.0 + SIXTH * control[end + L.PASSED])
-    control[end + L.EXCESS] = excess
+    memory[L.IMPEDANCE], memory[L.PASSED] = impedance, dt * impedance / mass
+    excess = seen[stress, first] - memory[L.OUTSIDE]
+    memory[L.LEAD] = (memory[L.LEAD] + excess - memory[L.EXCESS]) / (1.0 + SIXTH * memory[L.PASSED])
+    memory[L.EXCESS] = excess
+
+
+@nb.njit(**GUARD)
+def answer_of(memory, faster, spreading, dt):
+    """Add to the stress outside what an end that grew faster by `faster` (m/s, outward) in a step meets; spreading: hoops c/(2 r), 1/s."""
+    memory[L.OUTSIDE] += memory[L.IMPEDANCE] * faster - dt * spreading * (memory[L.OUTSIDE] - memory[L.AMBIENT])
 
 
 @nb.njit(**GUARD)
 def settle(zones, nodes, control, ends, end, faster, dt, geometry):
     """Stress outside after a step in which the end's velocity grew by `faster`, m/s."""
     node, zone, _ = ends
-    outward, impedance = -1.0 if end == L.END_LEFT else 1.0, control[end + L.IMPEDANCE]
-    change = outward * impedance * faster
+    memory, spreading = control[end:end + L.END_FLOATS], 0.0
     if hoops(geometry) > 0.0 and end == L.END_RIGHT:
-        fall = 0.5 * hoops(geometry) * impedance / (zones[Z.rho, zone] * nodes[H.r, node])
-        change -= dt * fall * (control[end + L.OUTSIDE] - control[end + L.AMBIENT])
-    control[end + L.OUTSIDE] += change
+        spreading = 0.5 * hoops(geometry) * memory[L.IMPEDANCE] / (zones[Z.rho, zone] * nodes[H.r, node])
+    answer_of(memory, -faster if end == L.END_LEFT else faster, spreading, dt)
 
 
 @nb.njit(**GUARD)
@@ -111,7 +120,12 @@ def remember(control, zones) -> None:
     """Let the memory of both ends begin with what their zones hold, and their leads with nothing."""
     count = min(L.REACH, zones.shape[1])
     for end, found in ((L.END_LEFT, zones[:, :count]), (L.END_RIGHT, zones[:, ::-1][:, :count])):
-        memory = control[end + L.MEMORY:end + L.END_FLOATS].reshape(L.REACH, L.REMEMBERED)
-        memory[:count] = np.stack((found[Z.sigma], 1.0 / found[Z.rho]) * 2, axis=1)
-        control[end + L.LEAD] = 0.0
-        control[end + L.EXCESS] = found[Z.sigma, 0] - control[end + L.OUTSIDE]
+        begin_memory(control[end:end + L.END_FLOATS], found[Z.sigma], found[Z.rho])
+
+
+def begin_memory(memory, stress, density) -> None:
+    """The memory of an end whose zones, from it inward, hold these."""
+    kept = memory[L.MEMORY:].reshape(L.REACH, L.REMEMBERED)
+    kept[:len(stress)] = np.stack((stress, 1.0 / density) * 2, axis=1)
+    memory[L.LEAD] = 0.0
+    memory[L.EXCESS] = stress[0] - memory[L.OUTSIDE]

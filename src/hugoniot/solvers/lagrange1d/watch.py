@@ -1,4 +1,4 @@
-"""What is looked at after every step: failing zones, interfaces, gaps, gauges."""
+"""What is looked at after every step: failing zones, interfaces, gaps, gauges; and at times that are passed."""
 
 import math
 
@@ -8,7 +8,7 @@ from hugoniot.core.binder import bind
 from hugoniot.core.passes import rows
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.layout import ChargeRows, NodeRows, Z, ZoneRows
+from hugoniot.solvers.lagrange1d.layout import ChargeRows, H, NodeRows, Z, ZoneRows
 
 RELIEVED = 0.3        # a zone below this fraction of its failure limit is out of the tension that opened a void, also in its smeared tail
 VOIDED = 1e-3         # void fraction from which a zone belongs to an older spall plane and opens none of its own
@@ -122,6 +122,27 @@ def cavity_closed(nodes, segments):
     h = rows(NodeRows, nodes, 0)
     inner = h.r[0]
     return segments[0, L.SEG_LEFT] != L.FIXED and inner <= TOUCHING * (h.r[1] - inner)
+
+
+@nb.njit(**GUARD)
+def pass_times(zones, nodes, control, counters, passed, last):
+    """Note what is there at the times that are reached, and aim at the next one; whether that lies before the end of the march.
+
+    last   (zone, node) at the right end
+    """
+    k = counters[L.PASSED_TIMES]
+    while k < passed.shape[0] and passed[k, L.PASS_TIME] <= control[L.TIME]:
+        velocity = stress = 0.0
+        for node in range(last[1] + 1):
+            velocity = max(velocity, abs(nodes[H.u, node]))
+        for zone in range(last[0] + 1):
+            stress = max(stress, abs(zones[Z.sigma, zone]))
+        passed[k, L.PASS_VELOCITY], passed[k, L.PASS_STRESS], passed[k, L.PASS_RIGHT] = velocity, stress, nodes[H.u, last[1]]
+        k += 1
+    counters[L.PASSED_TIMES] = k
+    following = passed[k, L.PASS_TIME] if k < passed.shape[0] else control[L.UNTIL]
+    control[L.EVENT_TIME] = min(following, control[L.UNTIL])
+    return control[L.TIME] < control[L.UNTIL]
 
 
 @nb.njit(**GUARD)

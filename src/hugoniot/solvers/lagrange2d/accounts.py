@@ -13,7 +13,7 @@ B = L.Charge(*range(len(L.Charge._fields)))
 
 def ranges(problem) -> list[tuple[int, int]]:
     """First zone of every block, and the one after its last."""
-    return [(part.first_zone, part.first_zone + part.ni * part.nj) for part in problem.mesh.blocks]
+    return [(part.first_zone, part.first_zone + part.zones) for part in problem.mesh.blocks]
 
 
 def kinetic_energy(nodes) -> float:
@@ -57,8 +57,8 @@ def signal_rate(solver) -> float:
     """Largest (c + 4 du) / altitude, du the fastest closing of two corners: guards the first step."""
     x, y, u, v = (solver._corners(row) for row in (N.x, N.y, N.u, N.v))
     jump = np.zeros(solver.zones.shape[1])
-    for a in range(4):
-        for b in range(a + 1, 4):
+    for a in range(len(x)):
+        for b in range(a + 1, len(x)):
             dx, dy = x[b] - x[a], y[b] - y[a]
             length = np.hypot(dx, dy)
             closing = -((u[b] - u[a]) * dx + (v[b] - v[a]) * dy) / np.where(length > 0.0, length, 1.0)

@@ -10,22 +10,22 @@ from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.materials import burning
 from hugoniot.materials.initial_state import initial_state
 from hugoniot.problem.plane.contact import trouble_on_the_axis
-from hugoniot.problem.plane.model import VISCOSITIES, Problem2D
+from hugoniot.problem.plane.model import CELLS, VISCOSITIES, Problem2D
 from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.assemble import ROUND_OFF, longitudinal_speed, start_compaction
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import quads as G
+from hugoniot.solvers.lagrange2d.zone_shapes import areas, corner_shares, over_nodes, quad_corners, volumes, zone_corners
 from hugoniot.zones.laws import laws_of
 
 N = L.Nodes(*range(len(L.Nodes._fields)))
 Z = L.Zones(*range(len(L.Zones._fields)))
-_GAUSS = (np.array([-np.sqrt(0.6), 0.0, np.sqrt(0.6)]), np.array([5.0, 8.0, 5.0]) / 9.0)
 
 
 def kind_of(problem: Problem2D) -> int:
     """Code of the geometry. OutOfRange for options this solver does not have."""
     options = problem.solver
-    for name, value, known in (("cells", options.cells, ("quads",)), ("viscosity.kind", options.viscosity.kind, VISCOSITIES),
+    for name, value, known in (("cells", options.cells, CELLS), ("viscosity.kind", options.viscosity.kind, VISCOSITIES),
                                ("integrator", options.integrator, ("compatible",))):
         if value not in known:
             raise OutOfRange(f"solver.{name} = {value!r} is not available in two dimensions; use {' or '.join(map(repr, known))}")
@@ -67,43 +67,19 @@ class Numbering:
         return np.asarray(mesh.shared_start, dtype=np.int64), np.array(members, dtype=np.int64)
 
 
-def quad_corners(block):
-    """Coordinates (2, 4, zones) of the corners of a block's zones."""
-    def corners(a):
-        return np.stack([a[:-1, :-1], a[1:, :-1], a[1:, 1:], a[:-1, 1:]]).reshape(4, -1)
-    return np.stack([corners(block.x), corners(block.y)])
+def block_masses(mesh, block, mass, kind: int, shared: bool):
+    """Masses of a block's nodes (flat) from those of its zones; triangles that share their pressure push as their cell, and weigh so."""
+    if mesh.quads is None or shared:
+        x, y = quad_corners(block)
+        return over_nodes(block, corner_shares(x, y, kind) * mass.reshape(block.ni, block.per_cell, block.nj).sum(axis=1).ravel())
+    (x, y), place = zone_corners(mesh, block)
+    return np.bincount(place.ravel(), (corner_shares(x, y, kind) * mass).ravel(), minlength=(block.ni + 1) * (block.nj + 1))
 
 
-def volumes(x, y, kind):
-    """Volume of quadrilaterals, corners (4, n): area, or the true volume per radian."""
-    if kind == G.PLANAR:
-        return 0.5 * ((x[2] - x[0]) * (y[3] - y[1]) - (y[2] - y[0]) * (x[3] - x[1]))
-    ahead_x, ahead_y = np.roll(x, -1, axis=0), np.roll(y, -1, axis=0)
-    return np.sum((ahead_y - y) * (x * x + x * ahead_x + ahead_x * ahead_x), axis=0) / 6.0
-
-
-def corner_shares(x, y, kind):
-    """Parts (4, n) of a zone's volume whose mass belongs to its corners.
-
-    Planar and true volume: integrals of the bilinear shape functions, times the radius. Area weighted: A_k r_k / sum(A r) with the
-    quarters A_k.
-    """
-    area = volumes(x, y, G.PLANAR)
-    triangle = 0.5 * ((np.roll(x, -1, 0) - x) * (np.roll(y, 1, 0) - y) - (np.roll(y, -1, 0) - y) * (np.roll(x, 1, 0) - x))
-    if kind == G.PLANAR:
-        return (area + triangle) / (6.0 * area)
-    if kind == G.AREA_WEIGHTED:
-        weight = (0.125 * area + 0.25 * triangle) * x
-        return weight / weight.sum(axis=0)
-    share = np.zeros_like(x)
-    signs = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
-    for a, wa in zip(*_GAUSS):
-        for b, wb in zip(*_GAUSS):
-            shape = 0.25 * (1 + signs[:, 0] * a) * (1 + signs[:, 1] * b)
-            # the Jacobian of a quadrilateral is linear: triangle / 2 at the corners
-            jacobian = 0.5 * (shape @ triangle.reshape(4, -1)).reshape(area.shape)
-            share += wa * wb * shape[:, None] * (shape @ x) * jacobian
-    return share / share.sum(axis=0)
+def shares_pressure(problem: Problem2D, block) -> bool:
+    """Whether both triangles of each cell of a block share their pressure."""
+    options = problem.solver
+    return options.cells == "triangles" and options.average_pressure and problem.materials[block.material].strength is not None
 
 
 def node_tables(problem: Problem2D, numbering: Numbering, kind: int, zones):
@@ -116,13 +92,8 @@ def node_tables(problem: Problem2D, numbering: Numbering, kind: int, zones):
     for k, (block, velocity) in enumerate(zip(mesh.blocks, problem.velocities())):
         part = slice(numbering.first[k], numbering.first[k + 1])
         table[N.x, part], table[N.y, part] = block.x.ravel(), block.y.ravel()
-        x, y = quad_corners(block)
-        zone = slice(block.first_zone, block.first_zone + block.ni * block.nj)
-        mass = corner_shares(x, y, kind) * zones[Z.mass, zone]
-        block_mass = np.zeros((block.ni + 1, block.nj + 1))
-        for c, (a, b) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1))):
-            block_mass[a:a + block.ni, b:b + block.nj] += mass[c].reshape(block.ni, block.nj)
-        own[part] = block_mass.ravel()
+        own[part] = block_masses(mesh, block, zones[Z.mass, block.first_zone : block.first_zone + block.zones], kind,
+                                 shares_pressure(problem, problem.blocks[k]))
         momentum[:, part] = velocity.reshape(2, -1) * own[part]
         energy[part] = 0.5 * own[part] * np.sum(velocity.reshape(2, -1) ** 2, axis=0)
     whole = np.bincount(numbering.nodes, own)
@@ -143,25 +114,31 @@ def node_tables(problem: Problem2D, numbering: Numbering, kind: int, zones):
     lost = np.bincount(numbering.nodes, energy) - 0.5 * whole * np.sum(united**2, axis=0)
     lost = np.where(numbering.copies > 1, np.maximum(lost, 0.0), 0.0)
     if lost.any():
-        touching = np.bincount(mesh.zone_nodes.ravel(), np.repeat(zones[Z.mass], 4), minlength=whole.size)
+        touching = np.bincount(mesh.zone_nodes.ravel(), np.repeat(zones[Z.mass], mesh.zone_nodes.shape[1]), minlength=whole.size)
         heat = np.sum((lost / touching)[mesh.zone_nodes], axis=1)      # J/kg: by mass among the zones around the node
     return table, heat
 
 
-def axis_tables(numbering: Numbering, nodes, kind: int):
+def planar_shares(problem: Problem2D, block, index: int):
+    """Parts of the area that belong to a block's nodes (flat)."""
+    mesh = problem.mesh
+    if mesh.quads is not None and not shares_pressure(problem, problem.blocks[index]):
+        (x, y), place = zone_corners(mesh, block)
+        return np.bincount(place.ravel(), np.tile(areas(x, y) / 3.0, 3), minlength=(block.ni + 1) * (block.nj + 1))
+    x, y = quad_corners(block)
+    area = volumes(x, y, G.PLANAR)
+    triangle = 0.5 * ((np.roll(x, -1, 0) - x) * (np.roll(y, 1, 0) - y) - (np.roll(y, -1, 0) - y) * (np.roll(x, 1, 0) - x))
+    return over_nodes(block, 0.125 * area + 0.25 * triangle)
+
+
+def axis_tables(problem: Problem2D, numbering: Numbering, nodes, kind: int):
     """Area weighted: (axis nodes and a neighbour off the axis, ratio of their areal masses at t = 0)."""
     if kind != G.AREA_WEIGHTED:
         return np.zeros((0, 2), dtype=np.int64), np.zeros(0)
     pairs, ratios, known = [], [], set()
     planar = np.zeros(nodes.shape[1])
     for k, block in enumerate(numbering.mesh.blocks):
-        x, y = quad_corners(block)
-        share = np.zeros((block.ni + 1, block.nj + 1))
-        area = volumes(x, y, G.PLANAR)
-        triangle = 0.5 * ((np.roll(x, -1, 0) - x) * (np.roll(y, 1, 0) - y) - (np.roll(y, -1, 0) - y) * (np.roll(x, 1, 0) - x))
-        for c, (a, b) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1))):
-            share[a:a + block.ni, b:b + block.nj] += (0.125 * area + 0.25 * triangle[c]).reshape(block.ni, block.nj)
-        planar[numbering.first[k]:numbering.first[k + 1]] = share.ravel()
+        planar[numbering.first[k]:numbering.first[k + 1]] = planar_shares(problem, block, k)
     planar = np.bincount(numbering.nodes, planar)[numbering.nodes]
     for k, block in enumerate(numbering.mesh.blocks):
         i, j = np.nonzero(block.x == 0.0)
@@ -206,13 +183,15 @@ def zone_tables(problem: Problem2D, kind: int):
     mesh = problem.mesh
     zones = np.zeros((len(Z), len(mesh.zone_nodes)))
     for block, part in zip(problem.blocks, mesh.blocks):
-        zone = slice(part.first_zone, part.first_zone + part.ni * part.nj)
+        zone = slice(part.first_zone, part.first_zone + part.zones)
         rho, e, p, c = start_block(problem, block)
-        x, y = quad_corners(part)
+        (x, y), _ = zone_corners(mesh, part)
         material = problem.materials[block.material]
         zones[Z.mass, zone] = rho * volumes(x, y, kind)
         zones[Z.rho, zone], zones[Z.e, zone], zones[Z.p, zone], zones[Z.c, zone] = rho, e, p, c
         zones[Z.compaction, zone] = start_compaction(material.eos, rho, e) if material.burn is None else 0.0
+        if len(x) == 3:
+            continue
         area = volumes(x, y, G.PLANAR)
         zones[Z.t0, zone] = 0.5 * ((x[1] - x[0]) * (y[3] - y[0]) - (y[1] - y[0]) * (x[3] - x[0])) / area
         zones[Z.t1, zone] = 0.5 * ((x[2] - x[1]) * (y[0] - y[1]) - (y[2] - y[1]) * (x[0] - x[1])) / area
@@ -222,7 +201,8 @@ def zone_tables(problem: Problem2D, kind: int):
 
 
 def materials_of(problem: Problem2D, speed: float, near: float):
-    """(laws, numbers behind their constants included, whether it is a fluid) of each material, and which of them each block follows."""
+    """(laws, numbers behind their constants included, whether it is a fluid, whether triangles share their pressure) of each material, and
+    which of them each block follows."""
     found, noise = {}, ROUND_OFF * speed**2
     for block in problem.blocks:
         if block.material in found:
@@ -234,16 +214,15 @@ def materials_of(problem: Problem2D, speed: float, near: float):
                        material.fracture or FRACTURE.get("none").example, viscosity_law(problem, material),
                        noise=noise + (1.0 if burns else 0.0), **own)
         coefficient = problem.solver.subzonal_pressure if fluid else problem.solver.flanagan_belytschko
-        found[block.material] = laws, np.array([*laws.constants, near, coefficient]), fluid
+        found[block.material] = laws, np.array([*laws.constants, near, coefficient]), fluid, shares_pressure(problem, block)
     return list(found.values()), [list(found).index(block.material) for block in problem.blocks]
 
 
-def alike(problem: Problem2D, zones):
-    """What says whether two zones are of one material and start alike."""
-    blocks, number, start = problem.blocks, problem.mesh.block_of, zones[[Z.rho, Z.e]].copy()
+def unburned(problem: Problem2D, charge, zones, size) -> None:
+    """Fill the table of burning zones at t = 0: nothing burned, the clock of their lighting; size: width of every zone, m."""
+    from hugoniot.problem.plane.lighting import zone_lighting_times
 
-    def answer(zone, other) -> bool:
-        same = blocks[number[zone]].material == blocks[number[other]].material
-        return same and np.allclose(start[:, zone], start[:, other], rtol=1e-9, atol=0.0)
-
-    return answer
+    rows = L.Charge(*charge)
+    rows.rho_r[:], rows.e_r[:], rows.size[:] = zones[Z.rho], zones[Z.e], size
+    rows.resolution[:] = 1e300
+    rows.since[:] = -zone_lighting_times(problem)

@@ -9,8 +9,8 @@ from hugoniot.mesh.shapes import SIDES
 from hugoniot.problem.model import Pulse
 from hugoniot.problem.plane.model import Problem2D
 from hugoniot.solvers.lagrange1d.layout import PULSES
-from hugoniot.solvers.lagrange2d.assemble import Numbering, Z
-from hugoniot.solvers.lagrange2d.quads import AREA_WEIGHTED, PLANAR
+from hugoniot.solvers.lagrange2d.assemble import Numbering
+from hugoniot.solvers.lagrange2d.transmitting import open_edge_table
 
 PARALLEL = 1e-6       # sine of the angle below which two directions are one
 
@@ -21,7 +21,7 @@ class Tables:
 
     loads: np.ndarray
     gates: np.ndarray
-    gate_normals: np.ndarray
+    open_edges: np.ndarray
     held: np.ndarray
     held_normals: np.ndarray
     pulses: np.ndarray
@@ -71,10 +71,10 @@ class Pulses:
         return numbers, tables
 
 
-def boundary_tables(problem: Problem2D, numbering: Numbering, zones, kind: int) -> Tables:
+def boundary_tables(problem: Problem2D, numbering: Numbering) -> Tables:
     """Tables of all chains. OutOfRange where a wall is not straight."""
     mesh, given = problem.mesh, problem.chain_boundaries()
-    pulses, holds, loads, gates = Pulses(), {}, [], {}
+    pulses, holds, loads, gates, opened = Pulses(), {}, [], {}, 0
     for index, (name, boundary) in enumerate(given.items()):
         chain = mesh.chains[name]
         if boundary.kind == "wall":
@@ -92,22 +92,23 @@ def boundary_tables(problem: Problem2D, numbering: Numbering, zones, kind: int) 
             _drive(mesh, chain, boundary, pulses.put(boundary.pulse), index, holds)
         elif boundary.kind in ("pressure", "transmitting"):
             for edge, zone in zip(chain.edges.tolist(), chain.zones.tolist()):
-                pulse = boundary.pulse if boundary.kind == "pressure" else Pulse("constant", float(zones[Z.p, zone]), start=-1e300)
+                opened += boundary.kind == "transmitting"
+                pulse = pulses.put(boundary.pulse) if boundary.kind == "pressure" else -opened
                 a, b = _table_nodes(numbering, chain.block, edge)
-                loads.append((a, b, zone, index, pulses.put(pulse), chain.outward))
+                loads.append((a, b, zone, index, pulse, chain.outward))
             if boundary.kind == "transmitting":
-                _open_gates(mesh, chain, zones, kind, index, gates)
+                gates |= dict.fromkeys((int(node), index) for node in chain.nodes)
     held, normals = _held(numbering, holds)
     gate_rows = [(int(copy), chain, int(m == 0)) for (node, chain) in gates for m, copy in enumerate(numbering.all_copies(node))]
-    gate_normals = [gates[node, chain] for (node, chain) in gates for _ in numbering.all_copies(node)]
     loads = np.array(loads, dtype=np.int64).reshape(-1, 6)
     numbers, tables = pulses.arrays()
     copies = numbering.copies[numbering.nodes] > 1
     around = np.unique(numbering.nodes[np.concatenate([loads[:, 0], loads[:, 1], held[:, 0]])]) if len(loads) + len(held) else []
     touched = {int(n) for n in around} | {node for node, _ in gates}
     special = np.flatnonzero(copies | np.isin(numbering.nodes, list(touched)))
-    gate_table, gate_normals = np.array(gate_rows, dtype=np.int64).reshape(-1, 3), np.array(gate_normals, dtype=float).reshape(-1, 2)
-    return Tables(loads, gate_table, gate_normals, held, normals, numbers, tables, special.astype(np.int64), _mirrors(mesh, given),
+    gate_table = np.array(gate_rows, dtype=np.int64).reshape(-1, 3)
+    open_edges = open_edge_table(mesh, numbering, list(given), gate_table, loads)
+    return Tables(loads, gate_table, open_edges, held, normals, numbers, tables, special.astype(np.int64), _mirrors(mesh, given),
                   list(given))
 
 
@@ -142,19 +143,6 @@ def _drive(mesh, chain, boundary, pulse: int, index: int, holds):
         holds.setdefault(node, _Hold()).add(way, pulse, index)
         if not boundary.slip:
             holds[node].add((-way[1], way[0]), -1, index)
-
-
-def _open_gates(mesh, chain, zones, kind: int, index: int, gates):
-    """Impedance of a transmitting chain at its nodes, rho c times their part of the area as it was at t = 0."""
-    normals = mesh.outward_normals(chain)
-    for k, (edge, zone) in enumerate(zip(chain.edges.tolist(), chain.zones.tolist())):
-        ends = mesh.nodes[:, edge]
-        length = float(np.hypot(*(ends[:, 1] - ends[:, 0])))
-        impedance = zones[Z.rho, zone] * zones[Z.c, zone]
-        for n, node in enumerate(edge):
-            other = ends[0, 1 - n]
-            weight = 1.0 if kind == PLANAR else ends[0, n] if kind == AREA_WEIGHTED else (2.0 * ends[0, n] + other) / 3.0
-            gates[node, index] = gates.get((node, index), 0.0) + 0.5 * impedance * length * weight * normals[:, k]
 
 
 def _held(numbering: Numbering, holds):

@@ -1,7 +1,8 @@
 """Where things stand in the solver's arrays: rows of the node, zone and scratch tables, columns of the piece table, control slots, codes.
 
 Nodes of all blocks lie side by side in one table, block by block, row by row (the second logical direction fastest); zones likewise.
-Zone (i, j) of a block has the corners 0 (i, j), 1 (i+1, j), 2 (i+1, j+1), 3 (i, j+1), counter-clockwise. In axisymmetric flow x is the
+Zone (i, j) of a block has the corners 0 (i, j), 1 (i+1, j), 2 (i+1, j+1), 3 (i, j+1), counter-clockwise; of triangles this is a cell,
+divided as `mesh.triangles` says, in whose rows the lower triangles stand before the upper ones. In axisymmetric flow x is the
 radius and y the axial coordinate, and everything is per radian; otherwise per metre of depth.
 """
 
@@ -78,6 +79,17 @@ class Zones(NamedTuple):
     f3y: Any
 
 
+class OfTriangles(NamedTuple):
+    """Further fields of zones, in runs with triangles."""
+
+    way: Any                 # 1 where the diagonal of the cell runs from its corner 0 to 2, 0 where from 1 to 3
+    back: Any                # 1 less this
+    p_half: Any              # pressure and deviators in the middle of a step, where its work is divided anew in a cell
+    sxx: Any
+    syy: Any
+    sxy: Any
+
+
 class Charge(NamedTuple):
     """Further fields of zones, in runs in which something burns. Energies hold the chemical one."""
 
@@ -124,6 +136,47 @@ class Corners(NamedTuple):
     f2y: Any
     f3x: Any
     f3y: Any
+
+
+class Sides(NamedTuple):
+    """Corners of a row of quadrilaterals: the rows of nodes on both its sides."""
+
+    low: Points
+    high: Points
+
+
+class SidesNow(NamedTuple):
+    """The same without velocities."""
+
+    low: Positions
+    high: Positions
+
+
+class Vertices(NamedTuple):
+    """Corners of a row of triangles, counter-clockwise: a and b end the side that is a side of its cell along i, c is the third."""
+
+    a: Points
+    b: Points
+    c: Points
+
+
+class VerticesNow(NamedTuple):
+    """The same without velocities."""
+
+    a: Positions
+    b: Positions
+    c: Positions
+
+
+class VertexForces(NamedTuple):
+    """Forces of triangles on their corners."""
+
+    f0x: Any
+    f0y: Any
+    f1x: Any
+    f1y: Any
+    f2x: Any
+    f2y: Any
 
 
 class Work(NamedTuple):
@@ -208,12 +261,14 @@ class Smoothness(NamedTuple):
 
 PIECE = 256          # zones of a piece: its scratch rows stay in the second level of cache, and a row of the mesh is rarely cut
 
-# -- scratch of a member: rows of Work, Tensor (deviators found), Rates, Smoothness, Corners (viscous forces of the corners) -------------
+# -- scratch of a member: rows of Work, Tensor (deviators found), Rates, Smoothness, Corners (viscous forces of the corners), Points (third
+# corners of triangles) -------------
 NEW = len(Work._fields)
 RATES = NEW + len(Tensor._fields)
 SMOOTH = RATES + len(Rates._fields)
 REST = SMOOTH + len(Smoothness._fields)
-SCRATCH_ROWS = REST + len(Corners._fields)
+THIRD = REST + len(Corners._fields)
+SCRATCH_ROWS = THIRD + len(Points._fields)
 
 # -- numbers of a material behind its constants: radius that stands for the axis, coefficient of its filter -----------------------------
 NEAR = len(Constants._fields)
@@ -226,7 +281,8 @@ CONTROL_FLOATS = 13
 
 # -- control vector (integers) ------------------------------------------------------------------------------------
 CYCLE, ZONES, ZONE_STEPS, CAP_COUNT, REPEATED = range(5)
-CONTROL_INTS = 5
+LEFT_RANGE, TRIES, LAST_TRIED = range(5, 8)      # steps repeated because they left the range of a law; `rewind`
+CONTROL_INTS = 8
 
 FOUND_TANGLED = FOUND_FLOATS      # column of the table of findings behind those of `zones.soundness`: volumes that are not positive
 FOUND_COLUMNS = FOUND_FLOATS + 1
@@ -237,4 +293,8 @@ PAUSED, AT_EVENT, BAD_STATE, STEP_COLLAPSED, TANGLED, GAUGE_DUE, NO_ROOM = range
 # -- boundaries -------------------------------------------------------------------------------------------------------
 CHAIN_WORK, CHAIN_IMPULSE_X, CHAIN_IMPULSE_Y = range(3)                     # columns of the table of chains
 (LOAD_A, LOAD_B, LOAD_ZONE, LOAD_CHAIN, LOAD_PULSE, LOAD_OUTWARD) = range(6)  # integer columns of the table of loaded edges
+# transmitting edges: nodes, zone, step to the next zone inward, zones, -1 or 1; of both nodes the first row and the number of rows in the
+# table of gates; row of its cell beyond in the table of ghosts (-1: none)
+(OPEN_A, OPEN_B, OPEN_ZONE, OPEN_INWARD, OPEN_COUNT, OPEN_OUTWARD, OPEN_GATE_A, _, OPEN_GATE_B, _, OPEN_GHOST) = range(11)
+OPEN_COLUMNS = 11
 (HOLD_NODE, HOLD_CHAIN_1, HOLD_PULSE_1, HOLD_CHAIN_2, HOLD_PULSE_2, HOLD_BOOKED) = range(6)   # and of held nodes; chain 2 may be -1

@@ -18,7 +18,7 @@ import numba as nb
 from hugoniot.core.passes import rows
 from hugoniot.core.target import GUARD
 from hugoniot.solvers.lagrange2d import layout as L
-from hugoniot.solvers.lagrange2d import special_nodes
+from hugoniot.solvers.lagrange2d import special_nodes, transmitting
 from hugoniot.solvers.lagrange2d.contact import step as contact_step
 from hugoniot.solvers.lagrange2d.contact.step import touch
 from hugoniot.solvers.lagrange2d.node_step import FX, GX
@@ -26,9 +26,6 @@ from hugoniot.solvers.lagrange2d.plan import (
     ACCELERATE,
     ACCELERATE_AGAIN,
     CORRECT,
-    DT,
-    DT_BACK,
-    DT_HALF,
     GRADIENTS,
     LOOK,
     MOVE,
@@ -38,6 +35,7 @@ from hugoniot.solvers.lagrange2d.plan import (
     everyone,
     gather,
 )
+from hugoniot.solvers.lagrange2d.plane_rows import DT, DT_BACK, DT_HALF
 from hugoniot.solvers.lagrange2d.smoothness import fill_ghosts
 from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE, FOUND_RATE, FOUND_UNSOUND
 
@@ -47,6 +45,7 @@ MOST_TRIES = 12      # of a step, each with half the one before
 class Run(NamedTuple):
     """Arrays of a run besides its plan; columns of the integer tables are in `layout`."""
 
+    zones: Any
     nodes: Any
     gradients: Any           # of `smoothness`, with the table of ghosts and its numbers
     ghosts: Any
@@ -54,7 +53,11 @@ class Run(NamedTuple):
     loads: Any
     given: Any
     gates: Any
-    gate_normals: Any
+    gate_normals: Any        # of nodes on transmitting edges: outward, with the impedance
+    open_edges: Any
+    ends: Any                # (transmitting edges, columns of `lagrange1d.layout`): what they know
+    ends_kept: Any           # the same at the start of the step
+    seen: Any                # scratch of theirs
     held: Any
     held_normals: Any
     pulses: Any
@@ -98,7 +101,7 @@ def hold_specials(run, options, time, dt, first, which, book):
     at_start = which == GX
     if first:
         pulses, geometry = (run.pulses, run.tables), (options.kind, options.near)
-        special_nodes.load(run.nodes, run.loads, run.given, pulses, time + 0.5 * dt, at_start, geometry)
+        special_nodes.load(run.nodes, run.loads, run.given, pulses, run.ends, time + 0.5 * dt, at_start, geometry)
         special_nodes.exchange(run.nodes, which, run.starts, run.members)
     special_nodes.free_motion(run.nodes, run.special, which, dt, options.gx, options.gy)
     special_nodes.transmit(run.nodes, run.gates, run.gate_normals, run.chains, dt, book)
@@ -107,12 +110,13 @@ def hold_specials(run, options, time, dt, first, which, book):
         special_nodes.special_middle(run.nodes, run.special, dt)
     touch(run.contact, run, options, time, dt, contact_step.PUSH if book else contact_step.PUSH_MIDDLE)
     if book:
+        transmitting.answer(run, dt, options.kind, options.near)
         special_nodes.book_loads(run.nodes, run.loads, run.given, run.chains, dt)
 
 
 @nb.njit(**GUARD)
 def copy(table, to):
-    """Copy a table of the chains."""
+    """Copy a table of the chains or the transmitting edges."""
     for i in range(table.shape[0]):
         for k in range(table.shape[1]):
             to[i, k] = table[i, k]
@@ -137,6 +141,7 @@ def set_step(plan, dt):
 def try_step(run, plan, options, control, first, team):
     """Steps 2 to 5 with the step of the plan; how many zones are tangled, in which case nothing has moved. `first`: the first try."""
     dt, time = plan.dts[DT], control[L.TIME]
+    transmitting.listen(run, dt, options.kind, options.near)
     special_nodes.axis_masses(run.nodes, run.axis, run.axis_ratio, options.near, False)
     everyone(plan, ACCELERATE if first else ACCELERATE_AGAIN, team)
     hold_specials(run, options, time, dt, first, GX, False)
@@ -144,6 +149,7 @@ def try_step(run, plan, options, control, first, team):
     gather(plan.found)
     wrong = plan.found[-1, L.FOUND_TANGLED]
     if wrong > 0.0:
+        copy(run.ends_kept, run.ends)
         return wrong
     special_nodes.axis_masses(run.nodes, run.axis, run.axis_ratio, options.near, True)
     everyone(plan, PUSH, team)
@@ -157,6 +163,7 @@ def try_step(run, plan, options, control, first, team):
         everyone(plan, TAKE_BACK, team)
         touch(run.contact, run, options, time, -dt, contact_step.TAKE_BACK)
         copy(run.kept, run.chains)
+        copy(run.ends_kept, run.ends)
     return wrong
 
 
@@ -173,6 +180,8 @@ def take_step(run, plan, options, control, counters, team):
     copy(run.chains, run.kept)
     everyone(plan, GRADIENTS, team)
     fill_ghosts(run.gradients, run.nodes, run.ghosts, run.ghost_numbers)
+    transmitting.lag(run)
+    copy(run.ends, run.ends_kept)
     while try_step(run, plan, options, control, tries == 0, team) > 0.0:
         tries += 1
         counters[L.REPEATED] += 1

@@ -5,7 +5,7 @@ The nodes of a block move by their own zones' forces first. Then the special one
 
 from typing import Any, NamedTuple
 
-from hugoniot.core.binder import bind
+from hugoniot.core.binder import bind, bind_choice
 from hugoniot.core.passes import rows_apart, zone_pass
 from hugoniot.solvers.lagrange2d import layout as L
 
@@ -26,6 +26,22 @@ class Before(NamedTuple):
 
     f1: L.Vector
     f2: L.Vector
+
+
+class OfPairs(NamedTuple):
+    """Forces of a row of cells of two triangles on one of the rows of nodes beside it, in place of `Behind` or `Before`.
+
+    lower, upper            of the lower triangles on the corner 0 or 1 of their cells, of the upper ones on 3 or 2
+    lower_third, upper_third   of both on their third corners
+    starts, ends            1 where the upper triangle's third corner is the one `lower` acts on, the lower one's the one `upper` acts on
+    """
+
+    lower: L.Vector
+    upper: L.Vector
+    lower_third: L.Vector
+    upper_third: L.Vector
+    starts: Any
+    ends: Any
 
 
 class PredictOf(NamedTuple):
@@ -86,6 +102,10 @@ class MoveOf(NamedTuple):
 
 def gather(count, behind, before, force):
     """Forces on a row of nodes."""
+    choose(type(behind))(count, behind, before, force)
+
+
+def gather_of_quads(count, behind, before, force):
     f0, f3, f1, f2, last = behind.f0, behind.f3, before.f1, before.f2, count - 1
     force.x[0], force.y[0] = f0.x[0] + f1.x[0], f0.y[0] + f1.y[0]
     for j in range(1, last):
@@ -94,7 +114,34 @@ def gather(count, behind, before, force):
     force.x[last], force.y[last] = f3.x[last - 1] + f2.x[last - 1], f3.y[last - 1] + f2.y[last - 1]
 
 
-bind(gather)
+def start_of(f, j):
+    """Force of the cell j on its first corner on a row of nodes."""
+    return f.lower.x[j] + f.starts[j] * f.upper_third.x[j], f.lower.y[j] + f.starts[j] * f.upper_third.y[j]
+
+
+def end_of(f, j):
+    """Force of the cell j on its second corner on a row of nodes."""
+    return f.upper.x[j] + f.ends[j] * f.lower_third.x[j], f.upper.y[j] + f.ends[j] * f.lower_third.y[j]
+
+
+def gather_of_triangles(count, behind, before, force):
+    last = count - 1
+    (ax, ay), (bx, by) = start_of(behind, 0), start_of(before, 0)
+    force.x[0], force.y[0] = ax + bx, ay + by
+    for j in range(1, last):
+        (ax, ay), (bx, by), (cx, cy), (dx, dy) = start_of(behind, j), start_of(before, j), end_of(behind, j - 1), end_of(before, j - 1)
+        force.x[j], force.y[j] = ax + cx + (bx + dx), ay + cy + (by + dy)
+    (cx, cy), (dx, dy) = end_of(behind, last - 1), end_of(before, last - 1)
+    force.x[last], force.y[last] = cx + dx, cy + dy
+
+
+def choose(*classes):
+    return gather_of_triangles if OfPairs in classes else gather_of_quads
+
+
+bind_choice(gather, choose)
+for _function in (gather_of_quads, gather_of_triangles, start_of, end_of):
+    bind(_function)
 
 
 @zone_pass(PredictOf)

@@ -12,59 +12,32 @@ import numpy as np
 from numba.extending import overload
 
 from hugoniot.core.compile_ahead import Job
-from hugoniot.core.pass_lists import FIXED, Operation, Place, Written, carry_out, jobs, place, places, write
+from hugoniot.core.pass_lists import Operation, Place, Written, carry_out, jobs, place, places, write
 from hugoniot.core.passes import Entry, call_entry
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.core.team import DISMISSED, Alone, await_call, begin, gather_team, sign
-from hugoniot.solvers.lagrange1d.tables import zone_table
-from hugoniot.solvers.lagrange2d import heat_flux, node_step, smoothness, zone_passes, zone_step
+from hugoniot.solvers.lagrange2d import heat_flux, node_step, smoothness, triangle_passes, triangle_step, zone_passes, zone_step
 from hugoniot.solvers.lagrange2d import layout as L
+from hugoniot.solvers.lagrange2d.plane_rows import (
+    AT_GRADIENTS,
+    AT_GRADIENTS_BEFORE,
+    AT_GRADIENTS_BEHIND,
+    AT_LOW,
+    BEFORE_ONLY,
+    BEHIND_ONLY,
+    BOTH,
+    DT,
+    DT_BACK,
+    ORIGINS,
+    RowsOfRun,
+)
 from hugoniot.zones.soundness import FOUND_FAILURE, FOUND_RATE
 from hugoniot.zones.steps import MaterialSteps
 
 GRADIENTS, PREDICT, CORRECT, START, LOOK, ACCELERATE, ACCELERATE_AGAIN, PUSH, MOVE, TAKE_BACK = range(10)     # commands
 COMMANDS = 10
 OF_NODES = (ACCELERATE, ACCELERATE_AGAIN, PUSH, MOVE, TAKE_BACK)
-# origins: a row of zones and the one before it, the rows of nodes on both its sides, its gradients and those of the rows beside it
-AT_ZONES, AT_BEFORE, AT_LOW, AT_HIGH, AT_GRADIENTS, AT_GRADIENTS_BEFORE, AT_GRADIENTS_BEHIND = range(1, 8)
-ORIGINS = 8
 FIRST, LAST, COUNT, PIECE, ORIGIN = range(5)                  # columns of the table of shares, the last one the first of the origins
-DT, DT_HALF, DT_BACK = range(3)                               # of the row of time steps
-BOTH, BEHIND_ONLY, BEFORE_ONLY = range(3)                     # rows of zones beside a row of nodes
-
-
-class PlaneRows(NamedTuple):
-    """Rows of a row of zones: those of `zones.steps.Rows`, its nodes now and in the middle of the step, and its own."""
-
-    z: Any
-    b: Any
-    w: Any
-    now_low: Any
-    now_high: Any
-    mid_low: Any
-    mid_high: Any
-    s: Any               # deviators of the state
-    q: Any               # mean viscous stress of the state
-    coming: Any          # the same of the step that is being taken
-    f: Any               # corner forces
-    d: Any               # strain rates
-    new: Any             # deviators found
-    smooth: Any
-    rest: Any            # forces of what the corners' viscous stress has beyond the mean
-    found: Place
-    tangled: Place
-    whole: Place
-    half: Place
-
-    @property
-    def low(self):
-        """Positions of the nodes on one side now."""
-        return L.Positions(self.now_low.x, self.now_low.y)
-
-    @property
-    def high(self):
-        """Positions of the nodes on the other side now."""
-        return L.Positions(self.now_high.x, self.now_high.y)
 
 
 class Plan(NamedTuple):
@@ -104,17 +77,16 @@ EMPTY = _empty()     # of the compiled type of every plan
 class Planner:
     """Writes the lists of a run.
 
-    tables     (zones, charge, nodes, gradients), which stay where they are as long as the run
-    materials  (laws, numbers, whether it is a fluid) of each material
+    tables     (zones, charge, nodes, gradients, further fields of triangles or None), which stay where they are as long as the run
+    materials  (laws, numbers, whether it is a fluid, whether both triangles of a cell share their pressure) of each material
     viscosity  `problem.plane.model.Viscosity2D`
     """
 
     def __init__(self, tables, materials, geometry, viscosity, body_force, threads: int, longest: int):
-        self.tables, self.geometry, self.viscosity, self.threads = tables, geometry, viscosity, threads
-        self.dts, self.seen = np.zeros(3), np.zeros((threads, L.FOUND_COLUMNS))
-        self._scratch = zone_table(L.SCRATCH_ROWS, threads * L.PIECE)
-        self._body_force, self._nothing = np.array(body_force, dtype=float), np.zeros(longest + 2)
-        self._at = [self._rows(member) for member in range(threads)]
+        self.places, self.geometry, self.viscosity, self.threads = RowsOfRun(tables, threads, longest), geometry, viscosity, threads
+        self.dts, self.seen, self.triangles = self.places.dts, self.places.seen, self.places.own is not None
+        self._body_force = np.array(body_force, dtype=float)
+        self._at = [self.places.rows(member, member) for member in range(threads)]
         self._some_conduct, self._coefficient = any(self.conducts(m[0], m[2]) for m in materials), np.array([viscosity.heat_flux])
         self._lists = dict(self._of_materials(materials)) | dict(self._of_zones()) | dict(self._of_nodes())
         self.written, self._ends = EMPTY.written, {}
@@ -123,25 +95,13 @@ class Planner:
         """What has yet to be compiled for the plan."""
         return [DO_SHARE.job(EMPTY, 0, 0), *jobs(self._lists.values())]
 
-    def _rows(self, member) -> PlaneRows:
-        zones, charge, nodes, _ = self.tables
-        z = places(L.Zones, zones, AT_ZONES)
-        low, high = places(L.Nodes, nodes, AT_LOW), places(L.Nodes, nodes, AT_HIGH)
-        def scratch(cls, first):
-            return places(cls, self._scratch[first:], FIXED, member * L.PIECE)
-        return PlaneRows(
-            z, places(L.Charge, charge, AT_ZONES), scratch(L.Work, 0),
-            L.Points(low.x, low.y, low.u, low.v), L.Points(high.x, high.y, high.u, high.v),
-            L.Points(low.xh, low.yh, low.um, low.vm), L.Points(high.xh, high.yh, high.um, high.vm),
-            L.Tensor(z.sxx, z.syy, z.sxy), L.Stress(z.qxx, z.qyy, z.qxy, z.qhoop), L.Stress(z.nxx, z.nyy, z.nxy, z.nhoop),
-            L.Corners(*z[L.Zones._fields.index("f0x"):]), scratch(L.Rates, L.RATES), scratch(L.Tensor, L.NEW),
-            scratch(L.Smoothness, L.SMOOTH), scratch(L.Corners, L.REST), place(self.seen[member]),
-            place(self.seen[member, L.FOUND_TANGLED:]), place(self.dts[DT:]), place(self.dts[DT_HALF:]))
-
     def _of_materials(self, materials):
         """((command, material, member), list) of every material."""
-        for k, (laws, numbers, fluid) in enumerate(materials):
+        for k, (laws, numbers, fluid, shared) in enumerate(materials):
             for member, at in enumerate(self._at):
+                if self.triangles:
+                    yield from self._of_cells(k, member, laws, numbers, shared)
+                    continue
                 predict, correct = MaterialSteps(laws, at, explicit=True), MaterialSteps(laws, at, explicit=True)
                 if self.viscosity.limited:
                     self._compare(predict)
@@ -149,8 +109,20 @@ class Planner:
                 zone_step.correct(correct, self.geometry, numbers, self._conduction(at) if self.conducts(laws, fluid) else None)
                 yield (PREDICT, k, member), predict.operations
                 yield (CORRECT, k, member), correct.operations
-                rows = zone_passes.StartOf(at.low, at.high, at.z.p, at.q, at.s, at.f)
+                rows = zone_passes.StartOf(at.now, at.z.p, at.q, at.s, at.f)
                 yield (START, k, member), [Operation(zone_passes.start, self.geometry, rows, numbers, at.whole)]
+
+    def _of_cells(self, k, member, laws, numbers, shared):
+        """The same of a material in triangles."""
+        pair = self.places.pair(member)
+        predict, correct, start = (triangle_step.Cell(laws, pair, self.geometry, numbers, shared) for _ in range(3))
+        if self.viscosity.limited:
+            self._compare(predict.steps[0])
+        predict.predict(self.viscosity.kind)
+        correct.correct()
+        start.start()
+        for command, cell in ((PREDICT, predict), (CORRECT, correct), (START, start)):
+            yield (command, k, member), cell.operations
 
     def _compare(self, s):
         """Write how smooth the velocity field is."""
@@ -161,13 +133,14 @@ class Planner:
 
     def _cells(self, cls, first):
         """Rows of the table with cells around the blocks, from row `first` on: of a row of zones and of its four neighbours."""
-        here, before, behind = (places(cls, self.tables[3][first:], at) for at in (AT_GRADIENTS, AT_GRADIENTS_BEFORE, AT_GRADIENTS_BEHIND))
+        origins = AT_GRADIENTS, AT_GRADIENTS_BEFORE, AT_GRADIENTS_BEHIND
+        here, before, behind = (places(cls, self.places.gradients[first:], origin) for origin in origins)
         left, right = (cls(*(Place(row.address + way, row.origin) for row in here)) for way in (-8, 8))
         return here, left, right, before, behind
 
     def conducts(self, laws, fluid) -> bool:
         """Whether artificial heat flows between the zones of a material: a gas or liquid that does not burn."""
-        return fluid and not laws.burns and self.viscosity.heat_flux > 0.0
+        return fluid and not laws.burns and not self.triangles and self.viscosity.heat_flux > 0.0
 
     def _conduction(self, at):
         """(rows, coefficient) of the artificial heat flux."""
@@ -185,28 +158,28 @@ class Planner:
                 cells = self._cells(heat_flux.Carried, smoothness.CARRIED)[0]
                 rows = heat_flux.CarryOf(at.z.e, at.z.q, at.z.viscous_speed, at.z.c, cells)
                 seen.append(Operation(heat_flux.carry, None, rows, self.dts, at.whole))
-            yield from [((GRADIENTS, 0, member), seen)] if seen else []
-            rows = node_step.LookOf(at.low, at.high, *(L.Positions(line.x, line.y) for line in (at.mid_low, at.mid_high)), at.tangled)
-            yield (LOOK, 0, member), [Operation(node_step.look, None, rows, self.dts, at.whole)]
+            if seen:
+                yield (GRADIENTS, 0, member), seen
+            look, rows = node_step.look, node_step.LookOf(*at.now, *(L.Positions(line.x, line.y) for line in at.mid), at.tangled)
+            if self.triangles:
+                look, rows = triangle_passes.look, triangle_step.look_rows(self.places.pair(member)[0])
+            yield (LOOK, 0, member), [Operation(look, None, rows, self.dts, at.whole)]
 
     def _of_nodes(self):
         """((command, rows of zones beside, 0), list) of the motions of a row of nodes."""
-        zones, _, nodes, _ = self.tables
-        n, f, g = places(L.Nodes, nodes, AT_LOW), places(L.Zones, zones, AT_ZONES), places(L.Zones, zones, AT_BEFORE)
-        none, whole = L.Vector(place(self._nothing), place(self._nothing)), place(self.dts[DT:])
+        n, whole = places(L.Nodes, self.places.nodes, AT_LOW), place(self.dts[DT:])
+        predict, mean_motion = node_step.predict, node_step.mean_motion
+        if self.triangles:
+            predict, mean_motion = triangle_passes.predict_nodes, triangle_passes.mean_motion
         for beside in (BOTH, BEHIND_ONLY, BEFORE_ONLY):
-            behind, before = node_step.Behind(none, none), node_step.Before(none, none)
-            if beside != BEFORE_ONLY:
-                behind = node_step.Behind(L.Vector(f.f0x, f.f0y), L.Vector(f.f3x, f.f3y))
-            if beside != BEHIND_ONLY:
-                before = node_step.Before(L.Vector(g.f1x, g.f1y), L.Vector(g.f2x, g.f2y))
+            behind, before = self.places.beside(beside)
             first, force = L.Vector(n.gx, n.gy), L.Vector(n.fx, n.fy)
             motions = {
-                ACCELERATE: (node_step.predict,
+                ACCELERATE: (predict,
                              node_step.PredictOf(behind, before, n.x, n.y, n.u, n.v, n.im, first, n.um, n.vm, n.xh, n.yh)),
                 ACCELERATE_AGAIN: (node_step.predict_again,
                                    node_step.AgainOf(n.x, n.y, n.u, n.v, n.im, first, n.um, n.vm, n.xh, n.yh)),
-                PUSH: (node_step.mean_motion, node_step.MeanOf(behind, before, n.u, n.v, n.im, force, n.um, n.vm)),
+                PUSH: (mean_motion, node_step.MeanOf(behind, before, n.u, n.v, n.im, force, n.um, n.vm)),
                 MOVE: (node_step.move, node_step.MoveOf(n.x, n.y, n.u, n.v, n.um, n.vm))}
             for command, (motion, rows) in motions.items():
                 yield (command, beside, 0), [Operation(motion, None, rows, self._body_force, whole)]

@@ -5,6 +5,7 @@ import numpy as np
 from hugoniot.errors import UnphysicalState
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.assemble import N, Z
+from hugoniot.solvers.lagrange2d.zone_shapes import areas
 from hugoniot.zones.soundness import first_unsound
 
 NO_NUMBER = ("a zone has a state or a motion that is not a number",
@@ -15,22 +16,22 @@ def diagnose(solver, code) -> UnphysicalState:
     """The error that ends a march with `code`."""
     z = solver.zones
     x, y = solver._corners(N.x), solver._corners(N.y)
-    area = 0.5 * ((x[2] - x[0]) * (y[3] - y[1]) - (y[2] - y[0]) * (x[3] - x[1]))
+    area = areas(x, y)
     if (broken := _first_broken(solver)) is not None:
         zone, (cause, remedy) = broken, NO_NUMBER
     elif code == L.BAD_STATE:
         zone = max(int(first_unsound(z[Z.rho], z[Z.c], z[Z.sigma])), 0)
         cause, remedy = _unsound({"rho": z[Z.rho, zone], "c": z[Z.c, zone], "e": z[Z.e, zone]})
     else:
-        triangles = np.min([(np.roll(x, -k, 0)[1] - np.roll(x, -k, 0)[0]) * (np.roll(y, -k, 0)[3] - np.roll(y, -k, 0)[0])
-                            - (np.roll(y, -k, 0)[1] - np.roll(y, -k, 0)[0]) * (np.roll(x, -k, 0)[3] - np.roll(x, -k, 0)[0])
-                            for k in range(4)], axis=0)
+        triangles = np.min([(np.roll(x, -k, 0)[1] - np.roll(x, -k, 0)[0]) * (np.roll(y, -k, 0)[-1] - np.roll(y, -k, 0)[0])
+                            - (np.roll(y, -k, 0)[1] - np.roll(y, -k, 0)[0]) * (np.roll(x, -k, 0)[-1] - np.roll(x, -k, 0)[0])
+                            for k in range(len(x))], axis=0)
         zone = int(np.argmin(triangles / np.maximum(np.abs(area), 1e-300)))
         cause = "the mesh is tangled: a zone would invert (negative volume) at any time step" if code == L.TANGLED else (
             "the time step has collapsed: a zone is nearly flat")
         remedy = "stop earlier, use a finer or differently shaped mesh there, or raise the hourglass coefficients"
     block = solver.problem.mesh.blocks[solver.region_of[zone]]
-    i, j = divmod(zone - block.first_zone, block.nj)
+    i, j = block.place(zone)
     values = {name: float(z[row, zone]) for name, row in zip(Z._fields, range(len(Z))) if not name.startswith("f")}
     values |= {"i": i, "j": j, "x": float(x[:, zone].mean()), "y": float(y[:, zone].mean()), "area": float(area[zone])}
     return UnphysicalState(f"{cause} (zone i = {i}, j = {j}, at ({values['x']:.6g}, {values['y']:.6g}) m)", remedy, zone, block.name, None,

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from hugoniot.solvers.lagrange2d import plan
-from hugoniot.solvers.lagrange2d.assemble import Numbering
+from hugoniot.solvers.lagrange2d import plane_rows
+from hugoniot.solvers.lagrange2d.assemble import Numbering, Z
 from hugoniot.solvers.lagrange2d.smoothness import Gradients
 
 XI, ETA = Gradients._fields.index("xix"), Gradients._fields.index("etax")
@@ -16,15 +16,25 @@ def cells(mesh):
 
 
 def zone_rows(mesh, numbering: Numbering, material_of):
-    """(count, material, origins in the order of `plan`) of every row of zones."""
+    """(count, material, origins in the order of `plane_rows`) of every row of cells."""
     found, start = [], cells(mesh)
     for k, block in enumerate(mesh.blocks):
         for i in range(block.ni):
-            zone, node = block.first_zone + i * block.nj, int(numbering.local(k, i, 0))
-            cell = int(start[k]) + (i + 1) * (block.nj + 2) + 1
-            places = zone, zone, node, node + block.nj + 1, cell, cell - block.nj - 2, cell + block.nj + 2
+            zone, node = _row_of_zones(block, i), int(numbering.local(k, i, 0))
+            cell, upper = int(start[k]) + (i + 1) * (block.nj + 2) + 1, _upper(block, zone)
+            places = zone, zone, node, node + block.nj + 1, cell, cell - block.nj - 2, cell + block.nj + 2, upper, upper
             found.append((block.nj, material_of[k], *(WORD * place for place in places)))
     return found
+
+
+def _row_of_zones(block, i: int) -> int:
+    """First zone of row i of the cells of a block."""
+    return block.first_zone + block.per_cell * i * block.nj
+
+
+def _upper(block, zone: int) -> int:
+    """First upper triangle of the row of cells whose first zone is `zone`."""
+    return zone + (block.per_cell - 1) * block.nj
 
 
 def node_rows(mesh, numbering: Numbering):
@@ -32,9 +42,9 @@ def node_rows(mesh, numbering: Numbering):
     found = []
     for k, block in enumerate(mesh.blocks):
         for i in range(block.ni + 1):
-            beside = plan.BEHIND_ONLY if i == 0 else plan.BEFORE_ONLY if i == block.ni else plan.BOTH
-            behind, before = block.first_zone + min(i, block.ni - 1) * block.nj, block.first_zone + max(i - 1, 0) * block.nj
-            places = behind, before, int(numbering.local(k, i, 0)), 0, 0, 0, 0
+            beside = plane_rows.BEHIND_ONLY if i == 0 else plane_rows.BEFORE_ONLY if i == block.ni else plane_rows.BOTH
+            behind, before = _row_of_zones(block, min(i, block.ni - 1)), _row_of_zones(block, max(i - 1, 0))
+            places = behind, before, int(numbering.local(k, i, 0)), 0, 0, 0, 0, _upper(block, behind), _upper(block, before)
             found.append((block.nj + 1, beside, *(WORD * place for place in places)))
     return found
 
@@ -51,6 +61,7 @@ def ghost_tables(mesh, numbering: Numbering, mirrors, alike):
     mirrors: (4 blocks, 2) normals of the walls that are whole sides of blocks, 0 elsewhere; alike: whether heat flows between two zones
     at a joint.
     """
+    mesh = mesh.cells
     owners: dict[tuple[int, int], list[tuple[int, int]]] = {}
     corners, start = mesh.zone_nodes, cells(mesh)
     for block in mesh.blocks:
@@ -78,3 +89,13 @@ def ghost_tables(mesh, numbering: Numbering, mirrors, alike):
                 numbers.append((*mirrors[4 * n + side], way))
     return np.array(places, dtype=np.int64), np.array(numbers)
 
+
+def alike(problem, zones):
+    """What says whether two zones are of one material and start alike."""
+    blocks, number, start = problem.blocks, problem.mesh.block_of, zones[[Z.rho, Z.e]].copy()
+
+    def answer(zone, other) -> bool:
+        same = blocks[number[zone]].material == blocks[number[other]].material
+        return same and np.allclose(start[:, zone], start[:, other], rtol=1e-9, atol=0.0)
+
+    return answer

@@ -3,23 +3,21 @@
 Knows a problem's numbers and laws; never files, decks or plots. The words are those of `solvers.lagrange1d.solver`.
 """
 
-import os
-import threading
-
 import numpy as np
 
-from hugoniot.core import team
 from hugoniot.core.compile_ahead import compile_all, job_of
 from hugoniot.core.ops import NO_LIMIT
+from hugoniot.core.team import at_work, team_of
 from hugoniot.problem.plane.contact import may_meet
 from hugoniot.problem.plane.model import Problem2D
+from hugoniot.problem.plane.walls import with_walls
 from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.tables import zone_table
-from hugoniot.solvers.lagrange2d import accounts, post_mortem
+from hugoniot.solvers.lagrange2d import accounts, post_mortem, transmitting
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import quads as G
 from hugoniot.solvers.lagrange2d.accounts import B
-from hugoniot.solvers.lagrange2d.assemble import N, Numbering, Z, alike, axis_tables, kind_of, materials_of, node_tables, zone_tables
+from hugoniot.solvers.lagrange2d.assemble import N, Numbering, Z, axis_tables, kind_of, materials_of, node_tables, unburned, zone_tables
 from hugoniot.solvers.lagrange2d.boundaries import boundary_tables
 from hugoniot.solvers.lagrange2d.contact import results
 from hugoniot.solvers.lagrange2d.contact.layout import Nowhere
@@ -28,15 +26,18 @@ from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, contact_table
 from hugoniot.solvers.lagrange2d.heat_flux import Carried
 from hugoniot.solvers.lagrange2d.march import Options, Run, hold_at_start, march
 from hugoniot.solvers.lagrange2d.plan import EMPTY, START, Planner, carry_out_alone, serve
-from hugoniot.solvers.lagrange2d.rows_of_blocks import cells, ghost_tables, node_rows, zone_rows
+from hugoniot.solvers.lagrange2d.rewind import Rewind
+from hugoniot.solvers.lagrange2d.rows_of_blocks import alike, cells, ghost_tables, node_rows, zone_rows
 from hugoniot.solvers.lagrange2d.smoothness import Gradients
-from hugoniot.solvers.protocol import NO_COUNTS, NothingToAdd
+from hugoniot.solvers.lagrange2d.zone_shapes import diagonal_table, inverse_altitudes, widths
+from hugoniot.solvers.protocol import NO_COUNTS, Event, NothingToAdd
 from hugoniot.state import State2D
 
 NAME = "lagrange2d"
 ZONE_FIELDS = {"density": Z.rho, "energy": Z.e, "pressure": Z.p, "viscous_pressure": Z.q, "sound_speed": Z.c, "deviator_xx": Z.sxx,
                "deviator_yy": Z.syy, "deviator_xy": Z.sxy, "plastic_strain": Z.plastic_strain, "damage": Z.damage,
                "plastic_work": Z.plastic_work, "viscous_work": Z.viscous_work}
+KEPT = ("zones", "nodes", "charge", "control", "counters", "chains", "ends")      # in checkpoints
 WORTH_SHARING = 4_000        # zones
 LARGEST_COLLAPSE = 1e-12     # smallest useful step as a fraction of the stop time
 
@@ -45,12 +46,13 @@ class Lagrange2D(NothingToAdd):
     """A run in progress. `sampler(state) -> {field: (ngauge,)}` reads the gauges; without one none are recorded."""
 
     def __init__(self, problem: Problem2D, sampler=None):
-        self.problem, self.sampler, mesh = problem, sampler, problem.mesh
+        self.problem = problem = with_walls(problem)
+        self.sampler, mesh = sampler, problem.mesh
         self.kind = kind_of(problem)
         self.numbering = numbering = Numbering(mesh)
         count, zones = len(mesh.zone_nodes), zone_tables(problem, self.kind)
         nodes, heat = node_tables(problem, numbering, self.kind, zones)
-        self.boundaries = boundary_tables(problem, numbering, zones, self.kind)
+        self.boundaries = boundary_tables(problem, numbering)
         surfaces = Surfaces(problem, numbering, self.boundaries) if may_meet(problem) else None
         nodes = with_rigid(problem, surfaces, nodes)
         self._zones, self._nodes = zone_table(len(Z), count), zone_table(len(N), nodes.shape[1])
@@ -61,72 +63,58 @@ class Lagrange2D(NothingToAdd):
         self._charge = zone_table(len(B), count if self.burning else 1)
         self.charge = self._charge[:, :count if self.burning else 1]
         if self.burning:
-            self._prepare_charge()
+            unburned(problem, self.charge, self.zones, widths(mesh))
         self.region_of = mesh.block_of
         pulses = [b.pulse for b in problem.boundaries if b.kind == "velocity" and b.pulse]
         speed = max(float(self.zones[Z.c].max()), float(np.hypot(self.nodes[N.u], self.nodes[N.v]).max()),
                     *(abs(v) for pulse in pulses for v in (pulse.amplitude, *pulse.values)))
         self.boundaries.chains.extend(f"rigid {body.name}" for body in problem.rigid)
         self.chains = np.zeros((len(self.boundaries.chains) + 1, 3))
-        self.team = self._team()
+        self.team = team_of(problem.solver.threads, count, WORTH_SHARING)
         self.options = Options(self.kind, G.AXIS_RADIUS * float(np.abs(self.nodes[N.x]).max()), *map(float, problem.body_force))
         self.control, self.counters = np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64)
         self.counters[L.ZONES] = count
         self.contact = NothingMeets() if surfaces is None else ContactResults(problem, surfaces, self.nodes, self.kind)
         contact = Nowhere() if surfaces is None else contact_tables(problem, surfaces, self.boundaries, numbering, self._zones)
         self.run = self._run(mesh, contact)
+        self.ends = self.run.ends
         self.plan, self.fronts = self._plan(mesh, speed)
         self.gauge_times, self.gauge_rows = [], []
+        self.rewind = Rewind()
         self.begin()
         self.initial_nodes = self.nodes[[N.x, N.y]][:, numbering.representative].copy()
 
     # -- setting up ------------------------------------------------------------------------------------------
-    def _team(self):
-        threads = min(self.problem.solver.threads, os.cpu_count() or 1)
-        if threads < 2 or self.zones.shape[1] < WORTH_SHARING or not team.possible():
-            return team.Alone()
-        return team.Together(threads, team.board(threads))
-
     def _run(self, mesh, contact) -> Run:
         edges = self.boundaries
         ghosts = ghost_tables(mesh, self.numbering, edges.mirrors, alike(self.problem, self.zones))
-        axis, ratio = axis_tables(self.numbering, self.nodes[:, :self.numbering.total], self.kind)
+        axis, ratio = axis_tables(self.problem, self.numbering, self.nodes[:, :self.numbering.total], self.kind)
         starts, members = self.numbering.shared()
         gradients = zone_table(len(Gradients._fields) + len(Carried._fields), int(cells(mesh)[-1]))
-        return Run(self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates, edges.gate_normals,
+        ends = transmitting.tables(edges, ghosts[0], self.numbering)
+        return Run(self._zones, self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates, *ends,
                    edges.held, edges.held_normals, edges.pulses, edges.tables, starts, members, edges.special, axis, ratio, self.chains,
                    np.zeros_like(self.chains), contact)
 
     def _plan(self, mesh, speed):
         """(plan of the march, largest speed of a programmed front)."""
         materials, material_of = materials_of(self.problem, speed, self.options.near)
-        tables = self._zones, self._charge, self._nodes, self.run.gradients
+        tables = self._zones, self._charge, self._nodes, self.run.gradients, diagonal_table(mesh)
         self.planner = Planner(tables, materials, G.KINDS[self.kind], self.problem.solver.viscosity, self.problem.body_force,
                                self.team.threads, max(block.nj for block in mesh.blocks))
         compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs()])
         plan = self.planner.plan(zone_rows(mesh, self.numbering, material_of), node_rows(mesh, self.numbering))
-        return plan, max(laws.constants.front for laws, _, _ in materials)
+        return plan, max(material[0].constants.front for material in materials)
 
     def _march_arguments(self, cycles, plan):
         return cycles, self.run, plan, self.options, self.control, self.counters, self.team
 
-    def _prepare_charge(self):
-        """Burning zones unburned, with the clock of their lighting."""
-        from hugoniot.problem.plane.lighting import zone_lighting_times
-        self.charge[B.rho_r], self.charge[B.e_r] = self.zones[Z.rho], self.zones[Z.e]
-        self.charge[B.size] = 1.0 / self._inverse_altitudes()
-        self.charge[B.resolution] = 1e300
-        self.charge[B.since] = -zone_lighting_times(self.problem)
-
     def _corners(self, row):
-        """A node row at the four corners of every zone, (4, nzone)."""
+        """A node row at the corners of every zone, (4, nzone), or (3, nzone) of triangles."""
         return self.nodes[row, self.numbering.representative][self.problem.mesh.zone_nodes.T]
 
     def _inverse_altitudes(self):
-        x, y = self._corners(N.x), self._corners(N.y)
-        area = 0.5 * ((x[2] - x[0]) * (y[3] - y[1]) - (y[2] - y[0]) * (x[3] - x[1]))
-        edges = np.hypot(np.roll(x, -1, 0) - x, np.roll(y, -1, 0) - y)
-        return edges.max(axis=0) / area
+        return inverse_altitudes(self._corners(N.x), self._corners(N.y))
 
     def begin(self) -> None:
         """Take the state as it stands, which a test may have written into the tables, for that at t = 0."""
@@ -140,9 +128,15 @@ class Lagrange2D(NothingToAdd):
         control[L.RATE] = accounts.signal_rate(self)
         first = options.initial_step or 0.1 * control[L.COURANT] / control[L.RATE]
         control[L.DT_NATURAL] = first / control[L.GROWTH]
-        carry_out_alone(self.plan, START)
+        transmitting.begin(self.run, self.kind, self.options.near)
+        self.take_over()
         self.start_energy, self.start_mass = accounts.total_energy(self.zones, self.nodes), self.zones[Z.mass].sum()
         self.start_momentum = accounts.momentum(self.nodes)
+
+    def take_over(self) -> None:
+        """Find the forces of a state that was changed from outside, between two steps."""
+        self.rewind.forget()
+        carry_out_alone(self.plan, START)
 
     # -- marching --------------------------------------------------------------------------------------------
     @property
@@ -176,43 +170,44 @@ class Lagrange2D(NothingToAdd):
         zone = int(np.argmax((self.zones[Z.c] + 2.0 * self.zones[Z.viscous_speed]) * self._inverse_altitudes()))
         return zone, self.problem.blocks[self.region_of[zone]].name
 
-    def march(self, until: float, cycles: int) -> list:
-        """Step until the time `until` (hit exactly) or `cycles` steps; gauges are read on the way."""
+    def march(self, until: float, cycles: int) -> list[Event]:
+        """Step until the time `until` (hit exactly) or `cycles` steps; gauges are read on the way.
+
+        A step after which a law is asked for a state outside its range is repeated smaller: the events returned.
+        """
         if until <= self.time:
             return []
         self.control[L.EVENT_TIME] = until
-        end = self.cycle + cycles
-        members = self._assemble_team()
-        try:
-            code = L.GAUGE_DUE
-            while code in (L.GAUGE_DUE, L.NO_ROOM) and self.cycle < end:
-                code = march(*self._march_arguments(end - self.cycle, self.plan))
-                if code == L.NO_ROOM:
-                    self.run = self.run._replace(contact=results.larger(self.run.contact))
-                if self.sampler is not None and code in (L.GAUGE_DUE, L.AT_EVENT):
-                    self._read_gauges()
-        finally:
-            if members:
-                team.call(self.team.board, team.DISMISSED)
-                for member in members:
-                    member.join()
-        if code in (L.BAD_STATE, L.STEP_COLLAPSED, L.TANGLED):
+        self.rewind.begin(self, until)
+        end, events = self.cycle + cycles, []
+        with at_work(self.team, serve, self.plan):
+            while (code := self._carry_on(end, self._read_gauges)) == L.BAD_STATE:
+                fault = post_mortem.diagnose(self, code)
+                event = self.rewind.again(self, fault, lambda cycle: self._carry_on(cycle, self._next_gauge))
+                if event is None:
+                    raise fault
+                events.append(event)
+        if code in (L.STEP_COLLAPSED, L.TANGLED):
             raise post_mortem.diagnose(self, code)
-        return []
+        return events
 
-    def _assemble_team(self):
-        if isinstance(self.team, team.Alone):
-            return []
-        phase = int(self.team.board[0])
-        members = [threading.Thread(target=serve, args=(k, phase, self.plan, self.team), daemon=True)
-                   for k in range(1, self.team.threads)]
-        for member in members:
-            member.start()
-        return members
+    def _carry_on(self, end: int, at_gauge) -> int:
+        """March to the cycle `end` or the event time; the code of why it came back. at_gauge(): what is done where gauges are due."""
+        code = L.GAUGE_DUE
+        while code in (L.GAUGE_DUE, L.NO_ROOM) and self.cycle < end:
+            code = march(*self._march_arguments(end - self.cycle, self.plan))
+            if code == L.NO_ROOM:
+                self.run = self.run._replace(contact=results.larger(self.run.contact))
+            if self.sampler is not None and code in (L.GAUGE_DUE, L.AT_EVENT):
+                at_gauge()
+        return code
 
     def _read_gauges(self):
         self.gauge_times.append(self.time)
         self.gauge_rows.append(self.sampler(self.state()) if self.sampler is not None else ())
+        self._next_gauge()
+
+    def _next_gauge(self):
         interval = self.control[L.GAUGE_INTERVAL]
         while self.control[L.NEXT_GAUGE] <= self.time and interval > 0.0:
             self.control[L.NEXT_GAUGE] += interval
@@ -272,7 +267,8 @@ class Lagrange2D(NothingToAdd):
     def results(self) -> dict[str, float]:
         """Further numbers for the summary."""
         work = float(np.sum(self.zones[Z.mass] * self.zones[Z.filter_work]))
-        return {"steps_repeated": int(self.counters[L.REPEATED]), "filter_work": work} | self.contact.summary(self.run.contact)
+        repeated = int(self.counters[L.REPEATED] + self.counters[L.LEFT_RANGE])
+        return {"steps_repeated": repeated, "filter_work": work} | self.contact.summary(self.run.contact)
 
     def peaks(self) -> dict[str, np.ndarray]:
         """Peak fields of every zone so far: stress and pressure in compression, tension positive."""
@@ -281,16 +277,16 @@ class Lagrange2D(NothingToAdd):
     # -- checkpoints -----------------------------------------------------------------------------------------
     def payload(self) -> dict:
         """Everything a bitwise restart needs."""
-        names = ("zones", "nodes", "charge", "control", "counters", "chains")
         start = {"start_energy": self.start_energy, "start_momentum": self.start_momentum}
-        return {name: getattr(self, name).copy() for name in names} | start | results.payload(self.run.contact)
+        return {name: getattr(self, name).copy() for name in KEPT} | start | results.payload(self.run.contact)
 
     def restore(self, payload: dict) -> None:
         """Continue from a payload of the same problem."""
-        for name in ("zones", "nodes", "charge", "control", "counters", "chains"):
+        for name in KEPT:
             getattr(self, name)[...] = payload[name]
         self.start_energy, self.start_momentum = float(payload["start_energy"]), np.array(payload["start_momentum"])
         self.run = self.run._replace(contact=results.restored(self.run.contact, payload))
+        self.rewind.forget()
         if self.sampler is None:
             self.control[L.NEXT_GAUGE] = NO_LIMIT
 

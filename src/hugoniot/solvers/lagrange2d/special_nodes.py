@@ -9,6 +9,7 @@ import numba as nb
 
 from hugoniot.core.passes import rows
 from hugoniot.core.target import GUARD, INLINE
+from hugoniot.solvers.lagrange1d.layout import LEAD, OUTSIDE
 from hugoniot.solvers.lagrange1d.nodes import pulse_value
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.quads import AREA_WEIGHTED, PLANAR
@@ -33,10 +34,10 @@ def edge_force(x1, y1, x2, y2, kind, near):
 
 
 @nb.njit(**GUARD)
-def load(nodes, loads, given, pulses, time, at_start, geometry):
+def load(nodes, loads, given, pulses, ends, time, at_start, geometry):
     """Add the pressure on loaded edges to the forces of their nodes, and keep it in `given` (edge, 4) for the booking of its work.
 
-    A transmitting edge holds the stress that stood behind it at t = 0; what the motion adds is `transmit`.
+    A transmitting edge, of pulse -1 - its number, has the stress outside and the lead of `ends`; what the motion adds is `transmit`.
     """
     n = rows(L.Nodes, nodes, 0)
     numbers, tables = pulses
@@ -47,7 +48,11 @@ def load(nodes, loads, given, pulses, time, at_start, geometry):
             force = edge_force(n.x[a], n.y[a], n.x[b], n.y[b], kind, near)
         else:
             force = edge_force(n.xh[a], n.yh[a], n.xh[b], n.yh[b], kind, near)
-        pressure = pulse_value(time, numbers[loads[i, L.LOAD_PULSE]], tables[loads[i, L.LOAD_PULSE]])
+        pulse = loads[i, L.LOAD_PULSE]
+        if pulse < 0:
+            pressure = ends[-1 - pulse, OUTSIDE] + ends[-1 - pulse, LEAD]
+        else:
+            pressure = pulse_value(time, numbers[pulse], tables[pulse])
         push = -sign * pressure
         for k in range(4):
             given[i, k] = push * force[k]
@@ -115,7 +120,7 @@ def free_motion(nodes, special, which, dt, gx, gy):
 
 @nb.njit(**GUARD)
 def transmit(nodes, gates, normals, chains, dt, book):
-    """What a transmitting boundary answers: its impedance times the velocity along its normal, stable at any step.
+    """What a transmitting boundary answers: its impedance times the change of velocity along its normal, stable at any step.
 
     gates: (node, chain, booked); normals: (x, y) whose length is the impedance, rho c times the area, kg/s.
     """
@@ -127,16 +132,15 @@ def transmit(nodes, gates, normals, chains, dt, book):
             continue
         nx, ny = normals[i, 0] / impedance, normals[i, 1] / impedance
         weight = 0.5 * dt * n.im[k] * impedance
-        speed = n.um[k] * nx + n.vm[k] * ny
+        speed = (n.um[k] - n.u[k]) * nx + (n.vm[k] - n.v[k]) * ny
         taken = speed * weight / (1.0 + weight)
         n.um[k] -= taken * nx
         n.vm[k] -= taken * ny
         if book and gates[i, 2] == 1:
-            mean = speed - taken
-            chain = gates[i, 1]
-            chains[chain, L.CHAIN_WORK] -= dt * impedance * mean * mean
-            chains[chain, L.CHAIN_IMPULSE_X] -= dt * impedance * mean * nx
-            chains[chain, L.CHAIN_IMPULSE_Y] -= dt * impedance * mean * ny
+            force, chain = -impedance * (speed - taken), gates[i, 1]
+            chains[chain, L.CHAIN_WORK] += dt * force * (n.um[k] * nx + n.vm[k] * ny)
+            chains[chain, L.CHAIN_IMPULSE_X] += dt * force * nx
+            chains[chain, L.CHAIN_IMPULSE_Y] += dt * force * ny
 
 
 @nb.njit(**GUARD)

@@ -19,9 +19,8 @@ The stress is a continuous function of the rates, and nothing is decided by roun
 * A jump counts for the time step in proportion, where it is faint beside the sound speed or the motion along the other direction.
 
 A principal direction that turns a little in a slender zone makes shear stress of the long direction's viscosity across the short edges,
-which an explicit step does not bear. Where the longer mean edge is 4 times the height above it, wholly from 8 times on, be the zone
-slender or sheared flat, the closing along the mean edges themselves is
-resisted instead, $Q = \sum q\,t\otimes t$ with the unit edges t, which has no shear.
+which an explicit step does not bear. Where the longer mean edge is 4 times the height above it, wholly from 8 times on, be the zone slender
+or sheared flat, the closing along the mean edges is resisted instead, $Q = \sum q\,t\otimes t$ with the unit edges t, which has no shear.
 
 The triangle of a corner that opens to a straight angle vanishes, and its gradient would grow beyond all bounds. The gradient is taken over
 a quarter of the zone's area at least: the force still opposes the very motion it is transposed from, so that its work stays positive,
@@ -99,12 +98,18 @@ class Around(NamedTuple):
     rho: float
 
 
+def metric(ax, ay, bx, by, least):
+    """`Metric` of the mean edges a along the first logical direction and b along the second."""
+    axx, ayy, axy, bxx, byy, bxy = ax * ax, ay * ay, LESS * ax * ay, bx * bx, by * by, LESS * bx * by
+    half = 0.5 * LESS
+    return Metric(0.5 * (bxx + byy), half * (bxx - byy), bxy, 0.5 * (axx + ayy), half * (axx - ayy), axy, least)
+
+
 def metric_of(q):
     """`Metric` of a quadrilateral."""
     ax, ay = 0.5 * (q.x1 - q.x0 + q.x2 - q.x3), 0.5 * (q.y1 - q.y0 + q.y2 - q.y3)
     bx, by = 0.5 * (q.x3 - q.x0 + q.x2 - q.x1), 0.5 * (q.y3 - q.y0 + q.y2 - q.y1)
-    axx, ayy, axy, bxx, byy, bxy, half = ax * ax, ay * ay, LESS * ax * ay, bx * bx, by * by, LESS * bx * by, 0.5 * LESS
-    return Metric(0.5 * (bxx + byy), half * (bxx - byy), bxy, 0.5 * (axx + ayy), half * (axx - ayy), axy, FLAT * q.area)
+    return metric(ax, ay, bx, by, FLAT * q.area)
 
 
 def around(z, j):
@@ -224,16 +229,16 @@ def in_corners(z, j, viscosity):
     z.g.f3x[j], z.g.f3y[j] = n2x + p0x - n3x - p3x, n2y + p0y - n3y - p3y
 
 
-def slenderness(q, m):
+def slenderness(area, m):
     """Part of the viscous stress that is along the mean edges: 0 in zones that are not slender."""
-    return fmax(0.0, fmin(1.0, (2.0 * fmax(m.xi, m.eta) / q.area - SLENDER) * (1.0 / (NEEDLE - SLENDER))))
+    return fmax(0.0, fmin(1.0, (2.0 * fmax(m.xi, m.eta) / area - SLENDER) * (1.0 / (NEEDLE - SLENDER))))
 
 
 def in_slender(z, j, viscosity):
     """Put what is resisted along the mean edges of zone j in the place of what the corners resist, as far as it is slender."""
     q = quad(z.low, z.high, j)
     m, d, g = metric_of(q), (z.rates.xx[j], z.rates.yy[j], z.rates.xy[j]), z.g
-    along = slenderness(q, m)
+    along = slenderness(q.area, m)
     rest = 1.0 - along
     xx, yy, xy, fast = along_edges(m, d, around(z, j), viscosity)
     z.fastest[j] = fmax(z.fastest[j], fast * fmin(1.0, along * (1.0 / SLIGHT)))
@@ -283,7 +288,7 @@ def resist(count, z, dt, numbers, law):
                 in_corners(z, j, viscosity)
             for j in range(first, end):
                 q = quad(z.low, z.high, j)
-                slender = fmax(slender, slenderness(q, metric_of(q)))
+                slender = fmax(slender, slenderness(q.area, metric_of(q)))
             if slender > 0.0:
                 for j in range(first, end):
                     in_slender(z, j, viscosity)
@@ -295,6 +300,6 @@ def resist(count, z, dt, numbers, law):
         first = end
 
 
-for _function in (metric_of, around, kept, counted, both_kept, both_counted, along_edges, in_corner, corner_force, in_corners, slenderness,
-                  in_slender, closes, closing):
+for _function in (metric, metric_of, around, kept, counted, both_kept, both_counted, along_edges, in_corner, corner_force, in_corners,
+                  slenderness, in_slender, closes, closing):
     bind(_function)

@@ -6,6 +6,8 @@
     shape        volume and smallest altitude at the end
     stand        the state that stands: stress, sound speed, corner forces at the start of the next step
     start        corner forces of the state at t = 0
+
+Rows named for quadrilaterals serve triangles too (`triangle_passes`): `cells` chooses by the class of `corners`.
 """
 
 from typing import Any, NamedTuple
@@ -14,9 +16,9 @@ from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, vsqrt
 from hugoniot.core.passes import kind_of, named, rows_apart, zone_pass
 from hugoniot.solvers.lagrange2d import hourglass
-from hugoniot.solvers.lagrange2d.forces import add_forces, stress_forces
-from hugoniot.solvers.lagrange2d.layout import FILTER, NEAR, Corners, Points, Positions, Rates, Stress, Tensor
-from hugoniot.solvers.lagrange2d.quads import coefficients, quad, strains, volume
+from hugoniot.solvers.lagrange2d.cells import cell, coefficients, inverse_altitude, power, strains, stress_forces, volume
+from hugoniot.solvers.lagrange2d.forces import add_forces
+from hugoniot.solvers.lagrange2d.layout import FILTER, NEAR, Corners, Rates, Sides, SidesNow, Stress, Tensor
 from hugoniot.zones.constants import Constants
 from hugoniot.zones.soundness import FOUND_RATE, wave_speed
 
@@ -24,8 +26,7 @@ from hugoniot.zones.soundness import FOUND_RATE, wave_speed
 class StrainOf(NamedTuple):
     """Rows of nodes in the middle of the step, state at its start -> strain rates, specific volume, density, energy."""
 
-    low: Points
-    high: Points
+    corners: Sides
     inverse_mass: Any
     e: Any
     p: Any
@@ -41,8 +42,7 @@ class StrainOf(NamedTuple):
 class PushOf(NamedTuple):
     """Nodes, pressure, deviators, viscous stress, forces of its rest, shape at t = 0, rho, c -> corner forces, filter's power."""
 
-    low: Points
-    high: Points
+    corners: Sides
     p: Any
     s: Tensor
     q: Stress
@@ -59,8 +59,7 @@ class PushOf(NamedTuple):
 class SettleOf(NamedTuple):
     """Nodes in the middle, corner forces, viscous stress and filter's power of the step -> strain rates, energy, viscous heat, works."""
 
-    low: Points
-    high: Points
+    corners: Sides
     f: Corners
     inverse_mass: Any
     mean: Stress
@@ -77,8 +76,7 @@ class SettleOf(NamedTuple):
 class ShapeOf(NamedTuple):
     """Nodes at the end, inverse mass -> specific volume, density, inverse of the smallest altitude."""
 
-    low: Positions
-    high: Positions
+    corners: SidesNow
     inverse_mass: Any
     v: Any
     rho: Any
@@ -88,8 +86,7 @@ class ShapeOf(NamedTuple):
 class StandOf(NamedTuple):
     """Nodes, pressure, viscous stress, deviators found, stiffness -> deviators of the state, largest principal stress, c, corner forces."""
 
-    low: Positions
-    high: Positions
+    corners: SidesNow
     p: Any
     q: Stress
     new: Tensor
@@ -108,12 +105,18 @@ class StandOf(NamedTuple):
 class StartOf(NamedTuple):
     """Nodes, pressure, viscous stress and deviators of the state -> corner forces."""
 
-    low: Positions
-    high: Positions
+    corners: SidesNow
     p: Any
     q: Stress
     s: Tensor
     f: Corners
+
+
+def stress_power(z, j, d):
+    """Power of the stress of zone j (pressure, deviators and viscous stress) on strain rates, per volume."""
+    xx, yy, p = z.s.xx[j], z.s.yy[j], z.p[j]
+    rate = (xx - p - z.q.xx[j]) * d.xx + (yy - p - z.q.yy[j]) * d.yy + 2.0 * (z.s.xy[j] - z.q.xy[j]) * d.xy
+    return rate - (xx + yy + p + z.q.hoop[j]) * d.hoop
 
 
 @zone_pass(StrainOf)
@@ -122,16 +125,14 @@ def strain(count, z, dt, numbers, law):
     rows_apart()
     geometry, near, half, bad = kind_of(law), numbers[NEAR], 0.5 * dt, 0.0
     for j in range(count):
-        at = quad(z.low, z.high, j)
-        d = strains(at, z.low, z.high, j, near, geometry)
-        xx, yy, p = z.s.xx[j], z.s.yy[j], z.p[j]
-        power = (xx - p - z.q.xx[j]) * d.xx + (yy - p - z.q.yy[j]) * d.yy + 2.0 * (z.s.xy[j] - z.q.xy[j]) * d.xy
-        power -= (xx + yy + p + z.q.hoop[j]) * d.hoop
+        at = cell(z.corners, j)
+        d = strains(at, z.corners, j, near, geometry)
+        rate = stress_power(z, j, d)
         v = volume(at, geometry) * z.inverse_mass[j]
         z.d.xx[j], z.d.yy[j], z.d.xy[j], z.d.spin[j], z.d.hoop[j], z.d.dilation[j] = d.xx, d.yy, d.xy, d.spin, d.hoop, d.dilation
         z.v[j] = v
         z.rho[j] = 1.0 / v
-        z.new_e[j] = z.e[j] + half * v * power
+        z.new_e[j] = z.e[j] + half * v * rate
         bad += 0.0 if v > 0.0 else 1.0
     z.tangled[0] += bad
 
@@ -154,7 +155,7 @@ def push_fluid(count, z, dt, numbers, law):
     rows_apart()
     geometry, near, merit = kind_of(law), numbers[NEAR], numbers[FILTER]
     for j in range(count):
-        at = quad(z.low, z.high, j)
+        at = cell(z.corners, j)
         b = coefficients(at, near, geometry)
         with_viscosity(z, j, b)
         x0, y0, x1, y1, x2, y2, x3, y3 = hourglass.subzonal(at, z.t0[j], z.t1[j], merit * z.rho[j] * z.c[j] * z.c[j])
@@ -166,26 +167,25 @@ def push_fluid(count, z, dt, numbers, law):
 def push_solid(count, z, dt, numbers, law):
     """Corner forces of stress, viscosity and viscous filter in the middle of the step."""
     rows_apart()
-    geometry, near, coefficient = kind_of(law), numbers[NEAR], numbers[FILTER]
+    geometry, near, coefficient, low, high = kind_of(law), numbers[NEAR], numbers[FILTER], z.corners.low, z.corners.high
     for j in range(count):
-        at = quad(z.low, z.high, j)
+        at = cell(z.corners, j)
         b = coefficients(at, near, geometry)
         with_viscosity(z, j, b)
-        x0, y0, x1, y1, x2, y2, x3, y3, power = hourglass.viscous(at, z.low, z.high, j, coefficient * z.rho[j] * z.c[j])
+        x0, y0, x1, y1, x2, y2, x3, y3, taken = hourglass.viscous(at, low, high, j, coefficient * z.rho[j] * z.c[j])
         add_forces(z.f, j, b, x0, y0, x1, y1, x2, y2, x3, y3)
-        z.power[j] = power * 0.25 * (b.w0 + b.w1 + b.w2 + b.w3) * z.inverse_mass[j]
+        z.power[j] = taken * 0.25 * (b.w0 + b.w1 + b.w2 + b.w3) * z.inverse_mass[j]
 
 
 @zone_pass(SettleOf)
 def settle(count, z, dt, numbers, law):
     """Strain rates with the mean velocity of the step; energy by the work of the forces, -sum F.u; the viscosity goes with the state."""
     rows_apart()
-    geometry, near, f, low, high = kind_of(law), numbers[NEAR], z.f, z.low, z.high
+    geometry, near = kind_of(law), numbers[NEAR]
     for j in range(count):
-        at = quad(low, high, j)
-        d = strains(at, low, high, j, near, geometry)
-        work = f.f0x[j] * low.u[j] + f.f0y[j] * low.v[j] + f.f1x[j] * high.u[j] + f.f1y[j] * high.v[j]
-        work += f.f2x[j] * high.u[j + 1] + f.f2y[j] * high.v[j + 1] + f.f3x[j] * low.u[j + 1] + f.f3y[j] * low.v[j + 1]
+        at = cell(z.corners, j)
+        d = strains(at, z.corners, j, near, geometry)
+        work = power(z.f, z.corners, j)
         inverse_mass, xx, yy, xy, hoop = z.inverse_mass[j], z.mean.xx[j], z.mean.yy[j], z.mean.xy[j], z.mean.hoop[j]
         heat = -dt * volume(at, geometry) * inverse_mass * (xx * d.xx + yy * d.yy + 2.0 * xy * d.xy + hoop * d.hoop)
         z.d.xx[j], z.d.yy[j], z.d.xy[j], z.d.spin[j], z.d.hoop[j], z.d.dilation[j] = d.xx, d.yy, d.xy, d.spin, d.hoop, d.dilation
@@ -203,15 +203,11 @@ def shape(count, z, dt, numbers, law):
     rows_apart()
     geometry = kind_of(law)
     for j in range(count):
-        at = quad(z.low, z.high, j)
-        a, b = (at.x1 - at.x0) * (at.x1 - at.x0) + (at.y1 - at.y0) * (at.y1 - at.y0), at.x2 - at.x1
-        b, c = b * b + (at.y2 - at.y1) * (at.y2 - at.y1), at.x3 - at.x2
-        c, d = c * c + (at.y3 - at.y2) * (at.y3 - at.y2), at.x0 - at.x3
-        d = d * d + (at.y0 - at.y3) * (at.y0 - at.y3)
+        at = cell(z.corners, j)
         v = volume(at, geometry) * z.inverse_mass[j]
         z.v[j] = v
         z.rho[j] = 1.0 / v
-        z.inverse[j] = vsqrt(fmax(fmax(a, b), fmax(c, d))) / at.area
+        z.inverse[j] = inverse_altitude(at)
 
 
 @zone_pass(StandOf)
@@ -220,7 +216,7 @@ def stand(count, z, dt, numbers, law):
     rows_apart()
     geometry, near, constants, fastest = kind_of(law), numbers[NEAR], named(Constants, numbers), z.found[FOUND_RATE]
     for j in range(count):
-        at = quad(z.low, z.high, j)
+        at = cell(z.corners, j)
         p, xx, yy, xy = z.p[j], z.new.xx[j], z.new.yy[j], z.new.xy[j]
         qxx, qyy, qxy, hoop = z.q.xx[j], z.q.yy[j], z.q.xy[j], z.q.hoop[j]
         stress_forces(z.f, j, coefficients(at, near, geometry), p, xx, yy, xy, qxx, qyy, qxy, hoop)
@@ -242,8 +238,9 @@ def start(count, z, dt, numbers, law):
     rows_apart()
     geometry, near = kind_of(law), numbers[NEAR]
     for j in range(count):
-        with_mean(z, j, coefficients(quad(z.low, z.high, j), near, geometry))
+        with_mean(z, j, coefficients(cell(z.corners, j), near, geometry))
 
 
+bind(stress_power)
 bind(with_mean)
 bind(with_viscosity)

@@ -35,16 +35,12 @@ def resist(s, geometry, solid, kind):
         s.do(hoop_viscosity.hoop_viscosity, hoop_viscosity.HoopOf(at.d, w.rate, at.coming, at.rest))
 
 
-def predict(s, geometry, numbers, fluid, kind):
-    """Write how stress and forces in the middle of the step are found; numbers: the material's constants and
-    those of `layout` behind them; kind: of the viscosity."""
-    z, b, w, at = s.at.z, s.at.b, s.at.w, s.at
-    s.do(passes.strain, passes.StrainOf(at.mid_low, at.mid_high, z.inverse_mass, z.e, z.p, at.s, at.q, at.d, w.v, s.rho_half, w.e,
-                                           at.tangled),
-         kind=geometry, numbers=numbers)
+def state_in_middle(s):
+    """Write pressure and deviators in the middle of the step, from density and energy there; the row of the solid's density."""
+    b, w, at = s.at.b, s.at.w, s.at
     solid, solid_v = s.solid(s.rho_half)
     if s.laws.burns:
-        s.burn(at.half, z.rho, z.rho, z.p, z.q, b.lam_half)
+        s.burn(at.half, at.z.rho, at.z.rho, at.z.p, at.z.q, b.lam_half)
         s.do(tensor.viscous_heat, tensor.HeatOf(w.v, at.q, at.d, w.heat), at.half)
         s.close_half(solid)
     else:
@@ -52,23 +48,12 @@ def predict(s, geometry, numbers, fluid, kind):
         s.stiffness(solid, solid_v, w.e, s.p_half)
     deviators(s, solid, w.e, s.p_half, b.lam_half, at.half)
     s.relieve(solid)
-    resist(s, geometry, solid, kind)
-    push = passes.push_fluid if fluid else passes.push_solid
-    s.do(push, passes.PushOf(at.mid_low, at.mid_high, s.p_half, at.new, at.coming, at.rest, z.t0, z.t1, s.rho_half, z.c, z.inverse_mass,
-                             at.f, z.filter_power), kind=geometry, numbers=numbers)
-    if s.laws.burns:
-        s.keep_half()
+    return solid
 
 
-def correct(s, geometry, numbers, conduction):
-    """Write how the state at the end of the step and its forces are found; conduction: rows and numbers of the artificial heat flux, or
-    None."""
+def state_at_end(s):
+    """Write pressure, deviators, fracture and hardening at the end of the step; the row of the solid's specific volume."""
     z, b, w, at = s.at.z, s.at.b, s.at.w, s.at
-    s.do(passes.settle, passes.SettleOf(at.mid_low, at.mid_high, at.f, z.inverse_mass, at.coming, z.filter_power, at.d, z.e, w.heat,
-                                        z.viscous_work, z.filter_work, at.q, z.q), kind=geometry, numbers=numbers)
-    if conduction:
-        s.do(heat_flux.conduct, conduction[0], kind=geometry, numbers=conduction[1])
-    s.do(passes.shape, passes.ShapeOf(at.low, at.high, z.inverse_mass, w.v, z.rho, w.inverse_length), kind=geometry, numbers=numbers)
     solid, solid_v = s.solid(z.rho)
     if s.laws.burns:
         s.close_end(solid)
@@ -77,7 +62,35 @@ def correct(s, geometry, numbers, conduction):
     deviators(s, solid, z.e, z.p, b.lam, at.whole)
     s.tear(solid)
     s.harden(w.v)
-    s.do(passes.stand, passes.StandOf(at.low, at.high, z.p, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s,
+    return solid_v
+
+
+def predict(s, geometry, numbers, fluid, kind):
+    """Write how stress and forces in the middle of the step are found; numbers: the material's constants and
+    those of `layout` behind them; kind: of the viscosity."""
+    z, w, at = s.at.z, s.at.w, s.at
+    s.do(passes.strain, passes.StrainOf(at.mid, z.inverse_mass, z.e, z.p, at.s, at.q, at.d, w.v, s.rho_half, w.e, at.tangled),
+         kind=geometry, numbers=numbers)
+    solid = state_in_middle(s)
+    resist(s, geometry, solid, kind)
+    push = passes.push_fluid if fluid else passes.push_solid
+    s.do(push, passes.PushOf(at.mid, s.p_half, at.new, at.coming, at.rest, z.t0, z.t1, s.rho_half, z.c, z.inverse_mass, at.f,
+                             z.filter_power), kind=geometry, numbers=numbers)
+    if s.laws.burns:
+        s.keep_half()
+
+
+def correct(s, geometry, numbers, conduction):
+    """Write how the state at the end of the step and its forces are found; conduction: rows and numbers of the artificial heat flux, or
+    None."""
+    z, w, at = s.at.z, s.at.w, s.at
+    s.do(passes.settle, passes.SettleOf(at.mid, at.f, z.inverse_mass, at.coming, z.filter_power, at.d, z.e, w.heat,
+                                        z.viscous_work, z.filter_work, at.q, z.q), kind=geometry, numbers=numbers)
+    if conduction:
+        s.do(heat_flux.conduct, conduction[0], kind=geometry, numbers=conduction[1])
+    s.do(passes.shape, passes.ShapeOf(at.now, z.inverse_mass, w.v, z.rho, w.inverse_length), kind=geometry, numbers=numbers)
+    solid_v = state_at_end(s)
+    s.do(passes.stand, passes.StandOf(at.now, z.p, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s,
                                       z.sigma, z.c, at.f, at.found), kind=geometry, numbers=numbers)
     s.pace(w.inverse_length)
     s.look_over()

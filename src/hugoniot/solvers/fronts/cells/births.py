@@ -22,6 +22,7 @@ from hugoniot.solvers.fronts.meeting import Bench, outgoing
 
 FAN_WEAKEST = 3.0    # times the weakest wave: a fan that is weaker has no edges to follow
 MOST_IN_FAN = 32
+NEWBORN = 3          # cells between two waves that part: a parabola has three averages
 
 
 def collapse(mesh: Mesh, first: int, last: int, x: float, unburned: int) -> int:
@@ -170,13 +171,16 @@ def _contrast(beside) -> float:
 def _inside(piece: Piece, before, after, bench: Bench):
     """(marks, states) of the faces inside a new piece, and how many cells it is; (front, its state) on both sides."""
     left, right = before[0], after[0]
-    if piece.kind != "fan":
+    if piece.kind == "vacuum" or right.speed <= left.speed:
         return [], [], 1
-    wave = piece.wave
-    fall = abs(wave.behind.u - wave.ahead.u) / (bench.fan_step * abs(wave.head - wave.ahead.u))
-    count = min(max(math.ceil(fall), 2), MOST_IN_FAN)
+    if piece.kind == "fan":
+        wave = piece.wave
+        fall = abs(wave.behind.u - wave.ahead.u) / (bench.fan_step * abs(wave.head - wave.ahead.u))
+        count = min(max(math.ceil(fall), 2), MOST_IN_FAN)
+    else:
+        count = NEWBORN
     speeds = np.linspace(left.speed, right.speed, count + 1)[1:-1].tolist()
-    states = [line.fan_state(piece, xi) for xi in speeds]
+    states = [line.fan_state(piece, xi) if piece.kind == "fan" else piece.state for xi in speeds]
     scalars = (before if left.direction else after)[1][5:]
     return [False] * (count - 1), [[xi, s.rho, s.u, s.e, s.sigma, *scalars] for xi, s in zip(speeds, states)], count
 

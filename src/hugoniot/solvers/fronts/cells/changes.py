@@ -9,7 +9,7 @@ from hugoniot.solvers.fronts.cells import tables
 from hugoniot.solvers.fronts.cells.births import bear, collapse, ignite
 from hugoniot.solvers.fronts.cells.detonations import UNLIT, light_face
 from hugoniot.solvers.fronts.cells.flow import Flow
-from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh, adjust, mean_area
+from hugoniot.solvers.fronts.cells.mesh import Front, Mesh, adjust
 from hugoniot.solvers.fronts.cells.start import pieces_at
 from hugoniot.solvers.fronts.cells.steepening import track
 
@@ -37,7 +37,8 @@ class Changes:
         for x in parting if not runs else ():
             self._renew(mesh, int(np.flatnonzero(mesh.x == x)[0]), time, "parts")
         self.flow.clear()
-        adjust(mesh, self.flow.spacing, split_slope)
+        if np.isnan(mesh.push).all():      # what stands beside cells of no width has its place after their first step only
+            adjust(mesh, self.flow.spacing, self.flow.slopes)
 
     def steepen(self, mesh: Mesh, time: float) -> None:
         """Follow the shocks that have formed among the cells."""
@@ -161,25 +162,3 @@ def met(mesh: Mesh, length: float) -> list[tuple[int, int]]:
 def _order(mesh: Mesh, face: int) -> int:
     """Which of the fronts stands at a face."""
     return int(np.count_nonzero(mesh.marked[:face]))
-
-
-def split_slope(mesh: Mesh, cell: int) -> np.ndarray:
-    """Slopes of density, velocity, energy and scalars in a cell, limited by its neighbours of the same interval; zero where it has none."""
-    near = [k for k, face in ((cell - 1, cell), (cell + 1, cell + 1)) if not mesh.marked[face] and np.isnan(mesh.push[k])]
-    if not near or mesh.region[cell] == EMPTY:
-        return np.zeros(mesh.q.shape[1])
-    own, middle = _primitive(mesh, cell), mesh.middle
-    slopes = [(_primitive(mesh, k) - own) / (middle[k] - middle[cell]) for k in near]
-    if len(slopes) == 1:
-        return slopes[0]
-    a, b = slopes
-    return np.where(a * b > 0.0, np.sign(a) * np.minimum(np.minimum(2.0 * np.abs(a), 2.0 * np.abs(b)), 0.5 * np.abs(a + b)), 0.0)
-
-
-def _primitive(mesh: Mesh, cell: int) -> np.ndarray:
-    """Density, velocity, energy and scalars of one cell."""
-    mass, momentum, energy = mesh.q[cell, :3]
-    width = mesh.x[cell + 1] - mesh.x[cell]
-    u = momentum / mass
-    rho = mass / (width * mean_area(mesh.x[cell], mesh.x[cell + 1], mesh.d))
-    return np.array([rho, u, energy / mass - 0.5 * u * u, *(mesh.q[cell, 3:] / mass)])

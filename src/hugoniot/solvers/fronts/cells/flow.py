@@ -99,6 +99,12 @@ class Flow:
         parabolas.reconstruct(grid, self.work.w, n, mesh.d, self.variables)
         return self.work.w
 
+    def slopes(self, mesh: Mesh, cell: int) -> np.ndarray:
+        """Slopes (per m) of density, velocity, energy and scalars in a cell: the halves of its parabolas differ by half a rise."""
+        w, variables = self.look(mesh), self.variables
+        rise = w[parabolas.HIGH:parabolas.HIGH + variables, cell] - w[parabolas.LOW:parabolas.LOW + variables, cell]
+        return rise / (mesh.x[cell + 1] - mesh.x[cell])
+
     def drive(self, side: int, time: float) -> float:
         """What the left (0) or right (1) end is driven with, m/s or Pa."""
         return float(march.drive(self.rules.ends[side], self.rules.times[side], self.rules.values[side], time))

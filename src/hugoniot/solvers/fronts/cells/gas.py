@@ -156,13 +156,13 @@ def predict(grid, rules, work, n, d, dt, burns):
                 rate -= p / rho * spread
             if v >= variables or not full:
                 rate = 0.0
-            gain = half * rate
+            gain, shift = half * rate, 0.25 * dt * (w[SPEED, i] + w[SPEED, i + 1]) * slope
             if burns and v == LAM:
-                w[FROM, i] = w[MEAN + v, i] + gain
+                w[FROM, i] = w[MEAN + v, i] + gain + shift
                 gain += w[BURNED, i] - w[MEAN + v, i]
             w[LEFT + v, i] = low + gain + half * w[SPEED, i] * slope
             w[RIGHT + v, i] = high + gain + half * w[SPEED, i + 1] * slope
-            w[MIDDLE + v, i] = w[MEAN + v, i] + gain
+            w[MIDDLE + v, i] = w[MEAN + v, i] + gain + shift
     for block in (LEFT, RIGHT, MIDDLE):
         evaluate(grid, rules, work, n, block)
     for i in range(n):

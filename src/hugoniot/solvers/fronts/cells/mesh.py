@@ -121,6 +121,7 @@ def mean_area(a, b, d: int):
     return 0.5 * (a + b) if d == 2 else (a * a + a * b + b * b) / 3.0
 
 
+ABOUT = 0.9                  # of the widest cell: as good to split
 CALM = 0.1                   # of its heat: how much a cell that is split may turn into motion of its halves
 
 
@@ -144,9 +145,18 @@ def adjust(mesh: Mesh, spacing: Spacing, slope) -> None:
             n, moved = n - 1, moved - 1
             size = spacing.extents(mesh, f, n, h)
         while n < MORE * want - 0.25:
-            j = f + int(np.argmax(spacing.extents(mesh, f, n, h)))
+            j = f + _roomiest(spacing.extents(mesh, f, n, h), mesh.fronts[k:k + 2])
             split(mesh, j, slope(mesh, j))
             n, moved = n + 1, moved + 1
+
+
+def _roomiest(extents: np.ndarray, ends) -> int:
+    """The cell to split: of those about as wide as the widest the one farthest from shocks, behind which profiles are steep."""
+    at = np.arange(len(extents))
+    away = [at[::way] for front, way in zip(ends, (1, -1)) if front.kind in ("shock", "detonation")]
+    if not away:
+        return int(np.argmax(extents))
+    return int(np.argmax(np.where(extents > ABOUT * extents.max(), np.minimum.reduce(away), -1)))
 
 
 def split(mesh: Mesh, cell: int, slope) -> None:

@@ -38,7 +38,7 @@ class Trace:
         """
         rows = work.trace[:int(work.numbers[tables.SAMPLED])].tolist()
         work.numbers[tables.SAMPLED] = 0.0
-        faces = mesh.faces()
+        faces, now = mesh.faces(), [front.strength for front in mesh.fronts]
         for time, k, x, strength, *states in rows:
             front, f = mesh.fronts[int(k)], int(faces[int(k)])
             front.strength = strength
@@ -47,6 +47,8 @@ class Trace:
             if front.kind == "shock":
                 region = int(max(mesh.region[f - 1], mesh.region[f])) % regions
                 self.jumps[region] = max(self.jumps.get(region, 0.0), abs(states[1] - states[6]))
+        for front, strength in zip(mesh.fronts, now):      # the strengths noted are older than those the march came back with
+            front.strength = strength
 
     def table(self, mesh: Mesh, time: float) -> tuple[list[str], np.ndarray]:
         """(kinds, rows of COLUMNS) so far, in the order in which the lines began."""

@@ -4,15 +4,15 @@ import numpy as np
 
 from hugoniot.laws.burn.contract import BURN
 from hugoniot.laws.riemann.branch import Branch, State, stress, wave_speed_squared
-from hugoniot.materials import burning
-from hugoniot.materials.initial_state import initial_state
 from hugoniot.problem.model import Boundary, Problem
+from hugoniot.solvers.fronts import setup
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh
 from hugoniot.solvers.fronts.cells.spacing import Spacing, cells_of, count, place
 from hugoniot.solvers.fronts.cells.tables import COLD, HIGH, LAM, LOW, MEAN
 from hugoniot.solvers.fronts.line import Piece
 
 OUTSIDE = {"free": "vacuum", "fixed": "wall", "velocity": "wall", "pressure": "pressure", "transmitting": "open"}
+BEND = 1e-3
 _GAUSS = (0.5 - np.sqrt(0.15), 0.5, 0.5 + np.sqrt(0.15)), (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
 
 
@@ -26,8 +26,7 @@ def first_mesh(problem: Problem, spacing: Spacing, variables: int) -> Mesh:
             region.append(EMPTY)
             marked.append(True)
         faces = np.linspace(r.start, r.end, cells[k] + 1)[1:]
-        inwards = r.velocity[0] if isinstance(r.velocity, tuple) else r.velocity
-        if spacing.d > 1 and (r.start > 0.0 or inwards < 0.0):      # a wave will leave the axis or origin
+        if spacing.d > 1 and (r.start > 0.0 or setup.start_velocities(r, faces[:1])[0] < 0.0):      # a wave will leave the axis or origin
             faces = _graded(r.start, r.end, cells[k], spacing)
         x += faces.tolist()
         region += [k] * len(faces)
@@ -59,18 +58,15 @@ def _first_front(mesh: Mesh, face: int) -> Front:
 
 
 def _fill(mesh: Mesh, cells, region, material) -> None:
-    """Contents of a region's cells: constant density and energy, a velocity that is constant or linear."""
-    start = (region.density, region.pressure, region.temperature, region.energy)
-    rho, e = initial_state(material.eos, *start) if material.burn is None else burning.start_state(material, *start)
-    ends = region.velocity if isinstance(region.velocity, tuple) else (region.velocity, region.velocity)
+    """Contents of a region's cells, from what stands at three places in each."""
     a, h = mesh.x[cells], mesh.width[cells]
     for node, weight in zip(*_GAUSS):
         x = a + node * h
-        u = ends[0] + (ends[1] - ends[0]) * (x - region.start) / (region.end - region.start)
+        (rho, e), u = setup.start_states(region, material, x), setup.start_velocities(region, x)
         mass = weight * h * x ** (mesh.d - 1) * rho
         mesh.q[cells, :3] += np.column_stack([mass, mass * u, mass * (e + 0.5 * u * u)])
-    if mesh.q.shape[1] > 3:       # nothing has burned; reactants are on the isentrope they rest on
-        mesh.q[cells, 4], mesh.q[cells, 5] = mesh.q[cells, 0] / rho, mesh.q[cells, 0] * e
+        if mesh.q.shape[1] > 3:       # nothing has burned; reactants are on the isentrope they rest on
+            mesh.q[cells, 4:6] += np.column_stack([mass / rho, mass * e])
 
 
 def _programmed(material) -> bool:
@@ -78,14 +74,21 @@ def _programmed(material) -> bool:
 
 
 def breaks(end: Boundary) -> list[float]:
-    """Times after 0 at which a driven end jumps or kinks: steps end there."""
+    """Times after 0 at which a driven end jumps or kinks: steps end there. Of a table, the points at which it bends noticeably."""
     pulse = end.pulse
     if pulse is None:
         return []
-    times = list(pulse.times) if pulse.shape == "table" else [pulse.start]
+    times = _bends(np.array(pulse.times), np.array(pulse.values)) if pulse.shape == "table" else [pulse.start]
     if pulse.shape in ("half_sine", "square", "ramp"):
         times.append(pulse.start + pulse.duration)
     return [t for t in times if t > 0.0]
+
+
+def _bends(times: np.ndarray, values: np.ndarray) -> list[float]:
+    """Points of a table that lie off the line between their neighbours by more than BEND of all it spans; its ends."""
+    line = values[:-2] + (values[2:] - values[:-2]) * (times[1:-1] - times[:-2]) / (times[2:] - times[:-2])
+    off = np.abs(values[1:-1] - line) > BEND * max(np.abs(values).max(), 1e-300)
+    return [float(times[0]), *times[1:-1][off].tolist(), float(times[-1])]
 
 
 def pieces_at(flow, mesh: Mesh, face: int) -> tuple[Piece, Piece]:

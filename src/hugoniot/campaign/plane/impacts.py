@@ -1,0 +1,166 @@
+"""Bodies that turn or strike: a stressed square, a disc on a target, plates that meet at an angle."""
+
+import numpy as np
+from scipy.optimize import brentq
+
+from hugoniot.campaign.plane.parts import Bar, N, PlaneProblem, Z, box, centres, solver_of, walls
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
+from hugoniot.materials.material import Material
+from hugoniot.mesh.shapes import Curve, Edges
+from hugoniot.problem.plane.model import Block2D, VelocityField
+from hugoniot.theory.isentrope import state
+from hugoniot.theory.shock_polar import Stream
+
+ALUMINIUM = Material("al", MieGruneisen(2700.0, 5200.0, 1.5, 2.0), PerfectlyPlastic(24.8e9, 0.30e9))
+
+# -- the spinning square ------------------------------------------------------------------------------------------------------
+TURN = 0.01                                # s
+STRESS = 0.3 * 24.8e9 * 1e-3 * np.array([1.0, -0.4, 0.2])      # xx, yy, xy: elastic, Pa
+ROWS = [Z.sxx, Z.syy, Z.sxy]
+
+
+def square(steps, asked):
+    """A unit square of 4 x 4 zones under a uniform stress that is carried through one turn in so many steps."""
+    block = box((4, 4), (-0.5, 0.5), (-0.5, 0.5), material="al")
+    options = {"initial_step": TURN / steps, "largest_step": TURN / steps, "courant": 1e6, **asked}
+    solver = solver_of("spinning square", "plane", TURN, block, [ALUMINIUM], (), options)
+    solver.zones[ROWS] = STRESS[:, None]
+    solver.nodes[N.im] = 0.0               # no force turns the nodes from their way
+    carry(solver)
+    solver.begin()
+    return solver
+
+
+def carry(solver):
+    """Velocities with which every node ends the step where the rotation takes it: along the chord."""
+    steps = round(TURN / solver.problem.solver.largest_step)
+    x, y = solver.nodes[N.x], solver.nodes[N.y]
+    angle, dt = 2.0 * np.pi / steps, TURN / steps
+    solver.nodes[N.u] = ((np.cos(angle) - 1.0) * x - np.sin(angle) * y) / dt
+    solver.nodes[N.v] = (np.sin(angle) * x + (np.cos(angle) - 1.0) * y) / dt
+
+
+def turned(solver):
+    """Change of the size of the stress over one turn, and the angle it is off, rad."""
+    xx, yy, xy = solver.zones[ROWS]
+    half, shear, before = 0.5 * (xx - yy), xy, (0.5 * (STRESS[0] - STRESS[1]), STRESS[2])
+    size, angle = np.hypot(half, shear), 0.5 * np.arctan2(shear * before[0] - half * before[1], half * before[0] + shear * before[1])
+    return {"stress_drift": float(np.max(np.abs(size / np.hypot(*before) - 1.0))), "angle_error": float(np.abs(angle).max())}
+
+
+# -- a disc on a target -------------------------------------------------------------------------------------------------------
+RADIUS, THICK, DEEP, SPEED = 10e-3, 3e-3, 6e-3, 700.0
+RISEN, PLATEAU = 0.2e-6, 0.5e-6            # s: the shock is there on every mesh; the face that is struck is at rest
+FALL = 0.02                                # of the plateau: the release from the edge has come
+QUIET = 0.8                                # of the time in which it reaches the axis: its foot has not
+
+
+def plates(columns, rows, asked):
+    """Flyer and target with so many rows of zones in the flyer's thickness: a disc or, of one column, a strip of plates without edges."""
+    geometry, radius = ("axisymmetric", RADIUS) if columns > 1 else ("plane", RADIUS / rows)
+    deep = round(rows * DEEP / THICK)
+    blocks = [box((columns, rows), (0.0, radius), (-THICK, 0.0), "flyer", "al", velocity=VelocityField(base=(0.0, SPEED))),
+              box((columns, deep), (0.0, radius), (0.0, DEEP), "target", "al")]
+    sides = () if columns > 1 else walls("flyer.left", "flyer.right", "target.left", "target.right")
+    step = 0.2 * THICK / rows / 8000.0     # both take the same steps
+
+    def read(state):
+        p, c = (state.zones[name][columns * rows:].reshape(columns, deep) for name in ("pressure", "sound_speed"))
+        return {"axis": p[0].copy(), "face": p[:, 0].copy(), "speed": c[:, 0].copy()}
+
+    options = {"initial_step": step, "largest_step": step, **asked}
+    return solver_of("disc on target", geometry, 1.4e-6, blocks, [ALUMINIUM], sides, options, sampler=read, interval=5e-9)
+
+
+def disc(n, asked):
+    """n rows of square zones in the thickness of the flyer."""
+    return plates(round(n * RADIUS / THICK), n, asked)
+
+
+def released(solver):
+    """How far the pressure on the axis is from that between plates without edges, over the plateau, until the release from the edge comes
+    near; and how far the arrival of that release half-way in is from that of longitudinal sound behind the shock."""
+    columns, rows = solver.problem.blocks[0].zones
+    strip = plates(1, rows, {})
+    while strip.time < solver.time:
+        strip.march(solver.time, 10_000)
+    times, found = solver.take_gauges()
+    _, wanted = strip.take_gauges()
+    at = int(np.searchsorted(times, PLATEAU))
+    plateau, speed = wanted["face"][at, 0], wanted["speed"][at, 0]
+    watched = (times > RISEN) & (times < QUIET * RADIUS / speed)
+    place = columns // 2
+    way = RADIUS * (1.0 - (place + 0.5) / columns)
+    fallen = found["face"][:, place] < (1.0 - FALL) * wanted["face"][:, 0]
+    arrival = times[np.flatnonzero(fallen & (times > RISEN))[0]]
+    return {"axis_pressure": float(np.abs(found["axis"] - wanted["axis"])[watched].max() / plateau),
+            "release_arrival": float(abs(arrival * speed / way - 1.0))}
+
+
+# -- an oblique impact --------------------------------------------------------------------------------------------------------
+LEAN, FLIGHT = np.radians(6.0), 2000.0     # at 10.3 degrees the shock detaches
+LONG, THIN, POINT = 32e-3, 4e-3, 20e-3     # m: of a plate; where the point of impact is in the end
+FLUID = MieGruneisen(2700.0, 5200.0, 1.5, 2.0)
+
+
+def leaning(way, name, zones):
+    """A plate that leans on y = 0 and flies toward it, from above (way 1) or from below (-1)."""
+    along, across = np.array([np.cos(LEAN), way * np.sin(LEAN)]), np.array([-np.sin(LEAN), way * np.cos(LEAN)])
+    a = np.array([0.0, way * 1e-6])
+    b, c, d = a + LONG * along, a + LONG * along + THIN * across, a + THIN * across
+    low, high = ((a, b), (d, c)) if way > 0 else ((d, c), (a, b))
+
+    def line(ends):
+        return Curve("line", tuple((float(x), float(y)) for x, y in ends))
+
+    shape = Edges(line((low[0], high[0])), line((low[1], high[1])), line(low), line(high))
+    return Block2D(name, "al", shape, zones, velocity=VelocityField(base=(0.0, -FLIGHT * way)))
+
+
+def plates_that_meet(n, asked):
+    """Two plates of n zones across."""
+    plates = [leaning(way, name, (8 * n, n)) for way, name in ((1.0, "above"), (-1.0, "below"))]
+    return solver_of("oblique impact", "plane", MEETING, plates, [Material("al", FLUID)], (), asked)
+
+
+def shocked():
+    """(pressure, angle to the plane of symmetry) of the shock that runs with the point of impact: Courant and Friedrichs' polar."""
+    stream = Stream(FLUID, state(FLUID, pressure=0.0, density=2700.0), FLIGHT / np.sin(LEAN))
+    p = brentq(lambda p: stream.deflection(p) - LEAN, 1e9, stream.detachment[0])
+    return p, stream.shock_angle(p) - LEAN
+
+
+def behind(solver):
+    """Pressure on the plane of symmetry behind the shock and the angle of the shock in degrees, beside the polar's."""
+    pressure, angle = shocked()
+    x, y = centres(solver)
+    p, y = solver.zones[Z.p], np.abs(y)
+    inside = (y < 0.5e-3) & (x > POINT - 8e-3) & (x < POINT - 3e-3)
+    rows = np.linspace(0.6e-3, 1.6e-3, 11)
+    places = [crossing(x, p, np.abs(y - row) < 0.12e-3 * 20 / solver.problem.blocks[0].zones[1], 0.5 * pressure) for row in rows]
+    found = np.arctan(-1.0 / np.polyfit(rows, places, 1)[0])
+    return {"pressure": float(abs(p[inside].mean() / pressure - 1.0)), "shock_angle": float(np.degrees(abs(found - angle))),
+            "contact_depth": solver.results()["contact_depth"]}
+
+
+def crossing(x, p, near, level):
+    """The largest x at which the pressure of the zones `near` rises through a level."""
+    order = np.argsort(x[near])
+    xs, ps = x[near][order], p[near][order]
+    k = np.flatnonzero(ps > level)[-1]
+    return xs[k] + (xs[k + 1] - xs[k]) * (ps[k] - level) / (ps[k] - ps[k + 1])
+
+
+MEETING = POINT * np.tan(LEAN) / FLIGHT
+PROBLEMS = (
+    PlaneProblem("spinning_square", "a stressed square carried through one turn in so many steps", square, TURN, turned,
+                 (*(Bar(measure, n, goal=goal) for measure, goal in (("stress_drift", 1e-6), ("angle_error", 1e-5)) for n in (100, 400)),),
+                 (100, 400), carry),
+    PlaneProblem("disc_impact", "aluminium disc on aluminium, 700 m/s, until the release from its edge is near the axis", disc, 1.4e-6,
+                 released, (*(Bar(measure, n, goal=goal) for measure, goal in (("axis_pressure", 1e-3), ("release_arrival", 0.02))
+                              for n in (16, 24)),), (16, 24)),
+    PlaneProblem("oblique_impact", "two plates that meet at 6 degrees to the plane of symmetry, 2 km/s, beside the shock polar",
+                 plates_that_meet, MEETING, behind,
+                 (Bar("pressure", 20, goal=5e-3), Bar("shock_angle", 20, goal=0.2), Bar("contact_depth", 20, goal=1e-3)), (20,)),
+)

@@ -1,0 +1,90 @@
+"""A step that leaves the range of a law is taken again, smaller, before the run is given up.
+
+That a step has left the range of a law is seen at its end, when the state before it is gone. So a copy of the state is kept, at most
+`KEPT_FOR` steps old, and the march goes on from there to the step in question: by the rule of checkpoints, in the same bits. What is done
+depends on the state alone, not on when the copy was made, so that a run that is resumed repeats the same steps.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from hugoniot.errors import UnphysicalState
+from hugoniot.solvers.lagrange2d import layout as L
+from hugoniot.solvers.lagrange2d.assemble import N, Z
+from hugoniot.solvers.lagrange2d.contact import results
+from hugoniot.solvers.protocol import Event
+
+KEPT_FOR = 256       # steps
+MOST_TRIES = 12      # of the same trouble, each with half the step of the one before
+CLEAR = 4 * MOST_TRIES     # steps without trouble after which it counts as over
+NOT_LED_ON = {"mass", "inverse_mass", "nxx", "nyy", "nxy", "nhoop", "filter_power", "t0", "t1"}     # constants and scratch of a step
+ZONE_ROWS = np.array([k for k, name in enumerate(Z._fields) if name not in NOT_LED_ON])
+NODE_ROWS = np.array([N.x, N.y, N.u, N.v, N.im])
+WHOLE = ("control", "counters", "chains", "ends")
+
+
+class Kept(NamedTuple):
+    """Tables at the start of a step."""
+
+    zones: Any
+    nodes: Any
+    charge: Any
+    rest: tuple
+    contact: dict
+
+
+def keep(solver) -> Kept:
+    """What the next step is taken from."""
+    rest = tuple(getattr(solver, name).copy() for name in WHOLE)
+    return Kept(solver.zones[ZONE_ROWS], solver.nodes[NODE_ROWS], solver.charge.copy(), rest, results.payload(solver.run.contact))
+
+
+def put_back(solver, kept: Kept) -> None:
+    """Stand where `keep` was called."""
+    solver.zones[ZONE_ROWS], solver.nodes[NODE_ROWS], solver.charge[...] = kept.zones, kept.nodes, kept.charge
+    for name, values in zip(WHOLE, kept.rest):
+        getattr(solver, name)[...] = values
+    solver.run = solver.run._replace(contact=results.restored(solver.run.contact, kept.contact))
+
+
+class Rewind:
+    """The copy, and the event times of the marches since: what is needed to stand before any step since then."""
+
+    def __init__(self):
+        self.kept: Kept | None = None
+        self.marches: list[tuple[int, float]] = []      # (cycle of the first step, event time)
+
+    def forget(self) -> None:
+        """What is kept no longer leads to the state as it stands."""
+        self.kept = None
+
+    def begin(self, solver, until: float) -> None:
+        """A march to the event time `until` begins."""
+        if self.kept is None or solver.cycle - self.marches[0][0] >= KEPT_FOR:
+            self.kept, self.marches = keep(solver), []
+        self.marches.append((solver.cycle, until))
+
+    def again(self, solver, cause: UnphysicalState, stop) -> Event | None:
+        """Stand before the last step, and have the next one half as long; None if that has been tried often enough.
+
+        cause   what the step has done
+        stop    stop(cycle): march on to the event time of the control vector or to a cycle
+        """
+        counters, cycle, dt, until = solver.counters, solver.cycle, solver.step, solver.control[L.EVENT_TIME]
+        before = cycle - 1
+        assert self.kept is not None
+        tries = 1 if before - counters[L.LAST_TRIED] > CLEAR or counters[L.TRIES] == 0 else int(counters[L.TRIES]) + 1
+        if tries > MOST_TRIES or not 0.5 * dt > solver.control[L.DT_SMALLEST]:
+            return None
+        put_back(solver, self.kept)
+        ends = [start for start, _ in self.marches[1:]] + [before]
+        for (_, event), end in zip(self.marches, ends):
+            solver.control[L.EVENT_TIME] = event
+            if end > solver.cycle:
+                stop(end)
+        solver.control[L.EVENT_TIME], solver.control[L.DT_NATURAL] = until, 0.5 * dt / solver.control[L.GROWTH]
+        counters[L.TRIES], counters[L.LAST_TRIED], counters[L.LEFT_RANGE] = tries, before, counters[L.LEFT_RANGE] + 1
+        self.kept, self.marches = keep(solver), [(before, until)]
+        text = (f"a step of {dt:.4g} s is repeated with half the length: in block '{cause.region}' {cause.cause}")
+        return Event("step_repeated", solver.time, solver.cycle, cause.values["x"], text)

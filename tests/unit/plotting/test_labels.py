@@ -1,0 +1,49 @@
+"""Labels of the pictures of impacts and of shock initiation: apart from each other and large enough in a window of 420 pixels."""
+
+from itertools import combinations
+from types import SimpleNamespace
+
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+from hugoniot.diagnostics.detonation import PopLine
+from hugoniot.materials import library
+from hugoniot.plotting.initiation import pop_picture
+from hugoniot.plotting.matches import impedance_match
+from hugoniot.theory.impedance import match
+
+WINDOW, READABLE = 420, 6.5     # pixels: width of the window, height of a line of text in it
+
+
+def boxes(ax):
+    """Text -> its box in pixels of the picture, and the width of the whole."""
+    figure = ax.get_figure()
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    figure.draw(renderer)
+    texts = [*ax.texts, *(t for axis in (ax.xaxis, ax.yaxis) for t in axis.get_ticklabels() if t.get_text())]
+    return {t.get_text(): t.get_window_extent(renderer) for t in texts if t.get_text()}, figure.get_tightbbox(renderer).width * figure.dpi
+
+
+@pytest.mark.parametrize("names", [["copper", "aluminum"], ["tungsten", "copper", "pmma"], ["copper", "aluminum", "lif", "pmma", "tungsten"],
+                                   ["aluminum", "copper", "iron", "tantalum", "tungsten"]])
+def test_the_labels_of_a_match_keep_apart_and_stay_readable(names):
+    layers = [library.find(name) for name in names]
+    ax = impedance_match(layers, 800.0, match(layers, 800.0))
+    placed, width = boxes(ax)
+    named = {t.get_text() for t in ax.texts}
+    assert len(named) == 2 * (len(names) - 1) + 1
+    for one, other in combinations(sorted(named), 2):
+        assert not placed[one].overlaps(placed[other]), (one, other)
+    assert min(placed[name].height for name in named) * WINDOW / width > READABLE
+
+
+@pytest.mark.parametrize(("pressures", "least"), [((8.0, 9.9, 12.2, 15.0), 4), ((3.0, 6.0, 15.0), 3), ((1.0, 5.0, 40.0), 3)])
+def test_a_pop_plot_has_numbers_along_both_axes(pressures, least):
+    line = PopLine(1.2534, -0.4)
+    points = [SimpleNamespace(pressure=p * 1e9, distance=line.distance(p * 1e9)) for p in pressures]
+    ax = pop_picture(SimpleNamespace(points=points, line=line, material="explosive", zone_size=2e-5))
+    boxes(ax)
+    for axis, (low, high) in ((ax.xaxis, ax.get_xlim()), (ax.yaxis, ax.get_ylim())):
+        numbers = [(v, t.get_text()) for minor in (False, True) for v, t in zip(axis.get_ticklocs(minor=minor), axis.get_ticklabels(minor=minor))]
+        shown = [text for value, text in numbers if low <= value <= high and text]
+        assert len(shown) >= (least if axis is ax.xaxis else 3) and len(shown) <= 12, shown
