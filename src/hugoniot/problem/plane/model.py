@@ -142,6 +142,7 @@ class Viscosity2D:
     limited            whether smooth flow is spared; "herrmann" has no limiter
     linear, quadratic  of a material without strength;  solid_linear, solid_quadratic of one with;  explosive_linear,
                        explosive_quadratic of one that burns, whose products are stiffer than a gas, as in one dimension
+    heat_flux          coefficient of the artificial heat flux between quadrilaterals of materials without strength that do not burn
     """
 
     kind: str = "tensor"
@@ -152,6 +153,7 @@ class Viscosity2D:
     solid_quadratic: float = 2.0 / 3.0
     explosive_linear: float = 0.3
     explosive_quadratic: float = 1.0
+    heat_flux: float = 0.75
 
 
 @dataclass(frozen=True)

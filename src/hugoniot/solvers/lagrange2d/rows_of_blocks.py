@@ -3,7 +3,7 @@
 import numpy as np
 
 from hugoniot.solvers.lagrange2d import plane_rows
-from hugoniot.solvers.lagrange2d.assemble import Numbering
+from hugoniot.solvers.lagrange2d.assemble import Numbering, Z
 from hugoniot.solvers.lagrange2d.smoothness import Gradients
 
 XI, ETA = Gradients._fields.index("xix"), Gradients._fields.index("etax")
@@ -62,10 +62,11 @@ def block_sides(block):
     return [[(int(zone), k) for zone in zones] for zones, k in ((number[0], 3), (number[-1], 1), (number[:, 0], 0), (number[:, -1], 2))]
 
 
-def ghost_tables(mesh, numbering: Numbering, mirrors):
+def ghost_tables(mesh, numbering: Numbering, mirrors, alike):
     """The cells around the blocks (columns of `smoothness`): integers, and normals of walls with the way to the cell.
 
-    mirrors: (4 blocks, 2) normals of the walls that are whole sides of blocks, 0 elsewhere.
+    mirrors: (4 blocks, 2) normals of the walls that are whole sides of blocks, 0 elsewhere; alike: whether heat flows between two zones
+    at a joint.
     """
     mesh = mesh.cells
     owners: dict[tuple[int, int], list[tuple[int, int]]] = {}
@@ -73,19 +74,35 @@ def ghost_tables(mesh, numbering: Numbering, mirrors):
     for block in mesh.blocks:
         for zone, k in (edge for side in block_sides(block) for edge in side):
             owners.setdefault(tuple(sorted((corners[zone, k], corners[zone, (k + 1) % 4]))), []).append((zone, k))
-    places, numbers = [], []
+    places, numbers, firsts = [], [], [block.first_zone for block in mesh.blocks]
+
+    def cell_of(zone):
+        n = int(np.searchsorted(firsts, zone, side="right")) - 1
+        i, j = divmod(zone - firsts[n], mesh.blocks[n].nj)
+        return int(start[n]) + (i + 1) * (mesh.blocks[n].nj + 2) + j + 1
+
     for n, block in enumerate(mesh.blocks):
         for side, edges in enumerate(block_sides(block)):
             direction, way = (ETA, XI)[side // 2], (-1.0, 1.0)[side % 2]
             step = (block.nj + 2 if direction == ETA else 1) * int(way)
             for zone, k in edges:
-                i, j = divmod(zone - block.first_zone, block.nj)
-                own = int(start[n]) + (i + 1) * (block.nj + 2) + j + 1
+                own = cell_of(zone)
                 ends = corners[zone, k], corners[zone, (k + 1) % 4]
                 others = [(z, c) for z, c in owners[tuple(sorted(ends))] if (z, c) != (zone, k)]
                 far = [corners[z, (c + m) % 4] for z, c in others[:1] for m in (2, 3)]
                 nodes = [int(numbering.representative[node]) for node in (*ends, *far)]
-                places.append((own + step, own, direction, *nodes, *([-1, -1] if not far else [])))
+                heat = [cell_of(z) for z, _ in others[:1] if alike(zone, z)]
+                places.append((own + step, own, direction, *nodes, *([-1, -1] if not far else []), *(heat or [-1])))
                 numbers.append((*mirrors[4 * n + side], way))
     return np.array(places, dtype=np.int64), np.array(numbers)
 
+
+def alike(problem, zones):
+    """What says whether two zones are of one material and start alike."""
+    blocks, number, start = problem.blocks, problem.mesh.block_of, zones[[Z.rho, Z.e]].copy()
+
+    def answer(zone, other) -> bool:
+        same = blocks[number[zone]].material == blocks[number[other]].material
+        return same and np.allclose(start[:, zone], start[:, other], rtol=1e-9, atol=0.0)
+
+    return answer

@@ -19,9 +19,8 @@ The stress is a continuous function of the rates, and nothing is decided by roun
 * A jump counts for the time step in proportion, where it is faint beside the sound speed or the motion along the other direction.
 
 A principal direction that turns a little in a slender zone makes shear stress of the long direction's viscosity across the short edges,
-which an explicit step does not bear. Where the longer mean edge is 4 times the height above it, wholly from 8 times on, be the zone
-slender or sheared flat, the closing along the mean edges themselves is
-resisted instead, $Q = \sum q\,t\otimes t$ with the unit edges t, which has no shear.
+which an explicit step does not bear. Where the longer mean edge is 4 times the height above it, wholly from 8 times on, be the zone slender
+or sheared flat, the closing along the mean edges is resisted instead, $Q = \sum q\,t\otimes t$ with the unit edges t, which has no shear.
 
 The triangle of a corner that opens to a straight angle vanishes, and its gradient would grow beyond all bounds. The gradient is taken over
 a quarter of the zone's area at least: the force still opposes the very motion it is transposed from, so that its work stays positive,
