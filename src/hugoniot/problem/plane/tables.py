@@ -230,8 +230,8 @@ class ViscosityTable(Table):
     solid_quadratic: Plain = Field(Viscosity2D.solid_quadratic, description="quadratic coefficient of materials with strength")
     explosive_linear: Plain = Field(Viscosity2D.explosive_linear, description="linear coefficient of materials that burn")
     explosive_quadratic: Plain = Field(Viscosity2D.explosive_quadratic, description="quadratic coefficient of materials that burn")
-    heat_flux: Plain = Field(Viscosity2D.heat_flux, description="coefficient of the artificial heat flux in shocks, between quadrilaterals of "
-                                                                "materials without strength that do not burn; 0: none")
+    heat_flux: Plain = Field(Viscosity2D.heat_flux, description="coefficient of the artificial heat flux in shocks of quadrilaterals, "
+                                                                "in materials without strength that do not burn; 0: none")
 
 
 class HourglassTable(Table):
