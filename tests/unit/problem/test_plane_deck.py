@@ -211,6 +211,8 @@ def test_the_schema_names_every_key_of_the_resolved_deck(everything):
     ('kind = "lagrange2d"', 'kind = "lagrange2d"\ndiagonal = "crossed"', 19, "solver.diagonal", "triangles only"),
     ('kind = "lagrange2d"', 'kind = "lagrange2d"\naverage_pressure = false', 19, "solver.average_pressure", "triangles only"),
     ('kind = "lagrange2d"', 'kind = "lagrange2d"\ncells = "triangles"\ndiagonal = "both"', 20, "solver.diagonal", "expected 'one_way'"),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\ncells = "triangles"\nviscosity = {heat_flux = 0.5}', 20, "solver.viscosity.heat_flux",
+     "between quadrilaterals only"),
     ('kind = "lagrange2d"', 'kind = "lagrange2d"\ncells = "triangles"\nhourglass = {subzonal_pressure = 0.5}', 20, "solver.hourglass",
      "no hourglass modes"),
     ('kind = "lagrange2d"', 'kind = "lagrange2d"\nviscosity = {kind = "edgy"}', 19, "solver.viscosity.kind", "expected 'tensor', 'edge' or 'herrmann'"),

@@ -42,7 +42,7 @@ __all__ = ["Model", "read", "write"]
 
 GAUGE_SAMPLES = 2000                 # of each gauge, and snapshots, in a run whose deck does not say otherwise
 OF_TRIANGLES = ("diagonal", "average_pressure")
-NO_FILTERS = {"subzonal_pressure": 0.0, "flanagan_belytschko": 0.0}
+NO_FILTERS, NO_FLUX = {"subzonal_pressure": 0.0, "flanagan_belytschko": 0.0}, {"heat_flux": 0.0}
 LARGE, FEW_SNAPSHOTS = 10_000, 20    # zones beyond which there are so few snapshots; else a hundred
 
 
@@ -180,7 +180,8 @@ def _solver(table: Any, axes, blocks, mesh: Blocks | None, collector: Collector)
         collector.add(("solver", "erosion"), "does not say when a zone leaves",
                       'such as plastic_strain = 1.5, or smallest_step = "0.1 ns"')
     erosion = None if row.erosion is None else Erosion2D(**row.erosion.model_dump())
-    return Solver2D(**own | {"viscosity": Viscosity2D(**row.viscosity.model_dump()), "erosion": erosion})
+    viscosity = row.viscosity.model_dump() | ({} if row.cells == "quads" else NO_FLUX)
+    return Solver2D(**own | {"viscosity": Viscosity2D(**viscosity), "erosion": erosion})
 
 
 def _check_cells(row: SolverTable, table: dict, collector: Collector) -> None:
@@ -189,9 +190,13 @@ def _check_cells(row: SolverTable, table: dict, collector: Collector) -> None:
         for key in OF_TRIANGLES:
             if getattr(row, key) is not None:
                 collector.add(("solver", key), "applies to triangles only", 'write cells = "triangles", or leave it out')
-    elif row.erosion is not None:
+        return
+    if "heat_flux" in row.viscosity.model_fields_set:
+        collector.add(("solver", "viscosity", "heat_flux"), "is computed between quadrilaterals only",
+                      'leave it out, or write cells = "quads"')
+    if row.erosion is not None:
         collector.add(("solver", "erosion"), "is computed for quads only", 'leave the table out, or write cells = "quads"')
-    elif "hourglass" in table:
+    if "hourglass" in table:
         collector.add(("solver", "hourglass"), "triangles have no hourglass modes: they have one velocity gradient each",
                       "leave the table out, or write cells = \"quads\"")
 
@@ -250,5 +255,6 @@ def _solver_table(problem: Problem2D) -> dict:
         del row[key]
     if problem.geometry == "plane":
         del row["scheme"]
-    row["viscosity"] = {f.name: getattr(solver.viscosity, f.name) for f in fields(solver.viscosity)}
+    left_out = () if solver.cells == "quads" else NO_FLUX
+    row["viscosity"] = {f.name: getattr(solver.viscosity, f.name) for f in fields(solver.viscosity) if f.name not in left_out}
     return row
