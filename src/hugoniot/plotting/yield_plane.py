@@ -51,7 +51,8 @@ def pi_plane(run, names=None, times=None, ax=None):
     for k, name in enumerate(words):
         angle = np.pi / 2.0 - 2.0 * np.pi / 3.0 * k
         ax.plot([0.0, reach * np.cos(angle)], [0.0, reach * np.sin(angle)], color=QUIET, linewidth=0.8, zorder=0)
-        ax.text(reach * np.cos(angle), 1.04 * reach * np.sin(angle), name, color=INK, fontsize=8.5, ha="center", va="bottom" if k == 0 else "top")
+        ax.text(reach * np.cos(angle), 1.04 * reach * np.sin(angle), name, color=INK, fontsize=8.5, ha="center",
+                va="top" if k else "bottom")
     for colour, k in zip(COLOURS, picked):
         radius = met[k] * factor
         ax.plot(radius * np.cos(turn), radius * np.sin(turn), color=colour, linewidth=0.6, linestyle=(0, (4, 3)))
