@@ -19,7 +19,7 @@ from hugoniot.laws.viscosity.wilkins import Wilkins
 from hugoniot.materials import burning, library
 from hugoniot.mesh.line import Cylindrical, Planar, Spherical
 from hugoniot.solvers.lagrange1d import compatible, leapfrog_passes, nodes, stress
-from hugoniot.solvers.lagrange2d import tensor
+from hugoniot.solvers.lagrange2d import heat_flux, quads, tensor
 from hugoniot.zones import burn, closure, fracture, laws, mixture, soundness, strength, viscosity
 
 pytestmark = pytest.mark.skipif(platform.machine() not in ("x86_64", "AMD64"), reason="counts x86 instructions")
@@ -34,7 +34,7 @@ def compiled(each: Pass, law=None):
 
 HARDENING = library.find("iron").strength
 METAL, SOLID, SPALL = library.find("copper").eos, PerfectlyPlastic(27.6e9, 0.3e9), SpallStress(1e9)
-CASES = [(closure.pressure_pass, METAL, 1, 3), (closure.state_pass, METAL, 1, 5), (closure.settle_pass, METAL, 2, 6),
+CASES = [(heat_flux.conduct, quads.Planar(), 4, 1), (closure.pressure_pass, METAL, 1, 3), (closure.state_pass, METAL, 1, 5), (closure.settle_pass, METAL, 2, 6),
          (closure.stiffness_pass, METAL, 1, 3), (strength.harden_pass, None, 0, 1),
          (fracture.fracture_pass, SPALL, 1, 1), (fracture.hold_pass, None, 0, 1),
          (compatible.half_stress, viscosity.Resisting(Limited(), Planar()), 0, 2), (stress.strain_solid, strength.Strong(SOLID, strength.Inert(), Planar()), 0, 2),

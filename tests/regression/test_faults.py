@@ -22,6 +22,7 @@ from faults import (  # noqa: F401
     killed_at,
     operations,
     same_bytes,
+    same_contents,
     spread,
     without_waiting_for_the_disk,
 )
@@ -152,7 +153,10 @@ def test_refused_at_every_file_operation_the_run_says_so_and_can_be_resumed(whol
 
 # -- memory that is refused ---------------------------------------------------------------------------------------------
 def check_refused_memory(whole, tmp_path, places):
-    """One request for memory is refused, the k-th from the start of the run: no crash, nothing lost."""
+    """One request for memory is refused, the k-th from the start of the run: no crash, nothing lost.
+
+    Where it is refused as h5py lets go of an object, which it then passes over, HDF5 lays out the rest of the file in another way.
+    """
     testing = pytest.importorskip("_testcapi", reason="this Python cannot refuse memory")
 
     def begin_in_want(folder, k):
@@ -170,7 +174,7 @@ def check_refused_memory(whole, tmp_path, places):
         assert not os.WIFSIGNALED(status), k
         if folder.exists():
             go_on(folder)
-            assert same_bytes(whole, folder), k
+            assert same_contents(whole, folder), k
             shutil.rmtree(folder)
 
 

@@ -11,7 +11,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 SCRIPTS = sorted(path.name for path in EXAMPLES.glob("plot_*.py"))
 # compile what no other test of this folder needs, or make hundreds of runs
 HEAVY = ["plot_06_noh.py", "plot_20_pulsating_detonation.py", "plot_22_spall_fit.py", "plot_23_sobol_flyer.py",
-         "plot_24_taylor_bar.py", "plot_25_cylinder_test.py"]
+         "plot_24_taylor_bar.py", "plot_25_cylinder_test.py", "plot_26_penetration.py"]
 # what a script prints, by a pattern with one number, and where that number must lie
 PROMISED = {
     "plot_01_spalling_flyer.py": [(r"largest tension ([\d.]+) GPa", 0.99, 1.05), (r"voids (\d+)", 2, 2), (r"acoustic ([\d.]+) GPa: the acoustic strength is a lower bound", 0.35, 0.42)],
@@ -39,6 +39,7 @@ PROMISED = {
                                (r"free-surface velocity: mostly region.flyer.velocity, total index ([\d.]+)", 0.6, 1.15)],
     "plot_24_taylor_bar.py": [(r"length ([\d.]+) mm", 21.42, 21.66), (r"foot ([\d.]+) mm", 6.97, 7.24), (r"energy error (\S+)", 0.0, 1e-12)],
     "plot_25_cylinder_test.py": [(r"after 6 mm: \d+ m/s, ([+-][\d.]+) %", -2.0, 2.0), (r"after 19 mm: \d+ m/s, ([+-][\d.]+) %", -2.0, 2.0)],
+    "plot_26_penetration.py": [(r"penetration (\d+) m/s", 1160, 1250), (r"energy error (\S+)", 0.0, 1e-12)],
     "plot_20_pulsating_detonation.py": [(r"period ([\d.]+)", 7.3, 7.5), (r"crests ([\d.]+)", 97.5, 99.7)],
 }
 

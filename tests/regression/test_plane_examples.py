@@ -24,6 +24,7 @@ COARSE: dict[str, dict] = {
     "cylinder-test": {},
     "kb2": {"block.base.zones": [12, 4], "block.cover.zones": [12, 4]},
     "gap-disc": {"block.target.zones": [20, 20], "block.flyer.zones": [25, 10], "stop_time": "2.4 us"},
+    "rod": {"block.target.zones": [6, 32], "block.around.zones": [8, 32], "block.rod.zones": [2, 24], "stop_time": "10 us"},
 }
 QUICK = ("noh-plane", "kb2")
 

@@ -54,15 +54,21 @@ def test_a_long_charge_keeps_its_schedule():
 @pytest.mark.slow
 @pytest.mark.parametrize("geometry", ["cylindrical", "spherical"])
 def test_a_diverging_front_is_that_of_the_compatible_integrator(geometry):
-    """D within 0.3 %; highest pressure, 7 to 13 % below CJ on 100 and 200 zones/cm, within half a per cent of the other integrator's."""
+    """D within 0.3 %; highest pressure, 7 to 13 % below CJ on 100 and 200 zones/cm, within half a per cent of the other integrator's, and nearer
+    on the finer mesh.
+
+    The mean over 50 places of the front: where in its zone the front stands moves the difference at one of them by 0.2 to 0.3 %.
+    """
+    differences = []
     for zones in (400, 800):
         problem = charge(comp_b(), geometry=geometry, part=0.85, zones=zones)
         highest = []
         for asked in (problem, leapfrog(problem)):
-            _, seen = run(asked)
-            highest.append(seen.states[-1].zones["pressure"].max())
+            _, seen = run(asked, 200)
+            highest.append(np.array([state.zones["pressure"].max() for state in seen.states[-50:]]))
             assert front_speed(seen.times, seen.path(), 0.008, 0.032) == pytest.approx(7980.0, rel=3e-3)
-        assert highest[1] == pytest.approx(highest[0], rel=5e-3)
+        differences.append(abs(np.mean(highest[1] / highest[0]) - 1.0))
+    assert differences[0] < 5e-3 and differences[1] < 0.8 * differences[0]
 
 
 @pytest.mark.slow

@@ -47,6 +47,7 @@ _ROWS = (
     Field("burn_fraction", "lambda", "1", "zone", "burn fraction", ("", 1.0)),
     Field("reference_state", "k_r", "1", "zone", "reference state (0 no shock, 1 shock passing, 2 behind, 3 burning in it)",
           ("", 1.0)),
+    Field("eroded", "D_e", "1", "zone", "whether the zone has left the mesh", ("", 1.0)),
     Field("plastic_work", "w_p", "J/kg", "zone", "plastic work", ("kJ/kg", 1e-3)),
     Field("viscous_work", "w_q", "J/kg", "zone", "work of the artificial viscosity", ("kJ/kg", 1e-3)),
     Field("kinetic_energy", "k", "J/kg", "zone", "kinetic energy", ("kJ/kg", 1e-3)),

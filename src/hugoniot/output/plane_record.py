@@ -88,7 +88,7 @@ class PlaneRecorder:
             fields["temperature"] = zone_temperature(state, self.problem.mesh.block_of, self.laws, self.solver.phases())
         fields.pop("mass")
         if self.kept:
-            fields = {name: value for name, value in fields.items() if name in self.kept or name in NODAL}
+            fields = {name: value for name, value in fields.items() if name in self.kept or name in NODAL or name == "eroded"}
         self.folder.snapshots([state.time], [state.cycle], {name: value[None, :] for name, value in fields.items()})
         parts = {name: value[None, :] for name, value in self.budget(state, self.solver.kinetic_energy()).items()}
         whole = {name: np.array([value]) for name, value in {**self.solver.errors(), **self.solver.exchanges()}.items()}

@@ -117,7 +117,8 @@ def _scale(run) -> tuple[str, float]:
 
 def _draw_zones(run, ax, k, values, field, mesh, mirror, limits):
     rows, topology = run.arrays("snapshots"), run.arrays("mesh")
-    corners = topology["zone_nodes"]
+    stays = _in_the_mesh(run, k)
+    corners, block_of, values = topology["zone_nodes"][stays], topology["block_of"][stays], values[stays]
     _, fx = _scale(run)
     places = np.stack([rows["position_x"][k], rows["position_y"][k]], axis=1) * fx
     colours, ends = colours_of(field, values, limits)
@@ -130,13 +131,19 @@ def _draw_zones(run, ax, k, values, field, mesh, mirror, limits):
         image = PolyCollection(part[corners], array=values * factor, cmap=colours, rasterized=len(corners) > MOST_VECTORS, **style)
         image.set_clim(ends[0] * factor, ends[1] * factor)
         ax.add_collection(image)
-        outline, interface = borders(corners, topology["block_of"])
+        outline, interface = borders(corners, block_of)
         if len(_halves(run, mirror)) == 2:      # where both halves meet there is no surface
             outline = outline[(part[outline, 0] != 0.0).any(axis=1)]
         ax.add_collection(LineCollection(part[outline], colors=INK, linewidths=0.8))
         ax.add_collection(LineCollection(part[interface], colors=INK, linewidths=0.8))
     _draw_rigid(run, ax, k, mirror)
     return image, factor
+
+
+def _in_the_mesh(run, k) -> np.ndarray:
+    """Whether each zone is in the mesh at snapshot k: none has left it in a run without erosion."""
+    rows = run.arrays("snapshots")
+    return rows["eroded"][k] == 0.0 if "eroded" in rows else np.ones(len(run.arrays("mesh")["zone_nodes"]), dtype=bool)
 
 
 def _draw_rigid(run, ax, k, mirror) -> None:
@@ -157,7 +164,8 @@ def _draw_contours(run, ax, k, values, count, mirror):
     """Lines of equal value, of the field carried to the nodes as the mean of the zones about them."""
     from matplotlib.tri import Triangulation
 
-    rows, corners = run.arrays("snapshots"), run.arrays("mesh")["zone_nodes"]
+    rows, stays = run.arrays("snapshots"), _in_the_mesh(run, k)
+    corners, values = run.arrays("mesh")["zone_nodes"][stays], values[stays]
     _, fx = _scale(run)
     about = np.bincount(corners.ravel(), minlength=rows["position_x"].shape[1])
     nodal = np.bincount(corners.ravel(), weights=np.repeat(values, corners.shape[1]), minlength=len(about)) / np.maximum(about, 1)
@@ -223,7 +231,8 @@ def _along(nodes, corners, points, values) -> np.ndarray:
     """The value of the zone that holds each point (2, n); NaN outside."""
     found = np.full(points.shape[1], np.nan)
     low, high = nodes[:, corners].min(axis=2), nodes[:, corners].max(axis=2)
-    near = np.flatnonzero(((high >= points.min(axis=1)[:, None]) & (low <= points.max(axis=1)[:, None])).all(axis=0))
+    near = np.flatnonzero(((high >= points.min(axis=1)[:, None]) & (low <= points.max(axis=1)[:, None])).all(axis=0)
+                          & np.isfinite(values))
     for n, point in enumerate(points.T):
         place = find_zone(nodes, corners[near], point) if len(near) else None
         if place is not None:

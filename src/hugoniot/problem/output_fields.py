@@ -7,7 +7,7 @@ from hugoniot.materials.collect import nearest, printable
 from hugoniot.problem.model import Problem
 
 OF_THE_PLANE = ("position_x", "position_y", "velocity_x", "velocity_y", "deviator_xx", "deviator_yy", "deviator_xy", "deviator_zz",
-                "principal_angle", "contact_pressure", "gap", "sliding_distance")
+                "principal_angle", "contact_pressure", "gap", "sliding_distance", "eroded")
 OF_THE_LINE = ("position", "velocity", "deviator_radial", "deviator_hoop", "entropy", "kinetic_energy", "momentum",
                "elastic_deviator_energy", "elastic_volume_energy", "mass")
 

@@ -7,7 +7,10 @@ import pytest
 
 from hugoniot.campaign.tracked import joined, with_fronts
 from hugoniot.errors import OutOfRange
-from hugoniot.problem.model import Boundary, Problem, Profile, Region, SolverOptions
+from hugoniot.laws.burn.programmed import Programmed
+from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.materials.material import Material
+from hugoniot.problem.model import Boundary, Lighting, Problem, Profile, Region, SolverOptions
 from hugoniot.problem.standard import STANDARD, gases
 from hugoniot.problem.standard.parts import gas
 from hugoniot.simulate import make_solver
@@ -63,3 +66,14 @@ def test_a_smooth_drive_of_many_points_ends_no_steps():
     solver = make_solver(with_fronts(problem))
     solver.march(problem.stop_time, 10**9)
     assert solver.cycle < len(problem.left.pulse.times)
+
+
+def test_a_detonator_fires_where_its_explosive_has_moved_to():
+    """Unburned explosive keeps its velocities; what stands at 2 cm and moves at 60 m/s is lit 50 ns later, 3 um on."""
+    explosive = Material("he", IdealGas(3.0, rho0=1875.0), burn=Programmed(8000.0), detonation_energy=8000.0**2 / 16.0)
+    moving = Profile((), (("velocity", "30 m/s + x * 1500 m/s / 1 m"),))
+    regions = (Region("charge", "he", 0.0, 0.05, 50, density=1875.0, profile=moving),)
+    problem = Problem("moved", "planar", 1e-7, regions, {"he": explosive}, Boundary("free"), Boundary("free"), lighting=(Lighting(0.02, 5e-8),))
+    solver = make_solver(with_fronts(problem))
+    solver.march(5e-8, 10**9)
+    assert [float(f.start) for f in solver.mesh.fronts if f.kind == "detonation"] == pytest.approx([0.02 + 60.0 * 5e-8] * 2, rel=1e-9)

@@ -87,7 +87,7 @@ def test_a_strip_is_the_one_dimensional_solver(geometry, solid):
     one = strip_1d(n, material, stop, Boundary("velocity", Pulse("constant", speed)), Boundary("fixed"), steps, **state)
     shape = dict(width=0.3, height=1.0, material=material.name, **state)
     driven = Boundary2D(("b.bottom",), "velocity", Pulse("constant", speed), direction=(0.0, 1.0))
-    coefficients = Viscosity2D("tensor", True, 0.3, 2.0 / 3.0, 0.3, 2.0 / 3.0)
+    coefficients = Viscosity2D("tensor", True, 0.3, 2.0 / 3.0, 0.3, 2.0 / 3.0, heat_flux=0.0)
     given = problem(box(3, n, **shape), material, stop, (driven, *walls("b.top", "b.right"), *(walls("b.left") if geometry == "plane" else ())),
                     geometry, viscosity=coefficients, **steps)
     solver = ran(given)
@@ -188,6 +188,19 @@ def test_blocks_that_share_nodes_are_one_block(cut, limited):
     field = parts.zones[Z.rho].reshape(2, *zones)
     assert np.allclose(np.concatenate(field, axis=0 if across else 1), whole.zones[Z.rho].reshape(8, 6), rtol=1e-12)
     assert parts.errors()["energy_error"] < 1e-13
+
+
+@pytest.mark.parametrize("geometry", ["plane", "axisymmetric"])
+def test_the_heat_flux_cools_the_wall_and_keeps_the_energy(geometry):
+    """A gas against a wall: the first zone comes nearer to the density behind the shock, 4, and nothing of the energy is lost."""
+    first = []
+    for coefficient in (0.0, 0.75):
+        block = box(3, 40, 0.1, 1.0, density=1.0, energy=1e-6, velocity=VelocityField(base=(0.0, -1.0)))
+        sides = walls("b.bottom", "b.right", *(("b.left",) if geometry == "plane" else ()))
+        solver = ran(problem(block, gas(), 1.0, sides, geometry, viscosity=Viscosity2D(heat_flux=coefficient)))
+        assert solver.errors()["energy_error"] < 1e-13
+        first.append(solver.zones[Z.rho].reshape(3, 40)[:, 0].mean())
+    assert first[0] < 3.4 and first[1] > first[0] + 0.15
 
 
 def test_herrmanns_viscosity_knows_the_axes_of_the_frame():

@@ -64,9 +64,9 @@ def bodies(mesh: Blocks) -> np.ndarray:
 
 
 def may_meet(problem) -> bool:
-    """Whether anything in a problem may meet: several bodies, a rigid one, or blocks that a contact keeps apart."""
+    """Whether anything in a problem may meet: several bodies, a rigid one, blocks that a contact keeps apart, or zones that lose others."""
     lets_go = any(boundary.separable for boundary in problem.boundaries)
-    return bool(problem.contacts or problem.rigid or lets_go) or int(bodies(problem.mesh).max()) > 0
+    return bool(problem.contacts or problem.rigid or lets_go or problem.solver.erosion) or int(bodies(problem.mesh).max()) > 0
 
 
 def trouble_on_the_axis(problem) -> str:

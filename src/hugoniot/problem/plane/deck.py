@@ -25,7 +25,7 @@ from hugoniot.problem.plane.contact import (
 )
 from hugoniot.problem.plane.contact_model import apart
 from hugoniot.problem.plane.edges import read_boundaries, read_gauges, read_lighting
-from hugoniot.problem.plane.model import Block2D, Problem2D, Solver2D, Viscosity2D
+from hugoniot.problem.plane.model import Block2D, Erosion2D, Problem2D, Solver2D, Viscosity2D
 from hugoniot.problem.plane.tables import (
     BlockTable,
     BoundaryTable,
@@ -171,12 +171,16 @@ def _solver(table: Any, axes, blocks, mesh: Blocks | None, collector: Collector)
     _check_cells(row, table, collector)
     polar = bool(blocks) and all(isinstance(block.shape, Sector) for block in blocks)
     about_axis = polar and all(block.shape.centre[0] == 0.0 for block in blocks)
-    own = row.model_dump(exclude={"hourglass", "viscosity"}) | row.hourglass.model_dump()
+    own = row.model_dump(exclude={"hourglass", "viscosity", "erosion"}) | row.hourglass.model_dump()
     if row.cells == "triangles":
         own |= NO_FILTERS
     own |= {key: getattr(Solver2D, key) for key in OF_TRIANGLES if own[key] is None}
     own["scheme"] = row.scheme or ("area_weighted" if about_axis and axes[0] == "r" else "true_volume")
-    return Solver2D(**own | {"viscosity": Viscosity2D(**row.viscosity.model_dump())})
+    if row.erosion is not None and row.erosion.plastic_strain is None and row.erosion.smallest_step is None:
+        collector.add(("solver", "erosion"), "does not say when a zone leaves",
+                      'such as plastic_strain = 1.5, or smallest_step = "0.1 ns"')
+    erosion = None if row.erosion is None else Erosion2D(**row.erosion.model_dump())
+    return Solver2D(**own | {"viscosity": Viscosity2D(**row.viscosity.model_dump()), "erosion": erosion})
 
 
 def _check_cells(row: SolverTable, table: dict, collector: Collector) -> None:
@@ -185,6 +189,8 @@ def _check_cells(row: SolverTable, table: dict, collector: Collector) -> None:
         for key in OF_TRIANGLES:
             if getattr(row, key) is not None:
                 collector.add(("solver", key), "applies to triangles only", 'write cells = "triangles", or leave it out')
+    elif row.erosion is not None:
+        collector.add(("solver", "erosion"), "is computed for quads only", 'leave the table out, or write cells = "quads"')
     elif "hourglass" in table:
         collector.add(("solver", "hourglass"), "triangles have no hourglass modes: they have one velocity gradient each",
                       "leave the table out, or write cells = \"quads\"")
@@ -236,7 +242,9 @@ def _boundary_table(boundary) -> dict:
 
 def _solver_table(problem: Problem2D) -> dict:
     solver = problem.solver
-    row = {f.name: v for f in fields(solver) if (v := getattr(solver, f.name)) is not None and f.name != "viscosity"}
+    row = {f.name: v for f in fields(solver) if (v := getattr(solver, f.name)) is not None and f.name not in ("viscosity", "erosion")}
+    if solver.erosion is not None:
+        row["erosion"] = _listed({f.name: getattr(solver.erosion, f.name) for f in fields(solver.erosion)})
     row["hourglass"] = {key: row.pop(key) for key in NO_FILTERS}
     for key in OF_TRIANGLES if solver.cells == "quads" else ("hourglass",):
         del row[key]

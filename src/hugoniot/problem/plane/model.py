@@ -142,6 +142,7 @@ class Viscosity2D:
     limited            whether smooth flow is spared; "herrmann" has no limiter
     linear, quadratic  of a material without strength;  solid_linear, solid_quadratic of one with;  explosive_linear,
                        explosive_quadratic of one that burns, whose products are stiffer than a gas, as in one dimension
+    heat_flux          coefficient of the artificial heat flux between quadrilaterals of materials without strength that do not burn
     """
 
     kind: str = "tensor"
@@ -152,6 +153,22 @@ class Viscosity2D:
     solid_quadratic: float = 2.0 / 3.0
     explosive_linear: float = 0.3
     explosive_quadratic: float = 1.0
+    heat_flux: float = 0.75
+
+
+@dataclass(frozen=True)
+class Erosion2D:
+    """When zones leave the mesh; a zone that the mesh would tangle in leaves it too.
+
+    plastic_strain  equivalent plastic strain at which they do; None: whatever it is
+    smallest_step   Courant step of a zone at which it does, s; None: whatever it is
+    mass            "kept": its nodes keep the mass of the zone, and fly on by themselves where no zone is left around them;
+                    "dropped": it leaves with its momentum and energy, which are booked
+    """
+
+    plastic_strain: float | None = None
+    smallest_step: float | None = None
+    mass: str = "kept"
 
 
 @dataclass(frozen=True)
@@ -164,6 +181,7 @@ class Solver2D:
     scheme       axisymmetric: "true_volume" (virtual work) or "area_weighted" (keeps spherical symmetry on polar meshes)
     subzonal_pressure    of quads: merit factor against hourglass modes of materials without strength; 0 is off
     flanagan_belytschko  of quads: viscous coefficient against hourglass modes of materials with strength; 0 is off
+    erosion      when zones leave the mesh, of quads; None: never
     courant, growth, initial_step, largest_step, threads, max_cycles   as in one dimension
     """
 
@@ -182,6 +200,7 @@ class Solver2D:
     largest_step: float | None = None
     threads: int = 1
     max_cycles: int | None = None
+    erosion: Erosion2D | None = None
 
 
 @dataclass(frozen=True)

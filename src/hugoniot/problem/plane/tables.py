@@ -230,6 +230,8 @@ class ViscosityTable(Table):
     solid_quadratic: Plain = Field(Viscosity2D.solid_quadratic, description="quadratic coefficient of materials with strength")
     explosive_linear: Plain = Field(Viscosity2D.explosive_linear, description="linear coefficient of materials that burn")
     explosive_quadratic: Plain = Field(Viscosity2D.explosive_quadratic, description="quadratic coefficient of materials that burn")
+    heat_flux: Plain = Field(Viscosity2D.heat_flux, description="coefficient of the artificial heat flux in shocks of quadrilaterals, "
+                                                                "in materials without strength that do not burn; 0: none")
 
 
 class HourglassTable(Table):
@@ -237,6 +239,16 @@ class HourglassTable(Table):
 
     subzonal_pressure: Plain = Field(Solver2D.subzonal_pressure, description="merit factor, materials without strength")
     flanagan_belytschko: Plain = Field(Solver2D.flanagan_belytschko, description="viscous coefficient, materials with strength")
+
+
+class ErosionTable(Table):
+    """When zones leave the mesh."""
+
+    plastic_strain: Annotated[float, Quantity("1", above=0.0)] | None = Field(
+        None, description="equivalent plastic strain at which a zone leaves the mesh (default: none)")
+    smallest_step: Positive | None = Field(None, description="Courant step of a zone at which it leaves the mesh (default: none)")
+    mass: Literal["kept", "dropped"] = Field("kept", description="kept by its nodes, or dropped with its momentum and energy, which are "
+                                             "booked")
 
 
 class SolverTable(Table):
@@ -260,6 +272,7 @@ class SolverTable(Table):
     max_cycles: int | None = Field(None, ge=1, le=10**15, description="stop after this many cycles (default: no limit)")
     viscosity: ViscosityTable = Field(default_factory=ViscosityTable, description="artificial viscosity")  # type: ignore[arg-type]
     hourglass: HourglassTable = Field(default_factory=HourglassTable, description="hourglass filters")  # type: ignore[arg-type]
+    erosion: ErosionTable | None = Field(None, description="when zones leave the mesh (default: never)")
 
 
 class PlaneOutputTable(OutputTable):

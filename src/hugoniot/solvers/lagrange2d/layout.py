@@ -259,7 +259,7 @@ class Smoothness(NamedTuple):
     xy: Any
 
 
-PIECE = 128          # zones of a piece: its scratch rows stay in the first two levels of cache
+PIECE = 256          # zones of a piece: its scratch rows stay in the second level of cache, and a row of the mesh is rarely cut
 
 # -- scratch of a member: rows of Work, Tensor (deviators found), Rates, Smoothness, Corners (viscous forces of the corners), Points (third
 # corners of triangles) -------------

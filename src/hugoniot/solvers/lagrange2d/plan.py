@@ -16,8 +16,8 @@ from hugoniot.core.pass_lists import Operation, Place, Written, carry_out, jobs,
 from hugoniot.core.passes import Entry, call_entry
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.core.team import DISMISSED, Alone, await_call, begin, gather_team, sign
+from hugoniot.solvers.lagrange2d import heat_flux, node_step, smoothness, triangle_passes, triangle_step, zone_passes, zone_step
 from hugoniot.solvers.lagrange2d import layout as L
-from hugoniot.solvers.lagrange2d import node_step, smoothness, triangle_passes, triangle_step, zone_passes, zone_step
 from hugoniot.solvers.lagrange2d.plane_rows import (
     AT_GRADIENTS,
     AT_GRADIENTS_BEFORE,
@@ -87,6 +87,7 @@ class Planner:
         self.dts, self.seen, self.triangles = self.places.dts, self.places.seen, self.places.own is not None
         self._body_force = np.array(body_force, dtype=float)
         self._at = [self.places.rows(member, member) for member in range(threads)]
+        self._some_conduct, self._coefficient = any(self.conducts(m[0], m[2]) for m in materials), np.array([viscosity.heat_flux])
         self._lists = dict(self._of_materials(materials)) | dict(self._of_zones()) | dict(self._of_nodes())
         self.written, self._ends = EMPTY.written, {}
 
@@ -105,7 +106,7 @@ class Planner:
                 if self.viscosity.limited:
                     self._compare(predict)
                 zone_step.predict(predict, self.geometry, numbers, fluid, self.viscosity.kind)
-                zone_step.correct(correct, self.geometry, numbers)
+                zone_step.correct(correct, self.geometry, numbers, self._conduction(at) if self.conducts(laws, fluid) else None)
                 yield (PREDICT, k, member), predict.operations
                 yield (CORRECT, k, member), correct.operations
                 rows = zone_passes.StartOf(at.now, at.z.p, at.q, at.s, at.f)
@@ -125,24 +126,40 @@ class Planner:
 
     def _compare(self, s):
         """Write how smooth the velocity field is."""
-        at, table = s.at, self.places.gradients
-        here, before, behind = (places(smoothness.Gradients, table, origin)
-                                for origin in (AT_GRADIENTS, AT_GRADIENTS_BEFORE, AT_GRADIENTS_BEHIND))
-
-        def beside(row, cells):
-            return Place(row.address + 8 * cells, row.origin)
-
+        here, left, right, before, behind = self._cells(smoothness.Gradients, 0)
         s.do(smoothness.compare, smoothness.ComparedOf(
-            at.now_low, at.now_high, here, L.Vector(beside(here.xix, -1), beside(here.xiy, -1)),
-            L.Vector(beside(here.xix, 1), beside(here.xiy, 1)), L.Vector(before.etax, before.etay), L.Vector(behind.etax, behind.etay),
-            at.smooth))
+            s.at.now_low, s.at.now_high, here, L.Vector(left.xix, left.xiy), L.Vector(right.xix, right.xiy),
+            L.Vector(before.etax, before.etay), L.Vector(behind.etax, behind.etay), s.at.smooth))
+
+    def _cells(self, cls, first):
+        """Rows of the table with cells around the blocks, from row `first` on: of a row of zones and of its four neighbours."""
+        origins = AT_GRADIENTS, AT_GRADIENTS_BEFORE, AT_GRADIENTS_BEHIND
+        here, before, behind = (places(cls, self.places.gradients[first:], origin) for origin in origins)
+        left, right = (cls(*(Place(row.address + way, row.origin) for row in here)) for way in (-8, 8))
+        return here, left, right, before, behind
+
+    def conducts(self, laws, fluid) -> bool:
+        """Whether artificial heat flows between the zones of a material: a gas or liquid that does not burn."""
+        return fluid and not laws.burns and not self.triangles and self.viscosity.heat_flux > 0.0
+
+    def _conduction(self, at):
+        """(rows, coefficient) of the artificial heat flux."""
+        nodes, cells = (at.mid_low, at.mid_high), self._cells(heat_flux.Carried, smoothness.CARRIED)
+        return heat_flux.ConductOf(*(L.Positions(line.x, line.y) for line in nodes), *cells, at.z.inverse_mass, at.z.e), self._coefficient
 
     def _of_zones(self):
         """((command, 0, member), list) of what zones do whatever their material."""
         for member, at in enumerate(self._at):
+            seen = []
             if self.viscosity.limited:
-                rows = smoothness.GradientsOf(at.now_low, at.now_high, places(smoothness.Gradients, self.places.gradients, AT_GRADIENTS))
-                yield (GRADIENTS, 0, member), [Operation(smoothness.gradients, None, rows, self.dts, at.whole)]
+                rows = smoothness.GradientsOf(at.now_low, at.now_high, self._cells(smoothness.Gradients, 0)[0])
+                seen.append(Operation(smoothness.gradients, None, rows, self.dts, at.whole))
+            if self._some_conduct:
+                cells = self._cells(heat_flux.Carried, smoothness.CARRIED)[0]
+                rows = heat_flux.CarryOf(at.z.e, at.z.q, at.z.viscous_speed, at.z.c, cells)
+                seen.append(Operation(heat_flux.carry, None, rows, self.dts, at.whole))
+            if seen:
+                yield (GRADIENTS, 0, member), seen
             look, rows = node_step.look, node_step.LookOf(*at.now, *(L.Positions(line.x, line.y) for line in at.mid), at.tangled)
             if self.triangles:
                 look, rows = triangle_passes.look, triangle_step.look_rows(self.places.pair(member)[0])

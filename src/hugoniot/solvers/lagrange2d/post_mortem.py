@@ -26,7 +26,8 @@ def diagnose(solver, code) -> UnphysicalState:
         triangles = np.min([(np.roll(x, -k, 0)[1] - np.roll(x, -k, 0)[0]) * (np.roll(y, -k, 0)[-1] - np.roll(y, -k, 0)[0])
                             - (np.roll(y, -k, 0)[1] - np.roll(y, -k, 0)[0]) * (np.roll(x, -k, 0)[-1] - np.roll(x, -k, 0)[0])
                             for k in range(len(x))], axis=0)
-        zone = int(np.argmin(triangles / np.maximum(np.abs(area), 1e-300)))
+        flat = triangles / np.maximum(np.abs(area), 1e-300)
+        zone = int(np.argmin(flat if solver.erosion.live is None else np.where(solver.erosion.live, flat, np.inf)))
         cause = "the mesh is tangled: a zone would invert (negative volume) at any time step" if code == L.TANGLED else (
             "the time step has collapsed: a zone is nearly flat")
         remedy = "stop earlier, use a finer or differently shaped mesh there, or raise the hourglass coefficients"

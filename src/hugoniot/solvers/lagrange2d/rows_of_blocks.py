@@ -3,7 +3,7 @@
 import numpy as np
 
 from hugoniot.solvers.lagrange2d import plane_rows
-from hugoniot.solvers.lagrange2d.assemble import Numbering
+from hugoniot.solvers.lagrange2d.assemble import Numbering, Z
 from hugoniot.solvers.lagrange2d.smoothness import Gradients
 
 XI, ETA = Gradients._fields.index("xix"), Gradients._fields.index("etax")
@@ -15,15 +15,16 @@ def cells(mesh):
     return np.concatenate(([0], np.cumsum([(block.ni + 2) * (block.nj + 2) for block in mesh.blocks])))
 
 
-def zone_rows(mesh, numbering: Numbering, material_of):
-    """(count, material, origins in the order of `plane_rows`) of every row of cells."""
+def zone_rows(mesh, numbering: Numbering, material_of, live=None):
+    """(count, material, origins in the order of `plane_rows`) of every row of cells, or of every stretch of it that is live."""
     found, start = [], cells(mesh)
     for k, block in enumerate(mesh.blocks):
         for i in range(block.ni):
             zone, node = _row_of_zones(block, i), int(numbering.local(k, i, 0))
             cell, upper = int(start[k]) + (i + 1) * (block.nj + 2) + 1, _upper(block, zone)
             places = zone, zone, node, node + block.nj + 1, cell, cell - block.nj - 2, cell + block.nj + 2, upper, upper
-            found.append((block.nj, material_of[k], *(WORD * place for place in places)))
+            for first, last in [(0, block.nj)] if live is None else stretches(live[zone:zone + block.nj]):
+                found.append((last - first, material_of[k], *(WORD * (place + first) for place in places)))
     return found
 
 
@@ -35,6 +36,12 @@ def _row_of_zones(block, i: int) -> int:
 def _upper(block, zone: int) -> int:
     """First upper triangle of the row of cells whose first zone is `zone`."""
     return zone + (block.per_cell - 1) * block.nj
+
+
+def stretches(live) -> list[tuple[int, int]]:
+    """(first, one after the last) of every run of true values."""
+    turns = np.flatnonzero(np.diff(np.concatenate(([False], live, [False])).astype(np.int8)))
+    return list(zip(turns[::2].tolist(), turns[1::2].tolist()))
 
 
 def node_rows(mesh, numbering: Numbering):
@@ -55,10 +62,11 @@ def block_sides(block):
     return [[(int(zone), k) for zone in zones] for zones, k in ((number[0], 3), (number[-1], 1), (number[:, 0], 0), (number[:, -1], 2))]
 
 
-def ghost_tables(mesh, numbering: Numbering, mirrors):
+def ghost_tables(mesh, numbering: Numbering, mirrors, alike):
     """The cells around the blocks (columns of `smoothness`): integers, and normals of walls with the way to the cell.
 
-    mirrors: (4 blocks, 2) normals of the walls that are whole sides of blocks, 0 elsewhere.
+    mirrors: (4 blocks, 2) normals of the walls that are whole sides of blocks, 0 elsewhere; alike: whether heat flows between two zones
+    at a joint.
     """
     mesh = mesh.cells
     owners: dict[tuple[int, int], list[tuple[int, int]]] = {}
@@ -66,19 +74,35 @@ def ghost_tables(mesh, numbering: Numbering, mirrors):
     for block in mesh.blocks:
         for zone, k in (edge for side in block_sides(block) for edge in side):
             owners.setdefault(tuple(sorted((corners[zone, k], corners[zone, (k + 1) % 4]))), []).append((zone, k))
-    places, numbers = [], []
+    places, numbers, firsts = [], [], [block.first_zone for block in mesh.blocks]
+
+    def cell_of(zone):
+        n = int(np.searchsorted(firsts, zone, side="right")) - 1
+        i, j = divmod(zone - firsts[n], mesh.blocks[n].nj)
+        return int(start[n]) + (i + 1) * (mesh.blocks[n].nj + 2) + j + 1
+
     for n, block in enumerate(mesh.blocks):
         for side, edges in enumerate(block_sides(block)):
             direction, way = (ETA, XI)[side // 2], (-1.0, 1.0)[side % 2]
             step = (block.nj + 2 if direction == ETA else 1) * int(way)
             for zone, k in edges:
-                i, j = divmod(zone - block.first_zone, block.nj)
-                own = int(start[n]) + (i + 1) * (block.nj + 2) + j + 1
+                own = cell_of(zone)
                 ends = corners[zone, k], corners[zone, (k + 1) % 4]
                 others = [(z, c) for z, c in owners[tuple(sorted(ends))] if (z, c) != (zone, k)]
                 far = [corners[z, (c + m) % 4] for z, c in others[:1] for m in (2, 3)]
                 nodes = [int(numbering.representative[node]) for node in (*ends, *far)]
-                places.append((own + step, own, direction, *nodes, *([-1, -1] if not far else [])))
+                heat = [cell_of(z) for z, _ in others[:1] if alike(zone, z)]
+                places.append((own + step, own, direction, *nodes, *([-1, -1] if not far else []), *(heat or [-1])))
                 numbers.append((*mirrors[4 * n + side], way))
     return np.array(places, dtype=np.int64), np.array(numbers)
 
+
+def alike(problem, zones):
+    """What says whether two zones are of one material and start alike."""
+    blocks, number, start = problem.blocks, problem.mesh.block_of, zones[[Z.rho, Z.e]].copy()
+
+    def answer(zone, other) -> bool:
+        same = blocks[number[zone]].material == blocks[number[other]].material
+        return same and np.allclose(start[:, zone], start[:, other], rtol=1e-9, atol=0.0)
+
+    return answer

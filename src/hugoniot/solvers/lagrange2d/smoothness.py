@@ -24,7 +24,7 @@ from hugoniot.core.target import GUARD
 from hugoniot.solvers.lagrange2d.layout import Nodes, Points, Smoothness, Vector
 
 SMALL = 1e-60
-GHOST, OWN, DIRECTION, NODE_A, NODE_B, FAR_A, FAR_B = range(7)     # integer columns of the table of ghosts
+GHOST, OWN, DIRECTION, NODE_A, NODE_B, FAR_A, FAR_B, FAR = range(8)     # integer columns of the table of ghosts
 NORMAL_X, NORMAL_Y, WAY = range(3)                                 # and columns of numbers
 
 
@@ -35,6 +35,9 @@ class Gradients(NamedTuple):
     xiy: Any
     etax: Any
     etay: Any
+
+
+CARRIED = len(Gradients._fields)      # first row of what `heat_flux` carries through joints
 
 
 class GradientsOf(NamedTuple):
@@ -120,3 +123,7 @@ def fill_ghosts(table, nodes, ghosts, numbers):
             along = 2.0 * (x * nx + y * ny)
             x, y = along * nx - x, along * ny - y
         table[row, ghost], table[row + 1, ghost] = x, y
+        far = ghosts[i, FAR]
+        if far >= 0:
+            for k in range(CARRIED, table.shape[0]):
+                table[k, ghost] = table[k, far]

@@ -23,21 +23,21 @@ from hugoniot.solvers.lagrange2d.contact import results
 from hugoniot.solvers.lagrange2d.contact.layout import Nowhere
 from hugoniot.solvers.lagrange2d.contact.results import ContactResults, NothingMeets
 from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, contact_tables, with_rigid
+from hugoniot.solvers.lagrange2d.erosion import Erosion, NoErosion
+from hugoniot.solvers.lagrange2d.heat_flux import Carried
 from hugoniot.solvers.lagrange2d.march import Options, Run, hold_at_start, march
 from hugoniot.solvers.lagrange2d.plan import EMPTY, START, Planner, carry_out_alone, serve
 from hugoniot.solvers.lagrange2d.rewind import Rewind
-from hugoniot.solvers.lagrange2d.rows_of_blocks import cells, ghost_tables, node_rows, zone_rows
+from hugoniot.solvers.lagrange2d.rows_of_blocks import alike, cells, ghost_tables, node_rows, zone_rows
 from hugoniot.solvers.lagrange2d.smoothness import Gradients
 from hugoniot.solvers.lagrange2d.zone_shapes import diagonal_table, inverse_altitudes, widths
 from hugoniot.solvers.protocol import NO_COUNTS, Event, NothingToAdd
 from hugoniot.state import State2D
 
 NAME = "lagrange2d"
-ZONE_FIELDS = {"density": Z.rho, "energy": Z.e, "pressure": Z.p, "viscous_pressure": Z.q, "sound_speed": Z.c, "deviator_xx": Z.sxx,
-               "deviator_yy": Z.syy, "deviator_xy": Z.sxy, "plastic_strain": Z.plastic_strain, "damage": Z.damage,
-               "plastic_work": Z.plastic_work, "viscous_work": Z.viscous_work}
 KEPT = ("zones", "nodes", "charge", "control", "counters", "chains", "ends")      # in checkpoints
 WORTH_SHARING = 4_000        # zones
+ON_THE_WAY = (L.PAUSED, L.GAUGE_DUE, L.NO_ROOM)      # why a march comes back before it is done
 LARGEST_COLLAPSE = 1e-12     # smallest useful step as a fraction of the stop time
 
 
@@ -64,9 +64,6 @@ class Lagrange2D(NothingToAdd):
         if self.burning:
             unburned(problem, self.charge, self.zones, widths(mesh))
         self.region_of = mesh.block_of
-        pulses = [b.pulse for b in problem.boundaries if b.kind == "velocity" and b.pulse]
-        speed = max(float(self.zones[Z.c].max()), float(np.hypot(self.nodes[N.u], self.nodes[N.v]).max()),
-                    *(abs(v) for pulse in pulses for v in (pulse.amplitude, *pulse.values)))
         self.boundaries.chains.extend(f"rigid {body.name}" for body in problem.rigid)
         self.chains = np.zeros((len(self.boundaries.chains) + 1, 3))
         self.team = team_of(problem.solver.threads, count, WORTH_SHARING)
@@ -77,7 +74,8 @@ class Lagrange2D(NothingToAdd):
         contact = Nowhere() if surfaces is None else contact_tables(problem, surfaces, self.boundaries, numbering, self._zones)
         self.run = self._run(mesh, contact)
         self.ends = self.run.ends
-        self.plan, self.fronts = self._plan(mesh, speed)
+        self.plan, self.fronts = self._plan(mesh, accounts.largest_speed(problem, self.zones, self.nodes))
+        self.erosion = Erosion(self, surfaces) if problem.solver.erosion else NoErosion()
         self.gauge_times, self.gauge_rows = [], []
         self.rewind = Rewind()
         self.begin()
@@ -86,11 +84,10 @@ class Lagrange2D(NothingToAdd):
     # -- setting up ------------------------------------------------------------------------------------------
     def _run(self, mesh, contact) -> Run:
         edges = self.boundaries
-        ghosts = ghost_tables(mesh, self.numbering, edges.mirrors) if self.problem.solver.viscosity.limited else (
-            np.zeros((0, 7), dtype=np.int64), np.zeros((0, 3)))
+        ghosts = ghost_tables(mesh, self.numbering, edges.mirrors, alike(self.problem, self.zones))
         axis, ratio = axis_tables(self.problem, self.numbering, self.nodes[:, :self.numbering.total], self.kind)
         starts, members = self.numbering.shared()
-        gradients = zone_table(len(Gradients._fields), int(cells(mesh)[-1]))
+        gradients = zone_table(len(Gradients._fields) + len(Carried._fields), int(cells(mesh)[-1]))
         ends = transmitting.tables(edges, ghosts[0], self.numbering)
         return Run(self._zones, self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates, *ends,
                    edges.held, edges.held_normals, edges.pulses, edges.tables, starts, members, edges.special, axis, ratio, self.chains,
@@ -98,13 +95,17 @@ class Lagrange2D(NothingToAdd):
 
     def _plan(self, mesh, speed):
         """(plan of the march, largest speed of a programmed front)."""
-        materials, material_of = materials_of(self.problem, speed, self.options.near)
+        materials, self.material_of = materials_of(self.problem, speed, self.options.near)
         tables = self._zones, self._charge, self._nodes, self.run.gradients, diagonal_table(mesh)
         self.planner = Planner(tables, materials, G.KINDS[self.kind], self.problem.solver.viscosity, self.problem.body_force,
                                self.team.threads, max(block.nj for block in mesh.blocks))
         compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs()])
-        plan = self.planner.plan(zone_rows(mesh, self.numbering, material_of), node_rows(mesh, self.numbering))
-        return plan, max(material[0].constants.front for material in materials)
+        return self.plan_of(None), max(material[0].constants.front for material in materials)
+
+    def plan_of(self, live):
+        """The plan of a march whose zones are live, all of them if None."""
+        mesh = self.problem.mesh
+        return self.planner.plan(zone_rows(mesh, self.numbering, self.material_of, live), node_rows(mesh, self.numbering))
 
     def _march_arguments(self, cycles, plan):
         return cycles, self.run, plan, self.options, self.control, self.counters, self.team
@@ -179,7 +180,19 @@ class Lagrange2D(NothingToAdd):
             return []
         self.control[L.EVENT_TIME] = until
         self.rewind.begin(self, until)
-        end, events = self.cycle + cycles, []
+        end, events, code = self.cycle + cycles, [], L.PAUSED
+        while code in ON_THE_WAY and self.cycle < end:
+            code = self._march_to(self.erosion.pause(end), events)
+            if self.erosion.act(code):
+                code = code if code == L.AT_EVENT else L.PAUSED
+                self.rewind.forget()
+                self.rewind.begin(self, until)
+        if code in (L.STEP_COLLAPSED, L.TANGLED):
+            raise post_mortem.diagnose(self, code)
+        return events
+
+    def _march_to(self, end: int, events: list) -> int:
+        """March to the cycle `end` or the event time; steps that leave the range of a law are taken again, and become events."""
         with at_work(self.team, serve, self.plan):
             while (code := self._carry_on(end, self._read_gauges)) == L.BAD_STATE:
                 fault = post_mortem.diagnose(self, code)
@@ -187,9 +200,7 @@ class Lagrange2D(NothingToAdd):
                 if event is None:
                     raise fault
                 events.append(event)
-        if code in (L.STEP_COLLAPSED, L.TANGLED):
-            raise post_mortem.diagnose(self, code)
-        return events
+        return code
 
     def _carry_on(self, end: int, at_gauge) -> int:
         """March to the cycle `end` or the event time; the code of why it came back. at_gauge(): what is done where gauges are due."""
@@ -221,11 +232,7 @@ class Lagrange2D(NothingToAdd):
     # -- what observers see ----------------------------------------------------------------------------------
     def state(self) -> State2D:
         """Copies of all fields now."""
-        zones = {name: self.zones[row].copy() for name, row in ZONE_FIELDS.items()}
-        zones["deviator_zz"] = -(zones["deviator_xx"] + zones["deviator_yy"])
-        zones["mass"] = self.zones[Z.mass].copy()
-        if self.burning:
-            zones |= self.burn_fields()
+        zones = self.erosion.seen(accounts.zone_fields(self.zones) | (self.burn_fields() if self.burning else {}))
         at = self.numbering.representative
         nodes = {name: self.nodes[row, at] for name, row in (("position_x", N.x), ("position_y", N.y), ("velocity_x", N.u),
                                                              ("velocity_y", N.v))}
@@ -266,9 +273,9 @@ class Lagrange2D(NothingToAdd):
 
     def results(self) -> dict[str, float]:
         """Further numbers for the summary."""
-        work = float(np.sum(self.zones[Z.mass] * self.zones[Z.filter_work]))
-        repeated = int(self.counters[L.REPEATED] + self.counters[L.LEFT_RANGE])
-        return {"steps_repeated": repeated, "filter_work": work} | self.contact.summary(self.run.contact)
+        found = {"steps_repeated": int(self.counters[L.REPEATED] + self.counters[L.LEFT_RANGE]),
+                 "filter_work": float(np.sum(self.zones[Z.mass] * self.zones[Z.filter_work]))}
+        return found | self.contact.summary(self.run.contact) | self.erosion.results()
 
     def peaks(self) -> dict[str, np.ndarray]:
         """Peak fields of every zone so far: stress and pressure in compression, tension positive."""
@@ -278,15 +285,15 @@ class Lagrange2D(NothingToAdd):
     def payload(self) -> dict:
         """Everything a bitwise restart needs."""
         start = {"start_energy": self.start_energy, "start_momentum": self.start_momentum}
-        return {name: getattr(self, name).copy() for name in KEPT} | start | results.payload(self.run.contact)
+        return {name: getattr(self, name).copy() for name in KEPT} | start | self.erosion.payload() | results.payload(self.run.contact)
 
     def restore(self, payload: dict) -> None:
         """Continue from a payload of the same problem."""
         for name in KEPT:
             getattr(self, name)[...] = payload[name]
         self.start_energy, self.start_momentum = float(payload["start_energy"]), np.array(payload["start_momentum"])
+        self.erosion.restore(payload)
         self.run = self.run._replace(contact=results.restored(self.run.contact, payload))
         self.rewind.forget()
         if self.sampler is None:
             self.control[L.NEXT_GAUGE] = NO_LIMIT
-

@@ -19,9 +19,8 @@ The stress is a continuous function of the rates, and nothing is decided by roun
 * A jump counts for the time step in proportion, where it is faint beside the sound speed or the motion along the other direction.
 
 A principal direction that turns a little in a slender zone makes shear stress of the long direction's viscosity across the short edges,
-which an explicit step does not bear. Where the longer mean edge is 4 times the height above it, wholly from 8 times on, be the zone
-slender or sheared flat, the closing along the mean edges themselves is
-resisted instead, $Q = \sum q\,t\otimes t$ with the unit edges t, which has no shear.
+which an explicit step does not bear. Where the longer mean edge is 4 times the height above it, wholly from 8 times on, be the zone slender
+or sheared flat, the closing along the mean edges is resisted instead, $Q = \sum q\,t\otimes t$ with the unit edges t, which has no shear.
 
 The triangle of a corner that opens to a straight angle vanishes, and its gradient would grow beyond all bounds. The gradient is taken over
 a quarter of the zone's area at least: the force still opposes the very motion it is transposed from, so that its work stays positive,
@@ -101,16 +100,14 @@ class Around(NamedTuple):
 
 def metric(ax, ay, bx, by, least):
     """`Metric` of the mean edges a along the first logical direction and b along the second."""
-    axx, ayy, axy, bxx, byy, bxy = ax * ax, ay * ay, LESS * ax * ay, bx * bx, by * by, LESS * bx * by
-    half = 0.5 * LESS
-    return Metric(0.5 * (bxx + byy), half * (bxx - byy), bxy, 0.5 * (axx + ayy), half * (axx - ayy), axy, least)
+    axx, ayy, bxx, byy, half = ax * ax, ay * ay, bx * bx, by * by, 0.5 * LESS
+    return Metric(0.5 * (bxx + byy), half * (bxx - byy), LESS * bx * by, 0.5 * (axx + ayy), half * (axx - ayy), LESS * ax * ay, least)
 
 
 def metric_of(q):
     """`Metric` of a quadrilateral."""
-    ax, ay = 0.5 * (q.x1 - q.x0 + q.x2 - q.x3), 0.5 * (q.y1 - q.y0 + q.y2 - q.y3)
-    bx, by = 0.5 * (q.x3 - q.x0 + q.x2 - q.x1), 0.5 * (q.y3 - q.y0 + q.y2 - q.y1)
-    return metric(ax, ay, bx, by, FLAT * q.area)
+    return metric(0.5 * (q.x1 - q.x0 + q.x2 - q.x3), 0.5 * (q.y1 - q.y0 + q.y2 - q.y3),
+                  0.5 * (q.x3 - q.x0 + q.x2 - q.x1), 0.5 * (q.y3 - q.y0 + q.y2 - q.y1), FLAT * q.area)
 
 
 def around(z, j):
@@ -179,11 +176,9 @@ def in_corner(e1x, e1y, e2x, e2y, u1, v1, u2, v2, m, a, viscosity):
     xi1, xi2, eta1, eta2 = m.xi - xim, m.xi + xim, m.eta - etam, m.eta + etam
     before = a.dev * mxx + a.xy * mxy
     length1, length2 = vsqrt(xi1 + eta1), vsqrt(xi2 + eta2)
-    most = fmax(mean, -mean) + size
-    rate1, rate2 = fmin(mean - size, 0.0), fmin(mean + size, 0.0)
-    left = 1.0 - a.share
-    psi1, psi2 = both_kept(xi1 * a.xi + eta1 * a.eta, xi1 * a.share + eta1 * left, a.mean - before, rate1,
-                           xi2 * a.xi + eta2 * a.eta, xi2 * a.share + eta2 * left, a.mean + before, rate2)
+    most, rate1, rate2 = fmax(mean, -mean) + size, fmin(mean - size, 0.0), fmin(mean + size, 0.0)
+    psi1, psi2 = both_kept(xi1 * a.xi + eta1 * a.eta, xi1 * a.share + eta1 * (1.0 - a.share), a.mean - before, rate1,
+                           xi2 * a.xi + eta2 * a.eta, xi2 * a.share + eta2 * (1.0 - a.share), a.mean + before, rate2)
     du1, du2 = rate1 * length1, rate2 * length2
     w1, w2 = viscous_speed(a.v, a.c, a.p, du1, psi1, viscosity), viscous_speed(a.v, a.c, a.p, du2, psi2, viscosity)
     q1, q2 = -du1 * w1, -du2 * w2
@@ -295,9 +290,8 @@ def resist(count, z, dt, numbers, law):
                     in_slender(z, j, viscosity)
         else:
             for j in range(first, end):
-                z.mean.xx[j], z.mean.yy[j], z.mean.xy[j], z.fastest[j], z.paid[j] = 0.0, 0.0, 0.0, 0.0, 0.0
-                z.g.f0x[j], z.g.f0y[j], z.g.f1x[j], z.g.f1y[j], z.g.f2x[j], z.g.f2y[j] = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-                z.g.f3x[j], z.g.f3y[j] = 0.0, 0.0
+                z.mean.xx[j] = z.mean.yy[j] = z.mean.xy[j] = z.fastest[j] = z.paid[j] = 0.0
+                z.g.f0x[j] = z.g.f0y[j] = z.g.f1x[j] = z.g.f1y[j] = z.g.f2x[j] = z.g.f2y[j] = z.g.f3x[j] = z.g.f3y[j] = 0.0
         first = end
 
 

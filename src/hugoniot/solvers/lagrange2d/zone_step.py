@@ -1,6 +1,6 @@
 """What the zones of a material do in a step, written into lists of passes: stress and forces in its middle, state and forces at its end."""
 
-from hugoniot.solvers.lagrange2d import edge_viscosity, herrmann_viscosity, hoop_viscosity, tensor, viscosity
+from hugoniot.solvers.lagrange2d import edge_viscosity, heat_flux, herrmann_viscosity, hoop_viscosity, tensor, viscosity
 from hugoniot.solvers.lagrange2d import zone_passes as passes
 from hugoniot.solvers.lagrange2d.layout import Tensor
 from hugoniot.solvers.lagrange2d.quads import AreaWeighted
@@ -80,11 +80,14 @@ def predict(s, geometry, numbers, fluid, kind):
         s.keep_half()
 
 
-def correct(s, geometry, numbers):
-    """Write how the state at the end of the step and its forces are found."""
+def correct(s, geometry, numbers, conduction):
+    """Write how the state at the end of the step and its forces are found; conduction: rows and numbers of the artificial heat flux, or
+    None."""
     z, w, at = s.at.z, s.at.w, s.at
     s.do(passes.settle, passes.SettleOf(at.mid, at.f, z.inverse_mass, at.coming, z.filter_power, at.d, z.e, w.heat,
                                         z.viscous_work, z.filter_work, at.q, z.q), kind=geometry, numbers=numbers)
+    if conduction:
+        s.do(heat_flux.conduct, conduction[0], kind=geometry, numbers=conduction[1])
     s.do(passes.shape, passes.ShapeOf(at.now, z.inverse_mass, w.v, z.rho, w.inverse_length), kind=geometry, numbers=numbers)
     solid_v = state_at_end(s)
     s.do(passes.stand, passes.StandOf(at.now, z.p, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s,

@@ -115,8 +115,8 @@ class Cells(Reading):
         for point in self.problem.lighting:
             if point.time == self.time:
                 region = next(r for r in self.problem.regions if r.start <= point.position <= r.end)
-                u = region.velocity[0] if isinstance(region.velocity, tuple) else region.velocity
-                self.changes.light(self.mesh, point.position + u * self.time, self.time)
+                u = setup.start_velocities(region, np.array([point.position]))[0]
+                self.changes.light(self.mesh, point.position + float(u) * self.time, self.time)
 
     def limiting(self) -> tuple[int, str]:
         """(zone, region name) of the cell that limits the step."""

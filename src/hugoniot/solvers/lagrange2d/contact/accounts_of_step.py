@@ -5,7 +5,7 @@ import numba as nb
 from hugoniot.core.target import GUARD
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.contact import layout as C
-from hugoniot.solvers.lagrange2d.contact.impulses import relative
+from hugoniot.solvers.lagrange2d.contact.impulses import movers, of_pair, relative
 from hugoniot.solvers.lagrange2d.contact.meeting import point_normal, remember, seen
 from hugoniot.solvers.lagrange2d.quads import AREA_WEIGHTED, PLANAR
 
@@ -34,23 +34,24 @@ def warm(c, p, e, heat):
 def book_heat(c, start, dt):
     """Heat and friction of all pairs and bonds; start: 1 where velocities jumped from those before (their mean counts), 0 for mean ones."""
     old, new = 0.5 * start, 1.0 - 0.5 * start
-    for k in range(c.counts[C.PAIRS]):
-        q = c.pair_numbers[k]
-        if c.pairs[k, C.PAIR_ACTIVE] == C.OFF or (q[C.LAMBDA] == 0.0 and q[C.TAU] == 0.0):
+    for i in range(c.counts[C.ACTIVE]):
+        k = c.active[i]
+        q, (s, a, b) = c.pair_numbers[k], of_pair(c, k)
+        if q[C.LAMBDA] == 0.0 and q[C.TAU] == 0.0:
             continue
-        p, e = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE]
-        u, v = relative(c, p, e, q[C.SHARE], C.U, C.V)
-        u0, v0 = relative(c, p, e, q[C.SHARE], C.U0, C.V0)
+        u, v = relative(c, s, a, b, q[C.SHARE], C.U, C.V)
+        u0, v0 = relative(c, s, a, b, q[C.SHARE], C.U0, C.V0)
         u, v = old * u0 + new * u, old * v0 + new * v
         heat, friction = -q[C.LAMBDA] * (u * q[C.NX] + v * q[C.NY]), -q[C.TAU] * (v * q[C.NX] - u * q[C.NY])
         c.numbers[C.HEAT] += heat
         c.numbers[C.FRICTION] += friction
-        warm(c, p, e, heat + friction)
+        warm(c, c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE], heat + friction)
     for p in range(c.bonds.shape[0]):
         if c.bonds[p, C.BOND_STATE] == C.BOUND:
             q, e = c.bond_numbers[p], c.bonds[p, C.BOND_EDGE]
-            u, v = relative(c, p, e, q[C.BOND_SHARE], C.U, C.V)
-            u0, v0 = relative(c, p, e, q[C.BOND_SHARE], C.U0, C.V0)
+            s, a, b = movers(c, p, e)
+            u, v = relative(c, s, a, b, q[C.BOND_SHARE], C.U, C.V)
+            u0, v0 = relative(c, s, a, b, q[C.BOND_SHARE], C.U0, C.V0)
             heat = -(q[C.BOND_X] * (old * u0 + new * u) + q[C.BOND_Y] * (old * v0 + new * v))
             c.numbers[C.HEAT] += heat
             warm(c, p, e, heat)
@@ -109,15 +110,16 @@ def accept(c, nodes, dt, options):
     c.of_points[:, C.FORCE_Y] = 0.0
     book_heat(c, 0.0, dt)
     last = -1
-    for k in range(c.counts[C.PAIRS]):
-        q = c.pair_numbers[k]
-        if c.pairs[k, C.PAIR_ACTIVE] == C.OFF or q[C.LAMBDA] == 0.0:
+    for i in range(c.counts[C.ACTIVE]):
+        k = c.active[i]
+        q, p = c.pair_numbers[k], c.pairs[k, C.PAIR_POINT]
+        if q[C.LAMBDA] == 0.0:
             continue
-        p, e = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE]
-        gap, _, _, _, length = seen(c, nodes, p, e, 0, C.U, 0.0)
+        gap, _, _, _, length = seen(c, nodes, k, 0.0)
         c.numbers[C.DEEPEST] = max(c.numbers[C.DEEPEST], -gap / length)
         if p != last:
-            u, v = relative(c, p, e, q[C.SHARE], C.U, C.V)
+            s, a, b = of_pair(c, k)
+            u, v = relative(c, s, a, b, q[C.SHARE], C.U, C.V)
             c.of_points[p, C.SLID] += dt * abs(v * q[C.NX] - u * q[C.NY])
             last = p
     for p in range(c.points.shape[0]):

@@ -15,8 +15,8 @@ import numba as nb
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
 
-MOST_SWEEPS = 12
-CLOSE_ENOUGH = 1e-4      # of the largest change that contact makes to a velocity
+ENOUGH_SWEEPS, MOST_SWEEPS = 8, 40      # the more only where nodes would end far behind surfaces
+CLOSE_ENOUGH = 5e-4      # of the largest change that contact makes to a velocity
 
 
 @nb.njit(**INLINE)
@@ -27,9 +27,15 @@ def along(c, m, x, y):
 
 
 @nb.njit(**INLINE)
-def inverse_mass(c, p, e, t, x, y):
-    """Change along (x, y) of the velocity of point p relative to the place t of edge e by a unit impulse along it."""
-    s, a, b = movers(c, p, e)
+def response(c, m, x, y):
+    """Change of the velocity of a mover by the impulse (x, y)."""
+    n = c.mover_numbers
+    return n[m, C.IM] * (n[m, C.PXX] * x + n[m, C.PXY] * y), n[m, C.IM] * (n[m, C.PXY] * x + n[m, C.PYY] * y)
+
+
+@nb.njit(**INLINE)
+def inverse_mass(c, s, a, b, t, x, y):
+    """Change along (x, y) of the velocity of mover s relative to the place t between movers a and b by a unit impulse along it."""
     if a == b:
         return along(c, s, x, y) + along(c, a, x, y)
     return along(c, s, x, y) + (1.0 - t) ** 2 * along(c, a, x, y) + t * t * along(c, b, x, y)
@@ -42,9 +48,14 @@ def movers(c, p, e):
 
 
 @nb.njit(**INLINE)
-def relative(c, p, e, t, u, v):
-    """Velocity of point p relative to the place t of edge e; u, v: columns of it."""
-    s, a, b = movers(c, p, e)
+def of_pair(c, k):
+    """Movers of a pair."""
+    return c.pairs[k, C.PAIR_S], c.pairs[k, C.PAIR_A], c.pairs[k, C.PAIR_B]
+
+
+@nb.njit(**INLINE)
+def relative(c, s, a, b, t, u, v):
+    """Velocity of mover s relative to the place t between movers a and b; u, v: columns of it."""
     n = c.mover_numbers
     return n[s, u] - (1.0 - t) * n[a, u] - t * n[b, u], n[s, v] - (1.0 - t) * n[a, v] - t * n[b, v]
 
@@ -52,20 +63,31 @@ def relative(c, p, e, t, u, v):
 @nb.njit(**INLINE)
 def push(c, m, x, y, part):
     """Give a mover an impulse; its velocity changes by `part` of impulse over mass."""
-    n = c.mover_numbers
+    n, (u, v) = c.mover_numbers, response(c, m, x, y)
     n[m, C.JX] += x
     n[m, C.JY] += y
-    n[m, C.U] += part * n[m, C.IM] * (n[m, C.PXX] * x + n[m, C.PXY] * y)
-    n[m, C.V] += part * n[m, C.IM] * (n[m, C.PXY] * x + n[m, C.PYY] * y)
+    n[m, C.U] += part * u
+    n[m, C.V] += part * v
 
 
 @nb.njit(**INLINE)
-def exchange(c, p, e, t, x, y, part):
-    """Give point p an impulse and the ends of edge e the opposite one."""
-    s, a, b = movers(c, p, e)
+def exchange(c, s, a, b, t, x, y, part):
+    """Give mover s an impulse and movers a and b the opposite one."""
     push(c, s, x, y, part)
     push(c, a, -(1.0 - t) * x, -(1.0 - t) * y, part)
     push(c, b, -t * x, -t * y, part)
+
+
+@nb.njit(**INLINE)
+def along_normal(c, q, s, a, b, more):
+    """Change velocities by `more` of an impulse of a pair along its normal; the impulses of movers are added up in `restart`."""
+    n = c.mover_numbers
+    n[s, C.U] += more * q[C.SX]
+    n[s, C.V] += more * q[C.SY]
+    n[a, C.U] += more * q[C.AX]
+    n[a, C.V] += more * q[C.AY]
+    n[b, C.U] += more * q[C.BX]
+    n[b, C.V] += more * q[C.BY]
 
 
 @nb.njit(**GUARD)
@@ -74,39 +96,38 @@ def restart(c, part):
     n = c.mover_numbers
     for m in range(n.shape[0]):
         n[m, C.U], n[m, C.V], n[m, C.JX], n[m, C.JY] = n[m, C.U0], n[m, C.V0], 0.0, 0.0
-    for k in range(c.counts[C.PAIRS]):
-        if c.pairs[k, C.PAIR_ACTIVE] == C.ON:
-            q = c.pair_numbers[k]
-            x, y = q[C.LAMBDA] * q[C.NX] - q[C.TAU] * q[C.NY], q[C.LAMBDA] * q[C.NY] + q[C.TAU] * q[C.NX]
-            exchange(c, c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE], q[C.SHARE], x, y, part)
+    for i in range(c.counts[C.ACTIVE]):
+        k = c.active[i]
+        q, (s, a, b) = c.pair_numbers[k], of_pair(c, k)
+        x, y = q[C.LAMBDA] * q[C.NX] - q[C.TAU] * q[C.NY], q[C.LAMBDA] * q[C.NY] + q[C.TAU] * q[C.NX]
+        exchange(c, s, a, b, q[C.SHARE], x, y, part)
     for p in range(c.bonds.shape[0]):
         if c.bonds[p, C.BOND_STATE] == C.BOUND:
-            q = c.bond_numbers[p]
-            exchange(c, p, c.bonds[p, C.BOND_EDGE], q[C.BOND_SHARE], q[C.BOND_X], q[C.BOND_Y], part)
+            q, (s, a, b) = c.bond_numbers[p], movers(c, p, c.bonds[p, C.BOND_EDGE])
+            exchange(c, s, a, b, q[C.BOND_SHARE], q[C.BOND_X], q[C.BOND_Y], part)
 
 
 @nb.njit(**INLINE)
 def relax_pair(c, k, part):
     """Satisfy one pair; the change of its velocity."""
-    p, e, q = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE], c.pair_numbers[k]
+    q, (s, a, b) = c.pair_numbers[k], of_pair(c, k)
     nx, ny, t, change = q[C.NX], q[C.NY], q[C.SHARE], 0.0
     if q[C.WN] == 0.0:
         return 0.0
-    u, v = relative(c, p, e, t, C.U, C.V)
+    u, v = relative(c, s, a, b, t, C.U, C.V)
     new = max(0.0, q[C.LAMBDA] + (q[C.LEAST] - (u * nx + v * ny)) / (part * q[C.WN]))
     more = new - q[C.LAMBDA]
     q[C.LAMBDA] = new
     if more != 0.0:
-        exchange(c, p, e, t, more * nx, more * ny, part)
+        along_normal(c, q, s, a, b, part * more)
         change = abs(more) * part * q[C.WN]
-    law = c.law_of[c.points[p, C.POINT_PART], c.edges[e, C.EDGE_PART]]
-    most = c.laws[law, C.LAW_FRICTION] * new
+    most = q[C.COULOMB] * new
     if q[C.WT] > 0.0 and (most > 0.0 or q[C.TAU] != 0.0):
-        u, v = relative(c, p, e, t, C.U, C.V)
+        u, v = relative(c, s, a, b, t, C.U, C.V)
         new = min(max(q[C.TAU] + (q[C.AIM] - (v * nx - u * ny)) / (part * q[C.WT]), -most), most)
         more = new - q[C.TAU]
         q[C.TAU] = new
-        exchange(c, p, e, t, -more * ny, more * nx, part)
+        exchange(c, s, a, b, t, -more * ny, more * nx, part)
         change = max(change, abs(more) * part * q[C.WT])
     return change
 
@@ -114,16 +135,16 @@ def relax_pair(c, k, part):
 @nb.njit(**GUARD)
 def relax_bond(c, p, part):
     """Satisfy the bond of a point; the change of its velocity."""
-    e, q, change = c.bonds[p, C.BOND_EDGE], c.bond_numbers[p], 0.0
+    q, change, (s, a, b) = c.bond_numbers[p], 0.0, movers(c, p, c.bonds[p, C.BOND_EDGE])
     t = q[C.BOND_SHARE]
     for k in range(2):
         w = q[C.BOND_WX + k]
         if w > 0.0:
-            u, v = relative(c, p, e, t, C.U, C.V)
+            u, v = relative(c, s, a, b, t, C.U, C.V)
             missing = q[C.BOND_AIM_X] - u if k == 0 else q[C.BOND_AIM_Y] - v
             more = missing / (part * w)
             q[C.BOND_X + k] += more
-            exchange(c, p, e, t, more if k == 0 else 0.0, more if k == 1 else 0.0, part)
+            exchange(c, s, a, b, t, more if k == 0 else 0.0, more if k == 1 else 0.0, part)
             change = max(change, abs(missing))
     return change
 
@@ -133,22 +154,21 @@ def weigh_bonds(c):
     """Inverse masses of the bonds."""
     for p in range(c.bonds.shape[0]):
         if c.bonds[p, C.BOND_STATE] == C.BOUND:
-            q, e = c.bond_numbers[p], c.bonds[p, C.BOND_EDGE]
-            q[C.BOND_WX] = inverse_mass(c, p, e, q[C.BOND_SHARE], 1.0, 0.0)
-            q[C.BOND_WY] = inverse_mass(c, p, e, q[C.BOND_SHARE], 0.0, 1.0)
+            q, (s, a, b) = c.bond_numbers[p], movers(c, p, c.bonds[p, C.BOND_EDGE])
+            q[C.BOND_WX] = inverse_mass(c, s, a, b, q[C.BOND_SHARE], 1.0, 0.0)
+            q[C.BOND_WY] = inverse_mass(c, s, a, b, q[C.BOND_SHARE], 0.0, 1.0)
 
 
 @nb.njit(**GUARD)
 def sweep_once(c, part, forward):
     """Satisfy all active pairs and all bonds one after the other; (largest change of a velocity, square of the change of the impulses)."""
-    change, square, pairs, bonds = 0.0, 0.0, c.counts[C.PAIRS], c.bonds.shape[0]
+    change, square, pairs, bonds = 0.0, 0.0, c.counts[C.ACTIVE], c.bonds.shape[0]
     for i in range(pairs):
-        k = i if forward else pairs - 1 - i
-        if c.pairs[k, C.PAIR_ACTIVE] == C.ON:
-            q = c.pair_numbers[k]
-            q[C.OLD], q[C.OLD_TAU] = q[C.LAMBDA], q[C.TAU]
-            change = max(change, relax_pair(c, k, part))
-            square += q[C.WN] * (q[C.LAMBDA] - q[C.OLD]) ** 2 + q[C.WT] * (q[C.TAU] - q[C.OLD_TAU]) ** 2
+        k = c.active[i if forward else pairs - 1 - i]
+        q = c.pair_numbers[k]
+        q[C.OLD], q[C.OLD_TAU] = q[C.LAMBDA], q[C.TAU]
+        change = max(change, relax_pair(c, k, part))
+        square += q[C.WN] * (q[C.LAMBDA] - q[C.OLD]) ** 2 + q[C.WT] * (q[C.TAU] - q[C.OLD_TAU]) ** 2
     for i in range(bonds):
         p = i if forward else bonds - 1 - i
         if c.bonds[p, C.BOND_STATE] == C.BOUND:
@@ -163,16 +183,17 @@ def sweep_once(c, part, forward):
 @nb.njit(**GUARD)
 def go_on(c, part, share):
     """Add `share` of the direction of search to the impulses, and the change of the last sweep to the direction."""
-    for k in range(c.counts[C.PAIRS]):
-        if c.pairs[k, C.PAIR_ACTIVE] == C.ON:
-            q = c.pair_numbers[k]
-            x, y = share * q[C.WAY], share * q[C.WAY_TAU]
-            q[C.WAY], q[C.WAY_TAU] = x + q[C.LAMBDA] - q[C.OLD], y + q[C.TAU] - q[C.OLD_TAU]
-            if share > 0.0:
-                q[C.LAMBDA] += x
-                q[C.TAU] += y
-                exchange(c, c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE], q[C.SHARE], x * q[C.NX] - y * q[C.NY],
-                         x * q[C.NY] + y * q[C.NX], part)
+    for i in range(c.counts[C.ACTIVE]):
+        k = c.active[i]
+        q, (s, a, b) = c.pair_numbers[k], of_pair(c, k)
+        x, y = share * q[C.WAY], share * q[C.WAY_TAU]
+        q[C.WAY], q[C.WAY_TAU] = x + q[C.LAMBDA] - q[C.OLD], y + q[C.TAU] - q[C.OLD_TAU]
+        if x != 0.0:
+            q[C.LAMBDA] += x
+            along_normal(c, q, s, a, b, part * x)
+        if y != 0.0:
+            q[C.TAU] += y
+            exchange(c, s, a, b, q[C.SHARE], -y * q[C.NY], y * q[C.NX], part)
     for p in range(c.bonds.shape[0]):
         if c.bonds[p, C.BOND_STATE] == C.BOUND:
             q = c.bond_numbers[p]
@@ -181,11 +202,12 @@ def go_on(c, part, share):
             if share > 0.0:
                 q[C.BOND_X] += x
                 q[C.BOND_Y] += y
-                exchange(c, p, c.bonds[p, C.BOND_EDGE], q[C.BOND_SHARE], x, y, part)
+                s, a, b = movers(c, p, c.bonds[p, C.BOND_EDGE])
+                exchange(c, s, a, b, q[C.BOND_SHARE], x, y, part)
 
 
 @nb.njit(**GUARD)
-def largest(c, part):
+def largest(c):
     """Largest change of velocity that contact makes."""
     n, found = c.mover_numbers, 0.0
     for m in range(n.shape[0]):
@@ -194,13 +216,19 @@ def largest(c, part):
 
 
 @nb.njit(**GUARD)
-def relax(c, part, least):
-    """Satisfy all active pairs and all bonds; changes of velocity below `least` do not count."""
-    before = 0.0
+def relax(c, part, least, enough):
+    """Satisfy all active pairs and all bonds; changes of velocity below `least` do not count. The largest change that contact makes.
+
+    After some sweeps changes of velocity below `enough` will do.
+    """
+    before = whole = 0.0
     weigh_bonds(c)
     for sweep in range(MOST_SWEEPS):
         change, square = sweep_once(c, part, sweep % 2 == 0)
-        if change <= max(least, CLOSE_ENOUGH * largest(c, part)) or sweep == MOST_SWEEPS - 1:
-            return
+        if sweep == 0:
+            whole = largest(c)
+        if change <= max(least, CLOSE_ENOUGH * whole) or (sweep >= ENOUGH_SWEEPS - 1 and change <= enough) or sweep == MOST_SWEEPS - 1:
+            break
         go_on(c, part, square / before if sweep > 0 and square <= before else 0.0)
         before = square
+    return whole

@@ -18,11 +18,15 @@ MOVER_NODE, MOVER_RIGID, MOVER_CHAIN_1, MOVER_CHAIN_2, MOVER_PULSE = range(5)
 MOVER_FLOATS = 14
 BONDED, SLIDING, SEPARABLE = range(3)
 LAW_KIND, LAW_FRICTION, LAW_STRENGTH, LAW_TIES = range(4)                      # ties: whether the point's side is the one that is tied
-PAIR_POINT, PAIR_EDGE, PAIR_ACTIVE = range(3)
+# point, edge; movers of the point and of the ends of the edge, and their columns of the nodes
+PAIR_POINT, PAIR_EDGE, PAIR_ACTIVE, PAIR_S, PAIR_A, PAIR_B, PAIR_AT, PAIR_AT_A, PAIR_AT_B = range(9)
+PAIR_INTS = 9
 # impulses along the normal and the tangent; share of the edge; normal; least normal velocity, tangential aim; inverse masses; gap at the
-# start of the step; impulses of the last step; of a relaxation: impulses before a sweep, direction of search
-(LAMBDA, TAU, SHARE, NX, NY, LEAST, AIM, WN, WT, GAP, LAST, LAST_TAU, OLD, OLD_TAU, WAY, WAY_TAU) = range(16)
-PAIR_FLOATS = 16
+# start of the step; impulses of the last step; of a relaxation: impulses before a sweep, direction of search; coefficient of friction;
+# change of the velocities of its three movers by a unit impulse along its normal
+(LAMBDA, TAU, SHARE, NX, NY, LEAST, AIM, WN, WT, GAP, LAST, LAST_TAU, OLD, OLD_TAU, WAY, WAY_TAU, COULOMB, SX, SY, AX, AY,
+ BX, BY) = range(23)
+PAIR_FLOATS = 23
 OFF, ON, FRESH = range(3)      # PAIR_ACTIVE
 FREE, BOUND, BROKEN = range(3)
 BOND_STATE, BOND_EDGE = range(2)
@@ -33,9 +37,9 @@ BOND_FLOATS = 13
 # of a point: force of the last step, distance slid
 FORCE_X, FORCE_Y, SLID = range(3)
 # numbers: reach of the search, mean edge, heat of closing, work of friction, deepest place of a node behind a surface over the
-# edge, the last step
-REACH, MEAN_EDGE, HEAT, FRICTION, DEEPEST, LAST_STEP = range(6)
-PAIRS, SEARCHES, SWEEPS, BROKEN_BONDS, FULL, OLD_PAIRS = range(6)
+# edge, the last step, the largest change of a velocity by contact in it
+REACH, MEAN_EDGE, HEAT, FRICTION, DEEPEST, LAST_STEP, CHANGE = range(7)
+PAIRS, SEARCHES, SWEEPS, BROKEN_BONDS, FULL, OLD_PAIRS, ACTIVE = range(7)
 
 
 class Contact(NamedTuple):
@@ -44,6 +48,7 @@ class Contact(NamedTuple):
     copies_start, copies   node columns that are one with each mover's
     law_of                 (part, part): index of the law between them
     old_pairs, old_numbers   the pairs before the last search
+    active                 the pairs that are active, in their order
     cells, sorted_edges    of the search: first edge of each cell, edges by cell
     since                  (point, 2): where points stood at the last search
     zones                  table of zones, for the heat
@@ -62,6 +67,7 @@ class Contact(NamedTuple):
     pair_numbers: Any
     old_pairs: Any
     old_numbers: Any
+    active: Any
     bonds: Any
     bond_numbers: Any
     of_points: Any

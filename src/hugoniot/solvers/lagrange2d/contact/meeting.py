@@ -9,9 +9,8 @@ import numba as nb
 
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
-from hugoniot.solvers.lagrange2d.contact.impulses import inverse_mass, movers, relative
+from hugoniot.solvers.lagrange2d.contact.impulses import CLOSE_ENOUGH, inverse_mass, of_pair, relative, response
 
-SLACK = 1e-7         # of an edge: what closes by less in a step is left to the forces
 SAME_PLACE = 1e-6    # of an edge
 STRAIGHT = 0.999     # cosine between edges that bound the same half of the plane
 DEEP = 0.05          # of an edge: a point that was deeper behind it at the start of a step did not come through it
@@ -20,18 +19,23 @@ BEYOND = 0.5         # of an edge: how far it bounds the free space beyond a hol
 EDGE_END = 1e-6
 OVERHANG = 0.5       # of an edge: how far beyond its ends forces may act on it, so that they have no moment
 KEPT_DEPTH = 0.9     # of the depth at the start of a step may be left at its end
+RISE = 1e-2          # of the change of velocity that contact made in the last step: what is behind rises no faster
 CLOSED = 1e-3        # of an edge: a gap that a bond bridges
 
 
 @nb.njit(**INLINE)
-def seen(c, nodes, p, e, row, drift_row, dt):
-    """(gap, share, normal, length) of a point and an edge, from positions in `row` moved by dt times the velocities in `drift_row`."""
-    k, a, b = (c.points[p, C.POINT_NODE], c.points[c.edges[e, C.EDGE_A], C.POINT_NODE], c.points[c.edges[e, C.EDGE_B], C.POINT_NODE])
-    s, ma, mb = movers(c, p, e)
-    n = c.mover_numbers
-    ax, ay = nodes[row, a] + dt * n[ma, drift_row], nodes[row + 1, a] + dt * n[ma, drift_row + 1]
-    dx, dy = nodes[row, b] + dt * n[mb, drift_row] - ax, nodes[row + 1, b] + dt * n[mb, drift_row + 1] - ay
-    px, py = nodes[row, k] + dt * n[s, drift_row] - ax, nodes[row + 1, k] + dt * n[s, drift_row + 1] - ay
+def offsets(c, nodes, k, dt):
+    """(way of the edge, way from its start to the point) of the pair k, with positions moved by dt times the velocities of movers."""
+    q, n, x, y = c.pairs[k], c.mover_numbers, nodes[0], nodes[1]
+    at, at_a, at_b, s, a, b = q[C.PAIR_AT], q[C.PAIR_AT_A], q[C.PAIR_AT_B], q[C.PAIR_S], q[C.PAIR_A], q[C.PAIR_B]
+    ax, ay = x[at_a] + dt * n[a, C.U], y[at_a] + dt * n[a, C.V]
+    return (x[at_b] + dt * n[b, C.U] - ax, y[at_b] + dt * n[b, C.V] - ay, x[at] + dt * n[s, C.U] - ax, y[at] + dt * n[s, C.V] - ay)
+
+
+@nb.njit(**INLINE)
+def seen(c, nodes, k, dt):
+    """(gap, share, normal, length) of the pair k, with positions moved by dt times the velocities of movers."""
+    dx, dy, px, py = offsets(c, nodes, k, dt)
     length = (dx * dx + dy * dy) ** 0.5
     if length == 0.0:
         return 1e300, 0.5, 0.0, 0.0, 0.0
@@ -97,20 +101,24 @@ def tied(c, p, e):
 
 
 @nb.njit(**GUARD)
-def meets(c, nodes, k, dt, slack):
-    """Whether the pair k, with the velocities found so far, is behind its edge at the end of the step by more than `slack` of the edge.
+def meets(c, nodes, k, dt, slack, depth):
+    """Whether the pair k, with the velocities found so far, is behind its edge at the end of the step by more than `slack` of the edge
+    and more than `depth`.
 
     Keeps the gap at the start of the step, and the share of the edge at its end.
     """
-    p, e = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE]
-    gap, share, _, _, length = seen(c, nodes, p, e, 0, C.U, dt)
-    if gap >= -slack * length:
+    dx, dy, px, py = offsets(c, nodes, k, dt)
+    if px * dy >= py * dx:
         return False
-    before, _, nx, ny, _ = seen(c, nodes, p, e, 0, C.U, 0.0)
+    p, e = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE]
+    gap, share, _, _, length = seen(c, nodes, k, dt)
+    if gap >= -max(slack * length, depth):
+        return False
+    before, _, nx, ny, _ = seen(c, nodes, k, 0.0)
     if before < -DEEP * length or not over_edge(c, nodes, e, share) or tied(c, p, e):
         return False
     x, y = point_normal(c, nodes, p)
-    if x * nx + y * ny > FACING:
+    if x * nx + y * ny > FACING and (c.points[p, C.POINT_BEFORE] >= 0 or c.points[p, C.POINT_AFTER] >= 0):
         return False
     c.pair_numbers[k, C.GAP], c.pair_numbers[k, C.SHARE] = before, share
     return True
@@ -164,13 +172,17 @@ def other_way(c, nodes, k, first):
 
 
 @nb.njit(**GUARD)
-def activate(c, nodes, dt, closing):
-    """Add pairs that meet to those that are active, with their impulses of the last step unless it is `closing`; whether there were any."""
-    found, k, last, slack = False, 0, c.counts[C.PAIRS], SLACK if closing else 0.0
+def activate(c, nodes, dt, closing, slack):
+    """Add pairs that meet to those that are active, with their impulses of the last step unless it is `closing`; whether there were any.
+
+    What meets by less than `slack` of an edge is left to the next step.
+    """
+    found, k, last = False, 0, c.counts[C.PAIRS]
+    depth = CLOSE_ENOUGH * c.numbers[C.CHANGE] * dt if closing else 0.0
     while k < last:
         p, first, fresh = c.pairs[k, C.PAIR_POINT], k, False
         while k < last and c.pairs[k, C.PAIR_POINT] == p:
-            if c.pairs[k, C.PAIR_ACTIVE] == C.OFF and meets(c, nodes, k, dt, slack) and not said_already(c, nodes, k, first):
+            if c.pairs[k, C.PAIR_ACTIVE] == C.OFF and meets(c, nodes, k, dt, slack, depth) and not said_already(c, nodes, k, first):
                 q, c.pairs[k, C.PAIR_ACTIVE], fresh = c.pair_numbers[k], C.FRESH, True
                 q[C.LAMBDA], q[C.TAU] = (0.0, 0.0) if closing else (q[C.LAST], q[C.LAST_TAU])
             k += 1
@@ -181,12 +193,26 @@ def activate(c, nodes, dt, closing):
             for m in range(first, k):
                 if c.pairs[m, C.PAIR_ACTIVE] == C.FRESH:
                     c.pairs[m, C.PAIR_ACTIVE], found = C.ON, True
+    if found:
+        list_active(c)
     return found
+
+
+@nb.njit(**GUARD)
+def list_active(c):
+    """List the active pairs."""
+    count = 0
+    for k in range(c.counts[C.PAIRS]):
+        if c.pairs[k, C.PAIR_ACTIVE] == C.ON:
+            c.active[count] = k
+            count += 1
+    c.counts[C.ACTIVE] = count
 
 
 @nb.njit(**GUARD)
 def forget(c):
     """No pair is active."""
+    c.counts[C.ACTIVE] = 0
     for k in range(c.counts[C.PAIRS]):
         c.pairs[k, C.PAIR_ACTIVE] = C.OFF
 
@@ -206,31 +232,31 @@ def remember(c, dt):
 @nb.njit(**GUARD)
 def ask_closing(c, nodes, dt):
     """At the start of a step: points may not come nearer than their gap allows, and do not slide where friction holds them."""
-    for k in range(c.counts[C.PAIRS]):
-        if c.pairs[k, C.PAIR_ACTIVE] == C.ON:
-            p, e, q = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE], c.pair_numbers[k]
-            gap, share, q[C.NX], q[C.NY], _ = seen(c, nodes, p, e, 0, C.U, 0.0)
-            q[C.SHARE] = min(max(share, -OVERHANG), 1.0 + OVERHANG)
-            q[C.LEAST], q[C.AIM] = -max(gap, 0.0) / dt, 0.0
-            weigh(c, p, e, q)
+    for i in range(c.counts[C.ACTIVE]):
+        k = c.active[i]
+        q = c.pair_numbers[k]
+        gap, share, q[C.NX], q[C.NY], _ = seen(c, nodes, k, 0.0)
+        q[C.SHARE] = min(max(share, -OVERHANG), 1.0 + OVERHANG)
+        q[C.LEAST], q[C.AIM] = -max(gap, 0.0) / dt, 0.0
+        weigh(c, k, q)
 
 
 @nb.njit(**GUARD)
 def ask_mean(c, nodes, dt):
     """For the mean velocity of a step: the gap at its end is not negative, and what slides may be at rest there at best."""
-    for k in range(c.counts[C.PAIRS]):
-        if c.pairs[k, C.PAIR_ACTIVE] == C.ON:
-            p, e, q = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE], c.pair_numbers[k]
-            gap, _, _, _, _ = seen(c, nodes, p, e, 0, C.U, dt)
-            _, share, q[C.NX], q[C.NY], _ = seen(c, nodes, p, e, 0, C.U, 0.5 * dt)
-            q[C.SHARE] = min(max(share, -OVERHANG), 1.0 + OVERHANG)
-            u, v = relative(c, p, e, q[C.SHARE], C.U, C.V)
-            wanted = KEPT_DEPTH * min(q[C.GAP], 0.0)
-            q[C.LEAST] = u * q[C.NX] + v * q[C.NY] + (wanted - gap) / dt
-            s, a, b = movers(c, p, e)
+    for i in range(c.counts[C.ACTIVE]):
+        k = c.active[i]
+        q, (s, a, b) = c.pair_numbers[k], of_pair(c, k)
+        gap, _, _, _, _ = seen(c, nodes, k, dt)
+        _, share, q[C.NX], q[C.NY], _ = seen(c, nodes, k, 0.5 * dt)
+        q[C.SHARE] = min(max(share, -OVERHANG), 1.0 + OVERHANG)
+        u, v = relative(c, s, a, b, q[C.SHARE], C.U, C.V)
+        wanted = min(q[C.GAP] + min((KEPT_DEPTH - 1.0) * q[C.GAP], RISE * c.numbers[C.CHANGE] * dt), 0.0)
+        q[C.LEAST] = u * q[C.NX] + v * q[C.NY] + (wanted - gap) / dt
+        if q[C.COULOMB] > 0.0:
             u, v = start_velocity(c, nodes, s, a, b, q[C.SHARE])
             q[C.AIM] = 0.5 * (v * q[C.NX] - u * q[C.NY])
-            weigh(c, p, e, q)
+        weigh(c, k, q)
 
 
 @nb.njit(**GUARD)
@@ -241,10 +267,15 @@ def start_velocity(c, nodes, s, a, b, t):
 
 
 @nb.njit(**GUARD)
-def weigh(c, p, e, q):
-    """Inverse masses of a pair along its normal and its tangent."""
-    q[C.WN] = inverse_mass(c, p, e, q[C.SHARE], q[C.NX], q[C.NY])
-    q[C.WT] = inverse_mass(c, p, e, q[C.SHARE], -q[C.NY], q[C.NX])
+def weigh(c, k, q):
+    """What unit impulses of a pair along its normal and its tangent do."""
+    s, a, b = of_pair(c, k)
+    x, y, t = q[C.NX], q[C.NY], q[C.SHARE]
+    q[C.SX], q[C.SY] = response(c, s, x, y)
+    q[C.AX], q[C.AY] = response(c, a, (t - 1.0) * x, (t - 1.0) * y)
+    q[C.BX], q[C.BY] = response(c, b, -t * x, -t * y)
+    q[C.WN] = inverse_mass(c, s, a, b, t, x, y)
+    q[C.WT] = inverse_mass(c, s, a, b, t, -y, x) if q[C.COULOMB] > 0.0 else 0.0
 
 
 @nb.njit(**GUARD)
@@ -255,7 +286,7 @@ def bind_points(c, nodes):
         law = c.law_of[c.points[p, C.POINT_PART], c.edges[e, C.EDGE_PART]]
         if int(c.laws[law, C.LAW_KIND]) == C.SLIDING or c.laws[law, C.LAW_TIES] == 0.0 or c.bonds[p, C.BOND_STATE] != C.FREE:
             continue
-        gap, share, nx, ny, length = seen(c, nodes, p, e, 0, C.U, 0.0)
+        gap, share, nx, ny, length = seen(c, nodes, k, 0.0)
         if abs(gap) > CLOSED * length or share < -CLOSED or share > 1.0 + CLOSED:
             continue
         x, y = point_normal(c, nodes, p)

@@ -15,7 +15,7 @@ class ContactResults:
 
     def __init__(self, problem, surfaces, nodes, kind: int):
         self.nodes, self.problem, self.kind = nodes, problem, kind
-        self.globals = np.array(surfaces.nodes, dtype=np.int64)
+        self.globals, self.movers = np.array(surfaces.point_nodes, dtype=np.int64), len(surfaces.nodes)
         self.count = problem.mesh.nodes.shape[1]
         points, edges = np.array(surfaces.points, dtype=np.int64), np.array(surfaces.edges, dtype=np.int64)
         self.columns, self.starts, self.ends = points[:, C.POINT_NODE], edges[:, C.EDGE_A], edges[:, C.EDGE_B]
@@ -80,14 +80,14 @@ class ContactResults:
         """Heat and work of friction so far, J; how far each rigid body has moved, m."""
         found = {"contact_heat": float(contact.numbers[C.HEAT]), "friction_work": float(contact.numbers[C.FRICTION])}
         for k, body in enumerate(self.problem.rigid):
-            column = contact.movers[len(self.globals) + k, C.MOVER_NODE]
+            column = contact.movers[self.movers + k, C.MOVER_NODE]
             for n, (axis, row) in enumerate((("x", N.x), ("y", N.y))):
                 found[f"moved_{axis} {body.name}"] = float(self.nodes[row, column] - self.rigid_start[n, k])
         return found
 
     def rigid_velocity(self, contact: C.Contact) -> dict[str, tuple[float, float]]:
         """Velocity of each rigid body, m/s."""
-        columns = contact.movers[len(self.globals):, C.MOVER_NODE]
+        columns = contact.movers[self.movers:, C.MOVER_NODE]
         return {body.name: (float(self.nodes[N.u, k]), float(self.nodes[N.v, k])) for body, k in zip(self.problem.rigid, columns)}
 
 
@@ -108,6 +108,7 @@ def larger(contact: C.Contact, room: int | None = None) -> C.Contact:
         table = getattr(contact, name)
         made[name] = np.zeros((room, table.shape[1]), dtype=table.dtype)
         made[name][:min(room, len(table))] = table[:room]
+    made["active"] = np.zeros(room, dtype=np.int64)
     return contact._replace(**made)
 
 

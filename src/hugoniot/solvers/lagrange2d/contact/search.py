@@ -5,20 +5,26 @@ import numba as nb
 from hugoniot.core.target import GUARD
 from hugoniot.solvers.lagrange2d.contact import layout as C
 
-LOOK_AHEAD = 2.0     # two surfaces that move toward each other
+AHEAD = 2.0          # times what the velocities at the start of a step say of its motion: they may grow in it
+
+
+@nb.njit(**GUARD)
+def spread(x, y, points, since, part):
+    """How far any two points differ at most: the diagonal of the box that holds (x, y) - part * since of every point."""
+    left, bottom, right, top = 1e300, 1e300, -1e300, -1e300
+    for p in range(points.shape[0]):
+        k = points[p, C.POINT_NODE]
+        dx, dy = x[k] - part * since[p, 0], y[k] - part * since[p, 1]
+        left, bottom, right, top = min(left, dx), min(bottom, dy), max(right, dx), max(top, dy)
+    return ((right - left) ** 2 + (top - bottom) ** 2) ** 0.5
 
 
 @nb.njit(**GUARD)
 def needed(c, nodes, dt):
-    """Whether points have moved, or will in this step, so far that the last search is worth nothing."""
-    x, y, u, v = nodes[0], nodes[1], nodes[2], nodes[3]
-    moved, fastest = 0.0, 0.0
-    for p in range(c.points.shape[0]):
-        k = c.points[p, C.POINT_NODE]
-        moved = max(moved, (x[k] - c.since[p, 0]) ** 2 + (y[k] - c.since[p, 1]) ** 2)
-        fastest = max(fastest, u[k] * u[k] + v[k] * v[k])
-    ahead = LOOK_AHEAD * fastest**0.5 * dt
-    if c.counts[C.SEARCHES] > 0 and c.counts[C.FULL] == 0 and LOOK_AHEAD * moved**0.5 + 2.0 * ahead <= c.numbers[C.REACH]:
+    """Whether points have moved relative to each other, or will in this step, so far that the last search is worth nothing."""
+    ahead = AHEAD * dt * spread(nodes[2], nodes[3], c.points, c.since, 0.0)
+    moved = spread(nodes[0], nodes[1], c.points, c.since, 1.0)
+    if c.counts[C.SEARCHES] > 0 and c.counts[C.FULL] == 0 and moved + ahead <= c.numbers[C.REACH]:
         return False
     c.numbers[C.REACH] = max(0.5 * c.numbers[C.MEAN_EDGE], 3.0 * ahead)
     return True
@@ -124,6 +130,15 @@ def take_over(c, count, old):
 
 
 @nb.njit(**GUARD)
+def describe(c, k):
+    """What the pair k is looked up for in every step: its movers, its nodes, its friction."""
+    p, q, e = c.pairs[k, C.PAIR_POINT], c.pairs[k], c.edges[c.pairs[k, C.PAIR_EDGE]]
+    for n, m in enumerate((p, e[C.EDGE_A], e[C.EDGE_B])):
+        q[C.PAIR_S + n], q[C.PAIR_AT + n] = c.points[m, C.POINT_MOVER], c.points[m, C.POINT_NODE]
+    c.pair_numbers[k, C.COULOMB] = c.laws[c.law_of[c.points[p, C.POINT_PART], e[C.EDGE_PART]], C.LAW_FRICTION]
+
+
+@nb.njit(**GUARD)
 def search(c, nodes):
     """List the pairs within reach, by point; False where the table is too short for them, which then is empty."""
     x, y = nodes[0], nodes[1]
@@ -151,6 +166,7 @@ def search(c, nodes):
                     c.pairs[count, C.PAIR_POINT], c.pairs[count, C.PAIR_EDGE] = p, e
                     c.pairs[count, C.PAIR_ACTIVE] = C.OFF
                     old = take_over(c, count, old)
+                    describe(c, count)
                     count += 1
         c.since[p, 0], c.since[p, 1] = px, py
     c.counts[C.PAIRS], c.counts[C.FULL] = count, 0

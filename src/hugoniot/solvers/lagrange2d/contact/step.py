@@ -18,13 +18,16 @@ from hugoniot.solvers.lagrange1d.nodes import pulse_value
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.accounts_of_step import accept, book_heat, book_holds
 from hugoniot.solvers.lagrange2d.contact.impulses import movers, relax, restart
-from hugoniot.solvers.lagrange2d.contact.meeting import activate, ask_closing, ask_mean, bind_points, forget, start_velocity
+from hugoniot.solvers.lagrange2d.contact.meeting import activate, ask_closing, ask_mean, bind_points, forget, list_active, start_velocity
 from hugoniot.solvers.lagrange2d.contact.search import needed, search
 
 READY, CLOSE, PUSH_MIDDLE, PUSH, MOVE, TAKE_BACK, ACCEPT = range(7)
 X, U, XH, UM, IM = 0, 2, 4, 6, 12      # rows of the node table
-ROUNDS = 4                             # of finding who meets and what follows
-TURNS = 1                              # of directions after it
+ROUNDS = 2                             # of finding who meets and what follows; one at the start of a step
+SLACK = 1e-7                           # of an edge: what closes by less in a step is left to the forces
+SMALL = 1e-5                           # of an edge: what would be behind by less after a round is left to the next step
+DEPTH = 2e-4                           # of the mean edge: how far behind surfaces nodes may end for sweeps to stop early
+CLOSING_ENOUGH = 5e-3                  # of the change that contact made to a velocity in the last step: what surfaces that touch close by
 NEGLIGIBLE = 1e-14                     # of the mean edge in a step: velocities below are round-off
 
 
@@ -74,15 +77,19 @@ def aim_bonds(c, nodes, closing):
 @nb.njit(**GUARD)
 def solve(c, nodes, dt, closing):
     """Velocities of movers that contact allows; whether anything touched."""
-    part, least = 1.0 if closing else 0.5, NEGLIGIBLE * c.numbers[C.MEAN_EDGE] / dt
+    part, least, change = 1.0 if closing else 0.5, NEGLIGIBLE * c.numbers[C.MEAN_EDGE] / dt, 0.0
+    if closing:
+        least = max(least, CLOSING_ENOUGH * c.numbers[C.CHANGE])
     forget(c)
     if closing:
         bind_points(c, nodes)
     if c.counts[C.PAIRS] == 0:
+        c.numbers[C.CHANGE] = 0.0
         return False
     touched = aim_bonds(c, nodes, closing)
-    for again in range(ROUNDS):
-        if not activate(c, nodes, dt, closing) and (again > 0 or not touched):
+    for again in range(1 if closing else ROUNDS):
+        slack = SMALL if again > 0 else SLACK if closing else 0.0
+        if not activate(c, nodes, dt, closing, slack) and (again > 0 or not touched):
             break
         touched = True
         if closing:
@@ -90,11 +97,13 @@ def solve(c, nodes, dt, closing):
         else:
             ask_mean(c, nodes, dt)
         restart(c, part)
-        relax(c, part, least)
-    if touched and not closing:
-        for _ in range(TURNS):      # directions of the middle of the step as it has come out: forces without moment
+        change = relax(c, part, least, 1e300 if closing else DEPTH * c.numbers[C.MEAN_EDGE] / dt)
+    if touched:
+        if not closing:      # directions of the middle of the step as it has come out: forces without moment
             ask_mean(c, nodes, dt)
-            restart(c, part)
+        restart(c, part)
+    if not closing:
+        c.numbers[C.CHANGE] = change
     return touched
 
 
@@ -106,6 +115,7 @@ def as_before(c, dt):
         q = c.pair_numbers[k]
         q[C.LAMBDA], q[C.TAU] = ratio * q[C.LAST], ratio * q[C.LAST_TAU]
         c.pairs[k, C.PAIR_ACTIVE] = C.ON if q[C.LAMBDA] > 0.0 else C.OFF
+    list_active(c)
     for p in range(c.bonds.shape[0]):
         if c.bonds[p, C.BOND_STATE] == C.BOUND:
             q = c.bond_numbers[p]

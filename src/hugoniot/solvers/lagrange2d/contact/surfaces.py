@@ -9,30 +9,12 @@ from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.assemble import N
 from hugoniot.solvers.lagrange2d.boundaries import Pulses
 from hugoniot.solvers.lagrange2d.contact import layout as C
+from hugoniot.solvers.lagrange2d.contact.faces import surface_faces
 
 CLOSED_TO_CONTACT = ("wall", "axis", "transmitting")      # boundaries that stand for what is outside
 KINDS = {"bonded": C.BONDED, "sliding": C.SLIDING, "separable": C.SEPARABLE}
 PAIRS_OF_A_POINT = 4      # room at the start
 PIECES = 4.0              # mean edges: how long an edge of a rigid body may be
-
-
-def surface_edges(problem: Problem2D, shut_nodes):
-    """Boundary edges (a, b, block, zone) of global nodes, the material on their left, without those that hold a node of `shut_nodes`."""
-    mesh, found = problem.mesh, []
-    for name, boundary in problem.chain_boundaries().items():
-        chain = mesh.chains[name]
-        if boundary.kind in CLOSED_TO_CONTACT:
-            continue
-        for (a, b), zone in zip(chain.edges.tolist(), chain.zones.tolist()):
-            if a not in shut_nodes and b not in shut_nodes:
-                found.append((a, b, chain.block, zone) if chain.outward > 0 else (b, a, chain.block, zone))
-    return sorted(found, key=lambda row: _place(mesh.nodes, row))
-
-
-def _place(nodes, row):
-    """What edges are sorted by: their middle, then their direction. The order of the blocks plays no part in how contact is found."""
-    (ax, ay), (bx, by) = nodes[:, row[0]], nodes[:, row[1]]
-    return ax + bx, ay + by, bx - ax, by - ay
 
 
 def rigid_polyline(body, mesh, longest):
@@ -90,38 +72,72 @@ def law_tables(problem: Problem2D, lengths):
 
 
 class Surfaces:
-    """Points and edges of a problem; `extra` (2, n) the places of the vertices of rigid bodies, behind the nodes of the blocks."""
+    """Points and edges of a problem; `extra` (2, n) the places of the vertices of rigid bodies, behind the nodes of the blocks.
 
-    def __init__(self, problem: Problem2D, numbering, boundaries):
-        mesh, first = problem.mesh, numbering.total
-        shut = {int(numbering.nodes[k]) for k in boundaries.gates[:, 0]}
-        rows = surface_edges(problem, shut)
-        ends = np.array([(a, b) for a, b, _, _ in rows], dtype=np.int64).reshape(-1, 2)
+    live    whether each zone is in the mesh; with debris, nodes that zones have left behind are points without edges
+    before  the surfaces before zones left, whose rigid bodies stay as they are
+
+    nodes         global nodes that move by themselves, in the order of their movers
+    point_nodes   global node of each point that is not of a rigid body
+    """
+
+    def __init__(self, problem: Problem2D, numbering, boundaries, live=None, before=None, debris=True):
+        mesh = problem.mesh
+        live = np.ones(len(mesh.zone_nodes), dtype=bool) if live is None else live
+        shut = np.array([int(numbering.nodes[k]) for k in boundaries.gates[:, 0]], dtype=np.int64)
+        outside = [mesh.chains[name].edges for name, b in problem.chain_boundaries().items() if b.kind in CLOSED_TO_CONTACT]
+        faces, follows = surface_faces(mesh, live, np.concatenate([np.zeros((0, 2), dtype=np.int64), *outside]), shut)
+        ahead = np.roll(mesh.zone_nodes, -1, axis=1)
+        ends = np.array([(mesh.zone_nodes[face], ahead[face]) for face in faces], dtype=np.int64).reshape(-1, 2)
         lengths = np.hypot(*(mesh.nodes[:, ends[:, 1]] - mesh.nodes[:, ends[:, 0]]))
-        self.mean = float(lengths.mean()) if len(lengths) else 1.0
-        blocks = len(problem.blocks)
-        parts = np.array([row[2] for row in rows], dtype=np.int64)
-        self.lengths = [float(lengths[parts == k].mean()) if (parts == k).any() else np.inf for k in range(blocks)]
-        self.nodes = list(dict.fromkeys(ends.ravel().tolist()))          # global nodes in the order of the points
-        point_of = {node: k for k, node in enumerate(self.nodes)}
-        part_of = {}
-        for (a, b), part in zip(ends.tolist(), parts.tolist()):
-            part_of.setdefault(a, part)
-            part_of.setdefault(b, part)
-        self.edges = [(point_of[a], point_of[b], part, zone) for a, b, part, zone in rows]
-        self.points = [(int(numbering.representative[node]), k, part_of[node]) for k, node in enumerate(self.nodes)]
+        self.mean = before.mean if before else float(lengths.mean()) if len(lengths) else 1.0
+        parts = mesh.block_of[[zone for zone, _ in faces]] if faces else np.zeros(0, dtype=np.int64)
+        self.lengths = before.lengths if before else [float(lengths[parts == k].mean()) if (parts == k).any() else np.inf
+                                                      for k in range(len(problem.blocks))]
+        self._join(faces, follows, ends, parts, numbering)
+        if debris:
+            self._add_debris(mesh, live, numbering)
+        self.vertices = before.vertices if before else [rigid_polyline(body, mesh, PIECES * self.mean) for body in problem.rigid]
+        self._add_rigid(problem, numbering.total)
+
+    def _join(self, faces, follows, ends, parts, numbering):
+        """Edges of faces, with a point wherever one follows another, ends or starts."""
+        point_of, mover_of, self.points, self.edges, self.point_nodes = {}, {}, [], [], []
+        follows = np.array(follows, dtype=np.int64)
+        followed = np.isin(np.arange(len(faces)), follows)
+        for e, ((zone, _), nodes) in enumerate(zip(faces, ends.tolist())):
+            behind = int(follows[e])
+            keys = (e if followed[e] else ("starts", e)), (behind if behind >= 0 else ("ends", e))
+            for key, node in zip(keys, nodes):
+                if key not in point_of:
+                    point_of[key] = len(self.points)
+                    mover = mover_of.setdefault(node, len(mover_of))
+                    self.points.append((int(numbering.representative[node]), mover, int(parts[e])))
+                    self.point_nodes.append(node)
+            self.edges.append((point_of[keys[0]], point_of[keys[1]], int(parts[e]), zone))
+        self.nodes = list(mover_of)
         self.copies = [numbering.all_copies(node).tolist() for node in self.nodes]
-        extra = []
-        for r, body in enumerate(problem.rigid):
-            vertices = rigid_polyline(body, mesh, PIECES * self.mean)
-            start, column = len(self.points), first + sum(map(len, extra))
-            mover = len(self.nodes) + r
-            self.points += [(column + k, mover, blocks + r) for k in range(len(vertices))]
-            last = len(vertices) if body.closed else len(vertices) - 1
-            self.edges += [(start + k, start + (k + 1) % len(vertices), blocks + r, -1) for k in range(last)]
-            self.copies.append(list(range(column, column + len(vertices))))
-            extra.append(vertices)
-        self.extra = np.concatenate(extra).T if extra else np.zeros((2, 0))
+
+    def _add_debris(self, mesh, live, numbering):
+        """Nodes that zones have left behind."""
+        gone = np.unique(mesh.zone_nodes[~live])
+        for node in gone[~np.isin(gone, mesh.zone_nodes[live])].tolist():
+            zone = int(np.flatnonzero((mesh.zone_nodes == node).any(axis=1))[0])
+            self.points.append((int(numbering.representative[node]), len(self.nodes), int(mesh.block_of[zone])))
+            self.point_nodes.append(node)
+            self.nodes.append(node)
+            self.copies.append(numbering.all_copies(node).tolist())
+
+    def _add_rigid(self, problem, first):
+        """Points and edges of rigid bodies."""
+        blocks, movers = len(problem.blocks), len(self.nodes)
+        for r, (body, vertices) in enumerate(zip(problem.rigid, self.vertices)):
+            start, count = len(self.points), len(vertices)
+            self.points += [(first + k, movers + r, blocks + r) for k in range(count)]
+            self.edges += [(start + k, start + (k + 1) % count, blocks + r, -1) for k in range(count if body.closed else count - 1)]
+            self.copies.append(list(range(first, first + count)))
+            first += count
+        self.extra = np.concatenate(self.vertices).T if self.vertices else np.zeros((2, 0))
 
 
 def with_rigid(problem: Problem2D, surfaces: Surfaces | None, nodes):
@@ -159,19 +175,19 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
     law_of, laws = law_tables(problem, [*surfaces.lengths, *[np.inf] * len(problem.rigid)])
     count, room = len(points), PAIRS_OF_A_POINT * len(points) + 16
     sizes = np.concatenate(([0], np.cumsum([len(c) for c in surfaces.copies])))
-    totals = np.zeros(6)
+    totals = np.zeros(7)
     totals[C.MEAN_EDGE] = surfaces.mean
 
     def of_pairs():
-        return np.zeros((room, 3), dtype=np.int64), np.zeros((room, C.PAIR_FLOATS))
+        return np.zeros((room, C.PAIR_INTS), dtype=np.int64), np.zeros((room, C.PAIR_FLOATS))
 
     ints = np.int64
     copies = np.array([k for group in surfaces.copies for k in group], dtype=ints)
     return C.Contact(
-        points, edges, movers, numbers, sizes.astype(ints), copies, law_of, laws, *of_pairs(), *of_pairs(),
+        points, edges, movers, numbers, sizes.astype(ints), copies, law_of, laws, *of_pairs(), *of_pairs(), np.zeros(room, dtype=ints),
         np.zeros((count, 2), dtype=ints), np.zeros((count, C.BOND_FLOATS)), np.zeros((count, 3)),
         np.zeros(4 * len(edges) + 17, dtype=ints), np.zeros(len(edges), dtype=ints), np.zeros((count, 2)), totals,
-        np.zeros(6, dtype=ints), zones, speeds, tables)
+        np.zeros(7, dtype=ints), zones, speeds, tables)
 
 
 def _movers(problem: Problem2D, surfaces: Surfaces, boundaries, numbering):

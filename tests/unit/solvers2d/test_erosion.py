@@ -1,0 +1,158 @@
+"""Zones that leave the mesh: what is kept and booked, which surfaces they leave, what a resumed run and observers see."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from contact_builders import N, Z, al, meeting, ran
+from plane_builders import aluminium, box, problem
+
+from hugoniot.core import team
+from hugoniot.diagnostics.gauges2d import Sampler
+from hugoniot.errors import DeckError
+from hugoniot.mesh.shapes import Box
+from hugoniot.problem.deck import read_deck_text, write_deck
+from hugoniot.problem.plane.model import Block2D, Boundary2D, Erosion2D, Gauge2D
+from hugoniot.solvers.lagrange2d.contact.faces import surface_faces
+from hugoniot.solvers.lagrange2d.rows_of_blocks import stretches
+from hugoniot.solvers.lagrange2d.solver import Lagrange2D
+
+
+def rod(mass="kept", geometry="axisymmetric", stop=6e-6, strain=1.0, **options):
+    """A rod of two zones across at 2 km/s on a block of its own metal."""
+    blocks = [al(8, 8, 8e-3, 8e-3, (0.0, -8e-3), "target"), al(2, 10, 2e-3, 10e-3, (0.0, 1e-5), "rod", (0.0, -2000.0))]
+    boundaries = () if geometry == "axisymmetric" else (Boundary2D(("target.left", "rod.left"), "wall"),)
+    return meeting(blocks, stop, boundaries, geometry, erosion=Erosion2D(strain, None, mass), **options)
+
+
+@pytest.mark.parametrize("geometry", ["plane", "axisymmetric"])
+@pytest.mark.parametrize("mass", ["kept", "dropped"])
+def test_what_leaves_the_mesh_is_booked(mass, geometry):
+    solver = ran(rod(mass, geometry))
+    errors, results = solver.errors(), solver.results()
+    assert results["zones_eroded"] >= 5
+    assert results["eroded_mass"] > 0.0
+    assert errors["mass_error"] < 1e-14
+    assert errors["momentum_y_error"] < 1e-12
+    assert errors["energy_error"] < 1e-12
+    weight = solver.nodes[N.own].sum()
+    whole = solver.start_mass - (results["eroded_mass"] if mass == "dropped" else 0.0)
+    assert weight == pytest.approx(whole, rel=1e-12)
+    if mass == "dropped":
+        assert results["eroded_momentum_y"] < 0.0
+
+
+def test_a_run_resumed_after_zones_have_left_has_the_same_bits():
+    given = rod()
+    whole, first = ran(given), ran(given, cycles=163)
+    assert 0 < first.results()["zones_eroded"] < whole.results()["zones_eroded"]
+    rest = Lagrange2D(given)
+    rest.restore(first.payload())
+    while rest.time < given.stop_time:
+        rest.march(given.stop_time, 13)
+    assert rest.cycle == whole.cycle
+    for name in ("zones", "nodes", "chains"):
+        assert np.array_equal(getattr(rest, name), getattr(whole, name))
+    assert rest.results() == whole.results()
+
+
+@pytest.mark.skipif(not team.possible(), reason="no threads that share a march here")
+def test_two_threads_give_the_same_bits(monkeypatch):
+    monkeypatch.setattr("hugoniot.solvers.lagrange2d.solver.WORTH_SHARING", 1)
+    monkeypatch.setattr("os.cpu_count", lambda: 2)
+    one, two = ran(rod(strain=0.3), cycles=50), ran(rod(strain=0.3, threads=2), cycles=50)
+    assert two.team.threads == 2
+    assert one.results()["zones_eroded"] > 0
+    assert np.array_equal(one.zones, two.zones)
+    assert np.array_equal(one.nodes[N.x], two.nodes[N.x])
+
+
+def test_observers_see_no_numbers_where_zones_have_left():
+    given = rod(stop=4e-6)
+    solver = ran(given)
+    state, gone = solver.state(), ~solver.erosion.live
+    assert np.array_equal(np.isnan(state.zones["pressure"]), gone)
+    assert np.array_equal(state.zones["eroded"], gone)
+    first = int(np.flatnonzero(gone)[0])
+    place = tuple(given.mesh.nodes[:, given.mesh.zone_nodes[first]].mean(axis=1))
+    read = Sampler(dataclasses.replace(given, gauges=(Gauge2D("g", "point", place),)))(state)
+    assert np.isnan(read["pressure"][0])
+    assert np.isfinite(read["velocity_y"][0])      # of its nodes, which fly on
+
+
+def test_a_zone_of_a_short_step_leaves():
+    blocks = [box(4, 4, 4.0, 4.0, name="a", material="al")]
+    solver = Lagrange2D(meeting(blocks, 1e-3, erosion=Erosion2D(smallest_step=1e-5)))
+    solver.zones[Z.c, 5] = 1e5
+    assert solver.erosion.due(0).tolist() == [5]
+
+
+def mesh_of(ni, nj):
+    block = Block2D("a", "al", Box((0.0, float(ni)), (0.0, float(nj))), (ni, nj))
+    return problem([block], aluminium(), 1.0).mesh
+
+
+def test_surfaces_go_around_what_is_left():
+    """Of 3 x 3 zones without the middle one: an outer surface of 12 faces, an inner one of 4, each closed."""
+    mesh, live = mesh_of(3, 3), np.ones(9, dtype=bool)
+    live[4] = False
+    faces, follows = surface_faces(mesh, live, np.zeros((0, 2), dtype=int), np.zeros(0, dtype=int))
+    assert len(faces) == 16
+    assert sorted(_rounds(follows)) == [4, 12]
+
+
+def test_zones_that_touch_at_a_corner_have_surfaces_of_their_own():
+    mesh, live = mesh_of(2, 2), np.array([True, False, False, True])
+    faces, follows = surface_faces(mesh, live, np.zeros((0, 2), dtype=int), np.zeros(0, dtype=int))
+    assert len(faces) == 8
+    assert _rounds(follows) == [4, 4]
+
+
+def _rounds(follows):
+    """Lengths of the closed surfaces."""
+    left, found = set(range(len(follows))), []
+    while left:
+        e, count = left.pop(), 1
+        while follows[e] in left:
+            e = follows[e]
+            left.remove(e)
+            count += 1
+        found.append(count)
+    return found
+
+
+def test_stretches_of_a_row():
+    assert stretches(np.array([True, True, False, True])) == [(0, 2), (3, 4)]
+    assert stretches(np.zeros(3, dtype=bool)) == []
+
+
+DECK = """
+geometry = "axisymmetric"
+stop_time = "1 us"
+[[block]]
+name = "target"
+material = "al"
+r = ["0 mm", "4 mm"]
+z = ["0 mm", "4 mm"]
+zones = [4, 4]
+[material.al.eos]
+law = "mie_gruneisen"
+rho0 = "2700 kg/m^3"
+c0 = "5200 m/s"
+s = 1.5
+gamma0 = 2.0
+[solver]
+kind = "lagrange2d"
+"""
+
+
+def test_erosion_of_a_deck_reads_back_and_is_off_by_default():
+    given = read_deck_text(DECK + '[solver.erosion]\nplastic_strain = 1.5\nmass = "dropped"\n', "deck.toml").problem
+    assert given.solver.erosion == Erosion2D(1.5, None, "dropped")
+    assert read_deck_text(write_deck(given), "deck.toml").problem == given
+    assert read_deck_text(DECK, "deck.toml").problem.solver.erosion is None
+
+
+def test_erosion_without_a_criterion_is_refused():
+    with pytest.raises(DeckError, match="does not say when a zone leaves"):
+        read_deck_text(DECK + '[solver.erosion]\nmass = "kept"\n', "deck.toml")
