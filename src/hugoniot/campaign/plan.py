@@ -37,6 +37,7 @@ class Plan:
     question: Deck | Match
     design: Design
     ties: tuple[Tie, ...] = ()
+    option: str = "--vary"          # where the variables were given, for messages
     _base: dict[str, Number] = field(default_factory=dict, compare=False)
 
     def __len__(self) -> int:
@@ -97,11 +98,11 @@ class Plan:
         for variable in self.design.variables:
             if not self.is_key(variable.name) and variable.name not in used:
                 known = top_keys(self.question.raw) if isinstance(self.question, Deck) else [*self.question.places_of, "velocity"]
-                raise refuse("--vary", variable.name, "not a key of the deck, and no tie uses it",
+                raise refuse(self.option, variable.name, "not a key of the deck, and no tie uses it",
                              nearest(variable.name, known, "keys are written like region.flyer.velocity"))
         first = self._first_with_values()
         if isinstance(self.question, Deck):
-            self._check_deck(self.question, first)
+            self._check_deck(self.question, first, self.option)
         else:
             self.question.prepared(first)
 
@@ -116,9 +117,9 @@ class Plan:
         raise refuse("--tie", "", trouble.message if trouble else "no cases", trouble.hint if trouble else "")
 
     @staticmethod
-    def _check_deck(question: Deck, first: dict[str, Any]) -> None:
+    def _check_deck(question: Deck, first: dict[str, Any], option: str) -> None:
         for key in first:
-            _check_place(question.raw, key)
+            _check_place(question.raw, key, option)
         question.read({})       # the deck itself has to be sound
         for key, value in first.items():
             try:
@@ -173,24 +174,24 @@ def top_keys(raw: Mapping) -> list[str]:
     return keys_of(solver_module(kind).Model) if kind in available_solvers() else []
 
 
-def _check_place(raw: Mapping, key: str) -> None:
+def _check_place(raw: Mapping, key: str, option: str) -> None:
     """Raise `DeckError` where a key leads to an element of the deck that is not there."""
     first, _, rest = key.partition(".")
     tops = top_keys(raw)
     if tops and first not in tops:
-        raise refuse("--vary", key, "no such key in the deck", nearest(first, tops))
+        raise refuse(option, key, "no such key in the deck", nearest(first, tops))
     rows = raw.get(first)
     if isinstance(rows, list):
         names = [row["name"] for row in rows if isinstance(row, dict) and isinstance(row.get("name"), str)]
         name = rest.split(".")[0]
         if name not in names:
-            raise refuse("--vary", key, f"the deck has no {first} '{printable(name)}'", nearest(name, names))
+            raise refuse(option, key, f"the deck has no {first} '{printable(name)}'", nearest(name, names))
     if first == "material":
         used = [row["material"] for part in ("region", "block") if isinstance(raw.get(part), list) for row in raw[part]
                 if isinstance(row, dict) and isinstance(row.get("material"), str)]
         known = list(dict.fromkeys([*(raw.get("material") or {}), *used]))
         if not any(rest.startswith(f"{name}.") for name in known):
-            raise refuse("--vary", key, f"the deck has no material '{printable(rest.split('.')[0])}'", nearest(rest.split(".")[0], known))
+            raise refuse(option, key, f"the deck has no material '{printable(rest.split('.')[0])}'", nearest(rest.split(".")[0], known))
 
 
 def sweep_table(text: str, name: str) -> dict[str, Any] | None:

@@ -99,7 +99,7 @@ def run_fit(path, wishes: FitWishes, out=None, *, workers: int | None = None, en
         raise refuse("--free", "", "nothing is free", 'write --free "material.al.fracture.strength = 1..8 GPa"')
     variables = tuple(f.variable for f in free)
     plan = Plan(question, Design("shares", variables, shares=np.full((1, len(free)), 0.5)),
-                ties_of(wishes.tie, [v.name for v in variables]))
+                ties_of(wishes.tie, [v.name for v in variables]), "--free")
     plan.check()
     targets, notes = _targets(question, plan, wishes)
     question.records = tuple(dict.fromkeys(t.name for t in targets if t.clock >= 0))
@@ -164,6 +164,9 @@ def _targets(question: Deck, plan: Plan, wishes: FitWishes) -> tuple[list[Target
     if not question.run:
         if wishes.shift or wishes.scale or wishes.window or wishes.gauge:
             raise refuse("--to", files[0], "a Pop plot has no clock, no scale, no window and no gauge", "leave these options out")
+        if idle := [key for key in plan.changes(0) if not key.startswith("material.")]:
+            raise refuse("--free", idle[0], "has no effect on a Pop plot, whose runs take only the explosive from the deck",
+                         "free constants of the material, or give a record of the deck itself too")
         return list(pops), own
     others = [text for text in wishes.to if text not in files]
     targets, notes = read_targets(others, MemoryRun(problem), gauge=wishes.gauge, sigma=wishes.sigma, windows=wishes.window)

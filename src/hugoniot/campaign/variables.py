@@ -100,6 +100,7 @@ def refuse(where: str, text: str, message: str, hint: str = EXAMPLE) -> DeckErro
 def read_variable(text: str, where: str = "--vary") -> Variable:
     """The variable that a text describes. Raises `DeckError` that says what is wrong with it."""
     name, equals, rest = (part.strip() for part in text.partition("="))
+    name = name.replace('"', "")        # a key may be quoted as in TOML: material."LX-17 reactive".burn.g1
     if not equals or not name or not rest:
         raise refuse(where, text, "expected KEY = VALUES")
     try:

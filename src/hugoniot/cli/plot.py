@@ -54,6 +54,7 @@ def command(
     drawable(path, "plot", "--out")
     options = _options(kind, field, gauge, time, delay) | _of_the_plane(kind, plane, line, layers)
     limits = _limits(kind, field, x, t, shown)
+    _within(run, limits[1])
     if kind in ("xt", "gauge", "pi_plane", "map"):
         taken = {"xt": ("window", "times", "limits"), "map": ("window", "", "limits")}.get(kind, ("", "times"))
         options |= {name: value for name, value in zip(taken, limits) if value is not None}
@@ -65,6 +66,18 @@ def command(
     with explained(path, "no picture is written"):
         axes.figure.savefig(path)
     typer.echo(f"wrote {path}")
+
+
+def _within(run, times: tuple[float, float] | None) -> None:
+    """Refuse times of which the run has no record: the picture would be empty."""
+    from hugoniot.units import format_si
+
+    if times is None:
+        return
+    known = run.arrays("snapshots")["time"]
+    if times[1] < known[0] or times[0] > known[-1]:
+        reach = f"it is from {format_si(known[0], 's', 4)} to {format_si(known[-1], 's', 4)}"
+        raise DeckError.single(run.folder, None, "--t", "the run lies outside these times", reach)
 
 
 def _limits(kind: str, field: str, x: str | None, t: str | None, shown: str | None) -> list[tuple[float, float] | None]:

@@ -34,6 +34,11 @@ def verify(
     if integrator not in INTEGRATORS:
         unknown = f"unknown integrator '{printable(integrator)}'"
         raise DeckError.single("verify", None, "--integrator", unknown, nearest(integrator, INTEGRATORS))
+    for name in problems or ():
+        if name not in PROBLEMS:
+            alike = [problem for problem in PROBLEMS if name and name in problem]
+            hint = f"known: {', '.join(alike)}" if alike else nearest(name, PROBLEMS, f"known: {', '.join(PROBLEMS)}")
+            raise DeckError.single("verify", None, "problem", f"unknown problem '{printable(name)}'", hint)
     if few := [n for n in zones or () if n < FEWEST_ZONES]:
         raise DeckError.single("verify", None, "--zones", f"{few[0]} zones are too few", f"use {FEWEST_ZONES} or more")
     if solver not in SOLVERS:

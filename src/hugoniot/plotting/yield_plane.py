@@ -14,6 +14,7 @@ import numpy as np
 from hugoniot.diagnostics.stress2d import von_mises
 from hugoniot.errors import DeckError
 from hugoniot.plotting.style import COLOURS, INK, QUIET, field_scale, labelled, new_axes, styled
+from hugoniot.units import format_si
 
 LEAST = 1e-6      # share of the largest von Mises stress that is drawn
 
@@ -37,17 +38,21 @@ def pi_plane(run, names=None, times=None, ax=None):
     time = rows["time"]
     during = slice(None) if times is None else (time >= times[0]) & (time <= times[1])
     s = s[:, during]
+    if not s.shape[1]:
+        raise DeckError.single(run.folder, None, "times", "the gauges have no record between these times",
+                               f"theirs is from {format_si(time[0], 's', 4)} to {format_si(time[-1], 's', 4)}")
     met = np.nan_to_num(von_mises(s[0], s[1], 0.0, s[2])).max(axis=0)
     sheared = [k for k in range(len(known)) if met[k] > LEAST * largest][:len(COLOURS)]
     picked = [known.index(name) for name in names] if names else sheared
     unit, factor, _ = field_scale("stress", np.array([largest]))
     ax = ax if ax is not None else new_axes(5.2, 4.8)
     x, y = 0.5 * np.sqrt(3.0) * (s[1] - s[2]) * factor, 0.5 * (2.0 * s[0] - s[1] - s[2]) * factor
-    turn, reach = np.linspace(0.0, 2.0 * np.pi, 361), 1.25 * largest * factor
+    turn, reach = np.linspace(0.0, 2.0 * np.pi, 361), 1.45 * largest * factor
     for k, name in enumerate(words):
         angle = np.pi / 2.0 - 2.0 * np.pi / 3.0 * k
         ax.plot([0.0, reach * np.cos(angle)], [0.0, reach * np.sin(angle)], color=QUIET, linewidth=0.8, zorder=0)
-        ax.text(1.06 * reach * np.cos(angle), 1.06 * reach * np.sin(angle), name, color=INK, fontsize=8.5, ha="center", va="center")
+        ax.text(reach * np.cos(angle), 1.04 * reach * np.sin(angle), name, color=INK, fontsize=8.5, ha="center",
+                va="top" if k else "bottom")
     for colour, k in zip(COLOURS, picked):
         radius = met[k] * factor
         ax.plot(radius * np.cos(turn), radius * np.sin(turn), color=colour, linewidth=0.6, linestyle=(0, (4, 3)))

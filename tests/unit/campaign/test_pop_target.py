@@ -89,5 +89,9 @@ def test_a_deck_without_an_explosive_and_options_of_gauges_are_refused(deck, coa
     path = written(tmp_path / "pop.csv", [(15, 3, 0.1)])
     with pytest.raises(DeckError, match="no explosive that burns by a rate"):
         run_fit(deck, FitWishes([path], ["region.flyer.velocity = 600..800 m/s"]), False, engine=inline)
+    with pytest.raises(DeckError, match="--free 'region.charge.zone_size': has no effect on a Pop plot"):
+        run_fit(coarse, FitWishes([path], ["region.charge.zone_size = 10..20 um"]), False, engine=inline)
+    with pytest.raises(DeckError, match="--free 'material.LX-18 reactive.burn.g1': the deck has no material 'LX-18 reactive'"):
+        run_fit(coarse, FitWishes([path], ['material."LX-18 reactive".burn.g1 = 4e-24..5e-24']), False, engine=inline)
     with pytest.raises(DeckError, match="no clock"):
         run_fit(coarse, FitWishes([path], [f"{RATE} = 4e-24..5e-24"], shift="20 ns"), False, engine=inline)
