@@ -1,0 +1,23 @@
+"""The record of a gauge on the face where two bodies meet begins with the velocity of that face, not with that of one of them."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from hugoniot.materials import library
+from hugoniot.problem.model import Gauge, Problem, Region, SolverOptions
+from hugoniot.simulate import make_solver
+
+
+@pytest.mark.parametrize("mode", ["algebraic", "cells"])
+def test_an_impact_face_has_one_velocity_from_its_first_record_on(mode):
+    metal = dataclasses.replace(library.find("aluminum_6061"), strength=library.find("water").strength, fracture=library.find("water").fracture)
+    regions = Region("flyer", "al", 0.0, 2e-3, 20, velocity=700.0), Region("target", "al", 2e-3, 6e-3, 40)
+    asked = Problem("impact", "planar", 1e-7, regions, {"al": metal}, gauges=(Gauge("face", "flyer/target"),),
+                    solver=SolverOptions("fronts", options={"mode": mode}))
+    solver = make_solver(asked)
+    while solver.time < 1e-7:
+        solver.march(1e-7, 1000)
+    times, found = solver.take_gauges()
+    assert len(times) > 10 and np.allclose(found["velocity"], 350.0, rtol=1e-9)
