@@ -102,18 +102,20 @@ def free_surface(run, name: str | None = None, delay: float = 0.0, ax=None):
     if "pull_back" in reading.numbers:
         seen = read_record(run, replace(record, time=time, velocity=velocity))     # through the delay
         if "pull_back" in seen.numbers:
-            _mark_pull_back(ax, seen.found, seen.numbers, ft, fu, unit)
+            _mark_pull_back(ax, seen, ft, fu, unit)
     return ax
 
 
-def _mark_pull_back(ax, found, reading, ft, fu, unit):
+def _mark_pull_back(ax, seen, ft, fu, unit):
+    found, reading = seen.found, seen.numbers
     x = found.minimum_time * ft
     ax.hlines([found.peak * fu, found.minimum * fu], found.peak_time * ft, x, color=INK, linewidth=0.6, linestyle=(0, (4, 3)))
     arrow = {"arrowstyle": "<->", "color": INK, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
     ax.annotate("", (x, found.minimum * fu), (x, found.peak * fu), arrowprops=arrow)
     text = f"pull-back {found.drop * fu:.4g} {unit}"
     if "spall_strength_acoustic" in reading:
-        text += f"\nspall strength {reading['spall_strength_acoustic'] * 1e-9:.3g} GPa"
+        least = "at least " if seen.note else ""     # the note says why
+        text += f"\nspall strength {least}{reading['spall_strength_acoustic'] * 1e-9:.3g} GPa"
     if "spall_strength_kanel" in reading:
         text += f"\nKanel: {reading['spall_strength_kanel'] * 1e-9:.3g} GPa"
     ax.annotate(text, (x, found.minimum * fu), xytext=(0, -8), textcoords="offset points", ha="center", va="top", fontsize=8.5)

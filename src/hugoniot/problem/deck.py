@@ -150,6 +150,10 @@ def _solver_kind(raw: dict, collector: Collector) -> str:
         shown = printable(kind) if isinstance(kind, str) else "not a text"
         line = collector.line_of(("solver", "kind"))
         raise DeckError.single(collector.file, line, "solver.kind", f"unknown solver '{shown}'", nearest(shown, known))
+    if "block" in raw and "region" not in raw and kind != "lagrange2d":
+        message = f"the solver '{kind}' takes [[region]], not [[block]]"
+        raise DeckError.single(collector.file, collector.line_of(("block",)), "block", message,
+                               'for two dimensions write [solver] with kind = "lagrange2d"')
     return kind
 
 

@@ -49,6 +49,17 @@ def test_the_pull_back_is_written_on_the_free_surface(run):
     assert seen.max() < y.max() and seen.max() > 0.9 * y.max()
 
 
+def test_a_strength_that_is_a_lower_bound_is_written_as_one(run, monkeypatch):
+    from dataclasses import replace
+
+    from hugoniot.plotting import records
+
+    assert not any("at least" in text.get_text() for text in run.plot.free_surface().texts)
+    found = records.read_record
+    monkeypatch.setattr(records, "read_record", lambda *given: replace(found(*given), note="a lower bound"))
+    assert any("spall strength at least" in text.get_text() for text in run.plot.free_surface().texts)
+
+
 def test_the_wave_diagram_keeps_voids_white_and_zero_grey(run):
     ax = run.plot.xt("stress")
     image = ax.images[0]

@@ -1,4 +1,4 @@
-"""Decks of the two-dimensional hydrocode: every key round trip, every mistake at once with line and way out."""
+"""Decks of the two-dimensional hydrocode: every key round trip, every mistake at once, with its line and a hint."""
 
 import json
 import re
@@ -312,3 +312,15 @@ def test_a_deck_of_triangles_is_written_out_and_reads_back(more):
     assert again.problem.solver.average_pressure is not bool(more)
     plain = read_deck_text(BAR)
     assert not any(word in plain.resolved for word in ("diagonal", "average_pressure"))
+
+
+def test_blocks_without_a_solver_for_them_are_one_error():
+    text = """title = "bar"
+stop_time = "1 us"
+[[block]]
+name = "b"
+"""
+    with pytest.raises(DeckError) as caught:
+        read_deck_text(text)
+    (problem,) = caught.value.problems
+    assert problem.line == 3 and "[[region]], not [[block]]" in problem.message and 'kind = "lagrange2d"' in problem.hint
