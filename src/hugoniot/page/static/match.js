@@ -82,7 +82,7 @@
   }
   function draw(found) {
     if (!found) return;
-    const names = found.layers, series = [], marks = [], times = (values, factor) => values.map(v => v * factor);
+    const crowded = found.states.length > 3 && chart.box.clientWidth < 560, names = found.layers, series = [], marks = [], times = (values, factor) => values.map(v => v * factor);
     found.curves.forEach((c, k) => {
       series.push({kind: "line", colour: k, dash: "6 3", width: 1.4, x: times(c.behind.particle_velocity, 1e-3), y: times(c.behind.pressure, 1e-9), label: k === 0 ? `${names[0]}, ${H.digits(found.velocity, 5)} m/s` : "", named: "start"});
       series.push({kind: "line", colour: k + 1, x: times(c.ahead.particle_velocity, 1e-3), y: times(c.ahead.pressure, 1e-9), label: names[k + 1]});
@@ -90,7 +90,7 @@
     found.states.forEach((s, k) => {
       const x = s.particle_velocity * 1e-3, y = s.pressure * 1e-9, u = s.uncertainty;
       if (u) marks.push({kind: "error", x, y, sx: u.particle_velocity * 1e-3, sy: u.pressure * 1e-9, colour: "ink", width: 1.3});
-      marks.push({kind: "dot", x, y, colour: "ink", label: `${H.digits(s.pressure * 1e-9, 4)} GPa, ${H.digits(s.particle_velocity, 4)} m/s`, below: k > 0});
+      marks.push({kind: "dot", x, y, colour: "ink", label: `${H.digits(s.pressure * 1e-9, crowded ? 3 : 4)} GPa${crowded ? "" : `, ${H.digits(s.particle_velocity, 4)} m/s`}`, below: k > 0});
     });
     const top = 1.28 * Math.max(...found.states.map(s => s.pressure)) * 1e-9, wide = 1.12 * Math.max(found.velocity, ...found.states.map(s => s.particle_velocity)) * 1e-3;
     if (!dragging || !chart.held) chart.held = {x: {min: 0, max: wide}, y: {min: 0, max: top}};
