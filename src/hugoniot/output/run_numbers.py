@@ -75,8 +75,9 @@ def spall_numbers(run: Run) -> dict:
 def highest(run: Run) -> dict:
     """Highest stress (else pressure) and tension of any zone at any time, Pa, and of the surface that is seen its velocity, m/s.
 
-    Beside each field stands where it was found: `stress_region` the body and `stress_at` the centre of the zone at t = 0, m, one number for
-    each coordinate. A zone at a face where bodies met may hold the overshoot of a numerical shock, which the plateaus of the gauges leave out.
+    Beside each field stands where it was found: `stress_region` the body and `stress_at` the centre of the zone at t = 0, m, one number
+    for each coordinate. A zone at a face where bodies met may hold the overshoot of a numerical shock, which the plateaus of the gauges
+    leave out.
     `surface` is the gauge of that velocity, or "free surface". A field that the run does not have is left out, and so is a tension that
     never came; the velocity is that of the spall reading where there is one.
     """
