@@ -45,11 +45,13 @@ def viscosity_of(problem: Problem):
 
 
 def viscosity_in(material, viscosity):
-    """The viscosity as a material has it: condensed ones without strength have a linear coefficient of their own."""
-    strong = material.strength is not None and "fluid" not in STRENGTH.of(material.strength).flags
-    if "linear_condensed" not in viscosity._fields or strong or not is_condensed(material.eos):
+    """The viscosity as a material has it: condensed ones have a linear coefficient of their own, in weak jumps only without strength."""
+    if "linear_condensed" not in viscosity._fields:
         return viscosity
-    return viscosity._replace(linear=viscosity.linear_condensed)
+    if not is_condensed(material.eos):
+        return viscosity._replace(linear_condensed=viscosity.linear)
+    strong = material.strength is not None and "fluid" not in STRENGTH.of(material.strength).flags
+    return viscosity if strong else viscosity._replace(linear=viscosity.linear_condensed)
 
 
 def is_condensed(eos) -> bool:
