@@ -176,11 +176,17 @@ def test_an_interrupt_while_the_solver_marches_waits_for_the_burst():
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are a Unix matter")
-@pytest.mark.parametrize("asked", [signal.SIGINT, signal.SIGTERM])
-def test_a_request_to_end_leaves_a_checkpoint_and_exit_code_130(place, whole, asked):
+@pytest.mark.parametrize("asked, background", [(signal.SIGINT, False), (signal.SIGTERM, False), (signal.SIGTERM, True)])
+def test_a_request_to_end_leaves_a_checkpoint_and_exit_code_130(place, whole, asked, background):
+    """In the background of a script too, where the shell lets a command ignore SIGINT."""
     path = deck(place)
-    folder = place / f"interrupted_{asked}.run"
-    process = start(path, folder)
+    folder = place / f"interrupted_{asked}_{background}.run"
+    usual = signal.signal(signal.SIGINT, signal.SIG_IGN) if background else None     # which the process inherits
+    try:
+        process = start(path, folder)
+    finally:
+        if background:
+            signal.signal(signal.SIGINT, usual)
     assert wait_for_checkpoint(process, folder)
     process.send_signal(asked)
     output = process.communicate(timeout=60)[0].decode()
