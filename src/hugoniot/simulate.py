@@ -86,15 +86,16 @@ class _Recorder:
             self.folder.gauges(times, without_mixtures(values, self.problem.gauges))
 
     def snapshot(self, state):
-        fields = {**state.fields(), **self.derived(state)}
-        if self.hot:
-            fields["temperature"] = zone_temperature(state, self.solver.region_of, self.laws, self.solver.phases())
+        heat = zone_temperature(state, self.solver.region_of, self.laws, self.solver.phases()) if self.hot else None
+        fields = {**state.fields(), **self.derived(state, heat)}
+        if heat is not None:
+            fields["temperature"] = heat
         if self.fields:
             faces = {"position_left", "position_right", "velocity_left", "velocity_right"}
             fields = {name: value for name, value in fields.items() if name in self.fields | faces}
         fields.pop("mass", None)     # it stands in the result once
         self.folder.snapshots([state.time], [state.cycle], {name: value[None, :] for name, value in fields.items()})
-        parts = {name: value[None, :] for name, value in self.budget(state).items()}
+        parts = {name: value[None, :] for name, value in self.budget(state, heat).items()}
         whole = {name: np.array([value]) for name, value in {**self.solver.errors(), **self.solver.exchanges()}.items()}
         self.folder.budget([state.time], {**parts, **whole, "step": np.array([self.solver.step])})
 
