@@ -11,7 +11,7 @@ import lagrange_builders as build
 import numpy as np
 import pytest
 from killed_runs import finish, same_bytes, start, wait_for_checkpoint
-from solver_decks import FLYER
+from solver_decks import flyer_deck
 
 from hugoniot import simulate
 from hugoniot.core import machine
@@ -23,7 +23,7 @@ from hugoniot.solvers.run import Schedule, march_to_end, snapshot_times
 
 def deck(folder, flyer=100, target=200, integrator="compatible", every=37):
     path = folder / f"flyer_{flyer}_{integrator}_{every}.toml"
-    path.write_text(FLYER.format(flyer=flyer, target=target, integrator=integrator, every=every))
+    path.write_text(flyer_deck(flyer, target, integrator, every))
     return path
 
 
