@@ -16,6 +16,7 @@ from hugoniot.solvers.fronts.cells.column import CellColumn, Readable
 from hugoniot.solvers.fronts.cells.flow import Flow
 from hugoniot.solvers.fronts.cells.mesh import EMPTY
 from hugoniot.solvers.fronts.cells.record import Trace
+from hugoniot.solvers.fronts.cells.solids import elastic_share
 from hugoniot.solvers.fronts.meeting import Bench
 from hugoniot.solvers.fronts.reading import Reading
 from hugoniot.solvers.fronts.record import COLUMNS
@@ -33,7 +34,8 @@ class Cells(Reading):
         options = setup.options_of(problem)
         self.matters = [setup.matter_of(problem.materials[r.material]) for r in problem.regions]
         count = len(problem.regions)
-        bench = Bench(2 * self.matters, 2 * setup.grips_of(problem), float(options["weakest"]), float(options["fan_step"]), unburned=count)
+        bench = Bench(2 * self.matters, 2 * setup.grips_of(problem), float(options["weakest"]), float(options["fan_step"]), unburned=count,
+                      elastic=elastic_share(self.matters), narrow=True)
         outside = tuple(start.OUTSIDE[end.kind] for end in (problem.left, problem.right))
         self.flow = Flow(problem, bench, outside, options, problem.solver.courant or setup.COURANT)
         self.burning = any(material.burn is not None for material in problem.materials.values())
