@@ -13,7 +13,7 @@ from hugoniot.laws.riemann.branch import Matter, State
 from hugoniot.laws.riemann.medium import Frozen, Solid, mixture_limit
 from hugoniot.materials import burning
 from hugoniot.problem.model import Problem
-from hugoniot.solvers.fronts import setup
+from hugoniot.solvers.fronts import extremes, setup
 from hugoniot.solvers.fronts.cells import march, parabolas, solids, steepening, tables, tracked
 from hugoniot.solvers.fronts.cells.gas import averages
 from hugoniot.solvers.fronts.cells.mesh import Mesh
@@ -39,9 +39,12 @@ def law_of_region(material) -> Any:
 
 
 class Flow:
-    """What a step needs beside the mesh: `bench` for the exact Riemann problems, `spacing`, the ends, and the tables of the march."""
+    """What a step needs beside the mesh: `bench` for the exact Riemann problems, `spacing`, the ends, and the tables of the march.
 
-    def __init__(self, problem: Problem, bench: Bench, outside, options: dict, courant: float):
+    owner, middles   region of every zone of the problem, and the share of its mass left of the zone's middle, (nzone,)
+    """
+
+    def __init__(self, problem: Problem, bench: Bench, outside, options: dict, courant: float, owner, middles):
         self.bench, self.outside, self.problem = bench, outside, problem
         self.laws = [law_of_region(problem.materials[r.material]) for r in problem.regions]
         self.burns = any(isinstance(law, Reactive) for law in self.laws)
@@ -53,7 +56,7 @@ class Flow:
         self._numbers = [numbers_of(law) for law in self.laws]
         self.spacing = Spacing(problem.dimension, np.array(cells_of(problem), dtype=float))
         self.rules = self._rules(options, courant)
-        self.work = tables.make_work(64, self.variables, len(self.laws))
+        self.work = tables.make_work(64, self.variables, len(self.laws), np.vstack([middles, extremes.start(len(middles))]), owner)
         self.work.numbers[tables.RESOLUTION] = 1e300
 
     def _rules(self, options: dict, courant: float) -> Rules:
@@ -92,7 +95,7 @@ class Flow:
         """The arrays of the mesh, and room for them in the scratch."""
         n = len(mesh.q)
         if n + 2 > self.work.w.shape[1]:
-            more = tables.make_work(2 * n + 2, self.variables, len(self.laws))
+            more = tables.make_work(2 * n + 2, self.variables, len(self.laws), self.work.zones, self.work.owner)
             self.work = more._replace(trace=self.work.trace, passed=self.work.passed, numbers=self.work.numbers)
         return Grid(*(np.ascontiguousarray(row) for row in (mesh.x, mesh.q, mesh.region, mesh.marked, mesh.given, mesh.push)))
 

@@ -60,6 +60,7 @@ from hugoniot.solvers.fronts.cells.tables import (
     P,
     U,
 )
+from hugoniot.solvers.fronts.cells.zones import look_at_zones
 
 LOOK = 5              # steps between looks for shocks that have formed
 PATHS = 400           # lines into which the paths of fronts are cut over a run
@@ -104,6 +105,7 @@ def open_step(grid, rules, work, fronts, count, longest):
     if bad >= 0:
         work.numbers[LIMITING] = bad
         return math.nan, False
+    look_at_zones(grid, rules, work, n)
     reconstruct(grid, w, n, d, grid.q.shape[1])
     if burns:
         w[PACE, :n] = 0.0

@@ -37,7 +37,7 @@ class Cells(Reading):
         bench = Bench(2 * self.matters, 2 * setup.grips_of(problem), float(options["weakest"]), float(options["fan_step"]), unburned=count,
                       elastic=elastic_share(self.matters), narrow=True)
         outside = tuple(start.OUTSIDE[end.kind] for end in (problem.left, problem.right))
-        self.flow = Flow(problem, bench, outside, options, problem.solver.courant or setup.COURANT)
+        self.flow = Flow(problem, bench, outside, options, problem.solver.courant or setup.COURANT, self.region_of, self.middles)
         self.burning = any(material.burn is not None for material in problem.materials.values())
         self.trace = self.lives = Trace()
         self.changes = Changes(self.flow, self.length, int(options["most_fronts"]), self._log, self.trace.end)
@@ -131,6 +131,9 @@ class Cells(Reading):
                 region = next(r for r in self.problem.regions if r.start <= point.position <= r.end)
                 u = setup.start_velocities(region, np.array([point.position]))[0]
                 self.changes.light(self.mesh, point.position + float(u) * self.time, self.time)
+
+    def _extremes_so_far(self) -> np.ndarray:
+        return self.flow.work.zones[1:].copy()
 
     def limiting(self) -> tuple[int, str]:
         """(zone, region name) of the cell that limits the step."""

@@ -78,6 +78,8 @@ class Work(NamedTuple):
     """Scratch: w (ROWS, room), pointers for passes, io (2, 24) for the waves of one front, trace (lines, TRACE) of the fronts' paths.
 
     flags (2, room)    1 where a front is to be released, and where a contact parts
+    zones (5, zones)   of every zone of the problem the share of its region's mass left of its middle, and its extremes (extremes.NAMES);
+                       owner (zones,) its region
     passed (2, nvar)   contents that have come in through the ends; numbers: see above; sums: one for each region, and the drives
     """
 
@@ -85,6 +87,8 @@ class Work(NamedTuple):
     pointers: Any
     io: Any
     trace: Any
+    zones: Any
+    owner: Any
     flags: Any
     passed: Any
     numbers: Any
@@ -95,7 +99,7 @@ TRACE = 15            # time, front, position, strength, 5 numbers of both state
 ROOM_OF_TRACE = 4096
 
 
-def make_work(room: int, variables: int, regions: int) -> Work:
+def make_work(room: int, variables: int, regions: int, zones, owner) -> Work:
     """Scratch for that many cells."""
-    return Work(np.zeros((ROWS, room)), np.zeros(40, dtype=np.int64), np.zeros((2, 24)), np.zeros((ROOM_OF_TRACE, TRACE)),
+    return Work(np.zeros((ROWS, room)), np.zeros(40, dtype=np.int64), np.zeros((2, 24)), np.zeros((ROOM_OF_TRACE, TRACE)), zones, owner,
                 np.zeros((2, room)), np.zeros((2, variables)), np.zeros(13), np.zeros(regions + 2))
