@@ -8,12 +8,18 @@ import sys
 import tempfile
 import threading
 
+import hypothesis
 import pytest
 
 try:
     import fcntl
 except ImportError:     # no Unix
     fcntl = None
+
+
+# a slow or busy machine is no fault of what is tested
+hypothesis.settings.register_profile("any machine", deadline=None, suppress_health_check=[hypothesis.HealthCheck.too_slow])
+hypothesis.settings.load_profile("any machine")
 
 
 @pytest.fixture(scope="session", autouse=True)
