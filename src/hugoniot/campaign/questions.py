@@ -19,7 +19,7 @@ import numpy as np
 from hugoniot.errors import DeckError, HugoniotError
 from hugoniot.simulate import make_solver, program, run
 
-FORMAT = 1           # of the numbers: a change of what they mean asks every case again
+FORMAT = 2           # of the numbers: a change of what they mean asks every case again
 POINTS = 400         # of a record that is kept of each case
 _DIGITS = 32
 MATCHED = {"pressure": "Pa", "particle_velocity": "m/s", "shock_velocity": "m/s", "density": "kg/m^3", "specific_internal_energy": "J/kg"}
