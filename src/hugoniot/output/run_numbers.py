@@ -100,6 +100,14 @@ def warnings_of(run: Run) -> list[str]:
     return [str(text) for kind, text in zip(events.get("kind", ()), events.get("text", ())) if kind == "warning"]
 
 
+def record(run: Run) -> dict:
+    """A whole run for programs, as `run`, `resume` and `info` print it: folder, summary, `results` and events."""
+    events = run.arrays("events")
+    happened = {key: np.asarray(events[key]).tolist() for key in ("time", "cycle", "kind", "text") if key in events}
+    rows = [dict(zip(happened, row)) for row in zip(*happened.values())]
+    return {"folder": str(run.folder), "summary": run.summary, **results(run), "events": rows}
+
+
 def results(run: Run) -> dict:
     """Everything of the above for programs: zones, gauges, highest values, spall, warnings; of a resolved shock its transport laws."""
     transport = {"transport": run.setup["transport"]} if run.setup.get("transport") else {}
