@@ -4,7 +4,7 @@ import re
 
 import pytest
 from aluminium_decks import EOS, FRACTURE, STRENGTH, gauge, region
-from pace import in_starts
+from pace import PATIENCE, in_starts
 
 from hugoniot.cli.main import main
 from hugoniot.errors import DeckError
@@ -196,5 +196,5 @@ def test_the_answer_takes_no_longer_than_reading_a_sound_deck(tmp_path):
     for k, name in enumerate(names):
         (tmp_path / f"deck{k}.toml").write_text(BROKEN[name][0], encoding="utf-8")
     others = [[*command, "run", f"deck{k}.toml"] for k in range(len(names))]
-    times = in_starts(others, [*command, "check", "sound.toml"], rounds=2, cwd=tmp_path, timeout=120)
+    times = in_starts(others, [*command, "check", "sound.toml"], rounds=2, cwd=tmp_path, timeout=PATIENCE)
     assert max(times) < 3.0, dict(zip(names, times))

@@ -11,6 +11,7 @@ import lagrange_builders as build
 import numpy as np
 import pytest
 from killed_runs import finish, same_bytes, start, wait_for_checkpoint
+from pace import PATIENCE
 from solver_decks import DECKS, flyer_deck
 
 from hugoniot import simulate
@@ -190,7 +191,7 @@ def test_a_request_to_end_leaves_a_checkpoint_and_exit_code_130(place, whole, as
             signal.signal(signal.SIGINT, usual)
     assert wait_for_checkpoint(process, folder)
     process.send_signal(asked)
-    output = process.communicate(timeout=60)[0].decode()
+    output = process.communicate(timeout=PATIENCE)[0].decode()
     assert process.returncode == 130, output
     assert "resume" in output
     assert list((folder / "checkpoint").glob("[0-9]*.json")) and not (folder / "summary.json").exists()
