@@ -11,7 +11,8 @@ import lagrange_builders as build
 import numpy as np
 import pytest
 from killed_runs import finish, same_bytes, start, wait_for_checkpoint
-from solver_decks import DECKS, FLYER
+from pace import PATIENCE
+from solver_decks import DECKS, flyer_deck
 
 from hugoniot import simulate
 from hugoniot.core import machine
@@ -24,7 +25,7 @@ from hugoniot.solvers.run import Schedule, march_to_end, snapshot_times
 
 def deck(folder, flyer=100, target=200, integrator="compatible", every=37):
     path = folder / f"flyer_{flyer}_{integrator}_{every}.toml"
-    path.write_text(FLYER.format(flyer=flyer, target=target, integrator=integrator, every=every))
+    path.write_text(flyer_deck(flyer, target, integrator, every))
     return path
 
 
@@ -177,14 +178,20 @@ def test_an_interrupt_while_the_solver_marches_waits_for_the_burst():
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are a Unix matter")
-@pytest.mark.parametrize("asked", [signal.SIGINT, signal.SIGTERM])
-def test_a_request_to_end_leaves_a_checkpoint_and_exit_code_130(place, whole, asked):
+@pytest.mark.parametrize("asked, background", [(signal.SIGINT, False), (signal.SIGTERM, False), (signal.SIGTERM, True)])
+def test_a_request_to_end_leaves_a_checkpoint_and_exit_code_130(place, whole, asked, background):
+    """In the background of a script too, where the shell lets a command ignore SIGINT."""
     path = deck(place)
-    folder = place / f"interrupted_{asked}.run"
-    process = start(path, folder)
+    folder = place / f"interrupted_{asked}_{background}.run"
+    usual = signal.signal(signal.SIGINT, signal.SIG_IGN) if background else None     # which the process inherits
+    try:
+        process = start(path, folder)
+    finally:
+        if background:
+            signal.signal(signal.SIGINT, usual)
     assert wait_for_checkpoint(process, folder)
     process.send_signal(asked)
-    output = process.communicate(timeout=60)[0].decode()
+    output = process.communicate(timeout=PATIENCE)[0].decode()
     assert process.returncode == 130, output
     assert "resume" in output
     assert list((folder / "checkpoint").glob("[0-9]*.json")) and not (folder / "summary.json").exists()

@@ -46,10 +46,11 @@ class LineRecorder(Recorder):
             self.folder.gauges(times, without_mixtures(values, self.problem.gauges))
 
     def snapshot(self, state):
-        fields = {**state.fields(), **self.derived(state)}
-        if self.hot:
-            fields["temperature"] = zone_temperature(state, self.solver.region_of, self.laws, self.solver.phases())
+        heat = zone_temperature(state, self.solver.region_of, self.laws, self.solver.phases()) if self.hot else None
+        fields = {**state.fields(), **self.derived(state, heat)}
+        if heat is not None:
+            fields["temperature"] = heat
         if self.fields:
             fields = {name: value for name, value in fields.items() if name in self.fields | FACES}
         fields.pop("mass", None)     # it stands in the result once
-        self.keep(state, fields, self.budget(state))
+        self.keep(state, fields, self.budget(state, heat))

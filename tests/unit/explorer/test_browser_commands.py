@@ -68,7 +68,7 @@ def test_command_and_python_of_a_deck_give_the_run_of_the_page(visit, opened, tm
     waiting.value.save_as(tmp_path / "deck.toml")
     assert (tmp_path / "deck.toml").read_text() == DECK
     page.click("button:has-text('Run')")
-    page.wait_for_selector("[data-state=done]", timeout=90_000)
+    page.wait_for_selector("[data-state=done]")
     mine = hugoniot.load(opened[0] / "work" / page.text_content("[data-state] strong"))
     monkeypatch.chdir(tmp_path)
     for line in page.text_content("#command").splitlines():

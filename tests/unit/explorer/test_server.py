@@ -11,6 +11,7 @@ import httpx
 import pytest
 from browsing import findings, shown, until
 from explorer_words import LONG, TUBE
+from pace import PATIENCE
 
 import hugoniot
 from hugoniot.explorer.impact import impact
@@ -87,12 +88,12 @@ def test_many_requests_and_a_client_that_never_reads_do_not_stop_it(address):
     for client in deaf:
         client.sendall(f"GET /{address.split('/')[3]}/api/materials HTTP/1.1\r\nHost: {host}:{port}\r\n\r\n".encode() * 30)
 
-    with httpx.Client(timeout=120.0, verify=False, limits=httpx.Limits(max_connections=1000)) as client, ThreadPoolExecutor(200) as pool:
+    with httpx.Client(timeout=PATIENCE, verify=False, limits=httpx.Limits(max_connections=1000)) as client, ThreadPoolExecutor(200) as pool:
         def asked(k):
             return client.get(f"{address}api/state", params={"name": "copper", "by": "particle_velocity", "value": 500 + k}).json()["state"]["particle_velocity"]
 
         assert list(pool.map(asked, range(1000))) == [500 + k for k in range(1000)]
-    assert httpx.get(address).status_code == 200 and httpx.get(address, headers={"host": "evil.example"}).status_code == 404
+    assert httpx.get(address, timeout=PATIENCE).status_code == 200 and httpx.get(address, headers={"host": "evil.example"}, timeout=PATIENCE).status_code == 404
     for client in deaf:
         client.close()
 
@@ -100,10 +101,10 @@ def test_many_requests_and_a_client_that_never_reads_do_not_stop_it(address):
 def test_the_end_of_the_server_is_the_end_of_its_runs_with_a_checkpoint(tmp_path):
     with subprocess.Popen([sys.executable, "-m", "hugoniot.cli.main", "explore", "--no-browser", "--work", str(tmp_path)], stdout=subprocess.PIPE, text=True) as server:
         address = re.search(r"http://\S+", server.stdout.readline()).group(0)
-        httpx.post(f"{address}api/job", content=TUBE.replace('"20 us"', LONG))
-        end = time.monotonic() + 60
-        while httpx.get(f"{address}api/job/0").json()["progress"].get("cycle", 0) < 10 and time.monotonic() < end:
+        httpx.post(f"{address}api/job", content=TUBE.replace('"20 us"', LONG), timeout=PATIENCE)
+        end = time.monotonic() + PATIENCE
+        while httpx.get(f"{address}api/job/0", timeout=PATIENCE).json()["progress"].get("cycle", 0) < 10 and time.monotonic() < end:
             time.sleep(0.1)
         server.terminate()
-        assert server.wait(30) == 0
+        assert server.wait(PATIENCE) == 0
     assert list((tmp_path / "tube-of-gas.run" / "checkpoint").glob("[0-9]*.json")) and not (tmp_path / "tube-of-gas.run" / ".lock").exists()
