@@ -124,7 +124,8 @@
   function command() {
     const names = layers(), v = velocity(), s = Number(H.get("sigma"));
     const extra = (s > 0 ? ` --error "velocity = ${s} m/s"` : "") + (H.get("bands") && shown?.uncertain.some(u => u !== "velocity") ? " --error library" : "");
+    const files = [...new Set(names.map(n => H.files[n]).filter(Boolean))], read = files.length ? `from pathlib import Path\nfrom hugoniot.explorer.subjects import admit\n${files.map(f => `admit(Path(${H.python(f)}))\n`).join("")}` : "";
     H.command({shell: `hugoniot eos match ${names.map(H.subject).join(" ")} --velocity "${v} m/s"${extra} --plot match.png`,
-      python: `from hugoniot.explorer.impact import impact\nprint(impact([${names.map(H.python).join(", ")}], ${v}.0, sigma=${s > 0 ? s : 0}, bands=${H.get("bands") ? "True" : "False"})["states"])`.replace(`${v}.0`, Number.isInteger(v) ? `${v}.0` : `${v}`)});
+      python: `from hugoniot.explorer.impact import impact\n${read}print(impact([${names.map(H.python).join(", ")}], ${v}.0, sigma=${s > 0 ? s : 0}, bands=${H.get("bands") ? "True" : "False"})["states"])`.replace(`${v}.0`, Number.isInteger(v) ? `${v}.0` : `${v}`)});
   }
 })();
