@@ -75,9 +75,8 @@ def in_front(c, nodes, p, e, dt):
 def over_edge(c, nodes, p, e, share, dt):
     """Whether an edge bounds the material at a share of it, for a point behind it.
 
-    Where the surface juts out at the nearer end, the material is behind the other edge too, and points that came around the corner are
-    beyond the edge they pass through. Where it is hollow, each edge bounds the free space beyond the corner for points that may have come
-    through the other one. Where it ends, on the axis or a wall, it goes on a little.
+    Where the surface juts out at the nearer end, the material is behind the other edge too. Where it is hollow, each edge bounds the free
+    space beyond the corner for points that may have come through the other one. Where it ends, on the axis or a wall, it goes on a little.
     """
     at_end, on_it = share > 0.5, -EDGE_END <= share <= 1.0 + EDGE_END
     other = beyond(c, e, at_end)
@@ -86,13 +85,9 @@ def over_edge(c, nodes, p, e, share, dt):
     inward = hollow(c, nodes, e, other, at_end)
     if c.edges[other, C.EDGE_A] == p or c.edges[other, C.EDGE_B] == p:
         return inward and on_it
-    if not on_it and not -BEYOND < share < 1.0 + BEYOND:
-        return False
     if inward:
-        return on_it or in_front(c, nodes, p, other, 0.0) > -AT_CORNER
-    if in_front(c, nodes, p, other, dt) > EDGE_END:
-        return False
-    return on_it or in_front(c, nodes, p, e, 0.0) > in_front(c, nodes, p, other, 0.0) + AT_CORNER
+        return on_it or (-BEYOND < share < 1.0 + BEYOND and in_front(c, nodes, p, other, 0.0) > -AT_CORNER)
+    return on_it and in_front(c, nodes, p, other, dt) <= EDGE_END
 
 
 @nb.njit(**BY_ADDRESS)
