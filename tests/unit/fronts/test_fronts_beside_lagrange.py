@@ -2,37 +2,16 @@
 
 import numpy as np
 import pytest
+from aluminium_decks import EOS, gauge, impact
 from typer.testing import CliRunner
 
 import hugoniot
 from hugoniot.cli.main import build_app
 from hugoniot.output.run_numbers import highest
 
-DECK = """
-title = "Plate on plate"
+DECK = f"""title = "Plate on plate"
 stop_time = "1.2 us"
-[[region]]
-name = "flyer"
-material = "al"
-from = "0 mm"
-to = "2 mm"
-zones = 20
-velocity = "700 m/s"
-[[region]]
-name = "target"
-material = "al"
-from = "2 mm"
-to = "6 mm"
-zones = 40
-[material.al.eos]
-law = "mie_gruneisen"
-rho0 = "2700 kg/m^3"
-c0 = "5200 m/s"
-s = 1.5
-gamma0 = 2.0
-[[gauge]]
-name = "mid-target"
-at = "4 mm"
+{impact(20, 40)}{EOS}{gauge("mid-target", "4 mm")}\
 [solver]
 kind = "KIND"
 """
@@ -84,8 +63,8 @@ def test_gauges_and_surfaces_are_compared_with_those_of_lagrange1d(runs, mode):
 
     pairs = compare(runs[mode], runs["lagrange1d"])
     rows = {(row["gauge"], row["field"]): row for row in pairs.rows()}
-    for gauge in ("mid-target", "free surface left", "free surface right"):
-        row = rows[gauge, "velocity"]
+    for name in ("mid-target", "free surface left", "free surface right"):
+        row = rows[name, "velocity"]
         assert row["l1_relative"] < 0.06 and abs(row["arrival_shift"]) < 0.05 * 4e-3 / 5200.0
         assert rows[gauge, "position"]["linf"] < 0.2e-3 / 2
     assert not any(np.isnan(row["l1"]) for row in rows.values())
