@@ -7,6 +7,7 @@ import sys
 import time
 
 import pytest
+from pace import PATIENCE
 
 from hugoniot.cli.main import main
 from hugoniot.problem import catalogue
@@ -145,12 +146,12 @@ def test_an_interrupted_run_ends_with_130_and_resumes_to_the_same_bits(place, ca
     program = "from hugoniot.cli.main import main; main()"
     process = subprocess.Popen([sys.executable, "-c", program, "run", str(place / "long.toml"), "--out", str(place / "long.run"), "--no-report"],
                                stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
-    deadline = time.monotonic() + 60
+    deadline = time.monotonic() + PATIENCE
     while not (place / "long.run" / "deck.toml").exists() and time.monotonic() < deadline and process.poll() is None:
         time.sleep(0.02)
     time.sleep(0.5)  # the run takes two seconds; by now it is under way
     process.send_signal(signal.SIGINT)
-    _, err = process.communicate(timeout=60)
+    _, err = process.communicate(timeout=PATIENCE)
     assert process.returncode == 130, err
     assert "hugoniot resume" in err and "Traceback" not in err
     assert call(capsys, "resume", place / "long.run", "-q")[0] == 0

@@ -59,7 +59,7 @@ def test_every_material_of_the_library_survives_a_resolved_deck(name):
     assert read_deck_text(first.resolved).problem == first.problem
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(numbers=st.lists(st.floats(1e-9, 1e9), min_size=5, max_size=5), zones=st.integers(1, 10**6),
        title=st.text(st.characters(exclude_categories=("Cc", "Cs")), max_size=40), name=st.text(st.characters(exclude_categories=("C", "Z"), exclude_characters="/:"), min_size=1, max_size=20))
 def test_any_problem_survives_being_saved(numbers, zones, title, name):

@@ -9,7 +9,7 @@ shocks and serves nothing. $c_1 = 0.3$ instead of 1 keeps the weak shocks of gas
 material nothing but q damps the ringing of strong shocks, which a free surface would show as an overshoot: with strength the weight grows
 from $c_1$ = `linear` in the jumps of a precursor to $c_c$ = `linear_condensed` in those of a plastic shock,
 
-$$c_1^2 + (c_c^2 - c_1^2)\,rac{\Delta u^2}{\Delta u^2 + (0.0075\,c)^2} \quad	ext{in place of}\quad c_1^2,$$
+$$c_1^2 + (c_c^2 - c_1^2)\,\frac{\Delta u^2}{\Delta u^2 + (0.0075\,c)^2} \quad\text{in place of}\quad c_1^2,$$
 
 times $\sqrt{c_b/c}$ at rest for $c_c$, with $c_b$ the bulk sound speed and $c$ the longitudinal one; without strength it is $c_c$
 throughout. A deck that gives `linear` alone gives both.

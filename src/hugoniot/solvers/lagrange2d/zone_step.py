@@ -102,7 +102,7 @@ def predict(s, geometry, numbers, fluid, kind):
         s.keep_half()
 
 
-def correct(s, geometry, numbers, conduction):
+def correct(s, geometry, numbers, fluid, conduction):
     """Write how the state at the end of the step and its forces are found; conduction: rows and numbers of the artificial heat flux, or
     None."""
     z, w, at = s.at.z, s.at.w, s.at
@@ -112,7 +112,10 @@ def correct(s, geometry, numbers, conduction):
         s.do(heat_flux.conduct, conduction[0], kind=geometry, numbers=conduction[1])
     s.do(passes.shape, passes.ShapeOf(at.now, z.inverse_mass, w.v, z.rho, w.inverse_length), kind=geometry, numbers=numbers)
     solid_v = state_at_end(s)
-    s.do(passes.stand, passes.StandOf(at.now, z.p, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s,
-                                      z.sigma, z.c, at.f, at.found), kind=geometry, numbers=numbers)
+    stand = (at.now, z.p, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s, z.sigma, z.c, at.f, at.found)
+    if fluid:
+        s.do(passes.stand_filtered, passes.StandFilteredOf(*stand, z.rho, z.t0, z.t1), kind=geometry, numbers=numbers)
+    else:
+        s.do(passes.stand, passes.StandOf(*stand), kind=geometry, numbers=numbers)
     s.pace(w.inverse_length)
     s.look_over()
