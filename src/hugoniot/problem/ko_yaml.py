@@ -41,12 +41,12 @@ def read_yaml(text: str, file: str, folders: Sequence[Path] = (Path(),)) -> KoDe
     except (RecursionError, ValueError):
         raise DeckError.single(file, None, "deck", "not YAML of a deck") from None
     if _values(raw) > MOST_VALUES:
-        raise DeckError.single(file, None, "deck", f"more than {MOST_VALUES} values, its aliases written out, are too many for a deck")
+        raise DeckError.single(file, None, "deck", f"more than {MOST_VALUES} values once its aliases are expanded: too many for a deck")
     return _Reader(raw, file, folders).deck()
 
 
 def _values(raw: Any) -> int:
-    """How many values a text holds with its aliases written out, which a few lines can make millions; counted up to `MOST_VALUES`."""
+    """How many values a text holds once its aliases are expanded, which a few lines can make millions; counted up to `MOST_VALUES`."""
     waiting, count = [raw], 0
     while waiting and count <= MOST_VALUES:
         value = waiting.pop()
@@ -109,7 +109,7 @@ class _Reader:
         eos = self.table(here.get("eos"), f"{key}.eos")
         density = self.number(start, "rho0", "density", where=key)
         if not density > 0.0:
-            raise self.wrong(f"{key}.init.rho0", f"{density:g} kg/m^3 is no density")
+            raise self.wrong(f"{key}.init.rho0", f"{density:g} kg/m^3 is not a density")
         tables: dict[str, Any] = {"eos": self.eos(eos, start, density, key)}
         if (strength := self.strength(self.table(here.get("str"), f"{key}.str"), eos, density, key)) is not None:
             tables["strength"] = strength
@@ -119,7 +119,7 @@ class _Reader:
             least, limit = self.number(table, "nrhomin", None, 0.8, where=key), self.number(table, "pfrac", "pressure", where=key)
             for name, value in (("nrhomin", least), ("pfrac", limit)):
                 if value < 0.0 or name == "nrhomin" and value == 0.0:
-                    raise self.wrong(f"{key}.frac.{name}", f"{value:g} is no limit", "a tension and a density over rho0, both positive")
+                    raise self.wrong(f"{key}.frac.{name}", f"{value:g} is not a limit", "a tension and a density over rho0, both positive")
             if (fracture := fracture_table(limit, least)) is not None:
                 tables["fracture"] = fracture
         if here.get("gravity") is not None:
@@ -173,7 +173,7 @@ class _Reader:
     def cells(self, mesh: dict, key: str) -> int:
         number = self.number(mesh, "cells", None, where=key)
         if not (number.is_integer() and number >= 1.0):
-            raise self.wrong(f"{key}.mesh.cells", f"{number:g} is no number of cells", "a whole number above 0")
+            raise self.wrong(f"{key}.mesh.cells", f"{number:g} is not a number of cells", "a whole number above 0")
         return int(number)
 
     def strength(self, table: dict, eos: dict, density: float, key: str) -> dict[str, Any] | None:

@@ -167,7 +167,7 @@ def test_steinberg_guinan_and_tillotson_keep_their_meaning():
     ("c0: 5.328, ", "", "mat1.c0: is not given"),
     ("ys: 0.3}", "ys: 0.3", "not YAML"),
     ("length: millimeter", "length: parsnip", "unknown unit"),
-    ("cells: 25", "cells: 0", "0 is no number of cells"),
+    ("cells: 25", "cells: 0", "0 is not a number of cells"),
 ])
 def test_what_a_deck_of_theirs_lacks_is_said_with_its_key(old, new, words):
     with pytest.raises(DeckError, match=words):
@@ -190,14 +190,14 @@ def test_the_command_writes_a_deck_once(tmp_path, capsys):
 
 
 @pytest.mark.parametrize(("old", "new", "message"), [
-    ("cells: 25", "cells: 25.4", "mat1.mesh.cells: 25.4 is no number of cells"),
+    ("cells: 25", "cells: 25.4", "mat1.mesh.cells: 25.4 is not a number of cells"),
     ("cells: 25", "cells: 1" + "0" * 400, "mat1.cells: '10+...' is not a number"),
-    ("rho0: 2.785", "rho0: 0.0", "mat1.init.rho0: 0 kg/m.3 is no density"),
-    ("nrhomin: 0.9", "nrhomin: 0.0", "mat2.frac.nrhomin: 0 is no limit"),
-    ("pfrac: 1E20", "pfrac: -1.0", "mat2.frac.pfrac: -1e.09 is no limit"),
+    ("rho0: 2.785", "rho0: 0.0", "mat1.init.rho0: 0 kg/m.3 is not a density"),
+    ("nrhomin: 0.9", "nrhomin: 0.0", "mat2.frac.nrhomin: 0 is not a limit"),
+    ("pfrac: 1E20", "pfrac: -1.0", "mat2.frac.pfrac: -1e.09 is not a limit"),
     ("time: microsecond, ", "", "units.time: is not given, and tstop needs it"),
     ("units: {", "units: !!python/object/apply:os.getcwd {", "not YAML: could not determine a constructor"),
-    ("name: own plates", "a: &a {b: *a}", "aliases written out")])
+    ("name: own plates", "a: &a {b: *a}", "aliases are expanded")])
 def test_a_wrong_deck_of_theirs_is_refused(old, new, message):
     assert old in PLATES
     with pytest.raises(DeckError, match=message):
@@ -206,7 +206,7 @@ def test_a_wrong_deck_of_theirs_is_refused(old, new, message):
 
 def test_aliases_that_stand_for_millions_of_values_are_counted_not_written_out():
     rows = "a0: &a0 [x, x, x, x, x, x, x, x]\n" + "".join(f"a{k}: &a{k} [{', '.join([f'*a{k - 1}'] * 8)}]\n" for k in range(1, 12))
-    with pytest.raises(DeckError, match="aliases written out"):
+    with pytest.raises(DeckError, match="aliases are expanded"):
         read_yaml(rows + PLATES.replace("name: own plates", "name: *a11"), "own")
 
 

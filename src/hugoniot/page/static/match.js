@@ -105,7 +105,7 @@
       }), H.h("tr", {}, H.h("td", {}, "reflected, transmitted wave"), found.states.map(s => H.h("td", {class: "number"}, `${word(s.reflected)}, ${word(s.transmitted)}`)))))));
     const notes = found.warnings.map(w => H.h("div", {class: "bad"}, w));
     if (found.uncertain?.length) notes.push(H.h("div", {class: "quiet"}, `Uncertain inputs: ${found.uncertain.join(", ")}; linear propagation${found.uncertain.length > 1 || found.uncertain[0] !== "velocity" ? ", with the covariance of each fit" : ""}.`));
-    else if (H.get("bands") && !dragging) notes.push(H.h("div", {class: "quiet"}, "No error band: the library has fitted the Hugoniot of none of these materials itself."));
+    else if (H.get("bands") && !dragging) notes.push(H.h("div", {class: "quiet"}, "No error band: the package has fitted none of these Hugoniots itself."));
     H.clear(warnings).append(...notes);
     command();
     chart.box.dataset.took = found.took ?? "";
