@@ -12,11 +12,12 @@ import numpy as np
 import pytest
 from killed_runs import finish, same_bytes, start, wait_for_checkpoint
 from pace import PATIENCE
-from solver_decks import flyer_deck
+from solver_decks import DECKS, flyer_deck
 
 from hugoniot import simulate
 from hugoniot.core import machine
 from hugoniot.errors import FileTrouble
+from hugoniot.output import origin
 from hugoniot.output.run_folder import RunFolder
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.run import Schedule, march_to_end, snapshot_times
@@ -200,31 +201,31 @@ def test_a_request_to_end_leaves_a_checkpoint_and_exit_code_130(place, whole, as
     same_bytes(whole(path), folder)
 
 
-def test_a_checkpoint_of_another_program_is_refused_and_not_touched(place, monkeypatch):
-    folder = place / "older.run"
-
+def stopped_after_its_first_checkpoint(path, folder):
+    """The folder of a run that was interrupted."""
     def stop(report):
         if list((folder / "checkpoint").glob("[0-9]*.json")):
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        simulate.run(deck(place), folder, progress=SimpleNamespace(update=stop))
+        simulate.run(path, folder, progress=SimpleNamespace(update=stop))
+    return folder
+
+
+def test_a_checkpoint_of_another_program_is_refused_and_not_touched(place, monkeypatch):
+    folder = stopped_after_its_first_checkpoint(deck(place), place / "older.run")
     with monkeypatch.context() as other:
-        other.setattr(simulate, "program", lambda: {"version": "0.0.9", "sources": "other"})
+        other.setattr(origin, "program", lambda: {"version": "0.0.9", "sources": "other"})
         with pytest.raises(FileTrouble, match=r"another hugoniot .*start again in a new folder: hugoniot run .*deck\.toml"):
             simulate.resume(folder)
     assert simulate.resume(folder).summary["status"] == "done"
 
 
-def test_a_checkpoint_of_another_machine_is_continued_with_a_warning(place, monkeypatch):
-    folder = place / "elsewhere.run"
-
-    def stop(report):
-        if list((folder / "checkpoint").glob("[0-9]*.json")):
-            raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        simulate.run(deck(place), folder, progress=SimpleNamespace(update=stop))
+@pytest.mark.parametrize("name", ["line", "plane"])
+def test_a_checkpoint_of_another_machine_is_continued_with_a_warning(name, place, monkeypatch):
+    path = place / f"{name} elsewhere.toml"
+    path.write_text(DECKS[name])
+    folder = stopped_after_its_first_checkpoint(path, place / f"{name} elsewhere.run")
     with monkeypatch.context() as other:
         here = machine.machine()
         other.setattr(machine, "machine", lambda: {**here, "cpu": "another"})

@@ -17,7 +17,8 @@ from typing import Any
 import numpy as np
 
 from hugoniot.errors import DeckError, HugoniotError
-from hugoniot.simulate import make_solver, program, run
+from hugoniot.output.origin import program
+from hugoniot.simulate import make_solver, run
 
 FORMAT = 1           # of the numbers: a change of what they mean asks every case again
 POINTS = 400         # of a record that is kept of each case

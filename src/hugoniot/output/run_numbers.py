@@ -7,6 +7,7 @@ from hugoniot.diagnostics.interface_gauges import sides
 from hugoniot.diagnostics.velocimetry import flat_top
 from hugoniot.output.run import Run, largest_value
 from hugoniot.output.spall_reading import NOISE, SURFACE, spall_reading, surface_record
+from hugoniot.units import format_si
 
 ROUND_OFF = 1e-12     # of the largest value of a run: what is smaller is the round-off of a state at rest
 GAUGE_UNITS = {"arrival": "s", "peak_stress": "Pa", "plateau_stress": "Pa", "lowest_stress": "Pa", "peak_velocity": "m/s",
@@ -74,20 +75,41 @@ def spall_numbers(run: Run) -> dict:
 def highest(run: Run) -> dict:
     """Highest stress (else pressure) and tension of any zone at any time, Pa, and of the surface that is seen its velocity, m/s.
 
+    Beside each field stands where it was found: `stress_region` the body and `stress_at` the centre of the zone at t = 0, m, one number
+    for each coordinate. A zone at a face where bodies met may hold the overshoot of a numerical shock, which the plateaus of the gauges
+    leave out.
     `surface` is the gauge of that velocity, or "free surface". A field that the run does not have is left out, and so is a tension that
     never came; the velocity is that of the spall reading where there is one.
     """
     peaks, found = run.arrays("peaks"), {}
-    name = next((n for n in ("stress", "peak_stress", "pressure", "peak_pressure") if n in peaks and len(peaks[n])), None)
-    if name:
-        found[name.removeprefix("peak_")] = float(np.max(peaks[name]))
-    tension = next((np.abs(peaks[n]) for n in ("tension", "peak_tension", "least_stress") if n in peaks), None)
-    if tension is not None and len(tension) and np.max(tension) > 0:
-        found["tension"] = float(np.max(tension))
+    centres = [peaks[name] for name in ("centre", "centre_x", "centre_y") if name in peaks]
+    for word, names in (("stress", ("stress", "peak_stress")), ("pressure", ("pressure", "peak_pressure")),
+                        ("tension", ("tension", "peak_tension", "least_stress"))):
+        values = next((np.abs(peaks[n]) if word == "tension" else peaks[n] for n in names if n in peaks and len(peaks[n])), None)
+        if values is None or (word == "pressure" and "stress" in found) or (word == "tension" and not np.max(values) > 0):
+            continue
+        k = int(np.argmax(values))
+        found |= {word: float(values[k]), f"{word}_region": str(peaks["region"][k]), f"{word}_at": [float(x[k]) for x in centres]}
     seen = surface_record(run)
     if len(seen.time) and "peak_velocity" not in spall_numbers(run):
         found |= {"surface": "free surface" if seen.kind == SURFACE else seen.gauge, "surface_velocity": float(np.max(seen.velocity))}
     return found
+
+
+def highest_rows(run: Run) -> list[tuple[str, str, str]]:
+    """(what, its value, where) of `highest` in words."""
+    top = highest(run)
+    rows = [(word, format_si(top[word], "Pa", 5), _place(top[f"{word}_region"], top[f"{word}_at"]))
+            for word in ("stress", "pressure", "tension") if word in top]
+    if "surface_velocity" in top:
+        rows.append((f"velocity, {top['surface']}", format_si(top["surface_velocity"], "m/s", 5), ""))
+    return rows
+
+
+def _place(region: str, centre: list[float]) -> str:
+    """Where a zone was at t = 0."""
+    coordinates = ", ".join(format_si(x, "m", 4) for x in centre)
+    return f"{region}, at {coordinates if len(centre) == 1 else f'({coordinates})'} at t = 0" if centre else region
 
 
 def warnings_of(run: Run) -> list[str]:

@@ -14,7 +14,9 @@ from explorer_words import LONG, TUBE
 from pace import PATIENCE
 
 import hugoniot
+from hugoniot.explorer.impact import impact
 from hugoniot.materials import library
+from hugoniot.theory.hugoniot import shock
 from hugoniot.theory.impedance import match
 
 pytestmark = pytest.mark.slow
@@ -36,9 +38,14 @@ def test_an_export_opens_from_the_disk(visit, tube, opened, tmp_path):
     assert value == shown(rows["pressure"][record, zone] * {"MPa": 1e-6, "kPa": 1e-3, "GPa": 1e-9}[unit])
     page = here.go("#/match?layers=copper,aluminum&v=1000", "[data-table=match]")
     met = match([library.find("copper"), library.find("aluminum")], 1000.0)[0]
-    assert page.text_content("[data-table=match] tr[data-field=pressure] td.number") == shown(met.pressure * 1e-9, 5)
-    page.evaluate("location.hash = '#/match?layers=copper,aluminum,comp_b&v=1000'")
-    page.wait_for_selector("text=the reshock and release of further layers")
+    assert page.text_content("[data-table=match] tr[data-field=pressure] td.number") == shown(met.pressure * 1e-9)
+    page = here.go("#/match?layers=iron,water,tungsten,comp_b&v=1000&sigma=5&bands=1&deck=0")       # of materials that were not named, too
+    until(page, "document.querySelectorAll('[data-table=match] tr[data-field=pressure] .quiet').length === 3")
+    theirs = impact(["iron", "water", "tungsten", "comp_b"], 1000.0, 5.0, True)["states"]
+    cells = page.locator("[data-table=match] tr[data-field=pressure] td.number").all_text_contents()
+    assert cells == [f"{shown(s['pressure'] * 1e-9)} ± {shown(s['uncertainty']['pressure'] * 1e-9, 2)}" for s in theirs]
+    page = here.go("#/materials?sel=copper&at=particle_velocity:1234.5", "[data-table='state on the Hugoniot']")     # between the exported states
+    assert page.text_content("tr[data-field=temperature] td.number") == shown(float(shock(library.find("copper"), particle_velocity=1234.5).temperature))
     for view in ("#/materials?sel=copper,aluminum&at=particle_velocity:1500", "#/sweeps?sweep=0", "#/decks?deck=0", "#/fits?fit=0", "#/runs?run=1&f=pressure&z=5",
                  "#/materials?sel=copper&plane=surface", "#/materials?sel=copper&plane=isotherms"):
         here.go(view)

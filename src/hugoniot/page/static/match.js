@@ -1,8 +1,8 @@
 "use strict";
-// Impedance match: flyer and layers picked, the velocity dragged on the axis; the crossing is computed by the package's own theory.
+// Impedance match: flyer and layers picked, the velocity dragged on the axis; the states are computed here, by H.impact.
 (() => {
-  const view = H.views.match = {}, asking = H.latest();
-  let chart, rows, slider, speed, sigma, bands, table, warnings, deckBox, deckText, editorLink, runButton, options, order = 0, settled = 0, shown = null, dragging = false;
+  const view = H.views.match = {};
+  let chart, rows, slider, speed, sigma, bands, table, warnings, deckBox, deckText, editorLink, runButton, options, order = 0, shown = null, dragging = false;
   const layers = () => H.list("layers").length > 1 ? H.list("layers") : ["copper", "aluminum"];
   const setLayers = names => H.set({layers: names.join(","), mz: ""});
   const velocity = () => Number(H.get("v")) > 0 ? Number(H.get("v")) : 1000;
@@ -22,7 +22,7 @@
     warnings = H.h("div", {class: "small"});
     deckText = H.h("pre", {class: "small scroll", tabindex: 0, style: {margin: 0, padding: "8px", maxHeight: "40vh"}});
     runButton = H.h("button", {type: "button", hidden: true, onclick: runDeck}, "Run");
-    editorLink = H.h("button", {type: "button", onclick: () => { sessionStorage.setItem("hugoniot-deck", deckText.textContent); H.go("decks", {from: "match"}); }}, "Open in the deck editor");
+    editorLink = H.h("button", {type: "button", onclick: async () => H.go("decks", {from: "match", text: await H.intoAddress(deckText.textContent)})}, "Open in the deck editor");
     deckBox = H.h("details", {ontoggle: () => { H.set({deck: deckBox.open ? "1" : ""}, false); if (deckBox.open) loadDeck(); }}, H.h("summary", {}, "The deck for this impact"),
       H.h("div", {class: "bar", style: {margin: "6px 0"}}, H.h("button", {type: "button", onclick: () => H.copy(deckText.textContent, "deck")}, "Copy"), runButton, editorLink), deckText);
     left.append(H.h("h2", {}, "Flyer and layers"), rows, options,
@@ -39,7 +39,7 @@
     H.opened.then(opened => { runButton.hidden = !opened.may_run || H.exported(); }).catch(H.failed);
     H.askOnce("materials").then(all => options.append(...all.materials.filter(m => m.alone).map(m => H.h("option", {value: m.name}, m.title)))).catch(H.failed);
   };
-  view.close = () => { order++; clearTimeout(settled); chart.stop(); };
+  view.close = () => { order++; chart.stop(); };
   view.repaint = () => draw(shown);
   view.update = () => {
     fillRows();
@@ -48,7 +48,6 @@
     if (document.activeElement !== sigma) sigma.value = H.get("sigma");
     if (!deckBox.open && H.get("deck")) deckBox.open = true;
     solve();
-    if (!H.exported() && layers().length === 2) for (const name of layers()) H.resolved(name).then(name => H.askOnce("material", {name})).catch(() => {});      // ready when the drag begins
   };
   function sync() {
     slider.max = Math.max(most(), velocity());
@@ -69,35 +68,17 @@
   }
   function drag(v) { dragging = true; H.set({v: String(v)}, false); sync(); solve(); }
   function drop() { dragging = false; solve(); }
-  function solve() {
-    clearTimeout(settled);
-    const mine = ++order, names = layers(), v = velocity();
-    const wanted = {layers: names.join(","), velocity: v};
-    if (dragging && !H.exported()) {      // at once, from the curves of both metals or with fewer states a curve; all of it when the drag pauses
-      const begun = performance.now();
-      if (names.length > 2) exact(mine, names, v, {...wanted, draft: 1});
-      else H.matchFromCurves(names, v).then(found => { if (mine === order) { found.took = performance.now() - begun; shown = found; draw(found); settle(mine, names, v, wanted); } }, () => exact(mine, names, v, wanted));
-    } else exact(mine, names, v, wanted);
+  async function solve() {      // computed here, at once; error bands when the drag pauses
+    const mine = ++order, names = layers(), v = velocity(), begun = performance.now();
+    try {
+      const found = await H.impact.impact(names, v, dragging ? {} : {sigma: Number(H.get("sigma")) || 0, bands: H.get("bands") === "1"});
+      if (mine !== order) return;
+      found.took = performance.now() - begun;
+      shown = found;
+      draw(found);
+      if (!dragging) H.say("");
+    } catch (error) { if (mine !== order) return; H.clear(warnings).append(H.h("div", {class: "bad"}, error.message)); H.clear(table); shown = null; H.failed(error); }
     if (deckBox.open && !dragging) loadDeck();
-  }
-  function settle(mine, names, v, wanted) { if (mine === order) settled = setTimeout(() => exact(mine, names, v, wanted), 90); }
-  function exact(mine, names, v, wanted) {
-    asking(async () => {
-      const begun = performance.now();
-      try {
-        const found = H.exported() ? await H.matchFromCurves(names, v) : await H.ask("match", wanted);
-        if (mine < order && !(dragging && names.length > 2)) return;
-        found.took = performance.now() - begun;
-        shown = found;
-        draw(found);
-        if (!dragging) H.say("");
-        if (wanted.draft) settle(mine, names, v, {layers: wanted.layers, velocity: v});
-      } catch (error) { H.clear(warnings).append(H.h("div", {class: "bad"}, error.message)); H.clear(table); shown = null; H.failed(error); }
-    });
-    const s = Number(H.get("sigma")), b = H.get("bands");
-    if (!H.exported() && !dragging && (s > 0 || b)) settled = setTimeout(async () => {
-      try { const found = await H.ask("match", {...wanted, ...(s > 0 ? {sigma: s} : {}), ...(b ? {bands: 1} : {})}); if (mine === order) { shown = found; draw(found); } } catch (error) { H.failed(error); }
-    }, 120);
   }
   function draw(found) {
     if (!found) return;
@@ -119,25 +100,24 @@
     H.clear(table).append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {"data-table": "match"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "state to the right of"), found.states.map(s => H.h("th", {class: "number"}, s.interface)))),
       H.h("tbody", {}, fields.filter(f => found.states.some(s => s[f] !== null && s[f] !== undefined)).map(f => {
         const [words, unit, factor] = H.units[f], [name, by] = H.fits(found.states.map(s => s[f]), unit, factor);
-        return H.h("tr", {"data-field": f}, H.h("td", {}, H.labelled(words, name)), found.states.map(s => H.h("td", {class: "number"}, H.digits(s[f] === null || s[f] === undefined ? null : s[f] * by, found.digits || 6),
+        return H.h("tr", {"data-field": f}, H.h("td", {}, H.labelled(words, name)), found.states.map(s => H.h("td", {class: "number"}, H.digits(s[f] === null || s[f] === undefined ? null : s[f] * by),
           s.uncertainty?.[f] ? H.h("span", {class: "quiet"}, ` ± ${H.digits(s.uncertainty[f] * by, 2)}`) : "")));
       }), H.h("tr", {}, H.h("td", {}, "reflected, transmitted wave"), found.states.map(s => H.h("td", {class: "number"}, `${word(s.reflected)}, ${word(s.transmitted)}`)))))));
     const notes = found.warnings.map(w => H.h("div", {class: "bad"}, w));
     if (found.uncertain?.length) notes.push(H.h("div", {class: "quiet"}, `Uncertain inputs: ${found.uncertain.join(", ")}; linear propagation${found.uncertain.length > 1 || found.uncertain[0] !== "velocity" ? ", with the covariance of each fit" : ""}.`));
-    else if (H.get("bands") && !dragging && !H.exported()) notes.push(H.h("div", {class: "quiet"}, "No error band: the library has fitted the Hugoniot of none of these materials itself."));
+    else if (H.get("bands") && !dragging) notes.push(H.h("div", {class: "quiet"}, "No error band: the library has fitted the Hugoniot of none of these materials itself."));
     H.clear(warnings).append(...notes);
     chart.box.dataset.took = found.took ?? "";
   }
   const word = kind => ({fan: "release"}[kind] || kind);
   async function loadDeck() {
-    try { const found = await H.ask("match_deck", {layers: layers().join(","), velocity: velocity()}); deckText.textContent = found.deck; editorLink.disabled = runButton.disabled = false; }
+    try { deckText.textContent = await H.impact.deck(layers(), velocity()); editorLink.disabled = runButton.disabled = false; }
     catch (error) { deckText.textContent = error.message; editorLink.disabled = runButton.disabled = true; }
   }
   async function runDeck() {       // the editor shows the deck and the progress of the run
     try {
       const text = deckText.textContent, started = await H.send("job", text);
-      sessionStorage.setItem("hugoniot-deck", text);
-      H.go("decks", {from: "match", job: String(started.job)});
+      H.go("decks", {from: "match", text: await H.intoAddress(text), job: String(started.job)});
     } catch (error) { H.failed(error); }
   }
   function command() {

@@ -76,11 +76,7 @@
     const some = isotherms ? known : known.filter(c => c).slice(0, 1), key = isotherms ? "isotherms" : "surface";
     await Promise.all(some.map(async c => { if (c) { delete c[key]; try { c[key] = await H.askOnce("surface", isotherms ? H.isothermQuery(c.name) : H.surfaceQuery(c.name)); } catch (error) { c.refused = error.message; } } }));
   }
-  async function stateAt(c, by, value) {
-    if (!H.exported()) return H.askOnce("state", {name: c.name, by, value});
-    const h = c.hugoniot, column = h[by], k = column.reduce((best, v, i) => Math.abs(v - value) < Math.abs(column[best] - value) ? i : best, 0);
-    return {state: Object.fromEntries(Object.entries(h).map(([key, v]) => [key, v[k]])), ahead: c.ahead, release: null};
-  }
+  const stateAt = (c, by, value) => H.exported() ? H.impact.state(c.name, by, value) : H.askOnce("state", {name: c.name, by, value});
   function draw(names, known) {
     const [, definition] = H.planes[plane()], shown = {measured: H.get("measured") !== "0", sources: H.get("sources") === "1", releases: H.get("releases") === "1"};
     const series = [], marks = [], silent = [], brief = known.map(c => c?.title.split(/[,(]/)[0].trim());

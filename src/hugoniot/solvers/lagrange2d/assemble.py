@@ -163,7 +163,7 @@ def viscosity_law(problem: Problem2D, material):
     quadratic, linear = getattr(given, kind + "quadratic"), getattr(given, kind + "linear")
     if given.kind == "herrmann":      # B1 enters squared; a strong shock is resisted as by the others
         return VISCOSITY.get("herrmann").build(quadratic=float(np.sqrt(2.0 * quadratic)), linear=linear)
-    return VISCOSITY.get("limited").build(quadratic=quadratic, linear=linear)
+    return VISCOSITY.get("limited").build(quadratic=quadratic, linear=linear, linear_condensed=linear)
 
 
 def start_block(problem: Problem2D, block):
