@@ -106,12 +106,19 @@ def in_browser(address):
             page.wait_for_selector("ul[role=listbox] li")
             paints.append(page.evaluate("performance.getEntriesByName('first-contentful-paint')[0].startTime"))
         report("first paint, whole library", paints)
+        clock = page.context.new_cdp_session(page)
+        clock.send("Performance.enable", {"timeDomain": "threadTicks"})
         for words, layers in DRAGGED:
             page.goto(f"{address}#/match?layers={layers}&v=1000")
             page.wait_for_selector("[data-table=match]")
             page.wait_for_load_state("networkidle")
             page.wait_for_timeout(500)
-            report(f"dragged match, {words}, until it is drawn", page.evaluate(DRAG))
+            page.evaluate(DRAG)
+            begun = worked(clock)
+            times = page.evaluate(DRAG)
+            spent = 1e3 * (worked(clock) - begun) / len(times)
+            report(f"dragged match, {words}, until it is drawn", times)
+            print(f"{'    processor time of a step, drawing included':58s} {spent:15.1f} ms")
         times = page.evaluate(COMPUTED, DRAGGED[-1][1].split(","))
         report("match of two metals, computed in the page", times["pair"])
         report("match of eight layers, computed in the page", times["stack"])
@@ -121,6 +128,11 @@ def in_browser(address):
         report("plane of 100 000 zones with mesh, drawn", page.evaluate(MESH))
         panned(page, "plane of 100 000 zones")
         browser.close()
+
+
+def worked(clock):
+    """Processor time that the page's thread has spent, s."""
+    return next(m["value"] for m in clock.send("Performance.getMetrics")["metrics"] if m["name"] == "TaskDuration")
 
 
 def panned(page, words, seconds=4.0):

@@ -8,8 +8,8 @@ import sys
 import tempfile
 import threading
 
-import hypothesis
 import pytest
+from hypothesis import HealthCheck, settings
 
 try:
     import fcntl
@@ -18,9 +18,9 @@ except ImportError:     # no Unix
     fcntl = resource = None
 
 
-# a slow or busy machine is no fault of what is tested
-hypothesis.settings.register_profile("any machine", deadline=None, suppress_health_check=[hypothesis.HealthCheck.too_slow])
-hypothesis.settings.load_profile("any machine")
+# hypothesis fails a test whose examples take more than 0.2 s, or are drawn slowly: on a busy machine any may
+settings.register_profile("any machine", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("any machine")
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -44,7 +44,7 @@ BROKEN: dict[str, tuple[str, list[tuple[int | None, str, str]]]] = {
     "wrong key": (change(("zones = 200", "zoness = 200")), [(10, "region.flyer.zoness", "did you mean 'zones'?")]),
     "no zones": (change(("zones = 200\n", "")), [(5, "region.flyer.zones", "zones or zone_size")]),
     "wrong key at the top": (change(("stop_time", "stoptime")), [(3, "stoptime", "did you mean 'stop_time'?"), (None, "stop_time", "missing")]),
-    "wrong type": (change(("zones = 200", 'zones = "200"')), [(10, "region.flyer.zones", "expected a whole number, got 200")]),
+    "wrong type": (change(("zones = 200", 'zones = "200"')), [(10, "region.flyer.zones", "expected a whole number, got '200'")]),
     "wrong type of a table": (change(("[boundary]\nleft = \"free\"\nright = \"free\"", "boundary = \"free\"")), [(None, "boundary", "")]),
     "region as a plain table": ('stop_time = "1 us"\n[region]\nname = "a"\n', [(2, "region", "[[region]]")]),
     "half a zone": (change(("zones = 200", "zones = 200.5")), [(10, "region.flyer.zones", "whole number")]),

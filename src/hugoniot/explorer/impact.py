@@ -3,8 +3,6 @@
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
-
 from hugoniot.dossier import fits
 from hugoniot.errors import DeckError, OutOfRange
 from hugoniot.explorer.subjects import entry_of, inert
@@ -15,7 +13,6 @@ from hugoniot.theory.uncertainty import matched, propagate
 
 MOST_LAYERS = 8
 ANSWERS = ("pressure", "particle_velocity", "shock_velocity", "density")
-_SLOPES = {1: ("c0", "s"), 2: ("c0", "s1", "s2")}   # parameters that a recorded fit of that degree gives a law
 
 
 def impact(names: Sequence[str], velocity: float, sigma: float = 0.0, bands: bool = False) -> dict[str, Any]:
@@ -54,30 +51,11 @@ def _warnings(layers: Sequence, velocity: float, met: Sequence[Match]) -> list[s
 
 
 # -- error bands -----------------------------------------------------------------------------------------------------
-def known_bands(entry: Entry) -> tuple[tuple[str, ...], Any] | None:
-    """(parameters, their covariance) of a material whose Hugoniot is a fit that the library recomputes; None for others."""
-    row = entry.rows[0] if entry.rows else ""
-    if row not in fits.RECORDED:
-        return None
-    names = _SLOPES[fits.RECORDED[row][1]]
-    return (names, fits.recorded(row).covariance) if set(names) <= set(getattr(inert(entry).eos, "_fields", ())) else None
-
-
 def _spreads(entries, layers, velocity: float, sigma: float, bands: bool) -> tuple[list[tuple[int, str, float]], list[str]]:
     """(interface, field, standard deviation) of every answer, and what was taken as uncertain."""
-    values: dict[str, float] = {"velocity": velocity}
-    sigmas: dict[str, float] = {"velocity": sigma} if sigma > 0.0 else {}
-    together: dict[tuple[str, str], float] = {}
-    for entry, layer in zip(entries, layers) if bands else ():
-        known = known_bands(entry)
-        if known is None:
-            continue
-        names, covariance = [f"{layer.name}.{n}" for n in known[0]], np.asarray(known[1])
-        deviations = np.sqrt(np.diag(covariance))
-        values |= {name: float(getattr(layer.eos, name.rpartition(".")[2])) for name in names}
-        sigmas |= dict(zip(names, deviations.tolist()))
-        together |= {(names[i], names[j]): float(covariance[i, j] / deviations[i] / deviations[j])
-                     for i in range(len(names)) for j in range(i)}
+    values, sigmas, together = fits.uncertain((entry.rows, layer) for entry, layer in zip(entries, layers) if bands)
+    values["velocity"] = velocity
+    sigmas = ({"velocity": sigma} if sigma > 0.0 else {}) | sigmas
     if not sigmas:
         return [], []
     found = propagate(matched(layers, ANSWERS), values, sigmas, correlation=together)
@@ -94,5 +72,5 @@ def layer(entry: Entry) -> dict[str, Any]:
         return {"none": error.problems[0].message}
     found = {"title": entry.title, "law": parameters(material.eos), "valid_up_to": material.valid_up_to,
              "warnings": list(material.warnings), "burns": entry.category.startswith("explosive") and entry.unreacted is not None}
-    known = known_bands(entry)
+    known = fits.of_law(entry.rows, material.eos)
     return found if known is None else found | {"bands": {"names": known[0], "covariance": known[1]}}

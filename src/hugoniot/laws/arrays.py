@@ -22,6 +22,7 @@ from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.strength.contract import shear_modulus
 
 SMALL = 256
+WORTH_COMPILING = 4096     # states: the shear modulus is asked for once a snapshot, and a first run need not wait for the compiler
 QUANTITIES = ("pressure", "pressure_derivatives", "sound_speed_squared", "sound_speed", "gruneisen", "bulk_modulus", "adiabatic_exponent",
               "temperature", "entropy", "specific_heat")
 
@@ -127,7 +128,7 @@ def shear_modulus_array(rho, p, temperature, bulk_modulus, par):
     rho, p, temperature, bulk = (np.ascontiguousarray(given) for given in np.broadcast_arrays(
         *(np.asarray(given, dtype=np.float64) for given in (rho, p, temperature, bulk_modulus))))
     par, out = float_parameters(par), np.empty(rho.size)
-    if rho.size <= SMALL:
+    if rho.size <= WORTH_COMPILING:
         for j in range(rho.size):
             out[j] = shear_modulus(rho[j], p[j], temperature[j], bulk[j], par)
     else:

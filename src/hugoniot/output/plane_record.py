@@ -8,6 +8,7 @@ from hugoniot.diagnostics.temperature import gauge_temperature, laws_with_temper
 from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.output.recorder import Recorder
 from hugoniot.output.setup_record import material_record, plain, references_of
+from hugoniot.problem.plane.contact_model import centre_of
 
 METHODS = (
     "Compatible staggered Lagrangian differences: E. J. Caramana, D. E. Burton, M. J. Shashkov, P. P. Whalen, "
@@ -32,7 +33,8 @@ def plane_record(problem, meta: dict) -> dict:
         "regions": [plain(block) for block in problem.blocks],
         "boundaries": {name: plain(boundary) for name, boundary in problem.chain_boundaries().items()},
         "chains": {name: plain(problem.mesh.nodes[:, chain.edges].transpose(1, 2, 0)) for name, chain in problem.mesh.chains.items()},
-        "contacts": [plain(contact) for contact in problem.contacts], "rigid": [plain(body) for body in problem.rigid],
+        "contacts": [plain(contact) for contact in problem.contacts],
+        "rigid": [plain(body) | {"centre": list(centre_of(body))} for body in problem.rigid],
         "interfaces": [], "joints": list(problem.mesh.joints), "body_force": list(problem.body_force),
         "gauges": [plain(gauge) for gauge in problem.gauges], "lighting": [plain(point) for point in problem.lighting],
         "materials": {name: material_record(problem.materials[name]) for name in sorted({b.material for b in problem.blocks})},

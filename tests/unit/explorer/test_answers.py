@@ -10,6 +10,7 @@ from typer.testing import CliRunner
 
 import hugoniot
 from hugoniot.cli.main import build_app
+from hugoniot.dossier import fits
 from hugoniot.explorer import catalogue, curves, impact
 from hugoniot.materials import library, schema
 from hugoniot.page import run_data
@@ -103,6 +104,9 @@ def test_a_match_is_that_of_the_command():
         assert own["interface"] == other["interface"]
         for key in ("pressure", "particle_velocity", "shock_velocity", "density"):
             assert own[key] == other[key] and own["uncertainty"][key] == other["uncertainty"][key]["sigma"]
+    mine = impact.impact(["iron", "water"], 1500.0, 0.0, True)["states"][0]["uncertainty"]
+    theirs = printed("match", "iron", "water", "--velocity", "1500 m/s", "--error", "library")["states"][0]["uncertainty"]
+    assert all(mine[key] == theirs[key]["sigma"] for key in mine)
     with pytest.raises(hugoniot.errors.OutOfRange):
         impact.impact(["copper"], 800.0)
 
@@ -123,12 +127,12 @@ def test_bands_of_the_librarys_fits_count_with_their_covariance():
     for _ in range(150):
         layers = []
         for material in (iron, water):
-            names, covariance = impact.known_bands(library.entry(material.name))
+            names, covariance = fits.of_law(library.entry(material.name).rows, material.eos)
             values = [getattr(material.eos, n) for n in names]
             layers.append(material.eos._replace(**dict(zip(names, draw.multivariate_normal(values, covariance, method="svd").tolist()))))
         draws.append(match(layers, 1500.0)[0].pressure)
     assert found["states"][0]["uncertainty"]["pressure"] == pytest.approx(np.std(draws), rel=0.2)
-    assert set(found["uncertain"]) == {"iron", "water"} and impact.known_bands(library.entry("copper")) is None
+    assert set(found["uncertain"]) == {"iron", "water"} and fits.of_law(library.entry("copper").rows, library.find("copper").eos) is None
     assert "uncertainty" not in impact.impact(["copper", "aluminum"], 1500.0, 0.0, True)["states"][0]
 
 

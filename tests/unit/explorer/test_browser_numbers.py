@@ -219,9 +219,10 @@ def test_the_deck_of_an_impact_is_valid_and_explosives_are_refused(visit):
     page.wait_for_selector("text=which burns in a run; the match takes it as inert, so no deck is offered")
 
 
-def test_command_and_python_of_a_match_give_its_table(visit, tmp_path, monkeypatch):
+@pytest.mark.parametrize("asked", ["layers=tungsten,copper,pmma&v=800&sigma=5", "layers=iron,water,copper&v=800&sigma=5&bands=1"])
+def test_command_and_python_of_a_match_give_its_table(visit, tmp_path, monkeypatch, asked):
     monkeypatch.chdir(tmp_path)
-    page = visit().go("#/match?layers=tungsten,copper,pmma&v=800&sigma=5", "[data-table=match]")
+    page = visit().go(f"#/match?{asked}", "[data-table=match]")
     until(page, "document.querySelector('[data-table=match] tr[data-field=pressure] .quiet')")
     rows = {field: page.locator(f"[data-table=match] tr[data-field={field}] td.number").all_text_contents() for field in ("pressure", "particle_velocity")}
     states, mine = printed(page.text_content("#command"), "--json")["states"], computed(page)[0]

@@ -63,6 +63,8 @@ def test_a_report_is_read_without_scripts_and_walked_with_them(visit, browser, t
     assert page.locator("svg.picture:visible").count() >= 3 and page.locator("header:visible, footer:visible").count() == 0
     assert page.locator("h2:visible").first.text_content() and page.locator("main img").count() == 0
     plain.close()
+    linked = visit(start=path.as_uri()).go("#/runs?k=3")       # a link to the run in the report
+    assert linked.locator("#main").is_visible() and not linked.locator("#report").is_visible()
     here, rows = visit(start=path.as_uri()), hugoniot.load(tube).arrays("snapshots")
     page = here.page
     page.goto(path.as_uri())

@@ -136,11 +136,12 @@ def test_energy_and_momentum_are_kept(geometry, scheme, kind):
         assert errors["momentum_error"] < 1e-12
     if kind == "spall":
         assert solver.capped > 0
+        assert -solver.zones[Z.peak_tension].min() < 0.5e9 * (1.0 + 1e-12)      # the strength holds behind the mean of the pressures
     if kind != "gas" and kind != "alone":      # of triangles that share their pressure
         block = solver.problem.mesh.blocks[0]
-        for row in (Z.p, Z.rho):
-            lower, upper = solver.zones[row].reshape(block.ni, 2, block.nj).transpose(1, 0, 2)
-            assert np.array_equal(lower, upper)
+        (lower, upper), density = (solver.zones[row].reshape(block.ni, 2, block.nj).transpose(1, 0, 2) for row in (Z.p, Z.rho))
+        assert np.array_equal(*density)
+        assert np.mean(lower == upper) > 0.5 if kind == "spall" else np.array_equal(lower, upper)      # voids relieve their own triangle
 
 
 @pytest.mark.parametrize("geometry, scheme, viscosity", [("plane", "true_volume", "tensor"), ("plane", "true_volume", "edge"),

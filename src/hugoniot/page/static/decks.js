@@ -105,7 +105,7 @@ at = "free surface right"
     runButton.disabled = !found.ok;
     lineNumbers();
     const cost = found.estimate;
-    H.clear(problems).append(found.ok ? H.h("p", {class: "good", style: {margin: 0}}, `The deck is valid: ${found.title}, ${cost.zones} zones, ${cost.snapshots} snapshots.`) : H.h("p", {class: "bad", style: {margin: 0}}, `${wrong.length} problem${wrong.length > 1 ? "s" : ""}`),
+    H.clear(problems).append(found.ok ? H.h("p", {class: "good", style: {margin: 0}}, `The deck is valid: ${found.title}, ${cost.zones} zones, ${cost.snapshots} snapshots.`) : H.h("p", {class: "bad", style: {margin: 0}}, `${wrong.length} problem${wrong.length > 1 ? "s" : ""}${chart.spec.marks ? "; the drawing is that of the last valid deck" : ""}`),
       found.ok ? "" : H.h("ol", {class: "problems"}, wrong.map(p => H.h("li", {}, H.h("button", {type: "button", onclick: () => goTo(p.line)}, p.text)))),
       ...(found.warnings || []).map(w => H.h("div", {class: "small quiet"}, `warning: ${w}`)));
     if (found.ok) { if (found.kind !== kind) { kind = found.kind; words = null; } drawSetup(found.drawing); }
@@ -197,7 +197,7 @@ at = "free surface right"
         H.h("progress", {max: 1, value: job.state === "done" ? 1 : share, "aria-label": "Progress of the run"}), p.cycle ? H.h("span", {class: "small quiet"}, `${(100 * share).toFixed(0)} %, cycle ${p.cycle}, energy error ${Number(p.energy_error).toExponential(1)}`) : "",
         job.state === "running" ? H.h("button", {type: "button", onclick: async () => { try { await H.send(`job/${Number(number)}/stop`); watch(); } catch (error) { H.failed(error); } }}, "Stop") : "",
         job.run !== null ? H.h("button", {type: "button", onclick: () => H.go("runs", {run: String(job.run)})}, job.state === "running" ? "Watch" : "Open the result") : ""),
-        job.lines.length ? H.h("pre", {class: "small scroll", tabindex: 0, style: {padding: "6px", margin: 0}}, job.lines.join("\n")) : "");
+        job.lines.length ? H.h("pre", {class: "small scroll", tabindex: 0, style: {padding: "6px", margin: 0, whiteSpace: "pre-wrap", overflowWrap: "anywhere"}}, job.lines.join("\n")) : "");
       if (job.state === "running") poll = setTimeout(watch, 400);
     } catch (error) { H.failed(error); }
   }

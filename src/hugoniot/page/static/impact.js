@@ -21,7 +21,7 @@ H.impact = (() => {
   const reference = (par, velocity = 0) => { const [density, energy] = T.reference_state(par); return {par, density, pressure: T.pressure(density, energy, par), specific_internal_energy: energy, particle_velocity: velocity, shock_velocity: null}; };
   const squared = (par, s) => T.sound_speed_squared(s.density, s.specific_internal_energy, par);
   const known = value => Number.isFinite(value) ? value : null;
-  const columns = s => { const {par, ...own} = s, at = [s.density, s.specific_internal_energy, par]; return {...own, temperature: par.law.temperature ? known(T.temperature(...at)) : null, sound_speed: known(Math.sqrt(squared(par, s)))}; };
+  const columns = s => { const {par, density, pressure, specific_internal_energy, particle_velocity, shock_velocity} = s, at = [density, specific_internal_energy, par]; return {pressure, density, particle_velocity, shock_velocity, specific_internal_energy, temperature: par.law.temperature ? known(T.temperature(...at)) : null, sound_speed: known(Math.sqrt(squared(par, s)))}; };
   const more = s => { const at = [s.density, s.specific_internal_energy, s.par]; return {entropy: s.par.law.entropy ? known(T.entropy(...at)) : null, gruneisen: T.gruneisen(...at), adiabatic_exponent: known(s.density * squared(s.par, s) / s.pressure)}; };
 
   function shock(par, start, by, value, direction = 1) {        // into `start`

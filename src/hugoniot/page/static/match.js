@@ -82,7 +82,7 @@
   }
   function draw(found) {
     if (!found) return;
-    const names = found.layers, series = [], marks = [], times = (values, factor) => values.map(v => v * factor);
+    const crowded = found.states.length > 3 && chart.box.clientWidth < 560, names = found.layers, series = [], marks = [], times = (values, factor) => values.map(v => v * factor);
     found.curves.forEach((c, k) => {
       series.push({kind: "line", colour: k, dash: "6 3", width: 1.4, x: times(c.behind.particle_velocity, 1e-3), y: times(c.behind.pressure, 1e-9), label: k === 0 ? `${names[0]}, ${H.digits(found.velocity, 5)} m/s` : "", named: "start"});
       series.push({kind: "line", colour: k + 1, x: times(c.ahead.particle_velocity, 1e-3), y: times(c.ahead.pressure, 1e-9), label: names[k + 1]});
@@ -90,14 +90,14 @@
     found.states.forEach((s, k) => {
       const x = s.particle_velocity * 1e-3, y = s.pressure * 1e-9, u = s.uncertainty;
       if (u) marks.push({kind: "error", x, y, sx: u.particle_velocity * 1e-3, sy: u.pressure * 1e-9, colour: "ink", width: 1.3});
-      marks.push({kind: "dot", x, y, colour: "ink", label: `${H.digits(s.pressure * 1e-9, 4)} GPa, ${H.digits(s.particle_velocity, 4)} m/s`, below: k > 0});
+      marks.push({kind: "dot", x, y, colour: "ink", label: `${H.digits(s.pressure * 1e-9, crowded ? 3 : 4)} GPa${crowded ? "" : `, ${H.digits(s.particle_velocity, 4)} m/s`}`, below: k > 0});
     });
     const top = 1.28 * Math.max(...found.states.map(s => s.pressure)) * 1e-9, wide = 1.12 * Math.max(found.velocity, ...found.states.map(s => s.particle_velocity)) * 1e-3;
     if (!dragging || !chart.held) chart.held = {x: {min: 0, max: wide}, y: {min: 0, max: top}};
     const held = chart.held, grown = {x: {min: 0, max: Math.max(held.x.max, found.velocity * 1.02e-3)}, y: {min: 0, max: Math.max(held.y.max, top / 1.1)}};
     chart.show({series, marks, x: {label: "particle velocity (km/s)", ...(dragging ? grown.x : held.x)}, y: {label: "pressure (GPa)", ...(dragging ? grown.y : held.y)}, handles: [{id: "velocity", x: found.velocity * 1e-3, y: 0, colour: 0}]});
     const fields = ["pressure", "particle_velocity", "shock_velocity", "density", "temperature", "specific_internal_energy", "sound_speed"];
-    H.clear(table).append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {"data-table": "match"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "state to the right of"), found.states.map(s => H.h("th", {class: "number"}, s.interface)))),
+    H.clear(table).append(H.h("div", {class: "scroll whole", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {"data-table": "match"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "state to the right of"), found.states.map(s => H.h("th", {class: "number"}, s.interface)))),
       H.h("tbody", {}, fields.filter(f => found.states.some(s => s[f] !== null && s[f] !== undefined)).map(f => {
         const [words, unit, factor] = H.units[f], [name, by] = H.fits(found.states.map(s => s[f]), unit, factor);
         return H.h("tr", {"data-field": f}, H.h("td", {}, H.labelled(words, name)), found.states.map(s => H.h("td", {class: "number"}, H.digits(s[f] === null || s[f] === undefined ? null : s[f] * by),
@@ -107,6 +107,7 @@
     if (found.uncertain?.length) notes.push(H.h("div", {class: "quiet"}, `Uncertain inputs: ${found.uncertain.join(", ")}; linear propagation${found.uncertain.length > 1 || found.uncertain[0] !== "velocity" ? ", with the covariance of each fit" : ""}.`));
     else if (H.get("bands") && !dragging) notes.push(H.h("div", {class: "quiet"}, "No error band: the library has fitted the Hugoniot of none of these materials itself."));
     H.clear(warnings).append(...notes);
+    command();
     chart.box.dataset.took = found.took ?? "";
   }
   const word = kind => ({fan: "release"}[kind] || kind);
@@ -122,7 +123,7 @@
   }
   function command() {
     const names = layers(), v = velocity(), s = Number(H.get("sigma"));
-    const extra = s > 0 ? ` --error "velocity = ${s} m/s"` : "";
+    const extra = (s > 0 ? ` --error "velocity = ${s} m/s"` : "") + (H.get("bands") && shown?.uncertain.some(u => u !== "velocity") ? " --error library" : "");
     H.command({shell: `hugoniot eos match ${names.map(H.subject).join(" ")} --velocity "${v} m/s"${extra} --plot match.png`,
       python: `from hugoniot.explorer.impact import impact\nprint(impact([${names.map(H.python).join(", ")}], ${v}.0, sigma=${s > 0 ? s : 0}, bands=${H.get("bands") ? "True" : "False"})["states"])`.replace(`${v}.0`, Number.isInteger(v) ? `${v}.0` : `${v}`)});
   }

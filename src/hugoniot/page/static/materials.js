@@ -136,7 +136,7 @@
     H.clear(table);
     const grid = (heads, columns, words) => {
       const keys = [...new Set(columns.flatMap(c => Object.keys(c)))].filter(k => columns.some(c => c[k] !== null && c[k] !== undefined));
-      table.append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {"data-table": words}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, words), heads.map(h => H.h("th", {class: "number"}, h)))),
+      table.append(H.h("div", {class: "scroll whole", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {"data-table": words}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, words), heads.map(h => H.h("th", {class: "number"}, h)))),
         H.h("tbody", {}, keys.map(key => {
           const [name, unit, factor] = H.units[key] || [key.replace(/_/g, " "), "", 1], [shown, by] = H.fits(columns.map(c => c[key]), unit, factor);
           return H.h("tr", {"data-field": key}, H.h("td", {}, H.labelled(name, shown)), columns.map(c => H.h("td", {class: "number"}, H.digits(c[key] === null || c[key] === undefined ? null : c[key] * by))));

@@ -208,7 +208,7 @@
       H.h("details", {}, H.h("summary", {class: "small"}, "run.log"), H.h("pre", {class: "small scroll", tabindex: 0, style: {padding: "6px"}}, (run.log || []).join("\n"))));
   }
   function drawFacts(run) {
-    const n = run.numbers || {}, rows = n.gauges || [], units = {arrival: ["arrival", "µs", 1e6], peak_stress: ["peak stress", "GPa", 1e-9], peak_velocity: ["peak velocity", "m/s", 1]};
+    const n = run.numbers || {}, rows = n.gauges || [], units = {arrival: ["arrival", "µs", 1e6], second_arrival: ["second arrival", "µs", 1e6], peak_stress: ["peak stress", "GPa", 1e-9], peak_velocity: ["peak velocity", "m/s", 1]};
     const heads = Object.keys(units).filter(key => rows.some(r => r[key] !== undefined && r[key] !== null)), spall = n.spall || {}, s = run.summary || {};
     H.clear(facts).append(H.h("h2", {}, run.title), H.h("p", {class: "small quiet", style: {margin: "0 0 6px"}}, [run.geometry, s.solver, run.zones ? `${run.zones} zones` : "", s.cycles ? `${s.cycles} cycles` : "", run.every > 1 ? `1 record in ${run.every} is shown` : ""].filter(Boolean).join(", ")),
       s.energy_error === undefined ? "" : H.h("p", {class: "small quiet", style: {margin: "0 0 6px"}}, `relative errors: ${["mass", "momentum", "energy"].map(w => `${w} ${s[`${w}_error`] === null ? "–" : Number(s[`${w}_error`]).toExponential(1)}`).join(", ")}`),

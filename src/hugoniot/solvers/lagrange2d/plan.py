@@ -113,7 +113,7 @@ class Planner:
                 if self.viscosity.limited:
                     self._compare(predict)
                 zone_step.predict(predict, self.geometry, numbers, fluid, self.viscosity.kind)
-                zone_step.correct(correct, self.geometry, numbers, self._conduction(at) if self.conducts(laws, fluid) else None)
+                zone_step.correct(correct, self.geometry, numbers, fluid, self._conduction(at) if self.conducts(laws, fluid) else None)
                 yield (PREDICT, k, member), predict.operations
                 yield (CORRECT, k, member), correct.operations
                 rows = zone_passes.StartOf(at.now, at.z.p, at.q, at.s, at.f)
