@@ -83,14 +83,17 @@ def highest(run: Run) -> dict:
     for each coordinate. A zone at a face where bodies met may hold the overshoot of a numerical shock, which the plateaus of the gauges
     leave out.
     `surface` is the gauge of that velocity, or "free surface". A field that the run does not have is left out, and so is a tension that
-    never came; the velocity is that of the spall reading where there is one.
+    never came, or that is the round-off of a surface at rest; the velocity is that of the spall reading where there is one.
     """
     peaks, found = run.arrays("peaks"), {}
     centres = [peaks[name] for name in ("centre", "centre_x", "centre_y") if name in peaks]
     for word, names in (("stress", ("stress", "peak_stress")), ("pressure", ("pressure", "peak_pressure")),
                         ("tension", ("tension", "peak_tension", "least_stress"))):
         values = next((np.abs(peaks[n]) if word == "tension" else peaks[n] for n in names if n in peaks and len(peaks[n])), None)
-        if values is None or (word == "pressure" and "stress" in found) or (word == "tension" and not np.max(values) > 0):
+        if values is None or (word == "pressure" and "stress" in found):
+            continue
+        least = NOISE * found.get("stress", found.get("pressure", 0.0))
+        if word == "tension" and not np.max(values) > least:
             continue
         k = int(np.argmax(values))
         found |= {word: float(values[k]), f"{word}_region": str(peaks["region"][k]), f"{word}_at": [float(x[k]) for x in centres]}
