@@ -139,9 +139,11 @@ def _plane_column(run: Run, rows, name: str, which: dict[str, int], every: int) 
 
 
 def _double(rows, name: str, part: slice) -> np.ndarray:
-    if name not in rows or rows[name].dtype.kind not in "fiu":
+    """Some records of a column; a copy, since a view would keep the whole column in memory."""
+    values = rows.get(name)
+    if values is None or values.dtype.kind not in "fiu":
         raise OutOfRange(f"the run has no numbers called '{name[:60]}'")
-    return np.asarray(rows[name][part], dtype=float)
+    return np.array(values[part], dtype=float)
 
 
 def _index(k: int, count: int) -> int:

@@ -101,16 +101,20 @@ def zone_field(run, group: str, field: str):
     Of a field at the nodes, such as `velocity`, snapshots hold both faces of every zone: a zone has their mean.
     """
     rows = run.arrays(group)
-    known = [name for name, values in rows.items() if values.dtype.kind == "f" and values.ndim == (1 if group == "peaks" else 2)]
+    if group == "peaks":
+        known = [name for name, values in rows.items() if values.dtype.kind == "f" and values.ndim == 1]
+    else:       # by their shapes: reading every column takes minutes where there are a million zones
+        known = [name for name, shape in rows.shapes.items() if len(shape) == 2]
     nodal = [name.removesuffix("_left") for name in known if name.endswith("_left")]
     if field in nodal:
         return 0.5 * (rows[f"{field}_left"] + rows[f"{field}_right"])
-    if field not in known:
-        known += nodal
+    values = rows[field] if field in known else None
+    if values is None or values.dtype.kind != "f":
+        known = [name for name in known if name != field] + nodal
         near = difflib.get_close_matches(str(field), known, n=1)
         hint = f"did you mean '{near[0]}'?" if near else f"it has: {', '.join(known) or 'none'}"
         raise DeckError.single(run.folder, None, "field", f"the {group} of this run hold no '{field}'", hint)
-    return rows[field]
+    return values
 
 
 def labelled(words: str, unit: str) -> str:
