@@ -49,15 +49,14 @@ def caught(speed, elastic, delay=0.0):
 # The velocity 0.12 µs after the main wave: at first the flyer's own, but for a release that is not quite the mirror image of the shock.
 # It falls where the release comes within those 0.12 µs (dotted, from the speeds of sound and shock): sooner with a yield stress, for
 # then the front of the release is elastic and runs at the longitudinal speed.
-DELAY = 0.12e-6
+DELAY, time = 0.12e-6, table["time"].values
 
 
-def behind(u, time=table["time"].values):     # the main wave, not the precursor, and before the release that limits the plateau
+def behind(u):      # the main wave, not the precursor, and before the release that limits the plateau
     return np.interp(first_crossing(time, u, 0.5 * u.max()) + DELAY, time, u)
 
 
-record = table["record free surface.velocity"].transpose(..., "time")
-velocity = xarray.apply_ufunc(behind, record, input_core_dims=[["time"]], vectorize=True)
+velocity = xarray.apply_ufunc(behind, table["record free surface.velocity"], input_core_dims=[["time"]], vectorize=True)
 fig, axes = plt.subplots(1, 2, figsize=(7.4, 3.3), layout="constrained", sharey=True)
 for ax, speed in zip(axes, SPEEDS):
     of_speed = velocity.sel({"region.flyer.velocity": 1000.0 * speed})
