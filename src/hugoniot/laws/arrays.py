@@ -22,7 +22,7 @@ from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.strength.contract import shear_modulus
 
 SMALL = 256
-WORTH_COMPILING = 4096     # states: the shear modulus is asked for once a snapshot, and a first run need not wait for the compiler
+WORTH_COMPILING = 1024     # states: the shear modulus is asked for once a snapshot, and a first run need not wait for the compiler
 QUANTITIES = ("pressure", "pressure_derivatives", "sound_speed_squared", "sound_speed", "gruneisen", "bulk_modulus", "adiabatic_exponent",
               "temperature", "entropy", "specific_heat")
 
