@@ -85,8 +85,10 @@ def _shifts_in(a, b, spread: float, of: int, window: int = 7) -> np.ndarray:
 
 def gaps(left, right, least: float) -> list[int]:
     """Zones k behind which (between k and k+1) a gap wider than `least` (m) is open in any record; left, right (nt, nzone)."""
-    wide = (np.asarray(left)[:, 1:] - np.asarray(right)[:, :-1]) > least
-    return [int(k) for k in np.flatnonzero(wide.any(axis=0))]
+    wide = np.zeros(np.shape(left)[1] - 1, dtype=bool)
+    for before, behind in zip(left, right):     # record by record: all at once would be as large as the column again
+        wide |= before[1:] - behind[:-1] > least
+    return [int(k) for k in np.flatnonzero(wide)]
 
 
 def interfaces(region) -> list[int]:

@@ -38,7 +38,7 @@ def xt(run, field: str = "stress", ax=None, window=None, times=None, limits=None
                       cmap=colours, vmin=ends[0] * factor, vmax=ends[1] * factor, interpolation="nearest", rasterized=True)
     ax.set_xlim(low * fx, high * fx)
     ax.set_ylim(begin * ft, end * ft)
-    _draw_edges(ax, edges, time * ft, left * fx, right * fx)
+    _draw_edges(ax, edges, time * ft, left, right, fx)
     _draw_fronts(ax, run, fx, ft)
     _draw_gauges(ax, run, fx, ft)
     ax.set_xlabel(labelled("position" if run.setup["geometry"] == "planar" else "radius", unit_x))
@@ -80,20 +80,20 @@ def _stretched(bottom: float, top: float):
     return ListedColormap(STRESS(where), name="stress")
 
 
-def _draw_edges(ax, rows, time, left, right) -> None:
+def _draw_edges(ax, rows, time, left, right, fx) -> None:
     """Outer surfaces, interfaces and both faces of every gap, as thin lines."""
     least = 1e-6 * float(right.max() - left.min())
     edges = [left[:, 0], right[:, -1]] + [right[:, k] for k in interfaces(rows["region"])]
     for k in gaps(left, right, least):
         is_open = left[:, k + 1] - right[:, k] > least
         edges += [np.where(is_open, right[:, k], np.nan), np.where(is_open, left[:, k + 1], np.nan)]
-    ax.add_collection(LineCollection([np.column_stack([edge, time]) for edge in edges], colors=INK, linewidths=0.7))
+    ax.add_collection(LineCollection([np.column_stack([edge * fx, time]) for edge in edges], colors=INK, linewidths=0.7))
     region, top = rows["region"], time[-1]
     cuts = [0, *(k + 1 for k in interfaces(region)), len(region)]
     width, taken = ax.get_figure().get_figwidth() * 72 * ax.get_position().width, -1e9
     shown, end = ax.get_xlim()
     for first, last in zip(cuts[:-1], cuts[1:]):
-        name, middle = region[first], 0.5 * (max(left[-1, first], shown) + min(right[-1, last - 1], end))
+        name, middle = region[first], 0.5 * (max(left[-1, first] * fx, shown) + min(right[-1, last - 1] * fx, end))
         half = 0.5 * len(str(name)) * 4.8 * (end - shown) / width
         if middle - half > taken and shown <= middle <= end:
             ax.annotate(str(name), (middle, top), xytext=(0, 3), textcoords="offset points", ha="center", va="bottom", fontsize=8,
