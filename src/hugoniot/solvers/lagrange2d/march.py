@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 import numba as nb
 
 from hugoniot.core.passes import rows
+from hugoniot.core.shares import everyone
 from hugoniot.core.target import GUARD
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import special_nodes, transmitting
@@ -32,7 +33,6 @@ from hugoniot.solvers.lagrange2d.plan import (
     PREDICT,
     PUSH,
     TAKE_BACK,
-    everyone,
     gather,
 )
 from hugoniot.solvers.lagrange2d.plane_rows import DT, DT_BACK, DT_HALF
