@@ -95,10 +95,11 @@ class Planner:
         self.threads, self.laws, self.geometry, self.staggered, self.terms = threads, laws, geometry, staggered, terms
         self.dts, self.seen = np.zeros(3), np.zeros((threads, FOUND_FLOATS))
         zones, charge, node_table, gradient, scratch = tables
-        self._at = [LineRows(places(ZoneRows, zones, AT_ZONES), places(ChargeRows, charge, AT_ZONES),
-                             places(WorkRows, scratch, FIXED, member * L.PIECE), places(NodeRows, node_table, AT_NODES),
-                             place(gradient, AT_GRADIENTS), place(self.seen[member]), place(self.dts[DT:]), place(self.dts[DT_HALF:]))
-                    for member in range(threads)]
+        z, b, h = places(ZoneRows, zones, AT_ZONES), places(ChargeRows, charge, AT_ZONES), places(NodeRows, node_table, AT_NODES)
+        in_place = dict(v=z.v, t1=z.s1, t2=z.s2) if staggered else {}
+        scratches = [places(WorkRows, scratch, FIXED, member * L.PIECE)._replace(**in_place) for member in range(threads)]
+        self._at = [LineRows(z, b, w, h, place(gradient, AT_GRADIENTS), place(seen), place(self.dts[DT:]), place(self.dts[DT_HALF:]))
+                    for w, seen in zip(scratches, self.seen)]
         self._heat_flux = heat_flux
         self.written, self._ends, self._share_out = EMPTY.written, {}, 0
         self._lists = dict(self._of_materials()) | dict(self._of_nodes()) | dict(self._of_heat())

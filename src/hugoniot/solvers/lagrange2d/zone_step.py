@@ -44,8 +44,7 @@ def state_in_middle(s):
         s.do(tensor.viscous_heat, tensor.HeatOf(w.v, at.q, at.d, w.heat), at.half)
         s.close_half(solid)
     else:
-        s.pressure(solid_v, w.e, s.p_half)
-        s.stiffness(solid, solid_v, w.e, s.p_half)
+        s.pressure(solid, solid_v, w.e, s.p_half)
     deviators(s, solid, w.e, s.p_half, b.lam_half, at.half)
     s.relieve(solid)
     return solid
@@ -58,7 +57,7 @@ def state_at_end(s):
     if s.laws.burns:
         s.close_end(solid)
     else:
-        s.state(solid_v)
+        s.state(solid_v, z.e, z.p)
     deviators(s, solid, z.e, z.p, b.lam, at.whole)
     s.tear(solid)
     s.harden(w.v)
