@@ -1,10 +1,11 @@
 """Peak memory of a run with a million zones and 100 snapshots, its report included: less than 3 GB is asked.
 
-    python benchmarks/million_zones.py [--zones 1000000] [--snapshots 100] [--steps 3] [--folder FOLDER]
+    python benchmarks/million_zones.py [--plane] [--zones 1000000] [--snapshots 100] [--steps 3] [--folder FOLDER]
 
-A plate of copper hits another. The run ends after some `--steps` steps for each snapshot: memory depends on zones and snapshots, not on how
-far the waves come. Printed: the largest sum of the memory of all its processes at one time and the peak of each (Linux), the size of
-the result and the times of running it and of reading one snapshot of it back.
+A plate of copper hits another or, with --plane, a square of aluminium with strength hits a wall. The run ends after some `--steps` steps
+for each snapshot: memory depends on zones and snapshots, not on how far the waves come. Printed: the largest sum of the memory of all its
+processes at one time and the peak of each (Linux), the size of the result and the times of running it and of reading one snapshot of it
+back.
 """
 
 import argparse
@@ -29,6 +30,34 @@ material = "copper"
 from = "{thin} mm"
 to = "{thick} mm"
 zones = {many}
+[output]
+snapshots = "{every} s"
+"""
+PLANE = """title = "A million zones in the plane"
+geometry = "plane"
+stop_time = "{stop} s"
+[[block]]
+name = "b"
+material = "al"
+x = ["0 mm", "{thick} mm"]
+y = ["0 mm", "{thick} mm"]
+zones = [{many}, {many}]
+velocity = ["0 m/s", "-300 m/s"]
+[material.al.eos]
+law = "mie_gruneisen"
+rho0 = "2700 kg/m^3"
+c0 = "5200 m/s"
+s = 1.5
+gamma0 = 2.0
+[material.al.strength]
+law = "perfectly_plastic"
+shear_modulus = "24.8 GPa"
+yield_stress = "0.3 GPa"
+[[boundary]]
+on = "b.bottom"
+kind = "wall"
+[solver]
+kind = "lagrange2d"
 [output]
 snapshots = "{every} s"
 """
@@ -62,12 +91,15 @@ def main() -> None:
     for name, number in (("zones", 1_000_000), ("snapshots", 100), ("steps", 3)):
         words.add_argument(f"--{name}", type=int, default=number)
     words.add_argument("--folder", type=Path, default=None, help="where to work (default: a temporary folder)")
+    words.add_argument("--plane", action="store_true", help="a square mesh in two dimensions")
     asked = words.parse_args()
     with tempfile.TemporaryDirectory(dir=asked.folder) as place:
-        every, length = asked.steps * STEP_PER_ZONE * WIDTH, 1e3 * WIDTH * asked.zones
+        few = 0 if asked.plane else asked.zones // 10
+        many = round(asked.zones**0.5) if asked.plane else asked.zones - few
+        every, length = asked.steps * STEP_PER_ZONE * WIDTH, 1e3 * WIDTH * (few + many)
         deck = Path(place) / "deck.toml"
-        deck.write_text(DECK.format(stop=every * asked.snapshots, every=every, thin=0.1 * length, thick=length, few=asked.zones // 10,
-                                    many=asked.zones - asked.zones // 10))
+        deck.write_text((PLANE if asked.plane else DECK).format(stop=every * asked.snapshots, every=every, thin=0.1 * length, thick=length,
+                                                                few=few, many=many))
         began, most, peaks = time.perf_counter(), 0, {}
         words_of = [sys.executable, "-m", "hugoniot.cli.main", "run", str(deck), "--out", str(Path(place) / "run"), "-q"]
         process = subprocess.Popen(words_of)

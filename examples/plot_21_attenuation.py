@@ -17,6 +17,7 @@ import numpy as np
 import xarray
 
 import hugoniot
+from hugoniot.diagnostics.arrival import first_crossing
 from hugoniot.plotting.style import COLOURS, QUIET, RC
 from hugoniot.problem.deck import read_deck
 from hugoniot.theory.hugoniot import shock
@@ -30,7 +31,7 @@ with tempfile.TemporaryDirectory() as folder:
                        "material.al.strength.yield_stress": ["0 GPa", "0.276 GPa"], "region.flyer.zones": 30, "stop_time": "5.2 us",
                        "output.snapshots": "5.2 us"},
         tie=["region.target.to = region.flyer.to * (1 + thickness)", "region.target.zones = round(region.flyer.zones * thickness)"],
-        out=folder, output=["free surface.arrival"], record=["free surface.velocity"], report=False).squeeze()
+        out=folder, output=["free surface.peak_velocity"], record=["free surface.velocity"], report=False).squeeze()
 
 aluminum = read_deck("flyer.toml").problem.materials["al"]
 
@@ -45,13 +46,18 @@ def caught(speed, elastic, delay=0.0):
 
 
 # %%
-# The velocity 0.12 µs after the arrival. It begins at the flyer's own speed, as symmetric impact demands but for the release, which is not
-# quite the mirror image of the shock. It falls where the release comes within those 0.12 µs (dotted, from the speeds of sound and shock):
-# sooner with a yield stress, for then the front of the release is elastic and runs at the longitudinal speed.
+# The velocity 0.12 µs after the main wave: at first the flyer's own, but for a release that is not quite the mirror image of the shock.
+# It falls where the release comes within those 0.12 µs (dotted, from the speeds of sound and shock): sooner with a yield stress, for
+# then the front of the release is elastic and runs at the longitudinal speed.
 DELAY = 0.12e-6
-later = table["free surface.arrival"] + DELAY      # behind the overshoot of the front, before the release that limits the plateau
+
+
+def behind(u, time=table["time"].values):     # the main wave, not the precursor, and before the release that limits the plateau
+    return np.interp(first_crossing(time, u, 0.5 * u.max()) + DELAY, time, u)
+
+
 record = table["record free surface.velocity"].transpose(..., "time")
-velocity = xarray.apply_ufunc(lambda t, u: np.interp(t, table["time"], u), later, record, input_core_dims=[[], ["time"]], vectorize=True)
+velocity = xarray.apply_ufunc(behind, record, input_core_dims=[["time"]], vectorize=True)
 fig, axes = plt.subplots(1, 2, figsize=(7.4, 3.3), layout="constrained", sharey=True)
 for ax, speed in zip(axes, SPEEDS):
     of_speed = velocity.sel({"region.flyer.velocity": 1000.0 * speed})

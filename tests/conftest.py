@@ -9,11 +9,17 @@ import tempfile
 import threading
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 try:
     import fcntl
 except ImportError:     # no Unix
     fcntl = None
+
+
+# hypothesis fails a test whose examples take more than 0.2 s, or are drawn slowly: on a busy machine any may
+settings.register_profile("any machine", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("any machine")
 
 
 @pytest.fixture(scope="session", autouse=True)

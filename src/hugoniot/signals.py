@@ -5,6 +5,11 @@ import signal
 import threading
 
 
+def interrupt(number, frame):
+    """What SIGTERM does while `end_like_interrupt` is on, also where Ctrl-C is ignored, as in what a script starts in the background."""
+    raise KeyboardInterrupt
+
+
 @contextlib.contextmanager
 def end_like_interrupt():
     """While the block runs, SIGTERM (a batch system's, a shutdown's) does what SIGINT does.
@@ -16,7 +21,7 @@ def end_like_interrupt():
     if not ours:
         yield
         return
-    signal.signal(wanted, lambda number, frame: signal.raise_signal(signal.SIGINT))
+    signal.signal(wanted, interrupt)
     try:
         yield
     finally:

@@ -1,7 +1,6 @@
 """The one place where the parts are put together: a deck or a Problem goes in, a run folder comes out."""
 
 import dataclasses
-import functools
 import os
 import pathlib
 import re
@@ -11,19 +10,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hugoniot.diagnostics.budgets import RegionBudget
-from hugoniot.diagnostics.interface_gauges import without_mixtures
-from hugoniot.diagnostics.line_fields import LineFields
-from hugoniot.diagnostics.temperature import gauge_temperature, laws_with_temperature, zone_temperature
 from hugoniot.errors import DeckError, FileTrouble, UnphysicalState
+from hugoniot.output.line_record import LineRecorder, line_meta
+from hugoniot.output.origin import check_program, other_machine
+from hugoniot.output.plane_record import PlaneRecorder, plane_meta
 from hugoniot.output.run_folder import RunFolder
 from hugoniot.problem.defaults import completed
-from hugoniot.problem.explosives import burns
 from hugoniot.problem.model import Problem
 from hugoniot.problem.plane.model import Problem2D
 from hugoniot.report import write_or_note
 from hugoniot.signals import end_like_interrupt
-from hugoniot.solvers.protocol import LineSolver, Solver
+from hugoniot.solvers.protocol import Solver
 from hugoniot.solvers.run import Outcome, Schedule, march_to_end, snapshot_times
 from hugoniot.version import __version__
 
@@ -56,59 +53,8 @@ def make_solver(problem: Problem) -> Any:
 
 def _recorder(folder: RunFolder, problem, solver, progress, warned=()):
     """What hands the states of a run to its folder."""
-    if problem.solver.kind != "lagrange2d":
-        return _Recorder(folder, problem, solver, progress, warned)
-    from hugoniot.output.plane_record import PlaneRecorder
-
-    return PlaneRecorder(folder, problem, solver, progress, warned, program)
-
-
-class _Recorder:
-    """Hands what the time loop sees to the run folder."""
-
-    def __init__(self, folder: RunFolder, problem: Problem, solver: LineSolver, progress, warned=()):
-        self.folder, self.problem, self.solver, self.show = folder, problem, solver, progress
-        self.fields = set(problem.output.fields)
-        self.budget = RegionBudget(problem, solver.region_of, solver.state())
-        self.derived = LineFields(self.fields, problem, solver.region_of, solver.state())
-        self.warned = warned
-        self.laws = laws_with_temperature(problem) if problem.solver.kind in ("lagrange1d", "fronts") else []
-        if problem.solver.kind == "fronts":      # whose burning regions have no phases to take a temperature from
-            self.laws = [None if burns(problem, region) else law for region, law in zip(problem.regions, self.laws)]
-        self.hot = any(law is not None for law in self.laws)
-
-    def gauges(self, times, values):
-        if len(times) and self.problem.gauges:
-            share, phases = values.pop("share", None), values.pop("phases", None)
-            if self.hot:
-                laws = [self.laws[self.solver.region_of[zone]] for zone in self.solver.gauge_zones]
-                values = {**values, "temperature": gauge_temperature({**values, "share": share, "phases": phases}, laws)}
-            self.folder.gauges(times, without_mixtures(values, self.problem.gauges))
-
-    def snapshot(self, state):
-        fields = {**state.fields(), **self.derived(state)}
-        if self.hot:
-            fields["temperature"] = zone_temperature(state, self.solver.region_of, self.laws, self.solver.phases())
-        if self.fields:
-            faces = {"position_left", "position_right", "velocity_left", "velocity_right"}
-            fields = {name: value for name, value in fields.items() if name in self.fields | faces}
-        fields.pop("mass", None)     # it stands in the result once
-        self.folder.snapshots([state.time], [state.cycle], {name: value[None, :] for name, value in fields.items()})
-        parts = {name: value[None, :] for name, value in self.budget(state).items()}
-        whole = {name: np.array([value]) for name, value in {**self.solver.errors(), **self.solver.exchanges()}.items()}
-        self.folder.budget([state.time], {**parts, **whole, "step": np.array([self.solver.step])})
-
-    def event(self, event):
-        self.folder.event(event.time, event.cycle, event.kind, event.text, position=event.position)
-
-    def progress(self, report):
-        if self.show is not None:
-            self.show.update(report)
-
-    def checkpoint(self, payload):
-        from hugoniot.core.machine import machine
-
-        self.folder.checkpoint({**payload, "program": program(), "machine": machine()})
+    recorder = PlaneRecorder if problem.solver.kind == "lagrange2d" else LineRecorder
+    return recorder(folder, problem, solver, progress, warned)
 
 
 def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=None, overwrite: bool = False,
@@ -173,39 +119,12 @@ def _continued(place: RunFolder, progress, report: bool | Callable, restore_deck
         for warning in deck.warnings:
             place.event(0.0, 0, "warning", warning)
     else:
-        _check_program(folder, payload.get("program", {}))
+        check_program(folder, payload.get("program", {}))
         solver.restore(payload["solver"])
-        if strange := _other_machine(payload.get("machine", {})):
+        if strange := other_machine(payload.get("machine", {})):
             place.event(solver.time, solver.cycle, "warning", strange)
         next_snapshot = int(payload["next_snapshot"])
     return _drive(recorder, next_snapshot, begun, report)
-
-
-@functools.cache
-def program() -> dict[str, str]:
-    """What computes: version of the package, hash of the sources behind its kernels (and of the compiler's version)."""
-    from hugoniot.core.sources import source_hash
-
-    return {"version": __version__, "sources": source_hash()}
-
-
-def _check_program(folder, written: Mapping[str, str]) -> None:
-    """Refuse a checkpoint whose run this program would not continue bit for bit."""
-    if written != program():
-        raise FileTrouble(f"{folder}: its checkpoint was written by another hugoniot ({written.get('version', 'an early one')}), "
-                          f"Python or numba, whose bits this one would not continue; resume with that one, or start again in a new folder: "
-                          f"hugoniot run {pathlib.Path(folder) / 'deck.toml'} --out NEW")
-
-
-def _other_machine(written: Mapping[str, str]) -> str | None:
-    """A sentence where a checkpoint comes from a machine that may round otherwise; None where it does not."""
-    from hugoniot.core.machine import machine
-
-    changed = [f"{name} {was} (here {machine()[name]})" for name, was in written.items() if name in machine() and machine()[name] != was]
-    if not changed:
-        return None
-    return ("resumed on another machine than the one it was begun on, so that the last digits may differ from those of an uninterrupted "
-            f"run: {'; '.join(text if len(text) < 120 else text[:117] + '...' for text in changed)}")
 
 
 def _drive(recorder, next_snapshot: int, begun: float, report: bool | Callable) -> "Run":
@@ -287,17 +206,7 @@ def _doubts(problem: Problem, solver: Solver) -> list[str]:
 
 
 def _meta(problem: Problem, solver) -> dict[str, Any]:
-    if problem.solver.kind == "lagrange2d":
-        from hugoniot.output.plane_record import plane_meta
-
-        return plane_meta(problem, solver, __version__)
-    left, right = solver.initial_nodes
-    return {
-        "solver": problem.solver.kind, "version": __version__, "viscosity": solver.viscosity,
-        "transport": solver.transport,
-        "region": [problem.regions[k].name for k in solver.region_of], "mass": solver.state().zones["mass"],
-        "centre": 0.5 * (left + right), "left": left, "right": right, "gauges": [gauge.name for gauge in problem.gauges],
-    }
+    return (plane_meta if problem.solver.kind == "lagrange2d" else line_meta)(problem, solver, __version__)
 
 
 def _read(deck_or_problem, deck_text, overrides) -> tuple[Problem, str, list[str], str]:

@@ -9,6 +9,8 @@ try:
 except ImportError:     # no Unix
     resource = None
 
+PATIENCE = 600     # seconds until a test that waits gives up: whoever hangs has failed, whoever is slow has not
+
 
 def loop():
     """The unit: 200 000 turns of a plain loop of the interpreter, some 10 ms of today's processors."""

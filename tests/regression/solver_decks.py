@@ -1,40 +1,14 @@
 """Decks of runs that are killed and resumed: every solver, with spalling, contact, or fronts that meet."""
 
-FLYER = """title = "spalling flyer"
+from aluminium_decks import EOS, FRACTURE, STRENGTH, gauge, impact
+
+
+def flyer_deck(flyer=20, target=40, integrator="compatible", every=40):
+    """A flyer whose target spalls, with its zones and the cycles between checkpoints."""
+    return f"""title = "spalling flyer"
 geometry = "planar"
 stop_time = "2.2 us"
-[[region]]
-name = "flyer"
-material = "al"
-from = "0 mm"
-to = "2 mm"
-zones = {flyer}
-velocity = "700 m/s"
-[[region]]
-name = "target"
-material = "al"
-from = "2.01 mm"
-to = "6.01 mm"
-zones = {target}
-[material.al.eos]
-law = "mie_gruneisen"
-rho0 = "2700 kg/m^3"
-c0 = "5200 m/s"
-s = 1.5
-gamma0 = 2.0
-[material.al.strength]
-law = "perfectly_plastic"
-shear_modulus = "24.8 GPa"
-yield_stress = "0.30 GPa"
-[material.al.fracture]
-law = "spall_stress"
-strength = "1.0 GPa"
-[[gauge]]
-name = "middle"
-at = "4 mm"
-[[gauge]]
-name = "surface"
-at = "free surface right"
+{impact(flyer, target, "2.01 mm", "6.01 mm")}{EOS}{STRENGTH}{FRACTURE}{gauge("middle", "4 mm")}{gauge("surface", "free surface right")}\
 [solver]
 integrator = "{integrator}"
 [output]
@@ -42,6 +16,8 @@ snapshots = "0.1 us"
 report = false
 checkpoint_cycles = {every}
 """
+
+
 PLATES = """\
 title = "Two plates"
 geometry = "axisymmetric"
@@ -62,17 +38,7 @@ r = ["0 mm", "3 mm"]
 z = ["1 mm", "3 mm"]
 zones = [6, 8]
 
-[material.al.eos]
-law = "mie_gruneisen"
-rho0 = "2700 kg/m^3"
-c0 = "5200 m/s"
-s = 1.5
-gamma0 = 2.0
-[material.al.strength]
-law = "perfectly_plastic"
-shear_modulus = "24.8 GPa"
-yield_stress = "0.30 GPa"
-
+""" + EOS + STRENGTH + """
 [[gauge]]
 name = "inside"
 at = ["1 mm", "2 mm"]
@@ -91,37 +57,6 @@ SLIDING = PLATES.replace("zones = [6, 4]", "zones = [4, 4]").replace('[0, "700 m
 between = ["flyer", "target"]
 friction = 0.2
 """
-FRONTS = """title = "plate on plate"
-stop_time = "2.2 us"
-[[region]]
-name = "flyer"
-material = "al"
-from = "0 mm"
-to = "2 mm"
-zones = {zones}
-velocity = "700 m/s"
-[[region]]
-name = "target"
-material = "al"
-from = "2.1 mm"
-to = "6 mm"
-zones = {zones}
-[material.al.eos]
-law = "mie_gruneisen"
-rho0 = "2700 kg/m^3"
-c0 = "5200 m/s"
-s = 1.5
-gamma0 = 2.0
-[[gauge]]
-name = "middle"
-at = "4 mm"
-[solver]
-kind = "fronts"
-options = { mode = "{mode}"{more} }
-[output]
-snapshots = "0.2 us"
-checkpoint_cycles = {every}
-"""
 # mode of tracked fronts: (zones, options, steps or meetings between checkpoints)
 MODES = {"algebraic": (20, ", fan_step = 0.05, weakest = 1e-6", 40), "cells": (60, "", 480)}
 
@@ -129,9 +64,18 @@ MODES = {"algebraic": (20, ", fan_step = 0.05, weakest = 1e-6", 40), "cells": (6
 def fronts(mode, scale=1):
     """The deck of tracked fronts in a mode, with `scale` times the zones."""
     zones, more, every = MODES[mode]
-    return FRONTS.replace("{mode}", mode).replace("{more}", more).replace("{zones}", str(scale * zones)).replace("{every}", str(every))
+    return f"""title = "plate on plate"
+stop_time = "2.2 us"
+{impact(scale * zones, scale * zones, "2.1 mm")}{EOS}{gauge("middle", "4 mm")}\
+[solver]
+kind = "fronts"
+options = {{ mode = "{mode}"{more} }}
+[output]
+snapshots = "0.2 us"
+checkpoint_cycles = {every}
+"""
 
 
-DECKS = {"line": FLYER.format(flyer=20, target=40, integrator="compatible", every=40).replace("report = false\n", ""),
+DECKS = {"line": flyer_deck().replace("report = false\n", ""),
          "plane": PLATES.replace("1.2 us", "0.6 us"), "contact": SLIDING.replace("1.2 us", "0.6 us"),
          "algebraic fronts": fronts("algebraic"), "fronts in cells": fronts("cells")}

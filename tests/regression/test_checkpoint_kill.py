@@ -14,6 +14,7 @@ import time
 
 import numpy as np
 import pytest
+from pace import PATIENCE
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[0] / "unit" / "output"))
@@ -54,7 +55,7 @@ def kill_after(process, delay):
     process.stdout.read(1)
     time.sleep(delay)
     process.send_signal(signal.SIGKILL)
-    return process.wait(timeout=20) == -signal.SIGKILL
+    return process.wait(timeout=PATIENCE) == -signal.SIGKILL
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="kill -9 is a Unix matter")
@@ -68,7 +69,7 @@ def test_killed_again_and_again_the_run_ends_in_the_same_bytes(whole, tmp_path):
         kills += 1
     assert kills >= 2
     if not (folder / "summary.json").is_file():
-        assert start(folder, "resume").wait(timeout=60) == 0
+        assert start(folder, "resume").wait(timeout=PATIENCE) == 0
         ended = True
     assert same_bytes(whole, folder)
     if ended:       # a kill may also meet a run that has written its summary and is tidying up

@@ -11,11 +11,13 @@ import lagrange_builders as build
 import numpy as np
 import pytest
 from killed_runs import finish, same_bytes, start, wait_for_checkpoint
-from solver_decks import FLYER
+from pace import PATIENCE
+from solver_decks import DECKS, flyer_deck
 
 from hugoniot import simulate
 from hugoniot.core import machine
 from hugoniot.errors import FileTrouble
+from hugoniot.output import origin
 from hugoniot.output.run_folder import RunFolder
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.run import Schedule, march_to_end, snapshot_times
@@ -23,7 +25,7 @@ from hugoniot.solvers.run import Schedule, march_to_end, snapshot_times
 
 def deck(folder, flyer=100, target=200, integrator="compatible", every=37):
     path = folder / f"flyer_{flyer}_{integrator}_{every}.toml"
-    path.write_text(FLYER.format(flyer=flyer, target=target, integrator=integrator, every=every))
+    path.write_text(flyer_deck(flyer, target, integrator, every))
     return path
 
 
@@ -176,14 +178,20 @@ def test_an_interrupt_while_the_solver_marches_waits_for_the_burst():
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are a Unix matter")
-@pytest.mark.parametrize("asked", [signal.SIGINT, signal.SIGTERM])
-def test_a_request_to_end_leaves_a_checkpoint_and_exit_code_130(place, whole, asked):
+@pytest.mark.parametrize("asked, background", [(signal.SIGINT, False), (signal.SIGTERM, False), (signal.SIGTERM, True)])
+def test_a_request_to_end_leaves_a_checkpoint_and_exit_code_130(place, whole, asked, background):
+    """In the background of a script too, where the shell lets a command ignore SIGINT."""
     path = deck(place)
-    folder = place / f"interrupted_{asked}.run"
-    process = start(path, folder)
+    folder = place / f"interrupted_{asked}_{background}.run"
+    usual = signal.signal(signal.SIGINT, signal.SIG_IGN) if background else None     # which the process inherits
+    try:
+        process = start(path, folder)
+    finally:
+        if background:
+            signal.signal(signal.SIGINT, usual)
     assert wait_for_checkpoint(process, folder)
     process.send_signal(asked)
-    output = process.communicate(timeout=60)[0].decode()
+    output = process.communicate(timeout=PATIENCE)[0].decode()
     assert process.returncode == 130, output
     assert "resume" in output
     assert list((folder / "checkpoint").glob("[0-9]*.json")) and not (folder / "summary.json").exists()
@@ -193,31 +201,31 @@ def test_a_request_to_end_leaves_a_checkpoint_and_exit_code_130(place, whole, as
     same_bytes(whole(path), folder)
 
 
-def test_a_checkpoint_of_another_program_is_refused_and_not_touched(place, monkeypatch):
-    folder = place / "older.run"
-
+def stopped_after_its_first_checkpoint(path, folder):
+    """The folder of a run that was interrupted."""
     def stop(report):
         if list((folder / "checkpoint").glob("[0-9]*.json")):
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        simulate.run(deck(place), folder, progress=SimpleNamespace(update=stop))
+        simulate.run(path, folder, progress=SimpleNamespace(update=stop))
+    return folder
+
+
+def test_a_checkpoint_of_another_program_is_refused_and_not_touched(place, monkeypatch):
+    folder = stopped_after_its_first_checkpoint(deck(place), place / "older.run")
     with monkeypatch.context() as other:
-        other.setattr(simulate, "program", lambda: {"version": "0.0.9", "sources": "other"})
+        other.setattr(origin, "program", lambda: {"version": "0.0.9", "sources": "other"})
         with pytest.raises(FileTrouble, match=r"another hugoniot .*start again in a new folder: hugoniot run .*deck\.toml"):
             simulate.resume(folder)
     assert simulate.resume(folder).summary["status"] == "done"
 
 
-def test_a_checkpoint_of_another_machine_is_continued_with_a_warning(place, monkeypatch):
-    folder = place / "elsewhere.run"
-
-    def stop(report):
-        if list((folder / "checkpoint").glob("[0-9]*.json")):
-            raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        simulate.run(deck(place), folder, progress=SimpleNamespace(update=stop))
+@pytest.mark.parametrize("name", ["line", "plane"])
+def test_a_checkpoint_of_another_machine_is_continued_with_a_warning(name, place, monkeypatch):
+    path = place / f"{name} elsewhere.toml"
+    path.write_text(DECKS[name])
+    folder = stopped_after_its_first_checkpoint(path, place / f"{name} elsewhere.run")
     with monkeypatch.context() as other:
         here = machine.machine()
         other.setattr(machine, "machine", lambda: {**here, "cpu": "another"})

@@ -12,6 +12,7 @@ import time
 import acoustic_flyer
 import numpy as np
 import pytest
+from pace import PATIENCE
 
 from hugoniot import simulate
 from hugoniot.cli.main import main
@@ -190,7 +191,7 @@ def test_of_many_that_want_a_folder_one_at_a_time_has_it(tmp_path):
             "    number = int((folder / 'count').read_text()); (folder / 'count').write_text(str(number + 1))\n"
             "    lock.release(); done += 1\n")
     processes = [subprocess.Popen([sys.executable, "-c", code, str(tmp_path)]) for _ in range(4)]
-    assert [process.wait(timeout=120) for process in processes] == [0] * 4
+    assert [process.wait(timeout=PATIENCE) for process in processes] == [0] * 4
     assert (tmp_path / "count").read_text() == "160" and not (tmp_path / ".lock").exists()
 
 

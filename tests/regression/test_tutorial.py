@@ -9,6 +9,7 @@ import textwrap
 from pathlib import Path
 
 import pytest
+from pace import PATIENCE
 
 PAGE = Path(__file__).parents[2] / "docs" / "tutorial.md"
 NUMBER = re.compile(r"-?\d+\.\d+")
@@ -32,7 +33,7 @@ def blocks():
 
 def run(arguments, folder):
     environment = {**os.environ, "COLUMNS": "200", "TERM": "dumb", "MPLBACKEND": "Agg"}
-    done = subprocess.run(arguments, cwd=folder, env=environment, capture_output=True, text=True, timeout=300)
+    done = subprocess.run(arguments, cwd=folder, env=environment, capture_output=True, text=True, timeout=PATIENCE)
     assert done.returncode == 0, f"{arguments}: {done.stderr[-2000:]}"
     return done.stdout
 

@@ -9,12 +9,13 @@ import zipfile
 from pathlib import Path
 
 import pytest
+from pace import PATIENCE
 
 ROOT = Path(__file__).parents[2]
 
 
 def call(*command, **options):
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=300, **options)
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=PATIENCE, **options)
     assert done.returncode == 0, f"{command}: {done.stdout[-1500:]} {done.stderr[-1500:]}"
     return done.stdout
 

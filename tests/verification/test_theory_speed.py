@@ -5,7 +5,7 @@ import sys
 
 import numpy as np
 import pytest
-from pace import in_loops
+from pace import PATIENCE, in_loops
 
 import hugoniot.laws.eos  # noqa: F401  (enrols the laws)
 from hugoniot.laws.eos.contract import EOS
@@ -58,5 +58,5 @@ def test_match_loads_neither_compiler_nor_scipy():
             "assert result.exit_code == 0, result.output\n"
             "heavy = [m for m in ('numba', 'scipy', 'matplotlib', 'h5py', 'xarray', 'pint') if m in sys.modules]\n"
             "print(heavy)\n")
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=PATIENCE, check=True)
     assert done.stdout.strip() == "[]"

@@ -70,7 +70,7 @@ def read_pop_plot(path: str, number: int, sigma: str | None, notes: list[str]) -
     if "distance sigma" in columns:
         spread = columns["distance sigma"]
     elif sigma is not None:
-        spread = np.full(len(values), _si(name, None, sigma, "m"))
+        spread = np.full(len(values), _si("command line", None, sigma, "m", "--sigma"))
     else:
         notes.append(f"{name}: no uncertainty is given, {100 * RELATIVE_SIGMA:g} % of each run distance taken")
         spread = RELATIVE_SIGMA * values
@@ -91,11 +91,11 @@ def _row(name: str, line: int, cells: list[str], heads) -> list[float]:
     return [_si(name, line, f"{cell.strip()} {unit}", _UNITS[head]) for cell, (head, unit) in zip(cells, heads)]
 
 
-def _si(name: str, line: int | None, text: str, unit: str) -> float:
+def _si(name: str, line: int | None, text: str, unit: str, key: str = "value") -> float:
     try:
         return parse(text, unit)
     except UnitError as error:
-        raise DeckError.single(name, line, "value", error.message, error.hint) from None
+        raise DeckError.single(name, line, key, error.message, error.hint) from None
 
 
 # -- the model -------------------------------------------------------------------------------------------------------------

@@ -17,9 +17,10 @@ from typing import Any
 import numpy as np
 
 from hugoniot.errors import DeckError, HugoniotError
-from hugoniot.simulate import make_solver, program, run
+from hugoniot.output.origin import program
+from hugoniot.simulate import make_solver, run
 
-FORMAT = 1           # of the numbers: a change of what they mean asks every case again
+FORMAT = 2           # of the numbers: a change of what they mean asks every case again
 POINTS = 400         # of a record that is kept of each case
 _DIGITS = 32
 MATCHED = {"pressure": "Pa", "particle_velocity": "m/s", "shock_velocity": "m/s", "density": "kg/m^3", "specific_internal_energy": "J/kg"}
@@ -108,10 +109,7 @@ class Deck(Asked):
         """The deck with the changes; `DeckError` with every problem."""
         from hugoniot.problem.deck import read_tables
 
-        raw = copy.deepcopy(self.raw)
-        for key in changes:
-            _open_library_material(raw, key)
-        return read_tables(raw, self.text, self.name, dict(changes), self.places, self.beside_path)
+        return read_tables(copy.deepcopy(self.raw), self.text, self.name, dict(changes), self.places, self.beside_path)
 
     def warm(self):
         from hugoniot.campaign import memory_run, numbers  # noqa: F401  (loads them)
@@ -159,16 +157,6 @@ class Deck(Asked):
             time, values = found.gauge(field, gauge)
             kept[name] = np.interp(times, time, values, right=math.nan).tolist()
         return kept
-
-
-def _open_library_material(raw: dict, key: str) -> None:
-    """Where a key changes a material that the deck takes from the library, give the deck a table that begins with it."""
-    family, _, rest = key.partition(".")
-    rows = [row for part in ("region", "block") if isinstance(raw.get(part), list) for row in raw[part] if isinstance(row, dict)]
-    used = [row["material"] for row in rows if isinstance(row.get("material"), str)]
-    name = next((name for name in used if rest.startswith(f"{name}.")), None)
-    if family == "material" and name is not None and isinstance(raw.setdefault("material", {}), dict):
-        raw["material"].setdefault(name, {"base": name})
 
 
 class Match(Asked):

@@ -9,7 +9,7 @@ import typer
 from hugoniot.cli.show import JSON, MATERIALS, echo_json, echo_table
 from hugoniot.units import format_si
 
-_TO = 'Measured records (.csv), or a number such as "free surface.arrival = 0.69 +- 0.01 us"; repeatable.'
+_TO = 'Measured records or Pop plots (.csv), or a number such as "free surface.arrival = 0.69 +- 0.01 us"; repeatable.'
 _FREE = 'Constant to find and its range, such as "material.ta.fracture.strength = 1..8 GPa"; repeatable.'
 
 
@@ -39,8 +39,9 @@ def command(
 ) -> None:
     """Find constants of a deck so that its runs agree with measured records, with intervals and correlations.
 
-    Data are columns with units in their headers, such as time [us], velocity [m/s], and velocity sigma [m/s] for the uncertainty. The
-    folder DECK.fit receives fitted.toml (the deck with the values found, ready to run), fit.json, residuals.csv and report.html.
+    Data are columns with units in their headers, such as time [us], velocity [m/s], and velocity sigma [m/s] for the uncertainty;
+    pressure [GPa], distance [mm] is the Pop plot of the deck's explosive. The folder DECK.fit receives fitted.toml (the deck with the
+    values found, ready to run), fit.json, residuals.csv and report.html.
     A record that the model cannot match is reported as such: read the notes before using a value.
 
     Example: hugoniot fit spall.toml --to visar.csv --free "material.ta.fracture.strength = 1..8 GPa" --shift "20 ns"

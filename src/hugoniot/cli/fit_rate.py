@@ -35,7 +35,7 @@ def command(
     from hugoniot.cli.pop_plot import material_named, pressure_list
 
     chosen = _started(material_named(material, materials), start)
-    wanted, told = _line(to or material, line)
+    wanted, described = _line(to or material, line)
     folder = None if out is None else claimed(out)
     names = [name.strip() for name in adjust.split(",") if name.strip()]
     try:
@@ -44,14 +44,14 @@ def command(
         message, _, hint = str(error).partition("; ")
         raise DeckError.single("command line", None, "fit-rate", message, hint) from None
     if folder is not None:
-        write_fit(folder, as_fitted(found, _toml(found, material), f"calibrated to {told}", folder), material)
+        write_fit(folder, as_fitted(found, _toml(found, material), f"calibrated to {described}", folder), material)
     if as_json:
-        echo_json({"material": chosen.name, "line": told, "before": found.before, "after": found.after, "zones": found.zones,
+        echo_json({"material": chosen.name, "line": described, "before": found.before, "after": found.after, "zones": found.zones,
                    "runs": found.runs, "burn": _table(found.material.burn), "fit": fit_record(found.fit), "points": [
                        {"pressure": p.pressure, "distance": p.distance, "ratio": coarse, "refined_ratio": fine, "note": p.note}
                        for p, coarse, fine in zip(found.points, found.ratios, found.refined)]})
         return
-    _tell(found, told, material)
+    _print_found(found, described, material)
 
 
 # -- input -----------------------------------------------------------------------------------------------------------
@@ -116,8 +116,8 @@ def _toml(found, material: str) -> str:
     return to_toml({"material": {"fitted": {"base": material, "burn": _table(found.material.burn)}}})
 
 
-def _tell(found, told: str, material: str) -> None:
-    typer.echo(f"{material} calibrated to {told}: {found.runs} runs, {found.zones} zones in a run distance")
+def _print_found(found, described: str, material: str) -> None:
+    typer.echo(f"{material} calibrated to {described}: {found.runs} runs, {found.zones} zones in a run distance")
     echo_table(["constant", "before", "after"], [[name, f"{found.before[name]:.6g}", f"{found.after[name]:.6g}"] for name in found.after])
     echo_table(["sought", "value", "standard deviation", "95 % interval"],
                [[p.name, f"{p.value:.5g}", f"{p.sigma:.2g}", f"{p.low:.5g} .. {p.high:.5g}"] for p in found.fit.parameters])

@@ -29,21 +29,19 @@ def command(
         _verify(folder, as_json)
         return
     from hugoniot.output.run import load
-    from hugoniot.output.run_numbers import results
+    from hugoniot.output.run_numbers import record
 
     run = load(folder)
     if deck:
         typer.echo(run.deck, nl=False)
         return
-    happened = run.arrays("events")
-    rows = [{key: _plain(happened[key][k]) for key in ("time", "cycle", "kind", "text") if key in happened}
-            for k in range(len(happened.get("time", ())))]
     if as_json:
-        echo_json({"folder": str(run.folder), "summary": run.summary, **results(run), "events": rows})
+        echo_json(record(run))
         return
     echo_results(run)
     if events:
         typer.echo("")
+        rows = record(run)["events"]
         shown = [(format_si(r["time"], "s"), r["cycle"], r["kind"], r["text"]) for r in rows[:MOST_EVENTS]]
         echo_table(["time", "cycle", "event", ""], shown)
         if len(rows) > MOST_EVENTS:
@@ -60,7 +58,3 @@ def _verify(folder: Path, as_json: bool) -> None:
         echo_table(["file", "", ""], found)
     if any(f.bad for f in found):
         raise typer.Exit(4)
-
-
-def _plain(value):
-    return value.item() if hasattr(value, "item") else value

@@ -54,7 +54,7 @@ def command(
     drawable(path, "plot", "--out")
     options = _options(kind, field, gauge, time, delay) | _of_the_plane(kind, plane, line, layers)
     limits = _limits(kind, field, x, t, shown)
-    _within(run, limits[1])
+    _within(run, kind, limits[0], limits[1])
     if kind in ("xt", "gauge", "pi_plane", "map"):
         taken = {"xt": ("window", "times", "limits"), "map": ("window", "", "limits")}.get(kind, ("", "times"))
         options |= {name: value for name, value in zip(taken, limits) if value is not None}
@@ -68,16 +68,27 @@ def command(
     typer.echo(f"wrote {path}")
 
 
-def _within(run, times: tuple[float, float] | None) -> None:
-    """Refuse times of which the run has no record: the picture would be empty."""
+def _within(run, kind: str, positions: tuple[float, float] | None, times: tuple[float, float] | None) -> None:
+    """Refuse positions and times of which the run has no record: the picture would be empty."""
+    if positions is None and times is None:
+        return
+    rows = run.arrays("snapshots")
+    if times is not None:
+        _inside(run, "--t", "times", times, rows["time"][0], rows["time"][-1], "s")
+    if positions is not None and "position_left" in rows:
+        _inside(run, "--x", "positions", positions, rows["position_left"].min(), rows["position_right"].max(), "m")
+    elif positions is not None and kind == "map":
+        across = rows["position_x"]
+        first = -across.max() if run.setup["geometry"] == "axisymmetric" else across.min()     # a map is drawn on both sides of the axis
+        _inside(run, "--x", "positions", positions, first, across.max(), "m")
+
+
+def _inside(run, option: str, what: str, asked: tuple[float, float], first: float, last: float, unit: str) -> None:
     from hugoniot.units import format_si
 
-    if times is None:
-        return
-    known = run.arrays("snapshots")["time"]
-    if times[1] < known[0] or times[0] > known[-1]:
-        reach = f"it is from {format_si(known[0], 's', 4)} to {format_si(known[-1], 's', 4)}"
-        raise DeckError.single(run.folder, None, "--t", "the run lies outside these times", reach)
+    if asked[1] < first or asked[0] > last:
+        reach = f"it covers {format_si(first, unit, 4)} to {format_si(last, unit, 4)}"
+        raise DeckError.single(run.folder, None, option, f"the run lies outside these {what}", reach)
 
 
 def _limits(kind: str, field: str, x: str | None, t: str | None, shown: str | None) -> list[tuple[float, float] | None]:

@@ -7,7 +7,7 @@ import typer
 
 from hugoniot.cli.show import echo_table
 from hugoniot.output.run import Run
-from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, highest, spall_numbers, warnings_of
+from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, highest_rows, spall_numbers, warnings_of
 from hugoniot.units import format_si
 
 # heads of columns that follow the peak of the same field
@@ -32,12 +32,9 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
     if "contact_heat" in s:
         typer.echo(f"contact: heat of closing {format_si(s['contact_heat'], 'J')}, work of friction {format_si(s['friction_work'], 'J')}, "
                    f"deepest node {s['contact_depth']:.1e} of an edge, bonds broken {s['bonds_broken']}")
-    top = highest(run)
-    shown_top = [f"{name} {format_si(top[name], 'Pa', 5)}" for name in ("stress", "pressure", "tension") if name in top]
-    if "surface_velocity" in top:
-        shown_top.append(f"velocity, {top['surface']}, {format_si(top['surface_velocity'], 'm/s', 5)}")
-    if shown_top:
-        typer.echo(f"highest: {'; '.join(shown_top)}")
+    top = highest_rows(run)
+    if top:
+        typer.echo("highest: " + "; ".join(f"{name} {value}" + (f" ({place})" if place else "") for name, value, place in top))
     rows = gauge_rows(run)
     if rows:
         typer.echo("")

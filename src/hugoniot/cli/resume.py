@@ -32,9 +32,9 @@ def command(
     except KeyboardInterrupt:
         end_interrupted(folder)
     if as_json:
-        from hugoniot.output.run_numbers import results
+        from hugoniot.output.run_numbers import record
 
-        echo_json({"folder": str(run.folder), **run.summary, **results(run)})
+        echo_json(record(run))
     else:
         echo_results(run)
         echo_place(run)

@@ -35,9 +35,9 @@ def command(
 
             echo_results(run, told)     # while the report is being drawn
     if as_json:
-        from hugoniot.output.run_numbers import results
+        from hugoniot.output.run_numbers import record
 
-        echo_json({"folder": str(run.folder), **run.summary, **results(run)})
+        echo_json(record(run))
     else:
         from hugoniot.cli.results import echo_place
 

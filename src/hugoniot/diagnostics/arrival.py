@@ -1,6 +1,87 @@
 """When a wave arrives: at one gauge, or at every zone of a recorded field."""
 
+from typing import NamedTuple
+
 import numpy as np
+
+SMALLEST_WAVE = 0.01     # of the record's largest change: a rise that ends below this is no wave
+LEVELLED_OFF = 0.1       # of the steepest rate of a rise: below it the rise has ended
+SLOWED = 0.5             # of the same: a rise that slows to less and then steepens by a fifth is two
+STEEPENS = 1.2
+
+
+class Wave(NamedTuple):
+    """One rise of a record away from its first value.
+
+    arrival       s, when it passes half of its height
+    begin, end    s, when it passes a tenth and nine tenths of it
+    level         the change from the record's first value that it reaches, in the unit of the record
+    """
+
+    arrival: float
+    begin: float
+    end: float
+    level: float
+
+
+def waves(time, values) -> list[Wave]:
+    """The waves of a record, first to last, up to its largest change; none if it never changes.
+
+    time (n,) s, not decreasing; values (n,) in any unit. The first wave is the first rise, of either sign, that takes the record further
+    than a hundredth of its largest change from its first value. It ends where its rate has fallen to a tenth of its steepest, or where
+    it has fallen below half of it and grows again: there the next wave begins. The later ones rise in the direction of the first. A wave
+    that still rises at half of its steepest rate or more when the record ends is left out: it is not known how high it goes.
+
+    Half of the height is where a captured shock stands, however thick it is: the viscous profile is nearly symmetric about it.
+    """
+    time, change = np.asarray(time, dtype=float), np.asarray(values, dtype=float) - values[0]
+    largest = float(np.max(np.abs(change), initial=0.0))
+    if largest == 0.0:
+        return []
+    change = change * np.sign(change[np.argmax(np.abs(change) >= SMALLEST_WAVE * largest)])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        rates = np.nan_to_num(np.diff(change) / np.diff(time), nan=0.0).tolist()
+    found, k, top = [], 0, int(np.argmax(change))
+    while k < top:
+        low, (k, over) = k, _end_of_rise(change, rates, k, SMALLEST_WAVE * largest)
+        if not over or change[k] - change[low] < SMALLEST_WAVE * largest:
+            break
+        heights = change[low] + np.array((0.1, 0.5, 0.9)) * (change[k] - change[low])
+        begin, arrival, end = (first_crossing(time[low : k + 1], change[low : k + 1], height) for height in heights)
+        found.append(Wave(arrival, begin, end, float(change[k])))
+    return found
+
+
+def _end_of_rise(change, rates, start: int, least: float) -> tuple[int, bool]:
+    """Where the rise ends that takes `change` by `least` above its value at `start`, or the record does; whether the rise is over there."""
+    steepest = slowest = 0.0
+    end = start
+    for k in range(start, len(rates)):
+        if change[k] - change[start] >= least:
+            if rates[k] <= LEVELLED_OFF * steepest:
+                return k, True
+            if slowest < SLOWED * steepest and rates[k] > STEEPENS * slowest:
+                return end, True
+        if rates[k] > steepest:
+            steepest = slowest = rates[k]
+        if rates[k] <= slowest:
+            slowest, end = rates[k], k
+    return len(rates), rates[-1] < SLOWED * steepest
+
+
+def arrivals(time, values) -> tuple[float, float]:
+    """Arrival of the first wave of a record, and of the second if it is the main wave behind a precursor, s; NaN for what is not there.
+
+    The second is given where it is higher than the first and the plateau between them lasts at least as long as either rise: the mesh has
+    then separated the two.
+    """
+    found = waves(time, values)
+    if not found:
+        return float("nan"), float("nan")
+    one, two = found[0], found[1] if len(found) > 1 else None
+    if two is None or two.level < 2.0 * one.level or two.begin - one.end < max(one.end - one.begin, two.end - two.begin):
+        return one.arrival, float("nan")
+    return one.arrival, two.arrival
 
 
 def first_crossing(time, values, level: float) -> float:

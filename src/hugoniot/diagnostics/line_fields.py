@@ -31,8 +31,9 @@ class LineFields:
         self.problem, self.region_of = problem, region_of
         self.start = first_state.zones["energy"].copy() if self.names else None
 
-    def __call__(self, state) -> dict[str, np.ndarray]:
-        """{name: (nzone,)}."""
+    def __call__(self, state, temperature=None) -> dict[str, np.ndarray]:
+        """{name: (nzone,)}; temperature of every zone, K, where strength laws ask for one."""
+        self.temperature = temperature
         return {name: getattr(self, f"_{name}")(state) for name in self.names}
 
     def _kinetic_energy(self, state):
@@ -44,7 +45,7 @@ class LineFields:
     def _elastic_deviator_energy(self, state):
         if "deviator_radial" not in state.zones:
             return np.zeros_like(state.zones["energy"])
-        return distortion_energy(state, self.region_of, self.problem)
+        return distortion_energy(state, self.region_of, self.problem, self.temperature)
 
     def _elastic_volume_energy(self, state):
         zones, none = state.zones, np.zeros_like(state.zones["energy"])

@@ -9,6 +9,7 @@ from functools import cache
 
 import numpy as np
 
+from hugoniot.materials.material import Material
 from hugoniot.materials.schema import Row, points
 from hugoniot.materials.search import spelling
 from hugoniot.theory.fits import UsUpFit, us_up
@@ -63,6 +64,36 @@ def recorded(identity: str) -> UsUpFit:
     """The fit behind a row with status `derived`, recomputed from the measured states."""
     selection, degree = RECORDED[identity]
     return fit(selection.states(), degree)
+
+
+_SLOPES = {1: ("c0", "s"), 2: ("c0", "s1", "s2")}   # parameters that a fit of that degree gives a law
+
+
+def of_law(rows: Sequence[str], par) -> tuple[tuple[str, ...], np.ndarray] | None:
+    """(parameters, their covariance) of a law whose Hugoniot is the recorded fit behind the first of a material's rows; None else."""
+    if not rows or rows[0] not in RECORDED:
+        return None
+    names = _SLOPES[RECORDED[rows[0]][1]]
+    return (names, np.asarray(recorded(rows[0]).covariance)) if set(names) <= set(par._fields) else None
+
+
+def uncertain(layers: Iterable[tuple[Sequence[str], Material]]) -> tuple[dict, dict, dict]:
+    """(values, standard deviations, correlations) of the parameters MATERIAL.parameter that recorded fits give the laws of these
+    materials, each with its rows: what `theory.uncertainty.propagate` takes."""
+    values: dict[str, float] = {}
+    sigmas: dict[str, float] = {}
+    together: dict[tuple[str, str], float] = {}
+    for rows, material in layers:
+        known = of_law(rows, material.eos)
+        if known is None:
+            continue
+        names, covariance = [f"{material.name}.{n}" for n in known[0]], known[1]
+        deviations = np.sqrt(np.diag(covariance))
+        values |= {name: float(getattr(material.eos, name.rpartition(".")[2])) for name in names}
+        sigmas |= dict(zip(names, deviations.tolist()))
+        together |= {(names[i], names[j]): float(covariance[i, j] / deviations[i] / deviations[j])
+                     for i in range(len(names)) for j in range(i)}
+    return values, sigmas, together
 
 
 def library_points(names: Sequence[str]) -> np.ndarray | None:

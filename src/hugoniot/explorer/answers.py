@@ -7,6 +7,7 @@ from typing import Any
 from hugoniot.errors import OutOfRange
 from hugoniot.explorer import catalogue, curves, decks, fits, impact, subjects, surfaces, tables
 from hugoniot.explorer.places import Places
+from hugoniot.explorer.subjects import entry_of
 from hugoniot.page import run_data
 from hugoniot.version import __version__
 
@@ -49,16 +50,9 @@ def surface(places: Places, query: Query) -> Any:
     return surfaces.surface(text(query, "name"), numbers(query, "densities"), numbers(query, "at" if at else "temperatures"), points, at)
 
 
-def match(places: Places, query: Query) -> Any:
-    """The states of an impact."""
-    names = [name for name in text(query, "layers").split(",") if name]
-    bands, draft = (query.get(key) == "1" for key in ("bands", "draft"))
-    return impact.impact(names, number(query, "velocity"), number(query, "sigma", 0.0), bands, draft)
-
-
-def match_deck(places: Places, query: Query) -> Any:
-    """The deck that runs an impact."""
-    return {"deck": impact.deck([name for name in text(query, "layers").split(",") if name], number(query, "velocity"))}
+def layers(places: Places, query: Query) -> Any:
+    """Every material that a shock from rest may meet, with its law: the page computes impacts itself."""
+    return {line["name"]: impact.layer(entry_of(line["name"])) for line in catalogue.listing()["materials"] if line["alone"]}
 
 
 def run(places: Places, query: Query) -> Any:
@@ -95,7 +89,7 @@ def words(places: Places, query: Query) -> Any:
 
 
 QUESTIONS: dict[str, Callable[[Places, Query], Any]] = {
-    f.__name__: f for f in (start, materials, material, about, state, surface, match, match_deck, run, array, sweep, fit, deck,
+    f.__name__: f for f in (start, materials, material, about, state, surface, layers, run, array, sweep, fit, deck,
                         words)}
 
 

@@ -16,6 +16,7 @@ from hugoniot.explorer.guard import Guard, TooLarge
 from hugoniot.explorer.jobs import Jobs
 from hugoniot.explorer.places import Places, as_command
 from hugoniot.explorer.tables import run_of_case
+from hugoniot.explorer.transcribed import theory
 from hugoniot.page import files
 from hugoniot.page.reply import encoded
 
@@ -25,7 +26,7 @@ JSON = "application/json"
 def application(places: Places, jobs: Jobs, token: str, hosts: tuple[str, ...]) -> Guard:
     """The guarded application for these places."""
     routes = [Route("/", _index),
-              *(Route(f"/{name}", _file(name)) for name in files.files()),
+              *(Route(f"/{name}", _file(name)) for name in (*files.files(), files.THEORY)),
               *(Route(f"/api/{name}", _question(places, answer)) for name, answer in QUESTIONS.items()),
               Route("/api/check", _checked(places), methods=["POST"]),
               Route("/api/job", _started(jobs), methods=["POST"]),
@@ -44,8 +45,8 @@ async def _index(request: Request) -> Response:
 
 
 def _file(name: str):
-    async def send(request: Request) -> Response:
-        return Response(files.files()[name], media_type=files.KINDS[name.rpartition(".")[2]])
+    def send(request: Request) -> Response:
+        return Response(theory() if name == files.THEORY else files.files()[name], media_type=files.KINDS[name.rpartition(".")[2]])
     return send
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from hugoniot.errors import FileTrouble, HugoniotError
 from hugoniot.explorer.answers import QUESTIONS
 from hugoniot.explorer.places import Places
+from hugoniot.explorer.transcribed import theory
 from hugoniot.output.atomic import explained
 from hugoniot.page import files, run_data
 from hugoniot.page.reply import encoded
@@ -33,7 +34,8 @@ def export(places: Places, folder: Path, *, progress: Callable[[str], None] = la
     """
     _claim(folder)
     _put(folder / "index.html", files.index(exported=True))
-    for name, data in files.files().items():
+    pages = files.files() | {files.THEORY: theory()}
+    for name, data in pages.items():
         _put(folder / name, data)
     known: dict[str, str] = {}
     for question, query in _asked(places):
@@ -47,7 +49,7 @@ def export(places: Places, folder: Path, *, progress: Callable[[str], None] = la
         known[key] = name
         progress(key)
     _put(folder / "data" / "data.js", b"window.hugoniotFiles=" + encoded(known) + b";\n")
-    return len(known) + len(files.files()) + 3
+    return len(known) + len(pages) + 3
 
 
 def known_by_name(places: Places) -> Places:
@@ -86,6 +88,7 @@ def _packed(answer: Any) -> bytes:
 def _asked(places: Places) -> Iterator[tuple[str, dict]]:
     yield "start", {}
     yield "materials", {}
+    yield "layers", {}
     listed = [m["name"] for m in QUESTIONS["materials"](places, {})["materials"] if m["alone"]]
     for name in dict.fromkeys(places.materials) if places.materials else listed:
         yield "material", {"name": name}

@@ -14,6 +14,7 @@ from hugoniot.explorer.app import application
 from hugoniot.explorer.guard import new_token
 from hugoniot.explorer.jobs import Jobs
 from hugoniot.explorer.places import Places
+from hugoniot.explorer.transcribed import theory
 from hugoniot.signals import end_like_interrupt
 
 HOST = "127.0.0.1"
@@ -46,7 +47,7 @@ def serve(places: Places, port: int = 0, *, browser: bool = True, view: str = ""
         app = application(places, jobs, token, (f"{HOST}:{number}", f"localhost:{number}"))
         config = uvicorn.Config(app, log_level="error", access_log=False, lifespan="off", server_header=False, date_header=False,
                                 ws="none", timeout_keep_alive=15, timeout_graceful_shutdown=2)
-        threading.Thread(target=catalogue.listing, daemon=True).start()    # ready when the page asks
+        threading.Thread(target=lambda: (theory(), catalogue.listing()), daemon=True).start()    # ready when the page asks
         announce(address)
         if browser:
             threading.Timer(0.3, webbrowser.open, (address,)).start()

@@ -1,4 +1,4 @@
-"""Compiled sweeps over arrays of states, one per quantity, for any registered equation of state. Importing this imports numba."""
+"""Compiled sweeps over arrays of states, one per quantity, for any registered law. Importing this imports numba."""
 
 import numba as nb
 
@@ -17,7 +17,10 @@ from hugoniot.laws.eos.contract import (
     sound_speed_squared,
     temperature,
 )
+from hugoniot.laws.strength import contract as strength_contract
+from hugoniot.laws.strength.contract import STRENGTH, shear_modulus
 
+bind_family(STRENGTH, strength_contract.GENERICS)
 bind_family(EOS, GENERICS)
 bind_module(contract)
 
@@ -78,3 +81,9 @@ def energy_sweep(rho, p, par, out):
 def entropy_sweep(rho, e, par, out):
     for j in range(out.shape[0]):
         out[j] = entropy(rho[j], e[j], par)
+
+
+@nb.njit(**GUARD)
+def shear_modulus_sweep(rho, p, temperature, bulk_modulus, par, out):
+    for j in range(out.shape[0]):
+        out[j] = shear_modulus(rho[j], p[j], temperature[j], bulk_modulus[j], par)

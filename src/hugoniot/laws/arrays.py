@@ -1,4 +1,4 @@
-"""Equations of state over arrays: the same scalar laws, swept by compiled loops (or by plain Python for a few states).
+"""Laws over arrays: the same scalar laws, swept by compiled loops (or by plain Python for a few states).
 
     pressure_array(rho, e, par)        Pa
     derivatives_array(rho, e, par)     (dp/drho at constant e, dp/de at constant rho)
@@ -7,6 +7,7 @@
     recorded_temperature(rho, e, par, compaction)   K, of the states of a run
     entropy_array(rho, e, par)         J/(kg K)
     energy_array(rho, p, par)          J/kg
+    shear_modulus_array(rho, p, temperature, bulk_modulus, par)   Pa, of a strength law
     evaluate(par, rho, e, *names)      dictionary of any of QUANTITIES
 
 `rho` (kg/m3) and `e` (J/kg) broadcast; results have the broadcast shape. States are not checked (laws.eos.contract.check_state does that
@@ -18,8 +19,10 @@ import numpy as np
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.strength.contract import shear_modulus
 
 SMALL = 256
+WORTH_COMPILING = 4096     # states: the shear modulus is asked for once a snapshot, and a first run need not wait for the compiler
 QUANTITIES = ("pressure", "pressure_derivatives", "sound_speed_squared", "sound_speed", "gruneisen", "bulk_modulus", "adiabatic_exponent",
               "temperature", "entropy", "specific_heat")
 
@@ -117,6 +120,22 @@ def entropy_array(rho, e, par):
 def energy_array(rho, p, par):
     """Specific internal energy at densities and pressures, J/kg; OutOfRange where the law has no closed inverse."""
     return _sweep("energy", rho, p, par)
+
+
+def shear_modulus_array(rho, p, temperature, bulk_modulus, par):
+    """Shear modulus of a strength law, Pa, (n,), at densities kg/m3, pressures Pa, temperatures K (0 where the law asks for none) and
+    bulk moduli Pa."""
+    rho, p, temperature, bulk = (np.ascontiguousarray(given) for given in np.broadcast_arrays(
+        *(np.asarray(given, dtype=np.float64) for given in (rho, p, temperature, bulk_modulus))))
+    par, out = float_parameters(par), np.empty(rho.size)
+    if rho.size <= WORTH_COMPILING:
+        for j in range(rho.size):
+            out[j] = shear_modulus(rho[j], p[j], temperature[j], bulk[j], par)
+    else:
+        from hugoniot.laws import array_kernels
+
+        array_kernels.shear_modulus_sweep(rho, p, temperature, bulk, par, out)
+    return out
 
 
 def evaluate(par, rho, e, *names):

@@ -18,7 +18,7 @@ from hugoniot.laws.eos.contract import (
     sound_speed_squared,
     temperature_at_rest,
 )
-from hugoniot.laws.fracture.contract import tension_cap
+from hugoniot.laws.fracture.contract import asked_at_nodes, tension_cap
 from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.laws.mixture.reference_state import CHOICES, FROZEN
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
@@ -185,5 +185,8 @@ def _check_rest(par: Any, built: dict, collector: Collector, path: tuple) -> Non
                             ("flow stress", flow_stress(rho, p, warm, 0.0, 0.0, built["strength"]))):
             if not (math.isfinite(value) and value >= 0.0):
                 collector.add((*path, "strength"), f"the {what} at rest must not be negative, got {value:g} Pa")
+    if built.get("burn") is not None and asked_at_nodes(built["fracture"]):
+        collector.add((*path, "fracture"), "is asked at nodes, which do not know how much of a zone has burned",
+                      'use "pressure_volume" or "spall_stress" for an explosive')
     if built["fracture"] is not None and not tension_cap(0.0, built["fracture"]) > 0.0:
         collector.add((*path, "fracture"), f"the strength in tension must be positive, got {tension_cap(0.0, built['fracture']):g} Pa")

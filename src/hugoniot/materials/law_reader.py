@@ -110,7 +110,7 @@ def _read_value(registry: Registry, law: Law, key: str, value: Any, collector: C
     preset = law.defaults.get(key)
     if isinstance(preset, bool):
         if not isinstance(value, bool):
-            collector.add(path, "expected true or false")
+            collector.add(path, f"expected true or false, got {value!r:.40}")
         return value
     number = collector.quantity(path, value, unit)
     if number is not None:

@@ -1,5 +1,6 @@
 """What is wrong with a mesh: folded zones, blocks that run clockwise, overlap, nearly touch, or touch without common nodes."""
 
+import itertools
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
@@ -82,7 +83,9 @@ def check_neighbours(names: Sequence[str], maps: Sequence[np.ndarray], nodes: np
                      apart: Collection[tuple[int, int]] = ()) -> None:
     """Raise `MeshError` where blocks overlap, or touch without common nodes and are not in `apart`, pairs that may."""
     defects = _crowded(names, sides)
-    defects = defects or _misfits(names, maps, nodes, sides, apart)
+    if not defects and (misfits := _misfits(names, maps, nodes, sides, apart)):
+        # sides that cross touch too: what lies clearly inside another block is an overlap
+        defects = _overlaps(names, maps, nodes, set(itertools.combinations(range(len(names)), 2))) or misfits
     defects = defects or _overlaps(names, maps, nodes, apart)
     if defects:
         raise MeshError(defects)

@@ -1,15 +1,14 @@
 """What the run folder keeps of a two-dimensional run: the record of its set-up, and the recorder that hands it states."""
 
-from collections.abc import Callable
 from typing import Any
-
-import numpy as np
 
 from hugoniot.diagnostics.budgets2d import PlaneBudget
 from hugoniot.diagnostics.gauges2d import NODAL, OF_SURFACES, blocks_of
 from hugoniot.diagnostics.temperature import gauge_temperature, laws_with_temperature, zone_temperature
 from hugoniot.laws.mixture.contract import MIXTURE
+from hugoniot.output.recorder import Recorder
 from hugoniot.output.setup_record import material_record, plain, references_of
+from hugoniot.problem.plane.contact_model import centre_of
 
 METHODS = (
     "Compatible staggered Lagrangian differences: E. J. Caramana, D. E. Burton, M. J. Shashkov, P. P. Whalen, "
@@ -34,7 +33,8 @@ def plane_record(problem, meta: dict) -> dict:
         "regions": [plain(block) for block in problem.blocks],
         "boundaries": {name: plain(boundary) for name, boundary in problem.chain_boundaries().items()},
         "chains": {name: plain(problem.mesh.nodes[:, chain.edges].transpose(1, 2, 0)) for name, chain in problem.mesh.chains.items()},
-        "contacts": [plain(contact) for contact in problem.contacts], "rigid": [plain(body) for body in problem.rigid],
+        "contacts": [plain(contact) for contact in problem.contacts],
+        "rigid": [plain(body) | {"centre": list(centre_of(body))} for body in problem.rigid],
         "interfaces": [], "joints": list(problem.mesh.joints), "body_force": list(problem.body_force),
         "gauges": [plain(gauge) for gauge in problem.gauges], "lighting": [plain(point) for point in problem.lighting],
         "materials": {name: material_record(problem.materials[name]) for name in sorted({b.material for b in problem.blocks})},
@@ -47,7 +47,7 @@ def plane_record(problem, meta: dict) -> dict:
 
 
 def plane_meta(problem, solver, version: str) -> dict[str, Any]:
-    """What `RunFolder.start` is told of a two-dimensional run."""
+    """What `RunFolder.start` is given of a two-dimensional run."""
     mesh = problem.mesh
     centres = mesh.nodes[:, mesh.zone_nodes].mean(axis=2)
     return {
@@ -59,15 +59,11 @@ def plane_meta(problem, solver, version: str) -> dict[str, Any]:
     }
 
 
-class PlaneRecorder:
-    """Hands what the time loop sees of a two-dimensional run to its folder.
+class PlaneRecorder(Recorder):
+    """Keeps the states of a two-dimensional run."""
 
-    show      progress display with update(report), or None
-    program   adds to a checkpoint what computes (see `simulate`)
-    """
-
-    def __init__(self, folder, problem, solver, show=None, warned=(), program: Callable[[], dict] = dict):
-        self.folder, self.problem, self.solver, self.show, self.warned, self.program = folder, problem, solver, show, warned, program
+    def __init__(self, folder, problem, solver, show=None, warned=()):
+        super().__init__(folder, problem, solver, show, warned)
         self.kept = set(problem.output.fields)
         self.budget = PlaneBudget(problem)
         self.laws = laws_with_temperature(problem)
@@ -89,17 +85,4 @@ class PlaneRecorder:
         fields.pop("mass")
         if self.kept:
             fields = {name: value for name, value in fields.items() if name in self.kept or name in NODAL or name == "eroded"}
-        self.folder.snapshots([state.time], [state.cycle], {name: value[None, :] for name, value in fields.items()})
-        parts = {name: value[None, :] for name, value in self.budget(state, self.solver.kinetic_energy()).items()}
-        whole = {name: np.array([value]) for name, value in {**self.solver.errors(), **self.solver.exchanges()}.items()}
-        self.folder.budget([state.time], {**parts, **whole, "step": np.array([self.solver.step])})
-
-    def event(self, event):
-        self.folder.event(event.time, event.cycle, event.kind, event.text, position=event.position)
-
-    def progress(self, report):
-        if self.show is not None:
-            self.show.update(report)
-
-    def checkpoint(self, payload):
-        self.folder.checkpoint({**payload, "program": self.program()})
+        self.keep(state, fields, self.budget(state, self.solver.kinetic_energy()))

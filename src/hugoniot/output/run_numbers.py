@@ -2,15 +2,16 @@
 
 import numpy as np
 
-from hugoniot.diagnostics.arrival import first_crossing
+from hugoniot.diagnostics.arrival import arrivals
 from hugoniot.diagnostics.interface_gauges import sides
 from hugoniot.diagnostics.velocimetry import flat_top
 from hugoniot.output.run import Run, largest_value
 from hugoniot.output.spall_reading import NOISE, SURFACE, spall_reading, surface_record
+from hugoniot.units import format_si
 
 ROUND_OFF = 1e-12     # of the largest value of a run: what is smaller is the round-off of a state at rest
-GAUGE_UNITS = {"arrival": "s", "peak_stress": "Pa", "plateau_stress": "Pa", "lowest_stress": "Pa", "peak_velocity": "m/s",
-               "plateau_velocity": "m/s", "last_velocity": "m/s"}
+GAUGE_UNITS = {"arrival": "s", "second_arrival": "s", "peak_stress": "Pa", "plateau_stress": "Pa", "lowest_stress": "Pa",
+               "peak_velocity": "m/s", "plateau_velocity": "m/s", "last_velocity": "m/s"}
 SPALL = (("peak_velocity", "velocity before the pull-back", "m/s"), ("pull_back", "pull-back", "m/s"),
          ("spall_strength_acoustic", "spall strength, acoustic", "Pa"),
          ("spall_strength_kanel", "spall strength with Kanel's correction", "Pa"),
@@ -18,9 +19,11 @@ SPALL = (("peak_velocity", "velocity before the pull-back", "m/s"), ("pull_back"
 
 
 def gauge_rows(run: Run) -> list[dict]:
-    """Per gauge, SI: first arrival (half of the peak velocity change; NaN where nothing came), stress and velocity: peak, plateau, end.
+    """Per gauge, SI: arrival of the first wave in the velocity (`diagnostics.arrival`; NaN where nothing came), then peak, plateau and
+    end of stress and velocity.
 
-    A peak may be the short overshoot of a numerical shock; the plateau is the level of a flat top without it, NaN where there is none.
+    `second_arrival`, that of the plastic wave behind a precursor, stands in all rows if a gauge of the run has one, else in none. A peak
+    may be the short overshoot of a numerical shock; the plateau is the level of a flat top without it, NaN where there is none.
     """
     rows = []
     table = run.arrays("gauges") if run.gauge_names() else {}
@@ -33,9 +36,8 @@ def gauge_rows(run: Run) -> list[dict]:
         if name in side_of and np.array_equal(velocity, table["velocity"][:, names.index(side_of[name])]):
             continue     # the interface gauge has it
         row: dict = {"gauge": name}
-        change = velocity - velocity[0]
-        peak = change[np.argmax(np.abs(change))]
-        row["arrival"] = first_crossing(time, velocity, velocity[0] + 0.5 * peak) if abs(peak) > noise else float("nan")
+        peak = np.max(np.abs(velocity - velocity[0]))
+        row["arrival"], row["second_arrival"] = arrivals(time, velocity) if peak > noise else (float("nan"), float("nan"))
         if "stress" in table:
             stress = without_round_off(table["stress"][:, k], largest["stress"])
             row |= {"peak_stress": float(stress.max()), "plateau_stress": flat_top(time, stress), "lowest_stress": float(stress.min())}
@@ -43,6 +45,9 @@ def gauge_rows(run: Run) -> list[dict]:
         way = float(np.copysign(1.0, highest))
         row |= {"peak_velocity": highest, "plateau_velocity": way * flat_top(time, way * velocity), "last_velocity": float(velocity[-1])}
         rows.append(row)
+    if all(np.isnan(row["second_arrival"]) for row in rows):
+        for row in rows:
+            del row["second_arrival"]
     return rows
 
 
@@ -74,26 +79,55 @@ def spall_numbers(run: Run) -> dict:
 def highest(run: Run) -> dict:
     """Highest stress (else pressure) and tension of any zone at any time, Pa, and of the surface that is seen its velocity, m/s.
 
+    Beside each field stands where it was found: `stress_region` the body and `stress_at` the centre of the zone at t = 0, m, one number
+    for each coordinate. A zone at a face where bodies met may hold the overshoot of a numerical shock, which the plateaus of the gauges
+    leave out.
     `surface` is the gauge of that velocity, or "free surface". A field that the run does not have is left out, and so is a tension that
     never came; the velocity is that of the spall reading where there is one.
     """
     peaks, found = run.arrays("peaks"), {}
-    name = next((n for n in ("stress", "peak_stress", "pressure", "peak_pressure") if n in peaks and len(peaks[n])), None)
-    if name:
-        found[name.removeprefix("peak_")] = float(np.max(peaks[name]))
-    tension = next((np.abs(peaks[n]) for n in ("tension", "peak_tension", "least_stress") if n in peaks), None)
-    if tension is not None and len(tension) and np.max(tension) > 0:
-        found["tension"] = float(np.max(tension))
+    centres = [peaks[name] for name in ("centre", "centre_x", "centre_y") if name in peaks]
+    for word, names in (("stress", ("stress", "peak_stress")), ("pressure", ("pressure", "peak_pressure")),
+                        ("tension", ("tension", "peak_tension", "least_stress"))):
+        values = next((np.abs(peaks[n]) if word == "tension" else peaks[n] for n in names if n in peaks and len(peaks[n])), None)
+        if values is None or (word == "pressure" and "stress" in found) or (word == "tension" and not np.max(values) > 0):
+            continue
+        k = int(np.argmax(values))
+        found |= {word: float(values[k]), f"{word}_region": str(peaks["region"][k]), f"{word}_at": [float(x[k]) for x in centres]}
     seen = surface_record(run)
     if len(seen.time) and "peak_velocity" not in spall_numbers(run):
         found |= {"surface": "free surface" if seen.kind == SURFACE else seen.gauge, "surface_velocity": float(np.max(seen.velocity))}
     return found
 
 
+def highest_rows(run: Run) -> list[tuple[str, str, str]]:
+    """(what, its value, where) of `highest` in words."""
+    top = highest(run)
+    rows = [(word, format_si(top[word], "Pa", 5), _place(top[f"{word}_region"], top[f"{word}_at"]))
+            for word in ("stress", "pressure", "tension") if word in top]
+    if "surface_velocity" in top:
+        rows.append((f"velocity, {top['surface']}", format_si(top["surface_velocity"], "m/s", 5), ""))
+    return rows
+
+
+def _place(region: str, centre: list[float]) -> str:
+    """Where a zone was at t = 0."""
+    coordinates = ", ".join(format_si(x, "m", 4) for x in centre)
+    return f"{region}, at {coordinates if len(centre) == 1 else f'({coordinates})'} at t = 0" if centre else region
+
+
 def warnings_of(run: Run) -> list[str]:
     """Texts of the warnings among a run's events."""
     events = run.arrays("events")
     return [str(text) for kind, text in zip(events.get("kind", ()), events.get("text", ())) if kind == "warning"]
+
+
+def record(run: Run) -> dict:
+    """A whole run for programs, as `run`, `resume` and `info` print it: folder, summary, `results` and events."""
+    events = run.arrays("events")
+    happened = {key: np.asarray(events[key]).tolist() for key in ("time", "cycle", "kind", "text") if key in events}
+    rows = [dict(zip(happened, row)) for row in zip(*happened.values())]
+    return {"folder": str(run.folder), "summary": run.summary, **results(run), "events": rows}
 
 
 def results(run: Run) -> dict:

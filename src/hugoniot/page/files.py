@@ -5,10 +5,11 @@ from pathlib import Path
 
 STATIC = Path(__file__).parent / "static"
 STYLES = ("style.css",)
+THEORY = "theory.js"      # not a file: the explorer writes it from the sources of laws and theory
 _BASE = ("base.js", "colours.js", "axis.js", "chart.js", "chart_drawing.js", "chart_pointer.js", "save.js")
 _RUNS = ("raster.js", "run_xt.js", "run_plane.js", "run_lines.js", "measured.js", "runs.js")
 _MATERIALS = ("material_list.js", "surface.js", "material_planes.js", "material_about.js", "material_commands.js", "materials.js")
-SCRIPTS = (*_BASE, *_MATERIALS, "match_curves.js", "match.js", *_RUNS, "deck_words.js", "decks.js", "sweeps.js", "fits.js", "report.js",
+SCRIPTS = (*_BASE, THEORY, "impact.js", *_MATERIALS, "match.js", *_RUNS, "deck_words.js", "decks.js", "sweeps.js", "fits.js", "report.js",
            "main.js")
 OF_A_RUN = (*_BASE, *_RUNS, "report.js", "main.js")
 KINDS = {"css": "text/css; charset=utf-8", "js": "text/javascript; charset=utf-8", "html": "text/html; charset=utf-8",
@@ -17,8 +18,8 @@ KINDS = {"css": "text/css; charset=utf-8", "js": "text/javascript; charset=utf-8
 
 @cache
 def files() -> dict[str, bytes]:
-    """Name -> contents of every file of the page but index.html."""
-    return {name: (STATIC / name).read_bytes() for name in (*STYLES, *SCRIPTS, "icon.svg")}
+    """Name -> contents of every file of the page but index.html and the transcribed theory."""
+    return {name: (STATIC / name).read_bytes() for name in (*STYLES, *SCRIPTS, "icon.svg") if name != THEORY}
 
 
 def index(exported: bool = False) -> bytes:

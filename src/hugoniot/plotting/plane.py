@@ -152,7 +152,12 @@ def _draw_rigid(run, ax, k, mirror) -> None:
     for body in run.setup.get("rigid", ()):
         n = min(int(np.abs(budget["time"] - run.arrays("snapshots")["time"][k]).argmin()), len(budget["time"]) - 1)
         moved = np.array([budget[f"moved_{axis} {body['name']}"][n] for axis in "xy"])
-        places = (np.array(body["points"]) + moved) * fx
+        points = np.array(body["points"])
+        if body.get("turns"):
+            centre, angle = np.array(body["centre"]), budget[f"turned {body['name']}"][n]
+            cosine, sine = np.cos(angle), np.sin(angle)
+            points = centre + (points - centre) @ np.array([[cosine, sine], [-sine, cosine]])
+        places = (points + moved) * fx
         for side in _halves(run, mirror):
             if body["closed"]:
                 ax.fill(side * places[:, 0], places[:, 1], facecolor=QUIET, edgecolor=INK, linewidth=0.8, alpha=0.5)

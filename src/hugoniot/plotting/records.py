@@ -167,9 +167,6 @@ def peaks(run, field: str = "stress", ax=None):
     """The extreme value of a field that each zone met, over its place at t = 0: the attenuation curve; gives the axes."""
     ax = ax if ax is not None else new_axes()
     rows = run.arrays("peaks")
-    if run.setup["solver"]["kind"] == "fronts":
-        raise DeckError.single(run.folder, None, "peaks", "tracked fronts keep no peaks of zones; fronts.csv has the states beside them",
-                               "take a gauge picture, or run the deck with lagrange1d")
     field = f"peak_{field}" if f"peak_{field}" in rows else field
     values = zone_field(run, "peaks", field)
     unit, factor, words = field_scale(field, values)

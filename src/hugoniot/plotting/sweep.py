@@ -196,9 +196,14 @@ def draw_spread(ax, times, record: Column) -> None:
 
 @styled
 def uncertainty_figure(table: SweepTable):
-    """Of every record its bands, and beside it how far they lie from the median."""
-    axes = new_panels(len(table.records), 2, 9.6, 2.9 * len(table.records)).reshape(-1, 2)
-    for (ax, beside), record in zip(axes, table.records):
+    """Of every record its bands, and beside it how far they lie from the median.
+
+    Equal records, such as those of an interface and of its two sides, are drawn once.
+    """
+    own = [record for k, record in enumerate(table.records)
+           if not any(np.array_equal(record.values, other.values, equal_nan=True) for other in table.records[:k])]
+    axes = new_panels(len(own), 2, 9.6, 2.9 * len(own)).reshape(-1, 2)
+    for (ax, beside), record in zip(axes, own):
         draw_bands(ax, table.times, record)
         draw_spread(beside, table.times, record)
     return axes[0, 0].get_figure()

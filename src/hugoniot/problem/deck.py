@@ -78,6 +78,7 @@ def read_tables(raw: dict, text: str, name: str, overrides: dict[str, Any] | Non
     """As `read_deck_text`, for a caller that has parsed the text already (`parse_deck`); the overrides are put into `raw` itself."""
     collector = Collector([], name, line_finder(text), raw, beside)
     for key, value in (overrides or {}).items():
+        _open_library_material(raw, key)
         _override(raw, key, value, collector)
     kind = _solver_kind(raw, collector)
     module = solver_module(kind)
@@ -173,6 +174,16 @@ def _own_materials(raw: dict, places: Sequence[str | Path], beside: Path | None)
     rows = [row for key in ("region", "block") if isinstance(raw.get(key), list) for row in raw[key]]
     names = [row["material"] for row in rows if isinstance(row, dict) and isinstance(row.get("material"), str)]
     return for_deck(dict.fromkeys(names), tables if isinstance(tables, dict) else (), places, beside)
+
+
+def _open_library_material(raw: dict, key: str) -> None:
+    """Where a key changes a material that the deck takes from the library, give the deck a table that begins with it."""
+    family, _, rest = key.partition(".") if isinstance(key, str) else ("", "", "")
+    rows = [row for part in ("region", "block") if isinstance(raw.get(part), list) for row in raw[part] if isinstance(row, dict)]
+    used = [row["material"] for row in rows if isinstance(row.get("material"), str)]
+    name = next((name for name in used if rest.startswith(f"{name}.")), None)
+    if family == "material" and name is not None and isinstance(raw.setdefault("material", {}), dict):
+        raw["material"].setdefault(name, {"base": name})
 
 
 def _override(raw: dict, key: str, value: Any, collector: Collector) -> None:

@@ -126,10 +126,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str]]:
     for name, material in problem.materials.items():
         found += [(("material", name, *path), f"material '{name}' {message}") for path, message in _material_defects(material, cells)]
         if cells and _has_strength(material):
-            message = (f"material '{name}' has strength, which the mode 'cells' of {NAME} does not follow: a deviator that turns from "
-                       "loading to unloading inside a cell is a front of its own (the elastic release head), which one stress branch in a "
-                       "cell would smear; take the mode 'algebraic' (planar, constant states), or lagrange1d")
-            found.append((("material", name, "strength"), message))
+            found += [(("material", name, "strength"), f"material '{name}' {message}") for message in _strong_defects(material, problem)]
     if cells:
         found += _front_defects(problem)
     for side, end in (("left", problem.left), ("right", problem.right)):
@@ -185,6 +182,17 @@ def _front_defects(problem: Problem) -> list[tuple[tuple, str]]:
 def _has_strength(material: Material) -> bool:
     strength = material.strength
     return strength is not None and STRENGTH.of(strength).name != "none" and getattr(strength, "yield_stress", 1.0) > 0.0
+
+
+def _strong_defects(material: Material, problem: Problem) -> list[str]:
+    """What the cells cannot follow of a material with strength."""
+    if problem.geometry != "planar":
+        return [f"has strength, which {NAME} follows in planar geometry only: in {problem.geometry} geometry the deviator also changes "
+                "with u/r, and its hoop part pushes; leave the strength out, or use lagrange1d"]
+    if material.burn is not None:
+        return [f"burns and has strength; the cells of {NAME} keep the state of the reactants or a deviator, not both: leave one out, or "
+                "use lagrange1d"]
+    return []
 
 
 def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]]:

@@ -12,6 +12,7 @@ from hugoniot.materials.law_reader import read_law
 from hugoniot.materials.material import Material
 from hugoniot.materials.tables import law_table, material_tables
 from hugoniot.problem import checks, explosives, output_fields, periodic, terms
+from hugoniot.problem.advice import advice
 from hugoniot.problem.boundaries import boundary_schema, boundary_value, read_boundary
 from hugoniot.problem.defaults import SNAPSHOTS, completed, whole_viscosity
 from hugoniot.problem.model import Boundary, Lighting, OutputOptions, Problem, SolverOptions
@@ -206,7 +207,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
         collector.add(*defect)
     if collector.problems:
         return None, warnings
-    return problem, warnings + checks.advice(problem) + explosives.advice(problem)
+    return problem, warnings + advice(problem) + explosives.advice(problem)
 
 
 def _parts(kind: type[Table], rows: Any) -> list:

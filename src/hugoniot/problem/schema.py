@@ -117,7 +117,8 @@ def _in_words(item: Mapping, model: type[BaseModel]) -> tuple[str, str]:
     if kind in words:
         name = location[-1] if location else ""
         hint = f"write [[{name}]] above its keys" if kind == "list_type" and name in _ARRAYS else ""
-        return f"{words[kind]}, got {shown}", hint
+        quoted = f"'{shown}'" if isinstance(given, str) else shown
+        return f"{words[kind]}, got {quoted}", hint
     bounds = {"greater_than": ("greater than", "gt"), "greater_than_equal": ("at least", "ge"), "less_than_equal": ("at most", "le"),
               "less_than": ("less than", "lt")}
     if kind in bounds:

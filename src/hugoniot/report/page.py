@@ -5,13 +5,13 @@ from collections.abc import Callable
 
 from hugoniot.output.atomic import write_whole
 from hugoniot.output.run import Run, load
-from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, highest, spall_numbers
+from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, highest_rows, spall_numbers
 from hugoniot.output.seal import sealed
 from hugoniot.output.spall_reading import SURFACE, surface_record
 from hugoniot.page import one_run
 from hugoniot.plotting.inline import picture_tasks
 from hugoniot.report import sections
-from hugoniot.report.sections import number, text
+from hugoniot.report.sections import number, printed, text
 
 
 def key_numbers(run: Run) -> list[tuple[str, str]]:
@@ -19,10 +19,9 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
     summary = run.summary
     rows = [("simulated time", number(summary["time"], "s")), ("zones", str(len(run.arrays("peaks").get("zone", ())))),
             ("cycles", f"{summary['cycles']:,}".replace(",", "\u202f")), ("wall time", f"{summary['wall_seconds']:.2f} s")]
-    top, spall = highest(run), spall_numbers(run)
-    rows += [(f"highest {name}", number(float(f"{top[name]:.5g}"), "Pa")) for name in ("stress", "pressure", "tension") if name in top]
-    if "surface_velocity" in top:
-        rows.append((f"highest velocity, {top['surface']}", number(float(f"{top['surface_velocity']:.5g}"), "m/s")))
+    spall = spall_numbers(run)
+    rows += [(f"highest {name}", printed(value) + (f"<small>{text(place)}</small>" if place else ""))
+             for name, value, place in highest_rows(run)]
     for key, name, unit in SPALL:
         if key in spall:
             rows.append((name, number(float(f"{spall[key]:.4g}"), unit)))

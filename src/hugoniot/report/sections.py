@@ -29,9 +29,14 @@ def number(value, unit: str = "") -> str:
     if math.isnan(value):
         return "not given"
     shown = f"{value}" if not math.isfinite(value) or isinstance(value, int) and unit in ("", "1") else format_si(value, unit)
-    for sign, printed in _UNIT_SIGNS:
-        shown = shown.replace(sign, printed)
-    return text(shown)
+    return printed(shown)
+
+
+def printed(quantity: str) -> str:
+    """A quantity in words as HTML text, its unit as in print: µs, m²."""
+    for sign, in_print in _UNIT_SIGNS:
+        quantity = quantity.replace(sign, in_print)
+    return text(quantity)
 
 
 def cards(rows) -> str:

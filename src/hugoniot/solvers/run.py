@@ -13,6 +13,7 @@ import threading
 import time
 from dataclasses import dataclass, field
 
+from hugoniot.signals import interrupt
 from hugoniot.solvers.protocol import Solver
 
 BURST_SECONDS = 0.1
@@ -66,19 +67,24 @@ def snapshot_times(stop_time, wanted, default_count: int = 100) -> list[float]:
 
 
 class _Interrupts:
-    """Notes the first Ctrl-C (`asked`) instead of raising wherever the loop happens to be; a second one raises at once."""
+    """Notes the first Ctrl-C or request to end (`asked`) instead of raising wherever the loop happens to be; a second one raises at once.
+
+    Only where the signal would raise: one that is ignored, or that somebody else answers, stays as it is.
+    """
 
     def __init__(self):
-        self.asked, self.before = False, None
+        self.asked, self.before = False, {}
 
     def __enter__(self):
-        if threading.current_thread() is threading.main_thread() and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
-            self.before = signal.signal(signal.SIGINT, self._note)
+        if threading.current_thread() is threading.main_thread():
+            for number, raising in ((signal.SIGINT, signal.default_int_handler), (signal.SIGTERM, interrupt)):
+                if signal.getsignal(number) is raising:
+                    self.before[number] = signal.signal(number, self._note)
         return self
 
     def __exit__(self, *_):
-        if self.before is not None:
-            signal.signal(signal.SIGINT, self.before)
+        for number, handler in self.before.items():
+            signal.signal(number, handler)
 
     def _note(self, number, frame):
         if self.asked:

@@ -3,6 +3,7 @@
 from typing import Any, NamedTuple
 
 from hugoniot.core.binder import bind_family, bind_module
+from hugoniot.errors import OutOfRange
 from hugoniot.laws.arrays import float_parameters
 from hugoniot.laws.burn import contract as burn_contract
 from hugoniot.laws.burn import depletion
@@ -84,6 +85,9 @@ class Laws(NamedTuple):
 def laws_of(eos, strength, fracture, viscosity, noise: float, per_rate: float = 0.0, front: float = 0.0, freezes: float = 0.0) -> Laws:
     """The laws of a material, `eos` a parameter tuple or a `Reactive` pair; the numbers are fields of `Constants`."""
     burns = isinstance(eos, Reactive)
+    if burns and fracture_contract.asked_at_nodes(fracture):
+        raise OutOfRange(f'fracture law "{FRACTURE.of(fracture).name}" is asked at nodes, and does not know how much of a zone has burned; '
+                         'use "pressure_volume" or "spall_stress" for an explosive')
     if burns:
         bind_burning()
     rest = float(reference_state(eos.mixture.products if burns else eos)[0])

@@ -1,39 +1,12 @@
 """A small deck to vary, and an engine that answers in the process of the test."""
 
 import pytest
+from aluminium_decks import EOS, FRACTURE, STRENGTH, gauge, impact
 
-DECK = """
+DECK = f"""
 title = "small flyer"
 stop_time = "1.5 us"
-[[region]]
-name = "flyer"
-material = "al"
-from = "0 mm"
-to = "2 mm"
-zones = 8
-velocity = "700 m/s"
-[[region]]
-name = "target"
-material = "al"
-from = "2 mm"
-to = "6 mm"
-zones = 16
-[material.al.eos]
-law = "mie_gruneisen"
-rho0 = "2700 kg/m^3"
-c0 = "5200 m/s"
-s = 1.5
-gamma0 = 2.0
-[material.al.strength]
-law = "perfectly_plastic"
-shear_modulus = "24.8 GPa"
-yield_stress = "0.30 GPa"
-[material.al.fracture]
-law = "spall_stress"
-strength = "1.0 GPa"
-[[gauge]]
-name = "free surface"
-at = "free surface right"
+{impact(8, 16)}{EOS}{STRENGTH}{FRACTURE}{gauge("free surface", "free surface right")}\
 [output]
 snapshots = "0.5 us"
 """

@@ -4,6 +4,7 @@ import pathlib
 
 import numpy as np
 import pytest
+from aluminium_decks import EOS, FRACTURE, gauge, impact, region
 
 import hugoniot
 from hugoniot.campaign.memory_run import MemoryRun
@@ -16,44 +17,14 @@ from hugoniot.solvers.run import snapshot_times
 EXAMPLES = pathlib.Path(__file__).parents[3] / "examples"
 COARSE = {"region.flyer.zones": 24, "region.target.zones": 48}
 WILKINS = {"solver.integrator": "wilkins"}
-BONDED = """title = "An interface that breaks as the material does"
+BONDED = f"""title = "An interface that breaks as the material does"
 geometry = "planar"
 stop_time = "2 us"
-[[region]]
-name = "flyer"
-material = "al"
-from = "0 mm"
-to = "2 mm"
-zones = 20
-velocity = "700 m/s"
-[[region]]
-name = "target"
-material = "al"
-from = "2 mm"
-to = "3.5 mm"
-zones = 15
-[[region]]
-name = "back"
-material = "al"
-from = "3.5 mm"
-to = "6 mm"
-zones = 25
+{impact(20, 15, end="3.5 mm")}{region("back", "3.5 mm", "6 mm", 25)}\
 [[interface]]
 between = ["target", "back"]
 kind = "bonded"
-[material.al.eos]
-law = "mie_gruneisen"
-rho0 = "2700 kg/m^3"
-c0 = "5200 m/s"
-s = 1.5
-gamma0 = 2.0
-[material.al.fracture]
-law = "spall_stress"
-strength = "1.0 GPa"
-[[gauge]]
-name = "free surface"
-at = "free surface right"
-"""
+{EOS}{FRACTURE}{gauge("free surface", "free surface right")}"""
 
 
 def same(one, other):

@@ -22,6 +22,12 @@ def written(path, rows, head="pressure [GPa], distance [mm], distance sigma [mm]
     return str(path)
 
 
+def test_a_sigma_of_the_wrong_kind_is_an_error_of_its_option(tmp_path):
+    path = written(tmp_path / "pop.csv", [(18, 1.75), (12, 5.5)], head="pressure [GPa], distance [mm]")
+    with pytest.raises(DeckError, match="command line: --sigma: expected a length"):
+        read_pop_plot(path, 1, "5 us", [])
+
+
 @pytest.fixture
 def coarse(tmp_path, monkeypatch):
     """A deck whose own run is short, and run distances of some 60 zones."""

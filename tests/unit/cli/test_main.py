@@ -10,7 +10,7 @@ import tempfile
 from types import SimpleNamespace
 
 import pytest
-from pace import in_starts
+from pace import PATIENCE, in_starts
 
 from hugoniot.cli import main as front
 from hugoniot.cli.progress import Lines, Silent, duration, words
@@ -31,7 +31,7 @@ def call(capsys, *arguments):
 
 def test_help_answers_at_once():
     """It costs little more than the import of the library of command lines; 0.3 s are asked for in benchmarks/answers.py."""
-    ended = subprocess.run([sys.executable, "-m", "hugoniot.cli.main", "--help"], capture_output=True, text=True, timeout=60)
+    ended = subprocess.run([sys.executable, "-m", "hugoniot.cli.main", "--help"], capture_output=True, text=True, timeout=PATIENCE)
     assert ended.returncode == 0 and "compare" in ended.stdout
     assert in_starts([["-m", "hugoniot.cli.main", "--help"]], ["-c", "import typer"], check=True)[0] < 2.0
 
@@ -39,7 +39,7 @@ def test_help_answers_at_once():
 def test_help_imports_no_slow_library():
     code = ("import sys\nfrom hugoniot.cli.main import main\ntry:\n    main(['--help'])\nexcept SystemExit:\n    pass\n"
             "print(sorted({'numpy', 'numba', 'pydantic', 'pint', 'h5py', 'xarray', 'matplotlib', 'scipy'} & set(sys.modules)))")
-    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=PATIENCE)
     assert ended.stdout.splitlines()[-1] == "[]"
 
 
@@ -49,7 +49,7 @@ def test_a_run_with_its_report_imports_no_library_it_can_do_without(tmp_path):
     code = (f"import os, sys\nos.sched_getaffinity = lambda of: {{0, 1}}\nfrom hugoniot.cli.main import main\n"
             f"try:\n    main(['run', {str(deck)!r}, '--out', {str(tmp_path / 'run')!r}])\nexcept SystemExit:\n    pass\n"
             "print(sorted({'matplotlib', 'pint', 'xarray', 'jsonschema', 'pandas', 'scipy.linalg'} & set(sys.modules)))")
-    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=300)
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=PATIENCE)
     assert (tmp_path / "run" / "report.html").is_file()
     assert ended.stdout.splitlines()[-1] == "[]"
 
@@ -234,11 +234,11 @@ def test_durations(seconds, text):
 
 def test_the_process_ends_with_the_commands_code_and_all_it_said():
     called = [sys.executable, "-m", "hugoniot.cli.main"]
-    ended = subprocess.run([*called, "list", "eos"], capture_output=True, text=True, timeout=60)
+    ended = subprocess.run([*called, "list", "eos"], capture_output=True, text=True, timeout=PATIENCE)
     assert ended.returncode == 0 and "mie_gruneisen" in ended.stdout
-    assert subprocess.run([*called, "run", "no such deck.toml"], capture_output=True, timeout=60).returncode == 4
+    assert subprocess.run([*called, "run", "no such deck.toml"], capture_output=True, timeout=PATIENCE).returncode == 4
     with open("/dev/full", "w") if pathlib.Path("/dev/full").exists() else pytest.skip("no device that is always full") as full:
-        assert subprocess.run([*called, "list", "eos"], stdout=full, stderr=subprocess.DEVNULL, timeout=60).returncode == 4
+        assert subprocess.run([*called, "list", "eos"], stdout=full, stderr=subprocess.DEVNULL, timeout=PATIENCE).returncode == 4
 
 
 def test_an_application_may_be_built_any_number_of_times():

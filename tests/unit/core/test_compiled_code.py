@@ -8,6 +8,7 @@ import sys
 import time
 
 import pytest
+from pace import PATIENCE
 
 from hugoniot.core import cache, sources
 from hugoniot.core.code_files import _is_sound
@@ -76,7 +77,7 @@ def users(tmp_path):
 
     def run(*words, folder=None, warned=None, **environment):
         done = start(tmp_path, words, folder or tmp_path / "cache", environment)
-        out, err = done.communicate(timeout=120)
+        out, err = done.communicate(timeout=PATIENCE)
         assert done.returncode == 0, err
         assert warned in err if warned else "Warning" not in err
         return [tuple(float(x) for x in line.split()) for line in out.splitlines()]
@@ -142,7 +143,7 @@ def test_flipped_bytes_and_planted_links_are_noticed_and_compiled_anew(users):
 def test_processes_that_fill_a_fresh_folder_at_once_do_not_disturb_each_other(users):
     team = [start(users.folder, ("law", "add", "scale"), users.folder / "cache") for _ in range(8)]
     for one in team:
-        out, err = one.communicate(timeout=300)
+        out, err = one.communicate(timeout=PATIENCE)
         assert one.returncode == 0 and "Warning" not in err, err
         assert [line.split()[0] for line in out.splitlines()] == ["60.0", "8.0", "700.0"]
     assert all(misses == 0 for _, _, misses in users("law", "add", "scale"))
@@ -155,7 +156,7 @@ def test_runs_that_fill_a_fresh_folder_at_once_give_the_same_bits(users):
                                           "print(*(float(v).hex() for v in run.gauges['velocity'].values[-1]))\n")
     deck = pathlib.Path(sources.ROOT).parents[1] / "examples" / "flyer.toml"
     team = [start(users.folder, (str(deck), f"run{i}"), users.folder / "cache") for i in range(8)]
-    said = {one.communicate(timeout=1200)[0] for one in team}
+    said = {one.communicate(timeout=PATIENCE)[0] for one in team}
     assert all(one.returncode == 0 for one in team)
     assert len(said) == 1 and said.pop().strip()
 
@@ -271,7 +272,7 @@ def test_nothing_is_compiled_into_a_kernel_whose_file_is_not_behind_it(users, wh
     if words[0].endswith(".toml"):
         words[0] = str(pathlib.Path(sources.ROOT).parents[1] / "examples" / words[0])
     done = start(users.folder, words, users.folder / "cache")
-    out, err = done.communicate(timeout=1200)
+    out, err = done.communicate(timeout=PATIENCE)
     assert done.returncode == 0, err[-3000:]
     assert out.count("seen") > 5
 

@@ -6,6 +6,7 @@ import time
 import numba as nb
 import numpy as np
 import pytest
+from pace import PATIENCE
 
 from hugoniot.core import team
 
@@ -56,7 +57,7 @@ def test_any_number_of_threads_gives_the_same_bits(threads):
     team.call(board, team.DISMISSED)
     team.gather_team(board, threads)
     for one in members:
-        one.join(timeout=60)
+        one.join(timeout=PATIENCE)
     assert not any(one.is_alive() for one in members)
     assert np.array_equal(rows[0], rows[1])
     assert alone >= 3       # each command once, to know how long it takes
@@ -75,7 +76,7 @@ def test_a_member_that_keeps_the_leader_waiting_is_left_out_for_ten_times_as_lon
     member = threading.Thread(target=late, daemon=True)
     member.start()
     assert lead(row, board, 1, 2) == 0
-    member.join(timeout=60)
+    member.join(timeout=PATIENCE)
     until = board[team.SHARE_AGAIN] * 1e-9
     assert until - board[team.BEGAN] * 1e-9 > 11.0 * 0.9 * pause       # the wait itself, and the rest
     board[team.SHARE_AGAIN] = 2**62        # however slow this machine is

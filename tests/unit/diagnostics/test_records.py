@@ -12,7 +12,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "output"))
 
 from acoustic_flyer import IMPACT, RHO, STRENGTH, AcousticFlyer, C
 
-from hugoniot.diagnostics.arrival import arrival_times, first_crossing, front_speed, steepest_times
+from hugoniot.diagnostics.arrival import arrival_times, arrivals, first_crossing, front_speed, steepest_times
 from hugoniot.diagnostics.norms import arrival_shift, difference
 from hugoniot.diagnostics.velocimetry import (
     PullBack,
@@ -72,6 +72,44 @@ def test_a_front_is_found_at_every_zone():
 def test_a_crossing_downwards_counts_too():
     assert first_crossing([0, 1, 2], [4.0, 2.0, 0.0], 1.0) == pytest.approx(1.5)
     assert np.isnan(first_crossing([0, 1], [0.0, 1.0], 3.0))
+
+
+def front(t, at, height, width):
+    """The profile of a captured shock: a hyperbolic tangent whose middle is at the time `at`."""
+    return 0.5 * height * (1.0 + np.tanh((t - at) / width))
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+@pytest.mark.parametrize("width", [0.01, 0.03])
+def test_the_arrival_is_that_of_the_first_wave_however_thick(way, width):
+    """A precursor of 3 % at 1, the plastic wave at 2, a slow rise and a fall: both middles, and noise of a thousandth before is no wave."""
+    t = np.linspace(0.0, 5.0, 2001)
+    u = front(t, 1.0, 3.0, width) + front(t, 2.0, 97.0, width) + 0.1 * front(t, 0.4, 1.0, width) + np.clip(t - 3.0, 0.0, 1.0)
+    first, second = arrivals(t, 700.0 + way * (u - front(t, 4.5, 80.0, width)))
+    assert first == pytest.approx(1.0, abs=0.2 * width) and second == pytest.approx(2.0, abs=0.2 * width)
+
+
+def test_waves_that_are_not_separated_count_as_one_and_a_small_second_one_is_not_the_main_wave():
+    t = np.linspace(0.0, 5.0, 2001)
+    assert arrivals(t, front(t, 1.0, 3.0, 0.1) + front(t, 1.2, 97.0, 0.1))[0] == pytest.approx(1.2, abs=0.02)
+    first, second = arrivals(t, front(t, 1.0, 3.0, 0.03) + front(t, 1.3, 97.0, 0.085))
+    assert first == pytest.approx(1.0, abs=0.02) and np.isnan(second)      # seen, but without a plateau to be sure of
+    assert arrivals(t, front(t, 1.0, 60.0, 0.03) + front(t, 2.0, 40.0, 0.03)) == pytest.approx((1.0, np.nan), abs=0.01, nan_ok=True)
+    assert np.isnan(arrivals(t, 0.0 * t)).all()
+
+
+def test_a_front_that_is_still_rising_when_the_record_ends_has_not_arrived():
+    """The first part of a front at 5.1 is no wave; the part beyond its middle, once it slows, is."""
+    t = np.linspace(0.0, 5.0, 2001)
+    assert np.isnan(arrivals(t, front(t, 5.1, 100.0, 0.05))).all()
+    assert arrivals(t, front(t, 4.9, 100.0, 0.05))[0] == pytest.approx(4.9, abs=0.01)
+
+
+def test_a_step_between_two_points_and_a_ramp():
+    """Tracked fronts step at one time; a ramp arrives in its middle."""
+    assert arrivals([0.0, 1.0, 1.0, 2.0, 2.0, 3.0], [0.0, 0.0, 4.0, 4.0, 9.0, 9.0]) == (1.0, 2.0)
+    t = np.linspace(0.0, 3.0, 301)
+    assert arrivals(t, np.clip(t - 1.0, 0.0, 1.0))[0] == pytest.approx(1.5, abs=0.02)
 
 
 # -- wave diagram -------------------------------------------------------------------------------------------------------

@@ -6,6 +6,8 @@ import time
 from functools import cache
 from pathlib import Path
 
+from pace import PATIENCE
+
 CHROMIUM = next((found for name in ("chromium", "chromium-browser", "google-chrome", "chrome") if (found := shutil.which(name))), None)
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update",
          "--disable-sync", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"]
@@ -14,7 +16,7 @@ DRAWN = "!document.querySelector('.chart') || [...document.querySelectorAll('.ch
 LOOPBACK = re.compile(r"http://127\.0\.0\.1:\d+/|file:|blob:|data:")
 
 
-def until(page, expression, seconds=60.0):
+def until(page, expression, seconds=PATIENCE):
     """Wait for an expression of the page to hold; asked from outside, as the page's policy lets no text be evaluated inside it."""
     end = time.monotonic() + seconds
     while not page.evaluate(expression):
@@ -32,6 +34,7 @@ class Visit:
 
     def __init__(self, browser, start, width=1280, **options):
         self.context = browser.new_context(viewport={"width": width, "height": 900}, accept_downloads=True, **options)
+        self.context.set_default_timeout(1000 * PATIENCE)
         self.page, self.start, self.wrong = self.context.new_page(), start, []
         self.context.route(lambda address: not LOOPBACK.match(address), self._refuse)
         self.page.on("console", lambda message: self.wrong.append(f"console: {message.text}"))

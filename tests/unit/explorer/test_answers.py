@@ -10,10 +10,10 @@ from typer.testing import CliRunner
 
 import hugoniot
 from hugoniot.cli.main import build_app
+from hugoniot.dossier import fits
 from hugoniot.explorer import catalogue, curves, impact
 from hugoniot.materials import library, schema
 from hugoniot.page import run_data
-from hugoniot.problem.deck import read_deck_text
 from hugoniot.theory.impedance import match
 
 
@@ -97,44 +97,26 @@ def test_unknown_names_are_refused_with_the_nearest(client):
 
 
 # -- impacts ---------------------------------------------------------------------------------------------------------
-def test_a_match_is_that_of_the_command(client):
-    mine = ask(client, "match", layers="tungsten,copper,pmma", velocity=800, sigma=5)
+def test_a_match_is_that_of_the_command():
+    mine = impact.impact(["tungsten", "copper", "pmma"], 800.0, 5.0)
     theirs = printed("match", "tungsten", "copper", "pmma", "--velocity", "800 m/s", "--error", "velocity = 5 m/s")
     for own, other in zip(mine["states"], theirs["states"], strict=True):
         assert own["interface"] == other["interface"]
         for key in ("pressure", "particle_velocity", "shock_velocity", "density"):
             assert own[key] == other[key] and own["uncertainty"][key] == other["uncertainty"][key]["sigma"]
+    mine = impact.impact(["iron", "water"], 1500.0, 0.0, True)["states"][0]["uncertainty"]
+    theirs = printed("match", "iron", "water", "--velocity", "1500 m/s", "--error", "library")["states"][0]["uncertainty"]
+    assert all(mine[key] == theirs[key]["sigma"] for key in mine)
+    with pytest.raises(hugoniot.errors.OutOfRange):
+        impact.impact(["copper"], 800.0)
 
 
-def test_the_drawn_curves_meet_in_the_states():
-    found = impact.impact(["tungsten", "copper", "pmma", "copper"], 800.0)
-    for curve in found["curves"]:
-        u, p = curve["state"]
-        for side in ("behind", "ahead"):
-            us, ps = (np.array(curve[side][key]) for key in ("particle_velocity", "pressure"))
-            order = np.argsort(ps)
-            assert np.interp(p, ps[order], us[order]) == pytest.approx(u, rel=1e-9), side
-            assert (np.diff(ps) >= 0).all()
-
-
-def test_the_curves_of_a_drag_are_those_of_the_answer_with_fewer_states():
-    """Each of their states lies on the isentrope or the Hugoniot found by its pressure; the states at the interfaces are the same."""
-    from hugoniot.theory.hugoniot import Initial, shock
-    from hugoniot.theory.isentrope import reference, release
-
-    names = ["tungsten", "copper", "pmma", "copper"]
-    full, draft = (impact.impact(names, 800.0, draft=draft) for draft in (False, True))
-    assert draft["states"] == full["states"]
-    assert [len(c["ahead"]["pressure"]) for c in draft["curves"]] < [len(c["ahead"]["pressure"]) for c in full["curves"]]
-    copper, hit = library.find("copper"), match([library.find(name) for name in names], 800.0)
-    u, p = (np.array(draft["curves"][1]["behind"][key]) for key in ("particle_velocity", "pressure"))
-    below = p < hit[0].pressure * (1 - 1e-12)
-    assert below.sum() > 5 and p[below].min() < 1e-3 * hit[0].pressure
-    found = [release(copper, hit[0].right, float(q), direction=-1).particle_velocity for q in p[below]]
-    assert u[below] == pytest.approx(found, rel=1e-10)
-    u, p = (np.array(draft["curves"][1]["ahead"][key][1:]) for key in ("particle_velocity", "pressure"))
-    pmma = library.find("pmma")
-    assert u == pytest.approx(shock(pmma, Initial.of(reference(pmma)), pressure=p).particle_velocity, rel=1e-10)
+def test_the_page_is_given_every_material_that_a_shock_may_meet(client):
+    """With the parameters of its law, to the last bit, so that the page computes what the command prints."""
+    found = ask(client, "layers")
+    assert len(found) > 400 and found["copper"]["law"] == {"$": "mie_gruneisen_linear_gamma", **library.find("copper").eos._asdict()}
+    assert "only the detonation products" in next(entry["none"] for entry in found.values() if "none" in entry)
+    assert found["iron"]["bands"]["names"] == ["c0", "s1", "s2"] and found["pbx_9501"]["burns"] and not found["copper"]["burns"]
 
 
 def test_bands_of_the_librarys_fits_count_with_their_covariance():
@@ -145,23 +127,13 @@ def test_bands_of_the_librarys_fits_count_with_their_covariance():
     for _ in range(150):
         layers = []
         for material in (iron, water):
-            names, covariance = impact.known_bands(library.entry(material.name))
+            names, covariance = fits.of_law(library.entry(material.name).rows, material.eos)
             values = [getattr(material.eos, n) for n in names]
             layers.append(material.eos._replace(**dict(zip(names, draw.multivariate_normal(values, covariance, method="svd").tolist()))))
         draws.append(match(layers, 1500.0)[0].pressure)
     assert found["states"][0]["uncertainty"]["pressure"] == pytest.approx(np.std(draws), rel=0.2)
-    assert set(found["uncertain"]) == {"iron", "water"} and impact.known_bands(library.entry("copper")) is None
+    assert set(found["uncertain"]) == {"iron", "water"} and fits.of_law(library.entry("copper").rows, library.find("copper").eos) is None
     assert "uncertainty" not in impact.impact(["copper", "aluminum"], 1500.0, 0.0, True)["states"][0]
-
-
-def test_the_deck_of_an_impact_is_valid_and_explosives_are_refused():
-    for names in (["copper", "aluminum"], ["Cu", "al", "pmma"], ["steel_4340", "copper", "lif", "pmma"]):
-        deck = read_deck_text(impact.deck(names, 812.5))
-        assert len(deck.problem.regions) == len(names) and deck.problem.regions[0].velocity == 812.5
-    with pytest.raises(hugoniot.errors.OutOfRange, match="burns in a run"):
-        impact.deck(["copper", "pbx_9501"], 800.0)
-    with pytest.raises(hugoniot.errors.OutOfRange):
-        impact.impact(["copper"], 800.0)
 
 
 # -- runs ------------------------------------------------------------------------------------------------------------

@@ -89,6 +89,34 @@ def test_measured_data_is_dropped_over_a_run_and_wrong_data_refused(visit, tmp_p
     assert not page.query_selector("main script, main img")
 
 
+def test_a_link_holds_measured_data_and_an_edited_deck(visit, tmp_path):
+    """What the reader dropped or wrote is in the address, deflated; what is too long for one is named as missing."""
+    here, other = visit(), visit()
+    page = here.go("#/runs?run=0&gf=velocity")
+    rows = [f"{0.01 * k:.2f},{10 * np.sin(k / 60):.4f}" for k in range(2000)]
+    (tmp_path / "visar é.csv").write_text("time [us], velocity [m/s]\n" + "\n".join(rows) + "\n")
+    page.set_input_files("input[type=file]", tmp_path / "visar é.csv")
+    until(page, f"{SERIES}.some(s => s.label === 'visar é.csv: velocity') && location.hash.includes('csv=')")
+    page.wait_for_timeout(400)
+    again = other.go(page.evaluate("location.hash"))
+    assert len(page.evaluate("location.hash")) < 0.8 * sum(map(len, rows))
+    drawn = f"{SERIES}.find(s => s.label === 'visar é.csv: velocity').si"
+    assert again.evaluate(drawn) == page.evaluate(drawn)
+    page.click("button[aria-label='Remove visar é.csv']")
+    until(page, f"!{SERIES}.some(s => s.label === 'visar é.csv: velocity')")
+    noise = np.random.default_rng(1).standard_normal(60_000)
+    (tmp_path / "long.csv").write_text("time [us], velocity [m/s]\n" + "\n".join(f"{k},{v!r}" for k, v in enumerate(noise.tolist())) + "\n")
+    page.set_input_files("input[type=file]", tmp_path / "long.csv")
+    page.wait_for_selector("text=a link to this page lacks these data")
+    assert "csv=" not in page.evaluate("location.hash")
+    page = here.go("#/decks")
+    text = page.input_value(".editor textarea") + "".join(f"# a remark of {k} lines that makes this deck long\n" for k in range(3000))
+    page.evaluate("text => { const area = document.querySelector('.editor textarea'); area.value = text; area.dispatchEvent(new Event('input')); }", text)
+    until(page, "location.hash.includes('text=')", 10.0)
+    page.wait_for_timeout(500)
+    assert len(text) > 100_000 and other.go(page.evaluate("location.hash")).input_value(".editor textarea") == text
+
+
 def test_runs_lie_over_each_other(visit, tube, opened):
     """The same gauge of a second run is drawn beside that of the first."""
     here = visit()
@@ -136,7 +164,7 @@ def test_a_deck_is_completed_checked_run_and_opened(visit):
     page.wait_for_selector("text=Quick, 10 zones")
     link = page.url
     page.click("button:has-text('Run')")
-    page.wait_for_selector("[data-state=done]", timeout=90_000)
+    page.wait_for_selector("[data-state=done]")
     page.click("text=Open the result")
     page.wait_for_selector("h2:has-text('Quick')")
     again = here.go(link[link.index("#"):])
@@ -199,8 +227,8 @@ def test_a_plane_run_in_progress_is_watched_and_stopped(visit, opened):
     page.locator(".editor textarea").fill(deck)
     page.wait_for_selector("text=25600 zones")
     page.click("button:has-text('Run')")
-    page.click("text=Watch", timeout=90_000)
-    page.wait_for_selector("text=This run is in progress", timeout=60_000)
+    page.click("text=Watch")
+    page.wait_for_selector("text=This run is in progress")
     until(page, "document.querySelector('.chart canvas')?.width > 10")
     folder = next((opened[0] / "work").glob("*plane*.run"))
     until(page, "+document.querySelector('input[aria-label=Record]').max >= 2")
@@ -209,8 +237,8 @@ def test_a_plane_run_in_progress_is_watched_and_stopped(visit, opened):
     value, unit = here.readout()["pressure"].split()
     assert value == shown(run_data.column(folder, "snapshots", "pressure", {"record": record})[zone] * FACTORS[unit])
     page.go_back()
-    page.click("button:has-text('Stop')", timeout=60_000)
-    page.wait_for_selector("[data-state=stopped], [data-state=done]", timeout=60_000)
+    page.click("button:has-text('Stop')")
+    page.wait_for_selector("[data-state=stopped], [data-state=done]")
     before = sorted((p.name, p.stat().st_mtime_ns) for p in folder.rglob("*"))
     times = run_data.description(folder)["times"]
     assert len(times) >= 3 and run_data.column(folder, "snapshots", "speed", {"zone": 5}).shape == (len(times),)

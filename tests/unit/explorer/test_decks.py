@@ -4,6 +4,7 @@ import time
 
 import pytest
 from explorer_words import LONG, TOKEN, TUBE
+from pace import PATIENCE
 
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.explorer import decks, jobs
@@ -51,7 +52,7 @@ def test_words_name_every_table_with_units_and_laws():
     assert "material.*" in found["tables"] and "boundary" in found["tables"]
 
 
-def ended(job, seconds=120.0):
+def ended(job, seconds=PATIENCE):
     until = time.monotonic() + seconds
     while job.running and time.monotonic() < until:
         time.sleep(0.02)
@@ -76,7 +77,7 @@ def test_a_stopped_run_leaves_a_checkpoint_that_the_page_shows(tmp_path, tube):
     places = Places(work=tmp_path)
     started = jobs.Jobs(places)
     job = started.job(started.start(TUBE.replace('"20 us"', LONG))["job"])
-    until = time.monotonic() + 120.0
+    until = time.monotonic() + PATIENCE
     while not live.column(job.folder, "snapshots", "time").size and job.running and time.monotonic() < until:
         time.sleep(0.05)
     found = run_data.description(job.folder)

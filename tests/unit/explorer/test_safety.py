@@ -4,6 +4,7 @@ import asyncio
 import itertools
 import random
 import socket
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 from explorer_words import HOST, TOKEN
@@ -46,6 +47,12 @@ def test_without_the_token_there_is_nothing(client):
     assert guard.new_token() != guard.new_token() and len(guard.new_token()) >= 32
 
 
+def ended(work):
+    """A coroutine run to its end in a thread: the driver of a browser, where tests of the page ran before, keeps the loop of this one."""
+    with ThreadPoolExecutor(1) as pool:
+        return pool.submit(asyncio.run, work).result()
+
+
 def test_ten_thousand_attempts_to_leave_the_folders_find_nothing(places):
     """Through the application itself, so that no client tidies the path first."""
     from hugoniot.explorer.app import application
@@ -77,7 +84,7 @@ def test_ten_thousand_attempts_to_leave_the_folders_find_nothing(places):
     async def every():
         return [await status(path) for path in sorted(tried)]
 
-    assert set(asyncio.run(every())) == {(404, b"not found")}
+    assert set(ended(every())) == {(404, b"not found")}
 
 
 def test_numbers_name_what_is_open_and_nothing_else(client):
@@ -139,5 +146,5 @@ def test_the_socket_is_of_this_machine_alone_and_sends_at_once():
 
     listener = bound(0)
     assert listener.getsockname()[0] == "127.0.0.1"
-    asyncio.run(connect(listener))
+    ended(connect(listener))
     assert options and options[0]

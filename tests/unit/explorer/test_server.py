@@ -11,9 +11,12 @@ import httpx
 import pytest
 from browsing import findings, shown, until
 from explorer_words import LONG, TUBE
+from pace import PATIENCE
 
 import hugoniot
+from hugoniot.explorer.impact import impact
 from hugoniot.materials import library
+from hugoniot.theory.hugoniot import shock
 from hugoniot.theory.impedance import match
 
 pytestmark = pytest.mark.slow
@@ -35,9 +38,14 @@ def test_an_export_opens_from_the_disk(visit, tube, opened, tmp_path):
     assert value == shown(rows["pressure"][record, zone] * {"MPa": 1e-6, "kPa": 1e-3, "GPa": 1e-9}[unit])
     page = here.go("#/match?layers=copper,aluminum&v=1000", "[data-table=match]")
     met = match([library.find("copper"), library.find("aluminum")], 1000.0)[0]
-    assert page.text_content("[data-table=match] tr[data-field=pressure] td.number") == shown(met.pressure * 1e-9, 5)
-    page.evaluate("location.hash = '#/match?layers=copper,aluminum,comp_b&v=1000'")
-    page.wait_for_selector("text=the reshock and release of further layers")
+    assert page.text_content("[data-table=match] tr[data-field=pressure] td.number") == shown(met.pressure * 1e-9)
+    page = here.go("#/match?layers=iron,water,tungsten,comp_b&v=1000&sigma=5&bands=1&deck=0")       # of materials that were not named, too
+    until(page, "document.querySelectorAll('[data-table=match] tr[data-field=pressure] .quiet').length === 3")
+    theirs = impact(["iron", "water", "tungsten", "comp_b"], 1000.0, 5.0, True)["states"]
+    cells = page.locator("[data-table=match] tr[data-field=pressure] td.number").all_text_contents()
+    assert cells == [f"{shown(s['pressure'] * 1e-9)} ± {shown(s['uncertainty']['pressure'] * 1e-9, 2)}" for s in theirs]
+    page = here.go("#/materials?sel=copper&at=particle_velocity:1234.5", "[data-table='state on the Hugoniot']")     # between the exported states
+    assert page.text_content("tr[data-field=temperature] td.number") == shown(float(shock(library.find("copper"), particle_velocity=1234.5).temperature))
     for view in ("#/materials?sel=copper,aluminum&at=particle_velocity:1500", "#/sweeps?sweep=0", "#/decks?deck=0", "#/fits?fit=0", "#/runs?run=1&f=pressure&z=5",
                  "#/materials?sel=copper&plane=surface", "#/materials?sel=copper&plane=isotherms"):
         here.go(view)
@@ -55,6 +63,8 @@ def test_a_report_is_read_without_scripts_and_walked_with_them(visit, browser, t
     assert page.locator("svg.picture:visible").count() >= 3 and page.locator("header:visible, footer:visible").count() == 0
     assert page.locator("h2:visible").first.text_content() and page.locator("main img").count() == 0
     plain.close()
+    linked = visit(start=path.as_uri()).go("#/runs?k=3")       # a link to the run in the report
+    assert linked.locator("#main").is_visible() and not linked.locator("#report").is_visible()
     here, rows = visit(start=path.as_uri()), hugoniot.load(tube).arrays("snapshots")
     page = here.page
     page.goto(path.as_uri())
@@ -78,12 +88,12 @@ def test_many_requests_and_a_client_that_never_reads_do_not_stop_it(address):
     for client in deaf:
         client.sendall(f"GET /{address.split('/')[3]}/api/materials HTTP/1.1\r\nHost: {host}:{port}\r\n\r\n".encode() * 30)
 
-    with httpx.Client(timeout=120.0, verify=False, limits=httpx.Limits(max_connections=1000)) as client, ThreadPoolExecutor(200) as pool:
+    with httpx.Client(timeout=PATIENCE, verify=False, limits=httpx.Limits(max_connections=1000)) as client, ThreadPoolExecutor(200) as pool:
         def asked(k):
             return client.get(f"{address}api/state", params={"name": "copper", "by": "particle_velocity", "value": 500 + k}).json()["state"]["particle_velocity"]
 
         assert list(pool.map(asked, range(1000))) == [500 + k for k in range(1000)]
-    assert httpx.get(address).status_code == 200 and httpx.get(address, headers={"host": "evil.example"}).status_code == 404
+    assert httpx.get(address, timeout=PATIENCE).status_code == 200 and httpx.get(address, headers={"host": "evil.example"}, timeout=PATIENCE).status_code == 404
     for client in deaf:
         client.close()
 
@@ -91,10 +101,10 @@ def test_many_requests_and_a_client_that_never_reads_do_not_stop_it(address):
 def test_the_end_of_the_server_is_the_end_of_its_runs_with_a_checkpoint(tmp_path):
     with subprocess.Popen([sys.executable, "-m", "hugoniot.cli.main", "explore", "--no-browser", "--work", str(tmp_path)], stdout=subprocess.PIPE, text=True) as server:
         address = re.search(r"http://\S+", server.stdout.readline()).group(0)
-        httpx.post(f"{address}api/job", content=TUBE.replace('"20 us"', LONG))
-        end = time.monotonic() + 60
-        while httpx.get(f"{address}api/job/0").json()["progress"].get("cycle", 0) < 10 and time.monotonic() < end:
+        httpx.post(f"{address}api/job", content=TUBE.replace('"20 us"', LONG), timeout=PATIENCE)
+        end = time.monotonic() + PATIENCE
+        while httpx.get(f"{address}api/job/0", timeout=PATIENCE).json()["progress"].get("cycle", 0) < 10 and time.monotonic() < end:
             time.sleep(0.1)
         server.terminate()
-        assert server.wait(30) == 0
+        assert server.wait(PATIENCE) == 0
     assert list((tmp_path / "tube-of-gas.run" / "checkpoint").glob("[0-9]*.json")) and not (tmp_path / "tube-of-gas.run" / ".lock").exists()

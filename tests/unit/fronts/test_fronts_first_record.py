@@ -10,6 +10,22 @@ from hugoniot.problem.model import Gauge, Problem, Region, SolverOptions
 from hugoniot.simulate import make_solver
 
 
+def first_times(first, second, at="flyer/target"):
+    metal = dataclasses.replace(library.find("aluminum_6061"), strength=library.find("water").strength, fracture=library.find("water").fracture)
+    solver = make_solver(Problem("faces", "planar", 1e-8, (first, second), {"al": metal}, gauges=(Gauge("face", at),),
+                                 solver=SolverOptions("fronts", options={"mode": "cells"})))
+    solver.march(1e-9, 1000)
+    return solver.take_gauges()[0]
+
+
+def test_the_first_record_is_left_out_only_where_two_bodies_strike_each_other():
+    target = Region("target", "al", 2e-3, 6e-3, 40)
+    assert first_times(Region("flyer", "al", 0.0, 2e-3, 20), target)[0] == 0.0                      # at rest together
+    assert first_times(Region("flyer", "al", 0.0, 2e-3, 20, velocity=(700.0, 0.0)), target)[0] == 0.0
+    assert first_times(Region("flyer", "al", 0.0, 1e-3, 20, velocity=700.0), target, "flyer:right")[0] == 0.0      # a gap lies between
+    assert first_times(Region("flyer", "al", 0.0, 2e-3, 20, velocity=700.0), target)[0] > 0.0
+
+
 @pytest.mark.parametrize("mode", ["algebraic", "cells"])
 def test_an_impact_face_has_one_velocity_from_its_first_record_on(mode):
     metal = dataclasses.replace(library.find("aluminum_6061"), strength=library.find("water").strength, fracture=library.find("water").fracture)

@@ -7,6 +7,7 @@ from types import MappingProxyType
 import pytest
 
 from hugoniot.errors import DeckError
+from hugoniot.laws.burn.arrhenius import Arrhenius
 from hugoniot.problem import fronts
 from hugoniot.problem.deck import read_deck_text
 
@@ -37,7 +38,6 @@ RAMP = '[boundary]\nleft = {velocity = {shape = "ramp", amplitude = 10, duration
 
 
 @pytest.mark.parametrize("mode, more, reason, remedy", [
-    ("cells", STRENGTH.replace("LAW", "perfectly_plastic"), "elastic release head", "the mode 'algebraic'"),
     ("algebraic", HARDENING, "no constant yield stress", "lagrange1d"),
     ("cells", FRACTURE, "no new surfaces", "lagrange1d"),
     ("cells", PULL, "open in tension", "give zero or more"),
@@ -58,3 +58,10 @@ def test_what_a_mode_cannot_describe_has_a_remedy():
         problem.solver, courant=0.3, options=MappingProxyType({"mode": "algebraic"})))
     found = [message for _, message in fronts.defects(curved)]
     assert len(found) == 3 and all(re.search(r'mode = "cells"|leave courant out', message) for message in found)
+
+
+def test_a_solid_that_burns_is_refused_in_cells():
+    problem = read_deck_text(PLATE.replace("MODE", "cells") + STRENGTH.replace("LAW", "perfectly_plastic")).problem
+    material = dataclasses.replace(problem.materials["al"], burn=Arrhenius(1e6, 1e3))
+    found = [message for _, message in fronts.defects(dataclasses.replace(problem, materials={"al": material}))]
+    assert any("burns and has strength" in message and "leave one out" in message for message in found)

@@ -5,41 +5,15 @@ import json
 
 import numpy as np
 import pytest
+from aluminium_decks import EOS, STRENGTH, gauge, impact
 
 import hugoniot
 from hugoniot.errors import DeckError
 from hugoniot.problem.deck import read_deck_text
 from hugoniot.simulate import make_solver
 
-DECK = """
-title = "Plate on plate"
-stop_time = "3 us"
-[[region]]
-name = "flyer"
-material = "al"
-from = "0 mm"
-to = "2 mm"
-zones = 20
-velocity = "700 m/s"
-[[region]]
-name = "target"
-material = "al"
-from = "2.1 mm"
-to = "6 mm"
-zones = 40
-[material.al.eos]
-law = "mie_gruneisen"
-rho0 = "2700 kg/m^3"
-c0 = "5200 m/s"
-s = 1.5
-gamma0 = 2.0
-[material.al.strength]
-law = "perfectly_plastic"
-shear_modulus = "24.8 GPa"
-yield_stress = "0.30 GPa"
-[[gauge]]
-name = "mid-target"
-at = "2.5 mm"
+HEAD = 'title = "Plate on plate"\nstop_time = "3 us"\n' + impact(20, 40, "2.1 mm") + EOS
+TAIL = gauge("mid-target", "2.5 mm") + """\
 [solver]
 kind = "fronts"
 [solver.options]
@@ -47,9 +21,8 @@ weakest = 1e-5
 [output]
 snapshots = "1 us"
 """
-
-
-FLUID = DECK[:DECK.index("[material.al.strength]")] + DECK[DECK.index("[[gauge]]"):]      # no precursors: fans alone meet
+DECK = HEAD + STRENGTH + TAIL
+FLUID = HEAD + TAIL      # no precursors: fans alone meet
 
 
 def solver_of(text):

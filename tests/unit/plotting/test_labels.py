@@ -3,13 +3,16 @@
 from itertools import combinations
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from hugoniot.diagnostics.detonation import PopLine
 from hugoniot.materials import library
+from hugoniot.output.sweep_file import Column, SweepTable
 from hugoniot.plotting.initiation import pop_picture
 from hugoniot.plotting.matches import impedance_match
+from hugoniot.plotting.sweep import uncertainty_figure
 from hugoniot.theory.impedance import match
 
 WINDOW, READABLE = 420, 6.5     # pixels: width of the window, height of a line of text in it
@@ -47,3 +50,11 @@ def test_a_pop_plot_has_numbers_along_both_axes(pressures, least):
         numbers = [(v, t.get_text()) for minor in (False, True) for v, t in zip(axis.get_ticklocs(minor=minor), axis.get_ticklabels(minor=minor))]
         shown = [text for value, text in numbers if low <= value <= high and text]
         assert len(shown) >= (least if axis is ax.xaxis else 3) and len(shown) <= 12, shown
+
+
+def test_equal_records_of_a_sample_are_drawn_once():
+    """An interface and its two sides have one velocity."""
+    values = np.random.default_rng(1).normal(size=(12, 5))
+    records = tuple(Column(f"joint{side}.velocity", "m/s", values) for side in ("", " left", " right")) + (Column("far.velocity", "m/s", 2.0 * values),)
+    figure = uncertainty_figure(SweepTable((), (), ("",) * 12, records=records, times=np.linspace(0.0, 1e-6, 5)))
+    assert [ax.get_title(loc="left").split(",")[0] for ax in figure.axes[::2]] == ["joint", "far"]

@@ -4,7 +4,7 @@ import pytest
 
 from hugoniot.errors import DeckError
 from hugoniot.problem.deck import read_deck_text, write_deck
-from hugoniot.problem.plane.contact_model import Contact2D
+from hugoniot.problem.plane.contact_model import Contact2D, centre_of, inertia_of
 
 BODIES = """
 geometry = "plane"
@@ -69,8 +69,25 @@ closed = true
 mass = 0.2
 start = ["0 m/s", "-50 m/s"]
 direction = [0, -2]
+[[rigid]]
+name = "wheel"
+points = [["8 mm", "0 mm"], ["10 mm", "0 mm"], ["10 mm", "3 mm"], ["8 mm", "3 mm"]]
+closed = true
+mass = 0.2
+turns = true
+spin = "50 1/s"
+[[rigid]]
+name = "arm"
+points = [["12 mm", "0 mm"], ["14 mm", "0 mm"]]
+mass = 0.2
+turns = true
+inertia = "1 g cm^2"
+centre = ["13 mm", "1 mm"]
 """
     problem = read(extra)
+    wheel = problem.rigid[2]
+    assert centre_of(wheel) == pytest.approx((9e-3, 1.5e-3))
+    assert inertia_of(wheel) == pytest.approx(0.2 * (2e-3**2 + 3e-3**2) / 12.0)
     assert read_deck_text(write_deck(problem), "deck.toml").problem == problem
 
 
@@ -106,7 +123,8 @@ def test_surfaces_that_overlap_at_the_start_are_refused():
 
 @pytest.mark.parametrize("motion, words", [
     ('velocity = "10 m/s"', "direction"), ('velocity = "10 m/s"\ndirection = [0, 1]\nmass = 1.0', "driven"),
-    ("direction = [0, 1]", "at rest"), ('start = ["0 m/s", "1 m/s"]', "without a mass")])
+    ("direction = [0, 1]", "at rest"), ("mass = 1.0\nspin = 2.0", "does not turn"), ("turns = true", "without a mass"),
+    ("mass = 1.0\nturns = true", "inertia"), ("mass = 1.0\nturns = true\ndirection = [0, 1]", "guided"), ('start = ["0 m/s", "1 m/s"]', "without a mass")])
 def test_a_rigid_body_is_at_rest_driven_or_free(motion, words):
     with pytest.raises(DeckError, match=words):
         read(f'[[rigid]]\nname = "w"\npoints = [["0 mm", "9 mm"], ["4 mm", "9 mm"]]\n{motion}\n')

@@ -59,7 +59,7 @@ def test_every_material_of_the_library_survives_a_resolved_deck(name):
     assert read_deck_text(first.resolved).problem == first.problem
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(numbers=st.lists(st.floats(1e-9, 1e9), min_size=5, max_size=5), zones=st.integers(1, 10**6),
        title=st.text(st.characters(exclude_categories=("Cc", "Cs")), max_size=40), name=st.text(st.characters(exclude_categories=("C", "Z"), exclude_characters="/:"), min_size=1, max_size=20))
 def test_any_problem_survives_being_saved(numbers, zones, title, name):
@@ -190,6 +190,24 @@ def test_overrides_reach_regions_by_name_and_are_checked(tmp_path):
         read_deck(path, {"region.a.velocity": "3 km"})
     with pytest.raises(DeckError, match="no such place"):
         read_deck(path, {"region.b.velocity": 3.0})
+
+
+def test_an_override_reaches_a_constant_of_a_library_material():
+    """The deck names copper without a table of its own: the other constants stay those of the library."""
+    text = deck_of_copper()
+    found = read_deck_text(text, overrides={"material.copper.strength.yield_stress": "0.5 GPa"}).problem.materials["copper"]
+    plain = read_deck_text(text).problem.materials["copper"]
+    assert found.strength == plain.strength._replace(yield_stress=0.5e9) and found.eos == plain.eos
+
+
+def deck_of_copper():
+    return 'stop_time = "1 us"\n[[region]]\nname = "a"\nmaterial = "copper"\nfrom = "0 mm"\nto = "1 mm"\nzones = 4\n'
+
+
+def test_a_text_for_a_flag_or_a_number_is_quoted():
+    for line, message in (('zones = "4"', "expected a whole number, got '4'"), ('[output]\nreport = "yes"', "expected true or false, got 'yes'")):
+        with pytest.raises(DeckError, match=message):
+            read_deck_text(deck_of_copper().replace("zones = 4", "") + line)
 
 
 def test_a_missing_file_names_the_decks_that_are_there(tmp_path):

@@ -4,6 +4,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from pace import PATIENCE
+
 from hugoniot.core.fields import FIELDS
 from hugoniot.materials.tables import accepted, families
 from hugoniot.problem.editor_schema import json_schema
@@ -14,7 +16,7 @@ SCRIPT = Path(__file__).parents[3] / "docs" / "generate_deck_reference.py"
 
 def test_every_key_law_parameter_and_field_is_in_the_reference(tmp_path):
     out = tmp_path / "deep" / "reference.md"
-    subprocess.run([sys.executable, str(SCRIPT), "--out", str(out)], check=True, timeout=120)
+    subprocess.run([sys.executable, str(SCRIPT), "--out", str(out)], check=True, timeout=PATIENCE)
     text = out.read_text(encoding="utf-8")
     wanted = {f"`{name}`" for name in FIELDS}
     for kind in available_solvers():

@@ -7,6 +7,8 @@ import subprocess
 import sys
 import time
 
+from pace import PATIENCE
+
 FILES = ("result.h5", "gauges.csv", "deck.toml")
 TIMINGS = {"wall_seconds", "kernel_seconds", "compile_seconds", "sha256", "run_log_bytes", "sha256_of_this_text"}     # the log has times of day
 
@@ -27,7 +29,7 @@ def start(path, folder, how="run"):
                             env=environment)
 
 
-def wait_for_checkpoint(process, folder, seconds=120.0):
+def wait_for_checkpoint(process, folder, seconds=PATIENCE):
     """True when a checkpoint stands in the folder, False when the run was done before."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
@@ -47,12 +49,12 @@ def finish(path, folder, kills, chance, longest):
         if wait_for_checkpoint(process, folder):
             time.sleep(chance.uniform(0.0, longest))
         process.send_signal(signal.SIGKILL)
-        code = process.wait(timeout=60)
+        code = process.wait(timeout=PATIENCE)
         hits += code == -signal.SIGKILL
         how = "resume"
         if (folder / "summary.json").is_file():
             break
     if not (folder / "summary.json").is_file():
         process = start(path, folder, "resume")
-        assert process.wait(timeout=300) == 0, process.stdout.read()[-2000:]
+        assert process.wait(timeout=PATIENCE) == 0, process.stdout.read()[-2000:]
     return hits

@@ -53,7 +53,7 @@ def test_every_pulse_of_the_model_has_a_code():
 bodies = st.lists(st.lists(st.integers(1, 3000), min_size=1, max_size=4), min_size=1, max_size=4)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(bodies, st.randoms())
 def test_every_zone_is_in_one_piece_and_every_inner_node_in_one_span(sizes, chance):
     """Any number of bodies (lists of region sizes), whatever the multiples of a piece they are."""

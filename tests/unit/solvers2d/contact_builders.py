@@ -11,6 +11,8 @@ from hugoniot.problem.model import Pulse
 from hugoniot.problem.plane.contact_model import Contact2D, Rigid2D
 from hugoniot.problem.plane.model import Boundary2D, VelocityField
 from hugoniot.solvers.lagrange2d.assemble import N, Z
+from hugoniot.solvers.lagrange2d.contact import layout as C
+from hugoniot.solvers.lagrange2d.solver import Lagrange2D
 
 
 def meeting(blocks, stop, boundaries=(), geometry="plane", contacts=(), rigid=(), material=None, **options):
@@ -32,6 +34,23 @@ def strip(across_target=3, across_flyer=3, gap=1e-3, along=40, stop=1.2e-6, **op
     return meeting(blocks, stop + gap / 700.0, sides, **options)
 
 
+def bars(zones, stop=12e-6):
+    """Two equal bars of 20 mm, one of them at 20 m/s, between walls."""
+    return meeting([al(1, zones, 1e-3, 20e-3), al(1, zones, 1e-3, 20e-3, (0.0, 20.001e-3), "b", (0.0, -20.0))], stop,
+                   walls("a.left", "a.right", "b.left", "b.right"))
+
+
+def rebound(given):
+    """(time in touch over that in which a wave runs through a bar and back, relative velocity in the end over that before) of `bars`."""
+    solver, touching = Lagrange2D(given), []
+    while solver.time < given.stop_time:
+        solver.march(given.stop_time, 1)
+        if np.abs(solver.run.contact.of_points[:, C.FORCE_Y]).max() > 1e3:
+            touching.append(solver.time)
+    c = np.sqrt((2700.0 * 5200.0**2 + 4.0 / 3.0 * 24.8e9) / 2700.0)
+    return (touching[-1] - touching[0]) * c / 40e-3, (mean_velocity(solver, 1) - mean_velocity(solver, 0))[1] / 20.0
+
+
 def askew(swapped=False, **options):
     """Two boxes of different meshes that strike each other off centre."""
     blocks = [al(4, 6, 4e-3, 6e-3, name="a"), al(5, 7, 4e-3, 6e-3, (4.2e-3, 3.1e-3), "b", (-300.0, 20.0))]
@@ -51,5 +70,5 @@ def mean_velocity(solver, block):
     return np.array([np.sum(mass * solver.nodes[row, part]) / mass.sum() for row in (N.u, N.v)])
 
 
-__all__ = ["Boundary2D", "Contact2D", "Material", "MieGruneisen", "N", "Pulse", "Rigid2D", "Z", "al", "angular_momentum", "askew", "mean_velocity",
-           "meeting", "ran", "strip", "walls"]
+__all__ = ["Boundary2D", "Contact2D", "Material", "MieGruneisen", "N", "Pulse", "Rigid2D", "Z", "al", "angular_momentum", "askew", "bars",
+           "mean_velocity", "meeting", "ran", "rebound", "strip", "walls"]

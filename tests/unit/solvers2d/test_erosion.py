@@ -32,6 +32,7 @@ def test_what_leaves_the_mesh_is_booked(mass, geometry):
     errors, results = solver.errors(), solver.results()
     assert results["zones_eroded"] >= 5
     assert results["eroded_mass"] > 0.0
+    assert results["contact_depth"] < 1e-3
     assert errors["mass_error"] < 1e-14
     assert errors["momentum_y_error"] < 1e-12
     assert errors["energy_error"] < 1e-12

@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
-from plane_builders import Viscosity2D, box, gas, problem
+from plane_builders import Viscosity2D, aluminium, box, gas, problem
 
-from hugoniot.errors import UnphysicalState
+from hugoniot.errors import OutOfRange, UnphysicalState
+from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.mesh.blocks import MeshError
 from hugoniot.mesh.shapes import Curve, Edges
 from hugoniot.problem.plane.model import Block2D, VelocityField
@@ -66,3 +67,9 @@ def test_blocks_that_do_not_fit_are_refused():
     blocks = [box(3, 3, name="a", density=1.0, pressure=1.0), box(3, 3, origin=(0.5, 0.0), name="c", density=1.0, pressure=1.0)]
     with pytest.raises(MeshError, match="their nodes do not meet"):
         Lagrange2D(problem(blocks, gas(), 1.0))
+
+
+def test_a_criterion_at_nodes_is_refused():
+    law = FRACTURE.get("stress_gradient").build(strength=1e9, gradient=1e12, least=0.5e9)
+    with pytest.raises(OutOfRange, match="opens voids at nodes, and in two dimensions"):
+        Lagrange2D(problem(box(2, 2, material="al"), aluminium(fracture=law), 1.0))

@@ -78,7 +78,8 @@ def match(
     materials: Annotated[list[str], typer.Argument(metavar="FLYER TARGET...", help="Flyer first, then the layers in order.")],
     velocity: Annotated[str, typer.Option("--velocity", help='Velocity of the flyer, "1 km/s".')],
     error: Annotated[list[str] | None, typer.Option("--error", help='One standard deviation of an input: "velocity = 5 m/s" or '
-                                                                    '"copper.c0 = 20 m/s"; repeatable.')] = None,
+                                                                    '"copper.c0 = 20 m/s"; "library" for the covariance of the '
+                                                                    "library's own fits; repeatable.")] = None,
     samples: Annotated[int, typer.Option("--samples", min=0, max=1000000, help="Monte Carlo samples instead of linear error bars.")] = 0,
     ring_up: Annotated[int, typer.Option("--ring-up", min=0, max=1000, help="Further reverberations while the first layer rings up.")] = 0,
     thickness: Annotated[list[str] | None, typer.Option("--thickness", help="Thickness of each layer, flyer first: follows all "

@@ -17,12 +17,14 @@ UNITS = {"pressure": "Pa", "density": "kg/m^3", "particle_velocity": "m/s", "sho
 
 @dataclass(frozen=True)
 class Subject:
-    """A material and, from the library, its unreacted explosive, its title and the names under which points are kept."""
+    """A material and, from the library, its unreacted explosive, its title, the names under which points are kept
+    and its rows."""
 
     material: Material
     title: str = ""
     unreacted: Any = None
     names: tuple[str, ...] = ()
+    rows: tuple[str, ...] = ()
 
     @property
     def reacted(self) -> bool:
@@ -41,7 +43,7 @@ def find_material(text: str) -> Subject:
     from hugoniot.materials.library import entry
 
     found = entry(text)
-    return Subject(found.material, found.title, found.unreacted, (found.material.name, found.title, *found.aliases))
+    return Subject(found.material, found.title, found.unreacted, (found.material.name, found.title, *found.aliases), tuple(found.rows))
 
 
 def find_inert(text: str) -> Subject:

@@ -10,6 +10,7 @@ from hugoniot.laws.eos.contract import EOS, reference_state
 from hugoniot.theory.impedance import Match, match
 from hugoniot.theory.impedance import ring_up as ringing
 
+LIBRARY = "library"     # as an error: the covariance of the library's own fits
 ANSWERS = ("pressure", "particle_velocity", "shock_velocity", "density", "specific_internal_energy")
 
 
@@ -18,7 +19,7 @@ def report(subjects: list[Subject], velocity, error, samples, ring_up, as_json, 
     layers = [s.material for s in subjects]
     names = [m.name for m in layers]
     met = _met(subjects, lambda laws: ringing(laws, velocity, bounces=ring_up) if ring_up else match(laws, velocity))
-    spreads = _spreads(layers, velocity, error, samples) if error else None
+    spreads = _spreads(subjects, velocity, error, samples) if error else None
     rows = [_row(m, names, spreads[i] if spreads and i < len(spreads) else None) for i, m in enumerate(met)]
     told = _told(subjects, velocity, met)
     if plot:
@@ -142,13 +143,18 @@ def _with_error(key: str, row: dict) -> str:
     return text
 
 
-def _spreads(layers, velocity, error, samples):
+def _spreads(subjects: list[Subject], velocity, error, samples):
     """Per interface, the error bars of the answers: parameters are named MATERIAL.parameter, or parameter of all layers of a name."""
+    from hugoniot.dossier.fits import uncertain
     from hugoniot.theory.uncertainty import matched, propagate
 
-    values: dict[str, float] = {"velocity": velocity}
-    sigmas: dict[str, float] = {}
-    for key, text in error_bars(error).items():
+    layers = [s.material for s in subjects]
+    values, sigmas, together = uncertain((s.rows, s.material) for s in subjects if LIBRARY in error)
+    if LIBRARY in error and not sigmas:
+        raise DeckError.single("command line", None, "--error", "the library has fitted the Hugoniot of none of these materials itself",
+                               'give their errors: "copper.c0 = 20 m/s"')
+    values["velocity"] = velocity
+    for key, text in error_bars([text for text in error if text != LIBRARY]).items():
         layer, dot, parameter = key.rpartition(".")
         if key == "velocity":
             sigmas[key] = quantity(text, "m/s", "--error velocity")
@@ -161,5 +167,5 @@ def _spreads(layers, velocity, error, samples):
         values[key] = float(getattr(owners[0].eos, parameter))
         sigmas[key] = quantity(text, EOS.of(owners[0].eos).units.get(parameter, "1"), f"--error {key}")
 
-    flat = propagate(matched(layers, ANSWERS), values, sigmas, samples=samples)
+    flat = propagate(matched(layers, ANSWERS), values, sigmas, correlation=together, samples=samples)
     return [{k.partition(".")[2]: s for k, s in flat.items() if k.startswith(f"{i}.")} for i in range(len(layers) - 1)]

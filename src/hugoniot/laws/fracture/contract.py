@@ -5,11 +5,18 @@
     damage_rate(tension, par)             d(damage)/dt, 1/s (0 for laws without memory)
     tension_cap(void_fraction, par)       largest tension a zone may carry, Pa, given the volume fraction of voids grown in it
                                           (core.ops.NO_LIMIT: none; only laws flagged "voids" are asked by the solver)
+    at_node(tension, p, v, slope, par)    of laws flagged "nodes", which are asked at nodes instead: the ratio from the means of the two
+                                          zones beside a node and the largest slope of the tension around it, Pa/m
 """
 
 from hugoniot.core.registry import Registry
 
-FRACTURE = Registry("fracture", contract=("failure", "damage_rate", "tension_cap"))
+FRACTURE = Registry("fracture", contract=("failure", "damage_rate", "tension_cap"), optional=("at_node",))
+
+
+def asked_at_nodes(par) -> bool:
+    """Whether a law (None: none) is asked at the nodes of a line, of pairs of zones, not of single zones."""
+    return par is not None and "nodes" in FRACTURE.of(par).flags
 
 
 def failure(tension, p, v, damage, par):
@@ -27,4 +34,9 @@ def tension_cap(void_fraction, par):
     return FRACTURE.of(par).functions["tension_cap"](void_fraction, par)
 
 
-GENERICS = {"failure": failure, "damage_rate": damage_rate, "tension_cap": tension_cap}
+def at_node(tension, p, v, slope, par):
+    """Ratio that reaches 1 at failure, at a node; of laws flagged "nodes"."""
+    return FRACTURE.of(par).functions["at_node"](tension, p, v, slope, par)
+
+
+GENERICS = {"failure": failure, "damage_rate": damage_rate, "tension_cap": tension_cap, "at_node": at_node}

@@ -49,12 +49,14 @@ class Wave:
 class Curve:
     """The wave curve from `state` of `matter`, for waves that run in `direction`.
 
-    as_jumps   releases are jumps too (their entropy falls with the cube of their strength)
+    as_jumps        releases are jumps too (their entropy falls with the cube of their strength)
+    elastic_jumps   elastic releases are, which are as feeble as the elastic range is narrow
     Raises `OutOfRange` for a state the law does not answer.
     """
 
-    def __init__(self, matter: Matter, state: State, direction: int, as_jumps: bool = False):
+    def __init__(self, matter: Matter, state: State, direction: int, as_jumps: bool = False, elastic_jumps: bool = False):
         self.matter, self.state, self.direction, self.as_jumps = matter, state, direction, as_jumps
+        self.elastic_jumps = as_jumps or elastic_jumps
         self.solid = matter.yield_stress > 0.0
         self.branch = elastic(matter, state)
         square = wave_speed_squared(state.rho, state.e, self.branch) if state.rho > 0.0 else math.nan
@@ -75,7 +77,7 @@ class Curve:
             s = -way * 2.0 / 3.0 * self.matter.yield_stress
             if abs(rho / self.state.rho - 1.0) < 1e-13:
                 found = self.state, math.inf
-            elif way > 0 or self.as_jumps:
+            elif way > 0 or self.elastic_jumps:
                 found = jump.to_density(rho, self.state, self.branch, self.direction, s)
             else:
                 fan = self._fan("elastic", self.state, self.branch)
@@ -109,7 +111,7 @@ class Curve:
 
     def _one(self, sigma, ahead: State, branch: Branch, is_elastic, after: State | None = None, flux=0.0, deviator=None) -> Wave:
         d = self.direction
-        if sigma > ahead.sigma or self.as_jumps:
+        if sigma > ahead.sigma or self.as_jumps or (is_elastic and self.elastic_jumps):
             if after is None:
                 after, flux = jump.behind(sigma, ahead, branch, d, deviator)
             speed = ahead.u + d * flux / ahead.rho

@@ -8,7 +8,13 @@ $$x = (1-\lambda)\,x_r + \lambda\,x_p, \qquad e_{r} - e_{r0} = \tfrac12(p + p_0)
 
 which satisfies the relations of the mixture, because they are linear in the volumes and energies at given pressures.
 
-Source: 003 (Starkenberg ARL-TR-2161) sections 4.3 (the reference state behind a tracked shock is exact) and 5.8.
+An elastic-perfectly plastic solid in uniaxial strain is known by its density, its energy and its stretch $z = \rho v_r$, where $v_r$ is
+the specific volume at which its deviator would vanish. z moves with the flow as a density does, for elastic strain leaves $v_r$ as it is:
+
+$$s_1 = -\tfrac43 G \ln z, \quad |s_1| \le \tfrac23 Y, \qquad \sigma = p(\rho, e) - s_1$$
+
+Sources: 003 (Starkenberg ARL-TR-2161) sections 4.3 (the reference state behind a tracked shock is exact) and 5.8;
+Wilkins B.1 items 5 and 9.
 """
 
 import math
@@ -30,6 +36,20 @@ class Frozen(NamedTuple):
     energy: float
 
 
+class Solid(NamedTuple):
+    """An elastic-perfectly plastic solid: law of its pressure, shear modulus and yield stress, Pa."""
+
+    eos: Any
+    shear_modulus: float
+    yield_stress: float
+
+
+class OnBranch(NamedTuple):
+    """A solid on one branch of its behaviour (`branch.Branch`): its stress is p + a + b ln(rho)."""
+
+    eos: Any
+
+
 # -- scalars that kernels know too -------------------------------------------------------------------------------------
 def mixed_phases(rho, e, burned, volume, energy, mixture):
     """`Mixed` of a frozen mixture."""
@@ -45,14 +65,38 @@ def mixed_answer(rho, e, burned, volume, energy, mixture):
 
 
 def answer(rho, e, burned, volume, energy, par):
-    """(p, dp/drho, dp/de) of a law, or of the mixture of a `Reactive` pair."""
+    """(p, dp/drho, dp/de) of a law or of the mixture of a `Reactive` pair; of a solid sigma for p.
+
+    volume, energy   of a mixture: reference state; of a `Solid`: its stretch, and nothing; `OnBranch`: a and b of its branch
+    """
     if isinstance(par, Reactive):
         return reactive_answer(rho, e, burned, volume, energy, par)
+    if isinstance(par, Solid):
+        return solid_answer(rho, e, burned, volume, energy, par)
+    if isinstance(par, OnBranch):
+        return branch_answer(rho, e, burned, volume, energy, par)
     return plain_answer(rho, e, burned, volume, energy, par)
 
 
 def plain_answer(rho, e, burned, volume, energy, par):
     return pressure_and_derivatives(rho, e, par)
+
+
+def branch_answer(rho, e, burned, a, b, par):
+    p, p_rho, p_e = pressure_and_derivatives(rho, e, par.eos)
+    return p + a + b * math.log(rho), p_rho + b / rho, p_e
+
+
+def deviator(stretch, par):
+    """s1 (Pa, tension positive) of a solid."""
+    most = 2.0 / 3.0 * par.yield_stress
+    return min(max(-4.0 / 3.0 * par.shear_modulus * math.log(stretch), -most), most)
+
+
+def solid_answer(rho, e, burned, stretch, energy, par):
+    """The slopes are those of elastic strain, whose waves are the faster ones."""
+    p, p_rho, p_e = pressure_and_derivatives(rho, e, par.eos)
+    return p - deviator(stretch, par), p_rho + 4.0 / 3.0 * par.shear_modulus / rho, p_e
 
 
 def reactive_answer(rho, e, burned, volume, energy, par):

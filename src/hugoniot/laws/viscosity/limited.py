@@ -5,9 +5,14 @@ $$q = (1 - \psi)\,\rho\,|\Delta u|\left(c_2 |\Delta u| + \sqrt{c_2^2\,\Delta u^2
 With $c_2 = (\gamma + 1)/4$ and $c_1 = 1$ the bracket is the mass flux speed of an ideal-gas shock with velocity jump du: q is
 then the exact jump of pressure. For a solid with $U_s = c_0 + s u_p$ the same holds with $c_2 \approx s/2$. The default,
 2/3, is that of a monatomic gas and of most metals (s = 1.3); diatomic gases have 0.6. More than the jump itself widens strong
-shocks and serves nothing. $c_1 = 0.3$ instead of 1 keeps elastic precursors, and the weak shocks of gases, thin (W-E4). Condensed
-material without strength has neither, and nothing but q damps the ringing of its shocks: there `linear_condensed` is c_1:
-1, or `linear` in a deck that gives `linear` alone.
+shocks and serves nothing. $c_1 = 0.3$ instead of 1 keeps the weak shocks of gases thin, and elastic precursors (W-E4). In condensed
+material nothing but q damps the ringing of strong shocks, which a free surface would show as an overshoot: with strength the weight grows
+from $c_1$ = `linear` in the jumps of a precursor to $c_c$ = `linear_condensed` in those of a plastic shock,
+
+$$c_1^2 + (c_c^2 - c_1^2)\,\frac{\Delta u^2}{\Delta u^2 + (0.0075\,c)^2} \quad\text{in place of}\quad c_1^2,$$
+
+times $\sqrt{c_b/c}$ at rest for $c_c$, with $c_b$ the bulk sound speed and $c$ the longitudinal one; without strength it is $c_c$
+throughout. A deck that gives `linear` alone gives both.
 psi is the smoothness of the velocity field supplied by the solver: 1 where velocity is linear, 0 at a shock or an extremum.
 
 Source: Kuropatenko (1967); Caramana, Shashkov & Whalen, J. Comput. Phys. 144 (1998) 70, equations 10 to 14.
@@ -17,6 +22,9 @@ from typing import NamedTuple
 
 from hugoniot.core.ops import vsqrt
 from hugoniot.laws.viscosity.contract import VISCOSITY
+
+PRECURSOR = 0.0075     # |du| / c of a zone: a precursor has less, a plastic shock more
+SMALL = 1e-30
 
 
 class Limited(NamedTuple):
@@ -28,7 +36,9 @@ class Limited(NamedTuple):
 def viscous_speed(v, c, p, du, psi, par):
     strong = par.quadratic * du
     weak = par.linear * c
-    return (1.0 - psi) * (vsqrt(strong * strong + weak * weak) - strong)
+    more = par.linear_condensed * par.linear_condensed - par.linear * par.linear
+    share = du * du / (du * du + PRECURSOR * PRECURSOR * c * c + SMALL)
+    return (1.0 - psi) * (vsqrt(strong * strong + weak * weak + more * share * c * c) - strong)
 
 
 VISCOSITY.add(
@@ -37,7 +47,7 @@ VISCOSITY.add(
     example=Limited(),
     units={"quadratic": "1", "linear": "1", "linear_condensed": "1"},
     meaning={"quadratic": "c2, (gamma + 1)/4 for an ideal gas", "linear": "c1, weight of the sound speed",
-             "linear_condensed": "c1 in solids and liquids without strength and pores; a deck that gives linear alone gives both"},
+             "linear_condensed": "c1 in solids and liquids without pores, with strength only in strong jumps; linear alone gives both"},
     defaults={"quadratic": 2.0 / 3.0, "linear": 0.3, "linear_condensed": 1.0},
     box={"v": (5e-5, 1e3), "c": (1.0, 2e4), "p": (-1e10, 1e12), "du": (-1e4, 0.0), "psi": (0.0, 1.0)},
     least={"quadratic": 0.0, "linear": 0.0, "linear_condensed": 0.0},

@@ -36,9 +36,14 @@ const writeSoon = address => {
 };
 addEventListener("pagehide", write);
 addEventListener("hashchange", () => { unwritten = null; });      // what the reader typed goes before what was not written yet
+let lately = {};        // an address may hold a whole deck, and is read at every turn
 H.read = () => {
-  const [view, query] = (unwritten ?? location.hash).replace(/^#\/?/, "").split("?");
-  return {view: H.views[view] ? view : H.views.report ? "report" : "materials", query: new URLSearchParams(query || "")};
+  const address = unwritten ?? location.hash;
+  if (lately.address !== address) {
+    const [view, query] = address.replace(/^#\/?/, "").split("?");
+    lately = {address, view: H.views[view] ? view : H.views.report ? "report" : "materials", query: new URLSearchParams(query || "")};
+  }
+  return lately;
 };
 H.get = (key, otherwise = "") => H.read().query.get(key) ?? otherwise;
 H.list = key => H.get(key).split(",").filter(Boolean);
@@ -47,7 +52,7 @@ H.address = (view, query) => {
   return `#/${view}${text ? "?" + text : ""}`;
 };
 H.set = (changes, draw = true) => {
-  const {view, query} = H.read();
+  const {view} = H.read(), query = new URLSearchParams(H.read().query);
   for (const [key, value] of Object.entries(changes)) {
     if (value === null || value === "" || value === undefined) query.delete(key); else query.set(key, value);
   }
@@ -56,6 +61,20 @@ H.set = (changes, draw = true) => {
   if (draw) H.views[view].update();
 };
 H.go = (view, values = {}) => { write(); location.hash = H.address(view, new URLSearchParams(Object.entries(values).filter(([, v]) => v !== ""))); };
+// what is written or dropped by the reader goes into the address too: deflated, in letters an address may hold; null where it is too long for one
+const LONGEST = 500_000;
+const piped = async (bytes, stream) => new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
+H.intoAddress = async text => {
+  const bytes = await piped(new TextEncoder().encode(text), new CompressionStream("deflate"));
+  if (bytes.length * 4 / 3 > LONGEST) return null;
+  let letters = "";
+  for (let k = 0; k < bytes.length; k += 30_000) letters += String.fromCharCode(...bytes.subarray(k, k + 30_000));
+  return btoa(letters).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "");
+};
+H.fromAddress = async letters => {
+  try { return new TextDecoder().decode(await piped(Uint8Array.from(atob(letters.replace(/-/g, "+").replace(/_/g, "/")), c => c.charCodeAt(0)), new DecompressionStream("deflate"))); }
+  catch { throw new Refused("This address is damaged: a part of it is missing or was changed on the way."); }
+};
 
 // -- questions ----------------------------------------------------------------------------------------------------------
 H.exported = () => window.hugoniotFiles !== undefined;

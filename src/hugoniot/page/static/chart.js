@@ -62,7 +62,7 @@ H.Chart = class {
   layout(width, height) {
     const {spec} = this, narrow = width < 560, named = !narrow && spec.series.some(s => s.label);
     const widest = Math.max(0, ...spec.series.map(s => (s.label || "").length));
-    const right = spec.bar ? 86 : named ? Math.min(24 + 6.6 * widest, 0.27 * width) : 14;
+    const right = spec.right ?? (spec.bar ? 86 : named ? Math.min(24 + 6.6 * widest, 0.27 * width) : 14);
     let left = narrow ? 50 : 62;
     const bottom = 44, top = spec.heads ? 22 : 12;
     const [x, y] = ["x", "y"].map(a => this._range(a));

@@ -28,7 +28,7 @@ at = "flyer/target"
 name = "free surface"
 at = "free surface right"
 `;
-  let area, numbers, offers, problems, drawing, chart, jobBox, runButton, words, materials = [], timer = 0, poll = 0, open = null, chosen = 0, wrong = [], source, kind = "lagrange1d", mayRun = false, current, known = null, file = "deck.toml";
+  let area, numbers, offers, problems, drawing, chart, jobBox, runButton, words, materials = [], timer = 0, poll = 0, open = null, chosen = 0, wrong = [], source, kind = "lagrange1d", tooLong, kept = null, mayRun = false, current, known = null, file = "deck.toml";
 
   view.open = main => {
     const left = H.h("div", {class: "column"}), right = H.h("div", {class: "column"});
@@ -40,12 +40,13 @@ at = "free surface right"
     offers = H.h("ul", {class: "offers", role: "listbox", "aria-label": "Completions", hidden: true});
     const box = H.h("div", {class: "editor"}, numbers, area, offers);
     source = H.h("span", {class: "quiet small"});
+    tooLong = H.h("p", {class: "bad small", "aria-live": "polite", style: {margin: 0}});
     problems = H.h("div", {"aria-live": "polite"});
     runButton = H.h("button", {type: "button", onclick: run}, "Run");
     jobBox = H.h("div", {class: "column", style: {gap: "6px"}});
     drawing = H.h("div");
     left.append(H.h("div", {class: "bar"}, H.h("h2", {style: {margin: 0}}, "Deck"), source, H.h("span", {class: "bar push"}, runButton, H.h("button", {type: "button", onclick: () => H.copy(area.value, "deck")}, "Copy"), H.h("button", {type: "button", onclick: () => H.saveText(area.value, file.split("/").at(-1))}, "Save"))), box,
-      H.h("p", {class: "quiet small", id: "deck-keys", style: {margin: 0}}, "Ctrl+Space lists keys and values; Enter accepts, Escape closes. Tab leaves the editor."));
+      H.h("p", {class: "quiet small", id: "deck-keys", style: {margin: 0}}, "Ctrl+Space lists keys and values; Enter accepts, Escape closes. Tab leaves the editor."), tooLong);
     right.append(problems, drawing, jobBox);
     chart = new H.Chart(drawing, {label: "The set-up to scale", height: 0.34, least: 220, most: 420});
     H.askOnce("materials").then(all => { materials = all.materials.filter(m => m.alone).map(m => [m.name, m.title]); }).catch(H.failed);
@@ -61,26 +62,33 @@ at = "free surface right"
   async function load(opened) {
     const number = H.get("deck");
     file = "deck.toml";
-    if (H.get("text")) { area.value = decoded(H.get("text")); source.textContent = "from the address"; }
-    else if (H.get("from") === "match" && sessionStorage.getItem("hugoniot-deck")) { area.value = sessionStorage.getItem("hugoniot-deck"); source.textContent = "from the impedance match"; }
+    if (H.get("text")) { area.value = await H.fromAddress(H.get("text")); source.textContent = H.get("from") === "match" ? "from the impedance match" : "from the address"; }
     else if (number !== "" && opened.decks.length) { const deck = await H.ask("deck", {deck: number}); area.value = deck.text; source.textContent = deck.name; file = opened.decks[number].typed; known = deck; }
+    else if (kept !== null) { area.value = kept; source.textContent = "too long for an address"; }
     else { area.value = START; source.textContent = "an example"; }
     changed(false);
   }
-  // the text itself is the state of this view
-  const encodedText = text => btoa(String.fromCharCode(...new TextEncoder().encode(text))).replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "");
-  const decoded = text => { try { return new TextDecoder().decode(Uint8Array.from(atob(text.replace(/-/g, "+").replace(/_/g, "/")), c => c.charCodeAt(0))); } catch { H.say("The deck in the address is damaged."); return ""; } };
   function changed(own = true) {
     lineNumbers();
     clearTimeout(timer);
     if (own && !source.textContent.includes("edited")) { source.textContent += ", edited; save it to run it from the command line"; file = file.split("/").at(-1); }
-    timer = setTimeout(() => {
-      if (own && area.value.length < 60000) { H.set({text: encodedText(area.value), deck: "", from: ""}, false); current = `||${H.get("text")}`; }
+    timer = setTimeout(async () => {
+      if (own) await intoAddress();
       check();
     }, own ? 250 : 0);
   }
+  async function intoAddress() {      // the text itself is the state of this view
+    const text = area.value, letters = await H.intoAddress(text);
+    if (text !== area.value || !area.isConnected) return;
+    kept = letters === null ? text : null;
+    H.set({text: letters, deck: "", from: ""}, false);
+    current = `||${letters || ""}`;
+    tooLong.textContent = letters === null ? "This deck is too long for an address: a link to this page lacks it; save it instead." : "";
+  }
   function lineNumbers() {
-    const count = area.value.split("\n").length, bad = new Set(wrong.map(p => p.line));
+    const count = area.value.split("\n").length, bad = new Set(wrong.map(p => p.line)), key = `${count}|${wrong.map(p => p.line + p.text)}`;
+    if (numbers.dataset.key === key) return;
+    numbers.dataset.key = key;
     H.clear(numbers).append(...Array.from({length: count}, (_, k) => bad.has(k + 1) ? H.h("b", {title: wrong.filter(p => p.line === k + 1).map(p => p.text).join("\n")}, `▸${k + 1}\n`) : `${k + 1}\n`));
     numbers.scrollTop = area.scrollTop;
   }
@@ -97,7 +105,7 @@ at = "free surface right"
     runButton.disabled = !found.ok;
     lineNumbers();
     const cost = found.estimate;
-    H.clear(problems).append(found.ok ? H.h("p", {class: "good", style: {margin: 0}}, `The deck is valid: ${found.title}, ${cost.zones} zones, ${cost.snapshots} snapshots.`) : H.h("p", {class: "bad", style: {margin: 0}}, `${wrong.length} problem${wrong.length > 1 ? "s" : ""}`),
+    H.clear(problems).append(found.ok ? H.h("p", {class: "good", style: {margin: 0}}, `The deck is valid: ${found.title}, ${cost.zones} zones, ${cost.snapshots} snapshots.`) : H.h("p", {class: "bad", style: {margin: 0}}, `${wrong.length} problem${wrong.length > 1 ? "s" : ""}${chart.spec.marks ? "; the drawing is that of the last valid deck" : ""}`),
       found.ok ? "" : H.h("ol", {class: "problems"}, wrong.map(p => H.h("li", {}, H.h("button", {type: "button", onclick: () => goTo(p.line)}, p.text)))),
       ...(found.warnings || []).map(w => H.h("div", {class: "small quiet"}, `warning: ${w}`)));
     if (found.ok) { if (found.kind !== kind) { kind = found.kind; words = null; } drawSetup(found.drawing); }
@@ -189,7 +197,7 @@ at = "free surface right"
         H.h("progress", {max: 1, value: job.state === "done" ? 1 : share, "aria-label": "Progress of the run"}), p.cycle ? H.h("span", {class: "small quiet"}, `${(100 * share).toFixed(0)} %, cycle ${p.cycle}, energy error ${Number(p.energy_error).toExponential(1)}`) : "",
         job.state === "running" ? H.h("button", {type: "button", onclick: async () => { try { await H.send(`job/${Number(number)}/stop`); watch(); } catch (error) { H.failed(error); } }}, "Stop") : "",
         job.run !== null ? H.h("button", {type: "button", onclick: () => H.go("runs", {run: String(job.run)})}, job.state === "running" ? "Watch" : "Open the result") : ""),
-        job.lines.length ? H.h("pre", {class: "small scroll", tabindex: 0, style: {padding: "6px", margin: 0}}, job.lines.join("\n")) : "");
+        job.lines.length ? H.h("pre", {class: "small scroll", tabindex: 0, style: {padding: "6px", margin: 0, whiteSpace: "pre-wrap", overflowWrap: "anywhere"}}, job.lines.join("\n")) : "");
       if (job.state === "running") poll = setTimeout(watch, 400);
     } catch (error) { H.failed(error); }
   }

@@ -63,8 +63,8 @@
       const x = t.time.map(v => v * ft), y = v => v.map(n => n === null ? null : n * factor), sides = [-2, 2].map(k => t.data.map((v, i) => known(v) && known(t.sigma[i]) ? (v + k * t.sigma[i]) * factor : null));
       const data = new H.Chart(above, {label: `Data and model: ${t.label}`, height: 0.3, most: 320, least: 220, keep: true, zoomKey: `d${charts.length / 2}`, onHover: hit => say(data, hit)}), rest = new H.Chart(below, {label: `Residuals: ${t.label}`, height: 0.16, most: 180, least: 150, keep: true, zoomKey: `r${charts.length / 2}`, onHover: hit => say(rest, hit)});
       charts.push(data, rest);
-      data.show({series: [{kind: "band", colour: "quiet", x, y: sides[0], y2: sides[1]}, {kind: "points", id: "data", colour: "ink", size: 1.8, x, y: y(t.data), hover: true}, {kind: "line", id: "model", label: "model", colour: 1, x, y: y(t.model), hover: true}], x: {label: H.labelled("time", tUnit)}, y: {label: H.labelled(t.words, unit)}});
-      rest.show({series: [{kind: "band", colour: "quiet", x: [x[0], x.at(-1)], y: [-2, -2], y2: [2, 2]}, {kind: "line", id: "residual", label: "model − data", colour: 1, x, y: t.residual, hover: true, width: 1.1}], marks: [{kind: "hline", y: 0, colour: "quiet"}], x: {label: H.labelled("time", tUnit)}, y: {label: "residual (σ)"}});
+      data.show({series: [{kind: "band", colour: "quiet", x, y: sides[0], y2: sides[1]}, {kind: "points", id: "data", colour: "ink", size: 1.8, x, y: y(t.data), hover: true}, {kind: "line", id: "model", label: "model", colour: 1, x, y: y(t.model), hover: true}], x: {label: H.labelled("time", tUnit)}, y: {label: H.labelled(t.words, unit)}, right: 70});
+      rest.show({series: [{kind: "band", colour: "quiet", x: [x[0], x.at(-1)], y: [-2, -2], y2: [2, 2]}, {kind: "line", id: "residual", colour: 1, x, y: t.residual, hover: true, width: 1.1}], marks: [{kind: "hline", y: 0, colour: "quiet"}], x: {label: H.labelled("time", tUnit)}, y: {label: "model − data (σ)"}, right: 70});
       host.append(H.h("p", {class: "small quiet", style: {margin: 0}}, "Dots: data. Band: two standard deviations of the data. Line: model with the fitted values."));
     }
   }

@@ -38,7 +38,7 @@
     H.remember(view, query);
     document.title = `${names[view]} · hugoniot`;
     if (current !== view) {
-      if (current) H.views[current].close?.();
+      if (current) H.views[current].close?.(); else if (view !== "report") H.views.report?.close();       // a report is dressed for reading
       main.className = "";
       H.clear(main);
       H.say("");

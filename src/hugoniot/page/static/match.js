@@ -1,8 +1,8 @@
 "use strict";
-// Impedance match: flyer and layers picked, the velocity dragged on the axis; the crossing is computed by the package's own theory.
+// Impedance match: flyer and layers picked, the velocity dragged on the axis; the states are computed here, by H.impact.
 (() => {
-  const view = H.views.match = {}, asking = H.latest();
-  let chart, rows, slider, speed, sigma, bands, table, warnings, deckBox, deckText, editorLink, runButton, options, order = 0, settled = 0, shown = null, dragging = false;
+  const view = H.views.match = {};
+  let chart, rows, slider, speed, sigma, bands, table, warnings, deckBox, deckText, editorLink, runButton, options, order = 0, shown = null, dragging = false;
   const layers = () => H.list("layers").length > 1 ? H.list("layers") : ["copper", "aluminum"];
   const setLayers = names => H.set({layers: names.join(","), mz: ""});
   const velocity = () => Number(H.get("v")) > 0 ? Number(H.get("v")) : 1000;
@@ -22,7 +22,7 @@
     warnings = H.h("div", {class: "small"});
     deckText = H.h("pre", {class: "small scroll", tabindex: 0, style: {margin: 0, padding: "8px", maxHeight: "40vh"}});
     runButton = H.h("button", {type: "button", hidden: true, onclick: runDeck}, "Run");
-    editorLink = H.h("button", {type: "button", onclick: () => { sessionStorage.setItem("hugoniot-deck", deckText.textContent); H.go("decks", {from: "match"}); }}, "Open in the deck editor");
+    editorLink = H.h("button", {type: "button", onclick: async () => H.go("decks", {from: "match", text: await H.intoAddress(deckText.textContent)})}, "Open in the deck editor");
     deckBox = H.h("details", {ontoggle: () => { H.set({deck: deckBox.open ? "1" : ""}, false); if (deckBox.open) loadDeck(); }}, H.h("summary", {}, "The deck for this impact"),
       H.h("div", {class: "bar", style: {margin: "6px 0"}}, H.h("button", {type: "button", onclick: () => H.copy(deckText.textContent, "deck")}, "Copy"), runButton, editorLink), deckText);
     left.append(H.h("h2", {}, "Flyer and layers"), rows, options,
@@ -39,7 +39,7 @@
     H.opened.then(opened => { runButton.hidden = !opened.may_run || H.exported(); }).catch(H.failed);
     H.askOnce("materials").then(all => options.append(...all.materials.filter(m => m.alone).map(m => H.h("option", {value: m.name}, m.title)))).catch(H.failed);
   };
-  view.close = () => { order++; clearTimeout(settled); chart.stop(); };
+  view.close = () => { order++; chart.stop(); };
   view.repaint = () => draw(shown);
   view.update = () => {
     fillRows();
@@ -48,7 +48,6 @@
     if (document.activeElement !== sigma) sigma.value = H.get("sigma");
     if (!deckBox.open && H.get("deck")) deckBox.open = true;
     solve();
-    if (!H.exported() && layers().length === 2) for (const name of layers()) H.resolved(name).then(name => H.askOnce("material", {name})).catch(() => {});      // ready when the drag begins
   };
   function sync() {
     slider.max = Math.max(most(), velocity());
@@ -69,39 +68,21 @@
   }
   function drag(v) { dragging = true; H.set({v: String(v)}, false); sync(); solve(); }
   function drop() { dragging = false; solve(); }
-  function solve() {
-    clearTimeout(settled);
-    const mine = ++order, names = layers(), v = velocity();
-    const wanted = {layers: names.join(","), velocity: v};
-    if (dragging && !H.exported()) {      // at once, from the curves of both metals or with fewer states a curve; all of it when the drag pauses
-      const begun = performance.now();
-      if (names.length > 2) exact(mine, names, v, {...wanted, draft: 1});
-      else H.matchFromCurves(names, v).then(found => { if (mine === order) { found.took = performance.now() - begun; shown = found; draw(found); settle(mine, names, v, wanted); } }, () => exact(mine, names, v, wanted));
-    } else exact(mine, names, v, wanted);
+  async function solve() {      // computed here, at once; error bands when the drag pauses
+    const mine = ++order, names = layers(), v = velocity(), begun = performance.now();
+    try {
+      const found = await H.impact.impact(names, v, dragging ? {} : {sigma: Number(H.get("sigma")) || 0, bands: H.get("bands") === "1"});
+      if (mine !== order) return;
+      found.took = performance.now() - begun;
+      shown = found;
+      draw(found);
+      if (!dragging) H.say("");
+    } catch (error) { if (mine !== order) return; H.clear(warnings).append(H.h("div", {class: "bad"}, error.message)); H.clear(table); shown = null; H.failed(error); }
     if (deckBox.open && !dragging) loadDeck();
-  }
-  function settle(mine, names, v, wanted) { if (mine === order) settled = setTimeout(() => exact(mine, names, v, wanted), 90); }
-  function exact(mine, names, v, wanted) {
-    asking(async () => {
-      const begun = performance.now();
-      try {
-        const found = H.exported() ? await H.matchFromCurves(names, v) : await H.ask("match", wanted);
-        if (mine < order && !(dragging && names.length > 2)) return;
-        found.took = performance.now() - begun;
-        shown = found;
-        draw(found);
-        if (!dragging) H.say("");
-        if (wanted.draft) settle(mine, names, v, {layers: wanted.layers, velocity: v});
-      } catch (error) { H.clear(warnings).append(H.h("div", {class: "bad"}, error.message)); H.clear(table); shown = null; H.failed(error); }
-    });
-    const s = Number(H.get("sigma")), b = H.get("bands");
-    if (!H.exported() && !dragging && (s > 0 || b)) settled = setTimeout(async () => {
-      try { const found = await H.ask("match", {...wanted, ...(s > 0 ? {sigma: s} : {}), ...(b ? {bands: 1} : {})}); if (mine === order) { shown = found; draw(found); } } catch (error) { H.failed(error); }
-    }, 120);
   }
   function draw(found) {
     if (!found) return;
-    const names = found.layers, series = [], marks = [], times = (values, factor) => values.map(v => v * factor);
+    const crowded = found.states.length > 3 && chart.box.clientWidth < 560, names = found.layers, series = [], marks = [], times = (values, factor) => values.map(v => v * factor);
     found.curves.forEach((c, k) => {
       series.push({kind: "line", colour: k, dash: "6 3", width: 1.4, x: times(c.behind.particle_velocity, 1e-3), y: times(c.behind.pressure, 1e-9), label: k === 0 ? `${names[0]}, ${H.digits(found.velocity, 5)} m/s` : "", named: "start"});
       series.push({kind: "line", colour: k + 1, x: times(c.ahead.particle_velocity, 1e-3), y: times(c.ahead.pressure, 1e-9), label: names[k + 1]});
@@ -109,40 +90,40 @@
     found.states.forEach((s, k) => {
       const x = s.particle_velocity * 1e-3, y = s.pressure * 1e-9, u = s.uncertainty;
       if (u) marks.push({kind: "error", x, y, sx: u.particle_velocity * 1e-3, sy: u.pressure * 1e-9, colour: "ink", width: 1.3});
-      marks.push({kind: "dot", x, y, colour: "ink", label: `${H.digits(s.pressure * 1e-9, 4)} GPa, ${H.digits(s.particle_velocity, 4)} m/s`, below: k > 0});
+      marks.push({kind: "dot", x, y, colour: "ink", label: `${H.digits(s.pressure * 1e-9, crowded ? 3 : 4)} GPa${crowded ? "" : `, ${H.digits(s.particle_velocity, 4)} m/s`}`, below: k > 0});
     });
     const top = 1.28 * Math.max(...found.states.map(s => s.pressure)) * 1e-9, wide = 1.12 * Math.max(found.velocity, ...found.states.map(s => s.particle_velocity)) * 1e-3;
     if (!dragging || !chart.held) chart.held = {x: {min: 0, max: wide}, y: {min: 0, max: top}};
     const held = chart.held, grown = {x: {min: 0, max: Math.max(held.x.max, found.velocity * 1.02e-3)}, y: {min: 0, max: Math.max(held.y.max, top / 1.1)}};
     chart.show({series, marks, x: {label: "particle velocity (km/s)", ...(dragging ? grown.x : held.x)}, y: {label: "pressure (GPa)", ...(dragging ? grown.y : held.y)}, handles: [{id: "velocity", x: found.velocity * 1e-3, y: 0, colour: 0}]});
     const fields = ["pressure", "particle_velocity", "shock_velocity", "density", "temperature", "specific_internal_energy", "sound_speed"];
-    H.clear(table).append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {"data-table": "match"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "state to the right of"), found.states.map(s => H.h("th", {class: "number"}, s.interface)))),
+    H.clear(table).append(H.h("div", {class: "scroll whole", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {"data-table": "match"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "state to the right of"), found.states.map(s => H.h("th", {class: "number"}, s.interface)))),
       H.h("tbody", {}, fields.filter(f => found.states.some(s => s[f] !== null && s[f] !== undefined)).map(f => {
         const [words, unit, factor] = H.units[f], [name, by] = H.fits(found.states.map(s => s[f]), unit, factor);
-        return H.h("tr", {"data-field": f}, H.h("td", {}, H.labelled(words, name)), found.states.map(s => H.h("td", {class: "number"}, H.digits(s[f] === null || s[f] === undefined ? null : s[f] * by, found.digits || 6),
+        return H.h("tr", {"data-field": f}, H.h("td", {}, H.labelled(words, name)), found.states.map(s => H.h("td", {class: "number"}, H.digits(s[f] === null || s[f] === undefined ? null : s[f] * by),
           s.uncertainty?.[f] ? H.h("span", {class: "quiet"}, ` ± ${H.digits(s.uncertainty[f] * by, 2)}`) : "")));
       }), H.h("tr", {}, H.h("td", {}, "reflected, transmitted wave"), found.states.map(s => H.h("td", {class: "number"}, `${word(s.reflected)}, ${word(s.transmitted)}`)))))));
     const notes = found.warnings.map(w => H.h("div", {class: "bad"}, w));
     if (found.uncertain?.length) notes.push(H.h("div", {class: "quiet"}, `Uncertain inputs: ${found.uncertain.join(", ")}; linear propagation${found.uncertain.length > 1 || found.uncertain[0] !== "velocity" ? ", with the covariance of each fit" : ""}.`));
-    else if (H.get("bands") && !dragging && !H.exported()) notes.push(H.h("div", {class: "quiet"}, "No error band: the library has fitted the Hugoniot of none of these materials itself."));
+    else if (H.get("bands") && !dragging) notes.push(H.h("div", {class: "quiet"}, "No error band: the library has fitted the Hugoniot of none of these materials itself."));
     H.clear(warnings).append(...notes);
+    command();
     chart.box.dataset.took = found.took ?? "";
   }
   const word = kind => ({fan: "release"}[kind] || kind);
   async function loadDeck() {
-    try { const found = await H.ask("match_deck", {layers: layers().join(","), velocity: velocity()}); deckText.textContent = found.deck; editorLink.disabled = runButton.disabled = false; }
+    try { deckText.textContent = await H.impact.deck(layers(), velocity()); editorLink.disabled = runButton.disabled = false; }
     catch (error) { deckText.textContent = error.message; editorLink.disabled = runButton.disabled = true; }
   }
   async function runDeck() {       // the editor shows the deck and the progress of the run
     try {
       const text = deckText.textContent, started = await H.send("job", text);
-      sessionStorage.setItem("hugoniot-deck", text);
-      H.go("decks", {from: "match", job: String(started.job)});
+      H.go("decks", {from: "match", text: await H.intoAddress(text), job: String(started.job)});
     } catch (error) { H.failed(error); }
   }
   function command() {
     const names = layers(), v = velocity(), s = Number(H.get("sigma"));
-    const extra = s > 0 ? ` --error "velocity = ${s} m/s"` : "";
+    const extra = (s > 0 ? ` --error "velocity = ${s} m/s"` : "") + (H.get("bands") && shown?.uncertain.some(u => u !== "velocity") ? " --error library" : "");
     H.command({shell: `hugoniot eos match ${names.map(H.subject).join(" ")} --velocity "${v} m/s"${extra} --plot match.png`,
       python: `from hugoniot.explorer.impact import impact\nprint(impact([${names.map(H.python).join(", ")}], ${v}.0, sigma=${s > 0 ? s : 0}, bands=${H.get("bands") ? "True" : "False"})["states"])`.replace(`${v}.0`, Number.isInteger(v) ? `${v}.0` : `${v}`)});
   }

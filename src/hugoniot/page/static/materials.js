@@ -76,11 +76,7 @@
     const some = isotherms ? known : known.filter(c => c).slice(0, 1), key = isotherms ? "isotherms" : "surface";
     await Promise.all(some.map(async c => { if (c) { delete c[key]; try { c[key] = await H.askOnce("surface", isotherms ? H.isothermQuery(c.name) : H.surfaceQuery(c.name)); } catch (error) { c.refused = error.message; } } }));
   }
-  async function stateAt(c, by, value) {
-    if (!H.exported()) return H.askOnce("state", {name: c.name, by, value});
-    const h = c.hugoniot, column = h[by], k = column.reduce((best, v, i) => Math.abs(v - value) < Math.abs(column[best] - value) ? i : best, 0);
-    return {state: Object.fromEntries(Object.entries(h).map(([key, v]) => [key, v[k]])), ahead: c.ahead, release: null};
-  }
+  const stateAt = (c, by, value) => H.exported() ? H.impact.state(c.name, by, value) : H.askOnce("state", {name: c.name, by, value});
   function draw(names, known) {
     const [, definition] = H.planes[plane()], shown = {measured: H.get("measured") !== "0", sources: H.get("sources") === "1", releases: H.get("releases") === "1"};
     const series = [], marks = [], silent = [], brief = known.map(c => c?.title.split(/[,(]/)[0].trim());
@@ -140,7 +136,7 @@
     H.clear(table);
     const grid = (heads, columns, words) => {
       const keys = [...new Set(columns.flatMap(c => Object.keys(c)))].filter(k => columns.some(c => c[k] !== null && c[k] !== undefined));
-      table.append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {"data-table": words}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, words), heads.map(h => H.h("th", {class: "number"}, h)))),
+      table.append(H.h("div", {class: "scroll whole", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {"data-table": words}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, words), heads.map(h => H.h("th", {class: "number"}, h)))),
         H.h("tbody", {}, keys.map(key => {
           const [name, unit, factor] = H.units[key] || [key.replace(/_/g, " "), "", 1], [shown, by] = H.fits(columns.map(c => c[key]), unit, factor);
           return H.h("tr", {"data-field": key}, H.h("td", {}, H.labelled(name, shown)), columns.map(c => H.h("td", {class: "number"}, H.digits(c[key] === null || c[key] === undefined ? null : c[key] * by))));

@@ -18,12 +18,44 @@
     const time = rows.map(r => r[at]);
     return heads.map((h, j) => ({...h, j})).filter(h => h.j !== at && h.word).map(h => ({label: `${name}: ${h.word.replace(/_/g, " ")}`, unit: h.unit, time, values: rows.map(r => r[h.j] ?? NaN)}));
   };
-  H.dropHere = (element, onFile) => {
-    const take = async files => { for (const file of files) { if (file.size > 20e6) { H.say(`${file.name}: more than 20 MB`); continue; } try { onFile(H.readMeasured(file.name, await file.text())); H.say(`${file.name}: loaded`); } catch (error) { H.failed(error); } } };
-    const input = H.h("input", {type: "file", accept: ".csv,.txt,.dat", multiple: true, "aria-label": "Measured data, CSV", onchange: async () => { await take([...input.files]); input.value = ""; }});
-    element.append(H.h("span", {class: "small"}, "Measured data: drop a CSV file here (time [us], velocity [m/s]) or choose one: "), input);
-    element.addEventListener("dragover", event => { event.preventDefault(); element.classList.add("over"); });
-    element.addEventListener("dragleave", () => element.classList.remove("over"));
-    element.addEventListener("drop", event => { event.preventDefault(); element.classList.remove("over"); take(event.dataTransfer.files); });
+  // files: [{name, text}], in the address as JSON; what is too long for one is only on the page, which says so
+  H.Measured = class {
+    constructor(host, onChange, before) {
+      Object.assign(this, {files: [], found: [], held: "", lacking: false, onChange, list: H.h("div", {class: "column small", style: {gap: "2px"}, "aria-live": "polite"})});
+      const input = H.h("input", {type: "file", accept: ".csv,.txt,.dat", multiple: true, "aria-label": "Measured data, CSV", onchange: async () => { await this.take([...input.files]); input.value = ""; }});
+      host.append(H.h("span", {class: "small"}, "Measured data: drop a CSV file here (time [us], velocity [m/s]) or choose one: "), input, this.list);
+      if (before?.lacking) Object.assign(this, {files: before.files, lacking: true}).show();
+      host.addEventListener("dragover", event => { event.preventDefault(); host.classList.add("over"); });
+      host.addEventListener("dragleave", () => host.classList.remove("over"));
+      host.addEventListener("drop", event => { event.preventDefault(); host.classList.remove("over"); this.take(event.dataTransfer.files); });
+    }
+    async take(files) {
+      for (const file of files) {
+        if (file.size > 20e6) { H.say(`${file.name}: more than 20 MB`); continue; }
+        try { const text = await file.text(), read = H.readMeasured(file.name, text); await this.keep([...this.files.filter(f => f.name !== file.name), {name: file.name, text, read}]); H.say(`${file.name}: loaded`); } catch (error) { H.failed(error); }
+      }
+    }
+    async keep(files) {
+      this.files = files;
+      const letters = files.length ? await H.intoAddress(JSON.stringify(files.map(({name, text}) => ({name, text})))) : "";
+      this.held = letters ?? "";
+      this.lacking = letters === null;
+      if (this.list.isConnected) H.set({csv: letters}, false);
+      this.show();
+      this.onChange();
+    }
+    async fromAddress() {         // as the address says
+      const letters = H.get("csv");
+      if (letters === this.held) return;
+      this.held = letters;
+      this.files = letters ? JSON.parse(await H.fromAddress(letters)).map(({name, text}) => ({name: String(name), text: String(text), read: H.readMeasured(String(name), String(text))})) : [];
+      this.lacking = false;
+      this.show();
+    }
+    show() {
+      this.found = this.files.flatMap(f => f.read);
+      H.clear(this.list).append(...this.files.map(f => H.h("span", {class: "bar"}, f.name, H.h("button", {type: "button", "aria-label": `Remove ${f.name}`, onclick: () => this.keep(this.files.filter(o => o !== f))}, "×"))),
+        this.lacking ? H.h("span", {class: "bad"}, "Too long for an address: a link to this page lacks these data.") : "");
+    }
   };
 })();

@@ -2,7 +2,7 @@
 // Runs: x-t map or plane, histories and profiles linked to it; other runs and measured data over them; a run in progress.
 (() => {
   const view = H.views.runs = {}, state = {}, DASHES = ["7 3", "2 3", "9 3 2 3"];
-  let list, field, gaugeField, gauges, slider, when, mapHost, map, lines, readout, facts, historyHost, profileHost, planeBar, liveBox, order = 0, timer = 0, measured = [], last = {};
+  let list, field, gaugeField, gauges, slider, when, mapHost, map, lines, readout, facts, historyHost, profileHost, planeBar, liveBox, order = 0, timer = 0, measured, last = {};
 
   view.open = main => {
     main.className = "split";
@@ -11,7 +11,7 @@
     list = H.h("div", {class: "column", style: {gap: "2px"}});
     facts = H.h("div");
     const drop = H.h("div", {class: "drop"});
-    H.dropHere(drop, found => { measured.push(...found); view.update(); });
+    measured = new H.Measured(drop, () => view.update(), measured);
     left.append(H.h("h2", {}, "Runs"), list, drop, facts);
     field = H.h("select", {"aria-label": "Field of the map", onchange: () => H.set({f: field.value, pz: ""})});
     slider = H.h("input", {type: "range", min: 0, value: 0, step: 1, "aria-label": "Record", style: {flex: 1, minWidth: "140px"}, oninput: () => H.set({k: slider.value})});
@@ -36,6 +36,7 @@
     clearTimeout(timer);
     const mine = ++order;
     try {
+      await measured.fromAddress();
       const fresh = !last.run || last.run.live || last.number !== chosen(), opened = fresh ? await H.ask("start") : last.opened;
       if (mine !== order) return;
       drawList(opened);
@@ -148,7 +149,7 @@
     } catch (error) { H.failed(error); }
     const z = H.get("z") === "" ? -1 : Number(H.get("z")), mapped = shown ? run.fields.find(f => f.name === shown.name) : state.shown;
     if (z >= 0 && mapped) try { const v = await zoneHistory(run, mapped.name, z); lineList.push({label: `zone ${z}`, time: run.times, values: v, colour: 4, dash: "5 2"}); } catch (error) { H.failed(error); }
-    for (const m of measured) if (!shown || !m.unit || m.unit === shown.unit) lineList.push({label: m.label, time: m.time, values: m.values, colour: 7, points: m.time.length < 200});
+    for (const m of measured.found) if (!shown || !m.unit || m.unit === shown.unit) lineList.push({label: m.label, time: m.time, values: m.values, colour: 7, points: m.time.length < 200});
     if (mine !== order) return;
     state.historyBox.hidden = !lineList.length;
     if (lineList.length) lines.showHistories(lineList, shown || mapped || {unit: "", words: "value", shown: "", factor: 1}, at);
@@ -207,7 +208,7 @@
       H.h("details", {}, H.h("summary", {class: "small"}, "run.log"), H.h("pre", {class: "small scroll", tabindex: 0, style: {padding: "6px"}}, (run.log || []).join("\n"))));
   }
   function drawFacts(run) {
-    const n = run.numbers || {}, rows = n.gauges || [], units = {arrival: ["arrival", "µs", 1e6], peak_stress: ["peak stress", "GPa", 1e-9], peak_velocity: ["peak velocity", "m/s", 1]};
+    const n = run.numbers || {}, rows = n.gauges || [], units = {arrival: ["arrival", "µs", 1e6], second_arrival: ["second arrival", "µs", 1e6], peak_stress: ["peak stress", "GPa", 1e-9], peak_velocity: ["peak velocity", "m/s", 1]};
     const heads = Object.keys(units).filter(key => rows.some(r => r[key] !== undefined && r[key] !== null)), spall = n.spall || {}, s = run.summary || {};
     H.clear(facts).append(H.h("h2", {}, run.title), H.h("p", {class: "small quiet", style: {margin: "0 0 6px"}}, [run.geometry, s.solver, run.zones ? `${run.zones} zones` : "", s.cycles ? `${s.cycles} cycles` : "", run.every > 1 ? `1 record in ${run.every} is shown` : ""].filter(Boolean).join(", ")),
       s.energy_error === undefined ? "" : H.h("p", {class: "small quiet", style: {margin: "0 0 6px"}}, `relative errors: ${["mass", "momentum", "energy"].map(w => `${w} ${s[`${w}_error`] === null ? "–" : Number(s[`${w}_error`]).toExponential(1)}`).join(", ")}`),

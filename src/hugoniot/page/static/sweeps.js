@@ -49,7 +49,7 @@
   const ASIDE = /(^case$| error$|^cycles$|^end time$|^voids |^interfaces |acted$)/, GIVEN = /^(region|material|block|solver|boundary|gauge|output|stop time|velocity$|flyer|target)/;
   const numeric = () => data.columns.map((c, k) => ({...c, k})).filter(c => c.numeric);
   const varying = () => numeric().filter(c => new Set(c.cells.filter(v => v !== null)).size > 1);
-  const shownColumns = () => { const own = H.get("cols"); return own ? numeric().filter(c => own.split(".").includes(String(c.k))) : varying().filter(c => !ASIDE.test(c.name)).slice(0, 10); };
+  const shownColumns = () => { const own = H.get("cols"); return own ? numeric().filter(c => own.split(".").includes(String(c.k))) : varying().filter(c => !ASIDE.test(c.name)).slice(0, Math.min(10, Math.max(3, Math.floor(host.clientWidth / 100)))); };
   const brushes = () => Object.fromEntries(H.get("brush").split(";").filter(Boolean).map(b => { const [k, low, high] = b.split(":").map(Number); return [k, [low, high]]; }));
   const kept = () => { const b = Object.entries(brushes()); return Array.from({length: data.rows}, (_, r) => b.every(([k, [low, high]]) => { const v = data.columns[k]?.cells[r]; return v !== null && v >= low && v <= high; })); };
   const named = c => H.labelled(c.name, c.unit);
@@ -68,7 +68,7 @@
       onchange: event => H.set({cols: (event.target.checked ? [...own, c.k] : own.filter(k => k !== c.k)).join(".")})}), named(c)))));
     columnsBox.open = isOpen;
     const keep = kept();
-    count.textContent = `${keep.filter(Boolean).length} of ${data.rows} cases, ${data.runs.length} with a run to open`;
+    count.textContent = `${keep.filter(Boolean).length} of ${data.rows} cases, ${data.runs.length} with a run ${H.exported() ? "(hugoniot explore opens it)" : "to open"}`;
     drawParallel();
     drawScatter(keep);
     drawTable(keep);
@@ -153,10 +153,11 @@
     try { const found = await H.send("case", "", {sweep: select.value, row: r}); H.go("runs", {run: String(found.run)}); } catch (error) { H.failed(error); }
   }
   function drawTable(keep) {
+    const columns = data.columns.filter(c => !(c.name === "case" && c.cells.every((v, r) => v === r + 1)));      // the first column says it
     const rows = [...keep.keys()].filter(r => keep[r]).slice(0, 500);
-    H.clear(table).append(H.h("table", {class: "small", "data-table": "cases"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {class: "number"}, "case"), data.columns.map(c => H.h("th", {class: c.numeric ? "number" : ""}, named(c))))),
+    H.clear(table).append(H.h("table", {class: "small", "data-table": "cases"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {class: "number"}, "case"), columns.map(c => H.h("th", {class: c.numeric ? "number" : ""}, named(c))))),
       H.h("tbody", {}, rows.map(r => H.h("tr", {class: "pick", onpointerenter: () => read(r)}, H.h("td", {class: "number"}, data.runs.includes(r) && !H.exported() ? H.h("button", {type: "button", title: "Open the run", onclick: () => openRun(r)}, String(r + 1)) : String(r + 1)),
-        data.columns.map(c => H.h("td", {class: c.numeric ? "number" : ""}, c.numeric ? H.digits(c.cells[r]) : c.cells[r])))))));
+        columns.map(c => H.h("td", {class: c.numeric ? "number" : ""}, c.numeric ? H.digits(c.cells[r]) : c.cells[r])))))));
     if (keep.filter(Boolean).length > rows.length) table.append(H.h("p", {class: "quiet small"}, "Only the first 500 are listed."));
   }
 })();

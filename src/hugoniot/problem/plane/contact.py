@@ -9,7 +9,7 @@ from hugoniot.mesh.blocks import Blocks
 from hugoniot.mesh.checks import TOUCHING
 from hugoniot.mesh.joining import distance_to_edges, inside
 from hugoniot.problem.boundaries import pulse_value, read_pulse
-from hugoniot.problem.plane.contact_model import Contact2D, Rigid2D
+from hugoniot.problem.plane.contact_model import Contact2D, Rigid2D, polygon_moments
 from hugoniot.problem.plane.edges import unit_vector
 
 CHORDS = 0.1     # of an edge: how deep an open line may run in material, as the chords of one curve do that is divided twice
@@ -102,7 +102,8 @@ def read_rigid(rows: Sequence, axes, blocks: Sequence[str], collector: Collector
         if collector.findings == before:
             if row.mass is not None and axes[0] == "r":
                 direction = (0.0, 1.0)
-            found.append(Rigid2D(row.name, row.points, row.closed, pulse, row.mass, row.start or (0.0, 0.0), direction))
+            found.append(Rigid2D(row.name, row.points, row.closed, pulse, row.mass, row.start or (0.0, 0.0), direction, row.turns,
+                                 row.inertia, row.centre, row.spin or 0.0))
     return tuple(found)
 
 
@@ -146,10 +147,31 @@ def _check_motion(row, axes, collector: Collector, path: tuple) -> None:
         collector.add((*path, "direction"), "missing", "such as direction = [0, -1]")
     if row.direction is not None and row.velocity is None and row.mass is None:
         collector.add((*path, "direction"), "has no meaning for a body at rest", "give velocity or mass, or leave it out")
+    _check_turning(row, axes, collector, path)
     moving = [v for v in (row.direction, row.start) if v is not None]
     if axes[0] == "r" and any(v[0] != 0.0 for v in moving):
         collector.add((*path, "direction" if row.direction is not None else "start"), "a rigid ring moves along the axis only",
                       "leave the first number 0")
+
+
+def _check_turning(row, axes, collector: Collector, path: tuple) -> None:
+    if not row.turns:
+        for key in ("inertia", "centre", "spin"):
+            if getattr(row, key) is not None:
+                collector.add((*path, key), "has no meaning for a body that does not turn", "write turns = true, or leave it out")
+        return
+    if axes[0] == "r":
+        collector.add((*path, "turns"), "a rigid ring moves along the axis only", "leave it out, or take geometry = \"plane\"")
+    elif row.mass is None:
+        collector.add((*path, "turns"), "has no meaning without a mass", "give it a mass, or leave it out")
+    elif row.direction is not None:
+        collector.add((*path, "turns"), "has no meaning for a body that is guided along a direction", "leave out turns or direction")
+    elif not row.closed and (row.inertia is None or row.centre is None):
+        missing = "inertia" if row.inertia is None else "centre"
+        collector.add((*path, missing), "missing: an open line has no area to find it from", "give both inertia and centre")
+    elif row.closed and (row.inertia is None or row.centre is None) and polygon_moments(row.points)[0] == 0.0:
+        message = "encloses no area to find the centre and the moment of inertia from"
+        collector.add((*path, "points"), message, "give both inertia and centre")
 
 
 def contact_tables(contacts: Sequence[Contact2D]) -> list[dict]:
@@ -171,5 +193,9 @@ def rigid_tables(rigid: Sequence[Rigid2D]) -> list[dict]:
             row |= {"mass": body.mass, "start": list(body.start)}
         if body.direction is not None:
             row["direction"] = list(body.direction)
+        if body.turns:
+            row |= {"turns": True, "spin": body.spin}
+            row |= {} if body.inertia is None else {"inertia": body.inertia}
+            row |= {} if body.centre is None else {"centre": list(body.centre)}
         found.append(row)
     return found

@@ -3,6 +3,7 @@
 from dataclasses import fields, replace
 from typing import Any
 
+from hugoniot.laws.fracture.contract import asked_at_nodes
 from hugoniot.materials.collect import Collector, printable
 from hugoniot.materials.material import Material
 from hugoniot.materials.tables import material_tables
@@ -84,6 +85,10 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     _check_axis_velocity(problem, collector)
     if wrong := trouble_on_the_axis(problem):
         collector.add(("solver", "scheme"), wrong, 'write scheme = "true_volume"')
+    for name, material in used.items():
+        if asked_at_nodes(material.fracture):
+            collector.add(("material", name, "fracture"), "opens voids at nodes, and in two dimensions zones fail and nodes stay joined",
+                          'use "pressure_volume" or "spall_stress"')
     for defect in explosives.defects(problem):
         collector.add(*defect)
     if collector.problems:

@@ -212,9 +212,15 @@ class RigidTable(Table):
     velocity: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "m/s"})] = Field(
         None, description="driven along direction: a value or a pulse (default: at rest)")
     mass: Annotated[float, Quantity("kg", above=0.0)] | None = Field(
-        None, description="free, but does not turn: kg per metre of depth in the plane, kg of the whole ring in axisymmetric geometry")
-    start: Speeds | None = Field(None, description="velocity at t = 0 of a body with mass")
+        None, description="free: kg per metre of depth in the plane; of a ring in axisymmetric geometry, which moves along the axis, kg")
+    start: Speeds | None = Field(None, description="velocity at t = 0 of a body with mass, of its centre of mass where it turns")
     direction: Direction | None = Field(None, description="along which it moves, or is guided if it has a mass (default: any)")
+    turns: bool = Field(False, description="whether a body with mass turns too, in the plane")
+    inertia: Annotated[float, Quantity("kg*m^2", above=0.0)] | None = Field(
+        None, description="of what turns: moment of inertia about the centre of mass per metre of depth (default: of an even polygon)")
+    centre: Place | None = Field(None, description="of what turns: centre of mass (default: of an even closed polygon)")
+    spin: Annotated[float, Quantity("1/s")] | None = Field(
+        None, description="of what turns: rate of turning at t = 0 in radians per second, counter-clockwise (default: 0)")
 
 
 class ViscosityTable(Table):

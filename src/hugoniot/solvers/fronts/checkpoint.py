@@ -17,7 +17,9 @@ def payload(solver) -> dict:
                "wave": _wave_row(p.wave)} for p in solver.line.pieces]
     fronts = [{"kind": f.kind, "numbers": [f.x0, f.t0, f.speed, f.direction, f.strength, f.sliced], "born": lives.born[id(f)][1]}
               for f in solver.line.fronts]
-    return {"pieces": pieces, "fronts": fronts, "time": solver.time, "cycle": solver.cycle, "step": solver.step, "samples": solver.samples,
+    reach = [[k, *solver.extremes.reach[id(p)][1:]] for k, p in enumerate(solver.line.pieces) if id(p) in solver.extremes.reach]
+    return {"extremes": solver.extremes.found.copy(), "reach": reach,
+            "pieces": pieces, "fronts": fronts, "time": solver.time, "cycle": solver.cycle, "step": solver.step, "samples": solver.samples,
             "meetings": solver.line.meetings, "cuts": solver.line.cuts, "dropped": solver.bench.dropped,
             "work": solver.line.work.copy(), "impulse": solver.line.impulse.copy(),
             "start_totals": solver.start_totals.copy(), "start_size": solver.start_size.copy(),
@@ -40,6 +42,9 @@ def restore(solver, payload: dict) -> None:
     solver.bench.dropped = int(payload["dropped"])
     solver.line.work, solver.line.impulse = payload["work"].copy(), payload["impulse"].copy()
     solver.start_totals, solver.start_size = payload["start_totals"].copy(), payload["start_size"].copy()
+    solver.extremes.found = payload["extremes"].copy()
+    solver.extremes.reach = {id(solver.line.pieces[int(k)]): (solver.line.pieces[int(k)], float(low), float(high))
+                             for k, low, high in payload["reach"]}
     solver.bench.walls = {int(s): float(v) for s, v in payload["walls"]}
     solver.bench.pressures = {int(s): float(v) for s, v in payload["pressures"]}
     solver._changed = {int(s): int(k) for s, k in payload["changed"]}

@@ -17,7 +17,8 @@ class Bench:
 
     matters      material of each region
     grips        stress (Pa) that holds each region to the next one: inf bonded, 0 separable, a bond's strength
-    weakest      strength below which a wave inside one material is not followed
+    weakest      strength below which a wave inside one material is not followed; elastic   share of it that holds for elastic waves
+    narrow       elastic releases count as jumps (cells mode)
     fan_step     change of velocity over the sound speed below which a release is one jump
     unburned     number from which on regions are unburned explosive (cells mode); ideal  Chapman-Jouguet fronts found so far
     walls        velocity of the left and right wall; pressures  at the left and right end
@@ -32,6 +33,12 @@ class Bench:
     dropped: int = 0
     unburned: int = 1 << 60
     ideal: dict = field(default_factory=dict)
+    elastic: float = 1.0
+    narrow: bool = False
+
+    def least(self, kind: str) -> float:
+        """Strength from which on a front of a kind is followed."""
+        return self.weakest * (self.elastic if kind.startswith("elastic") else 1.0)
 
     def of(self, piece: Piece) -> Matter:
         """What a piece is made of."""
@@ -56,7 +63,7 @@ def _feeble(waves: list[Wave], bench: Bench) -> bool:
 def _solved(left: Piece, right: Piece, bench: Bench, jumps) -> exact.Solution:
     if left.kind in OUTSIDE or right.kind in OUTSIDE:
         inner, outer, d = (right, left, 1) if left.kind in OUTSIDE else (left, right, -1)
-        side = Curve(bench.of(inner), inner.edge(-d), d, jumps[(d + 1) // 2])
+        side = Curve(bench.of(inner), inner.edge(-d), d, jumps[(d + 1) // 2], bench.narrow)
         if outer.kind == "vacuum":
             return exact.surface(side, 0.0)
         if outer.kind == "pressure":
@@ -65,8 +72,8 @@ def _solved(left: Piece, right: Piece, bench: Bench, jumps) -> exact.Solution:
             return exact.wall(side, bench.walls[-d], bonded=not side.gas)
         state = inner.edge(-d)
         return exact.Solution([], [], (state.u, state.u), state.sigma)
-    a = Curve(bench.of(left), left.edge(1), -1, jumps[0])
-    b = Curve(bench.of(right), right.edge(-1), 1, jumps[1])
+    a = Curve(bench.of(left), left.edge(1), -1, jumps[0], bench.narrow)
+    b = Curve(bench.of(right), right.edge(-1), 1, jumps[1], bench.narrow)
     grip = float("inf") if left.region == right.region else bench.grips[left.region]
     if a.gas or b.gas:
         grip = 0.0
@@ -161,7 +168,7 @@ def _without_the_weak(units: list[Unit], middles: list[Piece], bench: Bench):
     strongest = max(range(len(units)), key=lambda k: units[k].strength)
     if units[strongest].strength == 0.0:
         return [], []
-    kept = [k for k in range(len(units)) if units[k].strength >= bench.weakest or k == strongest]
+    kept = [k for k in range(len(units)) if units[k].strength >= bench.least(units[k].fronts[0].kind) or k == strongest]
     bench.dropped += len(units) - len(kept)
     return [units[k] for k in kept], [middles[k] for k in kept[:-1]]
 

@@ -11,7 +11,7 @@ import numpy as np
 from hugoniot.laws.riemann.branch import elastic, wave_speed_squared
 from hugoniot.laws.riemann.medium import Frozen, mixed_phases
 from hugoniot.problem.model import Problem
-from hugoniot.solvers.fronts import setup
+from hugoniot.solvers.fronts import extremes, setup
 from hugoniot.solvers.protocol import Event, NothingToAdd
 from hugoniot.state import State
 
@@ -160,8 +160,20 @@ class Reading(NothingToAdd):
         return found
 
     def peaks(self) -> dict[str, np.ndarray]:
-        """No peak fields: the table of fronts holds every state there was."""
-        return {}
+        """Extremes of every zone, at the middle of its mass: stress and pressure in compression, tension positive, density."""
+        found = self._extremes_so_far()
+        zones = self.state().zones
+        extremes.update(found, slice(None), zones["stress"], zones["pressure"], zones["density"])
+        return extremes.named(found)
+
+    def _extremes_so_far(self) -> np.ndarray:
+        """Rows of `extremes.NAMES`, (4, nzone)."""
+        raise NotImplementedError
+
+    @property
+    def middles(self) -> np.ndarray:
+        """Share of its region's mass on the left of the middle of every zone, (nzone,)."""
+        return 0.5 * (self.fractions[0] + self.fractions[1])
 
     @property
     def tensions(self) -> np.ndarray:

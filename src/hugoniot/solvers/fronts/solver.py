@@ -10,6 +10,7 @@ import numpy as np
 from hugoniot.errors import HugoniotError, UnphysicalState
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.fronts import checkpoint, setup
+from hugoniot.solvers.fronts.extremes import Extremes
 from hugoniot.solvers.fronts.material_points import Column
 from hugoniot.solvers.fronts.queue import Line
 from hugoniot.solvers.fronts.reading import Reading
@@ -35,6 +36,8 @@ class Fronts(Reading):
         self.line = Line(pieces, fronts, self.bench, self.length, self._log, int(setup.options_of(problem)["most_fronts"]))
         self.lives = Lives()
         self.lives.note(self.line.fronts, self.line.pieces, 0.0)
+        self.extremes = Extremes(self.region_of, self.middles)
+        self.extremes.note(self.line.pieces, self.line.fronts, 0.0)
         self._changed = {side: 1 for side in (-1, 1)}       # steps of the drives that have been set
         self.start_totals, self.start_size = self.line.totals(), self._size()
         self._sample()
@@ -71,6 +74,7 @@ class Fronts(Reading):
                 self.cycle += 1
                 done += 1
                 self.lives.note(self.line.fronts, self.line.pieces, self.time)
+                self.extremes.note(self.line.pieces, self.line.fronts, self.time)
                 here = here + 1 if self.time == before else 0
                 self._check(here)
             if self.time > before:
@@ -106,6 +110,9 @@ class Fronts(Reading):
         region = self.problem.regions[max(self.line.pieces[k].region, 0)].name if k >= 0 else ""
         return UnphysicalState(f"where fronts meet, {error}.", "stay inside the range of the equations of state, or choose ones that reach "
                                "further", None, region, place, self.time, self.cycle)
+
+    def _extremes_so_far(self) -> np.ndarray:
+        return self.extremes.until(self.line.pieces, self.line.fronts, self.time)
 
     def limiting(self) -> tuple[int, str]:
         """(zone, region name) where the next meeting is."""

@@ -15,6 +15,7 @@ from hugoniot.problem.model import Problem
 from hugoniot.solvers.lagrange1d import accounts, reactive, start, transmitting
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_end, laws_of_regions, viscosity_of
+from hugoniot.solvers.lagrange1d.at_nodes import node_criteria
 from hugoniot.solvers.lagrange1d.between_steps import events_of
 from hugoniot.solvers.lagrange1d.bodies import alike_ranges, interface_table, left_nodes, run_table, set_node_masses, shares_of
 from hugoniot.solvers.lagrange1d.layout import B, H, WorkRows, Z
@@ -59,6 +60,7 @@ class Lagrange1D(NothingToAdd):
         self.terms = terms_of(problem, self.zones, self._faces(H.r), self.region_ranges)
         self.planner = Planner((self.table, self.charge_table, self.node_table, self.gradient_table, self.work), laws, self.terms,
                                self.geometry, self.staggered, problem.solver.options["heat_flux"], self.team.threads)
+        self.criteria = node_criteria(laws, self.laws_of_region, self.region_ranges)
         remembering = any(remembers(problem.materials[region.material].eos) for region in problem.regions)
         self.zone_fields = ZONE_FIELDS | ({"compaction": Z.compaction} if remembering else {})
         set_node_masses(self.zones, self.nodes, self.segments)
@@ -168,7 +170,7 @@ class Lagrange1D(NothingToAdd):
 
     def _arrays(self, watching=0):
         return Arrays(self.table, self.charge_table, self.node_table, self.gradient_table, self.control, self.counters, self.segments,
-                      self.interfaces, self.passed, watching)
+                      self.interfaces, self.passed, self.criteria, watching)
 
     def take_gauges(self):
         """(times, {field: (n, ngauge)}) recorded since the last call; with what `reactive.gauge_columns` adds where something burns."""

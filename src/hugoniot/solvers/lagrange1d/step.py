@@ -25,6 +25,7 @@ from hugoniot.core.shares import everyone
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.mesh import line
 from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d.at_nodes import fail_at_nodes
 from hugoniot.solvers.lagrange1d.conduction import conduct
 from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.nodes import end_node, end_pull, leap_end
@@ -62,7 +63,7 @@ SCHEMES = {"compatible": Compatible(), "wilkins": Leapfrog()}
 
 class Arrays(NamedTuple):
     """What a march works on besides its plan: the tables of `layout`, control numbers, bodies and weak interfaces, times it passes;
-    address of `watch`."""
+    fracture criteria at nodes (`at_nodes`); address of `watch`."""
 
     zones: Any
     charge: Any
@@ -73,6 +74,7 @@ class Arrays(NamedTuple):
     segments: Any
     interfaces: Any
     passed: Any
+    criteria: Any
     watching: int
 
 
@@ -177,13 +179,15 @@ def _(a, plan, scheme, geometry, boundaries, team):
 
 
 @nb.njit(**GUARD)
-def event_of(zones, nodes, control, counters, segments, interfaces):
+def event_of(zones, nodes, control, counters, segments, interfaces, criteria):
     """(what happens to the bodies now, where), or (PAUSED, -1)."""
     if segments.shape[0] > 1:
         gap = touching_gap(zones, nodes, segments)
         if gap >= 0:
             return L.VOID_CLOSES, gap
-    if control[L.WORST_FAILURE] >= 1.0 or counters[L.FRACTURING] > 0:
+    if criteria.shape[0] > 0:
+        fail_at_nodes(zones, nodes, segments, criteria)
+    if control[L.WORST_FAILURE] >= 1.0 or counters[L.FRACTURING] > 0 or criteria.shape[0] > 0:
         node = failing_node(zones, segments, control, counters)
         if node >= 0:
             return L.VOID_OPENS, node
@@ -200,7 +204,7 @@ def watch(a, geometry, found):
     if found[FOUND_UNSOUND] > 0.0:
         counters[L.STOP] = L.BAD_STATE
         return
-    code, culprit = event_of(a.zones, a.nodes, a.control, counters, a.segments, a.interfaces)
+    code, culprit = event_of(a.zones, a.nodes, a.control, counters, a.segments, a.interfaces, a.criteria)
     if culprit >= 0:
         counters[L.CULPRIT] = culprit
     hollow = line.hoops(geometry) > 0.0 and cavity_closed(a.nodes, a.segments)

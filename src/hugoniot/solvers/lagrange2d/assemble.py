@@ -4,7 +4,7 @@ import numpy as np
 
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos.contract import density_limits, pressure
-from hugoniot.laws.fracture.contract import FRACTURE
+from hugoniot.laws.fracture.contract import FRACTURE, asked_at_nodes
 from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.materials import burning
@@ -31,6 +31,10 @@ def kind_of(problem: Problem2D) -> int:
             raise OutOfRange(f"solver.{name} = {value!r} is not available in two dimensions; use {' or '.join(map(repr, known))}")
     if options.viscosity.kind == "herrmann" and options.viscosity.limited:
         raise OutOfRange("Herrmann's viscosity has no limiter; use solver.viscosity.limited = false")
+    for material in problem.materials.values():
+        if asked_at_nodes(material.fracture):
+            raise OutOfRange(f"material '{material.name}': its fracture law opens voids at nodes, and in two dimensions zones fail and "
+                             'nodes stay joined; use "pressure_volume" or "spall_stress"')
     if wrong := trouble_on_the_axis(problem):
         raise OutOfRange(f'{wrong}; use solver.scheme = "true_volume"')
     if problem.geometry == "plane":
@@ -163,7 +167,7 @@ def viscosity_law(problem: Problem2D, material):
     quadratic, linear = getattr(given, kind + "quadratic"), getattr(given, kind + "linear")
     if given.kind == "herrmann":      # B1 enters squared; a strong shock is resisted as by the others
         return VISCOSITY.get("herrmann").build(quadratic=float(np.sqrt(2.0 * quadratic)), linear=linear)
-    return VISCOSITY.get("limited").build(quadratic=quadratic, linear=linear)
+    return VISCOSITY.get("limited").build(quadratic=quadratic, linear=linear, linear_condensed=linear)
 
 
 def start_block(problem: Problem2D, block):

@@ -114,9 +114,7 @@ class Erosion:
         problem, boundaries = solver.problem, solver.boundaries
         self.surfaces = Surfaces(problem, solver.numbering, boundaries, self.live, self.surfaces, self.law.mass == "kept")
         contact = contact_tables(problem, self.surfaces, boundaries, solver.numbering, solver._zones)
-        kept = solver.contact
         solver.contact = ContactResults(problem, self.surfaces, solver.nodes, solver.kind)
-        solver.contact.rigid_start = kept.rigid_start
         solver.run = run._replace(loads=loads, given=np.zeros((len(loads), 4)), contact=carried_over(run.contact, contact))
 
     def seen(self, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
@@ -177,7 +175,7 @@ def _places(contact) -> tuple[dict[int, int], dict[tuple[int, int], int]]:
 def carried_over(old: C.Contact, new: C.Contact) -> C.Contact:
     """New tables of contact with what the old ones know of points, pairs and bonds that are in both; the next step searches anew."""
     point_of, edge_of = _places(new)
-    new.numbers[...], new.counts[...] = old.numbers, old.counts
+    new.numbers[...], new.counts[...], new.rigid[...] = old.numbers, old.counts, old.rigid
     new.numbers[C.REACH] = -1.0      # less than nothing: a search is due
     ends = old.points[old.edges[:, :2], C.POINT_NODE]
     edge_now = np.array([edge_of.get((int(a), int(b)), -1) for a, b in ends], dtype=np.int64)

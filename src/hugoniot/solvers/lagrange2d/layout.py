@@ -287,7 +287,7 @@ FOUND_TANGLED = FOUND_FLOATS      # column of the table of findings behind those
 FOUND_COLUMNS = FOUND_FLOATS + 1
 
 # -- why the march came back ---------------------------------------------------------------------------------------
-PAUSED, AT_EVENT, BAD_STATE, STEP_COLLAPSED, TANGLED, GAUGE_DUE, NO_ROOM = range(7)
+PAUSED, AT_EVENT, BAD_STATE, STEP_COLLAPSED, TANGLED, GAUGE_DUE, NO_ROOM, LED_ON = range(8)
 
 # -- boundaries -------------------------------------------------------------------------------------------------------
 CHAIN_WORK, CHAIN_IMPULSE_X, CHAIN_IMPULSE_Y = range(3)                     # columns of the table of chains

@@ -7,6 +7,9 @@
  5. a zone tangled, or robbed of a third of its area? back to 2 with half the step
  6. zones: energy by the work of the forces that moved the nodes, state at the end, its forces, signal rate
 
+Steps 2 to 6 are taken band by band (`bands`). Where a band is not the whole mesh, the rows before a zone that is tangled have been led on:
+the march returns, and the step is taken again from a copy (`rewind`).
+
 A march returns when its cycles are done, an event time is reached, a gauge is due or a state is bad; the codes are in `layout`. Threads
 share rows of zones and of nodes (`plan`); boundaries, blocks' shared nodes and the choice of the step are the leader's alone.
 """
@@ -20,6 +23,7 @@ from hugoniot.core.shares import everyone
 from hugoniot.core.target import GUARD
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import special_nodes, transmitting
+from hugoniot.solvers.lagrange2d.bands import AXIS, END, HELD, HOLD, LOADS, MOTION, SPECIAL, STRESS, between, next_top, take_rows
 from hugoniot.solvers.lagrange2d.contact import step as contact_step
 from hugoniot.solvers.lagrange2d.contact.step import touch
 from hugoniot.solvers.lagrange2d.node_step import FX, GX
@@ -28,12 +32,14 @@ from hugoniot.solvers.lagrange2d.plan import (
     ACCELERATE_AGAIN,
     CORRECT,
     GRADIENTS,
+    HEIGHT,
     LOOK,
     MOVE,
     PREDICT,
     PUSH,
     TAKE_BACK,
     gather,
+    tangled,
 )
 from hugoniot.solvers.lagrange2d.plane_rows import DT, DT_BACK, DT_HALF
 from hugoniot.solvers.lagrange2d.smoothness import fill_ghosts
@@ -67,6 +73,7 @@ class Run(NamedTuple):
     special: Any
     axis: Any
     axis_ratio: Any
+    before: Any              # (kinds of `bands`, rows): how many loads, special, held and axis nodes come before a row
     chains: Any              # (chains, 3): work and impulse of what stands outside
     kept: Any                # the same at the start of the step
     contact: Any             # `contact.layout.Contact` or `Nowhere`
@@ -96,22 +103,33 @@ def choose_step(control):
 
 
 @nb.njit(**GUARD)
-def hold_specials(run, options, time, dt, first, which, book):
-    """Steps 2 and 4 for the nodes that something besides their own zones acts on; `first`: whether forces were gathered anew."""
-    at_start = which == GX
+def hold_specials(run, options, time, dt, first, which, span):
+    """Steps 2 and 4 for the nodes that something besides their own zones acts on; `first`: whether forces were gathered anew.
+
+    span: (first row, one after the last) of the band, and the lag of the rows that are held.
+    """
+    at_start, (last, top, lag) = which == GX, span
+    book = not at_start
+    a, b = between(run.before, LOADS, last, top, lag - 1, run.loads.shape[0])
+    loads, given = run.loads[a:b], run.given[a:b]
+    a, b = between(run.before, SPECIAL, last, top, lag, run.special.shape[0])
+    special = run.special[a:b]
+    a, b = between(run.before, HELD, last, top, lag, run.held.shape[0])
+    held, normals = run.held[a:b], run.held_normals[a:b]
     if first:
         pulses, geometry = (run.pulses, run.tables), (options.kind, options.near)
-        special_nodes.load(run.nodes, run.loads, run.given, pulses, run.ends, time + 0.5 * dt, at_start, geometry)
+        special_nodes.load(run.nodes, loads, given, pulses, run.ends, time + 0.5 * dt, at_start, geometry)
         special_nodes.exchange(run.nodes, which, run.starts, run.members)
-    special_nodes.free_motion(run.nodes, run.special, which, dt, options.gx, options.gy)
+    special_nodes.free_motion(run.nodes, special, which, dt, options.gx, options.gy)
     special_nodes.transmit(run.nodes, run.gates, run.gate_normals, run.chains, dt, book)
-    special_nodes.hold(run.nodes, run.held, run.held_normals, run.pulses, run.tables, run.chains, time + dt, book)
+    special_nodes.hold(run.nodes, held, normals, run.pulses, run.tables, run.chains, time + dt, book)
     if at_start:
-        special_nodes.special_middle(run.nodes, run.special, dt)
+        special_nodes.special_middle(run.nodes, special, dt)
     touch(run.contact, run, options, time, dt, contact_step.PUSH if book else contact_step.PUSH_MIDDLE)
     if book:
         transmitting.answer(run, dt, options.kind, options.near)
-        special_nodes.book_loads(run.nodes, run.loads, run.given, run.chains, dt)
+        a, b = between(run.before, LOADS, last, top, lag, run.loads.shape[0])
+        special_nodes.book_loads(run.nodes, run.loads[a:b], run.given[a:b], run.chains, dt)
 
 
 @nb.njit(**GUARD)
@@ -139,32 +157,42 @@ def set_step(plan, dt):
 
 @nb.njit(**GUARD)
 def try_step(run, plan, options, control, first, team):
-    """Steps 2 to 5 with the step of the plan; how many zones are tangled, in which case nothing has moved. `first`: the first try."""
-    dt, time = plan.dts[DT], control[L.TIME]
+    """Steps 2 to 6 with the step of the plan; how many zones are tangled, in which case nothing has moved if a band is the whole mesh.
+    `first`: the first try."""
+    dt, time, top, rows = plan.dts[DT], control[L.TIME], 0, plan.before.shape[1] - 1
     transmitting.listen(run, dt, options.kind, options.near)
     special_nodes.axis_masses(run.nodes, run.axis, run.axis_ratio, options.near, False)
-    everyone(plan, ACCELERATE if first else ACCELERATE_AGAIN, team)
-    hold_specials(run, options, time, dt, first, GX, False)
-    everyone(plan, PREDICT, team)
+    while top < rows:
+        last, top = top, next_top(plan, top)
+        take_rows(plan, last, top, 0)
+        everyone(plan, ACCELERATE if first else ACCELERATE_AGAIN, team)
+        hold_specials(run, options, time, dt, first, GX, (last, top, HOLD))
+        take_rows(plan, last, top, STRESS)
+        everyone(plan, PREDICT, team)
+        wrong = tangled(plan, PREDICT)
+        if wrong > 0.0:
+            copy(run.ends_kept, run.ends)
+            return wrong
+        a, b = between(run.before, AXIS, last, top, STRESS, run.axis.shape[0])
+        special_nodes.axis_masses(run.nodes, run.axis[a:b], run.axis_ratio[a:b], options.near, True)
+        everyone(plan, PUSH, team)
+        hold_specials(run, options, time, dt, True, FX, (last, top, MOTION))
+        take_rows(plan, last, top, MOTION)
+        everyone(plan, MOVE, team)
+        touch(run.contact, run, options, time, dt, contact_step.MOVE)
+        take_rows(plan, last, top, END)
+        everyone(plan, LOOK, team)
+        wrong = tangled(plan, LOOK)
+        if wrong > 0.0:
+            everyone(plan, TAKE_BACK, team)
+            touch(run.contact, run, options, time, -dt, contact_step.TAKE_BACK)
+            copy(run.kept, run.chains)
+            copy(run.ends_kept, run.ends)
+            return wrong
+        touch(run.contact, run, options, time, dt, contact_step.ACCEPT)
+        everyone(plan, CORRECT, team)
     gather(plan.found)
-    wrong = plan.found[-1, L.FOUND_TANGLED]
-    if wrong > 0.0:
-        copy(run.ends_kept, run.ends)
-        return wrong
-    special_nodes.axis_masses(run.nodes, run.axis, run.axis_ratio, options.near, True)
-    everyone(plan, PUSH, team)
-    hold_specials(run, options, time, dt, True, FX, True)
-    everyone(plan, MOVE, team)
-    touch(run.contact, run, options, time, dt, contact_step.MOVE)
-    everyone(plan, LOOK, team)
-    gather(plan.found)
-    wrong = plan.found[-1, L.FOUND_TANGLED]
-    if wrong > 0.0:
-        everyone(plan, TAKE_BACK, team)
-        touch(run.contact, run, options, time, -dt, contact_step.TAKE_BACK)
-        copy(run.kept, run.chains)
-        copy(run.ends_kept, run.ends)
-    return wrong
+    return 0.0
 
 
 @nb.njit(**GUARD)
@@ -178,11 +206,14 @@ def take_step(run, plan, options, control, counters, team):
     set_step(plan, dt)
     touch(run.contact, run, options, time, dt, contact_step.CLOSE)
     copy(run.chains, run.kept)
+    take_rows(plan, 0, plan.before.shape[1] - 1, 0)
     everyone(plan, GRADIENTS, team)
     fill_ghosts(run.gradients, run.nodes, run.ghosts, run.ghost_numbers)
     transmitting.lag(run)
     copy(run.ends, run.ends_kept)
     while try_step(run, plan, options, control, tries == 0, team) > 0.0:
+        if plan.band[HEIGHT] < plan.before.shape[1] - 1:
+            return L.LED_ON
         tries += 1
         counters[L.REPEATED] += 1
         dt *= 0.5
@@ -191,11 +222,8 @@ def take_step(run, plan, options, control, counters, team):
         if tries > MOST_TRIES:
             return L.TANGLED
     control[L.DT] = dt
-    touch(run.contact, run, options, time, dt, contact_step.ACCEPT)
     if options.gx != 0.0 or options.gy != 0.0:
         book_body_force(run, options, control, dt)
-    everyone(plan, CORRECT, team)
-    gather(plan.found)
     totals = plan.found[-1]
     at_event = dt >= control[L.EVENT_TIME] - time
     control[L.TIME] = control[L.EVENT_TIME] if at_event else time + dt
@@ -212,7 +240,7 @@ def march(cycles, run, plan, options, control, counters, team):
     """Take up to `cycles` steps; returns the code of `layout` that says why it came back."""
     for _ in range(cycles):
         code = take_step(run, plan, options, control, counters, team)
-        if code == L.STEP_COLLAPSED or code == L.TANGLED or code == L.NO_ROOM:
+        if code == L.STEP_COLLAPSED or code == L.TANGLED or code == L.NO_ROOM or code == L.LED_ON:
             return code
         counters[L.ZONE_STEPS] += counters[L.ZONES]
         if code != L.PAUSED:

@@ -1,8 +1,9 @@
 """The plan of a march: for each command of the step the lists of passes that carry it out, and the rows of zones or nodes they take.
 
 Lists are written once for a run, one for each material and member of the team, whose scratch they use. A share is one row of zones or of
-nodes of a block; every member takes its part of the rows, and totals are taken over the shares in their order, so that no bit of a result
-depends on the number of threads.
+nodes of a block. The rows of a mesh are those of its nodes, block by block, each with the row of zones behind it, if there is one. A
+command is carried out over a band of rows, every member doing those that are its own, and totals are taken over the shares in their
+order, so that no bit of a result depends on the number of threads or the height of the bands.
 """
 
 from typing import Any, NamedTuple
@@ -35,15 +36,19 @@ from hugoniot.zones.steps import MaterialSteps
 GRADIENTS, PREDICT, CORRECT, START, LOOK, ACCELERATE, ACCELERATE_AGAIN, PUSH, MOVE, TAKE_BACK = range(10)     # commands
 COMMANDS = 10
 OF_NODES = (ACCELERATE, ACCELERATE_AGAIN, PUSH, MOVE, TAKE_BACK)
-FIRST, LAST, COUNT, PIECE, ORIGIN = range(5)                  # columns of the table of shares, the last one the first of the origins
+FIRST, LAST, COUNT, PIECE, MEMBER, ORIGIN = range(6)          # columns of the table of shares, the last one the first of the origins
+FROM, TO, HEIGHT = range(3)                                   # of the band: its first row and the one after its last, rows of a band
+BAND = 4_000                                                  # zones of a band for each member: what a step reads of them stays in cache
 
 
 class Plan(NamedTuple):
     """What compiled code carries out.
 
     written    the lists of passes in numbers
-    commands   (command; first, last share)
+    commands   (command): first share
+    before     (command; row): shares of the command before a row
     shares     (share; columns FIRST to ORIGIN and the origins, in bytes)
+    band       rows that commands take: FROM, TO, HEIGHT
     share_out  address of `do_share`
     threads    members of the team
     origins    (member, ORIGINS) in bytes: where the member is
@@ -54,7 +59,9 @@ class Plan(NamedTuple):
 
     written: Written
     commands: Any
+    before: Any
     shares: Any
+    band: Any
     share_out: int
     threads: int
     origins: Any
@@ -65,7 +72,7 @@ class Plan(NamedTuple):
 
 def _empty() -> Plan:
     table, floats = np.zeros((1, 1), dtype=np.int64), np.zeros((1, 1))
-    return Plan(Written(table, table), table, table, 0, 1, table, floats, floats, np.zeros(3))
+    return Plan(Written(table, table), table[0], table, table, table[0], 0, 1, table, floats, floats, np.zeros(3))
 
 
 EMPTY = _empty()     # of the compiled type of every plan
@@ -87,7 +94,7 @@ class Planner:
         self._at = [self.places.rows(member, member) for member in range(threads)]
         self._some_conduct, self._coefficient = any(self.conducts(m[0], m[2]) for m in materials), np.array([viscosity.heat_flux])
         self._lists = dict(self._of_materials(materials)) | dict(self._of_zones()) | dict(self._of_nodes())
-        self.written, self._ends = EMPTY.written, {}
+        self.written, self._ends, self.height = EMPTY.written, {}, 0
 
     def jobs(self) -> list[Job]:
         """What has yet to be compiled for the plan."""
@@ -104,7 +111,7 @@ class Planner:
                 if self.viscosity.limited:
                     self._compare(predict)
                 zone_step.predict(predict, self.geometry, numbers, fluid, self.viscosity.kind)
-                zone_step.correct(correct, self.geometry, numbers, self._conduction(at) if self.conducts(laws, fluid) else None)
+                zone_step.correct(correct, self.geometry, numbers, fluid, self._conduction(at) if self.conducts(laws, fluid) else None)
                 yield (PREDICT, k, member), predict.operations
                 yield (CORRECT, k, member), correct.operations
                 rows = zone_passes.StartOf(at.now, at.z.p, at.q, at.s, at.f)
@@ -184,33 +191,39 @@ class Planner:
             yield (TAKE_BACK, beside, 0), [Operation(node_step.move, None, motions[MOVE][1], self._body_force, place(self.dts[DT_BACK:]))]
 
     def plan(self, zone_rows, node_rows) -> Plan:
-        """The plan for rows of zones (count, material, origins...) and rows of nodes (count, rows of zones beside it, origins...)."""
+        """The plan for the rows of a mesh: of nodes (count, rows of zones beside it, origins...), and of zones those behind each of them
+        (count, material, origins...)."""
         self.written, ends = write(self._lists.values())
         self._ends = dict(zip(self._lists, ends))
-        shares, commands = [], np.zeros((COMMANDS, 2), dtype=np.int64)
+        height = max(1, BAND // max(count for count, *_ in node_rows))
+        self.height = height * self.threads
+        shares, commands, before = [], [], np.zeros((COMMANDS, len(node_rows) + 1), dtype=np.int64)
         for command in range(COMMANDS):
-            of_nodes = command in OF_NODES
-            rows = node_rows if of_nodes else zone_rows
-            if not any(command == known for known, _, _ in self._ends):
-                rows = []
-            commands[command] = len(shares), len(shares) + len(rows)
-            for i, (count, kind, *origins) in enumerate(rows):
-                member = next(m for m in range(self.threads) if i < len(rows) * (m + 1) // self.threads)
-                key = (command, kind, 0) if of_nodes else (command, kind if command in (PREDICT, CORRECT, START) else 0, member)
-                shares.append((*self._ends[key], count, count if of_nodes else L.PIECE, 0, *origins))
+            of_nodes, known = command in OF_NODES, any(command == other for other, _, _ in self._ends)
+            of_rows = [[row] for row in node_rows] if of_nodes else zone_rows
+            commands.append(len(shares))
+            for n, of_row in enumerate(of_rows):
+                for count, kind, *origins in of_row if known else []:
+                    member = n // height % self.threads      # whichever rows a band has: every member has as many, and always the same
+                    key = (command, kind, 0) if of_nodes else (command, kind if command in (PREDICT, CORRECT, START) else 0, member)
+                    shares.append((*self._ends[key], count, count if of_nodes else L.PIECE, member, 0, *origins))
+                before[command, n + 1] = len(shares) - commands[-1]
+        band = np.array([0, len(node_rows), self.height], dtype=np.int64)
         origins = np.zeros((self.threads, ORIGINS), dtype=np.int64)
-        plan = Plan(self.written, commands, np.array(shares, dtype=np.int64), 0, self.threads, origins, self.seen,
-                    np.zeros((len(zone_rows) + 1, L.FOUND_COLUMNS)), self.dts)
+        found = np.zeros((before[LOOK, -1] + 1, L.FOUND_COLUMNS))
+        plan = Plan(self.written, np.array(commands), before, np.array(shares, dtype=np.int64), band, 0, self.threads, origins, self.seen,
+                    found, self.dts)
         return plan._replace(share_out=DO_SHARE.address(plan, 0, 0))
 
 
 # -- carried out -------------------------------------------------------------------------------------------------------
 def do_share(plan, command, member):
-    """One command over one member's part of the rows."""
-    seen, origins, start, end = plan.seen[member], plan.origins[member], plan.commands[command, 0], plan.commands[command, 1]
-    first, last = (end - start) * member // plan.threads, (end - start) * (member + 1) // plan.threads
-    for i in range(first, last):
+    """One command over one member's rows of the band."""
+    seen, origins, start = plan.seen[member], plan.origins[member], plan.commands[command]
+    for i in range(plan.before[command, plan.band[FROM]], plan.before[command, plan.band[TO]]):
         share = plan.shares[start + i]
+        if share[MEMBER] != member:
+            continue
         seen[:] = 0.0
         for k in range(ORIGINS):
             origins[k] = share[ORIGIN + k]
@@ -226,6 +239,7 @@ DO_SHARE = Entry(do_share)
 @nb.njit(**GUARD)
 def carry_out_alone(plan, command):
     """One command over all rows, by the calling thread."""
+    plan.band[FROM], plan.band[TO] = 0, plan.before.shape[1] - 1
     for member in range(plan.threads):
         call_entry(plan.share_out, plan, command, member)
 
@@ -238,3 +252,12 @@ def gather(found):
     for i in range(found.shape[0] - 1):
         for k in range(totals.shape[0]):
             totals[k] = max(totals[k], found[i, k]) if k in (FOUND_RATE, FOUND_FAILURE) else totals[k] + found[i, k]
+
+
+@nb.njit(**GUARD)
+def tangled(plan, command):
+    """How many zones of the band a command has found tangled."""
+    found = 0.0
+    for i in range(plan.before[command, plan.band[FROM]], plan.before[command, plan.band[TO]]):
+        found += plan.found[i, L.FOUND_TANGLED]
+    return found

@@ -3,6 +3,9 @@
 That a step has left the range of a law is seen at its end, when the state before it is gone. So a copy of the state is kept, at most
 `KEPT_FOR` steps old, and the march goes on from there to the step in question: by the rule of checkpoints, in the same bits. What is done
 depends on the state alone, not on when the copy was made, so that a run that is resumed repeats the same steps.
+
+The same copy serves where a zone is tangled in a step that is taken band by band, whose first rows have been led on. The march then goes
+on for `WHOLE_FOR` steps with the whole mesh as one band, where such a step is repeated smaller at once.
 """
 
 from typing import Any, NamedTuple
@@ -12,10 +15,13 @@ import numpy as np
 from hugoniot.errors import UnphysicalState
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.assemble import N, Z
+from hugoniot.solvers.lagrange2d.bands import local
 from hugoniot.solvers.lagrange2d.contact import results
+from hugoniot.solvers.lagrange2d.plan import HEIGHT
 from hugoniot.solvers.protocol import Event
 
 KEPT_FOR = 256       # steps
+WHOLE_FOR = 1024     # steps
 MOST_TRIES = 12      # of the same trouble, each with half the step of the one before
 CLEAR = 4 * MOST_TRIES     # steps without trouble after which it counts as over
 NOT_LED_ON = {"mass", "inverse_mass", "nxx", "nyy", "nxy", "nhoop", "filter_power", "t0", "t1"}     # constants and scratch of a step
@@ -54,16 +60,49 @@ class Rewind:
     def __init__(self):
         self.kept: Kept | None = None
         self.marches: list[tuple[int, float]] = []      # (cycle of the first step, event time)
+        self.whole_until = 0                            # cycle to which the whole mesh is one band
 
     def forget(self) -> None:
         """What is kept no longer leads to the state as it stands."""
         self.kept = None
 
-    def begin(self, solver, until: float) -> None:
-        """A march to the event time `until` begins."""
-        if self.kept is None or solver.cycle - self.marches[0][0] >= KEPT_FOR:
-            self.kept, self.marches = keep(solver), []
+    def begin(self, solver, until: float, anew: bool = False) -> None:
+        """A march to the event time `until` begins; anew: from a state that the copy does not lead to."""
+        if anew or self.kept is None:
+            self._keep(solver)
         self.marches.append((solver.cycle, until))
+
+    def _keep(self, solver) -> None:
+        """Copy the state as it stands."""
+        self.kept, self.marches = keep(solver), []
+
+    def pause(self, solver, end: int) -> int:
+        """Cycle to which the march may go on with this copy and with bands of one height, at most `end`; sets the height."""
+        if solver.cycle - self.marches[0][0] >= KEPT_FOR:
+            self._keep(solver)
+            self.marches.append((solver.cycle, float(solver.control[L.EVENT_TIME])))
+        whole = solver.cycle < self.whole_until
+        in_bands = not whole and local(solver.run, solver.problem.solver.erosion)
+        solver.plan.band[HEIGHT] = solver.planner.height if in_bands else solver.plan.before.shape[1]
+        return min(end, self.marches[0][0] + KEPT_FOR, self.whole_until if whole else end)
+
+    def finish(self, solver, stop) -> None:
+        """Stand before a step some of whose bands have been led on; stop(cycle) marches on to a cycle."""
+        cycle, until = solver.cycle, float(solver.control[L.EVENT_TIME])
+        self._stand_before(solver, cycle, stop)
+        solver.control[L.EVENT_TIME] = until
+        self.kept, self.marches, self.whole_until = keep(solver), [(cycle, until)], cycle + WHOLE_FOR
+
+    def _stand_before(self, solver, before: int, stop) -> None:
+        """Go on from the copy to the step `before`, with the whole mesh as one band."""
+        assert self.kept is not None
+        put_back(solver, self.kept)
+        self.whole_until = max(self.whole_until, before)
+        ends = [start for start, _ in self.marches[1:]] + [before]
+        for (_, event), end in zip(self.marches, ends):
+            solver.control[L.EVENT_TIME] = event
+            if end > solver.cycle:
+                stop(end)
 
     def again(self, solver, cause: UnphysicalState, stop) -> Event | None:
         """Stand before the last step, and have the next one half as long; None if that has been tried often enough.
@@ -73,16 +112,10 @@ class Rewind:
         """
         counters, cycle, dt, until = solver.counters, solver.cycle, solver.step, solver.control[L.EVENT_TIME]
         before = cycle - 1
-        assert self.kept is not None
         tries = 1 if before - counters[L.LAST_TRIED] > CLEAR or counters[L.TRIES] == 0 else int(counters[L.TRIES]) + 1
         if tries > MOST_TRIES or not 0.5 * dt > solver.control[L.DT_SMALLEST]:
             return None
-        put_back(solver, self.kept)
-        ends = [start for start, _ in self.marches[1:]] + [before]
-        for (_, event), end in zip(self.marches, ends):
-            solver.control[L.EVENT_TIME] = event
-            if end > solver.cycle:
-                stop(end)
+        self._stand_before(solver, before, stop)
         solver.control[L.EVENT_TIME], solver.control[L.DT_NATURAL] = until, 0.5 * dt / solver.control[L.GROWTH]
         counters[L.TRIES], counters[L.LAST_TRIED], counters[L.LEFT_RANGE] = tries, before, counters[L.LEFT_RANGE] + 1
         self.kept, self.marches = keep(solver), [(before, until)]

@@ -16,15 +16,17 @@ def cells(mesh):
 
 
 def zone_rows(mesh, numbering: Numbering, material_of, live=None):
-    """(count, material, origins in the order of `plane_rows`) of every row of cells, or of every stretch of it that is live."""
+    """For every row of nodes what stands behind it: (count, material, origins in the order of `plane_rows`) of the row of cells, or of
+    every stretch of it that is live; nothing behind the last row of a block."""
     found, start = [], cells(mesh)
     for k, block in enumerate(mesh.blocks):
         for i in range(block.ni):
             zone, node = _row_of_zones(block, i), int(numbering.local(k, i, 0))
             cell, upper = int(start[k]) + (i + 1) * (block.nj + 2) + 1, _upper(block, zone)
             places = zone, zone, node, node + block.nj + 1, cell, cell - block.nj - 2, cell + block.nj + 2, upper, upper
-            for first, last in [(0, block.nj)] if live is None else stretches(live[zone:zone + block.nj]):
-                found.append((last - first, material_of[k], *(WORD * (place + first) for place in places)))
+            found.append([(last - first, material_of[k], *(WORD * (place + first) for place in places))
+                          for first, last in ([(0, block.nj)] if live is None else stretches(live[zone:zone + block.nj]))])
+        found.append([])
     return found
 
 

@@ -19,6 +19,7 @@ from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import quads as G
 from hugoniot.solvers.lagrange2d.accounts import B
 from hugoniot.solvers.lagrange2d.assemble import N, Numbering, Z, axis_tables, kind_of, materials_of, node_tables, unburned, zone_tables
+from hugoniot.solvers.lagrange2d.bands import in_rows
 from hugoniot.solvers.lagrange2d.boundaries import boundary_tables
 from hugoniot.solvers.lagrange2d.contact import results
 from hugoniot.solvers.lagrange2d.contact.layout import Nowhere
@@ -38,7 +39,7 @@ from hugoniot.state import State2D
 NAME = "lagrange2d"
 KEPT = ("zones", "nodes", "charge", "control", "counters", "chains", "ends")      # in checkpoints
 WORTH_SHARING = 4_000        # zones
-ON_THE_WAY = (L.PAUSED, L.GAUGE_DUE, L.NO_ROOM)      # why a march comes back before it is done
+ON_THE_WAY = (L.PAUSED, L.GAUGE_DUE, L.NO_ROOM, L.LED_ON)      # why a march comes back before it is done
 LARGEST_COLLAPSE = 1e-12     # smallest useful step as a fraction of the stop time
 
 
@@ -86,13 +87,12 @@ class Lagrange2D(NothingToAdd):
     def _run(self, mesh, contact) -> Run:
         edges = self.boundaries
         ghosts = ghost_tables(mesh, self.numbering, edges.mirrors, alike(self.problem, self.zones))
-        axis, ratio = axis_tables(self.problem, self.numbering, self.nodes[:, :self.numbering.total], self.kind)
-        starts, members = self.numbering.shared()
+        axis = in_rows(mesh, edges, *axis_tables(self.problem, self.numbering, self.nodes[:, :self.numbering.total], self.kind))
         gradients = zone_table(len(Gradients._fields) + len(Carried._fields), int(cells(mesh)[-1]))
         ends = transmitting.tables(edges, ghosts[0], self.numbering)
         return Run(self._zones, self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates, *ends,
-                   edges.held, edges.held_normals, edges.pulses, edges.tables, starts, members, edges.special, axis, ratio, self.chains,
-                   np.zeros_like(self.chains), contact)
+                   edges.held, edges.held_normals, edges.pulses, edges.tables, *self.numbering.shared(), edges.special, *axis,
+                   self.chains, np.zeros_like(self.chains), contact)
 
     def _plan(self, mesh, speed):
         """(plan of the march, largest speed of a programmed front)."""
@@ -186,8 +186,7 @@ class Lagrange2D(NothingToAdd):
             code = self._march_to(self.erosion.pause(end), events)
             if self.erosion.act(code):
                 code = code if code == L.AT_EVENT else L.PAUSED
-                self.rewind.forget()
-                self.rewind.begin(self, until)
+                self.rewind.begin(self, until, anew=True)
         if code in (L.STEP_COLLAPSED, L.TANGLED):
             raise post_mortem.diagnose(self, code)
         return events
@@ -205,9 +204,11 @@ class Lagrange2D(NothingToAdd):
 
     def _carry_on(self, end: int, at_gauge) -> int:
         """March to the cycle `end` or the event time; the code of why it came back. at_gauge(): what is done where gauges are due."""
-        code = L.GAUGE_DUE
-        while code in (L.GAUGE_DUE, L.NO_ROOM) and self.cycle < end:
-            code = march(*self._march_arguments(end - self.cycle, self.plan))
+        code = L.PAUSED
+        while code in ON_THE_WAY and self.cycle < end:
+            code = march(*self._march_arguments(self.rewind.pause(self, end) - self.cycle, self.plan))
+            if code == L.LED_ON:
+                self.rewind.finish(self, lambda cycle: self._carry_on(cycle, self._next_gauge))
             if code == L.NO_ROOM:
                 self.run = self.run._replace(contact=results.larger(self.run.contact))
             if self.sampler is not None and code in (L.GAUGE_DUE, L.AT_EVENT):

@@ -15,7 +15,7 @@ from hugoniot.solvers.lagrange2d import triangle_viscosity as viscosity
 from hugoniot.solvers.lagrange2d.hoop_viscosity import HoopOf, hoop_viscosity
 from hugoniot.solvers.lagrange2d.quads import AreaWeighted
 from hugoniot.solvers.lagrange2d.zone_passes import SettleOf, ShapeOf, StandOf, StartOf, StrainOf
-from hugoniot.solvers.lagrange2d.zone_step import state_at_end, state_in_middle
+from hugoniot.solvers.lagrange2d.zone_step import pressure_at_end, pressure_in_middle, stress_at_end, stress_in_middle
 from hugoniot.zones.steps import MaterialSteps
 
 
@@ -118,9 +118,11 @@ class Cell:
         if self.shared:
             self._share_work([part.at.z.p for part in self.pair], [part.at.w.e for part in self.pair], self.pair[0].at.half)
             self._share_density([s.rho_half for s in self.steps])
-        solid = [state_in_middle(s) for s in self.steps]
+        solid = [pressure_in_middle(s) for s in self.steps]
         if self.shared:
             self._average(*(s.p_half for s in self.steps))
+        for s, rho in zip(self.steps, solid):
+            stress_in_middle(s, rho)
         self._keep_stress()
         for part, s, rho in zip(self.pair, self.steps, solid):
             self._resist(part, s, rho, kind)
@@ -165,9 +167,12 @@ class Cell:
             self.do(passes.shape, ShapeOf(part.now, at.z.inverse_mass, at.w.v, at.z.rho, at.w.inverse_length))  # pyright: ignore
         if self.shared:
             self._share_density([part.at.z.rho for part in self.pair])
-        volumes = [state_at_end(s) for s in self.steps]
+        closed = [pressure_at_end(s) for s in self.steps]
         if self.shared:
             self._average(*(part.at.z.p for part in self.pair))
+        for s, (rho, _) in zip(self.steps, closed):
+            stress_at_end(s, rho)      # of the mean: the relief of voids is each triangle's own
+        volumes = [solid_v for _, solid_v in closed]
         for part, s, solid_v in zip(self.pair, self.steps, volumes):
             at, z, w = part.at, part.at.z, part.at.w
             self.do(passes.stand, StandOf(part.now, z.p, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed,  # pyright: ignore

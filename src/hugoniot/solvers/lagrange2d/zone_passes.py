@@ -102,6 +102,28 @@ class StandOf(NamedTuple):
     found: Any
 
 
+class StandFilteredOf(NamedTuple):
+    """The same with the density and the shape at t = 0, for the filter of fluids."""
+
+    corners: SidesNow
+    p: Any
+    q: Stress
+    new: Tensor
+    c2: Any
+    shear: Any
+    solid_v: Any
+    speed: Any
+    inverse: Any
+    s: Tensor
+    sigma: Any
+    c: Any
+    f: Corners
+    found: Any
+    rho: Any
+    t0: Any
+    t1: Any
+
+
 class StartOf(NamedTuple):
     """Nodes, pressure, viscous stress and deviators of the state -> corner forces."""
 
@@ -210,25 +232,44 @@ def shape(count, z, dt, numbers, law):
         z.inverse[j] = inverse_altitude(at)
 
 
+def rate_of_state(z, j, b, constants):
+    """Write the state of zone j that stands at the end of the step and the forces of its stress; what it asks of the time step, 1/s."""
+    p, xx, yy, xy = z.p[j], z.new.xx[j], z.new.yy[j], z.new.xy[j]
+    qxx, qyy, qxy, hoop = z.q.xx[j], z.q.yy[j], z.q.xy[j], z.q.hoop[j]
+    stress_forces(z.f, j, b, p, xx, yy, xy, qxx, qyy, qxy, hoop)
+    z.s.xx[j], z.s.yy[j], z.s.xy[j] = xx, yy, xy
+    x, y, shear = xx - qxx, yy - qyy, xy - qxy
+    half = 0.5 * (x - y)
+    size = vsqrt(half * half + shear * shear)
+    least, most = p - 0.5 * (x + y) - size, p - 0.5 * (x + y) + size
+    z.sigma[j] = most if most > -least else least
+    c = wave_speed(z.c2[j] + (4.0 / 3.0) * z.shear[j] * z.solid_v[j], constants.noise)
+    z.c[j] = c
+    return (fmax(c, constants.front) + 2.0 * z.speed[j]) * z.inverse[j]
+
+
 @zone_pass(StandOf)
 def stand(count, z, dt, numbers, law):
     """The state that stands at the end of the step, and its corner forces, which push at the start of the next one."""
     rows_apart()
     geometry, near, constants, fastest = kind_of(law), numbers[NEAR], named(Constants, numbers), z.found[FOUND_RATE]
     for j in range(count):
+        fastest = fmax(fastest, rate_of_state(z, j, coefficients(cell(z.corners, j), near, geometry), constants))
+    z.found[FOUND_RATE] = fastest
+
+
+@zone_pass(StandFilteredOf)
+def stand_filtered(count, z, dt, numbers, law):
+    """The same with the forces of the subzonal pressures, so that a fluid they hold in equilibrium is predicted to stay."""
+    rows_apart()
+    geometry, near, constants, fastest = kind_of(law), numbers[NEAR], named(Constants, numbers), z.found[FOUND_RATE]
+    merit = numbers[FILTER]
+    for j in range(count):
         at = cell(z.corners, j)
-        p, xx, yy, xy = z.p[j], z.new.xx[j], z.new.yy[j], z.new.xy[j]
-        qxx, qyy, qxy, hoop = z.q.xx[j], z.q.yy[j], z.q.xy[j], z.q.hoop[j]
-        stress_forces(z.f, j, coefficients(at, near, geometry), p, xx, yy, xy, qxx, qyy, qxy, hoop)
-        z.s.xx[j], z.s.yy[j], z.s.xy[j] = xx, yy, xy
-        x, y, shear = xx - qxx, yy - qyy, xy - qxy
-        half = 0.5 * (x - y)
-        size = vsqrt(half * half + shear * shear)
-        least, most = p - 0.5 * (x + y) - size, p - 0.5 * (x + y) + size
-        z.sigma[j] = most if most > -least else least
-        c = wave_speed(z.c2[j] + (4.0 / 3.0) * z.shear[j] * z.solid_v[j], constants.noise)
-        fastest = fmax(fastest, (fmax(c, constants.front) + 2.0 * z.speed[j]) * z.inverse[j])
-        z.c[j] = c
+        b = coefficients(at, near, geometry)
+        fastest = fmax(fastest, rate_of_state(z, j, b, constants))
+        x0, y0, x1, y1, x2, y2, x3, y3 = hourglass.subzonal(at, z.t0[j], z.t1[j], merit * z.rho[j] * z.c[j] * z.c[j])
+        add_forces(z.f, j, b, x0, y0, x1, y1, x2, y2, x3, y3)
     z.found[FOUND_RATE] = fastest
 
 
@@ -242,5 +283,6 @@ def start(count, z, dt, numbers, law):
 
 
 bind(stress_power)
+bind(rate_of_state)
 bind(with_mean)
 bind(with_viscosity)

@@ -37,6 +37,13 @@ def resist(s, geometry, solid, kind):
 
 def state_in_middle(s):
     """Write pressure and deviators in the middle of the step, from density and energy there; the row of the solid's density."""
+    solid = pressure_in_middle(s)
+    stress_in_middle(s, solid)
+    return solid
+
+
+def pressure_in_middle(s):
+    """The first part of `state_in_middle`: without deviators, and before voids take their relief."""
     b, w, at = s.at.b, s.at.w, s.at
     solid, solid_v = s.solid(s.rho_half)
     if s.laws.burns:
@@ -45,23 +52,38 @@ def state_in_middle(s):
         s.close_half(solid)
     else:
         s.pressure(solid, solid_v, w.e, s.p_half)
-    deviators(s, solid, w.e, s.p_half, b.lam_half, at.half)
-    s.relieve(solid)
     return solid
+
+
+def stress_in_middle(s, solid):
+    """The second part."""
+    deviators(s, solid, s.at.w.e, s.p_half, s.at.b.lam_half, s.at.half)
+    s.relieve(solid)
 
 
 def state_at_end(s):
     """Write pressure, deviators, fracture and hardening at the end of the step; the row of the solid's specific volume."""
-    z, b, w, at = s.at.z, s.at.b, s.at.w, s.at
-    solid, solid_v = s.solid(z.rho)
+    solid, solid_v = pressure_at_end(s)
+    stress_at_end(s, solid)
+    return solid_v
+
+
+def pressure_at_end(s):
+    """The first part of `state_at_end`; rows of density and specific volume of the solid."""
+    solid, solid_v = s.solid(s.at.z.rho)
     if s.laws.burns:
         s.close_end(solid)
     else:
-        s.state(solid_v, z.e, z.p)
+        s.state(solid_v, s.at.z.e, s.at.z.p)
+    return solid, solid_v
+
+
+def stress_at_end(s, solid):
+    """The second part."""
+    z, b, w, at = s.at.z, s.at.b, s.at.w, s.at
     deviators(s, solid, z.e, z.p, b.lam, at.whole)
     s.tear(solid)
     s.harden(w.v)
-    return solid_v
 
 
 def predict(s, geometry, numbers, fluid, kind):
@@ -79,7 +101,7 @@ def predict(s, geometry, numbers, fluid, kind):
         s.keep_half()
 
 
-def correct(s, geometry, numbers, conduction):
+def correct(s, geometry, numbers, fluid, conduction):
     """Write how the state at the end of the step and its forces are found; conduction: rows and numbers of the artificial heat flux, or
     None."""
     z, w, at = s.at.z, s.at.w, s.at
@@ -89,7 +111,10 @@ def correct(s, geometry, numbers, conduction):
         s.do(heat_flux.conduct, conduction[0], kind=geometry, numbers=conduction[1])
     s.do(passes.shape, passes.ShapeOf(at.now, z.inverse_mass, w.v, z.rho, w.inverse_length), kind=geometry, numbers=numbers)
     solid_v = state_at_end(s)
-    s.do(passes.stand, passes.StandOf(at.now, z.p, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s,
-                                      z.sigma, z.c, at.f, at.found), kind=geometry, numbers=numbers)
+    stand = (at.now, z.p, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s, z.sigma, z.c, at.f, at.found)
+    if fluid:
+        s.do(passes.stand_filtered, passes.StandFilteredOf(*stand, z.rho, z.t0, z.t1), kind=geometry, numbers=numbers)
+    else:
+        s.do(passes.stand, passes.StandOf(*stand), kind=geometry, numbers=numbers)
     s.pace(w.inverse_length)
     s.look_over()

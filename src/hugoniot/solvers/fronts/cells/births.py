@@ -17,6 +17,7 @@ from hugoniot.laws.riemann.wave import Side, jumps
 from hugoniot.solvers.fronts import line
 from hugoniot.solvers.fronts.cells import detonations
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh
+from hugoniot.solvers.fronts.cells.solids import stretch_of
 from hugoniot.solvers.fronts.line import OUTSIDE, Piece
 from hugoniot.solvers.fronts.meeting import Bench, outgoing
 
@@ -59,7 +60,7 @@ def bear(mesh: Mesh, face: int, left: Piece, right: Piece, time: float, bench: B
     """
     fronts, pieces, found = outgoing(left, right, float(mesh.x[face]), time, bench)
     given = [_given(front, [left, *pieces, right][k:k + 2]) for k, front in enumerate(fronts)]
-    given = _with_scalars(mesh, left, right, fronts, given)
+    given = _with_scalars(mesh, [left, *pieces, right], fronts, given, bench)
     rows = _without_the_weak(list(zip(fronts, given)), (left, right), pieces, bench, followed)
     position = int(np.count_nonzero(mesh.marked[:face]))
     if rows is None:                          # nothing is left to follow
@@ -108,7 +109,7 @@ def ignite(mesh: Mesh, face: int, left: Piece, right: Piece, time: float, bench:
     """The same where unburned explosive is lit; all waves are followed."""
     fronts, pieces, found = detonations.lit(left, right, float(mesh.x[face]), time, bench)
     given = [_given(front, [left, *pieces, right][k:k + 2]) for k, front in enumerate(fronts)]
-    given = _with_scalars(mesh, left, right, fronts, given)
+    given = _with_scalars(mesh, [left, *pieces, right], fronts, given, bench)
     kinds = place(mesh, face, (left, right), (fronts, pieces), (list(zip(fronts, given)), pieces), time, bench)
     return kinds, f"{found.stress:.6g} Pa, {found.velocity[0]:.6g} m/s"
 
@@ -140,7 +141,7 @@ def _without_the_weak(rows, sides, pieces: list[Piece], bench: Bench, followed: 
         if front.kind == "contact":
             weak = contrasts[id(front)] < bench.weakest
         elif weak:
-            weak = front.strength < bench.weakest * (FAN_WEAKEST if is_fan else 1.0)
+            weak = front.strength < bench.least(front.kind) * (FAN_WEAKEST if is_fan else 1.0)
         weak = weak or (not followed and (front.kind == "contact" or front.direction != 0))
         if not weak:
             k += width
@@ -178,25 +179,33 @@ def _inside(piece: Piece, before, after, bench: Bench):
         fall = abs(wave.behind.u - wave.ahead.u) / (bench.fan_step * abs(wave.head - wave.ahead.u))
         count = min(max(math.ceil(fall), 2), MOST_IN_FAN)
     else:
-        count = NEWBORN
+        count = 1 if any(front.kind.startswith("elastic") for front in (left, right)) else NEWBORN      # the two shocks part slowly
     speeds = np.linspace(left.speed, right.speed, count + 1)[1:-1].tolist()
     states = [line.fan_state(piece, xi) if piece.kind == "fan" else piece.state for xi in speeds]
-    scalars = (before if left.direction else after)[1][5:]
-    return [False] * (count - 1), [[xi, s.rho, s.u, s.e, s.sigma, *scalars] for xi, s in zip(speeds, states)], count
+    given = (before if left.direction else after)[1][5:]
+    matter = bench.of(piece)
+    scalars = [[0.0, *(stretch_of(s, matter),) * 2] if matter.yield_stress else given for s in states]
+    return [False] * (count - 1), [[xi, s.rho, s.u, s.e, s.sigma, *more] for xi, s, more in zip(speeds, states, scalars)], count
 
 
-def _with_scalars(mesh: Mesh, left: Piece, right: Piece, fronts, given):
-    """The states at newborn fronts, with what goes with the mass behind them: a shock gives isolated reactants a new reference state."""
+def _with_scalars(mesh: Mesh, whole: list[Piece], fronts, given, bench: Bench):
+    """The states at newborn fronts, with what goes with the mass behind them: a shock gives isolated reactants a new reference state.
+
+    whole   all pieces, those outside included. Of solids it is the stretch on either side.
+    """
     if mesh.given.shape[1] == 5:
         return given
     rows = []
-    for front, state in zip(fronts, given):
-        scalars, piece = [0.0, 0.0, 0.0], left if front.direction < 0 else right
+    for k, (front, state) in enumerate(zip(fronts, given)):
+        scalars, piece = [0.0, 0.0, 0.0], whole[0] if front.direction < 0 else whole[-1]
         par = piece.matter.par if piece.matter is not None else None
         if front.direction and isinstance(par, Frozen):
             scalars = [par.burned, par.volume, par.energy]
             if "shock" in front.kind:
                 scalars[1:] = _new_reference(par, state, front)
+        for j, beside in enumerate(whole[k:k + 2]):
+            if beside.kind in ("state", "fan") and (matter := bench.of(beside)).yield_stress:
+                scalars[1 + j] = stretch_of(beside.edge(1 - 2 * j), matter)
         rows.append([*state, *scalars])
     return rows
 

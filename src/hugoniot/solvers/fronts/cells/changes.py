@@ -35,10 +35,11 @@ class Changes:
         for first, last in reversed(runs):
             self._meet(mesh, first, last, time)
         for x in parting if not runs else ():
-            self._renew(mesh, int(np.flatnonzero(mesh.x == x)[0]), time, "parts")
+            face = int(np.flatnonzero(mesh.x == x)[0])
+            self._renew(mesh, face, time, "divides" if mesh.fronts[_order(mesh, face)].direction else "parts")
         self.flow.clear()
         if np.isnan(mesh.push).all():      # what stands beside cells of no width has its place after their first step only
-            adjust(mesh, self.flow.spacing, self.flow.slopes)
+            adjust(mesh, self.flow.spacing, self.flow.slopes, self.flow.solid)
 
     def steepen(self, mesh: Mesh, time: float) -> None:
         """Follow the shocks that have formed among the cells."""
@@ -55,7 +56,7 @@ class Changes:
         for front in inside:
             self.ended(front, time, x)
         kinds = [front.kind for front in inside]
-        solid = [front for front in inside if not front.kind.startswith("fan")]
+        solid = [front for front in inside if "fan" not in front.kind]
         face = collapse(mesh, first, last, x, self.flow.bench.unburned)
         self.meetings += 1
         if len(solid) < 2:      # at the edge of a fan no state jumps: it ends where it meets anything, and what it meets goes on

@@ -15,7 +15,8 @@ def payload(solver) -> dict:
     fronts = [{"kind": f.kind, "numbers": [f.speed, float(f.direction), f.strength, float(f.least), f.since, f.start],
                "sides": np.array(f.sides, dtype=float)} for f in mesh.fronts]
     return {"x": mesh.x.copy(), "q": mesh.q.copy(), "region": mesh.region.copy(), "marked": mesh.marked.copy(), "given": mesh.given.copy(),
-            "push": mesh.push.copy(), "fronts": fronts, "samples": solver.samples, "numbers": solver.flow.work.numbers.copy(),
+            "push": mesh.push.copy(), "fronts": fronts, "samples": solver.samples,
+            "zones": solver.flow.work.zones.copy(), "numbers": solver.flow.work.numbers.copy(),
             "dropped": solver.flow.bench.dropped,
             "changes": [getattr(solver.changes, name) for name in _COUNTS], "passed": solver.flow.work.passed.copy(),
             "start_totals": solver.start_totals.copy(), "start_size": solver.start_size.copy(),
@@ -31,7 +32,7 @@ def restore(solver, payload: dict) -> None:
     solver.mesh = Mesh(payload["x"].copy(), payload["q"].copy(), payload["region"].copy(), payload["marked"].astype(bool), fronts,
                        solver.problem.dimension, payload["given"].copy(), payload["push"].copy())
     work = solver.flow.work
-    work.numbers[:], work.passed[:] = payload["numbers"], payload["passed"]
+    work.numbers[:], work.passed[:], work.zones[:] = payload["numbers"], payload["passed"], payload["zones"]
     solver.cycle, solver.step = int(work.numbers[tables.CYCLE]), float(work.numbers[tables.STEP])
     solver.samples = int(payload["samples"])
     solver.flow.bench.dropped = int(payload["dropped"])

@@ -5,6 +5,7 @@ import numpy as np
 from hugoniot.laws.riemann.branch import Branch, Matter, State, stress
 from hugoniot.solvers.fronts.cells.flow import Flow
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Mesh, mean_area
+from hugoniot.solvers.fronts.cells.solids import with_deviator
 from hugoniot.solvers.fronts.cells.tables import HIGH, LAM, LOW, MEAN, STATE, P
 
 
@@ -58,4 +59,4 @@ class CellColumn:
             if np.isfinite(p):
                 break
         burned = float(flow.programmed[region]) if not flow.burns_by_rate[region] else min(max(values[LAM], 0.0), 1.0)
-        return x, State(rho, u, e, p), matter, burned
+        return x, with_deviator(rho, u, e, mixed[1], matter, p), matter, burned

@@ -10,10 +10,11 @@ from hugoniot.laws.arrays import float_parameters
 from hugoniot.laws.burn.contract import BURN, Reactive
 from hugoniot.laws.eos.contract import density_limits, flagged
 from hugoniot.laws.riemann.branch import Matter, State
-from hugoniot.laws.riemann.medium import Frozen, mixture_limit
+from hugoniot.laws.riemann.medium import Frozen, Solid, mixture_limit
 from hugoniot.materials import burning
 from hugoniot.problem.model import Problem
-from hugoniot.solvers.fronts.cells import march, parabolas, steepening, tables, tracked
+from hugoniot.solvers.fronts import extremes, setup
+from hugoniot.solvers.fronts.cells import march, parabolas, solids, steepening, tables, tracked
 from hugoniot.solvers.fronts.cells.gas import averages
 from hugoniot.solvers.fronts.cells.mesh import Mesh
 from hugoniot.solvers.fronts.cells.passes import burn_pass, pace_pass, states_pass, wave_pass
@@ -27,9 +28,10 @@ SHAPES = ("square", "constant", "half_sine", "ramp", "exponential", "table", "no
 
 
 def law_of_region(material) -> Any:
-    """What the cells ask: the equation of state, or rate and mixture of a material that burns by a rate."""
+    """What the cells ask: the equation of state, a solid's with its strength, or rate and mixture of a material that burns by a rate."""
     if material.burn is None or "programmed" in BURN.of(material.burn).flags:
-        return float_parameters(material.eos)
+        matter = setup.matter_of(material)
+        return float_parameters(Solid(*matter) if matter.yield_stress else material.eos)
     pair = burning.reactive(material)
     if hasattr(pair.mixture, "nascent_limit"):
         pair = pair._replace(mixture=pair.mixture._replace(nascent_limit=EXACT))
@@ -37,26 +39,30 @@ def law_of_region(material) -> Any:
 
 
 class Flow:
-    """What a step needs beside the mesh: `bench` for the exact Riemann problems, `spacing`, the ends, and the tables of the march."""
+    """What a step needs beside the mesh: `bench` for the exact Riemann problems, `spacing`, the ends, and the tables of the march.
 
-    def __init__(self, problem: Problem, bench: Bench, outside, options: dict, courant: float):
+    owner, middles   region of every zone of the problem, and the share of its mass left of the zone's middle, (nzone,)
+    """
+
+    def __init__(self, problem: Problem, bench: Bench, outside, options: dict, courant: float, owner, middles):
         self.bench, self.outside, self.problem = bench, outside, problem
         self.laws = [law_of_region(problem.materials[r.material]) for r in problem.regions]
         self.burns = any(isinstance(law, Reactive) for law in self.laws)
-        self.variables = 6 if self.burns else 3
+        self.solid = np.array([isinstance(law, Solid) for law in self.laws])
+        self.variables = 6 if self.burns or self.solid.any() else 3
         self.burns_by_rate = [isinstance(law, Reactive) for law in self.laws]
         burnt = [problem.materials[r.material].burn is not None for r in problem.regions]
         self.programmed = [one and not rate for one, rate in zip(burnt, self.burns_by_rate)]      # products of programmed fronts
         self._numbers = [numbers_of(law) for law in self.laws]
         self.spacing = Spacing(problem.dimension, np.array(cells_of(problem), dtype=float))
         self.rules = self._rules(options, courant)
-        self.work = tables.make_work(64, self.variables, len(self.laws))
+        self.work = tables.make_work(64, self.variables, len(self.laws), np.vstack([middles, extremes.start(len(middles))]), owner)
         self.work.numbers[tables.RESOLUTION] = 1e300
 
     def _rules(self, options: dict, courant: float) -> Rules:
         problem, count = self.problem, len(self.laws)
         passes, words = np.zeros((2 * count, 4), dtype=np.int64), np.zeros(2 * count, dtype=np.int64)
-        limits, traits = np.zeros((2 * count, 3)), np.zeros((count, 3))
+        limits, traits = np.zeros((2 * count, 3)), np.zeros((count, 5))
         for k, law in enumerate(self.laws):
             burns = isinstance(law, Reactive)
             passes[k] = (states_pass.address(law), wave_pass.address(law), *((burn_pass.address(law), pace_pass.address(law)) if burns else
@@ -66,9 +72,10 @@ class Flow:
                 whole = min(mixture_limit(0.0, law.mixture), mixture_limit(1.0, law.mixture))
                 limits[k] = whole, density_limits(law.mixture.reactants)[1], density_limits(law.mixture.products)[1]
             else:
-                limits[k] = density_limits(law)[1]
-            gas = flagged(law.mixture.products, "gas") and flagged(law.mixture.reactants, "gas") if burns else flagged(law, "gas")
-            traits[k] = self.spacing.zones[k], min(self.bench.grips[k], 1e300), gas
+                eos = law.eos if isinstance(law, Solid) else law
+                limits[k] = density_limits(eos)[1]
+            gas = flagged(law.mixture.products, "gas") and flagged(law.mixture.reactants, "gas") if burns else flagged(eos, "gas")
+            traits[k] = self.spacing.zones[k], min(self.bench.grips[k], 1e300), gas, *solids.traits(law)
         np.minimum(limits, 1e30, out=limits)
         ends, lists = np.zeros((2, 5)), []
         for row, end, kind in zip(ends, (problem.left, problem.right), self.outside):
@@ -80,7 +87,7 @@ class Flow:
         padded = [np.array([[*row, *[row[-1]] * (longest - len(row))] for row in rows], dtype=float) for rows in zip(*lists)]
         length = problem.regions[-1].end - problem.regions[0].start
         numbers = np.array([problem.dimension, courant, float(options["weakest"]), length, problem.stop_time, self.burns,
-                            self.bench.unburned, int(options["most_fronts"])], dtype=float)
+                            self.bench.unburned, int(options["most_fronts"]), self.bench.elastic if self.solid.any() else 0.0], dtype=float)
         return Rules(passes, words, limits, traits, ends, *padded, numbers)
 
     # -- arrays --------------------------------------------------------------------------------------------------------
@@ -88,7 +95,7 @@ class Flow:
         """The arrays of the mesh, and room for them in the scratch."""
         n = len(mesh.q)
         if n + 2 > self.work.w.shape[1]:
-            more = tables.make_work(2 * n + 2, self.variables, len(self.laws))
+            more = tables.make_work(2 * n + 2, self.variables, len(self.laws), self.work.zones, self.work.owner)
             self.work = more._replace(trace=self.work.trace, passed=self.work.passed, numbers=self.work.numbers)
         return Grid(*(np.ascontiguousarray(row) for row in (mesh.x, mesh.q, mesh.region, mesh.marked, mesh.given, mesh.push)))
 

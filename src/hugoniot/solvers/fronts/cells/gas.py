@@ -6,7 +6,10 @@ $$\rho_t = -u\rho_x - \rho\left(u_x + \tfrac{d-1}{r}u\right), \quad u_t = -uu_x 
   e_t = -ue_x - \tfrac{p}{\rho}\left(u_x + \tfrac{d-1}{r}u\right), \quad \lambda_t = -u\lambda_x + \dot\lambda,$$
 
 and with their own face (velocity w): $q + \tfrac12\Delta t\,(q_t + w q_x)$. The two states at a face meet in an HLLC problem, read
-off at w. Where a mixture burns, $p_x$ is the difference of the pressures at both faces.
+off at w. Where a mixture burns, and in solids, $p_x$ is the difference of the pressures (stresses) at both faces.
+
+A solid has its stress for p, and its stretch z (laws.riemann.medium) obeys the equation of the density. A cell keeps the integral of
+z, whose flux is that of the mass times $z/\rho$; after the step what lies beyond the yield surface returns to it.
 
 Sources: van Leer, J. Comput. Phys. 32 (1979) 101 (MUSCL, Hancock's predictor); Toro, Riemann Solvers, 10.4 and 14.4.
 """
@@ -18,10 +21,14 @@ import numba as nb
 from hugoniot.core.pass_lists import call_pass
 from hugoniot.core.rows import row_at
 from hugoniot.core.target import GUARD
+from hugoniot.solvers.fronts.cells.solids import is_solid, yielded
 from hugoniot.solvers.fronts.cells.spacing import path_mean
 from hugoniot.solvers.fronts.cells.tables import (
+    BORN_LEFT,
+    BORN_RIGHT,
     BURNED,
     COLD,
+    ELASTIC,
     F_E,
     F_P,
     F_RHO,
@@ -43,6 +50,7 @@ from hugoniot.solvers.fronts.cells.tables import (
     RIGHT,
     SPEED,
     STATE,
+    VOLUME,
     C,
     E,
     P,
@@ -95,9 +103,12 @@ def averages(grid, rules, work, n, d):
             w[MEAN + v, i] = 0.0
         if full:
             mass = grid.q[i, 0]
-            w[MEAN, i] = mass / ((grid.x[i + 1] - grid.x[i]) * path_mean(grid.x[i], grid.x[i + 1], d))
+            volume = (grid.x[i + 1] - grid.x[i]) * path_mean(grid.x[i], grid.x[i + 1], d)
+            w[MEAN, i] = mass / volume
             for v in range(1, variables):
                 w[MEAN + v, i] = grid.q[i, v] / mass
+            if is_solid(rules, grid.region[i]):
+                w[MEAN + VOLUME, i] = yielded(rules, grid.region[i], grid.q[i, VOLUME] / volume)
             w[MEAN + E, i] -= 0.5 * w[MEAN + U, i] ** 2
     evaluate(grid, rules, work, n, MEAN)
 
@@ -133,15 +144,17 @@ def predict(grid, rules, work, n, d, dt, burns):
         for i in range(n):
             w[BURNED, i] = w[MEAN + LAM, i]
         each_burning(grid, rules, work, n, 2, (MEAN + LAM, MEAN, MEAN + E, MEAN + LAM, MEAN + LAM + 1, MEAN + LAM + 2, BURNED), half)
+    if burns or rules.numbers[ELASTIC] > 0.0:
         evaluate(grid, rules, work, n, LOW)
         evaluate(grid, rules, work, n, HIGH)
     for i in range(n):
         full = w[FULL, i] > 0.0
+        solid = full and is_solid(rules, grid.region[i])
         h = grid.x[i + 1] - grid.x[i] if full else 1.0
         rho, u, p = w[MEAN, i], w[MEAN + U, i], w[MEAN + P, i]
         spread = (w[HIGH + U, i] - w[LOW + U, i]) / h + ((d - 1) * u / (0.5 * (grid.x[i] + grid.x[i + 1])) if d > 1 else 0.0)
         p_x = (w[MEAN + P_RHO, i] * (w[HIGH, i] - w[LOW, i]) + w[MEAN + P_E, i] * (w[HIGH + E, i] - w[LOW + E, i])) / h
-        if burns and full and rules.passes[grid.region[i], 2] != 0:
+        if solid or (burns and full and rules.passes[grid.region[i], 2] != 0):
             by_faces = (w[HIGH + P, i] - w[LOW + P, i]) / h
             p_x = by_faces if abs(by_faces) < 1e300 else p_x
         for v in range(STATE):
@@ -154,6 +167,8 @@ def predict(grid, rules, work, n, d, dt, burns):
                 rate -= p_x / rho
             elif full and v == E:
                 rate -= p / rho * spread
+            elif solid and v == VOLUME:
+                rate -= w[MEAN + v, i] * spread
             if v >= variables or not full:
                 rate = 0.0
             gain, shift = half * rate, 0.25 * dt * (w[SPEED, i] + w[SPEED, i + 1]) * slope
@@ -163,6 +178,9 @@ def predict(grid, rules, work, n, d, dt, burns):
             w[LEFT + v, i] = low + gain + half * w[SPEED, i] * slope
             w[RIGHT + v, i] = high + gain + half * w[SPEED, i + 1] * slope
             w[MIDDLE + v, i] = w[MEAN + v, i] + gain + shift
+        if solid:
+            for block in (LEFT, RIGHT, MIDDLE):
+                w[block + VOLUME, i] = yielded(rules, grid.region[i], w[block + VOLUME, i])
     for block in (LEFT, RIGHT, MIDDLE):
         evaluate(grid, rules, work, n, block)
     for i in range(n):
@@ -174,7 +192,7 @@ def predict(grid, rules, work, n, d, dt, burns):
 
 
 @nb.njit(**GUARD)
-def hllc(work, n):
+def hllc(grid, rules, work, n):
     """The HLLC state at inner faces, which move at the speeds of the table."""
     w = work.w
     for f in range(1, n):
@@ -199,6 +217,8 @@ def hllc(work, n):
         for k in range(3):
             value = w[RIGHT + LAM + k, i] if left else w[LEFT + LAM + k, f]
             w[INTO_LEFT + k, f] = w[INTO_RIGHT + k, f] = value
+        if is_solid(rules, grid.region[i]) and not grid.marked[f]:
+            w[INTO_LEFT + 1, f] = w[INTO_RIGHT + 1, f] = w[RIGHT + VOLUME, i] / rl if left else w[LEFT + VOLUME, f] / rr
 
 
 @nb.njit(**GUARD)
@@ -211,6 +231,9 @@ def move(grid, rules, work, n, d, dt, burns):
         each_burning(grid, rules, work, n, 2, (FROM, MIDDLE, MIDDLE + E, MIDDLE + LAM, MIDDLE + LAM + 1, MIDDLE + LAM + 2, BURNED), dt)
         for i in range(n):
             w[PACE, i] = grid.q[i, 0]
+    for i in range(n):       # a cell that is being born has the stretch of the exact solution
+        if is_solid(rules, grid.region[i]) and not math.isnan(grid.push[i]):
+            w[FROM, i] = 0.5 * (grid.given[i, BORN_RIGHT] + grid.given[i + 1, BORN_LEFT])
     before = 0.0
     for f in range(n + 1):
         speed = w[SPEED, f]
@@ -246,4 +269,10 @@ def move(grid, rules, work, n, d, dt, burns):
         if burns and w[FULL, i] > 0.0:
             lam = grid.q[i, 3] + 0.5 * (grid.q[i, 0] + w[PACE, i]) * (w[BURNED, i] - w[FROM, i])
             grid.q[i, 3] = min(max(lam, 0.0), grid.q[i, 0])
+        if is_solid(rules, grid.region[i]):
+            volume = (grid.x[i + 1] - grid.x[i]) * path_mean(grid.x[i], grid.x[i + 1], d)
+            if not math.isnan(grid.push[i]):
+                grid.q[i, VOLUME] = volume * yielded(rules, grid.region[i], w[FROM, i])
+            elif volume > 0.0:       # else two fronts have met, and nothing is left between them
+                grid.q[i, VOLUME] = volume * yielded(rules, grid.region[i], grid.q[i, VOLUME] / volume)
         grid.push[i] = math.nan

@@ -20,6 +20,7 @@ from hugoniot.solvers.fronts.cells.exact import at_fronts
 from hugoniot.solvers.fronts.cells.gas import averages, each_burning, evaluate, hllc, move, predict, unsound
 from hugoniot.solvers.fronts.cells.pace import face_speeds, known_speeds, meeting_time, step_length
 from hugoniot.solvers.fronts.cells.parabolas import reconstruct
+from hugoniot.solvers.fronts.cells.solids import deviator_of, is_solid, yielded
 from hugoniot.solvers.fronts.cells.spacing import extent, wanted
 from hugoniot.solvers.fronts.cells.steepening import steep_cell
 from hugoniot.solvers.fronts.cells.tables import (
@@ -53,11 +54,13 @@ from hugoniot.solvers.fronts.cells.tables import (
     TIME,
     TOUCHING,
     UPDATES,
+    VOLUME,
     WIDTH,
     E,
     P,
     U,
 )
+from hugoniot.solvers.fronts.cells.zones import look_at_zones
 
 LOOK = 5              # steps between looks for shocks that have formed
 PATHS = 400           # lines into which the paths of fronts are cut over a run
@@ -102,6 +105,7 @@ def open_step(grid, rules, work, fronts, count, longest):
     if bad >= 0:
         work.numbers[LIMITING] = bad
         return math.nan, False
+    look_at_zones(grid, rules, work, n)
     reconstruct(grid, w, n, d, grid.q.shape[1])
     if burns:
         w[PACE, :n] = 0.0
@@ -110,7 +114,7 @@ def open_step(grid, rules, work, fronts, count, longest):
     dt, meets = step_length(grid, rules, work, fronts, count, longest, d)
     face_speeds(grid, work, dt, d)
     predict(grid, rules, work, n, d, dt, burns)
-    hllc(work, n)
+    hllc(grid, rules, work, n)
     return dt, meets
 
 
@@ -177,11 +181,13 @@ def sample(grid, rules, work, fronts, count):
             kind = rules.ends[0 if f == 0 else 1, 0]
             if outside and kind == OPEN:
                 cell, block, outside = (f, LOW, False) if side == 0 else (f - 1, HIGH, False)
-            for j in range(5):
-                line[4 + 5 * side + j] = 0.0
+            line[4 + 5 * side:9 + 5 * side] = 0.0
             if not outside and grid.region[cell] >= 0:
                 line[4 + 5 * side], line[5 + 5 * side], line[6 + 5 * side] = w[block, cell], w[block + U, cell], w[block + E, cell]
                 line[7 + 5 * side] = w[block + P, cell]
+                if is_solid(rules, grid.region[cell]):
+                    stretch = yielded(rules, grid.region[cell], w[block + VOLUME, cell])
+                    line[8 + 5 * side] = deviator_of(rules, grid.region[cell], stretch)
     work.numbers[SAMPLED] += count
 
 

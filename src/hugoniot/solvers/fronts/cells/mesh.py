@@ -125,10 +125,11 @@ ABOUT = 0.9                  # of the widest cell: as good to split
 CALM = 0.1                   # of its heat: how much a cell that is split may turn into motion of its halves
 
 
-def adjust(mesh: Mesh, spacing: Spacing, slope) -> None:
+def adjust(mesh: Mesh, spacing: Spacing, slope, solid) -> None:
     """Split and merge cells until every interval has about the number it should have.
 
     slope   slope(mesh, cell) -> slopes of density, velocity, energy and scalars per m, (nvar,)
+    solid   (regions,) whether a region has strength
     """
     wanted, widths = spacing.wanted(mesh), spacing.widths(mesh)
     first, counts = mesh.intervals()
@@ -146,21 +147,24 @@ def adjust(mesh: Mesh, spacing: Spacing, slope) -> None:
             size = spacing.extents(mesh, f, n, h)
         while n < MORE * want - 0.25:
             j = f + _roomiest(spacing.extents(mesh, f, n, h), mesh.fronts[k:k + 2])
-            split(mesh, j, slope(mesh, j))
+            split(mesh, j, slope(mesh, j), bool(solid[mesh.region[j] % len(solid)]))
             n, moved = n + 1, moved + 1
 
 
 def _roomiest(extents: np.ndarray, ends) -> int:
     """The cell to split: of those about as wide as the widest the one farthest from shocks, behind which profiles are steep."""
     at = np.arange(len(extents))
-    away = [at[::way] for front, way in zip(ends, (1, -1)) if front.kind in ("shock", "detonation")]
+    away = [at[::way] for front, way in zip(ends, (1, -1)) if front.kind in ("shock", "elastic shock", "elastic expansion", "detonation")]
     if not away:
         return int(np.argmax(extents))
     return int(np.argmax(np.where(extents > ABOUT * extents.max(), np.minimum.reduce(away), -1)))
 
 
-def split(mesh: Mesh, cell: int, slope) -> None:
-    """Halve a cell with slopes (per m) of density, velocity, energy and scalars; mass, momentum and total energy stay what they are."""
+def split(mesh: Mesh, cell: int, slope, solid: bool = False) -> None:
+    """Halve a cell with slopes (per m) of density, velocity, energy and scalars; mass, momentum and total energy stay what they are.
+
+    solid   the scalars are those of a solid: its stretch is one over volumes
+    """
     a, b = mesh.x[cell], mesh.x[cell + 1]
     m = 0.5 * (a + b)
     left, right = (m - a) * mean_area(a, m, mesh.d), (b - m) * mean_area(m, b, mesh.d)
@@ -179,4 +183,6 @@ def split(mesh: Mesh, cell: int, slope) -> None:
         v = u + way * other * jump
         scalars = np.clip(q[3:] / q[0] + way * other * slope[3:] * away, 0.0, None)
         rows.append(q[0] * share * np.array([1.0, v, e + way * other * rise + 0.5 * v * v, *scalars]))
+    if solid:
+        rows[0][4] = q[4] * left / whole - slope[4] * away * left * right / whole
     mesh.insert_face(cell, m, rows[0], q - rows[0])

@@ -1,7 +1,7 @@
 """The passes of the cells: what is asked of a law, or of a burning mixture, compiled once for each and called by address.
 
     states_pass   pressure and its slopes of a row of states
-    wave_pass     one wave from a state to a pressure (laws.riemann.wave)
+    wave_pass     the waves of one side, from a state to a pressure (laws.riemann.wave, solid)
     burn_pass     burn fractions after a time at given states
     pace_pass     rates of burning, which the step has to follow
 """
@@ -13,9 +13,10 @@ from hugoniot.core.ops import fmax
 from hugoniot.core.passes import bind_flag, law_of, zone_pass
 from hugoniot.laws.burn.contract import Reactive, advance, rate
 from hugoniot.laws.mixture.contract import MIXTURE
-from hugoniot.laws.riemann import medium, wave
-from hugoniot.laws.riemann.medium import answer, mixed_phases
-from hugoniot.laws.riemann.wave import Side, reach
+from hugoniot.laws.riemann import medium, solid, wave
+from hugoniot.laws.riemann.medium import OnBranch, Solid, answer, mixed_phases
+from hugoniot.laws.riemann.solid import waves
+from hugoniot.laws.riemann.wave import Side
 from hugoniot.zones.burn import NEARLY, STEP_SHARE, burn_temperature
 from hugoniot.zones.laws import bind_burning
 
@@ -32,7 +33,7 @@ class StateRows(NamedTuple):
 
 
 class WaveRows(NamedTuple):
-    """given: the pressure behind and the fields of `Side`; found: those of `Behind`."""
+    """given: the pressure behind and the fields of `Side`; found: those of `Behind` and of `solid.Limit`."""
 
     given: Any
     found: Any
@@ -63,9 +64,10 @@ def states_pass(count, z, dt, numbers, law):
 @zone_pass(WaveRows, exact=True)
 def wave_pass(count, z, dt, numbers, law):
     g, f = z.given, z.found
-    behind = reach(g[0], Side(g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8], g[9], g[10]), law_of(law, numbers))
+    behind, limit = waves(g[0], Side(g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8], g[9], g[10]), law_of(law, numbers))
     f[0], f[1], f[2], f[3] = behind.rise, behind.slope, behind.rho, behind.e
     f[4], f[5], f[6] = behind.flux, behind.volume, behind.energy
+    f[7], f[8], f[9], f[10], f[11] = limit.sigma, limit.rise, limit.rho, limit.e, limit.flux
 
 
 @zone_pass(BurnRows, exact=True)
@@ -91,18 +93,21 @@ def pace_pass(count, z, dt, numbers, law):
             z.p[j] = rate(fmax(lam, STEP_SHARE), z.rho[j], mixed.pressure, burn_temperature(lam, mixed, par.mixture, par.rate), par.rate)
 
 
-def _by_kind(burning, plain):
-    return lambda *classes: burning if classes[-1] is Reactive else plain
+def _by_kind(plain, **special):
+    found = {Reactive: special.get("burning"), Solid: special.get("solid"), OnBranch: special.get("branch")}
+    return lambda *classes: found.get(classes[-1]) or plain
 
 
 def _bind() -> None:
     bind_burning()
     search = dict(fastmath=False, error_model="numpy")
-    bind_choice(medium.answer, _by_kind(medium.reactive_answer, medium.plain_answer))
-    bind_choice(wave.jumps, _by_kind(wave.reactive_jump, wave.plain_jump))
+    bind_choice(medium.answer, _by_kind(medium.plain_answer, burning=medium.reactive_answer, solid=medium.solid_answer,
+                                        branch=medium.branch_answer))
+    bind_choice(wave.jumps, _by_kind(wave.plain_jump, burning=wave.reactive_jump))
+    bind_choice(solid.waves, _by_kind(solid.plain_waves, solid=solid.solid_waves))
     bind_flag(wave.isolates, MIXTURE, "follows_isentrope")
     for function in (medium.mixed_phases, medium.mixed_answer, wave.drop, wave.both_drop, wave.isolated_jump, wave.step, wave.release,
-                     wave.compression, wave.reach):
+                     wave.compression, wave.reach, medium.deviator, *solid.KERNELS):
         bind(function, **search)
 
 

@@ -44,7 +44,7 @@ class Trace:
             front.strength = strength
             self.end(front, time, x)
             front.since, front.start, front.sides = time, x, (tuple(states[:5]), tuple(states[5:10]))
-            if front.kind == "shock":
+            if "shock" in front.kind:
                 region = int(max(mesh.region[f - 1], mesh.region[f])) % regions
                 self.jumps[region] = max(self.jumps.get(region, 0.0), abs(states[1] - states[6]))
         for front, strength in zip(mesh.fronts, now):      # the strengths noted are older than those the march came back with

@@ -16,6 +16,7 @@ from hugoniot.solvers.fronts.cells.column import CellColumn, Readable
 from hugoniot.solvers.fronts.cells.flow import Flow
 from hugoniot.solvers.fronts.cells.mesh import EMPTY
 from hugoniot.solvers.fronts.cells.record import Trace
+from hugoniot.solvers.fronts.cells.solids import elastic_share
 from hugoniot.solvers.fronts.meeting import Bench
 from hugoniot.solvers.fronts.reading import Reading
 from hugoniot.solvers.fronts.record import COLUMNS
@@ -33,9 +34,10 @@ class Cells(Reading):
         options = setup.options_of(problem)
         self.matters = [setup.matter_of(problem.materials[r.material]) for r in problem.regions]
         count = len(problem.regions)
-        bench = Bench(2 * self.matters, 2 * setup.grips_of(problem), float(options["weakest"]), float(options["fan_step"]), unburned=count)
+        bench = Bench(2 * self.matters, 2 * setup.grips_of(problem), float(options["weakest"]), float(options["fan_step"]), unburned=count,
+                      elastic=elastic_share(self.matters), narrow=True)
         outside = tuple(start.OUTSIDE[end.kind] for end in (problem.left, problem.right))
-        self.flow = Flow(problem, bench, outside, options, problem.solver.courant or setup.COURANT)
+        self.flow = Flow(problem, bench, outside, options, problem.solver.courant or setup.COURANT, self.region_of, self.middles)
         self.burning = any(material.burn is not None for material in problem.materials.values())
         self.trace = self.lives = Trace()
         self.changes = Changes(self.flow, self.length, int(options["most_fronts"]), self._log, self.trace.end)
@@ -46,13 +48,21 @@ class Cells(Reading):
 
     def _sample_first(self) -> None:
         """Gauges at t = 0: before any wave has left. A face between regions that move against each other has no one velocity then."""
-        last = len(self.problem.regions) - 1
-        if any((share == 1.0 and k < last) or (share == 0.0 and k > 0) for k, share in self.gauges):
+        if any(self._struck(int(k), float(share)) for k, share in self.gauges):
             self.samples = 1
             return
         born, self.mesh = self.mesh, start.first_mesh(self.problem, self.flow.spacing, self.flow.variables)
         self._sample()
         self.mesh, self._read_at = born, (-1, 0)
+
+    def _struck(self, k: int, share: float) -> bool:
+        """Whether a gauge is on a face at which two bodies that touch have different velocities at t = 0."""
+        left, right = (k, k + 1) if share == 1.0 else (k - 1, k)
+        regions = self.problem.regions
+        if share not in (0.0, 1.0) or left < 0 or right == len(regions) or regions[left].end < regions[right].start:
+            return False
+        face = np.array([regions[right].start])
+        return setup.start_velocities(regions[left], face)[0] != setup.start_velocities(regions[right], face)[0]
 
     @property
     def time(self) -> float:
@@ -121,6 +131,9 @@ class Cells(Reading):
                 region = next(r for r in self.problem.regions if r.start <= point.position <= r.end)
                 u = setup.start_velocities(region, np.array([point.position]))[0]
                 self.changes.light(self.mesh, point.position + float(u) * self.time, self.time)
+
+    def _extremes_so_far(self) -> np.ndarray:
+        return self.flow.work.zones[1:].copy()
 
     def limiting(self) -> tuple[int, str]:
         """(zone, region name) of the cell that limits the step."""

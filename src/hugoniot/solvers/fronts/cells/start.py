@@ -7,6 +7,7 @@ from hugoniot.laws.riemann.branch import Branch, State, stress, wave_speed_squar
 from hugoniot.problem.model import Boundary, Problem
 from hugoniot.solvers.fronts import setup
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh
+from hugoniot.solvers.fronts.cells.solids import with_deviator
 from hugoniot.solvers.fronts.cells.spacing import Spacing, cells_of, count, place
 from hugoniot.solvers.fronts.cells.tables import COLD, HIGH, LAM, LOW, MEAN
 from hugoniot.solvers.fronts.line import Piece
@@ -65,7 +66,7 @@ def _fill(mesh: Mesh, cells, region, material) -> None:
         (rho, e), u = setup.start_states(region, material, x), setup.start_velocities(region, x)
         mass = weight * h * x ** (mesh.d - 1) * rho
         mesh.q[cells, :3] += np.column_stack([mass, mass * u, mass * (e + 0.5 * u * u)])
-        if mesh.q.shape[1] > 3:       # nothing has burned; reactants are on the isentrope they rest on
+        if mesh.q.shape[1] > 3:       # nothing has burned; reactants are on the isentrope they rest on; solids have no deviator
             mesh.q[cells, 4:6] += np.column_stack([mass / rho, mass * e])
 
 
@@ -117,4 +118,4 @@ def _piece(flow, w, block: int, cell: int, region: int) -> Piece:
         branch = Branch(matter.par)
         if rho > 0.0 and wave_speed_squared(rho, e, branch) > -COLD * u * u:
             break
-    return Piece("state", region, State(rho, u, e, float(stress(rho, e, branch))), matter=matter)
+    return Piece("state", region, with_deviator(rho, u, e, mixed[1], matter, float(stress(rho, e, branch))), matter=matter)

@@ -2,6 +2,7 @@
 
 Blocks of ten rows hold states: density, velocity, energy, burn fraction, reference volume and energy, then pressure, its two slopes and
 the sound speed. LOW and HIGH are the parabolas' values at the faces of every cell, LEFT, RIGHT and MIDDLE the same half a step on.
+In solids the row of the reference volume holds the stretch (laws.riemann.medium), that of the pressure the stress.
 """
 
 from typing import Any, NamedTuple
@@ -13,19 +14,22 @@ STATE = 6                         # rows of a block that are carried with the ma
 MEAN, LOW, HIGH, LEFT, RIGHT, MIDDLE = range(0, 60, 10)
 SLOPE, CURVE, SMOOTH = 60, 66, 72
 (CENTRE, FIRST, SECOND, FULL, BOTH, KNOWN, AIM, SPEED, F_RHO, F_U, F_E, F_P) = range(78, 90)
+BORN_LEFT, BORN_RIGHT = 6, 7      # columns of `mesh.Mesh.given`: in solids the stretch on the left and on the right of a newborn face
 INTO_LEFT, INTO_RIGHT = 90, 93    # scalars that the cells left and right of a face lose or gain
 PACE, FROM, BURNED, WIDTH, OWN = range(96, 101)
 ROWS = 101
 
 # columns of the table of fronts
 FACE, KIND, SPEED_OF, DIRECTION, STRENGTH, LEAST = range(6)
-KINDS = ("shock", "contact", "interface", "surface", "end", "fan head", "fan tail", "detonation")
-SHOCK, CONTACT, INTERFACE, SURFACE, END, HEAD, TAIL, DETONATION = range(len(KINDS))
+KINDS = ("shock", "contact", "interface", "surface", "end", "fan head", "fan tail", "detonation", "elastic shock", "elastic expansion")
+SHOCK, CONTACT, INTERFACE, SURFACE, END, HEAD, TAIL, DETONATION, ELASTIC_SHOCK, ELASTIC_EXPANSION = range(len(KINDS))
 
 # numbers of a run that change: `State.numbers`
 TIME, STEP, LIMITING, CROWDED, STALLED, CYCLE, LINES, UPDATES, SAMPLED, PENDING, MEETS, RESOLUTION, STEEP_WAY = range(13)
 # numbers that do not: `Rules.numbers`
-(DIMENSION, COURANT, WEAKEST, LENGTH, STOP, BURNS, UNBURNED, MOST) = range(8)
+(DIMENSION, COURANT, WEAKEST, LENGTH, STOP, BURNS, UNBURNED, MOST, ELASTIC) = range(9)      # ELASTIC: 0 without solids
+# traits of a region: `Rules.traits`
+ZONES, GRIP, GAS, SHEAR, YIELDS = range(5)
 
 WALL, PRESSURE, VACUUM, OPEN = range(4)
 OUTSIDE = {"wall": WALL, "pressure": PRESSURE, "vacuum": VACUUM, "open": OPEN}
@@ -53,7 +57,8 @@ class Rules(NamedTuple):
     passes (regions, 4)    addresses of the passes: states, wave, burning, pace; 0 where there is none
     words (regions,)       addresses of the laws' numbers
     limits (regions, 3)    highest densities: of the material, of reactants, of products
-    traits (regions, 3)    zones; grip to the next region, Pa; 1 for a gas
+    traits (regions, 5)    zones; grip to the next region, Pa; 1 for a gas; of a solid 4/3 of its shear modulus (Pa, else 0) and the
+                           largest |ln z| of its stretch
     ends (2, 5)            kind, shape of the drive, amplitude, start, duration
     times, values (2, n)   of drives given as tables
     numbers                see above
@@ -70,9 +75,11 @@ class Rules(NamedTuple):
 
 
 class Work(NamedTuple):
-    """Scratch: w (ROWS, room), pointers for passes, io (2, 20) for the waves of one front, trace (lines, TRACE) of the fronts' paths.
+    """Scratch: w (ROWS, room), pointers for passes, io (2, 24) for the waves of one front, trace (lines, TRACE) of the fronts' paths.
 
     flags (2, room)    1 where a front is to be released, and where a contact parts
+    zones (5, zones)   of every zone of the problem the share of its region's mass left of its middle, and its extremes (extremes.NAMES);
+                       owner (zones,) its region
     passed (2, nvar)   contents that have come in through the ends; numbers: see above; sums: one for each region, and the drives
     """
 
@@ -80,6 +87,8 @@ class Work(NamedTuple):
     pointers: Any
     io: Any
     trace: Any
+    zones: Any
+    owner: Any
     flags: Any
     passed: Any
     numbers: Any
@@ -90,7 +99,7 @@ TRACE = 15            # time, front, position, strength, 5 numbers of both state
 ROOM_OF_TRACE = 4096
 
 
-def make_work(room: int, variables: int, regions: int) -> Work:
+def make_work(room: int, variables: int, regions: int, zones, owner) -> Work:
     """Scratch for that many cells."""
-    return Work(np.zeros((ROWS, room)), np.zeros(40, dtype=np.int64), np.zeros((2, 20)), np.zeros((ROOM_OF_TRACE, TRACE)),
+    return Work(np.zeros((ROWS, room)), np.zeros(40, dtype=np.int64), np.zeros((2, 24)), np.zeros((ROOM_OF_TRACE, TRACE)), zones, owner,
                 np.zeros((2, room)), np.zeros((2, variables)), np.zeros(13), np.zeros(regions + 2))

@@ -10,9 +10,10 @@ from dataclasses import dataclass
 from hugoniot.laws.riemann import solver as exact
 from hugoniot.laws.riemann.branch import Branch, Matter, State, wave_speed_squared
 from hugoniot.laws.riemann.curve import Curve
-from hugoniot.solvers.fronts.cells import detonations
+from hugoniot.solvers.fronts.cells import detonations, two_sides
 from hugoniot.solvers.fronts.cells import exact as compiled
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front
+from hugoniot.solvers.fronts.cells.solids import with_deviator
 from hugoniot.solvers.fronts.cells.tables import (
     F_E,
     F_P,
@@ -20,6 +21,8 @@ from hugoniot.solvers.fronts.cells.tables import (
     F_U,
     INTO_LEFT,
     INTO_RIGHT,
+    KIND,
+    KINDS,
     LAM,
     LEFT,
     MIDDLE,
@@ -72,13 +75,16 @@ def at_fronts(flow, grid, mesh, rows, time: float) -> None:
     """Put the speeds and states of all fronts, and of newborn faces, into the table of the march; `rows` is the table of fronts."""
     w, n, flags = flow.work.w, len(grid.q), flow.work.flags
     flags[:, :len(rows)] = 0.0
-    compiled.newborn(grid, flow.work, n)
+    compiled.newborn(grid, flow.rules, flow.work, n)
     for k, (front, f) in enumerate(zip(mesh.fronts, mesh.faces().tolist())):
         if grid.given[f, 0] == grid.given[f, 0]:
             continue
-        if front.kind.startswith("fan"):
-            compiled.edge(flow.work, rows[k], f)
+        if "fan" in front.kind:
+            compiled.edge(grid, flow.rules, flow.work, rows[k], f)
             rows[k, SPEED_OF] = w[SPEED, f]
+            continue
+        if front.direction and flow.solid[grid.region[f - 1] % len(flow.solid)]:
+            _in_solid(flow, grid, rows, k, f)
             continue
         moved = _moved(flow, grid, front, f, n, time)
         if front.kind not in ("detonation",) and front.direction:
@@ -90,6 +96,14 @@ def at_fronts(flow, grid, mesh, rows, time: float) -> None:
     for j, f in ((0, 0), (-1, n)):
         if flow.outside[j] == "wall" and mesh.fronts[j].kind == "end":      # a piston goes on as it is driven
             rows[j, SPEED_OF] = w[SPEED, f] = w[F_U, f] = flow.drive(j % 2, time)
+
+
+def _in_solid(flow, grid, rows, k: int, f: int) -> None:
+    """A shock in a solid, whose wave of the two the compiled march knows."""
+    if not compiled.between(flow.rules, flow.work, rows, k, int(grid.region[f - 1]), int(grid.region[f])):
+        raise ArithmeticError("the two sides of a shock in a solid have no stress and velocity in common")
+    rows[k, SPEED_OF] = flow.work.w[SPEED, f]
+    flow.work.flags[0, k] = float(rows[k, STRENGTH] < 0.5 * flow.bench.least(KINDS[int(rows[k, KIND])]))
 
 
 def _moved(flow, grid, front: Front, f: int, n: int, time: float) -> Moved:
@@ -110,7 +124,8 @@ def _moved(flow, grid, front: Front, f: int, n: int, time: float) -> Moved:
 def _side(flow, grid, block: int, cell: int) -> Side:
     w, region = flow.work.w, int(grid.region[cell])
     rho, u, e, burned, volume, energy, p = w[block:block + P + 1, cell].tolist()
-    return Side(region, State(rho, u, e, p), flow.matter(region, burned, volume, energy))
+    matter = flow.matter(region, burned, volume, energy)
+    return Side(region, with_deviator(rho, u, e, volume, matter, 0.0)._replace(sigma=p), matter)
 
 
 def _scalars(flow, grid, d: int, f: int) -> None:
@@ -121,12 +136,12 @@ def _scalars(flow, grid, d: int, f: int) -> None:
         w[into:into + 3, f] = w[block + LAM:block + LAM + 3, cell]
     region = int(grid.region[cell])
     if flow.burns and flow.rules.passes[region, 2]:
-        compiled.take_side(flow.rules, flow.work, side, region, block, cell)
+        two_sides.take_side(flow.rules, flow.work, side, region, block, cell)
         behind, inner = (f, LEFT) if d < 0 else (f - 1, RIGHT)
         p = max(float(w[inner + P, behind]), float(w[block + P, cell]))
-        compiled.wave_to(flow.rules, flow.work, side, region, p)
+        two_sides.wave_to(flow.rules, flow.work, side, region, p)
         into = INTO_RIGHT if d < 0 else INTO_LEFT
-        w[into + 1:into + 3, f] = flow.work.io[side, compiled.VOLUME_B:compiled.ENERGY_B + 1]
+        w[into + 1:into + 3, f] = flow.work.io[side, two_sides.VOLUME_B:two_sides.ENERGY_B + 1]
 
 
 def between(front: Front, left: Side, right: Side, bench: Bench) -> Moved:

@@ -2,17 +2,18 @@
 
 import numba as nb
 
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.contact import layout as C
-from hugoniot.solvers.lagrange2d.contact.impulses import movers, of_pair, relative
-from hugoniot.solvers.lagrange2d.contact.meeting import point_normal, remember, seen
+from hugoniot.solvers.lagrange2d.contact.corners import point_normal
+from hugoniot.solvers.lagrange2d.contact.impulses import arm_of, arm_of_bond, movers, of_pair, relative
+from hugoniot.solvers.lagrange2d.contact.meeting import remember, seen
 from hugoniot.solvers.lagrange2d.quads import AREA_WEIGHTED, PLANAR
 
 E, INVERSE_MASS = 3, 1      # rows of the zone table
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def warm(c, p, e, heat):
     """Give heat to the zones on both sides of a pair in equal halves, all of it to one side where the other is rigid."""
     behind, before, after = c.edges[e, C.EDGE_ZONE], c.points[p, C.POINT_BEFORE], c.points[p, C.POINT_AFTER]
@@ -30,7 +31,7 @@ def warm(c, p, e, heat):
         c.zones[E, second] += 0.5 * heat * c.zones[INVERSE_MASS, second]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def book_heat(c, start, dt):
     """Heat and friction of all pairs and bonds; start: 1 where velocities jumped from those before (their mean counts), 0 for mean ones."""
     old, new = 0.5 * start, 1.0 - 0.5 * start
@@ -39,8 +40,8 @@ def book_heat(c, start, dt):
         q, (s, a, b) = c.pair_numbers[k], of_pair(c, k)
         if q[C.LAMBDA] == 0.0 and q[C.TAU] == 0.0:
             continue
-        u, v = relative(c, s, a, b, q[C.SHARE], C.U, C.V)
-        u0, v0 = relative(c, s, a, b, q[C.SHARE], C.U0, C.V0)
+        u, v = relative(c, s, a, b, q[C.SHARE], arm_of(q), C.U)
+        u0, v0 = relative(c, s, a, b, q[C.SHARE], arm_of(q), C.U0)
         u, v = old * u0 + new * u, old * v0 + new * v
         heat, friction = -q[C.LAMBDA] * (u * q[C.NX] + v * q[C.NY]), -q[C.TAU] * (v * q[C.NX] - u * q[C.NY])
         c.numbers[C.HEAT] += heat
@@ -50,14 +51,14 @@ def book_heat(c, start, dt):
         if c.bonds[p, C.BOND_STATE] == C.BOUND:
             q, e = c.bond_numbers[p], c.bonds[p, C.BOND_EDGE]
             s, a, b = movers(c, p, e)
-            u, v = relative(c, s, a, b, q[C.BOND_SHARE], C.U, C.V)
-            u0, v0 = relative(c, s, a, b, q[C.BOND_SHARE], C.U0, C.V0)
+            u, v = relative(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), C.U)
+            u0, v0 = relative(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), C.U0)
             heat = -(q[C.BOND_X] * (old * u0 + new * u) + q[C.BOND_Y] * (old * v0 + new * v))
             c.numbers[C.HEAT] += heat
             warm(c, p, e, heat)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def book_holds(c, chains, start):
     """Impulse and work of walls, axis, driven edges and rigid bodies against contact."""
     old, new = 0.5 * start, 1.0 - 0.5 * start
@@ -68,6 +69,7 @@ def book_holds(c, chains, start):
         u, v = old * q[C.U0] + new * q[C.U], old * q[C.V0] + new * q[C.V]
         if c.movers[m, C.MOVER_RIGID] >= 0:
             book(chains, first, -q[C.JX], -q[C.JY], u, v)
+            chains[first, L.CHAIN_WORK] -= q[C.JW] * (old * q[C.W0] + new * q[C.W])
             continue
         x = q[C.JX] - (q[C.PXX] * q[C.JX] + q[C.PXY] * q[C.JY])
         y = q[C.JY] - (q[C.PXY] * q[C.JX] + q[C.PYY] * q[C.JY])
@@ -80,7 +82,7 @@ def book_holds(c, chains, start):
         book(chains, first, -a * q[C.H1X], -a * q[C.H1Y], u, v)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def book(chains, chain, x, y, u, v):
     """An impulse on the material, and its work."""
     chains[chain, L.CHAIN_WORK] += x * u + y * v
@@ -88,7 +90,7 @@ def book(chains, chain, x, y, u, v):
     chains[chain, L.CHAIN_IMPULSE_Y] += y
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def area(c, nodes, p, kind):
     """Area of the surface that belongs to a point: half of its edges, times the radius in axisymmetric flow."""
     found, k = 0.0, c.points[p, C.POINT_NODE]
@@ -103,7 +105,7 @@ def area(c, nodes, p, kind):
     return found
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def accept(c, nodes, dt, options):
     """Book the step that was taken."""
     c.of_points[:, C.FORCE_X] = 0.0
@@ -119,7 +121,7 @@ def accept(c, nodes, dt, options):
         c.numbers[C.DEEPEST] = max(c.numbers[C.DEEPEST], -gap / length)
         if p != last:
             s, a, b = of_pair(c, k)
-            u, v = relative(c, s, a, b, q[C.SHARE], C.U, C.V)
+            u, v = relative(c, s, a, b, q[C.SHARE], arm_of(q), C.U)
             c.of_points[p, C.SLID] += dt * abs(v * q[C.NX] - u * q[C.NY])
             last = p
     for p in range(c.points.shape[0]):
@@ -130,7 +132,7 @@ def accept(c, nodes, dt, options):
     break_bonds(c, nodes, dt, options)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def break_bonds(c, nodes, dt, options):
     """Bonds whose tension over the area of their point exceeds their strength."""
     for p in range(c.bonds.shape[0]):

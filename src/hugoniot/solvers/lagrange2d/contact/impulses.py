@@ -12,10 +12,10 @@ The Visual Computer 26 (2010) 893).
 
 import numba as nb
 
-from hugoniot.core.target import GUARD, INLINE
+from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
 
-ENOUGH_SWEEPS, MOST_SWEEPS = 8, 40      # the more only where nodes would end far behind surfaces
+ENOUGH_SWEEPS, MOST_SWEEPS = 8, 80      # the more only where nodes would end far behind surfaces
 CLOSE_ENOUGH = 5e-4      # of the largest change that contact makes to a velocity
 
 
@@ -34,11 +34,20 @@ def response(c, m, x, y):
 
 
 @nb.njit(**INLINE)
-def inverse_mass(c, s, a, b, t, x, y):
+def turner(s, a, arm):
+    """Which of the movers of a point and an edge turns."""
+    return s if arm[0] > 0.0 else a
+
+
+@nb.njit(**INLINE)
+def inverse_mass(c, s, a, b, t, arm, x, y):
     """Change along (x, y) of the velocity of mover s relative to the place t between movers a and b by a unit impulse along it."""
+    turn = 0.0
+    if arm[0] != 0.0:
+        turn = c.mover_numbers[turner(s, a, arm), C.II] * (arm[1] * y - arm[2] * x) ** 2
     if a == b:
-        return along(c, s, x, y) + along(c, a, x, y)
-    return along(c, s, x, y) + (1.0 - t) ** 2 * along(c, a, x, y) + t * t * along(c, b, x, y)
+        return along(c, s, x, y) + along(c, a, x, y) + turn
+    return along(c, s, x, y) + (1.0 - t) ** 2 * along(c, a, x, y) + t * t * along(c, b, x, y) + turn
 
 
 @nb.njit(**INLINE)
@@ -48,16 +57,38 @@ def movers(c, p, e):
 
 
 @nb.njit(**INLINE)
+def columns(c, p, e):
+    """Columns of the nodes of a point and of the ends of an edge."""
+    return c.points[p, C.POINT_NODE], c.points[c.edges[e, C.EDGE_A], C.POINT_NODE], c.points[c.edges[e, C.EDGE_B], C.POINT_NODE]
+
+
+@nb.njit(**INLINE)
 def of_pair(c, k):
     """Movers of a pair."""
     return c.pairs[k, C.PAIR_S], c.pairs[k, C.PAIR_A], c.pairs[k, C.PAIR_B]
 
 
 @nb.njit(**INLINE)
-def relative(c, s, a, b, t, u, v):
-    """Velocity of mover s relative to the place t between movers a and b; u, v: columns of it."""
+def arm_of(q):
+    """(side, x, y) of a pair: which of its movers turns, and the way from the centre of that to where the impulse acts."""
+    return q[C.SIDE], q[C.ARM_X], q[C.ARM_Y]
+
+
+@nb.njit(**INLINE)
+def arm_of_bond(q):
+    """The same of a bond."""
+    return q[C.BOND_SIDE], q[C.BOND_ARM_X], q[C.BOND_ARM_Y]
+
+
+@nb.njit(**INLINE)
+def relative(c, s, a, b, t, arm, u):
+    """Velocity of mover s relative to the place t between movers a and b; u: its first column, before those of y and of turning."""
     n = c.mover_numbers
-    return n[s, u] - (1.0 - t) * n[a, u] - t * n[b, u], n[s, v] - (1.0 - t) * n[a, v] - t * n[b, v]
+    x, y = n[s, u] - (1.0 - t) * n[a, u] - t * n[b, u], n[s, u + 1] - (1.0 - t) * n[a, u + 1] - t * n[b, u + 1]
+    if arm[0] != 0.0:
+        spin = arm[0] * n[turner(s, a, arm), u + 2]
+        x, y = x - spin * arm[2], y + spin * arm[1]
+    return x, y
 
 
 @nb.njit(**INLINE)
@@ -71,11 +102,15 @@ def push(c, m, x, y, part):
 
 
 @nb.njit(**INLINE)
-def exchange(c, s, a, b, t, x, y, part):
+def exchange(c, s, a, b, t, arm, x, y, part):
     """Give mover s an impulse and movers a and b the opposite one."""
     push(c, s, x, y, part)
     push(c, a, -(1.0 - t) * x, -(1.0 - t) * y, part)
     push(c, b, -t * x, -t * y, part)
+    if arm[0] != 0.0:
+        m, n, moment = turner(s, a, arm), c.mover_numbers, arm[0] * (arm[1] * y - arm[2] * x)
+        n[m, C.JW] += moment
+        n[m, C.W] += part * n[m, C.II] * moment
 
 
 @nb.njit(**INLINE)
@@ -88,23 +123,26 @@ def along_normal(c, q, s, a, b, more):
     n[a, C.V] += more * q[C.AY]
     n[b, C.U] += more * q[C.BX]
     n[b, C.V] += more * q[C.BY]
+    if q[C.SIDE] != 0.0:
+        n[turner(s, a, arm_of(q)), C.W] += more * q[C.TURN]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def restart(c, part):
     """Velocities from those before and the impulses of all pairs and bonds, along their present directions."""
     n = c.mover_numbers
     for m in range(n.shape[0]):
-        n[m, C.U], n[m, C.V], n[m, C.JX], n[m, C.JY] = n[m, C.U0], n[m, C.V0], 0.0, 0.0
+        n[m, C.U], n[m, C.V], n[m, C.W] = n[m, C.U0], n[m, C.V0], n[m, C.W0]
+        n[m, C.JX], n[m, C.JY], n[m, C.JW] = 0.0, 0.0, 0.0
     for i in range(c.counts[C.ACTIVE]):
         k = c.active[i]
         q, (s, a, b) = c.pair_numbers[k], of_pair(c, k)
         x, y = q[C.LAMBDA] * q[C.NX] - q[C.TAU] * q[C.NY], q[C.LAMBDA] * q[C.NY] + q[C.TAU] * q[C.NX]
-        exchange(c, s, a, b, q[C.SHARE], x, y, part)
+        exchange(c, s, a, b, q[C.SHARE], arm_of(q), x, y, part)
     for p in range(c.bonds.shape[0]):
         if c.bonds[p, C.BOND_STATE] == C.BOUND:
             q, (s, a, b) = c.bond_numbers[p], movers(c, p, c.bonds[p, C.BOND_EDGE])
-            exchange(c, s, a, b, q[C.BOND_SHARE], q[C.BOND_X], q[C.BOND_Y], part)
+            exchange(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), q[C.BOND_X], q[C.BOND_Y], part)
 
 
 @nb.njit(**INLINE)
@@ -114,8 +152,9 @@ def relax_pair(c, k, part):
     nx, ny, t, change = q[C.NX], q[C.NY], q[C.SHARE], 0.0
     if q[C.WN] == 0.0:
         return 0.0
-    u, v = relative(c, s, a, b, t, C.U, C.V)
-    new = max(0.0, q[C.LAMBDA] + (q[C.LEAST] - (u * nx + v * ny)) / (part * q[C.WN]))
+    arm = arm_of(q)
+    u, v = relative(c, s, a, b, t, arm, C.U)
+    new = max(0.0, q[C.LAMBDA] + (q[C.LEAST] - (u * nx + v * ny)) * q[C.MASS] / part)
     more = new - q[C.LAMBDA]
     q[C.LAMBDA] = new
     if more != 0.0:
@@ -123,43 +162,43 @@ def relax_pair(c, k, part):
         change = abs(more) * part * q[C.WN]
     most = q[C.COULOMB] * new
     if q[C.WT] > 0.0 and (most > 0.0 or q[C.TAU] != 0.0):
-        u, v = relative(c, s, a, b, t, C.U, C.V)
+        u, v = relative(c, s, a, b, t, arm, C.U)
         new = min(max(q[C.TAU] + (q[C.AIM] - (v * nx - u * ny)) / (part * q[C.WT]), -most), most)
         more = new - q[C.TAU]
         q[C.TAU] = new
-        exchange(c, s, a, b, t, -more * ny, more * nx, part)
+        exchange(c, s, a, b, t, arm, -more * ny, more * nx, part)
         change = max(change, abs(more) * part * q[C.WT])
     return change
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def relax_bond(c, p, part):
     """Satisfy the bond of a point; the change of its velocity."""
     q, change, (s, a, b) = c.bond_numbers[p], 0.0, movers(c, p, c.bonds[p, C.BOND_EDGE])
-    t = q[C.BOND_SHARE]
+    t, arm = q[C.BOND_SHARE], arm_of_bond(q)
     for k in range(2):
         w = q[C.BOND_WX + k]
         if w > 0.0:
-            u, v = relative(c, s, a, b, t, C.U, C.V)
+            u, v = relative(c, s, a, b, t, arm, C.U)
             missing = q[C.BOND_AIM_X] - u if k == 0 else q[C.BOND_AIM_Y] - v
             more = missing / (part * w)
             q[C.BOND_X + k] += more
-            exchange(c, s, a, b, t, more if k == 0 else 0.0, more if k == 1 else 0.0, part)
+            exchange(c, s, a, b, t, arm, more if k == 0 else 0.0, more if k == 1 else 0.0, part)
             change = max(change, abs(missing))
     return change
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def weigh_bonds(c):
     """Inverse masses of the bonds."""
     for p in range(c.bonds.shape[0]):
         if c.bonds[p, C.BOND_STATE] == C.BOUND:
             q, (s, a, b) = c.bond_numbers[p], movers(c, p, c.bonds[p, C.BOND_EDGE])
-            q[C.BOND_WX] = inverse_mass(c, s, a, b, q[C.BOND_SHARE], 1.0, 0.0)
-            q[C.BOND_WY] = inverse_mass(c, s, a, b, q[C.BOND_SHARE], 0.0, 1.0)
+            q[C.BOND_WX] = inverse_mass(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), 1.0, 0.0)
+            q[C.BOND_WY] = inverse_mass(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), 0.0, 1.0)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def sweep_once(c, part, forward):
     """Satisfy all active pairs and all bonds one after the other; (largest change of a velocity, square of the change of the impulses)."""
     change, square, pairs, bonds = 0.0, 0.0, c.counts[C.ACTIVE], c.bonds.shape[0]
@@ -180,7 +219,7 @@ def sweep_once(c, part, forward):
     return change, square
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def go_on(c, part, share):
     """Add `share` of the direction of search to the impulses, and the change of the last sweep to the direction."""
     for i in range(c.counts[C.ACTIVE]):
@@ -193,7 +232,7 @@ def go_on(c, part, share):
             along_normal(c, q, s, a, b, part * x)
         if y != 0.0:
             q[C.TAU] += y
-            exchange(c, s, a, b, q[C.SHARE], -y * q[C.NY], y * q[C.NX], part)
+            exchange(c, s, a, b, q[C.SHARE], arm_of(q), -y * q[C.NY], y * q[C.NX], part)
     for p in range(c.bonds.shape[0]):
         if c.bonds[p, C.BOND_STATE] == C.BOUND:
             q = c.bond_numbers[p]
@@ -203,10 +242,10 @@ def go_on(c, part, share):
                 q[C.BOND_X] += x
                 q[C.BOND_Y] += y
                 s, a, b = movers(c, p, c.bonds[p, C.BOND_EDGE])
-                exchange(c, s, a, b, q[C.BOND_SHARE], x, y, part)
+                exchange(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), x, y, part)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def largest(c):
     """Largest change of velocity that contact makes."""
     n, found = c.mover_numbers, 0.0
@@ -215,7 +254,7 @@ def largest(c):
     return found
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def relax(c, part, least, enough):
     """Satisfy all active pairs and all bonds; changes of velocity below `least` do not count. The largest change that contact makes.
 

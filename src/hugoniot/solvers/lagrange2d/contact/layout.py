@@ -13,9 +13,12 @@ POINT_NODE, POINT_MOVER, POINT_PART, POINT_BEFORE, POINT_AFTER, POINT_FIRST = ra
 EDGE_A, EDGE_B, EDGE_PART, EDGE_ZONE = range(4)
 # a column of the nodes; rigid body (-1: a node); chains that hold it; what drives it
 MOVER_NODE, MOVER_RIGID, MOVER_CHAIN_1, MOVER_CHAIN_2, MOVER_PULSE = range(5)
-# inverse mass; the directions that hold it (unit, 0: none) and the projector on what they leave; velocity, the one before; impulse
-(IM, H1X, H1Y, H2X, H2Y, PXX, PXY, PYY, U, V, U0, V0, JX, JY) = range(14)
-MOVER_FLOATS = 14
+# inverse mass, of what turns the inverse moment of inertia; the directions that hold it (unit, 0: none) and the projector on what they
+# leave; velocity with the rate of turning, those before; impulse with its moment about the centre
+(IM, II, H1X, H1Y, H2X, H2Y, PXX, PXY, PYY, U, V, W, U0, V0, W0, JX, JY, JW) = range(18)
+MOVER_FLOATS = 18
+# of a rigid body: centre, angle; their velocity at the start of a step, and the mean one of the step
+(CENTRE_X, CENTRE_Y, ANGLE, SPEED_X, SPEED_Y, SPIN, MEAN_X, MEAN_Y, MEAN_SPIN) = range(9)
 BONDED, SLIDING, SEPARABLE = range(3)
 LAW_KIND, LAW_FRICTION, LAW_STRENGTH, LAW_TIES = range(4)                      # ties: whether the point's side is the one that is tied
 # point, edge; movers of the point and of the ends of the edge, and their columns of the nodes
@@ -23,17 +26,20 @@ PAIR_POINT, PAIR_EDGE, PAIR_ACTIVE, PAIR_S, PAIR_A, PAIR_B, PAIR_AT, PAIR_AT_A, 
 PAIR_INTS = 9
 # impulses along the normal and the tangent; share of the edge; normal; least normal velocity, tangential aim; inverse masses; gap at the
 # start of the step; impulses of the last step; of a relaxation: impulses before a sweep, direction of search; coefficient of friction;
-# change of the velocities of its three movers by a unit impulse along its normal
+# change of the velocities of its three movers by a unit impulse along its normal; where one of them turns: 1 for that of the point, -1
+# of the edge (0: neither), the way from its centre to where the impulse acts, and its change of rotation by a unit normal impulse;
+# the mass that the pair has along its normal
 (LAMBDA, TAU, SHARE, NX, NY, LEAST, AIM, WN, WT, GAP, LAST, LAST_TAU, OLD, OLD_TAU, WAY, WAY_TAU, COULOMB, SX, SY, AX, AY,
- BX, BY) = range(23)
-PAIR_FLOATS = 23
+ BX, BY, SIDE, ARM_X, ARM_Y, TURN, MASS) = range(28)
+PAIR_FLOATS = 28
 OFF, ON, FRESH = range(3)      # PAIR_ACTIVE
 FREE, BOUND, BROKEN = range(3)
 BOND_STATE, BOND_EDGE = range(2)
-# share of the edge; impulse; velocity aimed at; impulse before a sweep, direction of search, inverse masses, impulse of the last step
+# share of the edge; impulse; velocity aimed at; impulse before a sweep, direction of search, inverse masses, impulse of the last step;
+# as of pairs, what turns
 (BOND_SHARE, BOND_X, BOND_Y, BOND_AIM_X, BOND_AIM_Y, BOND_OLD_X, BOND_OLD_Y, BOND_WAY_X, BOND_WAY_Y, BOND_WX, BOND_WY, BOND_LAST_X,
- BOND_LAST_Y) = range(13)
-BOND_FLOATS = 13
+ BOND_LAST_Y, BOND_SIDE, BOND_ARM_X, BOND_ARM_Y) = range(16)
+BOND_FLOATS = 16
 # of a point: force of the last step, distance slid
 FORCE_X, FORCE_Y, SLID = range(3)
 # numbers: reach of the search, mean edge, heat of closing, work of friction, deepest place of a node behind a surface over the
@@ -45,6 +51,7 @@ PAIRS, SEARCHES, SWEEPS, BROKEN_BONDS, FULL, OLD_PAIRS, ACTIVE = range(7)
 class Contact(NamedTuple):
     """Tables of the contact of a run; columns are above.
 
+    rigid                  what moves rigid bodies, in the order of their movers
     copies_start, copies   node columns that are one with each mover's
     law_of                 (part, part): index of the law between them
     old_pairs, old_numbers   the pairs before the last search
@@ -59,6 +66,7 @@ class Contact(NamedTuple):
     edges: Any
     movers: Any
     mover_numbers: Any
+    rigid: Any
     copies_start: Any
     copies: Any
     law_of: Any
@@ -87,4 +95,4 @@ class Nowhere(NamedTuple):
     none: int = 0
 
 
-KEPT = ("points", "pairs", "pair_numbers", "bonds", "bond_numbers", "of_points", "since", "numbers", "counts")      # in checkpoints
+KEPT = ("points", "pairs", "pair_numbers", "bonds", "bond_numbers", "rigid", "of_points", "since", "numbers", "counts")    # in checkpoints

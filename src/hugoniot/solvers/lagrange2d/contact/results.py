@@ -3,6 +3,7 @@
 import numpy as np
 
 from hugoniot.problem.plane.contact import bodies
+from hugoniot.problem.plane.contact_model import centre_of
 from hugoniot.solvers.lagrange2d.assemble import N
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.quads import AREA_WEIGHTED, PLANAR
@@ -19,8 +20,6 @@ class ContactResults:
         self.count = problem.mesh.nodes.shape[1]
         points, edges = np.array(surfaces.points, dtype=np.int64), np.array(surfaces.edges, dtype=np.int64)
         self.columns, self.starts, self.ends = points[:, C.POINT_NODE], edges[:, C.EDGE_A], edges[:, C.EDGE_B]
-        first = [columns[0] for columns in surfaces.copies[len(surfaces.nodes):]]
-        self.rigid_start = nodes[[N.x, N.y]][:, first].copy()
         body = np.concatenate([bodies(problem.mesh), len(problem.blocks) + np.arange(len(problem.rigid))])
         self.body_of_edge, self.body_of_point = body[edges[:, C.EDGE_PART]], body[points[:, C.POINT_PART]]
 
@@ -77,18 +76,18 @@ class ContactResults:
         return found
 
     def exchanges(self, contact: C.Contact) -> dict[str, float]:
-        """Heat and work of friction so far, J; how far each rigid body has moved, m."""
+        """Heat and work of friction so far, J; how far each rigid body has moved, m, and by which angle one that turns has turned, rad."""
         found = {"contact_heat": float(contact.numbers[C.HEAT]), "friction_work": float(contact.numbers[C.FRICTION])}
-        for k, body in enumerate(self.problem.rigid):
-            column = contact.movers[self.movers + k, C.MOVER_NODE]
-            for n, (axis, row) in enumerate((("x", N.x), ("y", N.y))):
-                found[f"moved_{axis} {body.name}"] = float(self.nodes[row, column] - self.rigid_start[n, k])
+        for body, row in zip(self.problem.rigid, contact.rigid):
+            x, y = centre_of(body)
+            found |= {f"moved_x {body.name}": float(row[C.CENTRE_X] - x), f"moved_y {body.name}": float(row[C.CENTRE_Y] - y)}
+            if body.turns:
+                found[f"turned {body.name}"] = float(row[C.ANGLE])
         return found
 
-    def rigid_velocity(self, contact: C.Contact) -> dict[str, tuple[float, float]]:
-        """Velocity of each rigid body, m/s."""
-        columns = contact.movers[self.movers:, C.MOVER_NODE]
-        return {body.name: (float(self.nodes[N.u, k]), float(self.nodes[N.v, k])) for body, k in zip(self.problem.rigid, columns)}
+    def rigid_velocity(self, contact: C.Contact) -> dict[str, tuple[float, float, float]]:
+        """Velocity of the centre of each rigid body, m/s, and its rate of turning, rad/s."""
+        return {body.name: tuple(map(float, row[[C.SPEED_X, C.SPEED_Y, C.SPIN]])) for body, row in zip(self.problem.rigid, contact.rigid)}
 
 
 class NothingMeets:

@@ -2,13 +2,13 @@
 
 import numba as nb
 
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS
 from hugoniot.solvers.lagrange2d.contact import layout as C
 
 AHEAD = 2.0          # times what the velocities at the start of a step say of its motion: they may grow in it
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def spread(x, y, points, since, part):
     """How far any two points differ at most: the diagonal of the box that holds (x, y) - part * since of every point."""
     left, bottom, right, top = 1e300, 1e300, -1e300, -1e300
@@ -19,7 +19,7 @@ def spread(x, y, points, since, part):
     return ((right - left) ** 2 + (top - bottom) ** 2) ** 0.5
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def needed(c, nodes, dt):
     """Whether points have moved relative to each other, or will in this step, so far that the last search is worth nothing."""
     ahead = AHEAD * dt * spread(nodes[2], nodes[3], c.points, c.since, 0.0)
@@ -30,7 +30,7 @@ def needed(c, nodes, dt):
     return True
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def distance(x, y, ax, ay, bx, by):
     """Square of the distance from a point to the stretch from a to b."""
     dx, dy = bx - ax, by - ay
@@ -40,7 +40,7 @@ def distance(x, y, ax, ay, bx, by):
     return (x - ax - t * dx) ** 2 + (y - ay - t * dy) ** 2
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def grid(c, x, y):
     """(left, bottom, cell, columns, rows) of cells as wide as the reach and half the longest edge, or wider where there are too many."""
     left, bottom, right, top, longest = 1e300, 1e300, -1e300, -1e300, 0.0
@@ -56,7 +56,7 @@ def grid(c, x, y):
     return left, bottom, cell, int((right - left) / cell + 1.0), int((top - bottom) / cell + 1.0)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def sort_edges(c, x, y, left, bottom, cell, columns, rows):
     """Edges by the cell of their middle, in their order within a cell."""
     count = columns * rows
@@ -80,25 +80,7 @@ def sort_edges(c, x, y, left, bottom, cell, columns, rows):
     c.cells[0] = 0
 
 
-@nb.njit(**GUARD)
-def neighbours(c, p, e):
-    """Whether edge e holds point p or a point beside it."""
-    a, b = c.edges[e, C.EDGE_A], c.edges[e, C.EDGE_B]
-    if a == p or b == p:
-        return True
-    before, after = c.points[p, C.POINT_BEFORE], c.points[p, C.POINT_AFTER]
-    if before >= 0:
-        q = c.edges[before, C.EDGE_A]
-        if a == q or b == q:
-            return True
-    if after >= 0:
-        q = c.edges[after, C.EDGE_B]
-        if a == q or b == q:
-            return True
-    return False
-
-
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def set_aside(c):
     """Keep the list of pairs, by point, for what the next one takes over from it."""
     for k in range(c.counts[C.PAIRS]):
@@ -109,7 +91,7 @@ def set_aside(c):
     c.counts[C.OLD_PAIRS] = c.counts[C.PAIRS]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def take_over(c, count, old):
     """Give the pair `count` what it had before the search, impulses of the last step above all; `old`: where to look in the old list.
 
@@ -129,7 +111,7 @@ def take_over(c, count, old):
     return old
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def describe(c, k):
     """What the pair k is looked up for in every step: its movers, its nodes, its friction."""
     p, q, e = c.pairs[k, C.PAIR_POINT], c.pairs[k], c.edges[c.pairs[k, C.PAIR_EDGE]]
@@ -138,7 +120,7 @@ def describe(c, k):
     c.pair_numbers[k, C.COULOMB] = c.laws[c.law_of[c.points[p, C.POINT_PART], e[C.EDGE_PART]], C.LAW_FRICTION]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def search(c, nodes):
     """List the pairs within reach, by point; False where the table is too short for them, which then is empty."""
     x, y = nodes[0], nodes[1]
@@ -155,7 +137,7 @@ def search(c, nodes):
             for n in range(max(j - 1, 0), min(j + 2, rows)):
                 for q in range(c.cells[m * rows + n], c.cells[m * rows + n + 1]):
                     e = c.sorted_edges[q]
-                    if c.law_of[part, c.edges[e, C.EDGE_PART]] < 0 or neighbours(c, p, e):
+                    if c.law_of[part, c.edges[e, C.EDGE_PART]] < 0 or c.edges[e, C.EDGE_A] == p or c.edges[e, C.EDGE_B] == p:
                         continue
                     a, b = c.points[c.edges[e, C.EDGE_A], C.POINT_NODE], c.points[c.edges[e, C.EDGE_B], C.POINT_NODE]
                     if distance(px, py, x[a], y[a], x[b], y[b]) > reach:

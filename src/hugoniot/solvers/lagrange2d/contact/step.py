@@ -13,52 +13,56 @@ Contact is the leader's alone, so that no bit depends on the number of threads.
 import numba as nb
 from numba.extending import overload
 
-from hugoniot.core.target import GUARD, INLINE
-from hugoniot.solvers.lagrange1d.nodes import pulse_value
+from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.accounts_of_step import accept, book_heat, book_holds
-from hugoniot.solvers.lagrange2d.contact.impulses import movers, relax, restart
+from hugoniot.solvers.lagrange2d.contact.impulses import columns, movers, relax, restart
 from hugoniot.solvers.lagrange2d.contact.meeting import activate, ask_closing, ask_mean, bind_points, forget, list_active, start_velocity
+from hugoniot.solvers.lagrange2d.contact.rigid import arm, drive, move_rigid, velocity_from, velocity_to
 from hugoniot.solvers.lagrange2d.contact.search import needed, search
 
 READY, CLOSE, PUSH_MIDDLE, PUSH, MOVE, TAKE_BACK, ACCEPT = range(7)
 X, U, XH, UM, IM = 0, 2, 4, 6, 12      # rows of the node table
-ROUNDS = 2                             # of finding who meets and what follows; one at the start of a step
+ROUNDS = 6                             # at most, of finding who meets and what follows; one at the start of a step
 SLACK = 1e-7                           # of an edge: what closes by less in a step is left to the forces
 SMALL = 1e-5                           # of an edge: what would be behind by less after a round is left to the next step
-DEPTH = 2e-4                           # of the mean edge: how far behind surfaces nodes may end for sweeps to stop early
+DEPTH = 5e-5                           # of the mean edge: how far behind surfaces nodes may end for sweeps to stop early
 CLOSING_ENOUGH = 5e-3                  # of the change that contact made to a velocity in the last step: what surfaces that touch close by
 NEGLIGIBLE = 1e-14                     # of the mean edge in a step: velocities below are round-off
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def take(c, nodes, row):
     """Velocities of movers from two rows of the nodes."""
     n = c.mover_numbers
     for m in range(n.shape[0]):
-        k = c.movers[m, C.MOVER_NODE]
-        n[m, C.U], n[m, C.V] = nodes[row, k], nodes[row + 1, k]
-        n[m, C.U0], n[m, C.V0] = n[m, C.U], n[m, C.V]
-        n[m, C.JX], n[m, C.JY] = 0.0, 0.0
         if c.movers[m, C.MOVER_RIGID] < 0:
-            n[m, C.IM] = nodes[IM, k]
+            k = c.movers[m, C.MOVER_NODE]
+            n[m, C.U], n[m, C.V], n[m, C.IM] = nodes[row, k], nodes[row + 1, k], nodes[IM, k]
+        else:
+            velocity_from(c, m, row == UM)
+        n[m, C.U0], n[m, C.V0], n[m, C.W0] = n[m, C.U], n[m, C.V], n[m, C.W]
+        n[m, C.JX], n[m, C.JY], n[m, C.JW] = 0.0, 0.0, 0.0
 
 
-@nb.njit(**GUARD)
-def give(c, nodes, row, dt):
-    """Velocities of movers back into two rows of the nodes that are one with them; with dt, their positions in the middle too."""
+@nb.njit(**BY_ADDRESS)
+def give(c, nodes, row, dt, middle):
+    """Velocities of movers back into two rows of the nodes that are one with them; `middle`: their positions in the middle too."""
     n = c.mover_numbers
     for m in range(n.shape[0]):
         if n[m, C.JX] == 0.0 and n[m, C.JY] == 0.0:
             continue
+        if c.movers[m, C.MOVER_RIGID] >= 0:
+            velocity_to(c, nodes, m, row == UM, dt)
+            continue
         for i in range(c.copies_start[m], c.copies_start[m + 1]):
             k = c.copies[i]
             nodes[row, k], nodes[row + 1, k] = n[m, C.U], n[m, C.V]
-            if dt > 0.0:
+            if middle:
                 nodes[XH, k], nodes[XH + 1, k] = nodes[X, k] + 0.5 * dt * n[m, C.U], nodes[X + 1, k] + 0.5 * dt * n[m, C.V]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def aim_bonds(c, nodes, closing):
     """Bonds start without impulse; both ends move alike at the end of the step."""
     standing = False
@@ -68,13 +72,33 @@ def aim_bonds(c, nodes, closing):
             q[C.BOND_X], q[C.BOND_Y], q[C.BOND_AIM_X], q[C.BOND_AIM_Y] = 0.0, 0.0, 0.0, 0.0
             if not closing:
                 q[C.BOND_X], q[C.BOND_Y] = q[C.BOND_LAST_X], q[C.BOND_LAST_Y]
-                s, a, b = movers(c, p, c.bonds[p, C.BOND_EDGE])
-                u, v = start_velocity(c, nodes, s, a, b, q[C.BOND_SHARE])
+                at, at_a, at_b = columns(c, p, c.bonds[p, C.BOND_EDGE])
+                u, v = start_velocity(nodes, at, at_a, at_b, q[C.BOND_SHARE])
                 q[C.BOND_AIM_X], q[C.BOND_AIM_Y] = 0.5 * u, 0.5 * v
     return standing
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
+def arm_bonds(c, nodes, dt):
+    """Where the impulses of bonds act on bodies that turn, after dt."""
+    for p in range(c.bonds.shape[0]):
+        if c.bonds[p, C.BOND_STATE] == C.BOUND:
+            q, e = c.bond_numbers[p], c.bonds[p, C.BOND_EDGE]
+            (s, a, b), (_, i, j) = movers(c, p, e), columns(c, p, e)
+            q[C.BOND_SIDE], q[C.BOND_ARM_X], q[C.BOND_ARM_Y] = arm(c, nodes, s, a, b, (i, j), q[C.BOND_SHARE], dt)
+
+
+@nb.njit(**BY_ADDRESS)
+def ask(c, nodes, dt, closing):
+    """What pairs and bonds ask of the velocities, with the directions of the start of the step or of its middle."""
+    arm_bonds(c, nodes, 0.0 if closing else 0.5 * dt)
+    if closing:
+        ask_closing(c, nodes, dt)
+    else:
+        ask_mean(c, nodes, dt)
+
+
+@nb.njit(**BY_ADDRESS)
 def solve(c, nodes, dt, closing):
     """Velocities of movers that contact allows; whether anything touched."""
     part, least, change = 1.0 if closing else 0.5, NEGLIGIBLE * c.numbers[C.MEAN_EDGE] / dt, 0.0
@@ -92,22 +116,19 @@ def solve(c, nodes, dt, closing):
         if not activate(c, nodes, dt, closing, slack) and (again > 0 or not touched):
             break
         touched = True
-        if closing:
-            ask_closing(c, nodes, dt)
-        else:
-            ask_mean(c, nodes, dt)
+        ask(c, nodes, dt, closing)
         restart(c, part)
         change = relax(c, part, least, 1e300 if closing else DEPTH * c.numbers[C.MEAN_EDGE] / dt)
     if touched:
         if not closing:      # directions of the middle of the step as it has come out: forces without moment
-            ask_mean(c, nodes, dt)
+            ask(c, nodes, dt, False)
         restart(c, part)
     if not closing:
         c.numbers[C.CHANGE] = change
     return touched
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def as_before(c, dt):
     """Mean velocities of the half step by the forces of contact of the last step."""
     ratio = dt / c.numbers[C.LAST_STEP] if c.numbers[C.LAST_STEP] > 0.0 else 0.0
@@ -123,39 +144,7 @@ def as_before(c, dt):
     restart(c, 0.5)
 
 
-@nb.njit(**GUARD)
-def drive(c, run, options, time, dt):
-    """Mean velocity of rigid bodies without contact."""
-    for m in range(c.movers.shape[0]):
-        if c.movers[m, C.MOVER_RIGID] < 0:
-            continue
-        k, pulse, q = c.movers[m, C.MOVER_NODE], c.movers[m, C.MOVER_PULSE], c.mover_numbers[m]
-        u, v = run.nodes[U, k], run.nodes[U + 1, k]
-        if pulse >= 0:
-            speed = pulse_value(time + dt, c.speeds[pulse], c.speed_tables[pulse])
-            u, v = 0.5 * (u + speed * q[C.H1X]), 0.5 * (v + speed * q[C.H1Y])
-        elif q[C.IM] > 0.0:
-            gx, gy = 0.5 * dt * options.gx, 0.5 * dt * options.gy
-            u, v = u + q[C.PXX] * gx + q[C.PXY] * gy, v + q[C.PXY] * gx + q[C.PYY] * gy
-        for i in range(c.copies_start[m], c.copies_start[m + 1]):
-            k = c.copies[i]
-            run.nodes[UM, k], run.nodes[UM + 1, k] = u, v
-            run.nodes[XH, k], run.nodes[XH + 1, k] = run.nodes[X, k] + 0.5 * dt * u, run.nodes[X + 1, k] + 0.5 * dt * v
-
-
-@nb.njit(**GUARD)
-def move_rigid(c, nodes, dt):
-    """Rigid bodies to the end of the step; a negative dt takes them back."""
-    for m in range(c.movers.shape[0]):
-        if c.movers[m, C.MOVER_RIGID] >= 0:
-            for i in range(c.copies_start[m], c.copies_start[m + 1]):
-                k = c.copies[i]
-                for d in range(2):
-                    nodes[X + d, k] += dt * nodes[UM + d, k]
-                    nodes[U + d, k] = 2.0 * nodes[UM + d, k] - nodes[U + d, k]
-
-
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def of_step(c, run, options, time, dt, moment):
     """One of the moments at the top of the file."""
     if moment == READY:
@@ -169,19 +158,19 @@ def of_step(c, run, options, time, dt, moment):
         if solve(c, run.nodes, dt, True):
             book_heat(c, 1.0, dt)
             book_holds(c, run.chains, 1.0)
-            give(c, run.nodes, U, 0.0)
+            give(c, run.nodes, U, dt, False)
     elif moment == PUSH_MIDDLE:
         drive(c, run, options, time, dt)
         take(c, run.nodes, UM)
         if c.counts[C.PAIRS] > 0:
             as_before(c, dt)
-            give(c, run.nodes, UM, dt)
+            give(c, run.nodes, UM, dt, True)
     elif moment == PUSH:
         drive(c, run, options, time, dt)
         take(c, run.nodes, UM)
         if solve(c, run.nodes, dt, False):
             book_holds(c, run.chains, 0.0)
-            give(c, run.nodes, UM, 0.0)
+            give(c, run.nodes, UM, dt, False)
     return True
 
 

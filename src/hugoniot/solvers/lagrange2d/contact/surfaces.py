@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from hugoniot.problem.plane.contact_model import Contact2D
+from hugoniot.problem.plane.contact_model import Contact2D, centre_of, inertia_of
 from hugoniot.problem.plane.model import Problem2D
 from hugoniot.solvers.lagrange1d.nodes import pulse_value
 from hugoniot.solvers.lagrange2d import layout as L
@@ -148,20 +148,28 @@ def with_rigid(problem: Problem2D, surfaces: Surfaces | None, nodes):
     table[:, :nodes.shape[1]] = nodes
     table[[N.x, N.y], nodes.shape[1]:] = table[[N.xh, N.yh], nodes.shape[1]:] = surfaces.extra
     for body, columns in zip(problem.rigid, surfaces.copies[len(surfaces.nodes):]):
-        start, way = np.array(body.start), np.zeros(2) if body.direction is None else np.array(body.direction)
-        if body.pulse is not None:
-            start = _at_start(body.pulse) * way
-        elif body.direction is not None:
-            start = (start @ way) * way
-        table[N.u, columns], table[N.v, columns] = start
+        start, arm = _at_start(body), table[[N.x, N.y]][:, columns] - np.array(centre_of(body))[:, None]
+        table[N.u, columns], table[N.v, columns] = start[0] - body.spin * arm[1], start[1] + body.spin * arm[0]
     return table
 
 
-def _at_start(pulse) -> float:
+def rigid_table(problem: Problem2D) -> np.ndarray:
+    """What moves rigid bodies, at t = 0; columns are in `layout`."""
+    table = np.zeros((len(problem.rigid), C.MEAN_SPIN + 1))
+    for row, body in zip(table, problem.rigid):
+        row[[C.CENTRE_X, C.CENTRE_Y]], row[[C.SPEED_X, C.SPEED_Y]], row[C.SPIN] = centre_of(body), _at_start(body), body.spin
+    return table
+
+
+def _at_start(body) -> np.ndarray:
+    """Velocity of a rigid body at t = 0."""
+    start, way = np.array(body.start), np.zeros(2) if body.direction is None else np.array(body.direction)
+    if body.pulse is None:
+        return start if body.direction is None else (start @ way) * way
     pulses = Pulses()
-    pulses.put(pulse)
+    pulses.put(body.pulse)
     numbers, tables = pulses.arrays()
-    return float(pulse_value(0.0, numbers[0], tables[0]))
+    return float(pulse_value(0.0, numbers[0], tables[0])) * way
 
 
 def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering, zones) -> C.Contact:
@@ -184,7 +192,8 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
     ints = np.int64
     copies = np.array([k for group in surfaces.copies for k in group], dtype=ints)
     return C.Contact(
-        points, edges, movers, numbers, sizes.astype(ints), copies, law_of, laws, *of_pairs(), *of_pairs(), np.zeros(room, dtype=ints),
+        points, edges, movers, numbers, rigid_table(problem), sizes.astype(ints), copies, law_of, laws, *of_pairs(), *of_pairs(),
+        np.zeros(room, dtype=ints),
         np.zeros((count, 2), dtype=ints), np.zeros((count, C.BOND_FLOATS)), np.zeros((count, 3)),
         np.zeros(4 * len(edges) + 17, dtype=ints), np.zeros(len(edges), dtype=ints), np.zeros((count, 2)), totals,
         np.zeros(7, dtype=ints), zones, speeds, tables)
@@ -210,6 +219,8 @@ def _movers(problem: Problem2D, surfaces: Surfaces, boundaries, numbering):
         if body.mass is not None:
             share = body.mass / (2.0 * np.pi if problem.geometry == "axisymmetric" else 1.0)
             numbers[m, C.IM] = 1.0 / share
+            if body.turns:
+                numbers[m, C.II] = 1.0 / inertia_of(body)
             if body.direction is not None:
                 numbers[m, [C.PXX, C.PXY, C.PYY]] = way[0] ** 2, way[0] * way[1], way[1] ** 2
         elif body.pulse is not None:

@@ -1,0 +1,52 @@
+r"""Fracture where the means of two zones at the node between them meet both criteria, as Wilkins writes it.
+
+$$\tfrac12(P_{j+1/2} + P_{j-1/2}) < P_S \;\text{ and }\; \tfrac12(V_{j+1/2} + V_{j-1/2}) > V_S, \qquad P_S < 0$$
+
+V is the relative volume rho0/rho. `pressure_volume` asks the same of single zones and opens the void beside the worst one. The node
+must lie inside a region: two materials have two criteria.
+
+Source: Wilkins B.4 (a), opening of a void.
+"""
+
+from typing import NamedTuple
+
+from hugoniot.laws.fracture import pressure_volume
+from hugoniot.laws.fracture.contract import FRACTURE
+
+
+class PressureVolumeAtNodes(NamedTuple):
+    pressure_limit: float
+    volume_limit: float = 1.0
+
+
+def failure(tension, p, v, damage, par):
+    return pressure_volume.failure(tension, p, v, damage, par)
+
+
+def damage_rate(tension, par):
+    return 0.0
+
+
+def tension_cap(void_fraction, par):
+    return pressure_volume.tension_cap(void_fraction, par)
+
+
+def at_node(tension, p, v, slope, par):
+    return failure(tension, p, v, 0.0, par)
+
+
+def build(pressure_limit, volume_limit=1.0):
+    """Parameters; the pressure limit is a tension, hence negative, and the volume limit positive."""
+    return PressureVolumeAtNodes(*pressure_volume.build(pressure_limit, volume_limit))
+
+
+_zones = FRACTURE.get("pressure_volume")
+FRACTURE.add(
+    "pressure_volume_at_nodes", PressureVolumeAtNodes,
+    functions=[failure, damage_rate, tension_cap, at_node],
+    example=PressureVolumeAtNodes(-1.0e9, 1.01),
+    build=build,
+    units=_zones.units, meaning=_zones.meaning, defaults=_zones.defaults, box=_zones.box,
+    references=_zones.references,
+    flags=("nodes",),
+)

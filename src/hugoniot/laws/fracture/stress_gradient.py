@@ -1,0 +1,71 @@
+r"""Spall at a tension that grows as the square root of its gradient: a short pulse needs more tension than a long one.
+
+$$\sigma_t \ge \max\left(\sigma_{least},\; A\sqrt{|d\sigma_t/dx|}\right), \qquad A = \sigma_r/\sqrt{G_r}$$
+
+A is given as the strength sigma_r at a reference gradient G_r, so that every parameter has a unit of its own. sigma_least is the
+strength where the tension is uniform, in which the law alone would let any tension break the material: noise behind a wave has no
+gradient to speak of, so it belongs not far below the tension at which the material is expected to break. The criterion is asked at nodes
+inside a region, of the mean tension of the zones beside it and the slope over four zones before or behind it, the larger of both. At the
+front of a wave, where that is the slope of the mesh, and at the peak beside it nothing breaks that the flow behind would not break.
+
+A triangular pulse of peak P and length L that meets a free surface leaves a tension that grows from the surface as 2 P x / L. It spalls at
+the depth $A\sqrt{L/(2P)}$, under the tension $A\sqrt{2P/L}$, and again at the same distance as long as the pulse lasts.
+
+No constants are given: open sources state the form, and that it is equivalent to a criterion of impulse (Tuler & Butcher 1968), but no
+values for metals.
+
+Source: Breed, Mader & Venable, J. Appl. Phys. 38 (1967) 3271; named, not written, in Wilkins B.4 (a).
+"""
+
+from typing import NamedTuple
+
+from hugoniot.core.ops import NO_LIMIT, fmax, vsqrt
+from hugoniot.errors import OutOfRange
+from hugoniot.laws.fracture.contract import FRACTURE
+
+
+class StressGradient(NamedTuple):
+    strength: float
+    gradient: float
+    least: float
+
+
+def failure(tension, p, v, damage, par):
+    """In a uniform tension."""
+    return tension / par.least
+
+
+def damage_rate(tension, par):
+    return 0.0
+
+
+def tension_cap(void_fraction, par):
+    """The strength depends on what lies around."""
+    return NO_LIMIT
+
+
+def at_node(tension, p, v, slope, par):
+    return tension / fmax(par.least, par.strength * vsqrt(slope / par.gradient))
+
+
+def build(**values):
+    """Parameters, all positive."""
+    par = StressGradient(**values)
+    for name, value in zip(par._fields, par):
+        if not value > 0.0:
+            raise OutOfRange(f"{name} = {value:g} must be positive")
+    return par
+
+
+FRACTURE.add(
+    "stress_gradient", StressGradient,
+    functions=[failure, damage_rate, tension_cap, at_node],
+    example=StressGradient(1.0e9, 1.0e12, 0.2e9),
+    build=build,
+    units={"strength": "Pa", "gradient": "Pa/m", "least": "Pa"},
+    meaning={"strength": "tension that breaks the material at the reference gradient", "gradient": "reference gradient of the tension",
+             "least": "tension that breaks the material however small the gradient"},
+    box={"tension": (-1e11, 1e10), "p": (-1e10, 1e11), "v": (0.3, 1.5), "damage": (0.0, 1.0)},
+    references=("Breed, Mader & Venable, J. Appl. Phys. 38 (1967) 3271", "Tuler & Butcher, Int. J. Fracture Mech. 4 (1968) 431"),
+    flags=("nodes",),
+)

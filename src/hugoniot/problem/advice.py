@@ -1,0 +1,84 @@
+"""What a deck may say but seldom means: forgotten units, jumps of the zone mass, speeds beyond the data or beyond the laws of motion."""
+
+from hugoniot.laws.eos.contract import EOS, reference_state
+from hugoniot.problem.model import Problem, Region
+from hugoniot.problem.profiles import LIGHT
+
+LIGHTEST, SLOWEST = 50.0, 100.0     # kg/m3 and m/s: below stand gases, aerogels and numbers whose unit was forgotten
+IONISED = 15e3      # m/s of particle velocity: 112 MJ/kg, 31 eV for an atom of aluminium, whose first two electrons take 25 eV
+RELATIVISTIC = 0.01      # of the speed of light
+
+
+def advice(problem: Problem) -> list[str]:
+    """Warnings of a problem that can be run."""
+    found = _forgotten_units(problem)
+    for a, b in zip(problem.regions, problem.regions[1:]):
+        if a.end != b.start:
+            continue
+        masses = []
+        for region, last in ((a, True), (b, False)):
+            q, n = region.ratio, region.zones
+            first = (region.end - region.start) * ((1.0 - q) / (1.0 - q**n) if q != 1.0 else 1.0 / n)
+            rho = region.density or reference_state(problem.materials[region.material].eos)[0]
+            masses.append(rho * first * (q ** (n - 1) if last else 1.0))
+        jump = max(masses) / min(masses)
+        if jump > 10.0:
+            found.append(f"the zone mass jumps by a factor of {jump:.3g} between '{a.name}' and '{b.name}': expect a start-up error there")
+    for a, b in zip(problem.regions, problem.regions[1:]):
+        ua, ub = (r.velocity[k] if isinstance(r.velocity, tuple) else r.velocity for r, k in ((a, 1), (b, 0)))
+        for region in (a, b):
+            limit = problem.materials[region.material].valid_up_to
+            if limit is not None and abs(ua - ub) > 2.0 * limit:
+                found.append(f"'{a.name}' meets '{b.name}' at {abs(ua - ub):g} m/s, but the data of '{region.material}' "
+                            f"end at a particle velocity of {limit:g} m/s")
+    return found + _beyond_atoms(problem) + _relativistic(problem)
+
+
+def _forgotten_units(problem: Problem) -> list[str]:
+    """Densities and sound speeds at rest that no liquid or solid has: a bare number in a deck is SI."""
+    found = []
+    for name, material in problem.materials.items():
+        law = EOS.of(material.eos)
+        par = material.eos._asdict()
+        if "gas" in law.flags or any(EOS.knows(value) for value in material.eos):
+            continue
+        for key, least, unit, better in (("rho0", LIGHTEST, "kg/m^3", "g/cm^3"), ("c0", SLOWEST, "m/s", "km/s")):
+            value = par.get(key)
+            if isinstance(value, float) and 0.0 < value < least:
+                found.append(f"material '{name}': {key} = {value:g} {unit} for a solid or liquid? A bare number is SI; "
+                             f"write \"{value:g} {better}\" if that is what you mean")
+    return found
+
+
+def _relativistic(problem: Problem) -> list[str]:
+    """Speeds at which the equations of motion, which are Newton's, are off by more than a part in ten thousand."""
+    speeds = {f"region '{region.name}'": max(abs(_end_speed(region, 0)), abs(_end_speed(region, 1))) for region in problem.regions}
+    for side, boundary in (("left", problem.left), ("right", problem.right)):
+        if boundary.kind == "velocity":
+            speeds[f"the {side} boundary"] = max(abs(boundary.pulse.amplitude), *map(abs, boundary.pulse.values), 0.0)
+    return [f"{name} moves at {speed:.3g} m/s, {speed / LIGHT:.2g} of the speed of light: the equations of motion are not relativistic; "
+            "is the unit right?" for name, speed in speeds.items() if speed > RELATIVISTIC * LIGHT]
+
+
+def _beyond_atoms(problem: Problem) -> list[str]:
+    """Materials without a stated range that meet something so fast that their atoms lose electrons."""
+    met: dict[str, float] = {}
+
+    def meets(region: Region, speed: float) -> None:
+        if problem.materials[region.material].valid_up_to is None:
+            met[region.material] = max(met.get(region.material, 0.0), speed)
+
+    for a, b in zip(problem.regions, problem.regions[1:]):
+        speed = 0.5 * abs(_end_speed(a, 1) - _end_speed(b, 0))
+        meets(a, speed)
+        meets(b, speed)
+    for boundary, region, side in ((problem.left, problem.regions[0], 0), (problem.right, problem.regions[-1], 1)):
+        if boundary.kind == "fixed":
+            meets(region, abs(_end_speed(region, side)))
+    return [f"material '{name}' is driven to a particle velocity of about {speed:.3g} m/s, {0.5e-6 * speed**2:.3g} MJ/kg: "
+            f"its atoms are ionised there, which no law of a deck describes, and no range of its data is stated (valid_up_to)"
+            for name, speed in met.items() if speed > IONISED]
+
+
+def _end_speed(region: Region, side: int) -> float:
+    return region.velocity[side] if isinstance(region.velocity, tuple) else region.velocity

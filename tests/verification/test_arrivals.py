@@ -1,0 +1,76 @@
+"""The arrivals that a run reports beside exact ones: precursor and plastic wave, layers without strength, a programmed detonation."""
+
+import numpy as np
+import pytest
+
+import hugoniot
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
+from hugoniot.materials.material import Material
+from hugoniot.output.run_numbers import gauge_rows
+from hugoniot.problem.catalogue import deck_text
+from hugoniot.problem.deck import read_deck_text
+from hugoniot.problem.model import Gauge, OutputOptions, Problem, Region
+from hugoniot.theory.exact.elastic_plastic_piston import Solid, waves
+from hugoniot.theory.hugoniot import shock
+from hugoniot.theory.impedance import match
+
+THICK = 5e-3
+
+
+def rows_of(tmp_path, regions, materials, gauges, stop):
+    problem = Problem("arrivals", "planar", stop, regions, materials, gauges=gauges, output=OutputOptions(report=False))
+    return {row["gauge"]: row for row in gauge_rows(hugoniot.run(problem, tmp_path / f"run{regions[0].zones}"))}
+
+
+@pytest.mark.parametrize("speed", [400.0, 800.0])
+def test_the_precursor_and_the_plastic_wave(tmp_path, speed):
+    """Aluminium: elastic wave x / c_e and plastic wave from the jump conditions, inside and at the surface, which sees the precursor first.
+
+    A captured precursor leaves the plastic front, some zones wide, ahead of its exact place: the arrival converges in first order.
+    """
+    law, strength = MieGruneisen(2785.0, 5328.0, 1.338, 2.0), PerfectlyPlastic(27.6e9, 0.3e9)
+    elastic, plastic = waves(Solid(2785.0, 5328.0, 1.338, 2.0, 27.6e9, 0.3e9), speed / 2)
+    in_material = (plastic.wave_speed - elastic.velocity) * elastic.density / law.rho0
+    gauges = (Gauge("inside", 4e-3), Gauge("surface", THICK))
+    early = []
+    for zones in (100, 200):
+        regions = (Region("flyer", "m", -THICK, 0.0, zones, velocity=speed), Region("target", "m", 0.0, THICK, zones))
+        rows = rows_of(tmp_path, regions, {"m": Material("m", law, strength)}, gauges, 1.1e-6)
+        zone = THICK / zones
+        early.append([1.0 - rows[name]["arrival"] * elastic.wave_speed / x for name, x in (("inside", 4e-3), ("surface", THICK))])
+        assert 0.0 < max(early[-1]) < 2.5 * zone / 4e-3
+        if np.isfinite(rows["inside"]["second_arrival"]):     # the coarse mesh leaves too short a plateau to be sure
+            assert rows["inside"]["second_arrival"] == pytest.approx(4e-3 / in_material, abs=zone / in_material)
+        # at the surface the plastic wave runs its last way through material that the reflected precursor has unloaded
+        assert THICK / in_material < rows["surface"]["second_arrival"] < THICK / in_material * 1.02
+    assert np.isfinite(rows["inside"]["second_arrival"])
+    assert max(early[1]) < 0.65 * max(early[0])
+
+
+def test_layers_without_strength_have_the_sum_of_their_times(tmp_path):
+    """Copper on copper on a light layer: thickness over shock velocity, layer by layer, and one wave each; half a zone at two meshes."""
+    copper, light = MieGruneisen(8930.0, 3940.0, 1.489, 2.02), MieGruneisen(2640.0, 5150.0, 1.35, 1.6)
+    velocity, depth = 800.0, 1.5e-3
+    met = match([copper, copper, light], velocity)
+    first = shock(copper, particle_velocity=velocity / 2).shock_velocity
+    second = shock(light, particle_velocity=met[1].particle_velocity).shock_velocity
+    expected = {"on copper": 3e-3 / first, "in the light layer": 3e-3 / first + depth / second}
+    for zones in (60, 120):
+        regions = (Region("flyer", "cu", -3e-3, 0.0, zones, velocity=velocity), Region("plate", "cu", 0.0, 3e-3, zones),
+                   Region("layer", "light", 3e-3, 6e-3, zones))
+        rows = rows_of(tmp_path, regions, {"cu": Material("cu", copper), "light": Material("light", light)},
+                       (Gauge("on copper", 3e-3), Gauge("in the light layer", 3e-3 + depth)), 1.2e-6)
+        for name, when in expected.items():
+            assert rows[name]["arrival"] == pytest.approx(when, abs=0.6 * 3e-3 / zones / first)
+            assert "second_arrival" not in rows[name]
+
+
+def test_a_detonation_arrives_at_distance_over_velocity(tmp_path):
+    """Composition B, programmed at 7980 m/s from x = 0, at 3 cm: a zone late, the half-way point of the zones that burn."""
+    for size in (0.4, 0.2):
+        text = deck_text("detonation").replace('"0.1 mm"', f'"{size} mm"').replace('stop_time = "8 us"', 'stop_time = "4.2 us"')
+        found = hugoniot.run(read_deck_text(text), tmp_path / f"run{size}", report=False)
+        row = next(row for row in gauge_rows(found) if row["gauge"] == "3 cm")
+        assert row["arrival"] == pytest.approx(3e-2 / 7980.0, abs=1.2 * size * 1e-3 / 7980.0)
+        assert not np.isfinite(row.get("second_arrival", np.nan))

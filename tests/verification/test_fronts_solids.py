@@ -1,0 +1,146 @@
+"""Strength in the cells of tracked fronts: precursors as lines, plasticity between them, against exact answers and the algebraic mode."""
+
+import math
+from types import MappingProxyType
+
+import numpy as np
+import pytest
+
+from hugoniot.laws.eos.contract import pressure_and_derivatives
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.laws.riemann.branch import Matter, State
+from hugoniot.laws.riemann.curve import Curve
+from hugoniot.laws.riemann.medium import Solid, answer
+from hugoniot.laws.riemann.solid import waves
+from hugoniot.laws.riemann.wave import Side
+from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
+from hugoniot.materials.material import Material
+from hugoniot.problem.model import Boundary, Problem, Pulse, Region, SolverOptions
+from hugoniot.solvers.fronts.cells.solver import Cells
+from hugoniot.solvers.fronts.solver import Fronts
+from hugoniot.theory.exact.elastic_plastic_piston import Solid as Piston
+from hugoniot.theory.exact.elastic_plastic_piston import elastic_plastic_piston
+
+EOS, G, Y = MieGruneisen(2785.0, 5328.0, 1.338, 2.0), 27.6e9, 0.3e9
+SHEAR = 4.0 / 3.0 * G
+ALUMINIUM = {"al": Material("al", EOS, strength=PerfectlyPlastic(G, Y))}
+FREE = Boundary("free")
+
+
+def flyer(stop, mode="cells", zones=20, **options):
+    """Aluminium of 4 mm at 800 m/s on aluminium of 8 mm."""
+    regions = (Region("flyer", "al", 0.0, 0.004, zones, velocity=800.0), Region("target", "al", 0.004, 0.012, 2 * zones))
+    own = SolverOptions("fronts", options=MappingProxyType({"mode": mode, **options}))
+    return Problem("flyer", "planar", stop, regions, ALUMINIUM, FREE, FREE, solver=own)
+
+
+def run(problem, until=None):
+    solver = (Cells if problem.solver.options["mode"] == "cells" else Fronts)(problem)
+    while solver.time < (until or problem.stop_time):
+        solver.march(until or problem.stop_time, 10**9)
+    return solver
+
+
+def cells_of(solver):
+    """Density, velocity, energy, stretch (row 4), stress (row 6) of the cells (rows of tables.py)."""
+    return solver.flow.look(solver.mesh)[:10, :len(solver.mesh.q)]
+
+
+@pytest.mark.parametrize("stretch", [1.0, math.exp(0.5 * Y / G), math.exp(0.2 * Y / G), math.exp(-0.5 * Y / G)])
+def test_waves_for_kernels_are_those_of_the_wave_curve(stretch):
+    rho, e, par = 2900.0, 2e5, Solid(EOS, G, Y)
+    sigma, by_rho, by_e = answer(rho, e, 0.0, stretch, 0.0, par)
+    side = Side(rho, e, sigma, by_rho + sigma * by_e / rho**2, 0.0, stretch, 0.0, 1e30, 1e30, 1e30)
+    curve = Curve(Matter(EOS, G, Y), State(rho, 100.0, e, sigma, -SHEAR * math.log(stretch)), 1, elastic_jumps=True)
+    for step in (1e6, 5e8, 1e9, 3e9, 4e10, -1e6, -5e8, -1.1e9, -2e9):
+        after, slope, found = curve.at(sigma + step)
+        behind, limit = waves(sigma + step, side, par)
+        assert (behind.rho, behind.e, behind.slope) == pytest.approx((after.rho, after.e, slope), rel=1e-10)
+        assert behind.rise == pytest.approx(after.u - 100.0, rel=1e-10, abs=1e-6)
+        assert -SHEAR * math.log(behind.volume) == pytest.approx(after.s, rel=1e-9, abs=1.0)
+        assert (limit.flux > 0.0) == (len(found) == 2)
+        if limit.flux and found[0].kind == "shock":
+            assert limit.flux / rho == pytest.approx(found[0].head - 100.0, rel=1e-10)
+
+
+def test_precursor_and_plateau_are_exact():
+    solver = run(flyer(5e-7))
+    wanted = elastic_plastic_piston(Piston(2785.0, 5328.0, 1.338, 2.0, G, Y), 400.0).numbers
+    forward = [f for f in solver.mesh.fronts if f.direction > 0]
+    assert [f.kind for f in forward] == ["shock", "elastic shock"]
+    assert forward[0].speed == pytest.approx(wanted["plastic_wave_speed"], rel=1e-9)
+    assert forward[1].speed == pytest.approx(wanted["elastic_wave_speed"], rel=1e-9)
+    plastic, elastic = (float(solver.mesh.x[f]) for f in solver.mesh.faces()[[4, 5]])
+    rho, u, e, _, stretch, _, sigma = cells_of(solver)[:7]
+    for name, inside, speed in (("plastic", (solver.mesh.middle < plastic) & (solver.mesh.middle > 0.004), 400.0),
+                                ("elastic", (solver.mesh.middle < elastic) & (solver.mesh.middle > plastic), wanted["elastic_velocity"])):
+        assert inside.any()
+        assert rho[inside] == pytest.approx(wanted[f"{name}_density"], rel=1e-9)
+        assert u[inside] == pytest.approx(speed, rel=1e-9)
+        assert e[inside] == pytest.approx(wanted[f"{name}_energy"], rel=1e-7)
+        assert sigma[inside] == pytest.approx(wanted[f"{name}_stress"], rel=1e-9)
+        assert SHEAR * np.log(stretch[inside]) == pytest.approx(2.0 / 3.0 * Y, rel=1e-9)
+
+
+def test_a_precursor_that_returns_from_the_surface_meets_the_shock_as_in_the_algebraic_mode():
+    solver, other = run(flyer(6.6e-7)), run(flyer(6.6e-7, "algebraic"))
+    twice = 2.0 * elastic_plastic_piston(Piston(2785.0, 5328.0, 1.338, 2.0, G, Y), 400.0).numbers["elastic_velocity"]
+    assert solver.mesh.fronts[0].speed == pytest.approx(800.0 - twice, rel=1e-6)
+    ahead = [(f.kind, f.speed) for f in solver.mesh.fronts if f.direction < 0 or f.kind == "surface"][:3]
+    wanted = [(f.kind, f.speed) for f in other.line.fronts if f.kind in ("surface", "elastic shock", "shock")][:3]
+    assert [kind for kind, _ in ahead] == [kind for kind, _ in wanted] == ["surface", "elastic shock", "shock"]
+    assert [speed for _, speed in ahead] == pytest.approx([speed for _, speed in wanted], rel=3e-4)
+
+
+def test_breakout_after_ever_faster_returns_conserves_and_resumes():
+    """The elastic wave between surface and shock returns ever sooner until the shock is out; then the bodies part."""
+    solver = run(flyer(1.352e-6))
+    again = Cells(flyer(2e-6))
+    again.restore(solver.payload())
+    for one in (solver, again):
+        while one.time < 2e-6:
+            one.march(2e-6, 97 if one is again else 10**9)
+    assert np.array_equal(solver.mesh.x, again.mesh.x) and np.array_equal(solver.mesh.q, again.mesh.q)
+    assert all(error < 1e-12 for error in solver.errors().values())
+    assert solver.mesh.fronts[-1].speed == pytest.approx(800.0, rel=0.02) and solver.voids_opened > 0
+    full = solver.mesh.full()
+    assert np.abs(np.log(cells_of(solver)[4][full])).max() <= 0.5 * Y / G * (1.0 + 1e-12)
+
+
+def simple_wave(top, steps=2000):
+    """Velocity, density, stress, sound speed along the elastic isentrope from rest, by the midpoint rule."""
+    rho, e, rows, du = 2785.0, 0.0, [], top / steps
+
+    def stress(rho, e):
+        p, by_rho, by_e = pressure_and_derivatives(rho, e, EOS)
+        sigma = p + SHEAR * math.log(rho / 2785.0)
+        return sigma, math.sqrt(by_rho + SHEAR / rho + sigma * by_e / rho**2)
+    for k in range(steps + 1):
+        sigma, c = stress(rho, e)
+        rows.append((k * du, rho, sigma, c))
+        middle = rho + 0.5 * du * rho / c
+        sigma, c = stress(middle, e + 0.5 * du * sigma / (rho * c))
+        e, rho = e + du * sigma / (middle * c), rho + du * middle / c
+    return np.array(rows).T
+
+
+def test_a_smooth_elastic_wave_converges_at_second_order():
+    top, rise, stop = 25.0, 1e-6, 1.6e-6
+    times = np.linspace(0.0, rise, 2001)
+    pulse = Pulse("table", top, 0.0, rise, tuple(times.tolist()), tuple((top * np.sin(0.5 * np.pi * times / rise) ** 2).tolist()))
+    u, rho, _, c = simple_wave(top)
+    sent = np.linspace(0.0, stop, 20001)
+    piston = np.interp(sent, times, pulse.values)
+    place = np.concatenate([[0.0], np.cumsum(0.5 * (piston[1:] + piston[:-1]) * np.diff(sent))])
+    there = (place + (piston + np.interp(piston, u, c)) * (stop - sent))[::-1]      # each velocity runs on its own characteristic
+    errors = []
+    for zones in (50, 100):
+        solver = run(Problem("bar", "planar", stop, (Region("bar", "al", 0.0, 0.012, zones),), ALUMINIUM, Boundary("velocity", pulse), FREE,
+                             solver=SolverOptions("fronts", options=MappingProxyType({"mode": "cells"}))))
+        mesh = solver.mesh
+        x = mesh.x[:-1, None] + mesh.width[:, None] * (np.arange(20) + 0.5) / 20
+        wanted = np.interp(x, there, piston[::-1], right=0.0)
+        mass = np.interp(wanted, u, rho)
+        mean = (wanted * mass).sum(axis=1) / mass.sum(axis=1)
+        errors.append(float((np.abs(cells_of(solver)[1] - mean) * mesh.width).sum() / (0.012 * top)))
+    assert errors[1] < 5e-4 and math.log2(errors[0] / errors[1]) > 1.8
