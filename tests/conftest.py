@@ -13,8 +13,9 @@ from hypothesis import HealthCheck, settings
 
 try:
     import fcntl
+    import resource
 except ImportError:     # no Unix
-    fcntl = None
+    fcntl = resource = None
 
 
 # hypothesis fails a test whose examples take more than 0.2 s, or are drawn slowly: on a busy machine any may
@@ -34,6 +35,33 @@ def pytest_runtest_teardown(item, nextitem):
     pyplot = sys.modules.get("matplotlib.pyplot")
     if pyplot is not None and pyplot.get_fignums():
         pyplot.close("all")
+
+
+# -- what the tests need -------------------------------------------------------------------------------------------------
+_workers: list[tuple[int, float]] = []
+
+
+def _used() -> tuple[int, float]:
+    """(peak memory of this process in MB as Linux counts, processor time of it and its children in s)."""
+    own, children = resource.getrusage(resource.RUSAGE_SELF), resource.getrusage(resource.RUSAGE_CHILDREN)
+    return own.ru_maxrss // 1000, own.ru_utime + own.ru_stime + children.ru_utime + children.ru_stime
+
+
+def pytest_sessionfinish(session):
+    if resource is not None and hasattr(session.config, "workeroutput"):
+        session.config.workeroutput["used"] = _used()
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node, error):
+    if used := getattr(node, "workeroutput", {}).get("used"):
+        _workers.append(used)
+
+
+def pytest_terminal_summary(terminalreporter):
+    if _workers:
+        terminalreporter.write_line(f"workers: at most {max(mb for mb, _ in _workers)} MB of memory each, "
+                                    f"{sum(spent for _, spent in _workers):.0f} s of processor time together")
 
 
 # -- compiling once -----------------------------------------------------------------------------------------------------

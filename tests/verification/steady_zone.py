@@ -126,3 +126,57 @@ def fitted(t, ahead, mode):
         return (basis @ np.linalg.lstsq(basis, wanted, rcond=None)[0] - wanted) / np.abs(ahead).max()
 
     return least_squares(misfit, (mode.growth, mode.frequency), xtol=1e-12, ftol=1e-12, gtol=1e-12, diff_step=1e-6).x
+
+
+# -- long runs: a window of cells that goes with the front ----------------------------------------------------------------
+def windowed(old, wave, per_half_length, behind, ahead, stop):
+    """A solver that goes on with the cells of another from `behind` its lead shock on, fresh ones up to `ahead` of it; its clock at 0.
+
+    A piston with the velocity of the gas there takes the place of what is left out.
+    """
+    mesh, rest = old.mesh, 1.0 / (wave.gamma - 1.0) + wave.heat
+    faces = mesh.faces()
+    front = float(mesh.x[faces[mesh.fronts.index(lead_shock(old))]])
+    first, last = max(int(np.searchsorted(mesh.x, front - behind)) - 1, 0), float(mesh.x[-1])
+    more = max(round((front + ahead - last) * per_half_length), 0)
+    new = np.zeros((more, 6))
+    new[:, [0, 4]], new[:, [2, 5]] = 1.0 / per_half_length, rest / per_half_length
+    x, q = np.concatenate([mesh.x[first:], last + np.arange(1, more + 1) / per_half_length]), np.concatenate([mesh.q[first:], new])
+    marked = np.concatenate([mesh.marked[first:-1], np.zeros(more, bool), [True]])
+    marked[0], speed, length = True, float(q[0, 1] / q[0, 0]), float(x[-1] - x[0])
+    region = Region("gas", "gas", float(x[0]), float(x[-1]), round(per_half_length * length), density=1.0, pressure=1.0)
+    solver = Cells(Problem("window", "planar", stop, (region,), {"gas": material_of(wave)}, Boundary("velocity", Pulse("constant", speed)),
+                           Boundary("fixed"), solver=CELLS))
+    ends = [one for one in solver.mesh.fronts if one.kind == "end"]
+    kept = [one for one, face in zip(mesh.fronts, faces) if first < face < len(mesh.x) - 1]
+    for one in kept:
+        one.since = 0.0
+    solver.mesh = Mesh(x, q, np.zeros(len(q), dtype=int), marked, [ends[0], *kept, ends[1]], 1)
+    solver.mesh.fronts[0].speed = speed
+    solver.start_totals, solver.start_size = solver.mesh.q.sum(axis=0), solver._size()
+    return solver
+
+
+def lead_shock(solver):
+    """The foremost of the tracked shocks that run to the right."""
+    return [one for one in solver.mesh.fronts if one.kind == "shock" and one.direction > 0][-1]
+
+
+def crests(wave, per_half_length, stop, behind=60.0, piece=4.0):
+    """(n, 2) times and front velocities of the crests of a wave that starts with its normal mode, 0.02 of its velocity."""
+    fields = SteadyZone(wave).mode(wave.mode(0.08 + 0.5j)).real * 0.02 * wave.velocity
+    solver, begun, rows = steady_solver(SteadyZone(wave), per_half_length, behind, piece, fields), 0.0, []
+    while begun < stop:
+        while solver.time < piece:
+            solver.march(min(piece, solver.time + 0.02), 10**9)
+            rows.append((begun + solver.time, lead_shock(solver).speed))
+        begun += piece
+        solver = windowed(solver, wave, per_half_length, behind, 1.6 * wave.velocity * piece + 1.0, piece)
+    found = []
+    for before, here, after in zip(rows, rows[1:], rows[2:]):
+        if before[1] < here[1] >= after[1] and here[1] > wave.velocity:
+            if found and here[0] - found[-1][0] < 4.0:      # two tops of one crest
+                found[-1] = max(found[-1], here, key=lambda row: row[1])
+            else:
+                found.append(here)
+    return np.array(found)

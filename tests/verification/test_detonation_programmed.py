@@ -21,6 +21,7 @@ from hugoniot.errors import UnphysicalState
 from hugoniot.laws.burn.programmed import Beta, Programmed, ProgrammedBeta
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.laws.fracture.pressure_volume_at_nodes import PressureVolumeAtNodes
 from hugoniot.laws.fracture.spall_stress import SpallStress
 from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.materials import library
@@ -290,6 +291,22 @@ def test_h8_h9_growth_and_spall(series, zone):
     assert cavity(weak.states[-1], fluid) > cavity(at_20, problem) + 5e-4
     outermost = [max((e.position for e in w.events if e.kind == "void_opened"), default=0.0) for w in (seen, weak)]
     assert outermost == [pytest.approx(0.0755, abs=2e-3), pytest.approx(0.0855, abs=1e-3)]
+
+
+@pytest.mark.slow
+def test_the_three_spalls_of_the_report():
+    """Printed: 7.55, 5.70 and 3.90 cm; without strength several, the outermost at 8.55 cm. A leapfrog on 1 mm zones with one tension, asked at
+    nodes, that the report does not give; on other meshes the inner planes lie elsewhere."""
+    places = []
+    for strength in (0.276e9, 0.0):
+        problem = sphere(yield_stress=strength, stop=6e-5)
+        aluminium = dataclasses.replace(problem.materials["aluminium"], fracture=PressureVolumeAtNodes(-0.9e9))
+        problem = dataclasses.replace(problem, materials=problem.materials | {"aluminium": aluminium},
+                                      solver=dataclasses.replace(problem.solver, integrator="wilkins"))
+        _, seen = run(problem, 10)
+        places.append([event.position for event in seen.events if event.kind == "void_opened"])
+    assert places[0] == pytest.approx([0.0755, 0.0570, 0.0390], abs=1e-3)
+    assert places[1][0] == pytest.approx(0.0855, abs=1e-3) and len(places[1]) >= 3
 
 
 EXPLOSIVES = sorted(name for name, listing in library.index().items() if listing.category == "explosive")

@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
-from steady_zone import CELLS, SteadyZone, grown, material_of, zone_errors
+from steady_zone import CELLS, SteadyZone, crests, grown, material_of, zone_errors
 
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.burn.contract import Reactive
@@ -53,6 +53,18 @@ def test_a_normal_mode_grows_as_it_should(wave, guess, behind, stop, sharp):
     mode = wave.mode(guess)
     growth, frequency = grown(SteadyZone(wave), mode, 10, behind, stop)
     assert growth == pytest.approx(mode.growth, rel=1e-2) and frequency == pytest.approx(mode.frequency, rel=sharp)
+
+
+@pytest.mark.slow
+def test_limit_cycles_near_chapman_jouguet():
+    """Crests of E = 27 tend to one height, period 1; of E = 27.35 every second one is the same, period 2 (Henrick, Aslam and Powers)."""
+    single, double = (crests(Wave(1.2, 50.0, activation, 1.0005), 10, 150.0)[-6:] for activation in (27.0, 27.35))
+    heights = np.abs(np.diff(single[:, 1]))
+    assert (heights[1:] < heights[:-1]).all() and heights[-1] < 0.03      # one crest less than the last by less and less
+    assert np.diff(single[:, 0]).mean() == pytest.approx(11.89, abs=0.03)
+    assert np.abs(np.diff(double[:, 1])).min() > 0.6
+    assert np.abs(double[2:, 1] - double[:-2, 1]).max() < 5e-3
+    assert np.diff(double[:, 0])[:2].sum() == pytest.approx(23.83, abs=0.05)
 
 
 def overdriven(per_half_length, stop):

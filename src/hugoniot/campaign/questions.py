@@ -197,7 +197,7 @@ class Match(Asked):
                 raise DeckError.single("match", None, key, "no such input of an impedance match", hint)
             tables.setdefault(owner, {"base": owner}).setdefault(parts[0], {})[parts[1]] = value
         if "velocity" not in changes:
-            raise DeckError.single("match", None, "velocity", "no velocity of the flyer", 'write --vary "velocity = 500 m/s"')
+            raise DeckError.single("match", None, "velocity", "the velocity of the flyer is missing", 'write --vary "velocity = 500 m/s"')
         try:
             velocity = parse(changes["velocity"], "m/s")
         except UnitError as error:

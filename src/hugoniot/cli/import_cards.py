@@ -35,7 +35,7 @@ def command(
     if kind in (".yml", ".yaml", ".in"):
         if units or density or name != "imported":
             raise DeckError.single("command line", None, "--units, --name, --density", "belong to LS-DYNA cards", "omit them")
-        shown, left = _deck(text, file.name, kind)
+        shown, left = _deck(text, file, kind)
     elif units is None:
         raise DeckError.single("command line", None, "--units", "the units of LS-DYNA cards are not given", 'write --units "g cm us"')
     else:
@@ -54,14 +54,15 @@ def command(
         typer.echo(f"note: {sentence}", err=True)
 
 
-def _deck(text: str, file: str, kind: str) -> tuple[str, list[str]]:
+def _deck(text: str, path: Path, kind: str) -> tuple[str, list[str]]:
     """A deck that this program has read back, and what is left out."""
     from hugoniot.problem.deck import read_deck_text
     from hugoniot.problem.ko_columns import read_columns
     from hugoniot.problem.ko_decks import deck_tables
     from hugoniot.problem.ko_yaml import read_yaml
 
-    source = read_columns(text, file) if kind == ".in" else read_yaml(text, file)
+    file, folder = path.name, path.resolve().parent
+    source = read_columns(text, file) if kind == ".in" else read_yaml(text, file, (folder, folder.parent, Path()))
     tables, left = deck_tables(source, file)
     shown = f"# From {file}, every number in SI.\n" + to_toml(tables)
     read_deck_text(shown, file)

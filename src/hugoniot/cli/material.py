@@ -131,7 +131,7 @@ def compare(
 def check(
     files: Annotated[list[Path] | None, typer.Argument(help="Files or folders of your own materials.", readable=False)] = None,
     everything: Annotated[bool, typer.Option("--all", help="Every row, measured state and material of the library.")] = False,
-    verbose: Annotated[bool, typer.Option("--verbose", "-v", help="Every remark, not only misfits found by computation.")] = False,
+    verbose: Annotated[bool, typer.Option("--verbose", "-v", help="All remarks, not only discrepancies found by computation.")] = False,
     as_json: JSON = False,
 ) -> None:
     """Check material files, or the whole library, by the same rules.

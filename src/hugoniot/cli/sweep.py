@@ -152,7 +152,7 @@ def _echo_constants(rows) -> None:
     echo_table(["material", "constant", "value", "standard deviation", "unit", "rows of the library"], moved)
     held = sum(1 for row in rows if row[1] and not row[4])
     if held:
-        typer.echo(f"{held} further constants were held: the library knows no uncertainty of them (constants.csv)")
+        typer.echo(f"{held} further constants were held fixed: the library has no uncertainty for them (constants.csv)")
     typer.echo("")
 
 

@@ -73,13 +73,14 @@ def arrivals(time, values) -> tuple[float, float]:
     """Arrival of the first wave of a record, and of the second if it is the main wave behind a precursor, s; NaN for what is not there.
 
     The second is given where it is higher than the first and the plateau between them lasts at least as long as either rise: the mesh has
-    then separated the two.
+    then separated the two. What rises as the record begins, as a face does at its own impact, is no precursor.
     """
     found = waves(time, values)
     if not found:
         return float("nan"), float("nan")
     one, two = found[0], found[1] if len(found) > 1 else None
-    if two is None or two.level < 2.0 * one.level or two.begin - one.end < max(one.end - one.begin, two.end - two.begin):
+    rise = one.end - one.begin
+    if two is None or one.begin - time[0] < rise or two.level < 2.0 * one.level or two.begin - one.end < max(rise, two.end - two.begin):
         return one.arrival, float("nan")
     return one.arrival, two.arrival
 

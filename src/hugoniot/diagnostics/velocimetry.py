@@ -172,7 +172,12 @@ def spall_strength(drop: float, rho0: float, c_bulk: float, c_long: float | None
 
 
 def kanel_correction(time, velocity, found: PullBack, thickness: float, c_bulk: float, c_long: float) -> float:
-    """What the elastic front took from the pull-back on its way through `thickness` (m), m/s; 0 where the body has no strength.
+    """What the elastic front took from the pull-back on its way through `thickness` (m), m/s; 0 where the body has no strength."""
+    return erosion(time, velocity, found, thickness / c_bulk - thickness / c_long)
+
+
+def erosion(time, velocity, found: PullBack, lead: float) -> float:
+    """What a front that gains `lead` (s) on the tension ahead of it took from the pull-back, m/s (Kanel's formula).
 
     time (n,) s and velocity (n,) m/s of the record in which `found` was found. The slopes are those between 20 and 50 percent of
     the drop and of the rebound.
@@ -191,7 +196,7 @@ def kanel_correction(time, velocity, found: PullBack, thickness: float, c_bulk: 
     if not np.isfinite(down) and not np.isfinite(up):
         return 0.0
     mean = up if not np.isfinite(down) else down if not np.isfinite(up) else down * up / (down + up)
-    return float((thickness / c_bulk - thickness / c_long) * mean)
+    return float(lead * mean)
 
 
 def spall_thickness(period: float, c_long: float) -> float:

@@ -28,7 +28,7 @@ _UPPER = np.array([(2, 3, 1), (2, 3, 0)])
 def ways(ni: int, nj: int, diagonal: str) -> np.ndarray:
     """Whether the diagonal of each cell (ni, nj) runs from corner 0 to corner 2. Raises OutOfRange for a pattern there is not."""
     if diagonal not in DIAGONALS:
-        raise OutOfRange(f"there is no pattern of diagonals {diagonal!r}; use {' or '.join(map(repr, DIAGONALS))}")
+        raise OutOfRange(f"unknown pattern of diagonals {diagonal!r}; use {' or '.join(map(repr, DIAGONALS))}")
     i, j = np.indices((ni, nj))
     return {"one_way": np.ones((ni, nj), dtype=bool), "alternating": j % 2 == 0, "crossed": (i + j) % 2 == 0}[diagonal]
 

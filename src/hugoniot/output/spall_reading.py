@@ -15,12 +15,21 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from hugoniot.diagnostics.velocimetry import PullBack, kanel_correction, pull_back, ringing_period, spall_strength, spall_thickness
+from hugoniot.diagnostics.velocimetry import (
+    PullBack,
+    erosion,
+    kanel_correction,
+    pull_back,
+    ringing_period,
+    spall_strength,
+    spall_thickness,
+)
 from hugoniot.output.run import largest_value
 
 LEAST_SIGNAL = 0.4      # part of Z (u1 - u2) that the correction for a window must leave: errors of a velocity grow by its inverse
 LARGEST_MISS = 0.1      # of the pull-back: by how much the minimum may lie below the lowest record
 LARGEST_LOSS = 1.0      # of the pull-back: Kanel's correction takes the slopes of the record as constant over what was lost
+LOST = 0.02             # of the pull-back: gentle pulses lose 1 %, those of impacts 4 % or more (on a mesh, which flattens slopes)
 NOISE = 1e-6            # of the largest speed of a run: what a gauge sees of a wave that has not come yet is less
 SURFACE, WINDOW = "free surface", "window interface"
 
@@ -255,7 +264,7 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
                       f"left for the strength, and {LEAST_SIGNAL:.0%} are needed for a reliable reading")
             numbers = {key: value for key, value in numbers.items() if not key.startswith("spall_strength")}
             return Reading(numbers, reason, record=record, found=found)
-    return Reading(numbers, "", _eroded(numbers), record, found)
+    return Reading(numbers, "", _eroded(numbers) or _overtaken(record, found, body, opened, numbers), record, found)
 
 
 def _eroded(numbers: dict[str, float]) -> str:
@@ -265,6 +274,28 @@ def _eroded(numbers: dict[str, float]) -> str:
     part = numbers["pull_back_lost"] / numbers["pull_back"]
     return ("the acoustic strength is a lower bound: "
             f"the elastic front eroded up to {part:.0%} of the pull-back, too much for Kanel's correction")
+
+
+def _overtaken(record: Record, found: PullBack, body: dict, opened: float, numbers: dict[str, float]) -> str:
+    """A note where the front from the spall plane overtook tension on its way to the surface, and no correction was made for that.
+
+    With the way h from the plane to the surface, by the time since the void opened, the elastic front leads by h/c_b - h/c_l; without
+    strength the recompression is a shock, which gains h s (drop/2) / c_b^2 on the tension ahead of it.
+    """
+    if not body or "spall_strength_kanel" in numbers or not np.isfinite(opened):
+        return ""
+    bulk, long = body["c_bulk"], body["c_long"]
+    way = long * (found.minimum_time - opened)
+    strong = long > bulk
+    lead = way / bulk - way / long if strong else 0.5 * way * body["s"] * found.drop / bulk**2
+    part = erosion(record.time, record.velocity, found, lead) / found.drop
+    if not part > LOST:
+        return ""
+    if strong:
+        return (f"the acoustic strength is a lower bound: the elastic front eroded up to {part:.0%} of the pull-back, and Kanel's "
+                "correction for that needs a run long enough for the surface to ring")
+    return ("the acoustic strength is a lower bound: the pulse falls so steeply that the shock from the spall plane eroded "
+            f"at least {part:.0%} of the pull-back")
 
 
 def _missed(record: Record, found: PullBack) -> float:

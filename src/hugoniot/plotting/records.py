@@ -8,7 +8,7 @@ from hugoniot.diagnostics.interface_gauges import CONTINUOUS, sides
 from hugoniot.diagnostics.velocimetry import visar_velocity
 from hugoniot.diagnostics.wave_diagram import interfaces
 from hugoniot.errors import DeckError
-from hugoniot.output.spall_reading import SURFACE, read_record, spall_reading, surface_record
+from hugoniot.output.spall_reading import SURFACE, read_record, spall_reading, spalled_regions, surface_record
 from hugoniot.plotting.style import (
     COLOURS,
     INK,
@@ -100,7 +100,8 @@ def free_surface(run, name: str | None = None, delay: float = 0.0, ax=None):
     quiet_grid(ax)
     ax.margins(y=0.08)
     if "pull_back" in reading.numbers:
-        seen = read_record(run, replace(record, time=time, velocity=velocity))     # through the delay
+        opened = spalled_regions(run).get(record.region, -np.inf)
+        seen = read_record(run, replace(record, time=time, velocity=velocity), opened)     # through the delay
         if "pull_back" in seen.numbers:
             _mark_pull_back(ax, seen, ft, fu, unit)
     return ax

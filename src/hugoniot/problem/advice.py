@@ -1,8 +1,15 @@
 """What a deck may say but seldom means: forgotten units, jumps of the zone mass, speeds beyond the data or beyond the laws of motion."""
 
+from typing import TYPE_CHECKING
+
+import numpy as np
+
 from hugoniot.laws.eos.contract import EOS, reference_state
 from hugoniot.problem.model import Problem, Region
 from hugoniot.problem.profiles import LIGHT
+
+if TYPE_CHECKING:
+    from hugoniot.problem.plane.model import Problem2D
 
 LIGHTEST, SLOWEST = 50.0, 100.0     # kg/m3 and m/s: below stand gases, aerogels and numbers whose unit was forgotten
 IONISED = 15e3      # m/s of particle velocity: 112 MJ/kg, 31 eV for an atom of aluminium, whose first two electrons take 25 eV
@@ -31,10 +38,31 @@ def advice(problem: Problem) -> list[str]:
             if limit is not None and abs(ua - ub) > 2.0 * limit:
                 found.append(f"'{a.name}' meets '{b.name}' at {abs(ua - ub):g} m/s, but the data of '{region.material}' "
                             f"end at a particle velocity of {limit:g} m/s")
-    return found + _beyond_atoms(problem) + _relativistic(problem)
+    return found + _beyond_atoms(_met(problem)) + _relativistic(_speeds(problem))
 
 
-def _forgotten_units(problem: Problem) -> list[str]:
+def advice_on_blocks(problem: "Problem2D") -> list[str]:
+    """The same of two dimensions: forgotten units, and the speeds of blocks, whose mean velocities say how fast they may meet."""
+    found = _forgotten_units(problem)
+    nodes = [velocity.reshape(2, -1) for velocity in problem.velocities()]
+    means = np.array([velocity.mean(axis=1) for velocity in nodes])
+    fastest: dict[str, tuple[float, str, str]] = {}
+    for block, mean in zip(problem.blocks, means):
+        against = np.hypot(*(means - mean).T)
+        other = problem.blocks[int(np.argmax(against))].name
+        if against.max() > fastest.get(block.material, (0.0,))[0]:
+            fastest[block.material] = float(against.max()), block.name, other
+    for material, (speed, name, other) in fastest.items():
+        limit = problem.materials[material].valid_up_to
+        if limit is not None and speed > 2.0 * limit:
+            found.append(f"'{name}' moves at {speed:g} m/s against '{other}', but the data of '{material}' "
+                         f"end at a particle velocity of {limit:g} m/s")
+    unstated = {material: 0.5 * speed for material, (speed, *_) in fastest.items() if problem.materials[material].valid_up_to is None}
+    speeds = {f"block '{block.name}'": float(np.hypot(*velocity).max()) for block, velocity in zip(problem.blocks, nodes)}
+    return found + _beyond_atoms(unstated) + _relativistic(speeds)
+
+
+def _forgotten_units(problem: "Problem | Problem2D") -> list[str]:
     """Densities and sound speeds at rest that no liquid or solid has: a bare number in a deck is SI."""
     found = []
     for name, material in problem.materials.items():
@@ -50,18 +78,23 @@ def _forgotten_units(problem: Problem) -> list[str]:
     return found
 
 
-def _relativistic(problem: Problem) -> list[str]:
-    """Speeds at which the equations of motion, which are Newton's, are off by more than a part in ten thousand."""
+def _speeds(problem: Problem) -> dict[str, float]:
+    """Largest speed of every region and driven end, m/s, by what a warning calls it."""
     speeds = {f"region '{region.name}'": max(abs(_end_speed(region, 0)), abs(_end_speed(region, 1))) for region in problem.regions}
     for side, boundary in (("left", problem.left), ("right", problem.right)):
         if boundary.kind == "velocity":
             speeds[f"the {side} boundary"] = max(abs(boundary.pulse.amplitude), *map(abs, boundary.pulse.values), 0.0)
+    return speeds
+
+
+def _relativistic(speeds: dict[str, float]) -> list[str]:
+    """Speeds at which the equations of motion, which are Newton's, are off by more than a part in ten thousand."""
     return [f"{name} moves at {speed:.3g} m/s, {speed / LIGHT:.2g} of the speed of light: the equations of motion are not relativistic; "
             "is the unit right?" for name, speed in speeds.items() if speed > RELATIVISTIC * LIGHT]
 
 
-def _beyond_atoms(problem: Problem) -> list[str]:
-    """Materials without a stated range that meet something so fast that their atoms lose electrons."""
+def _met(problem: Problem) -> dict[str, float]:
+    """Particle velocity to which a material without a stated range is driven where regions meet, m/s."""
     met: dict[str, float] = {}
 
     def meets(region: Region, speed: float) -> None:
@@ -75,6 +108,11 @@ def _beyond_atoms(problem: Problem) -> list[str]:
     for boundary, region, side in ((problem.left, problem.regions[0], 0), (problem.right, problem.regions[-1], 1)):
         if boundary.kind == "fixed":
             meets(region, abs(_end_speed(region, side)))
+    return met
+
+
+def _beyond_atoms(met: dict[str, float]) -> list[str]:
+    """Materials without a stated range that meet something so fast that their atoms lose electrons."""
     return [f"material '{name}' is driven to a particle velocity of about {speed:.3g} m/s, {0.5e-6 * speed**2:.3g} MJ/kg: "
             f"its atoms are ionised there, which no law of a deck describes, and no range of its data is stated (valid_up_to)"
             for name, speed in met.items() if speed > IONISED]

@@ -124,7 +124,7 @@ class Expression:
                 return _combined(op, self._work_out(left, lookup), self._work_out(right, lookup))
             case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]) if name in FUNCTIONS:
                 return _call(name, [self._work_out(each, lookup) for each in arguments])
-        raise Trouble(f"'{printable(self.text, 60)}' has something that is not allowed in an expression here", EXAMPLE)
+        raise Trouble(f"'{printable(self.text, 60)}' contains something that is not allowed in an expression", EXAMPLE)
 
 
 EXAMPLE = "write it like region.flyer.to + 2 * thickness, with + - * / ** and sqrt, exp, log, sin, cos, tanh, abs, round, min, max"
@@ -141,7 +141,7 @@ def _combined(op: ast.operator, a: Number, b: Number) -> Number:
         return Number(value, _checked(tuple(x + sign * y for x, y in zip(a.powers or _PLAIN, b.powers or _PLAIN))))
     if isinstance(op, ast.Pow):
         return _raised(a, b)
-    raise Trouble("an operator that is not allowed in an expression here", EXAMPLE)
+    raise Trouble("an operator that is not allowed in an expression", EXAMPLE)
 
 
 def _same(a: Number, b: Number) -> tuple[int, ...] | None:

@@ -244,7 +244,7 @@ def read_gauges(rows: Sequence, regions: tuple[Region, ...], collector: Collecto
             continue
         path = ("gauge", i)
         if row.name in found:
-            collector.add((*path, "name"), f"another gauge is called '{printable(row.name)}' too", "names must differ")
+            collector.add((*path, "name"), f"another gauge has the name '{printable(row.name)}'", "names must differ")
         elif row.name != row.name.strip() or not row.name.isprintable():
             collector.add((*path, "name"), f"'{printable(row.name)}' cannot be a name", "use printable characters, no blanks at the ends")
         elif is_interface(row.at) and len(row.name) > LONGEST_NAME - len(" right"):

@@ -1,10 +1,12 @@
-"""Decks of pyKO (YAML) as decks of this package: layers of MGR, IDG and TIL with HYDRO, VM and SG strength, gaps, fracture, gravity.
+"""Decks of pyKO (YAML) as decks of this package: layers of MGR, IDG, TIL and SES with HYDRO, VM and SG strength, gaps, fracture, gravity.
 
 Format: pyKO v0.6 to v0.8, S. T. Stewart and others, github.com/ImpactsWiki/pyko, whose decks state the unit of every kind of quantity.
-Tables (SES) are refused with what to do instead.
+Tables (SES) are named by the deck, not copied: their standard file (301), in the units of the ANEOS tables that pyKO comes with.
 """
 
 import re
+from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import yaml
@@ -21,12 +23,13 @@ _KINDS = {"time": "s", "length": "m", "velocity": "m/s", "density": "kg/m^3", "p
 _LONG = re.compile(r"\b(giga|mega|kilo|centi|milli|micro|nano|)(pascal|bar|meter|metre|second|gram|joule|kelvin)s?\b")
 _PREFIX = {"giga": "G", "mega": "M", "kilo": "k", "centi": "c", "milli": "m", "micro": "u", "nano": "n", "": ""}
 _SYMBOL = {"pascal": "Pa", "bar": "bar", "meter": "m", "metre": "m", "second": "s", "gram": "g", "joule": "J", "kelvin": "K"}
-_UNREAD = ("name", "outputfilename", "units")     # keys without weight for the physics
+_UNREAD = ("name", "outputfilename", "units", "tableunits")     # keys without weight for the physics
+_TABLE_UNITS = {"density": "g/cm^3", "temperature": "K", "pressure": "GPa", "sp_energy": "MJ/kg"}
 _CODE_PRESSURE = 1e11    # Pa: Mbar, in which the pressure coefficient of SG is given whatever the units of the deck
 
 
-def read_yaml(text: str, file: str) -> KoDeck:
-    """The deck in a text of YAML. Raises `DeckError`."""
+def read_yaml(text: str, file: str, folders: Sequence[Path] = (Path(),)) -> KoDeck:
+    """The deck in a text of YAML; folders: where the paths of its tables may begin, in this order. Raises `DeckError`."""
     if len(text) > LARGEST:
         raise DeckError.single(file, None, "deck", f"more than {LARGEST} characters are too many for a deck")
     try:
@@ -38,12 +41,12 @@ def read_yaml(text: str, file: str) -> KoDeck:
     except (RecursionError, ValueError):
         raise DeckError.single(file, None, "deck", "not YAML of a deck") from None
     if _values(raw) > MOST_VALUES:
-        raise DeckError.single(file, None, "deck", f"more than {MOST_VALUES} values, its aliases written out, are too many for a deck")
-    return _Reader(raw, file).deck()
+        raise DeckError.single(file, None, "deck", f"more than {MOST_VALUES} values once its aliases are expanded: too many for a deck")
+    return _Reader(raw, file, folders).deck()
 
 
 def _values(raw: Any) -> int:
-    """How many values a text holds with its aliases written out, which a few lines can make millions; counted up to `MOST_VALUES`."""
+    """How many values a text holds once its aliases are expanded, which a few lines can make millions; counted up to `MOST_VALUES`."""
     waiting, count = [raw], 0
     while waiting and count <= MOST_VALUES:
         value = waiting.pop()
@@ -65,8 +68,8 @@ class _Given(dict):
 
 
 class _Reader:
-    def __init__(self, raw: Any, file: str):
-        self.file, self.tables = file, {}
+    def __init__(self, raw: Any, file: str, folders: Sequence[Path]):
+        self.file, self.folders, self.tables = file, folders, {}
         self.raw = self.table(raw, "deck")
         self.units = {name: _LONG.sub(lambda m: _PREFIX[m[1]] + _SYMBOL[m[2]], str(unit))
                       for name, unit in self.table(raw.get("units"), "units").items()}
@@ -106,7 +109,7 @@ class _Reader:
         eos = self.table(here.get("eos"), f"{key}.eos")
         density = self.number(start, "rho0", "density", where=key)
         if not density > 0.0:
-            raise self.wrong(f"{key}.init.rho0", f"{density:g} kg/m^3 is no density")
+            raise self.wrong(f"{key}.init.rho0", f"{density:g} kg/m^3 is not a density")
         tables: dict[str, Any] = {"eos": self.eos(eos, start, density, key)}
         if (strength := self.strength(self.table(here.get("str"), f"{key}.str"), eos, density, key)) is not None:
             tables["strength"] = strength
@@ -116,7 +119,7 @@ class _Reader:
             least, limit = self.number(table, "nrhomin", None, 0.8, where=key), self.number(table, "pfrac", "pressure", where=key)
             for name, value in (("nrhomin", least), ("pfrac", limit)):
                 if value < 0.0 or name == "nrhomin" and value == 0.0:
-                    raise self.wrong(f"{key}.frac.{name}", f"{value:g} is no limit", "a tension and a density over rho0, both positive")
+                    raise self.wrong(f"{key}.frac.{name}", f"{value:g} is not a limit", "a tension and a density over rho0, both positive")
             if (fracture := fracture_table(limit, least)) is not None:
                 tables["fracture"] = fracture
         if here.get("gravity") is not None:
@@ -146,13 +149,31 @@ class _Reader:
                     ("a", "a", None), ("b", "b", None), ("bulk_a", "AA", "pressure"), ("bulk_b", "BB", "pressure"),
                     ("alpha", "alpha", None), ("beta", "beta", None), ("e0", "E0", "sp_energy"), ("e_incipient", "EIV", "sp_energy"),
                     ("e_complete", "ECV", "sp_energy"))}
-        hint = "give the table as [material.NAME.eos] law = \"table\"" if kind == "SES" else "known: IDG, MGR, TIL"
-        raise self.wrong(f"{key}.eos.type", f"'{printable(str(kind), 30)}' is not read here", hint)
+        if kind == "SES":
+            eos.get("fileext")     # entropies, sound speeds, phases: they follow from the standard table, or are not used
+            warm = self.number(start, "t0", "temperature", 298.15, where=key)
+            return {"law": "table", "file": self.table_file(eos, key), "rho0": density, "reference_temperature": warm}
+        raise self.wrong(f"{key}.eos.type", f"'{printable(str(kind), 30)}' is not read here", "known: IDG, MGR, TIL, SES")
+
+    def table_file(self, eos: dict, key: str) -> str:
+        """Where the standard table of a layer lies."""
+        units = self.raw.get("tableunits", {})
+        if not isinstance(units, dict) or any(units.get(kind, unit) != unit for kind, unit in _TABLE_UNITS.items()):
+            raise self.wrong("tableunits", "tables are read in g/cm^3, K, GPa, MJ/kg only", "convert the table")
+        name = f"{eos.get('path', '')}{eos.get('filestd', '')}"
+        try:
+            found = next((folder / name for folder in self.folders if name and (folder / name).is_file()), None)
+        except (OSError, ValueError):
+            found = None
+        if found is None:
+            raise self.wrong(f"{key}.eos.filestd", f"no table at '{printable(name, 100)}'",
+                             "its path begins in the folder of the deck, the one above, or the current one")
+        return str(found.resolve())
 
     def cells(self, mesh: dict, key: str) -> int:
         number = self.number(mesh, "cells", None, where=key)
         if not (number.is_integer() and number >= 1.0):
-            raise self.wrong(f"{key}.mesh.cells", f"{number:g} is no number of cells", "a whole number above 0")
+            raise self.wrong(f"{key}.mesh.cells", f"{number:g} is not a number of cells", "a whole number above 0")
         return int(number)
 
     def strength(self, table: dict, eos: dict, density: float, key: str) -> dict[str, Any] | None:

@@ -92,13 +92,13 @@ def _caption(swept: SweepTable, result: Column) -> str:
 
 
 def _constants(rows) -> str:
-    """The constants that varied, and in how many others the library knows no uncertainty."""
+    """The constants that varied, and how many others have no known uncertainty."""
     if not rows:
         return ""
     shown = [[text(material), text(name), number(float(value), unit), number(float(deviation), unit) if deviation else "",
               text(words)] for material, name, value, unit, deviation, words in rows if deviation]
     held = [f"{material}: {name} ({words})" for material, name, _, _, deviation, words in rows if name and not deviation]
-    others = f"<details><summary>{len(held)} constants held, of which the library knows no uncertainty</summary><p>"\
+    others = f"<details><summary>{len(held)} constants held fixed: the library has no uncertainty for them</summary><p>"\
              f"{text('; '.join(held))}</p></details>" if held else ""
     return (f"<section><h2>Constants of the library</h2>{table(['material', 'constant', 'value', 'standard deviation', 'rows'], shown)}"
             f"{others}</section>")

@@ -81,7 +81,7 @@ def test_a_case_answers_pop_plots_beside_its_own_run(coarse):
 
 
 @pytest.mark.parametrize("head, row, words", [
-    ("pressure [GPa], distance", (15, 3), "no column of a Pop plot"), ("pressure [GPa], run [mm]", (15, 3), "no column of a Pop plot"),
+    ("pressure [GPa], distance", (15, 3), "not a column of a Pop plot"), ("pressure [GPa], run [mm]", (15, 3), "not a column of a Pop plot"),
     ("pressure [mm], distance [mm]", (15, 3), "GPa|pressure|kind|unit"), ("pressure [GPa], distance [mm]", (15, -3), "above 0"),
     ("pressure [GPa], distance [mm]", (15, 3, 4), "3 values under 2")])
 def test_bad_pop_plots_are_refused(coarse, tmp_path, inline, head, row, words):
@@ -93,7 +93,7 @@ def test_bad_pop_plots_are_refused(coarse, tmp_path, inline, head, row, words):
 
 def test_a_deck_without_an_explosive_and_options_of_gauges_are_refused(deck, coarse, tmp_path, inline):
     path = written(tmp_path / "pop.csv", [(15, 3, 0.1)])
-    with pytest.raises(DeckError, match="no explosive that burns by a rate"):
+    with pytest.raises(DeckError, match="a Pop plot needs an explosive with a rate law"):
         run_fit(deck, FitWishes([path], ["region.flyer.velocity = 600..800 m/s"]), False, engine=inline)
     with pytest.raises(DeckError, match="--free 'region.charge.zone_size': has no effect on a Pop plot"):
         run_fit(coarse, FitWishes([path], ["region.charge.zone_size = 10..20 um"]), False, engine=inline)

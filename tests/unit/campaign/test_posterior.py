@@ -213,7 +213,7 @@ def test_a_spall_strength_over_the_runs(deck, tmp_path, inline):
 @pytest.mark.parametrize("wishes, words", [
     ({"posterior": "mcmc"}, "'mcmc' is unknown.*known: surrogate, runs"),
     ({"posterior": "runs", "posterior_runs": 3}, "too few runs for a posterior"),
-    ({"posterior_runs": 300}, "no posterior is asked for"),
+    ({"posterior_runs": 300}, "no posterior is requested"),
 ])
 def test_posteriors_that_are_refused(deck, tmp_path, inline, wishes, words):
     data = written(tmp_path / "visar.csv", TIMES * 1.4e-6, 700.0 * TIMES)

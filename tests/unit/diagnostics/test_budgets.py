@@ -22,7 +22,7 @@ def state(count):
     return SimpleNamespace(zones=zones), (at > 0.9).astype(int), 298.15 + 900.0 * at
 
 
-@pytest.mark.parametrize("count", [30, 900])        # by Python, and compiled
+@pytest.mark.parametrize("count", [30, 9000])       # by Python, and compiled
 def test_the_energy_of_distortion_is_that_of_the_modulus_at_the_zones_own_temperature(count):
     given, region_of, heat = state(count)
     z, found = given.zones, distortion_energy(given, region_of, PROBLEM, heat)

@@ -96,6 +96,8 @@ def test_waves_that_are_not_separated_count_as_one_and_a_small_second_one_is_not
     assert first == pytest.approx(1.0, abs=0.02) and np.isnan(second)      # seen, but without a plateau to be sure of
     assert arrivals(t, front(t, 1.0, 60.0, 0.03) + front(t, 2.0, 40.0, 0.03)) == pytest.approx((1.0, np.nan), abs=0.01, nan_ok=True)
     assert np.isnan(arrivals(t, 0.0 * t)).all()
+    begun = front(t, 0.02, 3.0, 0.03) + front(t, 1.0, 97.0, 0.03)      # as of a face at its own impact
+    assert np.isnan(arrivals(t, begun)[1])
 
 
 def test_a_front_that_is_still_rising_when_the_record_ends_has_not_arrived():

@@ -219,9 +219,9 @@ def test_the_deck_of_an_impact_is_valid_and_explosives_are_refused(visit):
     page.wait_for_selector("text=which burns in a run; the match takes it as inert, so no deck is offered")
 
 
-@pytest.mark.parametrize("asked", ["layers=tungsten,copper,pmma&v=800&sigma=5", "layers=iron,water,copper&v=800&sigma=5&bands=1"])
-def test_command_and_python_of_a_match_give_its_table(visit, tmp_path, monkeypatch, asked):
-    monkeypatch.chdir(tmp_path)
+@pytest.mark.parametrize("asked", ["layers=tungsten,copper,pmma&v=800&sigma=5", "layers=iron,water,copper&v=800&sigma=5&bands=1", "layers=my_steel,copper&v=700&sigma=5"])
+def test_command_and_python_of_a_match_give_its_table(visit, opened, monkeypatch, asked):
+    monkeypatch.chdir(opened[0])
     page = visit().go(f"#/match?{asked}", "[data-table=match]")
     until(page, "document.querySelector('[data-table=match] tr[data-field=pressure] .quiet')")
     rows = {field: page.locator(f"[data-table=match] tr[data-field={field}] td.number").all_text_contents() for field in ("pressure", "particle_velocity")}

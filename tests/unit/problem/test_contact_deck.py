@@ -145,7 +145,7 @@ def test_a_rigid_body_that_is_wrong_is_no_second_mistake_in_its_contact():
     extra = '[[rigid]]\nname = "plate"\npoints = [["0 mm", "0 mm"], ["0 mm", "0 mm"]]\n[[contact]]\nbetween = ["target", "plate"]\n'
     with pytest.raises(DeckError) as caught:
         read(extra)
-    assert len(caught.value.problems) == 1 and "has a point twice" in str(caught.value)
+    assert len(caught.value.problems) == 1 and "lists a point twice" in str(caught.value)
 
 
 def test_bodies_do_not_meet_on_the_axis_with_area_weighted():

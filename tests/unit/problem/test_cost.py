@@ -52,6 +52,24 @@ to = 2e-3
 zones = 10
 [material.own.eos]
 """
+FAST_BLOCKS = """geometry = "plane"
+stop_time = "1 us"
+solver.kind = "lagrange2d"
+[[block]]
+name = "a"
+material = "own"
+x = [0.0, 1e-3]
+y = [0.0, 1e-3]
+zones = [4, 4]
+velocity = [{velocity}, 0.0]
+[[block]]
+name = "b"
+material = "own"
+x = [1e-3, 2e-3]
+y = [0.0, 1e-3]
+zones = [4, 4]
+[material.own.eos]
+"""
 SOLID = 'law = "mie_gruneisen"\nrho0 = 2700.0\nc0 = 5200.0\ns = 1.5\ngamma0 = 2.0\n'
 GAS = 'law = "ideal_gas"\ngamma = 1.4\nrho0 = 1.2\n'
 
@@ -59,13 +77,21 @@ GAS = 'law = "ideal_gas"\ngamma = 1.4\nrho0 = 1.2\n'
 @pytest.mark.parametrize("law, velocity, warned", [(SOLID, 50e3, True), (SOLID, 10e3, False), (GAS, 1e8, True), (GAS, 3e3, False)])
 def test_speeds_that_ionise_a_material_without_a_stated_range_are_warned_of(law, velocity, warned):
     """50 km/s of aluminium give 312 MJ/kg, 87 eV for each atom."""
-    warnings = read_deck_text(FAST.format(velocity=velocity) + law).warnings
-    assert any("its atoms are ionised" in words for words in warnings) == warned
+    for deck in (FAST, FAST_BLOCKS):
+        warnings = read_deck_text(deck.format(velocity=velocity) + law).warnings
+        assert any("its atoms are ionised" in words for words in warnings) == warned
 
 
 
 @pytest.mark.parametrize("velocity, warned", [(1e8, True), (1e5, False)])
 def test_speeds_beside_that_of_light_are_warned_of(velocity, warned):
     """A part of one body alone moves: nothing meets anything."""
-    warnings = read_deck_text(FAST.format(velocity=velocity) + GAS).warnings
-    assert any("not relativistic" in words for words in warnings) == warned
+    for deck in (FAST, FAST_BLOCKS):
+        warnings = read_deck_text(deck.format(velocity=velocity) + GAS).warnings
+        assert any("not relativistic" in words for words in warnings) == warned
+
+
+def test_blocks_faster_than_the_data_of_their_material_are_warned_of():
+    text = FAST_BLOCKS.partition("[material")[0].replace('"own"', '"copper"')
+    assert any("'a' moves at 40000 m/s against 'b', but the data of 'copper' end at" in words for words in read_deck_text(text.format(velocity=4e4)).warnings)
+    assert not read_deck_text(text.format(velocity=300.0)).warnings

@@ -1,15 +1,17 @@
 """Problems in which bodies meet."""
 
 import dataclasses
+import math
 
 import numpy as np
 from plane_builders import aluminium, box, problem, ran, walls
 
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.materials.material import Material
+from hugoniot.mesh.shapes import Curve, Edges
 from hugoniot.problem.model import Pulse
 from hugoniot.problem.plane.contact_model import Contact2D, Rigid2D
-from hugoniot.problem.plane.model import Boundary2D, VelocityField
+from hugoniot.problem.plane.model import Block2D, Boundary2D, VelocityField
 from hugoniot.solvers.lagrange2d.assemble import N, Z
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
@@ -51,6 +53,16 @@ def rebound(given):
     return (touching[-1] - touching[0]) * c / 40e-3, (mean_velocity(solver, 1) - mean_velocity(solver, 0))[1] / 20.0
 
 
+def sphere(n, radius, centre, speed, material="al"):
+    """A sphere of four arcs about the axis."""
+    q, e = radius * math.sqrt(0.5), radius * math.sin(math.pi / 8)
+    f = radius * math.cos(math.pi / 8)
+    shape = Edges(Curve("line", ((0.0, centre - radius), (0.0, centre + radius))), Curve("arc", ((q, centre - q), (radius, centre), (q, centre + q))),
+                  Curve("arc", ((0.0, centre - radius), (e, centre - f), (q, centre - q))),
+                  Curve("arc", ((0.0, centre + radius), (e, centre + f), (q, centre + q))), "winslow")
+    return Block2D("ball", material, shape, (n, 2 * n), velocity=VelocityField(base=(0.0, speed)))
+
+
 def askew(swapped=False, **options):
     """Two boxes of different meshes that strike each other off centre."""
     blocks = [al(4, 6, 4e-3, 6e-3, name="a"), al(5, 7, 4e-3, 6e-3, (4.2e-3, 3.1e-3), "b", (-300.0, 20.0))]
@@ -71,4 +83,4 @@ def mean_velocity(solver, block):
 
 
 __all__ = ["Boundary2D", "Contact2D", "Material", "MieGruneisen", "N", "Pulse", "Rigid2D", "Z", "al", "angular_momentum", "askew", "bars",
-           "mean_velocity", "meeting", "ran", "rebound", "strip", "walls"]
+           "mean_velocity", "meeting", "ran", "rebound", "sphere", "strip", "walls"]

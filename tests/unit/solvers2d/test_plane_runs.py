@@ -81,7 +81,7 @@ def test_stress_turns_with_a_spinning_square(cells):
         n[[N.x, N.y]] = after
         for row in range(Z.f0x, Z.f3y + 1):
             z[row] = 0.0
-        for row in (Z.nxx, Z.nyy, Z.nxy):
+        for row in (Z.qxx, Z.qyy, Z.qxy):
             z[row] = 0.0
         correct(solver)
     assert z[Z.sxx] == pytest.approx(size, rel=1e-6)
@@ -91,4 +91,4 @@ def test_stress_turns_with_a_spinning_square(cells):
 
 def correct(solver):
     """The second half of a step of all zones."""
-    carry_out_alone(solver.plan, CORRECT)
+    carry_out_alone(solver.plan, (CORRECT,))

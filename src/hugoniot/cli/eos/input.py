@@ -1,13 +1,11 @@
 """What the commands of `hugoniot eos` are given: materials by name or file, states as "pressure = 10 GPa", error bars."""
 
-import tomllib
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from hugoniot.cli.show import number_or_text, quantity
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
-from hugoniot.files import read_text
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.materials.material import Material
 
@@ -36,7 +34,7 @@ def find_material(text: str) -> Subject:
     path, _, inside = text.rpartition(":") if ".toml:" in text else (text, "", "")
     if path.endswith(".toml"):
         made = _from_file(Path(path), inside)
-        return Subject(made, unreacted=made.unreacted)
+        return Subject(made.material, made.title, made.unreacted)
     if Path(text).suffix.lower() in (".csv", ".h5", ".hdf5", ".ses", ".301") and Path(text).exists():
         raise DeckError.single("command line", None, text, "is a table, not a material",
                                f'write a TOML file with [eos], law = "table", file = "{Path(text).name}", and name that')
@@ -101,35 +99,16 @@ def read_rate(text: str) -> Any:
     return found
 
 
-def _from_file(path: Path, inside: str) -> Material:
-    from hugoniot.materials.read import build_material
-    from hugoniot.problem.lines import line_finder
+def _from_file(path: Path, inside: str):
+    from hugoniot.materials.users import read_materials
 
-    try:
-        text = read_text(path)
-        tables = tomllib.loads(text)
-    except OSError as error:
-        raise FileTrouble(f"cannot read {path}: {error.strerror or error}; give a name of the library (hugoniot material list) "
-                          "or a TOML file") from None
-    except UnicodeDecodeError:
-        raise DeckError.single(path, None, "material", "not a text in UTF-8", "a material file is a TOML file") from None
-    except tomllib.TOMLDecodeError as error:
-        raise DeckError.single(path, None, "TOML", str(error)) from None
-    several = tables.get("material")
-    if isinstance(several, dict):
-        name = inside or (next(iter(several)) if len(several) == 1 else "")
-        if name not in several:
-            raise DeckError.single(path, None, "material", f"holds {', '.join(several)}",
-                                   f"name one, such as {path}:{next(iter(several), 'copper')}")
-        tables, offset = several[name], 0
-    else:
-        name, offset = path.stem, 2
-    finder = line_finder(text)
-    problems: list[DeckProblem] = []
-    material = build_material(name, tables, problems, str(path), lambda key: finder(tuple(key)[offset:]))
-    if material is None:
-        raise DeckError(problems)
-    return material
+    if not path.exists():
+        raise FileTrouble(f"cannot read {path}: there is no such file; give a name of the library (hugoniot material list) or a TOML file")
+    found = read_materials(path)
+    name = inside or (next(iter(found)) if len(found) == 1 else "")
+    if name not in found:
+        raise DeckError.single(path, None, "material", f"holds {', '.join(found)}", f"name one, such as {path}:{next(iter(found))}")
+    return found[name]
 
 
 def one_state(text: str, where: str = "--at") -> dict[str, float]:

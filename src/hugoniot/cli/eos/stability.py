@@ -18,6 +18,8 @@ def stability(
     """Normal modes of a plane ZND wave of an ideal gas with one Arrhenius step.
 
     Lengths are half-reaction lengths; times are these over sqrt(pressure/density) ahead.
+    Other rates are not taken: where the reactants keep an isentrope the wrinkle also moves their reference state, and where a rate sets
+    in at a burn fraction it jumps. Run such a wave with the solver fronts, mode "cells".
 
     Example: hugoniot eos stability --activation 26 --overdrive 1.001 --highest 1
     """

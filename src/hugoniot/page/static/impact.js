@@ -180,7 +180,7 @@ H.impact = (() => {
     const met = match(layers.map(l => l.par), velocity), print = (value, digits) => String(Number(value.toPrecision(digits)));
     const called = ["flyer", ...(names.length === 2 ? ["target"] : names.length === 3 ? ["target", "window"] : names.slice(1).map((_, k) => `layer ${k + 1}`))];
     const stop = 1.6 * met.reduce((sum, m) => sum + 4e-3 / (m.ahead.shock_velocity || Math.sqrt(squared(m.ahead.par, m.ahead))), 0) * 1e6, words = layers.map(l => l.title).join(" on ").replace(/"/g, "'").replace(/\\/g, "/");
-    const head = ["# Expected from impedance matching, without strength:", ...met.map((m, i) => `#   ${layers[i].name}/${layers[i + 1].name}: ${print(m.ahead.pressure * 1e-9, 5)} GPa, ${print(m.ahead.particle_velocity, 5)} m/s`),
+    const head = [...layers.filter((l, k) => H.files[l.name] && layers.findIndex(o => o.name === l.name) === k).map(l => `# The tables of ${l.name} in ${H.files[l.name]} belong into this deck, under [material.${l.name}]`), "# Expected from impedance matching, without strength:", ...met.map((m, i) => `#   ${layers[i].name}/${layers[i + 1].name}: ${print(m.ahead.pressure * 1e-9, 5)} GPa, ${print(m.ahead.particle_velocity, 5)} m/s`),
       `title = "${words}, ${print(velocity, 6)} m/s"`, 'geometry = "planar"', `stop_time = "${print(stop, 3)} us"`];
     const regions = layers.map((l, k) => ["", "[[region]]", `name = "${called[k]}"`, `material = "${l.name}"`, `from = "${k && 4 * k - 2} mm"`, `to = "${4 * k + 2} mm"`, 'zone_size = "20 um"', ...(k ? [] : [`velocity = "${print(velocity, 9)} m/s"`])]);
     const gauges = called.slice(1).map((b, k) => ["", "[[gauge]]", `name = "${called[k]}/${b}"`, `at = "${called[k]}/${b}"`]);

@@ -105,7 +105,7 @@
       }), H.h("tr", {}, H.h("td", {}, "reflected, transmitted wave"), found.states.map(s => H.h("td", {class: "number"}, `${word(s.reflected)}, ${word(s.transmitted)}`)))))));
     const notes = found.warnings.map(w => H.h("div", {class: "bad"}, w));
     if (found.uncertain?.length) notes.push(H.h("div", {class: "quiet"}, `Uncertain inputs: ${found.uncertain.join(", ")}; linear propagation${found.uncertain.length > 1 || found.uncertain[0] !== "velocity" ? ", with the covariance of each fit" : ""}.`));
-    else if (H.get("bands") && !dragging) notes.push(H.h("div", {class: "quiet"}, "No error band: the library has fitted the Hugoniot of none of these materials itself."));
+    else if (H.get("bands") && !dragging) notes.push(H.h("div", {class: "quiet"}, "No error band: the package has fitted none of these Hugoniots itself."));
     H.clear(warnings).append(...notes);
     command();
     chart.box.dataset.took = found.took ?? "";
@@ -124,7 +124,8 @@
   function command() {
     const names = layers(), v = velocity(), s = Number(H.get("sigma"));
     const extra = (s > 0 ? ` --error "velocity = ${s} m/s"` : "") + (H.get("bands") && shown?.uncertain.some(u => u !== "velocity") ? " --error library" : "");
+    const files = [...new Set(names.map(n => H.files[n]).filter(Boolean))], read = files.length ? `from pathlib import Path\nfrom hugoniot.explorer.subjects import admit\n${files.map(f => `admit(Path(${H.python(f)}))\n`).join("")}` : "";
     H.command({shell: `hugoniot eos match ${names.map(H.subject).join(" ")} --velocity "${v} m/s"${extra} --plot match.png`,
-      python: `from hugoniot.explorer.impact import impact\nprint(impact([${names.map(H.python).join(", ")}], ${v}.0, sigma=${s > 0 ? s : 0}, bands=${H.get("bands") ? "True" : "False"})["states"])`.replace(`${v}.0`, Number.isInteger(v) ? `${v}.0` : `${v}`)});
+      python: `from hugoniot.explorer.impact import impact\n${read}print(impact([${names.map(H.python).join(", ")}], ${v}.0, sigma=${s > 0 ? s : 0}, bands=${H.get("bands") ? "True" : "False"})["states"])`.replace(`${v}.0`, Number.isInteger(v) ? `${v}.0` : `${v}`)});
   }
 })();

@@ -91,7 +91,7 @@ def read_rigid(rows: Sequence, axes, blocks: Sequence[str], collector: Collector
             collector.add((*path, "name"), message, "names of blocks and rigid bodies differ")
         names.add(row.name)
         if len(set(row.points)) < len(row.points):
-            collector.add((*path, "points"), "has a point twice", "closed = true joins the last point to the first")
+            collector.add((*path, "points"), "lists a point twice", "closed = true joins the last point to the first")
         elif row.closed and len(row.points) < 3:
             collector.add((*path, "points"), "a closed body has three points or more")
         if axes[0] == "r" and min(x for x, _ in row.points) < 0.0:

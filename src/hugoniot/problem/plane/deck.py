@@ -11,6 +11,7 @@ from hugoniot.mesh.blocks import Blocks, BlockShape, MeshError, build
 from hugoniot.mesh.shapes import Sector
 from hugoniot.mesh.triangles import divided
 from hugoniot.problem import checks
+from hugoniot.problem.advice import advice_on_blocks
 from hugoniot.problem.boundaries import pulse_value
 from hugoniot.problem.lagrangian import MOST_ZONES, _output
 from hugoniot.problem.model import OutputOptions
@@ -93,7 +94,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
         collector.add(*defect)
     if collector.problems:
         return None, warnings
-    return problem, warnings + explosives.advice(problem)
+    return problem, warnings + advice_on_blocks(problem) + explosives.advice(problem)
 
 
 def _sparing(output: OutputOptions, given: dict, stop_time: float, zones: int) -> OutputOptions:

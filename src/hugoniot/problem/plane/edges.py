@@ -75,13 +75,13 @@ def _boundary(row, collector: Collector, path: tuple) -> Boundary2D | None:
                 collector.add((*path, key), "missing", f"such as {key} = {_EXAMPLES[key]}")
             else:
                 hint = f'write kind = "{key}", or leave it out'
-                collector.add((*path, key), f"has no meaning on a boundary of kind {row.kind}", hint)
+                collector.add((*path, key), f"does not apply to a boundary of kind {row.kind}", hint)
     if row.direction is not None and row.kind != "velocity":
-        collector.add((*path, "direction"), f"has no meaning on a boundary of kind {row.kind}", "it applies to a driven velocity only")
+        collector.add((*path, "direction"), f"does not apply to a boundary of kind {row.kind}", "it applies to a driven velocity only")
     if row.slip is not None and row.kind not in _SLIDING:
-        collector.add((*path, "slip"), f"has no meaning on a boundary of kind {row.kind}", "it applies to a wall or a driven velocity")
+        collector.add((*path, "slip"), f"does not apply to a boundary of kind {row.kind}", "it applies to a wall or a driven velocity")
     if row.separable is not None and row.kind != "wall":
-        collector.add((*path, "separable"), f"has no meaning on a boundary of kind {row.kind}", "it applies to a wall")
+        collector.add((*path, "separable"), f"does not apply to a boundary of kind {row.kind}", "it applies to a wall")
     if row.separable and row.slip is False:
         collector.add((*path, "slip"), "a separable wall cannot hold nodes along itself",
                       "leave it out, or take a [[rigid]] body and [[contact]] with friction")
@@ -117,7 +117,7 @@ def read_gauges(rows: Sequence, mesh: Blocks | None, collector: Collector) -> tu
             continue
         path = ("gauge", i)
         if row.name in names:
-            collector.add((*path, "name"), f"another gauge is called '{printable(row.name)}' too", "names must differ")
+            collector.add((*path, "name"), f"another gauge has the name '{printable(row.name)}'", "names must differ")
         elif row.name != row.name.strip() or not row.name.isprintable():
             collector.add((*path, "name"), f"'{printable(row.name)}' cannot be a name", "use printable characters, no blanks at the ends")
         names.add(row.name)

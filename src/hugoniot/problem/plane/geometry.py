@@ -24,7 +24,7 @@ def read_shape(row: BlockTable, axes: tuple[str, str], collector: Collector, pat
         if getattr(row, key) is not None and key not in mine:
             other = key in ("x", "y", "r", "z") and row.shape == "box"
             hint = f"here the coordinates are {axes[0]} and {axes[1]}" if other else f"the shape {row.shape} has: {', '.join(mine)}"
-            collector.add((*path, key), f"has no meaning for a {row.shape} in {_word(axes)}", hint)
+            collector.add((*path, key), f"does not apply to a {row.shape} in {_word(axes)}", hint)
     needed = [key for key in mine if key not in ("centre", "fill")]
     for key in needed:
         if getattr(row, key) is None:

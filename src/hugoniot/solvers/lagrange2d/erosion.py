@@ -81,6 +81,7 @@ class Erosion:
             for row in NOTHING:
                 z[row, zones] = 0.0
             self.take_out()
+            self.solver.take_over()
             control = self.solver.control
             if code in (L.TANGLED, L.STEP_COLLAPSED):      # the step had shrunk for a zone that is gone
                 control[L.RATE] = np.max(np.where(self.live, z[Z.c] + 2.0 * z[Z.viscous_speed], 0.0) * self.solver._inverse_altitudes())

@@ -25,7 +25,7 @@ class Nodes(NamedTuple):
     vm: Any
     fx: Any          # force in the middle of the step
     fy: Any
-    gx: Any          # force at its start, kept for a step that is repeated
+    gx: Any          # force at its start
     gy: Any
     im: Any          # inverse mass
     own: Any         # mass, divided among the copies of a node that blocks share
@@ -43,14 +43,10 @@ class Zones(NamedTuple):
     sxx: Any
     syy: Any
     sxy: Any
-    qxx: Any                 # mean viscous stress of the last step
+    qxx: Any                 # mean viscous stress of the last step, or of a try that was repeated
     qyy: Any
     qxy: Any
     qhoop: Any
-    nxx: Any                 # the same of a step that may yet have to be repeated
-    nyy: Any
-    nxy: Any
-    nhoop: Any
     filter_power: Any        # W/kg that the viscous filter took in the middle of the step
     c: Any                   # longitudinal sound speed; -1 where it is imaginary
     viscous_speed: Any

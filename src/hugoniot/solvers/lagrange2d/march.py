@@ -1,11 +1,11 @@
 """One time step, as a numbered list, and the march over many of them without leaving compiled code.
 
  1. step: Courant, growth, events
- 2. nodes: forces of the state at the start; mean velocity and position of the middle of the step
+ 2. nodes: by the forces of the state at the start mean velocity and position of the middle of the step
  3. zones: stress, viscosity and filters in the middle; their forces
  4. nodes: those forces; mean velocity, motion to the end of the step
  5. a zone tangled, or robbed of a third of its area? back to 2 with half the step
- 6. zones: energy by the work of the forces that moved the nodes, state at the end, its forces, signal rate
+ 6. zones: energy by the work of the forces that moved the nodes, state at the end, its forces, signal rate; nodes: these forces
 
 Steps 2 to 6 are taken band by band (`bands`). Where a band is not the whole mesh, the rows before a zone that is tangled have been led on:
 the march returns, and the step is taken again from a copy (`rewind`).
@@ -29,8 +29,8 @@ from hugoniot.solvers.lagrange2d.contact.step import touch
 from hugoniot.solvers.lagrange2d.node_step import FX, GX
 from hugoniot.solvers.lagrange2d.plan import (
     ACCELERATE,
-    ACCELERATE_AGAIN,
     CORRECT,
+    GATHER,
     GRADIENTS,
     HEIGHT,
     LOOK,
@@ -165,7 +165,7 @@ def try_step(run, plan, options, control, first, team):
     while top < rows:
         last, top = top, next_top(plan, top)
         take_rows(plan, last, top, 0)
-        everyone(plan, ACCELERATE if first else ACCELERATE_AGAIN, team)
+        everyone(plan, ACCELERATE, team)
         hold_specials(run, options, time, dt, first, GX, (last, top, HOLD))
         take_rows(plan, last, top, STRESS)
         everyone(plan, PREDICT, team)
@@ -191,6 +191,7 @@ def try_step(run, plan, options, control, first, team):
             return wrong
         touch(run.contact, run, options, time, dt, contact_step.ACCEPT)
         everyone(plan, CORRECT, team)
+        everyone(plan, GATHER, team)
     gather(plan.found)
     return 0.0
 

@@ -44,21 +44,12 @@ class OfPairs(NamedTuple):
     ends: Any
 
 
-class PredictOf(NamedTuple):
-    """Corner forces, motion at the start -> whole force, mean velocity, position in the middle of the step."""
+class GatherOf(NamedTuple):
+    """Corner forces -> whole force."""
 
     behind: Behind
     before: Before
-    x: Any
-    y: Any
-    u: Any
-    v: Any
-    im: Any
     force: L.Vector
-    um: Any
-    vm: Any
-    xh: Any
-    yh: Any
 
 
 class MeanOf(NamedTuple):
@@ -74,7 +65,7 @@ class MeanOf(NamedTuple):
     vm: Any
 
 
-class AgainOf(NamedTuple):
+class PredictOf(NamedTuple):
     """Whole force and motion at the start -> mean velocity, position in the middle of the step."""
 
     x: Any
@@ -144,21 +135,16 @@ for _function in (gather_of_quads, gather_of_triangles, start_of, end_of):
     bind(_function)
 
 
-@zone_pass(PredictOf)
-def predict(count, n, dt, numbers, law):
-    """Forces at the start of the step, mean velocity and the position in its middle; numbers: a body force per mass."""
+@zone_pass(GatherOf)
+def gather_forces(count, n, dt, numbers, law):
+    """Forces at the end of a step, which push at the start of the next one."""
     rows_apart()
     gather(count, n.behind, n.before, n.force)
-    half, gx, gy = 0.5 * dt, numbers[0], numbers[1]
-    for j in range(count):
-        um, vm = n.u[j] + half * (n.force.x[j] * n.im[j] + gx), n.v[j] + half * (n.force.y[j] * n.im[j] + gy)
-        n.um[j], n.vm[j] = um, vm
-        n.xh[j], n.yh[j] = n.x[j] + half * um, n.y[j] + half * vm
 
 
-@zone_pass(AgainOf)
-def predict_again(count, n, dt, numbers, law):
-    """The same for a shorter step, with the forces found before."""
+@zone_pass(PredictOf)
+def predict(count, n, dt, numbers, law):
+    """Mean velocity and the position in the middle of the step, by the forces at its start; numbers: a body force per mass."""
     rows_apart()
     half, gx, gy = 0.5 * dt, numbers[0], numbers[1]
     for j in range(count):

@@ -33,9 +33,9 @@ from hugoniot.solvers.lagrange2d.plane_rows import (
 from hugoniot.zones.soundness import FOUND_FAILURE, FOUND_RATE
 from hugoniot.zones.steps import MaterialSteps
 
-GRADIENTS, PREDICT, CORRECT, START, LOOK, ACCELERATE, ACCELERATE_AGAIN, PUSH, MOVE, TAKE_BACK = range(10)     # commands
+GRADIENTS, PREDICT, CORRECT, START, LOOK, ACCELERATE, PUSH, MOVE, TAKE_BACK, GATHER = range(10)     # commands
 COMMANDS = 10
-OF_NODES = (ACCELERATE, ACCELERATE_AGAIN, PUSH, MOVE, TAKE_BACK)
+OF_NODES = (ACCELERATE, PUSH, MOVE, TAKE_BACK, GATHER)
 FIRST, LAST, COUNT, PIECE, MEMBER, ORIGIN = range(6)          # columns of the table of shares, the last one the first of the origins
 FROM, TO, HEIGHT = range(3)                                   # of the band: its first row and the one after its last, rows of a band
 BAND = 4_000                                                  # zones of a band for each member: what a step reads of them stays in cache
@@ -173,18 +173,15 @@ class Planner:
     def _of_nodes(self):
         """((command, rows of zones beside, 0), list) of the motions of a row of nodes."""
         n, whole = places(L.Nodes, self.places.nodes, AT_LOW), place(self.dts[DT:])
-        predict, mean_motion = node_step.predict, node_step.mean_motion
-        if self.triangles:
-            predict, mean_motion = triangle_passes.predict_nodes, triangle_passes.mean_motion
+        step = triangle_passes if self.triangles else node_step
         for beside in (BOTH, BEHIND_ONLY, BEFORE_ONLY):
             behind, before = self.places.beside(beside)
             first, force = L.Vector(n.gx, n.gy), L.Vector(n.fx, n.fy)
             motions = {
-                ACCELERATE: (predict,
-                             node_step.PredictOf(behind, before, n.x, n.y, n.u, n.v, n.im, first, n.um, n.vm, n.xh, n.yh)),
-                ACCELERATE_AGAIN: (node_step.predict_again,
-                                   node_step.AgainOf(n.x, n.y, n.u, n.v, n.im, first, n.um, n.vm, n.xh, n.yh)),
-                PUSH: (mean_motion, node_step.MeanOf(behind, before, n.u, n.v, n.im, force, n.um, n.vm)),
+                GATHER: (step.gather_forces, node_step.GatherOf(behind, before, first)),
+                ACCELERATE: (node_step.predict,
+                             node_step.PredictOf(n.x, n.y, n.u, n.v, n.im, first, n.um, n.vm, n.xh, n.yh)),
+                PUSH: (step.mean_motion, node_step.MeanOf(behind, before, n.u, n.v, n.im, force, n.um, n.vm)),
                 MOVE: (node_step.move, node_step.MoveOf(n.x, n.y, n.u, n.v, n.um, n.vm))}
             for command, (motion, rows) in motions.items():
                 yield (command, beside, 0), [Operation(motion, None, rows, self._body_force, whole)]
@@ -237,11 +234,15 @@ DO_SHARE = Entry(do_share)
 
 
 @nb.njit(**GUARD)
-def carry_out_alone(plan, command):
-    """One command over all rows, by the calling thread."""
-    plan.band[FROM], plan.band[TO] = 0, plan.before.shape[1] - 1
-    for member in range(plan.threads):
-        call_entry(plan.share_out, plan, command, member)
+def carry_out_alone(plan, commands):
+    """Some commands over all rows, band by band, by the calling thread."""
+    last, rows = 0, plan.before.shape[1] - 1
+    while last < rows:
+        plan.band[FROM], plan.band[TO] = last, min(last + plan.band[HEIGHT], rows)
+        for command in commands:
+            for member in range(plan.threads):
+                call_entry(plan.share_out, plan, command, member)
+        last = plan.band[TO]
 
 
 @nb.njit(**GUARD)

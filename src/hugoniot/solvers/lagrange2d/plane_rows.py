@@ -28,8 +28,7 @@ class PlaneRows(NamedTuple):
     mid_low: Any
     mid_high: Any
     s: Any               # deviators of the state
-    q: Any               # mean viscous stress of the state
-    coming: Any          # the same of the step that is being taken
+    q: Any               # mean viscous stress: of the step before, then of the step
     f: Any               # corner forces
     d: Any               # strain rates
     new: Any             # deviators found
@@ -77,7 +76,7 @@ class RowsOfRun:
             z, places(L.Charge, self.charge, origin), scratch(L.Work, 0),
             L.Points(low.x, low.y, low.u, low.v), L.Points(high.x, high.y, high.u, high.v),
             L.Points(low.xh, low.yh, low.um, low.vm), L.Points(high.xh, high.yh, high.um, high.vm),
-            L.Tensor(z.sxx, z.syy, z.sxy), L.Stress(z.qxx, z.qyy, z.qxy, z.qhoop), L.Stress(z.nxx, z.nyy, z.nxy, z.nhoop),
+            L.Tensor(z.sxx, z.syy, z.sxy), L.Stress(z.qxx, z.qyy, z.qxy, z.qhoop),
             L.Corners(*z[L.Zones._fields.index("f0x"):]), scratch(L.Rates, L.RATES), scratch(L.Tensor, L.NEW),
             scratch(L.Smoothness, L.SMOOTH), scratch(L.Corners, L.REST), place(self.seen[member]),
             place(self.seen[member, L.FOUND_TANGLED:]), place(self.dts[DT:]), place(self.dts[DT_HALF:]))

@@ -24,9 +24,10 @@ KEPT_FOR = 256       # steps
 WHOLE_FOR = 1024     # steps
 MOST_TRIES = 12      # of the same trouble, each with half the step of the one before
 CLEAR = 4 * MOST_TRIES     # steps without trouble after which it counts as over
-NOT_LED_ON = {"mass", "inverse_mass", "nxx", "nyy", "nxy", "nhoop", "filter_power", "t0", "t1"}     # constants and scratch of a step
+SCRATCH = ("filter_power", "f0x", "f0y", "f1x", "f1y", "f2x", "f2y", "f3x", "f3y")      # of a step
+NOT_LED_ON = {"mass", "inverse_mass", "t0", "t1", *SCRATCH}      # with what never changes
 ZONE_ROWS = np.array([k for k, name in enumerate(Z._fields) if name not in NOT_LED_ON])
-NODE_ROWS = np.array([N.x, N.y, N.u, N.v, N.im])
+NODE_ROWS = np.array([N.x, N.y, N.u, N.v, N.gx, N.gy, N.im])
 WHOLE = ("control", "counters", "chains", "ends")
 
 

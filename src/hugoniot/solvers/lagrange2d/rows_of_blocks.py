@@ -4,6 +4,7 @@ import numpy as np
 
 from hugoniot.solvers.lagrange2d import plane_rows
 from hugoniot.solvers.lagrange2d.assemble import Numbering, Z
+from hugoniot.solvers.lagrange2d.heat_flux import Carried
 from hugoniot.solvers.lagrange2d.smoothness import Gradients
 
 XI, ETA = Gradients._fields.index("xix"), Gradients._fields.index("etax")
@@ -13,6 +14,14 @@ WORD = 8      # bytes of a number
 def cells(mesh):
     """First cell of each block in the table of gradients, which has a line of cells around every block; the last one is the size."""
     return np.concatenate(([0], np.cumsum([(block.ni + 2) * (block.nj + 2) for block in mesh.blocks])))
+
+
+def gradient_rows(problem) -> int:
+    """Rows of the table of gradients: those of `smoothness` and, where artificial heat flows (`Planner.conducts`), of `heat_flux`."""
+    options, materials = problem.solver, [problem.materials[block.material] for block in problem.blocks]
+    fluid = any(material.strength is None and material.burn is None for material in materials)
+    flows = fluid and options.viscosity.heat_flux > 0.0 and options.cells != "triangles"
+    return len(Gradients._fields) + (len(Carried._fields) if flows else 0)
 
 
 def zone_rows(mesh, numbering: Numbering, material_of, live=None):

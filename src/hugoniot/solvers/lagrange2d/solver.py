@@ -26,12 +26,10 @@ from hugoniot.solvers.lagrange2d.contact.layout import Nowhere
 from hugoniot.solvers.lagrange2d.contact.results import ContactResults, NothingMeets
 from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, contact_tables, with_rigid
 from hugoniot.solvers.lagrange2d.erosion import Erosion, NoErosion
-from hugoniot.solvers.lagrange2d.heat_flux import Carried
 from hugoniot.solvers.lagrange2d.march import Options, Run, hold_at_start, march
-from hugoniot.solvers.lagrange2d.plan import EMPTY, START, Planner, carry_out_alone
+from hugoniot.solvers.lagrange2d.plan import EMPTY, GATHER, START, Planner, carry_out_alone
 from hugoniot.solvers.lagrange2d.rewind import Rewind
-from hugoniot.solvers.lagrange2d.rows_of_blocks import alike, cells, ghost_tables, node_rows, zone_rows
-from hugoniot.solvers.lagrange2d.smoothness import Gradients
+from hugoniot.solvers.lagrange2d.rows_of_blocks import alike, cells, ghost_tables, gradient_rows, node_rows, zone_rows
 from hugoniot.solvers.lagrange2d.zone_shapes import diagonal_table, inverse_altitudes, widths
 from hugoniot.solvers.protocol import NO_COUNTS, Event, NothingToAdd
 from hugoniot.state import State2D
@@ -88,7 +86,7 @@ class Lagrange2D(NothingToAdd):
         edges = self.boundaries
         ghosts = ghost_tables(mesh, self.numbering, edges.mirrors, alike(self.problem, self.zones))
         axis = in_rows(mesh, edges, *axis_tables(self.problem, self.numbering, self.nodes[:, :self.numbering.total], self.kind))
-        gradients = zone_table(len(Gradients._fields) + len(Carried._fields), int(cells(mesh)[-1]))
+        gradients = zone_table(gradient_rows(self.problem), int(cells(mesh)[-1]))
         ends = transmitting.tables(edges, ghosts[0], self.numbering)
         return Run(self._zones, self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates, *ends,
                    edges.held, edges.held_normals, edges.pulses, edges.tables, *self.numbering.shared(), edges.special, *axis,
@@ -138,7 +136,7 @@ class Lagrange2D(NothingToAdd):
     def take_over(self) -> None:
         """Find the forces of a state that was changed from outside, between two steps."""
         self.rewind.forget()
-        carry_out_alone(self.plan, START)
+        carry_out_alone(self.plan, (START, GATHER))
 
     # -- marching --------------------------------------------------------------------------------------------
     @property

@@ -33,7 +33,7 @@ def _over_triangles(known: Pass) -> Pass:
 
 strain, settle, shape, stand, start = (_over_triangles(known) for known in (
     zone_passes.strain, zone_passes.settle, zone_passes.shape, zone_passes.stand, zone_passes.start))
-predict_nodes, mean_motion = (_over_triangles(known) for known in (node_step.predict, node_step.mean_motion))
+gather_forces, mean_motion = (_over_triangles(known) for known in (node_step.gather_forces, node_step.mean_motion))
 
 
 class ThirdsOf(NamedTuple):

@@ -127,7 +127,7 @@ class Cell:
         for part, s, rho in zip(self.pair, self.steps, solid):
             self._resist(part, s, rho, kind)
             at = part.at
-            self.do(passes.start, StartOf(places_of(part.mid), s.p_half, at.coming, at.new, part.f))  # pyright: ignore
+            self.do(passes.start, StartOf(places_of(part.mid), s.p_half, at.q, at.new, part.f))  # pyright: ignore
             if kind == "edge":
                 self.do(passes.add_rest, passes.RestOf(part.mid, part.rest, part.f))
             if s.laws.burns:
@@ -138,9 +138,9 @@ class Cell:
         at, z, w, law = part.at, part.at.z, part.at.w, s.laws.viscosity
         if kind == "herrmann":
             s.do(viscosity.resist_triangles_along_axes,
-                 viscosity.AxesOf(part.mid, at.d, w.v, z.c, s.p_half, solid, at.coming, z.viscous_speed), law=law)
+                 viscosity.AxesOf(part.mid, at.d, w.v, z.c, s.p_half, solid, at.q, z.viscous_speed), law=law)
             return
-        state = self.pair[0].at.smooth, w.v, z.c, s.p_half, solid, L.Tensor(*at.coming[:3])      # smoothness is the cell's
+        state = self.pair[0].at.smooth, w.v, z.c, s.p_half, solid, L.Tensor(*at.q[:3])      # smoothness is the cell's
         if kind == "edge":
             rows = viscosity.EdgesOf(part.mid, part.own.way, *state, part.rest, z.viscous_speed, w.rate)
             s.do(viscosity.resist_triangle_edges, rows, law=law)
@@ -148,14 +148,14 @@ class Cell:
             rows = viscosity.TensorOf(part.mid, part.own.way, L.Tensor(at.d.xx, at.d.yy, at.d.xy), *state, z.viscous_speed, w.rate)
             s.do(viscosity.resist_triangles, rows, law=law)
         if isinstance(self.geometry, AreaWeighted):
-            s.do(hoop_viscosity, HoopOf(at.d, w.rate, at.coming, at.rest))
+            s.do(hoop_viscosity, HoopOf(at.d, w.rate, at.q, at.rest))
 
     def correct(self) -> None:
         """Write how the state at the end of the step and its forces are found."""
         for part in self.pair:
             at, z = part.at, part.at.z
             self.do(passes.gather_thirds, part.thirds(*at.mid))
-            self.do(passes.settle, SettleOf(part.mid, part.f, z.inverse_mass, at.coming, z.filter_power, at.d, z.e,  # pyright: ignore
+            self.do(passes.settle, SettleOf(part.mid, part.f, z.inverse_mass, z.filter_power, at.d, z.e,  # pyright: ignore
                                             at.w.heat, z.viscous_work, z.filter_work, at.q, z.q))
         if isinstance(self.geometry, AreaWeighted):
             self._divide_work()

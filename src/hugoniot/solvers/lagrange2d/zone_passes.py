@@ -57,12 +57,12 @@ class PushOf(NamedTuple):
 
 
 class SettleOf(NamedTuple):
-    """Nodes in the middle, corner forces, viscous stress and filter's power of the step -> strain rates, energy, viscous heat, works."""
+    """Nodes in the middle, corner forces, filter's power and viscous stress of the step -> strain rates, energy, viscous heat, works, trace
+    of the viscous stress."""
 
     corners: Sides
     f: Corners
     inverse_mass: Any
-    mean: Stress
     filter_power: Any
     d: Rates
     e: Any
@@ -201,21 +201,20 @@ def push_solid(count, z, dt, numbers, law):
 
 @zone_pass(SettleOf)
 def settle(count, z, dt, numbers, law):
-    """Strain rates with the mean velocity of the step; energy by the work of the forces, -sum F.u; the viscosity goes with the state."""
+    """Strain rates with the mean velocity of the step; energy by the work of the forces, -sum F.u."""
     rows_apart()
     geometry, near = kind_of(law), numbers[NEAR]
     for j in range(count):
         at = cell(z.corners, j)
         d = strains(at, z.corners, j, near, geometry)
         work = power(z.f, z.corners, j)
-        inverse_mass, xx, yy, xy, hoop = z.inverse_mass[j], z.mean.xx[j], z.mean.yy[j], z.mean.xy[j], z.mean.hoop[j]
+        inverse_mass, xx, yy, xy, hoop = z.inverse_mass[j], z.q.xx[j], z.q.yy[j], z.q.xy[j], z.q.hoop[j]
         heat = -dt * volume(at, geometry) * inverse_mass * (xx * d.xx + yy * d.yy + 2.0 * xy * d.xy + hoop * d.hoop)
         z.d.xx[j], z.d.yy[j], z.d.xy[j], z.d.spin[j], z.d.hoop[j], z.d.dilation[j] = d.xx, d.yy, d.xy, d.spin, d.hoop, d.dilation
         z.e[j] -= dt * inverse_mass * work
         z.heat[j] = heat
         z.viscous_work[j] += heat
         z.filter_work[j] += dt * z.filter_power[j]
-        z.q.xx[j], z.q.yy[j], z.q.xy[j], z.q.hoop[j] = xx, yy, xy, hoop
         z.trace[j] = xx + yy + hoop
 
 

@@ -26,13 +26,13 @@ def resist(s, geometry, solid, kind):
     z, w, at = s.at.z, s.at.w, s.at
     if kind == "herrmann":
         s.do(herrmann_viscosity.resist_along_axes, herrmann_viscosity.HerrmannOf(
-            at.mid_low, at.mid_high, at.d, w.v, z.c, s.p_half, solid, at.coming, at.rest, z.viscous_speed), law=s.laws.viscosity)
+            at.mid_low, at.mid_high, at.d, w.v, z.c, s.p_half, solid, at.q, at.rest, z.viscous_speed), law=s.laws.viscosity)
         return
     rows = viscosity.ResistOf(at.mid_low, at.mid_high, Tensor(at.d.xx, at.d.yy, at.d.xy), at.smooth, w.v, z.c, s.p_half, solid,
-                              Tensor(at.coming.xx, at.coming.yy, at.coming.xy), at.rest, z.viscous_speed, w.rate)
+                              Tensor(at.q.xx, at.q.yy, at.q.xy), at.rest, z.viscous_speed, w.rate)
     s.do(edge_viscosity.resist_edges if kind == "edge" else viscosity.resist, rows, law=s.laws.viscosity)
     if isinstance(geometry, AreaWeighted):
-        s.do(hoop_viscosity.hoop_viscosity, hoop_viscosity.HoopOf(at.d, w.rate, at.coming, at.rest))
+        s.do(hoop_viscosity.hoop_viscosity, hoop_viscosity.HoopOf(at.d, w.rate, at.q, at.rest))
 
 
 def state_in_middle(s):
@@ -95,7 +95,7 @@ def predict(s, geometry, numbers, fluid, kind):
     solid = state_in_middle(s)
     resist(s, geometry, solid, kind)
     push = passes.push_fluid if fluid else passes.push_solid
-    s.do(push, passes.PushOf(at.mid, s.p_half, at.new, at.coming, at.rest, z.t0, z.t1, s.rho_half, z.c, z.inverse_mass, at.f,
+    s.do(push, passes.PushOf(at.mid, s.p_half, at.new, at.q, at.rest, z.t0, z.t1, s.rho_half, z.c, z.inverse_mass, at.f,
                              z.filter_power), kind=geometry, numbers=numbers)
     if s.laws.burns:
         s.keep_half()
@@ -105,7 +105,7 @@ def correct(s, geometry, numbers, fluid, conduction):
     """Write how the state at the end of the step and its forces are found; conduction: rows and numbers of the artificial heat flux, or
     None."""
     z, w, at = s.at.z, s.at.w, s.at
-    s.do(passes.settle, passes.SettleOf(at.mid, at.f, z.inverse_mass, at.coming, z.filter_power, at.d, z.e, w.heat,
+    s.do(passes.settle, passes.SettleOf(at.mid, at.f, z.inverse_mass, z.filter_power, at.d, z.e, w.heat,
                                         z.viscous_work, z.filter_work, at.q, z.q), kind=geometry, numbers=numbers)
     if conduction:
         s.do(heat_flux.conduct, conduction[0], kind=geometry, numbers=conduction[1])

@@ -20,8 +20,8 @@ def payload(solver) -> dict:
             "dropped": solver.flow.bench.dropped,
             "changes": [getattr(solver.changes, name) for name in _COUNTS], "passed": solver.flow.work.passed.copy(),
             "start_totals": solver.start_totals.copy(), "start_size": solver.start_size.copy(),
-            "voids": [solver.voids_opened, solver.voids_closed], "life_kinds": list(trace.kinds),
-            "life_rows": np.array(trace.rows, dtype=float).reshape(-1, len(COLUMNS)),
+            "voids": [solver.voids_opened, solver.voids_closed], "life_kinds": list(trace.lines()[0]),
+            "life_rows": np.array(trace.lines()[1], dtype=float).reshape(-1, len(COLUMNS)),
             "jumps": [[k, v] for k, v in trace.jumps.items()], "tensions": [[k, v] for k, v in trace.tensions.items()]}
 
 
@@ -41,6 +41,6 @@ def restore(solver, payload: dict) -> None:
     solver.start_totals, solver.start_size = payload["start_totals"].copy(), payload["start_size"].copy()
     solver.voids_opened, solver.voids_closed = (int(n) for n in payload["voids"])
     trace = solver.trace
-    trace.kinds, trace.rows = list(payload["life_kinds"]), [list(row) for row in payload["life_rows"].tolist()]
+    trace.replace(list(payload["life_kinds"]), [list(row) for row in payload["life_rows"].tolist()])
     trace.jumps, trace.tensions = ({int(k): float(v) for k, v in payload[name]} for name in ("jumps", "tensions"))
     solver._times, solver._rows, solver._read_at = [], [], (-1, 0)

@@ -132,9 +132,13 @@ class Spacing:
     def wanted(self, mesh) -> list[float]:
         """Number of cells (a real number) each interval should have."""
         at, h = mesh.faces(), self.widths(mesh)
+        if self.d == 1:
+            return ((mesh.x[at[1:]] - mesh.x[at[:-1]]) / h[at[:-1]]).tolist()
         return [float(wanted(mesh.x[a], mesh.x[b], h[a], self.d)) for a, b in zip(at[:-1], at[1:])]
 
     def extents(self, mesh, first: int, count: int, h: float) -> np.ndarray:
         """Cells of the width aimed at that every cell of an interval is wide."""
         x = mesh.x[first:first + count + 1]
+        if self.d == 1:
+            return (x[1:] - x[:-1]) / h
         return np.array([extent(a, b, x[0], x[-1], h, self.d) for a, b in zip(x[:-1], x[1:])])

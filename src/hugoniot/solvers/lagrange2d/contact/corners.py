@@ -91,16 +91,6 @@ def over_edge(c, nodes, p, e, share, dt):
 
 
 @nb.njit(**BY_ADDRESS)
-def was_in_front(c, nodes, p, e, share, gap):
-    """Gap at the start of the step: of the other edge where the surface juts out at the nearer end and a point was behind e only."""
-    other = beyond(c, e, share > 0.5)
-    if gap >= 0.0 or other < 0 or hollow(c, nodes, e, other, share > 0.5):
-        return gap
-    dx, dy = edge_vector(c, nodes, other)
-    return max(gap, in_front(c, nodes, p, other, 0.0) * (dx * dx + dy * dy) ** 0.5)
-
-
-@nb.njit(**BY_ADDRESS)
 def has_edges(c, p):
     """Whether a point belongs to a surface; those that zones have left behind do not."""
     return c.points[p, C.POINT_BEFORE] >= 0 or c.points[p, C.POINT_AFTER] >= 0

@@ -8,7 +8,7 @@ import numba as nb
 
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
-from hugoniot.solvers.lagrange2d.contact.corners import DEEP, edge_way, faces, has_edges, hollow, over_edge, was_in_front
+from hugoniot.solvers.lagrange2d.contact.corners import DEEP, edge_way, faces, has_edges, hollow, over_edge
 from hugoniot.solvers.lagrange2d.contact.impulses import CLOSE_ENOUGH, arm_of, inverse_mass, of_pair, relative, response
 from hugoniot.solvers.lagrange2d.contact.rigid import arm, place
 
@@ -69,7 +69,7 @@ def meets(c, nodes, k, dt, slack, depth):
         return False
     if not faces(c, nodes, p, nx, ny):
         return False
-    c.pair_numbers[k, C.GAP], c.pair_numbers[k, C.SHARE] = was_in_front(c, nodes, p, e, share, before), share
+    c.pair_numbers[k, C.GAP], c.pair_numbers[k, C.SHARE] = before, share
     return True
 
 
