@@ -14,6 +14,8 @@ from hugoniot.core import ops
 
 # the options of a scalar function, which becomes part of the kernel that calls it
 LAW = dict(fastmath=True, error_model="numpy", forceinline=True, no_cfunc_wrapper=True)
+# without the promise that every number is a finite one: for what is looked over afterwards
+NAN_LAW = {**LAW, "fastmath": {"contract", "reassoc", "arcp", "nsz"}}
 # fused multiply-add only (it rounds once where two roundings stood): exp and log keep their error and gain a factor 1.6
 EXACT_LAW = {**LAW, "fastmath": {"contract"}}
 

@@ -26,11 +26,11 @@ from hugoniot.core.compile_ahead import Job, job_of, job_of_types
 from hugoniot.core.kinds import kind_of_value, kinds_of
 from hugoniot.core.registry import Registry
 from hugoniot.core.rows import ROW, row_at, rows, rows_apart
-from hugoniot.core.target import BY_ADDRESS, EXACT_PASS, PASS
+from hugoniot.core.target import BY_ADDRESS, EXACT_PASS, NAN_PASS, PASS
 
 # whoever writes passes takes the words for rows and for passes from here
 __all__ = ["ROW", "Entry", "Pass", "bind_flag", "call_entry", "kind_of", "law_of", "named", "numbers_of",
-           "row_at", "rows", "rows_apart", "zone_pass"]
+           "row_at", "rows", "rows_apart", "with_groups", "zone_pass"]
 
 
 # -- laws as numbers -----------------------------------------------------------------------------------------------
@@ -124,6 +124,12 @@ def rows_type(cls):
     return types.NamedTuple([rows_type(hints[name]) if hasattr(hints.get(name), "_fields") else ROW for name in cls._fields], cls)
 
 
+def with_groups(cls, **groups):
+    """The NamedTuple class of rows `cls`, some of whose fields are `groups`: rows of other such classes."""
+    cls.__annotations__ = groups
+    return cls
+
+
 class Pass:
     """A loop over rows of zones, compiled for each law (or geometry) it meets.
 
@@ -131,9 +137,9 @@ class Pass:
     rows       the NamedTuple class of its rows
     """
 
-    def __init__(self, function, rows, exact):
-        self.function, self.rows = function, rows
-        self.compiled = nb.njit(**(EXACT_PASS if exact else PASS))(function)
+    def __init__(self, function, rows, options):
+        self.function, self.rows, self.options = function, rows, options
+        self.compiled = nb.njit(**options)(function)
         self._addresses: dict = {}
 
     def address(self, par=None) -> int:
@@ -155,9 +161,14 @@ class Pass:
         return (types.int64, rows_type(self.rows), types.float64, ROW, types.TypeRef(law))
 
 
-def zone_pass(rows, exact: bool = False):
-    """Decorator: make a `Pass` over rows of the NamedTuple class `rows`; `exact` where a NaN must stay one (no fast-math)."""
-    return lambda function: functools.update_wrapper(Pass(function, rows, exact), function)
+def zone_pass(rows, exact: bool = False, finite: bool = True):
+    """Decorator: make a `Pass` over rows of the NamedTuple class `rows`.
+
+    exact    without fast-math
+    finite   whether fast-math may take every number for a finite one: not where one that is not is looked for
+    """
+    options = EXACT_PASS if exact else PASS if finite else NAN_PASS
+    return lambda function: functools.update_wrapper(Pass(function, rows, options), function)
 
 
 def _yes(par):

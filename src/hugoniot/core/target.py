@@ -16,6 +16,7 @@ SWEEP = dict(_nrt=False, fastmath=True, error_model="numpy", cache=True, nogil=T
 # A law's pass stands alone: it is called by its address, never inlined.
 PASS = dict(_nrt=False, fastmath=True, error_model="numpy", cache=True, nogil=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
 EXACT_PASS = {**PASS, "fastmath": False}
+NAN_PASS = {**PASS, "fastmath": mathematics.NAN_LAW["fastmath"]}
 INLINE = dict(_nrt=False, error_model="numpy", forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
 GUARD = dict(_nrt=False, fastmath=False, error_model="numpy", cache=True, nogil=True)
 BY_ADDRESS = {**GUARD, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}   # what Python never calls itself
@@ -24,3 +25,6 @@ CURVE = {**GUARD, "_nrt": True}   # of theory, whose searches keep short lists
 # A sweep touches some twenty rows of the same tables; the vectoriser proves at run time that they do not overlap and by
 # default gives up, silently, when that takes more than 128 instructions.
 llvm.set_option("hugoniot", "--vectorize-memory-check-threshold=100000")
+# A row that a pass copies beside its other work goes through the same packed loop; by default it becomes a call of the C library that
+# reads the row again, which for a piece of a hundred zones costs as much as the pass.
+llvm.set_option("hugoniot", "--disable-loop-idiom-memcpy")

@@ -2,7 +2,7 @@
 
     pressure     p at a given energy (the middle of a predictor-corrector step)
     state        p and c^2 at a given energy, pores compacted (its end)
-    settle       energy and pressure together, e + (p + p_old) dv/2 = target (a leapfrog: Wilkins B.2 item 8)
+    settle       energy and pressure together, e + (p + p_old) dv/2 = e_old + given (a leapfrog: Wilkins B.2 item 8)
     stiffness    c^2 alone, for those who ask for it before the state is known
     temperature  T, for strength laws that ask for one
     rest         density from which a fracture law counts volume strain
@@ -41,11 +41,11 @@ class StateRows(NamedTuple):
 
 
 class SettleRows(NamedTuple):
-    """v, dv (change of the specific volume), target (energy before the pressure works, J/kg); e, p, compaction are led on -> c2."""
+    """v, dv (change of the specific volume), given (energy that others than the pressure gave, J/kg); e, p, compaction are led on -> c2."""
 
     v: Any
     dv: Any
-    target: Any
+    given: Any
     e: Any
     p: Any
     compaction: Any
@@ -119,7 +119,7 @@ def settle_pass(count, z, dt, numbers, law):
     for j in range(count):
         v, dv, compaction = z.v[j], z.dv[j], z.compaction[j]
         rho = 1.0 / v
-        target = z.target[j] - 0.5 * z.p[j] * dv
+        target = z.e[j] + z.given[j] - 0.5 * z.p[j] * dv
         crushed = remembered(compaction, eos)
         if linear_in_energy(eos):
             _, p_e = pressure_derivatives(rho, z.e[j], crushed)

@@ -8,7 +8,6 @@ class Constants(NamedTuple):
 
     rest        density at rest, kg/m3
     noise       -c^2 up to this is round-off, m2/s2
-    two_sided   1 where the artificial viscosity acts in expansion too
     per_rate    signal rate that the time step counts for a rate of burning
     front       speed of a programmed front, m/s
     isolates    1 where reactants keep an isentrope, and so have a reference state
@@ -17,7 +16,6 @@ class Constants(NamedTuple):
 
     rest: float
     noise: float
-    two_sided: float = 0.0
     per_rate: float = 0.0
     front: float = 0.0
     isolates: float = 0.0

@@ -18,9 +18,9 @@ OPENING_OF_A_SPRAY = 0.01    # part of the volume
 
 
 class FractureRows(NamedTuple):
-    """t1 and p (Pa), c2, rho of the solid, v (of solid and voids), rest density -> failure, grown (m3/kg), relief (Pa).
+    """t1 (Pa), c2, rho of the solid, v (of solid and voids), rest density -> failure, relief (Pa); what is found.
 
-    damage and voids (m3/kg) are led on.
+    p, flow, damage and voids (m3/kg) are led on.
     """
 
     t1: Any
@@ -29,27 +29,25 @@ class FractureRows(NamedTuple):
     rho: Any
     v: Any
     rest: Any
+    flow: Any
     damage: Any
     voids: Any
     failure: Any
-    grown: Any
     relief: Any
+    found: Any
 
 
 class ReliefRows(NamedTuple):
-    """t1, p, c2, rho, voids -> relief: what the voids would take off the tension now; none of them grows."""
+    """t1, c2, rho, voids; p is led on."""
 
     t1: Any
     p: Any
     c2: Any
     rho: Any
     voids: Any
-    relief: Any
 
 
 SolidRows = namedtuple("SolidRows", "v voids solid solid_v")
-HoldRows = namedtuple("HoldRows", "solid grown relief flow p found")
-WorstRows = namedtuple("WorstRows", "failure found")
 
 
 def grows_voids(fracture) -> bool:
@@ -76,28 +74,36 @@ def flow_beside_voids(flow, grown, density):
 
 @zone_pass(FractureRows)
 def fracture_pass(count, z, dt, numbers, law):
+    """Damage, failure and its largest ratio; voids, the pressure they relieve and the flow beside them, and how many zones they held."""
     rows_apart()
-    fracture = law_of(law, numbers)
+    fracture, worst, capped = law_of(law, numbers), z.found[FOUND_FAILURE], 0.0
     for j in range(count):
         p, rho = z.p[j], z.rho[j]
         tension = z.t1[j] - p
         hurt = z.damage[j] + dt * damage_rate(tension, fracture)
+        ratio = failure(tension, p, z.rest[j] * z.v[j], hurt, fracture)
+        worst = fmax(worst, ratio)
         z.damage[j] = hurt
-        z.failure[j] = failure(tension, p, z.rest[j] * z.v[j], hurt, fracture)
+        z.failure[j] = ratio
         if grows_voids(fracture):
             grown, relief = void_change(tension, rho * rho * z.c2[j], z.voids[j], rho, fracture)
             z.voids[j] += grown
-            z.grown[j] = grown
             z.relief[j] = relief
+            z.flow[j] = flow_beside_voids(z.flow[j], grown, rho)
+            z.p[j] = p + relief
+            capped += 1.0 if relief > 0.0 else 0.0
+    z.found[FOUND_FAILURE] = worst
+    z.found[FOUND_CAPPED] += capped
 
 
 @zone_pass(ReliefRows)
 def relief_pass(count, z, dt, numbers, law):
+    """Takes off the tension what the voids would now; none of them grows."""
     rows_apart()
     fracture = law_of(law, numbers)
     for j in range(count):
-        rho = z.rho[j]
-        z.relief[j] = void_change(z.t1[j] - z.p[j], rho * rho * z.c2[j], z.voids[j], rho, fracture)[1]
+        p, rho = z.p[j], z.rho[j]
+        z.p[j] = p + void_change(z.t1[j] - p, rho * rho * z.c2[j], z.voids[j], rho, fracture)[1]
 
 
 @zone_pass(SolidRows)
@@ -108,28 +114,6 @@ def solid_pass(count, z, dt, numbers, law):
         solid = z.v[j] - z.voids[j]
         z.solid_v[j] = solid
         z.solid[j] = 1.0 / solid
-
-
-@zone_pass(HoldRows)
-def hold_pass(count, z, dt, numbers, law):
-    """Pressure after the voids' relief, flow beside them; counts the zones that were held at the cap of their tension."""
-    rows_apart()
-    capped = 0.0
-    for j in range(count):
-        z.flow[j] = flow_beside_voids(z.flow[j], z.grown[j], z.solid[j])
-        z.p[j] += z.relief[j]
-        capped += 1.0 if z.relief[j] > 0.0 else 0.0
-    z.found[FOUND_CAPPED] += capped
-
-
-@zone_pass(WorstRows)
-def worst_pass(count, z, dt, numbers, law):
-    """Largest failure ratio."""
-    rows_apart()
-    worst = z.found[FOUND_FAILURE]
-    for j in range(count):
-        worst = fmax(worst, z.failure[j])
-    z.found[FOUND_FAILURE] = worst
 
 
 bind_flag(grows_voids, FRACTURE, "voids")

@@ -91,8 +91,7 @@ def laws_of(eos, strength, fracture, viscosity, noise: float, per_rate: float = 
     if burns:
         bind_burning()
     rest = float(reference_state(eos.mixture.products if burns else eos)[0])
-    constants = Constants(rest, noise, float("two_sided" in VISCOSITY.of(viscosity).flags), per_rate, front,
-                          float(burns and mixture.isolates(eos.mixture)), freezes)
+    constants = Constants(rest, noise, per_rate, front, float(burns and mixture.isolates(eos.mixture)), freezes)
     return Laws(*map(float_parameters, (eos, strength, fracture, viscosity)), constants)
 
 

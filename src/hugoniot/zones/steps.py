@@ -75,30 +75,37 @@ class MaterialSteps:
         """A row added to another."""
         self.do(rows.add_pass, rows.AddRows(more, to))
 
+    @property
+    def seen(self) -> soundness.PeakRows:
+        """Rows of what is looked over at the end of a step: peaks, and whether zones are sound."""
+        z = self.at.z
+        return soundness.PeakRows(z.rho, z.c, z.sigma, z.p, z.peak_stress, z.peak_tension, z.peak_pressure, z.peak_density, self.at.found)
+
     def look_over(self) -> None:
         """Peaks, and how many zones are not sound."""
-        z = self.at.z
-        self.do(soundness.look_over, soundness.PeakRows(z.rho, z.c, z.sigma, z.p, z.peak_stress, z.peak_tension, z.peak_pressure,
-                                                        z.peak_density, self.at.found))
+        self.do(soundness.look_over, self.seen)
 
     def resisting(self, geometry) -> viscosity.Resisting:
         """What a pass of artificial viscosity is compiled for, in the geometry of the solver."""
         return viscosity.Resisting(self.laws.viscosity, geometry)
 
     # -- closure -------------------------------------------------------------------------------------------------------------
-    def pressure(self, solid_v, e, p) -> None:
-        """Pressure of inert material at a given energy."""
+    def pressure(self, solid, solid_v, e, p) -> None:
+        """Pressure of inert material at a given energy in the middle of a step, and c^2 where it is asked for."""
+        if self.bulk_first and not self.laws.remembers:
+            self.state(solid_v, e, p)
+            return
         self.do(closure.pressure_pass, closure.PressureRows(solid_v, e, self.at.z.compaction, p), law=self.laws.eos)
+        self.stiffness(solid, solid_v, e, p)
 
-    def state(self, solid_v) -> None:
-        """Pressure and c^2 of inert material at the end of the step, at a given energy."""
-        z = self.at.z
-        self.do(closure.state_pass, closure.StateRows(solid_v, z.e, z.compaction, z.p, self.at.w.c2), law=self.laws.eos)
+    def state(self, solid_v, e, p) -> None:
+        """Pressure and c^2 of inert material at a given energy; what remembers is led on."""
+        self.do(closure.state_pass, closure.StateRows(solid_v, e, self.at.z.compaction, p, self.at.w.c2), law=self.laws.eos)
 
     def settle(self, solid_v) -> None:
-        """Pressure, energy and c^2 of inert material together, from the energy before the pressure has worked."""
+        """Pressure, energy and c^2 of inert material together, w.given the energy that others than the pressure gave."""
         z, w = self.at.z, self.at.w
-        self.do(closure.settle_pass, closure.SettleRows(solid_v, w.dv, w.target, z.e, z.p, z.compaction, w.c2), law=self.laws.eos)
+        self.do(closure.settle_pass, closure.SettleRows(solid_v, w.dv, w.given, z.e, z.p, z.compaction, w.c2), law=self.laws.eos)
 
     def stiffness(self, solid, solid_v, e, p) -> None:
         """c^2 before the state is known, where it is asked for: of inert material, or of the phases of the step before."""
@@ -154,26 +161,21 @@ class MaterialSteps:
 
     def relieve(self, solid) -> None:
         """Take off the pressure in the middle of a step what voids would take off now."""
-        w = self.at.w
         if self.laws.grows_voids:
-            self.do(fracture.relief_pass, fracture.ReliefRows(self.t1, self.p_half, w.c2, solid, self.at.z.voids, w.relief),
+            self.do(fracture.relief_pass, fracture.ReliefRows(self.t1, self.p_half, self.at.w.c2, solid, self.at.z.voids),
                     law=self.laws.fracture)
-            self.add(w.relief, self.p_half)
 
     def tear(self, solid) -> None:
         """Damage, failure and voids at the end of a step, the pressure relieved."""
-        z, w, laws, found = self.at.z, self.at.w, self.laws, self.at.found
+        z, w, laws = self.at.z, self.at.w, self.laws
         if not laws.breaks:
             return
         if laws.remembers:
             self.do(closure.rest_pass, closure.RestRows(z.compaction, w.rest), law=laws.eos)
         else:
             self.do(rows.rest_pass, rows.FillRows(w.rest))
-        self.do(fracture.fracture_pass, fracture.FractureRows(self.t1, z.p, w.c2, solid, w.v, w.rest, z.damage, z.voids, z.failure, w.grown,
-                                                              w.relief), law=laws.fracture)
-        self.do(fracture.worst_pass, fracture.WorstRows(z.failure, found))
-        if laws.grows_voids:
-            self.do(fracture.hold_pass, fracture.HoldRows(solid, w.grown, w.relief, w.flow, z.p, found))
+        self.do(fracture.fracture_pass, fracture.FractureRows(self.t1, z.p, w.c2, solid, w.v, w.rest, w.flow, z.damage, z.voids, z.failure,
+                                                              w.relief, self.at.found), law=laws.fracture)
 
     # -- burning -------------------------------------------------------------------------------------------------------------
     def burn(self, step, rho, end_rho, drive, q, new) -> None:

@@ -4,7 +4,8 @@ from typing import Any, NamedTuple
 
 from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin
-from hugoniot.laws.viscosity.contract import viscous_speed
+from hugoniot.core.passes import bind_flag
+from hugoniot.laws.viscosity.contract import VISCOSITY, viscous_speed
 
 SMALL = 1e-30
 
@@ -16,9 +17,14 @@ class Resisting(NamedTuple):
     geometry: Any
 
 
-def resisted(du, growth, two_sided):
+def two_sided(law) -> bool:
+    """Whether the viscosity acts in expansion too."""
+    return "two_sided" in VISCOSITY.of(law).flags
+
+
+def resisted(du, growth, law):
     """The velocity jump an artificial viscosity resists: 0 unless the zone narrows and shrinks (`growth` < 0), but for two-sided laws."""
-    return du if two_sided else fmin(du if growth < 0.0 else 0.0, 0.0)
+    return du if two_sided(law) else fmin(du if growth < 0.0 else 0.0, 0.0)
 
 
 def smoothness(left, own, right):
@@ -37,5 +43,6 @@ def resisting_speed(v, c, p, squeeze, smooth, law):
     return speed if squeeze != 0.0 else 0.0
 
 
+bind_flag(two_sided, VISCOSITY, "two_sided")
 for _function in (resisted, smoothness, resisting_speed):
     bind(_function)

@@ -13,28 +13,30 @@ Phys. 72 (1987) 78). Hence the q in H: it takes away what sigma, which multiplie
 from collections import namedtuple
 
 from hugoniot.core.binder import bind
+from hugoniot.core.mathematics import NAN_LAW
 from hugoniot.core.ops import fmax, fmin
-from hugoniot.core.passes import kind_of, law_of, named, rows_apart, zone_pass
+from hugoniot.core.passes import kind_of, law_of, named, rows_apart, with_groups, zone_pass
 from hugoniot.mesh.line import area, hoops, mean_area, volume
-from hugoniot.solvers.lagrange1d.friction import rub_end, rub_half
+from hugoniot.solvers.lagrange1d.friction import acts, rub_end, rub_half
 from hugoniot.solvers.lagrange1d.sources import supply
 from hugoniot.solvers.lagrange1d.stress import deviators, hoop_force
 from hugoniot.zones.constants import Constants
-from hugoniot.zones.soundness import FOUND_IMPULSE, FOUND_RATE, wave_speed
+from hugoniot.zones.soundness import FOUND_IMPULSE, FOUND_RATE, PeakRows, keep_peaks, new_peaks, unsound, wave_speed
 from hugoniot.zones.transport import find_conductivity
 from hugoniot.zones.viscosity import resisted, resisting_speed, smoothness
 
 SMALL = 1e-30
 
-HalfMotionRows = namedtuple("HalfMotionRows", "r u gradient inverse_mass e sigma hoop_force end_e v rho radial hoop dilation smooth "
-                            "squeeze")
-HalfStressRows = namedtuple("HalfStressRows", "r solid v c p squeeze smooth t1 t2 speed q sigma hoop_force")
+HalfMotionRows = namedtuple("HalfMotionRows", "r u gradient inverse_mass e sigma hoop_force end_e v rho radial hoop dilation smooth")
+HalfStressRows = namedtuple("HalfStressRows", "r u solid v radial c p smooth t1 t2 speed q sigma hoop_force")
 EndMotionRows = namedtuple("EndMotionRows", "r_half u_mean r u gradient inverse_mass sigma hoop_force q e v rho radial hoop dilation heat "
                            "viscous_work found")
-EndStressRows = namedtuple("EndStressRows", "r solid_v shear c2 p q t1 t2 speed inverse_mass rho c s1 s2 sigma hoop_force inverse_width "
-                           "found")
 HalfHeatRows = namedtuple("HalfHeatRows", "q v radial heat")
 FluxRows = namedtuple("FluxRows", "r u lam q rho inverse_mass e flux")
+
+# of the end of a step; `seen` has density, pressure, sound speed and stress as well
+EndStressRows = with_groups(namedtuple("EndStressRows", "r solid_v shear c2 q t1 t2 speed inverse_mass s1 s2 hoop_force inverse_width "
+                            "seen"), seen=PeakRows)
 
 
 def shrinking(r1, r2, u1, u2, geometry):
@@ -53,7 +55,7 @@ bind(shrinking)
 def half_motion(count, z, dt, numbers, law):
     """Energy, density and strains in the middle of the step, from the stress at its start and the predicted mean velocity."""
     rows_apart()
-    geometry, half, two_sided = kind_of(law), 0.5 * dt, named(Constants, numbers).two_sided > 0.0
+    geometry, half = kind_of(law), 0.5 * dt
     for j in range(count):
         r1, r2, u1, u2, im = z.r[j], z.r[j + 1], z.u[j], z.u[j + 1], z.inverse_mass[j]
         rate = area(r2, geometry) * u2 - area(r1, geometry) * u1
@@ -67,13 +69,11 @@ def half_motion(count, z, dt, numbers, law):
             z.hoop[j] = hoop
             z.dilation[j] = radial
             radial -= hoops(geometry) * hoop
-        du = u2 - u1
         z.end_e[j] = z.e[j] + half * im * power
         z.v[j] = v
         z.rho[j] = rho
         z.radial[j] = radial
         z.smooth[j] = smoothness(z.gradient[j], z.gradient[j + 1], z.gradient[j + 2])
-        z.squeeze[j] = resisted(du, radial if hoops(geometry) > 0.0 else du, two_sided)
 
 
 @zone_pass(HalfStressRows)
@@ -83,8 +83,10 @@ def half_stress(count, z, dt, numbers, law):
     resisting = law_of(law, numbers)
     geometry = resisting.geometry
     for j in range(count):
-        speed = resisting_speed(z.v[j], z.c[j], z.p[j], z.squeeze[j], z.smooth[j], resisting.law)
-        q = -z.solid[j] * z.squeeze[j] * speed
+        du = z.u[j + 1] - z.u[j]
+        squeeze = resisted(du, z.radial[j] if hoops(geometry) > 0.0 else du, resisting.law)
+        speed = resisting_speed(z.v[j], z.c[j], z.p[j], squeeze, z.smooth[j], resisting.law)
+        q = -z.solid[j] * squeeze * speed
         z.speed[j] = speed
         z.q[j] = q
         z.sigma[j] = z.p[j] + q - z.t1[j]
@@ -124,24 +126,46 @@ def end_motion(count, z, dt, numbers, law):
     z.found[FOUND_IMPULSE] += impulse
 
 
+def stand(z, j, geometry, constants):
+    """Sound speed and stress of a zone at the end of the step; its signal rate, 1/s."""
+    t1, t2, q = z.t1[j], z.t2[j], z.q[j]
+    c = wave_speed(z.c2[j] + (4.0 / 3.0) * z.shear[j] * z.solid_v[j], constants.noise)
+    inverse_width = mean_area(z.r[j], z.r[j + 1], geometry) * z.inverse_mass[j] * z.seen.rho[j]
+    z.inverse_width[j] = inverse_width
+    z.seen.c[j] = c
+    z.s1[j] = t1
+    z.s2[j] = t2
+    z.seen.sigma[j] = z.seen.p[j] + q - t1
+    if hoops(geometry) > 0.0:
+        z.hoop_force[j] = hoop_force(z.r[j], z.r[j + 1], t1, t2, q, geometry)
+    return (fmax(c, constants.front) + 2.0 * z.speed[j]) * inverse_width
+
+
+bind(stand, **NAN_LAW)
+
+
 @zone_pass(EndStressRows)
 def end_stress(count, z, dt, numbers, law):
-    """Sound speed and stress at the end of the step; the largest signal rate, 1/s."""
+    """Sound speed and stress at the end of the step, to which something will be added; the largest signal rate, 1/s."""
     rows_apart()
-    geometry, constants, fastest = kind_of(law), named(Constants, numbers), z.found[FOUND_RATE]
+    geometry, constants, fastest = kind_of(law), named(Constants, numbers), z.seen.found[FOUND_RATE]
     for j in range(count):
-        t1, t2, q = z.t1[j], z.t2[j], z.q[j]
-        c = wave_speed(z.c2[j] + (4.0 / 3.0) * z.shear[j] * z.solid_v[j], constants.noise)
-        inverse_width = mean_area(z.r[j], z.r[j + 1], geometry) * z.inverse_mass[j] * z.rho[j]
-        fastest = fmax(fastest, (fmax(c, constants.front) + 2.0 * z.speed[j]) * inverse_width)
-        z.inverse_width[j] = inverse_width
-        z.c[j] = c
-        z.s1[j] = t1
-        z.s2[j] = t2
-        z.sigma[j] = z.p[j] + q - t1
-        if hoops(geometry) > 0.0:
-            z.hoop_force[j] = hoop_force(z.r[j], z.r[j + 1], t1, t2, q, geometry)
-    z.found[FOUND_RATE] = fastest
+        fastest = fmax(fastest, stand(z, j, geometry, constants))
+    z.seen.found[FOUND_RATE] = fastest
+
+
+@zone_pass(EndStressRows, finite=False)
+def end_stress_seen(count, z, dt, numbers, law):
+    """The same where nothing will, looked over at once (`zones.soundness.look_over`)."""
+    rows_apart()
+    geometry, constants, fastest = kind_of(law), named(Constants, numbers), z.seen.found[FOUND_RATE]
+    bad = new = 0
+    for j in range(count):
+        fastest = fmax(fastest, stand(z, j, geometry, constants))
+        bad += unsound(z.seen, j)
+        new += new_peaks(z.seen, j)
+    z.seen.found[FOUND_RATE] = fastest
+    keep_peaks(count, z.seen, bad, new)
 
 
 @zone_pass(HalfHeatRows)
@@ -186,7 +210,7 @@ def predict(s, geometry):
     """Write how the stress in the middle of the step is found; s: `zones.steps.MaterialSteps` with the rows of `plan`."""
     z, b, h, w = s.at.z, s.at.b, s.at.h, s.at.w
     s.do(half_motion, HalfMotionRows(h.r_half, h.u_mean, s.at.g, z.inverse_mass, z.e, z.sigma, z.hoop, w.e, w.v, s.rho_half, w.radial,
-                                     w.hoop, w.dilation, w.smooth, w.squeeze), kind=geometry)
+                                     w.hoop, w.dilation, w.smooth), kind=geometry)
     supply(s, w.e, half=True)
     solid, solid_v = s.solid(s.rho_half)
     if s.laws.burns:
@@ -194,12 +218,11 @@ def predict(s, geometry):
         s.do(half_heat, HalfHeatRows(z.q, w.v, w.radial, w.heat))
         s.close_half(solid)
     else:
-        s.pressure(solid_v, w.e, s.p_half)
-        s.stiffness(solid, solid_v, w.e, s.p_half)
+        s.pressure(solid, solid_v, w.e, s.p_half)
     t1, t2 = deviators(s, geometry, solid, w.e, s.p_half, b.lam_half, s.at.half)
     s.relieve(solid)
-    s.do(half_stress, HalfStressRows(h.r_half, solid, w.v, z.c, s.p_half, w.squeeze, w.smooth, t1, t2, z.viscous_speed, z.q, z.sigma_half,
-                                     z.hoop_half), law=s.resisting(geometry))
+    s.do(half_stress, HalfStressRows(h.r_half, h.u_mean, solid, w.v, w.radial, z.c, s.p_half, w.smooth, t1, t2, z.viscous_speed, z.q,
+                                     z.sigma_half, z.hoop_half), law=s.resisting(geometry))
     rub_half(s, geometry, solid)
     if s.laws.burns:
         s.keep_half()
@@ -215,13 +238,17 @@ def correct(s, geometry):
     if s.laws.burns:
         s.close_end(solid)
     else:
-        s.state(solid_v)
+        s.state(solid_v, z.e, z.p)
     t1, t2 = deviators(s, geometry, solid, z.e, z.p, b.lam, s.at.whole)
     s.tear(solid)
     s.harden(w.v)
-    s.do(end_stress, EndStressRows(h.r, solid_v, s.shear, w.c2, z.p, z.q, t1, t2, z.viscous_speed, z.inverse_mass, z.rho, z.c, z.s1,
-                                   z.s2, z.sigma, z.hoop, w.inverse_width, found), kind=geometry)
-    rub_end(s, geometry, solid)
-    s.pace(w.inverse_width)
-    s.look_over()
+    rows = EndStressRows(h.r, solid_v, s.shear, w.c2, z.q, t1, t2, z.viscous_speed, z.inverse_mass, z.s1, z.s2, z.hoop, w.inverse_width,
+                         s.seen)
+    if s.laws.burns or acts(s):
+        s.do(end_stress, rows, kind=geometry)
+        rub_end(s, geometry, solid)
+        s.pace(w.inverse_width)
+        s.look_over()
+    else:
+        s.do(end_stress_seen, rows, kind=geometry)
     find_conductivity(s, solid)

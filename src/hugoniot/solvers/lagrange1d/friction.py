@@ -15,7 +15,7 @@ from collections import namedtuple
 from hugoniot.core.ops import fmax
 from hugoniot.core.passes import kind_of, rows_apart, zone_pass
 from hugoniot.mesh.line import area_per_radius, hoops, mean_area
-from hugoniot.solvers.lagrange1d.stress import hoop_force
+from hugoniot.solvers.lagrange1d.stress import hoop_force, strains
 from hugoniot.zones.soundness import FOUND_RATE
 from hugoniot.zones.transport import find_viscosity
 
@@ -24,7 +24,7 @@ PushRows = namedtuple("PushRows", "r radial around sigma hoop")
 PullRows = namedtuple("PullRows", "r radial around inverse_mass sigma pull")
 HastenRows = namedtuple("HastenRows", "viscosity v c speed inverse_width found")
 SlowRows = namedtuple("SlowRows", "r inverse_mass viscosity v speed")
-WorkRows = namedtuple("WorkRows", "radial around strain hoop_strain v target")
+WorkRows = namedtuple("WorkRows", "radial around strain hoop_strain v given")
 
 
 # -- passes ------------------------------------------------------------------------------------------------------------
@@ -90,7 +90,7 @@ def work_pass(count, z, dt, numbers, law):
     rows_apart()
     geometry = kind_of(law)
     for j in range(count):
-        z.target[j] += z.v[j] * (z.radial[j] * z.strain[j] + hoops(geometry) * z.around[j] * z.hoop_strain[j])
+        z.given[j] += z.v[j] * (z.radial[j] * z.strain[j] + hoops(geometry) * z.around[j] * z.hoop_strain[j])
 
 
 # -- written into a step -----------------------------------------------------------------------------------------------
@@ -103,8 +103,7 @@ def _strained(s, geometry, rho, e, step):
     """Write the viscous stresses of the strains of a time `step`, at density and energy `rho`, `e`."""
     t, w = s.at.t, s.at.w
     find_viscosity(s, rho, e)
-    hoop, dilation = (w.hoop, w.dilation) if hoops(geometry) > 0.0 else (w.zero, w.radial)   # one number in planar flow
-    s.do(friction_pass, FrictionRows(t.viscosity, w.radial, hoop, dilation, t.radial, t.around), step, numbers=s.at.bulk)
+    s.do(friction_pass, FrictionRows(t.viscosity, w.radial, *strains(s, geometry), t.radial, t.around), step, numbers=s.at.bulk)
 
 
 def rub_half(s, geometry, solid) -> None:
@@ -129,8 +128,7 @@ def rub_leaping(s, geometry) -> None:
     if acts(s):
         z, h, t, w = s.at.z, s.at.h, s.at.t, s.at.w
         _strained(s, geometry, w.rho, z.e, s.at.whole)
-        hoop = w.hoop if hoops(geometry) > 0.0 else w.zero
-        s.do(work_pass, WorkRows(t.radial, t.around, w.radial, hoop, w.v_half, w.target), kind=geometry)
+        s.do(work_pass, WorkRows(t.radial, t.around, w.radial, strains(s, geometry)[0], w.v_half, w.given), kind=geometry)
         s.do(slow_pass, SlowRows(h.r, z.inverse_mass, t.viscosity, w.v, w.speed), kind=geometry, numbers=s.at.bulk)
 
 

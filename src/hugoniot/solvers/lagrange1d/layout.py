@@ -76,7 +76,7 @@ class NodeRows(NamedTuple):
 
 
 class WorkRows(NamedTuple):
-    """Scratch of one piece of zones, one table for each thread."""
+    """Scratch of one piece of zones, one table for each thread. In the leapfrog's lists v, t1 and t2 are the fields v, s1 and s2."""
 
     v: Any                   # specific volume of solid and voids
     rho: Any
@@ -90,11 +90,10 @@ class WorkRows(NamedTuple):
     radial: Any              # strains of the step
     hoop: Any
     dilation: Any
-    squeeze: Any             # velocity jump that the viscosity resists, m/s
     smooth: Any
     speed: Any
-    weak_speed: Any          # of the viscosity's quadratic part alone
-    q: Any
+    printed: Any             # b of `leapfrog_passes.signal_squared`
+    q: Any                   # the viscous pressure that moved the nodes (leapfrog, of what burns)
     temperature: Any
     shear: Any
     t1: Any
@@ -102,8 +101,8 @@ class WorkRows(NamedTuple):
     limit: Any
     flow: Any
     rest: Any
-    grown: Any
     relief: Any
+    given: Any               # energy that others than the pressure give in a step
     target: Any              # energy before the pressure at the end of the step has worked
     shocked: Any             # 1 where a shock is passing
     inverse_width: Any

@@ -33,72 +33,83 @@ Herrmann A.27 to A.30; Starkenberg sections 3 to 5.
 
 from hugoniot.core.pass_lists import place
 from hugoniot.solvers.lagrange1d import leapfrog_passes as P
-from hugoniot.solvers.lagrange1d.friction import rub_leaping, rub_leapt
+from hugoniot.solvers.lagrange1d.friction import acts, rub_leaping, rub_leapt
 from hugoniot.solvers.lagrange1d.sources import supply
-from hugoniot.solvers.lagrange1d.stress import deviators
+from hugoniot.solvers.lagrange1d.stress import strains
 from hugoniot.zones.mixture import slopes_pass
 from hugoniot.zones.transport import find_conductivity
 
 
 def advance(s, geometry):
-    """Write how the state at n+1 is found; s: `zones.steps.MaterialSteps` with the rows of `plan`."""
-    z, b, h, w = s.at.z, s.at.b, s.at.h, s.at.w
-    s.do(P.whole_motion, P.MotionRows(h.r, h.u, z.inverse_mass, z.v, w.v, w.dv, w.v_half, w.rho, z.rho, w.radial, w.hoop, w.dilation,
-                                      w.squeeze), kind=geometry)
+    """Write how the state at n+1 is found; s: `zones.steps.MaterialSteps` with the rows of `plan`, in which w.v is z.v."""
+    z, h, w = s.at.z, s.at.h, s.at.w
+    if s.laws.burns:
+        s.copy(z.q, w.q)
+    if s.laws.is_bare:
+        s.do(P.look_around, P.LookRows(h.r, h.u, h.mass, z.mass, w.smooth))
+    # the P of the viscosity's a = sqrt(P/rho) is the one at the start of the step
+    c, p, smooth = (w.zero, w.zero, w.smooth) if s.laws.is_bare else (z.c, z.p, w.zero)
+    s.do(P.whole_motion, P.MotionRows(h.r, h.u, z.inverse_mass, c, p, smooth, z.v, z.q, z.viscous_work, w.dv, w.v_half, w.rho, z.rho,
+                                      w.radial, w.hoop, w.dilation, w.speed, w.printed, w.given), law=s.resisting(geometry))
     solid, solid_v = s.solid(z.rho)
     s.stiffness(solid, solid_v, z.e, z.p)
-    t = deviators(s, geometry, solid, z.e, z.p, b.lam, s.at.whole)
     if s.laws.burns_at_once:
-        close_at_once(s, geometry, solid, t)
+        s.do(P.heat_before, P.HeatRows(w.q, w.dv, w.given, z.viscous_work))
+    elif s.laws.burns:
+        s.copy(w.given, w.heat)
+    strain(s, geometry, solid)
+    if s.laws.burns:
+        s.copy(z.e, w.target)
+        s.add(w.given, w.target)
+        close_at_once(s, solid) if s.laws.burns_at_once else close_gradually(s, solid)
     else:
-        resist(s, geometry, t)
-        if s.laws.burns:
-            close_gradually(s, solid)
-        else:
-            supply(s, w.target)
-            rub_leaping(s, geometry)
-            s.settle(solid_v)
+        supply(s, w.given)
+        rub_leaping(s, geometry)
+        s.settle(solid_v)
     s.tear(solid)
     if s.laws.grows_voids:
         s.do(P.take_relief, P.ReliefRows(w.relief, w.dv, z.e))
     s.harden(w.v_half)
-    if s.laws.burns_at_once:
-        s.do(P.end_stress_at_once, P.AtOnceRows(h.r, z.inverse_mass, z.rho, w.v, w.dv, w.c2, s.shear, *t, z.p, w.squeeze, z.c, z.s1, z.s2,
-                                                z.q, z.v, z.sigma, z.pull, z.width, w.inverse_width, z.viscous_work, place(s.constants),
-                                                s.at.found), law=s.resisting(geometry))
-    else:
-        s.do(P.end_stress, P.StressRows(h.r, z.inverse_mass, z.rho, w.v, w.c2, s.shear, *t, z.p, w.q, w.speed, w.weak_speed,
-                                        w.squeeze, z.c, z.s1, z.s2, z.q, z.v, z.sigma, z.pull, z.width, w.inverse_width, s.at.found),
-             kind=geometry)
-    rub_leapt(s, geometry)
-    s.pace(w.inverse_width)
-    s.look_over()
+    stand(s, geometry)
     find_conductivity(s, solid)
 
 
-def resist(s, geometry, t):
-    """Write the artificial viscosity at n+1/2; the P of its a = sqrt(P/rho) is the one at the start of the step. t: rows of deviators."""
+def strain(s, geometry, solid):
+    """Write the deviators at n+1 and their work."""
+    z, w = s.at.z, s.at.w
+    if s.laws.is_strong:
+        s.do(P.strain_and_work, P.StrainRows(s.asked(solid, z.e, z.p, s.at.b.lam), z.s1, z.s2, w.radial, *strains(s, geometry), w.v_half,
+                                             w.shear, w.limit, w.flow, w.given), law=s.strong(geometry))
+
+
+def stand(s, geometry):
+    """Write sound speed and stress at n+1, and look them over."""
     z, h, w = s.at.z, s.at.h, s.at.w
-    if s.laws.is_bare:
-        s.do(P.look_around, P.LookRows(h.r, h.u, h.mass, z.mass, w.smooth))
-    c, p, smooth = (w.zero, w.zero, w.smooth) if s.laws.is_bare else (z.c, z.p, w.zero)
-    s.do(P.energy_target, P.TargetRows(*t, z.s1, z.s2, w.radial, w.hoop, w.v, w.v_half, w.dv, w.rho, c, p, w.squeeze, smooth, z.e, z.q,
-                                       w.speed, w.weak_speed, w.q, w.heat, w.target, z.viscous_work), law=s.resisting(geometry))
-    if s.laws.is_bare:
-        s.do(P.damp, P.DampRows(w.smooth, w.squeeze))
+    if s.laws.burns_at_once:
+        s.do(P.end_stress_at_once, P.AtOnceRows(h.r, h.u, z.inverse_mass, z.v, w.dv, w.c2, s.shear, z.s1, z.s2, z.q, z.pull, z.width,
+                                                w.inverse_width, place(s.constants), s.seen), law=s.resisting(geometry))
+    else:
+        later = s.laws.burns or acts(s)
+        s.do(P.end_stress if later else P.end_stress_seen,
+             P.StressRows(h.r, z.inverse_mass, z.v, w.c2, s.shear, z.s1, z.s2, z.q, w.speed, w.printed, z.pull, z.width, w.inverse_width,
+                          s.seen), kind=geometry)
+    rub_leapt(s, geometry)
+    s.pace(w.inverse_width)
+    if s.laws.burns or acts(s):
+        s.look_over()
 
 
 def close_gradually(s, solid):
     """Write burn fraction and mixture at n+1 of what burns by rate or schedule, the burn fraction found twice."""
     z, b, w = s.at.z, s.at.b, s.at.w
     s.add_plastic_heat(w.v_half, w.heat)
-    s.burn(s.at.whole, w.rho, z.rho, z.p, z.q, w.lam)
+    s.burn(s.at.whole, w.rho, z.rho, z.p, w.q, w.lam)
     s.share_old_heat(w.heat)
     s.do(P.after_work, P.WorkRows(w.target, z.p, z.p, w.dv, w.e))
     s.mix(solid, w.e, w.lam, b.heat, w.p, b.status)
     s.do(P.mean, P.MeanRows(z.p, w.p, b.p_half))
-    s.burn(s.at.whole, w.rho, z.rho, b.p_half, w.q, b.lam_half)
-    s.share_heat(w.q, b.p_half, w.rho, w.heat)
+    s.burn(s.at.whole, w.rho, z.rho, b.p_half, z.q, b.lam_half)
+    s.share_heat(z.q, b.p_half, w.rho, w.heat)
     s.lead_on(b.lam_half)
     s.do(P.after_work, P.WorkRows(w.target, z.p, w.p, w.dv, z.e))
     s.mix(solid, z.e, b.lam, b.heat, b.p_half, w.status)
@@ -108,16 +119,15 @@ def close_gradually(s, solid):
     s.keep_phases()
 
 
-def close_at_once(s, geometry, solid, t):
-    """Write the step of the KB codes: mixture at n+1, and the viscosity that moves the nodes next."""
+def close_at_once(s, solid):
+    """Write the step of the KB codes: mixture at n+1."""
     z, b, w = s.at.z, s.at.b, s.at.w
-    s.do(P.energy_before, P.BeforeRows(*t, z.s1, z.s2, w.radial, w.hoop, w.v_half, w.dv, z.e, z.q, w.target), kind=geometry)
     s.do(P.after_work, P.WorkRows(w.target, z.p, z.p, w.dv, w.e))
     s.mix(solid, w.e, b.lam, w.zero, w.p, b.status)
     s.do(P.after_work, P.WorkRows(w.target, z.p, w.p, w.dv, z.e))
     s.mix(solid, z.e, b.lam, w.zero, b.p_half, w.status)
-    s.burn(s.at.whole, solid, solid, b.p_half, z.q, w.lam)
-    s.share_heat(z.q, b.p_half, solid, w.zero)
+    s.burn(s.at.whole, solid, solid, b.p_half, w.q, w.lam)
+    s.share_heat(w.q, b.p_half, solid, w.zero)
     s.lead_on(w.lam)
     s.mix(solid, z.e, b.lam, w.zero, b.p_half, w.status)
     s.slopes(solid, z.e, b.lam, b.p_half)

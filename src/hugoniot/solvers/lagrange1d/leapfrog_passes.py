@@ -6,31 +6,35 @@ Source: Wilkins B.2 items 2 and 5 to 9; KB codes equations 1.8 to 1.11; the step
 from collections import namedtuple
 
 from hugoniot.core.binder import bind
+from hugoniot.core.mathematics import NAN_LAW
 from hugoniot.core.ops import fmax, vsqrt
-from hugoniot.core.passes import kind_of, law_of, named, rows_apart, zone_pass
+from hugoniot.core.passes import kind_of, law_of, named, rows_apart, with_groups, zone_pass
 from hugoniot.mesh.line import area_per_radius, hoops, mean_area, volume
+from hugoniot.solvers.lagrange1d.stress import strained
 from hugoniot.zones.constants import Constants
-from hugoniot.zones.soundness import FOUND_RATE, wave_speed
+from hugoniot.zones.soundness import FOUND_RATE, PeakRows, keep_peaks, new_peaks, unsound, wave_speed
+from hugoniot.zones.strength import Solid
 from hugoniot.zones.viscosity import resisted, resisting_speed, smoothness
 
 SMALL = 1e-30
 # weights of c2 and w2 in `signal_squared`; 4/9 is the Courant factor 2/3 of W-7 squared, which this limit does not need as well
 SOUND_SHARE, VISCOUS_SHARE = 4.0 / 9.0 * (1.0 + 1.0 / 1.55), 4.0 / 9.0 * 5.5
 
-MotionRows = namedtuple("MotionRows", "r u inverse_mass v_old v dv v_half rho_half rho radial hoop dilation squeeze")
-TargetRows = namedtuple("TargetRows", "t1 t2 s1 s2 radial hoop v v_half dv rho_half c p squeeze smooth e q_old speed weak_speed q heat "
-                        "target viscous_work")
-BeforeRows = namedtuple("BeforeRows", "t1 t2 s1 s2 radial hoop v_half dv e q_old target")
-StressRows = namedtuple("StressRows", "r inverse_mass rho v c2 shear t1 t2 p new_q speed weak_speed squeeze c s1 s2 q v_old sigma pull "
-                        "width inverse_width found")
-AtOnceRows = namedtuple("AtOnceRows", "r inverse_mass rho v dv c2 shear t1 t2 p squeeze c s1 s2 q v_old sigma pull width "
-                        "inverse_width viscous_work constants found")
+MotionRows = namedtuple("MotionRows", "r u inverse_mass c p smooth v q viscous_work dv v_half rho_half rho radial hoop dilation speed "
+                        "printed given")
+HeatRows = namedtuple("HeatRows", "q dv given viscous_work")
 LookRows = namedtuple("LookRows", "r u node_mass mass smooth")
-DampRows = namedtuple("DampRows", "smooth row")
 ReliefRows = namedtuple("ReliefRows", "relief dv e")
 MeanRows = namedtuple("MeanRows", "one other mean")
 WorkRows = namedtuple("WorkRows", "target p_start p_end dv e")
 NewtonRows = namedtuple("NewtonRows", "expected led dv p_e e p e_r e_p")
+
+StrainRows = with_groups(namedtuple("StrainRows", "solid s1 s2 radial hoop dilation v_half shear limit flow given"), solid=Solid)
+# of the end of a step; `seen` has density, pressure, sound speed and stress as well
+StressRows = with_groups(namedtuple("StressRows", "r inverse_mass v c2 shear s1 s2 q speed printed pull width inverse_width seen"),
+                         seen=PeakRows)
+AtOnceRows = with_groups(namedtuple("AtOnceRows", "r u inverse_mass v dv c2 shear s1 s2 q pull width inverse_width constants seen"),
+                         seen=PeakRows)
 
 
 def signal_squared(c2, printed, viscous):
@@ -50,25 +54,24 @@ def signal_squared(c2, printed, viscous):
     return fmax(sound + printed * printed, SOUND_SHARE * sound + VISCOUS_SHARE * viscous * viscous)
 
 
-def deviator_work(t1, t2, s1, s2, radial, hoop, v_half, geometry):
-    """Work dZ of the deviators in a step, J/kg."""
-    return v_half * 0.5 * ((t1 + s1) * radial + hoops(geometry) * (t2 + s2) * hoop)
-
-
 bind(signal_squared)
-bind(deviator_work)
 
 
 # -- passes of the geometry ----------------------------------------------------------------------------------------
 @zone_pass(MotionRows)
 def whole_motion(count, z, dt, numbers, law):
-    """Specific volume at n+1, its change, mean density and strains of the step."""
+    """Specific volume at n+1, its change, mean density and strains of the step; viscous pressure q at n+1/2, and its heat into `given`.
+
+    `printed` is b of `signal_squared`. `law` is a `zones.viscosity.Resisting`; `smooth` is 0 but where the viscosity acts only as far as
+    the velocity field is not smooth.
+    """
     rows_apart()
-    geometry, two_sided = kind_of(law), named(Constants, numbers).two_sided > 0.0
+    resisting = law_of(law, numbers)
+    geometry = resisting.geometry
     for j in range(count):
         u1, u2, r1, r2 = z.u[j], z.u[j + 1], z.r[j], z.r[j + 1]
-        v = volume(r1, r2, geometry) * z.inverse_mass[j]
-        dv, v_half = v - z.v_old[j], 0.5 * (v + z.v_old[j])
+        v, v_old = volume(r1, r2, geometry) * z.inverse_mass[j], z.v[j]
+        dv, v_half = v - v_old, 0.5 * (v + v_old)
         rho_half = 1.0 / v_half
         du, dr = u2 - u1, r2 - r1
         radial = dv * rho_half     # dilation and radial strain are one number in planar flow
@@ -79,98 +82,112 @@ def whole_motion(count, z, dt, numbers, law):
             z.dilation[j] = radial
             z.hoop[j] = drift * width_half * each
             radial = stretch * across_half * each
+        squeeze, uneven = resisted(du, dv, resisting.law), 1.0 - z.smooth[j]
+        speed = uneven * resisting_speed(v_half, z.c[j], z.p[j], squeeze, 0.0, resisting.law)
+        q = -rho_half * squeeze * speed
+        heat = -0.5 * (q + z.q[j]) * dv
         z.radial[j] = radial
         z.v[j] = v
         z.dv[j] = dv
         z.v_half[j] = v_half
         z.rho_half[j] = rho_half
         z.rho[j] = 1.0 / v
-        z.squeeze[j] = resisted(du, dv, two_sided)
-
-
-@zone_pass(TargetRows)
-def energy_target(count, z, dt, numbers, law):
-    """Viscous pressure q at n+1/2, its heat, and the energy before the pressure has worked: e + dZ - qbar dv.
-
-    `weak_speed` is that of the quadratic part alone at the end of the step. `law` is a `zones.viscosity.Resisting`; `smooth` is 0 but
-    where the viscosity acts only as far as the velocity field is not smooth.
-    """
-    rows_apart()
-    resisting = law_of(law, numbers)
-    geometry = resisting.geometry
-    for j in range(count):
-        hoop = z.hoop[j] if hoops(geometry) > 0.0 else 0.0
-        work = deviator_work(z.t1[j], z.t2[j], z.s1[j], z.s2[j], z.radial[j], hoop, z.v_half[j], geometry)
-        squeeze, uneven = z.squeeze[j], 1.0 - z.smooth[j]
-        speed = uneven * resisting_speed(z.v_half[j], z.c[j], z.p[j], squeeze, 0.0, resisting.law)
-        q = -z.rho_half[j] * squeeze * speed
-        heat = -0.5 * (q + z.q_old[j]) * z.dv[j]
         z.speed[j] = speed
-        z.weak_speed[j] = uneven * resisting_speed(z.v[j], 0.0, 0.0, squeeze, 0.0, resisting.law)
+        # with the speed of the quadratic part alone, at the end of the step
+        z.printed[j] = 8.0 * uneven * (resisting_speed(v, 0.0, 0.0, squeeze, 0.0, resisting.law) + fmax(squeeze, -squeeze))
         z.q[j] = q
-        z.heat[j] = heat
-        z.target[j] = z.e[j] + work + heat
+        z.given[j] = heat
         z.viscous_work[j] += heat
 
 
-@zone_pass(BeforeRows)
-def energy_before(count, z, dt, numbers, law):
-    """e + dZ - q dv with the viscous pressure that moved the nodes (KB codes)."""
+@zone_pass(StrainRows)
+def strain_and_work(count, z, dt, numbers, law):
+    """Deviators at n+1 and their work dZ, added to `given`; `law` is a `zones.strength.Strong`."""
     rows_apart()
-    geometry = kind_of(law)
+    strong = law_of(law, numbers)
+    geometry = strong.geometry
     for j in range(count):
+        s1, s2, radial = z.s1[j], z.s2[j], z.radial[j]
+        t1, t2, shear, limit, flow = strained(z, j, dt, strong)
         hoop = z.hoop[j] if hoops(geometry) > 0.0 else 0.0
-        work = deviator_work(z.t1[j], z.t2[j], z.s1[j], z.s2[j], z.radial[j], hoop, z.v_half[j], geometry)
-        z.target[j] = z.e[j] + work - z.q_old[j] * z.dv[j]
+        z.given[j] += z.v_half[j] * 0.5 * ((t1 + s1) * radial + hoops(geometry) * (t2 + s2) * hoop)
+        z.s1[j] = t1
+        z.s2[j] = t2
+        z.shear[j] = shear
+        z.limit[j] = limit
+        z.flow[j] = flow
+
+
+@zone_pass(HeatRows)
+def heat_before(count, z, dt, numbers, law):
+    """The heat of the viscous pressure that moved the nodes in the place of that of the step (KB codes)."""
+    rows_apart()
+    for j in range(count):
+        heat = -z.q[j] * z.dv[j]
+        z.viscous_work[j] += heat - z.given[j]
+        z.given[j] = heat
 
 
 def keep_stress(z, j, q, geometry):
-    """What pushes the nodes next, and what the next step looks back at."""
-    t1, t2 = z.t1[j], z.t2[j]
-    z.s1[j] = t1
-    z.s2[j] = t2
-    z.q[j] = q
-    z.v_old[j] = z.v[j]
-    z.sigma[j] = z.p[j] + q - t1
+    """What pushes the nodes next."""
+    t1, t2 = z.s1[j], z.s2[j]
+    z.seen.sigma[j] = z.seen.p[j] + q - t1
     if hoops(geometry) > 0.0:
         dr = z.r[j + 1] - z.r[j]
         z.pull[j] = (t1 - t2) * dr * z.inverse_mass[j] * area_per_radius(z.r[j], z.r[j + 1], geometry)
-        z.width[j] = z.rho[j] * dr
+        z.width[j] = z.seen.rho[j] * dr
+
+
+def stand(z, j, geometry, constants):
+    """Sound speed and stress of a zone at n+1; the square of its signal rate, 1/s2."""
+    c2 = z.c2[j] + (4.0 / 3.0) * z.shear[j] * z.v[j]
+    inverse_width = mean_area(z.r[j], z.r[j + 1], geometry) * z.inverse_mass[j] * z.seen.rho[j]     # without a division
+    z.inverse_width[j] = inverse_width
+    z.seen.c[j] = wave_speed(c2, constants.noise)
+    keep_stress(z, j, z.q[j], geometry)
+    return signal_squared(fmax(c2, constants.front * constants.front), z.printed[j], z.speed[j]) * (inverse_width * inverse_width)
 
 
 @zone_pass(StressRows)
 def end_stress(count, z, dt, numbers, law):
-    """Sound speed and stress at n+1; the largest signal rate, 1/s."""
+    """Sound speed and stress at n+1, to which something will be added; the largest signal rate, 1/s."""
     rows_apart()
     geometry, constants, fastest = kind_of(law), named(Constants, numbers), 0.0
     for j in range(count):
-        q, c2 = z.new_q[j], z.c2[j] + (4.0 / 3.0) * z.shear[j] * z.v[j]
-        b2 = 8.0 * (z.weak_speed[j] + fmax(z.squeeze[j], -z.squeeze[j]))
-        inverse_width = mean_area(z.r[j], z.r[j + 1], geometry) * z.inverse_mass[j] * z.rho[j]     # without a division
-        signal = signal_squared(fmax(c2, constants.front * constants.front), b2, z.speed[j])
-        fastest = fmax(fastest, signal * (inverse_width * inverse_width))
-        z.inverse_width[j] = inverse_width
-        z.c[j] = wave_speed(c2, constants.noise)
-        keep_stress(z, j, q, geometry)
-    z.found[FOUND_RATE] = fmax(z.found[FOUND_RATE], vsqrt(fastest))
+        fastest = fmax(fastest, stand(z, j, geometry, constants))
+    z.seen.found[FOUND_RATE] = fmax(z.seen.found[FOUND_RATE], vsqrt(fastest))
+
+
+@zone_pass(StressRows, finite=False)
+def end_stress_seen(count, z, dt, numbers, law):
+    """The same where nothing will, looked over at once (`zones.soundness.look_over`)."""
+    rows_apart()
+    geometry, constants, fastest = kind_of(law), named(Constants, numbers), 0.0
+    bad = new = 0
+    for j in range(count):
+        fastest = fmax(fastest, stand(z, j, geometry, constants))
+        bad += unsound(z.seen, j)
+        new += new_peaks(z.seen, j)
+    z.seen.found[FOUND_RATE] = fmax(z.seen.found[FOUND_RATE], vsqrt(fastest))
+    keep_peaks(count, z.seen, bad, new)
 
 
 @zone_pass(AtOnceRows)
 def end_stress_at_once(count, z, dt, numbers, law):
     """The same of the KB codes' step: its viscous pressure is that of n+1. `law` is a `zones.viscosity.Resisting`."""
     rows_apart()
-    resisting, constants, fastest = law_of(law, numbers), named(Constants, z.constants), z.found[FOUND_RATE]
+    resisting, constants, fastest = law_of(law, numbers), named(Constants, z.constants), z.seen.found[FOUND_RATE]
     for j in range(count):
-        v, squeeze = z.v[j], z.squeeze[j]
-        speed = resisting_speed(v, z.c[j], z.p[j], squeeze, 0.0, resisting.law)
-        q, c2 = -z.rho[j] * squeeze * speed, z.c2[j] + (4.0 / 3.0) * z.shear[j] * v
+        v, squeeze = z.v[j], resisted(z.u[j + 1] - z.u[j], z.dv[j], resisting.law)
+        speed = resisting_speed(v, z.seen.c[j], z.seen.p[j], squeeze, 0.0, resisting.law)
+        q, c2 = -z.seen.rho[j] * squeeze * speed, z.c2[j] + (4.0 / 3.0) * z.shear[j] * v
         c, inverse_width = wave_speed(c2, constants.noise), 1.0 / (z.r[j + 1] - z.r[j])
         fastest = fmax(fastest, (c + 4.0 * speed) * inverse_width)
         z.inverse_width[j] = inverse_width
-        z.c[j] = c
-        z.viscous_work[j] -= z.q[j] * z.dv[j]
+        z.seen.c[j] = c
+        z.q[j] = q
         keep_stress(z, j, q, resisting.geometry)
-    z.found[FOUND_RATE] = fastest
+    z.seen.found[FOUND_RATE] = fastest
 
 
 @zone_pass(LookRows)
@@ -183,14 +200,6 @@ def look_around(count, z, dt, numbers, law):
         left = own if z.node_mass[j] == 0.5 * z.mass[j] else (z.u[j] - z.u[j - 1]) / (z.r[j] - z.r[j - 1])
         right = own if z.node_mass[j + 1] == 0.5 * z.mass[j] else (z.u[j + 2] - z.u[j + 1]) / (z.r[j + 2] - z.r[j + 1])
         z.smooth[j] = smoothness(left, own, right)
-
-
-@zone_pass(DampRows)
-def damp(count, z, dt, numbers, law):
-    """A row of the viscosity as far as the velocity field is not smooth."""
-    rows_apart()
-    for j in range(count):
-        z.row[j] *= 1.0 - z.smooth[j]
 
 
 @zone_pass(ReliefRows)
@@ -229,4 +238,5 @@ def newton_step(count, z, dt, numbers, law):
         z.e_p[j] += rest
 
 
-bind(keep_stress)
+bind(keep_stress, **NAN_LAW)
+bind(stand, **NAN_LAW)

@@ -9,13 +9,11 @@ from typing import Any, NamedTuple
 
 import numba as nb
 import numpy as np
-from numba.extending import overload
 
 from hugoniot.core.compile_ahead import Job
 from hugoniot.core.pass_lists import FIXED, Operation, Place, Written, carry_out, jobs, place, places, write
-from hugoniot.core.passes import Entry, call_entry
-from hugoniot.core.target import GUARD, INLINE
-from hugoniot.core.team import DISMISSED, Alone, await_call, begin, gather_team, sign
+from hugoniot.core.passes import Entry
+from hugoniot.core.target import GUARD
 from hugoniot.solvers.lagrange1d import compatible, leapfrog, nodes, sources
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import ChargeRows, NodeRows, WorkRows, ZoneRows
@@ -97,10 +95,11 @@ class Planner:
         self.threads, self.laws, self.geometry, self.staggered, self.terms = threads, laws, geometry, staggered, terms
         self.dts, self.seen = np.zeros(3), np.zeros((threads, FOUND_FLOATS))
         zones, charge, node_table, gradient, scratch = tables
-        self._at = [LineRows(places(ZoneRows, zones, AT_ZONES), places(ChargeRows, charge, AT_ZONES),
-                             places(WorkRows, scratch, FIXED, member * L.PIECE), places(NodeRows, node_table, AT_NODES),
-                             place(gradient, AT_GRADIENTS), place(self.seen[member]), place(self.dts[DT:]), place(self.dts[DT_HALF:]))
-                    for member in range(threads)]
+        z, b, h = places(ZoneRows, zones, AT_ZONES), places(ChargeRows, charge, AT_ZONES), places(NodeRows, node_table, AT_NODES)
+        in_place = dict(v=z.v, t1=z.s1, t2=z.s2) if staggered else {}
+        scratches = [places(WorkRows, scratch, FIXED, member * L.PIECE)._replace(**in_place) for member in range(threads)]
+        self._at = [LineRows(z, b, w, h, place(gradient, AT_GRADIENTS), place(seen), place(self.dts[DT:]), place(self.dts[DT_HALF:]))
+                    for w, seen in zip(scratches, self.seen)]
         self._heat_flux = heat_flux
         self.written, self._ends, self._share_out = EMPTY.written, {}, 0
         self._lists = dict(self._of_materials()) | dict(self._of_nodes()) | dict(self._of_heat())
@@ -189,37 +188,6 @@ def do_share(plan, command, member):
 
 
 DO_SHARE = Entry(do_share)
-
-
-def everyone(plan, command, team):
-    """One command over all shares, by everyone if there is a team."""
-    raise NotImplementedError("compiled only")
-
-
-@overload(everyone, jit_options=INLINE)
-def _(plan, command, team):
-    def alone(plan, command, team):
-        call_entry(plan.share_out, plan, command, 0)
-
-    def together(plan, command, team):
-        for member in range(begin(team.board, command, team.threads)):
-            call_entry(plan.share_out, plan, command, member)
-        gather_team(team.board, team.threads)
-
-    return alone if team.instance_class is Alone else together
-
-
-@nb.njit(**GUARD)
-def serve(member, phase, plan, team):
-    """What every other thread of a team does during a march: the leader's commands on its own share, until dismissed."""
-    while True:
-        phase = await_call(team.board, phase, member)
-        command = team.board[1]
-        if command != DISMISSED:
-            call_entry(plan.share_out, plan, command, member)
-        sign(team.board, member, phase)
-        if command == DISMISSED:
-            return
 
 
 @nb.njit(**GUARD)

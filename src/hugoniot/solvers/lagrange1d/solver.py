@@ -7,6 +7,7 @@ starts stands in `start`, what happens between steps in `between_steps`, what we
 import numpy as np
 
 from hugoniot.core.compile_ahead import compile_all, job_of
+from hugoniot.core.shares import serve
 from hugoniot.core.team import at_work, team_of
 from hugoniot.mesh.line import GEOMETRY
 from hugoniot.problem.defaults import with_defaults
@@ -18,7 +19,7 @@ from hugoniot.solvers.lagrange1d.at_nodes import node_criteria
 from hugoniot.solvers.lagrange1d.between_steps import events_of
 from hugoniot.solvers.lagrange1d.bodies import alike_ranges, interface_table, left_nodes, run_table, set_node_masses, shares_of
 from hugoniot.solvers.lagrange1d.layout import B, H, WorkRows, Z
-from hugoniot.solvers.lagrange1d.plan import EMPTY, Planner, serve
+from hugoniot.solvers.lagrange1d.plan import EMPTY, Planner
 from hugoniot.solvers.lagrange1d.post_mortem import unphysical
 from hugoniot.solvers.lagrange1d.probes import probe_tables
 from hugoniot.solvers.lagrange1d.step import SCHEMES, WATCH, Arrays, Gauges, march

@@ -21,6 +21,7 @@ from numba.extending import overload
 
 from hugoniot.core.binder import bind_choice
 from hugoniot.core.passes import Entry, call_entry
+from hugoniot.core.shares import everyone
 from hugoniot.core.target import GUARD, INLINE
 from hugoniot.mesh import line
 from hugoniot.solvers.lagrange1d import layout as L
@@ -28,7 +29,7 @@ from hugoniot.solvers.lagrange1d.at_nodes import fail_at_nodes
 from hugoniot.solvers.lagrange1d.conduction import conduct
 from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.nodes import end_node, end_pull, leap_end
-from hugoniot.solvers.lagrange1d.plan import ACCELERATE, ADVANCE, CORRECT, DT, DT_HALF, DT_MEAN, FLOW, LEAP, MOVE, PREDICT, everyone, gather
+from hugoniot.solvers.lagrange1d.plan import ACCELERATE, ADVANCE, CORRECT, DT, DT_HALF, DT_MEAN, FLOW, LEAP, MOVE, PREDICT, gather
 from hugoniot.solvers.lagrange1d.ring import mix_seam, ring_ghosts, seam_flux
 from hugoniot.solvers.lagrange1d.sources import book_force, book_supply, heated_step, measure_force
 from hugoniot.solvers.lagrange1d.terms import NoTerms

@@ -4,11 +4,11 @@ Wilkins B.2 items 5 and 6. In planar and spherical flow the two hoop directions 
 (Herrmann A.18, with the corrected result sgn 2Y/3); cylindrical flow needs the full second invariant.
 """
 
-from typing import Any, NamedTuple
+from collections import namedtuple
 
 from hugoniot.core.binder import bind, bind_family
 from hugoniot.core.ops import fmax, fmin, late_over, vsqrt
-from hugoniot.core.passes import law_of, rows_apart, zone_pass
+from hugoniot.core.passes import law_of, rows_apart, with_groups, zone_pass
 from hugoniot.mesh.line import GENERICS, GEOMETRY, area_per_radius, hoops
 from hugoniot.zones.strength import Solid, modulus, needs_rate, yielding
 
@@ -17,20 +17,8 @@ bind_family(GEOMETRY, GENERICS)     # geometry in kernels: every list of the sol
 NO_STRESS = 1e-30     # Pa2, beside which no stress squared counts
 
 
-class StrengthRows(NamedTuple):
-    """State; s1, s2 at the start; radial and hoop strains and dilation of the step -> shear, t1, t2, limit, flow."""
-
-    solid: Solid
-    s1: Any
-    s2: Any
-    radial: Any
-    hoop: Any
-    dilation: Any
-    shear: Any
-    t1: Any
-    t2: Any
-    limit: Any
-    flow: Any
+# state; s1, s2 at the start; radial and hoop strains and dilation of the step -> shear, t1, t2, limit, flow
+StrengthRows = with_groups(namedtuple("StrengthRows", "solid s1 s2 radial hoop dilation shear t1 t2 limit flow"), solid=Solid)
 
 
 def trial_deviators(s1, s2, radial, hoop, dilation, shear):
@@ -72,27 +60,36 @@ def equivalent_rate(radial, hoop, dilation, dt):
     return vsqrt((2.0 / 3.0) * (e1 * e1 + e2 * e2 + e3 * e3)) / dt
 
 
+def strained(z, j, dt, strong):
+    """Elastic trial, yield and return of a zone: (deviators along the motion and around it, shear modulus, flow stress, plastic strain)."""
+    geometry, solid = strong.geometry, z.solid
+    radial, hoop, dilation, lam = z.radial[j], z.hoop[j], z.dilation[j], solid.lam[j]
+    rate = equivalent_rate(radial, hoop, dilation, dt) if needs_rate(strong.law) else 0.0
+    state = (solid.rho[j], solid.p[j], solid.temperature[j], rate)
+    shear = modulus(state, solid.c2[j], lam, strong)
+    t1, t2 = trial_deviators(z.s1[j], z.s2[j], radial, hoop, dilation, shear)
+    limit, flow = yielding(von_mises(t1, t2, geometry), shear, state, solid.plastic_strain[j], lam, strong)
+    t1, t2 = radial_return(t1, t2, limit, geometry)
+    return t1, t2, shear, limit, flow
+
+
 @zone_pass(StrengthRows)
 def strain_solid(count, z, dt, numbers, law):
-    """Elastic trial, flow stress, plastic strain and return of a step; `law` is a `zones.strength.Strong`."""
+    """Deviators, shear modulus, flow stress and plastic strain of a strain; `law` is a `zones.strength.Strong`."""
     rows_apart()
     strong = law_of(law, numbers)
-    geometry, solid = strong.geometry, z.solid
     for j in range(count):
-        radial, hoop, dilation, lam = z.radial[j], z.hoop[j], z.dilation[j], solid.lam[j]
-        rate = equivalent_rate(radial, hoop, dilation, dt) if needs_rate(strong.law) else 0.0
-        state = (solid.rho[j], solid.p[j], solid.temperature[j], rate)
-        shear = modulus(state, solid.c2[j], lam, strong)
-        t1, t2 = trial_deviators(z.s1[j], z.s2[j], radial, hoop, dilation, shear)
-        limit, flow = yielding(von_mises(t1, t2, geometry), shear, state, solid.plastic_strain[j], lam, strong)
-        z.t1[j], z.t2[j] = radial_return(t1, t2, limit, geometry)
-        z.shear[j] = shear
-        z.limit[j] = limit
-        z.flow[j] = flow
+        z.t1[j], z.t2[j], z.shear[j], z.limit[j], z.flow[j] = strained(z, j, dt, strong)
 
 
-for _function in (trial_deviators, von_mises, radial_return, equivalent_rate, hoop_force):
+for _function in (trial_deviators, von_mises, radial_return, equivalent_rate, hoop_force, strained):
     bind(_function)
+
+
+def strains(s, geometry):
+    """Rows of hoop strain and dilation; s: `zones.steps.MaterialSteps`."""
+    w = s.at.w
+    return (w.hoop, w.dilation) if hoops(geometry) > 0.0 else (w.zero, w.radial)   # one number in planar flow
 
 
 def deviators(s, geometry, solid, e, p, lam, step):
@@ -105,7 +102,6 @@ def deviators(s, geometry, solid, e, p, lam, step):
     z, w = s.at.z, s.at.w
     if not s.laws.is_strong:
         return w.zero, w.zero
-    hoop, dilation = (w.hoop, w.dilation) if hoops(geometry) > 0.0 else (w.zero, w.radial)   # one number in planar flow
-    s.do(strain_solid, StrengthRows(s.asked(solid, e, p, lam), z.s1, z.s2, w.radial, hoop, dilation, w.shear, w.t1, w.t2, w.limit, w.flow),
-         step, law=s.strong(geometry))
+    s.do(strain_solid, StrengthRows(s.asked(solid, e, p, lam), z.s1, z.s2, w.radial, *strains(s, geometry), w.shear, w.t1, w.t2, w.limit,
+                                    w.flow), step, law=s.strong(geometry))
     return w.t1, w.t2

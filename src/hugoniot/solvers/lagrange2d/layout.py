@@ -192,7 +192,6 @@ class Work(NamedTuple):
     limit: Any
     flow: Any
     rest: Any
-    grown: Any
     relief: Any
     shocked: Any             # 1 where a shock is passing
     lam: Any

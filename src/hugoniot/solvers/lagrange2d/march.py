@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 import numba as nb
 
 from hugoniot.core.passes import rows
+from hugoniot.core.shares import everyone
 from hugoniot.core.target import GUARD
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import special_nodes, transmitting
@@ -37,7 +38,6 @@ from hugoniot.solvers.lagrange2d.plan import (
     PREDICT,
     PUSH,
     TAKE_BACK,
-    everyone,
     gather,
     tangled,
 )

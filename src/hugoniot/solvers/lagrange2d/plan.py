@@ -10,13 +10,11 @@ from typing import Any, NamedTuple
 
 import numba as nb
 import numpy as np
-from numba.extending import overload
 
 from hugoniot.core.compile_ahead import Job
 from hugoniot.core.pass_lists import Operation, Place, Written, carry_out, jobs, place, places, write
 from hugoniot.core.passes import Entry, call_entry
-from hugoniot.core.target import GUARD, INLINE
-from hugoniot.core.team import DISMISSED, Alone, await_call, begin, gather_team, sign
+from hugoniot.core.target import GUARD
 from hugoniot.solvers.lagrange2d import heat_flux, node_step, smoothness, triangle_passes, triangle_step, zone_passes, zone_step
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.plane_rows import (
@@ -235,24 +233,6 @@ def do_share(plan, command, member):
 DO_SHARE = Entry(do_share)
 
 
-def everyone(plan, command, team):
-    """One command over the rows of the band, by everyone if there is a team."""
-    raise NotImplementedError("compiled only")
-
-
-@overload(everyone, jit_options=INLINE)
-def _(plan, command, team):
-    def alone(plan, command, team):
-        call_entry(plan.share_out, plan, command, 0)
-
-    def together(plan, command, team):
-        for member in range(begin(team.board, command, team.threads)):
-            call_entry(plan.share_out, plan, command, member)
-        gather_team(team.board, team.threads)
-
-    return alone if team.instance_class is Alone else together
-
-
 @nb.njit(**GUARD)
 def carry_out_alone(plan, commands):
     """Some commands over all rows, band by band, by the calling thread."""
@@ -263,19 +243,6 @@ def carry_out_alone(plan, commands):
             for member in range(plan.threads):
                 call_entry(plan.share_out, plan, command, member)
         last = plan.band[TO]
-
-
-@nb.njit(**GUARD)
-def serve(member, phase, plan, team):
-    """What every other thread of a team does during a march: the leader's commands on its own part, until dismissed."""
-    while True:
-        phase = await_call(team.board, phase, member)
-        command = team.board[1]
-        if command != DISMISSED:
-            call_entry(plan.share_out, plan, command, member)
-        sign(team.board, member, phase)
-        if command == DISMISSED:
-            return
 
 
 @nb.njit(**GUARD)

@@ -7,6 +7,7 @@ import numpy as np
 
 from hugoniot.core.compile_ahead import compile_all, job_of
 from hugoniot.core.ops import NO_LIMIT
+from hugoniot.core.shares import serve
 from hugoniot.core.team import at_work, team_of
 from hugoniot.problem.plane.contact import may_meet
 from hugoniot.problem.plane.model import Problem2D
@@ -26,7 +27,7 @@ from hugoniot.solvers.lagrange2d.contact.results import ContactResults, NothingM
 from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, contact_tables, with_rigid
 from hugoniot.solvers.lagrange2d.erosion import Erosion, NoErosion
 from hugoniot.solvers.lagrange2d.march import Options, Run, hold_at_start, march
-from hugoniot.solvers.lagrange2d.plan import EMPTY, GATHER, START, Planner, carry_out_alone, serve
+from hugoniot.solvers.lagrange2d.plan import EMPTY, GATHER, START, Planner, carry_out_alone
 from hugoniot.solvers.lagrange2d.rewind import Rewind
 from hugoniot.solvers.lagrange2d.rows_of_blocks import alike, cells, ghost_tables, gradient_rows, node_rows, zone_rows
 from hugoniot.solvers.lagrange2d.zone_shapes import diagonal_table, inverse_altitudes, widths

@@ -51,8 +51,7 @@ def pressure_in_middle(s):
         s.do(tensor.viscous_heat, tensor.HeatOf(w.v, at.q, at.d, w.heat), at.half)
         s.close_half(solid)
     else:
-        s.pressure(solid_v, w.e, s.p_half)
-        s.stiffness(solid, solid_v, w.e, s.p_half)
+        s.pressure(solid, solid_v, w.e, s.p_half)
     return solid
 
 
@@ -75,7 +74,7 @@ def pressure_at_end(s):
     if s.laws.burns:
         s.close_end(solid)
     else:
-        s.state(solid_v)
+        s.state(solid_v, s.at.z.e, s.at.z.p)
     return solid, solid_v
 
 
