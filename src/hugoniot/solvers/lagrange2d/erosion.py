@@ -13,6 +13,7 @@ from hugoniot.solvers.lagrange2d.assemble import N, Z, corner_shares, quad_corne
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.results import ContactResults, larger
 from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, contact_tables
+from hugoniot.solvers.lagrange2d.plan import GATHER, carry_out_alone
 from hugoniot.solvers.lagrange2d.rows_of_blocks import cells
 
 EVERY = 10      # cycles between two looks at the zones
@@ -81,7 +82,7 @@ class Erosion:
             for row in NOTHING:
                 z[row, zones] = 0.0
             self.take_out()
-            self.solver.take_over()
+            carry_out_alone(self.solver.plan, (GATHER,))
             control = self.solver.control
             if code in (L.TANGLED, L.STEP_COLLAPSED):      # the step had shrunk for a zone that is gone
                 control[L.RATE] = np.max(np.where(self.live, z[Z.c] + 2.0 * z[Z.viscous_speed], 0.0) * self.solver._inverse_altitudes())
