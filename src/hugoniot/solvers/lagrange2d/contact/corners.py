@@ -87,7 +87,7 @@ def over_edge(c, nodes, p, e, share, dt):
         return inward and on_it
     if inward:
         return on_it or (-BEYOND < share < 1.0 + BEYOND and in_front(c, nodes, p, other, 0.0) > -AT_CORNER)
-    return on_it and in_front(c, nodes, p, other, dt) <= EDGE_END
+    return on_it and in_front(c, nodes, p, other, dt) <= AT_CORNER
 
 
 @nb.njit(**BY_ADDRESS)
