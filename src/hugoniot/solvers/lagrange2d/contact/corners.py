@@ -87,7 +87,8 @@ def over_edge(c, nodes, p, e, share, dt):
         return inward and on_it
     if inward:
         return on_it or (-BEYOND < share < 1.0 + BEYOND and in_front(c, nodes, p, other, 0.0) > -AT_CORNER)
-    return on_it and in_front(c, nodes, p, other, dt) <= AT_CORNER
+    near = AT_CORNER if in_front(c, nodes, p, e, 0.0) > -AT_CORNER else EDGE_END      # corners that face each other hold
+    return on_it and in_front(c, nodes, p, other, dt) <= near
 
 
 @nb.njit(**BY_ADDRESS)
