@@ -78,7 +78,7 @@ def test_a_deck_asks_for_it_and_is_written_back():
 
 
 @pytest.mark.parametrize("old, new, key, words", [
-    ('kind = "wall"', 'kind = "free"', "boundary[1].separable", "no meaning on a boundary of kind free"),
+    ('kind = "wall"', 'kind = "free"', "boundary[1].separable", "does not apply to a boundary of kind free"),
     ("separable = true", "separable = true\nslip = false", "boundary[1].slip", "cannot hold nodes along itself"),
 ])
 def test_what_it_cannot_be_is_said(old, new, key, words):

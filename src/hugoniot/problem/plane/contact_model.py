@@ -77,6 +77,7 @@ def inertia_of(body: Rigid2D) -> float:
     """Moment of inertia of a body that turns, about its centre of mass, kg m2 per metre of depth: given, or that of an even polygon."""
     if body.inertia is not None:
         return body.inertia
+    assert body.mass is not None     # of a body that turns
     area, x, y, polar = polygon_moments(body.points)
     away = 0.0 if body.centre is None else (body.centre[0] - x) ** 2 + (body.centre[1] - y) ** 2
     return body.mass * (polar / area + away)

@@ -43,7 +43,7 @@ class Zones(NamedTuple):
     sxx: Any
     syy: Any
     sxy: Any
-    qxx: Any                 # mean viscous stress of the last step, or of a try that was repeated
+    qxx: Any                 # mean viscous stress of the last step; none before a step is repeated
     qyy: Any
     qxy: Any
     qhoop: Any

@@ -45,6 +45,7 @@ from hugoniot.solvers.lagrange2d.plane_rows import DT, DT_BACK, DT_HALF
 from hugoniot.solvers.lagrange2d.smoothness import fill_ghosts
 from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE, FOUND_RATE, FOUND_UNSOUND
 
+QXX, QHOOP = L.Zones._fields.index("qxx"), L.Zones._fields.index("qhoop")
 MOST_TRIES = 12      # of a step, each with half the one before
 
 
@@ -197,6 +198,13 @@ def try_step(run, plan, options, control, first, team):
 
 
 @nb.njit(**GUARD)
+def forget_try(zones):
+    """No viscous stress for the prediction of the next try: what stands there is that of a try that went wrong, maybe not a number."""
+    for row in range(QXX, QHOOP + 1):
+        zones[row] = 0.0
+
+
+@nb.njit(**GUARD)
 def take_step(run, plan, options, control, counters, team):
     """Steps 1 to 6; the code of `layout` that says how it went."""
     if not touch(run.contact, run, options, control[L.TIME], control[L.GROWTH] * control[L.DT_NATURAL], contact_step.READY):
@@ -217,6 +225,7 @@ def take_step(run, plan, options, control, counters, team):
             return L.LED_ON
         tries += 1
         counters[L.REPEATED] += 1
+        forget_try(run.zones)
         dt *= 0.5
         set_step(plan, dt)
         control[L.DT_NATURAL] = dt
