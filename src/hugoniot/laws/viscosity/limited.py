@@ -9,10 +9,9 @@ shocks and serves nothing. $c_1 = 0.3$ instead of 1 keeps the weak shocks of gas
 material nothing but q damps the ringing of strong shocks, which a free surface would show as an overshoot: with strength the weight grows
 from $c_1$ = `linear` in the jumps of a precursor to $c_c$ = `linear_condensed` in those of a plastic shock,
 
-$$c_1^2 + (c_c^2 - c_1^2)\,\frac{\Delta u^2}{\Delta u^2 + (0.0075\,c)^2} \quad\text{in place of}\quad c_1^2,$$
+$$c_1^2 + (c_c^2 - c_1^2)\,\frac{\Delta u^4}{\Delta u^4 + (0.014\,c)^4} \quad\text{in place of}\quad c_1^2,$$
 
-times $\sqrt{c_b/c}$ at rest for $c_c$, with $c_b$ the bulk sound speed and $c$ the longitudinal one; without strength it is $c_c$
-throughout. A deck that gives `linear` alone gives both.
+and without strength it is $c_c$ throughout. A deck that gives `linear` alone gives both.
 psi is the smoothness of the velocity field supplied by the solver: 1 where velocity is linear, 0 at a shock or an extremum.
 
 Source: Kuropatenko (1967); Caramana, Shashkov & Whalen, J. Comput. Phys. 144 (1998) 70, equations 10 to 14.
@@ -23,7 +22,7 @@ from typing import NamedTuple
 from hugoniot.core.ops import vsqrt
 from hugoniot.laws.viscosity.contract import VISCOSITY
 
-PRECURSOR = 0.0075     # |du| / c of a zone: a precursor has less, a plastic shock more
+PRECURSOR = 0.014     # |du| / c of a zone: a precursor has less, a plastic shock more
 SMALL = 1e-30
 
 
@@ -37,7 +36,8 @@ def viscous_speed(v, c, p, du, psi, par):
     strong = par.quadratic * du
     weak = par.linear * c
     more = par.linear_condensed * par.linear_condensed - par.linear * par.linear
-    share = du * du / (du * du + PRECURSOR * PRECURSOR * c * c + SMALL)
+    jump, precursor = du * du, PRECURSOR * PRECURSOR * c * c
+    share = jump * jump / (jump * jump + precursor * precursor + SMALL)
     return (1.0 - psi) * (vsqrt(strong * strong + weak * weak + more * share * c * c) - strong)
 
 

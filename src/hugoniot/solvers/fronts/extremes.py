@@ -56,11 +56,16 @@ class Extremes:
             update(self.found, zones, piece.state.sigma, piece.state.pressure, piece.state.rho)
 
     def until(self, pieces: list[Piece], fronts, time: float) -> np.ndarray:
-        """(4, nzone) with the pieces of now; fans are left to whoever reads the zones now."""
-        self.note(pieces, fronts, time)
-        for one in list(self.reach.values()):
-            self._close(*one)
-        return self.found.copy()
+        """(4, nzone) with the pieces of now; fans are left to whoever reads the zones now.
+
+        What is kept stays as it is: a run that is looked at goes on to the bits of one that is not.
+        """
+        now = Extremes(self.region_of, self.middles)
+        now.found, now.reach = self.found.copy(), dict(self.reach)
+        now.note(pieces, fronts, time)
+        for one in now.reach.values():
+            now._close(*one)
+        return now.found
 
 
 def _shares(pieces: list[Piece], fronts, time: float):

@@ -35,6 +35,7 @@ def errors(solver) -> dict[str, float]:
     internal = float(np.sum(zones[Z.mass] * np.abs(zones[Z.e])))
     scale = max(abs(solver.start_energy), abs(work), float(kinetic_energy(nodes)) + internal, 1e-300)
     impulse = control[L.IMPULSE_LEFT] + control[L.IMPULSE_RIGHT] + control[L.RADIAL_IMPULSE] + control[L.FORCE_IMPULSE]
+    impulse += control[L.LOST_IMPULSE]
     kept = not solver.staggered or solver.problem.dimension == 1     # else accelerations are no forces over the nodes' masses
     size = float(np.sum(nodes[H.mass] * np.abs(nodes[H.u])))
     size = max(size, abs(solver.start_momentum), abs(control[L.IMPULSE_LEFT]), abs(control[L.IMPULSE_RIGHT]), abs(control[L.FORCE_IMPULSE]),

@@ -45,22 +45,14 @@ def viscosity_of(problem: Problem):
 
 
 def viscosity_in(material, viscosity):
-    """The viscosity as a material has it: condensed ones have a linear coefficient of their own, in weak jumps only without strength.
-
-    The sound speed of a zone with strength is the longitudinal one. A plastic shock runs near the bulk speed, and its release from a
-    surface at the longitudinal one: in strong jumps the coefficient is that of their geometric mean.
-    """
+    """The viscosity as a material has it: condensed ones have a linear coefficient of their own, in weak jumps only without strength."""
     if "linear_condensed" not in viscosity._fields:
         return viscosity
     if not is_condensed(material.eos):
         return viscosity._replace(linear_condensed=viscosity.linear)
     if material.strength is None or "fluid" in STRENGTH.of(material.strength).flags:
         return viscosity._replace(linear=viscosity.linear_condensed)
-    rho, e = reference_state(material.eos)
-    bulk = sound_speed_squared(rho, e, material.eos)
-    shear = shear_modulus(rho, pressure(rho, e, material.eos), 298.15, rho * bulk, material.strength)
-    mean = float(bulk / (bulk + 4.0 / 3.0 * shear / rho)) ** 0.25
-    return viscosity._replace(linear_condensed=max(viscosity.linear, mean * viscosity.linear_condensed))
+    return viscosity
 
 
 def is_condensed(eos) -> bool:

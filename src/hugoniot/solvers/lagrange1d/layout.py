@@ -130,7 +130,7 @@ RUN_FIRST, RUN_LAST, RUN_SEGMENT, RUN_MATERIAL = range(4)
 # -- control vector (floats) --------------------------------------------------------------------------------------
 (TIME, DT, DT_OLD, DT_NATURAL, EVENT_TIME, RATE, WORK_LEFT, WORK_RIGHT, IMPULSE_LEFT, IMPULSE_RIGHT, RADIAL_IMPULSE, COURANT,
  GROWTH, DT_LARGEST, DT_SMALLEST, WORST_FAILURE, NEXT_GAUGE, GAUGE_INTERVAL, HEAT_FLUX, FORCE_WORK, FORCE_IMPULSE, SUPPLIED,
- LAST_NODE, UNTIL, END_LEFT) = range(25)
+ LAST_NODE, UNTIL, LOST_IMPULSE, END_LEFT) = range(26)
 # what a transmitting end knows (`transmitting`), from END_LEFT and from END_RIGHT on: the stress outside and that at t = 0 (Pa), impedance
 # (kg/m2/s), transit times of its zone in the last step, zones of the end's material (at most REACH), lead and excess (Pa), a memory
 (OUTSIDE, AMBIENT, IMPEDANCE, PASSED, ZONES, LEAD, EXCESS, MEMORY) = range(8)

@@ -22,7 +22,7 @@ from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.assemble import history
 from hugoniot.solvers.lagrange1d.field import AMOUNT, field_at
 from hugoniot.solvers.lagrange1d.layout import H, Z
-from hugoniot.solvers.lagrange1d.nodes import pulse_value
+from hugoniot.solvers.lagrange1d.nodes import add_impulse, pulse_value
 
 NO_FORCE = -1.0    # code of the shape of no pulse
 STIFFEST = 6.0     # c^2 over the energy of what has been heated: Gamma (Gamma + 1) of Gamma = 2, above any gas
@@ -222,7 +222,7 @@ def book_force(nodes, control, dts, staggered, force):
         work += dt * push * u
         impulse += dt_kick * push
     control[L.FORCE_WORK] += work
-    control[L.FORCE_IMPULSE] += impulse
+    add_impulse(control, L.FORCE_IMPULSE, impulse)
 
 
 @nb.njit(**GUARD)

@@ -28,7 +28,7 @@ from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.at_nodes import fail_at_nodes
 from hugoniot.solvers.lagrange1d.conduction import conduct
 from hugoniot.solvers.lagrange1d.layout import H, Z
-from hugoniot.solvers.lagrange1d.nodes import end_node, end_pull, leap_end
+from hugoniot.solvers.lagrange1d.nodes import add_impulse, end_node, end_pull, leap_end
 from hugoniot.solvers.lagrange1d.plan import ACCELERATE, ADVANCE, CORRECT, DT, DT_HALF, DT_MEAN, FLOW, LEAP, MOVE, PREDICT, gather
 from hugoniot.solvers.lagrange1d.ring import mix_seam, ring_ghosts, seam_flux
 from hugoniot.solvers.lagrange1d.sources import book_force, book_supply, heated_step, measure_force
@@ -273,7 +273,7 @@ def march(cycles, a, plan, scheme, geometry, boundaries, team, gauges, terms):
         counters[L.CYCLE] += 1
         counters[L.ZONE_STEPS] += zone_count
         control[L.RATE], control[L.WORST_FAILURE] = totals[FOUND_RATE], totals[FOUND_FAILURE]
-        control[L.RADIAL_IMPULSE] += dt * totals[FOUND_IMPULSE]
+        add_impulse(control, L.RADIAL_IMPULSE, dt * totals[FOUND_IMPULSE])
         counters[L.CAP_COUNT] += int(totals[FOUND_CAPPED])
         call_entry(a.watching, a, geometry, totals)
         if recording and (control[L.TIME] >= control[L.NEXT_GAUGE] or at_event):
