@@ -20,8 +20,9 @@ from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.jwl_isentrope import JWLIsentrope
 from hugoniot.theory import jump
-from hugoniot.theory.hugoniot import Initial, _interval, shock
+from hugoniot.theory.hugoniot import shock
 from hugoniot.theory.states import States, law_of
+from hugoniot.theory.upstream import Initial, interval
 
 NO_CHARGE = 1e-3     # of the stiffness: less pressure at constant volume is round-off of an energy at rest
 
@@ -71,7 +72,7 @@ def cj(material, initial: Initial | None = None) -> Detonation:
     """
     par = law_of(material)
     ahead = initial or explosive(par)
-    v0, least, most = _interval(par, ahead)
+    v0, least, most = interval(par, ahead)
     _refuse_unreacted(par, ahead)
     with np.errstate(all="ignore"):
         x = _tangency(par, ahead, v0, max(least, 1e-4 * v0), most)
@@ -117,7 +118,7 @@ def overdriven(material, initial: Initial | None = None, *, branch: str = "stron
         raise OutOfRange(f"a front of {speed.min():.6g} m/s is slower than the Chapman-Jouguet velocity "
                          f"{point.detonation_velocity:.6g} m/s: no steady detonation")
     x_cj = 1.0 / ahead.density - 1.0 / point.state.density
-    v0, least, most = _interval(par, ahead)
+    v0, least, most = interval(par, ahead)
     found = []
     for target in np.atleast_1d(speed).ravel() * ahead.density:
         if target <= point.detonation_velocity * ahead.density * (1.0 + 1e-12):

@@ -5,7 +5,6 @@ states and compiled (`theory.kernels`) for many, and every search that fails bec
 """
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,54 +12,12 @@ from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.theory import jump
-from hugoniot.theory.states import States, density_at, density_range, law_of
+from hugoniot.theory.states import States, law_of
+from hugoniot.theory.upstream import Initial, crushed, distended, fastest, interval, sound_speed_ahead
 
 COMPILE_ABOVE = 200  # states: below, plain Python answers before a compiler would be loaded
 _MODES = {"pressure": jump.BY_PRESSURE, "particle_velocity": jump.BY_PARTICLE_VELOCITY,
           "shock_velocity": jump.BY_SHOCK_VELOCITY, "density": jump.BY_DENSITY}
-
-
-@dataclass(frozen=True)
-class Initial:
-    """The state ahead of a shock.
-
-    density    kg/m3; below the density of the solid for distended material (its pores are empty, its energy is the solid's)
-    pressure, energy, velocity   Pa, J/kg, m/s
-    heat       energy released in the shock, J/kg (a detonation; 0: inert)
-    """
-
-    density: float
-    pressure: float
-    energy: float
-    velocity: float = 0.0
-    heat: float = 0.0
-
-    @classmethod
-    def at_rest(cls, material, density: float | None = None, heat: float = 0.0, velocity: float = 0.0) -> "Initial":
-        """The law's reference state; a `density` below the reference density makes it distended material.
-
-        The pressure is the law's at its reference state: zero for a solid, ambient for a gas. A gas has no pores: with a `density`
-        it has the reference energy, and the pressure of that state. Raises `OutOfRange` for a solid denser than at rest.
-        """
-        par = law_of(material)
-        rho0, e0 = (float(v) for v in contract.reference_state(par))
-        p0 = float(contract.pressure(rho0, e0, par))
-        if abs(p0) < 1e-12 * rho0 * abs(contract.sound_speed_squared(rho0, e0, par)):
-            p0 = 0.0
-        if density is not None and not density > 0.0:
-            raise OutOfRange(f"an initial density of {density:.6g} kg/m3 is not a valid state: give a positive density")
-        if density is not None and p0 > 0.0 and "gas" in EOS.of(par).flags:
-            p0 = float(contract.pressure(float(density), e0, par))
-        elif density is not None and density > rho0 * (1.0 + 1e-12):
-            raise OutOfRange(f"an initial density of {density:.6g} kg/m3 exceeds the {rho0:.6g} kg/m3 at rest, and pores only make it "
-                             "lower: start from a first shock, or give the law another rest density")
-        return cls(rho0 if density is None else float(density), p0, e0, velocity, heat)
-
-    @classmethod
-    def of(cls, states: States, index=None) -> "Initial":
-        """A computed state as the upstream state of a following shock."""
-        s = states if index is None else states[index]
-        return cls(float(s.density), float(s.pressure), float(s.specific_internal_energy), float(s.particle_velocity))
 
 
 def shock(material, initial: Initial | None = None, *, direction: int = 1, guess: float | None = None, **given) -> States:
@@ -88,7 +45,7 @@ def shock(material, initial: Initial | None = None, *, direction: int = 1, guess
     _check_fit(par, ahead, up)
     still = (p == ahead.pressure) | (x <= 0.0)
     if still.any() and not distended(par, ahead):
-        us = np.where(still, _sound_speed_ahead(par, ahead), us)
+        us = np.where(still, sound_speed_ahead(par, ahead), us)
     fields = (1.0 / (1.0 / ahead.density - x), p, e, ahead.velocity + direction * up, ahead.velocity + direction * us)
     return States(par, *(f.reshape(shape) if shape else float(f[0]) for f in fields))
 
@@ -129,7 +86,7 @@ def limit(material, initial: Initial | None = None) -> States:
     """
     par = law_of(material)
     ahead = initial or Initial.at_rest(par)
-    v0, least, most = _interval(par, ahead)
+    v0, least, most = interval(par, ahead)
 
     def reached(x):
         status, p = jump.pressure_at(x, 1.0 / (v0 - x), ahead.pressure, ahead.energy + ahead.heat, ahead.pressure, par)
@@ -147,8 +104,8 @@ def limit(material, initial: Initial | None = None) -> States:
         _, p = reached(low)
         _, before = reached(low - 1e-4 * (low - least))
     finite = math.isfinite(p) and p < 1.05 * before + 1e-3 and not _upright(low, v0, ahead, before, par)
-    if not finite and math.isfinite(fastest := _fastest(par, ahead)):
-        finite, p = True, ahead.pressure + fastest * fastest / low
+    if not finite and math.isfinite(end := fastest(par, ahead)):
+        finite, p = True, ahead.pressure + end * end / low
     up = math.sqrt(max(p - ahead.pressure, 0.0) * low) if finite else math.inf
     speed = math.sqrt(max(p - ahead.pressure, 0.0) / low) / ahead.density if finite else math.inf
     gap = v0 - low
@@ -207,17 +164,11 @@ def _one(given: dict):
     return next(iter(given.items()))
 
 
-def _fastest(par, ahead: Initial) -> float:
-    """The particle velocity, m/s, at which the fit of the principal Hugoniot ends (J-E16); inf from other states."""
-    rho0, e0 = contract.reference_state(par)
-    return contract.particle_velocity_limit(par) if ahead.heat == 0.0 and (ahead.density, ahead.energy) == (rho0, e0) else math.inf
-
-
 def _check_fit(par, ahead: Initial, up) -> None:
-    fastest = _fastest(par, ahead)
-    if np.max(up) > fastest * (1.0 + 1e-9):
+    end = fastest(par, ahead)
+    if np.max(up) > end * (1.0 + 1e-9):
         raise OutOfRange(f"particle velocity {np.max(up):.6g} m/s is beyond the fit of law '{EOS.of(par).name}': the Hugoniot ends at "
-                         f"particle velocity {fastest:.6g} m/s, where the fitted shock velocity stops rising or falls to it")
+                         f"particle velocity {end:.6g} m/s, where the fitted shock velocity stops rising or falls to it")
 
 
 def _targets(name, value, ahead: Initial, direction: int):
@@ -240,28 +191,10 @@ def _targets(name, value, ahead: Initial, direction: int):
     return mode, values * ahead.density if mode == jump.BY_SHOCK_VELOCITY else values
 
 
-def _interval(par, ahead: Initial):
-    """(v0, least, most): the specific volume ahead and the range of v0 - v that compression and the law allow."""
-    v0 = 1.0 / ahead.density
-    low, high = density_range(par)
-    if ahead.density >= high:
-        raise OutOfRange(f"the initial density {ahead.density:.6g} kg/m3 is beyond the law's highest, {high:.6g} kg/m3")
-    # the search never steps on the law's own pole, nor on infinite density
-    return v0, max(0.0, v0 - 1.0 / low), min((v0 - 1.0 / high) * (1.0 - 1e-12), v0 * (1.0 - 1e-9))
-
-
-def _sound_speed_ahead(par, ahead: Initial) -> float:
-    low, high = density_range(par)
-    square = contract.sound_speed_squared(ahead.density, ahead.energy, par) if low <= ahead.density <= high else math.nan
-    if not square > 0.0:
-        square = contract.sound_speed_squared(*contract.reference_state(par), par)
-    return math.sqrt(square) if square > 0.0 else 1.0
-
-
 def _solve(mode, targets, ahead: Initial, par, guess, name):
-    v0, least, most = _interval(par, ahead)
-    floor = _crushed(par, ahead, v0)
-    c0 = _sound_speed_ahead(par, ahead)
+    v0, least, most = interval(par, ahead)
+    floor = crushed(par, ahead, v0)
+    c0 = sound_speed_ahead(par, ahead)
     e0 = ahead.energy + ahead.heat
     x, p, e = np.zeros_like(targets), np.full_like(targets, ahead.pressure), np.full_like(targets, e0)
     still = _still(mode, targets, ahead) & (ahead.heat == 0.0 and floor == 0.0)
@@ -294,10 +227,10 @@ def _upright(x, v0, ahead: Initial, p, par) -> bool:
 
 def _reach(par, ahead: Initial) -> float:
     """The upstream sound speed, m/s, or 90 % of the particle velocity at which the Hugoniot ends if that is less."""
-    speed = _sound_speed_ahead(par, ahead)
-    v0, least, most = _interval(par, ahead)
+    speed = sound_speed_ahead(par, ahead)
+    v0, least, most = interval(par, ahead)
     target = speed / 0.9
-    guess = max(jump.first_guess(jump.BY_PARTICLE_VELOCITY, target, v0, ahead.pressure, speed), _crushed(par, ahead, v0))
+    guess = max(jump.first_guess(jump.BY_PARTICLE_VELOCITY, target, v0, ahead.pressure, speed), crushed(par, ahead, v0))
     with np.errstate(all="ignore"):
         try:
             status, *_ = jump.shocked(jump.BY_PARTICLE_VELOCITY, target, guess, least, most, v0, ahead.pressure,
@@ -313,28 +246,13 @@ def _still(mode, targets, ahead: Initial):
     return targets == rest
 
 
-def distended(par, ahead: Initial) -> bool:
-    """Whether the initial state is no state of the law: its pores are empty, its pressure and energy are the solid's."""
-    low, high = density_range(par)
-    if not low < ahead.density < high:
-        return True
-    rho0, e0 = contract.reference_state(par)
-    scale = abs(rho0 * contract.sound_speed_squared(rho0, e0, par)) + abs(ahead.pressure)
-    return ahead.heat == 0.0 and contract.pressure(ahead.density, ahead.energy, par) < ahead.pressure - 1e-6 * scale
-
-
-def _crushed(par, ahead: Initial, v0: float) -> float:
-    """v0 - v of distended material once its pores are closed, at the pressure and energy ahead: where its Hugoniot starts."""
-    return max(0.0, v0 - 1.0 / density_at(par, ahead.pressure, ahead.energy)) if distended(par, ahead) else 0.0
-
-
 def _refuse(status, mode, name, target, ahead: Initial, par):
     """Turn a status of the search into an error that states the limit."""
     law = EOS.of(par).name
     shown = target / ahead.density if mode == jump.BY_SHOCK_VELOCITY else target
     asked = f"{name.replace('_', ' ')} {shown:.6g} {({'density': 'kg/m3', 'pressure': 'Pa'}).get(name, 'm/s')}"
     if status == jump.NOT_COMPRESSIVE and mode == jump.BY_SHOCK_VELOCITY:
-        raise OutOfRange(f"{asked} is not above the sound speed {_sound_speed_ahead(par, ahead):.6g} m/s ahead of the shock (law '{law}'), "
+        raise OutOfRange(f"{asked} is not above the sound speed {sound_speed_ahead(par, ahead):.6g} m/s ahead of the shock (law '{law}'), "
                          "or below the Chapman-Jouguet velocity if heat is released")
     if mode == jump.BY_DENSITY and target > ahead.density and not distended(par, ahead):
         status = jump.BEYOND_LIMIT
