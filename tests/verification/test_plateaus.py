@@ -40,14 +40,14 @@ def test_the_plateaus_of_an_impact(tmp_path, material, speed):
 
 @pytest.mark.parametrize("speed", [1000.0, 2000.0])
 def test_strength_does_not_bring_the_overshoot_back(tmp_path, speed):
-    """Copper that yields at 0.12 GPa: the surface stays within one percent of its plateau, and that of the faster impact, whose shock
+    """Copper that yields at 0.12 GPa: the surface stays within 0.6 % of its plateau, and that of the faster impact, whose shock
     outruns the precursor, is the exact 2010.79 m/s of tracked fronts to a thousandth. With one small coefficient it jumped to 2173 m/s."""
     copper = Material("m", MieGruneisen(8930.0, 3940.0, 1.489, 2.02), PerfectlyPlastic(47.7e9, 0.12e9))
     regions = (Region("flyer", "m", -5e-3, 0.0, 100, velocity=speed), Region("target", "m", 0.0, 5e-3, 100))
     problem = Problem("impact", "planar", 1.5e-6, regions, {"m": copper}, gauges=(Gauge("surface", 5e-3),), output=OutputOptions(report=False))
     found = run(problem, tmp_path / "run").arrays("gauges")
     velocity = found["velocity"][:, 0]
-    assert velocity.max() < 1.01 * velocity[-1]
+    assert velocity.max() < 1.006 * velocity[-1]
     assert found["stress"][:, 0].min() > -1.35e9     # no spall of the last zones, to which the overshoot led at a strength of 1.35 GPa
     if speed == 2000.0:
         assert velocity[-1] == pytest.approx(2010.79, rel=1e-3)
