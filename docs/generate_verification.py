@@ -42,7 +42,8 @@ def beats(row: dict, key: str) -> bool | None:
 def section(found: dict, more: str = "") -> list[str]:
     """Heading and table of one problem; `more` follows its name."""
     problem = PROBLEMS[found["problem"]]
-    closed = f"Energy closed to {found['energy_error']:.0e}, momentum to {found['momentum_error']:.0e}."
+    momentum = found["momentum_error"]      # none in curved geometry, where walls and pressures take it up
+    closed = f"Energy closed to {found['energy_error']:.0e}" + (f", momentum to {momentum:.0e}." if momentum is not None else ".")
     lines = [f"### {problem.name}{more}", "", f"{problem.description}. {closed}", ""]
     bars = {"peer": "open codes", "goal": "goal"} if isinstance(problem, PlaneProblem) else {"ko": "KO", "g2": "G2", "goal": "goal"}
     lines += ["| measure | zones | value | " + " | ".join(bars.values()) + " | order |", "|---" * (len(bars) + 4) + "|"]

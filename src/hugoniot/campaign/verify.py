@@ -228,10 +228,13 @@ def _verify_own(problem: PlaneProblem | TrackedProblem, grids: tuple[int, ...], 
     return Verified(problem, judged, orders, time.perf_counter() - begun, energy, momentum)
 
 
+ROUND_OFF = 1e-9      # relative errors below this are of arithmetic and of the tolerance of searches, not of the grid
+
+
 def observed_order(judged: list[Judged], key: str) -> float | None:
-    """Least-squares slope of log(error) against log(1/zones); None for fewer than two grids or values that are no errors."""
+    """Least-squares slope of log(error) against log(1/zones); None for fewer than two grids, values that are not errors, and round-off."""
     rows = [(j.zones, j.value) for j in judged if j.measure == key and j.sense == "below" and j.value > 0.0]
-    if len(rows) < 2 or key.startswith(("peak", "energy_minimum")):
+    if len(rows) < 2 or min(value for _, value in rows) < ROUND_OFF or key.startswith(("peak", "energy_minimum")):
         return None
     n, error = np.array(rows, dtype=float).T
     return float(-np.polyfit(np.log(n), np.log(error), 1)[0])

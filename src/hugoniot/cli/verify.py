@@ -1,11 +1,12 @@
 """`hugoniot verify`: the standard problems against their exact answers and bars."""
 
-import json
+import math
 from dataclasses import asdict
 from typing import Annotated
 
 import typer
 
+from hugoniot.cli.show import echo_json
 from hugoniot.errors import DeckError
 
 INTEGRATORS = ("compatible", "wilkins")
@@ -60,7 +61,7 @@ def verify(
     if as_json:
         rows = [{"problem": r.problem.name, "orders": r.orders, "seconds": r.seconds, "energy_error": r.energy_error,
                  "momentum_error": r.momentum_error, "measures": [asdict(j) for j in r.judged]} for r in results]
-        typer.echo(json.dumps(rows, indent=2))
+        echo_json(rows)
     else:
         _total(results)
 
@@ -91,9 +92,10 @@ def _show(found) -> None:
     from rich.table import Table
 
     orders = ", ".join(f"{key} {slope:.2f}" for key, slope in found.orders.items())
+    orders = f"order: {orders}; " if orders else ""
+    momentum = "" if math.isnan(found.momentum_error) else f", momentum to {found.momentum_error:.1e}"
     table = Table(title=f"{found.problem.name}: {found.problem.description}", title_justify="left",
-                  caption=f"order: {orders or 'one grid'}; energy closed to {found.energy_error:.1e}, momentum to "
-                          f"{found.momentum_error:.1e}; {found.seconds:.1f} s", caption_justify="left")
+                  caption=f"{orders}energy closed to {found.energy_error:.1e}{momentum}; {found.seconds:.1f} s", caption_justify="left")
     peers = any(j.peer is not None for j in found.judged)
     for head in ("measure", "zones", "value", *(("open codes",) if peers else ("bar KO", "bar G2")), "goal"):
         table.add_column(head, justify="left" if head == "measure" else "right", no_wrap=head == "measure")
