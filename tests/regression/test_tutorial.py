@@ -44,6 +44,14 @@ def test_the_page_is_understood():
     assert sum(text.count("hugoniot ") for kind, text in blocks() if kind == "plain") >= 15
 
 
+def test_the_readme_shows_the_same_gauges():
+    def table(page):
+        lines = iter(page.read_text(encoding="utf-8").splitlines())
+        return [next(line for line in lines if line.startswith("    gauge  ")), *(next(lines) for _ in range(4))]
+
+    assert table(PAGE.parents[1] / "README.md") == table(PAGE)
+
+
 @pytest.mark.slow
 def test_the_first_hour(tmp_path):
     printed, shown = "", ""
