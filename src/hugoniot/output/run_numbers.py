@@ -9,7 +9,7 @@ from hugoniot.output.run import Run, largest_value
 from hugoniot.output.spall_reading import NOISE, SURFACE, spall_reading, surface_record
 from hugoniot.units import format_si
 
-START_UP = 8          # zones beside a face in which a captured shock that starts there is still forming, and overshoots
+START_UP = 12         # zones beside a face in which a captured shock that starts there is still forming, and overshoots
 ROUND_OFF = 1e-12     # of the largest value of a run: what is smaller is the round-off of a state at rest
 GAUGE_UNITS = {"arrival": "s", "second_arrival": "s", "peak_stress": "Pa", "plateau_stress": "Pa", "lowest_stress": "Pa",
                "peak_velocity": "m/s", "plateau_velocity": "m/s", "last_velocity": "m/s"}
