@@ -24,12 +24,13 @@ from hugoniot.laws.mixture.reference_state import CHOICES, FROZEN
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.materials.law_reader import read_law
-from hugoniot.materials.material import GRAINS_OVER_SERIES, PORES_REOPEN, Material, Source
+from hugoniot.materials.material import GRAINS_OVER_SERIES, NOT_AT_REST, PORES_REOPEN, Material, Source
 from hugoniot.materials.tables import families
 
 _FACTS = ("base", "sources", "valid_up_to", "warnings")
 _EXPLOSIVE = ("unreacted", "mixture", "detonation_energy", "reference_state")
 _TOLD = ("sources", "warnings")                # texts that results and reports repeat
+AT_REST = 1e-4                                 # of its bulk modulus, up to which an unreacted explosive counts as at rest
 
 
 def assembled(name: str, tables: Any, base: Material | None, collector: Collector, path: tuple) -> Material | None:
@@ -66,12 +67,23 @@ def assembled(name: str, tables: Any, base: Material | None, collector: Collecto
     _check_memory(built["eos"], built.get("burn") is not None, collector, path)
     if collector.findings > before:
         return None
-    if unreacted is not None and flagged(unreacted, "remembers"):
-        warnings = tuple(dict.fromkeys((*warnings, PORES_REOPEN)))
+    if unreacted is not None:
+        warnings = tuple(dict.fromkeys((*warnings, *doubts(unreacted))))
     if any(law is not None and flagged(law, "grains") and flagged(law, "truncated") for law in (built["eos"], unreacted)):
         warnings = tuple(dict.fromkeys((*warnings, GRAINS_OVER_SERIES)))
     return Material(name, built["eos"], built["strength"], built["fracture"], built.get("burn"), valid, sources, warnings, unreacted,
                     mixture, heat, reference)
+
+
+def doubts(unreacted: Any) -> list[str]:
+    """Warnings about the law of an unreacted explosive: pores that reopen, and a condensed one under pressure in its reference state."""
+    law, found = EOS.of(unreacted), [PORES_REOPEN] if flagged(unreacted, "remembers") else []
+    rho, e = reference_state(unreacted)
+    p = float(pressure(rho, e, unreacted))
+    condensed = "gas" not in law.flags or "reacted" in law.flags
+    if condensed and abs(p) > AT_REST * rho * sound_speed_squared(rho, e, unreacted):
+        found.append(NOT_AT_REST.format(p / 1e6))
+    return found
 
 
 def _check_memory(eos: Any, burns: bool, collector: Collector, path: tuple) -> None:
