@@ -1,10 +1,11 @@
 """Symmetric impact of plates: the plateau that a run reports is that of the jump conditions, and so is its peak."""
 
+import lagrange_builders as build
 import numpy as np
 import pytest
 
 from hugoniot import run
-from hugoniot.diagnostics.velocimetry import flat_top, plateau
+from hugoniot.diagnostics.velocimetry import flat_stretch, flat_top, plateau
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
@@ -88,3 +89,28 @@ def test_what_has_no_flat_top_has_no_level():
         assert np.isnan(flat_top(time, values))
     assert plateau(time, np.sin(3.0 * time)) == pytest.approx(1.0, rel=1e-4)
     assert np.isnan(flat_top([0.0, 1.0], [1.0, 1.0]))
+
+
+def test_the_plateaus_of_a_gauge_are_those_of_its_loading(tmp_path):
+    """The reference flyer: 2 mm into the target rides on the spalled layer in the end, for longer than the shock lasted. Both plateaus
+    are those behind the shock: 350 m/s by symmetry, and the jump conditions of elastic and plastic wave to 1 %."""
+    c, s, g, y, v = 5200.0, 1.5, 24.8e9, 0.3e9, 350.0
+    rows = {row["gauge"]: row for row in gauge_rows(run(build.flyer((100, 200)), tmp_path / "run"))}
+    inside, surface = rows["2 mm"], rows["surface"]
+    assert inside["plateau_velocity"] == pytest.approx(v, rel=1e-3) and abs(inside["last_velocity"] - v) > 10.0
+    longitudinal = np.sqrt(c**2 + 4.0 * g / (3.0 * 2700.0))
+    limit = 0.5 * y * (2700.0 * c**2 / g + 4.0 / 3.0)
+    precursor = limit / (2700.0 * longitudinal)
+    assert inside["plateau_stress"] == pytest.approx(limit + 2700.0 * (c + s * v) * (v - precursor), rel=1e-2)
+    assert surface["plateau_velocity"] == pytest.approx(2.0 * v, rel=2e-2)
+    assert all(np.isnan(surface[f"{name}_stress"]) for name in ("peak", "plateau", "lowest"))
+
+
+def test_the_first_flat_stretch_is_the_plateau():
+    """A top of 7 for a second, then of 7.1 for two: the first; one of 0.02 s, a spike, is none."""
+    time = np.linspace(0.0, 5.0, 5001)
+    values = np.select([time < 1.0, time < 2.0, time < 2.5], [0.0, 7.0, 3.0], 7.1)
+    assert flat_top(time, values) == pytest.approx(7.0, rel=1e-12)
+    assert time[flat_stretch(time, values)][[0, -1]] == pytest.approx([1.0, 2.0], abs=2e-3)
+    assert flat_top(time, np.where((time > 1.0) & (time < 1.98), 3.0, values)) == pytest.approx(7.1, rel=1e-12)
+    assert flat_stretch(time, np.zeros(5001)) == slice(0, 0)
