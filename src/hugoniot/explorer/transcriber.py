@@ -166,6 +166,8 @@ class _Function:
         return f"(({left}) {_BINARY[type(op)]} {right})"
 
     def compared(self, left: ast.expr, op: ast.cmpop, right: ast.expr) -> str:
+        if isinstance(op, (ast.In, ast.NotIn)) and isinstance(right, ast.Attribute) and right.attr == "functions":     # of a law
+            return f"{'' if isinstance(op, ast.In) else '!'}({self.value(left)} in {self.value(right.value)})"
         if isinstance(op, (ast.In, ast.NotIn)):
             return f"{'' if isinstance(op, ast.In) else '!'}{self.value(right)}.includes({self.value(left)})"
         return f"{self.value(left)} {_COMPARED[type(op)]} {self.value(right)}"

@@ -16,6 +16,7 @@ from hugoniot.materials.initial_state import initial_state
 from hugoniot.materials.material import Material
 from hugoniot.materials.read import from_library
 from hugoniot.mesh.line import graded_nodes
+from hugoniot.problem import windows
 from hugoniot.problem.gauges import is_interface
 from hugoniot.problem.model import Gauge, Interface, Profile, Region
 from hugoniot.problem.profiles import read_profile, values_at
@@ -254,7 +255,8 @@ def read_gauges(rows: Sequence, regions: tuple[Region, ...], collector: Collecto
             wrong = None if row.at in known else _wrong_place(row.at, regions)
             if wrong:
                 collector.add((*path, "at"), *wrong)
-        found.setdefault(row.name, Gauge(row.name, row.at))
+        factor = windows.factor_of(row, regions, collector, path)
+        found.setdefault(row.name, Gauge(row.name, row.at, row.window or "", factor))
     return tuple(found.values())
 
 

@@ -16,7 +16,7 @@ from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.materials import burning
 from hugoniot.materials.collect import Collector, printable
 from hugoniot.materials.material import Material
-from hugoniot.problem import checks, explosives, lagrangian
+from hugoniot.problem import checks, explosives, lagrangian, windows
 from hugoniot.problem.defaults import completed
 from hugoniot.problem.lagrangian import (
     BoundaryTables,
@@ -103,11 +103,11 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     lighting = tuple(Lighting(row.at, row.time) for row in model.lighting)
     problem = Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, options, output,
                       lighting)
-    for defect in explosives.defects(problem):
+    for defect in (*explosives.defects(problem), *windows.defects(problem)):
         collector.add(*defect)
     for path, message in defects(problem):
         collector.add(path, message)
-    return (None if collector.problems else completed(problem)), warnings
+    return (None if collector.problems else completed(problem)), warnings + windows.advice(problem)
 
 
 def with_defaults(options) -> dict:
