@@ -6,7 +6,8 @@ import lagrange_builders as build
 import numpy as np
 import pytest
 
-from hugoniot.problem.model import Boundary, Gauge, Pulse, SolverOptions
+from hugoniot.materials.material import Material
+from hugoniot.problem.model import Boundary, Gauge, Problem, Pulse, Region, SolverOptions
 from hugoniot.simulate import make_solver
 
 
@@ -50,3 +51,16 @@ def test_a_driven_end_has_the_pressure_applied_to_it_and_a_wall_that_of_its_zone
     assert gauges["driven"]["stress"] == pytest.approx(expected, abs=1e-12)
     assert np.ptp(gauges["driven"]["velocity"]) > 0.1
     assert np.all(gauges["wall"]["stress"] >= gauges["wall"]["pressure"]) and np.min(gauges["wall"]["pressure"]) > 0.05     # with its q
+
+
+@pytest.mark.parametrize("mode", ["algebraic", "cells"])
+def test_tracked_fronts_record_the_same(mode):
+    """A plate between a driven and a free end: the pressure of the drive, and nothing, behind shock and release."""
+    plate = Region("plate", "al", 0.0, 1e-3, 10)
+    places = ("free surface left", "free surface right", "plate:right", 1e-3)
+    problem = Problem("plate", "planar", 4e-7, (plate,), {"al": Material("al", build.EOS)}, build.constant("pressure", 5e9), build.FREE,
+                      gauges=tuple(Gauge(str(at), at) for at in places), solver=SolverOptions("fronts", options={"mode": mode}))
+    _, gauges, _ = recorded(problem, 4e-7)
+    assert gauges["free surface left"]["stress"][1:] == pytest.approx(5e9, rel=1e-9)
+    for name in ("free surface right", "plate:right", "0.001"):
+        assert not gauges[name]["stress"].any() and np.ptp(gauges[name]["velocity"]) > 500.0
