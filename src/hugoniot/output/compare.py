@@ -51,7 +51,7 @@ class Pair:
         n = self.norms
         shift = None if math.isnan(n.shift) else n.shift
         return {"gauge": self.a.gauge, "field": self.a.field, "unit": self.a.unit, "l1": n.l1, "l2": n.l2, "linf": n.linf, "scale": n.scale,
-                "l1_relative": n.relative[0], "l2_relative": n.relative[1], "linf_relative": n.relative[2], "arrival_shift": shift,
+                "l1_relative": n.relative[0], "l2_relative": n.relative[1], "linf_relative": n.relative[2], "time_shift": shift,
                 "from": n.start, "to": n.end}
 
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from hugoniot.diagnostics.arrival import arrivals
 from hugoniot.diagnostics.interface_gauges import sides
-from hugoniot.diagnostics.velocimetry import flat_top
+from hugoniot.diagnostics.velocimetry import flat_stretch, level_over
 from hugoniot.output.run import Run, largest_value
 from hugoniot.output.spall_reading import NOISE, SURFACE, spall_reading, surface_record
 from hugoniot.units import format_si
@@ -24,7 +24,9 @@ def gauge_rows(run: Run) -> list[dict]:
     end of stress and velocity.
 
     `second_arrival`, that of the plastic wave behind a precursor, stands in all rows if a gauge of the run has one, else in none. A peak
-    may be the short overshoot of a numerical shock; the plateau is the level of a flat top without it, NaN where there is none.
+    may be the short overshoot of a numerical shock; the plateaus are the levels of one flat top without it, behind the first wave: that of
+    the stress, and the velocity over the same time. At a free surface, which has no stress, it is that of the change of velocity. NaN where
+    the top is not flat, or the velocity changes over it; and for the stress of a surface that moves without any.
     """
     rows = []
     table = run.arrays("gauges") if run.gauge_names() else {}
@@ -39,17 +41,28 @@ def gauge_rows(run: Run) -> list[dict]:
         row: dict = {"gauge": name}
         peak = np.max(np.abs(velocity - velocity[0]))
         row["arrival"], row["second_arrival"] = arrivals(time, velocity) if peak > noise else (float("nan"), float("nan"))
-        if "stress" in table:
-            stress = without_round_off(table["stress"][:, k], largest["stress"])
-            row |= {"peak_stress": float(stress.max()), "plateau_stress": flat_top(time, stress), "lowest_stress": float(stress.min())}
-        highest = float(velocity[np.argmax(np.abs(velocity))])
-        way = float(np.copysign(1.0, highest))
-        row |= {"peak_velocity": highest, "plateau_velocity": way * flat_top(time, way * velocity), "last_velocity": float(velocity[-1])}
+        stress = without_round_off(table["stress"][:, k], largest["stress"]) if "stress" in table else None
+        row |= _levels(time, velocity, stress, row["arrival"], peak > noise)
         rows.append(row)
     if all(np.isnan(row["second_arrival"]) for row in rows):
         for row in rows:
             del row["second_arrival"]
     return rows
+
+
+def _levels(time, velocity, stress, arrival: float, moved: bool) -> dict[str, float]:
+    """Peak, plateau and end of a gauge's stress (None: not recorded) and velocity; `moved` is whether the velocity changed."""
+    first = int(np.searchsorted(time, arrival)) if np.isfinite(arrival) else 0
+    since, free = time[first:], stress is None or (moved and not stress.any())
+    top = flat_stretch(since, np.abs(velocity - velocity[0])[first:] if free else stress[first:])
+    nothing, found = float("nan"), {}
+    if stress is not None:
+        found = {"peak_stress": nothing if free else float(stress.max()),
+                 "plateau_stress": nothing if free else level_over(since, stress[first:], top),
+                 "lowest_stress": nothing if free else float(stress.min())}
+    largest = float(np.max(np.abs(velocity)))
+    return found | {"peak_velocity": float(velocity[np.argmax(np.abs(velocity))]),
+                    "plateau_velocity": level_over(since, velocity[first:], top, largest), "last_velocity": float(velocity[-1])}
 
 
 def without_round_off(values: np.ndarray, largest: float) -> np.ndarray:

@@ -203,8 +203,8 @@ def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]
     elif material.burn is not None:
         found += _burn_defects(material)
     if material.fracture is not None and FRACTURE.of(material.fracture).name != "none":
-        found.append((("fracture",), f"has a fracture law; {NAME} opens no new surfaces inside a body, whose place it does not know "
-                      "beforehand: leave the law out (nothing spalls then), or use lagrange1d"))
+        found.append((("fracture",), f"has a fracture law; {NAME} cannot open a new surface inside a body: "
+                      "leave the law out (nothing spalls then), or use lagrange1d"))
     if flagged(material.eos, "remembers"):
         found.append((("eos",), f"keeps its pores crushed: its release is not the isentrope that {NAME} follows; use lagrange1d"))
     if material.strength is not None and STRENGTH.of(material.strength).name not in ("none", "perfectly_plastic"):
@@ -227,8 +227,8 @@ def _burn_defects(material: Material) -> list[tuple[tuple, str]]:
                  "take 'programmed', whose front is tracked, or a rate law")]
     found: list[tuple[tuple, str]] = []
     if material.reference_state == ROLLING:
-        found.append((("reference_state",), f"lets the reactants' reference state roll; {NAME} knows the state behind its shocks and "
-                      "freezes it: leave reference_state out, or take \"frozen\""))
+        found.append((("reference_state",), f"has reference_state = \"rolling\"; {NAME} keeps the state behind its tracked shocks: "
+                      "leave reference_state out, or take \"frozen\""))
     if material.unreacted is not None and flagged(material.unreacted, "remembers"):
         found.append((("unreacted",), f"keeps the pores of its unreacted explosive crushed, which {NAME} does not follow, for their "
                       "release is not an isentrope of the law: use lagrange1d"))
