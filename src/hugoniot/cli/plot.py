@@ -72,15 +72,17 @@ def _within(run, kind: str, positions: tuple[float, float] | None, times: tuple[
     """Refuse positions and times of which the run has no record: the picture would be empty."""
     if positions is None and times is None:
         return
+    from hugoniot.output.result_columns import extent
+
     rows = run.arrays("snapshots")
     if times is not None:
         _inside(run, "--t", "times", times, rows["time"][0], rows["time"][-1], "s")
     if positions is not None and "position_left" in rows:
-        _inside(run, "--x", "positions", positions, rows["position_left"].min(), rows["position_right"].max(), "m")
+        _inside(run, "--x", "positions", positions, extent(rows, "position_left")[0], extent(rows, "position_right")[1], "m")
     elif positions is not None and kind == "map":
-        across = rows["position_x"]
-        first = -across.max() if run.setup["geometry"] == "axisymmetric" else across.min()     # a map is drawn on both sides of the axis
-        _inside(run, "--x", "positions", positions, first, across.max(), "m")
+        first, last = extent(rows, "position_x")
+        first = -last if run.setup["geometry"] == "axisymmetric" else first     # a map is drawn on both sides of the axis
+        _inside(run, "--x", "positions", positions, first, last, "m")
 
 
 def _inside(run, option: str, what: str, asked: tuple[float, float], first: float, last: float, unit: str) -> None:

@@ -17,36 +17,55 @@ class Raster(NamedTuple):
 def raster(time, left, right, field, size=(360, 640), window=None, follow: bool = True) -> Raster:
     """Resample a zone field.
 
-    time (nt,) s; left, right (nt, nzone) m faces of the zones; field (nt, nzone); size (times, positions);
+    time (nt,) s; left, right (nt, nzone) m faces of the zones; field (nt, nzone); size (times, positions); faces and field may be any
+    sequences of records, of which two at a time are held;
     window (lowest, highest) position in m, default all that the material ever occupies;
     follow   carry waves between two records along the direction in which they match best, so that a shock is a line and not
              a staircase; False: linear in time in each zone
 
     At the times of the records the field is the recorded one. Between them faces are linear in time.
     """
-    time, left, right, field = (np.asarray(x, dtype=float) for x in (time, left, right, field))
-    low, high = window if window else (float(np.min(left)), float(np.max(right)))
+    time = np.asarray(time, dtype=float)
+    low, high = window or extent(left, right)
     times = np.linspace(time[0], time[-1], size[0])
     x = low + (high - low) * (np.arange(size[1]) + 0.5) / size[1]
     image = np.full(size, np.nan)
     after = np.clip(np.searchsorted(time, times, side="right"), 1, max(len(time) - 1, 1))
-    spread, current = float(np.ptp(field)), -1
+    lowest, highest = extent(field, field)
+    before = behind = _record(left, right, field, 0)
+    current = -1
     for row, (t, k) in enumerate(zip(times, after)):
         k, weight = (k, (t - time[k - 1]) / (time[k] - time[k - 1])) if len(time) > 1 else (0, 0.0)
         if k != current:
-            first, last = _bodies(left[k], right[k])
-            shift = _best_shifts(field[k - 1], field[k], first, last, spread) if follow and k else np.zeros(field.shape[1], dtype=int)
-            current = k
-        face_left = (1 - weight) * left[k - 1] + weight * left[k]
-        face_right = (1 - weight) * right[k - 1] + weight * right[k]
-        zone = np.clip(np.searchsorted(face_left, x, side="right") - 1, 0, field.shape[1] - 1)
+            before = behind if k == current + 1 else _record(left, right, field, k - 1)
+            behind, current = _record(left, right, field, k), k
+            first, last = _bodies(*behind[:2])
+            count = len(first)
+            shift = _best_shifts(before[2], behind[2], first, last, highest - lowest) if follow and k else np.zeros(count, dtype=int)
+        face_left = (1 - weight) * before[0] + weight * behind[0]
+        face_right = (1 - weight) * before[1] + weight * behind[1]
+        zone = np.clip(np.searchsorted(face_left, x, side="right") - 1, 0, len(first) - 1)
         inside = (x >= face_left[zone]) & (x <= face_right[zone])
         way, start, end = 2 * shift[zone], first[zone], last[zone]
-        before = np.clip(zone - np.rint(way * weight).astype(int), start, end)
-        behind = np.clip(zone + np.rint(way * (1 - weight)).astype(int), start, end)
-        values = (1 - weight) * field[k - 1][before] + weight * field[k][behind]
+        origin = np.clip(zone - np.rint(way * weight).astype(int), start, end)
+        aim = np.clip(zone + np.rint(way * (1 - weight)).astype(int), start, end)
+        values = (1 - weight) * before[2][origin] + weight * behind[2][aim]
         image[row] = np.where(inside, values, np.nan)
     return Raster(image, times, x)
+
+
+def _record(left, right, field, k: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    return np.asarray(left[k], float), np.asarray(right[k], float), np.asarray(field[k], float)
+
+
+def extent(left, right) -> tuple[float, float]:
+    """The least of all records of `left` and the largest of all of `right`."""
+    return float(np.min([np.min(record) for record in left])), float(np.max([np.max(record) for record in right]))
+
+
+def paths(records, zones) -> np.ndarray:
+    """What the zones (n,) have in every record, (nt, n)."""
+    return np.array([np.asarray(record)[zones] for record in records], dtype=float).reshape(len(records), len(zones))
 
 
 def _bodies(left, right) -> tuple[np.ndarray, np.ndarray]:
@@ -85,8 +104,8 @@ def _shifts_in(a, b, spread: float, of: int, window: int = 7) -> np.ndarray:
 
 def gaps(left, right, least: float) -> list[int]:
     """Zones k behind which (between k and k+1) a gap wider than `least` (m) is open in any record; left, right (nt, nzone)."""
-    wide = np.zeros(np.shape(left)[1] - 1, dtype=bool)
-    for before, behind in zip(left, right):     # record by record: all at once would be as large as the column again
+    wide = np.zeros(len(left[0]) - 1, dtype=bool)
+    for before, behind in zip(left, right):
         wide |= before[1:] - behind[:-1] > least
     return [int(k) for k in np.flatnonzero(wide)]
 

@@ -1,7 +1,7 @@
 """Columns of one group of result.h5, read when they are asked for."""
 
 import weakref
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -11,33 +11,77 @@ from hugoniot.output.hdf5 import h5py
 
 ORDER = "columns"   # attribute of a group: the names of its columns in the order in which they were recorded
 KEPT = 32_000_000   # bytes up to which a column stays in memory; of a larger one only as long as somebody uses it
+BLOCK = 8_000_000   # bytes of a large column that are read at a time where its records are asked for one by one
+
+
+class Records(Sequence):
+    """Arrays by their numbers, each made by `read(k)` when it is asked for: a column of which one record at a time is in memory."""
+
+    def __init__(self, count: int, read: Callable):
+        self._count, self._read = count, read
+
+    def __len__(self) -> int:
+        return self._count
+
+    def __getitem__(self, k):
+        if not -self._count <= k < self._count:
+            raise IndexError(f"no record {k} of {self._count}")
+        return self._read(int(k) % self._count)
+
+
+def record_by_record(rows: Mapping, name: str) -> "np.ndarray | Records":
+    """The records of a column of `Columns` (a large one is not read as a whole), or of other arrays by name. KeyError if there is none."""
+    return rows.records(name) if isinstance(rows, Columns) else rows[name]
+
+
+def shape_of(rows: Mapping, name: str) -> tuple[int, ...]:
+    """The shape of a column, which is not read for it."""
+    return rows.shapes[name] if isinstance(rows, Columns) else np.shape(rows[name])
+
+
+def extent(rows: Mapping, name: str) -> tuple[float, float]:
+    """The least and the largest value of a column; NaN if one is among them."""
+    return rows.extent(name) if isinstance(rows, Columns) else _extent_of(rows[name])
+
+
+def _extent_of(found) -> tuple[float, float]:
+    blocks = [found] if isinstance(found, np.ndarray) else found
+    ends = np.array([(np.min(block), np.max(block)) for block in blocks], dtype=float)
+    return float(np.min(ends[:, 0])), float(np.max(ends[:, 1]))
+
+
+def history(rows: Mapping, name: str, k: int) -> np.ndarray:
+    """The entry k of every record of a column."""
+    return rows.history(name, k) if isinstance(rows, Columns) else rows[name][:, k]
 
 
 class Columns(Mapping):
     """Arrays by name. A column is read once, and when it is large read again after everybody has let it go.
 
-    shapes   {name: shape}, known without reading
+    shapes   {name: shape} and
+    kinds    {name: letter of its numpy dtype}, known without reading
     """
 
-    def __init__(self, open_file: Callable, place: str, group: str, shapes: dict[str, tuple]):
-        self._open, self._place, self._group, self.shapes = open_file, place, group, shapes
+    def __init__(self, open_file: Callable, place: str, group: str, shapes: dict[str, tuple], kinds: dict[str, str]):
+        self._open, self._place, self._group, self.shapes, self.kinds = open_file, place, group, shapes, kinds
         self._kept: dict[str, np.ndarray] = {}
+        self._extents: dict[str, tuple[float, float]] = {}
         self._lent: Any = weakref.WeakValueDictionary()
 
     @classmethod
     def described(cls, open_file: Callable, place: str, group) -> "tuple[Columns, dict, dict]":
         """The columns of an open group, their attributes, and the names of the axes of each."""
-        shapes, attributes, dims = {}, {}, {}
+        shapes, kinds, attributes, dims = {}, {}, {}, {}
         try:
             written = str(group.attrs.get(ORDER, "")).split()   # HDF5 itself keeps names in the order of the alphabet
             for name in sorted(group, key=lambda name: (written.index(name) if name in written else -1, name)):
                 data = group[name]
-                shapes[name] = data.shape
+                shapes[name], kinds[name] = data.shape, data.dtype.kind
                 attributes[name] = {k: data.attrs[k] for k in ("units", "long_name") if k in data.attrs}
                 dims[name] = (name,) if data.is_scale else tuple(data.dims[k][0].name.rpartition("/")[2] for k in range(data.ndim))
         except (OSError, RuntimeError, AttributeError, ValueError) as error:
             raise FileTrouble(f"{place}: cannot be read ({error})") from error
-        return cls(open_file, place, group.name, shapes), attributes, dims
+        return cls(open_file, place, group.name, shapes, kinds), attributes, dims
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.shapes)
@@ -58,12 +102,42 @@ class Columns(Mapping):
             (self._kept if found.nbytes <= KEPT else self._lent)[name] = found
         return found
 
-    def _read(self, name: str) -> np.ndarray:
+    def records(self, name: str) -> "np.ndarray | Records":
+        """The column, if it is small or in memory; else its records, of which a block at a time is read."""
+        if name not in self.shapes:
+            raise KeyError(name)
+        count, *entries = self.shapes[name] or (1,)
+        size = 8 * int(np.prod(entries))
+        if count * size <= KEPT or name in self._lent:
+            return self[name]
+        rows, held = max(1, BLOCK // size), {}
+
+        def read(k: int) -> np.ndarray:
+            first = k - k % rows
+            if first not in held:
+                held.clear()
+                held[first] = self._read(name, slice(first, first + rows))
+            return held[first][k - first]
+
+        return Records(count, read)
+
+    def extent(self, name: str) -> tuple[float, float]:
+        """The least and the largest value of a column, looked for once."""
+        if name not in self._extents:
+            self._extents[name] = _extent_of(self.records(name))
+        return self._extents[name]
+
+    def history(self, name: str, k: int) -> np.ndarray:
+        """The entry k of every record."""
+        small = 8 * int(np.prod(self.shapes[name])) <= KEPT
+        return self[name][:, k] if small else self._read(name, (slice(None), k))
+
+    def _read(self, name: str, part=()) -> np.ndarray:
         try:
             with self._open() as file:
                 data = file[self._group][name]
                 text = h5py().check_string_dtype(data.dtype) is not None
-                return np.array(data.asstr()[()], dtype=object) if text else data[()]
+                return np.array(data.asstr()[part], dtype=object) if text else data[part]
         except FileTrouble:
             raise
         except (OSError, RuntimeError, KeyError, ValueError) as error:

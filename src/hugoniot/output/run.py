@@ -21,7 +21,7 @@ from hugoniot.files import hdf5_texts_end, read_regular, read_text
 from hugoniot.output.atomic import digest, legible
 from hugoniot.output.codec import decode
 from hugoniot.output.hdf5 import h5py
-from hugoniot.output.result_columns import Columns
+from hugoniot.output.result_columns import Columns, extent, shape_of
 from hugoniot.output.seal import MARK, intact, read_sealed
 
 
@@ -247,5 +247,5 @@ def _what_is_there(folder: pathlib.Path) -> str:
 def largest_value(run, field: str) -> float:
     """The largest size of a field, or of its components, in the gauges and snapshots of a run, SI."""
     tables = [run.arrays(group) for group in ("gauges", "snapshots")]
-    known = [table[name] for table in tables for name in table if name.startswith(field)]
-    return max((max(float(np.max(values)), -float(np.min(values))) for values in known if values.size), default=0.0)
+    ends = [extent(table, name) for table in tables for name in table if name.startswith(field) and 0 not in shape_of(table, name)]
+    return max((max(highest, -lowest) for lowest, highest in ends), default=0.0)

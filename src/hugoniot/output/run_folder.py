@@ -24,7 +24,7 @@ from hugoniot.output.result_file import write_gauges, write_result
 from hugoniot.output.seal import sealed, sealed_json
 from hugoniot.output.series import Series
 from hugoniot.output.setup_record import plain, setup_record
-from hugoniot.output.vtkhdf import vtkhdf_bytes
+from hugoniot.output.vtkhdf import write_vtkhdf
 
 
 class RunFolder:
@@ -210,9 +210,7 @@ class RunFolder:
         sums = {}
         mesh = self._setup["mesh"]
         if mesh and "position_x" in snapshots.names:
-            columns = {name: np.concatenate(list(snapshots.column(name, snapshots.length))) for name in snapshots.names}
-            image = vtkhdf_bytes(columns, mesh["zone_nodes"], mesh["block_of"])
-            sums["result.vtkhdf"] = write_whole(self.folder / "result.vtkhdf", image).sha256
+            sums["result.vtkhdf"] = write_vtkhdf(self.folder / "result.vtkhdf", snapshots, mesh["zone_nodes"], mesh["block_of"]).sha256
         if (self.folder / "fronts.csv").is_file():
             sums["fronts.csv"] = digest(self.folder / "fronts.csv").sha256
         return sums

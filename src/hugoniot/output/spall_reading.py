@@ -24,6 +24,7 @@ from hugoniot.diagnostics.velocimetry import (
     spall_strength,
     spall_thickness,
 )
+from hugoniot.output.result_columns import history, record_by_record
 from hugoniot.output.run import largest_value
 
 LEAST_SIGNAL = 0.4      # part of Z (u1 - u2) that the correction for a window must leave: errors of a velocity grow by its inverse
@@ -162,7 +163,7 @@ def surface_record(run, name: str | None = None) -> Record:
     rows = run.arrays("snapshots")
     if "axes" in run.setup or run.setup["boundaries"]["right"]["kind"] != "free" or "velocity_right" not in rows:
         return Record(np.empty(0), np.empty(0), source="nothing")
-    return Record(rows["time"], rows["velocity_right"][:, -1], region=run.setup["regions"][-1]["name"],
+    return Record(rows["time"], history(rows, "velocity_right", -1), region=run.setup["regions"][-1]["name"],
                   source="the snapshots only; a gauge at 'free surface right' would be finer")
 
 
@@ -191,7 +192,7 @@ def _region_at(run, time: float, numbers: str) -> str:
     if place is None or "position_left" not in rows or not len(rows["time"]):
         return ""
     k = int(np.argmin(np.abs(rows["time"] - time)))
-    centres = 0.5 * (rows["position_left"][k] + rows["position_right"][k])
+    centres = 0.5 * (record_by_record(rows, "position_left")[k] + record_by_record(rows, "position_right")[k])
     return str(rows["region"][int(np.argmin(np.abs(centres - float(place[1]))))])
 
 

@@ -19,6 +19,7 @@ from hugoniot.page.reply import encoded
 from hugoniot.version import __version__
 
 BYTES = 1_000_000       # of the doubles of all fields together
+MOST_BYTES = 16_000_000     # of a single record: a larger one is no file to send
 FIELDS = ("stress", "pressure", "velocity", "density", "temperature", "plastic_strain")
 PLANE_FIELDS = ("pressure", "speed", "plastic_strain", "burn_fraction", "density")
 MOST_FIELDS = 4
@@ -26,7 +27,8 @@ KEY = "answers"
 
 
 def shell(folder: Path, name: str, body: str, style: str) -> str | None:
-    """The page of a report: `body` is what is read without scripts. None for a run whose record no view of the page draws."""
+    """The page of a report: `body` is what is read without scripts. None for a run whose record no view of the page draws, or one file
+    does not hold."""
     try:
         known = answers(Path(folder), name)
     except (HugoniotError, KeyError, ValueError, IndexError):
@@ -74,7 +76,9 @@ def _key(**query) -> str:
 
 
 def _thin(found: dict, bytes_of_a_record: int) -> int:
-    """How many records go by for one that is kept; the description says so."""
+    """How many records go by for one that is kept; the description says so. ValueError where a single one is too large."""
+    if bytes_of_a_record > MOST_BYTES:
+        raise ValueError("a record is too large for a page in one file")
     step = max(1, -(-len(found["times"]) * bytes_of_a_record // BYTES))
     found["times"] = np.asarray(found["times"])[::step]
     found["every"] *= step
@@ -85,9 +89,8 @@ def _line(folder: Path, found: dict, wanted: list) -> dict[str, np.ndarray]:
     if not len(found["times"]):
         return {}
     names = ["position_left", "position_right", *(f["name"] for f in wanted)]
-    columns = {name: run_data.column(folder, "snapshots", name, {}) for name in names}
-    step = _thin(found, 8 * sum(int(np.prod(values.shape[1:])) for values in columns.values()))
-    return {_key(run=0, group="snapshots", name=name): values[::step] for name, values in columns.items()}
+    step = _thin(found, 8 * found["zones"] * len(names))
+    return {_key(run=0, group="snapshots", name=name): run_data.column(folder, "snapshots", name, {}, step) for name in names}
 
 
 def _plane(folder: Path, found: dict, wanted: list) -> dict[str, np.ndarray]:

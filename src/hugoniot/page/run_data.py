@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from hugoniot.errors import FileTrouble, HugoniotError, OutOfRange
+from hugoniot.output.result_columns import history, record_by_record
 from hugoniot.output.run import Run
 from hugoniot.output.run_numbers import results
 from hugoniot.page import live
@@ -99,8 +100,10 @@ def _numbers(run: Run) -> dict:
         return {}
 
 
-def column(path: Path, group: str, name: str, which: dict[str, int]) -> np.ndarray:
+def column(path: Path, group: str, name: str, which: dict[str, int], step: int = 1) -> np.ndarray:
     """A column of the groups `snapshots` or `gauges`, thinned as the description says; `which` picks one record or one zone.
+
+    step    of a line's records that the description leaves every how many-th is read
 
     Fields of nodes come as means over the zone, as `hugoniot plot` takes them. `OutOfRange` for what a run does not hold.
     """
@@ -116,19 +119,26 @@ def column(path: Path, group: str, name: str, which: dict[str, int]) -> np.ndarr
     every = _every(rows.shapes)
     if "axes" in run.setup:
         return _plane_column(run, rows, name, which, every)
-    values = _double(rows, name, slice(None, None, every)) if name in rows else _between_faces(rows, name, every)
-    return values[:, _index(which["zone"], values.shape[1])] if "zone" in which else values
+    part = slice(None, None, every * step)
+    if "zone" in which:
+        return _history(rows, name, which["zone"])[part]
+    return _double(rows, name, part) if name in rows else 0.5 * (_double(rows, f"{name}_left", part) + _double(rows, f"{name}_right", part))
 
 
-def _between_faces(rows, name: str, every: int) -> np.ndarray:
-    return 0.5 * (_double(rows, f"{name}_left", slice(None, None, every)) + _double(rows, f"{name}_right", slice(None, None, every)))
+def _history(rows, name: str, zone: int) -> np.ndarray:
+    """A field of one zone in every record."""
+    if f"{name}_left" in rows:
+        return 0.5 * (_history(rows, f"{name}_left", zone) + _history(rows, f"{name}_right", zone))
+    _numbers_there(rows, name)
+    return np.array(history(rows, name, _index(zone, rows.shapes[name][-1])), dtype=float)
 
 
 def _plane_column(run: Run, rows, name: str, which: dict[str, int], every: int) -> np.ndarray:
     """One record of a field, or of a coordinate of the nodes; or the history of one zone."""
-    if name in ("time", "position_x", "position_y") and "zone" not in which:
-        values = _double(rows, name, slice(None, None, every))
-        return values if name == "time" else values[_index(which.get("record", 0), len(values))]
+    if name == "time" and "zone" not in which:
+        return _double(rows, name, slice(None, None, every))
+    if name in ("position_x", "position_y") and "zone" not in which:
+        return np.array(record_by_record(rows, name)[_index(which.get("record", 0) * every, len(rows["time"]))], dtype=float)
     from hugoniot.plotting.plane import plane_field
 
     if "zone" in which:
@@ -140,10 +150,14 @@ def _plane_column(run: Run, rows, name: str, which: dict[str, int], every: int) 
 
 def _double(rows, name: str, part: slice) -> np.ndarray:
     """Some records of a column; a copy, since a view would keep the whole column in memory."""
-    values = rows.get(name)
-    if values is None or values.dtype.kind not in "fiu":
+    _numbers_there(rows, name)
+    found = record_by_record(rows, name)
+    return np.array(found[part] if isinstance(found, np.ndarray) else [found[k] for k in range(len(found))[part]], dtype=float)
+
+
+def _numbers_there(rows, name: str) -> None:
+    if name not in rows or rows.kinds[name] not in "fiu":
         raise OutOfRange(f"the run has no numbers called '{name[:60]}'")
-    return np.array(values[part], dtype=float)
 
 
 def _index(k: int, count: int) -> int:

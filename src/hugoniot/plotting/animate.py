@@ -9,7 +9,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from hugoniot.errors import DeckError
-from hugoniot.plotting.plane import map_, needs_plane, plane_field
+from hugoniot.plotting.plane import map_, needs_plane, places_of, plane_field, reach
 from hugoniot.plotting.style import RC, length_scale
 from hugoniot.plotting.xt import colours_of
 
@@ -61,12 +61,11 @@ def _writer(path: pathlib.Path, frames_per_second: float):
 
 def _window(run, taken, mirror: bool):
     """Limits of both axes, in the units of the pictures, that hold every frame."""
-    rows = run.arrays("snapshots")
-    x, y = rows["position_x"], rows["position_y"]
-    fx = length_scale(max(float(np.ptp(x)), float(np.ptp(y))))[1]
-    low, high = float(x[taken].min()) * fx, float(x[taken].max()) * fx
+    fx = length_scale(max(reach(run)))[1]
+    ends = np.array([[places.min(axis=0), places.max(axis=0)] for places in (places_of(run, k) for k in taken)]) * fx
+    low, high = float(ends[:, 0, 0].min()), float(ends[:, 1, 0].max())
     if mirror and run.setup["geometry"] == "axisymmetric":
         low = -high
-    bottom, top = float(y[taken].min()) * fx, float(y[taken].max()) * fx
+    bottom, top = float(ends[:, 0, 1].min()), float(ends[:, 1, 1].max())
     margin = 0.03 * max(high - low, top - bottom)
     return (low - margin, high + margin), (bottom - margin, top + margin)

@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 
+from hugoniot.output.result_columns import record_by_record
 from hugoniot.output.spall_reading import surface_record
 from hugoniot.plotting import records
 from hugoniot.plotting.setup import setup
@@ -68,8 +69,8 @@ def _structure_tasks(run) -> dict[str, Callable[[], str]]:
 
     profile = profile_of(read_deck_text(run.deck, "deck.toml").problem)
     shot = run.arrays("snapshots")
-    last = {name: shot[name][-1] for name in ("density", "pressure", "temperature") if name in shot}
-    centres = 0.5 * (shot["position_left"][-1] + shot["position_right"][-1])
+    last = {name: record_by_record(shot, name)[-1] for name in ("density", "pressure", "temperature") if name in shot}
+    centres = 0.5 * (record_by_record(shot, "position_left")[-1] + record_by_record(shot, "position_right")[-1])
     panels = [(0.7 + 3.75 * column, 0.5 + 2.3 * row, 2.9, 1.95) for row in (2, 1, 0) for column in (0, 1)]
     found = {"structure_terms": lambda: svg(lambda *axes: draw_profile(axes, profile), "structure-terms", 7.5, 7.2, *panels)}
     if "density" in last:
@@ -79,14 +80,14 @@ def _structure_tasks(run) -> dict[str, Callable[[], str]]:
 
 def _plane_tasks(run) -> dict[str, Callable[[], str]]:
     """Set-up to scale, maps of the last snapshot, and what the gauges recorded, of a two-dimensional run."""
-    from hugoniot.plotting.plane import map_, plane_setup
+    from hugoniot.plotting.plane import map_, plane_setup, reach
 
     shot, rows, found = run.arrays("snapshots"), run.arrays("gauges"), {}
-    wide = float(np.ptp(shot["position_x"])) * (2.0 if run.setup["geometry"] == "axisymmetric" else 1.0)
-    height = min(max(6.0 * float(np.ptp(shot["position_y"])) / max(wide, 1e-300), 1.6), 5.5)
+    wide, high = reach(run)
+    wide *= 2.0 if run.setup["geometry"] == "axisymmetric" else 1.0
+    height = min(max(6.0 * high / max(wide, 1e-300), 1.6), 5.5)
     for name in ("pressure", "plastic_strain", "burn_fraction", "speed"):
-        values = shot.get(name)
-        if name == "speed" or values is not None and np.ptp(values[-1]) > 0.0:
+        if name == "speed" or name in shot and np.ptp(record_by_record(shot, name)[-1]) > 0.0:
             found[f"map_{name}"] = lambda f=name: svg(lambda ax, bar: map_(run, f, ax=ax, colorbar=bar), f"map-{f}".replace("_", "-"),
                                                       7.4, height + 0.9, (0.6, 0.5, 5.7, height), (6.5, 0.5, 0.14, height))
     found["setup"] = lambda: svg(lambda ax: plane_setup(run, ax=ax), "setup", 7.4, height + 0.7, (0.6, 0.5, 4.6, height))

@@ -3,11 +3,13 @@
 import difflib
 
 import numpy as np
-from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.collections import LineCollection
 
 from hugoniot.diagnostics.stress2d import DERIVED, derived_field
 from hugoniot.errors import DeckError
 from hugoniot.mesh.locate import find_zone
+from hugoniot.output.result_columns import extent, record_by_record, shape_of
+from hugoniot.plotting.polygons import polygons
 from hugoniot.plotting.records import snapshots_at
 from hugoniot.plotting.style import COLOURS, INK, QUIET, field_scale, labelled, length_scale, new_axes, quiet_grid, styled, time_scale
 from hugoniot.plotting.xt import colours_of
@@ -19,7 +21,6 @@ ROOM = 0.15              # width of a block over the extent of all, from which i
 BESIDE = 0.05            # difference in height of two gauges over that extent, up to which their labels are stacked
 EDGES = {"axis": (QUIET, (0, (8, 3, 1, 3))), "wall": (INK, "-"), "velocity": (COLOURS[3], "-"), "pressure": (COLOURS[2], "-"),
          "transmitting": (COLOURS[4], (0, (2, 1)))}
-MOST_VECTORS = 20_000    # zones drawn one by one in files that keep lines as lines
 
 
 def needs_plane(run, picture: str) -> None:
@@ -32,19 +33,23 @@ def plane_field(run, field: str, k) -> np.ndarray:
     """A zone field of snapshot k: kept, derived from stress, or the mean of a zone's nodes. `DeckError` names those there are."""
     rows = run.arrays("snapshots")
     corners = run.arrays("mesh")["zone_nodes"]
+
+    def shot(name):
+        return record_by_record(rows, name)[k]
+
     if field == "speed" and "velocity_x" in rows:
-        return np.hypot(rows["velocity_x"][k], rows["velocity_y"][k])[..., corners].mean(axis=-1)
+        return np.hypot(shot("velocity_x"), shot("velocity_y"))[..., corners].mean(axis=-1)
     if field in DERIVED and "deviator_zz" in rows:
-        return derived_field(field, {name: values[k] for name, values in rows.items() if name.startswith("deviator")})
+        return derived_field(field, {name: shot(name) for name in rows if name.startswith("deviator")})
     if field in _OF_SURFACES and field in rows:      # known on surfaces only: the mean of those corners of a zone that lie there
-        values = rows[field][k][..., corners]
+        values = shot(field)[..., corners]
         known = np.isfinite(values)
         return np.where(known.any(axis=-1), np.where(known, values, 0.0).sum(axis=-1) / np.maximum(known.sum(axis=-1), 1), np.nan)
     if field in _NODAL and field in rows:
-        return rows[field][k][..., corners].mean(axis=-1)
-    known = [name for name, values in rows.items() if values.ndim == 2 and values.shape[1] == len(corners)]
+        return shot(field)[..., corners].mean(axis=-1)
+    known = [name for name in rows if shape_of(rows, name)[1:] == (len(corners),)]
     if field in known:
-        return rows[field][k]
+        return shot(field)
     known += [*_NODAL, *(DERIVED if "deviator_zz" in rows else ())]
     near = difflib.get_close_matches(str(field), known, n=1)
     hint = f"did you mean '{near[0]}'?" if near else f"it has: {', '.join(known)}"
@@ -102,8 +107,8 @@ def map_(run, field: str = "pressure", time=None, mesh: bool | None = None, mirr
 def _size(run, k, mirror: bool, height: float = 4.8) -> tuple[float, float]:
     """Width and height (inches) of a figure for the body of snapshot k, with room for a colour bar."""
     rows = run.arrays("snapshots")
-    wide = float(np.ptp(rows["position_x"][k])) * len(_halves(run, mirror))
-    return min(max(height * wide / max(float(np.ptp(rows["position_y"][k])), 1e-300) + 1.8, 3.4), 8.0), height
+    x, y = (float(np.ptp(record_by_record(rows, name)[k])) for name in ("position_x", "position_y"))
+    return min(max(height * x * len(_halves(run, mirror)) / max(y, 1e-300) + 1.8, 3.4), 8.0), height
 
 
 def _halves(run, mirror: bool) -> tuple[float, ...]:
@@ -111,16 +116,25 @@ def _halves(run, mirror: bool) -> tuple[float, ...]:
 
 
 def _scale(run) -> tuple[str, float]:
-    rows = run.arrays("snapshots")
-    return length_scale(max(float(np.ptp(rows[name])) for name in ("position_x", "position_y")))
+    return length_scale(max(reach(run)))
+
+
+def reach(run) -> list[float]:
+    """How far the nodes of all snapshots lie apart along x and y, m."""
+    return [high - low for low, high in (extent(run.arrays("snapshots"), name) for name in ("position_x", "position_y"))]
+
+
+def places_of(run, k: int) -> np.ndarray:
+    """Where the nodes are at snapshot k, (nnode, 2) m."""
+    return np.stack([record_by_record(run.arrays("snapshots"), name)[k] for name in ("position_x", "position_y")], axis=1)
 
 
 def _draw_zones(run, ax, k, values, field, mesh, mirror, limits):
-    rows, topology = run.arrays("snapshots"), run.arrays("mesh")
+    topology = run.arrays("mesh")
     stays = _in_the_mesh(run, k)
     corners, block_of, values = topology["zone_nodes"][stays], topology["block_of"][stays], values[stays]
     _, fx = _scale(run)
-    places = np.stack([rows["position_x"][k], rows["position_y"][k]], axis=1) * fx
+    places = places_of(run, k) * fx
     colours, ends = colours_of(field, values, limits)
     _, factor, _ = field_scale(field, np.array(ends))
     lines = mesh if mesh is not None else len(corners) <= MESH_LINES
@@ -128,7 +142,7 @@ def _draw_zones(run, ax, k, values, field, mesh, mirror, limits):
     for side in _halves(run, mirror):
         part = places * [side, 1.0]
         style = {"edgecolors": INK, "linewidths": 0.2} if lines else {"edgecolors": "face", "linewidths": 0.1}
-        image = PolyCollection(part[corners], array=values * factor, cmap=colours, rasterized=len(corners) > MOST_VECTORS, **style)
+        image = polygons(part[corners], array=values * factor, cmap=colours, **style)
         image.set_clim(ends[0] * factor, ends[1] * factor)
         ax.add_collection(image)
         outline, interface = borders(corners, block_of)
@@ -143,7 +157,7 @@ def _draw_zones(run, ax, k, values, field, mesh, mirror, limits):
 def _in_the_mesh(run, k) -> np.ndarray:
     """Whether each zone is in the mesh at snapshot k: none has left it in a run without erosion."""
     rows = run.arrays("snapshots")
-    return rows["eroded"][k] == 0.0 if "eroded" in rows else np.ones(len(run.arrays("mesh")["zone_nodes"]), dtype=bool)
+    return record_by_record(rows, "eroded")[k] == 0.0 if "eroded" in rows else np.ones(len(run.arrays("mesh")["zone_nodes"]), dtype=bool)
 
 
 def _draw_rigid(run, ax, k, mirror) -> None:
@@ -169,17 +183,17 @@ def _draw_contours(run, ax, k, values, count, mirror):
     """Lines of equal value, of the field carried to the nodes as the mean of the zones about them."""
     from matplotlib.tri import Triangulation
 
-    rows, stays = run.arrays("snapshots"), _in_the_mesh(run, k)
+    places, stays = places_of(run, k), _in_the_mesh(run, k)
     corners, values = run.arrays("mesh")["zone_nodes"][stays], values[stays]
     _, fx = _scale(run)
-    about = np.bincount(corners.ravel(), minlength=rows["position_x"].shape[1])
+    about = np.bincount(corners.ravel(), minlength=len(places))
     nodal = np.bincount(corners.ravel(), weights=np.repeat(values, corners.shape[1]), minlength=len(about)) / np.maximum(about, 1)
     triangles = corners if corners.shape[1] == 3 else np.concatenate([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])
     if not np.isfinite(nodal).all() or np.ptp(nodal) == 0.0:
         return
     levels = np.linspace(nodal.min(), nodal.max(), count + 2)[1:-1]
     for side in _halves(run, mirror):
-        grid = Triangulation(side * rows["position_x"][k] * fx, rows["position_y"][k] * fx, triangles)
+        grid = Triangulation(side * places[:, 0] * fx, places[:, 1] * fx, triangles)
         ax.tricontour(grid, nodal, levels=levels, colors=INK, linewidths=0.6)
 
 
@@ -204,17 +218,18 @@ def line_profile(run, field: str = "pressure", time=None, start=None, end=None, 
     needs_plane(run, "profile along a line")
     rows, corners = run.arrays("snapshots"), run.arrays("mesh")["zone_nodes"]
     picked = snapshots_at(run, rows["time"], rows["time"][-1] if time is None else time)
-    x, y = rows["position_x"], rows["position_y"]
-    edge = x[0].min() + 1e-6 * np.ptp(x[0])
-    start = np.array((edge, y[picked].min()) if start is None else start, dtype=float)
-    end = np.array((edge, y[picked].max()) if end is None else end, dtype=float)
+    nodes = [places_of(run, k).T for k in picked]
+    first = places_of(run, 0)[:, 0]
+    edge = first.min() + 1e-6 * np.ptp(first)
+    start = np.array((edge, min(y.min() for _, y in nodes)) if start is None else start, dtype=float)
+    end = np.array((edge, max(y.max() for _, y in nodes)) if end is None else end, dtype=float)
     length = float(np.hypot(*(end - start)))
     if length == 0.0:
         raise DeckError.single(run.folder, None, "--from", "the line has no length", "give two different points")
     ax = ax if ax is not None else new_axes()
     place = np.linspace(0.0, length, 400)
     points = start[:, None] + (end - start)[:, None] * (place / length)
-    found = [_along(np.stack([x[k], y[k]]), corners, points, plane_field(run, field, k)) for k in picked]
+    found = [_along(there, corners, points, plane_field(run, field, k)) for k, there in zip(picked, nodes)]
     if not np.isfinite(found).any():
         raise DeckError.single(run.folder, None, "--from", "the line meets no material", "positions are those of the snapshot's time")
     unit, factor, words = field_scale(field, np.array(found)[np.isfinite(found)])
@@ -250,16 +265,16 @@ def plane_setup(run, ax=None):
     """The blocks at t = 0 to scale, coloured by material, with boundaries, gauges and detonators; gives the axes."""
     needs_plane(run, "set-up of blocks")
     ax = ax if ax is not None else new_axes(6.4, 4.4)
-    record, rows, topology = run.setup, run.arrays("snapshots"), run.arrays("mesh")
+    record, topology = run.setup, run.arrays("mesh")
     unit, fx = _scale(run)
-    places = np.stack([rows["position_x"][0], rows["position_y"][0]], axis=1) * fx
+    places = places_of(run, 0) * fx
     corners, block_of = topology["zone_nodes"], topology["block_of"]
     names = list(dict.fromkeys(region["material"] for region in record["regions"]))
     for n, region in enumerate(record["regions"]):
         mine = block_of == n
         colour = COLOURS[names.index(region["material"]) % len(COLOURS)]
-        ax.add_collection(PolyCollection(places[corners[mine]], facecolors=colour, edgecolors=INK if mine.sum() <= MESH_LINES else "face",
-                                         linewidths=0.15, alpha=0.38))
+        ax.add_collection(polygons(places[corners[mine]], facecolors=colour, edgecolors=INK if mine.sum() <= MESH_LINES else "face",
+                                   linewidths=0.15, alpha=0.38))
         ni, nj = region["zones"]
         per_cell = int(mine.sum()) // (ni * nj)
         label = f"{region['name']}: {region['material']}, {ni} x {nj} {'zones' if per_cell == 1 else 'cells of two triangles'}"

@@ -8,6 +8,7 @@ from hugoniot.diagnostics.interface_gauges import CONTINUOUS, sides
 from hugoniot.diagnostics.velocimetry import visar_velocity
 from hugoniot.diagnostics.wave_diagram import interfaces
 from hugoniot.errors import DeckError
+from hugoniot.output.result_columns import record_by_record
 from hugoniot.output.spall_reading import SURFACE, read_record, spall_reading, spalled_regions, surface_record
 from hugoniot.plotting.style import (
     COLOURS,
@@ -22,6 +23,7 @@ from hugoniot.plotting.style import (
     styled,
     time_scale,
     zone_field,
+    zone_records,
 )
 from hugoniot.units import format_si, parse
 
@@ -128,16 +130,17 @@ def _mark_pull_back(ax, seen, ft, fu, unit):
 @styled
 def profile(run, field: str = "stress", time=None, ax=None):
     """A zone field over position at one or more times (s or "1 us"; the nearest snapshots; default the last); gives the axes."""
-    rows, values = run.arrays("snapshots"), zone_field(run, "snapshots", field)
+    rows = run.arrays("snapshots")
     picked = snapshots_at(run, rows["time"], rows["time"][-1] if time is None else time)
     ax = ax if ax is not None else new_axes()
-    left, right = rows["position_left"][picked], rows["position_right"][picked]
-    unit, factor, words = field_scale(field, values[picked])
+    left, right, values = (np.array([found[k] for k in picked]) for found in (
+        record_by_record(rows, "position_left"), record_by_record(rows, "position_right"), zone_records(run, field)))
+    unit, factor, words = field_scale(field, values)
     unit_x, fx = length_scale(float(right.max() - left.min()))
     unit_t, ft = time_scale(rows["time"][-1])
     least = 1e-6 * float(right.max() - left.min())
     for n, k in enumerate(picked):
-        x, y = 0.5 * (left[n] + right[n]) * fx, values[k] * factor
+        x, y = 0.5 * (left[n] + right[n]) * fx, values[n] * factor
         holes = np.flatnonzero(left[n][1:] - right[n][:-1] > least) + 1
         ax.plot(np.insert(x, holes, np.nan), np.insert(y, holes, np.nan), color=COLOURS[n % len(COLOURS)],
                 label=f"{rows['time'][k] * ft:.4g} {unit_t}")

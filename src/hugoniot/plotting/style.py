@@ -15,6 +15,7 @@ from matplotlib.figure import Figure
 from hugoniot.core.fields import FIELDS
 from hugoniot.errors import DeckError
 from hugoniot.output.columns import describe
+from hugoniot.output.result_columns import Records, record_by_record
 from hugoniot.units import UnitError, convert
 
 INK, QUIET, FAINT = "#222222", "#767676", "#d9d9d9"
@@ -101,20 +102,31 @@ def zone_field(run, group: str, field: str):
     Of a field at the nodes, such as `velocity`, snapshots hold both faces of every zone: a zone has their mean.
     """
     rows = run.arrays(group)
-    if group == "peaks":
-        known = [name for name, values in rows.items() if values.dtype.kind == "f" and values.ndim == 1]
-    else:       # by their shapes: reading every column takes minutes where there are a million zones
-        known = [name for name, shape in rows.shapes.items() if len(shape) == 2]
-    nodal = [name.removesuffix("_left") for name in known if name.endswith("_left")]
-    if field in nodal:
+    if _at_faces(run, group, field):
         return 0.5 * (rows[f"{field}_left"] + rows[f"{field}_right"])
-    values = rows[field] if field in known else None
-    if values is None or values.dtype.kind != "f":
-        known = [name for name in known if name != field] + nodal
+    return rows[field]
+
+
+def zone_records(run, field: str):
+    """`zone_field` of the snapshots by their numbers; large ones are read one at a time."""
+    rows = run.arrays("snapshots")
+    if not _at_faces(run, "snapshots", field):
+        return record_by_record(rows, field)
+    left, right = record_by_record(rows, f"{field}_left"), record_by_record(rows, f"{field}_right")
+    return Records(len(left), lambda k: 0.5 * (left[k] + right[k]))
+
+
+def _at_faces(run, group: str, field: str) -> bool:
+    """Whether a field is one of nodes, kept at both faces of every zone. Refuses what the run does not hold."""
+    rows = run.arrays(group)    # of which no column is read: that takes minutes where there are a million zones
+    known = [name for name, shape in rows.shapes.items() if rows.kinds[name] == "f" and len(shape) == (1 if group == "peaks" else 2)]
+    nodal = [name.removesuffix("_left") for name in known if name.endswith("_left")]
+    if field not in known and field not in nodal:
+        known = known + nodal
         near = difflib.get_close_matches(str(field), known, n=1)
         hint = f"did you mean '{near[0]}'?" if near else f"it has: {', '.join(known) or 'none'}"
         raise DeckError.single(run.folder, None, "field", f"the {group} of this run hold no '{field}'", hint)
-    return values
+    return field in nodal
 
 
 def labelled(words: str, unit: str) -> str:

@@ -4,8 +4,9 @@ import numpy as np
 from matplotlib.collections import LineCollection
 
 from hugoniot.diagnostics.interface_gauges import sides
-from hugoniot.diagnostics.wave_diagram import gaps, interfaces, raster
-from hugoniot.plotting.style import INK, STRESS, field_scale, halo, labelled, length_scale, new_axes, styled, time_scale, zone_field
+from hugoniot.diagnostics.wave_diagram import extent, gaps, interfaces, paths, raster
+from hugoniot.output.result_columns import Records, record_by_record
+from hugoniot.plotting.style import INK, STRESS, field_scale, halo, labelled, length_scale, new_axes, styled, time_scale, zone_records
 
 
 @styled
@@ -14,6 +15,8 @@ def xt(run, field: str = "stress", ax=None, window=None, times=None, limits=None
 
     Between snapshots waves are carried along the direction in which the two records match best (diagnostics.wave_diagram).
 
+    Snapshots are read one by one, so that those of a million zones fit into memory.
+
     A run that tracks fronts has them as lines: shocks thick, by strength; elastic shocks dashed; edges of fans and expansions thin.
 
     window     (lowest, highest) position in m; default all material, but no further out than the bodies at t = 0 are wide together
@@ -21,14 +24,13 @@ def xt(run, field: str = "stress", ax=None, window=None, times=None, limits=None
     limits     (lowest, highest) value of the colour scale in SI; default from the data
     colorbar   True, or axes to draw it in, or False
     """
-    rows, values = run.arrays("snapshots"), zone_field(run, "snapshots", field)
-    time, left, right = rows["time"], rows["position_left"], rows["position_right"]
+    rows, values = run.arrays("snapshots"), zone_records(run, field)
+    time, left, right = rows["time"], record_by_record(rows, "position_left"), record_by_record(rows, "position_right")
     ax = ax if ax is not None else new_axes(6.4, 4.4)
     low, high = window or _extent(left, right)
     begin, end = times or (time[0], time[-1])
-    keep = slice(max(int(np.searchsorted(time, begin, side="right")) - 1, 0), int(np.searchsorted(time, end)) + 1)
-    edges = {name: rows[name][keep] for name in ("position_left", "position_right")} | {"region": rows["region"]}
-    time, left, right, values = time[keep], left[keep], right[keep], values[keep]
+    kept = range(len(time))[max(int(np.searchsorted(time, begin, side="right")) - 1, 0):int(np.searchsorted(time, end)) + 1]
+    time, left, right, values = time[kept.start:kept.stop], _some(left, kept), _some(right, kept), _some(values, kept)
     unit_t, ft = time_scale(end)
     unit_x, fx = length_scale(high - low)
     picture = raster(time, left, right, values, size, (low, high))
@@ -38,7 +40,7 @@ def xt(run, field: str = "stress", ax=None, window=None, times=None, limits=None
                       cmap=colours, vmin=ends[0] * factor, vmax=ends[1] * factor, interpolation="nearest", rasterized=True)
     ax.set_xlim(low * fx, high * fx)
     ax.set_ylim(begin * ft, end * ft)
-    _draw_edges(ax, edges, time * ft, left, right, fx)
+    _draw_edges(ax, rows["region"], time * ft, left, right, fx)
     _draw_fronts(ax, run, fx, ft)
     _draw_gauges(ax, run, fx, ft)
     ax.set_xlabel(labelled("position" if run.setup["geometry"] == "planar" else "radius", unit_x))
@@ -51,10 +53,16 @@ def xt(run, field: str = "stress", ax=None, window=None, times=None, limits=None
     return ax
 
 
+def _some(rows, kept: range) -> Records:
+    """The records of a range of numbers."""
+    return Records(len(kept), lambda k: rows[kept[k]])
+
+
 def _extent(left, right) -> tuple[float, float]:
     """All that the material occupies, cut off where thin debris or expanding gas is further out than the bodies were wide at first."""
     low, high = float(left[0].min()), float(right[0].max())
-    return max(float(left.min()), low - (high - low)), min(float(right.max()), high + (high - low))
+    lowest, highest = extent(left, right)
+    return max(lowest, low - (high - low)), min(highest, high + (high - low))
 
 
 def colours_of(field, values, limits):
@@ -80,20 +88,22 @@ def _stretched(bottom: float, top: float):
     return ListedColormap(STRESS(where), name="stress")
 
 
-def _draw_edges(ax, rows, time, left, right, fx) -> None:
+def _draw_edges(ax, region, time, left, right, fx) -> None:
     """Outer surfaces, interfaces and both faces of every gap, as thin lines."""
-    least = 1e-6 * float(right.max() - left.min())
-    edges = [left[:, 0], right[:, -1]] + [right[:, k] for k in interfaces(rows["region"])]
-    for k in gaps(left, right, least):
-        is_open = left[:, k + 1] - right[:, k] > least
-        edges += [np.where(is_open, right[:, k], np.nan), np.where(is_open, left[:, k + 1], np.nan)]
+    lowest, highest = extent(left, right)
+    least, between = 1e-6 * (highest - lowest), interfaces(region)
+    open_behind = gaps(left, right, least)
+    one, other = paths(left, [0, *(k + 1 for k in open_behind)]), paths(right, [len(region) - 1, *between, *open_behind])
+    count = 1 + len(between)
+    before, behind = other[:, count:], one[:, 1:]
+    is_open = behind - before > least
+    edges = [one[:, 0], *other[:, :count].T, *np.where(is_open, before, np.nan).T, *np.where(is_open, behind, np.nan).T]
     ax.add_collection(LineCollection([np.column_stack([edge * fx, time]) for edge in edges], colors=INK, linewidths=0.7))
-    region, top = rows["region"], time[-1]
-    cuts = [0, *(k + 1 for k in interfaces(region)), len(region)]
+    top, cuts, final = time[-1], [0, *(k + 1 for k in between), len(region)], (left[-1], right[-1])
     width, taken = ax.get_figure().get_figwidth() * 72 * ax.get_position().width, -1e9
     shown, end = ax.get_xlim()
     for first, last in zip(cuts[:-1], cuts[1:]):
-        name, middle = region[first], 0.5 * (max(left[-1, first] * fx, shown) + min(right[-1, last - 1] * fx, end))
+        name, middle = region[first], 0.5 * (max(final[0][first] * fx, shown) + min(final[1][last - 1] * fx, end))
         half = 0.5 * len(str(name)) * 4.8 * (end - shown) / width
         if middle - half > taken and shown <= middle <= end:
             ax.annotate(str(name), (middle, top), xytext=(0, 3), textcoords="offset points", ha="center", va="bottom", fontsize=8,

@@ -277,5 +277,5 @@ def test_the_deck_of_a_match_runs_with_one_click(visit):
     page.click("details button:has-text('Run')")
     page.wait_for_selector("[data-state]")
     assert re.search(r"job=\d+", page.url) and "Aluminium" in page.input_value(".editor textarea")
-    page.locator("button:has-text('Stop'), [data-state=done]").first.click(timeout=120_000)
+    page.locator("button:has-text('Stop'), [data-state=done]").first.click()
     page.wait_for_selector("[data-state=stopped], [data-state=done]")

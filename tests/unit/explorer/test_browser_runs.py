@@ -1,5 +1,6 @@
 """Runs, tables, fits and decks in the browser: the pointer reads the file, histories follow a picked zone, a run is written, started and opened."""
 
+import json
 import re
 
 import numpy as np
@@ -197,8 +198,6 @@ def test_brushing_a_table_keeps_its_cases(visit):
 
 
 def test_a_fit_shows_values_residuals_and_posterior(visit, opened, monkeypatch):
-    import json
-
     monkeypatch.chdir(opened[0])
     here, fit = visit(), json.loads((opened[0] / "spall.fit" / "fit.json").read_text())
     page = here.go("#/fits?fit=0", "[data-table=parameters]")
@@ -237,7 +236,11 @@ def test_a_plane_run_in_progress_is_watched_and_stopped(visit, opened):
     value, unit = here.readout()["pressure"].split()
     assert value == shown(run_data.column(folder, "snapshots", "pressure", {"record": record})[zone] * FACTORS[unit])
     page.go_back()
-    page.click("button:has-text('Stop')")
+    stop = page.wait_for_selector("button:has-text('Stop')")
+    said = page.text_content("[data-progress]")
+    until(page, f"document.querySelector('[data-progress]').textContent !== {json.dumps(said)}")
+    assert stop.evaluate("button => button.isConnected")     # a button that is made anew between press and release is not clicked
+    stop.click()
     page.wait_for_selector("[data-state=stopped], [data-state=done]")
     before = sorted((p.name, p.stat().st_mtime_ns) for p in folder.rglob("*"))
     times = run_data.description(folder)["times"]

@@ -92,6 +92,22 @@ def test_vtkhdf_has_the_structure_of_a_temporal_grid(run):
         assert np.array_equal(root["Offsets"], 4 * np.arange(zones + 1)) and (root["Types"][()] == 9).all()
 
 
+def test_vtkhdf_is_the_same_in_blocks_straight_to_the_disk(run, tmp_path, monkeypatch):
+    from hugoniot.output import hdf5, vtkhdf
+    from hugoniot.output.series import Table
+
+    rows, mesh = run.arrays("snapshots"), run.arrays("mesh")
+    columns = {name: rows[name] for name, shape in rows.shapes.items() if name in ("time", "cycle") or len(shape) == 2}
+    monkeypatch.setattr(hdf5, "IN_MEMORY", 0)
+    monkeypatch.setattr(vtkhdf, "ROWS", 100)
+    vtkhdf.write_vtkhdf(tmp_path / "again.vtkhdf", Table.of(columns), mesh["zone_nodes"], mesh["block_of"])
+    with h5py.File(run.folder / "result.vtkhdf") as one, h5py.File(tmp_path / "again.vtkhdf") as other:
+        names = []
+        one.visititems(lambda name, item: names.append(name) if isinstance(item, h5py.Dataset) else None)
+        assert len(names) > 20 and all(np.array_equal(one[name][()], other[name][()], equal_nan=True) for name in names)
+        assert np.array_equal(one["VTKHDF/Points"][:, 1], rows["position_y"].ravel()) and not one["VTKHDF/Points"][:, 2].any()
+
+
 def test_vtk_reads_every_step(run):
     reader_module = pytest.importorskip("vtkmodules.vtkIOHDF", reason="the vtk package is not installed")
     from vtkmodules.util.numpy_support import vtk_to_numpy

@@ -208,3 +208,34 @@ def test_a_spike_does_not_flatten_the_differences():
         ax.plot(spike)
         _robust(ax, spike, "m/s")
         assert ax.get_ylim()[1] < 3.0 and ("largest 300 m/s" in [text.get_text() for text in ax.texts]) == told
+
+
+def test_columns_too_large_for_memory_are_drawn_record_by_record_to_the_same_picture(run, monkeypatch):
+    from hugoniot.output import result_columns
+
+    def picture(run):
+        ax = run.plot.xt("velocity")
+        return ax.images[0].get_array(), [segment for part in ax.collections for segment in part.get_segments()]
+
+    whole, lines = picture(run)
+    monkeypatch.setattr(result_columns, "KEPT", 1000)
+    monkeypatch.setattr(result_columns, "BLOCK", 3 * 8 * run.arrays("snapshots").shapes["pressure"][1])
+    largest, read = 0, result_columns.Columns._read
+
+    def watched(columns, *arguments):
+        nonlocal largest
+        found = read(columns, *arguments)
+        largest = max(largest, found.nbytes if columns.shapes[arguments[0]][1:] else 0)
+        return found
+
+    monkeypatch.setattr(result_columns.Columns, "_read", watched)
+    again = load(run.folder)
+    image, edges = picture(again)
+    assert 0 < largest <= result_columns.BLOCK
+    assert np.array_equal(image, whole, equal_nan=True)
+    assert all(np.array_equal(a, b, equal_nan=True) for a, b in zip(edges, lines, strict=True))
+    columns, whole = again.arrays("snapshots"), run.arrays("snapshots")
+    assert columns.extent("pressure") == (whole["pressure"].min(), whole["pressure"].max())
+    assert np.array_equal(columns.history("velocity_right", -1), whole["velocity_right"][:, -1])
+    with pytest.raises(IndexError):
+        columns.records("pressure")[len(whole["time"])]

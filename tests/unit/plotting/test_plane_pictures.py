@@ -35,6 +35,18 @@ def test_a_map_shows_every_zone_where_it_is_with_its_value(run):
     assert ax.get_xlabel() == "r (mm)" and ax.get_ylabel() == "z (mm)" and "4" in ax.get_title(loc="left")
 
 
+def test_very_many_zones_are_painted_in_parts_to_the_same_picture(run, monkeypatch):
+    """A path of each zone would take gigabytes where there are a million."""
+    def painted():
+        figure = run.plot.map("pressure", time="4 us", mesh=False).figure
+        figure.canvas.draw()
+        return np.asarray(figure.canvas.buffer_rgba()).copy()
+
+    plain = painted()
+    monkeypatch.setattr("hugoniot.plotting.polygons.MOST_VECTORS", 7)
+    assert np.array_equal(painted(), plain)
+
+
 def test_the_mirrored_half_is_the_same_on_the_left(run):
     ax = run.plot.map("pressure", time=0.0)
     right, left = [part for part in ax.collections if isinstance(part, PolyCollection)]

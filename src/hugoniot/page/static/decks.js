@@ -188,16 +188,30 @@ at = "free surface right"
   async function run() {
     try { const started = await H.send("job", area.value); H.set({job: String(started.job)}); } catch (error) { H.failed(error); }
   }
+  // made anew only where the run has come to another state: a button that went away between press and release would not be clicked
+  function buttons(job, number, means) {
+    const stop = async () => { try { await H.send(`job/${Number(number)}/stop`); watch(); } catch (error) { H.failed(error); } };
+    H.clear(jobBox).append(H.h("div", {class: "bar", "data-state": job.state}, H.h("strong", {}, job.name),
+      H.h("span", {class: job.state === "failed" ? "bad" : job.state === "done" ? "good" : ""}, job.state),
+      H.h("progress", {max: 1, "aria-label": "Progress of the run"}), H.h("span", {class: "small quiet", "data-progress": ""}),
+      job.state === "running" ? H.h("button", {type: "button", onclick: stop}, "Stop") : "",
+      job.run !== null ? H.h("button", {type: "button", onclick: () => H.go("runs", {run: String(job.run)})}, job.state === "running" ? "Watch" : "Open the result") : ""),
+      H.h("pre", {class: "small scroll", tabindex: 0, style: {padding: "6px", margin: 0, whiteSpace: "pre-wrap", overflowWrap: "anywhere"}}));
+    jobBox.dataset.means = means;
+  }
+  function write(element, words) { if (element.textContent !== words) element.textContent = words; }
   async function watch() {
     clearTimeout(poll);
     const number = H.get("job");
     try {
       const job = await H.ask(`job/${Number(number)}`), p = job.progress, share = p.stop_time ? p.time / p.stop_time : 0;
-      H.clear(jobBox).append(H.h("div", {class: "bar", "data-state": job.state}, H.h("strong", {}, job.name), H.h("span", {class: job.state === "failed" ? "bad" : job.state === "done" ? "good" : ""}, job.state),
-        H.h("progress", {max: 1, value: job.state === "done" ? 1 : share, "aria-label": "Progress of the run"}), p.cycle ? H.h("span", {class: "small quiet"}, `${(100 * share).toFixed(0)} %, cycle ${p.cycle}, energy error ${Number(p.energy_error).toExponential(1)}`) : "",
-        job.state === "running" ? H.h("button", {type: "button", onclick: async () => { try { await H.send(`job/${Number(number)}/stop`); watch(); } catch (error) { H.failed(error); } }}, "Stop") : "",
-        job.run !== null ? H.h("button", {type: "button", onclick: () => H.go("runs", {run: String(job.run)})}, job.state === "running" ? "Watch" : "Open the result") : ""),
-        job.lines.length ? H.h("pre", {class: "small scroll", tabindex: 0, style: {padding: "6px", margin: 0, whiteSpace: "pre-wrap", overflowWrap: "anywhere"}}, job.lines.join("\n")) : "");
+      const means = `${number} ${job.state} ${job.run}`;
+      if (jobBox.dataset.means !== means || !jobBox.firstChild) buttons(job, number, means);
+      jobBox.querySelector("progress").value = job.state === "done" ? 1 : share;
+      write(jobBox.querySelector("[data-progress]"), p.cycle ? `${(100 * share).toFixed(0)} %, cycle ${p.cycle}, energy error ${Number(p.energy_error).toExponential(1)}` : "");
+      const said = jobBox.querySelector("pre");
+      said.hidden = !job.lines.length;
+      write(said, job.lines.join("\n"));
       if (job.state === "running") poll = setTimeout(watch, 400);
     } catch (error) { H.failed(error); }
   }
