@@ -40,7 +40,7 @@ def waves(time, values) -> list[Wave]:
         return []
     change = change * np.sign(change[np.argmax(np.abs(change) >= SMALLEST_WAVE * largest)])
     with np.errstate(divide="ignore", invalid="ignore"):
-        rates = np.nan_to_num(np.diff(change) / np.diff(time), nan=0.0).tolist()
+        rates = np.nan_to_num(np.diff(change) / np.diff(time), nan=0.0)
     found, k, top = [], 0, int(np.argmax(change))
     while k < top:
         low, (k, over) = k, _end_of_rise(change, rates, k, SMALLEST_WAVE * largest)
@@ -54,18 +54,24 @@ def waves(time, values) -> list[Wave]:
 
 def _end_of_rise(change, rates, start: int, least: float) -> tuple[int, bool]:
     """Where the rise ends that takes `change` by `least` above its value at `start`, or the record does; whether the rise is over there."""
-    steepest = slowest = 0.0
-    end = start
-    for k in range(start, len(rates)):
-        if change[k] - change[start] >= least:
-            if rates[k] <= LEVELLED_OFF * steepest:
+    # what comes before the first value that far above cannot end the rise: of it only the steepest rate and the slowest since count
+    above = change[start:-1] - change[start] >= least
+    first = start + int(np.argmax(above)) if above.any() else len(rates)
+    before = rates[start:first]
+    steepest, slowest, end = float(before.max(initial=0.0)), 0.0, start
+    if first > start:
+        since = before[np.argmax(before) if steepest > 0.0 else 0:][::-1]
+        slowest, end = float(since.min()), first - 1 - int(np.argmin(since))
+    for k, (rate, risen) in enumerate(zip(rates[first:], above[first - start:]), first):
+        if risen:
+            if rate <= LEVELLED_OFF * steepest:
                 return k, True
-            if slowest < SLOWED * steepest and rates[k] > STEEPENS * slowest:
+            if slowest < SLOWED * steepest and rate > STEEPENS * slowest:
                 return end, True
-        if rates[k] > steepest:
-            steepest = slowest = rates[k]
-        if rates[k] <= slowest:
-            slowest, end = rates[k], k
+        if rate > steepest:
+            steepest = slowest = rate
+        if rate <= slowest:
+            slowest, end = rate, k
     return len(rates), rates[-1] < SLOWED * steepest
 
 

@@ -47,7 +47,7 @@ class ReliefRows(NamedTuple):
     voids: Any
 
 
-SolidRows = namedtuple("SolidRows", "v voids solid solid_v")
+SolidRows = namedtuple("SolidRows", "v rho voids solid solid_v")
 
 
 def grows_voids(fracture) -> bool:
@@ -67,6 +67,11 @@ def void_change(tension, stiffness, voids, density, fracture):
     return (excess - closing) / fmax(answers, TINY), excess - closing
 
 
+def at_work(tension, voids, density, fracture):
+    """More than 0 where voids stand, or would grow: elsewhere `void_change` is nothing."""
+    return fmax(fmax(voids, -voids), tension - tension_cap(voids * density, fracture))
+
+
 def flow_beside_voids(flow, grown, density):
     """Plastic strain increment of the solid when part of the stretch, grown * density, was the opening of voids."""
     return fmax(flow - (2.0 / 3.0) * fmax(grown, 0.0) * density, 0.0)
@@ -74,11 +79,14 @@ def flow_beside_voids(flow, grown, density):
 
 @zone_pass(FractureRows)
 def fracture_pass(count, z, dt, numbers, law):
-    """Damage, failure and its largest ratio; voids, the pressure they relieve and the flow beside them, and how many zones they held."""
+    """Damage, failure and its largest ratio; voids, the pressure they relieve and the flow beside them, and how many zones they held.
+
+    Voids are looked after only in pieces that have some, or a zone at the tension its law caps: most have neither.
+    """
     rows_apart()
-    fracture, worst, capped = law_of(law, numbers), z.found[FOUND_FAILURE], 0.0
+    fracture, worst, most, capped = law_of(law, numbers), z.found[FOUND_FAILURE], 0.0, 0.0
     for j in range(count):
-        p, rho = z.p[j], z.rho[j]
+        p = z.p[j]
         tension = z.t1[j] - p
         hurt = z.damage[j] + dt * damage_rate(tension, fracture)
         ratio = failure(tension, p, z.rest[j] * z.v[j], hurt, fracture)
@@ -86,36 +94,52 @@ def fracture_pass(count, z, dt, numbers, law):
         z.damage[j] = hurt
         z.failure[j] = ratio
         if grows_voids(fracture):
-            grown, relief = void_change(tension, rho * rho * z.c2[j], z.voids[j], rho, fracture)
+            most = fmax(most, at_work(tension, z.voids[j], z.rho[j], fracture))
+            z.relief[j] = 0.0
+    z.found[FOUND_FAILURE] = worst
+    if most > 0.0:
+        for j in range(count):
+            p, rho = z.p[j], z.rho[j]
+            grown, relief = void_change(z.t1[j] - p, rho * rho * z.c2[j], z.voids[j], rho, fracture)
             z.voids[j] += grown
             z.relief[j] = relief
             z.flow[j] = flow_beside_voids(z.flow[j], grown, rho)
             z.p[j] = p + relief
             capped += 1.0 if relief > 0.0 else 0.0
-    z.found[FOUND_FAILURE] = worst
-    z.found[FOUND_CAPPED] += capped
+        z.found[FOUND_CAPPED] += capped
 
 
 @zone_pass(ReliefRows)
 def relief_pass(count, z, dt, numbers, law):
     """Takes off the tension what the voids would now; none of them grows."""
     rows_apart()
-    fracture = law_of(law, numbers)
+    fracture, most = law_of(law, numbers), 0.0
     for j in range(count):
-        p, rho = z.p[j], z.rho[j]
-        z.p[j] = p + void_change(z.t1[j] - p, rho * rho * z.c2[j], z.voids[j], rho, fracture)[1]
+        most = fmax(most, at_work(z.t1[j] - z.p[j], z.voids[j], z.rho[j], fracture))
+    if most > 0.0:
+        for j in range(count):
+            p, rho = z.p[j], z.rho[j]
+            z.p[j] = p + void_change(z.t1[j] - p, rho * rho * z.c2[j], z.voids[j], rho, fracture)[1]
 
 
 @zone_pass(SolidRows)
 def solid_pass(count, z, dt, numbers, law):
-    """Specific volume and density of the solid between the voids."""
+    """Specific volume and density of the solid between the voids; v and rho are those of both."""
     rows_apart()
+    most = 0.0
     for j in range(count):
-        solid = z.v[j] - z.voids[j]
-        z.solid_v[j] = solid
-        z.solid[j] = 1.0 / solid
+        most = fmax(most, fmax(z.voids[j], -z.voids[j]))
+    if most > 0.0:
+        for j in range(count):
+            solid = z.v[j] - z.voids[j]
+            z.solid_v[j] = solid
+            z.solid[j] = 1.0 / solid
+    else:
+        for j in range(count):
+            z.solid_v[j] = z.v[j]
+            z.solid[j] = z.rho[j]
 
 
 bind_flag(grows_voids, FRACTURE, "voids")
-bind(void_change)
-bind(flow_beside_voids)
+for _function in (void_change, at_work, flow_beside_voids):
+    bind(_function)

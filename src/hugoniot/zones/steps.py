@@ -156,7 +156,7 @@ class MaterialSteps:
         w = self.at.w
         if not self.laws.grows_voids:
             return rho, w.v
-        self.do(fracture.solid_pass, fracture.SolidRows(w.v, self.at.z.voids, w.solid, w.solid_v))
+        self.do(fracture.solid_pass, fracture.SolidRows(w.v, rho, self.at.z.voids, w.solid, w.solid_v))
         return w.solid, w.solid_v
 
     def relieve(self, solid) -> None:

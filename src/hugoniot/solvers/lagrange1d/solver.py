@@ -138,14 +138,11 @@ class Lagrange1D(NothingToAdd):
         if until <= self.time:
             return []
         self.control[L.UNTIL] = until
-        self._pass_times()
         with at_work(self.team, serve, self.plan):
             code = march(*self._march_arguments(cycles, self.plan))
         if code in (L.BAD_STATE, L.STEP_COLLAPSED):
             raise unphysical(self, code)
-        events = events_of(self, code)
-        self._pass_times()
-        return events
+        return events_of(self, code)
 
     def pass_through(self, times) -> bool:
         """March through these times (sorted, s) without coming back; they are hit exactly."""
@@ -157,11 +154,8 @@ class Lagrange1D(NothingToAdd):
     def seen_in_passing(self) -> dict[str, np.ndarray]:
         """At the times of `pass_through` that are reached: `time` (n,) s, largest size of `velocity` (m/s) and `stress` (Pa),
         `velocity_right` of the right end."""
+        pass_times.py_func(self.zones, self.nodes, self.control, self.counters, self.segments, self.passed)
         return dict(zip(("time", "velocity", "stress", "velocity_right"), self.passed[:int(self.counters[L.PASSED_TIMES])].T.copy()))
-
-    def _pass_times(self) -> None:
-        last = self.zones.shape[1] - 1, self.nodes.shape[1] - 1
-        pass_times.py_func(self.table, self.node_table, self.control, self.counters, self.passed, last)
 
     def _march_arguments(self, cycles, plan):
         arrays = self._arrays(self.watching)

@@ -257,6 +257,7 @@ def march(cycles, a, plan, scheme, geometry, boundaries, team, gauges, terms):
     """Take up to `cycles` steps; returns the code of `layout` that says why it came back."""
     control, counters, zone_count = a.control, a.counters, a.segments[-1, L.SEG_LAST]
     totals, recording = plan.found[plan.found.shape[0] - 1], gauges.table.shape[0] > 0
+    pass_times(a.zones, a.nodes, control, counters, a.segments, a.passed)
     for _ in range(cycles):
         if recording and counters[L.GAUGE_ROWS] >= gauges.times.shape[0]:
             return L.BUFFER_FULL
@@ -285,7 +286,6 @@ def march(cycles, a, plan, scheme, geometry, boundaries, team, gauges, terms):
                 control[L.NEXT_GAUGE] += control[L.GAUGE_INTERVAL]
         if counters[L.STOP] != L.PAUSED:
             return counters[L.STOP]
-        last = (zone_count - 1, zone_count + a.segments.shape[0] - 1)
-        if at_event and not pass_times(a.zones, a.nodes, control, counters, a.passed, last):
+        if at_event and not pass_times(a.zones, a.nodes, control, counters, a.segments, a.passed):
             return L.AT_EVENT
     return L.PAUSED

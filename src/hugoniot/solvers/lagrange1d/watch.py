@@ -125,19 +125,17 @@ def cavity_closed(nodes, segments):
 
 
 @nb.njit(**GUARD)
-def pass_times(zones, nodes, control, counters, passed, last):
-    """Note what is there at the times that are reached, and aim at the next one; whether that lies before the end of the march.
-
-    last   (zone, node) at the right end
-    """
-    k = counters[L.PASSED_TIMES]
+def pass_times(zones, nodes, control, counters, segments, passed):
+    """Note what is there at the times that are reached, and aim at the next one; whether that lies before the end of the march."""
+    k, zone_count = counters[L.PASSED_TIMES], segments[-1, L.SEG_LAST]
+    node_count = zone_count + segments.shape[0]
     while k < passed.shape[0] and passed[k, L.PASS_TIME] <= control[L.TIME]:
         velocity = stress = 0.0
-        for node in range(last[1] + 1):
+        for node in range(node_count):
             velocity = max(velocity, abs(nodes[H.u, node]))
-        for zone in range(last[0] + 1):
+        for zone in range(zone_count):
             stress = max(stress, abs(zones[Z.sigma, zone]))
-        passed[k, L.PASS_VELOCITY], passed[k, L.PASS_STRESS], passed[k, L.PASS_RIGHT] = velocity, stress, nodes[H.u, last[1]]
+        passed[k, L.PASS_VELOCITY], passed[k, L.PASS_STRESS], passed[k, L.PASS_RIGHT] = velocity, stress, nodes[H.u, node_count - 1]
         k += 1
     counters[L.PASSED_TIMES] = k
     following = passed[k, L.PASS_TIME] if k < passed.shape[0] else control[L.UNTIL]
