@@ -123,8 +123,8 @@ def test_surfaces_that_overlap_at_the_start_are_refused():
 
 @pytest.mark.parametrize("motion, words", [
     ('velocity = "10 m/s"', "direction"), ('velocity = "10 m/s"\ndirection = [0, 1]\nmass = 1.0', "driven"),
-    ("direction = [0, 1]", "at rest"), ("mass = 1.0\nspin = 2.0", "does not turn"), ("turns = true", "without a mass"),
-    ("mass = 1.0\nturns = true", "inertia"), ("mass = 1.0\nturns = true\ndirection = [0, 1]", "guided"), ('start = ["0 m/s", "1 m/s"]', "without a mass")])
+    ("direction = [0, 1]", "at rest"), ("mass = 1.0\nspin = 2.0", "a body that turns"), ("turns = true", "a body with a mass"),
+    ("mass = 1.0\nturns = true", "inertia"), ("mass = 1.0\nturns = true\ndirection = [0, 1]", "guided"), ('start = ["0 m/s", "1 m/s"]', "a body with a mass")])
 def test_a_rigid_body_is_at_rest_driven_or_free(motion, words):
     with pytest.raises(DeckError, match=words):
         read(f'[[rigid]]\nname = "w"\npoints = [["0 mm", "9 mm"], ["4 mm", "9 mm"]]\n{motion}\n')
