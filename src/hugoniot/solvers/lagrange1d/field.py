@@ -1,9 +1,17 @@
 """The field of a body force in space: uniform, or a power of the radius about the axis or the centre."""
 
-from hugoniot.core.binder import bind
+from typing import NamedTuple
+
+from hugoniot.core.binder import bind_choice
 from hugoniot.core.ops import vpow
 
 AMOUNT, PER_RADIUS, EXPONENT = range(3)     # of the row `field`: acceleration now (m/s2), 1/R, n
+
+
+class NoField(NamedTuple):
+    """The field of a run without a body force, for which nothing of one is compiled."""
+
+    none: int = 0
 
 
 def field_at(r, field):
@@ -13,4 +21,8 @@ def field_at(r, field):
     return field[AMOUNT] * vpow(r * field[PER_RADIUS], field[EXPONENT]) if r > 0.0 else 0.0
 
 
-bind(field_at)
+def _nowhere(r, field):
+    return 0.0
+
+
+bind_choice(field_at, lambda *classes: _nowhere if classes[-1] is NoField else field_at)

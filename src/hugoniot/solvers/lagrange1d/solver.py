@@ -18,11 +18,12 @@ from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_end, laws_of
 from hugoniot.solvers.lagrange1d.at_nodes import node_criteria
 from hugoniot.solvers.lagrange1d.between_steps import events_of
 from hugoniot.solvers.lagrange1d.bodies import alike_ranges, interface_table, left_nodes, run_table, set_node_masses, shares_of
+from hugoniot.solvers.lagrange1d.field import NoField
 from hugoniot.solvers.lagrange1d.layout import B, H, WorkRows, Z
 from hugoniot.solvers.lagrange1d.plan import EMPTY, Planner
 from hugoniot.solvers.lagrange1d.post_mortem import unphysical
 from hugoniot.solvers.lagrange1d.probes import applied_stress, probe_tables
-from hugoniot.solvers.lagrange1d.step import SCHEMES, WATCH, Arrays, Gauges, march
+from hugoniot.solvers.lagrange1d.step import AT_NODES, SCHEMES, WATCH, Arrays, Gauges, march
 from hugoniot.solvers.lagrange1d.tables import zone_table
 from hugoniot.solvers.lagrange1d.terms import terms_of
 from hugoniot.solvers.lagrange1d.watch import pass_times
@@ -65,7 +66,7 @@ class Lagrange1D(NothingToAdd):
         self.zone_fields = ZONE_FIELDS | ({"compaction": Z.compaction} if remembering else {})
         set_node_masses(self.zones, self.nodes, self.segments)
         ends = problem.left, problem.right
-        self.boundaries = tuple(boundary_end(problem, end, self.terms.force.field) for end in ends)
+        self.boundaries = tuple(boundary_end(problem, end, self.terms.force.field if self.terms.forced else NoField()) for end in ends)
         self.control = np.zeros(L.CONTROL_FLOATS)
         self.counters = np.zeros(L.CONTROL_INTS, dtype=np.int64)
         self.passed = np.zeros((0, L.PASS_FLOATS))
@@ -75,9 +76,11 @@ class Lagrange1D(NothingToAdd):
         start.prepare(self)
         self._new_buffer()
         self._renew_tables()
-        self.watching, watched = 0, (self._arrays(), self.geometry, EMPTY.dts)
-        compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs(), WATCH.job(*watched)])
+        self.watching, self.asking = 0, 0
+        watched, at_nodes = (self._arrays(), self.geometry, EMPTY.dts), [AT_NODES] if len(self.criteria) else []
+        compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs(), *(e.job(*watched) for e in (*at_nodes, WATCH))])
         self.watching = WATCH.address(*watched)
+        self.asking = AT_NODES.address(*watched) if at_nodes else 0
         self.renew_topology()
         self.start_energy, self.start_mass, self.start_momentum = self.total_energy(), self.zones[Z.mass].sum(), self.momentum()
 
@@ -158,13 +161,13 @@ class Lagrange1D(NothingToAdd):
         return dict(zip(("time", "velocity", "stress", "velocity_right"), self.passed[:int(self.counters[L.PASSED_TIMES])].T.copy()))
 
     def _march_arguments(self, cycles, plan):
-        arrays = self._arrays(self.watching)
+        arrays = self._arrays()
         gauges = Gauges(self.gauges, self.weights, self.gauge_times, self.gauge_buffer)
         return cycles, arrays, plan, self.scheme, self.geometry, self.boundaries, self.team, gauges, self.terms.marching
 
-    def _arrays(self, watching=0):
+    def _arrays(self):
         return Arrays(self.table, self.charge_table, self.node_table, self.gradient_table, self.control, self.counters, self.segments,
-                      self.interfaces, self.passed, self.criteria, watching)
+                      self.interfaces, self.passed, self.criteria, self.asking, self.watching)
 
     def take_gauges(self):
         """(times, {field: (n, ngauge)}) recorded since the last call; with what `reactive.gauge_columns` adds where something burns."""

@@ -63,7 +63,7 @@ SCHEMES = {"compatible": Compatible(), "wilkins": Leapfrog()}
 
 class Arrays(NamedTuple):
     """What a march works on besides its plan: the tables of `layout`, control numbers, bodies and weak interfaces, times it passes;
-    fracture criteria at nodes (`at_nodes`); address of `watch`."""
+    fracture criteria at nodes (`at_nodes`); addresses of `ask_at_nodes`, 0 where no node is asked, and `watch`."""
 
     zones: Any
     charge: Any
@@ -75,6 +75,7 @@ class Arrays(NamedTuple):
     interfaces: Any
     passed: Any
     criteria: Any
+    asking: int
     watching: int
 
 
@@ -178,20 +179,28 @@ def _(a, plan, scheme, geometry, boundaries, team):
     return step_wilkins if scheme.instance_class is Leapfrog else step_compatible
 
 
+def ask_at_nodes(a, geometry, found):
+    """Fracture criteria that are asked at nodes, compiled for the runs that have some."""
+    fail_at_nodes(a.zones, a.nodes, a.segments, a.criteria)
+
+
+AT_NODES = Entry(ask_at_nodes)
+
+
 @nb.njit(**GUARD)
-def event_of(zones, nodes, control, counters, segments, interfaces, criteria):
+def event_of(a, geometry, found):
     """(what happens to the bodies now, where), or (PAUSED, -1)."""
-    if segments.shape[0] > 1:
-        gap = touching_gap(zones, nodes, segments)
+    if a.segments.shape[0] > 1:
+        gap = touching_gap(a.zones, a.nodes, a.segments)
         if gap >= 0:
             return L.VOID_CLOSES, gap
-    if criteria.shape[0] > 0:
-        fail_at_nodes(zones, nodes, segments, criteria)
-    if control[L.WORST_FAILURE] >= 1.0 or counters[L.FRACTURING] > 0 or criteria.shape[0] > 0:
-        node = failing_node(zones, segments, control, counters)
+    if a.asking != 0:
+        call_entry(a.asking, a, geometry, found)
+    if a.control[L.WORST_FAILURE] >= 1.0 or a.counters[L.FRACTURING] > 0 or a.asking != 0:
+        node = failing_node(a.zones, a.segments, a.control, a.counters)
         if node >= 0:
             return L.VOID_OPENS, node
-    separating = separating_interface(zones, nodes, interfaces)
+    separating = separating_interface(a.zones, a.nodes, a.interfaces)
     return (L.INTERFACE_OPENS, separating) if separating >= 0 else (L.PAUSED, -1)
 
 
@@ -204,7 +213,7 @@ def watch(a, geometry, found):
     if found[FOUND_UNSOUND] > 0.0:
         counters[L.STOP] = L.BAD_STATE
         return
-    code, culprit = event_of(a.zones, a.nodes, a.control, counters, a.segments, a.interfaces, a.criteria)
+    code, culprit = event_of(a, geometry, found)
     if culprit >= 0:
         counters[L.CULPRIT] = culprit
     hollow = line.hoops(geometry) > 0.0 and cavity_closed(a.nodes, a.segments)
