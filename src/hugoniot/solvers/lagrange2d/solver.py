@@ -54,7 +54,8 @@ class Lagrange2D(NothingToAdd):
         self.boundaries = boundary_tables(problem, numbering)
         surfaces = Surfaces(problem, numbering, self.boundaries) if may_meet(problem) else None
         nodes = with_rigid(problem, surfaces, nodes)
-        self._zones, self._nodes = zone_table(len(Z), count), zone_table(len(N), nodes.shape[1])
+        self._zones, self._nodes, self.forces = (zone_table(len(names), size) for names, size in (
+            (Z, count), (N, nodes.shape[1]), (L.Forces._fields, count)))
         self.zones, self.nodes = self._zones[:, :count], self._nodes[:, :nodes.shape[1]]
         self.zones[:], self.nodes[:] = zones, nodes
         self.zones[Z.e] += heat
@@ -95,7 +96,7 @@ class Lagrange2D(NothingToAdd):
     def _plan(self, mesh, speed):
         """(plan of the march, largest speed of a programmed front)."""
         materials, self.material_of = materials_of(self.problem, speed, self.options.near)
-        tables = self._zones, self._charge, self._nodes, self.run.gradients, diagonal_table(mesh)
+        tables = self._zones, self.forces, self._charge, self._nodes, self.run.gradients, diagonal_table(mesh)
         self.planner = Planner(tables, materials, G.KINDS[self.kind], self.problem.solver.viscosity, self.problem.body_force,
                                self.team.threads, max(block.nj for block in mesh.blocks))
         compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs()])

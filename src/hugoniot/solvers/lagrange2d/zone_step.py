@@ -96,7 +96,7 @@ def predict(s, geometry, numbers, fluid, kind):
     resist(s, geometry, solid, kind)
     push = passes.push_fluid if fluid else passes.push_solid
     s.do(push, passes.PushOf(at.mid, s.p_half, at.new, at.q, at.rest, z.t0, z.t1, s.rho_half, z.c, z.inverse_mass, at.f,
-                             z.filter_power), kind=geometry, numbers=numbers)
+                             at.power), kind=geometry, numbers=numbers)
     if s.laws.burns:
         s.keep_half()
 
@@ -105,7 +105,7 @@ def correct(s, geometry, numbers, fluid, conduction):
     """Write how the state at the end of the step and its forces are found; conduction: rows and numbers of the artificial heat flux, or
     None."""
     z, w, at = s.at.z, s.at.w, s.at
-    s.do(passes.settle, passes.SettleOf(at.mid, at.f, z.inverse_mass, z.filter_power, at.d, z.e, w.heat,
+    s.do(passes.settle, passes.SettleOf(at.mid, at.f, z.inverse_mass, at.power, at.d, z.e, w.heat,
                                         z.viscous_work, z.filter_work, at.q, z.q), kind=geometry, numbers=numbers)
     if conduction:
         s.do(heat_flux.conduct, conduction[0], kind=geometry, numbers=conduction[1])
