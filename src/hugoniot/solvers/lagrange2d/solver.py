@@ -85,13 +85,13 @@ class Lagrange2D(NothingToAdd):
     # -- setting up ------------------------------------------------------------------------------------------
     def _run(self, mesh, contact) -> Run:
         edges = self.boundaries
-        ghosts = ghost_tables(mesh, self.numbering, edges.mirrors, alike(self.problem, self.zones))
-        axis = in_rows(mesh, edges, *axis_tables(self.problem, self.numbering, self.nodes[:, :self.numbering.total], self.kind))
+        *ghosts, before = ghost_tables(mesh, self.numbering, edges.mirrors, alike(self.problem, self.zones))
+        *axis, rows = in_rows(mesh, edges, *axis_tables(self.problem, self.numbering, self.nodes[:, :self.numbering.total], self.kind))
         gradients = zone_table(gradient_rows(self.problem), int(cells(mesh)[-1]))
         ends = transmitting.tables(edges, ghosts[0], self.numbering)
         return Run(self._zones, self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates, *ends,
                    edges.held, edges.held_normals, edges.pulses, edges.tables, *self.numbering.shared(), edges.special, *axis,
-                   self.chains, np.zeros_like(self.chains), contact)
+                   np.vstack((rows, before)), self.chains, np.zeros_like(self.chains), contact)
 
     def _plan(self, mesh, speed):
         """(plan of the march, largest speed of a programmed front)."""
