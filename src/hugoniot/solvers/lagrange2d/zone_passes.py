@@ -16,7 +16,7 @@ from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, vsqrt
 from hugoniot.core.passes import kind_of, named, rows_apart, zone_pass
 from hugoniot.solvers.lagrange2d import hourglass
-from hugoniot.solvers.lagrange2d.cells import cell, coefficients, inverse_altitude, power, strains, stress_forces, volume
+from hugoniot.solvers.lagrange2d.cells import cell, coefficients, longest_side, power, strains, stress_forces, volume
 from hugoniot.solvers.lagrange2d.forces import add_forces
 from hugoniot.solvers.lagrange2d.layout import FILTER, NEAR, Corners, Rates, Sides, SidesNow, Stress, Tensor
 from hugoniot.zones.constants import Constants
@@ -225,10 +225,11 @@ def shape(count, z, dt, numbers, law):
     geometry = kind_of(law)
     for j in range(count):
         at = cell(z.corners, j)
-        v = volume(at, geometry) * z.inverse_mass[j]
+        v, longest = volume(at, geometry) * z.inverse_mass[j], longest_side(at)
+        inverse = 1.0 / (v * at.area)      # one division does for both
         z.v[j] = v
-        z.rho[j] = 1.0 / v
-        z.inverse[j] = inverse_altitude(at)
+        z.rho[j] = at.area * inverse
+        z.inverse[j] = longest * v * inverse
 
 
 def rate_of_state(z, j, b, constants):

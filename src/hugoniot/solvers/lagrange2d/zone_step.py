@@ -18,7 +18,9 @@ def deviators(s, solid, e, p, lam, step):
         s.clear(*at.new)
         return
     solid_rows = s.asked(solid, e, p, lam)
-    s.do(tensor.strain_solid, tensor.StrengthOf(solid_rows, at.s, at.d, w.shear, at.new, w.t1, w.limit, w.flow), step, law=s.strong(()))
+    s.do(tensor.strain_solid, tensor.StrengthOf(solid_rows, at.s, at.d, w.shear, at.new, w.limit, w.flow), step, law=s.strong(()))
+    if s.laws.breaks:
+        s.do(tensor.largest_deviator, tensor.LargestOf(at.new, w.t1))
 
 
 def resist(s, geometry, solid, kind):
