@@ -113,10 +113,9 @@ def correct(s, geometry, numbers, fluid, conduction):
         s.do(heat_flux.conduct, conduction[0], kind=geometry, numbers=conduction[1])
     s.do(passes.shape, passes.ShapeOf(at.now, z.inverse_mass, w.v, z.rho, w.inverse_length), kind=geometry, numbers=numbers)
     solid_v = state_at_end(s)
-    stand = (at.now, z.p, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s, z.sigma, z.c, at.f, at.found)
-    if fluid:
-        s.do(passes.stand_filtered, passes.StandFilteredOf(*stand, z.rho, z.t0, z.t1), kind=geometry, numbers=numbers)
-    else:
-        s.do(passes.stand, passes.StandOf(*stand), kind=geometry, numbers=numbers)
+    of = passes.StandOf(at.now, z.p, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s, z.sigma, z.c, at.f,
+                        at.found)
+    stand, rows = (passes.stand_filtered, passes.StandFilteredOf(of, z.rho, z.t0, z.t1)) if fluid else (passes.stand, of)
+    s.do(stand, rows, kind=geometry, numbers=numbers)
     s.pace(w.inverse_length)
     s.look_over()
