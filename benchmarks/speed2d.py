@@ -40,7 +40,7 @@ def main():
         ours = max(ours, 6 * n * n / (time.process_time() - begun) / 1e6)
         theirs = max(theirs, 24 * n * n / yardstick.run_b(library, n, n, 24, yardstick.init_b(n, n)) / 1e6)
     print(f"lagrange2d {ours:.2f}, C {theirs:.2f} M zone-updates/s, ratio {ours / theirs:.3f}; "
-          f"{(solver.zones.nbytes + solver.nodes.nbytes) / n / n:.0f} bytes a zone")
+          f"{sum(table.nbytes for table in (solver.zones, solver.nodes, solver.forces, solver.run.gradients)) / n / n:.0f} bytes a zone")
 
 
 if __name__ == "__main__":

@@ -112,7 +112,7 @@ def test_what_is_kept_is_all_a_step_is_taken_from():
     kept, cycle = rewind.keep(solver), solver.cycle
     solver.march(1.0, 30)
     there = solver.payload()
-    solver.zones[[Z.filter_power, *range(Z.f0x, Z.f3y + 1)]] = np.nan       # scratch counts for nothing
+    solver.forces[:] = np.nan       # scratch counts for nothing
     solver.nodes[[N.xh, N.yh, N.um, N.vm, N.fx, N.fy, N.gx, N.gy]] = np.nan
     rewind.put_back(solver, kept)
     assert solver.cycle == cycle

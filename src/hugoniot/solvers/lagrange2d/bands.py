@@ -15,7 +15,7 @@ from hugoniot.core.target import GUARD
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.plan import FROM, HEIGHT, TO
 
-LOADS, SPECIAL, HELD, AXIS = range(4)      # rows of the table of what comes before each row
+LOADS, SPECIAL, HELD, AXIS, GHOSTS = range(5)      # rows of the table of what comes before each row
 # rows by which a step lags behind the forces of its start: nodes held then, stress in the middle, nodes held and moved, state at the end
 HOLD, STRESS, MOTION, END = 1, 2, 3, 4
 

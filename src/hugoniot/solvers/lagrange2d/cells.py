@@ -38,9 +38,9 @@ def power(f, corners, j):
     return _power(type(f))(f, corners, j)
 
 
-def inverse_altitude(of):
-    """Inverse of the smallest altitude of a zone, 1/m."""
-    return _inverse_altitude(type(of))(of)
+def longest_side(of):
+    """Length (m) which over the area of a zone is the inverse of its smallest altitude: the longest edge, half that of a triangle."""
+    return _longest_side(type(of))(of)
 
 
 def stress_forces(f, j, b, p, xx, yy, xy, qxx, qyy, qxy, qhoop):
@@ -72,13 +72,12 @@ def quad_power(f, corners, j):
     return work
 
 
-def quad_inverse_altitude(at):
-    """Longest edge over area."""
+def quad_longest_side(at):
     a, b = (at.x1 - at.x0) * (at.x1 - at.x0) + (at.y1 - at.y0) * (at.y1 - at.y0), at.x2 - at.x1
     b, c = b * b + (at.y2 - at.y1) * (at.y2 - at.y1), at.x3 - at.x2
     c, d = c * c + (at.y3 - at.y2) * (at.y3 - at.y2), at.x0 - at.x3
     d = d * d + (at.y0 - at.y3) * (at.y0 - at.y3)
-    return vsqrt(fmax(fmax(a, b), fmax(c, d))) / at.area
+    return vsqrt(fmax(fmax(a, b), fmax(c, d)))
 
 
 # -- triangles ----------------------------------------------------------------------------------------------------------------
@@ -88,10 +87,10 @@ def triangle_power(f, corners, j):
     return work + f.f2x[j] * c.u[j] + f.f2y[j] * c.v[j]
 
 
-def triangle_inverse_altitude(t):
-    """Longest side over twice the area; the sides are twice the derivatives of the area."""
+def triangle_longest_side(t):
+    """Half the longest side; the sides are twice the derivatives of the area."""
     a, b, c = t.ax * t.ax + t.ay * t.ay, t.bx * t.bx + t.by * t.by, t.cx * t.cx + t.cy * t.cy
-    return vsqrt(fmax(a, fmax(b, c))) / t.area
+    return vsqrt(fmax(a, fmax(b, c)))
 
 
 def _by_corners(*classes):
@@ -121,8 +120,8 @@ def _power(*classes):
     return triangle_power if classes[0] is VertexForces else quad_power
 
 
-def _inverse_altitude(*classes):
-    return triangle_inverse_altitude if classes[0] is Triangle else quad_inverse_altitude
+def _longest_side(*classes):
+    return triangle_longest_side if classes[0] is Triangle else quad_longest_side
 
 
 def _stress_forces(*classes):
@@ -130,9 +129,9 @@ def _stress_forces(*classes):
 
 
 for _generic, _choose in ((cell, _by_corners), (volume, _volume), (coefficients, _coefficients), (strains, _strains), (power, _power),
-                          (inverse_altitude, _inverse_altitude), (stress_forces, _stress_forces)):
+                          (longest_side, _longest_side), (stress_forces, _stress_forces)):
     bind_choice(_generic, _choose)
 for _function in (triangle, triangles.plane_area, triangles.ring_volume, triangles.plane_weights, triangles.ring_weights,
                   triangles.area_weights, triangles.plane_rates, triangles.ring_rates, triangles._rates, quad_of, quad_volume,
-                  quad_coefficients, quad_strains, quad_power, quad_inverse_altitude, triangle_power, triangle_inverse_altitude):
+                  quad_coefficients, quad_strains, quad_power, quad_longest_side, triangle_power, triangle_longest_side):
     bind(_function)

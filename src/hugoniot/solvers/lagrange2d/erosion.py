@@ -17,7 +17,6 @@ from hugoniot.solvers.lagrange2d.plan import GATHER, carry_out_alone
 from hugoniot.solvers.lagrange2d.rows_of_blocks import cells
 
 EVERY = 10      # cycles between two looks at the zones
-FORCES = slice(Z.f0x, Z.f3y + 1)
 NOTHING = (Z.p, Z.q, Z.sxx, Z.syy, Z.sxy, Z.qxx, Z.qyy, Z.qxy, Z.qhoop, Z.c, Z.viscous_speed, Z.sigma)
 WEIGHTLESS = 1e-200      # kg: of a node whose zones have all been dropped, on which nothing acts
 
@@ -78,7 +77,7 @@ class Erosion:
                 self._drop(zones)
             self.live[zones] = False
             z = self.solver.zones
-            z[FORCES, zones] = 0.0
+            self.solver.forces[:, zones] = 0.0
             for row in NOTHING:
                 z[row, zones] = 0.0
             self.take_out()

@@ -47,7 +47,6 @@ class Zones(NamedTuple):
     qyy: Any
     qxy: Any
     qhoop: Any
-    filter_power: Any        # W/kg that the viscous filter took in the middle of the step
     c: Any                   # longitudinal sound speed; -1 where it is imaginary
     viscous_speed: Any
     sigma: Any               # the principal stress of largest size, compression positive, viscosity included
@@ -65,7 +64,12 @@ class Zones(NamedTuple):
     peak_tension: Any
     peak_pressure: Any
     peak_density: Any
-    f0x: Any                 # force on each corner
+
+
+class Forces(NamedTuple):
+    """Force of zones on each corner; power (W/kg) that the viscous filter takes. No other step needs them."""
+
+    f0x: Any
     f0y: Any
     f1x: Any
     f1y: Any
@@ -73,6 +77,7 @@ class Zones(NamedTuple):
     f2y: Any
     f3x: Any
     f3y: Any
+    filter_power: Any
 
 
 class OfTriangles(NamedTuple):
@@ -256,8 +261,7 @@ class Smoothness(NamedTuple):
 
 PIECE = 256          # zones of a piece: its scratch rows stay in the second level of cache, and a row of the mesh is rarely cut
 
-# -- scratch of a member: rows of Work, Tensor (deviators found), Rates, Smoothness, Corners (viscous forces of the corners), Points (third
-# corners of triangles) -------------
+# -- scratch of a member: rows of Work, Tensor (deviators found), Rates, Smoothness, Corners (viscous forces), Points (of triangles) ------
 NEW = len(Work._fields)
 RATES = NEW + len(Tensor._fields)
 SMOOTH = RATES + len(Rates._fields)

@@ -23,7 +23,7 @@ from hugoniot.core.shares import everyone
 from hugoniot.core.target import GUARD
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import special_nodes, transmitting
-from hugoniot.solvers.lagrange2d.bands import AXIS, END, HELD, HOLD, LOADS, MOTION, SPECIAL, STRESS, between, next_top, take_rows
+from hugoniot.solvers.lagrange2d.bands import AXIS, END, GHOSTS, HELD, HOLD, LOADS, MOTION, SPECIAL, STRESS, between, next_top, take_rows
 from hugoniot.solvers.lagrange2d.contact import step as contact_step
 from hugoniot.solvers.lagrange2d.contact.step import touch
 from hugoniot.solvers.lagrange2d.node_step import FX, GX
@@ -74,7 +74,7 @@ class Run(NamedTuple):
     special: Any
     axis: Any
     axis_ratio: Any
-    before: Any              # (kinds of `bands`, rows): how many loads, special, held and axis nodes come before a row
+    before: Any              # (kinds of `bands`, rows): how many of each come before a row
     chains: Any              # (chains, 3): work and impulse of what stands outside
     kept: Any                # the same at the start of the step
     contact: Any             # `contact.layout.Contact` or `Nowhere`
@@ -157,6 +157,21 @@ def set_step(plan, dt):
 
 
 @nb.njit(**GUARD)
+def look_around(run, plan, last, top, team):
+    """Velocity gradients of the rows from `last` to `top` at the start of a step, and of the cells around the blocks beside them."""
+    take_rows(plan, last, top, 0)
+    everyone(plan, GRADIENTS, team)
+    a, b = between(run.before, GHOSTS, last, top, 0, run.ghosts.shape[0])
+    fill_ghosts(run.gradients, run.nodes, run.ghosts[a:b], run.ghost_numbers[a:b])
+
+
+@nb.njit(**GUARD)
+def in_bands(plan):
+    """Whether a band is not the whole mesh."""
+    return plan.band[HEIGHT] < plan.before.shape[1] - 1
+
+
+@nb.njit(**GUARD)
 def try_step(run, plan, options, control, first, team):
     """Steps 2 to 6 with the step of the plan; how many zones are tangled, in which case nothing has moved if a band is the whole mesh.
     `first`: the first try."""
@@ -165,6 +180,8 @@ def try_step(run, plan, options, control, first, team):
     special_nodes.axis_masses(run.nodes, run.axis, run.axis_ratio, options.near, False)
     while top < rows:
         last, top = top, next_top(plan, top)
+        if in_bands(plan):
+            look_around(run, plan, last, top, team)
         take_rows(plan, last, top, 0)
         everyone(plan, ACCELERATE, team)
         hold_specials(run, options, time, dt, first, GX, (last, top, HOLD))
@@ -215,13 +232,12 @@ def take_step(run, plan, options, control, counters, team):
     set_step(plan, dt)
     touch(run.contact, run, options, time, dt, contact_step.CLOSE)
     copy(run.chains, run.kept)
-    take_rows(plan, 0, plan.before.shape[1] - 1, 0)
-    everyone(plan, GRADIENTS, team)
-    fill_ghosts(run.gradients, run.nodes, run.ghosts, run.ghost_numbers)
+    if not in_bands(plan):      # several tries may need it, and transmitting edges follow it
+        look_around(run, plan, 0, plan.before.shape[1] - 1, team)
     transmitting.lag(run)
     copy(run.ends, run.ends_kept)
     while try_step(run, plan, options, control, tries == 0, team) > 0.0:
-        if plan.band[HEIGHT] < plan.before.shape[1] - 1:
+        if in_bands(plan):
             return L.LED_ON
         tries += 1
         counters[L.REPEATED] += 1

@@ -18,15 +18,20 @@ from hugoniot.core.target import GUARD
 from hugoniot.solvers.lagrange2d import heat_flux, node_step, smoothness, triangle_passes, triangle_step, zone_passes, zone_step
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.plane_rows import (
+    AT_BEFORE,
     AT_GRADIENTS,
     AT_GRADIENTS_BEFORE,
     AT_GRADIENTS_BEHIND,
     AT_LOW,
+    AT_UPPER_BEFORE,
+    AT_ZONES,
     BEFORE_ONLY,
     BEHIND_ONLY,
     BOTH,
     DT,
     DT_BACK,
+    OF_FORCES,
+    OF_ZONES,
     ORIGINS,
     RowsOfRun,
 )
@@ -38,6 +43,7 @@ COMMANDS = 10
 OF_NODES = (ACCELERATE, PUSH, MOVE, TAKE_BACK, GATHER)
 FIRST, LAST, COUNT, PIECE, MEMBER, ORIGIN = range(6)          # columns of the table of shares, the last one the first of the origins
 FROM, TO, HEIGHT = range(3)                                   # of the band: its first row and the one after its last, rows of a band
+IN_FLIGHT = 4                                                 # rows before a band whose forces its commands need, and one to spare
 BAND = 4_000                                                  # zones of a band for each member: what a step reads of them stays in cache
 
 
@@ -82,7 +88,7 @@ EMPTY = _empty()     # of the compiled type of every plan
 class Planner:
     """Writes the lists of a run.
 
-    tables     (zones, charge, nodes, gradients, further fields of triangles or None), which stay where they are as long as the run
+    tables     (zones, forces, charge, nodes, gradients, further fields of triangles or None), which stay where they are as long as the run
     materials  (laws, numbers, whether it is a fluid, whether both triangles of a cell share their pressure) of each material
     viscosity  `problem.plane.model.Viscosity2D`
     """
@@ -193,7 +199,7 @@ class Planner:
         self.written, ends = write(self._lists.values())
         self._ends = dict(zip(self._lists, ends))
         height = max(1, BAND // max(count for count, *_ in node_rows))
-        self.height = height * self.threads
+        self.height, of_shares = height * self.threads, []
         shares, commands, before = [], [], np.zeros((COMMANDS, len(node_rows) + 1), dtype=np.int64)
         for command in range(COMMANDS):
             of_nodes, known = command in OF_NODES, any(command == other for other, _, _ in self._ends)
@@ -203,14 +209,29 @@ class Planner:
                 for count, kind, *origins in of_row if known else []:
                     member = n // height % self.threads      # whichever rows a band has: every member has as many, and always the same
                     key = (command, kind, 0) if of_nodes else (command, kind if command in (PREDICT, CORRECT, START) else 0, member)
-                    shares.append((*self._ends[key], count, count if of_nodes else L.PIECE, member, 0, *origins))
+                    shares.append((*self._ends[key], count, count if of_nodes else L.PIECE, member, 0, *origins, *len(OF_FORCES) * [0]))
+                    of_shares.append(n)
                 before[command, n + 1] = len(shares) - commands[-1]
-        band = np.array([0, len(node_rows), self.height], dtype=np.int64)
+        band = np.zeros(3, dtype=np.int64)
         origins = np.zeros((self.threads, ORIGINS), dtype=np.int64)
         found = np.zeros((before[LOOK, -1] + 1, L.FOUND_COLUMNS))
         plan = Plan(self.written, np.array(commands), before, np.array(shares, dtype=np.int64), band, 0, self.threads, origins, self.seen,
                     found, self.dts)
+        self._of_shares, self._first = np.array(of_shares), np.array([row[2 + AT_ZONES - 1] for row in node_rows])
+        self.set_bands(plan, False)
         return plan._replace(share_out=DO_SHARE.address(plan, 0, 0))
+
+    def set_bands(self, plan: Plan, several: bool) -> None:
+        """Have a plan take the mesh in several bands, or in one. The forces of a band's zones take the place of those of an earlier band,
+        which are no longer needed and still in cache."""
+        rows, height = len(self._first), self.height if several else len(self._first)
+        if plan.band[HEIGHT] == height:
+            return
+        plan.band[HEIGHT], around, width = height, height + IN_FLIGHT, np.diff(self._first).max(initial=0)
+        slots = np.arange(rows) % around * width - self._first if around * width <= self._first[-1] else np.zeros(rows, dtype=np.int64)
+        for origin, of_zones in zip(OF_FORCES, OF_ZONES):
+            row = self._of_shares - (of_zones in (AT_BEFORE, AT_UPPER_BEFORE))
+            plan.shares[:, ORIGIN + origin] = plan.shares[:, ORIGIN + of_zones] + slots[row]
 
 
 # -- carried out -------------------------------------------------------------------------------------------------------

@@ -10,9 +10,12 @@ from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import node_step, triangle_step
 
 # origins: a row of zones and the one before it, the rows of nodes on both its sides, its gradients and those of the rows beside it
-# and, of triangles, the upper ones of the rows of cells whose lower ones are the zones
+# and, of triangles, the upper ones of the rows of cells whose lower ones are the zones; where the forces of each row of zones are
 (AT_ZONES, AT_BEFORE, AT_LOW, AT_HIGH, AT_GRADIENTS, AT_GRADIENTS_BEFORE, AT_GRADIENTS_BEHIND, AT_UPPER, AT_UPPER_BEFORE,
- ORIGINS) = range(1, 11)
+ AT_FORCES, AT_FORCES_BEFORE, AT_UPPER_FORCES, AT_UPPER_FORCES_BEFORE, ORIGINS) = range(1, 15)
+OF_ZONES = (AT_ZONES, AT_BEFORE, AT_UPPER, AT_UPPER_BEFORE)
+OF_FORCES = (AT_FORCES, AT_FORCES_BEFORE, AT_UPPER_FORCES, AT_UPPER_FORCES_BEFORE)
+BY_FORCES = dict(zip(OF_ZONES, OF_FORCES))
 DT, DT_HALF, DT_BACK = range(3)                               # of the row of time steps
 BOTH, BEHIND_ONLY, BEFORE_ONLY = range(3)                     # rows of zones beside a row of nodes
 
@@ -30,6 +33,7 @@ class PlaneRows(NamedTuple):
     s: Any               # deviators of the state
     q: Any               # mean viscous stress: of the step before, then of the step
     f: Any               # corner forces
+    power: Place         # W/kg that the viscous filter takes in the middle of the step
     d: Any               # strain rates
     new: Any             # deviators found
     smooth: Any
@@ -53,20 +57,20 @@ class PlaneRows(NamedTuple):
 class RowsOfRun:
     """Places of the rows of a run.
 
-    tables     zones, charge, nodes, gradients, further fields of triangles (None: of quadrilaterals), which stay where they are
+    tables     zones, forces, charge, nodes, gradients, further fields of triangles (None: of quadrilaterals), which stay where they are
     threads    members of the team, each with scratch of its own, for both triangles of a cell
     longest    most zones of a row
     """
 
     def __init__(self, tables, threads: int, longest: int):
-        self.zones, self.charge, self.nodes, self.gradients, self.own = tables
+        self.zones, self.forces, self.charge, self.nodes, self.gradients, self.own = tables
         self.threads, self.dts, self.seen = threads, np.zeros(3), np.zeros((threads, L.FOUND_COLUMNS))
         self.scratch = zone_table(L.SCRATCH_ROWS, threads * L.PIECE * (1 if self.own is None else 2))
         self._nothing = np.zeros(longest + 2)
 
     def rows(self, member: int, room: int, origin: int = AT_ZONES) -> PlaneRows:
         """Rows of a member, with the scratch number `room`."""
-        z = places(L.Zones, self.zones, origin)
+        z, forces = places(L.Zones, self.zones, origin), places(L.Forces, self.forces, BY_FORCES[origin])
         low, high = places(L.Nodes, self.nodes, AT_LOW), places(L.Nodes, self.nodes, AT_HIGH)
 
         def scratch(cls, first):
@@ -77,7 +81,7 @@ class RowsOfRun:
             L.Points(low.x, low.y, low.u, low.v), L.Points(high.x, high.y, high.u, high.v),
             L.Points(low.xh, low.yh, low.um, low.vm), L.Points(high.xh, high.yh, high.um, high.vm),
             L.Tensor(z.sxx, z.syy, z.sxy), L.Stress(z.qxx, z.qyy, z.qxy, z.qhoop),
-            L.Corners(*z[L.Zones._fields.index("f0x"):]), scratch(L.Rates, L.RATES), scratch(L.Tensor, L.NEW),
+            L.Corners(*forces[:len(L.Corners._fields)]), forces.filter_power, scratch(L.Rates, L.RATES), scratch(L.Tensor, L.NEW),
             scratch(L.Smoothness, L.SMOOTH), scratch(L.Corners, L.REST), place(self.seen[member]),
             place(self.seen[member, L.FOUND_TANGLED:]), place(self.dts[DT:]), place(self.dts[DT_HALF:]))
 
@@ -93,15 +97,15 @@ class RowsOfRun:
     def beside(self, which: int):
         """Corner forces of the rows of zones behind and before a row of nodes."""
         none = L.Vector(place(self._nothing), place(self._nothing))
-        f, g = (places(L.Zones, self.zones, origin) for origin in (AT_ZONES, AT_BEFORE))
+        f, g = (places(L.Forces, self.forces, origin) for origin in (AT_FORCES, AT_FORCES_BEFORE))
         if self.own is not None:
             behind = before = node_step.OfPairs(none, none, none, none, *none)
             if which != BEFORE_ONLY:
-                upper, own = places(L.Zones, self.zones, AT_UPPER), places(L.OfTriangles, self.own, AT_ZONES)
+                upper, own = places(L.Forces, self.forces, AT_UPPER_FORCES), places(L.OfTriangles, self.own, AT_ZONES)
                 behind = node_step.OfPairs(L.Vector(f.f0x, f.f0y), L.Vector(upper.f1x, upper.f1y), L.Vector(f.f2x, f.f2y),
                                            L.Vector(upper.f2x, upper.f2y), own.way, own.back)
             if which != BEHIND_ONLY:
-                upper, own = places(L.Zones, self.zones, AT_UPPER_BEFORE), places(L.OfTriangles, self.own, AT_BEFORE)
+                upper, own = places(L.Forces, self.forces, AT_UPPER_FORCES_BEFORE), places(L.OfTriangles, self.own, AT_BEFORE)
                 before = node_step.OfPairs(L.Vector(g.f1x, g.f1y), L.Vector(upper.f0x, upper.f0y), L.Vector(g.f2x, g.f2y),
                                            L.Vector(upper.f2x, upper.f2y), own.back, own.way)
             return behind, before

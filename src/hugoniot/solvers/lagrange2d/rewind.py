@@ -17,15 +17,13 @@ from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.assemble import N, Z
 from hugoniot.solvers.lagrange2d.bands import local
 from hugoniot.solvers.lagrange2d.contact import results
-from hugoniot.solvers.lagrange2d.plan import HEIGHT
 from hugoniot.solvers.protocol import Event
 
 KEPT_FOR = 256       # steps
 WHOLE_FOR = 1024     # steps
 MOST_TRIES = 12      # of the same trouble, each with half the step of the one before
 CLEAR = 4 * MOST_TRIES     # steps without trouble after which it counts as over
-SCRATCH = ("filter_power", "f0x", "f0y", "f1x", "f1y", "f2x", "f2y", "f3x", "f3y")      # of a step
-NOT_LED_ON = {"mass", "inverse_mass", "t0", "t1", *SCRATCH}      # with what never changes
+NOT_LED_ON = {"mass", "inverse_mass", "t0", "t1"}
 ZONE_ROWS = np.array([k for k, name in enumerate(Z._fields) if name not in NOT_LED_ON])
 NODE_ROWS = np.array([N.x, N.y, N.u, N.v, N.gx, N.gy, N.im])
 WHOLE = ("control", "counters", "chains", "ends")
@@ -84,7 +82,7 @@ class Rewind:
             self.marches.append((solver.cycle, float(solver.control[L.EVENT_TIME])))
         whole = solver.cycle < self.whole_until
         in_bands = not whole and local(solver.run, solver.problem.solver.erosion)
-        solver.plan.band[HEIGHT] = solver.planner.height if in_bands else solver.plan.before.shape[1]
+        solver.planner.set_bands(solver.plan, in_bands)
         return min(end, self.marches[0][0] + KEPT_FOR, self.whole_until if whole else end)
 
     def finish(self, solver, stop) -> None:

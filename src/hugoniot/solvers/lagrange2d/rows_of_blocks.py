@@ -74,7 +74,8 @@ def block_sides(block):
 
 
 def ghost_tables(mesh, numbering: Numbering, mirrors, alike):
-    """The cells around the blocks (columns of `smoothness`): integers, and normals of walls with the way to the cell.
+    """The cells around the blocks (columns of `smoothness`), in the order of the rows of zones they lie beside: integers, normals of walls
+    with the way to the cell, and how many come before a row of nodes.
 
     mirrors: (4 blocks, 2) normals of the walls that are whole sides of blocks, 0 elsewhere; alike: whether heat flows between two zones
     at a joint.
@@ -85,7 +86,7 @@ def ghost_tables(mesh, numbering: Numbering, mirrors, alike):
     for block in mesh.blocks:
         for zone, k in (edge for side in block_sides(block) for edge in side):
             owners.setdefault(tuple(sorted((corners[zone, k], corners[zone, (k + 1) % 4]))), []).append((zone, k))
-    places, numbers, firsts = [], [], [block.first_zone for block in mesh.blocks]
+    places, numbers, firsts, beside, rows = [], [], [block.first_zone for block in mesh.blocks], [], 0
 
     def cell_of(zone):
         n = int(np.searchsorted(firsts, zone, side="right")) - 1
@@ -105,7 +106,10 @@ def ghost_tables(mesh, numbering: Numbering, mirrors, alike):
                 heat = [cell_of(z) for z, _ in others[:1] if alike(zone, z)]
                 places.append((own + step, own, direction, *nodes, *([-1, -1] if not far else []), *(heat or [-1])))
                 numbers.append((*mirrors[4 * n + side], way))
-    return np.array(places, dtype=np.int64), np.array(numbers)
+                beside.append(rows + (zone - block.first_zone) // block.nj)
+        rows += block.ni + 1
+    order = np.argsort(beside, kind="stable")
+    return np.array(places, dtype=np.int64)[order], np.array(numbers)[order], np.searchsorted(np.sort(beside), np.arange(rows + 1))
 
 
 def alike(problem, zones):

@@ -68,14 +68,15 @@ def gradients(count, z, dt, numbers, law):
     rows_apart()
     low, high, g = z.low, z.high, z.g
     for j in range(count):
-        ex, ey = low.x[j + 1] - low.x[j] + high.x[j + 1] - high.x[j], low.y[j + 1] - low.y[j] + high.y[j + 1] - high.y[j]
-        inverse = 1.0 / vsqrt(ex * ex + ey * ey)
-        g.xix[j] = (low.u[j + 1] - low.u[j] + high.u[j + 1] - high.u[j]) * inverse
-        g.xiy[j] = (low.v[j + 1] - low.v[j] + high.v[j + 1] - high.v[j]) * inverse
-        ex, ey = high.x[j] - low.x[j] + high.x[j + 1] - low.x[j + 1], high.y[j] - low.y[j] + high.y[j + 1] - low.y[j + 1]
-        inverse = 1.0 / vsqrt(ex * ex + ey * ey)
-        g.etax[j] = (high.u[j] - low.u[j] + high.u[j + 1] - low.u[j + 1]) * inverse
-        g.etay[j] = (high.v[j] - low.v[j] + high.v[j + 1] - low.v[j + 1]) * inverse
+        ax, ay = low.x[j + 1] - low.x[j] + high.x[j + 1] - high.x[j], low.y[j + 1] - low.y[j] + high.y[j + 1] - high.y[j]
+        bx, by = high.x[j] - low.x[j] + high.x[j + 1] - low.x[j + 1], high.y[j] - low.y[j] + high.y[j + 1] - low.y[j + 1]
+        a, b = vsqrt(ax * ax + ay * ay), vsqrt(bx * bx + by * by)
+        inverse = 1.0 / (a * b)      # one division does for both
+        over_a, over_b = b * inverse, a * inverse
+        g.xix[j] = (low.u[j + 1] - low.u[j] + high.u[j + 1] - high.u[j]) * over_a
+        g.xiy[j] = (low.v[j + 1] - low.v[j] + high.v[j + 1] - high.v[j]) * over_a
+        g.etax[j] = (high.u[j] - low.u[j] + high.u[j + 1] - low.u[j + 1]) * over_b
+        g.etay[j] = (high.v[j] - low.v[j] + high.v[j + 1] - low.v[j + 1]) * over_b
 
 
 def smooth(lx, ly, gx, gy, rx, ry):

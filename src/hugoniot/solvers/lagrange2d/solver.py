@@ -54,7 +54,8 @@ class Lagrange2D(NothingToAdd):
         self.boundaries = boundary_tables(problem, numbering)
         surfaces = Surfaces(problem, numbering, self.boundaries) if may_meet(problem) else None
         nodes = with_rigid(problem, surfaces, nodes)
-        self._zones, self._nodes = zone_table(len(Z), count), zone_table(len(N), nodes.shape[1])
+        self._zones, self._nodes, self.forces = (zone_table(len(names), size) for names, size in (
+            (Z, count), (N, nodes.shape[1]), (L.Forces._fields, count)))
         self.zones, self.nodes = self._zones[:, :count], self._nodes[:, :nodes.shape[1]]
         self.zones[:], self.nodes[:] = zones, nodes
         self.zones[Z.e] += heat
@@ -84,18 +85,18 @@ class Lagrange2D(NothingToAdd):
     # -- setting up ------------------------------------------------------------------------------------------
     def _run(self, mesh, contact) -> Run:
         edges = self.boundaries
-        ghosts = ghost_tables(mesh, self.numbering, edges.mirrors, alike(self.problem, self.zones))
-        axis = in_rows(mesh, edges, *axis_tables(self.problem, self.numbering, self.nodes[:, :self.numbering.total], self.kind))
+        *ghosts, before = ghost_tables(mesh, self.numbering, edges.mirrors, alike(self.problem, self.zones))
+        *axis, rows = in_rows(mesh, edges, *axis_tables(self.problem, self.numbering, self.nodes[:, :self.numbering.total], self.kind))
         gradients = zone_table(gradient_rows(self.problem), int(cells(mesh)[-1]))
         ends = transmitting.tables(edges, ghosts[0], self.numbering)
         return Run(self._zones, self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates, *ends,
                    edges.held, edges.held_normals, edges.pulses, edges.tables, *self.numbering.shared(), edges.special, *axis,
-                   self.chains, np.zeros_like(self.chains), contact)
+                   np.vstack((rows, before)), self.chains, np.zeros_like(self.chains), contact)
 
     def _plan(self, mesh, speed):
         """(plan of the march, largest speed of a programmed front)."""
         materials, self.material_of = materials_of(self.problem, speed, self.options.near)
-        tables = self._zones, self._charge, self._nodes, self.run.gradients, diagonal_table(mesh)
+        tables = self._zones, self.forces, self._charge, self._nodes, self.run.gradients, diagonal_table(mesh)
         self.planner = Planner(tables, materials, G.KINDS[self.kind], self.problem.solver.viscosity, self.problem.body_force,
                                self.team.threads, max(block.nj for block in mesh.blocks))
         compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs()])

@@ -23,16 +23,22 @@ NO_STRESS = 1e-30     # Pa2, beside which no stress squared counts
 
 
 class StrengthOf(NamedTuple):
-    """State, deviators and strain rates -> shear, deviators after the step, the largest principal one, limit, flow."""
+    """State, deviators and strain rates -> shear, deviators after the step, limit, flow."""
 
     solid: Solid
     s: Tensor
     d: Rates
     shear: Any
     new: Tensor
-    largest: Any
     limit: Any
     flow: Any
+
+
+class LargestOf(NamedTuple):
+    """Deviators -> the largest principal one."""
+
+    s: Tensor
+    largest: Any
 
 
 class HeatOf(NamedTuple):
@@ -48,17 +54,20 @@ def trial_deviators(s, rates, double):
     """Deviators (xx, yy, xy) of the elastic trial, turned with the zone.
 
     s        those before
-    rates    (xx, yy, xy, dilation) of the strain in 1/s, and the a of the turn
+    rates    (xx, yy, xy, dilation) of the strain in 1/s, and the tangent of half the angle of the turn
     double   2 G dt
     """
     xx, yy, xy = s
-    d_xx, d_yy, d_xy, dilation, a = rates
+    d_xx, d_yy, d_xy, dilation, half = rates
     difference, shear = xx - yy, 2.0 * xy
     d_difference, d_shear = double * (d_xx - d_yy), 2.0 * double * d_xy
-    over, same = 0.5 / (1.0 + a * a), 1.0 - a * a
     total = 0.5 * (xx + yy + double * (d_xx + d_yy - (2.0 / 3.0) * dilation))
-    turned = over * (same * difference - 2.0 * a * shear + d_difference - a * d_shear)
-    return total + turned, total - turned, over * (same * shear + 2.0 * a * difference + d_shear + a * d_difference)
+    square = half * half
+    inverse = 1.0 / (1.0 + square)
+    cosine, sine = (1.0 - square) * inverse, 2.0 * half * inverse      # of the angle: a is their ratio
+    same, a, less = 0.5 * (cosine * cosine - sine * sine), sine * cosine, 0.5 * cosine * cosine
+    turned = same * difference - a * shear + less * d_difference - 0.5 * a * d_shear
+    return total + turned, total - turned, same * shear + a * difference + less * d_shear + 0.5 * a * d_difference
 
 
 def equivalent_rate(xx, yy, xy, dilation):
@@ -76,22 +85,19 @@ def strain_solid(count, given, dt, numbers, law):
     strong = law_of(law, numbers)
     solid, s, d, new = given.solid, given.s, given.d, given.new
     for j in range(count):
-        lam, half = solid.lam[j], 0.5 * dt * d.spin[j]
+        lam = solid.lam[j]
         rate = equivalent_rate(d.xx[j], d.yy[j], d.xy[j], d.dilation[j]) if needs_rate(strong.law) else 0.0
         state = (solid.rho[j], solid.p[j], solid.temperature[j], rate)
         shear = modulus(state, solid.c2[j], lam, strong)
-        rates = (d.xx[j], d.yy[j], d.xy[j], d.dilation[j], 2.0 * half / (1.0 - half * half))
+        rates = (d.xx[j], d.yy[j], d.xy[j], d.dilation[j], 0.5 * dt * d.spin[j])
         xx, yy, xy = trial_deviators((s.xx[j], s.yy[j], s.xy[j]), rates, 2.0 * shear * dt)
         square = 3.0 * (xx * xx + yy * yy + xx * yy + xy * xy)
         equivalent = vsqrt(square)
         limit, flow = yielding(equivalent, shear, state, solid.plastic_strain[j], lam, strong)
         scale = fmin(1.0, late_over(limit * equivalent, square + NO_STRESS))
-        xx, yy, xy = xx * scale, yy * scale, xy * scale
-        apart = 0.5 * (xx - yy)
-        new.xx[j] = xx
-        new.yy[j] = yy
-        new.xy[j] = xy
-        given.largest[j] = fmax(0.5 * (xx + yy) + vsqrt(apart * apart + xy * xy), -(xx + yy))
+        new.xx[j] = xx * scale
+        new.yy[j] = yy * scale
+        new.xy[j] = xy * scale
         given.shear[j] = shear
         given.limit[j] = limit
         given.flow[j] = flow
@@ -99,6 +105,16 @@ def strain_solid(count, given, dt, numbers, law):
 
 bind(trial_deviators)
 bind(equivalent_rate)
+
+
+@zone_pass(LargestOf)
+def largest_deviator(count, given, dt, numbers, law):
+    """The largest principal deviator, at which a material tears."""
+    rows_apart()
+    s = given.s
+    for j in range(count):
+        mean, apart, xy = 0.5 * (s.xx[j] + s.yy[j]), 0.5 * (s.xx[j] - s.yy[j]), s.xy[j]
+        given.largest[j] = fmax(mean + vsqrt(apart * apart + xy * xy), -2.0 * mean)
 
 
 @zone_pass(HeatOf)

@@ -155,7 +155,7 @@ class Cell:
         for part in self.pair:
             at, z = part.at, part.at.z
             self.do(passes.gather_thirds, part.thirds(*at.mid))
-            self.do(passes.settle, SettleOf(part.mid, part.f, z.inverse_mass, z.filter_power, at.d, z.e,  # pyright: ignore
+            self.do(passes.settle, SettleOf(part.mid, part.f, z.inverse_mass, at.power, at.d, z.e,  # pyright: ignore
                                             at.w.heat, z.viscous_work, z.filter_work, at.q, z.q))
         if isinstance(self.geometry, AreaWeighted):
             self._divide_work()

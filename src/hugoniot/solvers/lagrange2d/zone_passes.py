@@ -16,7 +16,7 @@ from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, vsqrt
 from hugoniot.core.passes import kind_of, named, rows_apart, zone_pass
 from hugoniot.solvers.lagrange2d import hourglass
-from hugoniot.solvers.lagrange2d.cells import cell, coefficients, inverse_altitude, power, strains, stress_forces, volume
+from hugoniot.solvers.lagrange2d.cells import cell, coefficients, longest_side, power, strains, stress_forces, volume
 from hugoniot.solvers.lagrange2d.forces import add_forces
 from hugoniot.solvers.lagrange2d.layout import FILTER, NEAR, Corners, Rates, Sides, SidesNow, Stress, Tensor
 from hugoniot.zones.constants import Constants
@@ -105,20 +105,7 @@ class StandOf(NamedTuple):
 class StandFilteredOf(NamedTuple):
     """The same with the density and the shape at t = 0, for the filter of fluids."""
 
-    corners: SidesNow
-    p: Any
-    q: Stress
-    new: Tensor
-    c2: Any
-    shear: Any
-    solid_v: Any
-    speed: Any
-    inverse: Any
-    s: Tensor
-    sigma: Any
-    c: Any
-    f: Corners
-    found: Any
+    of: StandOf
     rho: Any
     t0: Any
     t1: Any
@@ -225,10 +212,11 @@ def shape(count, z, dt, numbers, law):
     geometry = kind_of(law)
     for j in range(count):
         at = cell(z.corners, j)
-        v = volume(at, geometry) * z.inverse_mass[j]
+        v, longest = volume(at, geometry) * z.inverse_mass[j], longest_side(at)
+        inverse = 1.0 / (v * at.area)      # one division does for both
         z.v[j] = v
-        z.rho[j] = 1.0 / v
-        z.inverse[j] = inverse_altitude(at)
+        z.rho[j] = at.area * inverse
+        z.inverse[j] = longest * v * inverse
 
 
 def rate_of_state(z, j, b, constants):
@@ -261,15 +249,15 @@ def stand(count, z, dt, numbers, law):
 def stand_filtered(count, z, dt, numbers, law):
     """The same with the forces of the subzonal pressures, so that a fluid they hold in equilibrium is predicted to stay."""
     rows_apart()
-    geometry, near, constants, fastest = kind_of(law), numbers[NEAR], named(Constants, numbers), z.found[FOUND_RATE]
-    merit = numbers[FILTER]
+    of, geometry, near, constants, merit = z.of, kind_of(law), numbers[NEAR], named(Constants, numbers), numbers[FILTER]
+    fastest = of.found[FOUND_RATE]
     for j in range(count):
-        at = cell(z.corners, j)
+        at = cell(of.corners, j)
         b = coefficients(at, near, geometry)
-        fastest = fmax(fastest, rate_of_state(z, j, b, constants))
-        x0, y0, x1, y1, x2, y2, x3, y3 = hourglass.subzonal(at, z.t0[j], z.t1[j], merit * z.rho[j] * z.c[j] * z.c[j])
-        add_forces(z.f, j, b, x0, y0, x1, y1, x2, y2, x3, y3)
-    z.found[FOUND_RATE] = fastest
+        fastest = fmax(fastest, rate_of_state(of, j, b, constants))
+        x0, y0, x1, y1, x2, y2, x3, y3 = hourglass.subzonal(at, z.t0[j], z.t1[j], merit * z.rho[j] * of.c[j] * of.c[j])
+        add_forces(of.f, j, b, x0, y0, x1, y1, x2, y2, x3, y3)
+    of.found[FOUND_RATE] = fastest
 
 
 @zone_pass(StartOf)

@@ -18,7 +18,9 @@ def deviators(s, solid, e, p, lam, step):
         s.clear(*at.new)
         return
     solid_rows = s.asked(solid, e, p, lam)
-    s.do(tensor.strain_solid, tensor.StrengthOf(solid_rows, at.s, at.d, w.shear, at.new, w.t1, w.limit, w.flow), step, law=s.strong(()))
+    s.do(tensor.strain_solid, tensor.StrengthOf(solid_rows, at.s, at.d, w.shear, at.new, w.limit, w.flow), step, law=s.strong(()))
+    if s.laws.breaks:
+        s.do(tensor.largest_deviator, tensor.LargestOf(at.new, w.t1))
 
 
 def resist(s, geometry, solid, kind):
@@ -96,7 +98,7 @@ def predict(s, geometry, numbers, fluid, kind):
     resist(s, geometry, solid, kind)
     push = passes.push_fluid if fluid else passes.push_solid
     s.do(push, passes.PushOf(at.mid, s.p_half, at.new, at.q, at.rest, z.t0, z.t1, s.rho_half, z.c, z.inverse_mass, at.f,
-                             z.filter_power), kind=geometry, numbers=numbers)
+                             at.power), kind=geometry, numbers=numbers)
     if s.laws.burns:
         s.keep_half()
 
@@ -105,16 +107,15 @@ def correct(s, geometry, numbers, fluid, conduction):
     """Write how the state at the end of the step and its forces are found; conduction: rows and numbers of the artificial heat flux, or
     None."""
     z, w, at = s.at.z, s.at.w, s.at
-    s.do(passes.settle, passes.SettleOf(at.mid, at.f, z.inverse_mass, z.filter_power, at.d, z.e, w.heat,
+    s.do(passes.settle, passes.SettleOf(at.mid, at.f, z.inverse_mass, at.power, at.d, z.e, w.heat,
                                         z.viscous_work, z.filter_work, at.q, z.q), kind=geometry, numbers=numbers)
     if conduction:
         s.do(heat_flux.conduct, conduction[0], kind=geometry, numbers=conduction[1])
     s.do(passes.shape, passes.ShapeOf(at.now, z.inverse_mass, w.v, z.rho, w.inverse_length), kind=geometry, numbers=numbers)
     solid_v = state_at_end(s)
-    stand = (at.now, z.p, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s, z.sigma, z.c, at.f, at.found)
-    if fluid:
-        s.do(passes.stand_filtered, passes.StandFilteredOf(*stand, z.rho, z.t0, z.t1), kind=geometry, numbers=numbers)
-    else:
-        s.do(passes.stand, passes.StandOf(*stand), kind=geometry, numbers=numbers)
+    of = passes.StandOf(at.now, z.p, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s, z.sigma, z.c, at.f,
+                        at.found)
+    stand, rows = (passes.stand_filtered, passes.StandFilteredOf(of, z.rho, z.t0, z.t1)) if fluid else (passes.stand, of)
+    s.do(stand, rows, kind=geometry, numbers=numbers)
     s.pace(w.inverse_length)
     s.look_over()
