@@ -191,8 +191,8 @@ def _strong_defects(material: Material, problem: Problem) -> list[str]:
                 "differ, and where they yield together the stress turns along the yield surface, so that no plastic wave has a "
                 "constant deviator; leave the strength out, or use lagrange1d"]
     if material.burn is not None:
-        return [f"burns and has strength; the cells of {NAME} keep the state of the reactants or a deviator, not both: leave one out, or "
-                "use lagrange1d"]
+        return [f"burns and has strength: behind a front of {NAME} a partly burned solid would have to divide the work of the jump between "
+                "reactants, products and distortion, for which there is no rule; leave one out, or use lagrange1d"]
     return []
 
 
