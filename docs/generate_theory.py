@@ -29,7 +29,7 @@ TOOLS = {
     "shock_lines": ("Rayleigh and Fanno lines", ("theory.shock_lines",), "theory.shock_lines", ("eos lines",)),
     "gurney": ("Metal driven by explosives", ("theory.exact.plate_push",), "theory.exact.plate_push", ("eos gurney",)),
     "fits": ("Fits", ("theory.fits",), "theory.fits", ("eos fit", "eos fit-jwl", "eos fit-gamma")),
-    "stability": ("Stability of detonations", ("theory.stability",), "theory.stability", ("eos stability",)),
+    "stability": ("Stability of detonations", ("theory.stability", "theory.normal_modes"), "theory.stability", ("eos stability",)),
     "converters": ("From other data to Herrmann's series", ("laws.eos.converters",), "laws.eos.converters", ("eos convert",)),
 }
 TOLD = {"converters": "From Python: `from hugoniot.laws.eos import converters`.",

@@ -3,6 +3,7 @@
 Distances y are those behind the front, in half-reaction lengths.
 """
 
+import math
 from types import MappingProxyType
 
 import numpy as np
@@ -162,16 +163,19 @@ def lead_shock(solver):
     return [one for one in solver.mesh.fronts if one.kind == "shock" and one.direction > 0][-1]
 
 
-def crests(wave, per_half_length, stop, behind=60.0, piece=4.0):
-    """(n, 2) times and front velocities of the crests of a wave that starts with its normal mode, 0.02 of its velocity."""
-    fields = SteadyZone(wave).mode(wave.mode(0.08 + 0.5j)).real * 0.02 * wave.velocity
+def crests(wave, per_half_length, stop, behind=60.0, piece=4.0, guess=0.08 + 0.5j, keeps_all=False):
+    """(n, 2) times and front velocities of the crests of a wave that starts with its normal mode, 0.02 of its velocity.
+
+    keeps_all   the window grows with the front, from `behind` at the start on: nothing is cut off
+    """
+    fields = SteadyZone(wave).mode(wave.mode(guess)).real * 0.02 * wave.velocity
     solver, begun, rows = steady_solver(SteadyZone(wave), per_half_length, behind, piece, fields), 0.0, []
     while begun < stop:
         while solver.time < piece:
             solver.march(min(piece, solver.time + 0.02), 10**9)
             rows.append((begun + solver.time, lead_shock(solver).speed))
         begun += piece
-        solver = windowed(solver, wave, per_half_length, behind, 1.6 * wave.velocity * piece + 1.0, piece)
+        solver = windowed(solver, wave, per_half_length, math.inf if keeps_all else behind, 1.6 * wave.velocity * piece + 1.0, piece)
     found = []
     for before, here, after in zip(rows, rows[1:], rows[2:]):
         if before[1] < here[1] >= after[1] and here[1] > wave.velocity:

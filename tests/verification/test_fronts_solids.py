@@ -15,9 +15,12 @@ from hugoniot.laws.riemann.solid import waves
 from hugoniot.laws.riemann.wave import Side
 from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
 from hugoniot.materials.material import Material
-from hugoniot.problem.model import Boundary, Problem, Pulse, Region, SolverOptions
+from hugoniot.problem.defaults import completed
+from hugoniot.problem.model import Boundary, Gauge, OutputOptions, Problem, Pulse, Region, SolverOptions
 from hugoniot.solvers.fronts.cells.solver import Cells
 from hugoniot.solvers.fronts.solver import Fronts
+from hugoniot.solvers.lagrange1d.solver import Lagrange1D
+from hugoniot.theory.exact.blake import blake
 from hugoniot.theory.exact.elastic_plastic_piston import Solid as Piston
 from hugoniot.theory.exact.elastic_plastic_piston import elastic_plastic_piston
 
@@ -144,3 +147,54 @@ def test_a_smooth_elastic_wave_converges_at_second_order():
         mean = (wanted * mass).sum(axis=1) / mass.sum(axis=1)
         errors.append(float((np.abs(cells_of(solver)[1] - mean) * mesh.width).sum() / (0.012 * top)))
     assert errors[1] < 5e-4 and math.log2(errors[0] / errors[1]) > 1.8
+
+
+# -- around a cavity ------------------------------------------------------------------------------------------------------
+def cavity(kind, geometry, zones, stop, inner, outer, pulse, material=ALUMINIUM["al"], places=(), **options):
+    """A solid around a cavity, driven from inside."""
+    own = SolverOptions(kind, options=MappingProxyType({"mode": "cells", **options} if kind == "fronts" else {}))
+    return completed(Problem("cavity", geometry, stop, (Region("solid", "al", inner, outer, zones),), {"al": material},
+                             Boundary("pressure", pulse), FREE, gauges=tuple(Gauge(f"{x:g}", x) for x in places), solver=own,
+                             output=OutputOptions(gauge_interval=stop / 200)))
+
+
+def test_an_elastic_solid_around_a_sphere_moves_as_blake_has_it():
+    """A step of pressure in a spherical cavity: the elastic front and the motion behind it, at second order."""
+    bulk, shear, stop = 125e9 / 3.0, 25e9, 20e-6
+    solid = Material("al", MieGruneisen(3000.0, math.sqrt(bulk / 3000.0), 0.0, 0.0), strength=PerfectlyPlastic(shear, 1e12))
+    exact, errors = blake(1e6, 0.1, 3000.0, bulk, shear), []
+    for zones in (50, 100):
+        solver = run(cavity("fronts", "spherical", zones, stop, 0.1, 0.3, Pulse("constant", 1e6), solid, weakest=1e-9))
+        mesh = solver.mesh
+        assert [front.kind for front in mesh.fronts] == ["end", "elastic shock", "surface"]
+        assert mesh.x[mesh.faces()[1]] == pytest.approx(exact.fronts(stop)[0], abs=3e-7)
+        x = mesh.x[:-1, None] + mesh.width[:, None] * (np.arange(10) + 0.5) / 10
+        found = exact.profile(x.ravel(), stop)
+        errors.append([float((np.abs(cells_of(solver)[row] - mean) * mesh.width).sum() / (np.abs(mean) * mesh.width).sum())
+                       for row, mean in ((k, (found[name].reshape(x.shape) * x**2).sum(axis=1) / (x**2).sum(axis=1))
+                                         for k, name in ((1, "velocity"), (6, "stress")))])
+        assert mesh.x[0] - 0.1 == pytest.approx(float(exact.profile(np.array([0.1]), stop)["displacement"][0]), rel=3e-4)
+        assert all(error < 1e-13 for error in solver.errors().values() if error == error)
+    assert max(errors[1]) < 2e-3 and all(math.log2(a / b) > 1.8 for a, b in zip(*errors))
+
+
+def gauges_of(problem):
+    solver = (Lagrange1D if problem.solver.kind == "lagrange1d" else Cells)(problem)
+    while solver.time < problem.stop_time:
+        solver.march(problem.stop_time, 10**9)
+    return solver, solver.take_gauges()[1]
+
+
+def test_lagrange1d_tends_to_the_elastic_plastic_waves_around_a_sphere():
+    """3 GPa in a cavity: precursor at the yield point, plastic shock, both decaying as they spread."""
+    geometry, stop, rest, places = "spherical", 2e-6, (0.01, 0.03, Pulse("constant", 3e9)), (0.0115, 0.014, 0.018)
+    solver, fine = gauges_of(cavity("fronts", geometry, 100, stop, *rest, places=places))
+    assert [front.kind for front in solver.mesh.fronts] == ["end", "shock", "elastic shock", "surface"]
+    assert all(error < 1e-13 for error in solver.errors().values() if error == error)
+    for name in ("stress", "velocity", "deviator_radial"):
+        off = []
+        for zones in (400, 1600):
+            _, found = gauges_of(cavity("lagrange1d", geometry, zones, stop, *rest, places=places))
+            difference = np.abs(found[name][:, :3] - fine[name][:, :3]).mean(axis=0) / np.abs(fine[name][:, :3]).max(axis=0)
+            off.append(difference.max())
+        assert off[1] < 0.005 and off[1] < 0.4 * off[0], name

@@ -6,9 +6,18 @@ import math
 import pytest
 from typer.testing import CliRunner
 
+from hugoniot.cli.eos.input import find_reactive
 from hugoniot.cli.main import build_app
 from hugoniot.errors import OutOfRange
+from hugoniot.laws.burn.arrhenius import Arrhenius
+from hugoniot.laws.burn.ignition_growth import IgnitionGrowth
+from hugoniot.laws.burn.pressure_power import PressurePower
+from hugoniot.laws.eos.ideal_gas import IdealGas
+from hugoniot.theory.mixture import mixture
+from hugoniot.theory.normal_modes import ModesOfZone
 from hugoniot.theory.stability import Wave, neutral_activation
+from hugoniot.theory.upstream import Initial
+from hugoniot.theory.znd import zone_of
 
 
 def test_the_steady_wave_has_the_numbers_of_the_field():
@@ -58,3 +67,51 @@ def test_the_command_prints_the_modes_and_refuses_a_sonic_end():
     assert json.loads(out.stdout)["rate_constant"] == pytest.approx(Wave(1.2, 50.0, 26.0, 1.1).rate_constant, rel=1e-12)
     with pytest.raises(OutOfRange, match="at least 1.0005"):
         Wave(1.2, 50.0, 26.0, 1.0)
+
+
+# -- any law, mixture and rate ---------------------------------------------------------------------------------------------
+GAS = IdealGas(1.2, 5.0, 1.0)
+
+
+@pytest.mark.parametrize("law, heat", [(GAS, 50.0), (mixture("weighted_pressures", GAS, GAS, 50.0), 0.0)])
+def test_the_general_problem_has_the_modes_of_the_one_step_wave(law, heat):
+    wave = Wave(1.2, 50.0, 50.0, 1.6)
+    wanted = wave.mode(0.12 + 0.88j)
+    zone = ModesOfZone(law, Initial(1.0, 1.0, 5.0, heat=heat), Arrhenius(wave.rate_constant, 50.0), 1.6)
+    assert (zone.velocity, zone.length) == pytest.approx((wave.velocity, 1.0), rel=1e-12)
+    found = zone.mode((0.12 + 0.88j) / wave.velocity)      # times there are lengths over D
+    assert (found.growth, found.frequency) == pytest.approx((wanted.growth / wave.velocity, wanted.frequency / wave.velocity), rel=1e-7)
+
+
+def lx_17():
+    material = find_reactive("lx_17")[0].material
+    return mixture("thermal_isolation", material.unreacted, material.eos, material.detonation_energy), material
+
+
+@pytest.mark.parametrize("case", ["gases", "lx_17"])
+def test_without_time_the_perturbation_is_the_change_of_the_zone_with_its_velocity(case):
+    """Isolated reactants, whose isentrope starts from the shock, and a rate whose terms set in and end at burn fractions."""
+    if case == "gases":
+        law = mixture("thermal_isolation", IdealGas(1.3, 5.0, 1.0), GAS, 50.0)
+        ahead, rate, overdrive = Initial(1.0, 1.0, 1.0 / 0.3), PressurePower(1.0, 2.0, 1.0, 40.0), 1.3
+    else:
+        law, material = lx_17()
+        ahead, rate, overdrive = Initial.at_rest(material.unreacted), material.burn, 1.1
+    zone, h, ends = ModesOfZone(law, ahead, rate, overdrive), 1e-4, []
+    for faster in (1.0 + h, 1.0 - h):
+        other, _, _ = zone_of(law, ahead, rate, overdrive=overdrive * faster**2)
+        other.at(0.5)
+        end = other.at(1.0 - 1e-10)
+        ends.append((end.density / ahead.density, faster * (1.0 - ahead.density / end.density),
+                     end.pressure / (ahead.density * zone.velocity**2)))
+    change = [(a - b) / (2.0 * h) for a, b in zip(*ends)]
+    assert zone.perturbation(0.0)[:3].real == pytest.approx(change, rel=2e-6)
+    assert abs(zone.residual(0.5j)) > 0.1 and zone.perturbation(0.0)[4] == 1.0
+
+
+def test_a_rate_without_a_beginning_has_no_linear_answer_and_options_are_not_mixed():
+    with pytest.raises(OutOfRange, match="a rate that begins"):
+        ModesOfZone(GAS, Initial(1.0, 1.0, 5.0, heat=50.0), IgnitionGrowth(1.0, 0.0, 0.7, 0.0, 4.0, 1.0, 0.7, 0.3, 1.0, 0.0), 1.6)
+    for arguments, words in ((["lx_17", "--gamma", "1.3"], "ideal gas"), (["--rate", "pressure_power: k = 1"], "name one")):
+        out = CliRunner().invoke(build_app("eos"), ["eos", "stability", *arguments])
+        assert out.exit_code != 0 and words in out.output + str(out.exception)

@@ -186,12 +186,13 @@ def _has_strength(material: Material) -> bool:
 
 def _strong_defects(material: Material, problem: Problem) -> list[str]:
     """What the cells cannot follow of a material with strength."""
-    if problem.geometry != "planar":
-        return [f"has strength, which {NAME} follows in planar geometry only: in {problem.geometry} geometry the deviator also changes "
-                "with u/r, and its hoop part pushes; leave the strength out, or use lagrange1d"]
+    if problem.geometry == "cylindrical":
+        return [f"has strength, which {NAME} follows in planar and spherical geometry: in a cylinder the deviators along hoop and axis "
+                "differ, and where they yield together the stress turns along the yield surface, so that no plastic wave has a "
+                "constant deviator; leave the strength out, or use lagrange1d"]
     if material.burn is not None:
-        return [f"burns and has strength; the cells of {NAME} keep the state of the reactants or a deviator, not both: leave one out, or "
-                "use lagrange1d"]
+        return [f"burns and has strength: behind a front of {NAME} a partly burned solid would have to divide the work of the jump between "
+                "reactants, products and distortion, for which there is no rule; leave one out, or use lagrange1d"]
     return []
 
 

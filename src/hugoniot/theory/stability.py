@@ -16,6 +16,7 @@ equations above are the Euler equations linearised.
 
 import cmath
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -25,6 +26,7 @@ from scipy.integrate import quad, solve_ivp
 from hugoniot.errors import NoSolution, OutOfRange
 
 END = 1e-8           # what is left to burn where the far condition is put
+ZERO = 1e-6          # of the residual at the guess, or of 1: what counts as zero
 CLOSEST = 1.0005     # overdrive from which the tail is no longer sonic to the accuracy of the search
 
 
@@ -125,33 +127,44 @@ class Wave:
     # -- modes -------------------------------------------------------------------------------------------------------
     def mode(self, guess: complex) -> Mode:
         """The mode nearest a guess, by the secant method; `NoSolution` where it wanders off."""
-        a, b = guess, guess * (1.0 + 1e-3) + 1e-5
-        fa, fb = self.residual(a), self.residual(b)
-        for _ in range(40):
-            if fb == fa:
-                break
-            new = b - fb * (b - a) / (fb - fa)
-            if abs(new - b) > 0.5 * abs(guess):
-                new = b + 0.5 * abs(guess) * cmath.exp(1j * cmath.phase(new - b))
-            if abs(new - guess) > 1.5 or new.real < -1.0:
-                break
-            a, fa, b, fb = b, fb, new, self.residual(new)
-            if abs(b - a) <= 1e-10 * abs(b):
-                return Mode(b.real, abs(b.imag), abs(fb))
-        raise NoSolution(f"no mode was found from {guess:.4g}")
+        return nearest(self.residual, guess)
 
     def modes(self, highest: float = 3.0, spacing: float = 0.25) -> list[Mode]:
         """The growing modes with frequencies up to `highest`, fastest first; searched from guesses that far apart in frequency."""
-        found: list[Mode] = []
-        for k in range(max(math.ceil(highest / spacing), 1)):
-            try:
-                mode = self.mode(complex(0.05, (k + 0.5) * spacing))
-            except (NoSolution, OverflowError, ZeroDivisionError):
-                continue
-            new = all(abs(complex(mode.growth - m.growth, mode.frequency - m.frequency)) > 1e-5 for m in found)
-            if new and mode.growth > 0.0 and mode.frequency <= highest:
-                found.append(mode)
-        return sorted(found, key=lambda mode: -mode.growth)
+        return growing(self.residual, highest, spacing)
+
+
+def nearest(residual: Callable[[complex], complex], guess: complex) -> Mode:
+    """The zero nearest a guess, by the secant method; `NoSolution` where it wanders off."""
+    a, b = guess, guess * (1.0 + 1e-3) + 1e-5
+    fa, fb = residual(a), residual(b)
+    most = ZERO * max(1.0, abs(fa))
+    for _ in range(40):
+        if fb == fa:
+            break
+        new = b - fb * (b - a) / (fb - fa)
+        if abs(new - b) > 0.5 * abs(guess):
+            new = b + 0.5 * abs(guess) * cmath.exp(1j * cmath.phase(new - b))
+        if abs(new - guess) > 1.5 or new.real < -1.0:
+            break
+        a, fa, b, fb = b, fb, new, residual(new)
+        if abs(b - a) <= 1e-10 * abs(b) and abs(fb) <= most:      # beside a steep rise the secants shrink where there is no zero
+            return Mode(b.real, abs(b.imag), abs(fb))
+    raise NoSolution(f"no mode was found from {guess:.4g}")
+
+
+def growing(residual: Callable[[complex], complex], highest: float, spacing: float) -> list[Mode]:
+    """The growing modes with frequencies up to `highest`, fastest first; searched from guesses that far apart in frequency."""
+    found: list[Mode] = []
+    for k in range(max(math.ceil(highest / spacing), 1)):
+        try:
+            mode = nearest(residual, complex(0.05, (k + 0.5) * spacing))
+        except (NoSolution, OverflowError, ZeroDivisionError):
+            continue
+        new = all(abs(complex(mode.growth - m.growth, mode.frequency - m.frequency)) > 1e-5 for m in found)
+        if new and mode.growth > 0.0 and mode.frequency <= highest:
+            found.append(mode)
+    return sorted(found, key=lambda mode: -mode.growth)
 
 
 def neutral_activation(gamma: float, heat: float, overdrive: float, low: float, high: float, guess: complex,

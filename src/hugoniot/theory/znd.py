@@ -84,19 +84,11 @@ def znd(material, initial: Initial, rate: Rate | Any, *, overdrive: float = 1.0,
     Raises `OutOfRange` for a velocity below the CJ one, a zone that chokes, or a rate that never begins; `NoSolution` for one that
     stops inside the zone.
     """
+    if not (points >= 3 and 0.0 < complete < 1.0):
+        raise OutOfRange("a reaction zone needs at least 3 points and 0 < complete < 1")
     par, mixed = law_of(material), is_mixture(material)
-    if not mixed and not initial.heat > 0.0:
-        raise OutOfRange("a reaction zone needs heat of reaction: give an Initial with heat > 0")
-    if not (points >= 3 and 0.0 < complete < 1.0 and overdrive > 0.0):
-        raise OutOfRange("a reaction zone needs at least 3 points, 0 < complete < 1 and a positive overdrive")
-    burned = replace(initial, energy=initial.energy + par.detonation_energy, heat=0.0) if mixed else initial
-    least = cj(par.products if mixed else par, burned)
-    d = velocity if velocity is not None else math.sqrt(overdrive) * least.detonation_velocity
-    if d < least.detonation_velocity * (1.0 - 1e-12):
-        raise OutOfRange(f"a front of {d:.6g} m/s is slower than the Chapman-Jouguet velocity {least.detonation_velocity:.6g} m/s")
-    x_cj = 1.0 / initial.density - 1.0 / least.state.density
-    zone = OfMixture(par, initial, d) if mixed else OneLaw(par, initial, d, x_cj)
-    times = _Times(zone, _rate_function(rate, zone), _limits(rate))
+    zone, least, times = zone_of(material, initial, rate, overdrive=overdrive, velocity=velocity)
+    d = zone.flux / initial.density
     fractions = _stations(points, complete)
     steps = np.array([times.between(a, b) for a, b in zip(fractions, fractions[1:])])
     length, time = (np.concatenate([[0.0], np.cumsum(steps[:, k])]) for k in (0, 1))
@@ -108,8 +100,25 @@ def znd(material, initial: Initial, rate: Rate | Any, *, overdrive: float = 1.0,
     states = _mixture_states(par, rows) if mixed else States(
         par, rho, np.array([r.pressure for r in rows]), np.array([r.energy for r in rows]), u, np.full(points, initial.velocity + d),
         {"reaction": fractions, "position": length, "time": time})
-    return Structure(states, d, least.detonation_velocity, zone.spike, *times.between(0.0, 0.5), fractions, length, time, u, rates,
+    return Structure(states, d, least, zone.spike, *times.between(0.0, 0.5), fractions, length, time, u, rates,
                      temperature if np.isfinite(temperature).all() else None)
+
+
+def zone_of(material, initial: Initial, rate: Rate | Any, *, overdrive: float = 1.0, velocity: float | None = None):
+    """(the states of the zone by burn fraction, the Chapman-Jouguet velocity in m/s, lengths and times between fractions); see `znd`."""
+    par, mixed = law_of(material), is_mixture(material)
+    if not mixed and not initial.heat > 0.0:
+        raise OutOfRange("a reaction zone needs heat of reaction: give an Initial with heat > 0")
+    if not overdrive > 0.0:
+        raise OutOfRange("a reaction zone needs a positive overdrive")
+    burned = replace(initial, energy=initial.energy + par.detonation_energy, heat=0.0) if mixed else initial
+    least = cj(par.products if mixed else par, burned)
+    d = velocity if velocity is not None else math.sqrt(overdrive) * least.detonation_velocity
+    if d < least.detonation_velocity * (1.0 - 1e-12):
+        raise OutOfRange(f"a front of {d:.6g} m/s is slower than the Chapman-Jouguet velocity {least.detonation_velocity:.6g} m/s")
+    x_cj = 1.0 / initial.density - 1.0 / least.state.density
+    zone = OfMixture(par, initial, d) if mixed else OneLaw(par, initial, d, x_cj)
+    return zone, least.detonation_velocity, _Times(zone, _rate_function(rate, zone), _limits(rate))
 
 
 def _stations(points: int, complete: float) -> np.ndarray:

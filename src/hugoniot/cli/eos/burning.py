@@ -107,13 +107,10 @@ def zones(names: list[str], asked: Zone, as_json, as_csv, plot) -> None:
         echo_notes(said)
 
 
-def _solved(name: str, asked: Zone):
-    """(title, zone, law or mixture, state ahead, closure, notes) of one explosive."""
+def burning_of(name: str, asked: Zone):
+    """(law or mixture, state ahead, burn law, closure or None, subject, notes) of one explosive as it was asked for."""
     from hugoniot.laws.mixture.contract import MIXTURE
-    from hugoniot.theory.znd import znd
 
-    velocity = quantity(asked.velocity, "m/s", "--velocity") if asked.velocity else None
-    said: list[str] = []
     if asked.heat:
         if asked.closure:
             raise DeckError.single("command line", None, "--closure", "--heat asks for one law that releases heat",
@@ -123,18 +120,24 @@ def _solved(name: str, asked: Zone):
         if burn is None:
             raise DeckError.single("command line", None, name, "has no burn law, so its reaction rate is unknown",
                                    'give --rate "pressure_power: ...", or a TOML file with [burn]')
-        law, ahead, kind = subject.material.eos, initial(subject, asked.density, asked.heat, asked.ahead), None
-    else:
-        subject, said = find_reactive(name, asked.rate)
-        if asked.density:
-            raise DeckError.single("command line", None, "--density", "a mixture starts at the density of its unreacted explosive",
-                                   "omit it, or give --ahead")
-        law, burn = mixture_of(subject, asked.closure), subject.material.burn
-        reactants = subject.material.unreacted
-        ahead = _given(reactants, asked.ahead) if asked.ahead else Initial.at_rest(reactants)
-        kind = MIXTURE.of(law).name
+        return subject.material.eos, initial(subject, asked.density, asked.heat, asked.ahead), burn, None, subject, notes(subject)
+    subject, said = find_reactive(name, asked.rate)
+    if asked.density:
+        raise DeckError.single("command line", None, "--density", "a mixture starts at the density of its unreacted explosive",
+                               "omit it, or give --ahead")
+    law, reactants = mixture_of(subject, asked.closure), subject.material.unreacted
+    ahead = _given(reactants, asked.ahead) if asked.ahead else Initial.at_rest(reactants)
+    return law, ahead, subject.material.burn, MIXTURE.of(law).name, subject, [*said, *notes(subject)]
+
+
+def _solved(name: str, asked: Zone):
+    """(title, zone, law or mixture, state ahead, closure, notes) of one explosive."""
+    from hugoniot.theory.znd import znd
+
+    velocity = quantity(asked.velocity, "m/s", "--velocity") if asked.velocity else None
+    law, ahead, burn, kind, subject, said = burning_of(name, asked)
     zone = znd(law, ahead, burn, overdrive=asked.overdrive, velocity=velocity, points=asked.points, complete=asked.complete)
-    return subject.material.name, zone, law, ahead, kind, [*said, *notes(subject)]
+    return subject.material.name, zone, law, ahead, kind, said
 
 
 def _row(title, zone, law, ahead, closure, said) -> dict:

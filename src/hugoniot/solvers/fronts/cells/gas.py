@@ -9,7 +9,8 @@ and with their own face (velocity w): $q + \tfrac12\Delta t\,(q_t + w q_x)$. The
 off at w. Where a mixture burns, and in solids, $p_x$ is the difference of the pressures (stresses) at both faces.
 
 A solid has its stress for p, and its stretch z (laws.riemann.medium) obeys the equation of the density. A cell keeps the integral of
-z, whose flux is that of the mass times $z/\rho$; after the step what lies beyond the yield surface returns to it.
+z, whose flux is that of the mass times $z/\rho$; after the step what lies beyond the yield surface returns to it. In spherical geometry
+$\dot z = -z(u_x - u/r)$ along the flow, and the hoop stress, $\tfrac32 s_1$ above the radial one, pushes on the sides of a cell.
 
 Sources: van Leer, J. Comput. Phys. 32 (1979) 101 (MUSCL, Hancock's predictor); Toro, Riemann Solvers, 10.4 and 14.4.
 """
@@ -21,18 +22,20 @@ import numba as nb
 from hugoniot.core.pass_lists import call_pass
 from hugoniot.core.rows import row_at
 from hugoniot.core.target import GUARD
-from hugoniot.solvers.fronts.cells.solids import is_solid, yielded
+from hugoniot.solvers.fronts.cells.solids import hoop_excess, is_solid, settle, yielded
 from hugoniot.solvers.fronts.cells.spacing import path_mean
 from hugoniot.solvers.fronts.cells.tables import (
     BORN_LEFT,
     BORN_RIGHT,
     BURNED,
+    CENTRE,
     COLD,
     ELASTIC,
     F_E,
     F_P,
     F_RHO,
     F_U,
+    FIRST,
     FROM,
     FULL,
     HIGH,
@@ -152,7 +155,10 @@ def predict(grid, rules, work, n, d, dt, burns):
         solid = full and is_solid(rules, grid.region[i])
         h = grid.x[i + 1] - grid.x[i] if full else 1.0
         rho, u, p = w[MEAN, i], w[MEAN + U, i], w[MEAN + P, i]
-        spread = (w[HIGH + U, i] - w[LOW + U, i]) / h + ((d - 1) * u / (0.5 * (grid.x[i] + grid.x[i + 1])) if d > 1 else 0.0)
+        r = w[CENTRE, i] + w[FIRST, i]                           # where a velocity that grows with r has its average
+        round_ = u / r if d > 1 and full else 0.0                # rate of strain along a circle
+        spread = (w[HIGH + U, i] - w[LOW + U, i]) / h + (d - 1) * round_
+        pull = (d - 1) * hoop_excess(rules, grid.region[i], w[MEAN + VOLUME, i]) / (rho * r) if solid and d > 1 else 0.0
         p_x = (w[MEAN + P_RHO, i] * (w[HIGH, i] - w[LOW, i]) + w[MEAN + P_E, i] * (w[HIGH + E, i] - w[LOW + E, i])) / h
         if solid or (burns and full and rules.passes[grid.region[i], 2] != 0):
             by_faces = (w[HIGH + P, i] - w[LOW + P, i]) / h
@@ -164,11 +170,11 @@ def predict(grid, rules, work, n, d, dt, burns):
             if full and v == RHO:
                 rate -= rho * spread
             elif full and v == U:
-                rate -= p_x / rho
+                rate += pull - p_x / rho
             elif full and v == E:
-                rate -= p / rho * spread
+                rate -= p / rho * spread + pull * u
             elif solid and v == VOLUME:
-                rate -= w[MEAN + v, i] * spread
+                rate -= w[MEAN + v, i] * (spread - 1.5 * (d - 1) * round_)
             if v >= variables or not full:
                 rate = 0.0
             gain, shift = half * rate, 0.25 * dt * (w[SPEED, i] + w[SPEED, i + 1]) * slope
@@ -259,7 +265,10 @@ def move(grid, rules, work, n, d, dt, burns):
             if f == n:
                 work.passed[1, v] -= out
         if d > 1 and f > 0:
-            p = w[MIDDLE + P, f - 1] if math.isnan(grid.push[f - 1]) else grid.push[f - 1]
+            born = not math.isnan(grid.push[f - 1])
+            p = grid.push[f - 1] if born else w[MIDDLE + P, f - 1]
+            if is_solid(rules, grid.region[f - 1]):
+                p += hoop_excess(rules, grid.region[f - 1], w[FROM if born else MIDDLE + VOLUME, f - 1])
             grid.q[f - 1, 1] += p * (area - before) * dt
         grid.x[f] = place
         for k in range(grid.given.shape[1]):
@@ -270,9 +279,5 @@ def move(grid, rules, work, n, d, dt, burns):
             lam = grid.q[i, 3] + 0.5 * (grid.q[i, 0] + w[PACE, i]) * (w[BURNED, i] - w[FROM, i])
             grid.q[i, 3] = min(max(lam, 0.0), grid.q[i, 0])
         if is_solid(rules, grid.region[i]):
-            volume = (grid.x[i + 1] - grid.x[i]) * path_mean(grid.x[i], grid.x[i + 1], d)
-            if not math.isnan(grid.push[i]):
-                grid.q[i, VOLUME] = volume * yielded(rules, grid.region[i], w[FROM, i])
-            elif volume > 0.0:       # else two fronts have met, and nothing is left between them
-                grid.q[i, VOLUME] = volume * yielded(rules, grid.region[i], grid.q[i, VOLUME] / volume)
+            settle(grid, rules, w, i, d, dt)
         grid.push[i] = math.nan

@@ -10,7 +10,8 @@ import numba as nb
 from hugoniot.core.target import GUARD
 from hugoniot.laws.riemann.branch import Matter, State
 from hugoniot.laws.riemann.medium import Solid, deviator
-from hugoniot.solvers.fronts.cells.tables import SHEAR, YIELDS
+from hugoniot.solvers.fronts.cells.spacing import path_mean
+from hugoniot.solvers.fronts.cells.tables import CENTRE, FIRST, FROM, MIDDLE, SHEAR, SPEED, VOLUME, YIELDS, U
 
 
 @nb.njit(**GUARD)
@@ -30,6 +31,29 @@ def yielded(rules, region, stretch):
 def deviator_of(rules, region, stretch):
     """s1 (Pa, tension positive) of a stretch inside the yield surface."""
     return -rules.traits[region, SHEAR] * math.log(stretch)
+
+
+@nb.njit(**GUARD)
+def hoop_excess(rules, region, stretch):
+    """Hoop stress above the radial one, Pa (compression positive): both hoop deviators are half of s1, of the other sign."""
+    return 1.5 * deviator_of(rules, region, stretch)
+
+
+@nb.njit(**GUARD)
+def settle(grid, rules, w, i, d, dt):
+    """The stretch of a cell after a step whose fluxes have passed: what u/r adds in curved geometry, and the yield surface."""
+    a, b, region = grid.x[i], grid.x[i + 1], grid.region[i]
+    volume = (b - a) * path_mean(a, b, d)
+    if not math.isnan(grid.push[i]):
+        grid.q[i, VOLUME] = volume * yielded(rules, region, w[FROM, i])
+    elif volume > 0.0:       # else two fronts have met, and nothing is left between them
+        stretch = grid.q[i, VOLUME] / volume
+        if d > 1:
+            low, high = a - 0.5 * dt * w[SPEED, i], b - 0.5 * dt * w[SPEED, i + 1]
+            half_way = (high - low) * path_mean(low, high, d)
+            r = w[CENTRE, i] + w[FIRST, i] + 0.25 * dt * (w[SPEED, i] + w[SPEED, i + 1])
+            stretch += 1.5 * (d - 1) * dt * w[MIDDLE + VOLUME, i] * w[MIDDLE + U, i] / r * half_way / volume
+        grid.q[i, VOLUME] = volume * yielded(rules, region, stretch)
 
 
 def traits(law) -> tuple[float, float]:

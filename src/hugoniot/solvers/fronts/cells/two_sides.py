@@ -12,7 +12,8 @@ from hugoniot.core.rows import row_at
 from hugoniot.core.target import GUARD
 from hugoniot.solvers.fronts.cells.tables import GAS, LAM, C, E, P, U
 
-ROUNDING = 1e-13   # of a pressure: a step of Newton's that small, and against the last ones, is rounding
+ROUNDING = 1e-13   # of a pressure or stiffness: a step of Newton's that small, and against the last ones, is rounding
+SLOW = 0.5         # of the last step: where Newton's steps shrink no faster, they are rounding
 RISE, BY_P, RHO_B, E_B, FLUX, VOLUME_B, ENERGY_B, LIMIT_P, LIMIT_RISE, LIMIT_RHO, LIMIT_E, LIMIT_FLUX = range(12, 24)
 
 
@@ -65,7 +66,7 @@ def meet(rules, work, left, right, bonded, start):
         else:
             high = p
         new = p - value / slope
-        noise = abs(new - p) <= ROUNDING * max(abs(p), size) and not (low < new < high)
+        noise = abs(new - p) <= ROUNDING * max(abs(p), size, scale) and not (low < new < high)
         if value == 0.0 or noise or abs(new - p) <= 4e-16 * abs(p):
             return p, 0.5 * (a[11] - a[RISE] + b[11] + b[RISE])
         if not (low < new < high):
@@ -73,7 +74,7 @@ def meet(rules, work, left, right, bonded, start):
             if new != new:
                 return math.nan, math.nan
         moved = abs(new - p)
-        if moved <= 1e-16 * max(abs(p), 1e-3 * size) or (moved >= last and moved <= 1e-12 * max(abs(p), size, 1e-3 * scale)):
+        if moved <= 1e-16 * max(abs(p), 1e-3 * size) or (moved >= SLOW * last and moved <= 1e-12 * max(abs(p), size, 1e-3 * scale)):
             return p, 0.5 * (a[11] - a[RISE] + b[11] + b[RISE])
         last, p = moved, new
     return math.nan, math.nan
