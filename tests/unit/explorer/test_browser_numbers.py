@@ -23,6 +23,8 @@ from hugoniot.materials import library
 from hugoniot.problem.deck import read_deck_text
 from hugoniot.theory.impedance import match
 from hugoniot.theory.isentrope import at_temperature
+from hugoniot.theory.states import density_range
+from hugoniot.theory.upstream import Initial, fastest
 
 pytestmark = pytest.mark.slow
 
@@ -123,6 +125,12 @@ def test_surfaces_of_all_laws_are_those_of_the_package(visit):
             if material is not None and EOS.of(material.eos).name not in ranges and "refused" not in (found := range_of(material)):
                 ranges[found["law"]["$"]] = entry.name, material.eos, found
     assert len(ranges) >= 7
+    for name, par, drawn in ranges.values():
+        limits = page.evaluate("""given => { const T = H.theory, par = H.impact.law(given, 'example'), [density, energy] = T.reference_state(par);
+            return [...T.density_range(par), T.fastest(par, {density, energy, heat: 0})].map(x => Number.isFinite(x) ? x : String(x)); }""", drawn["law"])
+        rho, e = contract.reference_state(par)
+        theirs = [*density_range(par), fastest(par, Initial(rho, 0.0, e))]
+        assert [float(x) for x in limits] == pytest.approx(theirs, rel=1e-12), name
     for name, par, drawn in ranges.values():
         rho, t = (np.linspace(*drawn[key], 5) for key in ("densities", "temperatures"))
         mine = page.evaluate("""([given, rho, t]) => { const T = H.theory, par = H.impact.law(given, 'example'); return rho.map(r => t.map(k => {
