@@ -63,7 +63,7 @@ def design_of(variables: Sequence[Variable], kind: str = "grid", samples: int | 
     """
     if kind.lower().endswith(".csv"):
         if variables:
-            raise refuse("--vary", variables[0].name, "a table of cases says itself what is varied", "give --vary or a table")
+            raise refuse("--vary", variables[0].name, "a table of cases already states what is varied", "give --vary or a table")
         return _table(kind)
     if kind not in KINDS:
         raise refuse("--design", kind, "unknown design", f"known: {', '.join(KINDS)}, or a table of cases such as cases.csv")

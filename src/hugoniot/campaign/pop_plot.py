@@ -130,7 +130,7 @@ def initiation(charge: Charge, pressure: float, zone_size: float, longest: float
         try:
             distance, time = run_to_detonation(times, path, charge.speed, entering)
             if distance < NEAREST * zone_size:
-                told = [f"turned within {distance / zone_size:.0f} zones: take zones {NEAREST * zone_size / distance:.1f} times smaller"]
+                told = [f"detonation within {distance / zone_size:.0f} zones: make them {NEAREST * zone_size / distance:.1f} times smaller"]
                 distance = time = math.nan
             break
         except OutOfRange:

@@ -89,7 +89,7 @@ def fit_rate(material: Material, line: PopLine, pressures: Sequence[float], adju
     problem.answers([start])
     first = made[tuple(f.given(0.5) for f in problem.free)]
     if not any(math.isfinite(p.distance) for p in first):
-        raise OutOfRange(f"with the constants it starts from no run turned within {ROOM:g} run distances of the line, or all did at once; "
+        raise OutOfRange(f"with the starting constants no run detonated within {ROOM:g} run distances of the line, or all did at once; "
                          f"start from constants that are nearer ({first[-1].note})")
     fit = weighed(problem, [problem.search(start)])
     values = [f.given(c) for f, c in zip(problem.free, fit.minimum.x)]

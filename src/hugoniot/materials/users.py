@@ -73,7 +73,7 @@ def user_materials(places: Iterable[str | Path], beside: Iterable[str] = ()) -> 
             other = taken.get(spelling(name)) or _in_library(name)
             if other:
                 problems.append(DeckProblem(str(file), None, f"material.{name}", f"the name is taken by {other}",
-                                            f"call it otherwise, for example '{name}_mine'"))
+                                            f"choose another name, such as '{name}_mine'"))
             taken[spelling(name)] = str(file)
             found[name] = entry
     if problems:

@@ -90,11 +90,11 @@ def _head(path, text: str, column: int) -> tuple[str, str, float]:
     field = name if name in FIELDS else next((f for f in sorted(FIELDS, key=len, reverse=True) if name.endswith(f)), last)
     si = "s" if column == 0 else FIELDS[field].unit if field in FIELDS else unit
     if unit is None:
-        raise _table_error(path, 1, f"column {column + 1}", f"'{text.strip()}' names no unit", _HEADS)
+        raise _table_error(path, 1, f"column {column + 1}", f"'{text.strip()}' has no unit", _HEADS)
     try:
         return name, si, convert(1.0, unit or "1", si or "1")
     except UnitError as error:
-        raise _table_error(path, 1, f"column {column + 1}", error.message, error.hint or f"wanted is a unit of the kind of {si}") from error
+        raise _table_error(path, 1, f"column {column + 1}", error.message, error.hint or f"give a unit that converts to {si}") from error
 
 
 def read_table(path) -> list[Record]:

@@ -162,7 +162,7 @@ class RunFolder:
                 if not self._series.intact(pieces):
                     raise FileTrouble(f"{self.folder / 'pieces'}: a piece that checkpoint {number:06d} needs is missing or damaged")
             except FileTrouble as error:
-                self._warn(f"checkpoint {number:06d} is passed over: {error}")
+                self._warn(f"checkpoint {number:06d} is skipped: {error}")
                 continue
             self._checkpoints.forget_after(number)
             self._series.keep(pieces)

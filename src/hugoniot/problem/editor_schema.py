@@ -33,8 +33,8 @@ def json_schema(kind: str = "lagrange1d") -> dict:
         "unreacted": {"$ref": "#/$defs/eos_law", "description": "an explosive before it burns; eos are its products"},
         "mixture": {"enum": MIXTURE.names(), "description": "closure that joins both while it burns"}, "detonation_energy": heat,
         "reference_state": {"enum": list(CHOICES), "default": CHOICES[0], "description":
-                            "of reactants in thermal isolation: the isentrope they keep rolls along with their share of all viscous "
-                            "heat, or is frozen when a shock has passed"}}
+                            "of reactants in thermal isolation: whether their isentrope takes its share of all viscous heat (rolling) "
+                            "or is kept from the end of a shock on (frozen)"}}
     definitions["viscosity_law"] = law_schema(VISCOSITY)
     definitions["material"] = material
     return _linked(schema)

@@ -217,7 +217,7 @@ def test_what_cannot_be_fitted_is_refused_in_one_message(deck, tmp_path, inline,
 
 def test_data_without_units_or_without_a_gauge_are_refused(deck, tmp_path, inline):
     data = written(tmp_path / "visar.csv", TIMES * 1.4e-6, 700.0 * TIMES, "time, velocity")
-    with pytest.raises(DeckError, match="names no unit"):
+    with pytest.raises(DeckError, match="has no unit"):
         run_fit(deck, FitWishes([data], FREE), False, engine=inline)
     data = written(tmp_path / "visar.csv", TIMES * 1.4e-6, 300.0 + TIMES, "time [us], temperature [K]")
     with pytest.raises(DeckError, match="no gauge of the deck has this"):

@@ -56,7 +56,7 @@ def test_the_runs_own_csv_compares_with_the_run(runs):
 
 
 @pytest.mark.parametrize("table, words", [
-    ("time [us], velocity\n0,1\n", "names no unit"),
+    ("time [us], velocity\n0,1\n", "has no unit"),
     ("time [us], velocity [GPa]\n0,1\n", "one kind"),
     ("time [us], velocity [furlong]\n0,1\n", "furlong"),
     ("time [us], velocity [m/s]\n0,abc\n", "'abc' is not a number"),

@@ -155,5 +155,5 @@ def test_erosion_of_a_deck_reads_back_and_is_off_by_default():
 
 
 def test_erosion_without_a_criterion_is_refused():
-    with pytest.raises(DeckError, match="does not say when a zone leaves"):
+    with pytest.raises(DeckError, match="has no condition for removing a zone"):
         read_deck_text(DECK + '[solver.erosion]\nmass = "kept"\n', "deck.toml")

@@ -158,7 +158,7 @@ def _reactive(name: str) -> Entry:
     row = plain.detonation.get("ignition_growth")
     if row is None:
         known = [n for n, listing in index().items() if listing.category == "explosive" and "ignition_growth" in _curated(n).detonation]
-        hint = f"sets are there for {', '.join(known)}"
+        hint = f"sets are available for {', '.join(known)}"
         raise UnknownMaterial([DeckProblem("library", None, "material", f"the library has no rate constants for '{name}'", hint)])
     reason = f"the set {row.value} as calibrated: reactant, products and rate belong together"
     tables = {**{family: {"row": row.value, "reason": reason} for family in ("eos", "unreacted", "burn")},
