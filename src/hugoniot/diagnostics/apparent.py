@@ -34,5 +34,6 @@ def with_apparent_velocity(problem: Problem, values: Mapping[str, np.ndarray]) -
         faces = [velocity[f"{first}:right"], velocity[f"{last}:left"]]
         near = faces.pop(0 if gauge.window == first else 1)
         far = velocity.get(f"free surface {'left' if gauge.window == problem.regions[0].name else 'right'}", 0.0)
-        seen[:, k] = faces[0] + (gauge.window_factor - 1.0) * (near - far)
+        factor = np.nan if gauge.window_factor is None else gauge.window_factor
+        seen[:, k] = faces[0] + (factor - 1.0) * (near - far)
     return found | {APPARENT: seen}
