@@ -219,7 +219,7 @@ def _read(deck_or_problem, deck_text, overrides) -> tuple[Problem, str, list[str
         return problem, deck_text or write_deck(problem), [], name
     if isinstance(deck_or_problem, Deck):
         if overrides:
-            raise DeckError.single("run", None, next(iter(overrides)), "a deck that has been read takes no changes",
+            raise DeckError.single("run", None, next(iter(overrides)), "changes cannot be made to a deck that has been read",
                                    "give its path, or the changes to read_deck")
         deck, name = deck_or_problem, re.sub(r"[^a-z0-9]+", "-", deck_or_problem.problem.title.lower()).strip("-") or "run"
     else:

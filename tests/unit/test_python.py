@@ -34,7 +34,7 @@ def test_what_is_no_deck_is_told(wrong):
 
 
 def test_a_deck_that_is_read_takes_no_changes():
-    with pytest.raises(DeckError, match="run: stop_time: a deck that has been read takes no changes"):
+    with pytest.raises(DeckError, match="run: stop_time: changes cannot be made to a deck that has been read"):
         hugoniot.run(read_deck_text(DECK), stop_time="2 us")
     with pytest.raises(FileTrouble, match="no such deck"):
         hugoniot.run("missing.toml", stop_time="2 us")

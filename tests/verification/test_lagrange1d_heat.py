@@ -152,7 +152,7 @@ def test_a_pulse_shorter_than_the_first_step_is_resolved():
 @pytest.mark.parametrize("source, words", [
     ("", "one of power and intensity"),
     ("power = 1e9\nintensity = 1e9", "one of power and intensity"),
-    ('power = 1e9\nabsorption_length = "1 mm"', "goes with an intensity"),
+    ('power = 1e9\nabsorption_length = "1 mm"', "applies to an intensity"),
     ('power = 1e9\ndepths = ["1 mm", "3 mm"]', "as many weights as depths"),
     ('power = 1e9\ndepths = ["11 mm", "13 mm"]\nweights = [1, 1]', "begins beyond 'slab'"),
 ])

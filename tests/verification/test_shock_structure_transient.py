@@ -368,7 +368,7 @@ def test_what_a_fixed_grid_cannot_do():
         with pytest.raises(OutOfRange, match=words):
             ShockStructure(dataclasses.replace(given, **changes))
     refused("planar", geometry="spherical")
-    refused("no meaning in a fixed grid", left=Boundary("free"))
+    refused("not possible on a fixed grid", left=Boundary("free"))
     refused("cells of one width", regions=(dataclasses.replace(given.regions[0], ratio=1.01),))
     refused("at least 8 cells", regions=(dataclasses.replace(given.regions[0], zones=4),))
     refused("needs a transport law", solver=SolverOptions("shock_structure"))

@@ -25,7 +25,7 @@ def claimed(folder: pathlib.Path) -> pathlib.Path:
         folder.mkdir(parents=True, exist_ok=True)
         foreign = sorted(path.name for path in folder.iterdir() if path.name not in OURS and not path.name.endswith(".part"))
     if foreign:
-        raise FileTrouble(f"{folder}: holds {foreign[0]} and is not the folder of a fit; choose another folder with --out")
+        raise FileTrouble(f"{folder}: contains {foreign[0]} and is not the folder of a fit; choose another folder with --out")
     return folder
 
 

@@ -167,7 +167,7 @@ def _doubts(problem, best, parameters, correlation, chi_square, freedom, probabi
         found.append(f"no uncertainty was given for {', '.join(estimated)}: taken from the noise of the record itself ({sigmas})")
     for p in parameters:
         if p.at_end:
-            found.append(f"{p.name} lies at the end of its range: the data call for a value beyond it, or do not depend on it")
+            found.append(f"{p.name} lies at the end of its range: the data favour a value outside it, or do not depend on it")
         elif p.sigma > 0.3 * abs(_width(problem, p.name)):
             found.append(f"{p.name} is not determined by these data: its standard deviation is a third of its range or more")
     for j in range(len(parameters)):

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from hugoniot.diagnostics.apparent import with_apparent_velocity
 from hugoniot.diagnostics.interface_gauges import without_mixtures
 from hugoniot.output.plane_record import plane_record
 from hugoniot.output.setup_record import setup_record
@@ -79,7 +80,8 @@ class MemoryRun:
         if len(times) and self.problem.gauges:
             values = {name: value for name, value in values.items() if name not in ("share", "phases")}
             flat = self.problem.solver.kind == "lagrange2d"
-            self._gauges.append((times, values if flat else without_mixtures(values, self.problem.gauges)))
+            kept = values if flat else with_apparent_velocity(self.problem, without_mixtures(values, self.problem.gauges))
+            self._gauges.append((times, kept))
 
     def _keep_motion(self, state) -> None:
         self._shots.append({"time": state.time, **{name: value for name, value in state.fields().items() if name.startswith(_KEPT)}})

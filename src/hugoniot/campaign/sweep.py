@@ -100,7 +100,7 @@ def _claim(folder: pathlib.Path) -> None:
         folder.mkdir(parents=True, exist_ok=True)
         foreign = sorted(path.name for path in folder.iterdir() if path.name not in _OURS and not path.name.endswith(".part"))
     if foreign and not (folder / JOURNAL).is_file():
-        raise FileTrouble(f"{folder}: holds {foreign[0]} and is not the folder of a sweep; choose another folder with --out")
+        raise FileTrouble(f"{folder}: contains {foreign[0]} and is not the folder of a sweep; choose another folder with --out")
 
 
 def _asked(plan: Plan, journal: Journal, engine, progress: Progress, show) -> tuple[list[str], dict[int, str]]:

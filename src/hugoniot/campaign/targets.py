@@ -89,7 +89,7 @@ def read_targets(texts: Sequence[str], run, *, gauge: str | None = None, sigma: 
         raise refuse("--to", "", "nothing to fit to", "name a file with measured records, such as visar.csv")
     unknown = [name for name in spans if name and name not in texts]
     if unknown:
-        raise refuse("--window", unknown[0], "no file of that name is fitted to", nearest(unknown[0], [t for t in texts if "=" not in t]))
+        raise refuse("--window", unknown[0], "no such file is given with --to", nearest(unknown[0], [t for t in texts if "=" not in t]))
     return found, notes
 
 

@@ -8,6 +8,8 @@ import typer
 from hugoniot.cli.show import JSON, echo_json, echo_table
 from hugoniot.units import format_si
 
+_SHIFT = "shift in time: how much later b passes half of a's largest change; no record was shifted"
+
 
 def command(
     run: Annotated[Path, typer.Argument(help="A run folder.")],
@@ -17,10 +19,11 @@ def command(
     plot: Annotated[Path | None, typer.Option("--plot", help="Picture to write, such as compare.png.")] = None,
     as_json: JSON = False,
 ) -> None:
-    """Compare two runs, or a run and measured data, gauge by gauge: norms of the difference and shift of arrival.
+    """Compare two runs, or a run and measured data, gauge by gauge: norms of the difference and shift in time.
 
     Velocity and stress come first, the largest differences at the top. A column that names no gauge is compared with the surface of the
-    body that was hit, or with the deck's only gauge; --gauge chooses another.
+    body that was hit, or with the deck's only gauge; --gauge chooses another. The records are compared as they are; the shift in time says
+    how much later b passes half of a's largest change.
 
     Example: hugoniot compare flyer.run visar.csv --plot compare.png
     """
@@ -39,10 +42,11 @@ def command(
             typer.echo(note)
         rows = []
         for r in sorted(found.rows(), key=lambda row: (row["field"] not in ("velocity", "stress"), -row["l1_relative"])):
-            shift = "" if r["arrival_shift"] is None else format_si(r["arrival_shift"], "s", 3)
+            shift = "none" if r["time_shift"] is None else format_si(r["time_shift"], "s", 3)
             norms = [f"{format_si(r[n], r['unit'], 4)} ({r[n + '_relative']:.2%})" for n in ("l1", "l2", "linf")]
             rows.append((r["gauge"], r["field"], *norms, shift))
-        echo_table(["gauge", "field", "mean |b-a|", "rms", "largest", "arrival b-a"], rows)
+        echo_table(["gauge", "field", "mean |b-a|", "rms", "largest", "shift in time"], rows)
+        typer.echo(_SHIFT)
         if found.unmatched:
             typer.echo(f"without a counterpart: {', '.join(found.unmatched)}")
     if plot is not None:

@@ -173,7 +173,7 @@ def _subject(what: str, viscosity, conduction, prandtl, bulk_ratio, state, bent:
 def _law_name(viscosity: str | None) -> str | None:
     known = ("constant", "power_law", "sutherland", "hard_sphere", "maxwell_molecules")
     if viscosity is not None and viscosity not in known:
-        raise DeckError.single("command line", None, "--viscosity", f"argon-jordan knows {', '.join(known)}, not '{viscosity[:40]}'",
+        raise DeckError.single("command line", None, "--viscosity", f"argon-jordan supports {', '.join(known)}, not '{viscosity[:40]}'",
                                "for another argon write a deck (examples/argon-mach9.toml)")
     return viscosity
 

@@ -7,10 +7,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from hugoniot.diagnostics.apparent import APPARENT
 from hugoniot.problem.gauges import is_interface
 from hugoniot.problem.model import Gauge
 
-CONTINUOUS = ("position", "velocity", "stress")
+CONTINUOUS = ("position", "velocity", "stress", APPARENT)
 
 
 def sides(gauges: Sequence[dict]) -> dict[str, str]:

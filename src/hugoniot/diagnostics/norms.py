@@ -1,4 +1,4 @@
-"""How far two records of one quantity lie apart: norms of the difference over the time both cover, and the shift of arrival."""
+"""How far two records of one quantity lie apart: norms of the difference over the time both cover, and the shift in time."""
 
 from typing import NamedTuple
 
@@ -12,7 +12,7 @@ class Difference(NamedTuple):
 
     l1, l2, linf   mean absolute, root mean square and largest difference over the common time, in the quantity's unit
     scale          largest magnitude of either record there: what the norms are to be measured against
-    shift          s, arrival in b minus arrival in a (first crossing of half of a's peak change); NaN where either has none
+    shift          s, time in b less time in a of the first passage of one level, `time_shift`; NaN where either does not pass it
     start, end     s, the common time
     """
 
@@ -46,7 +46,7 @@ def difference(time_a, a, time_b, b) -> Difference:
     on_a, on_b = np.interp(grid, time_a, a), np.interp(grid, time_b, b)
     d = on_b - on_a
     scale = float(max(np.max(np.abs(on_a)), np.max(np.abs(on_b))))
-    shift = arrival_shift(time_a, a, time_b, b)
+    shift = time_shift(time_a, a, time_b, b)
     if end == start:
         gap = float(abs(d[0]))
         return Difference(gap, gap, gap, scale, shift, float(start), float(end))
@@ -56,11 +56,17 @@ def difference(time_a, a, time_b, b) -> Difference:
     return Difference(l1, float(np.sqrt(square)), float(np.max(np.abs(d))), scale, shift, float(start), float(end))
 
 
-def arrival_shift(time_a, a, time_b, b) -> float:
-    """Arrival in b minus arrival in a, s: where each first passes half of a's largest departure from its first value."""
-    change = a - a[0]
-    peak = change[np.argmax(np.abs(change))]
-    if peak == 0.0:
+def time_shift(time_a, a, time_b, b) -> float:
+    """How much later b passes the level that a passes half-way through its largest change over the common time, s.
+
+    One level for both records, so that it is the same wave in both where their amplitudes differ; half-way, where neither the thickness of
+    a captured shock nor a weak precursor counts. It is that of the wave which brings the largest change, not of the first arrival. Nothing
+    is shifted by it: the norms are those of the records as they are. NaN where b begins on the far side of that level, or never passes it.
+    """
+    common = (time_a >= max(time_a[0], time_b[0])) & (time_a <= min(time_a[-1], time_b[-1]))
+    change = (a - a[0])[common]
+    largest = change[np.argmax(np.abs(change))] if len(change) else 0.0
+    level = a[0] + 0.5 * largest
+    if largest == 0.0 or (b[0] - level) * largest >= 0.0:
         return float("nan")
-    level = a[0] + 0.5 * peak
     return float(first_crossing(time_b, b, level) - first_crossing(time_a, a, level))

@@ -39,8 +39,8 @@ def _transmits(problem: Problem, side: str) -> bool:
 
 def _words(problem: Problem, side: str) -> str:
     if side == "left":
-        return ("the transmitting left end treats a converging wave as plane: what would run on to the axis or "
-                "the origin and back never returns")
+        return ("the transmitting left end treats a converging wave as plane: a wave that would run to the axis or "
+                "the origin and come back is lost")
     solid = problem.materials[problem.regions[-1].material].strength is not None
     return (f"the transmitting right end of this {problem.geometry} problem is exact for sound only: up to {SOLID if solid else FLUID:.0%} "
             "of a strong wave comes back; move the end far enough away that its echo reaches no gauge before the run ends")

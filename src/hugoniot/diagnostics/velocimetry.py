@@ -118,30 +118,51 @@ def plateau(time, velocity) -> float:
 
 
 def flat_top(time, values) -> float:
-    """The level of a record's flat top, free of a short overshoot at its front; NaN if the top is not flat.
+    """The level of a record's flat top, free of a short overshoot at its front; NaN if the top is not flat (`flat_stretch`).
+
+    time (n,) s, values (n,), n >= 1.
+    """
+    return level_over(time, values, flat_stretch(time, values))
+
+
+def flat_stretch(time, values) -> slice:
+    """Where a record stands on its flat top for the first time; empty if the top is not flat.
 
     time (n,) s, values (n,), n >= 1. The height of the record is what it exceeds for a twentieth of the time that it spends above half of
-    its highest value; its top is what lies within 5 % of that height. The top is flat if half of its time lies within 0.5 % of the height,
-    and the level is then the median over time.
+    its highest value. Of the stretches that last at least as long within 5 % of that height, it is the first that is flat: half of its time
+    lies within 0.5 % of the height.
     """
     time, values = np.asarray(time, dtype=float), np.asarray(values, dtype=float)
     highest = float(np.max(values))
     if len(values) < 3 or not highest > 0.0:
-        return float("nan")
-    weight = np.gradient(time)
+        return slice(0, 0)
+    weight, above = np.gradient(time), values >= 0.5 * highest
+    height = float(_over_time(values[above], weight[above], [0.95])[0])
+    near = np.concatenate([[False], np.abs(values - height) <= 0.05 * height, [False]])
+    edges = np.flatnonzero(near[1:] != near[:-1])
+    # none, where the height lies between the points of a coarse record
+    stretches = [slice(int(i), int(k)) for i, k in zip(edges[::2], edges[1::2])]
+    lasting = [part for part in stretches if np.sum(weight[part]) >= 0.05 * np.sum(weight[above])]
+    return next((part for part in lasting if np.isfinite(level_over(time, values, part, height))), slice(0, 0))
 
-    def lasting(chosen, shares):
-        those, own = values[chosen], weight[chosen]
-        order = np.argsort(those)
-        ordered = own[order]
-        return np.interp(shares, (np.cumsum(ordered) - 0.5 * ordered) / np.sum(own), those[order])
 
-    height = float(lasting(values >= 0.5 * highest, [0.95])[0])
-    top = np.abs(values - height) <= 0.05 * height
-    if not top.any():     # the height lies between the points of a coarse record
+def level_over(time, values, stretch: slice, scale: float | None = None) -> float:
+    """Median over the time of a stretch of a record; NaN if it is empty or half of its time does not lie within 0.5 % of `scale`.
+
+    time (n,) s, values (n,); scale in the unit of the values, default the size of the median itself.
+    """
+    time, values = np.asarray(time, dtype=float), np.asarray(values, dtype=float)
+    if not len(values[stretch]):
         return float("nan")
-    low, middle, high = lasting(top, [0.25, 0.5, 0.75])
-    return float(middle) if high - low < 0.005 * height else float("nan")
+    low, middle, high = _over_time(values[stretch], np.gradient(time)[stretch], [0.25, 0.5, 0.75])
+    return float(middle) if high - low <= 0.005 * (abs(middle) if scale is None else scale) else float("nan")
+
+
+def _over_time(values, weight, shares):
+    """Values below which a record stays for these shares of its time."""
+    order = np.argsort(values)
+    ordered = weight[order]
+    return np.interp(shares, (np.cumsum(ordered) - 0.5 * ordered) / np.sum(weight), values[order])
 
 
 def ringing_period(time, velocity, after: float, least: float = 0.01) -> float:

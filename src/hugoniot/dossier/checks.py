@@ -145,7 +145,8 @@ def _strength(row: Row) -> Iterator[Finding]:
 def _jwl(row: Row) -> Iterator[Finding]:
     if row["role"] == "unreacted":
         p = unreacted_pressure(row.id)
-        yield _judge(row.id, "unreacted JWL at rest", p, REST_LIMIT, f"{p / 1e6:.2f} MPa at V = 1, 298 K", "mark")
+        yield _judge(row.id, "constants of an unreacted JWL at rest", p, REST_LIMIT, f"{p / 1e6:.2f} MPa at V = 1, 298 K", "mark")
+        yield from _at_rest(row.id, make_entry(row.id, {"eos": {"row": row.id}}, f"row {row.id}").material.eos)
         return
     state = closure(row.id)
     if state is None:
@@ -173,7 +174,7 @@ def _jwlb(row: Row) -> Iterator[Finding]:
 def _ignition_growth(row: Row) -> Iterator[Finding]:
     if "unreacted_a" in row:
         p = unreacted_pressure(row.id)
-        yield _judge(row.id, "unreacted JWL at rest", p, REST_LIMIT, f"{p / 1e6:.2f} MPa at V = 1, 298 K", "mark")
+        yield _judge(row.id, "constants of an unreacted JWL at rest", p, REST_LIMIT, f"{p / 1e6:.2f} MPa at V = 1, 298 K", "mark")
     positive = all(row.get(n, 0.0) >= 0.0 for n in ("ignition_rate", "growth1", "growth2"))
     yield Finding(row.id, "rates not negative", "ok" if positive else "fail")
 
@@ -289,9 +290,7 @@ def _detonation(entry: Entry) -> Iterator[Finding]:
             misfit = mine / float(entry.detonation[key].value) - 1.0
             yield _judge(entry.name, f"CJ {key} against the stated", misfit, limit, f"{100 * misfit:+.2f} %", "mark")
     if entry.unreacted is not None:
-        rho, e = reference_state(entry.unreacted)
-        p = float(pressure(rho, e, entry.unreacted))
-        yield _judge(entry.name, "unreacted at rest", p, REST_LIMIT, f"{p / 1e6:.2f} MPa", "mark")
+        yield from _at_rest(entry.name, entry.unreacted)
 
 
 def tally(findings: list[Finding]) -> dict[str, int]:

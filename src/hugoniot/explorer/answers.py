@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from hugoniot.errors import OutOfRange
-from hugoniot.explorer import catalogue, curves, decks, fits, impact, subjects, surfaces, tables
+from hugoniot.explorer import catalogue, curves, decks, fits, impact, subjects, tables
 from hugoniot.explorer.places import Places
 from hugoniot.explorer.subjects import entry_of
 from hugoniot.page import run_data
@@ -41,13 +41,6 @@ def about(places: Places, query: Query) -> Any:
 def state(places: Places, query: Query) -> Any:
     """One state of a principal Hugoniot."""
     return curves.state_of(text(query, "name"), text(query, "by"), number(query, "value"))
-
-
-def surface(places: Places, query: Query) -> Any:
-    """Pressure and energy over density and temperature; isotherms with `at` instead of `temperatures`."""
-    points = integer(query, "points") if "points" in query else surfaces.POINTS
-    at = "at" in query
-    return surfaces.surface(text(query, "name"), numbers(query, "densities"), numbers(query, "at" if at else "temperatures"), points, at)
 
 
 def layers(places: Places, query: Query) -> Any:
@@ -89,8 +82,7 @@ def words(places: Places, query: Query) -> Any:
 
 
 QUESTIONS: dict[str, Callable[[Places, Query], Any]] = {
-    f.__name__: f for f in (start, materials, material, about, state, surface, layers, run, array, sweep, fit, deck,
-                        words)}
+    f.__name__: f for f in (start, materials, material, about, state, layers, run, array, sweep, fit, deck, words)}
 
 
 def text(query: Query, key: str) -> str:

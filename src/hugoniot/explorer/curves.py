@@ -8,6 +8,7 @@ import numpy as np
 from hugoniot.dossier import curves as house
 from hugoniot.errors import HugoniotError, NoSolution, OutOfRange
 from hugoniot.explorer.subjects import entry_of, inert_or_none, reacted
+from hugoniot.explorer.surfaces import range_of
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.materials import library, schema
 from hugoniot.materials.entry import Entry
@@ -32,7 +33,8 @@ def curves_of(name: str) -> dict[str, Any]:
     material = inert_or_none(entry)
     found: dict[str, Any] = {"name": name, "title": entry.title, "law": EOS.of((material or entry.material).eos).name,
                              "valid_up_to": None if reacted(entry) else entry.material.valid_up_to, "hugoniot": None, "measured": [],
-                             "products": None, "pop": _pop(name), "gurney": _gurney(entry), "sources": [], "notes": []}
+                             "products": None, "surface_range": range_of(material or entry.material), "pop": _pop(name),
+                             "gurney": _gurney(entry), "sources": [], "notes": []}
     if material is not None:
         found["measured"] = [{"label": s.label, "up": s.up, "us": s.us, "p": s.p} for s in house.measured(entry.name)]
         try:

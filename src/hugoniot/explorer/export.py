@@ -93,8 +93,6 @@ def _asked(places: Places) -> Iterator[tuple[str, dict]]:
     for name in dict.fromkeys(places.materials) if places.materials else listed:
         yield "material", {"name": name}
         yield "about", {"name": name}
-        if places.materials:
-            yield from (("surface", {"name": name}), ("surface", {"name": name, "at": ""}))
     for k in range(len(places.runs)):
         yield "run", {"run": k}
         yield from _of_run(places, k)

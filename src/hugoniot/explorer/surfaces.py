@@ -1,65 +1,33 @@
-"""Surfaces of a law: pressure and energy over density and temperature, its isotherms, and at 0 K its cold curve."""
+"""The law of a material, and the range of densities and temperatures in which its surface is drawn: the page computes the states itself."""
 
 import math
 from typing import Any
 
-import numpy as np
-
-from hugoniot.errors import HugoniotError, OutOfRange
-from hugoniot.explorer.subjects import entry_of, inert_or_none
+from hugoniot.errors import HugoniotError
+from hugoniot.explorer.transcribed import parameters
 from hugoniot.laws.eos.contract import EOS, reference_state, require_temperature
 from hugoniot.laws.eos.table import Table
 from hugoniot.theory.hugoniot import Initial, limit, shock
-from hugoniot.theory.isentrope import AMBIENT, at_temperature, reference
+from hugoniot.theory.isentrope import AMBIENT, reference
 from hugoniot.theory.states import density_range
 
-POINTS, MOST_POINTS = 61, 201
-ISOTHERMS = (0.0, 300.0, 1000.0, 2000.0, 4000.0, 8000.0)      # K
 HOTTEST = 20000.0   # K: where no table goes further
 REACH = 1500.0      # m/s: particle velocity of the shock that sets the range where the data state none
 
 
-def surface(name: str, densities: tuple[float, ...] = (), temperatures: tuple[float, ...] = (), points: int = POINTS,
-            isotherms: bool = False) -> dict[str, Any]:
-    """Pressure (Pa) and energy (J/kg), lists (n, m), at n densities (kg/m3) and m temperatures (K); None where the law has no state.
+def range_of(material) -> dict[str, Any]:
+    """`densities` (kg/m3) and `temperatures` (K) as (lowest, highest), what the Hugoniot of the data reaches, and the law as `parameters`.
 
-    densities      (lowest, highest); by default from some tension to the densest state of the Hugoniot that is drawn
-    temperatures   (lowest, highest), or with `isotherms` any number of values
-    Raises `OutOfRange` for a law without temperature and for ranges it does not have.
+    `grid`: the (lowest, highest) temperature of a table, None for other laws. Only `refused`, the reason, for a law without temperature.
     """
-    entry = entry_of(name)
-    material = inert_or_none(entry) or entry.material
-    require_temperature(material.eos)
-    if not 2 <= points <= MOST_POINTS:
-        raise OutOfRange(f"a surface has 2 to {MOST_POINTS} points in each direction")
-    low, high, hottest = _ranges(material)
-    low, high = _pair(densities, "densities") if densities else (low, high)
-    least, most = density_range(material.eos)
-    if not least <= low < high < most:
-        raise OutOfRange(f"{name}: the law holds for densities from {max(least, 1e-6):.6g} to {most:.6g} kg/m3")
-    rho = np.linspace(low, high, points)
-    t = _temperatures(material, temperatures, hottest, points, isotherms)
-    p, e = _grid(material, rho, t)
-    return {"name": name, "density": rho, "temperature": t, "pressure": p, "specific_internal_energy": e}
-
-
-def _pair(values: tuple[float, ...], words: str) -> tuple[float, float]:
-    if len(values) != 2 or not 0.0 <= values[0] < values[1]:
-        raise OutOfRange(f"{words}: give two increasing numbers")
-    return values[0], values[1]
-
-
-def _temperatures(material, given: tuple[float, ...], hottest: float, points: int, isotherms: bool) -> np.ndarray:
-    if isotherms:
-        values = np.array(sorted(set(given or ISOTHERMS)))
-        if not 1 <= len(values) <= 24 or values[0] < 0.0:
-            raise OutOfRange("give up to 24 temperatures for the isotherms, none below 0 K")
-        if isinstance(material.eos, Table):
-            grid = material.eos.temperatures
-            values = values[(values >= grid[0]) & (values <= grid[-1])]
-        return values if given else values[values <= max(hottest, 1000.0)]
-    coldest = float(material.eos.temperatures[0]) if isinstance(material.eos, Table) else 0.0
-    return np.linspace(*(_pair(given, "temperatures") if given else (coldest, hottest)), points)
+    par = material.eos
+    try:
+        require_temperature(par)
+        low, high, hottest = _ranges(material)
+    except HugoniotError as error:
+        return {"refused": str(error)}
+    grid = [float(par.temperatures[0]), float(par.temperatures[-1])] if isinstance(par, Table) else None
+    return {"law": parameters(par), "densities": [low, high], "temperatures": [grid[0] if grid else 0.0, hottest], "grid": grid}
 
 
 def _ranges(material) -> tuple[float, float, float]:
@@ -86,21 +54,3 @@ def _ranges(material) -> tuple[float, float, float]:
 
 def _round(value: float, digits: int = 4) -> float:
     return float(f"{value:.{digits}g}")
-
-
-def _grid(material, rho: np.ndarray, t: np.ndarray) -> tuple[list, list]:
-    """As `theory.isentrope.grid`, which `hugoniot eos table` prints, with None where the law has no such state."""
-    p, e = [], []
-    for density in rho.tolist():
-        rows: tuple[list, list] = ([], [])
-        for temperature in t.tolist():
-            values: tuple[float | None, float | None]
-            try:
-                values = at_temperature(material, density, temperature)
-            except HugoniotError:
-                values = None, None
-            for row, value in zip(rows, values):
-                row.append(value)
-        p.append(rows[0])
-        e.append(rows[1])
-    return p, e

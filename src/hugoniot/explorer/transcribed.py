@@ -15,10 +15,12 @@ import numpy as np
 from hugoniot.explorer.transcriber import HELPERS, Transcriber
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
+from hugoniot.materials import initial_state
 from hugoniot.theory import expansion, jump, states, upstream
 
 ROOTS = {"first_guess": jump.first_guess, "shocked": jump.shocked, "to_pressure": expansion.to_pressure,
-         "sound_speed_squared": contract.sound_speed_squared, "gruneisen": contract.gruneisen, "density_range": states.density_range,
+         "energy_at_temperature": initial_state.energy_at_temperature, "sound_speed_squared": contract.sound_speed_squared,
+         "gruneisen": contract.gruneisen, "density_range": states.density_range,
          "interval": upstream.interval, "sound_speed_ahead": upstream.sound_speed_ahead, "crushed": upstream.crushed,
          "distended": upstream.distended, "fastest": upstream.fastest,
          **{name: contract.GENERICS[name] for name in ("pressure", "pressure_derivatives", "temperature", "entropy", "reference_state",

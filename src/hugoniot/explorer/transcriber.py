@@ -25,9 +25,11 @@ _KNOWN: dict[Any, str] = {abs: "Math.abs", min: "lesser", max: "greater", float:
 _KNOWN |= {getattr(room, name): f"Math.{name}" for room in (math, np) for name in ("sqrt", "exp", "log", "log1p", "expm1", "tanh", "cbrt")}
 _RESERVED = {"new", "var", "let", "const", "function", "default", "case", "switch", "this", "void", "delete", "typeof", "catch", "do",
              "export", "enum", "super", "with", "eval", "arguments", "law"}
-# minima and maxima as Python takes them: where one is not a number, the first
+# minima and maxima as Python takes them: of a list or of several; where one is not a number, the first
 HELPERS = """\
-const lesser = (...values) => values.reduce((a, b) => b < a ? b : a), greater = (...values) => values.reduce((a, b) => b > a ? b : a);
+const among = values => values.length === 1 && Array.isArray(values[0]) ? values[0] : values;
+const lesser = (...values) => among(values).reduce((a, b) => b < a ? b : a);
+const greater = (...values) => among(values).reduce((a, b) => b > a ? b : a);
 const number = x => ({inf: Infinity, "-inf": -Infinity})[x] ?? Number(x);
 const copysign = (a, b) => b < 0 || Object.is(b, -0) ? -Math.abs(a) : Math.abs(a);
 class NoState extends Error {}
@@ -166,6 +168,12 @@ class _Function:
         return f"(({left}) {_BINARY[type(op)]} {right})"
 
     def compared(self, left: ast.expr, op: ast.cmpop, right: ast.expr) -> str:
+        if isinstance(op, (ast.In, ast.NotIn)) and isinstance(right, ast.Attribute) and right.attr == "functions":     # of a law
+            return f"{'' if isinstance(op, ast.In) else '!'}({self.value(left)} in {self.value(right.value)})"
+        if isinstance(left, ast.Tuple) and isinstance(right, ast.Tuple) and isinstance(op, ast.Eq) and len(left.elts) == len(right.elts):
+            return f"({' && '.join(self.compared(a, op, b) for a, b in zip(left.elts, right.elts))})"
+        if isinstance(left, ast.Tuple) or isinstance(right, ast.Tuple) and not isinstance(op, (ast.In, ast.NotIn)):
+            raise self.unknown(left)      # two lists are never the same in JavaScript
         if isinstance(op, (ast.In, ast.NotIn)):
             return f"{'' if isinstance(op, ast.In) else '!'}{self.value(right)}.includes({self.value(left)})"
         return f"{self.value(left)} {_COMPARED[type(op)]} {self.value(right)}"

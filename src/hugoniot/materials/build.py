@@ -24,12 +24,13 @@ from hugoniot.laws.mixture.reference_state import CHOICES, FROZEN
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.materials.law_reader import read_law
-from hugoniot.materials.material import GRAINS_OVER_SERIES, PORES_REOPEN, Material, Source
+from hugoniot.materials.material import GRAINS_OVER_SERIES, NOT_AT_REST, PORES_REOPEN, Material, Source
 from hugoniot.materials.tables import families
 
 _FACTS = ("base", "sources", "valid_up_to", "warnings")
 _EXPLOSIVE = ("unreacted", "mixture", "detonation_energy", "reference_state")
 _TOLD = ("sources", "warnings")                # texts that results and reports repeat
+AT_REST = 1e-4                                 # of its bulk modulus, up to which an unreacted explosive counts as at rest
 
 
 def assembled(name: str, tables: Any, base: Material | None, collector: Collector, path: tuple) -> Material | None:
@@ -61,25 +62,36 @@ def assembled(name: str, tables: Any, base: Material | None, collector: Collecto
     if collector.findings > before:
         return None
     if reference == FROZEN and "reference_state" in tables and built.get("burn") is None:
-        collector.add((*path, "reference_state"), "what does not burn has no reference state", "omit it, or add a burn law")
+        collector.add((*path, "reference_state"), "applies only to a material that burns", "omit it, or add a burn law")
         return None
     _check_memory(built["eos"], built.get("burn") is not None, collector, path)
     if collector.findings > before:
         return None
-    if unreacted is not None and flagged(unreacted, "remembers"):
-        warnings = tuple(dict.fromkeys((*warnings, PORES_REOPEN)))
+    if unreacted is not None:
+        warnings = tuple(dict.fromkeys((*warnings, *doubts(unreacted))))
     if any(law is not None and flagged(law, "grains") and flagged(law, "truncated") for law in (built["eos"], unreacted)):
         warnings = tuple(dict.fromkeys((*warnings, GRAINS_OVER_SERIES)))
     return Material(name, built["eos"], built["strength"], built["fracture"], built.get("burn"), valid, sources, warnings, unreacted,
                     mixture, heat, reference)
 
 
+def doubts(unreacted: Any) -> list[str]:
+    """Warnings about the law of an unreacted explosive: pores that reopen, and a condensed one under pressure in its reference state."""
+    law, found = EOS.of(unreacted), [PORES_REOPEN] if flagged(unreacted, "remembers") else []
+    rho, e = reference_state(unreacted)
+    p = float(pressure(rho, e, unreacted))
+    condensed = "gas" not in law.flags or "reacted" in law.flags
+    if condensed and abs(p) > AT_REST * rho * sound_speed_squared(rho, e, unreacted):
+        found.append(NOT_AT_REST.format(p / 1e6))
+    return found
+
+
 def _check_memory(eos: Any, burns: bool, collector: Collector, path: tuple) -> None:
     """A law keeps its history as the outermost one only, where what would wrap it can stand inside; products of burning have no pores."""
     outer = EOS.of(eos)
     if burns and "remembers" in outer.flags:
-        collector.add((*path, "eos"), f"the products of an explosive cannot follow '{outer.name}'",
-                      "give the law of its gases here and the porous law under [unreacted]")
+        collector.add((*path, "eos"), f"the products of an explosive cannot have the law '{outer.name}'",
+                      "give the law of the products here and the porous law under [unreacted]")
     if any(flagged(inner, "remembers") for inner in eos if EOS.knows(inner)):
         collector.add((*path, "eos"), f"'{outer.name}' around a porous law would lose the history of its pores",
                       f"make the porous law the outer one and '{outer.name}' the law of its solid (its base)")
@@ -161,7 +173,8 @@ def _check_sound(built: dict, collector: Collector, path: tuple) -> None:
     try:
         _check_rest(par, built, collector, path)
     except ArithmeticError:
-        collector.add((*path, "eos"), "the parameters leave no state at rest", "check their units: one is beyond what numbers hold")
+        collector.add((*path, "eos"), "these parameters give no state at rest",
+                      "check their units: a value is outside the range of double precision")
 
 
 def _check_rest(par: Any, built: dict, collector: Collector, path: tuple) -> None:
@@ -186,7 +199,7 @@ def _check_rest(par: Any, built: dict, collector: Collector, path: tuple) -> Non
             if not (math.isfinite(value) and value >= 0.0):
                 collector.add((*path, "strength"), f"the {what} at rest must not be negative, got {value:g} Pa")
     if built.get("burn") is not None and asked_at_nodes(built["fracture"]):
-        collector.add((*path, "fracture"), "is asked at nodes, which do not know how much of a zone has burned",
+        collector.add((*path, "fracture"), "is evaluated at nodes, where no burn fraction is defined",
                       'use "pressure_volume" or "spall_stress" for an explosive')
     if built["fracture"] is not None and not tension_cap(0.0, built["fracture"]) > 0.0:
         collector.add((*path, "fracture"), f"the strength in tension must be positive, got {tension_cap(0.0, built['fracture']):g} Pa")

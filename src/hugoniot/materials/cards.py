@@ -6,13 +6,12 @@ reader `materials.law_reader`, so that library, decks and users' files share one
 
 from dataclasses import replace
 
-from hugoniot.laws.eos.jwl_isentrope import JWLIsentrope
 from hugoniot.materials import static_compression
 from hugoniot.materials.material import Source
 from hugoniot.materials.schema import Row
 
 ROOM_TEMPERATURE = 298.15  # K, of the tables of specific heats
-REST_TEMPERATURE = 298.0  # K, at which sets of unreacted explosives are calibrated to zero pressure
+REST_TEMPERATURE = 298.0  # K, at which sets of unreacted explosives are meant to have zero pressure
 UNIVERSAL_GAS_CONSTANT = 8.31446261815324  # J/(mol K), exact in the SI of 2019
 Card = dict[str, Source | str]
 
@@ -27,8 +26,7 @@ _PARAMETERS = {
 def card(row: Row, family: str = "") -> Card:
     """The law table of a row: `law` and its parameters; ValueError where no law of the package takes the row as it stands.
 
-    family   what an ignition-and-growth row is asked for: "burn" its rate, "eos" its products, else its unreacted explosive; "eos" of a
-             row of unreacted JWL is an inert solid
+    family   what an ignition-and-growth row is asked for: "burn" its rate, "eos" its products, else its unreacted explosive
     """
     if row.table == "ignition_growth" and family in ("burn", "eos"):
         return _rate(row) if family == "burn" else _products_of_set(row)
@@ -36,10 +34,7 @@ def card(row: Row, family: str = "") -> Card:
               "compression": static_compression.card}
     if row.table not in makers:
         raise ValueError(f"row {row.id} of the table {row.table} is not the table of one law")
-    found = makers[row.table](row)
-    if row.table == "jwl" and row["role"] == "unreacted" and family == "eos":    # by itself an inert solid, that drives nothing
-        return {name: value for name, value in found.items() if name != "e0"} | {"law": "jwl_unreacted"}
-    return found
+    return makers[row.table](row)
 
 
 def _us_up(row: Row) -> Card:
@@ -122,15 +117,15 @@ def _johnson_cook(row: Row) -> Card:
 
 
 def _jwl(row: Row) -> Card:
+    if row["role"] == "unreacted":
+        return _unreacted(row, "", "heat_capacity_volume")
     found: Card = {"law": "jwl"}
     for name in ("a", "b", "r1", "r2", "omega", "rho0"):
         found[name] = row.constant(name)
     heat = row.get("heat_capacity_volume")
     if heat is not None:
         found["specific_heat"] = replace(row.constant("heat_capacity_volume", "specific_heat"), value=heat / row["rho0"], unit="J/kg/K")
-    if row["role"] == "unreacted":
-        found["e0"] = _energy_at_rest(row, found, row.constant("heat_capacity_volume"))
-    elif "e0" in row:
+    if "e0" in row:
         found["e0"] = row.constant("e0")
     elif "e0_from_isentrope" in row:
         note = f"row {row.id} gives the principal isentrope with C; E0 from CJ tangency on it"
@@ -144,12 +139,23 @@ def _reactant(row: Row) -> Card:
     """The unreacted explosive of an ignition-and-growth set."""
     if "unreacted_a" not in row:
         raise ValueError(f"row {row.id} gives no unreacted equation of state")
-    found: Card = {"law": "jwl", "rho0": row.constant("rho0")}
+    return _unreacted(row, "unreacted_", "unreacted_heat_capacity")
+
+
+def _unreacted(row: Row, prefix: str, heat_column: str) -> Card:
+    """A calibration p(V, T) of an unreacted explosive, at rest where its pressure is zero.
+
+    The published constants give up to 15 MPa at V = 1 and 298 K. The law takes the energy at rest from p = 0 and counts the temperature
+    from there: a shift of the energy by |p|/(omega rho0), under 10 kJ/kg, and no change of the curves of pressure against volume.
+    """
+    found: Card = {"law": "jwl_unreacted", "rho0": row.constant("rho0")}
     for name in ("a", "b", "r1", "r2", "omega"):
-        found[name] = row.constant(f"unreacted_{name}", name)
-    heat = row.constant("unreacted_heat_capacity", "specific_heat")
+        found[name] = row.constant(f"{prefix}{name}", name)
+    heat = row.constant(heat_column, "specific_heat")
     found["specific_heat"] = replace(heat, value=heat.value / row["rho0"], unit="J/kg/K")
-    found["e0"] = _energy_at_rest(row, found, heat)
+    note = f"row {row.id}: the temperature of its calibration at rest, where the law has zero pressure"
+    found["reference_temperature"] = replace(heat, quantity="reference_temperature", value=REST_TEMPERATURE, unit="K", status="derived",
+                                             note=note)
     return found
 
 
@@ -174,13 +180,6 @@ def _rate(row: Row) -> Card:
              "completion_limit": "growth2_limit"}
     given = {parameter: row.constant(column, parameter) for parameter, column in names.items() if column in row}
     return {"law": "ignition_growth", **given}
-
-
-def _energy_at_rest(row: Row, found: Card, heat: Source) -> Source:
-    """E0 = cold energy at V = 1 + c_v T0: the calibrations use p(V, T) = cold pressure + omega c_v T/V."""
-    cold = float(JWLIsentrope(tuple((found[n].value, found[r].value) for n, r in (("a", "r1"), ("b", "r2"))), 0.0, 1.0).energy(1.0))
-    note = f"row {row.id}: energy at V = 1 and {REST_TEMPERATURE:g} K, so that the pressure at rest is the calibration's"
-    return replace(heat, quantity="e0", value=cold + heat.value * REST_TEMPERATURE, unit="J/m^3", status="derived", note=note)
 
 
 def _gas(row: Row) -> Card:

@@ -24,7 +24,7 @@ from hugoniot.core.registry import Registry
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
 from hugoniot.files import read_text
 from hugoniot.materials import cards, schema, table_law
-from hugoniot.materials.build import assembled
+from hugoniot.materials.build import assembled, doubts
 from hugoniot.materials.collect import Collector
 from hugoniot.materials.law_reader import read_law
 from hugoniot.materials.marks import marks
@@ -128,7 +128,7 @@ class _Reader:
         material = assembled(self.name, plain, self.base, self.collector, ("material", self.name))
         if material is None or self.problems:
             return None
-        warnings = tuple(dict.fromkeys((*material.warnings, *self.marks)))
+        warnings = tuple(dict.fromkeys((*material.warnings, *self.marks, *(doubts(unreacted) if unreacted is not None else ()))))
         replaced = {source.quantity for source in self.sources}
         inherited = (source for source in material.sources if source.quantity not in replaced)
         material = replace(material, sources=(*inherited, *self.sources), warnings=warnings, unreacted=unreacted or material.unreacted)

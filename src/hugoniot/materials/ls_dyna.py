@@ -77,7 +77,7 @@ def read_cards(text: str, file: str) -> dict[str, dict[str, float]]:
             here = NUMBERS.get(name.removesuffix("_TITLE"), name.removesuffix("_TITLE"))
             rows = 0
             if here in found:
-                raise DeckError.single(file, number, f"*{here}", "stands twice", "give a file with one material")
+                raise DeckError.single(file, number, f"*{here}", "appears twice", "give a file with one material")
             if here in CARDS:
                 found[here] = {}
         elif titled:

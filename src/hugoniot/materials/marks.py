@@ -11,7 +11,7 @@ from hugoniot.materials.schema import row as row_of
 
 VELOCITY_LIMIT = 0.005  # relative misfit of the CJ velocity a JWL set may have without a mark
 PRESSURE_LIMIT = 0.02  # and of the CJ pressure
-REST_LIMIT = 5e6  # Pa: pressure of an unreacted explosive at rest, about 0.03 % of its bulk modulus
+REST_LIMIT = 5e6  # Pa at V = 1 and 298 K by the constants of an unreacted explosive, about 0.03 % of its bulk modulus
 ENERGY_LIMIT = 0.005  # E0 stated against E0 from the tangency of the principal isentrope
 
 
@@ -72,5 +72,6 @@ def marks(row: Row) -> tuple[str, ...]:
     if (row.table == "jwl" and row["role"] == "unreacted") or (row.table == "ignition_growth" and "unreacted_a" in row):
         p = unreacted_pressure(row.id)
         if abs(p) > REST_LIMIT:
-            found.append(f"{name}: NOT AT REST: {p / 1e6:.1f} MPa at V = 1 and 298 K")
+            found.append(f"{name}: NOT AT REST: the published constants give {p / 1e6:.1f} MPa at V = 1 and 298 K; the energy at rest "
+                         "is taken where the pressure is zero")
     return tuple(found)

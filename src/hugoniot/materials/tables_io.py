@@ -137,8 +137,8 @@ def _build(name, rho, t, p, e, window: Window, lines=None) -> Table:
     columns = np.flatnonzero((t >= window.temperature_range[0]) & (t <= window.temperature_range[1]))
     lines = lines or {}
     if rows.size < 2 or columns.size < 2:
-        raise DeckError.single(name, lines.get(None), "table", f"{rows.size} densities and {columns.size} temperatures are left in the "
-                               "range asked for, two of each are needed", "widen the range or extend the table")
+        raise DeckError.single(name, lines.get(None), "table", f"{rows.size} densities and {columns.size} temperatures are in the "
+                               "requested range; at least two of each are needed", "widen the range or extend the table")
     keep = np.ix_(rows, columns)
     try:
         return build(rho[rows], t[columns], p[keep], e[keep], window.rho0, window.reference_temperature)
@@ -163,7 +163,7 @@ def read_301(text: str, name: str = "sesame.txt", *, rho0: float = math.nan, ref
     needed = 2 + n + m + 2 * n * m
     if len(words) < needed:
         raise DeckError.single(name, line_number, "301", f"{n} densities x {m} temperatures need {needed} words, it has {len(words)}",
-                               "the file is cut short or holds no energies")
+                               "the file is truncated or contains no energies")
     rho, t = np.array(words[2:2 + n]) * units[0], np.array(words[2 + n:2 + n + m]) * units[1]
     p = np.array(words[2 + n + m:2 + n + m + n * m]).reshape(m, n).T * units[2]
     e = np.array(words[2 + n + m + n * m:needed]).reshape(m, n).T * units[3]

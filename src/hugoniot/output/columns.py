@@ -14,6 +14,7 @@ _FACES = {
     "centre_y": ("m", "y (or z) of the zone's centre at t = 0"),
     "line_position": ("m", "position of the surface along the line of sight"),
     "line_velocity": ("m/s", "velocity of the surface along the line of sight"),
+    "apparent_velocity": ("m/s", "apparent velocity through the window"),
     "mass": ("kg", FIELDS["mass"].long_name),
     "particle_velocity": ("m/s", "particle velocity"),
     "speed": ("m/s", "speed of the material"),

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from hugoniot.core.fields import FIELDS
+from hugoniot.diagnostics.apparent import APPARENT
 from hugoniot.diagnostics.gauges2d import OF_LINES
 from hugoniot.diagnostics.interface_gauges import CONTINUOUS, sides
 from hugoniot.diagnostics.norms import Difference, difference
@@ -50,7 +51,7 @@ class Pair:
         n = self.norms
         shift = None if math.isnan(n.shift) else n.shift
         return {"gauge": self.a.gauge, "field": self.a.field, "unit": self.a.unit, "l1": n.l1, "l2": n.l2, "linf": n.linf, "scale": n.scale,
-                "l1_relative": n.relative[0], "l2_relative": n.relative[1], "linf_relative": n.relative[2], "arrival_shift": shift,
+                "l1_relative": n.relative[0], "l2_relative": n.relative[1], "linf_relative": n.relative[2], "time_shift": shift,
                 "from": n.start, "to": n.end}
 
 
@@ -122,7 +123,7 @@ def read_table(path) -> list[Record]:
 
 
 def _record(name: str, unit: str, time, values) -> Record:
-    for field in sorted([*FIELDS, *OF_LINES], key=len, reverse=True):
+    for field in sorted([*FIELDS, *OF_LINES, APPARENT], key=len, reverse=True):
         if name == field or name.endswith(" " + field):
             return Record(name[: -len(field)].strip(), field, unit, time, values)
     return Record("", name, unit, time, values)

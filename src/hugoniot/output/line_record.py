@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from hugoniot.diagnostics.apparent import with_apparent_velocity
 from hugoniot.diagnostics.budgets import RegionBudget
 from hugoniot.diagnostics.interface_gauges import without_mixtures
 from hugoniot.diagnostics.line_fields import LineFields
@@ -43,7 +44,7 @@ class LineRecorder(Recorder):
             if self.hot:
                 laws = [self.laws[self.solver.region_of[zone]] for zone in self.solver.gauge_zones]
                 values = {**values, "temperature": gauge_temperature({**values, "share": share, "phases": phases}, laws)}
-            self.folder.gauges(times, without_mixtures(values, self.problem.gauges))
+            self.folder.gauges(times, with_apparent_velocity(self.problem, without_mixtures(values, self.problem.gauges)))
 
     def snapshot(self, state):
         heat = zone_temperature(state, self.solver.region_of, self.laws, self.solver.phases()) if self.hot else None

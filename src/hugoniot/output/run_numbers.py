@@ -4,11 +4,12 @@ import numpy as np
 
 from hugoniot.diagnostics.arrival import arrivals
 from hugoniot.diagnostics.interface_gauges import sides
-from hugoniot.diagnostics.velocimetry import flat_top
+from hugoniot.diagnostics.velocimetry import flat_stretch, level_over
 from hugoniot.output.run import Run, largest_value
 from hugoniot.output.spall_reading import NOISE, SURFACE, spall_reading, surface_record
 from hugoniot.units import format_si
 
+START_UP = 12         # zones beside a face in which a captured shock that starts there is still forming, and overshoots
 ROUND_OFF = 1e-12     # of the largest value of a run: what is smaller is the round-off of a state at rest
 GAUGE_UNITS = {"arrival": "s", "second_arrival": "s", "peak_stress": "Pa", "plateau_stress": "Pa", "lowest_stress": "Pa",
                "peak_velocity": "m/s", "plateau_velocity": "m/s", "last_velocity": "m/s"}
@@ -23,7 +24,9 @@ def gauge_rows(run: Run) -> list[dict]:
     end of stress and velocity.
 
     `second_arrival`, that of the plastic wave behind a precursor, stands in all rows if a gauge of the run has one, else in none. A peak
-    may be the short overshoot of a numerical shock; the plateau is the level of a flat top without it, NaN where there is none.
+    may be the short overshoot of a numerical shock; the plateaus are the levels of one flat top without it, behind the first wave: that of
+    the stress, and the velocity over the same time. At a free surface, which has no stress, it is that of the change of velocity. NaN where
+    the top is not flat, or the velocity changes over it; and for the stress of a surface that moves without any.
     """
     rows = []
     table = run.arrays("gauges") if run.gauge_names() else {}
@@ -38,17 +41,28 @@ def gauge_rows(run: Run) -> list[dict]:
         row: dict = {"gauge": name}
         peak = np.max(np.abs(velocity - velocity[0]))
         row["arrival"], row["second_arrival"] = arrivals(time, velocity) if peak > noise else (float("nan"), float("nan"))
-        if "stress" in table:
-            stress = without_round_off(table["stress"][:, k], largest["stress"])
-            row |= {"peak_stress": float(stress.max()), "plateau_stress": flat_top(time, stress), "lowest_stress": float(stress.min())}
-        highest = float(velocity[np.argmax(np.abs(velocity))])
-        way = float(np.copysign(1.0, highest))
-        row |= {"peak_velocity": highest, "plateau_velocity": way * flat_top(time, way * velocity), "last_velocity": float(velocity[-1])}
+        stress = without_round_off(table["stress"][:, k], largest["stress"]) if "stress" in table else None
+        row |= _levels(time, velocity, stress, row["arrival"], peak > noise)
         rows.append(row)
     if all(np.isnan(row["second_arrival"]) for row in rows):
         for row in rows:
             del row["second_arrival"]
     return rows
+
+
+def _levels(time, velocity, stress, arrival: float, moved: bool) -> dict[str, float]:
+    """Peak, plateau and end of a gauge's stress (None: not recorded) and velocity; `moved` is whether the velocity changed."""
+    first = int(np.searchsorted(time, arrival)) if np.isfinite(arrival) else 0
+    since, free = time[first:], stress is None or (moved and not stress.any())
+    top = flat_stretch(since, np.abs(velocity - velocity[0])[first:] if free else stress[first:])
+    nothing, found = float("nan"), {}
+    if stress is not None:
+        found = {"peak_stress": nothing if free else float(stress.max()),
+                 "plateau_stress": nothing if free else level_over(since, stress[first:], top),
+                 "lowest_stress": nothing if free else float(stress.min())}
+    largest = float(np.max(np.abs(velocity)))
+    return found | {"peak_velocity": float(velocity[np.argmax(np.abs(velocity))]),
+                    "plateau_velocity": level_over(since, velocity[first:], top, largest), "last_velocity": float(velocity[-1])}
 
 
 def without_round_off(values: np.ndarray, largest: float) -> np.ndarray:
@@ -80,8 +94,8 @@ def highest(run: Run) -> dict:
     """Highest stress (else pressure) and tension of any zone at any time, Pa, and of the surface that is seen its velocity, m/s.
 
     Beside each field stands where it was found: `stress_region` the body and `stress_at` the centre of the zone at t = 0, m, one number
-    for each coordinate. A zone at a face where bodies met may hold the overshoot of a numerical shock, which the plateaus of the gauges
-    leave out.
+    for each coordinate. Of captured shocks in one dimension the first zones beside interfaces and driven ends do not count, in which a
+    shock that starts there overshoots by up to 20 % (`START_UP`); `peaks` of the run has them.
     `surface` is the gauge of that velocity, or "free surface". A field that the run does not have is left out, and so is a tension that
     never came, or that is the round-off of a surface at rest; the velocity is that of the spall reading where there is one.
     """
@@ -95,12 +109,26 @@ def highest(run: Run) -> dict:
         least = NOISE * found.get("stress", found.get("pressure", 0.0))
         if word == "tension" and not np.max(values) > least:
             continue
-        k = int(np.argmax(values))
+        k = int(np.argmax(values if word == "tension" else np.where(_formed(run, peaks["region"]), values, -np.inf)))
         found |= {word: float(values[k]), f"{word}_region": str(peaks["region"][k]), f"{word}_at": [float(x[k]) for x in centres]}
     seen = surface_record(run)
     if len(seen.time) and "peak_velocity" not in spall_numbers(run):
         found |= {"surface": "free surface" if seen.kind == SURFACE else seen.gauge, "surface_velocity": float(np.max(seen.velocity))}
     return found
+
+
+def _formed(run: Run, region: np.ndarray) -> np.ndarray:
+    """Whether a shock has formed in a zone (n,), wherever it started; a body keeps at least its middle third."""
+    formed = np.ones(len(region), dtype=bool)
+    if "axes" in run.setup or run.setup["solver"]["kind"] == "fronts":
+        return formed
+    driven = [run.setup["boundaries"][side]["kind"] in ("velocity", "pressure") for side in ("left", "right")]
+    starts = np.flatnonzero(np.concatenate(([True], region[1:] != region[:-1])))
+    for first, end in zip(starts, [*starts[1:], len(region)]):
+        few = min(START_UP, (end - first) // 3)
+        formed[first:first + few] &= first == 0 and not driven[0]
+        formed[end - few:end] &= end == len(region) and not driven[1]
+    return formed
 
 
 def highest_rows(run: Run) -> list[tuple[str, str, str]]:

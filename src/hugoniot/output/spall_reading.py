@@ -260,8 +260,8 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
         signal = body["rho0"] * body["c_bulk"] * found.drop
         left = 2.0 * numbers["spall_strength_acoustic"] / signal
         if left < LEAST_SIGNAL:
-            reason = (f"the stress that the window '{record.window}' holds outweighs the pull-back: {max(left, 0.0):.0%} of it would be "
-                      f"left for the strength, and {LEAST_SIGNAL:.0%} are needed for a reliable reading")
+            reason = (f"the stress carried by the window '{record.window}' leaves {max(left, 0.0):.0%} of the pull-back for the "
+                      f"spall strength; a reliable reading needs {LEAST_SIGNAL:.0%}")
             numbers = {key: value for key, value in numbers.items() if not key.startswith("spall_strength")}
             return Reading(numbers, reason, record=record, found=found)
     return Reading(numbers, "", _eroded(numbers) or _overtaken(record, found, body, opened, numbers), record, found)

@@ -16,6 +16,7 @@ from hugoniot.materials.initial_state import initial_state
 from hugoniot.materials.material import Material
 from hugoniot.materials.read import from_library
 from hugoniot.mesh.line import graded_nodes
+from hugoniot.problem import windows
 from hugoniot.problem.gauges import is_interface
 from hugoniot.problem.model import Gauge, Interface, Profile, Region
 from hugoniot.problem.profiles import read_profile, values_at
@@ -85,7 +86,7 @@ def checked_profile(row: Any, zones: int | None, material: Material | None, coll
         state = {key: float(given[key][k]) if key in given else getattr(row, key) for key in _STATE}
         check_state(SimpleNamespace(**state), material, collector, path)
         if collector.findings > before:
-            collector.add(path, f"at {format_si(place, 'm')} it gives a state in which '{material.name}' cannot be")
+            collector.add(path, f"at {format_si(place, 'm')} its state is outside the range of '{material.name}'")
             break
     return profile
 
@@ -174,8 +175,8 @@ def check_state(row: Any, material: Material | None, collector: Collector, path:
         collector.add((*path, key), printable(str(error), 300))
         return
     if not (math.isfinite(rho) and rho > 0.0 and math.isfinite(e) and math.isfinite(c2) and c2 > 0.0):
-        collector.add((*path, key), f"no sound material: density {rho:g} kg/m^3, energy {e:g} J/kg, squared sound speed {c2:g} m^2/s^2",
-                      "change the initial state")
+        collector.add((*path, key), f"no real sound speed in this state: density {rho:g} kg/m^3, energy {e:g} J/kg, squared "
+                      f"sound speed {c2:g} m^2/s^2", "change the initial state")
 
 
 def _without_overlap(found: list[tuple[Region, int]], collector: Collector, warnings: list[str]) -> tuple[Region, ...]:
@@ -228,8 +229,8 @@ def read_interfaces(rows: Sequence, regions: tuple[Region, ...], collector: Coll
         elif (a, b) in found:
             collector.add((*path, "between"), f"'{row.between[0]}' and '{row.between[1]}' are described twice")
         elif row.kind == "bond" and regions[b].start > regions[a].end:
-            collector.add((*path, "between"), f"'{regions[a].name}' and '{regions[b].name}' do not touch: a bond holds from the start",
-                          'kind = "bonded" sticks as they meet')
+            collector.add((*path, "between"), f"'{regions[a].name}' and '{regions[b].name}' do not touch: a bond acts from the start",
+                          'kind = "bonded" joins them when they meet')
         else:
             found[a, b] = Interface(regions[a].name, regions[b].name, row.kind, row.strength or 0.0)
     return tuple(found[key] for key in sorted(found))
@@ -254,7 +255,8 @@ def read_gauges(rows: Sequence, regions: tuple[Region, ...], collector: Collecto
             wrong = None if row.at in known else _wrong_place(row.at, regions)
             if wrong:
                 collector.add((*path, "at"), *wrong)
-        found.setdefault(row.name, Gauge(row.name, row.at))
+        factor = windows.factor_of(row, regions, collector, path)
+        found.setdefault(row.name, Gauge(row.name, row.at, row.window or "", factor))
     return tuple(found.values())
 
 

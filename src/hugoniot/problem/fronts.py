@@ -16,7 +16,7 @@ from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.materials import burning
 from hugoniot.materials.collect import Collector, printable
 from hugoniot.materials.material import Material
-from hugoniot.problem import checks, explosives, lagrangian
+from hugoniot.problem import checks, explosives, lagrangian, windows
 from hugoniot.problem.defaults import completed
 from hugoniot.problem.lagrangian import (
     BoundaryTables,
@@ -103,11 +103,11 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     lighting = tuple(Lighting(row.at, row.time) for row in model.lighting)
     problem = Problem(model.title, model.geometry, model.stop_time, regions, used, left, right, interfaces, gauges, options, output,
                       lighting)
-    for defect in explosives.defects(problem):
+    for defect in (*explosives.defects(problem), *windows.defects(problem)):
         collector.add(*defect)
     for path, message in defects(problem):
         collector.add(path, message)
-    return (None if collector.problems else completed(problem)), warnings
+    return (None if collector.problems else completed(problem)), warnings + windows.advice(problem)
 
 
 def with_defaults(options) -> dict:
@@ -203,8 +203,8 @@ def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]
     elif material.burn is not None:
         found += _burn_defects(material)
     if material.fracture is not None and FRACTURE.of(material.fracture).name != "none":
-        found.append((("fracture",), f"has a fracture law; {NAME} opens no new surfaces inside a body, whose place it does not know "
-                      "beforehand: leave the law out (nothing spalls then), or use lagrange1d"))
+        found.append((("fracture",), f"has a fracture law; {NAME} cannot open a new surface inside a body: "
+                      "leave the law out (nothing spalls then), or use lagrange1d"))
     if flagged(material.eos, "remembers"):
         found.append((("eos",), f"keeps its pores crushed: its release is not the isentrope that {NAME} follows; use lagrange1d"))
     if material.strength is not None and STRENGTH.of(material.strength).name not in ("none", "perfectly_plastic"):
@@ -227,8 +227,8 @@ def _burn_defects(material: Material) -> list[tuple[tuple, str]]:
                  "take 'programmed', whose front is tracked, or a rate law")]
     found: list[tuple[tuple, str]] = []
     if material.reference_state == ROLLING:
-        found.append((("reference_state",), f"lets the reactants' reference state roll; {NAME} knows the state behind its shocks and "
-                      "freezes it: leave reference_state out, or take \"frozen\""))
+        found.append((("reference_state",), f"has reference_state = \"rolling\"; {NAME} keeps the state behind its tracked shocks: "
+                      "leave reference_state out, or take \"frozen\""))
     if material.unreacted is not None and flagged(material.unreacted, "remembers"):
         found.append((("unreacted",), f"keeps the pores of its unreacted explosive crushed, which {NAME} does not follow, for their "
                       "release is not an isentrope of the law: use lagrange1d"))

@@ -11,7 +11,7 @@ from hugoniot.materials.collect import Collector, printable
 from hugoniot.materials.law_reader import read_law
 from hugoniot.materials.material import Material
 from hugoniot.materials.tables import law_table, material_tables
-from hugoniot.problem import checks, explosives, output_fields, periodic, terms
+from hugoniot.problem import checks, explosives, output_fields, periodic, terms, windows
 from hugoniot.problem.advice import advice
 from hugoniot.problem.boundaries import boundary_schema, boundary_value, read_boundary
 from hugoniot.problem.defaults import SNAPSHOTS, completed, whole_viscosity
@@ -104,6 +104,12 @@ class GaugeTable(Table):
     name: str = Field(min_length=1, max_length=checks.LONGEST_NAME, description="column of gauges.csv and label of plots")
     at: Annotated[Any, BeforeValidator(_place), WithJsonSchema({"type": ["number", "string"], "unit": "m"})] = Field(
         description="position at t = 0, or \"free surface left|right\", \"REGION/REGION\", \"REGION:left|right\"")
+    window: str | None = Field(None, min_length=1, max_length=60, description="region of the interface that an interferometer looks "
+                                                                              "through: records apparent_velocity")
+    window_factor: Annotated[float, Quantity("1", least=1.0, limit=5.0)] | None = Field(
+        None, description="a of the window's refractive index a + b rho (default: the library's)")
+    wavelength: Annotated[float, Quantity("m", least=2e-7, limit=1e-5)] | None = Field(
+        None, description="of the light that the library's index is taken at (default: 532 nm)")
 
 
 class LightingTable(Table):
@@ -203,11 +209,12 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     if len(problem.gauges) > MOST_GAUGES:
         collector.add(("gauge",), f"{len(problem.gauges)} gauges are too many, with those beside interfaces and on free surfaces",
                       f"the limit is {MOST_GAUGES}")
-    for defect in (*explosives.defects(problem), *periodic.defects(problem), *terms.defects(problem), *output_fields.defects(problem)):
+    for defect in (*explosives.defects(problem), *periodic.defects(problem), *terms.defects(problem), *output_fields.defects(problem),
+                   *windows.defects(problem)):
         collector.add(*defect)
     if collector.problems:
         return None, warnings
-    return problem, warnings + advice(problem) + explosives.advice(problem)
+    return problem, warnings + advice(problem) + explosives.advice(problem) + windows.advice(problem)
 
 
 def _parts(kind: type[Table], rows: Any) -> list:
@@ -274,7 +281,8 @@ def write(problem: Problem) -> dict:
     deck["boundary"] = {"left": boundary_value(problem.left), "right": boundary_value(problem.right)}
     interfaces = [{"between": [i.left, i.right], "kind": i.kind} | ({"strength": i.strength} if i.kind == "bond" else {})
                   for i in problem.interfaces]
-    gauges = [{"name": g.name, "at": g.at} for g in problem.gauges]
+    gauges = [{"name": g.name, "at": g.at} | ({"window": g.window, "window_factor": g.window_factor} if g.window else {})
+              for g in problem.gauges]
     lighting = [{"at": point.position, "time": point.time} for point in problem.lighting]
     deck |= {key: rows for key, rows in (("interface", interfaces), ("gauge", gauges), ("lighting", lighting)) if rows}
     deck |= terms.write_terms(problem)

@@ -96,10 +96,14 @@ class Gauge:
 
     at   a position at t = 0 in m, or "free surface left", "free surface right", "<region>/<region>" for an interface,
          or "<region>:left" and "<region>:right" for the end faces of a region
+    window, window_factor   of an interface: the region, at an end, that an interferometer looks through, and a of its refractive index
+                            n = a + b rho; the gauge then records `apparent_velocity` (`diagnostics.apparent`)
     """
 
     name: str
     at: float | str
+    window: str = ""
+    window_factor: float | None = None
 
 
 @dataclass(frozen=True)

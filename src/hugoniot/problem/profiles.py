@@ -159,7 +159,7 @@ def _of_file(name: str, collector: Collector, path: tuple) -> Profile | None:
             collector.add(path, f"unknown column '{printable(field)}'", nearest(field, ("position", *UNITS)))
             return None
         if field in columns:
-            collector.add(path, f"column '{field}' stands twice")
+            collector.add(path, f"column '{field}' appears twice")
             return None
         try:
             values = [float(row[k]) for row in rows[1:]]
@@ -168,7 +168,7 @@ def _of_file(name: str, collector: Collector, path: tuple) -> Profile | None:
             collector.add(path, f"column '{field}': {error.message}", error.hint)
             return None
         except (ValueError, IndexError):
-            collector.add(path, f"column '{field}' holds something that is not a number")
+            collector.add(path, f"column '{field}' contains a value that is not a number")
             return None
     places = columns.pop("position", None)
     if places is None or not columns:

@@ -116,7 +116,7 @@ def _heat_sources(raw: Any, collector: Collector) -> tuple[HeatSource, ...]:
             collector.add((*path, "depths"), "a profile has as many weights as depths")
             continue
         if table.absorption_length is not None and (table.depths is not None or given[0][0] == "power"):
-            collector.add((*path, "absorption_length"), "goes with an intensity, and without depths",
+            collector.add((*path, "absorption_length"), "applies to an intensity without depths",
                           "give intensity and absorption_length, or depths and weights")
             continue
         pulse = read_pulse(getattr(table, given[0][0]), given[0][1], collector, (*path, given[0][0]))

@@ -39,7 +39,7 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
 
 _CAPTIONS = {
     "structure": "The last snapshot, a dot for each cell, over the steady wave of the same law, lines.",
-    "structure_terms": "The steady wave: fields as parts of their jumps; energies per volume in the frame of the shock; viscous stress "
+    "structure_terms": "The steady wave: fields as fractions of their jumps; energies per volume in the frame of the shock; viscous stress "
                        "and heat flux; the terms that balance in momentum and in energy, times the density thickness δ; entropy and its "
                        "production, whose area over x/δ is one.",
     "map_pressure": "Pressure at the end of the run; of axisymmetric geometry both halves. Lines are outlines and interfaces.",
@@ -57,8 +57,8 @@ _CAPTIONS = {
     "gauge_stress": "Longitudinal stress at the gauges, positive in compression.",
     "gauge_velocity": "Particle velocity at the gauges.",
     "free_surface": "Velocity of the surface that an interferometer would see.",
-    "budget": "Parts of the energy, all regions together, in Herrmann's partition (A.6). Internal energy counts from its start; "
-              "dashed are the parts it is made of.",
+    "budget": "Parts of the energy, all regions together, in Herrmann's partition (A.6). Internal energy is measured from its "
+              "initial value; dashed lines are its parts.",
     "errors": "Largest relative error of mass, momentum and total energy so far.",
 }
 

@@ -54,7 +54,8 @@ def _sensitivities(swept: SweepTable, sensitivity) -> str:
                           (2.3, 0.5, 4.6, height))
             lost = f" {rows[0].lost} base cases failed and are left out." if rows[0].lost else ""
             words = ("Sobol' indices with 95 % intervals." if hasattr(rows[0], "total") else
-                     "Morris' effects for the whole range of each parameter: to the right what matters, upwards what acts in curves.")
+                     "Morris' effects for the whole range of each parameter: further right a stronger influence, further "
+                     "up a nonlinear one or an interaction.")
             figures.append(f"<figure>{picture}<figcaption>{text(words + lost)}</figcaption></figure>")
     return f"<section><h2>Sensitivity</h2>{''.join(figures)}</section>" if figures else ""
 

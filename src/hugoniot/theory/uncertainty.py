@@ -120,7 +120,8 @@ def _monte_carlo(function, values, names, covariance, centre, samples, seed):
         for k in rows:
             rows[k].append(float(answer[k]))
     if refused > 0.01 * samples:
-        raise OutOfRange(f"{refused} of {samples} samples fall outside what the laws can do: the errors reach beyond their limits")
+        raise OutOfRange(f"{refused} of {samples} samples fall outside the range of the laws: the errors are "
+                         "larger than the distance to their limits")
     spreads = {}
     for k, found in rows.items():
         low, high = np.percentile(found, [15.865525393145708, 84.1344746068543])

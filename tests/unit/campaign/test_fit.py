@@ -199,7 +199,7 @@ def test_a_wall_seen_by_a_streak_camera_gives_the_tube_back(tmp_path, inline):
     ({"scale": "-1 %"}, "--scale '-1 %': not above 0"),
     ({"window": ["2..3 us"]}, "fewer than 3 points"),
     ({"window": ["3 us"]}, "not a range of times"),
-    ({"window": ["other.csv = 0..1 us"]}, "no file of that name"),
+    ({"window": ["other.csv = 0..1 us"]}, "no such file is given"),
     ({"gauge": "surface"}, "no such gauge in the deck; did you mean 'free surface'"),
     ({"loss": "quadratic"}, "unknown loss"),
     ({"starts": 0}, "not a number of searches"),

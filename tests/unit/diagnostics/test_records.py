@@ -13,7 +13,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "output"))
 from acoustic_flyer import IMPACT, RHO, STRENGTH, AcousticFlyer, C
 
 from hugoniot.diagnostics.arrival import arrival_times, arrivals, first_crossing, front_speed, steepest_times
-from hugoniot.diagnostics.norms import arrival_shift, difference
+from hugoniot.diagnostics.norms import difference, time_shift
 from hugoniot.diagnostics.velocimetry import (
     PullBack,
     fringes,
@@ -45,11 +45,23 @@ def test_norms_of_a_record_and_itself_shifted_up(values, step):
     assert d.l1 <= d.l2 * (1 + 1e-12) + 1e-12 and d.l2 <= d.linf * (1 + 1e-12) + 1e-12
 
 
-def test_arrival_shift_is_the_delay_of_a_ramp():
+def test_time_shift_is_the_delay_of_a_ramp():
     t = np.linspace(0, 10, 401)
     a, b = np.clip(t - 2, 0, 1), np.clip(t - 3.7, 0, 1)
-    assert arrival_shift(t, a, t, b) == pytest.approx(1.7, abs=1e-12)
-    assert np.isnan(arrival_shift(t, a, t, 0 * t)) and np.isnan(arrival_shift(t, 0 * t, t, a))
+    assert time_shift(t, a, t, b) == pytest.approx(1.7, abs=1e-12)
+    assert np.isnan(time_shift(t, a, t, 0 * t)) and np.isnan(time_shift(t, 0 * t, t, a))
+
+
+def test_time_shift_is_that_of_one_wave():
+    """The same level in both: a third more amplitude shifts a ramp of 1 s by an eighth; a wave after the end of the data, or before their
+    beginning, is no wave of theirs."""
+    t = np.linspace(0, 10, 401)
+    a = np.clip(t - 2, 0, 1) + 4.0 * np.clip(t - 7, 0, 1)
+    assert time_shift(t, a, t, 4.0 / 3.0 * np.clip(t - 2, 0, 1) + 4.0 * np.clip(t - 8, 0, 1)) == pytest.approx(1.0 - 1.0 / 12.0, abs=1e-12)
+    early = t <= 5.0
+    assert time_shift(t, a, t[early], 4.0 / 3.0 * np.clip(t - 2, 0, 1)[early]) == pytest.approx(-0.125, abs=1e-12)
+    late = t >= 8.5
+    assert np.isnan(time_shift(t, a, t[late], a[late] - 2.0 * (t[late] - 8.5)))
 
 
 def test_records_without_common_time_are_refused():

@@ -12,14 +12,19 @@ from typer.testing import CliRunner
 
 from hugoniot.cli.main import build_app
 from hugoniot.errors import HugoniotError
+from hugoniot.explorer.catalogue import listing
 from hugoniot.explorer.impact import impact
-from hugoniot.explorer.subjects import entry_of, inert
+from hugoniot.explorer.subjects import entry_of, inert, inert_or_none
+from hugoniot.explorer.surfaces import range_of
 from hugoniot.explorer.transcribed import parameters
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.materials import library
 from hugoniot.problem.deck import read_deck_text
 from hugoniot.theory.impedance import match
+from hugoniot.theory.isentrope import at_temperature
+from hugoniot.theory.states import density_range
+from hugoniot.theory.upstream import Initial, fastest
 
 pytestmark = pytest.mark.slow
 
@@ -99,13 +104,45 @@ def test_command_and_python_of_isentropes_surfaces_and_cold_curves(visit, tmp_pa
     assert len(found) == 1 and len(rows) == 61 * 61
     assert said["pressure"] == f"{shown(found[0]['pressure'] * 1e-9)} GPa" and said["internal energy"] == f"{shown(found[0]['energy'] * 1e-3)} kJ/kg"
     p, e = computed(page)[0]
+    drawn = page.evaluate("H.surface({name: 'copper'}, false)")      # kept from the drawing
+    assert np.array(drawn["pressure"]) == pytest.approx(p, rel=1e-9, abs=1.0) and np.array(drawn["specific_internal_energy"]) == pytest.approx(e, rel=1e-9, abs=1e-3)
     assert p.ravel().tolist() == [r["pressure"] for r in rows] and e.ravel().tolist() == [r["energy"] for r in rows]
     page = here.go("#/materials?sel=copper&plane=isotherms")
     cold = page.evaluate("document.querySelector('.chart').chart.spec.series.find(s => s.id === 'cold curve').table")
     printed(page.text_content("#command"))
     rows = [{k: float(v) for k, v in row.items()} for row in csv.DictReader((tmp_path / "isotherms.csv").open())]
-    assert cold["pressure"] == [r["pressure"] for r in rows if r["temperature"] == 0.0] and len(cold["pressure"]) == 61
-    assert np.array_equal(computed(page)[0][0][:, 0], cold["pressure"])
+    theirs = [r["pressure"] for r in rows if r["temperature"] == 0.0]
+    assert cold["pressure"] == pytest.approx(theirs, rel=1e-9, abs=1.0) and len(cold["pressure"]) == 61
+    assert np.array_equal(computed(page)[0][0][:, 0], theirs)
+
+
+def test_surfaces_of_all_laws_are_those_of_the_package(visit):
+    """Every law of the library that has a temperature: pressures and energies at five densities and five temperatures."""
+    page = visit().go("#/materials?sel=copper")
+    ranges = {}
+    for entry in (entry_of(m["name"]) for m in listing()["materials"] if m["alone"]):
+        for material in (inert_or_none(entry), entry.material):
+            if material is not None and EOS.of(material.eos).name not in ranges and "refused" not in (found := range_of(material)):
+                ranges[found["law"]["$"]] = entry.name, material.eos, found
+    assert len(ranges) >= 7
+    for name, par, drawn in ranges.values():
+        limits = page.evaluate("""given => { const T = H.theory, par = H.impact.law(given, 'example'), [density, energy] = T.reference_state(par);
+            return [...T.density_range(par), T.fastest(par, {density, energy, heat: 0})].map(x => Number.isFinite(x) ? x : String(x)); }""", drawn["law"])
+        rho, e = contract.reference_state(par)
+        theirs = [*density_range(par), fastest(par, Initial(rho, 0.0, e))]
+        assert [float(x) for x in limits] == pytest.approx(theirs, rel=1e-12), name
+    for name, par, drawn in ranges.values():
+        rho, t = (np.linspace(*drawn[key], 5) for key in ("densities", "temperatures"))
+        mine = page.evaluate("""([given, rho, t]) => { const T = H.theory, par = H.impact.law(given, 'example'); return rho.map(r => t.map(k => {
+            try { const e = T.energy_at_temperature(r, k, par); return [T.pressure(r, e, par), e]; } catch { return null; } })); }""", [drawn["law"], rho.tolist(), t.tolist()])
+        for i, density in enumerate(rho.tolist()):
+            for j, hot in enumerate(t.tolist()):
+                try:
+                    theirs = at_temperature(par, density, hot)
+                except HugoniotError:
+                    assert mine[i][j] is None, (name, density, hot)
+                    continue
+                assert mine[i][j] == pytest.approx(theirs, rel=1e-8, abs=10.0), (name, density, hot)
 
 
 def test_the_pointer_walks_the_curves_of_a_surface(visit):

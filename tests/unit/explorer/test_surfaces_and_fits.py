@@ -11,8 +11,9 @@ from typer.testing import CliRunner
 
 import hugoniot
 from hugoniot.cli.main import build_app
-from hugoniot.errors import DeckError, FileTrouble, OutOfRange
-from hugoniot.explorer import fits, subjects, surfaces
+from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.explorer import fits, subjects
+from hugoniot.explorer.curves import curves_of
 from hugoniot.explorer.places import places_of
 from hugoniot.laws.eos import contract
 from hugoniot.materials import library
@@ -20,27 +21,14 @@ from hugoniot.page import one_run, run_data
 from hugoniot.theory.isentrope import at_temperature
 
 
-def test_a_surface_is_the_table_of_the_command():
-    mine = surfaces.surface("copper", (8000.0, 11000.0), (0.0, 2000.0), 5)
-    words = ["eos", "table", "copper", "--densities", "8000 kg/m^3, 11000 kg/m^3", "--temperatures", "0 K, 2000 K", "--points", "5", "--json"]
-    theirs = json.loads(CliRunner().invoke(build_app("eos"), words).output)
-    for key in ("density", "temperature", "pressure", "specific_internal_energy"):
-        assert np.array_equal(np.array(mine[key], float), np.array(theirs[key], float)), key
-
-
 @pytest.mark.parametrize("name", ["copper", "water", "iron", "air", "pmma"])
-def test_states_of_a_surface_have_their_temperature_and_the_cold_curve_has_none(name):
-    """The other way round: the law's own temperature and pressure at the energy that was found."""
-    par = library.find(name).eos
-    found = surfaces.surface(name, points=7)
-    scale = float(np.max(np.abs(found["specific_internal_energy"])))
-    for i, rho in enumerate(found["density"]):
-        for j, t in enumerate(found["temperature"]):
-            e = found["specific_internal_energy"][i][j]
-            assert contract.temperature(rho, e, par) == pytest.approx(t, rel=1e-9, abs=1e-12 * scale)
-            assert contract.pressure(rho, e, par) == found["pressure"][i][j]
-    cold = surfaces.surface(name, points=7, isotherms=True)
-    assert cold["temperature"][0] == 0.0 and np.array_equal([row[0] for row in cold["pressure"]], [row[0] for row in found["pressure"]])
+def test_states_in_the_range_of_a_surface_have_their_temperature(name):
+    """The other way round: the law's own temperature at the energy that was found, at the corners of what is drawn."""
+    par, drawn = library.find(name).eos, curves_of(name)["surface_range"]
+    for rho in drawn["densities"]:
+        for t in drawn["temperatures"]:
+            p, e = at_temperature(par, rho, t)
+            assert contract.temperature(rho, e, par) == pytest.approx(t, rel=1e-9, abs=1e-12 * abs(e)) and contract.pressure(rho, e, par) == p
 
 
 def test_an_isotherm_obeys_the_identity_of_energy():
@@ -55,12 +43,8 @@ def test_an_isotherm_obeys_the_identity_of_energy():
     assert end[1] - start[1] == pytest.approx(work, rel=1e-11)
 
 
-def test_surfaces_that_a_law_has_not_are_refused():
-    for wrong in ({"densities": (1.0,)}, {"densities": (2e4, 1e4)}, {"temperatures": (300.0, 200.0)}, {"points": 1}, {"points": 500}, {"densities": (8000.0, 1e9)}):
-        with pytest.raises(OutOfRange):
-            surfaces.surface("copper", **wrong)
-    with pytest.raises(OutOfRange, match="no temperature"):
-        surfaces.surface("granite")
+def test_a_law_without_temperature_has_no_surface():
+    assert "no temperature" in curves_of("granite")["surface_range"]["refused"]
 
 
 def test_a_material_of_a_file_is_a_material_of_the_page(tmp_path, client):
@@ -83,9 +67,9 @@ def test_a_tabulated_material_has_the_surface_of_its_table(tmp_path):
     (tmp_path / "tabulated.toml").write_text('[eos]\nlaw = "table"\nfile = "copper.csv"\nrho0 = "8930 kg/m^3"\n')
     places_of([str(tmp_path / "tabulated.toml")])
     table = subjects.entry_of("tabulated").material.eos
-    found = surfaces.surface("tabulated", (float(table.density[0]), float(table.density[-1]) * (1 - 1e-12)), (200.0, 3000.0), 21)
-    assert np.allclose(np.array(found["pressure"], float), table.pressure_table, rtol=1e-6, atol=1e4)
-    assert surfaces.surface("tabulated", isotherms=True)["temperature"].tolist() == [300.0, 1000.0, 2000.0]
+    drawn = curves_of("tabulated")["surface_range"]
+    assert drawn["grid"] == drawn["temperatures"] == [200.0, 3000.0] and drawn["law"]["$"] == "table"
+    assert table.density[0] <= drawn["densities"][0] < drawn["densities"][1] < table.density[-1]
 
 
 def test_a_fit_is_read_from_its_folder(tmp_path):

@@ -39,7 +39,7 @@ RAMP = '[boundary]\nleft = {velocity = {shape = "ramp", amplitude = 10, duration
 
 @pytest.mark.parametrize("mode, more, reason, remedy", [
     ("algebraic", HARDENING, "no constant yield stress", "lagrange1d"),
-    ("cells", FRACTURE, "no new surfaces", "lagrange1d"),
+    ("cells", FRACTURE, "cannot open a new surface", "lagrange1d"),
     ("cells", PULL, "open in tension", "give zero or more"),
     ("algebraic", RAMP, "a fan of its own", 'mode = "cells"'),
 ])

@@ -65,7 +65,7 @@ def test_numbers_of_keywords_and_a_density_of_the_user():
     (STEEL + TNT[TNT.index("*EOS"):], "not two"),
     (STEEL.replace("0.4569", "&cs"), "parameters"),
     (STEEL.replace(",0.46,0.0", ",0.46,0.1"), "belongs to a region"),
-    (STEEL + STEEL, "stands twice"),
+    (STEEL + STEEL, "appears twice"),
 ])
 def test_files_that_are_no_single_material(text, words):
     with pytest.raises(DeckError, match=words):

@@ -175,7 +175,7 @@ def test_hdf5_files_keep_their_units_and_shapes(tmp_path, solid):
 @pytest.mark.parametrize("change, message", [
     (('file = "al.csv"', 'file = "cu.csv"'), "deck.toml:14: material.al.eos.file: no readable table at"), (('file = "al.csv"', "file = 3"), "expected the name of a file"),
     (('density_range = ["2.6 g/cm^3", "4.0 g/cm^3"]', 'density_range = ["4 g/cm^3", "2 g/cm^3"]'), "deck.toml:16: material.al.eos.density_range: does not rise"),
-    (('["2.6 g/cm^3", "4.0 g/cm^3"]', '["9 g/cm^3", "14 g/cm^3"]'), "0 densities and 9 temperatures are left"),
+    (('["2.6 g/cm^3", "4.0 g/cm^3"]', '["9 g/cm^3", "14 g/cm^3"]'), "0 densities and 9 temperatures are in the requested range"),
     (("rho0", "rho_0"), "did you mean 'rho0'?"), (('"2785 kg/m^3"', '"2785 K"'), "eos.rho0")])
 def test_bad_keys_are_told_with_their_line(tmp_path, solid, change, message):
     write_file(tmp_path, "csv", solid)
@@ -208,7 +208,7 @@ def test_a_law_around_a_porous_one_is_refused_and_so_are_porous_products():
     head = DECK.split("[material")[0]
     with pytest.raises(DeckError, match="'tension_cutoff' around a porous law would lose the history"):
         read_deck_text(f'{head}[material.al.eos]\nlaw = "tension_cutoff"\ntension = 1e9\n[material.al.eos.base]\n{porous}[material.al.eos.base.base]\n{solid}')
-    with pytest.raises(DeckError, match="products of an explosive cannot follow 'snow_plough'"):
+    with pytest.raises(DeckError, match="products of an explosive cannot have the law 'snow_plough'"):
         read_deck_text(f'{head}[material.al.eos]\n{porous}[material.al.eos.base]\n{solid}[material.al.burn]\nlaw = "threshold"\ninitiation_pressure = 1e10\n')
 
 

@@ -94,7 +94,7 @@ centre = ["13 mm", "1 mm"]
 WRONG = {
     'between = ["target", "flier"]': ("contact.1.between", "did you mean 'flyer'|flyer"),
     'kind = "separable"': ("strength", "missing"),
-    'strength = "1 MPa"': ("strength", "no meaning"),
+    'strength = "1 MPa"': ("strength", "does not apply"),
     'kind = "bonded"\nfriction = 0.1': ("friction", "does not slide"),
 }
 

@@ -158,7 +158,7 @@ def test_the_state_of_a_profile_is_that_of_its_material(tmp_path):
     ('velocity = "0.1 m/s"', 'positions = [0.0, 0.5]\nvelocity = [0.0, 1.0]', "a profile covers its region"),
     ('velocity = "0.1 m/s"', 'positions = [0.0, 0.5, 1.0]\nvelocity = [0.0, 1.0]', "2 values over 3 positions"),
     ('velocity = "0.1 m/s"', 'density = "1 kg/m^3"', "is given both in the region and in its profile"),
-    ('velocity = "0.1 m/s"', 'pressure = "0.5 Pa - 1 Pa * x / 1 m"', "at 500 mm it gives a state"),
+    ('velocity = "0.1 m/s"', 'pressure = "0.5 Pa - 1 Pa * x / 1 m"', "at 500 mm its state is outside"),
     ('velocity = "0.1 m/s"', 'file = "nowhere.csv"', "cannot read"),
     ('velocity = "0.1 m/s"', "", "says nothing"),
     ('integrator = "compatible"', 'kind = "fronts"', "fronts has no periodic ends"),
@@ -178,7 +178,7 @@ def test_what_cannot_be_is_refused(old, new, words):
     ('velocity = "1e9 m/s"', "faster than light"),
     ('positions = []\nvelocity = []', "two at least"),
     ('positions = [0, 1]\nvelocity = [0, 1e12]', "faster than light"),
-    ('file = "twice.csv"', "column 'velocity' stands twice"),
+    ('file = "twice.csv"', "column 'velocity' appears twice"),
     ('file = "fast.csv"', "profile.file: unreasonably large")])
 def test_a_profile_is_asked_where_the_run_asks_for_it(given, message, tmp_path):
     (tmp_path / "twice.csv").write_text("position [m], velocity [m/s], velocity [m/s]\n0, 1, 2\n1, 1, 2\n")

@@ -132,7 +132,7 @@ def test_a_deck_keeps_the_choice_of_the_reference_state():
      "leaves no reactants behind a shock"),
     ("LX-17 reactive", 'mixture = "thermal_isolation"\n[material.x.burn]\nlaw = "programmed"\ndetonation_velocity = "7.6 km/s"',
      "leaves no reactants behind a shock"),
-    ("copper", "", "what does not burn has no reference state"),
+    ("copper", "", "applies only to a material that burns"),
 ])
 def test_a_reference_state_is_frozen_only_where_reactants_have_one(base, more, words):
     with pytest.raises(DeckError) as caught:

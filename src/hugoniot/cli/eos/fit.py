@@ -139,7 +139,7 @@ def gamma(subject, at: str, ambient: float, as_json: bool) -> None:
 
     par = subject.material.eos
     if not all(hasattr(par, n) for n in ("rho0", "c0", "s", "gamma0")):
-        raise DeckError.single("command line", None, subject.material.name, "the adjustment is made for a linear Us-up law",
+        raise DeckError.single("command line", None, subject.material.name, "the adjustment applies to a linear Us-up law",
                                "name a material with rho0, c0, s and gamma0 (see hugoniot eos show)")
     state = shock(subject.material, **one_state(at))
     up = float(state.particle_velocity)
@@ -166,6 +166,6 @@ def _points(name: str):
     found = entry(name)
     points = library_points((found.material.name, found.title, *found.aliases))
     if points is None:
-        raise DeckError.single("library", None, name, "no measured points are kept for this material",
+        raise DeckError.single("library", None, name, "the library has no measured points for this material",
                                "give a CSV file with columns up and us")
     return points.T

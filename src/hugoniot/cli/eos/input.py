@@ -51,7 +51,7 @@ def find_inert(text: str) -> Subject:
         return subject
     if subject.unreacted is None:
         raise DeckError.single("command line", None, text, "the library gives detonation products only, no unreacted explosive",
-                               "hugoniot eos cj answers for the products; name a material with an inert equation of state")
+                               "hugoniot eos cj is for the products; name a material with an inert equation of state")
     return replace(subject, material=replace(subject.material, eos=subject.unreacted, name=f"{subject.material.name} (unreacted)"))
 
 
@@ -74,7 +74,7 @@ def find_reactive(text: str, rate: str | None = None) -> tuple[Subject, list[str
     except DeckError as error:
         what = "burns by a schedule" if burn is not None else "has no burn law"
         hint = error.problems[0].hint if "rate constants" in error.problems[0].message else ""
-        raise DeckError.single("command line", None, text, f"{what}, and the library holds no rate for it",
+        raise DeckError.single("command line", None, text, f"{what}, and the library has no rate for it",
                                f"{hint + '; ' if hint else ''}give --rate, or a TOML file with [burn]") from None
 
 

@@ -75,4 +75,4 @@ def gurney(
                 for r in rows])
     echo_notes(sorted({f"Gurney velocities: {r['source']}" for r in rows} | {"the velocities of metal are good to about 10 %"}))
     if np.max(ratios) > 10.0 or np.min(ratios) < 0.1:
-        echo_notes(["Gurney's profile of velocity is tried for M/C between 0.1 and 10"])
+        echo_notes(["Gurney's velocity profile has been tested for M/C between 0.1 and 10"])

@@ -52,7 +52,7 @@ def report(name: str, asked: Question, as_json, as_csv, plot) -> None:
     if asked.reacted and asked.hugoniot is None:
         raise DeckError.single("command line", None, "--reacted", "belongs to --hugoniot", 'add --hugoniot "40 GPa"')
     if sum((asked.adiabat is not None, asked.hugoniot is not None, asked.series)) > 1:
-        raise DeckError.single("command line", None, "mixture", "--adiabat, --hugoniot and --series are three questions", "ask one of them")
+        raise DeckError.single("command line", None, "mixture", "--adiabat, --hugoniot and --series exclude each other", "give one of them")
     subject = find_material(name)
     fractions = [_fraction(part) for part in asked.fractions.split(",")]
     kinds = [closure_of(kind) for kind in asked.closures] or ["thermal_isolation"] * asked.series or list(EQUILIBRIA)
@@ -162,7 +162,7 @@ def _reacting(start, pressures, reacted: float):
         except NoSolution:
             if k == len(pressures) - 1:
                 raise
-    raise NoSolution("no pressure is asked for")
+    raise NoSolution("no pressure is given")
 
 
 def _series(subject: Subject, case: Case, as_json, as_csv, plot) -> None:

@@ -199,7 +199,7 @@ def _of_set(row: schema.Row) -> Entry:
         made = make_entry(row.id, tables, f"row {row.id}", category="explosive")
     except DeckError as error:
         raise DeckError.single("library", None, row.id, f"the set {row.id} ({row.material}) does not make a material: "
-                               f"{error.problems[0].message}", "hugoniot material show names what it holds") from error
+                               f"{error.problems[0].message}", "hugoniot material show lists its contents") from error
     return replace(made, curated=False)
 
 

@@ -53,8 +53,7 @@
     if (mine !== order) return;
     const known = results.map((r, k) => r.status === "fulfilled" ? {...r.value, name: names[k]} : null);
     results.filter(r => r.status === "rejected").forEach(r => H.failed(r.reason));
-    await addSurfaces(known);
-    if (mine !== order) return;
+    addSurfaces(known);
     draw(names, known);
     drawAbout(names);
     if (!by) { drawTable(known); return; }
@@ -63,7 +62,7 @@
     draw(names, known);
     drawTable(known);
   };
-  async function addSurfaces(known) {       // surfaces take a second to compute: only where they are looked at
+  function addSurfaces(known) {
     for (const bar of [surfaceBar, isothermBar, densityBar]) bar.hidden = true;
     for (const c of known) if (c) delete c.refused;
     const isotherms = plane() === "isotherms";
@@ -74,7 +73,7 @@
     extras.walk.checked = H.get("walk") !== "0";
     if (H.get("iso") && H.list("iso").length < 3) { H.say("Give three temperatures or more."); return; }
     const some = isotherms ? known : known.filter(c => c).slice(0, 1), key = isotherms ? "isotherms" : "surface";
-    await Promise.all(some.map(async c => { if (c) { delete c[key]; try { c[key] = await H.askOnce("surface", isotherms ? H.isothermQuery(c.name) : H.surfaceQuery(c.name)); } catch (error) { c.refused = error.message; } } }));
+    for (const c of some) if (c) { delete c[key]; try { c[key] = H.surface(c, isotherms); } catch (error) { if (!(error instanceof H.Refused)) throw error; c.refused = error.message; } }
   }
   const stateAt = (c, by, value) => H.exported() ? H.impact.state(c.name, by, value) : H.askOnce("state", {name: c.name, by, value});
   function draw(names, known) {

@@ -1,10 +1,41 @@
 "use strict";
-// Pressure or energy over density and temperature, as a heat map; its curves, or the computed states themselves, are walked by the pointer.
+// Pressure or energy over density and temperature, computed in the page by the transcribed laws: lines of equal temperature, and a heat map
+// whose curves, or the computed states themselves, are walked by the pointer.
 (() => {
+  const POINTS = 61, ISOTHERMS = [0, 300, 1000, 2000, 4000, 8000], MOST = 24, KEPT = 24, kept = new Map();
   const FIELDS = {pressure: ["pressure", "GPa", 1e-9], specific_internal_energy: ["internal energy", "kJ/kg", 1e-3]};
   H.surfaceFields = FIELDS;
-  H.surfaceQuery = name => ({name, ...(H.get("rho") ? {densities: H.get("rho")} : {}), ...(H.get("hot") ? {temperatures: H.get("hot")} : {})});
-  H.isothermQuery = name => ({name, at: H.get("iso"), ...(H.get("rho") ? {densities: H.get("rho")} : {})});
+
+  const listed = key => H.get(key).split(",").filter(part => part.trim()).map(Number);
+  const spaced = (from, to) => Array.from({length: POINTS}, (_, k) => k === POINTS - 1 ? to : from + k * ((to - from) / (POINTS - 1)));
+  const pair = (values, words) => { if (values.length !== 2 || !(values[0] >= 0 && values[0] < values[1])) throw new H.Refused(`${words}: give two increasing numbers`); return values; };
+  function lines({temperatures, grid}) {       // the temperatures of isotherms
+    const given = listed("iso"), values = [...new Set(given.length ? given : ISOTHERMS)].sort((a, b) => a - b);
+    if (values.length > MOST || !values.every(t => t >= 0)) throw new H.Refused(`give up to ${MOST} temperatures for the isotherms, none below 0 K`);
+    const inside = grid ? values.filter(t => t >= grid[0] && t <= grid[1]) : values;
+    return given.length ? inside : inside.filter(t => t <= Math.max(temperatures[1], 1000));
+  }
+  function compute(c, isotherms) {
+    const range = c.surface_range, T = H.theory;
+    if (range.refused) throw new H.Refused(`${c.name}: ${range.refused}`);
+    const par = H.impact.law(range.law, c.name), [least, most] = T.density_range(par);
+    const [low, high] = H.get("rho") ? pair(listed("rho"), "densities") : range.densities;
+    if (!(least <= low && high < most)) throw new H.Refused(`${c.name}: the law holds for densities from ${H.digits(Math.max(least, 1e-6))}${Number.isFinite(most) ? ` to ${H.digits(most)}` : ""} kg/m³`);
+    const density = spaced(low, high), temperature = isotherms ? lines(range) : spaced(...H.get("hot") ? pair(listed("hot"), "temperatures") : range.temperatures);
+    const found = {name: c.name, density, temperature, pressure: [], specific_internal_energy: []};
+    for (const rho of density) {
+      const states = temperature.map(t => { try { const e = T.energy_at_temperature(rho, t, par), p = T.pressure(rho, e, par); return Number.isFinite(p + e) ? [p, e] : [null, null]; } catch (error) { if (error instanceof T.NoState) return [null, null]; throw error; } });
+      found.pressure.push(states.map(s => s[0]));
+      found.specific_internal_energy.push(states.map(s => s[1]));
+    }
+    return found;
+  }
+  // pressure (Pa) and energy (J/kg), [density][temperature], null where the law has no such state; the ranges are those of the address
+  H.surface = (c, isotherms) => {
+    const key = [c.name, isotherms, H.get("rho"), isotherms ? H.get("iso") : H.get("hot")].join(";");
+    if (!kept.has(key)) { if (kept.size >= KEPT) kept.delete(kept.keys().next().value); kept.set(key, compute(c, isotherms)); }
+    return kept.get(key);
+  };
   const column = (grid, j) => grid.map(row => row[j]);
 
   // lines of equal temperature; the one at 0 K is the cold curve

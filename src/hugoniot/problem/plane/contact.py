@@ -27,9 +27,9 @@ def read_contacts(rows: Sequence, blocks: Sequence[str], rigid: Sequence[str], c
                 collector.add((*path, "strength"), "missing", 'such as strength = "50 MPa"')
             else:
                 hint = 'write kind = "separable", or leave it out'
-                collector.add((*path, "strength"), f"has no meaning in contact of kind {row.kind}", hint)
+                collector.add((*path, "strength"), f"does not apply to contact of kind {row.kind}", hint)
         if row.kind == "bonded" and row.friction > 0.0:
-            collector.add((*path, "friction"), "has no meaning in contact of kind bonded, which does not slide", "leave it out")
+            collector.add((*path, "friction"), "does not apply to bonded contact, which does not slide", "leave it out")
         for name in row.between or ():
             if name not in known:
                 collector.add((*path, "between"), f"no block or rigid body '{printable(name)}'", nearest(name, known))
@@ -140,13 +140,13 @@ def _between_crossings(line: np.ndarray, polygon: np.ndarray) -> np.ndarray:
 
 def _check_motion(row, axes, collector: Collector, path: tuple) -> None:
     if row.velocity is not None and row.mass is not None:
-        collector.add((*path, "mass"), "has no meaning for a body that is driven", "leave out velocity or mass")
+        collector.add((*path, "mass"), "does not apply to a driven body", "leave out velocity or mass")
     if row.start is not None and row.mass is None:
-        collector.add((*path, "start"), "has no meaning without a mass", "give it a mass, or drive it with velocity")
+        collector.add((*path, "start"), "applies only to a body with a mass", "give it a mass, or drive it with velocity")
     if row.velocity is not None and row.direction is None:
         collector.add((*path, "direction"), "missing", "such as direction = [0, -1]")
     if row.direction is not None and row.velocity is None and row.mass is None:
-        collector.add((*path, "direction"), "has no meaning for a body at rest", "give velocity or mass, or leave it out")
+        collector.add((*path, "direction"), "does not apply to a body at rest", "give velocity or mass, or leave it out")
     _check_turning(row, axes, collector, path)
     moving = [v for v in (row.direction, row.start) if v is not None]
     if axes[0] == "r" and any(v[0] != 0.0 for v in moving):
@@ -158,14 +158,14 @@ def _check_turning(row, axes, collector: Collector, path: tuple) -> None:
     if not row.turns:
         for key in ("inertia", "centre", "spin"):
             if getattr(row, key) is not None:
-                collector.add((*path, key), "has no meaning for a body that does not turn", "write turns = true, or leave it out")
+                collector.add((*path, key), "applies only to a body that turns", "write turns = true, or leave it out")
         return
     if axes[0] == "r":
         collector.add((*path, "turns"), "a rigid ring moves along the axis only", "leave it out, or take geometry = \"plane\"")
     elif row.mass is None:
-        collector.add((*path, "turns"), "has no meaning without a mass", "give it a mass, or leave it out")
+        collector.add((*path, "turns"), "applies only to a body with a mass", "give it a mass, or leave it out")
     elif row.direction is not None:
-        collector.add((*path, "turns"), "has no meaning for a body that is guided along a direction", "leave out turns or direction")
+        collector.add((*path, "turns"), "does not apply to a body that is guided along a direction", "leave out turns or direction")
     elif not row.closed and (row.inertia is None or row.centre is None):
         missing = "inertia" if row.inertia is None else "centre"
         collector.add((*path, missing), "missing: an open line has no area to find it from", "give both inertia and centre")

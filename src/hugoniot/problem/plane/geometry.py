@@ -135,7 +135,8 @@ def read_velocity(row: BlockTable, axes: tuple[str, str], collector: Collector, 
         return None
     motion = VelocityField(**table.model_dump())
     if axes[0] == "r" and motion.rotation != 0.0:
-        collector.add((*path, "velocity", "rotation"), "has no meaning in axisymmetric geometry", "nothing turns about the axis here")
+        collector.add((*path, "velocity", "rotation"), "does not apply to axisymmetric geometry",
+                      "there is no rotation about the axis; leave it out")
         return None
     return motion
 

@@ -87,10 +87,15 @@ class Reading(NothingToAdd):
             if k not in columns:
                 columns[k] = self.column(k)
             x, point = columns[k].at(fraction)
-            found = [x, point.u, point.rho, point.e, point.pressure, point.s, -0.5 * point.s, point.sigma]
+            found = [x, point.u, point.rho, point.e, point.pressure, point.s, -0.5 * point.s,
+                     self._stress(k, fraction, point)]
             row.append([*found, *_phases(*self._point(k, columns[k], fraction))] if self.burning else found)
         self._times.append(self.time)
         self._rows.append(row)
+
+    def _stress(self, region: int, fraction: float, point) -> float:
+        """Stress at a gauge, Pa; of states between exact fronts that of a surface is the one applied to it."""
+        return point.sigma
 
     @property
     def gauge_zones(self) -> np.ndarray:

@@ -156,6 +156,7 @@ Z, B, H = (cls(*range(len(cls._fields))) for cls in (ZoneRows, ChargeRows, NodeR
 GAUGE_ROWS_OF_ZONES = (Z.rho, Z.e, Z.p, Z.q, Z.s1, Z.s2, Z.sigma, Z.plastic_strain, Z.damage, Z.compaction)
 GAUGE_FIELDS = ("position", "velocity", "density", "energy", "pressure", "viscous_pressure", "deviator_radial", "deviator_hoop",
                 "stress", "plastic_strain", "damage", "compaction")
+GAUGE_STRESS = GAUGE_FIELDS.index("stress")
 # the burn fraction at the gauge, the share of the second of the two zones it lies between, the code of the reference state of the nearer
 # zone, and what a mixture's temperature is found from, for the first zone and for the second
 PHASE_ROWS = (B.lam, B.rho_r, B.e_r, B.rho_p, B.e_p)

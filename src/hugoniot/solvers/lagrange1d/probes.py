@@ -4,24 +4,49 @@ import numpy as np
 
 from hugoniot.errors import OutOfRange
 from hugoniot.solvers.lagrange1d import layout as L
+from hugoniot.solvers.lagrange1d import nodes
 from hugoniot.solvers.lagrange1d.layout import Z
 
 
 def probe_tables(solver):
-    """(table, weights) of `watch.record` for the problem's gauges.
+    """(table, weights) of `watch.record_gauges` for the problem's gauges.
 
     A point gauge interpolates zone fields linearly in mass between zone centres of its own region and body, and the velocity
     between the faces of its zone. An interface gauge reads the traction of the common node (mass-weighted, as the node feels it)
-    and, once the bodies part, the left side. A surface gauge reads the outermost face and its zone.
+    and, once the bodies separate, the left side. A surface gauge reads the outermost face and its zone, but not that zone's stress: the
+    stress of a surface is the one applied to it (`applied_stress`), zero where it is free.
     """
     table, weights = [], []
     for gauge in solver.problem.gauges:
         entry = _point(solver, gauge.at) if isinstance(gauge.at, (int, float)) else _named(solver, gauge.at)
         zone_a, zone_b, face_zone, w, f = entry
-        segment = int(np.searchsorted(solver.segments[:, L.SEG_LAST], face_zone, side="right"))
+        segment = _segment(solver, face_zone)
         table.append((zone_a, zone_b, face_zone, face_zone + segment))
-        weights.append((w, f))
-    return np.array(table, dtype=np.int64).reshape(-1, 4), np.array(weights, dtype=float).reshape(-1, 2)
+        weights.append((w, f, 0.0 if _surface(solver, face_zone, f) in (L.FREE, L.PRESSURE) else 1.0))
+    return np.array(table, dtype=np.int64).reshape(-1, 4), np.array(weights, dtype=float).reshape(-1, 3)
+
+
+def _segment(solver, zone):
+    return int(np.searchsorted(solver.segments[:, L.SEG_LAST], zone, side="right"))
+
+
+def _surface(solver, zone, f):
+    """Boundary code of the surface that a gauge sits on, at the left (f = 0) or right face (1) of a zone; None inside a body."""
+    segment = solver.segments[_segment(solver, zone)]
+    if f == 0.0 and zone == segment[L.SEG_FIRST]:
+        return segment[L.SEG_LEFT]
+    return segment[L.SEG_RIGHT] if f == 1.0 and zone + 1 == segment[L.SEG_LAST] else None
+
+
+def applied_stress(solver, times):
+    """What the ends of the run apply to the gauges that sit on them, Pa, (n, ngauge): the pressure of a driven end, zero elsewhere."""
+    found = np.zeros((len(times), len(solver.gauges)))
+    ends = zip((0, solver.zones.shape[1] - 1), (0.0, 1.0), solver.boundaries)
+    for zone, f, boundary in ends:
+        if _surface(solver, zone, f) == L.PRESSURE:
+            here = (solver.gauges[:, 2] == zone) & (solver.weights[:, 1] == f)
+            found[:, here] = np.array([nodes.pulse_value(t, boundary.pulse, boundary.table) for t in times])[:, None]
+    return found
 
 
 def _point(solver, place):
@@ -44,8 +69,7 @@ def _point(solver, place):
 def _same_piece(solver, a, b):
     if not 0 <= b < solver.zones.shape[1] or solver.region_of[a] != solver.region_of[b]:
         return False
-    lasts = solver.segments[:, L.SEG_LAST]
-    return np.searchsorted(lasts, a, side="right") == np.searchsorted(lasts, b, side="right")
+    return _segment(solver, a) == _segment(solver, b)
 
 
 def _named(solver, at):
@@ -63,7 +87,6 @@ def _named(solver, at):
     left, right = min(a, b), max(a, b)
     z = solver.region_ranges[left][1] - 1
     other = solver.region_ranges[right][0]
-    lasts = solver.segments[:, L.SEG_LAST]
-    joined = other == z + 1 and np.searchsorted(lasts, z, side="right") == np.searchsorted(lasts, other, side="right")
+    joined = other == z + 1 and _segment(solver, z) == _segment(solver, other)
     mass = solver.zones[Z.mass]
     return (z, other, z, mass[z] / (mass[z] + mass[other]), 1.0) if joined else (z, z, z, 0.0, 1.0)

@@ -22,7 +22,7 @@ from hugoniot.solvers.lagrange1d.field import NoField
 from hugoniot.solvers.lagrange1d.layout import B, H, WorkRows, Z
 from hugoniot.solvers.lagrange1d.plan import EMPTY, Planner
 from hugoniot.solvers.lagrange1d.post_mortem import unphysical
-from hugoniot.solvers.lagrange1d.probes import probe_tables
+from hugoniot.solvers.lagrange1d.probes import applied_stress, probe_tables
 from hugoniot.solvers.lagrange1d.step import AT_NODES, SCHEMES, WATCH, Arrays, Gauges, march
 from hugoniot.solvers.lagrange1d.tables import zone_table
 from hugoniot.solvers.lagrange1d.terms import terms_of
@@ -173,6 +173,7 @@ class Lagrange1D(NothingToAdd):
         n = int(self.counters[L.GAUGE_ROWS])
         times, block = self.gauge_times[:n].copy(), self.gauge_buffer[:n].copy()
         self.counters[L.GAUGE_ROWS] = 0
+        block[:, :, L.GAUGE_STRESS] += applied_stress(self, times)
         found = {name: block[:, :, i] for i, name in enumerate(L.GAUGE_FIELDS) if name != "compaction" or name in self.zone_fields}
         return times, found | reactive.gauge_columns(self.problem, block) if self.burning else found
 

@@ -145,7 +145,8 @@ def pass_times(zones, nodes, control, counters, segments, passed):
 
 @nb.njit(**GUARD)
 def record_gauges(zones, charge, nodes, table, weights, out):
-    """One gauge row: table (gauge; zone a, zone b, zone of the faces, left node of that zone), weights (of b; of the right face)."""
+    """One gauge row: table (gauge; zone a, zone b, zone of the faces, left node of that zone), weights (of b; of the right face; 0 on a
+    surface whose stress is not that of its zone, else 1)."""
     h = rows(NodeRows, nodes, 0)
     burn = rows(ChargeRows, charge, 0)
     for i in range(table.shape[0]):
@@ -156,6 +157,7 @@ def record_gauges(zones, charge, nodes, table, weights, out):
         for k in range(len(L.GAUGE_ROWS_OF_ZONES)):
             field = L.GAUGE_ROWS_OF_ZONES[k]
             out[i, k + 2] = (1.0 - w) * zones[field, a] + w * zones[field, b]
+        out[i, L.GAUGE_STRESS] *= weights[i, 2]
         if out.shape[1] > L.GAUGE_BURN:
             out[i, L.GAUGE_BURN] = (1.0 - w) * burn.lam[a] + w * burn.lam[b]
             out[i, L.GAUGE_SHARE] = w

@@ -71,6 +71,6 @@ def cells_of_regions(problem: Problem, eos, region_of):
 
 def end_kind(boundary, side: str) -> int:
     if boundary.kind not in L.END_KINDS:
-        raise OutOfRange(f"boundary.{side} = '{boundary.kind}' has no meaning in a fixed grid; the solver {NAME} knows "
+        raise OutOfRange(f"boundary.{side} = '{boundary.kind}' is not possible on a fixed grid; the solver {NAME} supports "
                          f"{' and '.join(L.END_KINDS)}")
     return L.END_KINDS[boundary.kind]

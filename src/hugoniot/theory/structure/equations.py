@@ -176,7 +176,7 @@ class Equations:
         """
         rate, direction, ahead = self.directions()
         if not (rate < 0.0 and ahead[0] > 0.0):
-            raise NoSolution("the ends of this shock are too close to tell apart in double precision; ask for a stronger shock")
+            raise NoSolution("the ends of this shock are too close to be distinguished in double precision; ask for a stronger shock")
         start = np.array([1.0 - _START * direction[0], -_START * direction[1], 0.0, 0.0])
 
         def arrived(_, y):

@@ -141,6 +141,18 @@ class Cells(Reading):
         region = max(region, 0) % len(self.problem.regions)
         return int(np.searchsorted(self.region_of, region)), self.problem.regions[region].name
 
+    def _stress(self, region: int, fraction: float, point) -> float:
+        """Stress at a gauge, Pa: on a surface the pressure applied to it, which the parabola of its cell meets only in the mean."""
+        if fraction not in (0.0, 1.0):
+            return point.sigma
+        mesh, side = self.mesh, int(fraction)
+        own = np.flatnonzero((mesh.region != EMPTY) & (mesh.region % len(self.problem.regions) == region))
+        beyond = int(own[-1]) + 1 if side else int(own[0]) - 1
+        if not 0 <= beyond < len(mesh.region):
+            kind = (self.problem.left, self.problem.right)[side].kind
+            return {"free": 0.0, "pressure": self.flow.drive(side, self.time)}.get(kind, point.sigma)
+        return 0.0 if mesh.region[beyond] == EMPTY else point.sigma
+
     def _point(self, region: int, column: CellColumn, fraction: float):
         return column.point(fraction)[1:]
 

@@ -1,0 +1,86 @@
+"""Gauges that look through a window: the apparent velocity against the optical path of the run itself, and decks that are wrong."""
+
+import numpy as np
+import pytest
+
+from hugoniot import run
+from hugoniot.errors import DeckError
+from hugoniot.materials import library
+from hugoniot.problem.deck import read_deck_text
+
+DECK = """
+stop_time = "1.2 us"
+[[region]]
+name = "flyer"
+material = "aluminum"
+from = "-1 mm"
+to = "0 mm"
+zones = 40
+velocity = "500 m/s"
+[[region]]
+name = "target"
+material = "aluminum"
+from = "0 mm"
+to = "1 mm"
+zones = 40
+[[region]]
+name = "glass"
+material = "LiF"
+from = "1 mm"
+to = "3 mm"
+zones = 80
+[[gauge]]
+name = "visar"
+at = "target/glass"
+window = "glass"
+"""
+
+
+def test_the_apparent_velocity_is_that_of_the_optical_path(tmp_path):
+    """-d/dt of the path in vacuum before the far surface, of n dx over the zones, and of the gap that opens behind the window."""
+    deck = read_deck_text(DECK + '[output]\nsnapshots = "20 ns"\nreport = false\n')
+    a, b = (library.windows("LiF")[-2][key] for key in ("index_intercept", "index_slope"))
+    assert deck.problem.gauges[0].window_factor == a == 1.2769 and any("recalled" in w for w in deck.warnings)
+    assert read_deck_text(deck.resolved).problem == deck.problem
+    found = run(deck.problem, tmp_path / "run")
+    rows, snaps = found.arrays("gauges"), found.arrays("snapshots")
+    glass = np.array(snaps["region"]) == "glass"
+    left, right, rho = (snaps[key][:, glass] for key in ("position_left", "position_right", "density"))
+    mirror = snaps["position_right"][:, np.flatnonzero(glass)[0] - 1]
+    assert left[-1, 0] - mirror[-1] > 1e-5      # a gap has opened
+    path = -right[:, -1] + np.sum((a + b * rho) * (right - left), axis=1) + left[:, 0] - mirror
+    time, seen = found.gauge("apparent_velocity", "visar")
+    moved = np.interp(snaps["time"], time, np.concatenate(([0.0], np.cumsum(0.5 * (seen[1:] + seen[:-1]) * np.diff(time)))))
+    assert np.ptp(right[:, -1]) > 5e-5      # the far surface has moved
+    assert moved == pytest.approx(path[0] - path, abs=2e-3 * moved.max())
+    others = [k for k, gauge in enumerate(deck.problem.gauges) if not gauge.window]
+    assert np.isnan(rows["apparent_velocity"][:, others]).all()
+    early = (time > 0.22e-6) & (time < 0.30e-6)
+    assert seen[early] == pytest.approx(1.2769 * found.gauge("velocity", "visar")[1][early], rel=1e-6)
+
+
+@pytest.mark.parametrize(("change", "words"), [
+    (('window = "glass"', 'window = "glas"'), "no region 'glas'"),
+    (('window = "glass"', 'window = "flyer"\nwindow_factor = 1.3'), "does not touch the gauge"),
+    (('at = "target/glass"', 'at = "0.5 mm"'), "does not touch the gauge"),
+    (('window = "glass"', 'window = "target"\nwindow_factor = 1.3'), "has to pass other bodies"),
+    (('window = "glass"', 'wavelength = "532 nm"'), "goes with window"),
+    (('window = "glass"', 'window = "glass"\nwavelength = "700 nm"'), "does not say how the index"),
+    (('material = "LiF"', 'material = "pmma"'), "does not say how the index"),
+    (('stop_time', 'geometry = "spherical"\nstop_time'), "windows are plane")])
+def test_windows_that_cannot_be_looked_through(change, words):
+    text = DECK.replace(*change)
+    if "spherical" in text:
+        text = text.replace('"-1 mm"', '"10 mm"').replace('to = "0 mm"', 'to = "11 mm"').replace('from = "0 mm"', 'from = "11 mm"').replace(
+            'to = "1 mm"', 'to = "12 mm"').replace('from = "1 mm"', 'from = "12 mm"').replace('to = "3 mm"', 'to = "14 mm"')
+    with pytest.raises(DeckError) as caught:
+        read_deck_text(text)
+    assert any(words in problem.message for problem in caught.value.problems), str(caught.value)
+
+
+def test_the_recalled_indices_join_those_at_rest():
+    at_rest = {row["wavelength"]: row["index"] for row in library.windows("LiF") if "index" in row}
+    rows = [row for row in library.windows("LiF") if "index_intercept" in row]
+    assert len(rows) == 2
+    for row in rows:
+        assert row["index_intercept"] + 2638.0 * row["index_slope"] == pytest.approx(at_rest[row["wavelength"]], abs=5e-4)
