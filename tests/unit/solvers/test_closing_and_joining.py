@@ -75,7 +75,7 @@ def test_the_gap_closes_on_a_step_with_the_relative_acceleration(geometry):
     solver.zones[Z.s2] = 2e8      # a hoop tension pulls both surfaces inwards, unequally
     solver.zones[Z.s1] = -1e8 if geometry != "cylindrical" else 0.0
     solver.zones[Z.sigma] = solver.zones[Z.p] - solver.zones[Z.s1]
-    left, right = solver._faces(H.r)
+    left, right = solver.faces(H.r)
     d = solver.problem.dimension
     volume = (right**d - left**d) / d
     solver.zones[Z.hoop] = (d - 1) * volume * (solver.zones[Z.s2] - solver.zones[Z.s1]) / (left + right)
@@ -208,7 +208,7 @@ def test_a_zone_in_which_voids_grow_keeps_the_inertia_of_its_mass(geometry):
     """The leapfrog's phi (Wilkins B.2 item 2) counts the density of the zone, voids included, not that of the solid beside them."""
     problem = build.flyer((60, 120), speed=900.0, stop=1.6e-6, geometry=geometry, origin=0.05, integrator="wilkins")
     solver, _ = build.run(problem)
-    left, right = solver._faces(H.r)
+    left, right = solver.faces(H.r)
     held = solver.zones[Z.width] * [mean_area(a, b, solver.geometry) for a, b in zip(left, right)]
     assert np.max(solver.zones[Z.voids] * solver.zones[Z.rho]) > 0.1
     assert held == pytest.approx(solver.zones[Z.mass], rel=1e-12)

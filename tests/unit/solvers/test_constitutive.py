@@ -80,7 +80,7 @@ def test_the_leapfrog_energy_solves_p_equal_a_plus_b_e_with_the_trapezoid(leapfr
     before, solver = leapfrog_step
     z = solver.zones
     rho0, c0, s, gamma0 = build.EOS[:4]
-    left, right = solver._faces(H.r)
+    left, right = solver.faces(H.r)
     v = (right - left) / z[Z.mass]
     v_old = before[Z.v]
     dv = v - v_old

@@ -51,12 +51,6 @@ def left_nodes(segments) -> np.ndarray:
     return np.concatenate([np.arange(a, b) + k for k, (a, b, _, _) in enumerate(segments)])
 
 
-def faces(nodes, segments, row):
-    """A node row at the left and at the right face of every zone, (nzone,) each."""
-    left = left_nodes(segments)
-    return nodes[row, left], nodes[row, left + 1]
-
-
 SHARE = 10 * L.PIECE     # zones of a share of work: some microseconds, and a whole number of pieces
 
 

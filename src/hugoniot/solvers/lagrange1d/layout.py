@@ -124,9 +124,6 @@ PIECE = 128      # zones of a piece: what its passes touch stays in the first-le
 SEG_FIRST, SEG_LAST, SEG_LEFT, SEG_RIGHT = range(4)          # zones first..last-1; boundary codes of the two ends
 FREE, FIXED, VELOCITY, PRESSURE, TRANSMITTING, PERIODIC = range(6)
 
-# -- columns of the run table: a run is a stretch of zones of one material in one segment --------------------------
-RUN_FIRST, RUN_LAST, RUN_SEGMENT, RUN_MATERIAL = range(4)
-
 # -- control vector (floats) --------------------------------------------------------------------------------------
 (TIME, DT, DT_OLD, DT_NATURAL, EVENT_TIME, RATE, WORK_LEFT, WORK_RIGHT, IMPULSE_LEFT, IMPULSE_RIGHT, RADIAL_IMPULSE, COURANT,
  GROWTH, DT_LARGEST, DT_SMALLEST, WORST_FAILURE, NEXT_GAUGE, GAUGE_INTERVAL, HEAT_FLUX, FORCE_WORK, FORCE_IMPULSE, SUPPLIED,

@@ -7,7 +7,6 @@ from hugoniot.laws.eos.contract import EOS, density_limits, pressure, reference_
 from hugoniot.materials import burning
 from hugoniot.problem.explosives import follows_compression, front_speed, with_compression
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.bodies import faces
 from hugoniot.solvers.lagrange1d.layout import B, H, Z
 from hugoniot.units import format_si
 from hugoniot.zones.soundness import first_unsound
@@ -21,7 +20,7 @@ def unphysical(solver, code: int) -> UnphysicalState:
     """The error with which a march ends, by the code it came back with: cause, remedy, the zone and its fields."""
     problem, zones = solver.problem, solver.zones
     culprit = max(first_unsound(zones[Z.rho], zones[Z.c], zones[Z.sigma]), 0)
-    left, right = faces(solver.nodes, solver.segments, H.r)
+    left, right = solver.faces(H.r)
     if code == L.STEP_COLLAPSED:
         culprit = int(np.argmin((right - left) / np.maximum(zones[Z.c], 1e-30)))
     crushed = crushed_zone(problem, zones, solver.region_of, culprit)

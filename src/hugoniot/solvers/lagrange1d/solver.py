@@ -58,7 +58,7 @@ class Lagrange1D(NothingToAdd):
         self.gradient_table = np.zeros(3 * self.zones.shape[1])
         self.work = zone_table(len(WorkRows._fields), self.team.threads * L.PIECE)
         self.left_nodes = left_nodes(self.segments)
-        self.terms = terms_of(problem, self.zones, self._faces(H.r), self.region_ranges)
+        self.terms = terms_of(problem, self.zones, self.faces(H.r), self.region_ranges)
         self.planner = Planner((self.table, self.charge_table, self.node_table, self.gradient_table, self.work), laws, self.terms,
                                self.geometry, self.staggered, problem.solver.options["heat_flux"], self.team.threads)
         self.criteria = node_criteria(laws, self.laws_of_region, self.region_ranges)
@@ -72,7 +72,7 @@ class Lagrange1D(NothingToAdd):
         self.passed = np.zeros((0, L.PASS_FLOATS))
         self.voids_opened = self.voids_closed = self.interfaces_separated = 0
         self.region_of = np.repeat(np.arange(len(problem.regions)), [b - a for a, b in self.region_ranges])
-        self.initial_nodes = self._faces(H.r)
+        self.initial_nodes = self.faces(H.r)
         start.prepare(self)
         self._new_buffer()
         self._renew_tables()
@@ -106,10 +106,9 @@ class Lagrange1D(NothingToAdd):
         self.gauges, self.weights = probe_tables(self)
         self.control[L.LAST_NODE] = self.nodes.shape[1] - 1
         transmitting.reach(self.control, self.segments, self.region_ranges)
-        self.segment_of = np.repeat(np.arange(len(self.segments)), self.segments[:, 1] - self.segments[:, 0])
 
-    def _faces(self, row):
-        """A node row at the left and right face of every zone."""
+    def faces(self, row):
+        """A node row at the left and at the right face of every zone, (nzone,) each."""
         return self.nodes[row, self.left_nodes], self.nodes[row, self.left_nodes + 1]
 
     # -- marching --------------------------------------------------------------------------------------------
@@ -132,7 +131,7 @@ class Lagrange1D(NothingToAdd):
 
     def limiting(self) -> tuple[int, str]:
         """(zone, region name) with the shortest transit time."""
-        left, right = self._faces(H.r)
+        left, right = self.faces(H.r)
         zone = int(np.argmin((right - left) / np.maximum(self.zones[Z.c], 1e-30)))
         return zone, self.problem.regions[self.region_of[zone]].name
 
@@ -185,13 +184,13 @@ class Lagrange1D(NothingToAdd):
         zones["mass"] = self.zones[Z.mass].copy()
         if self.burning:
             zones |= reactive.state_fields(self.problem, self.charge)
-        left, right = self._faces(H.r)
-        ul, ur = self._faces(H.u)
+        left, right = self.faces(H.r)
+        ul, ur = self.faces(H.u)
         return State(self.time, self.cycle, zones, left, right, ul, ur)
 
     def motion(self) -> State:
         """Places and velocities alone: a sixth of the work of `state`."""
-        return State(self.time, self.cycle, {}, *self._faces(H.r), *self._faces(H.u))
+        return State(self.time, self.cycle, {}, *self.faces(H.r), *self.faces(H.u))
 
     @property
     def gauge_zones(self) -> np.ndarray:

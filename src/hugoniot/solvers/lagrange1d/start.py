@@ -5,7 +5,6 @@ import numpy as np
 from hugoniot.core.ops import NO_LIMIT
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d import reactive, transmitting
-from hugoniot.solvers.lagrange1d.bodies import faces
 from hugoniot.solvers.lagrange1d.layout import H, Z
 
 LARGEST_COLLAPSE = 1e-12     # smallest useful step as a fraction of the stop time
@@ -44,8 +43,8 @@ def plan_first_step(solver) -> None:
 
 def renew_gradients(solver) -> None:
     """Velocity gradients from the nodes as they are."""
-    left, right = faces(solver.nodes, solver.segments, H.r)
-    ul, ur = faces(solver.nodes, solver.segments, H.u)
+    left, right = solver.faces(H.r)
+    ul, ur = solver.faces(H.u)
     places = np.concatenate([np.arange(a, b) + 2 * k + 1 for k, (a, b, _, _) in enumerate(solver.segments)])
     solver.gradient[places] = (ur - ul) / (right - left)
 
@@ -53,8 +52,8 @@ def renew_gradients(solver) -> None:
 def signal_rate(solver, zones) -> float:
     """Largest (c + 2 w) / width of some zones, 1/s, w the viscous speed of a jump as a shock sees it: for the first step and impacts."""
     problem = solver.problem
-    left, right = faces(solver.nodes, solver.segments, H.r)
-    ul, ur = faces(solver.nodes, solver.segments, H.u)
+    left, right = solver.faces(H.r)
+    ul, ur = solver.faces(H.u)
     jump = np.maximum(ul - ur, 0.0)[zones]
     fronts = np.array([reactive.front_speed(problem, region) for region in problem.regions])
     speed = np.maximum(solver.zones[Z.c, zones], fronts[solver.region_of[zones]]) + (16.0 if solver.staggered else 4.0) * jump
