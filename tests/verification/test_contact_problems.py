@@ -201,9 +201,12 @@ def test_a_sphere_rebounds_from_a_plate(ball, least, most):
     assert solver.results()["contact_depth"] < 1e-3
 
 
-def resistance(strength, u, rho=7850.0, bulk=7850.0 * 4570.0**2, shear=80e9):
+def resistance(strength, u, rho=7850.0, shear=80e9):
     """Resistance of a target to penetration at the velocity u: 7/3 ln(alpha) Y, alpha the extent of the plastic zone over the radius of
-    the crater (J. D. Walker, C. E. Anderson, Int. J. Impact Eng. 16 (1995) 19; from memory, not checked against the paper)."""
+    the crater, with the bulk modulus rho U^2 of a shock of particle velocity u (J. D. Walker, C. E. Anderson, Int. J. Impact Eng. 16
+    (1995) 19; as open code of that model has it, `awlib` of DearDeer; not seen in the paper itself)."""
+    bulk = rho * (4570.0 + 1.49 * u) ** 2
+
     def excess(alpha):
         right = (1.0 + rho * (alpha * u) ** 2 / (2.0 * shear)) * math.sqrt(bulk - rho * u * u)
         return (1.0 + rho * u * u / strength) * math.sqrt(max(bulk - rho * (alpha * u) ** 2, 0.0)) - right
