@@ -202,5 +202,5 @@ def test_the_compiled_release_is_that_of_the_exact_solver():
 def test_a_reference_state_that_rolls_is_refused():
     material = dataclasses.replace(LX17, reference_state="rolling")
     region = Region("charge", "lx-17", 0.0, 4e-3, 20)
-    with pytest.raises(OutOfRange, match="freezes it"):
+    with pytest.raises(OutOfRange, match="keeps the state behind its tracked shocks"):
         make_solver(Problem("rolling", "planar", 1e-6, (region,), {"lx-17": material}, solver=CELLS))

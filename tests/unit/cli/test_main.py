@@ -140,7 +140,7 @@ def test_init_writes_a_deck_that_check_accepts(capsys, monkeypatch, tmp_path):
 
 
 @pytest.mark.parametrize(("name", "laws"), [
-    ("initiation", "jwl burning to jwl, thermal_isolation, ignition_growth"), ("detonation", "jwl, burned_products, programmed")])
+    ("initiation", "jwl_unreacted burning to jwl, thermal_isolation, ignition_growth"), ("detonation", "jwl, burned_products, programmed")])
 def test_check_names_every_law_a_burning_region_runs_with(capsys, monkeypatch, tmp_path, name, laws):
     monkeypatch.chdir(tmp_path)
     call(capsys, "init", name)

@@ -204,7 +204,7 @@ def test_sesame_cut_and_fortran_exponents(solid_table):
     assert cut.temperatures[-1] <= 1e4
 
 
-@pytest.mark.parametrize("spoil, message", [(lambda t: t.replace("   301 ", "   305 "), "no 301 table"), (lambda t: "\n".join(t.splitlines()[:80]), "cut short"),
+@pytest.mark.parametrize("spoil, message", [(lambda t: t.replace("   301 ", "   305 "), "no 301 table"), (lambda t: "\n".join(t.splitlines()[:80]), "truncated"),
                                             (lambda t: t.replace(" 4.10000000E+01", " 4.15000000E+01", 1), "numbers of densities")])
 def test_bad_sesame_is_one_message(solid_table, spoil, message):
     with pytest.raises(DeckError, match=message):
