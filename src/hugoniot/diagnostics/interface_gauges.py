@@ -1,6 +1,7 @@
 """Gauges on an interface: velocity and stress are the same on both sides and recorded once, all else on each side apart.
 
-A gauge `G` at "A/B" records position, velocity and stress; "G left" and "G right" record the zones of A and B that touch there.
+A gauge `G` at "A/B" records position, velocity and stress; "G left" and "G right" record that stress, their own faces, and the zones of A
+and B that touch there.
 """
 
 from collections.abc import Sequence
@@ -27,7 +28,10 @@ def sides(gauges: Sequence[dict]) -> dict[str, str]:
 
 
 def without_mixtures(values: dict[str, np.ndarray], gauges: Sequence[Gauge]) -> dict[str, np.ndarray]:
-    """Gauge records (n, ngauge) in which what jumps across an interface is NaN at the interface gauge itself."""
+    """Gauge records (n, ngauge) in which what jumps across an interface is NaN at the interface gauge itself.
+
+    The gauges of both sides have its stress, that of their common face: the zone beside it holds the stress of another place.
+    """
     columns = [k for k, gauge in enumerate(gauges) if is_interface(gauge.at)]
     if not columns:
         return values
@@ -37,4 +41,9 @@ def without_mixtures(values: dict[str, np.ndarray], gauges: Sequence[Gauge]) -> 
             record = np.array(record, dtype=float)
             record[:, columns] = np.nan
         found[name] = record
+    if "stress" in values:
+        found["stress"] = np.array(values["stress"], dtype=float)
+        names = [gauge.name for gauge in gauges]
+        for side, whole in sides([{"name": gauge.name, "at": gauge.at} for gauge in gauges]).items():
+            found["stress"][:, names.index(side)] = values["stress"][:, names.index(whole)]
     return found

@@ -55,6 +55,8 @@ def test_the_apparent_velocity_is_that_of_the_optical_path(tmp_path):
     assert moved == pytest.approx(path[0] - path, abs=2e-3 * moved.max())
     others = [k for k, gauge in enumerate(deck.problem.gauges) if not gauge.window]
     assert np.isnan(rows["apparent_velocity"][:, others]).all()
+    for side in ("left", "right"):       # one traction, not that of the zone beside the face
+        assert np.array_equal(found.gauge("stress", f"visar {side}")[1], found.gauge("stress", "visar")[1])
     early = (time > 0.22e-6) & (time < 0.30e-6)
     assert seen[early] == pytest.approx(1.2769 * found.gauge("velocity", "visar")[1][early], rel=1e-6)
 

@@ -43,8 +43,8 @@ def applied_stress(solver, times):
     found = np.zeros((len(times), len(solver.gauges)))
     ends = zip((0, solver.zones.shape[1] - 1), (0.0, 1.0), solver.boundaries)
     for zone, f, boundary in ends:
-        if _surface(solver, zone, f) == L.PRESSURE:
-            here = (solver.gauges[:, 2] == zone) & (solver.weights[:, 1] == f)
+        here = (solver.gauges[:, 2] == zone) & (solver.weights[:, 1] == f)
+        if here.any() and _surface(solver, zone, f) == L.PRESSURE:
             found[:, here] = np.array([nodes.pulse_value(t, boundary.pulse, boundary.table) for t in times])[:, None]
     return found
 
