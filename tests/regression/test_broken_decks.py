@@ -171,7 +171,7 @@ def test_all_errors_come_at_once(tmp_path):
 def test_not_a_text(tmp_path):
     path = tmp_path / "deck.toml"
     path.write_bytes(b"title = 'x'\n\xff\xfe\x00\x01" + bytes(range(256)))
-    with pytest.raises(DeckError, match=r"deck\.toml:2: deck: not a text in UTF-8"):
+    with pytest.raises(DeckError, match=r"deck\.toml:2: deck: not a UTF-8 text file"):
         read_deck(path)
 
 

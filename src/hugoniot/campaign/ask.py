@@ -104,7 +104,7 @@ def _text(path: pathlib.Path) -> str:
     except OSError as error:
         raise FileTrouble(f"cannot read {path}: {error.strerror or error}; hugoniot init writes a deck to start from") from None
     except UnicodeDecodeError:
-        raise DeckError.single(path.name, None, "deck", "not a text in UTF-8", "a deck is a TOML file") from None
+        raise DeckError.single(path.name, None, "deck", "not a UTF-8 text file", "a deck is a TOML file") from None
 
 
 def question_for(wishes: Wishes, text: str | None, path: pathlib.Path | None, materials: Sequence = (), runs: pathlib.Path | None = None):

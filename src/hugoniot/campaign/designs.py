@@ -124,7 +124,7 @@ def _table(path: str) -> Design:
     except OSError as error:
         raise FileTrouble(f"cannot read {path}: {error.strerror or error}") from None
     except UnicodeDecodeError:
-        raise DeckError.single(path, None, "table", "not a text in UTF-8", "a table of cases is comma-separated text") from None
+        raise DeckError.single(path, None, "table", "not a UTF-8 text file", "a table of cases is comma-separated text") from None
     name = pathlib.Path(path).name
     rows = [(n, row) for n, row in enumerate(csv.reader(text.splitlines()), 1) if row and not row[0].lstrip().startswith("#")]
     if len(rows) < 2:

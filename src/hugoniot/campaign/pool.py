@@ -168,7 +168,7 @@ class LocalPool:
         if not worker.ready:
             self.false_starts += 1
             if self.false_starts >= MOST_FALSE_STARTS:
-                raise HugoniotError(f"the worker processes of the sweep do not start: {words or 'they end without a message'}")
+                raise HugoniotError(f"the worker processes of the sweep failed to start: {words or 'they exited without a message'}")
         if worker.case is None or todo.again(worker.case):
             return []
         return [{"case": worker.case, "died": f"its process died {TRIES} times" + (f": {words}" if words else "")}]

@@ -110,7 +110,7 @@ def compare(
         drawable(output, "material compare", "--output")
     limit = quantity(up_max, "m/s", "--up") if up_max else None
     if limit is not None and not limit > 0.0:
-        raise DeckError.single("command line", None, "--up", f"{up_max} is not a velocity behind a shock", 'give a positive one, "3 km/s"')
+        raise DeckError.single("command line", None, "--up", f"{up_max} is not a valid particle velocity", 'give a positive one, "3 km/s"')
     chosen = comparison([_entry(name, materials) for name in names], limit)
     if as_json:
         echo_json(chosen.table())

@@ -99,7 +99,8 @@ def _limits(kind: str, field: str, x: str | None, t: str | None, shown: str | No
 
     for option, text, kinds in (("--x", x, WITH_X), ("--t", t, WITH_T), ("--range", shown, WITH_VALUES)):
         if text is not None and kind not in kinds:
-            raise DeckError.single("plot", None, option, f"a {kind} picture has no such axis", f"it applies to {', '.join(kinds)}")
+            raise DeckError.single("plot", None, option, f"not available for a picture of kind '{kind}'",
+                                   f"it applies to {', '.join(kinds)}")
     unit = "m/s" if kind == "free_surface" else describe(field or ("pressure" if kind == "map" else "stress"))[0]
     return [None if text is None else span(text, kind_of, option)
             for option, text, kind_of in (("--x", x, "m"), ("--t", t, "s"), ("--range", shown, unit))]
@@ -122,7 +123,8 @@ def _options(kind: str, field: str, gauge: str | None, time: str | None, delay: 
         if not value:
             continue
         if kind not in kinds:
-            raise DeckError.single("plot", None, shown, f"a {kind} picture does not take it", f"it applies to {', '.join(kinds)}")
+            raise DeckError.single("plot", None, shown, f"not available for a picture of kind '{kind}'",
+                                   f"it applies to {', '.join(kinds)}")
         options[name] = quantity(value, "s", shown) if name in ("time", "delay") else value
     return options
 

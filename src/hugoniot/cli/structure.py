@@ -50,7 +50,7 @@ def profile(
                 "shock_velocity": _number(shock_velocity, "m/s", "--shock-velocity")}
     strength = {name: value for name, value in strength.items() if value is not None} or subject["shock"]
     if len(strength) != 1:
-        raise DeckError.single("command line", None, "--mach", "a shock has one measure of strength",
+        raise DeckError.single("command line", None, "--mach", "give exactly one measure of shock strength",
                                "give --mach, --particle-velocity or --shock-velocity")
     from hugoniot.theory.structure import steady
     from hugoniot.theory.structure.sweep import measures

@@ -26,7 +26,7 @@ def command(
     match: Annotated[str | None, typer.Option("--match", help="Vary an impedance match instead: FLYER,TARGET[,...].")] = None,
     output: Annotated[list[str] | None, typer.Option("--output", help='Results to tabulate, such as "*.arrival" (default: all).')] = None,
     record: Annotated[list[str] | None, typer.Option("--record", help='Keep this record of every case: "free surface.velocity".')] = None,
-    uncertain: Annotated[str | None, typer.Option("--uncertain", help="library: vary constants by their uncertainty there.")] = None,
+    uncertain: Annotated[str | None, typer.Option("--uncertain", help="library: vary constants within their uncertainties there.")] = None,
     keep: Annotated[bool, typer.Option("--keep", help="Keep the run folder of every case.")] = False,
     time_limit: Annotated[float | None, typer.Option("--time-limit", help="Longest wall time of a case, in seconds.")] = None,
     workers: Annotated[int | None, typer.Option("--workers", "-w", help="Worker processes (default: one for each processor).")] = None,

@@ -156,13 +156,13 @@ def _source(row: Any, collector: Collector, path: tuple) -> Source | None:
         return Source("", "", "", row)
     names = [f.name for f in fields(Source)]
     if not isinstance(row, dict):
-        collector.add(path, "a source is a text or a table", f"keys: {', '.join(names)}")
+        collector.add(path, "a source is a string or a table", f"keys: {', '.join(names)}")
         return None
     for key in row:
         if key not in names:
             collector.unknown((*path, key), names)
         elif not isinstance(row[key], str) and key != "value":
-            collector.add((*path, key), "expected a text")
+            collector.add((*path, key), "expected a string")
     known = {"quantity": "", "value": "", "unit": "", "source": ""} | {k: v for k, v in row.items() if k in names}
     return Source(**known)
 

@@ -77,7 +77,7 @@ def read_file(path: Path) -> dict:
     except OSError as error:
         raise FileTrouble(f"cannot read the material file {path}: {error.strerror or error}") from error
     except UnicodeDecodeError:
-        raise DeckError.single(path, None, "material", "not a text in UTF-8", "a material file is a TOML file") from None
+        raise DeckError.single(path, None, "material", "not a UTF-8 text file", "a material file is a TOML file") from None
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -142,10 +142,10 @@ class _Reader:
         path = ("material", self.name)
         for key in ("title", "category"):
             if not isinstance(tables.get(key, ""), str):
-                self.collector.add((*path, key), "expected a text")
+                self.collector.add((*path, key), "expected a string")
         for key in ("aliases", "missing", "notes"):
             if not _texts(tables.get(key, ())):
-                self.collector.add((*path, key), "expected a text or a list of texts")
+                self.collector.add((*path, key), "expected a string or a list of strings")
         for key in ("unreacted", "detonation"):
             if not isinstance(tables.get(key, {}), dict):
                 self.collector.add((*path, key), "expected a table", f"write [{key}]")

@@ -103,7 +103,7 @@ def _read_value(registry: Registry, law: Law, key: str, value: Any, collector: C
         return read_law(registry, value, collector, path)
     if unit == "text":
         if not isinstance(value, str):
-            collector.add(path, f"expected a text, got {value!r:.40}", law.meaning.get(key, ""))
+            collector.add(path, f"expected a string, got {value!r:.40}", law.meaning.get(key, ""))
         return value
     if isinstance(value, list):
         return _read_array(value, unit, collector, path)

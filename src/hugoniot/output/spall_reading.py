@@ -274,7 +274,8 @@ def _eroded(numbers: dict[str, float]) -> str:
         return ""
     part = numbers["pull_back_lost"] / numbers["pull_back"]
     return ("the acoustic strength is a lower bound: "
-            f"the elastic front eroded up to {part:.0%} of the pull-back, too much for Kanel's correction")
+            f"the erosion of the pull-back by the elastic front is estimated at up to {part:.0%} of its size, too much for "
+            "Kanel's correction")
 
 
 def _overtaken(record: Record, found: PullBack, body: dict, opened: float, numbers: dict[str, float]) -> str:

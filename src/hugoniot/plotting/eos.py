@@ -42,7 +42,7 @@ def hugoniots(curves: Sequence[tuple[str, Initial, States]], kind: str = "p-up",
         raise DeckError.single("command line", None, "--axes", f"unknown picture '{kind}'", f"there are {', '.join(KINDS)}")
     ax = ax if ax is not None else new_axes(5.4, 3.8)
     if kind == "t-p" and all(np.isnan(_temperature(states)).all() for _, _, states in curves):
-        raise DeckError.single("command line", None, "--axes", "none of these laws has a temperature",
+        raise DeckError.single("command line", None, "--axes", "none of these equations of state gives a temperature",
                                "give a specific heat in the material's tables")
     heights = []
     for i, (_, ahead, states) in enumerate(curves):

@@ -54,7 +54,7 @@ def read_boundary(value: Any, collector: Collector, path: tuple) -> Boundary | N
         collector.add(path, f"unknown boundary '{printable(value)}'", hint)
         return None
     if not isinstance(value, dict):
-        collector.add(path, "expected a text or a table", _FORMS)
+        collector.add(path, "expected a string or a table", _FORMS)
         return None
     for key in value:
         if key not in DRIVEN:

@@ -60,7 +60,8 @@ def read_deck(path: str | Path, overrides: dict[str, Any] | None = None, materia
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
-        raise DeckError.single(path.name, line, "deck", "not a text in UTF-8", "a deck is a TOML file; hugoniot init writes one") from None
+        raise DeckError.single(path.name, line, "deck", "not a UTF-8 text file",
+                               "a deck is a TOML file; hugoniot init writes one") from None
     return read_deck_text(text, path.name, overrides, materials, path.parent)
 
 

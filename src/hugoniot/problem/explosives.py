@@ -85,7 +85,7 @@ def advice(problem: Problem) -> list[str]:
 
 def material_advice(problem) -> list[str]:
     """Of every material without a burn law what it gives in vain."""
-    return [f"material '{name}' has no burn law: {', '.join(idle)} of it {'is' if len(idle) == 1 else 'are'} not used"
+    return [f"material '{name}' has no burn law: its {', '.join(idle)} {'is' if len(idle) == 1 else 'are'} not used"
             for name in dict.fromkeys(region.material for region in problem.regions) if (idle := _idle(problem.materials[name]))]
 
 

@@ -116,7 +116,7 @@ def _as_fluid(name: str, material: Material, tables: Any, collector: Collector, 
             collector.add(path or ("material", name), f"'{shown}': {family} has no effect in shock_structure, which flows a viscous fluid",
                           "use solver kind lagrange1d, or leave the table out")
         else:
-            warnings.append(f"'{shown}' flows as a fluid: shock_structure leaves out its {family} of the library")
+            warnings.append(f"'{shown}' is treated as a viscous fluid: shock_structure ignores its {family} from the library")
     return replace(material, strength=None, fracture=None)
 
 

@@ -112,7 +112,7 @@ def read_columns(path, columns: dict, what: str) -> tuple[np.ndarray, ...]:
     except OSError as error:
         raise FileTrouble(f"cannot read {path}: {error.strerror or error}; give a CSV file of {what}") from None
     except UnicodeDecodeError:
-        raise DeckError.single(path, None, "points", "not a text in UTF-8", f"give a CSV file of {what}") from None
+        raise DeckError.single(path, None, "points", "not a UTF-8 text file", f"give a CSV file of {what}") from None
     numbered = [(n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith("#")]
     if not numbered:
         raise DeckError.single(path, None, "points", "the file is empty", f"the first line names the columns, such as {example}")

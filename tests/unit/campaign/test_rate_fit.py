@@ -48,7 +48,7 @@ LINE = PopLine(1.39, -0.31, *(np.nan,) * 3)
     (LX17, ("g3",), PRESSURES, "no constant 'g3'"), (LX17, ("g1", "g1"), PRESSURES, "once each"), (LX17, (), PRESSURES, "once each"),
     (LX17, ("y",), PRESSURES, "without its coefficient 'g1'"), (with_rate(g2=0.0), ("g2",), PRESSURES, "starts from 0"),
     (LX17, ("g1", "y"), (15e9,), "as many pressures"), (LX17, ("g1",), (-1.0,), "all positive"),
-    (library.find("comp_b"), ("g1",), PRESSURES, "does not burn by a rate")])
+    (library.find("comp_b"), ("g1",), PRESSURES, "has no rate-based burn law")])
 def test_what_cannot_be_sought_is_refused(material, adjust, pressures, words):
     with pytest.raises(OutOfRange, match=words):
         fit_rate(material, LINE, pressures, adjust)
@@ -75,7 +75,7 @@ def test_the_command_gives_a_table_for_a_deck(capsys, tmp_path):
 @pytest.mark.parametrize(("arguments", "words"), [
     (("LX-17 reactive",), "R004"), (("LX-17 reactive", "--to", "R004", "--start", "g9 = 1"), "g9"),
     (("LX-17 reactive", "--to", "R004", "--start", "y"), "--start"), (("LX-17 reactive", "--line", "1.1"), "--line"),
-    (("LX-17 reactive", "--line", "1.1, 0.3"), "negative"), (("comp_b", "--to", "R005"), "does not burn by a rate")])
+    (("LX-17 reactive", "--line", "1.1, 0.3"), "negative"), (("comp_b", "--to", "R005"), "has no rate-based burn law")])
 def test_what_the_command_refuses(capsys, arguments, words):
     code, _, err = call(capsys, *arguments)
     assert code == 2 and words in err

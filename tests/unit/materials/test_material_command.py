@@ -99,7 +99,7 @@ def test_check_a_users_file(capsys, tmp_path):
     (("compare", "copper", "-o", "copper.doc"), 2, "--output: cannot draw 'copper.doc'"),
     (("compare", "copper", "-o", "nowhere/copper.png"), 4, "no picture is written"),
     (("check", "empty"), 2, "no material in empty"), (("check", "missing.toml"), 4, "no file or folder"),
-    (("check", "noise.toml"), 2, "noise.toml: material: not a text in UTF-8"), (("show", "steel", "-m", "noise.toml"), 2, "not a text in UTF-8")])
+    (("check", "noise.toml"), 2, "noise.toml: material: not a UTF-8 text file"), (("show", "steel", "-m", "noise.toml"), 2, "not a UTF-8 text file")])
 def test_bad_input_is_answered_with_the_way_out(capsys, tmp_path, monkeypatch, arguments, code, words):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "empty").mkdir()

@@ -197,8 +197,8 @@ GASEOUS = '[material.x.eos]\nlaw = "ideal_gas"\ngamma = 3.0\nrho0 = 1600.0\n[mat
     ("", 'density = "1800 kg/m^3"\n' + BETA, "starts at 1800 kg/m3, and its burn law 'beta' measures compression from rho0 = 1717"),
     ("", '[material.x]\nbase = "LX-17 reactive"\n[material.x.unreacted]\nlaw = "ideal_gas"\ngamma = 1.4', "'ignition_growth' measures compression from rho0 = 1905"),
     ("", '[material.x]\nbase = "LX-17 reactive"\ndetonation_energy = "5e12 J/kg"', "its equations of state hold"),
-    ("", GASEOUS, "has no burn law: detonation_energy of it is not used"),
-    ("", '[material.x]\nbase = "copper"\nmixture = "thermal_isolation"', "has no burn law: mixture of it is not used"),
+    ("", GASEOUS, "has no burn law: its detonation_energy is not used"),
+    ("", '[material.x]\nbase = "copper"\nmixture = "thermal_isolation"', "has no burn law: its mixture is not used"),
 ])
 def test_what_is_allowed_but_seldom_meant_is_told(top, region, words):
     text = DECK.format(top=top, region=region)

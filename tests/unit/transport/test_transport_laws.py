@@ -115,7 +115,7 @@ def test_isobaric_heat_is_the_enthalpy_slope_at_constant_pressure(name, rho, e):
     (({"law": "constant", "shear_viscosity": 0.0}, None), "shear_viscosity must be a positive number"),
     (({"law": "constant", "shear_viscosity": 1e-5}, {"law": "prandtl", "prandtl": 0.0}), "prandtl must be a positive number"),
     (({"law": "constant", "shear_viscosity": 1e-5}, {"law": "prandtl", "prandtl": math.nan}), "prandtl must be a positive number"),
-    (({"law": "power_law", "viscosity": 1.0}, None), "does not know viscosity"),
+    (({"law": "power_law", "viscosity": 1.0}, None), "has no parameter viscosity"),
     (({"law": "sutherland", "shear_viscosity": 1.0}, None), "needs reference_temperature"),
 ])
 def test_bad_transport_is_refused_with_the_way_out(given, words):

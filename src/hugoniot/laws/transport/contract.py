@@ -94,7 +94,7 @@ def _law(family: Registry, given):
         unknown = [name for name in table if name not in law.units]
         missing = [name for name in law.units if name not in table and name not in law.defaults]
         if unknown or missing:
-            what = f"does not know {', '.join(unknown)}" if unknown else f"needs {', '.join(missing)}"
+            what = f"has no parameter {', '.join(unknown)}" if unknown else f"needs {', '.join(missing)}"
             raise OutOfRange(f"{family.family} law '{law.name}' {what}; its parameters are {', '.join(law.units) or 'none'}")
         par = law.build(**{**law.defaults, **{name: float(value) for name, value in table.items()}})
     for name, value in zip(par._fields, par):

@@ -185,8 +185,8 @@ def _of_row(identity: str) -> Entry:
     made = make_entry(identity, tables, f"row {identity}", category=str(row.get("category", "")))
     warnings = [f"row {identity} of the library, unedited: not a curated material, no strength, no fracture"]
     if row.table == "compression":
-        warnings.append(f"{identity} ({row.material}): from slow compression of one phase; a shock strong enough to transform or melt it "
-                        "follows another Hugoniot")
+        warnings.append(f"{identity} ({row.material}): fitted to static compression of one phase; a shock strong enough to transform "
+                        "or melt it lies on a different Hugoniot")
     return replace(made, material=replace(made.material, warnings=(*warnings, *made.material.warnings)), curated=False)
 
 
