@@ -67,6 +67,7 @@ def test_the_apparent_velocity_is_that_of_the_optical_path(tmp_path):
     (('at = "target/glass"', 'at = "0.5 mm"'), "does not touch the gauge"),
     (('window = "glass"', 'window = "target"\nwindow_factor = 1.3'), "has to pass other bodies"),
     (('window = "glass"', 'wavelength = "532 nm"'), "goes with window"),
+    (('window = "glass"', 'window = "glass"\nwindow_factor = 1.3\nwavelength = "532 nm"'), "selects the library's index"),
     (('window = "glass"', 'window = "glass"\nwavelength = "700 nm"'), "does not say how the index"),
     (('material = "LiF"', 'material = "pmma"'), "does not say how the index"),
     (('stop_time', 'geometry = "spherical"\nstop_time'), "windows are plane")])
