@@ -24,7 +24,8 @@ def factor_of(row, regions: tuple[Region, ...], collector: Collector, path: tupl
         return None
     if row.window_factor is not None:
         if row.wavelength is not None:
-            collector.add((*path, "wavelength"), "wavelength selects the library's index, and window_factor gives another", "leave one of them out")
+            collector.add((*path, "wavelength"), "wavelength selects the library's index, and window_factor gives another",
+                          "leave one of them out")
         return row.window_factor
     wavelength = row.wavelength or WAVELENGTH
     found = [optical for optical in library.windows(region.material) if "index_intercept" in optical
