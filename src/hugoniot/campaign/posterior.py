@@ -151,7 +151,7 @@ def _doubts(problem: Problem, stand_in: Surrogate | None, flat: np.ndarray, effe
     for k, name in enumerate(problem.names):
         share = (flat[:, k] - low[k]) / (high[k] - low[k])
         if np.mean((share < 0.02) | (share > 0.98)) > 0.05:
-            found.append(f"the range of {name} cuts its posterior off")
+            found.append(f"the range of {name} truncates its posterior")
     return found
 
 

@@ -262,7 +262,7 @@ TRACKED: dict[str, TrackedProblem] = {problem.name: problem for problem in (
     _tube("tracked_sod", "Sod's tube: every wave exact", gases.build_sod, 0.5),
     _tube("tracked_leblanc", "LeBlanc's tube: every wave exact", gases.build_leblanc, 3.0),
     _tube("tracked_two_rarefactions", "Streams apart (123): every wave exact", gases.build_two_rarefactions, 0.5),
-    _tube("tracked_collision", "Streams that collide: every wave exact", gases.build_collision, 0.5),
+    _tube("tracked_collision", "Colliding streams: every wave exact", gases.build_collision, 0.5),
     _tube("tracked_water_gas", "Liquid against a gas, before a wave meets a wall: every wave exact", gases.build_water_gas, 0.7, 1.1e-4),
     *MEETINGS,
     TrackedProblem("shock_to_and_fro", "A piston's shock between piston and wall: reflections at t = 0.75, 0.90, 0.95 (F6)", _to_and_fro,

@@ -27,9 +27,9 @@ def program() -> dict[str, str]:
 def check_program(folder, written: Mapping[str, str]) -> None:
     """Refuse a checkpoint whose run this program would not continue bit for bit."""
     if written != program():
-        raise FileTrouble(f"{folder}: its checkpoint was written by another hugoniot ({written.get('version', 'an early one')}), "
-                          f"Python or numba, whose bits this one would not continue; resume with that one, or start again in a new folder: "
-                          f"hugoniot run {pathlib.Path(folder) / 'deck.toml'} --out NEW")
+        raise FileTrouble(f"{folder}: its checkpoint was written by another version of hugoniot ({written.get('version', 'early')}), "
+                          f"Python or numba, so the continuation would not be bit-identical; resume with that version, or start again "
+                          f"in a new folder: hugoniot run {pathlib.Path(folder) / 'deck.toml'} --out NEW")
 
 
 def other_machine(written: Mapping[str, str]) -> str | None:

@@ -204,7 +204,7 @@ class Run:
             raise KeyError(f"no gauge field '{field}'; this run has: {known}")
         values = rows[field][:, names.index(name)]
         if field not in CONTINUOUS and name in set(sides(self.setup["gauges"]).values()):
-            raise KeyError(f"{field} differs on the two sides of an interface: ask for '{name} left' or '{name} right'")
+            raise KeyError(f"{field} differs on the two sides of an interface: use '{name} left' or '{name} right'")
         return rows["time"], values
 
 

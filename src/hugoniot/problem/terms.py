@@ -180,7 +180,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
         elif source.depths and source.depths[0] >= region.end - region.start:
             found.append((("heat_source", k, "depths"), f"the profile begins beyond '{source.region}'", "depth counts from its face"))
         elif source.kind == "intensity" and curved and source.side == "left" and region.start == 0.0:
-            found.append((("heat_source", k, "side"), "nothing passes through the axis or the centre", 'take side = "right", or power'))
+            found.append((("heat_source", k, "side"), "nothing passes through the axis or the centre", 'use side = "right", or power'))
     for name, table in problem.transport.items():
         found += _transport_defects(problem, name, table)
     return found

@@ -33,7 +33,7 @@ def isentrope(material, start: States | None = None, *, direction: int = 1, **gi
     par = law_of(material)
     start = start or reference(par)
     if len(given) != 1 or next(iter(given)) not in ("density", "pressure", "particle_velocity"):
-        raise OutOfRange("a state on an isentrope is named by exactly one of density, pressure, particle_velocity; "
+        raise OutOfRange("a state on an isentrope is specified by exactly one of density, pressure, particle_velocity; "
                          f"got {', '.join(given) or 'none'}")
     name, value = next(iter(given.items()))
     targets = np.atleast_1d(np.asarray(value, float)).ravel()

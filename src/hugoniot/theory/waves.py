@@ -94,7 +94,7 @@ def wave_diagram(layers: Sequence, thicknesses: Sequence[float], velocity: float
         tracker.move(wait)
         tracker.meet(k)
     else:
-        raise OutOfRange(f"{most_events} interactions of waves by {tracker.diagram.time:.6g} s: ask for a shorter time, fewer fan steps "
+        raise OutOfRange(f"{most_events} interactions of waves by {tracker.diagram.time:.6g} s: try a shorter time, fewer fan steps "
                          "or a larger smallest wave")
     tracker.finish()
     return tracker.diagram

@@ -163,7 +163,7 @@ def test_the_state_of_a_profile_is_that_of_its_material(tmp_path):
     ('velocity = "0.1 m/s"', "", "says nothing"),
     ('integrator = "compatible"', 'kind = "fronts"', "fronts has no periodic ends"),
     ('integrator = "compatible"', 'kind = "fronts"', "starts from one state along a region"),
-    ("[output]", '[transport.gas]\nconduction = {law = "constant", conductivity = 1.0}\n[output]', "conduction does not pass"),
+    ("[output]", '[transport.gas]\nconduction = {law = "constant", conductivity = 1.0}\n[output]', "conduction is not supported"),
 ])
 def test_what_cannot_be_is_refused(old, new, words):
     text = DECK.format(profile='velocity = "0.1 m/s"', integrator="compatible", zones=64, stop=0.2, state="density = 1.0", gamma=1.4,

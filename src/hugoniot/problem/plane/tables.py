@@ -254,7 +254,7 @@ class ErosionTable(Table):
         None, description="equivalent plastic strain at which a zone leaves the mesh (default: none)")
     smallest_step: Positive | None = Field(None, description="Courant step of a zone at which it leaves the mesh (default: none)")
     mass: Literal["kept", "dropped"] = Field("kept", description="kept by its nodes, or dropped with its momentum and energy, which are "
-                                             "booked")
+                                             "recorded")
 
 
 class SolverTable(Table):
