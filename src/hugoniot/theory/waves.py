@@ -57,7 +57,7 @@ class Event:
 
 @dataclass
 class Diagram:
-    """events in order of time; paths (kind, t1, x1, t2, x2) of all fronts; `profile` gives the state at the last time."""
+    """events in chronological order; paths (kind, t1, x1, t2, x2) of all fronts; `profile` gives the state at the last time."""
 
     time: float = 0.0
     events: list[Event] = field(default_factory=list)
