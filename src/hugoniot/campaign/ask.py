@@ -217,7 +217,7 @@ def run_sweep(path, wishes: Wishes, out=None, *, engine: Callable | None = None,
         question.until = longest(plan, question.until)
     swept = sweep(plan, folder, engine=engine or local(workers, wishes.time_limit), outputs=wishes.output, show=show, words=wishes.words())
     title = f"Sweep of {source.name}" if source and wishes.match is None else f"Impedance match of {', '.join(wishes.match or ())}"
-    asked = "\n".join([*wishes.vary, *wishes.tie, *(["constants of the library by their uncertainty"] if known else []),
+    asked = "\n".join([*wishes.vary, *wishes.tie, *(["constants of the library within their uncertainty"] if known else []),
                        *([] if wishes.design in KINDS else [f"cases of {wishes.design}"])])
     rows = list(rows_of(known))
     write_constants(folder, rows)

@@ -41,7 +41,7 @@ def front_speed(times, path, start: float = -np.inf, end: float = np.inf) -> flo
     times, path = np.asarray(times, float), np.asarray(path, float)
     use = np.isfinite(path) & (path >= start) & (path <= end)
     if use.sum() < 3:
-        raise OutOfRange(f"{int(use.sum())} points of the front lie between {start:.6g} and {end:.6g} m: use more snapshots")
+        raise OutOfRange(f"only {int(use.sum())} points of the front lie between {start:.6g} and {end:.6g} m: use more snapshots")
     return float(abs(np.polyfit(times[use], path[use], 1)[0]))
 
 

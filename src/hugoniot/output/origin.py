@@ -39,5 +39,5 @@ def other_machine(written: Mapping[str, str]) -> str | None:
     changed = [f"{name} {was} (here {machine()[name]})" for name, was in written.items() if name in machine() and machine()[name] != was]
     if not changed:
         return None
-    return ("resumed on another machine than the one it was begun on, so that the last digits may differ from those of an uninterrupted "
+    return ("resumed on a different machine from the one it began on, so that the last digits may differ from those of an uninterrupted "
             f"run: {'; '.join(text if len(text) < 120 else text[:117] + '...' for text in changed)}")

@@ -77,7 +77,7 @@ def checked_profile(row: Any, zones: int | None, material: Material | None, coll
     if material is None or names == {"velocity"} or collector.reported(path):
         return profile
     if material.burn is not None:
-        collector.add(path, f"'{material.name}' burns: only its velocity may have a profile", "cut the region where the state changes")
+        collector.add(path, f"'{material.name}' burns: only its velocity may have a profile", "split the region where the state changes")
         return profile
     places = np.linspace(row.start, row.end, 9)
     given = {name: values_at(profile, name, places) for name in names - {"velocity"}}

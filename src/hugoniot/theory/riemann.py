@@ -239,7 +239,7 @@ def _meet(left: _Side, right: _Side, bonded: bool) -> float:
         p = new
     if abs(g) <= 1e-9 * (left.c + right.c):
         return p
-    raise NoSolution(f"the wave curves of '{EOS.of(left.par).name}' and '{EOS.of(right.par).name}' did not meet "
+    raise NoSolution(f"the wave curves of '{EOS.of(left.par).name}' and '{EOS.of(right.par).name}' did not intersect "
                      f"between {low:.6g} and {high:.6g} Pa")
 
 

@@ -152,7 +152,8 @@ def gamma(subject, at: str, ambient: float, as_json: bool) -> None:
     if as_json:
         echo_json({"material": subject.material.name, **table, "warnings": notes(subject, up)})
         return
-    typer.echo(f"{subject.title or subject.material.name}: Gamma with which the law truncated at third order meets the shock state")
+    typer.echo(f"{subject.title or subject.material.name}: Gamma with which the law truncated at third order passes through the shock "
+               "state")
     echo_columns(table)
     echo_notes(notes(subject, up))
 
