@@ -114,11 +114,70 @@ def euler_residuals(made, geometry, r, t, gamma=None):
 @pytest.mark.parametrize("geometry", DIMENSION)
 @pytest.mark.parametrize("name, given", [("coggeshall_coasting", {"gamma": 1.4, "slope": -0.7}),
                                          ("coggeshall_driven", {"gamma": 1.2, "slope": 0.6}), ("coggeshall_driven", {"gamma": 3.0, "slope": -1.5}), ("uniform_collapse", {"gamma": 1.25}),
+                                         ("coggeshall_collapse", {"slope": -1.1, "collapse_time": 2.0}),
+                                         ("coggeshall_shell", {"slope": 1.2, "outer": 1.5, "density": 3.0, "collapse_time": 2.0}),
+                                         ("coggeshall_shell", {"slope": -2.5, "outer": 1.5, "collapse_time": 2.0}),
                                          ("uniform_collapse", {"material": "copper", "collapse_time": 40.0})])
 def test_smooth_flows_satisfy_the_equations(geometry, name, given):
     made = SOLUTIONS[name](geometry=geometry, **given)
     time = 1.3 if name.startswith("cogg") else 0.4
     assert max(euler_residuals(made, geometry, 0.8, time)) < 3e-6
+
+
+@pytest.mark.parametrize("geometry", DIMENSION)
+def test_coggeshalls_shell_of_uniform_entropy_is_kidders_without_inner_pressure(geometry):
+    shell = SOLUTIONS["coggeshall_shell"](geometry, inner=0.8, outer=1.1, slope=0.0, density=0.05, collapse_time=0.3)
+    kidder = SOLUTIONS["kidder"](geometry, 0.8, 1.1, 1e-60, shell.numbers["first_outer_pressure"], 0.05)
+    assert kidder.numbers["tau"] == pytest.approx(0.3, rel=1e-9)
+    r = 0.8 * np.linspace(0.85, 1.0999, 5)
+    one, two = shell(r, 0.18), kidder(r, 0.18)
+    assert all(one[k] == pytest.approx(two[k], rel=1e-8) for k in ("density", "velocity", "pressure", "energy"))
+    assert np.isnan(shell([0.6, 0.9], 0.18)["density"]).all()
+
+
+@pytest.mark.parametrize("geometry", DIMENSION)
+@pytest.mark.parametrize("name, given", [("coggeshall_noh", {"rate": 0.4, "speed": 2.3}), ("coggeshall_noh", {"rate": -0.5, "speed": 1.7}),
+                                         ("coggeshall_stopping", {"gamma": 5.0, "collapse_time": 2.0}), ("coggeshall_stopping", {"gamma": 1.4, "radius": 0.3})])
+def test_coggeshalls_shocks_conserve_and_compress_between_flows_that_obey_the_equations(geometry, name, given):
+    """Fluxes of mass, momentum and energy in the frame of the shock, whose speed is differenced; the gas enters on the thin side."""
+    made, time = SOLUTIONS[name](geometry=geometry, **given), 0.7
+    (place,), step = made.jumps(time), 1e-6
+    speed = (made.jumps(time + step)[0] - made.jumps(time - step)[0]) / (2 * step)
+    behind, ahead = ({k: float(v[0]) for k, v in made([place * (1 + side)], time).items()} for side in (-1e-9, 1e-9))
+    fluxes = []
+    for f in (behind, ahead):
+        w = f["velocity"] - speed
+        fluxes.append((f["density"] * w, f["pressure"] + f["density"] * w**2,
+                       f["density"] * w * (f["energy"] + 0.5 * w**2) + f["pressure"] * w))
+    assert fluxes[0] == pytest.approx(fluxes[1], rel=1e-7)
+    assert fluxes[0][0] < 0.0 and behind["density"] > ahead["density"] and behind["pressure"] > 0.0 == ahead["pressure"]
+    for r in (0.6 * place, 1.7 * place):
+        d, h, k = DIMENSION[geometry], 1e-5 * r, 1e-5
+
+        def slopes(field, r=r, h=h, k=k):
+            at = [float(made([x], t)[field][0]) for x, t in ((r - h, time), (r + h, time), (r, time - k), (r, time + k))]
+            return (at[1] - at[0]) / (2 * h), (at[3] - at[2]) / (2 * k)
+
+        here = {n: float(v[0]) for n, v in made([r], time).items()}
+        rho, u, p = here["density"], here["velocity"], here["pressure"]
+        (rho_r, rho_t), (u_r, u_t), (p_r, _), (e_r, e_t) = (slopes(n) for n in ("density", "velocity", "pressure", "energy"))
+        w, divergence = abs(u) + math.sqrt(p / rho), u_r + (d - 1) * u / r
+        assert abs(rho_t + u * rho_r + rho * divergence) * r < 1e-7 * rho * w
+        assert abs(rho * (u_t + u * u_r) + p_r) * r < 1e-7 * rho * w**2
+        assert abs(rho * (e_t + u * e_r) + p * divergence) * r < 1e-7 * rho * w**3
+
+
+def test_coggeshalls_shocks_in_the_cases_he_prints():
+    still, noh = SOLUTIONS["coggeshall_noh"](rate=1e-9), SOLUTIONS["noh"]()
+    for key, value in noh([0.05, 0.3], 0.4).items():
+        assert key == "sound_speed" or still([0.05, 0.3], 0.4)[key] == pytest.approx(value, rel=1e-8, abs=1e-10)
+    flow = SOLUTIONS["coggeshall_stopping"](radius=0.2, density=3.0)
+    assert flow.jumps(0.5) == pytest.approx([0.8])
+    assert flow([0.4], 0.5)["density"] / flow([1.6], 0.5)["density"] == pytest.approx(1.5 * 4.0**3)
+    with pytest.raises(OutOfRange):
+        SOLUTIONS["coggeshall_noh"](rate=-0.5)([0.1], 2.0)
+    with pytest.raises(OutOfRange, match="slope"):
+        SOLUTIONS["coggeshall_shell"]("cylindrical", slope=4.0)
 
 
 def test_uniform_collapse_follows_the_isentrope_of_any_law():

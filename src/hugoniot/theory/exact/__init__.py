@@ -10,7 +10,8 @@ from typing import Any
 
 from hugoniot.theory.exact.blake import blake
 from hugoniot.theory.exact.coggeshall import coggeshall
-from hugoniot.theory.exact.coggeshall_flows import coggeshall_coasting, coggeshall_driven
+from hugoniot.theory.exact.coggeshall_flows import coggeshall_coasting, coggeshall_collapse, coggeshall_driven, coggeshall_shell
+from hugoniot.theory.exact.coggeshall_shocks import coggeshall_noh, coggeshall_stopping
 from hugoniot.theory.exact.double_burgers import double_burgers
 from hugoniot.theory.exact.dsd import dsd_arc, dsd_expansion, dsd_rate_stick
 from hugoniot.theory.exact.ehep import ehep
@@ -48,10 +49,11 @@ _EXPLOSION = {"planar": "J/m^2", "cylindrical": "J/m", "spherical": "J"}
 SOLUTIONS: dict[str, Callable[..., Any]] = {
     function.__name__: function
     for function in (
-        aluminium_piston, blake, centred_rarefaction, coggeshall, coggeshall_coasting, coggeshall_driven, collision, copper_piston,
-        double_burgers, dsd_arc, dsd_expansion, dsd_rate_stick, ehep, elastic_plastic_piston, fickett_rivard, guderley, howell_ball,
-        kenamond, kidder, leblanc, mader, meeting_streams, noh, noh_material, piston_pulse, plate_push, riemann_ideal, saltzman, sedov,
-        shell_stopping, sod, two_rarefactions, udaykumar_piston, uniform_collapse, verney, water_gas, woodward_colella,
+        aluminium_piston, blake, centred_rarefaction, coggeshall, coggeshall_coasting, coggeshall_collapse, coggeshall_driven,
+        coggeshall_noh, coggeshall_shell, coggeshall_stopping, collision, copper_piston, double_burgers, dsd_arc, dsd_expansion,
+        dsd_rate_stick, ehep, elastic_plastic_piston, fickett_rivard, guderley, howell_ball, kenamond, kidder, leblanc, mader,
+        meeting_streams, noh, noh_material, piston_pulse, plate_push, riemann_ideal, saltzman, sedov, shell_stopping, sod,
+        two_rarefactions, udaykumar_piston, uniform_collapse, verney, water_gas, woodward_colella,
     )
 }
 

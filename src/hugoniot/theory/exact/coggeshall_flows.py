@@ -1,16 +1,23 @@
-r"""Coggeshall's flows in one dimension without radiation: velocities proportional to the radius, powers of r and t.
+r"""Coggeshall's adiabatic flows in one dimension without shocks: every radius keeps its share of the body's size.
 
-With d = 1, 2, 3 for planar, cylindrical, spherical and any b (the slope of the density):
+With d = 1, 2, 3 for planar, cylindrical, spherical and any b (the slope of the density, or of the entropy), numbered as by Coggeshall:
 
 1. coasting: $u = r/t$, $\rho = \rho_0 r^bt^{-b-d}$, $e = e_0r^{-b}t^{b-(\gamma-1)d}$. The pressure is uniform and nothing accelerates.
 2. driven: $u = ar/t$, $\rho = \rho_0r^bt^{-a(b+d)}$, $e = \frac{a(1-a)}{(\gamma-1)(b+2)}\frac{r^2}{t^2}$,
    $a = \frac{2}{2 + (\gamma-1)d}$. The energy equation fixes a, the momentum equation the factor of e; b > -2.
+6. collapse from rest, $\gamma = 1 + 2/d$: with $s^2 = 1 - t^2/\tau^2$ and $X = r/s$, $u = -rt/(\tau^2 - t^2)$, $\rho = s^{-d}G(X)$,
+   $p = s^{-d-2}P(X)$. Since $\ddot s = -1/(\tau^2s^3)$, the momentum equation is $P' = XG/\tau^2$, for any G. Here $G = \rho_0X^b$,
+   $P = \rho_0X^{b+2}/((b+2)\tau^2)$, b > -2.
+7. the same with a free inner surface at X = R and the entropy $p/\rho^\gamma \propto X^b$: with $Y = X^{2-b/\gamma} - R^{2-b/\gamma}$,
+   $G \propto X^{-b/\gamma}Y^{1/(\gamma-1)}$, $P \propto \frac{\gamma-1}{(2\gamma-b)\tau^2}Y^{\gamma/(\gamma-1)}$, b < 2 gamma.
+   b = 0 is Kidder's shell without inner pressure.
 
-Continuity, momentum and energy are satisfied identically (the tests differentiate them). Of Coggeshall's list these are the adiabatic
-flows of an ideal gas with positive temperature in one dimension; `coggeshall` is the one in two, the others need heat conduction or
-radiation, or have a negative temperature for gamma > 1.
+Continuity, momentum and energy are satisfied identically (the tests differentiate them). Of the others that ExactPack has (all up to 21
+but 15), 8 and 11 are 1, 9 is 2 and 18 is 6 at the slope for which a heat flux has no divergence; 19 is `noh`, 20 and 21 are in
+`coggeshall_shocks`; 3, 4, 5 and 12 have gamma < 1 or a negative temperature, and 10, 13, 14, 16 and 17 need heat conduction. `coggeshall`
+is a flow in two dimensions.
 
-Source: Coggeshall, Phys. Fluids A 3 (1991) 757, problems 1 and 2; derived here for any density slope.
+Source: Coggeshall, Phys. Fluids A 3 (1991) 757, problems 1, 2, 6, 7; derived here for any slope.
 """
 
 import numpy as np
@@ -42,6 +49,63 @@ def coggeshall_driven(geometry: str = "spherical", gamma: float = 5.0 / 3.0, slo
     a = 2.0 / (2.0 + (gamma - 1.0) * DIMENSION[geometry])
     factor = a * (1.0 - a) / ((gamma - 1.0) * (slope + 2.0))
     return _flow("Coggeshall, driven", geometry, gamma, (a, slope, density), lambda r, t: factor * (r / t) ** 2)
+
+
+def coggeshall_collapse(geometry: str = "spherical", slope: float = 0.0, density: float = 1.0, collapse_time: float = 1.0) -> Solution:
+    """Coggeshall's collapse from rest: density a power of the radius, gamma = 1 + 2/d (planar 3, cylindrical 2, spherical 5/3).
+
+    density: at r = 1, t = 0; slope: b of rho ~ r^b, above -2. Fields: density, velocity, pressure, energy; numbers: gamma.
+    At rest at t = 0; holds for time < collapse_time.
+    """
+    if density <= 0.0 or collapse_time <= 0.0 or slope <= -2.0:
+        raise OutOfRange("Coggeshall's collapse needs a positive density and collapse_time, and slope > -2")
+    return _collapse("Coggeshall, collapse from rest", geometry, collapse_time, (0.01, 1.0),
+                     lambda x: (density * x**slope, density * x ** (slope + 2.0) / ((slope + 2.0) * collapse_time**2)), {})
+
+
+def coggeshall_shell(geometry: str = "spherical", inner: float = 0.5, outer: float = 1.0, slope: float = 1.2, density: float = 1.0,
+                     collapse_time: float = 1.0) -> Solution:
+    """Coggeshall's shell: from rest, without inner pressure, its entropy a power of the radius; gamma = 1 + 2/d.
+
+    density: at the outer radius at t = 0; slope: b of p/rho^gamma ~ r^b at t = 0, below 2 gamma. The pressure at the outer radius
+    drives it. Fields: density, velocity, pressure, energy, NaN outside the shell; numbers: gamma, first_outer_pressure.
+    Holds for time < collapse_time.
+    """
+    gamma = 1.0 + 2.0 / DIMENSION[geometry]
+    if not 0.0 <= inner < outer or min(density, collapse_time) <= 0.0 or slope >= 2.0 * gamma:
+        raise OutOfRange(f"Coggeshall's shell needs 0 <= inner < outer, positive density and collapse_time, and slope < {2 * gamma:g}")
+    c = 2.0 - slope / gamma
+
+    def shape(x):
+        inside = (x >= inner * (1.0 - 1e-12)) & (x <= outer * (1.0 + 1e-12)) & (x > 0.0)
+        x = np.where(inside, x, np.nan)
+        y = np.maximum(x**c - inner**c, 0.0) / (outer**c - inner**c)
+        factor = density * outer ** (slope / gamma) * (outer**c - inner**c) / (gamma * c * collapse_time**2)
+        return (density * (x / outer) ** (-slope / gamma) * y ** (1.0 / (gamma - 1.0)),
+                (gamma - 1.0) * factor * y ** (gamma / (gamma - 1.0)))
+
+    return _collapse("Coggeshall, shell", geometry, collapse_time, (inner, outer), shape,
+                     {"first_outer_pressure": float(shape(np.array(outer))[1])})
+
+
+def _collapse(title: str, geometry: str, collapse_time: float, between: tuple[float, float], shape, numbers) -> Solution:
+    """Collapse from rest; shape: function X -> (G, P), the density and pressure at rest over the radius at rest."""
+    d = DIMENSION[geometry]
+    gamma = 1.0 + 2.0 / d
+
+    def scale(time):
+        return np.sqrt(1.0 - (time / collapse_time) ** 2)
+
+    def profile(r, time):
+        s = scale(time)
+        at_rest, pressure = shape(r / s)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            e = np.where(at_rest > 0.0, pressure / ((gamma - 1.0) * at_rest), 0.0 * at_rest) / s**2
+        velocity = np.where(np.isnan(at_rest), np.nan, -r * time / (collapse_time * s) ** 2)
+        return {"density": at_rest * s**-d, "velocity": velocity, "pressure": pressure * s ** (-d - 2.0), "energy": e}
+
+    return Solution(f"{title}, {geometry}", geometry, profile, numbers={"gamma": gamma, **numbers},
+                    times=(0.0, collapse_time * (1.0 - 1e-12)), domain=lambda time: (between[0] * scale(time), between[1] * scale(time)))
 
 
 def _flow(title: str, geometry: str, gamma: float, shape: tuple[float, float, float], energy) -> Solution:

@@ -1,0 +1,80 @@
+r"""Coggeshall's adiabatic flows with a shock that cold gas falls through.
+
+With d = 1, 2, 3 for planar, cylindrical, spherical; both shocks are infinitely strong: the density rises by $(\gamma+1)/(\gamma-1)$.
+
+20. Noh's implosion seen in a frame that expands at the rate a, $\gamma = 1 + 2/d$: with $h = 1 + at$ and the shock at
+    $r_s = \tfrac12(\gamma-1)Ut$,
+$$r > r_s:\; \rho = \rho_0h^{-d}\left(1 + \frac{Ut}{r}\right)^{d-1},\; u = \frac{ar - U}{h},\; p = 0; \qquad
+  r < r_s:\; \rho = \rho_0h^{-d}\left(\frac{\gamma+1}{\gamma-1}\right)^{d},\; u = \frac{ar}{h},\; e = \frac{U^2}{2h^2}$$
+    Only for this gamma does $(r/h, t/h)$ turn the equations of the gas into themselves; then $r_s/h$ is Noh's shock at the time $t/h$.
+
+21. gas that falls in towards a time of collapse $\tau$ and stops behind an outgoing shock. With $T = 1 - t/\tau$ and the shock at
+    $R = R_0T^{-(\gamma-1)/2}$:
+$$r > R:\; \rho = \rho_0\left(\frac{r}{R_0}\right)^bT^{-b-d},\; u = -\frac{r}{\tau T},\; p = 0,\; b = -2 - \frac{2d}{\gamma+1}; \qquad
+  r < R:\; \rho = \frac{\gamma+1}{\gamma-1}\rho_0\left(\frac{r}{R_0}\right)^{-2(\gamma+1)/(\gamma-1)},\; u = 0,\;
+  p = \frac{\gamma+1}{2}\rho_0\frac{R_0^2}{\tau^2}$$
+    The gas behind is at rest under a uniform pressure: the strong shock gives $dR/dt = \tfrac12(\gamma-1)R/(\tau T)$, and b is what keeps
+    its pressure constant. Coggeshall has d = 3, gamma = 5, b = -3, and u = r/t with an ingoing shock: with t > 0 that is this flow run
+    backwards, in which the entropy would fall at the shock.
+
+Source: Coggeshall, Phys. Fluids A 3 (1991) 757, problems 20 and 21; places of the shocks, and 21 for any gamma, from the jump conditions.
+"""
+
+import numpy as np
+
+from hugoniot.errors import OutOfRange
+from hugoniot.theory.exact.noh import DIMENSION
+from hugoniot.theory.exact.solution import Solution
+
+
+def coggeshall_noh(geometry: str = "spherical", rate: float = 0.3, speed: float = 1.0, density: float = 1.0) -> Solution:
+    """Noh's implosion in an expanding or contracting frame (Coggeshall): gamma = 1 + 2/d (planar 3, cylindrical 2, spherical 5/3).
+
+    rate: a, the frame's expansion at time 0, negative for contraction; speed: U > 0, inwards; density of the inflow at time 0.
+    Fields: density, velocity, pressure, energy; numbers: gamma, shock_speed. Holds for all times, for negative rates while 1 + a t > 0.
+    """
+    if min(speed, density) <= 0.0:
+        raise OutOfRange(f"Coggeshall's implosion needs positive speed and density, got {speed:g}, {density:g}")
+    d = DIMENSION[geometry]
+    gamma = 1.0 + 2.0 / d
+    shock = 0.5 * (gamma - 1.0) * speed
+
+    def profile(r, time):
+        h, inside = 1.0 + rate * time, r < shock * time
+        ahead = (1.0 + speed * time / np.where(inside, np.inf, r)) ** (d - 1)
+        rho = density * h**-d * np.where(inside, ((gamma + 1.0) / (gamma - 1.0)) ** d, ahead)
+        e = np.where(inside, 0.5 * (speed / h) ** 2, 0.0)
+        return {"density": rho, "velocity": (rate * r - np.where(inside, 0.0, speed)) / h, "pressure": (gamma - 1.0) * rho * e, "energy": e}
+
+    last = np.inf if rate >= 0.0 else (1.0 - 1e-12) / -rate
+    return Solution(f"Coggeshall, Noh in a moving frame, {geometry}", geometry, profile, lambda time: (shock * time,),
+                    {"gamma": gamma, "shock_speed": shock}, (1e-300, last))
+
+
+def coggeshall_stopping(geometry: str = "spherical", gamma: float = 5.0, radius: float = 0.1, density: float = 1.0,
+                        collapse_time: float = 1.0) -> Solution:
+    """Cold gas that falls in and stops behind an outgoing shock, with power laws of the density (Coggeshall).
+
+    radius: of the shock at time 0; density: ahead of it there. Fields: density, velocity, pressure, energy at r > 0.
+    Numbers: slope (b of rho ~ r^b ahead), pressure behind the shock. Holds for time < collapse_time.
+    """
+    if gamma <= 1.0 or min(radius, density, collapse_time) <= 0.0:
+        raise OutOfRange("Coggeshall's stopping gas needs gamma > 1 and a positive radius, density and collapse_time")
+    d, jump = DIMENSION[geometry], (gamma + 1.0) / (gamma - 1.0)
+    slope = -2.0 - 2.0 * d / (gamma + 1.0)
+    pressure = 0.5 * (gamma + 1.0) * density * (radius / collapse_time) ** 2
+
+    def place(time):
+        return radius * (1.0 - time / collapse_time) ** (-0.5 * (gamma - 1.0))
+
+    def profile(r, time):
+        left, inside = 1.0 - time / collapse_time, r < place(time)
+        with np.errstate(divide="ignore"):
+            rho = density * np.where(inside, jump * (r / radius) ** (-2.0 * jump), (r / radius) ** slope * left ** (-slope - d))
+        p = np.where(inside, pressure, 0.0)
+        return {"density": rho, "velocity": np.where(inside, 0.0, -r / (collapse_time * left)), "pressure": p,
+                "energy": p / ((gamma - 1.0) * rho)}
+
+    return Solution(f"Coggeshall, stopping gas, {geometry}", geometry, profile, lambda time: (float(place(time)),),
+                    {"slope": slope, "pressure": pressure}, (0.0, collapse_time * (1.0 - 1e-12)),
+                    lambda time: (0.3 * float(place(time)), 3.0 * float(place(time))))
