@@ -9,7 +9,7 @@ from scipy.optimize import minimize
 from hugoniot.errors import OutOfRange
 from hugoniot.theory.exact import SOLUTIONS
 from hugoniot.theory.exact.kenamond import nested, obstacle, single
-from hugoniot.theory.exact.plate_push import gurney, terminal_velocity
+from hugoniot.theory.exact.plate_push import asymmetric_sandwich, gurney, terminal_velocity
 
 
 @pytest.mark.parametrize("ratio,speed", [(0.1, 4510.3), (0.5, 2358.0), (1.0, 1543.8), (2.0, 926.6), (5.0, 425.0)])
@@ -53,6 +53,22 @@ def test_gurney_formulas_balance_energy_and_momentum(ratio):
     assert v["open"] ** 2 * ratio + (rear**2 + rear * v["open"] + v["open"] ** 2) / 3.0 == pytest.approx(1.0, rel=1e-13)
     with pytest.raises(OutOfRange, match="configuration"):
         gurney("torus", 1.0, 2.7)
+
+
+@pytest.mark.parametrize("plate, tamper", [(0.3, 2.0), (1.0, 0.4), (4.0, 4.0), (0.5, 0.0)])
+def test_a_tamped_plate_balances_momentum_and_energy_of_uniform_gas(plate, tamper):
+    """Unit charge mass with 2E = 1, spread evenly between the plates; momentum and energy summed over thin layers of gas."""
+    v, w = asymmetric_sandwich(plate, tamper, 1.0)
+    gas = -w + (v + w) * (np.arange(100000) + 0.5) / 100000
+    assert plate * v - tamper * w + np.mean(gas) == pytest.approx(0.0, abs=1e-12)
+    assert plate * v**2 + tamper * w**2 + np.mean(gas**2) == pytest.approx(1.0, rel=1e-8)
+
+
+def test_a_tamper_as_heavy_as_the_plate_is_the_symmetric_sandwich_and_a_wall_the_limit():
+    assert asymmetric_sandwich(0.7, 0.7, 2.7) == pytest.approx([gurney("symmetric", 1.4, 2.7)] * 2, rel=1e-13)
+    assert asymmetric_sandwich(0.7, 1e9, 2.7) == pytest.approx([gurney("symmetric", 0.7, 2.7), 0.0], rel=1e-8, abs=1e-8)
+    with pytest.raises(OutOfRange, match="tamper"):
+        asymmetric_sandwich(0.7, -0.1, 2.7)
 
 
 def test_printed_reaction_zone():

@@ -13,6 +13,7 @@ from hugoniot.errors import DeckError
 
 FASTEST = 1e5      # m/s: 5 GJ/kg, a thousand explosives
 SHAPES = ("open", "symmetric", "cylinder", "sphere")
+TAMPED = ("asymmetric", "tamper")
 
 
 def lines(
@@ -43,36 +44,50 @@ def lines(
 
 
 def gurney(
-    explosives: Annotated[list[str] | None, typer.Argument(metavar="[EXPLOSIVE]...", help="Default: all of the library.")] = None,
+    explosives: Annotated[list[str] | None, typer.Argument(
+        metavar="[EXPLOSIVE]...", help="Default: those of the library, tabulated, or derived from their products.")] = None,
     ratio: Annotated[str, typer.Option("--ratio", help="Ratios of metal mass to explosive mass, separated by commas.")] = "1",
+    tamper: Annotated[str | None, typer.Option("--tamper", help="Tamper mass over explosive mass: the asymmetric sandwich.")] = None,
     velocity: Annotated[str | None, typer.Option("--velocity", help='Gurney velocity sqrt(2E) of your own, "2.7 km/s".')] = None,
     as_json: JSON = False,
 ) -> None:
-    """Gurney's velocity of metal: open and symmetric sandwich, cylinder, sphere.
+    """Gurney's velocity of metal: open, symmetric and asymmetric sandwich, cylinder, sphere.
 
     Example: hugoniot eos gurney pbx9404 petn --ratio "0.5, 1, 2"
     """
-    from hugoniot.dossier.gurney import gurney_velocities
+    from hugoniot.dossier.gurney import GurneyVelocity, gurney_velocities
+    from hugoniot.theory.exact.plate_push import asymmetric_sandwich
     from hugoniot.theory.exact.plate_push import gurney as metal_velocity
 
     ratios = [quantity(part.strip(), "1", "--ratio") for part in ratio.split(",")]
+    behind = None if tamper is None else quantity(tamper, "1", "--tamper")
     if velocity is not None:
         if explosives:
             raise DeckError.single("command line", None, "--velocity", "cannot be combined with named explosives", "give one or the other")
         speed = quantity(velocity, "m/s", "--velocity")
         if not 0.0 < speed < FASTEST:
             raise DeckError.single("command line", None, "--velocity", f"{speed:g} m/s is not a Gurney velocity", 'such as "2.7 km/s"')
-        known = [("given", speed, "command line")]
+        known = [GurneyVelocity("given", speed, "command line", False)]
     else:
         known = gurney_velocities(explosives or [])
-    rows = [{"explosive": name, "gurney_velocity": speed, "source": source, "mass_ratio": m,
-             **{shape: metal_velocity(shape, m, speed) for shape in SHAPES}} for name, speed, source in known for m in ratios]
+    rows = []
+    for name, speed, source, derived in known:
+        for m in ratios:
+            row = {"explosive": name, "gurney_velocity": speed, "derived": derived, "source": source, "mass_ratio": m,
+                   **{shape: metal_velocity(shape, m, speed) for shape in SHAPES}}
+            if behind is not None:
+                row |= {"tamper_ratio": behind, **dict(zip(TAMPED, asymmetric_sandwich(m, behind, speed)))}
+            rows.append(row)
     if as_json:
         echo_json(rows)
         return
-    echo_table(["explosive", "sqrt(2E), m/s", "M/C", *(f"{shape}, m/s" for shape in SHAPES)],
-               [(r["explosive"], f"{r['gurney_velocity']:.0f}", f"{r['mass_ratio']:g}", *(f"{r[shape]:.1f}" for shape in SHAPES))
-                for r in rows])
-    echo_notes(sorted({f"Gurney velocities: {r['source']}" for r in rows} | {"the metal velocities are accurate to about 10 %"}))
+    shapes = (*SHAPES, *(TAMPED if behind is not None else ()))
+    echo_table(["explosive", "sqrt(2E), m/s", "", "M/C", *(f"{shape}, m/s" for shape in shapes)],
+               [(r["explosive"], f"{r['gurney_velocity']:.0f}", "derived" if r["derived"] else "", f"{r['mass_ratio']:g}",
+                 *(f"{r[shape]:.1f}" for shape in shapes)) for r in rows])
+    told = {f"Gurney velocities, {r['source']}" if r["derived"] else f"Gurney velocities: {r['source']}" for r in rows}
+    if behind is not None:
+        told.add(f"asymmetric: a plate of M/C and, on the other side, a tamper of N/C = {behind:g}, both outwards")
+    echo_notes(sorted(told | {"the metal velocities are accurate to about 10 %"}))
     if np.max(ratios) > 10.0 or np.min(ratios) < 0.1:
         echo_notes(["Gurney's velocity profile has been tested for M/C between 0.1 and 10"])

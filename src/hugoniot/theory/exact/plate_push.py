@@ -12,7 +12,12 @@ Taking $u + c$ through the reflected shock unchanged conserves neither its momen
 M/C = 0.1 and 1.0 % at M/C = 5, of products $p = K\rho^3$ 0.25 and 1.3 % slower (`docs/theory/detonation.md`, B22).
 
 **Gurney.** A linear velocity profile and uniform energy release E: $v/\sqrt{2E} = (\mu + k)^{-1/2}$, mu = M/C, with k = 1/3 (symmetric
-sandwich, M both plates), 1/2 (cylinder), 3/5 (sphere); open sandwich $\left[\mu + \tfrac{1 + (1+2\mu)^3}{6(1+\mu)}\right]^{-1/2}$.
+sandwich, M both plates), 1/2 (cylinder), 3/5 (sphere). Asymmetric sandwich with a tamper of mass N, nu = N/C, which moves at A v the
+other way; momentum gives A, energy v:
+
+$$A = \frac{1 + 2\mu}{1 + 2\nu}, \qquad \frac{v}{\sqrt{2E}} = \left[\mu + \nu A^2 + \frac{1 + A^3}{3(1 + A)}\right]^{-1/2}$$
+
+The open sandwich has no tamper.
 
 Source: Aziz, Hurwitz & Sternberg, Phys. Fluids 4 (1961) 380; Gurney, BRL Report 405 (1943); both re-derived.
 """
@@ -65,12 +70,24 @@ def gurney(configuration: str, mass_ratio: float, gurney_velocity: float) -> flo
     configuration "open" (sandwich with one plate), "symmetric", "cylinder" or "sphere"; mass_ratio = M/C, where M counts both
     plates of the symmetric sandwich; gurney_velocity = sqrt(2E), m/s.
     """
+    if configuration == "open":
+        return asymmetric_sandwich(mass_ratio, 0.0, gurney_velocity)[0]
     if mass_ratio <= 0.0:
         raise OutOfRange(f"mass_ratio = {mass_ratio:g} must be positive")
-    if configuration == "open":
-        energy = mass_ratio + (1.0 + (1.0 + 2.0 * mass_ratio) ** 3) / (6.0 * (1.0 + mass_ratio))
-    elif configuration in GURNEY_CONSTANT:
-        energy = mass_ratio + GURNEY_CONSTANT[configuration]
-    else:
+    if configuration not in GURNEY_CONSTANT:
         raise OutOfRange(f"configuration = {configuration!r} must be one of open, {', '.join(GURNEY_CONSTANT)}")
-    return gurney_velocity / float(np.sqrt(energy))
+    return gurney_velocity / float(np.sqrt(mass_ratio + GURNEY_CONSTANT[configuration]))
+
+
+def asymmetric_sandwich(mass_ratio: float, tamper_ratio: float, gurney_velocity: float) -> tuple[float, float]:
+    """Gurney's velocities of a plate and of the tamper on the other side of the explosive, both positive outwards, m/s.
+
+    mass_ratio = M/C of the plate, tamper_ratio = N/C of the tamper, 0 for none (then the second velocity is that of the gas there);
+    gurney_velocity = sqrt(2E), m/s.
+    """
+    if mass_ratio <= 0.0 or tamper_ratio < 0.0:
+        raise OutOfRange(f"mass_ratio = {mass_ratio:g} must be positive, tamper_ratio = {tamper_ratio:g} not negative")
+    ratio = (1.0 + 2.0 * mass_ratio) / (1.0 + 2.0 * tamper_ratio)
+    energy = mass_ratio + tamper_ratio * ratio**2 + (1.0 + ratio**3) / (3.0 * (1.0 + ratio))
+    plate = gurney_velocity / float(np.sqrt(energy))
+    return plate, ratio * plate
