@@ -19,6 +19,7 @@ def list_materials(
     everything: Annotated[bool, typer.Option("--all", help="Also rows of the tables that have not been curated.")] = False,
     summary: Annotated[bool, typer.Option("--summary", help="Only totals: materials, rows, rows unverified against print.")] = False,
     counts: Annotated[bool, typer.Option("--counts", help="Only counts of materials by kind, and of rows by source.")] = False,
+    gamma_law: Annotated[bool, typer.Option("--gamma-law", help="Explosives as gamma-law gases (density, Q, gamma), derived.")] = False,
     materials: MATERIALS = None,
     as_json: JSON = False,
 ) -> None:
@@ -27,6 +28,13 @@ def list_materials(
     Example: hugoniot material list explosive
     """
     from hugoniot.materials import library
+
+    if gamma_law:
+        if category.lower() not in ("", "explosive") or materials or summary or counts:
+            raise DeckError.single("material list", None, "--gamma-law", "is a list of the library's explosives",
+                                   "give it alone, or with --all for single rows too")
+        _gamma_laws(everything, as_json)
+        return
 
     if summary or counts:
         (_summary if summary else _counts)(as_json)
@@ -205,6 +213,24 @@ def _counts(as_json: bool) -> None:
     echo_table(["kind", "curated", "rows only", "of which shock", "static compression", "all"],
                [*lines, ("all", *map(str, sums), str(sums[0] + sums[1]))])
     echo_table(["source of rows", "rows"], [(name[:70], str(n)) for name, n in list(sources.items())[:25]])
+
+
+def _gamma_laws(everything: bool, as_json: bool) -> None:
+    from hugoniot.dossier.gamma_law import gamma_laws
+
+    found = gamma_laws(everything)
+    if as_json:
+        echo_json([{**law._asdict(), "marks": list(law.marks), "derived": True} for law in found])
+        return
+    echo_table(["explosive", "density, kg/m3", "Q, MJ/kg", "gamma", "", "from D, m/s", "and p_CJ, GPa", "of row"],
+               [(law.name, f"{law.density:g}", f"{law.heat * 1e-6:.4g}", f"{law.gamma:.4g}", "derived", f"{law.detonation_velocity:.0f}",
+                 f"{law.cj_pressure * 1e-9:.2f}", law.row) for law in found])
+    typer.echo("")
+    for law in found:
+        for mark in law.marks:
+            typer.secho(f"WARNING {mark}", fg="yellow")
+    typer.echo("derived: gamma = rho0 D^2/p_CJ - 1 and Q = D^2/(2 (gamma^2 - 1)) give a gamma-law gas the CJ state of the products;\n"
+               "Q is not the heat of detonation, and away from the CJ state the gas differs from the products")
 
 
 def _summary(as_json: bool) -> None:

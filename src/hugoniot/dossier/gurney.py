@@ -36,7 +36,7 @@ def gurney_velocities(names: Sequence[str] = ()) -> list[GurneyVelocity]:
     if not names:
         others = [entry for entry in _explosives() if _stated(entry) is None]
         return [_tabulated(row.material, row) for row in rows] + [
-            GurneyVelocity(entry.title, derived_velocity(entry), DERIVED, True) for entry in others]
+            _derived(entry.title, entry) for entry in others]
     found = []
     for name in names:
         row = next((row for row in rows if spelling(row.material) == spelling(name)), None)
@@ -48,7 +48,7 @@ def gurney_velocities(names: Sequence[str] = ()) -> list[GurneyVelocity]:
         if stated is not None:
             found.append(GurneyVelocity(name, float(stated.value), stated.source, False))
         elif "reacted" in EOS.of(entry.material.eos).flags:
-            found.append(GurneyVelocity(name, derived_velocity(entry), DERIVED, True))
+            found.append(_derived(name, entry))
         else:
             raise DeckError.single("library", None, name, "is not an explosive with products", "tabulated: "
                                    + ", ".join(row.material for row in rows) + '; or give --velocity "2.7 km/s"')
@@ -61,6 +61,10 @@ def derived_velocity(entry: Entry) -> float:
     rho0, e0 = reference_state(products)
     end = isentrope(products, cj(products).state, density=rho0 / EXPANSION)
     return float((2.0 * (e0 - end.specific_internal_energy)) ** 0.5)
+
+
+def _derived(name: str, entry: Entry) -> GurneyVelocity:
+    return GurneyVelocity(name, derived_velocity(entry), "; ".join((DERIVED, *schema.row(entry.rows[0]).marks)), True)
 
 
 def _tabulated(name: str, row: schema.Row) -> GurneyVelocity:

@@ -7,8 +7,11 @@ import pytest
 
 from hugoniot.cli import main as front
 from hugoniot.dossier import curves
+from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.materials import library, schema
 from hugoniot.materials.search import matches, nearest, spelling
+from hugoniot.theory.chapman_jouguet import cj
+from hugoniot.theory.hugoniot import Initial
 
 
 def call(capsys, *arguments):
@@ -28,6 +31,21 @@ def test_list(capsys):
     assert len(everything) >= 180
     code, _, err = call(capsys, "list", "cheese")
     assert code == 2 and "cheese" in err and "explosive" in err
+
+
+def test_explosives_as_gamma_laws_detonate_as_their_products_do(capsys):
+    """The search for the tangency, which knows no gamma law, finds the CJ state of the products again."""
+    laws = {law["name"]: law for law in json.loads(call(capsys, "list", "explosive", "--gamma-law", "--json")[1])}
+    assert set(laws) == {hit.name for hit in library.listings() if hit.curated and hit.category == "explosive"}
+    for name in ("comp_b", "tnt", "anfo", "hmx"):
+        law, products = laws[name], cj(library.find(name).eos)
+        found = cj(IdealGas(law["gamma"]), Initial(law["density"], 0.0, 0.0, heat=law["heat"]))
+        assert found.detonation_velocity == pytest.approx(products.detonation_velocity, rel=1e-9) and law["derived"]
+        assert found.state.pressure == pytest.approx(products.state.pressure, rel=1e-9)
+        assert found.state.density == pytest.approx(products.state.density, rel=1e-9)
+    code, out, _ = call(capsys, "list", "--gamma-law", "--all")
+    assert code == 0 and "Cyclotol 77/23" in out and "derived" in out and "(unreacted)" not in out
+    assert call(capsys, "list", "metal", "--gamma-law")[0] == 2
 
 
 def test_summary_counts_what_is_unverified(capsys):
