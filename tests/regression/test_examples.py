@@ -56,6 +56,27 @@ def test_an_example_runs_and_keeps_its_energy(name, ran):
         assert abs(summary[error]) < 1e-12, error
 
 
+@pytest.mark.parametrize("changes, stress, step", [({}, 16.91e9, 1.00e9), ({"k1": 2.184, "k2": 1.793, "k3": -0.72}, 17.66e9, 1.09e9)])
+def test_plates(ran, tmp_path, changes, stress, step):
+    """Both readings of Herrmann's aluminium at 2 us: the plateau, and the stress over which the release turns the deviator round."""
+    run = ran("plates")
+    if changes:
+        short = {f"material.aluminium.eos.{k}": v for k, v in changes.items()} | {"stop_time": "2 us", "region.target.to": "16 mm",
+                                                                                  "region.target.zones": 160}
+        run = simulate.run(read_deck(EXAMPLES / "plates.toml", short), tmp_path / "other.run", report=False)
+    else:
+        last = run.arrays("snapshots")["stress"][-1]
+        assert last.max() == pytest.approx(12.4e9, rel=0.01)
+    snapshots = run.arrays("snapshots")
+    at = int(np.argmin(abs(snapshots["time"] - 2e-6)))
+    found, deviator = snapshots["stress"][at], snapshots["deviator_radial"][at]
+    assert found.max() == pytest.approx(stress, rel=2e-3)
+    limit = 0.99 * 2.0 / 3.0 * 0.276e9
+    released = np.flatnonzero(deviator[:np.argmax(found)] > limit)[-1]
+    loaded = released + np.flatnonzero(deviator[released:] < -limit)[0]
+    assert found[loaded] - found[released] == pytest.approx(step, rel=0.02)
+
+
 def test_flyer(ran):
     run = ran("flyer")
     for gauge, start in (("1 mm into target", 0.4e-6), ("2 mm into target", 0.5e-6)):
