@@ -17,6 +17,7 @@ from hugoniot.dossier.describe import described, summary
 from hugoniot.laws.eos.contract import EOS, pressure, reference_state
 from hugoniot.laws.eos.jwl import JWL
 from hugoniot.materials import library, marks, schema
+from hugoniot.materials.counts import known
 from hugoniot.materials.record import material_record
 from hugoniot.problem.deck import read_deck_text
 from hugoniot.theory.chapman_jouguet import cj
@@ -135,6 +136,16 @@ def test_counts():
     recalled = sum(r.status == "recalled" for r in schema.all_rows())
     assert counts["rows_unverified_against_print"] == recalled == 47
     assert counts["measured_states"] == 993
+
+
+def test_the_page_on_provenance_counts_as_the_library_does():
+    text = " ".join((Path(__file__).parents[2] / "docs" / "materials" / "provenance.md").read_text(encoding="utf-8").split())
+    rows, ranges, deviations, presses, highest, spread, spall = known().values()
+    assert f"Of {rows} Us-up rows {ranges} have a range in particle velocity and {deviations} standard deviations" in text
+    assert f"Of {presses} static compressions {highest} have a highest pressure and {spread} a standard deviation" in text
+    used = [name for name in library.index() if library.find(name).fracture is not None]
+    assert f"{spall} rows have a spall strength" in text and f"and {len(used)} curated materials use one" in text
+    assert f"has {summary()['measured_states']} of their states" in text
 
 
 def test_curated_files_and_index_agree():

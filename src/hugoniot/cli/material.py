@@ -18,7 +18,7 @@ def list_materials(
     category: Annotated[str, typer.Argument(help="Only this category, such as metal, polymer, rock, gas, explosive.")] = "",
     everything: Annotated[bool, typer.Option("--all", help="Also rows of the tables that have not been curated.")] = False,
     summary: Annotated[bool, typer.Option("--summary", help="Only totals: materials, rows, rows unverified against print.")] = False,
-    counts: Annotated[bool, typer.Option("--counts", help="Only counts of materials by kind, and of rows by source.")] = False,
+    counts: Annotated[bool, typer.Option("--counts", help="Only counts: materials by kind, rows by source and by what they have.")] = False,
     gamma_law: Annotated[bool, typer.Option("--gamma-law", help="Explosives as gamma-law gases (density, Q, gamma), derived.")] = False,
     materials: MATERIALS = None,
     as_json: JSON = False,
@@ -201,11 +201,11 @@ def _echo_listings(rows: list[dict], as_json: bool) -> None:
 
 
 def _counts(as_json: bool) -> None:
-    from hugoniot.materials.counts import by_kind, by_source
+    from hugoniot.materials.counts import by_kind, by_source, known
 
     kinds, sources = by_kind(), by_source()
     if as_json:
-        echo_json({"kinds": kinds, "sources": sources})
+        echo_json({"kinds": kinds, "sources": sources, "known": known()})
         return
     keys = ("curated", "rows_only", "shock", "compression")
     lines = [(name, *(str(count[k]) for k in keys), str(count["curated"] + count["rows_only"])) for name, count in kinds.items()]
@@ -213,6 +213,7 @@ def _counts(as_json: bool) -> None:
     echo_table(["kind", "curated", "rows only", "of which shock", "static compression", "all"],
                [*lines, ("all", *map(str, sums), str(sums[0] + sums[1]))])
     echo_table(["source of rows", "rows"], [(name[:70], str(n)) for name, n in list(sources.items())[:25]])
+    echo_table(["what is known", "rows"], [(name, str(n)) for name, n in known().items()])
 
 
 def _gamma_laws(everything: bool, as_json: bool) -> None:

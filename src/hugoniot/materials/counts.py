@@ -36,3 +36,18 @@ def by_source(rows: Iterable[schema.Row] | None = None) -> dict[str, int]:
     """First words of the source, up to the first comma or semicolon -> number of rows."""
     count = Counter(row.source.replace(";", ",").split(",")[0].strip() for row in (schema.all_rows() if rows is None else rows))
     return dict(count.most_common())
+
+
+def known() -> dict[str, int]:
+    """How many rows have what few of them have: words -> number."""
+    shocks, presses = (list(schema.table(name).values()) for name in ("us_up", "compression"))
+    return {
+        "Us-up rows": len(shocks), "with a range": _with(shocks, "up_max"), "with standard deviations": _with(shocks, "c0_deviation"),
+        "static compressions": len(presses), "with a highest pressure": _with(presses, "p_max"),
+        "with a standard deviation": _with(presses, "bulk_modulus_deviation"),
+        "spall strengths": _with(schema.table("strength").values(), "spall_strength"),
+    }
+
+
+def _with(rows: Iterable[schema.Row], quantity: str) -> int:
+    return sum(quantity in row for row in rows)
