@@ -22,12 +22,13 @@ DERIVED = (f"derived: energy of the products' own isentrope down to V = {EXPANSI
 
 
 class GurneyVelocity(NamedTuple):
-    """sqrt(2E) of an explosive in m/s, where it is from, and whether it was derived from its products."""
+    """sqrt(2E) of an explosive in m/s, where it is from, whether it was derived from its products, and what is doubtful about it."""
 
     explosive: str
     velocity: float
     source: str
     derived: bool
+    marks: tuple[str, ...] = ()
 
 
 def gurney_velocities(names: Sequence[str] = ()) -> list[GurneyVelocity]:
@@ -64,11 +65,11 @@ def derived_velocity(entry: Entry) -> float:
 
 
 def _derived(name: str, entry: Entry) -> GurneyVelocity:
-    return GurneyVelocity(name, derived_velocity(entry), "; ".join((DERIVED, *schema.row(entry.rows[0]).marks)), True)
+    return GurneyVelocity(name, derived_velocity(entry), DERIVED, True, schema.row(entry.rows[0]).marks)
 
 
 def _tabulated(name: str, row: schema.Row) -> GurneyVelocity:
-    return GurneyVelocity(name, float(row["gurney_velocity"]), "; ".join((row.source, *row.marks)), False)
+    return GurneyVelocity(name, float(row["gurney_velocity"]), row.source, False, row.marks)
 
 
 def _stated(entry: Entry):

@@ -71,9 +71,9 @@ def gurney(
     else:
         known = gurney_velocities(explosives or [])
     rows = []
-    for name, speed, source, derived in known:
+    for name, speed, source, derived, marks in known:
         for m in ratios:
-            row = {"explosive": name, "gurney_velocity": speed, "derived": derived, "source": source, "mass_ratio": m,
+            row = {"explosive": name, "gurney_velocity": speed, "derived": derived, "source": source, "marks": list(marks), "mass_ratio": m,
                    **{shape: metal_velocity(shape, m, speed) for shape in SHAPES}}
             if behind is not None:
                 row |= {"tamper_ratio": behind, **dict(zip(TAMPED, asymmetric_sandwich(m, behind, speed)))}
@@ -85,7 +85,7 @@ def gurney(
     echo_table(["explosive", "sqrt(2E), m/s", "", "M/C", *(f"{shape}, m/s" for shape in shapes)],
                [(r["explosive"], f"{r['gurney_velocity']:.0f}", "derived" if r["derived"] else "", f"{r['mass_ratio']:g}",
                  *(f"{r[shape]:.1f}" for shape in shapes)) for r in rows])
-    told = {f"Gurney velocities, {r['source']}" if r["derived"] else f"Gurney velocities: {r['source']}" for r in rows}
+    told = {f"Gurney velocities{',' if r['derived'] else ':'} {r['source']}" for r in rows} | {mark for r in rows for mark in r["marks"]}
     if behind is not None:
         told.add(f"asymmetric: a plate of M/C and, on the other side, a tamper of N/C = {behind:g}, both outwards")
     echo_notes(sorted(told | {"the metal velocities are accurate to about 10 %"}))
