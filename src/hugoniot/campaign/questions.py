@@ -193,7 +193,7 @@ class Match(Asked):
             owner = next((name for name in names.values() if key.startswith(f"material.{name}.")), None)
             parts = key[len(f"material.{owner}."):].split(".") if owner else []
             if owner is None or len(parts) != 2:
-                hint = f"there are velocity, {', '.join(names)}, and material.{next(iter(names.values()))}.eos.c0 and its like"
+                hint = f"known: velocity, {', '.join(names)}, and keys such as material.{next(iter(names.values()))}.eos.c0"
                 raise DeckError.single("match", None, key, "no such input of an impedance match", hint)
             tables.setdefault(owner, {"base": owner}).setdefault(parts[0], {})[parts[1]] = value
         if "velocity" not in changes:

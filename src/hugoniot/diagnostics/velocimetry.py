@@ -9,11 +9,11 @@ The spall strength follows from the pull-back $\Delta u$ of the free-surface vel
 $$\sigma = \tfrac12\,\rho_0\,c_0\,\Delta u$$
 
 (S. A. Novikov, I. I. Divnov, A. G. Ivanov, Phys. Met. Metall. 21 (1966) 608), with c0 the bulk sound speed. In an elastic-plastic body
-the front of the spall pulse runs at the longitudinal speed $c_l$ and overtakes release at $c_b$, which lowers the observed pull-back:
+the front of the spall pulse runs at the longitudinal speed $c_l$ and overtakes the release at $c_b$, which lowers the observed pull-back:
 
 $$\sigma = \rho_0\,c_l\,\Delta u\,\frac{1}{1 + c_l/c_b}$$
 
-(V. I. Romanchenko, G. V. Stepanov, J. Appl. Mech. Tech. Phys. 21 (1980) 555). Over the way h from the spall plane to the surface the
+(V. I. Romanchenko, G. V. Stepanov, J. Appl. Mech. Tech. Phys. 21 (1980) 555). Over the distance h from the spall plane to the surface the
 elastic front also erodes a short tension pulse; G. I. Kanel, J. Appl. Mech. Tech. Phys. 42 (2001) 358, adds to the pull-back
 
 $$\delta = \left(\frac{h}{c_b} - \frac{h}{c_l}\right)\frac{|\dot u_1|\,\dot u_2}{|\dot u_1| + \dot u_2}$$
