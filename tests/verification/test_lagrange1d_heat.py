@@ -151,6 +151,8 @@ def test_a_pulse_shorter_than_the_first_step_is_resolved():
 
 @pytest.mark.parametrize("source, words", [
     ("", "one of power and intensity"),
+    ("power = -1e9", "below absolute zero"),
+    ("power = {times = [0.0, 1e-6], values = [1e9, -1e9]}", "below absolute zero"),
     ("power = 1e9\nintensity = 1e9", "one of power and intensity"),
     ('power = 1e9\nabsorption_length = "1 mm"', "applies to an intensity"),
     ('power = 1e9\ndepths = ["1 mm", "3 mm"]', "as many weights as depths"),
