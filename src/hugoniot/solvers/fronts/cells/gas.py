@@ -223,7 +223,7 @@ def hllc(grid, rules, work, n):
         for k in range(3):
             value = w[RIGHT + LAM + k, i] if left else w[LEFT + LAM + k, f]
             w[INTO_LEFT + k, f] = w[INTO_RIGHT + k, f] = value
-        if is_solid(rules, grid.region[i]) and not grid.marked[f]:
+        if is_solid(rules, grid.region[i]) and grid.region[i] == grid.region[f]:
             w[INTO_LEFT + 1, f] = w[INTO_RIGHT + 1, f] = w[RIGHT + VOLUME, i] / rl if left else w[LEFT + VOLUME, f] / rr
 
 
