@@ -92,6 +92,7 @@ class Changes:
         for k, side in enumerate((-1, 1)):
             if self.flow.outside[k] in ("wall", "pressure"):
                 (bench.walls if self.flow.outside[k] == "wall" else bench.pressures)[side] = self.flow.drive(k, time)
+        mesh.touch(face, face)
         left, right = pieces_at(self.flow, mesh, face)
         if any(piece.region >= self.flow.bench.unburned for piece in (left, right)):
             if not burning:

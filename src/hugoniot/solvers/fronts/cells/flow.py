@@ -141,6 +141,7 @@ class Flow:
         mesh.x, mesh.q, mesh.given, mesh.push = grid.x, grid.q, grid.given, grid.push
         for front, row in zip(mesh.fronts, rows):
             front.speed, front.strength = float(row[tables.SPEED_OF]), float(row[tables.STRENGTH])
+            front.fan = front.fan if row[tables.FAN] else None
         if why == march.UNSOUND:
             self._refuse(mesh)
         return why
@@ -148,7 +149,8 @@ class Flow:
     @staticmethod
     def _rows(mesh: Mesh) -> np.ndarray:
         """The table of fronts."""
-        return np.array([[f, tables.KINDS.index(front.kind), front.speed, front.direction, front.strength, front.least]
+        return np.array([[f, tables.KINDS.index(front.kind), front.speed, front.direction, front.strength, front.least,
+                          float(front.fan is not None)]
                          for f, front in zip(mesh.faces().tolist(), mesh.fronts)], dtype=float)
 
     def _by_python(self, mesh: Mesh, grid: Grid, rows: np.ndarray, goal: float) -> int:
