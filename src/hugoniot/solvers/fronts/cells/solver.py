@@ -154,7 +154,7 @@ class Cells(Reading):
         return 0.0 if mesh.region[beyond] == EMPTY else point.sigma
 
     def _point(self, region: int, column: CellColumn, fraction: float):
-        return column.point(fraction)[1:]
+        return column.point(fraction)
 
     def column(self, region: int) -> CellColumn:
         """The material of a region now."""
