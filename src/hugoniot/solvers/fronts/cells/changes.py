@@ -9,9 +9,11 @@ from hugoniot.solvers.fronts.cells import tables
 from hugoniot.solvers.fronts.cells.births import bear, collapse, ignite
 from hugoniot.solvers.fronts.cells.detonations import UNLIT, light_face
 from hugoniot.solvers.fronts.cells.flow import Flow
-from hugoniot.solvers.fronts.cells.mesh import Front, Mesh, adjust
+from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh, adjust
 from hugoniot.solvers.fronts.cells.start import pieces_at
 from hugoniot.solvers.fronts.cells.steepening import track
+
+EDGE = 10          # cells from nothing within which one without a valid state is joined to its neighbour
 
 
 class Changes:
@@ -24,7 +26,7 @@ class Changes:
 
     def __init__(self, flow: Flow, length: float, most: int, log, ended):
         self.flow, self.length, self.most, self.log, self.ended = flow, length, most, log, ended
-        self.meetings = self.captured = self.untracked = self.formed = 0
+        self.meetings = self.captured = self.untracked = self.formed = self.joined = 0
 
     def after_step(self, mesh: Mesh, time: float) -> None:
         """Do what the step calls for."""
@@ -48,6 +50,25 @@ class Changes:
         if cell >= 0 and track(mesh, self.flow.work.w, cell, direction, time):
             self.formed += 1
             self.log("formed", time, x, "a compression has become a shock, which is followed")
+
+    def join(self, mesh: Mesh) -> bool:
+        """Join the cell without a valid state to its neighbour if it is one of the last of a gas that expands to nothing.
+
+        There the sound speed falls to zero, and what is left of the total energy as heat is of the size of its error.
+        """
+        flow, at = self.flow, mesh.faces()
+        k = int(flow.work.numbers[tables.LIMITING])
+        right = int(np.searchsorted(at, k, side="right"))
+        low, high = int(at[right - 1]), int(at[right])
+        if flow.rules.traits[mesh.region[k] % len(flow.laws), tables.GAS] == 0.0 or high - low < 3:
+            return False
+        for away, cell, outside in ((k - low, low - 1, flow.outside[0]), (high - 1 - k, high, flow.outside[1])):
+            nothing = mesh.region[cell] == EMPTY if 0 <= cell < len(mesh.q) else outside == "vacuum"
+            if nothing and away < EDGE:
+                mesh.remove_face(k if k > low else k + 1)
+                self.joined += 1
+                return True
+        return False
 
     def _meet(self, mesh: Mesh, first: int, last: int, time: float) -> None:
         inside = mesh.fronts[_order(mesh, first):_order(mesh, last) + 1]

@@ -6,7 +6,7 @@ from hugoniot.solvers.fronts.cells import fans, tables
 from hugoniot.solvers.fronts.cells.mesh import Front, Mesh
 from hugoniot.solvers.fronts.record import COLUMNS
 
-_COUNTS = ("meetings", "captured", "untracked", "formed")
+_COUNTS = ("meetings", "captured", "untracked", "formed", "joined")
 
 
 def payload(solver) -> dict:

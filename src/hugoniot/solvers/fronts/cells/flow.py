@@ -142,8 +142,6 @@ class Flow:
         for front, row in zip(mesh.fronts, rows):
             front.speed, front.strength = float(row[tables.SPEED_OF]), float(row[tables.STRENGTH])
             front.fan = front.fan if row[tables.FAN] else None
-        if why == march.UNSOUND:
-            self._refuse(mesh)
         return why
 
     @staticmethod
@@ -161,7 +159,8 @@ class Flow:
         march.close_step(grid, self.rules, self.work, rows, len(rows), dt, longest if numbers[tables.MEETS] else dt, goal)
         return march.CHANGE if march.calls_for_change(grid, self.rules, self.work, rows, len(rows)) else march.DONE
 
-    def _refuse(self, mesh: Mesh) -> None:
+    def refuse(self, mesh: Mesh) -> None:
+        """Raise `UnphysicalState` for the cell that has no valid state."""
         k, w = int(self.work.numbers[tables.LIMITING]), self.work.w
         rho, u, e = w[:3, k]
         raise UnphysicalState(f"a cell of density {rho:.6g} kg/m3 and energy {e:.6g} J/kg has no valid state (velocity {u:.6g} m/s)",
