@@ -12,6 +12,7 @@ from hugoniot.solvers.fronts.cells.flow import Flow
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh, adjust
 from hugoniot.solvers.fronts.cells.start import pieces_at
 from hugoniot.solvers.fronts.cells.steepening import track
+from hugoniot.solvers.fronts.meeting import solve
 
 EDGE = 10          # cells from nothing within which one without a valid state is joined to its neighbour
 
@@ -110,11 +111,8 @@ class Changes:
     def _bear(self, mesh: Mesh, face: int, time: float, burning: bool = False):
         followed = len(mesh.fronts) < self.most
         bench = self.flow.bench
-        for k, side in enumerate((-1, 1)):
-            if self.flow.outside[k] in ("wall", "pressure"):
-                (bench.walls if self.flow.outside[k] == "wall" else bench.pressures)[side] = self.flow.drive(k, time)
         mesh.touch(face, face)
-        left, right = pieces_at(self.flow, mesh, face)
+        left, right = self._sides(mesh, face, time)
         if any(piece.region >= self.flow.bench.unburned for piece in (left, right)):
             if not burning:
                 raise OutOfRange(UNLIT)
@@ -122,8 +120,30 @@ class Changes:
         self.captured += not followed
         return bear(mesh, face, left, right, time, bench, followed)
 
+    def _sides(self, mesh: Mesh, face: int, time: float):
+        """What stands on the left and right of a face, the ends driven as they are at a time."""
+        bench = self.flow.bench
+        for k, side in enumerate((-1, 1)):
+            if self.flow.outside[k] in ("wall", "pressure"):
+                (bench.walls if self.flow.outside[k] == "wall" else bench.pressures)[side] = self.flow.drive(k, time)
+        return pieces_at(self.flow, mesh, face)
+
+    def follow_weak_starts(self, mesh: Mesh) -> None:
+        """Where no wave of the start is as strong as the weakest to be followed, a tenth of the strongest takes its place.
+
+        Elastic waves have their own measure. What is weaker by more than a factor of ten counts as rest.
+        """
+        bench, strongest = self.flow.bench, 0.0
+        for face in mesh.faces().tolist():
+            if not self._beside_explosive(mesh, face):
+                found = solve(*self._sides(mesh, face, 0.0), bench, False)
+                strongest = max([strongest, *(wave.strength for wave in (*found.left, *found.right) if not wave.elastic)])
+        if 0.1 * bench.weakest < strongest < bench.weakest:
+            bench.weakest = self.flow.rules.numbers[tables.WEAKEST] = 0.1 * strongest
+
     def begin(self, mesh: Mesh, lit: list[float]) -> None:
         """The waves that leave every line at t = 0, and the explosive at the places `lit`."""
+        self.follow_weak_starts(mesh)
         fired = {self._mark(mesh, x) for x in lit}
         fired = {float(mesh.x[f]) for f in range(len(mesh.x)) if float(mesh.x[f]) in fired}
         for face in reversed(mesh.faces().tolist()):
