@@ -50,7 +50,7 @@ class Changes:
         x = float(mesh.middle[cell])
         if cell >= 0 and track(mesh, self.flow.work.w, cell, direction, time):
             self.formed += 1
-            self.log("formed", time, x, "a compression has become a shock, which is followed")
+            self.log("formed", time, x, "a compression has become a shock, which is now tracked")
 
     def join(self, mesh: Mesh) -> bool:
         """Join the cell without a valid state to its neighbour if it is one of the last of a gas that expands to nothing.
@@ -186,7 +186,7 @@ class Changes:
         for f in sorted({*self.flow.flagged(0, mesh), *crowd}, reverse=True):
             front = mesh.fronts[_order(mesh, f)]
             self.ended(front, time, float(mesh.x[f]))
-            self.log("released", time, float(mesh.x[f]), f"{front.kind} is followed no longer: "
+            self.log("released", time, float(mesh.x[f]), f"{front.kind} is no longer tracked: "
                      + ("other waves are too close" if f in crowd else "it has decayed"))
             mesh.release(f)
             self.untracked += 1
