@@ -35,12 +35,15 @@ def waves(time, values, most: int | None = None) -> list[Wave]:
     Half of the height is where a captured shock stands, however thick it is: the viscous profile is nearly symmetric about it.
     """
     time, change = np.asarray(time, dtype=float), np.asarray(values, dtype=float) - values[0]
-    largest = float(np.max(np.abs(change), initial=0.0))
+    size = np.abs(change)
+    largest = float(np.max(size, initial=0.0))
     if largest == 0.0:
         return []
-    change = change * np.sign(change[np.argmax(np.abs(change) >= SMALLEST_WAVE * largest)])
+    change = change * np.sign(change[np.argmax(size >= SMALLEST_WAVE * largest)])
     with np.errstate(divide="ignore", invalid="ignore"):
-        rates = np.nan_to_num(np.diff(change) / np.diff(time), nan=0.0)
+        rates = (change[1:] - change[:-1]) / (time[1:] - time[:-1])
+    if not np.isfinite(rates).all():
+        rates = np.nan_to_num(rates, nan=0.0)
     found, k, top = [], 0, int(np.argmax(change))
     while k < top and len(found) != most:
         low, (k, over) = k, _end_of_rise(change, rates, k, SMALLEST_WAVE * largest)

@@ -25,6 +25,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+QUARTILES = (0.25, 0.5, 0.75)
+
 
 class PullBack(NamedTuple):
     """peak: velocity (m/s, see `plateau`) and time (s) before the drop; minimum: the same at its bottom; rebound: the highest after it."""
@@ -122,8 +124,7 @@ def flat_top(time, values) -> float:
 
     time (n,) s, values (n,), n >= 1.
     """
-    weight = durations(time)
-    return level_over(weight, values, flat_stretch(weight, values))
+    return flat_stretch(durations(time), values)[1]
 
 
 def durations(time) -> np.ndarray:
@@ -132,8 +133,8 @@ def durations(time) -> np.ndarray:
     return np.gradient(time) if len(time) > 1 else np.zeros(len(time))
 
 
-def flat_stretch(weight, values) -> slice:
-    """Where a record stands on its flat top for the first time; empty if the top is not flat.
+def flat_stretch(weight, values) -> tuple[slice, float]:
+    """(where a record stands on its flat top for the first time, its level there as of `level_over`); empty and NaN if the top is not flat.
 
     weight (n,) s of `durations`, values (n,), n >= 1. The height of the record is what it exceeds for a twentieth of the time that it
     spends above half of its highest value. Of the stretches that last at least as long within 5 % of that height, it is the first that is
@@ -142,7 +143,7 @@ def flat_stretch(weight, values) -> slice:
     values = np.asarray(values, dtype=float)
     highest = float(np.max(values))
     if len(values) < 3 or not highest > 0.0:
-        return slice(0, 0)
+        return slice(0, 0), float("nan")
     above = values >= 0.5 * highest
     height = float(_over_time(values[above], weight[above], [0.95])[0])
     near = np.concatenate([[False], np.abs(values - height) <= 0.05 * height, [False]])
@@ -150,8 +151,12 @@ def flat_stretch(weight, values) -> slice:
     # none, where the height lies between the points of a coarse record
     stretches = [slice(int(i), int(k)) for i, k in zip(edges[::2], edges[1::2])]
     least = 0.05 * np.sum(weight[above])
-    lasting = (part for part in stretches if np.sum(weight[part]) >= least)
-    return next((part for part in lasting if np.isfinite(level_over(weight, values, part, height))), slice(0, 0))
+    for part in stretches:
+        if np.sum(weight[part]) >= least:
+            quartiles = _over_time(values[part], weight[part], QUARTILES)
+            if np.isfinite(_level(quartiles, height)):
+                return part, _level(quartiles)
+    return slice(0, 0), float("nan")
 
 
 def level_over(weight, values, stretch: slice, scale: float | None = None) -> float:
@@ -162,7 +167,12 @@ def level_over(weight, values, stretch: slice, scale: float | None = None) -> fl
     part = np.asarray(values, dtype=float)[stretch]
     if not len(part):
         return float("nan")
-    low, middle, high = _over_time(part, weight[stretch], [0.25, 0.5, 0.75])
+    return _level(_over_time(part, weight[stretch], QUARTILES), scale)
+
+
+def _level(quartiles, scale: float | None = None) -> float:
+    """The median, if the quartiles lie within 0.5 % of the scale (default: its size); else NaN."""
+    low, middle, high = quartiles
     return float(middle) if high - low <= 0.005 * (abs(middle) if scale is None else scale) else float("nan")
 
 

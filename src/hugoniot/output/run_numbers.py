@@ -54,11 +54,11 @@ def _levels(time, velocity, stress, arrival: float, moved: bool) -> dict[str, fl
     """Peak, plateau and end of a gauge's stress (None: not recorded) and velocity; `moved` is whether the velocity changed."""
     first = int(np.searchsorted(time, arrival)) if np.isfinite(arrival) else 0
     weight, free = durations(time[first:]), stress is None or (moved and not stress.any())
-    top = flat_stretch(weight, np.abs(velocity - velocity[0])[first:] if free else stress[first:])
+    top, level = flat_stretch(weight, np.abs(velocity - velocity[0])[first:] if free else stress[first:])
     nothing, found = float("nan"), {}
     if stress is not None:
         found = {"peak_stress": nothing if free else float(stress.max()),
-                 "plateau_stress": nothing if free else level_over(weight, stress[first:], top),
+                 "plateau_stress": nothing if free else level,
                  "lowest_stress": nothing if free else float(stress.min())}
     largest = float(np.max(np.abs(velocity)))
     return found | {"peak_velocity": float(velocity[np.argmax(np.abs(velocity))]),
