@@ -203,6 +203,17 @@ def pieces_alike(voids, first, last, piece):
     return broken, end
 
 
+@nb.njit(**GUARD)
+def carry_out_by_voids(plan, share, origins):
+    """One share of a material that has a list for pieces without voids."""
+    first = share[FIRST]
+    while first < share[LAST]:
+        broken, until = pieces_alike(plan.voids, first, share[LAST], share[PIECE])
+        begin, end = (share[FROM], share[TO]) if broken else (share[INTACT], share[INTACT_TO])
+        carry_out(plan.written, begin, end, until - first, share[PIECE], origins)
+        first = until
+
+
 def do_share(plan, command, member):
     """One command over one member's part of the shares."""
     origins, seen = plan.origins[member], plan.seen[member]
@@ -212,13 +223,10 @@ def do_share(plan, command, member):
         for k in range(FOUND_FLOATS):
             seen[k] = 0.0
         origins[AT_ZONES], origins[AT_NODES], origins[AT_GRADIENTS] = 8 * first, 8 * (first + segment), 8 * (first + 2 * segment)
-        while first < share[LAST]:
-            begin, end, until = share[FROM], share[TO], share[LAST]
-            if share[INTACT] != begin:
-                broken, until = pieces_alike(plan.voids, first, until, share[PIECE])
-                begin, end = (begin, end) if broken else (share[INTACT], share[INTACT_TO])
-            carry_out(plan.written, begin, end, until - first, share[PIECE], origins)
-            first = until
+        if share[INTACT] == share[FROM]:
+            carry_out(plan.written, share[FROM], share[TO], share[LAST] - first, share[PIECE], origins)
+        else:
+            carry_out_by_voids(plan, share, origins)
         if share[FOUND] != NOT_FOUND:
             for k in range(FOUND_FLOATS):
                 plan.found[share[FOUND], k] = seen[k]
