@@ -5,7 +5,6 @@ holds: `key` (of what was asked, with every default written out, and of the prog
 """
 
 import contextlib
-import copy
 import hashlib
 import json
 import math
@@ -44,6 +43,13 @@ def _reason(error: Exception) -> str:
     if isinstance(error, HugoniotError):
         return " ".join(str(error).split())
     return " ".join(f"unexpected {type(error).__name__}: {error}".split())[:300]
+
+
+def _copied(raw: Any) -> Any:
+    """Tables of a deck of their own; the values in them never change."""
+    if isinstance(raw, dict):
+        return {key: _copied(inner) for key, inner in raw.items()}
+    return [_copied(inner) for inner in raw] if isinstance(raw, list) else raw
 
 
 class Asked:
@@ -109,7 +115,7 @@ class Deck(Asked):
         """The deck with the changes; `DeckError` with every problem."""
         from hugoniot.problem.deck import read_tables
 
-        return read_tables(copy.deepcopy(self.raw), self.text, self.name, dict(changes), self.places, self.beside_path)
+        return read_tables(_copied(self.raw), self.text, self.name, dict(changes), self.places, self.beside_path)
 
     def warm(self):
         from hugoniot.campaign import memory_run, numbers  # noqa: F401  (loads them)
