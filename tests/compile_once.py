@@ -24,12 +24,13 @@ except ImportError:     # no Unix
     fcntl = None
 
 OWN = 8         # kernels that a process compiles itself, so that its forks need not begin with what all kernels have in common
-MOST = 60       # kernels that one fork compiles
+MOST = 100      # kernels that one fork compiles
+KNOWN, UNKNOWN = b"known", b"unknown"
 _numbers = itertools.count()
 _numbered: weakref.WeakValueDictionary = weakref.WeakValueDictionary()      # whatever compiles kernels, by a number that forks know it by
 _own = 0
 _fork: "Fork | None" = None
-_serving = False
+_here = False
 
 
 class Fork:
@@ -47,12 +48,12 @@ class Fork:
         theirs.close()
 
     def compiles(self, number: int, signature: tuple, path) -> bool:
-        """Whether the kernel of what has this number is in its file now."""
+        """Whether it knows what has this number, and so has compiled its kernel into the file, unless that cannot be compiled."""
         self.left -= 1
         with contextlib.suppress(OSError, EOFError, pickle.PicklingError, TypeError):
             self.pipe.send_bytes(pickle.dumps((number, signature, path)))
-            self.pipe.recv_bytes()
-        return path.exists()
+            return self.pipe.recv_bytes() == KNOWN
+        return False
 
     def end(self):
         self.pipe.close()
@@ -61,12 +62,17 @@ class Fork:
             os.waitpid(self.process, 0)
 
 
+def here() -> None:
+    """Let this process, itself a fork, compile what it needs."""
+    global _here
+    _here = True
+
+
 def _serve(pipe: int) -> None:
     """Compile what arrives, until nobody is at the other end."""
     from multiprocessing.connection import Connection
 
-    global _serving
-    _serving = True
+    here()
     gc.disable()        # a collection would touch, and so copy, all memory
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     null = os.open(os.devnull, os.O_RDWR)
@@ -74,15 +80,16 @@ def _serve(pipe: int) -> None:
         os.dup2(null, standard)
     os.closerange(3, pipe)          # among them the locks of run folders and of kernels, and the other end
     os.closerange(pipe + 1, 4096)
-    here = Connection(pipe)
+    worker = Connection(pipe)
     while True:
-        asked = here.recv_bytes()
+        asked, answer = worker.recv_bytes(), UNKNOWN
         with contextlib.suppress(Exception):
             number, signature, path = pickle.loads(asked)
             compiler = _numbered[number]
             if _path(compiler, signature) == path:      # what it depends on is as it is there
+                answer = KNOWN
                 compiler.compile.real(compiler, *signature)
-        here.send_bytes(b"")
+        worker.send_bytes(answer)
 
 
 @contextlib.contextmanager
@@ -108,9 +115,12 @@ def _path(compiler, signature: tuple):
 
 
 def _elsewhere(number: int, signature: tuple, path) -> None:
-    """Have a kernel compiled by the fork; by another one where what it is made from is younger than the first."""
+    """Have a kernel compiled by the fork; by another one where what it is made from is younger than the first.
+
+    A process with threads, besides the one that hears from pytest-xdist, is not forked: it compiles what a fork it has does not.
+    """
     global _fork
-    if _fork is not None and _fork.left and _fork.compiles(number, signature, path):
+    if (_fork is not None and _fork.left and _fork.compiles(number, signature, path)) or threading.active_count() > 2:
         return
     if _fork is not None:
         _fork.end()
@@ -124,7 +134,7 @@ def _compiled_once(real):
     def compile(self, *signature):
         global _own
         with global_compiler_lock:      # taken first by everybody, so that no two threads wait for each other
-            if threading.active_count() > 2 or (_fork is not None and _fork.owner != os.getpid() and not _serving):
+            if _fork is not None and _fork.owner != os.getpid() and not _here:      # a fork of a test's own
                 return real(self, *signature)
             if signature and tuple(signature[0] if isinstance(signature[0], tuple) else signature[0].args) in self.overloads:
                 return real(self, *signature)
@@ -132,7 +142,7 @@ def _compiled_once(real):
             if path is None or path.exists():
                 return real(self, *signature)
             with _alone(path):
-                if not path.exists() and not _serving:
+                if not path.exists() and not _here:
                     _own += 1
                     if _own > OWN:
                         _elsewhere(self._number, signature, path)
