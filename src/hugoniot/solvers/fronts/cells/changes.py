@@ -14,7 +14,7 @@ from hugoniot.solvers.fronts.cells.start import pieces_at
 from hugoniot.solvers.fronts.cells.steepening import track
 from hugoniot.solvers.fronts.meeting import solve
 
-EDGE = 10          # cells from nothing within which one without a valid state is joined to its neighbour
+EDGE = 10          # cells from a vacuum within which one without a valid state is merged with its neighbour
 
 
 class Changes:
@@ -53,9 +53,9 @@ class Changes:
             self.log("formed", time, x, "a compression has become a shock, which is now tracked")
 
     def join(self, mesh: Mesh) -> bool:
-        """Join the cell without a valid state to its neighbour if it is one of the last of a gas that expands to nothing.
+        """Merge the cell without a valid state with its neighbour if it is one of the last of a gas that expands into vacuum.
 
-        There the sound speed falls to zero, and what is left of the total energy as heat is of the size of its error.
+        There the sound speed falls to zero, and the internal energy is no larger than the error of the total energy.
         """
         flow, at = self.flow, mesh.faces()
         k = int(flow.work.numbers[tables.LIMITING])

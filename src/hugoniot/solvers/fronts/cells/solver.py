@@ -203,9 +203,9 @@ class Cells(Reading):
         return (COLUMNS, *self.trace.table(self.mesh, self.time))
 
     def warnings(self) -> list[str]:
-        """Sentences about waves that were left to the cells, and cells that were joined."""
-        joined = [f"cells beside nothing were joined to their neighbours {self.changes.joined} times, for the energy left in them as heat "
-                  "was below zero: the edge of an expansion to nothing is known to a few cells"] if self.changes.joined else []
+        """Sentences about waves that were left to the cells, and cells that were merged."""
+        joined = [f"cells at the edge of an expansion into vacuum were merged with their neighbours {self.changes.joined} times because "
+                  "their internal energy was negative: the edge is resolved to a few cells only"] if self.changes.joined else []
         if not self.changes.captured:
             return joined
         return [*joined, f"waves were left to be captured by the cells {self.changes.captured} times; a shock is then smeared over two or "
