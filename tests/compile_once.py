@@ -24,7 +24,7 @@ except ImportError:     # no Unix
     fcntl = None
 
 OWN = 8         # kernels that a process compiles itself, so that its forks need not begin with what all kernels have in common
-MOST = 80      # kernels that one fork compiles
+MOST = 80       # kernels that one fork compiles
 KNOWN, UNKNOWN = b"known", b"unknown"
 _numbers = itertools.count()
 _numbered: weakref.WeakValueDictionary = weakref.WeakValueDictionary()      # whatever compiles kernels, by a number that forks know it by
