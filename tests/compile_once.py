@@ -24,7 +24,7 @@ except ImportError:     # no Unix
     fcntl = None
 
 OWN = 8         # kernels that a process compiles itself, so that its forks need not begin with what all kernels have in common
-MOST = 100      # kernels that one fork compiles
+MOST = 80       # kernels that one fork compiles
 KNOWN, UNKNOWN = b"known", b"unknown"
 _numbers = itertools.count()
 _numbered: weakref.WeakValueDictionary = weakref.WeakValueDictionary()      # whatever compiles kernels, by a number that forks know it by
@@ -73,7 +73,7 @@ def _serve(pipe: int) -> None:
     from multiprocessing.connection import Connection
 
     here()
-    gc.disable()        # a collection would touch, and so copy, all memory
+    gc.freeze()         # a collection would touch, and so copy, all memory
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     null = os.open(os.devnull, os.O_RDWR)
     for standard in range(3):       # whatever is wrong is said by the process that compiles it again
@@ -130,6 +130,7 @@ def _elsewhere(number: int, signature: tuple, path) -> None:
 
 def _compiled_once(real):
     from numba.core.compiler_lock import global_compiler_lock
+    from numba.core.targetconfig import ConfigStack
 
     def compile(self, *signature):
         global _own
@@ -142,7 +143,8 @@ def _compiled_once(real):
             if path is None or path.exists():
                 return real(self, *signature)
             with _alone(path):
-                if not path.exists() and not _here:
+                # a kernel within one that this process compiles stays here: a fork made now would believe itself within that one for ever
+                if not path.exists() and not _here and ConfigStack.top_or_none() is None:
                     _own += 1
                     if _own > OWN:
                         _elsewhere(self._number, signature, path)
