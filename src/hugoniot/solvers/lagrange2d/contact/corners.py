@@ -87,8 +87,10 @@ def over_edge(c, nodes, p, e, share, dt):
         return inward and on_it
     if inward:
         return on_it or (-BEYOND < share < 1.0 + BEYOND and in_front(c, nodes, p, other, 0.0) > -AT_CORNER)
-    near = AT_CORNER if in_front(c, nodes, p, e, 0.0) > -AT_CORNER else EDGE_END      # corners that face each other hold
-    return on_it and in_front(c, nodes, p, other, dt) <= near
+    if not on_it:
+        return False
+    away = in_front(c, nodes, p, other, dt)
+    return away <= EDGE_END or (away <= AT_CORNER and in_front(c, nodes, p, e, 0.0) > -AT_CORNER)      # corners that face each other hold
 
 
 @nb.njit(**BY_ADDRESS)
