@@ -111,11 +111,13 @@ def meets(c, nodes, k, first, dt, slack, depth):
         return False
     before, _, nx, ny, length = seen(c, nodes, k, 0.0)
     c.pair_numbers[k, C.GAP] = before
-    return before >= -DEEP * length and over_edge(c, nodes, p, e, share, dt) and not tied(c, p, e) and faces(c, nodes, p, nx, ny)
+    if before < -DEEP * length or not over_edge(c, nodes, p, e, (-behind / square**0.5, share), dt, (slack, depth)):
+        return False
+    return not tied(c, p, e) and faces(c, nodes, p, nx, ny)
 
 
 @nb.njit(**BY_ADDRESS)
-def other_way(c, nodes, k, first):
+def other_way(c, nodes, k, first, dt):
     """Whether an active pair of the same point, from `first` on, has the edge the point came through, around a corner that juts out."""
     p, e = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE]
     m = first
@@ -125,7 +127,7 @@ def other_way(c, nodes, k, first):
             follows = c.edges[e, C.EDGE_B] == c.edges[f, C.EDGE_A]
             if follows or c.edges[f, C.EDGE_B] == c.edges[e, C.EDGE_A]:
                 mine, others = c.pair_numbers[k, C.GAP], c.pair_numbers[m, C.GAP]
-                if not hollow(c, nodes, e, f, follows) and (mine < others or (mine == others and m < k)):
+                if not hollow(c, nodes, e, f, follows, dt) and (mine < others or (mine == others and m < k)):
                     return True
         m += 1
     return False
@@ -150,7 +152,7 @@ def activate(c, nodes, dt, closing, slack):
             i += 1
         if fresh:
             for m in range(first, k + 1):
-                if c.pairs[m, C.PAIR_ACTIVE] == C.FRESH and other_way(c, nodes, m, first):
+                if c.pairs[m, C.PAIR_ACTIVE] == C.FRESH and other_way(c, nodes, m, first, dt):
                     c.pairs[m, C.PAIR_ACTIVE] = C.OFF
             for m in range(first, k + 1):
                 if c.pairs[m, C.PAIR_ACTIVE] == C.FRESH:
