@@ -46,6 +46,10 @@ from = "1 mm"
 to = "3 mm"
 zones = 40
 velocity = "-700 m/s"
+[solver.viscosity]
+law = "limited"
+quadratic = 0.6666666666666666
+linear = 0.3
 """ + ALUMINIUM
 AS_IN_A_LINE = Viscosity2D("tensor", True, 0.3, 2.0 / 3.0, 0.3, 2.0 / 3.0)
 
