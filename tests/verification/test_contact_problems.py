@@ -262,7 +262,7 @@ def crater(mass, growth, strength, wide, speed):
 def test_a_rod_penetrates_as_the_modified_bernoulli_equation_says(mass):
     """Five diameters of steel at 2.5 km/s; a target twelve diameters wide, so that its side has no part in the resistance.
 
-    Which zone leaves first depends on round-off, and velocities of single runs scatter by 1 %: a mean of three meshes.
+    Which zone leaves first depends on round-off, and velocities of single runs scatter by 1 to 2 %: a mean of three meshes.
     """
     wide, strength, speed = 10e-3, 0.5e9, 2500.0
     found = np.mean([crater(mass, growth, strength, wide, speed) for growth in (1.158, 1.16, 1.162)])

@@ -111,12 +111,12 @@ def over_edge(c, nodes, p, e, after, dt, enough):
     if not -BEYOND < share < 1.0 + BEYOND:
         return False
     (gap, _, length), (other_gap, _, other_length) = from_edge(c, nodes, p, e, 0.0), from_edge(c, nodes, p, other, 0.0)
-    shallow = gap > -AT_CORNER * length
+    shallow, deep_there = gap > -AT_CORNER * length, other_gap <= -AT_CORNER * other_length
     if inward:
-        return shallow and other_gap > -AT_CORNER * other_length
+        return shallow and not deep_there
     away, place_there, other_length = from_edge(c, nodes, p, other, dt)
     if away < -max(enough[0] * other_length, enough[1]):
-        return on_it or (gap >= other_gap and -EDGE_END <= place_there <= 1.0 + EDGE_END)      # it came through this one
+        return on_it or (shallow and deep_there and -EDGE_END <= place_there <= 1.0 + EDGE_END)      # it came through this one
     if on_it and shallow and away <= AT_CORNER * other_length and has_edges(c, p):      # corners that face each other hold
         return True
     return on_it and crosses(gap, behind, other_gap, away)
