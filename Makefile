@@ -13,7 +13,7 @@ PYTHON ?= $(shell for p in python3.13 python3.12 python3.11 python3.14 python3 p
 WORKERS ?= 2
 RUNS := runs
 
-.PHONY: help demo explore lint test verify docs reference examples clean
+.PHONY: help demo explore lint style types test tests verify docs reference examples clean
 .DEFAULT_GOAL := help
 
 help:
@@ -51,12 +51,20 @@ demo: $(VENV)/.installed $(VENV)/.compiled
 explore: $(VENV)/.installed-explore $(VENV)/.compiled
 	$(BIN)/hugoniot explore --work $(RUNS)
 
-lint: $(VENV)/.installed-test
+lint: style types
+
+style: $(VENV)/.installed-test
 	$(BIN)/ruff check .
 	$(BIN)/lint-imports
+
+types: $(VENV)/.installed-test
 	$(BIN)/pyright --pythonpath $(BIN)/python --level error
 
-test: lint $(VENV)/.compiled
+# pyright, which uses one core, beside the tests, which wait for each other now and then
+test: style $(VENV)/.compiled
+	$(MAKE) --jobs=2 types tests
+
+tests: $(VENV)/.installed-test $(VENV)/.compiled
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -m "not slow"
 
 verify: $(VENV)/.installed-test

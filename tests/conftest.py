@@ -1,21 +1,17 @@
-"""What every test may rely on, wherever the tests were started from; and how little memory and compiling they take together."""
+"""What every test may rely on, wherever the tests were started from; and how little memory and time they take together."""
 
-import contextlib
-import gc
-import os
 import signal
 import sys
-import tempfile
-import threading
 
 import pytest
 from hypothesis import HealthCheck, settings
 
+import compile_once
+
 try:
-    import fcntl
     import resource
 except ImportError:     # no Unix
-    fcntl = resource = None
+    resource = None
 
 
 # hypothesis fails a test whose examples take more than 0.2 s, or are drawn slowly: on a busy machine any may
@@ -48,6 +44,7 @@ def _used() -> tuple[int, float]:
 
 
 def pytest_sessionfinish(session):
+    compile_once.end()
     if resource is not None and hasattr(session.config, "workeroutput"):
         session.config.workeroutput["used"] = _used()
 
@@ -64,72 +61,5 @@ def pytest_terminal_summary(terminalreporter):
                                     f"{sum(spent for _, spent in _workers):.0f} s of processor time together")
 
 
-# -- compiling once -----------------------------------------------------------------------------------------------------
-# A process that compiles keeps some megabytes for every kernel, which numba never gives back, and two workers that begin with an empty
-# folder of compiled code would compile the same kernels at once. Here a kernel that is not kept yet is compiled by a fork, which writes it
-# to the folder and ends, while whoever wants the same kernel waits; then it is read from there, which costs next to nothing.
-
-OWN = 8         # kernels that a process compiles itself, so that its forks need not begin with what all kernels have in common
-_in_fork, _own = False, 0
-
-
-@contextlib.contextmanager
-def _alone(name: str):
-    """Whoever wants the kernel of this name too waits until the block ends."""
-    folder = os.path.join(tempfile.gettempdir(), f"hugoniot-compiling-{os.getuid()}")
-    os.makedirs(folder, mode=0o700, exist_ok=True)
-    with open(os.path.join(folder, name), "w") as file:
-        fcntl.flock(file, fcntl.LOCK_EX)
-        yield
-
-
-def _in_a_fork(work) -> None:
-    global _in_fork
-    child = os.fork()
-    if child:
-        os.waitpid(child, 0)
-        return
-    try:
-        _in_fork = True
-        gc.disable()        # a collection would touch, and so copy, all memory
-        null = os.open(os.devnull, os.O_WRONLY)
-        os.dup2(null, 2)    # whatever is wrong is said by the process that compiles it again
-        work()
-    finally:
-        os._exit(0)
-
-
-def _compiled_once(real, function_of, target_of):
-    from numba.core.compiler_lock import global_compiler_lock
-
-    from hugoniot.core import code_files
-
-    def compile(self, *signature):
-        global _own
-        cache, sig = self._cache, signature[0] if signature else self._sig
-        with global_compiler_lock:      # taken first by everybody, so that no two threads wait for each other
-            if not isinstance(getattr(cache, "_cache_file", None), code_files.CodeFile) or threading.active_count() > 2:
-                return real(self, *signature)
-            if signature and tuple(sig if isinstance(sig, tuple) else sig.args) in self.overloads:
-                return real(self, *signature)
-            path = code_files.path_of(function_of(self), cache._index_key(sig, target_of(self).codegen()))
-            if path is None or path.exists():
-                return real(self, *signature)
-            with _alone(path.name):
-                if not path.exists() and not _in_fork:
-                    _own += 1
-                    if _own > OWN:
-                        _in_a_fork(lambda: real(self, *signature))
-                return real(self, *signature)
-
-    return compile
-
-
 def pytest_configure(config):
-    if fcntl is None:
-        return
-    from numba.core.ccallback import CFunc
-    from numba.core.dispatcher import Dispatcher
-
-    Dispatcher.compile = _compiled_once(Dispatcher.compile, lambda self: self.py_func, lambda self: self.targetctx)
-    CFunc.compile = _compiled_once(CFunc.compile, lambda self: self._pyfunc, lambda self: self._targetdescr.target_context)
+    compile_once.begin()

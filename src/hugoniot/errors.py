@@ -27,7 +27,7 @@ class DeckProblem:
 
 
 class DeckError(HugoniotError):
-    """A deck, a material file or another input that cannot be used; carries the problems found, and how many `more` there are at least."""
+    """A deck, a material file or another input that cannot be used; carries the problems found, and at least how many `more` there are."""
 
     exit_code = 2
 
@@ -49,7 +49,7 @@ class DeckError(HugoniotError):
 
 @dataclass
 class UnphysicalState(HugoniotError):
-    """A state no material can be in, found in the cycle it arose.
+    """A state no material can be in, found in the cycle in which it arose.
 
     zone, position (m) and time (s) say where and when; `cause` and `remedy` are sentences; `values` holds the fields there.
     """
@@ -76,13 +76,13 @@ class UnphysicalState(HugoniotError):
 
 
 class OutOfRange(HugoniotError, ValueError):
-    """A law or a tool asked for a state outside what it is defined for; the message states the limit."""
+    """A law or a tool was asked for a state outside its range of definition; the message states the limit."""
 
     exit_code = 3
 
 
 class NoSolution(HugoniotError, ArithmeticError):
-    """A search that has no answer, or did not find it; the message says in which interval it looked."""
+    """A search that has no solution, or did not find one; the message says in which interval it looked."""
 
     exit_code = 3
 

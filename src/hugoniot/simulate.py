@@ -59,7 +59,7 @@ def _recorder(folder: RunFolder, problem, solver, progress, warned=()):
 
 def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=None, overwrite: bool = False,
         report: bool | Callable = True, **overrides) -> "Run":
-    """Run a deck (its path, or read already) or a Problem and return the finished Run.
+    """Run a deck (its path, or a Deck that has been read) or a Problem and return the finished Run.
 
     out         run folder; default: the deck's name (or the title) with `.run`, in the current folder
     progress    object with update(solvers.run.Report), or None
@@ -80,13 +80,13 @@ def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=Non
 
 
 def resume(folder, progress=None, report: bool | Callable = True, restore_deck: bool = False) -> "Run":
-    """Continue an interrupted or killed run from its newest intact checkpoint: to the same bits as without the interruption.
+    """Continue an interrupted or killed run from its newest intact checkpoint; the result is the same bit for bit.
 
     If the run was killed after its last step, only what is missing is written: gauges.csv, deck and report.
 
     restore_deck   put the deck that the checkpoints keep back into the folder first
 
-    Raises `FileTrouble` if another process works in the folder, or its deck is not the one the run was started with.
+    Raises `FileTrouble` if another process is using the folder, or its deck is not the one the run was started with.
     """
     with end_like_interrupt(), RunFolder(folder, resume=True) as place:
         return _completed(place, report) if place.finished else _continued(place, progress, report, restore_deck)

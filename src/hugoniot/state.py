@@ -20,6 +20,11 @@ class State:
     velocity_left: np.ndarray
     velocity_right: np.ndarray
 
+    @property
+    def position_middle(self) -> np.ndarray:
+        """Where the fields of a zone are given, m: midway between its faces."""
+        return 0.5 * (self.position_left + self.position_right)
+
     def fields(self) -> dict[str, np.ndarray]:
         """Every field by name, faces included, as one flat dictionary."""
         faces = ("position_left", "position_right", "velocity_left", "velocity_right")

@@ -88,6 +88,11 @@ def parse(value, unit: str) -> float:
         raise UnitError(f"expected {_wanted(unit)}, got {_shown(value)}", _example(unit))
     if not isinstance(value, str):
         return _finite_number(value)
+    return _parsed(value, unit)
+
+
+@functools.lru_cache(maxsize=1024)      # of thousands of decks of a sweep all but a few quantities are the same
+def _parsed(value: str, unit: str) -> float:
     number, name = _split(value, unit)
     if not name:
         if _powers(unit) == _NONE:

@@ -46,6 +46,10 @@ from = "1 mm"
 to = "3 mm"
 zones = 40
 velocity = "-700 m/s"
+[solver.viscosity]
+law = "limited"
+quadratic = 0.6666666666666666
+linear = 0.3
 """ + ALUMINIUM
 AS_IN_A_LINE = Viscosity2D("tensor", True, 0.3, 2.0 / 3.0, 0.3, 2.0 / 3.0)
 
@@ -232,26 +236,34 @@ def penetration(strength, speed, length, depths):
     return (depths[1] - depths[0]) / (reached[1] - reached[0])
 
 
-@pytest.mark.parametrize("mass", ["kept", "dropped"])
-def test_a_rod_penetrates_as_the_modified_bernoulli_equation_says(mass):
-    """Five diameters of steel at 2.5 km/s; a target twelve diameters wide, so that its side has no part in the resistance."""
-    wide, strength, speed = 10e-3, 0.5e9, 2500.0
-    growth = 1.15983935957      # of 18 zones from 1.25 mm on, over 105 mm
+def crater(mass, growth, strength, wide, speed):
+    """Velocity of penetration between 1.5 and 5 diameters on a mesh whose zones widen by `growth` from one to the next beside the path."""
     rod = box(4, 48, 0.5 * wide, 6 * wide, (0.0, 1e-5), "rod", "steel", velocity=VelocityField(base=(0.0, -speed)))
     target = box(12, 64, 1.5 * wide, 8 * wide, (0.0, -8 * wide), "target", "steel")
     around = dataclasses.replace(box(18, 64, 10.5 * wide, 8 * wide, (1.5 * wide, -8 * wide), "around", "steel"), ratio=(growth, 1.0))
-    given = meeting([target, rod, around], 44e-6, (), "axisymmetric", material=STEEL, erosion=Erosion2D(1.5, None, mass))
-    solver, crater = Lagrange2D(given), []
+    steel = dataclasses.replace(STEEL, strength=PerfectlyPlastic(80e9, strength))
+    given = meeting([target, rod, around], 44e-6, (), "axisymmetric", material=steel, erosion=Erosion2D(1.5, None, mass))
+    solver, found = Lagrange2D(given), []
     for time in np.linspace(8.8e-6, 44e-6, 33):
         solver.march(time, 10**6)
         live = solver.erosion.live[:12 * 64].reshape(12, 64)
         top = solver._corners(N.y)[:, :12 * 64].max(axis=0).reshape(12, 64)
-        crater.append((time, -np.mean([top[i][live[i]].max() for i in range(2)])))
-    times, depth = np.array(crater).T
-    part = (depth > 1.5 * wide) & (depth < 5.0 * wide)
-    found = np.polyfit(times[part], depth[part], 1)[0]
-    assert depth[-1] > 5.0 * wide
-    assert solver.results()["contact_depth"] < 2e-3      # 1.6e-3 with the mass kept
-    assert found == pytest.approx(penetration(strength, speed, 6 * wide, (1.5 * wide, 5.0 * wide)), rel=0.05)
+        found.append((time, -np.mean([top[i][live[i]].max() for i in range(2)])))
+    assert solver.results()["contact_depth"] < 1e-3
     assert solver.errors()["energy_error"] < 1e-12
     assert solver.errors()["momentum_y_error"] < 1e-12
+    times, depth = np.array(found).T
+    part = (depth > 1.5 * wide) & (depth < 5.0 * wide)
+    assert depth[-1] > 5.0 * wide
+    return np.polyfit(times[part], depth[part], 1)[0]
+
+
+@pytest.mark.parametrize("mass", ["kept", "dropped"])
+def test_a_rod_penetrates_as_the_modified_bernoulli_equation_says(mass):
+    """Five diameters of steel at 2.5 km/s; a target twelve diameters wide, so that its side has no part in the resistance.
+
+    Which zone leaves first depends on round-off, and velocities of single runs scatter by 1 to 2 %: a mean of three meshes.
+    """
+    wide, strength, speed = 10e-3, 0.5e9, 2500.0
+    found = np.mean([crater(mass, growth, strength, wide, speed) for growth in (1.158, 1.16, 1.162)])
+    assert found == pytest.approx(penetration(strength, speed, 6 * wide, (1.5 * wide, 5.0 * wide)), rel=0.05)

@@ -10,6 +10,7 @@ import pytest
 from hugoniot.errors import HugoniotError, OutOfRange, UnphysicalState
 from hugoniot.laws.eos import contract
 from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.herrmann_series import HerrmannSeries
 from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.eos.stiffened_gas import StiffenedGas
@@ -20,6 +21,7 @@ from hugoniot.problem.standard import gases
 from hugoniot.solvers.fronts.solver import Fronts
 from hugoniot.theory import riemann as reference
 from hugoniot.theory.exact.elastic_plastic_piston import Solid, elastic_plastic_piston
+from hugoniot.theory.hugoniot import shock as reference_shock
 from hugoniot.theory.isentrope import state as reference_state
 
 FIXED, FREE = Boundary("fixed"), Boundary("free")
@@ -232,6 +234,22 @@ def test_f7_where_the_release_overtakes_the_shock():
         events = solver.march(3e-5, 1)
     time = c * length / (up + c - us)
     assert (events[0].time, events[0].position) == pytest.approx((time, us * time), rel=1e-9)
+
+
+@pytest.mark.parametrize("velocity, ratio", [(1900.0, 11.65), (1200.0, 17.6)])
+def test_how_deep_a_flyer_drives_a_shock_before_its_release_arrives(velocity, ratio):
+    """Aluminium on aluminium, no strength: a flyer of thickness h acts as a piston at half its velocity for h/Us + h/C. Herrmann's depth over h."""
+    law = HerrmannSeries(2780.0, 76.4e9, 1.014, 2.36, 5.13, 5.473e3, 1.0, 1.0, 1.0)
+    behind = reference_shock(law, particle_velocity=velocity / 2.0)
+    us, c = float(behind.shock_velocity), float(behind.density * behind.sound_speed) / 2780.0
+    thickness = 1e-3
+    piston = Boundary("velocity", Pulse("square", velocity / 2.0, 0.0, thickness / us + thickness / c))
+    solver = Fronts(tracked(Problem("depth", "planar", 3e-5, (Region("target", "al", 0.0, 0.05, 10),), {"al": Material("al", law)}, piston)))
+    events = []
+    while not any(e.kind == "fan_cut" for e in events):
+        events = solver.march(3e-5, 1)
+    assert events[0].position / thickness == pytest.approx((c + us) / (c - us), rel=1e-9)
+    assert events[0].position / thickness == pytest.approx(ratio, rel=5e-3)
 
 
 MATERIALS = {"air": IdealGas(1.4), "helium": IdealGas(5.0 / 3.0), "water": StiffenedGas(4.4, 6e8), "copper": COPPER, "pmma": PMMA,

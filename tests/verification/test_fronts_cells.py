@@ -13,6 +13,7 @@ from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.eos.stiffened_gas import StiffenedGas
 from hugoniot.materials.material import Material
+from hugoniot.output.codec import decode, encode
 from hugoniot.problem.model import Boundary, Lighting, Problem, Pulse, Region, SolverOptions
 from hugoniot.problem.standard import gases
 from hugoniot.problem.standard.parts import gas, simple
@@ -72,13 +73,13 @@ def mean_density_error(solver, exact, middle):
 def test_sod_at_a_hundred_zones():
     solver = run(gases.build_sod(100))
     exact = exact_tube(solver.problem)
-    assert mean_density_error(solver, exact, 0.5) < 2e-4
+    assert mean_density_error(solver, exact, 0.5) < 1e-7      # of which all is the sum that stands for the exact averages
     found = places(solver, "fan head", "fan tail", "interface", "shock")
-    assert found == pytest.approx([0.5 + 0.2 * speed for _, speed in exact.jumps], abs=1e-4)
+    assert found == pytest.approx([0.5 + 0.2 * speed for _, speed in exact.jumps], abs=1e-12)
     assert closed(solver)
 
 
-@pytest.mark.parametrize("build, middle, bound", [(gases.build_two_rarefactions, 0.5, 1.5e-4), (gases.build_collision, 0.5, 1e-10)])
+@pytest.mark.parametrize("build, middle, bound", [(gases.build_two_rarefactions, 0.5, 1e-7), (gases.build_collision, 0.5, 1e-10)])
 def test_symmetric_tubes(build, middle, bound):
     solver = run(build(100))
     assert mean_density_error(solver, exact_tube(solver.problem), middle) < bound
@@ -86,7 +87,7 @@ def test_symmetric_tubes(build, middle, bound):
 
 
 def test_any_law_in_a_tube():
-    """A stiffened gas, and a solid's law that is integrated: all four fronts to a hundredth of a zone."""
+    """A stiffened gas, and a solid's law that is integrated: all four fronts."""
     materials = {"liquid": Material("liquid", StiffenedGas(4.4, 6e8)),
                  "metal": Material("metal", MieGruneisen(2700.0, 5200.0, 1.5, 2.0))}
     regions = (Region("liquid", "liquid", 0.0, 0.7, 70, density=1000.0, pressure=1e9, velocity=300.0),
@@ -98,8 +99,45 @@ def test_any_law_in_a_tube():
     exact = reference.riemann(materials["liquid"].eos, sides[0], law, sides[1])
     wanted = [0.7 + 2e-5 * speed for name, speed in exact.jumps]
     found = [x for x in places(solver, "fan head", "fan tail", "interface", "shock") if x > 0.4]
-    assert found[-2:] == pytest.approx(wanted[-2:], abs=1e-4)
+    assert found[-2:] == pytest.approx(wanted[-2:], abs=1e-10)
     assert closed(solver)
+
+
+def faces_of_fans(solver):
+    """Number of faces that carry the state of a self-similar fan."""
+    return np.count_nonzero(np.isfinite(solver.mesh.given[:, 0]))
+
+
+def test_a_fan_that_nothing_has_reached_resumes_to_the_same_bits():
+    """Its law is integrated, and cells are split after the break."""
+    law = MieGruneisen(2700.0, 5200.0, 1.5, 2.0)
+    region = Region("metal", "metal", 0.0, 0.01, 40, density=2950.0, energy=0.0)
+    problem = in_cells(Problem("release", "planar", 1e-6, (region,), {"metal": Material("metal", law)}, FIXED, FREE))
+    whole, broken, again = (Cells(problem) for _ in range(3))
+    whole.march(1e-6, 10**9)
+    broken.march(1e-6, 20)
+    again.restore(decode(encode(broken.payload())))
+    assert faces_of_fans(again) == 3
+    again.march(1e-6, 10**9)
+    assert faces_of_fans(again) == faces_of_fans(whole) > 4
+    assert np.array_equal(again.mesh.q, whole.mesh.q) and np.array_equal(again.mesh.x, whole.mesh.x)
+
+
+def overtaken(zones):
+    """A piston that stops: the head of its fan reaches the shock at t = 0.61. Contents of equal parts of the tube at t = 0.9."""
+    regions = (Region("g", "gas", 0.0, 2.0, zones, density=1.4, pressure=1.0),)
+    piston = Boundary("velocity", Pulse("square", 1.0, 0.0, 0.2))
+    solver = run(simple("pulse", 0.9, regions, {"gas": gas(1.4)}, piston, FIXED))
+    assert closed(solver) and faces_of_fans(solver) == 0
+    mass = np.concatenate([[0.0], np.cumsum(solver.mesh.q[:, 0])])
+    return places(solver, "shock")[0], np.interp(np.linspace(0.2, 2.0, 19), solver.mesh.x, mass)
+
+
+def test_a_fan_that_has_overtaken_a_shock_is_of_second_order():
+    """The error that a fan makes while it has few cells would stay in it and grow with it."""
+    (a, rough), (b, fine), (c, finer) = (overtaken(zones) for zones in (50, 100, 400))
+    assert abs(a - c) < 2e-4 and abs(b - c) < 0.3 * abs(a - c)
+    assert np.abs(fine - finer).mean() < 0.3 * np.abs(rough - finer).mean()
 
 
 @pytest.mark.parametrize("geometry", ["planar", *(pytest.param(name, marks=pytest.mark.slow) for name in ("cylindrical", "spherical"))])
@@ -258,16 +296,18 @@ def charge(zones, lit, stop, left=FIXED, geometry="planar", **more):
     return Problem("charge", geometry, stop, regions, {"he": explosive}, left, FREE, lighting=tuple(Lighting(*point) for point in lit), **more)
 
 
-@pytest.mark.parametrize("zones, bound", [(50, 6e-4), pytest.param(200, 2e-4, marks=pytest.mark.slow)])
-def test_a_detonation_is_followed_by_its_taylor_wave(zones, bound):
-    solver = run(charge(zones, [(0.0,)], 6e-6))
-    assert places(solver, "detonation") == pytest.approx([6e-6 * D], rel=1e-10)
-    assert places(solver, "fan tail") == pytest.approx([3e-6 * D], rel=2e-3)
-    mesh = solver.mesh
-    inside = mesh.middle < 6e-6 * D
-    exact = mader(D, 1875.0, 3.0).profile(mesh.middle, 6e-6)["pressure"]
-    error = np.abs(averages(solver)[P] - exact)[inside].mean() / (1875.0 * D * D / 4.0)
-    assert error < bound and closed(solver)
+def test_a_detonation_is_followed_by_its_taylor_wave():
+    """Its front to 1e-10 of the way, pressures in the middle of cells to the second order."""
+    errors = []
+    for zones in (50, 100):
+        solver = run(charge(zones, [(0.0,)], 6e-6))
+        assert places(solver, "detonation") == pytest.approx([6e-6 * D], rel=1e-12)
+        assert places(solver, "fan tail") == pytest.approx([3e-6 * D], rel=1e-12) and closed(solver)
+        mesh = solver.mesh
+        inside = mesh.middle < 6e-6 * D
+        exact = mader(D, 1875.0, 3.0).profile(mesh.middle, 6e-6)["pressure"]
+        errors.append(np.abs(averages(solver)[P] - exact)[inside].mean() / (1875.0 * D * D / 4.0))
+    assert errors[1] < 2e-5 and math.log2(errors[0] / errors[1]) > 1.9
 
 
 def test_a_detonation_lit_inside_and_later_runs_both_ways():

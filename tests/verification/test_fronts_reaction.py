@@ -56,6 +56,16 @@ def test_a_normal_mode_grows_as_it_should(wave, guess, behind, stop, sharp):
 
 
 @pytest.mark.slow
+def test_neutral_stability_lies_between_two_near_activation_energies():
+    """Near Chapman-Jouguet, 20 zones in a half-reaction length: the mode of E = 25.25 falls, that of 25.28 grows."""
+    for activation, way in ((25.25, -1.0), (25.28, 1.0)):
+        wave = Wave(1.2, 50.0, activation, 1.0005)
+        mode = wave.mode(0.53j)
+        growth, frequency = grown(SteadyZone(wave), mode, 20, 9.0, 14.0)
+        assert growth * way > 3e-4 and mode.growth * way > 3e-4 and frequency == pytest.approx(mode.frequency, rel=5e-4)
+
+
+@pytest.mark.slow
 def test_limit_cycles_near_chapman_jouguet():
     """Crests of E = 27 tend to one height, period 1; of E = 27.35 every second one is the same, period 2 (Henrick, Aslam and Powers)."""
     single, double = (crests(Wave(1.2, 50.0, activation, 1.0005), 10, 150.0)[-6:] for activation in (27.0, 27.35))

@@ -149,6 +149,26 @@ def test_a_smooth_elastic_wave_converges_at_second_order():
     assert errors[1] < 5e-4 and math.log2(errors[0] / errors[1]) > 1.8
 
 
+def test_the_release_at_a_free_surface_is_the_elastic_jump_and_the_plastic_fan():
+    """Aluminium under 8 GPa is let go at its end: velocities of the cells against the exact waves, edges of the fan."""
+    squeezed = pressure_and_derivatives(2950.0, 0.0, EOS)[0]
+    surface, (precursor, fan) = Curve(Matter(EOS, G, Y), State(2950.0, 0.0, 0.0, squeezed), -1, elastic_jumps=True).surface()
+
+    def velocity(xi):
+        if xi < fan.head:
+            return fan.ahead.u if xi > precursor.head else 0.0
+        return surface if xi > fan.tail else fan.path.state(fan.path.at_characteristic(-(xi - fan.ahead.u)), -1).u
+    own = SolverOptions("fronts", options=MappingProxyType({"mode": "cells"}))
+    region = Region("bar", "al", 0.0, 0.01, 100, density=2950.0, energy=0.0)
+    solver = run(Problem("release", "planar", 1e-6, (region,), ALUMINIUM, Boundary("fixed"), FREE, solver=own))
+    mesh = solver.mesh
+    x = mesh.x[:-1, None] + mesh.width[:, None] * (np.arange(8) + 0.5) / 8
+    exact = np.array([[velocity((place - 0.01) / 1e-6) for place in row] for row in x]).mean(axis=1)
+    assert float((np.abs(cells_of(solver)[1] - exact) * mesh.width).sum()) / (0.01 * surface) < 6e-3
+    wanted = [0.01 + 1e-6 * speed for speed in (precursor.head, fan.head, fan.tail, surface)]
+    assert mesh.x[mesh.faces()[1:]] == pytest.approx(wanted, abs=1e-4)
+
+
 # -- around a cavity ------------------------------------------------------------------------------------------------------
 def cavity(kind, geometry, zones, stop, inner, outer, pulse, material=ALUMINIUM["al"], places=(), **options):
     """A solid around a cavity, driven from inside."""

@@ -41,8 +41,8 @@ def sweep(deck: str | os.PathLike | None = None, vary: Mapping[str, Any] | Seque
     """Run a deck with some of its keys varied, and give the table as an xarray Dataset with the parameters as coordinates.
 
     deck       path of a deck, or of a file with a [sweep] table; None for a match
-    vary       {"region.flyer.velocity": "300..1200 m/s : 10", "material.al.fracture.strength": ["1 GPa", "2 GPa"]}, or texts
-    tie        texts such as "region.target.to = region.flyer.to + 4 mm"
+    vary       {"region.flyer.velocity": "300..1200 m/s : 10", "material.al.fracture.strength": ["1 GPa", "2 GPa"]}, or strings
+    tie        strings such as "region.target.to = region.flyer.to + 4 mm"
     out        folder (default: the deck's name with .sweep); cases that are already there are not run again
     workers    processes (default: one for each processor)
     engine     "local", or "dask" with the address of a `scheduler` or workers of this machine
@@ -62,11 +62,11 @@ def fit(deck: str | os.PathLike, to: Sequence[str] | str, free: Mapping[str, str
     """Find constants of a deck from measured records; a Dataset of the parameters with intervals and correlations.
 
     to       files of measured records, or numbers such as "free surface.arrival = 0.69 +- 0.01 us"
-    free     {"material.ta.fracture.strength": "1..8 GPa"}, or texts
+    free     {"material.ta.fracture.strength": "1..8 GPa"}, or strings
     out      folder (default: the deck's name with .fit); False writes nothing
     wishes   gauge, sigma, window, shift, scale, loss, starts, seed, profile, local: see `campaign.run_fit.FitWishes`
 
-    With posterior="surrogate" or "runs" there are `draws` (draw, parameter) of the posterior besides, its `quantiles`, and the bands
+    With posterior="surrogate" or "runs" it also has `draws` (draw, parameter) of the posterior, its `quantiles`, and the bands
     `prior_predictive` and `posterior_predictive` (level, point) of all data in their order.
 
     SI. The attributes hold the reduced chi-square, whether the model `matches`, and `doubts` to be read before a value is used; the

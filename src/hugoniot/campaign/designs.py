@@ -77,7 +77,7 @@ def design_of(variables: Sequence[Variable], kind: str = "grid", samples: int | 
 
 def _grid(variables: Sequence[Variable], samples: int | None) -> Design:
     if samples is not None:
-        raise refuse("--samples", str(samples), "a grid has as many cases as its values make", "give a sample such as --design sobol")
+        raise refuse("--samples", str(samples), "a grid has as many cases as its values make", "sample instead, with --design sobol")
     for variable in variables:
         if variable.kind == "normal":
             raise refuse("--vary", variable.name, "a normal distribution is sampled, not put on a grid", "give --design sobol or lhs")

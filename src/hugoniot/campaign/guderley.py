@@ -52,7 +52,7 @@ def build(geometry: str, gamma: float, zones: int) -> Problem:
 
 def shock_radius(state) -> float:
     """Where the density first reaches half the jump of a strong shock on the way out from the centre (gamma = 1.4: 3.5)."""
-    rho, centre = state.zones["density"], 0.5 * (state.position_left + state.position_right)
+    rho, centre = state.zones["density"], state.position_middle
     k = int(np.argmax(rho > 3.5))
     if k == 0:
         return 0.0
@@ -72,13 +72,17 @@ def exponent_error(history, flow) -> float:
     return float(abs(straight(best.x)[1] / flow.numbers["alpha"] - 1.0))
 
 
-def arrival_error(state, flow) -> float:
-    """Relative error of the time at which the returning shock reached where it stands at the end."""
-    centre, p = 0.5 * (state.position_left + state.position_right), state.zones["pressure"]
+def steepest(state) -> float:
+    """Where the pressure falls most steeply outwards: the returning shock that zones show."""
+    centre, p = state.position_middle, state.zones["pressure"]
     near = (centre > 0.02) & (centre < 1.2)
-    steepest = int(np.argmax(-np.gradient(p, centre) * near))
-    exact = min(flow.jumps(STOP), key=lambda x: abs(x - centre[steepest]))
-    return float(abs((centre[steepest] / exact) ** (1.0 / flow.numbers["alpha"]) - 1.0))
+    return float(centre[np.argmax(-np.gradient(p, centre) * near)])
+
+
+def arrival_error(place: float, flow) -> float:
+    """Relative error of the time at which the returning shock reached the place where it stands at the end."""
+    exact = min(flow.jumps(STOP), key=lambda x: abs(x - place))
+    return float(abs((place / exact) ** (1.0 / flow.numbers["alpha"]) - 1.0))
 
 
 GUDERLEY = StandardProblem(

@@ -18,6 +18,7 @@ from hugoniot.output.spall_reading import region_named
 from hugoniot.simulate import make_solver, steady_numbers
 from hugoniot.solvers.run import Outcome, Schedule, march_to_end, snapshot_times
 
+WORTH_A_BURST = 1_000_000      # updates of zones: some hundredths of a second
 _KEPT = ("velocity", "position_left", "position_right")     # of a snapshot: what the readings of a run look at
 
 
@@ -71,7 +72,8 @@ class MemoryRun:
         passing = passing and solver.pass_through(times)
         self.motion = None if passing else self._keep_motion
         looks = [times[0], times[-1]] if passing else times
-        outcome = march_to_end(solver, Schedule(problem.stop_time, looks, max_cycles=problem.solver.max_cycles), (self,))
+        burst = max(WORTH_A_BURST // len(solver.region_of), 1)
+        outcome = march_to_end(solver, Schedule(problem.stop_time, looks, max_cycles=problem.solver.max_cycles, first_burst=burst), (self,))
         return solver, outcome, self._extremes(solver) if passing else self._snapshots([self._names[k] for k in solver.region_of])
 
     # -- what the time loop hands over -------------------------------------------------------------------------------

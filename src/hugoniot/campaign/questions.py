@@ -5,7 +5,6 @@ holds: `key` (of what was asked, with every default written out, and of the prog
 """
 
 import contextlib
-import copy
 import hashlib
 import json
 import math
@@ -44,6 +43,13 @@ def _reason(error: Exception) -> str:
     if isinstance(error, HugoniotError):
         return " ".join(str(error).split())
     return " ".join(f"unexpected {type(error).__name__}: {error}".split())[:300]
+
+
+def _copied(raw: Any) -> Any:
+    """Tables of a deck of their own; the values in them never change."""
+    if isinstance(raw, dict):
+        return {key: _copied(inner) for key, inner in raw.items()}
+    return [_copied(inner) for inner in raw] if isinstance(raw, list) else raw
 
 
 class Asked:
@@ -109,7 +115,7 @@ class Deck(Asked):
         """The deck with the changes; `DeckError` with every problem."""
         from hugoniot.problem.deck import read_tables
 
-        return read_tables(copy.deepcopy(self.raw), self.text, self.name, dict(changes), self.places, self.beside_path)
+        return read_tables(_copied(self.raw), self.text, self.name, dict(changes), self.places, self.beside_path)
 
     def warm(self):
         from hugoniot.campaign import memory_run, numbers  # noqa: F401  (loads them)
@@ -193,7 +199,7 @@ class Match(Asked):
             owner = next((name for name in names.values() if key.startswith(f"material.{name}.")), None)
             parts = key[len(f"material.{owner}."):].split(".") if owner else []
             if owner is None or len(parts) != 2:
-                hint = f"there are velocity, {', '.join(names)}, and material.{next(iter(names.values()))}.eos.c0 and its like"
+                hint = f"known: velocity, {', '.join(names)}, and keys such as material.{next(iter(names.values()))}.eos.c0"
                 raise DeckError.single("match", None, key, "no such input of an impedance match", hint)
             tables.setdefault(owner, {"base": owner}).setdefault(parts[0], {})[parts[1]] = value
         if "velocity" not in changes:

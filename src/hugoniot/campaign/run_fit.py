@@ -96,7 +96,7 @@ def run_fit(path, wishes: FitWishes, out=None, *, workers: int | None = None, en
     question = Deck(text, source.name, os.path.abspath(source.parent), [os.path.abspath(m) for m in materials], points=POINTS)
     free = tuple(Free(_range(word)) for word in wishes.free)
     if not free:
-        raise refuse("--free", "", "nothing is free", 'write --free "material.al.fracture.strength = 1..8 GPa"')
+        raise refuse("--free", "", "no parameter is free", 'write --free "material.al.fracture.strength = 1..8 GPa"')
     variables = tuple(f.variable for f in free)
     plan = Plan(question, Design("shares", variables, shares=np.full((1, len(free)), 0.5)),
                 ties_of(wishes.tie, [v.name for v in variables]), "--free")
@@ -123,7 +123,7 @@ def run_fit(path, wishes: FitWishes, out=None, *, workers: int | None = None, en
 def _range(text: str):
     variable = read_variable(text, "--free")
     if variable.kind == "values":
-        raise refuse("--free", text, "a free parameter has a range, or a mean and an uncertainty",
+        raise refuse("--free", text, "a free parameter needs a range, or a mean and an uncertainty",
                      'write "KEY = 1..8 GPa" or "KEY = 5 +- 0.1 GPa"')
     return variable
 

@@ -41,6 +41,15 @@ def joined(problem: Problem) -> Problem:
     return dataclasses.replace(problem, regions=regions, interfaces=bonded(regions))
 
 
+def shocks(solver) -> np.ndarray:
+    """(time, place, direction) of the ends of all lines of tracked shocks, (n, 3); none where waves are not followed."""
+    table = solver.front_table()
+    if table is None:
+        return np.empty((0, 3))
+    columns, kinds, rows = table
+    return rows[np.array(kinds) == "shock"][:, [columns.index(name) for name in ("end_time", "end_position", "direction")]]
+
+
 def _goes_on(left: Region, right: Region) -> bool:
     same = left.zones == right.zones == 1 and left.material == right.material and left.end == right.start
     if not same or left.density is None or right.density is None:

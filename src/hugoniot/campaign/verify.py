@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from hugoniot.campaign.guderley import GUDERLEY, arrival_error, exponent_error, shock_radius
+from hugoniot.campaign.guderley import GUDERLEY, arrival_error, exponent_error, shock_radius, steepest
 from hugoniot.campaign.plane import PLANE, PlaneProblem, run_plane
-from hugoniot.campaign.tracked import FRONTS, with_fronts
+from hugoniot.campaign.tracked import FRONTS, shocks, with_fronts
 from hugoniot.campaign.tracked_problems import TRACKED, TrackedProblem, run_tracked
 from hugoniot.errors import DeckError
 from hugoniot.problem.standard import STANDARD, Bar, Measure, StandardProblem
@@ -87,12 +87,13 @@ def run_problem(problem: StandardProblem, zones: int, integrator: str = "compati
 
 
 class _View:
-    """A final state with the exact solution beside it."""
+    """A final state with the exact solution beside it, and what is known of tracked shocks (`shocks`)."""
 
     def __init__(self, solver, watcher, exact):
         self.state, self.watcher, self.exact, self.time = solver.state(), watcher, exact, solver.time
+        self.shocks = shocks(solver)
         self.left, self.right = self.state.position_left, self.state.position_right
-        self.centre, self.width = 0.5 * (self.left + self.right), self.right - self.left
+        self.centre, self.width = self.state.position_middle, self.right - self.left
 
     def field(self, name: str) -> np.ndarray:
         if name == "velocity":
@@ -100,7 +101,7 @@ class _View:
         return self.centre if name == "position" else self.state.zones[name]
 
     def exact_at_centres(self, name: str) -> np.ndarray:
-        """The exact field at the zone centres, as the bars of the verification table were taken."""
+        """The exact field where that of a zone is given: at its centre, as the bars of the verification table were taken."""
         return self.exact(self.centre, self.time)[name]
 
     def inside(self, window) -> np.ndarray:
@@ -108,8 +109,16 @@ class _View:
             return np.ones(self.centre.shape, dtype=bool)
         return (self.centre > window[0]) & (self.centre < window[1])
 
+    def shock_now(self, window) -> float | None:
+        """Where the outermost tracked shock in the window is."""
+        low, high = window or (-np.inf, np.inf)
+        time, place, _ = self.shocks.T
+        return max(place[(time == self.time) & (place > low) & (place < high)], default=None)
+
     def jump_position(self, name: str, window) -> float:
-        """Where a field crosses half the height of the outermost jump in the window."""
+        """Where the outermost jump in the window is: a tracked shock, or where a field crosses half the height of the jump."""
+        if (tracked := self.shock_now(window)) is not None:
+            return float(tracked)
         inside = self.inside(window)
         f, x = self.field(name)[inside], self.centre[inside]
         level = 0.5 * (f.max() + f[-1])
@@ -151,9 +160,11 @@ def judge(measure: Measure, view: _View) -> float:
         case "smallest":
             return float(abs(view.watcher.innermost / target - 1.0))
         case "exponent":
-            return exponent_error(view.watcher.shock_history, view.exact)
+            time, place, direction = view.shocks.T
+            tracked = list(zip(time[direction < 0.0], place[direction < 0.0]))
+            return exponent_error(tracked or view.watcher.shock_history, view.exact)
         case "arrival":
-            return arrival_error(view.state, view.exact)
+            return arrival_error(view.shock_now((0.02, 1.2)) or steepest(view.state), view.exact)
         case "points":
             points, values = reference_points()
             return float(np.max(np.abs(np.interp(points, view.centre, view.field(measure.field)) / values - 1.0)))
@@ -172,12 +183,12 @@ def reference_points():
 
 
 def _self_l1(measure: Measure, solver, fine) -> float:
-    """L1 distance from a run on a finer grid, compared at equal positions."""
+    """L1 distance of mean densities (planar) from a run on a finer grid, compared at equal positions."""
     a, b = _View(solver, None, None), _View(fine, None, None)
-    mass = np.concatenate(([0.0], np.cumsum(b.field(measure.field) * b.width)))
+    mass = np.concatenate(([0.0], np.cumsum(b.field("mass"))))
     edges = np.concatenate((b.left, b.right[-1:]))
-    mean = np.diff(np.interp(np.concatenate((a.left, a.right[-1:])), edges, mass)) / a.width
-    return float(np.sum(np.abs(a.field(measure.field) - mean) * a.width) / np.sum(a.width) / measure.scale)
+    there = np.diff(np.interp(np.concatenate((a.left, a.right[-1:])), edges, mass))
+    return float(np.sum(np.abs(a.field("mass") - there)) / np.sum(a.width) / measure.scale)
 
 
 def verify_problem(name: str, zones: Iterable[int] | None = None, integrator: str = "compatible", **solver_options) -> Verified:

@@ -8,6 +8,7 @@ import typer
 from hugoniot.cli.show import quantity
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
 from hugoniot.materials.ls_dyna import material_tables, read_cards, scale_of
+from hugoniot.materials.plausible import unlikely
 from hugoniot.materials.read import build_material
 from hugoniot.problem.write import to_toml
 
@@ -42,9 +43,10 @@ def command(
         given = quantity(density, "kg/m^3", "--density") if density else None
         tables, left = material_tables(read_cards(text, file.name), scale_of(units), file.name, given)
         problems: list[DeckProblem] = []
-        build_material(name, tables, problems, file.name, lambda path: None)
-        if problems:
+        made = build_material(name, tables, problems, file.name, lambda path: None)
+        if problems or made is None:
             raise DeckError(problems)
+        left = [*left, *unlikely(name, made)]
         shown = to_toml({"material": {name: tables}})
     if out is None:
         typer.echo(shown.strip())

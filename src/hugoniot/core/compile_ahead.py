@@ -15,11 +15,12 @@ from typing import NamedTuple
 
 from hugoniot.core import compile_watch
 from hugoniot.core.code_files import kept_at
-from hugoniot.core.kinds import kinds_of
+from hugoniot.core.kinds import key_of_value, kinds_of
 
 WORTH_HELP = 6          # kernels
 PATIENCE = 5.0          # seconds a helper is given to finish the kernel it is at
 _may_fork = False
+_compiled: set = set()      # (kernel, key of its arguments) of what this process has
 
 
 class Job(NamedTuple):
@@ -34,15 +35,24 @@ class Job(NamedTuple):
         return self.done or self.file is not None and self.file.exists()
 
 
+DONE = Job(None, lambda: None, True)
+
+
 def job_of(kernel, arguments: tuple) -> Job:
     """The job for a kernel and arguments like these."""
-    return job_of_types(kernel, kinds_of(arguments))
+    key = kernel, key_of_value(arguments)
+    if key in _compiled:
+        return DONE
+    job = job_of_types(kernel, kinds_of(arguments))
+    if job.done:
+        _compiled.add(key)
+    return job
 
 
 def job_of_types(kernel, kinds: tuple) -> Job:
     """The job for a kernel and argument types."""
     if kinds in kernel.overloads:
-        return Job(None, lambda: None, True)
+        return DONE
     return Job(kept_at(kernel.py_func, kinds), lambda: kernel.compile(kinds))
 
 

@@ -19,6 +19,12 @@ def kind_of_value(value) -> Any:
     return _known[shape]
 
 
+def key_of_value(value) -> Any:
+    """What values of one compiled type share, to look things up by: numba works the hash of a type out anew each time it is asked."""
+    shape = _structure(value)
+    return nb.typeof(value) if shape is None else shape
+
+
 def kinds_of(arguments: tuple) -> tuple:
     """The compiled types of arguments."""
     return tuple(kind_of_value(argument) for argument in arguments)

@@ -19,7 +19,7 @@ from numba.core import cgutils
 from numba.extending import intrinsic
 
 from hugoniot.core.compile_ahead import Job
-from hugoniot.core.kinds import kind_of_value
+from hugoniot.core.kinds import key_of_value
 from hugoniot.core.passes import Pass
 from hugoniot.core.rows import ROW, row_at
 from hugoniot.core.target import GUARD
@@ -43,7 +43,9 @@ def place(array: np.ndarray, origin: int = FIXED) -> Place:
 
 def places(cls, table: np.ndarray, origin: int, first: int = 0) -> Any:
     """The rows of a table (rows, n) from column `first` on, by the names of the NamedTuple class `cls`."""
-    return cls(*(Place(table.ctypes.data + k * table.strides[0] + first * table.strides[1], origin) for k in range(len(cls._fields))))
+    pitch, step = table.strides
+    start = table.ctypes.data + first * step
+    return cls(*(Place(start + k * pitch, origin) for k in range(len(cls._fields))))
 
 
 class Operation(NamedTuple):
@@ -69,7 +71,7 @@ class Written(NamedTuple):
 
 def jobs(lists: Iterable[list[Operation]]) -> list[Job]:
     """The passes of lists that have yet to be compiled."""
-    each = {(operation.of, kind_of_value(operation.law)): operation for one in lists for operation in one}
+    each = {(operation.of, key_of_value(operation.law)): operation for one in lists for operation in one}
     return [job for operation in each.values() if (job := operation.of.job(operation.law)) is not None]
 
 

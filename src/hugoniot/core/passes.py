@@ -23,7 +23,7 @@ from numba.extending import intrinsic
 
 from hugoniot.core.binder import bind_choice
 from hugoniot.core.compile_ahead import Job, job_of, job_of_types
-from hugoniot.core.kinds import kind_of_value, kinds_of
+from hugoniot.core.kinds import key_of_value, kind_of_value, kinds_of
 from hugoniot.core.registry import Registry
 from hugoniot.core.rows import ROW, row_at, rows, rows_apart
 from hugoniot.core.target import BY_ADDRESS, EXACT_PASS, NAN_PASS, PASS
@@ -144,9 +144,9 @@ class Pass:
 
     def address(self, par=None) -> int:
         """Address of the pass compiled for the law whose parameters `par` are (None: for no law); compiled now unless it is on disk."""
-        law = kind_of_value(par)
+        law = key_of_value(par)
         if law not in self._addresses:
-            arguments = self._arguments(law)
+            arguments = self._arguments(kind_of_value(par))
             self.compiled.compile(arguments)
             result = self.compiled.overloads[arguments]
             self._addresses[law] = result.library.get_pointer_to_function(result.fndesc.llvm_func_name)
@@ -154,8 +154,9 @@ class Pass:
 
     def job(self, par=None) -> Job | None:
         """What is left to do for the law whose parameters `par` are; None if it is done."""
-        law = kind_of_value(par)
-        return None if law in self._addresses else job_of_types(self.compiled, self._arguments(law))
+        if key_of_value(par) in self._addresses:
+            return None
+        return job_of_types(self.compiled, self._arguments(kind_of_value(par)))
 
     def _arguments(self, law):
         return (types.int64, rows_type(self.rows), types.float64, ROW, types.TypeRef(law))
@@ -198,12 +199,13 @@ class Entry:
 
     def address(self, *arguments) -> int:
         """Address of the function compiled for arguments of these types; compiled now unless it is on disk."""
-        kinds = kinds_of(arguments)
-        if kinds not in self._addresses:
+        key = key_of_value(arguments)
+        if key not in self._addresses:
+            kinds = kinds_of(arguments)
             self.compiled.compile(kinds)
             result = self.compiled.overloads[kinds]
-            self._addresses[kinds] = result.library.get_pointer_to_function(result.fndesc.llvm_func_name)
-        return self._addresses[kinds]
+            self._addresses[key] = result.library.get_pointer_to_function(result.fndesc.llvm_func_name)
+        return self._addresses[key]
 
 
 @intrinsic

@@ -5,8 +5,11 @@ asks for when a kernel is defined. Importing this module imports numba, so only 
 """
 
 import llvmlite.binding as llvm
+from numba import types
+from numba.core.dispatcher import _DispatcherBase
 
 from hugoniot.core import code_files, mathematics  # noqa: F401  (both set numba up)
+from hugoniot.core.sources import concerns_package
 
 # A sweep is inlined wherever it is called, and so are the functions on its way up: the whole march is one piece of machine code.
 # Otherwise the process that compiles runs another translation of a sweep than the ones that load the march from disk (each
@@ -28,3 +31,17 @@ llvm.set_option("hugoniot", "--vectorize-memory-check-threshold=100000")
 # A row that a pass copies beside its other work goes through the same packed loop; by default it becomes a call of the C library that
 # reads the row again, which for a piece of a hundred zones costs as much as the pass.
 llvm.set_option("hugoniot", "--disable-loop-idiom-memcpy")
+
+
+def _for_types(real):
+    def get_call_template(self, args, kws):
+        if concerns_package(self.py_func.__module__):
+            args = tuple(types.unliteral(kind) for kind in args)
+            kws = {name: types.unliteral(kind) for name, kind in kws.items()}
+        return real(self, args, kws)
+
+    return get_call_template
+
+
+# A kernel that calls another with a constant would have it compiled for that very constant, and once more for the next.
+_DispatcherBase.get_call_template = _for_types(_DispatcherBase.get_call_template)

@@ -24,8 +24,8 @@ class Wave(NamedTuple):
     level: float
 
 
-def waves(time, values) -> list[Wave]:
-    """The waves of a record, first to last, up to its largest change; none if it never changes.
+def waves(time, values, most: int | None = None) -> list[Wave]:
+    """The waves of a record, first to last, up to its largest change, or the first few of them (`most`); none if it never changes.
 
     time (n,) s, not decreasing; values (n,) in any unit. The first wave is the first rise, of either sign, that takes the record further
     than a hundredth of its largest change from its first value. It ends where its rate has fallen to a tenth of its steepest, or where
@@ -35,14 +35,17 @@ def waves(time, values) -> list[Wave]:
     Half of the height is where a captured shock stands, however thick it is: the viscous profile is nearly symmetric about it.
     """
     time, change = np.asarray(time, dtype=float), np.asarray(values, dtype=float) - values[0]
-    largest = float(np.max(np.abs(change), initial=0.0))
+    size = np.abs(change)
+    largest = float(np.max(size, initial=0.0))
     if largest == 0.0:
         return []
-    change = change * np.sign(change[np.argmax(np.abs(change) >= SMALLEST_WAVE * largest)])
+    change = change * np.sign(change[np.argmax(size >= SMALLEST_WAVE * largest)])
     with np.errstate(divide="ignore", invalid="ignore"):
-        rates = np.nan_to_num(np.diff(change) / np.diff(time), nan=0.0)
+        rates = (change[1:] - change[:-1]) / (time[1:] - time[:-1])
+    if not np.isfinite(rates).all():
+        rates = np.nan_to_num(rates, nan=0.0)
     found, k, top = [], 0, int(np.argmax(change))
-    while k < top:
+    while k < top and len(found) != most:
         low, (k, over) = k, _end_of_rise(change, rates, k, SMALLEST_WAVE * largest)
         if not over or change[k] - change[low] < SMALLEST_WAVE * largest:
             break
@@ -81,7 +84,7 @@ def arrivals(time, values) -> tuple[float, float]:
     The second is given where it is higher than the first and the plateau between them lasts at least as long as either rise: the mesh has
     then separated the two. What rises as the record begins, as a face does at its own impact, is no precursor.
     """
-    found = waves(time, values)
+    found = waves(time, values, 2)
     if not found:
         return float("nan"), float("nan")
     one, two = found[0], found[1] if len(found) > 1 else None
@@ -97,10 +100,12 @@ def first_crossing(time, values, level: float) -> float:
     time (n,) s, values (n,) and level in one unit.
     """
     values = np.asarray(values, dtype=float)
+    if values[0] == level:
+        return float(time[0])
     passed = values >= level if values[0] < level else values <= level
-    if values[0] == level or not passed.any():
-        return float(time[0]) if values[0] == level else float("nan")
-    k = int(np.argmax(passed))
+    k = int(passed.argmax())
+    if not passed[k]:
+        return float("nan")
     fraction = (level - values[k - 1]) / (values[k] - values[k - 1])
     return float(time[k - 1] + fraction * (time[k] - time[k - 1]))
 

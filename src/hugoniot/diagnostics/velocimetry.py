@@ -9,11 +9,11 @@ The spall strength follows from the pull-back $\Delta u$ of the free-surface vel
 $$\sigma = \tfrac12\,\rho_0\,c_0\,\Delta u$$
 
 (S. A. Novikov, I. I. Divnov, A. G. Ivanov, Phys. Met. Metall. 21 (1966) 608), with c0 the bulk sound speed. In an elastic-plastic body
-the front of the spall pulse runs at the longitudinal speed $c_l$ and overtakes release at $c_b$, which lowers the observed pull-back:
+the front of the spall pulse runs at the longitudinal speed $c_l$ and overtakes the release at $c_b$, which lowers the observed pull-back:
 
 $$\sigma = \rho_0\,c_l\,\Delta u\,\frac{1}{1 + c_l/c_b}$$
 
-(V. I. Romanchenko, G. V. Stepanov, J. Appl. Mech. Tech. Phys. 21 (1980) 555). Over the way h from the spall plane to the surface the
+(V. I. Romanchenko, G. V. Stepanov, J. Appl. Mech. Tech. Phys. 21 (1980) 555). Over the distance h from the spall plane to the surface the
 elastic front also erodes a short tension pulse; G. I. Kanel, J. Appl. Mech. Tech. Phys. 42 (2001) 358, adds to the pull-back
 
 $$\delta = \left(\frac{h}{c_b} - \frac{h}{c_l}\right)\frac{|\dot u_1|\,\dot u_2}{|\dot u_1| + \dot u_2}$$
@@ -24,6 +24,8 @@ with the slopes of the record before and after its minimum. (Bulk and longitudin
 from typing import NamedTuple
 
 import numpy as np
+
+QUARTILES = (0.25, 0.5, 0.75)
 
 
 class PullBack(NamedTuple):
@@ -122,45 +124,61 @@ def flat_top(time, values) -> float:
 
     time (n,) s, values (n,), n >= 1.
     """
-    return level_over(time, values, flat_stretch(time, values))
+    return flat_stretch(durations(time), values)[1]
 
 
-def flat_stretch(time, values) -> slice:
-    """Where a record stands on its flat top for the first time; empty if the top is not flat.
+def durations(time) -> np.ndarray:
+    """The time for which each point of a record stands, s; time (n,) s."""
+    time = np.asarray(time, dtype=float)
+    return np.gradient(time) if len(time) > 1 else np.zeros(len(time))
 
-    time (n,) s, values (n,), n >= 1. The height of the record is what it exceeds for a twentieth of the time that it spends above half of
-    its highest value. Of the stretches that last at least as long within 5 % of that height, it is the first that is flat: half of its time
-    lies within 0.5 % of the height.
+
+def flat_stretch(weight, values) -> tuple[slice, float]:
+    """(where a record stands on its flat top for the first time, its level there as of `level_over`); empty and NaN if the top is not flat.
+
+    weight (n,) s of `durations`, values (n,), n >= 1. The height of the record is what it exceeds for a twentieth of the time that it
+    spends above half of its highest value. Of the stretches that last at least as long within 5 % of that height, it is the first that is
+    flat: half of its time lies within 0.5 % of the height.
     """
-    time, values = np.asarray(time, dtype=float), np.asarray(values, dtype=float)
+    values = np.asarray(values, dtype=float)
     highest = float(np.max(values))
     if len(values) < 3 or not highest > 0.0:
-        return slice(0, 0)
-    weight, above = np.gradient(time), values >= 0.5 * highest
+        return slice(0, 0), float("nan")
+    above = values >= 0.5 * highest
     height = float(_over_time(values[above], weight[above], [0.95])[0])
     near = np.concatenate([[False], np.abs(values - height) <= 0.05 * height, [False]])
     edges = np.flatnonzero(near[1:] != near[:-1])
     # none, where the height lies between the points of a coarse record
     stretches = [slice(int(i), int(k)) for i, k in zip(edges[::2], edges[1::2])]
-    lasting = [part for part in stretches if np.sum(weight[part]) >= 0.05 * np.sum(weight[above])]
-    return next((part for part in lasting if np.isfinite(level_over(time, values, part, height))), slice(0, 0))
+    least = 0.05 * np.sum(weight[above])
+    for part in stretches:
+        if np.sum(weight[part]) >= least:
+            quartiles = _over_time(values[part], weight[part], QUARTILES)
+            if np.isfinite(_level(quartiles, height)):
+                return part, _level(quartiles)
+    return slice(0, 0), float("nan")
 
 
-def level_over(time, values, stretch: slice, scale: float | None = None) -> float:
+def level_over(weight, values, stretch: slice, scale: float | None = None) -> float:
     """Median over the time of a stretch of a record; NaN if it is empty or half of its time does not lie within 0.5 % of `scale`.
 
-    time (n,) s, values (n,); scale in the unit of the values, default the size of the median itself.
+    weight (n,) s of `durations`, values (n,); scale in the unit of the values, default the size of the median itself.
     """
-    time, values = np.asarray(time, dtype=float), np.asarray(values, dtype=float)
-    if not len(values[stretch]):
+    part = np.asarray(values, dtype=float)[stretch]
+    if not len(part):
         return float("nan")
-    low, middle, high = _over_time(values[stretch], np.gradient(time)[stretch], [0.25, 0.5, 0.75])
+    return _level(_over_time(part, weight[stretch], QUARTILES), scale)
+
+
+def _level(quartiles, scale: float | None = None) -> float:
+    """The median, if the quartiles lie within 0.5 % of the scale (default: its size); else NaN."""
+    low, middle, high = quartiles
     return float(middle) if high - low <= 0.005 * (abs(middle) if scale is None else scale) else float("nan")
 
 
 def _over_time(values, weight, shares):
     """Values below which a record stays for these shares of its time."""
-    order = np.argsort(values)
+    order = np.argsort(values, kind="stable")
     ordered = weight[order]
     return np.interp(shares, (np.cumsum(ordered) - 0.5 * ordered) / np.sum(weight), values[order])
 
@@ -179,10 +197,8 @@ def ringing_period(time, velocity, after: float, least: float = 0.01) -> float:
 
 def _last_near(values, k: int, least: float) -> int:
     """Last index of the flat top that begins at k."""
-    level = values[k] - least * abs(values[k])
-    while k + 1 < len(values) and values[k + 1] >= level:
-        k += 1
-    return k
+    left = ~(values[k + 1:] >= values[k] - least * abs(values[k]))
+    return k + int(left.argmax()) if left.any() else len(values) - 1
 
 
 def spall_strength(drop: float, rho0: float, c_bulk: float, c_long: float | None = None) -> float:

@@ -1,8 +1,8 @@
 """Gurney velocities sqrt(2E) of the library's explosives: as tabulated, or derived from the products' own equation of state.
 
 Derived: E is what the gas has given up when it has expanded from the Chapman-Jouguet state along its isentrope to V = EXPANSION times
-the volume of the explosive, $E = e_0 - e_S(V)$. For the nine explosives that have both this is -2.7 to +7.2 % from the table (median
-+3.2 %), but +14 % for HMX, whose tabulated value is doubted. Down to V = 7 it is 2 to 9 % more.
+the volume of the explosive, $E = e_0 - e_S(V)$. For the nine explosives that have both this is 0.2 to 7.5 % above the table (median
+3.2 %). Down to V = 7 it is 2 to 9 % more.
 """
 
 from collections.abc import Sequence
@@ -18,7 +18,7 @@ from hugoniot.theory.isentrope import isentrope
 
 EXPANSION = 4.0
 DERIVED = (f"derived: energy of the products' own isentrope down to V = {EXPANSION:g}; where a table has a value too, "
-           "-3 to +7 % from it, HMX +14 %")
+           "0 to 8 % above it")
 
 
 class GurneyVelocity(NamedTuple):

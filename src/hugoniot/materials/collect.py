@@ -1,6 +1,7 @@
 """Collects what is wrong with a deck or a material file, so that the user hears of everything at once."""
 
 import difflib
+import re
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from hugoniot.units import UnitError, parse
 LineOf = Callable[[tuple], int | None]
 _NAMED = ("region", "block", "gauge", "interface")
 MOST = 50           # problems worth reporting: whoever has more reads the first ones
+_CONTROLS = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f]")      # but for tabs and ends of lines
 _MOST_KNOWN = 400   # names worth comparing with one that is not known
 
 
@@ -71,7 +73,7 @@ class Collector:
         if isinstance(value, (dict, list)):
             for part, inner in value.items() if isinstance(value, dict) else enumerate(value):
                 self.texts((*path, part), inner)
-        elif isinstance(value, str) and any(ord(c) < 32 and c not in "\t\n\r" or 127 <= ord(c) < 160 for c in value):
+        elif isinstance(value, str) and _CONTROLS.search(value):
             self.add(path, f"'{printable(value)}' holds control characters", "write it without")
 
     def unknown(self, path: tuple, known: Iterable[str]) -> None:

@@ -59,7 +59,13 @@ def law_table(registry: Registry, par: Any) -> dict:
 def same_parameters(a: Any, b: Any) -> bool:
     """Whether two parameter tuples are of one law and equal bit for bit; not-a-number equals itself, arrays compare by element."""
     return type(a) is type(b) and all(
-        same_parameters(x, y) if isinstance(x, tuple) else np.array_equal(x, y, equal_nan=not isinstance(x, str)) for x, y in zip(a, b))
+        same_parameters(x, y) if isinstance(x, tuple) else _same_value(x, y) for x, y in zip(a, b))
+
+
+def _same_value(x: Any, y: Any) -> bool:
+    if type(x) is float and type(y) is float:
+        return x == y or (x != x and y != y)
+    return np.array_equal(x, y, equal_nan=not isinstance(x, str))
 
 
 def _plain(registry: Registry, value: Any) -> Any:

@@ -28,13 +28,13 @@ from hugoniot.output.seal import MARK, intact, read_sealed
 def load(folder, partial: bool = False) -> "Run":
     """The run in `folder`. Raises `FileTrouble` if there is none, or it is unfinished or damaged.
 
-    partial   read what can still be read of a damaged result: columns whose own checksums agree, without a promise for names and texts
+    partial   read what can still be read of a damaged result: columns whose own checksums agree; names and texts are not guaranteed
     """
     return Run(folder, partial)
 
 
 class Run:
-    """One run folder. `summary` and `setup` are dictionaries, `deck` is the resolved deck's text; `partial` as of `load`."""
+    """One run folder. `summary` and `setup` are dictionaries, `deck` is the resolved deck's text; `partial` as for `load`."""
 
     plot: Any   # the pictures of this run: the room `plotting`, a layer above, puts it here
 
@@ -181,7 +181,7 @@ class Run:
 
     @cached_property
     def peaks(self):
-        """Extreme values each zone met (zone)."""
+        """Extreme values reached in each zone (zone)."""
         return self.dataset("peaks")
 
     @cached_property

@@ -4,7 +4,7 @@ import numpy as np
 
 from hugoniot.diagnostics.arrival import arrivals
 from hugoniot.diagnostics.interface_gauges import sides
-from hugoniot.diagnostics.velocimetry import flat_stretch, level_over
+from hugoniot.diagnostics.velocimetry import durations, flat_stretch, level_over
 from hugoniot.output.run import Run, largest_value
 from hugoniot.output.spall_reading import NOISE, SURFACE, spall_reading, surface_record
 from hugoniot.units import format_si
@@ -54,16 +54,16 @@ def gauge_rows(run: Run) -> list[dict]:
 def _levels(time, velocity, stress, arrival: float, moved: bool) -> dict[str, float]:
     """Peak, plateau and end of a gauge's stress (None: not recorded) and velocity; `moved` is whether the velocity changed."""
     first = int(np.searchsorted(time, arrival)) if np.isfinite(arrival) else 0
-    since, free = time[first:], stress is None or (moved and not stress.any())
-    top = flat_stretch(since, np.abs(velocity - velocity[0])[first:] if free else stress[first:])
+    weight, free = durations(time[first:]), stress is None or (moved and not stress.any())
+    top, level = flat_stretch(weight, np.abs(velocity - velocity[0])[first:] if free else stress[first:])
     nothing, found = float("nan"), {}
     if stress is not None:
         found = {"peak_stress": nothing if free else float(stress.max()),
-                 "plateau_stress": nothing if free else level_over(since, stress[first:], top),
+                 "plateau_stress": nothing if free else level,
                  "lowest_stress": nothing if free else float(stress.min())}
     largest = float(np.max(np.abs(velocity)))
     return found | {"peak_velocity": float(velocity[np.argmax(np.abs(velocity))]),
-                    "plateau_velocity": level_over(since, velocity[first:], top, largest), "last_velocity": float(velocity[-1])}
+                    "plateau_velocity": level_over(weight, velocity[first:], top, largest), "last_velocity": float(velocity[-1])}
 
 
 def without_round_off(values: np.ndarray, largest: float) -> np.ndarray:

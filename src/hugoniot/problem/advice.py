@@ -4,21 +4,21 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hugoniot.laws.eos.contract import EOS, reference_state
+from hugoniot.laws.eos.contract import reference_state
+from hugoniot.materials.plausible import unlikely
 from hugoniot.problem.model import Problem, Region
 from hugoniot.problem.profiles import LIGHT
 
 if TYPE_CHECKING:
     from hugoniot.problem.plane.model import Problem2D
 
-LIGHTEST, SLOWEST = 50.0, 100.0     # kg/m3 and m/s: below stand gases, aerogels and numbers whose unit was forgotten
 IONISED = 15e3      # m/s of particle velocity: 112 MJ/kg, 31 eV for an atom of aluminium, whose first two electrons take 25 eV
 RELATIVISTIC = 0.01      # of the speed of light
 
 
 def advice(problem: Problem) -> list[str]:
     """Warnings of a problem that can be run."""
-    found = _forgotten_units(problem)
+    found = _unlikely(problem)
     for a, b in zip(problem.regions, problem.regions[1:]):
         if a.end != b.start:
             continue
@@ -43,7 +43,7 @@ def advice(problem: Problem) -> list[str]:
 
 def advice_on_blocks(problem: "Problem2D") -> list[str]:
     """The same of two dimensions: forgotten units, and the speeds of blocks, whose mean velocities say how fast they may meet."""
-    found = _forgotten_units(problem)
+    found = _unlikely(problem)
     nodes = [velocity.reshape(2, -1) for velocity in problem.velocities()]
     means = np.array([velocity.mean(axis=1) for velocity in nodes])
     fastest: dict[str, tuple[float, str, str]] = {}
@@ -62,20 +62,8 @@ def advice_on_blocks(problem: "Problem2D") -> list[str]:
     return found + _beyond_atoms(unstated) + _relativistic(speeds)
 
 
-def _forgotten_units(problem: "Problem | Problem2D") -> list[str]:
-    """Densities and sound speeds at rest that no liquid or solid has: a bare number in a deck is SI."""
-    found = []
-    for name, material in problem.materials.items():
-        law = EOS.of(material.eos)
-        par = material.eos._asdict()
-        if "gas" in law.flags or any(EOS.knows(value) for value in material.eos):
-            continue
-        for key, least, unit, better in (("rho0", LIGHTEST, "kg/m^3", "g/cm^3"), ("c0", SLOWEST, "m/s", "km/s")):
-            value = par.get(key)
-            if isinstance(value, float) and 0.0 < value < least:
-                found.append(f"material '{name}': {key} = {value:g} {unit} for a solid or liquid? A bare number is SI; "
-                             f"write \"{value:g} {better}\" if that is what you mean")
-    return found
+def _unlikely(problem: "Problem | Problem2D") -> list[str]:
+    return [text for name, material in problem.materials.items() for text in unlikely(name, material)]
 
 
 def _speeds(problem: Problem) -> dict[str, float]:

@@ -43,7 +43,7 @@ def read_deck(path: str | Path, overrides: dict[str, Any] | None = None, materia
     """Read a deck file.
 
     overrides   dotted key -> value that replaces the deck's, such as {"region.flyer.velocity": "800 m/s"}
-    materials   files and folders of users' own materials; NAME.toml beside the deck is found without
+    materials   files and folders of users' own materials; NAME.toml beside the deck is found without being listed
     Raises `DeckError` with every problem found, `FileTrouble` if the file cannot be read.
     """
     path = Path(path)

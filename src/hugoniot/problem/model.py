@@ -80,7 +80,7 @@ class Boundary:
 class Interface:
     """How two neighbouring regions hold together.
 
-    kind: "bonded" (never opens but by fracture of a material), "separable" (opens under any tension),
+    kind: "bonded" (opens only by fracture of a material), "separable" (opens under any tension),
     "bond" (opens when the tensile stress exceeds `strength`, Pa).
     """
 
@@ -162,7 +162,7 @@ class HeatSource:
     """Energy supplied to a region from outside.
 
     kind                "power", W/kg where the profile is 1, or "intensity", W/m2 through the face of the region on `side`
-    absorption_length   m: the intensity falls by 1/e in it; None: spread evenly over the mass, or as the table says
+    absorption_length   m: the intensity falls to 1/e over it; None: spread evenly over the mass, or as the table says
     depths, weights     energy per mass at depths below that face at t = 0 (m), linear between, nothing beyond
     """
 

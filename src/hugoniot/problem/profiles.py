@@ -138,7 +138,7 @@ def _check_table(profile: Profile, start: float, end: float, collector: Collecto
         collector.add((*path, "positions"), "positions must increase, two at least")
     elif places[0] > start + 1e-9 * (end - start) or places[-1] < end - 1e-9 * (end - start):
         collector.add((*path, "positions"), f"reach from {places[0]:g} to {places[-1]:g} m, the region from {start:g} to {end:g} m",
-                      "a profile covers its region")
+                      "a profile must cover its region")
 
 
 def _of_file(name: str, collector: Collector, path: tuple) -> Profile | None:

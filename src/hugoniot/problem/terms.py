@@ -110,7 +110,7 @@ def _heat_sources(raw: Any, collector: Collector) -> tuple[HeatSource, ...]:
             continue
         given = [(name, unit) for name, unit in (("power", "W/kg"), ("intensity", "W/m^2")) if getattr(table, name) is not None]
         if len(given) != 1:
-            collector.add(path, "a heat source has one of power and intensity", "power in W/kg, or intensity in W/m^2 through a face")
+            collector.add(path, "a heat source needs one of power and intensity", "power in W/kg, or intensity in W/m^2 through a face")
             continue
         if (table.depths is None) != (table.weights is None) or table.depths and len(table.depths) != len(table.weights):
             collector.add((*path, "depths"), "a profile has as many weights as depths")
@@ -120,6 +120,10 @@ def _heat_sources(raw: Any, collector: Collector) -> tuple[HeatSource, ...]:
                           "give intensity and absorption_length, or depths and weights")
             continue
         pulse = read_pulse(getattr(table, given[0][0]), given[0][1], collector, (*path, given[0][0]))
+        if pulse is not None and min(pulse.amplitude, *pulse.values, 0.0) < 0.0:
+            collector.add((*path, given[0][0]), "a heat source supplies energy; a negative one would cool below absolute zero",
+                          "give 0 or more")
+            continue
         if pulse is not None:
             found.append(HeatSource(table.region, given[0][0], pulse, table.side, table.absorption_length, table.depths or (),
                                     table.weights or ()))

@@ -1,5 +1,6 @@
 """Writes tables as TOML. Floats are written by `repr`, so reading them back gives the same bits."""
 
+import functools
 import json
 import math
 import re
@@ -14,10 +15,13 @@ def to_toml(tables: dict[str, Any]) -> str:
 
 
 def _table(table: dict[str, Any], path: tuple[str, ...]) -> list[str]:
-    lines = [f"{_key(k)} = {_value(v)}" for k, v in table.items() if not _has_header(v, len(path))]
+    lines, headed = [], []
     for name, value in table.items():
-        if not _has_header(value, len(path)):
-            continue
+        if isinstance(value, (dict, list)) and _has_header(value, len(path)):
+            headed.append((name, value))
+        else:
+            lines.append(f"{_key(name)} = {_value(value)}")
+    for name, value in headed:
         here = (*path, name)
         header = ".".join(_key(k) for k in here)
         if isinstance(value, list):
@@ -47,6 +51,7 @@ def _inline_only(value: dict) -> bool:
     return set(value) in ({"velocity"}, {"pressure"})
 
 
+@functools.lru_cache(maxsize=1024)
 def _key(name: str) -> str:
     return name if _BARE.fullmatch(name) else _text(name)
 

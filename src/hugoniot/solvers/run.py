@@ -35,13 +35,15 @@ class Report:
 
 @dataclass
 class Schedule:
-    """When to look: stop time, snapshot times (sorted, s), wall seconds and cycles between checkpoints, most cycles."""
+    """When to look: stop time, snapshot times (sorted, s), wall seconds and cycles between checkpoints, most cycles; cycles of the first
+    burst, before it is known how long one takes."""
 
     stop_time: float
     snapshots: list[float] = field(default_factory=list)
     checkpoint_seconds: float = math.inf
     checkpoint_cycles: int | None = None
     max_cycles: int | None = None
+    first_burst: int = FIRST_BURST
 
 
 @dataclass
@@ -119,7 +121,7 @@ def march_to_end(solver: Solver, schedule: Schedule, observers=(), next_snapshot
     tell = _Hands(observers)
     times = schedule.snapshots
     last_checkpoint = time.perf_counter()
-    last_cycle, kernel, burst, first = solver.cycle, 0.0, FIRST_BURST, True
+    last_cycle, kernel, burst, first = solver.cycle, 0.0, schedule.first_burst, True
     with _Interrupts() as interrupts:
         if next_snapshot == 0 and solver.time >= times[0]:
             _look(solver, tell)

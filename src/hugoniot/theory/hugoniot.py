@@ -26,7 +26,7 @@ def shock(material, initial: Initial | None = None, *, direction: int = 1, guess
     given       exactly one of pressure (Pa), particle_velocity (m/s), shock_velocity (m/s), density (kg/m3): a number or an
                 array; velocities are in the frame of the laboratory
     direction   +1: the shock runs towards +x, -1: towards -x
-    guess       first v0 - v to try, m3/kg; tells the strong from the weak branch of a detonation given its velocity
+    guess       first v0 - v to try, m3/kg; selects the strong or the weak branch of a detonation of given velocity
     Returns `States` of the shape of the input. Raises `OutOfRange` with the limit, or `NoSolution`.
     Source: KB codes eqs 2.7 to 2.13 with K-E1 corrected; Starkenberg A-5.
     """

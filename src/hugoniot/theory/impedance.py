@@ -53,7 +53,7 @@ def match(layers: Sequence, velocity: float, *, initial: Sequence[States] | None
     layers     flyer first, then the targets: materials or parameter tuples, at least two
     velocity   of the flyer towards the targets, m/s
     initial    states before the impact (default: each at its reference state, the flyer at `velocity`)
-    Raises `OutOfRange` if nothing is struck or a law cannot follow.
+    Raises `OutOfRange` if the flyer does not reach the target or a state lies outside the range of a law.
     """
     if len(layers) < 2:
         raise OutOfRange("an impact needs a flyer and at least one target")
@@ -92,7 +92,7 @@ def ring_up(layers: Sequence, velocity: float, *, layer: int = 1, bounces: int =
 
 
 def free_surface(material, state: States, *, to: float = 0.0) -> States:
-    """The state behind a free surface that a shock reaches: released isentropically to the pressure `to` (Pa)."""
+    """The state at a free surface after a shock has reached it: released isentropically to the pressure `to` (Pa)."""
     return release(law_of(material), state, to, direction=-1)
 
 

@@ -61,8 +61,8 @@ def reference(material, velocity: float = 0.0) -> States:
 
 
 def state(material, velocity: float = 0.0, **given) -> States:
-    """A single state from any two of density (kg/m3), pressure (Pa), energy (J/kg), temperature (K); one: the reference density,
-    or zero pressure if that one is the density; none: the reference state.
+    """A single state from any two of density (kg/m3), pressure (Pa), energy (J/kg), temperature (K); one: with the reference density,
+    or with zero pressure if that one is the density; none: the reference state.
     """
     par = law_of(material)
     if stray := set(given) - {"density", "pressure", "energy", "temperature"}:

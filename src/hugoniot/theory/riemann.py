@@ -95,9 +95,9 @@ def riemann(left, left_state: States, right, right_state: States, *, bonded: boo
 
     left, right               materials or parameter tuples
     left_state, right_state   single states (`theory.isentrope.state` makes one); velocities in m/s
-                              (those of an answer carry the history of crushed pores)
+                              (states from an earlier result carry the history of crushed pores)
     bonded                    True: the contact supports tension; False (default): bodies that would be pulled apart separate
-    Raises `OutOfRange` where a law cannot follow, `NoSolution` if the curves do not meet.
+    Raises `OutOfRange` where a state lies outside the range of a law, `NoSolution` if the curves do not meet.
     """
     sides = (_Side(law_of(left), left_state, -1), _Side(law_of(right), right_state, 1))
     with np.errstate(all="ignore"):

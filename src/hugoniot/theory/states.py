@@ -84,7 +84,7 @@ class States:
 
     @property
     def entropy(self):
-        """J/(kg K) up to the law's constant, or None where the law has no closed entropy."""
+        """J/(kg K) up to an additive constant, or None where the law has no entropy in closed form."""
         return self._derived("entropy")
 
     @property
@@ -109,7 +109,7 @@ class States:
         return value if value.ndim else float(value)
 
     def table(self, *more: str) -> dict:
-        """Field word -> value (numbers or arrays, SI): the columns of a CSV file and the keys of JSON output."""
+        """Field name -> value (numbers or arrays, SI): the columns of a CSV file and the keys of JSON output."""
         names = ["pressure", "density", "particle_velocity", "shock_velocity", "specific_internal_energy", "temperature", "sound_speed"]
         found = {name: getattr(self, name) for name in [*names, *more]}
         return {**found, **self.extra}

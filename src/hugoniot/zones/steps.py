@@ -34,10 +34,10 @@ class Rows(NamedTuple):
 
 
 class MaterialSteps:
-    """Writes the passes of one material into the list `operations`."""
+    """Writes the passes of one material into the list `operations`; intact: for zones in which no voids stand as the passes begin."""
 
-    def __init__(self, laws: Laws, at: Rows, explicit: bool):
-        self.laws, self.at = laws, at
+    def __init__(self, laws: Laws, at: Rows, explicit: bool, intact: bool = False):
+        self.laws, self.at, self.intact = laws, at, intact
         self.operations: list[Operation] = []
         self.constants = np.array(laws.constants, dtype=float)
         self._numbers: dict[int, tuple[Any, np.ndarray]] = {}
@@ -154,7 +154,7 @@ class MaterialSteps:
     def solid(self, rho) -> tuple[Place, Place]:
         """Rows of density and specific volume of the solid, of volume w.v and density `rho` with its voids."""
         w = self.at.w
-        if not self.laws.grows_voids:
+        if self.intact or not self.laws.grows_voids:
             return rho, w.v
         self.do(fracture.solid_pass, fracture.SolidRows(w.v, rho, self.at.z.voids, w.solid, w.solid_v))
         return w.solid, w.solid_v

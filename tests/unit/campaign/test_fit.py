@@ -189,8 +189,8 @@ def test_a_wall_seen_by_a_streak_camera_gives_the_tube_back(tmp_path, inline):
 
 @pytest.mark.parametrize("wishes, words", [
     ({"to": []}, "nothing to fit to"),
-    ({"free": []}, "nothing is free"),
-    ({"free": ["region.flyer.velocity = 1, 2 km/s"]}, "has a range, or a mean"),
+    ({"free": []}, "no parameter is free"),
+    ({"free": ["region.flyer.velocity = 1, 2 km/s"]}, "needs a range, or a mean"),
     ({"free": ["region.flyer.velocity = 1..2 mm"]}, "expected a velocity"),
     ({"free": ["region.flyer.velocty = 1..2 km/s"]}, "unknown key"),
     ({"sigma": "5 mm"}, "--sigma: expected a velocity"),

@@ -86,6 +86,11 @@ def found(data, kind, runs=None):
     return posterior_of(p, p.search(p.starts(None, 1, 0)[0]), kind, runs, seed=2)
 
 
+@pytest.fixture(scope="module")
+def small(straight):
+    return found(straight[0], "surrogate", 24)
+
+
 @pytest.mark.parametrize("kind, runs", [("surrogate", None), ("runs", 24_000)])
 def test_a_straight_line_has_the_posterior_of_the_textbook(straight, kind, runs):
     data, mean, covariance = straight
@@ -104,12 +109,12 @@ def test_a_straight_line_has_the_posterior_of_the_textbook(straight, kind, runs)
     assert width[0] > 0.8 and width[1] < 6.0 * 0.01 / np.sqrt(TIMES.size) * np.sqrt(2.0)
 
 
-def test_every_pair_is_drawn_and_what_runs_predict(straight, tmp_path):
+def test_every_pair_is_drawn_and_what_runs_predict(straight, small, tmp_path):
     from hugoniot.plotting.eos import save
     from hugoniot.plotting.posterior import corner_figure, draw_predictive
     from hugoniot.plotting.style import new_panels
 
-    p = found(straight[0], "surrogate", 24)
+    p = small
     figure = corner_figure(p)
     assert [ax.get_visible() for ax in figure.axes] == [True, False, True, True]
     save(figure, tmp_path / "corner.png")
@@ -119,8 +124,8 @@ def test_every_pair_is_drawn_and_what_runs_predict(straight, tmp_path):
     assert (tmp_path / "corner.png").stat().st_size > 5000 and axes[0, 0].get_ylabel() == "particle velocity (m/s)"
 
 
-def test_draws_come_again_with_their_seed(straight):
-    assert np.array_equal(found(straight[0], "surrogate", 24).draws, found(straight[0], "surrogate", 24).draws)
+def test_draws_come_again_with_their_seed(straight, small):
+    assert np.array_equal(found(straight[0], "surrogate", 24).draws, small.draws)
 
 
 def test_a_shift_of_the_clock_is_drawn_too():

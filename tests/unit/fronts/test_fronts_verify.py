@@ -12,8 +12,14 @@ from hugoniot.cli.main import build_app
 
 
 def test_a_standard_problem_runs_with_tracked_fronts():
-    (error,) = [j.value for j in verify_problem("collision", [20], "fronts").judged if j.measure == "density_l1"]
-    assert error < 1e-10                    # captured shocks leave wall heating of some per cent
+    found = verify_problem("collision", [20, 200], "fronts").judged
+    assert max(j.value for j in found if j.measure == "density_l1") < 1e-10      # captured shocks leave wall heating of some per cent
+
+
+def test_the_weak_shocks_of_a_slow_piston_are_followed():
+    """At 20 m/s no wave in copper is stronger than 0.3 % of the stiffness."""
+    found = {j.measure: j.value for j in verify_problem("copper_piston", [60], "fronts").judged}
+    assert found["density_l1"] < 1e-12 and found["plastic_stress"] < 1e-9 and found["elastic_limit"] < 1e-9
 
 
 def test_what_fronts_do_not_take_says_why():
@@ -59,4 +65,10 @@ def test_cells_meet_their_goals(name):
 def test_a_body_of_one_zone_gets_cells_enough_to_expand():
     """The spark of the point explosion is one zone: as one cell, with one velocity, it holds 8 % too much pressure (density_l1 0.17)."""
     found = {j.measure: j.value for j in verify_problem("sedov_planar", [100], "fronts").judged}
-    assert found["density_l1"] < 0.03 and found["shock_position"] < 0.004
+    assert found["density_l1"] < 0.03 and found["shock_position"] < 0.002
+
+
+@pytest.mark.slow
+def test_shocks_are_read_from_their_fronts():
+    """Guderley's exponent and the arrival of the returning shock; zones of this mesh show them to 2 %."""
+    assert max(j.value for j in verify_problem("guderley", [300], "fronts").judged) < 2e-4

@@ -155,7 +155,7 @@ def test_the_state_of_a_profile_is_that_of_its_material(tmp_path):
     ('"0.1 m/s"', '"0.1 m"', "unit m"),
     ('"0.1 m/s"', '"0.1 m/s * y"', "unknown name 'y'"),
     ('"0.1 m/s"', '"__import__(1)"', "not allowed in an expression"),
-    ('velocity = "0.1 m/s"', 'positions = [0.0, 0.5]\nvelocity = [0.0, 1.0]', "a profile covers its region"),
+    ('velocity = "0.1 m/s"', 'positions = [0.0, 0.5]\nvelocity = [0.0, 1.0]', "a profile must cover its region"),
     ('velocity = "0.1 m/s"', 'positions = [0.0, 0.5, 1.0]\nvelocity = [0.0, 1.0]', "2 values for 3 positions"),
     ('velocity = "0.1 m/s"', 'density = "1 kg/m^3"', "is given both in the region and in its profile"),
     ('velocity = "0.1 m/s"', 'pressure = "0.5 Pa - 1 Pa * x / 1 m"', "at 500 mm its state is outside"),

@@ -75,6 +75,15 @@ def angular_momentum(solver):
     return float(np.sum(n[N.own] * (n[N.x] * n[N.v] - n[N.y] * n[N.u])))
 
 
+def moment_of_contact(solver):
+    """Moment of the impulses of contact in the last step, at the places of nodes in its middle, about the origin, kg m2/s per metre."""
+    contact, n, found = solver.run.contact, solver.nodes, 0.0
+    for (node, *_), numbers in zip(contact.movers, contact.mover_numbers):
+        x, y = n[N.x, node] - 0.5 * solver.step * n[N.um, node], n[N.y, node] - 0.5 * solver.step * n[N.vm, node]
+        found += x * numbers[C.JY] - y * numbers[C.JX]
+    return float(found)
+
+
 def mean_velocity(solver, block):
     """Mass mean of the velocity of a block."""
     part = slice(solver.numbering.first[block], solver.numbering.first[block + 1])
@@ -83,4 +92,4 @@ def mean_velocity(solver, block):
 
 
 __all__ = ["Boundary2D", "Contact2D", "Material", "MieGruneisen", "N", "Pulse", "Rigid2D", "Z", "al", "angular_momentum", "askew", "bars",
-           "mean_velocity", "meeting", "ran", "rebound", "sphere", "strip", "walls"]
+           "mean_velocity", "meeting", "moment_of_contact", "ran", "rebound", "sphere", "strip", "walls"]

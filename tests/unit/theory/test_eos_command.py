@@ -326,3 +326,15 @@ def test_error_bars_of_a_match_in_its_csv(tmp_path):
     found = answer("match", "copper", "pmma", "--velocity", "555 m/s", "--error", "velocity = 5 m/s", "--csv", str(out))
     row = next(csv.DictReader(out.open()))
     assert float(row["pressure_sigma (Pa)"]) == found["states"][0]["uncertainty"]["pressure"]["sigma"]
+
+
+@pytest.mark.parametrize("words", [("show", "{}", "--at", "particle_velocity = 150 m/s"), ("lines", "{}", "--at", "particle_velocity = 150 m/s"),
+                                   ("isentrope", "{}", "--at", "particle_velocity = 150 m/s"), ("hugoniot", "{}", "--at", "particle_velocity = 150 m/s"),
+                                   ("match", "{}", "{}", "--velocity", "300 m/s"), ("riemann", "{}", "{}", "--left", "velocity = 300 m/s, pressure = 0 Pa")])
+def test_every_command_reports_a_shock_that_splits(tmp_path, words):
+    """Porous aluminium at 150 m/s: 361.85 MPa behind two waves, where a single jump would lead to 332.5 MPa."""
+    path = tmp_path / "porous.toml"
+    path.write_text('[material.por.eos]\nlaw = "p_alpha"\nalpha0 = 1.275\nelastic_pressure = "0.08 GPa"\ncompaction_pressure = "0.7 GPa"\n'
+                    '[material.por.eos.base]\nlaw = "mie_gruneisen"\nrho0 = "2700 kg/m^3"\nc0 = "5350 m/s"\ns = 1.34\ngamma0 = 2.0\n')
+    done = eos(*(word.format(path) for word in words))
+    assert done.exit_code == 0 and "no single jump exists" in done.stderr and "361.85 MPa" in done.stderr

@@ -54,7 +54,7 @@ def test_gurney_answers_for_every_explosive_of_the_library(capsys):
     rows = {r["explosive"]: r for r in json.loads(out)}
     assert not code and all(1900.0 < r["gurney_velocity"] < 3200.0 and r["source"] for r in rows.values())
     assert {"Cyclotol", "TNT", "Composition C-4"} < set(rows) and len(rows) == 21
-    assert [name for name in ("TNT", "HMX") if rows[name]["derived"]] == ["TNT"] and "DISAGREES" in rows["HMX"]["marks"][0]
+    assert [name for name in ("TNT", "HMX") if rows[name]["derived"]] == ["TNT"]
     assert rows["TNT"]["asymmetric"] > rows["TNT"]["open"] and "unverified" in rows["Pentolite 50/50"]["marks"][0]
     code, out = answer(capsys, "eos", "gurney", "--velocity", "2.7 km/s", "--json")
     one = json.loads(out)[0]
@@ -76,7 +76,7 @@ def test_derived_gurney_velocities_are_the_energy_of_the_isentrope_and_near_the_
         speed = np.sqrt(2.0 * (par.e0 - left) / par.rho0)
         assert derived_velocity(entry) == pytest.approx(speed, rel=1e-5)
         deviations.append(speed / entry.detonation["gurney_velocity"].value - 1.0)
-    assert min(deviations) > -0.03 and sorted(deviations)[-2] < 0.075 and 0.13 < max(deviations) < 0.15
+    assert min(deviations) > 0.0 and max(deviations) < 0.08
     assert float(np.median(deviations)) == pytest.approx(0.032, abs=2e-3)
 
 

@@ -8,12 +8,13 @@ import typer
 from hugoniot.cli.eos.burning import initial
 from hugoniot.cli.eos.input import Subject, find_inert, find_material, one_state
 from hugoniot.cli.eos.output import cell, deliver, echo_notes, echo_states, notes, row_of
+from hugoniot.cli.eos.splits import split_notes
 from hugoniot.cli.show import quantity
 from hugoniot.dossier.fits import library_points
 from hugoniot.errors import DeckError, OutOfRange
 from hugoniot.theory.fits import read_points
 from hugoniot.theory.hugoniot import Initial, curve, shock
-from hugoniot.theory.split import split_range, split_wave
+from hugoniot.theory.split import split_range
 from hugoniot.theory.states import States
 
 SMOOTH = 60     # states with which a curve looks like one
@@ -130,12 +131,7 @@ def _splits(f: Answer, single: bool) -> list[str]:
         return [] if between is None else [
             f"from {cell('particle_velocity', between[0])} to {cell('particle_velocity', between[1])} no single jump exists: a faster "
             "precursor runs ahead; --at gives the states behind both waves"]
-    found = split_wave(f.subject.material, f.ahead, f.states)
-    if found is None:
-        return []
-    first, second = ([cell(name, getattr(state, name)) for name in ("pressure", "shock_velocity", "density")] for state in found)
-    return [f"no single jump exists here: a precursor to {first[0]} runs ahead at {first[1]}; behind it a second shock at {second[1]} "
-            f"leads to {second[0]} and {second[2]} at the same particle velocity"]
+    return split_notes(f.subject.material, f.states, f.ahead)
 
 
 def _from(f: Answer) -> str:

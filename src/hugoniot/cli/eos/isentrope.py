@@ -4,6 +4,7 @@ import typer
 
 from hugoniot.cli.eos.input import Subject, find_material, one_state
 from hugoniot.cli.eos.output import cell, deliver, echo_notes, echo_states, notes
+from hugoniot.cli.eos.splits import split_notes
 from hugoniot.cli.show import quantity
 from hugoniot.theory import hugoniot as curves
 from hugoniot.theory.chapman_jouguet import cj, overdriven
@@ -24,7 +25,8 @@ def report(materials: list[str], at: str | None, points: int, to: str | None, as
         drawn = [(s.material.name, None if s.reacted else curves.curve(s.material, up_to=1.15 * max(st.particle_velocity, 1.0)),
                   states if points >= 60 else _expansion(s, st, to, 60)) for s, st, states in paths]
         save(releases(drawn), plot)
-    told = [notes(s, 0.0 if s.reacted else st.particle_velocity) for s, st, _ in paths]
+    told = [notes(s) if s.reacted else [*(split_notes(s.material, start) if at else ()), *notes(s, start.particle_velocity)]
+            for s, start, _ in paths]
     if not deliver([(s.material.name, st.table("entropy")) for s, _, st in paths], as_json=as_json, as_csv=as_csv, told=told):
         return
     for (subject, start, states), said in zip(paths, told):

@@ -8,6 +8,7 @@ import typer
 from hugoniot.cli.eos.input import find_inert, one_state
 from hugoniot.cli.eos.options import CSV, MATERIAL, PLOT
 from hugoniot.cli.eos.output import deliver, echo_columns, echo_notes, notes
+from hugoniot.cli.eos.splits import split_notes
 from hugoniot.cli.show import JSON, echo_json, echo_table, quantity
 from hugoniot.errors import DeckError
 
@@ -34,7 +35,7 @@ def lines(
         from hugoniot.plotting.waves import shock_lines_picture
 
         save(shock_lines_picture(subject.material.name, found), plot)
-    told = notes(subject, float(found.behind.particle_velocity))
+    told = [*split_notes(subject.material, found.behind), *notes(subject, float(found.behind.particle_velocity))]
     if not deliver([(subject.material.name, found.table())], as_json=as_json, as_csv=as_csv, told=[told]):
         return
     typer.echo(f"{subject.title or subject.material.name}: shock of {float(found.behind.shock_velocity):.6g} m/s to "

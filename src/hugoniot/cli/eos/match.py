@@ -4,6 +4,7 @@ import typer
 
 from hugoniot.cli.eos.input import Subject, error_bars
 from hugoniot.cli.eos.output import cell, echo_notes, notes, row_of, write_csv
+from hugoniot.cli.eos.splits import jump_notes
 from hugoniot.cli.show import echo_json, echo_table, quantity
 from hugoniot.errors import DeckError, HugoniotError, NoSolution, OutOfRange
 from hugoniot.laws.eos.contract import EOS, reference_state
@@ -115,7 +116,8 @@ def _event(event, names: list[str]) -> dict:
 
 def _told(subjects: list[Subject], velocity: float, met: list[Match]) -> list[str]:
     """The notes about every layer, each once."""
-    return list(dict.fromkeys(text for i, s in enumerate(subjects) for text in notes(s, _first_jump(i, velocity, met))))
+    jumps = [_first_jump(i, velocity, met) for i in range(len(subjects))]
+    return list(dict.fromkeys(text for s, jump in zip(subjects, jumps) for text in (*jump_notes(s.material, jump), *notes(s, jump))))
 
 
 def _first_jump(layer: int, velocity: float, met: list[Match]) -> float:

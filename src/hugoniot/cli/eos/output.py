@@ -11,6 +11,7 @@ import typer
 
 from hugoniot.cli.show import echo_json, echo_table
 from hugoniot.errors import FileTrouble
+from hugoniot.materials.plausible import unlikely
 from hugoniot.theory.states import UNITS, States
 from hugoniot.units import format_si
 
@@ -104,7 +105,7 @@ def notes(subject, jump: float = 0.0) -> list[str]:
     limit, found = subject.material.valid_up_to, []
     if limit and jump > limit * (1.0 + 1e-9):
         found.append(f"the data of {subject.material.name} end at {limit:.6g} m/s, the shock has up = {jump:.6g} m/s: extrapolated")
-    return [*found, *subject.material.warnings]
+    return [*found, *unlikely(subject.material.name, subject.material), *subject.material.warnings]
 
 
 def echo_notes(found: Sequence[str]) -> None:

@@ -4,7 +4,9 @@ import typer
 
 from hugoniot.cli.eos.input import find_material, several_states
 from hugoniot.cli.eos.output import cell, echo_notes, echo_states, notes, row_of, write_csv
+from hugoniot.cli.eos.splits import jump_notes
 from hugoniot.cli.show import echo_json, echo_table
+from hugoniot.theory.hugoniot import Initial
 from hugoniot.theory.isentrope import state
 from hugoniot.theory.riemann import riemann
 
@@ -21,7 +23,8 @@ def report(materials: tuple[str, str], given_states: tuple[str, str], bonded: bo
 
         save(riemann_waves((subjects[0].material.name, subjects[1].material.name), found, (states[0], states[1])), plot)
     jumps = [abs(found.velocity - s.particle_velocity) if w.kind == "shock" else 0.0 for s, w in zip(states, (found.left, found.right))]
-    told = list(dict.fromkeys(text for s, jump in zip(subjects, jumps) for text in notes(s, jump)))
+    told = list(dict.fromkeys(text for s, start, jump in zip(subjects, states, jumps)
+                              for text in (*jump_notes(s.material, jump, Initial.of(start)), *notes(s, jump))))
     waves = {side: {"wave": w.kind, "head": w.head, "tail": w.tail, **row_of(w.behind.table())}
              for side, w in (("left", found.left), ("right", found.right)) if w.behind.density > 0.0}
     if as_csv:

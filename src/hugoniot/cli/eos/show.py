@@ -4,6 +4,7 @@ import typer
 
 from hugoniot.cli.eos.input import Subject, find_inert, find_material, one_state
 from hugoniot.cli.eos.output import cell, echo_notes, echo_states, notes, row_of, write_csv
+from hugoniot.cli.eos.splits import split_notes
 from hugoniot.cli.show import echo_json, echo_table
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.theory.hugoniot import shock
@@ -16,8 +17,9 @@ def report(material: str, at: str | None, as_json: bool, as_csv, plot) -> None:
     subject = find_material(material)
     par = subject.material.eos
     law = EOS.of(par)
-    state = shock(find_inert(material).material, **one_state(at)) if at else reference(par)
-    told = notes(subject, state.particle_velocity)
+    inert = find_inert(material).material
+    state = shock(inert, **one_state(at)) if at else reference(par)
+    told = [*(split_notes(inert, state) if at else ()), *notes(subject, state.particle_velocity)]
     if plot:
         _portrait(material, subject, state if at else None, plot)
     if as_csv:

@@ -4,6 +4,7 @@ Both modes follow no zones: a zone, or a gauge, is a fraction of a region's mass
 """
 
 import math
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -89,7 +90,7 @@ class Reading(NothingToAdd):
             x, point = columns[k].at(fraction)
             found = [x, point.u, point.rho, point.e, point.pressure, point.s, -0.5 * point.s,
                      self._stress(k, fraction, point)]
-            row.append([*found, *_phases(*self._point(k, columns[k], fraction))] if self.burning else found)
+            row.append([*found, *_phases(*self._point(k, columns[k], fraction)[1:])] if self.burning else found)
         self._times.append(self.time)
         self._rows.append(row)
 
@@ -123,7 +124,7 @@ class Reading(NothingToAdd):
         count = len(self.region_of)
         rows = np.zeros((count, 8))
         faces, speeds = np.zeros((2, count)), np.zeros((2, count))
-        masses = np.zeros(count)
+        masses, middle = np.zeros(count), np.zeros(count)
         for k in range(len(self.problem.regions)):
             column = self.column(k)
             zones = np.flatnonzero(self.region_of == k)
@@ -131,14 +132,14 @@ class Reading(NothingToAdd):
             ends = [column.at(f) for f in [*low[zones], high[zones[-1]]]]
             for j, z in enumerate(zones):
                 faces[:, z], speeds[:, z] = (ends[j][0], ends[j + 1][0]), (ends[j][1].u, ends[j + 1][1].u)
-                point, matter, burned = self._point(k, column, 0.5 * (low[z] + high[z]))
+                middle[z], point, matter, burned = self._point(k, column, 0.5 * (low[z] + high[z]))
                 square = wave_speed_squared(point.rho, point.e, elastic(matter, point)) if self._answers(k, point) else 0.0
                 rows[z] = (point.rho, point.e, point.pressure, point.s, -0.5 * point.s, point.sigma, math.sqrt(max(square, 0.0)), burned)
         zones = {name: rows[:, i].copy() for i, name in enumerate(ZONE_FIELDS)}
         zones |= {"plastic_work": np.zeros(count), "viscous_work": np.zeros(count), "mass": masses}
         if self.burning:
             zones["burn_fraction"] = rows[:, 7].copy()
-        return FrontState(self.time, self.cycle, zones, faces[0], faces[1], speeds[0], speeds[1])
+        return FrontState(self.time, self.cycle, zones, faces[0], faces[1], speeds[0], speeds[1], middle)
 
     def phases(self) -> np.ndarray | None:
         """Burn fraction, density and energy of reactants and of products in the middle of every zone, (5, nzone), where something burns."""
@@ -146,12 +147,12 @@ class Reading(NothingToAdd):
             return None
         low, high = self.fractions
         columns = [self.column(k) for k in range(len(self.problem.regions))]
-        rows = [_phases(*self._point(k, columns[k], 0.5 * (low[z] + high[z]))) for z, k in enumerate(self.region_of)]
+        rows = [_phases(*self._point(k, columns[k], 0.5 * (low[z] + high[z]))[1:]) for z, k in enumerate(self.region_of)]
         return np.array(rows).T
 
     def _point(self, region: int, column, fraction: float):
-        """(state, what it is made of, burn fraction) of a material point."""
-        return column.at(fraction)[1], self.matters[region], 0.0
+        """(position, state, what it is made of, burn fraction) of a material point."""
+        return *column.at(fraction), self.matters[region], 0.0
 
     def _answers(self, region: int, point) -> bool:
         """Whether the law of a region answers for a state: not for nothing at all, nor for unburned explosive."""
@@ -201,8 +202,18 @@ def _phases(point, matter, burned: float) -> list[float]:
     return [burned, point.rho, point.e, point.rho, point.e]
 
 
+@dataclass(frozen=True)
 class FrontState(State):
-    """A state whose file holds what exact waves have: no work of viscosity, no sum of plastic work."""
+    """A state whose file holds what exact waves have: no work of viscosity, no sum of plastic work.
+
+    middle   place of the middle of every zone's mass, where its fields are given, (nzone,) m
+    """
+
+    middle: np.ndarray
+
+    @property
+    def position_middle(self) -> np.ndarray:
+        return self.middle
 
     def fields(self) -> dict[str, np.ndarray]:
         return {name: value for name, value in super().fields().items() if name not in ("plastic_work", "viscous_work")}

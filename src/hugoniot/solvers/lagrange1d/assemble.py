@@ -63,10 +63,15 @@ def is_condensed(eos) -> bool:
     return rho * sound_speed_squared(rho, e, eos) > LEAST_STIFFNESS * abs(pressure(rho, e, eos))
 
 
-def laws_of_regions(problem: Problem) -> tuple[list[Laws], list[int]]:
-    """The laws of a problem's materials, and which of them each region follows."""
+def region_starts(problem: Problem) -> list:
+    """`start_region` of every region."""
+    return [start_region(problem, region) for region in problem.regions]
+
+
+def laws_of_regions(problem: Problem, starts) -> tuple[list[Laws], list[int]]:
+    """The laws of a problem's materials, and which of them each region follows; `starts` of `region_starts`."""
     viscosity = viscosity_of(problem)
-    noise = ROUND_OFF * _speed_scale(problem) ** 2
+    noise = ROUND_OFF * _speed_scale(problem, starts) ** 2
     found: dict[str, Laws] = {}
     for region in problem.regions:
         material = problem.materials[region.material]
@@ -81,9 +86,8 @@ def laws_of_regions(problem: Problem) -> tuple[list[Laws], list[int]]:
     return list(found.values()), [list(found).index(region.material) for region in problem.regions]
 
 
-def _speed_scale(problem: Problem) -> float:
+def _speed_scale(problem: Problem, starts) -> float:
     """Largest speed of a problem at its start, sound, body or boundary, m/s."""
-    starts = [start_region(problem, region) for region in problem.regions]
     speeds = [float(np.max(start[3])) for start in starts]
     speeds += [float(np.max(np.abs(start_velocities(region, start[0])))) for region, start in zip(problem.regions, starts)]
     for boundary in (problem.left, problem.right):
@@ -160,11 +164,10 @@ def interface_bond(problem, left, right):
     return 0.0
 
 
-def assemble(problem: Problem):
-    """(zone table, charge table, nodes, gradient, segments, region zone ranges) of a problem at t = 0."""
+def assemble(problem: Problem, starts):
+    """(zone table, charge table, nodes, gradient, segments, region zone ranges) of a problem at t = 0; `starts` of `region_starts`."""
     geometry = GEOMETRY.get(problem.geometry).example
     reactive.check(problem)
-    starts = [start_region(problem, region) for region in problem.regions]
     counts = [region.zones for region in problem.regions]
     total = sum(counts)
     ends = np.cumsum(counts)

@@ -48,7 +48,7 @@ def alike_ranges(regions, ranges, burns):
 
 def left_nodes(segments) -> np.ndarray:
     """The node at the left face of every zone, (nzone,)."""
-    return np.concatenate([np.arange(a, b) + k for k, (a, b, _, _) in enumerate(segments)])
+    return np.concatenate([np.arange(a + k, b + k) for k, (a, b, _, _) in enumerate(segments.tolist())])
 
 
 SHARE = 10 * L.PIECE     # zones of a share of work: some microseconds, and a whole number of pieces
@@ -80,12 +80,9 @@ def shares_of(runs, segments, ranges):
 
 def interface_table(segments, nodes):
     """(node, zone on its left) of every inner node whose bond is limited."""
-    rows = []
-    for k, (first, last, _, _) in enumerate(segments):
-        inner = np.arange(first + k + 1, last + k)
-        weak = inner[nodes[H.bond, first + k + 1:last + k] < NO_LIMIT]
-        rows += [(n, n - k - 1) for n in weak]
-    return np.array(rows, dtype=np.int64).reshape(-1, 2)
+    weak = [np.flatnonzero(nodes[H.bond, first + k + 1:last + k] < NO_LIMIT) + first + k + 1
+            for k, (first, last, _, _) in enumerate(segments.tolist())]
+    return np.concatenate([np.stack((inner, inner - k - 1), axis=1) for k, inner in enumerate(weak)])
 
 
 def node_masses(zones, segments):
@@ -108,11 +105,11 @@ def split(zones, nodes, gradient, segments, node):
     k = next(k for k, (first, last, _, _) in enumerate(segments) if first + k < node < last + k)
     first, last, left, right = segments[k]
     zone = node - k
-    nodes = np.ascontiguousarray(np.insert(nodes, node + 1, nodes[:, node], axis=1))
+    nodes = np.concatenate((nodes[:, :node + 1], nodes[:, node:]), axis=1)
     ghost = zone + 2 * k + 1
-    gradient = np.insert(gradient, [ghost, ghost], 0.0)
-    segments = np.insert(segments, k + 1, (zone, last, L.FREE, right), axis=0)
-    segments[k] = (first, zone, left, L.FREE)
+    gradient = np.concatenate((gradient[:ghost], [0.0, 0.0], gradient[ghost:]))
+    both = [(first, zone, left, L.FREE), (zone, last, L.FREE, right)]
+    segments = np.concatenate((segments[:k], both, segments[k + 1:]))
     set_node_masses(zones, nodes, segments)
     return nodes, gradient, segments
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from hugoniot.core.compile_ahead import Job
 from hugoniot.core.pass_lists import FIXED, Operation, Place, Written, carry_out, jobs, place, places, write
-from hugoniot.core.passes import Entry
+from hugoniot.core.passes import Entry, row_at
 from hugoniot.core.target import GUARD
 from hugoniot.solvers.lagrange1d import compatible, leapfrog, nodes, sources
 from hugoniot.solvers.lagrange1d import layout as L
@@ -23,7 +23,9 @@ from hugoniot.zones.steps import MaterialSteps
 ACCELERATE, PREDICT, MOVE, CORRECT, FLOW, LEAP, ADVANCE = range(7)     # commands; FLOW is the artificial heat flux
 COMMANDS = 7
 AT_ZONES, AT_NODES, AT_GRADIENTS, ORIGINS = range(1, 5)                # origins of the lists
-FIRST, LAST, SEGMENT, PIECE, FROM, TO, FOUND = range(7)                # columns of the table of shares
+# columns of the table of shares: zones FIRST to LAST - 1, operations FROM to TO - 1, and of pieces without voids INTACT to INTACT_TO - 1
+FIRST, LAST, SEGMENT, PIECE, FROM, TO, INTACT, INTACT_TO, FOUND = range(9)
+SHARE_COLUMNS = 9
 NOT_FOUND = -1
 DT, DT_MEAN, DT_HALF = range(3)                                        # of the row of time steps
 
@@ -55,6 +57,7 @@ class Plan(NamedTuple):
     written    the lists of passes in numbers
     commands   (command; first, last share)
     shares     (share; columns FIRST to FOUND)
+    voids      address of the row of voids
     share_out  address of `do_share`
     threads    members of the team
     origins    (member, ORIGINS) in bytes
@@ -66,6 +69,7 @@ class Plan(NamedTuple):
     written: Written
     commands: Any
     shares: Any
+    voids: int
     share_out: int
     threads: int
     origins: Any
@@ -76,7 +80,7 @@ class Plan(NamedTuple):
 
 def _empty() -> Plan:
     table = np.zeros((1, 1), dtype=np.int64)
-    return Plan(Written(table, table), table, table, 0, 1, table, np.zeros((1, 1)), np.zeros((1, 1)), np.zeros(3))
+    return Plan(Written(table, table), table, table, 0, 0, 1, table, np.zeros((1, 1)), np.zeros((1, 1)), np.zeros(3))
 
 
 EMPTY = _empty()     # of the compiled type of every plan
@@ -109,17 +113,18 @@ class Planner:
         return [DO_SHARE.job(EMPTY, 0, 0), *jobs(self._lists.values())]
 
     def _of_materials(self):
-        """((command, material, member), list) of every material."""
+        """((command, material, member, whether for pieces without voids), list) of every material."""
         commands = {ADVANCE: leapfrog.advance} if self.staggered else {PREDICT: compatible.predict, CORRECT: compatible.correct}
         for command, add in commands.items():
             for k, laws in enumerate(self.laws):
                 for member, at in enumerate(self._at):
-                    steps = MaterialSteps(laws, self.terms.rows(at, k, AT_ZONES), explicit=not self.staggered)
-                    add(steps, self.geometry)
-                    yield (command, k, member), steps.operations
+                    for intact in (False, True) if laws.grows_voids else (False,):
+                        steps = MaterialSteps(laws, self.terms.rows(at, k, AT_ZONES), not self.staggered, intact)
+                        add(steps, self.geometry)
+                        yield (command, k, member, intact), steps.operations
 
     def _of_nodes(self):
-        """((command, 0, 0), list) of every motion of inner nodes."""
+        """((command, 0, 0, False), list) of every motion of inner nodes."""
         z, h, forced = self._at[0].z, self._at[0].h, self.terms.forced
         mean, field = place(self.dts[DT_MEAN:]), self.terms.force.field
         if self.staggered:
@@ -135,10 +140,10 @@ class Planner:
                 steps.append(Operation(sources.drift, None, sources.DriftRows(h.r, h.u_mean, h.r_half), field, self._at[0].whole))
             elif forced:
                 steps.append(Operation(sources.fall, None, sources.FallRows(h.r_half, h.u, h.u_mean, h.r), field, self._at[0].whole))
-            yield (command, 0, 0), steps
+            yield (command, 0, 0, False), steps
 
     def _of_heat(self):
-        """((FLOW, whether it burns, 0), list) of the artificial heat flux."""
+        """((FLOW, whether it burns, 0, False), list) of the artificial heat flux."""
         if self.staggered or not self._heat_flux > 0.0:
             return
         at = self._at[0]
@@ -146,7 +151,7 @@ class Planner:
         rows = compatible.FluxRows(h.r_half, h.u_mean, b.lam, z.q, z.rho, z.inverse_mass, z.e, z.face_flux)
         for burns in (0, 1):
             numbers = np.array([self._heat_flux, burns])
-            yield (FLOW, burns, 0), [Operation(compatible.heat_flux, self.geometry, rows, numbers, at.whole)]
+            yield (FLOW, burns, 0, False), [Operation(compatible.heat_flux, self.geometry, rows, numbers, at.whole)]
 
     def plan(self, runs, spans, ranges) -> Plan:
         """The plan for runs (first, last, segment, material), spans of nodes (first, last, segment) and ranges between which heat flows
@@ -157,21 +162,58 @@ class Planner:
             self._ends = dict(zip(self._lists, ends))
         inner = [(first, last - 1, segment, 0) for first, last, segment in spans.tolist()]    # a zone less has as many nodes inside
         shares, commands = [], np.zeros((COMMANDS, 2), dtype=np.int64)
+        known = {command for command, *_ in self._ends}
         for command in range(COMMANDS):
             rows = runs.tolist() if command in (PREDICT, CORRECT, ADVANCE) else ranges.tolist() if command == FLOW else inner
-            if not any(command == known for known, _, _ in self._ends):
+            if command not in known:
                 rows = []
             commands[command] = len(shares), len(shares) + len(rows)
             finds = command in (CORRECT, ADVANCE)
             scratch = finds or command == PREDICT
             for i, (first, last, segment, k) in enumerate(rows):
-                ends = self._ends[command, k, i % self.threads if scratch else 0]
+                which = command, k, i % self.threads if scratch else 0
+                ends = self._ends[*which, False]
+                ends += self._ends.get((*which, True), ends)
                 shares.append((first, last, segment, L.PIECE if scratch else last - first, *ends, i if finds else NOT_FOUND))
-        return Plan(self.written, commands, np.array(shares, dtype=np.int64).reshape(-1, 7), self._share_out, self.threads,
+        table = np.array(shares, dtype=np.int64).reshape(-1, SHARE_COLUMNS)
+        return Plan(self.written, commands, table, self._at[0].z.voids.address, self._share_out, self.threads,
                     np.zeros((self.threads, ORIGINS), dtype=np.int64), self.seen, np.zeros((len(runs) + 1, FOUND_FLOATS)), self.dts)
 
 
 # -- carried out -------------------------------------------------------------------------------------------------------
+@nb.njit(**GUARD)
+def voids_stand(voids, first, count):
+    """Whether there are voids in zones first to first + count - 1; their row begins at the address `voids`."""
+    row, bits = row_at(voids + 8 * first), np.uint64(0)
+    for j in range(count):
+        bits |= np.float64(row[j]).view(np.uint64)
+    return bits << np.uint64(1) != 0      # but for the sign
+
+
+@nb.njit(**GUARD)
+def pieces_alike(voids, first, last, piece):
+    """(whether voids stand in the piece of zones that begins with `first`, end of the pieces from there on that are like it)."""
+    end = min(first + piece, last)
+    broken = voids_stand(voids, first, end - first)
+    while end < last:
+        until = min(end + piece, last)
+        if voids_stand(voids, end, until - end) != broken:
+            break
+        end = until
+    return broken, end
+
+
+@nb.njit(**GUARD)
+def carry_out_by_voids(plan, share, origins):
+    """One share of a material that has a list for pieces without voids."""
+    first = share[FIRST]
+    while first < share[LAST]:
+        broken, until = pieces_alike(plan.voids, first, share[LAST], share[PIECE])
+        begin, end = (share[FROM], share[TO]) if broken else (share[INTACT], share[INTACT_TO])
+        carry_out(plan.written, begin, end, until - first, share[PIECE], origins)
+        first = until
+
+
 def do_share(plan, command, member):
     """One command over one member's part of the shares."""
     origins, seen = plan.origins[member], plan.seen[member]
@@ -181,7 +223,10 @@ def do_share(plan, command, member):
         for k in range(FOUND_FLOATS):
             seen[k] = 0.0
         origins[AT_ZONES], origins[AT_NODES], origins[AT_GRADIENTS] = 8 * first, 8 * (first + segment), 8 * (first + 2 * segment)
-        carry_out(plan.written, share[FROM], share[TO], share[LAST] - first, share[PIECE], origins)
+        if share[INTACT] == share[FROM]:
+            carry_out(plan.written, share[FROM], share[TO], share[LAST] - first, share[PIECE], origins)
+        else:
+            carry_out_by_voids(plan, share, origins)
         if share[FOUND] != NOT_FOUND:
             for k in range(FOUND_FLOATS):
                 plan.found[share[FOUND], k] = seen[k]

@@ -1,5 +1,7 @@
 """Where gauges sit: from a gauge's request to the zones and faces it reads, redone whenever a body splits or joins."""
 
+import bisect
+
 import numpy as np
 
 from hugoniot.errors import OutOfRange
@@ -17,8 +19,8 @@ def probe_tables(solver):
     stress of a surface is the one applied to it (`applied_stress`), zero where it is free.
     """
     table, weights = [], []
-    for gauge in solver.problem.gauges:
-        entry = _point(solver, gauge.at) if isinstance(gauge.at, (int, float)) else _named(solver, gauge.at)
+    for gauge, place in zip(solver.problem.gauges, solver.gauge_places):
+        entry = _named(solver, gauge.at) if place is None else _point(solver, *place)
         zone_a, zone_b, face_zone, w, f = entry
         segment = _segment(solver, face_zone)
         table.append((zone_a, zone_b, face_zone, face_zone + segment))
@@ -26,8 +28,13 @@ def probe_tables(solver):
     return np.array(table, dtype=np.int64).reshape(-1, 4), np.array(weights, dtype=float).reshape(-1, 3)
 
 
+def gauge_places(solver) -> list[tuple[int, float] | None]:
+    """(zone, share of its mass on the left) of every point gauge, where it stays; None for other gauges."""
+    return [_place(solver, gauge.at) if isinstance(gauge.at, (int, float)) else None for gauge in solver.problem.gauges]
+
+
 def _segment(solver, zone):
-    return int(np.searchsorted(solver.segments[:, L.SEG_LAST], zone, side="right"))
+    return bisect.bisect_right(solver.segments[:, L.SEG_LAST], zone)
 
 
 def _surface(solver, zone, f):
@@ -49,7 +56,7 @@ def applied_stress(solver, times):
     return found
 
 
-def _point(solver, place):
+def _place(solver, place):
     left, right = solver.initial_nodes
     d = solver.problem.dimension
     span = right[-1] - left[0]
@@ -57,7 +64,10 @@ def _point(solver, place):
     if inside.size == 0:
         raise OutOfRange(f"there is no material at {place:g} m at t = 0")
     z = int(inside[-1])
-    f = min(max((place**d - left[z]**d) / (right[z]**d - left[z]**d), 0.0), 1.0)
+    return z, min(max((place**d - left[z]**d) / (right[z]**d - left[z]**d), 0.0), 1.0)
+
+
+def _point(solver, z, f):
     other = z + 1 if f >= 0.5 else z - 1
     if not _same_piece(solver, z, other):
         return z, z, z, 0.0, f

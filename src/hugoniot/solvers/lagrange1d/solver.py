@@ -14,7 +14,7 @@ from hugoniot.problem.defaults import with_defaults
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.lagrange1d import accounts, reactive, start, transmitting
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_end, laws_of_regions, viscosity_of
+from hugoniot.solvers.lagrange1d.assemble import assemble, boundary_end, laws_of_regions, region_starts, viscosity_of
 from hugoniot.solvers.lagrange1d.at_nodes import node_criteria
 from hugoniot.solvers.lagrange1d.between_steps import events_of
 from hugoniot.solvers.lagrange1d.bodies import alike_ranges, interface_table, left_nodes, run_table, set_node_masses, shares_of
@@ -22,7 +22,7 @@ from hugoniot.solvers.lagrange1d.field import NoField
 from hugoniot.solvers.lagrange1d.layout import B, H, WorkRows, Z
 from hugoniot.solvers.lagrange1d.plan import EMPTY, Planner
 from hugoniot.solvers.lagrange1d.post_mortem import unphysical
-from hugoniot.solvers.lagrange1d.probes import applied_stress, probe_tables
+from hugoniot.solvers.lagrange1d.probes import applied_stress, gauge_places, probe_tables
 from hugoniot.solvers.lagrange1d.step import AT_NODES, SCHEMES, WATCH, Arrays, Gauges, march
 from hugoniot.solvers.lagrange1d.tables import zone_table
 from hugoniot.solvers.lagrange1d.terms import terms_of
@@ -48,9 +48,10 @@ class Lagrange1D(NothingToAdd):
         self.scheme = SCHEMES[problem.solver.integrator]
         self.staggered = self.scheme.staggered
         self.team = team_of(problem.solver.threads, sum(region.zones for region in problem.regions), WORTH_SHARING)
-        laws, self.laws_of_region = laws_of_regions(problem)
+        starts = region_starts(problem)
+        laws, self.laws_of_region = laws_of_regions(problem, starts)
         self.viscosity = viscosity_of(problem)
-        self.table, self.charge_table, self.nodes, self.gradient, self.segments, self.region_ranges = assemble(problem)
+        self.table, self.charge_table, self.nodes, self.gradient, self.segments, self.region_ranges = assemble(problem, starts)
         self.zones = self.table[:, :self.region_ranges[-1][1]]
         self.burning = any(reactive.burns(problem, region) for region in problem.regions)
         self.charge = self.charge_table[:, :self.region_ranges[-1][1] if self.burning else 0]
@@ -67,12 +68,15 @@ class Lagrange1D(NothingToAdd):
         set_node_masses(self.zones, self.nodes, self.segments)
         ends = problem.left, problem.right
         self.boundaries = tuple(boundary_end(problem, end, self.terms.force.field if self.terms.forced else NoField()) for end in ends)
+        self.pushed = any(end.kind == "pressure" for end in ends)
         self.control = np.zeros(L.CONTROL_FLOATS)
         self.counters = np.zeros(L.CONTROL_INTS, dtype=np.int64)
         self.passed = np.zeros((0, L.PASS_FLOATS))
         self.voids_opened = self.voids_closed = self.interfaces_separated = 0
         self.region_of = np.repeat(np.arange(len(problem.regions)), [b - a for a, b in self.region_ranges])
         self.initial_nodes = self.faces(H.r)
+        self.gauge_places = gauge_places(self)
+        self.alike = alike_ranges(problem.regions, self.region_ranges, [reactive.burns(problem, region) for region in problem.regions])
         start.prepare(self)
         self._new_buffer()
         self._renew_tables()
@@ -81,22 +85,24 @@ class Lagrange1D(NothingToAdd):
         compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs(), *(e.job(*watched) for e in (*at_nodes, WATCH))])
         self.watching = WATCH.address(*watched)
         self.asking = AT_NODES.address(*watched) if at_nodes else 0
-        self.renew_topology()
+        self._renew_plan()
         self.start_energy, self.start_mass, self.start_momentum = self.total_energy(), self.zones[Z.mass].sum(), self.momentum()
 
     # -- setting up ------------------------------------------------------------------------------------------
     def _new_buffer(self):
-        self.gauge_times = np.zeros(GAUGE_CAPACITY)
         columns = L.BURNING_GAUGE_COLUMNS if self.burning else len(L.GAUGE_FIELDS)
-        self.gauge_buffer = np.zeros((GAUGE_CAPACITY, len(self.problem.gauges), columns))
+        self.gauge_times = np.empty(GAUGE_CAPACITY)
+        self.gauge_buffer = np.empty((GAUGE_CAPACITY, len(self.problem.gauges), columns))
         self.counters[L.GAUGE_ROWS] = 0
 
     def renew_topology(self) -> None:
         """Everything that depends on which zones are joined."""
         self._renew_tables()
-        regions, ranges = self.problem.regions, self.region_ranges
-        alike = alike_ranges(regions, ranges, [reactive.burns(self.problem, region) for region in regions])
-        self.plan = self.planner.plan(*shares_of(run_table(self.segments, ranges, self.laws_of_region), self.segments, alike))
+        self._renew_plan()
+
+    def _renew_plan(self):
+        runs = run_table(self.segments, self.region_ranges, self.laws_of_region)
+        self.plan = self.planner.plan(*shares_of(runs, self.segments, self.alike))
 
     def _renew_tables(self):
         self.node_table[:, :self.nodes.shape[1]], self.gradient_table[:len(self.gradient)] = self.nodes, self.gradient
@@ -171,9 +177,13 @@ class Lagrange1D(NothingToAdd):
     def take_gauges(self):
         """(times, {field: (n, ngauge)}) recorded since the last call; with what `reactive.gauge_columns` adds where something burns."""
         n = int(self.counters[L.GAUGE_ROWS])
-        times, block = self.gauge_times[:n].copy(), self.gauge_buffer[:n].copy()
-        self.counters[L.GAUGE_ROWS] = 0
-        block[:, :, L.GAUGE_STRESS] += applied_stress(self, times)
+        times, block = self.gauge_times[:n], self.gauge_buffer[:n]
+        if 2 * n < GAUGE_CAPACITY:
+            times, block = times.copy(), block.copy()
+            self.counters[L.GAUGE_ROWS] = 0
+        else:       # handed over whole
+            self._new_buffer()
+        block[:, :, L.GAUGE_STRESS] += applied_stress(self, times) if self.pushed else 0.0
         found = {name: block[:, :, i] for i, name in enumerate(L.GAUGE_FIELDS) if name != "compaction" or name in self.zone_fields}
         return times, found | reactive.gauge_columns(self.problem, block) if self.burning else found
 

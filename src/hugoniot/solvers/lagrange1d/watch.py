@@ -3,6 +3,7 @@
 import math
 
 import numba as nb
+import numpy as np
 
 from hugoniot.core.binder import bind
 from hugoniot.core.passes import rows
@@ -58,14 +59,9 @@ def failing_node(zones, segments, control, counters):
 
 def mark_patch(zones, first, last, at):
     """Mark the failing patch around zone `at` as relieved by a void; its damage has become the void."""
-    z = at
-    while z >= first and zones[Z.failure, z] >= RELIEVED:
-        zones[Z.relieved, z], zones[Z.damage, z] = 1.0, 0.0
-        z -= 1
-    z = at + 1
-    while z < last and zones[Z.failure, z] >= RELIEVED:
-        zones[Z.relieved, z], zones[Z.damage, z] = 1.0, 0.0
-        z += 1
+    ends = np.concatenate(([first - 1], np.flatnonzero(~(zones[Z.failure, first:last] >= RELIEVED)) + first, [last]))
+    k = np.searchsorted(ends, at, side="right")
+    zones[Z.relieved, ends[k - 1] + 1:ends[k]], zones[Z.damage, ends[k - 1] + 1:ends[k]] = 1.0, 0.0
 
 
 @nb.njit(**GUARD)

@@ -11,6 +11,7 @@ from hugoniot.errors import OutOfRange
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.assemble import N, Z, corner_shares, quad_corners
 from hugoniot.solvers.lagrange2d.contact import layout as C
+from hugoniot.solvers.lagrange2d.contact.corners import DEEP
 from hugoniot.solvers.lagrange2d.contact.results import ContactResults, larger
 from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, contact_tables
 from hugoniot.solvers.lagrange2d.plan import GATHER, carry_out_alone
@@ -18,6 +19,7 @@ from hugoniot.solvers.lagrange2d.rows_of_blocks import cells
 
 EVERY = 10      # cycles between two looks at the zones
 NOTHING = (Z.p, Z.q, Z.sxx, Z.syy, Z.sxy, Z.qxx, Z.qyy, Z.qxy, Z.qhoop, Z.c, Z.viscous_speed, Z.sigma)
+STEEPEST = 0.1       # square of the cosine between a normal and the direction in which a point on the axis or a wall may move
 WEIGHTLESS = 1e-200      # kg: of a node whose zones have all been dropped, on which nothing acts
 
 
@@ -80,7 +82,10 @@ class Erosion:
             self.solver.forces[:, zones] = 0.0
             for row in NOTHING:
                 z[row, zones] = 0.0
+            known = _places(self.solver.run.contact)[1]
             self.take_out()
+            corners = self.solver.numbering.representative[self.solver.problem.mesh.zone_nodes]
+            lift_debris(self.solver.run.contact, known, self.solver.nodes, self.surfaces.copies, corners)
             carry_out_alone(self.solver.plan, (GATHER,))
             control = self.solver.control
             if code in (L.TANGLED, L.STEP_COLLAPSED):      # the step had shrunk for a zone that is gone
@@ -171,6 +176,32 @@ def _places(contact) -> tuple[dict[int, int], dict[tuple[int, int], int]]:
     """Point by its node, edge by its nodes."""
     return {int(k): p for p, k in enumerate(contact.points[:, C.POINT_NODE])}, {
         (int(contact.points[a, C.POINT_NODE]), int(contact.points[b, C.POINT_NODE])): e for e, (a, b) in enumerate(contact.edges[:, :2])}
+
+
+def lift_debris(contact: C.Contact, known: dict, nodes, copies, corners) -> None:
+    """Put points without zones that are a little behind a surface that is not `known`, inside its zone, onto that surface.
+
+    A zone that was folded on itself leaves them there. corners: node columns of the corners of every zone.
+    """
+    points = contact.points
+    free = np.flatnonzero((points[:, C.POINT_BEFORE] < 0) & (points[:, C.POINT_AFTER] < 0))
+    places = nodes[[N.x, N.y]]
+    for edge in contact.edges:
+        a, b = points[edge[:2], C.POINT_NODE].tolist()
+        if edge[C.EDGE_ZONE] < 0 or (a, b) in known:
+            continue
+        start = places[:, corners[edge[C.EDGE_ZONE]], None]
+        way, offset = np.roll(start, -1, axis=1) - start, places[:, None, points[free, C.POINT_NODE]] - start
+        inside = (way[0] * offset[1] >= way[1] * offset[0]).all(axis=0)
+        (x, y), length = places[:, b] - places[:, a], np.hypot(*(places[:, b] - places[:, a]))
+        normal = np.array([y, -x]) / length
+        for p in free[inside]:
+            mover, at = contact.mover_numbers[points[p, C.POINT_MOVER]], points[p, C.POINT_NODE]
+            gap = float(normal @ (places[:, at] - places[:, a]))
+            way_out = mover[[[C.PXX, C.PXY], [C.PXY, C.PYY]]] @ normal
+            if -DEEP * length < gap < 0.0 and way_out @ normal > STEEPEST:
+                places[:, at] -= gap / (way_out @ normal) * way_out
+                nodes[np.ix_([N.x, N.y], copies[points[p, C.POINT_MOVER]])] = places[:, at, None]
 
 
 def carried_over(old: C.Contact, new: C.Contact) -> C.Contact:

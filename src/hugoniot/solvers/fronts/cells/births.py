@@ -1,7 +1,8 @@
 """What leaves a place where fronts meet, or where bodies touch at the start: new fronts, and between them cells that begin at no width.
 
 The waves are those of the algebraic mode (`meeting.outgoing`). A new cell has neither width nor content; its faces keep the states of the
-exact self-similar solution for one step, so that the fluxes through them give it its exact content. Waves too weak to be followed are
+exact self-similar solution for one step (in planar fans longer, see fans.py), so that the fluxes through them give it its exact
+content. Waves too weak to be followed are
 left out: what they carry passes into the cells beside, and nothing is lost.
 """
 
@@ -16,6 +17,7 @@ from hugoniot.laws.riemann.medium import Frozen, mixture_limit
 from hugoniot.laws.riemann.wave import Side, jumps
 from hugoniot.solvers.fronts import line
 from hugoniot.solvers.fronts.cells import detonations
+from hugoniot.solvers.fronts.cells.fans import lasting
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh
 from hugoniot.solvers.fronts.cells.solids import stretch_of
 from hugoniot.solvers.fronts.line import OUTSIDE, Piece
@@ -32,6 +34,7 @@ def collapse(mesh: Mesh, first: int, last: int, x: float, unburned: int) -> int:
     What is left in the cells, an error of the method, goes to a neighbour of the same region.
     """
     n = len(mesh.q)
+    mesh.touch(first, last)
     for cell in range(first, last):
         region = mesh.region[cell]
         if region == EMPTY:
@@ -91,6 +94,7 @@ def place(mesh: Mesh, face: int, outer, whole, rows, time: float, bench: Bench) 
             ends = np.array([kept[k - 1][1], *values_in, state])[:, 4]
             push += [between[k - 1].state.sigma] if count == 1 else (0.5 * (ends[1:] + ends[:-1])).tolist()
             made[-1].least = count
+            made[-1].fan = between[k - 1] if lasting(between[k - 1], mesh.d, bench) else None
         marks.append(True)
         values.append(state)
         sides = (tuple([left, *pieces][fronts.index(front)].edge(1)), tuple([*pieces, right][fronts.index(front)].edge(-1)))

@@ -9,9 +9,12 @@ from hugoniot.solvers.fronts.cells import tables
 from hugoniot.solvers.fronts.cells.births import bear, collapse, ignite
 from hugoniot.solvers.fronts.cells.detonations import UNLIT, light_face
 from hugoniot.solvers.fronts.cells.flow import Flow
-from hugoniot.solvers.fronts.cells.mesh import Front, Mesh, adjust
+from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh, adjust
 from hugoniot.solvers.fronts.cells.start import pieces_at
 from hugoniot.solvers.fronts.cells.steepening import track
+from hugoniot.solvers.fronts.meeting import solve
+
+EDGE = 10          # cells from a vacuum within which one without a valid state is merged with its neighbour
 
 
 class Changes:
@@ -24,7 +27,7 @@ class Changes:
 
     def __init__(self, flow: Flow, length: float, most: int, log, ended):
         self.flow, self.length, self.most, self.log, self.ended = flow, length, most, log, ended
-        self.meetings = self.captured = self.untracked = self.formed = 0
+        self.meetings = self.captured = self.untracked = self.formed = self.joined = 0
 
     def after_step(self, mesh: Mesh, time: float) -> None:
         """Do what the step calls for."""
@@ -48,6 +51,25 @@ class Changes:
         if cell >= 0 and track(mesh, self.flow.work.w, cell, direction, time):
             self.formed += 1
             self.log("formed", time, x, "a compression has become a shock, which is now tracked")
+
+    def join(self, mesh: Mesh) -> bool:
+        """Merge the cell without a valid state with its neighbour if it is one of the last of a gas that expands into vacuum.
+
+        There the sound speed falls to zero, and the internal energy is no larger than the error of the total energy.
+        """
+        flow, at = self.flow, mesh.faces()
+        k = int(flow.work.numbers[tables.LIMITING])
+        right = int(np.searchsorted(at, k, side="right"))
+        low, high = int(at[right - 1]), int(at[right])
+        if flow.rules.traits[mesh.region[k] % len(flow.laws), tables.GAS] == 0.0 or high - low < 3:
+            return False
+        for away, cell, outside in ((k - low, low - 1, flow.outside[0]), (high - 1 - k, high, flow.outside[1])):
+            nothing = mesh.region[cell] == EMPTY if 0 <= cell < len(mesh.q) else outside == "vacuum"
+            if nothing and away < EDGE:
+                mesh.remove_face(k if k > low else k + 1)
+                self.joined += 1
+                return True
+        return False
 
     def _meet(self, mesh: Mesh, first: int, last: int, time: float) -> None:
         inside = mesh.fronts[_order(mesh, first):_order(mesh, last) + 1]
@@ -89,10 +111,8 @@ class Changes:
     def _bear(self, mesh: Mesh, face: int, time: float, burning: bool = False):
         followed = len(mesh.fronts) < self.most
         bench = self.flow.bench
-        for k, side in enumerate((-1, 1)):
-            if self.flow.outside[k] in ("wall", "pressure"):
-                (bench.walls if self.flow.outside[k] == "wall" else bench.pressures)[side] = self.flow.drive(k, time)
-        left, right = pieces_at(self.flow, mesh, face)
+        mesh.touch(face, face)
+        left, right = self._sides(mesh, face, time)
         if any(piece.region >= self.flow.bench.unburned for piece in (left, right)):
             if not burning:
                 raise OutOfRange(UNLIT)
@@ -100,8 +120,33 @@ class Changes:
         self.captured += not followed
         return bear(mesh, face, left, right, time, bench, followed)
 
+    def _sides(self, mesh: Mesh, face: int, time: float):
+        """What stands on the left and right of a face, the ends driven as they are at a time."""
+        bench = self.flow.bench
+        for k, side in enumerate((-1, 1)):
+            if self.flow.outside[k] in ("wall", "pressure"):
+                (bench.walls if self.flow.outside[k] == "wall" else bench.pressures)[side] = self.flow.drive(k, time)
+        return pieces_at(self.flow, mesh, face)
+
+    def follow_weak_starts(self, mesh: Mesh) -> None:
+        """Where no wave of the start is as strong as the weakest to be followed, a tenth of the strongest takes its place.
+
+        Elastic waves have their own measure. What is weaker by more than a factor of ten counts as rest, and at the ends of a profile small
+        waves are those of its interpolation.
+        """
+        if any(region.profile is not None for region in self.flow.problem.regions):
+            return
+        bench, strongest = self.flow.bench, 0.0
+        for face in mesh.faces().tolist():
+            if not self._beside_explosive(mesh, face):
+                found = solve(*self._sides(mesh, face, 0.0), bench, False)
+                strongest = max([strongest, *(wave.strength for wave in (*found.left, *found.right) if not wave.elastic)])
+        if 0.1 * bench.weakest < strongest < bench.weakest:
+            bench.weakest = self.flow.rules.numbers[tables.WEAKEST] = 0.1 * strongest
+
     def begin(self, mesh: Mesh, lit: list[float]) -> None:
         """The waves that leave every line at t = 0, and the explosive at the places `lit`."""
+        self.follow_weak_starts(mesh)
         fired = {self._mark(mesh, x) for x in lit}
         fired = {float(mesh.x[f]) for f in range(len(mesh.x)) if float(mesh.x[f]) in fired}
         for face in reversed(mesh.faces().tolist()):

@@ -2,18 +2,18 @@
 
 import numpy as np
 
-from hugoniot.solvers.fronts.cells import tables
+from hugoniot.solvers.fronts.cells import fans, tables
 from hugoniot.solvers.fronts.cells.mesh import Front, Mesh
 from hugoniot.solvers.fronts.record import COLUMNS
 
-_COUNTS = ("meetings", "captured", "untracked", "formed")
+_COUNTS = ("meetings", "captured", "untracked", "formed", "joined")
 
 
 def payload(solver) -> dict:
     """Everything a bitwise restart needs."""
     mesh, trace = solver.mesh, solver.trace
     fronts = [{"kind": f.kind, "numbers": [f.speed, float(f.direction), f.strength, float(f.least), f.since, f.start],
-               "sides": np.array(f.sides, dtype=float)} for f in mesh.fronts]
+               "sides": np.array(f.sides, dtype=float), "fan": [] if f.fan is None else fans.numbers_of(f.fan)} for f in mesh.fronts]
     return {"x": mesh.x.copy(), "q": mesh.q.copy(), "region": mesh.region.copy(), "marked": mesh.marked.copy(), "given": mesh.given.copy(),
             "push": mesh.push.copy(), "fronts": fronts, "samples": solver.samples,
             "zones": solver.flow.work.zones.copy(), "numbers": solver.flow.work.numbers.copy(),
@@ -27,8 +27,12 @@ def payload(solver) -> dict:
 
 def restore(solver, payload: dict) -> None:
     """Continue from a payload of the same problem."""
-    fronts = [Front(row["kind"], row["numbers"][0], int(row["numbers"][1]), row["numbers"][2], int(row["numbers"][3]), *row["numbers"][4:],
-                    tuple(tuple(side) for side in row["sides"].tolist())) for row in payload["fronts"]]
+    fronts = []
+    for row in payload["fronts"]:
+        speed, direction, strength, least, since, start = row["numbers"]
+        fan = fans.fan_of(row["fan"], solver.flow.bench) if row["fan"] else None
+        sides = tuple(tuple(side) for side in row["sides"].tolist())
+        fronts.append(Front(row["kind"], speed, int(direction), strength, int(least), since, start, sides, fan))
     solver.mesh = Mesh(payload["x"].copy(), payload["q"].copy(), payload["region"].copy(), payload["marked"].astype(bool), fronts,
                        solver.problem.dimension, payload["given"].copy(), payload["push"].copy())
     work = solver.flow.work

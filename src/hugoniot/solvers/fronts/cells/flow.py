@@ -141,14 +141,14 @@ class Flow:
         mesh.x, mesh.q, mesh.given, mesh.push = grid.x, grid.q, grid.given, grid.push
         for front, row in zip(mesh.fronts, rows):
             front.speed, front.strength = float(row[tables.SPEED_OF]), float(row[tables.STRENGTH])
-        if why == march.UNSOUND:
-            self._refuse(mesh)
+            front.fan = front.fan if row[tables.FAN] else None
         return why
 
     @staticmethod
     def _rows(mesh: Mesh) -> np.ndarray:
         """The table of fronts."""
-        return np.array([[f, tables.KINDS.index(front.kind), front.speed, front.direction, front.strength, front.least]
+        return np.array([[f, tables.KINDS.index(front.kind), front.speed, front.direction, front.strength, front.least,
+                          float(front.fan is not None)]
                          for f, front in zip(mesh.faces().tolist(), mesh.fronts)], dtype=float)
 
     def _by_python(self, mesh: Mesh, grid: Grid, rows: np.ndarray, goal: float) -> int:
@@ -159,7 +159,8 @@ class Flow:
         march.close_step(grid, self.rules, self.work, rows, len(rows), dt, longest if numbers[tables.MEETS] else dt, goal)
         return march.CHANGE if march.calls_for_change(grid, self.rules, self.work, rows, len(rows)) else march.DONE
 
-    def _refuse(self, mesh: Mesh) -> None:
+    def refuse(self, mesh: Mesh) -> None:
+        """Raise `UnphysicalState` for the cell that has no valid state."""
         k, w = int(self.work.numbers[tables.LIMITING]), self.work.w
         rho, u, e = w[:3, k]
         raise UnphysicalState(f"a cell of density {rho:.6g} kg/m3 and energy {e:.6g} J/kg has no valid state (velocity {u:.6g} m/s)",

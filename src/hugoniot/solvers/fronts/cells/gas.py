@@ -223,13 +223,13 @@ def hllc(grid, rules, work, n):
         for k in range(3):
             value = w[RIGHT + LAM + k, i] if left else w[LEFT + LAM + k, f]
             w[INTO_LEFT + k, f] = w[INTO_RIGHT + k, f] = value
-        if is_solid(rules, grid.region[i]) and not grid.marked[f]:
+        if is_solid(rules, grid.region[i]) and grid.region[i] == grid.region[f]:
             w[INTO_LEFT + 1, f] = w[INTO_RIGHT + 1, f] = w[RIGHT + VOLUME, i] / rl if left else w[LEFT + VOLUME, f] / rr
 
 
 @nb.njit(**GUARD)
 def move(grid, rules, work, n, d, dt, burns):
-    """Move the faces, let the fluxes pass, burn; nothing is newborn any more."""
+    """Move the faces, let the fluxes pass, burn; no cell is newborn any more."""
     w, variables = work.w, grid.q.shape[1]
     if burns:        # burning goes on from what the flow alone leaves in the middle of the step
         for i in range(n):
@@ -271,8 +271,6 @@ def move(grid, rules, work, n, d, dt, burns):
                 p += hoop_excess(rules, grid.region[f - 1], w[FROM if born else MIDDLE + VOLUME, f - 1])
             grid.q[f - 1, 1] += p * (area - before) * dt
         grid.x[f] = place
-        for k in range(grid.given.shape[1]):
-            grid.given[f, k] = math.nan
         before = area
     for i in range(n):
         if burns and w[FULL, i] > 0.0:

@@ -17,6 +17,7 @@ import numba as nb
 
 from hugoniot.core.target import GUARD
 from hugoniot.solvers.fronts.cells.exact import at_fronts
+from hugoniot.solvers.fronts.cells.fans import forget, let_go
 from hugoniot.solvers.fronts.cells.gas import averages, each_burning, evaluate, hllc, move, predict, unsound
 from hugoniot.solvers.fronts.cells.pace import face_speeds, known_speeds, meeting_time, step_length
 from hugoniot.solvers.fronts.cells.parabolas import reconstruct
@@ -106,6 +107,7 @@ def open_step(grid, rules, work, fronts, count, longest):
         work.numbers[LIMITING] = bad
         return math.nan, False
     look_at_zones(grid, rules, work, n)
+    let_go(grid, w, fronts, count)
     reconstruct(grid, w, n, d, grid.q.shape[1])
     if burns:
         w[PACE, :n] = 0.0
@@ -124,6 +126,7 @@ def close_step(grid, rules, work, fronts, count, dt, longest, goal):
     n, d, numbers = len(grid.q), int(rules.numbers[DIMENSION]), work.numbers
     dt = meeting_time(grid, work, fronts, count, dt, longest)
     move(grid, rules, work, n, d, dt, rules.numbers[BURNS] > 0.0)
+    forget(grid, fronts, count)
     numbers[STEP] = dt
     left = goal - numbers[TIME] - dt
     numbers[TIME] = goal if left <= 1e-15 * goal else numbers[TIME] + dt

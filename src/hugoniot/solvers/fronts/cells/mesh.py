@@ -9,8 +9,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from hugoniot.solvers.fronts.cells import fans
 from hugoniot.solvers.fronts.cells.spacing import Spacing
 from hugoniot.solvers.fronts.cells.tables import EMPTY, FEWER, MORE, SLIVER
+from hugoniot.solvers.fronts.line import Piece
 
 EMPTY_STATE = (0.0,) * 5
 
@@ -24,6 +26,7 @@ class Front:
     speed       m/s, of the last step; strength of the wave
     least       cells that the interval on its right is not to fall below (newborn fans)
     since, start, sides   time, place, and states (left, right) that a line of the record begins with
+    fan         on the right of its left edge: a centred fan that nothing has reached (fans.py)
     """
 
     kind: str
@@ -34,6 +37,7 @@ class Front:
     since: float = 0.0
     start: float = 0.0
     sides: tuple = (EMPTY_STATE, EMPTY_STATE)
+    fan: Piece | None = None
 
 
 @dataclass
@@ -43,7 +47,7 @@ class Mesh:
     x (n+1,) m; q (n, 3 + scalars) contents; region (n,) index of the problem's region, EMPTY for a gap; marked (n+1,) whether a face is a
     front; fronts   of the marked faces, in their order; d   1 planar, 2 cylindrical, 3 spherical
     given (n+1, 5 + scalars)   of faces that were just born: speed, density, velocity, energy, pressure there (and what goes with the
-                    mass behind a wave) until the next step is over; else nan
+                    mass behind a wave) until the next step is over, of a fan as long as it is self-similar; else nan
     push (n,)       pressure in cells that are to be born in the next step; else nan
     """
 
@@ -110,8 +114,17 @@ class Mesh:
 
     def release(self, face: int) -> None:
         """Follow a front no longer; its face becomes one like others."""
+        self.touch(face, face)
         del self.fronts[int(np.count_nonzero(self.marked[:face]))]
         self.marked[face] = False
+
+    def touch(self, first: int, last: int) -> None:
+        """Something happens at the fronts from one face to another: fans beside them are no longer self-similar."""
+        for front, a, b in zip(self.fronts, *(self.faces()[k:] for k in (0, 1))):
+            if front.fan is not None and a <= last and b >= first:
+                front.fan = None
+                if np.isnan(self.push[a]):
+                    self.given[a:b + 1] = np.nan
 
 
 def mean_area(a, b, d: int):
@@ -147,7 +160,11 @@ def adjust(mesh: Mesh, spacing: Spacing, slope, solid) -> None:
             size = spacing.extents(mesh, f, n, h)
         while n < MORE * want - 0.25:
             j = f + _roomiest(spacing.extents(mesh, f, n, h), mesh.fronts[k:k + 2])
-            split(mesh, j, slope(mesh, j), bool(solid[mesh.region[j] % len(solid)]))
+            fan = mesh.fronts[k].fan
+            if fan is None:
+                split(mesh, j, slope(mesh, j), bool(solid[mesh.region[j] % len(solid)]))
+            else:
+                fans.divide(mesh, j, fan)
             n, moved = n + 1, moved + 1
 
 

@@ -99,6 +99,8 @@ class Cells(Reading):
                 why = self.flow.march(self.mesh, goal, cycles)
                 self.cycle, self.step = int(numbers[tables.CYCLE]), float(numbers[tables.STEP])
                 self.trace.drain(self.mesh, self.flow.work, len(self.problem.regions))
+                if why == march.UNSOUND and not self.changes.join(self.mesh):
+                    self.flow.refuse(self.mesh)
                 if why == march.CHANGE:
                     self.changes.after_step(self.mesh, self.time)
                 if why == march.STEEP or (why == march.CHANGE and self.cycle % march.LOOK == 0):
@@ -154,7 +156,7 @@ class Cells(Reading):
         return 0.0 if mesh.region[beyond] == EMPTY else point.sigma
 
     def _point(self, region: int, column: CellColumn, fraction: float):
-        return column.point(fraction)[1:]
+        return column.point(fraction)
 
     def column(self, region: int) -> CellColumn:
         """The material of a region now."""
@@ -201,11 +203,13 @@ class Cells(Reading):
         return (COLUMNS, *self.trace.table(self.mesh, self.time))
 
     def warnings(self) -> list[str]:
-        """Sentences about waves that were left to the cells."""
+        """Sentences about waves that were left to the cells, and cells that were merged."""
+        joined = [f"cells at the edge of an expansion into vacuum were merged with their neighbours {self.changes.joined} times because "
+                  "their internal energy was negative: the edge is resolved to a few cells only"] if self.changes.joined else []
         if not self.changes.captured:
-            return []
-        return [f"waves were left to be captured by the cells {self.changes.captured} times; a shock is then smeared over two or three "
-                f"cells: the waves were too close, or {self.changes.most} fronts were followed already (solver.options.most_fronts)"]
+            return joined
+        return [*joined, f"waves were left to be captured by the cells {self.changes.captured} times; a shock is then smeared over two or "
+                f"three cells: the waves were too close, or {self.changes.most} fronts were followed already (solver.options.most_fronts)"]
 
     # -- checkpoints -------------------------------------------------------------------------------------------------
     def payload(self) -> dict:

@@ -20,7 +20,7 @@ PACE, FROM, BURNED, WIDTH, OWN = range(96, 101)
 ROWS = 101
 
 # columns of the table of fronts
-FACE, KIND, SPEED_OF, DIRECTION, STRENGTH, LEAST = range(6)
+FACE, KIND, SPEED_OF, DIRECTION, STRENGTH, LEAST, FAN = range(7)      # FAN: 1 where a self-similar fan lies on the right
 KINDS = ("shock", "contact", "interface", "surface", "end", "fan head", "fan tail", "detonation", "elastic shock", "elastic expansion")
 SHOCK, CONTACT, INTERFACE, SURFACE, END, HEAD, TAIL, DETONATION, ELASTIC_SHOCK, ELASTIC_EXPANSION = range(len(KINDS))
 

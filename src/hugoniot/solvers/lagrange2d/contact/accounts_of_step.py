@@ -6,7 +6,7 @@ from hugoniot.core.target import BY_ADDRESS
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.corners import point_normal
-from hugoniot.solvers.lagrange2d.contact.impulses import arm_of, arm_of_bond, movers, of_pair, relative
+from hugoniot.solvers.lagrange2d.contact.impulses import arm_of, arm_of_bond, movers, of_pair, relative, slip
 from hugoniot.solvers.lagrange2d.contact.meeting import remember, seen
 from hugoniot.solvers.lagrange2d.quads import AREA_WEIGHTED, PLANAR
 
@@ -43,26 +43,28 @@ def book_heat(c, start, dt):
         u, v = relative(c, s, a, b, q[C.SHARE], arm_of(q), C.U)
         u0, v0 = relative(c, s, a, b, q[C.SHARE], arm_of(q), C.U0)
         u, v = old * u0 + new * u, old * v0 + new * v
-        heat, friction = -q[C.LAMBDA] * (u * q[C.NX] + v * q[C.NY]), -q[C.TAU] * (v * q[C.NX] - u * q[C.NY])
+        heat = -q[C.LAMBDA] * (u * q[C.NX] + v * q[C.NY])
+        friction = -q[C.TAU] * (old * slip(c, q, s, a, b, C.U0) + new * slip(c, q, s, a, b, C.U)) if q[C.TAU] != 0.0 else 0.0
         c.numbers[C.HEAT] += heat
         c.numbers[C.FRICTION] += friction
         warm(c, c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE], heat + friction)
-    for p in range(c.bonds.shape[0]):
-        if c.bonds[p, C.BOND_STATE] == C.BOUND:
-            q, e = c.bond_numbers[p], c.bonds[p, C.BOND_EDGE]
-            s, a, b = movers(c, p, e)
-            u, v = relative(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), C.U)
-            u0, v0 = relative(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), C.U0)
-            heat = -(q[C.BOND_X] * (old * u0 + new * u) + q[C.BOND_Y] * (old * v0 + new * v))
-            c.numbers[C.HEAT] += heat
-            warm(c, p, e, heat)
+    for i in range(c.sizes[C.BONDS]):
+        p = c.bound[i]
+        q, e = c.bond_numbers[p], c.bonds[p, C.BOND_EDGE]
+        s, a, b = movers(c, p, e)
+        u, v = relative(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), C.U)
+        u0, v0 = relative(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), C.U0)
+        heat = -(q[C.BOND_X] * (old * u0 + new * u) + q[C.BOND_Y] * (old * v0 + new * v))
+        c.numbers[C.HEAT] += heat
+        warm(c, p, e, heat)
 
 
 @nb.njit(**BY_ADDRESS)
 def book_holds(c, chains, start):
     """Impulse and work of walls, axis, driven edges and rigid bodies against contact."""
     old, new = 0.5 * start, 1.0 - 0.5 * start
-    for m in range(c.movers.shape[0]):
+    for i in range(c.sizes[C.LISTED]):
+        m = c.listed[i]
         q, first, second = c.mover_numbers[m], c.movers[m, C.MOVER_CHAIN_1], c.movers[m, C.MOVER_CHAIN_2]
         if first < 0 or (q[C.JX] == 0.0 and q[C.JY] == 0.0):
             continue
@@ -121,8 +123,7 @@ def accept(c, nodes, dt, options):
         c.numbers[C.DEEPEST] = max(c.numbers[C.DEEPEST], -gap / length)
         if p != last:
             s, a, b = of_pair(c, k)
-            u, v = relative(c, s, a, b, q[C.SHARE], arm_of(q), C.U)
-            c.of_points[p, C.SLID] += dt * abs(v * q[C.NX] - u * q[C.NY])
+            c.of_points[p, C.SLID] += dt * abs(slip(c, q, s, a, b, C.U))
             last = p
     for p in range(c.points.shape[0]):
         m = c.points[p, C.POINT_MOVER]
@@ -135,9 +136,8 @@ def accept(c, nodes, dt, options):
 @nb.njit(**BY_ADDRESS)
 def break_bonds(c, nodes, dt, options):
     """Bonds whose tension over the area of their point exceeds their strength."""
-    for p in range(c.bonds.shape[0]):
-        if c.bonds[p, C.BOND_STATE] != C.BOUND:
-            continue
+    for i in range(c.sizes[C.BONDS]):
+        p = c.bound[i]
         e, q = c.bonds[p, C.BOND_EDGE], c.bond_numbers[p]
         law = c.law_of[c.points[p, C.POINT_PART], c.edges[e, C.EDGE_PART]]
         if int(c.laws[law, C.LAW_KIND]) == C.SEPARABLE:

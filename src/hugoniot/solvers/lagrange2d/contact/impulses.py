@@ -95,10 +95,8 @@ def relative(c, s, a, b, t, arm, u):
 def push(c, m, x, y, part):
     """Give a mover an impulse; its velocity changes by `part` of impulse over mass."""
     n, (u, v) = c.mover_numbers, response(c, m, x, y)
-    n[m, C.JX] += x
-    n[m, C.JY] += y
-    n[m, C.U] += part * u
-    n[m, C.V] += part * v
+    n[m, C.JX], n[m, C.JY] = n[m, C.JX] + x, n[m, C.JY] + y
+    n[m, C.U], n[m, C.V] = n[m, C.U] + part * u, n[m, C.V] + part * v
 
 
 @nb.njit(**INLINE)
@@ -114,15 +112,43 @@ def exchange(c, s, a, b, t, arm, x, y, part):
 
 
 @nb.njit(**INLINE)
+def slip(c, q, s, a, b, u):
+    """How fast a pair slides: along the edge, in the frame that turns with it, where the point is; u as in `relative`."""
+    n = c.mover_numbers
+    x, y = relative(c, s, a, b, q[C.SHARE], arm_of(q), u)
+    turn = (n[b, u] - n[a, u]) * q[C.NX] + (n[b, u + 1] - n[a, u + 1]) * q[C.NY]
+    return y * q[C.NX] - x * q[C.NY] + q[C.LIFT] * turn
+
+
+@nb.njit(**INLINE)
+def rub(c, q, s, a, b, more, part):
+    """Give a pair `more` of an impulse along its edge. Across a gap it has a moment, which a couple of impulses on the ends takes back."""
+    exchange(c, s, a, b, q[C.SHARE], arm_of(q), -more * q[C.NY], more * q[C.NX], part)
+    if a != b:
+        x, y = q[C.LIFT] * more * q[C.NX], q[C.LIFT] * more * q[C.NY]
+        push(c, a, -x, -y, part)
+        push(c, b, x, y, part)
+
+
+@nb.njit(**BY_ADDRESS)
+def weight_of_friction(c, q, s, a, b):
+    """Change of the slip of a pair by a unit impulse of friction."""
+    x, y, t, arm = -q[C.NY], q[C.NX], q[C.SHARE], arm_of(q)
+    if a == b:
+        return inverse_mass(c, s, a, b, t, arm, x, y)
+    turn = 0.0 if arm[0] == 0.0 else c.mover_numbers[turner(s, a, arm), C.II] * (arm[1] * y - arm[2] * x) ** 2
+    lift_x, lift_y = q[C.LIFT] * q[C.NX], q[C.LIFT] * q[C.NY]
+    edge = along(c, a, (1.0 - t) * x + lift_x, (1.0 - t) * y + lift_y) + along(c, b, t * x - lift_x, t * y - lift_y)
+    return along(c, s, x, y) + edge + turn
+
+
+@nb.njit(**INLINE)
 def along_normal(c, q, s, a, b, more):
     """Change velocities by `more` of an impulse of a pair along its normal; the impulses of movers are added up in `restart`."""
     n = c.mover_numbers
-    n[s, C.U] += more * q[C.SX]
-    n[s, C.V] += more * q[C.SY]
-    n[a, C.U] += more * q[C.AX]
-    n[a, C.V] += more * q[C.AY]
-    n[b, C.U] += more * q[C.BX]
-    n[b, C.V] += more * q[C.BY]
+    n[s, C.U], n[s, C.V] = n[s, C.U] + more * q[C.SX], n[s, C.V] + more * q[C.SY]
+    n[a, C.U], n[a, C.V] = n[a, C.U] + more * q[C.AX], n[a, C.V] + more * q[C.AY]
+    n[b, C.U], n[b, C.V] = n[b, C.U] + more * q[C.BX], n[b, C.V] + more * q[C.BY]
     if q[C.SIDE] != 0.0:
         n[turner(s, a, arm_of(q)), C.W] += more * q[C.TURN]
 
@@ -131,18 +157,20 @@ def along_normal(c, q, s, a, b, more):
 def restart(c, part):
     """Velocities from those before and the impulses of all pairs and bonds, along their present directions."""
     n = c.mover_numbers
-    for m in range(n.shape[0]):
+    for i in range(c.sizes[C.LISTED]):
+        m = c.listed[i]
         n[m, C.U], n[m, C.V], n[m, C.W] = n[m, C.U0], n[m, C.V0], n[m, C.W0]
         n[m, C.JX], n[m, C.JY], n[m, C.JW] = 0.0, 0.0, 0.0
     for i in range(c.counts[C.ACTIVE]):
         k = c.active[i]
         q, (s, a, b) = c.pair_numbers[k], of_pair(c, k)
-        x, y = q[C.LAMBDA] * q[C.NX] - q[C.TAU] * q[C.NY], q[C.LAMBDA] * q[C.NY] + q[C.TAU] * q[C.NX]
-        exchange(c, s, a, b, q[C.SHARE], arm_of(q), x, y, part)
-    for p in range(c.bonds.shape[0]):
-        if c.bonds[p, C.BOND_STATE] == C.BOUND:
-            q, (s, a, b) = c.bond_numbers[p], movers(c, p, c.bonds[p, C.BOND_EDGE])
-            exchange(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), q[C.BOND_X], q[C.BOND_Y], part)
+        exchange(c, s, a, b, q[C.SHARE], arm_of(q), q[C.LAMBDA] * q[C.NX], q[C.LAMBDA] * q[C.NY], part)
+        if q[C.TAU] != 0.0:
+            rub(c, q, s, a, b, q[C.TAU], part)
+    for i in range(c.sizes[C.BONDS]):
+        p = c.bound[i]
+        q, (s, a, b) = c.bond_numbers[p], movers(c, p, c.bonds[p, C.BOND_EDGE])
+        exchange(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), q[C.BOND_X], q[C.BOND_Y], part)
 
 
 @nb.njit(**INLINE)
@@ -162,11 +190,10 @@ def relax_pair(c, k, part):
         change = abs(more) * part * q[C.WN]
     most = q[C.COULOMB] * new
     if q[C.WT] > 0.0 and (most > 0.0 or q[C.TAU] != 0.0):
-        u, v = relative(c, s, a, b, t, arm, C.U)
-        new = min(max(q[C.TAU] + (q[C.AIM] - (v * nx - u * ny)) / (part * q[C.WT]), -most), most)
+        new = min(max(q[C.TAU] + (q[C.AIM] - slip(c, q, s, a, b, C.U)) / (part * q[C.WT]), -most), most)
         more = new - q[C.TAU]
         q[C.TAU] = new
-        exchange(c, s, a, b, t, arm, -more * ny, more * nx, part)
+        rub(c, q, s, a, b, more, part)
         change = max(change, abs(more) * part * q[C.WT])
     return change
 
@@ -191,17 +218,17 @@ def relax_bond(c, p, part):
 @nb.njit(**BY_ADDRESS)
 def weigh_bonds(c):
     """Inverse masses of the bonds."""
-    for p in range(c.bonds.shape[0]):
-        if c.bonds[p, C.BOND_STATE] == C.BOUND:
-            q, (s, a, b) = c.bond_numbers[p], movers(c, p, c.bonds[p, C.BOND_EDGE])
-            q[C.BOND_WX] = inverse_mass(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), 1.0, 0.0)
-            q[C.BOND_WY] = inverse_mass(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), 0.0, 1.0)
+    for i in range(c.sizes[C.BONDS]):
+        p = c.bound[i]
+        q, (s, a, b) = c.bond_numbers[p], movers(c, p, c.bonds[p, C.BOND_EDGE])
+        q[C.BOND_WX] = inverse_mass(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), 1.0, 0.0)
+        q[C.BOND_WY] = inverse_mass(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), 0.0, 1.0)
 
 
 @nb.njit(**BY_ADDRESS)
 def sweep_once(c, part, forward):
     """Satisfy all active pairs and all bonds one after the other; (largest change of a velocity, square of the change of the impulses)."""
-    change, square, pairs, bonds = 0.0, 0.0, c.counts[C.ACTIVE], c.bonds.shape[0]
+    change, square, pairs, bonds = 0.0, 0.0, c.counts[C.ACTIVE], c.sizes[C.BONDS]
     for i in range(pairs):
         k = c.active[i if forward else pairs - 1 - i]
         q = c.pair_numbers[k]
@@ -209,12 +236,11 @@ def sweep_once(c, part, forward):
         change = max(change, relax_pair(c, k, part))
         square += q[C.WN] * (q[C.LAMBDA] - q[C.OLD]) ** 2 + q[C.WT] * (q[C.TAU] - q[C.OLD_TAU]) ** 2
     for i in range(bonds):
-        p = i if forward else bonds - 1 - i
-        if c.bonds[p, C.BOND_STATE] == C.BOUND:
-            q = c.bond_numbers[p]
-            q[C.BOND_OLD_X], q[C.BOND_OLD_Y] = q[C.BOND_X], q[C.BOND_Y]
-            change = max(change, relax_bond(c, p, part))
-            square += q[C.BOND_WX] * (q[C.BOND_X] - q[C.BOND_OLD_X]) ** 2 + q[C.BOND_WY] * (q[C.BOND_Y] - q[C.BOND_OLD_Y]) ** 2
+        p = c.bound[i if forward else bonds - 1 - i]
+        q = c.bond_numbers[p]
+        q[C.BOND_OLD_X], q[C.BOND_OLD_Y] = q[C.BOND_X], q[C.BOND_Y]
+        change = max(change, relax_bond(c, p, part))
+        square += q[C.BOND_WX] * (q[C.BOND_X] - q[C.BOND_OLD_X]) ** 2 + q[C.BOND_WY] * (q[C.BOND_Y] - q[C.BOND_OLD_Y]) ** 2
     c.counts[C.SWEEPS] += 1
     return change, square
 
@@ -232,24 +258,25 @@ def go_on(c, part, share):
             along_normal(c, q, s, a, b, part * x)
         if y != 0.0:
             q[C.TAU] += y
-            exchange(c, s, a, b, q[C.SHARE], arm_of(q), -y * q[C.NY], y * q[C.NX], part)
-    for p in range(c.bonds.shape[0]):
-        if c.bonds[p, C.BOND_STATE] == C.BOUND:
-            q = c.bond_numbers[p]
-            x, y = share * q[C.BOND_WAY_X], share * q[C.BOND_WAY_Y]
-            q[C.BOND_WAY_X], q[C.BOND_WAY_Y] = x + q[C.BOND_X] - q[C.BOND_OLD_X], y + q[C.BOND_Y] - q[C.BOND_OLD_Y]
-            if share > 0.0:
-                q[C.BOND_X] += x
-                q[C.BOND_Y] += y
-                s, a, b = movers(c, p, c.bonds[p, C.BOND_EDGE])
-                exchange(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), x, y, part)
+            rub(c, q, s, a, b, y, part)
+    for i in range(c.sizes[C.BONDS]):
+        p = c.bound[i]
+        q = c.bond_numbers[p]
+        x, y = share * q[C.BOND_WAY_X], share * q[C.BOND_WAY_Y]
+        q[C.BOND_WAY_X], q[C.BOND_WAY_Y] = x + q[C.BOND_X] - q[C.BOND_OLD_X], y + q[C.BOND_Y] - q[C.BOND_OLD_Y]
+        if share > 0.0:
+            q[C.BOND_X] += x
+            q[C.BOND_Y] += y
+            s, a, b = movers(c, p, c.bonds[p, C.BOND_EDGE])
+            exchange(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), x, y, part)
 
 
 @nb.njit(**BY_ADDRESS)
 def largest(c):
     """Largest change of velocity that contact makes."""
     n, found = c.mover_numbers, 0.0
-    for m in range(n.shape[0]):
+    for i in range(c.sizes[C.LISTED]):
+        m = c.listed[i]
         found = max(found, abs(n[m, C.U] - n[m, C.U0]), abs(n[m, C.V] - n[m, C.V0]))
     return found
 

@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 POINT_NODE, POINT_MOVER, POINT_PART, POINT_BEFORE, POINT_AFTER, POINT_FIRST = range(6)
 # points; block, or number of blocks + rigid body; zone behind (-1: none)
 EDGE_A, EDGE_B, EDGE_PART, EDGE_ZONE = range(4)
-# a column of the nodes; rigid body (-1: a node); chains that hold it; what drives it
-MOVER_NODE, MOVER_RIGID, MOVER_CHAIN_1, MOVER_CHAIN_2, MOVER_PULSE = range(5)
+# a column of the nodes; rigid body (-1: a node); chains that hold it; what drives it; 1 where it is in the list of the step
+MOVER_NODE, MOVER_RIGID, MOVER_CHAIN_1, MOVER_CHAIN_2, MOVER_PULSE, MOVER_LISTED = range(6)
 # inverse mass, of what turns the inverse moment of inertia; the directions that hold it (unit, 0: none) and the projector on what they
 # leave; velocity with the rate of turning, those before; impulse with its moment about the centre
 (IM, II, H1X, H1Y, H2X, H2Y, PXX, PXY, PYY, U, V, W, U0, V0, W0, JX, JY, JW) = range(18)
@@ -28,10 +28,11 @@ PAIR_INTS = 9
 # start of the step; impulses of the last step; of a relaxation: impulses before a sweep, direction of search; coefficient of friction;
 # change of the velocities of its three movers by a unit impulse along its normal; where one of them turns: 1 for that of the point, -1
 # of the edge (0: neither), the way from its centre to where the impulse acts, and its change of rotation by a unit normal impulse;
-# the mass that the pair has along its normal
+# the mass that the pair has along its normal; how far points may move relative to each other after the search before it can meet;
+# the gap where the impulses act, over the length of the edge
 (LAMBDA, TAU, SHARE, NX, NY, LEAST, AIM, WN, WT, GAP, LAST, LAST_TAU, OLD, OLD_TAU, WAY, WAY_TAU, COULOMB, SX, SY, AX, AY,
- BX, BY, SIDE, ARM_X, ARM_Y, TURN, MASS) = range(28)
-PAIR_FLOATS = 28
+ BX, BY, SIDE, ARM_X, ARM_Y, TURN, MASS, AWAY, LIFT) = range(30)
+PAIR_FLOATS = 30
 OFF, ON, FRESH = range(3)      # PAIR_ACTIVE
 FREE, BOUND, BROKEN = range(3)
 BOND_STATE, BOND_EDGE = range(2)
@@ -46,6 +47,7 @@ FORCE_X, FORCE_Y, SLID = range(3)
 # edge, the last step, the largest change of a velocity by contact in it
 REACH, MEAN_EDGE, HEAT, FRICTION, DEEPEST, LAST_STEP, CHANGE = range(7)
 PAIRS, SEARCHES, SWEEPS, BROKEN_BONDS, FULL, OLD_PAIRS, ACTIVE = range(7)
+NEAR, LISTED, BONDS = range(3)  # sizes of the lists of a step
 
 
 class Contact(NamedTuple):
@@ -55,6 +57,8 @@ class Contact(NamedTuple):
     copies_start, copies   node columns that are one with each mover's
     law_of                 (part, part): index of the law between them
     old_pairs, old_numbers   the pairs before the last search
+    near, listed, bound    the pairs that may meet in a step, in their order, the movers concerned, and the points with a bond that stands;
+                           `sizes` of the three
     active                 the pairs that are active, in their order
     cells, sorted_edges    of the search: first edge of each cell, edges by cell
     since                  (point, 2): where points stood at the last search
@@ -75,6 +79,10 @@ class Contact(NamedTuple):
     pair_numbers: Any
     old_pairs: Any
     old_numbers: Any
+    near: Any
+    listed: Any
+    bound: Any
+    sizes: Any
     active: Any
     bonds: Any
     bond_numbers: Any

@@ -8,8 +8,17 @@ import numba as nb
 
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
-from hugoniot.solvers.lagrange2d.contact.corners import DEEP, edge_way, faces, has_edges, hollow, over_edge
-from hugoniot.solvers.lagrange2d.contact.impulses import CLOSE_ENOUGH, arm_of, inverse_mass, of_pair, relative, response
+from hugoniot.solvers.lagrange2d.contact.corners import DEEP, edge_vector, faces, has_edges, hollow, over_edge
+from hugoniot.solvers.lagrange2d.contact.impulses import (
+    CLOSE_ENOUGH,
+    arm_of,
+    inverse_mass,
+    of_pair,
+    relative,
+    response,
+    weight_of_friction,
+)
+from hugoniot.solvers.lagrange2d.contact.near import list_bond
 from hugoniot.solvers.lagrange2d.contact.rigid import arm, place
 
 SAME_PLACE = 1e-6    # of an edge
@@ -52,27 +61,6 @@ def tied(c, p, e):
     return c.bonds[a, C.BOND_STATE] == C.BOUND and c.bonds[b, C.BOND_STATE] == C.BOUND
 
 
-@nb.njit(**BY_ADDRESS)
-def meets(c, nodes, k, dt, slack, depth):
-    """Whether the pair k, with the velocities found so far, is behind its edge at the end of the step by more than `slack` of the edge
-    and more than `depth`.
-
-    Keeps the gap at the start of the step, and the share of the edge at its end.
-    """
-    dx, dy, px, py = offsets(c, nodes, k, dt)
-    behind, square = py * dx - px * dy, dx * dx + dy * dy      # the depth times the length of the edge
-    if behind <= 0.0 or behind <= max(slack * square, depth * square**0.5):
-        return False
-    p, e, share = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE], (px * dx + py * dy) / square
-    before, _, nx, ny, length = seen(c, nodes, k, 0.0)
-    if before < -DEEP * length or not over_edge(c, nodes, p, e, share, dt) or tied(c, p, e):
-        return False
-    if not faces(c, nodes, p, nx, ny):
-        return False
-    c.pair_numbers[k, C.GAP], c.pair_numbers[k, C.SHARE] = before, share
-    return True
-
-
 @nb.njit(**INLINE)
 def faced(c, k):
     """The point at the end of an edge that the point of pair k faces exactly; -1 if none."""
@@ -81,30 +69,55 @@ def faced(c, k):
 
 
 @nb.njit(**BY_ADDRESS)
+def turned_by(c, nodes, k, m):
+    """Cosine between the edges of two pairs."""
+    ax, ay = edge_vector(c, nodes, c.pairs[k, C.PAIR_EDGE])
+    bx, by = edge_vector(c, nodes, c.pairs[m, C.PAIR_EDGE])
+    return (ax * bx + ay * by) / ((ax * ax + ay * ay) * (bx * bx + by * by)) ** 0.5
+
+
+@nb.njit(**BY_ADDRESS)
 def said_already(c, nodes, k, first):
     """Whether a pair of two nodes that face each other exactly stands in the list: with the next edge, or from the other side."""
     p, other = c.pairs[k, C.PAIR_POINT], faced(c, k)
     if other < 0:
         return False
-    ax, ay = edge_way(c, nodes, c.pairs[k, C.PAIR_EDGE])
     for m in range(first, k):
-        if c.pairs[m, C.PAIR_ACTIVE] != C.OFF and faced(c, m) == other:
-            bx, by = edge_way(c, nodes, c.pairs[m, C.PAIR_EDGE])
-            if ax * bx + ay * by > STRAIGHT:
-                return True
+        if c.pairs[m, C.PAIR_ACTIVE] != C.OFF and faced(c, m) == other and turned_by(c, nodes, k, m) > STRAIGHT:
+            return True
     if other < p:
         m = c.points[other, C.POINT_FIRST]
         while m < k and c.pairs[m, C.PAIR_POINT] == other:
-            if c.pairs[m, C.PAIR_ACTIVE] != C.OFF and faced(c, m) == p:
-                bx, by = edge_way(c, nodes, c.pairs[m, C.PAIR_EDGE])
-                if ax * bx + ay * by < -STRAIGHT:
-                    return True
+            if c.pairs[m, C.PAIR_ACTIVE] != C.OFF and faced(c, m) == p and turned_by(c, nodes, k, m) < -STRAIGHT:
+                return True
             m += 1
     return False
 
 
 @nb.njit(**BY_ADDRESS)
-def other_way(c, nodes, k, first):
+def meets(c, nodes, k, first, dt, slack, depth):
+    """Whether the pair k, with the velocities found so far, is behind its edge at the end of the step by more than `slack` of the edge
+    and more than `depth`, and no active pair says so already; first: of its point.
+
+    Keeps the gap at the start of the step, and the share of the edge at its end.
+    """
+    dx, dy, px, py = offsets(c, nodes, k, dt)
+    behind, square = py * dx - px * dy, dx * dx + dy * dy      # the depth times the length of the edge
+    if behind <= 0.0 or behind <= max(slack * square, depth * square**0.5):
+        return False
+    p, e, share = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE], (px * dx + py * dy) / square
+    c.pair_numbers[k, C.SHARE] = share
+    if said_already(c, nodes, k, first):
+        return False
+    before, _, nx, ny, length = seen(c, nodes, k, 0.0)
+    c.pair_numbers[k, C.GAP] = before
+    if before < -DEEP * length or not over_edge(c, nodes, p, e, (-behind / square**0.5, share), dt, (slack, depth)):
+        return False
+    return not tied(c, p, e) and faces(c, nodes, p, nx, ny)
+
+
+@nb.njit(**BY_ADDRESS)
+def other_way(c, nodes, k, first, dt):
     """Whether an active pair of the same point, from `first` on, has the edge the point came through, around a corner that juts out."""
     p, e = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE]
     m = first
@@ -114,7 +127,7 @@ def other_way(c, nodes, k, first):
             follows = c.edges[e, C.EDGE_B] == c.edges[f, C.EDGE_A]
             if follows or c.edges[f, C.EDGE_B] == c.edges[e, C.EDGE_A]:
                 mine, others = c.pair_numbers[k, C.GAP], c.pair_numbers[m, C.GAP]
-                if not hollow(c, nodes, e, f, follows) and (mine < others or (mine == others and m < k)):
+                if not hollow(c, nodes, e, f, follows, dt) and (mine < others or (mine == others and m < k)):
                     return True
         m += 1
     return False
@@ -126,20 +139,22 @@ def activate(c, nodes, dt, closing, slack):
 
     What meets by less than `slack` of an edge is left to the next step.
     """
-    found, k, last = False, 0, c.counts[C.PAIRS]
+    found, i, last = False, 0, c.sizes[C.NEAR]
     depth = CLOSE_ENOUGH * c.numbers[C.CHANGE] * dt if closing else 0.0
-    while k < last:
-        p, first, fresh = c.pairs[k, C.PAIR_POINT], k, False
-        while k < last and c.pairs[k, C.PAIR_POINT] == p:
-            if c.pairs[k, C.PAIR_ACTIVE] == C.OFF and meets(c, nodes, k, dt, slack, depth) and not said_already(c, nodes, k, first):
+    while i < last:
+        k = first = c.near[i]
+        p, fresh = c.pairs[first, C.PAIR_POINT], False
+        while i < last and c.pairs[c.near[i], C.PAIR_POINT] == p:
+            k = c.near[i]
+            if c.pairs[k, C.PAIR_ACTIVE] == C.OFF and meets(c, nodes, k, first, dt, slack, depth):
                 q, c.pairs[k, C.PAIR_ACTIVE], fresh = c.pair_numbers[k], C.FRESH, True
                 q[C.LAMBDA], q[C.TAU] = (0.0, 0.0) if closing else (q[C.LAST], q[C.LAST_TAU])
-            k += 1
+            i += 1
         if fresh:
-            for m in range(first, k):
-                if c.pairs[m, C.PAIR_ACTIVE] == C.FRESH and other_way(c, nodes, m, first):
+            for m in range(first, k + 1):
+                if c.pairs[m, C.PAIR_ACTIVE] == C.FRESH and other_way(c, nodes, m, first, dt):
                     c.pairs[m, C.PAIR_ACTIVE] = C.OFF
-            for m in range(first, k):
+            for m in range(first, k + 1):
                 if c.pairs[m, C.PAIR_ACTIVE] == C.FRESH:
                     c.pairs[m, C.PAIR_ACTIVE], found = C.ON, True
     if found:
@@ -151,7 +166,8 @@ def activate(c, nodes, dt, closing, slack):
 def list_active(c):
     """List the active pairs."""
     count = 0
-    for k in range(c.counts[C.PAIRS]):
+    for i in range(c.sizes[C.NEAR]):
+        k = c.near[i]
         if c.pairs[k, C.PAIR_ACTIVE] == C.ON:
             c.active[count] = k
             count += 1
@@ -162,20 +178,32 @@ def list_active(c):
 def forget(c):
     """No pair is active."""
     c.counts[C.ACTIVE] = 0
-    for k in range(c.counts[C.PAIRS]):
-        c.pairs[k, C.PAIR_ACTIVE] = C.OFF
+    for i in range(c.sizes[C.NEAR]):
+        c.pairs[c.near[i], C.PAIR_ACTIVE] = C.OFF
 
 
 @nb.njit(**BY_ADDRESS)
 def remember(c, dt):
     """Keep the impulses of this step for the next one."""
     c.numbers[C.LAST_STEP] = dt
-    for p in range(c.bonds.shape[0]):
-        q = c.bond_numbers[p]
+    for i in range(c.sizes[C.BONDS]):
+        q = c.bond_numbers[c.bound[i]]
         q[C.BOND_LAST_X], q[C.BOND_LAST_Y] = q[C.BOND_X], q[C.BOND_Y]
-    for k in range(c.counts[C.PAIRS]):
+    for i in range(c.sizes[C.NEAR]):
+        k = c.near[i]
         q, on = c.pair_numbers[k], c.pairs[k, C.PAIR_ACTIVE] == C.ON
         q[C.LAST], q[C.LAST_TAU] = (q[C.LAMBDA], q[C.TAU]) if on else (0.0, 0.0)
+
+
+@nb.njit(**BY_ADDRESS)
+def point(c, nodes, k, dt):
+    """Set where and along what normal the impulse of pair k acts, with places after dt; the gap there."""
+    q, (s, a, b) = c.pair_numbers[k], of_pair(c, k)
+    gap, share, q[C.NX], q[C.NY], length = seen(c, nodes, k, dt)
+    q[C.SHARE], q[C.LIFT] = min(max(share, -OVERHANG), 1.0 + OVERHANG), gap / length if length > 0.0 else 0.0
+    q[C.SIDE], x, y = arm(c, nodes, s, a, b, (c.pairs[k, C.PAIR_AT_A], c.pairs[k, C.PAIR_AT_B]), q[C.SHARE], dt)
+    q[C.ARM_X], q[C.ARM_Y] = x + gap * q[C.NX], y + gap * q[C.NY]
+    return gap
 
 
 @nb.njit(**BY_ADDRESS)
@@ -183,11 +211,9 @@ def ask_closing(c, nodes, dt):
     """At the start of a step: points may not come nearer than their gap allows, and do not slide where friction holds them."""
     for i in range(c.counts[C.ACTIVE]):
         k = c.active[i]
-        q = c.pair_numbers[k]
-        gap, share, q[C.NX], q[C.NY], _ = seen(c, nodes, k, 0.0)
-        q[C.SHARE] = min(max(share, -OVERHANG), 1.0 + OVERHANG)
-        q[C.LEAST], q[C.AIM] = -max(gap, 0.0) / dt, 0.0
-        weigh(c, nodes, k, q, 0.0)
+        q, (s, a, b) = c.pair_numbers[k], of_pair(c, k)
+        q[C.LEAST], q[C.AIM] = -max(point(c, nodes, k, 0.0), 0.0) / dt, 0.0
+        weigh(c, q, s, a, b)
 
 
 @nb.njit(**BY_ADDRESS)
@@ -197,15 +223,16 @@ def ask_mean(c, nodes, dt):
         k = c.active[i]
         q, (s, a, b) = c.pair_numbers[k], of_pair(c, k)
         gap, _, _, _, _ = seen(c, nodes, k, dt)
-        _, share, q[C.NX], q[C.NY], _ = seen(c, nodes, k, 0.5 * dt)
-        q[C.SHARE] = min(max(share, -OVERHANG), 1.0 + OVERHANG)
-        weigh(c, nodes, k, q, 0.5 * dt)
+        point(c, nodes, k, 0.5 * dt)
+        weigh(c, q, s, a, b)
         u, v = relative(c, s, a, b, q[C.SHARE], arm_of(q), C.U)
         wanted = min(q[C.GAP] + min((KEPT_DEPTH - 1.0) * q[C.GAP], RISE * c.numbers[C.CHANGE] * dt), 0.0)
         q[C.LEAST] = u * q[C.NX] + v * q[C.NY] + (wanted - gap) / dt
         if q[C.COULOMB] > 0.0:
-            u, v = start_velocity(nodes, c.pairs[k, C.PAIR_AT], c.pairs[k, C.PAIR_AT_A], c.pairs[k, C.PAIR_AT_B], q[C.SHARE])
-            q[C.AIM] = 0.5 * (v * q[C.NX] - u * q[C.NY])
+            at_a, at_b = c.pairs[k, C.PAIR_AT_A], c.pairs[k, C.PAIR_AT_B]
+            u, v = start_velocity(nodes, c.pairs[k, C.PAIR_AT], at_a, at_b, q[C.SHARE])
+            turn = (nodes[2, at_b] - nodes[2, at_a]) * q[C.NX] + (nodes[3, at_b] - nodes[3, at_a]) * q[C.NY]
+            q[C.AIM] = 0.5 * (v * q[C.NX] - u * q[C.NY] + q[C.LIFT] * turn)
 
 
 @nb.njit(**BY_ADDRESS)
@@ -215,11 +242,9 @@ def start_velocity(nodes, i, j, k, t):
 
 
 @nb.njit(**BY_ADDRESS)
-def weigh(c, nodes, k, q, dt):
-    """What unit impulses of a pair along its normal and its tangent do, with places after dt."""
-    s, a, b = of_pair(c, k)
+def weigh(c, q, s, a, b):
+    """What unit impulses of a pair along its normal and its tangent do."""
     x, y, t = q[C.NX], q[C.NY], q[C.SHARE]
-    q[C.SIDE], q[C.ARM_X], q[C.ARM_Y] = arm(c, nodes, s, a, b, (c.pairs[k, C.PAIR_AT_A], c.pairs[k, C.PAIR_AT_B]), t, dt)
     if q[C.SIDE] != 0.0:
         q[C.TURN] = q[C.SIDE] * c.mover_numbers[s if q[C.SIDE] > 0.0 else a, C.II] * (q[C.ARM_X] * y - q[C.ARM_Y] * x)
     q[C.SX], q[C.SY] = response(c, s, x, y)
@@ -227,13 +252,14 @@ def weigh(c, nodes, k, q, dt):
     q[C.BX], q[C.BY] = response(c, b, -t * x, -t * y)
     q[C.WN] = inverse_mass(c, s, a, b, t, arm_of(q), x, y)
     q[C.MASS] = 1.0 / q[C.WN] if q[C.WN] > 0.0 else 0.0
-    q[C.WT] = inverse_mass(c, s, a, b, t, arm_of(q), -y, x) if q[C.COULOMB] > 0.0 else 0.0
+    q[C.WT] = weight_of_friction(c, q, s, a, b) if q[C.COULOMB] > 0.0 else 0.0
 
 
 @nb.njit(**BY_ADDRESS)
 def bind_points(c, nodes):
     """Bond points that have come to rest on an edge they are to be tied to."""
-    for k in range(c.counts[C.PAIRS]):
+    for i in range(c.sizes[C.NEAR]):
+        k = c.near[i]
         p, e = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE]
         law = c.law_of[c.points[p, C.POINT_PART], c.edges[e, C.EDGE_PART]]
         if int(c.laws[law, C.LAW_KIND]) == C.SLIDING or c.laws[law, C.LAW_TIES] == 0.0 or c.bonds[p, C.BOND_STATE] != C.FREE:
@@ -244,5 +270,6 @@ def bind_points(c, nodes):
         if not (has_edges(c, p) and faces(c, nodes, p, nx, ny)):
             continue
         c.bonds[p, C.BOND_STATE], c.bonds[p, C.BOND_EDGE] = C.BOUND, e
+        list_bond(c, p)
         c.bond_numbers[p, :] = 0.0
         c.bond_numbers[p, C.BOND_SHARE] = min(max(share, 0.0), 1.0)

@@ -107,7 +107,7 @@ def larger(contact: C.Contact, room: int | None = None) -> C.Contact:
         table = getattr(contact, name)
         made[name] = np.zeros((room, table.shape[1]), dtype=table.dtype)
         made[name][:min(room, len(table))] = table[:room]
-    made["active"] = np.zeros(room, dtype=np.int64)
+    made |= {name: np.zeros(room, dtype=np.int64) for name in ("near", "active")}
     return contact._replace(**made)
 
 

@@ -86,9 +86,7 @@ def turned(body, nodes, k, u, v, spin):
 @nb.njit(**BY_ADDRESS)
 def drive(c, run, options, time, dt):
     """Mean velocity of rigid bodies without contact."""
-    for m in range(c.movers.shape[0]):
-        if c.movers[m, C.MOVER_RIGID] < 0:
-            continue
+    for m in range(c.movers.shape[0] - c.rigid.shape[0], c.movers.shape[0]):
         pulse, q = c.movers[m, C.MOVER_PULSE], c.mover_numbers[m]
         velocity_from(c, m, False)
         if pulse >= 0:
@@ -103,9 +101,7 @@ def drive(c, run, options, time, dt):
 @nb.njit(**BY_ADDRESS)
 def move_rigid(c, nodes, dt):
     """Rigid bodies to the end of the step; a negative dt takes them back."""
-    for m in range(c.movers.shape[0]):
-        if c.movers[m, C.MOVER_RIGID] < 0:
-            continue
+    for m in range(c.movers.shape[0] - c.rigid.shape[0], c.movers.shape[0]):
         body = c.rigid[c.movers[m, C.MOVER_RIGID]]
         for d in range(3):
             body[C.CENTRE_X + d] += dt * body[C.MEAN_X + d]

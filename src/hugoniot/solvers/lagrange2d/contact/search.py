@@ -4,40 +4,23 @@ import numba as nb
 
 from hugoniot.core.target import BY_ADDRESS
 from hugoniot.solvers.lagrange2d.contact import layout as C
+from hugoniot.solvers.lagrange2d.contact.near import distance, list_near
 
 AHEAD = 2.0          # times what the velocities at the start of a step say of its motion: they may grow in it
 
 
 @nb.njit(**BY_ADDRESS)
-def spread(x, y, points, since, part):
-    """How far any two points differ at most: the diagonal of the box that holds (x, y) - part * since of every point."""
+def spreads(nodes, points, since):
+    """By how much the velocities of any two points differ at most, and their displacements since the last search: the diagonals of the
+    boxes that hold those of all points."""
     left, bottom, right, top = 1e300, 1e300, -1e300, -1e300
+    west, south, east, north = left, bottom, right, top
     for p in range(points.shape[0]):
         k = points[p, C.POINT_NODE]
-        dx, dy = x[k] - part * since[p, 0], y[k] - part * since[p, 1]
-        left, bottom, right, top = min(left, dx), min(bottom, dy), max(right, dx), max(top, dy)
-    return ((right - left) ** 2 + (top - bottom) ** 2) ** 0.5
-
-
-@nb.njit(**BY_ADDRESS)
-def needed(c, nodes, dt):
-    """Whether points have moved relative to each other, or will in this step, so far that the last search is worth nothing."""
-    ahead = AHEAD * dt * spread(nodes[2], nodes[3], c.points, c.since, 0.0)
-    moved = spread(nodes[0], nodes[1], c.points, c.since, 1.0)
-    if c.counts[C.SEARCHES] > 0 and c.counts[C.FULL] == 0 and moved + ahead <= c.numbers[C.REACH]:
-        return False
-    c.numbers[C.REACH] = max(0.5 * c.numbers[C.MEAN_EDGE], 3.0 * ahead)
-    return True
-
-
-@nb.njit(**BY_ADDRESS)
-def distance(x, y, ax, ay, bx, by):
-    """Square of the distance from a point to the stretch from a to b."""
-    dx, dy = bx - ax, by - ay
-    length = dx * dx + dy * dy
-    t = ((x - ax) * dx + (y - ay) * dy) / length if length > 0.0 else 0.0
-    t = min(max(t, 0.0), 1.0)
-    return (x - ax - t * dx) ** 2 + (y - ay - t * dy) ** 2
+        u, v, dx, dy = nodes[2, k], nodes[3, k], nodes[0, k] - since[p, 0], nodes[1, k] - since[p, 1]
+        left, bottom, right, top = min(left, u), min(bottom, v), max(right, u), max(top, v)
+        west, south, east, north = min(west, dx), min(south, dy), max(east, dx), max(north, dy)
+    return ((right - left) ** 2 + (top - bottom) ** 2) ** 0.5, ((east - west) ** 2 + (north - south) ** 2) ** 0.5
 
 
 @nb.njit(**BY_ADDRESS)
@@ -128,7 +111,7 @@ def search(c, nodes):
     sort_edges(c, x, y, left, bottom, cell, columns, rows)
     if c.counts[C.FULL] == 0:
         set_aside(c)
-    reach, count, old = c.numbers[C.REACH] ** 2, 0, 0
+    reach, count, old = c.numbers[C.REACH], 0, 0
     for p in range(c.points.shape[0]):
         k, part = c.points[p, C.POINT_NODE], c.points[p, C.POINT_PART]
         px, py, c.points[p, C.POINT_FIRST] = x[k], y[k], count
@@ -140,7 +123,7 @@ def search(c, nodes):
                     if c.law_of[part, c.edges[e, C.EDGE_PART]] < 0 or c.edges[e, C.EDGE_A] == p or c.edges[e, C.EDGE_B] == p:
                         continue
                     a, b = c.points[c.edges[e, C.EDGE_A], C.POINT_NODE], c.points[c.edges[e, C.EDGE_B], C.POINT_NODE]
-                    if distance(px, py, x[a], y[a], x[b], y[b]) > reach:
+                    if distance(px, py, x[a], y[a], x[b], y[b], 0.0)[0] > reach:
                         continue
                     if count == c.pairs.shape[0]:
                         c.counts[C.PAIRS], c.counts[C.FULL] = 0, 1
@@ -148,9 +131,25 @@ def search(c, nodes):
                     c.pairs[count, C.PAIR_POINT], c.pairs[count, C.PAIR_EDGE] = p, e
                     c.pairs[count, C.PAIR_ACTIVE] = C.OFF
                     old = take_over(c, count, old)
+                    c.pair_numbers[count, C.AWAY] = 0.0
                     describe(c, count)
                     count += 1
         c.since[p, 0], c.since[p, 1] = px, py
     c.counts[C.PAIRS], c.counts[C.FULL] = count, 0
     c.counts[C.SEARCHES] += 1
+    return True
+
+
+@nb.njit(**BY_ADDRESS)
+def make_ready(c, nodes, dt):
+    """List the pairs that may meet in the step, after a search if the last one is worth nothing: where points have moved relative to
+    each other, or will in this step, farther than it looked. False where there is no room for what it found."""
+    speed, moved = spreads(nodes, c.points, c.since)
+    ahead = AHEAD * dt * speed
+    if c.counts[C.SEARCHES] == 0 or c.counts[C.FULL] != 0 or moved + ahead > c.numbers[C.REACH]:
+        c.numbers[C.REACH] = max(0.5 * c.numbers[C.MEAN_EDGE], 3.0 * ahead)
+        if not search(c, nodes):
+            return False
+        moved = 0.0
+    list_near(c, nodes, moved, ahead)
     return True

@@ -17,9 +17,19 @@ from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.accounts_of_step import accept, book_heat, book_holds
 from hugoniot.solvers.lagrange2d.contact.impulses import columns, movers, relax, restart
-from hugoniot.solvers.lagrange2d.contact.meeting import activate, ask_closing, ask_mean, bind_points, forget, list_active, start_velocity
+from hugoniot.solvers.lagrange2d.contact.meeting import (
+    activate,
+    ask_closing,
+    ask_mean,
+    bind_points,
+    forget,
+    list_active,
+    point,
+    start_velocity,
+)
 from hugoniot.solvers.lagrange2d.contact.rigid import arm, drive, move_rigid, velocity_from, velocity_to
-from hugoniot.solvers.lagrange2d.contact.search import needed, search
+from hugoniot.solvers.lagrange2d.contact.search import make_ready
+from hugoniot.solvers.lagrange2d.quads import PLANAR
 
 READY, CLOSE, PUSH_MIDDLE, PUSH, MOVE, TAKE_BACK, ACCEPT = range(7)
 X, U, XH, UM, IM = 0, 2, 4, 6, 12      # rows of the node table
@@ -27,6 +37,7 @@ ROUNDS = 6                             # at most, of finding who meets and what 
 SLACK = 1e-7                           # of an edge: what closes by less in a step is left to the forces
 SMALL = 1e-5                           # of an edge: what would be behind by less after a round is left to the next step
 DEPTH = 5e-5                           # of the mean edge: how far behind surfaces nodes may end for sweeps to stop early
+TURNS = 3                              # of directions, for angular momentum to 1e-12
 CLOSING_ENOUGH = 5e-3                  # of the change that contact made to a velocity in the last step: what surfaces that touch close by
 NEGLIGIBLE = 1e-14                     # of the mean edge in a step: velocities below are round-off
 
@@ -35,7 +46,8 @@ NEGLIGIBLE = 1e-14                     # of the mean edge in a step: velocities 
 def take(c, nodes, row):
     """Velocities of movers from two rows of the nodes."""
     n = c.mover_numbers
-    for m in range(n.shape[0]):
+    for i in range(c.sizes[C.LISTED]):
+        m = c.listed[i]
         if c.movers[m, C.MOVER_RIGID] < 0:
             k = c.movers[m, C.MOVER_NODE]
             n[m, C.U], n[m, C.V], n[m, C.IM] = nodes[row, k], nodes[row + 1, k], nodes[IM, k]
@@ -49,7 +61,8 @@ def take(c, nodes, row):
 def give(c, nodes, row, dt, middle):
     """Velocities of movers back into two rows of the nodes that are one with them; `middle`: their positions in the middle too."""
     n = c.mover_numbers
-    for m in range(n.shape[0]):
+    for k in range(c.sizes[C.LISTED]):
+        m = c.listed[k]
         if n[m, C.JX] == 0.0 and n[m, C.JY] == 0.0:
             continue
         if c.movers[m, C.MOVER_RIGID] >= 0:
@@ -66,26 +79,26 @@ def give(c, nodes, row, dt, middle):
 def aim_bonds(c, nodes, closing):
     """Bonds start without impulse; both ends move alike at the end of the step."""
     standing = False
-    for p in range(c.bonds.shape[0]):
-        if c.bonds[p, C.BOND_STATE] == C.BOUND:
-            q, standing = c.bond_numbers[p], True
-            q[C.BOND_X], q[C.BOND_Y], q[C.BOND_AIM_X], q[C.BOND_AIM_Y] = 0.0, 0.0, 0.0, 0.0
-            if not closing:
-                q[C.BOND_X], q[C.BOND_Y] = q[C.BOND_LAST_X], q[C.BOND_LAST_Y]
-                at, at_a, at_b = columns(c, p, c.bonds[p, C.BOND_EDGE])
-                u, v = start_velocity(nodes, at, at_a, at_b, q[C.BOND_SHARE])
-                q[C.BOND_AIM_X], q[C.BOND_AIM_Y] = 0.5 * u, 0.5 * v
+    for i in range(c.sizes[C.BONDS]):
+        p = c.bound[i]
+        q, standing = c.bond_numbers[p], True
+        q[C.BOND_X], q[C.BOND_Y], q[C.BOND_AIM_X], q[C.BOND_AIM_Y] = 0.0, 0.0, 0.0, 0.0
+        if not closing:
+            q[C.BOND_X], q[C.BOND_Y] = q[C.BOND_LAST_X], q[C.BOND_LAST_Y]
+            at, at_a, at_b = columns(c, p, c.bonds[p, C.BOND_EDGE])
+            u, v = start_velocity(nodes, at, at_a, at_b, q[C.BOND_SHARE])
+            q[C.BOND_AIM_X], q[C.BOND_AIM_Y] = 0.5 * u, 0.5 * v
     return standing
 
 
 @nb.njit(**BY_ADDRESS)
 def arm_bonds(c, nodes, dt):
     """Where the impulses of bonds act on bodies that turn, after dt."""
-    for p in range(c.bonds.shape[0]):
-        if c.bonds[p, C.BOND_STATE] == C.BOUND:
-            q, e = c.bond_numbers[p], c.bonds[p, C.BOND_EDGE]
-            (s, a, b), (_, i, j) = movers(c, p, e), columns(c, p, e)
-            q[C.BOND_SIDE], q[C.BOND_ARM_X], q[C.BOND_ARM_Y] = arm(c, nodes, s, a, b, (i, j), q[C.BOND_SHARE], dt)
+    for i in range(c.sizes[C.BONDS]):
+        p = c.bound[i]
+        q, e = c.bond_numbers[p], c.bonds[p, C.BOND_EDGE]
+        (s, a, b), (_, i, j) = movers(c, p, e), columns(c, p, e)
+        q[C.BOND_SIDE], q[C.BOND_ARM_X], q[C.BOND_ARM_Y] = arm(c, nodes, s, a, b, (i, j), q[C.BOND_SHARE], dt)
 
 
 @nb.njit(**BY_ADDRESS)
@@ -99,15 +112,15 @@ def ask(c, nodes, dt, closing):
 
 
 @nb.njit(**BY_ADDRESS)
-def solve(c, nodes, dt, closing):
-    """Velocities of movers that contact allows; whether anything touched."""
+def solve(c, nodes, dt, closing, turns):
+    """Velocities of movers that contact allows; whether anything touched. turns: how often their directions are turned in the end."""
     part, least, change = 1.0 if closing else 0.5, NEGLIGIBLE * c.numbers[C.MEAN_EDGE] / dt, 0.0
     if closing:
         least = max(least, CLOSING_ENOUGH * c.numbers[C.CHANGE])
     forget(c)
     if closing:
         bind_points(c, nodes)
-    if c.counts[C.PAIRS] == 0:
+    if c.sizes[C.NEAR] + c.sizes[C.BONDS] == 0:
         c.numbers[C.CHANGE] = 0.0
         return False
     touched = aim_bonds(c, nodes, closing)
@@ -120,9 +133,13 @@ def solve(c, nodes, dt, closing):
         restart(c, part)
         change = relax(c, part, least, 1e300 if closing else DEPTH * c.numbers[C.MEAN_EDGE] / dt)
     if touched:
-        if not closing:      # directions of the middle of the step as it has come out: forces without moment
-            ask(c, nodes, dt, False)
-        restart(c, part)
+        for _ in range(turns):      # directions of the middle of the step as it has come out: forces without moment
+            arm_bonds(c, nodes, 0.5 * dt)
+            for i in range(c.counts[C.ACTIVE]):
+                point(c, nodes, c.active[i], 0.5 * dt)
+            restart(c, part)
+        if closing:
+            restart(c, part)
     if not closing:
         c.numbers[C.CHANGE] = change
     return touched
@@ -132,15 +149,16 @@ def solve(c, nodes, dt, closing):
 def as_before(c, dt):
     """Mean velocities of the half step by the forces of contact of the last step."""
     ratio = dt / c.numbers[C.LAST_STEP] if c.numbers[C.LAST_STEP] > 0.0 else 0.0
-    for k in range(c.counts[C.PAIRS]):
+    for i in range(c.sizes[C.NEAR]):
+        k = c.near[i]
         q = c.pair_numbers[k]
         q[C.LAMBDA], q[C.TAU] = ratio * q[C.LAST], ratio * q[C.LAST_TAU]
         c.pairs[k, C.PAIR_ACTIVE] = C.ON if q[C.LAMBDA] > 0.0 else C.OFF
     list_active(c)
-    for p in range(c.bonds.shape[0]):
-        if c.bonds[p, C.BOND_STATE] == C.BOUND:
-            q = c.bond_numbers[p]
-            q[C.BOND_X], q[C.BOND_Y] = ratio * q[C.BOND_LAST_X], ratio * q[C.BOND_LAST_Y]
+    for i in range(c.sizes[C.BONDS]):
+        p = c.bound[i]
+        q = c.bond_numbers[p]
+        q[C.BOND_X], q[C.BOND_Y] = ratio * q[C.BOND_LAST_X], ratio * q[C.BOND_LAST_Y]
     restart(c, 0.5)
 
 
@@ -148,27 +166,27 @@ def as_before(c, dt):
 def of_step(c, run, options, time, dt, moment):
     """One of the moments at the top of the file."""
     if moment == READY:
-        return not needed(c, run.nodes, dt) or search(c, run.nodes)
+        return make_ready(c, run.nodes, dt)
     if moment in (MOVE, TAKE_BACK):
         move_rigid(c, run.nodes, dt)
     elif moment == ACCEPT:
         accept(c, run.nodes, dt, options)
-    elif moment == CLOSE and c.counts[C.PAIRS] > 0:
+    elif moment == CLOSE and c.sizes[C.NEAR] + c.sizes[C.BONDS] > 0:
         take(c, run.nodes, U)
-        if solve(c, run.nodes, dt, True):
+        if solve(c, run.nodes, dt, True, 0):
             book_heat(c, 1.0, dt)
             book_holds(c, run.chains, 1.0)
             give(c, run.nodes, U, dt, False)
     elif moment == PUSH_MIDDLE:
         drive(c, run, options, time, dt)
         take(c, run.nodes, UM)
-        if c.counts[C.PAIRS] > 0:
+        if c.sizes[C.NEAR] + c.sizes[C.BONDS] > 0:
             as_before(c, dt)
             give(c, run.nodes, UM, dt, True)
     elif moment == PUSH:
         drive(c, run, options, time, dt)
         take(c, run.nodes, UM)
-        if solve(c, run.nodes, dt, False):
+        if solve(c, run.nodes, dt, False, TURNS if options.kind == PLANAR else 1):
             book_holds(c, run.chains, 0.0)
             give(c, run.nodes, UM, dt, False)
     return True

@@ -193,6 +193,7 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
     copies = np.array([k for group in surfaces.copies for k in group], dtype=ints)
     return C.Contact(
         points, edges, movers, numbers, rigid_table(problem), sizes.astype(ints), copies, law_of, laws, *of_pairs(), *of_pairs(),
+        np.zeros(room, dtype=ints), np.zeros(len(movers), dtype=ints), np.zeros(count, dtype=ints), np.zeros(3, dtype=ints),
         np.zeros(room, dtype=ints),
         np.zeros((count, 2), dtype=ints), np.zeros((count, C.BOND_FLOATS)), np.zeros((count, 3)),
         np.zeros(4 * len(edges) + 17, dtype=ints), np.zeros(len(edges), dtype=ints), np.zeros((count, 2)), totals,
@@ -202,7 +203,8 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
 def _movers(problem: Problem2D, surfaces: Surfaces, boundaries, numbering):
     pulses = Pulses()
     count = len(surfaces.nodes)
-    movers = np.full((count + len(problem.rigid), 5), -1, dtype=np.int64)
+    movers = np.full((count + len(problem.rigid), 6), -1, dtype=np.int64)
+    movers[:, C.MOVER_LISTED] = 0
     numbers = np.zeros((len(movers), C.MOVER_FLOATS))
     numbers[:, C.PXX], numbers[:, C.PYY] = 1.0, 1.0
     held = {int(numbering.nodes[row[L.HOLD_NODE]]): (row, normal) for row, normal in zip(boundaries.held, boundaries.held_normals)}
@@ -214,7 +216,7 @@ def _movers(problem: Problem2D, surfaces: Surfaces, boundaries, numbering):
             _project(numbers[m], normal, row[L.HOLD_CHAIN_2] >= 0)
     for r, body in enumerate(problem.rigid):
         m = count + r
-        movers[m] = surfaces.copies[m][0], r, len(problem.mesh.chains) + r, -1, -1
+        movers[m] = surfaces.copies[m][0], r, len(problem.mesh.chains) + r, -1, -1, 0
         way = np.zeros(2) if body.direction is None else np.array(body.direction)
         if body.mass is not None:
             share = body.mass / (2.0 * np.pi if problem.geometry == "axisymmetric" else 1.0)
