@@ -2,15 +2,17 @@ r"""Coggeshall's adiabatic flows in one dimension without shocks: every radius k
 
 With d = 1, 2, 3 for planar, cylindrical, spherical and any b (the slope of the density, or of the entropy), numbered as by Coggeshall:
 
-1. coasting: $u = r/t$, $\rho = \rho_0 r^bt^{-b-d}$, $e = e_0r^{-b}t^{b-(\gamma-1)d}$. The pressure is uniform and nothing accelerates.
-2. driven: $u = ar/t$, $\rho = \rho_0r^bt^{-a(b+d)}$, $e = \frac{a(1-a)}{(\gamma-1)(b+2)}\frac{r^2}{t^2}$,
-   $a = \frac{2}{2 + (\gamma-1)d}$. The energy equation fixes a, the momentum equation the factor of e; b > -2.
-6. collapse from rest, $\gamma = 1 + 2/d$: with $s^2 = 1 - t^2/\tau^2$ and $X = r/s$, $u = -rt/(\tau^2 - t^2)$, $\rho = s^{-d}G(X)$,
-   $p = s^{-d-2}P(X)$. Since $\ddot s = -1/(\tau^2s^3)$, the momentum equation is $P' = XG/\tau^2$, for any G. Here $G = \rho_0X^b$,
-   $P = \rho_0X^{b+2}/((b+2)\tau^2)$, b > -2.
-7. the same with a free inner surface at X = R and the entropy $p/\rho^\gamma \propto X^b$: with $Y = X^{2-b/\gamma} - R^{2-b/\gamma}$,
-   $G \propto X^{-b/\gamma}Y^{1/(\gamma-1)}$, $P \propto \frac{\gamma-1}{(2\gamma-b)\tau^2}Y^{\gamma/(\gamma-1)}$, b < 2 gamma.
-   b = 0 is Kidder's shell without inner pressure.
+* Problem 1, coasting: $u = r/t$, $\rho = \rho_0 r^bt^{-b-d}$, $e = e_0r^{-b}t^{b-(\gamma-1)d}$. The pressure is uniform and
+  nothing accelerates.
+* Problem 2, driven: $u = ar/t$, $\rho = \rho_0r^bt^{-a(b+d)}$, $e = \frac{a(1-a)}{(\gamma-1)(b+2)}\frac{r^2}{t^2}$,
+  $a = \frac{2}{2 + (\gamma-1)d}$. The energy equation fixes a, the momentum equation the factor of e; b > -2.
+* Problem 6, collapse from rest, $\gamma = 1 + 2/d$: with $s^2 = 1 - t^2/\tau^2$ and $X = r/s$, $u = -rt/(\tau^2 - t^2)$,
+  $\rho = s^{-d}G(X)$, $p = s^{-d-2}P(X)$. Since $\ddot s = -1/(\tau^2s^3)$, the momentum equation is
+  $P' = XG/\tau^2$, for any G. Here $G = \rho_0X^b$, $P = \rho_0X^{b+2}/((b+2)\tau^2)$, b > -2.
+* Problem 7, the same with a free inner surface at X = R and the entropy $p/\rho^\gamma \propto X^b$: with
+  $Y = X^{2-b/\gamma} - R^{2-b/\gamma}$, $G \propto X^{-b/\gamma}Y^{1/(\gamma-1)}$,
+  $P \propto \frac{\gamma-1}{(2\gamma-b)\tau^2}Y^{\gamma/(\gamma-1)}$, b < 2 gamma.
+  b = 0 is Kidder's shell without inner pressure.
 
 Continuity, momentum and energy are satisfied identically (the tests differentiate them). Of the others that ExactPack has (all up to 21
 but 15), 8 and 11 are 1, 9 is 2 and 18 is 6 at the slope for which a heat flux has no divergence; 19 is `noh`, 20 and 21 are in
