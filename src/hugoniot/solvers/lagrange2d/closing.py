@@ -11,6 +11,7 @@ from hugoniot.core.passes import rows_apart, zone_pass
 from hugoniot.solvers.lagrange2d.layout import Points
 
 STRETCH = 32            # zones of a piece that are looked at together
+HEAD = 8                # of these the first that are looked at
 NOTHING = 1e-15        # part of a position that is lost in its digits
 
 
@@ -50,23 +51,37 @@ def unlike(line, j, u, v):
     return fmax(fmax(x, -x), fmax(y, -y))
 
 
+def most_closing(z, first, end):
+    """The largest of what `closing` finds in zones first to end - 1; 0 if there is none that closes."""
+    most = 0.0
+    for j in range(first, end):
+        most = fmax(most, closing(z, j))
+    return most
+
+
+def alike(z, first, end):
+    """Whether all nodes of zones first to end - 1 move alike, so that nothing can close."""
+    u, v = z.low.u[first], z.low.v[first]
+    differ = fmax(unlike(z.low, end, u, v), unlike(z.high, end, u, v))
+    for j in range(first, end):
+        differ = fmax(differ, fmax(unlike(z.low, j, u, v), unlike(z.high, j, u, v)))
+    return differ == 0.0
+
+
 @zone_pass(ClosingOf)
 def find_closing(count, z, dt, numbers, law):
-    """Which stretches of zones the viscosity counts in; most often, where none does, all nodes move alike."""
+    """Which stretches of zones the viscosity counts in: behind waves the first zones tell, ahead of them nodes that move alike."""
     rows_apart()
     first = 0
     while first < count:
         end = min(first + STRETCH, count)
-        u, v, most = z.low.u[first], z.low.v[first], 0.0
-        differ = fmax(unlike(z.low, end, u, v), unlike(z.high, end, u, v))
-        for j in range(first, end):
-            differ = fmax(differ, fmax(unlike(z.low, j, u, v), unlike(z.high, j, u, v)))
-        if differ > 0.0:
-            for j in range(first, end):
-                most = fmax(most, closing(z, j))
+        head = min(first + HEAD, end)
+        most = most_closing(z, first, head)
+        if most == 0.0 and not alike(z, first, end):
+            most = most_closing(z, head, end)
         z.closes[first] = 1.0 if most > 0.0 else 0.0
         first = end
 
 
-for _function in (closes, closing, unlike):
+for _function in (closes, closing, unlike, most_closing, alike):
     bind(_function)
