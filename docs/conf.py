@@ -1,10 +1,12 @@
 """Builds the documentation: pages in Markdown, the gallery from examples/plot_*.py, reference pages from schema, registries and library."""
 
+import re
 import subprocess
 import sys
 from pathlib import Path
 
 HERE = Path(__file__).parent
+NAMED = re.compile(r"(\S(?:\S| (?! ))*?) {2,}(\S.*)")      # a name, two blanks or more, its meaning
 GENERATORS = ("generate_deck_reference.py", "generate_laws.py", "generate_theory.py", "materials/generate.py")
 
 project = "hugoniot"
@@ -14,6 +16,7 @@ extensions = ["myst_nb", "sphinx_gallery.gen_gallery", "sphinx.ext.autodoc", "sp
               "sphinx_copybutton", "sphinx_design"]
 myst_enable_extensions = ["dollarmath", "colon_fence"]
 myst_heading_anchors = 3
+smartquotes = False
 nb_execution_mode = "off"
 exclude_patterns = ["_build", "**/generate*.py", "generate*.py", "verification_numbers.md", "theory/shock_structure_numbers.md",
                     "auto_examples/*.ipynb",
@@ -56,13 +59,31 @@ def generate(app) -> None:
 
 
 def plain_docstring(app, what, name, obj, options, lines) -> None:
-    """The house's docstrings are plain text: the first paragraph stays one, tables of parameters and the rest keep their lines."""
-    text = "\n".join(lines).strip("\n")
-    head, _, rest = text.partition("\n\n")
-    shown = [head.replace("\n", " ").replace("*", r"\*").replace("|", r"\|"), ""]
-    if rest.strip():
-        shown += [".. code-block:: text", "", *(f"   {line}" for line in rest.splitlines()), ""]
+    """The house's docstrings are plain text: names with their meanings become a list, what is aligned otherwise keeps its lines."""
+    shown, named, rows = [], False, []
+    for row in [*"\n".join(lines).strip("\n").splitlines(), ""]:
+        found = NAMED.match(row)
+        if rows and (found or not row.strip() or (named and not row.startswith(" "))):     # what was before ends here
+            shown += [*(rows if named else _block(rows)), ""]
+            rows, named = [], False
+        if found:
+            rows, named = [f"``{found[1]}``", f"   {_plain(found[2])}"], True
+        elif row.strip():
+            rows.append(f"   {_plain(row.strip())}" if named else row)
     lines[:] = shown
+
+
+def _block(rows: list[str]) -> list[str]:
+    """Lines of text as a paragraph; lines with blanks inside, which align something, as they are."""
+    if any("   " in row.strip() for row in rows):
+        return [".. code-block:: text", "", *(f"   {row}" for row in rows)]
+    return [_plain(" ".join(row.strip() for row in rows))]
+
+
+def _plain(text: str) -> str:
+    """Text in which reStructuredText reads only what stands in backticks, as code."""
+    parts = re.split(r"(`+[^`]+`+)", text)
+    return "".join(f"``{part.strip('`')}``" if k % 2 else re.sub(r"([*|_\\])", r"\\\1", part) for k, part in enumerate(parts))
 
 
 def setup(app):

@@ -63,8 +63,9 @@ def matrix() -> list[str]:
                     row.append(f"({notes.index(shown) + 1})")
             rows.append([f"`{law.name}`", conduction, *row])
     count = len(rows) * len(MACHS)
-    text = [f"Density thickness over 4/3 μ / (ρ₁u₁) with constant viscosity, without conduction and with Prandtl number 1, from the "
-            f"reference state of each law's example: {found} of {count} have a shock; the others are refused, with these words:", ""]
+    text = [f"Density thickness in units of (4/3) μ / (ρ₁u₁), with constant viscosity, without conduction and with Prandtl number 1, from "
+            f"the reference state of each law's example: {found} of {count} have a shock; the others are rejected, with these messages:",
+            ""]
     text += [f"{i + 1}. {words}" for i, words in enumerate(notes)]
     return [*text, "", f"Longest: {max(times):.2f} s; all {count}: {sum(times):.0f} s.", "",
             *table(("law", "conduction", *(f"Mach {m:g}" for m in MACHS)), rows)]
@@ -98,10 +99,11 @@ def orders() -> list[str]:
         for frame in ("standing", "moving"):
             found = [worst_error(keywords, frame, count) for count in (5, 10, 20)]
             rows.append([name, frame, *(f"{100.0 * e:.2g}" for e in found), *(f"{math.log2(a / b):.1f}" for a, b in zip(found, found[1:]))])
-    return ["Error of the density thickness against the steady wave, %, from a step, at 5, 10, 20 cells in the thickness, and the orders "
-            "between. One layout for all: the domain reaches as far as the steady wave is within 1e-8 of its ends and three thicknesses "
-            "more, at least twelve on each side; the slowest wave of the start runs twelve thicknesses; the error is the largest of nine "
-            "instants while the gas behind flows through the last one:", "",
+    return ["Error of the density thickness relative to the steady wave, in %, for runs started from a step, with 5, 10 and 20 cells in "
+            "the thickness, and the observed orders of convergence. All runs have the same layout: the domain extends to where the steady "
+            "wave is within 1e-8 of its end states, and three thicknesses farther, at least twelve on each side; each run lasts until the "
+            "slowest wave of the start-up has travelled twelve thicknesses; the error is the largest at nine instants while the gas behind "
+            "the shock flows through the last of them:", "",
             *table(("case", "frame", "5", "10", "20", "order", "order"), rows)]
 
 
@@ -137,9 +139,10 @@ def resolutions() -> list[str]:
                 found = thickness_by_differences(solver.h, solver.cells[0], *solver.ends[:, 0]) / path
                 row.append(f"{found:.3g}; {printed}")
             rows.append([block.replace("_", " "), f"{mach:g}", *row, f"{true / path:.4g}"])
-    return ["Density thickness by Jordan eq. 6.2.5 in the mean free path of the block, from a step, on cells of 300 mean free paths over "
-            f"the number in the head; behind the semicolon what table 6.2.1.1 prints. Rows end with {ENOUGH} cells in a thickness. The "
-            "entropy across a conservative scheme is that of the jump on every grid; the source's, an integral of its profile, is not:", "",
+    return ["Density thickness by Jordan eq. 6.2.5 in the mean free paths of each block of the table, for runs started from a step; the "
+            f"column head N means cells of 300/N mean free paths; after the semicolon, the value printed in table 6.2.1.1. "
+            f"Rows end once a thickness spans {ENOUGH} cells. The entropy across a conservative scheme is that of the jump on every grid; "
+            "the source's, an integral of its profile, is not:", "",
             *table(("viscosity", "Mach", *map(str, CELLS_OF_300), "steady"), rows)]
 
 
@@ -195,11 +198,11 @@ def spacings() -> list[str]:
         found = (on_spacing(case, case.spacing)[0], on_spacing(case, case.spacing, True)[0], by_central_differences(case))
         schemes.append([label, *(f"{f * 1e9:.3g} nm, {f / case.spacing:.2g} cells" for f in found),
                         f"{case.printed[0] * 1e9:.0f} nm, {case.printed[0] / case.spacing:.0f} cells"])
-    return ["Thickness, nm, by Jordan eq. 6.2.5 on 600 cells of the spacing in the head of the column:", "",
+    return ["Thickness, nm, by Jordan eq. 6.2.5 on 600 cells of the spacing given in the column heading:", "",
             *table(("", *(f"{s * 1e9:.3g} nm" for s in WATER_SPACINGS), "steady"), rows),
             "The same on Jordan's own spacings by three schemes: ours; ours to first order (local Lax-Friedrichs); and the central "
-            "differences of Jordan's section 2.4.1, five sound times of a cell after the step, before the ripples steepen it "
-            "further:", "",
+            "differences of Jordan's section 2.4.1, five sound-crossing times of a cell after the start, before ripples "
+            "steepen the front further:", "",
             *table(("", "ours", "first order", "central differences", "Jordan prints"), schemes)]
 
 
@@ -232,11 +235,11 @@ def speed() -> list[str]:
     rows[-1][0] = (f"transient, argon, Mach 9 from a step, 10 cells in the thickness: {len(solver.region_of)} cells, {solver.cycle} steps, "
                    f"{solver.zone_updates / 1e6:.2g} million cell updates; {100 * error:.2g} % from the steady thickness")
     share = 5e7 * 19200 / solver.zone_updates
-    return [*table(("", "s of one core"), rows),
-            f"Jordan took 5e7 steps on 19 200 cells, 9.6e11 cell updates, per case: {share:.0f} times as many."]
+    return [*table(("", "CPU time, s"), rows),
+            f"Jordan took 5e7 steps on 19 200 cells, 9.6e11 cell updates, per case: {round(share, -4):,.0f} times as many."]
 
 
-PARTS = {"Every law of the bench": matrix, "Order of the transient": orders, "Argon by resolution": resolutions,
+PARTS = {"Every equation of state of the package": matrix, "Order of the transient": orders, "Argon by resolution": resolutions,
          "Water on the source's grid": spacings, "Speed": speed}
 
 

@@ -13,6 +13,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 
 import hugoniot
+from hugoniot.output.spall_reading import spall_reading
 from hugoniot.plotting.style import RC
 
 plt.rcParams.update(RC)
@@ -28,9 +29,7 @@ ax = run.plot.free_surface()
 ax.annotate("elastic step", (0.66, 76), xytext=(0.3, 180), arrowprops={"arrowstyle": "-", "lw": 0.7}, fontsize=8.5)
 
 # %%
-# What a spall experiment would conclude, beside the strength that was put in (1.0 GPa) and the largest tension any zone met.
-from hugoniot.output.spall_reading import spall_reading  # noqa: E402
-
+# What a spall experiment would conclude, next to the strength that was put in (1.0 GPa) and the largest tension in any zone.
 reading = spall_reading(run)
 print(f"pull-back {reading.numbers['pull_back']:.1f} m/s")
 print(f"spall strength, acoustic {reading.numbers['spall_strength_acoustic'] / 1e9:.3f} GPa: {reading.note}")

@@ -20,7 +20,7 @@ plt.rcParams.update(RC)
 run = hugoniot.run("gap.toml", Path(tempfile.mkdtemp()) / "gap.run", report=False)
 
 # %%
-# Where the waves and the plates go.
+# Paths of the waves and of the plates.
 run.plot.xt("stress")
 
 # %%
@@ -41,6 +41,6 @@ for k, name in enumerate(rows["region"]):
 ax.set(xlabel="time (µs)", ylabel="mean velocity (m/s)", xlim=(0, 5), ylim=(-25, 540))
 
 # %%
-# The energy that closes: error of the total over the run, relative.
+# Conservation: largest relative errors of the totals over the run.
 print(f"largest energy error {np.abs(rows['energy_error']).max():.1e}, momentum {np.abs(rows['momentum_error']).max():.1e}")
 plt.show()

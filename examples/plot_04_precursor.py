@@ -3,7 +3,7 @@ Elastic precursor
 =================
 
 Aluminium hits aluminium at 800 m/s. The elastic wave outruns the plastic shock; the exact two-wave solution of an
-elastic-plastic piston at half the impact velocity stands beside the simulation (dashed).
+elastic-plastic piston at half the impact velocity is shown for comparison (dashed).
 """
 
 import tempfile

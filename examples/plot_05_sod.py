@@ -3,7 +3,7 @@ Sod's shock tube against the exact solution
 ===========================================
 
 A gas of gamma 1.4 at density 1 and pressure 1 expands into one of 0.125 and 0.1. Rarefaction, contact and shock at t =
-0.2 s, on 200 zones, over the exact Riemann solution.
+0.2 s, on 200 zones, plotted over the exact Riemann solution.
 """
 
 import tempfile

@@ -2,7 +2,7 @@
 Sedov's blast wave against the exact solution
 =============================================
 
-0.851072 J released at a point of a cold gas (gamma 1.4, 1 kg/m³): after one second the shock stands at 1 m. The self-
+0.851072 J released at a point of a cold gas (gamma 1.4, 1 kg/m³): after one second the shock has reached 1 m. The self-
 similar solution is integrated to round-off; the simulation starts from a hot ball of 1 cm.
 """
 
@@ -22,7 +22,7 @@ exact, rows = sedov(), run.arrays("snapshots")
 centre = 0.5 * (rows["position_left"] + rows["position_right"])
 
 # %%
-# Left the density at three times (dots) on the exact one; right the radius of the shock, which grows as t to the power 2/5.
+# Left: density at three times (dots) and the exact profiles (lines); right the radius of the shock, which grows as t to the power 2/5.
 fig, (one, two) = plt.subplots(1, 2, figsize=(7.2, 3.2), layout="constrained")
 x = np.linspace(1e-3, 1.15, 3000)
 for k, wanted in enumerate((0.2, 0.5, 1.0)):

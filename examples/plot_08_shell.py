@@ -2,7 +2,7 @@
 Collapsing shell that stops
 ===========================
 
-A cylinder of beryllium runs inwards at 417.1 m/s. Nothing but its yield stress of 330 MPa slows it down, and all
+A cylindrical shell of beryllium moves inwards at 417.1 m/s. Nothing but its yield stress of 330 MPa slows it down, and all
 kinetic energy has become plastic work when the inner radius has fallen from 8 to 5 cm (Howell and Ball). The exact
 history is that of a rigid-plastic shell.
 """

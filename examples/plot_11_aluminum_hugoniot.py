@@ -2,7 +2,7 @@
 Aluminium: Hugoniot, Rayleigh line and a doubtful extrapolation
 ===============================================================
 
-The picture that the manual of the KB codes draws with KBTView (figure 2.3): pressure over particle velocity up to 30
+The picture that the manual of the KB codes draws with KBTView (figure 2.3): pressure against particle velocity up to 30
 km/s, with a marked state, 3401 GPa at 30 km/s. The marked state comes from a table that is not public. A straight Us-up
 line through gun data overshoots it: beyond the range of its data (solid) a fit is an extrapolation (dashed).
 """

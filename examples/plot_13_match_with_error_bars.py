@@ -3,7 +3,7 @@ Impedance matching with error bars
 ==================================
 
 Copper at 1000 ± 2 m/s on aluminium. The Hugoniots' constants have standard deviations, and c0 and s of a fit are
-strongly anticorrelated: to leave that out overstates the error. Linear propagation and a Monte Carlo agree.
+strongly anticorrelated: leaving that out overstates the error. Linear propagation and a Monte Carlo agree.
 """
 
 import matplotlib.pyplot as plt

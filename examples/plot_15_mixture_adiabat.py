@@ -10,7 +10,6 @@ expansion without burning.
 import matplotlib.pyplot as plt
 import numpy as np
 
-import hugoniot.laws.eos  # noqa: F401  (enrols the laws)
 from hugoniot.laws.eos.jwl import JWL
 from hugoniot.plotting.style import COLOURS, QUIET, RC
 from hugoniot.theory import mixture as mx

@@ -10,7 +10,6 @@ useful number near the compression limit of silica.
 import matplotlib.pyplot as plt
 import numpy as np
 
-import hugoniot.laws.eos  # noqa: F401  (enrols the laws)
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.mie_gruneisen_cold import MieGruneisenCold, cold_energy
 from hugoniot.laws.eos.mie_gruneisen_cold_series import cold_energy as series_energy

@@ -3,7 +3,7 @@ Open sandwich: a plate driven by an explosive, and Gurney
 =========================================================
 
 Composition B, free at its back, throws a plate of copper. Gurney (1943) gives its speed from the masses and one number
-of the explosive, sqrt(2E), supposing that the gas has a linear velocity profile. The same in the hydrocode: the plate's
+of the explosive, sqrt(2E), assuming that the gas has a linear velocity profile. The same in the hydrocode: the plate's
 momentum over its mass, for plates from a fifth of the charge to five times its mass.
 """
 
@@ -57,7 +57,7 @@ right.set_xticks(RATIOS, [f"{r:g}" for r in RATIOS], minor=False)
 right.minorticks_off()
 
 # %%
-# In numbers: the speed, and the sqrt(2E) that Gurney's formula makes of it.
+# In numbers: the speed, and the sqrt(2E) that it implies by Gurney's formula.
 for ratio, (history, velocity) in found.items():
     energy = 0.5 * history["mass"][-1] * history["velocity"][-1] ** 2 / 1e6
     print(f"M/C {ratio:<4g} {velocity:6.0f} m/s   Gurney {gurney('open', ratio, 2735.0):6.0f}   "

@@ -35,7 +35,7 @@ u = brentq(lambda u: float(overdriven(products, particle_velocity=u).pressure - 
 theory = overdriven(products, particle_velocity=u)
 
 # %%
-# Left: pressure against particle velocity, with the mean of what the
+# Left: pressure against particle velocity, with the mean of the states that the
 # run has within 2.5 mm behind its front 2 µs after the impact (circle). Right: that front, and the release from the back of the
 # flyer that follows it.
 snapshots = run.arrays("snapshots")

@@ -23,7 +23,7 @@ solid = MieGruneisen(2700.0, 5350.0, 1.34, 2.0, 863.0)
 porous = p_alpha.build(solid, alpha0=1.275, elastic_pressure=0.08e9, compaction_pressure=0.7e9)
 
 # %%
-# The piston goes in at 0.5 m/s, comes out for a while, and goes in again. Two millimetres of material stay in balance all the time.
+# The piston goes in at 0.5 m/s, comes out for a while, and goes in again. The two millimetres of material stay in equilibrium all the time.
 pulse = Pulse("table", times=(0.0, 4e-4, 4.04e-4, 4.8e-4, 4.84e-4, 1e-3), values=(0.5, 0.5, -0.08, -0.08, 0.5, 0.5))
 problem = Problem("loop", "planar", 7e-4, (Region("slab", "foam", 0.0, 2e-3, 20),), {"foam": Material("foam", porous)},
                   Boundary("velocity", pulse), Boundary("fixed"), output=OutputOptions(report=False))

@@ -35,7 +35,7 @@ bar.set_label("equivalent plastic strain")
 bar.outline.set_visible(False)
 
 # %%
-# What the mesh does to the answer: from six zones across on, of 0.53 mm, length and foot lie in the bands.
+# Effect of the mesh: with six or more zones across (0.53 mm), length and foot lie within the bands.
 fig, axes = plt.subplots(1, 2, figsize=(7.2, 2.8), layout="constrained")
 for ax, values, band, words in zip(axes, (length, foot), ((21.42, 21.66), (6.97, 7.24)), ("length", "radius of the foot")):
     ax.axhspan(*band, color=QUIET, alpha=0.2, lw=0)

@@ -25,7 +25,7 @@ node = np.hypot(rows["position_x"][0] - 15.306e-3, rows["position_y"][0] - 0.1).
 moved, metal = (rows["position_x"][:, node] - 15.306e-3) * 1e3, rows["velocity_x"][:, node]
 
 # %%
-# The tube while the detonation runs up the charge, mirrored at the axis; the dashed line is the camera's.
+# The tube while the detonation runs up the charge, mirrored at the axis; the dashed line is the camera's line of sight.
 fig, ax = plt.subplots(figsize=(4.6, 6.0), layout="constrained")
 run.plot.map("pressure", time="20 us", limits=(-2e9, 20e9), mesh=False, ax=ax)
 ax.axhline(100.0, color=QUIET, lw=0.8, ls=(0, (4, 3)))

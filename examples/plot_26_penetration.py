@@ -3,7 +3,7 @@ A rod that wears away
 =====================
 
 Steel strikes steel at 2.5 km/s. Rod and target flow at the bottom of the crater, and their zones leave the mesh where they have been
-strained by 1.5 (`[solver.erosion]`); surfaces are built anew, so that the rod always meets the zones that are left.
+strained by 1.5 (`[solver.erosion]`); surfaces are rebuilt, so that the rod stays in contact with the zones that are left.
 """
 
 import tempfile
@@ -25,7 +25,7 @@ for ax, time in zip(sides, ("24 us", "44 us")):
     run.plot.map("plastic_strain", time=time, ax=ax, window=(-0.03, 0.03), limits=(0.0, 1.5), colorbar=ax is sides[-1])
 
 # %%
-# Depth of the crater: the lowest zone on the axis that is still in the target. Fluids of equal density would go at half the speed.
+# Depth of the crater: the lowest zone on the axis that is still in the target. Fluids of equal density: half the impact speed.
 rows, blocks = run.arrays("snapshots"), run.arrays("mesh")
 corners = blocks["zone_nodes"][:64]      # the column of the target on the axis
 top = rows["position_y"][:, corners].max(axis=2)
@@ -33,5 +33,5 @@ depth = -np.nanmax(np.where(rows["eroded"][:, :64] == 0.0, top, np.nan), axis=1)
 late = (rows["time"] > 9e-6) & (depth < 0.05)
 velocity = np.polyfit(rows["time"][late], depth[late], 1)[0]
 print(f"penetration {velocity:.0f} m/s, half the speed of impact 1250 m/s")
-print(f"{run.summary['zones_eroded']} zones have left; energy error {abs(run.summary['energy_error']):.1e}")
+print(f"{run.summary['zones_eroded']} zones removed; energy error {abs(run.summary['energy_error']):.1e}")
 plt.show()

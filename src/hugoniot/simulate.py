@@ -63,7 +63,7 @@ def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=Non
 
     out         run folder; default: the deck's name (or the title) with `.run`, in the current folder
     progress    object with update(solvers.run.Report), or None
-    overwrite   replace a run that stands in the folder
+    overwrite   replace a run that is already in the folder
     report      whether report.html is written, or a function that writes it into a finished run's folder
     overrides   keys of the deck to change first: stop_time="3 us", solver={"courant": 0.3}, ...
 
@@ -80,9 +80,9 @@ def run(deck_or_problem, out=None, *, deck_text: str | None = None, progress=Non
 
 
 def resume(folder, progress=None, report: bool | Callable = True, restore_deck: bool = False) -> "Run":
-    """Continue an interrupted or killed run from its newest sound checkpoint to the bits an uninterrupted run would give.
+    """Continue an interrupted or killed run from its newest intact checkpoint: to the same bits as without the interruption.
 
-    Of a finished run what a kill after its end has left undone is done: gauges.csv, deck and report, if missing, and tidying up.
+    If the run was killed after its last step, only what is missing is written: gauges.csv, deck and report.
 
     restore_deck   put the deck that the checkpoints keep back into the folder first
 

@@ -216,7 +216,7 @@ def test_a_checkpoint_of_another_program_is_refused_and_not_touched(place, monke
     folder = stopped_after_its_first_checkpoint(deck(place), place / "older.run")
     with monkeypatch.context() as other:
         other.setattr(origin, "program", lambda: {"version": "0.0.9", "sources": "other"})
-        with pytest.raises(FileTrouble, match=r"another hugoniot .*start again in a new folder: hugoniot run .*deck\.toml"):
+        with pytest.raises(FileTrouble, match=r"another version of hugoniot .*start again in a new folder: hugoniot run .*deck\.toml"):
             simulate.resume(folder)
     assert simulate.resume(folder).summary["status"] == "done"
 

@@ -13,7 +13,7 @@ from hugoniot.laws.eos.stiffened_gas import StiffenedGas
 from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
 from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.materials.material import Material
-from hugoniot.output.run_numbers import gauge_rows, highest
+from hugoniot.output.run_numbers import gauge_rows, highest, highest_rows
 from hugoniot.problem.model import Boundary, Gauge, OutputOptions, Problem, Region
 from hugoniot.problem.standard.parts import bonded
 from hugoniot.simulate import make_solver
@@ -60,6 +60,16 @@ def test_strength_does_not_bring_the_overshoot_back(tmp_path, speed):
     assert found["stress"][:, 0].min() > -1.35e9     # no spall of the last zones, to which the overshoot led at a strength of 1.35 GPa
     if speed == 2000.0:
         assert velocity[-1] == pytest.approx(2010.79, rel=1e-3)
+
+
+def test_the_highest_stress_of_a_wave_that_has_not_left_the_first_zones(tmp_path):
+    """It is that of those zones, marked as one that may overshoot; the zones ahead of the wave are at rest."""
+    law = LAWS["copper"]
+    regions = (Region("flyer", "m", -1e-3, 0.0, 100, velocity=1000.0), Region("target", "m", 0.0, 1e-3, 100))
+    done = run(Problem("impact", "planar", 8e-9, regions, {"m": Material("m", law)}, output=OutputOptions(report=False)), tmp_path / "run")
+    jump, found = law.rho0 * (law.c0 + law.s * 500.0) * 500.0, highest(done)
+    assert found["stress_forming"] and 0.9 * jump < found["stress"] < 1.2 * jump and abs(found["stress_at"][0]) < 12e-5
+    assert "overshoots" in next(where for word, _, where in highest_rows(done) if word == "stress")
 
 
 def test_precursors_and_gases_keep_the_smaller_linear_coefficient():

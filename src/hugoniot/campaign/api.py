@@ -43,7 +43,7 @@ def sweep(deck: str | os.PathLike | None = None, vary: Mapping[str, Any] | Seque
     deck       path of a deck, or of a file with a [sweep] table; None for a match
     vary       {"region.flyer.velocity": "300..1200 m/s : 10", "material.al.fracture.strength": ["1 GPa", "2 GPa"]}, or texts
     tie        texts such as "region.target.to = region.flyer.to + 4 mm"
-    out        folder (default: the deck's name with .sweep); what stands there is not run again
+    out        folder (default: the deck's name with .sweep); cases that are already there are not run again
     workers    processes (default: one for each processor)
     engine     "local", or "dask" with the address of a `scheduler` or workers of this machine
     wishes     design, samples, seed, match, output, record, keep, time_limit, uncertain: see `campaign.ask.Wishes`

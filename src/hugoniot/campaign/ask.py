@@ -112,7 +112,7 @@ def question_for(wishes: Wishes, text: str | None, path: pathlib.Path | None, ma
     places = [os.path.abspath(place) for place in materials]
     if wishes.match is not None:
         if wishes.keep or wishes.record:
-            raise refuse("--keep" if wishes.keep else "--record", "", "an impedance match has no run", "leave it out")
+            raise refuse("--keep" if wishes.keep else "--record", "", "an impedance match produces no run", "leave it out")
         if len(wishes.match) < 2:
             raise refuse("--match", ",".join(wishes.match), "an impact needs a flyer and a target", "write --match copper,aluminum")
         return Match(wishes.match, places)
@@ -150,7 +150,7 @@ def plan_of(wishes: Wishes, question) -> tuple[Plan, list[Known]]:
 def local(workers: int | None = None, time_limit: float | None = None) -> Callable:
     """The engine of local processes: one for each processor unless a number is given."""
     if workers is not None and workers < 1:
-        raise refuse("--workers", str(workers), "not a number of workers", "give 1 or more")
+        raise refuse("--workers", str(workers), "not a valid number of workers", "give 1 or more")
     if time_limit is not None and not time_limit > 0.0:
         raise refuse("--time-limit", str(time_limit), "not a time", "give seconds above 0")
     return lambda question, known: LocalPool(question, workers or cores(), known, time_limit)
@@ -217,7 +217,7 @@ def run_sweep(path, wishes: Wishes, out=None, *, engine: Callable | None = None,
         question.until = longest(plan, question.until)
     swept = sweep(plan, folder, engine=engine or local(workers, wishes.time_limit), outputs=wishes.output, show=show, words=wishes.words())
     title = f"Sweep of {source.name}" if source and wishes.match is None else f"Impedance match of {', '.join(wishes.match or ())}"
-    asked = "\n".join([*wishes.vary, *wishes.tie, *(["constants of the library by their uncertainty"] if known else []),
+    asked = "\n".join([*wishes.vary, *wishes.tie, *(["constants of the library within their uncertainty"] if known else []),
                        *([] if wishes.design in KINDS else [f"cases of {wishes.design}"])])
     rows = list(rows_of(known))
     write_constants(folder, rows)

@@ -145,5 +145,5 @@ class DaskPool:
         if future.status == "error" and type(future.exception()).__name__ == "KilledWorker":
             return {"case": case, "died": "its worker died each time it was tried"}
         if future.status == "error":
-            raise HugoniotError(f"a worker of the cluster could not answer: {future.exception()}")
+            raise HugoniotError(f"a worker of the cluster failed: {future.exception()}")
         raise HugoniotError(LOST)

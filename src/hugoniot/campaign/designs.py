@@ -92,7 +92,7 @@ def _few_enough(count: int, how: str = "") -> None:
     if count > MOST:
         counted = f"{count:,}".replace(",", " ")
         raise refuse("--vary", "", f"{counted} cases" + (f" ({how})" if how else "") + " are too many",
-                     f"the limit is {MOST:,}".replace(",", " ") + "; take fewer values, or a sample (--design sobol --samples 1024)")
+                     f"the limit is {MOST:,}".replace(",", " ") + "; use fewer values, or a sample (--design sobol --samples 1024)")
 
 
 def _sampled(variables: Sequence[Variable], kind: str, samples: int | None, seed: int) -> Design:
@@ -106,7 +106,7 @@ def _sampled(variables: Sequence[Variable], kind: str, samples: int | None, seed
 
     if kind in ("sobol", "saltelli") and samples & (samples - 1):
         raise refuse("--samples", str(samples), "Sobol' sequences are balanced at powers of two only",
-                     f"take {1 << (samples.bit_length() - 1)} or {1 << samples.bit_length()}, or --design lhs")
+                     f"use {1 << (samples.bit_length() - 1)} or {1 << samples.bit_length()}, or --design lhs")
     if kind in ("saltelli", "morris"):
         from hugoniot.campaign.sensitivity import morris_shares, saltelli_shares
 

@@ -176,7 +176,7 @@ def _doubts(problem, best, parameters, correlation, chi_square, freedom, probabi
                 pair = f"{parameters[k].name} and {parameters[j].name}"
                 found.append(f"{pair} cannot be separated by these data (correlation {correlation[j, k]:+.3f})")
     if not best.settled:
-        found.append("the search ended before it settled")
+        found.append("the search ended before it converged")
     near = [cost for _, cost in others if cost < best.cost + 10.0 * max(1.0, best.cost / max(freedom, 1))]
     if near:
         found.append(f"{len(near)} other minimum fits nearly as well: see `others`" if len(near) == 1 else

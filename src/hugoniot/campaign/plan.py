@@ -139,7 +139,7 @@ def ties_of(texts: Sequence[str], varied: Sequence[str]) -> tuple[Tie, ...]:
         if not equals or not key or not rest:
             raise refuse("--tie", text, "expected KEY = EXPRESSION", 'write it like "region.target.from = region.flyer.to"')
         if key in varied or any(tie.key == key for tie in found):
-            raise refuse("--tie", key, "given twice", "a key is varied, or tied once")
+            raise refuse("--tie", key, "given twice", "a key may be varied or tied only once")
         try:
             found.append(Tie(key, Expression(rest)))
         except Trouble as error:

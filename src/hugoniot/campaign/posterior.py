@@ -141,7 +141,7 @@ def _walked(problem: Problem, answers: Callable, start: np.ndarray, most: int, r
 def _doubts(problem: Problem, stand_in: Surrogate | None, flat: np.ndarray, effective: float, long: float) -> list[str]:
     found = []
     if effective < LEAST_EFFECTIVE or long < LONG_ENOUGH:
-        found.append(f"the walk was short: {long:.0f} autocorrelation times (50 are enough), {effective:.0f} independent draws; "
+        found.append(f"the chains were short: {long:.0f} autocorrelation times (50 are enough), {effective:.0f} independent draws; "
                      "its quantiles are rough (--posterior-runs)")
     if stand_in is not None:
         rim = np.mean(np.any(np.abs(stand_in.places(flat)) > 0.9, axis=1))
@@ -151,7 +151,7 @@ def _doubts(problem: Problem, stand_in: Surrogate | None, flat: np.ndarray, effe
     for k, name in enumerate(problem.names):
         share = (flat[:, k] - low[k]) / (high[k] - low[k])
         if np.mean((share < 0.02) | (share > 0.98)) > 0.05:
-            found.append(f"the range of {name} cuts its posterior off")
+            found.append(f"the range of {name} truncates its posterior")
     return found
 
 

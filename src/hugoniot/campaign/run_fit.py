@@ -85,13 +85,13 @@ def run_fit(path, wishes: FitWishes, out=None, *, workers: int | None = None, en
     if wishes.loss not in LOSSES:
         raise refuse("--loss", wishes.loss, "unknown loss", f"known: {', '.join(LOSSES)}")
     if wishes.starts < 1:
-        raise refuse("--starts", str(wishes.starts), "not a number of searches")
+        raise refuse("--starts", str(wishes.starts), "not a valid number of searches")
     if wishes.posterior is not None:
         checked(wishes.posterior)
     if wishes.posterior_runs is not None and wishes.posterior is None:
         raise refuse("--posterior-runs", str(wishes.posterior_runs), "no posterior is requested", "write --posterior surrogate, or runs")
     if wishes.posterior_runs is not None and wishes.posterior_runs < 8:
-        raise refuse("--posterior-runs", str(wishes.posterior_runs), "too few runs for a posterior", "give some hundred")
+        raise refuse("--posterior-runs", str(wishes.posterior_runs), "too few runs for a posterior", "give a few hundred")
     folder = None if out is False else claimed(pathlib.Path(out or f"{source.stem}.fit"))
     question = Deck(text, source.name, os.path.abspath(source.parent), [os.path.abspath(m) for m in materials], points=POINTS)
     free = tuple(Free(_range(word)) for word in wishes.free)

@@ -261,9 +261,9 @@ def _zone_errors(solver) -> dict[str, float]:
 TRACKED: dict[str, TrackedProblem] = {problem.name: problem for problem in (
     _tube("tracked_sod", "Sod's tube: every wave exact", gases.build_sod, 0.5),
     _tube("tracked_leblanc", "LeBlanc's tube: every wave exact", gases.build_leblanc, 3.0),
-    _tube("tracked_two_rarefactions", "Streams apart (123): every wave exact", gases.build_two_rarefactions, 0.5),
-    _tube("tracked_collision", "Streams that collide: every wave exact", gases.build_collision, 0.5),
-    _tube("tracked_water_gas", "Liquid against a gas, before a wave meets a wall: every wave exact", gases.build_water_gas, 0.7, 1.1e-4),
+    _tube("tracked_two_rarefactions", "Receding streams (123): every wave exact", gases.build_two_rarefactions, 0.5),
+    _tube("tracked_collision", "Colliding streams: every wave exact", gases.build_collision, 0.5),
+    _tube("tracked_water_gas", "Liquid against a gas, before a wave reaches a wall: every wave exact", gases.build_water_gas, 0.7, 1.1e-4),
     *MEETINGS,
     TrackedProblem("shock_to_and_fro", "A piston's shock between piston and wall: reflections at t = 0.75, 0.90, 0.95 (F6)", _to_and_fro,
                    _reflections, _goals(fronts=1e-12, states=1e-12)),
@@ -275,7 +275,7 @@ TRACKED: dict[str, TrackedProblem] = {problem.name: problem for problem in (
                    _goals(states=1e-9)),
     TrackedProblem("blast_contacts", "Interacting blast waves: both contacts at 0.59389 and 0.79811 (F11)", gases.build_woodward_colella,
                    _contacts, tuple(Bar("contacts", n, goal=1e-3) for n in (100, 400)), (100, 400), "cells"),
-    TrackedProblem("reaction_zone", "Steady zone of a detonation, f = 1.6, E = 20, behind a piston; zones in a half-reaction length",
+    TrackedProblem("reaction_zone", "Steady zone of a detonation, f = 1.6, E = 20, driven by a piston; zones per half-reaction length",
                    _overdriven, _zone_errors, (Bar("front_position", 20, goal=1e-5), Bar("pressure_l1", 20, goal=1e-4)), (5, 10, 20),
                    "cells"),
 )}

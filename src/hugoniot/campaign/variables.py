@@ -170,7 +170,7 @@ def _listed(name: str, rest: str, where: str, text: str) -> Variable:
         raise refuse(where, text, "no values")
     if any(quoted):
         if not all(quoted):
-            raise refuse(where, text, "texts and numbers in one list", "put quotes round every text, or round none")
+            raise refuse(where, text, "text values and numbers in one list", "put quotes around every value, or around none")
         return Variable(name, "values", values=tuple(part[1:-1] for part in parts))
     found = [_split_unit(part) for part in parts]
     unit = found[-1][1]
@@ -191,7 +191,7 @@ def of_column(head: str, cells: list[str], where: str) -> Variable:
         raise refuse(where, head, "the column has no unit", f"write '{name} [m/s]', or '{name} [1]' for plain numbers")
     bad = next((cell for cell, number in zip(cells, numbers) if number is None), None)
     if bad is not None:
-        raise refuse(where, head, f"'{printable(bad.strip(), 40)}' is not a number", "leave the unit out for a column of texts")
+        raise refuse(where, head, f"'{printable(bad.strip(), 40)}' is not a number", "leave the unit out for a column of text values")
     unit = "" if unit in ("", "1") else unit
     try:
         shape = Variable(name, "values", unit, whole=all(_WHOLE.fullmatch(cell.strip()) for cell in cells))

@@ -8,7 +8,7 @@ import typer
 from hugoniot.cli.show import JSON, echo_json, echo_table
 from hugoniot.units import format_si
 
-_SHIFT = "shift in time: how much later b passes half of a's largest change; no record was shifted"
+_SHIFT = "shift in time: how much later b (the second) reaches half of the largest change of a (the first); no record was shifted"
 
 
 def command(

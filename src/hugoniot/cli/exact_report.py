@@ -218,7 +218,7 @@ def _data(name: str, reference, as_json) -> None:
 def _burn_times(settings: list[str], grid: Grid, as_json, as_csv, plot) -> None:
     """Burn times of Kenamond's problems: the number of the problem is one of the parameters."""
     if grid.times:
-        raise DeckError.single("command line", None, "--time", "burn times are times themselves", "omit --time")
+        raise DeckError.single("command line", None, "--time", "burn times are times already: there is none to choose", "omit --time")
     problems = kenamond()
     rest = [s for s in settings if not s.replace(" ", "").startswith("problem=")]
     chosen = next((s.partition("=")[2].strip() for s in settings if s.replace(" ", "").startswith("problem=")), "1")
@@ -240,7 +240,7 @@ def _burn_times(settings: list[str], grid: Grid, as_json, as_csv, plot) -> None:
         _introduce("kenamond", as_json)
         return
     if places.shape[1] > width:
-        raise OutOfRange(f"the points have {places.shape[1]} coordinates, the detonators {width}: give as many of both")
+        raise OutOfRange(f"the points have {places.shape[1]} coordinates, the detonators {width}: give the same number for both")
     times = made(places)
     table = {**dict(zip(("x", "y", "z"), places.T)), "burn_time": times}
     if as_csv:

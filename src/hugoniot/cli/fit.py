@@ -28,7 +28,7 @@ def command(
     seed: Annotated[int, typer.Option("--seed", help="Seed of the sampled starting points.")] = 0,
     profile: Annotated[bool, typer.Option("--profile", help="Also find the 95 % limits by profile likelihood.")] = False,
     local: Annotated[bool, typer.Option("--local", help="Do not search the whole ranges when no start matches.")] = False,
-    posterior: Annotated[str | None, typer.Option("--posterior", help="Draw from the posterior: surrogate, or runs.")] = None,
+    posterior: Annotated[str | None, typer.Option("--posterior", help="Sample the posterior: surrogate, or runs.")] = None,
     posterior_runs: Annotated[int | None, typer.Option("--posterior-runs", help="Runs for the posterior.")] = None,
     workers: Annotated[int | None, typer.Option("--workers", "-w", help="Worker processes (default: one for each processor).")] = None,
     out: Annotated[Path | None, typer.Option("--out", "-o", help="Folder to write (default: DECK.fit).")] = None,
@@ -100,10 +100,10 @@ def _echo(found) -> None:
 
 def _echo_posterior(p) -> None:
     where = "a surrogate" if p.surrogate else "the runs"
-    typer.echo(f"\nposterior over {where}: {len(p.draws)} draws, worth {p.effective:.0f} independent ones")
+    typer.echo(f"\nposterior over {where}: {len(p.draws)} draws, equivalent to {p.effective:.0f} independent ones")
     if p.surrogate:
         missed = ", ".join(f"{name} {error:.2g} sigma" for name, error in p.surrogate.errors.items())
-        typer.echo(f"leaving runs out, the surrogate misses the logarithm of the probability by {p.surrogate.log_error:.2g}; {missed}")
+        typer.echo(f"in leave-one-out tests the surrogate misses the logarithm of the probability by {p.surrogate.log_error:.2g}; {missed}")
     echo_table(["parameter", "mean", "standard deviation", "median", "95 % interval", "autocorrelation"],
                [[name, format_si(p.mean[k], unit, 5), format_si(p.deviation[k], unit, 2), format_si(p.quantiles[2, k], unit, 5),
                  f"{format_si(p.quantiles[0, k], unit, 5)} .. {format_si(p.quantiles[-1, k], unit, 5)}",

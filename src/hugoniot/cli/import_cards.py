@@ -21,10 +21,10 @@ def command(
     density: Annotated[str | None, typer.Option(help='LS-DYNA, where no MAT card gives it: "7.85 g/cm^3".')] = None,
     out: Annotated[Path | None, typer.Option("--out", "-o", help="File to write (default: print it).")] = None,
 ) -> None:
-    """A deck from one of pyKO (.yml, .yaml) or KO (.in), ready to run; or a material's table from LS-DYNA cards.
+    """Convert a pyKO (.yml, .yaml) or KO (.in) deck into one ready to run, or LS-DYNA cards into a material table.
 
-    Decks of pyKO and KO become SI, with the integrator, viscosity and step of those codes. LS-DYNA: *EOS_GRUNEISEN or *EOS_JWL and
-    *MAT_JOHNSON_COOK; checked as a deck would be.
+    Decks of pyKO and KO are converted to SI, with the integrator, viscosity and time step of those codes. LS-DYNA: *EOS_GRUNEISEN
+    or *EOS_JWL and *MAT_JOHNSON_COOK; checked as a deck would be.
 
     Example: hugoniot import impact.yml --out impact.toml
 

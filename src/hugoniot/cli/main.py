@@ -162,7 +162,7 @@ def guarded(function: Callable) -> Callable:
         except (typer.Exit, typer.Abort, SystemExit):
             raise
         except MemoryError:
-            typer.echo("error: out of memory; take fewer zones or snapshots (hugoniot check estimates both). A run that has written a "
+            typer.echo("error: out of memory; use fewer zones or snapshots (hugoniot check estimates both). A run that has written a "
                        "checkpoint can be resumed", err=True)
             raise typer.Exit(4) from None
         except OSError as error:
@@ -200,7 +200,7 @@ def _keep_traceback() -> str:
     try:
         with tempfile.NamedTemporaryFile("w", prefix="hugoniot-error-", suffix=".log", delete=False, encoding="utf-8") as file:
             file.write(text)
-        return f"This is a defect of hugoniot; the details for a report are in {file.name}"
+        return f"This is a bug in hugoniot; details for a bug report are in {file.name}"
     except OSError:
         return text
 

@@ -21,17 +21,17 @@ def command(
     kind: Annotated[str, typer.Argument(
         help="Picture: xt, map, gauge, pi_plane, free_surface, profile, peaks, budget, errors or setup.")] = "",
     field: Annotated[str, typer.Argument(help="Field of an xt, map, gauge, profile or peaks picture, such as pressure.")] = "",
-    gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge of a gauge, pi_plane or free_surface picture.")] = None,
+    gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge to show in a gauge, pi_plane or free_surface picture.")] = None,
     time: Annotated[str | None, typer.Option("--time", help="Time of a map or profile, such as \"1.2 us\" (default: the last).")] = None,
     delay: Annotated[str | None, typer.Option("--delay", help="Show the free surface as a VISAR with this delay would record it.")] = None,
     x: Annotated[str | None, typer.Option("--x", help="Positions to show in an xt, profile, peaks or setup picture: \"0..5 mm\".")] = None,
-    t: Annotated[str | None, typer.Option("--t", help="Times to show in a picture over time, or of a pi_plane picture.")] = None,
+    t: Annotated[str | None, typer.Option("--t", help="Times to show in a picture with a time axis, or in a pi_plane picture.")] = None,
     shown: Annotated[str | None, typer.Option("--range", help="Values to show, such as \"-1..6 GPa\"; colours of an xt picture.")] = None,
     line: Annotated[str | None, typer.Option("--line", help="Line of a profile in two dimensions: \"0 mm, 0 mm .. 0 mm, 30 mm\".")] = None,
     layers: Annotated[str | None, typer.Option("--layers", help="Of a map: \"mesh\", \"no mesh\", \"contours\", \"one half\".")] = None,
     out: Annotated[Path | None, typer.Option("--out", "-o", help="File: .png, .pdf or .svg (default: in the run folder).")] = None,
 ) -> None:
-    """Draw a picture of a run: by default its wave diagram, or of two dimensions the map of its pressure.
+    """Draw a picture of a run: by default its wave diagram or, in two dimensions, a map of the pressure.
 
     Examples: hugoniot plot flyer.run xt pressure --out wave.png; hugoniot plot taylor.run map plastic_strain --time "40 us"
     """
@@ -49,7 +49,7 @@ def command(
     if kind not in there:
         words = "two dimensions" if plane else "one dimension"
         message = f"this run has {words}, for which there is no picture '{kind}'"
-        raise DeckError.single("plot", None, "kind", message, f"take {', '.join(there)}")
+        raise DeckError.single("plot", None, "kind", message, f"use {', '.join(there)}")
     path = out or folder / f"{'-'.join(word for word in (kind, field) if word)}.png"
     drawable(path, "plot", "--out")
     options = _options(kind, field, gauge, time, delay) | _of_the_plane(kind, plane, line, layers)

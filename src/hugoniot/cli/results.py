@@ -63,7 +63,7 @@ def _echo_structure(run: Run) -> None:
     if "steady_density_thickness" in s:
         steady = s["steady_density_thickness"]
         away = 100.0 * (s["density_thickness"] / steady - 1.0)
-        typer.echo(f"steady wave, Mach {s['mach']:.5g}: {format_si(steady, 'm', 5)} (the run {away:+.2g} %), "
+        typer.echo(f"steady wave, Mach {s['mach']:.5g}: {format_si(steady, 'm', 5)} (the run differs by {away:+.2g} %), "
                    f"by velocity |u2 - u1| / max|du/dx| {format_si(s['steady_velocity_thickness'], 'm', 5)}, "
                    f"10 to 90 % of density {format_si(s['steady_density_width_10_90'], 'm', 5)}")
         made = s["entropy_viscous"] + s["entropy_conductive"]

@@ -132,7 +132,7 @@ def jordan(as_json: JSON = False) -> None:
     echo_table(["table", "block", "Mach", "quantity", "printed", "here"],
                [(r["table"], r["block"], f"{r['mach']:g}", r["quantity"], "-" if r["printed"] is None else f"{r['printed']:g}",
                  f"{r['ours']:.4f}") for r in argon])
-    typer.echo("\nThickness in nm; the printed values are the source's grid (see docs/theory/shock_structure.md)")
+    typer.echo("\nThickness in nm; the printed values reflect the source's grid (see docs/theory/shock_structure.md)")
     echo_table(["case", "Mach", "printed", "its spacing", "bent Grüneisen", "literature's"],
                [(r["block"], f"{r['mach']:.4g}", f"{r['printed']:g}", f"{r['spacing']:.4g}", f"{r['ours_bent']:.4g}", f"{r['ours']:.4g}")
                 for r in condensed])

@@ -47,11 +47,11 @@ def command(
     \b
     --vary takes   KEY = LOW..HIGH UNIT : COUNT      add "log" for equal ratios
                    KEY = 1, 2, 5 GPa                 values
-                   KEY = "copper", "aluminum"        texts
+                   KEY = "copper", "aluminum"        text values
                    KEY = MEAN +- SIGMA UNIT          normal, for samples
 
     --design saltelli gives Sobol' indices with intervals, morris a screening of many parameters; every sample gives spreads and bands.
-    --uncertain library varies the constants of the library's materials by what its sources say of them, and draws bands at the gauges.
+    --uncertain library varies the constants of the library's materials within the spread of its sources, and draws bands at the gauges.
     A name that is not a key of the deck can be varied too, for --tie to use.
 
     Example: hugoniot sweep flyer.toml --vary "region.flyer.velocity = 300..1200 m/s : 10"

@@ -21,7 +21,7 @@ def verify(
     solver: Annotated[str, typer.Option(help="lagrange1d or fronts (tracked fronts, mode cells).")] = "lagrange1d",
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of tables.")] = False,
 ) -> None:
-    """Run the built-in standard problems and print errors, the bars they are held to, and the observed order.
+    """Run the built-in standard problems and print the errors, their limits (bars), and the observed order of convergence.
 
     The bars are the errors of the KO scheme and of a second-order Godunov scheme on the same grid (in two dimensions: of the best open
     code), and the goal of this package. Problems in two dimensions, and those with tracked fronts of their own, are left out where --zones

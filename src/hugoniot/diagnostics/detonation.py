@@ -41,7 +41,7 @@ def front_speed(times, path, start: float = -np.inf, end: float = np.inf) -> flo
     times, path = np.asarray(times, float), np.asarray(path, float)
     use = np.isfinite(path) & (path >= start) & (path <= end)
     if use.sum() < 3:
-        raise OutOfRange(f"{int(use.sum())} points of the front lie between {start:.6g} and {end:.6g} m: take more snapshots")
+        raise OutOfRange(f"only {int(use.sum())} points of the front lie between {start:.6g} and {end:.6g} m: use more snapshots")
     return float(abs(np.polyfit(times[use], path[use], 1)[0]))
 
 
@@ -56,7 +56,7 @@ def run_to_detonation(times, path, detonation_velocity: float, shock_velocity: f
     known = np.isfinite(path)
     times, path = times[known], path[known]
     if times.size < 8:
-        raise OutOfRange(f"{times.size} points of the front are too few for a run distance: take more snapshots")
+        raise OutOfRange(f"{times.size} points of the front are too few for a run distance: use more snapshots")
     speed = np.abs(np.diff(path) / np.diff(times))
     where, when = 0.5 * (path[1:] + path[:-1]), 0.5 * (times[1:] + times[:-1])
     halfway = 0.5 * ((np.mean(speed[:3]) if shock_velocity is None else shock_velocity) + detonation_velocity)

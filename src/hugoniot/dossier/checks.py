@@ -288,7 +288,7 @@ def _detonation(entry: Entry) -> Iterator[Finding]:
     for key, mine, limit in (("velocity", point.detonation_velocity, VELOCITY_LIMIT), ("pressure", point.state.pressure, PRESSURE_LIMIT)):
         if key in entry.detonation:
             misfit = mine / float(entry.detonation[key].value) - 1.0
-            yield _judge(entry.name, f"CJ {key} against the stated", misfit, limit, f"{100 * misfit:+.2f} %", "mark")
+            yield _judge(entry.name, f"CJ {key} against the stated value", misfit, limit, f"{100 * misfit:+.2f} %", "mark")
     if entry.unreacted is not None:
         yield from _at_rest(entry.name, entry.unreacted)
 

@@ -117,4 +117,4 @@ def _free_folder(work: Path, title: str) -> Path:
         folder = work / f"{stem}{suffix}.run"
         if not folder.exists():
             return folder
-    raise FileTrouble(f"{work}: no name is free")
+    raise FileTrouble(f"{work}: no name is free for a new run folder")

@@ -184,7 +184,7 @@ def _check_rest(par: Any, built: dict, collector: Collector, path: tuple) -> Non
         return
     p, c2 = pressure(rho, e, par), sound_speed_squared(rho, e, par)
     if not (math.isfinite(p) and math.isfinite(c2) and c2 > 0.0):
-        message = f"no sound at rest: at {rho:g} kg/m^3 the squared sound speed is {c2:g} m^2/s^2 and the pressure {p:g} Pa"
+        message = f"no real sound speed at rest: at {rho:g} kg/m^3 the squared sound speed is {c2:g} m^2/s^2 and the pressure {p:g} Pa"
         collector.add((*path, "eos"), message, "check the signs and units of the parameters")
         return
     if built["strength"] is not None:

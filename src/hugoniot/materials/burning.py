@@ -51,11 +51,11 @@ def reactive(material: Material) -> Reactive:
     law, kind = BURN.of(material.burn), closure(material)
     here = f"material '{material.name}'"
     if material.reference_state not in (None, *CHOICES):
-        raise OutOfRange(f"{here}: unknown reference_state '{material.reference_state}'; take one of {', '.join(CHOICES)}")
+        raise OutOfRange(f"{here}: unknown reference_state '{material.reference_state}'; use one of {', '.join(CHOICES)}")
     if material.reference_state == FROZEN and not keeps_isentrope(material):
         why = (f"'{kind}' does not keep the reactants on an isentrope" if "follows_isentrope" not in MIXTURE.get(kind).flags
                else f"the burn law '{law.name}' leaves no reactants behind a shock")
-        raise OutOfRange(f"{here} has no reference state to freeze: {why}; leave out reference_state, or take mixture = "
+        raise OutOfRange(f"{here} has no reference state to freeze: {why}; leave out reference_state, or use mixture = "
                          "\"thermal_isolation\" with a rate law")
     if not has_reactants(material):
         if "pressure_driven" in law.flags or "temperature_driven" in law.flags:

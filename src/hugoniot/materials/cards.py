@@ -98,7 +98,7 @@ def _strength(row: Row) -> Card:
         return _johnson_cook(row)
     if "yield_stress" in row and "shear_modulus" in row:
         return {"law": "perfectly_plastic", "shear_modulus": row.constant("shear_modulus"), "yield_stress": row.constant("yield_stress")}
-    raise ValueError(f"row {row.id}: no strength law of the package takes a '{model}' card")
+    raise ValueError(f"row {row.id}: no strength law of the package matches a '{model}' card")
 
 
 def _johnson_cook(row: Row) -> Card:
@@ -112,7 +112,7 @@ def _johnson_cook(row: Row) -> Card:
             found[parameter] = row.constant(column, parameter)
     if "room_temperature" not in found:
         found["room_temperature"] = Source("room_temperature", ROOM_TEMPERATURE, "K", "room temperature", row.via, "derived",
-                                           f"row {row.id} states none; {ROOM_TEMPERATURE} K taken")
+                                           f"row {row.id} states none; {ROOM_TEMPERATURE} K assumed")
     return found
 
 

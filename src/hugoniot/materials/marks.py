@@ -32,7 +32,7 @@ class Closure(NamedTuple):
         """The misfits in words."""
         parts = []
         if not math.isnan(self.velocity_misfit):
-            parts.append(f"D from the constants is {self.velocity:.0f} m/s, {100 * self.velocity_misfit:+.1f} % from the stated")
+            parts.append(f"D from the constants is {self.velocity:.0f} m/s, {100 * self.velocity_misfit:+.1f} % from the stated value")
         if not math.isnan(self.pressure_misfit):
             parts.append(f"p is {self.pressure / 1e9:.1f} GPa, {100 * self.pressure_misfit:+.1f} %")
         return "; ".join(parts)

@@ -25,11 +25,11 @@ class Source:
 PORES_REOPEN = ("the porous law of the unreacted explosive keeps no memory of crushing: on release before it burns, its pores reopen along "
                 "the curve on which they closed; trust the shocks that start the burning, not the release behind them")
 
-NOT_AT_REST = ("the unreacted explosive starts at {:.4g} MPa, not at zero pressure: weak shocks and long waits will be wrong; take the law "
+NOT_AT_REST = ("the unreacted explosive starts at {:.4g} MPa, not at zero pressure: weak shocks and long runs will be wrong; use the law "
                "jwl_unreacted, whose energy at rest follows from p = 0, or correct e0")
 
 GRAINS_OVER_SERIES = ("grain_contact is based on a truncated cold curve, too soft for the first shock: the powder is compacted to its "
-                      "grains where the exact curve would resist; take mie_gruneisen_cold as its base")
+                      "grains where the exact curve would resist; use mie_gruneisen_cold as its base")
 
 
 @dataclass(frozen=True)

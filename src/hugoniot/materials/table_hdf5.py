@@ -52,7 +52,7 @@ def read_table(path) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """
     try:
         if not hdf5_texts_end(path):
-            raise RuntimeError("its texts are not terminated")
+            raise RuntimeError("its strings are not terminated")
         with h5py.File(path, "r") as file:
             grid = [_dataset(file, name, path) for name in UNITS]
     except FileTrouble:

@@ -76,7 +76,7 @@ def check_block(k: int, name: str, nodes: np.ndarray, axisymmetric: bool) -> lis
     what = f"has the area {areas[i, j]:.3g} m^2" if areas[i, j] <= 0.0 else "has a folded corner"
     more = f" ({int(folded.sum())} such zones)" if folded.sum() > 1 else ""
     return [MeshDefect(k, "shape", f"zone ({i}, {j}) of block '{name}' near ({where[0]:.4g}, {where[1]:.4g}) m {what}{more}",
-                       "take fill = \"winslow\", or divide the block")]
+                       "use fill = \"winslow\", or divide the block")]
 
 
 def check_neighbours(names: Sequence[str], maps: Sequence[np.ndarray], nodes: np.ndarray, sides: Sequence[dict],
@@ -127,7 +127,7 @@ def _misfits(names, maps, nodes, sides, apart) -> list[MeshDefect]:
             close = away < joining.NEAR
             if close.any():
                 x, y = nodes[:, mine[close][0]]
-                message = f"touches block '{names[b]}' near ({x:.6g}, {y:.6g}) m, but their nodes do not meet there"
+                message = f"touches block '{names[b]}' near ({x:.6g}, {y:.6g}) m, but their nodes do not coincide there"
                 hint = ("blocks that are one body need the same nodes along the common edge, the same zones and ratio; "
                         f'bodies that meet there need [[contact]] with between = ["{names[a]}", "{names[b]}"]')
                 found.append(MeshDefect(a, "zones", message, hint))

@@ -48,7 +48,7 @@ def circle_through(points: np.ndarray) -> tuple[np.ndarray, float, float, float]
     u, v = b - a, c - a
     cross = u[0] * v[1] - u[1] * v[0]
     if abs(cross) <= _STRAIGHT * max(u @ u, v @ v):
-        raise ValueError("the three points of the arc lie on a straight line; take a line")
+        raise ValueError("the three points of the arc lie on a straight line; use a line")
     towards = np.array([v[1] * (u @ u) - u[1] * (v @ v), u[0] * (v @ v) - v[0] * (u @ u)]) / (2.0 * cross)
     centre = a + towards
     first, middle, last = (math.atan2(p[1] - centre[1], p[0] - centre[0]) for p in (a, b, c))

@@ -125,7 +125,7 @@ def winslow(nodes: np.ndarray, s: np.ndarray, t: np.ndarray) -> np.ndarray:
         if shift <= _CONVERGED * smallest:
             return nodes
     raise ShapeError("fill", f"equipotential zoning still moves nodes by {shift:.2g} m after {_MOST} iterations",
-                     "divide the block, or take fill = \"transfinite\"")
+                     "divide the block, or use fill = \"transfinite\"")
 
 
 def _solved(nodes: np.ndarray, s: np.ndarray, t: np.ndarray) -> np.ndarray:

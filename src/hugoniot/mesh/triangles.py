@@ -103,7 +103,7 @@ def _check(mesh: Blocks) -> None:
             where = f"near ({x[:, mine[0]].mean():.4g}, {y[:, mine[0]].mean():.4g}) m"
             more = f" ({len(mine)} such triangles)" if len(mine) > 1 else ""
             defects.append(MeshDefect(k, "shape", f"a triangle of cell ({row // 2}, {j}) of block '{block.name}' {where} has the area "
-                                      f"{areas[mine[0]]:.3g} m^2{more}", "the cell is not convex: take another diagonal, "
+                                      f"{areas[mine[0]]:.3g} m^2{more}", "the cell is not convex: use another diagonal, "
                                       'or fill = "winslow"'))
     if defects:
         raise MeshError(defects)

@@ -27,9 +27,9 @@ def program() -> dict[str, str]:
 def check_program(folder, written: Mapping[str, str]) -> None:
     """Refuse a checkpoint whose run this program would not continue bit for bit."""
     if written != program():
-        raise FileTrouble(f"{folder}: its checkpoint was written by another hugoniot ({written.get('version', 'an early one')}), "
-                          f"Python or numba, whose bits this one would not continue; resume with that one, or start again in a new folder: "
-                          f"hugoniot run {pathlib.Path(folder) / 'deck.toml'} --out NEW")
+        raise FileTrouble(f"{folder}: its checkpoint was written by another version of hugoniot ({written.get('version', 'early')}), "
+                          f"Python or numba, so the continuation would not be bit-identical; resume with that version, or start again "
+                          f"in a new folder: hugoniot run {pathlib.Path(folder) / 'deck.toml'} --out NEW")
 
 
 def other_machine(written: Mapping[str, str]) -> str | None:
@@ -39,5 +39,5 @@ def other_machine(written: Mapping[str, str]) -> str | None:
     changed = [f"{name} {was} (here {machine()[name]})" for name, was in written.items() if name in machine() and machine()[name] != was]
     if not changed:
         return None
-    return ("resumed on another machine than the one it was begun on, so that the last digits may differ from those of an uninterrupted "
+    return ("resumed on a different machine from the one it began on, so that the last digits may differ from those of an uninterrupted "
             f"run: {'; '.join(text if len(text) < 120 else text[:117] + '...' for text in changed)}")

@@ -59,10 +59,10 @@ class Columns(Mapping):
     """Arrays by name. A column is read once, and when it is large read again after everybody has let it go.
 
     shapes   {name: shape} and
-    kinds    {name: letter of its numpy dtype}, known without reading
+    kinds    {name: dtype in the file}, known without reading
     """
 
-    def __init__(self, open_file: Callable, place: str, group: str, shapes: dict[str, tuple], kinds: dict[str, str]):
+    def __init__(self, open_file: Callable, place: str, group: str, shapes: dict[str, tuple], kinds: dict[str, np.dtype]):
         self._open, self._place, self._group, self.shapes, self.kinds = open_file, place, group, shapes, kinds
         self._kept: dict[str, np.ndarray] = {}
         self._extents: dict[str, tuple[float, float]] = {}
@@ -76,7 +76,7 @@ class Columns(Mapping):
             written = str(group.attrs.get(ORDER, "")).split()   # HDF5 itself keeps names in the order of the alphabet
             for name in sorted(group, key=lambda name: (written.index(name) if name in written else -1, name)):
                 data = group[name]
-                shapes[name], kinds[name] = data.shape, data.dtype.kind
+                shapes[name], kinds[name] = data.shape, data.dtype
                 attributes[name] = {k: data.attrs[k] for k in ("units", "long_name") if k in data.attrs}
                 dims[name] = (name,) if data.is_scale else tuple(data.dims[k][0].name.rpartition("/")[2] for k in range(data.ndim))
         except (OSError, RuntimeError, AttributeError, ValueError) as error:
@@ -107,8 +107,8 @@ class Columns(Mapping):
         if name not in self.shapes:
             raise KeyError(name)
         count, *entries = self.shapes[name] or (1,)
-        size = 8 * int(np.prod(entries))
-        if count * size <= KEPT or name in self._lent:
+        size = self.kinds[name].itemsize * int(np.prod(entries))
+        if not self.is_large(name) or name in self._lent:
             return self[name]
         rows, held = max(1, BLOCK // size), {}
 
@@ -129,8 +129,15 @@ class Columns(Mapping):
 
     def history(self, name: str, k: int) -> np.ndarray:
         """The entry k of every record."""
-        small = 8 * int(np.prod(self.shapes[name])) <= KEPT
-        return self[name][:, k] if small else self._read(name, (slice(None), k))
+        return self._read(name, (slice(None), k)) if self.is_large(name) else self[name][:, k]
+
+    def is_large(self, name: str) -> bool:
+        """Whether a column is of numbers and too large to be kept in memory."""
+        return self.kinds[name].kind in "fiub" and self.kinds[name].itemsize * int(np.prod(self.shapes[name])) > KEPT
+
+    def part(self, name: str, key: tuple) -> np.ndarray:
+        """What `key`, of integers and slices of positive step, selects of a column; nothing else is read."""
+        return self._read(name, key)
 
     def _read(self, name: str, part=()) -> np.ndarray:
         try:

@@ -154,17 +154,15 @@ class Run:
         return attributes[name].get("units", "")
 
     def dataset(self, group: str):
-        """One group as an xarray Dataset with `units` and `long_name`."""
-        import xarray
+        """One group as an xarray Dataset with `units` and `long_name`. Large columns are read only where their values are used."""
+        from hugoniot.output.datasets import dataset
 
         values, attributes, dims = self._table(group)
         axes = {name for name, along in dims.items() if along == (name,)}
-        columns = {name: xarray.Variable(dims[name], values[name], attributes[name]) for name in values}
         extra = {name for name in ("region", "centre", "centre_x", "centre_y", "mass") if name in values and "zone" in dims[name]}
         extra |= {"cycle"} & set(values) if group == "snapshots" else set()
-        coords = {name: columns.pop(name) for name in sorted(axes | extra)}
-        attrs = {"title": self.summary["title"], "solver": self.summary["solver"], "version": self.summary["version"]}
-        return xarray.Dataset(columns, coords, attrs)
+        about = {"title": self.summary["title"], "solver": self.summary["solver"], "version": self.summary["version"]}
+        return dataset(values, dims, attributes, axes | extra, about)
 
     @cached_property
     def gauges(self):
@@ -206,7 +204,7 @@ class Run:
             raise KeyError(f"no gauge field '{field}'; this run has: {known}")
         values = rows[field][:, names.index(name)]
         if field not in CONTINUOUS and name in set(sides(self.setup["gauges"]).values()):
-            raise KeyError(f"{field} differs on the two sides of an interface: ask for '{name} left' or '{name} right'")
+            raise KeyError(f"{field} differs on the two sides of an interface: use '{name} left' or '{name} right'")
         return rows["time"], values
 
 

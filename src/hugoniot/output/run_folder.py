@@ -168,7 +168,7 @@ class RunFolder:
             self._series.keep(pieces)
             return payload
         if self._checkpoints.numbers():
-            self._warn("no sound checkpoint is left; the run starts from the beginning")
+            self._warn("no intact checkpoint is left; the run starts from the beginning")
         self._checkpoints.forget_all()
         self._series.keep([])
         return None

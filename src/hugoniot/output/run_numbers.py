@@ -10,6 +10,7 @@ from hugoniot.output.spall_reading import NOISE, SURFACE, spall_reading, surface
 from hugoniot.units import format_si
 
 START_UP = 12         # zones beside a face in which a captured shock that starts there is still forming, and overshoots
+OVERSHOOT = 2.0       # times the highest of all others: more than a third above it was never seen in a shock that has left those zones
 ROUND_OFF = 1e-12     # of the largest value of a run: what is smaller is the round-off of a state at rest
 GAUGE_UNITS = {"arrival": "s", "second_arrival": "s", "peak_stress": "Pa", "plateau_stress": "Pa", "lowest_stress": "Pa",
                "peak_velocity": "m/s", "plateau_velocity": "m/s", "last_velocity": "m/s"}
@@ -95,7 +96,8 @@ def highest(run: Run) -> dict:
 
     Beside each field stands where it was found: `stress_region` the body and `stress_at` the centre of the zone at t = 0, m, one number
     for each coordinate. Of captured shocks in one dimension the first zones beside interfaces and driven ends do not count, in which a
-    shock that starts there overshoots by up to 20 % (`START_UP`); `peaks` of the run has them.
+    shock that starts there overshoots by up to a third (`START_UP`); `peaks` of the run has them. Where they have more than that can
+    explain, as in a wave that ends or decays before it leaves them, theirs is the highest, and `stress_forming` is true.
     `surface` is the gauge of that velocity, or "free surface". A field that the run does not have is left out, and so is a tension that
     never came, or that is the round-off of a surface at rest; the velocity is that of the spall reading where there is one.
     """
@@ -109,7 +111,10 @@ def highest(run: Run) -> dict:
         least = NOISE * found.get("stress", found.get("pressure", 0.0))
         if word == "tension" and not np.max(values) > least:
             continue
-        k = int(np.argmax(values if word == "tension" else np.where(_formed(run, peaks["region"]), values, -np.inf)))
+        counted = values if word == "tension" else np.where(_formed(run, peaks["region"]), values, -np.inf)
+        if np.max(values) > OVERSHOOT * max(np.max(counted), 0.0):
+            counted, found[f"{word}_forming"] = values, True
+        k = int(np.argmax(counted))
         found |= {word: float(values[k]), f"{word}_region": str(peaks["region"][k]), f"{word}_at": [float(x[k]) for x in centres]}
     seen = surface_record(run)
     if len(seen.time) and "peak_velocity" not in spall_numbers(run):
@@ -134,7 +139,8 @@ def _formed(run: Run, region: np.ndarray) -> np.ndarray:
 def highest_rows(run: Run) -> list[tuple[str, str, str]]:
     """(what, its value, where) of `highest` in words."""
     top = highest(run)
-    rows = [(word, format_si(top[word], "Pa", 5), _place(top[f"{word}_region"], top[f"{word}_at"]))
+    rows = [(word, format_si(top[word], "Pa", 5), _place(top[f"{word}_region"], top[f"{word}_at"])
+             + ("; a shock that forms there overshoots" if f"{word}_forming" in top else ""))
             for word in ("stress", "pressure", "tension") if word in top]
     if "surface_velocity" in top:
         rows.append((f"velocity, {top['surface']}", format_si(top["surface_velocity"], "m/s", 5), ""))

@@ -249,7 +249,7 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
         reason = f"the pull-back at {record.source} came before the first void of '{record.region}' opened, so it is not a spall signal"
         return Reading(reason=reason, record=record)
     if (missed := _missed(record, found)) > LARGEST_MISS:
-        reason = (f"the records at {record.source} are too far apart: between two of them the velocity may fall by another {missed:.0%} of "
+        reason = (f"the records at {record.source} are too sparse: between two of them the velocity may fall by another {missed:.0%} of "
                   f"the pull-back, and a reliable reading needs less than {LARGEST_MISS:.0%}; reduce gauge_interval")
         return Reading({"peak_velocity": found.peak}, reason, record=record)
     window = constants_of(run, record.window) if record.window else None

@@ -26,7 +26,7 @@ EDGES = {"axis": (QUIET, (0, (8, 3, 1, 3))), "wall": (INK, "-"), "velocity": (CO
 def needs_plane(run, picture: str) -> None:
     """Refuse a picture of two dimensions for a run of one."""
     if "axes" not in run.setup:
-        raise DeckError.single(run.folder, None, "kind", f"a {picture} needs a two-dimensional run", "this run has one dimension; take xt")
+        raise DeckError.single(run.folder, None, "kind", f"a {picture} needs a two-dimensional run", "this run has one dimension; use xt")
 
 
 def plane_field(run, field: str, k) -> np.ndarray:
@@ -231,7 +231,7 @@ def line_profile(run, field: str = "pressure", time=None, start=None, end=None, 
     points = start[:, None] + (end - start)[:, None] * (place / length)
     found = [_along(there, corners, points, plane_field(run, field, k)) for k, there in zip(picked, nodes)]
     if not np.isfinite(found).any():
-        raise DeckError.single(run.folder, None, "--from", "the line meets no material", "positions are those of the snapshot's time")
+        raise DeckError.single(run.folder, None, "--from", "the line crosses no material", "positions are those of the snapshot's time")
     unit, factor, words = field_scale(field, np.array(found)[np.isfinite(found)])
     unit_x, fx = length_scale(length)
     unit_t, ft = time_scale(rows["time"][-1])

@@ -18,7 +18,7 @@ def setup(run, ax=None):
     unit, f = length_scale(high - start)
     margin = 0.04 * (high - start) * f
     ax.set_xlim(start * f - margin, high * f + margin)
-    ax.set_ylim(-0.9, 1.9)
+    ax.set_ylim(-0.9, 2.1)
     names = list(dict.fromkeys(region["material"] for region in regions))
     tint = {name: COLOURS[k % len(COLOURS)] for k, name in enumerate(names)}
     for k, region in enumerate(regions):
@@ -69,9 +69,9 @@ def _label_region(ax, region, f, unit, order):
     lift = 0.26 * (order % 2) if room < 4.6 * len(words) else 0.0
     low, high = ax.get_xlim()
     reach = min(0.06 * (high - low), 0.45 * thickness) * (1 if sum(values) >= 0 else -1)
-    tail, head = (middle - reach, 1.16), (middle + reach, 1.16)
+    tail, head = (middle - reach, 1.4), (middle + reach, 1.4)     # above the kinds of the ends
     ax.add_patch(FancyArrowPatch(tail, head, arrowstyle="-|>", mutation_scale=9, color=INK, linewidth=1.2, shrinkA=0, shrinkB=0))
-    ax.text(middle, 1.28 + lift, words, ha="center", va="bottom", fontsize=8)
+    ax.text(middle, 1.5 + lift, words, ha="center", va="bottom", fontsize=8)
 
 
 def _draw_boundaries(ax, record, low, high):

@@ -76,8 +76,8 @@ def _entropy_panel(profile: Profile, fields, delta) -> list:
         return []
     unit = profile.ends.mass_flux * made / delta
     viscous, conductive = profile.entropy_viscous / made, profile.entropy_conductive / made
-    curves = {f"made by viscosity, {100 * viscous:.0f} %": fields["entropy_production_viscous"] / unit,
-              f"made by conduction, {100 * conductive:.0f} %": fields["entropy_production_conductive"] / unit}
+    curves = {f"produced by viscosity, {100 * viscous:.0f} %": fields["entropy_production_viscous"] / unit,
+              f"produced by conduction, {100 * conductive:.0f} %": fields["entropy_production_conductive"] / unit}
     if np.isfinite(fields["entropy"]).all():
         curves["gained, (s − s₁) / Δs"] = fields["entropy"] / made
     return [("entropy; production × δ / mΔs", curves)]

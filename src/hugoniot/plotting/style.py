@@ -119,7 +119,7 @@ def zone_records(run, field: str):
 def _at_faces(run, group: str, field: str) -> bool:
     """Whether a field is one of nodes, kept at both faces of every zone. Refuses what the run does not hold."""
     rows = run.arrays(group)    # of which no column is read: that takes minutes where there are a million zones
-    known = [name for name, shape in rows.shapes.items() if rows.kinds[name] == "f" and len(shape) == (1 if group == "peaks" else 2)]
+    known = [name for name, shape in rows.shapes.items() if rows.kinds[name].kind == "f" and len(shape) == (1 if group == "peaks" else 2)]
     nodal = [name.removesuffix("_left") for name in known if name.endswith("_left")]
     if field not in known and field not in nodal:
         known = known + nodal

@@ -80,7 +80,7 @@ def riemann_waves(names: tuple[str, str], solution: Riemann, states: tuple[State
         y = np.asarray(there[key], float) * factor
         for side, colour in ((-1, COLOURS[0]), (0, QUIET), (1, COLOURS[1])):
             ax.plot(xi * 1e-3, np.where(np.asarray(there["side"]) == side, y, np.nan), color=colour)
-        ax.set(xlabel="position over time (km/s)", ylabel=label)
+        ax.set(xlabel="position / time (km/s)", ylabel=label)
         if key == "pressure":
             fit_pressure(ax.yaxis)
         ax.margins(x=0.0)

@@ -33,7 +33,7 @@ def pi_plane(run, names=None, times=None, ax=None):
     s, words = _principal(rows)
     largest = 0.0 if s is None or not s.size else float(np.nanmax(von_mises(s[0], s[1], 0.0, s[2])))
     if not largest > 0.0:
-        raise DeckError.single(run.folder, None, "pi_plane", "no gauge of this run met shear stress",
+        raise DeckError.single(run.folder, None, "pi_plane", "no gauge of this run recorded shear stress",
                                "put a gauge into a material that has strength")
     time = rows["time"]
     during = slice(None) if times is None else (time >= times[0]) & (time <= times[1])

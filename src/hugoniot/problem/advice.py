@@ -36,7 +36,7 @@ def advice(problem: Problem) -> list[str]:
         for region in (a, b):
             limit = problem.materials[region.material].valid_up_to
             if limit is not None and abs(ua - ub) > 2.0 * limit:
-                found.append(f"'{a.name}' meets '{b.name}' at {abs(ua - ub):g} m/s, but the data of '{region.material}' "
+                found.append(f"'{a.name}' hits '{b.name}' at {abs(ua - ub):g} m/s, but the data of '{region.material}' "
                             f"end at a particle velocity of {limit:g} m/s")
     return found + _beyond_atoms(_met(problem)) + _relativistic(_speeds(problem))
 

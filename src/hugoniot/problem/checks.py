@@ -77,7 +77,7 @@ def checked_profile(row: Any, zones: int | None, material: Material | None, coll
     if material is None or names == {"velocity"} or collector.reported(path):
         return profile
     if material.burn is not None:
-        collector.add(path, f"'{material.name}' burns: only its velocity may have a profile", "cut the region where the state changes")
+        collector.add(path, f"'{material.name}' burns: only its velocity may have a profile", "split the region where the state changes")
         return profile
     places = np.linspace(row.start, row.end, 9)
     given = {name: values_at(profile, name, places) for name in names - {"velocity"}}
@@ -130,7 +130,7 @@ def _zones(row: Any, collector: Collector, path: tuple) -> int | None:
         if grown <= 0.0:
             reach = format_si(row.zone_size / (1.0 - row.ratio), "m")
             message = f"zones shrinking from {format_si(row.zone_size, 'm')} fill only {reach}"
-            collector.add((*path, "ratio"), message, "take a ratio nearer 1")
+            collector.add((*path, "ratio"), message, "use a ratio nearer 1")
             return None
         number = 1.0 / part if row.ratio == 1.0 else math.log(grown) / math.log(row.ratio)
         if not number < MOST_ZONES + 0.5:
@@ -140,10 +140,10 @@ def _zones(row: Any, collector: Collector, path: tuple) -> int | None:
     spread = abs(math.log(row.ratio)) * (zones - 1)
     if spread > math.log(1e8):
         message = f"over {zones} zones the widths would differ by a factor of 1e{spread / math.log(10):.0f}"
-        collector.add((*path, "ratio"), message, "take a ratio nearer 1")
+        collector.add((*path, "ratio"), message, "use a ratio nearer 1")
         return None
     if width / zones * math.exp(-spread) < 1e-13 * max(abs(row.start), abs(row.end)):
-        collector.add((*path, key), "zones too thin for double precision at this position", "take fewer zones, or move the origin nearer")
+        collector.add((*path, key), "zones too thin for double precision at this position", "use fewer zones, or move the origin nearer")
         return None
     return zones
 

@@ -31,10 +31,10 @@ def json_schema(kind: str = "lagrange1d") -> dict:
     heat = {"anyOf": [{"type": "number"}, {"type": "string"}], "unit": "J/kg", "description": "chemical energy an explosive releases"}
     material["properties"] |= {
         "unreacted": {"$ref": "#/$defs/eos_law", "description": "an explosive before it burns; eos are its products"},
-        "mixture": {"enum": MIXTURE.names(), "description": "closure that joins both while it burns"}, "detonation_energy": heat,
+        "mixture": {"enum": MIXTURE.names(), "description": "closure of the two phases while it burns"}, "detonation_energy": heat,
         "reference_state": {"enum": list(CHOICES), "default": CHOICES[0], "description":
-                            "of reactants in thermal isolation: whether their isentrope takes its share of all viscous heat (rolling) "
-                            "or is kept from the end of a shock on (frozen)"}}
+                            "of reactants in thermal isolation: whether their isentrope receives its share of all viscous heat (rolling) "
+                            "or stays fixed once a shock has passed (frozen)"}}
     definitions["viscosity_law"] = law_schema(VISCOSITY)
     definitions["material"] = material
     return _linked(schema)

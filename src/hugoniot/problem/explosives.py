@@ -166,7 +166,7 @@ def _heat_advice(material) -> str | None:
     own = burning.heat_of(replace(material, detonation_energy=None))
     if abs(material.detonation_energy / own - 1.0) <= SAME_HEAT:
         return None
-    return (f"material '{material.name}': detonation_energy = {format_si(material.detonation_energy, 'J/kg')}, its equations of state hold "
+    return (f"material '{material.name}': detonation_energy = {format_si(material.detonation_energy, 'J/kg')}, its equations of state give "
             f"{format_si(own, 'J/kg')}: omit it unless the difference is intended")
 
 

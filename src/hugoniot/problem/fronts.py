@@ -44,10 +44,10 @@ class OptionsTable(Table):
         "algebraic", description="algebraic: constant states and centred fans, every interaction solved exactly (planar); "
         "cells: a moving mesh between the fronts, second order")
     fan_step: Annotated[float, Quantity("1", above=0.0, limit=1.0)] = Field(
-        0.1, description="velocity step, over the sound speed, of the slices into which a fan is cut when another wave reaches it, or of "
+        0.1, description="velocity step / sound speed of the slices into which a fan is cut when another wave reaches it, or of "
         "the cells that it starts with")
     weakest: Annotated[float, Quantity("1", least=0.0, limit=0.1)] | None = Field(
-        None, description="strength (change of stress over the stiffness) below which a wave is not followed (default: 1e-6 algebraic, "
+        None, description="strength (change of stress / stiffness) below which a wave is not followed (default: 1e-6 algebraic, "
         "0.01 cells)")
     most_fronts: int = Field(400, ge=10, le=100_000, description="with more fronts to follow, the algebraic mode stops with a message, "
                              "and the cells mode leaves new waves to the cells, with a warning")
@@ -131,7 +131,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str]]:
         found += _front_defects(problem)
     for side, end in (("left", problem.left), ("right", problem.right)):
         if end.kind == "periodic":
-            found.append((("boundary", side), f"{NAME} has no periodic ends, for a front ends at an end of the line: use lagrange1d"))
+            found.append((("boundary", side), f"{NAME} has no periodic ends, because a front ends at an end of the line: use lagrange1d"))
         if end.pulse is not None and end.kind == "pressure" and min(end.pulse.amplitude, *end.pulse.values, 0.0) < 0.0:
             message = f"a pressure below zero is tension, and the surfaces of {NAME} open in tension: give zero or more"
             found.append((("boundary", side), message))
@@ -143,21 +143,21 @@ def _beyond_algebra(problem: Problem) -> list[tuple[tuple, str]]:
     found: list[tuple[tuple, str]] = []
     if problem.geometry != "planar":
         found.append((("geometry",), f"the mode 'algebraic' of {NAME} is planar: between {problem.geometry} fronts no state is constant; "
-                      "take solver.options.mode = \"cells\""))
+                      "use solver.options.mode = \"cells\""))
     if problem.solver.courant is not None:
         found.append((("solver", "courant"), "the mode 'algebraic' has no time step: leave courant out"))
     for k, region in enumerate(problem.regions):
         if region.profile is not None:
-            found.append((("region", k, "profile"), f"the mode 'algebraic' of {NAME} starts from one state along a region: take "
+            found.append((("region", k, "profile"), f"the mode 'algebraic' of {NAME} starts from one state along a region: use "
                           "solver.options.mode = \"cells\", or split the region into several of constant state"))
         if isinstance(region.velocity, tuple) and region.velocity[0] != region.velocity[1]:
-            message = (f"region '{region.name}' has a velocity profile; the mode 'algebraic' of {NAME} needs constant initial states: take "
+            message = (f"region '{region.name}' has a velocity profile; the mode 'algebraic' of {NAME} needs constant initial states: use "
                        "solver.options.mode = \"cells\"")
             found.append((("region", k, "velocity"), message))
     for side, end in (("left", problem.left), ("right", problem.right)):
         if end.pulse is not None and end.pulse.shape not in ("constant", "square"):
-            message = (f"a {end.pulse.shape} pulse sends out a fan of its own; the mode 'algebraic' of {NAME} takes constant and square "
-                       "pulses: give one of these, or take solver.options.mode = \"cells\"")
+            message = (f"a {end.pulse.shape} pulse sends out a fan of its own; the mode 'algebraic' of {NAME} accepts constant and square "
+                       "pulses: give one of these, or use solver.options.mode = \"cells\"")
             found.append((("boundary", side), message))
     return found
 
@@ -169,12 +169,12 @@ def _front_defects(problem: Problem) -> list[tuple[tuple, str]]:
         speed = explosives.front_speed(problem, region)
         own = explosives.ideal_speed(problem, region)
         if speed > 0.0 and own is None:
-            message = (f"material '{region.material}': its products drive no detonation, and a tracked front runs at the speed that they "
-                       "drive; give products that release energy (an equation of state of products), or use lagrange1d")
+            message = (f"material '{region.material}': its products support no detonation, and a tracked front runs at their CJ speed; "
+                       "give products that release energy (an equation of state of products), or use lagrange1d")
             found.append((("material", region.material, "burn"), message))
         elif own is not None and abs(speed / own - 1.0) > SAME_SPEED:
-            message = (f"material '{region.material}': the programmed front runs at {speed:.5g} m/s, and {NAME} follows the one that the "
-                       f"products drive, {own:.6g} m/s; give burn.detonation_velocity = {own:.6g}")
+            message = (f"material '{region.material}': the programmed front runs at {speed:.5g} m/s, but {NAME} tracks the CJ front of the "
+                       f"products, {own:.6g} m/s; give burn.detonation_velocity = {own:.6g}")
             found.append((("material", region.material, "burn", "detonation_velocity"), message))
     return list(dict.fromkeys(found))
 
@@ -199,8 +199,8 @@ def _strong_defects(material: Material, problem: Problem) -> list[str]:
 def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]]:
     found: list[tuple[tuple, str]] = []
     if material.burn is not None and not cells:
-        found.append((("burn",), f"burns, which {NAME} follows in the mode 'cells' only, for behind a detonation no state is constant: "
-                      "take solver.options.mode = \"cells\""))
+        found.append((("burn",), f"burns, which {NAME} follows in the mode 'cells' only: behind a detonation no state is constant; "
+                      "use solver.options.mode = \"cells\""))
     elif material.burn is not None:
         found += _burn_defects(material)
     if material.fracture is not None and FRACTURE.of(material.fracture).name != "none":
@@ -211,7 +211,7 @@ def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]
     if material.strength is not None and STRENGTH.of(material.strength).name not in ("none", "perfectly_plastic"):
         law = STRENGTH.of(material.strength).name
         found.append((("strength", "law"), f"has no constant yield stress ('{law}'); the waves of {NAME} are exact for perfectly_plastic "
-                      "(or none) only: take one of these with the mode 'algebraic', or use lagrange1d"))
+                      "(or none) only: use one of these with the mode 'algebraic', or use lagrange1d"))
     return found
 
 
@@ -221,18 +221,18 @@ def _burn_defects(material: Material) -> list[tuple[tuple, str]]:
     if "programmed" in law.flags:
         if closure == "burned_products":
             return []
-        return [(("burn",), f"burns by '{law.name}' with '{closure}'; {NAME} follows programmed fronts into 'burned_products' only, for a "
-                 "front into a mixture would have a shock of its own; take that closure, a rate law, or lagrange1d")]
+        return [(("burn",), f"burns by '{law.name}' with '{closure}'; {NAME} follows programmed fronts into 'burned_products' only: a "
+                 "front into a mixture would have a shock of its own; use that closure, a rate law, or lagrange1d")]
     if "instantaneous" in law.flags or not burning.has_reactants(material):
         return [(("burn",), f"burns by '{law.name}' with '{closure}': behind a tracked shock {NAME} resolves a rate, and this has none; "
-                 "take 'programmed', whose front is tracked, or a rate law")]
+                 "use 'programmed', whose front is tracked, or a rate law")]
     found: list[tuple[tuple, str]] = []
     if material.reference_state == ROLLING:
         found.append((("reference_state",), f"has reference_state = \"rolling\"; {NAME} keeps the state behind its tracked shocks: "
-                      "leave reference_state out, or take \"frozen\""))
+                      "leave reference_state out, or use \"frozen\""))
     if material.unreacted is not None and flagged(material.unreacted, "remembers"):
-        found.append((("unreacted",), f"keeps the pores of its unreacted explosive crushed, which {NAME} does not follow, for their "
-                      "release is not an isentrope of the law: use lagrange1d"))
+        found.append((("unreacted",), f"keeps the pores of its unreacted explosive crushed, which {NAME} does not follow: their "
+                      "release is not an isentrope of the law; use lagrange1d"))
     return found
 
 

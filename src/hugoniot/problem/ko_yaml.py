@@ -39,7 +39,7 @@ def read_yaml(text: str, file: str, folders: Sequence[Path] = (Path(),)) -> KoDe
         words = printable(str(getattr(error, "problem", None) or "not readable"), 100)
         raise DeckError.single(file, mark.line + 1 if mark else None, "deck", f"not YAML: {words}") from None
     except (RecursionError, ValueError):
-        raise DeckError.single(file, None, "deck", "not YAML of a deck") from None
+        raise DeckError.single(file, None, "deck", "not a deck in YAML") from None
     if _values(raw) > MOST_VALUES:
         raise DeckError.single(file, None, "deck", f"more than {MOST_VALUES} values once its aliases are expanded: too many for a deck")
     return _Reader(raw, file, folders).deck()

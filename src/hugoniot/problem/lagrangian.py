@@ -95,7 +95,7 @@ class InterfaceTable(Table):
     kind: Literal["bonded", "separable", "bond"] = Field(
         "separable", description="bonded never opens (over a gap: sticks on contact), separable opens under any tension, "
                                  "bond opens beyond its strength")
-    strength: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(None, description="tension a bond carries")
+    strength: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(None, description="tensile stress at which a bond breaks")
 
 
 class GaugeTable(Table):
@@ -109,7 +109,7 @@ class GaugeTable(Table):
     window_factor: Annotated[float, Quantity("1", least=1.0, limit=5.0)] | None = Field(
         None, description="a of the window's refractive index a + b rho (default: the library's)")
     wavelength: Annotated[float, Quantity("m", least=2e-7, limit=1e-5)] | None = Field(
-        None, description="of the light that the library's index is taken at (default: 532 nm)")
+        None, description="of the light for which the library's index is used (default: 532 nm)")
 
 
 class LightingTable(Table):

@@ -13,7 +13,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
         if kind != "periodic":
             found.append((("boundary", side), "one end is periodic, the other is not", 'write "periodic" for both'))
     if problem.dimension > 1:
-        found.append((("geometry",), f"periodic ends are planar, not {problem.geometry}", "radii do not repeat"))
+        found.append((("geometry",), f"periodic ends are planar, not {problem.geometry}", "radii are not periodic"))
     for k, (one, two) in enumerate(zip(problem.regions, problem.regions[1:]), start=1):
         if two.start > one.end:
             found.append((("region", k, "from"), f"a gap before '{two.name}': between periodic ends there is one body", "close the gap"))
@@ -23,7 +23,8 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
     for region in problem.regions:
         if problem.materials[region.material].burn is not None:
             found.append((("boundary",), f"'{region.name}' burns: a front that leaves at one end would enter at the other",
-                          'take "free", "fixed" or "transmitting"'))
+                          'use "free", "fixed" or "transmitting"'))
     if any("conduction" in table for table in problem.transport.values()):
-        found.append((("transport",), "heat conduction does not pass periodic ends", "leave conduction out, or take other ends"))
+        found.append((("transport",), "heat conduction is not supported across periodic ends",
+                      "leave conduction out, or use other boundaries"))
     return found

@@ -133,7 +133,7 @@ def _check_table(profile: Profile, start: float, end: float, collector: Collecto
     places = profile.positions
     for name, values in profile.fields:
         if len(values) != len(places):
-            collector.add((*path, name), f"{len(values)} values over {len(places)} positions", "each position needs one")
+            collector.add((*path, name), f"{len(values)} values for {len(places)} positions", "each position needs one")
     if len(places) < 2 or any(not b > a for a, b in zip(places, places[1:])):
         collector.add((*path, "positions"), "positions must increase, two at least")
     elif places[0] > start + 1e-9 * (end - start) or places[-1] < end - 1e-9 * (end - start):

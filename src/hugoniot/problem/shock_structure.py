@@ -113,7 +113,7 @@ def _as_fluid(name: str, material: Material, tables: Any, collector: Collector, 
             continue
         path = ("material", name, family) if isinstance(own, dict) and family in own else None
         if path or family == "burn":
-            collector.add(path or ("material", name), f"'{shown}': {family} has no effect in shock_structure, which flows a viscous fluid",
+            collector.add(path or ("material", name), f"'{shown}': {family} has no effect in shock_structure, which treats a viscous fluid",
                           "use solver kind lagrange1d, or leave the table out")
         else:
             warnings.append(f"'{shown}' is treated as a viscous fluid: shock_structure ignores its {family} from the library")
@@ -130,7 +130,7 @@ def _check_grid(regions, used, collector: Collector) -> None:
     for k, region in enumerate(regions):
         width, first = (region.end - region.start) / region.zones, (regions[0].end - regions[0].start) / regions[0].zones
         if region.ratio != 1.0 or abs(width / first - 1.0) > 1e-9:
-            collector.add(("region", k, "zones"), f"cells of {width:.6g} m beside {first:.6g} m", "this solver needs cells of one width")
+            collector.add(("region", k, "zones"), f"cells of {width:.6g} m and of {first:.6g} m", "this solver needs cells of one width")
 
 
 def _read_transport(raw: Any, used: dict[str, Material], collector: Collector) -> dict | None:

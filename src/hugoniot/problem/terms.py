@@ -165,7 +165,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
     found: list[tuple[tuple, str, str]] = []
     force, curved = problem.body_force, problem.dimension > 1
     if force is not None and curved and (force.exponent is None or force.radius is None):
-        found.append((("body_force",), f"a uniform force is not {problem.geometry}",
+        found.append((("body_force",), f"a uniform force has no {problem.geometry} symmetry",
                       "give exponent and radius of a field about the axis or the centre"))
     if force is not None and not curved and (force.exponent is not None or force.radius is not None):
         found.append((("body_force",), "exponent and radius belong to curved geometry", "in planar geometry the field is uniform"))
@@ -180,7 +180,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
         elif source.depths and source.depths[0] >= region.end - region.start:
             found.append((("heat_source", k, "depths"), f"the profile begins beyond '{source.region}'", "depth counts from its face"))
         elif source.kind == "intensity" and curved and source.side == "left" and region.start == 0.0:
-            found.append((("heat_source", k, "side"), "nothing passes through the axis or the centre", 'take side = "right", or power'))
+            found.append((("heat_source", k, "side"), "nothing passes through the axis or the centre", 'use side = "right", or power'))
     for name, table in problem.transport.items():
         found += _transport_defects(problem, name, table)
     return found

@@ -15,7 +15,7 @@ def factor_of(row, regions: tuple[Region, ...], collector: Collector, path: tupl
     if row.window is None:
         for key in ("window_factor", "wavelength"):
             if getattr(row, key) is not None:
-                collector.add((*path, key), f"{key} goes with window", 'name the region that is looked through: window = "REGION"')
+                collector.add((*path, key), f"{key} needs window", 'name the region that is looked through: window = "REGION"')
         return None
     region = next((r for r in regions if r.name == row.window), None)
     if region is None:

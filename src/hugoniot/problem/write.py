@@ -64,7 +64,7 @@ def _value(value: Any) -> str:
         return str(value)
     if isinstance(value, float):
         if not math.isfinite(value):
-            raise ValueError(f"{value} has no place in a deck")
+            raise ValueError(f"{value} cannot be written in a deck")
         return repr(value)
     if _of_tables(value):
         return "[\n" + "".join(f"    {_value(v)},\n" for v in value) + "]"
@@ -72,4 +72,4 @@ def _value(value: Any) -> str:
         return "[" + ", ".join(_value(v) for v in value) + "]"
     if isinstance(value, dict):
         return "{" + ", ".join(f"{_key(k)} = {_value(v)}" for k, v in value.items()) + "}"
-    raise TypeError(f"a {type(value).__name__} has no place in a deck")
+    raise TypeError(f"a {type(value).__name__} cannot be written in a deck")

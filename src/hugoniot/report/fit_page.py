@@ -63,9 +63,9 @@ def _posterior(record: dict, posterior, records) -> str:
 
     rows = [[text(p["name"]), *(shown(v, p["unit"]) for v in (p["mean"], p["deviation"], p["quantiles"][2])),
              f"{shown(p['quantiles'][0], p['unit'])} to {shown(p['quantiles'][-1], p['unit'])}"] for p in record["parameters"]]
-    facts = [("draws", str(record["draws"])), ("worth independent draws", f"{record['effective']:.0f}")]
+    facts = [("draws", str(record["draws"])), ("effective number of independent draws", f"{record['effective']:.0f}")]
     if "surrogate" in record:
-        facts.append(("error of the surrogate in log probability, leaving runs out", f"{record['surrogate']['log_error']:.2g}"))
+        facts.append(("error of the surrogate in log probability (leave-one-out)", f"{record['surrogate']['log_error']:.2g}"))
     doubts = "".join(f'<p class="warning">{text(words)}</p>' for words in record["doubts"])
     count = len(posterior.names)
     side = 1.35 * count

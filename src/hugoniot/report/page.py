@@ -38,11 +38,11 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
 
 
 _CAPTIONS = {
-    "structure": "The last snapshot, a dot for each cell, over the steady wave of the same law, lines.",
+    "structure": "The last snapshot (dots, one per cell) and the steady wave of the same law (lines).",
     "structure_terms": "The steady wave: fields as fractions of their jumps; energies per volume in the frame of the shock; viscous stress "
                        "and heat flux; the terms that balance in momentum and in energy, times the density thickness δ; entropy and its "
                        "production, whose area over x/δ is one.",
-    "map_pressure": "Pressure at the end of the run; of axisymmetric geometry both halves. Lines are outlines and interfaces.",
+    "map_pressure": "Pressure at the end of the run; both halves in axisymmetric geometry. Lines are outlines and interfaces.",
     "map_plastic_strain": "Equivalent plastic strain at the end of the run.",
     "map_burn_fraction": "Burn fraction at the end of the run.",
     "map_speed": "Speed of the material at the end of the run.",
@@ -51,7 +51,7 @@ _CAPTIONS = {
     "gauge_velocity_y": "Velocity along the second coordinate at the gauges.",
     "gauge_line_velocity": "Velocity at which the surface crosses the lines of sight.",
     "setup": "Regions at t = 0 to scale; triangles are gauges.",
-    "wave": "Longitudinal stress over position and time: compression red, tension blue, no material blank. "
+    "wave": "Longitudinal stress over position and time: compression red, tension blue, blank where there is no material. "
             "Dotted lines are gauges. At the snapshots the field is as computed; between them waves are carried along "
             "the direction in which neighbouring snapshots match best.",
     "gauge_stress": "Longitudinal stress at the gauges, positive in compression.",

@@ -7,7 +7,7 @@ from html import escape
 from hugoniot.units import format_si
 
 _UNIT_SIGNS = ((" us", " µs"), (" um", " µm"), ("^2", "²"), ("^3", "³"), ("^-1", "⁻¹"), ("^-3", "⁻³"))
-_STATUS = {"verified": "checked against the source", "corrected": "corrected from the print", "derived": "derived",
+_STATUS = {"verified": "read in the stated file", "corrected": "an error of that file corrected", "derived": "derived",
            "recalled": "recalled, not checked against print", "user": "from the deck, or a default"}
 _FAMILIES = {"eos": "equation of state", "viscosity": "artificial viscosity", "transport": "shear viscosity",
              "conduction": "heat conduction"}

@@ -80,8 +80,8 @@ def _spreads(swept: SweepTable) -> list[tuple[str, str]]:
     found = []
     for k, record in enumerate(swept.records):
         for name, draw_one, words in (
-                ("record", draw_bands, "the median, with the bands that hold 68 and 95 % of the cases"),
-                ("spread", draw_spread, "the same bands, from the median")):
+                ("record", draw_bands, "the median, with bands containing 68 and 95 % of the cases"),
+                ("spread", draw_spread, "the same bands, relative to the median")):
             picture = svg(lambda ax, d=draw_one, r=record: d(ax, swept.times, r), f"{name}-{k}", 7.4, 3.2, (0.8, 0.5, 6.0, 2.3))
             found.append((picture, f"{record.name}: {words}."))
     return found

@@ -83,7 +83,7 @@ def cj(material, initial: Initial | None = None) -> Detonation:
     state = States(par, rho, p, e, ahead.velocity + u, ahead.velocity + d)
     tangency = abs(rho * rho * contract.sound_speed_squared(rho, e, par) * x / (p - ahead.pressure) - 1.0)
     if not tangency < 1e-10:
-        raise NoSolution(f"the tangency of the Rayleigh line is met to {tangency:.2g} only (law '{EOS.of(par).name}'): "
+        raise NoSolution(f"the Rayleigh line is tangent only to within {tangency:.2g} (law '{EOS.of(par).name}'): "
                          "the law is not smooth near its CJ point")
     return Detonation(state, ahead, tangency)
 
@@ -99,8 +99,8 @@ def _refuse_unreacted(par, ahead: Initial) -> None:
     held = float(contract.pressure(ahead.density, ahead.energy, par)) - ahead.pressure
     stiffness = ahead.density * float(contract.sound_speed_squared(ahead.density, ahead.energy, par))
     if abs(held) < NO_CHARGE * stiffness:
-        raise OutOfRange(f"law '{EOS.of(par).name}' is that of an unreacted explosive: at its density and energy it holds {held:.3g} Pa, "
-                         "and nothing is released; take the explosive's products")
+        raise OutOfRange(f"law '{EOS.of(par).name}' is that of an unreacted explosive: at its density and energy the pressure is only "
+                         f"{held:.3g} Pa, so no energy is released; use the explosive's products")
 
 
 def overdriven(material, initial: Initial | None = None, *, branch: str = "strong", **given) -> States:

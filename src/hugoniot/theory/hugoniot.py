@@ -160,7 +160,7 @@ def entropy_rise(material, initial: Initial, density: float) -> float:
 # -- inside ------------------------------------------------------------------------------------------------------
 def _one(given: dict):
     if len(given) != 1 or next(iter(given)) not in _MODES:
-        raise OutOfRange(f"a Hugoniot state is named by exactly one of {', '.join(_MODES)}; got {', '.join(given) or 'none'}")
+        raise OutOfRange(f"a Hugoniot state is specified by exactly one of {', '.join(_MODES)}; got {', '.join(given) or 'none'}")
     return next(iter(given.items()))
 
 
@@ -168,7 +168,7 @@ def _check_fit(par, ahead: Initial, up) -> None:
     end = fastest(par, ahead)
     if np.max(up) > end * (1.0 + 1e-9):
         raise OutOfRange(f"particle velocity {np.max(up):.6g} m/s is beyond the fit of law '{EOS.of(par).name}': the Hugoniot ends at "
-                         f"particle velocity {end:.6g} m/s, where the fitted shock velocity stops rising or falls to it")
+                         f"particle velocity {end:.6g} m/s, where the fitted shock velocity stops rising or falls to the particle velocity")
 
 
 def _targets(name, value, ahead: Initial, direction: int):
@@ -184,7 +184,7 @@ def _targets(name, value, ahead: Initial, direction: int):
             raise OutOfRange(f"a {name.replace('_', ' ')} of {values.min():.6g} m/s relative to the material ahead, along the shock, "
                              "would expand it: a Hugoniot holds in compression only, use an isentrope for release")
         if mode == jump.BY_SHOCK_VELOCITY and (values == 0.0).any():
-            raise OutOfRange("a shock cannot stand still in the material ahead: it is faster than sound")
+            raise OutOfRange("the shock velocity cannot be zero: a shock is faster than sound in the material ahead")
     if mode == jump.BY_PRESSURE and (values < ahead.pressure).any():
         raise OutOfRange(f"a pressure of {values.min():.6g} Pa is below the {ahead.pressure:.6g} Pa ahead of the shock: "
                          "a Hugoniot holds in compression only, use an isentrope for release")
@@ -261,11 +261,11 @@ def _refuse(status, mode, name, target, ahead: Initial, par):
     if status == jump.BEYOND_LIMIT:
         end = limit(par, ahead)
         reach = (f"density {end.density:.6g} kg/m3" if math.isfinite(end.density) else
-                 "no volume left, where the shock runs no faster than the material behind it")
+                 "zero specific volume, where the shock runs no faster than the material behind it")
         if math.isfinite(end.particle_velocity):
             reach += (f", pressure {end.pressure:.6g} Pa, particle velocity {end.particle_velocity:.6g} m/s, "
                       f"shock velocity {end.shock_velocity:.6g} m/s")
         raise OutOfRange(f"{asked} is beyond the compression limit of law '{law}' from {ahead.density:.6g} kg/m3: "
-                         f"the Hugoniot ends at {reach}; ask for a weaker shock")
-    raise NoSolution(f"the search for {asked} on the Hugoniot of law '{law}' from {ahead.density:.6g} kg/m3 did not settle: "
-                     "the law is not smooth there; ask for a neighbouring state")
+                         f"the Hugoniot ends at {reach}; try a weaker shock")
+    raise NoSolution(f"the search for {asked} on the Hugoniot of law '{law}' from {ahead.density:.6g} kg/m3 did not converge: "
+                     "the law is not smooth there; try a neighbouring state")

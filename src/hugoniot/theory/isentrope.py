@@ -28,12 +28,12 @@ def isentrope(material, start: States | None = None, *, direction: int = 1, **gi
     given       exactly one of density (kg/m3), pressure (Pa), particle_velocity (m/s): a number or an array
     direction   +1: the change runs into the material as a wave towards +x, so that release lowers the particle velocity;
                 -1: towards -x (release at a free surface on the right: velocity rises)
-    Raises `OutOfRange` where the isentrope ends (tension it cannot bear, a limit of the law), with the state it ends in.
+    Raises `OutOfRange` where the isentrope ends (tension it cannot support, a limit of the law), with the state it ends in.
     """
     par = law_of(material)
     start = start or reference(par)
     if len(given) != 1 or next(iter(given)) not in ("density", "pressure", "particle_velocity"):
-        raise OutOfRange("a state on an isentrope is named by exactly one of density, pressure, particle_velocity; "
+        raise OutOfRange("a state on an isentrope is specified by exactly one of density, pressure, particle_velocity; "
                          f"got {', '.join(given) or 'none'}")
     name, value = next(iter(given.items()))
     targets = np.atleast_1d(np.asarray(value, float)).ravel()

@@ -96,7 +96,7 @@ class MixtureState:
     def specific_heat(self):
         """C_v = de/dT at constant volume and burn fraction, J/(kg K); OutOfRange where closure or laws have none."""
         if "specific_heat" not in MIXTURE.of(self.par).functions:
-            raise OutOfRange(f"mixtures of kind '{MIXTURE.of(self.par).name}' have no specific heat: take an equilibrium closure")
+            raise OutOfRange(f"mixtures of kind '{MIXTURE.of(self.par).name}' have no specific heat: use an equilibrium closure")
         self._require_temperature()
         return self._each(contract.mixture_specific_heat)
 
@@ -116,7 +116,7 @@ class MixtureState:
     def phase_slopes(self) -> contract.PhaseSlopes:
         """The twelve slopes of v_r, e_r, v_p, e_p by v, e and burn fraction, arrays of the state's shape (burn fraction > 0)."""
         if np.any(self.burn_fraction <= 0.0):
-            raise OutOfRange("the products' slopes by volume and energy are infinite at burn fraction 0: ask for a positive one, or use "
+            raise OutOfRange("the products' slopes by volume and energy are infinite at burn fraction 0: try a positive one, or use "
                              "vanishing_series")
         return contract.PhaseSlopes(*np.moveaxis(self._each(contract.phase_slopes), -1, 0))
 

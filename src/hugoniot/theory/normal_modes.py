@@ -69,8 +69,8 @@ class ModesOfZone:
         self.time = self.length / self.velocity
         self._warm, self._anchors = "temperature_driven" in BURN.of(rate).flags, {}
         if not times.rate(self.zone.at(0.0)) > 0.0:
-            raise OutOfRange("the rate vanishes where nothing has burned: the first of it grows out of nothing, and a wrinkle of that has "
-                             "no linear answer; take a rate that begins, or give its law an ignition term")
+            raise OutOfRange("the rate is zero where nothing has burned, so the first reaction starts from nothing and its perturbation "
+                             "has no linear solution; choose a rate that is positive at zero burn fraction, or add an ignition term")
         self._tabulate(panel, times.breaks)
 
     # -- the material ------------------------------------------------------------------------------------------------

@@ -157,6 +157,6 @@ class OfMixture:
 def is_mixture(material) -> bool:
     """Whether it is the parameter tuple of a mixture of reactants and products."""
     if MIXTURE.knows(material) and "no_reactants" in MIXTURE.of(material).flags:
-        raise OutOfRange(f"a reaction zone needs reactants, which a mixture of kind '{MIXTURE.of(material).name}' has not: take "
+        raise OutOfRange(f"a reaction zone needs reactants, which a mixture of kind '{MIXTURE.of(material).name}' does not have: use "
                          "thermal_isolation, thermal_equilibrium or weighted_pressures")
     return MIXTURE.knows(material)

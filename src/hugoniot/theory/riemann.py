@@ -96,7 +96,7 @@ def riemann(left, left_state: States, right, right_state: States, *, bonded: boo
     left, right               materials or parameter tuples
     left_state, right_state   single states (`theory.isentrope.state` makes one); velocities in m/s
                               (those of an answer carry the history of crushed pores)
-    bonded                    True: the contact bears tension; False (default): bodies that would pull apart separate
+    bonded                    True: the contact supports tension; False (default): bodies that would be pulled apart separate
     Raises `OutOfRange` where a law cannot follow, `NoSolution` if the curves do not meet.
     """
     sides = (_Side(law_of(left), left_state, -1), _Side(law_of(right), right_state, 1))
@@ -239,7 +239,7 @@ def _meet(left: _Side, right: _Side, bonded: bool) -> float:
         p = new
     if abs(g) <= 1e-9 * (left.c + right.c):
         return p
-    raise NoSolution(f"the wave curves of '{EOS.of(left.par).name}' and '{EOS.of(right.par).name}' did not meet "
+    raise NoSolution(f"the wave curves of '{EOS.of(left.par).name}' and '{EOS.of(right.par).name}' did not intersect "
                      f"between {low:.6g} and {high:.6g} Pa")
 
 

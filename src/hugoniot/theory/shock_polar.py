@@ -173,7 +173,7 @@ def meeting(below: Stream, above: Stream, angle: float = 0.0) -> Meeting:
     if high <= max(below.ahead.pressure, above.ahead.pressure) and excess(high) < 0.0:
         raise NoSolution("the stream of lower pressure cannot be shocked to that of the other without detaching")
     if excess(high) < 0.0:
-        raise NoSolution(f"the streams meet at {math.degrees(-angle):.5g} degrees; attached weak shocks turn them apart by at most "
+        raise NoSolution(f"the streams meet at {math.degrees(-angle):.5g} degrees; attached weak shocks can deflect them by at most "
                          f"{math.degrees(below.deflection(high) + above.deflection(high)):.5g} degrees: the wave detaches")
     low = min(below.ahead.pressure, above.ahead.pressure)
     while excess(low) > 0.0:

@@ -57,7 +57,7 @@ class Event:
 
 @dataclass
 class Diagram:
-    """events in order of time; paths (kind, t1, x1, t2, x2) of all fronts; `profile` gives the state at the last time."""
+    """events in chronological order; paths (kind, t1, x1, t2, x2) of all fronts; `profile` gives the state at the last time."""
 
     time: float = 0.0
     events: list[Event] = field(default_factory=list)
@@ -94,7 +94,7 @@ def wave_diagram(layers: Sequence, thicknesses: Sequence[float], velocity: float
         tracker.move(wait)
         tracker.meet(k)
     else:
-        raise OutOfRange(f"{most_events} interactions of waves by {tracker.diagram.time:.6g} s: ask for a shorter time, fewer fan steps "
+        raise OutOfRange(f"{most_events} interactions of waves by {tracker.diagram.time:.6g} s: try a shorter time, fewer fan steps "
                          "or a larger smallest wave")
     tracker.finish()
     return tracker.diagram

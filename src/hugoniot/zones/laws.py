@@ -86,8 +86,8 @@ def laws_of(eos, strength, fracture, viscosity, noise: float, per_rate: float = 
     """The laws of a material, `eos` a parameter tuple or a `Reactive` pair; the numbers are fields of `Constants`."""
     burns = isinstance(eos, Reactive)
     if burns and fracture_contract.asked_at_nodes(fracture):
-        raise OutOfRange(f'fracture law "{FRACTURE.of(fracture).name}" is asked at nodes, and does not know how much of a zone has burned; '
-                         'use "pressure_volume" or "spall_stress" for an explosive')
+        raise OutOfRange(f'fracture law "{FRACTURE.of(fracture).name}" is evaluated at nodes, where the burn fraction of a zone is not '
+                         'available; use "pressure_volume" or "spall_stress" for an explosive')
     if burns:
         bind_burning()
     rest = float(reference_state(eos.mixture.products if burns else eos)[0])

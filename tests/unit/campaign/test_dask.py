@@ -18,7 +18,7 @@ from hugoniot.errors import DeckError, HugoniotError
     ({"name": "local", "scheduler": "tcp://127.0.0.1:1"}, "add --engine dask"),
     ({"name": "dask", "time_limit": 0.0}, "not a time"),
     ({"name": "dask", "scheduler": "tcp://127.0.0.1:1", "workers": 2}, "has its own workers"),
-    ({"name": "dask", "workers": 0}, "not a number of workers"),
+    ({"name": "dask", "workers": 0}, "not a valid number of workers"),
 ])
 def test_engines_that_are_refused(asked, words):
     with pytest.raises(DeckError, match=words):

@@ -51,7 +51,7 @@ def test_the_ends_of_a_range_are_exact():
     ("a.b = 1..2 m : 99999999999999999999", "too many"),
     ("a.b = 0..2 m : 3 log", "above 0"),
     ("a.b = one..two", "not a quantity"),
-    ('a.b = "al", 3', "texts and numbers"),
+    ('a.b = "al", 3', "text values and numbers"),
     ("a.b = 1 +- 0 GPa", "must be above 0"),
     ("a.b = 1e400..2 m : 2", "too large|not a quantity"),
 ])

@@ -202,7 +202,7 @@ def test_a_wall_seen_by_a_streak_camera_gives_the_tube_back(tmp_path, inline):
     ({"window": ["other.csv = 0..1 us"]}, "no such file is given"),
     ({"gauge": "surface"}, "no such gauge in the deck; did you mean 'free surface'"),
     ({"loss": "quadratic"}, "unknown loss"),
-    ({"starts": 0}, "not a number of searches"),
+    ({"starts": 0}, "not a valid number of searches"),
     ({"to": ["free surface.arival = 1 +- 0.1 us"]}, "did you mean 'free surface.arrival'"),
     ({"to": ["free surface.arrival = 1 +- 0 us"]}, "must be above 0"),
     ({"to": ["free surface.arrival = 1 +- 0.1 mm"]}, "expected a time"),

@@ -159,10 +159,10 @@ def test_too_few_sound_runs_are_refused(straight):
 def test_a_short_walk_and_a_cut_range_are_reported(straight):
     data = straight[0]
     doubts = " ".join(found(data, "runs", 200).doubts)
-    assert "the walk was short" in doubts
+    assert "the chains were short" in doubts
     p = problem(line, data, 0.01, ["a = 0.3..1", "b = 0..1"])
     best = p.search(p.starts(None, 1, 0)[0])
-    assert any(doubt.startswith("the range of a cuts") for doubt in posterior_of(p, best, "surrogate").doubts)
+    assert any(doubt.startswith("the range of a truncates") for doubt in posterior_of(p, best, "surrogate").doubts)
 
 
 # -- with runs -----------------------------------------------------------------------------------------------------------

@@ -199,7 +199,7 @@ def test_sweeps_can_stand_in_files(deck, tmp_path, inline):
     ({"vary": ["speed = 1..2 km/s : 2"], "match": ["copper", "iron"]}, "not a key of the deck, and no tie uses it"),
     ({"vary": ["velocity = 1..2 mm : 2"], "match": ["copper", "iron"]}, "expected a velocity"),
     ({"vary": ["material.zinc.eos.c0 = 1..2 km/s : 2"], "match": ["copper", "iron"]}, "no such input of an impedance match"),
-    ({"vary": ["velocity = 1..2 km/s : 2"], "match": ["copper", "iron"], "keep": True}, "has no run"),
+    ({"vary": ["velocity = 1..2 km/s : 2"], "match": ["copper", "iron"], "keep": True}, "produces no run"),
 ])
 def test_what_cannot_be_asked_is_refused_at_once(deck, tmp_path, inline, wishes, words):
     with pytest.raises(DeckError, match=words) as found:

@@ -54,7 +54,7 @@ def test_constants_vary_as_their_covariance_says(water, tmp_path, inline):
     rows = list(csv.reader((tmp_path / "s" / "constants.csv").open()))
     assert rows[1][:2] == ["water", "eos.c0"] and float(rows[1][4]) == pytest.approx(known.deviations["eos.c0"], rel=1e-3)
     page = (tmp_path / "s" / "report.html").read_text()
-    assert "Constants of the library" in page and "from the median" in page
+    assert "Constants of the library" in page and "relative to the median" in page
 
 
 def test_a_constant_that_is_varied_by_hand_is_not_varied_twice(water, tmp_path, inline):

@@ -37,7 +37,7 @@ def test_each_side_has_its_own_density_and_temperature(done):
 
 
 def test_nothing_between_two_materials_is_recorded(done):
-    with pytest.raises(KeyError, match="ask for 'Ta/LiF left' or 'Ta/LiF right'"):
+    with pytest.raises(KeyError, match="use 'Ta/LiF left' or 'Ta/LiF right'"):
         done.gauge("temperature", "Ta/LiF")
     heads = (done.folder / "gauges.csv").read_text(encoding="utf-8").splitlines()[0].split(",")
     assert "Ta/LiF velocity [m/s]" in heads and "Ta/LiF left temperature [K]" in heads

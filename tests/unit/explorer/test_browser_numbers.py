@@ -253,7 +253,7 @@ def test_the_deck_of_an_impact_is_valid_and_explosives_are_refused(visit):
         deck = read_deck_text(page.evaluate(f"H.impact.deck({names!r}, 812.5)"))
         assert len(deck.problem.regions) == len(names) and deck.problem.regions[0].velocity == 812.5 and len(deck.problem.gauges) >= len(names)
     page = visit().go("#/match?layers=copper,pbx_9501&v=800&deck=1")
-    page.wait_for_selector("text=which burns in a run; the match takes it as inert, so no deck is offered")
+    page.wait_for_selector("text=which burns in a run; the match treats it as inert, so no deck is offered")
 
 
 @pytest.mark.parametrize("asked", ["layers=tungsten,copper,pmma&v=800&sigma=5", "layers=iron,water,copper&v=800&sigma=5&bands=1", "layers=my_steel,copper&v=700&sigma=5"])

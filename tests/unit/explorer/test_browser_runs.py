@@ -108,7 +108,7 @@ def test_a_link_holds_measured_data_and_an_edited_deck(visit, tmp_path):
     noise = np.random.default_rng(1).standard_normal(60_000)
     (tmp_path / "long.csv").write_text("time [us], velocity [m/s]\n" + "\n".join(f"{k},{v!r}" for k, v in enumerate(noise.tolist())) + "\n")
     page.set_input_files("input[type=file]", tmp_path / "long.csv")
-    page.wait_for_selector("text=a link to this page lacks these data")
+    page.wait_for_selector("text=a link to this page would not contain these data")
     assert "csv=" not in page.evaluate("location.hash")
     page = here.go("#/decks")
     text = page.input_value(".editor textarea") + "".join(f"# a remark of {k} lines that makes this deck long\n" for k in range(3000))

@@ -175,7 +175,7 @@ def test_where_transfinite_interpolation_folds_winslow_does_not():
 
 # -- what is refused -----------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("shapes, block, words", [
-    ([box("a", (0.0, 1.0), (0.0, 1.0), (3, 2)), box("b", (1.0, 2.0), (0.0, 1.0), (4, 3))], 0, "their nodes do not meet"),
+    ([box("a", (0.0, 1.0), (0.0, 1.0), (3, 2)), box("b", (1.0, 2.0), (0.0, 1.0), (4, 3))], 0, "their nodes do not coincide"),
     ([box("a", (0.0, 1.0), (0.0, 1.0), (3, 2)), box("b", (0.9, 2.0), (0.1, 0.8), (4, 3))], 1, "overlaps block 'a'"),
     ([box("a", (0.0, 1.0), (0.0, 1.0), (3, 2)), box("b", (0.0, 1.0), (0.0, 1.0), (3, 2))], 1, "overlaps block 'a'"),
     ([box("a", (0.0, 1.0), (0.0, 1.0), (3, 2)), box("b", (0.5, 1.5), (0.0, 1.0), (3, 2))], 1, "overlaps block 'a'"),   # sides in line

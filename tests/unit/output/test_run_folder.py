@@ -90,6 +90,31 @@ def test_datasets_carry_units_and_names(whole):
     assert json.loads(run.events["numbers"].values[0])["position"] > 0
 
 
+def test_large_columns_of_a_dataset_stay_in_the_file(whole, monkeypatch):
+    from hugoniot.output import result_columns
+
+    kept = load(whole).snapshots
+    monkeypatch.setattr(result_columns, "KEPT", 100)
+    selections, read = [], result_columns.Columns._read
+
+    def watched(columns, name, part=()):
+        selections.append((name, part))
+        return read(columns, name, part)
+
+    monkeypatch.setattr(result_columns.Columns, "_read", watched)
+    again = load(whole).snapshots
+    assert {name for name, _ in selections} <= {"cycle", "time", "zone", "region"} | {n for n in kept.variables if kept[n].ndim < 2}
+    assert "stress" in repr(again) and not [name for name, _ in selections if name == "stress"]
+    for k in (0, -1, slice(1, None), slice(None, None, -1), [2, 0, 2]):
+        assert np.array_equal(again["stress"].isel(time=k).values, kept["stress"].isel(time=k).values), k
+    asked = [part for name, part in selections if name == "stress"]
+    assert asked[0][0] == 0 and len(asked) == 5         # of the first selection one record is read
+    assert np.array_equal((again["stress"] - again["pressure"]).values, (kept["stress"] - kept["pressure"]).values)
+    changed = again["stress"].copy()
+    changed[0, 0] = 1.0
+    assert changed[0, 0] == 1.0 and again["stress"][0, 0] == kept["stress"][0, 0]
+
+
 def test_a_group_that_is_not_there_is_told_with_those_that_are(whole):
     with pytest.raises(KeyError, match="no group 'gauge' in a run; it has: budget, events, gauges, peaks, snapshots"):
         load(whole).arrays("gauge")

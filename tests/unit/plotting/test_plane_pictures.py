@@ -67,7 +67,7 @@ def test_a_profile_gives_the_value_of_the_zones_along_the_line(run):
     middle = np.floor(place[1:-1]) + 0.5
     inner = np.abs(place[1:-1] - np.round(place[1:-1])) > 0.02
     assert np.allclose(value[1:-1][inner], middle[inner], rtol=1e-9)      # kPa and mm: the pressure is 1 kPa for each mm of z
-    with pytest.raises(DeckError, match="meets no material"):
+    with pytest.raises(DeckError, match="crosses no material"):
         run.plot.profile("pressure", start=(1.0, 0.0), end=(1.0, 1.0))
 
 

@@ -43,7 +43,7 @@ def test_times_choose_and_what_cannot_be_drawn_is_refused():
     s1 = np.linspace(0.0, 1e8, 5)[:, None] * np.ones(2)
     rows = dict(time=TIME, deviator_radial=s1, deviator_hoop=-0.5 * s1)
     assert path(pi_plane(run_with(**rows), times=(0.0, 0.5e-6)), "one").shape == (2, 3)
-    with pytest.raises(DeckError, match="met shear stress"):
+    with pytest.raises(DeckError, match="recorded shear stress"):
         pi_plane(run_with(time=TIME, pressure=s1))
     with pytest.raises(DeckError, match="no gauge 'three'"):
         pi_plane(run_with(**rows), ["three"])

@@ -271,7 +271,7 @@ def test_mistakes_of_several_blocks_come_at_once():
     with pytest.raises(DeckError) as caught:
         read_deck_text(second.replace('on = "bar.bottom"', 'on = "bar.bottom"\nslipp = true'))
     assert [p.key for p in caught.value.problems] == ["boundary[1].slipp", "block.foot.material"]
-    with pytest.raises(DeckError, match="nodes do not meet there"):
+    with pytest.raises(DeckError, match="nodes do not coincide there"):
         read_deck_text(second.replace("coper", "copper"))
 
 

@@ -61,15 +61,24 @@ def test_the_apparent_velocity_is_that_of_the_optical_path(tmp_path):
     assert seen[early] == pytest.approx(1.2769 * found.gauge("velocity", "visar")[1][early], rel=1e-6)
 
 
+def test_plexiglas_shows_the_velocity_of_the_interface_itself():
+    """Gladstone and Dale: the path lost to the window's thinning is gained by its index."""
+    deck = read_deck_text(DECK.replace('"LiF"', '"pmma"'))
+    assert deck.problem.gauges[0].window_factor == 1.0 and any("recalled" in w for w in deck.warnings)
+    for wavelength, index in ((5.32e-7, 1.49341), (1.55e-6, 1.4809)):
+        row = next(r for r in library.windows("PMMA") if "index_slope" in r and r["wavelength"] == wavelength)
+        assert row["index_intercept"] + 1186.0 * row["index_slope"] == pytest.approx(index, abs=1e-4)
+
+
 @pytest.mark.parametrize(("change", "words"), [
     (('window = "glass"', 'window = "glas"'), "no region 'glas'"),
     (('window = "glass"', 'window = "flyer"\nwindow_factor = 1.3'), "does not touch the gauge"),
     (('at = "target/glass"', 'at = "0.5 mm"'), "does not touch the gauge"),
     (('window = "glass"', 'window = "target"\nwindow_factor = 1.3'), "has to pass other bodies"),
-    (('window = "glass"', 'wavelength = "532 nm"'), "goes with window"),
+    (('window = "glass"', 'wavelength = "532 nm"'), "needs window"),
     (('window = "glass"', 'window = "glass"\nwindow_factor = 1.3\nwavelength = "532 nm"'), "selects the library's index"),
     (('window = "glass"', 'window = "glass"\nwavelength = "700 nm"'), "does not say how the index"),
-    (('material = "LiF"', 'material = "pmma"'), "does not say how the index"),
+    (('material = "LiF"', 'material = "sapphire"'), "does not say how the index"),
     (('stop_time', 'geometry = "spherical"\nstop_time'), "windows are plane")])
 def test_windows_that_cannot_be_looked_through(change, words):
     text = DECK.replace(*change)

@@ -69,5 +69,5 @@ def test_an_explosive_is_refused():
     charge = dataclasses.replace(find("Composition B"), fracture=AT_NODES)
     given = Problem("charge", "planar", 1e-6, (Region("charge", charge.name, 0.0, 0.01, 20),), {charge.name: charge}, build.FIXED, build.FREE,
                     output=OutputOptions(report=False))
-    with pytest.raises(OutOfRange, match="how much of a zone has burned"):
+    with pytest.raises(OutOfRange, match="burn fraction of a zone"):
         make_solver(given)

@@ -156,14 +156,14 @@ def test_the_state_of_a_profile_is_that_of_its_material(tmp_path):
     ('"0.1 m/s"', '"0.1 m/s * y"', "unknown name 'y'"),
     ('"0.1 m/s"', '"__import__(1)"', "not allowed in an expression"),
     ('velocity = "0.1 m/s"', 'positions = [0.0, 0.5]\nvelocity = [0.0, 1.0]', "a profile covers its region"),
-    ('velocity = "0.1 m/s"', 'positions = [0.0, 0.5, 1.0]\nvelocity = [0.0, 1.0]', "2 values over 3 positions"),
+    ('velocity = "0.1 m/s"', 'positions = [0.0, 0.5, 1.0]\nvelocity = [0.0, 1.0]', "2 values for 3 positions"),
     ('velocity = "0.1 m/s"', 'density = "1 kg/m^3"', "is given both in the region and in its profile"),
     ('velocity = "0.1 m/s"', 'pressure = "0.5 Pa - 1 Pa * x / 1 m"', "at 500 mm its state is outside"),
     ('velocity = "0.1 m/s"', 'file = "nowhere.csv"', "cannot read"),
     ('velocity = "0.1 m/s"', "", "says nothing"),
     ('integrator = "compatible"', 'kind = "fronts"', "fronts has no periodic ends"),
     ('integrator = "compatible"', 'kind = "fronts"', "starts from one state along a region"),
-    ("[output]", '[transport.gas]\nconduction = {law = "constant", conductivity = 1.0}\n[output]', "conduction does not pass"),
+    ("[output]", '[transport.gas]\nconduction = {law = "constant", conductivity = 1.0}\n[output]', "conduction is not supported"),
 ])
 def test_what_cannot_be_is_refused(old, new, words):
     text = DECK.format(profile='velocity = "0.1 m/s"', integrator="compatible", zones=64, stop=0.2, state="density = 1.0", gamma=1.4,

@@ -63,7 +63,7 @@ def test_a_mesh_that_is_folded_is_refused():
         Lagrange2D(problem(Block2D("b", "gas", folded, (4, 4), density=1.0, pressure=1.0), gas(), 1.0))
 
 
-@pytest.mark.parametrize("origin, words", [((0.5, 0.0), "overlaps block 'a'"), ((1.0, 0.1), "their nodes do not meet")])
+@pytest.mark.parametrize("origin, words", [((0.5, 0.0), "overlaps block 'a'"), ((1.0, 0.1), "their nodes do not coincide")])
 def test_blocks_that_do_not_fit_are_refused(origin, words):
     blocks = [box(3, 3, name="a", density=1.0, pressure=1.0), box(3, 3, origin=origin, name="c", density=1.0, pressure=1.0)]
     with pytest.raises(MeshError, match=words):

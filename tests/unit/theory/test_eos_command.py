@@ -219,7 +219,7 @@ def test_an_extrapolation_is_told_once_with_both_numbers():
     from hugoniot.materials.library import find
 
     limit = find("copper").valid_up_to
-    beyond = f"the data of copper reach {limit:.6g} m/s particle velocity, the shock {limit + 500.0:.6g} m/s: extrapolated"
+    beyond = f"the data of copper end at {limit:.6g} m/s, the shock has up = {limit + 500.0:.6g} m/s: extrapolated"
     ask = {"hugoniot": ("hugoniot", "copper", "--up-to", f"{limit + 500} m/s"),
            "state": ("hugoniot", "copper", "--at", f"particle_velocity = {limit + 500} m/s"),
            "isentrope": ("isentrope", "copper", "--at", f"particle_velocity = {limit + 500} m/s"),

@@ -113,7 +113,7 @@ def burning_of(name: str, asked: Zone):
 
     if asked.heat:
         if asked.closure:
-            raise DeckError.single("command line", None, "--closure", "--heat asks for one law that releases heat",
+            raise DeckError.single("command line", None, "--closure", "--heat applies to a single law that releases heat",
                                    "omit one of them")
         subject = find_material(name)
         burn = read_rate(asked.rate) if asked.rate else subject.material.burn

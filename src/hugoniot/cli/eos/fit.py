@@ -59,7 +59,7 @@ def solid_table(name: str, least: float, highest: float, density: float | None, 
                    "highest_particle_velocity": found.highest})
         return
     words = re.sub(r"[^A-Za-z0-9_]+", "_", Path(name).stem).strip("_") or "fitted"
-    typer.echo(f"# {name}: pressures met to {100.0 * found.deviation:.3g} % (root mean square), {100.0 * found.worst:.3g} % at worst\n"
+    typer.echo(f"# {name}: pressures fitted to {100.0 * found.deviation:.3g} % (root mean square), {100.0 * found.worst:.3g} % at worst\n"
                f"[material.{words}]\nvalid_up_to = \"{found.highest:.6g} m/s\"\n\n[material.{words}.eos]\nlaw = \"jwl_proportional\"\n"
                + "\n".join(f"{n} = {v:.8g}" for n, v in values.items()))
 
@@ -152,7 +152,8 @@ def gamma(subject, at: str, ambient: float, as_json: bool) -> None:
     if as_json:
         echo_json({"material": subject.material.name, **table, "warnings": notes(subject, up)})
         return
-    typer.echo(f"{subject.title or subject.material.name}: Gamma with which the law truncated at third order meets the shock state")
+    typer.echo(f"{subject.title or subject.material.name}: Gamma with which the law truncated at third order passes through the shock "
+               "state")
     echo_columns(table)
     echo_notes(notes(subject, up))
 

@@ -70,7 +70,7 @@ def find_reactive(text: str, rate: str | None = None) -> tuple[Subject, list[str
     if burn is not None and not {"programmed", "instantaneous"} & BURN.of(burn).flags:
         return subject, []
     try:
-        return find_material(f"{text} reactive"), [f"'{text} reactive' is taken: products, unreacted explosive and rate of one calibration"]
+        return find_material(f"{text} reactive"), [f"'{text} reactive' is used: products, unreacted explosive and rate of one calibration"]
     except DeckError as error:
         what = "burns by a schedule" if burn is not None else "has no burn law"
         hint = error.problems[0].hint if "rate constants" in error.problems[0].message else ""

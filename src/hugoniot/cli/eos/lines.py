@@ -73,6 +73,6 @@ def gurney(
     echo_table(["explosive", "sqrt(2E), m/s", "M/C", *(f"{shape}, m/s" for shape in SHAPES)],
                [(r["explosive"], f"{r['gurney_velocity']:.0f}", f"{r['mass_ratio']:g}", *(f"{r[shape]:.1f}" for shape in SHAPES))
                 for r in rows])
-    echo_notes(sorted({f"Gurney velocities: {r['source']}" for r in rows} | {"the velocities of metal are good to about 10 %"}))
+    echo_notes(sorted({f"Gurney velocities: {r['source']}" for r in rows} | {"the metal velocities are accurate to about 10 %"}))
     if np.max(ratios) > 10.0 or np.min(ratios) < 0.1:
         echo_notes(["Gurney's velocity profile has been tested for M/C between 0.1 and 10"])

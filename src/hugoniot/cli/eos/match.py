@@ -35,7 +35,8 @@ def report(subjects: list[Subject], velocity, error, samples, ring_up, as_json, 
     if as_json:
         echo_json({"flyer": names[0], "targets": names[1:], "velocity": velocity, "states": rows, "warnings": told})
         return
-    typer.echo(f"{names[0]} at {velocity:.6g} m/s onto {', '.join(names[1:])}; states to the right of each interface, in order of time")
+    typer.echo(f"{names[0]} at {velocity:.6g} m/s onto {', '.join(names[1:])}; states to the right of each interface, "
+               "in chronological order")
     heads = ["interface", "pressure, GPa", "particle velocity, m/s", "shock velocity, m/s", "density, kg/m3", "reflected", "transmitted"]
     echo_table(heads, [[r["interface"], *(_with_error(k, r) for k in ANSWERS[:4]), r["reflected"], r["transmitted"]] for r in rows])
     echo_notes(told)
@@ -151,7 +152,7 @@ def _spreads(subjects: list[Subject], velocity, error, samples):
     layers = [s.material for s in subjects]
     values, sigmas, together = uncertain((s.rows, s.material) for s in subjects if LIBRARY in error)
     if LIBRARY in error and not sigmas:
-        raise DeckError.single("command line", None, "--error", "the library has fitted the Hugoniot of none of these materials itself",
+        raise DeckError.single("command line", None, "--error", "the library has no Hugoniot fit of its own for any of these materials",
                                'give their errors: "copper.c0 = 20 m/s"')
     values["velocity"] = velocity
     for key, text in error_bars([text for text in error if text != LIBRARY]).items():

@@ -110,7 +110,7 @@ def _fraction(text: str) -> float:
 def _case(subject: Subject, kind: str, asked: Question, fractions: list[float]) -> Case:
     par = mixture_of(subject, kind, quantity(asked.heat, "J/kg", "--heat") if asked.heat else None)
     if not hasattr(par, "reactants"):
-        raise OutOfRange(f"a mixture of kind '{kind}' has no reactants: take thermal_isolation, thermal_equilibrium or weighted_pressures")
+        raise OutOfRange(f"a mixture of kind '{kind}' has no reactants: use thermal_isolation, thermal_equilibrium or weighted_pressures")
     ahead = Initial.at_rest(par.reactants)
     q = par.detonation_energy
     reference = (ahead.density, ahead.energy + q)

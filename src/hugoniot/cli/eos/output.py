@@ -103,7 +103,7 @@ def notes(subject, jump: float = 0.0) -> list[str]:
     """What must be said with an answer about a material: the extrapolation of a shock of that particle velocity jump (m/s), its marks."""
     limit, found = subject.material.valid_up_to, []
     if limit and jump > limit * (1.0 + 1e-9):
-        found.append(f"the data of {subject.material.name} reach {limit:.6g} m/s particle velocity, the shock {jump:.6g} m/s: extrapolated")
+        found.append(f"the data of {subject.material.name} end at {limit:.6g} m/s, the shock has up = {jump:.6g} m/s: extrapolated")
     return [*found, *subject.material.warnings]
 
 

@@ -13,7 +13,7 @@ def second_shock(
                                                                        "Hugoniot, Gamma.")] = "",
     a: Annotated[str | None, typer.Option("--a", help='P = a mu + b mu^2 + c (1 + mu) E, "0.73 Mbar".')] = None,
     b: Annotated[str | None, typer.Option("--b", help='"1.72 Mbar".')] = None,
-    c: Annotated[float | None, typer.Option("--c", help="Plain number; the source writes 1.60 Mbar.")] = None,
+    c: Annotated[float | None, typer.Option("--c", help="Dimensionless; the source gives it as 1.60 Mbar.")] = None,
     first: Annotated[float, typer.Option("--first", help="Compression mu = rho/rho0 - 1 behind the first shock.")] = 0.1,
     mu: Annotated[str, typer.Option("--mu", help='Compressions, "0.15, 0.2, 0.25"; default 11 up to 2.5 times the first.')] = "",
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,

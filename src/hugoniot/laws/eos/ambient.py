@@ -87,7 +87,7 @@ EOS.add(
                particle_velocity_limit],
     example=Ambient(MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), 5e9, 2e5),
     units={"base": "law", "pressure": "Pa", "energy": "J/kg"},
-    meaning={"base": "the law of the line, its density at rest that of the upstream state", "pressure": "p_a, of the upstream state",
+    meaning={"base": "law with the Us-up line; its rest density is the upstream density", "pressure": "p_a, of the upstream state",
              "energy": "e_a, of the upstream state"},
     defaults={"energy": 0.0},
     box={"rho": (2400.0, 6500.0), "e": (2.5e6, 2e7)},

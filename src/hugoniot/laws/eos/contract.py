@@ -230,7 +230,7 @@ def check_state(rho, e, par, c2_floor: float = 0.0) -> None:
     if "energy_limits" in EOS.of(par).functions:
         cold, hot = EOS.of(par).functions["energy_limits"](rho, par)
         if not cold <= e <= hot:
-            raise OutOfRange(f"{name}: energy {e:.6g} J/kg is outside {cold:.6g} to {hot:.6g}, all that is known at {rho:.6g} kg/m3")
+            raise OutOfRange(f"{name}: energy {e:.6g} J/kg is outside {cold:.6g} to {hot:.6g}, the range of the law at {rho:.6g} kg/m3")
     p, c2 = pressure(rho, e, par), sound_speed_squared(rho, e, par)
     if not (math.isfinite(p) and math.isfinite(c2)):
         raise OutOfRange(f"{name}: no finite pressure at rho = {rho:.6g} kg/m3, e = {e:.6g} J/kg")

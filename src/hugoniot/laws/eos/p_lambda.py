@@ -239,7 +239,7 @@ EOS.add(
            "compaction": "1"},
     meaning={"base": "law of the solid", "rho_porous": "density of the porous material at rest",
              "matrix_modulus": "bulk modulus of the uncompacted material", "crush_strength": "pressure scale of compaction",
-             "exponent": "sharpness of compaction (1 or more)", "compaction": "share compacted before (filled by a run)"},
+             "exponent": "sharpness of compaction (1 or more)", "compaction": "fraction already compacted (set by a run)"},
     defaults={"exponent": 1.0},
     box={"rho": (2000.0, 4500.0), "e": (0.0, 5e6)},
     flags=("remembers",),

@@ -81,7 +81,7 @@ EOS.add(
                particle_velocity_limit, smooth_piece, piece_coordinate],
     example=ShiftedEnergy(MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), -4e6),
     units={"base": "law", "shift": "J/kg"},
-    meaning={"base": "the law whose origin is moved", "shift": "added to the energy before the base law sees it"},
+    meaning={"base": "the law whose energy origin is shifted", "shift": "added to the energy before the base law is evaluated"},
     box={"rho": (2300.0, 6500.0), "e": (4e6, 2e7)},
     references=("Starkenberg, ARL-TR-2161, A-1",),
 )

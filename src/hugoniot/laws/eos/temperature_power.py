@@ -104,7 +104,7 @@ EOS.add(
     build=build,
     units={"base": "law", "exponent": "1"},
     meaning={"base": "the law whose temperature is changed, with a constant specific heat",
-             "exponent": "w; 1 leaves the base's temperature"},
+             "exponent": "w; with 1 the temperature is that of the base law"},
     box={"rho": (1717.0, 2600.0), "e": (1e6, 5e6)},
     references=("Starkenberg, ARL-TR-2161, A-4",),
 )

@@ -75,7 +75,7 @@ EOS.add(
                particle_velocity_limit, smooth_piece, piece_coordinate],
     example=TensionCutoff(MieGruneisen(2785.0, 5328.0, 1.338, 2.0, 863.0), 1e9),
     units={"base": "law", "tension": "Pa"},
-    meaning={"base": "the law that is cut", "tension": "largest tension it supports (positive)"},
+    meaning={"base": "the law whose tension is limited", "tension": "largest tension it supports (positive)"},
     box={"rho": (2760.0, 6500.0), "e": (0.0, 2e7)},
     references=("Wilkins, B.2",),
 )

@@ -41,7 +41,7 @@ def mixture(kind: str, reactants, products, energy: float | None = None, nascent
     fields = law.parameters._fields
     for role, par in (("reactants", reactants), ("products", products)):
         if role in fields and par is None:
-            raise OutOfRange(f"a mixture of kind '{kind}' needs an equation of state of its {role}: give one, or take 'burned_products'")
+            raise OutOfRange(f"a mixture of kind '{kind}' needs an equation of state of its {role}: give one, or use 'burned_products'")
         if role in fields and "needs_temperature" in law.flags:
             require_temperature(kind, role, par)
     given: dict[str, Any] = {"reactants": reactants, "products": products}

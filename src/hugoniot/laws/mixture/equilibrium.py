@@ -298,7 +298,7 @@ MIXTURE.add(
     units={"reactants": "", "products": "", "detonation_energy": "J/kg", "reactant_density_limit": "kg/m^3",
            "product_density_limit": "kg/m^3"},
     meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
-             "detonation_energy": "chemical energy that burning sets free, Q >= 0 (Starkenberg counts it negative)",
+             "detonation_energy": "chemical energy released by burning, Q >= 0 (Starkenberg counts it negative)",
              "reactant_density_limit": "highest density of the reactants' law",
              "product_density_limit": "highest density of the products' law"},
     box={"rho": (1200.0, 3000.0), "e": (6e6, 9e6), "burn_fraction": (0.0, 1.0)},

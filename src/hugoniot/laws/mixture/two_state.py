@@ -114,7 +114,7 @@ MIXTURE.add(
                      JWL(1481.05e9, 63.79e9, 6.2, 2.2, 0.5, 1905.0, 6.9e9, 524.9), 3.9e6),
     units={"reactants": "", "products": "", "detonation_energy": "J/kg"},
     meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
-             "detonation_energy": "chemical energy that burning sets free, Q >= 0 (Starkenberg counts it negative)"},
+             "detonation_energy": "chemical energy released by burning, Q >= 0 (Starkenberg counts it negative)"},
     box={"rho": (1900.0, 2600.0), "e": (4e6, 8e6), "burn_fraction": (0.0, 1.0)},
     references=("Starkenberg, ARL-TR-2161, section 4.4", "Kerley 1992, as cited there"),
     flags=("no_equilibrium", "needs_temperature"),

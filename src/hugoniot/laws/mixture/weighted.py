@@ -79,7 +79,7 @@ MIXTURE.add(
     example=WeightedPressures(IdealGas(5.0, 1000.0, 1600.0), IdealGas(2.8, 1200.0, 1600.0), 5.0e6),
     units={"reactants": "", "products": "", "detonation_energy": "J/kg"},
     meaning={"reactants": "equation of state of the unreacted material", "products": "equation of state of the products",
-             "detonation_energy": "chemical energy that burning sets free, Q >= 0 (Starkenberg counts it negative)"},
+             "detonation_energy": "chemical energy released by burning, Q >= 0 (Starkenberg counts it negative)"},
     box={"rho": (1200.0, 3000.0), "e": (6e6, 9e6), "burn_fraction": (0.0, 1.0)},
     references=("Herrmann, WL-TR-64-107, A.29", "KB codes, section 4"),
     flags=("no_equilibrium",),

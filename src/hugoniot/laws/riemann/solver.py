@@ -128,7 +128,7 @@ def _root(gap, sigma: float, floor: float, scale: float, sides) -> float:
     if last <= 1e-10 * max(abs(sigma), scale):
         return sigma
     names = " and ".join(f"'{name_of(side.matter.par)}'" for side in sides)
-    raise NoSolution(f"the wave curves of {names} did not meet between {low:.6g} and {high:.6g} Pa")
+    raise NoSolution(f"the wave curves of {names} did not intersect between {low:.6g} and {high:.6g} Pa")
 
 
 def _tried(gap, sigma: float, low: float):

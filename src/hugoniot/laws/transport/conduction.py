@@ -54,7 +54,7 @@ CONDUCTION.add(
     references=("Jordan 2011, section 7.1: conduction in water is small beside the shear stress",),
 )
 CONDUCTION.add(
-    "prandtl", PrandtlConduction, line="Heat conductivity by the Prandtl number.",
+    "prandtl", PrandtlConduction, line="Heat conductivity from the Prandtl number.",
     functions={"conductivity": prandtl_conductivity}, example=PrandtlConduction(2.0 / 3.0),
     units={"prandtl": "1"}, meaning={"prandtl": "Prandtl number mu c_p / k"}, box=_BOX,
     references=("Jordan 2011, section 6.3 and tables 7.1.1, 7.2.1",),

@@ -73,7 +73,7 @@ H.intoAddress = async text => {
 };
 H.fromAddress = async letters => {
   try { return new TextDecoder().decode(await piped(Uint8Array.from(atob(letters.replace(/-/g, "+").replace(/_/g, "/")), c => c.charCodeAt(0)), new DecompressionStream("deflate"))); }
-  catch { throw new Refused("This address is damaged: a part of it is missing or was changed on the way."); }
+  catch { throw new Refused("This link is damaged: part of it is missing or was changed in transit."); }
 };
 
 // -- questions ----------------------------------------------------------------------------------------------------------

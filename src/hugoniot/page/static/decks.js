@@ -62,9 +62,9 @@ at = "free surface right"
   async function load(opened) {
     const number = H.get("deck");
     file = "deck.toml";
-    if (H.get("text")) { area.value = await H.fromAddress(H.get("text")); source.textContent = H.get("from") === "match" ? "from the impedance match" : "from the address"; }
+    if (H.get("text")) { area.value = await H.fromAddress(H.get("text")); source.textContent = H.get("from") === "match" ? "from the impedance match" : "from the link"; }
     else if (number !== "" && opened.decks.length) { const deck = await H.ask("deck", {deck: number}); area.value = deck.text; source.textContent = deck.name; file = opened.decks[number].typed; known = deck; }
-    else if (kept !== null) { area.value = kept; source.textContent = "too long for an address"; }
+    else if (kept !== null) { area.value = kept; source.textContent = "too long for a link"; }
     else { area.value = START; source.textContent = "an example"; }
     changed(false);
   }
@@ -83,7 +83,7 @@ at = "free surface right"
     kept = letters === null ? text : null;
     H.set({text: letters, deck: "", from: ""}, false);
     current = `||${letters || ""}`;
-    tooLong.textContent = letters === null ? "This deck is too long for an address: a link to this page lacks it; save it instead." : "";
+    tooLong.textContent = letters === null ? "This deck is too long for a link: a link to this page would not contain it; save it instead." : "";
   }
   function lineNumbers() {
     const count = area.value.split("\n").length, bad = new Set(wrong.map(p => p.line)), key = `${count}|${wrong.map(p => p.line + p.text)}`;

@@ -3,7 +3,7 @@
 // are asked for one state at a time, as theory.hugoniot, theory.isentrope and theory.riemann ask them for many.
 H.impact = (() => {
   const T = H.theory, BY = {pressure: 0, particle_velocity: 1, shock_velocity: 2, density: 3}, FEEBLE = 1e-6, ALONG = 24;
-  const beyond = par => new H.Refused(`${par.called}: beyond what its equation of state answers (law ${par.law.name}); the command below says where it ends`);
+  const beyond = par => new H.Refused(`${par.called}: outside the range of its equation of state (law ${par.law.name}); the command below shows the limit`);
   const answered = (par, work) => { try { return work(); } catch (error) { throw error instanceof T.NoState ? new H.Refused(`${par.called}: ${error.message}`) : error; } };
 
   // -- materials: parameters of a law, with its functions under `law`
@@ -12,7 +12,7 @@ H.impact = (() => {
     : {law: T.laws[given.$], called, ...Object.fromEntries(Object.entries(given).filter(([key]) => key !== "$").map(([key, value]) => [key, law(value, called)]))};
   async function layer(name) {
     const all = await H.askOnce("layers"), own = await H.resolved(name), found = all[own];
-    if (!found) { if (!H.exported()) await H.ask("about", {name}); throw new H.Refused(`${name} is no material of the library by itself`); }
+    if (!found) { if (!H.exported()) await H.ask("about", {name}); throw new H.Refused(`${name} is not a complete material of the library`); }
     if (found.none) throw new H.Refused(`${own}: ${found.none}`);
     return {...found, name: own, par: law(found.law, own)};
   }
@@ -119,7 +119,7 @@ H.impact = (() => {
       p = next;
     }
     if (Math.abs(g) <= 1e-9 * (left.c + right.c)) return p;
-    throw new H.Refused(`The wave curves of ${left.par.called} and ${right.par.called} do not meet`);
+    throw new H.Refused(`The wave curves of ${left.par.called} and ${right.par.called} do not intersect`);
   }
   function match(pars, velocity) {
     const met = [];
@@ -149,7 +149,7 @@ H.impact = (() => {
     const found = [];
     layers.forEach((l, i) => {
       const jump = i === 0 ? velocity - met[0].behind.particle_velocity : met[i - 1].ahead.particle_velocity;
-      if (l.valid_up_to && jump > l.valid_up_to * (1 + 1e-9)) found.push(`the data of ${l.name} reach ${H.digits(l.valid_up_to)} m/s particle velocity, the shock ${H.digits(jump)} m/s: extrapolated`);
+      if (l.valid_up_to && jump > l.valid_up_to * (1 + 1e-9)) found.push(`the data of ${l.name} end at ${H.digits(l.valid_up_to)} m/s, the shock has up = ${H.digits(jump)} m/s: extrapolated`);
       found.push(...l.warnings);
     });
     return [...new Set(found)];
@@ -176,11 +176,11 @@ H.impact = (() => {
   // the deck of an impact: a flyer of 2 mm on layers of 4 mm, with gauges at the interfaces and on the free surface
   async function deck(names, velocity) {
     const layers = await Promise.all(names.map(layer)), burning = layers.find(l => l.burns);
-    if (burning) throw new H.Refused(`${burning.name}: an explosive, which burns in a run; the match takes it as inert, so no deck is offered`);
+    if (burning) throw new H.Refused(`${burning.name}: an explosive, which burns in a run; the match treats it as inert, so no deck is offered`);
     const met = match(layers.map(l => l.par), velocity), print = (value, digits) => String(Number(value.toPrecision(digits)));
     const called = ["flyer", ...(names.length === 2 ? ["target"] : names.length === 3 ? ["target", "window"] : names.slice(1).map((_, k) => `layer ${k + 1}`))];
     const stop = 1.6 * met.reduce((sum, m) => sum + 4e-3 / (m.ahead.shock_velocity || Math.sqrt(squared(m.ahead.par, m.ahead))), 0) * 1e6, words = layers.map(l => l.title).join(" on ").replace(/"/g, "'").replace(/\\/g, "/");
-    const head = [...layers.filter((l, k) => H.files[l.name] && layers.findIndex(o => o.name === l.name) === k).map(l => `# The tables of ${l.name} in ${H.files[l.name]} belong into this deck, under [material.${l.name}]`), "# Expected from impedance matching, without strength:", ...met.map((m, i) => `#   ${layers[i].name}/${layers[i + 1].name}: ${print(m.ahead.pressure * 1e-9, 5)} GPa, ${print(m.ahead.particle_velocity, 5)} m/s`),
+    const head = [...layers.filter((l, k) => H.files[l.name] && layers.findIndex(o => o.name === l.name) === k).map(l => `# The tables of ${l.name} in ${H.files[l.name]} belong in this deck, under [material.${l.name}]`), "# Expected from impedance matching, without strength:", ...met.map((m, i) => `#   ${layers[i].name}/${layers[i + 1].name}: ${print(m.ahead.pressure * 1e-9, 5)} GPa, ${print(m.ahead.particle_velocity, 5)} m/s`),
       `title = "${words}, ${print(velocity, 6)} m/s"`, 'geometry = "planar"', `stop_time = "${print(stop, 3)} us"`];
     const regions = layers.map((l, k) => ["", "[[region]]", `name = "${called[k]}"`, `material = "${l.name}"`, `from = "${k && 4 * k - 2} mm"`, `to = "${4 * k + 2} mm"`, 'zone_size = "20 um"', ...(k ? [] : [`velocity = "${print(velocity, 9)} m/s"`])]);
     const gauges = called.slice(1).map((b, k) => ["", "[[gauge]]", `name = "${called[k]}/${b}"`, `at = "${called[k]}/${b}"`]);

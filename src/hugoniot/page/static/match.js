@@ -31,7 +31,7 @@
       H.h("h3", {}, "impact velocity"), H.h("div", {class: "bar"}, slider, H.h("label", {}, speed, "m/s")),
       H.h("h3", {}, "error bands, one standard deviation"), H.h("div", {class: "bar small"}, H.h("label", {}, "velocity ±", sigma, "m/s"), H.h("label", {}, bands, "library fits")), deckBox);
     right.append(host, H.h("div", {class: "bar"}, H.h("span", {class: "quiet small"}, "Drag the impact velocity along the axis. Dashed: release and reshock of the layer behind; solid: Hugoniot of the layer ahead."), H.h("span", {class: "bar push"}, ...H.saveButtons(() => chart, () => `match-${layers().join("-")}`))), table, warnings);
-    chart = new H.Chart(host, {label: "Impedance match: pressure over particle velocity", height: 0.56, zoomKey: "mz", onHover: () => {}, onDrag: (id, x) => drag(Math.max(1, Math.round(x * 1000))), onDrop: drop});
+    chart = new H.Chart(host, {label: "Impedance match: pressure against particle velocity", height: 0.56, zoomKey: "mz", onHover: () => {}, onDrag: (id, x) => drag(Math.max(1, Math.round(x * 1000))), onDrop: drop});
     chart.svg.addEventListener("keydown", event => {     // the handle with the keyboard
       const step = {"[": -10, "]": 10, "{": -100, "}": 100}[event.key];
       if (step) { drag(Math.max(1, velocity() + step)); drop(); event.preventDefault(); }

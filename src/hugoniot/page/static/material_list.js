@@ -4,7 +4,7 @@ H.MaterialList = class {
   constructor(host, onChoose) {
     this.onChoose = onChoose;
     this.keys = {name: ["name", "", 1], density: ["density", "kg/m³", 1], bulk_sound_speed: ["bulk sound speed", "m/s", 1], gruneisen: ["Grüneisen parameter", "", 1],
-                 hugoniot_elastic_limit: ["Hugoniot elastic limit", "GPa", 1e-9], cj_velocity: ["CJ velocity", "m/s", 1], cj_pressure: ["CJ pressure", "GPa", 1e-9], valid_up_to: ["range of data, up", "m/s", 1]};
+                 hugoniot_elastic_limit: ["Hugoniot elastic limit", "GPa", 1e-9], cj_velocity: ["CJ velocity", "m/s", 1], cj_pressure: ["CJ pressure", "GPa", 1e-9], valid_up_to: ["highest particle velocity of the data", "m/s", 1]};
     this.search = H.h("input", {type: "search", placeholder: "copper, al, U007 …", "aria-label": "Filter materials", style: {flex: "1", minWidth: "8em"},
                                 oninput: () => H.set({q: this.search.value})});
     this.kind = H.h("select", {"aria-label": "Kind of material", onchange: () => H.set({kind: this.kind.value})});

@@ -55,7 +55,7 @@
     show() {
       this.found = this.files.flatMap(f => f.read);
       H.clear(this.list).append(...this.files.map(f => H.h("span", {class: "bar"}, f.name, H.h("button", {type: "button", "aria-label": `Remove ${f.name}`, onclick: () => this.keep(this.files.filter(o => o !== f))}, "×"))),
-        this.lacking ? H.h("span", {class: "bad"}, "Too long for an address: a link to this page lacks these data.") : "");
+        this.lacking ? H.h("span", {class: "bad"}, "Too long for a link: a link to this page would not contain these data.") : "");
     }
   };
 })();

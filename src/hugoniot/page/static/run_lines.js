@@ -2,7 +2,7 @@
 // Histories at gauges, surfaces and picked zones, of one run or several over each other; profiles along the position at one time.
 H.RunLines = class {
   constructor(histories, profile, hooks) {
-    this.histories = new H.Chart(histories, {label: "Histories over time", height: 0.42, most: 380, least: 240, zoomKey: "hz", onHover: hooks.onTime, onPick: hooks.onPickTime});
+    this.histories = new H.Chart(histories, {label: "Time histories", height: 0.42, most: 380, least: 240, zoomKey: "hz", onHover: hooks.onTime, onPick: hooks.onPickTime});
     this.profile = new H.Chart(profile, {label: "Profile over position", height: 0.36, most: 330, least: 220, keep: true, zoomKey: "pz", onHover: hooks.onPlace});
   }
   showHistories(lines, field, at) {        // lines: {label, time, values, colour, dash, id}

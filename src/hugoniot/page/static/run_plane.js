@@ -2,7 +2,7 @@
 // A two-dimensional run: a field over the plane at one time, with outlines, mesh, mirror, and the zone under the pointer.
 H.PlaneMap = class {
   constructor(host, hooks) {
-    this.chart = new H.Chart(host, {label: "Field over the plane", height: 0.75, most: 640, keep: true, zoomKey: "map", onHover: hooks.onHover, onPick: hooks.onPick});
+    this.chart = new H.Chart(host, {label: "Field in the plane", height: 0.75, most: 640, keep: true, zoomKey: "map", onHover: hooks.onHover, onPick: hooks.onPick});
   }
   show(run, data) {
     const {x, y, values, field, limits} = data, mirror = run.geometry === "axisymmetric" && H.get("mirror") !== "0", plane = new H.PlaneField(run.corners, run.corners.length / run.block_of.length, x, y, mirror);

@@ -59,7 +59,7 @@
       H.clear(s).append(...(none ? [H.h("option", {value: "none"}, none)] : []), ...able.map(c => H.h("option", {value: String(c.k)}, named(c))));
       s.value = [...s.options].some(o => o.value === wanted) ? wanted : fallback;
     };
-    if (!able.length) { H.clear(readout).append("This table has no numbers to draw."); drawTable(kept()); return; }
+    if (!able.length) { H.clear(readout).append("This table has no numbers to plot."); drawTable(kept()); return; }
     const third = first.find(c => c !== first[0] && c !== result);
     fill(xSelect, H.get("x"), String((first[0] || able[0]).k)); fill(ySelect, H.get("y"), String(result.k)); fill(cSelect, H.get("c"), third ? String(third.k) : "none", "no colour");
     const own = shownColumns().map(c => c.k);

@@ -161,7 +161,7 @@ def _check_turning(row, axes, collector: Collector, path: tuple) -> None:
                 collector.add((*path, key), "applies only to a body that turns", "write turns = true, or leave it out")
         return
     if axes[0] == "r":
-        collector.add((*path, "turns"), "a rigid ring moves along the axis only", "leave it out, or take geometry = \"plane\"")
+        collector.add((*path, "turns"), "a rigid ring moves along the axis only", "leave it out, or use geometry = \"plane\"")
     elif row.mass is None:
         collector.add((*path, "turns"), "applies only to a body with a mass", "give it a mass, or leave it out")
     elif row.direction is not None:

@@ -84,7 +84,7 @@ def _boundary(row, collector: Collector, path: tuple) -> Boundary2D | None:
         collector.add((*path, "separable"), f"does not apply to a boundary of kind {row.kind}", "it applies to a wall")
     if row.separable and row.slip is False:
         collector.add((*path, "slip"), "a separable wall cannot hold nodes along itself",
-                      "leave it out, or take a [[rigid]] body and [[contact]] with friction")
+                      "leave it out, or use a [[rigid]] body and [[contact]] with friction")
     if collector.findings > before:
         return None
     direction = None if row.direction is None else unit_vector(row.direction, collector, (*path, "direction"))
@@ -104,7 +104,7 @@ def _wrong_kind(boundary: Boundary2D, name: str, mesh: Blocks) -> tuple[str, str
         wanted = "lie on r = 0" if mesh.axisymmetric else "exist in axisymmetric geometry only"
         return f"'{name}' is not an axis: axes {wanted}", 'a plane of symmetry is kind = "wall"'
     if boundary.kind == "wall" and mesh.straight_normal(chain) is None:
-        return f"'{name}' is not straight, and a rigid wall is", 'take kind = "velocity" with velocity = 0 and slip = false to clamp it'
+        return f"'{name}' is not straight, and a rigid wall is", 'use kind = "velocity" with velocity = 0 and slip = false to clamp it'
     return None
 
 

@@ -81,7 +81,7 @@ def _curve(table: CurveTable, collector: Collector, path: tuple) -> Curve | None
         collector.add((*path, "unit"), "only the columns of csv have a unit of their own", "write it with each number")
         return None
     if table.spacing == "points" and kind not in ("polyline", "csv"):
-        collector.add((*path, "spacing"), f"a {kind} has no points to take for the nodes", "take a polyline or csv")
+        collector.add((*path, "spacing"), f"a {kind} has no points to use as nodes", "use a polyline or csv")
         return None
     points = _read_csv(table.csv, table.unit, collector, (*path, "csv")) if kind == "csv" else getattr(table, kind)
     wanted = {"line": 2, "arc": 3}.get(kind)

@@ -163,7 +163,7 @@ class Erosion2D:
     plastic_strain  equivalent plastic strain at which they do; None: whatever it is
     smallest_step   Courant step of a zone at which it does, s; None: whatever it is
     mass            "kept": its nodes keep the mass of the zone, and fly on by themselves where no zone is left around them;
-                    "dropped": it leaves with its momentum and energy, which are booked
+                    "dropped": it leaves with its momentum and energy, which are counted
     """
 
     plastic_strain: float | None = None

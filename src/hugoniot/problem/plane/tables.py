@@ -198,7 +198,7 @@ class ContactTable(Table):
                                  "(default: all that no other [[contact]] names)")
     kind: Literal["sliding", "bonded", "separable"] = Field(
         "sliding", description="sliding; bonded for good where they touch; or bonded up to a strength and sliding then")
-    friction: Plain = Field(Contact2D.friction, description="Coulomb coefficient of what slides")
+    friction: Plain = Field(Contact2D.friction, description="Coulomb friction coefficient")
     strength: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(
         None, description="of kind separable: tension at which a bond breaks")
 
@@ -206,7 +206,7 @@ class ContactTable(Table):
 class RigidTable(Table):
     """A rigid body: a wall or a punch."""
 
-    name: str = Field(min_length=1, max_length=60, description="what contact and results call it")
+    name: str = Field(min_length=1, max_length=60, description="name used in contact and results")
     points: PointList = Field(description="its surface, a polyline")
     closed: bool = Field(False, description="whether the last point is joined to the first")
     velocity: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "m/s"})] = Field(
@@ -217,10 +217,10 @@ class RigidTable(Table):
     direction: Direction | None = Field(None, description="along which it moves, or is guided if it has a mass (default: any)")
     turns: bool = Field(False, description="whether a body with mass turns too, in the plane")
     inertia: Annotated[float, Quantity("kg*m^2", above=0.0)] | None = Field(
-        None, description="of what turns: moment of inertia about the centre of mass per metre of depth (default: of an even polygon)")
-    centre: Place | None = Field(None, description="of what turns: centre of mass (default: of an even closed polygon)")
+        None, description="of a body that turns: moment of inertia about the centre of mass per metre of depth (default: uniform density)")
+    centre: Place | None = Field(None, description="of a body that turns: centre of mass (default: of a closed polygon of uniform density)")
     spin: Annotated[float, Quantity("1/s")] | None = Field(
-        None, description="of what turns: rate of turning at t = 0 in radians per second, counter-clockwise (default: 0)")
+        None, description="of a body that turns: angular velocity at t = 0 in radians per second, counter-clockwise (default: 0)")
 
 
 class ViscosityTable(Table):
@@ -229,7 +229,7 @@ class ViscosityTable(Table):
     kind: Literal["tensor", "edge", "herrmann"] = Field("tensor", description="tensor: along both principal directions of the strain rate, "
                                                         "each with its own length; edge: along the edges that close; herrmann: bulk and "
                                                         "deviators along the axes of the frame, for comparison")
-    limited: bool = Field(Viscosity2D.limited, description="whether smooth flow is spared; herrmann has no limiter: write false")
+    limited: bool = Field(Viscosity2D.limited, description="use a limiter (no viscosity in smooth flow); herrmann: write false")
     linear: Plain = Field(Viscosity2D.linear, description="linear coefficient of materials without strength")
     quadratic: Plain = Field(Viscosity2D.quadratic, description="quadratic coefficient of materials without strength")
     solid_linear: Plain = Field(Viscosity2D.solid_linear, description="linear coefficient of materials with strength")
@@ -254,7 +254,7 @@ class ErosionTable(Table):
         None, description="equivalent plastic strain at which a zone leaves the mesh (default: none)")
     smallest_step: Positive | None = Field(None, description="Courant step of a zone at which it leaves the mesh (default: none)")
     mass: Literal["kept", "dropped"] = Field("kept", description="kept by its nodes, or dropped with its momentum and energy, which are "
-                                             "booked")
+                                             "recorded")
 
 
 class SolverTable(Table):

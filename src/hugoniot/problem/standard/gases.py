@@ -164,7 +164,7 @@ PROBLEMS = (
         "collision", "Two colliding streams: two strong shocks (B3)", build_collision,
         (Measure("density_l1", "l1", "density", (0.72, 1.25)), Measure("energy_l1", "l1", "energy", (0.72, 1.25))), (), "collision"),
     StandardProblem(
-        "woodward_colella", "Two interacting blast waves, held to a fine run of one's own and to four reference densities (B4)",
+        "woodward_colella", "Two interacting blast waves, compared with our own fine-grid run and with four reference densities (B4)",
         build_woodward_colella,
         (Measure("density_self_l1", "self_l1", "density", (0.0, 1.0), exact=3200.0), Measure("reference_density", "points", "density"),
          Measure("peak_density", "maximum", "density")),
@@ -180,7 +180,7 @@ PROBLEMS = (
          Measure("density_l1", "l1", "density", scale=0.01)),
         (Bar("outer_radius", 100, goal=1e-4),), "kidder", rates=frozen(outer_radius=1.9), zones=(25, 50, 100, 200)),
     StandardProblem(
-        "double_burgers", "Smooth standing wave of a gamma = 3 gas: second order asked for (B12)", build_double_burgers,
+        "double_burgers", "Smooth standing wave of a gamma = 3 gas: second order required (B12)", build_double_burgers,
         (Measure("density_l1", "l1", "density"), Measure("velocity_l1", "l1", "velocity")), (), "double_burgers",
         rates=frozen(density_l1=1.95, velocity_l1=1.95), zones=(50, 100, 200, 400)),
     StandardProblem(

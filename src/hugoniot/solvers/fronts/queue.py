@@ -85,7 +85,7 @@ class Line:
                 x = self.fronts[first].at(self.time)
                 count = cut(self.pieces, self.fronts, j, self.time, self.bench)
                 self.cuts += 1
-                self.log("fan_cut", self.time, x, f"a fan was met and cut into {count} slices")
+                self.log("fan_cut", self.time, x, f"a fan was hit by another wave and cut into {count} slices")
                 return
         self._replace(first, last)
 

@@ -110,7 +110,7 @@ def unresolved(problem: Problem, resolution, ranges) -> list[str]:
         held = held[held < 1e299]
         if held.size and np.median(held) < ZONES_NEEDED:
             told.append(f"region '{region.name}' burned within {np.median(held):.3g} zones (median over its zones): its rate is not "
-                        f"resolved; {ZONES_NEEDED:g} zones are needed, so take zones {ZONES_NEEDED / np.median(held):.2f} times smaller")
+                        f"resolved; {ZONES_NEEDED:g} zones are needed, so make them {ZONES_NEEDED / np.median(held):.2f} times smaller")
     return told
 
 

@@ -74,7 +74,7 @@ class ShockStructure(NothingToAdd):
             if steepness > STEEPEST:
                 raise OutOfRange(f"solver {NAME} cannot treat law '{EOS.of(self.eos).name}': at rest its pressure rises with the energy "
                                  f"without bound (Grüneisen parameter {steepness:.3g}), and a cell's energy is the small difference of "
-                                 "total and kinetic energy; take mie_gruneisen, or the steady wave (hugoniot structure profile)")
+                                 "total and kinetic energy; use mie_gruneisen, or the steady wave (hugoniot structure profile)")
 
     @property
     def cells(self) -> np.ndarray:
@@ -234,7 +234,7 @@ class ShockStructure(NothingToAdd):
         if not (self.problem.solver.options.get("shock") and found.get("cells_per_thickness", math.inf) < FEWEST_CELLS):
             return []
         return [f"the shock has {found['cells_per_thickness']:.2g} cells in its thickness: below {FEWEST_CELLS} the thickness is the "
-                f"grid's rather than the shock's; take cells of at most 1/{FEWEST_CELLS} of the steady one (hugoniot structure profile)"]
+                f"grid's rather than the shock's; use cells of at most 1/{FEWEST_CELLS} of the steady one (hugoniot structure profile)"]
 
     # -- checkpoints -----------------------------------------------------------------------------------------
     _KEPT = ("U", "rest", "passed", "passed_rest", "control", "counters", "start_totals", "ends")

@@ -132,7 +132,7 @@ def _cross(flow, before, start, half, count=18):
     guess = near[:, None] + (near - far)[:, None] / half * (eta - start)
     values, _, status, message = fsolve(equations, guess.ravel(), full_output=True, xtol=1e-13)
     if status != 1 and np.max(np.abs(equations(values))) > 1e-9:
-        raise NoSolution(f"the flow could not be carried over the sonic line: {message}")
+        raise NoSolution(f"the flow could not be continued across the sonic line: {message}")
     y = values.reshape(3, count)
     coefficients = inverse @ y.T
     return eta[-1], y[:, -1], lambda e: np.polynomial.chebyshev.chebval((np.asarray(e) - start) / half - 1.0, coefficients)

@@ -36,7 +36,7 @@ def noh_material(material: str = "copper", geometry: str = "planar", speed: floa
     if d > 1:
         e1 = 0.0
         if not all(contract.pressure(x * rho0, 0.0, par) == 0.0 for x in (1.0, 2.0, 5.0)):
-            raise OutOfRange(f"Noh's {geometry} problem: the converging inflow of this law would have a pressure of its own "
+            raise OutOfRange(f"Noh's {geometry} problem: the converging inflow would have a non-zero pressure with this law "
                              f"({contract.pressure(2.0 * rho0, 0.0, par):.4g} Pa at twice the density); only planar flow is exact for it")
     p1 = float(contract.pressure(rho0, e1, par))
     shock, rho2, p2, e2 = _plateau(par, d, rho0, p1, e1, speed)

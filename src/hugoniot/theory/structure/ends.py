@@ -106,7 +106,7 @@ def find_ends(material, upstream: hugoniot.Initial | None = None, *, mach: float
     speed, rho2 = float(behind.shock_velocity), float(behind.density)
     if not (speed > c1 and rho2 > ahead.density and math.isfinite(speed)):
         raise OutOfRange(f"law '{name}' has no such shock: a compressive shock must be faster than sound ahead "
-                         f"({c1:.6g} m/s), this one has {speed:.6g} m/s; ask for a stronger one")
+                         f"({c1:.6g} m/s), this one has {speed:.6g} m/s; try a stronger one")
     m = ahead.density * speed
     one = _end(par, ahead.density, ahead.energy, m)
     trial = Ends(par, one, one, m)
@@ -148,7 +148,7 @@ def _require_one_wave(ends: Ends) -> None:
         if not ends.excess(v) < 0.0:
             raise NoSolution(f"law '{name}' has no such shock: no single steady one between {ends.upstream.density:.6g} and "
                              f"{ends.downstream.density:.6g} kg/m3: the Rayleigh line crosses its Hugoniot at {1.0 / v:.6g} kg/m3, "
-                             "so the wave splits; ask for a shock below or above that density")
+                             "so the wave splits; try a shock below or above that density")
     if not ends.downstream.velocity < ends.downstream.sound_speed:
-        raise NoSolution(f"law '{name}' has no such shock: the flow behind it is not subsonic, so it cannot be steady; ask for another "
+        raise NoSolution(f"law '{name}' has no such shock: the flow behind it is not subsonic, so it cannot be steady; try another "
                          "strength")

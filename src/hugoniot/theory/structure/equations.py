@@ -176,7 +176,7 @@ class Equations:
         """
         rate, direction, ahead = self.directions()
         if not (rate < 0.0 and ahead[0] > 0.0):
-            raise NoSolution("the ends of this shock are too close to be distinguished in double precision; ask for a stronger shock")
+            raise NoSolution("the ends of this shock are too close to be distinguished in double precision; try a stronger shock")
         start = np.array([1.0 - _START * direction[0], -_START * direction[1], 0.0, 0.0])
 
         def arrived(_, y):
@@ -219,4 +219,4 @@ class Equations:
         s = self.state(1.0 - self.jump * y[0], self.jump**2 * y[1])
         return NoSolution(f"law '{EOS.of(self.par).name}' has no such shock with this heat conduction: the heat that runs ahead of it "
                           f"warms the material at rho = {s['density']:.6g} kg/m3 to {s['temperature']:.4g} K, where the law has no "
-                          "single stable state (its c_p is not positive); ask for a weaker shock, less conduction, or conduction 'none'")
+                          "single stable state (its c_p is not positive); try a weaker shock, less conduction, or conduction 'none'")

@@ -47,7 +47,7 @@ class Changes:
         x = float(mesh.middle[cell])
         if cell >= 0 and track(mesh, self.flow.work.w, cell, direction, time):
             self.formed += 1
-            self.log("formed", time, x, "a compression has become a shock, which is followed")
+            self.log("formed", time, x, "a compression has become a shock, which is now tracked")
 
     def _meet(self, mesh: Mesh, first: int, last: int, time: float) -> None:
         inside = mesh.fronts[_order(mesh, first):_order(mesh, last) + 1]
@@ -141,7 +141,7 @@ class Changes:
         for f in sorted({*self.flow.flagged(0, mesh), *crowd}, reverse=True):
             front = mesh.fronts[_order(mesh, f)]
             self.ended(front, time, float(mesh.x[f]))
-            self.log("released", time, float(mesh.x[f]), f"{front.kind} is followed no longer: "
+            self.log("released", time, float(mesh.x[f]), f"{front.kind} is no longer tracked: "
                      + ("other waves are too close" if f in crowd else "it has decayed"))
             mesh.release(f)
             self.untracked += 1

@@ -17,7 +17,7 @@ from hugoniot.laws.riemann.curve import Curve
 from hugoniot.solvers.fronts.line import OUTSIDE, Front, Piece
 from hugoniot.solvers.fronts.meeting import Bench, _units
 
-UNLIT = ("a wave runs into unburned explosive, which this solver cannot follow: light it earlier, or take lagrange1d "
+UNLIT = ("a wave runs into unburned explosive, which this solver cannot follow: light it earlier, or use lagrange1d "
          "with an unreacted equation of state")
 REST = 1e-3       # velocity, over the sound speed of the neighbour, that counts as none where explosive and neighbour touch
 
@@ -91,7 +91,7 @@ def _overdriven(sides, d: int, found: exact.Solution, front: detonation.Front, b
     """(solution without that shock, strong front): what follows drives the detonation from the start."""
     follower = sides[0 if d > 0 else 1]
     if follower.kind in OUTSIDE:
-        raise OutOfRange("a piston drives a detonation beyond Chapman-Jouguet from its start; start slower, or take lagrange1d")
+        raise OutOfRange("a piston drives a detonation beyond Chapman-Jouguet from its start; start slower, or use lagrange1d")
     curve = Curve(bench.of(follower), follower.state, -d)
     own = sides[1 if d > 0 else 0]
     strong = detonation.driven(front, curve, bench.matters[own.region].par)

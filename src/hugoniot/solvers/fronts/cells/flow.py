@@ -163,7 +163,7 @@ class Flow:
         k, w = int(self.work.numbers[tables.LIMITING]), self.work.w
         rho, u, e = w[:3, k]
         raise UnphysicalState(f"a cell of density {rho:.6g} kg/m3 and energy {e:.6g} J/kg has no valid state (velocity {u:.6g} m/s)",
-                              "stay inside the range of the equation of state, take more zones or a smaller solver.options.courant",
+                              "stay inside the range of the equation of state, use more zones or a smaller solver.options.courant",
                               k, "", float(mesh.middle[k]), float(self.work.numbers[tables.TIME]), int(self.work.numbers[tables.CYCLE]))
 
     def steep(self, mesh: Mesh) -> tuple[int, int]:

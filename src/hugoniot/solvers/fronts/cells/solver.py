@@ -111,7 +111,7 @@ class Cells(Reading):
         if numbers[tables.STALLED] > STUCK:
             x = float(self.mesh.middle[min(int(numbers[tables.LIMITING]), len(self.mesh.q) - 1)])
             raise UnphysicalState(f"the step has fallen to {self.step:.3g} s", "raise solver.options.weakest, so that fewer waves are "
-                                  "followed, or take fewer zones", None, self.limiting()[1], x, self.time, self.cycle)
+                                  "followed, or use fewer zones", None, self.limiting()[1], x, self.time, self.cycle)
 
     def _next_change(self) -> tuple[float, int]:
         """(time, side) of the next jump or kink of a driven end."""
@@ -204,8 +204,8 @@ class Cells(Reading):
         """Sentences about waves that were left to the cells."""
         if not self.changes.captured:
             return []
-        return [f"waves were left to the cells {self.changes.captured} times; a shock is then smeared over two or three cells: the waves "
-                f"were too close to each other, or {self.changes.most} fronts were followed already (solver.options.most_fronts)"]
+        return [f"waves were left to be captured by the cells {self.changes.captured} times; a shock is then smeared over two or three "
+                f"cells: the waves were too close, or {self.changes.most} fronts were followed already (solver.options.most_fronts)"]
 
     # -- checkpoints -------------------------------------------------------------------------------------------------
     def payload(self) -> dict:
