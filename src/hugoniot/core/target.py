@@ -31,6 +31,7 @@ llvm.set_option("hugoniot", "--vectorize-memory-check-threshold=100000")
 # A row that a pass copies beside its other work goes through the same packed loop; by default it becomes a call of the C library that
 # reads the row again, which for a piece of a hundred zones costs as much as the pass.
 llvm.set_option("hugoniot", "--disable-loop-idiom-memcpy")
+llvm.set_option("hugoniot", "--disable-loop-idiom-memset")
 
 
 def _for_types(real):

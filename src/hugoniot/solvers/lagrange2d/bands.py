@@ -15,9 +15,12 @@ from hugoniot.core.target import GUARD
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.plan import FROM, HEIGHT, TO
 
-LOADS, SPECIAL, HELD, AXIS, GHOSTS = range(5)      # rows of the table of what comes before each row
-# rows by which a step lags behind the forces of its start: nodes held then, stress in the middle, nodes held and moved, state at the end
-HOLD, STRESS, MOTION, END = 1, 2, 3, 4
+# rows of the table of what comes before each row; as those below numbers of arrays: a function is compiled anew for each plain one
+LOADS, SPECIAL, HELD, AXIS, NODES, GHOSTS = np.arange(6)
+FIRST = np.int64(0)      # row
+# rows by which a step lags behind the forces of its start: not at all, nodes held then, stress in the middle, nodes held and moved, state
+# at the end
+NOW, HOLD, STRESS, MOTION, END = np.arange(5)
 
 
 def rows_of_nodes(mesh) -> np.ndarray:
@@ -37,7 +40,7 @@ def in_rows(mesh, edges, axis, ratio):
     beside = row[axis].max(axis=1, initial=0)
     orders = [np.argsort(keys, kind="stable") for keys in (loads, held, beside)]
     edges.loads, edges.held, edges.held_normals = edges.loads[orders[0]], edges.held[orders[1]], edges.held_normals[orders[1]]
-    keys = loads[orders[0]], row[edges.special], held[orders[1]], beside[orders[2]]
+    keys = loads[orders[0]], row[edges.special], held[orders[1]], beside[orders[2]], row
     return axis[orders[2]], ratio[orders[2]], np.array([np.searchsorted(each, np.arange(row[-1] + 2)) for each in keys])
 
 

@@ -209,6 +209,7 @@ class Work(NamedTuple):
     p_e: Any
     pace: Any
     inverse_length: Any      # longest edge over area, 1/m
+    closes: Any              # 1 at the first zone of a stretch in which something closes (`closing`)
     zero: Any
 
 

@@ -21,9 +21,9 @@ import numba as nb
 from hugoniot.core.passes import rows
 from hugoniot.core.shares import everyone
 from hugoniot.core.target import GUARD
+from hugoniot.solvers.lagrange2d import bands, special_nodes, transmitting
 from hugoniot.solvers.lagrange2d import layout as L
-from hugoniot.solvers.lagrange2d import special_nodes, transmitting
-from hugoniot.solvers.lagrange2d.bands import AXIS, END, GHOSTS, HELD, HOLD, LOADS, MOTION, SPECIAL, STRESS, between, next_top, take_rows
+from hugoniot.solvers.lagrange2d.bands import between, take_rows
 from hugoniot.solvers.lagrange2d.contact import step as contact_step
 from hugoniot.solvers.lagrange2d.contact.step import touch
 from hugoniot.solvers.lagrange2d.node_step import FX, GX
@@ -77,6 +77,7 @@ class Run(NamedTuple):
     before: Any              # (kinds of `bands`, rows): how many of each come before a row
     chains: Any              # (chains, 3): work and impulse of what stands outside
     kept: Any                # the same at the start of the step
+    middle: Any              # where what a node has in the middle of the step stands in its rows (`rings`)
     contact: Any             # `contact.layout.Contact` or `Nowhere`
 
 
@@ -105,32 +106,32 @@ def choose_step(control):
 
 @nb.njit(**GUARD)
 def hold_specials(run, options, time, dt, first, which, span):
-    """Steps 2 and 4 for the nodes that something besides their own zones acts on; `first`: whether forces were gathered anew.
+    """Steps 2 and 4 for the nodes that something besides their own zones acts on; `first`: the first try, whose forces are gathered.
 
     span: (first row, one after the last) of the band, and the lag of the rows that are held.
     """
     at_start, (last, top, lag) = which == GX, span
     book = not at_start
-    a, b = between(run.before, LOADS, last, top, lag - 1, run.loads.shape[0])
+    a, b = between(run.before, bands.LOADS, last, top, lag - 1, run.loads.shape[0])
     loads, given = run.loads[a:b], run.given[a:b]
-    a, b = between(run.before, SPECIAL, last, top, lag, run.special.shape[0])
+    a, b = between(run.before, bands.SPECIAL, last, top, lag, run.special.shape[0])
     special = run.special[a:b]
-    a, b = between(run.before, HELD, last, top, lag, run.held.shape[0])
+    a, b = between(run.before, bands.HELD, last, top, lag, run.held.shape[0])
     held, normals = run.held[a:b], run.held_normals[a:b]
-    if first:
+    if first or book:
         pulses, geometry = (run.pulses, run.tables), (options.kind, options.near)
-        special_nodes.load(run.nodes, loads, given, pulses, run.ends, time + 0.5 * dt, at_start, geometry)
+        special_nodes.load(run.nodes, run.middle, loads, given, pulses, run.ends, time + 0.5 * dt, at_start, geometry)
         special_nodes.exchange(run.nodes, which, run.starts, run.members)
-    special_nodes.free_motion(run.nodes, special, which, dt, options.gx, options.gy)
+    special_nodes.free_motion(run.nodes, run.middle, special, which == GX, dt, (options.gx, options.gy))
     special_nodes.transmit(run.nodes, run.gates, run.gate_normals, run.chains, dt, book)
-    special_nodes.hold(run.nodes, held, normals, run.pulses, run.tables, run.chains, time + dt, book)
+    special_nodes.hold(run.nodes, run.middle, held, normals, run.pulses, run.tables, run.chains, time + dt, book)
     if at_start:
-        special_nodes.special_middle(run.nodes, special, dt)
+        special_nodes.special_middle(run.nodes, run.middle, special, dt)
     touch(run.contact, run, options, time, dt, contact_step.PUSH if book else contact_step.PUSH_MIDDLE)
     if book:
         transmitting.answer(run, dt, options.kind, options.near)
-        a, b = between(run.before, LOADS, last, top, lag, run.loads.shape[0])
-        special_nodes.book_loads(run.nodes, run.loads[a:b], run.given[a:b], run.chains, dt)
+        a, b = between(run.before, bands.LOADS, last, top, lag, run.loads.shape[0])
+        special_nodes.book_loads(run.nodes, run.middle, run.loads[a:b], run.given[a:b], run.chains, dt)
 
 
 @nb.njit(**GUARD)
@@ -142,12 +143,14 @@ def copy(table, to):
 
 
 @nb.njit(**GUARD)
-def book_body_force(run, options, control, dt):
-    """Work of the body force."""
-    n, gx, gy, work = rows(L.Nodes, run.nodes, 0), options.gx, options.gy, 0.0
-    for k in range(run.nodes.shape[1]):
-        work += (gx * n.um[k] + gy * n.vm[k]) * n.own[k]
-    control[L.GRAVITY_WORK] += dt * work
+def power_of_body_force(run, options, power, span):
+    """Power of the body force on the nodes of a band, added to that of the bands before it."""
+    n, (last, top, lag) = rows(L.Nodes, run.nodes, 0), span
+    a, b = between(run.before, bands.NODES, last, top, lag, run.middle.shape[0])
+    for k in range(a, b):
+        m = run.middle[k]
+        power += (options.gx * n.um[m] + options.gy * n.vm[m]) * n.own[k]
+    return power
 
 
 @nb.njit(**GUARD)
@@ -159,9 +162,9 @@ def set_step(plan, dt):
 @nb.njit(**GUARD)
 def look_around(run, plan, last, top, team):
     """Velocity gradients of the rows from `last` to `top` at the start of a step, and of the cells around the blocks beside them."""
-    take_rows(plan, last, top, 0)
+    take_rows(plan, last, top, bands.NOW)
     everyone(plan, GRADIENTS, team)
-    a, b = between(run.before, GHOSTS, last, top, 0, run.ghosts.shape[0])
+    a, b = between(run.before, bands.GHOSTS, last, top, bands.NOW, run.ghosts.shape[0])
     fill_ghosts(run.gradients, run.nodes, run.ghosts[a:b], run.ghost_numbers[a:b])
 
 
@@ -175,30 +178,32 @@ def in_bands(plan):
 def try_step(run, plan, options, control, first, team):
     """Steps 2 to 6 with the step of the plan; how many zones are tangled, in which case nothing has moved if a band is the whole mesh.
     `first`: the first try."""
-    dt, time, top, rows = plan.dts[DT], control[L.TIME], 0, plan.before.shape[1] - 1
+    dt, time, top, rows, power = plan.dts[DT], control[L.TIME], bands.FIRST, plan.before.shape[1] - 1, 0.0
     transmitting.listen(run, dt, options.kind, options.near)
-    special_nodes.axis_masses(run.nodes, run.axis, run.axis_ratio, options.near, False)
+    special_nodes.axis_masses(run.nodes, run.middle, run.axis, run.axis_ratio, options.near, False)
     while top < rows:
-        last, top = top, next_top(plan, top)
+        last, top = top, bands.next_top(plan, top)
         if in_bands(plan):
             look_around(run, plan, last, top, team)
-        take_rows(plan, last, top, 0)
+        take_rows(plan, last, top, bands.NOW)
         everyone(plan, ACCELERATE, team)
-        hold_specials(run, options, time, dt, first, GX, (last, top, HOLD))
-        take_rows(plan, last, top, STRESS)
+        hold_specials(run, options, time, dt, first, GX, (last, top, bands.HOLD))
+        take_rows(plan, last, top, bands.STRESS)
         everyone(plan, PREDICT, team)
         wrong = tangled(plan, PREDICT)
         if wrong > 0.0:
             copy(run.ends_kept, run.ends)
             return wrong
-        a, b = between(run.before, AXIS, last, top, STRESS, run.axis.shape[0])
-        special_nodes.axis_masses(run.nodes, run.axis[a:b], run.axis_ratio[a:b], options.near, True)
+        a, b = between(run.before, bands.AXIS, last, top, bands.STRESS, run.axis.shape[0])
+        special_nodes.axis_masses(run.nodes, run.middle, run.axis[a:b], run.axis_ratio[a:b], options.near, True)
         everyone(plan, PUSH, team)
-        hold_specials(run, options, time, dt, True, FX, (last, top, MOTION))
-        take_rows(plan, last, top, MOTION)
+        hold_specials(run, options, time, dt, first, FX, (last, top, bands.MOTION))
+        take_rows(plan, last, top, bands.MOTION)
         everyone(plan, MOVE, team)
+        if options.gx != 0.0 or options.gy != 0.0:
+            power = power_of_body_force(run, options, power, (last, top, bands.MOTION))
         touch(run.contact, run, options, time, dt, contact_step.MOVE)
-        take_rows(plan, last, top, END)
+        take_rows(plan, last, top, bands.END)
         everyone(plan, LOOK, team)
         wrong = tangled(plan, LOOK)
         if wrong > 0.0:
@@ -210,6 +215,7 @@ def try_step(run, plan, options, control, first, team):
         touch(run.contact, run, options, time, dt, contact_step.ACCEPT)
         everyone(plan, CORRECT, team)
         everyone(plan, GATHER, team)
+    control[L.GRAVITY_WORK] += dt * power
     gather(plan.found)
     return 0.0
 
@@ -233,7 +239,7 @@ def take_step(run, plan, options, control, counters, team):
     touch(run.contact, run, options, time, dt, contact_step.CLOSE)
     copy(run.chains, run.kept)
     if not in_bands(plan):      # several tries may need it, and transmitting edges follow it
-        look_around(run, plan, 0, plan.before.shape[1] - 1, team)
+        look_around(run, plan, bands.FIRST, plan.before.shape[1] - 1, team)
     transmitting.lag(run)
     copy(run.ends, run.ends_kept)
     while try_step(run, plan, options, control, tries == 0, team) > 0.0:
@@ -248,8 +254,6 @@ def take_step(run, plan, options, control, counters, team):
         if tries > MOST_TRIES:
             return L.TANGLED
     control[L.DT] = dt
-    if options.gx != 0.0 or options.gy != 0.0:
-        book_body_force(run, options, control, dt)
     totals = plan.found[-1]
     at_event = dt >= control[L.EVENT_TIME] - time
     control[L.TIME] = control[L.EVENT_TIME] if at_event else time + dt
@@ -282,7 +286,7 @@ def hold_at_start(run):
     n = rows(L.Nodes, run.nodes, 0)
     for k in range(run.nodes.shape[1]):
         n.um[k], n.vm[k] = n.u[k], n.v[k]
-    special_nodes.hold(run.nodes, run.held, run.held_normals, run.pulses, run.tables, run.chains, 0.0, False)
+    special_nodes.hold(run.nodes, run.middle, run.held, run.held_normals, run.pulses, run.tables, run.chains, 0.0, False)
     for k in range(run.nodes.shape[1]):
         n.u[k], n.v[k] = 2.0 * n.um[k] - n.u[k], 2.0 * n.vm[k] - n.v[k]
         n.um[k], n.vm[k] = n.u[k], n.v[k]

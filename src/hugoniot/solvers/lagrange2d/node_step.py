@@ -5,11 +5,13 @@ The nodes of a block move by their own zones' forces first. Then the special one
 
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from hugoniot.core.binder import bind, bind_choice
 from hugoniot.core.passes import rows_apart, zone_pass
 from hugoniot.solvers.lagrange2d import layout as L
 
-FX, GX = L.Nodes._fields.index("fx"), L.Nodes._fields.index("gx")
+FX, GX = np.array([L.Nodes._fields.index("fx"), L.Nodes._fields.index("gx")])     # as the numbers of `bands`
 LEAST_LEFT = 0.8     # of the area in the middle of a step; a step takes no more than a third of a zone's area
 
 

@@ -15,22 +15,20 @@ from hugoniot.core.compile_ahead import Job
 from hugoniot.core.pass_lists import Operation, Place, Written, carry_out, jobs, place, places, write
 from hugoniot.core.passes import Entry, call_entry
 from hugoniot.core.target import GUARD
-from hugoniot.solvers.lagrange2d import heat_flux, node_step, smoothness, triangle_passes, triangle_step, zone_passes, zone_step
+from hugoniot.solvers.lagrange2d import closing, heat_flux, node_step, smoothness, triangle_passes, triangle_step, zone_passes, zone_step
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.plane_rows import (
-    AT_BEFORE,
     AT_GRADIENTS,
     AT_GRADIENTS_BEFORE,
     AT_GRADIENTS_BEHIND,
+    AT_HIGH,
     AT_LOW,
-    AT_UPPER_BEFORE,
-    AT_ZONES,
+    AT_LOW_HALF,
     BEFORE_ONLY,
     BEHIND_ONLY,
     BOTH,
     DT,
     DT_BACK,
-    OF_FORCES,
     OF_ZONES,
     ORIGINS,
     RowsOfRun,
@@ -43,7 +41,6 @@ COMMANDS = 10
 OF_NODES = (ACCELERATE, PUSH, MOVE, TAKE_BACK, GATHER)
 FIRST, LAST, COUNT, PIECE, MEMBER, ORIGIN = range(6)          # columns of the table of shares, the last one the first of the origins
 FROM, TO, HEIGHT = range(3)                                   # of the band: its first row and the one after its last, rows of a band
-IN_FLIGHT = 4                                                 # rows before a band whose forces its commands need, and one to spare
 BAND = 4_000                                                  # zones of a band for each member: what a step reads of them stays in cache
 
 
@@ -84,23 +81,31 @@ def _empty() -> Plan:
 EMPTY = _empty()     # of the compiled type of every plan
 
 
+def rows_of_member(rows: int, most: int, threads: int) -> int:
+    """Rows of each member in a band, at most `most`: so that the last band is hardly shorter than the others, and nobody waits in it."""
+    fewest = -(-rows // (most * threads))
+    heights = [-(-rows // (bands * threads)) for bands in range(fewest, fewest + fewest // 4 + 1)]
+    return min(heights, key=lambda height: -rows % (height * threads))
+
+
 # -- writing -----------------------------------------------------------------------------------------------------------
 class Planner:
     """Writes the lists of a run.
 
     tables     (zones, forces, charge, nodes, gradients, further fields of triangles or None), which stay where they are as long as the run
+    rings      `rings.Rings`
     materials  (laws, numbers, whether it is a fluid, whether both triangles of a cell share their pressure) of each material
     viscosity  `problem.plane.model.Viscosity2D`
     """
 
-    def __init__(self, tables, materials, geometry, viscosity, body_force, threads: int, longest: int):
+    def __init__(self, tables, materials, geometry, viscosity, body_force, threads: int, longest: int, rings):
         self.places, self.geometry, self.viscosity, self.threads = RowsOfRun(tables, threads, longest), geometry, viscosity, threads
         self.dts, self.seen, self.triangles = self.places.dts, self.places.seen, self.places.own is not None
         self._body_force = np.array(body_force, dtype=float)
         self._at = [self.places.rows(member, member) for member in range(threads)]
         self._some_conduct, self._coefficient = any(self.conducts(m[0], m[2]) for m in materials), np.array([viscosity.heat_flux])
         self._lists = dict(self._of_materials(materials)) | dict(self._of_zones()) | dict(self._of_nodes())
-        self.written, self._ends, self.height = EMPTY.written, {}, 0
+        self.written, self._ends, self.height, self._rings = EMPTY.written, {}, 0, rings
 
     def jobs(self) -> list[Job]:
         """What has yet to be compiled for the plan."""
@@ -114,8 +119,9 @@ class Planner:
                     yield from self._of_cells(k, member, laws, numbers, shared)
                     continue
                 predict, correct = MaterialSteps(laws, at, explicit=True), MaterialSteps(laws, at, explicit=True)
+                closes = self._find_closing(predict)
                 if self.viscosity.limited:
-                    self._compare(predict)
+                    self._compare(predict, closes)
                 zone_step.predict(predict, self.geometry, numbers, fluid, self.viscosity.kind)
                 zone_step.correct(correct, self.geometry, numbers, fluid, self._conduction(at) if self.conducts(laws, fluid) else None)
                 yield (PREDICT, k, member), predict.operations
@@ -128,19 +134,27 @@ class Planner:
         pair = self.places.pair(member)
         predict, correct, start = (triangle_step.Cell(laws, pair, self.geometry, numbers, shared) for _ in range(3))
         if self.viscosity.limited:
-            self._compare(predict.steps[0])
+            self._compare(predict.steps[0], predict.steps[0].at.everywhere)
         predict.predict(self.viscosity.kind)
         correct.correct()
         start.start()
         for command, cell in ((PREDICT, predict), (CORRECT, correct), (START, start)):
             yield (command, k, member), cell.operations
 
-    def _compare(self, s):
+    def _find_closing(self, s):
+        """Write where something closes, for the viscosity that asks; the row that says where."""
+        at = s.at
+        if self.viscosity.kind != "tensor":
+            return at.everywhere
+        s.do(closing.find_closing, closing.ClosingOf(at.mid_low, at.mid_high, at.z.c, at.w.closes))
+        return at.w.closes
+
+    def _compare(self, s, closes):
         """Write how smooth the velocity field is."""
         here, left, right, before, behind = self._cells(smoothness.Gradients, 0)
         s.do(smoothness.compare, smoothness.ComparedOf(
             s.at.now_low, s.at.now_high, here, L.Vector(left.xix, left.xiy), L.Vector(right.xix, right.xiy),
-            L.Vector(before.etax, before.etay), L.Vector(behind.etax, behind.etay), s.at.smooth))
+            L.Vector(before.etax, before.etay), L.Vector(behind.etax, behind.etay), closes, s.at.smooth))
 
     def _cells(self, cls, first):
         """Rows of the table with cells around the blocks, from row `first` on: of a row of zones and of its four neighbours."""
@@ -178,17 +192,17 @@ class Planner:
 
     def _of_nodes(self):
         """((command, rows of zones beside, 0), list) of the motions of a row of nodes."""
-        n, whole = places(L.Nodes, self.places.nodes, AT_LOW), place(self.dts[DT:])
+        n, h, whole = *(places(L.Nodes, self.places.nodes, at) for at in (AT_LOW, AT_LOW_HALF)), place(self.dts[DT:])
         step = triangle_passes if self.triangles else node_step
         for beside in (BOTH, BEHIND_ONLY, BEFORE_ONLY):
             behind, before = self.places.beside(beside)
-            first, force = L.Vector(n.gx, n.gy), L.Vector(n.fx, n.fy)
+            first, force = L.Vector(n.gx, n.gy), L.Vector(h.fx, h.fy)
             motions = {
                 GATHER: (step.gather_forces, node_step.GatherOf(behind, before, first)),
                 ACCELERATE: (node_step.predict,
-                             node_step.PredictOf(n.x, n.y, n.u, n.v, n.im, first, n.um, n.vm, n.xh, n.yh)),
-                PUSH: (step.mean_motion, node_step.MeanOf(behind, before, n.u, n.v, n.im, force, n.um, n.vm)),
-                MOVE: (node_step.move, node_step.MoveOf(n.x, n.y, n.u, n.v, n.um, n.vm))}
+                             node_step.PredictOf(n.x, n.y, n.u, n.v, n.im, first, h.um, h.vm, h.xh, h.yh)),
+                PUSH: (step.mean_motion, node_step.MeanOf(behind, before, n.u, n.v, n.im, force, h.um, h.vm)),
+                MOVE: (node_step.move, node_step.MoveOf(n.x, n.y, n.u, n.v, h.um, h.vm))}
             for command, (motion, rows) in motions.items():
                 yield (command, beside, 0), [Operation(motion, None, rows, self._body_force, whole)]
             yield (TAKE_BACK, beside, 0), [Operation(node_step.move, None, motions[MOVE][1], self._body_force, place(self.dts[DT_BACK:]))]
@@ -198,7 +212,7 @@ class Planner:
         (count, material, origins...)."""
         self.written, ends = write(self._lists.values())
         self._ends = dict(zip(self._lists, ends))
-        height = max(1, BAND // max(count for count, *_ in node_rows))
+        height = rows_of_member(len(node_rows), max(1, BAND // max(count for count, *_ in node_rows)), self.threads)
         self.height, of_shares = height * self.threads, []
         shares, commands, before = [], [], np.zeros((COMMANDS, len(node_rows) + 1), dtype=np.int64)
         for command in range(COMMANDS):
@@ -209,7 +223,8 @@ class Planner:
                 for count, kind, *origins in of_row if known else []:
                     member = n // height % self.threads      # whichever rows a band has: every member has as many, and always the same
                     key = (command, kind, 0) if of_nodes else (command, kind if command in (PREDICT, CORRECT, START) else 0, member)
-                    shares.append((*self._ends[key], count, count if of_nodes else L.PIECE, member, 0, *origins, *len(OF_FORCES) * [0]))
+                    kept_short = [origins[at - 1] for at in (*OF_ZONES, AT_LOW, AT_HIGH)]
+                    shares.append((*self._ends[key], count, count if of_nodes else L.PIECE, member, 0, *origins, *kept_short))
                     of_shares.append(n)
                 before[command, n + 1] = len(shares) - commands[-1]
         band = np.zeros(3, dtype=np.int64)
@@ -217,21 +232,19 @@ class Planner:
         found = np.zeros((before[LOOK, -1] + 1, L.FOUND_COLUMNS))
         plan = Plan(self.written, np.array(commands), before, np.array(shares, dtype=np.int64), band, 0, self.threads, origins, self.seen,
                     found, self.dts)
-        self._of_shares, self._first = np.array(of_shares), np.array([row[2 + AT_ZONES - 1] for row in node_rows])
+        self._whole, self._of_shares = plan.shares.copy(), np.array(of_shares)
         self.set_bands(plan, False)
         return plan._replace(share_out=DO_SHARE.address(plan, 0, 0))
 
     def set_bands(self, plan: Plan, several: bool) -> None:
-        """Have a plan take the mesh in several bands, or in one. The forces of a band's zones take the place of those of an earlier band,
-        which are no longer needed and still in cache."""
-        rows, height = len(self._first), self.height if several else len(self._first)
+        """Have a plan take the mesh in several bands, or in one."""
+        rows = plan.before.shape[1] - 1
+        height = self.height if several else rows
         if plan.band[HEIGHT] == height:
             return
-        plan.band[HEIGHT], around, width = height, height + IN_FLIGHT, np.diff(self._first).max(initial=0)
-        slots = np.arange(rows) % around * width - self._first if around * width <= self._first[-1] else np.zeros(rows, dtype=np.int64)
-        for origin, of_zones in zip(OF_FORCES, OF_ZONES):
-            row = self._of_shares - (of_zones in (AT_BEFORE, AT_UPPER_BEFORE))
-            plan.shares[:, ORIGIN + origin] = plan.shares[:, ORIGIN + of_zones] + slots[row]
+        plan.band[HEIGHT] = height
+        for origin, bytes_moved in self._rings.move(height, self._of_shares):
+            plan.shares[:, ORIGIN + origin] = self._whole[:, ORIGIN + origin] + bytes_moved
 
 
 # -- carried out -------------------------------------------------------------------------------------------------------

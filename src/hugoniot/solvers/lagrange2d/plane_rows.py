@@ -10,9 +10,10 @@ from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import node_step, triangle_step
 
 # origins: a row of zones and the one before it, the rows of nodes on both its sides, its gradients and those of the rows beside it
-# and, of triangles, the upper ones of the rows of cells whose lower ones are the zones; where the forces of each row of zones are
+# and, of triangles, the upper ones of the rows of cells whose lower ones are the zones; where the forces of each row of zones are, and
+# the rows of nodes in the middle of the step (`rings`)
 (AT_ZONES, AT_BEFORE, AT_LOW, AT_HIGH, AT_GRADIENTS, AT_GRADIENTS_BEFORE, AT_GRADIENTS_BEHIND, AT_UPPER, AT_UPPER_BEFORE,
- AT_FORCES, AT_FORCES_BEFORE, AT_UPPER_FORCES, AT_UPPER_FORCES_BEFORE, ORIGINS) = range(1, 15)
+ AT_FORCES, AT_FORCES_BEFORE, AT_UPPER_FORCES, AT_UPPER_FORCES_BEFORE, AT_LOW_HALF, AT_HIGH_HALF, ORIGINS) = range(1, 17)
 OF_ZONES = (AT_ZONES, AT_BEFORE, AT_UPPER, AT_UPPER_BEFORE)
 OF_FORCES = (AT_FORCES, AT_FORCES_BEFORE, AT_UPPER_FORCES, AT_UPPER_FORCES_BEFORE)
 BY_FORCES = dict(zip(OF_ZONES, OF_FORCES))
@@ -38,6 +39,7 @@ class PlaneRows(NamedTuple):
     new: Any             # deviators found
     smooth: Any
     rest: Any            # forces of what the corners' viscous stress has beyond the mean
+    everywhere: Place    # ones: all stretches, for viscosities that pass over none
     found: Place
     tangled: Place
     whole: Place
@@ -66,12 +68,12 @@ class RowsOfRun:
         self.zones, self.forces, self.charge, self.nodes, self.gradients, self.own = tables
         self.threads, self.dts, self.seen = threads, np.zeros(3), np.zeros((threads, L.FOUND_COLUMNS))
         self.scratch = zone_table(L.SCRATCH_ROWS, threads * L.PIECE * (1 if self.own is None else 2))
-        self._nothing = np.zeros(longest + 2)
+        self._nothing, self._everywhere = np.zeros(longest + 2), np.ones(L.PIECE)
 
     def rows(self, member: int, room: int, origin: int = AT_ZONES) -> PlaneRows:
         """Rows of a member, with the scratch number `room`."""
         z, forces = places(L.Zones, self.zones, origin), places(L.Forces, self.forces, BY_FORCES[origin])
-        low, high = places(L.Nodes, self.nodes, AT_LOW), places(L.Nodes, self.nodes, AT_HIGH)
+        low, high, low_half, high_half = (places(L.Nodes, self.nodes, at) for at in (AT_LOW, AT_HIGH, AT_LOW_HALF, AT_HIGH_HALF))
 
         def scratch(cls, first):
             return places(cls, self.scratch[first:], FIXED, room * L.PIECE)
@@ -79,10 +81,12 @@ class RowsOfRun:
         return PlaneRows(
             z, places(L.Charge, self.charge, origin), scratch(L.Work, 0),
             L.Points(low.x, low.y, low.u, low.v), L.Points(high.x, high.y, high.u, high.v),
-            L.Points(low.xh, low.yh, low.um, low.vm), L.Points(high.xh, high.yh, high.um, high.vm),
+            L.Points(low_half.xh, low_half.yh, low_half.um, low_half.vm),
+            L.Points(high_half.xh, high_half.yh, high_half.um, high_half.vm),
             L.Tensor(z.sxx, z.syy, z.sxy), L.Stress(z.qxx, z.qyy, z.qxy, z.qhoop),
             L.Corners(*forces[:len(L.Corners._fields)]), forces.filter_power, scratch(L.Rates, L.RATES), scratch(L.Tensor, L.NEW),
-            scratch(L.Smoothness, L.SMOOTH), scratch(L.Corners, L.REST), place(self.seen[member]),
+            scratch(L.Smoothness, L.SMOOTH), scratch(L.Corners, L.REST), place(self._everywhere),
+            place(self.seen[member]),
             place(self.seen[member, L.FOUND_TANGLED:]), place(self.dts[DT:]), place(self.dts[DT_HALF:]))
 
     def pair(self, member: int):

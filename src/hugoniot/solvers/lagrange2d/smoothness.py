@@ -21,6 +21,7 @@ from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.core.passes import rows, rows_apart, zone_pass
 from hugoniot.core.target import GUARD
+from hugoniot.solvers.lagrange2d.closing import STRETCH
 from hugoniot.solvers.lagrange2d.layout import Nodes, Points, Smoothness, Vector
 
 SMALL = 1e-60
@@ -49,8 +50,8 @@ class GradientsOf(NamedTuple):
 
 
 class ComparedOf(NamedTuple):
-    """Two rows of nodes, differences of the zones between them, of their neighbours in the row, and in the rows on both sides -> psi and
-    strain rates."""
+    """Two rows of nodes, differences of the zones between them, of their neighbours in the row, and in the rows on both sides, stretches in
+    which something closes (`closing`) -> psi and strain rates."""
 
     low: Points
     high: Points
@@ -59,6 +60,7 @@ class ComparedOf(NamedTuple):
     right: Vector
     before: Vector
     behind: Vector
+    closes: Any
     smooth: Smoothness
 
 
@@ -86,26 +88,37 @@ def smooth(lx, ly, gx, gy, rx, ry):
     return fmax(0.0, fmin(fmin(0.5 * (before + behind), 1.0), 2.0 * fmin(before, behind)))
 
 
+def compare_zone(z, j):
+    """Write psi along both directions, and strain rates in the plane, of zone j."""
+    low, high, g, found = z.low, z.high, z.g, z.smooth
+    ax, ay, bx, by = high.x[j + 1] - low.x[j], high.y[j + 1] - low.y[j], low.x[j + 1] - high.x[j], low.y[j + 1] - high.y[j]
+    au, av, bu, bv = high.u[j + 1] - low.u[j], high.v[j + 1] - low.v[j], low.u[j + 1] - high.u[j], low.v[j + 1] - high.v[j]
+    inverse = 1.0 / (ax * by - ay * bx)
+    found.xx[j] = (au * by - bu * ay) * inverse
+    found.yy[j] = (ax * bv - bx * av) * inverse
+    found.xy[j] = 0.5 * (ax * bu - bx * au + av * by - bv * ay) * inverse
+    xx, xy, ex, ey = g.xix[j], g.xiy[j], g.etax[j], g.etay[j]
+    share = (xx * xx + xy * xy) / (xx * xx + xy * xy + ex * ex + ey * ey + SMALL)
+    found.xi[j] = smooth(z.left.x[j], z.left.y[j], xx, xy, z.right.x[j], z.right.y[j]) * share
+    found.eta[j] = smooth(z.before.x[j], z.before.y[j], ex, ey, z.behind.x[j], z.behind.y[j]) * (1.0 - share)
+    found.share[j] = share
+
+
 bind(smooth)
+bind(compare_zone)
 
 
 @zone_pass(ComparedOf)
 def compare(count, z, dt, numbers, law):
-    """psi along both directions, and strain rates in the plane at the start of the step."""
+    """psi along both directions, and strain rates in the plane at the start of the step, where something closes."""
     rows_apart()
-    low, high, g, found = z.low, z.high, z.g, z.smooth
-    for j in range(count):
-        ax, ay, bx, by = high.x[j + 1] - low.x[j], high.y[j + 1] - low.y[j], low.x[j + 1] - high.x[j], low.y[j + 1] - high.y[j]
-        au, av, bu, bv = high.u[j + 1] - low.u[j], high.v[j + 1] - low.v[j], low.u[j + 1] - high.u[j], low.v[j + 1] - high.v[j]
-        inverse = 1.0 / (ax * by - ay * bx)
-        found.xx[j] = (au * by - bu * ay) * inverse
-        found.yy[j] = (ax * bv - bx * av) * inverse
-        found.xy[j] = 0.5 * (ax * bu - bx * au + av * by - bv * ay) * inverse
-        xx, xy, ex, ey = g.xix[j], g.xiy[j], g.etax[j], g.etay[j]
-        share = (xx * xx + xy * xy) / (xx * xx + xy * xy + ex * ex + ey * ey + SMALL)
-        found.xi[j] = smooth(z.left.x[j], z.left.y[j], xx, xy, z.right.x[j], z.right.y[j]) * share
-        found.eta[j] = smooth(z.before.x[j], z.before.y[j], ex, ey, z.behind.x[j], z.behind.y[j]) * (1.0 - share)
-        found.share[j] = share
+    first = 0
+    while first < count:
+        end = min(first + STRETCH, count)
+        if z.closes[first] > 0.0:
+            for j in range(first, end):
+                compare_zone(z, j)
+        first = end
 
 
 @nb.njit(**GUARD)
@@ -125,6 +138,5 @@ def fill_ghosts(table, nodes, ghosts, numbers):
             x, y = along * nx - x, along * ny - y
         table[row, ghost], table[row + 1, ghost] = x, y
         far = ghosts[i, FAR]
-        if far >= 0:
-            for k in range(CARRIED, table.shape[0]):
-                table[k, ghost] = table[k, far]
+        for k in range(CARRIED, table.shape[0]):
+            table[k, ghost] = table[k, far] if far >= 0 else 0.0

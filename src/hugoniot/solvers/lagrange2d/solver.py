@@ -29,6 +29,7 @@ from hugoniot.solvers.lagrange2d.erosion import Erosion, NoErosion
 from hugoniot.solvers.lagrange2d.march import Options, Run, hold_at_start, march
 from hugoniot.solvers.lagrange2d.plan import EMPTY, GATHER, START, Planner, carry_out_alone
 from hugoniot.solvers.lagrange2d.rewind import Rewind
+from hugoniot.solvers.lagrange2d.rings import Rings
 from hugoniot.solvers.lagrange2d.rows_of_blocks import alike, cells, ghost_tables, gradient_rows, node_rows, zone_rows
 from hugoniot.solvers.lagrange2d.zone_shapes import diagonal_table, inverse_altitudes, widths
 from hugoniot.solvers.protocol import NO_COUNTS, Event, NothingToAdd
@@ -64,7 +65,6 @@ class Lagrange2D(NothingToAdd):
         self.charge = self._charge[:, :count if self.burning else 1]
         if self.burning:
             unburned(problem, self.charge, self.zones, widths(mesh))
-        self.region_of = mesh.block_of
         self.boundaries.chains.extend(f"rigid {body.name}" for body in problem.rigid)
         self.chains = np.zeros((len(self.boundaries.chains) + 1, 3))
         self.team = team_of(problem.solver.threads, count, WORTH_SHARING)
@@ -74,11 +74,10 @@ class Lagrange2D(NothingToAdd):
         self.contact = NothingMeets() if surfaces is None else ContactResults(problem, surfaces, self.nodes, self.kind)
         contact = Nowhere() if surfaces is None else contact_tables(problem, surfaces, self.boundaries, numbering, self._zones)
         self.run = self._run(mesh, contact)
-        self.ends = self.run.ends
+        self.ends, self.region_of = self.run.ends, mesh.block_of
         self.plan, self.fronts = self._plan(mesh, accounts.largest_speed(problem, self.zones, self.nodes))
         self.erosion = Erosion(self, surfaces) if problem.solver.erosion else NoErosion()
-        self.gauge_times, self.gauge_rows = [], []
-        self.rewind = Rewind()
+        self.gauge_times, self.gauge_rows, self.rewind = [], [], Rewind()
         self.begin()
         self.initial_nodes = self.nodes[[N.x, N.y]][:, numbering.representative].copy()
 
@@ -91,14 +90,14 @@ class Lagrange2D(NothingToAdd):
         ends = transmitting.tables(edges, ghosts[0], self.numbering)
         return Run(self._zones, self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates, *ends,
                    edges.held, edges.held_normals, edges.pulses, edges.tables, *self.numbering.shared(), edges.special, *axis,
-                   np.vstack((rows, before)), self.chains, np.zeros_like(self.chains), contact)
+                   np.vstack((rows, before)), self.chains, np.zeros_like(self.chains), np.arange(self.nodes.shape[1]), contact)
 
     def _plan(self, mesh, speed):
         """(plan of the march, largest speed of a programmed front)."""
         materials, self.material_of = materials_of(self.problem, speed, self.options.near)
         tables = self._zones, self.forces, self._charge, self._nodes, self.run.gradients, diagonal_table(mesh)
         self.planner = Planner(tables, materials, G.KINDS[self.kind], self.problem.solver.viscosity, self.problem.body_force,
-                               self.team.threads, max(block.nj for block in mesh.blocks))
+                               self.team.threads, max(block.nj for block in mesh.blocks), Rings(mesh, self.numbering, self.run))
         compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs()])
         return self.plan_of(None), max(material[0].constants.front for material in materials)
 
@@ -125,6 +124,7 @@ class Lagrange2D(NothingToAdd):
         control[L.DT_SMALLEST] = LARGEST_COLLAPSE * self.problem.stop_time
         control[L.GAUGE_INTERVAL] = self.problem.output.gauge_interval
         control[L.NEXT_GAUGE] = 0.0 if self.sampler else NO_LIMIT
+        self.planner.set_bands(self.plan, False)
         hold_at_start(self.run)
         control[L.RATE] = accounts.signal_rate(self)
         first = options.initial_step or 0.1 * control[L.COURANT] / control[L.RATE]

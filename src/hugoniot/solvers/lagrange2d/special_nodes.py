@@ -2,7 +2,7 @@
 
 Loads on edges are added to the forces of their nodes, the forces of nodes that several blocks share are summed in a fixed order and given
 to each, and what holds a node (walls, axis, driven edges) takes its part of the velocity away. Its impulse and its work are booked for the
-chain it belongs to.
+chain it belongs to. `middle` says where what a node has in the middle of the step stands in its rows (`rings`).
 """
 
 import numba as nb
@@ -34,7 +34,7 @@ def edge_force(x1, y1, x2, y2, kind, near):
 
 
 @nb.njit(**GUARD)
-def load(nodes, loads, given, pulses, ends, time, at_start, geometry):
+def load(nodes, middle, loads, given, pulses, ends, time, at_start, geometry):
     """Add the pressure on loaded edges to the forces of their nodes, and keep it in `given` (edge, 4) for the booking of its work.
 
     A transmitting edge, of pulse -1 - its number, has the stress outside and the lead of `ends`; what the motion adds is `transmit`.
@@ -47,7 +47,7 @@ def load(nodes, loads, given, pulses, ends, time, at_start, geometry):
         if at_start:
             force = edge_force(n.x[a], n.y[a], n.x[b], n.y[b], kind, near)
         else:
-            force = edge_force(n.xh[a], n.yh[a], n.xh[b], n.yh[b], kind, near)
+            force = edge_force(n.xh[middle[a]], n.yh[middle[a]], n.xh[middle[b]], n.yh[middle[b]], kind, near)
         pulse = loads[i, L.LOAD_PULSE]
         if pulse < 0:
             pressure = ends[-1 - pulse, OUTSIDE] + ends[-1 - pulse, LEAD]
@@ -62,18 +62,18 @@ def load(nodes, loads, given, pulses, ends, time, at_start, geometry):
             n.gx[b] += given[i, 2]
             n.gy[b] += given[i, 3]
         else:
-            n.fx[a] += given[i, 0]
-            n.fy[a] += given[i, 1]
-            n.fx[b] += given[i, 2]
-            n.fy[b] += given[i, 3]
+            n.fx[middle[a]] += given[i, 0]
+            n.fy[middle[a]] += given[i, 1]
+            n.fx[middle[b]] += given[i, 2]
+            n.fy[middle[b]] += given[i, 3]
 
 
 @nb.njit(**GUARD)
-def book_loads(nodes, loads, given, chains, dt):
+def book_loads(nodes, middle, loads, given, chains, dt):
     """Impulse and work of the loaded edges in this step."""
     n = rows(L.Nodes, nodes, 0)
     for i in range(loads.shape[0]):
-        a, b, chain = loads[i, L.LOAD_A], loads[i, L.LOAD_B], loads[i, L.LOAD_CHAIN]
+        a, b, chain = middle[loads[i, L.LOAD_A]], middle[loads[i, L.LOAD_B]], loads[i, L.LOAD_CHAIN]
         work = given[i, 0] * n.um[a] + given[i, 1] * n.vm[a] + given[i, 2] * n.um[b] + given[i, 3] * n.vm[b]
         chains[chain, L.CHAIN_WORK] += dt * work
         chains[chain, L.CHAIN_IMPULSE_X] += dt * (given[i, 0] + given[i, 2])
@@ -95,27 +95,28 @@ def exchange(nodes, which, starts, members):
 
 
 @nb.njit(**GUARD)
-def axis_masses(nodes, axis, ratio, near, middle):
+def axis_masses(nodes, middle, axis, ratio, near, halfway):
     """Area weighted: a node on the axis has the areal mass of its neighbour off the axis times the ratio of both at t = 0.
 
-    middle: whether the neighbour's radius counts in the middle of the step, as for the forces there, or at its start.
+    halfway: whether the neighbour's radius counts in the middle of the step, as for the forces there, or at its start.
     """
     n = rows(L.Nodes, nodes, 0)
     for i in range(axis.shape[0]):
         node, beside = axis[i, 0], axis[i, 1]
-        radius = n.xh[beside] if middle else n.x[beside]
+        radius = n.xh[middle[beside]] if halfway else n.x[beside]
         n.im[node] = n.im[beside] * radius / (near * ratio[i])
 
 
 # -- special nodes: motion again, and what holds them ---------------------------------------------------------------------------------
 @nb.njit(**GUARD)
-def free_motion(nodes, special, which, dt, gx, gy):
+def free_motion(nodes, middle, special, at_start, dt, body_force):
     """Mean velocity of the special nodes from their whole forces."""
-    n = rows(L.Nodes, nodes, 0)
+    n, (gx, gy) = rows(L.Nodes, nodes, 0), body_force
     for i in range(special.shape[0]):
-        k = special[i]
-        n.um[k] = n.u[k] + 0.5 * dt * (nodes[which, k] * n.im[k] + gx)
-        n.vm[k] = n.v[k] + 0.5 * dt * (nodes[which + 1, k] * n.im[k] + gy)
+        k, m = special[i], middle[special[i]]
+        fx, fy = (n.gx[k], n.gy[k]) if at_start else (n.fx[m], n.fy[m])
+        n.um[m] = n.u[k] + 0.5 * dt * (fx * n.im[k] + gx)
+        n.vm[m] = n.v[k] + 0.5 * dt * (fy * n.im[k] + gy)
 
 
 @nb.njit(**GUARD)
@@ -144,7 +145,7 @@ def transmit(nodes, gates, normals, chains, dt, book):
 
 
 @nb.njit(**GUARD)
-def hold(nodes, held, normals, pulses, tables, chains, time, book):
+def hold(nodes, middle, held, normals, pulses, tables, chains, time, book):
     """Take from the mean velocity what walls, the axis and driven edges do not allow; book their impulse and work.
 
     held: integers of `layout` HOLD_*; normals: (n1x, n1y, n2x, n2y) of unit directions along which the velocity at the end of the step
@@ -152,9 +153,9 @@ def hold(nodes, held, normals, pulses, tables, chains, time, book):
     """
     n = rows(L.Nodes, nodes, 0)
     for i in range(held.shape[0]):
-        k = held[i, L.HOLD_NODE]
+        k, m = held[i, L.HOLD_NODE], middle[held[i, L.HOLD_NODE]]
         ax, ay, bx, by = normals[i, 0], normals[i, 1], normals[i, 2], normals[i, 3]
-        u, v = 2.0 * n.um[k] - n.u[k], 2.0 * n.vm[k] - n.v[k]
+        u, v = 2.0 * n.um[m] - n.u[k], 2.0 * n.vm[m] - n.v[k]
         first = -(u * ax + v * ay)
         if held[i, L.HOLD_PULSE_1] >= 0:
             first += pulse_value(time, pulses[held[i, L.HOLD_PULSE_1]], tables[held[i, L.HOLD_PULSE_1]])
@@ -166,13 +167,13 @@ def hold(nodes, held, normals, pulses, tables, chains, time, book):
             overlap = ax * bx + ay * by
             over = 1.0 / (1.0 - overlap * overlap)
             first, second = (first - overlap * second) * over, (second - overlap * first) * over
-        n.um[k] += 0.5 * (first * ax + second * bx)
-        n.vm[k] += 0.5 * (first * ay + second * by)
+        n.um[m] += 0.5 * (first * ax + second * bx)
+        n.vm[m] += 0.5 * (first * ay + second * by)
         if book and held[i, L.HOLD_BOOKED] == 1:
             mass = 1.0 / n.im[k]
-            book_hold(chains, held[i, L.HOLD_CHAIN_1], mass * first, ax, ay, n.um[k], n.vm[k])
+            book_hold(chains, held[i, L.HOLD_CHAIN_1], mass * first, ax, ay, n.um[m], n.vm[m])
             if held[i, L.HOLD_CHAIN_2] >= 0:
-                book_hold(chains, held[i, L.HOLD_CHAIN_2], mass * second, bx, by, n.um[k], n.vm[k])
+                book_hold(chains, held[i, L.HOLD_CHAIN_2], mass * second, bx, by, n.um[m], n.vm[m])
 
 
 @nb.njit(**INLINE)
@@ -184,10 +185,10 @@ def book_hold(chains, chain, impulse, nx, ny, u, v):
 
 
 @nb.njit(**GUARD)
-def special_middle(nodes, special, dt):
+def special_middle(nodes, middle, special, dt):
     """Positions of the special nodes in the middle of the step."""
     n = rows(L.Nodes, nodes, 0)
     for i in range(special.shape[0]):
-        k = special[i]
-        n.xh[k] = n.x[k] + 0.5 * dt * n.um[k]
-        n.yh[k] = n.y[k] + 0.5 * dt * n.vm[k]
+        k, m = special[i], middle[special[i]]
+        n.xh[m] = n.x[k] + 0.5 * dt * n.um[m]
+        n.yh[m] = n.y[k] + 0.5 * dt * n.vm[m]

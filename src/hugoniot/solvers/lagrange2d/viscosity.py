@@ -38,6 +38,7 @@ from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.laws.viscosity.contract import viscous_speed
+from hugoniot.solvers.lagrange2d.closing import STRETCH
 from hugoniot.solvers.lagrange2d.layout import Corners, Points, Smoothness, Tensor
 from hugoniot.solvers.lagrange2d.quads import quad
 
@@ -47,13 +48,11 @@ SLIGHT, FAINT = 1e-4, 1e-6    # parts of the other jump and of the sound speed b
 STEADY = 1e-3           # part of the rate now below which one at the start of the step keeps the limiter in proportion
 SLENDER, NEEDLE = 4.0, 8.0
 LESS = 1.0 - 1e-15      # so that no length is the root of a negative number by round-off
-NOTHING = 1e-15        # part of a position that is lost in its digits
-STRETCH = 32            # zones of a piece that are looked at together
 
 
 class ResistOf(NamedTuple):
-    """Nodes in the middle, strain rates, smoothness, state, density of the solid -> mean viscous stress, corner forces of what the
-    corners' stresses have beyond it, largest viscous speed, heat per volume and time."""
+    """Nodes in the middle, strain rates, smoothness, state, density of the solid, stretches in which something closes (`closing`) -> mean
+    viscous stress, corner forces of what the corners' stresses have beyond it, largest viscous speed, heat per volume and time."""
 
     low: Points
     high: Points
@@ -63,6 +62,7 @@ class ResistOf(NamedTuple):
     c: Any
     p: Any
     rho: Any
+    closes: Any
     mean: Tensor
     g: Corners
     fastest: Any
@@ -245,27 +245,6 @@ def in_slender(z, j, viscosity):
     g.f2x[j], g.f2y[j], g.f3x[j], g.f3y[j] = rest * g.f2x[j], rest * g.f2y[j], rest * g.f3x[j], rest * g.f3y[j]
 
 
-def closes(e1x, e1y, e2x, e2y, u1, v1, u2, v2):
-    """Positive where a principal direction of a corner closes: about the square of its rate times the doubled area."""
-    gxx, gyy, gxy = u1 * e2y - u2 * e1y, v2 * e1x - v1 * e2x, u2 * e1x - u1 * e2x + v1 * e2y - v2 * e1y
-    total, difference = gxx + gyy, gxx - gyy
-    return difference * difference + gxy * gxy - total * fmax(total, -total)
-
-
-def closing(z, j):
-    """Positive where a corner of zone j closes by more, in the time sound takes across the zone, than the last digits of its position."""
-    low, high = z.low, z.high
-    x0, y0, x1, y1 = low.x[j], low.y[j], high.x[j], high.y[j]
-    x2, y2, x3, y3 = high.x[j + 1], high.y[j + 1], low.x[j + 1], low.y[j + 1]
-    au, av, bu, bv = high.u[j] - low.u[j], high.v[j] - low.v[j], high.u[j + 1] - high.u[j], high.v[j + 1] - high.v[j]
-    cu, cv, du, dv = low.u[j + 1] - high.u[j + 1], low.v[j + 1] - high.v[j + 1], low.u[j] - low.u[j + 1], low.v[j] - low.v[j + 1]
-    ax, ay, bx, by, cx, cy, dx, dy = x1 - x0, y1 - y0, x2 - x1, y2 - y1, x3 - x2, y3 - y2, x0 - x3, y0 - y3
-    most = fmax(closes(ax, ay, -dx, -dy, au, av, -du, -dv), closes(bx, by, -ax, -ay, bu, bv, -au, -av))
-    most = fmax(most, fmax(closes(cx, cy, -bx, -by, cu, cv, -bu, -bv), closes(dx, dy, -cx, -cy, du, dv, -cu, -cv)))
-    c = NOTHING * z.c[j]
-    return most - c * c * (x0 * x0 + y0 * y0 + x2 * x2 + y2 * y2)
-
-
 @zone_pass(ResistOf)
 def resist(count, z, dt, numbers, law):
     """Viscous stress of the four corners of zones: its mean, and the planar forces of what each has beyond the mean.
@@ -275,11 +254,8 @@ def resist(count, z, dt, numbers, law):
     rows_apart()
     viscosity, first = law_of(law, numbers), 0
     while first < count:
-        end = min(first + STRETCH, count)
-        most, slender = 0.0, 0.0
-        for j in range(first, end):
-            most = fmax(most, closing(z, j))
-        if most > 0.0:
+        end, slender = min(first + STRETCH, count), 0.0
+        if z.closes[first] > 0.0:
             for j in range(first, end):
                 in_corners(z, j, viscosity)
             for j in range(first, end):
@@ -296,5 +272,5 @@ def resist(count, z, dt, numbers, law):
 
 
 for _function in (metric, metric_of, around, kept, counted, both_kept, both_counted, along_edges, in_corner, corner_force, in_corners,
-                  slenderness, in_slender, closes, closing):
+                  slenderness, in_slender):
     bind(_function)

@@ -190,7 +190,7 @@ def push_solid(count, z, dt, numbers, law):
 def settle(count, z, dt, numbers, law):
     """Strain rates with the mean velocity of the step; energy by the work of the forces, -sum F.u."""
     rows_apart()
-    geometry, near = kind_of(law), numbers[NEAR]
+    geometry, near, most = kind_of(law), numbers[NEAR], 0.0
     for j in range(count):
         at = cell(z.corners, j)
         d = strains(at, z.corners, j, near, geometry)
@@ -200,9 +200,12 @@ def settle(count, z, dt, numbers, law):
         z.d.xx[j], z.d.yy[j], z.d.xy[j], z.d.spin[j], z.d.hoop[j], z.d.dilation[j] = d.xx, d.yy, d.xy, d.spin, d.hoop, d.dilation
         z.e[j] -= dt * inverse_mass * work
         z.heat[j] = heat
-        z.viscous_work[j] += heat
+        most = fmax(most, fmax(heat, -heat))
         z.filter_work[j] += dt * z.filter_power[j]
         z.trace[j] = xx + yy + hoop
+    if most > 0.0:      # most often nothing is added, and the row stays out of the way
+        for j in range(count):
+            z.viscous_work[j] += z.heat[j]
 
 
 @zone_pass(ShapeOf)

@@ -31,7 +31,7 @@ def resist(s, geometry, solid, kind):
             at.mid_low, at.mid_high, at.d, w.v, z.c, s.p_half, solid, at.q, at.rest, z.viscous_speed), law=s.laws.viscosity)
         return
     rows = viscosity.ResistOf(at.mid_low, at.mid_high, Tensor(at.d.xx, at.d.yy, at.d.xy), at.smooth, w.v, z.c, s.p_half, solid,
-                              Tensor(at.q.xx, at.q.yy, at.q.xy), at.rest, z.viscous_speed, w.rate)
+                              w.closes, Tensor(at.q.xx, at.q.yy, at.q.xy), at.rest, z.viscous_speed, w.rate)
     s.do(edge_viscosity.resist_edges if kind == "edge" else viscosity.resist, rows, law=s.laws.viscosity)
     if isinstance(geometry, AreaWeighted):
         s.do(hoop_viscosity.hoop_viscosity, hoop_viscosity.HoopOf(at.d, w.rate, at.q, at.rest))
