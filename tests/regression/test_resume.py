@@ -230,4 +230,4 @@ def test_a_checkpoint_of_another_machine_is_continued_with_a_warning(name, place
         here = machine.machine()
         other.setattr(machine, "machine", lambda: {**here, "cpu": "another"})
         events = simulate.resume(folder).events
-    assert any(kind == "warning" and "another machine" in text and here["cpu"] in text for kind, text in zip(events["kind"].values, events["text"].values))
+    assert any(kind == "warning" and "a different machine" in text and here["cpu"] in text for kind, text in zip(events["kind"].values, events["text"].values))

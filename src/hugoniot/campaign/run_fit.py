@@ -166,7 +166,7 @@ def _targets(question: Deck, plan: Plan, wishes: FitWishes) -> tuple[list[Target
             raise refuse("--to", files[0], "a Pop plot has no clock, no scale, no window and no gauge", "leave these options out")
         if idle := [key for key in plan.changes(0) if not key.startswith("material.")]:
             raise refuse("--free", idle[0], "has no effect on a Pop plot, whose runs take only the explosive from the deck",
-                         "free constants of the material, or give a record of the deck itself too")
+                         "vary constants of the material instead, or also give a record of the deck itself")
         return list(pops), own
     others = [text for text in wishes.to if text not in files]
     targets, notes = read_targets(others, MemoryRun(problem), gauge=wishes.gauge, sigma=wishes.sigma, windows=wishes.window)

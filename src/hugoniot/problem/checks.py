@@ -227,7 +227,7 @@ def read_interfaces(rows: Sequence, regions: tuple[Region, ...], collector: Coll
         if b != a + 1:
             collector.add((*path, "between"), f"'{row.between[0]}' and '{row.between[1]}' are not neighbours")
         elif (a, b) in found:
-            collector.add((*path, "between"), f"'{row.between[0]}' and '{row.between[1]}' are described twice")
+            collector.add((*path, "between"), f"the pair '{row.between[0]}' and '{row.between[1]}' is described twice")
         elif row.kind == "bond" and regions[b].start > regions[a].end:
             collector.add((*path, "between"), f"'{regions[a].name}' and '{regions[b].name}' do not touch: a bond acts from the start",
                           'kind = "bonded" joins them when they meet')

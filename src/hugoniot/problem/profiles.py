@@ -172,7 +172,7 @@ def _of_file(name: str, collector: Collector, path: tuple) -> Profile | None:
             return None
     places = columns.pop("position", None)
     if places is None or not columns:
-        collector.add(path, "needs a column position and another", "such as: position [mm], velocity [m/s]")
+        collector.add(path, "needs a column 'position' and at least one other", "such as: position [mm], velocity [m/s]")
         return None
     return Profile(places, tuple(columns.items()))
 

@@ -121,7 +121,7 @@ def _heat_sources(raw: Any, collector: Collector) -> tuple[HeatSource, ...]:
             continue
         pulse = read_pulse(getattr(table, given[0][0]), given[0][1], collector, (*path, given[0][0]))
         if pulse is not None and min(pulse.amplitude, *pulse.values, 0.0) < 0.0:
-            collector.add((*path, given[0][0]), "a heat source supplies energy; a negative one would cool below absolute zero",
+            collector.add((*path, given[0][0]), "a heat source supplies energy; a negative one could cool the material below absolute zero",
                           "give 0 or more")
             continue
         if pulse is not None:

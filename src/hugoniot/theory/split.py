@@ -8,6 +8,7 @@ pressure than the single jump.
 Source: Zel'dovich and Raizer, Physics of Shock Waves, chapter XI, sections 4 and 19; Herrmann, J. Appl. Phys. 40 (1969) 2490 (P-alpha).
 """
 
+import contextlib
 from typing import NamedTuple
 
 import numpy as np
@@ -17,6 +18,7 @@ from hugoniot.theory.hugoniot import Initial, curve, shock
 from hugoniot.theory.states import States
 
 SAMPLES = 201
+LOOKS = 0.75 ** np.arange(1, 31)       # of the particle velocity: down to 2e-4 of it
 NOTICED = 1e-3     # of the shock velocity, by which the precursor must be faster
 
 
@@ -30,7 +32,7 @@ class Split(NamedTuple):
 def split_wave(material, ahead: Initial, single: States) -> Split | None:
     """The two waves that reach the particle velocity of the single shock `single` from `ahead`; None where that shock holds together."""
     up, us = float(single.particle_velocity) - ahead.velocity, float(single.shock_velocity) - ahead.velocity
-    if not up > 0.0 or ahead.heat:
+    if not up > 0.0 or ahead.heat or not _outrun(material, ahead, up, us):
         return None
     found = curve(material, ahead, points=SAMPLES, up_to=up)
     jumps, speeds = found.particle_velocity - ahead.velocity, found.shock_velocity - ahead.velocity
@@ -50,6 +52,16 @@ def split_wave(material, ahead: Initial, single: States) -> Split | None:
     except HugoniotError:
         return None
     return Split(precursor, behind) if float(behind.shock_velocity) < float(precursor.shock_velocity) else None
+
+
+def _outrun(material, ahead: Initial, up: float, us: float) -> bool:
+    """Whether a weaker shock is faster: asked first of single states, since few curves split and arrays of states need compiled code."""
+    for weaker in up * LOOKS:
+        with contextlib.suppress(HugoniotError):
+            found = shock(material, ahead, particle_velocity=ahead.velocity + weaker)
+            if float(found.shock_velocity) - ahead.velocity > us * (1.0 + NOTICED):
+                return True
+    return False
 
 
 def split_range(material, ahead: Initial, up_to: float) -> tuple[float, float] | None:

@@ -101,7 +101,7 @@ def match(
     if thickness:
         if len(thickness) != len(materials):
             raise DeckError.single("command line", None, "--thickness", f"{len(thickness)} thicknesses for {len(materials)} layers",
-                                   "give one of each")
+                                   "give one for each layer")
         sizes = [quantity(t, "m", "--thickness") for t in thickness]
         eos_match.waves([find_inert(m) for m in materials], speed, sizes, quantity(until, "s", "--until"), as_json, as_csv, plot)
         return
