@@ -286,6 +286,7 @@ def test_a_run_resumed_while_it_slides_has_the_same_bits():
     assert rest.results() == whole.results()
 
 
+@pytest.mark.slow       # the march with contact and a team is compiled for it: a minute
 @pytest.mark.skipif(not team.possible(), reason="no threads that share a march here")
 def test_two_threads_give_the_same_bits(monkeypatch):
     monkeypatch.setattr("hugoniot.solvers.lagrange2d.solver.WORTH_SHARING", 1)
