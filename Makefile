@@ -76,7 +76,7 @@ reference: $(VENV)/.installed
 	$(BIN)/python docs/materials/generate.py
 
 docs: $(VENV)/.installed-docs
-	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build/html
+	$(BIN)/python -m sphinx -W --keep-going -b html docs docs/_build/html
 
 # the decks of `hugoniot init` are the examples: one source, two places
 examples:
