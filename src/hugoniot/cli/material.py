@@ -31,7 +31,7 @@ def list_materials(
 
     if gamma_law:
         if category.lower() not in ("", "explosive") or materials or summary or counts:
-            raise DeckError.single("material list", None, "--gamma-law", "is a list of the library's explosives",
+            raise DeckError.single("material list", None, "--gamma-law", "lists the library's explosives only",
                                    "give it alone, or with --all for single rows too")
         _gamma_laws(everything, as_json)
         return

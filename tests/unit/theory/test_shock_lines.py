@@ -96,3 +96,21 @@ def test_the_example_of_the_help_runs(capsys):
 
     example = gurney.__doc__.split("Example: hugoniot ")[1].split(" --ratio")[0]
     assert not answer(capsys, *example.split(), "--json")[0]
+
+
+def told(capsys, *words):
+    """What `hugoniot eos gurney` writes on the error stream."""
+    with pytest.raises(SystemExit):
+        front.main(["eos", "gurney", *words])
+    return capsys.readouterr().err
+
+
+@pytest.mark.parametrize("words, message", [
+    ("--ratio=-1", "mass_ratio = -1 must be positive\n"), ("--tamper=-1", "tamper_ratio = -1 must not be negative\n")])
+def test_a_ratio_that_cannot_be_is_named_alone(capsys, words, message):
+    assert message in told(capsys, "petn", words)
+
+
+def test_a_gurney_velocity_without_its_unit_is_questioned(capsys):
+    assert 'write "2.7 km/s"' in told(capsys, "--velocity", "2.7")
+    assert "bare number" not in told(capsys, "--velocity", "2.7 km/s")

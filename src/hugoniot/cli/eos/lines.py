@@ -13,6 +13,7 @@ from hugoniot.cli.show import JSON, echo_json, echo_table, quantity
 from hugoniot.errors import DeckError
 
 FASTEST = 1e5      # m/s: 5 GJ/kg, a thousand explosives
+SLOW = 100.0       # m/s: slower than any; a number whose unit was forgotten
 SHAPES = ("open", "symmetric", "cylinder", "sphere")
 TAMPED = ("asymmetric", "tamper")
 
@@ -87,6 +88,8 @@ def gurney(
                [(r["explosive"], f"{r['gurney_velocity']:.0f}", "derived" if r["derived"] else "", f"{r['mass_ratio']:g}",
                  *(f"{r[shape]:.1f}" for shape in shapes)) for r in rows])
     told = {f"Gurney velocities{',' if r['derived'] else ':'} {r['source']}" for r in rows} | {mark for r in rows for mark in r["marks"]}
+    if velocity is not None and speed < SLOW:
+        told.add(f"a Gurney velocity of {speed:g} m/s? A bare number is SI; write \"{speed:g} km/s\" if that is what you mean")
     if behind is not None:
         told.add(f"asymmetric: a plate of M/C and, on the other side, a tamper of N/C = {behind:g}, both outwards")
     echo_notes(sorted(told | {"the metal velocities are accurate to about 10 %"}))

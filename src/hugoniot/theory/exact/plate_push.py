@@ -85,8 +85,10 @@ def asymmetric_sandwich(mass_ratio: float, tamper_ratio: float, gurney_velocity:
     mass_ratio = M/C of the plate, tamper_ratio = N/C of the tamper, 0 for none (then the second velocity is that of the gas there);
     gurney_velocity = sqrt(2E), m/s.
     """
-    if mass_ratio <= 0.0 or tamper_ratio < 0.0:
-        raise OutOfRange(f"mass_ratio = {mass_ratio:g} must be positive, tamper_ratio = {tamper_ratio:g} not negative")
+    if mass_ratio <= 0.0:
+        raise OutOfRange(f"mass_ratio = {mass_ratio:g} must be positive")
+    if tamper_ratio < 0.0:
+        raise OutOfRange(f"tamper_ratio = {tamper_ratio:g} must not be negative")
     ratio = (1.0 + 2.0 * mass_ratio) / (1.0 + 2.0 * tamper_ratio)
     energy = mass_ratio + tamper_ratio * ratio**2 + (1.0 + ratio**3) / (3.0 * (1.0 + ratio))
     plate = gurney_velocity / float(np.sqrt(energy))
