@@ -24,7 +24,7 @@ def command(
     Example: hugoniot init flyer && hugoniot run flyer.toml
     """
     if solver and not schema:
-        raise DeckError.single("init", None, "--solver", "chooses a schema", "write it with --schema")
+        raise DeckError.single("init", None, "--solver", "only chooses the solver of a schema", "add --schema, or leave --solver out")
     if schema:
         import json
 

@@ -90,7 +90,7 @@ def _inside(run, option: str, what: str, asked: tuple[float, float], first: floa
 
     if asked[1] < first or asked[0] > last:
         reach = f"it covers {format_si(first, unit, 4)} to {format_si(last, unit, 4)}"
-        raise DeckError.single(run.folder, None, option, f"the run lies outside these {what}", reach)
+        raise DeckError.single(run.folder, None, option, f"these {what} lie outside the run", reach)
 
 
 def _limits(kind: str, field: str, x: str | None, t: str | None, shown: str | None) -> list[tuple[float, float] | None]:

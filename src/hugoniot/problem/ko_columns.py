@@ -57,7 +57,7 @@ def _numbers(line: str, widths: tuple[int, ...], least: int, file: str, number: 
     except ValueError:
         found = []
     if len(found) < least:
-        raise DeckError.single(file, number, "columns", f"'{printable(line.strip(), 40)}' is not {least} numbers or more")
+        raise DeckError.single(file, number, "columns", f"expected {least} or more numbers, got '{printable(line.strip(), 40)}'")
     return found
 
 

@@ -99,7 +99,7 @@ def test_plot_draws(arguments, name, place, capsys):
     (["xt", "--out", "wave.gif"], ".png"), (["profile", "--time", "9 s"], "the run has no state at 9 s; its snapshots are from 0 s to"),
     (["free_surface", "--delay", "-1 ns"], "delay: must not be negative"), (["free_surface", "--gauge", "nowhere"], "no gauge 'nowhere'; this run has: contact"),
     (["profile", "--time", "9"], "the run has no state at 9 s"),
-    (["xt", "--x", "5..6 m"], "--x: the run lies outside these positions; it covers 0 m to 1 m"),
+    (["xt", "--x", "5..6 m"], "--x: these positions lie outside the run; it covers 0 m to 1 m"),
 ])
 def test_plot_refuses_what_it_cannot_draw(arguments, hint, place, capsys):
     code, _, err = call(capsys, "plot", place / "tube.run", *arguments)

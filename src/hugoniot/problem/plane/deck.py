@@ -201,7 +201,7 @@ def _check_cells(row: SolverTable, table: dict, collector: Collector) -> None:
         collector.add(("solver", "viscosity", "heat_flux"), "is computed between quadrilaterals only",
                       'leave it out, or write cells = "quads"')
     if row.erosion is not None:
-        collector.add(("solver", "erosion"), "is computed for quads only", 'leave the table out, or write cells = "quads"')
+        collector.add(("solver", "erosion"), "works with quads only", 'leave the table out, or write cells = "quads"')
     if "hourglass" in table:
         collector.add(("solver", "hourglass"), "triangles have no hourglass modes: they have one velocity gradient each",
                       "leave the table out, or write cells = \"quads\"")

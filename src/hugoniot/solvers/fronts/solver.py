@@ -88,7 +88,7 @@ class Fronts(Reading):
             fronts = f"{len(self.line.fronts)} fronts, more than {self.line.most}"
             count = fronts if self.line.full else f"{here} interactions at one instant"
             raise UnphysicalState(f"{count}: too many waves to follow exactly",
-                                  "raise solver.options.most_fronts, use a coarser fan_step or weakest, or stop earlier", None, "",
+                                  "raise solver.options.most_fronts, use a coarser fan_step or a larger weakest, or stop earlier", None, "",
                                   None, self.time, self.cycle)
 
     def _next_change(self) -> tuple[float, int]:

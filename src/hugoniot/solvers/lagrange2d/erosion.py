@@ -34,9 +34,9 @@ class Erosion:
         self.solver, self.law, self.surfaces = solver, solver.problem.solver.erosion, surfaces
         mesh = solver.problem.mesh
         if solver.problem.solver.cells != "quads":
-            raise OutOfRange("erosion is computed for quads only; use solver.cells = 'quads'")
+            raise OutOfRange("erosion works with quads only; use solver.cells = 'quads'")
         if any(boundary.kind == "transmitting" for boundary in solver.problem.boundaries):
-            raise OutOfRange("erosion and transmitting edges are not computed together: zones behind them may leave; use another boundary")
+            raise OutOfRange("erosion and transmitting edges cannot be combined: zones at such an edge may erode; use another boundary")
         self.live, self.dropped = np.ones(len(mesh.zone_nodes), dtype=bool), np.zeros(4)
         self.shares = np.concatenate([corner_shares(*quad_corners(block), solver.kind) for block in mesh.blocks], axis=1)
         start = cells(mesh)
