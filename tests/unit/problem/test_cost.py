@@ -91,6 +91,15 @@ def test_speeds_beside_that_of_light_are_warned_of(velocity, warned):
         assert any("not relativistic" in words for words in warnings) == warned
 
 
+@pytest.mark.parametrize("deck, solver, warned", [
+    (FAST, "solver.courant = 0.9", True), (FAST, "solver.courant = 0.7", False), (FAST, "", False),
+    (FAST, 'solver = {{integrator = "wilkins", courant = 1.0}}', True), (FAST_BLOCKS, "solver.courant = 0.6", True),
+    (FAST_BLOCKS, "solver.courant = 0.4", False)])
+def test_steps_with_which_shocks_overshoot_are_warned_of(deck, solver, warned):
+    warnings = read_deck_text(f"{solver}\n{deck}".format(velocity=300.0) + SOLID).warnings
+    assert any("overshoot and ring" in words for words in warnings) == warned
+
+
 def test_blocks_faster_than_the_data_of_their_material_are_warned_of():
     text = FAST_BLOCKS.partition("[material")[0].replace('"own"', '"copper"')
     assert any("'a' moves at 40000 m/s against 'b', but the data of 'copper' end at" in words for words in read_deck_text(text.format(velocity=4e4)).warnings)
