@@ -3,8 +3,8 @@ Three plates and two gaps
 =========================
 
 A flyer crosses 0.5 mm of nothing, hits a plate, which flies on and hits a third. A gap closes exactly on a time step;
-the kinetic energy lost where two bodies join becomes heat of the two zones that meet, so the total is kept to round-
-off.
+the kinetic energy lost where two bodies join becomes heat of the two zones that meet, so the total is kept to
+round-off.
 """
 
 import tempfile

@@ -2,8 +2,8 @@
 Sedov's blast wave against the exact solution
 =============================================
 
-0.851072 J released at a point of a cold gas (gamma 1.4, 1 kg/m³): after one second the shock has reached 1 m. The self-
-similar solution is integrated to round-off; the simulation starts from a hot ball of 1 cm.
+0.851072 J released at a point of a cold gas (gamma 1.4, 1 kg/m³): after one second the shock has reached 1 m. The
+self-similar solution is integrated to round-off; the simulation starts from a hot ball of 1 cm.
 """
 
 import tempfile

@@ -2,7 +2,7 @@
 Porous aluminium: crushed, let go, crushed again
 ================================================
 
-A slow piston presses aluminium of 79 % density. The pores close along the crush curve of the P-alpha law; where the piston draws back the
+A slow piston presses aluminium of 78 % density. The pores close along the crush curve of the P-alpha law; where the piston draws back the
 material unloads elastically, as stiff as its solid, and comes back to the curve where it left it. Without the memory it would run back
 along the crush curve and reopen its pores.
 """

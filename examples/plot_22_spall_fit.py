@@ -2,8 +2,8 @@
 Spall strength from a velocity record
 =====================================
 
-A record of a free surface, simulated with 5 m/s of added noise, with a clock that is 8 ns late: what flyer speed, yield stress and spall
-strength does it show, and how sure is that? The fit seeks all three and the shift of the clock.
+A record of a free surface, simulated, with 5 m/s of added noise and delayed by 8 ns: what flyer speed, yield stress and spall
+strength does it show, and how sure is that? The fit seeks all three and the delay.
 """
 
 import tempfile

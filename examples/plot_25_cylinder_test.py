@@ -33,7 +33,7 @@ ax.text(44.0, 102.0, "slit", fontsize=8.5, color=QUIET)
 ax.set_xlim(-50, 50)
 
 # %%
-# Speeds over the travel of the wall, which rings as waves run through it: means are taken over one ringing, 1.4 mm of travel. The metal
+# Speeds over the travel of the wall, which rings as waves run through it: means are taken over one period, 1.4 mm of travel. The metal
 # of the surface moves outward 2 % more slowly than the record says. Experiment: 0.960 and 1.330 kJ per gram of copper after 6 and 19 mm.
 fig, ax = plt.subplots(figsize=(7.2, 3.2), layout="constrained")
 ax.plot(travel, streak, color=COLOURS[0], lw=1.0)

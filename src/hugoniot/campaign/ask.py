@@ -58,7 +58,7 @@ class Wishes:
 
 _KINDS = {"deck": (str,), "match": (list,), "vary": (list,), "tie": (list,), "design": (str,), "samples": (int,), "seed": (int,),
           "output": (list,), "record": (list,), "keep": (bool,), "time_limit": (int, float), "uncertain": (str,)}
-_NAMES = {str: "a text", list: "an array of texts", int: "a whole number", bool: "true or false", float: "a number"}
+_NAMES = {str: "a string", list: "an array of strings", int: "a whole number", bool: "true or false", float: "a number"}
 
 
 def with_table(wishes: Wishes, table: Mapping[str, Any], name: str) -> Wishes:

@@ -105,7 +105,7 @@ def explosive_of(problem):
     if len(found) != 1:
         message = (f"{len(found)} explosives with rate laws; a Pop plot belongs to one" if found else
                    "a Pop plot needs an explosive with a rate law, and the deck has none")
-        raise DeckError.single("deck", None, "material", message, "give the Pop plot to a deck with one explosive")
+        raise DeckError.single("deck", None, "material", message, "use a deck with one explosive that has a rate law")
     return found[0]
 
 

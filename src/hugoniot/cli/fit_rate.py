@@ -119,9 +119,9 @@ def _toml(found, material: str) -> str:
 def _print_found(found, described: str, material: str) -> None:
     typer.echo(f"{material} calibrated to {described}: {found.runs} runs, {found.zones} zones in a run distance")
     echo_table(["constant", "before", "after"], [[name, f"{found.before[name]:.6g}", f"{found.after[name]:.6g}"] for name in found.after])
-    echo_table(["sought", "value", "standard deviation", "95 % interval"],
+    echo_table(["parameter", "value", "standard deviation", "95 % interval"],
                [[p.name, f"{p.value:.5g}", f"{p.sigma:.2g}", f"{p.low:.5g} .. {p.high:.5g}"] for p in found.fit.parameters])
-    echo_table(["pressure, GPa", "run distance, mm", "over the line", "zones half the size"],
+    echo_table(["pressure, GPa", "run distance, mm", "ratio to the line", "with zones half the size"],
                [[f"{p.pressure * 1e-9:.4g}", f"{p.distance * 1e3:.4g}", f"{coarse:.3f}", f"{fine:.3f}"]
                 for p, coarse, fine in zip(found.points, found.ratios, found.refined)])
     for doubt in found.fit.doubts:

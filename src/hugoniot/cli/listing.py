@@ -115,7 +115,8 @@ def _problems() -> list[dict]:
 
 def _solvers() -> list[dict]:
     from hugoniot.problem.solver_kinds import available_solvers, solver_module
-    return [{"solver": kind, "what": (solver_module(kind).Model.__doc__ or "").strip().splitlines()[0]} for kind in available_solvers()]
+    return [{"solver": kind, "what": (solver_module(kind).Model.__doc__ or "").strip().splitlines()[0].removeprefix("A deck of the ")}
+            for kind in available_solvers()]
 
 
 def _exact() -> list[dict]:

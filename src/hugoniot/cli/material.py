@@ -297,7 +297,7 @@ def _shown(value, unit: str) -> tuple[str, str]:
 
 
 def _echo_findings(found: list, counts: dict, every: bool) -> None:
-    quiet = () if every else ("own doubt", "warning", "law")
+    quiet = () if every else ("caveat of the row", "warning", "law")
     lines = [f for f in found if f.verdict == "fail"]
     lines += [f for f in found if f.verdict == "mark" and f.check not in quiet and (every or "states no" not in f.text)]
     echo_table(["verdict", "where", "check", "finding"], [(f.verdict, f.where, f.check, f.text or f"{f.value:.4g}") for f in lines])

@@ -144,7 +144,7 @@ def _tell(found, lines) -> None:
         cells = [f"{p.pressure * 1e-9:.4g}", f"{p.piston_velocity:.0f}", "-" if math.isnan(p.distance) else f"{p.distance * 1e3:.4g}",
                  "-" if math.isnan(p.time) else f"{p.time * 1e6:.4g}"]
         rows.append([*cells, *("-" if math.isnan(r := _ratio(p, row)) else f"{r:.3f}" for row in lines)])
-    echo_table(["pressure, GPa", "piston, m/s", "run distance, mm", "time, us", *(f"over {row.id}" for row in lines)], rows)
+    echo_table(["pressure, GPa", "piston, m/s", "run distance, mm", "time, us", *(f"ratio to {row.id}" for row in lines)], rows)
     if found.line:
         line = found.line
         told = f"log10(p/GPa) = {line.a:.4f} {line.b:+.4f} log10(x/mm)"

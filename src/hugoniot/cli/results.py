@@ -20,7 +20,7 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
     compiling = s.get("compile_seconds", 0.0)
     typer.echo(f"{s['title']}: {s['status']} at {format_si(s['time'], 's')}, {s['cycles']} cycles, "
                f"{s.get('zone_updates', 0):.3g} zone updates in {s['wall_seconds']:.2f} s"
-               + (f", {compiling:.2f} s of them for compiling, once" if compiling >= 0.01 else ""))
+               + (f", {compiling:.2f} s of it compiling, once" if compiling >= 0.01 else ""))
     errors = [f"{word} {s[key]:.1e}" for word, key in (("mass", "mass_error"), ("momentum", "momentum_error"), ("energy", "energy_error"))
               if isinstance(s.get(key), (int, float))]
     if s.get("solver") == "shock_structure":
@@ -30,7 +30,7 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
         typer.echo(f"relative errors: {', '.join(errors)}; voids opened {s.get('voids_opened', 0)}, "
                    f"closed {s.get('voids_closed', 0)}, interfaces separated {s.get('interfaces_separated', 0)}")
     if "contact_heat" in s:
-        typer.echo(f"contact: heat of closing {format_si(s['contact_heat'], 'J')}, work of friction {format_si(s['friction_work'], 'J')}, "
+        typer.echo(f"contact: heat {format_si(s['contact_heat'], 'J')}, work of friction {format_si(s['friction_work'], 'J')}, "
                    f"deepest node {s['contact_depth']:.1e} of an edge, bonds broken {s['bonds_broken']}")
     top = highest_rows(run)
     if top:

@@ -72,7 +72,7 @@ def check_row(row: Row) -> Iterator[Finding]:
         if name in RANGES and not isinstance(value, str):
             yield from _in_range(row.id, name, value, bool(row.marks))
     for mark in row.marks:
-        yield Finding(row.id, "own doubt", "mark", text=mark)
+        yield Finding(row.id, "caveat of the row", "mark", text=mark)
     rules = {"us_up": _us_up, "strength": _strength, "jwl": _jwl, "jwlb": _jwlb, "ignition_growth": _ignition_growth,
              "tillotson": _tillotson, "porous": _porous, "gases": _gas, "compression": _compression}
     if row.table in rules:

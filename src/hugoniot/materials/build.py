@@ -107,7 +107,7 @@ def _explosive(tables: dict, collector: Collector, path: tuple, base: Material |
     if "detonation_energy" in tables:
         heat = collector.quantity((*path, "detonation_energy"), tables["detonation_energy"], "J/kg")
         if heat is not None and not heat > 0.0:
-            collector.add((*path, "detonation_energy"), f"must be greater than 0, got {heat:g} J/kg", "it is the heat of burning")
+            collector.add((*path, "detonation_energy"), f"must be greater than 0, got {heat:g} J/kg", "it is the chemical energy released")
     if "reference_state" in tables:
         reference = _choice("reference_state", tables, CHOICES, collector, path)
     return unreacted, mixture, heat, reference
@@ -117,7 +117,7 @@ def _choice(key: str, tables: dict, known, collector: Collector, path: tuple) ->
     """The text of a key that names one of `known`, after reporting any other."""
     given = tables[key]
     if not isinstance(given, str) or given not in known:
-        shown = printable(given) if isinstance(given, str) else "not a text"
+        shown = printable(given) if isinstance(given, str) else "not a string"
         collector.add((*path, key), f"unknown {key.replace('_', ' ')} '{shown}'", nearest(shown, known))
     return given
 
@@ -147,7 +147,7 @@ def _facts(tables: dict, collector: Collector, path: tuple, base: Material | Non
     if "warnings" in tables:
         warnings = tuple(tables["warnings"]) if isinstance(tables["warnings"], list) else (tables["warnings"],)
         if not all(isinstance(w, str) for w in warnings):
-            collector.add((*path, "warnings"), "warnings are texts")
+            collector.add((*path, "warnings"), "expected a string or an array of strings")
     return valid, sources, warnings
 
 

@@ -22,5 +22,5 @@ def unlikely(name: str, material: Material) -> list[str]:
                 continue
             found.append(f"material '{name}': {key} = {value:g} {unit} for a solid or liquid? "
                          + (f"A bare number is SI; write \"{value:g} {better}\" if that is what you mean" if value < least else
-                            "No known one has as much: is the unit right?"))
+                            "No known material comes near this: is the unit right?"))
     return found

@@ -55,7 +55,7 @@ class Lock:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             raise FileTrouble(f"{self.path.parent}: in use by another process ({_holder(handle)}); "
-                              f"wait for its end, or choose another folder with --out") from None
+                              f"wait for it to end, or choose another folder with --out") from None
         except OSError:     # a file system without locks
             self.handle = handle
             return

@@ -122,7 +122,7 @@ class Run:
         self._check("result.h5")
         try:
             if self.partial and not hdf5_texts_end(path):
-                raise FileTrouble(f"{path}: cannot be read as a result (its texts are not terminated)")
+                raise FileTrouble(f"{path}: cannot be read as a result (its strings are not terminated)")
             return h5py().File(path, "r")
         except FileTrouble:
             raise

@@ -162,5 +162,5 @@ def _numbers_there(rows, name: str) -> None:
 
 def _index(k: int, count: int) -> int:
     if not 0 <= k < count:
-        raise FileTrouble(f"there are only {count}; no number {k}")
+        raise FileTrouble(f"no entry number {k}: there are only {count}")
     return k

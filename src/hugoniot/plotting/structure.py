@@ -40,7 +40,7 @@ def draw_profile(axes, profile: Profile) -> None:
     if "temperature" in jumps and np.allclose(jumps["temperature"], jumps["energy"], atol=1e-3):   # one line, not a hidden one
         jumps["temperature, energy"] = jumps.pop("temperature")
         del jumps["energy"]
-    panels = [("part of the jump", jumps), ("energy density / ρ₁c₁²", _energies(fields, pressure)),
+    panels = [("fraction of the jump", jumps), ("energy density / ρ₁c₁²", _energies(fields, pressure)),
               ("stress and heat flux", {"−τ / ρ₁c₁²": -fields["viscous_stress"] / pressure, "−q / ρ₁c₁³": -fields["heat_flux"] / power})]
     panels += [(f"{name} terms × δ", {word: terms[key] * delta / scale for key, word in words.items()})
                for (name, words), scale in zip(_TERMS.items(), (pressure, power))]
@@ -103,7 +103,7 @@ def draw_cells(ax, profile: Profile, centres, fields) -> None:
         ax.plot(x * factor, (smooth[name] - a) / (b - a), color=colour, linewidth=1.0, label=name)
         ax.plot(cells[inside] * factor, (fields[name][inside] - a) / (b - a), "o", color=colour, markersize=3.0, linestyle="none")
     ax.set_xlabel(f"x ({unit})", color=INK)
-    ax.set_ylabel("part of the jump", color=INK)
+    ax.set_ylabel("fraction of the jump", color=INK)
     quiet_grid(ax)
     ax.legend(frameon=False, fontsize=8, labelcolor=QUIET)
 

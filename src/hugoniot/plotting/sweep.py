@@ -189,7 +189,7 @@ def draw_spread(ax, times, record: Column) -> None:
     ax.axhline(0.0, color=INK, linewidth=0.8)
     ax.set_xlim(0.0, float(times[-1]) * ft)
     ax.set_xlabel(labelled("time", unit))
-    ax.set_ylabel(labelled("from the median", shown))
+    ax.set_ylabel(labelled("difference from the median", shown))
     ax.set_title(f"{record.name.rpartition('.')[0]}: spread of the {words}", loc="left")
     quiet_grid(ax)
 
@@ -220,7 +220,7 @@ def draw_indices(ax, rows) -> None:
         ax.errorbar(value, y + shift, xerr=away, fmt="none", ecolor=INK, elinewidth=0.9, capsize=2)
     ax.set_yticks(y, [words_of(row.parameter) for row in rows])
     ax.set_xlim(min(0.0, ax.get_xlim()[0]), max(1.0, ax.get_xlim()[1]))
-    ax.set_xlabel("part of the variance")
+    ax.set_xlabel("fraction of the variance")
     ax.set_title(words_of(rows[0].result), loc="left")
     ax.legend(frameon=False, fontsize=8, loc="lower right", bbox_to_anchor=(1.0, 0.99), ncol=2, borderaxespad=0.0)
 

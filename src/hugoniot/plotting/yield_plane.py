@@ -60,7 +60,7 @@ def pi_plane(run, names=None, times=None, ax=None):
     ax.set_aspect("equal")
     ax.set_xlim(-1.35 * reach, 1.35 * reach)
     ax.set_ylim(-0.85 * reach, 1.2 * reach)
-    ax.set_xlabel(labelled("deviators in the pi-plane, von Mises stress from the centre", unit))
+    ax.set_xlabel(labelled("deviators in the pi-plane; distance from the centre: von Mises stress", unit))
     ax.legend(frameon=False, fontsize=8.5, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
     for side in ("top", "left", "right"):
         ax.spines[side].set_visible(False)

@@ -158,7 +158,7 @@ def _checked(powers: tuple[int, ...]) -> tuple[int, ...]:
 
 def _raised(a: Number, b: Number) -> Number:
     if b.powers not in (None, _PLAIN):
-        raise Trouble("an exponent has no unit")
+        raise Trouble("an exponent must not have a unit")
     value = math.pow(a.value, b.value) if a.value >= 0.0 or b.value.is_integer() else math.nan
     if a.powers in (None, _PLAIN):
         return Number(value, a.powers)

@@ -121,7 +121,7 @@ def parse_deck(text: str, name: str) -> dict:
         line = int(match[1]) if match else text.rstrip().count("\n") + 1 if at_end else None
         message = printable(re.sub(r"\s*\(at [^)]*\)$", "", str(error)), 200)
         wrong = text.splitlines()[line - 1] if line and line <= len(text.splitlines()) else ""
-        hint = "texts need quotes, tables are [name], keys are name = value"
+        hint = "strings need quotes, tables are [name], keys are name = value"
         hint = f"the line reads: {printable(wrong.strip(), 60)}" if wrong.strip() else hint
         raise DeckError.single(name, line, "deck", f"not TOML: {message[:1].lower()}{message[1:]}", hint) from None
     except RecursionError:
@@ -149,7 +149,7 @@ def _solver_kind(raw: dict, collector: Collector) -> str:
     kind = solver.get("kind", "lagrange1d") if isinstance(solver, dict) else "lagrange1d"
     known = available_solvers()
     if kind not in known:
-        shown = printable(kind) if isinstance(kind, str) else "not a text"
+        shown = printable(kind) if isinstance(kind, str) else "not a string"
         line = collector.line_of(("solver", "kind"))
         raise DeckError.single(collector.file, line, "solver.kind", f"unknown solver '{shown}'", nearest(shown, known))
     if "block" in raw and "region" not in raw and kind != "lagrange2d":

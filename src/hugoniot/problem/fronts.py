@@ -33,7 +33,7 @@ from hugoniot.problem.lagrangian import (
 from hugoniot.problem.model import Lighting, Problem, SolverOptions
 from hugoniot.problem.schema import Quantity, Table, salvage
 
-NAME = "the solver fronts"
+NAME = "the fronts solver"
 SAME_SPEED = 0.01     # between a programmed front and the one its products drive
 
 

@@ -30,7 +30,7 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
     if summary.get("interfaces_separated"):
         rows.append(("interfaces separated", str(summary["interfaces_separated"])))
     if "contact_heat" in summary:
-        rows += [("heat of contact", number(summary["contact_heat"], "J")), ("work of friction", number(summary["friction_work"], "J"))]
+        rows += [("heat from contact", number(summary["contact_heat"], "J")), ("work of friction", number(summary["friction_work"], "J"))]
     for name in ("mass", "momentum", "energy"):
         error = summary[f"{name}_error"]
         rows.append((f"{name} error", f"{error:.1e}" if error else "0"))

@@ -158,7 +158,7 @@ def numerics(setup: dict) -> str:
     """Integrator, step control and artificial viscosity."""
     solver = setup["solver"]
     known = {"kind": "solver", "integrator": "integrator", "courant": "Courant number", "growth": "growth of the step",
-             "initial_step": "first step", "largest_step": "largest step", "threads": "threads", "max_cycles": "most cycles"}
+             "initial_step": "first step", "largest_step": "largest step", "threads": "threads", "max_cycles": "limit on cycles"}
     known = known if solver["kind"] == "lagrange1d" else {"kind": "solver"}
     given = [(key, label) for key, label in known.items() if solver.get(key) is not None]
     rows = [(label, number(solver[key], "s" if key.endswith("step") else "")) for key, label in given]

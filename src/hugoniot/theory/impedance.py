@@ -76,7 +76,7 @@ def ring_up(layers: Sequence, velocity: float, *, layer: int = 1, bounces: int =
     The list begins with the first passage; each further entry is the meeting at the layer's far or near interface in turn.
     """
     if not 1 <= layer <= len(layers) - 2:
-        raise OutOfRange(f"layer {layer} has no neighbour on both sides in a stack of {len(layers)}: give 1 to {len(layers) - 2}")
+        raise OutOfRange(f"layer {layer} does not have two neighbours in a stack of {len(layers)}: give 1 to {len(layers) - 2}")
     met = match(layers[: layer + 2], velocity)
     near, far = met[layer - 1], met[layer]
     outer_left, inner, outer_right = near.left, far.left, far.right

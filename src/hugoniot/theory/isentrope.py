@@ -96,7 +96,7 @@ def release(material, start: States, to: float = 0.0, *, direction: int = -1, po
     """
     material = elastic(history(material, start))
     if to > start.pressure:
-        raise OutOfRange(f"release to {to:.6g} Pa starts above it, at {start.pressure:.6g} Pa")
+        raise OutOfRange(f"a release to {to:.6g} Pa must start above it, not at {start.pressure:.6g} Pa")
     if points == 1:
         return isentrope(material, start, pressure=to, direction=direction)
     return isentrope(material, start, pressure=np.linspace(start.pressure, to, points), direction=direction)

@@ -99,7 +99,7 @@ def _covariance(names, sigmas, correlation):
             matrix[i, j] = matrix[j, i] = value * sigmas[a] * sigmas[b]
     scale = np.sqrt(np.diag(matrix))
     if names and np.linalg.eigvalsh(matrix / np.outer(scale, scale)).min() < -1e-12:
-        raise OutOfRange("these correlations contradict each other: the covariance is not positive")
+        raise OutOfRange("these correlations contradict each other: their matrix is not positive semidefinite")
     return matrix
 
 

@@ -213,7 +213,7 @@ def test_an_unknown_key_of_a_sweep_file_is_refused(deck, inline, tmp_path):
     with pytest.raises(DeckError, match="sweep.vari: unknown key; did you mean 'vary'"):
         swept(deck, tmp_path / "s", inline)
     deck.write_text(deck.read_text().replace('vari = ["a"]', 'vary = "a"'))
-    with pytest.raises(DeckError, match="sweep.vary: expected an array of texts"):
+    with pytest.raises(DeckError, match="sweep.vary: expected an array of strings"):
         swept(deck, tmp_path / "s", inline)
 
 

@@ -132,7 +132,7 @@ def test_forgotten_units_are_warned_of():
     found = [w for w in read_deck_text(text).warnings if "A bare number is SI" in w]
     assert len(found) == 2 and '"8.19 g/cm^3"' in found[0] and '"4.6 km/s"' in found[1]
     heavy = read_deck_text(deck(end="").replace("rho0 = 2700", "rho0 = 2.7e6")).warnings
-    assert any("2.7e+06 kg/m^3 for a solid or liquid? No known one" in w for w in heavy)
+    assert any("2.7e+06 kg/m^3 for a solid or liquid? No known material" in w for w in heavy)
     for name in library.names():
         lit = "lighting = [{at = 0.0}]\n" if library.find(name).burn is not None else ""
         plain = 'stop_time = 1e-6\n' + lit + REGION.format(to=1.0, more="zones = 2").replace('"m"', f'"{name}"')

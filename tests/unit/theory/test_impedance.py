@@ -67,7 +67,7 @@ def test_nothing_to_match_is_refused():
         match([CU, AL], -10.0)
     with pytest.raises(OutOfRange, match="at least one target"):
         match([CU], 10.0)
-    with pytest.raises(OutOfRange, match="neighbour on both sides"):
+    with pytest.raises(OutOfRange, match="does not have two neighbours"):
         ring_up([CU, AL], 100.0)
 
 

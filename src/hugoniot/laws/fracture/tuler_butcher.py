@@ -54,7 +54,7 @@ FRACTURE.add(
     example=TulerButcher(0.5e9, 2.0, 1.0e9, 0.2e-6),
     build=build,
     units={"threshold": "Pa", "exponent": "1", "reference_stress": "Pa", "critical_time": "s"},
-    meaning={"threshold": "tension below which nothing is damaged", "exponent": "lambda, weight of the overstress",
+    meaning={"threshold": "tension below which nothing is damaged", "exponent": "lambda, power of the overstress",
              "reference_stress": "overstress that breaks the material in the critical time",
              "critical_time": "time to failure at the reference overstress"},
     box={"tension": (-1e11, 1e10), "p": (-1e10, 1e11), "v": (0.3, 1.5), "damage": (0.0, 1.0)},

@@ -128,7 +128,7 @@ class Fan:
             last, here = moved, self._step(base, s - base[0]) if s != base[0] else base
         if last <= 1e-9:
             return here
-        raise NoSolution(f"no state of the fan of '{name_of(self.branch.par)}' has the value {target:.6g}")
+        raise NoSolution(f"the search along the fan of '{name_of(self.branch.par)}' for the value {target:.6g} did not converge")
 
     def at_stress(self, sigma: float):
         """The node of a stress below the one ahead."""

@@ -104,7 +104,7 @@ def _wrong_kind(boundary: Boundary2D, name: str, mesh: Blocks) -> tuple[str, str
         wanted = "lie on r = 0" if mesh.axisymmetric else "exist in axisymmetric geometry only"
         return f"'{name}' is not an axis: axes {wanted}", 'a plane of symmetry is kind = "wall"'
     if boundary.kind == "wall" and mesh.straight_normal(chain) is None:
-        return f"'{name}' is not straight, and a rigid wall is", 'use kind = "velocity" with velocity = 0 and slip = false to clamp it'
+        return f"'{name}' is not straight; a rigid wall must be", 'use kind = "velocity" with velocity = 0 and slip = false to clamp it'
     return None
 
 

@@ -91,7 +91,7 @@ def _overdriven(sides, d: int, found: exact.Solution, front: detonation.Front, b
     """(solution without that shock, strong front): what follows drives the detonation from the start."""
     follower = sides[0 if d > 0 else 1]
     if follower.kind in OUTSIDE:
-        raise OutOfRange("a piston drives a detonation beyond Chapman-Jouguet from its start; start slower, or use lagrange1d")
+        raise OutOfRange("a piston overdrives the detonation from the start; start the piston more slowly, or use lagrange1d")
     curve = Curve(bench.of(follower), follower.state, -d)
     own = sides[1 if d > 0 else 0]
     strong = detonation.driven(front, curve, bench.matters[own.region].par)
