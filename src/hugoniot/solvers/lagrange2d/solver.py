@@ -97,7 +97,7 @@ class Lagrange2D(NothingToAdd):
         materials, self.material_of = materials_of(self.problem, speed, self.options.near)
         tables = self._zones, self.forces, self._charge, self._nodes, self.run.gradients, diagonal_table(mesh)
         self.planner = Planner(tables, materials, G.KINDS[self.kind], self.problem.solver.viscosity, self.problem.body_force,
-                               self.team.threads, max(block.nj for block in mesh.blocks), Rings(mesh, self.numbering, self.run))
+                               self.team, max(block.nj for block in mesh.blocks), Rings(mesh, self.numbering, self.run))
         compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs()])
         return self.plan_of(None), max(material[0].constants.front for material in materials)
 
@@ -107,7 +107,7 @@ class Lagrange2D(NothingToAdd):
         return self.planner.plan(zone_rows(mesh, self.numbering, self.material_of, live), node_rows(mesh, self.numbering))
 
     def _march_arguments(self, cycles, plan):
-        return cycles, self.run, plan, self.options, self.control, self.counters, self.team
+        return cycles, self.run, plan, self.options, self.control, self.counters
 
     def _corners(self, row):
         """A node row at the corners of every zone, (4, nzone), or (3, nzone) of triangles."""
