@@ -64,8 +64,10 @@ types: $(VENV)/.installed-test
 test: style $(VENV)/.compiled
 	$(MAKE) --jobs=2 types tests
 
+# to show values where an assert fails, each worker would first rewrite those of all tests, which takes as long as hundreds of tests
 tests: $(VENV)/.installed-test $(VENV)/.compiled
-	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -m "not slow"
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal --assert=plain -m "not slow" \
+		|| { echo "to see the values in the asserts that failed: $(BIN)/python -m pytest --last-failed"; exit 1; }
 
 verify: $(VENV)/.installed-test
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -m slow

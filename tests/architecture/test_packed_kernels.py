@@ -95,7 +95,7 @@ def test_burning_material_is_packed_but_for_the_searches_left_over():
     laws.bind_burning()
     isolated, equal = (burning.reactive(dataclasses.replace(library.find("LX-17 reactive"), mixture=closing))
                        for closing in ("thermal_isolation", "thermal_equilibrium"))
-    *searches, rates = seen((mixture.solve_pass, isolated), (mixture.solve_pass, equal), (burn.burn_pass, isolated))
+    *searches, rates = seen((mixture.solve_pass, isolated.mixture), (mixture.solve_pass, equal.mixture), (burn.burn_pass, isolated))
     assert all(found["div"] >= 10 and found["fmadd"] + found["fnmadd"] >= 2 * 6 * 12 + 2 * 26 for found in searches), searches
     assert rates["fmadd"] + rates["fnmadd"] >= 7 * 12, rates
 

@@ -22,7 +22,7 @@ from hugoniot.core.compile_ahead import Job
 from hugoniot.core.kinds import key_of_value
 from hugoniot.core.passes import Pass
 from hugoniot.core.rows import ROW, row_at
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS
 
 FIXED = 0            # the origin that never moves
 MOST_ROWS = 40       # that one pass may take
@@ -160,7 +160,7 @@ def _call_with(context, builder, address, count, rows, pointer, step, numbers):
     return context.get_dummy_value()
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def carry_out(written, first, last, zones, piece, origins):
     """Operations first to last - 1 of written lists over `zones` zones, `piece` of them at a time.
 

@@ -22,7 +22,8 @@ EXACT_PASS = {**PASS, "fastmath": False}
 NAN_PASS = {**PASS, "fastmath": mathematics.NAN_LAW["fastmath"]}
 INLINE = dict(_nrt=False, error_model="numpy", forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
 GUARD = dict(_nrt=False, fastmath=False, error_model="numpy", cache=True, nogil=True)
-BY_ADDRESS = {**GUARD, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}   # what Python never calls itself
+# what Python never calls itself, which would end the process: taking large tuples of arrays from Python costs more than many a function
+BY_ADDRESS = {**GUARD, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 CURVE = {**GUARD, "_nrt": True}   # of theory, whose searches keep short lists
 
 # A sweep touches some twenty rows of the same tables; the vectoriser proves at run time that they do not overlap and by

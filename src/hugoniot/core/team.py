@@ -32,7 +32,7 @@ from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic
 
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS, GUARD
 
 DISMISSED = -1
 LINE = 8
@@ -50,14 +50,8 @@ COMMANDS = 2 * LINE          # counted apart
 FORGETS = 64                # share by which a known time grows while longer ones are met
 
 
-class Alone(NamedTuple):
-    """One thread."""
-
-    threads: int = 1
-
-
-class Together(NamedTuple):
-    """Several threads and the board they meet at."""
+class Team(NamedTuple):
+    """Threads, the leader's own among them, and the board they meet at."""
 
     threads: int
     board: np.ndarray
@@ -75,16 +69,16 @@ def possible() -> bool:
     return os.name == "posix"
 
 
-def team_of(threads: int, zones: int, worth_sharing: int) -> Alone | Together:
+def team_of(threads: int, zones: int, worth_sharing: int) -> Team:
     """A team of at most `threads`, or one thread where there are fewer zones than are worth sharing."""
-    threads = min(threads, os.cpu_count() or 1)
-    return Together(threads, board(threads)) if threads > 1 and zones >= worth_sharing and possible() else Alone()
+    threads = min(threads, os.cpu_count() or 1) if zones >= worth_sharing and possible() else 1
+    return Team(threads, board(threads))
 
 
 @contextmanager
-def at_work(team: Alone | Together, serve: Callable, plan) -> Iterator[None]:
+def at_work(team: Team, serve: Callable, plan) -> Iterator[None]:
     """The other threads of a team during a march, each in `serve(member, phase, plan, team)`; none while the team rests."""
-    if isinstance(team, Alone):
+    if team.threads == 1:
         yield
         return
     phase, again = int(team.board[0]), int(team.board[SHARE_AGAIN])
@@ -141,7 +135,7 @@ _yield = types.ExternalFunction("sched_yield", types.int32())
 _sleep = types.ExternalFunction("usleep", types.int32(types.uint32))
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def _await(board, word, value, changes, line):
     """Wait until a word is `value`, or (`changes`) until it is not; `line` of the board is the waiting thread's own."""
     spins, began, nap = 0, 0, SHORTEST_SLEEP
@@ -176,7 +170,7 @@ def begin(board, command, threads):
     return 1
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def _known(command, threads):
     """Word that holds how long a command takes alone."""
     return LINE * (threads + 1) + command % COMMANDS
@@ -205,7 +199,7 @@ def gather_team(board, threads):
         board[ACCOUNT] = 0
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def await_call(board, phase, member):
     """Member: wait for the phase after `phase`; its number."""
     _await(board, 0, phase, True, member + 1)

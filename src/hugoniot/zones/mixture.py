@@ -10,7 +10,7 @@ all burned whole, or all burned a part goes through the same loop: with a burn f
 nothing of a mixture is left in it, and it is packed like that of inert zones.
 
 The state a search starts from is that of the step before, warmed by the share of the step's heat its phases take (`heat`). A search
-that fails leaves its status.
+that fails leaves its status. Passes are compiled for a mixture, whatever the rate it burns at.
 
 Source: Starkenberg ARL-TR-2161 sections 3 to 5; `docs/theory/mixtures.md`.
 """
@@ -159,7 +159,7 @@ def solve_pure(z, start, stop, known, mixture):
 @zone_pass(SolveRows)
 def solve_pass(count, z, dt, numbers, law):
     rows_apart()
-    mixture, start = law_of(law, numbers).mixture, 0
+    mixture, start = law_of(law, numbers), 0
     while start < count:
         known, stop = whole(z.lam[start]), end_of_stretch(z.lam, start, count)
         if known == UNBURNED:
@@ -190,7 +190,7 @@ def slopes_of_mixed(z, start, stop, mixture):
 @zone_pass(SlopeRows)
 def slopes_pass(count, z, dt, numbers, law):
     rows_apart()
-    mixture, start = law_of(law, numbers).mixture, 0
+    mixture, start = law_of(law, numbers), 0
     while start < count:
         known, stop = whole(z.lam[start]), end_of_stretch(z.lam, start, count)
         if known == UNBURNED:
@@ -206,7 +206,7 @@ def slopes_pass(count, z, dt, numbers, law):
 def mixed_slopes_pass(count, z, dt, numbers, law):
     """The slopes of what has burned a part; `solve_pass` has found those of the rest."""
     rows_apart()
-    mixture, start = law_of(law, numbers).mixture, 0
+    mixture, start = law_of(law, numbers), 0
     while start < count:
         known, stop = whole(z.lam[start]), end_of_stretch(z.lam, start, count)
         if known == PARTLY:
@@ -217,7 +217,7 @@ def mixed_slopes_pass(count, z, dt, numbers, law):
 @zone_pass(MixtureTemperatureRows)
 def mixture_temperature_pass(count, z, dt, numbers, law):
     rows_apart()
-    mixture = law_of(law, numbers).mixture
+    mixture = law_of(law, numbers)
     for j in range(count):
         z.temperature[j] = mixture_temperature(z.lam[j], mixed_now(z, j), mixture)
 

@@ -114,7 +114,7 @@ class MaterialSteps:
             self.do(closure.stiffness_pass, closure.StiffnessRows(solid_v, e, p, self.at.z.compaction, w.c2), law=self.laws.eos)
         elif self.bulk_first:
             self.do(mixture.slopes_pass, mixture.SlopeRows(solid, e, b.lam, p, b.rho_r, b.e_r, b.rho_p, b.e_p, w.c2, w.p_e),
-                    law=self.laws.eos)
+                    law=self.laws.eos.mixture)
 
     # -- strength ------------------------------------------------------------------------------------------------------------
     def _temperature(self, solid, e) -> Place:
@@ -124,7 +124,7 @@ class MaterialSteps:
             return w.zero
         if self.laws.burns:
             self.do(mixture.mixture_temperature_pass,
-                    mixture.MixtureTemperatureRows(b.lam, z.p, b.rho_r, b.e_r, b.rho_p, b.e_p, w.temperature), law=self.laws.eos)
+                    mixture.MixtureTemperatureRows(b.lam, z.p, b.rho_r, b.e_r, b.rho_p, b.e_p, w.temperature), law=self.laws.eos.mixture)
         else:
             self.do(closure.temperature_pass, closure.TemperatureRows(solid, e, z.compaction, w.temperature), law=self.laws.eos)
         return w.temperature
@@ -188,13 +188,13 @@ class MaterialSteps:
         """Pressure into the row p and phases into the scratch rows, from those of the step before warmed by `heat`; slopes of the pure."""
         z, b, w = self.at.z, self.at.b, self.at.w
         self.do(mixture.solve_pass, mixture.SolveRows(solid, e, lam, heat, z.p, b.rho_r, b.e_r, b.rho_p, b.e_p, p, w.rho_r, w.e_r, w.rho_p,
-                                                      w.e_p, status, w.c2, w.p_e), law=self.laws.eos)
+                                                      w.e_p, status, w.c2, w.p_e), law=self.laws.eos.mixture)
 
     def slopes(self, solid, e, lam, p, by=mixture.mixed_slopes_pass) -> None:
         """c^2 and dp/de of the phases in the scratch rows: what `mix` has left, or by `mixture.slopes_pass` all of them."""
         w = self.at.w
         self.do(by, mixture.SlopeRows(solid, e, lam, p, w.rho_r, w.e_r, w.rho_p, w.e_p, w.c2, w.p_e),
-                law=self.laws.eos)
+                law=self.laws.eos.mixture)
 
     def keep_phases(self) -> None:
         """The phases in the scratch rows become those of the step."""

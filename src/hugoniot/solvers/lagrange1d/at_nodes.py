@@ -7,7 +7,7 @@ import numba as nb
 import numpy as np
 
 from hugoniot.core.passes import rows
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.laws.fracture.contract import asked_at_nodes, at_node
 from hugoniot.laws.fracture.pressure_volume_at_nodes import PressureVolumeAtNodes
 from hugoniot.laws.fracture.stress_gradient import StressGradient
@@ -43,7 +43,7 @@ def steepest(zone, h, z, k, low, high):
     return slope
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def fail_at_nodes(zones, nodes, segments, criteria):
     """Write the failure ratio of the zones of all regions in the table."""
     zone, h = rows(ZoneRows, zones, 0), rows(NodeRows, nodes, 0)

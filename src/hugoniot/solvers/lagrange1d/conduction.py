@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numba as nb
 import numpy as np
 
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS
 from hugoniot.mesh.line import area
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import H, Z
@@ -44,7 +44,7 @@ def conduction_of(conducts: bool, rows) -> Conduction:
     return Conduction(rows, np.zeros((5, count)))
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def solve(a, flow, first, last, share_dt, mass):
     """(C + share_dt L) NEW = RIGHT over zones first..last-1, L the conduction."""
     G, upper, right, new = a[CONDUCTANCE], a[UPPER], a[RIGHT], a[NEW]
@@ -61,14 +61,14 @@ def solve(a, flow, first, last, share_dt, mass):
         new[j] = right[j] + upper[j] * new[j + 1]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def add_flux(a, temperature, first, last, weight):
     """Add weight times the flux through the right face of every zone."""
     for j in range(first, last - 1):
         a[FLUX, j] += weight * a[CONDUCTANCE, j] * (temperature[j] - temperature[j + 1])
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def within(new, old, conductivity, first, last):
     """Whether no temperature leaves the range of the old ones."""
     low, high, inside = 1e300, -1e300, True
@@ -81,7 +81,7 @@ def within(new, old, conductivity, first, last):
     return inside
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def conduct(zones, nodes, segments, dt, conduction, geometry):
     """One step of conduction in every body: energies change, temperatures at its start stand in the rows."""
     flow, a = conduction.rows, conduction.scratch

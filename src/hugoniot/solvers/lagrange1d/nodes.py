@@ -8,7 +8,7 @@ import numba as nb
 
 from hugoniot.core.binder import bind_choice
 from hugoniot.core.passes import kind_of, rows_apart, zone_pass
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.mesh.line import area, hoops
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.field import field_at
@@ -114,7 +114,7 @@ def pulse_value(time, pulse, table):
     return amplitude * min(since / duration, 1.0)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def outside_stress(code, time, end, control, pulse, table):
     """Stress that a boundary applies, Pa, before what a transmitting one adds as its velocity changes."""
     if code == L.PRESSURE:
@@ -122,7 +122,7 @@ def outside_stress(code, time, end, control, pulse, table):
     return control[end + L.OUTSIDE] + control[end + L.LEAD] if code == L.TRANSMITTING else 0.0
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def opposed(u, acceleration, dt, per_stress, impedance):
     """Velocity after dt of an end whose change of velocity is opposed with an impedance (0: not at all), taken at the mean velocity.
 
@@ -131,7 +131,7 @@ def opposed(u, acceleration, dt, per_stress, impedance):
     return u + dt * acceleration / (1.0 + 0.5 * dt * per_stress * impedance)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def end_pull(zones, nodes, ends, geometry):
     """(acceleration of a segment's end per stress, m2/kg; that of the hoop stress inside, m/s2) in the leapfrog (B.3)."""
     node, zone, _ = ends
@@ -140,14 +140,14 @@ def end_pull(zones, nodes, ends, geometry):
     return 1.0 / (0.5 * zones[Z.width, zone]), zones[Z.pull, zone] * hoops(geometry)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def book(control, left, work, impulse):
     """Add what stands outside an end has done to it."""
     control[L.WORK_LEFT if left else L.WORK_RIGHT] += work
     add_impulse(control, L.IMPULSE_LEFT if left else L.IMPULSE_RIGHT, impulse)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def add_impulse(control, account, impulse):
     """Add to an account of impulse, and keep what its last digits lose (Neumaier's sum, Z. angew. Math. Mech. 54 (1974) 39).
 
@@ -189,7 +189,7 @@ bind_choice(answer, lambda *classes: _answer if classes[-1] is OpenEnd else _not
 bind_choice(hold, lambda *classes: _hold if classes[-1] is OpenEnd else _nothing_held)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def end_node(zones, nodes, control, ends, left, corrector, dt, boundary, geometry):
     """One end of a segment; `ends` = (node, zone, boundary code), `boundary` an `End` or `OpenEnd`.
 
@@ -231,7 +231,7 @@ def end_node(zones, nodes, control, ends, left, corrector, dt, boundary, geometr
         nodes[H.r_half, node] = r + 0.5 * dt * mean
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def leap_end(zones, nodes, control, ends, left, dts, boundary, geometry):
     """One end of a segment in the leapfrog: acceleration under the outside stress, or the prescribed velocity; `dts` = (dt, mean dt)."""
     node, zone, code = ends

@@ -13,7 +13,9 @@ import numpy as np
 from hugoniot.core.compile_ahead import Job
 from hugoniot.core.pass_lists import FIXED, Operation, Place, Written, carry_out, jobs, place, places, write
 from hugoniot.core.passes import Entry, row_at
-from hugoniot.core.target import GUARD
+from hugoniot.core.shares import jobs_of_team, led
+from hugoniot.core.target import BY_ADDRESS, GUARD
+from hugoniot.core.team import Team
 from hugoniot.solvers.lagrange1d import compatible, leapfrog, nodes, sources
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import ChargeRows, NodeRows, WorkRows, ZoneRows
@@ -58,8 +60,8 @@ class Plan(NamedTuple):
     commands   (command; first, last share)
     shares     (share; columns FIRST to FOUND)
     voids      address of the row of voids
-    share_out  address of `do_share`
-    threads    members of the team
+    share_out, lead   addresses of `do_share` and of what does all shares (`core.shares`)
+    threads, board    of the team
     origins    (member, ORIGINS) in bytes
     seen       (member, FOUND_FLOATS): what passes find in a share
     found      a row for each share that finds something, and the totals of a step behind them
@@ -71,7 +73,9 @@ class Plan(NamedTuple):
     shares: Any
     voids: int
     share_out: int
+    lead: int
     threads: int
+    board: Any
     origins: Any
     seen: Any
     found: Any
@@ -80,7 +84,7 @@ class Plan(NamedTuple):
 
 def _empty() -> Plan:
     table = np.zeros((1, 1), dtype=np.int64)
-    return Plan(Written(table, table), table, table, 0, 0, 1, table, np.zeros((1, 1)), np.zeros((1, 1)), np.zeros(3))
+    return Plan(Written(table, table), table, table, 0, 0, 0, 1, table[0], table, np.zeros((1, 1)), np.zeros((1, 1)), np.zeros(3))
 
 
 EMPTY = _empty()     # of the compiled type of every plan
@@ -95,22 +99,22 @@ class Planner:
     terms     `terms.Terms` of the run
     """
 
-    def __init__(self, tables, laws, terms, geometry, staggered: bool, heat_flux: float, threads: int):
-        self.threads, self.laws, self.geometry, self.staggered, self.terms = threads, laws, geometry, staggered, terms
-        self.dts, self.seen = np.zeros(3), np.zeros((threads, FOUND_FLOATS))
+    def __init__(self, tables, laws, terms, geometry, staggered: bool, heat_flux: float, team: Team):
+        self.team, self.laws, self.geometry, self.staggered, self.terms = team, laws, geometry, staggered, terms
+        self.dts, self.seen, self.led = np.zeros(3), np.zeros((team.threads, FOUND_FLOATS)), EMPTY
         zones, charge, node_table, gradient, scratch = tables
         z, b, h = places(ZoneRows, zones, AT_ZONES), places(ChargeRows, charge, AT_ZONES), places(NodeRows, node_table, AT_NODES)
         in_place = dict(v=z.v, t1=z.s1, t2=z.s2) if staggered else {}
-        scratches = [places(WorkRows, scratch, FIXED, member * L.PIECE)._replace(**in_place) for member in range(threads)]
+        scratches = [places(WorkRows, scratch, FIXED, member * L.PIECE)._replace(**in_place) for member in range(team.threads)]
         self._at = [LineRows(z, b, w, h, place(gradient, AT_GRADIENTS), place(seen), place(self.dts[DT:]), place(self.dts[DT_HALF:]))
                     for w, seen in zip(scratches, self.seen)]
         self._heat_flux = heat_flux
-        self.written, self._ends, self._share_out = EMPTY.written, {}, 0
+        self.written, self._ends = EMPTY.written, {}
         self._lists = dict(self._of_materials()) | dict(self._of_nodes()) | dict(self._of_heat())
 
     def jobs(self) -> list[Job]:
         """What has yet to be compiled for the plan."""
-        return [DO_SHARE.job(EMPTY, 0, 0), *jobs(self._lists.values())]
+        return [*jobs_of_team(DO_SHARE, EMPTY, self.team), *jobs(self._lists.values())]
 
     def _of_materials(self):
         """((command, material, member, whether for pieces without voids), list) of every material."""
@@ -158,7 +162,7 @@ class Planner:
         (first, last, segment, whether they burn)."""
         if self.written is EMPTY.written:
             self.written, ends = write(self._lists.values())
-            self._share_out = DO_SHARE.address(EMPTY, 0, 0)
+            self.led = led(EMPTY, DO_SHARE, self.team)
             self._ends = dict(zip(self._lists, ends))
         inner = [(first, last - 1, segment, 0) for first, last, segment in spans.tolist()]    # a zone less has as many nodes inside
         shares, commands = [], np.zeros((COMMANDS, 2), dtype=np.int64)
@@ -171,17 +175,18 @@ class Planner:
             finds = command in (CORRECT, ADVANCE)
             scratch = finds or command == PREDICT
             for i, (first, last, segment, k) in enumerate(rows):
-                which = command, k, i % self.threads if scratch else 0
+                which = command, k, i % self.team.threads if scratch else 0
                 ends = self._ends[*which, False]
                 ends += self._ends.get((*which, True), ends)
                 shares.append((first, last, segment, L.PIECE if scratch else last - first, *ends, i if finds else NOT_FOUND))
         table = np.array(shares, dtype=np.int64).reshape(-1, SHARE_COLUMNS)
-        return Plan(self.written, commands, table, self._at[0].z.voids.address, self._share_out, self.threads,
-                    np.zeros((self.threads, ORIGINS), dtype=np.int64), self.seen, np.zeros((len(runs) + 1, FOUND_FLOATS)), self.dts)
+        return self.led._replace(written=self.written, commands=commands, shares=table, voids=self._at[0].z.voids.address,
+                                 threads=self.team.threads, origins=np.zeros((self.team.threads, ORIGINS), dtype=np.int64),
+                                 seen=self.seen, found=np.zeros((len(runs) + 1, FOUND_FLOATS)), dts=self.dts)
 
 
 # -- carried out -------------------------------------------------------------------------------------------------------
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def voids_stand(voids, first, count):
     """Whether there are voids in zones first to first + count - 1; their row begins at the address `voids`."""
     row, bits = row_at(voids + 8 * first), np.uint64(0)
@@ -203,7 +208,7 @@ def pieces_alike(voids, first, last, piece):
     return broken, end
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def carry_out_by_voids(plan, share, origins):
     """One share of a material that has a list for pieces without voids."""
     first = share[FIRST]
@@ -235,7 +240,7 @@ def do_share(plan, command, member):
 DO_SHARE = Entry(do_share)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def gather(found):
     """Totals of one step over the shares, in their order, into the row behind theirs."""
     totals = found[found.shape[0] - 1]

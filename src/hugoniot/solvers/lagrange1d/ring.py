@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numba as nb
 
 from hugoniot.core.binder import bind_choice
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.field import field_at
 from hugoniot.solvers.lagrange1d.layout import H, Z
@@ -76,7 +76,7 @@ bind_choice(seam_flux, lambda *classes: _flux if classes[-1] is RingEnd else _no
 bind_choice(mix_seam, lambda *classes: _mix if classes[-1] is RingEnd else _no_mix)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def ring_ghosts(gradient, segments):
     """Velocity gradients beyond periodic ends: those at the other end."""
     if segments[0, L.SEG_LEFT] == L.PERIODIC:

@@ -61,7 +61,7 @@ class Lagrange1D(NothingToAdd):
         self.left_nodes = left_nodes(self.segments)
         self.terms = terms_of(problem, self.zones, self.faces(H.r), self.region_ranges)
         self.planner = Planner((self.table, self.charge_table, self.node_table, self.gradient_table, self.work), laws, self.terms,
-                               self.geometry, self.staggered, problem.solver.options["heat_flux"], self.team.threads)
+                               self.geometry, self.staggered, problem.solver.options["heat_flux"], self.team)
         self.criteria = node_criteria(laws, self.laws_of_region, self.region_ranges)
         remembering = any(remembers(problem.materials[region.material].eos) for region in problem.regions)
         self.zone_fields = ZONE_FIELDS | ({"compaction": Z.compaction} if remembering else {})
@@ -168,7 +168,7 @@ class Lagrange1D(NothingToAdd):
     def _march_arguments(self, cycles, plan):
         arrays = self._arrays()
         gauges = Gauges(self.gauges, self.weights, self.gauge_times, self.gauge_buffer)
-        return cycles, arrays, plan, self.scheme, self.geometry, self.boundaries, self.team, gauges, self.terms.marching
+        return cycles, arrays, plan, self.scheme, self.geometry, self.boundaries, gauges, self.terms.marching
 
     def _arrays(self):
         return Arrays(self.table, self.charge_table, self.node_table, self.gradient_table, self.control, self.counters, self.segments,

@@ -16,7 +16,7 @@ import numba as nb
 import numpy as np
 
 from hugoniot.core.passes import rows_apart, zone_pass
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS
 from hugoniot.problem.model import Problem
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.assemble import history
@@ -155,7 +155,7 @@ def supply(s, e, half: bool = False) -> None:
 
 
 # -- in a march --------------------------------------------------------------------------------------------------------
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def pulse_integral(time, pulse, table):
     """Integral of `nodes.pulse_value` from some fixed time up to `time`."""
     shape, amplitude, since, duration = int(pulse[0]), pulse[1], time - pulse[2], pulse[3]
@@ -182,7 +182,7 @@ def pulse_integral(time, pulse, table):
     return amplitude * (0.5 * since * since / duration if since < duration else since - 0.5 * duration)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def measure(time, dt, supply):
     """Integrals of the histories over a step."""
     for i in range(supply.sums.shape[0]):
@@ -190,7 +190,7 @@ def measure(time, dt, supply):
         supply.amounts[i, 0], supply.amounts[i, 1] = amount, 0.5 * amount
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def heated_step(nodes, control, segments, supply):
     """The time step, shortened where the heat of a source would make a zone so hot that sound crosses it; amounts are set for it."""
     limit = control[L.COURANT] ** 2
@@ -211,7 +211,7 @@ def heated_step(nodes, control, segments, supply):
     return control[L.DT]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def book_force(nodes, control, dts, staggered, force):
     """Work and impulse of the body force in a step that was taken; `dts` = (dt, mean dt)."""
     work = impulse = 0.0
@@ -225,14 +225,14 @@ def book_force(nodes, control, dts, staggered, force):
     add_impulse(control, L.FORCE_IMPULSE, impulse)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def book_supply(control, supply):
     """Energy of the heat sources in a step that was taken."""
     for i in range(supply.sums.shape[0]):
         control[L.SUPPLIED] += supply.sums[i] * supply.amounts[i, 0]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def measure_force(time, dt, staggered, force):
     """The acceleration of this step: in its middle, or at its start where velocities stand half a step behind."""
     force.field[AMOUNT] = pulse_value(time if staggered else time + 0.5 * dt, force.pulse, force.table)

@@ -22,7 +22,7 @@ from numba.extending import overload
 from hugoniot.core.binder import bind_choice
 from hugoniot.core.passes import Entry, call_entry
 from hugoniot.core.shares import everyone
-from hugoniot.core.target import GUARD, INLINE
+from hugoniot.core.target import BY_ADDRESS, GUARD, INLINE
 from hugoniot.mesh import line
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.at_nodes import fail_at_nodes
@@ -108,7 +108,7 @@ def gap_step(zones, nodes, segments, dt_old, staggered, geometry):
     return shortest
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def choose_step(zones, nodes, control, segments, staggered, geometry):
     """Step 1: Courant, growth, a closing gap (landed on), an event time (hit exactly, approached in two halves)."""
     dt = min(control[L.COURANT] / control[L.RATE], control[L.GROWTH] * control[L.DT_NATURAL], control[L.DT_LARGEST])
@@ -140,12 +140,12 @@ def end_of(segments, end):
     return (segments[k, L.SEG_LAST] + k, segments[k, L.SEG_LAST] - 1, segments[k, L.SEG_RIGHT]), left
 
 
-def take_step(a, plan, scheme, geometry, boundaries, team):
+def take_step(a, plan, scheme, geometry, boundaries):
     """Steps 2 to 6 of the scheme."""
     raise NotImplementedError("compiled only")
 
 
-def step_compatible(a, plan, scheme, geometry, boundaries, team):
+def step_compatible(a, plan, scheme, geometry, boundaries):
     """Steps 2 to 6 of the compatible integrator, and the heat flux."""
     dt, segments = plan.dts[DT], a.segments
     for stage in range(2):
@@ -153,29 +153,29 @@ def step_compatible(a, plan, scheme, geometry, boundaries, team):
         if corrector:
             ghosts(a.gradient, a.control, segments)
             ring_ghosts(a.gradient, segments)
-            everyone(plan, PREDICT, team)
-        everyone(plan, MOVE if corrector else ACCELERATE, team)
+            everyone(plan, PREDICT)
+        everyone(plan, MOVE if corrector else ACCELERATE)
         for end in range(2 * segments.shape[0]):
             ends, left = end_of(segments, end)
             end_node(a.zones, a.nodes, a.control, ends, left, corrector, dt, boundaries[0 if left else 1], geometry)
-    everyone(plan, CORRECT, team)
+    everyone(plan, CORRECT)
     through = seam_flux(a.zones, a.nodes, a.control, dt, boundaries[0])
-    everyone(plan, FLOW, team)
+    everyone(plan, FLOW)
     mix_seam(a.zones, through, boundaries[0])
 
 
-def step_wilkins(a, plan, scheme, geometry, boundaries, team):
+def step_wilkins(a, plan, scheme, geometry, boundaries):
     """Steps 2 and 3 of the leapfrog."""
     segments = a.segments
-    everyone(plan, LEAP, team)
+    everyone(plan, LEAP)
     for end in range(2 * segments.shape[0]):
         ends, left = end_of(segments, end)
         leap_end(a.zones, a.nodes, a.control, ends, left, plan.dts, boundaries[0 if left else 1], geometry)
-    everyone(plan, ADVANCE, team)
+    everyone(plan, ADVANCE)
 
 
 @overload(take_step, jit_options=INLINE)
-def _(a, plan, scheme, geometry, boundaries, team):
+def _(a, plan, scheme, geometry, boundaries):
     return step_wilkins if scheme.instance_class is Leapfrog else step_compatible
 
 
@@ -187,7 +187,7 @@ def ask_at_nodes(a, geometry, found):
 AT_NODES = Entry(ask_at_nodes)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def event_of(a, geometry, found):
     """(what happens to the bodies now, where), or (PAUSED, -1)."""
     if a.segments.shape[0] > 1:
@@ -262,7 +262,7 @@ bind_choice(end_terms, lambda *classes: _no_end if classes[-1] is NoTerms else _
 
 
 @nb.njit(**GUARD)
-def march(cycles, a, plan, scheme, geometry, boundaries, team, gauges, terms):
+def march(cycles, a, plan, scheme, geometry, boundaries, gauges, terms):
     """Take up to `cycles` steps; returns the code of `layout` that says why it came back."""
     control, counters, zone_count = a.control, a.counters, a.segments[-1, L.SEG_LAST]
     totals, recording = plan.found[plan.found.shape[0] - 1], gauges.table.shape[0] > 0
@@ -275,7 +275,7 @@ def march(cycles, a, plan, scheme, geometry, boundaries, team, gauges, terms):
             return L.STEP_COLLAPSED
         dt = begin_terms(dt, a, scheme, terms)
         plan.dts[DT], plan.dts[DT_MEAN], plan.dts[DT_HALF] = dt, 0.5 * (dt + control[L.DT_OLD]), 0.5 * dt
-        take_step(a, plan, scheme, geometry, boundaries, team)
+        take_step(a, plan, scheme, geometry, boundaries)
         end_terms(a, plan, scheme, geometry, terms)
         gather(plan.found)
         at_event = dt >= control[L.EVENT_TIME] - control[L.TIME]

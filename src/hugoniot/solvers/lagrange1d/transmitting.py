@@ -26,7 +26,7 @@ import math
 import numba as nb
 import numpy as np
 
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS
 from hugoniot.mesh.line import hoops
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import H, Z
@@ -40,7 +40,7 @@ SIXTH = 9.0           # rate of the high pass in transit times: 6, and half as m
 BEHIND = 0.4          # rate, in transit times, at which the velocity gradient beyond the end follows that in the last zone
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def follow(memory, seen, which, first, inward, acoustic, mass, dt):
     """Impedance, lead and passed transit times of the step that begins, from the zones at its start.
 
@@ -78,13 +78,13 @@ def follow(memory, seen, which, first, inward, acoustic, mass, dt):
     memory[L.EXCESS] = excess
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def answer_of(memory, faster, spreading, dt):
     """Add to the stress outside what an end that grew faster by `faster` (m/s, outward) in a step meets; spreading: hoops c/(2 r), 1/s."""
     memory[L.OUTSIDE] += memory[L.IMPEDANCE] * faster - dt * spreading * (memory[L.OUTSIDE] - memory[L.AMBIENT])
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def settle(zones, nodes, control, ends, end, faster, dt, geometry):
     """Stress outside after a step in which the end's velocity grew by `faster`, m/s."""
     node, zone, _ = ends
@@ -94,7 +94,7 @@ def settle(zones, nodes, control, ends, end, faster, dt, geometry):
     answer_of(memory, -faster if end == L.END_LEFT else faster, spreading, dt)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def ghosts(gradient, control, segments):
     """Velocity gradients beyond the ends, which the viscosity's limiter looks at.
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from hugoniot.core.binder import bind
 from hugoniot.core.passes import rows
-from hugoniot.core.target import GUARD, INLINE
+from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.layout import ChargeRows, H, NodeRows, Z, ZoneRows
 
@@ -17,7 +17,7 @@ CHATTER = 1e-4        # tension, in units of rho c^2, a strengthless interface s
 TOUCHING = 1e-6       # gap, in units of the neighbouring zones, that counts as closed
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def failing_node(zones, segments, control, counters):
     """Node at which a void opens now, or -1; marks the zones the void will relieve.
 
@@ -64,7 +64,7 @@ def mark_patch(zones, first, last, at):
     zones[Z.relieved, ends[k - 1] + 1:ends[k]], zones[Z.damage, ends[k - 1] + 1:ends[k]] = 1.0, 0.0
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def separating_interface(zones, nodes, interfaces):
     """Index of the first listed interface whose tension exceeds its bond, or -1; rows are (node, zone on the left)."""
     zone = rows(ZoneRows, zones, 0)
@@ -81,7 +81,7 @@ def separating_interface(zones, nodes, interfaces):
     return -1
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def closing_time(gap, approach, acceleration, dt_old):
     """Time in which a gap closes: A t^2 + (2 W + A dt_old) t + 2 R = 0 (Wilkins B.4 b), the smallest positive root, or 1e300.
 
@@ -120,7 +120,7 @@ def cavity_closed(nodes, segments):
     return segments[0, L.SEG_LEFT] != L.FIXED and inner <= TOUCHING * (h.r[1] - inner)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def pass_times(zones, nodes, control, counters, segments, passed):
     """Note what is there at the times that are reached, and aim at the next one; whether that lies before the end of the march."""
     k, zone_count = counters[L.PASSED_TIMES], segments[-1, L.SEG_LAST]
@@ -139,7 +139,7 @@ def pass_times(zones, nodes, control, counters, segments, passed):
     return control[L.TIME] < control[L.UNTIL]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def record_gauges(zones, charge, nodes, table, weights, out):
     """One gauge row: table (gauge; zone a, zone b, zone of the faces, left node of that zone), weights (of b; of the right face; 0 on a
     surface whose stress is not that of its zone, else 1)."""

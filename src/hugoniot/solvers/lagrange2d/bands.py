@@ -11,7 +11,7 @@ Rows of the mesh are those of its nodes, block by block, each with the row of zo
 import numba as nb
 import numpy as np
 
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.plan import FROM, HEIGHT, TO
 
@@ -49,21 +49,21 @@ def local(run, erosion: bool) -> bool:
     return not (erosion or hasattr(run.contact, "pairs") or len(run.members) or len(run.gates))
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def between(before, which, last, top, lag, count):
     """(first, one after the last) of the `count` things of a kind in the rows that lag behind those from `last` to `top`."""
     rows = before.shape[1] - 1
     return before[which, max(last - lag, 0)], count if top == rows else before[which, max(top - lag, 0)]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def take_rows(plan, last, top, lag):
     """Have the next commands take the rows that lag behind those from `last` to `top`; all that are left behind the last row."""
     rows = plan.before.shape[1] - 1
     plan.band[FROM], plan.band[TO] = max(last - lag, 0), rows if top == rows else max(top - lag, 0)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def next_top(plan, top):
     """One after the last row of the band behind the row `top`."""
     return min(top + plan.band[HEIGHT], plan.before.shape[1] - 1)

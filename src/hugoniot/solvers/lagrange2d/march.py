@@ -20,7 +20,7 @@ import numba as nb
 
 from hugoniot.core.passes import rows
 from hugoniot.core.shares import everyone
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.solvers.lagrange2d import bands, special_nodes, transmitting
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.bands import between, take_rows
@@ -78,6 +78,8 @@ class Run(NamedTuple):
     chains: Any              # (chains, 3): work and impulse of what stands outside
     kept: Any                # the same at the start of the step
     middle: Any              # where what a node has in the middle of the step stands in its rows (`rings`)
+    touch: int               # address of what contact does at a moment of the step
+    asked: Any               # time, step and moment it is called with, and its answer
     contact: Any             # `contact.layout.Contact` or `Nowhere`
 
 
@@ -91,7 +93,7 @@ class Options(NamedTuple):
 
 
 # -- the step ---------------------------------------------------------------------------------------------------------------------
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def choose_step(control):
     """Courant, growth, an event time (hit exactly, approached in two halves)."""
     dt = min(control[L.COURANT] / control[L.RATE], control[L.GROWTH] * control[L.DT_NATURAL], control[L.DT_LARGEST])
@@ -104,7 +106,7 @@ def choose_step(control):
     return dt
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def hold_specials(run, options, time, dt, first, which, span):
     """Steps 2 and 4 for the nodes that something besides their own zones acts on; `first`: the first try, whose forces are gathered.
 
@@ -127,14 +129,14 @@ def hold_specials(run, options, time, dt, first, which, span):
     special_nodes.hold(run.nodes, run.middle, held, normals, run.pulses, run.tables, run.chains, time + dt, book)
     if at_start:
         special_nodes.special_middle(run.nodes, run.middle, special, dt)
-    touch(run.contact, run, options, time, dt, contact_step.PUSH if book else contact_step.PUSH_MIDDLE)
+    touch(run, options, time, dt, contact_step.PUSH if book else contact_step.PUSH_MIDDLE)
     if book:
         transmitting.answer(run, dt, options.kind, options.near)
         a, b = between(run.before, bands.LOADS, last, top, lag, run.loads.shape[0])
         special_nodes.book_loads(run.nodes, run.middle, run.loads[a:b], run.given[a:b], run.chains, dt)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def copy(table, to):
     """Copy a table of the chains or the transmitting edges."""
     for i in range(table.shape[0]):
@@ -142,7 +144,7 @@ def copy(table, to):
             to[i, k] = table[i, k]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def power_of_body_force(run, options, power, span):
     """Power of the body force on the nodes of a band, added to that of the bands before it."""
     n, (last, top, lag) = rows(L.Nodes, run.nodes, 0), span
@@ -153,29 +155,29 @@ def power_of_body_force(run, options, power, span):
     return power
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def set_step(plan, dt):
     """Tell the passes the time step."""
     plan.dts[DT], plan.dts[DT_HALF], plan.dts[DT_BACK] = dt, 0.5 * dt, -dt
 
 
-@nb.njit(**GUARD)
-def look_around(run, plan, last, top, team):
+@nb.njit(**BY_ADDRESS)
+def look_around(run, plan, last, top):
     """Velocity gradients of the rows from `last` to `top` at the start of a step, and of the cells around the blocks beside them."""
     take_rows(plan, last, top, bands.NOW)
-    everyone(plan, GRADIENTS, team)
+    everyone(plan, GRADIENTS)
     a, b = between(run.before, bands.GHOSTS, last, top, bands.NOW, run.ghosts.shape[0])
     fill_ghosts(run.gradients, run.nodes, run.ghosts[a:b], run.ghost_numbers[a:b])
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def in_bands(plan):
     """Whether a band is not the whole mesh."""
     return plan.band[HEIGHT] < plan.before.shape[1] - 1
 
 
-@nb.njit(**GUARD)
-def try_step(run, plan, options, control, first, team):
+@nb.njit(**BY_ADDRESS)
+def try_step(run, plan, options, control, first):
     """Steps 2 to 6 with the step of the plan; how many zones are tangled, in which case nothing has moved if a band is the whole mesh.
     `first`: the first try."""
     dt, time, top, rows, power = plan.dts[DT], control[L.TIME], bands.FIRST, plan.before.shape[1] - 1, 0.0
@@ -184,65 +186,65 @@ def try_step(run, plan, options, control, first, team):
     while top < rows:
         last, top = top, bands.next_top(plan, top)
         if in_bands(plan):
-            look_around(run, plan, last, top, team)
+            look_around(run, plan, last, top)
         take_rows(plan, last, top, bands.NOW)
-        everyone(plan, ACCELERATE, team)
+        everyone(plan, ACCELERATE)
         hold_specials(run, options, time, dt, first, GX, (last, top, bands.HOLD))
         take_rows(plan, last, top, bands.STRESS)
-        everyone(plan, PREDICT, team)
+        everyone(plan, PREDICT)
         wrong = tangled(plan, PREDICT)
         if wrong > 0.0:
             copy(run.ends_kept, run.ends)
             return wrong
         a, b = between(run.before, bands.AXIS, last, top, bands.STRESS, run.axis.shape[0])
         special_nodes.axis_masses(run.nodes, run.middle, run.axis[a:b], run.axis_ratio[a:b], options.near, True)
-        everyone(plan, PUSH, team)
+        everyone(plan, PUSH)
         hold_specials(run, options, time, dt, first, FX, (last, top, bands.MOTION))
         take_rows(plan, last, top, bands.MOTION)
-        everyone(plan, MOVE, team)
+        everyone(plan, MOVE)
         if options.gx != 0.0 or options.gy != 0.0:
             power = power_of_body_force(run, options, power, (last, top, bands.MOTION))
-        touch(run.contact, run, options, time, dt, contact_step.MOVE)
+        touch(run, options, time, dt, contact_step.MOVE)
         take_rows(plan, last, top, bands.END)
-        everyone(plan, LOOK, team)
+        everyone(plan, LOOK)
         wrong = tangled(plan, LOOK)
         if wrong > 0.0:
-            everyone(plan, TAKE_BACK, team)
-            touch(run.contact, run, options, time, -dt, contact_step.TAKE_BACK)
+            everyone(plan, TAKE_BACK)
+            touch(run, options, time, -dt, contact_step.TAKE_BACK)
             copy(run.kept, run.chains)
             copy(run.ends_kept, run.ends)
             return wrong
-        touch(run.contact, run, options, time, dt, contact_step.ACCEPT)
-        everyone(plan, CORRECT, team)
-        everyone(plan, GATHER, team)
+        touch(run, options, time, dt, contact_step.ACCEPT)
+        everyone(plan, CORRECT)
+        everyone(plan, GATHER)
     control[L.GRAVITY_WORK] += dt * power
     gather(plan.found)
     return 0.0
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def forget_try(zones):
     """No viscous stress for the prediction of the next try: what stands there is that of a try that went wrong, maybe not a number."""
     for row in range(QXX, QHOOP + 1):
         zones[row] = 0.0
 
 
-@nb.njit(**GUARD)
-def take_step(run, plan, options, control, counters, team):
+@nb.njit(**BY_ADDRESS)
+def take_step(run, plan, options, control, counters):
     """Steps 1 to 6; the code of `layout` that says how it went."""
-    if not touch(run.contact, run, options, control[L.TIME], control[L.GROWTH] * control[L.DT_NATURAL], contact_step.READY):
+    if not touch(run, options, control[L.TIME], control[L.GROWTH] * control[L.DT_NATURAL], contact_step.READY):
         return L.NO_ROOM
     dt, tries, time = choose_step(control), 0, control[L.TIME]
     if not control[L.DT_NATURAL] > control[L.DT_SMALLEST]:
         return L.STEP_COLLAPSED
     set_step(plan, dt)
-    touch(run.contact, run, options, time, dt, contact_step.CLOSE)
+    touch(run, options, time, dt, contact_step.CLOSE)
     copy(run.chains, run.kept)
     if not in_bands(plan):      # several tries may need it, and transmitting edges follow it
-        look_around(run, plan, bands.FIRST, plan.before.shape[1] - 1, team)
+        look_around(run, plan, bands.FIRST, plan.before.shape[1] - 1)
     transmitting.lag(run)
     copy(run.ends, run.ends_kept)
-    while try_step(run, plan, options, control, tries == 0, team) > 0.0:
+    while try_step(run, plan, options, control, tries == 0) > 0.0:
         if in_bands(plan):
             return L.LED_ON
         tries += 1
@@ -266,10 +268,10 @@ def take_step(run, plan, options, control, counters, team):
 
 
 @nb.njit(**GUARD)
-def march(cycles, run, plan, options, control, counters, team):
+def march(cycles, run, plan, options, control, counters):
     """Take up to `cycles` steps; returns the code of `layout` that says why it came back."""
     for _ in range(cycles):
-        code = take_step(run, plan, options, control, counters, team)
+        code = take_step(run, plan, options, control, counters)
         if code == L.STEP_COLLAPSED or code == L.TANGLED or code == L.NO_ROOM or code == L.LED_ON:
             return code
         counters[L.ZONE_STEPS] += counters[L.ZONES]

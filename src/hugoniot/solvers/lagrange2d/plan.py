@@ -14,7 +14,8 @@ import numpy as np
 from hugoniot.core.compile_ahead import Job
 from hugoniot.core.pass_lists import Operation, Place, Written, carry_out, jobs, place, places, write
 from hugoniot.core.passes import Entry, call_entry
-from hugoniot.core.target import GUARD
+from hugoniot.core.shares import jobs_of_team, led
+from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.solvers.lagrange2d import closing, heat_flux, node_step, smoothness, triangle_passes, triangle_step, zone_passes, zone_step
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.plane_rows import (
@@ -36,8 +37,7 @@ from hugoniot.solvers.lagrange2d.plane_rows import (
 from hugoniot.zones.soundness import FOUND_FAILURE, FOUND_RATE
 from hugoniot.zones.steps import MaterialSteps
 
-GRADIENTS, PREDICT, CORRECT, START, LOOK, ACCELERATE, PUSH, MOVE, TAKE_BACK, GATHER = range(10)     # commands
-COMMANDS = 10
+GRADIENTS, PREDICT, CORRECT, START, LOOK, ACCELERATE, PUSH, MOVE, TAKE_BACK, GATHER = range(COMMANDS := 10)     # commands
 OF_NODES = (ACCELERATE, PUSH, MOVE, TAKE_BACK, GATHER)
 FIRST, LAST, COUNT, PIECE, MEMBER, ORIGIN = range(6)          # columns of the table of shares, the last one the first of the origins
 FROM, TO, HEIGHT = range(3)                                   # of the band: its first row and the one after its last, rows of a band
@@ -52,8 +52,8 @@ class Plan(NamedTuple):
     before     (command; row): shares of the command before a row
     shares     (share; columns FIRST to ORIGIN and the origins, in bytes)
     band       rows that commands take: FROM, TO, HEIGHT
-    share_out  address of `do_share`
-    threads    members of the team
+    share_out, lead   addresses of `do_share` and of what does all shares (`core.shares`)
+    threads, board    of the team
     origins    (member, ORIGINS) in bytes: where the member is
     seen       (member, FOUND_COLUMNS): what passes find in a share
     found      a row for each share of a command, and the totals behind them
@@ -66,7 +66,9 @@ class Plan(NamedTuple):
     shares: Any
     band: Any
     share_out: int
+    lead: int
     threads: int
+    board: Any
     origins: Any
     seen: Any
     found: Any
@@ -75,7 +77,7 @@ class Plan(NamedTuple):
 
 def _empty() -> Plan:
     table, floats = np.zeros((1, 1), dtype=np.int64), np.zeros((1, 1))
-    return Plan(Written(table, table), table[0], table, table, table[0], 0, 1, table, floats, floats, np.zeros(3))
+    return Plan(Written(table, table), table[0], table, table, table[0], 0, 0, 1, table[0], table, floats, floats, np.zeros(3))
 
 
 EMPTY = _empty()     # of the compiled type of every plan
@@ -98,18 +100,18 @@ class Planner:
     viscosity  `problem.plane.model.Viscosity2D`
     """
 
-    def __init__(self, tables, materials, geometry, viscosity, body_force, threads: int, longest: int, rings):
-        self.places, self.geometry, self.viscosity, self.threads = RowsOfRun(tables, threads, longest), geometry, viscosity, threads
+    def __init__(self, tables, materials, geometry, viscosity, body_force, team, longest: int, rings):
+        self.places, self.geometry, self.viscosity, self.team = RowsOfRun(tables, team.threads, longest), geometry, viscosity, team
         self.dts, self.seen, self.triangles = self.places.dts, self.places.seen, self.places.own is not None
         self._body_force = np.array(body_force, dtype=float)
-        self._at = [self.places.rows(member, member) for member in range(threads)]
+        self._at = [self.places.rows(member, member) for member in range(team.threads)]
         self._some_conduct, self._coefficient = any(self.conducts(m[0], m[2]) for m in materials), np.array([viscosity.heat_flux])
         self._lists = dict(self._of_materials(materials)) | dict(self._of_zones()) | dict(self._of_nodes())
         self.written, self._ends, self.height, self._rings = EMPTY.written, {}, 0, rings
 
     def jobs(self) -> list[Job]:
         """What has yet to be compiled for the plan."""
-        return [DO_SHARE.job(EMPTY, 0, 0), *jobs(self._lists.values())]
+        return [*jobs_of_team(DO_SHARE, EMPTY, self.team), *jobs(self._lists.values())]
 
     def _of_materials(self, materials):
         """((command, material, member), list) of every material."""
@@ -212,8 +214,8 @@ class Planner:
         (count, material, origins...)."""
         self.written, ends = write(self._lists.values())
         self._ends = dict(zip(self._lists, ends))
-        height = rows_of_member(len(node_rows), max(1, BAND // max(count for count, *_ in node_rows)), self.threads)
-        self.height, of_shares = height * self.threads, []
+        height = rows_of_member(len(node_rows), max(1, BAND // max(count for count, *_ in node_rows)), self.team.threads)
+        self.height, of_shares = height * self.team.threads, []
         shares, commands, before = [], [], np.zeros((COMMANDS, len(node_rows) + 1), dtype=np.int64)
         for command in range(COMMANDS):
             of_nodes, known = command in OF_NODES, any(command == other for other, _, _ in self._ends)
@@ -221,20 +223,20 @@ class Planner:
             commands.append(len(shares))
             for n, of_row in enumerate(of_rows):
                 for count, kind, *origins in of_row if known else []:
-                    member = n // height % self.threads      # whichever rows a band has: every member has as many, and always the same
+                    member = n // height % self.team.threads      # whichever rows a band has: every member has as many, and always the same
                     key = (command, kind, 0) if of_nodes else (command, kind if command in (PREDICT, CORRECT, START) else 0, member)
                     kept_short = [origins[at - 1] for at in (*OF_ZONES, AT_LOW, AT_HIGH)]
                     shares.append((*self._ends[key], count, count if of_nodes else L.PIECE, member, 0, *origins, *kept_short))
                     of_shares.append(n)
                 before[command, n + 1] = len(shares) - commands[-1]
         band = np.zeros(3, dtype=np.int64)
-        origins = np.zeros((self.threads, ORIGINS), dtype=np.int64)
+        threads, origins = self.team.threads, np.zeros((self.team.threads, ORIGINS), dtype=np.int64)
         found = np.zeros((before[LOOK, -1] + 1, L.FOUND_COLUMNS))
-        plan = Plan(self.written, np.array(commands), before, np.array(shares, dtype=np.int64), band, 0, self.threads, origins, self.seen,
-                    found, self.dts)
+        plan = Plan(self.written, np.array(commands), before, np.array(shares, dtype=np.int64), band, 0, 0, threads, self.team.board,
+                    origins, self.seen, found, self.dts)
         self._whole, self._of_shares = plan.shares.copy(), np.array(of_shares)
         self.set_bands(plan, False)
-        return plan._replace(share_out=DO_SHARE.address(plan, 0, 0))
+        return led(plan, DO_SHARE, self.team)
 
     def set_bands(self, plan: Plan, several: bool) -> None:
         """Have a plan take the mesh in several bands, or in one."""
@@ -279,7 +281,7 @@ def carry_out_alone(plan, commands):
         last = plan.band[TO]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def gather(found):
     """Totals of a command over its shares, in their order, into the row behind theirs."""
     totals = found[found.shape[0] - 1]
@@ -289,7 +291,7 @@ def gather(found):
             totals[k] = max(totals[k], found[i, k]) if k in (FOUND_RATE, FOUND_FAILURE) else totals[k] + found[i, k]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def tangled(plan, command):
     """How many zones of the band a command has found tangled."""
     found = 0.0

@@ -20,7 +20,7 @@ import numba as nb
 from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.core.passes import rows, rows_apart, zone_pass
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS
 from hugoniot.solvers.lagrange2d.closing import STRETCH
 from hugoniot.solvers.lagrange2d.layout import Nodes, Points, Smoothness, Vector
 
@@ -121,7 +121,7 @@ def compare(count, z, dt, numbers, law):
         first = end
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def fill_ghosts(table, nodes, ghosts, numbers):
     """Fill the cells around the blocks: from beyond a joint, as the mirror image behind a wall, or like the zone inside."""
     n = rows(Nodes, nodes, 0)

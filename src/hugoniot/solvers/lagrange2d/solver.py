@@ -24,6 +24,7 @@ from hugoniot.solvers.lagrange2d.boundaries import boundary_tables
 from hugoniot.solvers.lagrange2d.contact import results
 from hugoniot.solvers.lagrange2d.contact.layout import Nowhere
 from hugoniot.solvers.lagrange2d.contact.results import ContactResults, NothingMeets
+from hugoniot.solvers.lagrange2d.contact.step import jobs_of_contact, with_contact
 from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, contact_tables, with_rigid
 from hugoniot.solvers.lagrange2d.erosion import Erosion, NoErosion
 from hugoniot.solvers.lagrange2d.march import Options, Run, hold_at_start, march
@@ -47,8 +48,7 @@ class Lagrange2D(NothingToAdd):
 
     def __init__(self, problem: Problem2D, sampler=None):
         self.problem = problem = with_walls(problem)
-        self.sampler, mesh = sampler, problem.mesh
-        self.kind = kind_of(problem)
+        self.sampler, mesh, self.kind = sampler, problem.mesh, kind_of(problem)
         self.numbering = numbering = Numbering(mesh)
         count, zones = len(mesh.zone_nodes), zone_tables(problem, self.kind)
         nodes, heat = node_tables(problem, numbering, self.kind, zones)
@@ -72,8 +72,7 @@ class Lagrange2D(NothingToAdd):
         self.control, self.counters = np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64)
         self.counters[L.ZONES] = count
         self.contact = NothingMeets() if surfaces is None else ContactResults(problem, surfaces, self.nodes, self.kind)
-        contact = Nowhere() if surfaces is None else contact_tables(problem, surfaces, self.boundaries, numbering, self._zones)
-        self.run = self._run(mesh, contact)
+        self.run = self._run(mesh, surfaces)
         self.ends, self.region_of = self.run.ends, mesh.block_of
         self.plan, self.fronts = self._plan(mesh, accounts.largest_speed(problem, self.zones, self.nodes))
         self.erosion = Erosion(self, surfaces) if problem.solver.erosion else NoErosion()
@@ -82,23 +81,24 @@ class Lagrange2D(NothingToAdd):
         self.initial_nodes = self.nodes[[N.x, N.y]][:, numbering.representative].copy()
 
     # -- setting up ------------------------------------------------------------------------------------------
-    def _run(self, mesh, contact) -> Run:
-        edges = self.boundaries
+    def _run(self, mesh, surfaces) -> Run:
+        edges, gradients = self.boundaries, zone_table(gradient_rows(self.problem), int(cells(mesh)[-1]))
+        contact = Nowhere() if surfaces is None else contact_tables(self.problem, surfaces, edges, self.numbering, self._zones)
         *ghosts, before = ghost_tables(mesh, self.numbering, edges.mirrors, alike(self.problem, self.zones))
         *axis, rows = in_rows(mesh, edges, *axis_tables(self.problem, self.numbering, self.nodes[:, :self.numbering.total], self.kind))
-        gradients = zone_table(gradient_rows(self.problem), int(cells(mesh)[-1]))
-        ends = transmitting.tables(edges, ghosts[0], self.numbering)
-        return Run(self._zones, self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates, *ends,
-                   edges.held, edges.held_normals, edges.pulses, edges.tables, *self.numbering.shared(), edges.special, *axis,
-                   np.vstack((rows, before)), self.chains, np.zeros_like(self.chains), np.arange(self.nodes.shape[1]), contact)
+        return Run(self._zones, self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates,
+                   *transmitting.tables(edges, ghosts[0], self.numbering), edges.held, edges.held_normals, edges.pulses, edges.tables,
+                   *self.numbering.shared(), edges.special, *axis, np.vstack((rows, before)), self.chains, np.zeros_like(self.chains),
+                   np.arange(self.nodes.shape[1]), 0, np.zeros(4), contact)
 
     def _plan(self, mesh, speed):
         """(plan of the march, largest speed of a programmed front)."""
         materials, self.material_of = materials_of(self.problem, speed, self.options.near)
         tables = self._zones, self.forces, self._charge, self._nodes, self.run.gradients, diagonal_table(mesh)
         self.planner = Planner(tables, materials, G.KINDS[self.kind], self.problem.solver.viscosity, self.problem.body_force,
-                               self.team.threads, max(block.nj for block in mesh.blocks), Rings(mesh, self.numbering, self.run))
-        compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.planner.jobs()])
+                               self.team, max(block.nj for block in mesh.blocks), Rings(mesh, self.numbering, self.run))
+        compile_all([job_of(march, self._march_arguments(1, EMPTY)), *jobs_of_contact(self.run, self.options), *self.planner.jobs()])
+        self.run = with_contact(self.run, self.options)
         return self.plan_of(None), max(material[0].constants.front for material in materials)
 
     def plan_of(self, live):
@@ -107,7 +107,7 @@ class Lagrange2D(NothingToAdd):
         return self.planner.plan(zone_rows(mesh, self.numbering, self.material_of, live), node_rows(mesh, self.numbering))
 
     def _march_arguments(self, cycles, plan):
-        return cycles, self.run, plan, self.options, self.control, self.counters, self.team
+        return cycles, self.run, plan, self.options, self.control, self.counters
 
     def _corners(self, row):
         """A node row at the corners of every zone, (4, nzone), or (3, nzone) of triangles."""

@@ -8,7 +8,7 @@ chain it belongs to. `middle` says where what a node has in the middle of the st
 import numba as nb
 
 from hugoniot.core.passes import rows
-from hugoniot.core.target import GUARD, INLINE
+from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange1d.layout import LEAD, OUTSIDE
 from hugoniot.solvers.lagrange1d.nodes import pulse_value
 from hugoniot.solvers.lagrange2d import layout as L
@@ -16,7 +16,7 @@ from hugoniot.solvers.lagrange2d.quads import AREA_WEIGHTED, PLANAR
 
 
 # -- loads on edges ---------------------------------------------------------------------------------------------------------------
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def edge_force(x1, y1, x2, y2, kind, near):
     """Force (x1, y1, x2, y2) of a unit pressure to the left of an edge from 1 to 2 on its ends.
 
@@ -33,7 +33,7 @@ def edge_force(x1, y1, x2, y2, kind, near):
     return dy * first, -dx * first, dy * second, -dx * second
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def load(nodes, middle, loads, given, pulses, ends, time, at_start, geometry):
     """Add the pressure on loaded edges to the forces of their nodes, and keep it in `given` (edge, 4) for the booking of its work.
 
@@ -68,7 +68,7 @@ def load(nodes, middle, loads, given, pulses, ends, time, at_start, geometry):
             n.fy[middle[b]] += given[i, 3]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def book_loads(nodes, middle, loads, given, chains, dt):
     """Impulse and work of the loaded edges in this step."""
     n = rows(L.Nodes, nodes, 0)
@@ -81,7 +81,7 @@ def book_loads(nodes, middle, loads, given, chains, dt):
 
 
 # -- nodes that blocks share --------------------------------------------------------------------------------------------------------
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def exchange(nodes, which, starts, members):
     """Sum the two rows `which` and the one after over every group of nodes that are one, in fixed order, and give the sum to each."""
     for k in range(starts.shape[0] - 1):
@@ -94,7 +94,7 @@ def exchange(nodes, which, starts, members):
             nodes[which + 1, members[m]] = y
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def axis_masses(nodes, middle, axis, ratio, near, halfway):
     """Area weighted: a node on the axis has the areal mass of its neighbour off the axis times the ratio of both at t = 0.
 
@@ -108,7 +108,7 @@ def axis_masses(nodes, middle, axis, ratio, near, halfway):
 
 
 # -- special nodes: motion again, and what holds them ---------------------------------------------------------------------------------
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def free_motion(nodes, middle, special, at_start, dt, body_force):
     """Mean velocity of the special nodes from their whole forces."""
     n, (gx, gy) = rows(L.Nodes, nodes, 0), body_force
@@ -119,7 +119,7 @@ def free_motion(nodes, middle, special, at_start, dt, body_force):
         n.vm[m] = n.v[k] + 0.5 * dt * (fy * n.im[k] + gy)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def transmit(nodes, gates, normals, chains, dt, book):
     """What a transmitting boundary answers: its impedance times the change of velocity along its normal, stable at any step.
 
@@ -144,7 +144,7 @@ def transmit(nodes, gates, normals, chains, dt, book):
             chains[chain, L.CHAIN_IMPULSE_Y] += dt * force * ny
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def hold(nodes, middle, held, normals, pulses, tables, chains, time, book):
     """Take from the mean velocity what walls, the axis and driven edges do not allow; book their impulse and work.
 
@@ -184,7 +184,7 @@ def book_hold(chains, chain, impulse, nx, ny, u, v):
     chains[chain, L.CHAIN_IMPULSE_Y] += impulse * ny
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def special_middle(nodes, middle, special, dt):
     """Positions of the special nodes in the middle of the step."""
     n = rows(L.Nodes, nodes, 0)

@@ -10,7 +10,7 @@ import numba as nb
 import numpy as np
 
 from hugoniot.core.passes import rows
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.solvers.lagrange1d import layout as one
 from hugoniot.solvers.lagrange1d.transmitting import BEHIND, answer_of, begin_memory, follow
 from hugoniot.solvers.lagrange2d import layout as L
@@ -33,7 +33,7 @@ def normal_of(n, edge, kind, near):
     return x / area, y / area, area
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def look(z, edge, nx, ny, seen):
     """Stress along the normal, density and viscous pressure of the zones from an edge inward."""
     for k in range(edge[L.OPEN_COUNT]):
@@ -43,7 +43,7 @@ def look(z, edge, nx, ny, seen):
         seen[STRESS, k], seen[DENSITY, k], seen[VISCOUS, k] = z.p[zone] + viscous - strong, z.rho[zone], viscous
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def listen(run, dt, kind, near):
     """At the start of a step: impedance and lead of every transmitting edge, and what they are at its nodes."""
     n, z = rows(L.Nodes, run.nodes, 0), rows(L.Zones, run.zones, 0)
@@ -63,7 +63,7 @@ def listen(run, dt, kind, near):
                 run.gate_normals[i, 1] += impedance * y
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def lag(run):
     """Velocity gradients beyond transmitting edges, after `fill_ghosts`: they follow those of the zones inside."""
     for k in range(run.open_edges.shape[0]):
@@ -76,7 +76,7 @@ def lag(run):
             run.gradients[row, ghost], run.gradients[row + 1, ghost] = memory[BEYOND_X], memory[BEYOND_Y]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def answer(run, dt, kind, near):
     """At the end of a step: the stress outside after what the nodes' velocities have changed by, 2 (um - u)."""
     n, z = rows(L.Nodes, run.nodes, 0), rows(L.Zones, run.zones, 0)

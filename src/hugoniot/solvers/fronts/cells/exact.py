@@ -8,7 +8,7 @@ import math
 
 import numba as nb
 
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.solvers.fronts.cells.solids import is_solid
 from hugoniot.solvers.fronts.cells.tables import (
     DIRECTION,
@@ -65,20 +65,20 @@ DIVIDES = 0.1      # of the elastic range: an elastic wave that strong leaves a 
 SAME = 1e-9        # of a stretch: what elastic strain changes less
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def at_rest_with(work, f, u, p):
     """A front that moves with the material: nothing but momentum and work passes."""
     w = work.w
     w[SPEED, f], w[F_RHO, f], w[F_U, f], w[F_E, f], w[F_P, f] = u, 0.0, u, 0.0, p
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def elastic_strain(s):
     """Whether a wave leaves the volume without stress as it is."""
     return abs(s[VOLUME_B] * s[1] - s[6] * s[RHO_B]) <= SAME * s[6] * s[RHO_B]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def shock(rules, work, fronts, k, d, p, region):
     """A shock that runs in the direction d: what is ahead passes it, and takes a new reference state.
 
@@ -157,7 +157,7 @@ def between(rules, work, fronts, k, left, right):
     return True
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def at_end(rules, work, front, f, region, on_left, kind, value):
     """The end of a body (on_left: the material's left end); False where Python is asked."""
     side, block, cell = (1, LEFT, f) if on_left else (0, RIGHT, f - 1)
@@ -183,7 +183,7 @@ def at_end(rules, work, front, f, region, on_left, kind, value):
     return u == u
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def at_fronts(grid, rules, work, fronts, count, drives):
     """Speeds and states at all fronts, into the table; False where Python has to solve them. drives (2,): values of the ends."""
     n, w = len(grid.q), work.w

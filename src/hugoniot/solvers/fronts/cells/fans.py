@@ -10,7 +10,7 @@ import math
 import numba as nb
 import numpy as np
 
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS
 from hugoniot.laws.riemann.branch import Branch, State
 from hugoniot.laws.riemann.curve import Wave
 from hugoniot.laws.riemann.fan import Fan
@@ -21,7 +21,7 @@ from hugoniot.solvers.fronts.line import Piece, densities, fan_state, fluxes
 SAME = 1e-9        # of the density, and of signal speeds: a state beside a fan that differs by more is no longer the one it began with
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def changed(grid, w, face, cell):
     """Whether the cell outside an edge of a fan has another state than the edge."""
     if not 0 <= cell < len(grid.q) or w[FULL, cell] == 0.0:
@@ -32,7 +32,7 @@ def changed(grid, w, face, cell):
                 and abs(w[MEAN + E, cell] - e) <= signal * abs(speed - u) and abs(w[MEAN + P, cell] - p) <= rho * signal * abs(speed - u))
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def let_go(grid, w, fronts, count):
     """Fans beside which the state has changed go on as other cells do."""
     for k in range(count - 1):
@@ -42,7 +42,7 @@ def let_go(grid, w, fronts, count):
             grid.given[a:b + 1] = math.nan
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def forget(grid, fronts, count):
     """After a step: the states of newborn faces have done their part, but for those of fans that last."""
     lasts = False

@@ -21,7 +21,7 @@ import numba as nb
 
 from hugoniot.core.pass_lists import call_pass
 from hugoniot.core.rows import row_at
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.solvers.fronts.cells.solids import hoop_excess, is_solid, settle, yielded
 from hugoniot.solvers.fronts.cells.spacing import path_mean
 from hugoniot.solvers.fronts.cells.tables import (
@@ -61,7 +61,7 @@ from hugoniot.solvers.fronts.cells.tables import (
 )
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def ask(rules, work, which, region, rows, first, count, dt):
     """Call a pass of a region on cells first to first + count - 1; `rows` are numbers of rows of the table (at most 8)."""
     w = work.w
@@ -72,7 +72,7 @@ def ask(rules, work, which, region, rows, first, count, dt):
     call_pass(rules.passes[region, which], count, len(rows), work.pointers, dt, row_at(rules.words[region]))
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def evaluate(grid, rules, work, n, block):
     """Pressures, slopes and sound speeds of a block of states; zero where there is no material, nan where a state is not sound."""
     w, a = work.w, 0
@@ -116,7 +116,7 @@ def averages(grid, rules, work, n, d):
     evaluate(grid, rules, work, n, MEAN)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def unsound(grid, w, n):
     """The first cell without a sound state; -1 if there is none."""
     for i in range(n):
@@ -126,7 +126,7 @@ def unsound(grid, w, n):
     return -1
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def each_burning(grid, rules, work, n, which, rows, dt):
     """Call a pass (burning or pace) on every run of cells whose material burns by a rate."""
     a = 0
@@ -139,7 +139,7 @@ def each_burning(grid, rules, work, n, which, rows, dt):
         a = b
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def predict(grid, rules, work, n, d, dt, burns):
     """States of every cell at its left and right face and in its middle half a step on, with their pressures."""
     w, variables, half = work.w, grid.q.shape[1], 0.5 * dt
@@ -197,7 +197,7 @@ def predict(grid, rules, work, n, d, dt, burns):
                 break
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def hllc(grid, rules, work, n):
     """The HLLC state at inner faces, which move at the speeds of the table."""
     w = work.w
@@ -227,7 +227,7 @@ def hllc(grid, rules, work, n):
             w[INTO_LEFT + 1, f] = w[INTO_RIGHT + 1, f] = w[RIGHT + VOLUME, i] / rl if left else w[LEFT + VOLUME, f] / rr
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def move(grid, rules, work, n, d, dt, burns):
     """Move the faces, let the fluxes pass, burn; no cell is newborn any more."""
     w, variables = work.w, grid.q.shape[1]

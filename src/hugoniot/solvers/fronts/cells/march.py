@@ -15,7 +15,7 @@ import math
 
 import numba as nb
 
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.solvers.fronts.cells.exact import at_fronts
 from hugoniot.solvers.fronts.cells.fans import forget, let_go
 from hugoniot.solvers.fronts.cells.gas import averages, each_burning, evaluate, hllc, move, predict, unsound
@@ -96,7 +96,7 @@ def drive(end, times, values, t):
     return amplitude * (math.sin(math.pi * s / duration) if shape == HALF_SINE else 1.0)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def open_step(grid, rules, work, fronts, count, longest):
     """Items 1 to 4 but for the fronts: (length of the step, or nan; whether fronts are to meet in it)."""
     n, d = len(grid.q), int(rules.numbers[DIMENSION])
@@ -162,7 +162,7 @@ def calls_for_change(grid, rules, work, fronts, count):
     return False
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def newborn(grid):
     """Whether cells are about to be born."""
     count = 0
@@ -171,7 +171,7 @@ def newborn(grid):
     return count > 0
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def sample(grid, rules, work, fronts, count):
     """Put where the fronts are, and the states on both sides, into the trace."""
     w, n, at = work.w, len(grid.q), int(work.numbers[SAMPLED])

@@ -4,7 +4,7 @@ import math
 
 import numba as nb
 
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS
 from hugoniot.solvers.fronts.cells.spacing import extent, targets, widths
 from hugoniot.solvers.fronts.cells.tables import (
     AIM,
@@ -34,7 +34,7 @@ GROWS = 0.01       # growth per step of an interval that soon makes room for lon
 LONGER = 1.3       # a step may be this much longer to end in a meeting
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def known_speeds(grid, work, fronts, count):
     """Speeds of all faces as far as known now: of fronts their last ones, of newborn faces their own, linear between."""
     w = work.w
@@ -50,7 +50,7 @@ def known_speeds(grid, work, fronts, count):
             w[KNOWN, f] = grid.given[f, 0]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def step_length(grid, rules, work, fronts, count, longest, d):
     """(length of the step, whether fronts are to meet in it)."""
     n, w, numbers = len(grid.q), work.w, work.numbers
@@ -103,7 +103,7 @@ def step_length(grid, rules, work, fronts, count, longest, d):
     return (soonest, True) if soonest <= dt else (dt, False)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def face_speeds(grid, work, dt, d):
     """Speeds of all faces for the step: fronts as before, the others drawn gently to where they should be."""
     n, w, x = len(grid.q), work.w, grid.x
@@ -119,7 +119,7 @@ def face_speeds(grid, work, dt, d):
         w[SPEED, f] = known + shift
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def meeting_time(grid, work, fronts, count, dt, longest):
     """The step with the speeds found: to a meeting of two fronts, if there is one in it or shortly after it."""
     soonest = 1e300

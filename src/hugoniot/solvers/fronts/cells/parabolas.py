@@ -11,11 +11,11 @@ import math
 
 import numba as nb
 
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.solvers.fronts.cells.tables import BOTH, CENTRE, CURVE, FIRST, FULL, HIGH, LOW, MEAN, SECOND, SLOPE, SMOOTH
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def moments(grid, w, n, d):
     """Middles of the cells, and the averages over their volumes of x - m and its square; which cells hold material and have neighbours."""
     for i in range(n):
@@ -33,14 +33,14 @@ def moments(grid, w, n, d):
         w[BOTH, i] = 1.0 if full and not grid.marked[i] and not grid.marked[i + 1] else 0.0
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def about(w, k, i):
     """Averages over cell i of (x - x_k) and its square, x_k the middle of cell k."""
     away = w[CENTRE, i] - w[CENTRE, k]
     return away + w[FIRST, i], away * away + 2.0 * away * w[FIRST, i] + w[SECOND, i]
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def bend(w, k, variables):
     """Slope and curvature (half the second derivative) in the middle of a cell with two neighbours."""
     one, two = about(w, k, k)
@@ -54,7 +54,7 @@ def bend(w, k, variables):
         w[CURVE + v, k] = (a * down - c * up) / det
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def smooth(w, k, v):
     """Whether the curvature is about the same in a cell and its neighbours: then an extremum is one of the flow, and kept."""
     own, lone = w[CURVE + v, k], True
@@ -68,7 +68,7 @@ def smooth(w, k, v):
     return 0.0 if lone else 1.0
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def limited(value, way, up, down):
     """An increment to a face (way -1 left, 1 right) no larger than the differences to the neighbours, and of their sign."""
     if not up * down > 0.0:

@@ -7,39 +7,39 @@ import math
 
 import numba as nb
 
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS
 from hugoniot.laws.riemann.branch import Matter, State
 from hugoniot.laws.riemann.medium import Solid, deviator
 from hugoniot.solvers.fronts.cells.spacing import path_mean
 from hugoniot.solvers.fronts.cells.tables import CENTRE, FIRST, FROM, MIDDLE, SHEAR, SPEED, VOLUME, YIELDS, U
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def is_solid(rules, region):
     """Whether the material of a region has strength."""
     return 0 <= region < len(rules.traits) and rules.traits[region, SHEAR] > 0.0
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def yielded(rules, region, stretch):
     """The stretch returned to the yield surface, where it lies beyond."""
     most = rules.traits[region, YIELDS]
     return min(max(stretch, math.exp(-most)), math.exp(most))
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def deviator_of(rules, region, stretch):
     """s1 (Pa, tension positive) of a stretch inside the yield surface."""
     return -rules.traits[region, SHEAR] * math.log(stretch)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def hoop_excess(rules, region, stretch):
     """Hoop stress above the radial one, Pa (compression positive): both hoop deviators are half of s1, of the other sign."""
     return 1.5 * deviator_of(rules, region, stretch)
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def settle(grid, rules, w, i, d, dt):
     """The stretch of a cell after a step whose fluxes have passed: what u/r adds in curved geometry, and the yield surface."""
     a, b, region = grid.x[i], grid.x[i + 1], grid.region[i]

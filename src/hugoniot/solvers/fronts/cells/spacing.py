@@ -8,7 +8,7 @@ import math
 import numba as nb
 import numpy as np
 
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS, GUARD
 
 SLOPE = 0.05       # width over radius
 FINEST = 1e-3      # of the region's width: where the slope ends
@@ -51,7 +51,7 @@ def place(eta, h, d):
     return near * math.exp(eta * SLOPE - 1.0) if eta <= whole else far + (eta - whole) * h
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def central_count(r, start, h, d):
     """eta(r) in an interval that begins at `start`: one that reaches the axis or origin has even cells."""
     if d > 1 and start == 0.0:
@@ -72,7 +72,7 @@ def widths(x, region, zones, sums, out, n):
         out[i] = sums[own] / zones[own] if region[i] >= 0 else 1.0
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def targets(marked, widths, at, out, n, d):
     """Where faces should stand, given where the fronts will be (`at` the marked faces)."""
     first = 0

@@ -9,7 +9,7 @@ import numba as nb
 
 from hugoniot.core.pass_lists import call_pass
 from hugoniot.core.rows import row_at
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.solvers.fronts.cells.tables import GAS, LAM, C, E, P, U
 
 ROUNDING = 1e-13   # of a pressure or stiffness: a step of Newton's that small, and against the last ones, is rounding
@@ -37,7 +37,7 @@ def wave_to(rules, work, side, region, p):
     call_pass(rules.passes[region, 1], 1, 2, work.pointers, 0.0, row_at(rules.words[region]))
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def meet(rules, work, left, right, bonded, start):
     """(pressure, velocity) between two sides; nan where they part or are not found. start: a first guess, nan for the acoustic one."""
     a, b = work.io[0], work.io[1]
@@ -80,7 +80,7 @@ def meet(rules, work, left, right, bonded, start):
     return math.nan, math.nan
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def press(rules, work, side, region, velocity):
     """Pressure on a wall of that velocity; nan where the material may leave it."""
     a, d = work.io[side], 2.0 * side - 1.0

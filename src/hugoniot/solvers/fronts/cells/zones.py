@@ -2,12 +2,12 @@
 
 import numba as nb
 
-from hugoniot.core.target import GUARD
+from hugoniot.core.target import BY_ADDRESS
 from hugoniot.solvers.fronts.cells.solids import deviator_of, is_solid
 from hugoniot.solvers.fronts.cells.tables import FULL, MEAN, VOLUME, P
 
 
-@nb.njit(**GUARD)
+@nb.njit(**BY_ADDRESS)
 def look_at_zones(grid, rules, work, n):
     """Raise the extremes of all zones by the averages of the cells; regions, their zones and their cells stand from left to right."""
     w, zones, owner, regions = work.w, work.zones, work.owner, len(rules.traits)

@@ -10,9 +10,13 @@
 Contact is the leader's alone, so that no bit depends on the number of threads.
 """
 
+from typing import Any
+
 import numba as nb
 from numba.extending import overload
 
+from hugoniot.core.compile_ahead import Job
+from hugoniot.core.passes import Entry, call_entry
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.accounts_of_step import accept, book_heat, book_holds
@@ -192,17 +196,37 @@ def of_step(c, run, options, time, dt, moment):
     return True
 
 
-def touch(contact, run, options, time, dt, moment):
+def at_moment(run, options, asked):
+    """The same called by its address, so that it is compiled once, not into each function of the march again; `asked`: `march.Run`."""
+    asked[3] = of_step(run.contact, run, options, asked[0], asked[1], int(asked[2]))
+
+
+AT_MOMENT = Entry(at_moment)
+
+
+def jobs_of_contact(run, options) -> list[Job]:
+    """What has yet to be compiled for a run's contact."""
+    return [] if isinstance(run.contact, C.Nowhere) else [AT_MOMENT.job(run, options, run.asked)]
+
+
+def with_contact(run, options) -> Any:
+    """A run that knows where its contact is compiled."""
+    return run if isinstance(run.contact, C.Nowhere) else run._replace(touch=AT_MOMENT.address(run, options, run.asked))
+
+
+def touch(run, options, time, dt, moment):
     """What contact does at a moment of the step; False where it has no room for its pairs."""
     raise NotImplementedError("compiled only")
 
 
 @overload(touch, jit_options=INLINE)
-def _(contact, run, options, time, dt, moment):
-    def nothing(contact, run, options, time, dt, moment):
+def _(run, options, time, dt, moment):
+    def nothing(run, options, time, dt, moment):
         return True
 
-    def something(contact, run, options, time, dt, moment):
-        return of_step(contact, run, options, time, dt, moment)
+    def something(run, options, time, dt, moment):
+        run.asked[0], run.asked[1], run.asked[2] = time, dt, moment
+        call_entry(run.touch, run, options, run.asked)
+        return run.asked[3] != 0.0
 
-    return nothing if contact.instance_class is C.Nowhere else something
+    return nothing if run.types[run.fields.index("contact")].instance_class is C.Nowhere else something
