@@ -1,9 +1,13 @@
-"""SESAME-format ASCII files: tables of the equation of state, of its parts, and of the curves on which phases coexist.
+r"""SESAME-format ASCII files: tables of the equation of state, of its parts, and of the curves on which phases coexist.
 
     301 total    303 ions with the cold curve    304 thermal electrons    305 ions with zero-point motion    306 cold curve (no zero point)
     401 vaporization    411 solid on the melting line    412 liquid on it
 
-The parts add up: 301 = 303 + 304 = 304 + 305 + 306. Both styles of text are read: the records of the ASCII exchange format
+The parts add up, pressures as energies:
+
+$$p_{301} = p_{303} + p_{304} = p_{304} + p_{305} + p_{306}$$
+
+Both styles of text are read: the records of the ASCII exchange format
 (` 0 3720 301 ...`) and the Sandia style of ANEOS (` RECORD TYPE = 301 NWDS = ...`), in g/cm3, K, GPa and MJ/kg. Every trouble is one
 DeckError with the file, the line and the way out.
 
