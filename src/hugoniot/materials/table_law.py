@@ -66,9 +66,9 @@ def read_table_law(table: dict, collector: Collector, path: tuple) -> Any:
     if collector.findings > before:
         return None
     try:
-        table, notes = tables_io.read(collector.folder / file, tables_io.Window(**given))
+        found, notes = tables_io.read(collector.folder / file, tables_io.Window(**given))
         collector.warnings += [f"{printable(file, 200)}: {note}" for note in notes]
-        return table
+        return found
     except DeckError as error:
         collector.problems += [p for p in error.problems if p not in collector.problems]
         collector.findings += len(error.problems)
