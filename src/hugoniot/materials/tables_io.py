@@ -63,6 +63,7 @@ def read(path, window: Window) -> tuple[Table, tuple[str, ...]]:
         if path.suffix.lower() in HDF5:
             from hugoniot.materials.table_hdf5 import read_table
 
+            _not_sesame(path, window)
             return _build(str(path), *read_table(path), window)
         text = read_text(path, _LARGEST)
     except UnicodeDecodeError:
@@ -73,8 +74,16 @@ def read(path, window: Window) -> tuple[Table, tuple[str, ...]]:
         raise FileTrouble(f"{path}: {error.strerror or error}") from None
     first = next((line for line in text.splitlines() if line.strip() and not line.startswith("#")), "")
     if "," in first and not sesame.looks_like(first):
+        _not_sesame(path, window)
         return _csv(text, str(path), window)
     return _sesame(text, str(path), window)
+
+
+def _not_sesame(path, window: Window) -> None:
+    """Refuse numbers of a material and of its table for a file that holds one table only."""
+    for key, asked in (("number", window.material is not None), ("table", window.table != 301)):
+        if asked:
+            raise DeckError.single(path, None, key, "belongs to SESAME-format files", "this file holds one table: leave the key out")
 
 
 def read_csv(text: str, name: str = "table.csv", rho0: float = math.nan, reference_temperature: float = 298.15) -> Table:
