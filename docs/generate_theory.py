@@ -30,9 +30,11 @@ TOOLS = {
     "gurney": ("Metal driven by explosives", ("theory.exact.plate_push",), "theory.exact.plate_push", ("eos gurney",)),
     "fits": ("Fits", ("theory.fits",), "theory.fits", ("eos fit", "eos fit-jwl", "eos fit-gamma")),
     "stability": ("Stability of detonations", ("theory.stability", "theory.normal_modes"), "theory.stability", ("eos stability",)),
+    "sesame": ("SESAME files by their tables", ("materials.sesame", "materials.table_repair"), "materials.sesame", ("eos sesame",)),
     "converters": ("From other data to Herrmann's series", ("laws.eos.converters",), "laws.eos.converters", ("eos convert",)),
 }
-TOLD = {"converters": "From Python: `from hugoniot.laws.eos import converters`.",
+TOLD = {"sesame": "From Python: `from hugoniot.materials import sesame, tables_io`.",
+        "converters": "From Python: `from hugoniot.laws.eos import converters`.",
         "mixtures": "The equations stand under [mixtures](../../theory/mixtures.md).",
         "characteristics": "Called from Python: `from hugoniot.theory import characteristics`."}
 _ROW = re.compile(r"^(\S.{0,70}?) {2,}(\S.*)$")

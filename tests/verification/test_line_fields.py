@@ -25,7 +25,7 @@ specific_heat = 717.5
 left = {velocity = 1000.0}
 right = "fixed"
 [output]
-fields = ["density", "pressure", "entropy", "kinetic_energy", "momentum", "elastic_volume_energy", "viscous_work", "energy"]
+fields = ["density", "pressure", "entropy", "kinetic_energy", "momentum", "pressure_work_and_heat", "viscous_work", "energy"]
 """
 PLATE = """stop_time = "0.2 us"
 [[region]]
@@ -37,7 +37,7 @@ zones = 100
 [boundary]
 left = {velocity = "100 m/s"}
 [output]
-fields = ["lode_angle", "von_mises", "elastic_deviator_energy", "plastic_work", "viscous_work", "elastic_volume_energy", "energy", "density"]
+fields = ["lode_angle", "von_mises", "elastic_deviator_energy", "plastic_work", "viscous_work", "pressure_work_and_heat", "energy", "density"]
 """
 
 
@@ -54,8 +54,8 @@ def test_entropy_energy_and_momentum_of_a_shocked_gas(tmp_path):
     budget = run.arrays("budget")
     assert np.sum(last["mass"] * last["kinetic_energy"]) == pytest.approx(budget["kinetic_energy"][-1].sum(), rel=1e-12)
     assert np.sum(last["momentum"]) == pytest.approx(budget["momentum"][-1].sum(), rel=1e-12)
-    assert np.sum(last["mass"] * run.snapshots["elastic_volume_energy"].values[-1]) == pytest.approx(
-        budget["elastic_volume_energy"][-1].sum(), rel=1e-12)
+    assert np.sum(last["mass"] * run.snapshots["pressure_work_and_heat"].values[-1]) == pytest.approx(
+        budget["pressure_work_and_heat"][-1].sum(), rel=1e-12)
 
 
 def test_the_lode_angle_of_uniaxial_compression(tmp_path):
@@ -63,7 +63,7 @@ def test_the_lode_angle_of_uniaxial_compression(tmp_path):
     run = simulate.run(read_deck_text(PLATE, "deck.toml"), tmp_path / "run", report=False)
     angle, stress = (run.snapshots[name].values[-1] for name in ("lode_angle", "von_mises"))
     assert angle[:20] == pytest.approx(np.pi / 6.0, abs=1e-9) and stress[:20].min() > 1e7
-    parts = sum(run.snapshots[name].values[-1] for name in ("elastic_volume_energy", "elastic_deviator_energy", "plastic_work", "viscous_work"))
+    parts = sum(run.snapshots[name].values[-1] for name in ("pressure_work_and_heat", "elastic_deviator_energy", "plastic_work", "viscous_work"))
     gained = run.snapshots["energy"].values[-1] - run.snapshots["energy"].values[0]
     assert parts == pytest.approx(gained, rel=1e-9, abs=1e-6)
 

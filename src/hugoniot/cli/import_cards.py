@@ -8,7 +8,6 @@ import typer
 from hugoniot.cli.show import quantity
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
 from hugoniot.materials.ls_dyna import material_tables, read_cards, scale_of
-from hugoniot.materials.plausible import unlikely
 from hugoniot.materials.read import build_material
 from hugoniot.problem.write import to_toml
 
@@ -46,14 +45,22 @@ def command(
         made = build_material(name, tables, problems, file.name, lambda path: None)
         if problems or made is None:
             raise DeckError(problems)
-        left = [*left, *unlikely(name, made)]
         shown = to_toml({"material": {name: tables}})
+        left = [*left, *_as_a_deck(name, shown, file.name)]
     if out is None:
         typer.echo(shown.strip())
     else:
         _write(out, shown)
     for sentence in left:
         typer.echo(f"note: {sentence}", err=True)
+
+
+def _as_a_deck(name: str, shown: str, file: str) -> list[str]:
+    """Warnings of a deck that uses the material, read as such a deck is; DeckError for what it would refuse."""
+    from hugoniot.problem.deck import read_deck_text
+
+    region = {"region": [{"name": "body", "material": name, "from": 0.0, "to": 1e-3, "zones": 10}]}
+    return list(read_deck_text(f"stop_time = 1e-6\n{to_toml(region)}\n{shown}", file).warnings)
 
 
 def _deck(text: str, path: Path, kind: str) -> tuple[str, list[str]]:

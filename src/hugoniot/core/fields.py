@@ -52,8 +52,10 @@ _ROWS = (
     Field("viscous_work", "w_q", "J/kg", "zone", "work of the artificial viscosity", ("kJ/kg", 1e-3)),
     Field("kinetic_energy", "k", "J/kg", "zone", "kinetic energy", ("kJ/kg", 1e-3)),
     Field("momentum", "m_u", "kg m/s", "zone", "momentum of the zone (per m^2, per m and radian, or per steradian)", ("kg m/s", 1.0)),
+    Field("momentum_x", "m_x", "kg m/s", "zone", "momentum of the zone along x (per m, or per radian)", ("kg m/s", 1.0)),
+    Field("momentum_y", "m_y", "kg m/s", "zone", "momentum of the zone along y (per m, or per radian)", ("kg m/s", 1.0)),
     Field("elastic_deviator_energy", "e_d", "J/kg", "zone", "elastic energy of distortion", ("kJ/kg", 1e-3)),
-    Field("elastic_volume_energy", "e_v", "J/kg", "zone", "energy of compression and its heat, since the start", ("kJ/kg", 1e-3)),
+    Field("pressure_work_and_heat", "w", "J/kg", "zone", "work of the pressure and heat received, since the start", ("kJ/kg", 1e-3)),
     Field("entropy", "eta", "J/kg/K", "zone", "specific entropy, up to a constant of the material", ("J/kg/K", 1.0)),
     Field("mass", "m", "kg", "zone", "zone mass (per m^2, per m and radian, or per steradian)", ("kg", 1.0)),
 )

@@ -3,7 +3,7 @@
 import numpy as np
 
 from hugoniot.materials import schema
-from hugoniot.materials.library import curated_name, find
+from hugoniot.materials.library import curated_name, find, spall_row
 from hugoniot.problem.model import Problem
 from hugoniot.units import format_si
 
@@ -13,7 +13,8 @@ MULTIPLE = 3.0     # of a spall strength: measured ones grow that much from slow
 def spall_scale(name: str) -> tuple[float, str]:
     """(spall strength in Pa, whose): the library's for a material of that name, else the largest in the library."""
     known = curated_name(name)
-    own = getattr(find(known).fracture, "strength", None) if known else None
+    row = spall_row(known) if known else None
+    own = schema.row(row)["spall_strength"] if row else getattr(find(known).fracture, "strength", None) if known else None
     if own:
         return float(own), f"its spall strength in the library, {format_si(float(own), 'Pa', 3)}"
     rows = [row for row in schema.table("strength").values() if row.get("spall_strength")]

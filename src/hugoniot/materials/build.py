@@ -67,6 +67,8 @@ def assembled(name: str, tables: Any, base: Material | None, collector: Collecto
     _check_memory(built["eos"], built.get("burn") is not None, collector, path)
     if collector.findings > before:
         return None
+    warnings = tuple(dict.fromkeys((*warnings, *collector.warnings)))
+    collector.warnings.clear()
     if unreacted is not None:
         warnings = tuple(dict.fromkeys((*warnings, *doubts(unreacted))))
     if any(law is not None and flagged(law, "grains") and flagged(law, "truncated") for law in (built["eos"], unreacted)):

@@ -44,6 +44,7 @@ class Collector:
 
     raw      the parsed file, from which array elements get the name shown in a message (`region.flyer.from`)
     folder   where data files that this one names are looked for; by default the folder of `file`
+    warnings what a reader of data files found to report of a material; whoever builds the material takes them
 
     `findings` counts every finding, one that is worded like an earlier one too (two blocks of one name lack the same key): whoever wants to
     know whether a part of the file was found sound compares it, as `problems` holds each wording once.
@@ -53,6 +54,7 @@ class Collector:
         self.problems, self.file, self.line_of, self.raw = problems, file, line_of, raw or {}
         self.folder = Path(file).parent if folder is None else folder
         self.findings = len(problems)
+        self.warnings: list[str] = []
 
     def add(self, path: tuple, message: str, hint: str = "") -> None:
         self.findings += 1

@@ -31,7 +31,7 @@ from hugoniot.materials.marks import marks
 from hugoniot.materials.material import Material, Source
 from hugoniot.materials.tables import families
 
-WORDS = ("title", "category", "aliases", "missing", "notes", "unreacted", "detonation")
+WORDS = ("title", "category", "aliases", "missing", "notes", "unreacted", "detonation", "spall")
 DETONATION = {"velocity": "m/s", "pressure": "Pa", "gurney_velocity": "m/s", "ignition_growth": "text"}
 _PROVENANCE = ("source", "via", "status", "note")
 
@@ -174,7 +174,8 @@ class _Reader:
         tabulated = heat if isinstance(heat, str) and heat.endswith(".heat_capacity") and schema.is_row(heat.split(".")[0]) else None
         if tabulated:
             del merged["specific_heat"]
-        found = {k: v if k == "law" else self.value(f"{place}.{k}", v, units.get(k, "1")) for k, v in merged.items()}
+        found = {k: v if k == "law" else self.inner(f"{place}.{k}", v) if isinstance(v, dict) and "row" in v
+                 else self.value(f"{place}.{k}", v, units.get(k, "1")) for k, v in merged.items()}
         if tabulated and "heat_capacity" not in schema.row(tabulated.split(".")[0]):
             self.collector.add(("material", self.name, *place.split("."), "specific_heat"), f"the library has no cell '{tabulated}'")
         elif tabulated:
@@ -184,6 +185,11 @@ class _Reader:
             heat = cards.specific_heat(row, *scales) if len(scales) == 2 and None not in scales else row.constant("heat_capacity")
             found["specific_heat"] = self.value(f"{place}.specific_heat", heat, "J/kg/K")
         return found
+
+    def inner(self, place: str, table: dict) -> dict:
+        """The law inside another one, as the solid of a porous law, of a row and what replaces its values."""
+        return self.plain(place, "eos", {**self.card(("material", self.name, *place.split(".")), table["row"], "eos"),
+                                         **{k: v for k, v in table.items() if k != "row"}})
 
     def card(self, path: tuple, identity: Any, family: str) -> dict:
         if not (isinstance(identity, str) and schema.is_row(identity)):

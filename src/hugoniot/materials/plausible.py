@@ -1,16 +1,17 @@
 """Constants that no solid or liquid has: mostly numbers whose unit was forgotten or mistaken."""
 
-from hugoniot.laws.eos.contract import EOS
+from hugoniot.laws.eos.contract import EOS, density_limits, flagged, reference_state, sound_speed_squared
 from hugoniot.materials.material import Material
 
 # key -> (least, largest, SI unit, the unit in which people give it). Below are gases, aerogels and numbers whose unit was forgotten;
 # osmium has 22 600 kg/m3, diamond 12 km/s
+COMPRESSED = 1.1      # times the density at rest, up to which a solid or liquid has to have a sound speed
 LIMITS = {"rho0": (50.0, 25e3, "kg/m^3", "g/cm^3"), "c0": (100.0, 25e3, "m/s", "km/s")}
 
 
 def unlikely(name: str, material: Material) -> list[str]:
-    """What to say of densities and sound speeds at rest outside the range of all known solids and liquids."""
-    laws, found = [material.eos], []
+    """What to say of densities and sound speeds at rest outside those of all known solids and liquids, and of laws that soften at once."""
+    laws, found = [material.eos], _softening(name, material.eos)
     while laws:
         par = laws.pop()
         if "gas" in EOS.of(par).flags:
@@ -24,3 +25,16 @@ def unlikely(name: str, material: Material) -> list[str]:
                          + (f"A bare number is SI; write \"{value:g} {better}\" if that is what you mean" if value < least else
                             "No known material comes near this: is the unit right?"))
     return found
+
+
+def _softening(name: str, par) -> list[str]:
+    """A law without a sound speed at small compression, where its pressure falls: a wrong sign, or a slip of a power."""
+    if "gas" in EOS.of(par).flags or flagged(par, "remembers"):
+        return []
+    rho, e = reference_state(par)
+    for k in range(1, 21):
+        density = rho * (1.0 + (COMPRESSED - 1.0) * k / 20.0)
+        if density < density_limits(par)[1] and sound_speed_squared(density, e, par) < 0.0:
+            return [f"material '{name}': the law has no sound speed from {density:.6g} kg/m3 on, {100.0 * (density / rho - 1.0):.2g} % "
+                    "above its density at rest: its pressure falls there with compression; check signs and powers of its coefficients"]
+    return []

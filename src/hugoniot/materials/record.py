@@ -27,14 +27,22 @@ def material_record(material: Material) -> list[dict]:
         par = getattr(material, family)
         if par is None:
             continue
-        law = registry.of(par)
         for name, value in _numbers(law_table(registry, par)):
             source = stated.pop(f"{family}.{name}", None)
-            rows.append(_row(material.name, _source_of(f"{family}.{name}", name, value, source, law, registry)))
+            *inside, leaf = name.split(".")
+            rows.append(_row(material.name, _source_of(f"{family}.{name}", leaf, value, source, _law_inside(registry, par, inside))))
     return rows + [_row(material.name, source) for source in stated.values()]
 
 
-def _source_of(quantity: str, name: str, value: float, source: Source | None, law, registry: Registry) -> Source:
+def _law_inside(registry: Registry, par, path: list[str]):
+    """The law a parameter belongs to: that of `par`, or one inside it."""
+    for part in path:
+        inner = getattr(par, part, None)
+        par = inner if registry.knows(inner) else par
+    return registry.of(par)
+
+
+def _source_of(quantity: str, name: str, value: float, source: Source | None, law) -> Source:
     unit = law.units.get(name, "1")
     if source is None or source.source == "not stated":
         if value in (law.defaults.get(name), getattr(law.parameters, "_field_defaults", {}).get(name)):

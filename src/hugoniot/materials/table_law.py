@@ -8,6 +8,9 @@
     density_range = ["8 g/cm^3", "14 g/cm^3"]    # optional: the part of the table to use
     temperature_range = ["300 K", "3000 K"]      # optional
     number = 3720                                # optional: the material of a SESAME file that holds several
+    table = 303                                  # optional: its table: 301 (total, the default), 303, 304 or 305
+    repair = true                                # optional: replace energies that do not rise with temperature, with a warning
+    least_sound_speed = "1 m/s"                  # optional: lower bound of the sound speed, where the table has none
 
 A problem that is saved holds the values themselves, so that it runs again without the data file.
 """
@@ -16,15 +19,20 @@ from pathlib import Path
 from typing import Any
 
 from hugoniot.errors import DeckError, FileTrouble
-from hugoniot.materials import tables_io
+from hugoniot.materials import sesame, tables_io
 from hugoniot.materials.collect import Collector, printable
 
 LAW = "table"
-UNITS = {"file": "text", "rho0": "kg/m^3", "reference_temperature": "K", "density_range": "kg/m^3", "temperature_range": "K", "number": "1"}
+UNITS = {"file": "text", "rho0": "kg/m^3", "reference_temperature": "K", "density_range": "kg/m^3", "temperature_range": "K",
+         "number": "1", "table": "1", "repair": "1", "least_sound_speed": "m/s"}
 MEANING = {"file": "the table: .csv, .h5 or SESAME-format ASCII, relative to this file", "rho0": "density at rest",
            "reference_temperature": "temperature at rest", "density_range": "lowest and highest density to use",
-           "temperature_range": "lowest and highest temperature to use", "number": "material number in a SESAME file"}
-_KINDS = {"file": "string", "number": "integer", "density_range": "array", "temperature_range": "array"}
+           "temperature_range": "lowest and highest temperature to use", "number": "material number in a SESAME file",
+           "table": "301 (total), 303 (ions with the cold curve), 304 (thermal electrons) or 305 (ions) of a SESAME file",
+           "repair": "whether energies that do not rise with temperature are replaced by interpolation, with a warning",
+           "least_sound_speed": "lower bound of the sound speed, where the table has less or none (0: such a table is refused)"}
+_KINDS = {"file": "string", "number": "integer", "table": "integer", "repair": "boolean",
+          "density_range": "array", "temperature_range": "array"}
 _SUFFIXES = (".csv", ".h5", ".hdf5", ".ses", ".301", ".txt")
 
 
@@ -36,21 +44,31 @@ def read_table_law(table: dict, collector: Collector, path: tuple) -> Any:
             continue
         if key not in UNITS:
             collector.unknown((*path, key), UNITS)
-        elif key == "number":
-            given["material"] = value
+        elif key in ("number", "table"):
+            given["material" if key == "number" else key] = value
             if isinstance(value, bool) or not isinstance(value, int):
                 collector.add((*path, key), "expected a whole number", MEANING[key])
+            elif key == "table" and value not in sesame.PARTS:
+                collector.add((*path, key), f"{value} is not a table of pressures and energies", MEANING[key])
+        elif key == "repair":
+            given[key] = value
+            if not isinstance(value, bool):
+                collector.add((*path, key), f"expected true or false, got {value!r:.40}", MEANING[key])
         elif key.endswith("_range"):
             given[key] = _range(value, UNITS[key], collector, (*path, key))
         else:
             given[key] = collector.quantity((*path, key), value, UNITS[key])
+            if key == "least_sound_speed" and given[key] is not None and not given[key] >= 0.0:
+                collector.add((*path, key), f"must not be less than 0, got {given[key]:g} m/s", MEANING[key])
     file = table["file"]
     if not isinstance(file, str) or not file.strip() or not file.isprintable():
         collector.add((*path, "file"), "expected the name of a file", MEANING["file"])
     if collector.findings > before:
         return None
     try:
-        return tables_io.load(collector.folder / file, **given)
+        found, notes = tables_io.read(collector.folder / file, tables_io.Window(**given))
+        collector.warnings += [f"{printable(file, 200)}: {note}" for note in notes]
+        return found
     except DeckError as error:
         collector.problems += [p for p in error.problems if p not in collector.problems]
         collector.findings += len(error.problems)

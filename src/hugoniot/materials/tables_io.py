@@ -1,61 +1,69 @@
-"""Tabulated equations of state from files: CSV, HDF5, and SESAME-format ASCII (table 301).
+"""Tabulated equations of state from files: CSV, HDF5, and SESAME-format ASCII.
 
     load(path)        the law `table` of a file, by its suffix and content
+    read(path, ...)   the same, and what has to be reported of it
     read_csv(text)    four columns named density, temperature, pressure, energy (SI), one row per grid point in any order
-    read_301(text)    the 301 table of a SESAME-format ASCII file (g/cm3, K, GPa, MJ/kg; other units by arguments)
+    read_301(text)    a table of a SESAME-format ASCII file (g/cm3, K, GPa, MJ/kg; other units by arguments)
 
-Both styles of SESAME text are read: the records of the ASCII exchange format (` 0 3720 301 ...`) and the Sandia style of ANEOS
-(` RECORD TYPE = 301 NWDS = ...`). Every trouble is one DeckError with the file, the line or place, and the way out.
-Source: Lyon and Johnson, LA-UR-92-3407 (1992), table 301: NR, NT, densities, temperatures, then p, e (and A) with density fastest.
+Every trouble is one DeckError with the file, the line or place, and the way out.
 """
 
 import csv
 import io
 import math
 import pathlib
-import re
 from typing import NamedTuple
 
 import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble, OutOfRange
 from hugoniot.files import read_text
-from hugoniot.laws.eos.table import Table, build
+from hugoniot.laws.eos.table import Table, build, unstable_corners
+from hugoniot.materials import sesame
+from hugoniot.materials.table_repair import risen
 
 COLUMNS = ("density", "temperature", "pressure", "energy")
 HDF5 = (".h5", ".hdf5")
-_EXCHANGE = re.compile(r"^\s*[012]\s+(\d{1,18})\s+(\d{3})\s+(\d+)\s+[A-Za-z]")
-_SANDIA = re.compile(r"^\s*RECORD\s+TYPE\s*=\s*(\d{3})\s+NWDS\s*=\s*(\d+)")
-_NUMBER = re.compile(r"[+-]?(?:\d+\.\d*|\.\d+)(?:[EeDd][+-]?\d+|[+-]\d+)?|[+-]?(?:nan|inf)(?:inity)?\b", re.IGNORECASE)
-_FLAGS = re.compile(r"^(.*[EeDd][+-]\d\d)[01]{5}\s*$")
 _LARGEST = 64 * 1024 * 1024
 _FILL = "a table gives every density at every temperature: fill the hole or leave that density out"
 
 
 class Window(NamedTuple):
-    """What of a file is wanted: its rest state, the ranges kept (kg/m3, K), the number of the material where the file holds several."""
+    """What of a file is wanted: its rest state, the ranges kept (kg/m3, K), the numbers of a SESAME material and of its table.
+
+    repair              replace energies that do not rise with temperature (`materials.table_repair`)
+    least_sound_speed   m/s, used where the table has none; 0 to refuse such a table
+    """
 
     rho0: float = math.nan
     reference_temperature: float = 298.15
     density_range: tuple[float, float] = (0.0, math.inf)
     temperature_range: tuple[float, float] = (0.0, math.inf)
     material: int | None = None
+    table: int = 301
+    repair: bool = False
+    least_sound_speed: float = 0.0
 
 
-def load(path, rho0: float = math.nan, reference_temperature: float = 298.15, density_range=(0.0, math.inf),
-         temperature_range=(0.0, math.inf), material: int | None = None) -> Table:
+def load(path, **wanted) -> Table:
     """The law `table` of a file: HDF5 by its suffix, CSV where the first line names columns, else SESAME-format ASCII.
 
-    rho0 (kg/m3) and reference_temperature (K) fix the rest state; without rho0 it is where the isotherm has zero pressure.
-    density_range (kg/m3) and temperature_range (K) cut the grid; `material` is the number of a SESAME material.
+    wanted: fields of `Window`. rho0 (kg/m3) and reference_temperature (K) fix the rest state; without rho0 it is where the isotherm has
+    zero pressure. density_range (kg/m3) and temperature_range (K) cut the grid.
     """
-    path, window = pathlib.Path(path), Window(rho0, reference_temperature, density_range, temperature_range, material)
+    return read(path, Window(**wanted))[0]
+
+
+def read(path, window: Window) -> tuple[Table, tuple[str, ...]]:
+    """The law of a file, as of `load`, and what was repaired in it or has to be known of it."""
+    path = pathlib.Path(path)
     try:
         if path.stat().st_size > _LARGEST:
             raise DeckError.single(path, None, "table", f"the file is larger than {_LARGEST >> 20} MB", "thin the table out")
         if path.suffix.lower() in HDF5:
             from hugoniot.materials.table_hdf5 import read_table
 
+            _not_sesame(path, window)
             return _build(str(path), *read_table(path), window)
         text = read_text(path, _LARGEST)
     except UnicodeDecodeError:
@@ -65,18 +73,25 @@ def load(path, rho0: float = math.nan, reference_temperature: float = 298.15, de
     except OSError as error:
         raise FileTrouble(f"{path}: {error.strerror or error}") from None
     first = next((line for line in text.splitlines() if line.strip() and not line.startswith("#")), "")
-    if "," in first and not _EXCHANGE.match(first):
+    if "," in first and not sesame.looks_like(first):
+        _not_sesame(path, window)
         return _csv(text, str(path), window)
-    return read_301(text, str(path), rho0=rho0, reference_temperature=reference_temperature, material=material,
-                    density_range=density_range, temperature_range=temperature_range)
+    return _sesame(text, str(path), window)
+
+
+def _not_sesame(path, window: Window) -> None:
+    """Refuse numbers of a material and of its table for a file that holds one table only."""
+    for key, asked in (("number", window.material is not None), ("table", window.table != 301)):
+        if asked:
+            raise DeckError.single(path, None, key, "belongs to SESAME-format files", "this file holds one table: leave the key out")
 
 
 def read_csv(text: str, name: str = "table.csv", rho0: float = math.nan, reference_temperature: float = 298.15) -> Table:
     """The law `table` of rows density (kg/m3), temperature (K), pressure (Pa), energy (J/kg); lines starting with # are skipped."""
-    return _csv(text, name, Window(rho0, reference_temperature))
+    return _csv(text, name, Window(rho0, reference_temperature))[0]
 
 
-def _csv(text: str, name: str, window: Window) -> Table:
+def _csv(text: str, name: str, window: Window) -> tuple[Table, tuple[str, ...]]:
     lines = [(n, line) for n, line in enumerate(text.splitlines(), 1) if line.strip() and not line.lstrip().startswith("#")]
     if not lines:
         raise DeckError.single(name, None, "table", "the file has no rows", f"first line: {','.join(COLUMNS)}")
@@ -116,7 +131,7 @@ def _row(line: str, place: list[int], count: int, name: str, line_number: int) -
     return found
 
 
-def _assemble(points, origin, name, window: Window) -> Table:
+def _assemble(points, origin, name, window: Window) -> tuple[Table, tuple[str, ...]]:
     rho, t = sorted({key[0] for key in points}), sorted({key[1] for key in points})
     if len(rho) * len(t) > 100 * max(len(points), 1):
         raise DeckError.single(name, None, "table", f"{len(points)} points do not form a grid of densities and temperatures",
@@ -131,8 +146,8 @@ def _assemble(points, origin, name, window: Window) -> Table:
     return _build(name, np.array(rho), np.array(t), p, e, window, origin)
 
 
-def _build(name, rho, t, p, e, window: Window, lines=None) -> Table:
-    """The law of a grid; `lines` maps (density, temperature) or None to the line of a message."""
+def _build(name, rho, t, p, e, window: Window, lines=None) -> tuple[Table, tuple[str, ...]]:
+    """The law of a grid and what is to be reported; `lines` maps (density, temperature) or None to the line of a message."""
     rows = np.flatnonzero((rho > 0.0) & (rho >= window.density_range[0]) & (rho <= window.density_range[1]))
     columns = np.flatnonzero((t >= window.temperature_range[0]) & (t <= window.temperature_range[1]))
     lines = lines or {}
@@ -140,63 +155,37 @@ def _build(name, rho, t, p, e, window: Window, lines=None) -> Table:
         raise DeckError.single(name, lines.get(None), "table", f"{rows.size} densities and {columns.size} temperatures are in the "
                                "requested range; at least two of each are needed", "widen the range or extend the table")
     keep = np.ix_(rows, columns)
+    rho, t, p, e, told = rho[rows], t[columns], p[keep], e[keep], []
+    if window.repair:
+        p, e, told = risen(rho, t, p, e)
     try:
-        return build(rho[rows], t[columns], p[keep], e[keep], window.rho0, window.reference_temperature)
+        table = build(rho, t, p, e, window.rho0, window.reference_temperature, window.least_sound_speed)
     except OutOfRange as trouble:
         place = getattr(trouble, "place", None)
-        where = lines.get((rho[rows][place[0]], t[columns][place[1]])) if place else None
-        raise DeckError.single(name, where or lines.get(None), "table", str(trouble).removeprefix("table: ")) from None
+        where = lines.get((rho[place[0]], t[place[1]])) if place else None
+        message = str(trouble).removeprefix("table: ")
+        raise DeckError.single(name, where or lines.get(None), "table", message) from None
+    if window.least_sound_speed and (bad := unstable_corners(table._replace(least_sound_speed=0.0))):
+        i, j = np.array(bad).T
+        told = [*told, f"the table has no sound speed at {len(bad)} corners of its cells (densities {rho[i.min()]:.4g} to "
+                       f"{rho[i.max()]:.4g} kg/m3, temperatures {t[j.min()]:.4g} to {t[j.max()]:.4g} K): {window.least_sound_speed:g} m/s "
+                       "is used there"]
+    return table, tuple(told)
 
 
-def read_301(text: str, name: str = "sesame.txt", *, rho0: float = math.nan, reference_temperature: float = 298.15,
-             material: int | None = None, density_range=(0.0, math.inf), temperature_range=(0.0, math.inf),
-             units=(1e3, 1.0, 1e9, 1e6)) -> Table:
-    """The law `table` of the first 301 table (of `material`, where the file holds several).
+def read_301(text: str, name: str = "sesame.txt", *, units=sesame.UNITS, **wanted) -> Table:
+    """The law `table` of a table of a SESAME-format file (of `material`, where the file holds several).
 
-    units: SI value of the file's density, temperature, pressure and energy unit. density_range (kg/m3) and temperature_range (K) cut the
-    grid, which a table with a vapour dome or a tension region needs (c^2 > 0 is required where p >= 0); density 0 is always dropped.
+    wanted: fields of `Window`; its `table` is 301, the total (the sum of its parts where the file has no 301), or 303, 304, 305, parts
+    of it (`materials.sesame`). units: SI value of the file's density, temperature, pressure and energy unit. A table with a vapour dome
+    or a tension region needs a cut, or a least_sound_speed (c^2 > 0 is required where p >= 0); density 0 is always dropped.
     """
-    words, line_number = _record(text, name, material)
-    if len(words) < 2 or not all(2.0 <= word < 1e9 and word == int(word) for word in words[:2]):
-        raise DeckError.single(name, line_number, "301", "the table does not begin with its numbers of densities and temperatures")
-    n, m = int(words[0]), int(words[1])
-    needed = 2 + n + m + 2 * n * m
-    if len(words) < needed:
-        raise DeckError.single(name, line_number, "301", f"{n} densities x {m} temperatures need {needed} words, it has {len(words)}",
-                               "the file is truncated or contains no energies")
-    rho, t = np.array(words[2:2 + n]) * units[0], np.array(words[2 + n:2 + n + m]) * units[1]
-    p = np.array(words[2 + n + m:2 + n + m + n * m]).reshape(m, n).T * units[2]
-    e = np.array(words[2 + n + m + n * m:needed]).reshape(m, n).T * units[3]
-    window = Window(rho0, reference_temperature, density_range, temperature_range)
-    return _build(name, rho, t, p, e, window, {None: line_number})
+    return _sesame(text, name, Window(**wanted), units)[0]
 
 
-def _record(text: str, name: str, material: int | None):
-    """(words of the 301 record, its line number)."""
-    found, start = None, None
-    for line_number, line in enumerate(text.splitlines(), 1):
-        exchange, sandia = _EXCHANGE.match(line), _SANDIA.match(line)
-        if exchange or sandia:
-            if found is not None:
-                break
-            wanted = exchange and material is not None and int(exchange.group(1)) != material
-            if (exchange.group(2) if exchange else sandia.group(1)) == "301" and not wanted:
-                found, start = [], line_number
-        elif found is not None:
-            if line.lstrip().startswith(("INDEX", "RECORD")):
-                break
-            # words may touch ("1.0E+00-2.0E+00"), and so may the five flags of ones and zeros that end a line of the exchange format
-            flagged = _FLAGS.match(line)
-            found += [_word(w) for w in _NUMBER.findall(flagged.group(1) if flagged else line)]
-    if found is None:
-        which = "" if material is None else f" of material {material}"
-        raise DeckError.single(name, None, "301", f"no 301 table{which} in this file",
-                               "give a SESAME-format ASCII file or a CSV with a header")
-    return found, start
-
-
-def _word(word: str) -> float:
-    word = word.replace("D", "E").replace("d", "E")
-    if re.fullmatch(r"[+-]?[\d.]+[+-]\d+", word):
-        word = re.sub(r"(?<=[\d.])([+-]\d+)$", r"E\1", word)
-    return float(word)
+def _sesame(text: str, name: str, window: Window, units=sesame.UNITS) -> tuple[Table, tuple[str, ...]]:
+    found = sesame.grid(sesame.records(text, name), window.table, window.material, name, units)
+    if found.temperature.size < 2:
+        raise DeckError.single(name, found.line, str(window.table), "a cold curve has one temperature, and the law needs two or more",
+                               "hugoniot eos sesame shows it; leave the key 'table' out for the total")
+    return _build(name, found.density, found.temperature, found.pressure, found.energy, window, {None: found.line})

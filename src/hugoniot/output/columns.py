@@ -26,7 +26,8 @@ _PER_MASS = {
     "plastic_work": ("J/kg", "plastic work done per unit mass"),
     "viscous_work": ("J/kg", "work of the artificial viscosity per unit mass"),
 }
-_OF_BUDGETS = {"kinetic_energy", "momentum", "elastic_volume_energy", "elastic_deviator_energy"}     # and fields of zones per unit mass
+# of budgets, and fields of zones per unit mass
+_OF_BUDGETS = {"kinetic_energy", "momentum", "momentum_x", "momentum_y", "pressure_work_and_heat", "elastic_deviator_energy"}
 PER_AREA = {"planar": "/m^2", "cylindrical": "/m/rad", "spherical": "/sr", "plane": "/m", "axisymmetric": "/rad"}
 
 

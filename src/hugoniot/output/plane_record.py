@@ -4,6 +4,7 @@ from typing import Any
 
 from hugoniot.diagnostics.budgets2d import PlaneBudget
 from hugoniot.diagnostics.gauges2d import NODAL, OF_SURFACES, blocks_of
+from hugoniot.diagnostics.plane_fields import PlaneFields
 from hugoniot.diagnostics.temperature import gauge_temperature, laws_with_temperature, zone_temperature
 from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.output.recorder import Recorder
@@ -66,6 +67,7 @@ class PlaneRecorder(Recorder):
         super().__init__(folder, problem, solver, show, warned)
         self.kept = set(problem.output.fields)
         self.budget = PlaneBudget(problem)
+        self.derived = PlaneFields(self.kept, problem, solver.state())
         self.laws = laws_with_temperature(problem)
         self.hot = any(law is not None for law in self.laws)
         laws = [None if k is None else self.laws[k] for k in blocks_of(problem)]
@@ -83,6 +85,7 @@ class PlaneRecorder(Recorder):
         if self.hot:
             fields["temperature"] = zone_temperature(state, self.problem.mesh.block_of, self.laws, self.solver.phases())
         fields.pop("mass")
+        fields |= self.derived(state, fields.get("temperature"))
         if self.kept:
             fields = {name: value for name, value in fields.items() if name in self.kept or name in NODAL or name == "eroded"}
         self.keep(state, fields, self.budget(state, self.solver.kinetic_energy()))

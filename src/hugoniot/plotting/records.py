@@ -186,7 +186,7 @@ def peaks(run, field: str = "stress", ax=None):
     return ax
 
 
-_PARTS = (("kinetic_energy", "kinetic"), ("internal_energy", "internal"), ("elastic_volume_energy", "elastic, volume"),
+_PARTS = (("kinetic_energy", "kinetic"), ("internal_energy", "internal"), ("pressure_work_and_heat", "work of the pressure, heat"),
           ("elastic_deviator_energy", "elastic, shear"), ("plastic_work", "plastic work"), ("viscous_work", "viscous work"),
           ("boundary_work", "boundary work"), ("released_heat", "heat released"),
           ("supplied_heat", "heat supplied"), ("force_work", "work of the body force"))

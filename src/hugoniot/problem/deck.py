@@ -94,7 +94,7 @@ def read_tables(raw: dict, text: str, name: str, overrides: dict[str, Any] | Non
     if not problem.title:
         problem = replace(problem, title=Path(name).stem)
     marked = [f"material '{n}': {w}" for n, m in getattr(problem, "materials", {}).items() for w in getattr(m, "warnings", ())]
-    return Deck(problem, write_deck(problem, kind), (*warnings, *marked), text, name)
+    return Deck(problem, write_deck(problem, kind), (*warnings, *collector.warnings, *marked), text, name)
 
 
 def write_deck(problem: Any, kind: str | None = None) -> str:

@@ -152,7 +152,9 @@ class _Reader:
         if kind == "SES":
             eos.get("fileext")     # entropies, sound speeds, phases: they follow from the standard table, or are not used
             warm = self.number(start, "t0", "temperature", 298.15, where=key)
-            return {"law": "table", "file": self.table_file(eos, key), "rho0": density, "reference_temperature": warm}
+            # pyKO runs on any table: it takes the first temperature of an energy, and its sound speeds from another file
+            return {"law": "table", "file": self.table_file(eos, key), "rho0": density, "reference_temperature": warm, "repair": True,
+                    "least_sound_speed": 1.0}
         raise self.wrong(f"{key}.eos.type", f"'{printable(str(kind), 30)}' is not read here", "known: IDG, MGR, TIL, SES")
 
     def table_file(self, eos: dict, key: str) -> str:

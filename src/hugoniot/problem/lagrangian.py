@@ -209,8 +209,8 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
     if len(problem.gauges) > MOST_GAUGES:
         collector.add(("gauge",), f"{len(problem.gauges)} gauges are too many, with those beside interfaces and on free surfaces",
                       f"the limit is {MOST_GAUGES}")
-    for defect in (*explosives.defects(problem), *periodic.defects(problem), *terms.defects(problem), *output_fields.defects(problem),
-                   *windows.defects(problem)):
+    for defect in (*explosives.defects(problem), *periodic.defects(problem), *terms.defects(problem), *windows.defects(problem),
+                   *output_fields.defects(problem.output, problem.regions, problem.materials)):
         collector.add(*defect)
     if collector.problems:
         return None, warnings

@@ -4,12 +4,10 @@
 from hugoniot.core.fields import FIELDS
 from hugoniot.laws.eos.contract import gives
 from hugoniot.materials.collect import nearest, printable
-from hugoniot.problem.model import Problem
 
 OF_THE_PLANE = ("position_x", "position_y", "velocity_x", "velocity_y", "deviator_xx", "deviator_yy", "deviator_xy", "deviator_zz",
-                "principal_angle", "contact_pressure", "gap", "sliding_distance", "eroded")
-OF_THE_LINE = ("position", "velocity", "deviator_radial", "deviator_hoop", "entropy", "kinetic_energy", "momentum",
-               "elastic_deviator_energy", "elastic_volume_energy", "mass")
+                "principal_angle", "momentum_x", "momentum_y", "contact_pressure", "gap", "sliding_distance", "eroded")
+OF_THE_LINE = ("position", "velocity", "deviator_radial", "deviator_hoop", "momentum", "stress", "compaction", "mass")
 
 
 def trouble_with(name: str, raw: dict) -> tuple[str, str] | None:
@@ -24,11 +22,11 @@ def trouble_with(name: str, raw: dict) -> tuple[str, str] | None:
     return None
 
 
-def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
-    """(place in the deck, message, way out) of fields that no material of the problem has."""
-    if "entropy" not in problem.output.fields:
+def defects(output, regions, materials) -> list[tuple[tuple, str, str]]:
+    """(place in the deck, message, way out) of fields that no material of the regions, or blocks, has."""
+    if "entropy" not in output.fields:
         return []
-    used = [problem.materials[region.material] for region in problem.regions]
+    used = [materials[region.material] for region in regions]
     if any(material.burn is None and gives(material.eos, "entropy") for material in used):
         return []
     return [(("output", "fields"), "no material of this problem has an entropy", "its equations of state give none; leave the field out")]

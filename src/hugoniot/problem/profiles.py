@@ -26,6 +26,7 @@ from hugoniot.units import UnitError, parse, powers_of
 
 UNITS = {"velocity": "m/s", "density": "kg/m^3", "pressure": "Pa", "temperature": "K", "energy": "J/kg"}
 LONGEST = 1_000_000      # values of a table
+MUCH_LONGER = 2.0        # than its region: a profile whose unit is doubted
 LIGHT = 299_792_458.0    # m/s
 _EXAMPLE = 'write it like "10 m/s * sin(2 * pi * x / 5 mm)", with + - * / ** and ' + ", ".join(FUNCTIONS)
 _ENTRY = WithJsonSchema({"anyOf": [{"type": "number"}, {"type": "string"}, {"type": "array", "items": {"type": ["number", "string"]}}]})
@@ -136,6 +137,10 @@ def _check_table(profile: Profile, start: float, end: float, collector: Collecto
             collector.add((*path, name), f"{len(values)} values for {len(places)} positions", "each position needs one")
     if len(places) < 2 or any(not b > a for a, b in zip(places, places[1:])):
         collector.add((*path, "positions"), "positions must increase, two at least")
+    elif places[-1] - places[0] > MUCH_LONGER * (end - start) and places[0] <= start and places[-1] >= end:
+        collector.warnings.append(f"{collector.key(path)}: reaches from {places[0]:g} to {places[-1]:g} m, "
+                                  f"{(places[-1] - places[0]) / (end - start):.3g} times the region, which lies from {start:g} to {end:g} "
+                                  "m and uses that part only: are its positions in the unit they should be?")
     elif places[0] > start + 1e-9 * (end - start) or places[-1] < end - 1e-9 * (end - start):
         collector.add((*path, "positions"), f"reach from {places[0]:g} to {places[-1]:g} m, the region from {start:g} to {end:g} m",
                       "a profile must cover its region")

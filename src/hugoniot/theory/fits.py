@@ -175,12 +175,16 @@ def _number(path, line, name, cells, index, factor, unit):
 # -- JWL ---------------------------------------------------------------------------------------------------------
 @dataclass(frozen=True)
 class JwlFit:
-    """par: the fitted law; c: coefficient of its principal isentrope, Pa; deviation: root mean square of ln(p) about the curve."""
+    """par: the fitted law; c: coefficient of its principal isentrope, Pa; deviation: root mean square of ln(p) about the curve.
+
+    at_bounds: exponents that ended where the search did.
+    """
 
     par: JWL
     c: float
     deviation: float
     count: int
+    at_bounds: tuple[str, ...] = ()
 
     @property
     def isentrope(self) -> JWLIsentrope:
@@ -236,7 +240,14 @@ def fit_jwl(rho0: float, velocity: float, pressure: float, energy: float, volume
     if not (a > 0.0 and c > 0.0 and deviation < 1.0):
         raise NoSolution(f"no JWL isentrope through this CJ state follows the points (best: A = {a:.4g} Pa, C = {c:.4g} Pa, "
                          f"{deviation:.3g} rms in ln p): check units and that the energy fits the CJ state")
-    return JwlFit(JWL(a, b, float(r1), float(r2), float(w), rho0, energy), c, deviation, volumes.size)
+    ended = tuple(word for word, active in zip(("R1 - R2", "R2", "omega"), _on_bounds(best.x, bounds[:, : len(best.x)])) if active)
+    return JwlFit(JWL(a, b, float(r1), float(r2), float(w), rho0, energy), c, deviation, volumes.size, ended)
+
+
+def _on_bounds(x, bounds):
+    """Which parameters ended within a thousandth of their range of its ends."""
+    low, high = bounds
+    return (x - low < 1e-3 * (high - low)) | (high - x < 1e-3 * (high - low))
 
 
 # -- the Gamma that makes a truncated law meet the jump ----------------------------------------------------------

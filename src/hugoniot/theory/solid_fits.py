@@ -25,12 +25,16 @@ WIDEST = (0.05, 60.0)     # of the exponents
 
 
 class SolidFit(NamedTuple):
-    """par: the law; deviation: root mean square of the relative misfit in pressure; worst: largest; highest: up that was fitted, m/s."""
+    """par: the law; deviation: root mean square of the relative misfit in pressure; worst: largest; highest: up that was fitted, m/s.
+
+    at_bounds: exponents that ended where the search did.
+    """
 
     par: JWLProportional
     deviation: float
     worst: float
     highest: float
+    at_bounds: tuple[str, ...] = ()
 
 
 def fit_solid(rho0: float, gamma0: float, up, us) -> SolidFit:
@@ -60,4 +64,5 @@ def fit_solid(rho0: float, gamma0: float, up, us) -> SolidFit:
     a, b = constants(r)
     left = columns(r) @ np.array([a, b]) - 1.0
     return SolidFit(JWLProportional(float(a), float(b), float(r[0]), float(r[1]), gamma0, rho0), float(np.sqrt(np.mean(left**2))),
-                    float(np.max(np.abs(left))), float(up[usable].max()))
+                    float(np.max(np.abs(left))), float(up[usable].max()),
+                    tuple(f"R = {k:.3g}" for k in r if not 1.01 * WIDEST[0] < k < WIDEST[1] / 1.01))

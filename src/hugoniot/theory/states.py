@@ -43,8 +43,8 @@ def law_of(material) -> Any:
 
 
 def has(par, function: str) -> bool:
-    """Whether the law gives an optional function of the contract ("temperature", "entropy", "energy", "specific_heat")."""
-    return function in EOS.of(par).functions
+    """Whether the law, and every law inside it, gives an optional function ("temperature", "entropy", "energy", "specific_heat")."""
+    return contract.gives(par, function)
 
 
 def evaluate(function, rho, e, par):

@@ -82,3 +82,12 @@ def test_the_command_writes_a_table_that_a_deck_takes(tmp_path, capsys):
     with pytest.raises(SystemExit) as ended:
         front.main(["import", str(tmp_path / "steel.k"), "--units", "g cm"])
     assert ended.value.code == 2
+
+
+def test_cards_are_checked_as_a_deck_would_be(tmp_path, capsys):
+    """Constants that soften at 4 % of compression pass the laws' own checks; a deck with the material warns of it, and so does the import."""
+    path = tmp_path / "soft.k"
+    path.write_text(STEEL.replace("1,0.4569,1.49,0.3,-0.2", "1,0.4569,1.49,-200.0,0.0"))
+    with pytest.raises(SystemExit):
+        front.main(["import", str(path), "--units", "g cm us"])
+    assert "its pressure falls there with compression" in capsys.readouterr().err

@@ -97,6 +97,15 @@ def test_a_material_file_reads_a_table_beside_it(tmp_path, solid, kind):
     assert 2785.0 * (5328.0 + 1.338 * u) * u == pytest.approx(1e10, rel=0.01), "the jump of the tabulated law, to the table's coarseness"
 
 
+@pytest.mark.parametrize("kind", ["csv", "h5"])
+@pytest.mark.parametrize("key", ["number = 3720", "table = 303"])
+def test_keys_of_sesame_files_are_refused_for_other_files(tmp_path, solid, kind, key):
+    write_file(tmp_path, kind, solid)
+    (tmp_path / "deck.toml").write_text(DECK.format(f"al.{kind}") + key + "\n", encoding="utf-8")
+    with pytest.raises(DeckError, match="belongs to SESAME-format files"):
+        read_deck(tmp_path / "deck.toml")
+
+
 @pytest.mark.parametrize("option", ["csv", "hdf5"])
 def test_what_the_table_command_writes_a_deck_runs_on(tmp_path, option):
     out = tmp_path / f"copper.{'h5' if option == 'hdf5' else 'csv'}"

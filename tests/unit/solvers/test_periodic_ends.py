@@ -149,6 +149,15 @@ def test_the_state_of_a_profile_is_that_of_its_material(tmp_path):
     assert first.energy.values == pytest.approx((1.0 + 0.5 * middles) / (0.4 * 2.0), rel=1e-12)
 
 
+@pytest.mark.parametrize(("last", "doubted"), [(1.5, 0), (2.5, 1), (1000.0, 1)])
+def test_a_profile_much_longer_than_its_region_is_doubted(tmp_path, last, doubted):
+    """Positions in millimetres taken for metres give a part of a thousandth of the profile."""
+    (tmp_path / "start.csv").write_text(f"position [m], velocity [m/s]\n0, 0\n{last}, 1\n")
+    text = DECK.format(profile='file = "start.csv"', integrator="compatible", zones=64, stop=0.2, state="density = 1.0", gamma=1.4, solver="", more="")
+    found = read_deck_text(text, "wave.toml", beside=tmp_path)
+    assert [("in the unit they should be" in w) for w in found.warnings].count(True) == doubted
+
+
 @pytest.mark.parametrize("old, new, words", [
     ('right = "periodic"', 'right = "free"', "one end is periodic"),
     ("stop_time", 'geometry = "spherical"\nstop_time', "periodic ends are planar"),

@@ -331,6 +331,28 @@ def test_rate_stick_obeys_its_law_everywhere(geometry, curved):
     assert made.numbers["axial_velocity"] / root == pytest.approx(made(r, 0.0)["shock_velocity"], rel=1e-7)
 
 
+@pytest.mark.parametrize("geometry", ["planar", "cylindrical"])
+def test_a_rate_stick_lit_as_a_plane_becomes_the_steady_one(geometry):
+    """The steady front, by quadrature and shooting, is where this one, by collocation in time, ends; on the way its points move as it says."""
+    made, steady = (SOLUTIONS[name](geometry, 8000.0, 1e-3, 0.02, 40.0) for name in ("dsd_rate_stick_start", "dsd_rate_stick"))
+    r, late = np.linspace(0.0, 0.02, 9), 2.0 * made.numbers["relaxation_time"]
+    assert made(r, late)["lag"] == pytest.approx(steady(r, 0.0)["lag"], abs=1e-10)
+    assert made(r, late)["shock_velocity"] == pytest.approx(steady(r, 0.0)["shock_velocity"], rel=1e-6)
+    early, h = 0.1 * made.numbers["relaxation_time"], 1e-3 * late
+    before, now, after = (made(r, early + k * h) for k in (-1, 0, 1))
+    moved = (after["front_position"] - before["front_position"]) / (2.0 * h)
+    assert moved == pytest.approx(now["shock_velocity"] / np.cos(np.radians(now["slope_angle"])), rel=3e-5)
+    assert now["slope_angle"][[0, -1]] == pytest.approx([0.0, 40.0], abs=1e-6) and made(r, 0.0)["lag"].max() == 0.0
+
+
+def test_the_edge_of_a_rate_stick_falls_behind_like_a_wall_of_given_flux():
+    """For a small angle the equation is that of heat: 2 tan(phi) sqrt(alpha D t/pi)."""
+    made = SOLUTIONS["dsd_rate_stick_start"]("planar", 8000.0, 1e-3, 0.02, 0.1)
+    t = 1e-3 * made.numbers["relaxation_time"]
+    lag = made(np.array([0.02]), t)["lag"][0]
+    assert lag == pytest.approx(2.0 * np.tan(np.radians(0.1)) * np.sqrt(1e-3 * 8000.0 * t / np.pi), rel=1e-3)
+
+
 def test_large_sticks_lose_velocity_like_the_square_of_the_radius():
     """Deficit -> (pi^2/2)(alpha/R)^2 in a slab and 2 (2.4048 alpha/R)^2 in a stick, from the linear (small-slope) front."""
     slab = SOLUTIONS["dsd_rate_stick"]("planar", 1.0, 1.0, 3000.0, 60.0).numbers["velocity_deficit"]

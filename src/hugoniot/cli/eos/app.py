@@ -11,6 +11,7 @@ from hugoniot.cli.eos.input import find_inert, find_material
 from hugoniot.cli.eos.lines import gurney, lines
 from hugoniot.cli.eos.options import AT, CSV, HEAT, MATERIAL, MATERIALS, PLOT, POINTS
 from hugoniot.cli.eos.second_shock import second_shock
+from hugoniot.cli.eos.sesame import sesame
 from hugoniot.cli.eos.stability import stability
 from hugoniot.cli.show import JSON, quantity
 from hugoniot.errors import DeckError
@@ -134,6 +135,7 @@ app.command()(lines)
 app.command()(gurney)
 app.command("second-shock")(second_shock)
 app.command()(convert)
+app.command()(sesame)
 
 
 @app.command()

@@ -25,7 +25,8 @@ def _fitted(name: str, degree: int, least: float, highest: float):
 
 def deck_table(name: str, degree: int, least: float, highest: float, density: float | None, gruneisen: float | None) -> None:
     """Print the fit as the tables of a material for a deck."""
-    *_, kept, fitted = _fitted(name, degree, least, highest)
+    up, us, kept, fitted = _fitted(name, degree, least, highest)
+    echo_notes(_doubts(up[kept], us[kept], fitted))
     if density is None:
         density = _density_at_rest(name)
     words = re.sub(r"[^A-Za-z0-9_]+", "_", Path(name).stem).strip("_") or "fitted"
@@ -54,14 +55,42 @@ def solid_table(name: str, least: float, highest: float, density: float | None, 
     except OutOfRange as error:
         raise DeckError.single(name, None, "points", str(error), "measure more, or widen --from and --to") from None
     values = {n: float(getattr(found.par, n)) for n in ("a", "b", "r1", "r2", "gamma0", "rho0")}
+    told = [*_slow(up[kept], us[kept]), *_at_bounds(found)]
     if as_json:
         echo_json({"source": name, "law": "jwl_proportional", **values, "deviation": found.deviation, "worst": found.worst,
-                   "highest_particle_velocity": found.highest})
+                   "highest_particle_velocity": found.highest, "warnings": told})
         return
+    echo_notes(told)
     words = re.sub(r"[^A-Za-z0-9_]+", "_", Path(name).stem).strip("_") or "fitted"
     typer.echo(f"# {name}: pressures fitted to {100.0 * found.deviation:.3g} % (root mean square), {100.0 * found.worst:.3g} % at worst\n"
                f"[material.{words}]\nvalid_up_to = \"{found.highest:.6g} m/s\"\n\n[material.{words}.eos]\nlaw = \"jwl_proportional\"\n"
                + "\n".join(f"{n} = {v:.8g}" for n, v in values.items()))
+
+
+def _slow(up, us) -> list[str]:
+    """What to say of points that are no faster than their material, which no compression is."""
+    slow = (us <= up) & (up > 0.0)
+    return [f"{slow.sum()} of {up.size} points have a shock velocity not above the particle velocity, which no compression has (the first: "
+            f"up = {up[slow][0]:.6g}, us = {us[slow][0]:.6g} m/s): are the columns exchanged, or is a velocity of the free surface taken "
+            "for that of the particles?"] if slow.any() else []
+
+
+def _doubts(up, us, fitted) -> list[str]:
+    """The same, and of a curve that is no law: without sound at rest, or slower than the material, or falling."""
+    found, (rest, slope) = _slow(up, us), fitted.coefficients[:2]
+    if not rest > 0.0:
+        found.append(f"the curve meets us = {rest:.6g} m/s at rest: no sound speed, so it makes no law for a deck")
+    elif not fitted(fitted.highest) > fitted.highest:
+        found.append(f"the curve is slower than the material at up = {fitted.highest:.6g} m/s")
+    if len(fitted.coefficients) == 2 and not slope > 0.0:
+        found.append(f"the shock velocity falls with the particle velocity (s = {slope:.4g}): a shock of that kind is not stable")
+    return found
+
+
+def _at_bounds(found) -> list[str]:
+    """What to say of a fit whose exponents ended where the search did."""
+    return [f"{' and '.join(found.at_bounds)} ended at the bound of the search: the points do not determine the fit; measure over a wider "
+            "range, or fix what is known"] if found.at_bounds else []
 
 
 def _density_at_rest(name: str) -> float:
@@ -84,13 +113,15 @@ def report(name: str, degree: int, least: float, highest: float, as_json: bool, 
     if as_csv:
         write_csv(as_csv, [("", {"particle_velocity": up[kept], "shock_velocity": us[kept], "fitted_shock_velocity": fitted(up[kept]),
                                  "deviation": us[kept] - fitted(up[kept])})])
+    told = _doubts(up[kept], us[kept], fitted)
     if as_json:
-        echo_json({"source": name, "degree": degree, **fitted.table()})
+        echo_json({"source": name, "degree": degree, **fitted.table(), "warnings": told})
         return
     typer.echo(f"{name}: {kept.sum()} points, particle velocity {fitted.least:.6g} to {fitted.highest:.6g} m/s")
     echo_table(["", "value", "standard deviation", ""], [
         (word, f"{value:.6g}", f"{sigma:.3g}", unit)
         for (word, unit), value, sigma in zip(WORDS, fitted.coefficients, fitted.deviations)])
+    echo_notes(told)
     if fitted.highest < 100.0:
         echo_notes([f"all particle velocities are below {fitted.highest:.3g} m/s: if they are in km/s, name the columns up (km/s), "
                     "us (km/s)"])
@@ -124,12 +155,14 @@ def jwl(path: str, density: str, velocity: str, pressure: str, energy: str, omeg
         save(expansion_fit(Path(path).stem, volumes, pressures, (cj_volume, p_cj), par, found.c), plot)
     values = {n: float(getattr(par, n)) for n in ("a", "b", "r1", "r2", "omega", "rho0", "e0")} | {"c": found.c}
     if as_json:
-        echo_json({"source": path, "law": "jwl", **values, "standard_deviation": found.deviation, "points": found.count})
+        echo_json({"source": path, "law": "jwl", **values, "standard_deviation": found.deviation, "points": found.count,
+                   "warnings": _at_bounds(found)})
         return
     units = {"a": "Pa", "b": "Pa", "c": "Pa", "rho0": "kg/m3", "e0": "J/m3"}
     echo_table(["", "", ""], [(n, f"{v:.7g}", units.get(n, "")) for n, v in values.items()])
     typer.echo(f"{found.count} points beyond the CJ volume {cj_volume:.4f}; standard deviation of ln(p): {found.deviation:.3g}; "
                "the CJ state is kept exactly")
+    echo_notes(_at_bounds(found))
 
 
 def gamma(subject, at: str, ambient: float, as_json: bool) -> None:

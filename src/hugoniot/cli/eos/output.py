@@ -11,6 +11,7 @@ import typer
 
 from hugoniot.cli.show import echo_json, echo_table
 from hugoniot.errors import FileTrouble
+from hugoniot.laws.eos.contract import flagged
 from hugoniot.materials.plausible import unlikely
 from hugoniot.theory.states import UNITS, States
 from hugoniot.units import format_si
@@ -30,6 +31,8 @@ SHOWN = {"pressure": ("GPa", 1e-9, "10.5g"), "density": ("kg/m3", 1.0, "9.2f"), 
 SHOWN |= dict.fromkeys(("principal_pressure", "principal_series", "second_pressure", "second_series", "difference", "leading_difference",
                         "stress", "truncated_pressure", "adjusted_pressure", "rayleigh_pressure", "fanno_pressure",
                         "hugoniot_pressure"), ("GPa", 1e-9, "10.6g"))
+SHOCKS_ONLY = ("this law gives the pressure of the shock that would have made the energy, whatever the density: releases, isentropes and "
+               "second shocks mean nothing with it, and it has no Grüneisen parameter")
 WORDS = {"specific_internal_energy": "internal energy", "gruneisen": "Grüneisen parameter",
          "adjusted_gruneisen": "adjusted Grüneisen parameter"}
 
@@ -105,6 +108,8 @@ def notes(subject, jump: float = 0.0) -> list[str]:
     limit, found = subject.material.valid_up_to, []
     if limit and jump > limit * (1.0 + 1e-9):
         found.append(f"the data of {subject.material.name} end at {limit:.6g} m/s, the shock has up = {jump:.6g} m/s: extrapolated")
+    if flagged(subject.material.eos, "shocks_only"):
+        found.append(SHOCKS_ONLY)
     return [*found, *unlikely(subject.material.name, subject.material), *subject.material.warnings]
 
 

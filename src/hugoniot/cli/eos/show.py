@@ -19,15 +19,16 @@ def report(material: str, at: str | None, as_json: bool, as_csv, plot) -> None:
     law = EOS.of(par)
     inert = find_inert(material).material
     state = shock(inert, **one_state(at)) if at else reference(par)
+    more = ("entropy",) if "shocks_only" in law.flags else ("gruneisen", "entropy")
     told = [*(split_notes(inert, state) if at else ()), *notes(subject, state.particle_velocity)]
     if plot:
         _portrait(material, subject, state if at else None, plot)
     if as_csv:
-        write_csv(as_csv, [("", state.table("gruneisen", "entropy"))])
+        write_csv(as_csv, [("", state.table(*more))])
     if as_json:
         echo_json({"material": subject.material.name, "law": law.name, "parameters": _parameters(par),
                    "references": list(law.references), **({"unreacted": True} if subject.reacted and at else {}),
-                   **row_of(state.table("gruneisen", "entropy")), "warnings": told})
+                   **row_of(state.table(*more)), "warnings": told})
         return
     typer.echo(f"{subject.title or subject.material.name}: {law.name} - {law.summary}")
     echo_table(["", "", "", ""], _parameter_rows(par))
@@ -35,7 +36,7 @@ def report(material: str, at: str | None, as_json: bool, as_csv, plot) -> None:
     rest = "Products at the density and energy of the explosive" if subject.reacted else "At rest"
     on = f"On the Hugoniot{' of the unreacted explosive' if subject.reacted else ''} at {at}"
     typer.echo(f"\n{on if at else rest}:")
-    echo_states(state, "gruneisen")
+    echo_states(state, *more[:-1])
     echo_notes(told)
 
 

@@ -70,5 +70,6 @@ EOS.add(
              "s2": "half its change with up (S2)"},
     defaults={"s2": 0.0},
     box={"rho": (1200.0, 3500.0), "e": (1e2, 1e7)},
+    flags=("shocks_only",),
     references=("KB codes, equations 3.1, 3.6, 3.7",),
 )

@@ -6,7 +6,10 @@ exact. With $e_T = \partial e/\partial T$ and so on,
 $$\frac{\partial p}{\partial e}\Big|_\rho = \frac{p_T}{e_T}, \; \frac{\partial p}{\partial\rho}\Big|_e = p_\rho - e_\rho\frac{p_T}{e_T}.$$
 
 `build` refuses a table with a hole, an unordered grid, an energy that does not rise with temperature (c_v > 0 everywhere follows) or, where
-the pressure is not negative, a corner of a cell with c^2 <= 0. `from_law` tabulates any law that has a temperature. Outside the grid
+the pressure is not negative, a corner of a cell with c^2 <= 0. With a least_sound_speed c_m such corners are accepted, and wherever
+c^2 < c_m^2 the slope p_rho is raised until c = c_m: pressures and energies stay those of the table.
+
+`from_law` tabulates any law that has a temperature. Outside the grid
 the nearest cell is continued; `check_state` refuses such states. The law has no entropy: bilinear p and e obey the identity
 $e_v = T p_T - p$ only as far as the table resolves them, so no function s has ds = (de + p dv)/T exactly.
 
@@ -18,6 +21,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from hugoniot.core.ops import fmax
 from hugoniot.core.tables import bilinear, bracket, bracket_blend
 from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos import contract
@@ -34,7 +38,7 @@ class UnsoundTable(OutOfRange):
 
 
 class Table(NamedTuple):
-    """density (n,), temperatures (m,), pressure_table and energy_table (n, m); the rest state (filled by `build`)."""
+    """density (n,), temperatures (m,), pressure_table and energy_table (n, m); the rest state (filled by `build`); lower bound of c."""
 
     density: Any
     temperatures: Any
@@ -42,6 +46,7 @@ class Table(NamedTuple):
     energy_table: Any
     rho0: float
     e0: float
+    least_sound_speed: float = 0.0
 
 
 def _locate(rho, e, par):
@@ -61,10 +66,13 @@ def pressure(rho, e, par):
 
 def pressure_derivatives(rho, e, par):
     i, j, f, g = _locate(rho, e, par)
-    _, p_f, p_g = bilinear(par.pressure_table, i, j, f, g)
+    p, p_f, p_g = bilinear(par.pressure_table, i, j, f, g)
     _, e_f, e_g = bilinear(par.energy_table, i, j, f, g)
     p_e = p_g / e_g
-    return (p_f - e_f * p_e) / (par.density[i + 1] - par.density[i]), p_e
+    p_rho = (p_f - e_f * p_e) / (par.density[i + 1] - par.density[i])
+    if par.least_sound_speed > 0.0:
+        p_rho = fmax(p_rho, par.least_sound_speed * par.least_sound_speed - p * p_e / (rho * rho))
+    return p_rho, p_e
 
 
 def temperature(rho, e, par):
@@ -82,7 +90,7 @@ def smooth_piece(rho, e, way, par):
     on = 1e-12 * way
     i, j, f, g = _locate(rho * (1.0 + on), e + on * pressure(rho, e, par) / rho, par)
     cell = Table(par.density[i:i + 2], par.temperatures[j:j + 2], par.pressure_table[i:i + 2, j:j + 2], par.energy_table[i:i + 2, j:j + 2],
-                 par.rho0, par.e0)
+                 par.rho0, par.e0, par.least_sound_speed)
     inside = 0.0 <= f <= 1.0 and 0.0 <= g <= 1.0
     return cell, par.density[i], par.density[i + 1] if inside else par.density[i]
 
@@ -118,19 +126,27 @@ def state_at(rho, temperature, par):
     return bilinear(par.pressure_table, i, j, f, g)[0], bilinear(par.energy_table, i, j, f, g)[0]
 
 
-def build(density, temperatures, pressure_table, energy_table, rho0=math.nan, reference_temperature=298.15):
+def build(density, temperatures, pressure_table, energy_table, rho0=math.nan, reference_temperature=298.15,
+          least_sound_speed=0.0):
     """A checked table.
 
     density (n,) kg/m3 and temperatures (m,) K increasing; pressure_table (n, m) Pa and energy_table (n, m) J/kg, or flat lists of
     n m numbers, temperature running fastest. The rest state is (rho0, reference_temperature); without rho0, the highest density at
-    which the isotherm crosses zero pressure. Raises OutOfRange with the place and the way out.
+    which the isotherm crosses zero pressure. least_sound_speed, m/s: see above; 0 refuses unstable corners. Raises OutOfRange with the
+    place and the way out.
     """
     rho = _grid("density", density)
     t = _grid("temperature", temperatures)
     p, e = _filled("pressure", pressure_table, rho, t), _filled("energy", energy_table, rho, t)
     _check_energy(e, rho, t)
-    table = Table(rho, t, p, e, math.nan, math.nan)
-    _check_sound_speed(table)
+    if not 0.0 <= least_sound_speed < math.inf:
+        raise OutOfRange(f"table: the least sound speed cannot be {least_sound_speed:g} m/s")
+    table = Table(rho, t, p, e, math.nan, math.nan, float(least_sound_speed))
+    if bad := [] if least_sound_speed else unstable_corners(table):
+        i, j = bad[0]
+        raise UnsoundTable(f"table: c^2 <= 0 at density {rho[i]:.6g} kg/m3, temperature {t[j]:.6g} K "
+                           f"({len(bad)} such corners); smooth the table, cut the grid there, or give least_sound_speed",
+                           (i, j))
     if not math.isfinite(rho0):
         rho0 = _rest_density(table, reference_temperature)
     if not rho[0] <= rho0 <= rho[-1]:
@@ -171,13 +187,14 @@ def _check_energy(e, rho, t):
     if bad.size:
         i, j = bad[0]
         raise UnsoundTable(f"table: the energy must rise with temperature, but at density {rho[i]:.6g} kg/m3 it does not between "
-                           f"{t[j]:.6g} and {t[j + 1]:.6g} K ({len(bad)} such places); cut the grid there or correct the table", (i, j + 1))
+                           f"{t[j]:.6g} and {t[j + 1]:.6g} K ({len(bad)} such places); "
+                           "correct the table, cut the grid there, or read it with repair = true", (i, j + 1))
 
 
-def _check_sound_speed(table):
-    """c^2 at the four corners of every cell, by that cell's own slopes."""
+def unstable_corners(table):
+    """[(row of the density, column of the temperature)] of corners of cells where p >= 0 and c^2 <= 0 by that cell's own slopes."""
     rho, p, e = table.density, table.pressure_table, table.energy_table
-    d_rho = np.diff(rho)[:, None]
+    d_rho, found = np.diff(rho)[:, None], []
     for f in (0, 1):
         for g in (0, 1):
             p_rho, e_rho = np.diff(p, axis=0)[:, g:p.shape[1] - 1 + g] / d_rho, np.diff(e, axis=0)[:, g:p.shape[1] - 1 + g] / d_rho
@@ -185,11 +202,8 @@ def _check_sound_speed(table):
             corner = p[f:len(rho) - 1 + f, g:p.shape[1] - 1 + g]
             at = rho[f:len(rho) - 1 + f, None]
             c2 = p_rho - e_rho * p_e + corner * p_e / (at * at)
-            bad = np.argwhere((c2 <= 0.0) & (corner >= 0.0))
-            if bad.size:
-                i, j = bad[0] + (f, g)
-                raise UnsoundTable(f"table: c^2 <= 0 at density {rho[i]:.6g} kg/m3, temperature {table.temperatures[j]:.6g} K "
-                                   f"({len(bad)} such corners); smooth the table or cut the grid there", (i, j))
+            found += [(i, j) for i, j in np.argwhere((c2 <= 0.0) & (corner >= 0.0)) + (f, g)]
+    return found
 
 
 def _rest_density(table, temperature):
@@ -245,12 +259,14 @@ EOS.add(
     example=_example(),
     build=build,
     units={"density": "kg/m^3", "temperatures": "K", "pressure_table": "Pa", "energy_table": "J/kg", "rho0": "kg/m^3", "e0": "J/kg",
-           "reference_temperature": "K"},
+           "reference_temperature": "K", "least_sound_speed": "m/s"},
     meaning={"density": "densities of the grid", "temperatures": "temperatures of the grid",
              "pressure_table": "pressures, row by density", "energy_table": "specific internal energies, row by density",
              "rho0": "density at rest (default: zero pressure at the reference temperature)", "e0": "energy at rest (filled by build)",
-             "reference_temperature": "temperature at rest"},
-    defaults={"rho0": math.nan, "reference_temperature": 298.15},
+             "reference_temperature": "temperature at rest",
+             "least_sound_speed": "lower bound of the sound speed, where the table has less or none (0: such a table is refused)"},
+    defaults={"rho0": math.nan, "reference_temperature": 298.15, "least_sound_speed": 0.0},
+    least={"least_sound_speed": 0.0},
     box={"rho": (2600.0, 4200.0), "e": (5e6, 2e7)},
     references=("KB codes, section 3", "Lyon and Johnson, LA-UR-92-3407 (1992)"),
 )

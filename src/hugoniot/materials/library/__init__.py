@@ -5,6 +5,7 @@
 """
 
 import csv
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
@@ -119,6 +120,9 @@ def entry(name: str, also: Mapping[str, str] | None = None) -> Entry:
     explosive = spellings().get(spelling(name).removesuffix("reactive"))
     if explosive is not None:
         return _reactive(explosive)
+    breaking = curated_name(re.sub(r"[\s_-]+with[\s_-]+spall$", "", name)) if spelling(name).endswith("withspall") else None
+    if breaking is not None:
+        return _with_spall(breaking)
     rows = uncurated().get(spelling(name), ())
     if len(rows) == 1:
         return _of_row(rows[0])
@@ -131,8 +135,8 @@ def find_all() -> list[Entry]:
 
 
 def search(text: str) -> list[Listing]:
-    """Curated materials and uncurated rows whose names, aliases, category or row ids hold every word of `text`."""
-    return [hit for hit in listings() if matches(text, (hit.name, hit.title, hit.category, *hit.aliases, *hit.rows))]
+    """Curated materials, their variants with spall, and uncurated rows whose names, aliases, category or row ids hold every word."""
+    return [hit for hit in (*listings(), *_variants()) if matches(text, (hit.name, hit.title, hit.category, *hit.aliases, *hit.rows))]
 
 
 def listings() -> Iterator[Listing]:
@@ -149,6 +153,36 @@ def _curated(name: str) -> Entry:
     path = HERE / "curated" / f"{name}.toml"
     listing = index()[name]
     return make_entry(name, read_file(path), path.name, title=listing.title, category=listing.category, aliases=listing.aliases)
+
+
+def spall_row(name: str) -> str | None:
+    """The row of the measured spall strength of a curated material, None where the library has none that belongs to it."""
+    return read_file(HERE / "curated" / f"{name}.toml").get("spall")
+
+
+@cache
+def _with_spall(name: str) -> Entry:
+    """A curated material with a fracture law: the spall strength measured for it, as a tension at which it separates."""
+    plain, row = _curated(name), spall_row(name)
+    if plain.material.fracture is not None:
+        return plain
+    if row is None:
+        known = ", ".join(other for other in index() if spall_row(other))
+        raise UnknownMaterial([DeckProblem("library", None, "material", f"the library has no measured spall strength for '{name}'",
+                                           f"measured ones are available for {known}; or add a fracture law to the deck")])
+    tables = read_file(HERE / "curated" / f"{name}.toml")
+    reason = "measured at plate impact; strengths grow with the rate of unloading and depend on microstructure"
+    tables |= {"fracture": {"law": "spall_stress", "strength": f"{row}.spall_strength", "reason": reason},
+               "title": f"{plain.title}, with spall", "missing": [text for text in plain.missing if "with spall" not in text]
+               or ["the change of the spall strength with rate and temperature"]}
+    return make_entry(f"{name}_with_spall", tables, f"{name}.toml and row {row}", category=plain.category)
+
+
+@cache
+def _variants() -> tuple[Listing, ...]:
+    """The materials that `with spall` makes of curated ones."""
+    return tuple(Listing(f"{name} with spall", known.category, f"{known.title}, with spall", (), (row,))
+                 for name, known in index().items() if (row := spall_row(name)))
 
 
 @cache

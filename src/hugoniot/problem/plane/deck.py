@@ -10,7 +10,7 @@ from hugoniot.materials.tables import material_tables
 from hugoniot.mesh.blocks import Blocks, BlockShape, MeshError, build
 from hugoniot.mesh.shapes import Sector
 from hugoniot.mesh.triangles import divided
-from hugoniot.problem import checks
+from hugoniot.problem import checks, output_fields
 from hugoniot.problem.advice import advice_on_blocks
 from hugoniot.problem.boundaries import pulse_value
 from hugoniot.problem.lagrangian import MOST_ZONES, _output
@@ -90,7 +90,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
         if asked_at_nodes(material.fracture):
             collector.add(("material", name, "fracture"), "opens voids at nodes, and in two dimensions zones fail and nodes stay joined",
                           'use "pressure_volume" or "spall_stress"')
-    for defect in explosives.defects(problem):
+    for defect in (*explosives.defects(problem), *output_fields.defects(problem.output, problem.blocks, problem.materials)):
         collector.add(*defect)
     if collector.problems:
         return None, warnings

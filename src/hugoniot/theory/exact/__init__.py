@@ -14,6 +14,7 @@ from hugoniot.theory.exact.coggeshall_flows import coggeshall_coasting, coggesha
 from hugoniot.theory.exact.coggeshall_shocks import coggeshall_noh, coggeshall_stopping
 from hugoniot.theory.exact.double_burgers import double_burgers
 from hugoniot.theory.exact.dsd import dsd_arc, dsd_expansion, dsd_rate_stick
+from hugoniot.theory.exact.dsd_start import dsd_rate_stick_start
 from hugoniot.theory.exact.ehep import ehep
 from hugoniot.theory.exact.elastic_plastic_piston import aluminium_piston, copper_piston, elastic_plastic_piston, udaykumar_piston
 from hugoniot.theory.exact.fickett_rivard import fickett_rivard
@@ -51,7 +52,8 @@ SOLUTIONS: dict[str, Callable[..., Any]] = {
     for function in (
         aluminium_piston, blake, centred_rarefaction, coggeshall, coggeshall_coasting, coggeshall_collapse, coggeshall_driven,
         coggeshall_noh, coggeshall_shell, coggeshall_stopping, collision, copper_piston, double_burgers, dsd_arc, dsd_expansion,
-        dsd_rate_stick, ehep, elastic_plastic_piston, fickett_rivard, guderley, howell_ball, kenamond, kidder, leblanc, mader,
+        dsd_rate_stick, dsd_rate_stick_start, ehep, elastic_plastic_piston, fickett_rivard, guderley, howell_ball, kenamond, kidder,
+        leblanc, mader,
         meeting_streams, noh, noh_material, piston_pulse, plate_push, riemann_ideal, saltzman, sedov, shell_stopping, sod,
         two_rarefactions, udaykumar_piston, uniform_collapse, verney, water_gas, woodward_colella,
     )

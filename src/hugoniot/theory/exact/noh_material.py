@@ -26,6 +26,7 @@ def noh_material(material: str = "copper", geometry: str = "planar", speed: floa
 
     density   of the inflow at time 0; 0: the reference density of the law. Planar: the inflow has the law's reference energy.
               Cylindrical and spherical: only laws without pressure at zero energy (ideal gases), which the inflow then has.
+    Strength is left out: the material is the fluid of its equation of state.
     Fields: density, velocity, pressure, energy. `numbers`: plateau values and shock_speed.
     """
     par, d = law_named(material), DIMENSION[geometry]
