@@ -147,6 +147,7 @@ def _without_the_weak(rows, sides, pieces: list[Piece], bench: Bench, followed: 
         elif weak:
             weak = front.strength < bench.least(front.kind) * (FAN_WEAKEST if is_fan else 1.0)
         weak = weak or (not followed and (front.kind == "contact" or front.direction != 0))
+        weak = weak or (is_fan and bench.cylinder and bench.of(left if front.direction < 0 else right).yield_stress > 0.0)
         if not weak:
             k += width
             continue
@@ -188,14 +189,14 @@ def _inside(piece: Piece, before, after, bench: Bench):
     states = [line.fan_state(piece, xi) if piece.kind == "fan" else piece.state for xi in speeds]
     given = (before if left.direction else after)[1][5:]
     matter = bench.of(piece)
-    scalars = [[0.0, *(stretch_of(s, matter),) * 2] if matter.yield_stress else given for s in states]
+    scalars = [[given[0], *(stretch_of(s, matter),) * 2] if matter.yield_stress else given for s in states]
     return [False] * (count - 1), [[xi, s.rho, s.u, s.e, s.sigma, *more] for xi, s, more in zip(speeds, states, scalars)], count
 
 
 def _with_scalars(mesh: Mesh, whole: list[Piece], fronts, given, bench: Bench):
     """The states at newborn fronts, with what goes with the mass behind them: a shock gives isolated reactants a new reference state.
 
-    whole   all pieces, those outside included. Of solids it is the stretch on either side.
+    whole   all pieces, those outside included. Of solids it is the hoop strain, which waves leave as it is, and the stretch on either side.
     """
     if mesh.given.shape[1] == 5:
         return given
@@ -207,6 +208,8 @@ def _with_scalars(mesh: Mesh, whole: list[Piece], fronts, given, bench: Bench):
             scalars = [par.burned, par.volume, par.energy]
             if "shock" in front.kind:
                 scalars[1:] = _new_reference(par, state, front)
+        elif front.direction and piece.matter is not None:
+            scalars[0] = piece.matter.hoop
         for j, beside in enumerate(whole[k:k + 2]):
             if beside.kind in ("state", "fan") and (matter := bench.of(beside)).yield_stress:
                 scalars[1 + j] = stretch_of(beside.edge(1 - 2 * j), matter)

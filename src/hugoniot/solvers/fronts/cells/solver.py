@@ -35,7 +35,7 @@ class Cells(Reading):
         self.matters = [setup.matter_of(problem.materials[r.material]) for r in problem.regions]
         count = len(problem.regions)
         bench = Bench(2 * self.matters, 2 * setup.grips_of(problem), float(options["weakest"]), float(options["fan_step"]), unburned=count,
-                      elastic=elastic_share(self.matters), narrow=True)
+                      elastic=elastic_share(self.matters), narrow=True, cylinder=problem.geometry == "cylindrical")
         outside = tuple(start.OUTSIDE[end.kind] for end in (problem.left, problem.right))
         self.flow = Flow(problem, bench, outside, options, problem.solver.courant or setup.COURANT, self.region_of, self.middles)
         self.burning = any(material.burn is not None for material in problem.materials.values())
