@@ -273,7 +273,6 @@ def test_a_mirrored_problem_has_the_mirrored_answer():
     assert places(one, *kinds) == pytest.approx([length - x for x in places(two, *kinds)][::-1], abs=1e-5 * length)
 
 
-@pytest.mark.slow
 def test_the_release_of_a_flyer_reaches_the_shock_where_it_should():
     """The head of the fan goes on behind the impact face; a kink that only the cells carry would spread, and arrive 9 % too early."""
     law, up, h = MieGruneisen(2700.0, 5200.0, 1.5, 2.0), 950.0, 1e-3
@@ -287,6 +286,7 @@ def test_the_release_of_a_flyer_reaches_the_shock_where_it_should():
     assert any("fan head with interface: interface, fan head" in event.text for event in solver.events) and closed(solver)
 
 
+@pytest.mark.slow
 def test_both_modes_agree_until_fans_meet():
     """F2: a Mach 3 shock on a heavier gas. Fronts of both modes are at the same places."""
     regions = (Region("driven", "gas", 0.0, 0.5, 50, density=27.0 / 7.0, velocity=2.6293687924887, pressure=31.0 / 3.0),
