@@ -25,6 +25,9 @@ from hugoniot.solvers.fronts.meeting import Bench, outgoing
 
 FAN_WEAKEST = 3.0    # times the weakest wave: a fan that is weaker has no edges to follow
 MOST_IN_FAN = 32
+FEWEST = 4           # cells at the start of a fan that is not exact
+COARSE = 25          # zones of a region from which on a fan that is not exact starts with more cells, in proportion
+LEAST_GROWTH = 0.02  # per step, at Courant number 1, of a fan that starts with more cells: it soon has the width of ordinary cells
 NEWBORN = 3          # cells between two waves that part: a parabola has three averages
 
 
@@ -87,7 +90,7 @@ def place(mesh: Mesh, face: int, outer, whole, rows, time: float, bench: Bench) 
     marks, values, regions, push, made = [], [], [], [], []
     for k, (front, state) in enumerate(kept):
         if k:
-            marks_in, values_in, count = _inside(between[k - 1], kept[k - 1], kept[k], bench)
+            marks_in, values_in, count = _inside(between[k - 1], kept[k - 1], kept[k], mesh.d, bench)
             marks += marks_in
             values += values_in
             regions += [between[k - 1].region if between[k - 1].kind != "vacuum" else EMPTY] * count
@@ -193,15 +196,19 @@ def _contrast(beside) -> float:
     return abs(low - high) / max(low, high, 1e-300)
 
 
-def _inside(piece: Piece, before, after, bench: Bench):
+def _inside(piece: Piece, before, after, d: int, bench: Bench):
     """(marks, states) of the faces inside a new piece, and how many cells it is; (front, its state) on both sides."""
     left, right = before[0], after[0]
     if piece.kind == "vacuum" or right.speed <= left.speed:
         return [], [], 1
     if piece.kind == "fan":
         wave = piece.wave
-        fall = abs(wave.behind.u - wave.ahead.u) / (bench.fan_step * abs(wave.head - wave.ahead.u))
+        c = abs(wave.head - wave.ahead.u)
+        fall = abs(wave.behind.u - wave.ahead.u) / (bench.fan_step * c)
         count = min(max(math.ceil(fall), 2), MOST_IN_FAN)
+        if not lasting(piece, d, bench):
+            finer = math.ceil(fall * bench.zones[piece.region] / COARSE)
+            count = max(count, FEWEST, min(finer, int((right.speed - left.speed) / (LEAST_GROWTH * c))))
     else:
         count = 1 if any(front.kind.startswith("elastic") for front in (left, right)) else NEWBORN      # the two shocks part slowly
     speeds = np.linspace(left.speed, right.speed, count + 1)[1:-1].tolist()
