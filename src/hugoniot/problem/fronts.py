@@ -126,7 +126,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str]]:
     for name, material in problem.materials.items():
         found += [(("material", name, *path), f"material '{name}' {message}") for path, message in _material_defects(material, cells)]
         if cells and _has_strength(material):
-            found += [(("material", name, "strength"), f"material '{name}' {message}") for message in _strong_defects(material, problem)]
+            found += [(("material", name, "strength"), f"material '{name}' {message}") for message in _strong_defects(material)]
     if cells:
         found += _front_defects(problem)
     for side, end in (("left", problem.left), ("right", problem.right)):
@@ -184,12 +184,11 @@ def _has_strength(material: Material) -> bool:
     return strength is not None and STRENGTH.of(strength).name != "none" and getattr(strength, "yield_stress", 1.0) > 0.0
 
 
-def _strong_defects(material: Material, problem: Problem) -> list[str]:
+def _strong_defects(material: Material) -> list[str]:
     """What the cells cannot follow of a material with strength."""
-    if problem.geometry == "cylindrical":
-        return [f"has strength, which {NAME} follows in planar and spherical geometry: in a cylinder the deviators along hoop and axis "
-                "differ, and where they yield together the stress turns along the yield surface, so that no plastic wave has a "
-                "constant deviator; leave the strength out, or use lagrange1d"]
+    if material.burn is not None and "programmed" in BURN.of(material.burn).flags:
+        return [f"burns by a programmed front and has strength: ahead of the front the explosive of {NAME} has no state, and the products "
+                "behind it are a fluid; leave the strength out, or use lagrange1d"]
     if material.burn is not None:
         return [f"burns and has strength: behind a front of {NAME} a partly burned solid would have to divide the work of the jump between "
                 "reactants, products and distortion, for which there is no rule; leave one out, or use lagrange1d"]

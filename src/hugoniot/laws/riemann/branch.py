@@ -24,11 +24,15 @@ class Branch(NamedTuple):
 
 
 class Matter(NamedTuple):
-    """What stands on one side of a front: equation of state, shear modulus and yield stress (Pa; both 0 for a fluid)."""
+    """What stands on one side of a front: equation of state, shear modulus and yield stress (Pa; both 0 for a fluid).
+
+    hoop   of a solid in a cylinder: elastic part of its hoop strain; its yield stress is then what this leaves to uniaxial strain
+    """
 
     par: Any
     shear_modulus: float = 0.0
     yield_stress: float = 0.0
+    hoop: float = 0.0
 
 
 class State(NamedTuple):

@@ -13,6 +13,9 @@ the specific volume at which its deviator would vanish. z moves with the flow as
 
 $$s_1 = -\tfrac43 G \ln z, \quad |s_1| \le \tfrac23 Y, \qquad \sigma = p(\rho, e) - s_1$$
 
+In a cylinder the deviators along hoop and axis differ by 2 G h, where h is what is elastic of the hoop strain. Waves leave h as it is, and
+of the yield surface (von Mises) $|s_1| \le \sqrt{(\tfrac23 Y)^2 - \tfrac43 G^2 h^2}$ is left to them.
+
 Sources: 003 (Starkenberg ARL-TR-2161) sections 4.3 (the reference state behind a tracked shock is exact) and 5.8;
 Wilkins B.1 items 5 and 9.
 """
@@ -67,7 +70,7 @@ def mixed_answer(rho, e, burned, volume, energy, mixture):
 def answer(rho, e, burned, volume, energy, par):
     """(p, dp/drho, dp/de) of a law or of the mixture of a `Reactive` pair; of a solid sigma for p.
 
-    volume, energy   of a mixture: reference state; of a `Solid`: its stretch, and nothing; `OnBranch`: a and b of its branch
+    volume, energy   of a mixture: reference state; of a `Solid`: its stretch z and its hoop strain h; `OnBranch`: a and b of its branch
     """
     if isinstance(par, Reactive):
         return reactive_answer(rho, e, burned, volume, energy, par)
@@ -87,16 +90,22 @@ def branch_answer(rho, e, burned, a, b, par):
     return p + a + b * math.log(rho), p_rho + b / rho, p_e
 
 
-def deviator(stretch, par):
+def strength_left(hoop, par):
+    """Largest |s1| (Pa) of a solid of a given hoop strain."""
+    turned = par.shear_modulus * hoop
+    return 2.0 / 3.0 * math.sqrt(max(par.yield_stress * par.yield_stress - 3.0 * turned * turned, 0.0))
+
+
+def deviator(stretch, hoop, par):
     """s1 (Pa, tension positive) of a solid."""
-    most = 2.0 / 3.0 * par.yield_stress
+    most = strength_left(hoop, par)
     return min(max(-4.0 / 3.0 * par.shear_modulus * math.log(stretch), -most), most)
 
 
-def solid_answer(rho, e, burned, stretch, energy, par):
+def solid_answer(rho, e, burned, stretch, hoop, par):
     """The slopes are those of elastic strain, whose waves are the faster ones."""
     p, p_rho, p_e = pressure_and_derivatives(rho, e, par.eos)
-    return p - deviator(stretch, par), p_rho + 4.0 / 3.0 * par.shear_modulus / rho, p_e
+    return p - deviator(stretch, hoop, par), p_rho + 4.0 / 3.0 * par.shear_modulus / rho, p_e
 
 
 def reactive_answer(rho, e, burned, volume, energy, par):

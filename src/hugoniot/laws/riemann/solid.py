@@ -10,10 +10,11 @@ Source: Courant and Friedrichs, sections 54 to 81; Wilkins B.1 items 5 and 9 for
 import math
 from typing import NamedTuple
 
-from hugoniot.laws.riemann.medium import OnBranch, Solid, answer, deviator
+from hugoniot.laws.riemann.medium import OnBranch, Solid, answer, deviator, strength_left
 from hugoniot.laws.riemann.wave import Behind, Side, compression, reach, sound_squared
 
 YIELDS = 1e-13         # ln of a density: a state that close to its yield point yields at once
+TURNS = 100            # iterations for the end of a wave that turns the stress
 
 
 class Limit(NamedTuple):
@@ -44,32 +45,68 @@ def on_branch(rho, e, sigma, square, a, b, side):
 
 
 def solid_waves(target, side, par):
-    """Of a solid; `side.volume` is its stretch, and `Behind.volume` that behind the last wave."""
-    b, most, law = 4.0 / 3.0 * par.shear_modulus, 2.0 / 3.0 * par.yield_stress, OnBranch(par.eos)
-    s, none = deviator(side.volume, par), Limit(0.0, 0.0, 0.0, 0.0, 0.0)
+    """Of a solid; volume and energy of `side` and of `Behind` are its stretch and hoop strain, ahead and behind the last wave."""
+    b, most, law = 4.0 / 3.0 * par.shear_modulus, strength_left(side.energy, par), OnBranch(par.eos)
+    s, none = deviator(side.volume, side.energy, par), Limit(0.0, 0.0, 0.0, 0.0, 0.0)
     elastic = on_branch(side.rho, side.e, side.p, side.square, -s - b * math.log(side.rho), b, side)
     if target == side.p:
-        return with_stretch(reach(target, elastic, law), side.volume), none
+        return with_stretch(reach(target, elastic, law), side.volume, side), none
     way = 1.0 if target > side.p else -1.0
-    yielded, left = math.exp(way * most / b), (way * s + most) / b
+    left = (way * s + most) / b
     plastic = on_branch(side.rho, side.e, side.p, side.square - b / side.rho, way * most, 0.0, side)
     if left <= YIELDS:
-        return with_stretch(reach(target, plastic, law), yielded), none
+        return yielding(target, way, plastic, side.energy, par), none
     limit = yield_point(way, side.rho * math.exp(way * left), elastic, law)
     if (target - limit.sigma) * way <= 0.0:
         found = compression(target, elastic, law) if way > 0.0 else expansion(target, elastic, law)
-        return with_stretch(found, side.volume * found.rho / side.rho), none
+        return with_stretch(found, side.volume * found.rho / side.rho, side), none
     sigma, by_rho, by_e = answer(limit.rho, limit.e, 0.0, way * most, 0.0, law)
     square = sound_squared(limit.rho, sigma, by_rho, by_e)
-    last = reach(target, on_branch(limit.rho, limit.e, limit.sigma, square, way * most, 0.0, side), law)
+    last = yielding(target, way, on_branch(limit.rho, limit.e, limit.sigma, square, way * most, 0.0, side), side.energy, par)
     if way > 0.0 and limit.rise + last.flux / limit.rho >= limit.flux / side.rho:
-        return with_stretch(compression(target, plastic, law), yielded), none
-    return Behind(limit.rise + last.rise, last.slope, last.rho, last.e, last.flux, yielded, 0.0), limit
+        return yielding(target, way, plastic, side.energy, par), none
+    return Behind(limit.rise + last.rise, last.slope, last.rho, last.e, last.flux, last.volume, last.energy), limit
 
 
-def with_stretch(behind, stretch):
-    """What stands behind a wave, with its stretch."""
-    return Behind(behind.rise, behind.slope, behind.rho, behind.e, behind.flux, stretch, 0.0)
+def yielding(target, way, side, hoop, par):
+    """A plastic wave from a state at yield; stretch and hoop strain stand for volume and energy of its `Behind`.
+
+    In a cylinder uniaxial compression turns the stress along the yield surface (`turned`). The jump to the state at the end of that path
+    is found on the straight branch p + a + b ln(rho) between both ends. Releases, which are not followed there, keep the hoop strain.
+    """
+    law, b, most = OnBranch(par.eos), 4.0 / 3.0 * par.shear_modulus, way * side.volume
+    if hoop == 0.0 or way < 0.0:
+        found = reach(target, side, law)
+        return Behind(found.rise, found.slope, found.rho, found.e, found.flux, math.exp(way * most / b), hoop)
+    full = 2.0 / 3.0 * par.yield_stress
+    stiff, h, last = b * (1.0 - (most / full) * (most / full)), hoop, 0.0
+    found = reach(target, on_branch(side.rho, side.e, side.p, side.square, most, 0.0, side), law)
+    for _ in range(TURNS):
+        square = side.square + stiff / side.rho
+        found = reach(target, on_branch(side.rho, side.e, side.p, square, most - stiff * math.log(side.rho), stiff, side), law)
+        strain = math.log(found.rho / side.rho)
+        h = turned(hoop, strain, par)
+        if abs(strain - last) <= 1e-13 * strain:
+            break
+        stiff, last = (strength_left(h, par) - most) / strain, strain
+    return Behind(found.rise, found.slope, found.rho, found.e, found.flux, math.exp(strength_left(h, par) / b), h)
+
+
+def turned(hoop, strain, par):
+    """Hoop strain behind a uniaxial compression (ln of the densities) of a solid that yields: its angle psi from pure compression obeys
+
+    d psi / d strain = -(2 G / Y) sin(psi).
+    """
+    ratio = 2.0 * par.shear_modulus / par.yield_stress
+    sine = min(abs(0.5 * math.sqrt(3.0) * ratio * hoop), 1.0)
+    tangent = sine / (1.0 + math.sqrt(1.0 - sine * sine)) * math.exp(-ratio * strain)
+    behind = 2.0 * tangent / (1.0 + tangent * tangent)
+    return hoop * behind / sine if sine > 0.0 else 0.0
+
+
+def with_stretch(behind, stretch, side):
+    """What stands behind a wave, with its stretch and the hoop strain of what is ahead."""
+    return Behind(behind.rise, behind.slope, behind.rho, behind.e, behind.flux, stretch, side.energy)
 
 
 def expansion(target, side, par):
@@ -104,4 +141,4 @@ def yield_point(way, rho, side, par):
     return Limit(sigma, rise / flux, rho, side.e + 0.5 * (sigma + side.p) * x, flux)
 
 
-KERNELS = (plain_waves, on_branch, solid_waves, with_stretch, expansion, yield_point)      # what kernels call by name
+KERNELS = (plain_waves, on_branch, solid_waves, yielding, turned, with_stretch, expansion, yield_point)      # what kernels call by name

@@ -19,6 +19,8 @@ class Bench:
     grips        stress (Pa) that holds each region to the next one: inf bonded, 0 separable, a bond's strength
     weakest      strength below which a wave inside one material is not followed; elastic   share of it that holds for elastic waves
     narrow       elastic releases count as jumps (cells mode)
+    zones        cells aimed at in every region (cells mode)
+    cylinder     plastic releases of solids are not followed: they are no centred fans there (cells mode)
     fan_step     change of velocity over the sound speed below which a release is one jump
     unburned     number from which on regions are unburned explosive (cells mode); ideal  Chapman-Jouguet fronts found so far
     walls        velocity of the left and right wall; pressures  at the left and right end
@@ -35,6 +37,8 @@ class Bench:
     ideal: dict = field(default_factory=dict)
     elastic: float = 1.0
     narrow: bool = False
+    cylinder: bool = False
+    zones: list[int] = field(default_factory=list)
 
     def least(self, kind: str) -> float:
         """Strength from which on a front of a kind is followed."""

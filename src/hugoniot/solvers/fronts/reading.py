@@ -87,10 +87,9 @@ class Reading(NothingToAdd):
             k = int(region)
             if k not in columns:
                 columns[k] = self.column(k)
-            x, point = columns[k].at(fraction)
-            found = [x, point.u, point.rho, point.e, point.pressure, point.s, -0.5 * point.s,
-                     self._stress(k, fraction, point)]
-            row.append([*found, *_phases(*self._point(k, columns[k], fraction)[1:])] if self.burning else found)
+            x, point, matter, burned = self._point(k, columns[k], fraction)
+            found = [x, point.u, point.rho, point.e, point.pressure, point.s, _hoop(point, matter), self._stress(k, fraction, point)]
+            row.append([*found, *_phases(point, matter, burned)] if self.burning else found)
         self._times.append(self.time)
         self._rows.append(row)
 
@@ -134,7 +133,8 @@ class Reading(NothingToAdd):
                 faces[:, z], speeds[:, z] = (ends[j][0], ends[j + 1][0]), (ends[j][1].u, ends[j + 1][1].u)
                 middle[z], point, matter, burned = self._point(k, column, 0.5 * (low[z] + high[z]))
                 square = wave_speed_squared(point.rho, point.e, elastic(matter, point)) if self._answers(k, point) else 0.0
-                rows[z] = (point.rho, point.e, point.pressure, point.s, -0.5 * point.s, point.sigma, math.sqrt(max(square, 0.0)), burned)
+                rows[z] = (point.rho, point.e, point.pressure, point.s, _hoop(point, matter), point.sigma,
+                           math.sqrt(max(square, 0.0)), burned)
         zones = {name: rows[:, i].copy() for i, name in enumerate(ZONE_FIELDS)}
         zones |= {"plastic_work": np.zeros(count), "viscous_work": np.zeros(count), "mass": masses}
         if self.burning:
@@ -200,6 +200,11 @@ def _phases(point, matter, burned: float) -> list[float]:
         mixed = mixed_phases(point.rho, point.e, burned, matter.par.volume, matter.par.energy, matter.par.mixture)
         return [burned, mixed.rho_r, mixed.e_r, mixed.rho_p, mixed.e_p]
     return [burned, point.rho, point.e, point.rho, point.e]
+
+
+def _hoop(point, matter) -> float:
+    """Deviator along the hoop, Pa."""
+    return -0.5 * point.s + matter.shear_modulus * matter.hoop
 
 
 @dataclass(frozen=True)

@@ -25,6 +25,9 @@ from hugoniot.solvers.fronts.meeting import Bench, outgoing
 
 FAN_WEAKEST = 3.0    # times the weakest wave: a fan that is weaker has no edges to follow
 MOST_IN_FAN = 32
+FEWEST = 4           # cells at the start of a fan that is not exact
+COARSE = 25          # zones of a region from which on a fan that is not exact starts with more cells, in proportion
+LEAST_GROWTH = 0.02  # per step, at Courant number 1, of a fan that starts with more cells: it soon has the width of ordinary cells
 NEWBORN = 3          # cells between two waves that part: a parabola has three averages
 
 
@@ -87,7 +90,7 @@ def place(mesh: Mesh, face: int, outer, whole, rows, time: float, bench: Bench) 
     marks, values, regions, push, made = [], [], [], [], []
     for k, (front, state) in enumerate(kept):
         if k:
-            marks_in, values_in, count = _inside(between[k - 1], kept[k - 1], kept[k], bench)
+            marks_in, values_in, count = _inside(between[k - 1], kept[k - 1], kept[k], mesh.d, bench)
             marks += marks_in
             values += values_in
             regions += [between[k - 1].region if between[k - 1].kind != "vacuum" else EMPTY] * count
@@ -107,6 +110,25 @@ def place(mesh: Mesh, face: int, outer, whole, rows, time: float, bench: Bench) 
     mesh.push = np.concatenate([mesh.push[:face], np.array(push), mesh.push[face:]])
     mesh.region = np.concatenate([mesh.region[:face], np.array(regions, dtype=mesh.region.dtype), mesh.region[face:]])
     return [front.kind for front in made]
+
+
+def transmit(mesh: Mesh, face: int, edge: Front, left: Piece, right: Piece, time: float, bench: Bench) -> bool:
+    """Let the edge of a fan that has reached a contact go on behind it; False in solids, and where something else than material is there.
+
+    The states are continuous there, so that both sides stay as they are; without the edge the cells would smear the kink ahead of it.
+    """
+    d, beyond = edge.direction, right if edge.direction > 0 else left
+    if left.kind != "state" or right.kind != "state" or any(bench.of(piece).yield_stress for piece in (left, right)):
+        return False
+    contact, state = mesh.fronts[int(np.count_nonzero(mesh.marked[:face]))], beyond.edge(-d)
+    c = math.sqrt(max(wave_speed_squared(state.rho, state.e, Branch(bench.of(beyond).par)), 0.0))
+    between = Piece("state", beyond.region, state, matter=beyond.matter)
+    fronts = [line.Front(contact.kind, 0.0, time, contact.speed, 0, contact.strength),
+              line.Front(edge.kind, 0.0, time, state.u + d * c, d, edge.strength)][::d]
+    whole = [left, between, right]
+    given = _with_scalars(mesh, whole, fronts, [_given(front, whole[k:k + 2]) for k, front in enumerate(fronts)], bench)
+    place(mesh, face, (left, right), (fronts, [between]), (list(zip(fronts, given)), [between]), time, bench)
+    return True
 
 
 def ignite(mesh: Mesh, face: int, left: Piece, right: Piece, time: float, bench: Bench) -> tuple[list[str], str]:
@@ -147,6 +169,7 @@ def _without_the_weak(rows, sides, pieces: list[Piece], bench: Bench, followed: 
         elif weak:
             weak = front.strength < bench.least(front.kind) * (FAN_WEAKEST if is_fan else 1.0)
         weak = weak or (not followed and (front.kind == "contact" or front.direction != 0))
+        weak = weak or (is_fan and bench.cylinder and bench.of(left if front.direction < 0 else right).yield_stress > 0.0)
         if not weak:
             k += width
             continue
@@ -173,29 +196,33 @@ def _contrast(beside) -> float:
     return abs(low - high) / max(low, high, 1e-300)
 
 
-def _inside(piece: Piece, before, after, bench: Bench):
+def _inside(piece: Piece, before, after, d: int, bench: Bench):
     """(marks, states) of the faces inside a new piece, and how many cells it is; (front, its state) on both sides."""
     left, right = before[0], after[0]
     if piece.kind == "vacuum" or right.speed <= left.speed:
         return [], [], 1
     if piece.kind == "fan":
         wave = piece.wave
-        fall = abs(wave.behind.u - wave.ahead.u) / (bench.fan_step * abs(wave.head - wave.ahead.u))
+        c = abs(wave.head - wave.ahead.u)
+        fall = abs(wave.behind.u - wave.ahead.u) / (bench.fan_step * c)
         count = min(max(math.ceil(fall), 2), MOST_IN_FAN)
+        if not lasting(piece, d, bench):
+            finer = math.ceil(fall * bench.zones[piece.region] / COARSE)
+            count = max(count, FEWEST, min(finer, int((right.speed - left.speed) / (LEAST_GROWTH * c))))
     else:
         count = 1 if any(front.kind.startswith("elastic") for front in (left, right)) else NEWBORN      # the two shocks part slowly
     speeds = np.linspace(left.speed, right.speed, count + 1)[1:-1].tolist()
     states = [line.fan_state(piece, xi) if piece.kind == "fan" else piece.state for xi in speeds]
     given = (before if left.direction else after)[1][5:]
     matter = bench.of(piece)
-    scalars = [[0.0, *(stretch_of(s, matter),) * 2] if matter.yield_stress else given for s in states]
+    scalars = [[given[0], *(stretch_of(s, matter),) * 2] if matter.yield_stress else given for s in states]
     return [False] * (count - 1), [[xi, s.rho, s.u, s.e, s.sigma, *more] for xi, s, more in zip(speeds, states, scalars)], count
 
 
 def _with_scalars(mesh: Mesh, whole: list[Piece], fronts, given, bench: Bench):
     """The states at newborn fronts, with what goes with the mass behind them: a shock gives isolated reactants a new reference state.
 
-    whole   all pieces, those outside included. Of solids it is the stretch on either side.
+    whole   all pieces, those outside included. Of solids it is the hoop strain, which waves leave as it is, and the stretch on either side.
     """
     if mesh.given.shape[1] == 5:
         return given
@@ -207,6 +234,8 @@ def _with_scalars(mesh: Mesh, whole: list[Piece], fronts, given, bench: Bench):
             scalars = [par.burned, par.volume, par.energy]
             if "shock" in front.kind:
                 scalars[1:] = _new_reference(par, state, front)
+        elif front.direction and piece.matter is not None:
+            scalars[0] = piece.matter.hoop
         for j, beside in enumerate(whole[k:k + 2]):
             if beside.kind in ("state", "fan") and (matter := bench.of(beside)).yield_stress:
                 scalars[1 + j] = stretch_of(beside.edge(1 - 2 * j), matter)

@@ -6,7 +6,7 @@ import numpy as np
 
 from hugoniot.errors import OutOfRange
 from hugoniot.solvers.fronts.cells import tables
-from hugoniot.solvers.fronts.cells.births import bear, collapse, ignite
+from hugoniot.solvers.fronts.cells.births import bear, collapse, ignite, transmit
 from hugoniot.solvers.fronts.cells.detonations import UNLIT, light_face
 from hugoniot.solvers.fronts.cells.flow import Flow
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh, adjust
@@ -81,22 +81,25 @@ class Changes:
         solid = [front for front in inside if "fan" not in front.kind]
         face = collapse(mesh, first, last, x, self.flow.bench.unburned)
         self.meetings += 1
-        if len(solid) < 2:      # at the edge of a fan no state jumps: it ends where it meets anything, and what it meets goes on
-            self._pass(mesh, face, solid, time)
-            self.log("meeting", time, x, f"{' with '.join(kinds)}: {solid[0].kind if solid else 'nothing'}")
+        if len(solid) < 2:      # at the edge of a fan no state jumps: it ends where it meets anything but a contact; what it meets goes on
+            edges = [front for front in inside if "fan" in front.kind]
+            went_on = self._pass(mesh, face, solid, edges, time)
+            self.log("meeting", time, x, f"{' with '.join(kinds)}: {', '.join(front.kind for front in (*solid, *went_on)) or 'nothing'}")
             return
         made, word = self._bear(mesh, face, time, "detonation" in kinds)
         self.log("meeting", time, x, f"{' with '.join(kinds)}: {', '.join(made) or 'nothing'} ({word})")
 
-    def _pass(self, mesh: Mesh, face: int, solid, time: float) -> None:
-        """Leave the one front that jumps, or none, at a face."""
+    def _pass(self, mesh: Mesh, face: int, solid, edges, time: float) -> list[Front]:
+        """Leave the one front that jumps, or none, at a face; the edges of fans that go on behind it."""
         if not solid:
             mesh.release(face)
-            return
+            return []
         left, right = pieces_at(self.flow, mesh, face)
         k, old = _order(mesh, face), solid[0]
         mesh.fronts[k] = dataclasses.replace(old, least=1, since=time, start=float(mesh.x[face]),
                                              sides=(tuple(left.edge(1)), tuple(right.edge(-1))))
+        alone = len(edges) == 1 and not old.direction and len(mesh.fronts) < self.most
+        return edges if alone and transmit(mesh, face, edges[0], left, right, time, self.flow.bench) else []
 
     def renew_end(self, mesh: Mesh, side: int, time: float) -> None:
         """The left (0) or right (1) end drives anew: solve its Riemann problem."""

@@ -11,6 +11,7 @@ import numba as nb
 from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.solvers.fronts.cells.solids import is_solid
 from hugoniot.solvers.fronts.cells.tables import (
+    BORN_HOOP,
     DIRECTION,
     ELASTIC,
     ELASTIC_EXPANSION,
@@ -117,6 +118,8 @@ def shock(rules, work, fronts, k, d, p, region):
         caught = elastic and strength > 0.0 and s[LIMIT_FLUX] == 0.0 and not elastic_strain(s)      # by the plastic wave
         if not elastic or caught:
             w[behind + 1, f] = s[VOLUME_B] / s[RHO_B]
+        else:
+            w[behind + 2, f] = s[7]
         if caught:
             work.flags[1, k] = 1.0
     front[STRENGTH] = strength
@@ -239,9 +242,13 @@ def newborn(grid, rules, work, n):
             w[INTO_LEFT + k, f] = w[INTO_RIGHT + k, f] = given[5 + k]
             if f > 0 and math.isnan(grid.push[f - 1]) and grid.region[f - 1] >= 0:
                 w[INTO_LEFT + k, f] = w[RIGHT + LAM + k, f - 1]
-                if is_solid(rules, grid.region[f - 1]):
+                if k == 1 and is_solid(rules, grid.region[f - 1]):
                     w[INTO_LEFT + k, f] /= w[RIGHT, f - 1]
+            elif k == 2 and f > 0 and is_solid(rules, grid.region[f - 1]):
+                w[INTO_LEFT + k, f] = given[BORN_HOOP]
             if f < n and math.isnan(grid.push[f]) and grid.region[f] >= 0:
                 w[INTO_RIGHT + k, f] = w[LEFT + LAM + k, f]
-                if is_solid(rules, grid.region[f]):
+                if k == 1 and is_solid(rules, grid.region[f]):
                     w[INTO_RIGHT + k, f] /= w[LEFT, f]
+            elif k == 2 and f < n and is_solid(rules, grid.region[f]):
+                w[INTO_RIGHT + k, f] = given[BORN_HOOP]

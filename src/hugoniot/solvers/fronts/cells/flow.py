@@ -31,7 +31,7 @@ def law_of_region(material) -> Any:
     """What the cells ask: the equation of state, a solid's with its strength, or rate and mixture of a material that burns by a rate."""
     if material.burn is None or "programmed" in BURN.of(material.burn).flags:
         matter = setup.matter_of(material)
-        return float_parameters(Solid(*matter) if matter.yield_stress else material.eos)
+        return float_parameters(Solid(*matter[:3]) if matter.yield_stress else material.eos)
     pair = burning.reactive(material)
     if hasattr(pair.mixture, "nascent_limit"):
         pair = pair._replace(mixture=pair.mixture._replace(nascent_limit=EXACT))
@@ -121,6 +121,8 @@ class Flow:
         law = self.laws[region % len(self.laws)]
         if isinstance(law, Reactive):
             return Matter(Frozen(law.mixture, min(max(burned, 0.0), 1.0), volume, energy))
+        if self.bench.cylinder and isinstance(law, Solid):
+            return solids.of_hoop(law, energy)
         return self.bench.matters[region]
 
     # -- marching --------------------------------------------------------------------------------------------------------

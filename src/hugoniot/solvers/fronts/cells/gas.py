@@ -9,8 +9,9 @@ and with their own face (velocity w): $q + \tfrac12\Delta t\,(q_t + w q_x)$. The
 off at w. Where a mixture burns, and in solids, $p_x$ is the difference of the pressures (stresses) at both faces.
 
 A solid has its stress for p, and its stretch z (laws.riemann.medium) obeys the equation of the density. A cell keeps the integral of
-z, whose flux is that of the mass times $z/\rho$; after the step what lies beyond the yield surface returns to it. In spherical geometry
-$\dot z = -z(u_x - u/r)$ along the flow, and the hoop stress, $\tfrac32 s_1$ above the radial one, pushes on the sides of a cell.
+z, whose flux is that of the mass times $z/\rho$; after the step what lies beyond the yield surface returns to it. In curved geometry
+$\dot z = -z(u_x - \tfrac{d-1}{2}u/r)$ along the flow, and the hoop stress, $\tfrac32 s_1 - Gh$ above the radial one, pushes on the sides
+of a cell; in a cylinder $\dot h = u/r$ (solids.py).
 
 Sources: van Leer, J. Comput. Phys. 32 (1979) 101 (MUSCL, Hancock's predictor); Toro, Riemann Solvers, 10.4 and 14.4.
 """
@@ -39,6 +40,7 @@ from hugoniot.solvers.fronts.cells.tables import (
     FROM,
     FULL,
     HIGH,
+    HOOP,
     INTO_LEFT,
     INTO_RIGHT,
     LAM,
@@ -111,7 +113,7 @@ def averages(grid, rules, work, n, d):
             for v in range(1, variables):
                 w[MEAN + v, i] = grid.q[i, v] / mass
             if is_solid(rules, grid.region[i]):
-                w[MEAN + VOLUME, i] = yielded(rules, grid.region[i], grid.q[i, VOLUME] / volume)
+                w[MEAN + VOLUME, i], w[MEAN + HOOP, i] = yielded(rules, grid.region[i], grid.q[i, VOLUME] / volume, w[MEAN + HOOP, i])
             w[MEAN + E, i] -= 0.5 * w[MEAN + U, i] ** 2
     evaluate(grid, rules, work, n, MEAN)
 
@@ -158,7 +160,7 @@ def predict(grid, rules, work, n, d, dt, burns):
         r = w[CENTRE, i] + w[FIRST, i]                           # where a velocity that grows with r has its average
         round_ = u / r if d > 1 and full else 0.0                # rate of strain along a circle
         spread = (w[HIGH + U, i] - w[LOW + U, i]) / h + (d - 1) * round_
-        pull = (d - 1) * hoop_excess(rules, grid.region[i], w[MEAN + VOLUME, i]) / (rho * r) if solid and d > 1 else 0.0
+        pull = (d - 1) * hoop_excess(rules, grid.region[i], w[MEAN + VOLUME, i], w[MEAN + HOOP, i]) / (rho * r) if solid and d > 1 else 0.0
         p_x = (w[MEAN + P_RHO, i] * (w[HIGH, i] - w[LOW, i]) + w[MEAN + P_E, i] * (w[HIGH + E, i] - w[LOW + E, i])) / h
         if solid or (burns and full and rules.passes[grid.region[i], 2] != 0):
             by_faces = (w[HIGH + P, i] - w[LOW + P, i]) / h
@@ -175,6 +177,8 @@ def predict(grid, rules, work, n, d, dt, burns):
                 rate -= p / rho * spread + pull * u
             elif solid and v == VOLUME:
                 rate -= w[MEAN + v, i] * (spread - 1.5 * (d - 1) * round_)
+            elif solid and v == HOOP and d == 2:
+                rate += round_
             if v >= variables or not full:
                 rate = 0.0
             gain, shift = half * rate, 0.25 * dt * (w[SPEED, i] + w[SPEED, i + 1]) * slope
@@ -186,7 +190,7 @@ def predict(grid, rules, work, n, d, dt, burns):
             w[MIDDLE + v, i] = w[MEAN + v, i] + gain + shift
         if solid:
             for block in (LEFT, RIGHT, MIDDLE):
-                w[block + VOLUME, i] = yielded(rules, grid.region[i], w[block + VOLUME, i])
+                w[block + VOLUME, i], w[block + HOOP, i] = yielded(rules, grid.region[i], w[block + VOLUME, i], w[block + HOOP, i])
     for block in (LEFT, RIGHT, MIDDLE):
         evaluate(grid, rules, work, n, block)
     for i in range(n):
@@ -268,7 +272,8 @@ def move(grid, rules, work, n, d, dt, burns):
             born = not math.isnan(grid.push[f - 1])
             p = grid.push[f - 1] if born else w[MIDDLE + P, f - 1]
             if is_solid(rules, grid.region[f - 1]):
-                p += hoop_excess(rules, grid.region[f - 1], w[FROM if born else MIDDLE + VOLUME, f - 1])
+                p += hoop_excess(rules, grid.region[f - 1], w[FROM if born else MIDDLE + VOLUME, f - 1],
+                                 0.0 if born else w[MIDDLE + HOOP, f - 1])
             grid.q[f - 1, 1] += p * (area - before) * dt
         grid.x[f] = place
         before = area

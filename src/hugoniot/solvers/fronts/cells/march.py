@@ -32,6 +32,7 @@ from hugoniot.solvers.fronts.cells.tables import (
     FACE,
     FEWER,
     HIGH,
+    HOOP,
     LAM,
     LEAST,
     LENGTH,
@@ -189,7 +190,7 @@ def sample(grid, rules, work, fronts, count):
                 line[4 + 5 * side], line[5 + 5 * side], line[6 + 5 * side] = w[block, cell], w[block + U, cell], w[block + E, cell]
                 line[7 + 5 * side] = w[block + P, cell]
                 if is_solid(rules, grid.region[cell]):
-                    stretch = yielded(rules, grid.region[cell], w[block + VOLUME, cell])
+                    stretch, _ = yielded(rules, grid.region[cell], w[block + VOLUME, cell], w[block + HOOP, cell])
                     line[8 + 5 * side] = deviator_of(rules, grid.region[cell], stretch)
     work.numbers[SAMPLED] += count
 

@@ -180,7 +180,7 @@ def _roomiest(extents: np.ndarray, ends) -> int:
 def split(mesh: Mesh, cell: int, slope, solid: bool = False) -> None:
     """Halve a cell with slopes (per m) of density, velocity, energy and scalars; mass, momentum and total energy stay what they are.
 
-    solid   the scalars are those of a solid: its stretch is one over volumes
+    solid   the scalars are those of a solid: its stretch is one over volumes, its hoop strain has either sign
     """
     a, b = mesh.x[cell], mesh.x[cell + 1]
     m = 0.5 * (a + b)
@@ -198,7 +198,8 @@ def split(mesh: Mesh, cell: int, slope, solid: bool = False) -> None:
     rows = []
     for share, other, way in ((low, high, -1.0), (high, low, 1.0)):
         v = u + way * other * jump
-        scalars = np.clip(q[3:] / q[0] + way * other * slope[3:] * away, 0.0, None)
+        scalars = q[3:] / q[0] + way * other * slope[3:] * away
+        scalars = scalars if solid else np.clip(scalars, 0.0, None)
         rows.append(q[0] * share * np.array([1.0, v, e + way * other * rise + 0.5 * v * v, *scalars]))
     if solid:
         rows[0][4] = q[4] * left / whole - slope[4] * away * left * right / whole

@@ -12,6 +12,8 @@ from hugoniot.solvers.fronts.cells.tables import (
     CROWDED,
     FACE,
     FULL,
+    HEAD,
+    KIND,
     KNOWN,
     LIMITING,
     MEAN,
@@ -20,6 +22,7 @@ from hugoniot.solvers.fronts.cells.tables import (
     RESOLUTION,
     SPEED,
     SPEED_OF,
+    TAIL,
     WIDTH,
     C,
     U,
@@ -31,6 +34,7 @@ SQUEEZE = 0.5      # of its width: how much a step may close a cell
 AMPLE = 0.3        # of the width aimed at: cells no narrower set the step that is normal
 CLOSE = 0.01       # of the normal step: a step that small means waves too close to each other to be followed
 GROWS = 0.01       # growth per step of an interval that soon makes room for longer steps
+FAN_GROWS = 0.004  # of a fan, which starts with many cells (births.py)
 LONGER = 1.3       # a step may be this much longer to end in a meeting
 
 
@@ -98,7 +102,8 @@ def step_length(grid, rules, work, fronts, count, longest, d):
             if extent(grid.x[i], grid.x[i + 1], start, end, w[WIDTH, i], d) > AMPLE:
                 normal = min(normal, w[OWN, i])
         if a <= least < b:
-            crowd = 1.0 if (w[KNOWN, b] - w[KNOWN, a]) * dt < GROWS * (end - start) else 0.0
+            fan = (fronts[k, KIND] == HEAD and fronts[k + 1, KIND] == TAIL) or (fronts[k, KIND] == TAIL and fronts[k + 1, KIND] == HEAD)
+            crowd = 1.0 if (w[KNOWN, b] - w[KNOWN, a]) * dt < (FAN_GROWS if fan else GROWS) * (end - start) else 0.0
     numbers[CROWDED] = crowd if not newborn and dt < CLOSE * normal else 0.0
     return (soonest, True) if soonest <= dt else (dt, False)
 

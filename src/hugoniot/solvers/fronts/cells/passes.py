@@ -107,7 +107,7 @@ def _bind() -> None:
     bind_choice(solid.waves, _by_kind(solid.plain_waves, solid=solid.solid_waves))
     bind_flag(wave.isolates, MIXTURE, "follows_isentrope")
     for function in (medium.mixed_phases, medium.mixed_answer, wave.drop, wave.both_drop, wave.isolated_jump, wave.step, wave.release,
-                     wave.compression, wave.reach, medium.deviator, *solid.KERNELS):
+                     wave.compression, wave.reach, medium.strength_left, medium.deviator, *solid.KERNELS):
         bind(function, **search)
 
 

@@ -1,6 +1,12 @@
-"""Solids in the cells: which regions have strength, their yield surface, and the stretch that stands for their deviator.
+r"""Solids in the cells: which regions have strength, their yield surface, and the stretch that stands for their deviator.
 
-A cell of a solid keeps, in the place of a reference volume, the integral of its stretch (laws.riemann.medium) over its volume.
+A cell of a solid keeps, in the place of a reference volume, the integral of its stretch z (laws.riemann.medium) over its volume. In a
+cylinder the deviators along hoop and axis are $-\tfrac12 s_1 \pm G h$ with the elastic part h of the hoop strain, which goes with the mass
+and which a cell keeps in the place of a reference energy. The yield surface (von Mises) is the circle
+
+$$(\ln z)^2 + \tfrac34 h^2 = \left(\frac{Y}{2G}\right)^2,$$
+
+and what lies beyond it returns along its radius.
 """
 
 import math
@@ -9,9 +15,11 @@ import numba as nb
 
 from hugoniot.core.target import BY_ADDRESS
 from hugoniot.laws.riemann.branch import Matter, State
-from hugoniot.laws.riemann.medium import Solid, deviator
+from hugoniot.laws.riemann.medium import Solid, deviator, strength_left
 from hugoniot.solvers.fronts.cells.spacing import path_mean
-from hugoniot.solvers.fronts.cells.tables import CENTRE, FIRST, FROM, MIDDLE, SHEAR, SPEED, VOLUME, YIELDS, U
+from hugoniot.solvers.fronts.cells.tables import CENTRE, FIRST, FROM, HOOP, MIDDLE, SHEAR, SPEED, VOLUME, YIELDS, U
+
+LEAST_LEFT = 1e-9      # of the yield stress: what is always left to uniaxial strain
 
 
 @nb.njit(**BY_ADDRESS)
@@ -21,10 +29,14 @@ def is_solid(rules, region):
 
 
 @nb.njit(**BY_ADDRESS)
-def yielded(rules, region, stretch):
-    """The stretch returned to the yield surface, where it lies beyond."""
+def yielded(rules, region, stretch, hoop):
+    """(stretch, hoop strain), returned to the yield surface where they lie beyond."""
     most = rules.traits[region, YIELDS]
-    return min(max(stretch, math.exp(-most)), math.exp(most))
+    if hoop == 0.0:
+        return min(max(stretch, math.exp(-most)), math.exp(most)), 0.0
+    strain = math.log(stretch)
+    size = math.sqrt(strain * strain + 0.75 * hoop * hoop)
+    return (stretch, hoop) if size <= most else (math.exp(strain * most / size), hoop * most / size)
 
 
 @nb.njit(**BY_ADDRESS)
@@ -34,26 +46,29 @@ def deviator_of(rules, region, stretch):
 
 
 @nb.njit(**BY_ADDRESS)
-def hoop_excess(rules, region, stretch):
-    """Hoop stress above the radial one, Pa (compression positive): both hoop deviators are half of s1, of the other sign."""
-    return 1.5 * deviator_of(rules, region, stretch)
+def hoop_excess(rules, region, stretch, hoop):
+    """Hoop stress above the radial one, Pa (compression positive)."""
+    return 1.5 * deviator_of(rules, region, stretch) - 0.75 * rules.traits[region, SHEAR] * hoop
 
 
 @nb.njit(**BY_ADDRESS)
 def settle(grid, rules, w, i, d, dt):
-    """The stretch of a cell after a step whose fluxes have passed: what u/r adds in curved geometry, and the yield surface."""
+    """Stretch and hoop strain of a cell after a step whose fluxes have passed: what u/r adds in curved geometry, and the yield surface."""
     a, b, region = grid.x[i], grid.x[i + 1], grid.region[i]
     volume = (b - a) * path_mean(a, b, d)
     if not math.isnan(grid.push[i]):
-        grid.q[i, VOLUME] = volume * yielded(rules, region, w[FROM, i])
+        grid.q[i, VOLUME] = volume * w[FROM, i]
     elif volume > 0.0:       # else two fronts have met, and nothing is left between them
-        stretch = grid.q[i, VOLUME] / volume
+        stretch, hoop = grid.q[i, VOLUME] / volume, grid.q[i, HOOP] / grid.q[i, 0]
         if d > 1:
             low, high = a - 0.5 * dt * w[SPEED, i], b - 0.5 * dt * w[SPEED, i + 1]
             half_way = (high - low) * path_mean(low, high, d)
             r = w[CENTRE, i] + w[FIRST, i] + 0.25 * dt * (w[SPEED, i] + w[SPEED, i + 1])
-            stretch += 1.5 * (d - 1) * dt * w[MIDDLE + VOLUME, i] * w[MIDDLE + U, i] / r * half_way / volume
-        grid.q[i, VOLUME] = volume * yielded(rules, region, stretch)
+            turned = dt * w[MIDDLE + U, i] / r
+            stretch += 1.5 * (d - 1) * w[MIDDLE + VOLUME, i] * turned * half_way / volume
+            hoop += turned * w[MIDDLE, i] * half_way / grid.q[i, 0] if d == 2 else 0.0
+        stretch, hoop = yielded(rules, region, stretch, hoop)
+        grid.q[i, VOLUME], grid.q[i, HOOP] = volume * stretch, grid.q[i, 0] * hoop
 
 
 def traits(law) -> tuple[float, float]:
@@ -71,9 +86,14 @@ def stretch_of(state: State, matter: Matter) -> float:
     return math.exp(-0.75 * state.s / matter.shear_modulus)
 
 
+def of_hoop(law: Solid, hoop: float) -> Matter:
+    """A solid of a given hoop strain as the Riemann problems take it."""
+    return Matter(law.eos, law.shear_modulus, max(1.5 * strength_left(hoop, law), LEAST_LEFT * law.yield_stress), hoop)
+
+
 def with_deviator(rho: float, u: float, e: float, stretch: float, matter: Matter, pressure: float) -> State:
     """The state of a given stretch; of a fluid without one."""
     if not matter.yield_stress:
         return State(rho, u, e, pressure)
-    s = deviator(stretch, Solid(matter.par, matter.shear_modulus, matter.yield_stress))
+    s = deviator(stretch, 0.0, Solid(matter.par, matter.shear_modulus, matter.yield_stress))
     return State(rho, u, e, pressure - s, s)

@@ -17,6 +17,7 @@ from hugoniot.solvers.fronts.cells.flow import Flow
 from hugoniot.solvers.fronts.cells.mesh import EMPTY
 from hugoniot.solvers.fronts.cells.record import Trace
 from hugoniot.solvers.fronts.cells.solids import elastic_share
+from hugoniot.solvers.fronts.cells.spacing import cells_of
 from hugoniot.solvers.fronts.meeting import Bench
 from hugoniot.solvers.fronts.reading import Reading
 from hugoniot.solvers.fronts.record import COLUMNS
@@ -35,7 +36,8 @@ class Cells(Reading):
         self.matters = [setup.matter_of(problem.materials[r.material]) for r in problem.regions]
         count = len(problem.regions)
         bench = Bench(2 * self.matters, 2 * setup.grips_of(problem), float(options["weakest"]), float(options["fan_step"]), unburned=count,
-                      elastic=elastic_share(self.matters), narrow=True)
+                      elastic=elastic_share(self.matters), narrow=True, cylinder=problem.geometry == "cylindrical",
+                      zones=2 * cells_of(problem))
         outside = tuple(start.OUTSIDE[end.kind] for end in (problem.left, problem.right))
         self.flow = Flow(problem, bench, outside, options, problem.solver.courant or setup.COURANT, self.region_of, self.middles)
         self.burning = any(material.burn is not None for material in problem.materials.values())

@@ -67,7 +67,7 @@ def _fill(mesh: Mesh, cells, region, material) -> None:
         mass = weight * h * x ** (mesh.d - 1) * rho
         mesh.q[cells, :3] += np.column_stack([mass, mass * u, mass * (e + 0.5 * u * u)])
         if mesh.q.shape[1] > 3:       # nothing has burned; reactants are on the isentrope they rest on; solids have no deviator
-            mesh.q[cells, 4:6] += np.column_stack([mass / rho, mass * e])
+            mesh.q[cells, 4:6] += np.column_stack([mass / rho, mass * e if material.burn is not None else 0.0 * mass])
 
 
 def _programmed(material) -> bool:

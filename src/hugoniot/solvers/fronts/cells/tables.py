@@ -2,7 +2,8 @@
 
 Blocks of ten rows hold states: density, velocity, energy, burn fraction, reference volume and energy, then pressure, its two slopes and
 the sound speed. LOW and HIGH are the parabolas' values at the faces of every cell, LEFT, RIGHT and MIDDLE the same half a step on.
-In solids the row of the reference volume holds the stretch (laws.riemann.medium), that of the pressure the stress.
+In solids the rows of the reference volume and energy hold the stretch and the hoop strain (laws.riemann.medium), that of the pressure the
+stress.
 """
 
 from typing import Any, NamedTuple
@@ -10,11 +11,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 RHO, U, E, LAM, VOLUME, ENERGY, P, P_RHO, P_E, C = range(10)
+HOOP = ENERGY
 STATE = 6                         # rows of a block that are carried with the material
 MEAN, LOW, HIGH, LEFT, RIGHT, MIDDLE = range(0, 60, 10)
 SLOPE, CURVE, SMOOTH = 60, 66, 72
 (CENTRE, FIRST, SECOND, FULL, BOTH, KNOWN, AIM, SPEED, F_RHO, F_U, F_E, F_P) = range(78, 90)
-BORN_LEFT, BORN_RIGHT = 6, 7      # columns of `mesh.Mesh.given`: in solids the stretch on the left and on the right of a newborn face
+BORN_HOOP, BORN_LEFT, BORN_RIGHT = 5, 6, 7      # columns of `mesh.Mesh.given`: of solids hoop strain, stretch left and right of a new face
 INTO_LEFT, INTO_RIGHT = 90, 93    # scalars that the cells left and right of a face lose or gain
 PACE, FROM, BURNED, WIDTH, OWN = range(96, 101)
 ROWS = 101
