@@ -70,7 +70,9 @@ def advice_on_blocks(problem: "Problem2D") -> list[str]:
 
 def _long_steps(courant: float | None, most: float) -> list[str]:
     """Steps with which the viscosity of a shock overshoots."""
-    return [f"courant = {courant:g}: with steps this long shocks overshoot and ring; use {most:g} or less"] if (courant or 0.0) > most else []
+    if (courant or 0.0) <= most:
+        return []
+    return [f"courant = {courant:g}: with steps this long shocks overshoot and ring; use {most:g} or less"]
 
 
 def _unlikely(problem: "Problem | Problem2D") -> list[str]:

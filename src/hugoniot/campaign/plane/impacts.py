@@ -56,6 +56,15 @@ FALL = 0.02                                # of the plateau: the release from th
 QUIET = 0.8                                # of the time in which it reaches the axis: its foot has not
 
 
+def lateral_speed(c, rho):
+    """Speed at which the release from the edge enters a plane shock, c its longitudinal sound speed.
+
+    Behind the shock the deviators are at yield, in proportion -2 : 1 : 1. Extending the material sideways loads it further: the return to
+    the yield surface takes 2 G n_r^2 = G/3 off the modulus K + 4 G/3, n being the unit tensor along the deviators.
+    """
+    return np.sqrt(c * c - ALUMINIUM.strength.shear_modulus / (3.0 * rho))
+
+
 def plates(columns, rows, asked):
     """Flyer and target with so many rows of zones in the flyer's thickness: a disc or, of one column, a strip of plates without edges."""
     geometry, radius = ("axisymmetric", RADIUS) if columns > 1 else ("plane", RADIUS / rows)
@@ -66,8 +75,8 @@ def plates(columns, rows, asked):
     step = 0.2 * THICK / rows / 8000.0     # both take the same steps
 
     def read(state):
-        p, c = (state.zones[name][columns * rows:].reshape(columns, deep) for name in ("pressure", "sound_speed"))
-        return {"axis": p[0].copy(), "face": p[:, 0].copy(), "speed": c[:, 0].copy()}
+        p, c, rho = (state.zones[name][columns * rows:].reshape(columns, deep) for name in ("pressure", "sound_speed", "density"))
+        return {"axis": p[0].copy(), "face": p[:, 0].copy(), "speed": lateral_speed(c[:, 0], rho[:, 0])}
 
     options = {"initial_step": step, "largest_step": step, **asked}
     return solver_of("disc on target", geometry, 1.4e-6, blocks, [ALUMINIUM], sides, options, sampler=read, interval=5e-9)
@@ -80,7 +89,7 @@ def disc(n, asked):
 
 def released(solver):
     """How far the pressure on the axis is from that between plates without edges, over the plateau, until the release from the edge comes
-    near; and how far the arrival of that release half-way in is from that of longitudinal sound behind the shock."""
+    near; and how far the arrival of that release half-way in is from the time at its speed there (`lateral_speed`)."""
     columns, rows = solver.problem.blocks[0].zones
     strip = plates(1, rows, {})
     while strip.time < solver.time:

@@ -140,8 +140,9 @@ class Viscosity2D:
     kind               "tensor": both principal directions of the strain rate, each with its own length (corner quadrature);
                        "edge": the edges that close; "herrmann": bulk and deviators along the axes of the frame, for comparison
     limited            whether smooth flow is spared; "herrmann" has no limiter
-    linear, quadratic  of a material without strength;  solid_linear, solid_quadratic of one with;  explosive_linear,
-                       explosive_quadratic of one that burns, whose products are stiffer than a gas, as in one dimension
+    linear, quadratic  of a material without strength;  solid_linear, solid_quadratic of one with, where it shrinks;
+                       explosive_linear, explosive_quadratic of one that burns, whose products are stiffer than a gas, as in one dimension
+    solid_shear        linear coefficient of a material with strength where it flows at constant volume; "herrmann" takes it everywhere
     heat_flux          coefficient of the artificial heat flux between quadrilaterals of materials without strength that do not burn
     """
 
@@ -149,10 +150,11 @@ class Viscosity2D:
     limited: bool = True
     linear: float = 0.3
     quadratic: float = 2.0 / 3.0
-    solid_linear: float = 0.06
+    solid_linear: float = 0.3
     solid_quadratic: float = 2.0 / 3.0
     explosive_linear: float = 0.3
     explosive_quadratic: float = 1.0
+    solid_shear: float = 0.06
     heat_flux: float = 0.75
 
 

@@ -15,6 +15,7 @@ from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.assemble import ROUND_OFF, longitudinal_speed, start_compaction
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import quads as G
+from hugoniot.solvers.lagrange2d.viscosity import Viscous
 from hugoniot.solvers.lagrange2d.zone_shapes import areas, corner_shares, over_nodes, quad_corners, volumes, zone_corners
 from hugoniot.zones.laws import laws_of
 
@@ -161,13 +162,14 @@ def axis_tables(problem: Problem2D, numbering: Numbering, nodes, kind: int):
 
 # -- zones --------------------------------------------------------------------------------------------------------------------
 def viscosity_law(problem: Problem2D, material):
-    """Parameters of the viscous speed in a material."""
+    """Parameters of the viscous speed in a material: `Viscous`, or Herrmann's law."""
     given = problem.solver.viscosity
     kind = "explosive_" if material.burn is not None else "solid_" if material.strength is not None else ""
     quadratic, linear = getattr(given, kind + "quadratic"), getattr(given, kind + "linear")
+    shear = given.solid_shear if kind == "solid_" else linear
     if given.kind == "herrmann":      # B1 enters squared; a strong shock is resisted as by the others
-        return VISCOSITY.get("herrmann").build(quadratic=float(np.sqrt(2.0 * quadratic)), linear=linear)
-    return VISCOSITY.get("limited").build(quadratic=quadratic, linear=linear, linear_condensed=linear)
+        return VISCOSITY.get("herrmann").build(quadratic=float(np.sqrt(2.0 * quadratic)), linear=shear)
+    return Viscous(quadratic, linear, shear)
 
 
 def start_block(problem: Problem2D, block):

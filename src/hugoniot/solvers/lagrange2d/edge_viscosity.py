@@ -17,7 +17,7 @@ from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.solvers.lagrange2d.quads import quad
-from hugoniot.solvers.lagrange2d.viscosity import SMALL, ResistOf, around, counted, kept
+from hugoniot.solvers.lagrange2d.viscosity import SMALL, ResistOf, around, counted, in_zone, kept
 
 
 def along_edge(ex, ey, tx, ty, u, v, psi, a, viscosity):
@@ -36,10 +36,10 @@ def along_edge(ex, ey, tx, ty, u, v, psi, a, viscosity):
 def resist_edges(count, z, dt, numbers, law):
     """Viscous forces of the four edges of zones: their mean stress, and the planar forces beyond it."""
     rows_apart()
-    viscosity, low, high = law_of(law, numbers), z.low, z.high
+    viscous, low, high = law_of(law, numbers), z.low, z.high
     for j in range(count):
         q = quad(low, high, j)
-        a = around(z, j)
+        a, viscosity = around(z, j), in_zone(viscous, z.rates, j)
         xi, eta = a.xi / fmax(a.share, SMALL), a.eta / fmax(1.0 - a.share, SMALL)
         cx, cy = 0.25 * (q.x0 + q.x1 + q.x2 + q.x3), 0.25 * (q.y0 + q.y1 + q.y2 + q.y3)
         u0, v0, u1, v1 = low.u[j], low.v[j], high.u[j], high.v[j]

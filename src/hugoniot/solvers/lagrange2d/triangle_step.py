@@ -140,12 +140,12 @@ class Cell:
             s.do(viscosity.resist_triangles_along_axes,
                  viscosity.AxesOf(part.mid, at.d, w.v, z.c, s.p_half, solid, at.q, z.viscous_speed), law=law)
             return
-        state = self.pair[0].at.smooth, w.v, z.c, s.p_half, solid, L.Tensor(*at.q[:3])      # smoothness is the cell's
+        state = at.d, self.pair[0].at.smooth, w.v, z.c, s.p_half, solid, L.Tensor(*at.q[:3])      # smoothness is the cell's
         if kind == "edge":
             rows = viscosity.EdgesOf(part.mid, part.own.way, *state, part.rest, z.viscous_speed, w.rate)
             s.do(viscosity.resist_triangle_edges, rows, law=law)
         else:
-            rows = viscosity.TensorOf(part.mid, part.own.way, L.Tensor(at.d.xx, at.d.yy, at.d.xy), *state, z.viscous_speed, w.rate)
+            rows = viscosity.TensorOf(part.mid, part.own.way, *state, z.viscous_speed, w.rate)
             s.do(viscosity.resist_triangles, rows, law=law)
         if isinstance(self.geometry, AreaWeighted):
             s.do(hoop_viscosity, HoopOf(at.d, w.rate, at.q, at.rest))

@@ -20,7 +20,7 @@ from hugoniot.solvers.lagrange2d.edge_viscosity import along_edge
 from hugoniot.solvers.lagrange2d.herrmann_viscosity import resisted
 from hugoniot.solvers.lagrange2d.layout import Rates, Smoothness, Stress, Tensor, VertexForces, Vertices
 from hugoniot.solvers.lagrange2d.triangles import triangle
-from hugoniot.solvers.lagrange2d.viscosity import SLIGHT, SMALL, along_edges, around, in_corner, metric, slenderness
+from hugoniot.solvers.lagrange2d.viscosity import SLIGHT, SMALL, along_edges, around, in_corner, in_zone, metric, slenderness
 
 
 class TensorOf(NamedTuple):
@@ -29,7 +29,7 @@ class TensorOf(NamedTuple):
 
     corners: Vertices
     way: Any
-    rates: Tensor
+    rates: Rates
     smooth: Smoothness
     v: Any
     c: Any
@@ -41,10 +41,11 @@ class TensorOf(NamedTuple):
 
 
 class EdgesOf(NamedTuple):
-    """The same without rates, and planar forces beyond the mean stress."""
+    """The same, and planar forces beyond the mean stress."""
 
     corners: Vertices
     way: Any
+    rates: Rates
     smooth: Smoothness
     v: Any
     c: Any
@@ -73,13 +74,13 @@ class AxesOf(NamedTuple):
 def resist_triangles(count, z, dt, numbers, law):
     """Viscous stress of triangles."""
     rows_apart()
-    viscosity, n = law_of(law, numbers), z.corners
+    viscous, n = law_of(law, numbers), z.corners
     for j in range(count):
         ax, ay, au, av = n.b.x[j] - n.a.x[j], n.b.y[j] - n.a.y[j], n.b.u[j] - n.a.u[j], n.b.v[j] - n.a.v[j]
         bx, by, bu, bv = n.c.x[j] - n.a.x[j], n.c.y[j] - n.a.y[j], n.c.u[j] - n.a.u[j], n.c.v[j] - n.a.v[j]
         ex, ey = (bx - ax, by - ay) if z.way[j] > 0.5 else (bx, by)
         m, a = metric(ax, ay, ex, ey, SMALL), around(z, j)
-        d = (z.rates.xx[j], z.rates.yy[j], z.rates.xy[j])
+        d, viscosity = (z.rates.xx[j], z.rates.yy[j], z.rates.xy[j]), in_zone(viscous, z.rates, j)
         along = slenderness(ax * by - ay * bx, m)
         part = (1.0 - along) * a.rho
         lxx, lyy, lxy, fast = along_edges(m, d, a, viscosity)
@@ -94,9 +95,9 @@ def resist_triangles(count, z, dt, numbers, law):
 def resist_triangle_edges(count, z, dt, numbers, law):
     """Viscous forces of the two sides of triangles that are no diagonals: their mean stress, and the planar forces beyond it."""
     rows_apart()
-    viscosity, n = law_of(law, numbers), z.corners
+    viscous, n = law_of(law, numbers), z.corners
     for j in range(count):
-        t, a = triangle(n, j), around(z, j)
+        t, a, viscosity = triangle(n, j), around(z, j), in_zone(viscous, z.rates, j)
         xi, eta, over = a.xi / fmax(a.share, SMALL), a.eta / fmax(1.0 - a.share, SMALL), z.way[j] > 0.5
         u0, v0, u1, v1, u2, v2 = n.a.u[j], n.a.v[j], n.b.u[j], n.b.v[j], n.c.u[j], n.c.v[j]
         # the middle of the diagonal, from c to a or from b to c; the other side runs from b to c or from c to a

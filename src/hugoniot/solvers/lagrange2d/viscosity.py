@@ -7,8 +7,10 @@ $\ell^2 = (n\cdot e_\xi)^2 + (n\cdot e_\eta)^2$, and
 
 $$Q = \rho \sum_{\lambda_k < 0} |\Delta u_k|\,w(\Delta u_k, \psi_k)\; n_k \otimes n_k ,$$
 
-w the viscous speed of the viscosity's law. psi is the mean of those of the two logical directions (`smoothness`), weighted by their parts
-of $\ell^2$ and of the square of the velocity gradient, so that a direction along which nothing changes has no say.
+w the viscous speed of the law `limited`. Its linear coefficient is that of shocks as far as the zone shrinks, and one of shear, which
+is small in solids, where it flows at constant volume (`in_zone`): what a shock needs would resist the long plastic flow behind it. psi is
+the mean of those of the two logical directions (`smoothness`), weighted by their parts of $\ell^2$ and of the square of the velocity
+gradient, so that a direction along which nothing changes has no say.
 
 The stress is a continuous function of the rates, and nothing is decided by round-off:
 
@@ -38,8 +40,9 @@ from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.laws.viscosity.contract import viscous_speed
+from hugoniot.laws.viscosity.limited import Limited
 from hugoniot.solvers.lagrange2d.closing import STRETCH
-from hugoniot.solvers.lagrange2d.layout import Corners, Points, Smoothness, Tensor
+from hugoniot.solvers.lagrange2d.layout import Corners, Points, Rates, Smoothness, Tensor
 from hugoniot.solvers.lagrange2d.quads import quad
 
 SMALL = 1e-60
@@ -56,7 +59,7 @@ class ResistOf(NamedTuple):
 
     low: Points
     high: Points
-    rates: Tensor
+    rates: Rates
     smooth: Smoothness
     v: Any
     c: Any
@@ -67,6 +70,14 @@ class ResistOf(NamedTuple):
     g: Corners
     fastest: Any
     paid: Any
+
+
+class Viscous(NamedTuple):
+    """Coefficients of the viscosity of a material: quadratic, linear where it shrinks, linear where it flows at constant volume."""
+
+    quadratic: float
+    linear: float
+    shear: float
 
 
 class Metric(NamedTuple):
@@ -141,6 +152,19 @@ def both_counted(w1, du1, other1, w2, du2, other2, c):
     return fmax(w1 * fmin(over1, -du1) * over2, w2 * fmin(over2, -du2) * over1) / (over1 * over2)
 
 
+def in_zone(viscous, rates, j):
+    """The law of the viscous speed in zone j.
+
+    The part of its fastest closing with which it shrinks is 1 in a plane shock, 1 - 2 nu in an elastic bar and 0 in plastic flow; squared.
+    """
+    xx, yy, xy = rates.xx[j], rates.yy[j], rates.xy[j]
+    dev = 0.5 * (xx - yy)
+    closing = 0.5 * (xx + yy) - vsqrt(dev * dev + xy * xy)
+    part = fmax(0.0, fmin(1.0, rates.dilation[j] / fmin(closing, -SMALL)))
+    linear = viscous.shear + part * part * (viscous.linear - viscous.shear)
+    return Limited(viscous.quadratic, linear, linear)
+
+
 def along_edges(m, d, a, viscosity):
     """(viscous stress along the mean edges (xx, yy, xy), largest speed); d: strain rates (xx, yy, xy)."""
     mean, dev, xy = 0.5 * (d[0] + d[1]), 0.5 * (d[0] - d[1]), d[2]
@@ -192,9 +216,9 @@ def corner_force(xx, yy, xy, e1x, e1y, e2x, e2y):
     return xx * e2y - xy * e2x, xy * e2y - yy * e2x, xy * e1x - xx * e1y, yy * e1x - xy * e1y
 
 
-def in_corners(z, j, viscosity):
+def in_corners(z, j, viscous):
     """Write what the four corners of zone j resist."""
-    low, high = z.low, z.high
+    low, high, viscosity = z.low, z.high, in_zone(viscous, z.rates, j)
     q = quad(low, high, j)
     m, a, rho = metric_of(q), around(z, j), z.rho[j]
     # edges from corner to corner, and the differences of velocity along them
@@ -230,13 +254,13 @@ def slenderness(area, m):
     return fmax(0.0, fmin(1.0, (2.0 * fmax(m.xi, m.eta) / area - SLENDER) * (1.0 / (NEEDLE - SLENDER))))
 
 
-def in_slender(z, j, viscosity):
+def in_slender(z, j, viscous):
     """Put what is resisted along the mean edges of zone j in the place of what the corners resist, as far as it is slender."""
     q = quad(z.low, z.high, j)
     m, d, g = metric_of(q), (z.rates.xx[j], z.rates.yy[j], z.rates.xy[j]), z.g
     along = slenderness(q.area, m)
     rest = 1.0 - along
-    xx, yy, xy, fast = along_edges(m, d, around(z, j), viscosity)
+    xx, yy, xy, fast = along_edges(m, d, around(z, j), in_zone(viscous, z.rates, j))
     z.fastest[j] = fmax(z.fastest[j], fast * fmin(1.0, along * (1.0 / SLIGHT)))
     xx, yy, xy = xx * along, yy * along, xy * along
     z.mean.xx[j], z.mean.yy[j], z.mean.xy[j] = rest * z.mean.xx[j] + xx, rest * z.mean.yy[j] + yy, rest * z.mean.xy[j] + xy
@@ -252,18 +276,18 @@ def resist(count, z, dt, numbers, law):
     Stretches of zones in which nothing closes are passed over.
     """
     rows_apart()
-    viscosity, first = law_of(law, numbers), 0
+    viscous, first = law_of(law, numbers), 0
     while first < count:
         end, slender = min(first + STRETCH, count), 0.0
         if z.closes[first] > 0.0:
             for j in range(first, end):
-                in_corners(z, j, viscosity)
+                in_corners(z, j, viscous)
             for j in range(first, end):
                 q = quad(z.low, z.high, j)
                 slender = fmax(slender, slenderness(q.area, metric_of(q)))
             if slender > 0.0:
                 for j in range(first, end):
-                    in_slender(z, j, viscosity)
+                    in_slender(z, j, viscous)
         else:
             for j in range(first, end):
                 z.mean.xx[j] = z.mean.yy[j] = z.mean.xy[j] = z.fastest[j] = z.paid[j] = 0.0
@@ -271,6 +295,6 @@ def resist(count, z, dt, numbers, law):
         first = end
 
 
-for _function in (metric, metric_of, around, kept, counted, both_kept, both_counted, along_edges, in_corner, corner_force, in_corners,
-                  slenderness, in_slender):
+for _function in (metric, metric_of, around, in_zone, kept, counted, both_kept, both_counted, along_edges, in_corner, corner_force,
+                  in_corners, slenderness, in_slender):
     bind(_function)

@@ -30,7 +30,7 @@ def resist(s, geometry, solid, kind):
         s.do(herrmann_viscosity.resist_along_axes, herrmann_viscosity.HerrmannOf(
             at.mid_low, at.mid_high, at.d, w.v, z.c, s.p_half, solid, at.q, at.rest, z.viscous_speed), law=s.laws.viscosity)
         return
-    rows = viscosity.ResistOf(at.mid_low, at.mid_high, Tensor(at.d.xx, at.d.yy, at.d.xy), at.smooth, w.v, z.c, s.p_half, solid,
+    rows = viscosity.ResistOf(at.mid_low, at.mid_high, at.d, at.smooth, w.v, z.c, s.p_half, solid,
                               w.closes, Tensor(at.q.xx, at.q.yy, at.q.xy), at.rest, z.viscous_speed, w.rate)
     s.do(edge_viscosity.resist_edges if kind == "edge" else viscosity.resist, rows, law=s.laws.viscosity)
     if isinstance(geometry, AreaWeighted):
