@@ -33,7 +33,7 @@ def normal_of(n, edge, kind, near):
     return x / area, y / area, area
 
 
-@nb.njit(**BY_ADDRESS)
+@nb.njit(**GUARD)
 def look(z, edge, nx, ny, seen):
     """Stress along the normal, density and viscous pressure of the zones from an edge inward."""
     for k in range(edge[L.OPEN_COUNT]):
