@@ -281,3 +281,20 @@ def test_lagrange1d_tends_to_the_elastic_plastic_waves_around_a_cavity(geometry)
             difference = np.abs(found[name][:, :3] - fine[name][:, :3]).mean(axis=0) / np.abs(fine[name][:, :3]).max(axis=0)
             off.append(difference.max())
         assert off[1] < 0.005 and off[1] < 0.4 * off[0], name
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("speed, stop", [(800.0, 2.9e-6), (3000.0, 1.1e-6)])
+def test_a_liner_that_strikes_a_core_moves_as_in_lagrange1d(speed, stop):
+    """At 800 m/s elastic waves run ahead of the shocks, at 3 km/s none; ended before the shock reaches the axis."""
+    found = []
+    for kind, zones in (("fronts", 40), ("lagrange1d", 160)):
+        regions = (Region("core", "al", 0.0, 0.005, 5 * zones), Region("liner", "al", 0.007, 0.009, 2 * zones, velocity=-speed))
+        own = SolverOptions(kind, options=MappingProxyType({"mode": "cells"} if kind == "fronts" else {}))
+        places = tuple(Gauge(f"{x:g}", x) for x in (0.002, 0.004, 0.008))
+        problem = Problem("liner", "cylindrical", stop, regions, ALUMINIUM, Boundary("fixed"), FREE, gauges=places, solver=own,
+                          output=OutputOptions(gauge_interval=stop / 200))
+        found.append(gauges_of(completed(problem))[1])
+    for name, bound in (("velocity", 4e-3), ("stress", 4e-3), ("deviator_hoop", 0.02)):
+        one, two = (row[name][:, :3] for row in found)
+        assert np.all(np.abs(one - two).mean(axis=0) < bound * np.abs(two).max(axis=0)), name

@@ -122,7 +122,7 @@ class Flow:
         if isinstance(law, Reactive):
             return Matter(Frozen(law.mixture, min(max(burned, 0.0), 1.0), volume, energy))
         if self.bench.cylinder and isinstance(law, Solid):
-            return solids.of_hoop(law, energy)
+            return solids.of_hoop(law, solids.yielded.py_func(self.rules, region, volume, energy)[1])      # a parabola may lie beyond yield
         return self.bench.matters[region]
 
     # -- marching --------------------------------------------------------------------------------------------------------
