@@ -164,14 +164,17 @@ def _call_with(context, builder, address, count, rows, pointer, step, numbers):
 def carry_out(written, first, last, zones, piece, origins):
     """Operations first to last - 1 of written lists over `zones` zones, `piece` of them at a time.
 
-    origins    (n,) of the first zone in bytes, with origins[FIXED] = 0; they are moved on
+    origins    (n,) of the first zone in bytes, with origins[FIXED] = 0
     """
-    while zones > 0:
-        count = min(zones, piece)
+    done = 0
+    while done < zones:
+        count = min(zones - done, piece)
         for k in range(first, last):
             operation = written.operations[k]
             call_moved(operation[ADDRESS], count, operation[ROWS], written.operands[operation[FIRST_ROW]:], origins,
                        row_at(operation[STEP])[0], row_at(operation[NUMBERS]))
-        for i in range(FIXED + 1, origins.shape[0]):
-            origins[i] += 8 * count
-        zones -= count
+        done += count
+        if zones > piece:
+            step = 8 * count if done < zones else -8 * (zones - count)      # on to the next piece, in the end back to the first one
+            for i in range(FIXED + 1, origins.shape[0]):
+                origins[i] += step

@@ -22,7 +22,7 @@ import os
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import NamedTuple
 
 import numba as nb
@@ -75,6 +75,35 @@ def team_of(threads: int, zones: int, worth_sharing: int) -> Team:
     return Team(threads, board(threads))
 
 
+def cores_for(threads: int) -> list[int]:
+    """A core for each member of a team that needs all those the process may use; none otherwise.
+
+    Left to the system, two members may share a core while another idles. Where there are more cores than members the system does better,
+    since other processes, which may have teams of their own, need room as well.
+    """
+    cores = sorted(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else []
+    return cores if len(cores) == threads else []
+
+
+def hold(cores: set[int]) -> None:
+    """Keep the calling thread on these cores, where that is allowed."""
+    with suppress(OSError):
+        os.sched_setaffinity(0, cores)
+
+
+@contextmanager
+def on_core(cores: list[int], member: int) -> Iterator[None]:
+    """Keep the calling thread on the core of a member of the team, if it has one."""
+    if not cores:
+        yield
+        return
+    hold({cores[member]})
+    try:
+        yield
+    finally:
+        hold(set(cores))
+
+
 @contextmanager
 def at_work(team: Team, serve: Callable, plan) -> Iterator[None]:
     """The other threads of a team during a march, each in `serve(member, phase, plan, team)`; none while the team rests."""
@@ -89,11 +118,18 @@ def at_work(team: Team, serve: Callable, plan) -> Iterator[None]:
         finally:
             team.board[SHARE_AGAIN] = again
         return
-    members = [threading.Thread(target=serve, args=(k, phase, plan, team), daemon=True) for k in range(1, team.threads)]
+    cores = cores_for(team.threads)
+
+    def work(member):
+        with on_core(cores, member):
+            serve(member, phase, plan, team)
+
+    members = [threading.Thread(target=work, args=(k,), daemon=True) for k in range(1, team.threads)]
     for member in members:
         member.start()
     try:
-        yield
+        with on_core(cores, 0):
+            yield
     finally:
         call(team.board, DISMISSED)
         for member in members:

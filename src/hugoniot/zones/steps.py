@@ -89,6 +89,10 @@ class MaterialSteps:
         """What a pass of artificial viscosity is compiled for, in the geometry of the solver."""
         return viscosity.Resisting(self.laws.viscosity, geometry)
 
+    def add_some(self, more: Place, to: Place) -> None:
+        """A row that is mostly zero added to another."""
+        self.do(rows.add_some_pass, rows.AddRows(more, to))
+
     # -- closure -------------------------------------------------------------------------------------------------------------
     def pressure(self, solid, solid_v, e, p) -> None:
         """Pressure of inert material at a given energy in the middle of a step, and c^2 where it is asked for."""

@@ -14,6 +14,7 @@ from hugoniot.core.binder import bind, bind_choice
 from hugoniot.core.ops import fmax
 from hugoniot.core.passes import bind_flag, rows_apart, zone_pass
 from hugoniot.laws.strength.contract import STRENGTH, flow_stress, shear_modulus
+from hugoniot.zones.rows import STRETCH
 
 TINY = 1e-300
 
@@ -107,15 +108,18 @@ def unburned(lam, material):
 
 @zone_pass(HardenRows)
 def harden_pass(count, z, dt, numbers, law):
-    """Plastic strain and work of the step; nothing is written where no zone of the piece flows."""
+    """Plastic strain and work of the step; stretches of zones in which none flows are passed over."""
     rows_apart()
-    most = 0.0
-    for j in range(count):
-        most = fmax(most, z.flow[j])
-    if most > 0.0:
-        for j in range(count):
-            z.plastic_work[j] += z.limit[j] * z.flow[j] * z.v[j]
-            z.plastic_strain[j] += z.flow[j]
+    first = 0
+    while first < count:
+        end, most = min(first + STRETCH, count), 0.0
+        for j in range(first, end):
+            most = fmax(most, z.flow[j])
+        if most > 0.0:
+            for j in range(first, end):
+                z.plastic_work[j] += z.limit[j] * z.flow[j] * z.v[j]
+                z.plastic_strain[j] += z.flow[j]
+        first = end
 
 
 @zone_pass(PlasticHeatRows)

@@ -1,5 +1,6 @@
 """A team of threads: who does which share changes nothing, and a member that keeps the leader waiting is left out for a while."""
 
+import os
 import threading
 import time
 
@@ -142,3 +143,20 @@ def test_a_march_during_a_rest_has_no_other_threads():
 
 def test_few_zones_or_one_thread_make_no_team():
     assert team.team_of(1, 10**6, 10).threads == team.team_of(8, 9, 10).threads == 1
+
+
+def test_members_that_need_every_core_have_one_each():
+    cores = os.sched_getaffinity(0) if hasattr(os, "sched_getaffinity") else set()
+    if len(cores) < 2:
+        pytest.skip("one core, or a system that does not say which")
+    seen, one = {}, team.Team(len(cores), team.board(len(cores)))
+
+    def stand_by(member, phase, plan, crew):
+        seen[member] = os.sched_getaffinity(0)
+        serve(plan, crew.board, member, crew.threads)
+
+    with team.at_work(one, stand_by, np.ones(10)):
+        seen[0] = os.sched_getaffinity(0)
+    assert all(len(own) == 1 for own in seen.values()) and set().union(*seen.values()) == cores
+    assert os.sched_getaffinity(0) == cores
+    assert team.cores_for(len(cores) - 1) == team.cores_for(len(cores) + 1) == []

@@ -25,8 +25,9 @@ def test_a_body_in_flight():
 
 
 def test_round_off_closes_nothing():
-    z = row(lambda x, y: (0.0, np.where(y % 3 == 1, 1e-13, 0.0)))
-    assert not alike(z, 0, ZONES) and most_closing(z, 0, ZONES) == 0.0
+    less, more = (row(lambda x, y, size=size: (0.0, np.where(y % 3 == 1, size, 0.0))) for size in (1e-13, 1e-12))
+    assert alike(less, 0, ZONES) and most_closing(less, 0, ZONES) == 0.0
+    assert not alike(more, 0, ZONES) and most_closing(more, 0, ZONES) == 0.0
 
 
 @pytest.mark.parametrize("motion, closes", [

@@ -216,6 +216,8 @@ def carry_out_by_voids(plan, share, origins):
         broken, until = pieces_alike(plan.voids, first, share[LAST], share[PIECE])
         begin, end = (share[FROM], share[TO]) if broken else (share[INTACT], share[INTACT_TO])
         carry_out(plan.written, begin, end, until - first, share[PIECE], origins)
+        for k in range(FIXED + 1, ORIGINS):
+            origins[k] += 8 * (until - first)
         first = until
 
 

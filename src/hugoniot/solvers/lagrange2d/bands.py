@@ -13,7 +13,7 @@ import numpy as np
 
 from hugoniot.core.target import BY_ADDRESS
 from hugoniot.solvers.lagrange2d import layout as L
-from hugoniot.solvers.lagrange2d.plan import FROM, HEIGHT, TO
+from hugoniot.solvers.lagrange2d.commands import FROM, HEIGHT, TO
 
 # rows of the table of what comes before each row; as those below numbers of arrays: a function is compiled anew for each plain one
 LOADS, SPECIAL, HELD, AXIS, NODES, GHOSTS = np.arange(6)

@@ -10,9 +10,10 @@ from hugoniot.core.ops import fmax
 from hugoniot.core.passes import rows_apart, zone_pass
 from hugoniot.solvers.lagrange2d.layout import Points
 
-STRETCH = 32            # zones of a piece that are looked at together
+STRETCH = 16            # zones of a piece that are looked at together
 HEAD = 8                # of these the first that are looked at
 NOTHING = 1e-15        # part of a position that is lost in its digits
+ALIKE = NOTHING / 16.0      # and part of the sound speed by which velocities may differ so that no corner closes by more than that
 
 
 class ClosingOf(NamedTuple):
@@ -60,25 +61,27 @@ def most_closing(z, first, end):
 
 
 def alike(z, first, end):
-    """Whether all nodes of zones first to end - 1 move alike, so that nothing can close."""
-    u, v = z.low.u[first], z.low.v[first]
+    """Whether all nodes of zones first to end - 1 move alike, so that nothing can close; most often the last ones say that they do not."""
+    u, v, limit = z.low.u[first], z.low.v[first], ALIKE * z.c[first]
     differ = fmax(unlike(z.low, end, u, v), unlike(z.high, end, u, v))
-    for j in range(first, end):
-        differ = fmax(differ, fmax(unlike(z.low, j, u, v), unlike(z.high, j, u, v)))
-    return differ == 0.0
+    if differ <= limit:
+        for j in range(first, end):
+            differ = fmax(differ, fmax(unlike(z.low, j, u, v), unlike(z.high, j, u, v)))
+    return differ <= limit
 
 
 @zone_pass(ClosingOf)
 def find_closing(count, z, dt, numbers, law):
-    """Which stretches of zones the viscosity counts in: behind waves the first zones tell, ahead of them nodes that move alike."""
+    """Which stretches of zones the viscosity counts in: ahead of waves nodes move alike, behind them the first zones show it."""
     rows_apart()
     first = 0
     while first < count:
         end = min(first + STRETCH, count)
-        head = min(first + HEAD, end)
-        most = most_closing(z, first, head)
-        if most == 0.0 and not alike(z, first, end):
-            most = most_closing(z, head, end)
+        head, most = min(first + HEAD, end), 0.0
+        if not alike(z, first, end):
+            most = most_closing(z, first, head)
+            if most == 0.0:
+                most = most_closing(z, head, end)
         z.closes[first] = 1.0 if most > 0.0 else 0.0
         first = end
 

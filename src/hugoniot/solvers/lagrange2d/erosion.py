@@ -10,11 +10,11 @@ import numpy as np
 from hugoniot.errors import OutOfRange
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.assemble import N, Z, corner_shares, quad_corners
+from hugoniot.solvers.lagrange2d.commands import GATHER, carry_out_alone
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.corners import DEEP
 from hugoniot.solvers.lagrange2d.contact.results import ContactResults, larger
 from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, contact_tables
-from hugoniot.solvers.lagrange2d.plan import GATHER, carry_out_alone
 from hugoniot.solvers.lagrange2d.rows_of_blocks import cells
 
 EVERY = 10      # cycles between two looks at the zones

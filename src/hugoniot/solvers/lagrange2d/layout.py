@@ -57,7 +57,6 @@ class Zones(NamedTuple):
     compaction: Any
     plastic_work: Any        # J/kg
     viscous_work: Any
-    filter_work: Any
     t0: Any                  # triangles at corners 0 and 1 over the zone's area, at t = 0
     t1: Any
     peak_stress: Any
@@ -67,7 +66,7 @@ class Zones(NamedTuple):
 
 
 class Forces(NamedTuple):
-    """Force of zones on each corner; power (W/kg) that the viscous filter takes. No other step needs them."""
+    """Force of zones on each corner; power (W) that the viscous filter takes. No other step needs them."""
 
     f0x: Any
     f0y: Any
@@ -198,6 +197,7 @@ class Work(NamedTuple):
     flow: Any
     rest: Any
     relief: Any
+    sigma: Any               # where it is not kept (`shown`)
     shocked: Any             # 1 where a shock is passing
     lam: Any
     heat: Any                # viscous heat, J/kg
@@ -271,21 +271,21 @@ THIRD = REST + len(Corners._fields)
 SCRATCH_ROWS = THIRD + len(Points._fields)
 
 # -- numbers of a material behind its constants: radius that stands for the axis, coefficient of its filter -----------------------------
-NEAR = len(Constants._fields)
-FILTER = NEAR + 1
+NEAR, FILTER = len(Constants._fields), len(Constants._fields) + 1
 
 # -- control vector (floats) --------------------------------------------------------------------------------------
 (TIME, DT, DT_NATURAL, EVENT_TIME, RATE, COURANT, GROWTH, DT_LARGEST, DT_SMALLEST, WORST_FAILURE, GRAVITY_WORK, NEXT_GAUGE,
- GAUGE_INTERVAL) = range(13)
-CONTROL_FLOATS = 13
+ GAUGE_INTERVAL, FILTER_WORK) = range(14)
+CONTROL_FLOATS = 14
 
 # -- control vector (integers) ------------------------------------------------------------------------------------
 CYCLE, ZONES, ZONE_STEPS, CAP_COUNT, REPEATED = range(5)
 LEFT_RANGE, TRIES, LAST_TRIED = range(5, 8)      # steps repeated because they left the range of a law; `rewind`
 CONTROL_INTS = 8
 
-FOUND_TANGLED = FOUND_FLOATS      # column of the table of findings behind those of `zones.soundness`: volumes that are not positive
-FOUND_COLUMNS = FOUND_FLOATS + 1
+# columns of the table of findings behind those of `zones.soundness`: volumes that are not positive, power that the viscous filter takes (W)
+FOUND_TANGLED, FOUND_FILTER = FOUND_FLOATS, FOUND_FLOATS + 1
+FOUND_COLUMNS = FOUND_FLOATS + 2
 
 # -- why the march came back ---------------------------------------------------------------------------------------
 PAUSED, AT_EVENT, BAD_STATE, STEP_COLLAPSED, TANGLED, GAUGE_DUE, NO_ROOM, LED_ON = range(8)

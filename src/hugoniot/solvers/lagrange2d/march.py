@@ -17,6 +17,7 @@ share rows of zones and of nodes (`plan`); boundaries, blocks' shared nodes and 
 from typing import Any, NamedTuple
 
 import numba as nb
+import numpy as np
 
 from hugoniot.core.passes import rows
 from hugoniot.core.shares import everyone
@@ -24,10 +25,7 @@ from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.solvers.lagrange2d import bands, special_nodes, transmitting
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.bands import between, take_rows
-from hugoniot.solvers.lagrange2d.contact import step as contact_step
-from hugoniot.solvers.lagrange2d.contact.step import touch
-from hugoniot.solvers.lagrange2d.node_step import FX, GX
-from hugoniot.solvers.lagrange2d.plan import (
+from hugoniot.solvers.lagrange2d.commands import (
     ACCELERATE,
     CORRECT,
     GATHER,
@@ -41,11 +39,14 @@ from hugoniot.solvers.lagrange2d.plan import (
     gather,
     tangled,
 )
+from hugoniot.solvers.lagrange2d.contact import step as contact_step
+from hugoniot.solvers.lagrange2d.contact.step import touch
+from hugoniot.solvers.lagrange2d.node_step import FX, GX
 from hugoniot.solvers.lagrange2d.plane_rows import DT, DT_BACK, DT_HALF
 from hugoniot.solvers.lagrange2d.smoothness import fill_ghosts
 from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE, FOUND_RATE, FOUND_UNSOUND
 
-QXX, QHOOP = L.Zones._fields.index("qxx"), L.Zones._fields.index("qhoop")
+VISCOUS = np.array([L.Zones._fields.index(name) for name in ("qxx", "qyy", "qxy", "qhoop", "viscous_speed")])
 MOST_TRIES = 12      # of a step, each with half the one before
 
 
@@ -192,7 +193,7 @@ def try_step(run, plan, options, control, first):
         hold_specials(run, options, time, dt, first, GX, (last, top, bands.HOLD))
         take_rows(plan, last, top, bands.STRESS)
         everyone(plan, PREDICT)
-        wrong = tangled(plan, PREDICT)
+        wrong = tangled(plan)
         if wrong > 0.0:
             copy(run.ends_kept, run.ends)
             return wrong
@@ -207,7 +208,7 @@ def try_step(run, plan, options, control, first):
         touch(run, options, time, dt, contact_step.MOVE)
         take_rows(plan, last, top, bands.END)
         everyone(plan, LOOK)
-        wrong = tangled(plan, LOOK)
+        wrong = tangled(plan)
         if wrong > 0.0:
             everyone(plan, TAKE_BACK)
             touch(run, options, time, -dt, contact_step.TAKE_BACK)
@@ -225,7 +226,7 @@ def try_step(run, plan, options, control, first):
 @nb.njit(**BY_ADDRESS)
 def forget_try(zones):
     """No viscous stress for the prediction of the next try: what stands there is that of a try that went wrong, maybe not a number."""
-    for row in range(QXX, QHOOP + 1):
+    for row in VISCOUS:
         zones[row] = 0.0
 
 
@@ -257,6 +258,7 @@ def take_step(run, plan, options, control, counters):
             return L.TANGLED
     control[L.DT] = dt
     totals = plan.found[-1]
+    control[L.FILTER_WORK] += dt * totals[L.FOUND_FILTER]
     at_event = dt >= control[L.EVENT_TIME] - time
     control[L.TIME] = control[L.EVENT_TIME] if at_event else time + dt
     counters[L.CYCLE] += 1

@@ -1,23 +1,47 @@
 """The plan of a march: for each command of the step the lists of passes that carry it out, and the rows of zones or nodes they take.
 
-Lists are written once for a run, one for each material and member of the team, whose scratch they use. A share is one row of zones or of
-nodes of a block. The rows of a mesh are those of its nodes, block by block, each with the row of zones behind it, if there is one. A
-command is carried out over a band of rows, every member doing those that are its own, and totals are taken over the shares in their
-order, so that no bit of a result depends on the number of threads or the height of the bands.
+Lists are written once for a run, one for each material and member of the team, whose scratch they use; `commands` carries them out.
 """
 
-from typing import Any, NamedTuple
-
-import numba as nb
 import numpy as np
 
 from hugoniot.core.compile_ahead import Job
-from hugoniot.core.pass_lists import Operation, Place, Written, carry_out, jobs, place, places, write
-from hugoniot.core.passes import Entry, call_entry
+from hugoniot.core.pass_lists import Operation, Place, jobs, place, places, write
 from hugoniot.core.shares import jobs_of_team, led
-from hugoniot.core.target import BY_ADDRESS, GUARD
-from hugoniot.solvers.lagrange2d import closing, heat_flux, node_step, smoothness, triangle_passes, triangle_step, zone_passes, zone_step
+from hugoniot.solvers.lagrange2d import (
+    closing,
+    heat_flux,
+    node_step,
+    shown,
+    smoothness,
+    triangle_passes,
+    triangle_step,
+    zone_passes,
+    zone_step,
+)
 from hugoniot.solvers.lagrange2d import layout as L
+from hugoniot.solvers.lagrange2d.commands import (
+    ACCELERATE,
+    BY_MATERIAL,
+    COMMANDS,
+    CORRECT,
+    DO_SHARE,
+    EMPTY,
+    GATHER,
+    GRADIENTS,
+    HEIGHT,
+    LOOK,
+    MOVE,
+    NODES,
+    ORIGIN,
+    PREDICT,
+    PUSH,
+    SHOW,
+    START,
+    TAKE_BACK,
+    ZONES,
+    Plan,
+)
 from hugoniot.solvers.lagrange2d.plane_rows import (
     AT_GRADIENTS,
     AT_GRADIENTS_BEFORE,
@@ -31,56 +55,12 @@ from hugoniot.solvers.lagrange2d.plane_rows import (
     DT,
     DT_BACK,
     OF_ZONES,
-    ORIGINS,
     RowsOfRun,
 )
-from hugoniot.zones.soundness import FOUND_FAILURE, FOUND_RATE
 from hugoniot.zones.steps import MaterialSteps
 
-GRADIENTS, PREDICT, CORRECT, START, LOOK, ACCELERATE, PUSH, MOVE, TAKE_BACK, GATHER = range(COMMANDS := 10)     # commands
-OF_NODES = (ACCELERATE, PUSH, MOVE, TAKE_BACK, GATHER)
-FIRST, LAST, COUNT, PIECE, MEMBER, ORIGIN = range(6)          # columns of the table of shares, the last one the first of the origins
-FROM, TO, HEIGHT = range(3)                                   # of the band: its first row and the one after its last, rows of a band
-BAND = 4_000                                                  # zones of a band for each member: what a step reads of them stays in cache
-
-
-class Plan(NamedTuple):
-    """What compiled code carries out.
-
-    written    the lists of passes in numbers
-    commands   (command): first share
-    before     (command; row): shares of the command before a row
-    shares     (share; columns FIRST to ORIGIN and the origins, in bytes)
-    band       rows that commands take: FROM, TO, HEIGHT
-    share_out, lead   addresses of `do_share` and of what does all shares (`core.shares`)
-    threads, board    of the team
-    origins    (member, ORIGINS) in bytes: where the member is
-    seen       (member, FOUND_COLUMNS): what passes find in a share
-    found      a row for each share of a command, and the totals behind them
-    dts        dt, half of it, minus dt
-    """
-
-    written: Written
-    commands: Any
-    before: Any
-    shares: Any
-    band: Any
-    share_out: int
-    lead: int
-    threads: int
-    board: Any
-    origins: Any
-    seen: Any
-    found: Any
-    dts: Any
-
-
-def _empty() -> Plan:
-    table, floats = np.zeros((1, 1), dtype=np.int64), np.zeros((1, 1))
-    return Plan(Written(table, table), table[0], table, table, table[0], 0, 0, 1, table[0], table, floats, floats, np.zeros(3))
-
-
-EMPTY = _empty()     # of the compiled type of every plan
+BAND = 4_000      # zones of a band: what a step reads of them stays in cache
+OF_TEAM = 2       # times as many for each member of a team, who wait for each other after every command
 
 
 def rows_of_member(rows: int, most: int, threads: int) -> int:
@@ -98,16 +78,18 @@ class Planner:
     rings      `rings.Rings`
     materials  (laws, numbers, whether it is a fluid, whether both triangles of a cell share their pressure) of each material
     viscosity  `problem.plane.model.Viscosity2D`
+    shows      whether fields that no other step needs are found only where someone looks (`shown`)
     """
 
-    def __init__(self, tables, materials, geometry, viscosity, body_force, team, longest: int, rings):
-        self.places, self.geometry, self.viscosity, self.team = RowsOfRun(tables, team.threads, longest), geometry, viscosity, team
+    def __init__(self, tables, materials, geometry, viscosity, body_force, team, rings, shows: bool):
+        self.places, self.geometry, self.viscosity, self.team = RowsOfRun(tables, team.threads, rings.longest), geometry, viscosity, team
         self.dts, self.seen, self.triangles = self.places.dts, self.places.seen, self.places.own is not None
+        self.shows = shows and not self.triangles
         self._body_force = np.array(body_force, dtype=float)
         self._at = [self.places.rows(member, member) for member in range(team.threads)]
         self._some_conduct, self._coefficient = any(self.conducts(m[0], m[2]) for m in materials), np.array([viscosity.heat_flux])
         self._lists = dict(self._of_materials(materials)) | dict(self._of_zones()) | dict(self._of_nodes())
-        self.written, self._ends, self.height, self._rings = EMPTY.written, {}, 0, rings
+        self.written, self.height, self._rings = EMPTY.written, 0, rings
 
     def jobs(self) -> list[Job]:
         """What has yet to be compiled for the plan."""
@@ -120,12 +102,16 @@ class Planner:
                 if self.triangles:
                     yield from self._of_cells(k, member, laws, numbers, shared)
                     continue
+                if self.shows:
+                    yield (SHOW, k, member), shown.operations(at, self.geometry, numbers)
+                    at = shown.left_out(at, laws)
                 predict, correct = MaterialSteps(laws, at, explicit=True), MaterialSteps(laws, at, explicit=True)
                 closes = self._find_closing(predict)
                 if self.viscosity.limited:
                     self._compare(predict, closes)
                 zone_step.predict(predict, self.geometry, numbers, fluid, self.viscosity.kind)
-                zone_step.correct(correct, self.geometry, numbers, fluid, self._conduction(at) if self.conducts(laws, fluid) else None)
+                conduction, keeps_trace = self._conduction(at, laws, fluid), laws.burns or self._some_conduct or not self.shows
+                zone_step.correct(correct, self.geometry, numbers, fluid, conduction, keeps_trace)
                 yield (PREDICT, k, member), predict.operations
                 yield (CORRECT, k, member), correct.operations
                 rows = zone_passes.StartOf(at.now, at.z.p, at.q, at.s, at.f)
@@ -169,8 +155,10 @@ class Planner:
         """Whether artificial heat flows between the zones of a material: a gas or liquid that does not burn."""
         return fluid and not laws.burns and not self.triangles and self.viscosity.heat_flux > 0.0
 
-    def _conduction(self, at):
-        """(rows, coefficient) of the artificial heat flux."""
+    def _conduction(self, at, laws, fluid):
+        """(rows, coefficient) of the artificial heat flux; None where none flows."""
+        if not self.conducts(laws, fluid):
+            return None
         nodes, cells = (at.mid_low, at.mid_high), self._cells(heat_flux.Carried, smoothness.CARRIED)
         return heat_flux.ConductOf(*(L.Positions(line.x, line.y) for line in nodes), *cells, at.z.inverse_mass, at.z.e), self._coefficient
 
@@ -213,30 +201,35 @@ class Planner:
         """The plan for the rows of a mesh: of nodes (count, rows of zones beside it, origins...), and of zones those behind each of them
         (count, material, origins...)."""
         self.written, ends = write(self._lists.values())
-        self._ends = dict(zip(self._lists, ends))
-        height = rows_of_member(len(node_rows), max(1, BAND // max(count for count, *_ in node_rows)), self.team.threads)
-        self.height, of_shares = height * self.team.threads, []
-        shares, commands, before = [], [], np.zeros((COMMANDS, len(node_rows) + 1), dtype=np.int64)
-        for command in range(COMMANDS):
-            of_nodes, known = command in OF_NODES, any(command == other for other, _, _ in self._ends)
-            of_rows = [[row] for row in node_rows] if of_nodes else zone_rows
-            commands.append(len(shares))
+        most = (BAND if self.team.threads == 1 else OF_TEAM * BAND) // max(count for count, *_ in node_rows)
+        height = rows_of_member(len(node_rows), max(1, most), self.team.threads)
+        self.height, of_shares, shares, before = height * self.team.threads, [], [], np.zeros((2, len(node_rows) + 1), dtype=np.int64)
+        for kind, of_rows in ((ZONES, zone_rows), (NODES, [[row] for row in node_rows])):
+            first = len(shares)
             for n, of_row in enumerate(of_rows):
-                for count, kind, *origins in of_row if known else []:
+                for count, which, *origins in of_row:
                     member = n // height % self.team.threads      # whichever rows a band has: every member has as many, and always the same
-                    key = (command, kind, 0) if of_nodes else (command, kind if command in (PREDICT, CORRECT, START) else 0, member)
                     kept_short = [origins[at - 1] for at in (*OF_ZONES, AT_LOW, AT_HIGH)]
-                    shares.append((*self._ends[key], count, count if of_nodes else L.PIECE, member, 0, *origins, *kept_short))
+                    shares.append((count, which, member, 0, *origins, *kept_short))
                     of_shares.append(n)
-                before[command, n + 1] = len(shares) - commands[-1]
-        band = np.zeros(3, dtype=np.int64)
-        threads, origins = self.team.threads, np.zeros((self.team.threads, ORIGINS), dtype=np.int64)
-        found = np.zeros((before[LOOK, -1] + 1, L.FOUND_COLUMNS))
-        plan = Plan(self.written, np.array(commands), before, np.array(shares, dtype=np.int64), band, 0, 0, threads, self.team.board,
-                    origins, self.seen, found, self.dts)
+                before[kind, n + 1] = len(shares) - first
+        found = np.zeros((before[ZONES, -1] + 1, L.FOUND_COLUMNS))
+        plan = Plan(self.written, self._table(ends), before, np.array(shares, dtype=np.int64), np.zeros(3, dtype=np.int64), 0, 0,
+                    self.team.threads, self.team.board, self.seen, found, self.dts)
         self._whole, self._of_shares = plan.shares.copy(), np.array(of_shares)
         self.set_bands(plan, False)
         return led(plan, DO_SHARE, self.team)
+
+    def _table(self, ends):
+        """First and last operation of each list (command, kind of row, member; 2); none where a command has nothing to do."""
+        kinds = 1 + max(kind for _, kind, _ in self._lists)
+        table = np.zeros((COMMANDS, kinds, self.team.threads, 2), dtype=np.int64)
+        for (command, kind, member), end in zip(self._lists, ends):
+            if command >= ACCELERATE:
+                table[command, kind] = end
+            else:
+                table[command, kind if command in BY_MATERIAL else slice(None), member] = end
+        return table
 
     def set_bands(self, plan: Plan, several: bool) -> None:
         """Have a plan take the mesh in several bands, or in one."""
@@ -247,54 +240,3 @@ class Planner:
         plan.band[HEIGHT] = height
         for origin, bytes_moved in self._rings.move(height, self._of_shares):
             plan.shares[:, ORIGIN + origin] = self._whole[:, ORIGIN + origin] + bytes_moved
-
-
-# -- carried out -------------------------------------------------------------------------------------------------------
-def do_share(plan, command, member):
-    """One command over one member's rows of the band."""
-    seen, origins, start = plan.seen[member], plan.origins[member], plan.commands[command]
-    for i in range(plan.before[command, plan.band[FROM]], plan.before[command, plan.band[TO]]):
-        share = plan.shares[start + i]
-        if share[MEMBER] != member:
-            continue
-        seen[:] = 0.0
-        for k in range(ORIGINS):
-            origins[k] = share[ORIGIN + k]
-        carry_out(plan.written, share[FIRST], share[LAST], share[COUNT], share[PIECE], origins)
-        if command < ACCELERATE:
-            for k in range(seen.shape[0]):
-                plan.found[i, k] = seen[k]
-
-
-DO_SHARE = Entry(do_share)
-
-
-@nb.njit(**GUARD)
-def carry_out_alone(plan, commands):
-    """Some commands over all rows, band by band, by the calling thread."""
-    last, rows = 0, plan.before.shape[1] - 1
-    while last < rows:
-        plan.band[FROM], plan.band[TO] = last, min(last + plan.band[HEIGHT], rows)
-        for command in commands:
-            for member in range(plan.threads):
-                call_entry(plan.share_out, plan, command, member)
-        last = plan.band[TO]
-
-
-@nb.njit(**BY_ADDRESS)
-def gather(found):
-    """Totals of a command over its shares, in their order, into the row behind theirs."""
-    totals = found[found.shape[0] - 1]
-    totals[:] = 0.0
-    for i in range(found.shape[0] - 1):
-        for k in range(totals.shape[0]):
-            totals[k] = max(totals[k], found[i, k]) if k in (FOUND_RATE, FOUND_FAILURE) else totals[k] + found[i, k]
-
-
-@nb.njit(**BY_ADDRESS)
-def tangled(plan, command):
-    """How many zones of the band a command has found tangled."""
-    found = 0.0
-    for i in range(plan.before[command, plan.band[FROM]], plan.before[command, plan.band[TO]]):
-        found += plan.found[i, L.FOUND_TANGLED]
-    return found

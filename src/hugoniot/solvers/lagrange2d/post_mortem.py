@@ -40,10 +40,13 @@ def diagnose(solver, code) -> UnphysicalState:
 
 
 def _first_broken(solver) -> int | None:
-    """The first zone whose state is no number or, if there is none, the first with a node whose motion is none."""
-    bad = ~np.isfinite(solver.zones[[Z.rho, Z.e, Z.p, Z.c, Z.sigma]]).all(axis=0)
-    if not bad.any():
-        bad = ~np.isfinite([solver._corners(row) for row in (N.x, N.y, N.u, N.v)]).all(axis=(0, 1))
+    """The first zone whose state is no number or, if there is none, the first with a node whose motion is none; a density is that of the
+    nodes as they stand, so it is asked after what no other zone can have spoilt."""
+    for rows in ((Z.e, Z.p, Z.c), (Z.rho, Z.sigma)):
+        bad = ~np.isfinite(solver.zones[list(rows)]).all(axis=0)
+        if bad.any():
+            return int(np.argmax(bad))
+    bad = ~np.isfinite([solver._corners(row) for row in (N.x, N.y, N.u, N.v)]).all(axis=(0, 1))
     return int(np.argmax(bad)) if bad.any() else None
 
 

@@ -44,7 +44,8 @@ class Rings:
         each = list(zip(cells(mesh), np.cumsum([0, *(block.ni + 2 for block in mesh.blocks)]), mesh.blocks))
         self._cells = WORD * np.concatenate([start + np.arange(b.ni + 2) * (b.nj + 2) for start, _, b in each])
         self._line = np.concatenate([first + np.arange(1, b.ni + 2) for _, first, b in each])      # of the cells behind each row of nodes
-        self._of_cells = WORD * max(b.nj + 2 for b in mesh.blocks)
+        self.longest = max(b.nj for b in mesh.blocks)      # zones of a row
+        self._of_cells = WORD * (self.longest + 2)
         self._row_of_node, self._middle, self._ghosts, self._first_ghosts = rows_of_nodes(mesh), run.middle, run.ghosts, run.ghosts.copy()
 
     def _lines(self, height: int) -> int:

@@ -21,6 +21,7 @@ from hugoniot.solvers.lagrange2d.accounts import B
 from hugoniot.solvers.lagrange2d.assemble import N, Numbering, Z, axis_tables, kind_of, materials_of, node_tables, unburned, zone_tables
 from hugoniot.solvers.lagrange2d.bands import in_rows
 from hugoniot.solvers.lagrange2d.boundaries import boundary_tables
+from hugoniot.solvers.lagrange2d.commands import EMPTY, GATHER, START, carry_out_alone
 from hugoniot.solvers.lagrange2d.contact import results
 from hugoniot.solvers.lagrange2d.contact.layout import Nowhere
 from hugoniot.solvers.lagrange2d.contact.results import ContactResults, NothingMeets
@@ -28,10 +29,11 @@ from hugoniot.solvers.lagrange2d.contact.step import jobs_of_contact, with_conta
 from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, contact_tables, with_rigid
 from hugoniot.solvers.lagrange2d.erosion import Erosion, NoErosion
 from hugoniot.solvers.lagrange2d.march import Options, Run, hold_at_start, march
-from hugoniot.solvers.lagrange2d.plan import EMPTY, GATHER, START, Planner, carry_out_alone
+from hugoniot.solvers.lagrange2d.plan import Planner
 from hugoniot.solvers.lagrange2d.rewind import Rewind
 from hugoniot.solvers.lagrange2d.rings import Rings
 from hugoniot.solvers.lagrange2d.rows_of_blocks import alike, cells, ghost_tables, gradient_rows, node_rows, zone_rows
+from hugoniot.solvers.lagrange2d.shown import Shown
 from hugoniot.solvers.lagrange2d.zone_shapes import diagonal_table, inverse_altitudes, widths
 from hugoniot.solvers.protocol import NO_COUNTS, Event, NothingToAdd
 from hugoniot.state import State2D
@@ -43,21 +45,23 @@ ON_THE_WAY = (L.PAUSED, L.GAUGE_DUE, L.NO_ROOM, L.LED_ON)      # why a march com
 LARGEST_COLLAPSE = 1e-12     # smallest useful step as a fraction of the stop time
 
 
-class Lagrange2D(NothingToAdd):
+class Lagrange2D(Shown, NothingToAdd):
     """A run in progress. `sampler(state) -> {field: (ngauge,)}` reads the gauges; without one none are recorded."""
 
     def __init__(self, problem: Problem2D, sampler=None):
         self.problem = problem = with_walls(problem)
-        self.sampler, mesh, self.kind = sampler, problem.mesh, kind_of(problem)
+        self.sampler, self.kind, mesh = sampler, kind_of(problem), problem.mesh
         self.numbering = numbering = Numbering(mesh)
         count, zones = len(mesh.zone_nodes), zone_tables(problem, self.kind)
+        self.control, self.counters = np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64)
+        self.counters[L.ZONES] = count
         nodes, heat = node_tables(problem, numbering, self.kind, zones)
         self.boundaries = boundary_tables(problem, numbering)
         surfaces = Surfaces(problem, numbering, self.boundaries) if may_meet(problem) else None
         nodes = with_rigid(problem, surfaces, nodes)
         self._zones, self._nodes, self.forces = (zone_table(len(names), size) for names, size in (
             (Z, count), (N, nodes.shape[1]), (L.Forces._fields, count)))
-        self.zones, self.nodes = self._zones[:, :count], self._nodes[:, :nodes.shape[1]]
+        self.nodes = self._nodes[:, :nodes.shape[1]]
         self.zones[:], self.nodes[:] = zones, nodes
         self.zones[Z.e] += heat
         self.burning = any(problem.materials[block.material].burn is not None for block in problem.blocks)
@@ -69,8 +73,6 @@ class Lagrange2D(NothingToAdd):
         self.chains = np.zeros((len(self.boundaries.chains) + 1, 3))
         self.team = team_of(problem.solver.threads, count, WORTH_SHARING)
         self.options = Options(self.kind, G.AXIS_RADIUS * float(np.abs(self.nodes[N.x]).max()), *map(float, problem.body_force))
-        self.control, self.counters = np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64)
-        self.counters[L.ZONES] = count
         self.contact = NothingMeets() if surfaces is None else ContactResults(problem, surfaces, self.nodes, self.kind)
         self.run = self._run(mesh, surfaces)
         self.ends, self.region_of = self.run.ends, mesh.block_of
@@ -96,7 +98,7 @@ class Lagrange2D(NothingToAdd):
         materials, self.material_of = materials_of(self.problem, speed, self.options.near)
         tables = self._zones, self.forces, self._charge, self._nodes, self.run.gradients, diagonal_table(mesh)
         self.planner = Planner(tables, materials, G.KINDS[self.kind], self.problem.solver.viscosity, self.problem.body_force,
-                               self.team, max(block.nj for block in mesh.blocks), Rings(mesh, self.numbering, self.run))
+                               self.team, Rings(mesh, self.numbering, self.run), len(self.run.gates) == 0)
         compile_all([job_of(march, self._march_arguments(1, EMPTY)), *jobs_of_contact(self.run, self.options), *self.planner.jobs()])
         self.run = with_contact(self.run, self.options)
         return self.plan_of(None), max(material[0].constants.front for material in materials)
@@ -114,7 +116,7 @@ class Lagrange2D(NothingToAdd):
         return self.nodes[row, self.numbering.representative][self.problem.mesh.zone_nodes.T]
 
     def _inverse_altitudes(self):
-        return inverse_altitudes(self._corners(N.x), self._corners(N.y))
+        return inverse_altitudes(*map(self._corners, (N.x, N.y)))
 
     def begin(self) -> None:
         """Take the state as it stands, which a test may have written into the tables, for that at t = 0."""
@@ -205,7 +207,7 @@ class Lagrange2D(NothingToAdd):
         """March to the cycle `end` or the event time; the code of why it came back. at_gauge(): what is done where gauges are due."""
         code = L.PAUSED
         while code in ON_THE_WAY and self.cycle < end:
-            code = march(*self._march_arguments(self.rewind.pause(self, end) - self.cycle, self.plan))
+            code, self.stale = march(*self._march_arguments(self.rewind.pause(self, end) - self.cycle, self.plan)), True
             if code == L.LED_ON:
                 self.rewind.finish(self, lambda cycle: self._carry_on(cycle, self._next_gauge))
             if code == L.NO_ROOM:
@@ -274,9 +276,8 @@ class Lagrange2D(NothingToAdd):
 
     def results(self) -> dict[str, float]:
         """Further numbers for the summary."""
-        found = {"steps_repeated": int(self.counters[L.REPEATED] + self.counters[L.LEFT_RANGE]),
-                 "filter_work": float(np.sum(self.zones[Z.mass] * self.zones[Z.filter_work]))}
-        return found | self.contact.summary(self.run.contact) | self.erosion.results()
+        repeated, filtered = int(self.counters[L.REPEATED] + self.counters[L.LEFT_RANGE]), float(self.control[L.FILTER_WORK])
+        return {"steps_repeated": repeated, "filter_work": filtered} | self.contact.summary(self.run.contact) | self.erosion.results()
 
     def peaks(self) -> dict[str, np.ndarray]:
         """Peak fields of every zone so far: stress and pressure in compression, tension positive."""

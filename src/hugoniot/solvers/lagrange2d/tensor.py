@@ -14,6 +14,7 @@ Source: Herrmann, WL-TR-64-107, B.16 to B.32.
 from typing import Any, NamedTuple
 
 from hugoniot.core.binder import bind
+from hugoniot.core.mathematics import NAN_LAW
 from hugoniot.core.ops import fmax, fmin, late_over, vsqrt
 from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.solvers.lagrange2d.layout import Rates, Stress, Tensor
@@ -103,8 +104,17 @@ def strain_solid(count, given, dt, numbers, law):
         given.flow[j] = flow
 
 
+def principal(p, x, y, shear):
+    """The principal stress of largest size in the plane, compression positive, of a pressure and tensions besides."""
+    half = 0.5 * (x - y)
+    size = vsqrt(half * half + shear * shear)
+    least, most = p - 0.5 * (x + y) - size, p - 0.5 * (x + y) + size
+    return most if most > -least else least
+
+
 bind(trial_deviators)
 bind(equivalent_rate)
+bind(principal, **NAN_LAW)
 
 
 @zone_pass(LargestOf)

@@ -28,7 +28,7 @@ def _over_triangles(known: Pass) -> Pass:
     rows = NamedTuple(name, [(field, _INSTEAD.get(hints[field], hints[field])) for field in known.rows._fields])
     rows.__module__ = __name__
     globals()[name] = rows      # where compiled code that is kept looks for it
-    return zone_pass(rows)(known.function)
+    return Pass(known.function, rows, known.options)
 
 
 strain, settle, shape, stand, start = (_over_triangles(known) for known in (

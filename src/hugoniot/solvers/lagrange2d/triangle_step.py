@@ -14,6 +14,7 @@ from hugoniot.solvers.lagrange2d import triangle_passes as passes
 from hugoniot.solvers.lagrange2d import triangle_viscosity as viscosity
 from hugoniot.solvers.lagrange2d.hoop_viscosity import HoopOf, hoop_viscosity
 from hugoniot.solvers.lagrange2d.quads import AreaWeighted
+from hugoniot.solvers.lagrange2d.shown import TraceOf, trace
 from hugoniot.solvers.lagrange2d.zone_passes import SettleOf, ShapeOf, StandOf, StartOf, StrainOf
 from hugoniot.solvers.lagrange2d.zone_step import pressure_at_end, pressure_in_middle, stress_at_end, stress_in_middle
 from hugoniot.zones.steps import MaterialSteps
@@ -156,7 +157,9 @@ class Cell:
             at, z = part.at, part.at.z
             self.do(passes.gather_thirds, part.thirds(*at.mid))
             self.do(passes.settle, SettleOf(part.mid, part.f, z.inverse_mass, at.power, at.d, z.e,  # pyright: ignore
-                                            at.w.heat, z.viscous_work, z.filter_work, at.q, z.q))
+                                            at.w.heat, at.q, at.found))
+            self.steps[0].add_some(at.w.heat, z.viscous_work)
+            self.do(trace, TraceOf(at.q, z.q))
         if isinstance(self.geometry, AreaWeighted):
             self._divide_work()
         if self.shared:
@@ -175,10 +178,9 @@ class Cell:
         volumes = [solid_v for _, solid_v in closed]
         for part, s, solid_v in zip(self.pair, self.steps, volumes):
             at, z, w = part.at, part.at.z, part.at.w
-            self.do(passes.stand, StandOf(part.now, z.p, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed,  # pyright: ignore
-                                          w.inverse_length, at.s, z.sigma, z.c, part.f, at.found))
+            self.do(passes.stand, StandOf(part.now, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed,  # pyright: ignore
+                                          w.inverse_length, at.s, part.f, s.seen))
             s.pace(w.inverse_length)
-            s.look_over()
 
     # -- area weighted -------------------------------------------------------------------------------------------------------
     def _keep_stress(self) -> None:

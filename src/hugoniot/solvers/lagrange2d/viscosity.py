@@ -289,9 +289,14 @@ def resist(count, z, dt, numbers, law):
                 for j in range(first, end):
                     in_slender(z, j, viscous)
         else:
+            most = 0.0
             for j in range(first, end):
-                z.mean.xx[j] = z.mean.yy[j] = z.mean.xy[j] = z.fastest[j] = z.paid[j] = 0.0
-                z.g.f0x[j] = z.g.f0y[j] = z.g.f1x[j] = z.g.f1y[j] = z.g.f2x[j] = z.g.f2y[j] = z.g.f3x[j] = z.g.f3y[j] = 0.0
+                xx, yy, xy = z.mean.xx[j], z.mean.yy[j], z.mean.xy[j]
+                most = fmax(fmax(most, z.fastest[j]), fmax(fmax(xx, -xx), fmax(yy, -yy)) + fmax(xy, -xy))
+                z.paid[j] = 0.0
+            if most > 0.0:      # most often it is zero already: rows that are only read need not go back to memory
+                for j in range(first, end):
+                    z.mean.xx[j] = z.mean.yy[j] = z.mean.xy[j] = z.fastest[j] = 0.0
         first = end
 
 

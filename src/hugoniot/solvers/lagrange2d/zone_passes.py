@@ -13,14 +13,17 @@ Rows named for quadrilaterals serve triangles too (`triangle_passes`): `cells` c
 from typing import Any, NamedTuple
 
 from hugoniot.core.binder import bind
-from hugoniot.core.ops import fmax, vsqrt
+from hugoniot.core.mathematics import NAN_LAW
+from hugoniot.core.ops import fmax
 from hugoniot.core.passes import kind_of, named, rows_apart, zone_pass
 from hugoniot.solvers.lagrange2d import hourglass
 from hugoniot.solvers.lagrange2d.cells import cell, coefficients, longest_side, power, strains, stress_forces, volume
+from hugoniot.solvers.lagrange2d.closing import STRETCH
 from hugoniot.solvers.lagrange2d.forces import add_forces
-from hugoniot.solvers.lagrange2d.layout import FILTER, NEAR, Corners, Rates, Sides, SidesNow, Stress, Tensor
+from hugoniot.solvers.lagrange2d.layout import FILTER, FOUND_FILTER, NEAR, Corners, Rates, Sides, SidesNow, Stress, Tensor
+from hugoniot.solvers.lagrange2d.tensor import principal
 from hugoniot.zones.constants import Constants
-from hugoniot.zones.soundness import FOUND_RATE, wave_speed
+from hugoniot.zones.soundness import FOUND_RATE, PeakRows, keep_peaks, new_peaks, unsound, wave_speed
 
 
 class StrainOf(NamedTuple):
@@ -40,25 +43,33 @@ class StrainOf(NamedTuple):
 
 
 class PushOf(NamedTuple):
-    """Nodes, pressure, deviators, viscous stress, forces of its rest, shape at t = 0, rho, c -> corner forces, filter's power."""
+    """Nodes, pressure, deviators, mean viscous stress, shape at t = 0, rho, c -> corner forces, filter's power."""
 
     corners: Sides
     p: Any
     s: Tensor
     q: Stress
-    g: Corners
     t0: Any
     t1: Any
     rho: Any
     c: Any
-    inverse_mass: Any
     f: Corners
     power: Any
 
 
+class RestOf(NamedTuple):
+    """Nodes, planar forces of what the corners' viscous stresses have beyond their mean, stretches in which something closes (`closing`)
+    -> corner forces with them."""
+
+    corners: Sides
+    g: Corners
+    closes: Any
+    f: Corners
+
+
 class SettleOf(NamedTuple):
-    """Nodes in the middle, corner forces, filter's power and viscous stress of the step -> strain rates, energy, viscous heat, works, trace
-    of the viscous stress."""
+    """Nodes in the middle, corner forces, filter's power and viscous stress of the step -> strain rates, energy, viscous heat;
+    found[FOUND_FILTER]."""
 
     corners: Sides
     f: Corners
@@ -67,10 +78,8 @@ class SettleOf(NamedTuple):
     d: Rates
     e: Any
     heat: Any
-    viscous_work: Any
-    filter_work: Any
     q: Stress
-    trace: Any
+    found: Any
 
 
 class ShapeOf(NamedTuple):
@@ -84,10 +93,10 @@ class ShapeOf(NamedTuple):
 
 
 class StandOf(NamedTuple):
-    """Nodes, pressure, viscous stress, deviators found, stiffness -> deviators of the state, largest principal stress, c, corner forces."""
+    """Nodes, viscous stress, deviators found, stiffness, density and pressure -> deviators of the state, corner forces, largest principal
+    stress, c and peaks; found[FOUND_RATE] and found[FOUND_UNSOUND]."""
 
     corners: SidesNow
-    p: Any
     q: Stress
     new: Tensor
     c2: Any
@@ -96,17 +105,14 @@ class StandOf(NamedTuple):
     speed: Any
     inverse: Any
     s: Tensor
-    sigma: Any
-    c: Any
     f: Corners
-    found: Any
+    seen: PeakRows
 
 
 class StandFilteredOf(NamedTuple):
-    """The same with the density and the shape at t = 0, for the filter of fluids."""
+    """The same with the shape at t = 0, for the filter of fluids."""
 
     of: StandOf
-    rho: Any
     t0: Any
     t1: Any
 
@@ -151,22 +157,15 @@ def with_mean(z, j, b):
     stress_forces(z.f, j, b, z.p[j], z.s.xx[j], z.s.yy[j], z.s.xy[j], z.q.xx[j], z.q.yy[j], z.q.xy[j], z.q.hoop[j])
 
 
-def with_viscosity(z, j, b):
-    """The same, and what the corners' viscous stress has beyond its mean."""
-    with_mean(z, j, b)
-    g = z.g
-    add_forces(z.f, j, b, g.f0x[j], g.f0y[j], g.f1x[j], g.f1y[j], g.f2x[j], g.f2y[j], g.f3x[j], g.f3y[j])
-
-
 @zone_pass(PushOf)
 def push_fluid(count, z, dt, numbers, law):
-    """Corner forces of stress, viscosity and subzonal pressure in the middle of the step."""
+    """Corner forces of stress, mean viscosity and subzonal pressure in the middle of the step."""
     rows_apart()
     geometry, near, merit = kind_of(law), numbers[NEAR], numbers[FILTER]
     for j in range(count):
         at = cell(z.corners, j)
         b = coefficients(at, near, geometry)
-        with_viscosity(z, j, b)
+        with_mean(z, j, b)
         x0, y0, x1, y1, x2, y2, x3, y3 = hourglass.subzonal(at, z.t0[j], z.t1[j], merit * z.rho[j] * z.c[j] * z.c[j])
         add_forces(z.f, j, b, x0, y0, x1, y1, x2, y2, x3, y3)
         z.power[j] = 0.0
@@ -174,23 +173,37 @@ def push_fluid(count, z, dt, numbers, law):
 
 @zone_pass(PushOf)
 def push_solid(count, z, dt, numbers, law):
-    """Corner forces of stress, viscosity and viscous filter in the middle of the step."""
+    """Corner forces of stress, mean viscosity and viscous filter in the middle of the step."""
     rows_apart()
     geometry, near, coefficient, low, high = kind_of(law), numbers[NEAR], numbers[FILTER], z.corners.low, z.corners.high
     for j in range(count):
         at = cell(z.corners, j)
         b = coefficients(at, near, geometry)
-        with_viscosity(z, j, b)
+        with_mean(z, j, b)
         x0, y0, x1, y1, x2, y2, x3, y3, taken = hourglass.viscous(at, low, high, j, coefficient * z.rho[j] * z.c[j])
         add_forces(z.f, j, b, x0, y0, x1, y1, x2, y2, x3, y3)
-        z.power[j] = taken * 0.25 * (b.w0 + b.w1 + b.w2 + b.w3) * z.inverse_mass[j]
+        z.power[j] = taken * 0.25 * (b.w0 + b.w1 + b.w2 + b.w3)
+
+
+@zone_pass(RestOf)
+def add_rest(count, z, dt, numbers, law):
+    """Planar forces added with the weights of the geometry in the stretches of zones in which something closes."""
+    rows_apart()
+    geometry, near, g, first = kind_of(law), numbers[NEAR], z.g, 0
+    while first < count:
+        end = min(first + STRETCH, count)
+        if z.closes[first] > 0.0:
+            for j in range(first, end):
+                b = coefficients(cell(z.corners, j), near, geometry)
+                add_forces(z.f, j, b, g.f0x[j], g.f0y[j], g.f1x[j], g.f1y[j], g.f2x[j], g.f2y[j], g.f3x[j], g.f3y[j])
+        first = end
 
 
 @zone_pass(SettleOf)
 def settle(count, z, dt, numbers, law):
     """Strain rates with the mean velocity of the step; energy by the work of the forces, -sum F.u."""
     rows_apart()
-    geometry, near, most = kind_of(law), numbers[NEAR], 0.0
+    geometry, near, filtered = kind_of(law), numbers[NEAR], 0.0
     for j in range(count):
         at = cell(z.corners, j)
         d = strains(at, z.corners, j, near, geometry)
@@ -200,12 +213,8 @@ def settle(count, z, dt, numbers, law):
         z.d.xx[j], z.d.yy[j], z.d.xy[j], z.d.spin[j], z.d.hoop[j], z.d.dilation[j] = d.xx, d.yy, d.xy, d.spin, d.hoop, d.dilation
         z.e[j] -= dt * inverse_mass * work
         z.heat[j] = heat
-        most = fmax(most, fmax(heat, -heat))
-        z.filter_work[j] += dt * z.filter_power[j]
-        z.trace[j] = xx + yy + hoop
-    if most > 0.0:      # most often nothing is added, and the row stays out of the way
-        for j in range(count):
-            z.viscous_work[j] += z.heat[j]
+        filtered += z.filter_power[j]
+    z.found[FOUND_FILTER] += filtered
 
 
 @zone_pass(ShapeOf)
@@ -224,43 +233,47 @@ def shape(count, z, dt, numbers, law):
 
 def rate_of_state(z, j, b, constants):
     """Write the state of zone j that stands at the end of the step and the forces of its stress; what it asks of the time step, 1/s."""
-    p, xx, yy, xy = z.p[j], z.new.xx[j], z.new.yy[j], z.new.xy[j]
+    p, xx, yy, xy = z.seen.p[j], z.new.xx[j], z.new.yy[j], z.new.xy[j]
     qxx, qyy, qxy, hoop = z.q.xx[j], z.q.yy[j], z.q.xy[j], z.q.hoop[j]
     stress_forces(z.f, j, b, p, xx, yy, xy, qxx, qyy, qxy, hoop)
     z.s.xx[j], z.s.yy[j], z.s.xy[j] = xx, yy, xy
-    x, y, shear = xx - qxx, yy - qyy, xy - qxy
-    half = 0.5 * (x - y)
-    size = vsqrt(half * half + shear * shear)
-    least, most = p - 0.5 * (x + y) - size, p - 0.5 * (x + y) + size
-    z.sigma[j] = most if most > -least else least
+    z.seen.sigma[j] = principal(p, xx - qxx, yy - qyy, xy - qxy)
     c = wave_speed(z.c2[j] + (4.0 / 3.0) * z.shear[j] * z.solid_v[j], constants.noise)
-    z.c[j] = c
+    z.seen.c[j] = c
     return (fmax(c, constants.front) + 2.0 * z.speed[j]) * z.inverse[j]
 
 
-@zone_pass(StandOf)
+@zone_pass(StandOf, finite=False)
 def stand(count, z, dt, numbers, law):
-    """The state that stands at the end of the step, and its corner forces, which push at the start of the next one."""
+    """The state that stands at the end of the step, looked over at once, and its corner forces, which push at the start of the next one."""
     rows_apart()
-    geometry, near, constants, fastest = kind_of(law), numbers[NEAR], named(Constants, numbers), z.found[FOUND_RATE]
+    geometry, near, constants, seen = kind_of(law), numbers[NEAR], named(Constants, numbers), z.seen
+    fastest, bad, new = seen.found[FOUND_RATE], 0, 0
     for j in range(count):
         fastest = fmax(fastest, rate_of_state(z, j, coefficients(cell(z.corners, j), near, geometry), constants))
-    z.found[FOUND_RATE] = fastest
+        bad += unsound(seen, j)
+        new += new_peaks(seen, j)
+    seen.found[FOUND_RATE] = fastest
+    keep_peaks(count, seen, bad, new)
 
 
-@zone_pass(StandFilteredOf)
+@zone_pass(StandFilteredOf, finite=False)
 def stand_filtered(count, z, dt, numbers, law):
     """The same with the forces of the subzonal pressures, so that a fluid they hold in equilibrium is predicted to stay."""
     rows_apart()
     of, geometry, near, constants, merit = z.of, kind_of(law), numbers[NEAR], named(Constants, numbers), numbers[FILTER]
-    fastest = of.found[FOUND_RATE]
+    seen = of.seen
+    fastest, bad, new = seen.found[FOUND_RATE], 0, 0
     for j in range(count):
         at = cell(of.corners, j)
         b = coefficients(at, near, geometry)
         fastest = fmax(fastest, rate_of_state(of, j, b, constants))
-        x0, y0, x1, y1, x2, y2, x3, y3 = hourglass.subzonal(at, z.t0[j], z.t1[j], merit * z.rho[j] * of.c[j] * of.c[j])
+        x0, y0, x1, y1, x2, y2, x3, y3 = hourglass.subzonal(at, z.t0[j], z.t1[j], merit * seen.rho[j] * seen.c[j] * seen.c[j])
         add_forces(of.f, j, b, x0, y0, x1, y1, x2, y2, x3, y3)
-    of.found[FOUND_RATE] = fastest
+        bad += unsound(seen, j)
+        new += new_peaks(seen, j)
+    seen.found[FOUND_RATE] = fastest
+    keep_peaks(count, seen, bad, new)
 
 
 @zone_pass(StartOf)
@@ -273,6 +286,5 @@ def start(count, z, dt, numbers, law):
 
 
 bind(stress_power)
-bind(rate_of_state)
 bind(with_mean)
-bind(with_viscosity)
+bind(rate_of_state, **NAN_LAW)

@@ -1,6 +1,6 @@
 """What the zones of a material do in a step, written into lists of passes: stress and forces in its middle, state and forces at its end."""
 
-from hugoniot.solvers.lagrange2d import edge_viscosity, heat_flux, herrmann_viscosity, hoop_viscosity, tensor, viscosity
+from hugoniot.solvers.lagrange2d import edge_viscosity, heat_flux, herrmann_viscosity, hoop_viscosity, shown, tensor, viscosity
 from hugoniot.solvers.lagrange2d import zone_passes as passes
 from hugoniot.solvers.lagrange2d.layout import Tensor
 from hugoniot.solvers.lagrange2d.quads import AreaWeighted
@@ -97,25 +97,28 @@ def predict(s, geometry, numbers, fluid, kind):
     solid = state_in_middle(s)
     resist(s, geometry, solid, kind)
     push = passes.push_fluid if fluid else passes.push_solid
-    s.do(push, passes.PushOf(at.mid, s.p_half, at.new, at.q, at.rest, z.t0, z.t1, s.rho_half, z.c, z.inverse_mass, at.f,
-                             at.power), kind=geometry, numbers=numbers)
+    s.do(push, passes.PushOf(at.mid, s.p_half, at.new, at.q, z.t0, z.t1, s.rho_half, z.c, at.f, at.power), kind=geometry, numbers=numbers)
+    if kind != "herrmann":
+        s.do(passes.add_rest, passes.RestOf(at.mid, at.rest, w.closes if kind == "tensor" else at.everywhere, at.f), kind=geometry,
+             numbers=numbers)
     if s.laws.burns:
         s.keep_half()
 
 
-def correct(s, geometry, numbers, fluid, conduction):
+def correct(s, geometry, numbers, fluid, conduction, keeps_trace):
     """Write how the state at the end of the step and its forces are found; conduction: rows and numbers of the artificial heat flux, or
-    None."""
+    None; keeps_trace: whether other steps need the trace of the viscous stress."""
     z, w, at = s.at.z, s.at.w, s.at
-    s.do(passes.settle, passes.SettleOf(at.mid, at.f, z.inverse_mass, at.power, at.d, z.e, w.heat,
-                                        z.viscous_work, z.filter_work, at.q, z.q), kind=geometry, numbers=numbers)
+    s.do(passes.settle, passes.SettleOf(at.mid, at.f, z.inverse_mass, at.power, at.d, z.e, w.heat, at.q, at.found), kind=geometry,
+         numbers=numbers)
+    s.add_some(w.heat, z.viscous_work)
+    if keeps_trace:
+        s.do(shown.trace, shown.TraceOf(at.q, z.q))
     if conduction:
         s.do(heat_flux.conduct, conduction[0], kind=geometry, numbers=conduction[1])
     s.do(passes.shape, passes.ShapeOf(at.now, z.inverse_mass, w.v, z.rho, w.inverse_length), kind=geometry, numbers=numbers)
     solid_v = state_at_end(s)
-    of = passes.StandOf(at.now, z.p, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s, z.sigma, z.c, at.f,
-                        at.found)
-    stand, rows = (passes.stand_filtered, passes.StandFilteredOf(of, z.rho, z.t0, z.t1)) if fluid else (passes.stand, of)
+    of = passes.StandOf(at.now, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s, at.f, s.seen)
+    stand, rows = (passes.stand_filtered, passes.StandFilteredOf(of, z.t0, z.t1)) if fluid else (passes.stand, of)
     s.do(stand, rows, kind=geometry, numbers=numbers)
     s.pace(w.inverse_length)
-    s.look_over()
