@@ -10,7 +10,7 @@ DEEP = 0.05          # of an edge: a point that was deeper behind it at the star
 FACING = -0.1        # cosine between the outward normals of point and edge
 TIP = 0.3            # cosine between a normal and the edges of a tip that does not point along it
 BEYOND = 0.5         # of an edge: how far it bounds the free space beyond a hollow corner,
-AT_CORNER = 1e-3     # for points that were no deeper than this behind the other edge there
+AT_CORNER = 5e-4     # for points that were no deeper than this behind the other edge there
 EDGE_END = 1e-6
 STRAIGHT = 1e-9      # angle by which a surface turns inward at a hollow corner at least
 

@@ -54,8 +54,8 @@ BOND_FLOATS = 16
 # of a point: force of the last step, distance slid
 FORCE_X, FORCE_Y, SLID = range(3)
 # numbers: reach of the search, mean edge, heat of closing, work of friction, deepest place of a node behind a surface over the
-# edge, the last step, the largest change of a velocity by contact in it
-REACH, MEAN_EDGE, HEAT, FRICTION, DEEPEST, LAST_STEP, CHANGE = range(7)
+# edge, the last step, the largest change of a velocity by contact in it, how far points may move while the list of near pairs serves
+REACH, MEAN_EDGE, HEAT, FRICTION, DEEPEST, LAST_STEP, CHANGE, MARGIN = range(8)
 PAIRS, SEARCHES, SWEEPS, BROKEN_BONDS, FULL, OLD_PAIRS, ACTIVE, STEPS = range(8)
 NEAR, LISTED, BONDS, TOUCHED, POINTS = range(5)      # sizes of the lists of a step; NEAR is -1 where they are to be made anew
 LINE = 8             # floats of a line of cache
@@ -70,7 +70,7 @@ class Contact(NamedTuple):
     law_of                 (part, part): index of the law between them
     old_pairs, old_numbers   the pairs before the last search
     places                 (points and behind them centres of rigid bodies, columns AT_X to BY_Y)
-    away                   how far points may move relative to each other after the search before each pair can meet
+    away                   how far points may move relative to each other, counted from `since`, before each pair can meet
     near, listed, bound    the pairs that may meet in a step, in their order, the movers concerned, and the points with a bond that stands
     touched                those of the pairs that had an impulse in the last step
     near_points, marks     (point, mover) of the points concerned; whether each point is in that list
@@ -78,7 +78,7 @@ class Contact(NamedTuple):
     active, candidates     the pairs that are active, in their order, and those that may become so
     binds                  whether a law ties points to edges
     cells, sorted_edges    of the search: first edge of each cell, edges by cell
-    since                  (point, 2): where points stood at the last search
+    since                  (point, 2): where points stood when their motion began to count: at the last search or later
     zones                  table of zones, for the heat
     speeds                 pulses that drive rigid bodies, as `march.Run` has them: numbers and tables
     """

@@ -18,7 +18,6 @@ from hugoniot.solvers.lagrange2d.contact.impulses import (
     weight_of_friction,
 )
 from hugoniot.solvers.lagrange2d.contact.near import NEAR, list_bond
-from hugoniot.solvers.lagrange2d.contact.relaxation import CLOSE_ENOUGH
 from hugoniot.solvers.lagrange2d.contact.rigid import arm, place
 
 SAME_PLACE = 1e-6    # of an edge
@@ -26,6 +25,7 @@ STRAIGHT = 0.999     # cosine between edges that bound the same half of the plan
 OVERHANG = 0.5       # of an edge: how far beyond its ends forces may act on it, so that they have no moment
 KEPT_DEPTH = 0.9     # of the depth at the start of a step may be left at its end
 RISE = 1e-2          # of the change of velocity that contact made in the last step: what is behind rises no faster
+CLOSING_ENOUGH = 5e-3      # of the change that contact made to a velocity in the last step: what surfaces that touch close by
 CLOSED = 1e-3        # of an edge: a gap that a bond bridges
 
 
@@ -161,7 +161,7 @@ def activate(c, dt, closing, slack):
     What meets by less than `slack` of an edge is left to the next step.
     """
     found, i, last = False, 0, list_candidates(c)
-    depth = CLOSE_ENOUGH * c.numbers[C.CHANGE] * dt if closing else 0.0
+    depth = CLOSING_ENOUGH * c.numbers[C.CHANGE] * dt if closing else 0.0
     while i < last:
         k, fresh = c.candidates[i], False
         p = c.pairs[k, C.PAIR_POINT]

@@ -12,16 +12,16 @@ from hugoniot.solvers.lagrange2d.contact.rigid import place
 
 IM = 12      # row of the node table
 NEAR = -1e300      # how far pairs are apart that touch
-EVERY = 8    # steps between two looks at how far the pairs are apart that may meet
+EVERY = 4    # steps between two looks at how far pairs are apart
 
 
 @nb.njit(**INLINE)
-def distance(x, y, ax, ay, bx, by, onward):
-    """Distance from a point to the stretch from a to b, which goes on at both ends by `onward` of its length; that length."""
+def distance(x, y, ax, ay, bx, by, before, after):
+    """Distance from a point to the stretch from a to b, which goes on before a and after b by parts of its length; that length."""
     dx, dy = bx - ax, by - ay
     square = dx * dx + dy * dy
     t = ((x - ax) * dx + (y - ay) * dy) / square if square > 0.0 else 0.0
-    t = min(max(t, -onward), 1.0 + onward)
+    t = min(max(t, -before), 1.0 + after)
     return ((x - ax - t * dx) ** 2 + (y - ay - t * dy) ** 2) ** 0.5, square**0.5
 
 
@@ -79,35 +79,57 @@ def list_bond(c, p):
 
 @nb.njit(**INLINE)
 def away(c, k, moved):
-    """How far the points of a pair may move relative to each other before it can meet; kept for later steps."""
-    (x, y), (ax, ay) = place(c, c.pairs[k, C.PAIR_POINT], 0.0), place(c, c.pairs[k, C.PAIR_FROM], 0.0)
-    apart, length = distance(x, y, ax, ay, *place(c, c.pairs[k, C.PAIR_TO], 0.0), BEYOND)
-    found = (apart - DEEP * length) / (1.0 + DEEP + 2.0 * BEYOND)      # places beyond an end move more, and the length changes
-    c.away[k] = found - moved
-    return found
+    """How far the points of a pair may have moved relative to each other, counted from `since`, before it can meet; kept for later steps.
+
+    An edge does not go on for the point at the other end of the next edge, which can only fold onto it.
+    """
+    p, a, b = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_FROM], c.pairs[k, C.PAIR_TO]
+    before, after = c.points[a, C.POINT_BEFORE], c.points[b, C.POINT_AFTER]
+    on_before = 0.0 if before >= 0 and c.edges[before, C.EDGE_A] == p else BEYOND
+    on_after = 0.0 if after >= 0 and c.edges[after, C.EDGE_B] == p else BEYOND
+    apart, length = distance(*place(c, p, 0.0), *place(c, a, 0.0), *place(c, b, 0.0), on_before, on_after)
+    # places beyond an end move more, and the length changes
+    c.away[k] = (apart - DEEP * length) / (1.0 + DEEP + 2.0 * BEYOND) - moved
+    return c.away[k]
 
 
 @nb.njit(**BY_ADDRESS)
 def list_near(c, nodes, moved, ahead):
     """List the pairs that may meet in a step, with their points and movers, those of bonds and rigid bodies.
 
-    moved: how far points have moved relative to each other since the search, at most; ahead: how far they may in the step. Which further
-    pairs are listed changes nothing but the time it takes.
+    moved: how far points have moved relative to each other since `since`, at most; ahead: how far they may in the step. The list serves
+    the steps up to the next look, unless points move farther before. Which further pairs are in it changes nothing but the time it takes.
     """
-    anew = c.sizes[C.NEAR] < 0
+    anew, start = c.sizes[C.NEAR] < 0, c.counts[C.STEPS] % EVERY == 0
+    c.counts[C.STEPS] += 1
     if anew:
         list_touched(c)
-    look, count, same = anew or c.counts[C.STEPS] % EVERY == 0, 0, not (anew or c.binds)
-    for k in range(c.counts[C.PAIRS]):
-        if c.away[k] > moved + ahead or (look and c.pair_numbers[k, C.LAST] == 0.0 and away(c, k, moved) > ahead):
-            continue
-        same = same and c.near[count, 0] == k
-        c.near[count, 0] = k
-        count += 1
-    c.counts[C.STEPS] += 1
-    if not same or count != c.sizes[C.NEAR]:
-        c.sizes[C.NEAR] = count
+    if start:
+        count_from_now(c, moved)
+        moved = 0.0
+    look = start or moved + ahead > c.numbers[C.MARGIN]
+    if look:
+        c.numbers[C.MARGIN] = moved + ahead + 0.5 * EVERY * ahead
+    if anew or look:
+        count, same = 0, not anew
+        for k in range(c.counts[C.PAIRS]):
+            if c.away[k] <= c.numbers[C.MARGIN] and (c.pair_numbers[k, C.LAST] != 0.0 or away(c, k, moved) <= c.numbers[C.MARGIN]):
+                same = same and c.near[count, 0] == k
+                c.near[count, 0] = k
+                count += 1
+        anew, c.sizes[C.NEAR] = not same or count != c.sizes[C.NEAR], count
+    if anew or c.binds:
         list_concerned(c, nodes)
+
+
+@nb.njit(**BY_ADDRESS)
+def count_from_now(c, moved):
+    """Count the motion of points from where they are now; the search reaches less far by what they have moved."""
+    for p in range(c.points.shape[0]):
+        c.since[p, 0], c.since[p, 1] = c.places[p, C.AT_X], c.places[p, C.AT_Y]
+    for k in range(c.counts[C.PAIRS]):
+        c.away[k] -= moved
+    c.numbers[C.REACH] -= moved
 
 
 @nb.njit(**BY_ADDRESS)

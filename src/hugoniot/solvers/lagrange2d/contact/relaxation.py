@@ -17,7 +17,7 @@ from hugoniot.solvers.lagrange2d.contact.impulses import (
     slip,
 )
 
-ENOUGH_SWEEPS, MOST_SWEEPS = 8, 80      # the more only where nodes would end far behind surfaces
+ENOUGH_SWEEPS, MOST_SWEEPS = 6, 80      # the more only where nodes would end far behind surfaces
 CLOSE_ENOUGH = 5e-4      # of the largest change that contact makes to a velocity
 
 

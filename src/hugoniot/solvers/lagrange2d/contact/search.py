@@ -128,7 +128,7 @@ def search(c, nodes):
                     if c.law_of[part, c.edges[e, C.EDGE_PART]] < 0 or c.edges[e, C.EDGE_A] == p or c.edges[e, C.EDGE_B] == p:
                         continue
                     a, b = c.points[c.edges[e, C.EDGE_A], C.POINT_NODE], c.points[c.edges[e, C.EDGE_B], C.POINT_NODE]
-                    if distance(px, py, x[a], y[a], x[b], y[b], 0.0)[0] > reach:
+                    if distance(px, py, x[a], y[a], x[b], y[b], 0.0, 0.0)[0] > reach:
                         continue
                     if count == c.pairs.shape[0]:
                         c.counts[C.PAIRS], c.counts[C.FULL] = 0, 1

@@ -18,6 +18,7 @@ from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.accounts_of_step import accept, book_heat, book_holds
 from hugoniot.solvers.lagrange2d.contact.impulses import movers, restart
 from hugoniot.solvers.lagrange2d.contact.meeting import (
+    CLOSING_ENOUGH,
     activate,
     as_in_last_step,
     ask_closing,
@@ -39,7 +40,6 @@ SLACK = 1e-7                           # of an edge: what closes by less in a st
 SMALL = 1e-5                           # of an edge: what would be behind by less after a round is left to the next step
 DEPTH = 5e-5                           # of the mean edge: how far behind surfaces nodes may end for sweeps to stop early
 TURNS = 3                              # of directions, for angular momentum to 1e-12
-CLOSING_ENOUGH = 5e-3                  # of the change that contact made to a velocity in the last step: what surfaces that touch close by
 NEGLIGIBLE = 1e-14                     # of the mean edge in a step: velocities below are round-off
 
 

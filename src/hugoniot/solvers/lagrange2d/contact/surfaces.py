@@ -183,7 +183,7 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
     law_of, laws = law_tables(problem, [*surfaces.lengths, *[np.inf] * len(problem.rigid)])
     count, room = len(points), PAIRS_OF_A_POINT * len(points) + 16
     sizes = np.concatenate(([0], np.cumsum([len(c) for c in surfaces.copies])))
-    totals = np.zeros(7)
+    totals = np.zeros(8)
     totals[C.MEAN_EDGE] = surfaces.mean
 
     def ints(*shape):
