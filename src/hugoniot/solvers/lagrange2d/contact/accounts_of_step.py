@@ -5,9 +5,10 @@ import numba as nb
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.contact import layout as C
+from hugoniot.solvers.lagrange2d.contact.active import remember
 from hugoniot.solvers.lagrange2d.contact.corners import point_normal
 from hugoniot.solvers.lagrange2d.contact.impulses import arm_of, arm_of_bond, movers, of_pair, relative, slip
-from hugoniot.solvers.lagrange2d.contact.meeting import remember, seen
+from hugoniot.solvers.lagrange2d.contact.meeting import seen
 from hugoniot.solvers.lagrange2d.contact.rigid import lead_on, place
 from hugoniot.solvers.lagrange2d.quads import AREA_WEIGHTED, PLANAR
 

@@ -11,7 +11,7 @@ AHEAD = 2.0          # times what the velocities at the start of a step say of i
 
 @nb.njit(**BY_ADDRESS)
 def spreads(c, nodes):
-    """By how much the velocities of any two points differ at most, and their displacements since the last search: the diagonals of the
+    """By how much the velocities of any two points differ at most, and their displacements counted from `since`: the diagonals of the
     boxes that hold those of all points. Notes where points are."""
     left, bottom, right, top = 1e300, 1e300, -1e300, -1e300
     west, south, east, north = left, bottom, right, top

@@ -16,15 +16,14 @@ from numba.extending import overload
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.accounts_of_step import accept, book_heat, book_holds
+from hugoniot.solvers.lagrange2d.contact.active import as_in_last_step, forget
 from hugoniot.solvers.lagrange2d.contact.impulses import movers, restart
 from hugoniot.solvers.lagrange2d.contact.meeting import (
     CLOSING_ENOUGH,
     activate,
-    as_in_last_step,
     ask_closing,
     ask_mean,
     bind_points,
-    forget,
     point,
     start_velocity,
 )
