@@ -75,6 +75,11 @@ def angular_momentum(solver):
     return float(np.sum(n[N.own] * (n[N.x] * n[N.v] - n[N.y] * n[N.u])))
 
 
+def moment(places, forces):
+    """Of forces at places, both (2, n), about the origin."""
+    return float(np.sum(places[0] * forces[1] - places[1] * forces[0]))
+
+
 def moment_of_contact(solver):
     """Moment of the impulses of contact in the last step, at the places of nodes in its middle, about the origin, kg m2/s per metre."""
     contact, n, found = solver.run.contact, solver.nodes, 0.0
@@ -92,4 +97,4 @@ def mean_velocity(solver, block):
 
 
 __all__ = ["Boundary2D", "Contact2D", "Material", "MieGruneisen", "N", "Pulse", "Rigid2D", "Z", "al", "angular_momentum", "askew", "bars",
-           "mean_velocity", "meeting", "moment_of_contact", "ran", "rebound", "sphere", "strip", "walls"]
+           "mean_velocity", "meeting", "moment", "moment_of_contact", "ran", "rebound", "sphere", "strip", "walls"]

@@ -2,18 +2,20 @@
 
 import numba as nb
 
-from hugoniot.core.target import BY_ADDRESS
+from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.contact import layout as C
+from hugoniot.solvers.lagrange2d.contact.active import remember
 from hugoniot.solvers.lagrange2d.contact.corners import point_normal
 from hugoniot.solvers.lagrange2d.contact.impulses import arm_of, arm_of_bond, movers, of_pair, relative, slip
-from hugoniot.solvers.lagrange2d.contact.meeting import remember, seen
+from hugoniot.solvers.lagrange2d.contact.meeting import seen
+from hugoniot.solvers.lagrange2d.contact.rigid import lead_on, place
 from hugoniot.solvers.lagrange2d.quads import AREA_WEIGHTED, PLANAR
 
 E, INVERSE_MASS = 3, 1      # rows of the zone table
 
 
-@nb.njit(**BY_ADDRESS)
+@nb.njit(**INLINE)
 def warm(c, p, e, heat):
     """Give heat to the zones on both sides of a pair in equal halves, all of it to one side where the other is rigid."""
     behind, before, after = c.edges[e, C.EDGE_ZONE], c.points[p, C.POINT_BEFORE], c.points[p, C.POINT_AFTER]
@@ -41,8 +43,9 @@ def book_heat(c, start, dt):
         if q[C.LAMBDA] == 0.0 and q[C.TAU] == 0.0:
             continue
         u, v = relative(c, s, a, b, q[C.SHARE], arm_of(q), C.U)
-        u0, v0 = relative(c, s, a, b, q[C.SHARE], arm_of(q), C.U0)
-        u, v = old * u0 + new * u, old * v0 + new * v
+        if start > 0.0:
+            u0, v0 = relative(c, s, a, b, q[C.SHARE], arm_of(q), C.U0)
+            u, v = old * u0 + new * u, old * v0 + new * v
         heat = -q[C.LAMBDA] * (u * q[C.NX] + v * q[C.NY])
         friction = -q[C.TAU] * (old * slip(c, q, s, a, b, C.U0) + new * slip(c, q, s, a, b, C.U)) if q[C.TAU] != 0.0 else 0.0
         c.numbers[C.HEAT] += heat
@@ -63,10 +66,9 @@ def book_heat(c, start, dt):
 def book_holds(c, chains, start):
     """Impulse and work of walls, axis, driven edges and rigid bodies against contact."""
     old, new = 0.5 * start, 1.0 - 0.5 * start
-    for i in range(c.sizes[C.LISTED]):
-        m = c.listed[i]
+    for m in c.held:
         q, first, second = c.mover_numbers[m], c.movers[m, C.MOVER_CHAIN_1], c.movers[m, C.MOVER_CHAIN_2]
-        if first < 0 or (q[C.JX] == 0.0 and q[C.JY] == 0.0):
+        if q[C.JX] == 0.0 and q[C.JY] == 0.0:
             continue
         u, v = old * q[C.U0] + new * q[C.U], old * q[C.V0] + new * q[C.V]
         if c.movers[m, C.MOVER_RIGID] >= 0:
@@ -93,25 +95,26 @@ def book(chains, chain, x, y, u, v):
 
 
 @nb.njit(**BY_ADDRESS)
-def area(c, nodes, p, kind):
-    """Area of the surface that belongs to a point: half of its edges, times the radius in axisymmetric flow."""
-    found, k = 0.0, c.points[p, C.POINT_NODE]
+def area(c, p, kind):
+    """Area of the surface that belongs to a point at the end of a step: half of its edges, times the radius in axisymmetric flow."""
+    found, (own, _) = 0.0, place(c, p, 1.0)
     for column in (C.POINT_BEFORE, C.POINT_AFTER):
         e = c.points[p, column]
         if e >= 0:
-            a, b = c.points[c.edges[e, C.EDGE_A], C.POINT_NODE], c.points[c.edges[e, C.EDGE_B], C.POINT_NODE]
-            length = ((nodes[0, a] - nodes[0, b]) ** 2 + (nodes[1, a] - nodes[1, b]) ** 2) ** 0.5
-            other = nodes[0, a] + nodes[0, b] - nodes[0, k]
-            radius = 1.0 if kind == PLANAR else nodes[0, k] if kind == AREA_WEIGHTED else (2.0 * nodes[0, k] + other) / 3.0
+            (ax, ay), (bx, by) = place(c, c.edges[e, C.EDGE_A], 1.0), place(c, c.edges[e, C.EDGE_B], 1.0)
+            length = ((ax - bx) ** 2 + (ay - by) ** 2) ** 0.5
+            other = ax + bx - own
+            radius = 1.0 if kind == PLANAR else own if kind == AREA_WEIGHTED else (2.0 * own + other) / 3.0
             found += 0.5 * length * radius
     return found
 
 
 @nb.njit(**BY_ADDRESS)
-def accept(c, nodes, dt, options):
+def accept(c, dt, options):
     """Book the step that was taken."""
     c.of_points[:, C.FORCE_X] = 0.0
     c.of_points[:, C.FORCE_Y] = 0.0
+    lead_on(c, dt)
     book_heat(c, 0.0, dt)
     last = -1
     for i in range(c.counts[C.ACTIVE]):
@@ -119,29 +122,29 @@ def accept(c, nodes, dt, options):
         q, p = c.pair_numbers[k], c.pairs[k, C.PAIR_POINT]
         if q[C.LAMBDA] == 0.0:
             continue
-        gap, _, _, _, length = seen(c, nodes, k, 0.0)
+        gap, _, _, _, length = seen(c, k, 1.0)
         c.numbers[C.DEEPEST] = max(c.numbers[C.DEEPEST], -gap / length)
         if p != last:
             s, a, b = of_pair(c, k)
             c.of_points[p, C.SLID] += dt * abs(slip(c, q, s, a, b, C.U))
             last = p
-    for p in range(c.points.shape[0]):
-        m = c.points[p, C.POINT_MOVER]
+    for i in range(c.sizes[C.POINTS]):
+        p, m = c.near_points[i, 0], c.near_points[i, 1]
         if c.movers[m, C.MOVER_RIGID] < 0:
             c.of_points[p, C.FORCE_X], c.of_points[p, C.FORCE_Y] = c.mover_numbers[m, C.JX] / dt, c.mover_numbers[m, C.JY] / dt
     remember(c, dt)
-    break_bonds(c, nodes, dt, options)
+    break_bonds(c, dt, options)
 
 
 @nb.njit(**BY_ADDRESS)
-def break_bonds(c, nodes, dt, options):
+def break_bonds(c, dt, options):
     """Bonds whose tension over the area of their point exceeds their strength."""
     for i in range(c.sizes[C.BONDS]):
         p = c.bound[i]
         e, q = c.bonds[p, C.BOND_EDGE], c.bond_numbers[p]
         law = c.law_of[c.points[p, C.POINT_PART], c.edges[e, C.EDGE_PART]]
         if int(c.laws[law, C.LAW_KIND]) == C.SEPARABLE:
-            x, y = point_normal(c, nodes, p)
-            if q[C.BOND_X] * x + q[C.BOND_Y] * y > c.laws[law, C.LAW_STRENGTH] * area(c, nodes, p, options.kind) * dt:
+            x, y = point_normal(c, p, 1.0)
+            if q[C.BOND_X] * x + q[C.BOND_Y] * y > c.laws[law, C.LAW_STRENGTH] * area(c, p, options.kind) * dt:
                 c.bonds[p, C.BOND_STATE] = C.BROKEN
                 c.counts[C.BROKEN_BONDS] += 1

@@ -7,32 +7,42 @@ an edge of another stretch of surface that it may meet.
 
 from typing import Any, NamedTuple
 
+import numpy as np
+
 # node column; edges that end and start there (-1: none); the first of its pairs, after the last search
 POINT_NODE, POINT_MOVER, POINT_PART, POINT_BEFORE, POINT_AFTER, POINT_FIRST = range(6)
+# where a point is at the start of a step, and how far the velocity of its mover takes it in the step
+AT_X, AT_Y, BY_X, BY_Y = range(4)
 # points; block, or number of blocks + rigid body; zone behind (-1: none)
 EDGE_A, EDGE_B, EDGE_PART, EDGE_ZONE = range(4)
 # a column of the nodes; rigid body (-1: a node); chains that hold it; what drives it; 1 where it is in the list of the step
 MOVER_NODE, MOVER_RIGID, MOVER_CHAIN_1, MOVER_CHAIN_2, MOVER_PULSE, MOVER_LISTED = range(6)
-# inverse mass, of what turns the inverse moment of inertia; the directions that hold it (unit, 0: none) and the projector on what they
-# leave; velocity with the rate of turning, those before; impulse with its moment about the centre
-(IM, II, H1X, H1Y, H2X, H2Y, PXX, PXY, PYY, U, V, W, U0, V0, W0, JX, JY, JW) = range(18)
-MOVER_FLOATS = 18
+# velocity with the rate of turning; inverse mass, the projector on the directions that nothing holds, of what turns the inverse moment of
+# inertia; velocities before; impulse with its moment about the centre; the directions that hold it (unit, 0: none)
+(U, V, W, IM, PXX, PXY, PYY, II, U0, V0, W0, JX, JY, JW, _, _, H1X, H1Y, H2X, H2Y) = range(20)
+MOVER_FLOATS = 24
 # of a rigid body: centre, angle; their velocity at the start of a step, and the mean one of the step
 (CENTRE_X, CENTRE_Y, ANGLE, SPEED_X, SPEED_Y, SPIN, MEAN_X, MEAN_Y, MEAN_SPIN) = range(9)
 BONDED, SLIDING, SEPARABLE = range(3)
 LAW_KIND, LAW_FRICTION, LAW_STRENGTH, LAW_TIES = range(4)                      # ties: whether the point's side is the one that is tied
-# point, edge; movers of the point and of the ends of the edge, and their columns of the nodes
-PAIR_POINT, PAIR_EDGE, PAIR_ACTIVE, PAIR_S, PAIR_A, PAIR_B, PAIR_AT, PAIR_AT_A, PAIR_AT_B = range(9)
-PAIR_INTS = 9
-# impulses along the normal and the tangent; share of the edge; normal; least normal velocity, tangential aim; inverse masses; gap at the
-# start of the step; impulses of the last step; of a relaxation: impulses before a sweep, direction of search; coefficient of friction;
-# change of the velocities of its three movers by a unit impulse along its normal; where one of them turns: 1 for that of the point, -1
-# of the edge (0: neither), the way from its centre to where the impulse acts, and its change of rotation by a unit normal impulse;
-# the mass that the pair has along its normal; how far points may move relative to each other after the search before it can meet;
-# the gap where the impulses act, over the length of the edge
-(LAMBDA, TAU, SHARE, NX, NY, LEAST, AIM, WN, WT, GAP, LAST, LAST_TAU, OLD, OLD_TAU, WAY, WAY_TAU, COULOMB, SX, SY, AX, AY,
- BX, BY, SIDE, ARM_X, ARM_Y, TURN, MASS, AWAY, LIFT) = range(30)
-PAIR_FLOATS = 30
+# point, edge; movers of the point and of the ends of the edge; the points at these ends
+PAIR_POINT, PAIR_EDGE, PAIR_ACTIVE, PAIR_S, PAIR_A, PAIR_B, PAIR_FROM, PAIR_TO = range(8)
+PAIR_INTS = 8
+# of a pair that may meet: its number, its point, the points at the ends of its edge
+NEAR_PAIR, NEAR_POINT, NEAR_FROM, NEAR_TO = range(4)
+# impulse along the normal; normal; least normal velocity; the mass that the pair has along its normal, and its inverse; impulse before a
+# sweep, direction of search;
+# change of the velocities of its three movers by a unit impulse along its normal; share of the edge; 1 where it has friction or one of its
+# movers turns;
+# impulse along the tangent, its coefficient of friction, tangential aim, inverse mass, the gap where the impulses act over the length of
+# the edge, impulse before a sweep, direction of search; 1 where the mover of the point turns, -1 where that of the edge does (0: neither);
+# impulses of the last step; gap at the start of the step; where a mover turns: the way from its centre to where the impulse acts, and its
+# change of rotation by a unit normal impulse
+(LAMBDA, NX, NY, LEAST, MASS, WN, OLD, WAY,
+ SX, SY, AX, AY, BX, BY, SHARE, MORE,
+ TAU, COULOMB, AIM, WT, LIFT, OLD_TAU, WAY_TAU, SIDE,
+ LAST, LAST_TAU, GAP, ARM_X, ARM_Y, TURN) = range(30)
+PAIR_FLOATS = 32
 OFF, ON, FRESH = range(3)      # PAIR_ACTIVE
 FREE, BOUND, BROKEN = range(3)
 BOND_STATE, BOND_EDGE = range(2)
@@ -44,24 +54,31 @@ BOND_FLOATS = 16
 # of a point: force of the last step, distance slid
 FORCE_X, FORCE_Y, SLID = range(3)
 # numbers: reach of the search, mean edge, heat of closing, work of friction, deepest place of a node behind a surface over the
-# edge, the last step, the largest change of a velocity by contact in it
-REACH, MEAN_EDGE, HEAT, FRICTION, DEEPEST, LAST_STEP, CHANGE = range(7)
-PAIRS, SEARCHES, SWEEPS, BROKEN_BONDS, FULL, OLD_PAIRS, ACTIVE = range(7)
-NEAR, LISTED, BONDS = range(3)  # sizes of the lists of a step
+# edge, the last step, the largest change of a velocity by contact in it, how far points may move while the list of near pairs serves
+REACH, MEAN_EDGE, HEAT, FRICTION, DEEPEST, LAST_STEP, CHANGE, MARGIN = range(8)
+PAIRS, SEARCHES, SWEEPS, BROKEN_BONDS, FULL, OLD_PAIRS, ACTIVE, STEPS = range(8)
+NEAR, LISTED, BONDS, TOUCHED, POINTS = range(5)      # sizes of the lists of a step; NEAR is -1 where they are to be made anew
+LINE = 8             # floats of a line of cache
 
 
 class Contact(NamedTuple):
     """Tables of the contact of a run; columns are above.
 
     rigid                  what moves rigid bodies, in the order of their movers
+    held                   movers that a wall, the axis or a pulse holds, and rigid bodies
     copies_start, copies   node columns that are one with each mover's
     law_of                 (part, part): index of the law between them
     old_pairs, old_numbers   the pairs before the last search
-    near, listed, bound    the pairs that may meet in a step, in their order, the movers concerned, and the points with a bond that stands;
-                           `sizes` of the three
-    active                 the pairs that are active, in their order
+    places                 (points and behind them centres of rigid bodies, columns AT_X to BY_Y)
+    away                   how far points may move relative to each other, counted from `since`, before each pair can meet
+    near, listed, bound    the pairs that may meet in a step, in their order, the movers concerned, and the points with a bond that stands
+    touched                those of the pairs that had an impulse in the last step
+    near_points, marks     (point, mover) of the points concerned; whether each point is in that list
+    sizes                  of these lists
+    active, candidates     the pairs that are active, in their order, and those that may become so
+    binds                  whether a law ties points to edges
     cells, sorted_edges    of the search: first edge of each cell, edges by cell
-    since                  (point, 2): where points stood at the last search
+    since                  (point, 2): where points stood when their motion began to count: at the last search or later
     zones                  table of zones, for the heat
     speeds                 pulses that drive rigid bodies, as `march.Run` has them: numbers and tables
     """
@@ -71,6 +88,7 @@ class Contact(NamedTuple):
     movers: Any
     mover_numbers: Any
     rigid: Any
+    held: Any
     copies_start: Any
     copies: Any
     law_of: Any
@@ -79,11 +97,17 @@ class Contact(NamedTuple):
     pair_numbers: Any
     old_pairs: Any
     old_numbers: Any
+    places: Any
+    away: Any
     near: Any
     listed: Any
     bound: Any
+    touched: Any
+    near_points: Any
+    marks: Any
     sizes: Any
     active: Any
+    candidates: Any
     bonds: Any
     bond_numbers: Any
     of_points: Any
@@ -93,8 +117,16 @@ class Contact(NamedTuple):
     numbers: Any
     counts: Any
     zones: Any
+    binds: bool
     speeds: Any
     speed_tables: Any
+
+
+def table(rows: int, columns: int) -> np.ndarray:
+    """Zeros (rows, columns) of floats; the first row begins a line of cache."""
+    buffer = np.zeros(rows * columns + LINE)
+    start = (-buffer.ctypes.data // buffer.itemsize) % LINE
+    return buffer[start:start + rows * columns].reshape(rows, columns)
 
 
 class Nowhere(NamedTuple):

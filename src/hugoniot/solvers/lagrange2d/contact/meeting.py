@@ -8,9 +8,9 @@ import numba as nb
 
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
-from hugoniot.solvers.lagrange2d.contact.corners import DEEP, edge_vector, faces, has_edges, hollow, over_edge
+from hugoniot.solvers.lagrange2d.contact.active import list_active
+from hugoniot.solvers.lagrange2d.contact.corners import BEYOND, DEEP, edge_vector, faces, has_edges, hollow, over_edge
 from hugoniot.solvers.lagrange2d.contact.impulses import (
-    CLOSE_ENOUGH,
     arm_of,
     inverse_mass,
     of_pair,
@@ -26,27 +26,28 @@ STRAIGHT = 0.999     # cosine between edges that bound the same half of the plan
 OVERHANG = 0.5       # of an edge: how far beyond its ends forces may act on it, so that they have no moment
 KEPT_DEPTH = 0.9     # of the depth at the start of a step may be left at its end
 RISE = 1e-2          # of the change of velocity that contact made in the last step: what is behind rises no faster
+CLOSING_ENOUGH = 5e-3      # of the change that contact made to a velocity in the last step: what surfaces that touch close by
 CLOSED = 1e-3        # of an edge: a gap that a bond bridges
 
 
 @nb.njit(**INLINE)
-def offsets(c, nodes, k, dt):
-    """(way of the edge, way from its start to the point) of the pair k, with positions moved by dt times the velocities of movers."""
+def offsets(c, k, t):
+    """(way of the edge, way from its start to the point) of the pair k after the part t of a step."""
     q = c.pairs[k]
-    (ax, ay), (bx, by) = place(c, nodes, q[C.PAIR_A], q[C.PAIR_AT_A], dt), place(c, nodes, q[C.PAIR_B], q[C.PAIR_AT_B], dt)
-    x, y = place(c, nodes, q[C.PAIR_S], q[C.PAIR_AT], dt)
+    (ax, ay), (bx, by), (x, y) = place(c, q[C.PAIR_FROM], t), place(c, q[C.PAIR_TO], t), place(c, q[C.PAIR_POINT], t)
     return bx - ax, by - ay, x - ax, y - ay
 
 
 @nb.njit(**INLINE)
-def seen(c, nodes, k, dt):
-    """(gap, share, normal, length) of the pair k, with positions moved by dt times the velocities of movers."""
-    dx, dy, px, py = offsets(c, nodes, k, dt)
+def seen(c, k, t):
+    """(gap, share, normal, length) of the pair k after the part t of a step."""
+    dx, dy, px, py = offsets(c, k, t)
     length = (dx * dx + dy * dy) ** 0.5
     if length == 0.0:
         return 1e300, 0.5, 0.0, 0.0, 0.0
-    dx, dy = dx / length, dy / length
-    return px * dy - py * dx, (px * dx + py * dy) / length, dy, -dx, length
+    over = 1.0 / length
+    dx, dy = dx * over, dy * over
+    return px * dy - py * dx, (px * dx + py * dy) * over, dy, -dx, length
 
 
 @nb.njit(**BY_ADDRESS)
@@ -68,56 +69,77 @@ def faced(c, k):
     return c.edges[e, C.EDGE_A] if abs(share) < SAME_PLACE else c.edges[e, C.EDGE_B] if abs(share - 1.0) < SAME_PLACE else -1
 
 
-@nb.njit(**BY_ADDRESS)
-def turned_by(c, nodes, k, m):
+@nb.njit(**INLINE)
+def turned_by(c, k, m):
     """Cosine between the edges of two pairs."""
-    ax, ay = edge_vector(c, nodes, c.pairs[k, C.PAIR_EDGE])
-    bx, by = edge_vector(c, nodes, c.pairs[m, C.PAIR_EDGE])
+    (ax, ay), (bx, by) = edge_vector(c, c.pairs[k, C.PAIR_EDGE], 0.0), edge_vector(c, c.pairs[m, C.PAIR_EDGE], 0.0)
     return (ax * bx + ay * by) / ((ax * ax + ay * ay) * (bx * bx + by * by)) ** 0.5
 
 
-@nb.njit(**BY_ADDRESS)
-def said_already(c, nodes, k, first):
-    """Whether a pair of two nodes that face each other exactly stands in the list: with the next edge, or from the other side."""
-    p, other = c.pairs[k, C.PAIR_POINT], faced(c, k)
-    if other < 0:
-        return False
+@nb.njit(**INLINE)
+def said_already(c, k, first, other):
+    """Whether a pair of two nodes that face each other exactly stands in the list: with the next edge, or from the other side.
+
+    other: the point that the one of pair k faces.
+    """
+    p = c.pairs[k, C.PAIR_POINT]
     for m in range(first, k):
-        if c.pairs[m, C.PAIR_ACTIVE] != C.OFF and faced(c, m) == other and turned_by(c, nodes, k, m) > STRAIGHT:
+        if c.pairs[m, C.PAIR_ACTIVE] != C.OFF and faced(c, m) == other and turned_by(c, k, m) > STRAIGHT:
             return True
     if other < p:
         m = c.points[other, C.POINT_FIRST]
         while m < k and c.pairs[m, C.PAIR_POINT] == other:
-            if c.pairs[m, C.PAIR_ACTIVE] != C.OFF and faced(c, m) == p and turned_by(c, nodes, k, m) < -STRAIGHT:
+            if c.pairs[m, C.PAIR_ACTIVE] != C.OFF and faced(c, m) == p and turned_by(c, k, m) < -STRAIGHT:
                 return True
             m += 1
     return False
 
 
 @nb.njit(**BY_ADDRESS)
-def meets(c, nodes, k, first, dt, slack, depth):
+def list_candidates(c):
+    """List the pairs whose point ends the step behind the edge, not far beyond its ends, and was not deep behind it at the start; how many.
+
+    Without branches, which would cost more than all this.
+    """
+    count = 0
+    for i in range(c.sizes[C.NEAR]):
+        k, p, a, b = c.near[i]
+        (x, y), (ax, ay), (bx, by) = place(c, p, 1.0), place(c, a, 1.0), place(c, b, 1.0)
+        dx, dy, px, py = bx - ax, by - ay, x - ax, y - ay
+        along, square = px * dx + py * dy, dx * dx + dy * dy
+        behind = (py * dx > px * dy) & (along >= -BEYOND * square) & (along <= (1.0 + BEYOND) * square)
+        (x, y), (ax, ay), (bx, by) = place(c, p, 0.0), place(c, a, 0.0), place(c, b, 0.0)
+        dx, dy, px, py = bx - ax, by - ay, x - ax, y - ay
+        c.candidates[count] = k
+        count += behind & (py * dx - px * dy <= DEEP * (dx * dx + dy * dy))
+    return count
+
+
+@nb.njit(**INLINE)
+def meets(c, k, first, slack, depth):
     """Whether the pair k, with the velocities found so far, is behind its edge at the end of the step by more than `slack` of the edge
     and more than `depth`, and no active pair says so already; first: of its point.
 
     Keeps the gap at the start of the step, and the share of the edge at its end.
     """
-    dx, dy, px, py = offsets(c, nodes, k, dt)
+    dx, dy, px, py = offsets(c, k, 1.0)
     behind, square = py * dx - px * dy, dx * dx + dy * dy      # the depth times the length of the edge
-    if behind <= 0.0 or behind <= max(slack * square, depth * square**0.5):
+    length = square**0.5
+    if behind <= max(slack * square, depth * length):
         return False
-    p, e, share = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE], (px * dx + py * dy) / square
-    c.pair_numbers[k, C.SHARE] = share
-    if said_already(c, nodes, k, first):
+    p, e, q, share = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE], c.pair_numbers[k], (px * dx + py * dy) / square
+    q[C.SHARE] = share
+    other = faced(c, k)
+    if other >= 0 and said_already(c, k, first, other):
         return False
-    before, _, nx, ny, length = seen(c, nodes, k, 0.0)
-    c.pair_numbers[k, C.GAP] = before
-    if before < -DEEP * length or not over_edge(c, nodes, p, e, (-behind / square**0.5, share), dt, (slack, depth)):
+    q[C.GAP], _, nx, ny, before = seen(c, k, 0.0)
+    if q[C.GAP] < -DEEP * before or not over_edge(c, p, e, (q[C.GAP], before), (-behind / length, share), (slack, depth)):
         return False
-    return not tied(c, p, e) and faces(c, nodes, p, nx, ny)
+    return not (c.binds and tied(c, p, e)) and faces(c, p, nx, ny)
 
 
-@nb.njit(**BY_ADDRESS)
-def other_way(c, nodes, k, first, dt):
+@nb.njit(**INLINE)
+def other_way(c, k, first):
     """Whether an active pair of the same point, from `first` on, has the edge the point came through, around a corner that juts out."""
     p, e = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE]
     m = first
@@ -127,32 +149,33 @@ def other_way(c, nodes, k, first, dt):
             follows = c.edges[e, C.EDGE_B] == c.edges[f, C.EDGE_A]
             if follows or c.edges[f, C.EDGE_B] == c.edges[e, C.EDGE_A]:
                 mine, others = c.pair_numbers[k, C.GAP], c.pair_numbers[m, C.GAP]
-                if not hollow(c, nodes, e, f, follows, dt) and (mine < others or (mine == others and m < k)):
+                if (mine < others or (mine == others and m < k)) and not hollow(c, e, f, follows):
                     return True
         m += 1
     return False
 
 
 @nb.njit(**BY_ADDRESS)
-def activate(c, nodes, dt, closing, slack):
+def activate(c, dt, closing, slack):
     """Add pairs that meet to those that are active, with their impulses of the last step unless it is `closing`; whether there were any.
 
     What meets by less than `slack` of an edge is left to the next step.
     """
-    found, i, last = False, 0, c.sizes[C.NEAR]
-    depth = CLOSE_ENOUGH * c.numbers[C.CHANGE] * dt if closing else 0.0
+    found, i, last = False, 0, list_candidates(c)
+    depth = CLOSING_ENOUGH * c.numbers[C.CHANGE] * dt if closing else 0.0
     while i < last:
-        k = first = c.near[i]
-        p, fresh = c.pairs[first, C.PAIR_POINT], False
-        while i < last and c.pairs[c.near[i], C.PAIR_POINT] == p:
-            k = c.near[i]
-            if c.pairs[k, C.PAIR_ACTIVE] == C.OFF and meets(c, nodes, k, first, dt, slack, depth):
+        k, fresh = c.candidates[i], False
+        p = c.pairs[k, C.PAIR_POINT]
+        first = c.points[p, C.POINT_FIRST]
+        while i < last and c.pairs[c.candidates[i], C.PAIR_POINT] == p:
+            k = c.candidates[i]
+            i += 1
+            if c.pairs[k, C.PAIR_ACTIVE] == C.OFF and meets(c, k, first, slack, depth):
                 q, c.pairs[k, C.PAIR_ACTIVE], fresh = c.pair_numbers[k], C.FRESH, True
                 q[C.LAMBDA], q[C.TAU] = (0.0, 0.0) if closing else (q[C.LAST], q[C.LAST_TAU])
-            i += 1
         if fresh:
             for m in range(first, k + 1):
-                if c.pairs[m, C.PAIR_ACTIVE] == C.FRESH and other_way(c, nodes, m, first, dt):
+                if c.pairs[m, C.PAIR_ACTIVE] == C.FRESH and other_way(c, m, first):
                     c.pairs[m, C.PAIR_ACTIVE] = C.OFF
             for m in range(first, k + 1):
                 if c.pairs[m, C.PAIR_ACTIVE] == C.FRESH:
@@ -162,112 +185,89 @@ def activate(c, nodes, dt, closing, slack):
     return found
 
 
-@nb.njit(**BY_ADDRESS)
-def list_active(c):
-    """List the active pairs."""
-    count = 0
-    for i in range(c.sizes[C.NEAR]):
-        k = c.near[i]
-        if c.pairs[k, C.PAIR_ACTIVE] == C.ON:
-            c.active[count] = k
-            count += 1
-    c.counts[C.ACTIVE] = count
-
-
-@nb.njit(**BY_ADDRESS)
-def forget(c):
-    """No pair is active."""
-    c.counts[C.ACTIVE] = 0
-    for i in range(c.sizes[C.NEAR]):
-        c.pairs[c.near[i], C.PAIR_ACTIVE] = C.OFF
-
-
-@nb.njit(**BY_ADDRESS)
-def remember(c, dt):
-    """Keep the impulses of this step for the next one."""
-    c.numbers[C.LAST_STEP] = dt
-    for i in range(c.sizes[C.BONDS]):
-        q = c.bond_numbers[c.bound[i]]
-        q[C.BOND_LAST_X], q[C.BOND_LAST_Y] = q[C.BOND_X], q[C.BOND_Y]
-    for i in range(c.sizes[C.NEAR]):
-        k = c.near[i]
-        q, on = c.pair_numbers[k], c.pairs[k, C.PAIR_ACTIVE] == C.ON
-        q[C.LAST], q[C.LAST_TAU] = (q[C.LAMBDA], q[C.TAU]) if on else (0.0, 0.0)
-
-
-@nb.njit(**BY_ADDRESS)
-def point(c, nodes, k, dt):
-    """Set where and along what normal the impulse of pair k acts, with places after dt; the gap there."""
-    q, (s, a, b) = c.pair_numbers[k], of_pair(c, k)
-    gap, share, q[C.NX], q[C.NY], length = seen(c, nodes, k, dt)
-    q[C.SHARE], q[C.LIFT] = min(max(share, -OVERHANG), 1.0 + OVERHANG), gap / length if length > 0.0 else 0.0
-    q[C.SIDE], x, y = arm(c, nodes, s, a, b, (c.pairs[k, C.PAIR_AT_A], c.pairs[k, C.PAIR_AT_B]), q[C.SHARE], dt)
-    q[C.ARM_X], q[C.ARM_Y] = x + gap * q[C.NX], y + gap * q[C.NY]
+@nb.njit(**INLINE)
+def point(c, k, t):
+    """Set where and along what normal the impulse of pair k acts, with places after the part t of a step; the gap there."""
+    q = c.pair_numbers[k]
+    gap, share, q[C.NX], q[C.NY], length = seen(c, k, t)
+    q[C.SHARE] = min(max(share, -OVERHANG), 1.0 + OVERHANG)
+    if q[C.MORE] != 0.0:
+        s, a, _ = of_pair(c, k)
+        q[C.LIFT] = gap / length if length > 0.0 else 0.0
+        q[C.SIDE], x, y = arm(c, s, a, (c.pairs[k, C.PAIR_FROM], c.pairs[k, C.PAIR_TO]), q[C.SHARE], t)
+        q[C.ARM_X], q[C.ARM_Y] = x + gap * q[C.NX], y + gap * q[C.NY]
     return gap
 
 
 @nb.njit(**BY_ADDRESS)
-def ask_closing(c, nodes, dt):
+def ask_closing(c, dt):
     """At the start of a step: points may not come nearer than their gap allows, and do not slide where friction holds them."""
     for i in range(c.counts[C.ACTIVE]):
         k = c.active[i]
-        q, (s, a, b) = c.pair_numbers[k], of_pair(c, k)
-        q[C.LEAST], q[C.AIM] = -max(point(c, nodes, k, 0.0), 0.0) / dt, 0.0
-        weigh(c, q, s, a, b)
+        q = c.pair_numbers[k]
+        q[C.LEAST], q[C.AIM] = -max(point(c, k, 0.0), 0.0) / dt, 0.0
+        weigh(c, q, *of_pair(c, k))
 
 
 @nb.njit(**BY_ADDRESS)
 def ask_mean(c, nodes, dt):
     """For the mean velocity of a step: the gap at its end is not negative, and what slides may be at rest there at best."""
+    over = 1.0 / dt
     for i in range(c.counts[C.ACTIVE]):
         k = c.active[i]
         q, (s, a, b) = c.pair_numbers[k], of_pair(c, k)
-        gap, _, _, _, _ = seen(c, nodes, k, dt)
-        point(c, nodes, k, 0.5 * dt)
+        gap, _, _, _, _ = seen(c, k, 1.0)
+        point(c, k, 0.5)
         weigh(c, q, s, a, b)
         u, v = relative(c, s, a, b, q[C.SHARE], arm_of(q), C.U)
         wanted = min(q[C.GAP] + min((KEPT_DEPTH - 1.0) * q[C.GAP], RISE * c.numbers[C.CHANGE] * dt), 0.0)
-        q[C.LEAST] = u * q[C.NX] + v * q[C.NY] + (wanted - gap) / dt
+        q[C.LEAST] = u * q[C.NX] + v * q[C.NY] + (wanted - gap) * over
         if q[C.COULOMB] > 0.0:
-            at_a, at_b = c.pairs[k, C.PAIR_AT_A], c.pairs[k, C.PAIR_AT_B]
-            u, v = start_velocity(nodes, c.pairs[k, C.PAIR_AT], at_a, at_b, q[C.SHARE])
+            at_a, at_b = c.points[c.pairs[k, C.PAIR_FROM], C.POINT_NODE], c.points[c.pairs[k, C.PAIR_TO], C.POINT_NODE]
+            u, v = start_velocity(nodes, c.points[c.pairs[k, C.PAIR_POINT], C.POINT_NODE], at_a, at_b, q[C.SHARE])
             turn = (nodes[2, at_b] - nodes[2, at_a]) * q[C.NX] + (nodes[3, at_b] - nodes[3, at_a]) * q[C.NY]
             q[C.AIM] = 0.5 * (v * q[C.NX] - u * q[C.NY] + q[C.LIFT] * turn)
 
 
-@nb.njit(**BY_ADDRESS)
+@nb.njit(**INLINE)
 def start_velocity(nodes, i, j, k, t):
     """Velocity of a column of the nodes relative to the place t between two others at the start of the step."""
     return nodes[2, i] - (1.0 - t) * nodes[2, j] - t * nodes[2, k], nodes[3, i] - (1.0 - t) * nodes[3, j] - t * nodes[3, k]
 
 
-@nb.njit(**BY_ADDRESS)
+@nb.njit(**INLINE)
 def weigh(c, q, s, a, b):
     """What unit impulses of a pair along its normal and its tangent do."""
     x, y, t = q[C.NX], q[C.NY], q[C.SHARE]
-    if q[C.SIDE] != 0.0:
-        q[C.TURN] = q[C.SIDE] * c.mover_numbers[s if q[C.SIDE] > 0.0 else a, C.II] * (q[C.ARM_X] * y - q[C.ARM_Y] * x)
     q[C.SX], q[C.SY] = response(c, s, x, y)
     q[C.AX], q[C.AY] = response(c, a, (t - 1.0) * x, (t - 1.0) * y)
     q[C.BX], q[C.BY] = response(c, b, -t * x, -t * y)
-    q[C.WN] = inverse_mass(c, s, a, b, t, arm_of(q), x, y)
+    if a == b:
+        q[C.WN] = inverse_mass(c, s, a, b, t, (0.0, 0.0, 0.0), x, y)
+    else:
+        q[C.WN] = (q[C.SX] + (t - 1.0) * q[C.AX] - t * q[C.BX]) * x + (q[C.SY] + (t - 1.0) * q[C.AY] - t * q[C.BY]) * y
+    if q[C.MORE] != 0.0:
+        q[C.WT] = weight_of_friction(c, q, s, a, b) if q[C.COULOMB] > 0.0 else 0.0
+        if q[C.SIDE] != 0.0:
+            moment = q[C.ARM_X] * y - q[C.ARM_Y] * x
+            q[C.TURN] = q[C.SIDE] * c.mover_numbers[s if q[C.SIDE] > 0.0 else a, C.II] * moment
+            q[C.WN] += q[C.SIDE] * q[C.TURN] * moment
     q[C.MASS] = 1.0 / q[C.WN] if q[C.WN] > 0.0 else 0.0
-    q[C.WT] = weight_of_friction(c, q, s, a, b) if q[C.COULOMB] > 0.0 else 0.0
 
 
 @nb.njit(**BY_ADDRESS)
-def bind_points(c, nodes):
-    """Bond points that have come to rest on an edge they are to be tied to."""
+def bind_points(c):
+    """Bind points that have come to rest on an edge they are to be tied to."""
     for i in range(c.sizes[C.NEAR]):
-        k = c.near[i]
+        k = c.near[i, 0]
         p, e = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE]
         law = c.law_of[c.points[p, C.POINT_PART], c.edges[e, C.EDGE_PART]]
         if int(c.laws[law, C.LAW_KIND]) == C.SLIDING or c.laws[law, C.LAW_TIES] == 0.0 or c.bonds[p, C.BOND_STATE] != C.FREE:
             continue
-        gap, share, nx, ny, length = seen(c, nodes, k, 0.0)
+        gap, share, nx, ny, length = seen(c, k, 0.0)
         if abs(gap) > CLOSED * length or share < -CLOSED or share > 1.0 + CLOSED:
             continue
-        if not (has_edges(c, p) and faces(c, nodes, p, nx, ny)):
+        if not (has_edges(c, p) and faces(c, p, nx, ny)):
             continue
         c.bonds[p, C.BOND_STATE], c.bonds[p, C.BOND_EDGE] = C.BOUND, e
         list_bond(c, p)

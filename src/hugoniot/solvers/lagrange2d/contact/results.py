@@ -105,9 +105,11 @@ def larger(contact: C.Contact, room: int | None = None) -> C.Contact:
     made = {}
     for name in ("pairs", "pair_numbers", "old_pairs", "old_numbers"):
         table = getattr(contact, name)
-        made[name] = np.zeros((room, table.shape[1]), dtype=table.dtype)
+        made[name] = C.table(room, table.shape[1]) if table.dtype == float else np.zeros((room, table.shape[1]), dtype=table.dtype)
         made[name][:min(room, len(table))] = table[:room]
-    made |= {name: np.zeros(room, dtype=np.int64) for name in ("near", "active")}
+    made |= {name: np.zeros(room, dtype=np.int64) for name in ("touched", "active", "candidates")}
+    made |= {"near": np.zeros((room, 4), dtype=np.int64), "away": np.zeros(room)}
+    contact.sizes[C.NEAR] = -1
     return contact._replace(**made)
 
 

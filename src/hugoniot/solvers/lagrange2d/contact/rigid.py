@@ -17,35 +17,45 @@ X, U, XH, UM = 0, 2, 4, 6      # rows of the node table
 
 
 @nb.njit(**INLINE)
-def place(c, nodes, m, k, dt):
-    """Where a column k of the nodes is after dt, with the velocity of its mover m."""
-    n = c.mover_numbers
-    x, y = nodes[X, k] + dt * n[m, C.U], nodes[X + 1, k] + dt * n[m, C.V]
-    if n[m, C.W] != 0.0:
-        dx, dy = chord(c.rigid[c.movers[m, C.MOVER_RIGID]], nodes, k, dt * n[m, C.W])
-        x, y = x + dx, y + dy
-    return x, y
-
-
-@nb.njit(**INLINE)
-def chord(body, nodes, k, angle):
-    """Way of a vertex when its body turns by an angle about its centre."""
-    x, y, sine, cosine = nodes[X, k] - body[C.CENTRE_X], nodes[X + 1, k] - body[C.CENTRE_Y], math.sin(angle), math.cos(angle)
-    return (cosine - 1.0) * x - sine * y, sine * x + (cosine - 1.0) * y
+def place(c, p, t):
+    """Where a point is after the part t of a step."""
+    at = c.places[p]
+    return at[C.AT_X] + t * at[C.BY_X], at[C.AT_Y] + t * at[C.BY_Y]
 
 
 @nb.njit(**BY_ADDRESS)
-def arm(c, nodes, s, a, b, ends, t, dt):
-    """(side, x, y): 1 where the mover of a point turns, -1 where that of an edge does, 0 where neither; the way from its centre to the
-    place t of the edge after dt. ends: node columns of the edge."""
+def lead_on(c, dt):
+    """How far the points concerned and the rigid bodies move in a step with the velocities of their movers."""
+    for i in range(c.sizes[C.POINTS]):
+        at, q, m = c.places[c.near_points[i, 0]], c.mover_numbers[c.near_points[i, 1]], c.near_points[i, 1]
+        at[C.BY_X], at[C.BY_Y] = dt * q[C.U], dt * q[C.V]
+        if q[C.W] != 0.0:
+            x, y = chord(c.rigid[c.movers[m, C.MOVER_RIGID]], at[C.AT_X], at[C.AT_Y], dt * q[C.W])
+            at[C.BY_X], at[C.BY_Y] = at[C.BY_X] + x, at[C.BY_Y] + y
+    for r in range(c.rigid.shape[0]):
+        at, q = c.places[c.points.shape[0] + r], c.mover_numbers[c.movers.shape[0] - c.rigid.shape[0] + r]
+        at[C.AT_X], at[C.AT_Y] = c.rigid[r, C.CENTRE_X], c.rigid[r, C.CENTRE_Y]
+        at[C.BY_X], at[C.BY_Y] = dt * q[C.U], dt * q[C.V]
+
+
+@nb.njit(**INLINE)
+def chord(body, x, y, angle):
+    """Way of a vertex at (x, y) when its body turns by an angle about its centre."""
+    x, y, sine, cosine = x - body[C.CENTRE_X], y - body[C.CENTRE_Y], math.sin(angle), math.cos(angle)
+    return (cosine - 1.0) * x - sine * y, sine * x + (cosine - 1.0) * y
+
+
+@nb.njit(**INLINE)
+def arm(c, s, a, ends, share, t):
+    """(side, x, y): 1 where the mover s of a point turns, -1 where the mover a of an edge does, 0 where neither; the way from its centre
+    to the place `share` between the points at the ends of the edge after the part t of a step."""
     n = c.mover_numbers
     side = 1.0 if n[s, C.II] > 0.0 else -1.0 if n[a, C.II] > 0.0 else 0.0
     if side == 0.0:
         return 0.0, 0.0, 0.0
-    m = s if side > 0.0 else a
-    body, (ax, ay), (bx, by) = c.rigid[c.movers[m, C.MOVER_RIGID]], place(c, nodes, a, ends[0], dt), place(c, nodes, b, ends[1], dt)
-    x, y = body[C.CENTRE_X] + dt * n[m, C.U], body[C.CENTRE_Y] + dt * n[m, C.V]
-    return side, (1.0 - t) * ax + t * bx - x, (1.0 - t) * ay + t * by - y
+    (ax, ay), (bx, by) = place(c, ends[0], t), place(c, ends[1], t)
+    x, y = place(c, c.points.shape[0] + c.movers[s if side > 0.0 else a, C.MOVER_RIGID], t)
+    return side, (1.0 - share) * ax + share * bx - x, (1.0 - share) * ay + share * by - y
 
 
 @nb.njit(**BY_ADDRESS)
@@ -67,7 +77,7 @@ def velocity_to(c, nodes, m, mean, dt):
         u, v = q[C.U], q[C.V]
         if q[C.W] != 0.0:
             if mean:
-                x, y = chord(body, nodes, k, dt * q[C.W])
+                x, y = chord(body, nodes[X, k], nodes[X + 1, k], dt * q[C.W])
                 u, v = u + x / dt, v + y / dt
             else:
                 u, v = turned(body, nodes, k, u, v, q[C.W])

@@ -10,14 +10,16 @@ AHEAD = 2.0          # times what the velocities at the start of a step say of i
 
 
 @nb.njit(**BY_ADDRESS)
-def spreads(nodes, points, since):
-    """By how much the velocities of any two points differ at most, and their displacements since the last search: the diagonals of the
-    boxes that hold those of all points."""
+def spreads(c, nodes):
+    """By how much the velocities of any two points differ at most, and their displacements counted from `since`: the diagonals of the
+    boxes that hold those of all points. Notes where points are."""
     left, bottom, right, top = 1e300, 1e300, -1e300, -1e300
     west, south, east, north = left, bottom, right, top
-    for p in range(points.shape[0]):
-        k = points[p, C.POINT_NODE]
-        u, v, dx, dy = nodes[2, k], nodes[3, k], nodes[0, k] - since[p, 0], nodes[1, k] - since[p, 1]
+    for p in range(c.points.shape[0]):
+        k = c.points[p, C.POINT_NODE]
+        x, y, u, v = nodes[0, k], nodes[1, k], nodes[2, k], nodes[3, k]
+        c.places[p, C.AT_X], c.places[p, C.AT_Y] = x, y
+        dx, dy = x - c.since[p, 0], y - c.since[p, 1]
         left, bottom, right, top = min(left, u), min(bottom, v), max(right, u), max(top, v)
         west, south, east, north = min(west, dx), min(south, dy), max(east, dx), max(north, dy)
     return ((right - left) ** 2 + (top - bottom) ** 2) ** 0.5, ((east - west) ** 2 + (north - south) ** 2) ** 0.5
@@ -96,11 +98,14 @@ def take_over(c, count, old):
 
 @nb.njit(**BY_ADDRESS)
 def describe(c, k):
-    """What the pair k is looked up for in every step: its movers, its nodes, its friction."""
+    """What the pair k is looked up for in every step: its movers, its points, its friction."""
     p, q, e = c.pairs[k, C.PAIR_POINT], c.pairs[k], c.edges[c.pairs[k, C.PAIR_EDGE]]
-    for n, m in enumerate((p, e[C.EDGE_A], e[C.EDGE_B])):
-        q[C.PAIR_S + n], q[C.PAIR_AT + n] = c.points[m, C.POINT_MOVER], c.points[m, C.POINT_NODE]
-    c.pair_numbers[k, C.COULOMB] = c.laws[c.law_of[c.points[p, C.POINT_PART], e[C.EDGE_PART]], C.LAW_FRICTION]
+    q[C.PAIR_FROM], q[C.PAIR_TO] = e[C.EDGE_A], e[C.EDGE_B]
+    for n, m in enumerate((p, q[C.PAIR_FROM], q[C.PAIR_TO])):
+        q[C.PAIR_S + n] = c.points[m, C.POINT_MOVER]
+    friction = c.laws[c.law_of[c.points[p, C.POINT_PART], e[C.EDGE_PART]], C.LAW_FRICTION]
+    turns = c.mover_numbers[q[C.PAIR_S], C.II] > 0.0 or c.mover_numbers[q[C.PAIR_A], C.II] > 0.0
+    c.pair_numbers[k, C.COULOMB], c.pair_numbers[k, C.MORE] = friction, 1.0 if friction > 0.0 or turns else 0.0
 
 
 @nb.njit(**BY_ADDRESS)
@@ -123,7 +128,7 @@ def search(c, nodes):
                     if c.law_of[part, c.edges[e, C.EDGE_PART]] < 0 or c.edges[e, C.EDGE_A] == p or c.edges[e, C.EDGE_B] == p:
                         continue
                     a, b = c.points[c.edges[e, C.EDGE_A], C.POINT_NODE], c.points[c.edges[e, C.EDGE_B], C.POINT_NODE]
-                    if distance(px, py, x[a], y[a], x[b], y[b], 0.0)[0] > reach:
+                    if distance(px, py, x[a], y[a], x[b], y[b], 0.0, 0.0)[0] > reach:
                         continue
                     if count == c.pairs.shape[0]:
                         c.counts[C.PAIRS], c.counts[C.FULL] = 0, 1
@@ -131,11 +136,11 @@ def search(c, nodes):
                     c.pairs[count, C.PAIR_POINT], c.pairs[count, C.PAIR_EDGE] = p, e
                     c.pairs[count, C.PAIR_ACTIVE] = C.OFF
                     old = take_over(c, count, old)
-                    c.pair_numbers[count, C.AWAY] = 0.0
+                    c.away[count] = 0.0
                     describe(c, count)
                     count += 1
         c.since[p, 0], c.since[p, 1] = px, py
-    c.counts[C.PAIRS], c.counts[C.FULL] = count, 0
+    c.counts[C.PAIRS], c.counts[C.FULL], c.sizes[C.NEAR] = count, 0, -1
     c.counts[C.SEARCHES] += 1
     return True
 
@@ -144,7 +149,7 @@ def search(c, nodes):
 def make_ready(c, nodes, dt):
     """List the pairs that may meet in the step, after a search if the last one is worth nothing: where points have moved relative to
     each other, or will in this step, farther than it looked. False where there is no room for what it found."""
-    speed, moved = spreads(nodes, c.points, c.since)
+    speed, moved = spreads(c, nodes)
     ahead = AHEAD * dt * speed
     if c.counts[C.SEARCHES] == 0 or c.counts[C.FULL] != 0 or moved + ahead > c.numbers[C.REACH]:
         c.numbers[C.REACH] = max(0.5 * c.numbers[C.MEAN_EDGE], 3.0 * ahead)

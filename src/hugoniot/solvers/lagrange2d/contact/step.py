@@ -20,29 +20,29 @@ from hugoniot.core.passes import Entry, call_entry
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.accounts_of_step import accept, book_heat, book_holds
-from hugoniot.solvers.lagrange2d.contact.impulses import columns, movers, relax, restart
+from hugoniot.solvers.lagrange2d.contact.active import as_in_last_step, forget
+from hugoniot.solvers.lagrange2d.contact.impulses import movers, restart
 from hugoniot.solvers.lagrange2d.contact.meeting import (
+    CLOSING_ENOUGH,
     activate,
     ask_closing,
     ask_mean,
     bind_points,
-    forget,
-    list_active,
     point,
     start_velocity,
 )
-from hugoniot.solvers.lagrange2d.contact.rigid import arm, drive, move_rigid, velocity_from, velocity_to
+from hugoniot.solvers.lagrange2d.contact.relaxation import relax
+from hugoniot.solvers.lagrange2d.contact.rigid import arm, drive, lead_on, move_rigid, velocity_from, velocity_to
 from hugoniot.solvers.lagrange2d.contact.search import make_ready
 from hugoniot.solvers.lagrange2d.quads import PLANAR
 
 READY, CLOSE, PUSH_MIDDLE, PUSH, MOVE, TAKE_BACK, ACCEPT = range(7)
-X, U, XH, UM, IM = 0, 2, 4, 6, 12      # rows of the node table
+X, U, XH, UM = 0, 2, 4, 6      # rows of the node table
 ROUNDS = 6                             # at most, of finding who meets and what follows; one at the start of a step
 SLACK = 1e-7                           # of an edge: what closes by less in a step is left to the forces
 SMALL = 1e-5                           # of an edge: what would be behind by less after a round is left to the next step
 DEPTH = 5e-5                           # of the mean edge: how far behind surfaces nodes may end for sweeps to stop early
 TURNS = 3                              # of directions, for angular momentum to 1e-12
-CLOSING_ENOUGH = 5e-3                  # of the change that contact made to a velocity in the last step: what surfaces that touch close by
 NEGLIGIBLE = 1e-14                     # of the mean edge in a step: velocities below are round-off
 
 
@@ -54,7 +54,7 @@ def take(c, nodes, row):
         m = c.listed[i]
         if c.movers[m, C.MOVER_RIGID] < 0:
             k = c.movers[m, C.MOVER_NODE]
-            n[m, C.U], n[m, C.V], n[m, C.IM] = nodes[row, k], nodes[row + 1, k], nodes[IM, k]
+            n[m, C.U], n[m, C.V] = nodes[row, k], nodes[row + 1, k]
         else:
             velocity_from(c, m, row == UM)
         n[m, C.U0], n[m, C.V0], n[m, C.W0] = n[m, C.U], n[m, C.V], n[m, C.W]
@@ -82,35 +82,35 @@ def give(c, nodes, row, dt, middle):
 @nb.njit(**BY_ADDRESS)
 def aim_bonds(c, nodes, closing):
     """Bonds start without impulse; both ends move alike at the end of the step."""
-    standing = False
     for i in range(c.sizes[C.BONDS]):
         p = c.bound[i]
-        q, standing = c.bond_numbers[p], True
+        q, e = c.bond_numbers[p], c.edges[c.bonds[p, C.BOND_EDGE]]
         q[C.BOND_X], q[C.BOND_Y], q[C.BOND_AIM_X], q[C.BOND_AIM_Y] = 0.0, 0.0, 0.0, 0.0
         if not closing:
             q[C.BOND_X], q[C.BOND_Y] = q[C.BOND_LAST_X], q[C.BOND_LAST_Y]
-            at, at_a, at_b = columns(c, p, c.bonds[p, C.BOND_EDGE])
+            at, at_a, at_b = c.points[p, C.POINT_NODE], c.points[e[C.EDGE_A], C.POINT_NODE], c.points[e[C.EDGE_B], C.POINT_NODE]
             u, v = start_velocity(nodes, at, at_a, at_b, q[C.BOND_SHARE])
             q[C.BOND_AIM_X], q[C.BOND_AIM_Y] = 0.5 * u, 0.5 * v
-    return standing
+    return c.sizes[C.BONDS] > 0
 
 
 @nb.njit(**BY_ADDRESS)
-def arm_bonds(c, nodes, dt):
-    """Where the impulses of bonds act on bodies that turn, after dt."""
+def arm_bonds(c, t):
+    """Where the impulses of bonds act on bodies that turn, after the part t of a step."""
     for i in range(c.sizes[C.BONDS]):
         p = c.bound[i]
         q, e = c.bond_numbers[p], c.bonds[p, C.BOND_EDGE]
-        (s, a, b), (_, i, j) = movers(c, p, e), columns(c, p, e)
-        q[C.BOND_SIDE], q[C.BOND_ARM_X], q[C.BOND_ARM_Y] = arm(c, nodes, s, a, b, (i, j), q[C.BOND_SHARE], dt)
+        s, a, _ = movers(c, p, e)
+        ends = c.edges[e, C.EDGE_A], c.edges[e, C.EDGE_B]
+        q[C.BOND_SIDE], q[C.BOND_ARM_X], q[C.BOND_ARM_Y] = arm(c, s, a, ends, q[C.BOND_SHARE], t)
 
 
 @nb.njit(**BY_ADDRESS)
 def ask(c, nodes, dt, closing):
     """What pairs and bonds ask of the velocities, with the directions of the start of the step or of its middle."""
-    arm_bonds(c, nodes, 0.0 if closing else 0.5 * dt)
+    arm_bonds(c, 0.0 if closing else 0.5)
     if closing:
-        ask_closing(c, nodes, dt)
+        ask_closing(c, dt)
     else:
         ask_mean(c, nodes, dt)
 
@@ -122,15 +122,16 @@ def solve(c, nodes, dt, closing, turns):
     if closing:
         least = max(least, CLOSING_ENOUGH * c.numbers[C.CHANGE])
     forget(c)
-    if closing:
-        bind_points(c, nodes)
+    if closing and c.binds:
+        bind_points(c)
     if c.sizes[C.NEAR] + c.sizes[C.BONDS] == 0:
         c.numbers[C.CHANGE] = 0.0
         return False
     touched = aim_bonds(c, nodes, closing)
     for again in range(1 if closing else ROUNDS):
         slack = SMALL if again > 0 else SLACK if closing else 0.0
-        if not activate(c, nodes, dt, closing, slack) and (again > 0 or not touched):
+        lead_on(c, dt)
+        if not activate(c, dt, closing, slack) and (again > 0 or not touched):
             break
         touched = True
         ask(c, nodes, dt, closing)
@@ -138,32 +139,16 @@ def solve(c, nodes, dt, closing, turns):
         change = relax(c, part, least, 1e300 if closing else DEPTH * c.numbers[C.MEAN_EDGE] / dt)
     if touched:
         for _ in range(turns):      # directions of the middle of the step as it has come out: forces without moment
-            arm_bonds(c, nodes, 0.5 * dt)
+            lead_on(c, dt)
+            arm_bonds(c, 0.5)
             for i in range(c.counts[C.ACTIVE]):
-                point(c, nodes, c.active[i], 0.5 * dt)
+                point(c, c.active[i], 0.5)
             restart(c, part)
         if closing:
             restart(c, part)
     if not closing:
         c.numbers[C.CHANGE] = change
     return touched
-
-
-@nb.njit(**BY_ADDRESS)
-def as_before(c, dt):
-    """Mean velocities of the half step by the forces of contact of the last step."""
-    ratio = dt / c.numbers[C.LAST_STEP] if c.numbers[C.LAST_STEP] > 0.0 else 0.0
-    for i in range(c.sizes[C.NEAR]):
-        k = c.near[i]
-        q = c.pair_numbers[k]
-        q[C.LAMBDA], q[C.TAU] = ratio * q[C.LAST], ratio * q[C.LAST_TAU]
-        c.pairs[k, C.PAIR_ACTIVE] = C.ON if q[C.LAMBDA] > 0.0 else C.OFF
-    list_active(c)
-    for i in range(c.sizes[C.BONDS]):
-        p = c.bound[i]
-        q = c.bond_numbers[p]
-        q[C.BOND_X], q[C.BOND_Y] = ratio * q[C.BOND_LAST_X], ratio * q[C.BOND_LAST_Y]
-    restart(c, 0.5)
 
 
 @nb.njit(**BY_ADDRESS)
@@ -174,7 +159,7 @@ def of_step(c, run, options, time, dt, moment):
     if moment in (MOVE, TAKE_BACK):
         move_rigid(c, run.nodes, dt)
     elif moment == ACCEPT:
-        accept(c, run.nodes, dt, options)
+        accept(c, dt, options)
     elif moment == CLOSE and c.sizes[C.NEAR] + c.sizes[C.BONDS] > 0:
         take(c, run.nodes, U)
         if solve(c, run.nodes, dt, True, 0):
@@ -185,7 +170,8 @@ def of_step(c, run, options, time, dt, moment):
         drive(c, run, options, time, dt)
         take(c, run.nodes, UM)
         if c.sizes[C.NEAR] + c.sizes[C.BONDS] > 0:
-            as_before(c, dt)
+            as_in_last_step(c, dt / c.numbers[C.LAST_STEP] if c.numbers[C.LAST_STEP] > 0.0 else 0.0)
+            restart(c, 0.5)
             give(c, run.nodes, UM, dt, True)
     elif moment == PUSH:
         drive(c, run, options, time, dt)

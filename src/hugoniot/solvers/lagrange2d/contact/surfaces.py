@@ -183,21 +183,24 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
     law_of, laws = law_tables(problem, [*surfaces.lengths, *[np.inf] * len(problem.rigid)])
     count, room = len(points), PAIRS_OF_A_POINT * len(points) + 16
     sizes = np.concatenate(([0], np.cumsum([len(c) for c in surfaces.copies])))
-    totals = np.zeros(7)
+    totals = np.zeros(8)
     totals[C.MEAN_EDGE] = surfaces.mean
 
-    def of_pairs():
-        return np.zeros((room, C.PAIR_INTS), dtype=np.int64), np.zeros((room, C.PAIR_FLOATS))
+    def ints(*shape):
+        return np.zeros(shape, dtype=np.int64)
 
-    ints = np.int64
-    copies = np.array([k for group in surfaces.copies for k in group], dtype=ints)
+    pairs = {"pairs": ints(room, C.PAIR_INTS), "old_pairs": ints(room, C.PAIR_INTS), "pair_numbers": C.table(room, C.PAIR_FLOATS),
+             "old_numbers": C.table(room, C.PAIR_FLOATS)}
+    lists = {"away": np.zeros(room), "near": ints(room, 4), "listed": ints(len(movers)), "bound": ints(count), "touched": ints(room),
+             "near_points": ints(count, 2), "marks": ints(count), "sizes": np.array([-1, 0, 0, 0, 0]), "active": ints(room),
+             "candidates": ints(room)}
+    of_search = {"cells": ints(4 * len(edges) + 17), "sorted_edges": ints(len(edges)), "since": np.zeros((count, 2))}
     return C.Contact(
-        points, edges, movers, numbers, rigid_table(problem), sizes.astype(ints), copies, law_of, laws, *of_pairs(), *of_pairs(),
-        np.zeros(room, dtype=ints), np.zeros(len(movers), dtype=ints), np.zeros(count, dtype=ints), np.zeros(3, dtype=ints),
-        np.zeros(room, dtype=ints),
-        np.zeros((count, 2), dtype=ints), np.zeros((count, C.BOND_FLOATS)), np.zeros((count, 3)),
-        np.zeros(4 * len(edges) + 17, dtype=ints), np.zeros(len(edges), dtype=ints), np.zeros((count, 2)), totals,
-        np.zeros(7, dtype=ints), zones, speeds, tables)
+        points, edges, movers, numbers, rigid_table(problem), np.flatnonzero(movers[:, C.MOVER_CHAIN_1] >= 0), sizes.astype(np.int64),
+        np.array([k for group in surfaces.copies for k in group], dtype=np.int64), law_of, laws, **pairs, **lists, **of_search,
+        places=C.table(count + len(problem.rigid), C.BY_Y + 1), bonds=ints(count, 2), bond_numbers=np.zeros((count, C.BOND_FLOATS)),
+        of_points=np.zeros((count, 3)), numbers=totals, counts=ints(8), zones=zones, binds=bool((laws[:, C.LAW_KIND] != C.SLIDING).any()),
+        speeds=speeds, speed_tables=tables)
 
 
 def _movers(problem: Problem2D, surfaces: Surfaces, boundaries, numbering):
@@ -205,7 +208,7 @@ def _movers(problem: Problem2D, surfaces: Surfaces, boundaries, numbering):
     count = len(surfaces.nodes)
     movers = np.full((count + len(problem.rigid), 6), -1, dtype=np.int64)
     movers[:, C.MOVER_LISTED] = 0
-    numbers = np.zeros((len(movers), C.MOVER_FLOATS))
+    numbers = C.table(len(movers), C.MOVER_FLOATS)
     numbers[:, C.PXX], numbers[:, C.PYY] = 1.0, 1.0
     held = {int(numbering.nodes[row[L.HOLD_NODE]]): (row, normal) for row, normal in zip(boundaries.held, boundaries.held_normals)}
     for m, node in enumerate(surfaces.nodes):

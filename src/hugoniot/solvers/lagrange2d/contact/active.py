@@ -1,0 +1,61 @@
+"""The pairs that are active in a step, and what is kept of them for the next one."""
+
+import numba as nb
+
+from hugoniot.core.target import BY_ADDRESS
+from hugoniot.solvers.lagrange2d.contact import layout as C
+from hugoniot.solvers.lagrange2d.contact.near import NEAR
+
+
+@nb.njit(**BY_ADDRESS)
+def list_active(c):
+    """List the active pairs."""
+    count = 0
+    for i in range(c.sizes[C.NEAR]):
+        k = c.near[i, 0]
+        if c.pairs[k, C.PAIR_ACTIVE] == C.ON:
+            c.active[count] = k
+            count += 1
+    c.counts[C.ACTIVE] = count
+
+
+@nb.njit(**BY_ADDRESS)
+def forget(c):
+    """No pair is active."""
+    for i in range(c.counts[C.ACTIVE]):
+        c.pairs[c.active[i], C.PAIR_ACTIVE] = C.OFF
+    c.counts[C.ACTIVE] = 0
+
+
+@nb.njit(**BY_ADDRESS)
+def as_in_last_step(c, ratio):
+    """Those pairs are active that had an impulse in the last step, with `ratio` times that; so have bonds."""
+    forget(c)
+    c.counts[C.ACTIVE] = c.sizes[C.TOUCHED]
+    for i in range(c.sizes[C.TOUCHED]):
+        k = c.touched[i]
+        q, c.active[i], c.pairs[k, C.PAIR_ACTIVE] = c.pair_numbers[k], k, C.ON
+        q[C.LAMBDA], q[C.TAU] = ratio * q[C.LAST], ratio * q[C.LAST_TAU]
+    for i in range(c.sizes[C.BONDS]):
+        q = c.bond_numbers[c.bound[i]]
+        q[C.BOND_X], q[C.BOND_Y] = ratio * q[C.BOND_LAST_X], ratio * q[C.BOND_LAST_Y]
+
+
+@nb.njit(**BY_ADDRESS)
+def remember(c, dt):
+    """Keep the impulses of this step for the next one, before which no pair is active."""
+    c.numbers[C.LAST_STEP] = dt
+    for i in range(c.sizes[C.BONDS]):
+        q = c.bond_numbers[c.bound[i]]
+        q[C.BOND_LAST_X], q[C.BOND_LAST_Y] = q[C.BOND_X], q[C.BOND_Y]
+    for i in range(c.sizes[C.TOUCHED]):
+        q = c.pair_numbers[c.touched[i]]
+        q[C.LAST], q[C.LAST_TAU] = 0.0, 0.0
+    count = 0
+    for i in range(c.counts[C.ACTIVE]):
+        k = c.active[i]
+        q, c.pairs[k, C.PAIR_ACTIVE] = c.pair_numbers[k], C.OFF
+        if q[C.LAMBDA] != 0.0:
+            q[C.LAST], q[C.LAST_TAU], c.touched[count], c.away[k] = q[C.LAMBDA], q[C.TAU], k, NEAR
+            count += 1
+    c.sizes[C.TOUCHED] = count
