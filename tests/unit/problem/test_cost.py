@@ -92,7 +92,7 @@ def test_speeds_beside_that_of_light_are_warned_of(velocity, warned):
 
 
 @pytest.mark.parametrize("deck, solver, warned", [
-    (FAST, "solver.courant = 0.9", True), (FAST, "solver.courant = 0.7", False), (FAST, "", False),
+    (FAST, "solver.courant = 0.9", True), (FAST, "solver.courant = 0.6", False), (FAST, "", False),
     (FAST, 'solver = {{integrator = "wilkins", courant = 1.0}}', True), (FAST_BLOCKS, "solver.courant = 0.6", True),
     (FAST_BLOCKS, "solver.courant = 0.4", False)])
 def test_steps_with_which_shocks_overshoot_are_warned_of(deck, solver, warned):

@@ -35,8 +35,8 @@ HalfHeatRows = namedtuple("HalfHeatRows", "q v radial heat")
 FluxRows = namedtuple("FluxRows", "r u lam q rho inverse_mass e flux")
 
 # of the end of a step; `seen` has density, pressure, sound speed and stress as well
-EndStressRows = with_groups(namedtuple("EndStressRows", "r u solid solid_v shear c2 q t1 t2 speed inverse_mass s1 s2 hoop_force "
-                            "inverse_width seen"), seen=PeakRows)
+EndStressRows = with_groups(namedtuple("EndStressRows", "r solid_v shear c2 q t1 t2 speed inverse_mass s1 s2 hoop_force inverse_width "
+                            "seen"), seen=PeakRows)
 
 
 def shrinking(r1, r2, u1, u2, geometry):
@@ -127,14 +127,8 @@ def end_motion(count, z, dt, numbers, law):
 
 
 def stand(z, j, geometry, constants):
-    """Sound speed and stress of a zone at the end of the step; its signal rate, 1/s.
-
-    The viscous pressure is that of the new velocities, by the speed found in the middle of the step. That of the middle itself would
-    lag half a step in the next predictor, and zones in which it exceeds the pressure would swing above half of the Courant step.
-    """
-    t1, t2, q = z.t1[j], z.t2[j], z.solid[j] * z.speed[j] * (z.u[j] - z.u[j + 1])
-    q = q if q * z.q[j] > 0.0 else 0.0
-    z.q[j] = q
+    """Sound speed and stress of a zone at the end of the step; its signal rate, 1/s."""
+    t1, t2, q = z.t1[j], z.t2[j], z.q[j]
     c = wave_speed(z.c2[j] + (4.0 / 3.0) * z.shear[j] * z.solid_v[j], constants.noise)
     inverse_width = mean_area(z.r[j], z.r[j + 1], geometry) * z.inverse_mass[j] * z.seen.rho[j]
     z.inverse_width[j] = inverse_width
@@ -248,8 +242,8 @@ def correct(s, geometry):
     t1, t2 = deviators(s, geometry, solid, z.e, z.p, b.lam, s.at.whole)
     s.tear(solid)
     s.harden(w.v)
-    rows = EndStressRows(h.r, h.u, solid, solid_v, s.shear, w.c2, z.q, t1, t2, z.viscous_speed, z.inverse_mass, z.s1, z.s2, z.hoop,
-                         w.inverse_width, s.seen)
+    rows = EndStressRows(h.r, solid_v, s.shear, w.c2, z.q, t1, t2, z.viscous_speed, z.inverse_mass, z.s1, z.s2, z.hoop, w.inverse_width,
+                         s.seen)
     if s.laws.burns or acts(s):
         s.do(end_stress, rows, kind=geometry)
         rub_end(s, geometry, solid)
