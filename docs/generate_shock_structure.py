@@ -63,7 +63,7 @@ def matrix() -> list[str]:
                     row.append(f"({notes.index(shown) + 1})")
             rows.append([f"`{law.name}`", conduction, *row])
     count = len(rows) * len(MACHS)
-    text = [f"Density thickness in units of (4/3) μ / (ρ₁u₁), with constant viscosity, without conduction and with Prandtl number 1, from "
+    text = [f"Density thickness in units of (4/3) μ / (ρ₁u₁), with constant viscosity, without conduction or with Prandtl number 1, from "
             f"the reference state of each law's example: {found} of {count} have a shock; the others are rejected, with these messages:",
             ""]
     text += [f"{i + 1}. {words}" for i, words in enumerate(notes)]
@@ -103,7 +103,7 @@ def orders() -> list[str]:
             "the thickness, and the observed orders of convergence. All runs have the same layout: the domain extends to where the steady "
             "wave is within 1e-8 of its end states, and three thicknesses farther, at least twelve on each side; each run lasts until the "
             "slowest wave of the start-up has travelled twelve thicknesses; the error is the largest at nine instants while the gas behind "
-            "the shock flows through the last of them:", "",
+            "the shock crosses one thickness, at the end of the run:", "",
             *table(("case", "frame", "5", "10", "20", "order", "order"), rows)]
 
 
@@ -141,7 +141,7 @@ def resolutions() -> list[str]:
             rows.append([block.replace("_", " "), f"{mach:g}", *row, f"{true / path:.4g}"])
     return ["Density thickness by Jordan eq. 6.2.5 in the mean free paths of each block of the table, for runs started from a step; the "
             f"column head N means cells of 300/N mean free paths; after the semicolon, the value printed in table 6.2.1.1. "
-            f"Rows end once a thickness spans {ENOUGH} cells. The entropy across a conservative scheme is that of the jump on every grid; "
+            f"Ours end once a thickness spans {ENOUGH} cells. The entropy rise in a conservative scheme is that of the jump on every grid; "
             "the source's, an integral of its profile, is not:", "",
             *table(("viscosity", "Mach", *map(str, CELLS_OF_300), "steady"), rows)]
 

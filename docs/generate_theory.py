@@ -132,7 +132,7 @@ def main() -> None:
     rows = [f"| [{name}](tools/exact/{function.__module__.rpartition('.')[2]}.md) | {describe(name)} |"
             for name, function in SOLUTIONS.items()]
     pages = [f"tools/exact/{home.rpartition('.')[2]}" for home in sorted(homes)]
-    lines = ["# Exact solutions, one by one", "", "How they are called is told under [exact solutions](../theory/exact_solutions.md).", "",
+    lines = ["# Exact solutions, one by one", "", "See [exact solutions](../theory/exact_solutions.md) for how to call them.", "",
              "| solution | what it is |", "|---|---|", *rows, "", "```{toctree}", ":hidden:", "", *pages, "```", ""]
     (TARGET.parent / "exact.md").write_text("\n".join(lines), encoding="utf-8")
 

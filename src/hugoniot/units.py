@@ -151,7 +151,7 @@ def format_si(value: float, unit: str, digits: int = 6) -> str:
 
 def _split(text: str, unit: str) -> tuple[str, str]:
     if len(text) > LONGEST:
-        raise UnitError(f"a quantity of {len(text)} characters: {_shown(text)}", _example(unit))
+        raise UnitError(f"a quantity of {len(text)} characters is too long: {_shown(text)}", _example(unit))
     match = _QUANTITY.fullmatch(text.strip())
     if match is None:
         raise UnitError(f"{_shown(text)} is not a quantity", _example(unit))

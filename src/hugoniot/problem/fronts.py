@@ -187,7 +187,7 @@ def _has_strength(material: Material) -> bool:
 def _strong_defects(material: Material) -> list[str]:
     """What the cells cannot follow of a material with strength."""
     if material.burn is not None and "programmed" in BURN.of(material.burn).flags:
-        return [f"burns by a programmed front and has strength: ahead of the front the explosive of {NAME} has no state, and the products "
+        return [f"burns by a programmed front and has strength: in {NAME} the explosive has no state ahead of the front, and the products "
                 "behind it are a fluid; leave the strength out, or use lagrange1d"]
     if material.burn is not None:
         return [f"burns and has strength: behind a front of {NAME} a partly burned solid would have to divide the work of the jump between "

@@ -140,7 +140,7 @@ def _check_table(profile: Profile, start: float, end: float, collector: Collecto
     elif places[-1] - places[0] > MUCH_LONGER * (end - start) and places[0] <= start and places[-1] >= end:
         collector.warnings.append(f"{collector.key(path)}: reaches from {places[0]:g} to {places[-1]:g} m, "
                                   f"{(places[-1] - places[0]) / (end - start):.3g} times the region, which lies from {start:g} to {end:g} "
-                                  "m and uses that part only: are its positions in the unit they should be?")
+                                  "m and uses that part only: are its positions in the right unit?")
     elif places[0] > start + 1e-9 * (end - start) or places[-1] < end - 1e-9 * (end - start):
         collector.add((*path, "positions"), f"reach from {places[0]:g} to {places[-1]:g} m, the region from {start:g} to {end:g} m",
                       "a profile must cover its region")

@@ -58,8 +58,8 @@ def hugoniot(
 @app.command()
 def isentrope(
     materials: MATERIALS, at: AT = None, points: POINTS = 51,
-    to: Annotated[str | None, typer.Option("--to", help='Final pressure (default: "1 bar" for products; with --at that at rest, '
-                                                        '0 for a solid; without --at "10 GPa", "100 bar" for a gas).')] = None,
+    to: Annotated[str | None, typer.Option("--to", help='Final pressure (default: "1 bar" for products; with --at the pressure at rest, '
+                                                        'or 0 for a solid; without --at, "10 GPa", or "100 bar" for a gas).')] = None,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
     """The isentrope through a state of the Hugoniot (--at) down to the pressure at rest, or from rest up to a pressure.

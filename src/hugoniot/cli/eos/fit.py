@@ -70,18 +70,18 @@ def solid_table(name: str, least: float, highest: float, density: float | None, 
 def _slow(up, us) -> list[str]:
     """What to say of points that are no faster than their material, which no compression is."""
     slow = (us <= up) & (up > 0.0)
-    return [f"{slow.sum()} of {up.size} points have a shock velocity not above the particle velocity, which no compression has (the first: "
-            f"up = {up[slow][0]:.6g}, us = {us[slow][0]:.6g} m/s): are the columns exchanged, or is a velocity of the free surface taken "
-            "for that of the particles?"] if slow.any() else []
+    return [f"{slow.sum()} of {up.size} points have a shock velocity not above the particle velocity, which no shock can have (the first: "
+            f"up = {up[slow][0]:.6g}, us = {us[slow][0]:.6g} m/s): are the columns swapped, or is a free-surface velocity taken "
+            "for the particle velocity?"] if slow.any() else []
 
 
 def _doubts(up, us, fitted) -> list[str]:
     """The same, and of a curve that is no law: without sound at rest, or slower than the material, or falling."""
     found, (rest, slope) = _slow(up, us), fitted.coefficients[:2]
     if not rest > 0.0:
-        found.append(f"the curve meets us = {rest:.6g} m/s at rest: no sound speed, so it makes no law for a deck")
+        found.append(f"at up = 0 the curve gives us = {rest:.6g} m/s, which is not a sound speed: it cannot serve as a law")
     elif not fitted(fitted.highest) > fitted.highest:
-        found.append(f"the curve is slower than the material at up = {fitted.highest:.6g} m/s")
+        found.append(f"the curve's shock velocity is not above the particle velocity at up = {fitted.highest:.6g} m/s")
     if len(fitted.coefficients) == 2 and not slope > 0.0:
         found.append(f"the shock velocity falls with the particle velocity (s = {slope:.4g}): a shock of that kind is not stable")
     return found

@@ -119,8 +119,8 @@ def _case(subject: Subject, kind: str, asked: Question, fractions: list[float]) 
         reference = (behind.density, behind.specific_internal_energy + q)
     if not asked.at:
         if not asked.shocked:
-            start = "no state is given" if asked.hugoniot is None else "the state is not given from which --hugoniot starts"
-            more = "" if asked.hugoniot is None else "; hugoniot eos hugoniot EXPLOSIVE --reaction has the shocks from rest"
+            start = "no state is given" if asked.hugoniot is None else "the state from which --hugoniot starts is not given"
+            more = "" if asked.hugoniot is None else "; hugoniot eos hugoniot EXPLOSIVE --reaction gives the shocks from rest"
             raise DeckError.single("command line", None, "mixture", start,
                                    f'write --shocked "pressure = 20 GPa" or --at "density = 2.4 g/cm^3, energy = 3 MJ/kg"{more}')
         return Case(kind, par, reference, reference, ahead.energy + q)

@@ -5,9 +5,9 @@ from typing import Annotated
 
 import typer
 
-MATERIAL = Annotated[str, typer.Argument(metavar="MATERIAL", help="A name of the library or a TOML file.")]
-MATERIALS = Annotated[list[str], typer.Argument(metavar="MATERIAL...", help="Names of the library or TOML files.")]
-EXPLOSIVE = Annotated[str, typer.Argument(metavar="EXPLOSIVE", help="A name of the library or a TOML file with eos, unreacted and burn.")]
+MATERIAL = Annotated[str, typer.Argument(metavar="MATERIAL", help="A library name or a TOML file.")]
+MATERIALS = Annotated[list[str], typer.Argument(metavar="MATERIAL...", help="Library names or TOML files.")]
+EXPLOSIVE = Annotated[str, typer.Argument(metavar="EXPLOSIVE", help="A library name or a TOML file with eos, unreacted and burn.")]
 AT = Annotated[str | None, typer.Option("--at", help='A state on the Hugoniot: "pressure = 10 GPa", "particle_velocity = 500 m/s", '
                                                      '"shock_velocity = 6 km/s" or "density = 3 g/cm^3".')]
 CSV = Annotated[Path | None, typer.Option("--csv", help="Write SI numbers to this file.")]

@@ -31,7 +31,7 @@ SHOWN = {"pressure": ("GPa", 1e-9, "10.5g"), "density": ("kg/m3", 1.0, "9.2f"), 
 SHOWN |= dict.fromkeys(("principal_pressure", "principal_series", "second_pressure", "second_series", "difference", "leading_difference",
                         "stress", "truncated_pressure", "adjusted_pressure", "rayleigh_pressure", "fanno_pressure",
                         "hugoniot_pressure"), ("GPa", 1e-9, "10.6g"))
-SHOCKS_ONLY = ("this law gives the pressure of the shock that would have made the energy, whatever the density: releases, isentropes and "
+SHOCKS_ONLY = ("this law gives the pressure of the shock that would give that energy, whatever the density: releases, isentropes and "
                "second shocks mean nothing with it, and it has no Grüneisen parameter")
 WORDS = {"specific_internal_energy": "internal energy", "gruneisen": "Grüneisen parameter",
          "adjusted_gruneisen": "adjusted Grüneisen parameter"}

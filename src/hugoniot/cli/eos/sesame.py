@@ -20,7 +20,7 @@ _ADDS_UP = 1e-6       # single precision, as files are written
 def sesame(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="A SESAME-format ASCII file.")],
     material: Annotated[int | None, typer.Option("--material", help="Number of the material (default: the first).")] = None,
-    temperature: Annotated[str | None, typer.Option("--temperature", help='An isotherm by parts, "3000 K": the nearest tabulated.')] = None,
+    temperature: Annotated[str | None, typer.Option("--temperature", help='Isotherm by parts, at the nearest tabulated: "3000 K".')] = None,
     as_json: JSON = False, as_csv: CSV = None,
 ) -> None:
     """Tables of a SESAME-format file: grids, the sum of the parts against the total, cold curve, critical point, melting.
@@ -137,6 +137,6 @@ def _echo_isotherm(isotherm: dict[str, Any]) -> None:
 
 def _doubts(sums: dict) -> list[str]:
     """Sums that miss the total by more than files are rounded."""
-    return [f"{' + '.join(map(str, parts))} misses the total 301 by {max(miss[:2]):.2g} of its parts (pressure at {miss[2]:.4g} kg/m3, "
+    return [f"{' + '.join(map(str, parts))} differs from 301 by {max(miss[:2]):.2g} of the sum of parts (pressure at {miss[2]:.4g} kg/m3, "
             f"{miss[3]:.4g} K): the tables are not of one kind, or the total was changed afterwards"
             for parts, miss in sums.items() if miss is not None and max(miss[:2]) > _ADDS_UP]

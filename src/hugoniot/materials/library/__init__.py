@@ -171,7 +171,7 @@ def _with_spall(name: str) -> Entry:
         raise UnknownMaterial([DeckProblem("library", None, "material", f"the library has no measured spall strength for '{name}'",
                                            f"measured ones are available for {known}; or add a fracture law to the deck")])
     tables = read_file(HERE / "curated" / f"{name}.toml")
-    reason = "measured at plate impact; strengths grow with the rate of unloading and depend on microstructure"
+    reason = "measured in plate impacts; strengths grow with the rate of unloading and depend on microstructure"
     tables |= {"fracture": {"law": "spall_stress", "strength": f"{row}.spall_strength", "reason": reason},
                "title": f"{plain.title}, with spall", "missing": [text for text in plain.missing if "with spall" not in text]
                or ["the change of the spall strength with rate and temperature"]}
