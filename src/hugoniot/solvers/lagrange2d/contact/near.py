@@ -88,8 +88,8 @@ def away(c, k, moved):
     on_before = 0.0 if before >= 0 and c.edges[before, C.EDGE_A] == p else BEYOND
     on_after = 0.0 if after >= 0 and c.edges[after, C.EDGE_B] == p else BEYOND
     apart, length = distance(*place(c, p, 0.0), *place(c, a, 0.0), *place(c, b, 0.0), on_before, on_after)
-    # places beyond an end move more, and the length changes
-    c.away[k] = (apart - DEEP * length) / (1.0 + DEEP + 2.0 * BEYOND) - moved
+    # a place beyond an end moves with that end and by a part of what the ends move relative to each other, by which the length changes too
+    c.away[k] = (apart - DEEP * length) / (1.0 + DEEP + BEYOND) - moved
     return c.away[k]
 
 
