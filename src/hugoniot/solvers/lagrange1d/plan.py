@@ -186,7 +186,7 @@ class Planner:
 
 
 # -- carried out -------------------------------------------------------------------------------------------------------
-@nb.njit(**BY_ADDRESS)
+@nb.njit(**GUARD)
 def voids_stand(voids, first, count):
     """Whether there are voids in zones first to first + count - 1; their row begins at the address `voids`."""
     row, bits = row_at(voids + 8 * first), np.uint64(0)
