@@ -15,7 +15,7 @@ from hugoniot.solvers.lagrange1d import reactive
 from hugoniot.solvers.lagrange1d.assemble import ROUND_OFF, longitudinal_speed, start_compaction
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import quads as G
-from hugoniot.solvers.lagrange2d.viscosity import Viscous
+from hugoniot.solvers.lagrange2d.coefficients import Viscous
 from hugoniot.solvers.lagrange2d.zone_shapes import areas, corner_shares, over_nodes, quad_corners, volumes, zone_corners
 from hugoniot.zones.laws import laws_of
 

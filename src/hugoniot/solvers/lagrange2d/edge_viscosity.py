@@ -16,8 +16,9 @@ from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.laws.viscosity.contract import viscous_speed
+from hugoniot.solvers.lagrange2d.coefficients import in_zone
 from hugoniot.solvers.lagrange2d.quads import quad
-from hugoniot.solvers.lagrange2d.viscosity import SMALL, ResistOf, around, counted, in_zone, kept
+from hugoniot.solvers.lagrange2d.viscosity import SMALL, ResistOf, around, counted, kept
 
 
 def along_edge(ex, ey, tx, ty, u, v, psi, a, viscosity):

@@ -52,9 +52,9 @@ class Lagrange2D(Shown, NothingToAdd):
         self.problem = problem = with_walls(problem)
         self.sampler, self.kind, mesh = sampler, kind_of(problem), problem.mesh
         self.numbering = numbering = Numbering(mesh)
-        count, zones = len(mesh.zone_nodes), zone_tables(problem, self.kind)
+        zones = zone_tables(problem, self.kind)
         self.control, self.counters = np.zeros(L.CONTROL_FLOATS), np.zeros(L.CONTROL_INTS, dtype=np.int64)
-        self.counters[L.ZONES] = count
+        self.counters[L.ZONES] = count = len(mesh.zone_nodes)
         nodes, heat = node_tables(problem, numbering, self.kind, zones)
         self.boundaries = boundary_tables(problem, numbering)
         surfaces = Surfaces(problem, numbering, self.boundaries) if may_meet(problem) else None

@@ -16,11 +16,12 @@ from typing import Any, NamedTuple
 from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.core.passes import law_of, rows_apart, zone_pass
+from hugoniot.solvers.lagrange2d.coefficients import in_zone
 from hugoniot.solvers.lagrange2d.edge_viscosity import along_edge
 from hugoniot.solvers.lagrange2d.herrmann_viscosity import resisted
 from hugoniot.solvers.lagrange2d.layout import Rates, Smoothness, Stress, Tensor, VertexForces, Vertices
 from hugoniot.solvers.lagrange2d.triangles import triangle
-from hugoniot.solvers.lagrange2d.viscosity import SLIGHT, SMALL, along_edges, around, in_corner, in_zone, metric, slenderness
+from hugoniot.solvers.lagrange2d.viscosity import SLIGHT, SMALL, along_edges, around, in_corner, metric, slenderness
 
 
 class TensorOf(NamedTuple):

@@ -7,10 +7,9 @@ $\ell^2 = (n\cdot e_\xi)^2 + (n\cdot e_\eta)^2$, and
 
 $$Q = \rho \sum_{\lambda_k < 0} |\Delta u_k|\,w(\Delta u_k, \psi_k)\; n_k \otimes n_k ,$$
 
-w the viscous speed of the law `limited`. Its linear coefficient is that of shocks as far as the zone shrinks, and one of shear, which
-is small in solids, where it flows at constant volume (`in_zone`): what a shock needs would resist the long plastic flow behind it. psi is
-the mean of those of the two logical directions (`smoothness`), weighted by their parts of $\ell^2$ and of the square of the velocity
-gradient, so that a direction along which nothing changes has no say.
+w the viscous speed of the law `limited`. In solids its linear coefficient is that of shocks as far as the zone shrinks, and a smaller one
+where it flows at constant volume (`coefficients`). psi is the mean of those of the two logical directions (`smoothness`), weighted by
+their parts of $\ell^2$ and of the square of the velocity gradient, so that a direction along which nothing changes has no say.
 
 The stress is a continuous function of the rates, and nothing is decided by round-off:
 
@@ -40,8 +39,8 @@ from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.laws.viscosity.contract import viscous_speed
-from hugoniot.laws.viscosity.limited import Limited
 from hugoniot.solvers.lagrange2d.closing import STRETCH
+from hugoniot.solvers.lagrange2d.coefficients import in_zone
 from hugoniot.solvers.lagrange2d.layout import Corners, Points, Rates, Smoothness, Tensor
 from hugoniot.solvers.lagrange2d.quads import quad
 
@@ -70,14 +69,6 @@ class ResistOf(NamedTuple):
     g: Corners
     fastest: Any
     paid: Any
-
-
-class Viscous(NamedTuple):
-    """Coefficients of the viscosity of a material: quadratic, linear where it shrinks, linear where it flows at constant volume."""
-
-    quadratic: float
-    linear: float
-    shear: float
 
 
 class Metric(NamedTuple):
@@ -150,19 +141,6 @@ def both_counted(w1, du1, other1, w2, du2, other2, c):
     """The larger of what `counted` finds for two directions."""
     over1, over2 = SLIGHT * other1 + FAINT * c + SMALL, SLIGHT * other2 + FAINT * c + SMALL
     return fmax(w1 * fmin(over1, -du1) * over2, w2 * fmin(over2, -du2) * over1) / (over1 * over2)
-
-
-def in_zone(viscous, rates, j):
-    """The law of the viscous speed in zone j.
-
-    The part of its fastest closing with which it shrinks is 1 in a plane shock, 1 - 2 nu in an elastic bar and 0 in plastic flow; squared.
-    """
-    xx, yy, xy = rates.xx[j], rates.yy[j], rates.xy[j]
-    dev = 0.5 * (xx - yy)
-    closing = 0.5 * (xx + yy) - vsqrt(dev * dev + xy * xy)
-    part = fmax(0.0, fmin(1.0, rates.dilation[j] / fmin(closing, -SMALL)))
-    linear = viscous.shear + part * part * (viscous.linear - viscous.shear)
-    return Limited(viscous.quadratic, linear, linear)
 
 
 def along_edges(m, d, a, viscosity):
@@ -300,6 +278,6 @@ def resist(count, z, dt, numbers, law):
         first = end
 
 
-for _function in (metric, metric_of, around, in_zone, kept, counted, both_kept, both_counted, along_edges, in_corner, corner_force,
+for _function in (metric, metric_of, around, kept, counted, both_kept, both_counted, along_edges, in_corner, corner_force,
                   in_corners, slenderness, in_slender):
     bind(_function)

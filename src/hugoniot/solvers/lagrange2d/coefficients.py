@@ -1,0 +1,39 @@
+r"""Coefficients of the artificial viscosity of a zone: those of a shock where it is compressed, a smaller linear one where it flows.
+
+A shock of solids needs the linear part that gases have, or it rings; the long plastic flow behind it would be stiffened. A shock compresses,
+plastic flow does not: with $\lambda_1$ the rate of the fastest closing the linear coefficient is
+
+$$c_1 = c_s + (c_l - c_s) \min\left(1, \max\left(0, \frac{\dot V/V}{\lambda_1}\right)\right)^2 .$$
+"""
+
+from typing import NamedTuple
+
+from hugoniot.core.binder import bind
+from hugoniot.core.ops import fmax, fmin, vsqrt
+from hugoniot.laws.viscosity.limited import Limited
+
+SMALL = 1e-60
+
+
+class Viscous(NamedTuple):
+    """Coefficients of the viscosity of a material: quadratic, linear where it shrinks, linear where it flows at constant volume."""
+
+    quadratic: float
+    linear: float
+    shear: float
+
+
+def in_zone(viscous, rates, j):
+    """The law of the viscous speed in zone j.
+
+    The part of its fastest closing with which it shrinks is 1 in a plane shock, 1 - 2 nu in an elastic bar and 0 in plastic flow; squared.
+    """
+    xx, yy, xy = rates.xx[j], rates.yy[j], rates.xy[j]
+    dev = 0.5 * (xx - yy)
+    closing = 0.5 * (xx + yy) - vsqrt(dev * dev + xy * xy)
+    part = fmax(0.0, fmin(1.0, rates.dilation[j] / fmin(closing, -SMALL)))
+    linear = viscous.shear + part * part * (viscous.linear - viscous.shear)
+    return Limited(viscous.quadratic, linear, linear)
+
+
+bind(in_zone)
