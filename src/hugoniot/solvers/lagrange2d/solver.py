@@ -236,9 +236,8 @@ class Lagrange2D(Shown, NothingToAdd):
     def state(self) -> State2D:
         """Copies of all fields now."""
         zones = self.erosion.seen(accounts.zone_fields(self.zones) | (self.burn_fields() if self.burning else {}))
-        at = self.numbering.representative
-        nodes = {name: self.nodes[row, at] for name, row in (("position_x", N.x), ("position_y", N.y), ("velocity_x", N.u),
-                                                             ("velocity_y", N.v))}
+        rows = {"position_x": N.x, "position_y": N.y, "velocity_x": N.u, "velocity_y": N.v}
+        nodes = {name: self.nodes[row, self.numbering.representative] for name, row in rows.items()}
         return State2D(self.time, self.cycle, zones, nodes | self.contact.fields(self.run.contact), self.problem.mesh.zone_nodes)
 
     def burn_fields(self) -> dict[str, np.ndarray]:
