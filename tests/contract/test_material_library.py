@@ -141,7 +141,7 @@ def test_counts():
 def test_the_page_on_provenance_counts_as_the_library_does():
     text = " ".join((Path(__file__).parents[2] / "docs" / "materials" / "provenance.md").read_text(encoding="utf-8").split())
     rows, ranges, deviations, presses, highest, spread, spall = known().values()
-    assert f"Of {rows} Us-up rows {ranges} have a range in particle velocity and {deviations} standard deviations" in text
+    assert f"Of {rows} Us-up rows {ranges} have a range in particle velocity, {deviations} of them with standard deviations" in text
     assert f"Of {presses} static compressions {highest} have a highest pressure and {spread} a standard deviation" in text
     used = [name for name in library.index() if library.find(name).fracture is not None]
     assert f"{spall} rows have a spall strength" in text and f"and {len(used)} curated materials use one" in text
