@@ -85,7 +85,7 @@ def main():
                 for table, values in kept:
                     table[...] = values
                 begun = time.process_time()
-                march(STEPS, run, solver.plan, solver.options, solver.control, solver.counters, solver.team)
+                march(STEPS, run, solver.plan, solver.options, solver.control, solver.counters)
                 burst[k] = (time.process_time() - begun) / STEPS
         whole, without = times[1:].T
         share, best = np.median(1.0 - without / whole), 1.0 - without.min() / whole.min()

@@ -14,7 +14,7 @@ from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
 from hugoniot.materials.material import Material
 from hugoniot.mesh.shapes import Box
-from hugoniot.problem.plane.model import Block2D, Boundary2D, Problem2D, Solver2D, VelocityField, Viscosity2D
+from hugoniot.problem.plane.model import Block2D, Boundary2D, Problem2D, VelocityField
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
 
 
@@ -22,8 +22,7 @@ def plate(n):
     """A square of aluminium that runs into a wall."""
     material = Material("al", MieGruneisen(2700.0, 5200.0, 1.5, 2.0), PerfectlyPlastic(24.8e9, 0.30e9))
     block = Block2D("b", "al", Box((0.0, 1.0), (0.0, 1.0)), (n, n), velocity=VelocityField(base=(0.0, -300.0)))
-    options = Solver2D(viscosity=Viscosity2D("tensor", True, 0.3, 2.0 / 3.0, 0.06, 2.0 / 3.0))
-    return Problem2D("bench", "plane", 1.0, (block,), {"al": material}, (Boundary2D(("b.bottom",), "wall"),), solver=options)
+    return Problem2D("bench", "plane", 1.0, (block,), {"al": material}, (Boundary2D(("b.bottom",), "wall"),))
 
 
 def main():
