@@ -1,8 +1,6 @@
 """Transmitting edges of the two-dimensional solver against bodies that go on: what comes back is below 1 % of the wave.
 
-Strips between smooth walls, along either direction, in the plane and in a cylinder; the equations are those of one dimension. Solids have
-the linear viscosity of one dimension here: with their own, smaller one a shock rings by 5 to 20 %, and the end does not know the shape of
-that by heart.
+Strips between smooth walls, along either direction, in the plane and in a cylinder; the equations are those of one dimension.
 """
 
 import sys
@@ -26,11 +24,10 @@ MATERIALS = {"fluid": Material("m", FLUORIDE), "LiF": Material("m", FLUORIDE, Pe
              "copper": Material("m", COPPER, PerfectlyPlastic(47e9, 0.3e9))}
 ZONES, LENGTH, NEAR = 150, 7.5e-3, 10
 STEP = 0.2 * LENGTH / ZONES / 9000.0     # both bodies take the same steps
-AS_IN_A_LINE = Viscosity2D("tensor", True, 0.3, 2.0 / 3.0, 0.3, 2.0 / 3.0)
 OPPOSITE = {"top": "bottom", "bottom": "top", "left": "right", "right": "left"}
 
 
-def strip(times, material, shape, pressure, duration=0.4e-6, side="top", geometry="plane", inner=0.0, viscosity=AS_IN_A_LINE, stop=3e-6, **more):
+def strip(times, material, shape, pressure, duration=0.4e-6, side="top", geometry="plane", inner=0.0, stop=3e-6, **more):
     """A pulse on the side of a strip opposite to the transmitting one, `times` as long as the one that is looked at."""
     count, length, upright = times * ZONES, times * LENGTH, side in ("top", "bottom")
     zones, size = ((1, count), (0.1e-3, length)) if upright else ((count, 1), (length, 0.1e-3))
@@ -39,7 +36,7 @@ def strip(times, material, shape, pressure, duration=0.4e-6, side="top", geometr
     held = [name for name in smooth if not (geometry == "axisymmetric" and upright and name == "left" and inner == 0.0)]
     sides = (Boundary2D((f"b.{OPPOSITE[side]}",), "pressure", Pulse(shape, amplitude=pressure, duration=duration)),
              Boundary2D((f"b.{side}",), "transmitting"), *walls(*(f"b.{name}" for name in held)))
-    return Lagrange2D(problem(box(*zones, *size, origin, material="m"), MATERIALS[material], stop, sides, geometry, viscosity=viscosity,
+    return Lagrange2D(problem(box(*zones, *size, origin, material="m"), MATERIALS[material], stop, sides, geometry, viscosity=Viscosity2D(),
                               initial_step=STEP, largest_step=STEP, **more))
 
 
@@ -82,11 +79,10 @@ def test_a_strong_wave_leaves_to_one_percent(material, shape, pressure, duration
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("material, pressure", [("LiF", 5e9), ("copper", 5e9), ("LiF", 50e9)])
-def test_a_shock_that_rings_leaves_part_of_its_ringing(material, pressure):
-    """The small linear viscosity of solids in two dimensions."""
-    worst, incident, _ = echo(material, "square", pressure, viscosity=Viscosity2D())
-    assert worst < 0.05 * incident
+@pytest.mark.parametrize("material, pressure, bound", [("LiF", 5e9, 0.02), ("copper", 5e9, 0.01), ("LiF", 50e9, 0.01)])
+def test_a_short_pulse_leaves_upwards(material, pressure, bound):
+    worst, incident, _ = echo(material, "square", pressure)
+    assert worst < bound * incident
 
 
 @pytest.mark.slow

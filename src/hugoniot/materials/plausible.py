@@ -3,9 +3,9 @@
 from hugoniot.laws.eos.contract import EOS, density_limits, flagged, reference_state, sound_speed_squared
 from hugoniot.materials.material import Material
 
+COMPRESSED = 1.1      # times the density at rest, up to which a solid or liquid has to have a sound speed
 # key -> (least, largest, SI unit, the unit in which people give it). Below are gases, aerogels and numbers whose unit was forgotten;
 # osmium has 22 600 kg/m3, diamond 12 km/s
-COMPRESSED = 1.1      # times the density at rest, up to which a solid or liquid has to have a sound speed
 LIMITS = {"rho0": (50.0, 25e3, "kg/m^3", "g/cm^3"), "c0": (100.0, 25e3, "m/s", "km/s")}
 
 

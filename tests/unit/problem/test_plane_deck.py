@@ -217,6 +217,8 @@ def test_the_schema_names_every_key_of_the_resolved_deck(everything):
      "no hourglass modes"),
     ('kind = "lagrange2d"', 'kind = "lagrange2d"\nviscosity = {kind = "edgy"}', 19, "solver.viscosity.kind", "expected 'tensor', 'edge' or 'herrmann'"),
     ('kind = "lagrange2d"', 'kind = "lagrange2d"\nviscosity = {kind = "herrmann"}', 19, "solver.viscosity", "no limiter"),
+    ('kind = "lagrange2d"', 'kind = "lagrange2d"\nviscosity = {kind = "herrmann", limited = false, solid_linear = 0.1}', 19,
+     "solver.viscosity.solid_linear", "does not apply to Herrmann's viscosity"),
     ('geometry = "axisymmetric"', 'geometry = "axisymmetric"\nbody_force = [1, 0]', 3, "body_force", "not uniform about the axis"),
     ("[solver]", '[[gauge]]\nname = "g"\nat = ["9 mm", 0]\n[solver]', 19, "gauge.g.at", "no material at"),
     ("[solver]", '[[gauge]]\nname = "g"\non = "bar.left"\nat = [0, 0]\n[solver]', 17, "gauge.g", "not at and on"),

@@ -68,7 +68,7 @@ def solid_table(name: str, least: float, highest: float, density: float | None, 
 
 
 def _slow(up, us) -> list[str]:
-    """What to say of points that are no faster than their material, which no compression is."""
+    """Warnings about points whose shock velocity is not above the particle velocity."""
     slow = (us <= up) & (up > 0.0)
     return [f"{slow.sum()} of {up.size} points have a shock velocity not above the particle velocity, which no shock can have (the first: "
             f"up = {up[slow][0]:.6g}, us = {us[slow][0]:.6g} m/s): are the columns swapped, or is a free-surface velocity taken "
@@ -76,7 +76,7 @@ def _slow(up, us) -> list[str]:
 
 
 def _doubts(up, us, fitted) -> list[str]:
-    """The same, and of a curve that is no law: without sound at rest, or slower than the material, or falling."""
+    """The same, and about a curve without a sound speed at rest, not above the particle velocity, or falling with it."""
     found, (rest, slope) = _slow(up, us), fitted.coefficients[:2]
     if not rest > 0.0:
         found.append(f"at up = 0 the curve gives us = {rest:.6g} m/s, which is not a sound speed: it cannot serve as a law")
@@ -88,7 +88,7 @@ def _doubts(up, us, fitted) -> list[str]:
 
 
 def _at_bounds(found) -> list[str]:
-    """What to say of a fit whose exponents ended where the search did."""
+    """A warning about a fit with exponents at the bounds of the search."""
     return [f"{' and '.join(found.at_bounds)} ended at the bound of the search: the points do not determine the fit; measure over a wider "
             "range, or fix what is known"] if found.at_bounds else []
 

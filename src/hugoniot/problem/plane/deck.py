@@ -174,6 +174,9 @@ def _solver(table: Any, axes, blocks, mesh: Blocks | None, collector: Collector)
         collector.add(("solver", "scheme"), "applies to axisymmetric geometry only", 'write geometry = "axisymmetric", or leave it out')
     if row.viscosity.kind == "herrmann" and row.viscosity.limited:
         collector.add(("solver", "viscosity"), "Herrmann's viscosity has no limiter", "write limited = false with this kind")
+    if row.viscosity.kind == "herrmann" and row.viscosity.solid_linear != Viscosity2D.solid_linear:
+        collector.add(("solver", "viscosity", "solid_linear"), "does not apply to Herrmann's viscosity, which has one coefficient for "
+                      "shocks and plastic flow", "use solid_shear")
     _check_cells(row, table, collector)
     polar = bool(blocks) and all(isinstance(block.shape, Sector) for block in blocks)
     about_axis = polar and all(block.shape.centre[0] == 0.0 for block in blocks)

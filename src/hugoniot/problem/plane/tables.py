@@ -233,7 +233,8 @@ class ViscosityTable(Table):
     linear: Plain = Field(Viscosity2D.linear, description="linear coefficient of materials without strength")
     quadratic: Plain = Field(Viscosity2D.quadratic, description="quadratic coefficient of materials without strength")
     solid_linear: Plain = Field(Viscosity2D.solid_linear, description="linear coefficient of solids where they are compressed")
-    solid_shear: Plain = Field(Viscosity2D.solid_shear, description="linear coefficient of solids where they flow at constant volume")
+    solid_shear: Plain = Field(Viscosity2D.solid_shear, description="linear coefficient of solids where they flow at constant volume; "
+                                                                    "herrmann: everywhere")
     solid_quadratic: Plain = Field(Viscosity2D.solid_quadratic, description="quadratic coefficient of materials with strength")
     explosive_linear: Plain = Field(Viscosity2D.explosive_linear, description="linear coefficient of materials that burn")
     explosive_quadratic: Plain = Field(Viscosity2D.explosive_quadratic, description="quadratic coefficient of materials that burn")
