@@ -131,7 +131,7 @@ class DaskPool:
 
     def _submitted(self, task: tuple[int, dict[str, Any]]):
         if self.client is None:
-            raise HugoniotError("the cluster has not been entered")
+            raise HugoniotError("there is no connection to the cluster: use the pool in a with statement")
         future = self.client.submit(answer, self.hello, json.dumps(task[1]), self.time_limit, pure=False)
         future.case = task[0]       # type: ignore[attr-defined]
         return future

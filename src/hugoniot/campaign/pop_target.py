@@ -72,7 +72,7 @@ def read_pop_plot(path: str, number: int, sigma: str | None, notes: list[str]) -
     elif sigma is not None:
         spread = np.full(len(values), _si("command line", None, sigma, "m", "--sigma"))
     else:
-        notes.append(f"{name}: no uncertainty is given, {100 * RELATIVE_SIGMA:g} % of each run distance taken")
+        notes.append(f"{name}: no uncertainty is given; {100 * RELATIVE_SIGMA:g} % of each run distance is taken")
         spread = RELATIVE_SIGMA * values
     if not (np.all(columns["pressure"] > 0.0) and np.all(values > 0.0) and np.all(spread > 0.0)):
         raise DeckError.single(name, None, "table", "pressures, run distances and their uncertainties must be above 0")

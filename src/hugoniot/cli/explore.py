@@ -10,8 +10,8 @@ from hugoniot.errors import DeckError
 
 def command(
     what: Annotated[list[str] | None, typer.Argument(
-        metavar="[RUN|SWEEP|DECK|MATERIAL]...", help="Run folders, folders of runs, folders with cases.csv, tables (.csv), decks (.toml), "
-                                                     "materials of the library.")] = None,
+        metavar="[RUN|SWEEP|FIT|DECK|MATERIAL]...", help="Run folders, folders of runs, folders with cases.csv, tables (.csv), folders of "
+                                                         "fits, decks (.toml), materials (names or .toml).")] = None,
     work: Annotated[Path, typer.Option("--work", "-w", help="Folder for runs started from the page; created with the first "
                                                             "run.")] = Path("explorer-runs"),
     no_runs: Annotated[bool, typer.Option("--no-runs", help="Start no runs from the page.")] = False,

@@ -18,7 +18,7 @@ def verify(
     problems: Annotated[list[str] | None, typer.Argument(help="Names of standard problems (default: all).")] = None,
     zones: Annotated[list[int] | None, typer.Option("--zones", "-n", help="Zones, instead of the standard grids; repeatable.")] = None,
     integrator: Annotated[str, typer.Option(help="compatible or wilkins.")] = "compatible",
-    solver: Annotated[str, typer.Option(help="lagrange1d or fronts (tracked fronts, mode cells).")] = "lagrange1d",
+    solver: Annotated[str, typer.Option(help='lagrange1d, or fronts (tracked fronts, mode = "cells").')] = "lagrange1d",
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of tables.")] = False,
 ) -> None:
     """Run the built-in standard problems and print the errors, their limits (bars), and the observed order of convergence.

@@ -67,7 +67,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
         if not any(body[0].start <= point.position <= body[-1].end for point in problem.lighting):
             names = ", ".join(f"'{region.name}'" for region in body)
             found.append((("lighting",), f"programmed burn of {names} needs a lighting point", "add [[lighting]] with at = a place from "
-                          f"{format_si(body[0].start, 'm')} to {format_si(body[-1].end, 'm')}, or burn = \"none\" for products at once"))
+                          f"{format_si(body[0].start, 'm')} to {format_si(body[-1].end, 'm')}, or burn = \"none\" to start with products"))
     return found
 
 

@@ -44,7 +44,7 @@ def open_body(solver, node: int, cause: str) -> Event:
     solver.renew_topology()
     left, right = _names(solver, zone - 1, zone)
     where = f"in '{left}'" if left == right else f"between '{left}' and '{right}'"
-    kind, text = ("void_opened", "void opened") if cause == "spall" else ("interface_separated", "bodies separated")
+    kind, text = ("void_opened", "void opened") if cause == "spall" else ("interface_separated", "interface opened")
     return Event(kind, solver.time, solver.cycle, place, f"{text} {where} at {place:.6g} m")
 
 
