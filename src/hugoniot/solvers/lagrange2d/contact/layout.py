@@ -79,8 +79,9 @@ class Contact(NamedTuple):
     binds                  whether a law ties points to edges
     cells, sorted_edges    of the search: first edge of each cell, edges by cell
     since                  (point, 2): where points stood when their motion began to count: at the last search or later
-    zones                  table of zones, for the heat
-    speeds                 pulses that drive rigid bodies, as `march.Run` has them: numbers and tables
+    zones, nodes, chains   tables of the march
+    kind, gx, gy           as `march.Options` has them
+    speeds, speed_tables   pulses that drive rigid bodies, as `march.Run` has them
     """
 
     points: Any
@@ -117,6 +118,11 @@ class Contact(NamedTuple):
     numbers: Any
     counts: Any
     zones: Any
+    nodes: Any
+    chains: Any
+    kind: int
+    gx: float
+    gy: float
     binds: bool
     speeds: Any
     speed_tables: Any
@@ -127,12 +133,6 @@ def table(rows: int, columns: int) -> np.ndarray:
     buffer = np.zeros(rows * columns + LINE)
     start = (-buffer.ctypes.data // buffer.itemsize) % LINE
     return buffer[start:start + rows * columns].reshape(rows, columns)
-
-
-class Nowhere(NamedTuple):
-    """No contact in this run."""
-
-    none: int = 0
 
 
 KEPT = ("points", "pairs", "pair_numbers", "bonds", "bond_numbers", "rigid", "of_points", "since", "numbers", "counts")    # in checkpoints

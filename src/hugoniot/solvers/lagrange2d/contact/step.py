@@ -10,13 +10,11 @@
 Contact is the leader's alone, so that no bit depends on the number of threads.
 """
 
-from typing import Any
-
 import numba as nb
-from numba.extending import overload
 
+from hugoniot.core.by_address import ByAddress
 from hugoniot.core.compile_ahead import Job
-from hugoniot.core.passes import Entry, call_entry
+from hugoniot.core.passes import Entry, call_entry, row_at
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.accounts_of_step import accept, book_heat, book_holds
@@ -152,67 +150,59 @@ def solve(c, nodes, dt, closing, turns):
 
 
 @nb.njit(**BY_ADDRESS)
-def of_step(c, run, options, time, dt, moment):
+def of_step(c, time, dt, moment):
     """One of the moments at the top of the file."""
     if moment == READY:
-        return make_ready(c, run.nodes, dt)
+        return make_ready(c, c.nodes, dt)
     if moment in (MOVE, TAKE_BACK):
-        move_rigid(c, run.nodes, dt)
+        move_rigid(c, c.nodes, dt)
     elif moment == ACCEPT:
-        accept(c, dt, options)
+        accept(c, dt)
     elif moment == CLOSE and c.sizes[C.NEAR] + c.sizes[C.BONDS] > 0:
-        take(c, run.nodes, U)
-        if solve(c, run.nodes, dt, True, 0):
+        take(c, c.nodes, U)
+        if solve(c, c.nodes, dt, True, 0):
             book_heat(c, 1.0, dt)
-            book_holds(c, run.chains, 1.0)
-            give(c, run.nodes, U, dt, False)
+            book_holds(c, 1.0)
+            give(c, c.nodes, U, dt, False)
     elif moment == PUSH_MIDDLE:
-        drive(c, run, options, time, dt)
-        take(c, run.nodes, UM)
+        drive(c, time, dt)
+        take(c, c.nodes, UM)
         if c.sizes[C.NEAR] + c.sizes[C.BONDS] > 0:
             as_in_last_step(c, dt / c.numbers[C.LAST_STEP] if c.numbers[C.LAST_STEP] > 0.0 else 0.0)
             restart(c, 0.5)
-            give(c, run.nodes, UM, dt, True)
+            give(c, c.nodes, UM, dt, True)
     elif moment == PUSH:
-        drive(c, run, options, time, dt)
-        take(c, run.nodes, UM)
-        if solve(c, run.nodes, dt, False, TURNS if options.kind == PLANAR else 1):
-            book_holds(c, run.chains, 0.0)
-            give(c, run.nodes, UM, dt, False)
+        drive(c, time, dt)
+        take(c, c.nodes, UM)
+        if solve(c, c.nodes, dt, False, TURNS if c.kind == PLANAR else 1):
+            book_holds(c, 0.0)
+            give(c, c.nodes, UM, dt, False)
     return True
 
 
-def at_moment(run, options, asked):
-    """The same called by its address, so that it is compiled once, not into each function of the march again; `asked`: `march.Run`."""
-    asked[3] = of_step(run.contact, run, options, asked[0], asked[1], int(asked[2]))
+def at_moment(c, asked, moment):
+    """The same called by its address, so that it is compiled once, not into each function of the march again; asked: time, step, answer."""
+    asked[2] = of_step(c, asked[0], asked[1], moment)
 
 
 AT_MOMENT = Entry(at_moment)
 
 
-def jobs_of_contact(run, options) -> list[Job]:
-    """What has yet to be compiled for a run's contact."""
-    return [] if isinstance(run.contact, C.Nowhere) else [AT_MOMENT.job(run, options, run.asked)]
+def job_of_contact(tables: ByAddress, run) -> Job:
+    """What may have yet to be compiled for a run with these tables."""
+    return AT_MOMENT.job(tables, run.asked, READY)
 
 
-def with_contact(run, options) -> Any:
-    """A run that knows where its contact is compiled."""
-    return run if isinstance(run.contact, C.Nowhere) else run._replace(touch=AT_MOMENT.address(run, options, run.asked))
+def with_contact(run, tables: ByAddress):
+    """A run that knows these tables, and where its contact is compiled."""
+    return run._replace(touch=AT_MOMENT.address(tables, run.asked, READY), tables_of_contact=tables.address)
 
 
-def touch(run, options, time, dt, moment):
+@nb.njit(**INLINE)
+def touch(run, time, dt, moment):
     """What contact does at a moment of the step; False where it has no room for its pairs."""
-    raise NotImplementedError("compiled only")
-
-
-@overload(touch, jit_options=INLINE)
-def _(run, options, time, dt, moment):
-    def nothing(run, options, time, dt, moment):
+    if run.touch == 0:
         return True
-
-    def something(run, options, time, dt, moment):
-        run.asked[0], run.asked[1], run.asked[2] = time, dt, moment
-        call_entry(run.touch, run, options, run.asked)
-        return run.asked[3] != 0.0
-
-    return nothing if run.types[run.fields.index("contact")].instance_class is C.Nowhere else something
+    run.asked[0], run.asked[1] = time, dt
+    call_entry(run.touch, row_at(run.tables_of_contact), run.asked, moment)
+    return run.asked[2] != 0.0

@@ -172,8 +172,8 @@ def _at_start(body) -> np.ndarray:
     return float(pulse_value(0.0, numbers[0], tables[0])) * way
 
 
-def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering, zones) -> C.Contact:
-    """The tables of a run; chains of rigid bodies stand behind those of the edges."""
+def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering, run, options) -> C.Contact:
+    """The tables of the contact of a run; chains of rigid bodies stand behind those of the edges."""
     points = np.full((len(surfaces.points), 6), -1, dtype=np.int64)
     points[:, :3] = np.array(surfaces.points, dtype=np.int64).reshape(-1, 3)
     edges = np.array(surfaces.edges, dtype=np.int64).reshape(-1, 4)
@@ -199,8 +199,9 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
         points, edges, movers, numbers, rigid_table(problem), np.flatnonzero(movers[:, C.MOVER_CHAIN_1] >= 0), sizes.astype(np.int64),
         np.array([k for group in surfaces.copies for k in group], dtype=np.int64), law_of, laws, **pairs, **lists, **of_search,
         places=C.table(count + len(problem.rigid), C.BY_Y + 1), bonds=ints(count, 2), bond_numbers=np.zeros((count, C.BOND_FLOATS)),
-        of_points=np.zeros((count, 3)), numbers=totals, counts=ints(8), zones=zones, binds=bool((laws[:, C.LAW_KIND] != C.SLIDING).any()),
-        speeds=speeds, speed_tables=tables)
+        of_points=np.zeros((count, 3)), numbers=totals, counts=ints(8), zones=run.zones, nodes=run.nodes, chains=run.chains,
+        kind=options.kind, gx=options.gx, gy=options.gy, binds=bool((laws[:, C.LAW_KIND] != C.SLIDING).any()), speeds=speeds,
+        speed_tables=tables)
 
 
 def _movers(problem: Problem2D, surfaces: Surfaces, boundaries, numbering):
