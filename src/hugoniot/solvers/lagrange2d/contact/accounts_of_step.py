@@ -112,6 +112,7 @@ def area(c, p, kind):
 @nb.njit(**BY_ADDRESS)
 def accept(c, dt):
     """Book the step that was taken."""
+    c.looked[C.FLOWN] += dt
     c.of_points[:, C.FORCE_X] = 0.0
     c.of_points[:, C.FORCE_Y] = 0.0
     lead_on(c, dt)

@@ -4,7 +4,6 @@ import numba as nb
 
 from hugoniot.core.target import BY_ADDRESS
 from hugoniot.solvers.lagrange2d.contact import layout as C
-from hugoniot.solvers.lagrange2d.contact.near import NEAR
 
 
 @nb.njit(**BY_ADDRESS)
@@ -56,6 +55,6 @@ def remember(c, dt):
         k = c.active[i]
         q, c.pairs[k, C.PAIR_ACTIVE] = c.pair_numbers[k], C.OFF
         if q[C.LAMBDA] != 0.0:
-            q[C.LAST], q[C.LAST_TAU], c.touched[count], c.away[k] = q[C.LAMBDA], q[C.TAU], k, NEAR
+            q[C.LAST], q[C.LAST_TAU], c.touched[count] = q[C.LAMBDA], q[C.TAU], k
             count += 1
     c.sizes[C.TOUCHED] = count

@@ -54,9 +54,13 @@ BOND_FLOATS = 16
 # of a point: force of the last step, distance slid
 FORCE_X, FORCE_Y, SLID = range(3)
 # numbers: reach of the search, mean edge, heat of closing, work of friction, deepest place of a node behind a surface over the
-# edge, the last step, the largest change of a velocity by contact in it, how far points may move while the list of near pairs serves
-REACH, MEAN_EDGE, HEAT, FRICTION, DEEPEST, LAST_STEP, CHANGE, MARGIN = range(8)
+# edge, the last step, the largest change of a velocity by contact in it
+REACH, MEAN_EDGE, HEAT, FRICTION, DEEPEST, LAST_STEP, CHANGE, _ = range(8)
 PAIRS, SEARCHES, SWEEPS, BROKEN_BONDS, FULL, OLD_PAIRS, ACTIVE, STEPS = range(8)
+# of a point at the last look at which pairs may meet: its place and velocity
+FLIGHT_X, FLIGHT_Y, FLIGHT_U, FLIGHT_V = range(4)
+# time since that look, how far points have gone astray from straight flight since, how far they may, how long the list then made serves
+FLOWN, FARTHEST, ASTRAY, SERVES = range(4)
 NEAR, LISTED, BONDS, TOUCHED, POINTS = range(5)      # sizes of the lists of a step; NEAR is -1 where they are to be made anew
 LINE = 8             # floats of a line of cache
 
@@ -70,7 +74,7 @@ class Contact(NamedTuple):
     law_of                 (part, part): index of the law between them
     old_pairs, old_numbers   the pairs before the last search
     places                 (points and behind them centres of rigid bodies, columns AT_X to BY_Y)
-    away                   how far points may move relative to each other, counted from `since`, before each pair can meet
+    flight, looked         (point, columns FLIGHT_X to FLIGHT_V), (numbers from FLOWN): of the list of near pairs
     near, listed, bound    the pairs that may meet in a step, in their order, the movers concerned, and the points with a bond that stands
     touched                those of the pairs that had an impulse in the last step
     near_points, marks     (point, mover) of the points concerned; whether each point is in that list
@@ -99,7 +103,6 @@ class Contact(NamedTuple):
     old_pairs: Any
     old_numbers: Any
     places: Any
-    away: Any
     near: Any
     listed: Any
     bound: Any
@@ -115,6 +118,8 @@ class Contact(NamedTuple):
     cells: Any
     sorted_edges: Any
     since: Any
+    flight: Any
+    looked: Any
     numbers: Any
     counts: Any
     zones: Any

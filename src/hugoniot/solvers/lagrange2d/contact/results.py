@@ -160,6 +160,6 @@ def larger(contact: C.Contact, room: int | None = None) -> C.Contact:
         made[name] = C.table(room, table.shape[1]) if table.dtype == float else np.zeros((room, table.shape[1]), dtype=table.dtype)
         made[name][:min(room, len(table))] = table[:room]
     made |= {name: np.zeros(room, dtype=np.int64) for name in ("touched", "active", "candidates")}
-    made |= {"near": np.zeros((room, 4), dtype=np.int64), "away": np.zeros(room)}
+    made |= {"near": np.zeros((room, 4), dtype=np.int64)}
     contact.sizes[C.NEAR] = -1
     return contact._replace(**made)

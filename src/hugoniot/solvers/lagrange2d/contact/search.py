@@ -6,6 +6,7 @@ from hugoniot.core.target import BY_ADDRESS
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.near import distance, list_near
 
+EVERY = 4            # steps after which the motion of points is counted anew
 AHEAD = 2.0          # times what the velocities at the start of a step say of its motion: they may grow in it
 
 
@@ -136,13 +137,20 @@ def search(c, nodes):
                     c.pairs[count, C.PAIR_POINT], c.pairs[count, C.PAIR_EDGE] = p, e
                     c.pairs[count, C.PAIR_ACTIVE] = C.OFF
                     old = take_over(c, count, old)
-                    c.away[count] = 0.0
                     describe(c, count)
                     count += 1
         c.since[p, 0], c.since[p, 1] = px, py
     c.counts[C.PAIRS], c.counts[C.FULL], c.sizes[C.NEAR] = count, 0, -1
     c.counts[C.SEARCHES] += 1
     return True
+
+
+@nb.njit(**BY_ADDRESS)
+def count_from_now(c, moved):
+    """Count the motion of points from where they are now; the search reaches less far by what they have moved."""
+    for p in range(c.points.shape[0]):
+        c.since[p, 0], c.since[p, 1] = c.places[p, C.AT_X], c.places[p, C.AT_Y]
+    c.numbers[C.REACH] -= moved
 
 
 @nb.njit(**BY_ADDRESS)
@@ -155,6 +163,8 @@ def make_ready(c, nodes, dt):
         c.numbers[C.REACH] = max(0.5 * c.numbers[C.MEAN_EDGE], 3.0 * ahead)
         if not search(c, nodes):
             return False
-        moved = 0.0
-    list_near(c, nodes, moved, ahead)
+    elif c.counts[C.STEPS] % EVERY == 0:
+        count_from_now(c, moved)
+    c.counts[C.STEPS] += 1
+    list_near(c, nodes, dt)
     return True

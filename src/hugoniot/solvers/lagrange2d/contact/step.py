@@ -29,6 +29,7 @@ from hugoniot.solvers.lagrange2d.contact.meeting import (
     point,
     start_velocity,
 )
+from hugoniot.solvers.lagrange2d.contact.near import SPARE, look, stray_ends
 from hugoniot.solvers.lagrange2d.contact.relaxation import relax
 from hugoniot.solvers.lagrange2d.contact.rigid import arm, drive, lead_on, move_rigid, velocity_from, velocity_to
 from hugoniot.solvers.lagrange2d.contact.search import make_ready
@@ -150,6 +151,22 @@ def solve(c, nodes, dt, closing, turns):
 
 
 @nb.njit(**BY_ADDRESS)
+def push(c, dt):
+    """Mean velocities of movers that contact allows; whether anything touched. Found again where points have gone farther astray than
+    the list of near pairs reckons with."""
+    while True:
+        change = c.numbers[C.CHANGE]
+        take(c, c.nodes, UM)
+        touched = solve(c, c.nodes, dt, False, TURNS if c.kind == PLANAR else 1)
+        astray = stray_ends(c, c.nodes, dt)
+        c.looked[C.FARTHEST] = max(c.looked[C.FARTHEST], astray)
+        if astray <= c.looked[C.ASTRAY]:
+            return touched
+        c.numbers[C.CHANGE] = change
+        look(c, c.nodes, dt, SPARE * astray)
+
+
+@nb.njit(**BY_ADDRESS)
 def of_step(c, time, dt, moment):
     """One of the moments at the top of the file."""
     if moment == READY:
@@ -173,8 +190,7 @@ def of_step(c, time, dt, moment):
             give(c, c.nodes, UM, dt, True)
     elif moment == PUSH:
         drive(c, time, dt)
-        take(c, c.nodes, UM)
-        if solve(c, c.nodes, dt, False, TURNS if c.kind == PLANAR else 1):
+        if push(c, dt):
             book_holds(c, 0.0)
             give(c, c.nodes, UM, dt, False)
     return True

@@ -191,10 +191,11 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
 
     pairs = {"pairs": ints(room, C.PAIR_INTS), "old_pairs": ints(room, C.PAIR_INTS), "pair_numbers": C.table(room, C.PAIR_FLOATS),
              "old_numbers": C.table(room, C.PAIR_FLOATS)}
-    lists = {"away": np.zeros(room), "near": ints(room, 4), "listed": ints(len(movers)), "bound": ints(count), "touched": ints(room),
+    lists = {"near": ints(room, 4), "listed": ints(len(movers)), "bound": ints(count), "touched": ints(room),
              "near_points": ints(count, 2), "marks": ints(count), "sizes": np.array([-1, 0, 0, 0, 0]), "active": ints(room),
              "candidates": ints(room)}
-    of_search = {"cells": ints(4 * len(edges) + 17), "sorted_edges": ints(len(edges)), "since": np.zeros((count, 2))}
+    of_search = {"cells": ints(4 * len(edges) + 17), "sorted_edges": ints(len(edges)), "since": np.zeros((count, 2)),
+                 "flight": C.table(count, 4), "looked": np.zeros(4)}
     return C.Contact(
         points, edges, movers, numbers, rigid_table(problem), np.flatnonzero(movers[:, C.MOVER_CHAIN_1] >= 0), sizes.astype(np.int64),
         np.array([k for group in surfaces.copies for k in group], dtype=np.int64), law_of, laws, **pairs, **lists, **of_search,
