@@ -102,18 +102,21 @@ def list_candidates(c, slack, depth):
 
     Without branches, which would cost more than all this.
     """
-    count = 0
+    found = count = 0
     for i in range(c.sizes[C.NEAR]):
         k, p, a, b = c.near[i]
         (x, y), (ax, ay), (bx, by) = place(c, p, 1.0), place(c, a, 1.0), place(c, b, 1.0)
         dx, dy, px, py = bx - ax, by - ay, x - ax, y - ay
-        along, square = px * dx + py * dy, dx * dx + dy * dy
-        behind = (py * dx - px * dy > max(slack * square, depth * square**0.5))
-        behind &= (along >= -BEYOND * square) & (along <= (1.0 + BEYOND) * square)
+        along, square, behind = px * dx + py * dy, dx * dx + dy * dy, py * dx - px * dy
+        c.candidates[found] = i
+        found += (behind > slack * square) & (behind * behind > depth * depth * square) & (
+            along >= -BEYOND * square) & (along <= (1.0 + BEYOND) * square)
+    for n in range(found):
+        k, p, a, b = c.near[c.candidates[n]]
         (x, y), (ax, ay), (bx, by) = place(c, p, 0.0), place(c, a, 0.0), place(c, b, 0.0)
         dx, dy, px, py = bx - ax, by - ay, x - ax, y - ay
         c.candidates[count] = k
-        count += behind & (py * dx - px * dy <= DEEP * (dx * dx + dy * dy))
+        count += py * dx - px * dy <= DEEP * (dx * dx + dy * dy)
     return count
 
 

@@ -57,7 +57,7 @@ def strike_off(c):
         m = c.listed[i]
         q, c.movers[m, C.MOVER_LISTED] = c.mover_numbers[m], 0
         q[C.JX], q[C.JY], q[C.JW] = 0.0, 0.0, 0.0
-    c.sizes[C.LISTED], c.sizes[C.POINTS] = 0, 0
+    c.sizes[C.LISTED], c.sizes[C.POINTS], c.sizes[C.PUSHED] = 0, 0, 0
 
 
 @nb.njit(**INLINE)
@@ -121,15 +121,17 @@ def strays(c, nodes, dt):
 def stray_ends(c, nodes, dt):
     """The same at the end of a step with mean velocities, those of movers where contact has changed them."""
     left, bottom, right, top, time = 0.0, 0.0, 0.0, 0.0, c.looked[C.FLOWN] + dt
+    vertices = c.points.shape[0] - (c.copies_start[c.movers.shape[0]] - c.copies_start[c.movers.shape[0] - c.rigid.shape[0]])
     for p in range(c.points.shape[0]):
-        k, m, f = c.points[p, C.POINT_NODE], c.points[p, C.POINT_MOVER], c.flight[p]
-        q, px, py = c.mover_numbers[m], c.places[p, C.AT_X], c.places[p, C.AT_Y]
+        k, f, px, py = c.points[p, C.POINT_NODE], c.flight[p], c.places[p, C.AT_X], c.places[p, C.AT_Y]
         u, v = nodes[6, k], nodes[7, k]
-        if q[C.JX] != 0.0 or q[C.JY] != 0.0:
-            u, v = q[C.U], q[C.V]
-            if q[C.W] != 0.0:
-                x, y = chord(c.rigid[c.movers[m, C.MOVER_RIGID]], px, py, dt * q[C.W])
-                u, v = u + x / dt, v + y / dt
+        if c.marks[p] != 0 or p >= vertices:
+            q = c.mover_numbers[c.points[p, C.POINT_MOVER]]
+            if q[C.JX] != 0.0 or q[C.JY] != 0.0:
+                u, v = q[C.U], q[C.V]
+                if q[C.W] != 0.0:
+                    x, y = chord(c.rigid[c.movers[c.points[p, C.POINT_MOVER], C.MOVER_RIGID]], px, py, dt * q[C.W])
+                    u, v = u + x / dt, v + y / dt
         x, y = px + dt * u - f[C.FLIGHT_X] - time * f[C.FLIGHT_U], py + dt * v - f[C.FLIGHT_Y] - time * f[C.FLIGHT_V]
         left, bottom, right, top = min(left, x), min(bottom, y), max(right, x), max(top, y)
     return ((right - left) ** 2 + (top - bottom) ** 2) ** 0.5

@@ -18,7 +18,7 @@ from hugoniot.core.passes import Entry, call_entry, row_at
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.accounts_of_step import accept, book_heat, book_holds
-from hugoniot.solvers.lagrange2d.contact.active import as_in_last_step, forget
+from hugoniot.solvers.lagrange2d.contact.active import as_in_last_step, forget, list_pushed
 from hugoniot.solvers.lagrange2d.contact.impulses import movers, restart
 from hugoniot.solvers.lagrange2d.contact.meeting import (
     CLOSING_ENOUGH,
@@ -46,11 +46,11 @@ NEGLIGIBLE = 1e-14                     # of the mean edge in a step: velocities 
 
 
 @nb.njit(**BY_ADDRESS)
-def take(c, nodes, row):
-    """Velocities of movers from two rows of the nodes."""
+def take(c, nodes, row, movers, count):
+    """Velocities of the first `count` of a list of movers from two rows of the nodes."""
     n = c.mover_numbers
-    for i in range(c.sizes[C.LISTED]):
-        m = c.listed[i]
+    for i in range(count):
+        m = movers[i]
         if c.movers[m, C.MOVER_RIGID] < 0:
             k = c.movers[m, C.MOVER_NODE]
             n[m, C.U], n[m, C.V] = nodes[row, k], nodes[row + 1, k]
@@ -64,8 +64,8 @@ def take(c, nodes, row):
 def give(c, nodes, row, dt, middle):
     """Velocities of movers back into two rows of the nodes that are one with them; `middle`: their positions in the middle too."""
     n = c.mover_numbers
-    for k in range(c.sizes[C.LISTED]):
-        m = c.listed[k]
+    for k in range(c.sizes[C.PUSHED]):
+        m = c.pushed[k]
         if n[m, C.JX] == 0.0 and n[m, C.JY] == 0.0:
             continue
         if c.movers[m, C.MOVER_RIGID] >= 0:
@@ -123,6 +123,7 @@ def solve(c, nodes, dt, closing, turns):
     forget(c)
     if closing and c.binds:
         bind_points(c)
+        list_pushed(c)
     if c.sizes[C.NEAR] + c.sizes[C.BONDS] == 0:
         c.numbers[C.CHANGE] = 0.0
         return False
@@ -156,7 +157,7 @@ def push(c, dt):
     the list of near pairs reckons with."""
     while True:
         change = c.numbers[C.CHANGE]
-        take(c, c.nodes, UM)
+        take(c, c.nodes, UM, c.listed, c.sizes[C.LISTED])
         touched = solve(c, c.nodes, dt, False, TURNS if c.kind == PLANAR else 1)
         astray = stray_ends(c, c.nodes, dt)
         c.looked[C.FARTHEST] = max(c.looked[C.FARTHEST], astray)
@@ -176,16 +177,16 @@ def of_step(c, time, dt, moment):
     elif moment == ACCEPT:
         accept(c, dt)
     elif moment == CLOSE and c.sizes[C.NEAR] + c.sizes[C.BONDS] > 0:
-        take(c, c.nodes, U)
+        take(c, c.nodes, U, c.listed, c.sizes[C.LISTED])
         if solve(c, c.nodes, dt, True, 0):
             book_heat(c, 1.0, dt)
             book_holds(c, 1.0)
             give(c, c.nodes, U, dt, False)
     elif moment == PUSH_MIDDLE:
         drive(c, time, dt)
-        take(c, c.nodes, UM)
         if c.sizes[C.NEAR] + c.sizes[C.BONDS] > 0:
             as_in_last_step(c, dt / c.numbers[C.LAST_STEP] if c.numbers[C.LAST_STEP] > 0.0 else 0.0)
+            take(c, c.nodes, UM, c.pushed, c.sizes[C.PUSHED])
             restart(c, 0.5)
             give(c, c.nodes, UM, dt, True)
     elif moment == PUSH:

@@ -189,11 +189,12 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
     def ints(*shape):
         return np.zeros(shape, dtype=np.int64)
 
-    pairs = {"pairs": ints(room, C.PAIR_INTS), "old_pairs": ints(room, C.PAIR_INTS), "pair_numbers": C.table(room, C.PAIR_FLOATS),
+    pairs = {"pairs": ints(room, C.PAIR_INTS), "old_pairs": ints(room, 2), "pair_numbers": C.table(room, C.PAIR_FLOATS),
              "old_numbers": C.table(room, C.PAIR_FLOATS)}
     lists = {"near": ints(room, 4), "listed": ints(len(movers)), "bound": ints(count), "touched": ints(room),
-             "near_points": ints(count, 2), "marks": ints(count), "sizes": np.array([-1, 0, 0, 0, 0]), "active": ints(room),
-             "candidates": ints(room)}
+             "near_points": ints(count, 2), "marks": ints(count), "sizes": np.array([-1, 0, 0, 0, 0, 0]), "active": ints(room),
+             "candidates": ints(room),
+             "pushed": ints(len(movers))}
     of_search = {"cells": ints(4 * len(edges) + 17), "sorted_edges": ints(len(edges)), "since": np.zeros((count, 2)),
                  "flight": C.table(count, 4), "looked": np.zeros(4)}
     return C.Contact(
