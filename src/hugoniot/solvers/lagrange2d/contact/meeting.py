@@ -134,8 +134,8 @@ def meets(c, k, first, slack, depth):
     other = faced(c, k)
     if other >= 0 and said_already(c, k, first, other):
         return False
-    q[C.GAP], _, nx, ny, before = seen(c, k, 0.0)
-    if not over_edge(c, p, e, (q[C.GAP], before), (-(py * dx - px * dy) / square**0.5, share), (slack, depth)):
+    q[C.GAP], started, nx, ny, before = seen(c, k, 0.0)
+    if not over_edge(c, p, e, (q[C.GAP], started, before), (-(py * dx - px * dy) / square**0.5, share), (slack, depth)):
         return False
     return not (c.binds and tied(c, p, e)) and faces(c, p, nx, ny)
 
