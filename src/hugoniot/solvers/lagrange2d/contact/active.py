@@ -5,6 +5,7 @@ import numba as nb
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.impulses import movers, of_pair
+from hugoniot.solvers.lagrange2d.contact.near import ANY_WAY
 
 
 @nb.njit(**BY_ADDRESS)
@@ -22,7 +23,9 @@ def list_active(c):
 
 @nb.njit(**BY_ADDRESS)
 def list_pushed(c):
-    """List the movers of active pairs and of bonds that are not in the list yet."""
+    """List the movers of active pairs and of bonds that are not in the list yet; all movers stand in it where all pairs are near."""
+    if c.looked[C.ASTRAY] == ANY_WAY:
+        return
     for i in range(c.counts[C.ACTIVE]):
         for m in of_pair(c, c.active[i]):
             include_pushed(c, m)
@@ -46,10 +49,11 @@ def forget(c):
     for i in range(c.counts[C.ACTIVE]):
         c.pairs[c.active[i], C.PAIR_ACTIVE] = C.OFF
     c.counts[C.ACTIVE] = 0
-    for i in range(c.sizes[C.PUSHED]):
-        c.movers[c.pushed[i], C.MOVER_LISTED] = 1
-    c.sizes[C.PUSHED] = 0
-    list_pushed(c)
+    if c.looked[C.ASTRAY] != ANY_WAY:
+        for i in range(c.sizes[C.PUSHED]):
+            c.movers[c.pushed[i], C.MOVER_LISTED] = 1
+        c.sizes[C.PUSHED] = 0
+        list_pushed(c)
 
 
 @nb.njit(**BY_ADDRESS)

@@ -15,6 +15,8 @@ IM = 12      # row of the node table
 EVERY = 5          # steps between two looks at which pairs may meet
 SPARE = 2.0        # times what points went astray from straight flight between the last two looks, they may between the next
 LEAST_ASTRAY = 1e-3      # of the mean edge
+MOST = 0.8         # of all pairs: where more are near, all are listed up to the next search
+ANY_WAY = 1e300    # how far points may go astray, and for how long, where all pairs are listed
 
 
 @nb.njit(**INLINE)
@@ -142,7 +144,7 @@ def list_near(c, nodes, dt):
     """List the pairs that may meet in a step, with their points and movers, those of bonds and rigid bodies, unless the list that stands
     serves for it. Which further pairs are in it changes nothing but the time it takes."""
     if c.sizes[C.NEAR] >= 0:
-        astray = strays(c, nodes, dt)
+        astray = 0.0 if c.looked[C.ASTRAY] == ANY_WAY else strays(c, nodes, dt)
         c.looked[C.FARTHEST] = max(c.looked[C.FARTHEST], astray)
         if astray <= c.looked[C.ASTRAY] and c.looked[C.FLOWN] + dt <= c.looked[C.SERVES]:
             if c.binds:
@@ -167,6 +169,10 @@ def look(c, nodes, dt, astray):
             same = same and c.near[count, 0] == k
             c.near[count, 0] = k
             count += 1
+    if count > MOST * c.counts[C.PAIRS]:
+        c.looked[C.ASTRAY], c.looked[C.SERVES], same, count = ANY_WAY, ANY_WAY, False, c.counts[C.PAIRS]
+        for k in range(count):
+            c.near[k, 0] = k
     same, c.sizes[C.NEAR] = same and count == c.sizes[C.NEAR], count
     if not same or c.binds:
         list_concerned(c, nodes)
@@ -203,3 +209,7 @@ def list_concerned(c, nodes):
                     include_edge(c, nodes, e)
     for m in range(c.movers.shape[0] - c.rigid.shape[0], c.movers.shape[0]):
         include_mover(c, nodes, m)
+    if c.looked[C.ASTRAY] == ANY_WAY:
+        c.sizes[C.PUSHED] = c.sizes[C.LISTED]
+        for i in range(c.sizes[C.LISTED]):
+            c.pushed[i] = c.listed[i]

@@ -29,7 +29,7 @@ from hugoniot.solvers.lagrange2d.contact.meeting import (
     point,
     start_velocity,
 )
-from hugoniot.solvers.lagrange2d.contact.near import SPARE, look, stray_ends
+from hugoniot.solvers.lagrange2d.contact.near import ANY_WAY, SPARE, look, stray_ends
 from hugoniot.solvers.lagrange2d.contact.relaxation import relax
 from hugoniot.solvers.lagrange2d.contact.rigid import arm, drive, lead_on, move_rigid, velocity_from, velocity_to
 from hugoniot.solvers.lagrange2d.contact.search import make_ready
@@ -159,6 +159,8 @@ def push(c, dt):
         change = c.numbers[C.CHANGE]
         take(c, c.nodes, UM, c.listed, c.sizes[C.LISTED])
         touched = solve(c, c.nodes, dt, False, TURNS if c.kind == PLANAR else 1)
+        if c.looked[C.ASTRAY] == ANY_WAY:
+            return touched
         astray = stray_ends(c, c.nodes, dt)
         c.looked[C.FARTHEST] = max(c.looked[C.FARTHEST], astray)
         if astray <= c.looked[C.ASTRAY]:
