@@ -156,7 +156,7 @@ def push(c, dt):
     """Mean velocities of movers that contact allows; whether anything touched. Found again where points have gone farther astray than
     the list of near pairs reckons with."""
     while True:
-        change = c.numbers[C.CHANGE]
+        change, sweeps = c.numbers[C.CHANGE], c.counts[C.SWEEPS]
         take(c, c.nodes, UM, c.listed, c.sizes[C.LISTED])
         touched = solve(c, c.nodes, dt, False, TURNS if c.kind == PLANAR else 1)
         if c.looked[C.ASTRAY] == ANY_WAY:
@@ -165,7 +165,7 @@ def push(c, dt):
         c.looked[C.FARTHEST] = max(c.looked[C.FARTHEST], astray)
         if astray <= c.looked[C.ASTRAY]:
             return touched
-        c.numbers[C.CHANGE] = change
+        c.numbers[C.CHANGE], c.counts[C.SWEEPS] = change, sweeps      # the list of near pairs leaves no trace in the state
         look(c, c.nodes, dt, SPARE * astray)
 
 
