@@ -18,7 +18,6 @@ import numpy as np
 from hugoniot.problem.deck import read_deck, read_deck_text
 from hugoniot.problem.plane.contact_model import Contact2D
 from hugoniot.solvers.lagrange2d import layout as L
-from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.march import march
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
 
@@ -77,8 +76,8 @@ def main():
         solver = Lagrange2D(make())
         solver.march(start, 10**7)
         solver.control[L.EVENT_TIME] = 1.0
-        kept = tables((solver.run, solver.plan, solver.control, solver.counters, solver._charge), [])
-        runs = solver.run, solver.run._replace(contact=C.Nowhere())
+        kept = tables((solver.run, solver.contact.tables, solver.plan, solver.control, solver.counters, solver._charge), [])
+        runs = solver.run, solver.run._replace(touch=0)
         times = np.zeros((BURSTS, 2))
         for burst in times:
             for k, run in enumerate(runs):
@@ -90,7 +89,7 @@ def main():
         whole, without = times[1:].T
         share, best = np.median(1.0 - without / whole), 1.0 - without.min() / whole.min()
         print(f"{name:22s} {100.0 * share:5.1f} % (of the best bursts {100.0 * best:.1f} %) of {1e6 * np.median(whole):.0f} us, "
-              f"{len(solver.zones[0])} zones, {len(solver.run.contact.points)} points", flush=True)
+              f"{len(solver.zones[0])} zones, {len(solver.contact.tables.points)} points", flush=True)
 
 
 if __name__ == "__main__":

@@ -47,7 +47,7 @@ def rebound(given):
     solver, touching = Lagrange2D(given), []
     while solver.time < given.stop_time:
         solver.march(given.stop_time, 1)
-        if np.abs(solver.run.contact.of_points[:, C.FORCE_Y]).max() > 1e3:
+        if np.abs(solver.contact.tables.of_points[:, C.FORCE_Y]).max() > 1e3:
             touching.append(solver.time)
     c = np.sqrt((2700.0 * 5200.0**2 + 4.0 / 3.0 * 24.8e9) / 2700.0)
     return (touching[-1] - touching[0]) * c / 40e-3, (mean_velocity(solver, 1) - mean_velocity(solver, 0))[1] / 20.0
@@ -82,7 +82,7 @@ def moment(places, forces):
 
 def moment_of_contact(solver):
     """Moment of the impulses of contact in the last step, at the places of nodes in its middle, about the origin, kg m2/s per metre."""
-    contact, n, found = solver.run.contact, solver.nodes, 0.0
+    contact, n, found = solver.contact.tables, solver.nodes, 0.0
     for (node, *_), numbers in zip(contact.movers, contact.mover_numbers):
         x, y = n[N.x, node] - 0.5 * solver.step * n[N.um, node], n[N.y, node] - 0.5 * solver.step * n[N.vm, node]
         found += x * numbers[C.JY] - y * numbers[C.JX]

@@ -53,7 +53,7 @@ def test_momentum_and_energy_are_exact_and_bodies_separate():
     assert results["contact_heat"] > 0.0
     assert results["contact_depth"] < 1e-3
     assert abs(angular_momentum(solver) - turning) < 1e-6 * abs(turning)
-    assert not solver.run.contact.of_points[:, C.FORCE_X].any()
+    assert not solver.contact.tables.of_points[:, C.FORCE_X].any()
     assert np.nanmin(solver.state().nodes["gap"]) > 0.0
 
 
@@ -180,7 +180,7 @@ def test_bonds_hold_pull_and_break(across):
 def test_a_free_punch_gives_what_the_material_takes():
     punch = Rigid2D("punch", ((8e-3, 11e-3), (8e-3, 10.1e-3), (12e-3, 10.1e-3), (12e-3, 11e-3)), True, mass=0.1, start=(0.0, -200.0))
     solver = ran(meeting([al(20, 10, 20e-3, 10e-3)], 6e-6, walls("a.bottom"), rigid=(punch,)))
-    taken, speed = solver.exchanges(), solver.contact.rigid_velocity(solver.run.contact)["punch"]
+    taken, speed = solver.exchanges(), solver.contact.rigid_velocity()["punch"]
     assert taken["impulse_y rigid punch"] == pytest.approx(-0.1 * (speed[1] + 200.0), rel=1e-12)
     assert taken["work rigid punch"] == pytest.approx(0.05 * (200.0**2 - speed[0] ** 2 - speed[1] ** 2), rel=1e-12)
     assert solver.errors()["energy_error"] < 1e-12
@@ -195,7 +195,7 @@ def bar(spin=0.0, **motion):
 
 def turning_momentum(solver, body):
     """Momentum (x, y) and angular momentum about the origin of the material and a rigid body."""
-    row, n = solver.run.contact.rigid[0], solver.nodes
+    row, n = solver.contact.tables.rigid[0], solver.nodes
     x, y, _, u, v, spin = row[:6]
     moment = angular_momentum(solver) + body.mass * (x * v - y * u) + inertia_of(body) * spin
     return np.array([np.sum(n[N.own] * n[N.u]) + body.mass * u, np.sum(n[N.own] * n[N.v]) + body.mass * v, moment])
@@ -212,7 +212,7 @@ def test_a_free_body_turns_about_its_centre_for_ever():
     wanted = corners @ turn + np.array([10.0, 20.0]) * 20e-6 + (0.0, 3e-3)
     for corner in wanted:
         assert np.hypot(*(places.T - corner).T).min() < 1e-13
-    assert solver.contact.rigid_velocity(solver.run.contact)["bar"] == (10.0, 20.0, 2e5)
+    assert solver.contact.rigid_velocity()["bar"] == (10.0, 20.0, 2e5)
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.5])
@@ -227,7 +227,7 @@ def test_a_body_that_turns_takes_the_angular_momentum_of_what_strikes_it(frictio
     after, taken = turning_momentum(solver, body), solver.exchanges()
     assert after[:2] == pytest.approx(before[:2], rel=1e-12)
     assert after[2] == pytest.approx(before[2], rel=1e-6)
-    u, v, spin = solver.contact.rigid_velocity(solver.run.contact)["bar"]
+    u, v, spin = solver.contact.rigid_velocity()["bar"]
     assert spin > 500.0 and v > 1.0
     assert taken["work rigid bar"] == pytest.approx(-0.5 * (body.mass * (u * u + v * v) + inertia_of(body) * spin**2), rel=1e-12)
     assert solver.errors()["energy_error"] < 1e-12
@@ -242,7 +242,7 @@ def test_dust_and_a_body_that_turns_keep_their_angular_momentum():
                                 viscosity=Viscosity2D("tensor", True, 0.0, 0.0, 0.0, 0.0), largest_step=2e-8))
     before = turning_momentum(solver, body)
     solver.march(3e-6, 10**6)
-    assert solver.contact.rigid_velocity(solver.run.contact)["bar"][2] > 100.0
+    assert solver.contact.rigid_velocity()["bar"][2] > 100.0
     assert turning_momentum(solver, body) == pytest.approx(before, rel=1e-12)
 
 
@@ -256,9 +256,9 @@ def test_a_cylinder_rolls_down_an_incline():
         solver = Lagrange2D(meeting([al(24, 3, 8e-3, 1e-3, (0.0, -1e-3))], 50e-6, walls("a.bottom", "a.left", "a.right"), rigid=(body,),
                                     contacts=(Contact2D(None, "sliding", friction),), body_force=(0.5e6, -np.sqrt(0.75) * 1e6)))
         solver.march(10e-6, 10**6)
-        start = solver.contact.rigid_velocity(solver.run.contact)["roll"]
+        start = solver.contact.rigid_velocity()["roll"]
         solver.march(50e-6, 10**6)
-        end = solver.contact.rigid_velocity(solver.run.contact)["roll"]
+        end = solver.contact.rigid_velocity()["roll"]
         found.append((end[0] - start[0]) / 40e-6)
     assert found[0] == pytest.approx(0.5e6, rel=1e-2)
     assert found[1] == pytest.approx(0.5e6 / 1.5, rel=1e-2)
@@ -277,7 +277,7 @@ def test_a_driven_punch_stays_on_its_way():
 def test_a_run_resumed_while_it_slides_has_the_same_bits():
     given = dataclasses.replace(slider(0.2, 20e-6))
     whole, first = ran(given), ran(given, cycles=151)
-    assert first.run.contact.of_points[:, C.FORCE_X].any()
+    assert first.contact.tables.of_points[:, C.FORCE_X].any()
     rest = Lagrange2D(given)
     rest.restore(first.payload())
     while rest.time < given.stop_time:

@@ -76,7 +76,9 @@ def trouble_on_the_axis(problem) -> str:
     """
     if problem.geometry == "plane" or problem.solver.scheme != "area_weighted" or not may_meet(problem):
         return ""
-    return "bodies cannot meet on the axis with \"area_weighted\"" if any(c.on_axis for c in problem.mesh.chains.values()) else ""
+    if not any(chain.on_axis for chain in problem.mesh.chains.values()):
+        return ""
+    return "bodies cannot meet on the axis with \"area_weighted\", where a node has no mass per radian and its part of an impulse no bound"
 
 
 def read_rigid(rows: Sequence, axes, blocks: Sequence[str], collector: Collector) -> tuple[Rigid2D, ...]:

@@ -90,7 +90,7 @@ def exchanges(solver) -> dict[str, float]:
     found = {}
     for name, (work, x, y) in zip(solver.boundaries.chains, solver.chains):
         found |= {f"work {name}": float(work), f"impulse_x {name}": float(x), f"impulse_y {name}": float(y)}
-    found |= solver.contact.exchanges(solver.run.contact)
+    found |= solver.contact.exchanges()
     if solver.burning:
         found["released_heat"] = reactive.released_heat(solver.problem, solver.zones[Z.mass], solver.charge[B.lam], ranges(solver.problem))
     return found

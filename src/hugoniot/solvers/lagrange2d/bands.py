@@ -46,7 +46,7 @@ def in_rows(mesh, edges, axis, ratio):
 
 def local(run, erosion: bool) -> bool:
     """Whether nothing acts on rows that are not neighbours."""
-    return not (erosion or hasattr(run.contact, "pairs") or len(run.members) or len(run.gates))
+    return not (erosion or run.touch or len(run.members) or len(run.gates))
 
 
 @nb.njit(**BY_ADDRESS)

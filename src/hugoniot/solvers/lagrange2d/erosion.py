@@ -13,8 +13,8 @@ from hugoniot.solvers.lagrange2d.assemble import N, Z, corner_shares, quad_corne
 from hugoniot.solvers.lagrange2d.commands import GATHER, carry_out_alone
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.corners import DEEP
-from hugoniot.solvers.lagrange2d.contact.results import ContactResults, larger
-from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, contact_tables
+from hugoniot.solvers.lagrange2d.contact.results import contact_of, larger
+from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces
 from hugoniot.solvers.lagrange2d.rows_of_blocks import cells
 
 EVERY = 10      # cycles between two looks at the zones
@@ -82,10 +82,10 @@ class Erosion:
             self.solver.forces[:, zones] = 0.0
             for row in NOTHING:
                 z[row, zones] = 0.0
-            known = _places(self.solver.run.contact)[1]
+            known = _places(self.solver.contact.tables)[1]
             self.take_out()
             corners = self.solver.numbering.representative[self.solver.problem.mesh.zone_nodes]
-            lift_debris(self.solver.run.contact, known, self.solver.nodes, self.surfaces.copies, corners)
+            lift_debris(self.solver.contact.tables, known, self.solver.nodes, self.surfaces.copies, corners)
             carry_out_alone(self.solver.plan, (GATHER,))
             control = self.solver.control
             if code in (L.TANGLED, L.STEP_COLLAPSED):      # the step had shrunk for a zone that is gone
@@ -119,9 +119,9 @@ class Erosion:
         loads = run.loads[self.live[run.loads[:, L.LOAD_ZONE]]]
         problem, boundaries = solver.problem, solver.boundaries
         self.surfaces = Surfaces(problem, solver.numbering, boundaries, self.live, self.surfaces, self.law.mass == "kept")
-        contact = contact_tables(problem, self.surfaces, boundaries, solver.numbering, solver._zones)
-        solver.contact = ContactResults(problem, self.surfaces, solver.nodes, solver.kind)
-        solver.run = run._replace(loads=loads, given=np.zeros((len(loads), 4)), contact=carried_over(run.contact, contact))
+        old, solver.contact = solver.contact.tables, contact_of(solver, self.surfaces)
+        solver.contact.tables = carried_over(old, solver.contact.tables)
+        solver.run = solver.contact.given_to(run._replace(loads=loads, given=np.zeros((len(loads), 4))))
 
     def seen(self, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
         """Fields of zones as observers see them: no numbers where a zone has left the mesh."""

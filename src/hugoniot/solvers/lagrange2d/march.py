@@ -79,9 +79,9 @@ class Run(NamedTuple):
     chains: Any              # (chains, 3): work and impulse of what stands outside
     kept: Any                # the same at the start of the step
     middle: Any              # where what a node has in the middle of the step stands in its rows (`rings`)
-    touch: int               # address of what contact does at a moment of the step
-    asked: Any               # time, step and moment it is called with, and its answer
-    contact: Any             # `contact.layout.Contact` or `Nowhere`
+    touch: int               # address of what contact does at a moment of the step (0: nothing meets),
+    tables_of_contact: int   # of its tables (`contact.layout.Contact`),
+    asked: Any               # and the time and the step it is called with, and its answer
 
 
 class Options(NamedTuple):
@@ -130,7 +130,7 @@ def hold_specials(run, options, time, dt, first, which, span):
     special_nodes.hold(run.nodes, run.middle, held, normals, run.pulses, run.tables, run.chains, time + dt, book)
     if at_start:
         special_nodes.special_middle(run.nodes, run.middle, special, dt)
-    touch(run, options, time, dt, contact_step.PUSH if book else contact_step.PUSH_MIDDLE)
+    touch(run, time, dt, contact_step.PUSH if book else contact_step.PUSH_MIDDLE)
     if book:
         transmitting.answer(run, dt, options.kind, options.near)
         a, b = between(run.before, bands.LOADS, last, top, lag, run.loads.shape[0])
@@ -205,17 +205,17 @@ def try_step(run, plan, options, control, first):
         everyone(plan, MOVE)
         if options.gx != 0.0 or options.gy != 0.0:
             power = power_of_body_force(run, options, power, (last, top, bands.MOTION))
-        touch(run, options, time, dt, contact_step.MOVE)
+        touch(run, time, dt, contact_step.MOVE)
         take_rows(plan, last, top, bands.END)
         everyone(plan, LOOK)
         wrong = tangled(plan)
         if wrong > 0.0:
             everyone(plan, TAKE_BACK)
-            touch(run, options, time, -dt, contact_step.TAKE_BACK)
+            touch(run, time, -dt, contact_step.TAKE_BACK)
             copy(run.kept, run.chains)
             copy(run.ends_kept, run.ends)
             return wrong
-        touch(run, options, time, dt, contact_step.ACCEPT)
+        touch(run, time, dt, contact_step.ACCEPT)
         everyone(plan, CORRECT)
         everyone(plan, GATHER)
     control[L.GRAVITY_WORK] += dt * power
@@ -233,13 +233,13 @@ def forget_try(zones):
 @nb.njit(**BY_ADDRESS)
 def take_step(run, plan, options, control, counters):
     """Steps 1 to 6; the code of `layout` that says how it went."""
-    if not touch(run, options, control[L.TIME], control[L.GROWTH] * control[L.DT_NATURAL], contact_step.READY):
+    if not touch(run, control[L.TIME], control[L.GROWTH] * control[L.DT_NATURAL], contact_step.READY):
         return L.NO_ROOM
     dt, tries, time = choose_step(control), 0, control[L.TIME]
     if not control[L.DT_NATURAL] > control[L.DT_SMALLEST]:
         return L.STEP_COLLAPSED
     set_step(plan, dt)
-    touch(run, options, time, dt, contact_step.CLOSE)
+    touch(run, time, dt, contact_step.CLOSE)
     copy(run.chains, run.kept)
     if not in_bands(plan):      # several tries may need it, and transmitting edges follow it
         look_around(run, plan, bands.FIRST, plan.before.shape[1] - 1)

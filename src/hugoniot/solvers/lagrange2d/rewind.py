@@ -16,7 +16,6 @@ from hugoniot.errors import UnphysicalState
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.assemble import N, Z
 from hugoniot.solvers.lagrange2d.bands import local
-from hugoniot.solvers.lagrange2d.contact import results
 from hugoniot.solvers.protocol import Event
 
 KEPT_FOR = 256       # steps
@@ -42,7 +41,7 @@ class Kept(NamedTuple):
 def keep(solver) -> Kept:
     """What the next step is taken from."""
     rest = tuple(getattr(solver, name).copy() for name in WHOLE)
-    return Kept(solver.zones[ZONE_ROWS], solver.nodes[NODE_ROWS], solver.charge.copy(), rest, results.payload(solver.run.contact))
+    return Kept(solver.zones[ZONE_ROWS], solver.nodes[NODE_ROWS], solver.charge.copy(), rest, solver.contact.payload())
 
 
 def put_back(solver, kept: Kept) -> None:
@@ -50,7 +49,7 @@ def put_back(solver, kept: Kept) -> None:
     solver.zones[ZONE_ROWS], solver.nodes[NODE_ROWS], solver.charge[...] = kept.zones, kept.nodes, kept.charge
     for name, values in zip(WHOLE, kept.rest):
         getattr(solver, name)[...] = values
-    solver.run = solver.run._replace(contact=results.restored(solver.run.contact, kept.contact))
+    solver.run = solver.contact.restored(solver.run, kept.contact)
 
 
 class Rewind:

@@ -22,11 +22,8 @@ from hugoniot.solvers.lagrange2d.assemble import N, Numbering, Z, axis_tables, k
 from hugoniot.solvers.lagrange2d.bands import in_rows
 from hugoniot.solvers.lagrange2d.boundaries import boundary_tables
 from hugoniot.solvers.lagrange2d.commands import EMPTY, GATHER, START, carry_out_alone
-from hugoniot.solvers.lagrange2d.contact import results
-from hugoniot.solvers.lagrange2d.contact.layout import Nowhere
-from hugoniot.solvers.lagrange2d.contact.results import ContactResults, NothingMeets
-from hugoniot.solvers.lagrange2d.contact.step import jobs_of_contact, with_contact
-from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, contact_tables, with_rigid
+from hugoniot.solvers.lagrange2d.contact.results import contact_of
+from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, with_rigid
 from hugoniot.solvers.lagrange2d.erosion import Erosion, NoErosion
 from hugoniot.solvers.lagrange2d.march import Options, Run, hold_at_start, march
 from hugoniot.solvers.lagrange2d.plan import Planner
@@ -73,8 +70,8 @@ class Lagrange2D(Shown, NothingToAdd):
         self.chains = np.zeros((len(self.boundaries.chains) + 1, 3))
         self.team = team_of(problem.solver.threads, count, WORTH_SHARING)
         self.options = Options(self.kind, G.AXIS_RADIUS * float(np.abs(self.nodes[N.x]).max()), *map(float, problem.body_force))
-        self.contact = NothingMeets() if surfaces is None else ContactResults(problem, surfaces, self.nodes, self.kind)
-        self.run = self._run(mesh, surfaces)
+        self.run = self._run(mesh)
+        self.contact = contact_of(self, surfaces)
         self.ends, self.region_of = self.run.ends, mesh.block_of
         self.plan, self.fronts = self._plan(mesh, accounts.largest_speed(problem, self.zones, self.nodes))
         self.erosion = Erosion(self, surfaces) if problem.solver.erosion else NoErosion()
@@ -83,15 +80,14 @@ class Lagrange2D(Shown, NothingToAdd):
         self.initial_nodes = self.nodes[[N.x, N.y]][:, numbering.representative].copy()
 
     # -- setting up ------------------------------------------------------------------------------------------
-    def _run(self, mesh, surfaces) -> Run:
+    def _run(self, mesh) -> Run:
         edges, gradients = self.boundaries, zone_table(gradient_rows(self.problem), int(cells(mesh)[-1]))
-        contact = Nowhere() if surfaces is None else contact_tables(self.problem, surfaces, edges, self.numbering, self._zones)
         *ghosts, before = ghost_tables(mesh, self.numbering, edges.mirrors, alike(self.problem, self.zones))
         *axis, rows = in_rows(mesh, edges, *axis_tables(self.problem, self.numbering, self.nodes[:, :self.numbering.total], self.kind))
         return Run(self._zones, self._nodes, gradients, *ghosts, edges.loads, np.zeros((len(edges.loads), 4)), edges.gates,
                    *transmitting.tables(edges, ghosts[0], self.numbering), edges.held, edges.held_normals, edges.pulses, edges.tables,
                    *self.numbering.shared(), edges.special, *axis, np.vstack((rows, before)), self.chains, np.zeros_like(self.chains),
-                   np.arange(self.nodes.shape[1]), 0, np.zeros(4), contact)
+                   np.arange(self.nodes.shape[1]), 0, 0, np.zeros(3))
 
     def _plan(self, mesh, speed):
         """(plan of the march, largest speed of a programmed front)."""
@@ -99,8 +95,8 @@ class Lagrange2D(Shown, NothingToAdd):
         tables = self._zones, self.forces, self._charge, self._nodes, self.run.gradients, diagonal_table(mesh)
         self.planner = Planner(tables, materials, G.KINDS[self.kind], self.problem.solver.viscosity, self.problem.body_force,
                                self.team, Rings(mesh, self.numbering, self.run), len(self.run.gates) == 0)
-        compile_all([job_of(march, self._march_arguments(1, EMPTY)), *jobs_of_contact(self.run, self.options), *self.planner.jobs()])
-        self.run = with_contact(self.run, self.options)
+        compile_all([job_of(march, self._march_arguments(1, EMPTY)), *self.contact.jobs(self.run), *self.planner.jobs()])
+        self.run = self.contact.given_to(self.run)
         return self.plan_of(None), max(material[0].constants.front for material in materials)
 
     def plan_of(self, live):
@@ -211,7 +207,7 @@ class Lagrange2D(Shown, NothingToAdd):
             if code == L.LED_ON:
                 self.rewind.finish(self, lambda cycle: self._carry_on(cycle, self._next_gauge))
             if code == L.NO_ROOM:
-                self.run = self.run._replace(contact=results.larger(self.run.contact))
+                self.run = self.contact.enlarged(self.run)
             if self.sampler is not None and code in (L.GAUGE_DUE, L.AT_EVENT):
                 at_gauge()
         return code
@@ -238,7 +234,7 @@ class Lagrange2D(Shown, NothingToAdd):
         zones = self.erosion.seen(accounts.zone_fields(self.zones) | (self.burn_fields() if self.burning else {}))
         rows = {"position_x": N.x, "position_y": N.y, "velocity_x": N.u, "velocity_y": N.v}
         nodes = {name: self.nodes[row, self.numbering.representative] for name, row in rows.items()}
-        return State2D(self.time, self.cycle, zones, nodes | self.contact.fields(self.run.contact), self.problem.mesh.zone_nodes)
+        return State2D(self.time, self.cycle, zones, nodes | self.contact.fields(), self.problem.mesh.zone_nodes)
 
     def burn_fields(self) -> dict[str, np.ndarray]:
         """Burn fraction and, where reactants are in thermal isolation, the code of their reference state."""
@@ -276,7 +272,7 @@ class Lagrange2D(Shown, NothingToAdd):
     def results(self) -> dict[str, float]:
         """Further numbers for the summary."""
         repeated, filtered = int(self.counters[L.REPEATED] + self.counters[L.LEFT_RANGE]), float(self.control[L.FILTER_WORK])
-        return {"steps_repeated": repeated, "filter_work": filtered} | self.contact.summary(self.run.contact) | self.erosion.results()
+        return {"steps_repeated": repeated, "filter_work": filtered} | self.contact.summary() | self.erosion.results()
 
     def peaks(self) -> dict[str, np.ndarray]:
         """Peak fields of every zone so far: stress and pressure in compression, tension positive."""
@@ -286,7 +282,7 @@ class Lagrange2D(Shown, NothingToAdd):
     def payload(self) -> dict:
         """Everything a bitwise restart needs."""
         start = {"start_energy": self.start_energy, "start_momentum": self.start_momentum}
-        return {name: getattr(self, name).copy() for name in KEPT} | start | self.erosion.payload() | results.payload(self.run.contact)
+        return {name: getattr(self, name).copy() for name in KEPT} | start | self.erosion.payload() | self.contact.payload()
 
     def restore(self, payload: dict) -> None:
         """Continue from a payload of the same problem."""
@@ -294,7 +290,7 @@ class Lagrange2D(Shown, NothingToAdd):
             getattr(self, name)[...] = payload[name]
         self.start_energy, self.start_momentum = float(payload["start_energy"]), np.array(payload["start_momentum"])
         self.erosion.restore(payload)
-        self.run = self.run._replace(contact=results.restored(self.run.contact, payload))
+        self.run = self.contact.restored(self.run, payload)
         self.rewind.forget()
         if self.sampler is None:
             self.control[L.NEXT_GAUGE] = NO_LIMIT

@@ -63,7 +63,7 @@ def book_heat(c, start, dt):
 
 
 @nb.njit(**BY_ADDRESS)
-def book_holds(c, chains, start):
+def book_holds(c, start):
     """Impulse and work of walls, axis, driven edges and rigid bodies against contact."""
     old, new = 0.5 * start, 1.0 - 0.5 * start
     for m in c.held:
@@ -72,8 +72,8 @@ def book_holds(c, chains, start):
             continue
         u, v = old * q[C.U0] + new * q[C.U], old * q[C.V0] + new * q[C.V]
         if c.movers[m, C.MOVER_RIGID] >= 0:
-            book(chains, first, -q[C.JX], -q[C.JY], u, v)
-            chains[first, L.CHAIN_WORK] -= q[C.JW] * (old * q[C.W0] + new * q[C.W])
+            book(c.chains, first, -q[C.JX], -q[C.JY], u, v)
+            c.chains[first, L.CHAIN_WORK] -= q[C.JW] * (old * q[C.W0] + new * q[C.W])
             continue
         x = q[C.JX] - (q[C.PXX] * q[C.JX] + q[C.PXY] * q[C.JY])
         y = q[C.JY] - (q[C.PXY] * q[C.JX] + q[C.PYY] * q[C.JY])
@@ -82,8 +82,8 @@ def book_holds(c, chains, start):
             b, overlap = x * q[C.H2X] + y * q[C.H2Y], q[C.H1X] * q[C.H2X] + q[C.H1Y] * q[C.H2Y]
             over = 1.0 / (1.0 - overlap * overlap)
             a, b = (a - overlap * b) * over, (b - overlap * a) * over
-            book(chains, second, -b * q[C.H2X], -b * q[C.H2Y], u, v)
-        book(chains, first, -a * q[C.H1X], -a * q[C.H1Y], u, v)
+            book(c.chains, second, -b * q[C.H2X], -b * q[C.H2Y], u, v)
+        book(c.chains, first, -a * q[C.H1X], -a * q[C.H1Y], u, v)
 
 
 @nb.njit(**BY_ADDRESS)
@@ -110,8 +110,9 @@ def area(c, p, kind):
 
 
 @nb.njit(**BY_ADDRESS)
-def accept(c, dt, options):
+def accept(c, dt):
     """Book the step that was taken."""
+    c.looked[C.FLOWN] += dt
     c.of_points[:, C.FORCE_X] = 0.0
     c.of_points[:, C.FORCE_Y] = 0.0
     lead_on(c, dt)
@@ -133,11 +134,11 @@ def accept(c, dt, options):
         if c.movers[m, C.MOVER_RIGID] < 0:
             c.of_points[p, C.FORCE_X], c.of_points[p, C.FORCE_Y] = c.mover_numbers[m, C.JX] / dt, c.mover_numbers[m, C.JY] / dt
     remember(c, dt)
-    break_bonds(c, dt, options)
+    break_bonds(c, dt)
 
 
 @nb.njit(**BY_ADDRESS)
-def break_bonds(c, dt, options):
+def break_bonds(c, dt):
     """Bonds whose tension over the area of their point exceeds their strength."""
     for i in range(c.sizes[C.BONDS]):
         p = c.bound[i]
@@ -145,6 +146,6 @@ def break_bonds(c, dt, options):
         law = c.law_of[c.points[p, C.POINT_PART], c.edges[e, C.EDGE_PART]]
         if int(c.laws[law, C.LAW_KIND]) == C.SEPARABLE:
             x, y = point_normal(c, p, 1.0)
-            if q[C.BOND_X] * x + q[C.BOND_Y] * y > c.laws[law, C.LAW_STRENGTH] * area(c, p, options.kind) * dt:
+            if q[C.BOND_X] * x + q[C.BOND_Y] * y > c.laws[law, C.LAW_STRENGTH] * area(c, p, c.kind) * dt:
                 c.bonds[p, C.BOND_STATE] = C.BROKEN
                 c.counts[C.BROKEN_BONDS] += 1

@@ -30,6 +30,13 @@ def edge_way(c, e, t):
     return (dx / length, dy / length) if length > 0.0 else (0.0, 0.0)
 
 
+@nb.njit(**INLINE)
+def normal(c, e, t):
+    """Outward unit normal of an edge after the part t of a step."""
+    dx, dy = edge_way(c, e, t)
+    return dy, -dx
+
+
 @nb.njit(**BY_ADDRESS)
 def point_normal(c, p, t):
     """Mean outward normal of the edges at a point after the part t of a step, a unit vector unless they are opposite."""
@@ -81,14 +88,15 @@ def crosses(before, after, other_before, other_after):
 def over_edge(c, p, e, before, after, enough):
     """Whether an edge bounds the material for a point behind it.
 
-    before: (gap, length of the edge) at the start of the step. after: (gap, share) at its end. enough: (of an edge, m) how far behind an
-    edge a point must be to meet it.
+    before: (gap, share, length of the edge) at the start of the step. after: (gap, share) at its end. enough: (of an edge, m) how far
+    behind an edge a point must be to meet it.
 
-    Where the surface juts out at the nearer end, the material is behind the other edge too; a point may pass right through a thin tip.
+    Where the surface juts out at the nearer end, the material is behind the other edge too; a point may pass right through a thin tip. One
+    that touches the edge and slides off its end is held to the end of the step, and so is one whose surface does not face the other edge.
     Where it is hollow, each edge bounds the free space beyond the corner for points that come from there. Where it ends, on the axis or a
     wall, it goes on a little.
     """
-    (gap, length), (behind, share) = before, after
+    (gap, started, length), (behind, share) = before, after
     at_end, on_it = share > 0.5, -EDGE_END <= share <= 1.0 + EDGE_END
     other = beyond(c, e, at_end)
     if other < 0:
@@ -109,15 +117,20 @@ def over_edge(c, p, e, before, after, enough):
             return True
         other_gap, _, _ = from_edge(c, p, a, b, 0.0)
         return crosses(gap, behind, other_gap, away)
+    shallow = gap > -AT_CORNER * length
+    if inward and not shallow:
+        return False
     other_gap, _, other_length = from_edge(c, p, a, b, 0.0)
-    shallow, deep_there = gap > -AT_CORNER * length, other_gap <= -AT_CORNER * other_length
-    if not shallow or deep_there == inward:
+    deep_there = other_gap <= -AT_CORNER * other_length
+    if inward and deep_there:
         return False
     away, place_there, other_length = from_edge(c, p, a, b, 1.0)
     on_other = -EDGE_END <= place_there <= 1.0 + EDGE_END
     if inward:      # the other edge is in front of this one there: a point that comes no deeper behind it is held by it
         return not (on_other and away <= behind)
-    return on_other and away < -max(enough[0] * other_length, enough[1])      # it came through this one
+    if not on_other or away >= -max(enough[0] * other_length, enough[1]):      # it has slid off
+        return shallow and gap <= AT_CORNER * length and -AT_CORNER <= started <= 1.0 + AT_CORNER and has_edges(c, p)
+    return (shallow and deep_there) or not faces(c, p, *normal(c, other, 0.0))      # it came through this one, or the other cannot hold it
 
 
 @nb.njit(**INLINE)

@@ -164,8 +164,8 @@ def along_normal(c, q, s, a, b, more):
 def restart(c, part):
     """Velocities from those before and the impulses of all pairs and bonds, along their present directions."""
     n = c.mover_numbers
-    for i in range(c.sizes[C.LISTED]):
-        m = c.listed[i]
+    for i in range(c.sizes[C.PUSHED]):
+        m = c.pushed[i]
         n[m, C.JX], n[m, C.JY], n[m, C.JW] = 0.0, 0.0, 0.0
     for i in range(c.counts[C.ACTIVE]):
         k = c.active[i]
@@ -186,7 +186,7 @@ def restart(c, part):
         p = c.bound[i]
         q, (s, a, b) = c.bond_numbers[p], movers(c, p, c.bonds[p, C.BOND_EDGE])
         add_to_all(c, s, a, b, q[C.BOND_SHARE], arm_of_bond(q), q[C.BOND_X], q[C.BOND_Y])
-    for i in range(c.sizes[C.LISTED]):
-        m = c.listed[i]
+    for i in range(c.sizes[C.PUSHED]):
+        m = c.pushed[i]
         u, v = response(c, m, n[m, C.JX], n[m, C.JY])
         n[m, C.U], n[m, C.V], n[m, C.W] = n[m, C.U0] + part * u, n[m, C.V0] + part * v, n[m, C.W0] + part * n[m, C.II] * n[m, C.JW]

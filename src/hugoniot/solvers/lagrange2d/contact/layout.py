@@ -15,7 +15,8 @@ POINT_NODE, POINT_MOVER, POINT_PART, POINT_BEFORE, POINT_AFTER, POINT_FIRST = ra
 AT_X, AT_Y, BY_X, BY_Y = range(4)
 # points; block, or number of blocks + rigid body; zone behind (-1: none)
 EDGE_A, EDGE_B, EDGE_PART, EDGE_ZONE = range(4)
-# a column of the nodes; rigid body (-1: a node); chains that hold it; what drives it; 1 where it is in the list of the step
+# a column of the nodes; rigid body (-1: a node); chains that hold it; what drives it; 1 where it is in the list of
+# the step, 2 if it is pushed too
 MOVER_NODE, MOVER_RIGID, MOVER_CHAIN_1, MOVER_CHAIN_2, MOVER_PULSE, MOVER_LISTED = range(6)
 # velocity with the rate of turning; inverse mass, the projector on the directions that nothing holds, of what turns the inverse moment of
 # inertia; velocities before; impulse with its moment about the centre; the directions that hold it (unit, 0: none)
@@ -54,10 +55,14 @@ BOND_FLOATS = 16
 # of a point: force of the last step, distance slid
 FORCE_X, FORCE_Y, SLID = range(3)
 # numbers: reach of the search, mean edge, heat of closing, work of friction, deepest place of a node behind a surface over the
-# edge, the last step, the largest change of a velocity by contact in it, how far points may move while the list of near pairs serves
-REACH, MEAN_EDGE, HEAT, FRICTION, DEEPEST, LAST_STEP, CHANGE, MARGIN = range(8)
+# edge, the last step, the largest change of a velocity by contact in it
+REACH, MEAN_EDGE, HEAT, FRICTION, DEEPEST, LAST_STEP, CHANGE, _ = range(8)
 PAIRS, SEARCHES, SWEEPS, BROKEN_BONDS, FULL, OLD_PAIRS, ACTIVE, STEPS = range(8)
-NEAR, LISTED, BONDS, TOUCHED, POINTS = range(5)      # sizes of the lists of a step; NEAR is -1 where they are to be made anew
+# of a point at the last look at which pairs may meet: its place and velocity
+FLIGHT_X, FLIGHT_Y, FLIGHT_U, FLIGHT_V = range(4)
+# time since that look, how far points have gone astray from straight flight since, how far they may, how long the list then made serves
+FLOWN, FARTHEST, ASTRAY, SERVES = range(4)
+NEAR, LISTED, BONDS, TOUCHED, POINTS, PUSHED = range(6)      # sizes of the lists of a step; NEAR is -1 where they are to be made anew
 LINE = 8             # floats of a line of cache
 
 
@@ -68,19 +73,21 @@ class Contact(NamedTuple):
     held                   movers that a wall, the axis or a pulse holds, and rigid bodies
     copies_start, copies   node columns that are one with each mover's
     law_of                 (part, part): index of the law between them
-    old_pairs, old_numbers   the pairs before the last search
+    old_pairs, old_numbers   point and edge of the pairs that had impulses before the last search, and their numbers
     places                 (points and behind them centres of rigid bodies, columns AT_X to BY_Y)
-    away                   how far points may move relative to each other, counted from `since`, before each pair can meet
+    flight, looked         (point, columns FLIGHT_X to FLIGHT_V), (numbers from FLOWN): of the list of near pairs
     near, listed, bound    the pairs that may meet in a step, in their order, the movers concerned, and the points with a bond that stands
     touched                those of the pairs that had an impulse in the last step
     near_points, marks     (point, mover) of the points concerned; whether each point is in that list
     sizes                  of these lists
     active, candidates     the pairs that are active, in their order, and those that may become so
+    pushed                 the movers of active pairs and of bonds
     binds                  whether a law ties points to edges
     cells, sorted_edges    of the search: first edge of each cell, edges by cell
     since                  (point, 2): where points stood when their motion began to count: at the last search or later
-    zones                  table of zones, for the heat
-    speeds                 pulses that drive rigid bodies, as `march.Run` has them: numbers and tables
+    zones, nodes, chains   tables of the march
+    kind, gx, gy           as `march.Options` has them
+    speeds, speed_tables   pulses that drive rigid bodies, as `march.Run` has them
     """
 
     points: Any
@@ -98,7 +105,6 @@ class Contact(NamedTuple):
     old_pairs: Any
     old_numbers: Any
     places: Any
-    away: Any
     near: Any
     listed: Any
     bound: Any
@@ -108,15 +114,23 @@ class Contact(NamedTuple):
     sizes: Any
     active: Any
     candidates: Any
+    pushed: Any
     bonds: Any
     bond_numbers: Any
     of_points: Any
     cells: Any
     sorted_edges: Any
     since: Any
+    flight: Any
+    looked: Any
     numbers: Any
     counts: Any
     zones: Any
+    nodes: Any
+    chains: Any
+    kind: int
+    gx: float
+    gy: float
     binds: bool
     speeds: Any
     speed_tables: Any
@@ -127,12 +141,6 @@ def table(rows: int, columns: int) -> np.ndarray:
     buffer = np.zeros(rows * columns + LINE)
     start = (-buffer.ctypes.data // buffer.itemsize) % LINE
     return buffer[start:start + rows * columns].reshape(rows, columns)
-
-
-class Nowhere(NamedTuple):
-    """No contact in this run."""
-
-    none: int = 0
 
 
 KEPT = ("points", "pairs", "pair_numbers", "bonds", "bond_numbers", "rigid", "of_points", "since", "numbers", "counts")    # in checkpoints

@@ -96,44 +96,46 @@ def said_already(c, k, first, other):
 
 
 @nb.njit(**BY_ADDRESS)
-def list_candidates(c):
-    """List the pairs whose point ends the step behind the edge, not far beyond its ends, and was not deep behind it at the start; how many.
+def list_candidates(c, slack, depth):
+    """List the pairs whose point ends the step behind the edge, by more than `slack` of it and more than `depth`, not far beyond its ends,
+    and was not deep behind it at the start; how many.
 
     Without branches, which would cost more than all this.
     """
-    count = 0
+    found = count = 0
     for i in range(c.sizes[C.NEAR]):
         k, p, a, b = c.near[i]
         (x, y), (ax, ay), (bx, by) = place(c, p, 1.0), place(c, a, 1.0), place(c, b, 1.0)
         dx, dy, px, py = bx - ax, by - ay, x - ax, y - ay
-        along, square = px * dx + py * dy, dx * dx + dy * dy
-        behind = (py * dx > px * dy) & (along >= -BEYOND * square) & (along <= (1.0 + BEYOND) * square)
+        along, square, behind = px * dx + py * dy, dx * dx + dy * dy, py * dx - px * dy
+        c.candidates[found] = i
+        found += (behind > slack * square) & (behind * behind > depth * depth * square) & (
+            along >= -BEYOND * square) & (along <= (1.0 + BEYOND) * square)
+    for n in range(found):
+        k, p, a, b = c.near[c.candidates[n]]
         (x, y), (ax, ay), (bx, by) = place(c, p, 0.0), place(c, a, 0.0), place(c, b, 0.0)
         dx, dy, px, py = bx - ax, by - ay, x - ax, y - ay
         c.candidates[count] = k
-        count += behind & (py * dx - px * dy <= DEEP * (dx * dx + dy * dy))
+        count += py * dx - px * dy <= DEEP * (dx * dx + dy * dy)
     return count
 
 
 @nb.njit(**INLINE)
 def meets(c, k, first, slack, depth):
-    """Whether the pair k, with the velocities found so far, is behind its edge at the end of the step by more than `slack` of the edge
-    and more than `depth`, and no active pair says so already; first: of its point.
+    """Whether the edge of pair k holds its point, which is behind it at the end of the step by more than `slack` of the edge and more than
+    `depth`, and no active pair says so already; first: of its point.
 
     Keeps the gap at the start of the step, and the share of the edge at its end.
     """
     dx, dy, px, py = offsets(c, k, 1.0)
-    behind, square = py * dx - px * dy, dx * dx + dy * dy      # the depth times the length of the edge
-    length = square**0.5
-    if behind <= max(slack * square, depth * length):
-        return False
+    square = dx * dx + dy * dy
     p, e, q, share = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE], c.pair_numbers[k], (px * dx + py * dy) / square
     q[C.SHARE] = share
     other = faced(c, k)
     if other >= 0 and said_already(c, k, first, other):
         return False
-    q[C.GAP], _, nx, ny, before = seen(c, k, 0.0)
-    if q[C.GAP] < -DEEP * before or not over_edge(c, p, e, (q[C.GAP], before), (-behind / length, share), (slack, depth)):
+    q[C.GAP], started, nx, ny, before = seen(c, k, 0.0)
+    if not over_edge(c, p, e, (q[C.GAP], started, before), (-(py * dx - px * dy) / square**0.5, share), (slack, depth)):
         return False
     return not (c.binds and tied(c, p, e)) and faces(c, p, nx, ny)
 
@@ -161,8 +163,8 @@ def activate(c, dt, closing, slack):
 
     What meets by less than `slack` of an edge is left to the next step.
     """
-    found, i, last = False, 0, list_candidates(c)
     depth = CLOSING_ENOUGH * c.numbers[C.CHANGE] * dt if closing else 0.0
+    found, i, last = False, 0, list_candidates(c, slack, depth)
     while i < last:
         k, fresh = c.candidates[i], False
         p = c.pairs[k, C.PAIR_POINT]

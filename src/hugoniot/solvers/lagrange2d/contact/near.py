@@ -1,6 +1,7 @@
 """Which of the pairs listed may meet in a step, and which movers that concerns; all other pairs and movers are left out of it.
 
-A pair that was found to be `away` apart cannot meet until points have moved that far relative to each other.
+Points are taken to fly straight, with the velocities of the last look at all pairs. As long as none goes farther astray than was reckoned
+with, no pair can meet that is not in the list.
 """
 
 import numba as nb
@@ -8,11 +9,14 @@ import numba as nb
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.corners import BEYOND, DEEP, beyond
-from hugoniot.solvers.lagrange2d.contact.rigid import place
+from hugoniot.solvers.lagrange2d.contact.rigid import chord, place
 
 IM = 12      # row of the node table
-NEAR = -1e300      # how far pairs are apart that touch
-EVERY = 4    # steps between two looks at how far pairs are apart
+EVERY = 5          # steps between two looks at which pairs may meet
+SPARE = 2.0        # times what points went astray from straight flight between the last two looks, they may between the next
+LEAST_ASTRAY = 1e-3      # of the mean edge
+MOST = 0.8         # of all pairs: where more are near, all are listed up to the next search
+ANY_WAY = 1e300    # how far points may go astray, and for how long, where all pairs are listed
 
 
 @nb.njit(**INLINE)
@@ -55,7 +59,7 @@ def strike_off(c):
         m = c.listed[i]
         q, c.movers[m, C.MOVER_LISTED] = c.mover_numbers[m], 0
         q[C.JX], q[C.JY], q[C.JW] = 0.0, 0.0, 0.0
-    c.sizes[C.LISTED], c.sizes[C.POINTS] = 0, 0
+    c.sizes[C.LISTED], c.sizes[C.POINTS], c.sizes[C.PUSHED] = 0, 0, 0
 
 
 @nb.njit(**INLINE)
@@ -78,8 +82,8 @@ def list_bond(c, p):
 
 
 @nb.njit(**INLINE)
-def away(c, k, moved):
-    """How far the points of a pair may have moved relative to each other, counted from `since`, before it can meet; kept for later steps.
+def may_meet(c, k, astray, time):
+    """Whether a pair may meet within a time, if no two points go astray from straight flight relative to each other by more than `astray`.
 
     An edge does not go on for the point at the other end of the next edge, which can only fold onto it.
     """
@@ -88,57 +92,99 @@ def away(c, k, moved):
     on_before = 0.0 if before >= 0 and c.edges[before, C.EDGE_A] == p else BEYOND
     on_after = 0.0 if after >= 0 and c.edges[after, C.EDGE_B] == p else BEYOND
     apart, length = distance(*place(c, p, 0.0), *place(c, a, 0.0), *place(c, b, 0.0), on_before, on_after)
+    from_a, from_b, whole = speed_between(c, p, a), speed_between(c, p, b), speed_between(c, a, b)
     # a place beyond an end moves with that end and by a part of what the ends move relative to each other, by which the length changes too
-    c.away[k] = (apart - DEEP * length) / (1.0 + DEEP + BEYOND) - moved
-    return c.away[k]
+    part = DEEP + BEYOND
+    return apart <= DEEP * length + (1.0 + part) * astray + time * (max(from_a, from_b) + part * whole)
+
+
+@nb.njit(**INLINE)
+def speed_between(c, p, q):
+    """Relative speed of two points in straight flight."""
+    u, v = c.flight[p, C.FLIGHT_U] - c.flight[q, C.FLIGHT_U], c.flight[p, C.FLIGHT_V] - c.flight[q, C.FLIGHT_V]
+    return (u * u + v * v) ** 0.5
 
 
 @nb.njit(**BY_ADDRESS)
-def list_near(c, nodes, moved, ahead):
-    """List the pairs that may meet in a step, with their points and movers, those of bonds and rigid bodies.
+def strays(c, nodes, dt):
+    """By how much any two points, at the start of a step and at its end with the velocities of its start, have gone astray from straight
+    flight relative to each other at most: the diagonal of the box that holds the ways of all."""
+    left, bottom, right, top, time = 0.0, 0.0, 0.0, 0.0, c.looked[C.FLOWN]
+    for p in range(c.points.shape[0]):
+        k, f = c.points[p, C.POINT_NODE], c.flight[p]
+        du, dv = nodes[2, k] - f[C.FLIGHT_U], nodes[3, k] - f[C.FLIGHT_V]
+        x, y = c.places[p, C.AT_X] - f[C.FLIGHT_X] - time * f[C.FLIGHT_U], c.places[p, C.AT_Y] - f[C.FLIGHT_Y] - time * f[C.FLIGHT_V]
+        left, bottom = min(left, x, x + dt * du), min(bottom, y, y + dt * dv)
+        right, top = max(right, x, x + dt * du), max(top, y, y + dt * dv)
+    return ((right - left) ** 2 + (top - bottom) ** 2) ** 0.5
 
-    moved: how far points have moved relative to each other since `since`, at most; ahead: how far they may in the step. The list serves
-    the steps up to the next look, unless points move farther before. Which further pairs are in it changes nothing but the time it takes.
-    """
-    anew, start = c.sizes[C.NEAR] < 0, c.counts[C.STEPS] % EVERY == 0
-    c.counts[C.STEPS] += 1
+
+@nb.njit(**BY_ADDRESS)
+def stray_ends(c, nodes, dt):
+    """The same at the end of a step with mean velocities, those of movers where contact has changed them."""
+    left, bottom, right, top, time = 0.0, 0.0, 0.0, 0.0, c.looked[C.FLOWN] + dt
+    vertices = c.points.shape[0] - (c.copies_start[c.movers.shape[0]] - c.copies_start[c.movers.shape[0] - c.rigid.shape[0]])
+    for p in range(c.points.shape[0]):
+        k, f, px, py = c.points[p, C.POINT_NODE], c.flight[p], c.places[p, C.AT_X], c.places[p, C.AT_Y]
+        u, v = nodes[6, k], nodes[7, k]
+        if c.marks[p] != 0 or p >= vertices:
+            q = c.mover_numbers[c.points[p, C.POINT_MOVER]]
+            if q[C.JX] != 0.0 or q[C.JY] != 0.0:
+                u, v = q[C.U], q[C.V]
+                if q[C.W] != 0.0:
+                    x, y = chord(c.rigid[c.movers[c.points[p, C.POINT_MOVER], C.MOVER_RIGID]], px, py, dt * q[C.W])
+                    u, v = u + x / dt, v + y / dt
+        x, y = px + dt * u - f[C.FLIGHT_X] - time * f[C.FLIGHT_U], py + dt * v - f[C.FLIGHT_Y] - time * f[C.FLIGHT_V]
+        left, bottom, right, top = min(left, x), min(bottom, y), max(right, x), max(top, y)
+    return ((right - left) ** 2 + (top - bottom) ** 2) ** 0.5
+
+
+@nb.njit(**BY_ADDRESS)
+def list_near(c, nodes, dt):
+    """List the pairs that may meet in a step, with their points and movers, those of bonds and rigid bodies, unless the list that stands
+    serves for it. Which further pairs are in it changes nothing but the time it takes."""
+    if c.sizes[C.NEAR] >= 0:
+        astray = 0.0 if c.looked[C.ASTRAY] == ANY_WAY else strays(c, nodes, dt)
+        c.looked[C.FARTHEST] = max(c.looked[C.FARTHEST], astray)
+        if astray <= c.looked[C.ASTRAY] and c.looked[C.FLOWN] + dt <= c.looked[C.SERVES]:
+            if c.binds:
+                list_concerned(c, nodes)
+            return
+    look(c, nodes, dt, max(SPARE * c.looked[C.FARTHEST], LEAST_ASTRAY * c.numbers[C.MEAN_EDGE]))
+
+
+@nb.njit(**BY_ADDRESS)
+def look(c, nodes, dt, astray):
+    """List the pairs that may meet in this step or in the next ones."""
+    anew, count = c.sizes[C.NEAR] < 0, 0
+    c.looked[C.FLOWN], c.looked[C.FARTHEST], c.looked[C.ASTRAY], c.looked[C.SERVES] = 0.0, 0.0, astray, EVERY * dt
+    for p in range(c.points.shape[0]):
+        k, f = c.points[p, C.POINT_NODE], c.flight[p]
+        f[C.FLIGHT_X], f[C.FLIGHT_Y], f[C.FLIGHT_U], f[C.FLIGHT_V] = nodes[0, k], nodes[1, k], nodes[2, k], nodes[3, k]
     if anew:
         list_touched(c)
-    if start:
-        count_from_now(c, moved)
-        moved = 0.0
-    look = start or moved + ahead > c.numbers[C.MARGIN]
-    if look:
-        c.numbers[C.MARGIN] = moved + ahead + 0.5 * EVERY * ahead
-    if anew or look:
-        count, same = 0, not anew
-        for k in range(c.counts[C.PAIRS]):
-            if c.away[k] <= c.numbers[C.MARGIN] and (c.pair_numbers[k, C.LAST] != 0.0 or away(c, k, moved) <= c.numbers[C.MARGIN]):
-                same = same and c.near[count, 0] == k
-                c.near[count, 0] = k
-                count += 1
-        anew, c.sizes[C.NEAR] = not same or count != c.sizes[C.NEAR], count
-    if anew or c.binds:
+    same = not anew
+    for k in range(c.counts[C.PAIRS]):
+        if c.pair_numbers[k, C.LAST] != 0.0 or may_meet(c, k, astray, EVERY * dt):
+            same = same and c.near[count, 0] == k
+            c.near[count, 0] = k
+            count += 1
+    if count > MOST * c.counts[C.PAIRS]:
+        c.looked[C.ASTRAY], c.looked[C.SERVES], same, count = ANY_WAY, ANY_WAY, False, c.counts[C.PAIRS]
+        for k in range(count):
+            c.near[k, 0] = k
+    same, c.sizes[C.NEAR] = same and count == c.sizes[C.NEAR], count
+    if not same or c.binds:
         list_concerned(c, nodes)
 
 
 @nb.njit(**BY_ADDRESS)
-def count_from_now(c, moved):
-    """Count the motion of points from where they are now; the search reaches less far by what they have moved."""
-    for p in range(c.points.shape[0]):
-        c.since[p, 0], c.since[p, 1] = c.places[p, C.AT_X], c.places[p, C.AT_Y]
-    for k in range(c.counts[C.PAIRS]):
-        c.away[k] -= moved
-    c.numbers[C.REACH] -= moved
-
-
-@nb.njit(**BY_ADDRESS)
 def list_touched(c):
-    """List the pairs that had an impulse in the last step; they are near."""
+    """List the pairs that had an impulse in the last step."""
     count = 0
     for k in range(c.counts[C.PAIRS]):
         if c.pair_numbers[k, C.LAST] != 0.0:
-            c.touched[count], c.away[k] = k, NEAR
+            c.touched[count] = k
             count += 1
     c.sizes[C.TOUCHED] = count
 
@@ -163,3 +209,7 @@ def list_concerned(c, nodes):
                     include_edge(c, nodes, e)
     for m in range(c.movers.shape[0] - c.rigid.shape[0], c.movers.shape[0]):
         include_mover(c, nodes, m)
+    if c.looked[C.ASTRAY] == ANY_WAY:
+        c.sizes[C.PUSHED] = c.sizes[C.LISTED]
+        for i in range(c.sizes[C.LISTED]):
+            c.pushed[i] = c.listed[i]

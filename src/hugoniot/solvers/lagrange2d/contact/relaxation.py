@@ -132,8 +132,8 @@ def go_on(c, part, share):
 def largest(c):
     """Largest change of velocity that contact makes."""
     n, found = c.mover_numbers, 0.0
-    for i in range(c.sizes[C.LISTED]):
-        m = c.listed[i]
+    for i in range(c.sizes[C.PUSHED]):
+        m = c.pushed[i]
         found = max(found, abs(n[m, C.U] - n[m, C.U0]), abs(n[m, C.V] - n[m, C.V0]))
     return found
 

@@ -94,7 +94,7 @@ def turned(body, nodes, k, u, v, spin):
 
 
 @nb.njit(**BY_ADDRESS)
-def drive(c, run, options, time, dt):
+def drive(c, time, dt):
     """Mean velocity of rigid bodies without contact."""
     for m in range(c.movers.shape[0] - c.rigid.shape[0], c.movers.shape[0]):
         pulse, q = c.movers[m, C.MOVER_PULSE], c.mover_numbers[m]
@@ -103,9 +103,9 @@ def drive(c, run, options, time, dt):
             speed = pulse_value(time + dt, c.speeds[pulse], c.speed_tables[pulse])
             q[C.U], q[C.V] = 0.5 * (q[C.U] + speed * q[C.H1X]), 0.5 * (q[C.V] + speed * q[C.H1Y])
         elif q[C.IM] > 0.0:
-            gx, gy = 0.5 * dt * options.gx, 0.5 * dt * options.gy
+            gx, gy = 0.5 * dt * c.gx, 0.5 * dt * c.gy
             q[C.U], q[C.V] = q[C.U] + q[C.PXX] * gx + q[C.PXY] * gy, q[C.V] + q[C.PXY] * gx + q[C.PYY] * gy
-        velocity_to(c, run.nodes, m, True, dt)
+        velocity_to(c, c.nodes, m, True, dt)
 
 
 @nb.njit(**BY_ADDRESS)

@@ -6,6 +6,7 @@ from hugoniot.core.target import BY_ADDRESS
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.near import distance, list_near
 
+EVERY = 4            # steps after which the motion of points is counted anew
 AHEAD = 2.0          # times what the velocities at the start of a step say of its motion: they may grow in it
 
 
@@ -67,31 +68,32 @@ def sort_edges(c, x, y, left, bottom, cell, columns, rows):
 
 @nb.njit(**BY_ADDRESS)
 def set_aside(c):
-    """Keep the list of pairs, by point, for what the next one takes over from it."""
+    """Keep the pairs that had impulses in the last step, by point, for the next list of pairs."""
+    count = 0
     for k in range(c.counts[C.PAIRS]):
-        for n in range(c.pairs.shape[1]):
-            c.old_pairs[k, n] = c.pairs[k, n]
-        for n in range(c.pair_numbers.shape[1]):
-            c.old_numbers[k, n] = c.pair_numbers[k, n]
-    c.counts[C.OLD_PAIRS] = c.counts[C.PAIRS]
+        if c.pair_numbers[k, C.LAST] != 0.0:
+            c.old_pairs[count, 0], c.old_pairs[count, 1] = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_EDGE]
+            for n in range(c.pair_numbers.shape[1]):
+                c.old_numbers[count, n] = c.pair_numbers[k, n]
+            count += 1
+    c.counts[C.OLD_PAIRS] = count
 
 
 @nb.njit(**BY_ADDRESS)
 def take_over(c, count, old):
-    """Give the pair `count` what it had before the search, impulses of the last step above all; `old`: where to look in the old list.
+    """Give the pair `count` the impulses it had in the last step and their directions; `old`: where to look in the old list.
 
     Returns where its point begins there.
     """
     p, e, last = c.pairs[count, C.PAIR_POINT], c.pairs[count, C.PAIR_EDGE], c.counts[C.OLD_PAIRS]
-    c.pair_numbers[count, :] = 0.0
-    while old < last and c.old_pairs[old, C.PAIR_POINT] < p:
+    c.pair_numbers[count, C.LAST], c.pair_numbers[count, C.LAST_TAU] = 0.0, 0.0
+    while old < last and c.old_pairs[old, 0] < p:
         old += 1
     k = old
-    while k < last and c.old_pairs[k, C.PAIR_POINT] == p:
-        if c.old_pairs[k, C.PAIR_EDGE] == e:
+    while k < last and c.old_pairs[k, 0] == p:
+        if c.old_pairs[k, 1] == e:
             for n in range(c.pair_numbers.shape[1]):
                 c.pair_numbers[count, n] = c.old_numbers[k, n]
-            return old
         k += 1
     return old
 
@@ -136,13 +138,20 @@ def search(c, nodes):
                     c.pairs[count, C.PAIR_POINT], c.pairs[count, C.PAIR_EDGE] = p, e
                     c.pairs[count, C.PAIR_ACTIVE] = C.OFF
                     old = take_over(c, count, old)
-                    c.away[count] = 0.0
                     describe(c, count)
                     count += 1
         c.since[p, 0], c.since[p, 1] = px, py
     c.counts[C.PAIRS], c.counts[C.FULL], c.sizes[C.NEAR] = count, 0, -1
     c.counts[C.SEARCHES] += 1
     return True
+
+
+@nb.njit(**BY_ADDRESS)
+def count_from_now(c, moved):
+    """Count the motion of points from where they are now; the search reaches less far by what they have moved."""
+    for p in range(c.points.shape[0]):
+        c.since[p, 0], c.since[p, 1] = c.places[p, C.AT_X], c.places[p, C.AT_Y]
+    c.numbers[C.REACH] -= moved
 
 
 @nb.njit(**BY_ADDRESS)
@@ -155,6 +164,8 @@ def make_ready(c, nodes, dt):
         c.numbers[C.REACH] = max(0.5 * c.numbers[C.MEAN_EDGE], 3.0 * ahead)
         if not search(c, nodes):
             return False
-        moved = 0.0
-    list_near(c, nodes, moved, ahead)
+    elif c.counts[C.STEPS] % EVERY == 0:
+        count_from_now(c, moved)
+    c.counts[C.STEPS] += 1
+    list_near(c, nodes, dt)
     return True

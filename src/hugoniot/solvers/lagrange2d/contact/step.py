@@ -10,17 +10,15 @@
 Contact is the leader's alone, so that no bit depends on the number of threads.
 """
 
-from typing import Any
-
 import numba as nb
-from numba.extending import overload
 
+from hugoniot.core.by_address import ByAddress
 from hugoniot.core.compile_ahead import Job
-from hugoniot.core.passes import Entry, call_entry
+from hugoniot.core.passes import Entry, call_entry, row_at
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.accounts_of_step import accept, book_heat, book_holds
-from hugoniot.solvers.lagrange2d.contact.active import as_in_last_step, forget
+from hugoniot.solvers.lagrange2d.contact.active import as_in_last_step, forget, list_pushed
 from hugoniot.solvers.lagrange2d.contact.impulses import movers, restart
 from hugoniot.solvers.lagrange2d.contact.meeting import (
     CLOSING_ENOUGH,
@@ -31,6 +29,7 @@ from hugoniot.solvers.lagrange2d.contact.meeting import (
     point,
     start_velocity,
 )
+from hugoniot.solvers.lagrange2d.contact.near import ANY_WAY, SPARE, look, stray_ends
 from hugoniot.solvers.lagrange2d.contact.relaxation import relax
 from hugoniot.solvers.lagrange2d.contact.rigid import arm, drive, lead_on, move_rigid, velocity_from, velocity_to
 from hugoniot.solvers.lagrange2d.contact.search import make_ready
@@ -47,11 +46,11 @@ NEGLIGIBLE = 1e-14                     # of the mean edge in a step: velocities 
 
 
 @nb.njit(**BY_ADDRESS)
-def take(c, nodes, row):
-    """Velocities of movers from two rows of the nodes."""
+def take(c, nodes, row, movers, count):
+    """Velocities of the first `count` of a list of movers from two rows of the nodes."""
     n = c.mover_numbers
-    for i in range(c.sizes[C.LISTED]):
-        m = c.listed[i]
+    for i in range(count):
+        m = movers[i]
         if c.movers[m, C.MOVER_RIGID] < 0:
             k = c.movers[m, C.MOVER_NODE]
             n[m, C.U], n[m, C.V] = nodes[row, k], nodes[row + 1, k]
@@ -65,8 +64,8 @@ def take(c, nodes, row):
 def give(c, nodes, row, dt, middle):
     """Velocities of movers back into two rows of the nodes that are one with them; `middle`: their positions in the middle too."""
     n = c.mover_numbers
-    for k in range(c.sizes[C.LISTED]):
-        m = c.listed[k]
+    for k in range(c.sizes[C.PUSHED]):
+        m = c.pushed[k]
         if n[m, C.JX] == 0.0 and n[m, C.JY] == 0.0:
             continue
         if c.movers[m, C.MOVER_RIGID] >= 0:
@@ -124,6 +123,7 @@ def solve(c, nodes, dt, closing, turns):
     forget(c)
     if closing and c.binds:
         bind_points(c)
+        list_pushed(c)
     if c.sizes[C.NEAR] + c.sizes[C.BONDS] == 0:
         c.numbers[C.CHANGE] = 0.0
         return False
@@ -152,67 +152,76 @@ def solve(c, nodes, dt, closing, turns):
 
 
 @nb.njit(**BY_ADDRESS)
-def of_step(c, run, options, time, dt, moment):
+def push(c, dt):
+    """Mean velocities of movers that contact allows; whether anything touched. Found again where points have gone farther astray than
+    the list of near pairs reckons with."""
+    while True:
+        change, sweeps = c.numbers[C.CHANGE], c.counts[C.SWEEPS]
+        take(c, c.nodes, UM, c.listed, c.sizes[C.LISTED])
+        touched = solve(c, c.nodes, dt, False, TURNS if c.kind == PLANAR else 1)
+        if c.looked[C.ASTRAY] == ANY_WAY:
+            return touched
+        astray = stray_ends(c, c.nodes, dt)
+        c.looked[C.FARTHEST] = max(c.looked[C.FARTHEST], astray)
+        if astray <= c.looked[C.ASTRAY]:
+            return touched
+        c.numbers[C.CHANGE], c.counts[C.SWEEPS] = change, sweeps      # the list of near pairs leaves no trace in the state
+        look(c, c.nodes, dt, SPARE * astray)
+
+
+@nb.njit(**BY_ADDRESS)
+def of_step(c, time, dt, moment):
     """One of the moments at the top of the file."""
     if moment == READY:
-        return make_ready(c, run.nodes, dt)
+        return make_ready(c, c.nodes, dt)
     if moment in (MOVE, TAKE_BACK):
-        move_rigid(c, run.nodes, dt)
+        move_rigid(c, c.nodes, dt)
     elif moment == ACCEPT:
-        accept(c, dt, options)
+        accept(c, dt)
     elif moment == CLOSE and c.sizes[C.NEAR] + c.sizes[C.BONDS] > 0:
-        take(c, run.nodes, U)
-        if solve(c, run.nodes, dt, True, 0):
+        take(c, c.nodes, U, c.listed, c.sizes[C.LISTED])
+        if solve(c, c.nodes, dt, True, 0):
             book_heat(c, 1.0, dt)
-            book_holds(c, run.chains, 1.0)
-            give(c, run.nodes, U, dt, False)
+            book_holds(c, 1.0)
+            give(c, c.nodes, U, dt, False)
     elif moment == PUSH_MIDDLE:
-        drive(c, run, options, time, dt)
-        take(c, run.nodes, UM)
+        drive(c, time, dt)
         if c.sizes[C.NEAR] + c.sizes[C.BONDS] > 0:
             as_in_last_step(c, dt / c.numbers[C.LAST_STEP] if c.numbers[C.LAST_STEP] > 0.0 else 0.0)
+            take(c, c.nodes, UM, c.pushed, c.sizes[C.PUSHED])
             restart(c, 0.5)
-            give(c, run.nodes, UM, dt, True)
+            give(c, c.nodes, UM, dt, True)
     elif moment == PUSH:
-        drive(c, run, options, time, dt)
-        take(c, run.nodes, UM)
-        if solve(c, run.nodes, dt, False, TURNS if options.kind == PLANAR else 1):
-            book_holds(c, run.chains, 0.0)
-            give(c, run.nodes, UM, dt, False)
+        drive(c, time, dt)
+        if push(c, dt):
+            book_holds(c, 0.0)
+            give(c, c.nodes, UM, dt, False)
     return True
 
 
-def at_moment(run, options, asked):
-    """The same called by its address, so that it is compiled once, not into each function of the march again; `asked`: `march.Run`."""
-    asked[3] = of_step(run.contact, run, options, asked[0], asked[1], int(asked[2]))
+def at_moment(c, asked, moment):
+    """The same called by its address, so that it is compiled once, not into each function of the march again; asked: time, step, answer."""
+    asked[2] = of_step(c, asked[0], asked[1], moment)
 
 
 AT_MOMENT = Entry(at_moment)
 
 
-def jobs_of_contact(run, options) -> list[Job]:
-    """What has yet to be compiled for a run's contact."""
-    return [] if isinstance(run.contact, C.Nowhere) else [AT_MOMENT.job(run, options, run.asked)]
+def job_of_contact(tables: ByAddress, run) -> Job:
+    """What may have yet to be compiled for a run with these tables."""
+    return AT_MOMENT.job(tables, run.asked, READY)
 
 
-def with_contact(run, options) -> Any:
-    """A run that knows where its contact is compiled."""
-    return run if isinstance(run.contact, C.Nowhere) else run._replace(touch=AT_MOMENT.address(run, options, run.asked))
+def with_contact(run, tables: ByAddress):
+    """A run that knows these tables, and where its contact is compiled."""
+    return run._replace(touch=AT_MOMENT.address(tables, run.asked, READY), tables_of_contact=tables.address)
 
 
-def touch(run, options, time, dt, moment):
+@nb.njit(**INLINE)
+def touch(run, time, dt, moment):
     """What contact does at a moment of the step; False where it has no room for its pairs."""
-    raise NotImplementedError("compiled only")
-
-
-@overload(touch, jit_options=INLINE)
-def _(run, options, time, dt, moment):
-    def nothing(run, options, time, dt, moment):
+    if run.touch == 0:
         return True
-
-    def something(run, options, time, dt, moment):
-        run.asked[0], run.asked[1], run.asked[2] = time, dt, moment
-        call_entry(run.touch, run, options, run.asked)
-        return run.asked[3] != 0.0
-
-    return nothing if run.types[run.fields.index("contact")].instance_class is C.Nowhere else something
+    run.asked[0], run.asked[1] = time, dt
+    call_entry(run.touch, row_at(run.tables_of_contact), run.asked, moment)
+    return run.asked[2] != 0.0

@@ -172,8 +172,8 @@ def _at_start(body) -> np.ndarray:
     return float(pulse_value(0.0, numbers[0], tables[0])) * way
 
 
-def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering, zones) -> C.Contact:
-    """The tables of a run; chains of rigid bodies stand behind those of the edges."""
+def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering, run, options) -> C.Contact:
+    """The tables of the contact of a run; chains of rigid bodies stand behind those of the edges."""
     points = np.full((len(surfaces.points), 6), -1, dtype=np.int64)
     points[:, :3] = np.array(surfaces.points, dtype=np.int64).reshape(-1, 3)
     edges = np.array(surfaces.edges, dtype=np.int64).reshape(-1, 4)
@@ -189,18 +189,21 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
     def ints(*shape):
         return np.zeros(shape, dtype=np.int64)
 
-    pairs = {"pairs": ints(room, C.PAIR_INTS), "old_pairs": ints(room, C.PAIR_INTS), "pair_numbers": C.table(room, C.PAIR_FLOATS),
+    pairs = {"pairs": ints(room, C.PAIR_INTS), "old_pairs": ints(room, 2), "pair_numbers": C.table(room, C.PAIR_FLOATS),
              "old_numbers": C.table(room, C.PAIR_FLOATS)}
-    lists = {"away": np.zeros(room), "near": ints(room, 4), "listed": ints(len(movers)), "bound": ints(count), "touched": ints(room),
-             "near_points": ints(count, 2), "marks": ints(count), "sizes": np.array([-1, 0, 0, 0, 0]), "active": ints(room),
-             "candidates": ints(room)}
-    of_search = {"cells": ints(4 * len(edges) + 17), "sorted_edges": ints(len(edges)), "since": np.zeros((count, 2))}
+    lists = {"near": ints(room, 4), "listed": ints(len(movers)), "bound": ints(count), "touched": ints(room),
+             "near_points": ints(count, 2), "marks": ints(count), "sizes": np.array([-1, 0, 0, 0, 0, 0]), "active": ints(room),
+             "candidates": ints(room),
+             "pushed": ints(len(movers))}
+    of_search = {"cells": ints(4 * len(edges) + 17), "sorted_edges": ints(len(edges)), "since": np.zeros((count, 2)),
+                 "flight": C.table(count, 4), "looked": np.zeros(4)}
     return C.Contact(
         points, edges, movers, numbers, rigid_table(problem), np.flatnonzero(movers[:, C.MOVER_CHAIN_1] >= 0), sizes.astype(np.int64),
         np.array([k for group in surfaces.copies for k in group], dtype=np.int64), law_of, laws, **pairs, **lists, **of_search,
         places=C.table(count + len(problem.rigid), C.BY_Y + 1), bonds=ints(count, 2), bond_numbers=np.zeros((count, C.BOND_FLOATS)),
-        of_points=np.zeros((count, 3)), numbers=totals, counts=ints(8), zones=zones, binds=bool((laws[:, C.LAW_KIND] != C.SLIDING).any()),
-        speeds=speeds, speed_tables=tables)
+        of_points=np.zeros((count, 3)), numbers=totals, counts=ints(8), zones=run.zones, nodes=run.nodes, chains=run.chains,
+        kind=options.kind, gx=options.gx, gy=options.gy, binds=bool((laws[:, C.LAW_KIND] != C.SLIDING).any()), speeds=speeds,
+        speed_tables=tables)
 
 
 def _movers(problem: Problem2D, surfaces: Surfaces, boundaries, numbering):
