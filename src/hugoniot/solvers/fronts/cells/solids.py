@@ -17,7 +17,7 @@ from hugoniot.core.target import BY_ADDRESS
 from hugoniot.laws.riemann.branch import Matter, State
 from hugoniot.laws.riemann.medium import Solid, deviator, strength_left
 from hugoniot.solvers.fronts.cells.spacing import path_mean
-from hugoniot.solvers.fronts.cells.tables import CENTRE, FIRST, FROM, HOOP, MIDDLE, SHEAR, SPEED, VOLUME, YIELDS, U
+from hugoniot.solvers.fronts.cells.tables import CENTRE, FIRST, FROM, HOOP, LENGTH, MIDDLE, SHEAR, SPEED, TOUCHING, VOLUME, YIELDS, U
 
 LEAST_LEFT = 1e-9      # of the yield stress: what is always left to uniaxial strain
 
@@ -58,7 +58,7 @@ def settle(grid, rules, w, i, d, dt):
     volume = (b - a) * path_mean(a, b, d)
     if not math.isnan(grid.push[i]):
         grid.q[i, VOLUME] = volume * w[FROM, i]
-    elif volume > 0.0:       # else two fronts have met, and nothing is left between them
+    elif b - a > TOUCHING * rules.numbers[LENGTH]:       # else two fronts have met, and nothing but rounding is left between them
         stretch, hoop = grid.q[i, VOLUME] / volume, grid.q[i, HOOP] / grid.q[i, 0]
         if d > 1:
             low, high = a - 0.5 * dt * w[SPEED, i], b - 0.5 * dt * w[SPEED, i + 1]
