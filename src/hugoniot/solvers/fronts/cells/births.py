@@ -28,7 +28,8 @@ FAN_WEAKEST = 3.0    # times the weakest wave: a fan that is weaker has no edges
 MOST_IN_FAN = 32
 FEWEST = 4           # cells at the start of a fan that is not exact
 COARSE = 25          # zones of a region from which on a fan that is not exact starts with more cells, in proportion
-LEAST_GROWTH = 0.02  # per step, at Courant number 1, of a fan that starts with more cells: it soon has the width of ordinary cells
+NARROW = 2.0         # of a fan that changes the velocity by less than two of its steps: it starts with as many cells as if by two
+LEAST_GROWTH = 0.003 # per step, at Courant number 1, of a fan that starts with more cells: it soon has the width of ordinary cells
 NEWBORN = 3          # cells between two waves that part: a parabola has three averages
 
 
@@ -217,7 +218,7 @@ def _inside(piece: Piece, before, after, d: int, bench: Bench):
         fall = abs(wave.behind.u - wave.ahead.u) / (bench.fan_step * c)
         count = min(max(math.ceil(fall), 2), MOST_IN_FAN)
         if not lasting(piece, d, bench):
-            finer = math.ceil(fall * bench.zones[piece.region] / COARSE)
+            finer = math.ceil(max(fall, NARROW) * bench.zones[piece.region] / COARSE)
             count = max(count, FEWEST, min(finer, int((right.speed - left.speed) / (LEAST_GROWTH * c))))
     else:
         count = 1 if any(front.kind.startswith("elastic") for front in (left, right)) else NEWBORN      # the two shocks part slowly
