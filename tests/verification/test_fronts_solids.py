@@ -166,9 +166,29 @@ def test_the_release_at_a_free_surface_is_the_elastic_jump_and_the_plastic_fan()
     mesh = solver.mesh
     x = mesh.x[:-1, None] + mesh.width[:, None] * (np.arange(8) + 0.5) / 8
     exact = np.array([[velocity((place - 0.01) / 1e-6) for place in row] for row in x]).mean(axis=1)
-    assert float((np.abs(cells_of(solver)[1] - exact) * mesh.width).sum()) / (0.01 * surface) < 6e-3
+    assert float((np.abs(cells_of(solver)[1] - exact) * mesh.width).sum()) / (0.01 * surface) < 3e-5      # averages over mass and over volume
     wanted = [0.01 + 1e-6 * speed for speed in (precursor.head, fan.head, fan.tail, surface)]
-    assert mesh.x[mesh.faces()[1:]] == pytest.approx(wanted, abs=1e-4)
+    assert mesh.x[mesh.faces()[1:]] == pytest.approx(wanted, abs=1e-11)
+    again = Cells(solver.problem)
+    while again.time < 1e-6:      # checkpoints while the fan is exact
+        again.march(1e-6, 41)
+        payload, again = again.payload(), Cells(solver.problem)
+        again.restore(payload)
+    assert np.array_equal(mesh.x, again.mesh.x) and np.array_equal(mesh.q, again.mesh.q)
+
+
+@pytest.mark.slow
+def test_the_release_of_a_solid_around_a_sphere_converges():
+    """The surface of a shell of aluminium under 8 GPa is let go: stress at material points in the plastic fan and behind it."""
+    found = []
+    for zones in (100, 200, 400):
+        region = Region("shell", "al", 0.02, 0.03, zones, density=2950.0, energy=0.0)
+        own = SolverOptions("fronts", options=MappingProxyType({"mode": "cells"}))
+        column = run(Problem("release", "spherical", 1e-6, (region,), ALUMINIUM, Boundary("fixed"), FREE, solver=own)).column(0)
+        fractions = (np.linspace(0.0245, 0.0299, 40) ** 3 - 0.02**3) / (0.03**3 - 0.02**3)
+        found.append([column.point(fraction)[1].sigma for fraction in fractions])
+    coarse, fine = (np.abs(np.array(row) - found[2]).mean() for row in found[:2])
+    assert fine < 8e6 and math.log2(coarse / fine) > 1.0      # 14 cells in the fan of the finer one; order 2 from there on
 
 
 # -- around a cavity ------------------------------------------------------------------------------------------------------
