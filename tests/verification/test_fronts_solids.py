@@ -7,13 +7,14 @@ import numpy as np
 import pytest
 from scipy.special import kve
 
+from hugoniot.errors import UnphysicalState
 from hugoniot.laws.eos.contract import pressure_and_derivatives
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.riemann.branch import Matter, State
 from hugoniot.laws.riemann.curve import Curve
 from hugoniot.laws.riemann.medium import Solid, answer
 from hugoniot.laws.riemann.solid import waves
-from hugoniot.laws.riemann.wave import Side
+from hugoniot.laws.riemann.wave import Side, reach
 from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
 from hugoniot.materials.material import Material
 from hugoniot.problem.defaults import completed
@@ -165,9 +166,29 @@ def test_the_release_at_a_free_surface_is_the_elastic_jump_and_the_plastic_fan()
     mesh = solver.mesh
     x = mesh.x[:-1, None] + mesh.width[:, None] * (np.arange(8) + 0.5) / 8
     exact = np.array([[velocity((place - 0.01) / 1e-6) for place in row] for row in x]).mean(axis=1)
-    assert float((np.abs(cells_of(solver)[1] - exact) * mesh.width).sum()) / (0.01 * surface) < 6e-3
+    assert float((np.abs(cells_of(solver)[1] - exact) * mesh.width).sum()) / (0.01 * surface) < 3e-5      # averages over mass and over volume
     wanted = [0.01 + 1e-6 * speed for speed in (precursor.head, fan.head, fan.tail, surface)]
-    assert mesh.x[mesh.faces()[1:]] == pytest.approx(wanted, abs=1e-4)
+    assert mesh.x[mesh.faces()[1:]] == pytest.approx(wanted, abs=1e-11)
+    again = Cells(solver.problem)
+    while again.time < 1e-6:      # checkpoints while the fan is exact
+        again.march(1e-6, 41)
+        payload, again = again.payload(), Cells(solver.problem)
+        again.restore(payload)
+    assert np.array_equal(mesh.x, again.mesh.x) and np.array_equal(mesh.q, again.mesh.q)
+
+
+@pytest.mark.slow
+def test_the_release_of_a_solid_around_a_sphere_converges():
+    """The surface of a shell of aluminium under 8 GPa is let go: stress at material points in the plastic fan and behind it."""
+    found = []
+    for zones in (100, 200, 400):
+        region = Region("shell", "al", 0.02, 0.03, zones, density=2950.0, energy=0.0)
+        own = SolverOptions("fronts", options=MappingProxyType({"mode": "cells"}))
+        column = run(Problem("release", "spherical", 1e-6, (region,), ALUMINIUM, Boundary("fixed"), FREE, solver=own)).column(0)
+        fractions = (np.linspace(0.0245, 0.0299, 40) ** 3 - 0.02**3) / (0.03**3 - 0.02**3)
+        found.append([column.point(fraction)[1].sigma for fraction in fractions])
+    coarse, fine = (np.abs(np.array(row) - found[2]).mean() for row in found[:2])
+    assert fine < 8e6 and math.log2(coarse / fine) > 1.0      # 14 cells in the fan of the finer one; order 2 from there on
 
 
 # -- around a cavity ------------------------------------------------------------------------------------------------------
@@ -283,18 +304,52 @@ def test_lagrange1d_tends_to_the_elastic_plastic_waves_around_a_cavity(geometry)
         assert off[1] < 0.005 and off[1] < 0.4 * off[0], name
 
 
+def liner(kind, geometry, zones, speed, stop):
+    """A liner of 2 mm that runs inwards and strikes a core of 5 mm; zones per mm."""
+    regions = (Region("core", "al", 0.0, 0.005, 5 * zones), Region("liner", "al", 0.007, 0.009, 2 * zones, velocity=-speed))
+    own = SolverOptions(kind, options=MappingProxyType({"mode": "cells"} if kind == "fronts" else {}))
+    return completed(Problem("liner", geometry, stop, regions, ALUMINIUM, Boundary("fixed"), FREE, solver=own,
+                             gauges=tuple(Gauge(f"{x:g}", x) for x in (0.002, 0.004, 0.008)), output=OutputOptions(gauge_interval=stop / 200)))
+
+
+def test_a_shock_turns_the_stress_of_a_surface_and_passes_the_axis_of_a_solid():
+    """The liner has yielded on its way; behind the impact both sides of the face have the deviators of uniaxial strain, and go on alike."""
+    solver = run(liner("fronts", "cylindrical", 10, 800.0, 3.2e-6), 2.16e-6)
+    for region, fraction in ((1, 0.0), (0, 1.0)):
+        _, state, matter, _ = solver.column(region).point(fraction)
+        assert state.s == pytest.approx(-2.0 / 3.0 * Y, rel=0.02) and abs(G * matter.hoop) < 0.02 * Y
+    while solver.time < 2.168e-6:
+        solver.march(2.168e-6, 10**9)
+    sides = [solver.column(region).point(fraction)[1].s for region, fraction in ((1, 0.0), (0, 1.0))]
+    assert sides[0] == pytest.approx(sides[1], abs=5e-3 * Y) and abs(sides[0]) < 0.6 * Y
+    while solver.time < 3.2e-6:
+        solver.march(3.2e-6, 10**9)
+    assert [front.kind for front in solver.mesh.fronts if front.direction > 0][:1] == ["shock"]      # it comes back from the axis
+    assert solver.errors()["energy_error"] < 1e-13
+
+
+def test_a_shock_that_reaches_the_centre_of_a_solid_comes_to_the_highest_density_of_its_law():
+    with pytest.raises(UnphysicalState, match="come to the highest that law 'mie_gruneisen' has, 11024.6 kg/m3"):
+        run(liner("fronts", "spherical", 8, 1500.0, 2e-6))
+
+
+@pytest.mark.parametrize("times", [1.5, 3.0, 3.95])
+def test_compiled_releases_from_near_the_highest_density_are_those_of_the_exact_solver(times):
+    """The law ends at 3.96 times the normal density, where c^2 falls fast on release."""
+    rho, e = 2785.0 * times, 4e9
+    p, by_rho, by_e = answer(rho, e, 0.0, 0.0, 0.0, EOS)
+    side = Side(rho, e, p, by_rho + p * by_e / rho**2, 0.0, 0.0, 0.0, 1e30, 1e30, 1e30)
+    curve = Curve(Matter(EOS), State(rho, 0.0, e, p), 1)
+    for share in (0.99, 0.5, 0.1):
+        mine, (theirs, _, _) = reach(share * p, side, EOS), curve.at(share * p)
+        assert (mine.rho, mine.e, mine.rise) == pytest.approx((theirs.rho, theirs.e, theirs.u), rel=1e-8)
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("speed, stop", [(800.0, 2.9e-6), (3000.0, 1.1e-6)])
+@pytest.mark.parametrize("speed, stop", [(800.0, 3.6e-6), (3000.0, 1.1e-6)])
 def test_a_liner_that_strikes_a_core_moves_as_in_lagrange1d(speed, stop):
-    """At 800 m/s elastic waves run ahead of the shocks, at 3 km/s none; ended before the shock reaches the axis."""
-    found = []
-    for kind, zones in (("fronts", 40), ("lagrange1d", 160)):
-        regions = (Region("core", "al", 0.0, 0.005, 5 * zones), Region("liner", "al", 0.007, 0.009, 2 * zones, velocity=-speed))
-        own = SolverOptions(kind, options=MappingProxyType({"mode": "cells"} if kind == "fronts" else {}))
-        places = tuple(Gauge(f"{x:g}", x) for x in (0.002, 0.004, 0.008))
-        problem = Problem("liner", "cylindrical", stop, regions, ALUMINIUM, Boundary("fixed"), FREE, gauges=places, solver=own,
-                          output=OutputOptions(gauge_interval=stop / 200))
-        found.append(gauges_of(completed(problem))[1])
+    """At 800 m/s elastic waves run ahead of the shocks, which pass the axis; at 3 km/s none do, and the run ends before."""
+    found = [gauges_of(liner(kind, "cylindrical", zones, speed, stop))[1] for kind, zones in (("fronts", 40), ("lagrange1d", 160))]
     for name, bound in (("velocity", 4e-3), ("stress", 4e-3), ("deviator_hoop", 0.02)):
         one, two = (row[name][:, :3] for row in found)
         assert np.all(np.abs(one - two).mean(axis=0) < bound * np.abs(two).max(axis=0)), name

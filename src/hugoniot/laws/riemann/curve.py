@@ -14,7 +14,8 @@ from hugoniot.errors import OutOfRange
 from hugoniot.laws.riemann import jump
 from hugoniot.laws.riemann.branch import Branch, Matter, State, elastic, plastic, wave_speed_squared, yield_density
 from hugoniot.laws.riemann.fan import Fan
-from hugoniot.laws.riemann.medium import is_gas, name_of
+from hugoniot.laws.riemann.medium import Solid, is_gas, name_of, strength_left
+from hugoniot.laws.riemann.solid import TURNS, turned
 
 
 @dataclass(frozen=True)
@@ -100,14 +101,38 @@ class Curve:
             return [self._one(sigma, self.state, self.branch, False)]
         limit, flux = self._limit(way)
         if limit is self.state:
-            return [self._one(sigma, self.state, plastic(self.matter, way), False)]
+            return [self._one(sigma, self.state, self._plastic(sigma, self.state, way)[0], False)]
         if (sigma - limit.sigma) * way <= 0.0:
             return [self._one(sigma, self.state, self.branch, True)]
         first = self._one(limit.sigma, self.state, self.branch, True, limit, flux)
-        second = self._one(sigma, limit, plastic(self.matter, way), False)
+        second = self._one(sigma, limit, self._plastic(sigma, limit, way)[0], False)
         if way > 0 and second.head * self.direction >= first.tail * self.direction:
-            return [self._one(sigma, self.state, plastic(self.matter, way), False, deviator=limit.s)]
+            branch, deviator = self._plastic(sigma, self.state, way)
+            return [self._one(sigma, self.state, branch, False, deviator=deviator)]
         return [first, second]
+
+    def _plastic(self, sigma: float, ahead: State, way: int) -> tuple[Branch, float]:
+        """(branch, s1 behind) of a plastic wave to a stress; in a cylinder it turns the stress (solid.py)."""
+        most, hoop = 2.0 / 3.0 * self.matter.yield_stress, self.matter.hoop
+        if not hoop:
+            return plastic(self.matter, way), -way * most
+        shear = self.matter.shear_modulus
+        law = Solid(self.matter.par, shear, math.hypot(self.matter.yield_stress, math.sqrt(3.0) * shear * hoop))
+        stiff, left, last = 0.0, most, 0.0
+        for _ in range(TURNS):
+            branch = Branch(self.matter.par, way * most - stiff * math.log(ahead.rho), stiff)
+            strain = abs(self._strain(sigma, ahead, branch))
+            if abs(strain - last) <= 1e-13 * strain:
+                break
+            left = strength_left(turned(hoop, strain, law), law)
+            stiff, last = (left - most) / strain, strain
+        return branch, -way * left
+
+    def _strain(self, sigma: float, ahead: State, branch: Branch) -> float:
+        """ln of the densities behind and ahead of a wave."""
+        if sigma > ahead.sigma or self.as_jumps:
+            return -math.log1p(-ahead.rho * jump.volume_drop(sigma, ahead, branch))
+        return Fan(ahead, branch).at_stress(sigma)[0]
 
     def _one(self, sigma, ahead: State, branch: Branch, is_elastic, after: State | None = None, flux=0.0, deviator=None) -> Wave:
         d = self.direction
@@ -116,7 +141,7 @@ class Curve:
                 after, flux = jump.behind(sigma, ahead, branch, d, deviator)
             speed = ahead.u + d * flux / ahead.rho
             return Wave("shock", is_elastic, d, ahead, after, speed, speed, None, self.stiffness)
-        fan = self._fan("elastic" if is_elastic else "plastic", ahead, branch)
+        fan = self._fan("elastic" if is_elastic else "plastic", ahead, branch) if not branch.b or is_elastic else Fan(ahead, branch)
         node = fan.at_stress(sigma)
         after = fan.state(node, d)._replace(sigma=sigma)
         return Wave("fan", is_elastic, d, ahead, after, ahead.u + d * fan.speed(fan.nodes[0]), after.u + d * fan.speed(node), fan,
@@ -138,7 +163,7 @@ class Curve:
     def _branch_of(self, wave: Wave) -> Branch:
         if not self.solid or wave.elastic:
             return self.branch
-        return plastic(self.matter, 1 if wave.behind.s < 0.0 else -1)
+        return self._plastic(wave.behind.sigma, wave.ahead, 1 if wave.behind.s < 0.0 else -1)[0]
 
     # -- the end of the curve ----------------------------------------------------------------------------------------
     @property

@@ -2,8 +2,8 @@
 
 The waves are those of the algebraic mode (`meeting.outgoing`). A new cell has neither width nor content; its faces keep the states of the
 exact self-similar solution for one step (in planar fans longer, see fans.py), so that the fluxes through them give it its exact
-content. Waves too weak to be followed are
-left out: what they carry passes into the cells beside, and nothing is lost.
+content. Until then the contents of a solid's new cell hold the stretch and hoop strain that it begins with. Waves too weak to be followed
+are left out: what they carry passes into the cells beside, and nothing is lost.
 """
 
 import math
@@ -19,7 +19,8 @@ from hugoniot.solvers.fronts import line
 from hugoniot.solvers.fronts.cells import detonations
 from hugoniot.solvers.fronts.cells.fans import lasting
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh
-from hugoniot.solvers.fronts.cells.solids import stretch_of
+from hugoniot.solvers.fronts.cells.solids import strains_of, stretch_of
+from hugoniot.solvers.fronts.cells.tables import BORN_LEFT, BORN_RIGHT, HOOP, VOLUME
 from hugoniot.solvers.fronts.line import OUTSIDE, Piece
 from hugoniot.solvers.fronts.meeting import Bench, outgoing
 
@@ -27,7 +28,8 @@ FAN_WEAKEST = 3.0    # times the weakest wave: a fan that is weaker has no edges
 MOST_IN_FAN = 32
 FEWEST = 4           # cells at the start of a fan that is not exact
 COARSE = 25          # zones of a region from which on a fan that is not exact starts with more cells, in proportion
-LEAST_GROWTH = 0.02  # per step, at Courant number 1, of a fan that starts with more cells: it soon has the width of ordinary cells
+NARROW = 2.0         # of a fan that changes the velocity by less than two of its steps: it starts with as many cells as if by two
+LEAST_GROWTH = 0.003 # per step, at Courant number 1, of a fan that starts with more cells: it soon has the width of ordinary cells
 NEWBORN = 3          # cells between two waves that part: a parabola has three averages
 
 
@@ -87,15 +89,21 @@ def place(mesh: Mesh, face: int, outer, whole, rows, time: float, bench: Bench) 
     """
     (left, right), (fronts, pieces), (kept, between) = outer, whole, rows
     x, position = float(mesh.x[face]), int(np.count_nonzero(mesh.marked[:face]))
-    marks, values, regions, push, made = [], [], [], [], []
+    marks, values, regions, push, made, strains = [], [], [], [], [], []
     for k, (front, state) in enumerate(kept):
         if k:
             marks_in, values_in, count = _inside(between[k - 1], kept[k - 1], kept[k], mesh.d, bench)
             marks += marks_in
             values += values_in
             regions += [between[k - 1].region if between[k - 1].kind != "vacuum" else EMPTY] * count
-            ends = np.array([kept[k - 1][1], *values_in, state])[:, 4]
-            push += [between[k - 1].state.sigma] if count == 1 else (0.5 * (ends[1:] + ends[:-1])).tolist()
+            ends = np.array([kept[k - 1][1], *values_in, state])
+            push += [between[k - 1].state.sigma] if count == 1 else (0.5 * (ends[1:, 4] + ends[:-1, 4])).tolist()
+            if between[k - 1].kind != "vacuum" and bench.of(between[k - 1]).yield_stress:
+                pair = fronts.index(kept[k - 1][0]), fronts.index(front)
+                strains += [strains_of([left, *pieces, right], fronts, pair, bench)] * count if bench.cylinder else [
+                    (stretch, 0.0) for stretch in 0.5 * (ends[:-1, BORN_RIGHT] + ends[1:, BORN_LEFT])]
+            else:
+                strains += [(0.0, 0.0)] * count
             made[-1].least = count
             made[-1].fan = between[k - 1] if lasting(between[k - 1], mesh.d, bench) else None
         marks.append(True)
@@ -106,7 +114,10 @@ def place(mesh: Mesh, face: int, outer, whole, rows, time: float, bench: Bench) 
     mesh.x = np.concatenate([mesh.x[:face], np.full(len(marks), x), mesh.x[face + 1:]])
     mesh.marked = np.concatenate([mesh.marked[:face], np.array(marks, dtype=bool), mesh.marked[face + 1:]])
     mesh.given = np.concatenate([mesh.given[:face], np.array(values).reshape(-1, mesh.given.shape[1]), mesh.given[face + 1:]])
-    mesh.q = np.concatenate([mesh.q[:face], np.zeros((len(regions), mesh.q.shape[1])), mesh.q[face:]])
+    born = np.zeros((len(regions), mesh.q.shape[1]))
+    if born.shape[1] > 3 and regions:
+        born[:, [VOLUME, HOOP]] = strains
+    mesh.q = np.concatenate([mesh.q[:face], born, mesh.q[face:]])
     mesh.push = np.concatenate([mesh.push[:face], np.array(push), mesh.push[face:]])
     mesh.region = np.concatenate([mesh.region[:face], np.array(regions, dtype=mesh.region.dtype), mesh.region[face:]])
     return [front.kind for front in made]
@@ -207,7 +218,7 @@ def _inside(piece: Piece, before, after, d: int, bench: Bench):
         fall = abs(wave.behind.u - wave.ahead.u) / (bench.fan_step * c)
         count = min(max(math.ceil(fall), 2), MOST_IN_FAN)
         if not lasting(piece, d, bench):
-            finer = math.ceil(fall * bench.zones[piece.region] / COARSE)
+            finer = math.ceil(max(fall, NARROW) * bench.zones[piece.region] / COARSE)
             count = max(count, FEWEST, min(finer, int((right.speed - left.speed) / (LEAST_GROWTH * c))))
     else:
         count = 1 if any(front.kind.startswith("elastic") for front in (left, right)) else NEWBORN      # the two shocks part slowly

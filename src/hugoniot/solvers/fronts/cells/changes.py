@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 
-from hugoniot.errors import OutOfRange
+from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.solvers.fronts.cells import tables
 from hugoniot.solvers.fronts.cells.births import bear, collapse, ignite, transmit
 from hugoniot.solvers.fronts.cells.detonations import UNLIT, light_face
@@ -121,15 +121,18 @@ class Changes:
                 raise OutOfRange(UNLIT)
             return ignite(mesh, face, left, right, time, bench)
         self.captured += not followed
-        return bear(mesh, face, left, right, time, bench, followed)
+        try:
+            return bear(mesh, face, left, right, time, bench, followed)
+        except (OutOfRange, NoSolution):      # what the parabolas give at the face is beyond the range of a law
+            return bear(mesh, face, *self._sides(mesh, face, time, averages=True), time, bench, followed)
 
-    def _sides(self, mesh: Mesh, face: int, time: float):
-        """What stands on the left and right of a face, the ends driven as they are at a time."""
+    def _sides(self, mesh: Mesh, face: int, time: float, averages: bool = False):
+        """What stands on the left and right of a face (averages: in the cells there), the ends driven as they are at a time."""
         bench = self.flow.bench
         for k, side in enumerate((-1, 1)):
             if self.flow.outside[k] in ("wall", "pressure"):
                 (bench.walls if self.flow.outside[k] == "wall" else bench.pressures)[side] = self.flow.drive(k, time)
-        return pieces_at(self.flow, mesh, face)
+        return pieces_at(self.flow, mesh, face, averages)
 
     def follow_weak_starts(self, mesh: Mesh) -> None:
         """Where no wave of the start is as strong as the weakest to be followed, a tenth of the strongest takes its place.

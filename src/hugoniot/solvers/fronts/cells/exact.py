@@ -12,6 +12,8 @@ from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.solvers.fronts.cells.solids import is_solid
 from hugoniot.solvers.fronts.cells.tables import (
     BORN_HOOP,
+    BORN_LEFT,
+    BORN_RIGHT,
     DIRECTION,
     ELASTIC,
     ELASTIC_EXPANSION,
@@ -230,7 +232,7 @@ def at_fronts(grid, rules, work, fronts, count, drives):
 
 @nb.njit(**GUARD)
 def newborn(grid, rules, work, n):
-    """The states of faces that were just born; a cell beside them that is not newborn keeps its own scalars."""
+    """The states of faces that were just born; a cell beside them that is not newborn keeps its own scalars; a solid gives its own away."""
     w = work.w
     for f in range(n + 1):
         given = grid.given[f]
@@ -243,12 +245,12 @@ def newborn(grid, rules, work, n):
             if f > 0 and math.isnan(grid.push[f - 1]) and grid.region[f - 1] >= 0:
                 w[INTO_LEFT + k, f] = w[RIGHT + LAM + k, f - 1]
                 if k == 1 and is_solid(rules, grid.region[f - 1]):
-                    w[INTO_LEFT + k, f] /= w[RIGHT, f - 1]
+                    w[INTO_LEFT + k, f] = given[BORN_LEFT] / given[1] if given[2] < given[0] else w[INTO_LEFT + k, f] / w[RIGHT, f - 1]
             elif k == 2 and f > 0 and is_solid(rules, grid.region[f - 1]):
                 w[INTO_LEFT + k, f] = given[BORN_HOOP]
             if f < n and math.isnan(grid.push[f]) and grid.region[f] >= 0:
                 w[INTO_RIGHT + k, f] = w[LEFT + LAM + k, f]
                 if k == 1 and is_solid(rules, grid.region[f]):
-                    w[INTO_RIGHT + k, f] /= w[LEFT, f]
+                    w[INTO_RIGHT + k, f] = given[BORN_RIGHT] / given[1] if given[2] > given[0] else w[INTO_RIGHT + k, f] / w[LEFT, f]
             elif k == 2 and f < n and is_solid(rules, grid.region[f]):
                 w[INTO_RIGHT + k, f] = given[BORN_HOOP]

@@ -2,7 +2,8 @@ r"""Centred fans in planar geometry, kept as what they are: self-similar, until 
 
 A fan between two constant states is a function of $\xi = (x - x_0)/(t - t_0)$ alone. Its faces run at constant $\xi$ and carry the
 constant states there, so that the contents of its cells stay exact, $(t - t_0)\,[\xi U - F(U)]$ between two faces, whatever the step. This
-ends when the material beside one of its edges changes (`let_go`), or when an edge meets another front (`Mesh.touch`).
+ends when the material beside one of its edges changes (`let_go`), or when an edge meets another front (`Mesh.touch`). In a solid it is the
+plastic release between the elastic one and the state behind; its stretch is that of the yield point throughout.
 """
 
 import math
@@ -15,7 +16,7 @@ from hugoniot.laws.riemann.branch import Branch, State
 from hugoniot.laws.riemann.curve import Wave
 from hugoniot.laws.riemann.fan import Fan
 from hugoniot.laws.riemann.medium import Frozen
-from hugoniot.solvers.fronts.cells.tables import FACE, FAN, FULL, MEAN, E, P, U
+from hugoniot.solvers.fronts.cells.tables import FACE, FAN, FULL, MEAN, VOLUME, E, P, U
 from hugoniot.solvers.fronts.line import Piece, densities, fan_state, fluxes
 
 SAME = 1e-9        # of the density, and of signal speeds: a state beside a fan that differs by more is no longer the one it began with
@@ -56,13 +57,12 @@ def forget(grid, fronts, count):
 
 
 def lasting(piece: Piece, d: int, bench) -> bool:
-    """Whether a fan is self-similar and nothing overtakes its edges: in planar geometry, where nothing burns, and not in solids, whose
-    elastic waves are faster."""
+    """Whether a fan is self-similar: in planar geometry, where nothing burns."""
     matter = bench.of(piece)
-    return piece.kind == "fan" and d == 1 and not isinstance(matter.par, Frozen) and not matter.yield_stress
+    return piece.kind == "fan" and d == 1 and not isinstance(matter.par, Frozen)
 
 
-def divide(mesh, cell: int, fan: Piece) -> None:
+def divide(mesh, cell: int, fan: Piece, solid: bool) -> None:
     """Halve a cell of a fan exactly."""
     (first, *start), (last, *_) = mesh.given[cell:cell + 2]
     age, xi = (mesh.x[cell + 1] - mesh.x[cell]) / (last - first), 0.5 * (first + last)
@@ -71,6 +71,8 @@ def divide(mesh, cell: int, fan: Piece) -> None:
     left = np.empty_like(q)
     left[:3] = age * ((xi * densities(high) - fluxes(high)) - (first * densities(low) - fluxes(low)))
     left[3:] = q[3:] * left[0] / q[0]
+    if solid:
+        left[VOLUME] = 0.5 * q[VOLUME]        # the stretch is uniform
     scalars = mesh.given[cell, 5:].copy()
     mesh.insert_face(cell, 0.5 * (mesh.x[cell] + mesh.x[cell + 1]), left, q - left)
     mesh.given[cell + 1] = [xi, *found[:4], *scalars]

@@ -8,7 +8,8 @@ from hugoniot.core.passes import numbers_of
 from hugoniot.errors import UnphysicalState
 from hugoniot.laws.arrays import float_parameters
 from hugoniot.laws.burn.contract import BURN, Reactive
-from hugoniot.laws.eos.contract import density_limits, flagged
+from hugoniot.laws.eos.contract import EOS, density_limits, flagged
+from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.laws.riemann.branch import Matter, State
 from hugoniot.laws.riemann.medium import Frozen, Solid, mixture_limit
 from hugoniot.materials import burning
@@ -19,9 +20,10 @@ from hugoniot.solvers.fronts.cells.gas import averages
 from hugoniot.solvers.fronts.cells.mesh import Mesh
 from hugoniot.solvers.fronts.cells.passes import burn_pass, pace_pass, states_pass, wave_pass
 from hugoniot.solvers.fronts.cells.spacing import Spacing, cells_of
-from hugoniot.solvers.fronts.cells.tables import Grid, Rules
+from hugoniot.solvers.fronts.cells.tables import MEAN, Grid, P, Rules
 from hugoniot.solvers.fronts.meeting import Bench
 
+NEAR = 0.95        # of the highest density of a law
 EXACT = 1e-4       # burn fraction from which isolated reactants keep the isentrope behind their shock, which is exact here
 NO_DRIVE = ("none", 0.0, 0.0, 1.0)
 SHAPES = ("square", "constant", "half_sine", "ramp", "exponential", "table", "none")
@@ -161,8 +163,27 @@ class Flow:
         march.close_step(grid, self.rules, self.work, rows, len(rows), dt, longest if numbers[tables.MEETS] else dt, goal)
         return march.CHANGE if march.calls_for_change(grid, self.rules, self.work, rows, len(rows)) else march.DONE
 
+    def refuse_highest(self, mesh: Mesh) -> None:
+        """Raise `UnphysicalState` if a cell has come to the highest density of its law, where pressure and sound speed have no bound.
+
+        A converging shock in a condensed material always comes there, unless the cells at the axis or centre are coarse.
+        """
+        w, n = self.work.w, len(mesh.q)
+        flows = (mesh.region >= 0) & (mesh.region < self.bench.unburned)
+        highest = np.where(flows, self.rules.limits[mesh.region, 0], np.inf)
+        k = int(np.argmax(w[MEAN, :n] / highest))
+        if w[MEAN, k] < NEAR * highest[k]:
+            return
+        law = self.laws[mesh.region[k] % len(self.laws)]
+        name = MIXTURE.of(law.mixture).name if isinstance(law, Reactive) else EOS.of(getattr(law, "eos", law)).name
+        raise UnphysicalState(f"the density {w[MEAN, k]:.6g} kg/m3 (at {w[MEAN + P, k]:.3g} Pa) has come to the highest that law '{name}' "
+                              f"has, {highest[k]:.6g} kg/m3, at which pressure and sound speed grow without bound",
+                              "end the run earlier; where a shock converges, put a rigid core of small radius at the axis or centre",
+                              k, "", float(mesh.middle[k]), float(self.work.numbers[tables.TIME]), int(self.work.numbers[tables.CYCLE]))
+
     def refuse(self, mesh: Mesh) -> None:
         """Raise `UnphysicalState` for the cell that has no valid state."""
+        self.refuse_highest(mesh)
         k, w = int(self.work.numbers[tables.LIMITING]), self.work.w
         rho, u, e = w[:3, k]
         raise UnphysicalState(f"a cell of density {rho:.6g} kg/m3 and energy {e:.6g} J/kg has no valid state (velocity {u:.6g} m/s)",

@@ -26,8 +26,6 @@ from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.solvers.fronts.cells.solids import hoop_excess, is_solid, settle, yielded
 from hugoniot.solvers.fronts.cells.spacing import path_mean
 from hugoniot.solvers.fronts.cells.tables import (
-    BORN_LEFT,
-    BORN_RIGHT,
     BURNED,
     CENTRE,
     COLD,
@@ -241,9 +239,9 @@ def move(grid, rules, work, n, d, dt, burns):
         each_burning(grid, rules, work, n, 2, (FROM, MIDDLE, MIDDLE + E, MIDDLE + LAM, MIDDLE + LAM + 1, MIDDLE + LAM + 2, BURNED), dt)
         for i in range(n):
             w[PACE, i] = grid.q[i, 0]
-    for i in range(n):       # a cell that is being born has the stretch of the exact solution
+    for i in range(n):       # a cell that is being born has the stretch and hoop strain of the exact solution
         if is_solid(rules, grid.region[i]) and not math.isnan(grid.push[i]):
-            w[FROM, i] = 0.5 * (grid.given[i, BORN_RIGHT] + grid.given[i + 1, BORN_LEFT])
+            w[FROM, i], w[BURNED, i] = grid.q[i, VOLUME], grid.q[i, HOOP]
     before = 0.0
     for f in range(n + 1):
         speed = w[SPEED, f]
@@ -273,7 +271,7 @@ def move(grid, rules, work, n, d, dt, burns):
             p = grid.push[f - 1] if born else w[MIDDLE + P, f - 1]
             if is_solid(rules, grid.region[f - 1]):
                 p += hoop_excess(rules, grid.region[f - 1], w[FROM if born else MIDDLE + VOLUME, f - 1],
-                                 0.0 if born else w[MIDDLE + HOOP, f - 1])
+                                 w[BURNED if born else MIDDLE + HOOP, f - 1])
             grid.q[f - 1, 1] += p * (area - before) * dt
         grid.x[f] = place
         before = area

@@ -164,7 +164,7 @@ def adjust(mesh: Mesh, spacing: Spacing, slope, solid) -> None:
             if fan is None:
                 split(mesh, j, slope(mesh, j), bool(solid[mesh.region[j] % len(solid)]))
             else:
-                fans.divide(mesh, j, fan)
+                fans.divide(mesh, j, fan, bool(solid[mesh.region[j] % len(solid)]))
             n, moved = n + 1, moved + 1
 
 

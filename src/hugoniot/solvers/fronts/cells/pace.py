@@ -34,7 +34,7 @@ SQUEEZE = 0.5      # of its width: how much a step may close a cell
 AMPLE = 0.3        # of the width aimed at: cells no narrower set the step that is normal
 CLOSE = 0.01       # of the normal step: a step that small means waves too close to each other to be followed
 GROWS = 0.01       # growth per step of an interval that soon makes room for longer steps
-FAN_GROWS = 0.004  # of a fan, which starts with many cells (births.py)
+FAN_GROWS = 0.0006  # of a fan, which starts with many cells (births.py)
 LONGER = 1.3       # a step may be this much longer to end in a meeting
 
 

@@ -17,7 +17,21 @@ from hugoniot.core.target import BY_ADDRESS
 from hugoniot.laws.riemann.branch import Matter, State
 from hugoniot.laws.riemann.medium import Solid, deviator, strength_left
 from hugoniot.solvers.fronts.cells.spacing import path_mean
-from hugoniot.solvers.fronts.cells.tables import CENTRE, FIRST, FROM, HOOP, MIDDLE, SHEAR, SPEED, VOLUME, YIELDS, U
+from hugoniot.solvers.fronts.cells.tables import (
+    BURNED,
+    CENTRE,
+    FIRST,
+    FROM,
+    HOOP,
+    LENGTH,
+    MIDDLE,
+    SHEAR,
+    SPEED,
+    TOUCHING,
+    VOLUME,
+    YIELDS,
+    U,
+)
 
 LEAST_LEFT = 1e-9      # of the yield stress: what is always left to uniaxial strain
 
@@ -57,8 +71,8 @@ def settle(grid, rules, w, i, d, dt):
     a, b, region = grid.x[i], grid.x[i + 1], grid.region[i]
     volume = (b - a) * path_mean(a, b, d)
     if not math.isnan(grid.push[i]):
-        grid.q[i, VOLUME] = volume * w[FROM, i]
-    elif volume > 0.0:       # else two fronts have met, and nothing is left between them
+        grid.q[i, VOLUME], grid.q[i, HOOP] = volume * w[FROM, i], grid.q[i, 0] * w[BURNED, i]
+    elif b - a > TOUCHING * rules.numbers[LENGTH]:       # else two fronts have met, and nothing but rounding is left between them
         stretch, hoop = grid.q[i, VOLUME] / volume, grid.q[i, HOOP] / grid.q[i, 0]
         if d > 1:
             low, high = a - 0.5 * dt * w[SPEED, i], b - 0.5 * dt * w[SPEED, i + 1]
@@ -89,6 +103,22 @@ def stretch_of(state: State, matter: Matter) -> float:
 def of_hoop(law: Solid, hoop: float) -> Matter:
     """A solid of a given hoop strain as the Riemann problems take it."""
     return Matter(law.eos, law.shear_modulus, max(1.5 * strength_left(hoop, law), LEAST_LEFT * law.yield_stress), hoop)
+
+
+def strains_of(whole, fronts, pair, bench) -> tuple[float, float]:
+    """(stretch, hoop strain) of the new cell between two of the waves that leave a place in a cylinder, beside a contact or an end.
+
+    whole   all pieces, those outside included; fronts   all fronts between them; pair   numbers of the two waves
+    A plastic wave turns the stress of what it runs into along the yield surface (laws.riemann.solid.turned).
+    """
+    left = fronts[pair[0]].direction < 0
+    crossed = fronts[:pair[1]] if left else fronts[pair[0] + 1:]
+    outer, state = (whole[0], whole[pair[1]].edge(-1)) if left else (whole[-1], whole[pair[0] + 1].edge(1))
+    law, hoop = bench.matters[outer.region], outer.matter.hoop if outer.matter is not None else 0.0
+    if any(not front.kind.startswith("elastic") for front in crossed):
+        turned = math.sqrt(max(law.yield_stress**2 - 2.25 * state.s**2, 0.0) / 3.0) / law.shear_modulus
+        hoop = math.copysign(min(turned, abs(hoop)), hoop)
+    return stretch_of(state, law), hoop
 
 
 def with_deviator(rho: float, u: float, e: float, stretch: float, matter: Matter, pressure: float) -> State:

@@ -110,9 +110,11 @@ class Cells(Reading):
         except UnphysicalState:
             raise
         except (HugoniotError, ArithmeticError, ValueError) as error:
+            self.flow.refuse_highest(self.mesh)
             raise UnphysicalState(f"where fronts meet, {error}.", "stay inside the range of the equations of state, or choose ones that "
                                   "reach further", None, "", None, self.time, self.cycle) from error
         if numbers[tables.STALLED] > STUCK:
+            self.flow.refuse_highest(self.mesh)
             x = float(self.mesh.middle[min(int(numbers[tables.LIMITING]), len(self.mesh.q) - 1)])
             raise UnphysicalState(f"the step has fallen to {self.step:.3g} s", "raise solver.options.weakest, so that fewer waves are "
                                   "followed, or use fewer zones", None, self.limiting()[1], x, self.time, self.cycle)

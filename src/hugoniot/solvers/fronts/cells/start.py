@@ -92,8 +92,8 @@ def _bends(times: np.ndarray, values: np.ndarray) -> list[float]:
     return [float(times[0]), *times[1:-1][off].tolist(), float(times[-1])]
 
 
-def pieces_at(flow, mesh: Mesh, face: int) -> tuple[Piece, Piece]:
-    """What stands on the left and right of a front."""
+def pieces_at(flow, mesh: Mesh, face: int, averages: bool = False) -> tuple[Piece, Piece]:
+    """What stands on the left and right of a front: the values of the parabolas there, or the averages of the cells."""
     w, found = flow.look(mesh), []
     for cell, block, end in ((face - 1, HIGH, 0), (face, LOW, 1)):
         if not 0 <= cell < len(mesh.q):
@@ -103,7 +103,7 @@ def pieces_at(flow, mesh: Mesh, face: int) -> tuple[Piece, Piece]:
         elif mesh.region[cell] >= flow.bench.unburned:
             found.append(Piece("state", int(mesh.region[cell]), State(*w[MEAN:MEAN + 3, cell].tolist(), 0.0)))
         else:
-            found.append(_piece(flow, w, block, cell, int(mesh.region[cell])))
+            found.append(_piece(flow, w, MEAN if averages else block, cell, int(mesh.region[cell])))
     for piece, other, way in ((found[0], found[1], -1), (found[1], found[0], 1)):
         if piece.kind == "open":
             piece.state = other.edge(way)

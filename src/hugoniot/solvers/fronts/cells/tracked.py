@@ -7,6 +7,7 @@ both sides, half a step on, answers.
 import math
 from dataclasses import dataclass
 
+from hugoniot.errors import HugoniotError
 from hugoniot.laws.riemann import solver as exact
 from hugoniot.laws.riemann.branch import Branch, Matter, State, wave_speed_squared
 from hugoniot.laws.riemann.curve import Curve
@@ -25,6 +26,7 @@ from hugoniot.solvers.fronts.cells.tables import (
     KINDS,
     LAM,
     LEFT,
+    MEAN,
     MIDDLE,
     RIGHT,
     SPEED,
@@ -84,9 +86,9 @@ def at_fronts(flow, grid, mesh, rows, time: float) -> None:
             rows[k, SPEED_OF] = w[SPEED, f]
             continue
         if front.direction and flow.solid[grid.region[f - 1] % len(flow.solid)]:
-            _in_solid(flow, grid, rows, k, f)
+            _tried(_in_solid, flow, grid, f, (rows, k, f))
             continue
-        moved = _moved(flow, grid, front, f, n, time)
+        moved = _tried(_moved, flow, grid, f, (front, f, n, time))
         if front.kind not in ("detonation",) and front.direction:
             _scalars(flow, grid, front.direction, f)
         rows[k, SPEED_OF], rows[k, STRENGTH], w[SPEED, f] = moved.speed, moved.strength, moved.speed
@@ -96,6 +98,20 @@ def at_fronts(flow, grid, mesh, rows, time: float) -> None:
     for j, f in ((0, 0), (-1, n)):
         if flow.outside[j] == "wall" and mesh.fronts[j].kind == "end":      # a piston goes on as it is driven
             rows[j, SPEED_OF] = w[SPEED, f] = w[F_U, f] = flow.drive(j % 2, time)
+
+
+def _tried(solve, flow, grid, f: int, given):
+    """What a front does; by the averages of the cells beside it where the states at the face have left the range of a law."""
+    try:
+        return solve(flow, grid, *given)
+    except (HugoniotError, ArithmeticError, ValueError):
+        w, n = flow.work.w, len(grid.q)
+        if grid.region[max(f - 1, 0):f + 1].max() >= flow.bench.unburned:
+            raise
+        for block, cell in ((RIGHT, f - 1), (LEFT, f)):
+            if 0 <= cell < n:
+                w[block:block + 10, cell] = w[MEAN:MEAN + 10, cell]
+        return solve(flow, grid, *given)
 
 
 def _in_solid(flow, grid, rows, k: int, f: int) -> None:

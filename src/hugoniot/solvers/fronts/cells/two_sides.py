@@ -60,7 +60,12 @@ def meet(rules, work, left, right, bonded, start):
         wave_to(rules, work, 1, right, p)
         value, slope = (b[11] + b[RISE]) - (a[11] - a[RISE]), a[BY_P] + b[BY_P]
         if value != value:
-            return math.nan, math.nan
+            if not (high < 1e300 and p < high):
+                return math.nan, math.nan
+            low, p, last = p, 0.5 * (p + high), 1e300      # a step of Newton's has left the law on release
+            if not (low < p < high):
+                return math.nan, math.nan
+            continue
         if value < 0.0:
             low = p
         else:
