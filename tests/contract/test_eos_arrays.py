@@ -21,6 +21,7 @@ from hugoniot.laws.eos.shifted_energy import ShiftedEnergy
 from hugoniot.laws.eos.tension_cutoff import TensionCutoff
 
 LAWS = sorted(EOS, key=lambda law: law.name)
+BY_QUANTITY = ("mie_gruneisen", "jwl", "table", "p_alpha")      # a formula, exponentials, an interpolation, a search around another law
 COUNT = arrays.SMALL + 44
 
 
@@ -48,7 +49,7 @@ def apart(work):
 
 
 def test_every_law_in_a_kernel_agrees_with_python():
-    """All a law has, in one kernel for each law: the sweeps below are three loops around the same functions."""
+    """All a law has, in one kernel for each law but those whose sweeps are looked at below: three loops around the same functions."""
     from hugoniot.laws import array_kernels  # noqa: F401  (binds the laws)
     from hugoniot.laws.eos.contract import pressure, pressure_derivatives, temperature
 
@@ -66,7 +67,7 @@ def test_every_law_in_a_kernel_agrees_with_python():
             t[j] = temperature(rho[j], e[j], par)
 
     def work():
-        for law in LAWS:
+        for law in (law for law in LAWS if law.name not in BY_QUANTITY):
             (rho, e), has = sample(law), gives(law.example, "temperature")
             p, p_rho, p_e, t = (np.empty_like(rho) for _ in range(4))
             (warm if has else cold)(rho, e, arrays.float_parameters(law.example), p, p_rho, p_e, t)
@@ -75,9 +76,6 @@ def test_every_law_in_a_kernel_agrees_with_python():
                 check_temperatures(law, rho, e, t)
 
     apart(work)
-
-
-BY_QUANTITY = ("mie_gruneisen", "jwl", "table", "p_alpha")      # a formula, exponentials, an interpolation, a search around another law
 
 
 def quick(laws):

@@ -8,7 +8,7 @@ import llvmlite.binding as llvm
 from numba import types
 from numba.core.dispatcher import _DispatcherBase
 
-from hugoniot.core import code_files, mathematics  # noqa: F401  (both set numba up)
+from hugoniot.core import code_files, compile_speed, mathematics  # noqa: F401  (they set numba up)
 from hugoniot.core.sources import concerns_package
 
 # A sweep is inlined wherever it is called, and so are the functions on its way up: the whole march is one piece of machine code.
