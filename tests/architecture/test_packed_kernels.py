@@ -70,7 +70,7 @@ CASES = [(heat_flux.conduct, quads.Planar(), 4, 1), (closure.pressure_pass, META
          (fracture.fracture_pass, SPALL, 1, 1),
          (compatible.half_stress, viscosity.Resisting(Limited(), Planar()), 0, 2), (stress.strain_solid, strength.Strong(SOLID, strength.Inert(), Planar()), 0, 2),
          (stress.strain_solid, strength.Strong(HARDENING, strength.Burning(), Cylindrical()), 4, 20),
-         (tensor.strain_solid, strength.Strong(HARDENING, strength.Inert(), ()), 4, 20), (nodes.accelerate, Planar(), 0, 2),
+         (tensor.strain_solid, strength.Strong(HARDENING, strength.Inert(), ()), 4, 20), (nodes.drift, None, 0, 2),
          (nodes.move, Planar(), 0, 2), (nodes.leap, Planar(), 0, 2), (compatible.half_motion, Planar(), 2, 1),
          (compatible.end_motion, Planar(), 2, 1), (compatible.end_stress, Planar(), 0, 2), (compatible.heat_flux, Planar(), 0, 1),
          (compatible.half_motion, Spherical(), 3, 4), (compatible.end_motion, Spherical(), 3, 8), (compatible.end_stress_seen, Planar(), 0, 2),

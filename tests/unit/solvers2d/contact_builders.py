@@ -84,8 +84,7 @@ def moment_of_contact(solver):
     """Moment of the impulses of contact in the last step, at the places of nodes in its middle, about the origin, kg m2/s per metre."""
     contact, n, found = solver.contact.tables, solver.nodes, 0.0
     for (node, *_), numbers in zip(contact.movers, contact.mover_numbers):
-        x, y = n[N.x, node] - 0.5 * solver.step * n[N.um, node], n[N.y, node] - 0.5 * solver.step * n[N.vm, node]
-        found += x * numbers[C.JY] - y * numbers[C.JX]
+        found += n[N.xh, node] * numbers[C.JY] - n[N.yh, node] * numbers[C.JX]
     return float(found)
 
 

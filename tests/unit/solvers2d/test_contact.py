@@ -52,25 +52,21 @@ def test_momentum_and_energy_are_exact_and_bodies_separate():
     assert errors["energy_error"] < 1e-13
     assert results["contact_heat"] > 0.0
     assert results["contact_depth"] < 1e-3
-    assert abs(angular_momentum(solver) - turning) < 1e-6 * abs(turning)
+    assert abs(angular_momentum(solver) - turning) < 1e-12 * abs(turning)
     assert not solver.contact.tables.of_points[:, C.FORCE_X].any()
     assert np.nanmin(solver.state().nodes["gap"]) > 0.0
 
 
 def test_contact_and_friction_have_no_moment():
-    """Friction across what is left of a gap neither. The forces of zones have none at the predicted places where they are found; in every
-    step the angular momentum changes by their moment about how far the nodes come out from there, and by nothing else."""
+    """Friction across what is left of a gap neither, nor the forces of zones, at the places in the middle of the step where both are found:
+    the angular momentum stays what it was."""
     solver = Lagrange2D(askew(contacts=(Contact2D(None, "sliding", 0.3),)))
-    before, n, moments, of_zones, unexplained = angular_momentum(solver), solver.nodes, [], [], []
+    before, n, moments, of_zones = angular_momentum(solver), solver.nodes, [], []
     while solver.time < 6e-6:
-        last = angular_momentum(solver)
         solver.march(6e-6, 1)
         moments.append(abs(moment_of_contact(solver)))
-        middle, predicted, force = n[[N.x, N.y]] - 0.5 * solver.step * n[[N.um, N.vm]], n[[N.xh, N.yh]], n[[N.fx, N.fy]]
-        of_zones.append(solver.step * abs(moment(predicted, force)))
-        unexplained.append(abs(angular_momentum(solver) - last - solver.step * moment(middle - predicted, force)))
-    assert max(sum(moments), sum(of_zones), sum(unexplained)) < 1e-12 * abs(before)
-    assert abs(angular_momentum(solver) / before - 1.0) < 1e-6
+        of_zones.append(solver.step * abs(moment(n[[N.xh, N.yh]], n[[N.fx, N.fy]])))
+    assert max(sum(moments), sum(of_zones), abs(angular_momentum(solver) - before)) < 1e-12 * abs(before)
     assert solver.errors()["momentum_error"] < 1e-13 and solver.errors()["energy_error"] < 1e-13
     assert solver.results()["friction_work"] > 0.0
 
@@ -168,9 +164,13 @@ def test_bonds_hold_pull_and_break(across):
         blocks = [al(4, 8, 2e-3, 4e-3, velocity=(0.0, -30.0)), al(across, 8, 2e-3, 4e-3, (0.0, 4e-3), "b", (0.0, 30.0))]
         return ran(meeting(blocks, 2e-6, contacts=(Contact2D(("a", "b"), kind, **law),)))
 
-    joined = ran(meeting([al(4, 8, 2e-3, 4e-3, velocity=(0.0, -30.0)), al(4, 8, 2e-3, 4e-3, (0.0, 4e-3), "b", (0.0, 30.0))], 2e-6))
+    def joined(columns):
+        blocks = [al(columns, 8, 2e-3, 4e-3, velocity=(0.0, -30.0)), al(columns, 8, 2e-3, 4e-3, (0.0, 4e-3), "b", (0.0, 30.0))]
+        return mean_velocity(ran(meeting(blocks, 2e-6)), 1)[1]
+
     bonded, weak, loose = pulled("bonded"), pulled("separable", strength=0.1e9), pulled("sliding")
-    assert mean_velocity(bonded, 1)[1] == pytest.approx(mean_velocity(joined, 1)[1], rel=5e-3)
+    coarse, fine = joined(4), joined(across)      # which differ by 1 %: bonds add nothing to what the meshes do
+    assert min(coarse, fine) - 0.01 < mean_velocity(bonded, 1)[1] < max(coarse, fine) + 0.01
     assert bonded.results()["bonds_broken"] == 0
     assert weak.results()["bonds_broken"] > 0
     assert mean_velocity(loose, 1)[1] == pytest.approx(30.0, rel=1e-12)

@@ -12,7 +12,6 @@ from hugoniot.mesh.shapes import Curve, Edges, Sector
 from hugoniot.problem.model import Boundary, OutputOptions, Problem, Region, SolverOptions
 from hugoniot.problem.plane.model import Block2D, VelocityField
 from hugoniot.solvers.lagrange1d.solver import Lagrange1D
-from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.assemble import N, Z
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
 
@@ -263,16 +262,3 @@ def test_a_polar_mesh_keeps_its_symmetry(geometry, rings, exact):
     assert np.ptp(radius, axis=1).max() < 1e-12
     assert 0.5 * exact < solver.zones[Z.rho].max() < exact
     assert solver.errors()["energy_error"] < 1e-12
-
-
-@pytest.mark.parametrize("geometry, scheme", SCHEMES)
-def test_a_fluid_that_its_filter_holds_is_predicted_to_stay(geometry, scheme):
-    """The forces of the state at the start of a short step are those in its middle, the subzonal ones among them."""
-    quiet = Viscosity2D("tensor", True, 0.0, 0.0, 0.0, 0.0, heat_flux=0.0)
-    swirl = VelocityField(rotation=1.0, centre=(0.3, 0.6))
-    given = problem(twisted(density=1.0, pressure=1.0, velocity=swirl), gas(), 1.0, walls("b.left"), geometry, scheme=scheme, viscosity=quiet)
-    solver = ran(given, cycles=40)
-    solver.control[L.DT_NATURAL] = 1e-9
-    solver.march(solver.time + 1e-9, 1)
-    predicted, pushed = solver.nodes[[N.gx, N.gy]], solver.nodes[[N.fx, N.fy]]
-    assert np.abs(predicted - pushed).max() < 1e-7 * np.abs(pushed).max()

@@ -113,7 +113,7 @@ def test_what_is_kept_is_all_a_step_is_taken_from():
     solver.march(1.0, 30)
     there = solver.payload()
     solver.forces[:] = np.nan       # scratch counts for nothing
-    solver.nodes[[N.xh, N.yh, N.um, N.vm, N.fx, N.fy, N.gx, N.gy]] = np.nan
+    solver.nodes[[N.xh, N.yh, N.um, N.vm, N.fx, N.fy]] = np.nan
     rewind.put_back(solver, kept)
     assert solver.cycle == cycle
     solver.march(1.0, 30)

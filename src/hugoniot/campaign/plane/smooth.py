@@ -105,7 +105,7 @@ def heat(solver):
     set_free = time * 0.375 * np.pi * (np.cos(3.0 * x) * np.cos(y) - np.cos(x) * np.cos(3.0 * y))
     solver.start_energy += float(np.sum(z[Z.mass] * set_free))
     set_pressure(solver, z[Z.p] + 2.0 / 3.0 * z[Z.rho] * set_free, 5.0 / 3.0)
-    solver.take_over()
+    solver.rewind.forget()
 
 
 def vortices(n, asked):

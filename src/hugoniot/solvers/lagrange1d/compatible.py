@@ -1,4 +1,4 @@
-"""The compatible integrator: predictor and corrector over a piece of zones, each a list of passes.
+"""The compatible integrator: the stress in the middle of a step and the state at its end, each a list of passes over a piece of zones.
 
 Forces are the transpose of the strain rates: with the volume rate A2 u2 - A1 u1 and the hoop rate (u1+u2)/(r1+r2), the power
 put into a zone is -sigma (A2 u2 - A1 u1) + H (u1 + u2), sigma = p + q - s1, H = (d-1) V (s2 + q - s1)/(r1 + r2), and the force
@@ -53,7 +53,7 @@ bind(shrinking)
 # -- passes of the geometry ----------------------------------------------------------------------------------------
 @zone_pass(HalfMotionRows)
 def half_motion(count, z, dt, numbers, law):
-    """Energy, density and strains in the middle of the step, from the stress at its start and the predicted mean velocity."""
+    """Energy, density and strains in the middle of the step, from the stress at its start and the velocities led on to the middle."""
     rows_apart()
     geometry, half = kind_of(law), 0.5 * dt
     for j in range(count):

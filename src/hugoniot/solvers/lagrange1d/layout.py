@@ -119,6 +119,7 @@ class WorkRows(NamedTuple):
 
 
 PIECE = 128      # zones of a piece: what its passes touch stays in the first-level cache
+LONGEST_AHEAD = 2.0     # steps over which the acceleration of the last one counts for the next: after a short step to an event
 
 # -- columns of the segment table (integers) ----------------------------------------------------------------------
 SEG_FIRST, SEG_LAST, SEG_LEFT, SEG_RIGHT = range(4)          # zones first..last-1; boundary codes of the two ends

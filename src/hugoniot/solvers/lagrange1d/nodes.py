@@ -16,29 +16,27 @@ from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.ring import ring_pull
 from hugoniot.solvers.lagrange1d.transmitting import follow, settle
 
-AccelerateRows = namedtuple("AccelerateRows", "sigma hoop r u inverse_mass u_mean r_half")
+DriftRows = namedtuple("DriftRows", "r u u_mean r_half")
 MoveRows = namedtuple("MoveRows", "sigma hoop r_half inverse_mass u u_mean r")
 LeapRows = namedtuple("LeapRows", "sigma pull width inverse_mass u r")
 
 
 # -- inner nodes: `count` of them from the second of the node rows on; zone rows begin with the zone on the left of the first ---------
-@zone_pass(AccelerateRows)
-def accelerate(count, z, dt, numbers, law):
-    """Predictor: velocity from the stresses at the start of the step, mean velocity, position at mid-step."""
+@zone_pass(DriftRows)
+def drift(count, z, dt, numbers, law):
+    """Nodes, ends included, in the middle of the step: positions by the velocities at its start, and those velocities led on there by the
+    acceleration of the step before. dt is half the step; `numbers` its ratio to the one before."""
     rows_apart()
-    geometry = kind_of(law)
+    ahead = numbers[0]
     for j in range(count):
-        force = area(z.r[j + 1], geometry) * (z.sigma[j] - z.sigma[j + 1])
-        if hoops(geometry) > 0.0:
-            force -= z.hoop[j] + z.hoop[j + 1]
-        mean = z.u[j + 1] + 0.5 * dt * force * z.inverse_mass[j + 1]
-        z.u_mean[j + 1] = mean
-        z.r_half[j + 1] = z.r[j + 1] + 0.5 * dt * mean
+        u = z.u[j]
+        z.r_half[j] = z.r[j] + dt * u
+        z.u_mean[j] = u + ahead * (u - z.u_mean[j])
 
 
 @zone_pass(MoveRows)
 def move(count, z, dt, numbers, law):
-    """Corrector: velocity and position at the end of the step from the stresses in its middle."""
+    """Velocity and position at the end of the step from the stresses in its middle."""
     rows_apart()
     geometry = kind_of(law)
     for j in range(count):
@@ -190,45 +188,43 @@ bind_choice(hold, lambda *classes: _hold if classes[-1] is OpenEnd else _nothing
 
 
 @nb.njit(**BY_ADDRESS)
-def end_node(zones, nodes, control, ends, left, corrector, dt, boundary, geometry):
-    """One end of a segment; `ends` = (node, zone, boundary code), `boundary` an `End` or `OpenEnd`.
+def follow_end(zones, control, ends, left, dt, boundary):
+    """Let a transmitting end of a segment see the zones at the start of the step."""
+    _, zone, code = ends
+    if code == L.TRANSMITTING:
+        answer(zones, control, zone, L.END_LEFT if left else L.END_RIGHT, dt, boundary)
 
-    In the corrector the work and the impulse of what stands outside are booked.
+
+@nb.njit(**BY_ADDRESS)
+def end_node(zones, nodes, control, ends, left, dt, boundary, geometry):
+    """One end of a segment at the end of the step; `ends` = (node, zone, boundary code), `boundary` an `End` or `OpenEnd`.
+
+    The work and the impulse of what stands outside are booked.
     """
     node, zone, code = ends
     pulse, table, field = boundary.pulse, boundary.table, boundary.field
-    u, r, time = nodes[H.u, node], nodes[H.r, node], control[L.TIME]
-    face = area(nodes[H.r_half, node] if corrector else r, geometry)
-    sigma = zones[Z.sigma_half, zone] if corrector else zones[Z.sigma, zone]
-    hoop = 0.0
-    if hoops(geometry) > 0.0:
-        hoop = zones[Z.hoop_half, zone] if corrector else zones[Z.hoop, zone]
+    u, r, r_half, time = nodes[H.u, node], nodes[H.r, node], nodes[H.r_half, node], control[L.TIME]
+    face, hoop = area(r_half, geometry), zones[Z.hoop_half, zone] if hoops(geometry) > 0.0 else 0.0
     sign, inverse = -1.0 if left else 1.0, nodes[H.inverse_mass, node]
-    inner = sign * face * sigma - hoop + nodes[H.mass, node] * field_at(nodes[H.r_half, node] if corrector else r, field)
+    inner = sign * face * zones[Z.sigma_half, zone] - hoop + nodes[H.mass, node] * field_at(r_half, field)
     if code == L.FIXED or code == L.VELOCITY or code == L.PERIODIC:
         new = 0.0 if code == L.FIXED else pulse_value(time + dt, pulse, table)
         if code == L.PERIODIC:
-            new = u + dt * ring_pull(zones, nodes, control, corrector, boundary)
+            new = u + dt * ring_pull(zones, nodes, control, True, boundary)
         outer = (new - u) / (dt * inverse) - inner
     else:
-        end, impedance = L.END_LEFT if left else L.END_RIGHT, 0.0
-        if code == L.TRANSMITTING:
-            if not corrector:
-                answer(zones, control, zone, end, dt, boundary)
-            impedance = control[end + L.IMPEDANCE]
+        end = L.END_LEFT if left else L.END_RIGHT
+        impedance = control[end + L.IMPEDANCE] if code == L.TRANSMITTING else 0.0
         push = -sign * face * outside_stress(code, time + 0.5 * dt, end, control, pulse, table)
         new = opposed(u, inverse * (inner + push), dt, inverse * face, impedance)
         outer = push - impedance * face * 0.5 * (new - u)
-        if corrector and code == L.TRANSMITTING:
+        if code == L.TRANSMITTING:
             hold(zones, nodes, control, ends, end, new - u, dt, geometry, boundary)
     mean = 0.5 * (u + new)
     nodes[H.u_mean, node] = mean
-    if corrector:
-        nodes[H.u, node] = new
-        nodes[H.r, node] = r + dt * mean
-        book(control, left, dt * outer * mean, dt * outer)
-    else:
-        nodes[H.r_half, node] = r + 0.5 * dt * mean
+    nodes[H.u, node] = new
+    nodes[H.r, node] = r + dt * mean
+    book(control, left, dt * outer * mean, dt * outer)
 
 
 @nb.njit(**BY_ADDRESS)

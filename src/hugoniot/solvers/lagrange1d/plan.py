@@ -22,14 +22,14 @@ from hugoniot.solvers.lagrange1d.layout import ChargeRows, NodeRows, WorkRows, Z
 from hugoniot.zones.soundness import FOUND_FAILURE, FOUND_FLOATS, FOUND_IMPULSE, FOUND_RATE
 from hugoniot.zones.steps import MaterialSteps
 
-ACCELERATE, PREDICT, MOVE, CORRECT, FLOW, LEAP, ADVANCE = range(7)     # commands; FLOW is the artificial heat flux
+DRIFT, PREDICT, MOVE, CORRECT, FLOW, LEAP, ADVANCE = range(7)     # commands; FLOW is the artificial heat flux
 COMMANDS = 7
 AT_ZONES, AT_NODES, AT_GRADIENTS, ORIGINS = range(1, 5)                # origins of the lists
 # columns of the table of shares: zones FIRST to LAST - 1, operations FROM to TO - 1, and of pieces without voids INTACT to INTACT_TO - 1
 FIRST, LAST, SEGMENT, PIECE, FROM, TO, INTACT, INTACT_TO, FOUND = range(9)
 SHARE_COLUMNS = 9
 NOT_FOUND = -1
-DT, DT_MEAN, DT_HALF = range(3)                                        # of the row of time steps
+DT, DT_MEAN, DT_HALF, AHEAD = range(4)                                 # of the row of time steps
 
 
 class LineRows(NamedTuple):
@@ -65,7 +65,7 @@ class Plan(NamedTuple):
     origins    (member, ORIGINS) in bytes
     seen       (member, FOUND_FLOATS): what passes find in a share
     found      a row for each share that finds something, and the totals of a step behind them
-    dts        dt, mean of the last two, half of dt
+    dts        dt, mean of the last two, half of dt, dt over the last one
     """
 
     written: Written
@@ -84,7 +84,7 @@ class Plan(NamedTuple):
 
 def _empty() -> Plan:
     table = np.zeros((1, 1), dtype=np.int64)
-    return Plan(Written(table, table), table, table, 0, 0, 0, 1, table[0], table, np.zeros((1, 1)), np.zeros((1, 1)), np.zeros(3))
+    return Plan(Written(table, table), table, table, 0, 0, 0, 1, table[0], table, np.zeros((1, 1)), np.zeros((1, 1)), np.zeros(4))
 
 
 EMPTY = _empty()     # of the compiled type of every plan
@@ -101,7 +101,7 @@ class Planner:
 
     def __init__(self, tables, laws, terms, geometry, staggered: bool, heat_flux: float, team: Team):
         self.team, self.laws, self.geometry, self.staggered, self.terms = team, laws, geometry, staggered, terms
-        self.dts, self.seen, self.led = np.zeros(3), np.zeros((team.threads, FOUND_FLOATS)), EMPTY
+        self.dts, self.seen, self.led = np.zeros(4), np.zeros((team.threads, FOUND_FLOATS)), EMPTY
         zones, charge, node_table, gradient, scratch = tables
         z, b, h = places(ZoneRows, zones, AT_ZONES), places(ChargeRows, charge, AT_ZONES), places(NodeRows, node_table, AT_NODES)
         in_place = dict(v=z.v, t1=z.s1, t2=z.s2) if staggered else {}
@@ -128,23 +128,23 @@ class Planner:
                         yield (command, k, member, intact), steps.operations
 
     def _of_nodes(self):
-        """((command, 0, 0, False), list) of every motion of inner nodes."""
+        """((command, 0, 0, False), list) of every motion of nodes."""
         z, h, forced = self._at[0].z, self._at[0].h, self.terms.forced
         mean, field = place(self.dts[DT_MEAN:]), self.terms.force.field
         if self.staggered:
-            motions = {LEAP: (nodes.leap, nodes.LeapRows(z.sigma, z.pull, z.width, h.inverse_mass, h.u, h.r))}
-        else:
-            motions = {ACCELERATE: (nodes.accelerate, nodes.AccelerateRows(z.sigma, z.hoop, h.r, h.u, h.inverse_mass, h.u_mean, h.r_half)),
-                       MOVE: (nodes.move, nodes.MoveRows(z.sigma_half, z.hoop_half, h.r_half, h.inverse_mass, h.u, h.u_mean, h.r))}
-        for command, (motion, rows) in motions.items():
-            steps = [Operation(motion, self.geometry, rows, self.dts[DT_MEAN:], self._at[0].whole)]
-            if forced and command == LEAP:
+            steps = [Operation(nodes.leap, self.geometry, nodes.LeapRows(z.sigma, z.pull, z.width, h.inverse_mass, h.u, h.r),
+                               self.dts[DT_MEAN:], self._at[0].whole)]
+            if forced:
                 steps.insert(0, Operation(sources.kick, None, sources.KickRows(h.r, h.u), field, mean))
-            elif forced and command == ACCELERATE:
-                steps.append(Operation(sources.drift, None, sources.DriftRows(h.r, h.u_mean, h.r_half), field, self._at[0].whole))
-            elif forced:
-                steps.append(Operation(sources.fall, None, sources.FallRows(h.r_half, h.u, h.u_mean, h.r), field, self._at[0].whole))
-            yield (command, 0, 0, False), steps
+            yield (LEAP, 0, 0, False), steps
+            return
+        drifted = nodes.DriftRows(h.r, h.u, h.u_mean, h.r_half)
+        yield (DRIFT, 0, 0, False), [Operation(nodes.drift, None, drifted, self.dts[AHEAD:], self._at[0].half)]
+        rows = nodes.MoveRows(z.sigma_half, z.hoop_half, h.r_half, h.inverse_mass, h.u, h.u_mean, h.r)
+        steps = [Operation(nodes.move, self.geometry, rows, self.dts, self._at[0].whole)]
+        if forced:
+            steps.append(Operation(sources.fall, None, sources.FallRows(h.r_half, h.u, h.u_mean, h.r), field, self._at[0].whole))
+        yield (MOVE, 0, 0, False), steps
 
     def _of_heat(self):
         """((FLOW, whether it burns, 0, False), list) of the artificial heat flux."""
@@ -164,11 +164,13 @@ class Planner:
             self.written, ends = write(self._lists.values())
             self.led = led(EMPTY, DO_SHARE, self.team)
             self._ends = dict(zip(self._lists, ends))
-        inner = [(first, last - 1, segment, 0) for first, last, segment in spans.tolist()]    # a zone less has as many nodes inside
+        # as many zones as there are nodes: inside a span, and with its ends
+        inner, every = ([(first, last + more, segment, 0) for first, last, segment in spans.tolist()] for more in (-1, 1))
         shares, commands = [], np.zeros((COMMANDS, 2), dtype=np.int64)
         known = {command for command, *_ in self._ends}
         for command in range(COMMANDS):
-            rows = runs.tolist() if command in (PREDICT, CORRECT, ADVANCE) else ranges.tolist() if command == FLOW else inner
+            rows = runs.tolist() if command in (PREDICT, CORRECT, ADVANCE) else ranges.tolist() if command == FLOW else \
+                every if command == DRIFT else inner
             if command not in known:
                 rows = []
             commands[command] = len(shares), len(shares) + len(rows)

@@ -27,7 +27,6 @@ from hugoniot.solvers.lagrange1d.nodes import add_impulse, pulse_value
 NO_FORCE = -1.0    # code of the shape of no pulse
 STIFFEST = 6.0     # c^2 over the energy of what has been heated: Gamma (Gamma + 1) of Gamma = 2, above any gas
 
-DriftRows = namedtuple("DriftRows", "r u_mean r_half")
 FallRows = namedtuple("FallRows", "r_half u u_mean r")
 KickRows = namedtuple("KickRows", "r u")
 SupplyRows = namedtuple("SupplyRows", "weights e")
@@ -110,19 +109,9 @@ def _integral(depth, source):
 
 
 # -- passes: inner nodes as in `nodes`, `numbers` the field ------------------------------------------------------------
-@zone_pass(DriftRows)
-def drift(count, z, dt, numbers, law):
-    """Predictor: what the force adds to the mean velocity and to the position in the middle of the step."""
-    rows_apart()
-    for j in range(count):
-        more = 0.5 * dt * field_at(z.r[j + 1], numbers)
-        z.u_mean[j + 1] += more
-        z.r_half[j + 1] += 0.5 * dt * more
-
-
 @zone_pass(FallRows)
 def fall(count, z, dt, numbers, law):
-    """Corrector: what it adds to velocity and position at the end of the step."""
+    """What it adds to velocity and position at the end of the step."""
     rows_apart()
     for j in range(count):
         more = dt * field_at(z.r_half[j + 1], numbers)

@@ -38,6 +38,7 @@ def plan_first_step(solver) -> None:
     first = options.initial_step or 0.1 * control[L.COURANT] / control[L.RATE]
     control[L.DT_NATURAL] = first / control[L.GROWTH]
     control[L.DT] = control[L.DT_OLD] = first if solver.staggered else 0.0
+    solver.nodes[H.u_mean] = solver.nodes[H.u]     # no acceleration is known yet
     renew_gradients(solver)
 
 

@@ -2,10 +2,10 @@
 
 compatible                                             wilkins (Wilkins B.2)
  1. step: Courant, growth, closing gaps, events          1. the same
- 2. predictor: accelerate nodes, ends, mid positions     2. leap nodes and ends by the stresses at n
- 3. gradient ghosts                                      3. zones: strains, yield, q, energy with pressure
+ 2. nodes: drift to the middle by the velocities at n    2. leap nodes and ends by the stresses at n
+ 3. transmitting ends and gradients beyond the ends      3. zones: strains, yield, q, energy with pressure
  4. zones: stress in the middle of the step              4. watch
- 5. corrector: move nodes, ends, book boundary work
+ 5. nodes: kick by it, drift to the end; boundary work
  6. zones: energy, stress, signal rate at the end
  7. heat flux, conduction, watch: soundness and peaks, failing zones, interfaces, gaps, gauges
 
@@ -28,8 +28,8 @@ from hugoniot.solvers.lagrange1d import layout as L
 from hugoniot.solvers.lagrange1d.at_nodes import fail_at_nodes
 from hugoniot.solvers.lagrange1d.conduction import conduct
 from hugoniot.solvers.lagrange1d.layout import H, Z
-from hugoniot.solvers.lagrange1d.nodes import add_impulse, end_node, end_pull, leap_end
-from hugoniot.solvers.lagrange1d.plan import ACCELERATE, ADVANCE, CORRECT, DT, DT_HALF, DT_MEAN, FLOW, LEAP, MOVE, PREDICT, gather
+from hugoniot.solvers.lagrange1d.nodes import add_impulse, end_node, end_pull, follow_end, leap_end
+from hugoniot.solvers.lagrange1d.plan import ADVANCE, AHEAD, CORRECT, DRIFT, DT, DT_HALF, DT_MEAN, FLOW, LEAP, MOVE, PREDICT, gather
 from hugoniot.solvers.lagrange1d.ring import mix_seam, ring_ghosts, seam_flux
 from hugoniot.solvers.lagrange1d.sources import book_force, book_supply, heated_step, measure_force
 from hugoniot.solvers.lagrange1d.terms import NoTerms
@@ -148,16 +148,17 @@ def take_step(a, plan, scheme, geometry, boundaries):
 def step_compatible(a, plan, scheme, geometry, boundaries):
     """Steps 2 to 6 of the compatible integrator, and the heat flux."""
     dt, segments = plan.dts[DT], a.segments
-    for stage in range(2):
-        corrector = stage == 1
-        if corrector:
-            ghosts(a.gradient, a.control, segments)
-            ring_ghosts(a.gradient, segments)
-            everyone(plan, PREDICT)
-        everyone(plan, MOVE if corrector else ACCELERATE)
-        for end in range(2 * segments.shape[0]):
-            ends, left = end_of(segments, end)
-            end_node(a.zones, a.nodes, a.control, ends, left, corrector, dt, boundaries[0 if left else 1], geometry)
+    everyone(plan, DRIFT)
+    for end in range(2 * segments.shape[0]):
+        ends, left = end_of(segments, end)
+        follow_end(a.zones, a.control, ends, left, dt, boundaries[0 if left else 1])
+    ghosts(a.gradient, a.control, segments)
+    ring_ghosts(a.gradient, segments)
+    everyone(plan, PREDICT)
+    everyone(plan, MOVE)
+    for end in range(2 * segments.shape[0]):
+        ends, left = end_of(segments, end)
+        end_node(a.zones, a.nodes, a.control, ends, left, dt, boundaries[0 if left else 1], geometry)
     everyone(plan, CORRECT)
     through = seam_flux(a.zones, a.nodes, a.control, dt, boundaries[0])
     everyone(plan, FLOW)
@@ -166,10 +167,9 @@ def step_compatible(a, plan, scheme, geometry, boundaries):
 
 def step_wilkins(a, plan, scheme, geometry, boundaries):
     """Steps 2 and 3 of the leapfrog."""
-    segments = a.segments
     everyone(plan, LEAP)
-    for end in range(2 * segments.shape[0]):
-        ends, left = end_of(segments, end)
+    for end in range(2 * a.segments.shape[0]):
+        ends, left = end_of(a.segments, end)
         leap_end(a.zones, a.nodes, a.control, ends, left, plan.dts, boundaries[0 if left else 1], geometry)
     everyone(plan, ADVANCE)
 
@@ -190,10 +190,9 @@ AT_NODES = Entry(ask_at_nodes)
 @nb.njit(**BY_ADDRESS)
 def event_of(a, geometry, found):
     """(what happens to the bodies now, where), or (PAUSED, -1)."""
-    if a.segments.shape[0] > 1:
-        gap = touching_gap(a.zones, a.nodes, a.segments)
-        if gap >= 0:
-            return L.VOID_CLOSES, gap
+    gap = touching_gap(a.zones, a.nodes, a.segments) if a.segments.shape[0] > 1 else -1
+    if gap >= 0:
+        return L.VOID_CLOSES, gap
     if a.asking != 0:
         call_entry(a.asking, a, geometry, found)
     if a.control[L.WORST_FAILURE] >= 1.0 or a.counters[L.FRACTURING] > 0 or a.asking != 0:
@@ -275,6 +274,7 @@ def march(cycles, a, plan, scheme, geometry, boundaries, gauges, terms):
             return L.STEP_COLLAPSED
         dt = begin_terms(dt, a, scheme, terms)
         plan.dts[DT], plan.dts[DT_MEAN], plan.dts[DT_HALF] = dt, 0.5 * (dt + control[L.DT_OLD]), 0.5 * dt
+        plan.dts[AHEAD] = min(dt / control[L.DT_OLD], L.LONGEST_AHEAD) if control[L.DT_OLD] > 0.0 else 0.0
         take_step(a, plan, scheme, geometry, boundaries)
         end_terms(a, plan, scheme, geometry, terms)
         gather(plan.found)

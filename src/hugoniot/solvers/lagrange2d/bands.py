@@ -18,9 +18,8 @@ from hugoniot.solvers.lagrange2d.commands import FROM, HEIGHT, TO
 # rows of the table of what comes before each row; as those below numbers of arrays: a function is compiled anew for each plain one
 LOADS, SPECIAL, HELD, AXIS, NODES, GHOSTS = np.arange(6)
 FIRST = np.int64(0)      # row
-# rows by which a step lags behind the forces of its start: not at all, nodes held then, stress in the middle, nodes held and moved, state
-# at the end
-NOW, HOLD, STRESS, MOTION, END = np.arange(5)
+# rows by which a step lags behind its drift to the middle: not at all, stress there, nodes held and moved, state at the end
+NOW, STRESS, MOTION, END = np.arange(4)
 
 
 def rows_of_nodes(mesh) -> np.ndarray:

@@ -18,9 +18,9 @@ from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.zones.soundness import FOUND_FAILURE, FOUND_RATE
 
 # commands: those of zones, then those of nodes
-GRADIENTS, PREDICT, CORRECT, START, LOOK, SHOW, ACCELERATE, PUSH, MOVE, TAKE_BACK, GATHER = range(11)
-COMMANDS = 11
-BY_MATERIAL = (PREDICT, CORRECT, START, SHOW)
+GRADIENTS, PREDICT, CORRECT, LOOK, SHOW, DRIFT, PUSH, MOVE, TAKE_BACK = range(9)
+COMMANDS = 9
+BY_MATERIAL = (PREDICT, CORRECT, SHOW)
 ZONES, NODES = range(2)                                       # rows
 COUNT, KIND, MEMBER, ORIGIN = range(4)                        # columns of the table of shares, the last one the first of the origins
 FROM, TO, HEIGHT = range(3)                                   # of the band: its first row and the one after its last, rows of a band
@@ -38,7 +38,7 @@ class Plan(NamedTuple):
     threads, board    of the team
     seen       (member, FOUND_COLUMNS): what passes find in a share
     found      a row for each share of zones, and the totals behind them
-    dts        dt, half of it, minus dt
+    dts        dt, half of it, minus dt, dt over that of the last step
     """
 
     written: Written
@@ -58,7 +58,7 @@ class Plan(NamedTuple):
 def _empty() -> Plan:
     table, floats = np.zeros((1, 1), dtype=np.int64), np.zeros((1, 1))
     return Plan(Written(table, table), np.zeros((1, 1, 1, 1), dtype=np.int64), table, table, table[0], 0, 0, 1, table[0], floats,
-                floats, np.zeros(3))
+                floats, np.zeros(4))
 
 
 EMPTY = _empty()     # of the compiled type of every plan
@@ -66,7 +66,7 @@ EMPTY = _empty()     # of the compiled type of every plan
 
 def do_share(plan, command, member):
     """One command over one member's rows of the band."""
-    of_zones, seen = command < ACCELERATE, plan.seen[member]
+    of_zones, seen = command < DRIFT, plan.seen[member]
     before, start = (plan.before[ZONES], 0) if of_zones else (plan.before[NODES], plan.found.shape[0] - 1)
     for i in range(before[plan.band[FROM]], before[plan.band[TO]]):
         share = plan.shares[start + i]

@@ -10,7 +10,6 @@ import numpy as np
 from hugoniot.errors import OutOfRange
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.assemble import N, Z, corner_shares, quad_corners
-from hugoniot.solvers.lagrange2d.commands import GATHER, carry_out_alone
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.corners import DEEP
 from hugoniot.solvers.lagrange2d.contact.results import contact_of, larger
@@ -86,7 +85,6 @@ class Erosion:
             self.take_out()
             corners = self.solver.numbering.representative[self.solver.problem.mesh.zone_nodes]
             lift_debris(self.solver.contact.tables, known, self.solver.nodes, self.surfaces.copies, corners)
-            carry_out_alone(self.solver.plan, (GATHER,))
             control = self.solver.control
             if code in (L.TANGLED, L.STEP_COLLAPSED):      # the step had shrunk for a zone that is gone
                 control[L.RATE] = np.max(np.where(self.live, z[Z.c] + 2.0 * z[Z.viscous_speed], 0.0) * self.solver._inverse_altitudes())

@@ -25,8 +25,8 @@ class Nodes(NamedTuple):
     vm: Any
     fx: Any          # force in the middle of the step
     fy: Any
-    gx: Any          # force at its start
-    gy: Any
+    du: Any          # half of the change of velocity in the last step
+    dv: Any
     im: Any          # inverse mass
     own: Any         # mass, divided among the copies of a node that blocks share
 

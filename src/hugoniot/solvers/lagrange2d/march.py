@@ -1,11 +1,11 @@
 """One time step, as a numbered list, and the march over many of them without leaving compiled code.
 
  1. step: Courant, growth, events
- 2. nodes: by the forces of the state at the start mean velocity and position of the middle of the step
+ 2. nodes: drift to the middle of the step by the velocities at its start
  3. zones: stress, viscosity and filters in the middle; their forces
- 4. nodes: those forces; mean velocity, motion to the end of the step
+ 4. nodes: kick by those forces; mean velocity, motion to the end of the step
  5. a zone tangled, or robbed of a third of its area? back to 2 with half the step
- 6. zones: energy by the work of the forces that moved the nodes, state at the end, its forces, signal rate; nodes: these forces
+ 6. zones: energy by the work of the forces that moved the nodes, state at the end, signal rate
 
 Steps 2 to 6 are taken band by band (`bands`). Where a band is not the whole mesh, the rows before a zone that is tangled have been led on:
 the march returns, and the step is taken again from a copy (`rewind`).
@@ -22,13 +22,13 @@ import numpy as np
 from hugoniot.core.passes import rows
 from hugoniot.core.shares import everyone
 from hugoniot.core.target import BY_ADDRESS, GUARD
+from hugoniot.solvers.lagrange1d.layout import LONGEST_AHEAD
 from hugoniot.solvers.lagrange2d import bands, special_nodes, transmitting
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.bands import between, take_rows
 from hugoniot.solvers.lagrange2d.commands import (
-    ACCELERATE,
     CORRECT,
-    GATHER,
+    DRIFT,
     GRADIENTS,
     HEIGHT,
     LOOK,
@@ -41,8 +41,7 @@ from hugoniot.solvers.lagrange2d.commands import (
 )
 from hugoniot.solvers.lagrange2d.contact import step as contact_step
 from hugoniot.solvers.lagrange2d.contact.step import touch
-from hugoniot.solvers.lagrange2d.node_step import FX, GX
-from hugoniot.solvers.lagrange2d.plane_rows import DT, DT_BACK, DT_HALF
+from hugoniot.solvers.lagrange2d.plane_rows import AHEAD, DT, DT_BACK, DT_HALF
 from hugoniot.solvers.lagrange2d.smoothness import fill_ghosts
 from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE, FOUND_RATE, FOUND_UNSOUND
 
@@ -108,33 +107,28 @@ def choose_step(control):
 
 
 @nb.njit(**BY_ADDRESS)
-def hold_specials(run, options, time, dt, first, which, span):
-    """Steps 2 and 4 for the nodes that something besides their own zones acts on; `first`: the first try, whose forces are gathered.
+def hold_specials(run, options, time, dt, span):
+    """Step 4 for the nodes that something besides their own zones acts on.
 
     span: (first row, one after the last) of the band, and the lag of the rows that are held.
     """
-    at_start, (last, top, lag) = which == GX, span
-    book = not at_start
+    last, top, lag = span
     a, b = between(run.before, bands.LOADS, last, top, lag - 1, run.loads.shape[0])
     loads, given = run.loads[a:b], run.given[a:b]
     a, b = between(run.before, bands.SPECIAL, last, top, lag, run.special.shape[0])
     special = run.special[a:b]
     a, b = between(run.before, bands.HELD, last, top, lag, run.held.shape[0])
     held, normals = run.held[a:b], run.held_normals[a:b]
-    if first or book:
-        pulses, geometry = (run.pulses, run.tables), (options.kind, options.near)
-        special_nodes.load(run.nodes, run.middle, loads, given, pulses, run.ends, time + 0.5 * dt, at_start, geometry)
-        special_nodes.exchange(run.nodes, which, run.starts, run.members)
-    special_nodes.free_motion(run.nodes, run.middle, special, which == GX, dt, (options.gx, options.gy))
-    special_nodes.transmit(run.nodes, run.gates, run.gate_normals, run.chains, dt, book)
-    special_nodes.hold(run.nodes, run.middle, held, normals, run.pulses, run.tables, run.chains, time + dt, book)
-    if at_start:
-        special_nodes.special_middle(run.nodes, run.middle, special, dt)
-    touch(run, time, dt, contact_step.PUSH if book else contact_step.PUSH_MIDDLE)
-    if book:
-        transmitting.answer(run, dt, options.kind, options.near)
-        a, b = between(run.before, bands.LOADS, last, top, lag, run.loads.shape[0])
-        special_nodes.book_loads(run.nodes, run.middle, run.loads[a:b], run.given[a:b], run.chains, dt)
+    pulses, geometry = (run.pulses, run.tables), (options.kind, options.near)
+    special_nodes.load(run.nodes, run.middle, loads, given, pulses, run.ends, time + 0.5 * dt, geometry)
+    special_nodes.exchange(run.nodes, run.starts, run.members)
+    special_nodes.free_motion(run.nodes, run.middle, special, dt, (options.gx, options.gy))
+    special_nodes.transmit(run.nodes, run.gates, run.gate_normals, run.chains, dt)
+    special_nodes.hold(run.nodes, run.middle, held, normals, run.pulses, run.tables, run.chains, time + dt, True)
+    touch(run, time, dt, contact_step.PUSH)
+    transmitting.answer(run, dt, options.kind, options.near)
+    a, b = between(run.before, bands.LOADS, last, top, lag, run.loads.shape[0])
+    special_nodes.book_loads(run.nodes, run.middle, run.loads[a:b], run.given[a:b], run.chains, dt)
 
 
 @nb.njit(**BY_ADDRESS)
@@ -157,9 +151,9 @@ def power_of_body_force(run, options, power, span):
 
 
 @nb.njit(**BY_ADDRESS)
-def set_step(plan, dt):
-    """Tell the passes the time step."""
-    plan.dts[DT], plan.dts[DT_HALF], plan.dts[DT_BACK] = dt, 0.5 * dt, -dt
+def set_step(plan, dt, ahead):
+    """Give the passes the time step, and its ratio to the last one if that was taken."""
+    plan.dts[DT], plan.dts[DT_HALF], plan.dts[DT_BACK], plan.dts[AHEAD] = dt, 0.5 * dt, -dt, ahead
 
 
 @nb.njit(**BY_ADDRESS)
@@ -178,19 +172,16 @@ def in_bands(plan):
 
 
 @nb.njit(**BY_ADDRESS)
-def try_step(run, plan, options, control, first):
-    """Steps 2 to 6 with the step of the plan; how many zones are tangled, in which case nothing has moved if a band is the whole mesh.
-    `first`: the first try."""
+def try_step(run, plan, options, control):
+    """Steps 2 to 6 with the step of the plan; how many zones are tangled, in which case nothing has moved if a band is the whole mesh."""
     dt, time, top, rows, power = plan.dts[DT], control[L.TIME], bands.FIRST, plan.before.shape[1] - 1, 0.0
     transmitting.listen(run, dt, options.kind, options.near)
-    special_nodes.axis_masses(run.nodes, run.middle, run.axis, run.axis_ratio, options.near, False)
     while top < rows:
         last, top = top, bands.next_top(plan, top)
         if in_bands(plan):
             look_around(run, plan, last, top)
         take_rows(plan, last, top, bands.NOW)
-        everyone(plan, ACCELERATE)
-        hold_specials(run, options, time, dt, first, GX, (last, top, bands.HOLD))
+        everyone(plan, DRIFT)
         take_rows(plan, last, top, bands.STRESS)
         everyone(plan, PREDICT)
         wrong = tangled(plan)
@@ -198,9 +189,9 @@ def try_step(run, plan, options, control, first):
             copy(run.ends_kept, run.ends)
             return wrong
         a, b = between(run.before, bands.AXIS, last, top, bands.STRESS, run.axis.shape[0])
-        special_nodes.axis_masses(run.nodes, run.middle, run.axis[a:b], run.axis_ratio[a:b], options.near, True)
+        special_nodes.axis_masses(run.nodes, run.middle, run.axis[a:b], run.axis_ratio[a:b], options.near)
         everyone(plan, PUSH)
-        hold_specials(run, options, time, dt, first, FX, (last, top, bands.MOTION))
+        hold_specials(run, options, time, dt, (last, top, bands.MOTION))
         take_rows(plan, last, top, bands.MOTION)
         everyone(plan, MOVE)
         if options.gx != 0.0 or options.gy != 0.0:
@@ -217,7 +208,6 @@ def try_step(run, plan, options, control, first):
             return wrong
         touch(run, time, dt, contact_step.ACCEPT)
         everyone(plan, CORRECT)
-        everyone(plan, GATHER)
     control[L.GRAVITY_WORK] += dt * power
     gather(plan.found)
     return 0.0
@@ -225,7 +215,7 @@ def try_step(run, plan, options, control, first):
 
 @nb.njit(**BY_ADDRESS)
 def forget_try(zones):
-    """No viscous stress for the prediction of the next try: what stands there is that of a try that went wrong, maybe not a number."""
+    """No viscous stress in the first half of the next try: what stands there is that of a try that went wrong, maybe not a number."""
     for row in VISCOUS:
         zones[row] = 0.0
 
@@ -238,21 +228,21 @@ def take_step(run, plan, options, control, counters):
     dt, tries, time = choose_step(control), 0, control[L.TIME]
     if not control[L.DT_NATURAL] > control[L.DT_SMALLEST]:
         return L.STEP_COLLAPSED
-    set_step(plan, dt)
+    set_step(plan, dt, min(dt / control[L.DT], LONGEST_AHEAD) if control[L.DT] > 0.0 else 0.0)
     touch(run, time, dt, contact_step.CLOSE)
     copy(run.chains, run.kept)
     if not in_bands(plan):      # several tries may need it, and transmitting edges follow it
         look_around(run, plan, bands.FIRST, plan.before.shape[1] - 1)
     transmitting.lag(run)
     copy(run.ends, run.ends_kept)
-    while try_step(run, plan, options, control, tries == 0) > 0.0:
+    while try_step(run, plan, options, control) > 0.0:
         if in_bands(plan):
             return L.LED_ON
         tries += 1
         counters[L.REPEATED] += 1
         forget_try(run.zones)
         dt *= 0.5
-        set_step(plan, dt)
+        set_step(plan, dt, 0.0)
         control[L.DT_NATURAL] = dt
         if tries > MOST_TRIES:
             return L.TANGLED

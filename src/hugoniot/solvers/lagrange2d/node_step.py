@@ -5,13 +5,10 @@ The nodes of a block move by their own zones' forces first. Then the special one
 
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from hugoniot.core.binder import bind, bind_choice
 from hugoniot.core.passes import rows_apart, zone_pass
 from hugoniot.solvers.lagrange2d import layout as L
 
-FX, GX = np.array([L.Nodes._fields.index("fx"), L.Nodes._fields.index("gx")])     # as the numbers of `bands`
 LEAST_LEFT = 0.8     # of the area in the middle of a step; a step takes no more than a third of a zone's area
 
 
@@ -46,14 +43,6 @@ class OfPairs(NamedTuple):
     ends: Any
 
 
-class GatherOf(NamedTuple):
-    """Corner forces -> whole force."""
-
-    behind: Behind
-    before: Before
-    force: L.Vector
-
-
 class MeanOf(NamedTuple):
     """Corner forces in the middle of the step, velocity at its start -> whole force, mean velocity."""
 
@@ -67,23 +56,23 @@ class MeanOf(NamedTuple):
     vm: Any
 
 
-class PredictOf(NamedTuple):
-    """Whole force and motion at the start -> mean velocity, position in the middle of the step."""
+class DriftOf(NamedTuple):
+    """Motion at the start, half of the change of velocity in the step before -> velocity and position in the middle of the step."""
 
     x: Any
     y: Any
     u: Any
     v: Any
-    im: Any
-    force: L.Vector
     um: Any
     vm: Any
+    du: Any
+    dv: Any
     xh: Any
     yh: Any
 
 
 class MoveOf(NamedTuple):
-    """Motion at the start and mean velocity -> motion at the end."""
+    """Motion at the start and mean velocity -> motion at the end, half of the change of velocity."""
 
     x: Any
     y: Any
@@ -91,6 +80,8 @@ class MoveOf(NamedTuple):
     v: Any
     um: Any
     vm: Any
+    du: Any
+    dv: Any
 
 
 def gather(count, behind, before, force):
@@ -137,22 +128,18 @@ for _function in (gather_of_quads, gather_of_triangles, start_of, end_of):
     bind(_function)
 
 
-@zone_pass(GatherOf)
-def gather_forces(count, n, dt, numbers, law):
-    """Forces at the end of a step, which push at the start of the next one."""
-    rows_apart()
-    gather(count, n.behind, n.before, n.force)
+@zone_pass(DriftOf)
+def drift(count, n, dt, numbers, law):
+    """To the middle of the step: positions by the velocities at its start, and those led on by the acceleration of the step before.
 
-
-@zone_pass(PredictOf)
-def predict(count, n, dt, numbers, law):
-    """Mean velocity and the position in the middle of the step, by the forces at its start; numbers: a body force per mass."""
+    dt is half the step, numbers[0] its ratio to the one before.
+    """
     rows_apart()
-    half, gx, gy = 0.5 * dt, numbers[0], numbers[1]
+    ahead = numbers[0]
     for j in range(count):
-        um, vm = n.u[j] + half * (n.force.x[j] * n.im[j] + gx), n.v[j] + half * (n.force.y[j] * n.im[j] + gy)
-        n.um[j], n.vm[j] = um, vm
-        n.xh[j], n.yh[j] = n.x[j] + half * um, n.y[j] + half * vm
+        u, v = n.u[j], n.v[j]
+        n.um[j], n.vm[j] = u + ahead * n.du[j], v + ahead * n.dv[j]
+        n.xh[j], n.yh[j] = n.x[j] + dt * u, n.y[j] + dt * v
 
 
 @zone_pass(MeanOf)
@@ -171,10 +158,12 @@ def move(count, n, dt, numbers, law):
     """To the end of the step; a negative dt takes it back."""
     rows_apart()
     for j in range(count):
-        n.x[j] += dt * n.um[j]
-        n.y[j] += dt * n.vm[j]
-        n.u[j] = 2.0 * n.um[j] - n.u[j]
-        n.v[j] = 2.0 * n.vm[j] - n.v[j]
+        um, vm = n.um[j], n.vm[j]
+        n.x[j] += dt * um
+        n.y[j] += dt * vm
+        n.du[j], n.dv[j] = um - n.u[j], vm - n.v[j]
+        n.u[j] = 2.0 * um - n.u[j]
+        n.v[j] = 2.0 * vm - n.v[j]
 
 
 class LookOf(NamedTuple):

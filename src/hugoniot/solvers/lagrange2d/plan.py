@@ -16,18 +16,16 @@ from hugoniot.solvers.lagrange2d import (
     smoothness,
     triangle_passes,
     triangle_step,
-    zone_passes,
     zone_step,
 )
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.commands import (
-    ACCELERATE,
     BY_MATERIAL,
     COMMANDS,
     CORRECT,
     DO_SHARE,
+    DRIFT,
     EMPTY,
-    GATHER,
     GRADIENTS,
     HEIGHT,
     LOOK,
@@ -37,12 +35,12 @@ from hugoniot.solvers.lagrange2d.commands import (
     PREDICT,
     PUSH,
     SHOW,
-    START,
     TAKE_BACK,
     ZONES,
     Plan,
 )
 from hugoniot.solvers.lagrange2d.plane_rows import (
+    AHEAD,
     AT_GRADIENTS,
     AT_GRADIENTS_BEFORE,
     AT_GRADIENTS_BEHIND,
@@ -54,6 +52,7 @@ from hugoniot.solvers.lagrange2d.plane_rows import (
     BOTH,
     DT,
     DT_BACK,
+    DT_HALF,
     OF_ZONES,
     RowsOfRun,
 )
@@ -111,22 +110,19 @@ class Planner:
                     self._compare(predict, closes)
                 zone_step.predict(predict, self.geometry, numbers, fluid, self.viscosity.kind)
                 conduction, keeps_trace = self._conduction(at, laws, fluid), laws.burns or self._some_conduct or not self.shows
-                zone_step.correct(correct, self.geometry, numbers, fluid, conduction, keeps_trace)
+                zone_step.correct(correct, self.geometry, numbers, conduction, keeps_trace)
                 yield (PREDICT, k, member), predict.operations
                 yield (CORRECT, k, member), correct.operations
-                rows = zone_passes.StartOf(at.now, at.z.p, at.q, at.s, at.f)
-                yield (START, k, member), [Operation(zone_passes.start, self.geometry, rows, numbers, at.whole)]
 
     def _of_cells(self, k, member, laws, numbers, shared):
         """The same of a material in triangles."""
         pair = self.places.pair(member)
-        predict, correct, start = (triangle_step.Cell(laws, pair, self.geometry, numbers, shared) for _ in range(3))
+        predict, correct = (triangle_step.Cell(laws, pair, self.geometry, numbers, shared) for _ in range(2))
         if self.viscosity.limited:
             self._compare(predict.steps[0], predict.steps[0].at.everywhere)
         predict.predict(self.viscosity.kind)
         correct.correct()
-        start.start()
-        for command, cell in ((PREDICT, predict), (CORRECT, correct), (START, start)):
+        for command, cell in ((PREDICT, predict), (CORRECT, correct)):
             yield (command, k, member), cell.operations
 
     def _find_closing(self, s):
@@ -186,16 +182,15 @@ class Planner:
         step = triangle_passes if self.triangles else node_step
         for beside in (BOTH, BEHIND_ONLY, BEFORE_ONLY):
             behind, before = self.places.beside(beside)
-            first, force = L.Vector(n.gx, n.gy), L.Vector(h.fx, h.fy)
+            moved = node_step.MoveOf(n.x, n.y, n.u, n.v, h.um, h.vm, n.du, n.dv)
             motions = {
-                GATHER: (step.gather_forces, node_step.GatherOf(behind, before, first)),
-                ACCELERATE: (node_step.predict,
-                             node_step.PredictOf(n.x, n.y, n.u, n.v, n.im, first, h.um, h.vm, h.xh, h.yh)),
-                PUSH: (step.mean_motion, node_step.MeanOf(behind, before, n.u, n.v, n.im, force, h.um, h.vm)),
-                MOVE: (node_step.move, node_step.MoveOf(n.x, n.y, n.u, n.v, h.um, h.vm))}
-            for command, (motion, rows) in motions.items():
-                yield (command, beside, 0), [Operation(motion, None, rows, self._body_force, whole)]
-            yield (TAKE_BACK, beside, 0), [Operation(node_step.move, None, motions[MOVE][1], self._body_force, place(self.dts[DT_BACK:]))]
+                DRIFT: (node_step.drift, node_step.DriftOf(*moved, h.xh, h.yh), place(self.dts[DT_HALF:])),
+                PUSH: (step.mean_motion, node_step.MeanOf(behind, before, n.u, n.v, n.im, L.Vector(h.fx, h.fy), h.um, h.vm), whole),
+                MOVE: (node_step.move, moved, whole),
+                TAKE_BACK: (node_step.move, moved, place(self.dts[DT_BACK:]))}
+            for command, (motion, rows, step_time) in motions.items():
+                numbers = self.dts[AHEAD:] if command == DRIFT else self._body_force
+                yield (command, beside, 0), [Operation(motion, None, rows, numbers, step_time)]
 
     def plan(self, zone_rows, node_rows) -> Plan:
         """The plan for the rows of a mesh: of nodes (count, rows of zones beside it, origins...), and of zones those behind each of them
@@ -225,7 +220,7 @@ class Planner:
         kinds = 1 + max(kind for _, kind, _ in self._lists)
         table = np.zeros((COMMANDS, kinds, self.team.threads, 2), dtype=np.int64)
         for (command, kind, member), end in zip(self._lists, ends):
-            if command >= ACCELERATE:
+            if command >= DRIFT:
                 table[command, kind] = end
             else:
                 table[command, kind if command in BY_MATERIAL else slice(None), member] = end

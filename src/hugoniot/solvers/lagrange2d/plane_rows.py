@@ -17,7 +17,7 @@ from hugoniot.solvers.lagrange2d import node_step, triangle_step
 OF_ZONES = (AT_ZONES, AT_BEFORE, AT_UPPER, AT_UPPER_BEFORE)
 OF_FORCES = (AT_FORCES, AT_FORCES_BEFORE, AT_UPPER_FORCES, AT_UPPER_FORCES_BEFORE)
 BY_FORCES = dict(zip(OF_ZONES, OF_FORCES))
-DT, DT_HALF, DT_BACK = range(3)                               # of the row of time steps
+DT, DT_HALF, DT_BACK, AHEAD = range(4)                        # of the row of time steps
 BOTH, BEHIND_ONLY, BEFORE_ONLY = range(3)                     # rows of zones beside a row of nodes
 
 
@@ -66,7 +66,7 @@ class RowsOfRun:
 
     def __init__(self, tables, threads: int, longest: int):
         self.zones, self.forces, self.charge, self.nodes, self.gradients, self.own = tables
-        self.threads, self.dts, self.seen = threads, np.zeros(3), np.zeros((threads, L.FOUND_COLUMNS))
+        self.threads, self.dts, self.seen = threads, np.zeros(4), np.zeros((threads, L.FOUND_COLUMNS))
         self.scratch = zone_table(L.SCRATCH_ROWS, threads * L.PIECE * (1 if self.own is None else 2))
         self._nothing, self._everywhere = np.zeros(longest + 2), np.ones(L.PIECE)
 

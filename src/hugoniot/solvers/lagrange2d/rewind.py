@@ -24,7 +24,7 @@ MOST_TRIES = 12      # of the same trouble, each with half the step of the one b
 CLEAR = 4 * MOST_TRIES     # steps without trouble after which it counts as over
 NOT_LED_ON = {"mass", "inverse_mass", "t0", "t1"}
 ZONE_ROWS = np.array([k for k, name in enumerate(Z._fields) if name not in NOT_LED_ON])
-NODE_ROWS = np.array([N.x, N.y, N.u, N.v, N.gx, N.gy, N.im])
+NODE_ROWS = np.array([N.x, N.y, N.u, N.v, N.du, N.dv, N.im])
 WHOLE = ("control", "counters", "chains", "ends")
 
 

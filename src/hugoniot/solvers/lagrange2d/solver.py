@@ -21,7 +21,7 @@ from hugoniot.solvers.lagrange2d.accounts import B
 from hugoniot.solvers.lagrange2d.assemble import N, Numbering, Z, axis_tables, kind_of, materials_of, node_tables, unburned, zone_tables
 from hugoniot.solvers.lagrange2d.bands import in_rows
 from hugoniot.solvers.lagrange2d.boundaries import boundary_tables
-from hugoniot.solvers.lagrange2d.commands import EMPTY, GATHER, START, carry_out_alone
+from hugoniot.solvers.lagrange2d.commands import EMPTY
 from hugoniot.solvers.lagrange2d.contact.results import contact_of
 from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces, with_rigid
 from hugoniot.solvers.lagrange2d.erosion import Erosion, NoErosion
@@ -128,14 +128,9 @@ class Lagrange2D(Shown, NothingToAdd):
         first = options.initial_step or 0.1 * control[L.COURANT] / control[L.RATE]
         control[L.DT_NATURAL] = first / control[L.GROWTH]
         transmitting.begin(self.run, self.kind, self.options.near)
-        self.take_over()
+        self.rewind.forget()
         self.start_energy, self.start_mass = accounts.total_energy(self.zones, self.nodes), self.zones[Z.mass].sum()
         self.start_momentum = accounts.momentum(self.nodes)
-
-    def take_over(self) -> None:
-        """Find the forces of a state that was changed from outside, between two steps."""
-        self.rewind.forget()
-        carry_out_alone(self.plan, (START, GATHER))
 
     # -- marching --------------------------------------------------------------------------------------------
     @property

@@ -34,7 +34,7 @@ def edge_force(x1, y1, x2, y2, kind, near):
 
 
 @nb.njit(**BY_ADDRESS)
-def load(nodes, middle, loads, given, pulses, ends, time, at_start, geometry):
+def load(nodes, middle, loads, given, pulses, ends, time, geometry):
     """Add the pressure on loaded edges to the forces of their nodes, and keep it in `given` (edge, 4) for the booking of its work.
 
     A transmitting edge, of pulse -1 - its number, has the stress outside and the lead of `ends`; what the motion adds is `transmit`.
@@ -44,10 +44,7 @@ def load(nodes, middle, loads, given, pulses, ends, time, at_start, geometry):
     kind, near = geometry
     for i in range(loads.shape[0]):
         a, b, sign = loads[i, L.LOAD_A], loads[i, L.LOAD_B], loads[i, L.LOAD_OUTWARD]
-        if at_start:
-            force = edge_force(n.x[a], n.y[a], n.x[b], n.y[b], kind, near)
-        else:
-            force = edge_force(n.xh[middle[a]], n.yh[middle[a]], n.xh[middle[b]], n.yh[middle[b]], kind, near)
+        force = edge_force(n.xh[middle[a]], n.yh[middle[a]], n.xh[middle[b]], n.yh[middle[b]], kind, near)
         pulse = loads[i, L.LOAD_PULSE]
         if pulse < 0:
             pressure = ends[-1 - pulse, OUTSIDE] + ends[-1 - pulse, LEAD]
@@ -56,16 +53,10 @@ def load(nodes, middle, loads, given, pulses, ends, time, at_start, geometry):
         push = -sign * pressure
         for k in range(4):
             given[i, k] = push * force[k]
-        if at_start:
-            n.gx[a] += given[i, 0]
-            n.gy[a] += given[i, 1]
-            n.gx[b] += given[i, 2]
-            n.gy[b] += given[i, 3]
-        else:
-            n.fx[middle[a]] += given[i, 0]
-            n.fy[middle[a]] += given[i, 1]
-            n.fx[middle[b]] += given[i, 2]
-            n.fy[middle[b]] += given[i, 3]
+        n.fx[middle[a]] += given[i, 0]
+        n.fy[middle[a]] += given[i, 1]
+        n.fx[middle[b]] += given[i, 2]
+        n.fy[middle[b]] += given[i, 3]
 
 
 @nb.njit(**BY_ADDRESS)
@@ -82,45 +73,44 @@ def book_loads(nodes, middle, loads, given, chains, dt):
 
 # -- nodes that blocks share --------------------------------------------------------------------------------------------------------
 @nb.njit(**BY_ADDRESS)
-def exchange(nodes, which, starts, members):
-    """Sum the two rows `which` and the one after over every group of nodes that are one, in fixed order, and give the sum to each."""
+def exchange(nodes, starts, members):
+    """Sum the forces over every group of nodes that are one, in fixed order, and give the sum to each."""
+    n = rows(L.Nodes, nodes, 0)
     for k in range(starts.shape[0] - 1):
         x, y = 0.0, 0.0
         for m in range(starts[k], starts[k + 1]):
-            x += nodes[which, members[m]]
-            y += nodes[which + 1, members[m]]
+            x += n.fx[members[m]]
+            y += n.fy[members[m]]
         for m in range(starts[k], starts[k + 1]):
-            nodes[which, members[m]] = x
-            nodes[which + 1, members[m]] = y
+            n.fx[members[m]] = x
+            n.fy[members[m]] = y
 
 
 @nb.njit(**BY_ADDRESS)
-def axis_masses(nodes, middle, axis, ratio, near, halfway):
+def axis_masses(nodes, middle, axis, ratio, near):
     """Area weighted: a node on the axis has the areal mass of its neighbour off the axis times the ratio of both at t = 0.
 
-    halfway: whether the neighbour's radius counts in the middle of the step, as for the forces there, or at its start.
+    The neighbour's radius is that in the middle of the step, as for the forces there.
     """
     n = rows(L.Nodes, nodes, 0)
     for i in range(axis.shape[0]):
         node, beside = axis[i, 0], axis[i, 1]
-        radius = n.xh[middle[beside]] if halfway else n.x[beside]
-        n.im[node] = n.im[beside] * radius / (near * ratio[i])
+        n.im[node] = n.im[beside] * n.xh[middle[beside]] / (near * ratio[i])
 
 
 # -- special nodes: motion again, and what holds them ---------------------------------------------------------------------------------
 @nb.njit(**BY_ADDRESS)
-def free_motion(nodes, middle, special, at_start, dt, body_force):
+def free_motion(nodes, middle, special, dt, body_force):
     """Mean velocity of the special nodes from their whole forces."""
     n, (gx, gy) = rows(L.Nodes, nodes, 0), body_force
     for i in range(special.shape[0]):
         k, m = special[i], middle[special[i]]
-        fx, fy = (n.gx[k], n.gy[k]) if at_start else (n.fx[m], n.fy[m])
-        n.um[m] = n.u[k] + 0.5 * dt * (fx * n.im[k] + gx)
-        n.vm[m] = n.v[k] + 0.5 * dt * (fy * n.im[k] + gy)
+        n.um[m] = n.u[k] + 0.5 * dt * (n.fx[m] * n.im[k] + gx)
+        n.vm[m] = n.v[k] + 0.5 * dt * (n.fy[m] * n.im[k] + gy)
 
 
 @nb.njit(**BY_ADDRESS)
-def transmit(nodes, gates, normals, chains, dt, book):
+def transmit(nodes, gates, normals, chains, dt):
     """What a transmitting boundary answers: its impedance times the change of velocity along its normal, stable at any step.
 
     gates: (node, chain, booked); normals: (x, y) whose length is the impedance, rho c times the area, kg/s.
@@ -137,7 +127,7 @@ def transmit(nodes, gates, normals, chains, dt, book):
         taken = speed * weight / (1.0 + weight)
         n.um[k] -= taken * nx
         n.vm[k] -= taken * ny
-        if book and gates[i, 2] == 1:
+        if gates[i, 2] == 1:
             force, chain = -impedance * (speed - taken), gates[i, 1]
             chains[chain, L.CHAIN_WORK] += dt * force * (n.um[k] * nx + n.vm[k] * ny)
             chains[chain, L.CHAIN_IMPULSE_X] += dt * force * nx
@@ -182,13 +172,3 @@ def book_hold(chains, chain, impulse, nx, ny, u, v):
     chains[chain, L.CHAIN_WORK] += impulse * (nx * u + ny * v)
     chains[chain, L.CHAIN_IMPULSE_X] += impulse * nx
     chains[chain, L.CHAIN_IMPULSE_Y] += impulse * ny
-
-
-@nb.njit(**BY_ADDRESS)
-def special_middle(nodes, middle, special, dt):
-    """Positions of the special nodes in the middle of the step."""
-    n = rows(L.Nodes, nodes, 0)
-    for i in range(special.shape[0]):
-        k, m = special[i], middle[special[i]]
-        n.xh[m] = n.x[k] + 0.5 * dt * n.um[m]
-        n.yh[m] = n.y[k] + 0.5 * dt * n.vm[m]

@@ -31,9 +31,8 @@ def _over_triangles(known: Pass) -> Pass:
     return Pass(known.function, rows, known.options)
 
 
-strain, settle, shape, stand, start = (_over_triangles(known) for known in (
-    zone_passes.strain, zone_passes.settle, zone_passes.shape, zone_passes.stand, zone_passes.start))
-gather_forces, mean_motion = (_over_triangles(known) for known in (node_step.gather_forces, node_step.mean_motion))
+strain, settle, shape, push, mean_motion = (_over_triangles(known) for known in (
+    zone_passes.strain, zone_passes.settle, zone_passes.shape, zone_passes.push, node_step.mean_motion))
 
 
 class ThirdsOf(NamedTuple):

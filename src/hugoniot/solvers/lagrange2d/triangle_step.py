@@ -15,7 +15,7 @@ from hugoniot.solvers.lagrange2d import triangle_viscosity as viscosity
 from hugoniot.solvers.lagrange2d.hoop_viscosity import HoopOf, hoop_viscosity
 from hugoniot.solvers.lagrange2d.quads import AreaWeighted
 from hugoniot.solvers.lagrange2d.shown import TraceOf, trace
-from hugoniot.solvers.lagrange2d.zone_passes import SettleOf, ShapeOf, StandOf, StartOf, StrainOf
+from hugoniot.solvers.lagrange2d.zone_passes import SettleOf, ShapeOf, StandOf, StrainOf, StressOf, stand
 from hugoniot.solvers.lagrange2d.zone_step import pressure_at_end, pressure_in_middle, stress_at_end, stress_in_middle
 from hugoniot.zones.steps import MaterialSteps
 
@@ -102,13 +102,6 @@ class Cell:
         self.steps[0].do(of, rows, step, kind=self.geometry, numbers=self.numbers)
 
     # -- the step ----------------------------------------------------------------------------------------------------------
-    def start(self) -> None:
-        """Write how the corner forces at t = 0 are found."""
-        for part in self.pair:
-            at = part.at
-            self.do(passes.gather_thirds, part.thirds(at.now_low, at.now_high))
-            self.do(passes.start, StartOf(part.now, at.z.p, at.q, at.s, part.f))  # pyright: ignore
-
     def predict(self, kind: str) -> None:
         """Write how stress and forces in the middle of the step are found; kind: of the viscosity."""
         for part, s in zip(self.pair, self.steps):
@@ -128,7 +121,7 @@ class Cell:
         for part, s, rho in zip(self.pair, self.steps, solid):
             self._resist(part, s, rho, kind)
             at = part.at
-            self.do(passes.start, StartOf(places_of(part.mid), s.p_half, at.q, at.new, part.f))  # pyright: ignore
+            self.do(passes.push, StressOf(places_of(part.mid), s.p_half, at.q, at.new, part.f))  # pyright: ignore
             if kind == "edge":
                 self.do(passes.add_rest, passes.RestOf(part.mid, part.rest, part.f))
             if s.laws.burns:
@@ -152,7 +145,7 @@ class Cell:
             s.do(hoop_viscosity, HoopOf(at.d, w.rate, at.q, at.rest))
 
     def correct(self) -> None:
-        """Write how the state at the end of the step and its forces are found."""
+        """Write how the state at the end of the step is found."""
         for part in self.pair:
             at, z = part.at, part.at.z
             self.do(passes.gather_thirds, part.thirds(*at.mid))
@@ -178,8 +171,7 @@ class Cell:
         volumes = [solid_v for _, solid_v in closed]
         for part, s, solid_v in zip(self.pair, self.steps, volumes):
             at, z, w = part.at, part.at.z, part.at.w
-            self.do(passes.stand, StandOf(part.now, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed,  # pyright: ignore
-                                          w.inverse_length, at.s, part.f, s.seen))
+            s.do(stand, StandOf(at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s, s.seen))
             s.pace(w.inverse_length)
 
     # -- area weighted -------------------------------------------------------------------------------------------------------

@@ -4,8 +4,8 @@
     push_fluid, push_solid   corner forces of stress, viscosity and filters in the middle
     settle       motion to the end: strain rates, energy by the work of those forces
     shape        volume and smallest altitude at the end
-    stand        the state that stands: stress, sound speed, corner forces at the start of the next step
-    start        corner forces of the state at t = 0
+    stand        the state that stands: stress, sound speed
+    push         corner forces of stress and viscosity alone, of triangles in the middle
 
 Rows named for quadrilaterals serve triangles too (`triangle_passes`): `cells` chooses by the class of `corners`.
 """
@@ -93,10 +93,9 @@ class ShapeOf(NamedTuple):
 
 
 class StandOf(NamedTuple):
-    """Nodes, viscous stress, deviators found, stiffness, density and pressure -> deviators of the state, corner forces, largest principal
-    stress, c and peaks; found[FOUND_RATE] and found[FOUND_UNSOUND]."""
+    """Viscous stress, deviators found, stiffness, density and pressure -> deviators of the state, largest principal stress, c and peaks;
+    found[FOUND_RATE] and found[FOUND_UNSOUND]."""
 
-    corners: SidesNow
     q: Stress
     new: Tensor
     c2: Any
@@ -105,20 +104,11 @@ class StandOf(NamedTuple):
     speed: Any
     inverse: Any
     s: Tensor
-    f: Corners
     seen: PeakRows
 
 
-class StandFilteredOf(NamedTuple):
-    """The same with the shape at t = 0, for the filter of fluids."""
-
-    of: StandOf
-    t0: Any
-    t1: Any
-
-
-class StartOf(NamedTuple):
-    """Nodes, pressure, viscous stress and deviators of the state -> corner forces."""
+class StressOf(NamedTuple):
+    """Nodes, pressure, viscous stress and deviators -> corner forces."""
 
     corners: SidesNow
     p: Any
@@ -136,7 +126,7 @@ def stress_power(z, j, d):
 
 @zone_pass(StrainOf)
 def strain(count, z, dt, numbers, law):
-    """Strain rates with the predicted mean velocity; density and energy in the middle of the step."""
+    """Strain rates by the velocities at the start of the step; density and energy in its middle."""
     rows_apart()
     geometry, near, half, bad = kind_of(law), numbers[NEAR], 0.5 * dt, 0.0
     for j in range(count):
@@ -148,7 +138,8 @@ def strain(count, z, dt, numbers, law):
         z.v[j] = v
         z.rho[j] = 1.0 / v
         z.new_e[j] = z.e[j] + half * v * rate
-        bad += 0.0 if v > 0.0 else 1.0
+        # a zone inverted in both directions has a positive volume again, but grows as if it had come from a negative one
+        bad += 0.0 if v > 0.0 and half * d.dilation < 1.0 else 1.0
     z.tangled[0] += bad
 
 
@@ -231,13 +222,11 @@ def shape(count, z, dt, numbers, law):
         z.inverse[j] = longest * v * inverse
 
 
-def rate_of_state(z, j, b, constants):
-    """Write the state of zone j that stands at the end of the step and the forces of its stress; what it asks of the time step, 1/s."""
-    p, xx, yy, xy = z.seen.p[j], z.new.xx[j], z.new.yy[j], z.new.xy[j]
-    qxx, qyy, qxy, hoop = z.q.xx[j], z.q.yy[j], z.q.xy[j], z.q.hoop[j]
-    stress_forces(z.f, j, b, p, xx, yy, xy, qxx, qyy, qxy, hoop)
+def rate_of_state(z, j, constants):
+    """Write the state of zone j that stands at the end of the step; what it asks of the time step, 1/s."""
+    xx, yy, xy = z.new.xx[j], z.new.yy[j], z.new.xy[j]
     z.s.xx[j], z.s.yy[j], z.s.xy[j] = xx, yy, xy
-    z.seen.sigma[j] = principal(p, xx - qxx, yy - qyy, xy - qxy)
+    z.seen.sigma[j] = principal(z.seen.p[j], xx - z.q.xx[j], yy - z.q.yy[j], xy - z.q.xy[j])
     c = wave_speed(z.c2[j] + (4.0 / 3.0) * z.shear[j] * z.solid_v[j], constants.noise)
     z.seen.c[j] = c
     return (fmax(c, constants.front) + 2.0 * z.speed[j]) * z.inverse[j]
@@ -245,40 +234,21 @@ def rate_of_state(z, j, b, constants):
 
 @zone_pass(StandOf, finite=False)
 def stand(count, z, dt, numbers, law):
-    """The state that stands at the end of the step, looked over at once, and its corner forces, which push at the start of the next one."""
+    """The state that stands at the end of the step, looked over at once."""
     rows_apart()
-    geometry, near, constants, seen = kind_of(law), numbers[NEAR], named(Constants, numbers), z.seen
+    constants, seen = named(Constants, numbers), z.seen
     fastest, bad, new = seen.found[FOUND_RATE], 0, 0
     for j in range(count):
-        fastest = fmax(fastest, rate_of_state(z, j, coefficients(cell(z.corners, j), near, geometry), constants))
+        fastest = fmax(fastest, rate_of_state(z, j, constants))
         bad += unsound(seen, j)
         new += new_peaks(seen, j)
     seen.found[FOUND_RATE] = fastest
     keep_peaks(count, seen, bad, new)
 
 
-@zone_pass(StandFilteredOf, finite=False)
-def stand_filtered(count, z, dt, numbers, law):
-    """The same with the forces of the subzonal pressures, so that a fluid they hold in equilibrium is predicted to stay."""
-    rows_apart()
-    of, geometry, near, constants, merit = z.of, kind_of(law), numbers[NEAR], named(Constants, numbers), numbers[FILTER]
-    seen = of.seen
-    fastest, bad, new = seen.found[FOUND_RATE], 0, 0
-    for j in range(count):
-        at = cell(of.corners, j)
-        b = coefficients(at, near, geometry)
-        fastest = fmax(fastest, rate_of_state(of, j, b, constants))
-        x0, y0, x1, y1, x2, y2, x3, y3 = hourglass.subzonal(at, z.t0[j], z.t1[j], merit * seen.rho[j] * seen.c[j] * seen.c[j])
-        add_forces(of.f, j, b, x0, y0, x1, y1, x2, y2, x3, y3)
-        bad += unsound(seen, j)
-        new += new_peaks(seen, j)
-    seen.found[FOUND_RATE] = fastest
-    keep_peaks(count, seen, bad, new)
-
-
-@zone_pass(StartOf)
-def start(count, z, dt, numbers, law):
-    """Corner forces of a state at t = 0."""
+@zone_pass(StressOf)
+def push(count, z, dt, numbers, law):
+    """Corner forces of stress and viscosity."""
     rows_apart()
     geometry, near = kind_of(law), numbers[NEAR]
     for j in range(count):

@@ -105,8 +105,8 @@ def predict(s, geometry, numbers, fluid, kind):
         s.keep_half()
 
 
-def correct(s, geometry, numbers, fluid, conduction, keeps_trace):
-    """Write how the state at the end of the step and its forces are found; conduction: rows and numbers of the artificial heat flux, or
+def correct(s, geometry, numbers, conduction, keeps_trace):
+    """Write how the state at the end of the step is found; conduction: rows and numbers of the artificial heat flux, or
     None; keeps_trace: whether other steps need the trace of the viscous stress."""
     z, w, at = s.at.z, s.at.w, s.at
     s.do(passes.settle, passes.SettleOf(at.mid, at.f, z.inverse_mass, at.power, at.d, z.e, w.heat, at.q, at.found), kind=geometry,
@@ -118,7 +118,5 @@ def correct(s, geometry, numbers, fluid, conduction, keeps_trace):
         s.do(heat_flux.conduct, conduction[0], kind=geometry, numbers=conduction[1])
     s.do(passes.shape, passes.ShapeOf(at.now, z.inverse_mass, w.v, z.rho, w.inverse_length), kind=geometry, numbers=numbers)
     solid_v = state_at_end(s)
-    of = passes.StandOf(at.now, at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s, at.f, s.seen)
-    stand, rows = (passes.stand_filtered, passes.StandFilteredOf(of, z.t0, z.t1)) if fluid else (passes.stand, of)
-    s.do(stand, rows, kind=geometry, numbers=numbers)
+    s.do(passes.stand, passes.StandOf(at.q, at.new, w.c2, s.shear, solid_v, z.viscous_speed, w.inverse_length, at.s, s.seen))
     s.pace(w.inverse_length)

@@ -133,7 +133,7 @@ def accept(c, dt):
         p, m = c.near_points[i, 0], c.near_points[i, 1]
         if c.movers[m, C.MOVER_RIGID] < 0:
             c.of_points[p, C.FORCE_X], c.of_points[p, C.FORCE_Y] = c.mover_numbers[m, C.JX] / dt, c.mover_numbers[m, C.JY] / dt
-    remember(c, dt)
+    remember(c)
     break_bonds(c, dt)
 
 

@@ -57,24 +57,8 @@ def forget(c):
 
 
 @nb.njit(**BY_ADDRESS)
-def as_in_last_step(c, ratio):
-    """Those pairs are active that had an impulse in the last step, with `ratio` times that; so have bonds."""
-    forget(c)
-    c.counts[C.ACTIVE] = c.sizes[C.TOUCHED]
-    for i in range(c.sizes[C.TOUCHED]):
-        k = c.touched[i]
-        q, c.active[i], c.pairs[k, C.PAIR_ACTIVE] = c.pair_numbers[k], k, C.ON
-        q[C.LAMBDA], q[C.TAU] = ratio * q[C.LAST], ratio * q[C.LAST_TAU]
-    list_pushed(c)
-    for i in range(c.sizes[C.BONDS]):
-        q = c.bond_numbers[c.bound[i]]
-        q[C.BOND_X], q[C.BOND_Y] = ratio * q[C.BOND_LAST_X], ratio * q[C.BOND_LAST_Y]
-
-
-@nb.njit(**BY_ADDRESS)
-def remember(c, dt):
+def remember(c):
     """Keep the impulses of this step for the next one, before which no pair is active."""
-    c.numbers[C.LAST_STEP] = dt
     for i in range(c.sizes[C.BONDS]):
         q = c.bond_numbers[c.bound[i]]
         q[C.BOND_LAST_X], q[C.BOND_LAST_Y] = q[C.BOND_X], q[C.BOND_Y]

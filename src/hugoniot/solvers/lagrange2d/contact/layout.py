@@ -12,7 +12,7 @@ import numpy as np
 # node column; edges that end and start there (-1: none); the first of its pairs, after the last search
 POINT_NODE, POINT_MOVER, POINT_PART, POINT_BEFORE, POINT_AFTER, POINT_FIRST = range(6)
 # where a point is at the start of a step, and how far the velocity of its mover takes it in the step
-AT_X, AT_Y, BY_X, BY_Y = range(4)
+AT_X, AT_Y, BY_X, BY_Y, HALF_X, HALF_Y = range(6)
 # points; block, or number of blocks + rigid body; zone behind (-1: none)
 EDGE_A, EDGE_B, EDGE_PART, EDGE_ZONE = range(4)
 # a column of the nodes; rigid body (-1: a node); chains that hold it; what drives it; 1 where it is in the list of
@@ -55,8 +55,8 @@ BOND_FLOATS = 16
 # of a point: force of the last step, distance slid
 FORCE_X, FORCE_Y, SLID = range(3)
 # numbers: reach of the search, mean edge, heat of closing, work of friction, deepest place of a node behind a surface over the
-# edge, the last step, the largest change of a velocity by contact in it
-REACH, MEAN_EDGE, HEAT, FRICTION, DEEPEST, LAST_STEP, CHANGE, _ = range(8)
+# edge, the largest change of a velocity by contact in the last step
+REACH, MEAN_EDGE, HEAT, FRICTION, DEEPEST, CHANGE = range(6)
 PAIRS, SEARCHES, SWEEPS, BROKEN_BONDS, FULL, OLD_PAIRS, ACTIVE, STEPS = range(8)
 # of a point at the last look at which pairs may meet: its place and velocity
 FLIGHT_X, FLIGHT_Y, FLIGHT_U, FLIGHT_V = range(4)
@@ -74,7 +74,7 @@ class Contact(NamedTuple):
     copies_start, copies   node columns that are one with each mover's
     law_of                 (part, part): index of the law between them
     old_pairs, old_numbers   point and edge of the pairs that had impulses before the last search, and their numbers
-    places                 (points and behind them centres of rigid bodies, columns AT_X to BY_Y)
+    places                 (points and behind them centres of rigid bodies, columns AT_X to HALF_Y)
     flight, looked         (point, columns FLIGHT_X to FLIGHT_V), (numbers from FLOWN): of the list of near pairs
     near, listed, bound    the pairs that may meet in a step, in their order, the movers concerned, and the points with a bond that stands
     touched                those of the pairs that had an impulse in the last step

@@ -189,7 +189,7 @@ def activate(c, dt, closing, slack):
 
 @nb.njit(**INLINE)
 def point(c, k, t):
-    """Set where and along what normal the impulse of pair k acts, with places after the part t of a step; the gap there."""
+    """Set where and along what normal the impulse of pair k acts, at the time t of `rigid.place`; the gap there."""
     q = c.pair_numbers[k]
     gap, share, q[C.NX], q[C.NY], length = seen(c, k, t)
     q[C.SHARE] = min(max(share, -OVERHANG), 1.0 + OVERHANG)

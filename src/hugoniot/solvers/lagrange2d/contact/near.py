@@ -7,11 +7,12 @@ with, no pair can meet that is not in the list.
 import numba as nb
 
 from hugoniot.core.target import BY_ADDRESS, INLINE
+from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.corners import BEYOND, DEEP, beyond
 from hugoniot.solvers.lagrange2d.contact.rigid import chord, place
 
-IM = 12      # row of the node table
+IM = L.Nodes._fields.index("im")      # row of the node table
 EVERY = 5          # steps between two looks at which pairs may meet
 SPARE = 2.0        # times what points went astray from straight flight between the last two looks, they may between the next
 LEAST_ASTRAY = 1e-3      # of the mean edge

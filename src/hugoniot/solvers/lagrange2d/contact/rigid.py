@@ -11,15 +11,18 @@ import numba as nb
 
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange1d.nodes import pulse_value
+from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.contact import layout as C
 
-X, U, XH, UM = 0, 2, 4, 6      # rows of the node table
+X, U, UM = (L.Nodes._fields.index(name) for name in ("x", "u", "um"))      # rows of the node table
 
 
 @nb.njit(**INLINE)
 def place(c, p, t):
-    """Where a point is after the part t of a step."""
+    """Where a point is at the start of a step (t = 0), at its end (1), or in its middle (0.5), where forces act."""
     at = c.places[p]
+    if t == 0.5:
+        return at[C.AT_X] + at[C.HALF_X], at[C.AT_Y] + at[C.HALF_Y]
     return at[C.AT_X] + t * at[C.BY_X], at[C.AT_Y] + t * at[C.BY_Y]
 
 
@@ -38,6 +41,24 @@ def lead_on(c, dt):
         at[C.BY_X], at[C.BY_Y] = dt * q[C.U], dt * q[C.V]
 
 
+@nb.njit(**BY_ADDRESS)
+def drift(c, dt):
+    """How far the points concerned and the rigid bodies move to the middle of the step: by the velocities at its start, as all nodes do."""
+    half = 0.5 * dt
+    for i in range(c.sizes[C.POINTS]):
+        p, m = c.near_points[i, 0], c.near_points[i, 1]
+        at, k = c.places[p], c.points[p, C.POINT_NODE]
+        if c.movers[m, C.MOVER_RIGID] < 0:
+            at[C.HALF_X], at[C.HALF_Y] = half * c.nodes[U, k], half * c.nodes[U + 1, k]
+        else:
+            body = c.rigid[c.movers[m, C.MOVER_RIGID]]
+            x, y = chord(body, at[C.AT_X], at[C.AT_Y], half * body[C.SPIN])
+            at[C.HALF_X], at[C.HALF_Y] = half * body[C.SPEED_X] + x, half * body[C.SPEED_X + 1] + y
+    for r in range(c.rigid.shape[0]):
+        at, body = c.places[c.points.shape[0] + r], c.rigid[r]
+        at[C.HALF_X], at[C.HALF_Y] = half * body[C.SPEED_X], half * body[C.SPEED_X + 1]
+
+
 @nb.njit(**INLINE)
 def chord(body, x, y, angle):
     """Way of a vertex at (x, y) when its body turns by an angle about its centre."""
@@ -48,7 +69,7 @@ def chord(body, x, y, angle):
 @nb.njit(**INLINE)
 def arm(c, s, a, ends, share, t):
     """(side, x, y): 1 where the mover s of a point turns, -1 where the mover a of an edge does, 0 where neither; the way from its centre
-    to the place `share` between the points at the ends of the edge after the part t of a step."""
+    to the place `share` between the points at the ends of the edge at the time t of `place`."""
     n = c.mover_numbers
     side = 1.0 if n[s, C.II] > 0.0 else -1.0 if n[a, C.II] > 0.0 else 0.0
     if side == 0.0:
@@ -83,8 +104,6 @@ def velocity_to(c, nodes, m, mean, dt):
                 u, v = turned(body, nodes, k, u, v, q[C.W])
         row = UM if mean else U
         nodes[row, k], nodes[row + 1, k] = u, v
-        if mean:
-            nodes[XH, k], nodes[XH + 1, k] = nodes[X, k] + 0.5 * dt * u, nodes[X + 1, k] + 0.5 * dt * v
 
 
 @nb.njit(**INLINE)

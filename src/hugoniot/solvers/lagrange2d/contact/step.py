@@ -2,7 +2,6 @@
 
     READY     before the step: pairs that may meet; False where there is no room for them
     CLOSE     at its start: surfaces that would pass each other come no nearer than their gap, the kinetic energy lost is heat
-    PUSH_MIDDLE         mean velocities of the half step, by the forces of contact of the last step
     PUSH      mean velocities of the step: no point ends behind an edge, no surface pulls
     MOVE, TAKE_BACK     rigid bodies
     ACCEPT    after it: heat and work of friction into zones, forces, bonds that break
@@ -16,9 +15,10 @@ from hugoniot.core.by_address import ByAddress
 from hugoniot.core.compile_ahead import Job
 from hugoniot.core.passes import Entry, call_entry, row_at
 from hugoniot.core.target import BY_ADDRESS, INLINE
+from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.accounts_of_step import accept, book_heat, book_holds
-from hugoniot.solvers.lagrange2d.contact.active import as_in_last_step, forget, list_pushed
+from hugoniot.solvers.lagrange2d.contact.active import forget, list_pushed
 from hugoniot.solvers.lagrange2d.contact.impulses import movers, restart
 from hugoniot.solvers.lagrange2d.contact.meeting import (
     CLOSING_ENOUGH,
@@ -26,31 +26,28 @@ from hugoniot.solvers.lagrange2d.contact.meeting import (
     ask_closing,
     ask_mean,
     bind_points,
-    point,
     start_velocity,
 )
 from hugoniot.solvers.lagrange2d.contact.near import ANY_WAY, SPARE, look, stray_ends
 from hugoniot.solvers.lagrange2d.contact.relaxation import relax
-from hugoniot.solvers.lagrange2d.contact.rigid import arm, drive, lead_on, move_rigid, velocity_from, velocity_to
+from hugoniot.solvers.lagrange2d.contact.rigid import arm, drift, drive, lead_on, move_rigid, velocity_from, velocity_to
 from hugoniot.solvers.lagrange2d.contact.search import make_ready
-from hugoniot.solvers.lagrange2d.quads import PLANAR
 
-READY, CLOSE, PUSH_MIDDLE, PUSH, MOVE, TAKE_BACK, ACCEPT = range(7)
-X, U, XH, UM = 0, 2, 4, 6      # rows of the node table
+READY, CLOSE, PUSH, MOVE, TAKE_BACK, ACCEPT = range(6)
+U, UM = (L.Nodes._fields.index(name) for name in ("u", "um"))      # rows of the node table
 ROUNDS = 6                             # at most, of finding who meets and what follows; one at the start of a step
 SLACK = 1e-7                           # of an edge: what closes by less in a step is left to the forces
 SMALL = 1e-5                           # of an edge: what would be behind by less after a round is left to the next step
 DEPTH = 5e-5                           # of the mean edge: how far behind surfaces nodes may end for sweeps to stop early
-TURNS = 3                              # of directions, for angular momentum to 1e-12
 NEGLIGIBLE = 1e-14                     # of the mean edge in a step: velocities below are round-off
 
 
 @nb.njit(**BY_ADDRESS)
-def take(c, nodes, row, movers, count):
-    """Velocities of the first `count` of a list of movers from two rows of the nodes."""
+def take(c, nodes, row):
+    """Velocities of movers from two rows of the nodes."""
     n = c.mover_numbers
-    for i in range(count):
-        m = movers[i]
+    for i in range(c.sizes[C.LISTED]):
+        m = c.listed[i]
         if c.movers[m, C.MOVER_RIGID] < 0:
             k = c.movers[m, C.MOVER_NODE]
             n[m, C.U], n[m, C.V] = nodes[row, k], nodes[row + 1, k]
@@ -61,8 +58,8 @@ def take(c, nodes, row, movers, count):
 
 
 @nb.njit(**BY_ADDRESS)
-def give(c, nodes, row, dt, middle):
-    """Velocities of movers back into two rows of the nodes that are one with them; `middle`: their positions in the middle too."""
+def give(c, nodes, row, dt):
+    """Velocities of movers back into two rows of the nodes that are one with them."""
     n = c.mover_numbers
     for k in range(c.sizes[C.PUSHED]):
         m = c.pushed[k]
@@ -74,8 +71,6 @@ def give(c, nodes, row, dt, middle):
         for i in range(c.copies_start[m], c.copies_start[m + 1]):
             k = c.copies[i]
             nodes[row, k], nodes[row + 1, k] = n[m, C.U], n[m, C.V]
-            if middle:
-                nodes[XH, k], nodes[XH + 1, k] = nodes[X, k] + 0.5 * dt * n[m, C.U], nodes[X + 1, k] + 0.5 * dt * n[m, C.V]
 
 
 @nb.njit(**BY_ADDRESS)
@@ -115,8 +110,8 @@ def ask(c, nodes, dt, closing):
 
 
 @nb.njit(**BY_ADDRESS)
-def solve(c, nodes, dt, closing, turns):
-    """Velocities of movers that contact allows; whether anything touched. turns: how often their directions are turned in the end."""
+def solve(c, nodes, dt, closing):
+    """Velocities of movers that contact allows; whether anything touched."""
     part, least, change = 1.0 if closing else 0.5, NEGLIGIBLE * c.numbers[C.MEAN_EDGE] / dt, 0.0
     if closing:
         least = max(least, CLOSING_ENOUGH * c.numbers[C.CHANGE])
@@ -138,14 +133,7 @@ def solve(c, nodes, dt, closing, turns):
         restart(c, part)
         change = relax(c, part, least, 1e300 if closing else DEPTH * c.numbers[C.MEAN_EDGE] / dt)
     if touched:
-        for _ in range(turns):      # directions of the middle of the step as it has come out: forces without moment
-            lead_on(c, dt)
-            arm_bonds(c, 0.5)
-            for i in range(c.counts[C.ACTIVE]):
-                point(c, c.active[i], 0.5)
-            restart(c, part)
-        if closing:
-            restart(c, part)
+        restart(c, part)
     if not closing:
         c.numbers[C.CHANGE] = change
     return touched
@@ -157,8 +145,9 @@ def push(c, dt):
     the list of near pairs reckons with."""
     while True:
         change, sweeps = c.numbers[C.CHANGE], c.counts[C.SWEEPS]
-        take(c, c.nodes, UM, c.listed, c.sizes[C.LISTED])
-        touched = solve(c, c.nodes, dt, False, TURNS if c.kind == PLANAR else 1)
+        take(c, c.nodes, UM)
+        drift(c, dt)
+        touched = solve(c, c.nodes, dt, False)
         if c.looked[C.ASTRAY] == ANY_WAY:
             return touched
         astray = stray_ends(c, c.nodes, dt)
@@ -179,23 +168,16 @@ def of_step(c, time, dt, moment):
     elif moment == ACCEPT:
         accept(c, dt)
     elif moment == CLOSE and c.sizes[C.NEAR] + c.sizes[C.BONDS] > 0:
-        take(c, c.nodes, U, c.listed, c.sizes[C.LISTED])
-        if solve(c, c.nodes, dt, True, 0):
+        take(c, c.nodes, U)
+        if solve(c, c.nodes, dt, True):
             book_heat(c, 1.0, dt)
             book_holds(c, 1.0)
-            give(c, c.nodes, U, dt, False)
-    elif moment == PUSH_MIDDLE:
-        drive(c, time, dt)
-        if c.sizes[C.NEAR] + c.sizes[C.BONDS] > 0:
-            as_in_last_step(c, dt / c.numbers[C.LAST_STEP] if c.numbers[C.LAST_STEP] > 0.0 else 0.0)
-            take(c, c.nodes, UM, c.pushed, c.sizes[C.PUSHED])
-            restart(c, 0.5)
-            give(c, c.nodes, UM, dt, True)
+            give(c, c.nodes, U, dt)
     elif moment == PUSH:
         drive(c, time, dt)
         if push(c, dt):
             book_holds(c, 0.0)
-            give(c, c.nodes, UM, dt, False)
+            give(c, c.nodes, UM, dt)
     return True
 
 

@@ -183,7 +183,7 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
     law_of, laws = law_tables(problem, [*surfaces.lengths, *[np.inf] * len(problem.rigid)])
     count, room = len(points), PAIRS_OF_A_POINT * len(points) + 16
     sizes = np.concatenate(([0], np.cumsum([len(c) for c in surfaces.copies])))
-    totals = np.zeros(8)
+    totals = np.zeros(6)
     totals[C.MEAN_EDGE] = surfaces.mean
 
     def ints(*shape):
@@ -200,7 +200,7 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
     return C.Contact(
         points, edges, movers, numbers, rigid_table(problem), np.flatnonzero(movers[:, C.MOVER_CHAIN_1] >= 0), sizes.astype(np.int64),
         np.array([k for group in surfaces.copies for k in group], dtype=np.int64), law_of, laws, **pairs, **lists, **of_search,
-        places=C.table(count + len(problem.rigid), C.BY_Y + 1), bonds=ints(count, 2), bond_numbers=np.zeros((count, C.BOND_FLOATS)),
+        places=C.table(count + len(problem.rigid), C.HALF_Y + 1), bonds=ints(count, 2), bond_numbers=np.zeros((count, C.BOND_FLOATS)),
         of_points=np.zeros((count, 3)), numbers=totals, counts=ints(8), zones=run.zones, nodes=run.nodes, chains=run.chains,
         kind=options.kind, gx=options.gx, gy=options.gy, binds=bool((laws[:, C.LAW_KIND] != C.SLIDING).any()), speeds=speeds,
         speed_tables=tables)
