@@ -20,8 +20,9 @@ from hugoniot.laws.viscosity.contract import VISCOSITY
 _FAMILIES = {"eos": EOS, "strength": STRENGTH, "fracture": FRACTURE, "viscosity": VISCOSITY}
 
 INTEGRATORS = {
-    "compatible": ("Compatible (virtual-work) Lagrangian differences, predictor-corrector: E. J. Caramana, D. E. Burton, M. J. Shashkov, "
-                   "P. P. Whalen, J. Comput. Phys. 146 (1998) 227-262",),
+    "compatible": ("Compatible (virtual-work) Lagrangian differences: E. J. Caramana, D. E. Burton, M. J. Shashkov, P. P. Whalen, "
+                   "J. Comput. Phys. 146 (1998) 227-262",
+                   "Steps of drift, kick and drift: M. Tuckerman, B. J. Berne, G. J. Martyna, J. Chem. Phys. 97 (1992) 1990-2001"),
     "wilkins": ("Wilkins, appendix B (KO), eqs. B.2: leapfrog differences in one dimension, three symmetries, with voids (B.4)",),
 }
 

@@ -48,7 +48,8 @@ class OptionsTable(Table):
         "the cells that it starts with")
     weakest: Annotated[float, Quantity("1", least=0.0, limit=0.1)] | None = Field(
         None, description="strength (change of stress / stiffness) below which a wave is not followed (default: 1e-6 algebraic, "
-        "0.01 cells; there a tenth of the strongest wave of the start, where that is between 0.1 and 1 of it and no region has a profile)")
+        "0.01 cells, where a tenth of the strongest wave of the start replaces it if that wave is weaker, by less than ten times, and no "
+        "region has a profile)")
     most_fronts: int = Field(400, ge=10, le=100_000, description="with more fronts to follow, the algebraic mode stops with a message, "
                              "and the cells mode leaves new waves to the cells, with a warning")
 

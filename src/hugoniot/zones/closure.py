@@ -1,6 +1,6 @@
 """Closure of inert material: what an equation of state says of a zone whose density is known.
 
-    pressure     p at a given energy (the middle of a predictor-corrector step)
+    pressure     p at a given energy (the middle of a step)
     state        p and c^2 at a given energy, pores compacted (its end)
     settle       energy and pressure together, e + (p + p_old) dv/2 = e_old + given (a leapfrog: Wilkins B.2 item 8)
     stiffness    c^2 alone, for those who ask for it before the state is known

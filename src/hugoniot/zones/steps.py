@@ -229,7 +229,7 @@ class MaterialSteps:
             self.do(burn.rates_pass, burn.RateRows(b.lam, z.rho, z.p, z.q, b.rho_r, b.e_r, b.rho_p, b.e_p, w.pace), law=self.laws.eos)
             self.do(burn.pace_pass, burn.PaceRows(b.lam, w.pace, inverse_width, b.status, b.resolution, z.c, self.at.found))
 
-    # -- closures of burning material by a predictor and a corrector ---------------------------------------------------------
+    # -- closures of burning material in the middle and at the end of a step ---------------------------------------------------------
     def close_half(self, solid) -> None:
         """Burn fraction and mixture in the middle of the step, by the pressure at its start; w.heat is the viscous heat so far."""
         b, w = self.at.b, self.at.w

@@ -212,7 +212,8 @@ class RigidTable(Table):
     velocity: Annotated[Any, WithJsonSchema(pulse_schema() | {"unit": "m/s"})] = Field(
         None, description="driven along direction: a value or a pulse (default: at rest)")
     mass: Annotated[float, Quantity("kg", above=0.0)] | None = Field(
-        None, description="free: kg per metre of depth in the plane; of a ring in axisymmetric geometry, which moves along the axis, kg")
+        None, description="of a free body: kg per metre of depth in the plane; "
+        "in axisymmetric geometry kg of a ring, which moves along the axis")
     start: Speeds | None = Field(None, description="velocity at t = 0 of a body with mass, of its centre of mass where it turns")
     direction: Direction | None = Field(None, description="along which it moves, or is guided if it has a mass (default: any)")
     turns: bool = Field(False, description="whether a body with mass turns too, in the plane")

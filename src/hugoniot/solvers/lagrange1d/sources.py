@@ -111,7 +111,7 @@ def _integral(depth, source):
 # -- passes: inner nodes as in `nodes`, `numbers` the field ------------------------------------------------------------
 @zone_pass(FallRows)
 def fall(count, z, dt, numbers, law):
-    """What it adds to velocity and position at the end of the step."""
+    """What the force adds to velocity and position at the end of the step."""
     rows_apart()
     for j in range(count):
         more = dt * field_at(z.r_half[j + 1], numbers)

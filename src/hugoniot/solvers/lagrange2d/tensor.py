@@ -5,8 +5,9 @@ $D = s_{xx} - s_{yy}$, $S = 2 s_{xy}$ and a turn of angle $\vartheta$ in the ste
 
 $$D' = \frac{(1-a^2)D - 2aS + dD - a\,dS}{1+a^2},\qquad S' = \frac{(1-a^2)S + 2aD + dS + a\,dD}{1+a^2},$$
 
-which keeps $D^2 + S^2$ in a rigid turn (Herrmann's lost equations B.26, B.29; H-E9). The spin in the middle of a step of a rigid turn is
-$w = 2\tan(\vartheta/2)/dt$, so that $a = w\,dt/(1 - (w\,dt/2)^2)$ turns the stress by the very angle of the zone.
+which keeps $D^2 + S^2$ in a rigid turn (Herrmann's lost equations B.26, B.29; H-E9). The spin of a rigid turn along
+chords, seen half-way, is $w = 2\tan(\vartheta/2)/dt$, so that $a = w\,dt/(1 - (w\,dt/2)^2)$ turns the stress by the very angle of the zone;
+nodes that forces turn have drifted along their tangents, so that $w\,dt = \sin\vartheta$ and the stress lags by $\vartheta^3/4$ a step.
 
 Source: Herrmann, WL-TR-64-107, B.16 to B.32.
 """

@@ -126,7 +126,7 @@ def stress_power(z, j, d):
 
 @zone_pass(StrainOf)
 def strain(count, z, dt, numbers, law):
-    """Strain rates by the velocities at the start of the step; density and energy in its middle."""
+    """Strain rates, density and energy in the middle of the step, by the velocities led on there and the stress at the start."""
     rows_apart()
     geometry, near, half, bad = kind_of(law), numbers[NEAR], 0.5 * dt, 0.0
     for j in range(count):
