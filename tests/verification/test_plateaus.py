@@ -62,6 +62,17 @@ def test_strength_does_not_bring_the_overshoot_back(tmp_path, speed):
         assert velocity[-1] == pytest.approx(2010.79, rel=1e-3)
 
 
+@pytest.mark.parametrize("gap, thick, zones", [(5e-5, 2e-3, 100), (1e-3, 5e-3, 80)])
+def test_an_impact_after_a_gap_starts_as_one_between_plates_that_touch(tmp_path, gap, thick, zones):
+    """The jump of the velocity where they meet is no acceleration that goes on: taken for one, it left three times the stress there."""
+    law, speed = LAWS["copper"], 1000.0
+    regions = (Region("flyer", "m", -thick, 0.0, zones, velocity=speed), Region("target", "m", gap, thick + gap, zones))
+    stop = gap / speed + 0.6 * thick / (law.c0 + law.s * speed / 2)
+    done = run(Problem("impact", "planar", stop, regions, {"m": Material("m", law)}, output=OutputOptions(report=False)), tmp_path / "run")
+    jump = law.rho0 * (law.c0 + law.s * speed / 2) * speed / 2
+    assert done.arrays("peaks")["peak_stress"].max() < 1.2 * jump
+
+
 def test_the_highest_stress_of_a_wave_that_has_not_left_the_first_zones(tmp_path):
     """It is that of those zones, marked as one that may overshoot; the zones ahead of the wave are at rest."""
     law = LAWS["copper"]

@@ -82,7 +82,7 @@ def close_cavity(solver) -> Event:
     nodes, zones = solver.nodes, solver.zones
     speed, mass = float(nodes[H.u, 0]), float(nodes[H.mass, 0])
     heat = 0.5 * mass * speed**2
-    nodes[H.u, 0] = nodes[H.r, 0] = 0.0
+    nodes[H.u, 0] = nodes[H.u_mean, 0] = nodes[H.r, 0] = 0.0
     zones[Z.e, 0] += heat / zones[Z.mass, 0]
     solver.control[L.IMPULSE_LEFT] -= mass * speed
     solver.segments[0, L.SEG_LEFT] = L.FIXED

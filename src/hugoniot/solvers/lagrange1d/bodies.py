@@ -122,7 +122,7 @@ def join(zones, nodes, gradient, segments, k):
     ua, ub = nodes[H.u, a], nodes[H.u, b]
     share = mb / (ma + mb)
     heat = 0.5 * ma * share * (ua - ub) ** 2
-    nodes[H.u, a] = ua + share * (ub - ua)
+    nodes[H.u, a] = nodes[H.u_mean, a] = ua + share * (ub - ua)      # a jump is no acceleration that goes on
     nodes[H.r, a] += share * (nodes[H.r, b] - nodes[H.r, a])
     nodes[H.bond, a] = 0.0
     zones[Z.e, last - 1:last + 1] += heat / (zones[Z.mass, last - 1] + zones[Z.mass, last])
