@@ -14,7 +14,7 @@ from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
 from hugoniot.laws.viscosity.contract import VISCOSITY
 from hugoniot.materials.material import Material
 from hugoniot.output.run_numbers import gauge_rows, highest, highest_rows
-from hugoniot.problem.model import Boundary, Gauge, OutputOptions, Problem, Region
+from hugoniot.problem.model import Boundary, Gauge, OutputOptions, Problem, Pulse, Region
 from hugoniot.problem.standard.parts import bonded
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d.assemble import viscosity_in
@@ -71,6 +71,16 @@ def test_an_impact_after_a_gap_starts_as_one_between_plates_that_touch(tmp_path,
     done = run(Problem("impact", "planar", stop, regions, {"m": Material("m", law)}, output=OutputOptions(report=False)), tmp_path / "run")
     jump = law.rho0 * (law.c0 + law.s * speed / 2) * speed / 2
     assert done.arrays("peaks")["peak_stress"].max() < 1.2 * jump
+
+
+@pytest.mark.parametrize("start", [0.0, 1e-7])
+def test_a_driven_end_starts_its_shock_alike_at_any_time(tmp_path, start):
+    """The zones see the velocity that the end is given: led on by its jump, they saw half more of it, and the first peaked at 1.7."""
+    law, speed = LAWS["copper"], 500.0
+    problem = Problem("piston", "planar", start + 5e-7, (Region("target", "m", 0.0, 5e-3, 100),), {"m": Material("m", law)},
+                      left=Boundary("velocity", Pulse("constant", speed, start)), output=OutputOptions(report=False))
+    peaks = run(problem, tmp_path / "run").arrays("peaks")["peak_stress"] / (law.rho0 * (law.c0 + law.s * speed) * speed)
+    assert peaks[0] < 1.2 and peaks[1] < 1.04 and abs(peaks[10] - 1.0) < 2e-3
 
 
 def test_the_highest_stress_of_a_wave_that_has_not_left_the_first_zones(tmp_path):

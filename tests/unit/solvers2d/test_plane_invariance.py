@@ -82,14 +82,17 @@ def test_a_strip_is_the_one_dimensional_solver(geometry, solid):
     """A shock along y, in the plane and as a slab of a cylinder: the one-dimensional run, zone by zone.
 
     The solid takes steps of given length: in one dimension the foot of a wave, however faint, limits the step, in two in proportion only.
+    Its end starts to move between two steps, by a jump; the zones have sizes without rounding, so that none of it decides what the limiter
+    does before.
     """
-    n, material = 40, aluminium() if solid else gas(1.4)
+    n, material = 32, aluminium() if solid else gas(1.4)
     state = {} if solid else {"density": 1.0, "pressure": 1.0}
     speed, stop = (300.0, 2.5e-5) if solid else (1.0, 0.15)
     steps = dict(initial_step=2e-7, largest_step=2e-7) if solid else {}
-    one = strip_1d(n, material, stop, Boundary("velocity", Pulse("constant", speed)), Boundary("fixed"), steps, **state)
-    shape = dict(width=0.3, height=1.0, material=material.name, **state)
-    driven = Boundary2D(("b.bottom",), "velocity", Pulse("constant", speed), direction=(0.0, 1.0))
+    pulse = Pulse("constant", speed, 3.3e-6 if solid else 0.0)
+    one = strip_1d(n, material, stop, Boundary("velocity", pulse), Boundary("fixed"), steps, **state)
+    shape = dict(width=0.375, height=1.0, material=material.name, **state)
+    driven = Boundary2D(("b.bottom",), "velocity", pulse, direction=(0.0, 1.0))
     coefficients = Viscosity2D("tensor", True, 0.3, 2.0 / 3.0, 0.3, 2.0 / 3.0, heat_flux=0.0)
     given = problem(box(3, n, **shape), material, stop, (driven, *walls("b.top", "b.right"), *(walls("b.left") if geometry == "plane" else ())),
                     geometry, viscosity=coefficients, **steps)

@@ -188,10 +188,13 @@ bind_choice(hold, lambda *classes: _hold if classes[-1] is OpenEnd else _nothing
 
 
 @nb.njit(**BY_ADDRESS)
-def follow_end(zones, control, ends, left, dt, boundary):
-    """Let a transmitting end of a segment see the zones at the start of the step."""
-    _, zone, code = ends
-    if code == L.TRANSMITTING:
+def follow_end(zones, nodes, control, ends, left, dt, boundary):
+    """Let a transmitting end of a segment see the zones at the start of the step, and the zones the velocity that an end is given in it:
+    led on by its acceleration, an end whose velocity jumps would go on past it."""
+    node, zone, code = ends
+    if code == L.VELOCITY:
+        nodes[H.u_mean, node] = 0.5 * (nodes[H.u, node] + pulse_value(control[L.TIME] + dt, boundary.pulse, boundary.table))
+    elif code == L.TRANSMITTING:
         answer(zones, control, zone, L.END_LEFT if left else L.END_RIGHT, dt, boundary)
 
 

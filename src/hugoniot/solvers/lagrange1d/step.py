@@ -151,7 +151,7 @@ def step_compatible(a, plan, scheme, geometry, boundaries):
     everyone(plan, DRIFT)
     for end in range(2 * segments.shape[0]):
         ends, left = end_of(segments, end)
-        follow_end(a.zones, a.control, ends, left, dt, boundaries[0 if left else 1])
+        follow_end(a.zones, a.nodes, a.control, ends, left, dt, boundaries[0 if left else 1])
     ghosts(a.gradient, a.control, segments)
     ring_ghosts(a.gradient, segments)
     everyone(plan, PREDICT)

@@ -132,6 +132,14 @@ def hold_specials(run, options, time, dt, span):
 
 
 @nb.njit(**BY_ADDRESS)
+def hold_drift(run, time, last, top):
+    """Give the velocities led on to the middle of the step what holds their nodes: a driven edge whose velocity jumps does not go on so."""
+    a, b = between(run.before, bands.HELD, last, top, bands.NOW, run.held.shape[0])
+    held, normals = run.held[a:b], run.held_normals[a:b]
+    special_nodes.hold(run.nodes, run.middle, held, normals, run.pulses, run.tables, run.chains, time, False)
+
+
+@nb.njit(**BY_ADDRESS)
 def copy(table, to):
     """Copy a table of the chains or the transmitting edges."""
     for i in range(table.shape[0]):
@@ -182,6 +190,7 @@ def try_step(run, plan, options, control):
             look_around(run, plan, last, top)
         take_rows(plan, last, top, bands.NOW)
         everyone(plan, DRIFT)
+        hold_drift(run, time + dt, last, top)
         take_rows(plan, last, top, bands.STRESS)
         everyone(plan, PREDICT)
         wrong = tangled(plan)
