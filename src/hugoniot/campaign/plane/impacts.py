@@ -1,5 +1,7 @@
 """Bodies that turn or strike: a stressed square, a disc on a target, plates that meet at an angle."""
 
+from dataclasses import replace
+
 import numpy as np
 from scipy.optimize import brentq
 
@@ -16,37 +18,34 @@ ALUMINIUM = Material("al", MieGruneisen(2700.0, 5200.0, 1.5, 2.0), PerfectlyPlas
 
 # -- the spinning square ------------------------------------------------------------------------------------------------------
 TURN = 0.01                                # s
-STRESS = 0.3 * 24.8e9 * 1e-3 * np.array([1.0, -0.4, 0.2])      # xx, yy, xy: elastic, Pa
+STRESS = np.array([1.0, -0.4, 0.2])        # xx, yy, xy, Pa: next to nothing beside the tension
 ROWS = [Z.sxx, Z.syy, Z.sxy]
+SOFT = replace(ALUMINIUM, strength=PerfectlyPlastic(1e-3, 0.30e9))      # so that what shape the square takes leaves the stress alone
 
 
 def square(steps, asked):
-    """A unit square of 4 x 4 zones under a uniform stress that is carried through one turn in so many steps."""
-    block = box((4, 4), (-0.5, 0.5), (-0.5, 0.5), material="al")
+    """A free square zone whose tension holds its four nodes on their circles, under a small stress besides; so many steps a turn.
+
+    A node, a quarter of the mass at half the diagonal, is pulled by half the tension along two edges: tension = density (spin side)^2 / 4.
+    """
+    spin, law = 2.0 * np.pi / TURN, ALUMINIUM.eos
+    density = law.rho0 * (1.0 - 0.25 * (spin / law.c0) ** 2)
+    block = box((1, 1), (-0.5, 0.5), (-0.5, 0.5), material="al", density=density, energy=0.0, velocity=VelocityField(rotation=spin))
     options = {"initial_step": TURN / steps, "largest_step": TURN / steps, "courant": 1e6, **asked}
-    solver = solver_of("spinning square", "plane", TURN, block, [ALUMINIUM], (), options)
+    solver = solver_of("spinning square", "plane", TURN, block, [SOFT], (), options)
     solver.zones[ROWS] = STRESS[:, None]
-    solver.nodes[N.im] = 0.0               # no force turns the nodes from their way
-    carry(solver)
     solver.begin()
     return solver
 
 
-def carry(solver):
-    """Velocities with which every node ends the step where the rotation takes it: along the chord."""
-    steps = round(TURN / solver.problem.solver.largest_step)
-    x, y = solver.nodes[N.x], solver.nodes[N.y]
-    angle, dt = 2.0 * np.pi / steps, TURN / steps
-    solver.nodes[N.u] = ((np.cos(angle) - 1.0) * x - np.sin(angle) * y) / dt
-    solver.nodes[N.v] = (np.sin(angle) * x + (np.cos(angle) - 1.0) * y) / dt
-
-
 def turned(solver):
-    """Change of the size of the stress over one turn, and the angle it is off, rad."""
+    """Change of the size of the stress over one turn, and the angle it is off the square's own, rad."""
+    (x1, _, _, x2), (y1, _, _, y2) = solver.nodes[[N.x, N.y]]
+    body = np.arctan2(y2 - y1, x2 - x1) - 0.25 * np.pi
     xx, yy, xy = solver.zones[ROWS]
     half, shear, before = 0.5 * (xx - yy), xy, (0.5 * (STRESS[0] - STRESS[1]), STRESS[2])
     size, angle = np.hypot(half, shear), 0.5 * np.arctan2(shear * before[0] - half * before[1], half * before[0] + shear * before[1])
-    return {"stress_drift": float(np.max(np.abs(size / np.hypot(*before) - 1.0))), "angle_error": float(np.abs(angle).max())}
+    return {"stress_drift": float(np.max(np.abs(size / np.hypot(*before) - 1.0))), "angle_error": float(np.abs(angle - body).max())}
 
 
 # -- a disc on a target -------------------------------------------------------------------------------------------------------
@@ -163,9 +162,9 @@ def crossing(x, p, near, level):
 
 MEETING = POINT * np.tan(LEAN) / FLIGHT
 PROBLEMS = (
-    PlaneProblem("spinning_square", "a stressed square rotated rigidly through one revolution in n steps", square, TURN, turned,
+    PlaneProblem("spinning_square", "a free stressed square spins through one revolution in n steps", square, TURN, turned,
                  (*(Bar(measure, n, goal=goal) for measure, goal in (("stress_drift", 1e-6), ("angle_error", 1e-5)) for n in (100, 400)),),
-                 (100, 400), carry),
+                 (100, 400)),
     PlaneProblem("disc_impact", "aluminium disc on aluminium, 700 m/s, until the release from its edge is near the axis", disc, 1.4e-6,
                  released, (*(Bar(measure, n, goal=goal) for measure, goal in (("axis_pressure", 1e-3), ("release_arrival", 0.02))
                               for n in (16, 24)),), (16, 24)),

@@ -5,9 +5,9 @@ $D = s_{xx} - s_{yy}$, $S = 2 s_{xy}$ and a turn of angle $\vartheta$ in the ste
 
 $$D' = \frac{(1-a^2)D - 2aS + dD - a\,dS}{1+a^2},\qquad S' = \frac{(1-a^2)S + 2aD + dS + a\,dD}{1+a^2},$$
 
-which keeps $D^2 + S^2$ in a rigid turn (Herrmann's lost equations B.26, B.29; H-E9). The spin of a rigid turn along
-chords, seen half-way, is $w = 2\tan(\vartheta/2)/dt$, so that $a = w\,dt/(1 - (w\,dt/2)^2)$ turns the stress by the very angle of the zone;
-nodes that forces turn have drifted along their tangents, so that $w\,dt = \sin\vartheta$ and the stress lags by $\vartheta^3/4$ a step.
+which keeps $D^2 + S^2$ in a rigid turn (Herrmann's lost equations B.26, B.29; H-E9). In a rigid turn nodes drift along their tangents and
+move along chords: where they are half-way, the spin is $w\,dt = \sin\vartheta$, and $a = w\,dt/\sqrt{1 - (w\,dt)^2}$
+turns the stress by the very angle of the zone.
 
 Source: Herrmann, WL-TR-64-107, B.16 to B.32.
 """
@@ -56,18 +56,17 @@ def trial_deviators(s, rates, double):
     """Deviators (xx, yy, xy) of the elastic trial, turned with the zone.
 
     s        those before
-    rates    (xx, yy, xy, dilation) of the strain in 1/s, and the tangent of half the angle of the turn
+    rates    (xx, yy, xy, dilation) of the strain in 1/s, and the sine of the angle of the turn
     double   2 G dt
     """
     xx, yy, xy = s
-    d_xx, d_yy, d_xy, dilation, half = rates
+    d_xx, d_yy, d_xy, dilation, sine = rates
     difference, shear = xx - yy, 2.0 * xy
     d_difference, d_shear = double * (d_xx - d_yy), 2.0 * double * d_xy
     total = 0.5 * (xx + yy + double * (d_xx + d_yy - (2.0 / 3.0) * dilation))
-    square = half * half
-    inverse = 1.0 / (1.0 + square)
-    cosine, sine = (1.0 - square) * inverse, 2.0 * half * inverse      # of the angle: a is their ratio
-    same, a, less = 0.5 * (cosine * cosine - sine * sine), sine * cosine, 0.5 * cosine * cosine
+    square = fmin(sine * sine, 1.0)                  # a corner that turns by more in a step is turned by a right angle
+    cosine = vsqrt(1.0 - square)                     # a = sine / cosine
+    same, a, less = 0.5 - square, sine * cosine, 0.5 * (1.0 - square)
     turned = same * difference - a * shear + less * d_difference - 0.5 * a * d_shear
     return total + turned, total - turned, same * shear + a * difference + less * d_shear + 0.5 * a * d_difference
 
@@ -91,7 +90,7 @@ def strain_solid(count, given, dt, numbers, law):
         rate = equivalent_rate(d.xx[j], d.yy[j], d.xy[j], d.dilation[j]) if needs_rate(strong.law) else 0.0
         state = (solid.rho[j], solid.p[j], solid.temperature[j], rate)
         shear = modulus(state, solid.c2[j], lam, strong)
-        rates = (d.xx[j], d.yy[j], d.xy[j], d.dilation[j], 0.5 * dt * d.spin[j])
+        rates = (d.xx[j], d.yy[j], d.xy[j], d.dilation[j], dt * d.spin[j])
         xx, yy, xy = trial_deviators((s.xx[j], s.yy[j], s.xy[j]), rates, 2.0 * shear * dt)
         square = 3.0 * (xx * xx + yy * yy + xx * yy + xy * xy)
         equivalent = vsqrt(square)
