@@ -16,7 +16,7 @@ from hugoniot.campaign.verify import PROBLEMS
 
 TARGET = Path(__file__).parent / "verification_numbers.md"
 WORDS = {"density_l1": "L1 of density", "energy_l1": "L1 of energy", "velocity_l1": "L1 of velocity",
-         "density_self_l1": "L1 of density, to 3200 zones",
+         "density_self_l1": "L1 of density, against 3200 zones",
          "plateau_density": "mean density of the plateau, relative error", "wall_density": "density at the wall / exact",
          "shock_position": "position of the shock, error", "peak_density": "peak density", "outer_radius": "outer radius, relative error",
          "plateau_pressure": "plateau pressure, relative error", "plateau_velocity": "plateau velocity, relative error",
@@ -26,7 +26,23 @@ WORDS = {"density_l1": "L1 of density", "energy_l1": "L1 of energy", "velocity_l
          "fronts": "places and times of fronts, largest relative difference", "states": "states between them, largest relative difference",
          "speeds": "speeds of fronts, largest relative difference", "contacts": "places of both contacts, error",
          "front_position": "place of the front, relative error", "pressure_l1": "mean error of the pressure / spike",
-         "exponent": "exponent of the converging shock, relative error", "arrival": "arrival of the reflected shock, relative error"}
+         "exponent": "exponent of the converging shock, relative error", "arrival": "arrival of the reflected shock, relative error",
+         "inner_radius": "inner radius, relative error", "asymmetry": "difference of radii on one ring",
+         "densest_zone": "density of the densest zone", "peak_scatter": "scatter of the peak between sectors, relative",
+         "front_rms": "unevenness of the shock, root mean square", "velocity_across": "largest velocity across the motion",
+         "interface_length": "length of the interface, relative difference from the finer mesh",
+         "density": "density of a zone, largest relative error", "viscous_work": "work of the viscosity / internal energy",
+         "peak_speed": "loss of the peak speed", "speed_l2": "L2 of speed", "velocity_l2": "L2 of velocity",
+         "length": "length, relative difference from the reference", "foot": "radius of the foot, relative difference from the reference",
+         "plastic_strain": "largest plastic strain, relative difference from the reference",
+         "filter_work": "work of the filter / internal energy", "lighting_time": "burn time, largest error / latest burn time",
+         "speed_6mm": "speed of the wall after 6 mm, relative error", "speed_19mm": "speed of the wall after 19 mm, relative error",
+         "stress_drift": "size of the stress, relative change", "angle_error": "angle of the stress, error in rad",
+         "axis_pressure": "pressure on the axis, largest error / plateau", "release_arrival": "arrival of the release, relative error",
+         "pressure": "pressure behind the shock, relative error", "shock_angle": "angle of the shock, error in degrees",
+         "contact_depth": "deepest node behind a surface / edge", "length_beside_quads": "length, relative difference from quadrilaterals",
+         "foot_beside_quads": "radius of the foot, relative difference from quadrilaterals",
+         "plastic_strain_beside_quads": "largest plastic strain, relative difference from quadrilaterals"}
 
 
 def bar(value, beaten: bool | None) -> str:
@@ -44,7 +60,8 @@ def section(found: dict, more: str = "") -> list[str]:
     problem = PROBLEMS[found["problem"]]
     momentum = found["momentum_error"]      # none in curved geometry, where walls and pressures take it up
     closed = f"Energy closed to {found['energy_error']:.0e}" + (f", momentum to {momentum:.0e}." if momentum is not None else ".")
-    lines = [f"### {problem.name}{more}", "", f"{problem.description}. {closed}", ""]
+    words = problem.description[0].upper() + problem.description[1:]
+    lines = [f"### {problem.name}{more}", "", f"{words}. {closed}", ""]
     bars = {"peer": "open codes", "goal": "goal"} if isinstance(problem, PlaneProblem) else {"ko": "KO", "g2": "G2", "goal": "goal"}
     lines += ["| measure | zones | value | " + " | ".join(bars.values()) + " | order |", "|---" * (len(bars) + 4) + "|"]
     last = None
@@ -77,7 +94,7 @@ def main(path: str, fronts: str | None = None) -> None:
     text = table(json.loads(Path(path).read_text()))
     if fronts:
         text += ["## With tracked fronts", "",
-                 "The same problems with `hugoniot verify --solver fronts`, on the same grids and held to the same bars.", "",
+                 "The one-dimensional problems with `hugoniot verify --solver fronts`, on the same grids and held to the same bars.", "",
                  *table(json.loads(Path(fronts).read_text()), ", tracked fronts")]
     TARGET.write_text("\n".join(text), encoding="utf-8")
 

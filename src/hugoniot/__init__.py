@@ -1,8 +1,8 @@
 """hugoniot: a shock-physics workbench.
 
 `run` runs a deck, `resume` continues a run, `load` opens a run folder, `sweep` runs a deck many times, `fit` finds constants of a deck from
-measured records; `Run` and `Problem` are what they give and take. Tools without
-a mesh stand in `hugoniot.theory`, materials in `hugoniot.materials.library`, exact solutions in `hugoniot.theory.exact`.
+measured records. The first three return a `Run`, the last two a Dataset; `run` also takes a `Problem`. Tools without
+a mesh are in `hugoniot.theory`, materials in `hugoniot.materials.library`, exact solutions in `hugoniot.theory.exact`.
 """
 
 from typing import TYPE_CHECKING

@@ -97,7 +97,8 @@ def _few_enough(count: int, how: str = "") -> None:
 
 def _sampled(variables: Sequence[Variable], kind: str, samples: int | None, seed: int) -> Design:
     if samples is None:
-        raise refuse("--samples", "", f"the design '{kind}' needs a number of cases", "write --samples 256")
+        raise refuse("--samples", "", f"the design '{kind}' needs a number of {'base ' if kind in ('saltelli', 'morris') else ''}cases",
+                     "write --samples 256")
     if samples < 1:
         raise refuse("--samples", str(samples), "not a number of cases")
     each = {"saltelli": len(variables) + 2, "morris": len(variables) + 1}.get(kind, 1)

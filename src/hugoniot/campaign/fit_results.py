@@ -155,10 +155,10 @@ def _profile(problem: Problem, best: Minimum, k: int, spread: float, spread_of: 
 def _doubts(problem, best, parameters, correlation, chi_square, freedom, probability, others) -> list[str]:
     found = []
     if freedom < 1:
-        found.append(f"{len(best.x)} parameters and no more data than parameters: the fit cannot show whether the model matches")
+        found.append(f"the data are no more than the parameters ({len(best.x)}): the fit cannot show whether the model matches")
     elif probability < UNLIKELY:
         found.append("the model does not match the data within their uncertainty: reduced chi-square "
-                     f"{chi_square / freedom:.3g} for {freedom} degrees of freedom. "
+                     f"{chi_square / freedom:.3g} for {freedom} degree{'' if freedom == 1 else 's'} of freedom. "
                      "Look at the residuals before using a value; the intervals are widened by the misfit, "
                      "but that does not replace a model that matches")
     estimated = [t.label for t in problem.targets if t.estimated]
@@ -169,7 +169,7 @@ def _doubts(problem, best, parameters, correlation, chi_square, freedom, probabi
         if p.at_end:
             found.append(f"{p.name} lies at the end of its range: the data favour a value outside it, or do not depend on it")
         elif p.sigma > 0.3 * abs(_width(problem, p.name)):
-            found.append(f"{p.name} is not determined by these data: its standard deviation is a third of its range or more")
+            found.append(f"{p.name} is not determined by these data: its standard deviation is more than 0.3 of its range")
     for j in range(len(parameters)):
         for k in range(j):
             if abs(correlation[j, k]) > 0.95:
@@ -179,8 +179,8 @@ def _doubts(problem, best, parameters, correlation, chi_square, freedom, probabi
         found.append("the search ended before it converged")
     near = [cost for _, cost in others if cost < best.cost + 10.0 * max(1.0, best.cost / max(freedom, 1))]
     if near:
-        found.append(f"{len(near)} other minimum fits nearly as well: see `others`" if len(near) == 1 else
-                     f"{len(near)} other minima fit nearly as well: see `others`")
+        found.append(f"{len(near)} other minimum fits nearly as well: see others in fit.json" if len(near) == 1 else
+                     f"{len(near)} other minima fit nearly as well: see others in fit.json")
     return found
 
 

@@ -142,7 +142,7 @@ def _doubts(problem: Problem, stand_in: Surrogate | None, flat: np.ndarray, effe
     found = []
     if effective < LEAST_EFFECTIVE or long < LONG_ENOUGH:
         found.append(f"the chains were short: {long:.0f} autocorrelation times (50 are enough), {effective:.0f} independent draws; "
-                     "its quantiles are rough (--posterior-runs)")
+                     "the quantiles are rough" + ("; allow more runs (--posterior-runs)" if stand_in is None else ""))
     if stand_in is not None:
         rim = np.mean(np.any(np.abs(stand_in.places(flat)) > 0.9, axis=1))
         if rim > 0.02:

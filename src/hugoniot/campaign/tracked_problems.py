@@ -275,7 +275,8 @@ TRACKED: dict[str, TrackedProblem] = {problem.name: problem for problem in (
                    _goals(states=1e-9)),
     TrackedProblem("blast_contacts", "Interacting blast waves: both contacts at 0.59389 and 0.79811 (F11)", gases.build_woodward_colella,
                    _contacts, tuple(Bar("contacts", n, goal=1e-3) for n in (100, 400)), (100, 400), "cells"),
-    TrackedProblem("reaction_zone", "Steady zone of a detonation, f = 1.6, E = 20, driven by a piston; zones per half-reaction length",
+    TrackedProblem("reaction_zone", "Steady zone of a detonation driven by a piston, overdrive (D/D_CJ)^2 = 1.6, activation energy 20; "
+                   "zones per half-reaction length",
                    _overdriven, _zone_errors, (Bar("front_position", 20, goal=1e-5), Bar("pressure_l1", 20, goal=1e-4)), (5, 10, 20),
                    "cells"),
 )}

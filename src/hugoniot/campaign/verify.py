@@ -226,13 +226,13 @@ def _verify_own(problem: PlaneProblem | TrackedProblem, grids: tuple[int, ...], 
     tracks = isinstance(problem, TrackedProblem)
     if integrator not in ("compatible", FRONTS if tracks else "compatible"):
         raise DeckError.single("verify", None, "--integrator", f"'{problem.name}' has no integrator '{integrator}'", "use compatible")
-    begun, judged, energy, momentum = time.perf_counter(), [], 0.0, 0.0
+    begun, judged, energy, momentum = time.perf_counter(), [], 0.0, float("nan")
     for count in grids:
         solver = run_tracked(problem, count) if tracks else run_plane(problem, count, **options)
         errors = solver.errors()
         energy = max(energy, errors["energy_error"])
         if solver.problem.geometry in ("plane", "planar"):
-            momentum = max(momentum, errors["momentum_error"])
+            momentum = float(np.fmax(momentum, errors["momentum_error"]))
         judged += [_held_to(problem, key, count, value) for key, value in problem.measure(solver).items()]
     keys = dict.fromkeys(row.measure for row in judged)
     orders = {key: slope for key in keys if key not in NO_ORDER and (slope := observed_order(judged, key)) is not None}

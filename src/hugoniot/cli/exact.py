@@ -13,7 +13,8 @@ def command(
     settings: Annotated[list[str] | None, typer.Argument(metavar="[PARAMETER=VALUE]...", help='As gamma=1.4, "speed=2 km/s".')] = None,
     times: Annotated[list[str] | None, typer.Option("--time", help='Time of the fields, "2 us"; repeatable.')] = None,
     at: Annotated[str, typer.Option("--at", help='Positions, "1 mm, 2 mm"; pairs or triples with semicolons, "0, 4 m; 3 m, 2 m".')] = "",
-    start: Annotated[str | None, typer.Option("--from", help="First position; default 0.")] = None,
+    start: Annotated[str | None, typer.Option("--from", help="First position; default: the problem's own, 0, or a little beyond "
+                                                                      "the leftmost wave.")] = None,
     end: Annotated[str | None, typer.Option("--to", help="Last position; default: a little beyond the outermost front.")] = None,
     points: Annotated[int, typer.Option("--points", min=2, max=1000000, help="Number of positions; each jump adds two.")] = 201,
     as_json: JSON = False,

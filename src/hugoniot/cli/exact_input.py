@@ -118,9 +118,11 @@ def _solid(key: str, name: str) -> dict[str, str]:
     from hugoniot.laws.eos.contract import reference_state, sound_speed_squared
     from hugoniot.laws.strength.contract import flow_stress, shear_modulus
 
+    if key != "solid":
+        raise DeckError.single("command line", None, key, "is a group of parameters", f"give them one by one: {key}.NAME=VALUE")
     material = find_material(name).material
     par = material.eos
-    if key != "solid" or not all(hasattr(par, n) for n in ("rho0", "c0", "s", "gamma0")) or material.strength is None:
+    if not all(hasattr(par, n) for n in ("rho0", "c0", "s", "gamma0")) or material.strength is None:
         raise DeckError.single("command line", None, key, f"'{name[:40]}' gives no linear Us-up law with a strength",
                                f"write its constants: {key}.rho0=..., {key}.c0=...")
     rho, e = reference_state(par)

@@ -99,7 +99,7 @@ def _problems() -> list[str]:
         usual = {k: p.default for k, p in inspect.signature(function).parameters.items() if k != "points"}
         lines.append(f"problem={number}  {inspect.cleandoc(function.__doc__ or '').splitlines()[0]}")
         lines.append("           " + ", ".join(f"{k}={v}" for k, v in usual.items()))
-    return [*lines, '', 'burn times need points, --at "0, 4 m; 3 m, 2 m", or drawn with --plot burn.png']
+    return [*lines, '', 'burn times need points: give --at "0, 4 m; 3 m, 2 m", or draw them with --plot burn.png']
 
 
 def _tell(name: str, solution: Solution, given: dict, states: list[dict]) -> None:
@@ -187,7 +187,9 @@ def _span(name, solution: Solution, time, jumps, given: dict, grid: Grid) -> tup
     low = quantity(grid.start, "m", "--from") if grid.start else low
     high = quantity(grid.end, "m", "--to") if grid.end else high
     if low is None or high is None or not high > low:
-        raise DeckError.single("command line", None, "--to", f"no interval of positions: {low} to {high} m", 'give --to "1 m", or --at')
+        ends = " to ".join("unknown" if x is None else f"{x:.6g}" for x in (low, high))
+        raise DeckError.single("command line", None, "--from, --to", f"{ends} m is not an interval of positions",
+                               'give --to "1 m", or --at')
     return low, high
 
 

@@ -99,8 +99,8 @@ def _echo(found) -> None:
 
 
 def _echo_posterior(p) -> None:
-    where = "a surrogate" if p.surrogate else "the runs"
-    typer.echo(f"\nposterior over {where}: {len(p.draws)} draws, equivalent to {p.effective:.0f} independent ones")
+    where = "a surrogate" if p.surrogate else "runs of the deck"
+    typer.echo(f"\nposterior sampled with {where}: {len(p.draws)} draws, equivalent to {p.effective:.0f} independent ones")
     if p.surrogate:
         missed = ", ".join(f"{name} {error:.2g} sigma" for name, error in p.surrogate.errors.items())
         typer.echo(f"in leave-one-out tests the surrogate misses the logarithm of the probability by {p.surrogate.log_error:.2g}; {missed}")

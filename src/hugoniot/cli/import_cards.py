@@ -24,7 +24,7 @@ def command(
     """Convert a pyKO (.yml, .yaml) or KO (.in) deck into one ready to run, or LS-DYNA cards into a material table.
 
     Decks of pyKO and KO are converted to SI, with the integrator, viscosity and time step of those codes. LS-DYNA: *EOS_GRUNEISEN
-    or *EOS_JWL and *MAT_JOHNSON_COOK; checked as a deck would be.
+    or *EOS_JWL, with *MAT_JOHNSON_COOK, *MAT_HIGH_EXPLOSIVE_BURN (its density only) or --density; checked as a deck would be.
 
     Example: hugoniot import impact.yml --out impact.toml
 

@@ -14,7 +14,8 @@ MOST_EVENTS = 40
 
 def command(
     folder: Annotated[Path, typer.Argument(help="The run folder.")],
-    events: Annotated[bool, typer.Option("--events", help="List the events: voids opened, voids closed, interfaces separated.")] = False,
+    events: Annotated[bool, typer.Option(
+        "--events", help="List the events: voids opened or closed, interfaces separated, warnings.")] = False,
     deck: Annotated[bool, typer.Option("--deck", help="Print the deck that ran, every default written out.")] = False,
     verify: Annotated[bool, typer.Option("--verify", help="Compare every file with the checksums of the run.")] = False,
     as_json: JSON = False,

@@ -33,7 +33,7 @@ COMMANDS: dict[str, str] = {
     "fit": "Find constants of a deck from measured records.",
     "verify": "Run the built-in verification problems.",
     "material": "Search and show the materials library.",
-    "import": "Turn decks of pyKO and KO, and cards of LS-DYNA, into decks of this program.",
+    "import": "Convert decks of pyKO and KO into decks of this program, and LS-DYNA cards into a material table.",
     "eos": "Hugoniots, isentropes and impedance matches without a mesh.",
     "exact": "Exact solutions: Riemann, Noh, Sedov, Guderley, detonations and more.",
     "pop-plot": "Run distance to detonation against input pressure.",
@@ -162,7 +162,7 @@ def guarded(function: Callable) -> Callable:
         except (typer.Exit, typer.Abort, SystemExit):
             raise
         except MemoryError:
-            typer.echo("error: out of memory; use fewer zones or snapshots (hugoniot check estimates both). A run that has written a "
+            typer.echo("error: out of memory; use fewer zones or snapshots (hugoniot check estimates the memory). A run with a "
                        "checkpoint can be resumed", err=True)
             raise typer.Exit(4) from None
         except OSError as error:

@@ -24,9 +24,11 @@ def command(
     gauge: Annotated[str | None, typer.Option("--gauge", help="Gauge to show in a gauge, pi_plane or free_surface picture.")] = None,
     time: Annotated[str | None, typer.Option("--time", help="Time of a map or profile, such as \"1.2 us\" (default: the last).")] = None,
     delay: Annotated[str | None, typer.Option("--delay", help="Show the free surface as a VISAR with this delay would record it.")] = None,
-    x: Annotated[str | None, typer.Option("--x", help="Positions to show in an xt, profile, peaks or setup picture: \"0..5 mm\".")] = None,
+    x: Annotated[str | None, typer.Option(
+        "--x", help="Positions to show in an xt, map, profile, peaks or setup picture: \"0..5 mm\".")] = None,
     t: Annotated[str | None, typer.Option("--t", help="Times to show in a picture with a time axis, or in a pi_plane picture.")] = None,
-    shown: Annotated[str | None, typer.Option("--range", help="Values to show, such as \"-1..6 GPa\"; colours of an xt picture.")] = None,
+    shown: Annotated[str | None, typer.Option(
+        "--range", help="Values to show, such as \"-1..6 GPa\"; colours of an xt picture or map.")] = None,
     line: Annotated[str | None, typer.Option("--line", help="Line of a profile in two dimensions: \"0 mm, 0 mm .. 0 mm, 30 mm\".")] = None,
     layers: Annotated[str | None, typer.Option("--layers", help="Of a map: \"mesh\", \"no mesh\", \"contours\", \"one half\".")] = None,
     out: Annotated[Path | None, typer.Option("--out", "-o", help="File: .png, .pdf or .svg (default: in the run folder).")] = None,
@@ -109,7 +111,8 @@ def _limits(kind: str, field: str, x: str | None, t: str | None, shown: str | No
 def drawable(path: Path, command: str, option: str) -> None:
     """Refuse a picture of a kind that is not drawn."""
     if path.suffix.lower() not in SUFFIXES:
-        raise DeckError.single(command, None, option, f"cannot draw '{printable(path.name)}'", f"end its name with {', '.join(SUFFIXES)}")
+        raise DeckError.single(command, None, option, f"cannot draw '{printable(path.name)}'",
+                               f"end its name with {', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]}")
 
 
 def _options(kind: str, field: str, gauge: str | None, time: str | None, delay: str | None) -> dict[str, Any]:
@@ -133,7 +136,8 @@ def _of_the_plane(kind: str, plane: bool, line: str | None, layers: str | None) 
     """The options that only pictures of two dimensions have."""
     for option, text, wanted in (("--line", line, "profile"), ("--layers", layers, "map")):
         if text is not None and (kind != wanted or not plane):
-            raise DeckError.single("plot", None, option, f"this {kind} picture does not take it", f"for a {wanted} in two dimensions")
+            raise DeckError.single("plot", None, option, f"this {kind} picture does not take it",
+                                   f"it applies to a {wanted} in two dimensions")
     options: dict[str, Any] = {}
     if line is not None:
         ends = [end.split(",") for end in line.split("..")]

@@ -31,7 +31,7 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
                    f"closed {s.get('voids_closed', 0)}, interfaces separated {s.get('interfaces_separated', 0)}")
     if "contact_heat" in s:
         typer.echo(f"contact: heat {format_si(s['contact_heat'], 'J')}, work of friction {format_si(s['friction_work'], 'J')}, "
-                   f"deepest node {s['contact_depth']:.1e} of an edge, bonds broken {s['bonds_broken']}")
+                   f"deepest penetration {s['contact_depth']:.1e} of an edge, bonds broken {s['bonds_broken']}")
     top = highest_rows(run)
     if top:
         typer.echo("highest: " + "; ".join(f"{name} {value}" + (f" ({place})" if place else "") for name, value, place in top))

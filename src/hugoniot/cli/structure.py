@@ -25,7 +25,7 @@ BULK = Annotated[float | None, typer.Option("--bulk-ratio", help="Ratio of bulk 
 DENSITY = Annotated[str | None, typer.Option("--density", help='Density ahead, "1.62 kg/m^3".')]
 TEMPERATURE = Annotated[str | None, typer.Option("--temperature", help='Temperature ahead, "300 K".')]
 PRESSURE = Annotated[str | None, typer.Option("--pressure", help='Pressure ahead, "1 bar".')]
-UNIT = Annotated[str, typer.Option("--mean-free-path", help="Unit of reciprocal thickness: bsl, chapman_enskog, viscous, vhs.")]
+UNIT = Annotated[str, typer.Option("--mean-free-path", help="Definition of the mean free path: bsl, chapman_enskog, viscous, vhs.")]
 BENT = Annotated[bool, typer.Option("--bent", help="Water, silica of Jordan 2011: the Grüneisen parameter adjusted to fit the jump.")]
 CSV = Annotated[Path | None, typer.Option("--csv", help="Write SI numbers to this file.")]
 PLOT = Annotated[Path | None, typer.Option("--plot", help="Draw the picture into this file (.png, .pdf, .svg).")]
@@ -82,7 +82,7 @@ def sweep(
     density: DENSITY = None, temperature: TEMPERATURE = None, pressure: PRESSURE = None, unit: UNIT = "chapman_enskog",
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """Reciprocal thickness over Mach number, in mean free paths for a gas and in 1/nm for anything else.
+    """Reciprocal thickness against Mach number: mean free path over thickness for a gas, in 1/nm for anything else.
 
     Example: hugoniot structure sweep argon-jordan --plot thickness.png
     """
@@ -133,7 +133,7 @@ def jordan(as_json: JSON = False) -> None:
                [(r["table"], r["block"], f"{r['mach']:g}", r["quantity"], "-" if r["printed"] is None else f"{r['printed']:g}",
                  f"{r['ours']:.4f}") for r in argon])
     typer.echo("\nThickness in nm; the printed values reflect the source's grid (see docs/theory/shock_structure.md)")
-    echo_table(["case", "Mach", "printed", "its spacing", "bent Grüneisen", "literature's"],
+    echo_table(["case", "Mach", "printed", "grid spacing", "here, adjusted Grüneisen", "here, literature's Grüneisen"],
                [(r["block"], f"{r['mach']:.4g}", f"{r['printed']:g}", f"{r['spacing']:.4g}", f"{r['ours_bent']:.4g}", f"{r['ours']:.4g}")
                 for r in condensed])
 
@@ -174,7 +174,7 @@ def _law_name(viscosity: str | None) -> str | None:
     known = ("constant", "power_law", "sutherland", "hard_sphere", "maxwell_molecules")
     if viscosity is not None and viscosity not in known:
         raise DeckError.single("command line", None, "--viscosity", f"argon-jordan supports {', '.join(known)}, not '{viscosity[:40]}'",
-                               "for another argon write a deck (examples/argon-mach9.toml)")
+                               "for argon with another viscosity write a deck (examples/argon-mach9.toml)")
     return viscosity
 
 
@@ -268,7 +268,7 @@ def _tell(numbers: dict, found, transport) -> None:
         ("  density", f"{one.density:.6g}", f"{two.density:.6g}", "kg/m^3"),
         ("  pressure", f"{one.pressure:.6g}", f"{two.pressure:.6g}", "Pa"),
         ("  temperature", f"{one.temperature:.6g}", f"{two.temperature:.6g}", "K"),
-        ("  velocity", f"{one.velocity:.6g}", f"{two.velocity:.6g}", "m/s")])
+        ("  velocity relative to the shock", f"{one.velocity:.6g}", f"{two.velocity:.6g}", "m/s")])
     rows = [("density thickness", "density_thickness"), ("velocity thickness", "velocity_thickness"),
             ("density width 10-90 %", "density_width_10_90"), ("velocity width 10-90 %", "velocity_width_10_90")]
     typer.echo("")

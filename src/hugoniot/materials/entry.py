@@ -81,7 +81,7 @@ def read_file(path: Path) -> dict:
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise DeckError.single(path, None, "TOML", str(error), "see `hugoniot material --help` for an example") from error
+        raise DeckError.single(path, None, "TOML", str(error), "tables are [name], keys are name = value, strings need quotes") from error
 
 
 def make_entry(name: str, tables: dict, file: str, line_of=None, base: Material | None = None, **words) -> Entry:

@@ -165,7 +165,7 @@ def check_state(row: Any, material: Material | None, collector: Collector, path:
         return
     low, high = density_limits(material.eos)
     if row.density is not None and not low <= row.density < high:
-        collector.add((*path, "density"), f"{row.density:g} kg/m^3 lies outside the equation of state",
+        collector.add((*path, "density"), f"{row.density:g} kg/m^3 lies outside the range of the equation of state",
                       f"{material.name} is defined from {low:g} to {high:g} kg/m^3")
         return
     try:

@@ -48,8 +48,8 @@ class OptionsTable(Table):
         "the cells that it starts with")
     weakest: Annotated[float, Quantity("1", least=0.0, limit=0.1)] | None = Field(
         None, description="strength (change of stress / stiffness) below which a wave is not followed (default: 1e-6 algebraic, "
-        "0.01 cells, where a tenth of the strongest wave of the start replaces it if that wave is weaker, by less than ten times, and no "
-        "region has a profile)")
+        "0.01 cells; where the strongest wave at the start is weaker than that, but stronger than a tenth of it, the cells mode takes a "
+        "tenth of that wave's strength, unless a region has a profile)")
     most_fronts: int = Field(400, ge=10, le=100_000, description="with more fronts to follow, the algebraic mode stops with a message, "
                              "and the cells mode leaves new waves to the cells, with a warning")
 
@@ -211,7 +211,7 @@ def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]
     if material.strength is not None and STRENGTH.of(material.strength).name not in ("none", "perfectly_plastic"):
         law = STRENGTH.of(material.strength).name
         found.append((("strength", "law"), f"has no constant yield stress ('{law}'); the waves of {NAME} are exact for perfectly_plastic "
-                      "(or none) only: use one of these with the mode 'algebraic', or use lagrange1d"))
+                      "(or none) only: use one of these, or use lagrange1d"))
     return found
 
 

@@ -80,7 +80,8 @@ def _layer(row: list[float], file: str, line: int, number: int) -> Layer:
     if kind == 1 and (fracture := fracture_table(limit * MBAR, None)) is not None:
         tables["fracture"] = fracture
     if nodes % 2 or nodes < 2:
-        raise DeckError.single(file, line, "Nodes", f"{nodes:g} is not an even number of nodes", "they count centres and edges: 2 per cell")
+        raise DeckError.single(file, line, "Nodes", f"{nodes:g} is not an even number of nodes above 0",
+                               "they count centres and edges: 2 per cell")
     return Layer(f"layer {number}", start * CM, length * CM, int(nodes) // 2, u * SPEED, rho * DENSITY, e * MBAR / (rho * DENSITY),
                  p * MBAR, tables)
 

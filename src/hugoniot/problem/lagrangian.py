@@ -93,7 +93,8 @@ class InterfaceTable(Table):
 
     between: list[str] = Field(min_length=2, max_length=2, description="the names of the two regions")
     kind: Literal["bonded", "separable", "bond"] = Field(
-        "separable", description="bonded never opens (over a gap: sticks on contact), separable opens under any tension, "
+        "separable", description="bonded opens only by fracture of a material (over a gap: sticks on contact), "
+        "separable opens under any tension, "
                                  "bond opens beyond its strength")
     strength: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(None, description="tensile stress at which a bond breaks")
 

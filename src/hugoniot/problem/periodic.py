@@ -19,7 +19,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
             found.append((("region", k, "from"), f"a gap before '{two.name}': between periodic ends there is one body", "close the gap"))
     for k, gauge in enumerate(problem.gauges):
         if any(kind == "periodic" and gauge.at == f"free surface {side}" for side, kind in kinds.items()):
-            found.append((("gauge", k, "at"), f"a periodic end is not a {gauge.at}", "give a position, or REGION:left"))
+            found.append((("gauge", k, "at"), f"a periodic end has no '{gauge.at}'", "give a position, or REGION:left"))
     for region in problem.regions:
         if problem.materials[region.material].burn is not None:
             found.append((("boundary",), f"'{region.name}' burns: a front that leaves at one end would enter at the other",

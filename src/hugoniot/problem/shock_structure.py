@@ -114,7 +114,7 @@ def _as_fluid(name: str, material: Material, tables: Any, collector: Collector, 
         path = ("material", name, family) if isinstance(own, dict) and family in own else None
         if path or family == "burn":
             collector.add(path or ("material", name), f"'{shown}': {family} has no effect in shock_structure, which treats a viscous fluid",
-                          "use solver kind lagrange1d, or leave the table out")
+                          "use solver kind lagrange1d, or " + ("leave the table out" if path else 'give the material burn = "none"'))
         else:
             warnings.append(f"'{shown}' is treated as a viscous fluid: shock_structure ignores its {family} from the library")
     return replace(material, strength=None, fracture=None)

@@ -99,7 +99,7 @@ def test_every_solution_draws_where_it_holds():
     (("kidder", "--time", "1 s"), 3, "the solution holds, from 0 to"), (("riemann_ideal", "left.density=1"), 2, "right.pressure"),
     (("noh", "--csv", "x.csv"), 2, "needs a time"), (("kenamond", "problem=7"), 2, "Kenamond's problems are"),
     (("kenamond", "problem=1", "--at", "1, 2, 3, 4"), 2, "not a list of points"), (("double_burgers", "half_waves=1.5"), 2, "not a whole number"),
-    (("elastic_plastic_piston", "solid=water", "piston=1 m/s"), 2, "write its constants"), (("noh", "--time", "1", "--to", "-1 m"), 2, "no interval"),
+    (("elastic_plastic_piston", "solid=water", "piston=1 m/s"), 2, "write its constants"), (("noh", "--time", "1", "--to", "-1 m"), 2, "is not an interval"),
     (("woodward_colella", "--time", "0.038"), 2, "reference numbers"), (("kenamond", "--time", "1"), 2, "omit --time"),
     (("noh", "--time", "1", "--at", "-0.1"), 2, "is not a radius"), (("mader", "--time", "0"), 3, "above 0"),
     (("riemann_ideal", "--time", "1"), 2, "not given: left.density"),

@@ -198,5 +198,5 @@ def test_a_profile_is_asked_where_the_run_asks_for_it(given, message, tmp_path):
 
 
 def test_a_periodic_end_is_no_free_surface():
-    with pytest.raises(DeckError, match="gauge.end.at: a periodic end is not a free surface right"):
+    with pytest.raises(DeckError, match="gauge.end.at: a periodic end has no 'free surface right'"):
         deck('velocity = "1 m/s"', "compatible", more='[[gauge]]\nname = "end"\nat = "free surface right"')

@@ -79,7 +79,7 @@ def test_a_deck_asks_for_it_and_is_written_back():
 
 @pytest.mark.parametrize("old, new, key, words", [
     ('kind = "wall"', 'kind = "free"', "boundary[1].separable", "does not apply to a boundary of kind free"),
-    ("separable = true", "separable = true\nslip = false", "boundary[1].slip", "cannot hold nodes along itself"),
+    ("separable = true", "separable = true\nslip = false", "boundary[1].slip", "cannot keep nodes from sliding along it"),
 ])
 def test_what_it_cannot_be_is_said(old, new, key, words):
     with pytest.raises(DeckError) as caught:

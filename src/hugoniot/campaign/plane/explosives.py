@@ -104,6 +104,7 @@ PROBLEMS = (
     PlaneProblem("kenamond_3", "burn times around an inert ball", around, 0.0,
                  partial(late, partial(obstacle, detonation_velocity=FAST, radius=BALL, detonator=(0.0, 5.0))),
                  (Bar("lighting_time", 20, goal=0.01), Bar("lighting_time", 100, goal=0.01)), (20, 100)),
-    PlaneProblem("cylinder_comp_b", "cylinder test of Composition B, 25.4 mm, by the slit's record", cylinder, 28.5e-6, streak,
+    PlaneProblem("cylinder_comp_b", "cylinder test of Composition B, 25.4 mm, from the record of the streak camera's slit",
+                 cylinder, 28.5e-6, streak,
                  (*(Bar(f"speed_{mm}mm", n, goal=0.02) for mm in (6, 19) for n in (8, 12)),), (8, 12)),
 )

@@ -168,7 +168,7 @@ PROBLEMS = (
     PlaneProblem("saltzman_skewed", "Saltzman's piston into skewed zones, at t = 0.6", saltzman, 0.6, saltzman_front,
                  (Bar("density_l1", 100, goal=0.09, peer=0.300), Bar("front_rms", 100, goal=1e-3, peer=1e-3),
                   Bar("velocity_across", 100, goal=0.05, peer=0.116)), (100,)),
-    PlaneProblem("saltzman_reflected", "the same until after the second reflection", saltzman, 0.94, reached,
+    PlaneProblem("saltzman_reflected", "Saltzman's piston into skewed zones, until after the second reflection", saltzman, 0.94, reached,
                  (Bar("time_reached", 100, goal=0.94, peer=0.907, sense="above"),), (100,)),
     PlaneProblem("triple_point", "the triple point to t = 3, beside a mesh twice as fine", triple_point, 3.0, rolled,
                  (*(Bar("interface_length", n, goal=0.05) for n in (4, 8)),

@@ -24,7 +24,7 @@ app = typer.Typer(no_args_is_help=True, help=(
 
 @app.command()
 def show(material: MATERIAL, at: AT = None, as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None) -> None:
-    """The law, its parameters, its state at rest and, with --at, a state on the Hugoniot.
+    """The law, its parameters and its state at rest or, with --at, a state on the Hugoniot.
 
     Example: hugoniot eos show copper --at "pressure = 10 GPa"
     """
@@ -82,7 +82,7 @@ def match(
                                                                     '"copper.c0 = 20 m/s"; "library" for the covariance of the '
                                                                     "library's own fits; repeatable.")] = None,
     samples: Annotated[int, typer.Option("--samples", min=0, max=1000000, help="Monte Carlo samples instead of linear error bars.")] = 0,
-    ring_up: Annotated[int, typer.Option("--ring-up", min=0, max=1000, help="Further reverberations while the first layer rings up.")] = 0,
+    ring_up: Annotated[int, typer.Option("--ring-up", min=0, max=1000, help="Further reverberations while the first target rings up.")] = 0,
     thickness: Annotated[list[str] | None, typer.Option("--thickness", help="Thickness of each layer, flyer first: follows all "
                                                                             "waves to --until; --plot draws them.")] = None,
     until: Annotated[str, typer.Option("--until", help='End time of the wave diagram, "2 us".')] = "1 us",
@@ -145,10 +145,10 @@ def fit(
     least: Annotated[str | None, typer.Option("--from", help="Ignore points of lower particle velocity.")] = None,
     highest: Annotated[str | None, typer.Option("--to", help="Ignore points of higher particle velocity.")] = None,
     as_toml: Annotated[bool, typer.Option("--toml", help="Print a material table for a deck.")] = False,
-    density: Annotated[str | None, typer.Option("--density", help="Density at rest, for --toml (default: the library's).")] = None,
-    gruneisen: Annotated[float | None, typer.Option("--gruneisen", help="Gruneisen parameter, for --toml (default: 2 s - 1).")] = None,
-    solid_jwl: Annotated[bool, typer.Option("--jwl-proportional", help="Fit the JWL alternative for solids; with --density and --gruneisen "
-                                                                       "prints its table for a deck.")] = False,
+    density: Annotated[str | None, typer.Option("--density", help="Density at rest, for a table (default: the library's).")] = None,
+    gruneisen: Annotated[float | None, typer.Option("--gruneisen", help="Grüneisen parameter, for a table (default: 2 s - 1).")] = None,
+    solid_jwl: Annotated[bool, typer.Option("--jwl-proportional", help="Fit the JWL alternative for solids instead and print its "
+                                                                       "material table for a deck.")] = False,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
     """Fit shock velocity against particle velocity, with standard deviations and the range of the points.
@@ -204,7 +204,8 @@ def fit_gamma(
 @app.command()
 def table(
     material: MATERIAL,
-    densities: Annotated[str, typer.Option("--densities", help='Range, "8 g/cm^3, 14 g/cm^3"; default 0.9 to 1.5 times rest.')] = "",
+    densities: Annotated[str, typer.Option("--densities", help='Range, "8 g/cm^3, 14 g/cm^3"; default: 0.9 to 1.5 times '
+                                                               'the density at rest.')] = "",
     temperatures: Annotated[str, typer.Option("--temperatures", help='Temperatures: range "200 K, 3000 K", or three or more values; '
                                                                      '0 K is the cold curve.')] = "200 K, 3000 K",
     points: Annotated[int, typer.Option("--points", min=2, max=1000, help="Number of values of each.")] = 21,

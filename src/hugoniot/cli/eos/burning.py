@@ -72,12 +72,12 @@ def mixture_of(subject: Subject, closure: str | None = None, heat: float | None 
     material = subject.material
     if material.unreacted is None:
         raise DeckError.single("command line", None, material.name, "the explosive before it burns has no equation of state",
-                               "give it an [unreacted] table in a TOML file, or --heat for one law that releases heat")
+                               "give it an [unreacted] table in a TOML file (eos znd and stability also take one law with --heat)")
     kind = closure_of(closure) if closure else burning.closure(material)
     found = mixture(kind, material.unreacted, material.eos, material.detonation_energy if heat is None else heat)
     if hasattr(found, "detonation_energy") and not found.detonation_energy > 0.0:
-        raise OutOfRange(f"burning {material.name} would release {found.detonation_energy:.6g} J/kg: give its chemical energy with --heat, "
-                         "as detonation_energy in a TOML file, or products with their E0")
+        raise OutOfRange(f"burning {material.name} would release {found.detonation_energy:.6g} J/kg: give its chemical energy as "
+                         "detonation_energy in a TOML file (for eos mixture also with --heat), or products with their E0")
     return found
 
 

@@ -63,9 +63,9 @@ def znd(
 
 def mixture(
     explosive: EXPLOSIVE,
-    at: Annotated[str, typer.Option("--at", help='State of the mixture, "density = 2.4 g/cm^3, energy = 3 MJ/kg", or with pressure or '
-                                                 "temperature for energy; energies count from the unreacted explosive at rest, the "
-                                                 "chemical one is added.")] = "",
+    at: Annotated[str, typer.Option("--at", help='State of the mixture, "density = 2.4 g/cm^3, energy = 3 MJ/kg", or pressure or '
+                                                 "temperature in place of energy. The energy counts from the unreacted explosive at rest; "
+                                                 "the chemical energy is added to it.")] = "",
     shocked: Annotated[str, typer.Option("--shocked", help='A shock through the reactants first, "pressure = 20 GPa": gives their '
                                                            "isentrope and, without --at, the state.")] = "",
     fractions: Annotated[str, typer.Option("--burn-fraction", help="Burn fractions, separated by commas.")] = "0, 0.25, 0.5, 0.75, 1",

@@ -96,7 +96,8 @@ def _at_bounds(found) -> list[str]:
 def _density_at_rest(name: str) -> float:
     """Of a material of the library, kg/m3."""
     if Path(name).suffix.lower() in (".csv", ".txt", ".dat") or Path(name).exists():
-        raise DeckError.single("command line", None, "--toml", "the points do not give the density at rest", 'add --density "8.93 g/cm^3"')
+        raise DeckError.single("command line", None, "--density", "the points do not give the density at rest",
+                               'add --density "8.93 g/cm^3"')
     from hugoniot.laws.eos.contract import reference_state
     from hugoniot.materials.library import find
 

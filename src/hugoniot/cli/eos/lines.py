@@ -23,7 +23,7 @@ def lines(
     points: Annotated[int, typer.Option("--points", min=3, max=10000, help="States along each line.")] = 41,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
-    """The Rayleigh line (mass, momentum), the Fanno line (mass, energy) and the Hugoniot of a shock: they meet in its two states.
+    """The Rayleigh line (mass, momentum), the Fanno line (mass, energy) and the Hugoniot of a shock: they meet at its two states.
 
     Example: hugoniot eos lines copper --at "particle_velocity = 1 km/s" --plot lines.png
     """
@@ -91,7 +91,7 @@ def gurney(
     if velocity is not None and speed < SLOW:
         told.add(f"a Gurney velocity of {speed:g} m/s? A bare number is SI; write \"{speed:g} km/s\" if that is what you mean")
     if behind is not None:
-        told.add(f"asymmetric: a plate of M/C and, on the other side, a tamper of N/C = {behind:g}, both outwards")
+        told.add(f"asymmetric: a plate of M/C and, on the other side, a tamper of N/C = {behind:g}; both velocities are outward")
     echo_notes(sorted(told | {"the metal velocities are accurate to about 10 %"}))
     if np.max(ratios) > 10.0 or np.min(ratios) < 0.1:
         echo_notes(["Gurney's velocity profile has been tested for M/C between 0.1 and 10"])

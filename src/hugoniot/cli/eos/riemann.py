@@ -39,6 +39,6 @@ def report(materials: tuple[str, str], given_states: tuple[str, str], bonded: bo
     echo_table(["edge", "velocity"], [(what, f"{v:.6g} m/s") for what, v in found.jumps])
     for side, wave in (("left", found.left), ("right", found.right)):
         if wave.behind.density > 0.0:
-            typer.echo(f"\n{side}, behind the {wave.kind if wave.kind != 'none' else 'undisturbed edge'}:")
+            typer.echo(f"\n{side}, {'undisturbed' if wave.kind == 'none' else f'behind the {wave.kind}'}:")
             echo_states(wave.behind)
     echo_notes(told)

@@ -16,9 +16,10 @@ def stability(
     explosive: Annotated[str | None, typer.Argument(help="Explosive of the library, or of a TOML file; none: an ideal gas with one "
                                                          "Arrhenius step.")] = None,
     gamma: Annotated[float | None, typer.Option("--gamma", help="Ratio of specific heats of the gas (default 1.2).")] = None,
-    heat: Annotated[str | None, typer.Option("--heat", help="Heat release over pressure/density ahead (default 50); of an explosive that "
-                                                            'of one law, "5 MJ/kg".')] = None,
-    activation: Annotated[float | None, typer.Option("--activation", help="Activation energy over pressure/density ahead (50).")] = None,
+    heat: Annotated[str | None, typer.Option("--heat", help="Heat release over pressure/density ahead (default 50); with an explosive: "
+                                                            'the heat that its one law releases, "5 MJ/kg".')] = None,
+    activation: Annotated[float | None, typer.Option("--activation",
+                                                              help="Activation energy over pressure/density ahead (default 50).")] = None,
     overdrive: Annotated[float, typer.Option("--overdrive", help="f = (D/D_CJ)^2, at least 1.0005; CJ is the limit from above.")] = 1.6,
     highest: Annotated[float, typer.Option("--highest", help="Highest frequency to search, in radians per unit time.")] = 3.0,
     closure: Annotated[str | None, typer.Option("--closure", help=CLOSURE + "; default: the material's.")] = None,

@@ -64,7 +64,8 @@ def _temperatures(text: str, points: int) -> np.ndarray:
         return np.linspace(*_range(text, "K", "--temperatures", lowest=0.0), points)
     values = np.array([quantity(part.strip(), "K", "--temperatures") for part in text.split(",")])
     if values[0] < 0.0 or not (np.diff(values) > 0.0).all():
-        raise DeckError.single("command line", None, "--temperatures", f"'{text[:60]}' does not rise from 0 K", "write rising temperatures")
+        raise DeckError.single("command line", None, "--temperatures", f"'{text[:60]}' is not a rising list of temperatures",
+                               "write rising values, 0 K or more")
     return values
 
 
@@ -74,5 +75,6 @@ def _range(text: str, unit: str, option: str, lowest: float | None = None) -> tu
         raise DeckError.single("command line", None, option, f"'{text[:60]}' is not a range", 'write two values, such as "300 K, 3000 K"')
     low, high = (quantity(p.strip(), unit, option) for p in parts)
     if not low < high or low < 0.0 or low == 0.0 != lowest:
-        raise DeckError.single("command line", None, option, f"'{text[:60]}' does not rise", "write the lower value first")
+        raise DeckError.single("command line", None, option, f"'{text[:60]}' is not a rising range",
+                               f"write the lower value first, {'above 0' if lowest is None else '0 or more'}")
     return low, high

@@ -90,7 +90,7 @@ def read_rigid(rows: Sequence, axes, blocks: Sequence[str], collector: Collector
         path, before = ("rigid", i), collector.findings
         if row.name in names or row.name != row.name.strip() or not row.name.isprintable():
             message = f"'{printable(row.name)}' is taken or cannot be a name"
-            collector.add((*path, "name"), message, "names of blocks and rigid bodies differ")
+            collector.add((*path, "name"), message, "names of blocks and rigid bodies must differ")
         names.add(row.name)
         if len(set(row.points)) < len(row.points):
             collector.add((*path, "points"), "lists a point twice", "closed = true joins the last point to the first")

@@ -83,7 +83,7 @@ def _boundary(row, collector: Collector, path: tuple) -> Boundary2D | None:
     if row.separable is not None and row.kind != "wall":
         collector.add((*path, "separable"), f"does not apply to a boundary of kind {row.kind}", "it applies to a wall")
     if row.separable and row.slip is False:
-        collector.add((*path, "slip"), "a separable wall cannot hold nodes along itself",
+        collector.add((*path, "slip"), "a separable wall cannot keep nodes from sliding along it",
                       "leave it out, or use a [[rigid]] body and [[contact]] with friction")
     if collector.findings > before:
         return None

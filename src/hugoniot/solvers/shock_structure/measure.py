@@ -47,5 +47,8 @@ def _shock_faces(velocity):
 
 
 def thickness_by_differences(spacing, density, low: float, high: float) -> float:
-    """Jordan eq. 6.2.5 as it stands: |jump| over the largest central difference of neighbouring cells, m. Never below `spacing`."""
+    """Jordan eq. 6.2.5 as it stands: |jump| over the largest central difference of neighbouring cells, m.
+
+    Never below twice the spacing where the profile does not overshoot its ends.
+    """
     return abs(high - low) / float(np.abs(density[2:] - density[:-2]).max() / (2.0 * spacing))
