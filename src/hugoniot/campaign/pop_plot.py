@@ -42,6 +42,7 @@ class Initiation:
     distance, time   to detonation: m, s; not-a-number where there is none
     path             (times, positions) of the front
     note             why there is no run distance, or what the run warned of; empty for a sound one
+    at_once          whether there is none because the charge detonates at once: within a few zones, or overdriven
     """
 
     pressure: float
@@ -52,6 +53,7 @@ class Initiation:
     zones: int
     path: tuple[np.ndarray, np.ndarray]
     note: str = ""
+    at_once: bool = False
 
 
 @dataclass(frozen=True)
@@ -120,16 +122,17 @@ def initiation(charge: Charge, pressure: float, zone_size: float, longest: float
     """The run of one pressure, in a charge that grows from `zones` until the front has turned."""
     inert = shock(charge.material.unreacted, charge.ahead, pressure=pressure)
     piston, entering = float(inert.particle_velocity), float(inert.shock_velocity)
-    most = int(longest / zone_size)
+    most, at_once = int(longest / zone_size), False
     if entering >= charge.speed:
         told = f"the shock itself runs at {entering:.0f} m/s, faster than the detonation: overdriven"
-        return Initiation(pressure, piston, entering, math.nan, math.nan, 0, (np.zeros(0), np.zeros(0)), told)
+        return Initiation(pressure, piston, entering, math.nan, math.nan, 0, (np.zeros(0), np.zeros(0)), told, True)
     while True:
         zones = min(zones, most)
         times, path, told = _front(charge, pressure, piston, entering, zones, zone_size)
         try:
             distance, time = run_to_detonation(times, path, charge.speed, entering)
-            if distance < NEAREST * zone_size:
+            at_once = bool(distance < NEAREST * zone_size)
+            if at_once:
                 told = [f"detonation within {distance / zone_size:.0f} zones: make them {NEAREST * zone_size / distance:.1f} times smaller"]
                 distance = time = math.nan
             break
@@ -139,7 +142,7 @@ def initiation(charge: Charge, pressure: float, zone_size: float, longest: float
                 told = [f"no detonation within {longest * 1e3:.4g} mm"]
                 break
         zones = int(zones * GROWTH)
-    return Initiation(pressure, piston, entering, distance, time, zones, (times, path), "; ".join(told))
+    return Initiation(pressure, piston, entering, distance, time, zones, (times, path), "; ".join(told), at_once)
 
 
 def _front(charge: Charge, pressure: float, piston: float, entering: float, zones: int, zone_size: float):

@@ -103,9 +103,9 @@ def explosive_of(problem):
     """The material of a problem that burns by a rate. Raises `DeckError` where there is none, or more than one."""
     found = [material for material in problem.materials.values() if material.burn is not None]
     if len(found) != 1:
-        message = (f"{len(found)} explosives with rate laws; a Pop plot belongs to one" if found else
+        message = (f"{len(found)} materials that burn; a Pop plot belongs to one" if found else
                    "a Pop plot needs an explosive with a rate law, and the deck has none")
-        raise DeckError.single("deck", None, "material", message, "use a deck with one explosive that has a rate law")
+        raise DeckError.single("deck", None, "material", message, "use a deck in which one material burns, by a rate law")
     return found[0]
 
 
@@ -121,10 +121,10 @@ def initiations(charge: Charge, pressures: Sequence[float], wanted: Sequence[flo
 
 
 def run_distance(point: Initiation, wanted: float) -> float:
-    """The run distance; where there is none, the room of the charge or, where it turned at once, an eighth of what is wanted."""
+    """The run distance; where there is none, the room of the charge or, where it detonated at once, an eighth of what is wanted."""
     if math.isfinite(point.distance):
         return point.distance
-    return wanted / ROOM if point.note.startswith("turned") else wanted * ROOM
+    return wanted / ROOM if point.at_once else wanted * ROOM
 
 
 def distances(material, pressures: Sequence[float], wanted: Sequence[float]) -> list[float]:

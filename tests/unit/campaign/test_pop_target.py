@@ -1,12 +1,14 @@
 """Pop plots as records of a fit: read with their units, fitted beside other records or alone, and refused where they make no sense."""
 
+import dataclasses
 import pathlib
 
 import numpy as np
 import pytest
 
 from hugoniot.campaign import pop_target
-from hugoniot.campaign.pop_target import distances, is_pop_plot, read_pop_plot
+from hugoniot.campaign.pop_plot import Initiation
+from hugoniot.campaign.pop_target import ROOM, distances, is_pop_plot, read_pop_plot, run_distance
 from hugoniot.campaign.questions import Deck, question_of
 from hugoniot.campaign.run_fit import FitWishes, run_fit
 from hugoniot.errors import DeckError
@@ -101,3 +103,10 @@ def test_a_deck_without_an_explosive_and_options_of_gauges_are_refused(deck, coa
         run_fit(coarse, FitWishes([path], ['material."LX-18 reactive".burn.g1 = 4e-24..5e-24']), False, engine=inline)
     with pytest.raises(DeckError, match="no clock"):
         run_fit(coarse, FitWishes([path], [f"{RATE} = 4e-24..5e-24"], shift="20 ns"), False, engine=inline)
+
+
+def test_a_charge_that_detonates_at_once_ran_less_than_wanted():
+    """Neither has a run distance: that of the one is far shorter than what is wanted, that of the charge that does not detonate far longer."""
+    without = Initiation(17e9, 1e3, 5e3, np.nan, np.nan, 0, (np.zeros(0), np.zeros(0)))
+    assert run_distance(dataclasses.replace(without, at_once=True), 1e-3) == pytest.approx(1e-3 / ROOM)
+    assert run_distance(without, 1e-3) == pytest.approx(1e-3 * ROOM)
