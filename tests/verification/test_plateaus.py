@@ -54,7 +54,7 @@ def test_strength_does_not_bring_the_overshoot_back(tmp_path, speed):
     done = run(problem, tmp_path / "run")
     found, peaks = done.arrays("gauges"), done.arrays("peaks")["peak_stress"]
     level = 0.08e9 + float(shock(copper, particle_velocity=0.5 * speed).pressure)     # about: the elastic part of the compression is stiffer
-    assert peaks.max() > 1.1 * level and highest(done)["stress"] == pytest.approx(level, rel=0.01)    # the first zones at the impact overshoot
+    assert peaks.max() > 1.05 * level and highest(done)["stress"] == pytest.approx(level, rel=0.01)    # the first zones at the impact overshoot
     velocity = found["velocity"][:, 0]
     assert velocity.max() < 1.006 * velocity[-1]
     assert found["stress"][:, 0].min() > -1.35e9     # no spall of the last zones, to which the overshoot led at a strength of 1.35 GPa
@@ -80,7 +80,7 @@ def test_a_driven_end_starts_its_shock_alike_at_any_time(tmp_path, start):
     problem = Problem("piston", "planar", start + 5e-7, (Region("target", "m", 0.0, 5e-3, 100),), {"m": Material("m", law)},
                       left=Boundary("velocity", Pulse("constant", speed, start)), output=OutputOptions(report=False))
     peaks = run(problem, tmp_path / "run").arrays("peaks")["peak_stress"] / (law.rho0 * (law.c0 + law.s * speed) * speed)
-    assert peaks[0] < 1.2 and peaks[1] < 1.04 and abs(peaks[10] - 1.0) < 2e-3
+    assert peaks[0] < 1.15 and peaks[1] < 1.06 and abs(peaks[10] - 1.0) < 2e-3
 
 
 def test_the_highest_stress_of_a_wave_that_has_not_left_the_first_zones(tmp_path):

@@ -14,9 +14,9 @@ if TYPE_CHECKING:
 
 IONISED = 15e3      # m/s of particle velocity: 112 MJ/kg, 31 eV for an atom of aluminium, whose first two electrons take 25 eV
 RELATIVISTIC = 0.01      # of the speed of light
-# Courant numbers up to which the peak of a shock at 5 GPa is right to 0.1 %: it is 12 % too high at 0.9 (compatible) and 6 % at 1.0
-# (wilkins); in two dimensions shocks of 18 GPa are 0.1 % too high at 0.4 and 0.4 % at 0.5
-LONGEST_STEP = {"compatible": 0.6, "wilkins": 0.8}
+# Courant numbers up to which the peak of a shock at 5 GPa is right to 0.1 %: it is 0.5 % too high at 0.9 (compatible) and 6 % at 1.0
+# (wilkins); in two dimensions shocks of 18 GPa are 0.1 % too high at 0.4 and 0.3 % at 0.5
+LONGEST_STEP = {"compatible": 0.7, "wilkins": 0.8}
 LONGEST_STEP_IN_PLANE = 0.4
 
 

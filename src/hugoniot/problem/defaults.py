@@ -4,7 +4,8 @@ Of lagrange1d, by integrator:
 
 compatible   measured best over the standard problems of `problem.standard` with one set of numbers; where something burns, the jump of
              detonation products, (gamma + 1)/4 with gamma near 3, stands for that of a gas or a metal, and burn laws were calibrated
-             with one thickness of shock
+             with one thickness of shock; where all materials are condensed and nothing burns, steps are longer: shocks overshoot by
+             0.03 % more at 0.7 of the Courant step than at 0.5, in gases by 1 to 6 %
 wilkins      as printed: C0 = 2, CL = 1 with sqrt(P/rho), two thirds of the Courant step (Wilkins B.2 items 7 and 9)
 """
 
@@ -12,11 +13,13 @@ import dataclasses
 from types import MappingProxyType
 
 from hugoniot.laws import viscosity as _laws  # noqa: F401  (enrols the laws)
+from hugoniot.laws.eos.contract import is_condensed
 from hugoniot.laws.viscosity.contract import VISCOSITY as LAWS
 from hugoniot.problem.gauges import with_automatic_gauges
 from hugoniot.problem.model import Problem
 
 COURANT = {"compatible": 0.5, "wilkins": 2.0 / 3.0}
+COURANT_CONDENSED = {**COURANT, "compatible": 0.7}
 VISCOSITY = {"compatible": ("limited", {"quadratic": 2.0 / 3.0, "linear": 0.3, "linear_condensed": 1.0}),
              "wilkins": ("wilkins", {"quadratic": 2.0, "linear": 1.0})}
 FOR_PRODUCTS = {"compatible": ("limited", {"quadratic": 1.0, "linear": 0.3, "linear_condensed": 0.3}), "wilkins": VISCOSITY["wilkins"]}
@@ -44,11 +47,14 @@ def with_defaults(problem: Problem) -> Problem:
 
 def _with_hydrocode_defaults(problem: Problem) -> Problem:
     options = problem.solver
-    burning = any(problem.materials[region.material].burn is not None for region in problem.regions)
+    materials = [problem.materials[region.material] for region in problem.regions]
+    burning = any(material.burn is not None for material in materials)
+    long = options.viscosity is None and not burning and all(is_condensed(material.eos) for material in materials)
+    courant = (COURANT_CONDENSED if long else COURANT)[options.integrator]
     viscosity = (FOR_PRODUCTS if burning else VISCOSITY)[options.integrator]
     own = {"heat_flux": HEAT_FLUX[options.integrator], **options.options}
     return dataclasses.replace(problem, solver=dataclasses.replace(
-        options, courant=options.courant or COURANT[options.integrator], viscosity=whole_viscosity(*(options.viscosity or viscosity)),
+        options, courant=options.courant or courant, viscosity=whole_viscosity(*(options.viscosity or viscosity)),
         options=MappingProxyType(own)))
 
 

@@ -8,6 +8,9 @@ from hugoniot.core.passes import bind_flag
 from hugoniot.laws.viscosity.contract import VISCOSITY, viscous_speed
 
 SMALL = 1e-30
+# mobility of a zone's jump over dt A / m: 1 for what its own q does in half a step, 2 for zones that close and open in turn. With 4 shocks
+# overshoot least in steps of 0.7 of the Courant step (0.2 % in the flyer of the examples; 0.4 % with 2, 9 % without)
+OWN = 4.0
 
 
 class Resisting(NamedTuple):
@@ -43,6 +46,17 @@ def resisting_speed(v, c, p, squeeze, smooth, law):
     return speed if squeeze != 0.0 else 0.0
 
 
+def at_middle(du, q, mobility, resistance):
+    """What is left, in the middle of a step, of a velocity jump `du` that was led on to it, once its own viscous pressure has changed, m/s.
+
+    It was led on by an acceleration one step old, the viscous pressure `q` of that step in it, and zones that close and open in turn would
+    swing up in long steps. What the change of q since does to the jump, `mobility` (m/s per Pa), is taken from q in the middle,
+    -resistance du. It only reduces the jump: where q falls, behind a front that burns, it would come too late.
+    """
+    own = (du - mobility * q) / (1.0 + mobility * resistance)
+    return fmin(fmax(own, fmin(du, 0.0)), fmax(du, 0.0))
+
+
 bind_flag(two_sided, VISCOSITY, "two_sided")
-for _function in (resisted, smoothness, resisting_speed):
+for _function in (resisted, smoothness, resisting_speed, at_middle):
     bind(_function)

@@ -43,6 +43,7 @@ from hugoniot.core.ops import NO_LIMIT, vsqrt
 from hugoniot.core.registry import Registry
 from hugoniot.errors import OutOfRange
 
+LEAST_STIFFNESS = 20.0     # of what is no gas, rho c^2 / p at rest
 
 def both_apart(rho, e, par):
     """(p, dp/drho at e, dp/de at rho) from the two functions every law gives."""
@@ -262,6 +263,14 @@ def gives(par, name: str) -> bool:
 def flagged(par, flag: str) -> bool:
     """Whether the law, or a law inside it, is registered with a flag."""
     return flag in EOS.of(par).flags or any(flagged(inner, flag) for inner in par if EOS.knows(inner))
+
+
+def is_condensed(par) -> bool:
+    """Whether a material without pores holds together at rest: rho c^2 far above its pressure, which in a gas is rho c^2 / gamma."""
+    if flagged(par, "remembers") or not gives(par, "reference_state"):
+        return False
+    rho, e = reference_state(par)
+    return rho * sound_speed_squared(rho, e, par) > LEAST_STIFFNESS * abs(pressure(rho, e, par))
 
 
 def temperature_at_rest(par) -> float:

@@ -7,10 +7,8 @@ from hugoniot.errors import OutOfRange
 from hugoniot.laws.eos.contract import (
     compacted,
     density_limits,
-    flagged,
-    gives,
+    is_condensed,
     pressure,
-    reference_state,
     remembered,
     sound_speed_squared,
     unloading,
@@ -32,7 +30,6 @@ from hugoniot.solvers.lagrange1d.tables import zone_table
 from hugoniot.zones.laws import Laws, laws_of
 
 ROUND_OFF = 1e-9     # c^2 below minus this fraction of the largest speed squared is imaginary, not noise
-LEAST_STIFFNESS = 20.0     # of what is no gas, rho c^2 / p at rest
 CODES = {"free": L.FREE, "fixed": L.FIXED, "velocity": L.VELOCITY, "pressure": L.PRESSURE, "transmitting": L.TRANSMITTING,
          "periodic": L.PERIODIC}
 
@@ -53,14 +50,6 @@ def viscosity_in(material, viscosity):
     if material.strength is None or "fluid" in STRENGTH.of(material.strength).flags:
         return viscosity._replace(linear=viscosity.linear_condensed)
     return viscosity
-
-
-def is_condensed(eos) -> bool:
-    """Whether a material without pores holds together at rest: rho c^2 far above its pressure, which in a gas is rho c^2 / gamma."""
-    if flagged(eos, "remembers") or not gives(eos, "reference_state"):
-        return False
-    rho, e = reference_state(eos)
-    return rho * sound_speed_squared(rho, e, eos) > LEAST_STIFFNESS * abs(pressure(rho, e, eos))
 
 
 def region_starts(problem: Problem) -> list:

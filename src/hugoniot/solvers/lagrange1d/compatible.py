@@ -23,12 +23,12 @@ from hugoniot.solvers.lagrange1d.stress import deviators, hoop_force
 from hugoniot.zones.constants import Constants
 from hugoniot.zones.soundness import FOUND_IMPULSE, FOUND_RATE, PeakRows, keep_peaks, new_peaks, unsound, wave_speed
 from hugoniot.zones.transport import find_conductivity
-from hugoniot.zones.viscosity import resisted, resisting_speed, smoothness
+from hugoniot.zones.viscosity import OWN, at_middle, resisted, resisting_speed, smoothness
 
 SMALL = 1e-30
 
 HalfMotionRows = namedtuple("HalfMotionRows", "r u gradient inverse_mass e sigma hoop_force end_e v rho radial hoop dilation smooth")
-HalfStressRows = namedtuple("HalfStressRows", "r u solid v radial c p smooth t1 t2 speed q sigma hoop_force")
+HalfStressRows = namedtuple("HalfStressRows", "r u inverse_mass solid v radial c p smooth t1 t2 speed q sigma hoop_force")
 EndMotionRows = namedtuple("EndMotionRows", "r_half u_mean r u gradient inverse_mass sigma hoop_force q e v rho radial hoop dilation heat "
                            "viscous_work found")
 HalfHeatRows = namedtuple("HalfHeatRows", "q v radial heat")
@@ -86,6 +86,8 @@ def half_stress(count, z, dt, numbers, law):
         du = z.u[j + 1] - z.u[j]
         squeeze = resisted(du, z.radial[j] if hoops(geometry) > 0.0 else du, resisting.law)
         speed = resisting_speed(z.v[j], z.c[j], z.p[j], squeeze, z.smooth[j], resisting.law)
+        mobility = OWN * dt * mean_area(z.r[j], z.r[j + 1], geometry) * z.inverse_mass[j]
+        squeeze = at_middle(squeeze, z.q[j], mobility, z.solid[j] * speed)
         q = -z.solid[j] * squeeze * speed
         z.speed[j] = speed
         z.q[j] = q
@@ -221,8 +223,8 @@ def predict(s, geometry):
         s.pressure(solid, solid_v, w.e, s.p_half)
     t1, t2 = deviators(s, geometry, solid, w.e, s.p_half, b.lam_half, s.at.half)
     s.relieve(solid)
-    s.do(half_stress, HalfStressRows(h.r_half, h.u_mean, solid, w.v, w.radial, z.c, s.p_half, w.smooth, t1, t2, z.viscous_speed, z.q,
-                                     z.sigma_half, z.hoop_half), law=s.resisting(geometry))
+    s.do(half_stress, HalfStressRows(h.r_half, h.u_mean, z.inverse_mass, solid, w.v, w.radial, z.c, s.p_half, w.smooth, t1, t2,
+                                     z.viscous_speed, z.q, z.sigma_half, z.hoop_half), law=s.resisting(geometry))
     rub_half(s, geometry, solid)
     if s.laws.burns:
         s.keep_half()

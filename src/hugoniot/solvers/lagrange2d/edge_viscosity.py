@@ -40,7 +40,7 @@ def resist_edges(count, z, dt, numbers, law):
     viscous, low, high = law_of(law, numbers), z.low, z.high
     for j in range(count):
         q = quad(low, high, j)
-        a, viscosity = around(z, j), in_zone(viscous, z.rates, j)
+        a, viscosity = around(z, j, 0.0), in_zone(viscous, z.rates, j)
         xi, eta = a.xi / fmax(a.share, SMALL), a.eta / fmax(1.0 - a.share, SMALL)
         cx, cy = 0.25 * (q.x0 + q.x1 + q.x2 + q.x3), 0.25 * (q.y0 + q.y1 + q.y2 + q.y3)
         u0, v0, u1, v1 = low.u[j], low.v[j], high.u[j], high.v[j]

@@ -22,6 +22,7 @@ from hugoniot.solvers.lagrange2d.herrmann_viscosity import resisted
 from hugoniot.solvers.lagrange2d.layout import Rates, Smoothness, Stress, Tensor, VertexForces, Vertices
 from hugoniot.solvers.lagrange2d.triangles import triangle
 from hugoniot.solvers.lagrange2d.viscosity import SLIGHT, SMALL, along_edges, around, in_corner, metric, slenderness
+from hugoniot.zones.viscosity import OWN
 
 
 class TensorOf(NamedTuple):
@@ -80,7 +81,7 @@ def resist_triangles(count, z, dt, numbers, law):
         ax, ay, au, av = n.b.x[j] - n.a.x[j], n.b.y[j] - n.a.y[j], n.b.u[j] - n.a.u[j], n.b.v[j] - n.a.v[j]
         bx, by, bu, bv = n.c.x[j] - n.a.x[j], n.c.y[j] - n.a.y[j], n.c.u[j] - n.a.u[j], n.c.v[j] - n.a.v[j]
         ex, ey = (bx - ax, by - ay) if z.way[j] > 0.5 else (bx, by)
-        m, a = metric(ax, ay, ex, ey, SMALL), around(z, j)
+        m, a = metric(ax, ay, ex, ey, SMALL), around(z, j, OWN * dt)
         d, viscosity = (z.rates.xx[j], z.rates.yy[j], z.rates.xy[j]), in_zone(viscous, z.rates, j)
         along = slenderness(ax * by - ay * bx, m)
         part = (1.0 - along) * a.rho
@@ -98,7 +99,7 @@ def resist_triangle_edges(count, z, dt, numbers, law):
     rows_apart()
     viscous, n = law_of(law, numbers), z.corners
     for j in range(count):
-        t, a, viscosity = triangle(n, j), around(z, j), in_zone(viscous, z.rates, j)
+        t, a, viscosity = triangle(n, j), around(z, j, 0.0), in_zone(viscous, z.rates, j)
         xi, eta, over = a.xi / fmax(a.share, SMALL), a.eta / fmax(1.0 - a.share, SMALL), z.way[j] > 0.5
         u0, v0, u1, v1, u2, v2 = n.a.u[j], n.a.v[j], n.b.u[j], n.b.v[j], n.c.u[j], n.c.v[j]
         # the middle of the diagonal, from c to a or from b to c; the other side runs from b to c or from c to a

@@ -43,6 +43,7 @@ from hugoniot.solvers.lagrange2d.closing import STRETCH
 from hugoniot.solvers.lagrange2d.coefficients import in_zone
 from hugoniot.solvers.lagrange2d.layout import Corners, Points, Rates, Smoothness, Tensor
 from hugoniot.solvers.lagrange2d.quads import quad
+from hugoniot.zones.viscosity import OWN
 
 SMALL = 1e-60
 FLAT = 0.25             # part of a parallelogram's corner below which a triangle that shrinks, or is turned over, has no larger gradients
@@ -86,7 +87,8 @@ class Metric(NamedTuple):
 
 class Around(NamedTuple):
     """Of a zone: smoothness along both logical directions; strain rates at the start of the step (mean and half difference of the
-    diagonal, shear); volume, sound speed, pressure, density of the solid."""
+    diagonal, shear); volume, sound speed, pressure, density of the solid; viscous stress of the step before (mean and half difference of
+    the diagonal, shear), and the velocity times length that a pascal of it gives (`zones.viscosity.at_middle`)."""
 
     xi: float
     eta: float
@@ -98,6 +100,10 @@ class Around(NamedTuple):
     c: float
     p: float
     rho: float
+    q: float
+    q_dev: float
+    q_xy: float
+    gives: float
 
 
 def metric(ax, ay, bx, by, least):
@@ -112,10 +118,11 @@ def metric_of(q):
                   0.5 * (q.x3 - q.x0 + q.x2 - q.x1), 0.5 * (q.y3 - q.y0 + q.y2 - q.y1), FLAT * q.area)
 
 
-def around(z, j):
-    """`Around` of zone j."""
-    s, xx, yy = z.smooth, z.smooth.xx[j], z.smooth.yy[j]
-    return Around(s.xi[j], s.eta[j], s.share[j], 0.5 * (xx + yy), 0.5 * (xx - yy), s.xy[j], z.v[j], z.c[j], z.p[j], z.rho[j])
+def around(z, j, gives):
+    """`Around` of zone j whose mean viscous stress is still that of the step before; gives: m2 of `Around.gives` over the volume."""
+    s, xx, yy, qxx, qyy, v = z.smooth, z.smooth.xx[j], z.smooth.yy[j], z.mean.xx[j], z.mean.yy[j], z.v[j]
+    return Around(s.xi[j], s.eta[j], s.share[j], 0.5 * (xx + yy), 0.5 * (xx - yy), s.xy[j], v, z.c[j], z.p[j], z.rho[j],
+                  0.5 * (qxx + qyy), 0.5 * (qxx - qyy), z.mean.xy[j], gives * v)
 
 
 def kept(psi, before, now):
@@ -137,6 +144,15 @@ def both_kept(part1, whole1, before1, now1, part2, whole2, before2, now2):
     return part1 * (over2 * inverse), part2 * (over1 * inverse)
 
 
+def both_at_middle(du1, q1, w1, length1, du2, q2, w2, length2, a):
+    """`zones.viscosity.at_middle` of two jumps that close, q1 and q2 of the step before, along the lengths of both directions. One division
+    does for both."""
+    over1, over2 = length1 + a.gives * a.rho * w1 + SMALL, length2 + a.gives * a.rho * w2 + SMALL
+    inverse = 1.0 / (over1 * over2)
+    own1, own2 = (du1 * length1 - a.gives * q1) * (over2 * inverse), (du2 * length2 - a.gives * q2) * (over1 * inverse)
+    return fmin(fmax(own1, du1), 0.0), fmin(fmax(own2, du2), 0.0)
+
+
 def both_counted(w1, du1, other1, w2, du2, other2, c):
     """The larger of what `counted` finds for two directions."""
     over1, over2 = SLIGHT * other1 + FAINT * c + SMALL, SLIGHT * other2 + FAINT * c + SMALL
@@ -149,11 +165,14 @@ def along_edges(m, d, a, viscosity):
     over1, over2 = 1.0 / m.xi, 1.0 / m.eta
     rate1, rate2 = mean + (dev * m.xidev + xy * m.xixy) * over1, mean + (dev * m.etadev + xy * m.etaxy) * over2
     before1, before2 = a.mean + (a.dev * m.xidev + a.xy * m.xixy) * over1, a.mean + (a.dev * m.etadev + a.xy * m.etaxy) * over2
-    du1, du2 = rate1 * vsqrt(2.0 * m.xi), rate2 * vsqrt(2.0 * m.eta)
+    length1, length2 = vsqrt(2.0 * m.xi), vsqrt(2.0 * m.eta)
+    du1, du2 = rate1 * length1, rate2 * length2
     size1, size2 = fmax(du1, -du1), fmax(du2, -du2)
     du1, du2 = fmin(du1, 0.0), fmin(du2, 0.0)
     psi1, psi2 = both_kept(a.xi, a.share, before1, fmin(rate1, 0.0), a.eta, 1.0 - a.share, before2, fmin(rate2, 0.0))
     w1, w2 = viscous_speed(a.v, a.c, a.p, du1, psi1, viscosity), viscous_speed(a.v, a.c, a.p, du2, psi2, viscosity)
+    before1, before2 = a.q + (a.q_dev * m.xidev + a.q_xy * m.xixy) * over1, a.q + (a.q_dev * m.etadev + a.q_xy * m.etaxy) * over2
+    du1, du2 = both_at_middle(du1, before1, w1, length1, du2, before2, w2, length2, a)
     q1, q2 = -0.5 * a.rho * du1 * w1 * over1, -0.5 * a.rho * du2 * w2 * over2
     half, dev = q1 * m.xi + q2 * m.eta, q1 * m.xidev + q2 * m.etadev
     return half + dev, half - dev, q1 * m.xixy + q2 * m.etaxy, both_counted(w1, du1, size2, w2, du2, size1, a.c)
@@ -183,6 +202,8 @@ def in_corner(e1x, e1y, e2x, e2y, u1, v1, u2, v2, m, a, viscosity):
                            xi2 * a.xi + eta2 * a.eta, xi2 * a.share + eta2 * (1.0 - a.share), a.mean + before, rate2)
     du1, du2 = rate1 * length1, rate2 * length2
     w1, w2 = viscous_speed(a.v, a.c, a.p, du1, psi1, viscosity), viscous_speed(a.v, a.c, a.p, du2, psi2, viscosity)
+    before = a.q_dev * mxx + a.q_xy * mxy
+    du1, du2 = both_at_middle(du1, a.q - before, w1, length1, du2, a.q + before, w2, length2, a)
     q1, q2 = -du1 * w1, -du2 * w2
     fast = both_counted(w1, du1, most * length2, w2, du2, most * length1, a.c)
     half, dev = 0.5 * (q1 + q2), 0.5 * (q2 - q1)
@@ -194,11 +215,11 @@ def corner_force(xx, yy, xy, e1x, e1y, e2x, e2y):
     return xx * e2y - xy * e2x, xy * e2y - yy * e2x, xy * e1x - xx * e1y, yy * e1x - xy * e1y
 
 
-def in_corners(z, j, viscous):
-    """Write what the four corners of zone j resist."""
+def in_corners(z, j, a, viscous):
+    """Write what the four corners of zone j, with `Around` a, resist."""
     low, high, viscosity = z.low, z.high, in_zone(viscous, z.rates, j)
     q = quad(low, high, j)
-    m, a, rho = metric_of(q), around(z, j), z.rho[j]
+    m, rho = metric_of(q), z.rho[j]
     # edges from corner to corner, and the differences of velocity along them
     ax, ay, bx, by = q.x1 - q.x0, q.y1 - q.y0, q.x2 - q.x1, q.y2 - q.y1
     cx, cy, dx, dy = q.x3 - q.x2, q.y3 - q.y2, q.x0 - q.x3, q.y0 - q.y3
@@ -232,13 +253,13 @@ def slenderness(area, m):
     return fmax(0.0, fmin(1.0, (2.0 * fmax(m.xi, m.eta) / area - SLENDER) * (1.0 / (NEEDLE - SLENDER))))
 
 
-def in_slender(z, j, viscous):
+def in_slender(z, j, a, viscous):
     """Put what is resisted along the mean edges of zone j in the place of what the corners resist, as far as it is slender."""
     q = quad(z.low, z.high, j)
     m, d, g = metric_of(q), (z.rates.xx[j], z.rates.yy[j], z.rates.xy[j]), z.g
     along = slenderness(q.area, m)
     rest = 1.0 - along
-    xx, yy, xy, fast = along_edges(m, d, around(z, j), in_zone(viscous, z.rates, j))
+    xx, yy, xy, fast = along_edges(m, d, a, in_zone(viscous, z.rates, j))
     z.fastest[j] = fmax(z.fastest[j], fast * fmin(1.0, along * (1.0 / SLIGHT)))
     xx, yy, xy = xx * along, yy * along, xy * along
     z.mean.xx[j], z.mean.yy[j], z.mean.xy[j] = rest * z.mean.xx[j] + xx, rest * z.mean.yy[j] + yy, rest * z.mean.xy[j] + xy
@@ -255,17 +276,21 @@ def resist(count, z, dt, numbers, law):
     """
     rows_apart()
     viscous, first = law_of(law, numbers), 0
+    gives = OWN * dt
     while first < count:
         end, slender = min(first + STRETCH, count), 0.0
         if z.closes[first] > 0.0:
-            for j in range(first, end):
-                in_corners(z, j, viscous)
             for j in range(first, end):
                 q = quad(z.low, z.high, j)
                 slender = fmax(slender, slenderness(q.area, metric_of(q)))
             if slender > 0.0:
                 for j in range(first, end):
-                    in_slender(z, j, viscous)
+                    a = around(z, j, gives)
+                    in_corners(z, j, a, viscous)
+                    in_slender(z, j, a, viscous)
+            else:
+                for j in range(first, end):
+                    in_corners(z, j, around(z, j, gives), viscous)
         else:
             most = 0.0
             for j in range(first, end):
@@ -278,6 +303,6 @@ def resist(count, z, dt, numbers, law):
         first = end
 
 
-for _function in (metric, metric_of, around, kept, counted, both_kept, both_counted, along_edges, in_corner, corner_force,
+for _function in (metric, metric_of, around, kept, counted, both_kept, both_at_middle, both_counted, along_edges, in_corner, corner_force,
                   in_corners, slenderness, in_slender):
     bind(_function)
