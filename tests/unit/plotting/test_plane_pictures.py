@@ -103,7 +103,7 @@ def test_the_commands_draw_and_refuse(run, tmp_path, capsys):
     assert code == 0 and (tmp_path / "a.png").stat().st_size > 5000, out
     code, _, _ = call(capsys, "plot", run.folder, "profile", "pressure", "--line", "1 mm, 0 mm .. 1 mm, 9 mm", "-o", tmp_path / "b.svg")
     assert code == 0
-    for arguments, words in ((("xt",), "no picture 'xt'"), (("map", "pressure", "--line", "0 mm, 0 mm"), "for a profile"),
+    for arguments, words in ((("xt",), "no picture 'xt'"), (("map", "pressure", "--line", "0 mm, 0 mm"), "a profile"),
                              (("profile", "pressure", "--line", "0 mm"), "two points"), (("map", "--layers", "mash"), "did you mean 'mesh'")):
         code, _, err = call(capsys, "plot", run.folder, *arguments)
         assert code == 2 and words in err, err

@@ -1,5 +1,6 @@
 """A step that leaves the range of a law is repeated smaller: the run goes on, its events say so, and its bits depend on nothing else."""
 
+import contextlib
 import functools
 
 import numpy as np
@@ -15,24 +16,28 @@ from hugoniot.solvers.lagrange2d import rewind
 from hugoniot.solvers.lagrange2d.assemble import N, Z
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
 
+HERRMANN = Viscosity2D("herrmann", limited=False)
+
 
 @functools.cache
 def rough() -> float:
     """A Courant number with which a step leaves the range of the law: which ones do changes with every round-off."""
-    for courant in (6.0, 7.0, 8.0, 5.0, 9.0, 10.0):
+    for courant in (4.0, 3.5, 4.5, 3.0, 5.0, 2.5):
         solver = imploding(courant=courant)
-        marched(solver, 10_000)
-        if solver.counters[L.LEFT_RANGE]:
-            return courant
+        with contextlib.suppress(UnphysicalState):      # not even smaller steps help
+            marched(solver, 10_000)
+            if solver.counters[L.LEFT_RANGE]:
+                return courant
     raise AssertionError("no step has left the range of the law")
 
 
 def imploding(sampler=None, courant=None):
-    """Noh's implosion in steps far longer than they may be: zones become colder than their law allows."""
+    """Noh's implosion in steps far longer than they may be, with a viscosity that bears them ill: zones become colder than their law
+    allows."""
     block = Block2D("b", "gas", Sector((0.0, 0.0), (0.005, 1.0), (0.0, 0.5 * np.pi)), (40, 9), density=1.0, pressure=1e-10,
                     velocity=VelocityField(radial=-1.0))
     hole = Boundary2D(("b.left",), "velocity", Pulse("constant", 0.0), slip=False)
-    given = problem(block, gas(), 0.6, (hole, *walls("b.bottom", "b.top")), viscosity=Viscosity2D(), courant=courant or rough(), initial_step=1e-2)
+    given = problem(block, gas(), 0.6, (hole, *walls("b.bottom", "b.top")), viscosity=HERRMANN, courant=courant or rough(), initial_step=1e-2)
     return Lagrange2D(given, sampler)
 
 

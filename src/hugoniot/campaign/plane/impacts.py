@@ -6,6 +6,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from hugoniot.campaign.plane.parts import Bar, N, PlaneProblem, Z, box, centres, solver_of, walls
+from hugoniot.laws.eos.contract import pressure
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.strength.perfectly_plastic import PerfectlyPlastic
 from hugoniot.materials.material import Material
@@ -26,10 +27,17 @@ SOFT = replace(ALUMINIUM, strength=PerfectlyPlastic(1e-3, 0.30e9))      # so tha
 def square(steps, asked):
     """A free square zone whose tension holds its four nodes on their circles, under a small stress besides; so many steps a turn.
 
-    A node, a quarter of the mass at half the diagonal, is pulled by half the tension along two edges: tension = density (spin side)^2 / 4.
+    A node, a quarter of the mass at half the diagonal, is pulled by half the tension along two edges: tension = density (spin side)^2 / 4;
+    in steps of the angle a, in whose middle the sides are longer by 1 / cos(a/2), tension = density (sin(a/2) side / step)^2 there.
     """
-    spin, law = 2.0 * np.pi / TURN, ALUMINIUM.eos
-    density = law.rho0 * (1.0 - 0.25 * (spin / law.c0) ** 2)
+    half, step, law = np.pi / steps, TURN / steps, ALUMINIUM.eos
+    spin, less = 2.0 * np.tan(half) / step, np.cos(half) ** 2
+
+    def lacking(density):
+        energy = pressure(density, 0.0, law) * (1.0 - 1.0 / less) / density      # in the middle, where the square is larger
+        return pressure(density * less, energy, law) + density * (np.sin(half) / step) ** 2
+
+    density = brentq(lacking, 0.9 * law.rho0, law.rho0 / less, xtol=1e-12 * law.rho0)
     block = box((1, 1), (-0.5, 0.5), (-0.5, 0.5), material="al", density=density, energy=0.0, velocity=VelocityField(rotation=spin))
     options = {"initial_step": TURN / steps, "largest_step": TURN / steps, "courant": 1e6, **asked}
     solver = solver_of("spinning square", "plane", TURN, block, [SOFT], (), options)

@@ -19,6 +19,7 @@ from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.solvers.lagrange2d.coefficients import in_zone
 from hugoniot.solvers.lagrange2d.quads import quad
 from hugoniot.solvers.lagrange2d.viscosity import SMALL, ResistOf, around, counted, kept
+from hugoniot.zones.viscosity import OWN, at_middle
 
 
 def along_edge(ex, ey, tx, ty, u, v, psi, a, viscosity):
@@ -28,7 +29,9 @@ def along_edge(ex, ey, tx, ty, u, v, psi, a, viscosity):
     closing = fmin(u * ty - v * tx, 0.0)
     before = a.mean + (a.dev * (ex * ex - ey * ey) + 2.0 * a.xy * ex * ey) / square
     w = viscous_speed(a.v, a.c, a.p, -speed, kept(psi, before, fmin((u * ex + v * ey) / square, 0.0)), viscosity)
-    size = a.rho * w * closing / fmax(speed, SMALL)
+    over = 1.0 / fmax(speed * speed, SMALL)
+    stress = a.q + (a.q_dev * (u * u - v * v) + 2.0 * a.q_xy * u * v) * over
+    size = -a.rho * w * closing * at_middle(-speed, stress, a.gives / vsqrt(square), a.rho * w) * over
     fast = counted(w, closing / vsqrt(tx * tx + ty * ty), 0.0, a.c)
     return size * u, size * v, fast, -size * speed * speed
 
@@ -40,7 +43,7 @@ def resist_edges(count, z, dt, numbers, law):
     viscous, low, high = law_of(law, numbers), z.low, z.high
     for j in range(count):
         q = quad(low, high, j)
-        a, viscosity = around(z, j, 0.0), in_zone(viscous, z.rates, j)
+        a, viscosity = around(z, j, OWN * dt), in_zone(viscous, z.rates, j)
         xi, eta = a.xi / fmax(a.share, SMALL), a.eta / fmax(1.0 - a.share, SMALL)
         cx, cy = 0.25 * (q.x0 + q.x1 + q.x2 + q.x3), 0.25 * (q.y0 + q.y1 + q.y2 + q.y3)
         u0, v0, u1, v1 = low.u[j], low.v[j], high.u[j], high.v[j]

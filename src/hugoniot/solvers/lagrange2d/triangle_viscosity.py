@@ -99,7 +99,7 @@ def resist_triangle_edges(count, z, dt, numbers, law):
     rows_apart()
     viscous, n = law_of(law, numbers), z.corners
     for j in range(count):
-        t, a, viscosity = triangle(n, j), around(z, j, 0.0), in_zone(viscous, z.rates, j)
+        t, a, viscosity = triangle(n, j), around(z, j, OWN * dt), in_zone(viscous, z.rates, j)
         xi, eta, over = a.xi / fmax(a.share, SMALL), a.eta / fmax(1.0 - a.share, SMALL), z.way[j] > 0.5
         u0, v0, u1, v1, u2, v2 = n.a.u[j], n.a.v[j], n.b.u[j], n.b.v[j], n.c.u[j], n.c.v[j]
         # the middle of the diagonal, from c to a or from b to c; the other side runs from b to c or from c to a
