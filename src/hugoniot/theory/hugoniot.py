@@ -15,7 +15,7 @@ from hugoniot.theory import jump
 from hugoniot.theory.states import States, law_of
 from hugoniot.theory.upstream import Initial, crushed, distended, fastest, interval, sound_speed_ahead
 
-COMPILE_ABOVE = 10_000  # states: below, plain Python (20 to 200 us for each) answers before a compiler would be loaded and done
+COMPILE_ABOVE = 200  # states: below, plain Python answers before a compiler would be loaded
 _MODES = {"pressure": jump.BY_PRESSURE, "particle_velocity": jump.BY_PARTICLE_VELOCITY,
           "shock_velocity": jump.BY_SHOCK_VELOCITY, "density": jump.BY_DENSITY}
 

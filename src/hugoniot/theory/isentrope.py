@@ -17,7 +17,7 @@ from hugoniot.materials.initial_state import energy_at_pressure, energy_at_tempe
 from hugoniot.theory import expansion
 from hugoniot.theory.states import States, density_at, density_range, evaluate, law_of
 
-COMPILE_ABOVE = 5_000  # states: below, plain Python (30 to 400 us for each) answers before a compiler would be loaded and done
+COMPILE_ABOVE = 200
 AMBIENT = 1e3  # Pa: a law with more than that at rest is a gas
 
 

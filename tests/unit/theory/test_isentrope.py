@@ -81,9 +81,9 @@ def test_the_state_it_starts_from_comes_back_to_the_last_digit():
 
 def test_compiled_path_equals_the_plain_one():
     start = shock(COPPER, pressure=40e9)
-    rho = np.linspace(9000.0, 10500.0, 5500)
-    many, few = isentrope(COPPER, start, density=rho), isentrope(COPPER, start, density=rho[::500])
-    assert many.specific_internal_energy[::500] == pytest.approx(few.specific_internal_energy, rel=1e-12)
+    rho = np.linspace(9000.0, 10500.0, 450)
+    many, few = isentrope(COPPER, start, density=rho), isentrope(COPPER, start, density=rho[::50])
+    assert many.specific_internal_energy[::50] == pytest.approx(few.specific_internal_energy, rel=1e-12)
 
 
 def test_strong_tension_is_refused_with_the_limit():
