@@ -58,11 +58,10 @@ style: $(VENV)/.installed-test
 	$(BIN)/lint-imports
 
 types: $(VENV)/.installed-test
-	$(BIN)/pyright --pythonpath $(BIN)/python --level error
+	$(BIN)/pyrefly check
 
-# pyright, which uses one core, beside the tests, which wait for each other now and then
-test: style $(VENV)/.compiled
-	$(MAKE) --jobs=2 types tests
+test: lint
+	$(MAKE) tests
 
 # to show values where an assert fails, each worker would first rewrite those of all tests, which takes as long as hundreds of tests
 tests: $(VENV)/.installed-test $(VENV)/.compiled

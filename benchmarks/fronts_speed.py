@@ -17,7 +17,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "verification"))
 
-from steady_zone import SteadyZone, material_of  # pyright: ignore[reportMissingImports]
+from steady_zone import SteadyZone, material_of
 
 from hugoniot.problem.model import Boundary, Problem, Pulse, Region, SolverOptions
 from hugoniot.problem.standard import gases

@@ -1,5 +1,6 @@
 """What every test may rely on, wherever the tests were started from; and how little memory and time they take together."""
 
+import os
 import signal
 import sys
 
@@ -24,6 +25,14 @@ def _interrupts_are_heard():
     """A shell starts what it runs in the background with SIGINT ignored, and its children inherit that: Ctrl-C could not be tested."""
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _without_waiting_for_the_disk():
+    """What a process was given to write is there for the next one, whatever becomes of the process: only a power cut needs flushing."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(os, "fsync", lambda handle: None)
+        yield
 
 
 def pytest_runtest_teardown(item, nextitem):

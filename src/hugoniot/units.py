@@ -271,12 +271,12 @@ def _from_pint(name: str) -> Unit:
                 _pint_registry.append(pint.UnitRegistry(cache_folder=None))
             try:
                 quantity = _pint_registry[0].Quantity(1.0, _pint_registry[0].Unit(name)).to_base_units()
-                powers = {str(k): v for k, v in quantity.unit_items()}
+                size, powers = float(quantity.magnitude), {str(k): v for k, v in quantity.unit_items()}
             except Exception:  # pint raises many kinds for names it cannot use
-                powers = {"?": 1}
+                size, powers = 0.0, {"?": 1}
             order = ("meter", "kilogram", "second", "kelvin", "mole")
             if set(powers) <= {*order, "radian"} and all(v == int(v) for v in powers.values()) and "deg" not in name:
-                return Unit(Decimal(repr(float(quantity.magnitude))), tuple(int(powers.get(k, 0)) for k in order))
+                return Unit(Decimal(repr(size)), tuple(int(powers.get(k, 0)) for k in order))
     hint = f"did you mean '{near}'?" if near else "units are written like 'mm', 'us', 'km/s', 'GPa', 'g/cm^3'"
     raise UnitError(f"unknown unit '{name}'", hint)
 

@@ -58,7 +58,8 @@ pressure = "0.1 MPa"
 [solver]
 kind = "shock_structure"
 [solver.transport]
-viscosity = {law = "constant", shear_viscosity = 1.8e-5}
+viscosity = {law = "power_law", shear_viscosity = 1.8e-5, exponent = 0.75, reference_temperature = 290.0}
+conduction = {law = "prandtl", prandtl = 0.7}
 """ + GAS
 
 WAVES = IMPACT.replace("aluminium 6061-T6", "al") + """

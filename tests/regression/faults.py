@@ -17,14 +17,6 @@ from hugoniot.output.verify import verify
 DOORS = ("open", "write", "pwrite", "replace", "unlink", "fsync", "mkdir", "rmdir", "ftruncate")
 
 
-@pytest.fixture(scope="module", autouse=True)
-def without_waiting_for_the_disk():
-    """A kill of the program, other than a power cut, takes nothing that the system has been given: flushing would only cost time."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(os, "fsync", lambda handle: None)
-        yield
-
-
 def spread(count, wanted):
     """At most `wanted` numbers below `count`, evenly, the first and the last among them."""
     return sorted({round(k * (count - 1) / (wanted - 1)) for k in range(wanted)})

@@ -14,7 +14,7 @@ import sys
 import acoustic_flyer
 import numpy as np
 import pytest
-from faults import (  # noqa: F401
+from faults import (
     Doors,
     check_flips_of_a_finished_run,
     flip,
@@ -24,7 +24,6 @@ from faults import (  # noqa: F401
     same_bytes,
     same_contents,
     spread,
-    without_waiting_for_the_disk,
 )
 
 from hugoniot.errors import HugoniotError

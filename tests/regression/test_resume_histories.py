@@ -1,9 +1,13 @@
 """Killed and resumed runs that carry a history: burn fraction and phases of two integrators, and the crushing of pores."""
 
+import os
 import random
+import signal
 import sys
+from types import SimpleNamespace
 
 import pytest
+from faults import in_a_copy_of_this_process
 from killed_runs import finish, same_bytes
 
 from hugoniot import simulate
@@ -104,8 +108,16 @@ def undisturbed(folder, name, scale, every):
 @pytest.mark.parametrize("name", DECKS)
 def test_killed_once_a_history_goes_on_to_the_same_bytes(tmp_path, name):
     path, whole = undisturbed(tmp_path, name, 1, 80)
-    assert finish(path, tmp_path / "killed.run", 1, random.Random(1), 0.02) == 1
-    same_bytes(whole, tmp_path / "killed.run")
+    folder = tmp_path / "killed.run"
+
+    def strike(report):
+        if list((folder / "checkpoint").glob("[0-9]*.json")):
+            os.kill(os.getpid(), signal.SIGKILL)
+
+    assert os.WIFSIGNALED(in_a_copy_of_this_process(lambda: simulate.run(path, folder, progress=SimpleNamespace(update=strike))))
+    assert not (folder / "summary.json").exists()
+    simulate.resume(folder)
+    same_bytes(whole, folder)
 
 
 @pytest.mark.slow

@@ -203,21 +203,21 @@ def test_a_lock_is_given_back_however_a_run_ends(tmp_path):
 
 # -- links and foreign files ------------------------------------------------------------------------------------------
 @unix
-@pytest.mark.parametrize("name", [".deck.toml.part", "deck.toml", ".run.log.part", ".result.h5.part", ".gauges.csv.part", ".summary.json.part",
-                                  ".report.html.part"])
-def test_a_planted_link_is_never_written_through(tube, tmp_path, name):
-    victim = tmp_path / "victim"
-    victim.write_text("precious")
+@pytest.mark.parametrize("names", [[".deck.toml.part", ".run.log.part", ".result.h5.part", ".gauges.csv.part", ".summary.json.part", ".report.html.part"],
+                                   ["deck.toml"]])
+def test_a_planted_link_is_never_written_through(tube, tmp_path, names):
     folder = tmp_path / "run"
     folder.mkdir()
-    (folder / name).symlink_to(victim)
-    if name == "deck.toml":
+    for name in names:
+        (tmp_path / f"victim of {name}").write_text("precious")
+        (folder / name).symlink_to(tmp_path / f"victim of {name}")
+    if names == ["deck.toml"]:
         with pytest.raises(FileTrouble, match="holds deck.toml already"):
             simulate.run(tube / "tube.toml", folder)
     else:
         simulate.run(tube / "tube.toml", folder)
         assert not any(f.bad for f in verify(folder)) and not any(path.is_symlink() for path in folder.iterdir())
-    assert victim.read_text() == "precious"
+    assert [(tmp_path / f"victim of {name}").read_text() for name in names] == ["precious"] * len(names)
 
 
 @unix

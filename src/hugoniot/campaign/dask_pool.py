@@ -69,13 +69,14 @@ class DaskPool:
     def __init__(self, question: dict, count: int, known: Iterable[str] = (), scheduler: str | None = None,
                  time_limit: float | None = None):
         try:
-            import distributed  # pyright: ignore[reportMissingImports]
+            import distributed
         except ImportError:
             raise DeckError.single("command line", None, "--engine dask", "dask.distributed is not installed",
                                    "pip install 'hugoniot[cluster]'") from None
         self.hello = json.dumps({"question": question, "known": sorted(known)})
         self.distributed, self.count, self.scheduler, self.time_limit = distributed, count, scheduler, time_limit
-        self.cluster = self.client = None
+        self.cluster: Any = None
+        self.client: Any = None
         self.warm = False
 
     def __enter__(self):

@@ -11,6 +11,7 @@ ones as draws divided by the autocorrelation time.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy import stats
@@ -66,7 +67,7 @@ def checked(kind: str) -> None:
     if kind not in KINDS:
         raise DeckError.single("command line", None, "--posterior", f"'{kind}' is unknown", f"known: {', '.join(KINDS)}")
     try:
-        import emcee  # noqa: F401  # pyright: ignore[reportMissingImports]
+        import emcee  # noqa: F401
     except ImportError:
         raise DeckError.single("command line", None, "--posterior", "the package emcee is not installed",
                                "pip install 'hugoniot[posterior]'") from None
@@ -113,7 +114,7 @@ def _around(problem: Problem, best: np.ndarray, spread: np.ndarray, walkers: int
 
 def _walked(problem: Problem, answers: Callable, start: np.ndarray, most: int, random) -> tuple[np.ndarray, np.ndarray]:
     """(chain (nstep, nwalker, nparameter), autocorrelation times (nparameter,) in steps)."""
-    import emcee  # pyright: ignore[reportMissingImports]
+    import emcee
 
     low, high = problem.ends
 
@@ -125,7 +126,7 @@ def _walked(problem: Problem, answers: Callable, start: np.ndarray, most: int, r
                 found[k] = -0.5 * problem.cost(points[k], answer)
         return found
 
-    sampler = emcee.EnsembleSampler(len(start), start.shape[1], log_probability, vectorize=True)
+    sampler: Any = emcee.EnsembleSampler(len(start), start.shape[1], log_probability, vectorize=True)
     sampler.random_state = np.random.RandomState(random.integers(2**31)).get_state()
     state, times = start, np.full(start.shape[1], np.nan)
     while sampler.iteration < most:

@@ -84,7 +84,7 @@ def fit_rate(material: Material, line: PopLine, pressures: Sequence[float], adju
         return found
 
     target = PopTarget("line", TARGET, "m", np.array(unknowns.pressures), wanted, RELATIVE_SIGMA * wanted)
-    problem: Problem = Problem(unknowns, unknowns.free(), (target,), 0, 0.0, 0.0, "linear", ask, smooth=True)     # pyright: ignore
+    problem: Problem = Problem(unknowns, unknowns.free(), (target,), 0, 0.0, 0.0, "linear", ask, smooth=True)
     start = np.full(len(unknowns.names), 0.5)
     problem.answers([start])
     first = made[tuple(f.given(0.5) for f in problem.free)]

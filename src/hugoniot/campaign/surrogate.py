@@ -114,7 +114,7 @@ def _sampled(problem: Problem, best: np.ndarray, axes: np.ndarray, runs: int, se
 
 def _shapes(z: np.ndarray, answers: list[dict], name: str, left_out: float) -> _Shapes:
     """What stands for one record; the smaller shapes, which add up to `left_out`, are not kept."""
-    times = min((a["records"][name][0] for a in answers), key=len)
+    times: np.ndarray = min((a["records"][name][0] for a in answers), key=len)
     values = np.array([np.interp(times, *a["records"][name]) for a in answers])
     mean = values.mean(axis=0)
     left, size, shapes = np.linalg.svd(values - mean, full_matrices=False)

@@ -130,7 +130,7 @@ class _View:
 
 def judge(measure: Measure, view: _View) -> float:
     """The value of a measure, as `problem.standard.parts.Measure` defines it."""
-    inside, f = view.inside(measure.window), None
+    inside, f = view.inside(measure.window), np.empty(0)
     if measure.kind not in ("boundary", "smallest", "points"):
         f = view.field(measure.field)
     target = measure.exact
@@ -143,8 +143,9 @@ def judge(measure: Measure, view: _View) -> float:
             return float(np.sum((gap * view.width)[sound]) / np.sum(view.width[sound]) / measure.scale)
         case "mean":
             return float(abs(np.sum((f * view.width)[inside]) / np.sum(view.width[inside]) / target - 1.0))
-        case "value":
-            return float(abs(np.interp(0.5 * sum(measure.window), view.centre, f) / target - 1.0))
+        case "value" if measure.window is not None:
+            start, end = measure.window
+            return float(abs(np.interp(0.5 * (start + end), view.centre, f) / target - 1.0))
         case "first":
             return float(f[0] / target)
         case "maximum":

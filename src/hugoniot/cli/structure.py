@@ -93,7 +93,7 @@ def sweep(
 
     laws = [viscosity] if viscosity or what != "argon-jordan" else ["constant", "power_law", "sutherland"]
     machs = np.geomspace(start, end, points) if start > 0.0 else np.linspace(start, end, points)
-    curves, rows = [], []
+    curves, rows, gas = [], [], False
     for law in laws:
         subject = _subject(what, law, conduction, prandtl, bulk_ratio, (density, temperature, pressure))
         profiles = run(subject["eos"], subject["transport"], machs, subject["ahead"])

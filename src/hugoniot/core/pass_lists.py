@@ -83,7 +83,7 @@ def write(lists: Iterable[list[Operation]]) -> tuple[Written, list[tuple[int, in
     for line, operation in zip(operations, every):
         rows = list(_flat(operation.rows))
         if len(rows) > MOST_ROWS:
-            raise ValueError(f"{operation.of.__name__} takes {len(rows)} rows, more than {MOST_ROWS}")  # pyright: ignore
+            raise ValueError(f"{operation.of.__name__} takes {len(rows)} rows, more than {MOST_ROWS}")
         line[:] = operation.of.address(operation.law), operation.numbers.ctypes.data, operation.step.address, len(rows), len(operands)
         operands += rows
     ends = np.cumsum([0, *map(len, lists)]).tolist()

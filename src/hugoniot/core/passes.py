@@ -70,7 +70,7 @@ def law_of(typingctx, law, numbers):
 
         def fill(kind):
             if isinstance(kind, types.BaseTuple):
-                return context.make_tuple(builder, kind, [fill(field) for field in kind.types])  # pyright: ignore
+                return context.make_tuple(builder, kind, [fill(field) for field in kind.types])
             if isinstance(kind, types.Array):
                 return _array(context, builder, kind, word)
             return word(types.float64)

@@ -33,7 +33,7 @@ class _RowModel(models.PrimitiveModel):
         super().__init__(manager, kind, ir.DoubleType().as_pointer())
 
 
-@infer_global(operator.getitem)  # pyright: ignore
+@infer_global(operator.getitem)
 class _ReadRow(AbstractTemplate):
     def generic(self, args, kws):
         if len(args) == 2 and args[0] is ROW and isinstance(args[1], types.Integer):
@@ -41,7 +41,7 @@ class _ReadRow(AbstractTemplate):
         return None
 
 
-@infer_global(operator.setitem)  # pyright: ignore
+@infer_global(operator.setitem)
 class _WriteRow(AbstractTemplate):
     def generic(self, args, kws):
         if len(args) == 3 and args[0] is ROW and isinstance(args[1], types.Integer):

@@ -53,7 +53,7 @@ class EnergyModes:
     A subclass names what it finds in `derived`, gives one function `_name(state)` for each, and the stress deviators of its states.
     """
 
-    derived = ("elastic_deviator_energy", "pressure_work_and_heat", "entropy", "von_mises", "lode_angle")
+    derived: tuple[str, ...] = ("elastic_deviator_energy", "pressure_work_and_heat", "entropy", "von_mises", "lode_angle")
 
     def __init__(self, asked, regions, materials, region_of: np.ndarray, first_state):
         self.names = [name for name in self.derived if name in asked]

@@ -18,7 +18,7 @@ _KEPT_OUT = ("mass",)
 def blocks_of(problem: Problem2D) -> list[int | None]:
     """Of every gauge the block whose zones it reads; None for one that reads two."""
     mesh = problem.mesh
-    found = []
+    found: list[int | None] = []
     for gauge in problem.gauges:
         if gauge.kind == "point":
             found.append(int(mesh.block_of[_place(gauge, mesh)[0]]))
@@ -37,7 +37,7 @@ class Sampler:
     def __init__(self, problem: Problem2D):
         self.gauges, mesh = problem.gauges, problem.mesh
         self.slits = [k for k, gauge in enumerate(self.gauges) if gauge.kind == "slit"]
-        self.chains = {k: mesh.chains[self.gauges[k].on] for k in self.slits}
+        self.chains = {k: mesh.chains[str(self.gauges[k].on)] for k in self.slits}
         self.fixed = {k: _weights(gauge, mesh) for k, gauge in enumerate(self.gauges) if gauge.kind != "slit"}
 
     def __call__(self, state: State2D) -> dict[str, np.ndarray]:

@@ -16,7 +16,7 @@ from hugoniot.diagnostics.energy_modes import EnergyModes
 class LineFields(EnergyModes):
     """Those of the names asked for that are `derived`."""
 
-    derived = ("kinetic_energy", "momentum", *EnergyModes.derived)
+    derived: tuple[str, ...] = ("kinetic_energy", "momentum", *EnergyModes.derived)
 
     def __init__(self, asked, problem, region_of: np.ndarray, first_state):
         super().__init__(asked, problem.regions, problem.materials, region_of, first_state)

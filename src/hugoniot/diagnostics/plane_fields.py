@@ -16,7 +16,7 @@ from hugoniot.diagnostics.stress2d import principal_angle
 class PlaneFields(EnergyModes):
     """Those of the names asked for that are `derived`."""
 
-    derived = ("kinetic_energy", "momentum_x", "momentum_y", "principal_angle", *EnergyModes.derived)
+    derived: tuple[str, ...] = ("kinetic_energy", "momentum_x", "momentum_y", "principal_angle", *EnergyModes.derived)
 
     def __init__(self, asked, problem, first_state):
         super().__init__(asked, problem.blocks, problem.materials, problem.mesh.block_of, first_state)

@@ -33,6 +33,7 @@ def raster(time, left, right, field, size=(360, 640), window=None, follow: bool 
     after = np.clip(np.searchsorted(time, times, side="right"), 1, max(len(time) - 1, 1))
     lowest, highest = extent(field, field)
     before = behind = _record(left, right, field, 0)
+    first = last = shift = np.zeros(0, dtype=int)
     current = -1
     for row, (t, k) in enumerate(zip(times, after)):
         k, weight = (k, (t - time[k - 1]) / (time[k] - time[k - 1])) if len(time) > 1 else (0, 0.0)

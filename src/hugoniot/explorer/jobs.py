@@ -24,7 +24,8 @@ class Job:
     """One process: `shown()` says how far it is."""
 
     def __init__(self, text: str, folder: Path, places: Places):
-        self.folder, self.places, self.stopping, self.run = folder, places, False, None
+        self.folder, self.places, self.stopping = folder, places, False
+        self.run: int | None = None
         self.progress: dict[str, Any] = {}
         self.lines: deque[str] = deque(maxlen=LINES)
         # -P: modules come from where Python has them, never from the folder of the runs

@@ -18,8 +18,10 @@ import numpy as np
 from hugoniot.errors import HugoniotError
 from hugoniot.laws.eos.contract import EOS
 
-_BINARY = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "**", ast.Mod: "%"}
-_COMPARED = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "===", ast.NotEq: "!==", ast.Is: "===", ast.IsNot: "!=="}
+_SIGN: dict[type, str] = {ast.USub: "-", ast.UAdd: "+", ast.Not: "!"}
+_BINARY: dict[type, str] = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "**", ast.Mod: "%"}
+_COMPARED: dict[type, str] = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "===", ast.NotEq: "!==", ast.Is: "===",
+                              ast.IsNot: "!=="}
 _KNOWN: dict[Any, str] = {abs: "Math.abs", min: "lesser", max: "greater", float: "number", int: "number", bool: "Boolean",
                           math.isfinite: "Number.isFinite", math.isnan: "Number.isNaN", math.fabs: "Math.abs", math.copysign: "copysign"}
 _KNOWN |= {getattr(room, name): f"Math.{name}" for room in (math, np) for name in ("sqrt", "exp", "log", "log1p", "expm1", "tanh", "cbrt")}
@@ -132,7 +134,7 @@ class _Function:
             case ast.BinOp(left=left, op=op, right=right):
                 return self.binary(op, self.value(left), self.value(right))
             case ast.UnaryOp(op=op, operand=operand):
-                return f"({ {ast.USub: '-', ast.UAdd: '+', ast.Not: '!'}[type(op)]}{self.value(operand)})"
+                return f"({_SIGN[type(op)]}{self.value(operand)})"
             case ast.BoolOp(op=op, values=values):
                 return f"({(' && ' if isinstance(op, ast.And) else ' || ').join(map(self.value, values))})"
             case ast.IfExp(test=test, body=body, orelse=orelse):

@@ -166,5 +166,5 @@ def _overlaps(names, maps, nodes, apart) -> list[MeshDefect]:
 def _middles(nodes, numbers) -> np.ndarray:
     """Centres of a block's outer zones: they catch a block laid exactly over another."""
     quads = [numbers[:-1, :-1], numbers[1:, :-1], numbers[1:, 1:], numbers[:-1, 1:]]
-    centres = sum(nodes[:, q] for q in quads) / 4.0
+    centres = np.mean([nodes[:, q] for q in quads], axis=0)
     return np.concatenate([centres[:, 0], centres[:, -1], centres[:, :, 0], centres[:, :, -1]], axis=1)

@@ -117,7 +117,7 @@ def winslow(nodes: np.ndarray, s: np.ndarray, t: np.ndarray) -> np.ndarray:
         return nodes
     steps = [np.hypot(*np.diff(nodes[:, :, k], axis=1)).min() for k in (0, -1)]
     steps += [np.hypot(*np.diff(nodes[:, k, :], axis=1)).min() for k in (0, -1)]
-    smallest = min(steps)
+    smallest, shift = min(steps), np.inf
     for _ in range(_MOST):
         moved = _solved(nodes, s, t)
         shift = np.abs(moved - nodes).max()

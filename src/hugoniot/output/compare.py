@@ -88,9 +88,9 @@ def _head(path, text: str, column: int) -> tuple[str, str, float]:
     name, unit = split_unit(text)
     last = name.split()[-1] if name else ""
     field = name if name in FIELDS else next((f for f in sorted(FIELDS, key=len, reverse=True) if name.endswith(f)), last)
-    si = "s" if column == 0 else FIELDS[field].unit if field in FIELDS else unit
     if unit is None:
         raise _table_error(path, 1, f"column {column + 1}", f"'{text.strip()}' has no unit", _HEADS)
+    si = "s" if column == 0 else FIELDS[field].unit if field in FIELDS else unit
     try:
         return name, si, convert(1.0, unit or "1", si or "1")
     except UnitError as error:

@@ -51,7 +51,8 @@ class _Sink(io.RawIOBase):
     """The file HDF5 writes to. What the system refuses is remembered and not passed on: HDF5 does not survive it at the closing."""
 
     def __init__(self, handle: int):
-        self.handle, self.at, self.error = handle, 0, None
+        self.handle, self.at = handle, 0
+        self.error: OSError | None = None
 
     def readable(self):
         return True

@@ -32,7 +32,8 @@ class Lock:
     """
 
     def __init__(self, folder):
-        self.path, self.handle, self.held = pathlib.Path(folder) / NAME, None, False
+        self.path, self.held = pathlib.Path(folder) / NAME, False
+        self.handle: int | None = None
         if fcntl is None:
             return
         while self.handle is None:

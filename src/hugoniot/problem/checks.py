@@ -260,7 +260,7 @@ def read_gauges(rows: Sequence, regions: tuple[Region, ...], collector: Collecto
     return tuple(found.values())
 
 
-def _places(regions: tuple[Region, ...]) -> set[float | str]:
+def _places(regions: tuple[Region, ...]) -> set[str]:
     """The places with a name at which a gauge may sit."""
     touching = {f"{a.name}/{b.name}" for a, b in zip(regions, regions[1:])}
     return {"free surface left", "free surface right"} | touching | {f"{r.name}:{side}" for r in regions for side in ("left", "right")}

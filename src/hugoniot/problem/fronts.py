@@ -239,9 +239,6 @@ def _burn_defects(material: Material) -> list[tuple[tuple, str]]:
 def write(problem: Problem) -> dict:
     """Tables of a deck, every default written out, that reads back to exactly this problem."""
     deck = lagrangian.write(problem)
-    deck["solver"] = {"kind": "fronts", "options": with_defaults(problem.solver.options)}
-    if problem.solver.courant is not None:
-        deck["solver"]["courant"] = problem.solver.courant
-    if problem.solver.max_cycles is not None:
-        deck["solver"]["max_cycles"] = problem.solver.max_cycles
+    own = {"courant": problem.solver.courant, "max_cycles": problem.solver.max_cycles}
+    deck["solver"] = {"kind": "fronts", "options": with_defaults(problem.solver.options)} | {k: v for k, v in own.items() if v is not None}
     return deck

@@ -40,9 +40,20 @@ class Event:
 class SolverState(Protocol):
     """What `state` hands out: `hugoniot.state.State` in one dimension."""
 
-    time: float
-    cycle: int
-    zones: dict[str, np.ndarray]
+    @property
+    def time(self) -> float:
+        """s."""
+        ...
+
+    @property
+    def cycle(self) -> int:
+        """How many steps led here."""
+        ...
+
+    @property
+    def zones(self) -> dict[str, np.ndarray]:
+        """Fields of the zones (nzone,) by name."""
+        ...
 
     def fields(self) -> dict[str, np.ndarray]:
         """Every field that a snapshot keeps, by the words of `core.fields`."""

@@ -198,7 +198,7 @@ def _slack(x, par, ahead: Initial, v0):
 
 def _tangency(par, ahead, v0, least, most):
     """x of the CJ point: scan for the change of sign, then secants kept in the bracket (Illinois)."""
-    low, f_low, high = None, 0.0, None
+    low, f_low, high, f_high = None, 0.0, None, 0.0
     for x in least + (most - least) * np.linspace(0.0, 1.0, 121)[1:-1] ** 1.5:
         f, _, ok = _slack(float(x), par, ahead, v0)
         if not (ok and math.isfinite(f)):

@@ -95,12 +95,14 @@ def read_points(path) -> tuple[np.ndarray, np.ndarray]:
     A unit may follow in brackets, `up (km/s)`, or as `up_km_s`; without one the numbers are m/s. Lines that begin with # are skipped.
     Raises `DeckError` with the line and the way out.
     """
-    return read_columns(path, _US_UP, "particle and shock velocities")
+    up, us = read_columns(path, _US_UP, "particle and shock velocities")
+    return up, us
 
 
 def read_expansion(path) -> tuple[np.ndarray, np.ndarray]:
     """(V = v/v0, pressure in Pa) of an expansion isentrope from a CSV file with columns volume and pressure, as `read_points`."""
-    return read_columns(path, _EXPANSION, "relative volumes and pressures")
+    volumes, pressures = read_columns(path, _EXPANSION, "relative volumes and pressures")
+    return volumes, pressures
 
 
 def read_columns(path, columns: dict, what: str) -> tuple[np.ndarray, ...]:

@@ -48,7 +48,7 @@ def isentrope(material, start: States | None = None, *, direction: int = 1, **gi
             y, e, u = _by_search(name, wanted, y0, e0, par)
     rho = np.where(y == y0, start.density, np.exp(y)) if name != "density" else targets
     p = targets if name == "pressure" else evaluate(contract.pressure, rho, e, par)
-    fields = (rho, p, e, start.particle_velocity + direction * u)
+    fields: tuple[Any, ...] = (rho, p, e, start.particle_velocity + direction * u)
     shape = np.shape(value)
     return States(par, *(f.reshape(shape) if shape else float(f[0]) for f in fields))
 

@@ -14,7 +14,7 @@ from hugoniot.theory import expansion, jump
 bind_family(EOS, contract.GENERICS)
 bind_module(contract)
 # these test for NaN and loop: no fast-math, and left to the compiler to inline
-_SEARCH = dict(fastmath=False, error_model="numpy")
+_SEARCH = dict(fastmath=False, error_model="numpy", no_cfunc_wrapper=True)
 for _function in (jump.line, jump.misfit, jump.beyond_stability, jump.bracket, jump.dip, jump._is_root, jump.polish, jump.anomalous,
                   jump._pressure_by_bracket, jump.pressure_at, jump.shocked, jump.first_guess,
                   expansion.rates, expansion.leap, expansion.across, expansion.astray, expansion.to_edge, expansion.through,

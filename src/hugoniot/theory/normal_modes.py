@@ -108,7 +108,7 @@ class ModesOfZone:
         # next to nothing of the products would take up what a step leaves to them: the parabola through where there are some
         y = lam / SOME
         weights = 0.5 * (2.0 - y) * (3.0 - y), (y - 1.0) * (3.0 - y), 0.5 * (y - 1.0) * (y - 2.0)
-        return sum(weight * slopes for weight, slopes in zip(weights, self._first))
+        return np.sum([weight * slopes for weight, slopes in zip(weights, self._first)], axis=0)
 
     @cached_property
     def _first(self) -> list[np.ndarray]:

@@ -101,7 +101,7 @@ class States:
         return evaluate(contract.gruneisen, self.density, self.specific_internal_energy, self.par)
 
     @property
-    def adiabatic_exponent(self):
+    def adiabatic_exponent(self) -> Any:
         """rho c^2 / p."""
         square = np.square(self.sound_speed)
         with np.errstate(divide="ignore", invalid="ignore"):

@@ -1,13 +1,8 @@
 """The commands around a run, on a small shock tube."""
 
 import json
-import signal
-import subprocess
-import sys
-import time
 
 import pytest
-from pace import PATIENCE
 
 from hugoniot.cli.main import main
 from hugoniot.problem import catalogue
@@ -139,21 +134,3 @@ def test_physics_that_fails_ends_with_code_three_and_a_post_mortem(place, capsys
     assert list((place / "wild.run").glob("post_mortem*"))
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="no such signal")
-def test_an_interrupted_run_ends_with_130_and_resumes_to_the_same_bits(place, capsys):
-    deck = catalogue.deck_text("sod").replace('stop_time = "0.2 s"', 'stop_time = "10 s"').replace("zones = 100", "zones = 800")
-    (place / "long.toml").write_text(deck.replace('snapshots = "0.01 s"', 'snapshots = "5 s"\ngauge_interval = "0.01 s"'))
-    program = "from hugoniot.cli.main import main; main()"
-    process = subprocess.Popen([sys.executable, "-c", program, "run", str(place / "long.toml"), "--out", str(place / "long.run"), "--no-report"],
-                               stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
-    deadline = time.monotonic() + PATIENCE
-    while not (place / "long.run" / "deck.toml").exists() and time.monotonic() < deadline and process.poll() is None:
-        time.sleep(0.02)
-    time.sleep(0.5)  # the run takes two seconds; by now it is under way
-    process.send_signal(signal.SIGINT)
-    _, err = process.communicate(timeout=PATIENCE)
-    assert process.returncode == 130, err
-    assert "hugoniot resume" in err and "Traceback" not in err
-    assert call(capsys, "resume", place / "long.run", "-q")[0] == 0
-    assert call(capsys, "run", place / "long.toml", "--out", place / "whole.run", "-q", "--no-report")[0] == 0
-    assert (place / "long.run" / "gauges.csv").read_bytes() == (place / "whole.run" / "gauges.csv").read_bytes()

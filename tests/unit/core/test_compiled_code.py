@@ -140,7 +140,7 @@ def test_flipped_bytes_and_planted_links_are_noticed_and_compiled_anew(users):
     assert one.read_bytes()[-32:] != whole[:-1][-32:] and not other.is_symlink() and _is_sound(one) and _is_sound(other)
 
 
-@pytest.mark.parametrize("count", [3, pytest.param(8, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [2, pytest.param(8, marks=pytest.mark.slow)])
 def test_processes_that_fill_a_fresh_folder_at_once_do_not_disturb_each_other(users, count):
     team = [start(users.folder, ("law", "add", "scale"), users.folder / "cache") for _ in range(count)]
     for one in team:

@@ -36,8 +36,10 @@ rho0 = 1.6
 [solver]
 kind = "shock_structure"
 [solver.transport.viscosity]
-law = "constant"
+law = "power_law"
 shear_viscosity = "2.2e-5 Pa s"
+exponent = 0.81
+reference_temperature = "300 K"
 [solver.transport.conduction]
 law = "prandtl"
 prandtl = 0.6666666666666667

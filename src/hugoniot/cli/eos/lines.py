@@ -1,6 +1,6 @@
 """hugoniot eos lines, gurney: Rayleigh and Fanno lines of a shock; metal driven by the explosives of the library."""
 
-from typing import Annotated
+from typing import Annotated, Any
 
 import numpy as np
 import typer
@@ -72,7 +72,7 @@ def gurney(
         known = [GurneyVelocity("given", speed, "command line", False)]
     else:
         known = gurney_velocities(explosives or [])
-    rows = []
+    rows: list[dict[str, Any]] = []
     for name, speed, source, derived, marks in known:
         for m in ratios:
             row = {"explosive": name, "gurney_velocity": speed, "derived": derived, "source": source, "marks": list(marks), "mass_ratio": m,

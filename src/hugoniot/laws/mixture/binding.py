@@ -32,7 +32,7 @@ def bind_mixtures() -> None:
 
     binder.bind_family(eos_contract.EOS, eos_contract.GENERICS)
     binder.bind_module(eos_contract)
-    search = dict(fastmath=False, error_model="numpy")
+    search = dict(fastmath=False, error_model="numpy", no_cfunc_wrapper=True)
     for function in (isentrope.stride, isentrope.marched_energy, isentrope.integrated_energy, isolated.equilibrate,
                      equilibrium.share_energy, equilibrium.coupled, equilibrium.nested, equilibrium.equilibrate, two_state.shared):
         binder.bind(function, **search)
@@ -40,10 +40,10 @@ def bind_mixtures() -> None:
         binder.bind(function, **search, forceinline=True)
     # sums whose terms may be added in any order, so that they are packed; what is no number stays none
     for function in (isentrope.brief_heating, isentrope.heating, isentrope.short_integral, isentrope.long_integral):
-        binder.bind(function, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy")
+        binder.bind(function, fastmath={"contract", "reassoc", "nsz"}, error_model="numpy", no_cfunc_wrapper=True)
 
     for function in (isolated.attempt, equilibrium.attempt):
-        binder.bind(function, fastmath={"contract", "reassoc", "nsz", "arcp"}, error_model="numpy", forceinline=True)
+        binder.bind(function, fastmath={"contract", "reassoc", "nsz", "arcp"}, error_model="numpy", forceinline=True, no_cfunc_wrapper=True)
 
     def knows(*classes):
         return "reference_isentrope" in eos_contract.EOS.of_class(classes[-1]).functions

@@ -289,7 +289,7 @@ class PlaneOutputTable(OutputTable):
 
     snapshots: Snapshots = Field(
         None, description="interval between snapshots, or their times (default: a hundredth of stop_time; a twentieth beyond 10 000 zones)")
-    gauge_interval: Annotated[float, Quantity("s", least=0.0)] | None = Field(
+    gauge_interval: Annotated[float, Quantity("s", least=0.0)] | None = Field(  # pyrefly: ignore[bad-override]
         None, description="time between gauge samples, 0: every cycle (default: a two-thousandth of stop_time)")
 
 

@@ -26,7 +26,6 @@ class Reading(NothingToAdd):
     """What both modes hand out; a mode gives `matters`, `time`, `cycle`, `column(region)`, `totals`, `exchanged`, `size` and `lives`."""
 
     voids_opened = voids_closed = 0
-    time: Any
     lives: Any
     matters: list
     burning = False      # whether something burns: then a burn fraction is recorded
@@ -44,6 +43,11 @@ class Reading(NothingToAdd):
         self.gauges = np.array([self._place(gauge.at) for gauge in problem.gauges], dtype=float).reshape(-1, 2)
         self.interval = problem.output.gauge_interval or problem.stop_time / SAMPLES
         self.samples, self._rows, self._times = 0, [], []
+
+    @property
+    def time(self) -> float:
+        """s."""
+        raise NotImplementedError
 
     def column(self, region: int) -> Any:
         """The material of a region now: `mass` (cumulated) and at(fraction of it) -> (position, state)."""

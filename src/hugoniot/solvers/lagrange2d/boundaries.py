@@ -134,10 +134,10 @@ def _table_nodes(numbering: Numbering, block: int, edge):
 def _drive(mesh, chain, boundary, pulse: int, index: int, holds):
     """Hold the nodes of a driven chain."""
     normals = mesh.outward_normals(chain)
-    inward = {}
+    inward: dict[int, np.ndarray] = {}
     for k, edge in enumerate(chain.edges.tolist()):
         for node in edge:
-            inward[node] = inward.get(node, 0.0) - normals[:, k]
+            inward[node] = inward.get(node, np.zeros(2)) - normals[:, k]
     for node, direction in inward.items():
         way = direction / np.hypot(*direction) if boundary.direction is None else np.asarray(boundary.direction, dtype=float)
         holds.setdefault(node, _Hold()).add(way, pulse, index)

@@ -25,7 +25,8 @@ def _over_triangles(known: Pass) -> Pass:
     """The same loop over rows of triangles."""
     hints = get_type_hints(known.rows)
     name = f"Triangle{known.rows.__name__}"
-    rows = NamedTuple(name, [(field, _INSTEAD.get(hints[field], hints[field])) for field in known.rows._fields])
+    fields = [(field, _INSTEAD.get(hints[field], hints[field])) for field in known.rows._fields]
+    rows = NamedTuple(name, fields)  # pyrefly: ignore[bad-class-definition]
     rows.__module__ = __name__
     globals()[name] = rows      # where compiled code that is kept looks for it
     return Pass(known.function, rows, known.options)

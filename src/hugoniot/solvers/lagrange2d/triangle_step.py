@@ -107,7 +107,7 @@ class Cell:
         for part, s in zip(self.pair, self.steps):
             at, z, w = part.at, part.at.z, part.at.w
             self.do(passes.gather_thirds, part.thirds(*at.mid))
-            self.do(passes.strain, StrainOf(part.mid, z.inverse_mass, z.e, z.p, at.s, at.q, at.d, w.v, s.rho_half, w.e,  # pyright: ignore
+            self.do(passes.strain, StrainOf(part.mid, z.inverse_mass, z.e, z.p, at.s, at.q, at.d, w.v, s.rho_half, w.e,
                                             at.tangled))
         if self.shared:
             self._share_work([part.at.z.p for part in self.pair], [part.at.w.e for part in self.pair], self.pair[0].at.half)
@@ -121,7 +121,7 @@ class Cell:
         for part, s, rho in zip(self.pair, self.steps, solid):
             self._resist(part, s, rho, kind)
             at = part.at
-            self.do(passes.push, StressOf(places_of(part.mid), s.p_half, at.q, at.new, part.f))  # pyright: ignore
+            self.do(passes.push, StressOf(places_of(part.mid), s.p_half, at.q, at.new, part.f))
             if kind == "edge":
                 self.do(passes.add_rest, passes.RestOf(part.mid, part.rest, part.f))
             if s.laws.burns:
@@ -149,7 +149,7 @@ class Cell:
         for part in self.pair:
             at, z = part.at, part.at.z
             self.do(passes.gather_thirds, part.thirds(*at.mid))
-            self.do(passes.settle, SettleOf(part.mid, part.f, z.inverse_mass, at.power, at.d, z.e,  # pyright: ignore
+            self.do(passes.settle, SettleOf(part.mid, part.f, z.inverse_mass, at.power, at.d, z.e,
                                             at.w.heat, at.q, at.found))
             self.steps[0].add_some(at.w.heat, z.viscous_work)
             self.do(trace, TraceOf(at.q, z.q))
@@ -160,7 +160,7 @@ class Cell:
         for part in self.pair:
             at = part.at
             self.do(passes.gather_thirds, part.thirds(at.now_low, at.now_high))
-            self.do(passes.shape, ShapeOf(part.now, at.z.inverse_mass, at.w.v, at.z.rho, at.w.inverse_length))  # pyright: ignore
+            self.do(passes.shape, ShapeOf(part.now, at.z.inverse_mass, at.w.v, at.z.rho, at.w.inverse_length))
         if self.shared:
             self._share_density([part.at.z.rho for part in self.pair])
         closed = [pressure_at_end(s) for s in self.steps]
@@ -218,4 +218,4 @@ class Cell:
         """Divide the work of the pressure in a motion through the middle of the step."""
         corners = [places_of(part.mid) for part in self.pair]
         dilations = [part.at.d.dilation for part in self.pair]
-        self.do(passes.share_work, passes.WorkOf(*corners, *self._masses(), *pressures, *dilations, *energies), step)  # pyright: ignore
+        self.do(passes.share_work, passes.WorkOf(*corners, *self._masses(), *pressures, *dilations, *energies), step)

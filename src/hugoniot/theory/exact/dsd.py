@@ -140,7 +140,7 @@ def _leaves(limit: float):
     def event(r, y, *given):
         return y[0] - limit
 
-    event.terminal = True  # pyright: ignore[reportFunctionMemberAccess]
+    event.terminal = True
     return event
 
 

@@ -80,4 +80,5 @@ def _plateau(par, d: int, rho0: float, p1: float, e1: float, speed: float) -> tu
         middle = 0.5 * (low + high)
         low, high = (middle, high) if excess(middle) > 0.0 else (low, middle)
     shock = 0.5 * (low + high)
-    return (shock, *(float(v) for v in behind(shock)))
+    rho, p, e = behind(shock)
+    return shock, float(rho), float(p), float(e)

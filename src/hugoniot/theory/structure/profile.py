@@ -145,7 +145,8 @@ class Profile:
 
     def extent(self, part: float = 1e-3) -> tuple[float, float]:
         """(x upstream, x downstream), m, beyond which the density is within `part` (1e-12 or more) of the jump of its ends."""
-        return self._places("density", part, 1.0 - part)
+        start, end = self._places("density", part, 1.0 - part)
+        return start, end
 
     def _places(self, name: str, *levels: float) -> tuple[float, ...]:
         """Where a field has first gained these parts of its jump, m; in the tails beyond the integration too."""

@@ -73,10 +73,10 @@ class Flow:
             if burns:
                 whole = min(mixture_limit(0.0, law.mixture), mixture_limit(1.0, law.mixture))
                 limits[k] = whole, density_limits(law.mixture.reactants)[1], density_limits(law.mixture.products)[1]
+                gas = flagged(law.mixture.products, "gas") and flagged(law.mixture.reactants, "gas")
             else:
                 eos = law.eos if isinstance(law, Solid) else law
-                limits[k] = density_limits(eos)[1]
-            gas = flagged(law.mixture.products, "gas") and flagged(law.mixture.reactants, "gas") if burns else flagged(eos, "gas")
+                limits[k], gas = density_limits(eos)[1], flagged(eos, "gas")
             traits[k] = self.spacing.zones[k], min(self.bench.grips[k], 1e300), gas, *solids.traits(law)
         np.minimum(limits, 1e30, out=limits)
         ends, lists = np.zeros((2, 5)), []

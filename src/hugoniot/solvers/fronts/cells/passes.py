@@ -100,7 +100,7 @@ def _by_kind(plain, **special):
 
 def _bind() -> None:
     bind_burning()
-    search = dict(fastmath=False, error_model="numpy")
+    search = dict(fastmath=False, error_model="numpy", no_cfunc_wrapper=True)
     bind_choice(medium.answer, _by_kind(medium.plain_answer, burning=medium.reactive_answer, solid=medium.solid_answer,
                                         branch=medium.branch_answer))
     bind_choice(wave.jumps, _by_kind(wave.plain_jump, burning=wave.reactive_jump))

@@ -120,7 +120,7 @@ class ContactResults:
     def rigid_velocity(self) -> dict[str, tuple[float, float, float]]:
         """Velocity of the centre of each rigid body, m/s, and its rate of turning, rad/s."""
         rows = zip(self.problem.rigid, self.tables.rigid)
-        return {body.name: tuple(map(float, row[[C.SPEED_X, C.SPEED_Y, C.SPIN]])) for body, row in rows}
+        return {body.name: (float(row[C.SPEED_X]), float(row[C.SPEED_Y]), float(row[C.SPIN])) for body, row in rows}
 
 
 class NothingMeets:
