@@ -13,8 +13,8 @@ import numpy as np
 POINT_NODE, POINT_MOVER, POINT_PART, POINT_BEFORE, POINT_AFTER, POINT_FIRST = range(6)
 # where a point is at the start of a step, and how far the velocity of its mover takes it in the step
 AT_X, AT_Y, BY_X, BY_Y, HALF_X, HALF_Y = range(6)
-# points; block, or number of blocks + rigid body; zone behind (-1: none)
-EDGE_A, EDGE_B, EDGE_PART, EDGE_ZONE = range(4)
+# points; block, or number of blocks + rigid body; zone behind (-1: none), and the node columns of its other corners
+EDGE_A, EDGE_B, EDGE_PART, EDGE_ZONE, EDGE_ACROSS_1, EDGE_ACROSS_2 = range(6)
 # a column of the nodes; rigid body (-1: a node); chains that hold it; what drives it; 1 where it is in the list of
 # the step, 2 if it is pushed too
 MOVER_NODE, MOVER_RIGID, MOVER_CHAIN_1, MOVER_CHAIN_2, MOVER_PULSE, MOVER_LISTED = range(6)

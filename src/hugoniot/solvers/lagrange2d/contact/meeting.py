@@ -9,7 +9,17 @@ import numba as nb
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.active import list_active
-from hugoniot.solvers.lagrange2d.contact.corners import BEYOND, DEEP, edge_vector, faces, has_edges, hollow, over_edge
+from hugoniot.solvers.lagrange2d.contact.corners import (
+    AT_CORNER,
+    BEYOND,
+    DEEP,
+    edge_vector,
+    faces,
+    has_edges,
+    hollow,
+    over_edge,
+    through_sheet,
+)
 from hugoniot.solvers.lagrange2d.contact.impulses import (
     arm_of,
     inverse_mass,
@@ -135,6 +145,8 @@ def meets(c, k, first, slack, depth):
     if other >= 0 and said_already(c, k, first, other):
         return False
     q[C.GAP], started, nx, ny, before = seen(c, k, 0.0)
+    if q[C.GAP] < -AT_CORNER * before and through_sheet(c, p, e):
+        return False
     if not over_edge(c, p, e, (q[C.GAP], started, before), (-(py * dx - px * dy) / square**0.5, share), (slack, depth)):
         return False
     return not (c.binds and tied(c, p, e)) and faces(c, p, nx, ny)
