@@ -64,6 +64,7 @@ FLIGHT_X, FLIGHT_Y, FLIGHT_U, FLIGHT_V = range(4)
 FLOWN, FARTHEST, ASTRAY, SERVES = range(4)
 NEAR, LISTED, BONDS, TOUCHED, POINTS, PUSHED = range(6)      # sizes of the lists of a step; NEAR is -1 where they are to be made anew
 LINE = 8             # floats of a line of cache
+UNSIGNED = np.uint32      # numbers of points, movers and pairs: compiled code asks of every signed index whether it counts from the end
 
 
 class Contact(NamedTuple):
@@ -83,7 +84,7 @@ class Contact(NamedTuple):
     active, candidates     the pairs that are active, in their order, and those that may become so
     pushed                 the movers of active pairs and of bonds
     binds                  whether a law ties points to edges
-    cells, sorted_edges    of the search: first edge of each cell, edges by cell
+    cells, sorted_edges, boxes   of the search: first edge of each cell, edges by cell, where points are within reach of these (x, y)
     since                  (point, 2): where points stood when their motion began to count: at the last search or later
     zones, nodes, chains   tables of the march
     kind, gx, gy           as `march.Options` has them
@@ -120,6 +121,7 @@ class Contact(NamedTuple):
     of_points: Any
     cells: Any
     sorted_edges: Any
+    boxes: Any
     since: Any
     flight: Any
     looked: Any

@@ -28,7 +28,7 @@ from hugoniot.solvers.lagrange2d.contact.impulses import (
     response,
     weight_of_friction,
 )
-from hugoniot.solvers.lagrange2d.contact.near import list_bond
+from hugoniot.solvers.lagrange2d.contact.near import CLOSED, list_bond
 from hugoniot.solvers.lagrange2d.contact.rigid import arm, place
 
 SAME_PLACE = 1e-6    # of an edge
@@ -37,7 +37,6 @@ OVERHANG = 0.5       # of an edge: how far beyond its ends forces may act on it,
 KEPT_DEPTH = 0.9     # of the depth at the start of a step may be left at its end
 RISE = 1e-2          # of the change of velocity that contact made in the last step: what is behind rises no faster
 CLOSING_ENOUGH = 5e-3      # of the change that contact made to a velocity in the last step: what surfaces that touch close by
-CLOSED = 1e-3        # of an edge: a gap that a bond bridges
 
 
 @nb.njit(**INLINE)

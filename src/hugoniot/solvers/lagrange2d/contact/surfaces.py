@@ -190,14 +190,16 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
     def ints(*shape):
         return np.zeros(shape, dtype=np.int64)
 
-    pairs = {"pairs": ints(room, C.PAIR_INTS), "old_pairs": ints(room, 2), "pair_numbers": C.table(room, C.PAIR_FLOATS),
+    def numbers_of(*shape):
+        return np.zeros(shape, dtype=C.UNSIGNED)
+
+    pairs = {"pairs": numbers_of(room, C.PAIR_INTS), "old_pairs": numbers_of(room, 2), "pair_numbers": C.table(room, C.PAIR_FLOATS),
              "old_numbers": C.table(room, C.PAIR_FLOATS)}
-    lists = {"near": ints(room, 4), "listed": ints(len(movers)), "bound": ints(count), "touched": ints(room),
-             "near_points": ints(count, 2), "marks": ints(count), "sizes": np.array([-1, 0, 0, 0, 0, 0]), "active": ints(room),
-             "candidates": ints(room),
-             "pushed": ints(len(movers))}
-    of_search = {"cells": ints(4 * len(edges) + 17), "sorted_edges": ints(len(edges)), "since": np.zeros((count, 2)),
-                 "flight": C.table(count, 4), "looked": np.zeros(4)}
+    lists = {"near": numbers_of(room, 4), "listed": numbers_of(len(movers)), "bound": numbers_of(count), "touched": numbers_of(room),
+             "near_points": numbers_of(count, 2), "marks": ints(count), "sizes": np.array([-1, 0, 0, 0, 0, 0]),
+             "active": numbers_of(room), "candidates": numbers_of(room), "pushed": numbers_of(len(movers))}
+    of_search = {"cells": ints(4 * len(edges) + 17), "sorted_edges": ints(len(edges)), "boxes": np.zeros((len(edges), 4)),
+                 "since": np.zeros((count, 2)), "flight": C.table(count, 4), "looked": np.zeros(4)}
     return C.Contact(
         points, edges, movers, numbers, rigid_table(problem), np.flatnonzero(movers[:, C.MOVER_CHAIN_1] >= 0), sizes.astype(np.int64),
         np.array([k for group in surfaces.copies for k in group], dtype=np.int64), law_of, laws, **pairs, **lists, **of_search,
