@@ -103,8 +103,8 @@ def over_edge(c, p, e, before, after, enough):
         return on_it or (c.edges[e, C.EDGE_ZONE] >= 0 and -DEEP < share < 1.0 + DEEP)
     a, b = c.edges[other, C.EDGE_A], c.edges[other, C.EDGE_B]
     inward = hollow(c, e, other, at_end)
-    if a == p or b == p:
-        return inward and on_it
+    if a == p or b == p:      # it folds onto this edge if it was in front, unless it is the tip of a needle
+        return on_it and (inward or gap >= 0.0)
     if inward and on_it:
         return True
     if not -BEYOND < share < 1.0 + BEYOND:
@@ -135,8 +135,8 @@ def over_edge(c, p, e, before, after, enough):
 
 @nb.njit(**BY_ADDRESS)
 def through_sheet(c, p, e):
-    """Whether an edge has a point behind it because that is on the other side of a thin sheet: beyond the other side of the zone there, or
-    with its own zones behind the edge too.
+    """Whether an edge has a point behind it because that is on the other side of a thin sheet: nearer to the other side of the zone there,
+    or with its own zones behind the edge too.
 
     Of a point that has gone into another surface they are still in front, however little of them. Places are those at the start of a step.
     """
@@ -144,7 +144,9 @@ def through_sheet(c, p, e):
     if c.edges[e, C.EDGE_ZONE] >= 0:
         first, second = c.edges[e, C.EDGE_ACROSS_1], c.edges[e, C.EDGE_ACROSS_2]
         x, y = c.nodes[X, first], c.nodes[X + 1, first]
-        if (px - x) * (c.nodes[X + 1, second] - y) > (py - y) * (c.nodes[X, second] - x):
+        u, v = c.nodes[X, second] - x, c.nodes[X + 1, second] - y
+        depth, from_there = (py - ay) * dx - (px - ax) * dy, (py - y) * u - (px - x) * v
+        if from_there < 0.0 or from_there * from_there * (dx * dx + dy * dy) < depth * depth * (u * u + v * v):
             return True
     for column in (C.POINT_BEFORE, C.POINT_AFTER):
         own = c.points[p, column]
