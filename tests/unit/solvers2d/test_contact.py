@@ -332,6 +332,16 @@ def test_a_body_meets_itself():
     assert solver.errors()["momentum_error"] < 1e-12
 
 
+@pytest.mark.parametrize("layers", [1, 2])
+def test_a_thin_sheet_does_not_meet_itself_through_its_thickness(layers):
+    """Sheet of a 25th of the length of its edges, pressed together, beside a body that is far from it."""
+    sheet = dataclasses.replace(al(4, layers, 4e-3, 0.04e-3, name="sheet"),
+                                velocity=VelocityField(centre=(0.0, 0.02e-3), gradient=((0.0, 0.0), (0.0, -1e6))))
+    solver = ran(meeting([sheet, al(1, 1, 1e-3, 1e-3, (0.0, 5e-3), "far")], 1e-7))
+    assert solver.results()["contact_sweeps"] == 0
+    assert solver.results()["contact_heat"] == 0.0
+
+
 def test_a_notch_that_is_driven_shut_closes_to_its_bottom():
     """The node above the bottom of the notch meets the edge on the other side, which begins at that bottom: it does not pass through it."""
     top = Curve("polyline", tuple((0.5e-3 * k, 4e-3 - (3e-3 - 1e-3 * abs(k - 4) if 1 <= k <= 7 else 0.0)) for k in range(9)), "points")

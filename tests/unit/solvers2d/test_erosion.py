@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
-from contact_builders import N, Z, al, meeting, ran
+from contact_builders import Contact2D, N, Z, al, meeting, ran
 from plane_builders import aluminium, box, problem
 
 from hugoniot.core import team
@@ -13,6 +13,7 @@ from hugoniot.errors import DeckError
 from hugoniot.mesh.shapes import Box
 from hugoniot.problem.deck import read_deck_text, write_deck
 from hugoniot.problem.plane.model import Block2D, Boundary2D, Erosion2D, Gauge2D
+from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.contact.faces import surface_faces
 from hugoniot.solvers.lagrange2d.rows_of_blocks import stretches
 from hugoniot.solvers.lagrange2d.solver import Lagrange2D
@@ -92,6 +93,20 @@ def test_a_zone_of_a_short_step_leaves():
 def mesh_of(ni, nj):
     block = Block2D("a", "al", Box((0.0, float(ni)), (0.0, float(nj))), (ni, nj))
     return problem([block], aluminium(), 1.0).mesh
+
+
+@pytest.mark.parametrize("height, put_out", [(-1e-7, False), (-0.5e-3, True)])
+def test_dust_inside_a_zone_is_put_onto_its_new_face_but_not_off_a_surface_it_lies_on(height, put_out):
+    """A node that zones have left behind is beside the right face of the first zone of two when the second one leaves: in the middle of
+    the face it is put onto it; on top of the zone, where another body may be close, it stays."""
+    blocks = [al(2, 1, 2e-3, 1e-3, name="a"), al(1, 1, 1e-3, 1e-3, (5e-3, 0.0), "dust")]
+    solver = Lagrange2D(meeting(blocks, 1e-6, contacts=(Contact2D(("a", "dust")),), erosion=Erosion2D(1.0)))
+    node = solver.numbering.first[1]
+    solver.nodes[[N.x, N.y], node] = place = 0.99e-3, 1e-3 + height
+    solver.zones[Z.plastic_strain, 1:] = 2.0
+    assert solver.erosion.act(L.PAUSED)
+    assert solver.nodes[N.x, node] == pytest.approx(1e-3 if put_out else place[0], rel=1e-12)
+    assert solver.nodes[N.y, node] == place[1]
 
 
 def test_surfaces_go_around_what_is_left():

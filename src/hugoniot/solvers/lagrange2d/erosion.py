@@ -11,7 +11,7 @@ from hugoniot.errors import OutOfRange
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.assemble import N, Z, corner_shares, quad_corners
 from hugoniot.solvers.lagrange2d.contact import layout as C
-from hugoniot.solvers.lagrange2d.contact.corners import DEEP
+from hugoniot.solvers.lagrange2d.contact.corners import DEEP, EDGE_END
 from hugoniot.solvers.lagrange2d.contact.results import contact_of, larger
 from hugoniot.solvers.lagrange2d.contact.surfaces import Surfaces
 from hugoniot.solvers.lagrange2d.rows_of_blocks import cells
@@ -179,27 +179,30 @@ def _places(contact) -> tuple[dict[int, int], dict[tuple[int, int], int]]:
 def lift_debris(contact: C.Contact, known: dict, nodes, copies, corners) -> None:
     """Put points without zones that are a little behind a surface that is not `known`, inside its zone, onto that surface.
 
-    A zone that was folded on itself leaves them there. corners: node columns of the corners of every zone.
+    A zone that was folded on itself leaves them there. What is nearer to another surface of the zone came by that one and stays on it,
+    where another body may be close. corners: node columns of the corners of every zone.
     """
-    points = contact.points
+    points, edge_of = contact.points, _places(contact)[1]
     free = np.flatnonzero((points[:, C.POINT_BEFORE] < 0) & (points[:, C.POINT_AFTER] < 0))
-    places = nodes[[N.x, N.y]]
-    for edge in contact.edges:
-        a, b = points[edge[:2], C.POINT_NODE].tolist()
-        if edge[C.EDGE_ZONE] < 0 or (a, b) in known:
-            continue
-        start = places[:, corners[edge[C.EDGE_ZONE]], None]
+    places, fresh = nodes[[N.x, N.y]], [e for ends, e in edge_of.items() if ends not in known]
+    for zone in dict.fromkeys(contact.edges[fresh, C.EDGE_ZONE].tolist()):
+        sides = list(zip(corners[zone].tolist(), np.roll(corners[zone], -1).tolist()))
+        outer = [k for k, ends in enumerate(sides) if ends in edge_of]
+        start = places[:, corners[zone], None]
         way, offset = np.roll(start, -1, axis=1) - start, places[:, None, points[free, C.POINT_NODE]] - start
-        inside = (way[0] * offset[1] >= way[1] * offset[0]).all(axis=0)
-        (x, y), length = places[:, b] - places[:, a], np.hypot(*(places[:, b] - places[:, a]))
-        normal = np.array([y, -x]) / length
-        for p in free[inside]:
-            mover, at = contact.mover_numbers[points[p, C.POINT_MOVER]], points[p, C.POINT_NODE]
-            gap = float(normal @ (places[:, at] - places[:, a]))
-            way_out = mover[[[C.PXX, C.PXY], [C.PXY, C.PYY]]] @ normal
-            if -DEEP * length < gap < 0.0 and way_out @ normal > STEEPEST:
-                places[:, at] -= gap / (way_out @ normal) * way_out
-                nodes[np.ix_([N.x, N.y], copies[points[p, C.POINT_MOVER]])] = places[:, at, None]
+        length = np.hypot(*way)
+        depth = (way[0] * offset[1] - way[1] * offset[0]) / length
+        for i in np.flatnonzero((depth >= 0.0).all(axis=0)):
+            k = outer[int(np.argmin(depth[outer, i]))]
+            x, y = way[:, k, 0] / length[k, 0]
+            mover, at = contact.mover_numbers[points[free[i], C.POINT_MOVER]], points[free[i], C.POINT_NODE]
+            way_out = mover[[[C.PXX, C.PXY], [C.PXY, C.PYY]]] @ (y, -x)
+            if sides[k] in known or not 0.0 < depth[k, i] < DEEP * length[k, 0] or way_out @ (y, -x) <= STEEPEST:
+                continue
+            place = places[:, at] + depth[k, i] / (way_out @ (y, -x)) * way_out
+            if -EDGE_END <= (place - start[:, k, 0]) @ (x, y) / length[k, 0] <= 1.0 + EDGE_END:
+                places[:, at] = place
+                nodes[np.ix_([N.x, N.y], copies[points[free[i], C.POINT_MOVER]])] = place[:, None]
 
 
 def carried_over(old: C.Contact, new: C.Contact) -> C.Contact:

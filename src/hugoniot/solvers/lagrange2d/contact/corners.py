@@ -4,7 +4,7 @@ import numba as nb
 
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
-from hugoniot.solvers.lagrange2d.contact.rigid import place
+from hugoniot.solvers.lagrange2d.contact.rigid import X, place
 
 DEEP = 0.05          # of an edge: a point that was deeper behind it at the start of a step did not come through it
 FACING = -0.1        # cosine between the outward normals of point and edge
@@ -103,8 +103,8 @@ def over_edge(c, p, e, before, after, enough):
         return on_it or (c.edges[e, C.EDGE_ZONE] >= 0 and -DEEP < share < 1.0 + DEEP)
     a, b = c.edges[other, C.EDGE_A], c.edges[other, C.EDGE_B]
     inward = hollow(c, e, other, at_end)
-    if a == p or b == p:
-        return inward and on_it
+    if a == p or b == p:      # it folds onto this edge if it was in front, unless it is the tip of a needle
+        return on_it and (inward or gap >= 0.0)
     if inward and on_it:
         return True
     if not -BEYOND < share < 1.0 + BEYOND:
@@ -131,6 +131,35 @@ def over_edge(c, p, e, before, after, enough):
     if not on_other or away >= -max(enough[0] * other_length, enough[1]):      # it has slid off
         return shallow and gap <= AT_CORNER * length and -AT_CORNER <= started <= 1.0 + AT_CORNER and has_edges(c, p)
     return (shallow and deep_there) or not faces(c, p, *normal(c, other, 0.0))      # it came through this one, or the other cannot hold it
+
+
+@nb.njit(**BY_ADDRESS)
+def through_sheet(c, p, e):
+    """Whether an edge has a point behind it because that is on the other side of a thin sheet: nearer to the other side of the zone there,
+    or with its own zones behind the edge too.
+
+    Of a point that has gone into another surface they are still in front, however little of them. Places are those at the start of a step.
+    """
+    (px, py), (ax, ay), (dx, dy), found = place(c, p, 0.0), place(c, c.edges[e, C.EDGE_A], 0.0), edge_vector(c, e, 0.0), False
+    if c.edges[e, C.EDGE_ZONE] >= 0:
+        first, second = c.edges[e, C.EDGE_ACROSS_1], c.edges[e, C.EDGE_ACROSS_2]
+        x, y = c.nodes[X, first], c.nodes[X + 1, first]
+        u, v = c.nodes[X, second] - x, c.nodes[X + 1, second] - y
+        depth, from_there = (py - ay) * dx - (px - ax) * dy, (py - y) * u - (px - x) * v
+        if from_there < 0.0 or from_there * from_there * (dx * dx + dy * dy) < depth * depth * (u * u + v * v):
+            return True
+    for column in (C.POINT_BEFORE, C.POINT_AFTER):
+        own = c.points[p, column]
+        if own >= 0:
+            if c.edges[own, C.EDGE_ZONE] < 0:
+                return False
+            (x, y), (u, v) = place(c, c.edges[own, C.EDGE_A], 0.0), place(c, c.edges[own, C.EDGE_B], 0.0)
+            first, second = c.edges[own, C.EDGE_ACROSS_1], c.edges[own, C.EDGE_ACROSS_2]
+            x, y = 0.25 * (x + u + c.nodes[X, first] + c.nodes[X, second]), 0.25 * (y + v + c.nodes[X + 1, first] + c.nodes[X + 1, second])
+            if (x - ax) * dy - (y - ay) * dx >= 0.0:
+                return False
+            found = True
+    return found
 
 
 @nb.njit(**INLINE)

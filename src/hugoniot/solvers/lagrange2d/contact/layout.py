@@ -13,8 +13,8 @@ import numpy as np
 POINT_NODE, POINT_MOVER, POINT_PART, POINT_BEFORE, POINT_AFTER, POINT_FIRST = range(6)
 # where a point is at the start of a step, and how far the velocity of its mover takes it in the step
 AT_X, AT_Y, BY_X, BY_Y, HALF_X, HALF_Y = range(6)
-# points; block, or number of blocks + rigid body; zone behind (-1: none)
-EDGE_A, EDGE_B, EDGE_PART, EDGE_ZONE = range(4)
+# points; block, or number of blocks + rigid body; zone behind (-1: none), and the node columns of its other corners
+EDGE_A, EDGE_B, EDGE_PART, EDGE_ZONE, EDGE_ACROSS_1, EDGE_ACROSS_2 = range(6)
 # a column of the nodes; rigid body (-1: a node); chains that hold it; what drives it; 1 where it is in the list of
 # the step, 2 if it is pushed too
 MOVER_NODE, MOVER_RIGID, MOVER_CHAIN_1, MOVER_CHAIN_2, MOVER_PULSE, MOVER_LISTED = range(6)
@@ -64,6 +64,7 @@ FLIGHT_X, FLIGHT_Y, FLIGHT_U, FLIGHT_V = range(4)
 FLOWN, FARTHEST, ASTRAY, SERVES = range(4)
 NEAR, LISTED, BONDS, TOUCHED, POINTS, PUSHED = range(6)      # sizes of the lists of a step; NEAR is -1 where they are to be made anew
 LINE = 8             # floats of a line of cache
+UNSIGNED = np.uint32      # numbers of points, movers and pairs: compiled code asks of every signed index whether it counts from the end
 
 
 class Contact(NamedTuple):
@@ -83,7 +84,7 @@ class Contact(NamedTuple):
     active, candidates     the pairs that are active, in their order, and those that may become so
     pushed                 the movers of active pairs and of bonds
     binds                  whether a law ties points to edges
-    cells, sorted_edges    of the search: first edge of each cell, edges by cell
+    cells, sorted_edges, boxes   of the search: first edge of each cell, edges by cell, where points are within reach of these (x, y)
     since                  (point, 2): where points stood when their motion began to count: at the last search or later
     zones, nodes, chains   tables of the march
     kind, gx, gy           as `march.Options` has them
@@ -120,6 +121,7 @@ class Contact(NamedTuple):
     of_points: Any
     cells: Any
     sorted_edges: Any
+    boxes: Any
     since: Any
     flight: Any
     looked: Any

@@ -9,7 +9,17 @@ import numba as nb
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
 from hugoniot.solvers.lagrange2d.contact.active import list_active
-from hugoniot.solvers.lagrange2d.contact.corners import BEYOND, DEEP, edge_vector, faces, has_edges, hollow, over_edge
+from hugoniot.solvers.lagrange2d.contact.corners import (
+    AT_CORNER,
+    BEYOND,
+    DEEP,
+    edge_vector,
+    faces,
+    has_edges,
+    hollow,
+    over_edge,
+    through_sheet,
+)
 from hugoniot.solvers.lagrange2d.contact.impulses import (
     arm_of,
     inverse_mass,
@@ -18,7 +28,7 @@ from hugoniot.solvers.lagrange2d.contact.impulses import (
     response,
     weight_of_friction,
 )
-from hugoniot.solvers.lagrange2d.contact.near import list_bond
+from hugoniot.solvers.lagrange2d.contact.near import CLOSED, list_bond
 from hugoniot.solvers.lagrange2d.contact.rigid import arm, place
 
 SAME_PLACE = 1e-6    # of an edge
@@ -27,7 +37,6 @@ OVERHANG = 0.5       # of an edge: how far beyond its ends forces may act on it,
 KEPT_DEPTH = 0.9     # of the depth at the start of a step may be left at its end
 RISE = 1e-2          # of the change of velocity that contact made in the last step: what is behind rises no faster
 CLOSING_ENOUGH = 5e-3      # of the change that contact made to a velocity in the last step: what surfaces that touch close by
-CLOSED = 1e-3        # of an edge: a gap that a bond bridges
 
 
 @nb.njit(**INLINE)
@@ -135,6 +144,8 @@ def meets(c, k, first, slack, depth):
     if other >= 0 and said_already(c, k, first, other):
         return False
     q[C.GAP], started, nx, ny, before = seen(c, k, 0.0)
+    if q[C.GAP] < -AT_CORNER * before and through_sheet(c, p, e):
+        return False
     if not over_edge(c, p, e, (q[C.GAP], started, before), (-(py * dx - px * dy) / square**0.5, share), (slack, depth)):
         return False
     return not (c.binds and tied(c, p, e)) and faces(c, p, nx, ny)

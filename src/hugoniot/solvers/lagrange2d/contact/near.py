@@ -9,14 +9,15 @@ import numba as nb
 from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d.contact import layout as C
-from hugoniot.solvers.lagrange2d.contact.corners import BEYOND, DEEP, beyond
-from hugoniot.solvers.lagrange2d.contact.rigid import chord, place
+from hugoniot.solvers.lagrange2d.contact.corners import BEYOND, DEEP, EDGE_END, beyond
+from hugoniot.solvers.lagrange2d.contact.rigid import chord
 
 IM = L.Nodes._fields.index("im")      # row of the node table
 EVERY = 5          # steps between two looks at which pairs may meet
 SPARE = 2.0        # times what points went astray from straight flight between the last two looks, they may between the next
 LEAST_ASTRAY = 1e-3      # of the mean edge
 MOST = 0.8         # of all pairs: where more are near, all are listed up to the next search
+CLOSED = 1e-3        # of an edge: a gap that a bond bridges
 ANY_WAY = 1e300    # how far points may go astray, and for how long, where all pairs are listed
 
 
@@ -84,45 +85,53 @@ def list_bond(c, p):
 
 @nb.njit(**INLINE)
 def may_meet(c, k, astray, time):
-    """Whether a pair may meet within a time, if no two points go astray from straight flight relative to each other by more than `astray`.
+    """Whether a pair may meet within a time, if no two points go astray from straight flight relative to each other by more than `astray`:
+    come behind its edge, not deep, and beside it or a little beyond its ends.
 
     An edge does not go on for the point at the other end of the next edge, which can only fold onto it.
     """
     p, a, b = c.pairs[k, C.PAIR_POINT], c.pairs[k, C.PAIR_FROM], c.pairs[k, C.PAIR_TO]
+    (x, y, u, v), (dx, dy, du, dv) = from_point(c, p, a), from_point(c, b, a)
+    size, away = abs(dx) + abs(dy) + time * (abs(du) + abs(dv)), abs(x) + abs(y) + time * (abs(u) + abs(v))
+    least, most = swept(y * dx - x * dy, v * dx - u * dy + y * du - x * dv, v * du - u * dv, time)
+    error, square = astray * (size + away + astray), (size + astray) ** 2
+    if most + error < -CLOSED * square or least - error > DEEP * square:
+        return False
     before, after = c.points[a, C.POINT_BEFORE], c.points[b, C.POINT_AFTER]
-    on_before = 0.0 if before >= 0 and c.edges[before, C.EDGE_A] == p else BEYOND
-    on_after = 0.0 if after >= 0 and c.edges[after, C.EDGE_B] == p else BEYOND
-    apart, length = distance(*place(c, p, 0.0), *place(c, a, 0.0), *place(c, b, 0.0), on_before, on_after)
-    from_a, from_b, whole = speed_between(c, p, a), speed_between(c, p, b), speed_between(c, a, b)
-    # a place beyond an end moves with that end and by a part of what the ends move relative to each other, by which the length changes too
-    part = DEEP + BEYOND
-    return apart <= DEEP * length + (1.0 + part) * astray + time * (max(from_a, from_b) + part * whole)
+    on = EDGE_END if before >= 0 and c.edges[before, C.EDGE_A] == p else BEYOND
+    least, most = swept(*along(x + on * dx, y + on * dy, u + on * du, v + on * dv, dx, dy, du, dv), time)
+    error += 4.0 * astray * (size + astray)
+    if most + error < 0.0:
+        return False
+    on = 1.0 + (EDGE_END if after >= 0 and c.edges[after, C.EDGE_B] == p else BEYOND)
+    least, most = swept(*along(x - on * dx, y - on * dy, u - on * du, v - on * dv, dx, dy, du, dv), time)
+    return least - error <= 0.0
 
 
 @nb.njit(**INLINE)
-def speed_between(c, p, q):
-    """Relative speed of two points in straight flight."""
-    u, v = c.flight[p, C.FLIGHT_U] - c.flight[q, C.FLIGHT_U], c.flight[p, C.FLIGHT_V] - c.flight[q, C.FLIGHT_V]
-    return (u * u + v * v) ** 0.5
+def swept(value, rate, growth, time):
+    """Bounds of a square function of time up to `time`."""
+    slope, bend = time * rate, time * time * growth
+    return value + min(slope, 0.0) + min(bend, 0.0), value + max(slope, 0.0) + max(bend, 0.0)
 
 
-@nb.njit(**BY_ADDRESS)
-def strays(c, nodes, dt):
-    """By how much any two points, at the start of a step and at its end with the velocities of its start, have gone astray from straight
-    flight relative to each other at most: the diagonal of the box that holds the ways of all."""
-    left, bottom, right, top, time = 0.0, 0.0, 0.0, 0.0, c.looked[C.FLOWN]
-    for p in range(c.points.shape[0]):
-        k, f = c.points[p, C.POINT_NODE], c.flight[p]
-        du, dv = nodes[2, k] - f[C.FLIGHT_U], nodes[3, k] - f[C.FLIGHT_V]
-        x, y = c.places[p, C.AT_X] - f[C.FLIGHT_X] - time * f[C.FLIGHT_U], c.places[p, C.AT_Y] - f[C.FLIGHT_Y] - time * f[C.FLIGHT_V]
-        left, bottom = min(left, x, x + dt * du), min(bottom, y, y + dt * dv)
-        right, top = max(right, x, x + dt * du), max(top, y, y + dt * dv)
-    return ((right - left) ** 2 + (top - bottom) ** 2) ** 0.5
+@nb.njit(**INLINE)
+def along(x, y, u, v, dx, dy, du, dv):
+    """(value, rate, growth) of the product of two ways that change steadily."""
+    return x * dx + y * dy, u * dx + v * dy + x * du + y * dv, u * du + v * dv
+
+
+@nb.njit(**INLINE)
+def from_point(c, p, q):
+    """Way from a point q to another in straight flight, and the velocity of that."""
+    f, g = c.flight[p], c.flight[q]
+    return (f[C.FLIGHT_X] - g[C.FLIGHT_X], f[C.FLIGHT_Y] - g[C.FLIGHT_Y], f[C.FLIGHT_U] - g[C.FLIGHT_U], f[C.FLIGHT_V] - g[C.FLIGHT_V])
 
 
 @nb.njit(**BY_ADDRESS)
 def stray_ends(c, nodes, dt):
-    """The same at the end of a step with mean velocities, those of movers where contact has changed them."""
+    """By how much any two points have gone astray from straight flight relative to each other at most at the end of a step with mean
+    velocities, those of movers where contact has changed them: the diagonal of the box that holds the ways of all."""
     left, bottom, right, top, time = 0.0, 0.0, 0.0, 0.0, c.looked[C.FLOWN] + dt
     vertices = c.points.shape[0] - (c.copies_start[c.movers.shape[0]] - c.copies_start[c.movers.shape[0] - c.rigid.shape[0]])
     for p in range(c.points.shape[0]):
@@ -141,11 +150,11 @@ def stray_ends(c, nodes, dt):
 
 
 @nb.njit(**BY_ADDRESS)
-def list_near(c, nodes, dt):
+def list_near(c, nodes, dt, astray):
     """List the pairs that may meet in a step, with their points and movers, those of bonds and rigid bodies, unless the list that stands
-    serves for it. Which further pairs are in it changes nothing but the time it takes."""
+    serves for it; astray: by how much points have gone astray from straight flight, at the end of the step too with the velocities of its
+    start. Which further pairs are in the list changes nothing but the time it takes."""
     if c.sizes[C.NEAR] >= 0:
-        astray = 0.0 if c.looked[C.ASTRAY] == ANY_WAY else strays(c, nodes, dt)
         c.looked[C.FARTHEST] = max(c.looked[C.FARTHEST], astray)
         if astray <= c.looked[C.ASTRAY] and c.looked[C.FLOWN] + dt <= c.looked[C.SERVES]:
             if c.binds:

@@ -1,4 +1,7 @@
-"""Relaxation: impulses of pairs and bonds that satisfy what contact asks of velocities, one after the other (`impulses`)."""
+"""Relaxation: impulses of pairs and bonds that satisfy what contact asks of velocities, one after the other (`impulses`).
+
+All sweeps go the same way: conjugate gradients suppose that each does the same to the same error.
+"""
 
 import numba as nb
 
@@ -17,7 +20,7 @@ from hugoniot.solvers.lagrange2d.contact.impulses import (
     slip,
 )
 
-ENOUGH_SWEEPS, MOST_SWEEPS = 6, 80      # the more only where nodes would end far behind surfaces
+ENOUGH_SWEEPS, MOST_SWEEPS = 5, 80      # the more only where nodes would end far behind surfaces
 CLOSE_ENOUGH = 5e-4      # of the largest change that contact makes to a velocity
 
 
@@ -76,11 +79,11 @@ def weigh_bonds(c):
 
 
 @nb.njit(**INLINE)
-def sweep_once(c, part, forward):
+def sweep_once(c, part):
     """Satisfy all active pairs and all bonds one after the other; (largest change of a velocity, square of the change of the impulses)."""
-    change, square, pairs, bonds = 0.0, 0.0, c.counts[C.ACTIVE], c.sizes[C.BONDS]
-    for i in range(pairs):
-        k = c.active[i if forward else pairs - 1 - i]
+    change, square = 0.0, 0.0
+    for i in range(c.counts[C.ACTIVE]):
+        k = c.active[i]
         q, (s, a, b) = c.pair_numbers[k], of_pair(c, k)
         q[C.OLD] = q[C.LAMBDA]
         if q[C.MORE] != 0.0:
@@ -89,8 +92,8 @@ def sweep_once(c, part, forward):
         square += q[C.WN] * (q[C.LAMBDA] - q[C.OLD]) ** 2
         if q[C.MORE] != 0.0:
             square += q[C.WT] * (q[C.TAU] - q[C.OLD_TAU]) ** 2
-    for i in range(bonds):
-        p = c.bound[i if forward else bonds - 1 - i]
+    for i in range(c.sizes[C.BONDS]):
+        p = c.bound[i]
         q = c.bond_numbers[p]
         q[C.BOND_OLD_X], q[C.BOND_OLD_Y] = q[C.BOND_X], q[C.BOND_Y]
         change = max(change, relax_bond(c, p, part))
@@ -147,7 +150,7 @@ def relax(c, part, least, enough):
     before = whole = 0.0
     weigh_bonds(c)
     for sweep in range(MOST_SWEEPS):
-        change, square = sweep_once(c, part, sweep % 2 == 0)
+        change, square = sweep_once(c, part)
         if sweep == 0:
             whole = largest(c)
         if change <= max(least, CLOSE_ENOUGH * whole) or (sweep >= ENOUGH_SWEEPS - 1 and change <= enough) or sweep == MOST_SWEEPS - 1:

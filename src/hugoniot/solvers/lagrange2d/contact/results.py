@@ -159,7 +159,7 @@ def larger(contact: C.Contact, room: int | None = None) -> C.Contact:
         table = getattr(contact, name)
         made[name] = C.table(room, table.shape[1]) if table.dtype == float else np.zeros((room, table.shape[1]), dtype=table.dtype)
         made[name][:min(room, len(table))] = table[:room]
-    made |= {name: np.zeros(room, dtype=np.int64) for name in ("touched", "active", "candidates")}
-    made |= {"near": np.zeros((room, 4), dtype=np.int64)}
+    made |= {name: np.zeros(room, dtype=C.UNSIGNED) for name in ("touched", "active", "candidates")}
+    made |= {"near": np.zeros((room, 4), dtype=C.UNSIGNED)}
     contact.sizes[C.NEAR] = -1
     return contact._replace(**made)

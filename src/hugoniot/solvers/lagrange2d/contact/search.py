@@ -2,20 +2,22 @@
 
 import numba as nb
 
-from hugoniot.core.target import BY_ADDRESS
+from hugoniot.core.target import BY_ADDRESS, INLINE
 from hugoniot.solvers.lagrange2d.contact import layout as C
-from hugoniot.solvers.lagrange2d.contact.near import distance, list_near
+from hugoniot.solvers.lagrange2d.contact.near import ANY_WAY, distance, list_near
 
 EVERY = 4            # steps after which the motion of points is counted anew
 AHEAD = 2.0          # times what the velocities at the start of a step say of its motion: they may grow in it
 
 
 @nb.njit(**BY_ADDRESS)
-def spreads(c, nodes):
-    """By how much the velocities of any two points differ at most, and their displacements counted from `since`: the diagonals of the
-    boxes that hold those of all points. Notes where points are."""
+def spreads(c, nodes, dt):
+    """By how much the velocities of any two points differ at most, their displacements counted from `since`, and what they have gone astray
+    from straight flight, at the start of a step and at its end with the velocities of its start: the diagonals of the boxes that hold
+    those of all points. Notes where points are."""
     left, bottom, right, top = 1e300, 1e300, -1e300, -1e300
     west, south, east, north = left, bottom, right, top
+    x0, y0, x1, y1, time, flying = 0.0, 0.0, 0.0, 0.0, c.looked[C.FLOWN], c.sizes[C.NEAR] >= 0 and c.looked[C.ASTRAY] != ANY_WAY
     for p in range(c.points.shape[0]):
         k = c.points[p, C.POINT_NODE]
         x, y, u, v = nodes[0, k], nodes[1, k], nodes[2, k], nodes[3, k]
@@ -23,7 +25,18 @@ def spreads(c, nodes):
         dx, dy = x - c.since[p, 0], y - c.since[p, 1]
         left, bottom, right, top = min(left, u), min(bottom, v), max(right, u), max(top, v)
         west, south, east, north = min(west, dx), min(south, dy), max(east, dx), max(north, dy)
-    return ((right - left) ** 2 + (top - bottom) ** 2) ** 0.5, ((east - west) ** 2 + (north - south) ** 2) ** 0.5
+        if flying:
+            f = c.flight[p]
+            du, dv = dt * (u - f[C.FLIGHT_U]), dt * (v - f[C.FLIGHT_V])
+            x, y = x - f[C.FLIGHT_X] - time * f[C.FLIGHT_U], y - f[C.FLIGHT_Y] - time * f[C.FLIGHT_V]
+            x0, y0, x1, y1 = min(x0, x, x + du), min(y0, y, y + dv), max(x1, x, x + du), max(y1, y, y + dv)
+    return diagonal(right - left, top - bottom), diagonal(east - west, north - south), diagonal(x1 - x0, y1 - y0)
+
+
+@nb.njit(**INLINE)
+def diagonal(width, height):
+    """Of a box."""
+    return (width * width + height * height) ** 0.5
 
 
 @nb.njit(**BY_ADDRESS)
@@ -44,7 +57,7 @@ def grid(c, x, y):
 
 @nb.njit(**BY_ADDRESS)
 def sort_edges(c, x, y, left, bottom, cell, columns, rows):
-    """Edges by the cell of their middle, in their order within a cell."""
+    """Edges by the cell of their middle, in their order within a cell, each with the box in which points are within reach."""
     count = columns * rows
     c.cells[:count + 1] = 0
     for again in range(2):
@@ -56,8 +69,10 @@ def sort_edges(c, x, y, left, bottom, cell, columns, rows):
             if again == 0:
                 c.cells[at + 1] += 1
             else:
-                c.sorted_edges[c.cells[at]] = e
-                c.cells[at] += 1
+                n, c.cells[at] = c.cells[at], c.cells[at] + 1
+                c.sorted_edges[n] = e
+                c.boxes[n, 0], c.boxes[n, 1] = min(x[a], x[b]) - c.numbers[C.REACH], max(x[a], x[b]) + c.numbers[C.REACH]
+                c.boxes[n, 2], c.boxes[n, 3] = min(y[a], y[b]) - c.numbers[C.REACH], max(y[a], y[b]) + c.numbers[C.REACH]
         if again == 0:
             for k in range(count):
                 c.cells[k + 1] += c.cells[k]
@@ -126,6 +141,8 @@ def search(c, nodes):
         for m in range(max(i - 1, 0), min(i + 2, columns)):
             for n in range(max(j - 1, 0), min(j + 2, rows)):
                 for q in range(c.cells[m * rows + n], c.cells[m * rows + n + 1]):
+                    if px < c.boxes[q, 0] or px > c.boxes[q, 1] or py < c.boxes[q, 2] or py > c.boxes[q, 3]:
+                        continue
                     e = c.sorted_edges[q]
                     if c.law_of[part, c.edges[e, C.EDGE_PART]] < 0 or c.edges[e, C.EDGE_A] == p or c.edges[e, C.EDGE_B] == p:
                         continue
@@ -158,7 +175,7 @@ def count_from_now(c, moved):
 def make_ready(c, nodes, dt):
     """List the pairs that may meet in the step, after a search if the last one is worth nothing: where points have moved relative to
     each other, or will in this step, farther than it looked. False where there is no room for what it found."""
-    speed, moved = spreads(c, nodes)
+    speed, moved, astray = spreads(c, nodes, dt)
     ahead = AHEAD * dt * speed
     if c.counts[C.SEARCHES] == 0 or c.counts[C.FULL] != 0 or moved + ahead > c.numbers[C.REACH]:
         c.numbers[C.REACH] = max(0.5 * c.numbers[C.MEAN_EDGE], 3.0 * ahead)
@@ -167,5 +184,5 @@ def make_ready(c, nodes, dt):
     elif c.counts[C.STEPS] % EVERY == 0:
         count_from_now(c, moved)
     c.counts[C.STEPS] += 1
-    list_near(c, nodes, dt)
+    list_near(c, nodes, dt, astray)
     return True

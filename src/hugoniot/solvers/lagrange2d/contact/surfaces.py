@@ -94,13 +94,14 @@ class Surfaces:
         parts = mesh.block_of[[zone for zone, _ in faces]] if faces else np.zeros(0, dtype=np.int64)
         self.lengths = before.lengths if before else [float(lengths[parts == k].mean()) if (parts == k).any() else np.inf
                                                       for k in range(len(problem.blocks))]
-        self._join(faces, follows, ends, parts, numbering)
+        across = np.array([np.roll(mesh.zone_nodes[zone], -face)[[2, -1]] for zone, face in faces], dtype=np.int64).reshape(-1, 2)
+        self._join(faces, follows, ends, across, parts, numbering)
         if debris:
             self._add_debris(mesh, live, numbering)
         self.vertices = before.vertices if before else [rigid_polyline(body, mesh, PIECES * self.mean) for body in problem.rigid]
         self._add_rigid(problem, numbering.total)
 
-    def _join(self, faces, follows, ends, parts, numbering):
+    def _join(self, faces, follows, ends, across, parts, numbering):
         """Edges of faces, with a point wherever one follows another, ends or starts."""
         point_of, mover_of, self.points, self.edges, self.point_nodes = {}, {}, [], [], []
         follows = np.array(follows, dtype=np.int64)
@@ -114,7 +115,7 @@ class Surfaces:
                     mover = mover_of.setdefault(node, len(mover_of))
                     self.points.append((int(numbering.representative[node]), mover, int(parts[e])))
                     self.point_nodes.append(node)
-            self.edges.append((point_of[keys[0]], point_of[keys[1]], int(parts[e]), zone))
+            self.edges.append((point_of[keys[0]], point_of[keys[1]], int(parts[e]), zone, *numbering.representative[across[e]].tolist()))
         self.nodes = list(mover_of)
         self.copies = [numbering.all_copies(node).tolist() for node in self.nodes]
 
@@ -134,7 +135,7 @@ class Surfaces:
         for r, (body, vertices) in enumerate(zip(problem.rigid, self.vertices)):
             start, count = len(self.points), len(vertices)
             self.points += [(first + k, movers + r, blocks + r) for k in range(count)]
-            self.edges += [(start + k, start + (k + 1) % count, blocks + r, -1) for k in range(count if body.closed else count - 1)]
+            self.edges += [(start + k, start + (k + 1) % count, blocks + r, -1, -1, -1) for k in range(count if body.closed else count - 1)]
             self.copies.append(list(range(first, first + count)))
             first += count
         self.extra = np.concatenate(self.vertices).T if self.vertices else np.zeros((2, 0))
@@ -176,8 +177,8 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
     """The tables of the contact of a run; chains of rigid bodies stand behind those of the edges."""
     points = np.full((len(surfaces.points), 6), -1, dtype=np.int64)
     points[:, :3] = np.array(surfaces.points, dtype=np.int64).reshape(-1, 3)
-    edges = np.array(surfaces.edges, dtype=np.int64).reshape(-1, 4)
-    for e, (a, b, _, _) in enumerate(edges.tolist()):
+    edges = np.array(surfaces.edges, dtype=np.int64).reshape(-1, 6)
+    for e, (a, b) in enumerate(edges[:, :2].tolist()):
         points[a, C.POINT_AFTER], points[b, C.POINT_BEFORE] = e, e
     movers, numbers, speeds, tables = _movers(problem, surfaces, boundaries, numbering)
     law_of, laws = law_tables(problem, [*surfaces.lengths, *[np.inf] * len(problem.rigid)])
@@ -189,14 +190,16 @@ def contact_tables(problem: Problem2D, surfaces: Surfaces, boundaries, numbering
     def ints(*shape):
         return np.zeros(shape, dtype=np.int64)
 
-    pairs = {"pairs": ints(room, C.PAIR_INTS), "old_pairs": ints(room, 2), "pair_numbers": C.table(room, C.PAIR_FLOATS),
+    def numbers_of(*shape):
+        return np.zeros(shape, dtype=C.UNSIGNED)
+
+    pairs = {"pairs": numbers_of(room, C.PAIR_INTS), "old_pairs": numbers_of(room, 2), "pair_numbers": C.table(room, C.PAIR_FLOATS),
              "old_numbers": C.table(room, C.PAIR_FLOATS)}
-    lists = {"near": ints(room, 4), "listed": ints(len(movers)), "bound": ints(count), "touched": ints(room),
-             "near_points": ints(count, 2), "marks": ints(count), "sizes": np.array([-1, 0, 0, 0, 0, 0]), "active": ints(room),
-             "candidates": ints(room),
-             "pushed": ints(len(movers))}
-    of_search = {"cells": ints(4 * len(edges) + 17), "sorted_edges": ints(len(edges)), "since": np.zeros((count, 2)),
-                 "flight": C.table(count, 4), "looked": np.zeros(4)}
+    lists = {"near": numbers_of(room, 4), "listed": numbers_of(len(movers)), "bound": numbers_of(count), "touched": numbers_of(room),
+             "near_points": numbers_of(count, 2), "marks": ints(count), "sizes": np.array([-1, 0, 0, 0, 0, 0]),
+             "active": numbers_of(room), "candidates": numbers_of(room), "pushed": numbers_of(len(movers))}
+    of_search = {"cells": ints(4 * len(edges) + 17), "sorted_edges": ints(len(edges)), "boxes": np.zeros((len(edges), 4)),
+                 "since": np.zeros((count, 2)), "flight": C.table(count, 4), "looked": np.zeros(4)}
     return C.Contact(
         points, edges, movers, numbers, rigid_table(problem), np.flatnonzero(movers[:, C.MOVER_CHAIN_1] >= 0), sizes.astype(np.int64),
         np.array([k for group in surfaces.copies for k in group], dtype=np.int64), law_of, laws, **pairs, **lists, **of_search,
