@@ -57,7 +57,7 @@ class Wishes:
 
 
 _KINDS = {"deck": (str,), "match": (list,), "vary": (list,), "tie": (list,), "design": (str,), "samples": (int,), "seed": (int,),
-          "output": (list,), "record": (list,), "keep": (bool,), "time_limit": (int, float), "uncertain": (str,)}
+          "output": (list,), "record": (list,), "keep": (bool,), "time_limit": (float, int), "uncertain": (str,)}
 _NAMES = {str: "a string", list: "an array of strings", int: "a whole number", bool: "true or false", float: "a number"}
 
 

@@ -100,7 +100,7 @@ def _sampled(variables: Sequence[Variable], kind: str, samples: int | None, seed
         raise refuse("--samples", "", f"the design '{kind}' needs a number of {'base ' if kind in ('saltelli', 'morris') else ''}cases",
                      "write --samples 256")
     if samples < 1:
-        raise refuse("--samples", str(samples), "not a number of cases")
+        raise refuse("--samples", str(samples), "not a valid number of cases", "give 1 or more")
     each = {"saltelli": len(variables) + 2, "morris": len(variables) + 1}.get(kind, 1)
     _few_enough(samples * each, f"{samples} x {each}" if each > 1 else "")
     from scipy.stats import qmc

@@ -155,7 +155,7 @@ def _profile(problem: Problem, best: Minimum, k: int, spread: float, spread_of: 
 def _doubts(problem, best, parameters, correlation, chi_square, freedom, probability, others) -> list[str]:
     found = []
     if freedom < 1:
-        found.append(f"the data are no more than the parameters ({len(best.x)}): the fit cannot show whether the model matches")
+        found.append(f"there are no more data than parameters ({len(best.x)}): the fit cannot show whether the model matches")
     elif probability < UNLIKELY:
         found.append("the model does not match the data within their uncertainty: reduced chi-square "
                      f"{chi_square / freedom:.3g} for {freedom} degree{'' if freedom == 1 else 's'} of freedom. "

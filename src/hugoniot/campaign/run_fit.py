@@ -81,11 +81,11 @@ def run_fit(path, wishes: FitWishes, out=None, *, workers: int | None = None, en
     """
     _, text, source = read_asked(path, Wishes())
     if text is None or source is None:
-        raise refuse("DECK", "", "a fit needs a deck")
+        raise refuse("DECK", "", "a fit needs a deck", "name one")
     if wishes.loss not in LOSSES:
         raise refuse("--loss", wishes.loss, "unknown loss", f"known: {', '.join(LOSSES)}")
     if wishes.starts < 1:
-        raise refuse("--starts", str(wishes.starts), "not a valid number of searches")
+        raise refuse("--starts", str(wishes.starts), "not a valid number of searches", "give 1 or more")
     if wishes.posterior is not None:
         checked(wishes.posterior)
     if wishes.posterior_runs is not None and wishes.posterior is None:

@@ -145,7 +145,7 @@ def _range(name: str, rest: str, where: str, text: str) -> Variable:
         raise refuse(where, text, f"{printable(counts[0], 30)} values are too many")
     count = int(counts[0]) if counts else None
     if count is not None and count < 2:
-        raise refuse(where, text, f"{count} values in a range", "give 2 or more, or a single value without a range")
+        raise refuse(where, text, f"too few values in a range: {count}", "give 2 or more, or a single value without a range")
     if log and not low > 0.0:
         raise refuse(where, text, "equal ratios need a range above 0")
     whole = not unit and all(_WHOLE.fullmatch(end.strip()) for end in (ends["low"], ends["high"]))

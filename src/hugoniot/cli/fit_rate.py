@@ -11,7 +11,7 @@ from hugoniot.errors import DeckError, OutOfRange
 
 def command(
     material: Annotated[str, typer.Argument(help='The explosive to start from: "PBX-9404 reactive", a set (G014), or your own.')],
-    to: Annotated[str, typer.Option("--to", help="Explosive of the library whose measured line to fit, or its row (R001).")] = "",
+    to: Annotated[str, typer.Option("--to", help="Explosive of the library whose measured line is fitted, or its row (R001).")] = "",
     line: Annotated[str, typer.Option("--line", help='Your own line instead: "a, b" of log10(p/GPa) = a + b log10(x/mm).')] = "",
     adjust: Annotated[str, typer.Option("--adjust", help="Constants of the burn law to change.")] = "g1, y",
     start: Annotated[str, typer.Option("--start", help='Constants to set before the search, in SI: "y = 2.5, g1 = 8e-19, g2 = 0".')] = "",

@@ -21,7 +21,7 @@ def command(
     zone_size: Annotated[str, typer.Option("--zone-size", help="Size of the zones.")] = "20 um",
     longest: Annotated[str, typer.Option("--longest", help="Longest charge tried.")] = "60 mm",
     mixture: Annotated[str, typer.Option("--mixture", help="Closure of reactants and products, instead of the material's.")] = "",
-    published: Annotated[str, typer.Option("--published", help="Explosive whose measured line to compare with.")] = "",
+    published: Annotated[str, typer.Option("--published", help="Explosive whose measured line the runs are compared with.")] = "",
     jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, max=256, help="Number of runs at the same time.")] = 1,
     materials: MATERIALS = None, as_json: JSON = False,
     as_csv: Annotated[Path | None, typer.Option("--csv", help="Write SI numbers to this file.")] = None,

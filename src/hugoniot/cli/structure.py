@@ -77,7 +77,7 @@ def profile(
 def sweep(
     what: WHAT, start: Annotated[float, typer.Option("--from", help="First Mach number.")] = 1.1,
     end: Annotated[float, typer.Option("--to", help="Last Mach number.")] = 11.0,
-    points: Annotated[int, typer.Option("--points", min=2, max=1000, help="Mach numbers.")] = 41,
+    points: Annotated[int, typer.Option("--points", min=2, max=1000, help="Number of Mach numbers.")] = 41,
     viscosity: VISCOSITY = None, conduction: CONDUCTION = None, prandtl: PRANDTL = None, bulk_ratio: BULK = None,
     density: DENSITY = None, temperature: TEMPERATURE = None, pressure: PRESSURE = None, unit: UNIT = "chapman_enskog",
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,

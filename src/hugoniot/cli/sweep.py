@@ -42,7 +42,7 @@ def command(
     """Run a deck many times with some of its keys varied, and collect the results in one table.
 
     Writes cases.csv, sweep.h5 (opens as netCDF, parameters as coordinates) and report.html into the folder DECK.sweep. Finished cases are
-    not run again: after Ctrl-C, a kill or with a larger --vary the same command continues. A case that fails is a row with its reason.
+    not run again: after Ctrl-C or a kill, or with a larger --vary, the same command continues. A case that fails is a row with its reason.
 
     \b
     --vary takes   KEY = LOW..HIGH UNIT : COUNT      add "log" for equal ratios
@@ -50,8 +50,10 @@ def command(
                    KEY = "copper", "aluminum"        text values
                    KEY = MEAN +- SIGMA UNIT          normal, for samples
 
-    --design saltelli gives Sobol' indices with intervals, morris a screening of many parameters; every sample gives spreads and bands.
-    --uncertain library varies the constants of the library's materials within the spread of its sources, and draws bands at the gauges.
+    --design saltelli gives Sobol' indices with intervals, morris a screening of many parameters; sobol, lhs and
+    saltelli give spreads and bands.
+    --uncertain library varies the constants of the library's materials by their uncertainties there (covariances of fits, or the spread
+    between sources), and draws bands at the gauges.
     A name that is not a key of the deck can be varied too, for --tie to use.
 
     Example: hugoniot sweep flyer.toml --vary "region.flyer.velocity = 300..1200 m/s : 10"

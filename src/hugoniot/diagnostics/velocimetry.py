@@ -88,9 +88,10 @@ def turning_points(values, least: float) -> list[int]:
 
 
 def pull_back(time, velocity, least: float = 0.02) -> PullBack | None:
-    """The first pull-back: a drop from near the highest velocity so far, followed by a rebound; None if there is none.
+    """The first pull-back: a drop from 0.8 or more of the record's highest velocity, then a rebound; None if there is none.
 
-    least   smallest swing that counts, as a fraction of the highest velocity (numerical ringing stays below)
+    least   smallest swing that counts, as a fraction of the highest velocity (numerical ringing stays below); the drop is twice that
+            or more
     """
     velocity = np.asarray(velocity, dtype=float)
     top = float(np.max(velocity)) if len(velocity) else 0.0
@@ -138,7 +139,7 @@ def flat_stretch(weight, values) -> tuple[slice, float]:
 
     weight (n,) s of `durations`, values (n,), n >= 1. The height of the record is what it exceeds for a twentieth of the time that it
     spends above half of its highest value. Of the stretches that last at least as long within 5 % of that height, it is the first that is
-    flat: half of its time lies within 0.5 % of the height.
+    flat: its quartiles over time differ by no more than 0.5 % of the height.
     """
     values = np.asarray(values, dtype=float)
     highest = float(np.max(values))
@@ -160,7 +161,7 @@ def flat_stretch(weight, values) -> tuple[slice, float]:
 
 
 def level_over(weight, values, stretch: slice, scale: float | None = None) -> float:
-    """Median over the time of a stretch of a record; NaN if it is empty or half of its time does not lie within 0.5 % of `scale`.
+    """Median over the time of a stretch of a record; NaN if it is empty or its quartiles differ by more than 0.5 % of `scale`.
 
     weight (n,) s of `durations`, values (n,); scale in the unit of the values, default the size of the median itself.
     """

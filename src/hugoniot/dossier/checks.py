@@ -167,7 +167,7 @@ def _jwl(row: Row) -> Iterator[Finding]:
 def _jwlb(row: Row) -> Iterator[Finding]:
     energy, velocity, p, _ = on_isentrope(isentrope_of(row), row["rho0"])
     misfit = energy / row["e0"] - 1.0
-    text = f"E0 from tangency {100 * misfit:+.2f} % of the stated; D {velocity:.0f} m/s, p {p / 1e9:.1f} GPa"
+    text = f"E0 from tangency {100 * misfit:+.2f} % off the stated; D {velocity:.0f} m/s, p {p / 1e9:.1f} GPa"
     yield _judge(row.id, "E0 from tangency", misfit, ENERGY_LIMIT, text, "mark")
 
 

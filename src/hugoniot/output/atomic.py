@@ -41,7 +41,7 @@ def trouble(path, error: OSError, kept: str = "nothing that was there before is 
     if error.errno == errno.ELOOP:
         return FileTrouble(f"{path}: this is a link, and a run does not write through links; remove it or choose another folder with --out")
     if error.errno in (errno.ENOTDIR, errno.EEXIST, errno.EISDIR):
-        return FileTrouble(f"{path}: a file of that name is in the way; choose another folder with --out")
+        return FileTrouble(f"{path}: a file or folder of that name is in the way; choose another folder with --out")
     return FileTrouble(f"{path}: {error.strerror or error}; {kept}")
 
 

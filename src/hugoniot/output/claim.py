@@ -105,6 +105,6 @@ def same_deck(path: pathlib.Path, kept: str | None) -> str:
     lines = list(difflib.unified_diff(kept.splitlines(), text.splitlines(), n=0, lineterm=""))[2:]
     shown = "\n".join("  " + "".join(c if c.isprintable() else "?" for c in line)[:160] for line in lines[:_SHOWN])
     more = f"\n  ... and {len(lines) - _SHOWN} more lines" if len(lines) > _SHOWN else ""
-    raise FileTrouble(f"{path}: not the deck this run was started with (-), it was changed since (+):\n{shown}{more}\n"
+    raise FileTrouble(f"{path}: not the deck this run was started with; it has been changed since (- then, + now):\n{shown}{more}\n"
                       f"Go on with the first deck: `hugoniot resume {path.parent} --restore-deck`; "
                       f"run the changed one in a new folder: `hugoniot run {path} --out NEW`")

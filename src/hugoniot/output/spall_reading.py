@@ -243,7 +243,7 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
         return Reading(reason=f"no wave reached {record.source} before the end of the run", record=record)
     found = pull_back(record.time, record.velocity)
     if found is None:
-        reason = f"the velocity at {record.source} shows no pull-back (a drop and a rebound above 2 % of its peak)"
+        reason = f"the velocity at {record.source} shows no pull-back (a drop of at least 4 % of its peak and a rebound above 2 %)"
         return Reading(reason=reason, record=record)
     if found.rebound_time <= opened:
         reason = f"the pull-back at {record.source} came before the first void of '{record.region}' opened, so it is not a spall signal"

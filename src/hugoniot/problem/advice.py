@@ -39,8 +39,8 @@ def advice(problem: Problem) -> list[str]:
         ua, ub = (r.velocity[k] if isinstance(r.velocity, tuple) else r.velocity for r, k in ((a, 1), (b, 0)))
         for region in (a, b):
             limit = problem.materials[region.material].valid_up_to
-            if limit is not None and abs(ua - ub) > 2.0 * limit:
-                found.append(f"'{a.name}' hits '{b.name}' at {abs(ua - ub):g} m/s, but the data of '{region.material}' "
+            if limit is not None and ua - ub > 2.0 * limit:
+                found.append(f"'{a.name}' hits '{b.name}' at {ua - ub:g} m/s, but the data of '{region.material}' "
                             f"end at a particle velocity of {limit:g} m/s")
     if problem.solver.kind == "lagrange1d":
         found += _long_steps(problem.solver.courant, LONGEST_STEP[problem.solver.integrator])

@@ -141,7 +141,8 @@ class SolverTable(Table):
     integrator: Literal["compatible", "wilkins"] = Field(
         "compatible", description="compatible closes the total energy to round-off; wilkins is the classical leapfrog")
     courant: Annotated[float, Quantity("1", above=0.0, limit=1.0)] | None = Field(
-        None, description="Courant number (default: 0.7 if all materials are condensed and inert, else 0.5; wilkins: 2/3)")
+        None, description="Courant number (default: 0.7 if all materials are condensed and inert and no viscosity "
+                          "is given, else 0.5; wilkins: 2/3)")
     growth: Annotated[float, Quantity("1", least=1.0, limit=10.0)] = Field(1.1, description="largest growth of the time step per cycle")
     initial_step: Positive | None = Field(None, description="first time step (default: from the Courant condition)")
     largest_step: Positive | None = Field(None, description="largest time step (default: none)")

@@ -28,7 +28,7 @@ class Profile:
 class Region:
     """A contiguous piece of one material at t = 0, divided into zones.
 
-    start, end      m, start < end; equal to the neighbour's end where bodies touch, larger where a gap is left
+    start, end      m, start < end; `start` is the end of the left neighbour where bodies touch, larger where a gap is left
     zones           number of zones; the k-th is `ratio` times as wide as the one before
     velocity        m/s; a number, or (u at start, u at end) for a linear profile
     density, pressure, temperature, energy   any two fix the initial state (kg/m3, Pa, K, J/kg); none: the law's reference state;
@@ -51,7 +51,7 @@ class Region:
 
 @dataclass(frozen=True)
 class Pulse:
-    """A quantity as a function of time, zero before `start`.
+    """A quantity as a function of time; every shape but "table" is zero before `start`.
 
     shape       "constant", "table", "exponential", "half_sine", "square", "ramp"
     amplitude   SI value (unused by a table)
@@ -116,7 +116,7 @@ class Lighting:
 
 @dataclass(frozen=True)
 class SolverOptions:
-    """kind names the solver; `options` are the solver's own, checked by it (lagrange1d: see solvers.lagrange1d.options).
+    """kind names the solver; `options` are the solver's own (lagrange1d: heat_flux, as `problem.lagrangian.OptionsTable`).
 
     viscosity   (law name, {parameter: value}) of the artificial viscosity; None: the default
     """

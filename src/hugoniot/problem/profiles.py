@@ -136,11 +136,11 @@ def _check_table(profile: Profile, start: float, end: float, collector: Collecto
         if len(values) != len(places):
             collector.add((*path, name), f"{len(values)} values for {len(places)} positions", "each position needs one")
     if len(places) < 2 or any(not b > a for a, b in zip(places, places[1:])):
-        collector.add((*path, "positions"), "positions must increase, two at least")
+        collector.add((*path, "positions"), "at least two positions are needed, and they must increase")
     elif places[-1] - places[0] > MUCH_LONGER * (end - start) and places[0] <= start and places[-1] >= end:
         collector.warnings.append(f"{collector.key(path)}: reaches from {places[0]:g} to {places[-1]:g} m, "
-                                  f"{(places[-1] - places[0]) / (end - start):.3g} times the region, which lies from {start:g} to {end:g} "
-                                  "m and uses that part only: are its positions in the right unit?")
+                                  f"{(places[-1] - places[0]) / (end - start):.3g} times the length of the region; "
+                                  f"only its part from {start:g} to {end:g} m is used: are its positions in the right unit?")
     elif places[0] > start + 1e-9 * (end - start) or places[-1] < end - 1e-9 * (end - start):
         collector.add((*path, "positions"), f"reach from {places[0]:g} to {places[-1]:g} m, the region from {start:g} to {end:g} m",
                       "a profile must cover its region")

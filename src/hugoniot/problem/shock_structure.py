@@ -33,7 +33,7 @@ class TransportTable(Table):
 
 
 class ShockTable(Table):
-    """A shock put into the domain at t = 0; the gas ahead, on the left, has the state of the first region."""
+    """A shock put into the domain at t = 0; the material ahead, on the left, has the state of the first region."""
 
     mach: Annotated[float, Quantity("1", above=1.0, limit=1e6)] | None = Field(None, description="Mach number (this or another measure)")
     shock_velocity: Annotated[float, Quantity("m/s", above=0.0)] | None = Field(None, description="speed into the material ahead")
@@ -42,7 +42,8 @@ class ShockTable(Table):
     at: Length | None = Field(None, description="position of the shock at t = 0 (default: the middle)")
     start: Literal["step", "steady"] = Field("step", description="start as a step, or from the steady profile")
     frame: Literal["standing", "moving"] = Field(
-        "standing", description="standing: the frame of the shock; moving: the gas ahead has its region's velocity and the shock runs left")
+        "standing", description="standing: the frame of the shock; "
+        "moving: the material ahead has its region's velocity, the shock runs left")
 
 
 class SolverTable(Table):

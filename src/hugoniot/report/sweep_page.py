@@ -52,7 +52,7 @@ def _sensitivities(swept: SweepTable, sensitivity) -> str:
             height = 0.42 * len(rows) + 0.4 if hasattr(rows[0], "total") else 2.6
             picture = svg(lambda ax, r=rows, c=column: draw_sensitivity(ax, r, c), f"sensitivity-{k}", 7.4, height + 0.9,
                           (2.3, 0.5, 4.6, height))
-            lost = f" {rows[0].lost} base cases failed and are left out." if rows[0].lost else ""
+            lost = f" Base cases that failed and are left out: {rows[0].lost}." if rows[0].lost else ""
             words = ("Sobol' indices with 95 % intervals." if hasattr(rows[0], "total") else
                      "Morris' effects for the whole range of each parameter: further right a stronger influence, further "
                      "up a nonlinear one or an interaction.")
@@ -99,7 +99,7 @@ def _constants(rows) -> str:
     shown = [[text(material), text(name), number(float(value), unit), number(float(deviation), unit) if deviation else "",
               text(words)] for material, name, value, unit, deviation, words in rows if deviation]
     held = [f"{material}: {name} ({words})" for material, name, _, _, deviation, words in rows if name and not deviation]
-    others = f"<details><summary>{len(held)} constants held fixed: the library has no uncertainty for them</summary><p>"\
+    others = f"<details><summary>Constants held fixed, as the library gives no uncertainty for them: {len(held)}</summary><p>"\
              f"{text('; '.join(held))}</p></details>" if held else ""
     return (f"<section><h2>Constants of the library</h2>{table(['material', 'constant', 'value', 'standard deviation', 'rows'], shown)}"
             f"{others}</section>")

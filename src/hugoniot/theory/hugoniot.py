@@ -28,7 +28,7 @@ def shock(material, initial: Initial | None = None, *, direction: int = 1, guess
     direction   +1: the shock runs towards +x, -1: towards -x
     guess       first v0 - v to try, m3/kg; selects the strong or the weak branch of a detonation of given velocity
     Returns `States` of the shape of the input. Raises `OutOfRange` with the limit, or `NoSolution`.
-    Source: KB codes eqs 2.7 to 2.13 with K-E1 corrected; Starkenberg A-5.
+    Source: KB codes eqs 2.7 to 2.13, the energy equation corrected (K-E1 of docs/theory/source_errors.md); Starkenberg A-5.
     """
     par = law_of(material)
     ahead = initial or Initial.at_rest(par)
@@ -252,8 +252,8 @@ def _refuse(status, mode, name, target, ahead: Initial, par):
     shown = target / ahead.density if mode == jump.BY_SHOCK_VELOCITY else target
     asked = f"{name.replace('_', ' ')} {shown:.6g} {({'density': 'kg/m3', 'pressure': 'Pa'}).get(name, 'm/s')}"
     if status == jump.NOT_COMPRESSIVE and mode == jump.BY_SHOCK_VELOCITY:
-        raise OutOfRange(f"{asked} is not above the sound speed {sound_speed_ahead(par, ahead):.6g} m/s ahead of the shock (law '{law}'), "
-                         "or below the Chapman-Jouguet velocity if heat is released")
+        raise OutOfRange(f"{asked} is not above the sound speed {sound_speed_ahead(par, ahead):.6g} m/s ahead of the shock (law '{law}'); "
+                         "where heat is released it must be at least the Chapman-Jouguet velocity")
     if mode == jump.BY_DENSITY and target > ahead.density and not distended(par, ahead):
         status = jump.BEYOND_LIMIT
     if status == jump.NOT_COMPRESSIVE:

@@ -77,8 +77,9 @@ def state(material, velocity: float = 0.0, **given) -> States:
         return States(par, rho, float(contract.pressure(rho, e, par)), e, velocity)
     if rho is None:
         rho = density_at(par, given["pressure"], given["energy"])
-    if not density_range(par)[0] <= rho < density_range(par)[1]:
-        raise OutOfRange(f"density {rho:.6g} kg/m3 is outside the law's range {density_range(par)} kg/m3")
+    low, high = density_range(par)
+    if not low <= rho < high:
+        raise OutOfRange(f"density {rho:.6g} kg/m3 is outside the law's range, {low:.6g} to {high:.6g} kg/m3")
     if "energy" in given:
         e = float(given["energy"])
     elif "pressure" in given or "density" in given:

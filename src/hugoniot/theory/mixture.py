@@ -96,7 +96,8 @@ class MixtureState:
     def specific_heat(self):
         """C_v = de/dT at constant volume and burn fraction, J/(kg K); OutOfRange where closure or laws have none."""
         if "specific_heat" not in MIXTURE.of(self.par).functions:
-            raise OutOfRange(f"mixtures of kind '{MIXTURE.of(self.par).name}' have no specific heat: use an equilibrium closure")
+            raise OutOfRange(f"mixtures of kind '{MIXTURE.of(self.par).name}' have no specific heat: use thermal_isolation or "
+                             "thermal_equilibrium")
         self._require_temperature()
         return self._each(contract.mixture_specific_heat)
 

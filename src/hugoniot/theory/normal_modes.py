@@ -61,7 +61,7 @@ class ModesOfZone:
             raise OutOfRange(f"the overdrive {overdrive:g} must be at least {CLOSEST:g}: towards 1 the end of the zone becomes sonic, "
                              "and the limit is taken from above")
         if not BURN.knows(rate):
-            raise OutOfRange("normal modes need a burn law, whose slopes by density, pressure and temperature are asked for")
+            raise OutOfRange("normal modes need a burn law: the derivatives of its rate by density, pressure and temperature are used")
         self.zone, self.chapman_jouguet, times = zone_of(material, initial, rate, overdrive=overdrive)
         self.par, self.initial, self.law, self.overdrive = self.zone.par, initial, rate, overdrive
         self.velocity = self.zone.flux / initial.density

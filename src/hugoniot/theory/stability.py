@@ -178,7 +178,8 @@ def neutral_activation(gamma: float, heat: float, overdrive: float, low: float, 
 
     a, b = at(low, guess), at(high, guess)
     if not a.growth * b.growth < 0.0:
-        raise NoSolution(f"the mode does not change its sign between E = {low:g} ({a.growth:.4g}) and E = {high:g} ({b.growth:.4g})")
+        raise NoSolution(f"the growth rate of the mode does not change sign between E = {low:g} "
+                         f"({a.growth:.4g}) and E = {high:g} ({b.growth:.4g})")
     while high - low > tolerance:
         middle = low - a.growth * (high - low) / (b.growth - a.growth)
         here = at(middle, complex(0.5 * (a.growth + b.growth), 0.5 * (a.frequency + b.frequency)))

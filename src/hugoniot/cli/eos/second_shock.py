@@ -11,8 +11,9 @@ from hugoniot.cli.show import JSON
 def second_shock(
     material: Annotated[str, typer.Argument(metavar="[MATERIAL]", help="Takes a, b and c from its state at rest: modulus, curvature of the "
                                                                        "Hugoniot, Gamma.")] = "",
-    a: Annotated[str | None, typer.Option("--a", help='P = a mu + b mu^2 + c (1 + mu) E, "0.73 Mbar".')] = None,
-    b: Annotated[str | None, typer.Option("--b", help='"1.72 Mbar".')] = None,
+    a: Annotated[str | None, typer.Option("--a", help='P = a mu + b mu^2 + c (1 + mu) E, E per volume at rest; '
+                                                        'default without MATERIAL "0.73 Mbar".')] = None,
+    b: Annotated[str | None, typer.Option("--b", help='As --a; default without MATERIAL "1.72 Mbar".')] = None,
     c: Annotated[float | None, typer.Option("--c", help="Dimensionless; the source gives it as 1.60 Mbar.")] = None,
     first: Annotated[float, typer.Option("--first", help="Compression mu = rho/rho0 - 1 behind the first shock.")] = 0.1,
     mu: Annotated[str, typer.Option("--mu", help='Compressions, "0.15, 0.2, 0.25"; default: 11 values up to 2.5 times --first.')] = "",
@@ -54,5 +55,6 @@ def second_shock(
     typer.echo(f"{name}: a = {cell('pressure', law.a)}, b = {cell('pressure', law.b)}, c = {law.c:.6g}; first shock to mu = {first:g}, "
                f"{cell('pressure', float(tool.principal(first, law)))}")
     echo_columns(table)
-    typer.echo("A.1 principal, A.2 its cubic, A.3 second shock, A.4 its series (corrected); difference A.3 - A.1 and its leading term")
+    typer.echo("Wilkins A.1: principal, A.2: its cubic, A.3: second shock, A.4: its series (corrected); "
+               "difference A.3 - A.1 and its leading term")
     echo_notes(told)

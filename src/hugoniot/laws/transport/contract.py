@@ -80,7 +80,7 @@ def make(shear, conduction=None, bulk_ratio: float = 0.0, bulk_viscosity: float 
     shear = _law(TRANSPORT, shear)
     conduction = _law(CONDUCTION, {"law": "none"} if conduction is None else conduction)
     if bulk_ratio < 0.0 or bulk_viscosity < 0.0:
-        raise OutOfRange("transport: the bulk viscosity must not be negative; omit it for a fluid without")
+        raise OutOfRange("transport: the bulk viscosity must not be negative; omit it for a fluid that has none")
     return Transport(shear, conduction, float(bulk_ratio), float(bulk_viscosity))
 
 

@@ -2,7 +2,7 @@ r"""Maxwell molecules: repulsion with the inverse fifth power of distance makes 
 
 $$\mu = \mu_0\,T/T_0$$
 
-The other meaning of "Maxwell" in kinetic theory (Jordan section 6.2 names Maxwell without saying which; A5, J-E4).
+The other meaning of "Maxwell" in kinetic theory (Jordan section 6.2 names Maxwell without saying which; J-E4).
 Source: Chapman and Cowling, The Mathematical Theory of Non-uniform Gases, section 12.32.
 """
 

@@ -5,7 +5,7 @@ $$\lambda_{\rm bsl} = \frac{3\mu}{\rho\bar c},\qquad
   \lambda_{\rm viscous} = \frac{2\mu}{\rho\bar c} = \frac{\mu}{p}\sqrt{\frac{\pi RT}{2}},$$
 $$\lambda_{\rm vhs} = \frac{2(5-2\omega)(7-2\omega)}{15}\frac{\mu}{\rho\sqrt{2\pi RT}},\qquad \bar c = \sqrt{8RT/\pi},\quad RT = p/\rho.$$
 
-Jordan's table 6.2.1.1 mixes the first two: its "power law" block is in chapman_enskog, its other two in bsl (A5, J-E4); the ratio of the
+Jordan's table 6.2.1.1 mixes the first two: its "power law" block is in chapman_enskog, its other two in bsl (J-E4); the ratio of the
 two is 1.4726. Sources: bsl, Bird, Stewart and Lightfoot (1960) eq. 1.4-9;
 chapman_enskog, hard spheres in first approximation, as Alsmeyer
 (J. Fluid Mech. 74 (1976) 497) uses it; viscous, Maxwell's; vhs, Bird, Molecular Gas Dynamics (1994), eq. 4.65.

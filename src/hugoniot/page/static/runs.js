@@ -204,7 +204,7 @@
     if (!run.live) return;
     const at = run.times.at(-1) || 0;
     liveBox.append(H.h("div", {class: "bar"}, H.h("strong", {}, `This run is ${run.status}.`), run.stop_time ? H.h("progress", {max: run.stop_time, value: at, "aria-label": "Time recorded so far"}) : "",
-      H.h("span", {class: "small"}, run.times.length ? `recorded to ${H.digits(at * ft, 4)} ${tUnit}` : "nothing recorded yet: the first checkpoint is written after 30 s")),
+      H.h("span", {class: "small"}, run.times.length ? `recorded to ${H.digits(at * ft, 4)} ${tUnit}` : "nothing recorded yet: the first checkpoint is written after 30 s, or as the deck says")),
       H.h("details", {}, H.h("summary", {class: "small"}, "run.log"), H.h("pre", {class: "small scroll", tabindex: 0, style: {padding: "6px"}}, (run.log || []).join("\n"))));
   }
   function drawFacts(run) {

@@ -118,7 +118,7 @@ class VelocityTable(Table):
     base: Speeds = Field((0.0, 0.0), description="constant part")
     centre: Place = Field((0.0, 0.0), description="where the other parts vanish or are centred")
     gradient: Annotated[Any, BeforeValidator(_matrix), WithJsonSchema({"type": "array", "items": _array("1/s"), "unit": "1/s"})] = Field(
-        ((0.0, 0.0), (0.0, 0.0)), description="[[dvx/dx, dvx/dy], [dvy/dx, dvy/dy]], times the distance from the centre")
+        ((0.0, 0.0), (0.0, 0.0)), description="[[dvx/dx, dvx/dy], [dvy/dx, dvy/dy]], times the position relative to the centre")
     radial: Annotated[float, Quantity("m/s", limit=LIGHT)] = Field(0.0, description="speed away from the centre")
     radius: Annotated[float, Quantity("m", above=0.0)] = Field(1.0, description="distance at which the speed equals radial")
     power: Annotated[float, Quantity("1", limit=20.0)] = Field(0.0, description="radial part at distance d: radial (d / radius)^power")
@@ -194,10 +194,10 @@ class LightingTable(Table):
 class ContactTable(Table):
     """What surfaces do that meet."""
 
-    between: Pair | None = Field(None, description="two blocks or rigid bodies; blocks that touch at the start are not joined then "
+    between: Pair | None = Field(None, description="two blocks or rigid bodies; named blocks that touch at the start are not joined "
                                  "(default: all that no other [[contact]] names)")
     kind: Literal["sliding", "bonded", "separable"] = Field(
-        "sliding", description="sliding; bonded for good where they touch; or bonded up to a strength and sliding then")
+        "sliding", description="sliding; bonded for good where they touch; or bonded up to a strength and sliding after that")
     friction: Plain = Field(Contact2D.friction, description="Coulomb friction coefficient")
     strength: Annotated[float, Quantity("Pa", above=0.0)] | None = Field(
         None, description="of kind separable: tension at which a bond breaks")
@@ -268,7 +268,7 @@ class SolverTable(Table):
     cells: Literal["quads", "triangles"] = Field("quads", description="a cell of a block is one quadrilateral zone, or two triangles")
     diagonal: Literal["one_way", "alternating", "crossed"] | None = Field(
         None, description="triangles: all diagonals one way (default), turned from row to row along j, or turned from cell to cell")
-    average_pressure: bool | None = Field(None, description="triangles: whether both of a cell share their pressure, in materials with "
+    average_pressure: bool | None = Field(None, description="triangles: whether the two of a cell share one pressure, in materials with "
                                           "strength (default true); on their own they are too stiff in plastic flow")
     scheme: Literal["true_volume", "area_weighted"] | None = Field(
         None, description="axisymmetric: true_volume (default), or area_weighted (default where all blocks are sectors about the axis)")

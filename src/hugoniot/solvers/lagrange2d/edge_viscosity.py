@@ -17,8 +17,9 @@ from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.laws.viscosity.contract import viscous_speed
 from hugoniot.solvers.lagrange2d.coefficients import in_zone
+from hugoniot.solvers.lagrange2d.jumps import SMALL, counted, kept
 from hugoniot.solvers.lagrange2d.quads import quad
-from hugoniot.solvers.lagrange2d.viscosity import SMALL, ResistOf, around, counted, kept
+from hugoniot.solvers.lagrange2d.viscosity import ResistOf, around
 from hugoniot.zones.viscosity import OWN, at_middle
 
 

@@ -23,9 +23,9 @@ from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin, vsqrt
 from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.laws.viscosity.contract import viscous_speed
+from hugoniot.solvers.lagrange2d.jumps import counted
 from hugoniot.solvers.lagrange2d.layout import Corners, Points, Rates, Stress
 from hugoniot.solvers.lagrange2d.quads import quad
-from hugoniot.solvers.lagrange2d.viscosity import counted
 
 
 class HerrmannOf(NamedTuple):

@@ -19,9 +19,10 @@ from hugoniot.core.passes import law_of, rows_apart, zone_pass
 from hugoniot.solvers.lagrange2d.coefficients import in_zone
 from hugoniot.solvers.lagrange2d.edge_viscosity import along_edge
 from hugoniot.solvers.lagrange2d.herrmann_viscosity import resisted
+from hugoniot.solvers.lagrange2d.jumps import SLIGHT, SMALL
 from hugoniot.solvers.lagrange2d.layout import Rates, Smoothness, Stress, Tensor, VertexForces, Vertices
 from hugoniot.solvers.lagrange2d.triangles import triangle
-from hugoniot.solvers.lagrange2d.viscosity import SLIGHT, SMALL, along_edges, around, in_corner, metric, slenderness
+from hugoniot.solvers.lagrange2d.viscosity import along_edges, around, in_corner, metric, slenderness
 from hugoniot.zones.viscosity import OWN
 
 

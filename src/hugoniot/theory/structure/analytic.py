@@ -7,7 +7,7 @@ $$\frac{(1-\phi)}{(\phi-\alpha)^{\alpha}} = \exp\!\left[\beta(1-\alpha)\,\mathrm
 $$\alpha = \frac{\gamma-1}{\gamma+1}+\frac{2}{(\gamma+1)\mathrm{Ma}^2}, \qquad \beta = \frac98(\gamma+1)\sqrt{\frac{\pi}{8\gamma}},
   \qquad \zeta = x/\lambda_{\rm bsl}.$$
 
-Source: Jordan eq. 6.3.1, lost in the scan and restored (A5), after Bird, Stewart and Lightfoot, Transport Phenomena; Becker,
+Source: Jordan eq. 6.3.1, lost in the scan and restored (J-E17), after Bird, Stewart and Lightfoot, Transport Phenomena; Becker,
 Z. Phys. 8 (1922) 321 (B29).
 Jordan's table 6.2.1.2 lists the velocity thickness of this solution under the heading of density thicknesses (J-E3).
 """
