@@ -172,7 +172,7 @@ def test_the_folder_of_somebodys_deck_is_never_taken(tmp_path):
 
 def test_a_file_in_the_way_is_named(tmp_path):
     (tmp_path / "taken").write_text("")
-    with pytest.raises(FileTrouble, match="taken: a file of that name is in the way"):
+    with pytest.raises(FileTrouble, match="taken: a file or folder of that name is in the way"):
         RunFolder(tmp_path / "taken")
     with pytest.raises(FileTrouble, match="in the way"):
         RunFolder(tmp_path / "taken" / "below")
