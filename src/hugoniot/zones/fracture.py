@@ -18,7 +18,8 @@ OPENING_OF_A_SPRAY = 0.01    # part of the volume
 
 
 class FractureRows(NamedTuple):
-    """t1 (Pa), c2, rho of the solid, v (of solid and voids), rest density -> failure, relief (Pa); what is found.
+    """t1 (Pa), c2, rho of the solid, v (of solid and voids), rest density -> failure, relief (Pa), how much voids grew (m3/kg, where
+    any stand); what is found.
 
     p, flow, damage and voids (m3/kg) are led on.
     """
@@ -34,6 +35,7 @@ class FractureRows(NamedTuple):
     voids: Any
     failure: Any
     relief: Any
+    grown: Any
     found: Any
 
 
@@ -102,6 +104,7 @@ def fracture_pass(count, z, dt, numbers, law):
             p, rho = z.p[j], z.rho[j]
             grown, relief = void_change(z.t1[j] - p, rho * rho * z.c2[j], z.voids[j], rho, fracture)
             z.voids[j] += grown
+            z.grown[j] = grown
             z.relief[j] = relief
             z.flow[j] = flow_beside_voids(z.flow[j], grown, rho)
             z.p[j] = p + relief

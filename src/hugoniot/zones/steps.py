@@ -179,7 +179,7 @@ class MaterialSteps:
         else:
             self.do(rows.rest_pass, rows.FillRows(w.rest))
         self.do(fracture.fracture_pass, fracture.FractureRows(self.t1, z.p, w.c2, solid, w.v, w.rest, w.flow, z.damage, z.voids, z.failure,
-                                                              w.relief, self.at.found), law=laws.fracture)
+                                                              w.relief, w.grown, self.at.found), law=laws.fracture)
 
     # -- burning -------------------------------------------------------------------------------------------------------------
     def burn(self, step, rho, end_rho, drive, q, new) -> None:

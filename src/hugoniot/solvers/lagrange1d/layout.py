@@ -30,6 +30,7 @@ class ZoneRows(NamedTuple):
     damage: Any
     failure: Any             # 1 where the zone fails
     voids: Any               # volume of voids per mass, m3/kg
+    grown: Any               # its growth in the last step in which there were any, m3/kg
     compaction: Any          # history variable of an equation of state that remembers
     plastic_work: Any        # J/kg
     viscous_work: Any
@@ -76,7 +77,10 @@ class NodeRows(NamedTuple):
 
 
 class WorkRows(NamedTuple):
-    """Scratch of one piece of zones, one table for each thread. In the leapfrog's lists v, t1 and t2 are the fields v, s1 and s2."""
+    """Scratch of one piece of zones, one table for each thread.
+
+    `grown` is the field, and in the leapfrog's lists v, t1 and t2 are the fields v, s1 and s2.
+    """
 
     v: Any                   # specific volume of solid and voids
     rho: Any
@@ -102,6 +106,7 @@ class WorkRows(NamedTuple):
     flow: Any
     rest: Any
     relief: Any
+    grown: Any
     given: Any               # energy that others than the pressure give in a step
     target: Any              # energy before the pressure at the end of the step has worked
     shocked: Any             # 1 where a shock is passing

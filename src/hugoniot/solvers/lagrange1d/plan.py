@@ -104,7 +104,7 @@ class Planner:
         self.dts, self.seen, self.led = np.zeros(4), np.zeros((team.threads, FOUND_FLOATS)), EMPTY
         zones, charge, node_table, gradient, scratch = tables
         z, b, h = places(ZoneRows, zones, AT_ZONES), places(ChargeRows, charge, AT_ZONES), places(NodeRows, node_table, AT_NODES)
-        in_place = dict(v=z.v, t1=z.s1, t2=z.s2) if staggered else {}
+        in_place = dict(grown=z.grown, **(dict(v=z.v, t1=z.s1, t2=z.s2) if staggered else {}))
         scratches = [places(WorkRows, scratch, FIXED, member * L.PIECE)._replace(**in_place) for member in range(team.threads)]
         self._at = [LineRows(z, b, w, h, place(gradient, AT_GRADIENTS), place(seen), place(self.dts[DT:]), place(self.dts[DT_HALF:]))
                     for w, seen in zip(scratches, self.seen)]

@@ -23,7 +23,7 @@ def failing_node(zones, segments, control, counters):
 
     A patch is a stretch of neighbouring zones in tension. When one of them reaches its limit the patch opens at one node, the
     one with the most strained neighbours; its zones, and those that join it later, are marked: they hold at the cap of their
-    law, and open no second void, until the release from the void has reached them; nor does a zone in which voids have grown.
+    law, and open no second void, until the release from the void has reached them; nor does a zone in which voids had grown before.
     One spall plane is one void, and a later pulse is free to open another elsewhere (multiple spall of a decaying pulse).
     """
     zone = rows(ZoneRows, zones, 0)
@@ -48,7 +48,7 @@ def failing_node(zones, segments, control, counters):
                 for i in range(start, z):
                     zone.relieved[i] = 1.0
                 marked += z - start
-            elif peak >= 1.0 and peak > worst and last - first > 1 and zone.voids[at] * zone.rho[at] < VOIDED:
+            elif peak >= 1.0 and peak > worst and last - first > 1 and (zone.voids[at] - zone.grown[at]) * zone.rho[at] < VOIDED:
                 # an end of the body is no place to break, however hard its other side is compressed
                 leftward = at + 1 == last or (at > first and zone.failure[at - 1] > zone.failure[at + 1])
                 worst, worst_node = peak, (at if leftward else at + 1) + k

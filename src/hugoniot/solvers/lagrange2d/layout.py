@@ -197,6 +197,7 @@ class Work(NamedTuple):
     flow: Any
     rest: Any
     relief: Any
+    grown: Any
     sigma: Any               # where it is not kept (`shown`)
     shocked: Any             # 1 where a shock is passing
     lam: Any
