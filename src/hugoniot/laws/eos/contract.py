@@ -33,8 +33,7 @@ can happen has, never falling. It is flagged "remembers" and gives three functio
     compacted(compaction, rho, e, p, par) the compaction after the state (rho, e, p) has been met
 
 Kernels do not check states; `check_state` does, for callers at the surface.
-
-The functions below dispatch on the class of `par`, in Python and, through `core.binder`, inside kernels.
+The functions below dispatch on the class of `par`, in Python and, by `core.binder`, in kernels.
 """
 
 import math
