@@ -19,6 +19,7 @@ myst_heading_anchors = 3
 smartquotes = False
 nb_execution_mode = "off"
 exclude_patterns = ["_build", "**/generate*.py", "generate*.py", "verification_numbers.md", "theory/shock_structure_numbers.md",
+                    "theory/lagrange1d_numbers.md",
                     "auto_examples/*.ipynb",
                     "auto_examples/*.py", "auto_examples/*.zip", "auto_examples/*.json", "**/sg_execution_times.rst"]
 autodoc_typehints = "signature"
