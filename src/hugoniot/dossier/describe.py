@@ -42,9 +42,9 @@ def described_row(identity: str) -> dict:
 
 
 def row_summary(row: Row) -> str:
-    """The constants of a row in a few characters, with its mark."""
+    """The constants of a row in a few characters, with the range of a Hugoniot and its mark."""
     if row.table == "us_up":
-        text = hugoniot_text(row)
+        text = hugoniot_text(row) + (f", to {row['up_max']:g} m/s" if "up_max" in row else ", range not known")
     elif row.table == "compression":
         text = f"{row['rho0']:g} kg/m3, K = {row['bulk_modulus'] / 1e9:.4g} GPa, K' = {row['bulk_modulus_slope']:g}"
     elif row.table == "jwl":
