@@ -12,8 +12,7 @@ from hugoniot.materials.schema import Row
 from hugoniot.units import format_si
 
 IONISED = 15e3      # m/s of particle velocity: 112 MJ/kg, 31 eV for an atom of aluminium, whose first two electrons take 25 eV
-UNKNOWN = ("not known: neither a source nor measured states say where it ends, so a shock beyond its data gives no warning (only above "
-           f"{format_si(IONISED, 'm/s')}, an estimate for any material: there atoms are ionised)")
+UNKNOWN = f"not known; only above {format_si(IONISED, 'm/s')} of particle velocity, where atoms are ionised, is a warning given"
 _ROW = re.compile(r"\brow (U\d{3})\b")
 
 
