@@ -48,6 +48,16 @@ def test_comp_b_runs_at_its_speed_with_the_energy_closed():
     assert solver.warnings() == []
 
 
+@pytest.mark.parametrize("courant", [0.5, 0.25])
+def test_the_pressure_of_a_long_charge_tends_to_the_cj_pressure_from_below(courant):
+    """Viscosity in the linear part would compress what is not lit yet: 5 % above it after 720 zones, and more the further it runs."""
+    problem = charge(comp_b(), zones=800)
+    problem = dataclasses.replace(problem, solver=dataclasses.replace(problem.solver, courant=courant))
+    _, seen = run(problem)
+    highest = np.array([state.zones["pressure"].max() for state in seen.states[5::5]]) / cj(problem.materials["comp_b"].eos).state.pressure
+    assert (np.diff(highest) > 0.0).all() and 0.98 < highest[-1] < 1.0
+
+
 def test_a_burning_run_continues_from_a_checkpoint_to_the_same_bits():
     problem = charge(comp_b(), zones=100)
     whole, half = make_solver(problem), make_solver(problem)

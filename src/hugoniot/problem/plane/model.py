@@ -141,7 +141,8 @@ class Viscosity2D:
                        "edge": the edges that close; "herrmann": bulk and deviators along the axes of the frame, for comparison
     limited            whether smooth flow is spared; "herrmann" has no limiter
     linear, quadratic  of a material without strength;  solid_linear, solid_quadratic of one with, where it shrinks;
-                       explosive_linear, explosive_quadratic of one that burns, whose products are stiffer than a gas, as in one dimension
+                       explosive_linear, explosive_quadratic of one that burns, whose products are stiffer than a gas, as in one dimension;
+                       nothing is linear in explosives that have no state before they burn
     solid_shear        linear coefficient of a material with strength where it flows at constant volume; "herrmann" takes it everywhere
     heat_flux          coefficient of the artificial heat flux between quadrilaterals of materials without strength that do not burn
     """
