@@ -46,8 +46,7 @@ def page(about: dict, picture: str | None) -> str:
     for warning in about["warnings"]:
         lines += [f":::{{warning}}\n{cell(warning)}\n:::", ""]
     laws = ", ".join(f"{family}: `{law}`" for family, law in about["laws"].items())
-    limit = about["valid_up_to"]
-    lines += [f"Laws: {laws}. Range: " + ("not stated by the source." if limit is None else f"particle velocity up to {limit:g} m/s."), ""]
+    lines += [f"Laws: {laws}. Range of the data: {cell(about['reach'])}.", ""]
     if picture:
         lines += [f"![Hugoniots of {cell(about['title'])}]({picture})", ""]
     sources: dict[tuple[str, str], int] = {}

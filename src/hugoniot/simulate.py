@@ -146,10 +146,18 @@ def _drive(recorder, next_snapshot: int, begun: float, report: bool | Callable) 
         folder.event(solver.time, solver.cycle, kind, text)
     if (table := solver.front_table()) is not None:
         folder.fronts(*table)
-    folder.finish(_summary(problem, solver, outcome, begun), solver.peaks())
+    folder.finish(_summary(problem, solver, outcome, begun), _peaks(problem, solver))
     if report and output.report:
         write_or_note(folder.folder, report if callable(report) else None)
     return load(folder.folder)
+
+
+def _peaks(problem: Problem, solver: Solver) -> dict[str, np.ndarray]:
+    """Peak fields of every zone, and where they may be the overshoot of a shock that forms."""
+    from hugoniot.diagnostics.forming import forming
+
+    peaks = solver.peaks()
+    return peaks | {"forming": forming(problem).astype(np.uint8)} if problem.solver.kind in ("lagrange1d", "lagrange2d") else peaks
 
 
 def _summary(problem: Problem, solver: Solver, outcome: Outcome, begun: float) -> dict[str, Any]:

@@ -42,7 +42,7 @@ class Initiation:
     distance, time   to detonation: m, s; not-a-number where there is none
     path             (times, positions) of the front
     note             why there is no run distance, or what the run warned of; empty for a sound one
-    at_once          whether there is none because the charge detonates at once: within a few zones, or overdriven
+    at_once          whether the charge detonates at once, within a few zones or overdriven, so that it has no run distance
     """
 
     pressure: float

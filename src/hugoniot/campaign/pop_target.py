@@ -121,7 +121,7 @@ def initiations(charge: Charge, pressures: Sequence[float], wanted: Sequence[flo
 
 
 def run_distance(point: Initiation, wanted: float) -> float:
-    """The run distance; where there is none, the room of the charge or, where it detonated at once, an eighth of what is wanted."""
+    """The run distance; where there is none, eight times what is wanted, or an eighth of it where the charge detonated at once."""
     if math.isfinite(point.distance):
         return point.distance
     return wanted / ROOM if point.at_once else wanted * ROOM

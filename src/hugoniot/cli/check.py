@@ -8,6 +8,7 @@ import typer
 from hugoniot.cli.show import JSON, MATERIALS, SET, echo_json, echo_table, overrides_of
 from hugoniot.errors import DeckError, NoSolution, OutOfRange
 from hugoniot.materials import burning
+from hugoniot.materials.reach import reach
 from hugoniot.problem.cost import estimate
 from hugoniot.problem.deck import Deck, read_deck
 from hugoniot.units import format_si
@@ -35,7 +36,8 @@ def command(
     warnings = [*found.warnings, *_echoes(found.problem)]
     if as_json:
         cost = estimate(found.problem)._asdict()
-        echo_json({"ok": True, "warnings": warnings, "estimate": cost, "resolved": found.resolved})
+        ranges = {name: {"up_to": m.valid_up_to, "words": reach(m)} for name, m in found.problem.materials.items()}
+        echo_json({"ok": True, "warnings": warnings, "ranges": ranges, "estimate": cost, "resolved": found.resolved})
     elif resolved:
         typer.echo(found.resolved, nl=False)
     else:
@@ -75,6 +77,8 @@ def _tell(deck: Deck, warnings: list[str]) -> None:
     cost = estimate(problem)
     typer.echo(f"{cost.zones} zones, {cost.snapshots} snapshots: about {_bytes(cost.memory)} of memory, "
                f"result.h5 about {_bytes(cost.result)} without gauges (twice that on the disk until the run ends)")
+    for name, material in problem.materials.items():
+        typer.echo(f"range of the data of {name}: {reach(material)}")
     for warning in warnings:
         typer.echo(f"warning: {warning}")
     typer.echo("the deck is valid")

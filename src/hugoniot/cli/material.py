@@ -201,11 +201,11 @@ def _echo_listings(rows: list[dict], as_json: bool) -> None:
 
 
 def _counts(as_json: bool) -> None:
-    from hugoniot.materials.counts import by_kind, by_source, known
+    from hugoniot.materials.counts import by_kind, by_source, known, ranges_by_kind
 
     kinds, sources = by_kind(), by_source()
     if as_json:
-        echo_json({"kinds": kinds, "sources": sources, "known": known()})
+        echo_json({"kinds": kinds, "sources": sources, "known": known(), "ranges": ranges_by_kind()})
         return
     keys = ("curated", "rows_only", "shock", "compression")
     lines = [(name, *(str(count[k]) for k in keys), str(count["curated"] + count["rows_only"])) for name, count in kinds.items()]
@@ -214,6 +214,8 @@ def _counts(as_json: bool) -> None:
                [*lines, ("all", *map(str, sums), str(sums[0] + sums[1]))])
     echo_table(["source of rows", "rows"], [(name[:70], str(n)) for name, n in list(sources.items())[:25]])
     echo_table(["what is known", "rows"], [(name, str(n)) for name, n in known().items()])
+    echo_table(["Us-up rows by kind", "rows", "with a range", "with a deviation of Us", "with measured states"],
+               [(name, *(str(count[k]) for k in ("rows", "range", "deviation", "states"))) for name, count in ranges_by_kind().items()])
 
 
 def _gamma_laws(everything: bool, as_json: bool) -> None:
@@ -284,8 +286,7 @@ def _echo_material(about: dict) -> None:
     typer.echo("\nsources:")
     for (source, via), number in sources.items():
         typer.echo(f"  [{number}] {source}" + (f"\n      {where_read(via)}" if via else ""))
-    limit = about["valid_up_to"]
-    typer.echo(f"\nrange: {'not stated by the source' if limit is None else f'particle velocity up to {limit:g} m/s'}")
+    typer.echo(f"\nrange of the data: {about['reach']}")
 
 
 def _shown(value, unit: str) -> tuple[str, str]:

@@ -88,7 +88,7 @@ def turning_points(values, least: float) -> list[int]:
 
 
 def pull_back(time, velocity, least: float = 0.02) -> PullBack | None:
-    """The first pull-back: a drop from 0.8 or more of the record's highest velocity, then a rebound; None if there is none.
+    """The first pull-back: a drop from at least 0.8 of the record's highest velocity, then a rebound; None if there is none.
 
     least   smallest swing that counts, as a fraction of the highest velocity (numerical ringing stays below); the drop is twice that
             or more

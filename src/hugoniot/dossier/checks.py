@@ -31,7 +31,8 @@ RANGES: dict[str, tuple[float, float]] = {
     "johnson_cook_rate": (0.0, 0.2), "johnson_cook_thermal": (0.3, 2.0), "bulk_modulus": (1e9, 5e11), "spall_strength": (1e6, 1e10),
     "elastic_limit": (1e7, 2e10), "a": (-1e16, 1e16), "r1": (3.0, 60.0), "r2": (0.1, 10.0), "omega": (0.1, 1.5),
     "detonation_velocity": (2000.0, 10000.0), "cj_pressure": (1e9, 5e10), "e_incipient": (1e5, 2e7), "e_complete": (1e6, 3e7),
-    "bulk_a": (1e9, 5e11), "bulk_b": (-1e11, 5e11), "gurney_velocity": (1500.0, 3300.0), "growth1": (0.0, 1e-4), "up_max": (200.0, 50000.0),
+    "bulk_a": (1e9, 5e11), "bulk_b": (-1e11, 5e11), "gurney_velocity": (1500.0, 3300.0), "growth1": (0.0, 1e-4),
+    "up_max": (200.0, 50000.0), "us_deviation": (1.0, 2000.0),
     "bulk_modulus_slope": (1.5, 12.0), "expansivity": (1e-6, 3e-4), "debye_temperature": (100.0, 2500.0), "gamma_exponent": (-1.0, 8.0),
     "molar_mass": (1e-3, 20.0), "wavelength": (2e-7, 1e-5), "index": (1.0, 2.5), "velocity_factor": (0.4, 1.1),
     "detonation.velocity": (2000.0, 10000.0), "detonation.pressure": (1e9, 5e10),
@@ -54,6 +55,8 @@ def check_all() -> list[Finding]:
     found = [f for row in schema.all_rows() for f in check_row(row)]
     found += [f for k, point in enumerate(schema.points()) for f in check_point(k, point)]
     found += [f for identity in fits.RECORDED for f in check_fit(identity)]
+    with_states = {row.id for row in schema.table("us_up").values() if "states" in row or fits.belonging(row.id)}
+    found += [f for identity in sorted(with_states) for f in check_states(identity)]
     for entry in library.find_all():
         found += check_entry(entry)
     return found
@@ -229,6 +232,18 @@ def check_fit(identity: str) -> Iterator[Finding]:
     again = [*mine.coefficients[:2], mine.coefficients[2] if len(mine.coefficients) > 2 else None, *mine.deviations[:2]]
     worst = max(abs(a / r - 1.0) for a, r in zip(again, recorded, strict=True) if r is not None)
     yield _judge(identity, "fit recomputed", worst, 2e-5, f"{len(mine.points)} states, residual {mine.deviation:.0f} m/s")
+
+
+def check_states(identity: str) -> Iterator[Finding]:
+    """Range and deviation of the measured states about a row's line, recomputed against those recorded."""
+    row = schema.row(identity)
+    mine = fits.scatter(row)
+    if mine is None or "states" not in row:
+        yield Finding(identity, "measured states", "fail", text="states are assigned or recorded, but not both")
+        return
+    recorded = (row["up_min"], row["up_max"], row["us_deviation"], row["states"])
+    worst = max(abs(a / r - 1.0) for a, r in zip(mine, recorded))
+    yield _judge(identity, "measured states recomputed", worst, 2e-3, f"{mine.count} states, {mine.deviation:.1f} m/s about the line")
 
 
 # -- materials ---------------------------------------------------------------------------------------------------

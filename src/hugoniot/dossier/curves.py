@@ -69,7 +69,9 @@ class Comparison:
 MEASURED = {
     "copper": ("Copper",), "iron": ("Iron",), "water": ("Water",), "fused_silica": ("Fused silica",), "forsterite": ("Forsterite Mg2SiO4",),
     "graphite": ("Graphite, pressed (rho 2.13)",), "olivine": ("Olivine (San Carlos)",),
-    "basalt": ("Basalt (rho 2672)", "Basalt, Vacaville (rho 2860)"),
+    "basalt": ("Basalt (rho 2672)", "Basalt, Vacaville (rho 2860)"), "nickel": ("Nickel",), "beryllium": ("Beryllium", "Beryllium S-200"),
+    "magnesia": ("Periclase MgO (single crystal)",), "pmma": ("PMMA",), "lead": ("Lead",), "platinum": ("Platinum",),
+    "silicon_carbide": ("SiC",), "tin": ("Tin",), "vanadium": ("Vanadium",), "polystyrene": ("Polystyrene",),
 }
 
 

@@ -5,6 +5,7 @@ from hugoniot.dossier.derived import derived_quantities
 from hugoniot.materials import library, schema
 from hugoniot.materials.entry import Entry
 from hugoniot.materials.marks import marks
+from hugoniot.materials.reach import range_of, reach
 from hugoniot.materials.record import mark, material_record
 from hugoniot.materials.schema import Row
 
@@ -14,7 +15,8 @@ def described(entry: Entry) -> dict:
     derived = derived_quantities(entry.material, entry.unreacted)
     return {
         "name": entry.name, "title": entry.title, "category": entry.category, "aliases": list(entry.aliases), "curated": entry.curated,
-        "laws": entry.material.laws(), "valid_up_to": entry.material.valid_up_to, "warnings": list(entry.material.warnings),
+        "laws": entry.material.laws(), "valid_up_to": entry.material.valid_up_to, "reach": reach(entry.material),
+        "warnings": list(entry.material.warnings),
         "constants": material_record(entry.material),
         "derived": {k: q._asdict() for k, q in derived.items()},
         "reasons": {k: v for k, v in entry.reasons.items() if v}, "missing": list(entry.missing), "notes": list(entry.notes),
@@ -33,15 +35,16 @@ def described_row(identity: str) -> dict:
     return {
         "name": identity, "title": f"{row.material or row.get('quantity', '')} (row {identity} of {row.table})",
         "category": str(row.get("category", row.table)), "aliases": [], "curated": False, "laws": {}, "valid_up_to": row.get("up_max"),
-        "warnings": list(marks(row)), "constants": constants, "derived": {}, "reasons": {}, "missing": [],
+        "reach": range_of(row) if row.table == "us_up" else "does not apply", "warnings": list(marks(row)),
+        "constants": constants, "derived": {}, "reasons": {}, "missing": [],
         "notes": [*words, *([row.note] if row.note else [])], "others": [], "fits": [],
     }
 
 
 def row_summary(row: Row) -> str:
-    """The constants of a row in a few characters, with its mark."""
+    """The constants of a row in a few characters, with the range of a Hugoniot and its mark."""
     if row.table == "us_up":
-        text = hugoniot_text(row)
+        text = hugoniot_text(row) + (f", to {row['up_max']:g} m/s" if "up_max" in row else ", range not known")
     elif row.table == "compression":
         text = f"{row['rho0']:g} kg/m3, K = {row['bulk_modulus'] / 1e9:.4g} GPa, K' = {row['bulk_modulus_slope']:g}"
     elif row.table == "jwl":

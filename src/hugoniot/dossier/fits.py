@@ -1,14 +1,17 @@
-"""Which measured Us-up states are fitted for the library, and the fits recomputed: `theory.fits.us_up` does the least squares.
+"""Which measured Us-up states are fitted for the library or belong to a row of it, and the fits recomputed.
 
-The states come from `us_up_points.csv`; a `Selection` says which of them a fit takes.
+The states come from `us_up_points.csv`; a `Selection` says which of them a fit takes, or which a published line is compared with.
+`theory.fits.us_up` does the least squares; `scatter` gives range and deviation of the states about any row's line.
 """
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
+from typing import NamedTuple
 
 import numpy as np
 
+from hugoniot.dossier.derived import shock_velocity
 from hugoniot.materials.material import Material
 from hugoniot.materials.schema import Row, points
 from hugoniot.materials.search import spelling
@@ -35,6 +38,7 @@ class Selection:
 MARSH = "S. P. Marsh"
 # Above 1540 m/s iron is past its alpha-epsilon transition and the region where both phases are present.
 IRON = {"up_min": 1540.0, "porosity_below": 1.01}
+MAGNESIA = "Periclase MgO (single crystal)"
 # row id of the recorded fit -> (selection, degree)
 RECORDED = {
     "U202": (Selection("Copper", words="all shock states of Marsh"), 1),
@@ -50,7 +54,72 @@ RECORDED = {
     "U212": (Selection("Fused silica", words="all states"), 1),
     "U213": (Selection("Forsterite Mg2SiO4", words="all states"), 1),
     "U214": (Selection("Olivine (San Carlos)", words="all states"), 1),
+    "U218": (Selection("Nickel", words="all shock states of Marsh"), 1),
+    "U219": (Selection("Argon (liquid)", words="all states of Marsh"), 2),
+    "U220": (Selection("Pyrolusite MnO2", words="all states of Marsh"), 1),
+    "U221": (Selection("Serpentine", up_min=2200.0, words="Marsh, above 2.2 km/s"), 1),
+    "U222": (Selection("Toluene", up_max=2900.0, words="Marsh, to 2.9 km/s"), 1),
+    "U223": (Selection("Beryllium", words="all shock states of Marsh"), 1),
+    "U224": (Selection("Beryllium S-200", words="gun, to 6 km/s"), 1),
+    "U225": (Selection("Bismuth", up_min=1300.0, words="above 1.3 km/s"), 1),
+    "U226": (Selection("Germanium", up_min=1500.0, words="above 1.5 km/s"), 1),
+    "U227": (Selection("KCl", up_min=1300.0, words="above the transition"), 1),
+    "U228": (Selection(MAGNESIA, up_max=5500.0, words="to 5 km/s"), 1),
+    "U229": (Selection(MAGNESIA, words="all states"), 1),
+    "U230": (Selection("Sodium", words="all states"), 1),
+    "U231": (Selection("NiAl", words="all states"), 1),
+    "U232": (Selection("PMMA", up_min=500.0, up_max=2600.0, words="0.5 to 2.6 km/s"), 1),
+    "U233": (Selection("PMMA", up_min=2600.0, up_max=8000.0, words="2.6 to 8 km/s"), 1),
+    "U234": (Selection("PMMA", up_min=2600.0, words="above 2.6 km/s"), 2),
+    "U235": (Selection("Lead", words="all shock states of Marsh"), 1),
+    "U236": (Selection("Platinum", words="all states"), 1),
+    "U237": (Selection("SiC", up_min=1600.0, words="Marsh, above 1.6 km/s"), 1),
+    "U238": (Selection("Tin", words="all shock states of Marsh"), 1),
+    "U239": (Selection("Vanadium", words="all states"), 2),
+    "U240": (Selection("Polystyrene", words="laser, above 7 km/s"), 1),
 }
+_COPPER, _BERYLLIUM, _NICKEL, _LEAD = (RECORDED[i][0] for i in ("U202", "U223", "U218", "U235"))
+_TIN, _PLATINUM, _WATER, _IRON = (RECORDED[i][0] for i in ("U238", "U236", "U210", "U206"))
+_PMMA = Selection("PMMA", up_min=500.0, up_max=5500.0, words="0.5 to 5.5 km/s")
+_VANADIUM = Selection("Vanadium", up_max=5000.0, words="to 5 km/s")
+# rows that were fitted elsewhere -> the states of the same material at the same density that they are compared with
+STATES = {
+    "U007": _COPPER, "U058": _COPPER, "U189": _COPPER, "U194": _COPPER, "U110": _WATER, "U178": _WATER, "U179": _WATER,
+    "U094": _IRON, "U165": _IRON, "U215": _IRON, "U005": _BERYLLIUM, "U059": _BERYLLIUM, "U187": _BERYLLIUM,
+    "U257": RECORDED["U224"][0], "U016": _NICKEL, "U099": _NICKEL, "U186": _NICKEL, "U011": _LEAD, "U100": _LEAD, "U183": _LEAD,
+    "U185": _LEAD, "U020": _PLATINUM, "U075": _PLATINUM, "U167": _PLATINUM, "U031": _TIN, "U102": _TIN, "U192": _TIN,
+    "U258": Selection("Platinum", source="Morgan", words="Morgan's"), "U040": _VANADIUM, "U065": _VANADIUM, "U047": _PMMA, "U169": _PMMA,
+    "U084": Selection("PMMA", up_max=3000.0, words="to 3 km/s"), "U147": Selection("PMMA", up_max=17000.0, words="to 17 km/s"),
+    "U076": RECORDED["U237"][0], "U125": RECORDED["U228"][0], "U159": RECORDED["U229"][0], "U098": RECORDED["U230"][0],
+    "U091": Selection("Bismuth", up_max=2500.0, words="to 2.5 km/s"),
+    "U105": Selection("KCl", up_min=1300.0, up_max=5000.0, words="above the transition, to 5 km/s"),
+    "U149": RECORDED["U212"][0], "U150": RECORDED["U212"][0],
+}
+
+
+class Scatter(NamedTuple):
+    """What measured states say of a row: range of their particle velocities, root mean square of Us about its line (m/s), number."""
+
+    least: float
+    highest: float
+    deviation: float
+    count: int
+
+
+def belonging(identity: str) -> Selection | None:
+    """The measured states that belong to a row, fitted here or not; None where the library has none."""
+    return RECORDED[identity][0] if identity in RECORDED else STATES.get(identity)
+
+
+def scatter(row: Row) -> Scatter | None:
+    r"""Range and deviation $\sqrt{\sum_n(U_s(u_n) - U_n)^2/N}$ of the measured states about the row's own line; None without states."""
+    chosen = belonging(row.id)
+    if chosen is None:
+        return None
+    states = chosen.states()
+    misses = [shock_velocity(row, p["up"]) - p["us"] for p in states]
+    velocities = [p["up"] for p in states]
+    return Scatter(min(velocities), max(velocities), float(np.sqrt(np.mean(np.square(misses)))), len(states))
 
 
 def fit(states: Iterable[Row], degree: int) -> UsUpFit:

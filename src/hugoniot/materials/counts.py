@@ -42,11 +42,21 @@ def known() -> dict[str, int]:
     """How many rows have what few of them have: words -> number."""
     shocks, presses = (list(schema.table(name).values()) for name in ("us_up", "compression"))
     return {
-        "Us-up rows": len(shocks), "with a range": _with(shocks, "up_max"), "with standard deviations": _with(shocks, "c0_deviation"),
+        "Us-up rows": len(shocks), "with a range": _with(shocks, "up_max"), "with measured states": _with(shocks, "states"),
+        "with a deviation of Us": _with(shocks, "us_deviation"), "with standard deviations of c0 and s": _with(shocks, "c0_deviation"),
         "static compressions": len(presses), "with a highest pressure": _with(presses, "p_max"),
         "with a standard deviation": _with(presses, "bulk_modulus_deviation"),
         "spall strengths": _with(schema.table("strength").values(), "spall_strength"),
     }
+
+
+def ranges_by_kind() -> dict[str, dict[str, int]]:
+    """kind -> {rows, range, deviation, states} of the Us-up rows: how many there are, and how many have what."""
+    found: dict[str, Counter] = {}
+    for row in schema.table("us_up").values():
+        count = found.setdefault(kind(row["category"]), Counter(rows=0, range=0, deviation=0, states=0))
+        count.update(rows=1, range="up_max" in row, deviation="us_deviation" in row, states="states" in row)
+    return {name: dict(found[name]) for name in sorted(found, key=lambda n: -found[n]["rows"])}
 
 
 def _with(rows: Iterable[schema.Row], quantity: str) -> int:

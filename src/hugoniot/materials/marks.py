@@ -13,6 +13,7 @@ VELOCITY_LIMIT = 0.005  # relative misfit of the CJ velocity a JWL set may have 
 PRESSURE_LIMIT = 0.02  # and of the CJ pressure
 REST_LIMIT = 5e6  # Pa at V = 1 and 298 K by the constants of an unreacted explosive, about 0.03 % of its bulk modulus
 ENERGY_LIMIT = 0.005  # E0 stated against E0 from the tangency of the principal isentrope
+SCATTER_LIMIT = 0.04  # root mean square of Us of the measured states about a row's line, of its value in the middle of their range
 
 
 class Closure(NamedTuple):
@@ -65,6 +66,9 @@ def marks(row: Row) -> tuple[str, ...]:
     """Sentences to show wherever the row is used; empty for a row without blemish."""
     found = list(row.marks)
     name = f"{row.id} ({row.material})"
+    if "states" in row and row["us_deviation"] > SCATTER_LIMIT * (row["c0"] + row["s"] * 0.5 * (row["up_min"] + row["up_max"])):
+        found.append(f"{name}: MISSES THE DATA: its shock velocities are {row['us_deviation']:.0f} m/s (root mean square) from the "
+                     f"{row['states']:g} measured states of the library")
     if row.table == "jwl" and row["role"] == "products":
         state = recorded_closure(row)
         if state is not None and not state.closes:

@@ -30,6 +30,7 @@ TABLES = {
     "V": "gurney", "A": "argon", "N": "gases", "R": "pop_plot", "M": "compression", "O": "windows",
 }
 _PROVENANCE = ("id", "material", "source", "via", "status", "note")
+_OF_STATES = ("up_min", "up_max", "us_deviation")
 _CELL = re.compile(r"([A-Z]\d{3})\.([a-z][a-z0-9_]*)")
 
 
@@ -58,9 +59,20 @@ class Row:
 
     def constant(self, name: str, quantity: str = "") -> Source:
         """One constant of the row with its provenance; `quantity` is its name in the material."""
-        status = "derived" if name.startswith("recorded_") and self.status != "recalled" else self.status
-        return Source(quantity or name, self.values[name], self.units[name], self.source, self.via, status,
+        source, via, status = self.source, self.via, self.status
+        if name.startswith("recorded_") and status != "recalled":
+            status = "derived"
+        elif name in _OF_STATES and (found := self.range_from()):
+            source, via, status = found, "us_up_points.csv" if "states" in self else via, "derived"
+        return Source(quantity or name, self.values[name], self.units[name], source, via, status,
                       "; ".join(t for t in (f"row {self.id}", self.note) if t))
+
+    def range_from(self) -> str:
+        """Where the range of a Us-up row comes from if not from its own source: measured states, or what its note says; else empty."""
+        if "states" in self:
+            return f"{self['states']:g} measured states of the library, compared with the row's line"
+        said = re.search(r"\brange: (that[^;]*)", self.note)
+        return said.group(1) if said else ""
 
     def constants(self) -> Iterator[Source]:
         """Every number of the row with its provenance."""

@@ -12,6 +12,7 @@ _FACES = {
     "centre": ("m", "centre of the zone at t = 0 (Lagrangian coordinate)"),
     "centre_x": ("m", "x (or r) of the zone's centre at t = 0"),
     "centre_y": ("m", "y (or z) of the zone's centre at t = 0"),
+    "forming": ("", "whether a captured shock may still be forming in the zone"),
     "line_position": ("m", "position of the surface along the line of sight"),
     "line_velocity": ("m/s", "velocity of the surface along the line of sight"),
     "apparent_velocity": ("m/s", "apparent velocity through the window"),

@@ -9,7 +9,6 @@ from hugoniot.output.run import Run, largest_value
 from hugoniot.output.spall_reading import NOISE, SURFACE, spall_reading, surface_record
 from hugoniot.units import format_si
 
-START_UP = 12         # zones beside a face in which a captured shock that starts there is still forming, and overshoots
 OVERSHOOT = 2.0       # times the highest of all others: more than a third above it was never seen in a shock that has left those zones
 ROUND_OFF = 1e-12     # of the largest value of a run: what is smaller is the round-off of a state at rest
 GAUGE_UNITS = {"arrival": "s", "second_arrival": "s", "peak_stress": "Pa", "plateau_stress": "Pa", "lowest_stress": "Pa",
@@ -95,9 +94,9 @@ def highest(run: Run) -> dict:
     """Highest stress (else pressure) and tension of any zone at any time, Pa, and of the surface that is seen its velocity, m/s.
 
     Beside each field stands where it was found: `stress_region` the body and `stress_at` the centre of the zone at t = 0, m, one number
-    for each coordinate. Of captured shocks in one dimension the first zones beside interfaces and driven ends do not count, in which a
-    shock that starts there overshoots by up to a third (`START_UP`); `peaks` of the run has them. Where they have more than that can
-    explain, as in a wave that ends or decays before it leaves them, theirs is the highest, and `stress_forming` is true.
+    for each coordinate. Zones in which a captured shock is still forming (`diagnostics.forming`), and overshoots, do not count;
+    `peaks` has them. Where they have more than that can explain, as in a wave that ends or decays before it leaves them, theirs is
+    the highest, and `stress_forming` is true.
     `surface` is the gauge of that velocity, or "free surface". A field that the run does not have is left out, and so is a tension that
     never came, or that is the round-off of a surface at rest; the velocity is that of the spall reading where there is one.
     """
@@ -111,7 +110,7 @@ def highest(run: Run) -> dict:
         least = NOISE * found.get("stress", found.get("pressure", 0.0))
         if word == "tension" and not np.max(values) > least:
             continue
-        counted = values if word == "tension" else np.where(_formed(run, peaks["region"]), values, -np.inf)
+        counted = values if word == "tension" else np.where(peaks["forming"] > 0, -np.inf, values) if "forming" in peaks else values
         if np.max(values) > OVERSHOOT * max(np.max(counted), 0.0):
             counted, found[f"{word}_forming"] = values, True
         k = int(np.argmax(counted))
@@ -120,20 +119,6 @@ def highest(run: Run) -> dict:
     if len(seen.time) and "peak_velocity" not in spall_numbers(run):
         found |= {"surface": "free surface" if seen.kind == SURFACE else seen.gauge, "surface_velocity": float(np.max(seen.velocity))}
     return found
-
-
-def _formed(run: Run, region: np.ndarray) -> np.ndarray:
-    """Whether a shock has formed in a zone (n,), wherever it started; a body keeps at least its middle third."""
-    formed = np.ones(len(region), dtype=bool)
-    if "axes" in run.setup or run.setup["solver"]["kind"] == "fronts":
-        return formed
-    driven = [run.setup["boundaries"][side]["kind"] in ("velocity", "pressure") for side in ("left", "right")]
-    starts = np.flatnonzero(np.concatenate(([True], region[1:] != region[:-1])))
-    for first, end in zip(starts, [*starts[1:], len(region)]):
-        few = min(START_UP, (end - first) // 3)
-        formed[first:first + few] &= first == 0 and not driven[0]
-        formed[end - few:end] &= end == len(region) and not driven[1]
-    return formed
 
 
 def highest_rows(run: Run) -> list[tuple[str, str, str]]:

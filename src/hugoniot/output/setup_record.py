@@ -16,6 +16,7 @@ from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.laws.strength.contract import STRENGTH
 from hugoniot.laws.transport.contract import CONDUCTION, TRANSPORT
 from hugoniot.laws.viscosity.contract import VISCOSITY
+from hugoniot.materials.reach import reach
 
 _FAMILIES = {"eos": EOS, "strength": STRENGTH, "fracture": FRACTURE, "viscosity": VISCOSITY}
 
@@ -90,7 +91,7 @@ def material_record(material) -> dict:
     named = {constant["name"] for law in laws for constant in law["constants"]}
     others = [plain(source) for source in material.sources if source.quantity.rpartition(".")[2] not in named]
     return {"name": material.name, "laws": laws, "other_sources": others, "warnings": list(material.warnings),
-            "valid_up_to": material.valid_up_to, "at_rest": _at_rest(material)}
+            "valid_up_to": material.valid_up_to, "reach": reach(material), "at_rest": _at_rest(material)}
 
 
 def _at_rest(material) -> dict[str, float]:

@@ -6,13 +6,13 @@ import numpy as np
 
 from hugoniot.laws.eos.contract import reference_state
 from hugoniot.materials.plausible import unlikely
+from hugoniot.materials.reach import IONISED
 from hugoniot.problem.model import Problem, Region
 from hugoniot.problem.profiles import LIGHT
 
 if TYPE_CHECKING:
     from hugoniot.problem.plane.model import Problem2D
 
-IONISED = 15e3      # m/s of particle velocity: 112 MJ/kg, 31 eV for an atom of aluminium, whose first two electrons take 25 eV
 RELATIVISTIC = 0.01      # of the speed of light
 # Courant numbers up to which the peak of a shock at 5 GPa is right to 0.1 %: it is 0.5 % too high at 0.9 (compatible) and 6 % at 1.0
 # (wilkins); in two dimensions shocks of 18 GPa are 0.1 % too high at 0.4 and 0.3 % at 0.5

@@ -49,8 +49,8 @@ def _with_hydrocode_defaults(problem: Problem) -> Problem:
     options = problem.solver
     materials = [problem.materials[region.material] for region in problem.regions]
     burning = any(material.burn is not None for material in materials)
-    long = options.viscosity is None and not burning and all(is_condensed(material.eos) for material in materials)
-    courant = (COURANT_CONDENSED if long else COURANT)[options.integrator]
+    long_steps = options.viscosity is None and not burning and all(is_condensed(material.eos) for material in materials)
+    courant = (COURANT_CONDENSED if long_steps else COURANT)[options.integrator]
     viscosity = (FOR_PRODUCTS if burning else VISCOSITY)[options.integrator]
     own = {"heat_flux": HEAT_FLUX[options.integrator], **options.options}
     return dataclasses.replace(problem, solver=dataclasses.replace(

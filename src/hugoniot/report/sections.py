@@ -89,7 +89,7 @@ def materials(setup: dict) -> str:
     """Every material with its laws, constants, sources and warnings, and the viscosity."""
     parts = []
     for name, material in setup["materials"].items():
-        limit = f" Its data reach a particle velocity of {number(material['valid_up_to'], 'm/s')}." if material["valid_up_to"] else ""
+        limit = f" Range of its data: {text(material['reach'])}." if "reach" in material else ""
         where = ", ".join(text(r["name"]) for r in setup["regions"] if r["material"] == name)
         parts.append(f"<h3>{text(name)}</h3><p class=quiet>In {where}.{limit}</p>")
         parts += [f'<p class="warning">{text(warning)}</p>' for warning in material["warnings"]]

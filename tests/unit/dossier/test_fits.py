@@ -55,3 +55,32 @@ def test_too_few_states_are_refused():
 def test_selections_leave_out_what_their_words_say():
     iron = fits.RECORDED["U206"][0].states()
     assert all(p["up"] >= 1540.0 and p["porosity"] < 1.01 and "Marsh" in p.source for p in iron)
+
+
+def test_scatter_is_that_of_the_states_about_the_published_line():
+    """Steinberg's line for nickel, which Marsh's states had no part in here, against plain arithmetic on them."""
+    row = schema.row("U016")
+    states = np.array([(p["up"], p["us"]) for p in schema.points() if p.material == "Nickel" and p["use_for_fit"] == 1.0])
+    misses = states[:, 1] - (4650.0 + 1.445 * states[:, 0])
+    found = fits.scatter(row)
+    assert found == pytest.approx((470.0, 2145.0, np.sqrt(np.mean(misses**2)), 18))
+    assert (row["up_min"], row["up_max"], row["states"]) == (470.0, 2145.0, 18)
+    assert fits.scatter(schema.row("U024")) is None and "states" not in schema.row("U024")
+
+
+def test_scatter_of_a_fit_is_its_residual():
+    """About the line they were fitted to, n states have the residual deviation times sqrt((n - 2)/n), the least any line can have."""
+    mine = fits.recorded("U238")
+    count = len(mine.points)
+    assert fits.scatter(schema.row("U238")).deviation == pytest.approx(mine.deviation * np.sqrt((count - 2) / count), rel=1e-4)
+    for published in ("U031", "U102", "U192"):
+        assert fits.scatter(schema.row(published)).deviation >= fits.scatter(schema.row("U238")).deviation * (1.0 - 1e-6)
+
+
+@pytest.mark.parametrize("fitted, published", [("U218", "U099"), ("U238", "U031"), ("U237", "U076"), ("U223", "U059"), ("U232", "U084"),
+                                               ("U224", "U257"), ("U230", "U241")])
+def test_lines_fitted_here_meet_those_their_sources_published(fitted, published):
+    """States read from one copy, lines drawn through the same states and read from another: nowhere further apart than they scatter."""
+    mine, theirs = schema.row(fitted), schema.row(published)
+    for up in np.linspace(max(mine["up_min"], theirs["up_min"]), min(mine["up_max"], theirs["up_max"]), 5):
+        assert abs(mine["c0"] + mine["s"] * up - theirs["c0"] - theirs["s"] * up) < mine["us_deviation"]

@@ -193,6 +193,16 @@ def test_a_body_parts_inside_and_beside_its_most_strained_neighbour(ratios, node
     assert found == node
 
 
+@pytest.mark.parametrize("voids, grown, node", [(0.0, -2e-6, 5), (2e-6, 2e-6, 5), (2e-6, 1e-6, -1), (2e-6, -1e-6, -1)])
+def test_a_zone_that_had_voids_opens_no_plane_until_they_have_closed(voids, grown, node):
+    """What grew in this very step is the failure itself; voids that closed in one step are gone."""
+    zones = np.zeros((len(Z), 6))
+    zones[Z.rho], zones[Z.failure, 4], zones[Z.failure, 5] = 8000.0, 1.2, 0.9
+    zones[Z.voids, 4], zones[Z.grown, 4] = voids, grown
+    segments = np.array([(0, 6, L.FREE, L.FREE)])
+    assert failing_node.py_func(zones, segments, None, np.zeros(L.CONTROL_INTS, dtype=np.int64)) == node
+
+
 def test_a_relieved_patch_opens_no_second_void():
     zones = np.zeros((len(Z), 6))
     zones[Z.failure] = (0.0, 1.5, 1.2, 0.5, 0.01, 1.1)

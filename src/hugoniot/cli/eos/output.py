@@ -108,6 +108,8 @@ def notes(subject, jump: float = 0.0) -> list[str]:
     limit, found = subject.material.valid_up_to, []
     if limit and jump > limit * (1.0 + 1e-9):
         found.append(f"the data of {subject.material.name} end at {limit:.6g} m/s, the shock has up = {jump:.6g} m/s: extrapolated")
+    elif limit is None and jump > 0.0 and not flagged(subject.material.eos, "gas"):
+        found.append(f"the range of the data of {subject.material.name} is not known: up = {jump:.6g} m/s may lie beyond it")
     if flagged(subject.material.eos, "shocks_only"):
         found.append(SHOCKS_ONLY)
     return [*found, *unlikely(subject.material.name, subject.material), *subject.material.warnings]

@@ -33,7 +33,8 @@ can happen has, never falling. It is flagged "remembers" and gives three functio
     compacted(compaction, rho, e, p, par) the compaction after the state (rho, e, p) has been met
 
 Kernels do not check states; `check_state` does, for callers at the surface.
-The functions below dispatch on the class of `par`, in Python and, by `core.binder`, in kernels.
+
+The functions below dispatch on the class of `par`, in Python and, through `core.binder`, inside kernels.
 """
 
 import math
@@ -43,6 +44,7 @@ from hugoniot.core.registry import Registry
 from hugoniot.errors import OutOfRange
 
 LEAST_STIFFNESS = 20.0     # of what is no gas, rho c^2 / p at rest
+
 
 def both_apart(rho, e, par):
     """(p, dp/drho at e, dp/de at rho) from the two functions every law gives."""

@@ -19,6 +19,7 @@ from hugoniot.materials.material import Material
 from hugoniot.materials.search import matches, nearest, parts, spelling
 
 HERE = Path(__file__).parent
+LEAST_BRANCH = 1000.0     # m/s: rows whose data begin above this particle velocity describe the far side of a transition, or melt
 MAKE_MATERIALS = ("us_up", "jwl", "tillotson", "compression", "gases")  # tables whose single rows are equations of state
 
 
@@ -218,6 +219,9 @@ def _of_row(identity: str) -> Entry:
         tables["valid_up_to"] = limit
     made = make_entry(identity, tables, f"row {identity}", category=str(row.get("category", "")))
     warnings = [f"row {identity} of the library, unedited: not a curated material, no strength, no fracture"]
+    if row.get("up_min", 0.0) >= LEAST_BRANCH:
+        warnings.append(f"{identity} ({row.material}): its data begin at a particle velocity of {row['up_min']:g} m/s; weaker shocks may "
+                        "lie on another branch")
     if row.table == "compression":
         warnings.append(f"{identity} ({row.material}): fitted to static compression of one phase; a shock strong enough to transform "
                         "or melt it lies on a different Hugoniot")

@@ -8,6 +8,7 @@ H.aboutMaterial = known => {
   return H.h("details", {open: false}, H.h("summary", {}, H.h("strong", {}, known.title), H.h("span", {class: "quiet"}, ` ${known.name}: constants, sources, marks`)),
     ...known.warnings.map(w => H.h("p", {class: "bad small"}, w)),
     H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {class: "small"}, H.h("thead", {}, H.h("tr", {}, ["constant", "value", "unit (SI)", "source", "mark"].map((t, k) => H.h("th", {class: k === 1 ? "number" : ""}, t)))), H.h("tbody", {}, rows))),
+    ...lines("range of the data", known.reach ? [known.reach] : []),
     ...lines("derived", Object.entries(known.derived).map(([k, q]) => `${k.replace(/_/g, " ")}: ${H.digits(q.value)} ${q.unit === "1" ? "" : q.unit} (${q.meaning})`)),
     ...lines("choices", Object.entries(known.reasons).map(([k, t]) => `${k}: ${t}`)), ...lines("missing", known.missing), ...lines("notes", known.notes), ...lines("fits of measured states", known.fits),
     ...lines("other sources", known.others.map(o => `${o.row} (${o.family}) ${o.summary}: ${o.source}`)),

@@ -48,7 +48,7 @@ def failing_node(zones, segments, control, counters):
                 for i in range(start, z):
                     zone.relieved[i] = 1.0
                 marked += z - start
-            elif peak >= 1.0 and peak > worst and last - first > 1 and (zone.voids[at] - zone.grown[at]) * zone.rho[at] < VOIDED:
+            elif peak >= 1.0 and peak > worst and last - first > 1 and (zone.voids[at] - max(zone.grown[at], 0.0)) * zone.rho[at] < VOIDED:
                 # an end of the body is no place to break, however hard its other side is compressed
                 leftward = at + 1 == last or (at > first and zone.failure[at - 1] > zone.failure[at + 1])
                 worst, worst_node = peak, (at if leftward else at + 1) + k

@@ -296,5 +296,5 @@ CHAIN_WORK, CHAIN_IMPULSE_X, CHAIN_IMPULSE_Y = range(3)                     # co
 (LOAD_A, LOAD_B, LOAD_ZONE, LOAD_CHAIN, LOAD_PULSE, LOAD_OUTWARD) = range(6)  # integer columns of the table of loaded edges
 # transmitting edges: nodes, zone, step to the next zone inward, zones, -1 or 1; of both nodes the first row and the number of rows in the
 # table of gates; row of its cell beyond in the table of ghosts (-1: none)
-(OPEN_A, OPEN_B, OPEN_ZONE, OPEN_INWARD, OPEN_COUNT, OPEN_OUTWARD, OPEN_GATE_A, _, OPEN_GATE_B, _, OPEN_GHOST) = range(OPEN_COLUMNS := 11)
+(OPEN_A, OPEN_B, OPEN_ZONE, OPEN_INWARD, OPEN_COUNT, OPEN_OUTWARD, OPEN_GATE_A, _, OPEN_GATE_B, _, OPEN_GHOST) = range(11)
 (HOLD_NODE, HOLD_CHAIN_1, HOLD_PULSE_1, HOLD_CHAIN_2, HOLD_PULSE_2, HOLD_BOOKED) = range(6)   # and of held nodes; chain 2 may be -1

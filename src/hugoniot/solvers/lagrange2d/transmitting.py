@@ -134,4 +134,4 @@ def open_edge_table(mesh, numbering, chains: list[str], gates, loads) -> np.ndar
                          "top": (-1, block.nj)}[on.side]
         gate = [first[int(numbering.nodes[node]), chain] for node in (a, b)]
         found.append((a, b, zone, inward, min(count, one.REACH), outward, *gate[0], *gate[1], -1))
-    return np.array(found, dtype=np.int64).reshape(-1, L.OPEN_COLUMNS)
+    return np.array(found, dtype=np.int64).reshape(-1, L.OPEN_GHOST + 1)

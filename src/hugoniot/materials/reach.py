@@ -1,0 +1,55 @@
+"""How far the data behind a material reach, in words: what `check`, `material show` and a run's report say of it.
+
+A row without a range is not valid everywhere: nobody has said where it ends. So that is what a reader is told.
+"""
+
+import re
+
+from hugoniot.laws.eos.contract import flagged
+from hugoniot.materials import schema
+from hugoniot.materials.material import Material
+from hugoniot.materials.schema import Row
+from hugoniot.units import format_si
+
+IONISED = 15e3      # m/s of particle velocity: 112 MJ/kg, 31 eV for an atom of aluminium, whose first two electrons take 25 eV
+UNKNOWN = f"not known; only above {format_si(IONISED, 'm/s')} of particle velocity, where atoms are ionised, is a warning given"
+_ROW = re.compile(r"\brow (U\d{3})\b")
+
+
+def reach(material: Material) -> str:
+    """The range of a material's equation of state in words: its end and where that comes from, or that none is known."""
+    if flagged(material.eos, "gas"):
+        return "a range in particle velocity does not apply to a gas or to detonation products"
+    if material.valid_up_to is None:
+        return UNKNOWN
+    found = f"particle velocity up to {format_si(material.valid_up_to, 'm/s')}"
+    source = next((s for s in material.sources if s.quantity == "valid_up_to" and s.value == material.valid_up_to), None)
+    if source is None:
+        return found
+    named = _ROW.search(source.note)
+    basis = about(schema.row(named.group(1))) if named else ""
+    if not basis and source.status == "derived":
+        basis = f"derived, {source.note}" if source.note else "derived"
+    return f"{found} ({basis})" if basis else found
+
+
+def about(row: Row) -> str:
+    """Where the range of a Us-up row comes from: measured states and how they scatter about its line, or its source's statement."""
+    found = [f"row {row.id}"]
+    if "states" in row:
+        found.append(f"{row['states']:g} measured states from {format_si(row['up_min'], 'm/s')} on, root mean square of their shock "
+                     f"velocities about its line {format_si(row['us_deviation'], 'm/s', 3)}")
+        return ": ".join(found)
+    if "up_max" in row:
+        found.append(row.range_from() or "stated by its source")
+    if "us_deviation" in row:
+        found.append(f"with a deviation of the shock velocities of {format_si(row['us_deviation'], 'm/s', 3)}")
+    return ", ".join(found)
+
+
+def range_of(row: Row) -> str:
+    """The range of a Us-up row by itself, in words."""
+    ends = [format_si(row[name], "m/s") if name in row else "" for name in ("up_min", "up_max")]
+    if not ends[1]:
+        return "not known" + (f" (from {ends[0]} on)" if row.get("up_min") else "")
+    return (f"{ends[0]} to {ends[1]}" if row.get("up_min") else f"up to {ends[1]}") + f" ({about(row)})"

@@ -1,0 +1,76 @@
+"""What a reader is told of how far the data behind a material reach."""
+
+import json
+
+import pytest
+
+from hugoniot.cli import main as front
+from hugoniot.materials import library, marks, schema
+from hugoniot.materials.reach import UNKNOWN, range_of, reach
+
+DECK = """geometry = "planar"
+stop_time = "1 us"
+[[region]]
+name = "a"
+material = "nickel"
+from = "0 mm"
+to = "1 mm"
+zones = 10
+[[region]]
+name = "b"
+material = "steel_304"
+from = "1 mm"
+to = "2 mm"
+zones = 10
+"""
+
+
+def test_a_range_names_what_stands_behind_it():
+    assert reach(library.find("nickel")).startswith("particle velocity up to 2145 m/s (row U016: 18 measured states from 470 m/s on")
+    assert "stated by its source" in reach(library.find("U244")) and "14 m/s" in reach(library.find("U244"))
+    assert "standard of impedance matches" in reach(library.find("aluminum_2024"))
+    assert range_of(schema.row("U247")).startswith("2200 m/s to 4700 m/s")
+
+
+def test_a_range_that_nobody_states_is_told_as_unknown():
+    for name in ("steel_304", "tantalum", "M001"):
+        assert library.find(name).valid_up_to is None and reach(library.find(name)) == UNKNOWN
+    assert range_of(schema.row("U024")) == "not known"
+    assert "does not apply" in reach(library.find("air")) and "does not apply" in reach(library.find("tnt"))
+
+
+def test_the_source_of_a_range_is_the_states_not_the_line():
+    """Schwer drew the line 1484 + 1.979 up of water; its range is that of Marsh's states, which it misses."""
+    water = library.find("U178")
+    source = next(s for s in water.sources if s.quantity == "valid_up_to")
+    assert source.status == "derived" and "measured states" in source.source and "Schwer" not in source.source
+    assert any("MISSES THE DATA" in w for w in water.warnings)
+    assert not any("MISSES" in m for i in ("U016", "U031", "U205") for m in marks.marks(schema.row(i)))
+
+
+def test_a_curated_material_has_the_range_of_its_row():
+    for name in library.names():
+        entry = library.entry(name)
+        row = schema.row(entry.rows[0]) if entry.rows and entry.rows[0].startswith("U") else None
+        if row is not None and "up_max" in row and entry.reasons["eos"] and "porous" not in name:
+            assert entry.material.valid_up_to is not None, name
+
+
+def test_rows_of_the_far_side_of_a_transition_say_where_they_begin():
+    assert any("begin at a particle velocity of 2200 m/s" in w for w in library.find("U247").warnings)
+
+
+def test_check_tells_both(tmp_path, capsys):
+    (tmp_path / "deck.toml").write_text(DECK)
+
+    def told(*options):
+        with pytest.raises(SystemExit) as ended:
+            front.main(["check", str(tmp_path / "deck.toml"), *options])
+        assert not ended.value.code
+        return capsys.readouterr().out
+
+    out = told()
+    assert "range of the data of nickel: particle velocity up to 2145 m/s" in out
+    assert "range of the data of steel_304: not known" in out
+    ranges = json.loads(told("--json"))["ranges"]
+    assert ranges["nickel"]["up_to"] == 2145.0 and ranges["steel_304"]["up_to"] is None
