@@ -12,6 +12,9 @@ PYTHON ?= $(shell for p in python3.13 python3.12 python3.11 python3.14 python3 p
 	$$p $(SUITABLE) && echo $$p && break; done)
 WORKERS ?= 2
 RUNS := runs
+# pip would translate every file it installs, on one core; a process translates what it imports, a fifth of them, and keeps it
+PIP = $(BIN)/python -m pip install --quiet --no-compile --editable
+unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: help demo explore lint style types test tests verify docs reference examples clean
 .DEFAULT_GOAL := help
@@ -25,19 +28,19 @@ $(BIN)/python:
 	$(PYTHON) -m venv $(VENV) || { echo "could not make $(VENV); on Debian and Ubuntu install python3-venv"; rm -rf $(VENV); exit 1; }
 
 $(VENV)/.installed: pyproject.toml | $(BIN)/python
-	$(BIN)/python -m pip install --quiet --editable .
+	$(PIP) .
 	@touch $@
 
 $(VENV)/.installed-explore: pyproject.toml | $(BIN)/python
-	$(BIN)/python -m pip install --quiet --editable '.[explore]'
+	$(PIP) '.[explore]'
 	@touch $@ $(VENV)/.installed
 
 $(VENV)/.installed-test: pyproject.toml | $(BIN)/python
-	$(BIN)/python -m pip install --quiet --editable '.[test]'
+	$(PIP) '.[test]'
 	@touch $@ $(VENV)/.installed
 
 $(VENV)/.installed-docs: pyproject.toml | $(BIN)/python
-	$(BIN)/python -m pip install --quiet --editable '.[docs]'
+	$(PIP) '.[docs]'
 	@touch $@ $(VENV)/.installed
 
 # a command starts a quarter of a second sooner where the sources need no translating
@@ -60,8 +63,15 @@ style: $(VENV)/.installed-test
 types: $(VENV)/.installed-test
 	$(BIN)/pyrefly check
 
-test: lint
+test: $(VENV)/.installed-test
+	$(MAKE) -j2 lint $(VENV)/.compiled $(VENV)/.imported
 	$(MAKE) tests
+
+# the larger libraries of the tests, so that they are translated once and beside the type checker, not by every worker at once
+$(VENV)/.imported: $(VENV)/.installed-test
+	$(BIN)/python -m compileall -q tests
+	$(BIN)/python -W ignore -c "import emcee, h5netcdf, hypothesis, matplotlib.pyplot, numba, pytest, scipy.integrate, scipy.optimize, scipy.special, starlette.testclient, xarray"
+	@touch $@
 
 # to show values where an assert fails, each worker would first rewrite those of all tests, which takes as long as hundreds of tests
 tests: $(VENV)/.installed-test $(VENV)/.compiled

@@ -8,6 +8,8 @@ from hugoniot.laws.eos.ideal_gas import IdealGas
 from hugoniot.laws.eos.jwl import JWL
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.eos.stiffened_gas import StiffenedGas
+from hugoniot.laws.mixture import contract
+from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.laws.mixture.isentrope import isentrope_energy
 from hugoniot.theory import mixture as tool
 
@@ -50,3 +52,15 @@ def derivative(function, x, h):
     """Sixth-order central difference."""
     f = [function(x + k * h) - function(x - k * h) for k in (1, 2, 3)]
     return (45.0 * f[0] - 9.0 * f[1] + f[2]) / (60.0 * h)
+
+
+def solve_all(rho, e, burn_fraction, phases, par):
+    """`mixture_kernels.solve_rows`, in Python where that takes less than compiling it: the same source."""
+    if type(par.reactants).__name__ == "MieGruneisen" and MIXTURE.of(par).name == "thermal_isolation":       # whose isentrope is integrated
+        from hugoniot.laws import mixture_kernels
+
+        mixture_kernels.solve_rows(rho, e, burn_fraction, phases, par)
+        return
+    with np.errstate(all="ignore"):
+        for j, (r, k, fraction, *before) in enumerate(zip(*(row.tolist() for row in (rho, e, burn_fraction, *phases)))):
+            phases[:, j] = contract.solve(r, k, fraction, contract.Mixed(*before), par)

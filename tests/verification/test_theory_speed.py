@@ -6,8 +6,11 @@ import sys
 import numpy as np
 import pytest
 from pace import PATIENCE, in_loops
+from typer.testing import CliRunner
 
 import hugoniot.laws.eos  # noqa: F401  (enrols the laws)
+from hugoniot import theory
+from hugoniot.cli.main import build_app
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.laws.eos.jwl import JWL
 from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
@@ -48,6 +51,15 @@ def test_cold_mixtures_are_compiled(kind, reactants):
     burnt, rho = rng.uniform(0.05, 0.95, count), ahead.density * rng.uniform(0.9, 1.0, count)
     e = ahead.specific_internal_energy + q * rng.uniform(0.95, 1.05, count)
     assert in_loops(lambda: solve(rho, e, burnt, par, (ahead.density, ahead.specific_internal_energy + q)), 40) < 1.0
+
+
+@pytest.mark.parametrize("words", [["copper"], ["copper", "--points", "2000"], ["pbx_9404", "--reaction", "--points", "2000"]])
+def test_the_curves_of_a_command_need_no_compiler(words, monkeypatch):
+    """Each is asked once; compiling takes as long as a hundred thousand states in Python."""
+    monkeypatch.setitem(sys.modules, "hugoniot.theory.kernels", None)
+    monkeypatch.delattr(theory, "kernels", raising=False)
+    result = CliRunner().invoke(build_app("eos"), ["eos", "hugoniot", *words])
+    assert result.exit_code == 0, result.output
 
 
 def test_match_loads_neither_compiler_nor_scipy():

@@ -5,14 +5,17 @@
    together. Where such a function's own address is asked for, it is finished then. It is not kept on disk. Whether a function is optimised
    before it is taken into its caller depends on its own options only, so that no bit depends on what was compiled before.
 2. No search for unreachable objects while a kernel is compiled: the compiler makes millions of objects that live until it is done.
-3. Options of compiling are compared by what was set, which numba does a hundred thousand times for a march, with all options each time.
+3. Options of compiling are compared by what was set, which numba does a hundred thousand times for a march, with all options each time;
+   and where all are asked for, they are not asked for one by one.
+4. The variables of a statement are gathered into one list, without a list for each of its parts.
+5. Nobody hears each time a function of LLVM is called: numba sums the time up for every function that is being compiled.
 """
 
 import gc
 
 from llvmlite import binding as llvm
 from numba import _dynfunc
-from numba.core import event
+from numba.core import event, ir
 from numba.core.caching import Cache
 from numba.core.codegen import CPUCodeLibrary
 from numba.core.compiler import CompileResult
@@ -133,8 +136,51 @@ event.register("numba:compile", _Collector())
 def _equal(self, other):
     if not isinstance(other, TargetConfig):
         return NotImplemented
-    return self._values == other._values or self.values() == other.values()
+    return self._values == other._values or _values(self) == _values(other)
 
 
+def _values(self):
+    """All options with their values, in order."""
+    cls = type(self)
+    if cls not in _defaults:
+        _defaults[cls] = {name: option.default for name, option in cls.options.items()}
+    return _defaults[cls] | self._values
+
+
+_defaults: dict[type, dict] = {}
 TargetConfig.__eq__ = _equal
 TargetConfig.__hash__ = lambda self: 0      # numba's own is the same for all options too
+TargetConfig.values = _values
+
+
+# -- 4. variables of a statement ---------------------------------------------------------------------------------------------
+def _gather(statement, value, found: list) -> None:
+    kind = type(value)
+    if kind is ir.Var:
+        found.append(value)
+    elif kind is dict:
+        for part in value.values():
+            _gather(statement, part, found)
+    elif kind is list or kind is tuple:
+        for part in value:
+            _gather(statement, part, found)
+    elif kind is ir.Expr:
+        _gather(statement, value._kws, found)
+    elif kind not in _WITHOUT:
+        found += _numbas_own(statement, value)
+
+
+def _variables(self, value):
+    found: list = []
+    _gather(self, value, found)
+    return found
+
+
+_WITHOUT = {ir.Loc, ir.Scope, str, int, float, bool, type(None)}
+_numbas_own = ir.Inst._rec_list_vars
+ir.Inst._rec_list_vars = _variables
+
+
+# -- 5. who hears of LLVM's lock ---------------------------------------------------------------------------------------------
+for _heard in list(getattr(getattr(llvm.ffi.lib, "_lock", None), "_cblist", ())):
+    llvm.ffi.unregister_lock_callback(*_heard)

@@ -15,15 +15,16 @@ from hugoniot.core.sources import concerns_package
 # Otherwise the process that compiles runs another translation of a sweep than the ones that load the march from disk (each
 # was optimised in its own surroundings), and with fast-math the two differ in the last bits.
 # Kernels own no arrays (_nrt=False): counting the references to every row a sweep takes would cost more than two hundred zones do.
-SWEEP = dict(_nrt=False, fastmath=True, error_model="numpy", cache=True, nogil=True, forceinline=True)
+# Nobody calls a kernel as a C function with C's numbers (no_cfunc_wrapper), which would be made of it besides.
+SWEEP = dict(_nrt=False, fastmath=True, error_model="numpy", cache=True, nogil=True, forceinline=True, no_cfunc_wrapper=True)
 # A law's pass stands alone: it is called by its address, never inlined.
 PASS = dict(_nrt=False, fastmath=True, error_model="numpy", cache=True, nogil=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
 EXACT_PASS = {**PASS, "fastmath": False}
 NAN_PASS = {**PASS, "fastmath": mathematics.NAN_LAW["fastmath"]}
 INLINE = dict(_nrt=False, error_model="numpy", forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
-GUARD = dict(_nrt=False, fastmath=False, error_model="numpy", cache=True, nogil=True)
+GUARD = dict(_nrt=False, fastmath=False, error_model="numpy", cache=True, nogil=True, no_cfunc_wrapper=True)
 # what Python never calls itself, which would end the process: taking large tuples of arrays from Python costs more than many a function
-BY_ADDRESS = {**GUARD, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+BY_ADDRESS = {**GUARD, "no_cpython_wrapper": True}
 CURVE = {**GUARD, "_nrt": True}   # of theory, whose searches keep short lists
 
 # A sweep touches some twenty rows of the same tables; the vectoriser proves at run time that they do not overlap and by

@@ -136,16 +136,17 @@ def overdriven(material, initial: Initial | None = None, *, branch: str = "stron
     return shock(par, ahead, density=1.0 / (v0 - x))
 
 
-def detonation_hugoniot(material, initial: Initial | None = None, *, points: int = 101, up_to: float | None = None) -> States:
+def detonation_hugoniot(material, initial: Initial | None = None, *, points: int = 101, up_to: float | None = None,
+                        once: bool = False) -> States:
     """The Hugoniot with complete reaction: weak detonations from near constant volume, the CJ point, overdriven ones beyond.
 
-    Evenly spaced in particle velocity, up to `up_to` m/s (default: 1.4 times that of the CJ point).
+    Evenly spaced in particle velocity, up to `up_to` m/s (default: 1.4 times that of the CJ point); `once` as in `shock`.
     """
     par = law_of(material)
     ahead = initial or explosive(par)
     if up_to is None:
         up_to = 1.4 * (cj(par, ahead).state.particle_velocity - ahead.velocity)
-    return shock(par, ahead, particle_velocity=ahead.velocity + np.linspace(0.05 * up_to, up_to, points))
+    return shock(par, ahead, once=once, particle_velocity=ahead.velocity + np.linspace(0.05 * up_to, up_to, points))
 
 
 class Tangency(NamedTuple):

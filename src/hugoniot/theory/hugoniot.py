@@ -16,17 +16,20 @@ from hugoniot.theory.states import States, law_of
 from hugoniot.theory.upstream import Initial, crushed, distended, fastest, interval, sound_speed_ahead
 
 COMPILE_ABOVE = 200  # states: below, plain Python answers before a compiler would be loaded
+COMPILE_ONCE_ABOVE = 10_000     # states of a question that is asked once: below, plain Python answers before a compiler has compiled
 _MODES = {"pressure": jump.BY_PRESSURE, "particle_velocity": jump.BY_PARTICLE_VELOCITY,
           "shock_velocity": jump.BY_SHOCK_VELOCITY, "density": jump.BY_DENSITY}
 
 
-def shock(material, initial: Initial | None = None, *, direction: int = 1, guess: float | None = None, **given) -> States:
+def shock(material, initial: Initial | None = None, *, direction: int = 1, guess: float | None = None, once: bool = False,
+          **given) -> States:
     """States behind a shock that runs into `initial` (default: the law's reference state).
 
     given       exactly one of pressure (Pa), particle_velocity (m/s), shock_velocity (m/s), density (kg/m3): a number or an
                 array; velocities are in the frame of the laboratory
     direction   +1: the shock runs towards +x, -1: towards -x
     guess       first v0 - v to try, m3/kg; selects the strong or the weak branch of a detonation of given velocity
+    once        the question is not asked again: some thousand states are then found without a compiler, which takes seconds
     Returns `States` of the shape of the input. Raises `OutOfRange` with the limit, or `NoSolution`.
     Source: KB codes eqs 2.7 to 2.13, the energy equation corrected (K-E1 of docs/theory/source_errors.md); Starkenberg A-5.
     """
@@ -34,7 +37,7 @@ def shock(material, initial: Initial | None = None, *, direction: int = 1, guess
     ahead = initial or Initial.at_rest(par)
     name, value = _one(given)
     mode, targets = _targets(name, value, ahead, direction)
-    x, p, e = _solve(mode, targets, ahead, par, guess, name)
+    x, p, e = _solve(mode, targets, ahead, par, guess, name, COMPILE_ONCE_ABOVE if once else COMPILE_ABOVE)
     shape = np.shape(value)
     rise = np.maximum(p - ahead.pressure, 0.0)
     up = np.sqrt(rise * np.maximum(x, 0.0))
@@ -50,10 +53,11 @@ def shock(material, initial: Initial | None = None, *, direction: int = 1, guess
     return States(par, *(f.reshape(shape) if shape else float(f[0]) for f in fields))
 
 
-def curve(material, initial: Initial | None = None, *, points: int = 101, up_to: float | None = None, direction: int = 1) -> States:
+def curve(material, initial: Initial | None = None, *, points: int = 101, up_to: float | None = None, direction: int = 1,
+          once: bool = False) -> States:
     """The Hugoniot from `initial` as `points` states evenly spaced in particle velocity, from rest to `up_to` m/s.
 
-    Default of `up_to`: the material's `valid_up_to`, else the upstream sound speed or 90 % of what the law reaches.
+    Default of `up_to`: the material's `valid_up_to`, else the upstream sound speed or 90 % of what the law reaches; `once` as in `shock`.
     Raises `OutOfRange` for fewer than two points, and an end that is not above rest or that the law does not reach.
     """
     par = law_of(material)
@@ -64,7 +68,7 @@ def curve(material, initial: Initial | None = None, *, points: int = 101, up_to:
     if points < 2:
         raise OutOfRange(f"a curve needs two points or more, got {points}")
     jumps = np.linspace(1e-3 * end if ahead.heat else 0.0, end, points)
-    return shock(par, ahead, direction=direction, particle_velocity=ahead.velocity + direction * jumps)
+    return shock(par, ahead, direction=direction, once=once, particle_velocity=ahead.velocity + direction * jumps)
 
 
 def rayleigh_line(initial: Initial, shock_velocity: float, points: int = 2, particle_velocity: float | None = None):
@@ -191,14 +195,14 @@ def _targets(name, value, ahead: Initial, direction: int):
     return mode, values * ahead.density if mode == jump.BY_SHOCK_VELOCITY else values
 
 
-def _solve(mode, targets, ahead: Initial, par, guess, name):
+def _solve(mode, targets, ahead: Initial, par, guess, name, compile_above):
     v0, least, most = interval(par, ahead)
     floor = crushed(par, ahead, v0)
     c0 = sound_speed_ahead(par, ahead)
     e0 = ahead.energy + ahead.heat
     x, p, e = np.zeros_like(targets), np.full_like(targets, ahead.pressure), np.full_like(targets, e0)
     still = _still(mode, targets, ahead) & (ahead.heat == 0.0 and floor == 0.0)
-    if targets.size > COMPILE_ABOVE:
+    if targets.size > compile_above:
         from hugoniot.theory import kernels
 
         status = np.zeros(targets.size, np.int64)

@@ -34,7 +34,7 @@ def split_wave(material, ahead: Initial, single: States) -> Split | None:
     up, us = float(single.particle_velocity) - ahead.velocity, float(single.shock_velocity) - ahead.velocity
     if not up > 0.0 or ahead.heat or not _outrun(material, ahead, up, us):
         return None
-    found = curve(material, ahead, points=SAMPLES, up_to=up)
+    found = curve(material, ahead, points=SAMPLES, up_to=up, once=True)
     jumps, speeds = found.particle_velocity - ahead.velocity, found.shock_velocity - ahead.velocity
     k = 1 + int(np.argmax(speeds[1:]))
     if k in (1, SAMPLES - 1) or speeds[k] <= us * (1.0 + NOTICED):
@@ -55,7 +55,7 @@ def split_wave(material, ahead: Initial, single: States) -> Split | None:
 
 
 def _outrun(material, ahead: Initial, up: float, us: float) -> bool:
-    """Whether a weaker shock is faster: asked first of single states, since few curves split and arrays of states need compiled code."""
+    """Whether a weaker shock is faster: asked first of single states, since few curves split."""
     for weaker in up * LOOKS:
         with contextlib.suppress(HugoniotError):
             found = shock(material, ahead, particle_velocity=ahead.velocity + weaker)
@@ -66,7 +66,7 @@ def _outrun(material, ahead: Initial, up: float, us: float) -> bool:
 
 def split_range(material, ahead: Initial, up_to: float) -> tuple[float, float] | None:
     """Lowest and highest particle velocity jump of the states up to `up_to` that a faster, weaker shock would outrun; None: no state is."""
-    states = curve(material, ahead, points=5 * SAMPLES, up_to=up_to)
+    states = curve(material, ahead, points=5 * SAMPLES, up_to=up_to, once=True)
     speeds = states.shock_velocity[1:] - ahead.velocity
     outrun = np.maximum.accumulate(speeds) > speeds * (1.0 + NOTICED)
     # a curve that falls from its foot has no precursor of finite strength

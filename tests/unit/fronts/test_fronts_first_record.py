@@ -1,18 +1,18 @@
 """The record of a gauge on the face where two bodies meet begins with the velocity of that face, not with that of one of them."""
 
-import dataclasses
-
 import numpy as np
 import pytest
 
-from hugoniot.materials import library
+from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
+from hugoniot.materials.material import Material
 from hugoniot.problem.model import Gauge, Problem, Region, SolverOptions
 from hugoniot.simulate import make_solver
 
+METAL = Material("al", MieGruneisen(2703.0, 5350.0, 1.34, 1.97))
+
 
 def first_times(first, second, at="flyer/target"):
-    metal = dataclasses.replace(library.find("aluminum_6061"), strength=library.find("water").strength, fracture=library.find("water").fracture)
-    solver = make_solver(Problem("faces", "planar", 1e-8, (first, second), {"al": metal}, gauges=(Gauge("face", at),),
+    solver = make_solver(Problem("faces", "planar", 1e-8, (first, second), {"al": METAL}, gauges=(Gauge("face", at),),
                                  solver=SolverOptions("fronts", options={"mode": "cells"})))
     solver.march(1e-9, 1000)
     return solver.take_gauges()[0]
@@ -28,9 +28,8 @@ def test_the_first_record_is_left_out_only_where_two_bodies_strike_each_other():
 
 @pytest.mark.parametrize("mode", ["algebraic", "cells"])
 def test_an_impact_face_has_one_velocity_from_its_first_record_on(mode):
-    metal = dataclasses.replace(library.find("aluminum_6061"), strength=library.find("water").strength, fracture=library.find("water").fracture)
     regions = Region("flyer", "al", 0.0, 2e-3, 20, velocity=700.0), Region("target", "al", 2e-3, 6e-3, 40)
-    asked = Problem("impact", "planar", 1e-7, regions, {"al": metal}, gauges=(Gauge("face", "flyer/target"),),
+    asked = Problem("impact", "planar", 1e-7, regions, {"al": METAL}, gauges=(Gauge("face", "flyer/target"),),
                     solver=SolverOptions("fronts", options={"mode": mode}))
     solver = make_solver(asked)
     while solver.time < 1e-7:

@@ -62,7 +62,7 @@ def solve(name: str, asked: Question) -> Answer:
         ahead = Initial.of(shock(subject.material, ahead, **one_state(asked.after, "--after")))
     end = quantity(asked.up_to, "m/s", "--up-to") if asked.up_to else None
     if not asked.at:
-        return Answer(subject, ahead, curve(subject.material, ahead, points=asked.points, up_to=end))
+        return Answer(subject, ahead, curve(subject.material, ahead, points=asked.points, up_to=end, once=True))
     return Answer(subject, ahead, shock(subject.material, ahead, **one_state(asked.at)))
 
 
@@ -78,7 +78,7 @@ def _with_reaction(name: str, asked: Question) -> Answer:
     end = quantity(asked.up_to, "m/s", "--up-to") if asked.up_to else None
     if asked.at:
         return Answer(subject, ahead, overdriven(subject.material, ahead, **one_state(asked.at)), point)
-    return Answer(subject, ahead, detonation_hugoniot(subject.material, ahead, points=asked.points, up_to=end), point)
+    return Answer(subject, ahead, detonation_hugoniot(subject.material, ahead, points=asked.points, up_to=end, once=True), point)
 
 
 def _drawn(found: Answer, single: bool) -> States:

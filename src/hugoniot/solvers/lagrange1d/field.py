@@ -9,7 +9,7 @@ AMOUNT, PER_RADIUS, EXPONENT = range(3)     # of the row `field`: acceleration n
 
 
 class NoField(NamedTuple):
-    """The field of a run without a body force, for which nothing of one is compiled."""
+    """The field of a run without any terms, for which nothing of one is compiled; with other terms only it is an acceleration of 0."""
 
     none: int = 0
 

@@ -25,7 +25,7 @@ from hugoniot.solvers.lagrange1d.post_mortem import unphysical
 from hugoniot.solvers.lagrange1d.probes import applied_stress, gauge_places, probe_tables
 from hugoniot.solvers.lagrange1d.step import AT_NODES, SCHEMES, WATCH, Arrays, Gauges, march
 from hugoniot.solvers.lagrange1d.tables import zone_table
-from hugoniot.solvers.lagrange1d.terms import terms_of
+from hugoniot.solvers.lagrange1d.terms import NoTerms, terms_of
 from hugoniot.solvers.lagrange1d.watch import pass_times
 from hugoniot.solvers.protocol import Event, NothingToAdd
 from hugoniot.state import State
@@ -67,7 +67,8 @@ class Lagrange1D(NothingToAdd):
         self.zone_fields = ZONE_FIELDS | ({"compaction": Z.compaction} if remembering else {})
         set_node_masses(self.zones, self.nodes, self.segments)
         ends = problem.left, problem.right
-        self.boundaries = tuple(boundary_end(problem, end, self.terms.force.field if self.terms.forced else NoField()) for end in ends)
+        field = NoField() if isinstance(self.terms.marching, NoTerms) else self.terms.force.field
+        self.boundaries = tuple(boundary_end(problem, end, field) for end in ends)
         self.pushed = any(end.kind == "pressure" for end in ends)
         self.control = np.zeros(L.CONTROL_FLOATS)
         self.counters = np.zeros(L.CONTROL_INTS, dtype=np.int64)
