@@ -107,7 +107,8 @@ def _sampled(variables: Sequence[Variable], kind: str, samples: int | None, seed
 
     if kind in ("sobol", "saltelli") and samples & (samples - 1):
         raise refuse("--samples", str(samples), "Sobol' sequences are balanced at powers of two only",
-                     f"use {1 << (samples.bit_length() - 1)} or {1 << samples.bit_length()}, or --design lhs")
+                     f"use {1 << (samples.bit_length() - 1)} or {1 << samples.bit_length()}"
+                     + (", or --design lhs" if kind == "sobol" else ""))
     if kind in ("saltelli", "morris"):
         from hugoniot.campaign.sensitivity import morris_shares, saltelli_shares
 

@@ -57,7 +57,7 @@ _ROWS = (
     Field("elastic_deviator_energy", "e_d", "J/kg", "zone", "elastic energy of distortion", ("kJ/kg", 1e-3)),
     Field("pressure_work_and_heat", "w", "J/kg", "zone", "work of the pressure and heat received, since the start", ("kJ/kg", 1e-3)),
     Field("entropy", "eta", "J/kg/K", "zone", "specific entropy, up to a constant of the material", ("J/kg/K", 1.0)),
-    Field("mass", "m", "kg", "zone", "zone mass (per m^2, per m and radian, or per steradian)", ("kg", 1.0)),
+    Field("mass", "m", "kg", "zone", "zone mass (1D: per m^2, per m and radian, or per steradian; 2D: per m, or per radian)", ("kg", 1.0)),
 )
 
 FIELDS = {row.name: row for row in _ROWS}

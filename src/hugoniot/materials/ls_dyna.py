@@ -114,7 +114,7 @@ def material_tables(cards: dict[str, dict[str, float]], scale: Scale, file: str,
     curves = [name for name in ("EOS_GRUNEISEN", "EOS_JWL") if name in cards]
     if len(curves) != 1:
         raise DeckError.single(file, None, "*EOS", "one equation of state is needed" + (", not two" if curves else ""),
-                               "known: " + ", ".join(f"*{name}" for name in CARDS))
+                               "known: " + ", ".join(f"*{name}" for name in CARDS if name.startswith("EOS")))
     if rho0 is None or not rho0 > 0.0:
         raise DeckError.single(file, None, curves[0], "the density is not given", "add the MAT card, or --density")
     left: list[str] = []

@@ -61,7 +61,7 @@ def advice_on_blocks(problem: "Problem2D") -> list[str]:
     for material, (speed, name, other) in fastest.items():
         limit = problem.materials[material].valid_up_to
         if limit is not None and speed > 2.0 * limit:
-            found.append(f"'{name}' moves at {speed:g} m/s against '{other}', but the data of '{material}' "
+            found.append(f"'{name}' moves at {speed:g} m/s relative to '{other}', but the data of '{material}' "
                          f"end at a particle velocity of {limit:g} m/s")
     unstated = {material: 0.5 * speed for material, (speed, *_) in fastest.items() if problem.materials[material].valid_up_to is None}
     speeds = {f"block '{block.name}'": float(np.hypot(*velocity).max()) for block, velocity in zip(problem.blocks, nodes)}
@@ -103,7 +103,7 @@ def _met(problem: Problem) -> dict[str, float]:
             met[region.material] = max(met.get(region.material, 0.0), speed)
 
     for a, b in zip(problem.regions, problem.regions[1:]):
-        speed = 0.5 * abs(_end_speed(a, 1) - _end_speed(b, 0))
+        speed = 0.5 * max(_end_speed(a, 1) - _end_speed(b, 0), 0.0)
         meets(a, speed)
         meets(b, speed)
     for boundary, region, side in ((problem.left, problem.regions[0], 0), (problem.right, problem.regions[-1], 1)):

@@ -177,7 +177,7 @@ def _plain(name: str, x: Number) -> float:
 def _call(name: str, given: list[Number]) -> Number:
     least, most = (1, 1) if name not in ("min", "max") else (2, 20)
     if not least <= len(given) <= most:
-        raise Trouble(f"{name} takes {'one value' if most == 1 else 'two values or more'}")
+        raise Trouble(f"{name} takes {'one value' if most == 1 else f'two to {most} values'}")
     return FUNCTIONS[name](given)
 
 

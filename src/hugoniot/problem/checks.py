@@ -86,7 +86,7 @@ def checked_profile(row: Any, zones: int | None, material: Material | None, coll
         state = {key: float(given[key][k]) if key in given else getattr(row, key) for key in _STATE}
         check_state(SimpleNamespace(**state), material, collector, path)
         if collector.findings > before:
-            collector.add(path, f"at {format_si(place, 'm')} its state is outside the range of '{material.name}'")
+            collector.add(path, f"at {format_si(place, 'm')} '{material.name}' cannot have this state")
             break
     return profile
 

@@ -28,7 +28,7 @@ def read_columns(text: str, file: str) -> KoDeck:
         raise DeckError.single(file, 3, "layers", "no layer is given", "layers follow two lines of headings")
     ends = [_end(_numbers(line, (7,) * 6, 2, file, at + 4 + k), file, at + 4 + k)
             for k, line in enumerate(_lines(lines, at + 3, 2, file))]
-    stop, dimension = (_numbers(line, (20,), 1, file, at + 8)[0] for line in _lines(lines, at + 7, 3, file)[::2])
+    stop, dimension = (_numbers(line, (20,), 1, file, at + 8 + 2 * k)[0] for k, line in enumerate(_lines(lines, at + 7, 3, file)[::2]))
     if dimension not in (1.0, 2.0, 3.0):
         raise DeckError.single(file, at + 10, "geometry", f"{dimension:g} is not 1, 2 or 3")
     return KoDeck("", GEOMETRIES[int(dimension)], stop * US, tuple(layers), (ends[0], ends[1]))

@@ -54,7 +54,8 @@ class Quantity:
         if self.above is not None and not number > self.above:
             raise trouble(f"must be greater than {self.above:g}, got {printable(value)!r}")
         if self.least is not None and not number >= self.least:
-            raise trouble(f"must not be less than {self.least:g}, got {printable(value)!r}")
+            unit = "" if self.unit == "1" or not self.least else f" {self.unit}"
+            raise trouble(f"must not be less than {self.least:g}{unit}, got {printable(value)!r}")
         if abs(number) > self.limit:
             unit = "" if self.unit == "1" else f" {self.unit}"
             raise trouble(f"unreasonably large: {printable(value)!r} is {number:g}{unit}", f"the limit is {self.limit:g}{unit}")

@@ -130,7 +130,10 @@ def _check_grid(regions, used, collector: Collector) -> None:
             collector.add(("region", k + 1, "from"), f"a gap after '{printable(a.name)}'", "the regions of this solver must touch")
     for k, region in enumerate(regions):
         width, first = (region.end - region.start) / region.zones, (regions[0].end - regions[0].start) / regions[0].zones
-        if region.ratio != 1.0 or abs(width / first - 1.0) > 1e-9:
+        if region.ratio != 1.0:
+            collector.add(("region", k, "ratio"), f"each cell is {region.ratio:g} times as wide as the one before",
+                          "this solver needs cells of one width: leave ratio out")
+        elif abs(width / first - 1.0) > 1e-9:
             collector.add(("region", k, "zones"), f"cells of {width:.6g} m and of {first:.6g} m", "this solver needs cells of one width")
 
 

@@ -256,7 +256,8 @@ def _end(status, y, e, par, what=""):
     p = contract.pressure(rho, e, par)
     square = contract.sound_speed_squared(rho, e, par)
     torn = status != expansion.OUTSIDE and (p < 0.0 or not square > 0.0)
-    why = "the law supports no greater tension" if torn else "the law is not defined beyond"
+    why = ("the law is not defined beyond" if not torn else "the law supports no greater tension" if p < 0.0 else
+           "the law is unstable beyond")
     raise OutOfRange(f"{what}the isentrope of law '{EOS.of(par).name}' ends at {rho:.6g} kg/m3, {p:.6g} Pa, {e:.6g} J/kg: {why}")
 
 

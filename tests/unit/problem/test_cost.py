@@ -102,5 +102,5 @@ def test_steps_with_which_shocks_overshoot_are_warned_of(deck, solver, warned):
 
 def test_blocks_faster_than_the_data_of_their_material_are_warned_of():
     text = FAST_BLOCKS.partition("[material")[0].replace('"own"', '"copper"')
-    assert any("'a' moves at 40000 m/s against 'b', but the data of 'copper' end at" in words for words in read_deck_text(text.format(velocity=4e4)).warnings)
+    assert any("'a' moves at 40000 m/s relative to 'b', but the data of 'copper' end at" in words for words in read_deck_text(text.format(velocity=4e4)).warnings)
     assert not read_deck_text(text.format(velocity=300.0)).warnings

@@ -124,7 +124,7 @@ def report(name: str, degree: int, least: float, highest: float, as_json: bool, 
         for (word, unit), value, sigma in zip(WORDS, fitted.coefficients, fitted.deviations)])
     echo_notes(told)
     if fitted.highest < 100.0:
-        echo_notes([f"all particle velocities are below {fitted.highest:.3g} m/s: if they are in km/s, name the columns up (km/s), "
+        echo_notes([f"no particle velocity is above {fitted.highest:.3g} m/s: if they are in km/s, name the columns up (km/s), "
                     "us (km/s)"])
     typer.echo(f"standard deviation of the points about the curve: {fitted.deviation:.4g} m/s; "
                f"beyond {fitted.highest:.6g} m/s it extrapolates")

@@ -50,7 +50,7 @@ def find_inert(text: str) -> Subject:
     if not subject.reacted:
         return subject
     if subject.unreacted is None:
-        raise DeckError.single("command line", None, text, "the library gives detonation products only, no unreacted explosive",
+        raise DeckError.single("command line", None, text, "only detonation products are given, no unreacted explosive",
                                "hugoniot eos cj is for the products; name a material with an inert equation of state")
     return replace(subject, material=replace(subject.material, eos=subject.unreacted, name=f"{subject.material.name} (unreacted)"))
 

@@ -166,7 +166,7 @@ def _spreads(subjects: list[Subject], velocity, error, samples):
         if not dot or not owners or parameter not in owners[0].eos._fields:
             known = ", ".join(f"{m.name}.{f}" for m in dict.fromkeys(layers) for f in m.eos._fields)
             raise DeckError.single("command line", None, "--error", f"'{key[:60]}' is not an input of this match",
-                                   f"there are velocity, {known}")
+                                   f"the inputs are velocity, {known}")
         values[key] = float(getattr(owners[0].eos, parameter))
         sigmas[key] = quantity(text, EOS.of(owners[0].eos).units.get(parameter, "1"), f"--error {key}")
 

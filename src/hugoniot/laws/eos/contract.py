@@ -227,7 +227,7 @@ def check_state(rho, e, par, c2_floor: float = 0.0) -> None:
     if not low < rho < high:
         if rho >= high:
             raise OutOfRange(f"{name}: density {rho:.6g} kg/m3 is at or beyond the law's compression limit, {high:.6g} kg/m3; "
-                             "stay below it or choose a law without that pole")
+                             "stay below it or choose a law that reaches further")
         raise OutOfRange(f"{name}: density {rho:.6g} kg/m3 is not above the lowest the law allows, {low:.6g} kg/m3")
     if "energy_limits" in EOS.of(par).functions:
         cold, hot = EOS.of(par).functions["energy_limits"](rho, par)

@@ -71,7 +71,7 @@ STRENGTH.add(
              "largest_yield_stress": "ceiling of the hardened flow stress at rest and 300 K",
              "pressure_coefficient": "A, relative rise of the shear modulus with pressure",
              "temperature_coefficient": "B, relative fall of the shear modulus with temperature",
-             "melt_temperature": "melting temperature at rho0", "melt_gruneisen": "Grueneisen parameter of the melting law",
+             "melt_temperature": "melting temperature at rho0", "melt_gruneisen": "Grüneisen parameter of the melting law",
              "melt_a": "volume correction a of the melting law", "initial_strain": "equivalent plastic strain of the material as received",
              "melt_shear_fraction": "part of the shear modulus that is left in the melt"},
     defaults={"initial_strain": 0.0, "melt_shear_fraction": 0.0},

@@ -219,7 +219,8 @@ class RigidTable(Table):
     turns: bool = Field(False, description="whether a body with mass turns too, in the plane")
     inertia: Annotated[float, Quantity("kg*m^2", above=0.0)] | None = Field(
         None, description="of a body that turns: moment of inertia about the centre of mass per metre of depth (default: uniform density)")
-    centre: Place | None = Field(None, description="of a body that turns: centre of mass (default: of a closed polygon of uniform density)")
+    centre: Place | None = Field(
+        None, description="of a body that turns: centre of mass (default: that of the closed polygon, of uniform density)")
     spin: Annotated[float, Quantity("1/s")] | None = Field(
         None, description="of a body that turns: angular velocity at t = 0 in radians per second, counter-clockwise (default: 0)")
 
@@ -237,7 +238,8 @@ class ViscosityTable(Table):
     solid_shear: Plain = Field(Viscosity2D.solid_shear, description="linear coefficient of solids where they flow at constant volume; "
                                                                     "herrmann: everywhere")
     solid_quadratic: Plain = Field(Viscosity2D.solid_quadratic, description="quadratic coefficient of materials with strength")
-    explosive_linear: Plain = Field(Viscosity2D.explosive_linear, description="linear coefficient of explosives that have a state before they burn; 0 in others")
+    explosive_linear: Plain = Field(Viscosity2D.explosive_linear, description="linear coefficient of explosives that have a state before "
+                                                                              "they burn; 0 in others")
     explosive_quadratic: Plain = Field(Viscosity2D.explosive_quadratic, description="quadratic coefficient of materials that burn")
     heat_flux: Plain = Field(Viscosity2D.heat_flux, description="coefficient of the artificial heat flux in shocks of quadrilaterals, "
                                                                 "in materials without strength that do not burn; 0: none")

@@ -88,7 +88,8 @@ class Fronts(Reading):
             fronts = f"{len(self.line.fronts)} fronts, more than {self.line.most}"
             count = fronts if self.line.full else f"{here} interactions at one instant"
             raise UnphysicalState(f"{count}: too many waves to follow exactly",
-                                  "raise solver.options.most_fronts, use a coarser fan_step or a larger weakest, or stop earlier", None, "",
+                                  ("raise solver.options.most_fronts, " if self.line.full else "") + "use a coarser "
+                                  "solver.options.fan_step or a larger solver.options.weakest, or stop earlier", None, "",
                                   None, self.time, self.cycle)
 
     def _next_change(self) -> tuple[float, int]:
@@ -160,7 +161,8 @@ class Fronts(Reading):
         """Sentences about fans that were met: from there on the solution is one of slices."""
         if not self.line.cuts:
             return []
-        return [f"{self.line.cuts} fans were reached by other waves and cut into slices of at most {self.bench.fan_step:g} sound speeds: "
+        return [f"{self.line.cuts} {'fan was' if self.line.cuts == 1 else 'fans were'} reached by other waves and cut into slices of at most "
+                f"{self.bench.fan_step:g} sound speeds: "
                 "behind them states are accurate to the square of that step"]
 
     # -- checkpoints -------------------------------------------------------------------------------------------------

@@ -208,12 +208,12 @@ class Cells(Reading):
 
     def warnings(self) -> list[str]:
         """Sentences about waves that were left to the cells, and cells that were merged."""
-        joined = [f"cells at the edge of an expansion into vacuum were merged with their neighbours {self.changes.joined} times because "
+        joined = [f"cells at the edge of an expansion into vacuum were merged with their neighbours {_times(self.changes.joined)} because "
                   "their internal energy was negative: the edge is resolved to a few cells only"] if self.changes.joined else []
         if not self.changes.captured:
             return joined
-        return [*joined, f"waves were left to be captured by the cells {self.changes.captured} times; a shock is then smeared over two or "
-                f"three cells: the waves were too close, or {self.changes.most} fronts were followed already (solver.options.most_fronts)"]
+        return [*joined, f"waves were left to be captured by the cells {_times(self.changes.captured)}; a shock is then smeared over two "
+                f"or three cells: the waves were too close, or {self.changes.most} fronts were followed already (solver.options.most_fronts)"]
 
     # -- checkpoints -------------------------------------------------------------------------------------------------
     def payload(self) -> dict:
@@ -223,3 +223,7 @@ class Cells(Reading):
     def restore(self, payload: dict) -> None:
         """Continue from a payload of the same problem."""
         checkpoint.restore(self, payload)
+
+
+def _times(n: int) -> str:
+    return "once" if n == 1 else f"{n} times"
