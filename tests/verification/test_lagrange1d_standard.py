@@ -134,7 +134,6 @@ def test_kidder_ends_at_its_radius():
 
 
 @pytest.mark.slow
-@pytest.mark.xfail(strict=True, reason="B8 asks for 1.9; the outer radius converges with 1.2 over 25 to 100 zones")
 def test_kidder_converges_with_second_order():
     assert verified("kidder", (25, 50, 100)).orders["outer_radius"] >= 1.9
 
