@@ -54,12 +54,12 @@ def test_a_long_charge_keeps_its_schedule():
 @pytest.mark.slow
 @pytest.mark.parametrize("geometry", ["cylindrical", "spherical"])
 def test_a_diverging_front_is_that_of_the_compatible_integrator(geometry):
-    """D within 0.3 %; highest pressure, 7 to 13 % below CJ on 100 and 200 zones/cm, within half a per cent of the other integrator's, and nearer
-    on the finer mesh.
+    """D within 0.3 %; highest pressure 7 to 14 % below CJ on 100 and 200 zones/cm, with both a fifth nearer on the finer mesh and within 2 % of
+    each other: their viscosities differ, and what each is still below CJ falls with the root of the zone size.
 
     The mean over 50 places of the front: where in its zone the front stands moves the difference at one of them by 0.2 to 0.3 %.
     """
-    differences = []
+    below, ideal = [], cj(comp_b().eos).state.pressure
     for zones in (400, 800):
         problem = charge(comp_b(), geometry=geometry, part=0.85, zones=zones)
         highest = []
@@ -67,16 +67,18 @@ def test_a_diverging_front_is_that_of_the_compatible_integrator(geometry):
             _, seen = run(asked, 200)
             highest.append(np.array([state.zones["pressure"].max() for state in seen.states[-50:]]))
             assert front_speed(seen.times, seen.path(), 0.008, 0.032) == pytest.approx(7980.0, rel=3e-3)
-        differences.append(abs(np.mean(highest[1] / highest[0]) - 1.0))
-    assert differences[0] < 5e-3 and differences[1] < 0.8 * differences[0]
+        assert np.mean(highest[1] / highest[0]) == pytest.approx(1.0, abs=0.02)
+        below.append(1.0 - np.mean(highest, axis=1) / ideal)
+    assert (below[1] > 0.0).all() and (below[1] < 0.82 * below[0]).all()
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("geometry", ["planar", "cylindrical", "spherical"])
 def test_a_converging_front_with_the_larger_fraction(geometry):
-    """On schedule at first (0.3 %), then overdriven as in `compatible`, mesh by mesh nearer to it."""
+    """On schedule at first (0.3 %), then overdriven as in `compatible`, mesh by mesh nearer to it; at the velocity of its products, in planar
+    flow, the pressure of `compatible` grows with the zones passed, as of every front that compression may burn."""
     material = with_compression(comp_b())
-    for zones, bar in ((400, 0.04), (800, 0.03)):
+    for zones, bar in ((400, 0.04), (800, 0.04 if geometry == "planar" else 0.03)):
         problem = charge(material, geometry=geometry, inner=0.02, lit=(0.06,), part=0.9, zones=zones)
         highest = []
         for asked in (problem, leapfrog(problem)):

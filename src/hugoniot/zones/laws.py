@@ -47,6 +47,11 @@ class Laws(NamedTuple):
         return self.burns and mixture.bare(self.eos.mixture)
 
     @property
+    def keeps_time(self) -> bool:
+        """Whether it burns by a schedule alone, with nothing before it burns: viscosity may not push such a front."""
+        return self.is_bare and "compression_driven" not in BURN.of(self.eos.rate).flags
+
+    @property
     def remembers(self) -> bool:
         """Whether its equation of state has a history variable."""
         return not self.burns and closure.remembers(self.eos)

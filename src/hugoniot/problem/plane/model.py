@@ -142,7 +142,7 @@ class Viscosity2D:
     limited            whether smooth flow is spared; "herrmann" has no limiter
     linear, quadratic  of a material without strength;  solid_linear, solid_quadratic of one with, where it shrinks;
                        explosive_linear, explosive_quadratic of one that burns, whose products are stiffer than a gas, as in one dimension;
-                       nothing is linear in explosives that have no state before they burn
+                       explosives that burn by a schedule alone have no linear part
     solid_shear        linear coefficient of a material with strength where it flows at constant volume; "herrmann" takes it everywhere
     heat_flux          coefficient of the artificial heat flux between quadrilaterals of materials without strength that do not burn
     """

@@ -238,8 +238,8 @@ class ViscosityTable(Table):
     solid_shear: Plain = Field(Viscosity2D.solid_shear, description="linear coefficient of solids where they flow at constant volume; "
                                                                     "herrmann: everywhere")
     solid_quadratic: Plain = Field(Viscosity2D.solid_quadratic, description="quadratic coefficient of materials with strength")
-    explosive_linear: Plain = Field(Viscosity2D.explosive_linear, description="linear coefficient of explosives that have a state before "
-                                                                              "they burn; 0 in others")
+    explosive_linear: Plain = Field(Viscosity2D.explosive_linear, description="linear coefficient of explosives; 0 in those "
+                                                                              "that burn by a schedule alone")
     explosive_quadratic: Plain = Field(Viscosity2D.explosive_quadratic, description="quadratic coefficient of materials that burn")
     heat_flux: Plain = Field(Viscosity2D.heat_flux, description="coefficient of the artificial heat flux in shocks of quadrilaterals, "
                                                                 "in materials without strength that do not burn; 0: none")

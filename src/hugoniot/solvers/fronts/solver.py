@@ -161,8 +161,8 @@ class Fronts(Reading):
         """Sentences about fans that were met: from there on the solution is one of slices."""
         if not self.line.cuts:
             return []
-        return [f"{self.line.cuts} {'fan was' if self.line.cuts == 1 else 'fans were'} reached by other waves and cut into slices of at most "
-                f"{self.bench.fan_step:g} sound speeds: "
+        fans = "1 fan was" if self.line.cuts == 1 else f"{self.line.cuts} fans were"
+        return [f"{fans} reached by other waves and cut into slices of at most {self.bench.fan_step:g} sound speeds: "
                 "behind them states are accurate to the square of that step"]
 
     # -- checkpoints -------------------------------------------------------------------------------------------------

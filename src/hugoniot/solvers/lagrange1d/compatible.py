@@ -223,7 +223,7 @@ def predict(s, geometry):
         s.pressure(solid, solid_v, w.e, s.p_half)
     t1, t2 = deviators(s, geometry, solid, w.e, s.p_half, b.lam_half, s.at.half)
     s.relieve(solid)
-    c = w.zero if s.laws.is_bare else z.c      # no linear viscosity: it would compress what has no pressure yet, ahead of its schedule
+    c = w.zero if s.laws.keeps_time else z.c      # no linear viscosity: it would compress what has no pressure yet, ahead of its schedule
     s.do(half_stress, HalfStressRows(h.r_half, h.u_mean, z.inverse_mass, solid, w.v, w.radial, c, s.p_half, w.smooth, t1, t2,
                                      z.viscous_speed, z.q, z.sigma_half, z.hoop_half), law=s.resisting(geometry))
     rub_half(s, geometry, solid)

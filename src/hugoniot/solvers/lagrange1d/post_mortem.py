@@ -122,8 +122,8 @@ def diagnose(code, values, left, right, breaks: bool) -> tuple[str, str]:
         return ("a field is not a number (NaN): the state left the range of a law, or a boundary returned NaN.",
                 "check the initial state, the boundaries and the impact conditions against the laws' limits, or lower [solver] courant.")
     if 0.0 < values.get("burn_fraction", 0.0) < 1.0:
-        return (f"a burning zone (burn fraction {values['burn_fraction']:.3g}) has no valid state: if its burn is programmed, the explosive "
-                "behind it may drive a faster front than the burn law allows, as in converging geometry.",
+        return (f"a burning zone (burn fraction {values['burn_fraction']:.3g}) has no valid state: if its burn is programmed, the "
+                "explosive behind it may drive a faster front than the burn law allows, as in converging geometry.",
                 "with a programmed burn, use the law programmed_beta, in which compression can burn a zone ahead of its schedule, or a "
                 "rate law; with any other burn law, use finer zones or lower [solver] courant.")
     if not right > left:
@@ -133,7 +133,7 @@ def diagnose(code, values, left, right, breaks: bool) -> tuple[str, str]:
         return ("negative or zero density.", "lower [solver] courant.")
     if values["pressure"] < 0.0:
         return ("the sound speed became imaginary in tension: the material is stretched beyond the range of its equation of state.",
-                "lower the limits of the fracture law ([material.x.fracture]), or use an equation of state valid in expansion." if breaks
+                "lower the limits of the fracture law ([material.x.fracture]), or an equation of state valid in expansion." if breaks
                 else "add a fracture law to the material ([material.x.fracture]).")
     return ("the sound speed is imaginary or not finite: the state left the range of its equation of state.",
             "check the impact conditions against the law's compression limit, lower [solver] courant, or use another equation of state.")

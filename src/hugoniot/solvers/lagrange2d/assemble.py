@@ -166,7 +166,7 @@ def viscosity_law(problem: Problem2D, material):
     given = problem.solver.viscosity
     kind = "explosive_" if material.burn is not None else "solid_" if material.strength is not None else ""
     quadratic, linear = getattr(given, kind + "quadratic"), getattr(given, kind + "linear")
-    if material.burn is not None and not burning.has_reactants(material):
+    if material.burn is not None and burning.keeps_time(material):
         linear = 0.0      # it would compress what has no pressure yet, ahead of the front, whose pressure then grows without end
     shear = given.solid_shear if kind == "solid_" else linear
     if given.kind == "herrmann":      # B1 enters squared; a strong shock is resisted as by the others

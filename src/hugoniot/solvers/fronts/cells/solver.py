@@ -213,7 +213,8 @@ class Cells(Reading):
         if not self.changes.captured:
             return joined
         return [*joined, f"waves were left to be captured by the cells {_times(self.changes.captured)}; a shock is then smeared over two "
-                f"or three cells: the waves were too close, or {self.changes.most} fronts were followed already (solver.options.most_fronts)"]
+                f"or three cells: the waves were too close, or {self.changes.most} fronts were followed already "
+                "(solver.options.most_fronts)"]
 
     # -- checkpoints -------------------------------------------------------------------------------------------------
     def payload(self) -> dict:
