@@ -63,7 +63,7 @@ def test_each_cause_has_its_words_and_its_remedy(code, change, left, cause, reme
 def test_nobody_is_told_to_give_a_fracture_law_to_what_has_one():
     values = {"density": 2700.0, "pressure": -1e9}
     assert "add a fracture law" in diagnose(L.BAD_STATE, values, 0.9, 1.0, False)[1]
-    assert "lower the spall strength" in diagnose(L.BAD_STATE, values, 0.9, 1.0, True)[1]
+    assert "lower the limits of the fracture law" in diagnose(L.BAD_STATE, values, 0.9, 1.0, True)[1]
 
 
 def test_a_gas_squeezed_for_ever_collapses_the_step():
