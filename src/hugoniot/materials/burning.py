@@ -35,11 +35,6 @@ def has_reactants(material: Material) -> bool:
     return "no_reactants" not in MIXTURE.get(closure(material)).flags
 
 
-def keeps_time(material: Material) -> bool:
-    """Whether it burns by a schedule alone, with nothing before it burns."""
-    return not has_reactants(material) and "compression_driven" not in BURN.of(material.burn).flags
-
-
 def keeps_isentrope(material: Material) -> bool:
     """Whether the reactants stay on the isentrope through a reference state behind the shock, while a rate burns them."""
     flags = BURN.of(material.burn).flags

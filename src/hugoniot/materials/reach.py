@@ -1,6 +1,6 @@
 """How far the data behind a material reach, in words: what `check`, `material show` and a run's report say of it.
 
-A row without a range is not valid everywhere: nobody has said where it ends. So that is what a reader is told.
+A row without a range is not valid everywhere: where it ends is not known, and these words say so.
 """
 
 import re

@@ -22,6 +22,11 @@ from hugoniot.zones import closure, mixture
 from hugoniot.zones.constants import Constants
 
 
+def keeps_time(eos) -> bool:
+    """Whether a `Reactive` pair burns by a schedule alone, with nothing before it burns; False for an equation of state."""
+    return isinstance(eos, Reactive) and mixture.bare(eos.mixture) and "compression_driven" not in BURN.of(eos.rate).flags
+
+
 class Laws(NamedTuple):
     """Parameter tuples of a material's laws, and its constants; `eos` may be a `Reactive` pair of rate and mixture."""
 
@@ -49,7 +54,7 @@ class Laws(NamedTuple):
     @property
     def keeps_time(self) -> bool:
         """Whether it burns by a schedule alone, with nothing before it burns: viscosity may not push such a front."""
-        return self.is_bare and "compression_driven" not in BURN.of(self.eos.rate).flags
+        return keeps_time(self.eos)
 
     @property
     def remembers(self) -> bool:

@@ -17,7 +17,7 @@ from hugoniot.solvers.lagrange2d import layout as L
 from hugoniot.solvers.lagrange2d import quads as G
 from hugoniot.solvers.lagrange2d.coefficients import Viscous
 from hugoniot.solvers.lagrange2d.zone_shapes import areas, corner_shares, over_nodes, quad_corners, volumes, zone_corners
-from hugoniot.zones.laws import laws_of
+from hugoniot.zones.laws import keeps_time, laws_of
 
 N = L.Nodes(*range(len(L.Nodes._fields)))
 Z = L.Zones(*range(len(L.Zones._fields)))
@@ -161,12 +161,12 @@ def axis_tables(problem: Problem2D, numbering: Numbering, nodes, kind: int):
 
 
 # -- zones --------------------------------------------------------------------------------------------------------------------
-def viscosity_law(problem: Problem2D, material):
-    """Parameters of the viscous speed in a material: `Viscous`, or Herrmann's law."""
+def viscosity_law(problem: Problem2D, material, eos):
+    """Parameters of the viscous speed in a material, `Viscous` or Herrmann's law; eos: its equation of state, or its `Reactive` pair."""
     given = problem.solver.viscosity
     kind = "explosive_" if material.burn is not None else "solid_" if material.strength is not None else ""
     quadratic, linear = getattr(given, kind + "quadratic"), getattr(given, kind + "linear")
-    if material.burn is not None and burning.keeps_time(material):
+    if keeps_time(eos):
         linear = 0.0      # it would compress what has no pressure yet, ahead of the front, whose pressure then grows without end
     shear = given.solid_shear if kind == "solid_" else linear
     if given.kind == "herrmann":      # B1 enters squared; a strong shock is resisted as by the others
@@ -218,8 +218,9 @@ def materials_of(problem: Problem2D, speed: float, near: float):
         material = problem.materials[block.material]
         fluid, burns = material.strength is None, material.burn is not None
         own = reactive.constants(problem, block) if burns else {}
-        laws = laws_of(burning.reactive(material) if burns else material.eos, material.strength or STRENGTH.get("none").example,
-                       material.fracture or FRACTURE.get("none").example, viscosity_law(problem, material),
+        eos = burning.reactive(material) if burns else material.eos
+        laws = laws_of(eos, material.strength or STRENGTH.get("none").example,
+                       material.fracture or FRACTURE.get("none").example, viscosity_law(problem, material, eos),
                        noise=noise + (1.0 if burns else 0.0), **own)
         coefficient = problem.solver.subzonal_pressure if fluid else problem.solver.flanagan_belytschko
         found[block.material] = laws, np.array([*laws.constants, near, coefficient]), fluid, shares_pressure(problem, block)
