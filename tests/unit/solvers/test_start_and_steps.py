@@ -13,9 +13,10 @@ from hugoniot.materials.initial_state import initial_state
 from hugoniot.mesh.line import GEOMETRY
 from hugoniot.simulate import make_solver
 from hugoniot.solvers.lagrange1d import layout as L
-from hugoniot.solvers.lagrange1d.layout import Z
+from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.step import choose_step
 from hugoniot.solvers.run import snapshot_times
+from hugoniot.zones.viscosity import OWN, signal_speed
 
 
 def laws_with_pressure_slope():
@@ -124,3 +125,43 @@ def test_a_whole_number_in_a_law_is_the_same_number():
             solver.march(2e-7, 1000)
         ends.append(solver.zones[Z.p].copy())
     assert np.array_equal(*ends) and ends[0].max() > 1e9
+
+
+def largest_growth(courant, w):
+    """Largest modulus of the roots of a linear wave in the steps of `compatible`, of all wave lengths; c, width and density 1."""
+    dt, largest = courant / signal_speed(1.0, w, 0.0, 1.0), 0.0
+    strain, jump, acceleration, q = np.eye(4)          # of a zone: strain, velocity jump; acceleration of the jump and q of the step before
+    for wave in np.linspace(0.05, np.pi, 60):
+        mobility = OWN * dt
+        new_q = -w * (jump + 0.5 * dt * acceleration - mobility * q) / (1.0 + mobility * w)
+        new_acceleration = 4.0 * np.sin(0.5 * wave) ** 2 * (new_q - strain - 0.5 * dt * jump)
+        new_jump = jump + dt * new_acceleration
+        new_strain = strain + 0.5 * dt * (jump + new_jump)
+        roots = np.linalg.eigvals(np.array([new_strain, new_jump, new_acceleration, new_q]))
+        largest = max(largest, float(np.abs(roots).max()))
+    return largest
+
+
+@pytest.mark.parametrize("courant", [0.5, 0.7, 0.9])
+@pytest.mark.parametrize("w", [0.1, 0.3, 1.0, 2.0])
+def test_weak_waves_are_damped_in_steps_up_to_nine_tenths(courant, w):
+    assert largest_growth(courant, w) < 1.0 + 1e-12
+
+
+def test_a_viscosity_counts_twice_in_a_shock_and_once_in_noise():
+    c, w, rho = 5000.0, 1500.0, 8900.0
+    shock, noise = (rho * w * jump for jump in (100.0, 1e-3))
+    assert signal_speed(c, w, shock, rho) == c + 2.0 * w
+    assert signal_speed(c, w, noise, rho) == c + w
+    assert signal_speed(c, 0.0, 0.0, rho) == c
+
+
+@pytest.mark.parametrize("courant", [0.7, 0.9])
+def test_small_random_motions_die_out(courant):
+    """Velocities of a millionth of the sound speed at random, in a gas at rest between walls."""
+    tube = build.gas_tube(courant=courant, stop=20.0)
+    solver = make_solver(dataclasses.replace(tube, regions=tuple(dataclasses.replace(region, density=1.0, pressure=1.0) for region in tube.regions)))
+    motion = 1e-6 * np.random.default_rng(7).standard_normal(solver.nodes.shape[1] - 2)
+    solver.nodes[H.u, 1:-1] = solver.nodes[H.u_mean, 1:-1] = motion
+    solver.march(20.0, 3000)
+    assert solver.cycle > 1000 and np.abs(solver.nodes[H.u]).max() < 0.3 * np.abs(motion).max()

@@ -23,7 +23,7 @@ from hugoniot.solvers.lagrange1d.stress import deviators, hoop_force
 from hugoniot.zones.constants import Constants
 from hugoniot.zones.soundness import FOUND_IMPULSE, FOUND_RATE, PeakRows, keep_peaks, new_peaks, unsound, wave_speed
 from hugoniot.zones.transport import find_conductivity
-from hugoniot.zones.viscosity import OWN, at_middle, resisted, resisting_speed, smoothness
+from hugoniot.zones.viscosity import OWN, at_middle, resisted, resisting_speed, signal_speed, smoothness
 
 SMALL = 1e-30
 
@@ -140,7 +140,7 @@ def stand(z, j, geometry, constants):
     z.seen.sigma[j] = z.seen.p[j] + q - t1
     if hoops(geometry) > 0.0:
         z.hoop_force[j] = hoop_force(z.r[j], z.r[j + 1], t1, t2, q, geometry)
-    return (fmax(c, constants.front) + 2.0 * z.speed[j]) * inverse_width
+    return signal_speed(fmax(c, constants.front), z.speed[j], q, z.seen.rho[j]) * inverse_width
 
 
 bind(stand, **NAN_LAW)
