@@ -96,7 +96,7 @@ def initiated() -> None:
 
 
 def library_explosives() -> None:
-    """B25: all explosives of the library at 100 zones/cm, at the CJ velocity of their products and at the published one."""
+    """All explosives of the library at 100 zones/cm, at the CJ velocity of their products and at the published one."""
     for name in by_schedule.EXPLOSIVES:
         material = dataclasses.replace(library.find(name), name="x")
         point, row = cj(material.eos), [name]
@@ -111,7 +111,7 @@ def library_explosives() -> None:
 
 
 def taylor_waves() -> None:
-    """B24: L1 of pressure, density, velocity of EHEP after 1, 2, 3 us and of Mader's Taylor wave, 200 and 400 zones; two `spread_zones`."""
+    """L1 of pressure, density, velocity of EHEP after 1, 2, 3 us and of Mader's Taylor wave, 200 and 400 zones; two `spread_zones`."""
     make, spread = by_schedule.gamma_explosive, {}
 
     def explosive(gamma=3.0, speed=8000.0, rho0=1600.0):
@@ -199,7 +199,7 @@ def thresholds() -> None:
 
 # -- driven metal ------------------------------------------------------------------------------------------------------------
 def end_on_plates() -> None:
-    """B22: velocity of the plate against the exact one of each problem, 400 zones (p = K rho^3: and 800), and against the closed form."""
+    """Velocity of the plate against the exact one of each problem, 400 zones (p = K rho^3: and 800), and against the closed form."""
     make = plates.barotropic.__wrapped__ if hasattr(plates.barotropic, "__wrapped__") else plates.barotropic._get_wrapped_function()
     products = make()
     law = next(products)
@@ -211,7 +211,7 @@ def end_on_plates() -> None:
 
 
 def cylinders() -> None:
-    """B27: wall by energy and surface at 6 and 19 mm against published; burned at once, without strength and with it; lit on the axis."""
+    """Wall by energy and surface at 6 and 19 mm against published; burned at once, without strength and with it; lit on the axis."""
     published = {"tnt": (0.735, 0.975), "comp_b": (0.960, 1.330), "pbx_9404": (1.235, 1.620)}
     regions = (Region("charge", "x", 0.0, tube.INNER, 127), Region("wall", "copper", tube.INNER, tube.OUTER, 26))
     for name, energies in published.items():
@@ -275,7 +275,7 @@ def calibrated_sets() -> None:
 
 
 def pulsation() -> None:
-    """B23, f = 1.6: crests and period of the settled cycle by zones, window and linear viscosity."""
+    """Crests and period of the settled cycle by zones, window and linear viscosity."""
     for count, window, linear, stop in ((5, 15, 1.0, 80), (10, 30, 1.0, 150), (20, 30, 1.0, 150), (20, 60, 1.0, 150), (20, 8, 1.0, 84),
                                         (40, 8, 1.0, 67), (20, 30, 0.5, 150)):
         found = moving.follow(zones_of.one_step(moving.RATE), zones_of.START, float(stop), overdrive=1.6, zones=count, window=float(window),

@@ -63,7 +63,8 @@ def write_fit(folder: pathlib.Path, found, name: str) -> None:
     write_whole(folder / "fit.json", json.dumps(_finite(record_of(found)), indent=2) + "\n")
     rows = ([t.label, *(repr(float(v)) for v in (t.time[k], t.values[k], model[k], t.sigma[k], beside[k]))]
             for t, model in zip(found.targets, found.models) for beside in [t.beside(model)] for k in range(len(t.values)))
-    _write_rows(folder / "residuals.csv", ["target", "time [s] or input pressure [Pa]", "data", "model", "sigma", "residual"], rows)
+    heads = ["target", "time [s] or input pressure [Pa]", "data", "model", "sigma", "(model - data) / sigma"]
+    _write_rows(folder / "residuals.csv", heads, rows)
     if found.posterior is None:
         for stale in ("posterior.csv", "predictive.csv"):     # of an earlier fit of the folder
             (folder / stale).unlink(missing_ok=True)

@@ -1,4 +1,4 @@
-"""Guderley's implosion as a run: started from the exact flow with the shock at r = 1, through focussing, to the returning shock (B7).
+"""Guderley's implosion as a run: started from the exact flow with the shock at r = 1, through focussing, to the returning shock.
 
 The outer boundary follows the exact path of its particle, so nothing comes in from outside. Needs the exact solution to set up,
 which is why it stands here and not among the standard problems of `problem.standard`.
@@ -86,7 +86,7 @@ def arrival_error(place: float, flow) -> float:
 
 
 GUDERLEY = StandardProblem(
-    "guderley", "Guderley's implosion: exponent of the converging shock, arrival of the returning one (B7)",
+    "guderley", "Guderley's implosion: exponent of the converging shock, arrival of the returning one",
     lambda zones: build("spherical", 1.4, zones),
     (Measure("exponent", "exponent", "density"), Measure("arrival", "arrival", "pressure")),
     (Bar("exponent", 1200, goal=5e-3), Bar("arrival", 1200, goal=1e-2)), "guderley",

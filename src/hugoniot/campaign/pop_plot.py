@@ -113,7 +113,7 @@ def charge_of(material: Material) -> Charge:
     law = BURN.of(material.burn) if material.burn is not None else None
     if law is None or not {"pressure_driven", "temperature_driven"} & set(law.flags) or "instantaneous" in law.flags:
         raise OutOfRange(f"material '{material.name}' has no rate-based burn law, which a Pop plot needs: use one such as "
-                         "\"LX-17 reactive\" of the library or a material with an [unreacted] and a [burn] table")
+                         "\"LX-17 reactive\" from the library or a material with an [unreacted] and a [burn] table")
     burning.reactive(material)     # says what is missing
     return Charge(replace(material, name="explosive"), detonation_velocity(material), Initial.at_rest(material.unreacted))
 

@@ -266,7 +266,7 @@ def _echo_material(about: dict) -> None:
         if constant["status"] != "default":
             reference = f"[{sources.setdefault((constant['source'], constant['via']), len(sources) + 1)}]"
         rows.append((constant["quantity"], *_shown(constant["value"], constant["unit"]), reference, constant["mark"]))
-    echo_table(["constant", "value", "unit", "source", "mark"], rows)
+    echo_table(["constant", "value", "unit", "source", "remark"], rows)
     if about["derived"]:
         typer.echo("")
         cells = [(k, *_shown(q["value"], q["unit"]), q["meaning"]) for k, q in about["derived"].items()]

@@ -6,12 +6,10 @@ import numpy as np
 import typer
 
 from hugoniot.cli.show import echo_table
+from hugoniot.output.columns import PER_AREA
 from hugoniot.output.run import Run
 from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, highest_rows, spall_numbers, warnings_of
 from hugoniot.units import format_si
-
-# heads of columns that follow the peak of the same field
-SHORT = {"plateau_stress": "plateau", "lowest_stress": "lowest", "plateau_velocity": "plateau", "last_velocity": "last"}
 
 
 def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
@@ -30,7 +28,8 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
         typer.echo(f"relative errors: {', '.join(errors)}; voids opened {s.get('voids_opened', 0)}, "
                    f"closed {s.get('voids_closed', 0)}, interfaces separated {s.get('interfaces_separated', 0)}")
     if "contact_heat" in s:
-        typer.echo(f"contact: heat {format_si(s['contact_heat'], 'J')}, work of friction {format_si(s['friction_work'], 'J')}, "
+        unit = "J" + PER_AREA[run.setup["geometry"]]
+        typer.echo(f"contact: heat {format_si(s['contact_heat'], unit)}, work of friction {format_si(s['friction_work'], unit)}, "
                    f"deepest penetration {s['contact_depth']:.1e} of an edge, bonds broken {s['bonds_broken']}")
     top = highest_rows(run)
     if top:
@@ -39,7 +38,7 @@ def echo_results(run: Run, shown: Sequence[str] = ()) -> None:
     if rows:
         typer.echo("")
         heads = [key for key in rows[0] if key != "gauge"]
-        echo_table(["gauge", *[SHORT.get(h, h.replace("_", " ")) for h in heads]],
+        echo_table(["gauge", *[h.replace("_", " ") for h in heads]],
                    [[r["gauge"], *["none" if np.isnan(r[h]) else format_si(r[h], GAUGE_UNITS[h], 5) for h in heads]] for r in rows])
     _echo_spall(run)
     typer.echo("")

@@ -87,7 +87,7 @@ def _in_range(where: str, name: str, value: float, doubted: bool = False) -> Ite
     if name == "a" or value == 0.0 and low > 0.0 and name in ("yield_stress",):
         return
     inside = low <= value <= high
-    text = "" if inside else f"{name} = {value:g} is outside {low:g} to {high:g}"
+    text = "" if inside else f"{name} = {value:g} is outside the plausible range {low:g} to {high:g} (SI)"
     yield Finding(where, f"range of {name}", "ok" if inside else ("mark" if doubted else "fail"), value, math.nan, text)
 
 
@@ -106,7 +106,7 @@ def _us_up(row: Row) -> Iterator[Finding]:
     yield Finding(row.id, "shock faster than particle", "ok" if slowest > 1.0 else "fail", slowest, 1.0)
     products = [up * us for up, us in speeds]
     rising = all(b > a for a, b in zip(products, products[1:]))
-    yield Finding(row.id, "pressure rises with up", "ok" if rising else "fail")
+    yield Finding(row.id, "pressure rises with particle velocity", "ok" if rising else "fail")
     try:
         law = cards.card(row)
     except ValueError as error:
@@ -157,7 +157,7 @@ def _jwl(row: Row) -> Iterator[Finding]:
         return
     for name, misfit, limit in (("D", state.velocity_misfit, VELOCITY_LIMIT), ("p", state.pressure_misfit, PRESSURE_LIMIT)):
         if math.isnan(misfit):
-            yield Finding(row.id, f"CJ closure of {name}", "mark", text=f"the row states no {name} to close on")
+            yield Finding(row.id, f"CJ closure of {name}", "mark", text=f"the row states no {name} to compare the CJ state with")
         else:
             yield _judge(row.id, f"CJ closure of {name}", misfit, limit, f"{100 * misfit:+.2f} %", "mark")
     for name, mine in (("recorded_d", state.velocity), ("recorded_p", state.pressure)):
@@ -170,7 +170,7 @@ def _jwl(row: Row) -> Iterator[Finding]:
 def _jwlb(row: Row) -> Iterator[Finding]:
     energy, velocity, p, _ = on_isentrope(isentrope_of(row), row["rho0"])
     misfit = energy / row["e0"] - 1.0
-    text = f"E0 from tangency {100 * misfit:+.2f} % off the stated; D {velocity:.0f} m/s, p {p / 1e9:.1f} GPa"
+    text = f"E0 from tangency {100 * misfit:+.2f} % from the stated value; D {velocity:.0f} m/s, p {p / 1e9:.1f} GPa"
     yield _judge(row.id, "E0 from tangency", misfit, ENERGY_LIMIT, text, "mark")
 
 
@@ -239,7 +239,7 @@ def check_states(identity: str) -> Iterator[Finding]:
     row = schema.row(identity)
     mine = fits.scatter(row)
     if mine is None or "states" not in row:
-        yield Finding(identity, "measured states", "fail", text="states are assigned or recorded, but not both")
+        yield Finding(identity, "measured states", "fail", text="measured states are assigned to the row or recorded in it, but not both")
         return
     recorded = (row["up_min"], row["up_max"], row["us_deviation"], row["states"])
     worst = max(abs(a / r - 1.0) for a, r in zip(mine, recorded))

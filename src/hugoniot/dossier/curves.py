@@ -136,7 +136,7 @@ def _sources(entry: Entry, top: float) -> tuple[list[Curve], list[str]]:
 
 def _row_curve(row: Row, top: float) -> Curve | None:
     speed = partial(shock_velocity, row) if row.table == "us_up" else partial(material_hugoniot, library.find(row.id))
-    mark = " (unverified)" if row.status == "recalled" else " (doubt)" if row.marks else ""
+    mark = " (unverified)" if row.status == "recalled" else " (doubtful)" if row.marks else ""
     up, us = _sample(speed, top)
     if len(up) < 2:
         return None

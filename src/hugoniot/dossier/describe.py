@@ -44,23 +44,23 @@ def described_row(identity: str) -> dict:
 def row_summary(row: Row) -> str:
     """The constants of a row in a few characters, with the range of a Hugoniot and its mark."""
     if row.table == "us_up":
-        text = hugoniot_text(row) + (f", to {row['up_max']:g} m/s" if "up_max" in row else ", range not known")
+        text = hugoniot_text(row) + (f", to up = {row['up_max']:g} m/s" if "up_max" in row else ", range not known")
     elif row.table == "compression":
         text = f"{row['rho0']:g} kg/m3, K = {row['bulk_modulus'] / 1e9:.4g} GPa, K' = {row['bulk_modulus_slope']:g}"
     elif row.table == "jwl":
-        stated = f", D {row['detonation_velocity']:g}" if "detonation_velocity" in row else ""
+        stated = f", D {row['detonation_velocity']:g} m/s" if "detonation_velocity" in row else ""
         text = f"{row['role']} {row['rho0']:g} kg/m3{stated}"
     elif row.table == "strength":
         y = row.get("yield_stress") or row.get("johnson_cook_yield")
         text = row["model"] + (f" Y {y / 1e9:.3g} GPa" if y else "")
     else:
         text = row.table.replace("_", " ")
-    return text + (" (unverified)" if row.status == "recalled" else " (doubt)" if row.marks else "")
+    return text + (" (unverified)" if row.status == "recalled" else " (doubtful)" if row.marks else "")
 
 
 def hugoniot_text(row: Row) -> str:
     """Us(up) of a row as a formula, m/s."""
-    text = f"Us = {row['c0']:g} + {row['s']:g} up"
+    text = f"Us = {row['c0']:g} m/s + {row['s']:g} up"
     if row["form"] == "quadratic":
         text += f" {row['quadratic']:+.3g} up^2"
     elif row["form"] == "ulh":
@@ -88,7 +88,7 @@ def fit_lines(entry: Entry) -> list[str]:
         terms = [f"{fit.coefficients[0]:.0f}({fit.deviations[0]:.0f})", f"{fit.coefficients[1]:.4f}({fit.deviations[1]:.4f}) up"]
         square = "".join(f" {c:+.3g}({d:.2g}) up^2" for c, d in zip(fit.coefficients[2:], fit.deviations[2:]))
         lines.append(f"{identity}: Us = {' + '.join(terms)}{square} m/s, {len(fit.points)} states, "
-                     f"up {fit.least:.0f} to {fit.highest:.0f} m/s, residual {fit.deviation:.0f} m/s ({selection.words})")
+                     f"up {fit.least:.0f} to {fit.highest:.0f} m/s, standard deviation {fit.deviation:.0f} m/s ({selection.words})")
     return lines
 
 

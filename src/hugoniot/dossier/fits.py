@@ -60,11 +60,11 @@ RECORDED = {
     "U221": (Selection("Serpentine", up_min=2200.0, words="Marsh, above 2.2 km/s"), 1),
     "U222": (Selection("Toluene", up_max=2900.0, words="Marsh, to 2.9 km/s"), 1),
     "U223": (Selection("Beryllium", words="all shock states of Marsh"), 1),
-    "U224": (Selection("Beryllium S-200", words="gun, to 6 km/s"), 1),
+    "U224": (Selection("Beryllium S-200", words="gas gun, to 6 km/s"), 1),
     "U225": (Selection("Bismuth", up_min=1300.0, words="above 1.3 km/s"), 1),
     "U226": (Selection("Germanium", up_min=1500.0, words="above 1.5 km/s"), 1),
     "U227": (Selection("KCl", up_min=1300.0, words="above the transition"), 1),
-    "U228": (Selection(MAGNESIA, up_max=5500.0, words="to 5 km/s"), 1),
+    "U228": (Selection(MAGNESIA, up_max=5500.0, words="to 5.5 km/s"), 1),
     "U229": (Selection(MAGNESIA, words="all states"), 1),
     "U230": (Selection("Sodium", words="all states"), 1),
     "U231": (Selection("NiAl", words="all states"), 1),
@@ -76,7 +76,7 @@ RECORDED = {
     "U237": (Selection("SiC", up_min=1600.0, words="Marsh, above 1.6 km/s"), 1),
     "U238": (Selection("Tin", words="all shock states of Marsh"), 1),
     "U239": (Selection("Vanadium", words="all states"), 2),
-    "U240": (Selection("Polystyrene", words="laser, above 7 km/s"), 1),
+    "U240": (Selection("Polystyrene", words="laser-driven shocks, above 7 km/s"), 1),
 }
 _COPPER, _BERYLLIUM, _NICKEL, _LEAD = (RECORDED[i][0] for i in ("U202", "U223", "U218", "U235"))
 _TIN, _PLATINUM, _WATER, _IRON = (RECORDED[i][0] for i in ("U238", "U236", "U210", "U206"))

@@ -17,8 +17,8 @@ from hugoniot.theory.chapman_jouguet import cj
 from hugoniot.theory.isentrope import isentrope
 
 EXPANSION = 4.0
-DERIVED = (f"derived: energy of the products' own isentrope down to V = {EXPANSION:g}; where a table has a value too, "
-           "0 to 8 % above it")
+DERIVED = (f"derived: chemical energy less the internal energy of the products on their CJ isentrope at V = {EXPANSION:g}; where a table "
+           "gives a value too, 0 to 8 % above it")
 
 
 class GurneyVelocity(NamedTuple):
@@ -51,7 +51,7 @@ def gurney_velocities(names: Sequence[str] = ()) -> list[GurneyVelocity]:
         elif "reacted" in EOS.of(entry.material.eos).flags:
             found.append(_derived(name, entry))
         else:
-            raise DeckError.single("library", None, name, "is not an explosive with products", "tabulated: "
+            raise DeckError.single("library", None, name, "has no detonation products in the library", "tabulated: "
                                    + ", ".join(row.material for row in rows) + '; or give --velocity "2.7 km/s"')
     return found
 

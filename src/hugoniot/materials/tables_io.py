@@ -167,7 +167,7 @@ def _build(name, rho, t, p, e, window: Window, lines=None) -> tuple[Table, tuple
         raise DeckError.single(name, where or lines.get(None), "table", message) from None
     if window.least_sound_speed and (bad := unstable_corners(table._replace(least_sound_speed=0.0))):
         i, j = np.array(bad).T
-        told = [*told, f"the table has no sound speed at {len(bad)} corners of its cells (densities {rho[i.min()]:.4g} to "
+        told = [*told, f"the table gives no real sound speed at {len(bad)} corners of its cells (densities {rho[i.min()]:.4g} to "
                        f"{rho[i.max()]:.4g} kg/m3, temperatures {t[j.min()]:.4g} to {t[j.max()]:.4g} K): {window.least_sound_speed:g} m/s "
                        "is used there"]
     return table, tuple(told)

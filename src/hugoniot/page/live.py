@@ -118,7 +118,7 @@ def _rows(table, name: str) -> np.ndarray:
         return np.asarray(table[name][()], dtype=float)
     if f"{name}_left" in table:
         return 0.5 * (table[f"{name}_left"][()] + table[f"{name}_right"][()])
-    raise OutOfRange(f"the run has no numbers called '{name[:60]}'")
+    raise OutOfRange(f"the run has no field called '{name[:60]}'")
 
 
 def _tables(path: Path, group: str):

@@ -157,7 +157,7 @@ def _double(rows, name: str, part: slice) -> np.ndarray:
 
 def _numbers_there(rows, name: str) -> None:
     if name not in rows or rows.kinds[name].kind not in "fiu":
-        raise OutOfRange(f"the run has no numbers called '{name[:60]}'")
+        raise OutOfRange(f"the run has no field called '{name[:60]}'")
 
 
 def _index(k: int, count: int) -> int:

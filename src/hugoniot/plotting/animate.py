@@ -29,7 +29,7 @@ def animate(run, field: str, path, frames_per_second: float = 12.0, every: int =
     rows = run.arrays("snapshots")
     taken = list(range(0, len(rows["time"]), every))
     if len(taken) > MOST_FRAMES:
-        hint = f"take --every {-(-len(rows['time']) // MOST_FRAMES)} or more"
+        hint = f"use --every {-(-len(rows['time']) // MOST_FRAMES)} or more"
         raise DeckError.single("animate", None, "--every", f"{len(taken)} frames are too many", hint)
     values = np.concatenate([plane_field(run, field, k) for k in taken])
     _, limits = colours_of(field, values, None)

@@ -53,7 +53,7 @@ def comparison(compared, most: int = 6):
         below.set_xlim(above.get_xlim())
         _robust(below, gap * factor, unit)
         below.set_xlabel(labelled("time", unit_t))
-        below.set_ylabel("difference")
+        below.set_ylabel(labelled("difference", unit))
         quiet_grid(above)
         quiet_grid(below)
     grid[0][0].legend(frameon=False, fontsize=8, loc="best")

@@ -80,7 +80,7 @@ def _plane(ax, zone, par, ahead: Initial, colour, notes: bool) -> None:
     ax.plot(1e3 / end.density, end.pressure * 1e-9, color=colour, lw=2.2)
     ax.plot([1e3 / spike.density, 1e3 * last], [spike.pressure * 1e-9, float(end.pressure[-1]) * 1e-9], "o", color=colour, ms=4)
     if notes:
-        ax.annotate("heavy: the zone, on its Rayleigh line\ndotted: Hugoniot of the unreacted\ndashed: Hugoniot of the products",
+        ax.annotate("heavy: reaction zone, on its Rayleigh line\ndotted: Hugoniot of the unreacted\ndashed: Hugoniot of the products",
                     (0.99, 0.98), xycoords="axes fraction", ha="right", va="top", fontsize=8, color=QUIET)
 
 

@@ -39,7 +39,7 @@ def hugoniots(curves: Sequence[tuple[str, Initial, States]], kind: str = "p-up",
     mark     per curve one state to point out
     """
     if kind not in KINDS:
-        raise DeckError.single("command line", None, "--axes", f"unknown picture '{kind}'", f"there are {', '.join(KINDS)}")
+        raise DeckError.single("command line", None, "--axes", f"unknown picture '{kind}'", f"choose one of {', '.join(KINDS)}")
     ax = ax if ax is not None else new_axes(5.4, 3.8)
     if kind == "t-p" and all(np.isnan(_temperature(states)).all() for _, _, states in curves):
         raise DeckError.single("command line", None, "--axes", "none of these equations of state gives a temperature",
@@ -131,7 +131,7 @@ def waves_in_time(diagram, names: Sequence[str], ax=None):
         ax.text(0.5 * (low + high) * 1e3, -0.012 * diagram.time * 1e6, name, ha="center", va="top", fontsize=8.5, color=INK)
     legend = [("shock", "shocks", 0.0), ("fan", "release fans", 0.14)]
     if any(kind == "contact" for kind, *_ in diagram.paths):
-        legend.append(("contact", "thin grey: where two waves met", 0.37))
+        legend.append(("contact", "thin grey: contacts left by crossing waves", 0.37))
     for kind, label, place in legend:
         ax.text(place, 1.02, label, transform=ax.transAxes, color=looks[kind][0], fontsize=8.5)
     ax.set_ylim(-0.07 * diagram.time * 1e6, diagram.time * 1e6)

@@ -94,10 +94,11 @@ def burn_times(points, times, given: dict):
     """Contours of burn time over the plane, with detonators and the ball; gives the axes. Points must fill a square grid."""
     ax = new_axes(4.8, 4.2)
     x, y = (np.unique(points[:, k]) for k in (0, 1))
+    unit, factor = time_scale(float(np.nanmax(times)))
     if x.size * y.size != len(times):
-        ax.scatter(points[:, 0], points[:, 1], c=times, s=18)
+        drawn = ax.scatter(points[:, 0], points[:, 1], c=np.asarray(times) * factor, s=18)
+        ax.figure.colorbar(drawn, ax=ax, label=f"burn time ({unit})")
     else:
-        unit, factor = time_scale(float(np.nanmax(times)))
         drawn = ax.contour(x, y, np.asarray(times).reshape(y.size, x.size) * factor, levels=14, colors=[COLOURS[0]], linewidths=0.8)
         ax.clabel(drawn, fontsize=7.5, fmt=lambda v: f"{v:g}")
         ax.set_title(f"burn time ({unit})", loc="left", fontsize=9)

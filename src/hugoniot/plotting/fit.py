@@ -25,7 +25,7 @@ def draw_target(above, below, shown) -> None:
     below.axhline(0.0, color=QUIET, linewidth=0.6)
     below.plot(time * ft, (model - values) / sigma, color=COLOURS[1], linewidth=0.9)
     below.set_xlabel(labelled("time", unit_t))
-    below.set_ylabel("residual / σ")
+    below.set_ylabel("(model − data) / σ")
     below.set_xlim(above.get_xlim())
     for ax in (above, below):
         quiet_grid(ax)
@@ -46,7 +46,7 @@ def draw_pop_plot(above, below, shown) -> None:
     below.axhline(0.0, color=QUIET, linewidth=0.6)
     below.plot(p, np.log(model / values) * values / sigma, "o", color=COLOURS[1], markersize=3.5)
     below.set_xlabel("input pressure (GPa)")
-    below.set_ylabel("residual / σ")
+    below.set_ylabel("(model − data) / σ")
     for ax in (above, below):
         ax.set_xscale("log")
         ax.set_xticks(ticks, [f"{tick:.3g}" for tick in ticks])

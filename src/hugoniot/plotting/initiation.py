@@ -20,7 +20,7 @@ def pop_picture(found, lines=(), ax=None):
         ax.plot(ends, found.line.distance(ends * 1e9) * 1e3, color=COLOURS[0])
     ax.plot(pressure, distance, "o", color=COLOURS[0], markersize=5)
     if turned:
-        ax.annotate("runs", (pressure[-1], distance[-1]), (7, 3), textcoords="offset points", color=COLOURS[0])
+        ax.annotate("computed", (pressure[-1], distance[-1]), (7, 3), textcoords="offset points", color=COLOURS[0])
     for k, row in enumerate(lines):
         ends = np.array([row["pressure_low"], row["pressure_high"]]) * 1e-9
         x = PopLine(row["a"], row["b"]).distance(ends * 1e9) * 1e3
@@ -36,7 +36,7 @@ def pop_picture(found, lines=(), ax=None):
     ax.tick_params(which="both", length=3.0)
     slope = f", slope {found.line.b:.3f}" if found.line else ""
     ax.set_title(f"{found.material}{slope}", loc="left", color=INK)
-    ax.text(1.0, 1.01, f"zones {found.zone_size * 1e6:g} µm", transform=ax.transAxes, ha="right", color=QUIET, fontsize=8)
+    ax.text(1.0, 1.01, f"zone size {found.zone_size * 1e6:g} µm", transform=ax.transAxes, ha="right", color=QUIET, fontsize=8)
     return ax
 
 

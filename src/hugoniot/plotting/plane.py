@@ -231,7 +231,7 @@ def line_profile(run, field: str = "pressure", time=None, start=None, end=None, 
     points = start[:, None] + (end - start)[:, None] * (place / length)
     found = [_along(there, corners, points, plane_field(run, field, k)) for k, there in zip(picked, nodes)]
     if not np.isfinite(found).any():
-        raise DeckError.single(run.folder, None, "--from", "the line crosses no material", "positions are those of the snapshot's time")
+        raise DeckError.single(run.folder, None, "--from", "the line crosses no material", "coordinates refer to the time of the snapshot")
     unit, factor, words = field_scale(field, np.array(found)[np.isfinite(found)])
     unit_x, fx = length_scale(length)
     unit_t, ft = time_scale(rows["time"][-1])

@@ -61,7 +61,7 @@ def draw_predictive(ax, shown, prior, predicted) -> None:
     unit_t, ft = time_scale(float(time[-1]) if len(time) else 1.0)
     for band, colour, alpha, whose in ((prior, QUIET, 0.25, "prior"), (predicted, COLOURS[1], 0.45, "posterior")):
         ax.fill_between(time * ft, band[0] * factor, band[2] * factor, color=colour, alpha=alpha, linewidth=0,
-                        label=f"runs of the {whose}, 95 %")
+                        label=f"{whose} predictive, 95 %")
     ax.plot(time * ft, values * factor, ".", color=INK, markersize=2.2, label="data")
     ax.set_xlabel(labelled("time", unit_t))
     ax.set_ylabel(labelled(words, unit))

@@ -186,8 +186,8 @@ def peaks(run, field: str = "stress", ax=None):
     return ax
 
 
-_PARTS = (("kinetic_energy", "kinetic"), ("internal_energy", "internal"), ("pressure_work_and_heat", "work of the pressure, heat"),
-          ("elastic_deviator_energy", "elastic, shear"), ("plastic_work", "plastic work"), ("viscous_work", "viscous work"),
+_PARTS = (("kinetic_energy", "kinetic"), ("internal_energy", "internal"), ("pressure_work_and_heat", "pressure work and heat"),
+          ("elastic_deviator_energy", "elastic shear energy"), ("plastic_work", "plastic work"), ("viscous_work", "viscous work"),
           ("boundary_work", "boundary work"), ("released_heat", "heat released"),
           ("supplied_heat", "heat supplied"), ("force_work", "work of the body force"))
 _WHOLE = ("kinetic", "internal", "boundary work")

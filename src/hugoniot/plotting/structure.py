@@ -42,8 +42,8 @@ def draw_profile(axes, profile: Profile) -> None:
         del jumps["energy"]
     panels = [("fraction of the jump", jumps), ("energy density / ρ₁c₁²", _energies(fields, pressure)),
               ("stress and heat flux", {"−τ / ρ₁c₁²": -fields["viscous_stress"] / pressure, "−q / ρ₁c₁³": -fields["heat_flux"] / power})]
-    panels += [(f"{name} terms × δ", {word: terms[key] * delta / scale for key, word in words.items()})
-               for (name, words), scale in zip(_TERMS.items(), (pressure, power))]
+    panels += [(f"{name} terms × δ / {unit_}", {word: terms[key] * delta / scale for key, word in words.items()})
+               for (name, words), scale, unit_ in zip(_TERMS.items(), (pressure, power), ("ρ₁c₁²", "ρ₁c₁³"))]
     panels += _entropy_panel(profile, fields, delta)
     for ax, (ylabel, curves) in zip(axes, panels):
         curves = {word: values for word, values in curves.items() if np.abs(values).max() > 0.0}
@@ -80,7 +80,7 @@ def _entropy_panel(profile: Profile, fields, delta) -> list:
               f"produced by conduction, {100 * conductive:.0f} %": fields["entropy_production_conductive"] / unit}
     if np.isfinite(fields["entropy"]).all():
         curves["gained, (s − s₁) / Δs"] = fields["entropy"] / made
-    return [("entropy; production × δ / mΔs", curves)]
+    return [("entropy; production × δ / jΔs", curves)]
 
 
 def draw_cells(ax, profile: Profile, centres, fields) -> None:

@@ -14,6 +14,7 @@ from hugoniot.theory.shock_lines import ShockLines
 from hugoniot.theory.states import States
 
 DASHED = (0, (4, 2))
+KINDS_OF_WAVES = {"shock": "shock", "fan": "rarefaction", "none": "undisturbed"}
 
 
 @styled
@@ -65,7 +66,7 @@ def riemann_waves(names: tuple[str, str], solution: Riemann, states: tuple[State
         u, p = _wave_curve(state, behind, wave)
         axes[0, 0].plot(u * 1e-3, p * 1e-9, color=colour)
         axes[0, 0].plot(state.particle_velocity * 1e-3, state.pressure * 1e-9, "o", color=colour, ms=4, mfc="none")
-        text = f"{('left', 'right')[k]}: {names[k]}, {wave.kind if wave.kind != 'none' else 'undisturbed'}"
+        text = f"{('left', 'right')[k]}: {names[k]}, {KINDS_OF_WAVES[wave.kind]}"
         axes[0, 0].annotate(text, (0.02, 1.11 - 0.08 * k), xycoords="axes fraction", color=colour, fontsize=8.5)
     if not solution.vacuum:
         axes[0, 0].plot(solution.velocity * 1e-3, solution.pressure * 1e-9, "o", color=INK, ms=4.5, zorder=5)
@@ -118,13 +119,13 @@ def second_shocks(name: str, law: second.Quadratic, first: float, last: float):
     left.annotate("principal Hugoniot", (0.03, 0.97), xycoords="axes fraction", va="top", fontsize=8.5)
     left.annotate(f"second shock from µ = {first:g}", (0.03, 0.89), xycoords="axes fraction", va="top", color=COLOURS[0], fontsize=8.5)
     left.set_title(name, loc="left", fontsize=9)
-    curves = (("exact (A.3 less A.1)", second.second(ahead, first, law) - second.principal(ahead, law), "-"),
+    curves = (("exact (A.3 − A.1)", second.second(ahead, first, law) - second.principal(ahead, law), "-"),
               ("leading term, of third order", second.leading_difference(ahead, first, law), DASHED),
-              ("series (A.4 less A.2)", second.second_series(ahead, first, law) - second.principal_series(ahead, law), (0, (1, 1.5))))
+              ("series (A.4 − A.2)", second.second_series(ahead, first, law) - second.principal_series(ahead, law), (0, (1, 1.5))))
     for k, (text, values, style) in enumerate(curves):
         right.plot(ahead, values * 1e-9, color=COLOURS[k], ls=style)
         right.annotate(text, (0.03, 0.06 + 0.08 * k), xycoords="axes fraction", color=COLOURS[k], fontsize=8.5)
-    right.set(xlabel="compression µ", ylabel="second less principal (GPa)", xlim=(first, last))
+    right.set(xlabel="compression µ", ylabel="second − principal Hugoniot (GPa)", xlim=(first, last))
     for ax in (left, right):
         quiet_grid(ax)
     return left

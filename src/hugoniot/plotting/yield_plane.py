@@ -72,9 +72,9 @@ def _principal(rows):
     """((3, time, gauge) principal deviators in the order of their axes, the axes' names); (None, ()) where a run has none."""
     if "deviator_radial" in rows:
         s1, s2 = rows["deviator_radial"], rows["deviator_hoop"]
-        return np.stack([s1, s2, -s1 - s2]), ("along the motion", "second axis", "third axis")
+        return np.stack([s1, s2, -s1 - s2]), ("direction of motion", "second axis", "third axis")
     if "deviator_xx" in rows:
         xx, yy, xy = rows["deviator_xx"], rows["deviator_yy"], rows["deviator_xy"]
         middle, radius = 0.5 * (xx + yy), np.hypot(0.5 * (xx - yy), xy)
-        return np.stack([middle + radius, middle - radius, -xx - yy]), ("larger in the plane", "smaller in the plane", "out of the plane")
+        return np.stack([middle + radius, middle - radius, -xx - yy]), ("larger in-plane", "smaller in-plane", "out of plane")
     return None, ()

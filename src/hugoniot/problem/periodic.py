@@ -13,7 +13,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str, str]]:
         if kind != "periodic":
             found.append((("boundary", side), "one end is periodic, the other is not", 'write "periodic" for both'))
     if problem.dimension > 1:
-        found.append((("geometry",), f"periodic ends are planar, not {problem.geometry}", "radii are not periodic"))
+        found.append((("geometry",), f"periodic ends need planar geometry, not {problem.geometry}", "radii are not periodic"))
     for k, (one, two) in enumerate(zip(problem.regions, problem.regions[1:]), start=1):
         if two.start > one.end:
             found.append((("region", k, "from"), f"a gap before '{two.name}': between periodic ends there is one body", "close the gap"))

@@ -32,7 +32,7 @@ def page(title: str, fit: dict, records, deck: str, posterior=None) -> str:
     pictures = "".join(f"<figure>{picture}</figure>" for picture in figures)
     points = [[text(s[0]), number(float(s[4][0]), s[2]), number(float(s[6][0]), s[2]), f"{(s[6][0] - s[4][0]) / s[5][0]:+.2f}"]
               for s in records if len(s[3]) == 1]
-    numbers = table(["number", "measured", "model", "residual / σ"], points) if points else ""
+    numbers = table(["quantity", "measured", "model", "(model − data) / σ"], points) if points else ""
     return "".join([
         '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">',
         f"<title>{text(title)}</title><style>{css}</style></head><body><main><h1>{text(title)}</h1>",
@@ -51,7 +51,7 @@ def _parameters(fit: dict) -> str:
 
         rows.append([text(p["name"]), shown("value"), shown("sigma"), f"{shown('low')} to {shown('high')}",
                      f"{shown('profile_low')} to {shown('profile_high')}"])
-    heads = ["parameter", "value", "standard deviation", "95 % interval", "95 % by profile"]
+    heads = ["parameter", "value", "standard deviation", "95 % interval", "95 % profile-likelihood interval"]
     profiled = any(p["profile_low"] == p["profile_low"] or p["profile_high"] == p["profile_high"] for p in fit["parameters"])
     return table(heads, rows) if profiled else table(heads[:-1], [row[:-1] for row in rows])
 

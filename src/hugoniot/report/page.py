@@ -4,6 +4,7 @@ import pathlib
 from collections.abc import Callable
 
 from hugoniot.output.atomic import write_whole
+from hugoniot.output.columns import PER_AREA
 from hugoniot.output.run import Run, load
 from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, highest_rows, spall_numbers
 from hugoniot.output.seal import sealed
@@ -30,10 +31,11 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
     if summary.get("interfaces_separated"):
         rows.append(("interfaces separated", str(summary["interfaces_separated"])))
     if "contact_heat" in summary:
-        rows += [("heat from contact", number(summary["contact_heat"], "J")), ("work of friction", number(summary["friction_work"], "J"))]
+        unit = "J" + PER_AREA[run.setup["geometry"]]
+        rows += [("heat from contact", number(summary["contact_heat"], unit)), ("work of friction", number(summary["friction_work"], unit))]
     for name in ("mass", "momentum", "energy"):
         error = summary[f"{name}_error"]
-        rows.append((f"{name} error", f"{error:.1e}" if error else "0"))
+        rows.append((f"relative {name} error", f"{error:.1e}" if error else "0"))
     return rows
 
 
@@ -41,7 +43,7 @@ _CAPTIONS = {
     "structure": "The last snapshot (dots, one per cell) and the steady wave of the same law (lines).",
     "structure_terms": "The steady wave: fields as fractions of their jumps; energies per volume in the frame of the shock; viscous stress "
                        "and heat flux; the terms that balance in momentum and in energy, times the density thickness δ; entropy and its "
-                       "production, whose area over x/δ is one.",
+                       "production, whose integral over x/δ is one.",
     "map_pressure": "Pressure at the end of the run; both halves in axisymmetric geometry. Lines are outlines and interfaces.",
     "map_plastic_strain": "Equivalent plastic strain at the end of the run.",
     "map_burn_fraction": "Burn fraction at the end of the run.",
@@ -72,7 +74,7 @@ def _figure(pictures: dict, name: str, more: str = "") -> str:
 def _spall_words(spall: dict) -> str:
     """How the spall strength was read, or why it is not given."""
     if "reason" in spall:
-        return f"Spall strength: not given, {spall['reason']}."
+        return f"Spall strength not given: {spall['reason']}."
     if not spall:
         return ""
     window = f", corrected for the impedance of the window '{spall['window']}'" if spall["window"] else ""

@@ -7,8 +7,8 @@ from html import escape
 from hugoniot.units import format_si
 
 _UNIT_SIGNS = ((" us", " µs"), (" um", " µm"), ("^2", "²"), ("^3", "³"), ("^-1", "⁻¹"), ("^-3", "⁻³"))
-_STATUS = {"verified": "read in the stated file", "corrected": "an error of that file corrected", "derived": "derived",
-           "recalled": "recalled, not checked against print", "user": "from the deck, or a default"}
+_STATUS = {"verified": "read in the stated file", "corrected": "an error in that file corrected", "derived": "derived",
+           "recalled": "from memory, not checked against print", "user": "from the deck, or a default"}
 _FAMILIES = {"eos": "equation of state", "viscosity": "artificial viscosity", "transport": "shear viscosity",
              "conduction": "heat conduction"}
 MOST_EVENTS = 200
@@ -91,7 +91,7 @@ def materials(setup: dict) -> str:
     for name, material in setup["materials"].items():
         limit = f" Range of its data: {text(material['reach'])}." if "reach" in material else ""
         where = ", ".join(text(r["name"]) for r in setup["regions"] if r["material"] == name)
-        parts.append(f"<h3>{text(name)}</h3><p class=quiet>In {where}.{limit}</p>")
+        parts.append(f"<h3>{text(name)}</h3><p class=quiet>Used in {where}.{limit}</p>")
         parts += [f'<p class="warning">{text(warning)}</p>' for warning in material["warnings"]]
         sources = _Citations()
         parts.append(_laws(material["laws"], sources))
@@ -124,8 +124,8 @@ _THICKNESSES = (
     ("shock velocity", "shock_velocity", "m/s", "into the material ahead"),
     ("particle velocity", "particle_velocity", "m/s", "jump of velocity"),
     ("entropy gained", "entropy_jump", "J/kg/K", "jump of the law's entropy, the same for every viscosity and conduction"),
-    ("made by viscosity", "entropy_viscous", "J/kg/K", "∫ (4/3 μ + ζ) (du/dx)² / T dx / ρu"),
-    ("made by conduction", "entropy_conductive", "J/kg/K", "∫ k (dT/dx)² / T² dx / ρu"),
+    ("produced by viscosity", "entropy_viscous", "J/kg/K", "∫ (4/3 μ + ζ) (du/dx)² / T dx / ρu"),
+    ("produced by conduction", "entropy_conductive", "J/kg/K", "∫ k (dT/dx)² / T² dx / ρu"),
 )
 
 
@@ -157,7 +157,7 @@ def _transport(record: dict) -> str:
 def numerics(setup: dict) -> str:
     """Integrator, step control and artificial viscosity."""
     solver = setup["solver"]
-    known = {"kind": "solver", "integrator": "integrator", "courant": "Courant number", "growth": "growth of the step",
+    known = {"kind": "solver", "integrator": "integrator", "courant": "Courant number", "growth": "largest growth of the step",
              "initial_step": "first step", "largest_step": "largest step", "threads": "threads", "max_cycles": "limit on cycles"}
     known = known if solver["kind"] == "lagrange1d" else {"kind": "solver"}
     given = [(key, label) for key, label in known.items() if solver.get(key) is not None]

@@ -67,7 +67,7 @@ def us_up(up, us, degree: int = 1) -> UsUpFit:
     if degree not in (1, 2):
         raise OutOfRange(f"a Us-up fit is linear (1) or quadratic (2), not of degree {degree}")
     if up.size != us.size or not (np.isfinite(up).all() and np.isfinite(us).all()):
-        raise OutOfRange("the points need one finite particle velocity and shock velocity each")
+        raise OutOfRange("each point needs a finite particle velocity and a finite shock velocity")
     if np.unique(up).size < degree + 2:
         raise OutOfRange(f"a fit of degree {degree} with a standard deviation needs {degree + 2} different particle velocities, "
                          f"there are {np.unique(up).size}")

@@ -135,7 +135,7 @@ def test_report_and_terminal_tell_the_thickness_its_definition_laws_and_sources(
     assert run.summary["entropy_viscous"] + run.summary["entropy_conductive"] == pytest.approx(run.summary["entropy_jump"], rel=1e-8)
     page = (tmp_path / "run" / "report.html").read_text()
     words = ("|ρ₂ − ρ₁| / max|dρ/dx|", f"{profile.thickness() * 1e6:.6g} µm".rstrip("0"), "shear viscosity: power_law", "2.27e-05 Pa s",
-             "heat conduction: prandtl", "Prandtl number mu c_p / k", "Jordan 2011, chapters 2 and 6", "WENO-Z", "made by conduction")
+             "heat conduction: prandtl", "Prandtl number mu c_p / k", "Jordan 2011, chapters 2 and 6", "WENO-Z", "produced by conduction")
     assert [word for word in words if word not in page] == []
     assert page.count('class="picture"') >= 5
     echo_results(run)
@@ -304,5 +304,5 @@ def test_energies_of_the_picture(name, rises):
     assert curves["kinetic"][0] == pytest.approx(0.5 * (one.velocity / one.sound_speed) ** 2, rel=1e-3)
     assert (curves["total"][-1] > curves["total"][0]) == rises
     assert (curves["kinetic"][-1] > curves["internal"][-1]) == (not rises)
-    for words in ("stress and heat flux", "momentum terms × δ", "energy terms × δ", "entropy; production × δ / mΔs"):
+    for words in ("stress and heat flux", "momentum terms × δ / ρ₁c₁²", "energy terms × δ / ρ₁c₁³", "entropy; production × δ / jΔs"):
         assert words in panels

@@ -1,4 +1,4 @@
-r"""Rate as a power of the pressure, depletion as a power of what is left.
+r"""Rate as a power of the pressure, depletion as a power of the unburned fraction.
 
 $$\dot\lambda = k\left(\frac{p}{p_0}\right)^n (1-\lambda)^m$$
 

@@ -1,4 +1,4 @@
-r"""Grain contact: a powder's law with the stiffness of its grains beyond their density.
+r"""Grain contact: a powder's law, stiffened by its grains above the grain density.
 
 $$p(\rho, e) = p_{\text{base}}(\rho,\, e - e_s) + p_s(\rho), \qquad
   p_s = \frac{K}{n}\left(X^n - 1\right), \quad

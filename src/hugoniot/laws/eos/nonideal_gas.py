@@ -1,4 +1,4 @@
-r"""Gas around one measured isentrope p1 (rho/rho1)^beta, for detonation products.
+r"""Gas with one measured isentrope p1 (rho/rho1)^beta as its reference, for detonation products.
 
 $$p = \chi\rho^\beta + \Gamma\rho e, \qquad \chi = p_1\rho_1^{-\beta}\left(1 - \frac{\Gamma}{\beta - 1}\right)$$
 

@@ -1,4 +1,4 @@
-r"""Cumulative damage: a high tension breaks at once, a lower one after a while.
+r"""Tuler-Butcher cumulative damage: a high tension breaks the material at once, a lower one after a delay.
 
 $$\int \left(\sigma_t - \sigma_0\right)^{\lambda}\,dt = K \quad\text{over the time spent at } \sigma_t > \sigma_0$$
 

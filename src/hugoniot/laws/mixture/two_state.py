@@ -1,4 +1,4 @@
-r"""Two states at the density and the temperature of the mixture: the closure of CTH before 1999, which the source rejects.
+r"""Two states at the density and the temperature of the mixture: the closure of CTH before 1999, which Starkenberg rejects.
 
 $$p = (1-\lambda)\,p_r(\rho, T) + \lambda\,p_p(\rho, T), \qquad e = (1-\lambda)\,e_r(\rho, T) + \lambda\,e_p(\rho, T)$$
 

@@ -72,7 +72,7 @@ STRENGTH.add(
         "hardening_exponent": "n, exponent of the hardening power law",
         "rate_coefficient": "C, coefficient of the logarithm of the strain rate",
         "thermal_exponent": "m, exponent of thermal softening",
-        "room_temperature": "temperature below which nothing softens",
+        "room_temperature": "temperature below which there is no thermal softening",
         "melt_temperature": "temperature at which the flow stress vanishes",
         "reference_rate": "strain rate of the fit, below which the rate has no effect",
     },

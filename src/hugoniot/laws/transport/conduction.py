@@ -62,7 +62,7 @@ CONDUCTION.add(
 CONDUCTION.add(
     "constant", ConstantConduction, line="Constant heat conductivity.",
     functions={"conductivity": constant_conductivity}, example=ConstantConduction(0.0177),
-    units={"conductivity": "W/m/K"}, meaning={"conductivity": "heat conductivity"}, box=_BOX,
+    units={"conductivity": "W/m/K"}, meaning={"conductivity": "thermal conductivity"}, box=_BOX,
     references=("Fourier's law; Bird, Stewart and Lightfoot, Transport Phenomena (1960), eq. 8.1-6",),
 )
 CONDUCTION.add(
@@ -70,7 +70,7 @@ CONDUCTION.add(
     functions={"conductivity": power_law_conductivity},
     example=PowerLawConduction(0.0177, 0.81, 300.0),
     units={"conductivity": "W/m/K", "exponent": "1", "reference_temperature": "K"},
-    meaning={"conductivity": "heat conductivity at the reference temperature", "exponent": "power of the temperature",
+    meaning={"conductivity": "thermal conductivity at the reference temperature", "exponent": "power of the temperature",
              "reference_temperature": "temperature of the given conductivity"},
     defaults={"exponent": 0.81, "reference_temperature": 300.0}, box=_BOX,
     references=("Jordan 2011, section 6.2, power law model", "Bird, Molecular Gas Dynamics (1994), section 4.3"),

@@ -1,4 +1,4 @@
-r"""Herrmann's bulk viscosity: quadratic and linear in the rate of compression, coefficients proportional to the mesh size.
+r"""Herrmann's artificial viscosity: quadratic and linear in the rate of compression, coefficients proportional to the mesh size.
 
 $$q = \rho\left\{B_2\,\Delta x\,c\,\frac{\dot\rho}{\rho} + \left[B_1\,\Delta x\,\frac{\dot\rho}{\rho}\right]^2\right\}, \qquad
   \dot\rho > 0$$

@@ -46,7 +46,7 @@
     H.clear(facts).append(H.numbers([["reduced χ²", H.digits(fit.reduced_chi_square, 4)], ["degrees of freedom", String(fit.degrees_of_freedom)], ["runs", String(fit.runs)], ["model consistent with the data", fit.matches ? "yes" : "no"]]),
       ...fit.doubts.map(t => H.h("p", {class: "bad small"}, t)), ...fit.notes.map(t => H.h("p", {class: "small quiet"}, t)));
     const rows = fit.parameters.map(p => { const [unit, f] = shown(p), n = (v, d = 5) => known(v) ? H.digits(v * f, d) : "–"; return [p.name, unit, n(p.value, 6), n(p.sigma, 3), `${n(p.low)} to ${n(p.high)}`, known(p.profile_low) || known(p.profile_high) ? `${n(p.profile_low)} to ${n(p.profile_high)}` : "–"]; });
-    H.clear(table).append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Parameters"}, H.h("table", {"data-table": "parameters"}, H.h("thead", {}, H.h("tr", {}, ["parameter", "unit", "value", "standard deviation", "95 % interval", "95 % by profile"].map((t, k) => H.h("th", {class: k > 1 ? "number" : ""}, t)))),
+    H.clear(table).append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Parameters"}, H.h("table", {"data-table": "parameters"}, H.h("thead", {}, H.h("tr", {}, ["parameter", "unit", "value", "standard deviation", "95 % interval", "95 % profile-likelihood interval"].map((t, k) => H.h("th", {class: k > 1 ? "number" : ""}, t)))),
       H.h("tbody", {}, rows.map((r, j) => H.h("tr", {"data-parameter": fit.parameters[j].name}, r.map((t, k) => H.h("td", {class: k > 1 ? "number" : ""}, t))))))));
   }
   function drawTargets(targets) {
@@ -54,7 +54,7 @@
     charts = [];
     H.clear(host);
     const single = targets.filter(t => t.time.length === 1);
-    if (single.length) host.append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Numbers"}, H.h("table", {}, H.h("thead", {}, H.h("tr", {}, ["number", "measured", "± σ", "model", "residual / σ"].map((t, k) => H.h("th", {class: k ? "number" : ""}, t)))),
+    if (single.length) host.append(H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Numbers"}, H.h("table", {}, H.h("thead", {}, H.h("tr", {}, ["quantity", "measured", "± σ", "model", "(model − data) / σ"].map((t, k) => H.h("th", {class: k ? "number" : ""}, t)))),
       H.h("tbody", {}, single.map(t => { const [unit, f] = t.unit === "s" ? H.timeUnit(Math.abs(t.data[0])) : [t.shown, t.factor]; return H.h("tr", {}, H.h("td", {}, t.label), [t.data[0], t.sigma[0], t.model[0]].map(v => H.h("td", {class: "number"}, `${H.digits(known(v) ? v * f : v)} ${unit}`)), H.h("td", {class: "number"}, H.digits(t.residual[0], 3))); })))));
     for (const t of targets.filter(t => t.time.length > 1)) {
       const box = H.h("div"), above = H.h("div"), below = H.h("div"), [tUnit, ft] = H.timeUnit(t.time.at(-1) || 1e-6), top = t.data.reduce((m, v) => Math.max(m, Math.abs(v) || 0), 0), [unit, factor] = t.unit === "Pa" ? H.fits([top], "GPa", 1e-9) : [t.shown, t.factor];

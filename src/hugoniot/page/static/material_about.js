@@ -5,9 +5,9 @@ H.aboutMaterial = known => {
   const rows = known.constants.map(c => H.h("tr", {}, H.h("td", {}, c.quantity), H.h("td", {class: "number"}, typeof c.value === "number" ? H.digits(c.value) : String(c.value)), H.h("td", {}, c.unit === "1" || c.unit === "text" ? "" : c.unit),
     H.h("td", {}, c.status === "default" ? "" : `[${number(c)}]`), H.h("td", {class: c.mark ? "bad" : ""}, c.mark)));
   const lines = (head, items) => items.length ? [H.h("h3", {}, head), ...items.map(t => H.h("div", {class: "small"}, t))] : [];
-  return H.h("details", {open: false}, H.h("summary", {}, H.h("strong", {}, known.title), H.h("span", {class: "quiet"}, ` ${known.name}: constants, sources, marks`)),
+  return H.h("details", {open: false}, H.h("summary", {}, H.h("strong", {}, known.title), H.h("span", {class: "quiet"}, ` ${known.name}: constants, sources, remarks`)),
     ...known.warnings.map(w => H.h("p", {class: "bad small"}, w)),
-    H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {class: "small"}, H.h("thead", {}, H.h("tr", {}, ["constant", "value", "unit (SI)", "source", "mark"].map((t, k) => H.h("th", {class: k === 1 ? "number" : ""}, t)))), H.h("tbody", {}, rows))),
+    H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {class: "small"}, H.h("thead", {}, H.h("tr", {}, ["constant", "value", "unit (SI)", "source", "remark"].map((t, k) => H.h("th", {class: k === 1 ? "number" : ""}, t)))), H.h("tbody", {}, rows))),
     ...lines("range of the data", known.reach ? [known.reach] : []),
     ...lines("derived", Object.entries(known.derived).map(([k, q]) => `${k.replace(/_/g, " ")}: ${H.digits(q.value)} ${q.unit === "1" ? "" : q.unit} (${q.meaning})`)),
     ...lines("choices", Object.entries(known.reasons).map(([k, t]) => `${k}: ${t}`)), ...lines("missing", known.missing), ...lines("notes", known.notes), ...lines("fits of measured states", known.fits),

@@ -60,7 +60,7 @@
   const expansion = {axes: [{label: "specific volume (cm³/g)", log: true}, {label: "pressure (GPa)", log: true}],
     series: (c, colour) => c.products ? [line("release", c, colour, c.products.isentrope, "p-v", {hover: true, label: c.short})] : [],
     marks: (c, colour) => c.products ? [{kind: "dot", x: 1e3 / c.products.cj.density, y: c.products.cj.pressure * 1e-9, colour, label: "CJ"}] : []};
-  const gurney = {axes: [{label: "mass of metal over mass of explosive, M/C", log: true}, {label: "metal velocity by Gurney (km/s)", min: 0}],
+  const gurney = {axes: [{label: "mass of metal over mass of explosive, M/C", log: true}, {label: "Gurney metal velocity (km/s)", min: 0}],
     series(c, colour) {
       if (!c.gurney) return [];
       const dashes = {cylinder: null, sphere: "7 3", symmetric: "2 3", open: "9 3 2 3"};

@@ -131,7 +131,7 @@
     const record = {record: H.exported() ? nearestExported(run, shown, k) : k}, [x, y, values] = await Promise.all(["position_x", "position_y", shown.name].map(name => array("snapshots", name, record)));
     if (mine !== order) return;
     profileHost.hidden = state.profileTitle.hidden = true;
-    if (H.exported()) when.textContent += record.record === k ? "" : ` (record ${record.record} is exported)`;
+    if (H.exported()) when.textContent += record.record === k ? "" : ` (shown: record ${record.record}, the nearest exported)`;
     map.show({...run, block_of: run.blocks}, {x: x.data, y: y.data, values: values.data, field: shown, record: record.record});
   }
   const nearestExported = (run, shown, k) => { for (let d = 0; d < run.times.length; d++) for (const r of [k - d, k + d]) if (window.hugoniotFiles[`array&group=snapshots&name=${shown.name}&record=${r}&run=${chosen()}`]) return r; return k; };
@@ -204,7 +204,7 @@
     if (!run.live) return;
     const at = run.times.at(-1) || 0;
     liveBox.append(H.h("div", {class: "bar"}, H.h("strong", {}, `This run is ${run.status}.`), run.stop_time ? H.h("progress", {max: run.stop_time, value: at, "aria-label": "Time recorded so far"}) : "",
-      H.h("span", {class: "small"}, run.times.length ? `recorded to ${H.digits(at * ft, 4)} ${tUnit}` : "nothing recorded yet: the first checkpoint is written after 30 s, or as the deck says")),
+      H.h("span", {class: "small"}, run.times.length ? `recorded to ${H.digits(at * ft, 4)} ${tUnit}` : "nothing recorded yet: the first checkpoint is written after 30 s, or as set in the deck")),
       H.h("details", {}, H.h("summary", {class: "small"}, "run.log"), H.h("pre", {class: "small scroll", tabindex: 0, style: {padding: "6px"}}, (run.log || []).join("\n"))));
   }
   function drawFacts(run) {
@@ -214,7 +214,7 @@
       s.energy_error === undefined ? "" : H.h("p", {class: "small quiet", style: {margin: "0 0 6px"}}, `relative errors: ${["mass", "momentum", "energy"].map(w => `${w} ${s[`${w}_error`] === null ? "–" : Number(s[`${w}_error`]).toExponential(1)}`).join(", ")}`),
       rows.length ? H.h("div", {class: "scroll wide", tabindex: 0, role: "group", "aria-label": "Table"}, H.h("table", {class: "small"}, H.h("thead", {}, H.h("tr", {}, H.h("th", {}, "gauge"), heads.map(k => H.h("th", {class: "number"}, H.labelled(units[k][0], units[k][1]))))), H.h("tbody", {}, rows.map(r => H.h("tr", {}, H.h("td", {}, r.gauge), heads.map(k => H.h("td", {class: "number"}, H.digits(r[k] === null ? null : r[k] * units[k][2], 5)))))))) : "",
       ...[["pull_back", "pull-back", "m/s", 1], ["spall_strength_acoustic", "spall strength, acoustic", "GPa", 1e-9], ["spall_strength_kanel", "with Kanel's correction", "GPa", 1e-9]].filter(([k]) => spall[k]).map(([k, w, u, f]) => H.h("div", {class: "small"}, `${w}: ${H.digits(spall[k] * f, 4)} ${u}`)),
-      spall.reason ? H.h("div", {class: "small"}, `spall strength: not given, ${spall.reason}`) : "", spall.note ? H.h("div", {class: "small"}, spall.note) : "",
+      spall.reason ? H.h("div", {class: "small"}, `spall strength not given: ${spall.reason}`) : "", spall.note ? H.h("div", {class: "small"}, spall.note) : "",
       run.events.length ? H.h("details", {}, H.h("summary", {class: "small"}, `${run.events.length} events`), H.h("div", {class: "scroll wide small", tabindex: 0, role: "group", "aria-label": "Events"}, run.events.map(e => H.h("div", {style: {padding: "2px 8px"}}, `${H.digits(e.time * 1e6, 5)} µs: ${e.text}`)))) : "");
   }
   function command(run, shown, k) {

@@ -1,4 +1,4 @@
-"""Standard problems of solids: elastic-plastic pistons, stopping shells, flyer plates (B14 to B17, B20)."""
+"""Standard problems of solids: elastic-plastic pistons, stopping shells, flyer plates."""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ from hugoniot.problem.standard.parts import Bar, Measure, StandardProblem, const
 
 ALUMINIUM = MieGruneisen(2785.0, 5328.0, 1.338, 2.0)
 COPPER = MieGruneisen(8930.0, 3940.0, 1.49, 2.0)
-FLYER_COPPER = MieGruneisen(8930.0, 3940.0, 1.489, 1.99)  # the slope with which the impact figures of B20 were computed
+FLYER_COPPER = MieGruneisen(8930.0, 3940.0, 1.489, 1.99)  # the slope with which the impact figures of the flyer impacts were computed
 TUNGSTEN = MieGruneisen(19224.0, 4029.0, 1.237, 1.54)
 IRON = MieGruneisen(7850.0, 3574.0, 1.92, 1.69)
 FREE = Boundary("free")
@@ -79,20 +79,20 @@ def _shell(name, description, geometry, speed, stop, exact):
 
 
 PROBLEMS = (
-    _piston("aluminium_piston", "Aluminium piston at 400 m/s: elastic precursor and plastic shock (B14)", build_aluminium_piston,
+    _piston("aluminium_piston", "Aluminium piston at 400 m/s: elastic precursor and plastic shock", build_aluminium_piston,
             ((125, 1.07e-3, None), (250, 5.7e-4, 4e-4), (500, 2.9e-4, None), (1000, 1.5e-4, None)),
             ((125, 0.095, 2e-3), (250, 2.1e-3, None), (500, 1e-4, None)),
             (2785.0, 0.6358785336e9, 6.635878530e9, 6490.425968, 5908.518885), 0.05, 5e-6),
-    _piston("copper_piston", "Copper piston at 20 m/s: elastic precursor and plastic shock (B15)", build_copper_piston,
+    _piston("copper_piston", "Copper piston at 20 m/s: elastic precursor and plastic shock", build_copper_piston,
             ((125, 7.9e-5, 3.95e-5), (250, 4.7e-5, 2.35e-5), (500, 2.9e-5, 1.45e-5), (1000, 1.8e-5, 9e-6)), (),
             (8930.0, 0.1990301038e9, 0.7415909734e9, 4722.176547, 3976.947540), 1.0, 150e-6),
-    _piston("udaykumar_piston", "Aluminium piston at 100 m/s with the constants of ExactPack's ep_piston (B16)",
+    _piston("udaykumar_piston", "Aluminium piston at 100 m/s with the constants of ExactPack's ep_piston",
             build_udaykumar_piston, (), (),
             (2790.0, 0.5379910161e9, 1.618843349e9, 6520.637842, 5505.311233), 0.05, 5e-6),
-    _shell("howell_ball", "Cylindrical beryllium shell that stops at 5 cm (B17)", "cylindrical", 417.1, 150e-6, 0.04999722783),
-    _shell("verney", "Spherical beryllium shell that stops at 3 cm (B17)", "spherical", 675.036, 120e-6, 0.0300001048),
-    _flyer("flyer_al_al_1900", "Aluminium on aluminium at 1900 m/s (B20)", ALUMINIUM, ALUMINIUM, 1900.0, 17.45957e9, 950.0),
-    _flyer("flyer_al_al_1200", "Aluminium on aluminium at 1200 m/s (B20)", ALUMINIUM, ALUMINIUM, 1200.0, 10.24457e9, 600.0),
-    _flyer("flyer_cu_al_1000", "Copper on aluminium at 1000 m/s (B20)", FLYER_COPPER, ALUMINIUM, 1000.0, 12.06699e9, 692.7178),
-    _flyer("flyer_w_fe_1500", "Tungsten on iron at 1500 m/s (B20)", TUNGSTEN, IRON, 1500.0, 43.69319e9, 1009.689),
+    _shell("howell_ball", "Cylindrical beryllium shell that stops at 5 cm", "cylindrical", 417.1, 150e-6, 0.04999722783),
+    _shell("verney", "Spherical beryllium shell that stops at 3 cm", "spherical", 675.036, 120e-6, 0.0300001048),
+    _flyer("flyer_al_al_1900", "Aluminium on aluminium at 1900 m/s", ALUMINIUM, ALUMINIUM, 1900.0, 17.45957e9, 950.0),
+    _flyer("flyer_al_al_1200", "Aluminium on aluminium at 1200 m/s", ALUMINIUM, ALUMINIUM, 1200.0, 10.24457e9, 600.0),
+    _flyer("flyer_cu_al_1000", "Copper on aluminium at 1000 m/s", FLYER_COPPER, ALUMINIUM, 1000.0, 12.06699e9, 692.7178),
+    _flyer("flyer_w_fe_1500", "Tungsten on iron at 1500 m/s", TUNGSTEN, IRON, 1500.0, 43.69319e9, 1009.689),
 )
