@@ -35,6 +35,7 @@ from numba.extending import intrinsic
 from hugoniot.core.target import BY_ADDRESS, GUARD
 
 DISMISSED = -1
+AWAY = -2                   # signature of a member whose thread has not begun
 LINE = 8
 SPINS = 2000
 PATIENCE = 100_000          # ns of waiting before a thread sleeps
@@ -120,10 +121,14 @@ def at_work(team: Team, serve: Callable, plan) -> Iterator[None]:
         return
     cores = cores_for(team.threads)
 
+    signatures = [LINE * (member + 1) for member in range(team.threads)]
+
     def work(member):
         with on_core(cores, member):
+            team.board[signatures[member]] = phase
             serve(member, phase, plan, team)
 
+    team.board[signatures[1:]] = AWAY
     members = [threading.Thread(target=work, args=(k,), daemon=True) for k in range(1, team.threads)]
     for member in members:
         member.start()
@@ -199,11 +204,21 @@ def call(board, command):
 def begin(board, command, threads):
     """Leader: start a phase with a command; how many shares, from the first, the leader is to do: one, or all while it works alone."""
     board[COMMAND], board[BEGAN], board[PHASES] = command, _clock(board, 1), board[PHASES] + 1
-    if board[BEGAN] < board[SHARE_AGAIN] or board[PHASES] % COMPARES == 0 or board[_known(command, threads)] == 0:
+    if (board[BEGAN] < board[SHARE_AGAIN] or board[PHASES] % COMPARES == 0 or board[_known(command, threads)] == 0
+            or not _complete(board, threads)):
         board[SHARED] = 0
         return threads
     call(board, command)
     return 1
+
+
+@nb.njit(**BY_ADDRESS)
+def _complete(board, threads):
+    """Whether the threads of all members have begun: until then the leader works alone instead of waiting for them."""
+    away = 0
+    for member in range(1, threads):
+        away += _read(board, LINE * (member + 1)) == AWAY
+    return away == 0
 
 
 @nb.njit(**BY_ADDRESS)

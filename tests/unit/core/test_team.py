@@ -141,6 +141,14 @@ def test_a_march_during_a_rest_has_no_other_threads():
     assert np.array_equal(row, alone)
 
 
+def test_a_leader_does_not_wait_for_threads_that_have_not_begun():
+    board, row = team.board(2), np.ones(3000)
+    board[2 * team.LINE] = team.AWAY
+    assert lead(row, board, 100, 2) == 100 and board[team.ACCOUNT] == 0 and board[0] == 0
+    board[2 * team.LINE] = 0
+    assert team.begin(board, 0, 2) == 1
+
+
 def test_few_zones_or_one_thread_make_no_team():
     assert team.team_of(1, 10**6, 10).threads == team.team_of(8, 9, 10).threads == 1
 
