@@ -21,14 +21,12 @@ _MODES = {"pressure": jump.BY_PRESSURE, "particle_velocity": jump.BY_PARTICLE_VE
           "shock_velocity": jump.BY_SHOCK_VELOCITY, "density": jump.BY_DENSITY}
 
 
-def shock(material, initial: Initial | None = None, *, direction: int = 1, guess: float | None = None, once: bool = False,
-          **given) -> States:
+def shock(material, initial: Initial | None = None, *, direction: int = 1, once: bool = False, **given) -> States:
     """States behind a shock that runs into `initial` (default: the law's reference state).
 
     given       exactly one of pressure (Pa), particle_velocity (m/s), shock_velocity (m/s), density (kg/m3): a number or an
                 array; velocities are in the frame of the laboratory
     direction   +1: the shock runs towards +x, -1: towards -x
-    guess       first v0 - v to try, m3/kg; selects the strong or the weak branch of a detonation of given velocity
     once        the question is not asked again: some thousand states are then found without a compiler, which takes seconds
     Returns `States` of the shape of the input. Raises `OutOfRange` with the limit, or `NoSolution`.
     Source: KB codes eqs 2.7 to 2.13, the energy equation corrected (K-E1 of docs/theory/source_errors.md); Starkenberg A-5.
@@ -37,7 +35,7 @@ def shock(material, initial: Initial | None = None, *, direction: int = 1, guess
     ahead = initial or Initial.at_rest(par)
     name, value = _one(given)
     mode, targets = _targets(name, value, ahead, direction)
-    x, p, e = _solve(mode, targets, ahead, par, guess, name, COMPILE_ONCE_ABOVE if once else COMPILE_ABOVE)
+    x, p, e = _solve(mode, targets, ahead, par, name, COMPILE_ONCE_ABOVE if once else COMPILE_ABOVE)
     shape = np.shape(value)
     rise = np.maximum(p - ahead.pressure, 0.0)
     up = np.sqrt(rise * np.maximum(x, 0.0))
@@ -195,7 +193,7 @@ def _targets(name, value, ahead: Initial, direction: int):
     return mode, values * ahead.density if mode == jump.BY_SHOCK_VELOCITY else values
 
 
-def _solve(mode, targets, ahead: Initial, par, guess, name, compile_above):
+def _solve(mode, targets, ahead: Initial, par, name, compile_above):
     v0, least, most = interval(par, ahead)
     floor = crushed(par, ahead, v0)
     c0 = sound_speed_ahead(par, ahead)
@@ -212,7 +210,7 @@ def _solve(mode, targets, ahead: Initial, par, guess, name, compile_above):
         with np.errstate(all="ignore"):
             for i, target in enumerate(targets.tolist()):
                 if not still[i]:
-                    first = max(jump.first_guess(mode, target, v0, ahead.pressure, c0), floor) if guess is None else guess
+                    first = max(jump.first_guess(mode, target, v0, ahead.pressure, c0), floor)
                     try:
                         status[i], x[i], p[i], e[i] = jump.shocked(mode, target, first, least, most, v0, ahead.pressure, e0, par)
                     except ArithmeticError:  # a pole of the law: compiled code meets an infinity there
