@@ -8,7 +8,7 @@ import typer
 from hugoniot.cli.show import echo_table
 from hugoniot.output.columns import PER_AREA
 from hugoniot.output.run import Run
-from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, highest_rows, spall_numbers, warnings_of
+from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, highest_rows, is_lower_bound, spall_numbers, warnings_of
 from hugoniot.units import format_si
 
 
@@ -91,7 +91,7 @@ def _echo_spall(run: Run) -> None:
         typer.echo(f"spall of '{found['region']}' ({place}{behind}):")
         for key, words, unit in SPALL:
             if key in found:
-                typer.echo(f"  {words:38s} {format_si(found[key], unit, 4)}")
+                typer.echo(f"  {words:38s} {'at least ' if is_lower_bound(key, found) else ''}{format_si(found[key], unit, 4)}")
     if "reason" in found:
         typer.echo(f"spall strength: not given, {found['reason']}")
     if "note" in found:

@@ -1,5 +1,7 @@
 """The numbers of a finished run that terminal, report and JSON show: each is found here, once."""
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from hugoniot.diagnostics.arrival import arrivals
@@ -17,6 +19,11 @@ SPALL = (("peak_velocity", "velocity before the pull-back", "m/s"), ("pull_back"
          ("spall_strength_acoustic", "spall strength, acoustic", "Pa"),
          ("spall_strength_kanel", "spall strength with Kanel's correction", "Pa"),
          ("spall_thickness", "spalled layer", "m"))
+
+
+def is_lower_bound(key: str, spall: Mapping) -> bool:
+    """Whether a number of `spall_numbers` is a lower bound: the acoustic strength, where the note says what eroded the pull-back."""
+    return key == "spall_strength_acoustic" and "note" in spall
 
 
 def gauge_rows(run: Run) -> list[dict]:

@@ -4,9 +4,10 @@ from dataclasses import replace
 
 from hugoniot.errors import HugoniotError
 from hugoniot.laws import burn as _burn  # noqa: F401  (enrols the burn laws)
-from hugoniot.laws.burn.contract import BURN
+from hugoniot.laws.burn.contract import BURN, keeps_time
 from hugoniot.laws.eos.contract import EOS
 from hugoniot.materials import burning
+from hugoniot.problem.defaults import FOR_PRODUCTS
 from hugoniot.problem.model import Problem
 from hugoniot.theory.chapman_jouguet import cj
 from hugoniot.theory.hugoniot import Initial
@@ -90,9 +91,27 @@ def material_advice(problem) -> list[str]:
 
 
 def region_advice(problem, region) -> list[str]:
-    """Of a region that burns what its front, its density and its chemical energy have of their own, in sentences."""
-    sentences = _front_advice(problem, region), _density_advice(problem, region), _heat_advice(problem.materials[region.material])
+    """Of a region that burns what its front, its density, its chemical energy and its viscosity have of their own, in sentences."""
+    material = problem.materials[region.material]
+    sentences = (_front_advice(problem, region), _density_advice(problem, region), _heat_advice(material),
+                 _viscosity_advice(problem.solver, material))
     return [text for text in sentences if text]
+
+
+def _viscosity_advice(solver, material) -> str:
+    """That a linear viscosity other than the default one has no effect in an explosive that burns by a schedule alone."""
+    given = solver.viscosity
+    if given is None or solver.integrator == "wilkins" or not keeps_time(material.burn, burning.has_reactants(material)):
+        return ""
+    plane = hasattr(given, "explosive_linear")
+    if plane:
+        key, value, usual = "explosive_linear", given.explosive_linear, type(given).explosive_linear
+    else:
+        key, value, usual = "linear", given[1].get("linear"), FOR_PRODUCTS[solver.integrator][1]["linear"]
+    if value in (None, 0.0, usual):
+        return ""
+    return (f"[solver.viscosity] {key} = {value:g} has no effect in '{material.name}', which burns by a schedule alone: linear viscosity "
+            "would compress it ahead of the front")
 
 
 def _idle(material) -> list[str]:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from hugoniot.output.atomic import write_whole
 from hugoniot.output.columns import PER_AREA
 from hugoniot.output.run import Run, load
-from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, highest_rows, spall_numbers
+from hugoniot.output.run_numbers import GAUGE_UNITS, SPALL, gauge_rows, highest_rows, is_lower_bound, spall_numbers
 from hugoniot.output.seal import sealed
 from hugoniot.output.spall_reading import SURFACE, surface_record
 from hugoniot.page import one_run
@@ -25,7 +25,8 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
              for name, value, place in highest_rows(run)]
     for key, name, unit in SPALL:
         if key in spall:
-            rows.append((name, number(float(f"{spall[key]:.4g}"), unit)))
+            least = "at least " if is_lower_bound(key, spall) else ""
+            rows.append((name, least + number(float(f"{spall[key]:.4g}"), unit)))
     if summary["voids_opened"] or summary["voids_closed"]:
         rows.append(("voids opened / closed", f"{summary['voids_opened']} / {summary['voids_closed']}"))
     if summary.get("interfaces_separated"):

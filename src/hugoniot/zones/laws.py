@@ -24,7 +24,7 @@ from hugoniot.zones.constants import Constants
 
 def keeps_time(eos) -> bool:
     """Whether a `Reactive` pair burns by a schedule alone, with nothing before it burns; False for an equation of state."""
-    return isinstance(eos, Reactive) and mixture.bare(eos.mixture) and "compression_driven" not in BURN.of(eos.rate).flags
+    return isinstance(eos, Reactive) and burn_contract.keeps_time(eos.rate, not mixture.bare(eos.mixture))
 
 
 class Laws(NamedTuple):

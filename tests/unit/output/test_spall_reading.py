@@ -18,7 +18,7 @@ from hugoniot.laws.eos.mie_gruneisen import MieGruneisen
 from hugoniot.laws.fracture.spall_stress import SpallStress
 from hugoniot.materials.material import Material
 from hugoniot.output.compare import compare
-from hugoniot.output.run_numbers import spall_numbers
+from hugoniot.output.run_numbers import is_lower_bound, spall_numbers
 from hugoniot.output.spall_reading import (
     hit_regions,
     read_record,
@@ -162,6 +162,7 @@ def test_a_pull_back_eroded_beyond_correction_is_a_lower_bound(tmp_path):
     shown = spall_numbers(run(deck.problem, tmp_path / "run", report=False))
     assert 0.2e9 < shown["spall_strength_acoustic"] < 1e9
     assert "spall_strength_kanel" not in shown and "lower bound" in shown["note"]
+    assert is_lower_bound("spall_strength_acoustic", shown) and not is_lower_bound("pull_back", shown)
 
 
 def test_any_record_of_a_few_points_is_read_without_a_defect():

@@ -199,6 +199,7 @@ GASEOUS = '[material.x.eos]\nlaw = "ideal_gas"\ngamma = 3.0\nrho0 = 1600.0\n[mat
     ("", '[material.x]\nbase = "LX-17 reactive"\ndetonation_energy = "5e12 J/kg"', "its equations of state give"),
     ("", GASEOUS, "has no burn law: its detonation_energy is not used"),
     ("", '[material.x]\nbase = "copper"\nmixture = "thermal_isolation"', "has no burn law: its mixture is not used"),
+    ("lighting = [{at = 0.0}]", '[solver.viscosity]\nlaw = "limited"\nlinear = 1.0', "linear = 1 has no effect in 'comp_b', which burns by a schedule alone"),
 ])
 def test_what_is_allowed_but_seldom_meant_is_told(top, region, words):
     text = DECK.format(top=top, region=region)
@@ -214,6 +215,12 @@ def test_a_front_that_is_programmed_to_converge_is_told_with_the_law_to_take(geo
     assert not told or 'law = "programmed_beta", rho0 = 1717, rho_cj = 2351' in found[0]
     with_beta = '[material.comp_b]\nbase = "comp_b"\n[material.comp_b.burn]\nlaw = "programmed_beta"\nrho0 = 1717.0\nrho_cj = 2351.4\ndetonation_velocity = "7980 m/s"\n'
     assert read_deck_text(text + with_beta).warnings == ()
+
+
+@pytest.mark.parametrize("solver", ['[solver.viscosity]\nlaw = "limited"\nlinear = 0.3', '[solver.viscosity]\nlaw = "limited"\nlinear = 0',
+                                    '[solver]\nintegrator = "wilkins"\n[solver.viscosity]\nlaw = "wilkins"\nlinear = 2.0'])
+def test_a_linear_viscosity_that_is_the_default_or_acts_is_not_warned_of(solver):
+    assert read_deck_text(DECK.format(top="lighting = [{at = 0.0}]", region=solver)).warnings == ()
 
 
 def test_zones_crushed_before_a_front_lit_them_are_told_with_the_law_to_take():

@@ -38,6 +38,11 @@ class Reactive(NamedTuple):
     mixture: Any
 
 
+def keeps_time(par, reactants: bool) -> bool:
+    """Whether an explosive burns by a schedule alone: nothing stands for it before it burns (no `reactants`), and no shock burns it."""
+    return not reactants and "compression_driven" not in BURN.of(par).flags
+
+
 def rate(burn_fraction, rho, p, temperature, par):
     """Rate of burning, 1/s."""
     return BURN.of(par).functions["rate"](burn_fraction, rho, p, temperature, par)
