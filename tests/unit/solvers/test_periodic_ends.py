@@ -160,7 +160,7 @@ def test_a_profile_much_longer_than_its_region_is_doubted(tmp_path, last, doubte
 
 @pytest.mark.parametrize("old, new, words", [
     ('right = "periodic"', 'right = "free"', "one end is periodic"),
-    ("stop_time", 'geometry = "spherical"\nstop_time', "periodic ends are planar"),
+    ("stop_time", 'geometry = "spherical"\nstop_time', "periodic ends need planar geometry"),
     ('"0.1 m/s"', '"0.1 m"', "unit m"),
     ('"0.1 m/s"', '"0.1 m/s * y"', "unknown name 'y'"),
     ('"0.1 m/s"', '"__import__(1)"', "not allowed in an expression"),
