@@ -17,7 +17,7 @@ from hugoniot.problem.model import Boundary, Problem, Pulse, Region, SolverOptio
 from hugoniot.solvers.fronts.cells.mesh import Front, Mesh
 from hugoniot.solvers.fronts.cells.solver import Cells
 
-CELLS = SolverOptions("fronts", options=MappingProxyType({"mode": "cells"}))
+CELLS = SolverOptions("fronts", options=MappingProxyType({"mode": "cells", "burn_step": 0.0}))      # a mesh as fine as it is given
 LAST = 30.0      # of s = -ln(1 - lambda): beyond it everything has burned
 FAR = 18.0       # of s: beyond it a mode is taken as it is there
 

@@ -1,6 +1,7 @@
 """Burning behind tracked shocks: the steady zone of an overdriven wave, the exact reference state of isolated reactants, conservation."""
 
 import dataclasses
+from types import MappingProxyType
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from hugoniot.laws.riemann.curve import Curve
 from hugoniot.laws.riemann.medium import Frozen, mixed_answer, mixed_phases
 from hugoniot.laws.riemann.wave import Side, jumps, reach
 from hugoniot.materials import burning, library
-from hugoniot.problem.model import Boundary, Problem, Pulse, Region
+from hugoniot.problem.model import Boundary, Problem, Pulse, Region, SolverOptions
 from hugoniot.simulate import make_solver
 from hugoniot.theory.hugoniot import Initial, shock
 from hugoniot.theory.stability import Wave
@@ -149,12 +150,13 @@ def test_the_products_energy_behind_a_tracked_shock_is_independent_of_the_mesh(r
     assert coarse[:, 1] == pytest.approx(fine[:, 1], rel=1e-3)
 
 
-def initiated(per_mm):
+def initiated(per_mm, **options):
     """LX-17 behind a shock of 20 GPa with its own rate, when the shock has become a detonation: products' energy, J/kg."""
     behind = shock(LX17.unreacted, REST, pressure=20e9)
     piston = Boundary("velocity", Pulse("constant", float(behind.particle_velocity)))
     region = Region("charge", "lx-17", 0.0, 4e-3, 4 * per_mm)
-    solver = marched(Problem("initiated", "planar", 0.4e-6, (region,), {"lx-17": LX17}, piston, Boundary("free"), solver=CELLS))
+    how = SolverOptions("fronts", options=MappingProxyType({"mode": "cells", **options}))
+    solver = marched(Problem("initiated", "planar", 0.4e-6, (region,), {"lx-17": LX17}, piston, Boundary("free"), solver=how))
     found = []
     for fraction in (0.05, 0.15, 0.25, 0.35, 0.45):
         _, state, matter, burned = solver.column(0).point(fraction)
@@ -162,11 +164,18 @@ def initiated(per_mm):
     return np.array(found)
 
 
-@pytest.mark.slow
 def test_the_products_energy_of_an_initiation_is_independent_of_the_mesh():
-    """The fast reaction behind the detonation is 0.15 mm wide: three cells of the coarse mesh."""
-    fine = initiated(80)
-    assert initiated(20) == pytest.approx(fine, rel=1e-2) and initiated(40) == pytest.approx(fine, rel=6e-3)
+    """The fast reaction behind the detonation is 0.15 mm wide: less than a cell of the coarse mesh."""
+    assert initiated(5) == pytest.approx(initiated(40), rel=1.2e-2)
+
+
+@pytest.mark.slow
+def test_halving_cells_that_burn_fast_does_what_a_mesh_that_fine_does():
+    fine = initiated(320, burn_step=0.0)
+    assert initiated(160, burn_step=0.0) == pytest.approx(fine, rel=1.5e-3)
+    for per_mm, plain, halved, more in ((5, 4e-2, 1.2e-2, 1.4e-2), (10, 2.3e-2, 8e-3, 5e-3), (20, 9e-3, 6e-3, 3e-3)):
+        errors = [np.abs(initiated(per_mm, burn_step=step) / fine - 1.0).max() for step in (0.0, 0.15, 0.1)]
+        assert errors[0] > plain and errors[1] < halved and errors[2] < more
 
 
 def test_the_reference_state_is_the_exact_state_behind_the_shock():

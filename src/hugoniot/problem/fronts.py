@@ -50,6 +50,9 @@ class OptionsTable(Table):
         None, description="strength (change of stress / stiffness) below which a wave is not followed (default: 1e-6 algebraic, "
         "0.01 cells; where the strongest wave at the start is weaker than that, but stronger than a tenth of it, the cells mode takes a "
         "tenth of that wave's strength, unless a region has a profile)")
+    burn_step: Annotated[float, Quantity("1", least=0.0, limit=1.0)] = Field(
+        0.15, description="cells: what a cell may change the burn fraction while sound crosses it, next to a tracked shock an eighth of "
+        "that; cells that burn faster are halved, up to five times, and joined again afterwards (0: never)")
     most_fronts: int = Field(400, ge=10, le=100_000, description="with more fronts to follow, the algebraic mode stops with a message, "
                              "and the cells mode leaves new waves to the cells, with a warning")
 

@@ -31,6 +31,9 @@ def key_numbers(run: Run) -> list[tuple[str, str]]:
         rows.append(("voids opened / closed", f"{summary['voids_opened']} / {summary['voids_closed']}"))
     if summary.get("interfaces_separated"):
         rows.append(("interfaces separated", str(summary["interfaces_separated"])))
+    if summary.get("cells_halved"):
+        finest = f"<small>to 1/{2 ** int(summary['finest_halving'])} of a zone</small>"
+        rows.append(("cells halved where they burn fast", f"{summary['cells_halved']:.0f}{finest}"))
     if "contact_heat" in summary:
         unit = "J" + PER_AREA[run.setup["geometry"]]
         rows += [("heat from contact", number(summary["contact_heat"], unit)), ("work of friction", number(summary["friction_work"], unit))]

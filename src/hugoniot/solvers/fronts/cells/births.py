@@ -57,7 +57,7 @@ def collapse(mesh: Mesh, first: int, last: int, x: float, unburned: int) -> int:
     mesh.x, mesh.marked, mesh.given = mesh.x[keep], mesh.marked[keep], mesh.given[keep]
     mesh.x[first] = x
     mesh.q = np.delete(mesh.q, range(first, last), axis=0)
-    mesh.region, mesh.push = (np.delete(row, range(first, last)) for row in (mesh.region, mesh.push))
+    mesh.region, mesh.push, mesh.level = (np.delete(row, range(first, last)) for row in (mesh.region, mesh.push, mesh.level))
     return first
 
 
@@ -119,6 +119,7 @@ def place(mesh: Mesh, face: int, outer, whole, rows, time: float, bench: Bench) 
         born[:, [VOLUME, HOOP]] = strains
     mesh.q = np.concatenate([mesh.q[:face], born, mesh.q[face:]])
     mesh.push = np.concatenate([mesh.push[:face], np.array(push), mesh.push[face:]])
+    mesh.level = np.insert(mesh.level, face, np.zeros(len(regions), dtype=np.int64))
     mesh.region = np.concatenate([mesh.region[:face], np.array(regions, dtype=mesh.region.dtype), mesh.region[face:]])
     return [front.kind for front in made]
 

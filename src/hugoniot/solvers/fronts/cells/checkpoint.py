@@ -15,11 +15,12 @@ def payload(solver) -> dict:
     fronts = [{"kind": f.kind, "numbers": [f.speed, float(f.direction), f.strength, float(f.least), f.since, f.start],
                "sides": np.array(f.sides, dtype=float), "fan": [] if f.fan is None else fans.numbers_of(f.fan)} for f in mesh.fronts]
     return {"x": mesh.x.copy(), "q": mesh.q.copy(), "region": mesh.region.copy(), "marked": mesh.marked.copy(), "given": mesh.given.copy(),
-            "push": mesh.push.copy(), "fronts": fronts, "samples": solver.samples,
+            "push": mesh.push.copy(), "level": mesh.level.copy(), "fronts": fronts, "samples": solver.samples,
             "zones": solver.flow.work.zones.copy(), "numbers": solver.flow.work.numbers.copy(),
             "dropped": solver.flow.bench.dropped,
             "changes": [getattr(solver.changes, name) for name in _COUNTS], "passed": solver.flow.work.passed.copy(),
             "start_totals": solver.start_totals.copy(), "start_size": solver.start_size.copy(),
+            "refining": solver.refining.numbers(),
             "voids": [solver.voids_opened, solver.voids_closed], "life_kinds": list(trace.lines()[0]),
             "life_rows": np.array(trace.lines()[1], dtype=float).reshape(-1, len(COLUMNS)),
             "jumps": [[k, v] for k, v in trace.jumps.items()], "tensions": [[k, v] for k, v in trace.tensions.items()]}
@@ -34,7 +35,8 @@ def restore(solver, payload: dict) -> None:
         sides = tuple(tuple(side) for side in row["sides"].tolist())
         fronts.append(Front(row["kind"], speed, int(direction), strength, int(least), since, start, sides, fan))
     solver.mesh = Mesh(payload["x"].copy(), payload["q"].copy(), payload["region"].copy(), payload["marked"].astype(bool), fronts,
-                       solver.problem.dimension, payload["given"].copy(), payload["push"].copy())
+                       solver.problem.dimension, payload["given"].copy(), payload["push"].copy(),
+                       payload["level"].astype(np.int64))
     work = solver.flow.work
     work.numbers[:], work.passed[:], work.zones[:] = payload["numbers"], payload["passed"], payload["zones"]
     solver.cycle, solver.step = int(work.numbers[tables.CYCLE]), float(work.numbers[tables.STEP])
@@ -44,6 +46,7 @@ def restore(solver, payload: dict) -> None:
         setattr(solver.changes, name, int(value))
     solver.start_totals, solver.start_size = payload["start_totals"].copy(), payload["start_size"].copy()
     solver.voids_opened, solver.voids_closed = (int(n) for n in payload["voids"])
+    solver.refining.set_numbers(payload["refining"])
     trace = solver.trace
     trace.replace(list(payload["life_kinds"]), [list(row) for row in payload["life_rows"].tolist()])
     trace.jumps, trace.tensions = ({int(k): float(v) for k, v in payload[name]} for name in ("jumps", "tensions"))

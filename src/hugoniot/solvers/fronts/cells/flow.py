@@ -89,7 +89,8 @@ class Flow:
         padded = [np.array([[*row, *[row[-1]] * (longest - len(row))] for row in rows], dtype=float) for rows in zip(*lists)]
         length = problem.regions[-1].end - problem.regions[0].start
         numbers = np.array([problem.dimension, courant, float(options["weakest"]), length, problem.stop_time, self.burns,
-                            self.bench.unburned, int(options["most_fronts"]), self.bench.elastic if self.solid.any() else 0.0], dtype=float)
+                            self.bench.unburned, int(options["most_fronts"]), self.bench.elastic if self.solid.any() else 0.0,
+                            float(options["burn_step"])], dtype=float)
         return Rules(passes, words, limits, traits, ends, *padded, numbers)
 
     # -- arrays --------------------------------------------------------------------------------------------------------
@@ -99,7 +100,8 @@ class Flow:
         if n + 2 > self.work.w.shape[1]:
             more = tables.make_work(2 * n + 2, self.variables, len(self.laws), self.work.zones, self.work.owner)
             self.work = more._replace(trace=self.work.trace, passed=self.work.passed, numbers=self.work.numbers)
-        return Grid(*(np.ascontiguousarray(row) for row in (mesh.x, mesh.q, mesh.region, mesh.marked, mesh.given, mesh.push)))
+        return Grid(*(np.ascontiguousarray(row) for row in (mesh.x, mesh.q, mesh.region, mesh.marked, mesh.given, mesh.push,
+                                                             mesh.level)))
 
     def look(self, mesh: Mesh) -> np.ndarray:
         """The table with the averages of the cells and their values at the faces (blocks MEAN, LOW, HIGH)."""
@@ -131,7 +133,7 @@ class Flow:
     def march(self, mesh: Mesh, goal: float, cycles: int) -> int:
         """Steps until a time or number of cycles, or until something happens: why the march came back (march.DONE and so on)."""
         grid, numbers = self.grid(mesh), self.work.numbers
-        rows = self._rows(mesh)
+        rows = self.rows(mesh)
         while True:
             before = numbers[tables.CYCLE]
             why = march.march(grid, self.rules, self.work, rows, len(rows), goal, cycles)
@@ -149,7 +151,7 @@ class Flow:
         return why
 
     @staticmethod
-    def _rows(mesh: Mesh) -> np.ndarray:
+    def rows(mesh: Mesh) -> np.ndarray:
         """The table of fronts."""
         return np.array([[f, tables.KINDS.index(front.kind), front.speed, front.direction, front.strength, front.least,
                           float(front.fan is not None)]
@@ -161,7 +163,9 @@ class Flow:
         dt, longest = float(numbers[tables.PENDING]), goal - float(numbers[tables.TIME])
         tracked.at_fronts(self, grid, mesh, rows, float(numbers[tables.TIME]) + 0.5 * dt)
         march.close_step(grid, self.rules, self.work, rows, len(rows), dt, longest if numbers[tables.MEETS] else dt, goal)
-        return march.CHANGE if march.calls_for_change(grid, self.rules, self.work, rows, len(rows)) else march.DONE
+        if march.calls_for_change(grid, self.rules, self.work, rows, len(rows)):
+            return march.CHANGE
+        return march.REFINE if numbers[tables.UNRESOLVED] > 0.0 else march.DONE
 
     def refuse_highest(self, mesh: Mesh) -> None:
         """Raise `UnphysicalState` if a cell has come to the highest density of its law, where pressure and sound speed have no bound.
@@ -192,7 +196,7 @@ class Flow:
 
     def steep(self, mesh: Mesh) -> tuple[int, int]:
         """(cell, direction) of a shock among the cells; (-1, 0) if there is none."""
-        cell = steepening.steep_cell(self.grid(mesh), self.rules, self.work, self._rows(mesh), len(mesh.fronts))
+        cell = steepening.steep_cell(self.grid(mesh), self.rules, self.work, self.rows(mesh), len(mesh.fronts))
         return int(cell), int(self.work.numbers[tables.STEEP_WAY])
 
     def flagged(self, row: int, mesh: Mesh) -> list[int]:

@@ -18,11 +18,12 @@ import numba as nb
 from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.solvers.fronts.cells.exact import at_fronts
 from hugoniot.solvers.fronts.cells.fans import forget, let_go
-from hugoniot.solvers.fronts.cells.gas import averages, each_burning, evaluate, hllc, move, predict, unsound
+from hugoniot.solvers.fronts.cells.gas import averages, evaluate, hllc, move, predict, unsound
 from hugoniot.solvers.fronts.cells.pace import face_speeds, known_speeds, meeting_time, step_length
 from hugoniot.solvers.fronts.cells.parabolas import reconstruct
+from hugoniot.solvers.fronts.cells.refining import paces, watch
 from hugoniot.solvers.fronts.cells.solids import deviator_of, is_solid, yielded
-from hugoniot.solvers.fronts.cells.spacing import extent, wanted
+from hugoniot.solvers.fronts.cells.spacing import extent, share_of, wanted
 from hugoniot.solvers.fronts.cells.steepening import steep_cell
 from hugoniot.solvers.fronts.cells.tables import (
     BURNS,
@@ -33,18 +34,15 @@ from hugoniot.solvers.fronts.cells.tables import (
     FEWER,
     HIGH,
     HOOP,
-    LAM,
     LEAST,
     LENGTH,
     LIMITING,
     LINES,
     LOW,
-    MEAN,
     MEETS,
     MORE,
     MOST,
     OPEN,
-    PACE,
     PENDING,
     SAMPLED,
     SLIVER,
@@ -55,6 +53,7 @@ from hugoniot.solvers.fronts.cells.tables import (
     STRENGTH,
     TIME,
     TOUCHING,
+    UNRESOLVED,
     UPDATES,
     VOLUME,
     WIDTH,
@@ -67,7 +66,7 @@ from hugoniot.solvers.fronts.cells.zones import look_at_zones
 LOOK = 5              # steps between looks for shocks that have formed
 PATHS = 400           # lines into which the paths of fronts are cut over a run
 SLOWEST = 1e-12       # of the stop time: a step shorter than this has no future
-DONE, UNSOUND, ASK_PYTHON, CHANGE, STEEP, FULL_TRACE = range(6)      # why the march comes back
+DONE, UNSOUND, ASK_PYTHON, CHANGE, STEEP, FULL_TRACE, REFINE = range(7)      # why the march comes back
 SQUARE, CONSTANT, HALF_SINE, RAMP, EXPONENTIAL, TABLE, NONE = range(7)
 
 
@@ -111,8 +110,9 @@ def open_step(grid, rules, work, fronts, count, longest):
     let_go(grid, w, fronts, count)
     reconstruct(grid, w, n, d, grid.q.shape[1])
     if burns:
-        w[PACE, :n] = 0.0
-        each_burning(grid, rules, work, n, 3, (MEAN, MEAN + E, MEAN + LAM, MEAN + LAM + 1, MEAN + LAM + 2, PACE, PACE, PACE), 0.0)
+        paces(grid, rules, work, n)
+        if work.numbers[CYCLE] % LOOK == 0.0:
+            watch(grid, rules, work, fronts, count)
     known_speeds(grid, work, fronts, count)
     dt, meets = step_length(grid, rules, work, fronts, count, longest, d)
     face_speeds(grid, work, dt, d)
@@ -154,11 +154,14 @@ def calls_for_change(grid, rules, work, fronts, count):
             continue
         h = work.w[WIDTH, a]
         least = fronts[k, LEAST] if fronts[k, SPEED_OF] < fronts[k + 1, SPEED_OF] else 1.0
-        want, smallest, whole = wanted(start, end, h, d), 1e300, 0.0
+        want, smallest, whole, shares = wanted(start, end, h, d), 1e300, 0.0, 0.0
         for i in range(a, b):
-            size = extent(grid.x[i], grid.x[i + 1], start, end, h, d)
-            smallest, whole = min(smallest, size), whole + size
-        if cells > max(FEWER * want + 0.5, least) or (cells > least and smallest < SLIVER * whole / cells) or cells < MORE * want - 0.25:
+            share = share_of(grid.level[i])
+            size = extent(grid.x[i], grid.x[i + 1], start, end, h, d) / share
+            smallest, whole, shares = min(smallest, size), whole + size, shares + share
+        if cells > least and (shares > max(FEWER * want + 0.5, least) or smallest < SLIVER * whole / cells):
+            return True
+        if shares < MORE * want - 0.25:
             return True
     return False
 
@@ -224,4 +227,6 @@ def march(grid, rules, work, fronts, count, goal, cycles):
         looks = numbers[CYCLE] % LOOK == 0.0 and count < rules.numbers[MOST] and not newborn(grid)
         if looks and steep_cell(grid, rules, work, fronts, count) >= 0:
             return STEEP
+        if numbers[UNRESOLVED] > 0.0:
+            return REFINE
     return DONE

@@ -49,6 +49,7 @@ class Mesh:
     given (n+1, 5 + scalars)   of faces that were just born: speed, density, velocity, energy, pressure there (and what goes with the
                     mass behind a wave) until the next step is over, of a fan as long as it is self-similar; else nan
     push (n,)       pressure in cells that are to be born in the next step; else nan
+    level (n,)      how often a cell is halved for its burning (refining.py)
     """
 
     x: np.ndarray
@@ -59,11 +60,14 @@ class Mesh:
     d: int
     given: np.ndarray = field(default_factory=lambda: np.empty((0, 5)))
     push: np.ndarray = field(default_factory=lambda: np.empty(0))
+    level: np.ndarray = field(default_factory=lambda: np.empty(0, dtype=np.int64))
 
     def __post_init__(self):
         if len(self.given) != len(self.x):
             self.given = np.full((len(self.x), 2 + self.q.shape[1]), np.nan)
             self.push = np.full(len(self.q), np.nan)
+        if len(self.level) != len(self.q):
+            self.level = np.zeros(len(self.q), dtype=np.int64)
 
     # -- geometry ----------------------------------------------------------------------------------------------------
     @property
@@ -86,6 +90,10 @@ class Mesh:
         """Indices of the faces that are fronts."""
         return np.flatnonzero(self.marked)
 
+    def shares(self, first: int, count: int) -> np.ndarray:
+        """How wide some cells are to be beside one that is not halved."""
+        return 0.5 ** self.level[first:first + count]
+
     def intervals(self) -> tuple[np.ndarray, np.ndarray]:
         """(first cells, numbers of cells) of the runs of cells between two fronts."""
         at = self.faces()
@@ -100,7 +108,7 @@ class Mesh:
         self.q = np.insert(self.q, cell, left, axis=0)
         self.q[cell + 1] = right
         self.region = np.insert(self.region, cell, self.region[cell])
-        self.push = np.insert(self.push, cell, self.push[cell])
+        self.push, self.level = (np.insert(row, cell, row[cell]) for row in (self.push, self.level))
 
     def remove_face(self, face: int) -> None:
         """Join the two cells beside an inner face; a front there is dropped."""
@@ -108,7 +116,8 @@ class Mesh:
             del self.fronts[int(np.count_nonzero(self.marked[:face]))]
         self.q[face - 1] += self.q[face]
         self.q = np.delete(self.q, face, axis=0)
-        self.region, self.push = np.delete(self.region, face), np.delete(self.push, face)
+        self.level[face - 1] = self.level[face - 1:face + 1].min()
+        self.region, self.push, self.level = (np.delete(row, face) for row in (self.region, self.push, self.level))
         self.x, self.marked = np.delete(self.x, face), np.delete(self.marked, face)
         self.given = np.delete(self.given, face, axis=0)
 
@@ -152,14 +161,16 @@ def adjust(mesh: Mesh, spacing: Spacing, slope, solid) -> None:
         least = mesh.fronts[k].least if mesh.fronts[k].speed < mesh.fronts[k + 1].speed else 1    # a fan widens; what closes is no fan
         if mesh.region[f] == EMPTY:
             continue
-        size = spacing.extents(mesh, f, n, h)
-        while n > max(FEWER * want + 0.5, least) or n > least and size.min() < SLIVER * size.mean():
+        share = mesh.shares(f, n)
+        size = spacing.extents(mesh, f, n, h) / share
+        while n > least and (share.sum() > max(FEWER * want + 0.5, least) or size.min() < SLIVER * size.mean()):
             j = int(np.argmin(size[1:] + size[:-1]))
             mesh.remove_face(f + j + 1)
             n, moved = n - 1, moved - 1
-            size = spacing.extents(mesh, f, n, h)
-        while n < MORE * want - 0.25:
-            j = f + _roomiest(spacing.extents(mesh, f, n, h), mesh.fronts[k:k + 2])
+            share = mesh.shares(f, n)
+            size = spacing.extents(mesh, f, n, h) / share
+        while mesh.shares(f, n).sum() < MORE * want - 0.25:
+            j = f + _roomiest(spacing.extents(mesh, f, n, h) / mesh.shares(f, n), mesh.fronts[k:k + 2])
             fan = mesh.fronts[k].fan
             if fan is None:
                 split(mesh, j, slope(mesh, j), bool(solid[mesh.region[j] % len(solid)]))

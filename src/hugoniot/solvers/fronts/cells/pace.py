@@ -5,7 +5,7 @@ import math
 import numba as nb
 
 from hugoniot.core.target import BY_ADDRESS
-from hugoniot.solvers.fronts.cells.spacing import extent, targets, widths
+from hugoniot.solvers.fronts.cells.spacing import extent, share_of, targets, widths
 from hugoniot.solvers.fronts.cells.tables import (
     AIM,
     COURANT,
@@ -99,7 +99,7 @@ def step_length(grid, rules, work, fronts, count, longest, d):
         a, b = int(fronts[k, FACE]), int(fronts[k + 1, FACE])
         start, end = grid.x[a], grid.x[b]
         for i in range(a, b):
-            if extent(grid.x[i], grid.x[i + 1], start, end, w[WIDTH, i], d) > AMPLE:
+            if extent(grid.x[i], grid.x[i + 1], start, end, w[WIDTH, i], d) > AMPLE * share_of(grid.level[i]):
                 normal = min(normal, w[OWN, i])
         if a <= least < b:
             fan = (fronts[k, KIND] == HEAD and fronts[k + 1, KIND] == TAIL) or (fronts[k, KIND] == TAIL and fronts[k + 1, KIND] == HEAD)
@@ -114,7 +114,7 @@ def face_speeds(grid, work, dt, d):
     n, w, x = len(grid.q), work.w, grid.x
     for f in range(n + 1):
         w[SPEED, f] = x[f] + w[KNOWN, f] * dt
-    targets(grid.marked, w[WIDTH], w[SPEED], w[AIM], n, d)
+    targets(grid.marked, grid.level, w[WIDTH], w[SPEED], w[AIM], n, d)
     for f in range(n + 1):
         known = w[KNOWN, f]
         shift = 0.0

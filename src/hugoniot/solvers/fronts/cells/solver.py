@@ -16,6 +16,7 @@ from hugoniot.solvers.fronts.cells.column import CellColumn, Readable
 from hugoniot.solvers.fronts.cells.flow import Flow
 from hugoniot.solvers.fronts.cells.mesh import EMPTY
 from hugoniot.solvers.fronts.cells.record import Trace
+from hugoniot.solvers.fronts.cells.refining import Refining
 from hugoniot.solvers.fronts.cells.solids import elastic_share
 from hugoniot.solvers.fronts.cells.spacing import cells_of
 from hugoniot.solvers.fronts.meeting import Bench
@@ -43,6 +44,7 @@ class Cells(Reading):
         self.burning = any(material.burn is not None for material in problem.materials.values())
         self.trace = self.lives = Trace()
         self.changes = Changes(self.flow, self.length, int(options["most_fronts"]), self._log, self.trace.end)
+        self.refining = Refining(self.flow, self._log)
         self.mesh = start.first_mesh(problem, self.flow.spacing, self.flow.variables)
         self.start_totals, self.start_size = self.mesh.q.sum(axis=0), self._size()
         self.changes.begin(self.mesh, [point.position for point in problem.lighting if point.time <= 0.0])
@@ -107,6 +109,8 @@ class Cells(Reading):
                     self.changes.after_step(self.mesh, self.time)
                 if why == march.STEEP or (why == march.CHANGE and self.cycle % march.LOOK == 0):
                     self.changes.steepen(self.mesh, self.time)
+                if why in (march.CHANGE, march.STEEP, march.REFINE) and numbers[tables.UNRESOLVED] > 0.0:
+                    self.refining.after_step(self.mesh, self.time)
         except UnphysicalState:
             raise
         except (HugoniotError, ArithmeticError, ValueError) as error:
@@ -200,7 +204,7 @@ class Cells(Reading):
         changes = self.changes
         return {"meetings": float(changes.meetings), "fronts_released": float(changes.untracked), "waves_captured": float(
             self.flow.bench.dropped), "shocks_formed": float(changes.formed), "fronts": float(len(self.mesh.fronts)),
-            "cells": float(len(self.mesh.q))}
+            "cells": float(len(self.mesh.q)), **self.refining.results()}
 
     def front_table(self) -> tuple[tuple[str, ...], list[str], np.ndarray]:
         """(columns, kinds, rows) of the lines of every front there was."""
@@ -210,9 +214,10 @@ class Cells(Reading):
         """Sentences about waves that were left to the cells, and cells that were merged."""
         joined = [f"cells at the edge of an expansion into vacuum were merged with their neighbours {_times(self.changes.joined)} because "
                   "their internal energy was negative: the edge is resolved to a few cells only"] if self.changes.joined else []
+        found = [*joined, *self.refining.warnings()]
         if not self.changes.captured:
-            return joined
-        return [*joined, f"waves were left to be captured by the cells {_times(self.changes.captured)}; a shock is then smeared over two "
+            return found
+        return [*found, f"waves were left to be captured by the cells {_times(self.changes.captured)}; a shock is then smeared over two "
                 f"or three cells: the waves were too close, or {self.changes.most} fronts were followed already "
                 "(solver.options.most_fronts)"]
 

@@ -72,9 +72,15 @@ def widths(x, region, zones, sums, out, n):
         out[i] = sums[own] / zones[own] if region[i] >= 0 else 1.0
 
 
+@nb.njit(**GUARD)
+def share_of(level):
+    """How wide a cell is to be beside one that is not halved."""
+    return 1.0 / (1 << level)
+
+
 @nb.njit(**BY_ADDRESS)
-def targets(marked, widths, at, out, n, d):
-    """Where faces should stand, given where the fronts will be (`at` the marked faces)."""
+def targets(marked, level, widths, at, out, n, d):
+    """Where faces should stand, given where the fronts will be (`at` the marked faces); a cell has half the share of one a level lower."""
     first = 0
     for f in range(1, n + 1):
         if not marked[f]:
@@ -84,8 +90,13 @@ def targets(marked, widths, at, out, n, d):
         central = d > 1 and a == 0.0
         low, high = (0.0, 0.0) if central or d == 1 else (count(a, h, d), count(b, h, d))
         out[first] = a
+        whole = 0.0
+        for i in range(first, f):
+            whole += share_of(level[i])
+        passed = 0.0
         for k in range(1, cells):
-            share = k / cells
+            passed += share_of(level[first + k - 1])
+            share = passed / whole
             if d == 1:
                 out[first + k] = a + share * (b - a)
             else:

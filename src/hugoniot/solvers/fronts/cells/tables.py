@@ -18,8 +18,8 @@ SLOPE, CURVE, SMOOTH = 60, 66, 72
 (CENTRE, FIRST, SECOND, FULL, BOTH, KNOWN, AIM, SPEED, F_RHO, F_U, F_E, F_P) = range(78, 90)
 BORN_HOOP, BORN_LEFT, BORN_RIGHT = 5, 6, 7      # columns of `mesh.Mesh.given`: of solids hoop strain, stretch left and right of a new face
 INTO_LEFT, INTO_RIGHT = 90, 93    # scalars that the cells left and right of a face lose or gain
-PACE, FROM, BURNED, WIDTH, OWN = range(96, 101)
-ROWS = 101
+PACE, FROM, BURNED, WIDTH, OWN, CHANGES, PLAN = range(96, 103)
+ROWS = 103
 
 # columns of the table of fronts
 FACE, KIND, SPEED_OF, DIRECTION, STRENGTH, LEAST, FAN = range(7)      # FAN: 1 where a self-similar fan lies on the right
@@ -27,9 +27,10 @@ KINDS = ("shock", "contact", "interface", "surface", "end", "fan head", "fan tai
 SHOCK, CONTACT, INTERFACE, SURFACE, END, HEAD, TAIL, DETONATION, ELASTIC_SHOCK, ELASTIC_EXPANSION = range(len(KINDS))
 
 # numbers of a run that change: `State.numbers`
-TIME, STEP, LIMITING, CROWDED, STALLED, CYCLE, LINES, UPDATES, SAMPLED, PENDING, MEETS, RESOLUTION, STEEP_WAY = range(13)
+(TIME, STEP, LIMITING, CROWDED, STALLED, CYCLE, LINES, UPDATES, SAMPLED, PENDING, MEETS, RESOLUTION, STEEP_WAY, UNRESOLVED,
+ UNSPLIT) = range(15)
 # numbers that do not: `Rules.numbers`
-(DIMENSION, COURANT, WEAKEST, LENGTH, STOP, BURNS, UNBURNED, MOST, ELASTIC) = range(9)      # ELASTIC: 0 without solids
+(DIMENSION, COURANT, WEAKEST, LENGTH, STOP, BURNS, UNBURNED, MOST, ELASTIC, BURN_STEP) = range(10)      # ELASTIC: 0 without solids
 # traits of a region: `Rules.traits`
 ZONES, GRIP, GAS, SHEAR, YIELDS = range(5)
 
@@ -51,6 +52,7 @@ class Grid(NamedTuple):
     marked: Any
     given: Any
     push: Any
+    level: Any
 
 
 class Rules(NamedTuple):
@@ -104,4 +106,4 @@ ROOM_OF_TRACE = 4096
 def make_work(room: int, variables: int, regions: int, zones, owner) -> Work:
     """Scratch for that many cells."""
     return Work(np.zeros((ROWS, room)), np.zeros(40, dtype=np.int64), np.zeros((2, 24)), np.zeros((ROOM_OF_TRACE, TRACE)), zones, owner,
-                np.zeros((2, room)), np.zeros((2, variables)), np.zeros(13), np.zeros(regions + 2))
+                np.zeros((2, room)), np.zeros((2, variables)), np.zeros(15), np.zeros(regions + 2))
