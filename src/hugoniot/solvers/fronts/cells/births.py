@@ -124,23 +124,13 @@ def place(mesh: Mesh, face: int, outer, whole, rows, time: float, bench: Bench) 
     return [front.kind for front in made]
 
 
-def transmit(mesh: Mesh, face: int, edge: Front, left: Piece, right: Piece, time: float, bench: Bench) -> bool:
-    """Let the edge of a fan that has reached a contact go on behind it; False in solids, and where something else than material is there.
-
-    The states are continuous there, so that both sides stay as they are; without the edge the cells would smear the kink ahead of it.
-    """
-    d, beyond = edge.direction, right if edge.direction > 0 else left
-    if left.kind != "state" or right.kind != "state" or any(bench.of(piece).yield_stress for piece in (left, right)):
-        return False
-    contact, state = mesh.fronts[int(np.count_nonzero(mesh.marked[:face]))], beyond.edge(-d)
-    c = math.sqrt(max(wave_speed_squared(state.rho, state.e, Branch(bench.of(beyond).par)), 0.0))
-    between = Piece("state", beyond.region, state, matter=beyond.matter)
-    fronts = [line.Front(contact.kind, 0.0, time, contact.speed, 0, contact.strength),
-              line.Front(edge.kind, 0.0, time, state.u + d * c, d, edge.strength)][::d]
-    whole = [left, between, right]
-    given = _with_scalars(mesh, whole, fronts, [_given(front, whole[k:k + 2]) for k, front in enumerate(fronts)], bench)
-    place(mesh, face, (left, right), (fronts, [between]), (list(zip(fronts, given)), [between]), time, bench)
-    return True
+def part(mesh: Mesh, face: int, whole: list[Piece], fronts: list[line.Front], time: float, bench: Bench) -> None:
+    """Put two fronts that part in the place of one; whole: what is on the left, between them, and on the right."""
+    given = [_given(front, whole[k:k + 2]) for k, front in enumerate(fronts)]
+    for row, front in zip(given, fronts):
+        row[4] = whole[1].state.sigma if front.direction == 0 else row[4]      # what moves with the material feels what is between
+    given = _with_scalars(mesh, whole, fronts, given, bench)
+    place(mesh, face, (whole[0], whole[2]), (fronts, whole[1:2]), (list(zip(fronts, given)), whole[1:2]), time, bench)
 
 
 def ignite(mesh: Mesh, face: int, left: Piece, right: Piece, time: float, bench: Bench) -> tuple[list[str], str]:

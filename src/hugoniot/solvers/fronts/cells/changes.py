@@ -6,9 +6,10 @@ import numpy as np
 
 from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.solvers.fronts.cells import tables
-from hugoniot.solvers.fronts.cells.births import bear, collapse, ignite, transmit
+from hugoniot.solvers.fronts.cells.births import bear, collapse, ignite
 from hugoniot.solvers.fronts.cells.detonations import UNLIT, light_face
 from hugoniot.solvers.fronts.cells.flow import Flow
+from hugoniot.solvers.fronts.cells.kinks import cross, reflect, transmit
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh, adjust
 from hugoniot.solvers.fronts.cells.start import pieces_at
 from hugoniot.solvers.fronts.cells.steepening import track
@@ -91,15 +92,20 @@ class Changes:
 
     def _pass(self, mesh: Mesh, face: int, solid, edges, time: float) -> list[Front]:
         """Leave the one front that jumps, or none, at a face; the edges of fans that go on behind it."""
+        bench, crowded = self.flow.bench, len(mesh.fronts) >= self.most
+        left, right = self._sides(mesh, face, time)
         if not solid:
+            if not crowded and cross(mesh, face, edges, left, right, time, bench):
+                return edges
             mesh.release(face)
             return []
-        left, right = pieces_at(self.flow, mesh, face)
         k, old = _order(mesh, face), solid[0]
         mesh.fronts[k] = dataclasses.replace(old, least=1, since=time, start=float(mesh.x[face]),
                                              sides=(tuple(left.edge(1)), tuple(right.edge(-1))))
-        alone = len(edges) == 1 and not old.direction and len(mesh.fronts) < self.most
-        return edges if alone and transmit(mesh, face, edges[0], left, right, time, self.flow.bench) else []
+        if len(edges) != 1 or old.direction or crowded:
+            return []
+        passes = transmit if old.kind != "end" else reflect
+        return edges if passes(mesh, face, edges[0], left, right, time, bench) else []
 
     def renew_end(self, mesh: Mesh, side: int, time: float) -> None:
         """The left (0) or right (1) end drives anew: solve its Riemann problem."""
