@@ -17,7 +17,7 @@ from hugoniot.laws.riemann.medium import Frozen, mixture_limit
 from hugoniot.laws.riemann.wave import Side, jumps
 from hugoniot.solvers.fronts import line
 from hugoniot.solvers.fronts.cells import detonations
-from hugoniot.solvers.fronts.cells.fans import lasting
+from hugoniot.solvers.fronts.cells.fans import SAME, lasting
 from hugoniot.solvers.fronts.cells.mesh import EMPTY, Front, Mesh
 from hugoniot.solvers.fronts.cells.solids import strains_of, stretch_of
 from hugoniot.solvers.fronts.cells.tables import BORN_LEFT, BORN_RIGHT, HOOP, VOLUME
@@ -92,7 +92,8 @@ def place(mesh: Mesh, face: int, outer, whole, rows, time: float, bench: Bench) 
     marks, values, regions, push, made, strains = [], [], [], [], [], []
     for k, (front, state) in enumerate(kept):
         if k:
-            marks_in, values_in, count = _inside(between[k - 1], kept[k - 1], kept[k], mesh.d, bench)
+            lasts = lasting(between[k - 1], mesh.d, bench) and _even(mesh, face, between[k - 1])
+            marks_in, values_in, count = _inside(between[k - 1], kept[k - 1], kept[k], lasts, bench)
             marks += marks_in
             values += values_in
             regions += [between[k - 1].region if between[k - 1].kind != "vacuum" else EMPTY] * count
@@ -105,7 +106,7 @@ def place(mesh: Mesh, face: int, outer, whole, rows, time: float, bench: Bench) 
             else:
                 strains += [(0.0, 0.0)] * count
             made[-1].least = count
-            made[-1].fan = between[k - 1] if lasting(between[k - 1], mesh.d, bench) else None
+            made[-1].fan = between[k - 1] if lasts else None
         marks.append(True)
         values.append(state)
         sides = (tuple([left, *pieces][fronts.index(front)].edge(1)), tuple([*pieces, right][fronts.index(front)].edge(-1)))
@@ -198,8 +199,19 @@ def _contrast(beside) -> float:
     return abs(low - high) / max(low, high, 1e-300)
 
 
-def _inside(piece: Piece, before, after, d: int, bench: Bench):
-    """(marks, states) of the faces inside a new piece, and how many cells it is; (front, its state) on both sides."""
+def _even(mesh: Mesh, face: int, fan: Piece) -> bool:
+    """Whether a fan that is born at a face is to last: not an expansion to nothing into a cell of another density than its first state."""
+    if fan.wave.behind.rho > 0.0:
+        return True
+    cell, rho = (face - 1 if fan.wave.direction < 0 else face), fan.wave.ahead.rho
+    return abs(mesh.q[cell, 0] / mesh.volume()[cell] - rho) <= SAME * rho
+
+
+def _inside(piece: Piece, before, after, lasts: bool, bench: Bench):
+    """(marks, states) of the faces inside a new piece, and how many cells it is; (front, its state) on both sides.
+
+    lasts   a fan that stays self-similar for a while
+    """
     left, right = before[0], after[0]
     if piece.kind == "vacuum" or right.speed <= left.speed:
         return [], [], 1
@@ -208,8 +220,9 @@ def _inside(piece: Piece, before, after, d: int, bench: Bench):
         c = abs(wave.head - wave.ahead.u)
         fall = abs(wave.behind.u - wave.ahead.u) / (bench.fan_step * c)
         count = min(max(math.ceil(fall), 2), MOST_IN_FAN)
-        if not lasting(piece, d, bench):
+        if not lasts:
             finer = math.ceil(max(fall, NARROW) * bench.zones[piece.region] / COARSE)
+            finer = min(finer, MOST_IN_FAN) if wave.behind.rho == 0.0 else finer
             count = max(count, FEWEST, min(finer, int((right.speed - left.speed) / (LEAST_GROWTH * c))))
     else:
         count = 1 if any(front.kind.startswith("elastic") for front in (left, right)) else NEWBORN      # the two shocks part slowly
