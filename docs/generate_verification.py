@@ -77,14 +77,14 @@ def section(found: dict, more: str = "") -> list[str]:
 
 
 def table(found: list[dict], more: str = "") -> list[str]:
-    """The bars that are met, and the tables of all problems."""
+    """The limits that are met, and the tables of all problems."""
     rows = [row for problem in found for row in problem["measures"]]
     lines = []
     for key, words in (("ko", "KO"), ("g2", "second-order Godunov"), ("peer", "open codes"), ("goal", "goals")):
         marks = [beats(row, key) for row in rows if row[key] is not None]
         lines += [f"{sum(marks)} of {len(marks)} {words}"] if marks else []
     seconds = sum(p["seconds"] for p in found)
-    text = ["**Bars met: " + ", ".join(lines) + f"** ({seconds:.0f} s for all problems, compiling included).", ""]
+    text = ["**Limits met: " + ", ".join(lines) + f"** ({seconds:.0f} s for all problems, compiling included).", ""]
     for problem in found:
         text += section(problem, more)
     return text
@@ -94,7 +94,7 @@ def main(path: str, fronts: str | None = None) -> None:
     text = table(json.loads(Path(path).read_text()))
     if fronts:
         text += ["## With tracked fronts", "",
-                 "The one-dimensional problems with `hugoniot verify --solver fronts`, on the same grids and held to the same bars.", "",
+                 "The one-dimensional problems with `hugoniot verify --solver fronts`, on the same grids and held to the same limits.", "",
                  *table(json.loads(Path(fronts).read_text()), ", tracked fronts")]
     TARGET.write_text("\n".join(text), encoding="utf-8")
 

@@ -1,5 +1,5 @@
 """
-Porous aluminium: crushed, let go, crushed again
+Porous aluminium: crushed, released, crushed again
 ================================================
 
 A slow piston presses aluminium of 78 % density. The pores close along the crush curve of the P-alpha law; where the piston draws back the
@@ -23,7 +23,7 @@ solid = MieGruneisen(2700.0, 5350.0, 1.34, 2.0, 863.0)
 porous = p_alpha.build(solid, alpha0=1.275, elastic_pressure=0.08e9, compaction_pressure=0.7e9)
 
 # %%
-# The piston goes in at 0.5 m/s, comes out for a while, and goes in again. The two millimetres of material stay in equilibrium all the time.
+# The piston goes in at 0.5 m/s, draws back for a while, and goes in again. The two millimetres stay in equilibrium all the time.
 pulse = Pulse("table", times=(0.0, 4e-4, 4.04e-4, 4.8e-4, 4.84e-4, 1e-3), values=(0.5, 0.5, -0.08, -0.08, 0.5, 0.5))
 problem = Problem("loop", "planar", 7e-4, (Region("slab", "foam", 0.0, 2e-3, 20),), {"foam": Material("foam", porous)},
                   Boundary("velocity", pulse), Boundary("fixed"), output=OutputOptions(report=False))
@@ -40,7 +40,7 @@ ax.plot(curve, [pressure(r, 0.0, porous) / 1e9 for r in curve], color=QUIET, lw=
 ax.text(2562, 0.365, "crush curve\n(cold)", color=QUIET, fontsize=8.5, ha="left", va="top")
 ax.plot(rho, p / 1e9, color=COLOURS[0], lw=1.5)
 turn = int(np.argmin(np.where((rho > 2300) & (rho < 2400) & (k > 0.4), p, 1e10)))
-ax.annotate("let go and pressed again:\nelastic, pores stay crushed", (rho[turn], p[turn] / 1e9), xytext=(2390, 0.09), fontsize=8.5,
+ax.annotate("released and reloaded:\nelastic, pores stay crushed", (rho[turn], p[turn] / 1e9), xytext=(2390, 0.09), fontsize=8.5,
             color=COLOURS[0], arrowprops=dict(arrowstyle="-", color=COLOURS[0], lw=0.7), va="center")
 ax.annotate("pores begin to close", (2121.0, 0.08), xytext=(2140, 0.03), fontsize=8.5, color=QUIET, va="center",
             arrowprops=dict(arrowstyle="-", color=QUIET, lw=0.7))
@@ -48,6 +48,6 @@ ax.set(xlabel="density (kg/m³)", ylabel="pressure (GPa)", xlim=(2100, 2640), yl
 
 # %%
 stiff = (p[turn - 12] - p[turn - 4]) / (rho[turn - 12] - rho[turn - 4])
-print(f"unloading: {np.sqrt(stiff):.0f} m/s, the solid's sound speed {5350.0:.0f} m/s")
+print(f"unloading, sqrt(dp/drho): {np.sqrt(stiff):.0f} m/s, the solid's sound speed {5350.0:.0f} m/s")
 print(f"compaction {k[-1]:.3f} at {p[-1] / 1e9:.3f} GPa, by the crush curve {1.0 - ((0.7e9 - p[-1]) / 0.62e9) ** 2:.3f}")
 plt.show()

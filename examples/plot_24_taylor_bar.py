@@ -24,7 +24,7 @@ length = {n: last[n]["position_y"][-1].max() * 1e3 for n in zones}
 foot = {n: last[n]["position_x"][-1].max() * 1e3 for n in zones}
 
 # %%
-# The bar at three times, mirrored at its axis: plastic strain. At 20 us the foot is nearly what it will be, at 80 us all is at rest.
+# The bar at three times, mirrored about its axis: plastic strain. At 20 us the foot is nearly what it will be, at 80 us all is at rest.
 fig, axes = plt.subplots(1, 3, figsize=(7.2, 4.6), layout="constrained", sharey=True)
 for ax, time in zip(axes, ("0 us", "20 us", "80 us")):
     found[8].plot.map("plastic_strain", time=time, limits=(0.0, 2.0), mesh=True, ax=ax, colorbar=False)
@@ -35,7 +35,7 @@ bar.set_label("equivalent plastic strain")
 bar.outline.set_visible(False)
 
 # %%
-# Effect of the mesh: with six or more zones across (0.53 mm), length and foot lie within the bands.
+# Effect of the mesh: with six or more zones across the radius (0.53 mm each), length and foot lie within the bands.
 fig, axes = plt.subplots(1, 2, figsize=(7.2, 2.8), layout="constrained")
 for ax, values, band, words in zip(axes, (length, foot), ((21.42, 21.66), (6.97, 7.24)), ("length", "radius of the foot")):
     ax.axhspan(*band, color=QUIET, alpha=0.2, lw=0)
@@ -43,6 +43,6 @@ for ax, values, band, words in zip(axes, (length, foot), ((21.42, 21.66), (6.97,
     ax.plot([3.2 / n for n in zones], list(values.values()), "o-", color=COLOURS[0])
     ax.set(xlim=(0, 1.2), xlabel="width of a zone (mm)", ylabel=f"{words} after 80 µs (mm)")
 strain = float(last[8]["plastic_strain"][-1].max())
-print(f"8 zones across: length {length[8]:.2f} mm, foot {foot[8]:.2f} mm, largest plastic strain {strain:.2f}")
-print("energy error", np.max([run.summary["energy_error"] for run in found.values()]))
+print(f"8 zones across the radius: length {length[8]:.2f} mm, foot {foot[8]:.2f} mm, largest plastic strain {strain:.2f}")
+print("largest relative energy error:", np.max([run.summary["energy_error"] for run in found.values()]))
 plt.show()

@@ -1,8 +1,8 @@
 """A transmitting end against a body that has none: stresses agree to 1 % of the wave in all zones but the last ten.
 
-Shocks and releases, in fluids and where strength splits them; with both integrators, at both ends, and for sound that spreads. Elastic
-waves that overtake plastic ones beyond the end do send something back, by right: the pulses are long enough that they do not, or so short
-that they have done so before.
+Shocks and releases, in fluids and where strength splits them; with both integrators, at both ends, and for sound that spreads. Beyond
+the end, elastic waves that overtake plastic ones would send part of the wave back: the pulses are so long that this does not happen in
+the time of the run, or so short that it has happened before the end.
 """
 
 import numpy as np
@@ -63,7 +63,7 @@ def test_a_wave_leaves_to_one_percent(material, shape, pressure, duration, integ
 
 
 def test_the_strongest_shock_of_a_fluid_leaves_to_two_percent():
-    """Here the compatible integrator's own shock rings by 4 %, and the end does not have its shape by heart."""
+    """The shock of the compatible integrator itself rings by 4 % here, and the end does not know that ringing."""
     worst, incident = echo("fluid", "square", 50e9)
     assert incident > 45e9 and worst < 0.02 * incident
 
@@ -75,6 +75,6 @@ def test_a_wave_leaves_to_the_left_as_it_does_to_the_right():
 
 @pytest.mark.parametrize("geometry, part", [("spherical", 0.005), ("cylindrical", 0.01)])
 def test_sound_that_spreads_leaves(geometry, part):
-    """Taken for a plane wave it would leave 12 and 4 % behind."""
+    """An end for plane waves would reflect 12 % (spherical) and 4 % (cylindrical)."""
     worst, incident = echo("fluid", "half_sine", 1e8, geometry=geometry, stop=4e-6)
     assert incident > 3e7 and worst < part * incident

@@ -23,7 +23,7 @@ def command(
 
     Velocity and stress come first, the largest differences at the top. A column that names no gauge is compared with the surface of the
     body that was hit, or with the deck's only gauge; --gauge chooses another. The records are compared as they are; the shift in time says
-    how much later b passes half of a's largest change.
+    how much later OTHER reaches half of the largest change seen in RUN.
 
     Example: hugoniot compare flyer.run visar.csv --plot compare.png
     """

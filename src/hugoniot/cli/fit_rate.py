@@ -18,7 +18,7 @@ def command(
     pressures: Annotated[str, typer.Option("--pressures", "-p", help='Input pressures: "3..15 GPa", or "8, 11, 15 GPa".')] = "3..15 GPa",
     points: Annotated[int, typer.Option("--points", min=2, max=50, help="Number of runs over a range, at equal ratios of pressure.")] = 5,
     zones: Annotated[int, typer.Option("--zones", min=50, max=5000, help="Zones per run distance during the search.")] = 200,
-    jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, max=256, help="Runs at a time.")] = 1,
+    jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, max=256, help="Number of runs at the same time.")] = 1,
     out: Annotated[Path | None, typer.Option("--out", "-o", help="Folder for fit.json, residuals.csv and report.html.")] = None,
     materials: MATERIALS = None, as_json: JSON = False,
 ) -> None:
@@ -26,7 +26,7 @@ def command(
 
     All other constants and both equations of state are kept. This is `hugoniot fit` with a Pop plot for its record: the same search, with
     standard deviations, intervals and notes, and with --out the same files. At the end every run is repeated with zones half the size, and
-    the table of the burn law is printed for a deck. Takes some minutes.
+    the table of the burn law is printed for a deck. This takes a few minutes.
 
     Example: hugoniot fit-rate "PBX-9502 reactive" --adjust "g2, z" --pressures "10..15 GPa"
     """

@@ -30,7 +30,7 @@ def command(
     shown: Annotated[str | None, typer.Option(
         "--range", help="Values to show, such as \"-1..6 GPa\"; colours of an xt picture or map.")] = None,
     line: Annotated[str | None, typer.Option("--line", help="Line of a profile in two dimensions: \"0 mm, 0 mm .. 0 mm, 30 mm\".")] = None,
-    layers: Annotated[str | None, typer.Option("--layers", help="Of a map: \"mesh\", \"no mesh\", \"contours\", \"one half\".")] = None,
+    layers: Annotated[str | None, typer.Option("--layers", help="In a map: \"mesh\", \"no mesh\", \"contours\", \"one half\".")] = None,
     out: Annotated[Path | None, typer.Option("--out", "-o", help="File: .png, .pdf or .svg (default: in the run folder).")] = None,
 ) -> None:
     """Draw a picture of a run: by default its wave diagram or, in two dimensions, a map of the pressure.

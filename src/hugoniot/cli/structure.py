@@ -38,7 +38,7 @@ def profile(
     shock_velocity: Annotated[str | None, typer.Option("--shock-velocity", help='Speed of the shock, "3 km/s".')] = None,
     viscosity: VISCOSITY = None, conduction: CONDUCTION = None, prandtl: PRANDTL = None, bulk_ratio: BULK = None,
     density: DENSITY = None, temperature: TEMPERATURE = None, pressure: PRESSURE = None, bent: BENT = False,
-    points: Annotated[int, typer.Option("--points", min=2, max=100000, help="Points of --csv and of the profile in --json.")] = 201,
+    points: Annotated[int, typer.Option("--points", min=2, max=100000, help="Number of points of --csv and the profile in --json.")] = 201,
     as_json: JSON = False, as_csv: CSV = None, plot: PLOT = None,
 ) -> None:
     """One shock: thickness, widths, entropy and its production, end states.

@@ -26,7 +26,7 @@ def command(
     match: Annotated[str | None, typer.Option("--match", help="Vary an impedance match instead: FLYER,TARGET[,...].")] = None,
     output: Annotated[list[str] | None, typer.Option("--output", help='Results to tabulate, such as "*.arrival" (default: all).')] = None,
     record: Annotated[list[str] | None, typer.Option("--record", help='Keep this record of every case: "free surface.velocity".')] = None,
-    uncertain: Annotated[str | None, typer.Option("--uncertain", help="library: vary constants within their uncertainties there.")] = None,
+    uncertain: Annotated[str | None, typer.Option("--uncertain", help="library: vary constants within their uncertainties.")] = None,
     keep: Annotated[bool, typer.Option("--keep", help="Keep the run folder of every case.")] = False,
     time_limit: Annotated[float | None, typer.Option("--time-limit", help="Longest wall time of a case, in seconds.")] = None,
     workers: Annotated[int | None, typer.Option("--workers", "-w", help="Worker processes (default: one for each processor).")] = None,
@@ -42,7 +42,8 @@ def command(
     """Run a deck many times with some of its keys varied, and collect the results in one table.
 
     Writes cases.csv, sweep.h5 (opens as netCDF, parameters as coordinates) and report.html into the folder DECK.sweep. Finished cases are
-    not run again: after Ctrl-C or a kill, or with a larger --vary, the same command continues. A case that fails is a row with its reason.
+    not run again: after Ctrl-C or when it was killed, or with a larger --vary, the same command continues. A case that fails is a row with
+    its reason.
 
     \b
     --vary takes   KEY = LOW..HIGH UNIT : COUNT      add "log" for equal ratios
@@ -52,8 +53,8 @@ def command(
 
     --design saltelli gives Sobol' indices with intervals, morris a screening of many parameters; sobol, lhs and
     saltelli give spreads and bands.
-    --uncertain library varies the constants of the library's materials by their uncertainties there (covariances of fits, or the spread
-    between sources), and draws bands at the gauges.
+    --uncertain library varies the constants of the library's materials by their uncertainties in the library (covariances of fits, or
+    the spread between sources), and draws bands at the gauges.
     A name that is not a key of the deck can be varied too, for --tie to use.
 
     Example: hugoniot sweep flyer.toml --vary "region.flyer.velocity = 300..1200 m/s : 10"

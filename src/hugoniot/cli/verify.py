@@ -1,4 +1,4 @@
-"""`hugoniot verify`: the standard problems against their exact answers and bars."""
+"""`hugoniot verify`: the standard problems against their exact answers and limits."""
 
 import math
 from dataclasses import asdict
@@ -16,14 +16,14 @@ FEWEST_ZONES = 10
 
 def verify(
     problems: Annotated[list[str] | None, typer.Argument(help="Names of standard problems (default: all).")] = None,
-    zones: Annotated[list[int] | None, typer.Option("--zones", "-n", help="Zones, instead of the standard grids; repeatable.")] = None,
+    zones: Annotated[list[int] | None, typer.Option("--zones", "-n", help="Number of zones, not the standard grids; repeatable.")] = None,
     integrator: Annotated[str, typer.Option(help="compatible or wilkins.")] = "compatible",
     solver: Annotated[str, typer.Option(help='lagrange1d, or fronts (tracked fronts, mode = "cells").')] = "lagrange1d",
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of tables.")] = False,
 ) -> None:
-    """Run the built-in standard problems and print the errors, their limits (bars), and the observed order of convergence.
+    """Run the built-in standard problems and print the errors, their limits, and the observed order of convergence.
 
-    The bars are the errors of the KO scheme and of a second-order Godunov scheme on the same grid (in two dimensions: of the best open
+    The limits are the errors of the KO scheme and of a second-order Godunov scheme on the same grid (in two dimensions: of the best open
     code), and the goal of this package. Problems in two dimensions, and those with tracked fronts of their own, are left out where --zones
     or --integrator is given, unless they are named.
 
@@ -97,7 +97,7 @@ def _show(found) -> None:
     table = Table(title=f"{found.problem.name}: {found.problem.description}", title_justify="left",
                   caption=f"{orders}energy closed to {found.energy_error:.1e}{momentum}; {found.seconds:.1f} s", caption_justify="left")
     peers = any(j.peer is not None for j in found.judged)
-    for head in ("measure", "zones", "value", *(("open codes",) if peers else ("bar KO", "bar G2")), "goal"):
+    for head in ("measure", "zones", "value", *(("open codes",) if peers else ("KO", "G2")), "goal"):
         table.add_column(head, justify="left" if head == "measure" else "right", no_wrap=head == "measure")
     for j in found.judged:
         table.add_row(j.measure, str(j.zones), f"{j.value:.4g}",
@@ -122,4 +122,4 @@ def _total(results) -> None:
     for name in names:
         marks = [j.beats(getattr(j, name)) for r in results for j in r.judged if getattr(j, name) is not None]
         counts[name] = f"{sum(marks)} of {len(marks)}"
-    typer.echo("bars met: " + ", ".join(f"{words} {counts[name]}" for name, words in names.items()))
+    typer.echo("limits met: " + ", ".join(f"{words} {counts[name]}" for name, words in names.items()))

@@ -113,7 +113,7 @@ class Run:
                 return
             found = digest(path).sha256
         if found != wanted:
-            raise FileTrouble(f"{path}: changed since the run ended (its SHA-256 does not agree with summary.json), and not read; "
+            raise FileTrouble(f"{path}: changed since the run ended (its SHA-256 does not agree with summary.json), so it is not read; "
                               f"what can still be read: `hugoniot info {shlex.quote(str(self.folder))} --verify`")
         self._looked_at[name] = state
 

@@ -142,7 +142,7 @@ def highest_rows(run: Run) -> list[tuple[str, str, str]]:
 def _place(region: str, centre: list[float]) -> str:
     """Where a zone was at t = 0."""
     coordinates = ", ".join(format_si(x, "m", 4) for x in centre)
-    return f"{region}, at {coordinates if len(centre) == 1 else f'({coordinates})'} at t = 0" if centre else region
+    return f"{region}, initially at {coordinates if len(centre) == 1 else f'({coordinates})'}" if centre else region
 
 
 def warnings_of(run: Run) -> list[str]:

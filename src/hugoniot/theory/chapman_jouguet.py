@@ -212,8 +212,9 @@ def _tangency(par, ahead, v0, least, most):
             high, f_high = float(x), f
             break
     if low is None or high is None:
-        raise OutOfRange(f"law '{EOS.of(par).name}' has no Chapman-Jouguet point from {ahead.density:.6g} kg/m3: the upstream energy "
-                         f"{ahead.energy:.6g} J/kg with heat {ahead.heat:.6g} J/kg releases nothing; give the heat of reaction")
+        raise OutOfRange(f"law '{EOS.of(par).name}' has no Chapman-Jouguet point for an initial density of {ahead.density:.6g} kg/m3: "
+                         f"the upstream energy {ahead.energy:.6g} J/kg with heat {ahead.heat:.6g} J/kg releases nothing; "
+                         "give the heat of reaction")
     side = 0
     for _ in range(200):
         x = (low * f_high - high * f_low) / (f_high - f_low)

@@ -85,4 +85,4 @@ def _root(function, near: float, v: float) -> float:
         if function(near - width) < 0.0 < function(near + width):
             return float(brentq(function, near - width, near + width, xtol=1e-12 * width, rtol=8.9e-16))
         width *= 2.0
-    raise NoSolution(f"no energy closes the balance at {1.0 / v:.6g} kg/m3")
+    raise NoSolution(f"no energy satisfies the equation at a density of {1.0 / v:.6g} kg/m3")

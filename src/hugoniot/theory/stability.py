@@ -92,7 +92,7 @@ class Wave:
         # with s = -ln(1 - lambda) the zone has a finite length and the rate no small denominator
         found = solve_ivp(self._slope, (0.0, -math.log(END)), start, args=(complex(alpha),), method="DOP853", rtol=1e-10, atol=1e-12)
         if not found.success:
-            raise NoSolution(f"the perturbation could not be followed for alpha = {alpha}: {found.message}")
+            raise NoSolution(f"the perturbation could not be followed for the growth rate alpha = {alpha}: {found.message}")
         # less the growth of what runs towards the front, exp(-alpha int dx/(u + c)), which has no zero
         return self._incoming(found.y[:4, -1], complex(alpha)) * cmath.exp(complex(alpha) * found.y[4, -1].real)
 

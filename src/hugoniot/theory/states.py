@@ -148,5 +148,5 @@ def density_at(par, pressure: float, energy: float, near: float | None = None) -
         rho = new
     if math.isfinite(miss) and abs(miss) <= 1e-12 * max(abs(slope) * rho, abs(pressure)):
         return float(rho)
-    raise OutOfRange(f"law '{EOS.of(par).name}' reaches no stable density with {pressure:.6g} Pa at {energy:.6g} J/kg "
+    raise OutOfRange(f"law '{EOS.of(par).name}' has no stable state at {pressure:.6g} Pa and {energy:.6g} J/kg with a density "
                      f"between {low:.6g} and {high:.6g} kg/m3")

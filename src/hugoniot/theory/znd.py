@@ -190,7 +190,7 @@ class _Times:
             point = self.zone.at(f)
             r = self.rate(point)
             if not r > 0.0:
-                raise NoSolution(f"the rate is {r:.4g} 1/s at fraction {f:.4g}, {point.pressure:.4g} Pa: the reaction stops inside "
+                raise NoSolution(f"the rate is {r:.4g} 1/s at burn fraction {f:.4g}, {point.pressure:.4g} Pa: the reaction stops inside "
                                  "the zone")
             step = 0.5 * (high - low) * weight * slope / r
             time += step

@@ -64,12 +64,12 @@ def znd(
 def mixture(
     explosive: EXPLOSIVE,
     at: Annotated[str, typer.Option("--at", help='State of the mixture, "density = 2.4 g/cm^3, energy = 3 MJ/kg", or pressure or '
-                                                 "temperature in place of energy. The energy counts from the unreacted explosive at rest; "
-                                                 "the chemical energy is added to it.")] = "",
+                                                 "temperature in place of energy. The energy is measured from the unreacted explosive "
+                                                 "at rest; the chemical energy is added to it.")] = "",
     shocked: Annotated[str, typer.Option("--shocked", help='A shock through the reactants first, "pressure = 20 GPa": gives their '
                                                            "isentrope and, without --at, the state.")] = "",
     fractions: Annotated[str, typer.Option("--burn-fraction", help="Burn fractions, separated by commas.")] = "0, 0.25, 0.5, 0.75, 1",
-    closure: Annotated[list[str] | None, typer.Option("--closure", help=CLOSURE + "; default: both equilibria.")] = None,
+    closure: Annotated[list[str] | None, typer.Option("--closure", help=CLOSURE + "; default: isolation and equilibrium.")] = None,
     adiabat: Annotated[str | None, typer.Option("--adiabat", help='Follow the adiabat from the first burn fraction to this density, '
                                                                   '"1 g/cm^3".')] = None,
     burn_to: Annotated[float | None, typer.Option("--burn-to", min=0.0, max=1.0, help="Burn fraction at the end of the adiabat, reached in "
