@@ -13,7 +13,7 @@ H.RunLines = class {
     const marks = at === null ? [] : [{kind: "vline", x: at * ft, colour: "quiet", dash: "4 3"}];
     this.histories.show({series, marks, x: {label: H.labelled("time", tUnit), min: 0, max: span * ft}, y: {label: H.labelled(field.words, unit)}});
   }
-  showProfile(x, values, field, regions, time, others = []) {      // others: {x, values, regions, suffix, dash}
+  showProfile(x, values, field, regions, time, word, others = []) {      // word: of the coordinate; others: {x, values, regions, suffix, dash}
     const [xUnit, fx] = H.lengthUnit(x.at(-1) - x[0]), top = values.reduce((m, v) => Math.max(m, Math.abs(v)), 0), [unit, factor] = field.unit === "Pa" ? H.fits([top], "GPa", 1e-9) : [field.shown, field.factor];
     const [tUnit, ft] = H.timeUnit(time || 1e-6), all = [{x, values, regions, suffix: "", dash: null}, ...others];
     const series = all.flatMap(({x, values, regions, suffix, dash}) => regions.map((r, k) => {
@@ -21,7 +21,7 @@ H.RunLines = class {
       return {kind: "line", id, colour: k, dash, hover: true, width: 1.5, label: id, si: part, first: r.first, x: part[0].map(v => v * fx), y: part[1].map(v => v * factor)};
     }));
     Object.assign(this, {pUnit: unit, pFactor: factor, fx, xUnit});
-    this.profile.show({series, x: {label: H.labelled(`position, at ${H.digits(time * ft, 4)} ${tUnit}`, xUnit)}, y: {label: H.labelled(field.words, unit)}});
+    this.profile.show({series, x: {label: H.labelled(`${word}, at ${H.digits(time * ft, 4)} ${tUnit}`, xUnit)}, y: {label: H.labelled(field.words, unit)}});
   }
   stop() { this.histories.stop(); this.profile.stop(); }
 };

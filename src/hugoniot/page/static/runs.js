@@ -108,7 +108,7 @@
     profileHost.hidden = state.profileTitle.hidden = false;
     const others = await otherProfiles(shown, run.times[k]);
     if (mine !== order) return;
-    lines.showProfile(centre, Array.from(values.data.slice(k * n, (k + 1) * n)), shown, regions, run.times[k], others);
+    lines.showProfile(centre, Array.from(values.data.slice(k * n, (k + 1) * n)), shown, regions, run.times[k], run.geometry === "planar" ? "position" : "radius", others);
   }
   async function otherProfiles(shown, time) {       // of the runs that lie over this one, each at its record nearest in time
     const found = [];
