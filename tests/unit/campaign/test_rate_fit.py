@@ -55,7 +55,7 @@ def test_what_cannot_be_sought_is_refused(material, adjust, pressures, words):
 
 
 def test_a_start_that_never_turns_is_told():
-    with pytest.raises(OutOfRange, match="nearer"):
+    with pytest.raises(OutOfRange, match="closer to the data"):
         fit_rate(with_rate(g1=1e-40, g2=0.0), LINE, (15e9,), ("g1",), zones=50)
 
 
