@@ -45,7 +45,7 @@ WORDS = {"density_l1": "L1 of density", "energy_l1": "L1 of energy", "velocity_l
          "plastic_strain_beside_quads": "largest plastic strain, relative difference from quadrilaterals"}
 
 
-def bar(value, beaten: bool | None) -> str:
+def against(value, beaten: bool | None) -> str:
     return "" if value is None else f"{value:.3g} " + ("✓" if beaten else "✗")
 
 
@@ -62,15 +62,15 @@ def section(found: dict, more: str = "") -> list[str]:
     closed = f"Energy closed to {found['energy_error']:.0e}" + (f", momentum to {momentum:.0e}." if momentum is not None else ".")
     words = problem.description[0].upper() + problem.description[1:]
     lines = [f"### {problem.name}{more}", "", f"{words}. {closed}", ""]
-    bars = {"peer": "open codes", "goal": "goal"} if isinstance(problem, PlaneProblem) else {"ko": "KO", "g2": "G2", "goal": "goal"}
-    lines += ["| measure | zones | value | " + " | ".join(bars.values()) + " | order |", "|---" * (len(bars) + 4) + "|"]
+    limits = {"peer": "open codes", "goal": "goal"} if isinstance(problem, PlaneProblem) else {"ko": "KO", "g2": "G2", "goal": "goal"}
+    lines += ["| measure | zones | value | " + " | ".join(limits.values()) + " | order |", "|---" * (len(limits) + 4) + "|"]
     last = None
     keys = list(dict.fromkeys(row["measure"] for row in found["measures"]))
     for row in sorted(found["measures"], key=lambda m: keys.index(m["measure"])):
         order = found["orders"].get(row["measure"])
         shown = f"{order:.2f}" if order is not None and row["measure"] != last and row["sense"] == "below" else ""
         words = WORDS.get(row["measure"], row["measure"].replace("_", " ")) if row["measure"] != last else ""
-        marks = " | ".join(bar(row[key], beats(row, key)) for key in bars)
+        marks = " | ".join(against(row[key], beats(row, key)) for key in limits)
         lines.append(f"| {words} | {row['zones']} | {row['value']:.4g} | {marks} | {shown} |")
         last = row["measure"]
     return [*lines, ""]

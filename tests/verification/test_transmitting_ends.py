@@ -63,7 +63,7 @@ def test_a_wave_leaves_to_one_percent(material, shape, pressure, duration, integ
 
 
 def test_the_strongest_shock_of_a_fluid_leaves_to_two_percent():
-    """The shock of the compatible integrator itself rings by 4 % here, and the end does not know that ringing."""
+    """The shock of the compatible integrator itself rings by 4 % here, and the end cannot tell that ringing from the wave."""
     worst, incident = echo("fluid", "square", 50e9)
     assert incident > 45e9 and worst < 0.02 * incident
 

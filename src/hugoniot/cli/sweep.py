@@ -42,8 +42,8 @@ def command(
     """Run a deck many times with some of its keys varied, and collect the results in one table.
 
     Writes cases.csv, sweep.h5 (opens as netCDF, parameters as coordinates) and report.html into the folder DECK.sweep. Finished cases are
-    not run again: after Ctrl-C or when it was killed, or with a larger --vary, the same command continues. A case that fails is a row with
-    its reason.
+    not run again: after an interruption, or with a larger --vary, the same command continues. The row of a case that fails gives
+    the reason.
 
     \b
     --vary takes   KEY = LOW..HIGH UNIT : COUNT      add "log" for equal ratios

@@ -101,7 +101,7 @@ def _show(found) -> None:
         table.add_column(head, justify="left" if head == "measure" else "right", no_wrap=head == "measure")
     for j in found.judged:
         table.add_row(j.measure, str(j.zones), f"{j.value:.4g}",
-                      *(_mark(bar, j.beats(bar)) for bar in (*((j.peer,) if peers else (j.ko, j.g2)), j.goal)))
+                      *(_mark(limit, j.beats(limit)) for limit in (*((j.peer,) if peers else (j.ko, j.g2)), j.goal)))
     Console().print(table)
 
 
