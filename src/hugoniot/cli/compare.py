@@ -40,13 +40,17 @@ def command(
         typer.echo(f"a = {found.name_a}, b = {found.name_b}")
         for note in found.notes:
             typer.echo(note)
-        rows = []
-        for r in sorted(found.rows(), key=lambda row: (row["field"] not in ("velocity", "stress"), -row["l1_relative"])):
+        rows, differing = [], [row for row in found.rows() if row["linf"] != 0.0]
+        for r in sorted(differing, key=lambda row: (row["field"] not in ("velocity", "stress"), -row["l1_relative"])):
             shift = "none" if r["time_shift"] is None else format_si(r["time_shift"], "s", 3)
             norms = [f"{format_si(r[n], r['unit'], 4)} ({r[n + '_relative']:.2%})" for n in ("l1", "l2", "linf")]
             rows.append((r["gauge"], r["field"], *norms, shift))
-        echo_table(["gauge", "field", "mean |b-a|", "rms", "largest", "shift in time"], rows)
-        typer.echo(_SHIFT)
+        if rows:
+            echo_table(["gauge", "field", "mean |b-a|", "rms", "largest", "shift in time"], rows)
+            typer.echo(_SHIFT)
+        equal = [f"{row['field']} ({row['gauge']})" if row["gauge"] else row["field"] for row in found.rows() if row["linf"] == 0.0]
+        if equal:
+            typer.echo(f"{'equal' if rows else 'all records are equal'}: {', '.join(equal)}")
         if found.unmatched:
             typer.echo(f"without a counterpart: {', '.join(found.unmatched)}")
     if plot is not None:

@@ -32,8 +32,11 @@ def words(text: str) -> set[str]:
 
 def nearest(name: str, known: Mapping[str, str], count: int = 5) -> list[str]:
     """Names of the library most like `name`; `known` maps spelling -> name."""
-    near = difflib.get_close_matches(spelling(name), list(known), n=3 * count, cutoff=0.55)
-    inside = [s for s in known if len(spelling(name)) > 2 and spelling(name) in s]
+    asked = spelling(name)
+    near = difflib.get_close_matches(asked, list(known), n=3 * count, cutoff=0.55)
+    likeness = [difflib.SequenceMatcher(None, s, asked).ratio() for s in near]
+    near = [s for s, alike in zip(near, likeness) if alike > likeness[0] - 0.2]     # beside a slip of one letter the rest is noise
+    inside = [s for s in known if len(asked) > 2 and asked in s]
     return list(dict.fromkeys(known[s] for s in (*near[:1], *inside, *near)))[:count]
 
 

@@ -265,7 +265,10 @@ def read_record(run, record: Record, opened: float = -np.inf) -> Reading:
                       f"spall strength; a reliable reading needs {LEAST_SIGNAL:.0%}")
             numbers = {key: value for key, value in numbers.items() if not key.startswith("spall_strength")}
             return Reading(numbers, reason, record=record, found=found)
-    return Reading(numbers, "", _eroded(numbers) or _overtaken(record, found, body, opened, numbers), record, found)
+    note = _eroded(numbers) or _overtaken(record, found, body, opened, numbers)
+    if note:        # Stepanov's formula rests on the same pull-back and is no bound
+        numbers.pop("spall_strength_stepanov", None)
+    return Reading(numbers, "", note, record, found)
 
 
 def _eroded(numbers: dict[str, float]) -> str:

@@ -12,8 +12,8 @@ MOST_LABELS = 7        # lines of a family that are named one by one; more are s
 MAP = "cividis"
 SAMPLED = ("sobol", "lhs")
 LEAST_FOR_BANDS = 10   # records of a sample that are worth bands
-_FIRST = ("pull_back", "spall_strength_acoustic", "peak_velocity", "plateau_stress", "peak_stress", "arrival", "pressure",
-          "particle_velocity", "shock_velocity", "last_velocity")
+_FIRST = ("pull_back", "spall_strength_acoustic", "spall_strength_at_least", "peak_velocity", "plateau_stress", "peak_stress", "arrival",
+          "pressure", "particle_velocity", "shock_velocity", "last_velocity")
 _UNITS = (("Pa", (("GPa", 1e-9), ("MPa", 1e-6), ("kPa", 1e-3))), ("m", (("mm", 1e3), ("µm", 1e6))), ("m/s", (("m/s", 1.0),)),
           ("J/kg", (("MJ/kg", 1e-6), ("kJ/kg", 1e-3), ("J/kg", 1.0))))
 _SIGNS = {"^2": "²", "^3": "³"}

@@ -15,6 +15,7 @@ from hugoniot.campaign.numbers import numbers_of, unit_of
 from hugoniot.campaign.sweep import CASES, JOURNAL, TABLE
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.output.sweep_file import open_sweep
+from hugoniot.problem import catalogue
 
 EXAMPLES = pathlib.Path(__file__).parents[3] / "examples"
 SPEEDS = "region.flyer.velocity = 500..900 m/s : 3"
@@ -36,6 +37,17 @@ def test_a_case_has_the_numbers_of_a_run(deck, tmp_path, inline):
     assert {c.name: c.values[1] for c in table.results if not np.isnan(c.values[1])} == {k: v for k, v in alone.items() if v == v}
     assert alone["spall.pull_back"] > 10.0 and unit_of("spall.pull_back") == "m/s" and unit_of("free surface.arrival") == "s"
     assert alone["free surface.plateau_velocity"] == pytest.approx(700.0, rel=0.03)
+
+
+def test_a_lower_bound_is_not_called_a_spall_strength(tmp_path, inline):
+    """The flyer of the templates: its elastic front erodes more than the pull-back, and says nothing about the 1 GPa of its deck."""
+    path = tmp_path / "flyer.toml"
+    path.write_text(catalogue.deck_text("flyer").replace("zones = 200", "zones = 100").replace("zones = 400", "zones = 200"))
+    table = swept(path, tmp_path / "s", inline, vary=["region.flyer.velocity = 600, 700 m/s"], output=["spall.*"]).table
+    names = {column.name: column.values for column in table.results}
+    assert np.all((names["spall.spall_strength_at_least"] > 0.2e9) & (names["spall.spall_strength_at_least"] < 1e9))
+    assert not {"spall.spall_strength_acoustic", "spall.spall_strength_stepanov"} & set(names)
+    assert unit_of("spall.spall_strength_at_least") == "Pa"
 
 
 def test_the_table_opens_with_parameters_as_coordinates(deck, tmp_path, inline):
