@@ -209,7 +209,7 @@ def test_a_spall_strength_over_the_runs(deck, tmp_path, inline):
     for k, truth in enumerate((720.0, 0.9e9, 8e-9)):
         assert abs(p.mean[k] - truth) < 4.0 * p.deviation[k]
         assert 0.2 < p.deviation[k] / found.fit.parameters[k].sigma < 3.0
-    assert p.surrogate is None and any("walk was short" in doubt for doubt in p.doubts)
+    assert p.surrogate is None and any("chains were short" in doubt for doubt in p.doubts)
     wishes.posterior, wishes.posterior_runs = "surrogate", 32
     with pytest.raises(NoSolution, match="not good enough"):
         run_fit(deck, wishes, False, engine=inline)
