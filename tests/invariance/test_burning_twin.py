@@ -2,7 +2,8 @@
 
 The twin is declared burning, with a rate of zero; it has the same equation of state before and after burning, and the same strength and
 fracture. Every field of a gas agrees to 1e-12 of its largest value, in three geometries and both integrators. In a metal the last digits
-decide which zone yields and where voids begin to grow: what differs there by 1e-16 has grown to 2e-8 after the spall.
+decide when a zone yields and where voids begin to grow: an impact faster by 1e-14 differs by up to 1e-8 of the stress. The twin may differ
+by ten times as much as that.
 """
 
 import dataclasses
@@ -49,6 +50,12 @@ def impact(material, integrator, geometry):
                    solver=SolverOptions(integrator=integrator, viscosity=VISCOSITY[integrator])), 330
 
 
+def faster(problem):
+    """The same impact, faster by 1e-14 of its speed: what round-off may grow to."""
+    regions = (dataclasses.replace(region, velocity=(region.velocity or 0.0) * (1.0 + 1e-14)) for region in problem.regions)
+    return dataclasses.replace(problem, regions=tuple(regions))
+
+
 def state_after(problem, cycles):
     solver = make_solver(problem)
     while solver.cycle < cycles:
@@ -60,9 +67,9 @@ def state_after(problem, cycles):
 ISOLATED, WEIGHTED = "thermal_isolation", "weighted_pressures"
 SPALLING = dataclasses.replace(METAL, strength=PerfectlyPlastic(27.6e9, 0.3e9), fracture=SpallStress(1e9))
 HARDENING = dataclasses.replace(METAL, strength=LinearHardening(27.6e9, 0.3e9, 0.5e9))
-CASES = {"gas-isolated": (noh, GAS, ISOLATED, 1e-12), "gas-weighted": (noh, GAS, WEIGHTED, 1e-12),
-         "metal-spalling": (impact, SPALLING, WEIGHTED, 1e-7), "metal-hardening": (impact, HARDENING, WEIGHTED, 1e-8),
-         "metal-isolated": (impact, SPALLING, ISOLATED, 1e-7)}
+CASES = {"gas-isolated": (noh, GAS, ISOLATED, True), "gas-weighted": (noh, GAS, WEIGHTED, True),
+         "metal-spalling": (impact, SPALLING, WEIGHTED, False), "metal-hardening": (impact, HARDENING, WEIGHTED, False),
+         "metal-isolated": (impact, SPALLING, ISOLATED, False)}
 # a gas in every geometry and in both integrators, but not in each pair of them, and in both closures; a metal in every geometry: each is code
 # of its own, which takes seconds to compile
 QUICK = [("gas-isolated", "compatible", "planar"), ("gas-isolated", "compatible", "spherical"), ("gas-isolated", "wilkins", "cylindrical"),
@@ -74,17 +81,22 @@ ALL = [(case, integrator, geometry) for case in CASES for integrator in ("compat
 
 @pytest.mark.parametrize(("case", "integrator", "geometry"), [each if each in QUICK else pytest.param(*each, marks=pytest.mark.slow) for each in ALL])
 def test_what_does_not_burn_is_inert(case, integrator, geometry):
-    case, material, mixture, tolerance = CASES[case]
-    inert = state_after(*case(material, integrator, geometry))
+    case, material, mixture, exact = CASES[case]
+    problem, cycles = case(material, integrator, geometry)
+    inert = state_after(problem, cycles)
+    near = inert if exact else state_after(faster(problem), cycles)
     idle = state_after(*case(twin(material, mixture), integrator, geometry))
+
+    def alike(given, expected, grown, scale):
+        return np.max(np.abs(given - expected)) <= 1e-12 * scale + 10.0 * np.max(np.abs(grown - expected))
+
     heat = HEAT[material.name]      # a burning zone's energy counts the chemical one from the start
-    assert idle.time == pytest.approx(inert.time, rel=tolerance) and idle.voids_opened == inert.voids_opened
-    one, other = inert.state().zones, idle.state().zones
+    assert alike(idle.time, inert.time, near.time, inert.time) and idle.voids_opened == inert.voids_opened
+    one, other, grown = inert.state().zones, idle.state().zones, near.state().zones
     assert not other["burn_fraction"].any()
     for name in FIELDS:
         given = other[name] - heat if name == "energy" else other[name]
-        scale = np.max(np.abs(one[name])) + (heat if name == "energy" else 0.0)
-        if name == "viscous_work":
-            scale = np.max(np.abs(one["energy"])) + heat
-        assert np.max(np.abs(given - one[name])) <= tolerance * max(scale, 1e-300), name
-    assert np.allclose(idle.nodes[:2], inert.nodes[:2], rtol=tolerance, atol=tolerance * np.max(np.abs(inert.nodes[1])))
+        scale = np.max(np.abs(one["energy" if name == "viscous_work" else name])) + (heat if name in ("energy", "viscous_work") else 0.0)
+        assert alike(given, one[name], grown[name], scale), name
+    for k in range(2):
+        assert alike(idle.nodes[k], inert.nodes[k], near.nodes[k], np.max(np.abs(inert.nodes[k])))
