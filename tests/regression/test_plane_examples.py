@@ -105,7 +105,7 @@ def test_the_wall_of_the_cylinder_test_moves_as_in_the_experiment(ran):
     run = ran("cylinder-test")
     time, place = run.gauge("line_position", "streak at 100 mm")
     for travel, measured in ((6e-3, 1386.0), (18.9e-3, 1631.0)):
-        near = np.abs(place - place[0] - travel) < 0.3e-3
+        near = np.abs(place - place[0] - travel) < 0.7e-3      # one period of the wall's ringing
         assert np.polyfit(time[near], place[near], 1)[0] == pytest.approx(measured, rel=0.02)
 
 
