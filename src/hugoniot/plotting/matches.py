@@ -91,7 +91,7 @@ def _name_states(ax, states, taken: list[tuple[float, float, float]]) -> None:
 
 def _free(taken: list[tuple[float, float, float]], place, text: str, shifts: Sequence[tuple[float, float]]) -> tuple[float, float]:
     """The first of the shifts by which the text meets nothing that is written (else the last); its place is taken from then on."""
-    width = 0.62 * SIZE * len(text)
+    width, left, height = 0.62 * SIZE * len(text), 0.0, 0.0
     for across, up in shifts:
         left, height = place[0] + across, place[1] + up
         if not any(left < right and other < left + width and abs(height - level) < 1.3 * SIZE for other, right, level in taken):

@@ -118,14 +118,14 @@ class Curve:
             return plastic(self.matter, way), -way * most
         shear = self.matter.shear_modulus
         law = Solid(self.matter.par, shear, math.hypot(self.matter.yield_stress, math.sqrt(3.0) * shear * hoop))
-        stiff, left, last = 0.0, most, 0.0
+        branch, left, last = plastic(self.matter, way), most, 0.0
         for _ in range(TURNS):
-            branch = Branch(self.matter.par, way * most - stiff * math.log(ahead.rho), stiff)
             strain = abs(self._strain(sigma, ahead, branch))
             if abs(strain - last) <= 1e-13 * strain:
                 break
-            left = strength_left(turned(hoop, strain, law), law)
-            stiff, last = (left - most) / strain, strain
+            left, last = strength_left(turned(hoop, strain, law), law), strain
+            stiff = (left - most) / strain
+            branch = Branch(self.matter.par, way * most - stiff * math.log(ahead.rho), stiff)
         return branch, -way * left
 
     def _strain(self, sigma: float, ahead: State, branch: Branch) -> float:

@@ -184,15 +184,16 @@ class Fan:
         """
         if len(self.nodes) < 3 or self.nodes[-2][0] > math.log(0.1):
             return None
-        rest = []
+        rest, gamma, thermal = [], 0.0, 0.0
         for node, sigma in zip(self.nodes[-2:], self.sigmas[-2:]):
             rho = self.ahead.rho * math.exp(node[0])
             gamma = stress_and_slopes(rho, node[1], self.branch)[2] / rho
             if not gamma > 0.0:
                 return None
-            rest.append(node[1] - sigma / (gamma * rho))
+            thermal = sigma / (gamma * rho)
+            rest.append(node[1] - thermal)
         heat = getattr(self.branch.par, "energy", 0.0) if isinstance(self.branch.par, Frozen) else 0.0
-        if max(map(abs, rest)) > 1e-13 * (sigma / (gamma * rho)) and abs(rest[1] - rest[0]) > 1e-14 * abs(heat):
+        if max(map(abs, rest)) > 1e-13 * thermal and abs(rest[1] - rest[0]) > 1e-14 * abs(heat):
             return None
         return 2.0 * self.speed(self.nodes[-1]) / gamma
 

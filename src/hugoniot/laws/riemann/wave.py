@@ -173,6 +173,7 @@ def step(s, e, h, side, par):
 def release(target, side, par):
     """The isentrope down to a pressure: Newton's steps along it, each integrated from where the last one ended."""
     s, e, w, p, rho, square = 0.0, side.e, 0.0, side.p, side.rho, side.square
+    new, gained, there, found, c2 = e, 0.0, rho, p, square
     for _ in range(2000):
         h = min(max((target - p) / (rho * square), -STRIDE), STRIDE) if square > 0.0 else 0.0
         if abs(h) <= 1e-15 or s <= THINNEST:
