@@ -61,5 +61,5 @@ def test_gauges_and_snapshots_have_temperatures(run):
 def test_the_end_of_the_data_is_told_once_for_each_material(run):
     events = run.arrays("events")
     warnings = [text for kind, text in zip(events["kind"], events["text"]) if kind == "warning"]
-    for name, limit in (("copper", "2946"), ("al6061", "3840")):
+    for name, limit in (("copper", "2946"), ("al6061", "3844")):
         assert len([text for text in warnings if f"'{name}'" in text and limit in text]) == 1

@@ -72,6 +72,8 @@ MEASURED = {
     "basalt": ("Basalt (rho 2672)", "Basalt, Vacaville (rho 2860)"), "nickel": ("Nickel",), "beryllium": ("Beryllium", "Beryllium S-200"),
     "magnesia": ("Periclase MgO (single crystal)",), "pmma": ("PMMA",), "lead": ("Lead",), "platinum": ("Platinum",),
     "silicon_carbide": ("SiC",), "tin": ("Tin",), "vanadium": ("Vanadium",), "polystyrene": ("Polystyrene",),
+    "tungsten": ("Tungsten",), "tantalum": ("Tantalum",), "steel_304": ("Stainless steel 304",), "lithium_fluoride": ("LiF",),
+    "ice": ("Ice",), "aluminum_6061": ("Aluminum 6061",),
 }
 
 

@@ -77,11 +77,21 @@ RECORDED = {
     "U238": (Selection("Tin", words="all shock states of Marsh"), 1),
     "U239": (Selection("Vanadium", words="all states"), 2),
     "U240": (Selection("Polystyrene", words="laser-driven shocks, above 7 km/s"), 1),
+    "U261": (Selection("Tungsten", up_max=4000.0, words="rusbank, to 4 km/s"), 1),
+    "U262": (Selection("Tungsten", words="rusbank, all states"), 2),
+    "U263": (Selection("Tantalum", words="rusbank, all states"), 1),
+    "U264": (Selection("Stainless steel 304", words="rusbank, all states"), 1),
+    "U265": (Selection("LiF", words="rusbank, all states"), 1),
+    "U266": (Selection("Ice", words="rusbank, all states"), 1),
+    "U267": (Selection("Aluminum 6061", words="rusbank, all states"), 1),
 }
 _COPPER, _BERYLLIUM, _NICKEL, _LEAD = (RECORDED[i][0] for i in ("U202", "U223", "U218", "U235"))
 _TIN, _PLATINUM, _WATER, _IRON = (RECORDED[i][0] for i in ("U238", "U236", "U210", "U206"))
 _PMMA = Selection("PMMA", up_min=500.0, up_max=5500.0, words="0.5 to 5.5 km/s")
 _VANADIUM = Selection("Vanadium", up_max=5000.0, words="to 5 km/s")
+_TUNGSTEN, _STEEL, _ALUMINUM = (RECORDED[i][0] for i in ("U261", "U264", "U267"))
+_TANTALUM = Selection("Tantalum", up_max=2300.0, words="to 2.3 km/s")
+_LIF = Selection("LiF", up_max=4000.0, words="to 4 km/s")
 # rows that were fitted elsewhere -> the states of the same material at the same density that they are compared with
 STATES = {
     "U007": _COPPER, "U058": _COPPER, "U189": _COPPER, "U194": _COPPER, "U110": _WATER, "U178": _WATER, "U179": _WATER,
@@ -93,7 +103,11 @@ STATES = {
     "U076": RECORDED["U237"][0], "U125": RECORDED["U228"][0], "U159": RECORDED["U229"][0], "U098": RECORDED["U230"][0],
     "U091": Selection("Bismuth", up_max=2500.0, words="to 2.5 km/s"),
     "U105": Selection("KCl", up_min=1300.0, up_max=5000.0, words="above the transition, to 5 km/s"),
-    "U149": RECORDED["U212"][0], "U150": RECORDED["U212"][0],
+    "U149": RECORDED["U212"][0], "U150": RECORDED["U212"][0], "U034": _TUNGSTEN, "U070": _TUNGSTEN, "U177": _TUNGSTEN,
+    "U027": _TANTALUM, "U067": _TANTALUM, "U174": _TANTALUM, "U145": RECORDED["U263"][0], "U193": RECORDED["U263"][0],
+    "U024": _STEEL, "U078": _STEEL, "U143": _STEEL, "U156": _STEEL, "U180": _STEEL, "U190": _STEEL,
+    "U046": _LIF, "U106": _LIF, "U158": _LIF, "U170": _LIF, "U151": RECORDED["U265"][0], "U155": RECORDED["U266"][0],
+    "U003": _ALUMINUM, "U108": _ALUMINUM, "U142": _ALUMINUM, "U181": _ALUMINUM,
 }
 
 
