@@ -35,7 +35,7 @@ TOOLS = {
 }
 TOLD = {"sesame": "From Python: `from hugoniot.materials import sesame, tables_io`.",
         "converters": "From Python: `from hugoniot.laws.eos import converters`.",
-        "mixtures": "The equations stand under [mixtures](../../theory/mixtures.md).",
+        "mixtures": "The equations are given under [mixtures](../../theory/mixtures.md).",
         "characteristics": "Called from Python: `from hugoniot.theory import characteristics`."}
 _ROW = re.compile(r"^(\S.{0,70}?) {2,}(\S.*)$")
 

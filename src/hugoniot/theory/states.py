@@ -1,6 +1,6 @@
-r"""States of a material as the tools of this room give and take them: arrays or single numbers under the field's words.
+r"""States of a material, the input and output of the tools: arrays or single numbers under the names of the fields.
 
-Of any law $p(\rho, e)$ follow, along every curve,
+For any law $p(\rho, e)$
 
 $$c^2 = \left.\frac{\partial p}{\partial\rho}\right|_e + \frac{p}{\rho^2}\left.\frac{\partial p}{\partial e}\right|_\rho, \qquad
   \Gamma = \frac1\rho\left.\frac{\partial p}{\partial e}\right|_\rho, \qquad K_S = \rho c^2, \qquad
