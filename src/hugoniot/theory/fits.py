@@ -93,7 +93,7 @@ def read_points(path) -> tuple[np.ndarray, np.ndarray]:
     """(up, us) in m/s from a CSV file with a header naming the columns particle_velocity (or up) and shock_velocity (or us).
 
     A unit may follow in brackets, `up (km/s)`, or as `up_km_s`; without one the numbers are m/s. Lines that begin with # are skipped.
-    Raises `DeckError` with the line and the way out.
+    Raises `DeckError` with the line and the remedy.
     """
     up, us = read_columns(path, _US_UP, "particle and shock velocities")
     return up, us

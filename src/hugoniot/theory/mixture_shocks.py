@@ -88,7 +88,7 @@ def _product_volume(p: float, lam: float, v_r: float, e_r: float, ahead: tuple[f
         if value < 0.0 <= found:
             return brentq(miss, inner, trial, xtol=1e-15 * v_u, rtol=8.9e-16)
         trial, value = inner, found
-    raise NoSolution(f"no products at {p:.6g} Pa close the jump of the mixture")
+    raise NoSolution(f"no state of the products at {p:.6g} Pa satisfies the jump conditions of the mixture")
 
 
 def chemical_potential(state: MixtureState) -> np.ndarray:

@@ -61,7 +61,7 @@ class States:
     """Points of one material along a curve: density kg/m3, pressure Pa, specific internal energy J/kg, particle velocity m/s.
 
     Every field is a number, or an array of one shape. `shock_velocity` (m/s) is None where no shock made the state.
-    What follows from the law (temperature, sound speed, ...) is computed when asked; None where the law has no such thing.
+    What follows from the law (temperature, sound speed, ...) is computed on request; None where the law has no such thing.
     """
 
     par: Any
