@@ -5,6 +5,7 @@ from pathlib import Path
 
 import matplotlib
 import numpy as np
+from generate_theory import explained
 
 matplotlib.use("Agg")
 
@@ -154,7 +155,7 @@ def page(law, picture: str | None) -> str:
         lines += [f"![{law.name}]({picture})", ""]
     lines += ["## Parameters", "", *parameters(law), *example(law), *validity(law)]
     lines += ["## References", "", *(f"* {cell(r)}" for r in law.references), ""]
-    return "\n".join(lines)
+    return "\n".join(explained(lines, "../../../theory/source_errors.md"))
 
 
 def hugoniot_points(law):
