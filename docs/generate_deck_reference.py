@@ -14,7 +14,7 @@ INTRODUCTION = """\
 # Deck reference
 
 A deck is a [TOML](https://toml.io) file. A quantity is a text with a unit, such as `"3.94 km/s"`; a bare number is SI.
-Unknown keys are errors, and all errors come at once. `hugoniot check DECK` reads a deck without running it,
+Unknown keys are errors, and all errors are reported together. `hugoniot check DECK` reads a deck without running it,
 `hugoniot check DECK --resolved` prints it with every default written out, `hugoniot init --schema` writes the JSON Schema for editors.
 
 This page is generated from the schema.
@@ -24,7 +24,7 @@ MATERIALS = """\
 
 A region's `material` is a table of the deck or a name of the library. `base = "copper"` starts from a material of the library:
 a law table without `law`, or with the same law, replaces single numbers, one with another law replaces the law, and
-`fracture = "none"` takes it away. `sources` and `valid_up_to` say where the numbers come from and how far they reach.
+`fracture = "none"` removes it. `sources` and `valid_up_to` say where the numbers come from and how far they reach.
 """
 BOUNDARIES = """\
 ## Boundaries

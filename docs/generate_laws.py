@@ -5,6 +5,7 @@ from pathlib import Path
 
 import matplotlib
 import numpy as np
+from generate_theory import explained
 
 matplotlib.use("Agg")
 
@@ -84,7 +85,7 @@ def validity(law) -> list[str]:
     if not law.box:
         return []
     rows = [(f"`{name}`", cell(UNITS[name]), f"{low:g}", f"{high:g}") for name, (low, high) in law.box.items()]
-    lines = ["## Validity", "", "The contract tests hold the example inside this box:", ""]
+    lines = ["## Validity", "", "The contract tests check the example within this range:", ""]
     lines += table(["variable", "unit", "from", "to"], rows)
     return [*lines, *limits(law)] if law.family == "eos" else lines
 
@@ -95,7 +96,7 @@ def limits(law) -> list[str]:
     low, high = density_limits(par)
     ends = "at any density" if high == np.inf and low == 0.0 else f"for densities between {low:g} and {high:.6g} kg/m³"
     fastest = particle_velocity_limit(par)
-    words = [f"The example answers {ends}"]
+    words = [f"The example is valid {ends}"]
     if np.isfinite(fastest):
         words.append(f", for shocks from rest up to a particle velocity of {fastest:.5g} m/s")
     if "energy_limits" in law.functions:
@@ -154,7 +155,7 @@ def page(law, picture: str | None) -> str:
         lines += [f"![{law.name}]({picture})", ""]
     lines += ["## Parameters", "", *parameters(law), *example(law), *validity(law)]
     lines += ["## References", "", *(f"* {cell(r)}" for r in law.references), ""]
-    return "\n".join(lines)
+    return "\n".join(explained(lines, "../../../theory/source_errors.md"))
 
 
 def hugoniot_points(law):

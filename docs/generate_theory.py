@@ -35,7 +35,7 @@ TOOLS = {
 }
 TOLD = {"sesame": "From Python: `from hugoniot.materials import sesame, tables_io`.",
         "converters": "From Python: `from hugoniot.laws.eos import converters`.",
-        "mixtures": "The equations stand under [mixtures](../../theory/mixtures.md).",
+        "mixtures": "The equations are given under [mixtures](../../theory/mixtures.md).",
         "characteristics": "Called from Python: `from hugoniot.theory import characteristics`."}
 _ROW = re.compile(r"^(\S.{0,70}?) {2,}(\S.*)$")
 
@@ -57,6 +57,12 @@ def words(docstring: str | None) -> str:
             out.append(line)
             listed = False
     return "\n".join(out).strip()
+
+
+def explained(lines: list[str], errors: str) -> list[str]:
+    """A page with a line that says where its labels of source errors, such as K-E4, are listed; `errors` is that page."""
+    found = re.search(r"\b[WKHSJ]-E\d+\b", "\n".join(lines))
+    return [*lines, f"Labels such as {found[0]} refer to [the list of source errors]({errors}).", ""] if found else lines
 
 
 def module(name: str):
@@ -96,7 +102,7 @@ def tool(key: str) -> str:
                   "[questions answered without a mesh](../../theory/eos_tools.md).", ""]
     if key in TOLD:
         lines += [TOLD[key], ""]
-    return "\n".join([*lines, *functions(home)])
+    return "\n".join(explained([*lines, *functions(home)], "../../theory/source_errors.md"))
 
 
 def parameters(name: str) -> list[str]:
@@ -112,7 +118,7 @@ def exact(home: str, names: list[str]) -> str:
     lines = [f"# {home.rpartition('.')[2]}", "", *equations([home])]
     for name in names:
         lines += [f"## hugoniot exact {name}", "", words(SOLUTIONS[name].__doc__), "", *parameters(name)]
-    return "\n".join(lines)
+    return "\n".join(explained(lines, "../../../theory/source_errors.md"))
 
 
 def main() -> None:

@@ -24,7 +24,7 @@ length = {n: last[n]["position_y"][-1].max() * 1e3 for n in zones}
 foot = {n: last[n]["position_x"][-1].max() * 1e3 for n in zones}
 
 # %%
-# The bar at three times, mirrored about its axis: plastic strain. At 20 us the foot is nearly what it will be, at 80 us all is at rest.
+# The bar at three times, mirrored about its axis: plastic strain. At 20 us the foot has nearly its final shape; at 80 us all is at rest.
 fig, axes = plt.subplots(1, 3, figsize=(7.2, 4.6), layout="constrained", sharey=True)
 for ax, time in zip(axes, ("0 us", "20 us", "80 us")):
     found[8].plot.map("plastic_strain", time=time, limits=(0.0, 2.0), mesh=True, ax=ax, colorbar=False)

@@ -1,4 +1,4 @@
-"""What the user is told when something is wrong: in the deck, in the physics, or with files."""
+"""The errors that the package raises: in a deck, in the physics, or with files."""
 
 from dataclasses import dataclass, field
 
@@ -11,7 +11,7 @@ class HugoniotError(Exception):
 
 @dataclass
 class DeckProblem:
-    """One thing wrong with a deck: where, what, and the way out."""
+    """One thing wrong with a deck: where, what, and the remedy."""
 
     file: str
     line: int | None

@@ -173,7 +173,7 @@ def _summary(problem: Problem, solver: Solver, outcome: Outcome, begun: float) -
 
 
 def steady_numbers(problem: Problem) -> dict[str, float]:
-    """What the steady wave of a shock-structure run has, beside which the run's own thickness is told."""
+    """What the steady wave of a shock-structure run has, beside which the run's own thickness is reported."""
     if not getattr(problem.solver, "options", {}).get("shock"):
         return {}
     from hugoniot.problem.structure_start import profile_of

@@ -329,7 +329,7 @@ def test_a_shock_turns_the_stress_of_a_surface_and_passes_the_axis_of_a_solid():
 
 
 def test_a_shock_that_reaches_the_centre_of_a_solid_comes_to_the_highest_density_of_its_law():
-    with pytest.raises(UnphysicalState, match="come to the highest that law 'mie_gruneisen' allows, 11024.6 kg/m3"):
+    with pytest.raises(UnphysicalState, match="reached the highest that law 'mie_gruneisen' allows, 11024.6 kg/m3"):
         run(liner("fronts", "spherical", 8, 1500.0, 2e-6))
 
 

@@ -38,7 +38,7 @@ def _listed(values) -> str:
 def sweep(deck: str | os.PathLike | None = None, vary: Mapping[str, Any] | Sequence[str] | str = (), *, tie: Sequence[str] = (),
           out: str | os.PathLike | None = None, workers: int | None = None, engine: str = "local", scheduler: str | None = None,
           materials: Sequence = (), report: bool = True, **wishes):
-    """Run a deck with some of its keys varied, and give the table as an xarray Dataset with the parameters as coordinates.
+    """Run a deck with some of its keys varied, and return the table as an xarray Dataset with the parameters as coordinates.
 
     deck       path of a deck, or of a file with a [sweep] table; None for a match
     vary       {"region.flyer.velocity": "300..1200 m/s : 10", "material.al.fracture.strength": ["1 GPa", "2 GPa"]}, or strings
@@ -48,7 +48,7 @@ def sweep(deck: str | os.PathLike | None = None, vary: Mapping[str, Any] | Seque
     engine     "local", or "dask" with the address of a `scheduler` or workers of this machine
     wishes     design, samples, seed, match, output, record, keep, time_limit, uncertain: see `campaign.ask.Wishes`
 
-    Results are SI, not-a-number where a case failed; `reason` says why. Raises `DeckError` and `FileTrouble`.
+    Results are SI, NaN where a case failed; `reason` says why. Raises `DeckError` and `FileTrouble`.
     """
     tie = [tie] if isinstance(tie, str) else list(tie)
     chosen = None if (engine, scheduler) == ("local", None) else engine_of(engine, scheduler, workers, wishes.get("time_limit"))

@@ -109,7 +109,7 @@ def _echo(swept) -> None:
     if len(table) > MOST_ROWS and not swept.constants:
         typer.echo(f"... and {len(table) - MOST_ROWS} more")
     failed, page = sum(map(bool, table.reasons)), swept.folder / "report.html"
-    known = f", {progress.known} of them known from before" if progress.known else ""
+    known = f", {progress.known} of them known from an earlier run" if progress.known else ""
     typer.echo(f"\n{len(table)} cases in {duration(swept.seconds)}{known}" + (f"; {failed} failed" if failed else ""))
     _echo_analysis(swept)
     _echo_constants(swept.constants)

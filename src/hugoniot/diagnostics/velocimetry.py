@@ -129,13 +129,13 @@ def flat_top(time, values) -> float:
 
 
 def durations(time) -> np.ndarray:
-    """The time for which each point of a record stands, s; time (n,) s."""
+    """The time that each point of a record represents, s; time (n,) s."""
     time = np.asarray(time, dtype=float)
     return np.gradient(time) if len(time) > 1 else np.zeros(len(time))
 
 
 def flat_stretch(weight, values) -> tuple[slice, float]:
-    """(where a record stands on its flat top for the first time, its level there as of `level_over`); empty and NaN if the top is not flat.
+    """(where a record is on its flat top for the first time, its level there as of `level_over`); empty and NaN if the top is not flat.
 
     weight (n,) s of `durations`, values (n,), n >= 1. The height of the record is what it exceeds for a twentieth of the time that it
     spends above half of its highest value. Of the stretches that last at least as long within 5 % of that height, it is the first that is

@@ -153,7 +153,7 @@ def _jwl(row: Row) -> Iterator[Finding]:
         return
     state = closure(row.id)
     if state is None:
-        yield Finding(row.id, "CJ closure", "mark", text="no energy E0: cannot be closed, not usable as products")
+        yield Finding(row.id, "CJ closure", "mark", text="no energy E0: CJ state not checked, not usable as products")
         return
     for name, misfit, limit in (("D", state.velocity_misfit, VELOCITY_LIMIT), ("p", state.pressure_misfit, PRESSURE_LIMIT)):
         if math.isnan(misfit):

@@ -12,7 +12,7 @@ from hugoniot.materials.schema import Row
 from hugoniot.units import format_si
 
 IONISED = 15e3      # m/s of particle velocity: 112 MJ/kg, 31 eV for an atom of aluminium, whose first two electrons take 25 eV
-UNKNOWN = f"not known; only above {format_si(IONISED, 'm/s')} of particle velocity, where atoms are ionised, is a warning given"
+UNKNOWN = f"not known; a warning is given only above a particle velocity of {format_si(IONISED, 'm/s')}, where atoms are ionised"
 _ROW = re.compile(r"\brow (U\d{3})\b")
 
 
@@ -37,8 +37,8 @@ def about(row: Row) -> str:
     """Where the range of a Us-up row comes from: measured states and how they scatter about its line, or its source's statement."""
     found = [f"row {row.id}"]
     if "states" in row:
-        found.append(f"{row['states']:g} measured states from {format_si(row['up_min'], 'm/s')} on, root mean square of their shock "
-                     f"velocities about its line {format_si(row['us_deviation'], 'm/s', 3)}")
+        found.append(f"{row['states']:g} measured states from {format_si(row['up_min'], 'm/s')} up, whose shock velocities "
+                     f"deviate from its line by {format_si(row['us_deviation'], 'm/s', 3)} (root mean square)")
         return ": ".join(found)
     if "up_max" in row:
         found.append(row.range_from() or "stated by its source")

@@ -8,8 +8,8 @@ The parts add up, pressures as energies:
 $$p_{301} = p_{303} + p_{304} = p_{304} + p_{305} + p_{306}$$
 
 Both styles of text are read: the records of the ASCII exchange format
-(` 0 3720 301 ...`) and the Sandia style of ANEOS (` RECORD TYPE = 301 NWDS = ...`), in g/cm3, K, GPa and MJ/kg. Every trouble is one
-DeckError with the file, the line and the way out.
+(` 0 3720 301 ...`) and the Sandia style of ANEOS (` RECORD TYPE = 301 NWDS = ...`), in g/cm3, K, GPa and MJ/kg. Every problem is one
+DeckError with the file, the line and the remedy.
 
 Source: Lyon and Johnson, LA-UR-92-3407 (1992): grids hold NR, NT, densities, temperatures, then p, e (and A) with density fastest.
 """

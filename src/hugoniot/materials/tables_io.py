@@ -5,7 +5,7 @@
     read_csv(text)    four columns named density, temperature, pressure, energy (SI), one row per grid point in any order
     read_301(text)    a table of a SESAME-format ASCII file (g/cm3, K, GPa, MJ/kg; other units by arguments)
 
-Every trouble is one DeckError with the file, the line or place, and the way out.
+Every problem is one DeckError with the file, the line or place, and the remedy.
 """
 
 import csv

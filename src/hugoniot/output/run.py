@@ -1,8 +1,8 @@
 """A finished run, read from its folder: `hugoniot.load(folder)`.
 
 `gauges`, `snapshots`, `budget`, `peaks` and `events` are xarray Datasets with units; `arrays` gives the same as plain arrays
-(xarray takes half a second to import; reports and plots do without). Nothing is changed in the folder. A file that is not as the
-run has left it is not read: its SHA-256 stands in summary.json and is looked at before HDF5 opens the file.
+(xarray takes half a second to import; reports and plots do without). Nothing is changed in the folder. A file that was
+changed after the run is not read: its SHA-256 is in summary.json and is checked before HDF5 opens the file.
 """
 
 import json
@@ -92,7 +92,7 @@ class Run:
 
     @property
     def setup(self) -> dict:
-        """What was asked: regions, boundaries, gauges, materials with every constant and its source, references."""
+        """The problem that was run: regions, boundaries, gauges, materials with every constant and its source, references."""
         return self._setup[0]
 
     @property
@@ -140,7 +140,7 @@ class Run:
         return self._tables[group]
 
     def arrays(self, group: str) -> Columns:
-        """Columns of `snapshots`, `gauges`, `budget`, `peaks` or `events` by name, in SI, each read when it is first asked for.
+        """Columns of `snapshots`, `gauges`, `budget`, `peaks` or `events` by name, in SI, each read when it is first used.
 
         KeyError for any other group.
         """

@@ -37,7 +37,7 @@ def report_script() -> str:
     """The scripts of the views that a report has, as one; it holds nothing that ends a script."""
     text = "\n".join(files()[name].decode() for name in OF_A_RUN)
     if "</script" in text or "<!--" in text:
-        raise ValueError("a script of the page would end the script it stands in")
+        raise ValueError("a script of the page contains text that would close its own script tag")
     return text
 
 

@@ -27,7 +27,7 @@ LARGEST = 20_000_000  # characters: a deck with long tables, not a file given by
 
 @dataclass(frozen=True)
 class Deck:
-    """A deck that was read: the problem, the same as text with every default written out (SI), and what seems odd about it.
+    """A deck that was read: the problem, the same as text with every default written out (SI), and its warnings.
 
     text   what the user wrote; `name` what messages call it
     """

@@ -66,12 +66,12 @@ def _layer(row: list[float], file: str, line: int, number: int) -> Layer:
     eos: dict[str, Any]
     if kind == 1:
         if s2:
-            raise DeckError.single(file, line, "s2", "a quadratic shock velocity is not read here", "set s2 to 0")
+            raise DeckError.single(file, line, "s2", "a quadratic shock velocity is not supported", "set s2 to 0")
         eos = {"law": "wilkins_cubic", "rho0": reference * DENSITY, "c0": c0 * SPEED, "s": s1, "gamma0": gamma}
     elif kind == 2:
         eos = {"law": "ideal_gas", "gamma": gamma, "rho0": rho * DENSITY}
     else:
-        raise DeckError.single(file, line, "iEOS", f"{kind:g} is not read here", "known: 1 (Mie-Grüneisen), 2 (ideal gas)")
+        raise DeckError.single(file, line, "iEOS", f"{kind:g} is not supported", "known: 1 (Mie-Grüneisen), 2 (ideal gas)")
     tables: dict[str, Any] = {"eos": eos}
     if heat > 0.0:
         eos["specific_heat"] = heat * MBAR / DENSITY / rho if kind == 2 else heat * MBAR / DENSITY
@@ -91,4 +91,4 @@ def _end(row: list[float], file: str, line: int) -> Any:
         return "fixed"
     if abs(row[0]) == 1:
         return {"pressure": row[1] * MBAR} if row[1] else "free"
-    raise DeckError.single(file, line, "iend", f"{row[0]:g} is not read here", "known: 1 (free), 4 (fixed)")
+    raise DeckError.single(file, line, "iend", f"{row[0]:g} is not supported", "known: 1 (free), 4 (fixed)")

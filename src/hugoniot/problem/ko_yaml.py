@@ -155,7 +155,7 @@ class _Reader:
             # pyKO runs on any table: it takes the first temperature of an energy, and its sound speeds from another file
             return {"law": "table", "file": self.table_file(eos, key), "rho0": density, "reference_temperature": warm, "repair": True,
                     "least_sound_speed": 1.0}
-        raise self.wrong(f"{key}.eos.type", f"'{printable(str(kind), 30)}' is not read here", "known: IDG, MGR, TIL, SES")
+        raise self.wrong(f"{key}.eos.type", f"'{printable(str(kind), 30)}' is not supported", "known: IDG, MGR, TIL, SES")
 
     def table_file(self, eos: dict, key: str) -> str:
         """Where the standard table of a layer lies."""
@@ -195,7 +195,7 @@ class _Reader:
                     "pressure_coefficient": self.number(table, "b", None, where=key) / _CODE_PRESSURE,
                     "temperature_coefficient": self.number(table, "h", None, where=key),
                     "melt_temperature": self.number(table, "Tm0", "temperature", where=key), "melt_gruneisen": gamma, "melt_a": gamma}
-        raise self.wrong(f"{key}.str.type", f"'{printable(str(kind), 30)}' is not read here", "known: HYDRO, VM, SG")
+        raise self.wrong(f"{key}.str.type", f"'{printable(str(kind), 30)}' is not supported", "known: HYDRO, VM, SG")
 
     def end(self, ends: dict, kind: str, pressure: str) -> Any:
         if ends.get(kind) == "FIXED":

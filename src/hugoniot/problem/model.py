@@ -1,4 +1,4 @@
-"""What is asked: a frozen, complete description of one simulation. SI everywhere, no files, no decks, no arrays of state.
+"""The problem: a frozen, complete description of one simulation. SI everywhere, no files, no decks, no arrays of state.
 
 Made from a deck by `problem.deck`, or directly in Python. Saving it and running it again gives the same bits.
 """

@@ -54,8 +54,8 @@ def _sensitivities(swept: SweepTable, sensitivity) -> str:
                           (2.3, 0.5, 4.6, height))
             lost = f" Base cases that failed and are left out: {rows[0].lost}." if rows[0].lost else ""
             words = ("Sobol' indices with 95 % intervals." if hasattr(rows[0], "total") else
-                     "Morris' elementary effects, each over the whole range of its parameter: further right a stronger influence, further "
-                     "up a nonlinear one or an interaction.")
+                     "Morris' elementary effects, each over the whole range of its parameter: points further right "
+                     "have a stronger influence; points further up a nonlinear influence or an interaction.")
             figures.append(f"<figure>{picture}<figcaption>{text(words + lost)}</figcaption></figure>")
     return f"<section><h2>Sensitivity</h2>{''.join(figures)}</section>" if figures else ""
 

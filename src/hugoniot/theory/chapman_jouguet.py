@@ -5,7 +5,7 @@ The products leave the front at their own sound speed: with $x = v_0 - v$ on the
 $$F(x) = \rho^2 c^2\,x - (p - p_0) = 0, \qquad D = v_0\sqrt{(p - p_0)/x},$$
 
 the point of least detonation velocity. F is negative near constant volume and changes sign once; the search scans for the change,
-then closes in. No gamma-law formula enters. Chemical energy stands either in the energy of the upstream state (JWL: e0/rho0) or in
+then closes in. No gamma-law formula is used. Chemical energy is part of the energy of the upstream state (JWL: e0/rho0) or is given as
 `Initial.heat`. Source: KB codes section 4 with K-E4 corrected; Starkenberg A-5.
 """
 
@@ -161,7 +161,7 @@ class Tangency(NamedTuple):
 def on_isentrope(isentrope: JWLIsentrope, rho0: float) -> Tangency:
     """The CJ point on the principal isentrope of products, where the Rayleigh line through V = 1, p = 0 touches it, and the energy E0.
 
-    -dp/dV = p/(1 - V), and E0 is what the Hugoniot through that point asks for. rho0 of the explosive, kg/m3. Raises `NoSolution`.
+    -dp/dV = p/(1 - V), and E0 is what the Hugoniot through that point requires. rho0 of the explosive, kg/m3. Raises `NoSolution`.
     """
     from scipy.optimize import brentq
 

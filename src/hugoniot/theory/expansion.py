@@ -1,11 +1,11 @@
-r"""Along an isentrope, for any law: the scalar integrator that release paths, fans and Riemann solutions use.
+r"""The scalar integrator along an isentrope, for any law, that release paths, fans and Riemann solutions use.
 
 With $y = \ln\rho$,
 
 $$\frac{de}{dy} = \frac{p}{\rho}, \qquad \frac{du}{dy} = c$$
 
 (the first law at constant entropy, and the Riemann invariant of a simple wave: u is the velocity gained while the density
-falls, taken positive with y). Where both sides are smooth Gragg's modified midpoint rule with Richardson extrapolation in
+falls, taken positive with y). Where both right-hand sides are smooth, Gragg's modified midpoint rule with Richardson extrapolation in
 $h^2$ (Bulirsch and Stoer) reaches round-off in few evaluations; a step that does not converge is halved. A law that states
 its smooth pieces (a table its cells) is followed piece by piece, each continued smoothly until the path is found to leave it.
 

@@ -1,11 +1,11 @@
-r"""Fits: shock against particle velocity with error bars, JWL from a CJ state and an expansion curve, the repaired Gamma.
+r"""Fits: shock against particle velocity with error bars, JWL from a CJ state and an expansion curve, Jordan's adjusted Gamma.
 
 **Us-up.** Least squares of $U_s = \sum_k a_k u_p^k$, linear or quadratic, with the standard deviation of the points about the curve
 and the highest measured $u_p$, beyond which the fit extrapolates (KB codes, section 3), and the covariance of the coefficients.
 
 **JWL.** On the isentrope through the CJ point, with V = v/v0,
 $p = A e^{-R_1V} + B e^{-R_2V} + C V^{-1-\omega}$. For any $R_1, R_2, \omega$ the CJ pressure, the tangency $-dp/dV = p/(1-V)$ and
-the energy $E(V_{CJ}) = E_0 + p(1-V)/2$ are three linear equations for A, B, C, so every trial closes on the CJ state exactly; the
+the energy $E(V_{CJ}) = E_0 + p(1-V)/2$ are three linear equations for A, B, C, so every trial reproduces the CJ state exactly; the
 exponents alone are fitted to the expansion curve, in $\ln p$. Source: Lee, Hornig and Kury, UCRL-50422, for the form.
 
 **Gamma that meets the jump** (Jordan eq. 7.1.31, lost in the scan and recovered): see `adjusted_gamma`.
@@ -93,7 +93,7 @@ def read_points(path) -> tuple[np.ndarray, np.ndarray]:
     """(up, us) in m/s from a CSV file with a header naming the columns particle_velocity (or up) and shock_velocity (or us).
 
     A unit may follow in brackets, `up (km/s)`, or as `up_km_s`; without one the numbers are m/s. Lines that begin with # are skipped.
-    Raises `DeckError` with the line and the way out.
+    Raises `DeckError` with the line and the remedy.
     """
     up, us = read_columns(path, _US_UP, "particle and shock velocities")
     return up, us
@@ -195,7 +195,7 @@ class JwlFit:
 
 
 def jwl_coefficients(rho0, velocity, pressure, energy, r1, r2, omega) -> tuple[float, float, float]:
-    """(A, B, C), Pa, that close on a CJ state for given exponents.
+    """(A, B, C), Pa, that reproduce a CJ state for given exponents.
 
     rho0 kg/m3, detonation velocity m/s, CJ pressure Pa, energy E0 J/m3 (per volume of explosive).
     """

@@ -1,6 +1,6 @@
 r"""Hugoniot curves of any law from any state: principal, second shock, distended material, with heat of reaction.
 
-The search for one state stands in `theory.jump` with its equations; here it is run over numbers or arrays, directly for a few
+The search for one state, with its equations, is in `theory.jump`. Here it is applied to numbers or arrays, directly for a few
 states and compiled (`theory.kernels`) for many, and every search that fails becomes an error that states the limit.
 """
 
@@ -27,7 +27,7 @@ def shock(material, initial: Initial | None = None, *, direction: int = 1, once:
     given       exactly one of pressure (Pa), particle_velocity (m/s), shock_velocity (m/s), density (kg/m3): a number or an
                 array; velocities are in the frame of the laboratory
     direction   +1: the shock runs towards +x, -1: towards -x
-    once        the question is not asked again: some thousand states are then found without a compiler, which takes seconds
+    once        the curve is needed once only: up to ten thousand states are then found without compiling (seconds)
     Returns `States` of the shape of the input. Raises `OutOfRange` with the limit, or `NoSolution`.
     Source: KB codes eqs 2.7 to 2.13, the energy equation corrected (K-E1 of docs/theory/source_errors.md); Starkenberg A-5.
     """
@@ -83,7 +83,8 @@ def limit(material, initial: Initial | None = None) -> States:
     """The end of the Hugoniot: the state of highest density that the law allows a single shock to reach.
 
     A density limit of the law (the pole of a linear shock-particle velocity fit), or where 1 - (dp/de)(v0 - v)/2 vanishes
-    (Segletes' stability limit, Starkenberg A-5): there the Hugoniot stands upright, as any pressure meets the law and the jump conditions.
+    (Segletes' stability limit, Starkenberg A-5): there the Hugoniot is vertical: any pressure satisfies the law and
+    the jump conditions.
     Pressure or particle velocity are infinite at the end, or finite for a fit with s < 1 (J-E16) and at the edge of a table.
     """
     par = law_of(material)

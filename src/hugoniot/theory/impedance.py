@@ -59,7 +59,7 @@ def match(layers: Sequence, velocity: float, *, initial: Sequence[States] | None
         raise OutOfRange("an impact needs a flyer and at least one target")
     start = list(initial) if initial else [reference(layers[0], velocity), *(reference(layer) for layer in layers[1:])]
     if not start[0].particle_velocity > start[1].particle_velocity:
-        raise OutOfRange(f"a flyer of {start[0].particle_velocity:.6g} m/s does not strike a target of "
+        raise OutOfRange(f"a flyer at {start[0].particle_velocity:.6g} m/s does not strike a target at "
                          f"{start[1].particle_velocity:.6g} m/s: give a positive impact velocity")
     arriving, met = start[0], []
     for k in range(len(layers) - 1):

@@ -1,7 +1,7 @@
 r"""Isentropes of any law through any state: release to a pressure, a density or a velocity, and to vacuum.
 
-The integrator and its equations stand in `theory.expansion`. A wave that moves towards +x (`direction` +1) obeys
-$du = dp/(\rho c) = c\,d\ln\rho$ while the pressure behind it falls; towards -x the sign turns.
+The integrator and its equations are in `theory.expansion`. A wave that moves towards +x (`direction` +1) obeys
+$du = dp/(\rho c) = c\,d\ln\rho$ while the pressure behind it falls; towards -x the sign is reversed.
 """
 
 import math
@@ -188,8 +188,8 @@ def residual(states: States) -> float:
     r"""Largest misfit of de + p dv = 0 between neighbouring states, relative to the energy exchanged.
 
     The work between two states is found anew, by Gauss-Legendre quadrature of p/rho in ln(rho) on the isentrope, so that the
-    integrator is not its own judge: 12 nodes per piece in which the law is smooth (an edge of a table's cell ends a piece) and per 0.3,
-    halved until both halves agree with the whole, as they do not where a law bends without saying so (pores that begin to close).
+    integrator does not check itself: 12 nodes per piece in which the law is smooth (an edge of a table's cell ends a piece) and per 0.3,
+    halved until both halves agree with the whole, which they do not at a kink of a law (pores that begin to close).
     """
     worst = 0.0
     for i in range(len(states) - 1):

@@ -8,7 +8,7 @@ $$p - p_0 = m^2 x, \qquad m = \rho_0 (U_s - u_0), \qquad (u - u_0)^2 = (p - p_0)
 Whatever is given (pressure, particle velocity, shock velocity), pressure and energy are closed functions of $x$ alone and
 the law closes the problem: $g(x) = p_{law}(1/(v_0 - x), e(x)) - p(x) = 0$. In $x$ the root is single where the law is stable,
 also for distended material, whose density may fall along the curve. Given the density, $x$ is known and $p$ is sought.
-Newton's method keeps inside a bracket and halves it where it would leave.
+Newton's method works inside a bracket, which is halved where a step would leave it.
 
 The functions are plain scalar code, so that `theory.kernels` compiles this same source for arrays. They return a status and
 never raise; `theory.hugoniot` turns a status into an error that states the limit.

@@ -1,4 +1,4 @@
-"""The scalar searches of this room compiled for arrays: one source, one compiled form per law, kept on disk.
+"""The scalar searches of this package compiled for arrays: one source, one compiled form per law, kept on disk.
 
 Importing this module imports numba; `theory.hugoniot` and `theory.isentrope` do so only for many states.
 """

@@ -1,19 +1,20 @@
 r"""Shocks in which part of an explosive burns, and the chemical potential of a mixture.
 
-**Reaction inside the shock** (003 section 5.8): the burn fraction rises by $\Delta\lambda_H$ across the front,
-$\lambda = \lambda_u + \Delta\lambda_H$. What stays reactant is on its own Hugoniot from the upstream state; the products, old and new,
-are one state, and the jump of the mixture,
+**Reaction inside the shock** (Starkenberg, section 5.8): the burn fraction rises by $\Delta\lambda_H$ across the front,
+$\lambda = \lambda_u + \Delta\lambda_H$. The remaining reactant is on its own Hugoniot from the upstream state; the products, old and
+new, are in one state, which the jump of the mixture determines:
 
-$$e - e_u = \tfrac12(p + p_u)(v_u - v), \qquad v = (1-\lambda)v_r + \lambda v_p, \quad e = (1-\lambda)e_r + \lambda e_p,$$
+$$e - e_u = \tfrac12(p + p_u)(v_u - v), \qquad v = (1-\lambda)v_r + \lambda v_p, \quad e = (1-\lambda)e_r + \lambda e_p .$$
 
-says which. Nothing reacted: the frozen Hugoniot, as far as old products are on theirs. All of it: the detonation Hugoniot. In between lie
-partly reacted shocks, whose least velocity at $\Delta\lambda_H = 1$ is that of Chapman and Jouguet.
+With nothing reacted this is the frozen Hugoniot, if earlier products are on theirs; with all reacted, the detonation Hugoniot. Between
+the two lie partly reacted shocks, whose least velocity at $\Delta\lambda_H = 1$ is that of Chapman and Jouguet.
 
-**Chemical potential** (003 section 4.1): with the reactants on their isentrope, or both phases at one temperature,
+**Chemical potential** (Starkenberg, section 4.1): with the reactants on their isentrope, or both phases at one temperature,
 
 $$\mu = \left(\frac{\partial e}{\partial\lambda}\right)_{v,s} = e_p - e_r + p\,(v_p - v_r) - T\,(s_p - s_r),$$
 
-T that of the products. Entropies count from what each law calls zero; a constant between them adds $T$ times itself to $\mu$.
+with T the temperature of the products. Each law has its own zero of entropy; a constant difference between the two adds $T$ times
+itself to $\mu$.
 """
 
 import math
@@ -87,7 +88,7 @@ def _product_volume(p: float, lam: float, v_r: float, e_r: float, ahead: tuple[f
         if value < 0.0 <= found:
             return brentq(miss, inner, trial, xtol=1e-15 * v_u, rtol=8.9e-16)
         trial, value = inner, found
-    raise NoSolution(f"no products at {p:.6g} Pa close the jump of the mixture")
+    raise NoSolution(f"no state of the products at {p:.6g} Pa satisfies the jump conditions of the mixture")
 
 
 def chemical_potential(state: MixtureState) -> np.ndarray:

@@ -1,7 +1,9 @@
-r"""Normal modes of a plane detonation for any law, any mixture and any rate: the reaction zone of `theory.znd`, made to wrinkle in time.
+r"""Normal modes of a plane detonation for any law, any mixture and any rate: small disturbances of the reaction zone of `theory.znd`.
 
-Fields are functions of the burn fraction and time, so that no rate that sets in at a burn fraction jumps, and none that begins as a
-power of it is steep. With $r = d\lambda/dt$ a particle has $D/Dt = \partial_t + r\,\partial_\lambda$, and in the frame of the front, where
+Fields are functions of the burn fraction and time. A rate that sets in at some burn fraction then causes no jump, and one that begins as
+a power of it no infinite slope.
+
+With $r = d\lambda/dt$ a particle has $D/Dt = \partial_t + r\,\partial_\lambda$, and in the frame of the front, where
 the material runs towards $-x$ and $X = \partial x/\partial\lambda$,
 
 $$\frac{D\rho}{Dt} = -\frac{\rho u_\lambda}X,\quad \frac{Du}{Dt} = -\frac{p_\lambda}{\rho X},\quad

@@ -3,8 +3,8 @@ r"""Exact Riemann problem of two arbitrary laws, with shocks, isentropic fans an
 The pressure and velocity between the two waves are where the wave curves meet. For the side that the wave enters
 (direction d = -1 left, +1 right), the velocity behind a shock to the pressure p is $u + d\sqrt{(p - p_0)(v_0 - v_H(p))}$, behind a
 fan $u + d\int_{p_0}^{p} dp/(\rho c)$ on the isentrope; both by `theory.jump` and `theory.expansion`, without any approximate
-solver. Newton's method in p, with slopes $d/(\rho c)$ on the fan and the differentiated jump conditions on the shock,
-inside a bracket. A law with a memory (pores that stay crushed) is released on its elastic branch, as far compacted as the loading
+solver. The pressure is found by Newton's method inside a bracket, with slopes $d/(\rho c)$ on the fan and the differentiated jump
+conditions on the shock. A law with a memory (pores that stay crushed) is released on its elastic branch, as far compacted as the loading
 to the given state left it; the states behind keep that history.
 
 Source: Starkenberg sec. 6 for the host method; Courant and Friedrichs, Supersonic Flow and Shock Waves.

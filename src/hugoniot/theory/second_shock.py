@@ -1,14 +1,14 @@
 r"""How far a second shock strays from the principal Hugoniot: appendix A of Wilkins, equations A.1 to A.4.
 
 For $P = a\mu + b\mu^2 + c(1+\mu)E$ with E per original volume, $\mu = \rho/\rho_0 - 1$, the principal Hugoniot (A.1), its cubic
-(A.2), the Hugoniot from a point $\mu_1$ on it (A.3) and that one expanded (A.4). (A.4) as printed is damaged (W-E1: it shows a
+(A.2), the Hugoniot from a point $\mu_1$ on it (A.3) and its expansion (A.4). (A.4) as printed is damaged (W-E1: it shows a
 fraction, and b + ac/2 inside the bracket, 17 to 21 % high); the corrected form is
 
 $$P = \Big[a\mu + (b + \tfrac{ac}2)\mu^2 + \tfrac c2(b + \tfrac{ac}2)\mu^3\Big]
   - \frac c2\mu\Big[a\frac\delta V + (b + ac)\mu\frac\delta V - \frac c2 a\frac{\delta^2}{V^2}\Big]
   + \frac c2\mu P_1\Big[1 + \frac c2\Big(\mu - \frac\delta V\Big)\Big], \qquad \delta = 1 - V_1 .$$
 
-What is left between the two Hugoniots is of third order, not higher as the source says: see `leading_difference`.
+The difference between the two Hugoniots is of third order, not of higher order as the source says: see `leading_difference`.
 Pressures and a, b are in any one unit of pressure; arrays or numbers.
 """
 
@@ -92,7 +92,7 @@ def second_series_as_printed(mu, mu1: float, law: Quadratic):
 
 
 def leading_difference(mu, mu1: float, law: Quadratic):
-    """-(c/2)(a + b + ac/2) mu mu1 (mu - mu1): the leading, third-order term of second minus principal Hugoniot (W-4)."""
+    """-(c/2)(a + b + ac/2) mu mu1 (mu - mu1): the leading, third-order term of second minus principal Hugoniot."""
     mu = np.asarray(mu, float)
     a, b, c = law
     return (-0.5 * c * (a + b + 0.5 * a * c) * mu * mu1 * (mu - mu1))[()]

@@ -1,4 +1,4 @@
-r"""Rayleigh and Fanno lines of a shock, in any law: the states that two of the three balances allow.
+r"""Rayleigh and Fanno lines of a shock, for any law: the states that satisfy two of the three balances.
 
 In the frame of the shock, mass flux $m = \rho_0U_s$,
 
@@ -9,7 +9,7 @@ They meet where all three balances hold, in the states ahead of and behind the s
 between, the states of a shock resolved by viscosity alone lie on the Rayleigh line with its viscous stress, those of one resolved by
 conduction alone on it without; on neither is the entropy highest at the end: along Fanno's it is where the flow is sonic.
 
-Source: 004 (Jordan) figures 7.1.1 and following.
+Source: Jordan (2011), figures 7.1.1 and following.
 """
 
 from dataclasses import dataclass

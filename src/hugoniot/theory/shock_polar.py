@@ -1,4 +1,4 @@
-r"""Shock polars of any equation of state: the pressure behind a steady oblique wave against the angle it turns the stream by.
+r"""Shock polars of any equation of state: the pressure behind a steady oblique wave against the angle by which it deflects the stream.
 
 A stream of speed q meets a wave that raises its pressure to p. **Shock** (p above the stream's): only the normal velocity changes; with
 the Hugoniot's v(p)

@@ -6,10 +6,10 @@ $$p_H = \frac{p_\Gamma(V) - p_\Gamma(1)}{1 - \tfrac12\Gamma_0x}, \qquad
   p_\Gamma = A\left(1 - \frac{\Gamma_0}{R_1}\right)e^{-R_1V} + B\left(1 - \frac{\Gamma_0}{R_2}\right)e^{-R_2V},$$
 
 linear in A and B, so that for every trial of the exponents they follow by linear least squares; R1 and R2 alone are searched, from several
-starts. The misfit is relative in pressure. The source finds the form poor for linear Hugoniots; root mean squares to 2, 5 and 10 km/s:
-copper 0.01, 0.15 and 0.7 %, aluminium 0.002, 0.05 and 0.3 %, water (s = 2) 0.3, 2 and 5 %.
+starts. The misfit is relative in pressure. The source finds the form poor for linear Hugoniots; the root-mean-square misfits up to
+2, 5 and 10 km/s are: copper 0.01, 0.15 and 0.7 %, aluminium 0.002, 0.05 and 0.3 %, water (s = 2) 0.3, 2 and 5 %.
 
-Source: 003 (Starkenberg) A-10.5, with the Hugoniot of S-E12.
+Source: Starkenberg A-10.5, with the Hugoniot of S-E12.
 """
 
 from typing import NamedTuple

@@ -3,7 +3,7 @@ r"""Hugoniots that a single shock cannot follow: the wave splits into a precurso
 A shock to a state behind is stable only if no state between the two runs faster: its Rayleigh line must not cut the Hugoniot. Where the
 shock velocity has a maximum at a lower particle velocity (a solid's pores begin to crush, a phase changes), the wave that stands at that
 maximum runs ahead, and the second shock starts from the state behind it. Both together reach the same particle velocity at another
-pressure than the single jump.
+pressure than the single jump would.
 
 Source: Zel'dovich and Raizer, Physics of Shock Waves, chapter XI, sections 4 and 19; Herrmann, J. Appl. Phys. 40 (1969) 2490 (P-alpha).
 """

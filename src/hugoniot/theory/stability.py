@@ -1,4 +1,4 @@
-r"""Normal modes of a plane detonation: how fast a small wrinkle in time of the ZND wave grows, and at what frequency.
+r"""Normal modes of a plane detonation: how fast a small disturbance of the ZND wave grows, and at what frequency.
 
 An ideal gas of constant gamma burns in one step, $r = k(1-\lambda)e^{-E\rho/p}$, and releases q per mass. Ahead of the wave
 $\rho = p = 1$; E and q are in units of the pressure over density ahead, lengths are half-reaction lengths (which fixes k). With the

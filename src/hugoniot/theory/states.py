@@ -1,6 +1,6 @@
-r"""States of a material as the tools of this room give and take them: arrays or single numbers under the field's words.
+r"""States of a material, the input and output of the tools: arrays or single numbers under the names of the fields.
 
-Of any law $p(\rho, e)$ follow, along every curve,
+For any law $p(\rho, e)$
 
 $$c^2 = \left.\frac{\partial p}{\partial\rho}\right|_e + \frac{p}{\rho^2}\left.\frac{\partial p}{\partial e}\right|_\rho, \qquad
   \Gamma = \frac1\rho\left.\frac{\partial p}{\partial e}\right|_\rho, \qquad K_S = \rho c^2, \qquad
@@ -61,7 +61,7 @@ class States:
     """Points of one material along a curve: density kg/m3, pressure Pa, specific internal energy J/kg, particle velocity m/s.
 
     Every field is a number, or an array of one shape. `shock_velocity` (m/s) is None where no shock made the state.
-    What follows from the law (temperature, sound speed, ...) is computed when asked; None where the law has no such thing.
+    What follows from the law (temperature, sound speed, ...) is computed on request; None where the law has no such thing.
     """
 
     par: Any

@@ -1,7 +1,7 @@
-r"""Error bars of any answer from the errors of what went in.
+r"""Error bars of any result from the errors of its inputs.
 
-Linear: $\sigma_y^2 = J C J^T$ with the Jacobian by central differences over half a standard deviation, so that the answer of
-a curved function is still the mean slope where the parameter lives. Monte Carlo: normal samples of the same covariance, with the
+Linear: $\sigma_y^2 = J C J^T$ with the Jacobian by central differences over half a standard deviation, which gives
+the mean slope over the range in which the parameter is expected. Monte Carlo: normal samples of the same covariance, with the
 16th, 50th and 84th percentiles, for answers that are not nearly linear.
 """
 

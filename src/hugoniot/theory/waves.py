@@ -7,7 +7,7 @@ $$W = \frac{\rho_bu_b - \rho_au_a}{\rho_b - \rho_a};$$
 
 interfaces and free surfaces move with the material. When two fronts meet, the Riemann problem of the outer states (`theory.riemann`)
 gives what leaves. Shocks and their interactions are thus exact; fans converge with the number of steps (errors of second order in the
-step). Bodies part where tension would hold them together, and may meet again.
+step). Bodies separate rather than carry tension, and may meet again.
 
 Source: Wave-front tracking after Dafermos, J. Math. Anal. Appl. 38 (1972) 33; Starkenberg section 6 for the local solutions.
 """

@@ -2,7 +2,7 @@ r"""Structure of a steady detonation (Zeldovich, von Neumann, Doering) for any l
 
 The states along the zone follow from the Rayleigh line by reacted fraction (`theory.reaction_zone`); what is left is where they lie.
 In the frame of the front $dX/d\lambda = w/r$, $w = m v$, for a rate $r = d\lambda/dt$. Distances follow by Gauss-Legendre quadrature
-between the states; no ordinary differential equation is stepped, so stiffness costs nothing. The integrand is
+between the states; no ordinary differential equation is stepped, so stiffness costs no time. The integrand is
 taken over $s = -\ln(1-\lambda)$, and near $\lambda = 0$ over $\lambda^{1/9}$: rates that begin as a power of $\lambda$ below 1 and end
 as one of $1-\lambda$ are then smooth.
 

@@ -16,7 +16,9 @@ SCRIPT = Path(__file__).parents[3] / "docs" / "generate_laws.py"
 def pages():
     spec = importlib.util.spec_from_file_location("generate_laws", SCRIPT)
     module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(SCRIPT.parent)      # it imports the script beside it
+        spec.loader.exec_module(module)
     return module
 
 

@@ -13,7 +13,7 @@ from hugoniot.errors import DeckError
 
 
 def stability(
-    explosive: Annotated[str | None, typer.Argument(help="Explosive of the library, or of a TOML file; none: an ideal gas with one "
+    explosive: Annotated[str | None, typer.Argument(help="Explosive of the library, or of a TOML file; omit it for an ideal gas with one "
                                                          "Arrhenius step.")] = None,
     gamma: Annotated[float | None, typer.Option("--gamma", help="Ratio of specific heats of the gas (default 1.2).")] = None,
     heat: Annotated[str | None, typer.Option("--heat", help="Heat release over pressure/density ahead (default 50); with an explosive: "
@@ -36,12 +36,12 @@ def stability(
     if explosive is not None:
         for name, value in given.items():
             if value is not None:
-                raise DeckError.single("command line", None, name, "belongs to the ideal gas, and an explosive is given", "omit one")
+                raise DeckError.single("command line", None, name, "applies to the ideal gas only, and an explosive is given", "omit one")
         _of_explosive(explosive, closure, rate, heat, overdrive, highest, as_json)
         return
     for name, value in {"--closure": closure, "--rate": rate}.items():
         if value is not None:
-            raise DeckError.single("command line", None, name, "asks for an explosive", "name one, such as lx_17")
+            raise DeckError.single("command line", None, name, "applies to explosives only", "name one, such as lx_17")
     _of_gas(1.2 if gamma is None else gamma, 50.0 if heat is None else quantity(heat, "", "--heat"),
             50.0 if activation is None else activation, overdrive, highest, as_json)
 
@@ -79,7 +79,7 @@ def _of_explosive(name, closure, rate, heat, overdrive, highest, as_json) -> Non
 
 def _show(modes, highest: float) -> None:
     if not modes:
-        typer.echo(f"no growing mode with a frequency up to {highest:g}: the plane wave is stable as far as searched")
+        typer.echo(f"no growing mode with a frequency up to {highest:g}: the plane wave is stable in the range searched")
         return
     echo_table(["growth rate", "frequency", "period"], [[f"{m.growth:.6g}", f"{m.frequency:.6g}",
                f"{2.0 * math.pi / m.frequency:.6g}" if m.frequency else "-"] for m in modes])

@@ -3,12 +3,12 @@ r"""Threshold burn of the KB codes: a zone burns at once when its pressure passe
 $$\lambda = 1 \quad\text{once}\quad p > P_{init}$$
 
 The zone's chemical energy Q is released and the products' law takes over. **The speed of the wave this makes depends on the threshold
-and does not converge with the mesh**: the release acts inside the smeared shock, at a place of its profile that the threshold chooses, and
-so everything that shapes that profile counts, the time step too. Composition B (rho0 = 1770, Q = 6.27 MJ/kg, gamma = 3, exact D = 10.016
-km/s) behind a piston at the CJ velocity, P_init of 1, 5, 10, 20, 30, 40 GPa:
+and does not converge with the mesh**: the release acts inside the smeared shock, at a point of its profile set by the threshold, and
+so everything that shapes that profile matters, including the time step. Composition B (rho0 = 1770, Q = 6.27 MJ/kg, gamma = 3, exact
+D = 10.016 km/s) behind a piston at the CJ velocity, P_init of 1, 5, 10, 20, 30, 40 GPa:
 
 * as the KB codes have it (leapfrog, `shock_energy` before burning, `kb_two_sided` with C = 1, courant 0.25): 14.39, 10.26, 9.85, 9.92,
-  9.95, 9.99 km/s, on 200 and 800 zones alike within 0.25 %; with courant 0.2 or 0.3 up to 3 % (1 GPa: 9 %) others
+  9.95, 9.99 km/s, on 200 and 800 zones alike within 0.25 %; up to 3 % different with courant 0.2 or 0.3 (1 GPa: 9 %)
 * `compatible` with a Mie-Grüneisen explosive: 12.5, 10.14, 10.10, 10.13, 10.18, 10.22 km/s
 
 Between 5 and 40 GPa it is right to 3 %.

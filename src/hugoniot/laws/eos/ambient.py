@@ -11,9 +11,9 @@ $$p_H = p_a + \frac{c_a^2\,(v_a - v)}{[v_a - s_a(v_a - v)]^2}, \qquad
   - p_u, \qquad f_H(v; v_a) = 1 - \tfrac12\rho_\Gamma(v_a - v) .$$
 
 The source would take the Hugoniot of the most recent upstream state as reference for material that is shocked again, and adds that such
-data are seldom measured; where they are, this law has their state as (rho0, pressure, energy) and their line as base.
+data are seldom measured; where they exist, give this law their upstream state (rho0, pressure, energy) and their line as base.
 
-Source: 003 (Starkenberg) A-11.1, A-11.2 and A-11.5.
+Source: Starkenberg A-11.1, A-11.2 and A-11.5.
 """
 
 from typing import Any, NamedTuple

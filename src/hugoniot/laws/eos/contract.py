@@ -23,7 +23,7 @@ and, where its theory has them in closed form,
                                           it beyond; lowest = highest where the isentrope leaves the law there
     piece_coordinate(rho, e, piece)       (g, dg/drho at e, dg/de at rho): in the piece between those densities while 0 <= g <= 1
 
-The last two are owed by laws whose slopes leap in many places (tables); all others are one piece.
+The last two are needed only from laws whose slopes jump in many places (tables); all others are one piece.
 
 A law with a memory (pores that stay crushed) has one history variable, the compaction: 0 before anything has happened, 1 once all that
 can happen has, never falling. It is flagged "remembers" and gives three functions more; without them it answers for its first loading:

@@ -6,17 +6,17 @@ $$p(\rho, e) = p_{\text{base}}(\rho,\, e - e_s) + p_s(\rho), \qquad
 
 and $p_s = e_s = 0$ at lower densities. The base is a law fitted to the powder itself, rho_s the density of its grains at rest, K and n
 their bulk modulus and its pressure derivative; a linear Hugoniot of the solid has $K = \rho_sc_0^2$ and $n = 4s - 1$. A fit says nothing
-about densities at which nothing was measured: with a slope below 1 it has a finite pressure at no volume at all (J-E16), where the
-grains have long filled the room. Here they resist, along Murnaghan's curve.
+about densities at which nothing was measured: with a slope below 1 its pressure stays finite even at zero volume (J-E16), long after
+the grains have filled the space. Here the grains resist, along Murnaghan's curve.
 
 Since $e_s = -\int p_s\,dv$, a potential of the volume alone is added to the powder's: temperature and entropy are the base law's at
 $e - e_s$, and $c^2 = c_{\text{base}}^2 + (K/\rho_s)X^{n-1}$ for X > 1, so that a stable law stays stable. Below rho_s nothing changes, not
-in the last digit. At rho_s pressure and energy are continuous and the sound speed leaps up, as where pores have closed; a Hugoniot that
-stiffens makes one shock, not two. A base law whose own compression limit lies below rho_s never gets there.
+even the last digit. At rho_s pressure and energy are continuous and the sound speed jumps up, as where pores have closed; a Hugoniot
+that stiffens makes one shock, not two. A base law whose own compression limit lies below rho_s never reaches it.
 
-Heat is the base law's: its Grüneisen parameter is the powder's, far below the solid's at that density, so that hot grains take less
-room than they should. Where that counts, crush the solid (snow_plough, p_alpha, p_lambda), whose pores also stay closed on release; here,
-as with any law without memory, released powder comes back.
+The thermal pressure is the base law's: its Grüneisen parameter is the powder's, far below the solid's at that density, so that hot
+grains take up less space than they should. Where that matters, use a compaction law (snow_plough, p_alpha, p_lambda), whose pores also
+stay closed on release; here, as with any law without memory, released powder expands again.
 
 Source: Zel'dovich and Raizer, Physics of Shock Waves, XI.1 and XI.2 (a cold pressure and energy, of the volume alone, beside the rest);
 Murnaghan 1944.

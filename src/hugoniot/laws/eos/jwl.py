@@ -13,9 +13,9 @@ $T = (e - e_C)/c_v$ on the cold isentrope with $a$ = `cold_constant` (0 unless a
 
 $$V_t = \frac{1}{R_1 - R_2}\ln\frac{AR_1}{-BR_2}$$
 
-and would rise again beyond, with an imaginary sound speed in what is torn there. The fit says nothing of such volumes. Here the cold
-pressure keeps $f(V_t)$ from there on, its energy growing by $-f(V_t)(V - V_t)/\rho_0$: smooth to the first derivative, the same isentropes
-in V^-omega beside it, and $c^2 = \omega(\omega+1)(e - e_C) > 0$ at any temperature above zero.
+and would rise again beyond, with an imaginary sound speed in material stretched that far. The fit says nothing about such volumes. Here
+the cold pressure keeps $f(V_t)$ from there on, its energy growing by $-f(V_t)(V - V_t)/\rho_0$: smooth to the first derivative, with
+the same isentropes in V^-omega beside it, and $c^2 = \omega(\omega+1)(e - e_C) > 0$ at any temperature above zero.
 
 Source: Starkenberg A-9 after Lee and Hornig.
 """

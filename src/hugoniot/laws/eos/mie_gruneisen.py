@@ -6,7 +6,7 @@ Compression ($\eta \ge 0$): the reference is the principal Hugoniot of $U_s = c_
 
 $$p_R = \frac{\rho_0 c_0^2\,\eta}{(1 - s\eta)^2}, \qquad e_R = \frac{p_R\,\eta}{2\rho_0},$$
 
-so every state of the measured Hugoniot is met exactly for any $\Gamma_0$.  Tension ($\eta < 0$): the reference is an isentrope,
+so every state of the measured Hugoniot is reproduced exactly for any $\Gamma_0$. Tension ($\eta < 0$): the reference is an isentrope,
 
 $$e_R = \frac{c_0^2\eta^2}{2(1 - a\eta)}, \quad p_R = \rho_0 \frac{de_R}{d\eta}
      = \rho_0 c_0^2\,\eta\,\frac{1 - a\eta/2}{(1 - a\eta)^2}, \quad \frac{dp_R}{d\eta} = \frac{\rho_0c_0^2}{(1 - a\eta)^3},

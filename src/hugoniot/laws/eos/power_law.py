@@ -2,8 +2,8 @@ r"""Pressure as a power of the density alone, the isentrope of a gamma-law gas w
 
 $$p = A\rho^\gamma = p_0\left(\frac{\rho}{\rho_0}\right)^\gamma, \qquad c^2 = \gamma p/\rho$$
 
-The energy does not enter: a shock heats the material without consequence, and what expands again comes back to the first density at the
-first pressure. Waves of sound and rarefactions are those of the gas; for shocks take `ideal_gas`. There is no temperature, and no energy
+The energy does not enter: the heat of a shock has no effect, and material that expands again returns to its first density at its
+first pressure. Sound waves and rarefactions are those of the gas; for shocks use `ideal_gas`. There is no temperature, and no energy
 follows from density and pressure.
 
 Source: KB codes eq. 2.5 and 2.6.

@@ -2,12 +2,12 @@ r"""The shock equation of state of the KB codes: the pressure of the shock that 
 
 $$p = \rho_0\,U_s\,u_p, \qquad u_p = \sqrt{2e}, \qquad U_s = c_0 + s\,u_p + s_2u_p^2$$
 
-The density does not enter (K-E10): on the principal Hugoniot the pressure is right, off it nothing is. There is no tension and no elastic
+The density does not enter (K-E10): the pressure is right on the principal Hugoniot and nowhere else. There is no tension and no elastic
 release, and a zone at e = 0 stays there under its own pressure, because p = 0 does no work: only the artificial viscosity heats it.
-Kept to reproduce what those codes compute of explosives before they burn; take `mie_gruneisen` for anything else.
+It is kept to reproduce those codes' results for unburned explosives; use `mie_gruneisen` for anything else.
 
 With $\partial p/\partial\rho = 0$ the speed of sound is that of $p\,p_e/\rho^2$: 
-$c = \tfrac{\rho_0}{\rho}\sqrt{U_s\,(c_0 + 2su_p + 3s_2u_p^2)}$, $c_0$ at rest. With s2 negative the pressure ends to rise with the energy
+$c = \tfrac{\rho_0}{\rho}\sqrt{U_s\,(c_0 + 2su_p + 3s_2u_p^2)}$, $c_0$ at rest. With s2 negative the pressure stops rising with the energy
 where the last factor vanishes; there the speed of sound is no longer real, and a run stops. The slope
 $p_e = \rho_0(c_0/u_p + 2s + 3s_2u_p)$ is infinite at rest, so $u_p$ is at least REST, which leaves 3e-3 Pa in a metal.
 

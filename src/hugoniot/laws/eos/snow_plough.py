@@ -6,10 +6,10 @@ $$p = \max\left[p_{\text{solid}}(\rho, e),\;
 rho00 is the density of the porous material, rho_s that of its solid at rest, p_c the pressure that has closed the pores (the pure
 snow-plough is its limit 0, in which sound does not travel). On the ramp the pressure does not depend on energy. Shock states are
 those of the solid's Hugoniot for the larger initial volume. Crushing is irreversible: from the ramp the material unloads with the sound
-speed c_s of its solid to the density rho_r (rho00 before any crushing; so it bears tension) and reloads on the same line; once the
+speed c_s of its solid to the density rho_r (rho00 before any crushing; so it supports tension) and reloads on the same line; once the
 solid's pressure has exceeded the ramp the pores are closed and the solid's law holds for good. The history variable is the compaction
 $(\rho_r - \rho_{00})/(\rho_s - \rho_{00})$, 1 when closed. The temperature is that of the solid, where it is compacted; there is no
-entropy, for crushing at a pressure that no heat changes dissipates.
+entropy, because crushing at a pressure that does not depend on heat dissipates energy.
 
 Source: Zel'dovich and Raizer, Physics of Shock Waves, XI.3; Thouvenin 1966 as reviewed by Herrmann, J. Appl. Phys. 40, 2490 (1969).
 """

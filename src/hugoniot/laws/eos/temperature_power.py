@@ -9,7 +9,7 @@ It is the source's $T = (\Gamma_0T_0/f_S)\{[e - e_S(v; v_\infty, e_\infty)]f_S/R
 the bracket above vanishes. Temperature and specific heat at rest are the base's; with w < 1 the specific heat grows on heating, which the
 source calls inconsistent with quantum statistics at high temperature. The pressure is the base's.
 
-Source: 003 (Starkenberg) A-4.
+Source: Starkenberg A-4.
 """
 
 import math

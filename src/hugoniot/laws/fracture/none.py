@@ -1,4 +1,4 @@
-r"""No fracture: any tension is carried.
+r"""No fracture: any tension is supported.
 
 $$\text{failure} = 0$$
 

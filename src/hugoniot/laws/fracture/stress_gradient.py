@@ -3,10 +3,11 @@ r"""Spall at a tension that grows as the square root of its gradient: a short pu
 $$\sigma_t \ge \max\left(\sigma_{least},\; A\sqrt{|d\sigma_t/dx|}\right), \qquad A = \sigma_r/\sqrt{G_r}$$
 
 A is given as the strength sigma_r at a reference gradient G_r, so that every parameter has a unit of its own. sigma_least is the
-strength where the tension is uniform, in which the law alone would let any tension break the material: noise behind a wave has no
-gradient to speak of, so it belongs not far below the tension at which the material is expected to break. The criterion is asked at nodes
-inside a region, of the mean tension of the zones beside it and the slope over four zones before or behind it, the larger of both. At the
-front of a wave, where that is the slope of the mesh, and at the peak beside it nothing breaks that the flow behind would not break.
+strength where the tension is uniform, for which the law alone would let any tension break the material. Noise behind a wave has
+hardly any gradient, so sigma_least should lie not far below the tension at which the material is expected to break. The criterion is
+evaluated at nodes inside a region, with the mean tension of the zones beside the node and the larger of the slopes over four zones
+before and behind it. At the front of a wave, whose slope is set by the mesh, and at the peak beside it, nothing breaks that would not
+break in the flow behind.
 
 A triangular pulse of peak P and length L that meets a free surface leaves a tension that grows from the surface as 2 P x / L. It spalls at
 the depth $A\sqrt{L/(2P)}$, under the tension $A\sqrt{2P/L}$, and again at the same distance as long as the pulse lasts.

@@ -7,10 +7,10 @@ With $w = v_r - v_p$ and $z = e_r - e_p$ the saturation conditions hold identica
 isentrope gives $\lambda z = e_{Sr} + Q - e$, and one equation is left, $F(w) = p_r - p_p = 0$, whose slope is $-I^2$ with
 $I^2 = \lambda i_r^2 + (1-\lambda) i_p^2 > 0$: F falls monotonically, so the root is unique, and nothing is singular as burning begins
 or ends. The products' energy is the difference (e - (1 - lambda) e_r)/lambda: below `nascent_limit` any error of the mixture's energy
-would be multiplied beyond sense, so the reactant's isentrope is then taken through the mixture state itself (the limit of Starkenberg
+would be magnified far too much, so the reactant's isentrope is then taken through the mixture state itself (the limit of Starkenberg
 section 5.9). For energies exact to round-off 1e-6 is right; a solver, whose step leaves an error of 1e-4 in a shock, needs about 1e-3.
 
-Newton's method runs inside a bracket that only shrinks; what leaves it is bisected. In a step of a run two trials nearly always do:
+Newton's method runs inside a bracket that only shrinks; what leaves it is bisected. In a step of a run two trials nearly always suffice:
 `attempt` makes just these, for many zones at a time, and leaves the rest to the search.
 
 Source: Starkenberg ARL-TR-2161 sections 5.1 to 5.9 and appendix B-2 with corrections S-E2, S-E3, S-E13.

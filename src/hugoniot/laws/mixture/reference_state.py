@@ -1,16 +1,16 @@
 r"""When a smeared shock has passed a zone, and so which isentrope the reactants keep in thermal isolation.
 
-Starkenberg takes the reference state of a zone behind the last shock. A tracked front knows it; artificial viscosity smears the front
-over zones, so a detector has to say when it has passed. A shock is passing a zone while
+Starkenberg takes the reference state of a zone behind the last shock. A tracked front gives it directly; artificial viscosity smears
+the front over zones, so a detector has to find when it has passed. A shock is passing a zone while
 
 $$q > 0.01\,(|p| + 10^{-4}\rho c^2),$$
 
-the second term so that the noise of material at rest is none. When it has passed, the detector says how it found the state: behind the
-shock, before burning, or while the zone was burning (more than a thousandth), where the state behind the shock is one of partly burned
-explosive. A later shock begins anew.
+where the second term keeps the noise of material at rest from counting. When the shock has passed, the detector says how it found
+the state: behind the shock, before burning, or while the zone was burning (more than a thousandth), where the state behind the
+shock is one of partly burned explosive. A later shock starts this again.
 
 A reference that is *frozen* takes its share of the viscous heat only while a shock is passing: the isentrope through the reactants of
-the step before is then the one through the state taken. One that *rolls* takes its share of every heat.
+the step before is then the one through the state taken. One that *rolls* takes its share of all heat.
 
 Source: Starkenberg ARL-TR-2161 section 4.3 for the reference state; the detector is this program's.
 """

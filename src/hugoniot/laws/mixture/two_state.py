@@ -3,11 +3,11 @@ r"""Two states at the density and the temperature of the mixture: the closure of
 $$p = (1-\lambda)\,p_r(\rho, T) + \lambda\,p_p(\rho, T), \qquad e = (1-\lambda)\,e_r(\rho, T) + \lambda\,e_p(\rho, T)$$
 
 Products with the density of the solid and the solid's temperature: the sum of pressures belongs to neither phase and has no physical
-meaning (003 section 4.4, which gives this as the reason). It is here for comparison with results of that time. With $z = e_r - e_p$,
+meaning (Starkenberg, section 4.4, gives this as the reason). It is included for comparison with results of that time. With $z = e_r - e_p$,
 so that $e_r = e + \lambda z$, $e_p = e - (1-\lambda)z$, one equation is left, $T_r(v, e_r - Q) = T_p(v, e_p)$; its slopes follow from
 $(\partial T/\partial e)_v = 1/c_v$ and $(\partial T/\partial v)_e = p/c_v - T\,(\partial p/\partial e)_v$, which holds for each phase.
 
-Source: 003 (Starkenberg) section 4.4; Kerley 1992 as cited there.
+Source: Starkenberg section 4.4; Kerley 1992 as cited there.
 """
 
 from typing import NamedTuple

@@ -5,7 +5,7 @@ $$G = G_0, \qquad Y = \min\left(Y_0 + H\,\varepsilon_p,\; Y_{\max}\right)$$
 eps_p is the accumulated equivalent plastic strain; H is the slope of stress against *plastic* strain (for a tangent modulus
 E_t of a tensile test with Young's modulus E: H = E E_t / (E - E_t)).
 
-Source: Hill, The Mathematical Theory of Plasticity (1950), chapter II; Taylor-anvil copper of verification problem B18.
+Source: Hill, The Mathematical Theory of Plasticity (1950), chapter II; example: the copper of the verification problem `taylor_copper`.
 """
 
 from typing import NamedTuple

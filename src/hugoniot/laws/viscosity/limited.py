@@ -4,8 +4,8 @@ $$q = (1 - \psi)\,\rho\,|\Delta u|\left(c_2 |\Delta u| + \sqrt{c_2^2\,\Delta u^2
 
 With $c_2 = (\gamma + 1)/4$ and $c_1 = 1$ the bracket is the mass flux speed of an ideal-gas shock with velocity jump du: q is
 then the exact jump of pressure. For a solid with $U_s = c_0 + s u_p$ the same holds with $c_2 \approx s/2$. The default,
-2/3, is that of a monatomic gas and of most metals (s = 1.3); diatomic gases have 0.6. More than the jump itself widens strong
-shocks and serves nothing. $c_1 = 0.3$ instead of 1 keeps the weak shocks of gases thin, and elastic precursors (W-E4). In condensed
+2/3, is that of a monatomic gas and of most metals (s = 1.3); diatomic gases have 0.6. A larger value widens strong shocks
+and gains nothing. $c_1 = 0.3$ instead of 1 keeps the weak shocks of gases thin, and elastic precursors (W-E4). In condensed
 material nothing but q damps the ringing of strong shocks, which a free surface would show as an overshoot: with strength the weight grows
 from $c_1$ = `linear` in the jumps of a precursor to $c_c$ = `linear_condensed` in those of a plastic shock,
 

@@ -262,7 +262,7 @@ def windows(name: str) -> tuple[schema.Row, ...]:
 def _unknown(name: str, rows: tuple[str, ...], also: Mapping[str, str]) -> UnknownMaterial:
     if rows:
         hint = f"choose one of the sources by its row: {', '.join(f'{i} ({schema.row(i).source[:40]})' for i in rows)}"
-        message = f"'{name}' is not curated and {len(rows)} sources give it"
+        message = f"'{name}' is not a curated material, and {len(rows)} sources have it"
     else:
         near = nearest(name, {**also, **spellings(), **{k: schema.row(v[0]).material for k, v in uncurated().items()}})
         message = f"unknown material '{name[:60]}'"

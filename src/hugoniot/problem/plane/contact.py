@@ -78,7 +78,8 @@ def trouble_on_the_axis(problem) -> str:
         return ""
     if not any(chain.on_axis for chain in problem.mesh.chains.values()):
         return ""
-    return "bodies cannot meet on the axis with \"area_weighted\", where a node has no mass per radian and its part of an impulse no bound"
+    return ('bodies cannot meet on the axis with "area_weighted", where a node has no mass per radian, '
+            "so that its share of an impulse is unbounded")
 
 
 def read_rigid(rows: Sequence, axes, blocks: Sequence[str], collector: Collector) -> tuple[Rigid2D, ...]:

@@ -148,7 +148,7 @@ PROBLEMS = (
          Bar("density_l1", 400, 1.72e-3, 1.32e-3), Bar("density_l1", 800, 8.7e-4, 6.6e-4)),
         "sod", rates=frozen(density_l1=1.0), zones=(100, 200, 400, 800)),
     StandardProblem(
-        "leblanc", "LeBlanc's shock tube: energy ratio a million", build_leblanc,
+        "leblanc", "LeBlanc's shock tube: an energy ratio of a million", build_leblanc,
         (Measure("shock_position", "front", "density", at=1), Measure("density_l1", "l1", "density", (0.0, 9.0)),
          Measure("energy_l1", "l1", "energy", (0.0, 9.0))),
         (Bar("shock_position", 360, 0.272, 0.143), Bar("shock_position", 720, 0.191, 0.128, 0.05),

@@ -1,4 +1,4 @@
-"""Exact solutions: callables of positions and time, apart from every solver, each with its derivation and source.
+"""Exact solutions: callables of positions and time that share no code with the solvers, each with its derivation and source.
 
 `SOLUTIONS[name](**parameters)` gives a `Solution`; the first line of its docstring says what it is (`describe`). Problems with
 parameters of their own (Sod, LeBlanc, ...) are entries like the general solutions they are made of. Two entries give data instead:

@@ -16,7 +16,7 @@ from hugoniot.theory.exact.solution import Solution
 
 
 def coggeshall(gamma: float = 5.0 / 3.0, axisymmetric: bool = True, density: float = 1.0) -> Solution:
-    """Coggeshall's adiabatic compression in two dimensions (B9).
+    """Coggeshall's adiabatic compression in two dimensions.
 
     Positions are an array of (r, z) pairs in its last axis.
 

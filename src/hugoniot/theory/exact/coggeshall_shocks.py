@@ -1,4 +1,4 @@
-r"""Coggeshall's adiabatic flows with a shock that cold gas falls through.
+r"""Coggeshall's adiabatic flows in which cold gas falls through a shock.
 
 With d = 1, 2, 3 for planar, cylindrical, spherical; both shocks are infinitely strong: the density rises by $(\gamma+1)/(\gamma-1)$.
 
@@ -8,7 +8,8 @@ $r_s = \tfrac12(\gamma-1)Ut$
 $$r > r_s:\; \rho = \rho_0h^{-d}\left(1 + \frac{Ut}{r}\right)^{d-1},\; u = \frac{ar - U}{h},\; p = 0; \qquad
   r < r_s:\; \rho = \rho_0h^{-d}\left(\frac{\gamma+1}{\gamma-1}\right)^{d},\; u = \frac{ar}{h},\; e = \frac{U^2}{2h^2}$$
 
-Only for this gamma does $(r/h, t/h)$ turn the equations of the gas into themselves; then $r_s/h$ is Noh's shock at the time $t/h$.
+For this gamma alone the transformation to $(r/h, t/h)$ leaves the equations of the gas unchanged;
+then $r_s/h$ is Noh's shock at the time $t/h$.
 
 **Problem 21.** Gas that falls in towards a time of collapse $\tau$ and stops behind an outgoing shock. With $T = 1 - t/\tau$ and the shock
 at $R = R_0T^{-(\gamma-1)/2}$
@@ -17,8 +18,8 @@ $$r > R:\; \rho = \rho_0\left(\frac{r}{R_0}\right)^bT^{-b-d},\; u = -\frac{r}{\t
   r < R:\; \rho = \frac{\gamma+1}{\gamma-1}\rho_0\left(\frac{r}{R_0}\right)^{-2(\gamma+1)/(\gamma-1)},\; u = 0,\;
   p = \frac{\gamma+1}{2}\rho_0\frac{R_0^2}{\tau^2}$$
 
-The gas behind is at rest under a uniform pressure: the strong shock gives $dR/dt = \tfrac12(\gamma-1)R/(\tau T)$, and b is what keeps
-its pressure constant. Coggeshall has d = 3, gamma = 5, b = -3, and u = r/t with an ingoing shock: with t > 0 that is this flow run
+The gas behind is at rest under a uniform pressure: the strong shock gives $dR/dt = \tfrac12(\gamma-1)R/(\tau T)$, and this value of b
+keeps its pressure constant. Coggeshall has d = 3, gamma = 5, b = -3, and u = r/t with an ingoing shock: with t > 0 that is this flow run
 backwards, in which the entropy would fall at the shock. The mass around the centre is infinite unless 2 (gamma + 1)/(gamma - 1) < d.
 
 Source: Coggeshall, Phys. Fluids A 3 (1991) 757, problems 20 and 21; places of the shocks, and 21 for any gamma, from the jump conditions.

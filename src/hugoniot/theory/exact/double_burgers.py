@@ -32,7 +32,7 @@ def _carried(x, time, sign, level, amplitude, wave_number):
 
 def double_burgers(density: float = 1.0, pressure: float = 1.0 / 3.0, amplitude: float = 0.1, length: float = 1.0,
                    half_waves: int = 2) -> Solution:
-    """Smooth standing wave of a gamma = 3 gas between walls at 0 and `length`, at rest at time 0, uniform entropy (B12).
+    """Smooth standing wave of a gamma = 3 gas between walls at 0 and `length`, at rest at time 0, uniform entropy.
 
     density and pressure of the mean; amplitude A of the density, |A| < 1; half_waves = k. Fields: density, velocity, pressure,
     energy, sound_speed. `numbers`: breaking_time, mean_sound_speed. Holds up to 0.98 of the breaking time.

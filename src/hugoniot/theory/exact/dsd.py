@@ -10,7 +10,7 @@ $\kappa = d\phi/ds + \sin\phi/r$ (no second term in a slab):
 
 $$\delta\cos\phi = 1 - \alpha\left(\cos\phi\frac{d\phi}{dr} + \frac{\sin\phi}{r}\right), \qquad \frac{dz}{dr} = \tan\phi$$
 
-$\delta$ is found so that $\phi = \phi_e$ at the edge. For the slab both integrals are closed,
+$\delta$ is found so that $\phi = \phi_e$ at the edge. For the slab both integrals have a closed form,
 
 $$R = \frac\alpha\delta\left[\frac{2}{\sqrt{1-\delta^2}}\arctan\!\left(\sqrt{\frac{1+\delta}{1-\delta}}\tan\frac{\phi_e}2\right)
   - \phi_e\right], \qquad z = \frac\alpha\delta\ln\frac{1 - \delta\cos\phi}{1 - \delta}$$

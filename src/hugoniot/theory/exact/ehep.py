@@ -26,7 +26,7 @@ from hugoniot.theory.exact.solution import Solution
 
 
 def ehep(detonation_velocity: float = 8500.0, density: float = 1600.0, piston: float = 500.0, length: float = 0.01) -> Solution:
-    """Escape of products of a gamma = 3 slab lit at a piston (speed `piston` from x = 0), free at x = length (B24).
+    """Escape of products of a gamma = 3 slab lit at a piston (speed `piston` from x = 0), free at x = length.
 
     Fields: density, velocity, pressure, energy, sound_speed, burn_fraction; NaN where the piston is; beyond the gas front density 0
     and the front's velocity. `numbers`: escape_time, piston_meets_escape_wave. The defaults are ExactPack's in SI.

@@ -147,15 +147,15 @@ EXACTPACK = Solid(2790.0, 5330.0, 1.34, 2.0, 28.6e9, 0.26e9)
 
 
 def aluminium_piston() -> Solution:
-    """Aluminium piston at 400 m/s: precursor and plastic shock (B14)."""
+    """Aluminium piston at 400 m/s: precursor and plastic shock."""
     return elastic_plastic_piston(ALUMINIUM, 400.0)
 
 
 def copper_piston() -> Solution:
-    """Copper piston at 20 m/s: precursor and plastic shock (B15)."""
+    """Copper piston at 20 m/s: precursor and plastic shock."""
     return elastic_plastic_piston(COPPER, 20.0)
 
 
 def udaykumar_piston() -> Solution:
-    """Aluminium piston at 100 m/s with the constants of ExactPack's ep_piston, hypoelastic (B16)."""
+    """Aluminium piston at 100 m/s with the constants of ExactPack's ep_piston, hypoelastic."""
     return elastic_plastic_piston(EXACTPACK, 100.0)

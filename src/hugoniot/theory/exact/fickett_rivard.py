@@ -21,7 +21,7 @@ from hugoniot.theory.exact.solution import Solution
 
 
 def fickett_rivard(detonation_velocity: float = 8500.0, density: float = 1600.0, gamma: float = 3.0, rate: float = 2e6) -> Solution:
-    """Supported CJ detonation along +x with a resolved reaction zone, shock at x = D t (B24).
+    """Supported CJ detonation along +x with a resolved reaction zone, shock at x = D t.
 
     rate: k of the square-root law, 1/s. Fields: density, velocity, pressure, energy (chemical energy counted as negative of what is
     released), burn_fraction. `numbers`: cj_pressure, vn_pressure, zone_length, reaction_time, heat_of_reaction.

@@ -3,12 +3,12 @@ r"""Burn times of programmed-burn explosives: the shortest path of a front that 
 1. One explosive, one or more detonators: $t(x) = \min_k\left[t_k + |x - x_k|/D\right]$.
 2. A fast explosive in a ball of radius R (speed D_1) inside a slow one (D_2), lit at the centre and at detonators outside: from the
    centre $t = r/D_1$ or $R/D_1 + (r-R)/D_2$; a detonator outside lights the slow explosive along straight lines (its line of
-   sight; the ball burns from its centre first when the data are chosen so, which is checked).
+   sight; the data must be such that the ball burns from its centre first, which is checked).
 3. An inert ball of radius R in an explosive: beyond the shadow line the path is a tangent, an arc, a tangent,
 
 $$t = \frac1D\left[\sqrt{r_d^2 - R^2} + \sqrt{r^2 - R^2} + R\left(\theta - \arccos\frac{R}{r_d} - \arccos\frac{R}{r}\right)\right]$$
 
-with theta the angle between detonator and point seen from the centre; in plain sight the distance over D.
+with theta the angle between detonator and point seen from the centre; where the detonator sees the point, t is the distance over D.
 
 Source: Kenamond, HE burn-table verification problems (LA-UR-11-03096); ExactPack's kenamond1 to 3; paths re-derived.
 """
@@ -72,5 +72,5 @@ def _shadowed(points, place, radius):
 
 
 def kenamond() -> dict[str, object]:
-    """Burn-time functions by problem: 1 one explosive, 2 nested explosives, 3 inert obstacle (B24)."""
+    """Burn-time functions by problem: 1 one explosive, 2 nested explosives, 3 inert obstacle."""
     return {"1": single, "2": nested, "3": obstacle}

@@ -19,7 +19,7 @@ from hugoniot.theory.exact.solution import Solution
 
 def kidder(geometry: str = "cylindrical", inner: float = 0.9, outer: float = 1.0, inner_pressure: float = 0.1,
            outer_pressure: float = 10.0, outer_density: float = 0.01) -> Solution:
-    """Kidder's isentropic shell (B8).
+    """Kidder's isentropic shell.
 
     gamma = 1 + 2/d follows from the geometry (planar 3, cylindrical 2, spherical 5/3).
 

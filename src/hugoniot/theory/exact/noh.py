@@ -5,7 +5,7 @@ With inflow speed U, d = 1, 2, 3 for planar, cylindrical, spherical, and the sho
 $$r > r_s:\; \rho = \rho_0\left(1 + \frac{Ut}{r}\right)^{d-1},\; u = -U,\; p = 0; \qquad
   r < r_s:\; \rho = \rho_0\left(\frac{\gamma+1}{\gamma-1}\right)^{d},\; u = 0,\; e = \tfrac12 U^2,\; p = (\gamma-1)\rho e$$
 
-for every gamma. Some collections print 4^d and t/3, which is this only for gamma = 5/3.
+for every gamma. Some collections print 4^d and t/3, which holds only for gamma = 5/3.
 
 Source: Noh, J. Comput. Phys. 72 (1987) 78; conservation of mass, momentum and energy at the shock.
 """
@@ -19,7 +19,7 @@ DIMENSION = {"planar": 1, "cylindrical": 2, "spherical": 3}
 
 
 def noh(geometry: str = "spherical", gamma: float = 5.0 / 3.0, density: float = 1.0, speed: float = 1.0) -> Solution:
-    """Noh's implosion: uniform cold inflow against a wall, axis or centre at r = 0 (B5).
+    """Noh's implosion: uniform cold inflow against a wall, axis or centre at r = 0.
 
     geometry planar, cylindrical or spherical; gamma > 1; density of the inflow at time 0; speed > 0 inwards.
     Fields: density, velocity, pressure, energy, sound_speed at positions r > 0. `numbers`: plateau values and shock_speed.

@@ -8,12 +8,12 @@ $$ct = \left(a - 2\kappa/t\right)^{-1/2},\quad a = L^{-2} + 2\kappa D/L; \qquad
   \frac xt = D - \frac1\kappa\left[\sqrt{a - 2\kappa/t} - \frac1L\right]$$
 $$\frac{v_\infty}{D} = 1 - \frac{27M}{16C}\left(\sqrt{1 + \frac{32C}{27M}} - 1\right)$$
 
-Taking $u + c$ through the reflected shock unchanged conserves neither its momentum nor its energy: with both the plate is 0.5 % faster at
-M/C = 0.1 and 1.0 % at M/C = 5, of products $p = K\rho^3$ 0.25 and 1.3 % slower (`docs/theory/detonation.md`, B22).
+Taking $u + c$ as unchanged across the reflected shock conserves neither momentum nor energy. With both conserved the plate is 0.5 %
+faster at M/C = 0.1 and 1.0 % at M/C = 5; with products $p = K\rho^3$ it is 0.25 and 1.3 % slower (`docs/theory/detonation.md`).
 
 **Gurney.** A linear velocity profile and uniform energy release E: $v/\sqrt{2E} = (\mu + k)^{-1/2}$, mu = M/C, with k = 1/3 (symmetric
-sandwich, M both plates), 1/2 (cylinder), 3/5 (sphere). Asymmetric sandwich with a tamper of mass N, nu = N/C, which moves at A v the
-other way; momentum gives A, energy v:
+sandwich, M both plates), 1/2 (cylinder), 3/5 (sphere). In an asymmetric sandwich a tamper of mass N, nu = N/C, moves at A v the
+other way; the momentum balance gives A and the energy balance v:
 
 $$A = \frac{1 + 2\mu}{1 + 2\nu}, \qquad \frac{v}{\sqrt{2E}} = \left[\mu + \nu A^2 + \frac{1 + A^3}{3(1 + A)}\right]^{-1/2}$$
 
@@ -35,9 +35,9 @@ def terminal_velocity(mass_ratio: float, detonation_velocity: float) -> float:
 
 
 def plate_push(mass_ratio: float = 1.0, detonation_velocity: float = 8000.0, density: float = 1600.0, length: float = 0.1) -> Solution:
-    """End-on plate (B22): M/C = mass_ratio, driven end-on by a slab of gamma = 3 explosive lit at x = 0, into vacuum at both ends.
+    """End-on plate: M/C = mass_ratio, driven end-on by a slab of gamma = 3 explosive lit at x = 0, into vacuum at both ends.
 
-    Positions are ignored but for their shape: the fields `position` and `velocity` are the plate's at the time asked for; `pressure`
+    Positions are ignored except for their shape: the fields `position` and `velocity` are the plate's at the time asked for; `pressure`
     is that on the plate. `numbers`: terminal_velocity, arrival_time. Before arrival the plate rests at `length`.
     """
     if min(mass_ratio, detonation_velocity, density, length) <= 0.0:

@@ -1,4 +1,4 @@
-r"""The Riemann problem of ideal and stiffened gases, with a gamma and a p_infinity of its own on each side.
+r"""The Riemann problem of ideal and stiffened gases, with its own gamma and p_infinity on each side.
 
 Each side obeys $p = (\gamma-1)\rho e - \gamma p_\infty$. With $P = p + p_\infty$ and $c^2 = \gamma P/\rho$ the velocity change across
 the wave that takes side k to the pressure p is
@@ -143,26 +143,26 @@ def riemann_ideal(left: Side, right: Side, x0: float = 0.0, title: str = "Rieman
 
 
 def sod() -> Solution:
-    """Sod's shock tube, gamma 1.4 on [0, 1], diaphragm at 0.5 (B1)."""
+    """Sod's shock tube, gamma 1.4 on [0, 1], diaphragm at 0.5."""
     return riemann_ideal(Side(1.0, 0.0, 1.0), Side(0.125, 0.0, 0.1), 0.5, "Sod shock tube")
 
 
 def leblanc() -> Solution:
-    """LeBlanc's shock tube, gamma 5/3 on [0, 9], diaphragm at 3: energy ratio a million (B2)."""
+    """LeBlanc's shock tube, gamma 5/3 on [0, 9], diaphragm at 3: an energy ratio of a million."""
     g = 5.0 / 3.0
     return riemann_ideal(Side(1.0, 0.0, (g - 1.0) * 0.1, g), Side(1e-3, 0.0, (g - 1.0) * 1e-10, g), 3.0, "LeBlanc shock tube")
 
 
 def two_rarefactions() -> Solution:
-    """The "123" problem: two rarefactions that leave almost a vacuum, gamma 1.4 on [0, 1] (B3)."""
+    """The "123" problem: two rarefactions that leave almost a vacuum, gamma 1.4 on [0, 1]."""
     return riemann_ideal(Side(1.0, -2.0, 0.4), Side(1.0, 2.0, 0.4), 0.5, "123 problem")
 
 
 def collision() -> Solution:
-    """Two streams that collide into two shocks, gamma 1.4 (B3)."""
+    """Two streams that collide into two shocks, gamma 1.4."""
     return riemann_ideal(Side(5.99924, 19.5975, 460.894), Side(5.99242, -6.19633, 46.0950), 0.5, "colliding streams")
 
 
 def water_gas() -> Solution:
-    """Compressed stiffened liquid against a gas, 1e9 against 1e5 Pa (B13)."""
+    """Compressed stiffened liquid against a gas, 1e9 against 1e5 Pa."""
     return riemann_ideal(Side(1000.0, 0.0, 1e9, 4.4, 6e8), Side(50.0, 0.0, 1e5), 0.7, "liquid-gas shock tube")

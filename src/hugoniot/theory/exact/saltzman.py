@@ -1,4 +1,4 @@
-r"""A piston that drives a cold ideal gas against a wall: the shock runs to and fro, each time into the state the last one left.
+r"""A piston that drives a cold ideal gas against a wall: the shock runs to and fro, each time into the state left by the passage before.
 
 Every passage is a shock into a known state (rho, p) that changes the velocity by the piston speed U: with
 $A = \tfrac{\gamma+1}{4} U$ the speed of the shock relative to the gas ahead is $w = A + \sqrt{A^2 + c^2}$, and
@@ -51,7 +51,7 @@ def passages(gamma: float, piston: float, length: float, density: float, count: 
 
 
 def saltzman(gamma: float = 5.0 / 3.0, piston: float = 1.0, length: float = 1.0, density: float = 1.0, reflections: int = 6) -> Solution:
-    """Piston at speed `piston` from x = 0 into cold gas up to a wall at `length`, with every reflection (B10).
+    """Piston at speed `piston` from x = 0 into cold gas up to a wall at `length`, with every reflection.
 
     Fields: density, velocity, pressure, energy, sound_speed; NaN where the piston has been. Holds until the shock ends its run
     number `reflections` + 1. `numbers`: wall_time, piston_time, second_wall_time and the densities behind.

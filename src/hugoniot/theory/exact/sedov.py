@@ -132,7 +132,7 @@ class Profile:
 
 
 def sedov(geometry: str = "spherical", gamma: float = 1.4, energy: float = 0.851072, density: float = 1.0) -> Solution:
-    """Point explosion in cold gas (B6).
+    """Point explosion in cold gas.
 
     energy: planar per area on one side, cylindrical per length, spherical total; density of the gas at rest.
 

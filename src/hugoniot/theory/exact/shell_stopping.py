@@ -35,7 +35,7 @@ def _resistance(a, volume, density, yield_stress, d):
 
 def shell_stopping(geometry: str = "spherical", density: float = 1845.0, yield_stress: float = 330e6, inner: float = 0.08,
                    outer: float = 0.10, speed: float = 675.036) -> Solution:
-    """Rigid-plastic shell that stops (B17).
+    """Rigid-plastic shell that stops.
 
     Between radii inner and outer (m), inner surface moving inwards at `speed` (m/s), u ~ 1/r^(d-1).
 
@@ -84,10 +84,10 @@ def shell_stopping(geometry: str = "spherical", density: float = 1845.0, yield_s
 
 
 def howell_ball() -> Solution:
-    """Cylindrical beryllium shell that stops at 5 cm (Howell & Ball; B17)."""
+    """Cylindrical beryllium shell that stops at 5 cm (Howell & Ball)."""
     return shell_stopping("cylindrical", speed=417.1)
 
 
 def verney() -> Solution:
-    """Spherical beryllium shell that stops at 3 cm (Verney; B17)."""
+    """Spherical beryllium shell that stops at 3 cm (Verney)."""
     return shell_stopping("spherical", speed=675.036)

@@ -4,7 +4,7 @@ In a wave that runs into gas at rest (density rho0, sound speed c0) along +x the
 
 $$c = c_0 + \tfrac12(\gamma-1)\,u, \qquad \rho = \rho_0 (c/c_0)^{2/(\gamma-1)}, \qquad p = p_0 (c/c_0)^{2\gamma/(\gamma-1)}$$
 
-and u is carried along straight characteristics that leave the piston path X(s), X' = U(s), at time s:
+and u is constant along straight characteristics that leave the piston path X(s), X' = U(s), at time s:
 
 $$x = X(s) + \left[c_0 + \tfrac12(\gamma+1)\,U(s)\right](t - s)$$
 

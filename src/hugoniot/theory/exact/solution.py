@@ -21,7 +21,7 @@ class Solution:
     fronts     function time -> positions of the discontinuities
     numbers    the scalars that characterise the solution (star pressure, wave speeds, ...)
     times      (first, last) time at which the solution holds
-    domain     function time -> (first, last) position worth a look; None where the jumps say it
+    domain     function time -> (first, last) position worth looking at; None where the jumps show it
     """
 
     title: str

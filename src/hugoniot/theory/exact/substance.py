@@ -1,4 +1,4 @@
-"""The equation of state an exact solution for any material is asked for: by a name of the library, or as a law or material object."""
+"""The equation of state for an exact solution of any material: by a name of the library, or as a law or material object."""
 
 from hugoniot.theory.states import law_of
 

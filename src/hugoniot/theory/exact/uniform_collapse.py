@@ -2,7 +2,7 @@ r"""Uniform collapse: a body that falls in so that every part is compressed alik
 
 $$u = -\frac{r}{t_c - t}, \qquad \rho = \rho_0\left(1 - \frac{t}{t_c}\right)^{-d}, \qquad e = e_S(\rho)$$
 
-Velocities are proportional to the radius, so that the acceleration vanishes and uniform pressure is all the momentum equation asks for;
+Velocities are proportional to the radius, so that the acceleration vanishes and the momentum equation requires only a uniform pressure;
 the energy follows the isentrope through the first state, of any equation of state. For the ideal gas $e = e_0(1 - t/t_c)^{-d(\gamma-1)}$.
 
 Source: Noh, J. Comput. Phys. 72 (1987) 78 (his second problem, the uniform collapse); derived here for any law.

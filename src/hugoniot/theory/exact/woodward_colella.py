@@ -1,8 +1,8 @@
 r"""Reference numbers of the two interacting blast waves, for which no closed solution exists.
 
 Ideal gas, gamma = 1.4, rho = 1, u = 0 on [0, 1] between walls; p = 1000 for x < 0.1, 0.01 up to 0.9, 100 beyond; t = 0.038.
-The values were computed with a second-order Lagrangian Godunov scheme on 3 200 zones (verification table, B4); the right shock
-still drifts from .8647 to .8653 between 1 600 and 3 200 zones, and the peak density depends on the method (6.4 to 7.2).
+The values were computed with a second-order Lagrangian Godunov scheme on 3 200 zones; the right shock
+still drifts from 0.8647 to 0.8653 between 1 600 and 3 200 zones, and the peak density depends on the method (6.4 to 7.2).
 
 Source: problem of Woodward & Colella, J. Comput. Phys. 54 (1984) 115; numbers of the project's own reference run.
 """
@@ -35,5 +35,5 @@ def initial(positions) -> dict[str, np.ndarray]:
 
 
 def woodward_colella() -> Reference:
-    """Reference numbers of the interacting blast waves (B4); data, not a callable solution."""
+    """Reference numbers of the interacting blast waves; data, not a callable solution."""
     return REFERENCE

@@ -8,7 +8,7 @@ $$\alpha = \frac{\gamma-1}{\gamma+1}+\frac{2}{(\gamma+1)\mathrm{Ma}^2}, \qquad \
   \qquad \zeta = x/\lambda_{\rm bsl}.$$
 
 Source: Jordan eq. 6.3.1, lost in the scan and restored (J-E17), after Bird, Stewart and Lightfoot, Transport Phenomena; Becker,
-Z. Phys. 8 (1922) 321 (B29).
+Z. Phys. 8 (1922) 321.
 Jordan's table 6.2.1.2 lists the velocity thickness of this solution under the heading of density thicknesses (J-E3).
 """
 

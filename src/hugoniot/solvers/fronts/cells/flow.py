@@ -180,7 +180,7 @@ class Flow:
             return
         law = self.laws[mesh.region[k] % len(self.laws)]
         name = MIXTURE.of(law.mixture).name if isinstance(law, Reactive) else EOS.of(getattr(law, "eos", law)).name
-        raise UnphysicalState(f"the density {w[MEAN, k]:.6g} kg/m3 (at {w[MEAN + P, k]:.3g} Pa) has come to the highest that law '{name}' "
+        raise UnphysicalState(f"the density {w[MEAN, k]:.6g} kg/m3 (at {w[MEAN + P, k]:.3g} Pa) has reached the highest that law '{name}' "
                               f"allows, {highest[k]:.6g} kg/m3, where it ends or its pressure and sound speed grow without bound",
                               "end the run earlier; where a shock converges, put a rigid core of small radius at the axis or centre",
                               k, "", float(mesh.middle[k]), float(self.work.numbers[tables.TIME]), int(self.work.numbers[tables.CYCLE]))
