@@ -11,7 +11,7 @@ SMALL = 1e-30
 # mobility of a zone's jump over dt A / m: 1 for what its own q does in half a step, 2 for zones that close and open in turn. With 4 shocks
 # overshoot least in steps of 0.7 of the Courant step (0.2 % in the flyer of the examples; 0.4 % with 2, 9 % without)
 OWN = 4.0
-WEAK = 1e-3           # |du| / c of a zone: below it a viscosity counts a sixth as much in the time step
+WEAK = 5e-4           # |du| / c of a zone: below it a viscosity counts a sixth as much in the time step
 
 
 class Resisting(NamedTuple):
