@@ -156,7 +156,7 @@ class Viscosity2D:
     explosive_linear: float = 0.3
     explosive_quadratic: float = 1.0
     solid_shear: float = 0.06
-    heat_flux: float = 0.75
+    heat_flux: float = 1.0
 
 
 @dataclass(frozen=True)
