@@ -306,17 +306,21 @@ def test_h8_h9_growth_and_spall(series, zone):
 @pytest.mark.slow
 def test_the_three_spalls_of_the_report():
     """Printed: 7.55, 5.70 and 3.90 cm; without strength several, the outermost at 8.55 cm. A leapfrog on 1 mm zones with one tension, asked at
-    nodes, that the report does not give; on other meshes the inner planes lie elsewhere."""
-    places = []
+    nodes, that the report does not give; on other meshes the inner planes lie elsewhere. So they do where other times of output change the
+    steps: a node reaches the limit or not."""
+    places, steps = [], (10, 60, 120)
     for strength in (0.276e9, 0.0):
         problem = sphere(yield_stress=strength, stop=6e-5)
         aluminium = dataclasses.replace(problem.materials["aluminium"], fracture=PressureVolumeAtNodes(-0.9e9))
         problem = dataclasses.replace(problem, materials=problem.materials | {"aluminium": aluminium},
                                       solver=dataclasses.replace(problem.solver, integrator="wilkins"))
-        _, seen = run(problem, 10)
-        places.append([event.position for event in seen.events if event.kind == "void_opened"])
+        for count in steps if strength else steps[:1]:
+            _, seen = run(problem, count)
+            places.append([event.position for event in seen.events if event.kind == "void_opened"])
+    for found in places[:-1]:
+        assert found[:2] == pytest.approx([0.0755, 0.0570], abs=2e-3) and found[2:] == pytest.approx([0.0390], abs=4e-3)
     assert places[0] == pytest.approx([0.0755, 0.0570, 0.0390], abs=1e-3)
-    assert places[1][0] == pytest.approx(0.0855, abs=1e-3) and len(places[1]) >= 3
+    assert places[-1][0] == pytest.approx(0.0855, abs=1e-3) and len(places[-1]) >= 3
 
 
 EXPLOSIVES = sorted(name for name, listing in library.index().items() if listing.category == "explosive")

@@ -180,17 +180,29 @@ def test_the_table_of_densities_speeds_and_orders(rho0, order):
         assert ("powder" in str(told.value)) and (told.value.time < crossed) == (end == SHOCK), (speed, told.value.time / crossed)
 
 
+def apart(one, two):
+    """Largest difference of two states in pressure, density or energy, over the largest value."""
+    return max(np.abs(one.zones[name] - two.zones[name]).max() / np.abs(one.zones[name]).max() for name in ("pressure", "density", "energy"))
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("rho0", POWDERS)
 def test_the_contact_of_the_grains_leaves_the_first_shock_alone(rho0):
-    """To round-off, with the thin shock: the limiter of the wide one (`linear_condensed` = 1) lets it grow to some 1e-5 near the front."""
+    """As far as the last digits of the flyer's speed do. Below its contact the law returns its base's numbers, but a processor sums the two
+    laws in another order, and the viscosity's limiter makes the differences grow: with the thin shock to 1.5e-11 to 8e-11, on some
+    processors to 1e-9. With the wide one (`linear_condensed` = 1) they grow steadily inside the front, to 4e-3 at 0.77 g/cm3 and 900 m/s.
+    """
     thin = SolverOptions(viscosity=("limited", {"linear": 0.3, "linear_condensed": 0.3}))
+
+    def found(order, speed, digits=0):
+        problem = replace(sandwich(rho0, speed, order, crossings=0.95), solver=thin)
+        nudged = tuple(replace(region, velocity=region.velocity * (1.0 + digits * 2.0**-52)) for region in problem.regions)
+        return march_to(make_solver(replace(problem, regions=nudged)), problem.stop_time)
+
     for speed in SPEEDS:
-        bare, contact = (make_solver(replace(sandwich(rho0, speed, order, crossings=0.95), solver=thin)) for order in ("exact", "grains"))
-        one, two = (march_to(solver, solver.problem.stop_time) for solver in (bare, contact))
-        for name in ("pressure", "density", "energy"):
-            scale = np.abs(one.zones[name]).max()
-            assert np.abs(one.zones[name] - two.zones[name]).max() < 1e-9 * scale, (speed, name)
+        bare = found("exact", speed)
+        digits = max(apart(bare, found("exact", speed, digits)) for digits in (-2, -1, 1, 2, 3, 4))
+        assert apart(bare, found("grains", speed)) < 3.0 * digits < 1e-8, speed
 
 
 @pytest.mark.slow

@@ -62,10 +62,13 @@ def report(name: str, settings: list[str], grid: Grid, as_json, as_csv, plot) ->
         _data(name, solution, as_json)
         return
     times = [quantity(t, "s", "--time") for t in grid.times]
+    asked = bool(as_csv or plot or grid.at)
+    if solution.steady and asked and not times:
+        times = [0.0]
     if name == "plate_push" and not times:
         times = np.linspace(0.0, 20.0 * solution.numbers["arrival_time"], 81).tolist() if as_csv or plot else []
     states = [_history(solution, times)] if name == "plate_push" and times else _states(name, solution, times, given, grid)
-    if (as_csv or plot) and not states:
+    if asked and not states:
         raise DeckError.single("command line", None, "--time", "a table or picture of the fields needs a time", 'give --time "1 us"')
     if as_csv:
         write_csv(as_csv, [("", _stacked(states))])
@@ -114,12 +117,14 @@ def _tell(name: str, solution: Solution, given: dict, states: list[dict]) -> Non
         echo_table(["number", "value"], [(k, f"{v:.10g}") for k, v in solution.numbers.items()])
     if not states:
         first = 0.0 if solution.times[0] == 1e-300 else solution.times[0]
-        typer.echo(f"\nholds for times {first:.6g} to {solution.times[1]:.6g}; --time gives the fields\n"
-                   f"source: {_source(SOLUTIONS[name])}")
+        holds = ("steady; --at, --csv or --plot gives the fields" if solution.steady
+                 else f"holds for times {first:.6g} to {solution.times[1]:.6g}; --time gives the fields")
+        typer.echo(f"\n{holds}\nsource: {_source(SOLUTIONS[name])}")
     for state in states:
         if "jumps" in state:
             where = ", ".join(format_si(x, "m", 8) for x in state["jumps"]) or "none"
-            typer.echo(f"\nat {format_si(state['time'], 's')}; jumps at: {where}")
+            when = "steady" if solution.steady else f"at {format_si(state['time'], 's')}"
+            typer.echo(f"\n{when}; jumps at: {where}")
         _echo_fields({k: v for k, v in state.items() if k != "jumps" and np.ndim(v) == 1})
 
 

@@ -11,6 +11,7 @@ from hugoniot.materials.material import Material
 from hugoniot.materials.schema import Row
 from hugoniot.units import format_si
 
+FAR_BRANCH = 1000.0  # m/s: a row whose data begin above this particle velocity describes the far side of a transition, or melt
 IONISED = 15e3      # m/s of particle velocity: 112 MJ/kg, 31 eV for an atom of aluminium, whose first two electrons take 25 eV
 UNKNOWN = f"not known; a warning is given only above a particle velocity of {format_si(IONISED, 'm/s')}, where atoms are ionised"
 _ROW = re.compile(r"\brow (U\d{3})\b")
@@ -27,7 +28,12 @@ def reach(material: Material) -> str:
     if source is None:
         return found
     named = _ROW.search(source.note)
-    basis = about(schema.row(named.group(1))) if named else ""
+    basis = ""
+    if named:
+        row = schema.row(named.group(1))
+        basis = about(row)
+        if row.get("up_min", 0.0) >= FAR_BRANCH:
+            found = f"particle velocity {format_si(row['up_min'], 'm/s')} to {format_si(material.valid_up_to, 'm/s')}"
     if not basis and source.status == "derived":
         basis = f"derived, {source.note}" if source.note else "derived"
     return f"{found} ({basis})" if basis else found

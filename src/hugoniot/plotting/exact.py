@@ -23,7 +23,10 @@ from hugoniot.units import format_si
 # field word -> name of `core.fields`
 FIELD = {"density": "density", "particle_velocity": "velocity", "pressure": "pressure", "specific_internal_energy": "energy",
          "stress": "stress", "burn_fraction": "burn_fraction", "deviator_radial": "deviator_radial", "sound_speed": "sound_speed",
-         "radial_velocity": "velocity", "axial_velocity": "velocity"}
+         "radial_velocity": "velocity", "axial_velocity": "velocity", "transverse_velocity": "velocity"}
+# columns of fronts, which are no field of a material: unit and name
+FRONT = {"front_position": ("m", "position of the front"), "lag": ("m", "lag"), "slope_angle": ("degrees", "angle of the normal"),
+         "shock_velocity": ("m/s", "normal velocity"), "burn_time": ("s", "burn time")}
 
 
 @styled
@@ -31,25 +34,25 @@ def fields(solution: Solution, states: Sequence[dict]):
     """Up to four fields in panels, one line per time, labelled by it; gives the first axes."""
     keys = [k for k in FIELD if k in states[0] and k != "deviator_radial"]
     if {"stress", "burn_fraction"} & set(keys):  # they tell more than the energy
-        keys.remove("specific_internal_energy")
+        keys = [k for k in keys if k != "specific_internal_energy"]
+    keys = keys or [k for k in FRONT if k in states[0]]
     keys = [k for k in keys[:4] if not _runs_away(np.concatenate([s[k] for s in states]))]
     along = "position" if "position" in states[0] else "axial_position"
     rows, columns = (1, len(keys)) if len(keys) <= 3 else (2, 2)
     axes = new_panels(rows, columns, 3.7 * columns, 2.5 * rows + 0.3)
     reach = max(float(np.max(np.abs(s[along]))) for s in states)
     unit, factor = ("m", 1.0) if reach >= 0.3 else length_scale(reach)
-    times = [format_si(s["time"], "s", 4) for s in states]
+    times = [] if solution.steady else [format_si(s["time"], "s", 4) for s in states]
     for ax, key in zip(axes.flat, keys):
         values = np.concatenate([s[key] for s in states])
-        shown, scale, words = field_scale(FIELD[key], values)
+        shown, scale, words = field_scale(FIELD[key], values) if key in FIELD else _front_scale(key, values)
         if shown == "kJ/kg" and np.nanmax(np.abs(values)) < 100.0:
             shown, scale = "J/kg", 1.0
         for i, state in enumerate(states):
             y = state[key] * scale
             ax.plot(state[along] * factor, y, color=COLOURS[i % len(COLOURS)])
         where = {"planar": "position", "axisymmetric": "axial position"}.get(solution.geometry, "radius")
-        ax.set(xlabel=f"{where} ({unit})", ylabel=labelled({"radial_velocity": "radial velocity", "axial_velocity": "axial velocity"}.get(
-            key, words), shown))
+        ax.set(xlabel=f"{where} ({unit})", ylabel=labelled(key.replace("_", " ") if FIELD.get(key) == "velocity" else words, shown))
         ax.margins(x=0.0)
         quiet_grid(ax)
     for ax in axes.flat[len(keys):]:
@@ -62,6 +65,14 @@ def fields(solution: Solution, states: Sequence[dict]):
         axes[0, 0].annotate(f"t = {times[0]} to {times[-1]}, {len(times)} times", (1.0, 1.03), color=QUIET, **place)
     axes[0, -1].annotate(solution.title if len(keys) > 1 else "", (1.0, 1.03), color=INK, **place)
     return axes[0, 0]
+
+
+def _front_scale(key: str, values) -> tuple[str, float, str]:
+    """(unit, factor, name) of a column of `FRONT`."""
+    unit, words = FRONT[key]
+    top = float(np.nanmax(np.abs(values)))
+    shown, factor = {"m": length_scale, "s": time_scale}.get(unit, lambda _: (unit, 1.0))(top)
+    return shown, factor, words
 
 
 def _runs_away(values) -> bool:

@@ -31,8 +31,10 @@ def factor_of(row, regions: tuple[Region, ...], collector: Collector, path: tupl
     found = [optical for optical in library.windows(region.material) if "index_intercept" in optical
              and abs(optical["wavelength"] - wavelength) < _SAME * wavelength]
     if not found:
+        known = sorted({optical["wavelength"] for optical in library.windows(region.material) if "index_intercept" in optical})
+        others = f"it does at {', '.join(format_si(w, 'm') for w in known)}: wavelength chooses one; or " if known else ""
         collector.add((*path, "window"), f"the library does not say how the index of '{printable(region.material)}' changes with density "
-                      f"at {format_si(wavelength, 'm')}", "give window_factor, the constant a of the index n = a + b rho")
+                      f"at {format_si(wavelength, 'm')}", f"{others}give window_factor, the constant a of the index n = a + b rho")
         return None
     return found[0]["index_intercept"]
 

@@ -31,7 +31,7 @@ UNITS = {"density": "kg/m^3", "pressure": "Pa", "specific_internal_energy": "J/k
          **dict.fromkeys(("leading_difference", "stress", "deviator_radial"), "Pa"),
          **dict.fromkeys(("x", "y", "z", "radius", "axial_position"), "m"),
          **dict.fromkeys(("radial_velocity", "axial_velocity", "transverse_velocity"), "m/s"),
-         **dict.fromkeys(("displacement", "lag"), "m"), "hoop_stress": "Pa", "slope_angle": "degree"}
+         **dict.fromkeys(("displacement", "lag", "front_position"), "m"), "hoop_stress": "Pa", "slope_angle": "degree"}
 
 
 def law_of(material) -> Any:

@@ -72,7 +72,8 @@ def test_plates_points_and_burn_times():
 
 
 @pytest.mark.parametrize("arguments", [("noh", "--time", "0.6"), ("plate_push",), ("kenamond", "problem=3"), ("mader", "--time", "2 us", "--time", "6 us"),
-                                       ("coggeshall", "--time", "0.5", "--to", "1 m"), ("verney", "--time", "30 us")])
+                                       ("coggeshall", "--time", "0.5", "--to", "1 m"), ("verney", "--time", "30 us"), ("meeting_streams",), ("dsd_rate_stick",),
+                                       ("dsd_arc",), ("blake", "--time", "20 us"), ("dsd_expansion", "--time", "5 us"), ("dsd_rate_stick_start", "--time", "5 us")])
 def test_pictures(tmp_path, arguments):
     out = tmp_path / "picture.png"
     result = exact(*arguments, "--plot", str(out))
@@ -97,7 +98,7 @@ def test_every_solution_draws_where_it_holds():
     (("sedv",), 2, "did you mean 'sedov'"), (("noh", "gama=1.4"), 2, "did you mean 'gamma'"), (("noh", "gamma"), 2, "PARAMETER=VALUE"),
     (("noh", "speed=2 GPa"), 2, "expected a velocity"), (("noh", "gamma=0.9"), 3, "gamma > 1"), (("noh", "geometry=sphere"), 2, "spherical"),
     (("kidder", "--time", "1 s"), 3, "the solution holds, from 0 to"), (("riemann_ideal", "left.density=1"), 2, "right.pressure"),
-    (("noh", "--csv", "x.csv"), 2, "needs a time"), (("kenamond", "problem=7"), 2, "Kenamond's problems are"),
+    (("noh", "--csv", "x.csv"), 2, "needs a time"), (("noh", "--at", "0.1"), 2, "needs a time"), (("kenamond", "problem=7"), 2, "Kenamond's problems are"),
     (("kenamond", "problem=1", "--at", "1, 2, 3, 4"), 2, "not a list of points"), (("double_burgers", "half_waves=1.5"), 2, "not a whole number"),
     (("elastic_plastic_piston", "solid=water", "piston=1 m/s"), 2, "write its constants"), (("noh", "--time", "1", "--to", "-1 m"), 2, "is not an interval"),
     (("woodward_colella", "--time", "0.038"), 2, "reference numbers"), (("kenamond", "--time", "1"), 2, "omit --time"),
@@ -122,3 +123,10 @@ def test_streams_of_the_library_meet():
                    "above.mach=2.5", "above.pressure=0 Pa", "angle_degrees=-12", "--time", "1 us")
     assert found["numbers"]["slip_angle"] == pytest.approx(-6.0, rel=1e-9)
     assert max(found["states"][0]["pressure"]) == pytest.approx(found["numbers"]["slip_pressure"], rel=1e-12)
+
+
+def test_a_steady_solution_asks_for_no_time():
+    found = answer("meeting_streams", "--at", "-0.1, 0.1")
+    assert found["states"][0]["pressure"] == answer("meeting_streams", "--at", "-0.1, 0.1", "--time", "3 s")["states"][0]["pressure"]
+    shown = exact("dsd_rate_stick").output
+    assert "steady; --at, --csv or --plot" in shown and "holds for times" not in shown

@@ -90,6 +90,19 @@ def test_windows_that_cannot_be_looked_through(change, words):
     assert any(words in problem.message for problem in caught.value.problems), str(caught.value)
 
 
+def test_quartz_has_an_index_under_compression_at_one_wavelength():
+    """Z-cut, elastic; at another wavelength the message names the one there is. Its line in the library is that of strong shocks: told."""
+    seen = read_deck_text(DECK.replace('"LiF"', '"quartz"').replace('window = "glass"', 'window = "glass"\nwavelength = "1550 nm"'))
+    assert seen.problem.gauges[0].window_factor == 1.087 and not any("recalled" in w for w in seen.warnings)
+    assert any("begin at a particle velocity of 5000 m/s" in w for w in seen.warnings)
+    rest = next(row for row in library.windows("quartz") if "index" in row and row["wavelength"] == 1.55e-6)
+    row = next(row for row in library.windows("quartz") if "index_slope" in row)
+    assert row["index_intercept"] + 2650.0 * row["index_slope"] == pytest.approx(rest["index"], abs=2e-4)
+    with pytest.raises(DeckError) as caught:
+        read_deck_text(DECK.replace('"LiF"', '"quartz"'))
+    assert "it does at 1.55 um" in str(caught.value)
+
+
 def test_the_recalled_indices_join_those_at_rest():
     at_rest = {row["wavelength"]: row["index"] for row in library.windows("LiF") if "index" in row}
     rows = [row for row in library.windows("LiF") if "index_intercept" in row]

@@ -6,7 +6,7 @@
 
 import csv
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -16,10 +16,10 @@ from hugoniot.errors import DeckError, DeckProblem
 from hugoniot.materials import cards, schema, static_compression
 from hugoniot.materials.entry import Entry, make_entry, read_file
 from hugoniot.materials.material import Material
+from hugoniot.materials.reach import FAR_BRANCH
 from hugoniot.materials.search import matches, nearest, parts, spelling
 
 HERE = Path(__file__).parent
-LEAST_BRANCH = 1000.0     # m/s: rows whose data begin above this particle velocity describe the far side of a transition, or melt
 MAKE_MATERIALS = ("us_up", "jwl", "tillotson", "compression", "gases")  # tables whose single rows are equations of state
 
 
@@ -152,8 +152,9 @@ def listings() -> Iterator[Listing]:
 @cache
 def _curated(name: str) -> Entry:
     path = HERE / "curated" / f"{name}.toml"
-    listing = index()[name]
-    return make_entry(name, read_file(path), path.name, title=listing.title, category=listing.category, aliases=listing.aliases)
+    listing, tables = index()[name], read_file(path)
+    made = make_entry(name, tables, path.name, title=listing.title, category=listing.category, aliases=listing.aliases)
+    return _warned(made, _branch(name, tables["eos"].get("row")))
 
 
 def spall_row(name: str) -> str | None:
@@ -176,7 +177,8 @@ def _with_spall(name: str) -> Entry:
     tables |= {"fracture": {"law": "spall_stress", "strength": f"{row}.spall_strength", "reason": reason},
                "title": f"{plain.title}, with spall", "missing": [text for text in plain.missing if "with spall" not in text]
                or ["the change of the spall strength with rate and temperature"]}
-    return make_entry(f"{name}_with_spall", tables, f"{name}.toml and row {row}", category=plain.category)
+    made = make_entry(f"{name}_with_spall", tables, f"{name}.toml and row {row}", category=plain.category)
+    return _warned(made, _branch(name, tables["eos"].get("row")))
 
 
 @cache
@@ -219,13 +221,24 @@ def _of_row(identity: str) -> Entry:
         tables["valid_up_to"] = limit
     made = make_entry(identity, tables, f"row {identity}", category=str(row.get("category", "")))
     warnings = [f"row {identity} of the library, unedited: not a curated material, no strength, no fracture"]
-    if row.get("up_min", 0.0) >= LEAST_BRANCH:
-        warnings.append(f"{identity} ({row.material}): its data begin at a particle velocity of {row['up_min']:g} m/s; weaker shocks may "
-                        "lie on another branch")
+    warnings += _branch(row.material, identity)
     if row.table == "compression":
         warnings.append(f"{identity} ({row.material}): fitted to static compression of one phase; a shock strong enough to transform "
                         "or melt it lies on a different Hugoniot")
-    return replace(made, material=replace(made.material, warnings=(*warnings, *made.material.warnings)), curated=False)
+    return replace(_warned(made, warnings), curated=False)
+
+
+def _branch(name: str, identity: str | None) -> list[str]:
+    """What is said of a material whose line holds on the far side of a transition only."""
+    begin = schema.row(identity).get("up_min", 0.0) if identity else 0.0
+    if begin < FAR_BRANCH:
+        return []
+    return [f"{identity} ({name}): its data begin at a particle velocity of {begin:g} m/s; weaker shocks may lie on another branch"]
+
+
+def _warned(made: Entry, warnings: Iterable[str]) -> Entry:
+    """With more to say than its rows' marks."""
+    return replace(made, material=replace(made.material, warnings=(*warnings, *made.material.warnings)))
 
 
 def _of_set(row: schema.Row) -> Entry:

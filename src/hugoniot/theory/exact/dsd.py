@@ -90,7 +90,7 @@ def dsd_rate_stick(geometry: str = "cylindrical", detonation_velocity: float = 8
 
     numbers = {"axial_velocity": delta * detonation_velocity, "velocity_deficit": 1.0 - delta,
                "edge_lag": curvature_length * float(shape(np.array([scale]))[1][0])}
-    return Solution(f"rate stick, {geometry}", geometry, profile, numbers=numbers, domain=lambda time: (0.0, radius))
+    return Solution(f"rate stick, {geometry}", geometry, profile, numbers=numbers, domain=lambda time: (0.0, radius), steady=True)
 
 
 def dsd_arc(detonation_velocity: float = 8000.0, curvature_length: float = 1e-3, inner: float = 0.04, outer: float = 0.06,
@@ -132,7 +132,7 @@ def dsd_arc(detonation_velocity: float = 8000.0, curvature_length: float = 1e-3,
 
     angular = omega * detonation_velocity / curvature_length
     numbers = {"angular_velocity": angular, "inner_velocity": angular * inner, "outer_velocity": angular * outer}
-    return Solution("detonation in a ring", "cylindrical", profile, numbers=numbers, domain=lambda time: (inner, outer))
+    return Solution("detonation in a ring", "cylindrical", profile, numbers=numbers, domain=lambda time: (inner, outer), steady=True)
 
 
 def _leaves(limit: float):

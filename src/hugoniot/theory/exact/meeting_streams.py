@@ -62,7 +62,8 @@ def meeting_streams(below: Inflow = BELOW, above: Inflow = ABOVE, angle_degrees:
         numbers |= {f"{word}_head": math.degrees(wave["angles"][0]), f"{word}_tail": math.degrees(wave["angles"][-1]),
                     f"{word}_deflection": math.degrees(wave["turned"])}
     reach = 1.3 * max(abs(y) for y in rays())
-    return Solution("two supersonic streams", "planar", profile, lambda time: rays(), numbers, domain=lambda time: (-reach, reach))
+    return Solution("two supersonic streams", "planar", profile, lambda time: rays(), numbers,
+                    domain=lambda time: (-reach, reach), steady=True)
 
 
 def _stream(inflow: Inflow) -> Stream:

@@ -22,6 +22,7 @@ class Solution:
     numbers    the scalars that characterise the solution (star pressure, wave speeds, ...)
     times      (first, last) time at which the solution holds
     domain     function time -> (first, last) position worth looking at; None where the jumps show it
+    steady     whether the solution is the same at every time
     """
 
     title: str
@@ -31,6 +32,7 @@ class Solution:
     numbers: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
     times: tuple[float, float] = (0.0, float("inf"))
     domain: Callable[[float], tuple[float, float]] | None = None
+    steady: bool = False
 
     def _checked(self, time: float) -> float:
         if not self.times[0] <= time <= self.times[1]:
