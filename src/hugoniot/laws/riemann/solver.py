@@ -63,7 +63,9 @@ def contact(left: Curve, right: Curve, bonded: bool = False, start: float | None
 def wall(side: Curve, velocity: float, bonded: bool = True) -> Solution:
     """A material against a wall or piston of given velocity; unless bonded it separates from one that runs away."""
     d = side.direction     # the waves run away from the wall: d = +1 for a wall on the left
-    if not bonded and (side.state.u - velocity) * d > 0.0:      # a wall that is pushed against is not left
+    start = side.state.sigma + d * side.state.rho * side.c * (velocity - side.state.u)
+    # a wall that is pushed against is not left; nor where the acoustic answer presses, for a release follows its chord from above
+    if not bonded and (side.state.u - velocity) * d > 0.0 and not start > 0.0:
         edge, waves = side.surface()
         if (edge - velocity) * d > 0.0:
             return _one_sided(side, waves, edge, 0.0, True)
@@ -72,7 +74,6 @@ def wall(side: Curve, velocity: float, bonded: bool = True) -> Solution:
         a, slope, _ = side.at(sigma)
         return d * (a.u - velocity), slope
 
-    start = side.state.sigma + d * side.state.rho * side.c * (velocity - side.state.u)
     thrust = side.state.rho * (velocity - side.state.u) ** 2
     sigma = _root(gap, start if side.c else thrust, -math.inf, max(side.stiffness, thrust), (side,))
     _hold(gap(sigma)[0], sigma, (side,))
