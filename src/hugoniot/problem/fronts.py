@@ -132,7 +132,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str]]:
         if cells and _has_strength(material):
             found += [(("material", name, "strength"), f"material '{name}' {message}") for message in _strong_defects(material)]
     if cells:
-        found += _front_defects(problem)
+        found += _front_defects(problem) + _pressed_too_late(problem)
     for side, end in (("left", problem.left), ("right", problem.right)):
         if end.kind == "periodic":
             found.append((("boundary", side), f"{NAME} has no periodic ends, because a front ends at an end of the line: use lagrange1d"))
@@ -181,6 +181,24 @@ def _front_defects(problem: Problem) -> list[tuple[tuple, str]]:
                        f"products, {own:.6g} m/s; give burn.detonation_velocity = {own:.6g}")
             found.append((("material", region.material, "burn", "detonation_velocity"), message))
     return list(dict.fromkeys(found))
+
+
+def _pressed_too_late(problem: Problem) -> list[tuple[tuple, str]]:
+    """Gases at an end whose pressure begins at zero and rises: they expand to nothing first, and the pressure then meets no mass."""
+    found: list[tuple[tuple, str]] = []
+    for side, end, region in (("left", problem.left, problem.regions[0]), ("right", problem.right, problem.regions[-1])):
+        material, pulse = problem.materials[region.material], end.pulse
+        hot = max(region.pressure or 0.0, region.temperature or 0.0, region.energy or 0.0) > 0.0
+        if end.kind != "pressure" or pulse is None or material.burn is not None or not flagged(material.eos, "gas") or not hot:
+            continue
+        late = (pulse.start > 0.0 or pulse.shape in ("half_sine", "ramp")) and pulse.amplitude > 0.0
+        if pulse.shape == "table":
+            late = pulse.values[0] == 0.0 and max(pulse.values) > 0.0
+        if late:
+            found.append((("boundary", side), f"its pressure is zero at first, and the gas of region '{region.name}' expands to nothing "
+                          "before it rises: then it meets an edge without mass; start from the gas's own pressure (a table of times and "
+                          "values), or drive it by a velocity"))
+    return found
 
 
 def _has_strength(material: Material) -> bool:

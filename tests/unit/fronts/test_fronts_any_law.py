@@ -101,3 +101,15 @@ def test_strength_is_refused_for_what_it_lacks(name, reason):
     material = Material("m", COPPER, STRENGTH.get(name).example)
     found = fronts.defects(dataclasses.replace(problem, materials={"m": material}))
     assert len(found) == 1 and reason in found[0][1] and "lagrange1d" in found[0][1]
+
+
+@pytest.mark.parametrize("pulse, refused", [
+    (Pulse("half_sine", 5e8, 0.0, 1e-7), True), (Pulse("constant", 5e8, 1e-7), True), (Pulse("table", times=(0.0, 1e-6), values=(0.0, 1e8)), True),
+    (Pulse("constant", 5e8), False), (Pulse("table", times=(0.0, 1e-6), values=(1e5, 1e8)), False)])
+def test_a_pressure_that_comes_after_the_gas_has_gone_is_refused(pulse, refused):
+    """It ended in a cell of negative density in the second step: a pressure on an edge without mass."""
+    gas = pushed(EOS.get("ideal_gas").example, "cells")
+    found = fronts.defects(dataclasses.replace(gas, left=Boundary("pressure", pulse)))
+    assert [place for place, _ in found] == [("boundary", "left")] * refused
+    solid = pushed(COPPER, "cells")
+    assert not fronts.defects(dataclasses.replace(solid, left=Boundary("pressure", pulse)))
