@@ -113,3 +113,12 @@ def test_a_pressure_that_comes_after_the_gas_has_gone_is_refused(pulse, refused)
     assert [place for place, _ in found] == [("boundary", "left")] * refused
     solid = pushed(COPPER, "cells")
     assert not fronts.defects(dataclasses.replace(solid, left=Boundary("pressure", pulse)))
+
+
+def test_a_shell_that_runs_into_the_axis_is_stopped():
+    """In a sphere it comes to the highest density of its law before."""
+    shell = Region("shell", "cu", 0.002, 0.004, 10, velocity=-1000.0)
+    problem = Problem("collapse", "cylindrical", 1e-5, (shell,), {"cu": Material("cu", COPPER)}, FREE, FREE,
+                      solver=SolverOptions("fronts", options=MappingProxyType({"mode": "cells"})))
+    with pytest.raises(UnphysicalState, match="run into the axis or centre"):
+        marched(problem)

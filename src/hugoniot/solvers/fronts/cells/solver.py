@@ -109,6 +109,10 @@ class Cells(Reading):
                 why = self.flow.march(self.mesh, goal, cycles)
                 self.cycle, self.step = int(numbers[tables.CYCLE]), float(numbers[tables.STEP])
                 self.trace.drain(self.mesh, self.flow.work, len(self.problem.regions))
+                if self.problem.dimension > 1 and self.mesh.x[0] < -1e-12 * self.length:
+                    raise UnphysicalState("the inner surface has run into the axis or centre", "end the run earlier, or fill the hole "
+                                          "with a body from radius 0", 0, self.problem.regions[0].name, float(self.mesh.x[0]),
+                                          self.time, self.cycle)
                 if why == march.UNSOUND and not self.changes.join(self.mesh):
                     self.flow.refuse(self.mesh)
                 if why == march.CHANGE:
