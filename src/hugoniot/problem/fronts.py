@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, WithJsonSchema
 
 from hugoniot.laws.burn.contract import BURN
-from hugoniot.laws.eos.contract import flagged
+from hugoniot.laws.eos.contract import EOS, flagged
 from hugoniot.laws.fracture.contract import FRACTURE
 from hugoniot.laws.mixture.reference_state import ROLLING
 from hugoniot.laws.strength.contract import STRENGTH
@@ -132,7 +132,7 @@ def defects(problem: Problem) -> list[tuple[tuple, str]]:
         if cells and _has_strength(material):
             found += [(("material", name, "strength"), f"material '{name}' {message}") for message in _strong_defects(material)]
     if cells:
-        found += _front_defects(problem)
+        found += _front_defects(problem) + _pressed_too_late(problem)
     for side, end in (("left", problem.left), ("right", problem.right)):
         if end.kind == "periodic":
             found.append((("boundary", side), f"{NAME} has no periodic ends, because a front ends at an end of the line: use lagrange1d"))
@@ -183,6 +183,24 @@ def _front_defects(problem: Problem) -> list[tuple[tuple, str]]:
     return list(dict.fromkeys(found))
 
 
+def _pressed_too_late(problem: Problem) -> list[tuple[tuple, str]]:
+    """Gases at an end whose pressure begins at zero and rises: they expand to nothing first, and the pressure then meets no mass."""
+    found: list[tuple[tuple, str]] = []
+    for side, end, region in (("left", problem.left, problem.regions[0]), ("right", problem.right, problem.regions[-1])):
+        material, pulse = problem.materials[region.material], end.pulse
+        hot = max(region.pressure or 0.0, region.temperature or 0.0, region.energy or 0.0) > 0.0
+        if end.kind != "pressure" or pulse is None or material.burn is not None or not flagged(material.eos, "gas") or not hot:
+            continue
+        late = (pulse.start > 0.0 or pulse.shape in ("half_sine", "ramp")) and pulse.amplitude > 0.0
+        if pulse.shape == "table":
+            late = pulse.values[0] == 0.0 and max(pulse.values) > 0.0
+        if late:
+            found.append((("boundary", side), f"its pressure is zero at first, and the gas of region '{region.name}' expands to nothing "
+                          "before it rises: then it meets an edge without mass; start from the gas's own pressure (a table of times and "
+                          "values), or drive it by a velocity"))
+    return found
+
+
 def _has_strength(material: Material) -> bool:
     strength = material.strength
     return strength is not None and STRENGTH.of(strength).name != "none" and getattr(strength, "yield_stress", 1.0) > 0.0
@@ -209,12 +227,17 @@ def _material_defects(material: Material, cells: bool) -> list[tuple[tuple, str]
     if material.fracture is not None and FRACTURE.of(material.fracture).name != "none":
         found.append((("fracture",), f"has a fracture law; {NAME} cannot open a new surface inside a body: "
                       "leave the law out (nothing spalls then), or use lagrange1d"))
+    if flagged(material.eos, "shocks_only"):
+        law = EOS.of(material.eos).name
+        found.append((("eos",), f"has a pressure that does not depend on its density ('{law}'): it answers for shocks alone, and "
+                      f"{NAME} has no isentrope to follow on release; use another equation of state, such as mie_gruneisen"))
     if flagged(material.eos, "remembers"):
         found.append((("eos",), f"keeps its pores crushed: its release is not the isentrope that {NAME} follows; use lagrange1d"))
     if material.strength is not None and STRENGTH.of(material.strength).name not in ("none", "perfectly_plastic"):
         law = STRENGTH.of(material.strength).name
-        found.append((("strength", "law"), f"has no constant yield stress ('{law}'); the waves of {NAME} are exact for perfectly_plastic "
-                      "(or none) only: use one of these, or use lagrange1d"))
+        what = "no constant shear modulus" if law in ("constant_poisson", "herrmann") else "no constant yield stress"
+        found.append((("strength", "law"), f"has {what} ('{law}'); the waves of {NAME} are exact for perfectly_plastic (or none) only, "
+                      "whose deviator depends on the density alone: use one of these, or use lagrange1d"))
     return found
 
 

@@ -17,6 +17,9 @@ from hugoniot.laws.riemann.fan import Fan
 from hugoniot.laws.riemann.medium import Solid, is_gas, name_of, strength_left
 from hugoniot.laws.riemann.solid import TURNS, turned
 
+SPRAY = ("law '{}' is stretched to the largest tension it bears, {:.6g} Pa: no wave runs there, and a surface would open inside "
+         "the body (use lagrange1d, or a law that bears more tension)")
+
 
 @dataclass(frozen=True)
 class Wave:
@@ -65,6 +68,8 @@ class Curve:
             side = "left" if direction < 0 else "right"
             raise OutOfRange(f"the {side} state ({state.rho:.6g} kg/m3, {state.e:.6g} J/kg) is not a valid state of law "
                              f"'{name_of(matter.par)}': c^2 = {square:.4g} m2/s2")
+        if square == 0.0 and state.sigma < 0.0:
+            raise OutOfRange(SPRAY.format(name_of(matter.par), -state.sigma))
         self.c = math.sqrt(square)
         self.stiffness = state.rho * square
         self._limits: dict[int, tuple[State, float]] = {}
@@ -155,8 +160,8 @@ class Curve:
         last = found[-1]
         branch = self._branch_of(last)
         if last.kind == "fan":
-            rho = last.behind.rho
-            return last.behind, 1.0 / (rho * math.sqrt(wave_speed_squared(rho, last.behind.e, branch))), found
+            impedance = last.behind.rho * math.sqrt(wave_speed_squared(last.behind.rho, last.behind.e, branch))
+            return last.behind, 1.0 / impedance if impedance > 0.0 else math.inf, found
         flux = (last.head - last.ahead.u) * self.direction * last.ahead.rho
         return last.behind, jump.slope(sigma, last.ahead, last.behind, branch, flux), found
 

@@ -128,7 +128,17 @@ class Fan:
             last, here = moved, self._step(base, s - base[0]) if s != base[0] else base
         if last <= 1e-9:
             return here
-        raise NoSolution(f"the search along the fan of '{name_of(self.branch.par)}' for the value {target:.6g} did not converge")
+        return self._leap(value, target, base, low)
+
+    def _leap(self, value, target: float, base, low: float):
+        """The node, between `base` and the density of ln `low`, at which a value leaps across the target (slopes of a table leap)."""
+        high = base[0]
+        if not value(self._step(base, low - high) if low < high else base) <= target < value(base):
+            raise NoSolution(f"the search along the fan of '{name_of(self.branch.par)}' for the value {target:.6g} did not converge")
+        while high - low > 1e-15 * max(1.0, abs(low)):
+            middle = 0.5 * (low + high)
+            low, high = (middle, high) if value(self._step(base, middle - base[0])) <= target else (low, middle)
+        return self._step(base, high - base[0]) if high != base[0] else base
 
     def at_stress(self, sigma: float):
         """The node of a stress below the one ahead."""

@@ -43,7 +43,11 @@ def volume_drop(sigma: float, ahead: State, branch: Branch) -> float:
     ends = (0.0, v0 - 1.0 / highest) if rise > 0.0 else (v0 - 1.0 / max(rest, 1e-12 * ahead.rho), 0.0)
     x = rise / (ahead.rho * ahead.rho * square) if square > 0.0 else math.inf
     x = x if ends[0] < x < ends[1] and abs(x) < 0.5 * v0 else (0.5 * ends[1] if rise > 0.0 else max(0.5 * ends[0], -v0))
-    return _newton(x, sigma, ahead, branch, ends)
+    x = _newton(x, sigma, ahead, branch, ends)
+    found = stress(1.0 / (v0 - x), ahead.e + 0.5 * (sigma + ahead.sigma) * x, branch) if sigma < 0.0 else sigma
+    if not abs(found - sigma) <= 1e-6 * ahead.rho * square:
+        raise NoSolution(f"law '{name_of(branch.par)}' bears no tension of {-sigma:.6g} Pa")
+    return x
 
 
 def _newton(x, sigma, ahead: State, branch: Branch, ends) -> float:
@@ -62,7 +66,8 @@ def _newton(x, sigma, ahead: State, branch: Branch, ends) -> float:
             high = x
         else:
             low = x
-        step = miss / (rho * rho * by_rho + mean * by_e) if math.isfinite(miss) else math.nan
+        stiff = rho * rho * by_rho + mean * by_e
+        step = miss / stiff if math.isfinite(miss) and stiff != 0.0 else math.nan
         new = x - step
         if not low < new < high or not math.isfinite(new):
             new = 0.5 * (low + high)
@@ -97,7 +102,10 @@ def slope(sigma: float, ahead: State, after: State, branch: Branch, flux: float)
         return 1.0 / flux
     _, by_rho, by_e = stress_and_slopes(after.rho, after.e, branch)
     # the energy behind rises with sigma at fixed volume by x/2, and with x at fixed sigma by (sigma + sigma0)/2
-    growth = (1.0 - 0.5 * by_e * x) / (after.rho**2 * by_rho + 0.5 * by_e * (sigma + ahead.sigma))
+    stiff = after.rho**2 * by_rho + 0.5 * by_e * (sigma + ahead.sigma)
+    if stiff == 0.0:      # a law whose tension is cut off bears no more of it
+        return math.inf
+    growth = (1.0 - 0.5 * by_e * x) / stiff
     return (x + rise * growth) / (2.0 * rise / flux)
 
 

@@ -9,10 +9,12 @@ Written apart from `theory.riemann`, which serves to check it.
 import math
 from dataclasses import dataclass
 
-from hugoniot.errors import NoSolution
+from hugoniot.errors import NoSolution, OutOfRange
 from hugoniot.laws.riemann.branch import Matter, State
-from hugoniot.laws.riemann.curve import Curve, Wave
+from hugoniot.laws.riemann.curve import SPRAY, Curve, Wave
 from hugoniot.laws.riemann.medium import name_of
+
+TORN = 1e-6      # of the sound speeds: a difference of velocity that is no rounding
 
 
 @dataclass(frozen=True)
@@ -53,6 +55,7 @@ def contact(left: Curve, right: Curve, bonded: bool = False, start: float | None
     sigma = _root(gap, start, floor, scale, (left, right))
     a, _, waves_left = left.at(sigma)
     b, _, waves_right = right.at(sigma)
+    _hold(b.u - a.u, sigma, (left, right))
     u = 0.5 * (a.u + b.u)
     return Solution(waves_left, waves_right, (u, u), sigma)
 
@@ -60,7 +63,9 @@ def contact(left: Curve, right: Curve, bonded: bool = False, start: float | None
 def wall(side: Curve, velocity: float, bonded: bool = True) -> Solution:
     """A material against a wall or piston of given velocity; unless bonded it separates from one that runs away."""
     d = side.direction     # the waves run away from the wall: d = +1 for a wall on the left
-    if not bonded and (side.state.u - velocity) * d > 0.0:      # a wall that is pushed against is not left
+    start = side.state.sigma + d * side.state.rho * side.c * (velocity - side.state.u)
+    # a wall that is pushed against is not left; nor where the acoustic answer presses, for a release follows its chord from above
+    if not bonded and (side.state.u - velocity) * d > 0.0 and not start > 0.0:
         edge, waves = side.surface()
         if (edge - velocity) * d > 0.0:
             return _one_sided(side, waves, edge, 0.0, True)
@@ -69,9 +74,9 @@ def wall(side: Curve, velocity: float, bonded: bool = True) -> Solution:
         a, slope, _ = side.at(sigma)
         return d * (a.u - velocity), slope
 
-    start = side.state.sigma + d * side.state.rho * side.c * (velocity - side.state.u)
     thrust = side.state.rho * (velocity - side.state.u) ** 2
     sigma = _root(gap, start if side.c else thrust, -math.inf, max(side.stiffness, thrust), (side,))
+    _hold(gap(sigma)[0], sigma, (side,))
     return _one_sided(side, side.at(sigma)[2], velocity, sigma, False)
 
 
@@ -129,6 +134,12 @@ def _root(gap, sigma: float, floor: float, scale: float, sides) -> float:
         return sigma
     names = " and ".join(f"'{name_of(side.matter.par)}'" for side in sides)
     raise NoSolution(f"the wave curves of {names} did not intersect between {low:.6g} and {high:.6g} Pa")
+
+
+def _hold(gap: float, sigma: float, sides) -> None:
+    """Raise `OutOfRange` where the sides part under the largest tension that their laws bear: the search ends there with a gap."""
+    if sigma < 0.0 and abs(gap) > TORN * sum(side.c for side in sides):
+        raise OutOfRange(SPRAY.format("' or '".join(dict.fromkeys(name_of(side.matter.par) for side in sides)), -sigma))
 
 
 def _tried(gap, sigma: float, low: float):

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from hugoniot.errors import OutOfRange
+from hugoniot.errors import HugoniotError, OutOfRange, UnphysicalState
 from hugoniot.laws.eos.contract import pressure
 from hugoniot.laws.riemann.branch import Matter, State
 from hugoniot.laws.strength.contract import STRENGTH
@@ -26,6 +26,16 @@ class Drive:
     """Values of an end over time: (time from which, value), the first at t = 0."""
 
     steps: list[tuple[float, float]]
+
+
+def unsolved(error: Exception, where: str, region: str = "", place: float | None = None, time: float = 0.0,
+             cycle: int = 0) -> UnphysicalState:
+    """What a run says where a Riemann problem has no answer. where: "where fronts meet", or the like."""
+    if isinstance(error, UnphysicalState):
+        return error
+    why = str(error).rstrip(".") if isinstance(error, HugoniotError) else f"no wave of finite speed and strength leaves ({error})"
+    return UnphysicalState(f"{where}, {why}.", "stay inside the range of the equations of state, or choose ones that reach further", None,
+                           region, place, time, cycle)
 
 
 def options_of(problem: Problem) -> dict:

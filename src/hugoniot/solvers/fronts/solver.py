@@ -32,7 +32,10 @@ class Fronts(Reading):
         self.drives = {-1: setup.drive_of(problem.left), 1: setup.drive_of(problem.right)}
         self.bench = setup.bench_of(problem, self.drives)
         self.matters = self.bench.matters
-        pieces, fronts = setup.first_line(problem, self.bench)
+        try:
+            pieces, fronts = setup.first_line(problem, self.bench)
+        except (HugoniotError, ArithmeticError, ValueError) as error:
+            raise setup.unsolved(error, "where the first waves leave") from error
         self.line = Line(pieces, fronts, self.bench, self.length, self._log, int(setup.options_of(problem)["most_fronts"]))
         self.lives = Lives()
         self.lives.note(self.line.fronts, self.line.pieces, 0.0)
@@ -65,11 +68,11 @@ class Fronts(Reading):
             goal = min(until, self._next_sample(), self._next_change()[0])
             try:
                 met = self.line.advance(goal)
+                if not met and self._next_change()[0] <= self.time:
+                    self._change(self._next_change()[1])
+                    met = True
             except (HugoniotError, ArithmeticError, ValueError) as error:
                 raise self._unphysical(error) from error
-            if not met and self._next_change()[0] <= self.time:
-                self._change(self._next_change()[1])
-                met = True
             if met:
                 self.cycle += 1
                 done += 1
@@ -109,8 +112,7 @@ class Fronts(Reading):
         when, k = self.line.next_meeting()
         place = self.line.fronts[k].at(self.time) if k >= 0 else None
         region = self.problem.regions[max(self.line.pieces[k].region, 0)].name if k >= 0 else ""
-        return UnphysicalState(f"where fronts meet, {error}.", "stay inside the range of the equations of state, or choose ones that reach "
-                               "further", None, region, place, self.time, self.cycle)
+        return setup.unsolved(error, "where fronts meet", region, place, self.time, self.cycle)
 
     def _extremes_so_far(self) -> np.ndarray:
         return self.extremes.until(self.line.pieces, self.line.fronts, self.time)

@@ -213,7 +213,11 @@ def at_fronts(grid, rules, work, fronts, count, drives):
             if f == 0 or f == n:
                 j = 0 if f == 0 else 1
                 kind, value = int(rules.ends[j, 0]), drives[j]
-            done = at_end(rules, work, front, f, max(left, right), right >= 0, kind, value)
+            if left < 0 and right < 0:      # a wall that the material has left
+                at_rest_with(work, f, value, 0.0)
+                front[STRENGTH], done = 0.0, True
+            else:
+                done = at_end(rules, work, front, f, max(left, right), right >= 0, kind, value)
         if not done:
             return False
         front[SPEED_OF] = w[SPEED, f]

@@ -11,6 +11,7 @@ from hugoniot.laws.burn.contract import BURN, Reactive
 from hugoniot.laws.eos.contract import EOS, density_limits, flagged
 from hugoniot.laws.mixture.contract import MIXTURE
 from hugoniot.laws.riemann.branch import Matter, State
+from hugoniot.laws.riemann.curve import SPRAY
 from hugoniot.laws.riemann.medium import Frozen, Solid, mixture_limit
 from hugoniot.materials import burning
 from hugoniot.problem.model import Problem
@@ -20,7 +21,7 @@ from hugoniot.solvers.fronts.cells.gas import averages
 from hugoniot.solvers.fronts.cells.mesh import Mesh
 from hugoniot.solvers.fronts.cells.passes import burn_pass, pace_pass, states_pass, wave_pass
 from hugoniot.solvers.fronts.cells.spacing import Spacing, cells_of
-from hugoniot.solvers.fronts.cells.tables import MEAN, Grid, P, Rules
+from hugoniot.solvers.fronts.cells.tables import MEAN, C, Grid, P, Rules
 from hugoniot.solvers.fronts.meeting import Bench
 
 NEAR = 0.95        # of the highest density of a law
@@ -190,6 +191,11 @@ class Flow:
         self.refuse_highest(mesh)
         k, w = int(self.work.numbers[tables.LIMITING]), self.work.w
         rho, u, e = w[:3, k]
+        if w[MEAN + P, k] < 0.0 and w[MEAN + C, k] == 0.0:
+            law = self.laws[mesh.region[k] % len(self.laws)]
+            name, numbers = EOS.of(getattr(law, "eos", law)).name, self.work.numbers
+            raise UnphysicalState(SPRAY.format(name, -w[MEAN + P, k]), "end the run earlier, or use lagrange1d", k, "",
+                                  float(mesh.middle[k]), float(numbers[tables.TIME]), int(numbers[tables.CYCLE]))
         raise UnphysicalState(f"a cell of density {rho:.6g} kg/m3 and energy {e:.6g} J/kg has no valid state (velocity {u:.6g} m/s)",
                               "stay inside the range of the equation of state, use more zones or a smaller solver.options.courant",
                               k, "", float(mesh.middle[k]), float(self.work.numbers[tables.TIME]), int(self.work.numbers[tables.CYCLE]))

@@ -118,10 +118,10 @@ def averages(grid, rules, work, n, d):
 
 @nb.njit(**BY_ADDRESS)
 def unsound(grid, w, n):
-    """The first cell without a sound state; -1 if there is none."""
+    """The first cell without a sound state, or stretched so far that no wave runs in it; -1 if there is none."""
     for i in range(n):
         if w[FULL, i] > 0.0 and not (w[MEAN, i] > 0.0 and w[MEAN + C, i] >= 0.0 and abs(w[MEAN + P, i]) < 1e300
-                                     and grid.x[i + 1] > grid.x[i]):
+                                     and grid.x[i + 1] > grid.x[i] and (w[MEAN + P, i] >= 0.0 or w[MEAN + C, i] > 0.0)):
             return i
     return -1
 

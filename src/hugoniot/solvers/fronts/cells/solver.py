@@ -47,7 +47,10 @@ class Cells(Reading):
         self.refining = Refining(self.flow, self._log)
         self.mesh = start.first_mesh(problem, self.flow.spacing, self.flow.variables)
         self.start_totals, self.start_size = self.mesh.q.sum(axis=0), self._size()
-        self.changes.begin(self.mesh, [point.position for point in problem.lighting if point.time <= 0.0])
+        try:
+            self.changes.begin(self.mesh, [point.position for point in problem.lighting if point.time <= 0.0])
+        except (HugoniotError, ArithmeticError, ValueError) as error:
+            raise setup.unsolved(error, "where the first waves leave") from error
         self._sample_first()
 
     def _sample_first(self) -> None:
@@ -87,10 +90,13 @@ class Cells(Reading):
             shot = min((point.time for point in self.problem.lighting if point.time > self.time), default=math.inf)
             goal = min(until, change, shot, self._next_sample())
             self._steps(goal, last - self.cycle)
-            if self.time >= change:
-                self._drive(side)
-            if self.time >= shot:
-                self._fire()
+            try:
+                if self.time >= change:
+                    self._drive(side)
+                if self.time >= shot:
+                    self._fire()
+            except (HugoniotError, ArithmeticError, ValueError) as error:
+                raise setup.unsolved(error, "where waves leave an end or a detonator", time=self.time, cycle=self.cycle) from error
             if self.time >= self._next_sample():
                 self._sample()
         return self._events
@@ -103,6 +109,10 @@ class Cells(Reading):
                 why = self.flow.march(self.mesh, goal, cycles)
                 self.cycle, self.step = int(numbers[tables.CYCLE]), float(numbers[tables.STEP])
                 self.trace.drain(self.mesh, self.flow.work, len(self.problem.regions))
+                if self.problem.dimension > 1 and self.mesh.x[0] < -1e-12 * self.length:
+                    raise UnphysicalState("the inner surface has run into the axis or centre", "end the run earlier, or fill the hole "
+                                          "with a body from radius 0", 0, self.problem.regions[0].name, float(self.mesh.x[0]),
+                                          self.time, self.cycle)
                 if why == march.UNSOUND and not self.changes.join(self.mesh):
                     self.flow.refuse(self.mesh)
                 if why == march.CHANGE:
@@ -115,8 +125,7 @@ class Cells(Reading):
             raise
         except (HugoniotError, ArithmeticError, ValueError) as error:
             self.flow.refuse_highest(self.mesh)
-            raise UnphysicalState(f"where fronts meet, {error}.", "stay inside the range of the equations of state, or choose ones that "
-                                  "reach further", None, "", None, self.time, self.cycle) from error
+            raise setup.unsolved(error, "where fronts meet", time=self.time, cycle=self.cycle) from error
         if numbers[tables.STALLED] > STUCK:
             self.flow.refuse_highest(self.mesh)
             x = float(self.mesh.middle[min(int(numbers[tables.LIMITING]), len(self.mesh.q) - 1)])

@@ -134,7 +134,10 @@ def _moved(flow, grid, front: Front, f: int, n: int, time: float) -> Moved:
     side = left or right
     at = 0 if f == 0 else 1
     kind = flow.outside[at] if f in (0, n) else "vacuum"
-    return end(kind, front, side, 1 if left is None else -1, flow.drive(at, time) if kind in ("wall", "pressure") else 0.0)
+    value = flow.drive(at, time) if kind in ("wall", "pressure") else 0.0
+    if side is None:          # a wall that the material has left
+        return _moving(value, 0.0)
+    return end(kind, front, side, 1 if left is None else -1, value)
 
 
 def _side(flow, grid, block: int, cell: int) -> Side:
