@@ -142,7 +142,7 @@ def test_counts():
 def test_the_page_on_provenance_counts_as_the_library_does():
     text = " ".join((Path(__file__).parents[2] / "docs" / "materials" / "provenance.md").read_text(encoding="utf-8").split())
     rows, ranges, states, deviations, errors, presses, highest, spread, spall = known().values()
-    assert f"Of {rows} Us-up rows {ranges} have a range in particle velocity, {states} of them that of measured states" in text
+    assert f"Of {rows} Us-up rows {ranges} have a range in particle velocity. For {states} of them it is that of measured states" in text
     assert f"{deviations} have a deviation of the shock velocities, {errors} standard deviations of c0 and s" in text
     assert f"Of {presses} static compressions {highest} have a highest pressure and {spread} a standard deviation" in text
     used = [name for name in library.index() if library.find(name).fracture is not None]

@@ -256,7 +256,8 @@ class _Function:
 
     def unknown(self, node: ast.AST) -> NotImplementedError:
         place = f"{self.function.__module__}.{self.function.__name__}"
-        return NotImplementedError(f"{place}: {ast.unparse(node) if isinstance(node, (ast.expr, ast.stmt)) else node} is not transcribed")
+        return NotImplementedError(f"{place}: {ast.unparse(node) if isinstance(node, (ast.expr, ast.stmt)) else node} cannot be "
+                                   "translated into JavaScript")
 
 
 def _safe(name: str) -> str:

@@ -40,7 +40,7 @@ def assembled(name: str, tables: Any, base: Material | None, collector: Collecto
     """
     before = collector.findings
     if not isinstance(tables, dict):
-        collector.add(path, "a material is a table", f"write [{collector.key(path)}.eos] and under it law = \"...\"")
+        collector.add(path, "a material must be a table", f"write [{collector.key(path)}.eos] and under it law = \"...\"")
         return None
     known = families()
     collector.texts(path, {key: value for key, value in tables.items() if key in _TOLD})

@@ -33,7 +33,7 @@ def card(row: Row, family: str = "") -> Card:
     makers = {"us_up": _us_up, "strength": _strength, "jwl": _jwl, "tillotson": _tillotson, "gases": _gas, "ignition_growth": _reactant,
               "compression": static_compression.card}
     if row.table not in makers:
-        raise ValueError(f"row {row.id} of the table {row.table} is not the table of one law")
+        raise ValueError(f"row {row.id}: no law of the package takes a row of the table {row.table} as it stands")
     return makers[row.table](row)
 
 

@@ -29,7 +29,7 @@ def read_law(registry: Registry, table: Any, collector: Collector, path: tuple, 
         return None
     if not isinstance(table, dict):
         hint = f"write [{collector.key(path)}] and under it law = \"...\" (hugoniot list {registry.family})"
-        collector.add(path, f"the {registry.family} law is a table", hint)
+        collector.add(path, f"the {registry.family} law must be a table", hint)
         return None
     name = table.get("law")
     if name is None and inherited is not None:

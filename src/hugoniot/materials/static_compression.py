@@ -84,7 +84,7 @@ def reach(row: Row) -> dict | None:
         return None
     speed, slope = math.sqrt(row["bulk_modulus"] / row["rho0"]), 0.25 * (row["bulk_modulus_slope"] + 1.0)
     up = (math.sqrt(speed * speed + 4.0 * slope * row["p_max"] / row["rho0"]) - speed) / (2.0 * slope)
-    note = f"row {row.id}: the shock that reaches the {row['p_max'] / 1e9:g} GPa of the static data"
+    note = f"row {row.id}: particle velocity of a shock to {row['p_max'] / 1e9:g} GPa, the highest pressure of the static data"
     return {"value": round(up, 1), "source": row.source, "via": row.via, "status": "derived", "note": note}
 
 

@@ -30,7 +30,7 @@ def _pack(value: Any, arrays: list) -> Any:
         return [_pack(inner, arrays) for inner in value]
     if value is None or isinstance(value, (bool, int, float, str)):
         return value
-    raise TypeError(f"a checkpoint cannot hold {type(value).__name__}; give arrays, numbers, words, lists and dictionaries of them")
+    raise TypeError(f"a checkpoint cannot hold {type(value).__name__}; give arrays, numbers, strings, and lists and dictionaries of these")
 
 
 def _unpack(value: Any, array: Callable[[str], Any]) -> Any:

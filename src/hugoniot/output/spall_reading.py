@@ -228,7 +228,7 @@ def spall_reading(run, name: str | None = None) -> Reading:
         places = sorted({places[0] for region, _, _, places in _ends(run.setup) if region in hit})
         hint = f"; add one at {_listed(places)}" if places and name is None else ""
         where = "no gauge is" if name is None else f"gauge '{name}' is not"
-        return Reading(reason=f"{where} on a free surface or window interface of {_listed(hit)}, where the void opened{hint}")
+        return Reading(reason=f"{where} on a free surface or window interface of {_listed(hit)}, in which the void opened{hint}")
     read = [read_record(run, record, broken[record.region]) for record in seen]
     return next((reading for reading in read if reading.numbers), read[0])
 

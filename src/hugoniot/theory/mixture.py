@@ -190,8 +190,8 @@ def energy_with(density: float, burn_fraction: float, par, reference, **given) -
         else:
             break
         e += step
-    raise NoSolution(f"no energy gives the mixture of {density:.6g} kg/m^3 at burn fraction {burn_fraction:.6g} a {name} of {target:.6g}: "
-                     "give its energy, or a state nearer the reference")
+    raise NoSolution(f"no energy gives the mixture of {density:.6g} kg/m^3 at burn fraction {burn_fraction:.6g} a {name} of {target:.6g} "
+                     f"{'Pa' if name == 'pressure' else 'K'}: give its energy, or a state nearer to the reference")
 
 
 def _temperature_slope(state: MixtureState, reference) -> float:

@@ -54,7 +54,7 @@ def reacting_hugoniot(upstream: MixtureState, pressures, reacted: float | Callab
         v_p = _product_volume(x, lam, v_r, e_r, (v_u, e_u, p_u), par.products) if lam > 0.0 else math.nan
         v = (1.0 - lam) * v_r + (lam * v_p if lam > 0.0 else 0.0)
         if not v < v_u:
-            raise NoSolution(f"with {extra:.4g} of the mass burned the front to {x:.6g} Pa would expand the explosive: no shock exists")
+            raise NoSolution(f"a front to {x:.6g} Pa in which {extra:.4g} of the mass burns would expand the explosive: no shock exists")
         e = e_u + 0.5 * (x + p_u) * (v_u - v)
         kept = (v_r, e_r) if lam < 1.0 else (math.nan, math.nan)
         rows.append((v, e, *kept, v_p, (e - (1.0 - lam) * e_r) / lam if lam > 0.0 else math.nan))

@@ -73,7 +73,7 @@ def test_derived_parameters_are_saved_as_they_are():
 
 
 @pytest.mark.parametrize("tables, part", [
-    ({}, "no equation of state"), ({"eos": 3}, "is a table"), ({"eos": {}}, "missing"), ({"eos": EOS | {"c0": "5 km"}}, "expected a velocity"),
+    ({}, "no equation of state"), ({"eos": 3}, "must be a table"), ({"eos": {}}, "missing"), ({"eos": EOS | {"c0": "5 km"}}, "expected a velocity"),
     ({"eos": EOS | {"c0": -5.0}}, "must be positive"), ({"eos": EOS, "strenght": {}}, "did you mean 'strength'?"),
     ({"eos": EOS, "fracture": {"law": "spall_stress", "strength": "-1 GPa"}}, "positive"),
     ({"eos": EOS, "strength": {"law": "perfectly_plastic", "shear_modulus": -1.0, "yield_stress": 1.0}}, "must not be negative"),

@@ -72,5 +72,5 @@ def test_blocks_that_do_not_fit_are_refused(origin, words):
 
 def test_a_criterion_at_nodes_is_refused():
     law = FRACTURE.get("stress_gradient").build(strength=1e9, gradient=1e12, least=0.5e9)
-    with pytest.raises(OutOfRange, match="opens voids at nodes, and in two dimensions"):
+    with pytest.raises(OutOfRange, match="opens voids at nodes, but in two dimensions"):
         Lagrange2D(problem(box(2, 2, material="al"), aluminium(fracture=law), 1.0))

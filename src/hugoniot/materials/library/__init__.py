@@ -213,7 +213,7 @@ def _of_row(identity: str) -> Entry:
     try:
         cards.card(row)
     except ValueError as error:
-        raise DeckError.single("library", None, identity, str(error), "the row serves for comparison: hugoniot material show") from error
+        raise DeckError.single("library", None, identity, str(error), f"hugoniot material show {identity} prints it") from error
     tables: dict = {"eos": {"row": identity}, "title": f"{row.material} (row {identity})"}
     if "up_max" in row:
         tables["valid_up_to"] = f"{identity}.up_max"

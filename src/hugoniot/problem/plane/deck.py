@@ -88,7 +88,7 @@ def read(raw: dict, model: Model | None, materials: dict[str, Material | None], 
         collector.add(("solver", "scheme"), wrong, 'write scheme = "true_volume"')
     for name, material in used.items():
         if asked_at_nodes(material.fracture):
-            collector.add(("material", name, "fracture"), "opens voids at nodes, and in two dimensions zones fail and nodes stay joined",
+            collector.add(("material", name, "fracture"), "opens voids at nodes, but in two dimensions zones fail and nodes stay joined",
                           'use "pressure_volume" or "spall_stress"')
     for defect in (*explosives.defects(problem), *output_fields.defects(problem.output, problem.blocks, problem.materials)):
         collector.add(*defect)

@@ -34,7 +34,7 @@ def kind_of(problem: Problem2D) -> int:
         raise OutOfRange("Herrmann's viscosity has no limiter; use solver.viscosity.limited = false")
     for material in problem.materials.values():
         if asked_at_nodes(material.fracture):
-            raise OutOfRange(f"material '{material.name}': its fracture law opens voids at nodes, and in two dimensions zones fail and "
+            raise OutOfRange(f"material '{material.name}': its fracture law opens voids at nodes, but in two dimensions zones fail and "
                              'nodes stay joined; use "pressure_volume" or "spall_stress"')
     if wrong := trouble_on_the_axis(problem):
         raise OutOfRange(f'{wrong}; use solver.scheme = "true_volume"')

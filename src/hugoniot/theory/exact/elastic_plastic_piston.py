@@ -97,7 +97,8 @@ def shock_at(velocity: float, ahead: State, solid: Solid, strain: str) -> State:
             growth *= 0.5
             high = low * (1.0 + growth)
         if growth <= 1e-12:
-            raise NoSolution(f"no shock reaches {velocity:g} m/s: the Hugoniot ends at {reached:g} m/s, {low:g} kg/m3")
+            raise NoSolution(f"no shock reaches a particle velocity of {velocity:g} m/s: the Hugoniot ends at {reached:g} m/s and "
+                             f"{low:g} kg/m3")
     rho = brentq(lambda r: shock_to(r, ahead, solid, strain).velocity - velocity, low, high, xtol=1e-13 * solid.rho0, rtol=1e-15)
     return shock_to(rho, ahead, solid, strain)
 

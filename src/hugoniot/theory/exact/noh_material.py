@@ -75,7 +75,7 @@ def _plateau(par, d: int, rho0: float, p1: float, e1: float, speed: float) -> tu
         while not excess(low) > 0.0:
             low /= 1.05
             if low < 1e-4 * speed:
-                raise NoSolution("Noh's problem: the law gives no state that stops the inflow; it ends before")
+                raise NoSolution("Noh's problem: no shock stops the inflow: the law ends before the compression that this needs")
         high = 1.05 * low
     for _ in range(100):
         middle = 0.5 * (low + high)
