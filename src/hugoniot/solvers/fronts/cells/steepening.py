@@ -2,7 +2,8 @@ r"""Compressions that have steepened into shocks inside an interval become front
 
 A shock that the cells capture stands over two or three of them. It is found where most of a pressure difference over four cells lies
 between two of them (Colella and Woodward's measure, $|p_{i+1}-p_{i-1}| > 0.8\,|p_{i+2}-p_{i-2}|$) and the flow converges. Its cells become
-two: the state ahead on one side, and behind it what is left of mass, momentum and energy, the front placed by the mass.
+two: the state ahead on one side, and behind it what is left of mass, momentum and energy, the front placed by the mass. Where that is not
+the state of the next cell behind, to a quarter of the jump, there is no shock yet (a smooth wave beside an extremum can meet the measure).
 """
 
 import numba as nb
@@ -17,6 +18,7 @@ from hugoniot.solvers.fronts.cells.tables import DIMENSION, FACE, RHO, STEEP_WAY
 STEEP = 0.8
 FORMED = 2.0      # times the weakest wave: a shock that has formed is that strong
 ROOM = 4          # cells between a new front and the next one
+ALIKE = 0.25      # of the jump: what the two states behind a new front may differ by, velocity and pressure due to energy
 
 
 @nb.njit(**GUARD)
@@ -45,6 +47,13 @@ def steep_cell(grid, rules, work, fronts, count):
     return found
 
 
+def _alike(kept: np.ndarray, near: np.ndarray, far: np.ndarray, jump: float) -> bool:
+    """Whether what is left behind a front is the state `near` of the next cell; contents per volume, jump of the pressure."""
+    u, u_near, u_far = (float(one[1] / one[0]) for one in (kept, near, far))
+    e, e_near = float(kept[2] / kept[0]) - 0.5 * u * u, float(near[2] / near[0]) - 0.5 * u_near * u_near
+    return abs(u - u_near) <= ALIKE * abs(u_near - u_far) and abs(e - e_near) * float(near[0]) <= ALIKE * jump
+
+
 def track(mesh: Mesh, w: np.ndarray, cell: int, direction: int, time: float) -> bool:
     """Make a captured shock around a cell a front; False where its cells allow none. w: the table, with the averages of the cells."""
     a, b = cell - 1, cell + 2                                   # the cells that are to become two: a to b
@@ -59,6 +68,8 @@ def track(mesh: Mesh, w: np.ndarray, cell: int, direction: int, time: float) -> 
         return False
     lost = far * whole * (1.0 - share)
     kept = content - lost
+    if not _alike(kept / (share * whole), near, far, abs(float(w[P, behind] - w[P, ahead]))):
+        return False
     inner = share if direction > 0 else 1.0 - share
     left, right = (kept, lost) if direction > 0 else (lost, kept)
     x, end, d = float(mesh.x[a]), float(mesh.x[b + 1]), mesh.d
