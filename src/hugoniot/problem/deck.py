@@ -53,7 +53,7 @@ def read_deck(path: str | Path, overrides: dict[str, Any] | None = None, materia
     except FileTrouble:
         raise
     except OSError as error:
-        near = sorted(p.name for p in path.parent.glob("*.toml"))[:5] if path.parent.is_dir() else []
+        near = sorted(printable(p.name) for p in path.parent.glob("*.toml"))[:5] if path.parent.is_dir() else []
         hint = f"; decks here: {', '.join(near)}" if near else "; hugoniot init writes one"
         raise FileTrouble(f"cannot read {path}: {error.strerror or error}{hint}") from None
     try:
@@ -92,7 +92,7 @@ def read_tables(raw: dict, text: str, name: str, overrides: dict[str, Any] | Non
         problems = sorted(collector.problems, key=lambda p: (p.line or 0))
         raise DeckError(problems)
     if not problem.title:
-        problem = replace(problem, title=Path(name).stem)
+        problem = replace(problem, title=printable(Path(name).stem, 200))
     marked = [f"material '{n}': {w}" for n, m in getattr(problem, "materials", {}).items() for w in getattr(m, "warnings", ())]
     return Deck(problem, write_deck(problem, kind), (*warnings, *collector.warnings, *marked), text, name)
 
