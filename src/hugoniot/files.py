@@ -6,10 +6,15 @@ A device (`/dev/zero`) has no end, a pipe may never answer: neither is waited fo
 import csv
 import mmap
 import os
+import re
 import stat
+import tomllib
+from typing import Any
 
 from hugoniot.errors import DeckError, FileTrouble
 
+DEEPEST = 100           # tables and arrays within each other, and parts of a key, of a file in TOML
+LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[A-Za-z0-9_-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+)""" f"{{{DEEPEST}}}")
 LARGEST = 256_000_000   # bytes; more than any deck, material file or table of measured data has
 _COLLECTION = b"GCOL\x01"
 _WITHOUT_WAITING = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
@@ -45,6 +50,29 @@ def read_regular(path, limit: int = LARGEST) -> bytes:
 def read_text(path, limit: int = LARGEST) -> str:
     """The text (UTF-8, with or without a byte order mark) of a regular file; `UnicodeDecodeError` where it is none."""
     return read_regular(path, limit).decode("utf-8-sig")
+
+
+def toml_tables(text: str) -> dict:
+    """The tables of a text in TOML. `tomllib.TOMLDecodeError` where it is none, `ValueError` for keys and nesting that no file needs.
+
+    The time and memory that a key takes grow with the square of the number of its parts.
+    """
+    if LONG_KEY.search(text):
+        raise ValueError(f"a key of more than {DEEPEST} parts")
+    try:
+        raw = tomllib.loads(text)
+    except RecursionError:
+        raise ValueError("arrays nested too deeply") from None
+    waiting: list[tuple[Any, int]] = [(raw, 0)]
+    while waiting:
+        value, depth = waiting.pop()
+        if isinstance(value, int) and not -2**63 <= value < 2**63:
+            raise ValueError("an integer of more than 64 bits")
+        if isinstance(value, (dict, list)):
+            if depth > DEEPEST:
+                raise ValueError("tables and arrays nested too deeply")
+            waiting += [(inner, depth + 1) for inner in (value.values() if isinstance(value, dict) else value)]
+    return raw
 
 
 def csv_rows(text: str, name, first: int = 1) -> list[tuple[int, list[str]]]:

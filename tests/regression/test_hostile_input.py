@@ -8,12 +8,14 @@ import sys
 
 import h5py
 import numpy as np
+import pace
 import pytest
 from test_broken_decks import SOUND
 
 from hugoniot.campaign import designs, pop_target
 from hugoniot.cli.main import main
 from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.explorer import places
 from hugoniot.files import hdf5_texts_end
 from hugoniot.materials import tables_io
 from hugoniot.materials.table_hdf5 import read_table, write_table
@@ -326,3 +328,53 @@ def test_names_of_files_reach_no_terminal_raw(tmp_path, capsys):
         with pytest.raises(SystemExit) as ended:
             main([str(word) for word in words])
         assert ended.value.code == 4 and "\x1b" not in capsys.readouterr().err
+
+
+# -- files of materials, sweeps and tables ------------------------------------------------------------------------------
+@pytest.mark.parametrize("name", [name for name in STRANGE if "of 300" not in name and "zones" not in name])
+@pytest.mark.parametrize("command", ["material", "deck beside", "sweep", "explore"])
+def test_strange_text_is_refused_wherever_toml_is_read(tmp_path, capsys, name, command):
+    """A key of 20 000 parts in a file of materials took 16 s and 1.6 GB, and arrays in each other ended in a traceback."""
+    strange = STRANGE[name].replace(SOUND, "")
+    (tmp_path / "m.toml").write_text(strange + '\n[eos]\nlaw = "ideal_gas"\n')
+    (tmp_path / "deck.toml").write_text(SOUND.replace('material = "al"', 'material = "m"') if command == "deck beside" else STRANGE[name])
+    words = {"material": ["material", "show", "m", "-m", tmp_path / "m.toml"], "deck beside": ["check", tmp_path / "deck.toml"],
+             "sweep": ["sweep", tmp_path / "deck.toml", "--vary", "stop_time = 1, 2 us", "--out", tmp_path / "s"]}
+    if command == "explore":
+        assert not places._only_materials(tmp_path / "m.toml")
+        return
+    with pytest.raises(SystemExit) as ended:
+        main([str(word) for word in words[command]])
+    told = capsys.readouterr().err
+    assert ended.value.code == 2 and "unexpected" not in told and len(told) < 2000
+
+
+def test_the_work_on_a_file_of_many_wrong_materials_is_bounded(tmp_path):
+    """5 000 took more than a minute."""
+    path = tmp_path / "m.toml"
+    path.write_text("".join(f'[material.m{k}.eos]\nlaw = "x"\n' for k in range(2000)))
+    with pytest.raises(DeckError) as caught:
+        read_materials(path)
+    assert len(caught.value.problems) == 50 and caught.value.more
+
+    def work(count):
+        path.write_text("".join(f'[material.m{k}.eos]\nlaw = "ideal_gas"\ngamma = 1.4\nrho0 = 1.0\n' for k in range(count)))
+        return lambda: read_materials(path)
+
+    work(10)()
+    assert pace.calls(work(200)) < 5.0 * pace.calls(work(50))
+
+
+@pytest.mark.parametrize("how", [{"external": [("/etc/passwd", 0, 24)]}, "virtual"])
+def test_a_table_whose_numbers_lie_in_another_file_is_refused(table, tmp_path, how):
+    (tmp_path / "gas.h5").write_bytes(table.read_bytes())
+    with h5py.File(tmp_path / "gas.h5", "a") as file:
+        del file["density"]
+        if how == "virtual":
+            layout = h5py.VirtualLayout((3,), "f8")
+            layout[:] = h5py.VirtualSource(str(table), "density", (3,))
+            file.create_virtual_dataset("density", layout)
+        else:
+            file.create_dataset("density", (3,), "f8", **how)
+    with pytest.raises(DeckError, match="density: its numbers lie in another file"):
+        read_table(tmp_path / "gas.h5")
