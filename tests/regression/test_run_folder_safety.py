@@ -329,6 +329,15 @@ def test_resuming_a_finished_run_writes_what_is_missing_and_tidies_up(tube, tmp_
     assert not any(f.bad for f in verify(folder))
 
 
+@pytest.mark.parametrize("name", ["gauges.csv", "deck.toml", "report.html"])
+def test_resuming_a_finished_run_tells_of_a_changed_file(tube, tmp_path, capsys, name):
+    folder = shutil.copytree(tube / "tube.run", tmp_path / "run")
+    flip(folder / name)
+    before = (folder / name).read_bytes()
+    code, _, err = command(capsys, "resume", folder, "-q")
+    assert code == 0 and f"changed since the run ended, and left as it is: {name};" in err and (folder / name).read_bytes() == before
+
+
 def test_a_damaged_finished_run_is_not_completed_from_damage(tube, tmp_path):
     folder = shutil.copytree(tube / "tube.run", tmp_path / "run")
     (folder / "gauges.csv").unlink()
