@@ -3,12 +3,18 @@
 A device (`/dev/zero`) has no end, a pipe may never answer: neither is waited for.
 """
 
+import csv
 import mmap
 import os
+import re
 import stat
+import tomllib
+from typing import Any
 
-from hugoniot.errors import FileTrouble
+from hugoniot.errors import DeckError, FileTrouble
 
+DEEPEST = 100           # tables and arrays within each other, and parts of a key, of a file in TOML
+LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[A-Za-z0-9_-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+)""" f"{{{DEEPEST}}}")
 LARGEST = 256_000_000   # bytes; more than any deck, material file or table of measured data has
 _COLLECTION = b"GCOL\x01"
 _WITHOUT_WAITING = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
@@ -17,9 +23,12 @@ _WITHOUT_WAITING = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_C
 def open_regular(path, flags: int = _WITHOUT_WAITING) -> int:
     """Handle of a regular file, opened without waiting.
 
-    `FileTrouble` for a device, a pipe or a folder; `OSError` as the system raises it.
+    `FileTrouble` for a device, a pipe, a folder or what cannot be a name; `OSError` as the system raises it.
     """
-    handle = os.open(path, flags)
+    try:
+        handle = os.open(path, flags)
+    except ValueError:      # a zero byte
+        raise FileTrouble(f"{path}: not the name of a file") from None
     if not stat.S_ISREG(os.fstat(handle).st_mode):
         os.close(handle)
         raise FileTrouble(f"{path}: not a regular file but {_kind(path)}; nothing is read from it")
@@ -41,6 +50,42 @@ def read_regular(path, limit: int = LARGEST) -> bytes:
 def read_text(path, limit: int = LARGEST) -> str:
     """The text (UTF-8, with or without a byte order mark) of a regular file; `UnicodeDecodeError` where it is none."""
     return read_regular(path, limit).decode("utf-8-sig")
+
+
+def toml_tables(text: str) -> dict:
+    """The tables of a text in TOML. `tomllib.TOMLDecodeError` where it is none, `ValueError` for keys and nesting that no file needs.
+
+    The time and memory that a key takes grow with the square of the number of its parts.
+    """
+    if LONG_KEY.search(text):
+        raise ValueError(f"a key of more than {DEEPEST} parts")
+    try:
+        raw = tomllib.loads(text)
+    except RecursionError:
+        raise ValueError("arrays nested too deeply") from None
+    waiting: list[tuple[Any, int]] = [(raw, 0)]
+    while waiting:
+        value, depth = waiting.pop()
+        if isinstance(value, int) and not -2**63 <= value < 2**63:
+            raise ValueError("an integer of more than 64 bits")
+        if isinstance(value, (dict, list)):
+            if depth > DEEPEST:
+                raise ValueError("tables and arrays nested too deeply")
+            waiting += [(inner, depth + 1) for inner in (value.values() if isinstance(value, dict) else value)]
+    return raw
+
+
+def csv_rows(text: str, name, first: int = 1) -> list[tuple[int, list[str]]]:
+    """(line, cells) of comma-separated text, without empty lines and comments (#). Raises `DeckError`.
+
+    name, first   what messages call the text, and the number of its first line
+    """
+    reader = csv.reader(text.splitlines())
+    try:
+        return [(reader.line_num + first - 1, row) for row in reader if row and not row[0].lstrip().startswith("#")]
+    except csv.Error:
+        raise DeckError.single(name, reader.line_num + first - 1, "row", f"a cell of more than {csv.field_size_limit()} characters",
+                               "is a quotation mark left open?") from None
 
 
 def hdf5_texts_end(path) -> bool:

@@ -8,16 +8,21 @@ import sys
 
 import h5py
 import numpy as np
+import pace
 import pytest
 from test_broken_decks import SOUND
 
+from hugoniot.campaign import designs, pop_target
 from hugoniot.cli.main import main
 from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.explorer import places
 from hugoniot.files import hdf5_texts_end
 from hugoniot.materials import tables_io
 from hugoniot.materials.table_hdf5 import read_table, write_table
 from hugoniot.materials.users import read_materials
+from hugoniot.output import compare
 from hugoniot.problem.deck import read_deck, read_deck_text
+from hugoniot.problem.ko_yaml import read_yaml
 from hugoniot.theory.fits import read_points
 
 unix = pytest.mark.skipif(sys.platform == "win32", reason="pipes and devices are a Unix matter")
@@ -218,3 +223,158 @@ def test_names_in_a_foreign_table_reach_no_terminal_raw(tmp_path):
     with pytest.raises(DeckError) as caught:
         read_table(tmp_path / "bad.h5")
     assert "\x1b" not in str(caught.value)
+
+
+# -- decks and cards of other programs --------------------------------------------------------------------------------
+BUSY = {
+    "a whole number to base 60": "tstop: 1" + ":1" * 90_000 + "\n",
+    "a long list": "tstop: [" + "1," * 90_000 + "]\n",
+    "a long text": "name: " + "x" * 150_000 + "\n",
+    "many keys": "".join(f"key{k}: {k}\n" for k in range(12_000)),
+    "lists within lists": "tstop: " + "[" * 100_000,
+    "tables within tables": "tstop: " + "{a: " * 40_000,
+    "a text of a megabyte": "#" + "x" * 1_000_000,
+    "aliases of aliases": "a0: &a0 [x,x,x,x,x,x,x,x,x]\n" + "".join(f"a{k}: &a{k} [{','.join([f'*a{k - 1}'] * 9)}]\n" for k in range(1, 12)),
+}
+
+
+@pytest.mark.parametrize("name", BUSY)
+def test_a_deck_in_yaml_that_would_keep_its_reader_busy_is_refused(name):
+    """A whole number of 980 kB to base 60 took 222 s, a list as long 40 s and 350 MB."""
+    with pytest.raises(DeckError, match="too many|nested too deeply|a value of more than") as caught:
+        read_yaml(BUSY[name], "impact.yml")
+    assert len(str(caught.value)) < 300
+
+
+@unix
+@pytest.mark.parametrize("kind", ["device", "pipe"])
+@pytest.mark.parametrize("name", ["impact.yml", "deck.in", "steel.k"])
+def test_only_regular_files_are_imported(tmp_path, capsys, kind, name):
+    if kind == "pipe":
+        os.mkfifo(tmp_path / name)
+    else:
+        (tmp_path / name).symlink_to("/dev/zero")
+    with pytest.raises(SystemExit) as ended:
+        main(["import", str(tmp_path / name), "--units", "g cm us"])
+    assert ended.value.code == 4 and "not a regular file" in capsys.readouterr().err
+
+
+# -- files beside a deck ----------------------------------------------------------------------------------------------
+BLOCK = """stop_time = "1 us"
+[[block]]
+name = "a"
+material = "copper"
+shape = "edges"
+zones = [3, 3]
+bottom = {csv = "NAME"}
+top = {line = [["0 mm", "1 mm"], ["1 mm", "1 mm"]]}
+left = {line = [["0 mm", "0 mm"], ["0 mm", "1 mm"]]}
+right = {line = [["1 mm", "0 mm"], ["1 mm", "1 mm"]]}
+[solver]
+kind = "lagrange2d"
+"""
+
+
+def profiled(profile):
+    return SOUND.replace('velocity = "700 m/s"\n', f"[region.profile]\n{profile}\n", 1)
+
+
+@unix
+@pytest.mark.parametrize("deck", [BLOCK, profiled('file = "NAME"')])
+@pytest.mark.parametrize("kind", ["device", "pipe", "folder", "open quote", "no name"])
+def test_what_lies_beside_a_deck_is_a_bounded_table_or_refused(tmp_path, deck, kind):
+    path = tmp_path / "points.csv"
+    if kind == "pipe":
+        os.mkfifo(path)
+    elif kind == "folder":
+        path.mkdir()
+    elif kind == "device":
+        path.symlink_to("/dev/zero")
+    else:
+        path.write_text('position [mm],velocity [m/s]\n0,1\n"' + "1" * 200_000)
+    (tmp_path / "deck.toml").write_text(deck.replace("NAME", "points\\u0000.csv" if kind == "no name" else "points.csv"))
+    with pytest.raises(DeckError, match="not a regular file|not the name of a file|a cell of more than") as caught:
+        read_deck(tmp_path / "deck.toml")
+    assert str(caught.value).replace("\n", "").isprintable()
+
+
+@pytest.mark.parametrize("read", [read_points, compare.read_table, tables_io.load, designs._table, pop_target._lines])
+def test_a_quotation_mark_left_open_is_told(tmp_path, read):
+    (tmp_path / "data.csv").write_text('density,temperature,pressure,energy\n1,2,3,4\n"' + "1" * 200_000 + "\n")
+    with pytest.raises(DeckError, match="3: row: a cell of more than|column"):
+        read(tmp_path / "data.csv")
+
+
+@pytest.mark.parametrize("expression", ["0 ** -1", "sin(1e308 * 10)", "cos(-1e308 * 10)", "round(1e308 * 10)", "(-8) ** (1 / 3)", "9 ** 9 ** 9"])
+def test_an_expression_without_a_value_is_refused(expression):
+    with pytest.raises(DeckError, match="has no finite value"):
+        read_deck_text(profiled(f'velocity = "10 m/s * ({expression})"'))
+
+
+# -- names of files ---------------------------------------------------------------------------------------------------
+@unix
+@pytest.mark.parametrize("name", ["a\nb\x1b[31m.toml", os.fsdecode(b"\xff.toml"), "\u202eb.toml"])
+def test_a_file_name_of_control_characters_is_a_plain_title(tmp_path, name):
+    """The deck that a run keeps could not be read again, so that the run could not be resumed."""
+    (tmp_path / name).write_text(SOUND.replace('title = "Aluminium on aluminium"\n', ""))
+    deck = read_deck(tmp_path / name)
+    assert deck.problem.title.isprintable() and read_deck_text(deck.resolved).resolved == deck.resolved
+
+
+@unix
+def test_names_of_files_reach_no_terminal_raw(tmp_path, capsys):
+    (tmp_path / "b\x1b[31m.toml").write_text("")
+    for words in (["check", tmp_path / "no\x1b[31m.toml"], ["info", tmp_path / "no\x1b[31m.run"]):
+        with pytest.raises(SystemExit) as ended:
+            main([str(word) for word in words])
+        assert ended.value.code == 4 and "\x1b" not in capsys.readouterr().err
+
+
+# -- files of materials, sweeps and tables ------------------------------------------------------------------------------
+@pytest.mark.parametrize("name", [name for name in STRANGE if "of 300" not in name and "zones" not in name])
+@pytest.mark.parametrize("command", ["material", "deck beside", "sweep", "explore"])
+def test_strange_text_is_refused_wherever_toml_is_read(tmp_path, capsys, name, command):
+    """A key of 20 000 parts in a file of materials took 16 s and 1.6 GB, and arrays in each other ended in a traceback."""
+    strange = STRANGE[name].replace(SOUND, "")
+    (tmp_path / "m.toml").write_text(strange + '\n[eos]\nlaw = "ideal_gas"\n')
+    (tmp_path / "deck.toml").write_text(SOUND.replace('material = "al"', 'material = "m"') if command == "deck beside" else STRANGE[name])
+    words = {"material": ["material", "show", "m", "-m", tmp_path / "m.toml"], "deck beside": ["check", tmp_path / "deck.toml"],
+             "sweep": ["sweep", tmp_path / "deck.toml", "--vary", "stop_time = 1, 2 us", "--out", tmp_path / "s"]}
+    if command == "explore":
+        assert not places._only_materials(tmp_path / "m.toml")
+        return
+    with pytest.raises(SystemExit) as ended:
+        main([str(word) for word in words[command]])
+    told = capsys.readouterr().err
+    assert ended.value.code == 2 and "unexpected" not in told and len(told) < 2000
+
+
+def test_the_work_on_a_file_of_many_wrong_materials_is_bounded(tmp_path):
+    """5 000 took more than a minute."""
+    path = tmp_path / "m.toml"
+    path.write_text("".join(f'[material.m{k}.eos]\nlaw = "x"\n' for k in range(2000)))
+    with pytest.raises(DeckError) as caught:
+        read_materials(path)
+    assert len(caught.value.problems) == 50 and caught.value.more
+
+    def work(count):
+        path.write_text("".join(f'[material.m{k}.eos]\nlaw = "ideal_gas"\ngamma = 1.4\nrho0 = 1.0\n' for k in range(count)))
+        return lambda: read_materials(path)
+
+    work(10)()
+    assert pace.calls(work(200)) < 5.0 * pace.calls(work(50))
+
+
+@pytest.mark.parametrize("how", [{"external": [("/etc/passwd", 0, 24)]}, "virtual"])
+def test_a_table_whose_numbers_lie_in_another_file_is_refused(table, tmp_path, how):
+    (tmp_path / "gas.h5").write_bytes(table.read_bytes())
+    with h5py.File(tmp_path / "gas.h5", "a") as file:
+        del file["density"]
+        if how == "virtual":
+            layout = h5py.VirtualLayout((3,), "f8")
+            layout[:] = h5py.VirtualSource(str(table), "density", (3,))
+            file.create_virtual_dataset("density", layout)
+        else:
+            file.create_dataset("density", (3,), "f8", **how)
+    with pytest.raises(DeckError, match="density: its numbers lie in another file"):
+        read_table(tmp_path / "gas.h5")

@@ -10,6 +10,7 @@ import sys
 import time
 
 import acoustic_flyer
+import h5py
 import numpy as np
 import pytest
 from pace import PATIENCE
@@ -17,9 +18,11 @@ from pace import PATIENCE
 from hugoniot import simulate
 from hugoniot.cli.main import main
 from hugoniot.errors import FileTrouble, UnphysicalState
+from hugoniot.output.atomic import digest
 from hugoniot.output.lock import Lock
 from hugoniot.output.run import load, read_post_mortem
 from hugoniot.output.run_folder import RunFolder
+from hugoniot.output.seal import sealed_json
 from hugoniot.output.verify import verify
 from hugoniot.problem import catalogue
 
@@ -112,6 +115,33 @@ def test_an_early_run_without_checksums_is_read_and_said_to_have_none(whole, tmp
     (folder / "summary.json").write_text(json.dumps(summary))
     assert load(folder).summary["cycles"] == 160 and len(load(folder).arrays("gauges")["time"]) == 160
     assert [f.state for f in verify(folder)] == ["no checksum"]
+
+
+FORGED = {"a title that is a list": lambda s: s | {"title": [1]}, "no time": lambda s: {k: v for k, v in s.items() if k != "time"},
+          "a time in words": lambda s: s | {"time": "\x1b[31m"}, "nothing": lambda s: {}, "a list of checksums": lambda s: s | {"sha256": [1]},
+          "a file elsewhere": lambda s: s | {"sha256": {"../../deck.toml": "0" * 64}}, "a length in words": lambda s: s | {"run_log_bytes": "a"}}
+
+
+@pytest.mark.parametrize("name", FORGED)
+def test_a_summary_of_another_program_is_refused_in_words(whole, tmp_path, capsys, name):
+    """Its own checksum is right: whoever made it made that too."""
+    folder = shutil.copytree(whole, tmp_path / "run")
+    (folder / "summary.json").write_text(sealed_json(FORGED[name](load(whole).summary)))
+    told = [command(capsys, "info", folder, *more) for more in ((), ("--verify",))]
+    assert 4 in {code for code, _, _ in told} and {code for code, _, _ in told} <= {0, 4}
+    assert not any("unexpected" in err or "\x1b" in err for _, _, err in told)
+
+
+@pytest.mark.parametrize("lost", ["gauges", "setup/document", "snapshots"])
+def test_a_result_of_another_program_is_refused_in_words(whole, tmp_path, capsys, lost):
+    folder = shutil.copytree(whole, tmp_path / "run")
+    with h5py.File(folder / "result.h5", "a") as file:
+        del file[lost]
+    summary = load(whole).summary
+    summary["sha256"]["result.h5"] = digest(folder / "result.h5").sha256
+    (folder / "summary.json").write_text(sealed_json(summary))
+    code, _, err = command(capsys, "info", folder)
+    assert code == 4 and "unexpected" not in err and ("not the result of a run" in err or "damaged" in err)
 
 
 def test_an_unfinished_run_is_verified_too(tmp_path):
@@ -297,6 +327,15 @@ def test_resuming_a_finished_run_writes_what_is_missing_and_tidies_up(tube, tmp_
     assert {name: (folder / name).read_bytes() for name in written} == written
     assert sorted(path.name for path in folder.iterdir()) == ["deck.toml", "gauges.csv", "report.html", "result.h5", "run.log", "summary.json"]
     assert not any(f.bad for f in verify(folder))
+
+
+@pytest.mark.parametrize("name", ["gauges.csv", "deck.toml", "report.html"])
+def test_resuming_a_finished_run_tells_of_a_changed_file(tube, tmp_path, capsys, name):
+    folder = shutil.copytree(tube / "tube.run", tmp_path / "run")
+    flip(folder / name)
+    before = (folder / name).read_bytes()
+    code, _, err = command(capsys, "resume", folder, "-q")
+    assert code == 0 and f"changed since the run ended, and left as it is: {name};" in err and (folder / name).read_bytes() == before
 
 
 def test_a_damaged_finished_run_is_not_completed_from_damage(tube, tmp_path):

@@ -12,7 +12,7 @@ from hugoniot.campaign.designs import KINDS, design_of
 from hugoniot.campaign.plan import Plan, sweep_table, ties_of
 from hugoniot.campaign.pool import LocalPool
 from hugoniot.campaign.questions import Deck, Match
-from hugoniot.campaign.sweep import Progress, Swept, cores, sweep
+from hugoniot.campaign.sweep import Progress, Swept, cores, list_files, sweep
 from hugoniot.campaign.uncertain import SAMPLES, Known, records_of, rows_of, uncertain
 from hugoniot.campaign.variables import read_variable, refuse
 from hugoniot.errors import DeckError, FileTrouble
@@ -221,6 +221,7 @@ def run_sweep(path, wishes: Wishes, out=None, *, engine: Callable | None = None,
                        *([] if wishes.design in KINDS else [f"cases of {wishes.design}"])])
     rows = list(rows_of(known))
     write_constants(folder, rows)
+    list_files(folder, wishes.words())
     if report:
         write_or_note(folder, lambda place: _report(place, swept, title, asked, rows))
     return replace(swept, constants=rows)

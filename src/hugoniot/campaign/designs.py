@@ -6,7 +6,6 @@ A design says what share of each variable's range a case has; seeds are kept, so
 Technometrics 21 (1979) 239).
 """
 
-import csv
 import math
 import pathlib
 from collections.abc import Sequence
@@ -17,7 +16,7 @@ import numpy as np
 
 from hugoniot.campaign.variables import Variable, of_column, refuse
 from hugoniot.errors import DeckError, FileTrouble
-from hugoniot.files import read_text
+from hugoniot.files import csv_rows, read_text
 
 KINDS = ("grid", "sobol", "lhs", "saltelli", "morris")
 MOST = 1_000_000     # cases of one sweep
@@ -128,7 +127,7 @@ def _table(path: str) -> Design:
     except UnicodeDecodeError:
         raise DeckError.single(path, None, "table", "not a UTF-8 text file", "a table of cases is comma-separated text") from None
     name = pathlib.Path(path).name
-    rows = [(n, row) for n, row in enumerate(csv.reader(text.splitlines()), 1) if row and not row[0].lstrip().startswith("#")]
+    rows = csv_rows(text, name)
     if len(rows) < 2:
         raise DeckError.single(name, 1, "table", "needs a line of column headers and a line for each case",
                                "write a header such as: region.flyer.velocity [m/s]")

@@ -2,7 +2,6 @@
 
 import csv
 import io
-import json
 import pathlib
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict
@@ -13,20 +12,38 @@ import numpy as np
 from hugoniot.campaign.fit_results import Fit
 from hugoniot.campaign.posterior import QUANTILES, Posterior
 from hugoniot.errors import FileTrouble
-from hugoniot.output.atomic import explained, write_whole
+from hugoniot.output.atomic import digest, explained, legible, write_whole
+from hugoniot.output.listed import read_listed, write_listed
+from hugoniot.output.seal import sealed_json
 
-OURS = ("fitted.toml", "fit.json", "residuals.csv", "posterior.csv", "predictive.csv", "report.html", "run.log")
+FOUND, FITTED = "fit.json", "fitted.toml"
+FILES = (FITTED, "residuals.csv", "posterior.csv", "predictive.csv")
 MOST_DRAWS = 10_000      # that are written
 
 
 def claimed(folder: pathlib.Path) -> pathlib.Path:
-    """A folder that a fit may write into, made if it is not there. Raises `FileTrouble`."""
+    """A folder that a fit may write into, made if it is not there. Raises `FileTrouble` where it holds anything but an earlier fit."""
     with explained(folder):
         folder.mkdir(parents=True, exist_ok=True)
-        foreign = sorted(path.name for path in folder.iterdir() if path.name not in OURS and not path.name.endswith(".part"))
-    if foreign:
-        raise FileTrouble(f"{folder}: contains {foreign[0]} and is not the folder of a fit; choose another folder with --out")
+        standing = sorted(path.name for path in folder.iterdir())
+    foreign = [name for name in standing if name not in (FOUND, *FILES, "report.html", "run.log") and not name.endswith(".part")]
+    if foreign or (standing and FOUND not in standing):
+        raise FileTrouble(f"{folder}: contains {(foreign or standing)[0]} and is not the folder of a fit; choose another folder with --out")
+    if FOUND in standing:
+        _refuse_changed(folder)
     return folder
+
+
+def _refuse_changed(folder: pathlib.Path) -> None:
+    """A fit.json of something else, or a fitted deck that somebody has worked on since, is not replaced."""
+    found = read_listed(folder / FOUND)
+    if not {"parameters", "chi_square"} <= set(found):
+        raise FileTrouble(f"{folder / FOUND}: not written by a fit; it would be lost. Choose another folder with --out")
+    wanted, path = found["sha256"].get(FITTED), folder / FITTED
+    with legible(path):
+        if wanted is not None and path.exists() and digest(path).sha256 != wanted:
+            raise FileTrouble(f"{path}: changed since the fit; the changes would be lost. Move it elsewhere, "
+                            f"or choose another folder with --out")
 
 
 def record_of(found) -> dict[str, Any]:
@@ -59,8 +76,9 @@ def write_fit(folder: pathlib.Path, found, name: str) -> None:
     """Write everything of a fit into its folder; `name` is that of the deck."""
     from hugoniot.report import write_or_note
 
-    write_whole(folder / "fitted.toml", found.deck)
-    write_whole(folder / "fit.json", json.dumps(_finite(record_of(found)), indent=2) + "\n")
+    record = _finite(record_of(found))
+    write_whole(folder / FOUND, sealed_json(record))    # first, since it tells that the folder is a fit's; at the end with checksums
+    write_whole(folder / FITTED, found.deck)
     rows = ([t.label, *(repr(float(v)) for v in (t.time[k], t.values[k], model[k], t.sigma[k], beside[k]))]
             for t, model in zip(found.targets, found.models) for beside in [t.beside(model)] for k in range(len(t.values)))
     heads = ["target", "time [s] or input pressure [Pa]", "data", "model", "sigma", "(model - data) / sigma"]
@@ -70,6 +88,7 @@ def write_fit(folder: pathlib.Path, found, name: str) -> None:
             (folder / stale).unlink(missing_ok=True)
     else:
         _write_posterior(folder, found)
+    write_listed(folder / FOUND, record, FILES)
 
     def report(place) -> None:
         from hugoniot.report.fit_page import write_fit_report

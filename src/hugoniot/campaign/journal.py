@@ -1,7 +1,8 @@
 """The answers of a sweep as they come: one line each, with a checksum, added to the end of one file by one process.
 
-A kill at any moment leaves whole lines and at most one torn one, which is dropped. What stands here is never asked again: the key of a
-line is that of the resolved deck and of the program that ran it (`questions.address`).
+A kill at any moment leaves whole lines and at most one torn one, the last, which is dropped; a line that was changed later is passed over,
+and its case asked again. What stands here is never asked again: the key of a line is that of the resolved deck and of the program that
+ran it (`questions.address`).
 """
 
 import contextlib
@@ -27,9 +28,18 @@ def kept_answers(path) -> Iterator[dict]:
             return
         for line in file:
             found = _opened(line)
-            if found is None:
-                return
-            yield found
+            if found is not None:
+                yield found
+
+
+def is_journal(path) -> bool:
+    """Whether a file is the answers of a sweep, or the beginning of one that a kill has torn."""
+    try:
+        with os.fdopen(open_regular(path), "rb") as file:
+            head = file.readline(len(HEAD))
+    except OSError:
+        return False
+    return HEAD.encode().startswith(head)
 
 
 class Journal:
@@ -49,17 +59,23 @@ class Journal:
             os.ftruncate(self._handle, end)
 
     def _read(self) -> int:
-        """Note where the answers are; the length of what is sound."""
+        """Note where the answers are; the length of what is whole lines."""
         with open(os.dup(self._handle), "rb") as file:
             file.seek(0)
-            if file.readline() != HEAD.encode():
+            head = file.readline()
+            if HEAD.encode().startswith(head) and head != HEAD.encode():      # a kill has torn the very first write
+                os.ftruncate(self._handle, 0)
+                append(self.path, HEAD)
+                return len(HEAD)
+            if head != HEAD.encode():
                 raise FileTrouble(f"{self.path}: not the cases of a sweep; choose another folder with --out")
             at = file.tell()
             for line in file:
+                if not line.endswith(b"\n"):
+                    break       # torn by a kill: nothing comes after it
                 found = _opened(line)
-                if found is None:
-                    break       # torn by a kill: what comes after it was never written
-                self.places[found["key"]] = at
+                if found is not None:
+                    self.places[found["key"]] = at
                 at += len(line)
         return at
 
@@ -107,6 +123,7 @@ def _opened(line: bytes) -> dict | None:
         check, text = line[:8].decode(), line[9:].rstrip(b"\n")
         if not line.endswith(b"\n") or int(check, 16) != zlib.crc32(text):
             return None
-        return json.loads(text)
-    except (ValueError, UnicodeDecodeError):
+        found = json.loads(text)
+    except (ValueError, RecursionError):
         return None
+    return found if isinstance(found, dict) and isinstance(found.get("key"), str) else None

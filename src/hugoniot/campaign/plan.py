@@ -5,7 +5,6 @@ ties gave, and keys that the deck itself gives.
 """
 
 import math
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -14,6 +13,7 @@ from hugoniot.campaign.designs import Design
 from hugoniot.campaign.questions import Deck, Match
 from hugoniot.campaign.variables import refuse
 from hugoniot.errors import DeckError
+from hugoniot.files import toml_tables
 from hugoniot.materials.collect import nearest, printable
 from hugoniot.problem.arithmetic import Expression, Number, Trouble, quantity
 from hugoniot.problem.schema import keys_of
@@ -197,8 +197,8 @@ def _check_place(raw: Mapping, key: str, option: str) -> None:
 def sweep_table(text: str, name: str) -> dict[str, Any] | None:
     """The [sweep] table of a deck or sweep file; None where it has none."""
     try:
-        table = tomllib.loads(text).get("sweep")
-    except (tomllib.TOMLDecodeError, ValueError, RecursionError):
+        table = toml_tables(text).get("sweep")
+    except ValueError:
         return None       # the deck's own reader says what is wrong with it
     if table is not None and not isinstance(table, dict):
         raise DeckError.single(name, None, "sweep", "expected a table", "write [sweep] above its keys")

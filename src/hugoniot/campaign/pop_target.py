@@ -8,7 +8,6 @@ since run distances span decades. Every run has the same number of zones in the 
 equally well; a shock that does not turn within `ROOM` of these counts as that long.
 """
 
-import csv
 import math
 import pathlib
 from collections.abc import Mapping, Sequence
@@ -20,7 +19,7 @@ import numpy as np
 from hugoniot.campaign.pop_plot import Charge, Initiation, charge_of, initiation
 from hugoniot.campaign.targets import Target
 from hugoniot.errors import DeckError
-from hugoniot.files import read_regular
+from hugoniot.files import csv_rows, read_regular
 from hugoniot.output.atomic import legible
 from hugoniot.output.compare import split_unit
 from hugoniot.units import UnitError, parse
@@ -82,7 +81,7 @@ def read_pop_plot(path: str, number: int, sigma: str | None, notes: list[str]) -
 def _lines(path: str) -> list[tuple[int, list[str]]]:
     with legible(pathlib.Path(path), "no data can be read"):
         text = read_regular(pathlib.Path(path)).decode("utf-8-sig", errors="replace")
-    return [(n, row) for n, row in enumerate(csv.reader(text.splitlines()), 1) if row and not row[0].lstrip().startswith("#")]
+    return csv_rows(text, path)
 
 
 def _row(name: str, line: int, cells: list[str], heads) -> list[float]:

@@ -9,7 +9,6 @@ depends on the plan alone, not on how many workers there were, nor on how often 
 """
 
 import fnmatch
-import json
 import os
 import pathlib
 import time
@@ -20,19 +19,20 @@ from typing import Any
 import numpy as np
 
 from hugoniot.campaign.analysis import CONSTANTS, FILES, Analysis, analysis_of, write_analysis
-from hugoniot.campaign.journal import Journal
+from hugoniot.campaign.journal import Journal, is_journal
 from hugoniot.campaign.plan import Plan
 from hugoniot.campaign.questions import MATCHED, POINTS, Deck
 from hugoniot.campaign.variables import refuse
 from hugoniot.errors import FileTrouble
 from hugoniot.output.atomic import explained, write_whole
 from hugoniot.output.columns import describe
+from hugoniot.output.listed import write_listed
 from hugoniot.output.lock import Lock
+from hugoniot.output.seal import sealed_json
 from hugoniot.output.sweep_file import Column, SweepTable, write_cases, write_table
 from hugoniot.problem.arithmetic import Trouble
 
 JOURNAL, TABLE, CASES, ASKED = "cases.jsonl", "sweep.h5", "cases.csv", "sweep.json"
-_OURS = (*FILES, CONSTANTS, JOURNAL, TABLE, CASES, ASKED, "report.html", "runs", "run.log", ".lock")
 
 
 @dataclass
@@ -81,8 +81,8 @@ def sweep(plan: Plan, folder, *, engine: Callable, outputs: Sequence[str] = (), 
     _claim(folder)
     lock = Lock(folder)
     try:
-        write_whole(folder / ASKED, json.dumps(words or {}, indent=2) + "\n")
-        with Journal(folder / JOURNAL) as journal:
+        with Journal(folder / JOURNAL) as journal:      # first, since it tells that the folder is a sweep's
+            write_whole(folder / ASKED, sealed_json(words or {}))
             progress = Progress(len(plan))
             keys, reasons = _asked(plan, journal, engine, progress, show)
             table = _table(plan, journal, keys, reasons, outputs)
@@ -90,17 +90,23 @@ def sweep(plan: Plan, folder, *, engine: Callable, outputs: Sequence[str] = (), 
         write_table(folder / TABLE, table)
         analysis = analysis_of(plan.design, table)
         write_analysis(folder, analysis, table)
+        list_files(folder, words)
     finally:
         lock.release()
     return Swept(table, folder, progress, time.perf_counter() - begun, analysis)
 
 
+def list_files(folder, words: dict[str, Any] | None) -> None:
+    """Write sweep.json, with the checksums of the files beside it."""
+    write_listed(pathlib.Path(folder) / ASKED, words or {}, (JOURNAL, TABLE, CASES, *FILES, CONSTANTS))
+
+
 def _claim(folder: pathlib.Path) -> None:
     with explained(folder):
         folder.mkdir(parents=True, exist_ok=True)
-        foreign = sorted(path.name for path in folder.iterdir() if path.name not in _OURS and not path.name.endswith(".part"))
-    if foreign and not (folder / JOURNAL).is_file():
-        raise FileTrouble(f"{folder}: contains {foreign[0]} and is not the folder of a sweep; choose another folder with --out")
+        standing = sorted(path.name for path in folder.iterdir() if path.name not in (".lock", "run.log"))
+    if standing and not is_journal(folder / JOURNAL):
+        raise FileTrouble(f"{folder}: contains {standing[0]} and is not the folder of a sweep; choose another folder with --out")
 
 
 def _asked(plan: Plan, journal: Journal, engine, progress: Progress, show) -> tuple[list[str], dict[int, str]]:

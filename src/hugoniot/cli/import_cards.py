@@ -7,6 +7,7 @@ import typer
 
 from hugoniot.cli.show import quantity
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
+from hugoniot.files import read_regular
 from hugoniot.materials.ls_dyna import material_tables, read_cards, scale_of
 from hugoniot.materials.read import build_material
 from hugoniot.problem.write import to_toml
@@ -80,9 +81,9 @@ def _deck(text: str, path: Path, kind: str) -> tuple[str, list[str]]:
 
 def _text(file: Path) -> str:
     try:
-        if file.stat().st_size > LARGEST:
-            raise FileTrouble(f"{file} is too large for a deck or for cards")
-        return file.read_text(encoding="utf-8", errors="replace")
+        return read_regular(file, LARGEST).decode("utf-8-sig", errors="replace")
+    except FileTrouble:
+        raise
     except OSError as error:
         raise FileTrouble(f"cannot read {file}: {error.strerror or error}") from None
 

@@ -166,7 +166,7 @@ def guarded(function: Callable) -> Callable:
                        "checkpoint can be resumed", err=True)
             raise typer.Exit(4) from None
         except OSError as error:
-            typer.echo(f"error: {error.filename or 'output'}: {error.strerror or error}", err=True)
+            typer.echo(f"error: {_escaped(str(error.filename or 'output'))}: {error.strerror or error}", err=True)
             raise typer.Exit(4) from None
         except Exception as error:
             if type(error).__module__.startswith(("click", "typer")):  # a usage error: typer tells it itself
@@ -177,10 +177,15 @@ def guarded(function: Callable) -> Callable:
     return call
 
 
+def _escaped(text: str) -> str:
+    """Lines as they are, without characters that a terminal would obey: names of files may hold any."""
+    return "".join(c if c.isprintable() or c == "\n" else f"\\x{ord(c):02x}" for c in text)
+
+
 def _tell(error: HugoniotError) -> None:
     problems = getattr(error, "problems", None)
     if problems is None:
-        typer.echo(f"error: {error}", err=True)
+        typer.echo(f"error: {_escaped(str(error))}", err=True)
         return
     for problem in problems:
         typer.echo(str(problem), err=True)

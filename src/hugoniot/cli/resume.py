@@ -38,3 +38,14 @@ def command(
     else:
         echo_results(run)
         echo_place(run)
+    _warn_of_changes(folder)
+
+
+def _warn_of_changes(folder: Path) -> None:
+    """Of a finished run only the files that are missing are written: whoever resumes it hears of those that were changed."""
+    from hugoniot.output.verify import verify
+
+    changed = [finding.file for finding in verify(folder, survey=False) if finding.bad]
+    if changed:
+        typer.echo(f"warning: changed since the run ended, and left as it is: {', '.join(changed)}; "
+                   f"see `hugoniot info {folder} --verify`", err=True)

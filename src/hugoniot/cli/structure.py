@@ -1,7 +1,6 @@
 """hugoniot structure: the inside of a steady shock, resolved by viscosity and heat conduction."""
 
 import csv
-import tomllib
 from pathlib import Path
 from typing import Annotated
 
@@ -9,6 +8,7 @@ import typer
 
 from hugoniot.cli.show import JSON, echo_json, echo_table, quantity
 from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.files import toml_tables
 
 app = typer.Typer(no_args_is_help=True, help=(
     "Thickness, profile and entropy of a shock resolved by viscosity and heat conduction, without time steps.\n\n"
@@ -227,8 +227,8 @@ def _law_table(text: str, option: str, unit: str, parameter: str, registry):
     if not text.lstrip().startswith("{"):
         return {"law": "constant", parameter: _number(text, unit, option)}
     try:
-        table = tomllib.loads(f"value = {text}")["value"]
-    except tomllib.TOMLDecodeError as error:
+        table = toml_tables(f"value = {text}")["value"]
+    except ValueError as error:
         raise DeckError.single("command line", None, option, f"not a table: {error}",
                                '{law = "power_law", shear_viscosity = ...}') from None
     from hugoniot.materials.collect import Collector

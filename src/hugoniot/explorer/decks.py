@@ -1,13 +1,12 @@
 """The deck editor's side of the server: errors at their lines, the set-up to draw, and the words a deck may hold."""
 
-import tomllib
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any
 
 import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble, HugoniotError
-from hugoniot.files import read_text
+from hugoniot.files import read_text, toml_tables
 from hugoniot.problem.cost import estimate
 from hugoniot.problem.deck import Deck, read_deck_text
 from hugoniot.problem.editor_schema import json_schema
@@ -35,8 +34,8 @@ def read(text: str, work: Path | None) -> Deck:
 def _refuse_far_files(text: str) -> None:
     """Raise `DeckError` for a deck that names a file by a path: a deck from a page reads nothing but what lies beside it."""
     try:
-        waiting: list[Any] = [tomllib.loads(text)]
-    except (tomllib.TOMLDecodeError, RecursionError, ValueError):
+        waiting: list[Any] = [toml_tables(text)]
+    except ValueError:
         return      # the reader of decks says what is wrong
     while waiting:
         value = waiting.pop()

@@ -2,13 +2,13 @@
 
 import csv
 import io
-import json
 import math
 from pathlib import Path
 from typing import Any
 
 from hugoniot.errors import FileTrouble
 from hugoniot.files import read_text
+from hugoniot.output.listed import check_listed, read_listed
 from hugoniot.page.live import fields
 
 LARGEST = 64_000_000
@@ -18,8 +18,12 @@ COLUMNS = ("time", "data", "model", "sigma", "residual")
 
 def fit(path: Path) -> dict[str, Any]:
     """`fit` as fit.json has it, `targets` with their columns in SI, `deck` that the fit made; `FileTrouble` where they do not agree."""
+    found = read_listed(path / "fit.json")
+    del found["sha256"]
+    for name in ("residuals.csv", "fitted.toml", "posterior.csv"):
+        if (path / name).is_file():
+            check_listed(path / name)
     try:
-        found = json.loads(read_text(path / "fit.json", LARGEST))
         rows = list(csv.reader(io.StringIO(read_text(path / "residuals.csv", LARGEST))))[1:]
         counts = [(str(t["label"]), str(t["name"]), int(t["points"])) for t in found["targets"]]
         deck = read_text(path / "fitted.toml", LARGEST) if (path / "fitted.toml").is_file() else ""

@@ -1,13 +1,13 @@
 """What the explorer was started with: runs, sweeps, fits, decks and materials, each known to the page by a number, never by a path."""
 
 import threading
-import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
 from hugoniot.errors import DeckError, FileTrouble
 from hugoniot.explorer.subjects import admit, entry_of
+from hugoniot.files import read_text, toml_tables
 
 CASES, FIT = "cases.csv", "fit.json"
 
@@ -100,7 +100,7 @@ def places_of(arguments: list[str], work: Path | None = None) -> Places:
 def _only_materials(path: Path) -> bool:
     """Whether a file holds the tables of materials and nothing that makes a deck; a file that cannot be read counts as a deck."""
     try:
-        tables = tomllib.loads(path.read_text(encoding="utf-8"))
+        tables = toml_tables(read_text(path))
     except (OSError, ValueError):
         return False
     return bool({"eos", "material"} & set(tables)) and not {"region", "block", "solver", "geometry", "stop_time"} & set(tables)

@@ -45,7 +45,7 @@ def serve(places: Places, port: int = 0, *, browser: bool = True, view: str = ""
     address = f"http://{HOST}:{number}/{token}/{view}"
     with contextlib.closing(Jobs(places)) as jobs, listener:
         app = application(places, jobs, token, (f"{HOST}:{number}", f"localhost:{number}"))
-        config = uvicorn.Config(app, log_level="error", access_log=False, lifespan="off", server_header=False, date_header=False,
+        config = uvicorn.Config(app, log_level="critical", access_log=False, lifespan="off", server_header=False, date_header=False,
                                 ws="none", timeout_keep_alive=15, timeout_graceful_shutdown=2)
         threading.Thread(target=lambda: (theory(), catalogue.listing()), daemon=True).start()    # ready when the page asks
         announce(address)

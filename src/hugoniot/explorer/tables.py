@@ -10,6 +10,7 @@ from typing import Any
 from hugoniot.campaign.journal import kept_answers
 from hugoniot.errors import FileTrouble
 from hugoniot.files import read_text
+from hugoniot.output.listed import check_listed
 
 LARGEST, MOST_ROWS, MOST_COLUMNS = 32_000_000, 20_000, 200
 RUN_COLUMNS = ("folder", "run", "case", "path", "name")     # columns that may name the run of a case
@@ -52,6 +53,7 @@ def _columns(heads: list[str], rows: list[list[str]]) -> list[dict]:
 
 
 def _read(path: Path) -> tuple[list[str], list[list[str]]]:
+    check_listed(path)
     try:
         text = read_text(path, LARGEST)
         lines = [row for row in csv.reader(io.StringIO(text)) if row and not row[0].lstrip().startswith("#")]

@@ -22,7 +22,7 @@ from typing import Any
 
 from hugoniot.core.registry import Registry
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
-from hugoniot.files import read_text
+from hugoniot.files import read_text, toml_tables
 from hugoniot.materials import cards, schema, table_law
 from hugoniot.materials.build import assembled, doubts
 from hugoniot.materials.collect import Collector
@@ -79,9 +79,11 @@ def read_file(path: Path) -> dict:
     except UnicodeDecodeError:
         raise DeckError.single(path, None, "material", "not a UTF-8 text file", "a material file is a TOML file") from None
     try:
-        return tomllib.loads(text)
+        return toml_tables(text)
     except tomllib.TOMLDecodeError as error:
         raise DeckError.single(path, None, "TOML", str(error), "tables are [name], keys are name = value, strings need quotes") from error
+    except ValueError as error:
+        raise DeckError.single(path, None, "material", f"not a material file: {error}") from None
 
 
 def make_entry(name: str, tables: dict, file: str, line_of=None, base: Material | None = None, **words) -> Entry:

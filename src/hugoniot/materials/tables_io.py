@@ -8,8 +8,6 @@
 Every problem is one DeckError with the file, the line or place, and the remedy.
 """
 
-import csv
-import io
 import math
 import pathlib
 from typing import NamedTuple
@@ -17,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble, OutOfRange
-from hugoniot.files import read_text
+from hugoniot.files import csv_rows, read_text
 from hugoniot.laws.eos.table import Table, build, unstable_corners
 from hugoniot.materials import sesame
 from hugoniot.materials.table_repair import risen
@@ -95,7 +93,7 @@ def _csv(text: str, name: str, window: Window) -> tuple[Table, tuple[str, ...]]:
     lines = [(n, line) for n, line in enumerate(text.splitlines(), 1) if line.strip() and not line.lstrip().startswith("#")]
     if not lines:
         raise DeckError.single(name, None, "table", "the file has no rows", f"first line: {','.join(COLUMNS)}")
-    header = [h.strip().lower() for h in next(csv.reader([lines[0][1]]))]
+    header = [h.strip().lower() for h in csv_rows(lines[0][1], name, lines[0][0])[0][1]]
     wrong = [c for c in COLUMNS if header.count(c) != 1]
     if wrong:
         raise DeckError.single(name, lines[0][0], "header", f"needs exactly one column '{wrong[0]}', found {', '.join(header)}",
@@ -114,7 +112,7 @@ def _csv(text: str, name: str, window: Window) -> tuple[Table, tuple[str, ...]]:
 
 def _row(line: str, place: list[int], count: int, name: str, line_number: int) -> list[float]:
     """The four numbers of a row."""
-    cells = [cell.strip() for cell in next(csv.reader(io.StringIO(line)))]
+    cells = [cell.strip() for cell in csv_rows(line, name, line_number)[0][1]]
     if len(cells) != count:
         raise DeckError.single(name, line_number, "row", f"{len(cells)} values, but the header names {count} columns",
                                "give one value per column, with a point as decimal sign")

@@ -11,7 +11,7 @@ from pathlib import Path
 from hugoniot.errors import DeckError, DeckProblem, FileTrouble
 from hugoniot.files import read_text
 from hugoniot.materials import library
-from hugoniot.materials.collect import Collector, LineOf
+from hugoniot.materials.collect import MOST, Collector, LineOf
 from hugoniot.materials.entry import Entry, make_entry, read_file
 from hugoniot.materials.material import Material
 from hugoniot.materials.read import base_of, with_named_laws
@@ -33,12 +33,14 @@ def read_materials(path: str | Path) -> dict[str, Entry]:
                                "write [material.NAME.eos], or [eos] for one material")
     if not isinstance(named, dict) or not named or not all(isinstance(t, dict) for t in named.values()):
         raise DeckError.single(path, None, "material", "materials are tables", "write [material.NAME.eos]")
-    text, problems, found = read_text(path), [], {}
+    problems, found, line_of = [], {}, _line_finder(read_text(path), "material" in tables)
     for name, table in named.items():
         try:
-            found[name] = _entry(name, table, str(path), _line_finder(text, "material" in tables))
+            found[name] = _entry(name, table, str(path), line_of)
         except DeckError as error:
             problems += error.problems
+        if len(problems) > MOST:        # the work on a hopeless file is bounded
+            raise DeckError(problems[:MOST], len(problems) - MOST)
     if problems:
         raise DeckError(problems)
     return found

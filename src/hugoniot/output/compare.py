@@ -4,7 +4,6 @@ Data come as a table of comma-separated columns whose first line names each with
 `time [us], velocity [m/s]`, or `time [us], mid-target stress [GPa]` where the run has several gauges.
 """
 
-import csv
 import math
 import pathlib
 from dataclasses import dataclass
@@ -17,7 +16,7 @@ from hugoniot.diagnostics.gauges2d import OF_LINES
 from hugoniot.diagnostics.interface_gauges import CONTINUOUS, sides
 from hugoniot.diagnostics.norms import Difference, difference
 from hugoniot.errors import DeckError, DeckProblem
-from hugoniot.files import read_regular
+from hugoniot.files import csv_rows, read_regular
 from hugoniot.output.atomic import legible
 from hugoniot.output.run import Run, load
 from hugoniot.output.spall_reading import hit_regions
@@ -102,7 +101,7 @@ def read_table(path) -> list[Record]:
     path = pathlib.Path(path)
     with legible(path, "no data can be read"):
         text = read_regular(path).decode("utf-8-sig", errors="replace")
-    lines = [(n, row) for n, row in enumerate(csv.reader(text.splitlines()), 1) if row and not row[0].lstrip().startswith("#")]
+    lines = csv_rows(text, path)
     if not lines or len(lines[0][1]) < 2:
         raise _table_error(path, 1, "table", "needs a line of column headers, a time column and at least one more", _HEADS)
     if len(lines) < 2:

@@ -24,6 +24,9 @@ from hugoniot.output.hdf5 import h5py
 from hugoniot.output.result_columns import Columns, extent, shape_of
 from hugoniot.output.seal import MARK, intact, read_sealed
 
+EVERY = {"title": str, "status": str, "solver": str, "version": str, "time": (int, float), "cycles": int, "wall_seconds": (int, float)}
+GROUPS = ("snapshots", "gauges", "budget", "peaks", "events")
+
 
 def load(folder, partial: bool = False) -> "Run":
     """The run in `folder`. Raises `FileTrouble` if there is none, or it is unfinished or damaged.
@@ -57,7 +60,7 @@ class Run:
         with legible(path):
             data = read_regular(path)
         try:
-            return read_sealed(path, data, ("sha256", "run_log_bytes"))
+            return _of_a_run(path, read_sealed(path, data, ("sha256", "run_log_bytes")))
         except FileTrouble as error:
             if self.partial:
                 return _whatever(data)
@@ -86,8 +89,11 @@ class Run:
         try:
             with self._open() as file:
                 group = file["setup"]
-                return json.loads(group["document"].asstr()[()]), group["deck"].asstr()[()]
-        except (RuntimeError, KeyError, ValueError) as error:
+                document, deck = json.loads(group["document"].asstr()[()]), group["deck"].asstr()[()]
+                if not isinstance(document, dict):
+                    raise ValueError("its document is no table")
+                return document, deck
+        except (RuntimeError, KeyError, ValueError, TypeError, AttributeError, RecursionError) as error:
             raise FileTrouble(f"{self.folder / 'result.h5'}: setup: damaged, cannot be read ({error})") from error
 
     @property
@@ -103,7 +109,8 @@ class Run:
     def _check(self, name: str) -> None:
         """Raise `FileTrouble` unless a file has the SHA-256 the summary remembers; once for a file that stays as it is."""
         path = self.folder / name
-        wanted = self.summary.get("sha256", {}).get(name)
+        sums = self.summary.get("sha256", {})
+        wanted = sums.get(name) if isinstance(sums, dict) else ""
         if self.partial or wanted is None:      # an early run has none
             return
         with legible(path):
@@ -135,6 +142,8 @@ class Run:
         if group not in self._tables:
             with self._open() as file:
                 if group not in (known := [name for name in file if name != "setup"]):
+                    if group in GROUPS:
+                        raise FileTrouble(f"{self.folder / 'result.h5'}: not the result of a run (it has no group '{group}')")
                     raise KeyError(f"no group '{group}' in a run; it has: {', '.join(known)}")
                 self._tables[group] = Columns.described(self._open, f"{self.folder / 'result.h5'}: {group}", file[group])
         return self._tables[group]
@@ -220,6 +229,14 @@ def read_post_mortem(folder) -> dict:
     if intact(words) is False or (wanted is None and MARK in words) or (wanted and wanted[1] != found.sha256):
         raise FileTrouble(f"{path}: changed since it was written (its SHA-256 does not agree with post_mortem.txt)")
     return decode(path)
+
+
+def _of_a_run(path, summary: dict) -> dict:
+    """The summary, or `FileTrouble` where it lacks what that of every run has: it was made by another program."""
+    for key, kind in EVERY.items():
+        if not isinstance(summary.get(key), kind):
+            raise FileTrouble(f"{path}: not the summary of a run ('{key}' is {'missing' if key not in summary else 'of the wrong kind'})")
+    return summary
 
 
 def _whatever(data: bytes) -> dict:

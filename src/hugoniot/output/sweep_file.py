@@ -155,7 +155,9 @@ def open_sweep(path):
     import xarray
 
     from hugoniot.output.atomic import legible
+    from hugoniot.output.listed import check_listed
 
+    check_listed(path)      # before HDF5 opens it
     with legible(path), xarray.open_dataset(path, engine="h5netcdf", phony_dims="sort") as found:
         loaded = found.load()
     names = [dataset_name(name) for name in str(loaded.attrs.get("parameters", "")).split("\n") if name]

@@ -10,6 +10,7 @@ from hugoniot.files import read_regular
 from hugoniot.output.atomic import digest, legible
 from hugoniot.output.checkpoint import START, Checkpoints
 from hugoniot.output.claim import same_deck
+from hugoniot.output.listed import LISTS
 from hugoniot.output.run import read_post_mortem
 from hugoniot.output.salvage import readable
 from hugoniot.output.seal import intact, read_sealed
@@ -32,7 +33,7 @@ class Finding(NamedTuple):
 
 
 def verify(folder, survey: bool = True) -> list[Finding]:
-    """A finding for every file of a finished, failed or unfinished run. Raises `FileTrouble` if there is no run folder.
+    """A finding for every file of a finished, failed or unfinished run, a sweep or a fit. Raises `FileTrouble` if there is none of these.
 
     survey   look which columns of a changed result can still be read, in a process of its own
     """
@@ -40,32 +41,40 @@ def verify(folder, survey: bool = True) -> list[Finding]:
     if not folder.is_dir():
         raise FileTrouble(f"{folder}: there is no such run folder")
     if (folder / "summary.json").exists() or (folder / "result.h5").exists():
-        return _finished(folder, survey)
+        return _finished(folder, "summary.json", survey)
+    for name in LISTS:
+        if (folder / name).exists():
+            return _finished(folder, name, survey)
     found = _unfinished(folder) + _failed(folder)
     if not found:
         raise FileTrouble(f"{folder}: this is not a run folder (no result.h5)")
     return found
 
 
-def _finished(folder: pathlib.Path, survey: bool) -> list[Finding]:
-    path = folder / "summary.json"
+def _finished(folder: pathlib.Path, summing: str, survey: bool) -> list[Finding]:
+    """Findings of the files whose checksums the file `summing` of the folder keeps."""
+    path = folder / summing
     try:
         with legible(path):
             data = read_regular(path)
         summary = read_sealed(path, data, ("sha256", "run_log_bytes"))
     except FileTrouble as error:
-        return [Finding("summary.json", CHANGED if path.exists() else MISSING, _why(error, path))]
+        return [Finding(summing, CHANGED if path.exists() else MISSING, _why(error, path))]
     if "sha256" not in summary:
-        return [Finding("summary.json", UNKNOWN, "a run of an early version; its files have no checksums")]
-    found = [Finding("summary.json", SOUND)]
-    for name, wanted in summary["sha256"].items():
-        found.append(_file(folder / name, wanted, summary.get("run_log_bytes") if name == "run.log" else None, survey))
+        what = "a run of an early version" if summing == "summary.json" else "unfinished, or of an early version"
+        return [Finding(summing, UNKNOWN, f"{what}; its files have no checksums")]
+    sums, length = summary["sha256"], summary.get("run_log_bytes", 0)
+    if not isinstance(sums, dict) or not isinstance(length, int) or any(name != pathlib.Path(name).name for name in sums):
+        return [Finding(summing, CHANGED, "its checksums are not those of the files of a folder")]
+    found = [Finding(summing, SOUND)]
+    for name, wanted in sums.items():
+        found.append(_file(folder / name, summing, wanted, length if name == "run.log" else None, survey))
     if (folder / "report.html").exists():
         found.append(_page(folder / "report.html"))
     return found
 
 
-def _file(path: pathlib.Path, wanted: str, length: int | None, survey: bool) -> Finding:
+def _file(path: pathlib.Path, summing: str, wanted: str, length: int | None, survey: bool) -> Finding:
     try:
         if length is None:
             now = digest(path).sha256
@@ -75,7 +84,7 @@ def _file(path: pathlib.Path, wanted: str, length: int | None, survey: bool) -> 
         return Finding(path.name, MISSING, error.strerror or str(error))
     if now == wanted:
         return Finding(path.name, SOUND)
-    detail = "its SHA-256 does not agree with summary.json"
+    detail = f"its SHA-256 does not agree with {summing}"
     if path.name == "result.h5" and survey:
         detail += "; " + _what_is_left(path)
     return Finding(path.name, CHANGED, detail)

@@ -100,7 +100,9 @@ class Expression:
         """The number it gives where `lookup` gives the number of a key. Raises `Trouble`."""
         try:
             found = self._work_out(self.tree, lookup)
-        except (ZeroDivisionError, OverflowError, ArithmeticError):
+        except Trouble:
+            raise
+        except (ArithmeticError, ValueError):       # ValueError: outside the domain of a function of `math`
             raise Trouble(f"'{printable(self.text, 60)}' has no finite value") from None
         except RecursionError:
             raise Trouble(f"'{printable(self.text, 60)}' is nested too deeply") from None

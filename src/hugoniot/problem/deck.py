@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble
-from hugoniot.files import open_regular
+from hugoniot.files import DEEPEST, LONG_KEY, open_regular
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.materials.read import read_material
 from hugoniot.materials.users import for_deck
@@ -20,8 +20,6 @@ from hugoniot.problem.lines import line_finder
 from hugoniot.problem.solver_kinds import available_solvers, solver_module
 from hugoniot.problem.write import to_toml
 
-DEEPEST = 100         # tables and arrays within each other, and parts of a key
-_LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[A-Za-z0-9_-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+)""" f"{{{DEEPEST}}}")
 LARGEST = 20_000_000  # characters: a deck with long tables, not a file given by mistake
 
 
@@ -53,7 +51,7 @@ def read_deck(path: str | Path, overrides: dict[str, Any] | None = None, materia
     except FileTrouble:
         raise
     except OSError as error:
-        near = sorted(p.name for p in path.parent.glob("*.toml"))[:5] if path.parent.is_dir() else []
+        near = sorted(printable(p.name) for p in path.parent.glob("*.toml"))[:5] if path.parent.is_dir() else []
         hint = f"; decks here: {', '.join(near)}" if near else "; hugoniot init writes one"
         raise FileTrouble(f"cannot read {path}: {error.strerror or error}{hint}") from None
     try:
@@ -92,7 +90,7 @@ def read_tables(raw: dict, text: str, name: str, overrides: dict[str, Any] | Non
         problems = sorted(collector.problems, key=lambda p: (p.line or 0))
         raise DeckError(problems)
     if not problem.title:
-        problem = replace(problem, title=Path(name).stem)
+        problem = replace(problem, title=printable(Path(name).stem, 200))
     marked = [f"material '{n}': {w}" for n, m in getattr(problem, "materials", {}).items() for w in getattr(m, "warnings", ())]
     return Deck(problem, write_deck(problem, kind), (*warnings, *collector.warnings, *marked), text, name)
 
@@ -107,7 +105,7 @@ def parse_deck(text: str, name: str) -> dict:
     """The tables of a deck's text, not looked at yet. Raises `DeckError` where it is not TOML."""
     if len(text) > LARGEST:
         raise DeckError.single(name, None, "deck", f"more than {LARGEST} characters are too many for a deck", "was another file meant?")
-    long = _LONG_KEY.search(text)
+    long = LONG_KEY.search(text)
     if long is not None:
         line = text.count("\n", 0, long.start()) + 1
         raise DeckError.single(name, line, "deck", f"a key of more than {DEEPEST} parts", "was another file meant?")

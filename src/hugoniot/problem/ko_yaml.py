@@ -16,8 +16,10 @@ from hugoniot.materials.collect import printable
 from hugoniot.problem.ko_decks import GEOMETRIES, KoDeck, Layer, fracture_table
 from hugoniot.units import UnitError, parse
 
-LARGEST = 1_000_000      # characters
-MOST_VALUES = 100_000
+LARGEST = 200_000        # characters
+MOST_VALUES = 5_000      # of the text itself, and once its aliases are expanded; a deck has some hundred
+LONGEST = 1_000          # characters of a value
+DEEPEST = 20             # tables and arrays within each other
 _KINDS = {"time": "s", "length": "m", "velocity": "m/s", "density": "kg/m^3", "pressure": "Pa", "temperature": "K", "sp_energy": "J/kg",
           "sp_heat_cap": "J/kg/K", "gravity": "m/s^2"}
 _LONG = re.compile(r"\b(giga|mega|kilo|centi|milli|micro|nano|)(pascal|bar|meter|metre|second|gram|joule|kelvin)s?\b")
@@ -33,6 +35,7 @@ def read_yaml(text: str, file: str, folders: Sequence[Path] = (Path(),)) -> KoDe
     if len(text) > LARGEST:
         raise DeckError.single(file, None, "deck", f"more than {LARGEST} characters are too many for a deck")
     try:
+        _check_size(text, file)
         raw = yaml.safe_load(text)
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
@@ -43,6 +46,19 @@ def read_yaml(text: str, file: str, folders: Sequence[Path] = (Path(),)) -> KoDe
     if _values(raw) > MOST_VALUES:
         raise DeckError.single(file, None, "deck", f"more than {MOST_VALUES} values once its aliases are expanded: too many for a deck")
     return _Reader(raw, file, folders).deck()
+
+
+def _check_size(text: str, file: str) -> None:
+    """Refuse a text that would keep the reader busy: a number such as 1:59:59 takes it a time that grows with the square of its length."""
+    count = depth = 0
+    for event in yaml.parse(text, Loader=yaml.SafeLoader):
+        count += isinstance(event, yaml.NodeEvent)
+        depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
+        wrong = (f"more than {MOST_VALUES} values are too many" if count > MOST_VALUES else
+                 "tables and arrays nested too deeply" if depth > DEEPEST else
+                 f"a value of more than {LONGEST} characters" if len(getattr(event, "value", "")) > LONGEST else "")
+        if wrong:
+            raise DeckError.single(file, event.start_mark.line + 1, "deck", f"not a deck: {wrong}")
 
 
 def _values(raw: Any) -> int:

@@ -9,15 +9,14 @@ or `positions` with an array for each field, or `file = "start.csv"` beside the 
 two of density, pressure, temperature and energy) in the middle of every zone.
 """
 
-import csv
 import math
 from typing import Annotated, Any
 
 import numpy as np
 from pydantic import Field, WithJsonSchema
 
-from hugoniot.errors import DeckError, FileTrouble
-from hugoniot.files import read_regular
+from hugoniot.errors import DeckError
+from hugoniot.files import csv_rows, read_regular
 from hugoniot.materials.collect import Collector, nearest, printable
 from hugoniot.problem.arithmetic import EXAMPLE, FUNCTIONS, Expression, Number, Trouble
 from hugoniot.problem.model import Profile
@@ -150,10 +149,13 @@ def _of_file(name: str, collector: Collector, path: tuple) -> Profile | None:
     """The columns of a file beside the deck."""
     try:
         text = read_regular(collector.folder / name).decode("utf-8-sig", errors="replace")
-    except (OSError, FileTrouble, DeckError) as error:
-        collector.add(path, f"cannot read '{printable(name)}': {printable(str(error), 120)}")
+        rows = [row for _, row in csv_rows(text, name) if any(map(str.strip, row))]
+    except DeckError as error:
+        collector.add(path, f"'{printable(name)}', line {error.problems[0].line}: {error.problems[0].message}", error.problems[0].hint)
         return None
-    rows = [row for row in csv.reader(text.splitlines()) if any(map(str.strip, row)) and not row[0].lstrip().startswith("#")]
+    except OSError as error:
+        collector.add(path, f"cannot read '{printable(name)}': {printable(error.strerror or error, 120)}")
+        return None
     if len(rows) < 3:
         collector.add(path, "needs a line of headings and two lines of values", "such as: position [mm], velocity [m/s]")
         return None

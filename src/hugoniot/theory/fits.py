@@ -11,7 +11,6 @@ exponents alone are fitted to the expansion curve, in $\ln p$. Source: Lee, Horn
 **Gamma that meets the jump** (Jordan eq. 7.1.31, lost in the scan and recovered): see `adjusted_gamma`.
 """
 
-import csv
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from hugoniot.errors import DeckError, FileTrouble, NoSolution, OutOfRange
-from hugoniot.files import read_text
+from hugoniot.files import csv_rows, read_text
 from hugoniot.laws.eos.jwl import JWL
 from hugoniot.laws.eos.jwl_isentrope import JWLIsentrope, exponential, power
 from hugoniot.units import UnitError, parse
@@ -118,11 +117,11 @@ def read_columns(path, columns: dict, what: str) -> tuple[np.ndarray, ...]:
     numbered = [(n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith("#")]
     if not numbered:
         raise DeckError.single(path, None, "points", "the file is empty", f"the first line names the columns, such as {example}")
-    head_line, head = numbered[0][0], next(csv.reader([numbered[0][1]]))
+    head_line, head = numbered[0][0], csv_rows(numbered[0][1], path, numbered[0][0])[0][1]
     where = {name: _column(path, head_line, head, name, *columns[name]) for name in columns}
     rows = []
     for n, line in numbered[1:]:
-        cells = next(csv.reader([line]))
+        cells = csv_rows(line, path, n)[0][1]
         rows.append([_number(path, n, name, cells, *where[name]) for name in columns])
     if not rows:
         raise DeckError.single(path, head_line, "points", "there are no points below the header", f"give {what}, one point per line")

@@ -3,18 +3,23 @@
 import json
 import math
 import pathlib
+import random
 
 import numpy as np
 import pytest
+from faults import flip
 from fit_problems import FREE, TIMES, bump, line, problem, record, written
 
 import hugoniot
+from hugoniot.campaign.fit_files import claimed
 from hugoniot.campaign.fit_results import weighed
 from hugoniot.campaign.memory_run import MemoryRun
 from hugoniot.campaign.questions import Deck
 from hugoniot.campaign.run_fit import FitWishes, run_fit
 from hugoniot.campaign.targets import noise_of
 from hugoniot.errors import DeckError, FileTrouble, NoSolution
+from hugoniot.explorer import fits
+from hugoniot.output.verify import verify
 
 
 def test_a_straight_line_has_the_intervals_of_the_textbook():
@@ -147,6 +152,34 @@ def test_a_record_gives_its_constants_back(deck, tmp_path, inline):
     document = json.loads((folder / "fit.json").read_text())
     assert document["matches"] is True and len(document["parameters"]) == 3
     assert (folder / "residuals.csv").read_text().count("\n") == 201 and "<svg" in (folder / "report.html").read_text()
+    check_flips(folder)
+    (folder / "fitted.toml").write_text((folder / "fitted.toml").read_text() + "# my own remarks\n")
+    with pytest.raises(FileTrouble, match="fitted.toml: changed since the fit; the changes would be lost"):
+        claimed(folder)
+
+
+def check_flips(folder):
+    """Each is found, and a page does not show what it changed."""
+    names, chance = ["fit.json", "fitted.toml", "report.html", "residuals.csv"], random.Random(3)
+    assert sorted(path.name for path in folder.iterdir()) == names and not any(f.bad for f in verify(folder))
+    assert fits.fit(folder)["fit"]["matches"] is True
+    for k in range(80):
+        path = folder / names[k % len(names)]
+        data = path.read_bytes()
+        flip(path, chance)
+        assert [f.file for f in verify(folder) if f.bad] == [path.name], k
+        if path.suffix != ".html":
+            with pytest.raises(FileTrouble, match="changed since it was written"):
+                fits.fit(folder)
+        path.write_bytes(data)
+
+
+@pytest.mark.parametrize("name", ["fitted.toml", "fit.json", "posterior.csv", "residuals.csv", "report.html", ".fit.json.part", "thesis.tex"])
+def test_a_file_that_no_fit_wrote_is_not_replaced(tmp_path, name):
+    (tmp_path / name).write_text('{"mine": 1}')
+    with pytest.raises(FileTrouble, match="not the folder of a fit|not written by a fit"):
+        claimed(tmp_path)
+    assert (tmp_path / name).read_text() == '{"mine": 1}'
 
 
 def test_a_record_of_something_else_is_not_fitted_silently(deck, tmp_path, inline):

@@ -4,17 +4,21 @@ import csv
 import json
 import os
 import pathlib
+import random
 import shutil
 
 import numpy as np
 import pytest
+from faults import flip
 
 import hugoniot
 from hugoniot.campaign.ask import Wishes, run_sweep
 from hugoniot.campaign.numbers import numbers_of, unit_of
 from hugoniot.campaign.sweep import CASES, JOURNAL, TABLE
 from hugoniot.errors import DeckError, FileTrouble
+from hugoniot.explorer import tables
 from hugoniot.output.sweep_file import open_sweep
+from hugoniot.output.verify import verify
 from hugoniot.problem import catalogue
 
 EXAMPLES = pathlib.Path(__file__).parents[3] / "examples"
@@ -109,7 +113,39 @@ def test_a_torn_journal_loses_its_last_line_only(deck, tmp_path, inline):
     journal.write_bytes(data.replace(b'"spall.pull_back": ', b'"spall.pull_back": 1', 1))      # somebody's hand: the checksum notices
     inline.worked_out = 0
     swept(deck, tmp_path / "s", inline, vary=[SPEEDS])
-    assert inline.worked_out == 3 and bytes_of(tmp_path / "s") == before
+    assert inline.worked_out == 1 and bytes_of(tmp_path / "s") == before
+    for torn in (b"", b'{"format": "hug'):      # killed as it began
+        journal.write_bytes(torn)
+        swept(deck, tmp_path / "s", inline, vary=[SPEEDS])
+        assert bytes_of(tmp_path / "s") == before
+
+
+@pytest.mark.parametrize("name", ["cases.csv", "sweep.h5", "sweep.json", "report.html", "constants.csv", "cases.jsonl", ".cases.csv.part", "runs"])
+def test_a_file_that_no_sweep_wrote_is_not_replaced(deck, tmp_path, inline, name):
+    (tmp_path / "s").mkdir()
+    (tmp_path / "s" / name).write_text("precious")
+    with pytest.raises(FileTrouble, match="not the folder of a sweep"):
+        swept(deck, tmp_path / "s", inline, vary=[SPEEDS])
+    assert {path.name: path.read_text() for path in (tmp_path / "s").iterdir()} == {name: "precious"}
+
+
+def test_each_flip_in_a_finished_sweep_is_found(deck, tmp_path, inline):
+    """Before HDF5 or a page reads the damaged file."""
+    swept(deck, tmp_path / "s", inline, vary=[SPEEDS], design="lhs", samples=3, report=True)
+    names = sorted(path.name for path in (tmp_path / "s").iterdir())
+    assert names == ["cases.csv", "cases.jsonl", "report.html", "spread.csv", "sweep.h5", "sweep.json"]
+    assert [f.file for f in verify(tmp_path / "s") if f.state == "sound"] and not any(f.bad for f in verify(tmp_path / "s"))
+    chance, readers = random.Random(5), {TABLE: open_sweep, "cases.csv": tables.table}
+    for k in range(120):
+        path = tmp_path / "s" / names[k % len(names)]
+        data = path.read_bytes()
+        flip(path, chance)
+        assert [f.file for f in verify(tmp_path / "s") if f.bad] == [path.name], k
+        for name, read in readers.items():
+            if path.name in (name, "sweep.json"):
+                with pytest.raises(FileTrouble, match="changed since it was written"):
+                    read(tmp_path / "s" / name)
+        path.write_bytes(data)
 
 
 def test_a_failing_case_is_a_row_with_its_reason(deck, tmp_path, inline):
@@ -239,7 +275,7 @@ def test_a_folder_that_is_no_sweep_stays_as_it_is(deck, tmp_path, inline):
     other = tmp_path / "other"
     other.mkdir()
     (other / JOURNAL).write_text("my cases\n")
-    with pytest.raises(FileTrouble, match="not the cases of a sweep"):
+    with pytest.raises(FileTrouble, match="cases.jsonl and is not the folder of a sweep"):
         swept(deck, other, inline, vary=[SPEEDS])
     assert (other / JOURNAL).read_text() == "my cases\n"
     file = tmp_path / "file"

@@ -9,6 +9,7 @@ import xml.etree.ElementTree as ET
 
 import pytest
 from browsing import findings, until
+from pace import PATIENCE
 
 pytestmark = pytest.mark.slow
 VIEWS = ["#/materials?sel=copper,aluminum&plane=us-up&at=particle_velocity:1500", "#/materials?sel=copper,aluminum&plane=p-up&releases=1&sources=1",
@@ -56,7 +57,7 @@ def test_every_view_is_drawn_readable_and_quiet(window, number, tmp_path):
         window.page.set_viewport_size({"width": width, "height": 900})
         window.page.emulate_media(color_scheme=scheme)
         page = window.go(view) if (width, scheme) == (1280, "light") else window.page
-        end = time.monotonic() + 20.0
+        end = time.monotonic() + PATIENCE
         while (wrong := page.evaluate(ACCESSIBLE)) and time.monotonic() < end:      # pictures follow the window
             page.wait_for_timeout(50)
         assert wrong == [], (view, width, scheme)

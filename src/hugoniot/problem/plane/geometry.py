@@ -1,10 +1,11 @@
 """From a block's table to its shape and velocity field, and back."""
 
-import csv
 import math
 from pathlib import Path
 from typing import Any
 
+from hugoniot.errors import DeckError
+from hugoniot.files import csv_rows, read_text
 from hugoniot.materials.collect import Collector, printable
 from hugoniot.mesh.shapes import SIDES, Box, Curve, Edges, Sector, Shape
 from hugoniot.problem.plane.model import VelocityField
@@ -96,12 +97,14 @@ def _read_csv(name: str, unit: str, collector: Collector, path: tuple) -> tuple 
     file = Path(name) if Path(name).is_absolute() else collector.folder / name
     try:
         factor = convert(1.0, unit, "m")
-        with file.open(encoding="utf-8-sig", newline="") as lines:
-            rows = [(k, row) for k, row in enumerate(csv.reader(lines), 1) if any(cell.strip() for cell in row) and not _comment(row)]
+        rows = [(k, row) for k, row in csv_rows(read_text(file), name) if any(cell.strip() for cell in row)]
     except UnitError as error:
         collector.add((*path[:-1], "unit"), error.message, error.hint)
         return None
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
+    except DeckError as error:
+        collector.add(path, f"{printable(name)}:{error.problems[0].line}: {error.problems[0].message}", error.problems[0].hint)
+        return None
+    except (OSError, UnicodeDecodeError) as error:
         collector.add(path, f"cannot read '{printable(name)}': {printable(str(getattr(error, 'strerror', None) or error), 100)}")
         return None
     points = []
@@ -120,10 +123,6 @@ def _read_csv(name: str, unit: str, collector: Collector, path: tuple) -> tuple 
         collector.add(path, f"'{printable(name)}' holds {len(points)} points", f"a curve has 2 to {MOST_POINTS}")
         return None
     return tuple(points)
-
-
-def _comment(row: list[str]) -> bool:
-    return row[0].lstrip().startswith("#")
 
 
 def read_velocity(row: BlockTable, axes: tuple[str, str], collector: Collector, path: tuple) -> VelocityField | None:
