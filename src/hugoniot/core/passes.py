@@ -12,6 +12,7 @@ nothing beside the loop.
 """
 
 import functools
+from collections import namedtuple
 from typing import get_type_hints
 
 import numba as nb
@@ -30,7 +31,7 @@ from hugoniot.core.target import BY_ADDRESS, EXACT_PASS, NAN_PASS, PASS
 
 # whoever writes passes takes the words for rows and for passes from here
 __all__ = ["ROW", "Entry", "Pass", "bind_flag", "call_entry", "kind_of", "law_of", "named", "numbers_of",
-           "row_at", "rows", "rows_apart", "with_groups", "zone_pass"]
+           "row_at", "rows", "rows_apart", "zone_pass"]
 
 
 # -- laws as numbers -----------------------------------------------------------------------------------------------
@@ -124,12 +125,6 @@ def rows_type(cls):
     return types.NamedTuple([rows_type(hints[name]) if hasattr(hints.get(name), "_fields") else ROW for name in cls._fields], cls)
 
 
-def with_groups(cls, **groups):
-    """The NamedTuple class of rows `cls`, some of whose fields are `groups`: rows of other such classes."""
-    cls.__annotations__ = groups
-    return cls
-
-
 class Pass:
     """A loop over rows of zones, compiled for each law (or geometry) it meets.
 
@@ -162,14 +157,23 @@ class Pass:
         return (types.int64, rows_type(self.rows), types.float64, ROW, types.TypeRef(law))
 
 
-def zone_pass(rows, exact: bool = False, finite: bool = True):
-    """Decorator: make a `Pass` over rows of the NamedTuple class `rows`.
+def zone_pass(rows, exact: bool = False, finite: bool = True, **groups):
+    """Decorator: make a `Pass` over `rows`: their names in one string, or a NamedTuple class of them.
 
     exact    without fast-math
     finite   whether fast-math may take every number for a finite one: not where one that is not is looked for
+    groups   NamedTuple classes of those names that stand for rows of their own
     """
     options = EXACT_PASS if exact else PASS if finite else NAN_PASS
-    return lambda function: functools.update_wrapper(Pass(function, rows, options), function)
+
+    def made(function):
+        cls = rows if isinstance(rows, type) else namedtuple(f"{function.__name__}_rows", rows, module=function.__module__)
+        if cls is not rows:
+            cls.__qualname__ = f"{function.__name__}.rows"      # where whoever reads compiled code from the disk finds it
+            cls.__annotations__ = groups
+        return functools.update_wrapper(Pass(function, cls, options), function)
+
+    return made
 
 
 def _yes(par):

@@ -15,8 +15,6 @@ that fails leaves its status. Passes are compiled for a mixture, whatever the ra
 Source: Starkenberg ARL-TR-2161 sections 3 to 5; `docs/theory/mixtures.md`.
 """
 
-from typing import Any, NamedTuple
-
 import numba as nb
 
 from hugoniot.core.binder import bind
@@ -36,58 +34,6 @@ from hugoniot.laws.mixture.contract import (
 )
 
 UNBURNED, PARTLY, BURNED = 0.0, -1.0, 1.0
-
-
-class SolveRows(NamedTuple):
-    """rho, e, lam (burn fraction), heat (J/kg), the phases before (p, rho_r, e_r, rho_p, e_p) -> the phases now (new_...) and status.
-
-    Of what has burned nothing or whole also c2 and p_e (`SlopeRows`): they share the exponentials of its pressure.
-    """
-
-    rho: Any
-    e: Any
-    lam: Any
-    heat: Any
-    p: Any
-    rho_r: Any
-    e_r: Any
-    rho_p: Any
-    e_p: Any
-    new_p: Any
-    new_rho_r: Any
-    new_e_r: Any
-    new_rho_p: Any
-    new_e_p: Any
-    status: Any
-    c2: Any
-    p_e: Any
-
-
-class SlopeRows(NamedTuple):
-    """rho, e, lam and solved phases -> c2 (m2/s2), p_e (dp/de at constant density, kg/m3)."""
-
-    rho: Any
-    e: Any
-    lam: Any
-    p: Any
-    rho_r: Any
-    e_r: Any
-    rho_p: Any
-    e_p: Any
-    c2: Any
-    p_e: Any
-
-
-class MixtureTemperatureRows(NamedTuple):
-    """lam and phases -> temperature (K)."""
-
-    lam: Any
-    p: Any
-    rho_r: Any
-    e_r: Any
-    rho_p: Any
-    e_p: Any
-    temperature: Any
 
 
 def isolates(mixture) -> bool:
@@ -156,8 +102,12 @@ def solve_pure(z, start, stop, known, mixture):
         keep_slopes(z, j, mixed, known, mixture)
 
 
-@zone_pass(SolveRows)
+@zone_pass("rho e lam heat p rho_r e_r rho_p e_p new_p new_rho_r new_e_r new_rho_p new_e_p status c2 p_e")
 def solve_pass(count, z, dt, numbers, law):
+    """rho, e, lam (burn fraction), heat (J/kg), the phases before (p, rho_r, e_r, rho_p, e_p) -> the phases now (new_...) and status.
+
+    Of what has burned nothing or whole also c2 and p_e (`slopes_pass`): they share the exponentials of its pressure.
+    """
     rows_apart()
     mixture, start = law_of(law, numbers), 0
     while start < count:
@@ -187,8 +137,9 @@ def slopes_of_mixed(z, start, stop, mixture):
         keep_slopes(z, j, mixed_now(z, j), z.lam[j], mixture)
 
 
-@zone_pass(SlopeRows)
+@zone_pass("rho e lam p rho_r e_r rho_p e_p c2 p_e")
 def slopes_pass(count, z, dt, numbers, law):
+    """rho, e, lam and solved phases -> c2 (m2/s2), p_e (dp/de at constant density, kg/m3)."""
     rows_apart()
     mixture, start = law_of(law, numbers), 0
     while start < count:
@@ -202,7 +153,7 @@ def slopes_pass(count, z, dt, numbers, law):
         start = stop
 
 
-@zone_pass(SlopeRows)
+@zone_pass(slopes_pass.rows)
 def mixed_slopes_pass(count, z, dt, numbers, law):
     """The slopes of what has burned a part; `solve_pass` has found those of the rest."""
     rows_apart()
@@ -214,8 +165,9 @@ def mixed_slopes_pass(count, z, dt, numbers, law):
         start = stop
 
 
-@zone_pass(MixtureTemperatureRows)
+@zone_pass("lam p rho_r e_r rho_p e_p temperature")
 def mixture_temperature_pass(count, z, dt, numbers, law):
+    """lam and phases -> temperature (K)."""
     rows_apart()
     mixture = law_of(law, numbers)
     for j in range(count):

@@ -7,7 +7,6 @@ sqrt(3/2 s:s) of the trial state.
 Source: Wilkins B.2 items 5 and 6; Herrmann A.18.
 """
 
-from collections import namedtuple
 from typing import Any, NamedTuple
 
 from hugoniot.core.binder import bind, bind_choice
@@ -49,10 +48,6 @@ class Solid(NamedTuple):
     c2: Any
     lam: Any
     plastic_strain: Any
-
-
-HardenRows = namedtuple("HardenRows", "limit flow v plastic_work plastic_strain")
-PlasticHeatRows = namedtuple("PlasticHeatRows", "limit flow v heat")
 
 
 def hardens(strength) -> bool:
@@ -106,7 +101,7 @@ def unburned(lam, material):
     return 1.0 - lam if isinstance(material, Burning) else 1.0
 
 
-@zone_pass(HardenRows)
+@zone_pass("limit flow v plastic_work plastic_strain")
 def harden_pass(count, z, dt, numbers, law):
     """Plastic strain and work of the step; stretches of zones in which none flows are passed over."""
     rows_apart()
@@ -122,7 +117,7 @@ def harden_pass(count, z, dt, numbers, law):
         first = end
 
 
-@zone_pass(PlasticHeatRows)
+@zone_pass("limit flow v heat")
 def plastic_heat_pass(count, z, dt, numbers, law):
     """Adds the plastic work of a strain, J/kg."""
     rows_apart()

@@ -1,7 +1,6 @@
 """Motion of the nodes of one segment by both integrators, and what the boundaries do."""
 
 import math
-from collections import namedtuple
 from typing import Any, NamedTuple
 
 import numba as nb
@@ -16,13 +15,9 @@ from hugoniot.solvers.lagrange1d.layout import H, Z
 from hugoniot.solvers.lagrange1d.ring import ring_pull
 from hugoniot.solvers.lagrange1d.transmitting import follow, settle
 
-DriftRows = namedtuple("DriftRows", "r u u_mean r_half")
-MoveRows = namedtuple("MoveRows", "sigma hoop r_half inverse_mass u u_mean r")
-LeapRows = namedtuple("LeapRows", "sigma pull width inverse_mass u r")
-
 
 # -- inner nodes: `count` of them from the second of the node rows on; zone rows begin with the zone on the left of the first ---------
-@zone_pass(DriftRows)
+@zone_pass("r u u_mean r_half")
 def drift(count, z, dt, numbers, law):
     """Nodes, ends included, in the middle of the step: positions by the velocities at its start, and those velocities led on there by the
     acceleration of the step before. dt is half the step; `numbers` its ratio to the one before."""
@@ -34,7 +29,7 @@ def drift(count, z, dt, numbers, law):
         z.u_mean[j] = u + ahead * (u - z.u_mean[j])
 
 
-@zone_pass(MoveRows)
+@zone_pass("sigma hoop r_half inverse_mass u u_mean r")
 def move(count, z, dt, numbers, law):
     """Velocity and position at the end of the step from the stresses in its middle."""
     rows_apart()
@@ -51,7 +46,7 @@ def move(count, z, dt, numbers, law):
         z.r[j + 1] += dt * mean
 
 
-@zone_pass(LeapRows)
+@zone_pass("sigma pull width inverse_mass u r")
 def leap(count, z, dt, numbers, law):
     """Leapfrog: velocity to n+1/2 and position to n+1 (B.2 item 2); `numbers` is the mean time step."""
     rows_apart()

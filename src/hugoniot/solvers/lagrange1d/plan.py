@@ -132,18 +132,18 @@ class Planner:
         z, h, forced = self._at[0].z, self._at[0].h, self.terms.forced
         mean, field = place(self.dts[DT_MEAN:]), self.terms.force.field
         if self.staggered:
-            steps = [Operation(nodes.leap, self.geometry, nodes.LeapRows(z.sigma, z.pull, z.width, h.inverse_mass, h.u, h.r),
+            steps = [Operation(nodes.leap, self.geometry, (z.sigma, z.pull, z.width, h.inverse_mass, h.u, h.r),
                                self.dts[DT_MEAN:], self._at[0].whole)]
             if forced:
-                steps.insert(0, Operation(sources.kick, None, sources.KickRows(h.r, h.u), field, mean))
+                steps.insert(0, Operation(sources.kick, None, (h.r, h.u), field, mean))
             yield (LEAP, 0, 0, False), steps
             return
-        drifted = nodes.DriftRows(h.r, h.u, h.u_mean, h.r_half)
+        drifted = (h.r, h.u, h.u_mean, h.r_half)
         yield (DRIFT, 0, 0, False), [Operation(nodes.drift, None, drifted, self.dts[AHEAD:], self._at[0].half)]
-        rows = nodes.MoveRows(z.sigma_half, z.hoop_half, h.r_half, h.inverse_mass, h.u, h.u_mean, h.r)
+        rows = (z.sigma_half, z.hoop_half, h.r_half, h.inverse_mass, h.u, h.u_mean, h.r)
         steps = [Operation(nodes.move, self.geometry, rows, self.dts, self._at[0].whole)]
         if forced:
-            steps.append(Operation(sources.fall, None, sources.FallRows(h.r_half, h.u, h.u_mean, h.r), field, self._at[0].whole))
+            steps.append(Operation(sources.fall, None, (h.r_half, h.u, h.u_mean, h.r), field, self._at[0].whole))
         yield (MOVE, 0, 0, False), steps
 
     def _of_heat(self):
@@ -152,7 +152,7 @@ class Planner:
             return
         at = self._at[0]
         z, b, h = at.z, at.b, at.h
-        rows = compatible.FluxRows(h.r_half, h.u_mean, b.lam, z.q, z.rho, z.inverse_mass, z.e, z.face_flux)
+        rows = (h.r_half, h.u_mean, b.lam, z.q, z.rho, z.inverse_mass, z.e, z.face_flux)
         for burns in (0, 1):
             numbers = np.array([self._heat_flux, burns])
             yield (FLOW, burns, 0, False), [Operation(compatible.heat_flux, self.geometry, rows, numbers, at.whole)]

@@ -9,7 +9,6 @@ Source: Herrmann 2.3 and 2.4 (body force), 2.16 and 2.18 (energy supply).
 """
 
 import math
-from collections import namedtuple
 from typing import Any, NamedTuple
 
 import numba as nb
@@ -26,10 +25,6 @@ from hugoniot.solvers.lagrange1d.nodes import add_impulse, pulse_value
 
 NO_FORCE = -1.0    # code of the shape of no pulse
 STIFFEST = 6.0     # c^2 over the energy of what has been heated: Gamma (Gamma + 1) of Gamma = 2, above any gas
-
-FallRows = namedtuple("FallRows", "r_half u u_mean r")
-KickRows = namedtuple("KickRows", "r u")
-SupplyRows = namedtuple("SupplyRows", "weights e")
 
 
 class Force(NamedTuple):
@@ -109,7 +104,7 @@ def _integral(depth, source):
 
 
 # -- passes: inner nodes as in `nodes`, `numbers` the field ------------------------------------------------------------
-@zone_pass(FallRows)
+@zone_pass("r_half u u_mean r")
 def fall(count, z, dt, numbers, law):
     """What the force adds to velocity and position at the end of the step."""
     rows_apart()
@@ -120,7 +115,7 @@ def fall(count, z, dt, numbers, law):
         z.r[j + 1] += 0.5 * dt * more
 
 
-@zone_pass(KickRows)
+@zone_pass("r u")
 def kick(count, z, dt, numbers, law):
     """Leapfrog: what it adds to the velocity before the nodes are leapt; the step is the mean time step."""
     rows_apart()
@@ -128,7 +123,7 @@ def kick(count, z, dt, numbers, law):
         z.u[j + 1] += dt * field_at(z.r[j + 1], numbers)
 
 
-@zone_pass(SupplyRows)
+@zone_pass("weights e")
 def supply_pass(count, z, dt, numbers, law):
     """Energy of one source."""
     rows_apart()
@@ -140,7 +135,7 @@ def supply_pass(count, z, dt, numbers, law):
 def supply(s, e, half: bool = False) -> None:
     """Write what heat sources add to energies in a step, or in its half; s: `zones.steps.MaterialSteps` with the rows of `plan`."""
     for weights, amounts in s.at.supplied:
-        s.do(supply_pass, SupplyRows(weights, e), numbers=amounts[int(half):])
+        s.do(supply_pass, (weights, e), numbers=amounts[int(half):])
 
 
 # -- in a march --------------------------------------------------------------------------------------------------------
