@@ -87,6 +87,19 @@ def bind_choice(generic, choose):
         _bind(generic, lambda *args: choose(*(getattr(arg, "instance_class", None) for arg in args)))
 
 
+def only_if(chosen, otherwise=None):
+    """Decorator: kernels have the function where `chosen` holds for the class of its last argument (None: no tuple); elsewhere nothing
+    of it is compiled, and a call gives `otherwise`, None or a number."""
+    def nothing(*args):
+        return otherwise
+
+    def choice(function):
+        bind_choice(function, lambda *classes: function if chosen(classes[-1]) else nothing)
+        return function
+
+    return choice
+
+
 def bind_family(family: Registry, generics: dict):
     """Bind a family's generic functions (contract name -> plain dispatching function); its laws follow when a kernel meets them."""
     for name, generic in generics.items():

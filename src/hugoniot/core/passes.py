@@ -30,7 +30,7 @@ from hugoniot.core.rows import ROW, row_at, rows, rows_apart
 from hugoniot.core.target import BY_ADDRESS, EXACT_PASS, NAN_PASS, PASS
 
 # whoever writes passes takes the words for rows and for passes from here
-__all__ = ["ROW", "Entry", "Pass", "bind_flag", "call_entry", "kind_of", "law_of", "named", "numbers_of",
+__all__ = ["ROW", "Entry", "Pass", "bind_flag", "call_entry", "flag_of", "kind_of", "law_of", "named", "numbers_of",
            "row_at", "rows", "rows_apart", "zone_pass"]
 
 
@@ -187,6 +187,15 @@ def _no(par):
 def bind_flag(function, family: Registry, flag: str) -> None:
     """Let kernels ask `function(par)` whether a law of the family has a flag; the answer is known when the kernel is compiled."""
     bind_choice(function, lambda cls: _yes if flag in family.of_class(cls).flags else _no)
+
+
+def flag_of(family: Registry, flag: str):
+    """The function (par) -> whether a law of the family has a flag, for Python and, known when they are compiled, for kernels."""
+    def has_flag(par) -> bool:
+        return flag in family.of(par).flags
+
+    bind_flag(has_flag, family, flag)
+    return has_flag
 
 
 # -- whole functions by address ----------------------------------------------------------------------------------------

@@ -6,49 +6,29 @@
 Source: Starkenberg ARL-TR-2161 sections 3 to 5; Herrmann WL-TR-64-107 A.27 to A.30.
 """
 
-from hugoniot.core.binder import bind, bind_choice, bind_module
+from hugoniot.core.binder import bind, bind_module, only_if
 from hugoniot.core.ops import fmax, fmin
-from hugoniot.core.passes import bind_flag, law_of, named, rows_apart, zone_pass
+from hugoniot.core.passes import flag_of, law_of, named, rows_apart, zone_pass
 from hugoniot.laws.burn.contract import BURN, advance, rate, scheduled, short_advance
 from hugoniot.laws.mixture import reference_state
-from hugoniot.laws.mixture.contract import Mixed, mixture_temperature
+from hugoniot.laws.mixture.contract import mixture_temperature
 from hugoniot.laws.mixture.reference_state import PASSING, found_state, is_passing, reactants_share
 from hugoniot.zones.constants import Constants
-from hugoniot.zones.mixture import BURNED, PARTLY, end_of_stretch, whole
+from hugoniot.zones.mixture import BURNED, PARTLY, end_of_stretch, phases, whole
 from hugoniot.zones.soundness import FOUND_RATE
 
 STEP_SHARE = 0.1     # of the shortest burning time a step may be
 NEARLY = 0.99        # burn fraction up to which the time step follows the rate
 IGNITED = 0.05       # burn fraction from which the resolution of the rate is watched
 SUBCYCLED = -1.0     # in place of a burn fraction that takes sub-steps
+counts_viscosity = flag_of(BURN, "includes_viscosity")     # whether the pressure a burn law is meant to see is that with the viscosity
+subcycles = flag_of(BURN, "subcycled")                     # whether its `advance` is a loop, which no packed loop over zones can hold
 
 
+@only_if(lambda rate: "temperature_driven" in BURN.of_class(rate).flags, otherwise=0.0)
 def burn_temperature(lam, mixed, mixture, rate):
     """Temperature for a burn law that asks for one; 0 for the others, at no cost."""
-    return mixture_temperature(lam, mixed, mixture) if "temperature_driven" in BURN.of(rate).flags else 0.0
-
-
-def no_temperature(lam, mixed, mixture, rate):
-    return 0.0
-
-
-def its_temperature(lam, mixed, mixture, rate):
     return mixture_temperature(lam, mixed, mixture)
-
-
-def counts_viscosity(rate) -> bool:
-    """Whether the pressure a burn law is meant to see is that with the artificial viscosity."""
-    return "includes_viscosity" in BURN.of(rate).flags
-
-
-def subcycles(rate) -> bool:
-    """Whether `advance` of the burn law is a loop, which no packed loop over zones can hold."""
-    return "subcycled" in BURN.of(rate).flags
-
-
-def phases(z, j):
-    """The phases of the step before."""
-    return Mixed(z.p[j], z.rho_r[j], z.e_r[j], z.rho_p[j], z.e_p[j], 0.0)
 
 
 def driving_pressure(z, j, rate):
@@ -179,13 +159,6 @@ def keep_phases_pass(count, z, dt, numbers, law):
         z.status[j] += z.new_status[j]
 
 
-def _asks(flag, then, otherwise):
-    return lambda *classes: then if flag in BURN.of_class(classes[-1]).flags else otherwise
-
-
 bind_module(reference_state)
-bind_choice(burn_temperature, _asks("temperature_driven", its_temperature, no_temperature))
-bind_flag(counts_viscosity, BURN, "includes_viscosity")
-bind_flag(subcycles, BURN, "subcycled")
-for _function in (no_temperature, its_temperature, phases, driving_pressure, fraction, short_fraction, pace):
+for _function in (driving_pressure, fraction, short_fraction, pace):
     bind(_function)

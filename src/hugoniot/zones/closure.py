@@ -12,21 +12,13 @@ Sound is elastic, on the unloading branch of a law with memory: a release outrun
 """
 
 from hugoniot.core.ops import late_over
-from hugoniot.core.passes import bind_flag, law_of, rows_apart, zone_pass
+from hugoniot.core.passes import flag_of, law_of, rows_apart, zone_pass
 from hugoniot.laws.eos.contract import EOS, compacted, pressure, pressure_derivatives, reference_state, remembered, unloading
 from hugoniot.laws.eos.contract import temperature as eos_temperature
 
 NEWTON_STEPS = 4      # of `settle` for laws that are not linear in the energy
-
-
-def remembers(eos) -> bool:
-    """Whether the equation of state has a history variable."""
-    return "remembers" in EOS.of(eos).flags
-
-
-def linear_in_energy(eos) -> bool:
-    """Whether the pressure is linear in the energy, so that `settle` is one division."""
-    return "linear_in_energy" in EOS.of(eos).flags
+remembers = flag_of(EOS, "remembers")                      # whether an equation of state has a history variable
+linear_in_energy = flag_of(EOS, "linear_in_energy")        # whether its pressure is linear in the energy: `settle` is one division then
 
 
 @zone_pass("v e compaction p")
@@ -111,7 +103,3 @@ def rest_pass(count, z, dt, numbers, law):
     eos = law_of(law, numbers)
     for j in range(count):
         z.rest[j] = reference_state(remembered(z.compaction[j], eos))[0]
-
-
-bind_flag(remembers, EOS, "remembers")
-bind_flag(linear_in_energy, EOS, "linear_in_energy")

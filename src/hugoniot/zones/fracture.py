@@ -6,17 +6,13 @@ which sees the solid's own volume, takes up the rest.
 
 from hugoniot.core.binder import bind
 from hugoniot.core.ops import fmax, fmin
-from hugoniot.core.passes import bind_flag, law_of, rows_apart, zone_pass
+from hugoniot.core.passes import flag_of, law_of, rows_apart, zone_pass
 from hugoniot.laws.fracture.contract import FRACTURE, damage_rate, failure, tension_cap
 from hugoniot.zones.soundness import FOUND_CAPPED, FOUND_FAILURE
 
 TINY = 1e-300
 OPENING_OF_A_SPRAY = 0.01    # part of the volume
-
-
-def grows_voids(fracture) -> bool:
-    """Whether a failing zone grows voids at a tension its law caps."""
-    return "voids" in FRACTURE.of(fracture).flags
+grows_voids = flag_of(FRACTURE, "voids")     # whether a failing zone grows voids at a tension its law caps
 
 
 def void_change(tension, stiffness, voids, density, fracture):
@@ -107,6 +103,5 @@ def solid_pass(count, z, dt, numbers, law):
             z.solid[j] = z.rho[j]
 
 
-bind_flag(grows_voids, FRACTURE, "voids")
 for _function in (void_change, at_work, flow_beside_voids):
     bind(_function)

@@ -18,7 +18,7 @@ Source: Starkenberg ARL-TR-2161 sections 3 to 5; `docs/theory/mixtures.md`.
 import numba as nb
 
 from hugoniot.core.binder import bind
-from hugoniot.core.passes import bind_flag, law_of, rows_apart, zone_pass
+from hugoniot.core.passes import flag_of, law_of, rows_apart, zone_pass
 from hugoniot.core.target import SWEEP
 from hugoniot.laws.mixture.contract import (
     CONVERGED,
@@ -34,16 +34,8 @@ from hugoniot.laws.mixture.contract import (
 )
 
 UNBURNED, PARTLY, BURNED = 0.0, -1.0, 1.0
-
-
-def isolates(mixture) -> bool:
-    """Whether the reactants keep an isentrope, and so have a reference state."""
-    return "follows_isentrope" in MIXTURE.of(mixture).flags
-
-
-def bare(mixture) -> bool:
-    """Whether nothing stands for the explosive before it burns."""
-    return "no_reactants" in MIXTURE.of(mixture).flags
+isolates = flag_of(MIXTURE, "follows_isentrope")     # whether the reactants keep an isentrope, and so have a reference state
+bare = flag_of(MIXTURE, "no_reactants")              # whether nothing stands for the explosive before it burns
 
 
 def whole(lam):
@@ -53,11 +45,11 @@ def whole(lam):
 
 def before(z, j):
     """The phases of the step before, warmed."""
-    return heated(Mixed(z.p[j], z.rho_r[j], z.e_r[j], z.rho_p[j], z.e_p[j], 0.0), z.heat[j])
+    return heated(phases(z, j), z.heat[j])
 
 
-def mixed_now(z, j):
-    """The solved phases."""
+def phases(z, j):
+    """The phases in rows."""
     return Mixed(z.p[j], z.rho_r[j], z.e_r[j], z.rho_p[j], z.e_p[j], 0.0)
 
 
@@ -96,8 +88,8 @@ def keep_slopes(z, j, mixed, lam, mixture):
 def solve_pure(z, start, stop, known, mixture):
     """Zones that have burned nothing, or whole."""
     for j in range(start, stop):
-        phases = heated(at_rest(z.rho_r[j], z.e_r[j]), z.heat[j]) if known == UNBURNED else before(z, j)
-        mixed = solve(z.rho[j], z.e[j], known, phases, mixture)
+        start_from = heated(at_rest(z.rho_r[j], z.e_r[j]), z.heat[j]) if known == UNBURNED else before(z, j)
+        mixed = solve(z.rho[j], z.e[j], known, start_from, mixture)
         keep(z, j, mixed)
         keep_slopes(z, j, mixed, known, mixture)
 
@@ -128,13 +120,13 @@ def solve_pass(count, z, dt, numbers, law):
 @nb.njit(**SWEEP)
 def slopes_of_pure(z, start, stop, known, mixture):
     for j in range(start, stop):
-        keep_slopes(z, j, mixed_now(z, j), known, mixture)
+        keep_slopes(z, j, phases(z, j), known, mixture)
 
 
 @nb.njit(**SWEEP)
 def slopes_of_mixed(z, start, stop, mixture):
     for j in range(start, stop):
-        keep_slopes(z, j, mixed_now(z, j), z.lam[j], mixture)
+        keep_slopes(z, j, phases(z, j), z.lam[j], mixture)
 
 
 @zone_pass("rho e lam p rho_r e_r rho_p e_p c2 p_e")
@@ -171,10 +163,8 @@ def mixture_temperature_pass(count, z, dt, numbers, law):
     rows_apart()
     mixture = law_of(law, numbers)
     for j in range(count):
-        z.temperature[j] = mixture_temperature(z.lam[j], mixed_now(z, j), mixture)
+        z.temperature[j] = mixture_temperature(z.lam[j], phases(z, j), mixture)
 
 
-bind_flag(isolates, MIXTURE, "follows_isentrope")
-bind_flag(bare, MIXTURE, "no_reactants")
-for _function in (whole, before, mixed_now):
+for _function in (whole, before, phases):
     bind(_function)

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 import numba as nb
 
-from hugoniot.core.binder import bind_choice
+from hugoniot.core.binder import only_if
 from hugoniot.core.passes import kind_of, rows_apart, zone_pass
 from hugoniot.core.target import BY_ADDRESS, GUARD
 from hugoniot.mesh.line import area, hoops
@@ -152,34 +152,18 @@ def add_impulse(control, account, impulse):
     control[account] = after
 
 
+@only_if(lambda boundary: boundary is OpenEnd)
 def answer(zones, control, zone, end, dt, boundary):
     """`transmitting.follow`, in a run that has such an end."""
-
-
-def hold(zones, nodes, control, ends, end, faster, dt, geometry, boundary):
-    """`transmitting.settle`, in a run that has such an end."""
-
-
-def _answer(zones, control, zone, end, dt, boundary):
     inward = 1 if end == L.END_LEFT else -1
     follow(control[end:end + L.END_FLOATS], zones, (Z.sigma, Z.rho, Z.q), zone, inward, zones[Z.rho, zone] * zones[Z.c, zone],
            zones[Z.mass, zone], dt)
 
 
-def _hold(zones, nodes, control, ends, end, faster, dt, geometry, boundary):
+@only_if(lambda boundary: boundary is OpenEnd)
+def hold(zones, nodes, control, ends, end, faster, dt, geometry, boundary):
+    """`transmitting.settle`, in a run that has such an end."""
     settle(zones, nodes, control, ends, end, faster, dt, geometry)
-
-
-def _nothing(zones, control, zone, end, dt, boundary):
-    pass
-
-
-def _nothing_held(zones, nodes, control, ends, end, faster, dt, geometry, boundary):
-    pass
-
-
-bind_choice(answer, lambda *classes: _answer if classes[-1] is OpenEnd else _nothing)
-bind_choice(hold, lambda *classes: _hold if classes[-1] is OpenEnd else _nothing_held)
 
 
 @nb.njit(**BY_ADDRESS)

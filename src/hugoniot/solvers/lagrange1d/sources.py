@@ -176,7 +176,7 @@ def measure(time, dt, supply):
 
 @nb.njit(**BY_ADDRESS)
 def heated_step(nodes, control, segments, supply):
-    """The time step, shortened where the heat of a source would make a zone so hot that sound crosses it; amounts are set for it."""
+    """Shorten the time step where the heat of a source would make a zone so hot that sound crosses it; amounts are set for it."""
     limit = control[L.COURANT] ** 2
     for _ in range(60):
         dt = control[L.DT]
@@ -192,7 +192,6 @@ def heated_step(nodes, control, segments, supply):
             break
         control[L.DT] = max(0.99 * dt * (limit / (dt * dt * worst)) ** (1.0 / 3.0), 1e-3 * dt)
         control[L.DT_NATURAL] = min(control[L.DT_NATURAL], control[L.DT])
-    return control[L.DT]
 
 
 @nb.njit(**BY_ADDRESS)

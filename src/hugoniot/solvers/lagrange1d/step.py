@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numba as nb
 from numba.extending import overload
 
-from hugoniot.core.binder import bind_choice
+from hugoniot.core.binder import only_if
 from hugoniot.core.passes import Entry, call_entry
 from hugoniot.core.shares import everyone
 from hugoniot.core.target import BY_ADDRESS, GUARD, INLINE
@@ -32,7 +32,7 @@ from hugoniot.solvers.lagrange1d.nodes import add_impulse, end_node, end_pull, f
 from hugoniot.solvers.lagrange1d.plan import ADVANCE, AHEAD, CORRECT, DRIFT, DT, DT_HALF, DT_MEAN, FLOW, LEAP, MOVE, PREDICT, gather
 from hugoniot.solvers.lagrange1d.ring import mix_seam, ring_ghosts, seam_flux
 from hugoniot.solvers.lagrange1d.sources import book_force, book_supply, heated_step, measure_force
-from hugoniot.solvers.lagrange1d.terms import NoTerms
+from hugoniot.solvers.lagrange1d.terms import Marching
 from hugoniot.solvers.lagrange1d.transmitting import ghosts
 from hugoniot.solvers.lagrange1d.watch import (
     cavity_closed,
@@ -222,42 +222,24 @@ def watch(a, geometry, found):
 WATCH = Entry(watch)
 
 
-def begin_terms(dt, a, scheme, terms):
-    """Force and heat of the step that begins; the time step they allow."""
-    return dt
+@only_if(lambda terms: terms is Marching)
+def begin_terms(a, scheme, terms):
+    """Force and heat of the step that begins, and the time step they allow."""
+    if terms.supply.sums.shape[0] > 0:
+        heated_step(a.nodes, a.control, a.segments, terms.supply)
+    if terms.force.pulse[0] >= 0.0:
+        measure_force(a.control[L.TIME], a.control[L.DT], scheme.staggered, terms.force)
 
 
+@only_if(lambda terms: terms is Marching)
 def end_terms(a, plan, scheme, geometry, terms):
     """What body force and heat sources have done in the step, booked; conduction."""
-
-
-def _begin_terms(dt, a, scheme, terms):
-    if terms.supply.sums.shape[0] > 0:
-        dt = heated_step(a.nodes, a.control, a.segments, terms.supply)
-    if terms.force.pulse[0] >= 0.0:
-        measure_force(a.control[L.TIME], dt, scheme.staggered, terms.force)
-    return dt
-
-
-def _end_terms(a, plan, scheme, geometry, terms):
     if terms.force.pulse[0] >= 0.0:
         book_force(a.nodes, a.control, plan.dts, scheme.staggered, terms.force)
     if terms.supply.sums.shape[0] > 0:
         book_supply(a.control, terms.supply)
     if terms.conduction.scratch.shape[1] > 0:
         conduct(a.zones, a.nodes, a.segments, plan.dts[DT], terms.conduction, geometry)
-
-
-def _same_step(dt, a, scheme, terms):
-    return dt
-
-
-def _no_end(a, plan, scheme, geometry, terms):
-    pass
-
-
-bind_choice(begin_terms, lambda *classes: _same_step if classes[-1] is NoTerms else _begin_terms)
-bind_choice(end_terms, lambda *classes: _no_end if classes[-1] is NoTerms else _end_terms)
 
 
 @nb.njit(**GUARD)
@@ -269,10 +251,11 @@ def march(cycles, a, plan, scheme, geometry, boundaries, gauges, terms):
     for _ in range(cycles):
         if recording and counters[L.GAUGE_ROWS] >= gauges.times.shape[0]:
             return L.BUFFER_FULL
-        dt = choose_step(a.zones, a.nodes, control, a.segments, scheme.staggered, geometry)
+        choose_step(a.zones, a.nodes, control, a.segments, scheme.staggered, geometry)
         if not control[L.DT_NATURAL] > control[L.DT_SMALLEST]:
             return L.STEP_COLLAPSED
-        dt = begin_terms(dt, a, scheme, terms)
+        begin_terms(a, scheme, terms)
+        dt = control[L.DT]
         plan.dts[DT], plan.dts[DT_MEAN], plan.dts[DT_HALF] = dt, 0.5 * (dt + control[L.DT_OLD]), 0.5 * dt
         plan.dts[AHEAD] = min(dt / control[L.DT_OLD], L.LONGEST_AHEAD) if control[L.DT_OLD] > 0.0 else 0.0
         take_step(a, plan, scheme, geometry, boundaries)
